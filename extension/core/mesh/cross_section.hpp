@@ -1,0 +1,22 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace undergrowth {
+
+/// A ring with all that its meshes share, worked out once per species and level of detail.
+struct CrossSection {
+	std::vector<glm::vec2> points; ///< (x, z), counter-clockwise from above (conventions.hpp).
+	std::vector<glm::vec2> normals; ///< Outward, unit length: the mean of the two edges at each point.
+	std::vector<float> reach; ///< dot(points[i], normals[i]): how far the surface leans out as the ring widens.
+	std::vector<int32_t> cap; ///< 3·(n - 2) indices that fill the ring, counter-clockwise from above.
+	float radius = 0.0f; ///< Largest distance of a point from the origin.
+};
+
+/// Works out a valid ring (see find_ring_fault), convex or not. Caps are cut by ear clipping.
+CrossSection make_cross_section(const std::vector<glm::vec2> &ring);
+
+} // namespace undergrowth

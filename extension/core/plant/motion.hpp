@@ -1,0 +1,24 @@
+#pragma once
+
+namespace undergrowth {
+
+/// How a plant returns to its rest direction.
+enum class Law {
+	elasticity, ///< The thesis's (formulas 3.1 and 3.2): an upward force that grows with the tip's height.
+	spring, ///< A damped spring at the joint that always returns to the rest direction.
+};
+
+/// What a species says about its motion. Each law uses its own part.
+struct Motion {
+	Law law = Law::spring;
+	float elasticity = 4.0f; ///< Elasticity law; above 0 upright is stable, ω² = e·g/L.
+	float inner_friction = 0.3f; ///< Elasticity law, N·s/m against the tip's velocity.
+	float natural_frequency = 1.0f; ///< Spring law, Hz, of a small free swing of the finished plant.
+	float damping_ratio = 0.1f; ///< Spring law, 1 is critical.
+	float mass = 1.0f; ///< kg, at the tip.
+	float wind_weight = 1.0f; ///< Share of the wind's force that the tip catches.
+	float lean = 0.0f; ///< Spring law, rad from upright to the rest direction, below π/2.
+	float collision_radius = 0.05f; ///< m, of the sphere at the tip.
+};
+
+} // namespace undergrowth

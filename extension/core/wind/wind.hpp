@@ -1,0 +1,39 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+namespace undergrowth {
+
+/// The four ways in which wind blows (thesis, section 4.3, figures 4.3 to 4.6).
+enum class WindKind {
+	gust, ///< Full strength for `gust_duration` from `gust_start` on, then nothing.
+	constant, ///< Full strength, always.
+	bursts, ///< Full strength in the first half of each period, nothing in the second.
+	waves, ///< strength·(1 + sin(2π·phase)): from 0 to twice the strength.
+};
+
+/// All values finite; strength, frequency and gust_duration >= 0.
+struct Wind {
+	WindKind kind = WindKind::constant;
+	float strength = 10.0f; ///< N on a tip with wind weight 1.
+	float direction = 0.0f; ///< rad; 0 blows towards +z, a quarter turn towards +x.
+	float frequency = 0.5f; ///< Hz, of bursts and waves.
+	float gust_duration = 0.5f; ///< s.
+	double gust_start = 0.0; ///< s.
+	bool gust_triggered = false; ///< A gust that somebody called for blows on top of the other kinds, too.
+	double phase = 0.0; ///< Cycles that bursts and waves are ahead of frequency·time.
+};
+
+/// The force's size (N) at `time` (s). A pure function.
+float wind_strength(const Wind &wind, double time);
+
+/// Where the wind blows to: a horizontal unit vector.
+glm::vec3 wind_direction(const Wind &wind);
+
+/// The force (N) at `time` (s): direction times strength.
+glm::vec3 wind_force(const Wind &wind, double time);
+
+/// Changes the frequency at `time` so that the wave goes on where it is: sets frequency and phase (kept in [0, 1)).
+void change_frequency(Wind &wind, float frequency, double time);
+
+} // namespace undergrowth
