@@ -1,0 +1,132 @@
+#include "base/portable_math.hpp"
+
+#include <cmath>
+#include <limits>
+
+// Argument reductions and coefficients are those of fdlibm (Sun Microsystems 1993: e_rem_pio2.c, k_sin.c, k_cos.c,
+// e_exp.c). floor, fabs, fmod and ldexp are exact by their definition, so every platform's agree.
+
+namespace undergrowth {
+
+namespace {
+
+constexpr double TWO_OVER_PI = 6.36619772367581382433e-01;
+// π/2 in three parts. The first two have 33 bits, so that their products with a count of quarter turns below 2^20 are
+// exact.
+constexpr double HALF_PI_HIGH = 1.57079632673412561417e+00;
+constexpr double HALF_PI_MIDDLE = 6.07710050630396597660e-11;
+constexpr double HALF_PI_LOW = 2.02226624879595063154e-21;
+constexpr double TWO_PI = 6.28318530717958647693e+00;
+constexpr double LARGEST_EXACT_ANGLE = 1.6e6;
+
+constexpr double ONE_OVER_LN2 = 1.44269504088896338700e+00;
+constexpr double LN2_HIGH = 6.93147180369123816490e-01;
+constexpr double LN2_LOW = 1.90821492927058770002e-10;
+constexpr double LARGEST_EXPONENT = 7.09782712893383973096e+02;
+constexpr double SMALLEST_EXPONENT = -7.45133219101941108420e+02;
+
+/// angle = quadrant·π/2 + rest, |rest| <= π/4 (a hair more at the border).
+struct Reduced {
+	int quadrant; ///< 0 to 3.
+	double rest;
+};
+
+Reduced reduce_angle(double angle) {
+	// Beyond the exact range an angle is still brought back, so that the results stay within [-1, 1].
+	const double within = std::fabs(angle) <= LARGEST_EXACT_ANGLE ? angle : std::fmod(angle, TWO_PI);
+	const double count = std::floor(within * TWO_OVER_PI + 0.5);
+	const double high = within - count * HALF_PI_HIGH;
+	const double middle = count * HALF_PI_MIDDLE;
+	const double rest = high - middle;
+	const double lost = (high - rest) - middle;
+	return { static_cast<int>(count - 4.0 * std::floor(count * 0.25)), rest + (lost - count * HALF_PI_LOW) };
+}
+
+double sin_kernel(double x) {
+	const double z = x * x;
+	const double r = 8.33333333332248946124e-03 +
+			z *
+					(-1.98412698298579493134e-04 +
+							z *
+									(2.75573137070700676789e-06 +
+											z * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10)));
+	return x + x * z * (-1.66666666666666324348e-01 + z * r);
+}
+
+double cos_kernel(double x) {
+	const double z = x * x;
+	const double r = 4.16666666666666019037e-02 +
+			z *
+					(-1.38888888888741095749e-03 +
+							z *
+									(2.48015872894767294178e-05 +
+											z *
+													(-2.75573143513906633035e-07 +
+															z *
+																	(2.08757232129817482790e-09 +
+																			z * -1.13596475577881948265e-11))));
+	return 1.0 - (0.5 * z - z * z * r);
+}
+
+/// Sine of `quadrant` quarter turns plus `rest`.
+double sin_of(int quadrant, double rest) {
+	const double size = (quadrant & 1) != 0 ? cos_kernel(rest) : sin_kernel(rest);
+	return (quadrant & 2) != 0 ? -size : size;
+}
+
+} // namespace
+
+double portable_sin(double angle) {
+	if (!std::isfinite(angle)) {
+		return std::numeric_limits<double>::quiet_NaN();
+	}
+	const Reduced reduced = reduce_angle(angle);
+	return sin_of(reduced.quadrant, reduced.rest);
+}
+
+double portable_cos(double angle) {
+	if (!std::isfinite(angle)) {
+		return std::numeric_limits<double>::quiet_NaN();
+	}
+	const Reduced reduced = reduce_angle(angle);
+	return sin_of(reduced.quadrant + 1, reduced.rest);
+}
+
+double portable_tan(double angle) {
+	if (!std::isfinite(angle)) {
+		return std::numeric_limits<double>::quiet_NaN();
+	}
+	const Reduced reduced = reduce_angle(angle);
+	return sin_of(reduced.quadrant, reduced.rest) / sin_of(reduced.quadrant + 1, reduced.rest);
+}
+
+double portable_exp(double exponent) {
+	if (std::isnan(exponent)) {
+		return exponent;
+	}
+	if (exponent > LARGEST_EXPONENT) {
+		return std::numeric_limits<double>::max();
+	}
+	if (exponent < SMALLEST_EXPONENT) {
+		return 0.0;
+	}
+	const double count = std::floor(exponent * ONE_OVER_LN2 + 0.5);
+	const double high = exponent - count * LN2_HIGH;
+	const double low = count * LN2_LOW;
+	const double x = high - low;
+	const double z = x * x;
+	const double c = x -
+			z *
+					(1.66666666666666019037e-01 +
+							z *
+									(-2.77777777770155933842e-03 +
+											z *
+													(6.61375632143793436117e-05 +
+															z *
+																	(-1.65339022054652515390e-06 +
+																			z * 4.13813679705723846039e-08))));
+	const double scaled = 1.0 - ((low - (x * c) / (2.0 - c)) - high);
+	return std::ldexp(scaled, static_cast<int>(count));
+}
+
+} // namespace undergrowth
