@@ -19,4 +19,10 @@ struct CrossSection {
 /// Works out a valid ring (see find_ring_fault), convex or not. Caps are cut by ear clipping.
 CrossSection make_cross_section(const std::vector<glm::vec2> &ring);
 
+/// The outward unit normal of a ring's edge; zero where the edge has no length.
+glm::vec2 edge_normal(glm::vec2 from, glm::vec2 to);
+
+/// Writes the `count` outward unit normals of a ring's points: the mean of the two edges at each.
+void ring_normals(const glm::vec2 *points, int count, glm::vec2 *normals);
+
 } // namespace undergrowth

@@ -54,7 +54,9 @@ MeshCounts count_mesh(int points, int lod, Shading shading);
 
 /// Builds rings, sides and both ends (thesis, section 2.2, snippets 2.1 and 2.2, with `lod` bands).
 /// Ring k stands at height·k/lod exactly and is the cross-section times widths[k]. Side quads are the triangles
-/// (0, 2, 1) and (1, 2, 3) with 0 = lower i, 1 = upper i, 2 = lower next, 3 = upper next, clockwise from outside.
+/// (0, 1, 2) and (1, 3, 2) with 0 = lower i, 1 = upper i, 2 = lower next, 3 = upper next: clockwise from outside. (The
+/// thesis lists each as (0, 2, 1) and (1, 2, 3), which with its ring and right-handed axes is WebGL's front face,
+/// counter-clockwise. Godot's is the other one.)
 /// Order of indices: sides by band, then the bottom, then the top. Guarantees: indices in range, normals outward and of
 /// length 1 within 1e-6, weights that sum to 1 exactly, a closed surface after welding, the same bytes for the same
 /// arguments. Allocates nothing.

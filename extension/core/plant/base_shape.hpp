@@ -14,7 +14,7 @@ inline constexpr int MIN_LOD = 1;
 inline constexpr int MAX_LOD = 256;
 
 /// The thesis's circle (snippet 2.7): max(4, lod) points, point i at (-cos a, sin a)·radius with a = 2πi/n.
-std::vector<glm::vec2> circle_ring(int lod, float radius = 0.3f);
+std::vector<glm::vec2> circle_ring(int lod, double radius = 0.3);
 
 /// A parallelogram, the thesis's cross-section of grass (section 2.2): `width` along x, `depth` along z, the far side
 /// shifted by `skew` along x. Four points whatever the level of detail.
@@ -22,7 +22,7 @@ std::vector<glm::vec2> parallelogram_ring(float width, float depth, float skew);
 
 /// A circle with `lobes` bulges (petals, stem ridges): radius·(1 + bulge·cos(lobes·a)). It has at least two points for
 /// each half lobe, so that coarse levels keep the count of lobes. `bulge` in [0, 0.9].
-std::vector<glm::vec2> lobed_ring(int lod, float radius, int lobes, float bulge);
+std::vector<glm::vec2> lobed_ring(int lod, double radius, int lobes, double bulge);
 
 /// What is wrong with a ring that somebody else made.
 enum class RingFault {

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+
+namespace undergrowth {
+
+/// Where a point of a ring lies around the axis: the cosine and sine of once, twice and three times its angle.
+/// Zero for a point on the axis. (No initial values: meshes keep an array of these of which most use a part or none.)
+struct Bearing {
+	glm::vec2 once;
+	glm::vec2 twice;
+	glm::vec2 thrice;
+};
+
+Bearing make_bearing(glm::vec2 point);
+
+/// The small irregularities of one plant (thesis, section 5.1.1): smooth random functions of offset and bearing alone,
+/// so that all levels of detail of one seed show the same plant.
+class Deviation {
+public:
+	/// How one ring leaves the regular shape.
+	struct Ring {
+		glm::vec2 center = glm::vec2(0.0f); ///< Shift, in shares of the plant's height; 0 at the ground.
+		float scale = 1.0f;
+		glm::vec2 twice = glm::vec2(0.0f);
+		glm::vec2 thrice = glm::vec2(0.0f);
+		float brightness = 1.0f;
+		float hue = 0.0f;
+		glm::vec2 shade = glm::vec2(0.0f);
+
+		/// Factor of the distance of a point from the axis, above 0.
+		float stretch(const Bearing &bearing) const;
+		/// The colour of a point, its alpha untouched. Components stay in [0, 1].
+		glm::vec4 tint(const glm::vec4 &color, const Bearing &bearing) const;
+	};
+
+	/// Both amounts from 0 to 1.
+	Deviation(float shape, float color, uint64_t seed);
+
+	Ring at(float offset) const;
+
+private:
+	// Cubic B-splines over equal spans of the height: smooth, local, and cheap.
+	static constexpr int SPANS = 4;
+	static constexpr int KNOTS = SPANS + 3;
+	enum Channel {
+		CENTER_X,
+		CENTER_Z,
+		SCALE,
+		TWICE_X,
+		TWICE_Z,
+		THRICE_X,
+		THRICE_Z,
+		BRIGHTNESS,
+		HUE,
+		SHADE_X,
+		SHADE_Z,
+		CHANNELS
+	};
+
+	float shape;
+	float color;
+	float knots[KNOTS][CHANNELS];
+	float plant_brightness;
+	float plant_hue;
+};
+
+} // namespace undergrowth

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace undergrowth {
+
+/// Fills a simple ring, convex or not, with ring.size() - 2 triangles: three indices each, counter-clockwise from
+/// above. Uses every point and every edge of the ring. Points that lie on a line give triangles without area. O(n²) for
+/// usual rings, O(n³) for the worst.
+std::vector<int32_t> clip_ears(const std::vector<glm::vec2> &ring);
+
+} // namespace undergrowth

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "mesh/deviation.hpp"
+#include "mesh/plant_mesh.hpp"
+#include "plant/base_shape.hpp"
+
+namespace undergrowth {
+
+/// Places the rings of one mesh, for both kinds of shading.
+class RingPlacer {
+public:
+	RingPlacer(const PlantSample &sample, const MeshOptions &options);
+
+	int points() const { return count; }
+	int lod() const { return sample.lod; }
+	bool has_shape_deviation() const { return bends; }
+
+	/// height·level/lod, rounded once: the last ring stands at the height itself.
+	float level_height(int level) const;
+	/// How fast the width changes around a ring, per metre of height.
+	float width_slope(int level) const;
+	/// The ring's points, as many as the cross-section has.
+	void place(int level, glm::vec3 *out) const;
+	void paint(int level, glm::vec4 *out) const;
+	/// The outward unit normals of the ring itself, level, whatever its width.
+	void level_normals(int level, glm::vec2 *out) const;
+
+private:
+	Deviation::Ring ring_deviation(int level) const;
+
+	const PlantSample &sample;
+	const int count;
+	const bool bends;
+	const bool tints;
+	const Deviation deviation;
+	Bearing bearings[MAX_RING_POINTS];
+};
+
+} // namespace undergrowth
