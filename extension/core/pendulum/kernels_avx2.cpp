@@ -1,0 +1,37 @@
+// Compiled with AVX2 switched on (see kernels.hpp). Where it is not, there is no such level and the baseline serves.
+#include "pendulum/kernel_tables.hpp"
+
+#if defined(__AVX2__)
+
+#if !defined(__GNUC__)
+#include <math.h>
+#pragma fp_contract(off)
+#endif
+
+namespace undergrowth {
+
+namespace avx2_kernels {
+
+#include "pendulum/kernel_bodies.inc"
+
+static const KernelSet SET = { step_elasticity, step_spring, interpolate_elasticity, interpolate_spring };
+
+} // namespace avx2_kernels
+
+const KernelSet *avx2_kernel_set() {
+	return &avx2_kernels::SET;
+}
+
+} // namespace undergrowth
+
+#else
+
+namespace undergrowth {
+
+const KernelSet *avx2_kernel_set() {
+	return nullptr;
+}
+
+} // namespace undergrowth
+
+#endif

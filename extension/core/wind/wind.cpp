@@ -1,0 +1,64 @@
+#include "wind/wind.hpp"
+
+#include "base/portable_math.hpp"
+#include "conventions.hpp"
+
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+/// The part after the whole number below `value`, in [0, 1) in spite of rounding.
+double fraction(double value) {
+	const double part = value - std::floor(value);
+	return part < 1.0 ? part : 0.0;
+}
+
+/// Where in its period the wind is, in cycles from 0 to 1. In doubles, so that hours of time lose nothing.
+double cycle_at(const Wind &wind, double time) {
+	return fraction(static_cast<double>(wind.frequency) * time + wind.phase);
+}
+
+bool gust_blows(const Wind &wind, double time) {
+	const double since = time - wind.gust_start;
+	return since >= 0.0 && since < static_cast<double>(wind.gust_duration);
+}
+
+float steady_strength(const Wind &wind, double time) {
+	switch (wind.kind) {
+		case WindKind::constant:
+			return wind.strength;
+		case WindKind::bursts:
+			return cycle_at(wind, time) < 0.5 ? wind.strength : 0.0f;
+		case WindKind::waves:
+			return wind.strength * static_cast<float>(1.0 + portable_sin(2.0 * PI * cycle_at(wind, time)));
+		case WindKind::gust:
+			break;
+	}
+	return 0.0f;
+}
+
+} // namespace
+
+float wind_strength(const Wind &wind, double time) {
+	const bool may_gust = wind.kind == WindKind::gust || wind.gust_triggered;
+	const float gust = may_gust && gust_blows(wind, time) ? wind.strength : 0.0f;
+	return steady_strength(wind, time) + gust;
+}
+
+glm::vec3 wind_direction(const Wind &wind) {
+	const double angle = static_cast<double>(wind.direction);
+	return { static_cast<float>(portable_sin(angle)), 0.0f, static_cast<float>(portable_cos(angle)) };
+}
+
+glm::vec3 wind_force(const Wind &wind, double time) {
+	return wind_direction(wind) * wind_strength(wind, time);
+}
+
+void change_frequency(Wind &wind, float frequency, double time) {
+	wind.phase = fraction(cycle_at(wind, time) - static_cast<double>(frequency) * time);
+	wind.frequency = frequency;
+}
+
+} // namespace undergrowth
