@@ -1,0 +1,31 @@
+#pragma once
+
+#include <godot_cpp/variant/color.hpp>
+#include <godot_cpp/variant/vector3.hpp>
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace undergrowth {
+
+// The core's arrays are the engine's arrays: a mesh is written straight into them.
+static_assert(sizeof(godot::Vector3) == sizeof(glm::vec3), "build the engine and the add-on with single precision");
+static_assert(sizeof(godot::Color) == sizeof(glm::vec4), "a colour is four floats on both sides");
+
+inline glm::vec3 to_glm(const godot::Vector3 &v) {
+	return { v.x, v.y, v.z };
+}
+
+inline glm::vec4 to_glm(const godot::Color &c) {
+	return { c.r, c.g, c.b, c.a };
+}
+
+inline godot::Vector3 to_godot(const glm::vec3 &v) {
+	return godot::Vector3(v.x, v.y, v.z);
+}
+
+inline godot::Color to_godot(const glm::vec4 &c) {
+	return godot::Color(c.r, c.g, c.b, c.a);
+}
+
+} // namespace undergrowth

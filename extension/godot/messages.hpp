@@ -1,0 +1,23 @@
+#pragma once
+
+#include <godot_cpp/core/object.hpp>
+#include <godot_cpp/variant/string.hpp>
+
+namespace undergrowth {
+
+/// Inclusive bounds of a number that users set.
+struct Range {
+	double least;
+	double most;
+};
+
+/// How messages call an object: its class, and its path, name or resource path.
+godot::String describe(const godot::Object *object);
+
+/// One error in Godot's log that names its object and says what to do.
+void report_error(const godot::Object *object, const godot::String &what);
+
+/// True where `value` is finite and within `range`; else reports that `property` keeps its value, and why.
+bool accept_value(const godot::Object *object, const char *property, double value, const Range &range);
+
+} // namespace undergrowth

@@ -1,0 +1,186 @@
+// Plant3D's properties and its life in the tree. plant_3d_mesh.cpp builds what is drawn, plant_3d_motion.cpp moves it.
+
+#include "plant_3d.hpp"
+
+#include "plant/base_shape.hpp"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/core/class_db.hpp>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr Range LOD_RANGE = { MIN_LOD, MAX_LOD };
+static constexpr Range HEIGHT_RANGE = { 0.0, 1000.0 };
+
+Plant3D::~Plant3D() {
+	leave_simulation();
+}
+
+void Plant3D::set_function(const Ref<PlantFunction> &new_function) {
+	const Callable changed(this, "_on_function_changed");
+	if (function.is_valid()) {
+		function->disconnect("changed", changed);
+	}
+	if (new_function.is_null() && function.is_valid()) {
+		report_problem("has no function any more; the last plant stays. Set a PlantFunction.");
+	}
+	function = new_function;
+	if (function.is_valid()) {
+		function->connect("changed", changed);
+		mark_stale();
+		update_simulation();
+	}
+	update_configuration_warnings();
+}
+
+Ref<PlantFunction> Plant3D::get_function() const {
+	return function;
+}
+
+void Plant3D::set_wind(const Ref<PlantWind> &new_wind) {
+	wind = new_wind;
+	update_simulation();
+}
+
+Ref<PlantWind> Plant3D::get_wind() const {
+	return wind;
+}
+
+void Plant3D::set_lod(int new_lod) {
+	if (accept_value(this, "lod", new_lod, LOD_RANGE)) {
+		lod = new_lod;
+		mark_stale();
+	}
+}
+
+int Plant3D::get_lod() const {
+	return lod;
+}
+
+void Plant3D::set_height(double metres) {
+	if (accept_value(this, "height", metres, HEIGHT_RANGE)) {
+		height = metres;
+		mark_stale();
+	}
+}
+
+double Plant3D::get_height() const {
+	return height;
+}
+
+void Plant3D::set_seed(int64_t new_seed) {
+	seed = new_seed;
+	mark_stale();
+}
+
+int64_t Plant3D::get_seed() const {
+	return seed;
+}
+
+void Plant3D::set_simulating(bool on) {
+	simulating = on;
+	update_simulation();
+}
+
+bool Plant3D::is_simulating() const {
+	return simulating;
+}
+
+void Plant3D::on_function_changed() {
+	if (function->is_motion_change()) {
+		update_joint();
+	} else {
+		mark_stale();
+	}
+	update_configuration_warnings();
+}
+
+PackedStringArray Plant3D::_get_configuration_warnings() const {
+	PackedStringArray warnings;
+	if (function.is_null()) {
+		warnings.push_back("This plant needs a species: set Function to a PlantFunction, such as a TulipFunction.");
+	} else if (!problem.is_empty()) {
+		warnings.push_back(problem);
+	}
+	return warnings;
+}
+
+void Plant3D::_notification(int what) {
+	switch (what) {
+		case NOTIFICATION_ENTER_TREE:
+			set_notify_transform(true);
+			update_axes();
+			if (mesh_is_stale && function.is_valid()) {
+				build_mesh();
+			}
+			is_shown = is_visible_in_tree();
+			update_simulation();
+			pose_now();
+			break;
+		case NOTIFICATION_EXIT_TREE:
+			leave_simulation();
+			break;
+		case NOTIFICATION_EXTENSION_RELOADED:
+			update_axes();
+			find_children();
+			mark_stale();
+			update_simulation();
+			break;
+		case NOTIFICATION_TRANSFORM_CHANGED:
+			update_axes();
+			update_joint();
+			break;
+		case NOTIFICATION_VISIBILITY_CHANGED:
+			is_shown = is_visible_in_tree();
+			break;
+		case NOTIFICATION_PAUSED:
+		case NOTIFICATION_UNPAUSED:
+		case NOTIFICATION_DISABLED:
+		case NOTIFICATION_ENABLED:
+			update_simulation();
+			break;
+		default:
+			break;
+	}
+}
+
+void Plant3D::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("_on_function_changed"), &Plant3D::on_function_changed);
+	ClassDB::bind_method(D_METHOD("_on_rebuild_queued"), &Plant3D::on_rebuild_queued);
+	ClassDB::bind_method(D_METHOD("set_function", "function"), &Plant3D::set_function);
+	ClassDB::bind_method(D_METHOD("get_function"), &Plant3D::get_function);
+	ClassDB::bind_method(D_METHOD("set_wind", "wind"), &Plant3D::set_wind);
+	ClassDB::bind_method(D_METHOD("get_wind"), &Plant3D::get_wind);
+	ClassDB::bind_method(D_METHOD("set_lod", "lod"), &Plant3D::set_lod);
+	ClassDB::bind_method(D_METHOD("get_lod"), &Plant3D::get_lod);
+	ClassDB::bind_method(D_METHOD("set_height", "metres"), &Plant3D::set_height);
+	ClassDB::bind_method(D_METHOD("get_height"), &Plant3D::get_height);
+	ClassDB::bind_method(D_METHOD("set_seed", "seed"), &Plant3D::set_seed);
+	ClassDB::bind_method(D_METHOD("get_seed"), &Plant3D::get_seed);
+	ClassDB::bind_method(D_METHOD("set_simulating", "simulating"), &Plant3D::set_simulating);
+	ClassDB::bind_method(D_METHOD("is_simulating"), &Plant3D::is_simulating);
+	ClassDB::bind_method(D_METHOD("rebuild"), &Plant3D::rebuild);
+	ClassDB::bind_method(D_METHOD("get_mesh"), &Plant3D::get_mesh);
+	ClassDB::bind_method(D_METHOD("get_skeleton"), &Plant3D::get_skeleton);
+	ClassDB::bind_method(D_METHOD("get_reach"), &Plant3D::get_reach);
+	ClassDB::bind_method(D_METHOD("get_plant_height"), &Plant3D::get_plant_height);
+	ClassDB::bind_method(D_METHOD("get_tip_position"), &Plant3D::get_tip_position);
+	ClassDB::bind_method(D_METHOD("get_deflection"), &Plant3D::get_deflection);
+	ClassDB::bind_method(D_METHOD("apply_impulse", "impulse"), &Plant3D::apply_impulse);
+	ClassDB::bind_method(D_METHOD("reset"), &Plant3D::reset);
+	ClassDB::bind_method(D_METHOD("step", "delta"), &Plant3D::step);
+
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "function", PROPERTY_HINT_RESOURCE_TYPE, "PlantFunction"),
+			"set_function", "get_function");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "wind", PROPERTY_HINT_RESOURCE_TYPE, "PlantWind"), "set_wind",
+			"get_wind");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "lod", PROPERTY_HINT_RANGE, "1,64,1,or_greater"), "set_lod", "get_lod");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "height", PROPERTY_HINT_RANGE, "0,5,0.01,or_greater,suffix:m"),
+			"set_height", "get_height");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "seed"), "set_seed", "get_seed");
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "simulating"), "set_simulating", "is_simulating");
+}
+
+} // namespace undergrowth

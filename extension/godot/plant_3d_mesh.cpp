@@ -1,0 +1,128 @@
+// The half of Plant3D that builds what is drawn: mesh, skin, skeleton and the box around all deflections.
+
+#include "plant_3d.hpp"
+
+#include "shared_resources.hpp"
+
+#include <cmath>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static const char *const SKELETON_NAME = "PlantSkeleton";
+static const char *const MESH_NAME = "PlantMesh";
+
+void Plant3D::report_problem(const String &what) {
+	if (what != problem) { // The same fault is told once, however often the plant is built.
+		problem = what;
+		report_error(this, problem);
+		update_configuration_warnings();
+	}
+}
+
+// Many properties may change in one frame; the mesh is built once, at its end.
+void Plant3D::mark_stale() {
+	mesh_is_stale = true;
+	if (is_inside_tree() && !rebuild_is_queued) {
+		rebuild_is_queued = true;
+		call_deferred("_on_rebuild_queued");
+	}
+}
+
+void Plant3D::on_rebuild_queued() {
+	rebuild_is_queued = false;
+	if (mesh_is_stale && function.is_valid()) {
+		build_mesh();
+	}
+}
+
+bool Plant3D::rebuild() {
+	if (function.is_null()) {
+		report_problem("cannot be built without a function. Set a PlantFunction.");
+		return false;
+	}
+	return build_mesh();
+}
+
+bool Plant3D::build_mesh() {
+	mesh_is_stale = false;
+	SampledPlant sampled;
+	const String fault = function->sample(height, lod, seed, sampled);
+	if (!fault.is_empty()) {
+		report_problem(describe(function.ptr()) + ": " + fault);
+		return false;
+	}
+	if (!problem.is_empty()) {
+		problem = String();
+		update_configuration_warnings();
+	}
+	mesh = function->build(sampled, seed);
+	built_height = sampled.height;
+	show_mesh();
+	mesh_instance->set_custom_aabb(reach(sampled.widest()));
+	update_joint();
+	return true;
+}
+
+void Plant3D::find_children() {
+	skeleton = Object::cast_to<Skeleton3D>(get_node_or_null(SKELETON_NAME));
+	mesh_instance = skeleton ? Object::cast_to<MeshInstance3D>(skeleton->get_node_or_null(MESH_NAME)) : nullptr;
+}
+
+void Plant3D::make_children() {
+	skeleton = memnew(Skeleton3D);
+	skeleton->set_name(SKELETON_NAME);
+	skeleton->add_bone("root");
+	skeleton->add_bone("tip");
+	skeleton->set_bone_parent(1, 0);
+	mesh_instance = memnew(MeshInstance3D);
+	mesh_instance->set_name(MESH_NAME);
+	mesh_instance->set_skin(plant_skin());
+	skeleton->add_child(mesh_instance, false, INTERNAL_MODE_FRONT);
+	mesh_instance->set_skeleton_path(NodePath(".."));
+	add_child(skeleton, false, INTERNAL_MODE_FRONT);
+}
+
+void Plant3D::show_mesh() {
+	if (!skeleton) {
+		find_children(); // A reloaded library finds the children that its former self made.
+	}
+	if (!skeleton || !mesh_instance) {
+		make_children();
+	}
+	mesh_instance->set_mesh(mesh);
+}
+
+// Linear blend skinning moves no vertex farther from the root than it is at rest: its distance is at most that of the
+// outermost point of the tip's ring. Only the elasticity law without a ground lets the tip below the root.
+AABB Plant3D::reach(float widest) const {
+	const float radius = std::sqrt(built_height * built_height + widest * widest);
+	const bool goes_below = function->get_law() == PlantFunction::LAW_ELASTICITY && !function->get_stays_above_ground();
+	const float below = goes_below ? radius : widest;
+	return AABB(Vector3(-radius, -below, -radius), Vector3(2.0f * radius, radius + below, 2.0f * radius));
+}
+
+Ref<ArrayMesh> Plant3D::get_mesh() {
+	if (mesh_is_stale && function.is_valid()) {
+		build_mesh();
+	}
+	return mesh;
+}
+
+Skeleton3D *Plant3D::get_skeleton() {
+	get_mesh();
+	return skeleton;
+}
+
+AABB Plant3D::get_reach() {
+	get_mesh();
+	return mesh_instance ? mesh_instance->get_custom_aabb() : AABB();
+}
+
+double Plant3D::get_plant_height() {
+	get_mesh();
+	return built_height;
+}
+
+} // namespace undergrowth

@@ -1,0 +1,214 @@
+// The half of PlantFunction that holds its properties. plant_function_sampling.cpp asks the four functions.
+
+#include "plant_function.hpp"
+
+#include "conventions.hpp"
+#include "convert.hpp"
+
+#include <godot_cpp/core/class_db.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr Range ELASTICITY_RANGE = { -0.99, 1e4 };
+static constexpr Range FRICTION_RANGE = { 0.0, 1e6 };
+static constexpr Range FREQUENCY_RANGE = { 0.01, 1000.0 };
+static constexpr Range DAMPING_RANGE = { 0.0, 100.0 };
+static constexpr Range LEAN_RANGE = { 0.0, 80.0 };
+static constexpr Range MASS_RANGE = { 1e-6, 1e6 };
+static constexpr Range WIND_WEIGHT_RANGE = { 0.0, 1e3 };
+static constexpr Range COLLISION_RANGE = { 0.0, 1e3 };
+static constexpr Range DEVIATION_RANGE = { 0.0, 1.0 };
+static constexpr double RADIANS_PER_DEGREE = PI / 180.0;
+
+void PlantFunction::shape_changed() {
+	emit_changed();
+}
+
+void PlantFunction::adopt_motion(const Motion &species_motion) {
+	motion = species_motion;
+}
+
+bool PlantFunction::is_motion_change() const {
+	return changes_motion_only;
+}
+
+void PlantFunction::set_motion(float &slot, const char *property, double value, const Range &range) {
+	if (!accept_value(this, property, value, range)) {
+		return;
+	}
+	slot = float(value);
+	motion_changed();
+}
+
+void PlantFunction::motion_changed() {
+	changes_motion_only = true;
+	emit_changed();
+	changes_motion_only = false;
+}
+
+void PlantFunction::set_look(float &slot, const char *property, double value) {
+	if (accept_value(this, property, value, DEVIATION_RANGE)) {
+		slot = float(value);
+		shape_changed();
+	}
+}
+
+Joint PlantFunction::make_joint(float length, const Basis &frame) const {
+	Joint joint;
+	joint.length = length;
+	joint.mass = motion.mass;
+	joint.wind_weight = motion.wind_weight;
+	joint.elasticity = motion.elasticity;
+	joint.inner_friction = motion.inner_friction;
+	joint.above_ground = stays_above_ground;
+	joint.natural_frequency = motion.natural_frequency;
+	joint.damping_ratio = motion.damping_ratio;
+	joint.rest = to_glm(frame.xform(Vector3(0.0f, std::cos(motion.lean), std::sin(motion.lean))));
+	return joint;
+}
+
+void PlantFunction::set_law(MotionLaw law) {
+	if (law != LAW_ELASTICITY && law != LAW_SPRING) {
+		report_error(this, "law " + String::num_int64(law) + " does not exist. Use LAW_ELASTICITY or LAW_SPRING.");
+		return;
+	}
+	motion.law = Law(law);
+	notify_property_list_changed();
+	motion_changed();
+}
+
+PlantFunction::MotionLaw PlantFunction::get_law() const {
+	return MotionLaw(int(motion.law));
+}
+
+void PlantFunction::set_elasticity(double value) {
+	set_motion(motion.elasticity, "elasticity", value, ELASTICITY_RANGE);
+}
+
+double PlantFunction::get_elasticity() const {
+	return motion.elasticity;
+}
+
+void PlantFunction::set_inner_friction(double value) {
+	set_motion(motion.inner_friction, "inner_friction", value, FRICTION_RANGE);
+}
+
+double PlantFunction::get_inner_friction() const {
+	return motion.inner_friction;
+}
+
+void PlantFunction::set_stays_above_ground(bool value) {
+	stays_above_ground = value;
+	motion_changed();
+}
+
+bool PlantFunction::get_stays_above_ground() const {
+	return stays_above_ground;
+}
+
+void PlantFunction::set_natural_frequency(double hertz) {
+	set_motion(motion.natural_frequency, "natural_frequency", hertz, FREQUENCY_RANGE);
+}
+
+double PlantFunction::get_natural_frequency() const {
+	return motion.natural_frequency;
+}
+
+void PlantFunction::set_damping_ratio(double ratio) {
+	set_motion(motion.damping_ratio, "damping_ratio", ratio, DAMPING_RANGE);
+}
+
+double PlantFunction::get_damping_ratio() const {
+	return motion.damping_ratio;
+}
+
+void PlantFunction::set_lean_degrees(double degrees) {
+	if (accept_value(this, "lean_degrees", degrees, LEAN_RANGE)) {
+		motion.lean = float(degrees * RADIANS_PER_DEGREE);
+		motion_changed();
+	}
+}
+
+double PlantFunction::get_lean_degrees() const {
+	return motion.lean / RADIANS_PER_DEGREE;
+}
+
+void PlantFunction::set_mass(double kilograms) {
+	set_motion(motion.mass, "mass", kilograms, MASS_RANGE);
+}
+
+double PlantFunction::get_mass() const {
+	return motion.mass;
+}
+
+void PlantFunction::set_wind_weight(double weight) {
+	set_motion(motion.wind_weight, "wind_weight", weight, WIND_WEIGHT_RANGE);
+}
+
+double PlantFunction::get_wind_weight() const {
+	return motion.wind_weight;
+}
+
+void PlantFunction::set_collision_radius(double metres) {
+	set_motion(motion.collision_radius, "collision_radius", metres, COLLISION_RANGE);
+}
+
+double PlantFunction::get_collision_radius() const {
+	return motion.collision_radius;
+}
+
+void PlantFunction::set_shading(ShadingMode shading) {
+	if (shading != SHADING_SMOOTH && shading != SHADING_FLAT) {
+		report_error(
+				this, "shading " + String::num_int64(shading) + " does not exist. Use SHADING_SMOOTH or SHADING_FLAT.");
+		return;
+	}
+	look.shading = Shading(shading);
+	shape_changed();
+}
+
+PlantFunction::ShadingMode PlantFunction::get_shading() const {
+	return ShadingMode(int(look.shading));
+}
+
+void PlantFunction::set_shape_deviation(double deviation) {
+	set_look(look.shape_deviation, "shape_deviation", deviation);
+}
+
+double PlantFunction::get_shape_deviation() const {
+	return look.shape_deviation;
+}
+
+void PlantFunction::set_color_deviation(double deviation) {
+	set_look(look.color_deviation, "color_deviation", deviation);
+}
+
+double PlantFunction::get_color_deviation() const {
+	return look.color_deviation;
+}
+
+void PlantFunction::set_material(const Ref<Material> &new_material) {
+	material = new_material;
+	shape_changed();
+}
+
+Ref<Material> PlantFunction::get_material() const {
+	return material;
+}
+
+void PlantFunction::_validate_property(PropertyInfo &property) const {
+	static const char *const elasticity_only[] = { "elasticity", "inner_friction", "stays_above_ground" };
+	static const char *const spring_only[] = { "natural_frequency", "damping_ratio", "lean_degrees" };
+	const auto &hidden = motion.law == Law::spring ? elasticity_only : spring_only;
+	const String name = property.name;
+	if (std::any_of(std::begin(hidden), std::end(hidden), [&](const char *other) { return name == other; })) {
+		property.usage = PROPERTY_USAGE_NO_EDITOR;
+	}
+}
+
+} // namespace undergrowth

@@ -1,0 +1,119 @@
+#pragma once
+
+#include "mesh/plant_mesh.hpp"
+#include "messages.hpp"
+#include "pendulum/joint.hpp"
+#include "plant/motion.hpp"
+#include "sampled_plant.hpp"
+
+#include <godot_cpp/classes/array_mesh.hpp>
+#include <godot_cpp/classes/material.hpp>
+#include <godot_cpp/classes/random_number_generator.hpp>
+#include <godot_cpp/classes/resource.hpp>
+#include <godot_cpp/core/gdvirtual.gen.inc>
+
+namespace undergrowth {
+
+/// What a species is: four functions of a plant (thesis, section 2.5) and how it moves.
+/// A script overrides the methods with an underscore; a native species overrides the four `own_…` methods.
+class PlantFunction : public godot::Resource {
+	GDCLASS(PlantFunction, godot::Resource)
+
+public:
+	enum MotionLaw {
+		LAW_ELASTICITY = int(Law::elasticity),
+		LAW_SPRING = int(Law::spring),
+	};
+	enum ShadingMode {
+		SHADING_SMOOTH = int(Shading::smooth),
+		SHADING_FLAT = int(Shading::flat),
+	};
+
+private:
+	Motion motion;
+	MeshOptions look;
+	bool stays_above_ground = true;
+	bool changes_motion_only = false;
+	godot::Ref<godot::Material> material;
+
+	void set_motion(float &slot, const char *property, double value, const Range &range);
+	void motion_changed();
+	void set_look(float &slot, const char *property, double value);
+	/// Calls a script's override; tells in `problem` where it returned something else than `wanted`.
+	godot::Variant call_override(const godot::StringName &method, const godot::Variant &argument,
+			godot::Variant::Type wanted, godot::String &problem);
+	// The parts of sample(): each returns what is wrong and what to do, or nothing.
+	godot::String sample_height(double height, int64_t seed, SampledPlant &result);
+	godot::String sample_ring(int lod, SampledPlant &result);
+	godot::String sample_profile(SampledPlant &result);
+
+protected:
+	static void _bind_methods();
+	void _validate_property(godot::PropertyInfo &property) const;
+
+	/// Takes over a species' motion, without a signal. For constructors.
+	void adopt_motion(const Motion &species_motion);
+	/// Tells users of this function that its meshes look different now.
+	void shape_changed();
+
+	virtual godot::PackedVector3Array own_base_shape(int lod) const;
+	virtual double own_height(const godot::Ref<godot::RandomNumberGenerator> &rng) const;
+	virtual double own_curve_point(double offset) const;
+	virtual godot::Color own_color(double offset) const;
+
+	GDVIRTUAL1R(godot::PackedVector3Array, _get_base_shape, int)
+	GDVIRTUAL1R(double, _generate_height, godot::Ref<godot::RandomNumberGenerator>)
+	GDVIRTUAL1R(double, _calculate_curve_point, double)
+	GDVIRTUAL1R(godot::Color, _calculate_color_at_point, double)
+
+public:
+	// The four functions, as callers see them. A fault in a script is reported and gives an empty or zero result.
+	godot::PackedVector3Array get_base_shape(int lod);
+	double generate_height(const godot::Ref<godot::RandomNumberGenerator> &rng);
+	double calculate_curve_point(double offset);
+	godot::Color calculate_color_at_point(double offset);
+	godot::Ref<godot::ArrayMesh> generate_mesh(double height, int lod, int64_t seed = 0);
+
+	/// Samples the plant for a mesh. Height 0 asks the function. Returns what is wrong and what to do, or nothing.
+	godot::String sample(double height, int lod, int64_t seed, SampledPlant &result);
+	/// The mesh of a valid sample.
+	godot::Ref<godot::ArrayMesh> build(const SampledPlant &sample, int64_t seed) const;
+	/// The joint of a plant of `length` metres whose root stands in `frame` (its up axis and turn, orthonormal).
+	Joint make_joint(float length, const godot::Basis &frame) const;
+	/// True while `changed` is emitted for a property that leaves meshes as they are.
+	bool is_motion_change() const;
+
+	void set_law(MotionLaw law);
+	MotionLaw get_law() const;
+	void set_elasticity(double value);
+	double get_elasticity() const;
+	void set_inner_friction(double value);
+	double get_inner_friction() const;
+	void set_stays_above_ground(bool value);
+	bool get_stays_above_ground() const;
+	void set_natural_frequency(double hertz);
+	double get_natural_frequency() const;
+	void set_damping_ratio(double ratio);
+	double get_damping_ratio() const;
+	void set_lean_degrees(double degrees);
+	double get_lean_degrees() const;
+	void set_mass(double kilograms);
+	double get_mass() const;
+	void set_wind_weight(double weight);
+	double get_wind_weight() const;
+	void set_collision_radius(double metres);
+	double get_collision_radius() const;
+	void set_shading(ShadingMode shading);
+	ShadingMode get_shading() const;
+	void set_shape_deviation(double deviation);
+	double get_shape_deviation() const;
+	void set_color_deviation(double deviation);
+	double get_color_deviation() const;
+	void set_material(const godot::Ref<godot::Material> &new_material);
+	godot::Ref<godot::Material> get_material() const;
+};
+
+} // namespace undergrowth
+
+VARIANT_ENUM_CAST(undergrowth::PlantFunction::MotionLaw);
+VARIANT_ENUM_CAST(undergrowth::PlantFunction::ShadingMode);

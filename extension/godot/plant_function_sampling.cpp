@@ -1,0 +1,276 @@
+// The half of PlantFunction that asks the four functions and turns their answers into a mesh.
+
+#include "plant_function.hpp"
+
+#include "convert.hpp"
+#include "shared_resources.hpp"
+#include "plant/base_shape.hpp"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/script.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr double MAX_HEIGHT = 1000.0; // m. Beyond that a float's millimetres are gone.
+static constexpr double MAX_WIDTH = 1e6;
+static constexpr double MAX_RING_EXTENT = 1e6; // m.
+
+Variant PlantFunction::call_override(
+		const StringName &method, const Variant &argument, Variant::Type wanted, String &problem) {
+	const Ref<Script> script = get_script();
+	if (script.is_valid() && Engine::get_singleton()->is_editor_hint() && !script->is_tool()) {
+		problem = "its script cannot run in the editor. Begin the script with @tool.";
+		return Variant();
+	}
+	const Variant result = call(method, argument);
+	const bool number_fits = wanted == Variant::FLOAT && result.get_type() == Variant::INT;
+	if (result.get_type() == wanted || number_fits) {
+		return result;
+	}
+	const String got = result.get_type() == Variant::NIL ? String("nothing") : Variant::get_type_name(result.get_type());
+	problem = String(method) + "() of its script returned " + got + ". Return a " + Variant::get_type_name(wanted) + ".";
+	return Variant();
+}
+
+PackedVector3Array PlantFunction::own_base_shape(int lod) const {
+	PackedVector3Array points;
+	for (const glm::vec2 &point : circle_ring(lod)) {
+		points.push_back(Vector3(point.x, 0.0f, point.y));
+	}
+	return points;
+}
+
+double PlantFunction::own_height(const Ref<RandomNumberGenerator> &) const {
+	return 1.0;
+}
+
+double PlantFunction::own_curve_point(double offset) const {
+	return 0.1 * (1.0 - offset);
+}
+
+Color PlantFunction::own_color(double) const {
+	return Color(0.2f, 0.85f, 0.2f);
+}
+
+PackedVector3Array PlantFunction::get_base_shape(int lod) {
+	if (!GDVIRTUAL_IS_OVERRIDDEN(_get_base_shape)) {
+		return own_base_shape(std::clamp(lod, MIN_LOD, MAX_LOD));
+	}
+	String problem;
+	const Variant shape = call_override("_get_base_shape", lod, Variant::PACKED_VECTOR3_ARRAY, problem);
+	if (!problem.is_empty()) {
+		report_error(this, problem);
+	}
+	return shape;
+}
+
+double PlantFunction::generate_height(const Ref<RandomNumberGenerator> &rng) {
+	if (rng.is_null()) {
+		report_error(this, "generate_height() needs a RandomNumberGenerator. Pass RandomNumberGenerator.new().");
+		return 0.0;
+	}
+	if (!GDVIRTUAL_IS_OVERRIDDEN(_generate_height)) {
+		return own_height(rng);
+	}
+	String problem;
+	const Variant height = call_override("_generate_height", rng, Variant::FLOAT, problem);
+	if (!problem.is_empty()) {
+		report_error(this, problem);
+		return 0.0;
+	}
+	return height;
+}
+
+double PlantFunction::calculate_curve_point(double offset) {
+	if (!GDVIRTUAL_IS_OVERRIDDEN(_calculate_curve_point)) {
+		return own_curve_point(offset);
+	}
+	String problem;
+	const Variant width = call_override("_calculate_curve_point", offset, Variant::FLOAT, problem);
+	if (!problem.is_empty()) {
+		report_error(this, problem);
+		return 0.0;
+	}
+	return width;
+}
+
+Color PlantFunction::calculate_color_at_point(double offset) {
+	if (!GDVIRTUAL_IS_OVERRIDDEN(_calculate_color_at_point)) {
+		return own_color(offset);
+	}
+	String problem;
+	const Variant color = call_override("_calculate_color_at_point", offset, Variant::COLOR, problem);
+	if (!problem.is_empty()) {
+		report_error(this, problem);
+		return Color();
+	}
+	return color;
+}
+
+float SampledPlant::widest() const {
+	const float width = widths.empty() ? 0.0f : *std::max_element(widths.begin(), widths.end());
+	return width * cross_section.radius;
+}
+
+static String ring_problem(const PackedVector3Array &shape) {
+	const RingFault fault = find_ring_fault(reinterpret_cast<const glm::vec3 *>(shape.ptr()), int(shape.size()));
+	if (fault != RingFault::none) {
+		return String("its base shape is unusable. ") + describe(fault);
+	}
+	for (const Vector3 &point : shape) {
+		if (std::fabs(point.x) > MAX_RING_EXTENT || std::fabs(point.z) > MAX_RING_EXTENT) {
+			return "its base shape is too large. Use metres; a plant is narrower than 1000 km.";
+		}
+	}
+	return String();
+}
+
+static CrossSection cross_section_of(const PackedVector3Array &shape) {
+	std::vector<glm::vec2> ring;
+	ring.reserve(size_t(shape.size()));
+	for (const Vector3 &point : shape) {
+		ring.emplace_back(point.x, point.z);
+	}
+	return make_cross_section(ring);
+}
+
+String PlantFunction::sample_height(double height, int64_t seed, SampledPlant &result) {
+	if (height == 0.0) {
+		Ref<RandomNumberGenerator> rng;
+		rng.instantiate();
+		rng->set_seed(uint64_t(seed));
+		String problem;
+		height = GDVIRTUAL_IS_OVERRIDDEN(_generate_height)
+				? double(call_override("_generate_height", rng, Variant::FLOAT, problem))
+				: own_height(rng);
+		if (!problem.is_empty()) {
+			return problem;
+		}
+		if (!(height > 0.0)) {
+			return "_generate_height() gave " + String::num(height) + ". Return metres above 0.";
+		}
+	}
+	if (!std::isfinite(height) || height < 0.0 || height > MAX_HEIGHT) {
+		return "a height of " + String::num(height) + " m cannot be built. Use more than 0 and at most " +
+				String::num(MAX_HEIGHT) + " m, or 0 for the function's own.";
+	}
+	result.height = float(height);
+	return String();
+}
+
+String PlantFunction::sample_ring(int lod, SampledPlant &result) {
+	if (lod < MIN_LOD || lod > MAX_LOD) {
+		return "a lod of " + String::num_int64(lod) + " cannot be built. Use " + String::num_int64(MIN_LOD) + " to " +
+				String::num_int64(MAX_LOD) + " vertical segments.";
+	}
+	String problem;
+	const PackedVector3Array shape = GDVIRTUAL_IS_OVERRIDDEN(_get_base_shape)
+			? PackedVector3Array(call_override("_get_base_shape", lod, Variant::PACKED_VECTOR3_ARRAY, problem))
+			: own_base_shape(lod);
+	if (problem.is_empty()) {
+		problem = ring_problem(shape);
+	}
+	if (!problem.is_empty()) {
+		return problem;
+	}
+	result.lod = lod;
+	result.cross_section = cross_section_of(shape);
+	return String();
+}
+
+String PlantFunction::sample_profile(SampledPlant &result) {
+	const bool script_width = GDVIRTUAL_IS_OVERRIDDEN(_calculate_curve_point);
+	const bool script_color = GDVIRTUAL_IS_OVERRIDDEN(_calculate_color_at_point);
+	const size_t rings = size_t(result.lod) + 1;
+	result.widths.resize(rings);
+	result.colors.resize(rings);
+	String problem;
+	for (size_t ring = 0; ring < rings; ring++) {
+		const double offset = double(ring) / result.lod;
+		const double width = script_width
+				? double(call_override("_calculate_curve_point", offset, Variant::FLOAT, problem))
+				: own_curve_point(offset);
+		const Color color = script_color
+				? Color(call_override("_calculate_color_at_point", offset, Variant::COLOR, problem))
+				: own_color(offset);
+		if (!problem.is_empty()) {
+			return problem;
+		}
+		if (!(width >= 0.0) || width > MAX_WIDTH) {
+			return "_calculate_curve_point(" + String::num(offset) + ") gave " + String::num(width) +
+					". Return a factor of the base shape from 0 to " + String::num(MAX_WIDTH) + ".";
+		}
+		result.widths[ring] = float(width);
+		result.colors[ring] = to_glm(color);
+	}
+	return String();
+}
+
+String PlantFunction::sample(double height, int lod, int64_t seed, SampledPlant &result) {
+	String problem = sample_height(height, seed, result);
+	if (problem.is_empty()) {
+		problem = sample_ring(lod, result);
+	}
+	return problem.is_empty() ? sample_profile(result) : problem;
+}
+
+Ref<ArrayMesh> PlantFunction::build(const SampledPlant &sampled, int64_t seed) const {
+	const MeshCounts counts = count_mesh(int(sampled.cross_section.points.size()), sampled.lod, look.shading);
+	PackedVector3Array positions, normals;
+	PackedColorArray colors;
+	PackedVector2Array uvs;
+	PackedInt32Array bones, indices;
+	PackedFloat32Array weights;
+	positions.resize(counts.vertices);
+	normals.resize(counts.vertices);
+	colors.resize(counts.vertices);
+	uvs.resize(counts.vertices);
+	bones.resize(counts.vertices * 4);
+	weights.resize(counts.vertices * 4);
+	indices.resize(counts.indices);
+
+	MeshBuffers buffers;
+	buffers.positions = reinterpret_cast<glm::vec3 *>(positions.ptrw());
+	buffers.normals = reinterpret_cast<glm::vec3 *>(normals.ptrw());
+	buffers.colors = reinterpret_cast<glm::vec4 *>(colors.ptrw());
+	buffers.uvs = reinterpret_cast<glm::vec2 *>(uvs.ptrw());
+	buffers.bones = bones.ptrw();
+	buffers.weights = weights.ptrw();
+	buffers.indices = indices.ptrw();
+	MeshOptions options = look;
+	options.seed = uint64_t(seed);
+	build_mesh({ &sampled.cross_section, sampled.widths.data(), sampled.colors.data(), sampled.height, sampled.lod },
+			options, buffers);
+
+	Array arrays;
+	arrays.resize(Mesh::ARRAY_MAX);
+	arrays[Mesh::ARRAY_VERTEX] = positions;
+	arrays[Mesh::ARRAY_NORMAL] = normals;
+	arrays[Mesh::ARRAY_COLOR] = colors;
+	arrays[Mesh::ARRAY_TEX_UV] = uvs;
+	arrays[Mesh::ARRAY_BONES] = bones;
+	arrays[Mesh::ARRAY_WEIGHTS] = weights;
+	arrays[Mesh::ARRAY_INDEX] = indices;
+	Ref<ArrayMesh> mesh;
+	mesh.instantiate();
+	mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays);
+	mesh->surface_set_material(0, material.is_valid() ? material : Ref<Material>(default_material()));
+	return mesh;
+}
+
+Ref<ArrayMesh> PlantFunction::generate_mesh(double height, int lod, int64_t seed) {
+	SampledPlant sampled;
+	const String problem = sample(height, lod, seed, sampled);
+	if (!problem.is_empty()) {
+		report_error(this, problem);
+		return Ref<ArrayMesh>();
+	}
+	return build(sampled, seed);
+}
+
+} // namespace undergrowth

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "wind/wind.hpp"
+
+#include <godot_cpp/classes/resource.hpp>
+
+namespace undergrowth {
+
+/// A wind that any number of plants share (thesis, section 4.3). Bridge to core/wind.
+/// The simulation advances its clock once a step, whatever the number of plants.
+class PlantWind : public godot::Resource {
+	GDCLASS(PlantWind, godot::Resource)
+
+public:
+	enum Kind {
+		KIND_GUST = int(WindKind::gust),
+		KIND_CONSTANT = int(WindKind::constant),
+		KIND_BURSTS = int(WindKind::bursts),
+		KIND_WAVES = int(WindKind::waves),
+	};
+
+private:
+	Wind wind;
+	double time = 0.0;
+
+protected:
+	static void _bind_methods();
+	void _validate_property(godot::PropertyInfo &property) const;
+
+public:
+	void set_kind(Kind kind);
+	Kind get_kind() const;
+	void set_strength(double newtons);
+	double get_strength() const;
+	void set_direction_degrees(double degrees);
+	double get_direction_degrees() const;
+	void set_frequency(double hertz);
+	double get_frequency() const;
+	void set_gust_duration(double seconds);
+	double get_gust_duration() const;
+
+	godot::Vector3 sample(double at_time) const;
+	void trigger_gust();
+	double get_time() const;
+
+	/// The simulation's clock goes on by one step.
+	void advance(double step);
+	/// The force of the present step (N, world axes).
+	glm::vec3 force() const;
+};
+
+} // namespace undergrowth
+
+VARIANT_ENUM_CAST(undergrowth::PlantWind::Kind);

@@ -1,0 +1,72 @@
+// The library's entry: registers its classes with the engine, and takes them back.
+
+#include "curve_plant_function.hpp"
+#include "doc_data.hpp"
+#include "plant_3d.hpp"
+#include "plant_simulation.hpp"
+#include "plant_wind.hpp"
+#include "shared_resources.hpp"
+#include "species_functions.hpp"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/core/defs.hpp>
+#include <godot_cpp/godot.hpp>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static const char *const SIMULATION_NAME = "PlantSimulation";
+static GDExtensionInterfaceGetProcAddress engine_function = nullptr;
+
+// Straight from the engine's interface, which is the same with any binding.
+static void load_class_help() {
+	const auto load = reinterpret_cast<GDExtensionInterfaceEditorHelpLoadXmlFromUtf8CharsAndLen>(
+			engine_function("editor_help_load_xml_from_utf8_chars_and_len"));
+	if (load) {
+		load(undergrowth_doc_xml, GDExtensionInt(undergrowth_doc_xml_size));
+	}
+}
+
+static void register_classes() {
+	GDREGISTER_CLASS(PlantFunction);
+	GDREGISTER_CLASS(GrassFunction);
+	GDREGISTER_CLASS(ReedFunction);
+	GDREGISTER_CLASS(CattailFunction);
+	GDREGISTER_CLASS(TulipFunction);
+	GDREGISTER_CLASS(BellflowerFunction);
+	GDREGISTER_CLASS(CurvePlantFunction);
+	GDREGISTER_CLASS(PlantWind);
+	GDREGISTER_CLASS(Plant3D);
+	GDREGISTER_ABSTRACT_CLASS(PlantSimulation);
+}
+
+static void initialize(ModuleInitializationLevel level) {
+	if (level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		register_classes();
+		Engine::get_singleton()->register_singleton(SIMULATION_NAME, memnew(PlantSimulation));
+	} else if (level == MODULE_INITIALIZATION_LEVEL_EDITOR) {
+		load_class_help();
+	}
+}
+
+static void uninitialize(ModuleInitializationLevel level) {
+	if (level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		Engine::get_singleton()->unregister_singleton(SIMULATION_NAME);
+		memdelete(PlantSimulation::get_singleton());
+		free_shared_resources();
+	}
+}
+
+} // namespace undergrowth
+
+extern "C" GDExtensionBool GDE_EXPORT undergrowth_init(GDExtensionInterfaceGetProcAddress get_proc_address,
+		GDExtensionClassLibraryPtr library, GDExtensionInitialization *initialization) {
+	undergrowth::engine_function = get_proc_address;
+	GDExtensionBinding::InitObject init(get_proc_address, library, initialization);
+	init.register_initializer(undergrowth::initialize);
+	init.register_terminator(undergrowth::uninitialize);
+	init.set_minimum_library_initialization_level(MODULE_INITIALIZATION_LEVEL_SCENE);
+	return init.init();
+}

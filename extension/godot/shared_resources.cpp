@@ -1,0 +1,60 @@
+#include "shared_resources.hpp"
+
+#include <mutex>
+
+using namespace godot;
+
+namespace undergrowth {
+
+// Pointers: no reference may be made before the engine's interface is loaded or die after it is gone.
+static Ref<StandardMaterial3D> *material = nullptr;
+static Ref<Skin> *skin = nullptr;
+static std::mutex making; // Meshes may be generated on several threads.
+
+static Ref<StandardMaterial3D> make_material() {
+	Ref<StandardMaterial3D> made;
+	made.instantiate();
+	made->set_name("Undergrowth plant");
+	made->set_flag(BaseMaterial3D::FLAG_ALBEDO_FROM_VERTEX_COLOR, true);
+	made->set_flag(BaseMaterial3D::FLAG_SRGB_VERTEX_COLOR, true);
+	made->set_diffuse_mode(BaseMaterial3D::DIFFUSE_LAMBERT);
+	made->set_roughness(0.75f);
+	made->set_specular(0.25f);
+	made->set_feature(BaseMaterial3D::FEATURE_BACKLIGHT, true);
+	made->set_backlight(Color(0.18f, 0.2f, 0.1f));
+	return made;
+}
+
+static Ref<Skin> make_skin() {
+	Ref<Skin> made;
+	made.instantiate();
+	made->add_bind(0, Transform3D());
+	made->add_bind(1, Transform3D());
+	return made;
+}
+
+Ref<StandardMaterial3D> default_material() {
+	const std::lock_guard<std::mutex> lock(making);
+	if (!material) {
+		material = new Ref<StandardMaterial3D>(make_material());
+	}
+	return *material;
+}
+
+Ref<Skin> plant_skin() {
+	const std::lock_guard<std::mutex> lock(making);
+	if (!skin) {
+		skin = new Ref<Skin>(make_skin());
+	}
+	return *skin;
+}
+
+void free_shared_resources() {
+	const std::lock_guard<std::mutex> lock(making);
+	delete material;
+	delete skin;
+	material = nullptr;
+	skin = nullptr;
+}
+
+} // namespace undergrowth
