@@ -1,0 +1,161 @@
+## Base of the engine tests: a test script extends this file and has methods named test_*.
+##
+## Run one with `godot --headless --path build/test/project --script res://tests/engine/test_x.gd`.
+## Each method prints `ok NAME` or `not ok NAME: why`; the last line is `done COUNT`.
+## An error or warning of the engine that the test does not claim with [method check_error] fails
+## the test, and so does a test that checks nothing.
+extends SceneTree
+
+
+## Collects what the engine reports, from whichever thread.
+class Listener:
+	extends Logger
+	var _mutex := Mutex.new()
+	var _messages: PackedStringArray = []
+
+	func _log_error(
+		_function: String,
+		file: String,
+		line: int,
+		code: String,
+		rationale: String,
+		_editor_notify: bool,
+		_error_type: int,
+		_script_backtraces: Array[ScriptBacktrace]
+	) -> void:
+		var text := code if rationale.is_empty() else rationale
+		_mutex.lock()
+		_messages.append("%s (%s:%d)" % [text, file.get_file(), line])
+		_mutex.unlock()
+
+	func take() -> PackedStringArray:
+		_mutex.lock()
+		var taken := _messages
+		_messages = []
+		_mutex.unlock()
+		return taken
+
+
+## Digits with which numbers are shown when a check fails.
+const SHOWN_DIGITS := 9
+
+var _listener := Listener.new()
+var _problems: PackedStringArray = []
+var _errors: PackedStringArray = []
+var _check_count := 0
+
+
+func _initialize() -> void:
+	OS.add_logger(_listener)
+	_run_all()
+
+
+## Called before each test; override to build what all tests of the script need.
+func before_each() -> void:
+	pass
+
+
+## Called after each test; override to free it again.
+func after_each() -> void:
+	pass
+
+
+## Fails the test unless [param condition] holds; [param what] says what was expected.
+func check(condition: bool, what: String) -> void:
+	_check_count += 1
+	if not condition:
+		_problems.append(what)
+
+
+## Fails the test unless both are of one type and equal.
+func check_equal(actual: Variant, expected: Variant, what := "value") -> void:
+	var same: bool = typeof(actual) == typeof(expected) and actual == expected
+	check(same, "%s is %s, not %s" % [what, var_to_str(actual), var_to_str(expected)])
+
+
+## Fails the test unless [param actual], a number or a vector, is within [param tolerance] of
+## [param expected].
+func check_near(
+	actual: Variant, expected: Variant, tolerance: float, what := "value"
+) -> void:
+	var distance: float = NAN
+	if actual is float or actual is int:
+		distance = absf(float(actual) - float(expected))
+	elif actual is Vector3 or actual is Vector2:
+		distance = actual.distance_to(expected)
+	elif actual is Color:
+		distance = _color_distance(actual, expected)
+	elif actual is Quaternion:
+		distance = (actual as Quaternion).angle_to(expected)
+	check(
+		distance <= tolerance,
+		"%s is %s, not %s within %s" % [what, str(actual), str(expected), String.num(tolerance, SHOWN_DIGITS)]
+	)
+
+
+## Claims one error or warning: fails the test unless exactly one that was reported since the test
+## began (or since the last claim of it) contains [param text].
+func check_error(text: String) -> void:
+	check_error_count(text, 1)
+
+
+## Claims [param count] errors or warnings that contain [param text].
+func check_error_count(text: String, count: int) -> void:
+	_errors.append_array(_listener.take())
+	var others: PackedStringArray = []
+	for message in _errors:
+		if not message.contains(text):
+			others.append(message)
+	var found := _errors.size() - others.size()
+	check(found == count, "%d errors contain \"%s\", not %d" % [found, text, count])
+	_errors = others
+
+
+## Waits for [param count] frames: `await frames(2)`.
+func frames(count: int) -> void:
+	for i in count:
+		await process_frame
+
+
+## Waits for [param count] physics frames: `await physics_frames(2)`.
+func physics_frames(count: int) -> void:
+	for i in count:
+		await physics_frame
+
+
+func _run_all() -> void:
+	await process_frame
+	var failed := 0
+	var count := 0
+	for method: Dictionary in get_script().get_script_method_list():
+		var test: String = method["name"]
+		if test.begins_with("test_"):
+			count += 1
+			failed += 0 if await _run_one(test) else 1
+	OS.remove_logger(_listener)
+	print("done %d" % count)
+	quit(1 if failed > 0 else 0)
+
+
+func _run_one(test: String) -> bool:
+	_problems = []
+	_errors = []
+	_check_count = 0
+	_listener.take()
+	await before_each()
+	await call(test)
+	await after_each()
+	_errors.append_array(_listener.take())
+	for message in _errors:
+		_problems.append("unexpected: " + message)
+	if _check_count == 0:
+		_problems.append("nothing was checked")
+	if _problems.is_empty():
+		print("ok " + test)
+	else:
+		print("not ok %s: %s" % [test, "; ".join(_problems).replace("\n", " ")])
+	return _problems.is_empty()
+
+
+func _color_distance(a: Color, b: Color) -> float:
+	return Vector4(a.r, a.g, a.b, a.a).distance_to(Vector4(b.r, b.g, b.b, b.a))

@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+"""Runs the test suites at the same time, prints what failed, and ends with one line `N passed, N failed`.
+
+SConstruct builds the programs and calls this (`scons test`). Each suite's output goes to build/test/<suite>.log. A crash,
+a timeout, a program that prints nothing and an engine that complains while it shuts down count as failures.
+"""
+
+import argparse
+import concurrent.futures
+import os
+import sys
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests")]
+
+from suites import engine, programs  # noqa: E402  (the path above comes first)
+
+LOGS = ROOT / "build/test"
+
+
+def plan(options):
+    """The suites as (name, function that runs it and returns a Result)."""
+    suites = [("tools", lambda: programs.unittest("tools", ROOT / "tests/tools"))]
+    for name, program in (("core", options.core), ("asan", options.asan), ("tsan", options.tsan)):
+        if program:
+            suites.append((name, lambda name=name, program=program: programs.doctest(name, program)))
+    if options.godot:
+        suites += engine.suites(options.godot)
+    chosen = set(options.suites.split(",")) if options.suites else None
+    return [(name, run) for name, run in suites if not chosen or name.split(":")[0] in chosen]
+
+
+def run_all(suites, jobs):
+    """The results in the order of `suites`; each is printed as it comes."""
+    def timed(name, run):
+        start = time.monotonic()
+        result = run()
+        print(f"{name:<32}{result.passed:>5} passed {len(result.failures):>3} failed "
+              f"{time.monotonic() - start:>7.1f} s", flush=True)
+        return result
+
+    with concurrent.futures.ThreadPoolExecutor(max_workers=jobs) as pool:
+        waiting = [pool.submit(timed, name, run) for name, run in suites]
+        return [one.result() for one in waiting]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    for name in ("godot", "core", "asan", "tsan"):
+        parser.add_argument(f"--{name}", help=f"the program for {name}; without it those suites are left out")
+    parser.add_argument("--suites", help="only these, separated by commas")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    parser.add_argument("--summary", type=Path, help="write the last line there instead of printing it")
+    options = parser.parse_args()
+
+    LOGS.mkdir(parents=True, exist_ok=True)
+    results = run_all(plan(options), options.jobs)
+    failures = [(result.name, failure) for result in results for failure in result.failures]
+    for name, failure in failures:
+        print(f"FAILED {name}: {failure}")
+    if failures:
+        print(f"The suites' output is in {LOGS.relative_to(ROOT)}/<suite>.log")
+    line = f"{sum(result.passed for result in results)} passed, {len(failures)} failed"
+    if options.summary:
+        options.summary.write_text(line + "\n")
+    else:
+        print(line)
+    return 1 if failures or not results else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

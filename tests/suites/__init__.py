@@ -1,0 +1,1 @@
+"""How each kind of test suite is run and its output read."""

@@ -1,0 +1,80 @@
+"""Suites in a headless engine: one process for each test script, so that a crash takes no other test with it."""
+
+import os
+import re
+import shutil
+from pathlib import Path
+
+from building import project
+
+from .result import LOGS, ROOT, Result, run
+
+PROJECT = """config_version=5
+
+[application]
+
+config/name="Undergrowth's tests"
+"""
+# What the engine says when objects, resources or memory outlive it; all of it is somebody's mistake.
+# What it says before its banner, while it loads the extension, no test can claim.
+BANNER = "Godot Engine v"
+LEAK = re.compile(r"leaked|still in use at exit|Leaked instance|Orphan StringName|RID allocations", re.IGNORECASE)
+TEST_LINE = re.compile(r"^(ok|not ok) (.*)$", re.MULTILINE)
+END_LINE = re.compile(r"^done (\d+)$", re.MULTILINE)
+
+
+def suites(godot):
+    """One suite for each tests/engine/**/test_*.gd."""
+    scripts = sorted((ROOT / "tests/engine").rglob("test_*.gd"))
+    if not scripts:
+        return []
+    folder = make_project()
+    return [(f"engine:{script.stem[len('test_'):]}", lambda script=script: run_script(godot, folder, script))
+            for script in scripts]
+
+
+def make_project():
+    """A project that holds the add-on and the tests, both by a link."""
+    folder = LOGS / "project"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    (folder / "project.godot").write_text(PROJECT)
+    project.prepare(folder, ROOT / "addons")
+    (folder / "tests").mkdir()
+    project.link(ROOT / "tests/engine", folder / "tests/engine")
+    return folder
+
+
+def private_home():
+    """An environment in which the engine keeps its settings and caches below build/test."""
+    home = LOGS / "home"
+    home.mkdir(parents=True, exist_ok=True)
+    names = ("XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME")
+    return {**os.environ, **{name: str(home / name.lower()) for name in names}}
+
+
+def run_script(godot, folder, script):
+    name = "engine:" + script.stem[len("test_"):]
+    path = "res://" + (Path("tests/engine") / script.relative_to(ROOT / "tests/engine")).as_posix()
+    command = [godot, "--headless", "--path", folder, "--script", path]
+    output, problem = run(name, command, timeout=180, environment=private_home())
+    return read_output(name, output, problem)
+
+
+def read_output(name, output, problem):
+    """Counts `ok` and `not ok` lines. The script's last line tells how many there must be."""
+    lines = TEST_LINE.findall(output)
+    loading = output.partition(BANNER)[0]
+    failures = [line for line in loading.splitlines() if line.startswith(("ERROR:", "WARNING:"))]
+    failures += [text for word, text in lines if word == "not ok"]
+    end = END_LINE.search(output)
+    if not end or int(end.group(1)) != len(lines) or not lines:
+        failures.append(f"ended early: {problem or last_line(output)}")
+    else:
+        failures += [problem] if problem and not failures else []
+        failures += [line for line in output[end.end():].splitlines() if LEAK.search(line)]
+    return Result(name, sum(word == "ok" for word, _ in lines), failures)
+
+
+def last_line(output):
+    return ([line.strip() for line in output.splitlines() if line.strip()] or ["no output"])[-1]

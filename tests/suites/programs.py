@@ -1,0 +1,63 @@
+"""Suites that are programs of their own: doctest's and Python's unittest."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+from .result import Result, run
+
+DOCTEST_TOTAL = re.compile(r"test cases:\s*\d+ \|\s*(\d+) passed \|\s*(\d+) failed")
+SANITIZER_OPTIONS = {
+    "ASAN_OPTIONS": "abort_on_error=1:detect_stack_use_after_return=1",
+    "UBSAN_OPTIONS": "print_stacktrace=1:halt_on_error=1",
+    "TSAN_OPTIONS": "halt_on_error=1",
+}
+
+
+def without_address_randomisation():
+    """Words that start a program at fixed addresses, where the system allows it.
+
+    ThreadSanitizer's shadow memory collides with the wide randomisation of some kernels.
+    """
+    words = ["setarch", os.uname().machine, "-R"] if shutil.which("setarch") else []
+    allowed = words and subprocess.run([*words, "true"], stderr=subprocess.DEVNULL).returncode == 0
+    return words if allowed else []
+
+
+def doctest(name, program):
+    """The tests of a doctest program; a sanitizer's report aborts it and is a failure."""
+    prefix = without_address_randomisation() if name == "tsan" else []
+    output, problem = run(name, [*prefix, program, "--no-colors"], environment={**os.environ, **SANITIZER_OPTIONS})
+    return read_doctest(name, output, problem)
+
+
+def read_doctest(name, output, problem):
+    """Counts test cases. The name of a failed one stands above its first message."""
+    total = DOCTEST_TOTAL.search(output)
+    if not total:
+        return Result(name, 0, [f"{problem or 'no summary'}: {first_alarm(output)}"])
+    passed, failed = int(total.group(1)), int(total.group(2))
+    failures = [text.strip() for text in dict.fromkeys(re.findall(r"^TEST CASE:\s*(.*)$", output, re.MULTILINE))]
+    failures = failures[:failed] + ["(see the log)"] * (failed - len(failures))
+    if problem and not failures:
+        failures = [f"{problem}: {first_alarm(output)}"]
+    return Result(name, passed, failures)
+
+
+def first_alarm(output):
+    """The line that says most about a crash, else the last one."""
+    lines = [line.strip() for line in output.splitlines() if line.strip()]
+    alarms = [line for line in lines if re.search(r"ERROR: |WARNING: \w+Sanitizer|runtime error:|FATAL", line)]
+    return (alarms or lines[-1:] or ["no output"])[0]
+
+
+def unittest(name, folder):
+    """Python's unittest over `folder`."""
+    output, problem = run(name, [sys.executable, "-B", "-m", "unittest", "discover", "-v", "-s", folder, "-t", folder])
+    failures = re.findall(r"^(?:FAIL|ERROR): (.*)$", output, re.MULTILINE)
+    passed = len(re.findall(r"\.\.\. ok$", output, re.MULTILINE))
+    if not failures and (problem or not passed):
+        failures = [problem or "no tests"]
+    return Result(name, passed, failures)

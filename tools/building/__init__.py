@@ -1,0 +1,1 @@
+"""The parts of SConstruct: compilers and flags, the engine's API and the binding, generated sources."""

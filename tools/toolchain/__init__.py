@@ -1,0 +1,1 @@
+"""The private toolchain in .toolchain/: what a fresh machine lacks, fetched without touching the system."""

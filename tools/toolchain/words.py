@@ -1,0 +1,63 @@
+"""What each word of ./run needs, and the call of scons."""
+
+import os
+import subprocess
+import sys
+
+from . import godot, headers, python_tools
+from .place import Missing, ROOT, TOOLCHAIN, environment_with, say
+
+# Words that neither compile nor start Godot.
+LIGHT_WORDS = {"lint"}
+PICTURE_WORDS = {"demo"}
+
+
+def targets_of(words):
+    """The words that name targets: no options and no NAME=value."""
+    return [word for word in words if not word.startswith("-") and "=" not in word]
+
+
+def environment_for(words):
+    """The environment in which scons finds all that the words need; fetches what is missing."""
+    targets = set(targets_of(words)) or {"build"}
+    changes = {"PATH": [TOOLCHAIN / "bin"], "PYTHONPATH": []}
+    if targets & PICTURE_WORDS:
+        folder = python_tools.picture_folder()
+        changes["PYTHONPATH"] += [folder] if folder else []
+    if "lint" in targets:
+        changes["PYTHONPATH"].append(python_tools.formatter_folder())
+    if targets - LIGHT_WORDS:
+        changes["GODOT"] = godot.find()
+        changes["CPLUS_INCLUDE_PATH"] = headers.include_folders()
+    return changes
+
+
+def run_scons(words):
+    changes = environment_for(words)
+    command, folders = python_tools.scons_command()
+    changes["PYTHONPATH"] += folders
+    changes = {name: value for name, value in changes.items() if value != []}
+    jobs = [] if any(word.startswith("-j") for word in words) else [f"-j{os.cpu_count() or 1}"]
+    environment = environment_with(PYTHONDONTWRITEBYTECODE="1", **changes)
+    return subprocess.run([*command, "-Q", "-C", str(ROOT), *jobs, *words], env=environment).returncode
+
+
+def run_godot(arguments):
+    program = godot.find()
+    if os.name == "posix":
+        os.execv(program, [program, *arguments])
+    return subprocess.run([program, *arguments]).returncode
+
+
+def main(words, usage):
+    """Does what the words say and returns the exit status. Whatever can't be had ends in one message."""
+    try:
+        if words[:1] in (["-h"], ["--help"], ["help"]):
+            print(usage.strip())
+            return 0
+        return run_godot(words[1:]) if words[:1] == ["godot"] else run_scons(words)
+    except Missing as missing:
+        say(f"\n{missing}")
+        return 1
+    except KeyboardInterrupt:
+        return 130
