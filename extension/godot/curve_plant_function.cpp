@@ -1,5 +1,6 @@
 #include "curve_plant_function.hpp"
 
+#include "as_written.hpp"
 #include "plant/base_shape.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -96,7 +97,7 @@ void CurvePlantFunction::set_base_radius(double metres) {
 }
 
 double CurvePlantFunction::get_base_radius() const {
-	return base_radius;
+	return as_written(base_radius);
 }
 
 void CurvePlantFunction::set_lobes(int count) {
@@ -118,7 +119,7 @@ void CurvePlantFunction::set_lobe_depth(double depth) {
 }
 
 double CurvePlantFunction::get_lobe_depth() const {
-	return lobe_depth;
+	return as_written(lobe_depth);
 }
 
 void CurvePlantFunction::set_width_curve(const Ref<Curve> &curve) {
@@ -145,7 +146,7 @@ void CurvePlantFunction::set_height_min(double metres) {
 }
 
 double CurvePlantFunction::get_height_min() const {
-	return height_min;
+	return as_written(height_min);
 }
 
 void CurvePlantFunction::set_height_max(double metres) {
@@ -156,7 +157,7 @@ void CurvePlantFunction::set_height_max(double metres) {
 }
 
 double CurvePlantFunction::get_height_max() const {
-	return height_max;
+	return as_written(height_max);
 }
 
 void CurvePlantFunction::_validate_property(PropertyInfo &property) const {

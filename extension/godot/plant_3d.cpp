@@ -30,6 +30,7 @@ void Plant3D::set_function(const Ref<PlantFunction> &new_function) {
 	if (function.is_valid()) {
 		function->connect("changed", changed);
 		mark_stale();
+		update_axes();
 		update_simulation();
 	}
 	update_configuration_warnings();
@@ -134,6 +135,7 @@ void Plant3D::_notification(int what) {
 			break;
 		case NOTIFICATION_VISIBILITY_CHANGED:
 			is_shown = is_visible_in_tree();
+			pose_now();
 			break;
 		case NOTIFICATION_PAUSED:
 		case NOTIFICATION_UNPAUSED:

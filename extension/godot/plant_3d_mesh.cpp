@@ -2,6 +2,7 @@
 
 #include "plant_3d.hpp"
 
+#include "as_written.hpp"
 #include "shared_resources.hpp"
 
 #include <cmath>
@@ -67,6 +68,7 @@ bool Plant3D::build_mesh() {
 
 void Plant3D::find_children() {
 	skeleton = Object::cast_to<Skeleton3D>(get_node_or_null(SKELETON_NAME));
+	posed = glm::vec3(NAN); // Whatever the bone shows now, the next pose is set.
 	mesh_instance = skeleton ? Object::cast_to<MeshInstance3D>(skeleton->get_node_or_null(MESH_NAME)) : nullptr;
 }
 
@@ -122,7 +124,7 @@ AABB Plant3D::get_reach() {
 
 double Plant3D::get_plant_height() {
 	get_mesh();
-	return built_height;
+	return as_written(built_height);
 }
 
 } // namespace undergrowth

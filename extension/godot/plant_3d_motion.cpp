@@ -197,7 +197,7 @@ void Plant3D::pose(const glm::vec3 &direction) {
 	}
 	const glm::vec3 local = to_glm(to_local.xform(to_godot(direction)));
 	const glm::vec3 change = glm::abs(local - posed);
-	if (std::max({ change.x, change.y, change.z }) < SMALLEST_TURN) {
+	if (change.x < SMALLEST_TURN && change.y < SMALLEST_TURN && change.z < SMALLEST_TURN) {
 		return;
 	}
 	posed = local;

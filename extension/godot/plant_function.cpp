@@ -2,6 +2,7 @@
 
 #include "plant_function.hpp"
 
+#include "as_written.hpp"
 #include "conventions.hpp"
 #include "convert.hpp"
 
@@ -91,7 +92,7 @@ void PlantFunction::set_elasticity(double value) {
 }
 
 double PlantFunction::get_elasticity() const {
-	return motion.elasticity;
+	return as_written(motion.elasticity);
 }
 
 void PlantFunction::set_inner_friction(double value) {
@@ -99,7 +100,7 @@ void PlantFunction::set_inner_friction(double value) {
 }
 
 double PlantFunction::get_inner_friction() const {
-	return motion.inner_friction;
+	return as_written(motion.inner_friction);
 }
 
 void PlantFunction::set_stays_above_ground(bool value) {
@@ -116,7 +117,7 @@ void PlantFunction::set_natural_frequency(double hertz) {
 }
 
 double PlantFunction::get_natural_frequency() const {
-	return motion.natural_frequency;
+	return as_written(motion.natural_frequency);
 }
 
 void PlantFunction::set_damping_ratio(double ratio) {
@@ -124,7 +125,7 @@ void PlantFunction::set_damping_ratio(double ratio) {
 }
 
 double PlantFunction::get_damping_ratio() const {
-	return motion.damping_ratio;
+	return as_written(motion.damping_ratio);
 }
 
 void PlantFunction::set_lean_degrees(double degrees) {
@@ -135,7 +136,7 @@ void PlantFunction::set_lean_degrees(double degrees) {
 }
 
 double PlantFunction::get_lean_degrees() const {
-	return motion.lean / RADIANS_PER_DEGREE;
+	return as_written(float(motion.lean / RADIANS_PER_DEGREE));
 }
 
 void PlantFunction::set_mass(double kilograms) {
@@ -143,7 +144,7 @@ void PlantFunction::set_mass(double kilograms) {
 }
 
 double PlantFunction::get_mass() const {
-	return motion.mass;
+	return as_written(motion.mass);
 }
 
 void PlantFunction::set_wind_weight(double weight) {
@@ -151,7 +152,7 @@ void PlantFunction::set_wind_weight(double weight) {
 }
 
 double PlantFunction::get_wind_weight() const {
-	return motion.wind_weight;
+	return as_written(motion.wind_weight);
 }
 
 void PlantFunction::set_collision_radius(double metres) {
@@ -159,7 +160,7 @@ void PlantFunction::set_collision_radius(double metres) {
 }
 
 double PlantFunction::get_collision_radius() const {
-	return motion.collision_radius;
+	return as_written(motion.collision_radius);
 }
 
 void PlantFunction::set_shading(ShadingMode shading) {
@@ -181,7 +182,7 @@ void PlantFunction::set_shape_deviation(double deviation) {
 }
 
 double PlantFunction::get_shape_deviation() const {
-	return look.shape_deviation;
+	return as_written(look.shape_deviation);
 }
 
 void PlantFunction::set_color_deviation(double deviation) {
@@ -189,7 +190,7 @@ void PlantFunction::set_color_deviation(double deviation) {
 }
 
 double PlantFunction::get_color_deviation() const {
-	return look.color_deviation;
+	return as_written(look.color_deviation);
 }
 
 void PlantFunction::set_material(const Ref<Material> &new_material) {

@@ -1,5 +1,6 @@
 #include "plant_wind.hpp"
 
+#include "as_written.hpp"
 #include "convert.hpp"
 #include "conventions.hpp"
 #include "messages.hpp"
@@ -45,7 +46,7 @@ void PlantWind::set_strength(double newtons) {
 }
 
 double PlantWind::get_strength() const {
-	return wind.strength;
+	return as_written(wind.strength);
 }
 
 void PlantWind::set_direction_degrees(double degrees) {
@@ -56,7 +57,7 @@ void PlantWind::set_direction_degrees(double degrees) {
 }
 
 double PlantWind::get_direction_degrees() const {
-	return wind.direction / RADIANS_PER_DEGREE;
+	return as_written(float(wind.direction / RADIANS_PER_DEGREE));
 }
 
 void PlantWind::set_frequency(double hertz) {
@@ -67,7 +68,7 @@ void PlantWind::set_frequency(double hertz) {
 }
 
 double PlantWind::get_frequency() const {
-	return wind.frequency;
+	return as_written(wind.frequency);
 }
 
 void PlantWind::set_gust_duration(double seconds) {
@@ -78,7 +79,7 @@ void PlantWind::set_gust_duration(double seconds) {
 }
 
 double PlantWind::get_gust_duration() const {
-	return wind.gust_duration;
+	return as_written(wind.gust_duration);
 }
 
 Vector3 PlantWind::sample(double at_time) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "as_written.hpp"
 #include "convert.hpp"
 #include "plant/species/bellflower.hpp"
 #include "plant/species/cattail.hpp"
@@ -61,7 +62,7 @@ protected:
 		set_part_size(species.m_part, #m_part, metres);            \
 	}                                                              \
 	double get_##m_part() const {                                  \
-		return species.m_part;                                     \
+		return as_written(species.m_part);                         \
 	}
 
 class GrassFunction : public SpeciesFunction<Grass> {
