@@ -1,0 +1,119 @@
+## Measures plants in the engine against their peers and prints a JSON list of rows.
+##
+## Run headless with --fixed-fps 60, so that each frame is one step. All variants show the same skinned mesh on a
+## skeleton of two bones; the time of the same frames with nothing moving is subtracted. bone_pose_only is what the
+## engine's own call costs: the script's loop around it is part of what is subtracted.
+extends SceneTree
+
+const COUNTS: Array[int] = [100, 1000, 3000]
+const WARM_UP_FRAMES := 30
+const BLOCKS := 21
+const FRAMES_PER_BLOCK := 12
+
+var _rows: Array[Dictionary] = []
+var _moving: Array[Skeleton3D] = []
+var _looping: Array[Skeleton3D] = []
+var _frame := 0
+
+
+func _initialize() -> void:
+	_run()
+
+
+func _run() -> void:
+	for count: int in COUNTS:
+		await _measure("plant3d", count, _add_plants)
+		await _measure("spring_bone_2", count, _add_spring_bones)
+		await _measure("bone_pose_only", count, _add_posed)
+	print(JSON.stringify(_rows))
+	quit()
+
+
+func _measure(title: String, count: int, fill: Callable) -> void:
+	var scene := Node3D.new()
+	root.add_child(scene)
+	var still := _make_plants(scene, count)
+	if title == "bone_pose_only":
+		for plant: Plant3D in still:
+			_looping.append(plant.get_skeleton())
+	var idle := await _median_frame_usec()
+	fill.call(still)
+	var busy := await _median_frame_usec()
+	_moving.clear()
+	_looping.clear()
+	scene.queue_free()
+	await process_frame
+	var usec := busy - idle
+	_rows.append(
+		{
+			"name": title,
+			"plants": count,
+			"threads": 1,
+			"median_ms": usec / 1000.0,
+			"us_per_plant": usec / count,
+		}
+	)
+
+
+func _make_plants(scene: Node3D, count: int) -> Array[Plant3D]:
+	var function := TulipFunction.new()
+	var plants: Array[Plant3D] = []
+	for i: int in count:
+		var plant := Plant3D.new()
+		plant.function = function
+		plant.lod = 8
+		plant.seed = i
+		plant.simulating = false
+		scene.add_child(plant)
+		plants.append(plant)
+	return plants
+
+
+func _add_plants(plants: Array[Plant3D]) -> void:
+	var wind := PlantWind.new()
+	wind.kind = PlantWind.KIND_WAVES
+	for plant: Plant3D in plants:
+		plant.wind = wind
+		plant.simulating = true
+
+
+func _add_spring_bones(plants: Array[Plant3D]) -> void:
+	for plant: Plant3D in plants:
+		var skeleton := plant.get_skeleton()
+		skeleton.set_bone_rest(1, Transform3D(Basis.IDENTITY, Vector3.UP))
+		skeleton.reset_bone_poses()
+		var simulator := SpringBoneSimulator3D.new()
+		skeleton.add_child(simulator)
+		simulator.setting_count = 1
+		simulator.set_root_bone(0, 0)
+		simulator.set_end_bone(0, 1)
+		simulator.set_gravity(0, 1.0)
+		simulator.set_gravity_direction(0, Vector3.RIGHT)
+
+
+func _add_posed(_plants: Array[Plant3D]) -> void:
+	_moving = _looping
+	_looping = []
+
+
+func _process(_delta: float) -> bool:
+	_frame += 1
+	var turn := Quaternion(Vector3.RIGHT, 0.3 * sin(0.1 * _frame))
+	for skeleton: Skeleton3D in _moving:
+		skeleton.set_bone_pose_rotation(1, turn)
+	for skeleton: Skeleton3D in _looping:
+		skeleton.get_bone_parent(1)
+	return false
+
+
+func _median_frame_usec() -> float:
+	for i: int in WARM_UP_FRAMES:
+		await process_frame
+	var times: Array[float] = []
+	for block: int in BLOCKS:
+		var start := Time.get_ticks_usec()
+		for i: int in FRAMES_PER_BLOCK:
+			await process_frame
+		times.append(float(Time.get_ticks_usec() - start) / FRAMES_PER_BLOCK)
+	times.sort()
+	return times[times.size() / 2]
