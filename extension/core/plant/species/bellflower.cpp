@@ -8,7 +8,7 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float BELL_START = 0.74f;
+constexpr float BELL_START = 0.79f;
 
 } // namespace
 
@@ -18,15 +18,16 @@ std::vector<glm::vec2> Bellflower::base_shape(int lod) const {
 
 float Bellflower::width(float offset) const {
 	if (offset < BELL_START) {
-		return 0.12f - 0.04f * offset;
+		return 0.13f - 0.05f * offset;
 	}
+	// A round shoulder, then walls that flare towards the rim.
 	const float t = (offset - BELL_START) / (1.0f - BELL_START);
-	return 0.09f + 0.5f * glm::smoothstep(0.0f, 0.35f, t) + 0.41f * t * t * t;
+	return 0.09f + 0.6f * glm::smoothstep(0.0f, 0.4f, t) + 0.31f * t * t * t * t;
 }
 
 glm::vec4 Bellflower::color(float offset) const {
-	const glm::vec4 bell = glm::mix(bell_color, rim_color, glm::smoothstep(0.85f, 1.0f, offset));
-	return glm::mix(stem_color, bell, glm::smoothstep(BELL_START, BELL_START + 0.04f, offset));
+	const glm::vec4 bell = glm::mix(bell_color, rim_color, glm::smoothstep(BELL_START + 0.05f, 1.0f, offset));
+	return glm::mix(stem_color, bell, glm::smoothstep(BELL_START, BELL_START + 0.05f, offset));
 }
 
 Motion Bellflower::motion() {
@@ -37,7 +38,7 @@ Motion Bellflower::motion() {
 	motion.damping_ratio = 0.1f;
 	motion.mass = 0.2f;
 	motion.wind_weight = 0.45f;
-	motion.lean = 1.0f;
+	motion.lean = 1.1f;
 	motion.collision_radius = 0.07f;
 	return motion;
 }

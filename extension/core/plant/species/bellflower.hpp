@@ -13,8 +13,8 @@ namespace undergrowth {
 /// Bellflower: a thin stem that nods under a violet bell with five petals.
 struct Bellflower {
 	glm::vec4 stem_color = { 0.25f, 0.48f, 0.20f, 1.0f };
-	glm::vec4 bell_color = { 0.36f, 0.27f, 0.78f, 1.0f };
-	glm::vec4 rim_color = { 0.66f, 0.58f, 0.95f, 1.0f };
+	glm::vec4 bell_color = { 0.56f, 0.50f, 0.88f, 1.0f };
+	glm::vec4 rim_color = { 0.38f, 0.26f, 0.72f, 1.0f };
 	float bell_radius = 0.07f; ///< m, at the rim.
 
 	/// A ring for `lod` segments (plant/base_shape.hpp).

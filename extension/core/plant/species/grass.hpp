@@ -12,9 +12,9 @@ namespace undergrowth {
 
 /// One blade of grass: a parallelogram that tapers to a point, dark at the root and yellowish at the tip.
 struct Grass {
-	glm::vec4 root_color = { 0.10f, 0.30f, 0.07f, 1.0f };
-	glm::vec4 middle_color = { 0.27f, 0.56f, 0.14f, 1.0f };
-	glm::vec4 tip_color = { 0.72f, 0.78f, 0.33f, 1.0f };
+	glm::vec4 root_color = { 0.09f, 0.26f, 0.07f, 1.0f };
+	glm::vec4 middle_color = { 0.26f, 0.50f, 0.14f, 1.0f };
+	glm::vec4 tip_color = { 0.62f, 0.68f, 0.30f, 1.0f };
 	float blade_width = 0.034f; ///< m, where the blade is widest.
 
 	/// A ring for `lod` segments (plant/base_shape.hpp).

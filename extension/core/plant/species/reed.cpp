@@ -10,12 +10,19 @@ namespace {
 
 constexpr float PLUME_START = 0.7f;
 constexpr float JOINTS = 5.0f; // Between the ground and the plume.
+constexpr float TUFTS = 3.0f;
 
 /// 1 at a joint of the stem, 0 halfway between two.
 float joint(float offset) {
 	const float place = offset / PLUME_START * JOINTS;
 	const float distance = glm::abs(glm::fract(place) - 0.5f);
 	return glm::smoothstep(0.2f, 0.5f, distance);
+}
+
+/// The plume's tufts: 1 where one spreads, 0 where the next begins.
+float tuft(float t) {
+	const float place = glm::fract(t * TUFTS + 0.75f);
+	return 1.0f - 4.0f * (place - 0.5f) * (place - 0.5f);
 }
 
 } // namespace
@@ -26,15 +33,18 @@ std::vector<glm::vec2> Reed::base_shape(int lod) const {
 
 float Reed::width(float offset) const {
 	if (offset < PLUME_START) {
-		return 1.15f - 0.6f * offset + 0.35f * joint(offset);
+		return 1.15f - 0.6f * offset + 0.3f * joint(offset);
 	}
 	const float t = (offset - PLUME_START) / (1.0f - PLUME_START);
-	return 0.7f + 4.6f * glm::smoothstep(0.0f, 0.4f, t) * (1.0f - t);
+	const float outline = 3.6f * glm::smoothstep(0.0f, 0.5f, t) * (1.0f - t * t);
+	return (0.73f + outline) * (1.0f - 0.75f * t * t * t) * (0.45f + 0.6f * tuft(t));
 }
 
 glm::vec4 Reed::color(float offset) const {
 	const glm::vec4 stem = glm::mix(stem_color, joint_color, 0.8f * joint(offset));
-	return glm::mix(stem, plume_color, glm::smoothstep(PLUME_START - 0.02f, PLUME_START + 0.06f, offset));
+	const float t = (offset - PLUME_START) / (1.0f - PLUME_START);
+	const glm::vec4 plume = glm::mix(plume_color, plume_tip_color, 0.55f * tuft(t) + 0.35f * t);
+	return glm::mix(stem, plume, glm::smoothstep(PLUME_START - 0.02f, PLUME_START + 0.06f, offset));
 }
 
 Motion Reed::motion() {

@@ -12,9 +12,10 @@ namespace undergrowth {
 
 /// Common reed: a thin stem with joints and a feathery brown plume at the top.
 struct Reed {
-	glm::vec4 stem_color = { 0.45f, 0.60f, 0.22f, 1.0f };
-	glm::vec4 joint_color = { 0.74f, 0.68f, 0.36f, 1.0f };
-	glm::vec4 plume_color = { 0.50f, 0.34f, 0.22f, 1.0f };
+	glm::vec4 stem_color = { 0.42f, 0.54f, 0.22f, 1.0f };
+	glm::vec4 joint_color = { 0.66f, 0.60f, 0.32f, 1.0f };
+	glm::vec4 plume_color = { 0.36f, 0.23f, 0.15f, 1.0f };
+	glm::vec4 plume_tip_color = { 0.68f, 0.52f, 0.36f, 1.0f };
 	float stem_radius = 0.012f; ///< m.
 
 	/// A ring for `lod` segments (plant/base_shape.hpp).

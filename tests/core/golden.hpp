@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+/// FNV-1a, 64 bits: one number that stands for many bytes. A golden hash in a test holds a result to the bit, on every
+/// platform; when a change of the result is meant, the test's output tells the new number.
+class GoldenHash {
+public:
+	template <class T> GoldenHash &add(const std::vector<T> &values) { return add(values.data(), values.size()); }
+
+	/// `count` values of a type without padding.
+	template <class T> GoldenHash &add(const T *values, std::size_t count) {
+		const auto *bytes = reinterpret_cast<const unsigned char *>(values);
+		for (std::size_t i = 0; i < count * sizeof(T); i++) {
+			hash = (hash ^ bytes[i]) * 0x100000001b3ull;
+		}
+		return *this;
+	}
+
+	uint64_t value() const { return hash; }
+
+private:
+	uint64_t hash = 0xcbf29ce484222325ull;
+};
