@@ -1,7 +1,7 @@
 ## Base of the engine tests: a test script extends this file and has methods named test_*.
 ##
 ## Run one with `godot --headless --path build/test/project --script res://tests/engine/test_x.gd`.
-## Each method prints `ok NAME` or `not ok NAME: why`; the last line is `done COUNT`.
+## Each method prints `ok NAME` or `not ok NAME: why`; first comes `start`, last `done COUNT`.
 ## An error or warning of the engine that the test does not claim with [method check_error] fails
 ## the test, and so does a test that checks nothing.
 extends SceneTree
@@ -36,9 +36,6 @@ class Listener:
 		return taken
 
 
-## Digits with which numbers are shown when a check fails.
-const SHOWN_DIGITS := 9
-
 var _listener := Listener.new()
 var _problems: PackedStringArray = []
 var _errors: PackedStringArray = []
@@ -47,6 +44,7 @@ var _check_count := 0
 
 func _initialize() -> void:
 	OS.add_logger(_listener)
+	print("start")
 	_run_all()
 
 
@@ -75,9 +73,7 @@ func check_equal(actual: Variant, expected: Variant, what := "value") -> void:
 
 ## Fails the test unless [param actual], a number or a vector, is within [param tolerance] of
 ## [param expected].
-func check_near(
-	actual: Variant, expected: Variant, tolerance: float, what := "value"
-) -> void:
+func check_near(actual: Variant, expected: Variant, tolerance: float, what := "value") -> void:
 	var distance: float = NAN
 	if actual is float or actual is int:
 		distance = absf(float(actual) - float(expected))
@@ -89,7 +85,7 @@ func check_near(
 		distance = (actual as Quaternion).angle_to(expected)
 	check(
 		distance <= tolerance,
-		"%s is %s, not %s within %s" % [what, str(actual), str(expected), String.num(tolerance, SHOWN_DIGITS)]
+		"%s is %s, not %s within %s" % [what, str(actual), str(expected), str(tolerance)]
 	)
 
 
@@ -107,7 +103,7 @@ func check_error_count(text: String, count: int) -> void:
 		if not message.contains(text):
 			others.append(message)
 	var found := _errors.size() - others.size()
-	check(found == count, "%d errors contain \"%s\", not %d" % [found, text, count])
+	check(found == count, '%d errors contain "%s", not %d' % [found, text, count])
 	_errors = others
 
 

@@ -16,10 +16,10 @@ PROJECT = """config_version=5
 config/name="Undergrowth's tests"
 """
 # What the engine says when objects, resources or memory outlive it; all of it is somebody's mistake.
-# What it says before its banner, while it loads the extension, no test can claim.
-BANNER = "Godot Engine v"
 LEAK = re.compile(r"leaked|still in use at exit|Leaked instance|Orphan StringName|RID allocations", re.IGNORECASE)
 TEST_LINE = re.compile(r"^(ok|not ok) (.*)$", re.MULTILINE)
+# What the engine says before this line, while it loads the extension, no test can claim.
+START = "\nstart\n"
 END_LINE = re.compile(r"^done (\d+)$", re.MULTILINE)
 
 
@@ -33,15 +33,16 @@ def suites(godot):
             for script in scripts]
 
 
-def make_project():
-    """A project that holds the add-on and the tests, both by a link."""
-    folder = LOGS / "project"
+def make_project(name="project", links=(("tests/engine", "tests/engine"),)):
+    """A project build/test/<name> that holds the add-on and, by `links`, folders of the repository: {here: there}."""
+    folder = LOGS / name
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     (folder / "project.godot").write_text(PROJECT)
     project.prepare(folder, ROOT / "addons")
-    (folder / "tests").mkdir()
-    project.link(ROOT / "tests/engine", folder / "tests/engine")
+    for here, there in dict(links).items():
+        (folder / here).parent.mkdir(parents=True, exist_ok=True)
+        project.link(ROOT / there, folder / here)
     return folder
 
 
@@ -64,7 +65,7 @@ def run_script(godot, folder, script):
 def read_output(name, output, problem):
     """Counts `ok` and `not ok` lines. The script's last line tells how many there must be."""
     lines = TEST_LINE.findall(output)
-    loading = output.partition(BANNER)[0]
+    loading = output.partition(START)[0]
     failures = [line for line in loading.splitlines() if line.startswith(("ERROR:", "WARNING:"))]
     failures += [text for word, text in lines if word == "not ok"]
     end = END_LINE.search(output)

@@ -9,6 +9,9 @@ ARCHITECTURES = {"x86_64": "x86_64", "amd64": "x86_64", "aarch64": "arm64", "arm
 PASSED_ON = ("PATH", "HOME", "TMPDIR", "TMP", "TEMP", "CPATH", "CPLUS_INCLUDE_PATH", "LIBRARY_PATH", "INCLUDE", "LIB",
              "SDKROOT", "PYTHONPATH", "GODOT", "DISPLAY", "WAYLAND_DISPLAY", "XAUTHORITY", "XDG_RUNTIME_DIR")
 
+QUIET = {"CXX": "Compiling", "SHCXX": "Compiling", "AR": "Archiving", "RANLIB": "Indexing", "LINK": "Linking",
+         "SHLINK": "Linking"}
+
 
 def host_platform():
     return PLATFORMS.get(sys.platform, sys.platform)
@@ -23,15 +26,15 @@ def is_msvc(env):
     return "msvc" in env["TOOLS"] and env.get("CC") == "cl"
 
 
-def base_environment(make, arch, compiler):
-    """What all sources share: C++17, the machine's own tools, no colour of any part yet. `make` is SCons' Environment."""
+def base_environment(make, arch, compiler, verbose):
+    """What all sources share: C++17 and the machine's own tools. `make` is SCons' Environment."""
     target_arch = {"x86_64": "x86_64", "arm64": "arm64"}.get(arch)
     env = make(ENV={name: os.environ[name] for name in PASSED_ON if name in os.environ}, TARGET_ARCH=target_arch)
     if os.name == "nt":
         env["ENV"].update({name: os.environ[name] for name in ("SystemRoot", "PATHEXT") if name in os.environ})
-    if compiler:
-        env.Replace(CXX=compiler)
-    # cc and c++ name whatever the machine has; the variables of every other build tool choose another.
+    if not verbose:
+        for tool, word in QUIET.items():
+            env[tool + "COMSTR"] = word + " $TARGET"
     env.Replace(CXX=compiler or os.environ.get("CXX") or env["CXX"])
     if is_msvc(env):
         env.Append(CXXFLAGS=["/std:c++17", "/utf-8", "/EHsc", "/Zc:__cplusplus"], CPPDEFINES=["NOMINMAX"])
@@ -49,9 +52,9 @@ def for_library(env, release):
     """Code of the add-on's library: hidden symbols, and nothing that keeps the engine from unloading it."""
     env = env.Clone()
     if is_msvc(env):
-        env.Append(CCFLAGS=["/O2", "/MD"])
+        env.Append(CCFLAGS=["/MD"])
     else:
-        env.Append(CCFLAGS=["-O2", "-fPIC", "-fvisibility=hidden", "-fno-exceptions"])
+        env.Append(CCFLAGS=["-fPIC", "-fvisibility=hidden", "-fno-exceptions"])
         if "clang" not in env["CXX"] and host_platform() != "macos":
             # Unique symbols would keep the library in memory, and with it the code that a hot reload replaces.
             env.Append(CXXFLAGS=["-fno-gnu-unique"])
@@ -77,9 +80,9 @@ def for_core(env, core_folder):
     return env
 
 
-def optimised(env):
+def optimised(env, level):
     env = env.Clone()
-    env.Append(CCFLAGS=["/O2"] if is_msvc(env) else ["-O3"])
+    env.Append(CCFLAGS=["/O2"] if is_msvc(env) else [f"-O{level}"])
     return env
 
 
@@ -108,7 +111,7 @@ def use_godot_cpp(env, folder, platform, release):
 def use_bundled_binding(env, release):
     """Compiles against extension/binding and what was generated for it in build/binding."""
     env.Append(CPPDEFINES=[] if release else ["DEBUG_ENABLED", "HOT_RELOAD_ENABLED"])
-    env.Append(CPPPATH=["#extension/binding/include", "#build/binding/include", "#build/binding", "#build/api"])
+    env.Append(CPPPATH=["#extension/binding/include", "#build/binding/include"])
 
 
 def sanitized(env, kinds):

@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+"""Measures the core and the add-on in a headless engine; prints a table and writes build/bench.json.
+
+Both measuring programs print a JSON list of rows {"name", "plants", "threads", "median_ms", "us_per_plant"}.
+"""
+
+import argparse
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "tests"))
+
+from suites import engine  # noqa: E402  (the path above comes first)
+
+COLUMNS = ("name", "plants", "threads", "median_ms", "us_per_plant")
+TIMEOUT = 600
+
+
+def rows_in(output):
+    """The JSON list in a program's output; the engine prints a banner above it."""
+    start = next((i for i, line in enumerate(output.splitlines()) if line.startswith("[")), None)
+    if start is None:
+        raise ValueError("no JSON list in the output")
+    return json.JSONDecoder().raw_decode("\n".join(output.splitlines()[start:]))[0]
+
+
+def measure(name, words, environment=None):
+    """The rows that a program prints; it shows the program's words and stops where there are none."""
+    answer = subprocess.run(words, stdout=subprocess.PIPE, text=True, timeout=TIMEOUT, env=environment, cwd=ROOT)
+    try:
+        return rows_in(answer.stdout)
+    except ValueError as error:
+        sys.exit(f"{name} measured nothing ({error}, exit status {answer.returncode}):\n{answer.stdout[-2000:]}")
+
+
+def table(rows):
+    texts = [COLUMNS] + [tuple(text(row.get(column)) for column in COLUMNS) for row in rows]
+    widths = [max(len(line[i]) for line in texts) for i in range(len(COLUMNS))]
+    return "\n".join("  ".join(cell.ljust(width) if i == 0 else cell.rjust(width)
+                               for i, (cell, width) in enumerate(zip(line, widths))) for line in texts)
+
+
+def text(value):
+    return f"{value:.4g}" if isinstance(value, float) else "" if value is None else str(value)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--godot", required=True)
+    parser.add_argument("--core", help="the program that measures the core")
+    options = parser.parse_args()
+    rows = measure("core_bench", [options.core]) if options.core else []
+    if (ROOT / "tests/bench/engine_bench.gd").exists():
+        folder = engine.make_project("bench_project", {"tests/bench": "tests/bench"})
+        words = [options.godot, "--headless", "--path", str(folder), "--script", "res://tests/bench/engine_bench.gd"]
+        rows += measure("engine_bench", words, engine.private_home())
+    target = ROOT / "build/bench.json"
+    target.write_text(json.dumps(rows, indent="\t") + "\n")
+    print(f"{table(rows)}\n{target.relative_to(ROOT)}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,31 @@
+#!/usr/bin/env python3
+"""Writes build/undergrowth.zip: the folder addons/undergrowth with the libraries built so far, to unpack in a project."""
+
+import sys
+import zipfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+ADDON = ROOT / "addons/undergrowth"
+# What compilers leave beside a library, and what an editor leaves beside a script.
+LEFT_OUT = {".exp", ".lib", ".pdb", ".ilk", ".import"}
+FIXED_TIME = (2026, 1, 1, 0, 0, 0)
+
+
+def main():
+    paths = [path for path in sorted(ADDON.rglob("*")) if path.is_file() and path.suffix not in LEFT_OUT]
+    target = ROOT / "build/undergrowth.zip"
+    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
+        for path in [*paths, ROOT / "LICENSE"]:
+            name = path.relative_to(ROOT) if path in paths else Path("addons/undergrowth/LICENSE")
+            # A fixed time: the same files give the same archive.
+            entry = zipfile.ZipInfo(name.as_posix(), FIXED_TIME)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.external_attr = (0o755 if path.suffix in (".so", ".dylib") else 0o644) << 16
+            archive.writestr(entry, path.read_bytes())
+    print(f"{target.relative_to(ROOT)}: {len(paths) + 1} files, {target.stat().st_size / 1e6:.1f} MB")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
