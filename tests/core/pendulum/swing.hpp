@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../golden.hpp"
 #include "pendulum/batch.hpp"
 
 #include <glm/geometric.hpp>
@@ -7,8 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <initializer_list>
 #include <vector>
 
 /// What the pendulum tests share: how a swing is recorded and measured, and a hash of a batch.
@@ -78,22 +77,14 @@ inline double decay_rate_of(const std::vector<double> &series, double sample_tim
 	return std::log(peaks.front() / peaks.back()) / time;
 }
 
-/// FNV-1a over the bytes of all states, low byte first on every platform.
+/// Of the bits of all states.
 inline uint64_t hash_states(const PendulumBatch &batch) {
-	uint64_t hash = 0xcbf29ce484222325ull;
+	GoldenHash hash;
 	for (int i = 0; i < batch.size(); i++) {
 		const TipState state = batch.state(i);
-		for (const float value :
-				{ state.direction.x, state.direction.y, state.direction.z, state.rate.x, state.rate.y, state.rate.z }) {
-			uint32_t bits = 0;
-			static_assert(sizeof bits == sizeof value, "floats have 32 bits");
-			std::memcpy(&bits, &value, sizeof bits);
-			for (int byte = 0; byte < 4; byte++) {
-				hash = (hash ^ ((bits >> (8 * byte)) & 0xffu)) * 0x100000001b3ull;
-			}
-		}
+		hash.add(&state, 1);
 	}
-	return hash;
+	return hash.value();
 }
 
 } // namespace undergrowth
