@@ -46,6 +46,9 @@ glm::vec4 Deviation::Ring::tint(const glm::vec4 &color, const Bearing &bearing) 
 }
 
 Deviation::Deviation(float p_shape, float p_color, uint64_t seed) : shape(p_shape), color(p_color) {
+	if (shape <= 0.0f && color <= 0.0f) {
+		return; // Nobody will ask, and most meshes are regular.
+	}
 	uint64_t index = 0;
 	for (auto &row : knots) {
 		for (float &knot : row) {

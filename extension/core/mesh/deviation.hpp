@@ -38,7 +38,7 @@ public:
 		glm::vec4 tint(const glm::vec4 &color, const Bearing &bearing) const;
 	};
 
-	/// Both amounts from 0 to 1.
+	/// Both amounts from 0 to 1. With both 0 there is nothing to ask at().
 	Deviation(float shape, float color, uint64_t seed);
 
 	Ring at(float offset) const;

@@ -106,8 +106,8 @@ void build_flat_mesh(const PlantSample &sample, const RingPlacer &placer, const 
 		const Ring &lower = rings[k % 2];
 		Ring &upper = rings[(k + 1) % 2];
 		fill(upper, sample, placer, k + 1);
-		const float rise = placer.level_height(k + 1) - placer.level_height(k);
-		add_band(writer, sample, lower, upper, (sample.widths[k + 1] - sample.widths[k]) / rise);
+		const float slope = (sample.widths[k + 1] - sample.widths[k]) / placer.rise_between(k, k + 1);
+		add_band(writer, sample, lower, upper, slope);
 	}
 	// The ends come last, and the bottom ring is gone by then.
 	const std::vector<int32_t> &cap = sample.cross_section->cap;

@@ -17,7 +17,7 @@ enum class Shading {
 
 /// A plant sampled at lod + 1 equal heights.
 struct PlantSample {
-	const CrossSection *cross_section = nullptr;
+	const CrossSection *cross_section = nullptr; ///< At most MAX_RING_POINTS points (plant/base_shape.hpp).
 	const float *widths = nullptr; ///< lod + 1 factors of the ring, each finite and >= 0.
 	const glm::vec4 *colors = nullptr; ///< lod + 1 colours.
 	float height = 1.0f; ///< m, > 0.
@@ -26,7 +26,7 @@ struct PlantSample {
 
 struct MeshOptions {
 	Shading shading = Shading::smooth;
-	float shape_deviation = 0.0f; ///< 0 to 1: how far rings leave the symmetry (thesis, section 5.1.1).
+	float shape_deviation = 0.0f; ///< 0 to 1: how far rings leave the symmetry (thesis, section 5.1.1; deviation.hpp).
 	float color_deviation = 0.0f; ///< 0 to 1: how far colours vary.
 	uint64_t seed = 0; ///< Chooses the deviations; unused where both are 0.
 };
@@ -36,7 +36,8 @@ struct MeshCounts {
 	int indices = 0; ///< Three per triangle.
 };
 
-/// Where a mesh goes: arrays of the sizes that count_mesh() tells. Bones and weights have four entries per vertex.
+/// Where a mesh goes: arrays of the sizes that count_mesh() tells, none of them null. Bones and weights have four
+/// entries per vertex.
 struct MeshBuffers {
 	glm::vec3 *positions = nullptr;
 	glm::vec3 *normals = nullptr;

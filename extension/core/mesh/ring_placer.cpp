@@ -1,6 +1,7 @@
 #include "mesh/ring_placer.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace undergrowth {
 
@@ -20,10 +21,14 @@ float RingPlacer::level_height(int level) const {
 	return static_cast<float>(static_cast<double>(sample.height) * level / sample.lod);
 }
 
+float RingPlacer::rise_between(int below, int above) const {
+	return std::max(level_height(above) - level_height(below), std::numeric_limits<float>::min());
+}
+
 float RingPlacer::width_slope(int level) const {
 	const int below = std::max(level - 1, 0);
 	const int above = std::min(level + 1, sample.lod);
-	return (sample.widths[above] - sample.widths[below]) / (level_height(above) - level_height(below));
+	return (sample.widths[above] - sample.widths[below]) / rise_between(below, above);
 }
 
 Deviation::Ring RingPlacer::ring_deviation(int level) const {

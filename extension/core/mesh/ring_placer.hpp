@@ -17,6 +17,8 @@ public:
 
 	/// height·level/lod, rounded once: the last ring stands at the height itself.
 	float level_height(int level) const;
+	/// Metres between two levels; above 0 even where rounding leaves nothing between them.
+	float rise_between(int below, int above) const;
 	/// How fast the width changes around a ring, per metre of height.
 	float width_slope(int level) const;
 	/// The ring's points, as many as the cross-section has.

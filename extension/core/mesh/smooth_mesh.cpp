@@ -48,11 +48,14 @@ void write_deviating_normals(const RingPlacer &placer, const glm::vec3 *position
 	glm::vec2 outward[MAX_RING_POINTS];
 	for (int k = 0; k <= placer.lod(); k++) {
 		placer.level_normals(k, outward);
-		const glm::vec3 *below = positions + std::max(k - 1, 0) * (n + 1);
-		const glm::vec3 *above = positions + std::min(k + 1, placer.lod()) * (n + 1);
+		const int lower = std::max(k - 1, 0);
+		const int upper = std::min(k + 1, placer.lod());
+		const float rise = placer.rise_between(lower, upper);
+		const glm::vec3 *below = positions + lower * (n + 1);
+		const glm::vec3 *above = positions + upper * (n + 1);
 		for (int i = 0; i < n; i++) {
-			const glm::vec3 way = above[i] - below[i];
-			out[i] = leaning_normal(outward[i], glm::dot(outward[i], glm::vec2(way.x, way.z)) / way.y);
+			const glm::vec2 way = { above[i].x - below[i].x, above[i].z - below[i].z };
+			out[i] = leaning_normal(outward[i], glm::dot(outward[i], way) / rise);
 		}
 		out[n] = out[0];
 		out += n + 1;

@@ -143,6 +143,19 @@ TEST_CASE("one segment, and widths of 0 anywhere, give finite unit normals") {
 	}
 }
 
+TEST_CASE("heights at the end of what a float holds give finite unit normals") {
+	for (const float height : { 1e-45f, 1e-38f, 1e38f }) {
+		for (const Shading shading : { Shading::smooth, Shading::flat }) {
+			for (const float deviation : { 0.0f, 1.0f }) {
+				MeshOptions options;
+				options.shading = shading;
+				options.shape_deviation = deviation;
+				CHECK(all_normals_unit(build(make_plant(circle_ring(8), { 1.0f, 1.0f, 0.5f, 0.0f }, height), options)));
+			}
+		}
+	}
+}
+
 TEST_CASE("a plant without any width still faces outward") {
 	const Plant plant = make_plant(circle_ring(8), { 0.0f, 0.0f, 0.0f });
 	const BuiltMesh mesh = build(plant);
