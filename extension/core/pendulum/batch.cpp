@@ -154,7 +154,7 @@ void PendulumBatch::step(int begin, int end, const glm::vec3 &wind, SimdLevel le
 	if (batch_law == Law::elasticity) {
 		kernels(level).step_elasticity(elasticity_table(), first, last, step_time, kernel_wind(wind));
 	} else {
-		kernels(level).step_spring(spring_table(), first, last, kernel_wind(wind));
+		kernels(level).step_spring(spring_table(), first, last, MAX_GNOMONIC, kernel_wind(wind));
 	}
 }
 

@@ -53,7 +53,7 @@ inline constexpr float MAX_GNOMONIC = 1e3f;
 /// One build of the kernels. All builds give the same bits for any split of a range.
 struct KernelSet {
 	void (*step_elasticity)(const ElasticityTable &table, int begin, int end, float step, const KernelWind &wind);
-	void (*step_spring)(const SpringTable &table, int begin, int end, const KernelWind &wind);
+	void (*step_spring)(const SpringTable &table, int begin, int end, float most, const KernelWind &wind);
 	/// Unit directions to out[0 .. 3·count), three floats each.
 	void (*interpolate_elasticity)(const DirectionView &view, int count, float alpha, float *out);
 	void (*interpolate_spring)(const GnomonicView &view, int count, float alpha, float *out);
