@@ -9,43 +9,37 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
 
 from toolchain import debian
 
-FILE = "/etc/apt/sources.list.d/debian.sources:1"
-
-
-def row(uri, release, component="main", origin="Debian", entry=FILE):
-    return "|".join((uri, release, component, origin, entry))
+def row(mirror, release, component="main"):
+    return (f"'{mirror}dists/{release}/{component}/binary-amd64/Packages.xz' "
+            f"mirror_dists_{release}_{component}_binary-amd64_Packages 0 ")
 
 
 class Mirrors(unittest.TestCase):
-    def uris(self, *rows, codename="bookworm"):
-        return [uri for uri, _ in debian.choose_mirrors("\n".join(rows), codename)]
+    def mirrors(self, *rows, codename="bookworm"):
+        return debian.choose_mirrors("\n".join(rows), codename)
 
     def test_takes_the_release_and_not_its_security_archive(self):
-        rows = [row("http://sec/", "bookworm-security"), row("http://deb/", "bookworm"), row("http://deb/", "bookworm-updates")]
-        self.assertEqual(self.uris(*rows), ["http://deb/"])
+        rows = [row("http://sec/", "bookworm-security"), row("http://deb/debian/", "bookworm"),
+                row("http://deb/debian/", "bookworm-updates")]
+        self.assertEqual(self.mirrors(*rows), ["http://deb/debian/"])
 
     def test_skips_others_sources(self):
-        rows = [row("https://node/", "nodistro", origin="Node"), row("https://docker/", "bookworm", "stable", "Docker"),
-                row("https://tool/", "bookworm", "main", "Tool Maker"), row("http://deb/", "bookworm")]
-        self.assertEqual(self.uris(*rows), ["http://deb/"])
+        rows = [row("https://node/", "nodistro"), row("https://docker/", "bookworm", "stable"), row("http://deb/", "bookworm")]
+        self.assertEqual(self.mirrors(*rows), ["http://deb/"])
 
-    def test_without_lists_the_source_with_updates_comes_first(self):
-        rows = [row("https://a-tool/", "bookworm", origin="$(ORIGIN)"), row("http://deb/", "bookworm", origin="$(ORIGIN)"),
-                row("http://deb/", "bookworm-updates", origin="$(ORIGIN)")]
-        self.assertEqual(self.uris(*rows), ["http://deb/", "https://a-tool/"])
+    def test_the_source_with_updates_comes_first(self):
+        rows = [row("https://a-tool/", "bookworm"), row("http://deb/", "bookworm"), row("http://deb/", "bookworm-updates")]
+        self.assertEqual(self.mirrors(*rows), ["http://deb/", "https://a-tool/"])
 
     def test_a_machine_that_says_stable(self):
-        self.assertEqual(self.uris(row("http://deb/", "stable")), ["http://deb/"])
+        self.assertEqual(self.mirrors(row("http://deb/", "stable")), ["http://deb/"])
 
-    def test_no_installation_disc(self):
-        self.assertEqual(self.uris(row("cdrom://[Debian]/", "bookworm")), [])
+    def test_ignores_what_is_no_package_list(self):
+        text = "'http://deb/dists/bookworm/InRelease' deb_InRelease 0 \n'http://flat/Packages' flat 0 "
+        self.assertEqual(self.mirrors(text), [])
 
     def test_nothing_configured(self):
-        self.assertEqual(debian.choose_mirrors("", "bookworm"), [])
-
-    def test_names_the_file_without_its_line(self):
-        self.assertEqual(debian.choose_mirrors(row("http://deb/", "bookworm"), "bookworm"),
-                         [("http://deb/", "/etc/apt/sources.list.d/debian.sources")])
+        self.assertEqual(self.mirrors(""), [])
 
 
 class Release(unittest.TestCase):
@@ -60,13 +54,20 @@ class Release(unittest.TestCase):
 
 
 class Keys(unittest.TestCase):
-    def test_the_named_keyring(self):
+    def test_the_keyring_named_beside_the_mirror(self):
         with tempfile.NamedTemporaryFile(suffix="debian-archive-keyring.pgp") as key:
-            self.assertEqual(debian.signing_key(f"URIs: http://deb\nSigned-By: {key.name}\n"), key.name)
-            self.assertEqual(debian.signing_key(f"deb [arch=amd64 signed-by={key.name}] http://deb x main\n"), key.name)
+            for text in (f"URIs: http://deb/debian\nSigned-By: {key.name}\n",
+                         f"deb [arch=amd64 signed-by={key.name}] http://deb/debian x main\n"):
+                self.assertEqual(debian.signing_key([text], "http://deb/debian/"), key.name)
+
+    def test_not_the_keyring_of_another_source(self):
+        with tempfile.NamedTemporaryFile(suffix=".gpg") as key:
+            text = f"deb [signed-by={key.name}] https://node x main\n"
+            self.assertNotEqual(debian.signing_key([text], "http://deb/debian/"), key.name)
 
     def test_a_named_file_that_is_not_there(self):
-        self.assertIn(debian.signing_key("Signed-By: /no/such/key\n"), (None, debian.KEYRING))
+        found = debian.signing_key(["URIs: http://deb\nSigned-By: /no/such/key\n"], "http://deb/")
+        self.assertIn(found, (None, debian.KEYRING))
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ from .place import Missing, TOOLCHAIN, say
 
 SUITE = "testing"
 KEYRING = "/usr/share/keyrings/debian-archive-keyring.gpg"
-TARGET_FIELDS = "$(REPO_URI)|$(RELEASE)|$(COMPONENT)|$(ORIGIN)|$(SOURCESENTRY)"
+PACKAGES_URI = re.compile(r"^'(\S+/)dists/([^/\s]+)/([^/\s]+)/binary-[^/\s]+/Packages", re.MULTILINE)
 
 
 def release_name(os_release):
@@ -24,30 +24,39 @@ def release_name(os_release):
     return fields.get("VERSION_CODENAME") if fields.get("ID") == "debian" else None
 
 
-def choose_mirrors(targets, codename):
-    """The Debian mirrors among apt's index targets, likeliest first, as (uri, file that configures it).
+def choose_mirrors(uris, codename):
+    """The addresses of the Debian mirrors that this machine has configured, likeliest first.
 
-    `targets` is what `apt-get indextargets --format TARGET_FIELDS` prints. Sources of others that serve the same
-    release have a component of another name, or no -updates beside them, or (once lists are there) another origin.
+    `uris` is what `apt-get update --print-uris` prints, which needs neither root nor lists. Sources of others that
+    serve the same release have a component of another name, or no -updates beside them.
     """
-    rows = [line.split("|") for line in targets.splitlines() if line.count("|") == 4]
-    with_updates = {uri for uri, release, *_ in rows if release == f"{codename}-updates"}
+    rows = PACKAGES_URI.findall(uris)
+    with_updates = {mirror for mirror, release, _ in rows if release == f"{codename}-updates"}
     suites = (codename, "stable", "oldstable", "testing", "unstable", "sid")
     ranked = {}
-    for uri, release, component, origin, entry in rows:
-        foreign = origin not in ("Debian", "", "$(ORIGIN)")
-        if release not in suites or component != "main" or uri.startswith("cdrom:") or foreign:
-            continue
-        rank = (origin != "Debian", uri not in with_updates, suites.index(release))
-        ranked[uri] = min(ranked.get(uri, (rank, entry)), (rank, entry))
-    return [(uri, entry.rsplit(":", 1)[0]) for uri, (_, entry) in sorted(ranked.items(), key=lambda item: item[1])]
+    for mirror, release, component in rows:
+        if release in suites and component == "main":
+            rank = (mirror not in with_updates, suites.index(release))
+            ranked[mirror] = min(ranked.get(mirror, rank), rank)
+    return sorted(ranked, key=lambda mirror: ranked[mirror])
 
 
-def signing_key(configuration):
-    """The keyring that the text of an apt source names, else Debian's own file; None leaves it to apt's trusted keys."""
-    named = re.findall(r"signed-by\s*[:=]\s*(/[^\s\],]+)", configuration, re.IGNORECASE)
+def signing_key(sources, mirror):
+    """The keyring for `mirror`: what the apt sources among the texts `sources` that name it say, else Debian's own file.
+
+    None leaves it to the keys that apt trusts for everything.
+    """
+    named = [key for text in sources if mirror.rstrip("/") in text
+             for key in re.findall(r"signed-by\s*[:=]\s*(/[^\s\],]+)", text, re.IGNORECASE)]
     candidates = sorted(named, key=lambda path: "debian-archive" not in path) + [KEYRING]
     return next((path for path in candidates if os.path.exists(path)), None)
+
+
+def configured_sources():
+    """The texts of the machine's apt sources."""
+    apt = Path("/etc/apt")
+    paths = [apt / "sources.list", *sorted(apt.glob("sources.list.d/*.list")), *sorted(apt.glob("sources.list.d/*.sources"))]
+    return [path.read_text(errors="replace") for path in paths if os.access(path, os.R_OK)]
 
 
 class Apt:
@@ -83,28 +92,27 @@ class Apt:
         return subprocess.run(self.command(*words), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                               stdin=subprocess.DEVNULL, env={**os.environ, "LC_ALL": "C"})
 
-    def update_from(self, mirrors):
-        """Reads the package lists of the first mirror that has them; returns apt's words where none does."""
+    def offer(self, mirrors, packages):
+        """Reads the lists of the first mirror that has `packages`. Returns (number and bytes to fetch, apt's complaint)."""
         answer = "apt has no Debian mirror configured"
-        for uri, configured_in in mirrors:
-            text = Path(configured_in).read_text(errors="replace") if os.path.exists(configured_in) else ""
-            key = signing_key(text)
+        for mirror in mirrors:
+            key = signing_key(configured_sources(), mirror)
             options = f"[signed-by={key}] " if key else ""
-            (self.home / "private.list").write_text(f"deb {options}{uri} {SUITE} main\n")
-            result = self.call("update")
-            if result.returncode == 0:
-                return None
-            answer = result.stdout.strip()
-        return answer
+            (self.home / "private.list").write_text(f"deb {options}{mirror} {SUITE} main\n")
+            for words in (("update",), ("install", "--print-uris", "--assume-yes", *packages)):
+                result = self.call(*words)
+                answer = result.stdout.strip()
+                if result.returncode != 0:
+                    break
+            else:
+                sizes = re.findall(r"^'\S+' \S+\.deb (\d+)", answer, re.MULTILINE)
+                return (len(sizes), sum(map(int, sizes))), None
+        return None, answer
 
     def download(self, packages):
-        """The paths of the packages' files, with all that they depend on."""
-        size = re.search(r"Need to get ([\d.,]+ \w+)", self.call("install", "--assume-no", *packages).stdout)
-        say(f"  {' '.join(packages[:3])}{' …' if len(packages) > 3 else ''}: {size.group(1) if size else 'packages'}")
+        """The paths of the packages' files, with all that they depend on; and apt's complaint if it failed."""
         result = self.call("install", "--download-only", "--assume-yes", *packages)
-        if result.returncode != 0:
-            raise Missing(f"apt could not fetch {' '.join(packages)}:\n{last_lines(result.stdout)}")
-        return sorted((self.home / "cache/archives").glob("*.deb"))
+        return sorted((self.home / "cache/archives").glob("*.deb")), result.stdout if result.returncode else None
 
 
 def last_lines(text, count=6):
@@ -116,16 +124,19 @@ def unpack(what, packages, folder, remedy):
     codename = release_name(Path("/etc/os-release").read_text()) if os.path.exists("/etc/os-release") else None
     if not codename or not shutil.which("apt-get") or not shutil.which("dpkg"):
         raise Missing(f"{what} is missing, and only on Debian can it be fetched here.\n{remedy}")
-    say(f"Fetching {what} (Debian {SUITE}, unpacked privately in {TOOLCHAIN.name}/)")
+    say(f"Looking for {what} in Debian {SUITE}")
     home = Path(folder) / "apt"
     apt = Apt(home)
-    targets = subprocess.run(["apt-get", "indextargets", "--format", TARGET_FIELDS, "Created-By: Packages"],
-                             stdout=subprocess.PIPE, text=True).stdout
-    problem = apt.update_from(choose_mirrors(targets, codename))
+    uris = subprocess.run(["apt-get", "update", "--print-uris", "-oDebug::NoLocking=true"], stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL, text=True).stdout
+    offer, problem = apt.offer(choose_mirrors(uris, codename), packages)
+    if offer:
+        say(f"Fetching {what}: {offer[0]} packages, {offer[1] / 1e6:.1f} MB, unpacked privately in {TOOLCHAIN.name}/")
+        archives, problem = apt.download(packages)
     if problem:
-        raise Missing(f"{what} is missing, and apt could not read the lists of Debian {SUITE}:\n"
+        raise Missing(f"{what} is missing, and apt could not fetch it from Debian {SUITE}:\n"
                       f"{last_lines(problem)}\n{remedy}")
-    for package in apt.download(packages):
+    for package in archives:
         if subprocess.run(["dpkg", "-x", str(package), str(folder)]).returncode != 0:
             raise Missing(f"{what}: {package.name} could not be unpacked (is the disk full?).\n{remedy}")
     shutil.rmtree(home)
