@@ -1,0 +1,83 @@
+extends SceneTree
+## Takes pictures of a scene of the demo, with a display or under Xvfb:
+##
+## godot --path demo_project --rendering-method gl_compatibility --fixed-fps 15 --audio-driver Dummy
+##     --script res://capture.gd -- --out=DIR [--scene=res://meadow/meadow.tscn] [--name=demo]
+##     [--frames=60]
+##
+## Writes DIR/demo.png (1280×720, with the panel) and DIR/frames/000.png … (640×360, one per frame
+## of --fixed-fps, with a gust); no frames with --frames=0. Ends with status 1 where it could not.
+
+const PICTURE_SIZE := Vector2i(1280, 720)
+const FRAME_SIZE := Vector2i(640, 360)
+const WARM_UP_FRAMES := 60
+const GUST_FRAME := 8
+
+var _options := {"out": "", "scene": "res://meadow/meadow.tscn", "name": "demo", "frames": "60"}
+
+
+func _initialize() -> void:
+	for argument in OS.get_cmdline_user_args():
+		var words := argument.trim_prefix("--").split("=", true, 1)
+		if words.size() != 2 or not words[0] in _options:
+			_fail("capture.gd does not know %s" % argument)
+			return
+		_options[words[0]] = words[1]
+	if not _options["out"] or change_scene_to_file(_options["scene"]) != OK:
+		_fail("capture.gd needs --out=DIR and a scene that can be loaded.")
+		return
+	_take_pictures.call_deferred()
+
+
+func _take_pictures() -> void:
+	var folder: String = _options["out"]
+	var frames := int(_options["frames"])
+	DirAccess.make_dir_recursive_absolute(folder.path_join("frames"))
+	await _sway()
+	await _draw_at(PICTURE_SIZE)
+	if not _save(folder.path_join("%s.png" % _options["name"])):
+		return
+	await _draw_at(FRAME_SIZE)
+	for index in frames:
+		if index == GUST_FRAME:
+			_trigger_gust()
+		await RenderingServer.frame_post_draw
+		if not _save(folder.path_join("frames/%03d.png" % index)):
+			return
+	quit()
+
+
+## Lets the plants swing for some seconds without drawing them.
+func _sway() -> void:
+	await scene_changed
+	for panel in current_scene.find_children("WindPanel", "PanelContainer", true, false):
+		panel.set(&"shows_frame_rate", false)
+	await RenderingServer.frame_post_draw
+	RenderingServer.render_loop_enabled = false
+	for _frame in WARM_UP_FRAMES:
+		await process_frame
+	RenderingServer.render_loop_enabled = true
+
+
+func _draw_at(size: Vector2i) -> void:
+	root.size = size
+	for _frame in 2:
+		await RenderingServer.frame_post_draw
+
+
+func _trigger_gust() -> void:
+	for panel in current_scene.find_children("WindPanel", "PanelContainer", true, false):
+		(panel.get(&"wind") as PlantWind).trigger_gust()
+
+
+func _save(path: String) -> bool:
+	var image := root.get_texture().get_image()
+	if image == null or image.save_png(path) != OK:
+		_fail("capture.gd could not write %s" % path)
+		return false
+	return true
+
+
+func _fail(message: String) -> void:
+	printerr(message)
+	quit(1)

@@ -1,0 +1,27 @@
+extends PanelContainer
+## The bar at the lower edge: switches between the demo's scenes, by its buttons or the keys 1, 2 and 3.
+
+const SCENES: Array[String] = [
+	"res://meadow/meadow.tscn",
+	"res://levels/levels.tscn",
+	"res://script_species/script_species.tscn",
+]
+
+
+func _ready() -> void:
+	var shown := get_tree().current_scene
+	var path := shown.scene_file_path if shown else ""
+	for index in SCENES.size():
+		var button := %Buttons.get_child(index) as Button
+		button.set_pressed_no_signal(SCENES[index] == path)
+		button.pressed.connect(_open.bind(index))
+
+
+func _unhandled_input(event: InputEvent) -> void:
+	for index in SCENES.size():
+		if event.is_action_pressed("scene_%d" % (index + 1)):
+			_open(index)
+
+
+func _open(index: int) -> void:
+	get_tree().change_scene_to_file(SCENES[index])
