@@ -172,6 +172,9 @@ void Plant3D::step(double delta) {
 		const Vector3 force = wind.is_valid() ? wind->sample(own_time) : Vector3();
 		group->batch.step(to_glm(frame.xform_inv(force)));
 	}
+	if (wind.is_valid()) {
+		wind->keep_up_with(own_time);
+	}
 	glm::vec3 direction;
 	group->batch.interpolate(own_clock->alpha(), &direction);
 	pose(direction);

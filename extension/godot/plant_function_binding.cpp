@@ -15,6 +15,7 @@ static void bind_functions() {
 	ClassDB::bind_method(D_METHOD("calculate_color_at_point", "offset"), &PlantFunction::calculate_color_at_point);
 	ClassDB::bind_method(
 			D_METHOD("generate_mesh", "height", "lod", "seed"), &PlantFunction::generate_mesh, DEFVAL(0));
+	ClassDB::bind_method(D_METHOD("find_problem", "height", "lod", "seed"), &PlantFunction::find_problem, DEFVAL(0));
 }
 
 static void bind_motion_methods() {

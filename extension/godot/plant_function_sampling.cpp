@@ -228,6 +228,11 @@ Ref<ArrayMesh> PlantFunction::build(const SampledPlant &sampled, int64_t seed) c
 	PackedFloat32Array weights;
 	positions.resize(counts.vertices);
 	normals.resize(counts.vertices);
+String PlantFunction::find_problem(double height, int lod, int64_t seed) {
+	SampledPlant sampled;
+	return sample(height, lod, seed, sampled);
+}
+
 	colors.resize(counts.vertices);
 	uvs.resize(counts.vertices);
 	bones.resize(counts.vertices * 4);

@@ -7,6 +7,7 @@
 
 #include <godot_cpp/core/class_db.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace godot;
@@ -101,6 +102,10 @@ double PlantWind::get_time() const {
 
 void PlantWind::advance(double step) {
 	time += step;
+}
+
+void PlantWind::keep_up_with(double clock) {
+	time = std::max(time, clock);
 }
 
 glm::vec3 PlantWind::force() const {

@@ -45,6 +45,8 @@ public:
 
 	/// The simulation's clock goes on by one step.
 	void advance(double step);
+	/// The clock of a plant that is stepped by hand: this wind's never stands behind it, so that a gust blows there now.
+	void keep_up_with(double clock);
 	/// The force of the present step (N, world axes).
 	glm::vec3 force() const;
 };
