@@ -287,23 +287,6 @@ TEST_CASE("no joint, state or wind, however extreme, leads to a number that is n
 	}
 }
 
-TEST_CASE("a storm on a light, stiff plant lays it down with the wind instead of shaking it") {
-	Joint joint;
-	joint.mass = 1e-3f;
-	joint.length = 0.1f;
-	joint.elasticity = 50.0f;
-	joint.inner_friction = 0.01f;
-	PendulumBatch batch(Law::elasticity, FRAME_STEP);
-	batch.add(joint, TipState{});
-	for (int i = 0; i < 600; i++) {
-		batch.step({ 1e6f, 0.0f, 0.0f });
-	}
-	for (int i = 0; i < 60; i++) {
-		batch.step({ 1e6f, 0.0f, 0.0f });
-		CHECK(batch.state(0).direction.x > 0.99f);
-	}
-}
-
 TEST_CASE("a run of each law has the same bits on every platform") {
 	constexpr uint64_t ELASTICITY_GOLDEN = 0x67c18666f5e05500ull;
 	constexpr uint64_t SPRING_GOLDEN = 0x39485c024b044527ull;

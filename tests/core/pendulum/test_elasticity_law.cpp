@@ -130,6 +130,51 @@ TEST_CASE("with ground a tip never goes below it, however it is thrown") {
 	CHECK(lowest > 0.0f);
 }
 
+TEST_CASE("a tip that lies on the ground gathers no rate downwards") {
+	PendulumBatch batch = one_plant(joint_of(1.0, 1.0, 0.0), leaning(1.5));
+	run(batch, 30.0);
+	CHECK(batch.state(0).direction.y < 0.03f);
+	CHECK(std::fabs(batch.state(0).rate.y) < 0.1f);
+	batch.apply_impulse(0, { 0.0f, 5.0f, 0.0f });
+	run(batch, 0.1);
+	CHECK(batch.state(0).direction.y > 0.1f);
+}
+
+TEST_CASE("a joint that would swing a whole cycle in a step still rises, and bends in wind as it should") {
+	// Without a limit of the swing per step, sin²(ω·step/2) would leave no force at all here.
+	const double omega = 2.0 * PI / static_cast<double>(FRAME_STEP);
+	const double elasticity = omega * omega * 0.01 / GRAVITY;
+	PendulumBatch stiff = one_plant(joint_of(elasticity, 0.01), leaning(SMALL));
+	CHECK(frequency_of(record_x(stiff, 60), static_cast<double>(FRAME_STEP)) > 15.0);
+	PendulumBatch batch = one_plant(joint_of(elasticity, 0.01, 5.0), leaning(0.3));
+	run(batch, 20.0);
+	CHECK(deflection(batch.state(0)) < 1e-3);
+	run(batch, 20.0, { 200.0f, 0.0f, 0.0f });
+	CHECK(std::fabs(deflection(batch.state(0)) - equilibrium_angle(200.0, 1.0, elasticity)) < ANGLE_TOLERANCE);
+}
+
+TEST_CASE("a stiff joint without ground comes to rest hanging, too, where its law is stiffer than upright") {
+	Joint joint = joint_of(0.3, 1.42e-4, 5.0);
+	joint.above_ground = false;
+	PendulumBatch batch = one_plant(joint, leaning(2.0));
+	run(batch, 60.0);
+	CHECK(batch.state(0).direction.y == doctest::Approx(-1.0 / 1.3).epsilon(1e-4));
+	CHECK(glm::length(batch.state(0).rate) < 0.1f);
+}
+
+TEST_CASE("a storm lays a light plant down with the wind instead of shaking it") {
+	for (const float force : { 30.0f, 1e3f, 1e6f }) {
+		Joint joint = joint_of(5.0, 0.1, 1e-3);
+		joint.mass = 1e-3f;
+		joint.above_ground = false;
+		PendulumBatch batch = one_plant(joint, leaning(0.0));
+		run(batch, 60.0, { force, 0.0f, 0.0f });
+		CAPTURE(force);
+		CHECK(batch.state(0).direction.x > 0.9999f);
+		CHECK(glm::length(batch.state(0).rate) < 0.1f);
+	}
+}
+
 TEST_CASE("a constant wind bends a plant to F·w = m·g·tan φ·((1 + e)·cos φ - 1)") {
 	for (const float step : { FRAME_STEP, LONG_STEP }) {
 		for (const double elasticity : { 1.0, 4.0, 12.0 }) {

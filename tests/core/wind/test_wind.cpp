@@ -60,6 +60,8 @@ TEST_CASE("bursts blow in the first half of each period and stop fully in the se
 	CHECK(wind_strength(wind, -0.5) == 0.0f);
 	wind.phase = 0.5;
 	CHECK(wind_strength(wind, 0.0) == 0.0f);
+	wind.phase = -1e-20; // Rounds to a whole cycle, which is the start of the next.
+	CHECK(wind_strength(wind, 0.0) == 10.0f);
 }
 
 TEST_CASE("waves are a sine about the strength with the strength as amplitude") {
