@@ -1,0 +1,222 @@
+## PlantFunction's properties: their ranges, signals, and what a saved resource keeps.
+extends "res://tests/engine/harness.gd"
+
+const PATH := "user://saved_function.tres"
+## Of properties that are kept in single precision.
+const RELATIVE_TOLERANCE := 1e-6
+
+## Properties of all functions with a value that is nobody's default.
+var _common := {
+	"law": PlantFunction.LAW_ELASTICITY,
+	"elasticity": 7.5,
+	"inner_friction": 0.625,
+	"stays_above_ground": false,
+	"natural_frequency": 2.5,
+	"damping_ratio": 0.5,
+	"lean_degrees": 30.0,
+	"mass": 2.25,
+	"wind_weight": 0.875,
+	"collision_radius": 0.125,
+	"shading": PlantFunction.SHADING_FLAT,
+	"shape_deviation": 0.5,
+	"color_deviation": 0.25,
+}
+## Numbers with what they may not be.
+var _out_of_range := {
+	"elasticity": [-1.0, 1.1e4],
+	"inner_friction": [-0.1, 1.1e6],
+	"natural_frequency": [0.0, -1.0, 1001.0],
+	"damping_ratio": [-0.1, 101.0],
+	"lean_degrees": [-1.0, 81.0],
+	"mass": [0.0, -1.0, 1.1e6],
+	"wind_weight": [-0.1, 1001.0],
+	"collision_radius": [-0.1, 1001.0],
+	"shape_deviation": [-0.1, 1.1],
+	"color_deviation": [-0.1, 1.1],
+}
+var _changes := 0
+
+
+func test_properties_keep_what_they_are_set_to() -> void:
+	for species in _all_species():
+		_change_all(species)
+		_check_all_changed(species, species.get_class())
+
+
+func test_numbers_as_written_come_back_as_written() -> void:
+	var function := PlantFunction.new()
+	function.mass = 0.3
+	function.lean_degrees = 33.3
+	check_equal(function.mass, 0.3)
+	check_equal(function.lean_degrees, 33.3)
+
+
+func test_numbers_out_of_range_give_one_error_and_are_not_kept() -> void:
+	var function := PlantFunction.new()
+	for property: String in _out_of_range:
+		var before: float = function.get(property)
+		for value: float in _out_of_range[property] + [NAN, INF, -INF]:
+			function.set(property, value)
+			check_error(property + " cannot be ")
+			check_equal(function.get(property), before, property)
+
+
+func test_own_sizes_of_species_have_a_range() -> void:
+	for species in _all_species():
+		for property in _own_properties(species):
+			if species.get(property) is float:
+				var before: float = species.get(property)
+				for value: float in [0.0, -1.0, NAN, INF, 1e6]:
+					species.set(property, value)
+					check_error(property + " cannot be ")
+					check_equal(species.get(property), before, property)
+
+
+func test_constants_that_do_not_exist_give_one_error() -> void:
+	var function := PlantFunction.new()
+	for value: int in [-1, 2, 1000]:
+		function.set("law", value)
+		check_error("law %d does not exist" % value)
+		function.set("shading", value)
+		check_error("shading %d does not exist" % value)
+	check_equal(function.law, PlantFunction.LAW_SPRING)
+	check_equal(function.shading, PlantFunction.SHADING_SMOOTH)
+
+
+func test_each_change_is_signalled_once() -> void:
+	for species in _all_species():
+		species.changed.connect(_count_change)
+		for property: String in _common:
+			_changes = 0
+			species.set(property, _common[property])
+			check_equal(_changes, 1, "signals for " + property)
+		for property in _own_properties(species):
+			_changes = 0
+			species.set(property, _another(species.get(property)))
+			check_equal(_changes, 1, "signals for " + property)
+		_changes = 0
+		species.material = StandardMaterial3D.new()
+		check_equal(_changes, 1, "signals for material")
+
+
+func test_refused_values_are_not_signalled() -> void:
+	var function := PlantFunction.new()
+	function.changed.connect(_count_change)
+	_changes = 0
+	function.mass = NAN
+	function.shape_deviation = 2.0
+	check_error("mass cannot be")
+	check_error("shape_deviation cannot be")
+	check_equal(_changes, 0)
+
+
+func test_saved_functions_load_equal() -> void:
+	for species in _all_species():
+		_change_all(species)
+		species.material = ShaderMaterial.new()
+		check_equal(ResourceSaver.save(species, PATH), OK, "saving")
+		var loaded: PlantFunction = ResourceLoader.load(PATH, "", ResourceLoader.CACHE_MODE_IGNORE)
+		check_equal(loaded.get_class(), species.get_class())
+		check(loaded.material is ShaderMaterial, "the material is kept")
+		_check_all_changed(loaded, "loaded " + species.get_class())
+		check_equal(_bytes(loaded), _bytes(species), "mesh of " + species.get_class())
+	DirAccess.remove_absolute(PATH)
+
+
+func test_defaults_are_not_saved() -> void:
+	for species in _all_species():
+		check_equal(ResourceSaver.save(species, PATH), OK, "saving")
+		var text := FileAccess.get_file_as_string(PATH)
+		check(not text.contains(" = "), "only defaults: " + text)
+	DirAccess.remove_absolute(PATH)
+
+
+func test_only_the_chosen_laws_numbers_are_shown() -> void:
+	var function := PlantFunction.new()
+	check(_is_shown(function, "natural_frequency"), "the spring's frequency")
+	check(not _is_shown(function, "elasticity"), "no elasticity")
+	function.law = PlantFunction.LAW_ELASTICITY
+	check(not _is_shown(function, "natural_frequency"), "no frequency")
+	check(_is_shown(function, "elasticity"), "the elasticity")
+
+
+func test_meshes_wear_the_functions_material() -> void:
+	var tulip := TulipFunction.new()
+	var standard := tulip.generate_mesh(1.0, 4).surface_get_material(0)
+	check(standard is StandardMaterial3D, "a material of its own")
+	check(standard.vertex_color_use_as_albedo, "which shows vertex colours")
+	var grass := GrassFunction.new().generate_mesh(1.0, 4)
+	check(grass.surface_get_material(0) == standard, "one for all plants")
+	var own := ShaderMaterial.new()
+	tulip.material = own
+	check(tulip.generate_mesh(1.0, 4).surface_get_material(0) == own, "the user's own")
+	tulip.material = null
+	check(tulip.generate_mesh(1.0, 4).surface_get_material(0) == standard, "the first again")
+
+
+func test_heights_need_a_random_number_generator() -> void:
+	check_equal(TulipFunction.new().generate_height(null), 0.0)
+	check_error("needs a RandomNumberGenerator")
+
+
+func test_base_shapes_outside_the_lods_are_the_nearest() -> void:
+	var tulip := TulipFunction.new()
+	check_equal(tulip.get_base_shape(-5).size(), 4, "points")
+	check_equal(tulip.get_base_shape(1000000).size(), 256, "points")
+
+
+func _all_species() -> Array[PlantFunction]:
+	return [
+		PlantFunction.new(),
+		GrassFunction.new(),
+		ReedFunction.new(),
+		CattailFunction.new(),
+		TulipFunction.new(),
+		BellflowerFunction.new(),
+	]
+
+
+## What the species' own class adds to PlantFunction: colours and sizes.
+func _own_properties(species: PlantFunction) -> PackedStringArray:
+	var names := PackedStringArray()
+	if species.get_class() == "PlantFunction":
+		return names
+	for property in ClassDB.class_get_property_list(species.get_class(), true):
+		if property["usage"] & PROPERTY_USAGE_STORAGE:
+			names.append(property["name"])
+	check(not names.is_empty(), species.get_class() + " has properties of its own")
+	return names
+
+
+func _another(value: Variant) -> Variant:
+	return Color(0.25, 0.5, 0.75, 0.5) if value is Color else 0.0625
+
+
+func _change_all(species: PlantFunction) -> void:
+	for property: String in _common:
+		species.set(property, _common[property])
+	for property in _own_properties(species):
+		species.set(property, _another(species.get(property)))
+
+
+func _check_all_changed(species: PlantFunction, label: String) -> void:
+	for property: String in _common:
+		check_equal(species.get(property), _common[property], "%s of %s" % [property, label])
+	for property in _own_properties(species):
+		var value: Variant = species.get(property)
+		check_near(value, _another(value), RELATIVE_TOLERANCE, "%s of %s" % [property, label])
+
+
+func _count_change() -> void:
+	_changes += 1
+
+
+func _bytes(species: PlantFunction) -> PackedByteArray:
+	return var_to_bytes(species.generate_mesh(1.0, 8, 3).surface_get_arrays(0))
+
+
+func _is_shown(object: Object, name: String) -> bool:
+	for property in object.get_property_list():
+		if property["name"] == name:
+			return property["usage"] & PROPERTY_USAGE_EDITOR != 0
+	return false
