@@ -58,8 +58,7 @@ Color CurvePlantFunction::own_color(double offset) const {
 	return color_gradient->sample(float(offset));
 }
 
-template <typename Part>
-void CurvePlantFunction::follow(Ref<Part> &slot, const Ref<Part> &part) {
+template <typename Part> void CurvePlantFunction::follow(Ref<Part> &slot, const Ref<Part> &part) {
 	const Callable changed(this, "_on_part_changed");
 	if (slot.is_valid()) {
 		slot->disconnect("changed", changed);
@@ -77,7 +76,8 @@ void CurvePlantFunction::on_part_changed() {
 
 void CurvePlantFunction::set_base_shape(BaseShape shape) {
 	if (shape < BASE_CIRCLE || shape > BASE_LOBED) {
-		report_error(this, "base_shape " + String::num_int64(shape) + " does not exist. Use one of the BASE_ constants.");
+		report_error(this,
+				"base_shape " + String::num_int64(int(shape)) + " does not exist. Use one of the BASE_ constants.");
 		return;
 	}
 	base_shape = shape;
@@ -189,11 +189,10 @@ void CurvePlantFunction::_bind_methods() {
 	ADD_GROUP("Shape", "");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "base_shape", PROPERTY_HINT_ENUM, "Circle,Parallelogram,Lobed"),
 			"set_base_shape", "get_base_shape_kind");
-	ADD_PROPERTY(
-			PropertyInfo(Variant::FLOAT, "base_radius", PROPERTY_HINT_RANGE, "0.001,1,0.001,or_greater,suffix:m"),
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "base_radius", PROPERTY_HINT_RANGE, "0.001,1,0.001,or_greater,suffix:m"),
 			"set_base_radius", "get_base_radius");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "lobes", PROPERTY_HINT_RANGE, "2,16,1,or_greater"), "set_lobes",
-			"get_lobes");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::INT, "lobes", PROPERTY_HINT_RANGE, "2,16,1,or_greater"), "set_lobes", "get_lobes");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "lobe_depth", PROPERTY_HINT_RANGE, "0,0.9,0.01"), "set_lobe_depth",
 			"get_lobe_depth");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "width_curve", PROPERTY_HINT_RESOURCE_TYPE, "Curve"), "set_width_curve",

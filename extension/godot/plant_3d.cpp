@@ -91,6 +91,7 @@ bool Plant3D::is_simulating() const {
 
 void Plant3D::on_function_changed() {
 	if (function->is_motion_change()) {
+		update_axes(); // They depend on the law.
 		update_joint();
 	} else {
 		mark_stale();
@@ -176,8 +177,8 @@ void Plant3D::_bind_methods() {
 
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "function", PROPERTY_HINT_RESOURCE_TYPE, "PlantFunction"),
 			"set_function", "get_function");
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "wind", PROPERTY_HINT_RESOURCE_TYPE, "PlantWind"), "set_wind",
-			"get_wind");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::OBJECT, "wind", PROPERTY_HINT_RESOURCE_TYPE, "PlantWind"), "set_wind", "get_wind");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "lod", PROPERTY_HINT_RANGE, "1,64,1,or_greater"), "set_lod", "get_lod");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "height", PROPERTY_HINT_RANGE, "0,5,0.01,or_greater,suffix:m"),
 			"set_height", "get_height");

@@ -54,7 +54,7 @@ class Plant3D : public godot::Node3D {
 	void make_children();
 	void find_children();
 	void show_mesh();
-	godot::AABB reach(float widest) const;
+	godot::AABB reach() const;
 	void report_problem(const godot::String &what);
 
 	// plant_3d_motion.cpp

@@ -5,8 +5,6 @@
 #include "as_written.hpp"
 #include "shared_resources.hpp"
 
-#include <cmath>
-
 using namespace godot;
 
 namespace undergrowth {
@@ -61,7 +59,7 @@ bool Plant3D::build_mesh() {
 	mesh = function->build(sampled, seed);
 	built_height = sampled.height;
 	show_mesh();
-	mesh_instance->set_custom_aabb(reach(sampled.widest()));
+	mesh_instance->set_custom_aabb(reach());
 	update_joint();
 	return true;
 }
@@ -96,13 +94,13 @@ void Plant3D::show_mesh() {
 	mesh_instance->set_mesh(mesh);
 }
 
-// Linear blend skinning moves no vertex farther from the root than it is at rest: its distance is at most that of the
-// outermost point of the tip's ring. Only the elasticity law without a ground lets the tip below the root.
-AABB Plant3D::reach(float widest) const {
-	const float radius = std::sqrt(built_height * built_height + widest * widest);
-	const bool goes_below = function->get_law() == PlantFunction::LAW_ELASTICITY && !function->get_stays_above_ground();
-	const float below = goes_below ? radius : widest;
-	return AABB(Vector3(-radius, -below, -radius), Vector3(2.0f * radius, radius + below, 2.0f * radius));
+// Linear blend skinning moves no vertex farther from the root than it is at rest. A plant on a slope, a wall or a
+// ceiling may hang below its own root, so all directions count.
+AABB Plant3D::reach() const {
+	const AABB rest = mesh->get_aabb();
+	const Vector3 farthest = rest.position.abs().max(rest.get_end().abs());
+	const float radius = farthest.length();
+	return AABB(Vector3(-radius, -radius, -radius), Vector3(2.0f * radius, 2.0f * radius, 2.0f * radius));
 }
 
 Ref<ArrayMesh> Plant3D::get_mesh() {

@@ -3,8 +3,8 @@
 #include "plant_function.hpp"
 
 #include "convert.hpp"
-#include "shared_resources.hpp"
 #include "plant/base_shape.hpp"
+#include "shared_resources.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/script.hpp>
@@ -32,8 +32,10 @@ Variant PlantFunction::call_override(
 	if (result.get_type() == wanted || number_fits) {
 		return result;
 	}
-	const String got = result.get_type() == Variant::NIL ? String("nothing") : Variant::get_type_name(result.get_type());
-	problem = String(method) + "() of its script returned " + got + ". Return a " + Variant::get_type_name(wanted) + ".";
+	const String got =
+			result.get_type() == Variant::NIL ? String("nothing") : Variant::get_type_name(result.get_type());
+	problem =
+			String(method) + "() of its script returned " + got + ". Return a " + Variant::get_type_name(wanted) + ".";
 	return Variant();
 }
 
@@ -205,8 +207,15 @@ String PlantFunction::sample_profile(SampledPlant &result) {
 			return "_calculate_curve_point(" + String::num(offset) + ") gave " + String::num(width) +
 					". Return a factor of the base shape from 0 to " + String::num(MAX_WIDTH) + ".";
 		}
+		if (!Vector4(color.r, color.g, color.b, color.a).is_finite()) {
+			return "_calculate_color_at_point(" + String::num(offset) +
+					") gave a color that is not finite. Return components from 0 to 1.";
+		}
 		result.widths[ring] = float(width);
 		result.colors[ring] = to_glm(color);
+	}
+	if (!(result.widest() > 0.0f)) { // Which a typed override returns that fails, too.
+		return "_calculate_curve_point() gave 0 at every height. Return a factor of the base shape above 0 somewhere.";
 	}
 	return String();
 }
@@ -219,6 +228,11 @@ String PlantFunction::sample(double height, int lod, int64_t seed, SampledPlant 
 	return problem.is_empty() ? sample_profile(result) : problem;
 }
 
+String PlantFunction::find_problem(double height, int lod, int64_t seed) {
+	SampledPlant sampled;
+	return sample(height, lod, seed, sampled);
+}
+
 Ref<ArrayMesh> PlantFunction::build(const SampledPlant &sampled, int64_t seed) const {
 	const MeshCounts counts = count_mesh(int(sampled.cross_section.points.size()), sampled.lod, look.shading);
 	PackedVector3Array positions, normals;
@@ -228,11 +242,6 @@ Ref<ArrayMesh> PlantFunction::build(const SampledPlant &sampled, int64_t seed) c
 	PackedFloat32Array weights;
 	positions.resize(counts.vertices);
 	normals.resize(counts.vertices);
-String PlantFunction::find_problem(double height, int lod, int64_t seed) {
-	SampledPlant sampled;
-	return sample(height, lod, seed, sampled);
-}
-
 	colors.resize(counts.vertices);
 	uvs.resize(counts.vertices);
 	bones.resize(counts.vertices * 4);

@@ -1,8 +1,8 @@
 #include "plant_wind.hpp"
 
 #include "as_written.hpp"
-#include "convert.hpp"
 #include "conventions.hpp"
+#include "convert.hpp"
 #include "messages.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -22,7 +22,7 @@ static constexpr double RADIANS_PER_DEGREE = PI / 180.0;
 
 void PlantWind::set_kind(Kind kind) {
 	if (kind < KIND_GUST || kind > KIND_WAVES) {
-		report_error(this, "kind " + String::num_int64(kind) + " does not exist. Use one of the KIND_ constants.");
+		report_error(this, "kind " + String::num_int64(int(kind)) + " does not exist. Use one of the KIND_ constants.");
 		return;
 	}
 	if (WindKind(kind) == wind.kind) {
