@@ -55,7 +55,8 @@ def main():
     rows = measure("core_bench", [options.core]) if options.core else []
     if (ROOT / "tests/bench/engine_bench.gd").exists():
         folder = engine.make_project("bench_project", {"tests/bench": "tests/bench"})
-        words = [options.godot, "--headless", "--path", str(folder), "--script", "res://tests/bench/engine_bench.gd"]
+        words = [options.godot, "--headless", "--path", str(folder), "--fixed-fps", "60",
+                 "--script", "res://tests/bench/engine_bench.gd"]
         rows += measure("engine_bench", words, engine.private_home())
     target = ROOT / "build/bench.json"
     target.write_text(json.dumps(rows, indent="\t") + "\n")

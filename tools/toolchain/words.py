@@ -39,7 +39,7 @@ def run_scons(words):
     changes = {name: value for name, value in changes.items() if value != []}
     jobs = [] if any(word.startswith("-j") for word in words) else [f"-j{os.cpu_count() or 1}"]
     environment = environment_with(PYTHONDONTWRITEBYTECODE="1", **changes)
-    return subprocess.run([*command, "-Q", "-C", str(ROOT), *jobs, *words], env=environment).returncode
+    return subprocess.run([*command, "-Q", *jobs, *words], cwd=ROOT, env=environment).returncode
 
 
 def run_godot(arguments):
