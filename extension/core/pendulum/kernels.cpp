@@ -2,38 +2,70 @@
 
 #include "pendulum/kernel_tables.hpp"
 
-#if defined(_MSC_VER) && (defined(_M_X64) || defined(_M_IX86))
+#if defined(__x86_64__) || defined(__i386__) || defined(_M_X64) || defined(_M_IX86)
+#define UNDERGROWTH_X86
+#if defined(_MSC_VER)
 #include <immintrin.h>
 #include <intrin.h>
+#else
+#include <cpuid.h>
+#endif
 #endif
 
 namespace undergrowth {
 
 namespace {
 
-/// Whether the processor has AVX2 and the operating system saves its registers.
-bool processor_has_avx2() {
-#if defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__))
-	return __builtin_cpu_supports("avx2") != 0;
-#elif defined(_MSC_VER) && (defined(_M_X64) || defined(_M_IX86))
-	constexpr int OSXSAVE_AND_AVX = (1 << 27) | (1 << 28);
-	constexpr int AVX2 = 1 << 5;
-	constexpr unsigned long long XMM_AND_YMM = 6;
-	int leaf[4];
-	__cpuid(leaf, 0);
-	if (leaf[0] < 7) {
-		return false;
-	}
-	__cpuid(leaf, 1);
-	if ((leaf[2] & OSXSAVE_AND_AVX) != OSXSAVE_AND_AVX || (_xgetbv(0) & XMM_AND_YMM) != XMM_AND_YMM) {
-		return false;
-	}
-	__cpuidex(leaf, 7, 0);
-	return (leaf[1] & AVX2) != 0;
+#if defined(UNDERGROWTH_X86)
+
+struct Registers {
+	unsigned int a, b, c, d;
+};
+
+// Asked of the processor itself: __builtin_cpu_supports needs a table that not every compiler's runtime has.
+Registers cpuid(unsigned int leaf) {
+#if defined(_MSC_VER)
+	int values[4];
+	__cpuidex(values, static_cast<int>(leaf), 0);
+	return { static_cast<unsigned int>(values[0]), static_cast<unsigned int>(values[1]),
+		static_cast<unsigned int>(values[2]), static_cast<unsigned int>(values[3]) };
 #else
-	return false;
+	Registers registers;
+	__cpuid_count(leaf, 0, registers.a, registers.b, registers.c, registers.d);
+	return registers;
 #endif
 }
+
+/// Which registers the operating system saves (the low half of XCR0).
+unsigned int saved_registers() {
+#if defined(_MSC_VER)
+	return static_cast<unsigned int>(_xgetbv(0));
+#else
+	unsigned int low;
+	unsigned int high;
+	__asm__ volatile("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
+	return low;
+#endif
+}
+
+/// Whether the processor has AVX2 and the operating system saves its registers (Intel's manual, volume 1, 14.3).
+bool processor_has_avx2() {
+	constexpr unsigned int OSXSAVE_AND_AVX = (1u << 27) | (1u << 28);
+	constexpr unsigned int AVX2 = 1u << 5;
+	constexpr unsigned int XMM_AND_YMM = 6u;
+	if (cpuid(0).a < 7u || (cpuid(1).c & OSXSAVE_AND_AVX) != OSXSAVE_AND_AVX) {
+		return false;
+	}
+	return (saved_registers() & XMM_AND_YMM) == XMM_AND_YMM && (cpuid(7).b & AVX2) != 0u;
+}
+
+#else
+
+bool processor_has_avx2() {
+	return false;
+}
+
+#endif
 
 } // namespace
 
