@@ -1,0 +1,53 @@
+extends Node3D
+## One species in several levels of detail: a row with smooth shading, a row with flat shading.
+
+const ROW_DEPTH := 2.6
+
+## The species, with smooth and with flat shading.
+@export var functions: Array[PlantFunction] = []
+## What each row is called.
+@export var row_names: PackedStringArray = []
+## The levels of detail, from left to right.
+@export var levels: PackedInt32Array = [4, 8, 16, 32]
+## Metres between two plants of a row.
+@export_range(0.2, 5.0, 0.05, "suffix:m") var gap := 1.5
+## Height of every plant.
+@export_range(0.1, 5.0, 0.05, "suffix:m") var height := 1.7
+## The wind that moves them.
+@export var wind: PlantWind
+
+
+func _ready() -> void:
+	for row in functions.size():
+		for column in levels.size():
+			var x := (column - (levels.size() - 1) / 2.0) * gap
+			_stand(functions[row], row_names[row], levels[column], Vector3(x, 0.0, -row * ROW_DEPTH))
+
+
+func _stand(function: PlantFunction, row_name: String, lod: int, place: Vector3) -> void:
+	var plant := Plant3D.new()
+	plant.function = function
+	plant.wind = wind
+	plant.height = height
+	plant.lod = lod
+	plant.position = place
+	add_child(plant)
+	var text := "lod %d, %s\n%d triangles" % [lod, row_name, _count_triangles(plant.get_mesh())]
+	_write(text, place + Vector3(0.0, 0.12, 0.62))
+
+
+func _count_triangles(mesh: ArrayMesh) -> int:
+	return mesh.surface_get_array_index_len(0) / 3
+
+
+func _write(text: String, place: Vector3) -> void:
+	var label := Label3D.new()
+	label.text = text
+	label.position = place
+	label.billboard = BaseMaterial3D.BILLBOARD_ENABLED
+	label.pixel_size = 0.0032
+	label.font_size = 40
+	label.outline_size = 10
+	label.modulate = Color(0.96, 0.97, 0.93)
+	label.outline_modulate = Color(0.1, 0.12, 0.1, 0.85)
+	add_child(label)
