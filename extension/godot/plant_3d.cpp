@@ -41,8 +41,16 @@ Ref<PlantFunction> Plant3D::get_function() const {
 }
 
 void Plant3D::set_wind(const Ref<PlantWind> &new_wind) {
+	const Callable changed(this, "_on_wind_changed");
+	if (wind.is_valid()) {
+		wind->disconnect("changed", changed);
+	}
 	wind = new_wind;
+	if (wind.is_valid()) {
+		wind->connect("changed", changed);
+	}
 	update_simulation();
+	on_wind_changed();
 }
 
 Ref<PlantWind> Plant3D::get_wind() const {
@@ -106,6 +114,9 @@ PackedStringArray Plant3D::_get_configuration_warnings() const {
 	} else if (!problem.is_empty()) {
 		warnings.push_back(problem);
 	}
+	if (wind.is_valid() && wind->get_strength() == 0.0) {
+		warnings.push_back("The wind has a strength of 0 N, so this plant stands still: raise Strength in its Wind.");
+	}
 	return warnings;
 }
 
@@ -151,6 +162,7 @@ void Plant3D::_notification(int what) {
 
 void Plant3D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("_on_function_changed"), &Plant3D::on_function_changed);
+	ClassDB::bind_method(D_METHOD("_on_wind_changed"), &Plant3D::on_wind_changed);
 	ClassDB::bind_method(D_METHOD("_on_rebuild_queued"), &Plant3D::on_rebuild_queued);
 	ClassDB::bind_method(D_METHOD("set_function", "function"), &Plant3D::set_function);
 	ClassDB::bind_method(D_METHOD("get_function"), &Plant3D::get_function);
@@ -174,6 +186,7 @@ void Plant3D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("apply_impulse", "impulse"), &Plant3D::apply_impulse);
 	ClassDB::bind_method(D_METHOD("reset"), &Plant3D::reset);
 	ClassDB::bind_method(D_METHOD("step", "delta"), &Plant3D::step);
+	ClassDB::bind_method(D_METHOD("preview", "delta", "wind"), &Plant3D::preview);
 
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "function", PROPERTY_HINT_RESOURCE_TYPE, "PlantFunction"),
 			"set_function", "get_function");

@@ -69,6 +69,7 @@ class Plant3D : public godot::Node3D {
 	void pose_now();
 
 	void on_function_changed();
+	void on_wind_changed();
 	void on_rebuild_queued();
 
 protected:
@@ -104,6 +105,8 @@ public:
 	void apply_impulse(const godot::Vector3 &impulse);
 	void reset();
 	void step(double delta);
+	/// Moves the plant as if `blowing` were its wind, at that wind's own clock. Properties stay as they are.
+	void preview(double delta, const godot::Ref<PlantWind> &blowing);
 
 	// For PlantSimulation.
 	void moved_to(int index) { place.index = index; }

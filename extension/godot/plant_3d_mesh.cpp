@@ -5,6 +5,8 @@
 #include "as_written.hpp"
 #include "shared_resources.hpp"
 
+#include <godot_cpp/classes/engine.hpp>
+
 using namespace godot;
 
 namespace undergrowth {
@@ -92,6 +94,9 @@ void Plant3D::show_mesh() {
 		make_children();
 	}
 	mesh_instance->set_mesh(mesh);
+	if (Engine::get_singleton()->is_editor_hint()) {
+		update_gizmos(); // They show the height, and a click is tested against the mesh.
+	}
 }
 
 // Linear blend skinning moves no vertex farther from the root than it is at rest. A plant on a slope, a wall or a

@@ -101,6 +101,10 @@ double PlantWind::get_time() const {
 }
 
 void PlantWind::advance(double step) {
+	if (!std::isfinite(step) || step < 0.0) {
+		report_error(this, "advance(" + String::num(step) + ") is impossible; its time stays. Pass seconds of 0 or more.");
+		return;
+	}
 	time += step;
 }
 
@@ -133,6 +137,7 @@ void PlantWind::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("sample", "time"), &PlantWind::sample);
 	ClassDB::bind_method(D_METHOD("trigger_gust"), &PlantWind::trigger_gust);
 	ClassDB::bind_method(D_METHOD("get_time"), &PlantWind::get_time);
+	ClassDB::bind_method(D_METHOD("advance", "seconds"), &PlantWind::advance);
 
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "kind", PROPERTY_HINT_ENUM, "Gust,Constant,Bursts,Waves"), "set_kind",
 			"get_kind");

@@ -43,7 +43,7 @@ public:
 	void trigger_gust();
 	double get_time() const;
 
-	/// The simulation's clock goes on by one step.
+	/// The wind's clock goes on: by a step in the simulation, by a frame where someone drives plants by hand.
 	void advance(double step);
 	/// The clock of a plant that is stepped by hand: this wind's never stands behind it, so that a gust blows there now.
 	void keep_up_with(double clock);
