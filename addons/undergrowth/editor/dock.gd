@@ -1,0 +1,30 @@
+@tool
+extends VBoxContainer
+## The dock's frame: a page for plants, a page for the wind, and a status line below both.
+
+const EditorState := preload("editor_state.gd")
+const PlantPage := preload("plant_page/plant_page.gd")
+const WindPage := preload("wind_page/wind_page.gd")
+const StatusLine := preload("widgets/status_line.gd")
+
+## What both pages share.
+var state := EditorState.new()
+
+@onready var _pages: TabContainer = %Pages
+@onready var _plant_page: PlantPage = %Plant
+@onready var _wind_page: WindPage = %Wind
+@onready var _status: StatusLine = %Status
+
+
+## Brings the dock to life. A dock that is only opened as a scene stays still.
+func setup(plugin: EditorPlugin) -> void:
+	_pages.set_tab_title(_pages.get_tab_idx_from_control(_plant_page), tr("Plant"))
+	_pages.set_tab_title(_pages.get_tab_idx_from_control(_wind_page), tr("Wind"))
+	_status.setup(state)
+	_plant_page.setup(state, plugin.get_undo_redo(), self)
+	_wind_page.setup(state, plugin.get_undo_redo())
+
+
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_PREDELETE and state:
+		state.close()

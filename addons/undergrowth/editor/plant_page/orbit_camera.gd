@@ -1,0 +1,88 @@
+@tool
+extends Camera3D
+## A camera that goes around a point: drag to turn, wheel or pinch to zoom.
+
+const RADIANS_PER_PIXEL := 0.01
+const ZOOM_STEP := 1.12
+const STEEPEST := 1.5
+const START_TURN := 0.6
+const START_TILT := 0.18
+## Space around what is framed.
+const MARGIN := 1.15
+
+var _turn := START_TURN
+var _tilt := START_TILT
+var _zoom := 1.0
+var _center := Vector3.ZERO
+var _size := Vector2.ONE
+
+
+## Looks at a box of that size (width and height in metres) around [param center].
+func frame(center: Vector3, size: Vector2) -> void:
+	_center = center
+	_size = size
+	place()
+
+
+## Goes back to where it began.
+func restart() -> void:
+	_turn = START_TURN
+	_tilt = START_TILT
+	_zoom = 1.0
+	place()
+
+
+## Handles one event over the view; true if it was for the camera.
+func handle(event: InputEvent, scale_factor: float) -> bool:
+	if event is InputEventMouseMotion:
+		return _drag(event, scale_factor)
+	if event is InputEventMouseButton and event.pressed:
+		return _press(event)
+	if event is InputEventMagnifyGesture:
+		_zoom_by(1.0 / (event as InputEventMagnifyGesture).factor)
+		return true
+	if event is InputEventPanGesture:
+		_zoom_by(pow(ZOOM_STEP, (event as InputEventPanGesture).delta.y))
+		return true
+	return false
+
+
+## Puts the camera where its angles and its zoom say, whatever the shape of the view.
+func place() -> void:
+	if not is_inside_tree():
+		return
+	var view := Vector2(get_viewport().get_visible_rect().size).max(Vector2.ONE)
+	var tangent := tan(deg_to_rad(fov) * 0.5)
+	var half := maxf(_size.y, _size.x * view.y / view.x) * 0.5 * MARGIN
+	var distance := (half / tangent + _size.x * 0.5) * _zoom
+	basis = Basis.from_euler(Vector3(-_tilt, _turn, 0.0))
+	position = _center + basis.z * distance
+	near = distance * 0.02
+	far = distance * 20.0
+
+
+func _drag(event: InputEventMouseMotion, scale_factor: float) -> bool:
+	if not event.button_mask & (MOUSE_BUTTON_MASK_LEFT | MOUSE_BUTTON_MASK_MIDDLE):
+		return false
+	_turn -= event.relative.x * RADIANS_PER_PIXEL / scale_factor
+	_tilt = clampf(_tilt + event.relative.y * RADIANS_PER_PIXEL / scale_factor, -0.2, STEEPEST)
+	place()
+	return true
+
+
+func _press(event: InputEventMouseButton) -> bool:
+	match event.button_index:
+		MOUSE_BUTTON_WHEEL_UP:
+			_zoom_by(1.0 / ZOOM_STEP)
+		MOUSE_BUTTON_WHEEL_DOWN:
+			_zoom_by(ZOOM_STEP)
+		MOUSE_BUTTON_LEFT when event.double_click:
+			restart()
+		_:
+			return false
+	return true
+
+
+func _zoom_by(factor: float) -> void:
+	_zoom = clampf(_zoom * factor, 0.1, 8.0)
+	place()

@@ -1,0 +1,34 @@
+@tool
+extends HFlowContainer
+## Height, seed and level of detail of the plant that is shown.
+
+const EditorState := preload("../editor_state.gd")
+
+var _state: EditorState
+
+@onready var _height: EditorSpinSlider = %Height
+@onready var _seed: EditorSpinSlider = %Seed
+@onready var _lod: EditorSpinSlider = %Lod
+@onready var _dice: Button = %Dice
+
+
+## Shows and changes the view of [param state].
+func setup(state: EditorState) -> void:
+	_state = state
+	_lod.value = state.lod
+	_seed.value = state.seed_value
+	_height.value = state.height
+	_height.value_changed.connect(func(metres: float) -> void: _state.height = metres)
+	_seed.value_changed.connect(func(number: float) -> void: _state.seed_value = int(number))
+	_lod.value_changed.connect(func(segments: float) -> void: _state.lod = int(segments))
+	_dice.pressed.connect(func() -> void: _seed.value += 1)
+	_dress()
+
+
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_THEME_CHANGED and is_node_ready():
+		_dress()
+
+
+func _dress() -> void:
+	_dice.icon = get_theme_icon(&"RandomNumberGenerator", &"EditorIcons")

@@ -1,0 +1,76 @@
+@tool
+extends SubViewport
+## Takes pictures of plants for lists, one a frame.
+
+## Texture for [param key], or null where the plant cannot be built.
+signal taken(key: String, picture: Texture2D)
+
+const SEGMENTS := 16
+const PLANT_SEED := 1
+const MARGIN := 1.1
+
+var _queue: Array[Dictionary] = []
+var _key := ""
+
+@onready var _camera: Camera3D = $Camera
+@onready var _plant: MeshInstance3D = $Plant
+
+
+func _ready() -> void:
+	RenderingServer.frame_post_draw.connect(_on_frame_drawn)
+
+
+func _exit_tree() -> void:
+	_queue.clear()
+	_key = ""
+
+
+## Asks for a picture; [param make] is called when its turn comes and returns a PlantFunction.
+func request(key: String, make: Callable) -> void:
+	_queue.append({"key": key, "make": make})
+	_begin_next.call_deferred()
+
+
+## Forgets all pictures that were not taken yet.
+func clear() -> void:
+	_queue.clear()
+
+
+func _begin_next() -> void:
+	if not _key.is_empty() or _queue.is_empty() or not is_inside_tree():
+		return
+	var wish: Dictionary = _queue.pop_front()
+	var mesh := _build(wish["make"])
+	if not mesh:
+		taken.emit(wish["key"], null)
+		_begin_next.call_deferred()
+		return
+	_key = wish["key"]
+	_plant.mesh = mesh
+	_frame(mesh.get_aabb())
+	render_target_update_mode = SubViewport.UPDATE_ONCE
+
+
+func _build(make: Callable) -> Mesh:
+	var function: PlantFunction = make.call()
+	if not function or not function.find_problem(0.0, SEGMENTS, PLANT_SEED).is_empty():
+		return null
+	return function.generate_mesh(0.0, SEGMENTS, PLANT_SEED)
+
+
+func _frame(box: AABB) -> void:
+	var center := box.get_center()
+	var radius := maxf(box.size.y * 0.5, Vector2(box.size.x, box.size.z).length() * 0.5) * MARGIN
+	_camera.size = radius * 2.0
+	_camera.far = radius * 8.0
+	_camera.position = center + _camera.basis.z * radius * 4.0
+
+
+func _on_frame_drawn() -> void:
+	if _key.is_empty() or render_target_update_mode == SubViewport.UPDATE_ONCE:
+		return
+	var picture := ImageTexture.create_from_image(get_texture().get_image())
+	var key := _key
+	_key = ""
+	taken.emit(key, picture)
+	_begin_next.call_deferred()

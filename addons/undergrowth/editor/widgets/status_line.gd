@@ -1,0 +1,68 @@
+@tool
+extends HBoxContainer
+## One line for messages, and for the progress of long work with a button that cancels it.
+
+const EditorState := preload("../editor_state.gd")
+const ICONS: Dictionary[int, StringName] = {
+	EditorState.Severity.INFO: &"NodeInfo",
+	EditorState.Severity.WARNING: &"StatusWarning",
+	EditorState.Severity.ERROR: &"StatusError",
+}
+const COLORS: Dictionary[int, StringName] = {
+	EditorState.Severity.INFO: &"font_color",
+	EditorState.Severity.WARNING: &"warning_color",
+	EditorState.Severity.ERROR: &"error_color",
+}
+
+var _state: EditorState
+var _severity := EditorState.Severity.INFO
+
+@onready var _icon: TextureRect = %Icon
+@onready var _text: Label = %Text
+@onready var _work: HBoxContainer = %Work
+@onready var _progress: ProgressBar = %Progress
+@onready var _cancel: Button = %Cancel
+
+
+## Shows what [param state] reports.
+func setup(state: EditorState) -> void:
+	_state = state
+	_state.reported.connect(show_message)
+	_state.work_changed.connect(_on_work_changed)
+	_cancel.pressed.connect(_on_cancel_pressed)
+	_on_work_changed()
+	show_message("", EditorState.Severity.INFO)
+
+
+## Shows [param text]; an empty text clears the line.
+func show_message(text: String, severity: EditorState.Severity) -> void:
+	_severity = severity
+	_text.text = text
+	_text.tooltip_text = text
+	_icon.visible = not text.is_empty()
+	_dress()
+
+
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_THEME_CHANGED and is_node_ready():
+		_dress()
+
+
+func _dress() -> void:
+	_icon.texture = get_theme_icon(ICONS[_severity], &"EditorIcons")
+	var source := &"Label" if _severity == EditorState.Severity.INFO else &"Editor"
+	_text.add_theme_color_override(&"font_color", get_theme_color(COLORS[_severity], source))
+
+
+func _on_work_changed() -> void:
+	_work.visible = _state.work_total > 0
+	_progress.max_value = maxi(1, _state.work_total)
+	_progress.value = _state.work_done
+	_cancel.disabled = _state.work_cancelled
+	if _work.visible:
+		show_message(_state.work_title, EditorState.Severity.INFO)
+
+
+func _on_cancel_pressed() -> void:
+	_state.cancel_work()
+	_cancel.disabled = true
