@@ -65,6 +65,7 @@ class Plant3D : public godot::Node3D {
 	void park();
 	void update_axes();
 	void update_joint();
+	bool can_be_driven();
 	PlantGroup *prepare_own_group();
 	void pose_now();
 

@@ -138,6 +138,17 @@ void Plant3D::update_joint() {
 	}
 }
 
+// Told once, and not at all to those who know already why there is no plant.
+bool Plant3D::can_be_driven() {
+	if (function.is_valid() && get_mesh().is_valid()) {
+		return true;
+	}
+	if (problem.is_empty()) {
+		report_problem("cannot move without a plant. Set a PlantFunction.");
+	}
+	return false;
+}
+
 PlantGroup *Plant3D::prepare_own_group() {
 	const float step_length = float(PlantSimulation::get_singleton()->get_step_length());
 	const Law law = Law(int(function->get_law()));
@@ -162,8 +173,7 @@ void Plant3D::step(double delta) {
 		report_error(this, "step() does nothing while the plant simulates by itself. Set simulating to false first.");
 		return;
 	}
-	if (!get_mesh().is_valid()) {
-		report_problem("cannot step without a plant. Set a PlantFunction.");
+	if (!can_be_driven()) {
 		return;
 	}
 	PlantGroup *group = prepare_own_group();
@@ -222,8 +232,7 @@ void Plant3D::apply_impulse(const Vector3 &impulse) {
 		report_error(this, "apply_impulse() needs a finite impulse in newton seconds.");
 		return;
 	}
-	if (!get_mesh().is_valid()) {
-		report_problem("cannot be pushed without a plant. Set a PlantFunction.");
+	if (!place.group && !can_be_driven()) {
 		return;
 	}
 	PlantGroup *group = place.group ? place.group : prepare_own_group();
