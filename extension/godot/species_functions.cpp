@@ -29,6 +29,7 @@ void ReedFunction::_bind_methods() {
 	BIND_PART_COLOR(ReedFunction, stem_color);
 	BIND_PART_COLOR(ReedFunction, joint_color);
 	BIND_PART_COLOR(ReedFunction, plume_color);
+	BIND_PART_COLOR(ReedFunction, plume_tip_color);
 	BIND_PART_SIZE(ReedFunction, stem_radius, "0.001,0.1,0.0001,or_greater,suffix:m");
 }
 

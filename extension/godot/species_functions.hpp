@@ -88,6 +88,7 @@ public:
 	UNDERGROWTH_PART_COLOR(stem_color)
 	UNDERGROWTH_PART_COLOR(joint_color)
 	UNDERGROWTH_PART_COLOR(plume_color)
+	UNDERGROWTH_PART_COLOR(plume_tip_color)
 	UNDERGROWTH_PART_SIZE(stem_radius)
 };
 

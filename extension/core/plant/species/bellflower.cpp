@@ -1,5 +1,6 @@
 #include "plant/species/bellflower.hpp"
 
+#include "conventions.hpp"
 #include "plant/base_shape.hpp"
 
 #include <glm/common.hpp>
@@ -38,7 +39,7 @@ Motion Bellflower::motion() {
 	motion.damping_ratio = 0.1f;
 	motion.mass = 0.2f;
 	motion.wind_weight = 0.45f;
-	motion.lean = 1.1f;
+	motion.lean = float(63 / 180.0 * PI);
 	motion.collision_radius = 0.07f;
 	return motion;
 }

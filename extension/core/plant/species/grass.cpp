@@ -1,5 +1,6 @@
 #include "plant/species/grass.hpp"
 
+#include "conventions.hpp"
 #include "plant/base_shape.hpp"
 
 #include <glm/common.hpp>
@@ -29,7 +30,7 @@ Motion Grass::motion() {
 	motion.damping_ratio = 0.12f;
 	motion.mass = 0.05f;
 	motion.wind_weight = 0.3f;
-	motion.lean = 0.25f;
+	motion.lean = float(14 / 180.0 * PI);
 	motion.collision_radius = 0.02f;
 	return motion;
 }

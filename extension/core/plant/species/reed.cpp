@@ -1,5 +1,6 @@
 #include "plant/species/reed.hpp"
 
+#include "conventions.hpp"
 #include "plant/base_shape.hpp"
 
 #include <glm/common.hpp>
@@ -55,7 +56,7 @@ Motion Reed::motion() {
 	motion.damping_ratio = 0.06f;
 	motion.mass = 0.4f;
 	motion.wind_weight = 1.1f;
-	motion.lean = 0.06f;
+	motion.lean = float(3.5 / 180.0 * PI);
 	motion.collision_radius = 0.06f;
 	return motion;
 }
