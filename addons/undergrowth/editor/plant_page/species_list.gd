@@ -70,7 +70,7 @@ func _dress() -> void:
 	_filter.right_icon = get_theme_icon(&"Search", &"EditorIcons")
 	for list: ItemList in [_ready_list, _project_list]:
 		list.fixed_icon_size = Vector2i(size, size)
-		list.fixed_column_width = roundi(size * 1.6)
+		list.fixed_column_width = roundi(size * 1.5)
 	_project_hint.add_theme_color_override(
 		&"font_color", get_theme_color(&"font_disabled_color", &"Editor")
 	)

@@ -67,7 +67,7 @@ func _frame(box: AABB) -> void:
 
 
 func _on_frame_drawn() -> void:
-	if _key.is_empty() or render_target_update_mode == SubViewport.UPDATE_ONCE:
+	if _key.is_empty():
 		return
 	var picture := ImageTexture.create_from_image(get_texture().get_image())
 	var key := _key

@@ -1,0 +1,89 @@
+@tool
+extends EditorPlugin
+## Uses the add-on inside the real editor and closes the editor when done.
+##
+## Put this folder beside the add-on in a project (addons/editor_driver), switch both plugins on in
+## project.godot and start the editor in a display, with the tests to run and the folder for
+## pictures:
+## [codeblock]
+## godot --editor --path PROJECT -- --editor-tests=all --pictures=/absolute/path
+## [/codeblock]
+## Without `--editor-tests` nothing happens: the project can be opened by hand. Names of test
+## scripts (test_plant_page,test_undo) instead of `all` run only these.
+##
+## Each script test_*.gd of this folder extends editor_test.gd; each of its methods test_* prints
+## `ok NAME` or `not ok NAME: why`; errors and warnings in the log that no test claims fail it. The
+## last line is `N passed, N failed`, and the editor's exit status is 0 only if none failed.
+
+const EditorTest := preload("editor_test.gd")
+const TESTS_OPTION := "--editor-tests="
+const PICTURES_OPTION := "--pictures="
+## Frames for which the editor is left alone once its files are scanned.
+const SETTLING_FRAMES := 20
+
+var _passed := 0
+var _failed := 0
+
+
+func _enter_tree() -> void:
+	var wish := _option(TESTS_OPTION)
+	if not wish.is_empty():
+		_run(wish)
+
+
+func _run(wish: String) -> void:
+	await _wait_for_editor()
+	for path in _scripts(wish):
+		await _run_script(path)
+	print("%d passed, %d failed" % [_passed, _failed])
+	get_tree().quit(0 if _failed == 0 and _passed > 0 else 1)
+
+
+func _wait_for_editor() -> void:
+	var files := EditorInterface.get_resource_filesystem()
+	await get_tree().process_frame
+	while files.is_scanning():
+		await get_tree().process_frame
+	for i in SETTLING_FRAMES:
+		await get_tree().process_frame
+
+
+func _scripts(wish: String) -> PackedStringArray:
+	var folder := (get_script() as Script).resource_path.get_base_dir()
+	var paths: PackedStringArray = []
+	for file in DirAccess.get_files_at(folder):
+		var listed := wish == "all" or file.get_basename() in wish.split(",")
+		if file.begins_with("test_") and file.ends_with(".gd") and listed:
+			paths.append(folder.path_join(file))
+	return paths
+
+
+func _run_script(path: String) -> void:
+	var script: Script = load(path)
+	if not script.can_instantiate():
+		_failed += 1
+		print("not ok %s: the script has an error" % path.get_file())
+		return
+	var test: EditorTest = script.call(&"new")
+	test.pictures_folder = _option(PICTURES_OPTION)
+	for method: Dictionary in script.get_script_method_list():
+		var title: String = method["name"]
+		if title.begins_with("test_"):
+			await _run_test(test, title)
+
+
+func _run_test(test: EditorTest, title: String) -> void:
+	var problems: PackedStringArray = await test.run(title)
+	if problems.is_empty():
+		_passed += 1
+		print("ok " + title)
+	else:
+		_failed += 1
+		print("not ok %s: %s" % [title, "; ".join(problems).replace("\n", " ")])
+
+
+func _option(name: String) -> String:
+	for argument in OS.get_cmdline_user_args():
+		if argument.begins_with(name):
+			return argument.trim_prefix(name)
+	return ""

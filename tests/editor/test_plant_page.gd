@@ -1,0 +1,151 @@
+@tool
+extends "editor_test.gd"
+## The plant page: the list, the preview, the properties.
+
+const EditorState := preload("res://addons/undergrowth/editor/editor_state.gd")
+const SPECIES_FILE := "res://dock_species.tres"
+
+
+func test_dock_opens_with_a_plant() -> void:
+	check(dock() != null, "the dock exists")
+	await open_page("Plant")
+	check(dock().is_visible_in_tree(), "the dock is visible")
+	check(_state().function is GrassFunction, "the first ready species is chosen")
+	check_equal(_state().problem, "", "problem")
+	var counts := part("Plant/Preview/Counts") as Label
+	check(counts.text.contains("triangles"), "triangles are counted: " + counts.text)
+
+
+func test_click_chooses_each_ready_species() -> void:
+	await open_page("Plant")
+	var list := part("Plant/List/ReadyList") as ItemList
+	check(list.item_count >= 6, "the five species of the thesis and the one of curves are listed")
+	for i in list.item_count:
+		var scroll := list.get_parent().get_parent() as ScrollContainer
+		scroll.scroll_vertical = int(list.position.y + list.get_item_rect(i).position.y)
+		await frames(2)
+		await click_item(list, i)
+		check_equal(_state().title, list.get_item_text(i), "chosen species")
+		check_equal(_state().problem, "", "problem of " + _state().title)
+
+
+func test_thumbnails_arrive() -> void:
+	var list := part("Plant/List/ReadyList") as ItemList
+	var waiting := list.get_theme_icon(&"FileThumbnail", &"EditorIcons")
+	var arrived := func() -> bool:
+		for i in list.item_count:
+			if list.get_item_icon(i) == waiting:
+				return false
+		return true
+	check(await until(arrived), "every species has a thumbnail")
+
+
+func test_filter_leaves_what_matches() -> void:
+	await open_page("Plant")
+	var filter := part("Plant/List/Filter") as LineEdit
+	var list := part("Plant/List/ReadyList") as ItemList
+	await click(filter)
+	await type(filter, "tul")
+	check_equal(list.item_count, 1, "species with tul")
+	for i in 3:
+		await press_key(filter, KEY_BACKSPACE)
+	check(list.item_count >= 6, "all species are back")
+
+
+func test_preview_turns_and_zooms() -> void:
+	await open_page("Plant")
+	var view := part("Plant/Preview/View") as Control
+	var camera := part("Plant/Preview/Camera") as Camera3D
+	var before := camera.position
+	await drag(view, view.size * 0.5, view.size * 0.5 + Vector2(60, 0))
+	check(not camera.position.is_equal_approx(before), "a drag turns the camera")
+	var distance := camera.position.length()
+	await wheel(view, 3)
+	check(camera.position.length() < distance, "the wheel brings the camera nearer")
+	await click(part("Plant/Preview/Reset") as Control)
+	check(camera.position.is_equal_approx(before), "the button puts it back")
+
+
+func test_preview_sways() -> void:
+	await open_page("Plant")
+	var plant := part("Plant/Preview/Plants").get_child(0) as Plant3D
+	var most := 0.0
+	for i in 60:
+		await frames(1)
+		most = maxf(most, plant.get_deflection())
+	check(most > 0.005, "the plant moves in the wind, by %f rad" % most)
+	var play := part("Plant/Preview/Play") as Button
+	await click(play)
+	var held := plant.get_tip_position()
+	await frames(10)
+	check_equal(plant.get_tip_position(), held, "tip of the paused plant")
+	await click(play)
+
+
+func test_overlays_and_levels() -> void:
+	await open_page("Plant")
+	var plants := part("Plant/Preview/Plants")
+	for name: String in ["Rings", "Bones", "Levels"]:
+		await click(part("Plant/Preview/" + name) as Control)
+	var shown := plants.get_children().filter(func(node: Node3D) -> bool: return node.visible)
+	check_equal(shown.size(), 4, "levels side by side")
+	var segments := plants.get_children().map(func(node: Plant3D) -> int: return node.lod)
+	check_equal(segments, Array(EditorState.LEVELS), "their segments")
+	await take_picture("levels")
+	for name: String in ["Rings", "Bones", "Levels"]:
+		await click(part("Plant/Preview/" + name) as Control)
+	shown = plants.get_children().filter(func(node: Node3D) -> bool: return node.visible)
+	check_equal(shown.size(), 1, "plants after switching back")
+
+
+func test_next_plant_of_the_species() -> void:
+	await open_page("Plant")
+	var before := _state().seed_value
+	await click(part("Plant/ViewControls/Dice") as Control)
+	check_equal(_state().seed_value, before + 1, "seed")
+
+
+func test_project_species_come_and_go() -> void:
+	await open_page("Plant")
+	var list := part("Plant/List/ProjectList") as ItemList
+	var tulip := TulipFunction.new()
+	check_equal(ResourceSaver.save(tulip, SPECIES_FILE), OK, "saving")
+	EditorInterface.get_resource_filesystem().scan()
+	var listed := func() -> bool: return _index_of(list, SPECIES_FILE) >= 0
+	check(await until(listed), "a new file appears in the list")
+	await _reveal(list, _index_of(list, SPECIES_FILE))
+	await click_item(list, _index_of(list, SPECIES_FILE))
+	check_equal(_state().path, SPECIES_FILE, "path of the chosen species")
+	DirAccess.remove_absolute(ProjectSettings.globalize_path(SPECIES_FILE))
+	EditorInterface.get_resource_filesystem().scan()
+	var gone := func() -> bool: return _index_of(list, SPECIES_FILE) < 0
+	check(await until(gone), "a deleted file leaves the list")
+	check(_state().function is TulipFunction, "its plant stays")
+	var text := (part("Status/Text") as Label).text
+	check(text.contains(SPECIES_FILE), "the status line tells: " + text)
+
+
+func test_picture_of_the_plant_page() -> void:
+	await open_page("Plant")
+	var list := part("Plant/List/ReadyList") as ItemList
+	await _reveal(list, 3)
+	await click_item(list, 3)
+	await frames(30)
+	await take_picture("plant")
+
+
+func _state() -> EditorState:
+	return dock().get("state")
+
+
+func _index_of(list: ItemList, key: String) -> int:
+	for i in list.item_count:
+		if list.get_item_tooltip(i) == key:
+			return i
+	return -1
+
+
+func _reveal(list: ItemList, index: int) -> void:
+	var scroll := list.get_parent().get_parent() as ScrollContainer
+	scroll.scroll_vertical = int(list.position.y + list.get_item_rect(index).position.y)
+	await frames(2)
