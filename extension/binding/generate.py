@@ -1,0 +1,59 @@
+#!/usr/bin/env python3
+"""Writes the generated part of the binding from what the engine itself dumps.
+
+    generate.py --api extension_api.json --interface gdextension_interface.h --classes classes.txt --out DIR
+    generate.py ... --list          names the outputs (relative to DIR), writes nothing
+
+The inputs come from `godot --headless --dump-extension-api --dump-gdextension-interface`. Files whose text did not
+change are not touched, so that a build that looks at times compiles nothing anew.
+"""
+
+import argparse
+import json
+import sys
+from pathlib import Path
+
+from generator import builtins, classes, interface, types
+
+sys.dont_write_bytecode = True
+
+
+def generate(api, interface_text, listed, headers):
+    """All generated files as {path relative to the output folder: text}."""
+    names = types.Names(api, listed)
+    files = {"include/gdextension_interface.h": interface_text}
+    files.update(interface.files(interface_text))
+    files.update(builtins.files(api, names, headers))
+    files.update(classes.files(api, names, headers))
+    return files
+
+
+def read_class_list(path):
+    lines = (line.split("#")[0].strip() for line in Path(path).read_text().splitlines())
+    return [line for line in lines if line]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    for name in ("api", "interface", "classes", "out"):
+        parser.add_argument("--" + name, required=True)
+    parser.add_argument("--list", action="store_true")
+    options = parser.parse_args()
+    files = generate(
+        json.loads(Path(options.api).read_text(encoding="utf-8")),
+        Path(options.interface).read_text(encoding="utf-8"),
+        read_class_list(options.classes),
+        Path(__file__).resolve().parent / "include" / "godot_cpp",
+    )
+    for name, text in sorted(files.items()):
+        if options.list:
+            print(name)
+            continue
+        path = Path(options.out) / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if not path.exists() or path.read_text(encoding="utf-8") != text:
+            path.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,1 @@
+"""The generator of the binding, one module per kind of output."""

@@ -1,0 +1,3 @@
+#pragma once
+
+#include <godot_cpp/core/type_info.hpp>

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// Words that every header of the binding uses.
+
+#ifndef _FORCE_INLINE_
+#define _FORCE_INLINE_ inline
+#endif
+#ifndef GDE_EXPORT
+#if defined(_WIN32)
+#define GDE_EXPORT __declspec(dllexport)
+#else
+#define GDE_EXPORT __attribute__((visibility("default")))
+#endif
+#endif
+#if defined(__GNUC__)
+#define likely(m_condition) __builtin_expect(!!(m_condition), 1)
+#define unlikely(m_condition) __builtin_expect(!!(m_condition), 0)
+#else
+#define likely(m_condition) (m_condition)
+#define unlikely(m_condition) (m_condition)
+#endif
+
+namespace godot {
+
+// The engine is built with 32-bit reals in its vectors; see the README for double precision.
+using real_t = float;
+
+// Every header may name these.
+class String;
+class StringName;
+class NodePath;
+class Vector2;
+class Vector2i;
+class Vector3;
+class Vector3i;
+class Vector4;
+class Vector4i;
+class Rect2;
+class Rect2i;
+class Plane;
+class Quaternion;
+class AABB;
+class Basis;
+class Transform2D;
+class Transform3D;
+class Projection;
+class Color;
+class RID;
+class Callable;
+class Signal;
+class Array;
+class Dictionary;
+class PackedByteArray;
+class PackedInt32Array;
+class PackedInt64Array;
+class PackedFloat32Array;
+class PackedFloat64Array;
+class PackedStringArray;
+class PackedVector2Array;
+class PackedVector3Array;
+class PackedVector4Array;
+class PackedColorArray;
+class Variant;
+class Object;
+
+namespace internal {
+
+// Tag of constructors that leave the bytes for the engine to fill.
+struct Uninitialized {};
+
+} // namespace internal
+
+} // namespace godot

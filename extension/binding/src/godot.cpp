@@ -1,0 +1,100 @@
+#include <godot_cpp/godot.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+#include <godot_cpp/classes/file_access.hpp>
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/core/engine_calls.hpp>
+
+namespace godot {
+
+namespace {
+
+struct Library {
+	GDExtensionBinding::Callback initialize = nullptr;
+	GDExtensionBinding::Callback terminate = nullptr;
+	GDExtensionInitializationLevel minimum_level = GDEXTENSION_INITIALIZATION_SCENE;
+	int depth = 0; // levels that are initialized
+};
+Library state;
+
+struct Documentation {
+	int uncompressed_size = 0;
+	int compressed_size = 0;
+	const unsigned char *data = nullptr;
+};
+Documentation documentation;
+
+void load_documentation() {
+	if (!documentation.data) {
+		return;
+	}
+	PackedByteArray compressed;
+	compressed.resize(documentation.compressed_size);
+	std::copy_n(documentation.data, documentation.compressed_size, compressed.ptrw());
+	const PackedByteArray text = compressed.decompress(documentation.uncompressed_size, FileAccess::COMPRESSION_DEFLATE);
+	ERR_FAIL_COND_MSG(text.size() != documentation.uncompressed_size, "The library's help texts are damaged.");
+	internal::gde.editor_help_load_xml_from_utf8_chars_and_len(reinterpret_cast<const char *>(text.ptr()), text.size());
+}
+
+void initialize_level(void *, GDExtensionInitializationLevel p_level) {
+	state.depth++;
+	ClassDB::initialize(p_level);
+	if (state.initialize) {
+		state.initialize(ModuleInitializationLevel(p_level));
+	}
+	if (p_level == GDEXTENSION_INITIALIZATION_EDITOR) {
+		load_documentation();
+	}
+}
+
+// After the last level no name, Variant or wrapper of the library may be left in the engine.
+void deinitialize_level(void *, GDExtensionInitializationLevel p_level) {
+	if (state.terminate) {
+		state.terminate(ModuleInitializationLevel(p_level));
+	}
+	ClassDB::deinitialize(p_level);
+	if (--state.depth == 0) {
+		internal::Singleton::release_all();
+		internal::StaticName::release_all();
+	}
+}
+
+} // namespace
+
+GDExtensionBinding::InitObject::InitObject(GDExtensionInterfaceGetProcAddress p_get_proc_address,
+		GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization) :
+		get_proc_address(p_get_proc_address), library(p_library), initialization(r_initialization) {}
+
+void GDExtensionBinding::InitObject::register_initializer(Callback p_initialize) const {
+	state.initialize = p_initialize;
+}
+
+void GDExtensionBinding::InitObject::register_terminator(Callback p_terminate) const {
+	state.terminate = p_terminate;
+}
+
+void GDExtensionBinding::InitObject::set_minimum_library_initialization_level(ModuleInitializationLevel p_level) const {
+	state.minimum_level = GDExtensionInitializationLevel(p_level);
+}
+
+GDExtensionBool GDExtensionBinding::InitObject::init() const {
+	internal::library = library;
+	if (!internal::load_interface(get_proc_address)) {
+		return false;
+	}
+	*initialization = { state.minimum_level, nullptr, initialize_level, deinitialize_level };
+	return true;
+}
+
+namespace internal {
+
+DocDataRegistration::DocDataRegistration(
+		const char *, int p_uncompressed_size, int p_compressed_size, const unsigned char *p_data) {
+	documentation = { p_uncompressed_size, p_compressed_size, p_data };
+}
+
+} // namespace internal
+
+} // namespace godot

@@ -1,0 +1,178 @@
+#include <godot_cpp/classes/wrapped.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+
+#include <godot_cpp/classes/class_db_singleton.hpp>
+#include <godot_cpp/classes/object.hpp>
+#include <godot_cpp/classes/ref_counted.hpp>
+#include <godot_cpp/core/engine_calls.hpp>
+#include <godot_cpp/core/engine_class.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/core/memory.hpp>
+#include <godot_cpp/core/object.hpp>
+
+namespace godot {
+
+thread_local internal::Construction *internal::Construction::current = nullptr;
+
+Wrapped::Wrapped() {
+	internal::Construction *construction = internal::Construction::current;
+	while (construction && construction->taken) {
+		construction = construction->previous;
+	}
+	if (!construction) {
+		std::fputs("FATAL: an object of a Godot class was made without memnew.\n", stderr);
+		std::abort();
+	}
+	construction->taken = true;
+	_owner = construction->owner ? construction->owner : internal::gde.classdb_construct_object2(construction->native_name);
+}
+
+Object *ObjectDB::get_instance(uint64_t p_id) {
+	return static_cast<Object *>(internal::wrapper_of(internal::gde.object_get_instance_from_id(p_id)));
+}
+
+namespace internal {
+
+namespace {
+
+// The binding of an object of ours goes with the object itself.
+void keep_binding(void *, void *, void *) {}
+void *no_binding(void *, void *) {
+	return nullptr;
+}
+GDExtensionBool agree(void *, void *, GDExtensionBool) {
+	return true;
+}
+constexpr GDExtensionInstanceBindingCallbacks own_callbacks = { no_binding, keep_binding, agree };
+
+using WrapFunction = Wrapped *(*)(void *);
+
+WrapFunction find_class(const std::string &p_name) {
+	static const auto *classes = [] {
+		auto *map = new std::unordered_map<std::string, WrapFunction>;
+		for (int i = 0; i < engine_class_count; i++) {
+			map->emplace(engine_classes[i].name, engine_classes[i].wrap);
+		}
+		return map;
+	}();
+	const auto found = classes->find(p_name);
+	return found == classes->end() ? nullptr : found->second;
+}
+
+std::mutex ancestors_mutex;
+std::unordered_map<std::string, WrapFunction> ancestors;
+
+// The nearest class that was generated, at or above the given one.
+WrapFunction find_ancestor(const std::string &p_name) {
+	if (const WrapFunction known = find_class(p_name)) {
+		return known;
+	}
+	const std::lock_guard<std::mutex> lock(ancestors_mutex);
+	WrapFunction &found = ancestors[p_name];
+	if (!found) {
+		static EngineMethod get_parent_class{ "ClassDB", "get_parent_class", 1965194235 };
+		static Singleton class_db{ "ClassDB" };
+		std::string name = p_name;
+		while (!found && !name.empty()) {
+			const StringName parent = call_engine<StringName>(get_parent_class, class_db.get()->_owner, StringName(name.c_str()));
+			name = String(parent).utf8().get_data();
+			found = find_class(name.empty() ? "Object" : name);
+		}
+	}
+	return found;
+}
+
+void *wrap(void *, void *p_owner) {
+	StringName name{ Uninitialized() };
+	if (!gde.object_get_class_name(p_owner, library, &name)) {
+		name = StringName("Object");
+	}
+	return find_ancestor(String(name).utf8().get_data())(p_owner);
+}
+void unwrap(void *, void *, void *p_binding) {
+	delete static_cast<Wrapped *>(p_binding);
+}
+constexpr GDExtensionInstanceBindingCallbacks engine_callbacks = { wrap, unwrap, agree };
+
+EngineMethod ref_init{ "RefCounted", "init_ref", 2240911060 };
+EngineMethod ref_reference{ "RefCounted", "reference", 2240911060 };
+EngineMethod ref_unreference{ "RefCounted", "unreference", 2240911060 };
+
+} // namespace
+
+Wrapped *wrapper_of(void *p_owner) {
+	if (!p_owner) {
+		return nullptr;
+	}
+	return static_cast<Wrapped *>(gde.object_get_instance_binding(p_owner, library, &engine_callbacks));
+}
+
+Wrapped *wrapped_in(const Variant &p_value) {
+	if (p_value.get_type() != Variant::OBJECT) {
+		return nullptr;
+	}
+	const GDObjectInstanceID id = gde.variant_get_object_instance_id(&p_value);
+	return id ? wrapper_of(gde.object_get_instance_from_id(id)) : nullptr;
+}
+
+void join(Wrapped *p_wrapped, const StringName *p_extension_class) {
+	if (p_extension_class) {
+		gde.object_set_instance(p_wrapped->_owner, p_extension_class, p_wrapped);
+		bind_own(p_wrapped);
+	} else {
+		gde.object_set_instance_binding(p_wrapped->_owner, library, p_wrapped, &engine_callbacks);
+	}
+}
+
+void bind_own(Wrapped *p_wrapped) {
+	gde.object_set_instance_binding(p_wrapped->_owner, library, p_wrapped, &own_callbacks);
+}
+
+void announce(Wrapped *p_wrapped) {
+	static_cast<Object *>(p_wrapped)->notification(Object::NOTIFICATION_POSTINITIALIZE);
+}
+
+void destroy(Wrapped *p_wrapped) {
+	gde.object_destroy(p_wrapped->_owner);
+}
+
+bool ref_first(void *p_wrapped) {
+	return call_engine<bool>(ref_init, owner_of(p_wrapped));
+}
+
+bool ref_more(void *p_wrapped) {
+	return call_engine<bool>(ref_reference, owner_of(p_wrapped));
+}
+
+void ref_release(void *p_wrapped) {
+	void *owner = owner_of(p_wrapped);
+	if (call_engine<bool>(ref_unreference, owner)) {
+		gde.object_destroy(owner);
+	}
+}
+
+void VirtualTable::add(const char *p_name, uint32_t p_hash, VirtualCall p_call) {
+	names.emplace_back(p_name);
+	overrides[names.back().identity()] = { p_hash, p_call };
+}
+
+const VirtualOverride *VirtualTable::find(const StringName &p_name, uint32_t p_hash) const {
+	const auto found = overrides.find(p_name.identity());
+	if (found == overrides.end()) {
+		return nullptr;
+	}
+	if (found->second.hash != p_hash) {
+		report_missing("a class of ours (virtual)", String(p_name).utf8().get_data(), found->second.hash);
+		return nullptr;
+	}
+	return &found->second;
+}
+
+} // namespace internal
+
+} // namespace godot

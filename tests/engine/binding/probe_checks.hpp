@@ -1,0 +1,28 @@
+#pragma once
+
+#include <godot_cpp/classes/ref_counted.hpp>
+#include <godot_cpp/core/class_db.hpp>
+
+namespace probe {
+
+// What only C++ can see. Each method returns the checks that failed, as text.
+class ProbeChecks : public godot::RefCounted {
+	GDCLASS(ProbeChecks, godot::RefCounted)
+
+	godot::PackedStringArray failures;
+
+	void check(bool p_passed, const char *p_text);
+
+protected:
+	static void _bind_methods();
+
+public:
+	godot::PackedStringArray check_strings();
+	godot::PackedStringArray check_arrays();
+	godot::PackedStringArray check_math();
+	godot::PackedStringArray check_variants();
+	godot::PackedStringArray check_objects();
+	godot::PackedStringArray check_engine();
+};
+
+} // namespace probe
