@@ -15,14 +15,16 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests")]
 
-from suites import engine, programs  # noqa: E402  (the path above comes first)
+from suites import engine, picture, programs  # noqa: E402  (the path above comes first)
 
 LOGS = ROOT / "build/test"
 
 
 def plan(options):
     """The suites as (name, function that runs it and returns a Result)."""
-    suites = [("tools", lambda: programs.unittest("tools", ROOT / "tests/tools"))]
+    # The longest first.
+    suites = [("picture", lambda: picture.demo(options.godot))] if options.godot else []
+    suites += [("tools", lambda: programs.unittest("tools", ROOT / "tests/tools"))]
     for name, program in (("core", options.core), ("asan", options.asan), ("tsan", options.tsan)):
         if program:
             suites.append((name, lambda name=name, program=program: programs.doctest(name, program)))

@@ -16,8 +16,8 @@ ROOT = Path(__file__).resolve().parents[1]
 CPP_FOLDERS = ("extension", "tests")
 GDSCRIPT_FOLDERS = ("addons", "demo_project", "tests")
 SKIPPED = {".godot", "build", "bin"}
-# C's standard headers and those of the processors' vector instructions.
-C_HEADERS = {"math.h", "stddef.h", "stdint.h", "string.h", "immintrin.h", "intrin.h", "arm_neon.h"}
+# C's standard headers and those of the processors.
+C_HEADERS = {"math.h", "stddef.h", "stdint.h", "string.h", "cpuid.h", "immintrin.h", "intrin.h", "arm_neon.h"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 

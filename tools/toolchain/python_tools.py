@@ -40,7 +40,8 @@ def fetch(name, requirements):
         say(f"Fetching {', '.join(requirements)} (pip, privately)")
         result = subprocess.run(
             [*pip, "install", "--quiet", "--disable-pip-version-check", "--no-warn-script-location",
-             "--root-user-action=ignore", "--target", str(folder / "packages"), *requirements],
+             "--target", str(folder / "packages"), *requirements],
+            env={**os.environ, "PIP_ROOT_USER_ACTION": "ignore"},
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         shutil.rmtree(scratch, ignore_errors=True)
         if result.returncode != 0:

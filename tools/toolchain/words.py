@@ -1,6 +1,8 @@
 """What each word of ./run needs, and the call of scons."""
 
+import contextlib
 import os
+import shutil
 import subprocess
 import sys
 
@@ -10,11 +12,22 @@ from .place import Missing, ROOT, TOOLCHAIN, environment_with, say
 # Words that neither compile nor start Godot.
 LIGHT_WORDS = {"lint"}
 PICTURE_WORDS = {"demo"}
+DRAWING_WORDS = {"demo", "test"}
+# Suites of `test` that need no engine.
+CORE_SUITES = {"tools", "core", "asan", "tsan"}
 
 
 def targets_of(words):
     """The words that name targets: no options and no NAME=value."""
     return [word for word in words if not word.startswith("-") and "=" not in word]
+
+
+def needs_godot(words):
+    """False for words that neither start the engine nor ask it for its API."""
+    targets = set(targets_of(words)) or {"build"}
+    suites = [word[len("suites="):] for word in words if word.startswith("suites=")]
+    core_only = targets == {"test"} and bool(suites) and set(suites[-1].split(",")) <= CORE_SUITES
+    return bool(targets - LIGHT_WORDS) and not core_only
 
 
 def environment_for(words):
@@ -26,10 +39,21 @@ def environment_for(words):
         changes["PYTHONPATH"] += [folder] if folder else []
     if "lint" in targets:
         changes["PYTHONPATH"].append(python_tools.formatter_folder())
-    if targets - LIGHT_WORDS:
+    if needs_godot(words):
         changes["GODOT"] = godot.find()
+    if targets - LIGHT_WORDS:
         changes["CPLUS_INCLUDE_PATH"] = headers.include_folders()
+    if targets & DRAWING_WORDS and needs_godot(words):
+        bring_display()
     return changes
+
+
+def bring_display():
+    """Fetches a virtual display where the machine has none and no program to make one."""
+    path = os.pathsep.join([str(TOOLCHAIN / "bin"), os.environ.get("PATH", "")])
+    if sys.platform.startswith("linux") and not shutil.which("Xvfb", path=path):
+        with contextlib.suppress(Missing):  # the one suite or word that needs it will say so
+            godot.fetch()
 
 
 def run_scons(words):

@@ -1,0 +1,91 @@
+"""Reading what suites print: nothing that went wrong may pass for a success."""
+
+import sys
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests")]
+
+from suites import engine, programs, result
+
+BANNER = "Godot Engine v4.6.3\n"
+
+
+class EngineOutput(unittest.TestCase):
+    def failures(self, output, problem=None):
+        return engine.read_output("engine:x", output, problem).failures
+
+    def test_success(self):
+        read = engine.read_output("engine:x", BANNER + "\nstart\nok test_a\nok test_b\ndone 2\n", None)
+        self.assertEqual((read.passed, read.failures), (2, []))
+
+    def test_a_failed_test_is_counted_once_though_the_status_tells_it_too(self):
+        self.assertEqual(self.failures("\nstart\nnot ok test_a: why\ndone 1\n", "exit status 1"), ["test_a: why"])
+
+    def test_errors_while_loading(self):
+        self.assertEqual(self.failures("ERROR: no library\n\nstart\nok test_a\ndone 1\n"), ["ERROR: no library"])
+
+    def test_a_leak_at_exit(self):
+        leak = "WARNING: 3 ObjectDB instances were leaked at exit"
+        self.assertEqual(self.failures(f"\nstart\nok test_a\ndone 1\n{leak}\n"), [leak])
+
+    def test_a_crash_at_exit(self):
+        self.assertEqual(self.failures("\nstart\nok test_a\ndone 1\n", "crashed with SIGSEGV"), ["crashed with SIGSEGV"])
+
+    def test_a_crash_in_a_test(self):
+        self.assertEqual(self.failures("\nstart\nok test_a\n", "crashed with SIGSEGV"), ["ended early: crashed with SIGSEGV"])
+
+    def test_fewer_tests_than_announced(self):
+        self.assertEqual(len(self.failures("\nstart\nok test_a\ndone 2\n")), 1)
+
+    def test_no_tests_and_no_output(self):
+        self.assertEqual(len(self.failures("\nstart\ndone 0\n")), 1)
+        self.assertEqual(self.failures(""), ["ended early: no output"])
+
+
+class DoctestOutput(unittest.TestCase):
+    TOTAL = "[doctest] test cases: {} | {} passed | {} failed | 0 skipped\n"
+
+    def test_success(self):
+        read = programs.read_doctest("core", self.TOTAL.format(3, 3, 0), None)
+        self.assertEqual((read.passed, read.failures), (3, []))
+
+    def test_failures_by_name(self):
+        text = "TEST CASE:  a stem bends\n\nx.cpp:1: ERROR: CHECK( a )\n" + self.TOTAL.format(3, 2, 1)
+        self.assertEqual(programs.read_doctest("core", text, "exit status 1").failures, ["a stem bends"])
+
+    def test_a_sanitizer_that_ends_the_program(self):
+        text = "TEST CASE:  a\nx.cpp:3:5: runtime error: signed integer overflow\n    #0 main\n"
+        read = programs.read_doctest("asan", text, "crashed with SIGABRT")
+        self.assertEqual(read.failures, ["crashed with SIGABRT: x.cpp:3:5: runtime error: signed integer overflow"])
+
+    def test_a_bad_status_after_success(self):
+        read = programs.read_doctest("asan", self.TOTAL.format(1, 1, 0) + "ERROR: LeakSanitizer: detected\n", "exit status 23")
+        self.assertEqual(len(read.failures), 1)
+
+
+class Running(unittest.TestCase):
+    def setUp(self):
+        result.LOGS.mkdir(parents=True, exist_ok=True)
+
+    def run_python(self, text, **options):
+        return result.run("tools-sample", [sys.executable, "-c", text], **options)
+
+    def test_output_and_status(self):
+        self.assertEqual(self.run_python("print('x')"), ("x\n", None))
+        self.assertEqual(self.run_python("raise SystemExit(3)")[1], "exit status 3")
+
+    @unittest.skipUnless(sys.platform != "win32", "signals")
+    def test_a_crash(self):
+        self.assertEqual(self.run_python("import os; os.abort()")[1], "crashed with SIGABRT")
+
+    def test_a_timeout_ends_the_program(self):
+        self.assertEqual(self.run_python("import time; time.sleep(60)", timeout=0.5)[1], "not done after 0.5 s")
+
+    def test_a_program_that_is_not_there(self):
+        self.assertIn("did not start", result.run("tools-sample", ["/no/such/program"])[1])
+
+
+if __name__ == "__main__":
+    unittest.main()

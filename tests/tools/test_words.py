@@ -1,0 +1,26 @@
+"""What each word of ./run needs."""
+
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
+
+from toolchain import words
+
+
+class Words(unittest.TestCase):
+    def test_targets_are_neither_options_nor_settings(self):
+        self.assertEqual(words.targets_of(["-j2", "target=template_release", "build", "test"]), ["build", "test"])
+
+    def test_what_compiles_or_starts_the_engine_needs_godot(self):
+        for given in ([], ["build"], ["test"], ["demo", "offscreen=yes"], ["lint", "build"], ["test", "suites=core,engine"]):
+            self.assertTrue(words.needs_godot(given), given)
+
+    def test_lint_and_the_suites_of_the_core_do_not(self):
+        for given in (["lint"], ["lint", "fix=yes"], ["test", "suites=core,asan"]):
+            self.assertFalse(words.needs_godot(given), given)
+
+
+if __name__ == "__main__":
+    unittest.main()
