@@ -1,12 +1,13 @@
 extends SceneTree
 ## Takes pictures of a scene of the demo, with a display or under Xvfb:
 ##
-## godot --path demo_project --rendering-method gl_compatibility --fixed-fps 15 --audio-driver Dummy
+## godot --path demo_project --rendering-method forward_plus --fixed-fps 15 --audio-driver Dummy
 ##     --script res://capture.gd -- --out=DIR [--scene=res://meadow/meadow.tscn] [--name=demo]
 ##     [--frames=60]
 ##
 ## Writes DIR/demo.png (1280×720, with the panel) and DIR/frames/000.png … (640×360, one per frame
 ## of --fixed-fps, with a gust); no frames with --frames=0. Ends with status 1 where it could not.
+## Forward+ in software (lavapipe) is faster than Compatibility (llvmpipe) and looks better.
 
 const PICTURE_SIZE := Vector2i(1280, 720)
 const FRAME_SIZE := Vector2i(640, 360)
@@ -37,6 +38,7 @@ func _take_pictures() -> void:
 	await _draw_at(PICTURE_SIZE)
 	if not _save(folder.path_join("%s.png" % _options["name"])):
 		return
+	root.msaa_3d = Viewport.MSAA_2X  # In software a frame takes a third of the time.
 	await _draw_at(FRAME_SIZE)
 	for index in frames:
 		if index == GUST_FRAME:

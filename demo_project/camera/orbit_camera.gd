@@ -1,6 +1,8 @@
 extends Camera3D
-## A camera that looks at a point over the ground: drag with the left button to orbit, with the right
-## or middle button to pan, turn the wheel to zoom, and walk with W, A, S, D or the arrow keys.
+## A camera that looks at a point over the ground.
+##
+## Drag with the left button to orbit, with the right or middle button to pan, turn the wheel to
+## zoom, and walk with W, A, S, D or the arrow keys.
 
 const DRAG_SPEED := 0.005  # rad per pixel.
 const WALK_SPEED := 0.7  # Distances to the target per second.

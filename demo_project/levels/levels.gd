@@ -20,20 +20,24 @@ const ROW_DEPTH := 2.6
 func _ready() -> void:
 	for row in functions.size():
 		for column in levels.size():
-			var x := (column - (levels.size() - 1) / 2.0) * gap
-			_stand(functions[row], row_names[row], levels[column], Vector3(x, 0.0, -row * ROW_DEPTH))
+			var x := (column - (levels.size() - 1) / 2.0 + row * 0.5) * gap
+			_stand(row, levels[column], Vector3(x, 0.0, -row * ROW_DEPTH))
 
 
-func _stand(function: PlantFunction, row_name: String, lod: int, place: Vector3) -> void:
+func _stand(row: int, lod: int, place: Vector3) -> void:
 	var plant := Plant3D.new()
-	plant.function = function
+	plant.function = functions[row]
 	plant.wind = wind
 	plant.height = height
 	plant.lod = lod
 	plant.position = place
 	add_child(plant)
-	var text := "lod %d, %s\n%d triangles" % [lod, row_name, _count_triangles(plant.get_mesh())]
-	_write(text, place + Vector3(0.0, 0.12, 0.62))
+	var text := (
+		"lod %d, %s\n%d triangles" % [lod, row_names[row], _count_triangles(plant.get_mesh())]
+	)
+	# The front row is named at its feet and the back row over its heads: no text hides a plant.
+	var beside := Vector3(0.0, 0.2, 0.55) if row == 0 else Vector3(0.0, height + 0.25, 0.0)
+	_write(text, place + beside)
 
 
 func _count_triangles(mesh: ArrayMesh) -> int:

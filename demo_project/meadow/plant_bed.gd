@@ -1,5 +1,7 @@
 extends Node3D
-## A bed of plants: sows them around its own place, in clumps, on the ground, always in the same way.
+## A bed of plants, sown around its own place, in clumps, on the ground.
+##
+## The same seed sows the same bed.
 
 const TRIES_PER_PLANT := 60
 
@@ -44,7 +46,8 @@ func _ready() -> void:
 func _sow() -> void:
 	for _try in TRIES_PER_PLANT:
 		var place := Vector2(
-			global_position.x + _rng.randfn() * spread.x, global_position.z + _rng.randfn() * spread.y
+			global_position.x + _rng.randfn() * spread.x,
+			global_position.z + _rng.randfn() * spread.y
 		)
 		if _is_good(place):
 			_plant(place)

@@ -1,9 +1,10 @@
 extends DirectionalLight3D
-## A sun that looks the same in every renderer: Compatibility adds shadowed light after tone mapping,
-## which makes it brighter.
+## A sun that looks the same in every renderer.
+##
+## Compatibility adds light with shadows after tone mapping, which makes the same energy brighter.
 
 ## Share of the energy that is left in Compatibility.
-@export_range(0.1, 1.0, 0.01) var compatibility_share := 0.5
+@export_range(0.1, 1.0, 0.01) var compatibility_share := 0.36
 
 
 func _ready() -> void:

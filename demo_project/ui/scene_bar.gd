@@ -1,5 +1,7 @@
 extends PanelContainer
-## The bar at the lower edge: switches between the demo's scenes, by its buttons or the keys 1, 2 and 3.
+## The bar at the lower edge: switches between the demo's scenes.
+##
+## Its buttons do, and the keys 1, 2 and 3.
 
 const SCENES: Array[String] = [
 	"res://meadow/meadow.tscn",

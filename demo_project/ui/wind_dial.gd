@@ -1,6 +1,8 @@
 extends Control
-## A round dial for a direction in degrees, seen from above: drag its needle, or turn the wheel over it.
-## 0 points down, towards the viewer (+z), 90 to the right (+x).
+## A round dial for a direction in degrees, seen from above.
+##
+## Drag its needle, or turn the wheel over it. 0 points down, towards the viewer (+z), 90 to the
+## right (+x).
 
 ## The user turned the dial.
 signal value_changed(degrees: float)
