@@ -1,12 +1,39 @@
 @tool
 extends HFlowContainer
-## What can be done with the chosen species.
+## What can be done with the chosen species: put it into the scene, save it, bake it, begin another.
+
+## The chosen species is in a file now, and that file is chosen.
+signal saved(entry: SpeciesEntry)
 
 const EditorState := preload("../editor_state.gd")
+const SpeciesEntry := preload("../plant_page/species_entry.gd")
+const Bake := preload("bake.gd")
+const BakeDialog := preload("bake_dialog.gd")
+const BakeOptions := preload("bake_options.gd")
+const FileNames := preload("file_names.gd")
+const Ground := preload("ground.gd")
+const NewSpeciesDialog := preload("new_species_dialog.gd")
+const ProjectFiles := preload("project_files.gd")
+const SceneActions := preload("scene_actions.gd")
+const SpeciesTemplate := preload("species_template.gd")
+const REPLACE_SIZE := Vector2i(420, 160)
+## As many files are named in a question.
+const NAMED_FILES := 6
 
 var _state: EditorState
 var _undo: EditorUndoRedoManager
 var _dock: Control
+var _save_dialog: EditorFileDialog
+var _options: BakeOptions
+
+@onready var _add: Button = %Add
+@onready var _assign: Button = %Assign
+@onready var _save: Button = %Save
+@onready var _new: Button = %New
+@onready var _bake: Button = %Bake
+@onready var _new_dialog: NewSpeciesDialog = %NewSpeciesDialog
+@onready var _bake_dialog: BakeDialog = %BakeDialog
+@onready var _replace_dialog: ConfirmationDialog = %ReplaceDialog
 
 
 ## Acts on the species of [param state]; dialogs open over [param dock].
@@ -14,3 +41,223 @@ func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> vo
 	_state = state
 	_undo = undo
 	_dock = dock
+	_add.pressed.connect(_on_add_pressed)
+	_assign.pressed.connect(_on_assign_pressed)
+	_save.pressed.connect(_on_save_pressed)
+	_new.pressed.connect(_new_dialog.ask)
+	_bake.pressed.connect(_on_bake_pressed)
+	_new_dialog.accepted.connect(_on_new_accepted)
+	_bake_dialog.accepted.connect(_on_bake_accepted)
+	_replace_dialog.confirmed.connect(_on_replace_confirmed)
+	_state.function_chosen.connect(_refresh)
+	_state.work_changed.connect(_refresh)
+	_refresh()
+	_dress()
+
+
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_THEME_CHANGED and _state:
+		_dress()
+
+
+func _dress() -> void:
+	_add.icon = get_theme_icon(&"Add", &"EditorIcons")
+	_assign.icon = get_theme_icon(&"Paint", &"EditorIcons")
+	_save.icon = get_theme_icon(&"Save", &"EditorIcons")
+	_new.icon = get_theme_icon(&"ScriptCreate", &"EditorIcons")
+	_bake.icon = get_theme_icon(&"BakedLightmap", &"EditorIcons")
+
+
+func _refresh() -> void:
+	for button: Button in [_add, _assign, _save]:
+		button.disabled = not _state.function
+	_bake.disabled = not _state.function or _state.work_total > 0
+
+
+func _on_add_pressed() -> void:
+	var root := _find_root()
+	if not root or not _can_build():
+		return
+	var function := SceneActions.to_scene_function(_state.function, root)
+	var wind := SceneActions.to_scene_wind(_state.wind, root)
+	var plant := SceneActions.make_plant(function, wind, _state.title)
+	plant.height = _state.height
+	plant.seed = _state.seed_value
+	plant.lod = _state.lod
+	var point := Ground.find_point(EditorInterface.get_editor_viewport_3d(0))
+	var parent := SceneActions.get_parent_for_new(root)
+	SceneActions.add_plant(_undo, root, parent, plant, point)
+	_select(plant)
+	_state.report(tr("Added %s to the scene.") % plant.name)
+
+
+func _on_assign_pressed() -> void:
+	var root := _find_root()
+	if not root or not _can_build():
+		return
+	var plants := SceneActions.get_selected_plants(root)
+	if plants.is_empty():
+		_warn(tr("No plant is selected. Select one or more Plant3D nodes in the scene."))
+		return
+	var function := SceneActions.to_scene_function(_state.function, root)
+	SceneActions.assign(_undo, root, plants, function)
+	_state.report(
+		(
+			tr_n("%d plant is %s now.", "%d plants are %s now.", plants.size())
+			% [plants.size(), _state.title]
+		)
+	)
+
+
+func _on_save_pressed() -> void:
+	if not _save_dialog:
+		_save_dialog = EditorFileDialog.new()
+		_save_dialog.file_mode = EditorFileDialog.FILE_MODE_SAVE_FILE
+		_save_dialog.access = EditorFileDialog.ACCESS_RESOURCES
+		_save_dialog.add_filter("*.tres", tr("Plant Function"))
+		_save_dialog.file_selected.connect(save_as)
+		add_child(_save_dialog)
+	_save_dialog.title = tr("Save Species As")
+	var own := _state.function.resource_path
+	if own.get_extension() == "tres" and not _state.function.is_built_in():
+		_save_dialog.current_path = own
+	else:
+		_save_dialog.current_file = FileNames.to_stem(_state.title) + ".tres"
+	_save_dialog.popup_file_dialog()
+
+
+## Saves the chosen species to [param path] and chooses what is there now.
+func save_as(path: String) -> void:
+	var problem := ProjectFiles.find_problem(path)
+	if not problem.is_empty():
+		_fail(problem)
+		return
+	var saved := ProjectFiles.save_function(_state.function, path)
+	if not saved:
+		_fail(tr("Cannot write %s. Choose another folder, or make this one writable.") % path)
+		return
+	ProjectFiles.announce(path)
+	_choose(saved, path, false)
+	_state.report(tr("Saved %s.") % path)
+
+
+func _on_new_accepted(title: String, folder: String) -> void:
+	var problem := SpeciesTemplate.write(title, folder)
+	if not problem.is_empty():
+		_new_dialog.refuse(problem)
+		_fail(problem)
+		return
+	_new_dialog.hide()
+	var path := SpeciesTemplate.get_path(title, folder)
+	ProjectFiles.announce(path)
+	var script := load(path) as Script
+	EditorInterface.edit_script(script)
+	EditorInterface.set_main_screen_editor("Script")
+	_choose(script.call(&"new") as PlantFunction, path, true)
+	_state.report(tr("Made %s. Change its four functions and save it.") % path)
+
+
+func _on_bake_pressed() -> void:
+	if _can_build():
+		_bake_dialog.ask(_state.title, _state.height, _state.seed_value)
+
+
+func _on_bake_accepted(options: BakeOptions) -> void:
+	_options = options
+	var existing := options.get_existing_files()
+	if existing.is_empty():
+		_bake_files()
+		return
+	_replace_dialog.dialog_text = _ask_to_replace(existing)
+	_replace_dialog.popup_centered(
+		Vector2i(Vector2(REPLACE_SIZE) * EditorInterface.get_editor_scale())
+	)
+
+
+func _ask_to_replace(files: PackedStringArray) -> String:
+	var names := "\n".join(files.slice(0, NAMED_FILES))
+	if files.size() > NAMED_FILES:
+		names += "\n…"
+	return (
+		(
+			tr_n(
+				"%d file exists already. Replace it?",
+				"%d files exist already. Replace them?",
+				files.size()
+			)
+			% files.size()
+		)
+		+ "\n\n"
+		+ names
+	)
+
+
+func _on_replace_confirmed() -> void:
+	_bake_files()
+
+
+## Bakes one file a frame, until all are there, one fails or the user cancels.
+func _bake_files() -> void:
+	if _state.work_total > 0:
+		_warn(tr("Other work is going on. Wait for its end, or cancel it."))
+		return
+	var work := Bake.new(_state.function, _options)
+	var total := work.get_pieces_left()
+	var problem := ""
+	_state.begin_work(tr("Baking %s…") % _options.title, total)
+	while not work.is_done() and problem.is_empty() and not _state.work_cancelled:
+		await get_tree().process_frame
+		problem = work.bake_next()
+		_state.advance_work()
+	_state.end_work()
+	for path in work.written:
+		ProjectFiles.announce(path)
+		await get_tree().process_frame
+	_tell_end(work, total, problem)
+
+
+func _tell_end(work: Bake, total: int, problem: String) -> void:
+	var count := work.written.size()
+	if not problem.is_empty():
+		_fail(problem)
+	elif count < total:
+		_warn(tr("Cancelled. %d of %d files were written.") % [count, total])
+	else:
+		_state.report(
+			tr_n("Baked %d file to %s.", "Baked %d files to %s.", count) % [count, _options.folder]
+		)
+
+
+func _find_root() -> Node:
+	var root := EditorInterface.get_edited_scene_root()
+	if not root:
+		_fail(tr("There is no scene. Create or open one, then add plants to it."))
+	return root
+
+
+func _can_build() -> bool:
+	if _state.problem.is_empty():
+		return true
+	_fail("%s: %s" % [_state.title, _state.problem])
+	return false
+
+
+func _select(node: Node) -> void:
+	var selection := EditorInterface.get_selection()
+	selection.clear()
+	selection.add_node(node)
+	EditorInterface.set_main_screen_editor("3D")
+
+
+func _choose(function: PlantFunction, path: String, is_script: bool) -> void:
+	var entry: SpeciesEntry = SpeciesEntry.from_file(path, is_script, "")
+	_state.choose(function, path, entry.title)
+	saved.emit(entry)
+
+
+func _warn(text: String) -> void:
+	_state.report(text, EditorState.Severity.WARNING)
+
+
+func _fail(text: String) -> void:
+	_state.report(text, EditorState.Severity.ERROR)

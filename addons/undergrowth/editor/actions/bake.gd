@@ -1,0 +1,158 @@
+@tool
+extends RefCounted
+## Bakes a species to files that need nothing of the add-on: meshes for MultiMesh and terrain tools,
+## and scenes with a skeleton.
+##
+## The work comes in pieces of a few milliseconds, one file each, so that the editor stays alive.
+
+const BakeOptions := preload("bake_options.gd")
+const FileNames := preload("file_names.gd")
+const ProjectFiles := preload("project_files.gd")
+const ADD_ON_FOLDER := "res://addons/undergrowth/"
+const BONES: Array[String] = ["root", "tip"]
+
+## Files that were written so far.
+var written: PackedStringArray = []
+
+var _function: PlantFunction
+var _options: BakeOptions
+## Each makes one file and returns what went wrong.
+var _pieces: Array[Callable] = []
+var _material: Material
+
+
+## Bakes [param function] as it is now; later changes of it do not matter.
+func _init(function: PlantFunction, options: BakeOptions) -> void:
+	_function = function.duplicate(true)
+	_options = options
+	for variant in options.variants:
+		if options.with_meshes:
+			for level in options.levels.size():
+				_pieces.append(_bake_level.bind(variant, level))
+		if options.with_scene:
+			_pieces.append(_bake_scene.bind(variant))
+
+
+## Bakes all at once, and returns what went wrong and what to do; empty where nothing did.
+static func bake(function: PlantFunction, options: BakeOptions) -> String:
+	var work := new(function, options)
+	while not work.is_done():
+		var problem: String = work.bake_next()
+		if not problem.is_empty():
+			return problem
+	return ""
+
+
+## How many files are left to write.
+func get_pieces_left() -> int:
+	return _pieces.size()
+
+
+func is_done() -> bool:
+	return _pieces.is_empty()
+
+
+## Writes one more file. Returns what went wrong and what to do; empty where nothing did.
+func bake_next() -> String:
+	return _pieces.pop_front().call()
+
+
+## The plain mesh of one level: one surface with its material and without bones.
+func make_level_mesh(variant: int, level: int) -> ArrayMesh:
+	var arrays := _generate(variant, level).surface_get_arrays(0)
+	arrays[Mesh.ARRAY_BONES] = null
+	arrays[Mesh.ARRAY_WEIGHTS] = null
+	return _make_mesh(arrays, "%s lod%d" % [_options.title, level])
+
+
+## The scene of one variant: a skeleton of two bones that the finest level is skinned to. Whoever
+## turns the bone "tip" bends the plant. To be freed by the caller.
+func make_scene(variant: int) -> Node3D:
+	var root := Node3D.new()
+	root.name = FileNames.to_node_name(_options.title)
+	var skeleton := Skeleton3D.new()
+	skeleton.name = "Skeleton3D"
+	for bone in BONES.size():
+		skeleton.add_bone(BONES[bone])
+		skeleton.set_bone_parent(bone, bone - 1)
+	root.add_child(skeleton)
+	skeleton.owner = root
+	var shown := MeshInstance3D.new()
+	shown.name = "Plant"
+	shown.mesh = _make_mesh(_generate(variant, 0).surface_get_arrays(0), _options.title)
+	shown.skin = _make_skin()
+	shown.custom_aabb = _reach_of(shown.mesh)
+	skeleton.add_child(shown)
+	shown.owner = root
+	shown.skeleton = ^".."
+	return root
+
+
+func _bake_level(variant: int, level: int) -> String:
+	var path := _options.get_mesh_path(variant, level)
+	var problem := _prepare(variant, level, path)
+	if problem.is_empty():
+		problem = ProjectFiles.save_mesh(make_level_mesh(variant, level), path)
+	return _note(path, problem)
+
+
+func _bake_scene(variant: int) -> String:
+	var path := _options.get_scene_path(variant)
+	var problem := _prepare(variant, 0, path)
+	if problem.is_empty():
+		var root := make_scene(variant)
+		problem = ProjectFiles.save_scene(root, path)
+		root.free()
+	return _note(path, problem)
+
+
+func _prepare(variant: int, level: int, path: String) -> String:
+	var problem := _function.find_problem(
+		_options.height, _options.levels[level], _options.first_seed + variant
+	)
+	return problem if not problem.is_empty() else ProjectFiles.find_problem(path)
+
+
+func _note(path: String, problem: String) -> String:
+	if problem.is_empty():
+		written.append(path)
+	return problem
+
+
+func _generate(variant: int, level: int) -> ArrayMesh:
+	var mesh := _function.generate_mesh(
+		_options.height, _options.levels[level], _options.first_seed + variant
+	)
+	if not _material:
+		_material = _portable(mesh.surface_get_material(0))
+	return mesh
+
+
+func _make_mesh(arrays: Array, title: String) -> ArrayMesh:
+	var mesh := ArrayMesh.new()
+	mesh.resource_name = title
+	mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays)
+	mesh.surface_set_material(0, _material)
+	return mesh
+
+
+## A material of the project stays where it is; one of the library or the add-on comes along.
+func _portable(material: Material) -> Material:
+	var stays := (
+		not material.is_built_in() and not material.resource_path.begins_with(ADD_ON_FOLDER)
+	)
+	return material if stays else material.duplicate(true)
+
+
+func _make_skin() -> Skin:
+	var skin := Skin.new()
+	for bone in BONES.size():
+		skin.add_bind(bone, Transform3D())
+	return skin
+
+
+## A box around the plant however it bends.
+func _reach_of(mesh: Mesh) -> AABB:
+	var box := mesh.get_aabb()
+	var radius := box.position.abs().max(box.end.abs()).length()
+	return AABB(Vector3.ONE * -radius, Vector3.ONE * radius * 2.0)

@@ -1,0 +1,79 @@
+@tool
+extends ConfirmationDialog
+## Asks what to bake of a species.
+
+## The user wants these files, and the options are complete.
+signal accepted(options: BakeOptions)
+
+const BakeOptions := preload("bake_options.gd")
+const FolderField := preload("folder_field.gd")
+const Hint := preload("hint.gd")
+const SIZE := Vector2i(480, 380)
+
+@onready var _title: LineEdit = %Title
+@onready var _folder: FolderField = %Folder
+@onready var _height: SpinBox = %Height
+@onready var _variants: SpinBox = %Variants
+@onready var _seed: SpinBox = %Seed
+@onready var _levels: LineEdit = %Levels
+@onready var _meshes: CheckBox = %Meshes
+@onready var _scene: CheckBox = %Scene
+@onready var _hint: Hint = %Hint
+
+
+func _ready() -> void:
+	if is_part_of_edited_scene():
+		return
+	for line: LineEdit in [_title, _levels]:
+		register_text_enter(line)
+		line.text_changed.connect(func(_text: String) -> void: _check())
+	for box: SpinBox in [_height, _variants, _seed]:
+		box.value_changed.connect(func(_value: float) -> void: _check())
+	for choice: CheckBox in [_meshes, _scene]:
+		choice.toggled.connect(func(_on: bool) -> void: _check())
+	_folder.changed.connect(_check)
+	confirmed.connect(_on_confirmed)
+
+
+## Opens the dialog for a plant of that name; what else was chosen before stays.
+func ask(title: String, height: float, first_seed: int) -> void:
+	_title.text = title
+	_height.value = height
+	_seed.value = first_seed
+	_check()
+	popup_centered(Vector2i(Vector2(SIZE) * EditorInterface.get_editor_scale()))
+	_title.grab_focus()
+	_title.select_all()
+
+
+## What the user chose.
+func get_options() -> BakeOptions:
+	var options := BakeOptions.new()
+	options.title = _title.text
+	options.folder = _folder.folder
+	options.height = _height.value
+	options.variants = roundi(_variants.value)
+	options.first_seed = roundi(_seed.value)
+	options.read_levels(_levels.text)
+	options.with_meshes = _meshes.button_pressed
+	options.with_scene = _scene.button_pressed
+	return options
+
+
+func _check() -> void:
+	var options := get_options()
+	var problem := options.find_problem()
+	get_ok_button().disabled = not problem.is_empty()
+	if not problem.is_empty():
+		_hint.show_problem(problem)
+		return
+	var files := options.get_files()
+	var names := files[0].get_file()
+	if files.size() > 1:
+		names = tr("%s to %s") % [names, files[-1].get_file()]
+	_hint.show_text(tr_n("%d file: %s", "%d files: %s", files.size()) % [files.size(), names])
+
+
+func _on_confirmed() -> void:
+	if not get_ok_button().disabled:
+		accepted.emit(get_options())

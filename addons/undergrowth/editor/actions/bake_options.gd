@@ -1,0 +1,91 @@
+@tool
+extends RefCounted
+## What to bake of a species, and under which names.
+
+const Translations := preload("../translations/translations.gd")
+const FileNames := preload("file_names.gd")
+const MAX_SEGMENTS := 256
+const MAX_LEVELS := 8
+const MAX_VARIANTS := 1000
+const DEFAULT_LEVELS: Array[int] = [24, 12, 6, 3]
+
+## What the baked plant is called. Files get the stem that [FileNames] makes of it.
+var title := ""
+var folder := "res://"
+## Metres; 0: the species' own height.
+var height := 0.0
+var first_seed := 1
+## How many plants of the species, with seeds that follow each other.
+var variants := 1
+## Vertical segments of each level of detail, finest first; empty where [method read_levels] failed.
+var levels := DEFAULT_LEVELS.duplicate()
+## One mesh resource for each level.
+var with_meshes := true
+## One scene with a skeleton for each variant.
+var with_scene := false
+
+
+## Reads levels from a text such as "24, 12, 6, 3".
+func read_levels(text: String) -> void:
+	levels.clear()
+	for part in text.replace(";", ",").split(",", false):
+		var number := part.strip_edges()
+		if not number.is_valid_int() or number.to_int() < 1 or number.to_int() > MAX_SEGMENTS:
+			levels.clear()
+			return
+		levels.append(number.to_int())
+
+
+## What is wrong with these options and what to do; empty where nothing is.
+func find_problem() -> String:
+	if FileNames.to_stem(title).is_empty():
+		return Translations.text("Give the plant a name with letters or digits.")
+	if not folder.begins_with("res://"):
+		return Translations.text("%s is not in the project. Choose a folder in res://.") % folder
+	if levels.is_empty():
+		return (
+			Translations.text("Write the levels as segments from 1 to %d, such as 24, 12, 6, 3.")
+			% MAX_SEGMENTS
+		)
+	if levels.size() > MAX_LEVELS:
+		return Translations.text("Leave out some levels: %d are the most.") % MAX_LEVELS
+	if not with_meshes and not with_scene:
+		return Translations.text("Choose meshes, a scene, or both.")
+	return ""
+
+
+## The file of one level's mesh.
+func get_mesh_path(variant: int, level: int) -> String:
+	return folder.path_join("%s_lod%d.res" % [get_stem(variant), level])
+
+
+## The file of one variant's scene.
+func get_scene_path(variant: int) -> String:
+	return folder.path_join("%s.tscn" % get_stem(variant))
+
+
+## How the files of one variant begin.
+func get_stem(variant: int) -> String:
+	var stem := FileNames.to_stem(title)
+	return stem if variants == 1 else "%s_%d" % [stem, variant + 1]
+
+
+## All files that are going to be written.
+func get_files() -> PackedStringArray:
+	var files: PackedStringArray = []
+	for variant in variants:
+		if with_meshes:
+			for level in levels.size():
+				files.append(get_mesh_path(variant, level))
+		if with_scene:
+			files.append(get_scene_path(variant))
+	return files
+
+
+## Those of [method get_files] that exist already.
+func get_existing_files() -> PackedStringArray:
+	var existing: PackedStringArray = []
+	for file in get_files():
+		if FileAccess.file_exists(file):
+			existing.append(file)
+	return existing

@@ -1,0 +1,118 @@
+@tool
+extends RefCounted
+## Finds the place that a 3D viewport looks at: on colliders, on meshes, or on the plane y = 0.
+
+const FARTHEST := 2000.0
+## A place in front of a camera that looks at nothing.
+const DISTANCE_WITHOUT_GROUND := 4.0
+## Steeper than this (the up part of the normal) nothing grows; the ground below is looked for.
+const LEAST_UPRIGHT := 0.4
+const OFF_WALL := 0.05
+## Meshes with more triangles would take too long to search.
+const MAX_TRIANGLES := 50000
+
+
+## Where a new thing belongs that the user wants at the centre of [param viewport].
+static func find_point(viewport: Viewport) -> Vector3:
+	var camera := viewport.get_camera_3d()
+	if not camera:
+		return Vector3.ZERO
+	var center := viewport.get_visible_rect().size * 0.5
+	var from := camera.project_ray_origin(center)
+	return find_along(viewport.find_world_3d(), from, camera.project_ray_normal(center))
+
+
+## The same along a ray of [param world].
+static func find_along(world: World3D, from: Vector3, direction: Vector3) -> Vector3:
+	var hit := _cast(world, from, from + direction * FARTHEST)
+	if hit.is_empty():
+		return _on_plane(from, direction)
+	var normal: Vector3 = hit["normal"]
+	if normal.y >= LEAST_UPRIGHT:
+		return hit["position"]
+	var beside: Vector3 = hit["position"] + normal * OFF_WALL
+	var below := _cast(world, beside, beside + Vector3.DOWN * FARTHEST)
+	return below["position"] if not below.is_empty() else _on_plane(beside, Vector3.DOWN)
+
+
+static func _on_plane(from: Vector3, direction: Vector3) -> Vector3:
+	var met: Variant = Plane(Vector3.UP, 0.0).intersects_ray(from, direction)
+	if met is Vector3 and from.distance_to(met) <= FARTHEST:
+		return met
+	var ahead := from + direction * DISTANCE_WITHOUT_GROUND
+	return Vector3(ahead.x, 0.0, ahead.z)
+
+
+## The nearest hit with its "position" and "normal", or nothing.
+static func _cast(world: World3D, from: Vector3, to: Vector3) -> Dictionary:
+	var query := PhysicsRayQueryParameters3D.create(from, to)
+	var nearest := world.direct_space_state.intersect_ray(query)
+	for id in RenderingServer.instances_cull_ray(from, to, world.scenario):
+		var hit := _cast_on(instance_from_id(id) as Node3D, from, to)
+		if hit.is_empty():
+			continue
+		if nearest.is_empty() or _is_nearer(from, hit["position"], nearest["position"]):
+			nearest = hit
+	return nearest
+
+
+static func _is_nearer(from: Vector3, a: Vector3, b: Vector3) -> bool:
+	return from.distance_squared_to(a) < from.distance_squared_to(b)
+
+
+static func _cast_on(node: Node3D, from: Vector3, to: Vector3) -> Dictionary:
+	if not node or not node.is_visible_in_tree() or _is_part_of_plant(node):
+		return {}
+	var best := {}
+	for part in _meshes_of(node):
+		var place: Transform3D = part["place"]
+		var hit := _cast_on_mesh(part["mesh"], place, from, to)
+		if hit.is_empty():
+			continue
+		if best.is_empty() or _is_nearer(from, hit["position"], best["position"]):
+			best = hit
+	return best
+
+
+static func _cast_on_mesh(mesh: Mesh, place: Transform3D, from: Vector3, to: Vector3) -> Dictionary:
+	if (
+		not mesh
+		or is_zero_approx(place.basis.determinant())
+		or _count_triangles(mesh) > MAX_TRIANGLES
+	):
+		return {}
+	var inverse := place.affine_inverse()
+	var triangles := mesh.generate_triangle_mesh()
+	var hit := triangles.intersect_segment(inverse * from, inverse * to) if triangles else {}
+	if hit.is_empty():
+		return {}
+	var normal: Vector3 = inverse.basis.transposed() * (hit["normal"] as Vector3)
+	return {"position": place * (hit["position"] as Vector3), "normal": normal.normalized()}
+
+
+static func _meshes_of(node: Node3D) -> Array[Dictionary]:
+	var found: Array[Dictionary] = []
+	if node is MeshInstance3D:
+		found.append({"mesh": (node as MeshInstance3D).mesh, "place": node.global_transform})
+	elif node is CSGShape3D or node is GridMap:
+		var parts: Array = node.call(&"get_meshes")
+		for i in range(0, parts.size(), 2):
+			found.append({"mesh": parts[i + 1], "place": node.global_transform * parts[i]})
+	return found
+
+
+static func _is_part_of_plant(node: Node) -> bool:
+	while node:
+		if node is Plant3D:
+			return true
+		node = node.get_parent()
+	return false
+
+
+static func _count_triangles(mesh: Mesh) -> int:
+	var stored := mesh as ArrayMesh
+	var count := 0
+	for i in stored.get_surface_count() if stored else 0:
+		var indices := stored.surface_get_array_index_len(i)
+		count += (indices if indices > 0 else stored.surface_get_array_len(i)) / 3
+	return count

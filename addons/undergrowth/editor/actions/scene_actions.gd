@@ -1,0 +1,125 @@
+@tool
+extends RefCounted
+## What changes the edited scene: each is one step that Godot's undo takes back.
+
+const Translations := preload("../translations/translations.gd")
+const FileNames := preload("file_names.gd")
+## They say where a resource is, not what it is.
+const NOT_COMPARED: Array[StringName] = [
+	&"script", &"resource_path", &"resource_name", &"resource_scene_unique_id"
+]
+
+
+## Adds a plant of [param function] below [param parent] in the scene of [param root], upright at
+## [param point] of the world.
+static func add_plant(
+	undo: EditorUndoRedoManager, root: Node, parent: Node, plant: Plant3D, point: Vector3
+) -> void:
+	plant.transform = _local_place(parent as Node3D, point)
+	undo.create_action(Translations.text("Add Plant"), UndoRedo.MERGE_DISABLE, root)
+	undo.add_do_method(parent, &"add_child", plant, true)
+	undo.add_do_property(plant, &"owner", root)
+	undo.add_do_reference(plant)
+	undo.add_undo_method(parent, &"remove_child", plant)
+	undo.commit_action()
+
+
+## A plant that is ready to be added.
+static func make_plant(function: PlantFunction, wind: PlantWind, title: String) -> Plant3D:
+	var plant := Plant3D.new()
+	plant.name = FileNames.to_node_name(title)
+	plant.function = function
+	plant.wind = wind
+	return plant
+
+
+## Gives all [param plants] of the scene of [param root] the same function.
+static func assign(
+	undo: EditorUndoRedoManager, root: Node, plants: Array[Plant3D], function: PlantFunction
+) -> void:
+	undo.create_action(Translations.text("Assign Plant Function"), UndoRedo.MERGE_DISABLE, root)
+	for plant in plants:
+		undo.add_do_property(plant, &"function", function)
+		undo.add_undo_property(plant, &"function", plant.function)
+	undo.commit_action()
+
+
+## The selected plants that belong to the scene of [param root].
+static func get_selected_plants(root: Node) -> Array[Plant3D]:
+	var plants: Array[Plant3D] = []
+	for node in EditorInterface.get_selection().get_selected_nodes():
+		if node is Plant3D and _is_saved_with(node, root):
+			plants.append(node)
+	return plants
+
+
+## Where a new plant belongs: below the selected Node3D, but not below another plant.
+static func get_parent_for_new(root: Node) -> Node:
+	for node in EditorInterface.get_selection().get_selected_nodes():
+		var parent := node
+		while parent is Plant3D and parent != root:
+			parent = parent.get_parent()
+		if parent is Node3D and _is_saved_with(parent, root):
+			return parent
+	return root
+
+
+## [param function] where it has a file of its own. Else what the scene of [param root] has already
+## and is equal, or a copy: later edits in the dock must not reach into the scene.
+static func to_scene_function(function: PlantFunction, root: Node) -> PlantFunction:
+	if not function.is_built_in():
+		return function
+	for plant in get_plants(root):
+		if plant.function and _is_equal(plant.function, function):
+			return plant.function
+	return function.duplicate(true)
+
+
+## The wind of the scene of [param root], or a copy of [param fallback] where none blows yet.
+static func to_scene_wind(fallback: PlantWind, root: Node) -> PlantWind:
+	for plant in get_plants(root):
+		if plant.wind:
+			return plant.wind
+	return fallback.duplicate() as PlantWind
+
+
+## All plants of a scene, those of scenes within it too.
+static func get_plants(root: Node) -> Array[Plant3D]:
+	var plants: Array[Plant3D] = []
+	if root is Plant3D:
+		plants.append(root)
+	plants.append_array(root.find_children("*", "Plant3D", true, false))
+	return plants
+
+
+static func _is_saved_with(node: Node, root: Node) -> bool:
+	return node == root or node.owner == root
+
+
+static func _local_place(parent: Node3D, point: Vector3) -> Transform3D:
+	var place := Transform3D(Basis.IDENTITY, point)
+	if not parent or is_zero_approx(parent.global_basis.determinant()):
+		return place
+	return parent.global_transform.affine_inverse() * place
+
+
+static func _is_equal(a: Resource, b: Resource) -> bool:
+	if a == b:
+		return true
+	if a.get_class() != b.get_class() or a.get_script() != b.get_script():
+		return false
+	if not a.is_built_in() or not b.is_built_in():
+		return false
+	for property: Dictionary in a.get_property_list():
+		var name: StringName = property["name"]
+		if not property["usage"] & PROPERTY_USAGE_STORAGE or name in NOT_COMPARED:
+			continue
+		if not _is_equal_value(a.get(name), b.get(name)):
+			return false
+	return true
+
+
+static func _is_equal_value(a: Variant, b: Variant) -> bool:
+	if a is Resource and b is Resource:
+		return _is_equal(a as Resource, b as Resource)
+	return typeof(a) == typeof(b) and a == b

@@ -1,0 +1,50 @@
+@tool
+extends RefCounted
+## The add-on's texts in other languages, for the editor only.
+##
+## They live in a translation domain of their own: nothing of them reaches the editor's own texts or
+## the user's game. Controls of the add-on take part by [method Object.set_translation_domain].
+
+const DOMAIN := &"undergrowth"
+const EDITOR_DOMAIN := &"godot.editor"
+const LANGUAGE_SETTING := "interface/editor/editor_language"
+const AUTO := "auto"
+const FILE_TYPE := "po"
+
+
+## Reads the translations beside this script. Call it before anything of the add-on is shown.
+static func add() -> void:
+	var domain := TranslationServer.get_or_add_domain(DOMAIN)
+	domain.clear()
+	for file in ResourceLoader.list_directory(_folder()):
+		if file.get_extension() == FILE_TYPE:
+			domain.add_translation(load(_folder().path_join(file)) as Translation)
+	domain.set_locale_override(_choose_locale(domain))
+	# Ready-made parts of the editor within ours keep their own texts.
+	for translation in TranslationServer.get_or_add_domain(EDITOR_DOMAIN).get_translations():
+		domain.add_translation(translation)
+
+
+## Takes all of it away again.
+static func remove() -> void:
+	if TranslationServer.has_domain(DOMAIN):
+		TranslationServer.remove_domain(DOMAIN)
+
+
+## [param message] in the user's language, for scripts that are no nodes.
+static func text(message: String) -> String:
+	return TranslationServer.get_or_add_domain(DOMAIN).translate(message)
+
+
+## The editor has not every language. Who left its choice to the system still gets ours.
+static func _choose_locale(domain: TranslationDomain) -> String:
+	var wanted: String = EditorInterface.get_editor_settings().get_setting(LANGUAGE_SETTING)
+	var system := OS.get_locale()
+	if wanted == AUTO and domain.has_translation_for_locale(system, false):
+		return system
+	return EditorInterface.get_editor_language()
+
+
+static func _folder() -> String:
+	var own := preload("translations.gd") as Script
+	return own.resource_path.get_base_dir()
