@@ -1,0 +1,287 @@
+## Plants that stand aslant, upside down, on walls or scaled; the box around all their bends.
+extends "res://tests/engine/harness.gd"
+
+const STEP := 1.0 / 60.0
+## Bones are turned in single precision, vertices of a mesh lie on a grid of 16 bits at worst.
+const SKIN_TOLERANCE := 1e-3
+
+var _plant: Plant3D
+var _mover: Node3D
+
+
+func before_each() -> void:
+	_mover = Node3D.new()
+	root.add_child(_mover)
+	_plant = Plant3D.new()
+	_plant.function = TulipFunction.new()
+	_plant.simulating = false
+	_mover.add_child(_plant)
+
+
+func after_each() -> void:
+	_mover.free()
+
+
+func test_reach_covers_the_largest_bends_of_all_species() -> void:
+	for species in _all_species():
+		for law: PlantFunction.MotionLaw in _laws():
+			species.law = law
+			species.stays_above_ground = false
+			_plant.function = species
+			_check_reach("%s, law %d" % [species.get_class(), law])
+
+
+func test_reach_covers_irregular_plants() -> void:
+	for species in _all_species():
+		species.shape_deviation = 1.0
+		_plant.function = species
+		for seed_value in 5:
+			_plant.seed = seed_value
+			_check_reach("%s, seed %d" % [species.get_class(), seed_value])
+
+
+func test_reach_covers_plants_that_stand_aslant() -> void:
+	for degrees: float in [30.0, 59.0, 61.0, 90.0, 135.0, 180.0]:
+		_plant.rotation_degrees = Vector3(degrees, 20.0, 0.0)
+		for law: PlantFunction.MotionLaw in _laws():
+			_plant.function.law = law
+			await frames(1)
+			_check_reach("%f degrees, law %d" % [degrees, law])
+
+
+func test_reach_is_not_much_larger_than_the_plant() -> void:
+	_plant.height = 2.0
+	var reach := _plant.get_reach()
+	check(reach.size.x < 2.0 * 2.2, "its width, %f" % reach.size.x)
+	check(reach.end.y >= 2.0, "the tip is inside")
+
+
+func test_upright_plants_sway_with_the_wind_whatever_their_turn() -> void:
+	for turn: float in [0.0, 45.0, 90.0, 180.0, 270.0]:
+		_plant.rotation_degrees = Vector3(0, turn, 0)
+		await frames(1)
+		_check_sway(Vector3(1, 0, 0), "turned by %f" % turn)
+		_check_sway(Vector3(0, 0, -1), "turned by %f" % turn)
+
+
+func test_tilted_plants_sway_with_the_wind() -> void:
+	for law: PlantFunction.MotionLaw in _laws():
+		_plant.function.law = law
+		_plant.rotation_degrees = Vector3(0, 0, 30)
+		await frames(1)
+		_check_sway(Vector3(1, 0, 0), "tilted, law %d" % law)
+		_check_sway(Vector3(0, 0, 1), "tilted, law %d" % law)
+
+
+func test_plants_on_a_wall_sway_with_the_wind() -> void:
+	_plant.rotation_degrees = Vector3(90, 0, 0)
+	await frames(1)
+	check_near(_tip_in_world().normalized(), Vector3(0, 0, 1), 1e-5, "it stands off the wall")
+	_check_sway(Vector3(1, 0, 0), "on a wall")
+	_plant.rotation_degrees = Vector3(0, 0, 90)
+	await frames(1)
+	_plant.reset()
+	check_near(_tip_in_world().normalized(), Vector3(-1, 0, 0), 1e-5, "it stands off the wall")
+	_check_sway(Vector3(0, 0, 1), "on another wall")
+
+
+func test_plants_on_a_ceiling_sway_with_the_wind() -> void:
+	_plant.rotation_degrees = Vector3(180, 30, 0)
+	await frames(1)
+	check_near(_tip_in_world().normalized(), Vector3(0, -1, 0), 1e-5, "it hangs")
+	_check_sway(Vector3(1, 0, 0), "on a ceiling")
+	_check_sway(Vector3(0, 0, 1), "on a ceiling")
+
+
+func test_a_law_that_changes_on_a_wall_keeps_the_plant_there() -> void:
+	_plant.function.law = PlantFunction.LAW_ELASTICITY
+	_plant.rotation_degrees = Vector3(90, 0, 0)
+	await frames(1)
+	_plant.function.law = PlantFunction.LAW_SPRING
+	_run(10.0)
+	check_near(_tip_in_world().normalized(), Vector3(0, 0, 1), 1e-3, "it stands off the wall")
+	var grass := GrassFunction.new()
+	grass.lean_degrees = 0.0
+	_plant.function = grass
+	_run(10.0)
+	check_near(_tip_in_world().normalized(), Vector3(0, 0, 1), 1e-3, "so does its successor")
+
+
+func test_a_simulating_plant_moved_to_the_ceiling_settles_there() -> void:
+	_plant.simulating = true
+	_plant.function.damping_ratio = 1.0
+	_plant.function.natural_frequency = 20.0
+	await frames(2)
+	_plant.rotation_degrees = Vector3(180, 0, 0)
+	await frames(2)
+	check_equal(PlantSimulation.get_plant_count(), 1, "plants in the simulation")
+	for i in 1000:
+		await frames(1)
+		if _plant.get_deflection() < 0.01:
+			break
+	check(_plant.get_deflection() < 0.01, "it hangs, %f from rest" % _plant.get_deflection())
+
+
+func test_plants_below_moved_nodes_follow() -> void:
+	_mover.rotation_degrees = Vector3(0, 90, 0)
+	_mover.scale = Vector3.ONE * 2.0
+	_mover.position = Vector3(10, 0, 0)
+	await frames(1)
+	_check_sway(Vector3(1, 0, 0), "below a turned and scaled node")
+
+
+func test_scaled_plants_swing_like_plants_of_their_real_height() -> void:
+	_plant.height = 1.0
+	_plant.function.law = PlantFunction.LAW_ELASTICITY
+	_plant.scale = Vector3.ONE * 2.0
+	var tall := Plant3D.new()
+	tall.function = _plant.function
+	tall.height = 2.0
+	tall.simulating = false
+	root.add_child(tall)
+	await frames(1)
+	_plant.apply_impulse(Vector3(0.2, 0, 0))
+	tall.apply_impulse(Vector3(0.2, 0, 0))
+	for i in 100:
+		_plant.step(STEP)
+		tall.step(STEP)
+		check_near(_plant.get_tip_position() * 2.0, tall.get_tip_position(), 1e-4, "tip")
+	tall.free()
+
+
+func test_a_plant_scaled_to_nothing_stays_finite() -> void:
+	for scale: Vector3 in [Vector3.ONE * 1e-6, Vector3(1, 1e-6, 1), Vector3(1, 1e6, 1)]:
+		_plant.scale = scale
+		await frames(1)
+		_plant.apply_impulse(Vector3.RIGHT)
+		_run(1.0)
+		check(_plant.get_tip_position().is_finite(), "tip at scale %s" % str(scale))
+
+
+func test_a_leaning_species_leans_with_the_node() -> void:
+	var grass := GrassFunction.new()
+	grass.lean_degrees = 40.0
+	_plant.function = grass
+	for turn: float in [0.0, 90.0, 200.0]:
+		_plant.rotation_degrees = Vector3(0, turn, 0)
+		await frames(1)
+		_plant.reset()
+		_run(0.5)
+		check_near(_plant.get_deflection(), 0.0, 1e-4, "deflection from rest")
+		var leaning := Vector3(0, cos(deg_to_rad(40.0)), sin(deg_to_rad(40.0)))
+		check_near(_plant.get_tip_position().normalized(), leaning, 1e-4, "turned by %f" % turn)
+
+
+func test_a_change_of_lean_moves_the_rest_and_not_the_tip() -> void:
+	var grass := GrassFunction.new()
+	grass.lean_degrees = 0.0
+	grass.damping_ratio = 1.0
+	_plant.function = grass
+	_run(0.1)
+	var tip := _plant.get_tip_position()
+	grass.lean_degrees = 30.0
+	check_near(_plant.get_tip_position(), tip, 1e-5, "tip")
+	check_near(_plant.get_deflection(), deg_to_rad(30.0), 1e-4, "deflection")
+	_run(5.0)
+	check_near(_plant.get_deflection(), 0.0, 1e-3, "deflection later")
+
+
+func test_a_hidden_plant_moves_and_shows_its_pose_again() -> void:
+	var bone := _plant.get_skeleton().get_bone_pose_rotation(1)
+	_plant.hide()
+	_plant.apply_impulse(Vector3(0.5, 0, 0))
+	_run(0.2)
+	check(_plant.get_deflection() > 0.05, "it moved")
+	_plant.show()
+	check(_plant.get_skeleton().get_bone_pose_rotation(1) != bone, "the bone is turned")
+	_check_bone_points_to_the_tip()
+
+
+func test_a_plant_below_a_hidden_node_shows_its_pose_again() -> void:
+	_mover.hide()
+	_plant.apply_impulse(Vector3(0.5, 0, 0))
+	_run(0.2)
+	_mover.show()
+	_check_bone_points_to_the_tip()
+
+
+func _all_species() -> Array[PlantFunction]:
+	return [
+		GrassFunction.new(),
+		ReedFunction.new(),
+		CattailFunction.new(),
+		TulipFunction.new(),
+		BellflowerFunction.new(),
+		CurvePlantFunction.new(),
+	]
+
+
+func _laws() -> Array[PlantFunction.MotionLaw]:
+	return [PlantFunction.LAW_ELASTICITY, PlantFunction.LAW_SPRING]
+
+
+func _run(seconds: float) -> void:
+	for i in roundi(seconds / STEP):
+		_plant.step(STEP)
+
+
+func _tip_in_world() -> Vector3:
+	return _plant.global_transform * _plant.get_tip_position() - _plant.global_position
+
+
+## Blows towards [param way] and checks that the tip moves there, and not aside.
+func _check_sway(way: Vector3, label: String) -> void:
+	_plant.reset()
+	_plant.wind = PlantWind.new()
+	_plant.wind.kind = PlantWind.KIND_CONSTANT
+	_plant.wind.strength = 0.5
+	_plant.wind.direction_degrees = rad_to_deg(atan2(way.x, way.z))
+	var before := _tip_in_world()
+	_run(0.3)
+	var moved := _tip_in_world() - before
+	check(moved.dot(way) > 0.01, "%s: it moves with the wind, by %s" % [label, str(moved)])
+	var aside := moved.slide(way)
+	aside.y = 0.0
+	check(aside.length() < 0.35 * moved.length(), "%s: and not aside, %s" % [label, str(moved)])
+	_check_bone_points_to_the_tip()
+
+
+func _check_bone_points_to_the_tip() -> void:
+	# The bone is drawn between two steps: let it arrive.
+	var wind := _plant.wind
+	_plant.wind = null
+	_plant.step(0.0)
+	_plant.wind = wind
+	var turned := _plant.get_skeleton().get_bone_pose_rotation(1) * Vector3.UP
+	check(turned.angle_to(_plant.get_tip_position()) < 0.1, "the bone points to the tip")
+
+
+## Pushes the plant hard to all sides and compares its skinned vertices with its reach.
+func _check_reach(label: String) -> void:
+	var reach := _plant.get_reach().grow(SKIN_TOLERANCE)
+	var outside := 0
+	var most := 0.0
+	for side in 8:
+		var angle := TAU * side / 8.0
+		_plant.reset()
+		_plant.apply_impulse(Vector3(cos(angle), -0.3, sin(angle)) * 1e4)
+		for i in 3:
+			_plant.step(STEP)
+			outside += _count_outside(reach)
+			most = maxf(most, _plant.get_deflection())
+	check_equal(outside, 0, "vertices out of reach of " + label)
+	check(most > 1.0, "%s bends far: %f" % [label, most])
+
+
+func _count_outside(reach: AABB) -> int:
+	var skeleton := _plant.get_skeleton()
+	var tip := skeleton.get_bone_global_pose(1)
+	var arrays := _plant.get_mesh().surface_get_arrays(0)
+	var positions: PackedVector3Array = arrays[Mesh.ARRAY_VERTEX]
+	var weights: PackedFloat32Array = arrays[Mesh.ARRAY_WEIGHTS]
+	var outside := 0
+	for i in positions.size():
+		var skinned := positions[i].lerp(tip * positions[i], weights[4 * i + 1])
+		if not reach.has_point(skinned):
+			outside += 1
+	return outside
