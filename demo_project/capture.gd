@@ -11,7 +11,7 @@ extends SceneTree
 
 const PICTURE_SIZE := Vector2i(1280, 720)
 const FRAME_SIZE := Vector2i(640, 360)
-const WARM_UP_FRAMES := 70
+const WARM_UP_FRAMES := 100
 const GUST_FRAME := 8
 
 var _options := {"out": "", "scene": "res://meadow/meadow.tscn", "name": "demo", "frames": "60"}
