@@ -22,8 +22,8 @@ static GDExtensionInterfaceGetProcAddress engine_function = nullptr;
 
 // Straight from the engine's interface, which is the same with any binding.
 static void load_class_help() {
-	const auto load = reinterpret_cast<GDExtensionInterfaceEditorHelpLoadXmlFromUtf8CharsAndLen>(
-			engine_function("editor_help_load_xml_from_utf8_chars_and_len"));
+	using LoadHelp = void (*)(const char *, GDExtensionInt); // Its name differs between versions of the header.
+	const auto load = reinterpret_cast<LoadHelp>(engine_function("editor_help_load_xml_from_utf8_chars_and_len"));
 	if (load) {
 		load(undergrowth_doc_xml, GDExtensionInt(undergrowth_doc_xml_size));
 	}
