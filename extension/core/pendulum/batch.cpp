@@ -18,9 +18,9 @@ enum ElasticityColumn : int {
 	X = 1,
 	Y,
 	Z,
-	RATE_X,
-	RATE_Y,
-	RATE_Z,
+	TURN_X,
+	TURN_Y,
+	TURN_Z,
 	LAST_X,
 	LAST_Y,
 	LAST_Z,
@@ -118,7 +118,7 @@ void PendulumBatch::set_joint(int index, const Joint &joint) {
 TipState PendulumBatch::state(int index) const {
 	const auto at = [this, index](int which) { return columns.column(which)[index]; };
 	if (batch_law == Law::elasticity) {
-		return { { at(X), at(Y), at(Z) }, { at(RATE_X), at(RATE_Y), at(RATE_Z) } };
+		return safe_state({ { at(X), at(Y), at(Z) }, glm::vec3(at(TURN_X), at(TURN_Y), at(TURN_Z)) / step_time });
 	}
 	return from_gnomonic({ at(FLAT_X), at(FLAT_Z), at(FLAT_RATE_X), at(FLAT_RATE_Z) });
 }
@@ -152,7 +152,7 @@ void PendulumBatch::step(int begin, int end, const glm::vec3 &wind, SimdLevel le
 	const int first = std::max(begin, 0);
 	const int last = std::min(end, size());
 	if (batch_law == Law::elasticity) {
-		kernels(level).step_elasticity(elasticity_table(), first, last, step_time, kernel_wind(wind));
+		kernels(level).step_elasticity(elasticity_table(), first, last, kernel_wind(wind));
 	} else {
 		kernels(level).step_spring(spring_table(), first, last, MAX_GNOMONIC, kernel_wind(wind));
 	}
@@ -180,7 +180,7 @@ void PendulumBatch::interpolate(float alpha, glm::vec3 *out) const {
 
 ElasticityTable PendulumBatch::elasticity_table() {
 	const auto at = [this](int which) { return columns.column(which); };
-	return { at(X), at(Y), at(Z), at(RATE_X), at(RATE_Y), at(RATE_Z), at(LAST_X), at(LAST_Y), at(LAST_Z), at(LIFT),
+	return { at(X), at(Y), at(Z), at(TURN_X), at(TURN_Y), at(TURN_Z), at(LAST_X), at(LAST_Y), at(LAST_Z), at(LIFT),
 		at(WEIGHT), at(WIND_GAIN), at(KEEP), at(LOWEST_Y) };
 }
 
@@ -197,9 +197,9 @@ void PendulumBatch::set_elasticity_state(int index, const TipState &state) {
 	table.x[index] = safe.direction.x;
 	table.y[index] = safe.direction.y;
 	table.z[index] = safe.direction.z;
-	table.rate_x[index] = safe.rate.x;
-	table.rate_y[index] = safe.rate.y;
-	table.rate_z[index] = safe.rate.z;
+	table.turn_x[index] = safe.rate.x * step_time;
+	table.turn_y[index] = safe.rate.y * step_time;
+	table.turn_z[index] = safe.rate.z * step_time;
 }
 
 void PendulumBatch::set_spring_state(int index, const TipState &state) {

@@ -127,9 +127,9 @@ ElasticityConstants elasticity_constants(const Joint &joint, float step) {
 	const double inertia = static_cast<double>(safe.mass) * static_cast<double>(safe.length);
 
 	ElasticityConstants constants;
-	constants.lift = static_cast<float>((1.0 + elasticity) * fall * gain);
-	constants.weight = static_cast<float>(fall * gain);
-	constants.wind_gain = static_cast<float>(static_cast<double>(safe.wind_weight) / inertia * gain);
+	constants.lift = static_cast<float>((1.0 + elasticity) * fall * gain * h);
+	constants.weight = static_cast<float>(fall * gain * h);
+	constants.wind_gain = static_cast<float>(static_cast<double>(safe.wind_weight) / inertia * gain * h);
 	constants.keep = static_cast<float>(keep);
 	constants.lowest_y = safe.above_ground ? GROUND_Y : NO_GROUND_Y;
 	return constants;

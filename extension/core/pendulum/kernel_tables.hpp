@@ -7,11 +7,13 @@ namespace undergrowth {
 /// What the elasticity kernel reads and writes: one array entry per plant.
 struct ElasticityTable {
 	float *x, *y, *z; ///< Direction.
-	float *rate_x, *rate_y, *rate_z; ///< 1/s.
+	/// What the last step turned the direction by, stretched by sqrt(1 + its square); on the tangent plane it is the
+	/// rate times the step.
+	float *turn_x, *turn_y, *turn_z;
 	float *last_x, *last_y, *last_z; ///< Direction one step ago.
-	const float *lift; ///< (1 + e)·g/L·gain, 1/s.
-	const float *weight; ///< g/L·gain, 1/s.
-	const float *wind_gain; ///< w/(m·L)·gain, 1/(N·s).
+	const float *lift; ///< (1 + e)·g/L·gain·step.
+	const float *weight; ///< g/L·gain·step.
+	const float *wind_gain; ///< w/(m·L)·gain·step, 1/N.
 	const float *keep; ///< Share of the rate that friction leaves in one step.
 	const float *lowest_y; ///< Where the ground stops the tip; far below -1 for no ground.
 };
@@ -52,7 +54,7 @@ inline constexpr float MAX_GNOMONIC = 1e3f;
 
 /// One build of the kernels. All builds give the same bits for any split of a range.
 struct KernelSet {
-	void (*step_elasticity)(const ElasticityTable &table, int begin, int end, float step, const KernelWind &wind);
+	void (*step_elasticity)(const ElasticityTable &table, int begin, int end, const KernelWind &wind);
 	void (*step_spring)(const SpringTable &table, int begin, int end, float most, const KernelWind &wind);
 	/// Unit directions to out[0 .. 3·count), three floats each.
 	void (*interpolate_elasticity)(const DirectionView &view, int count, float alpha, float *out);
