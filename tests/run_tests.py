@@ -15,7 +15,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests")]
 
-from suites import engine, picture, programs  # noqa: E402  (the path above comes first)
+from suites import editor, engine, picture, programs  # noqa: E402  (the path above comes first)
 
 LOGS = ROOT / "build/test"
 
@@ -23,13 +23,15 @@ LOGS = ROOT / "build/test"
 def plan(options):
     """The suites as (name, function that runs it and returns a Result)."""
     # The longest first.
-    suites = [("picture", lambda: picture.demo(options.godot))] if options.godot else []
+    suites = []
+    if options.godot:
+        suites += [("picture", lambda: picture.demo(options.godot)), ("editor", lambda: editor.run(options.godot))]
     suites += [("tools", lambda: programs.unittest("tools", ROOT / "tests/tools"))]
     for name, program in (("core", options.core), ("asan", options.asan), ("tsan", options.tsan)):
         if program:
             suites.append((name, lambda name=name, program=program: programs.doctest(name, program)))
     if options.godot:
-        suites += engine.suites(options.godot)
+        suites += engine.suites(options.godot, options.probe)
     chosen = set(options.suites.split(",")) if options.suites else None
     return [(name, run) for name, run in suites if not chosen or name.split(":")[0] in chosen]
 
@@ -50,7 +52,7 @@ def run_all(suites, jobs):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("godot", "core", "asan", "tsan"):
+    for name in ("godot", "core", "asan", "tsan", "probe"):
         parser.add_argument(f"--{name}", help=f"the program for {name}; without it those suites are left out")
     parser.add_argument("--suites", help="only these, separated by commas")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)

@@ -23,14 +23,34 @@ START = "\nstart\n"
 END_LINE = re.compile(r"^done (\d+)$", re.MULTILINE)
 
 
-def suites(godot):
-    """One suite for each tests/engine/**/test_*.gd."""
-    scripts = sorted((ROOT / "tests/engine").rglob("test_*.gd"))
-    if not scripts:
-        return []
+def suites(godot, probe=None):
+    """One suite for each tests/engine/**/test_*.gd; those of the binding need its `probe` library."""
+    scripts = sorted((ROOT / "tests/engine").glob("test_*.gd"))
     folder = make_project()
-    return [(f"engine:{script.stem[len('test_'):]}", lambda script=script: run_script(godot, folder, script))
-            for script in scripts]
+    found = [(script, folder) for script in scripts]
+    if probe:
+        folder = make_probe_project(Path(probe))
+        found += [(script, folder) for script in sorted((ROOT / "tests/engine/binding").glob("test_*.gd"))]
+    return [(name_of(script), lambda script=script, folder=folder: run_script(godot, folder, script))
+            for script, folder in found]
+
+
+def name_of(script):
+    return "engine:" + script.stem[len("test_"):]
+
+
+def make_probe_project(probe):
+    """A project with the binding's probe library instead of the add-on, as res://probe/."""
+    folder = LOGS / "probe_project"
+    shutil.rmtree(folder, ignore_errors=True)
+    (folder / "probe").mkdir(parents=True)
+    (folder / "project.godot").write_text(PROJECT)
+    shutil.copy(ROOT / "tests/engine/binding/probe.gdextension", folder / "probe")
+    shutil.copy(probe, folder / "probe")
+    project.list_extensions(folder, ["res://probe/probe.gdextension"])
+    (folder / "tests").mkdir()
+    project.link(ROOT / "tests/engine", folder / "tests/engine")
+    return folder
 
 
 def make_project(name="project", links=(("tests/engine", "tests/engine"),)):
@@ -46,16 +66,16 @@ def make_project(name="project", links=(("tests/engine", "tests/engine"),)):
     return folder
 
 
-def private_home():
-    """An environment in which the engine keeps its settings and caches below build/test."""
+def private_home(environment=os.environ):
+    """`environment`, changed so that the engine keeps its settings and caches below build/test."""
     home = LOGS / "home"
     home.mkdir(parents=True, exist_ok=True)
     names = ("XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME")
-    return {**os.environ, **{name: str(home / name.lower()) for name in names}}
+    return {**environment, **{name: str(home / name.lower()) for name in names}}
 
 
 def run_script(godot, folder, script):
-    name = "engine:" + script.stem[len("test_"):]
+    name = name_of(script)
     path = "res://" + (Path("tests/engine") / script.relative_to(ROOT / "tests/engine")).as_posix()
     command = [godot, "--headless", "--path", folder, "--script", path]
     output, problem = run(name, command, timeout=180, environment=private_home())

@@ -99,9 +99,7 @@ def demo(godot):
              "--audio-driver", "Dummy", "--script", "res://capture.gd", "--", f"--out={OUT}", f"--frames={FRAMES}"]
     try:
         with display.virtual(*STILL_SIZE) as environment:
-            environment = {**environment, **{name: value for name, value in private_home().items()
-                                             if name.startswith("XDG_")}}
-            problem = result.run("picture", words, timeout=TIMEOUT, environment=environment)[1]
+            problem = result.run("picture", words, timeout=TIMEOUT, environment=private_home(environment))[1]
         frames = sorted(OUT.glob("frames/*.png"))
         if problem or len(frames) != FRAMES:
             return Result("picture", 0, [problem or f"{len(frames)} of {FRAMES} frames were drawn"])
