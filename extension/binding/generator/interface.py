@@ -10,4 +10,10 @@ def files(header):
     if len(entries) < 100:
         raise SystemExit("the interface header has another form than expected")
     text = "".join(f"GODOT_INTERFACE_FUNCTION({kind}, {name})\n" for name, kind in entries)
-    return {"include/godot_cpp/generated/interface_functions.inc": text}
+    # Two types are spelled GDExtensions... in the header; godot-cpp spells them like the others.
+    odd = [kind for _, kind in entries if kind.startswith("GDExtensionsInterface")]
+    aliases = "".join(f"using {kind.replace('Extensions', 'Extension')} = {kind};\n" for kind in odd)
+    return {
+        "include/godot_cpp/generated/interface_functions.inc": text,
+        "include/godot_cpp/generated/interface_aliases.inc": aliases,
+    }

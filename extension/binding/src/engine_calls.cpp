@@ -73,18 +73,37 @@ Wrapped *Singleton::find() {
 	if (!found.load(std::memory_order_relaxed)) {
 		next = first_singleton;
 		first_singleton = this;
+		wrapped->_is_singleton = true;
 		found.store(wrapped, std::memory_order_release);
 	}
 	return wrapped;
 }
 
-void Singleton::release_all() {
+void Singleton::forget(const Wrapped *p_wrapped) {
 	const std::lock_guard<std::mutex> lock(singletons_mutex);
-	while (first_singleton) {
-		Singleton *singleton = first_singleton;
-		first_singleton = singleton->next;
-		Wrapped *wrapped = singleton->found.exchange(nullptr);
-		gde.object_free_instance_binding(wrapped->_owner, library);
+	Singleton **link = &first_singleton;
+	while (Singleton *singleton = *link) {
+		if (singleton->found.load(std::memory_order_relaxed) == p_wrapped) {
+			singleton->found.store(nullptr, std::memory_order_release);
+			*link = singleton->next;
+		} else {
+			link = &singleton->next;
+		}
+	}
+}
+
+void Singleton::release_all() {
+	while (true) {
+		Wrapped *wrapped = nullptr;
+		{
+			const std::lock_guard<std::mutex> lock(singletons_mutex);
+			wrapped = first_singleton ? first_singleton->found.load(std::memory_order_relaxed) : nullptr;
+		}
+		if (!wrapped) {
+			return;
+		}
+		gde.object_free_instance_binding(wrapped->_owner, library); // which makes it forgotten
+		forget(wrapped);
 	}
 }
 

@@ -1,9 +1,5 @@
 #include <godot_cpp/godot.hpp>
 
-#include <algorithm>
-#include <cstdio>
-
-#include <godot_cpp/classes/file_access.hpp>
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/engine_calls.hpp>
 
@@ -19,33 +15,11 @@ struct Library {
 };
 Library state;
 
-struct Documentation {
-	int uncompressed_size = 0;
-	int compressed_size = 0;
-	const unsigned char *data = nullptr;
-};
-Documentation documentation;
-
-void load_documentation() {
-	if (!documentation.data) {
-		return;
-	}
-	PackedByteArray compressed;
-	compressed.resize(documentation.compressed_size);
-	std::copy_n(documentation.data, documentation.compressed_size, compressed.ptrw());
-	const PackedByteArray text = compressed.decompress(documentation.uncompressed_size, FileAccess::COMPRESSION_DEFLATE);
-	ERR_FAIL_COND_MSG(text.size() != documentation.uncompressed_size, "The library's help texts are damaged.");
-	internal::gde.editor_help_load_xml_from_utf8_chars_and_len(reinterpret_cast<const char *>(text.ptr()), text.size());
-}
-
 void initialize_level(void *, GDExtensionInitializationLevel p_level) {
 	state.depth++;
 	ClassDB::initialize(p_level);
 	if (state.initialize) {
 		state.initialize(ModuleInitializationLevel(p_level));
-	}
-	if (p_level == GDEXTENSION_INITIALIZATION_EDITOR) {
-		load_documentation();
 	}
 }
 
@@ -87,14 +61,5 @@ GDExtensionBool GDExtensionBinding::InitObject::init() const {
 	*initialization = { state.minimum_level, nullptr, initialize_level, deinitialize_level };
 	return true;
 }
-
-namespace internal {
-
-DocDataRegistration::DocDataRegistration(
-		const char *, int p_uncompressed_size, int p_compressed_size, const unsigned char *p_data) {
-	documentation = { p_uncompressed_size, p_compressed_size, p_data };
-}
-
-} // namespace internal
 
 } // namespace godot

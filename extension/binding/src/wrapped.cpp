@@ -95,7 +95,11 @@ void *wrap(void *, void *p_owner) {
 	return find_ancestor(String(name).utf8().get_data())(p_owner);
 }
 void unwrap(void *, void *, void *p_binding) {
-	delete static_cast<Wrapped *>(p_binding);
+	Wrapped *wrapped = static_cast<Wrapped *>(p_binding);
+	if (wrapped->_is_singleton) {
+		Singleton::forget(wrapped);
+	}
+	delete wrapped;
 }
 constexpr GDExtensionInstanceBindingCallbacks engine_callbacks = { wrap, unwrap, agree };
 

@@ -35,15 +35,4 @@ public:
 	};
 };
 
-namespace internal {
-
-// Help in XML, compressed with zlib; the editor gets it at its level. One static object per library, made by a
-// generated source file.
-class DocDataRegistration {
-public:
-	DocDataRegistration(const char *p_hash, int p_uncompressed_size, int p_compressed_size, const unsigned char *p_data);
-};
-
-} // namespace internal
-
 } // namespace godot

@@ -38,6 +38,7 @@ struct Construction {
 class Wrapped {
 public:
 	void *_owner;
+	bool _is_singleton = false; // then a record points here, which must hear of the end
 
 	Wrapped(const Wrapped &) = delete;
 	Wrapped &operator=(const Wrapped &) = delete;

@@ -73,7 +73,7 @@ public:
 	}
 };
 
-// A singleton's wrapper, found at first use and given back when the library is unloaded.
+// A singleton's wrapper, found at first use, until the engine frees the singleton or the library is unloaded.
 class Singleton {
 	const char *name;
 	std::atomic<Wrapped *> found{ nullptr };
@@ -88,6 +88,7 @@ public:
 		Wrapped *wrapped = found.load(std::memory_order_acquire);
 		return likely(wrapped) ? wrapped : find();
 	}
+	static void forget(const Wrapped *p_wrapped);
 	static void release_all();
 };
 

@@ -6,6 +6,8 @@
 
 #include <godot_cpp/core/defs.hpp>
 
+#include <godot_cpp/generated/interface_aliases.inc>
+
 namespace godot {
 
 class StringName;
