@@ -1,0 +1,195 @@
+@tool
+extends EditorNode3DGizmoPlugin
+## The gizmo of Plant3D: a click on the plant's mesh selects it. A selected plant shows a handle for
+## its height, where its tip is and how far it is bent, where its wind blows to, and the box that
+## holds it in every bend.
+
+const GizmoShapes := preload("gizmo_shapes.gd")
+const Translations := preload("../translations/translations.gd")
+const SceneWind := preload("../wind_page/scene_wind.gd")
+
+const HEIGHT_HANDLE := 0
+const LEAST_HEIGHT := 0.01
+const MOST_HEIGHT := 1000.0
+## Steps of the height in metres while the handle is dragged; with Ctrl held.
+const SNAP := 0.1
+const FINE_SNAP := 0.001
+## Below this deflection, in radians, nothing is drawn for the bend.
+const LEAST_BEND := 0.005
+
+var _undo: EditorUndoRedoManager
+# What was drawn of each selected plant: its gizmo is drawn anew when that is no longer true.
+var _drawn: Dictionary[int, Array] = {}
+
+
+func _init() -> void:
+	set_translation_domain(Translations.DOMAIN)
+	add_material("box", _line_material(Color(0.6, 0.8, 0.6, 0.2), false))
+	add_material("bend", _line_material(Color(1.0, 0.8, 0.25, 0.9), true))
+	add_material("wind", _line_material(Color(0.45, 0.75, 1.0, 0.9), true))
+	create_handle_material("height")
+
+
+# As bright for every selected plant, where the editor's own materials are bright for one only.
+func _line_material(color: Color, on_top: bool) -> StandardMaterial3D:
+	var material := StandardMaterial3D.new()
+	material.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
+	material.transparency = BaseMaterial3D.TRANSPARENCY_ALPHA
+	material.albedo_color = color
+	material.no_depth_test = on_top
+	material.disable_fog = true
+	return material
+
+
+## Changes are steps of [param undo].
+func setup(undo: EditorUndoRedoManager) -> void:
+	_undo = undo
+	var tree := Engine.get_main_loop() as SceneTree
+	tree.process_frame.connect(_follow_selected)
+	EditorInterface.get_selection().selection_changed.connect(_on_selection_changed)
+
+
+## Lets go of the editor. Call it before the plugin is removed.
+func close() -> void:
+	var tree := Engine.get_main_loop() as SceneTree
+	tree.process_frame.disconnect(_follow_selected)
+	EditorInterface.get_selection().selection_changed.disconnect(_on_selection_changed)
+	_drawn.clear()
+
+
+func _get_gizmo_name() -> String:
+	return "Plant3D"
+
+
+func _has_gizmo(node: Node3D) -> bool:
+	return node is Plant3D
+
+
+func _redraw(gizmo: EditorNode3DGizmo) -> void:
+	gizmo.clear()
+	var plant := gizmo.get_node_3d() as Plant3D
+	var mesh := plant.get_mesh() if plant and plant.function else null
+	if not mesh:
+		return
+	gizmo.add_collision_triangles(mesh.generate_triangle_mesh())
+	if not EditorInterface.get_selection().get_selected_nodes().has(plant):
+		return
+	gizmo.add_lines(GizmoShapes.box(plant.get_reach()), get_material("box", gizmo))
+	_draw_bend(gizmo, plant)
+	_draw_wind(gizmo, plant)
+	var top := Vector3(0.0, plant.get_plant_height(), 0.0)
+	var ids := PackedInt32Array([HEIGHT_HANDLE])
+	gizmo.add_handles(PackedVector3Array([top]), get_material("height", gizmo), ids)
+
+
+func _get_handle_name(_gizmo: EditorNode3DGizmo, _id: int, _secondary: bool) -> String:
+	return tr("Height")
+
+
+func _get_handle_value(gizmo: EditorNode3DGizmo, _id: int, _secondary: bool) -> Variant:
+	return (gizmo.get_node_3d() as Plant3D).height
+
+
+func _set_handle(
+	gizmo: EditorNode3DGizmo, _id: int, _secondary: bool, camera: Camera3D, point: Vector2
+) -> void:
+	var plant := gizmo.get_node_3d() as Plant3D
+	var height := _height_under(plant, camera, point)
+	var step := FINE_SNAP if not Input.is_key_pressed(KEY_CTRL) else SNAP
+	plant.height = clampf(snappedf(height, step), LEAST_HEIGHT, MOST_HEIGHT)
+
+
+func _commit_handle(
+	gizmo: EditorNode3DGizmo, _id: int, _secondary: bool, restore: Variant, cancel: bool
+) -> void:
+	var plant := gizmo.get_node_3d() as Plant3D
+	var height := plant.height
+	plant.height = restore
+	if cancel or is_equal_approx(height, restore):
+		return
+	_undo.create_action(tr("Change Plant Height"), UndoRedo.MERGE_ENDS, plant)
+	for other in _plants_to_change(plant):
+		_undo.add_do_property(other, &"height", height)
+		_undo.add_undo_property(other, &"height", other.height)
+	_undo.commit_action()
+
+
+# All selected plants when the dragged one is among them.
+func _plants_to_change(dragged: Plant3D) -> Array[Plant3D]:
+	var plants: Array[Plant3D] = []
+	for node in EditorInterface.get_selection().get_selected_nodes():
+		if node is Plant3D:
+			plants.append(node)
+	if not plants.has(dragged):
+		plants.assign([dragged])
+	return plants
+
+
+# Where the line of sight through `point` passes the plant's own axis, in metres along it.
+func _height_under(plant: Plant3D, camera: Camera3D, point: Vector2) -> float:
+	var to_plant := plant.global_transform.affine_inverse()
+	var eye := to_plant * camera.project_ray_origin(point)
+	var sight := (to_plant.basis * camera.project_ray_normal(point)).normalized()
+	var far := maxf(camera.far, 1.0) + eye.length()
+	var axis := Vector3.UP * (far + MOST_HEIGHT)
+	var near := Geometry3D.get_closest_points_between_segments(-axis, axis, eye, eye + sight * far)
+	return near[0].y
+
+
+func _draw_bend(gizmo: EditorNode3DGizmo, plant: Plant3D) -> void:
+	if plant.get_deflection() < LEAST_BEND:
+		return
+	var tip := plant.get_tip_position()
+	var height := plant.get_plant_height()
+	var lines := GizmoShapes.arc(Vector3.UP, tip.normalized(), height * 0.5)
+	lines.append_array(GizmoShapes.cross(tip, height * 0.04))
+	lines.append_array(PackedVector3Array([Vector3.ZERO, tip]))
+	gizmo.add_lines(lines, get_material("bend", gizmo))
+
+
+func _draw_wind(gizmo: EditorNode3DGizmo, plant: Plant3D) -> void:
+	var wind := _wind_on(plant)
+	if not wind:
+		return
+	var axes := plant.global_basis.orthonormalized().transposed()
+	var blowing := axes * _wind_direction(wind)
+	var from := Vector3.UP * plant.get_plant_height() * 0.5
+	var arrow := GizmoShapes.arrow(
+		from, from + blowing * plant.get_plant_height() * 0.4, axes * Vector3.UP
+	)
+	gizmo.add_lines(arrow, get_material("wind", gizmo))
+
+
+# What blows on the plant now; null in still air.
+static func _wind_on(plant: Plant3D) -> PlantWind:
+	var wind := SceneWind.blowing if SceneWind.blowing else plant.wind
+	return wind if wind and wind.strength > 0.0 else null
+
+
+static func _wind_direction(wind: PlantWind) -> Vector3:
+	return Vector3.BACK.rotated(Vector3.UP, deg_to_rad(wind.direction_degrees))
+
+
+# Plants that were selected lose their handle, those that are now get one.
+func _on_selection_changed() -> void:
+	for id in _drawn:
+		var plant := instance_from_id(id) as Plant3D
+		if plant:
+			plant.update_gizmos()
+	_drawn.clear()
+
+
+func _follow_selected() -> void:
+	for node in EditorInterface.get_selection().get_selected_nodes():
+		var plant := node as Plant3D
+		if not plant:
+			continue
+		var look := _look_of(plant)
+		if _drawn.get(plant.get_instance_id(), []) != look:
+			_drawn[plant.get_instance_id()] = look
+			plant.update_gizmos()
+
+
+func _look_of(plant: Plant3D) -> Array:
+	var wind := _wind_on(plant)
+	return [plant.get_tip_position(), wind.direction_degrees if wind else INF, plant.global_basis]

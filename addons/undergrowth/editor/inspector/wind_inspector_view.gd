@@ -1,0 +1,28 @@
+@tool
+extends VBoxContainer
+## The force of a wind over the next seconds, with a button for a gust.
+
+const ForceGraph := preload("../widgets/force_graph.gd")
+const Translations := preload("../translations/translations.gd")
+const WindClock := preload("../wind_page/wind_clock.gd")
+
+## The wind that is shown. Set it before the view enters the tree.
+var wind: PlantWind
+
+@onready var _graph: ForceGraph = %Graph
+@onready var _gust: Button = %Gust
+
+
+func _ready() -> void:
+	set_translation_domain(Translations.DOMAIN)
+	_graph.wind = wind
+	_gust.pressed.connect(_on_gust_pressed)
+
+
+func _process(delta: float) -> void:
+	if wind and is_visible_in_tree():
+		WindClock.advance(wind, delta)
+
+
+func _on_gust_pressed() -> void:
+	wind.trigger_gust()

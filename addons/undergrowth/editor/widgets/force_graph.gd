@@ -1,0 +1,142 @@
+@tool
+extends Control
+## The force of a wind over the next seconds (thesis, figures 4.3 to 4.6): newtons over the wind's
+## own time, with a mark that moves along at "now". The owner lets the wind's clock go on.
+
+## Seconds that the graph spans.
+const SPAN := 8.0
+## Where in the span a fresh page begins, and where the mark turns the page, as shares of the span.
+const PAGE_START := 0.15
+const PAGE_END := 0.7
+const SAMPLES := 480
+
+## The wind that is drawn; null draws empty axes.
+var wind: PlantWind:
+	set(value):
+		if wind and wind.changed.is_connected(queue_redraw):
+			wind.changed.disconnect(queue_redraw)
+		wind = value
+		_start = -PAGE_START * SPAN
+		if wind:
+			wind.changed.connect(queue_redraw)
+			_start += wind.get_time()
+		queue_redraw()
+
+var _start := 0.0
+var _drawn_at := -1.0
+
+
+## The wind's time of the mark, in seconds.
+func get_now() -> float:
+	return wind.get_time() if wind else 0.0
+
+
+func _get_minimum_size() -> Vector2:
+	return Vector2(180, 120) * EditorInterface.get_editor_scale()
+
+
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_PREDELETE:
+		wind = null
+
+
+func _process(_delta: float) -> void:
+	if not is_visible_in_tree() or not wind or wind.get_time() == _drawn_at:
+		return
+	var now := wind.get_time()
+	if now < _start or now > _start + PAGE_END * SPAN:
+		_start = now - PAGE_START * SPAN
+	queue_redraw()
+
+
+func _draw() -> void:
+	var font_size := roundi(get_theme_font_size("font_size", "Label") * 0.8)
+	var font := get_theme_font("font", "Label")
+	var frame := _frame(font, font_size)
+	var forces := _sample()
+	var top := _axis_end(forces)
+	_draw_axes(frame, top, font, font_size)
+	if not wind:
+		return
+	_drawn_at = wind.get_time()
+	_draw_curve(frame, forces, top)
+	_draw_now(frame, top, font, font_size)
+
+
+# Where the curve is drawn: newtons stand on its left, seconds below, what the mark says above.
+func _frame(font: Font, font_size: int) -> Rect2:
+	var left := font.get_string_size("100.0 N", HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x + 4.0
+	var top := font_size * 1.5
+	return Rect2(left, top, size.x - left - 8.0, size.y - top - font_size * 1.5)
+
+
+func _sample() -> PackedFloat32Array:
+	var forces := PackedFloat32Array()
+	forces.resize(SAMPLES + 1)
+	if wind:
+		for i in SAMPLES + 1:
+			forces[i] = wind.sample(_start + SPAN * i / SAMPLES).length()
+	return forces
+
+
+# A round number above the largest force: 1, 2 or 5 times a power of ten. Waves reach twice the
+# strength, so that the axis does not jump when one leaves the page.
+func _axis_end(forces: PackedFloat32Array) -> float:
+	var largest := 1e-3
+	for force in forces:
+		largest = maxf(largest, force)
+	if wind:
+		var is_wave := wind.kind == PlantWind.KIND_WAVES
+		largest = maxf(largest, wind.strength * (2.0 if is_wave else 1.0))
+	var power := pow(10.0, floorf(log(largest) / log(10.0)))
+	for factor: float in [1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0]:
+		if largest * 1.02 <= factor * power:
+			return factor * power
+	return 10.0 * power
+
+
+func _draw_axes(frame: Rect2, top: float, font: Font, font_size: int) -> void:
+	var text := Color(get_theme_color("font_color", "Label"), 0.75)
+	var grid := Color(text, 0.15)
+	for step in 3:
+		var y := frame.end.y - frame.size.y * step / 2.0
+		draw_line(Vector2(frame.position.x, y), Vector2(frame.end.x, y), grid)
+		var label := "%s N" % String.num(top * step / 2.0, 3)
+		var at := Vector2(0, y + font.get_ascent(font_size) / 2.5)
+		var width := frame.position.x - 4.0
+		draw_string(font, at, label, HORIZONTAL_ALIGNMENT_RIGHT, width, font_size, text)
+	var every := 2 if frame.size.x / SPAN > font_size * 1.6 else 4
+	for second in range(ceili(_start), floori(_start + SPAN) + 1):
+		if second % every != 0 or second < 0:
+			continue
+		var x := frame.position.x + (second - _start) / SPAN * frame.size.x
+		draw_line(Vector2(x, frame.position.y), Vector2(x, frame.end.y), grid)
+		var at := Vector2(x - font_size * 2.0, frame.end.y + font.get_ascent(font_size) + 2.0)
+		draw_string(
+			font, at, "%d s" % second, HORIZONTAL_ALIGNMENT_CENTER, font_size * 4.0, font_size, text
+		)
+
+
+func _draw_curve(frame: Rect2, forces: PackedFloat32Array, top: float) -> void:
+	var accent := get_theme_color("accent_color", "Editor")
+	var points := PackedVector2Array()
+	for i in forces.size():
+		var share := Vector2(float(i) / SAMPLES, 1.0 - forces[i] / top)
+		points.append(frame.position + share * frame.size)
+	draw_polyline(points, accent, 1.5 * EditorInterface.get_editor_scale(), true)
+
+
+func _draw_now(frame: Rect2, top: float, font: Font, font_size: int) -> void:
+	var color := get_theme_color("warning_color", "Editor")
+	var share := (wind.get_time() - _start) / SPAN
+	var x := frame.position.x + clampf(share, 0.0, 1.0) * frame.size.x
+	var width := 1.5 * EditorInterface.get_editor_scale()
+	draw_line(Vector2(x, frame.position.y), Vector2(x, frame.end.y), color, width)
+	var force := wind.sample(wind.get_time()).length()
+	var place := Vector2(x, frame.end.y - force / top * frame.size.y)
+	draw_circle(place, 3.0 * EditorInterface.get_editor_scale(), color, true, -1.0, true)
+	var label := tr("now: %s N") % String.num(force, 2)
+	var wide := font.get_string_size(label, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
+	var left := clampf(x - wide / 2.0, frame.position.x, frame.end.x - wide)
+	var at := Vector2(left, frame.position.y - font.get_descent(font_size) - 2.0)
+	draw_string(font, at, label, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size, color)

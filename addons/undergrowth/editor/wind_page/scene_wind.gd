@@ -1,0 +1,93 @@
+@tool
+extends Node
+## Lets the dock's wind blow on all plants of the edited scene, in the editor's viewport. Nothing of
+## the scene is changed: its plants only move, and stand still again when it ends.
+
+const EditorState := preload("../editor_state.gd")
+const ScenePlants := preload("scene_plants.gd")
+const WindClock := preload("wind_clock.gd")
+
+## The wind that blows on the edited scene now, instead of its plants' own; null while none does.
+static var blowing: PlantWind
+
+var _state: EditorState
+var _root: Node
+var _plants: Array[Plant3D] = []
+var _is_stale := false
+
+
+func _ready() -> void:
+	set_process(false)
+
+
+func _exit_tree() -> void:
+	set_active(false)
+
+
+func setup(state: EditorState) -> void:
+	_state = state
+
+
+func is_active() -> bool:
+	return is_processing()
+
+
+## Begins, or ends and puts the plants back into their rest.
+func set_active(on: bool) -> void:
+	if on == is_active():
+		return
+	set_process(on)
+	var tree := get_tree()
+	if on:
+		tree.node_added.connect(_on_node_changed)
+		tree.node_removed.connect(_on_node_changed)
+		_collect()
+		_report()
+	else:
+		tree.node_added.disconnect(_on_node_changed)
+		tree.node_removed.disconnect(_on_node_changed)
+		_release()
+
+
+func _process(delta: float) -> void:
+	if _is_stale or EditorInterface.get_edited_scene_root() != _root:
+		_collect()
+	blowing = _state.wind
+	if not blowing:
+		return
+	WindClock.advance(blowing, delta)
+	for plant in _plants:
+		plant.preview(delta, blowing)
+
+
+func _collect() -> void:
+	var root := EditorInterface.get_edited_scene_root()
+	var found := ScenePlants.all(root)
+	for plant: Variant in _plants:
+		if is_instance_valid(plant) and not found.has(plant):
+			(plant as Plant3D).reset()
+	_root = root
+	_plants = found
+	_is_stale = false
+
+
+func _release() -> void:
+	blowing = null
+	for plant: Variant in _plants:
+		if is_instance_valid(plant):
+			(plant as Plant3D).reset()
+	_plants.clear()
+	_root = null
+
+
+func _report() -> void:
+	if _plants.is_empty():
+		_state.report(
+			tr("The edited scene has no plants yet. Add one on the Plant page to see it move."),
+			EditorState.Severity.WARNING
+		)
+
+
+func _on_node_changed(node: Node) -> void:
+	if node is Plant3D:
+		_is_stale = true

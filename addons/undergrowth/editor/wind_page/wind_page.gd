@@ -1,0 +1,82 @@
+@tool
+extends ScrollContainer
+## The page for the wind that blows on the preview and, when asked, on the edited scene.
+
+const EditorState := preload("../editor_state.gd")
+const DirectionDial := preload("../widgets/direction_dial.gd")
+const ForceGraph := preload("../widgets/force_graph.gd")
+const SceneWind := preload("scene_wind.gd")
+const WindActions := preload("wind_actions.gd")
+const WindClock := preload("wind_clock.gd")
+
+const KINDS: Array[String] = ["Gust", "Constant", "Bursts", "Waves"]
+
+var _state: EditorState
+# Which property of the wind each slider shows.
+var _sliders: Dictionary[StringName, EditorSpinSlider] = {}
+
+@onready var _kind: OptionButton = %Kind
+@onready var _frequency_label: Label = %FrequencyLabel
+@onready var _heading: Label = %Heading
+@onready var _dial: DirectionDial = %Dial
+@onready var _graph: ForceGraph = %Graph
+@onready var _on_scene: CheckButton = %OnScene
+@onready var _scene_wind: SceneWind = %SceneWind
+@onready var _actions: WindActions = %WindActions
+
+
+## Shows and changes the wind of [param state]. Changes of the scene are steps of [param undo].
+func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
+	_state = state
+	_state.wind_changed.connect(_show_wind)
+	_actions.setup(state, undo)
+	_scene_wind.setup(state)
+	_sliders = {
+		&"strength": %Strength,
+		&"frequency": %Frequency,
+		&"gust_duration": %Duration,
+		&"direction_degrees": %Direction,
+	}
+	for kind in KINDS:
+		_kind.add_item(kind)
+	_connect_controls()
+	_show_wind()
+
+
+func _connect_controls() -> void:
+	_kind.item_selected.connect(_set_wind.bind(&"kind"))
+	for property in _sliders:
+		_sliders[property].value_changed.connect(_set_wind.bind(property))
+	_dial.direction_changed.connect(_set_wind.bind(&"direction_degrees"))
+	(%Gust as Button).pressed.connect(func() -> void: _state.wind.trigger_gust())
+	_on_scene.toggled.connect(_scene_wind.set_active)
+	(%Apply as Button).pressed.connect(_actions.apply)
+	(%Take as Button).pressed.connect(_actions.take)
+	(%Save as Button).pressed.connect(_actions.ask_where_to_save)
+
+
+# The clock goes on while anything of the wind can be seen: here, or on the scene.
+func _process(delta: float) -> void:
+	if _state and _state.wind and (is_visible_in_tree() or _scene_wind.is_active()):
+		WindClock.advance(_state.wind, delta)
+
+
+func _set_wind(value: Variant, property: StringName) -> void:
+	if _state.wind.get(property) != value:
+		_state.wind.set(property, value)
+
+
+func _show_wind() -> void:
+	var wind := _state.wind
+	if not wind:
+		return
+	if _graph.wind != wind:
+		_graph.wind = wind
+	_kind.select(wind.kind)
+	for property in _sliders:
+		_sliders[property].set_value_no_signal(wind.get(property))
+	_dial.degrees = wind.direction_degrees
+	_heading.text = _dial.describe()
+	var is_periodic := wind.kind in [PlantWind.KIND_BURSTS, PlantWind.KIND_WAVES]
+	_frequency_label.visible = is_periodic
+	_sliders[&"frequency"].visible = is_periodic
