@@ -1,6 +1,7 @@
 #include "curve_plant_function.hpp"
 
 #include "as_written.hpp"
+#include "follow_changes.hpp"
 #include "plant/base_shape.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -60,13 +61,9 @@ Color CurvePlantFunction::own_color(double offset) const {
 
 template <typename Part> void CurvePlantFunction::follow(Ref<Part> &slot, const Ref<Part> &part) {
 	const Callable changed(this, "_on_part_changed");
-	if (slot.is_valid()) {
-		slot->disconnect("changed", changed);
-	}
+	unfollow_changes(slot.ptr(), changed);
 	slot = part;
-	if (slot.is_valid()) {
-		slot->connect("changed", changed);
-	}
+	follow_changes(slot.ptr(), changed);
 	shape_changed();
 }
 

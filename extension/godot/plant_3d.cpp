@@ -2,6 +2,7 @@
 
 #include "plant_3d.hpp"
 
+#include "follow_changes.hpp"
 #include "plant/base_shape.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -20,15 +21,13 @@ Plant3D::~Plant3D() {
 
 void Plant3D::set_function(const Ref<PlantFunction> &new_function) {
 	const Callable changed(this, "_on_function_changed");
-	if (function.is_valid()) {
-		function->disconnect("changed", changed);
-	}
+	unfollow_changes(function.ptr(), changed);
 	if (new_function.is_null() && function.is_valid()) {
 		report_problem("has no function any more; the last plant stays. Set a PlantFunction.");
 	}
 	function = new_function;
+	follow_changes(function.ptr(), changed);
 	if (function.is_valid()) {
-		function->connect("changed", changed);
 		mark_stale();
 		update_axes();
 		update_simulation();
@@ -42,13 +41,9 @@ Ref<PlantFunction> Plant3D::get_function() const {
 
 void Plant3D::set_wind(const Ref<PlantWind> &new_wind) {
 	const Callable changed(this, "_on_wind_changed");
-	if (wind.is_valid()) {
-		wind->disconnect("changed", changed);
-	}
+	unfollow_changes(wind.ptr(), changed);
 	wind = new_wind;
-	if (wind.is_valid()) {
-		wind->connect("changed", changed);
-	}
+	follow_changes(wind.ptr(), changed);
 	update_simulation();
 	on_wind_changed();
 }
@@ -98,6 +93,9 @@ bool Plant3D::is_simulating() const {
 }
 
 void Plant3D::on_function_changed() {
+	if (function.is_null()) {
+		return; // The library was reloaded, and the engine has not set it again yet.
+	}
 	if (function->is_motion_change()) {
 		update_axes(); // They depend on the law.
 		update_joint();

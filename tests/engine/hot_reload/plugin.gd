@@ -1,0 +1,128 @@
+## Runs in the editor, where alone the engine reloads a library: see test_hot_reload.gd.
+##
+## Prints `result NAME` or `result NAME: why` for each thing that must hold after each reload.
+@tool
+extends EditorPlugin
+
+const EXTENSION := "res://undergrowth.gdextension"
+const PATIENCE := 60.0
+const STEP := 1.0 / 60.0
+
+# Untyped: after a reload, types that a script was compiled with are those of the old library.
+var _tulip: Node3D
+var _curve: Node3D
+var _shared: Resource
+var _last_strength := 2.5
+
+
+func _enter_tree() -> void:
+	get_tree().create_timer(PATIENCE).timeout.connect(func() -> void: get_tree().quit(1))
+	_run.call_deferred()
+
+
+func _run() -> void:
+	_shared = _make("PlantWind", {"kind": 1, "strength": _last_strength, "direction_degrees": 90.0})
+	var tulip := _make("TulipFunction", {"mass": 0.75, "shape_deviation": 0.25})
+	_tulip = _plant({"function": tulip, "height": 1.25, "lod": 7, "seed": 5})
+	var curve := _make("CurvePlantFunction", {"width_curve": _make_width(), "base_radius": 0.25})
+	_curve = _plant({"function": curve, "height": 2.0})
+	await _frames(3)
+	_drive(_tulip)
+	for round_number in 3:
+		var status: int = GDExtensionManager.reload_extension(EXTENSION)
+		_tell("reload %d" % round_number, status == GDExtensionManager.LOAD_STATUS_OK)
+		await _frames(3)
+		await _check_all(round_number)
+	for plant in [_tulip, _curve]:
+		plant.free()
+	_tulip = null
+	_curve = null
+	_shared = null
+	print("result end")
+	get_tree().quit()
+
+
+func _check_all(round_number: int) -> void:
+	var prefix := "after reload %d: " % round_number
+	_tell(prefix + "settings of the plant", _tulip.height == 1.25 and _tulip.lod == 7)
+	_tell(prefix + "seed of the plant", _tulip.seed == 5 and not _tulip.simulating)
+	var function: Resource = _tulip.function
+	_tell(prefix + "function", function.get_class() == "TulipFunction" and function.mass == 0.75)
+	_tell(prefix + "wind", _tulip.wind == _shared and _shared.strength == _last_strength)
+	_tell(prefix + "curve", _curve.function.width_curve.point_count == 2)
+	for plant: Node3D in [_tulip, _curve]:
+		_tell(
+			prefix + "one skeleton", plant.find_children("*", "Skeleton3D", true, false).size() == 1
+		)
+		_tell(
+			prefix + "one mesh", plant.find_children("*", "MeshInstance3D", true, false).size() == 1
+		)
+		var skeleton: Skeleton3D = plant.call("get_skeleton")
+		_tell(prefix + "its own skeleton", skeleton == plant.get_child(0, true))
+		var mesh: ArrayMesh = plant.call("get_mesh")
+		_tell(prefix + "mesh", absf(mesh.get_aabb().size.y - plant.height) < 1e-5)
+		_tell(prefix + "mesh shown", skeleton.get_child(0, true).mesh == mesh)
+	_check_motion(prefix)
+	await _check_signals(prefix)
+
+
+func _check_motion(prefix: String) -> void:
+	_tulip.call("reset")
+	_drive(_tulip)
+	var tip: Vector3 = _tulip.call("get_tip_position")
+	_tell(prefix + "the wind moves it", tip.x > 0.01 and absf(tip.length() - 1.25) < 1e-4)
+	var turned: Quaternion = _tulip.call("get_skeleton").get_bone_pose_rotation(1)
+	_tell(prefix + "its bone turns", (turned * Vector3.UP).angle_to(tip) < 0.15)
+
+
+func _check_signals(prefix: String) -> void:
+	for shading: int in [1, 0]:
+		_tulip.function.shading = shading
+		await _frames(2)
+		var count: int = _tulip.call("get_mesh").surface_get_array_len(0)
+		var expected: ArrayMesh = _tulip.function.call("generate_mesh", 1.25, 7)
+		_tell(prefix + "it follows its function", count == expected.surface_get_array_len(0))
+	var before: float = _curve.call("get_mesh").get_aabb().size.x
+	var width: Curve = _curve.function.width_curve
+	width.set_point_value(0, width.get_point_position(0).y * 0.5)
+	await _frames(2)
+	var after: float = _curve.call("get_mesh").get_aabb().size.x
+	_tell(prefix + "it follows its curve", absf(after - 0.5 * before) < 1e-3 * before)
+
+
+func _drive(plant: Node3D) -> void:
+	for i in 20:
+		plant.call("step", STEP)
+
+
+func _make(type: String, properties: Dictionary) -> Resource:
+	var resource: Resource = ClassDB.instantiate(type)
+	for property: String in properties:
+		resource.set(property, properties[property])
+	return resource
+
+
+func _make_width() -> Curve:
+	var curve := Curve.new()
+	curve.add_point(Vector2(0.0, 1.0))
+	curve.add_point(Vector2(1.0, 0.0))
+	return curve
+
+
+func _plant(properties: Dictionary) -> Node3D:
+	var plant: Node3D = ClassDB.instantiate("Plant3D")
+	for property: String in properties:
+		plant.set(property, properties[property])
+	plant.set("simulating", false)
+	plant.set("wind", _shared)
+	add_child(plant)
+	return plant
+
+
+func _frames(count: int) -> void:
+	for i in count:
+		await get_tree().process_frame
+
+
+func _tell(what: String, holds: bool) -> void:
+	print("result " + what + ("" if holds else ": does not hold"))
