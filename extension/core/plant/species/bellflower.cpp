@@ -38,8 +38,8 @@ Motion Bellflower::motion() {
 	motion.natural_frequency = 1.4f;
 	motion.damping_ratio = 0.1f;
 	motion.mass = 0.2f;
-	motion.wind_weight = 0.45f;
-	motion.lean = float(63 / 180.0 * PI);
+	motion.wind_weight = 0.3f;
+	motion.lean = float(42 / 180.0 * PI);
 	motion.collision_radius = 0.07f;
 	return motion;
 }

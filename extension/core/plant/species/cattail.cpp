@@ -41,7 +41,7 @@ Motion Cattail::motion() {
 	motion.natural_frequency = 0.8f;
 	motion.damping_ratio = 0.08f;
 	motion.mass = 0.5f;
-	motion.wind_weight = 0.9f;
+	motion.wind_weight = 0.6f;
 	motion.collision_radius = 0.04f;
 	return motion;
 }

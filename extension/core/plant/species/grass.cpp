@@ -29,7 +29,7 @@ Motion Grass::motion() {
 	motion.natural_frequency = 2.0f;
 	motion.damping_ratio = 0.12f;
 	motion.mass = 0.05f;
-	motion.wind_weight = 0.3f;
+	motion.wind_weight = 0.2f;
 	motion.lean = float(14 / 180.0 * PI);
 	motion.collision_radius = 0.02f;
 	return motion;

@@ -55,7 +55,7 @@ Motion Reed::motion() {
 	motion.natural_frequency = 0.7f;
 	motion.damping_ratio = 0.06f;
 	motion.mass = 0.4f;
-	motion.wind_weight = 1.1f;
+	motion.wind_weight = 0.6f;
 	motion.lean = float(3.5 / 180.0 * PI);
 	motion.collision_radius = 0.06f;
 	return motion;

@@ -35,7 +35,7 @@ Motion Tulip::motion() {
 	motion.natural_frequency = 1.1f;
 	motion.damping_ratio = 0.09f;
 	motion.mass = 0.3f;
-	motion.wind_weight = 1.2f;
+	motion.wind_weight = 0.5f;
 	motion.collision_radius = 0.2f;
 	return motion;
 }

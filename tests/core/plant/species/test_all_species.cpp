@@ -78,13 +78,13 @@ TEST_CASE_TEMPLATE("base shapes are sound at any level", Species, Grass, Reed, C
 	}
 }
 
-TEST_CASE_TEMPLATE("10 N bend a plant by 15 to 40 degrees", Species, Grass, Reed, Cattail, Tulip, Bellflower) {
+TEST_CASE_TEMPLATE("10 N bend a plant by 10 to 25 degrees, so that waves of twice that do not lay it flat", Species, Grass, Reed, Cattail, Tulip, Bellflower) {
 	const Motion motion = Species::motion();
 	const double omega = 2.0 * PI * motion.natural_frequency;
 	const double tangent = 10.0 * motion.wind_weight / (motion.mass * omega * omega * Species::heights.at(0.5f));
 	const double degrees = std::atan(tangent) * 180.0 / PI;
-	CHECK(degrees > 15.0);
-	CHECK(degrees < 40.0);
+	CHECK(degrees > 10.0);
+	CHECK(degrees < 25.0);
 	CHECK((motion.lean >= 0.0f && motion.lean < 0.5 * PI));
 }
 
