@@ -36,6 +36,9 @@ class Listener:
 		return taken
 
 
+## Characters of a value that a failed check shows.
+const SHOWN_LENGTH := 160
+
 var _listener := Listener.new()
 var _problems: PackedStringArray = []
 var _errors: PackedStringArray = []
@@ -68,7 +71,7 @@ func check(condition: bool, what: String) -> void:
 ## Fails the test unless both are of one type and equal.
 func check_equal(actual: Variant, expected: Variant, what := "value") -> void:
 	var same: bool = typeof(actual) == typeof(expected) and actual == expected
-	check(same, "%s is %s, not %s" % [what, var_to_str(actual), var_to_str(expected)])
+	check(same, "%s is %s, not %s" % [what, _shown(actual), _shown(expected)])
 
 
 ## Fails the test unless [param actual], a number or a vector, is within [param tolerance] of
@@ -151,6 +154,12 @@ func _run_one(test: String) -> bool:
 	else:
 		print("not ok %s: %s" % [test, "; ".join(_problems).replace("\n", " ")])
 	return _problems.is_empty()
+
+
+## A value as text, cut where it would fill the screen.
+func _shown(value: Variant) -> String:
+	var text := var_to_str(value)
+	return text if text.length() <= SHOWN_LENGTH else text.left(SHOWN_LENGTH) + "…"
 
 
 func _color_distance(a: Color, b: Color) -> float:
