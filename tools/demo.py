@@ -31,7 +31,7 @@ def import_resources(godot):
 def draw(godot):
     """Has the demo project's capture.gd draw off screen; returns its still picture and its frames."""
     shutil.rmtree(OUT, ignore_errors=True)
-    words = [godot, "--path", str(PROJECT), "--rendering-method", "gl_compatibility", "--fixed-fps", str(FRAMES_PER_SECOND),
+    words = [godot, "--path", str(PROJECT), "--rendering-method", "forward_plus", "--fixed-fps", str(FRAMES_PER_SECOND),
              "--audio-driver", "Dummy", "--script", "res://capture.gd", "--", f"--out={OUT}", f"--frames={FRAMES}"]
     with display.virtual(1280, 720) as environment:
         try:
