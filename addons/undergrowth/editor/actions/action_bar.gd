@@ -148,7 +148,7 @@ func _on_new_accepted(title: String, folder: String) -> void:
 		_fail(problem)
 		return
 	_new_dialog.hide()
-	var path := SpeciesTemplate.get_path(title, folder)
+	var path := SpeciesTemplate.path_of(title, folder)
 	ProjectFiles.announce(path)
 	var script := load(path) as Script
 	EditorInterface.edit_script(script)

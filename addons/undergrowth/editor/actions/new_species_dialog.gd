@@ -42,7 +42,7 @@ func _check() -> void:
 	var problem := SpeciesTemplate.find_problem(_title.text, _folder.folder)
 	get_ok_button().disabled = not problem.is_empty()
 	if problem.is_empty():
-		var path := SpeciesTemplate.get_path(_title.text, _folder.folder)
+		var path := SpeciesTemplate.path_of(_title.text, _folder.folder)
 		_hint.show_text(
 			tr("Makes the class %s in %s.") % [FileNames.to_class_title(_title.text), path]
 		)

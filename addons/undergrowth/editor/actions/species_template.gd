@@ -41,7 +41,7 @@ func _calculate_color_at_point(offset: float) -> Color:
 
 
 ## The file of a species called [param title].
-static func get_path(title: String, folder: String) -> String:
+static func path_of(title: String, folder: String) -> String:
 	return folder.path_join(FileNames.to_stem(title.trim_suffix(FileNames.CLASS_ENDING)) + ".gd")
 
 
@@ -55,7 +55,7 @@ static func find_problem(title: String, folder: String) -> String:
 		return Translations.text("%s is no name for a class. Begin with a letter.") % class_title
 	if _is_taken(class_title):
 		return Translations.text("A class %s exists already. Choose another name.") % class_title
-	var path := get_path(title, folder)
+	var path := path_of(title, folder)
 	if FileAccess.file_exists(path):
 		return Translations.text("%s exists already. Choose another name or folder.") % path
 	if not path.begins_with(ProjectFiles.PROJECT):
@@ -66,7 +66,7 @@ static func find_problem(title: String, folder: String) -> String:
 ## Writes the script, and returns what went wrong and what to do; empty where nothing did.
 static func write(title: String, folder: String) -> String:
 	var problem := find_problem(title, folder)
-	var path := get_path(title, folder)
+	var path := path_of(title, folder)
 	if problem.is_empty():
 		problem = ProjectFiles.find_problem(path)
 	if not problem.is_empty():

@@ -1,0 +1,95 @@
+@tool
+extends "editor_test.gd"
+## What the tests of the actions share: the buttons, their dialogs, scenes to work in.
+
+const EditorState := preload("res://addons/undergrowth/editor/editor_state.gd")
+
+
+## Writes the editor's window with a dialog on it.
+func take_dialog_picture(dialog: Window, name: String) -> void:
+	await frames(3)
+	await RenderingServer.frame_post_draw
+	if not pictures_folder.is_empty():
+		dialog.get_texture().get_image().save_png(pictures_folder.path_join("dialog_%s.png" % name))
+
+
+func _state() -> EditorState:
+	return dock().get("state")
+
+
+func _message() -> String:
+	return (part("Status/Text") as Label).text
+
+
+func _hint(dialog: Window) -> String:
+	return (dialog.get_node("%Hint") as Label).text
+
+
+func _use(action: String) -> void:
+	await click(part("Plant/Actions/" + action) as Control)
+	await frames(3)
+
+
+func _choose(title: String) -> void:
+	await open_page("Plant")
+	var list := part("Plant/List/ReadyList") as ItemList
+	for i in list.item_count:
+		if list.get_item_text(i) == title:
+			var scroll := list.get_parent().get_parent() as ScrollContainer
+			scroll.scroll_vertical = int(list.position.y + list.get_item_rect(i).position.y)
+			await frames(2)
+			await click_item(list, i)
+	check_equal(_state().title, title, "chosen species")
+
+
+func _lists(list: ItemList, path: String) -> bool:
+	for i in list.item_count:
+		if list.get_item_tooltip(i) == path:
+			return true
+	return false
+
+
+## The visible dialog of the action bar that is of that class.
+func _dialog(kind: String) -> Window:
+	for child in part("Plant/Actions").get_children(true):
+		if child.is_class(kind) and (child as Window).visible:
+			return child
+	return null
+
+
+func _type_into(dialog: Window, line: LineEdit, text: String) -> void:
+	check(dialog.visible, "the dialog is open")
+	await click(line)
+	await press_key(line, KEY_A, 0, true)
+	await press_key(line, KEY_BACKSPACE)
+	await type(line, text)
+
+
+func _select(nodes: Array) -> void:
+	EditorInterface.get_selection().clear()
+	for node: Node in nodes:
+		EditorInterface.get_selection().add_node(node)
+
+
+func _open_scene(path: String, root: Node) -> void:
+	var scene := PackedScene.new()
+	scene.pack(root)
+	root.free()
+	check_equal(ResourceSaver.save(scene, path), OK, "saving a scene for the test")
+	EditorInterface.get_resource_filesystem().scan()
+	await until(func() -> bool: return not EditorInterface.get_resource_filesystem().is_scanning())
+	EditorInterface.open_scene_from_path(path)
+	await frames(5)
+
+
+func _close_all_scenes() -> void:
+	for i in 10:
+		if not EditorInterface.get_edited_scene_root():
+			return
+		EditorInterface.close_scene()
+		await frames(3)
+
+
+func _write(path: String, text: String) -> void:
+	var file := FileAccess.open(path, FileAccess.WRITE)
+	file.store_string(text)
