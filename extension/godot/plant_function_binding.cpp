@@ -53,7 +53,7 @@ static void bind_look_methods() {
 }
 
 static PropertyInfo number(const char *name, const char *range) {
-	return PropertyInfo(Variant::FLOAT, name, PROPERTY_HINT_RANGE, range);
+	return PropertyInfo(Variant::FLOAT, name, PROPERTY_HINT_RANGE, String::utf8(range)); // Units such as N·s/m.
 }
 
 void PlantFunction::_bind_methods() {

@@ -144,7 +144,7 @@ void PlantWind::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "strength", PROPERTY_HINT_RANGE, "0,50,0.1,or_greater,suffix:N"),
 			"set_strength", "get_strength");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "direction_degrees", PROPERTY_HINT_RANGE,
-						 "0,360,0.1,or_less,or_greater,suffix:°"),
+						 String::utf8("0,360,0.1,or_less,or_greater,suffix:°")),
 			"set_direction_degrees", "get_direction_degrees");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "frequency", PROPERTY_HINT_RANGE, "0,5,0.01,or_greater,suffix:Hz"),
 			"set_frequency", "get_frequency");

@@ -7,6 +7,9 @@ const PlantPage := preload("plant_page/plant_page.gd")
 const WindPage := preload("wind_page/wind_page.gd")
 const StatusLine := preload("widgets/status_line.gd")
 
+## In pixels at 100 %: three thumbnails side by side, and properties with whole names.
+const LEAST_WIDTH := 320
+
 ## What both pages share.
 var state := EditorState.new()
 
@@ -20,6 +23,7 @@ var state := EditorState.new()
 func setup(plugin: EditorPlugin) -> void:
 	_pages.set_tab_title(_pages.get_tab_idx_from_control(_plant_page), tr("Plant"))
 	_pages.set_tab_title(_pages.get_tab_idx_from_control(_wind_page), tr("Wind"))
+	custom_minimum_size.x = LEAST_WIDTH * EditorInterface.get_editor_scale()
 	_status.setup(state)
 	_plant_page.setup(state, plugin.get_undo_redo(), self)
 	_wind_page.setup(state, plugin.get_undo_redo())

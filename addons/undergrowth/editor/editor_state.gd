@@ -98,6 +98,14 @@ func choose(new_function: PlantFunction, new_path := "", new_title := "") -> voi
 	function_chosen.emit()
 
 
+## The chosen species cannot be built until it is changed again: [param text] says why and what to
+## do.
+func fail(text: String) -> void:
+	problem = text
+	report(text, Severity.ERROR)
+	function_edited.emit()
+
+
 ## Says [param text] in the status line.
 func report(text: String, severity := Severity.INFO) -> void:
 	reported.emit(text, severity)

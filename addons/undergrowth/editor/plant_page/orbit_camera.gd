@@ -8,13 +8,18 @@ const STEEPEST := 1.5
 const START_TURN := 0.6
 const START_TILT := 0.18
 ## Space around what is framed.
-const MARGIN := 1.15
+const MARGIN := 1.25
 
 var _turn := START_TURN
 var _tilt := START_TILT
 var _zoom := 1.0
 var _center := Vector3.ZERO
 var _size := Vector2.ONE
+
+
+## To the right in the picture, before the user turned it.
+static func get_start_side() -> Vector3:
+	return Vector3.RIGHT.rotated(Vector3.UP, START_TURN)
 
 
 ## Looks at a box of that size (width and height in metres) around [param center].

@@ -9,10 +9,15 @@ const PlantPreview := preload("plant_preview.gd")
 const PropertyPanel := preload("property_panel.gd")
 const ViewControls := preload("view_controls.gd")
 const ActionBar := preload("../actions/action_bar.gd")
+## From this ratio of width to height on, the parts stand side by side.
+const WIDE := 1.3
 
 var _state: EditorState
 var _chosen: SpeciesEntry
+# What the user changed on a ready species is still there after a look at another.
+var _ready_functions: Dictionary[String, PlantFunction] = {}
 
+@onready var _split: SplitContainer = %Split
 @onready var _list: SpeciesList = %List
 @onready var _preview: PlantPreview = %Preview
 @onready var _view_controls: ViewControls = %ViewControls
@@ -23,6 +28,8 @@ var _chosen: SpeciesEntry
 ## Fills the page; the first ready species is chosen.
 func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> void:
 	_state = state
+	resized.connect(_turn_split)
+	_turn_split()
 	_list.chosen.connect(_choose)
 	_list.refreshed.connect(_on_list_refreshed)
 	_list.setup()
@@ -34,12 +41,23 @@ func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> vo
 	_list.mark(_chosen.key)
 
 
+# Side by side where the dock is wide, as at the editor's bottom.
+func _turn_split() -> void:
+	_split.vertical = size.x < size.y * WIDE
+
+
 func _choose(entry: SpeciesEntry) -> void:
-	var function := entry.instantiate()
+	if _chosen and entry.key == _chosen.key:
+		return
+	var function: PlantFunction = _ready_functions.get(entry.key)
+	if not function:
+		function = entry.instantiate()
 	if not function:
 		_state.report(entry.explain_failure(self), EditorState.Severity.ERROR)
 		_list.mark(_chosen.key if _chosen else "")
 		return
+	if entry.kind == SpeciesEntry.Kind.READY:
+		_ready_functions[entry.key] = function
 	_chosen = entry
 	_state.report("")
 	_state.choose(function, entry.get_path(), entry.title)
@@ -52,8 +70,20 @@ func _on_list_refreshed() -> void:
 	var now := _list.find(_chosen.key)
 	if not now:
 		_on_chosen_gone()
-	elif now.stamp != _chosen.stamp and now.kind == SpeciesEntry.Kind.SCRIPT:
-		_choose(now)
+	elif now.stamp != _chosen.stamp:
+		_on_chosen_written(now)
+
+
+# The plant stays the same object and keeps its properties.
+func _on_chosen_written(now: SpeciesEntry) -> void:
+	_chosen = now
+	if now.kind != SpeciesEntry.Kind.SCRIPT:
+		return
+	if not now.refresh():
+		_state.fail(now.explain_failure(self))
+		return
+	_state.function.notify_property_list_changed()
+	_state.function.emit_changed()
 
 
 func _on_chosen_gone() -> void:

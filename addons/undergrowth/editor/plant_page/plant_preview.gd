@@ -5,10 +5,17 @@ extends PanelContainer
 const EditorState := preload("../editor_state.gd")
 const OrbitCamera := preload("orbit_camera.gd")
 const PreviewOverlay := preload("preview_overlay.gd")
+const WindClock := preload("../wind_page/wind_clock.gd")
 ## Gap between the four levels, in shares of the plant's height.
 const LEVEL_GAP := 0.45
 const GROUND_RADIUS := 1.6
 const LONGEST_FRAME := 0.1
+const LABEL_NAME := "Level"
+const LABEL_PIXEL := 0.0022
+const LABEL_HEIGHT := 1.08
+const BACKDROP_OPACITY := 0.8
+## Room for swaying, in shares of the height.
+const SWAY_ROOM := 0.5
 const RING_COLOR := Color(1.0, 1.0, 1.0, 0.55)
 const BONE_COLOR := Color(1.0, 0.72, 0.2)
 
@@ -21,9 +28,10 @@ var _refresh_is_queued := false
 @onready var _camera: OrbitCamera = %Camera
 @onready var _ground: MeshInstance3D = %Ground
 @onready var _plant_root: Node3D = %Plants
+@onready var _tools: PanelContainer = %Tools
+@onready var _counts_panel: PanelContainer = %CountsPanel
 @onready var _counts: Label = %Counts
 @onready var _hint: Label = %Hint
-@onready var _level_labels: Control = %LevelLabels
 @onready var _play: Button = %Play
 @onready var _rings: Button = %Rings
 @onready var _bones: Button = %Bones
@@ -38,63 +46,69 @@ func _ready() -> void:
 ## Shows the species of [param state].
 func setup(state: EditorState) -> void:
 	_state = state
-	for i in EditorState.LEVELS.size():
-		_add_plant()
 	_state.function_chosen.connect(_on_function_chosen)
 	_state.function_edited.connect(_queue_refresh)
 	_state.view_changed.connect(_queue_refresh)
-	_state.wind_changed.connect(_take_wind)
 	for toggle: Button in [_rings, _bones, _levels]:
 		toggle.toggled.connect(func(_on: bool) -> void: _refresh())
 	_reset.pressed.connect(_camera.restart)
 	_view.gui_input.connect(_on_view_input)
-	_view.resized.connect(_queue_refresh)
+	_view.resized.connect(_camera.place)
 	_dress()
-	_take_wind()
 	_on_function_chosen()
 	set_process(true)
 
 
 func _process(delta: float) -> void:
-	if not is_visible_in_tree() or not _play.button_pressed or not _shows_plant():
+	if not is_visible_in_tree() or not _play.button_pressed or not _state.function:
 		return
+	WindClock.advance(_state.wind, delta)
 	for plant in _plants:
-		plant.step(minf(delta, LONGEST_FRAME))
+		plant.preview(minf(delta, LONGEST_FRAME), _state.wind)
 
 
 func _notification(what: int) -> void:
-	if what == NOTIFICATION_THEME_CHANGED and is_node_ready():
+	if what == NOTIFICATION_THEME_CHANGED and _state:
 		_dress()
 
 
 func _dress() -> void:
 	_play.icon = get_theme_icon(&"Play", &"EditorIcons")
-	_rings.icon = get_theme_icon(&"CylinderMesh", &"EditorIcons")
+	_rings.icon = get_theme_icon(&"Grid", &"EditorIcons")
 	_bones.icon = get_theme_icon(&"Bone", &"EditorIcons")
-	_levels.icon = get_theme_icon(&"FileThumbnail", &"EditorIcons")
+	_levels.icon = get_theme_icon(&"Panels4", &"EditorIcons")
 	_reset.icon = get_theme_icon(&"CenterView", &"EditorIcons")
+	var backdrop := StyleBoxFlat.new()
+	backdrop.bg_color = Color(get_theme_color(&"base_color", &"Editor"), BACKDROP_OPACITY)
+	backdrop.set_corner_radius_all(roundi(4 * EditorInterface.get_editor_scale()))
+	_tools.add_theme_stylebox_override(&"panel", backdrop)
+	_counts_panel.add_theme_stylebox_override(&"panel", backdrop)
 
 
-func _add_plant() -> void:
-	var plant := Plant3D.new()
-	plant.simulating = false
-	plant.visible = _plants.is_empty()
-	_plant_root.add_child(plant)
-	_plants.append(plant)
+# As many plants as are shown: one, or one for each level.
+func _set_plant_count(count: int) -> void:
+	while _plants.size() > count:
+		_plants.pop_back().queue_free()
+	while _plants.size() < count:
+		var plant := Plant3D.new()
+		plant.simulating = false
+		plant.add_child(_make_label())
+		_plant_root.add_child(plant)
+		_plants.append(plant)
 
 
-func _shows_plant() -> bool:
-	return _state.function != null and _plants[0].get_mesh() != null
-
-
-func _take_wind() -> void:
-	for plant in _plants:
-		plant.wind = _state.wind
+func _make_label() -> Label3D:
+	var label := Label3D.new()
+	label.name = LABEL_NAME
+	label.billboard = BaseMaterial3D.BILLBOARD_ENABLED
+	label.fixed_size = true
+	label.no_depth_test = true
+	label.pixel_size = LABEL_PIXEL
+	return label
 
 
 func _on_function_chosen() -> void:
-	for plant in _plants:
-		plant.function = _state.function if _state.problem.is_empty() else null
+	_set_plant_count(0)
 	_queue_refresh()
 
 
@@ -110,6 +124,7 @@ func _refresh() -> void:
 		_show_nothing()
 		return
 	_hint.visible = false
+	_set_plant_count(EditorState.LEVELS.size() if _levels.button_pressed else 1)
 	for i in _plants.size():
 		_show_plant(i)
 	_frame()
@@ -117,34 +132,35 @@ func _refresh() -> void:
 	_show_overlays()
 
 
+# The last good plant of a species that broke while it was changed stays in sight.
 func _show_nothing() -> void:
-	var plant_stands := _state.function and _plants[0].function == _state.function
-	_plant_root.visible = plant_stands and _plants[0].get_mesh() != null
-	_hint.visible = not _plant_root.visible
+	_hint.visible = _plants.is_empty()
 	_hint.text = tr("Choose a species above.") if not _state.function else _state.problem
-	_counts.text = ""
+	_counts_panel.visible = false
 
 
 func _show_plant(index: int) -> void:
 	var plant := _plants[index]
-	var all := _levels.button_pressed
-	_plant_root.visible = true
-	plant.visible = all or index == 0
 	plant.function = _state.function
 	plant.height = _state.height
 	plant.seed = _state.seed_value
-	plant.lod = EditorState.LEVELS[index] if all else _state.lod
+	plant.lod = EditorState.LEVELS[index] if _plants.size() > 1 else _state.lod
 	plant.rebuild()
+	var label: Label3D = plant.get_node(LABEL_NAME)
+	label.visible = _plants.size() > 1
+	label.text = str(plant.lod)
+	label.position.y = plant.get_plant_height() * LABEL_HEIGHT
 
 
 func _frame() -> void:
 	var height := _plants[0].get_plant_height()
 	var breadth := _plants[0].get_mesh().get_aabb().size.x
-	var count := _plants.size() if _levels.button_pressed else 1
+	var count := _plants.size()
 	var gap := maxf(height * LEVEL_GAP, breadth * 1.2)
-	for i in _plants.size():
-		_plants[i].position.x = (i - (count - 1) * 0.5) * gap if count > 1 else 0.0
-	var width := (count - 1) * gap + maxf(breadth, height * 0.3)
+	for i in count:
+		var place := (i - (count - 1) * 0.5) * gap
+		_plants[i].position = OrbitCamera.get_start_side() * place
+	var width := (count - 1) * gap + maxf(breadth, height * SWAY_ROOM)
 	_ground.scale = Vector3.ONE * maxf(height * 0.5, width * 0.5) * GROUND_RADIUS
 	_camera.frame(Vector3.UP * height * 0.5, Vector2(width, height))
 
@@ -153,10 +169,10 @@ func _show_counts() -> void:
 	var triangles := 0
 	var vertices := 0
 	for plant in _plants:
-		if plant.visible:
-			var mesh := plant.get_mesh()
-			triangles += mesh.surface_get_array_index_len(0) / 3
-			vertices += mesh.surface_get_array_len(0)
+		var mesh := plant.get_mesh()
+		triangles += mesh.surface_get_array_index_len(0) / 3
+		vertices += mesh.surface_get_array_len(0)
+	_counts_panel.visible = true
 	_counts.text = (
 		tr("%s m · %d triangles · %d vertices")
 		% [String.num(_plants[0].get_plant_height(), 2), triangles, vertices]
@@ -164,15 +180,16 @@ func _show_counts() -> void:
 
 
 func _show_overlays() -> void:
-	for overlay in _overlays:
-		overlay.queue_free()
+	for overlay: Variant in _overlays:
+		if is_instance_valid(overlay):
+			(overlay as Node).queue_free()
 	_overlays.clear()
 	for plant in _plants:
-		if plant.visible and _rings.button_pressed:
+		if _rings.button_pressed:
 			var height := plant.get_plant_height()
 			var rings := PreviewOverlay.make_rings(_state.function, height, plant.lod)
 			_add_overlay(plant, rings, RING_COLOR)
-		if plant.visible and _bones.button_pressed:
+		if _bones.button_pressed:
 			_add_overlay(plant, PreviewOverlay.make_bone(plant.get_plant_height()), BONE_COLOR)
 
 

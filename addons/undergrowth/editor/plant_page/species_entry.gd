@@ -5,6 +5,8 @@ extends RefCounted
 enum Kind { READY, SCRIPT, RESOURCE }
 
 const CLASS_ENDING := "Function"
+const TOOL_MARK := "@tool"
+const CURVES_CLASS := "CurvePlantFunction"
 
 var kind := Kind.READY
 ## The class of a ready species, the path of the others.
@@ -18,6 +20,8 @@ static func ready_species(native_class: String) -> RefCounted:
 	var entry := new()
 	entry.key = native_class
 	entry.title = native_class.trim_suffix(CLASS_ENDING).capitalize()
+	if native_class == CURVES_CLASS:
+		entry.title = "Curves"
 	return entry
 
 
@@ -42,10 +46,22 @@ func instantiate() -> PlantFunction:
 		Kind.READY:
 			return _instantiate_ready()
 		Kind.SCRIPT:
-			var script := _load_file() as Script
-			return script.call(&"new") as PlantFunction if _runs_here(script) else null
+			return _load_script().call(&"new") as PlantFunction if refresh() else null
 		_:
 			return _load_file() as PlantFunction
+
+
+## Takes over what was written into the file of a script since it was loaded; false where the script
+## cannot run.
+func refresh() -> bool:
+	var script := _load_script()
+	if not script:
+		return false
+	var text := FileAccess.get_file_as_string(key)
+	if script is GDScript and script.source_code != text:
+		script.source_code = text
+		script.reload(true)
+	return script.can_instantiate()
 
 
 ## Why [method instantiate] gave nothing, and what to do.
@@ -54,8 +70,8 @@ func explain_failure(translator: Object) -> String:
 		return translator.tr("%s is gone. Choose another species.") % key
 	if kind == Kind.RESOURCE:
 		return translator.tr("%s holds no plant. See the output below for what is wrong.") % key
-	var script := _load_file() as Script
-	if script and not script.get_instance_base_type().is_empty() and not script.is_tool():
+	var script := _load_script()
+	if script is GDScript and not script.source_code.contains(TOOL_MARK):
 		return translator.tr("%s cannot run in the editor. Begin it with @tool.") % key
 	return translator.tr("%s has an error. Open it in the script editor and mend it.") % key
 
@@ -77,8 +93,8 @@ func _load_file() -> Resource:
 	return ResourceLoader.load(key) if ResourceLoader.exists(key) else null
 
 
-func _runs_here(script: Script) -> bool:
-	return script and script.can_instantiate()
+func _load_script() -> Script:
+	return _load_file() as Script
 
 
 ## Something to start drawing from: a leaf.

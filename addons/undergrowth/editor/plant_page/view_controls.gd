@@ -22,6 +22,8 @@ func setup(state: EditorState) -> void:
 	_seed.value_changed.connect(func(number: float) -> void: _state.seed_value = int(number))
 	_lod.value_changed.connect(func(segments: float) -> void: _state.lod = int(segments))
 	_dice.pressed.connect(func() -> void: _seed.value += 1)
+	for slider: Control in [_height, _seed, _lod]:
+		slider.custom_minimum_size.x *= EditorInterface.get_editor_scale()
 	_dress()
 
 

@@ -7,7 +7,11 @@ signal taken(key: String, picture: Texture2D)
 
 const SEGMENTS := 16
 const PLANT_SEED := 1
-const MARGIN := 1.1
+const MARGIN := 1.02
+## A stalk is drawn thicker than it is, up to this breadth in shares of its height: a picture is
+## small.
+const LEAST_BREADTH := 0.2
+const MOST_WIDENING := 3.5
 
 var _queue: Array[Dictionary] = []
 var _key := ""
@@ -47,7 +51,11 @@ func _begin_next() -> void:
 		return
 	_key = wish["key"]
 	_plant.mesh = mesh
-	_frame(mesh.get_aabb())
+	var box := mesh.get_aabb()
+	var breadth := maxf(box.size.x, box.size.z)
+	var wider := clampf(LEAST_BREADTH * box.size.y / maxf(breadth, 1e-6), 1.0, MOST_WIDENING)
+	_plant.scale = Vector3(wider, 1.0, wider)
+	_frame(_plant.transform * box)
 	render_target_update_mode = SubViewport.UPDATE_ONCE
 
 

@@ -4,7 +4,7 @@ extends Control
 
 const EditorState := preload("../editor_state.gd")
 const SAMPLES := 64
-const LEAST_HEIGHT := 64
+const LEAST_HEIGHT := 56
 
 var _state: EditorState
 var _widths: PackedFloat32Array = []
