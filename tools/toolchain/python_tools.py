@@ -13,7 +13,6 @@ from .place import Missing, make_folder, say
 
 OLDEST_SCONS = (4, 0)
 SCONS = ["scons==4.11.1"]
-# radon, which gdtoolkit depends on, needs setuptools' pkg_resources no more; the pin keeps the whole set fixed.
 FORMATTERS = ["clang-format==23.1.5", "gdtoolkit==4.5.0"]
 PICTURES = ["Pillow==12.0.0"]
 
