@@ -16,6 +16,8 @@ const NewSpeciesDialog := preload("new_species_dialog.gd")
 const ProjectFiles := preload("project_files.gd")
 const SceneActions := preload("scene_actions.gd")
 const SpeciesTemplate := preload("species_template.gd")
+## No new file is begun in a frame after that many microseconds.
+const BAKE_USEC_PER_FRAME := 8000
 const REPLACE_SIZE := Vector2i(420, 160)
 ## As many files are named in a question.
 const NAMED_FILES := 6
@@ -196,7 +198,7 @@ func _on_replace_confirmed() -> void:
 	_bake_files()
 
 
-## Bakes one file a frame, until all are there, one fails or the user cancels.
+## Bakes a few files a frame, until all are there, one fails or the user cancels.
 func _bake_files() -> void:
 	if _state.work_total > 0:
 		_warn(tr("Other work is going on. Wait for its end, or cancel it."))
@@ -207,13 +209,19 @@ func _bake_files() -> void:
 	_state.begin_work(tr("Baking %s…") % _options.title, total)
 	while not work.is_done() and problem.is_empty() and not _state.work_cancelled:
 		await get_tree().process_frame
+		problem = _bake_for_a_frame(work)
+	_state.end_work()
+	_tell_end(work, total, problem)
+	ProjectFiles.announce_all()
+
+
+func _bake_for_a_frame(work: Bake) -> String:
+	var end := Time.get_ticks_usec() + BAKE_USEC_PER_FRAME
+	var problem := ""
+	while not work.is_done() and problem.is_empty() and Time.get_ticks_usec() < end:
 		problem = work.bake_next()
 		_state.advance_work()
-	_state.end_work()
-	for path in work.written:
-		ProjectFiles.announce(path)
-		await get_tree().process_frame
-	_tell_end(work, total, problem)
+	return problem
 
 
 func _tell_end(work: Bake, total: int, problem: String) -> void:

@@ -2,7 +2,15 @@
 extends Label
 ## The line of a dialog that says what will happen, or what is wrong.
 
+## In pixels at 100 %: the text wraps at that width, so that its dialog knows its own height.
+const LEAST_SIZE := Vector2(320.0, 50.0)
+
 var _is_problem := false
+
+
+func _ready() -> void:
+	if not is_part_of_edited_scene():
+		custom_minimum_size = LEAST_SIZE * EditorInterface.get_editor_scale()
 
 
 ## Says what will happen.
@@ -27,9 +35,10 @@ func _show(what: String, is_problem: bool) -> void:
 
 
 func _dress() -> void:
-	var color := get_theme_color(&"font_color", &"Label")
-	if _is_problem:
-		color = get_theme_color(&"error_color", &"Editor")
 	# Set anew only where it differs: setting it tells that the theme changed.
-	if not has_theme_color_override(&"font_color") or get_theme_color(&"font_color") != color:
+	var color := get_theme_color(&"error_color", &"Editor")
+	var is_dressed := has_theme_color_override(&"font_color")
+	if _is_problem and not (is_dressed and get_theme_color(&"font_color") == color):
 		add_theme_color_override(&"font_color", color)
+	elif is_dressed and not _is_problem:
+		remove_theme_color_override(&"font_color")

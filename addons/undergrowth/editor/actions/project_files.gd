@@ -77,8 +77,17 @@ static func announce(path: String) -> void:
 	var files := EditorInterface.get_resource_filesystem()
 	if files.get_filesystem_path(path.get_base_dir()):
 		files.update_file(path)
-	elif not files.is_scanning():
+	else:
+		announce_all()
+
+
+## Lets the editor look for all new and changed files, in a thread of its own.
+static func announce_all() -> void:
+	var files := EditorInterface.get_resource_filesystem()
+	if not files.is_scanning():
 		files.scan()
+	elif not files.filesystem_changed.is_connected(files.scan):
+		files.filesystem_changed.connect(files.scan, CONNECT_ONE_SHOT | CONNECT_DEFERRED)
 
 
 static func _refusal(path: String) -> String:
