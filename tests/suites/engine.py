@@ -71,7 +71,8 @@ def private_home(environment=os.environ):
     home = LOGS / "home"
     home.mkdir(parents=True, exist_ok=True)
     names = ("XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME")
-    return {**environment, **{name: str(home / name.lower()) for name in names}}
+    # In a container one is often root; that is no fault of the add-on.
+    return {**environment, "GODOT_SILENCE_ROOT_WARNING": "1", **{name: str(home / name.lower()) for name in names}}
 
 
 def run_script(godot, folder, script):
