@@ -37,9 +37,9 @@ class Names:
         self.known = self._closure(listed)
 
     def _closure(self, listed):
-        """The listed classes, their bases, and the classes that own an enum that one of them names."""
+        """The listed classes, what the core needs, their bases, and the classes that own an enum that one of them names."""
         back = {new: old for old, new in RENAMED_CLASSES.items()}
-        todo = [back.get(name, name) for name in listed] + ["Object", "RefCounted"]
+        todo = [back.get(name, name) for name in listed] + ["ClassDB", "Object", "RefCounted"]
         known = set()
         while todo:
             name = todo.pop()

@@ -63,9 +63,9 @@ void BoundMethod::register_in(const StringName &p_class) {
 	for (Variant &value : defaults) {
 		c_defaults.push_back(&value);
 	}
-	const GDExtensionClassMethodInfo info = { &name, this, internal::call, internal::call_pointers, flags, returns, &c_result,
-		result_metadata, uint32_t(arguments.size()), c_arguments.data(), metadata.data(), uint32_t(defaults.size()),
-		c_defaults.data() };
+	const GDExtensionClassMethodInfo info = { &name, this, internal::call, internal::call_pointers, flags, returns,
+		&c_result, result_metadata, uint32_t(arguments.size()), c_arguments.data(), metadata.data(),
+		uint32_t(defaults.size()), c_defaults.data() };
 	gde.classdb_register_extension_class_method(library, &p_class, &info);
 }
 

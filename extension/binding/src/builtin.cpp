@@ -1,5 +1,5 @@
-#include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/engine_calls.hpp>
+#include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
 // What the built-in types have beyond their generated methods.
@@ -58,11 +58,9 @@ bool StringName::operator==(const char *p_text) const {
 	return String(*this) == p_text;
 }
 
-NodePath::NodePath(const char *p_text) :
-		NodePath(String(p_text)) {}
+NodePath::NodePath(const char *p_text) : NodePath(String(p_text)) {}
 
-Array::Array(std::initializer_list<Variant> p_values) :
-		Array() {
+Array::Array(std::initializer_list<Variant> p_values) : Array() {
 	resize(int64_t(p_values.size()));
 	int64_t index = 0;
 	for (const Variant &value : p_values) {
@@ -109,14 +107,13 @@ Quaternion::Quaternion(const Vector3 &p_from, const Vector3 &p_to) {
 	internal::construct(GDEXTENSION_VARIANT_TYPE_QUATERNION, 4, this, p_from, p_to);
 }
 
-Quaternion::Quaternion(const Basis &p_basis) :
-		Quaternion(p_basis.get_rotation_quaternion()) {}
+Quaternion::Quaternion(const Basis &p_basis) : Quaternion(p_basis.get_rotation_quaternion()) {}
 
 Basis::Basis(const Quaternion &p_q) :
 		Basis(p_q.xform(Vector3(1, 0, 0)), p_q.xform(Vector3(0, 1, 0)), p_q.xform(Vector3(0, 0, 1))) {}
 
-void _err_print_error(const char *p_function, const char *p_file, int p_line, const char *p_error, const char *p_message,
-		bool p_editor_notify, bool p_is_warning) {
+void _err_print_error(const char *p_function, const char *p_file, int p_line, const char *p_error,
+		const char *p_message, bool p_editor_notify, bool p_is_warning) {
 	const bool has_message = p_message && *p_message;
 	if (has_message) {
 		(p_is_warning ? gde.print_warning_with_message : gde.print_error_with_message)(
@@ -126,19 +123,20 @@ void _err_print_error(const char *p_function, const char *p_file, int p_line, co
 	}
 }
 
-void _err_print_error(const char *p_function, const char *p_file, int p_line, const char *p_error, const String &p_message,
-		bool p_editor_notify, bool p_is_warning) {
+void _err_print_error(const char *p_function, const char *p_file, int p_line, const char *p_error,
+		const String &p_message, bool p_editor_notify, bool p_is_warning) {
 	_err_print_error(p_function, p_file, p_line, p_error, p_message.utf8().get_data(), p_editor_notify, p_is_warning);
 }
 
-void _err_print_error(const char *p_function, const char *p_file, int p_line, const String &p_error, const char *p_message,
-		bool p_editor_notify, bool p_is_warning) {
+void _err_print_error(const char *p_function, const char *p_file, int p_line, const String &p_error,
+		const char *p_message, bool p_editor_notify, bool p_is_warning) {
 	_err_print_error(p_function, p_file, p_line, p_error.utf8().get_data(), p_message, p_editor_notify, p_is_warning);
 }
 
 void _err_print_index_error(const char *p_function, const char *p_file, int p_line, int64_t p_index, int64_t p_size,
 		const char *p_index_text, const char *p_size_text, const String &p_message) {
-	const String error = vformat("Index %s = %d is out of bounds (%s = %d).", p_index_text, p_index, p_size_text, p_size);
+	const String error =
+			vformat("Index %s = %d is out of bounds (%s = %d).", p_index_text, p_index, p_size_text, p_size);
 	_err_print_error(p_function, p_file, p_line, error.utf8().get_data(), p_message);
 }
 

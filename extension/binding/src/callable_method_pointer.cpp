@@ -18,8 +18,8 @@ NativeCallable &callable_at(void *p_data) {
 	return *static_cast<NativeCallable *>(p_data);
 }
 
-void call(void *p_data, const GDExtensionConstVariantPtr *p_arguments, GDExtensionInt p_count, GDExtensionVariantPtr r_result,
-		GDExtensionCallError *r_error) {
+void call(void *p_data, const GDExtensionConstVariantPtr *p_arguments, GDExtensionInt p_count,
+		GDExtensionVariantPtr r_result, GDExtensionCallError *r_error) {
 	const NativeCallable &callable = callable_at(p_data);
 	Wrapped *self = callable.object_id ? ObjectDB::get_instance(callable.object_id) : nullptr;
 	if (callable.object_id && !self) {

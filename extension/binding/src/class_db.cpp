@@ -26,8 +26,8 @@ ClassRecord *ClassDB::current_record(const StringName &p_class) {
 }
 
 void ClassDB::add_class(std::unique_ptr<ClassRecord> p_record) {
-	ERR_FAIL_COND_MSG(current_record(p_record->class_name),
-			vformat("The class %s is registered twice.", p_record->class_name));
+	ERR_FAIL_COND_MSG(
+			current_record(p_record->class_name), vformat("The class %s is registered twice.", p_record->class_name));
 	p_record->parent = current_record(p_record->parent_name);
 	p_record->level = current_level;
 	records.push_back(std::move(p_record));
@@ -37,7 +37,8 @@ void ClassDB::add_class(std::unique_ptr<ClassRecord> p_record) {
 void ClassDB::add_method(const StringName &p_class, std::unique_ptr<BoundMethod> p_method,
 		const MethodDefinition &p_definition, std::vector<Variant> p_defaults) {
 	ClassRecord *record = current_record(p_class);
-	ERR_FAIL_NULL_MSG(record, vformat("%s is bound in a class that is not registered: %s.", p_definition.name, p_class));
+	ERR_FAIL_NULL_MSG(
+			record, vformat("%s is bound in a class that is not registered: %s.", p_definition.name, p_class));
 	p_method->name = p_definition.name;
 	p_method->defaults = std::move(p_defaults);
 	for (size_t i = 0; i < p_method->arguments.size(); i++) {
@@ -83,8 +84,8 @@ void ClassDB::add_signal(const StringName &p_class, const MethodInfo &p_signal) 
 			library, &p_class, &p_signal.name, arguments.data(), int64_t(arguments.size()));
 }
 
-void ClassDB::bind_integer_constant(
-		const StringName &p_class, const StringName &p_enum, const StringName &p_name, int64_t p_value, bool p_is_bit_field) {
+void ClassDB::bind_integer_constant(const StringName &p_class, const StringName &p_enum, const StringName &p_name,
+		int64_t p_value, bool p_is_bit_field) {
 	gde.classdb_register_extension_class_integer_constant(library, &p_class, &p_enum, &p_name, p_value, p_is_bit_field);
 }
 

@@ -179,7 +179,8 @@ void to_string(void *p_instance, GDExtensionBool *r_is_valid, GDExtensionStringP
 }
 
 void *get_virtual(void *p_record, GDExtensionConstStringNamePtr p_name, uint32_t p_hash) {
-	return const_cast<VirtualOverride *>(static_cast<const ClassRecord *>(p_record)->virtuals.find(name_at(p_name), p_hash));
+	return const_cast<VirtualOverride *>(
+			static_cast<const ClassRecord *>(p_record)->virtuals.find(name_at(p_name), p_hash));
 }
 
 void call_virtual(void *p_instance, GDExtensionConstStringNamePtr, void *p_override,

@@ -27,8 +27,8 @@ void report_missing(const char *p_class, const char *p_name, int64_t p_hash) {
 
 void report_call_error(const char *p_name, const GDExtensionCallError &p_error) {
 	char text[256];
-	std::snprintf(text, sizeof(text), "A call of %s failed: error %d, argument %d, expected %d.", p_name, int(p_error.error),
-			p_error.argument, p_error.expected);
+	std::snprintf(text, sizeof(text), "A call of %s failed: error %d, argument %d, expected %d.", p_name,
+			int(p_error.error), p_error.argument, p_error.expected);
 	ERR_PRINT(text);
 }
 
@@ -111,7 +111,8 @@ bool script_has(const Wrapped *p_self, const StringName &p_name) {
 	return gde.object_has_script_method(p_self->_owner, &p_name);
 }
 
-bool call_script(const Wrapped *p_self, const StringName &p_name, const Variant *p_values, int64_t p_count, Variant &r_result) {
+bool call_script(
+		const Wrapped *p_self, const StringName &p_name, const Variant *p_values, int64_t p_count, Variant &r_result) {
 	ValuePointers pointers(p_values, p_count);
 	Variant result{ Uninitialized() };
 	GDExtensionCallError error{ GDEXTENSION_CALL_OK, 0, 0 };

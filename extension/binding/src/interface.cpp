@@ -14,7 +14,7 @@ TypeFunctions type_functions[GDEXTENSION_VARIANT_TYPE_VARIANT_MAX];
 
 namespace {
 
-#define GODOT_BUILTIN_SIZE(m_type, m_size) \
+#define GODOT_BUILTIN_SIZE(m_type, m_size)                                                                             \
 	static_assert(sizeof(m_type) == m_size, "the engine's size of " #m_type " differs");
 #include <godot_cpp/generated/builtin_sizes.inc>
 #undef GODOT_BUILTIN_SIZE
@@ -41,11 +41,11 @@ StaticName *first_name = nullptr;
 
 bool load_interface(GDExtensionInterfaceGetProcAddress p_get) {
 	int missing = 0;
-#define GODOT_INTERFACE_FUNCTION(m_type, m_name)                                                            \
-	gde.m_name = reinterpret_cast<m_type>(reinterpret_cast<void *>(p_get(#m_name)));                        \
-	if (!gde.m_name) {                                                                                      \
-		missing++;                                                                                          \
-		std::fprintf(stderr, "ERROR: this Godot has no interface function %s; a newer one is needed.\n", #m_name); \
+#define GODOT_INTERFACE_FUNCTION(m_type, m_name)                                                                       \
+	gde.m_name = reinterpret_cast<m_type>(reinterpret_cast<void *>(p_get(#m_name)));                                   \
+	if (!gde.m_name) {                                                                                                 \
+		missing++;                                                                                                     \
+		std::fprintf(stderr, "ERROR: this Godot has no interface function %s; a newer one is needed.\n", #m_name);     \
 	}
 #include <godot_cpp/generated/interface_functions.inc>
 #undef GODOT_INTERFACE_FUNCTION

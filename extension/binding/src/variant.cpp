@@ -18,8 +18,7 @@ Variant::Variant(const Variant &p_from) {
 	gde.variant_new_copy(this, &p_from);
 }
 
-Variant::Variant(Variant &&p_from) :
-		Variant() {
+Variant::Variant(Variant &&p_from) : Variant() {
 	std::swap(_opaque, p_from._opaque);
 }
 
@@ -53,26 +52,24 @@ void Variant::_set_bool(bool p_value) {
 	type_functions[BOOL].to_variant(this, &encoded);
 }
 
-Variant::Variant(const char *p_text) :
-		Variant(String(p_text)) {}
+Variant::Variant(const char *p_text) : Variant(String(p_text)) {}
 
 Variant::Variant(const Object *p_object) {
 	void *owner = internal::owner_of(p_object);
 	type_functions[OBJECT].to_variant(this, &owner);
 }
 
-#define GODOT_VARIANT_CONVERSIONS(m_type, m_id)                                     \
-	Variant::Variant(const ::godot::m_type &p_value) {                              \
-		type_functions[m_id].to_variant(this, const_cast<::godot::m_type *>(&p_value)); \
-	}                                                                               \
-	Variant::operator ::godot::m_type() const {                                     \
-		return internal::from_variant<::godot::m_type>(m_id, *this);                \
+#define GODOT_VARIANT_CONVERSIONS(m_type, m_id)                                                                        \
+	Variant::Variant(const ::godot::m_type &p_value) {                                                                 \
+		type_functions[m_id].to_variant(this, const_cast<::godot::m_type *>(&p_value));                                \
+	}                                                                                                                  \
+	Variant::operator ::godot::m_type() const {                                                                        \
+		return internal::from_variant<::godot::m_type>(m_id, *this);                                                   \
 	}
 
 namespace internal {
 
-template <typename T>
-T from_variant(Variant::Type p_type, const Variant &p_value) {
+template <typename T> T from_variant(Variant::Type p_type, const Variant &p_value) {
 	if constexpr (std::is_constructible_v<T, Uninitialized>) {
 		T result{ Uninitialized() };
 		type_functions[p_type].from_variant(&result, const_cast<Variant *>(&p_value));

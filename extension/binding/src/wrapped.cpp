@@ -1,5 +1,6 @@
 #include <godot_cpp/classes/wrapped.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <mutex>
@@ -29,7 +30,8 @@ Wrapped::Wrapped() {
 		std::abort();
 	}
 	construction->taken = true;
-	_owner = construction->owner ? construction->owner : internal::gde.classdb_construct_object2(construction->native_name);
+	_owner = construction->owner ? construction->owner
+								 : internal::gde.classdb_construct_object2(construction->native_name);
 }
 
 Object *ObjectDB::get_instance(uint64_t p_id) {
@@ -53,15 +55,10 @@ constexpr GDExtensionInstanceBindingCallbacks own_callbacks = { no_binding, keep
 using WrapFunction = Wrapped *(*)(void *);
 
 WrapFunction find_class(const std::string &p_name) {
-	static const auto *classes = [] {
-		auto *map = new std::unordered_map<std::string, WrapFunction>;
-		for (int i = 0; i < engine_class_count; i++) {
-			map->emplace(engine_classes[i].name, engine_classes[i].wrap);
-		}
-		return map;
-	}();
-	const auto found = classes->find(p_name);
-	return found == classes->end() ? nullptr : found->second;
+	const EngineClass *end = engine_classes + engine_class_count;
+	const EngineClass *found = std::lower_bound(engine_classes, end, p_name,
+			[](const EngineClass &p_class, const std::string &p_wanted) { return p_class.name < p_wanted; });
+	return found != end && found->name == p_name ? found->wrap : nullptr;
 }
 
 std::mutex ancestors_mutex;
@@ -74,15 +71,10 @@ WrapFunction find_ancestor(const std::string &p_name) {
 	}
 	const std::lock_guard<std::mutex> lock(ancestors_mutex);
 	WrapFunction &found = ancestors[p_name];
-	if (!found) {
-		static EngineMethod get_parent_class{ "ClassDB", "get_parent_class", 1965194235 };
-		static Singleton class_db{ "ClassDB" };
-		std::string name = p_name;
-		while (!found && !name.empty()) {
-			const StringName parent = call_engine<StringName>(get_parent_class, class_db.get()->_owner, StringName(name.c_str()));
-			name = String(parent).utf8().get_data();
-			found = find_class(name.empty() ? "Object" : name);
-		}
+	for (std::string name = p_name; !found;) {
+		const String parent = ClassDBSingleton::get_singleton()->get_parent_class(StringName(name.c_str()));
+		name = parent.is_empty() ? "Object" : parent.utf8().get_data();
+		found = find_class(name);
 	}
 	return found;
 }
@@ -102,10 +94,6 @@ void unwrap(void *, void *, void *p_binding) {
 	delete wrapped;
 }
 constexpr GDExtensionInstanceBindingCallbacks engine_callbacks = { wrap, unwrap, agree };
-
-EngineMethod ref_init{ "RefCounted", "init_ref", 2240911060 };
-EngineMethod ref_reference{ "RefCounted", "reference", 2240911060 };
-EngineMethod ref_unreference{ "RefCounted", "unreference", 2240911060 };
 
 } // namespace
 
@@ -146,17 +134,17 @@ void destroy(Wrapped *p_wrapped) {
 }
 
 bool ref_first(void *p_wrapped) {
-	return call_engine<bool>(ref_init, owner_of(p_wrapped));
+	return static_cast<RefCounted *>(p_wrapped)->init_ref();
 }
 
 bool ref_more(void *p_wrapped) {
-	return call_engine<bool>(ref_reference, owner_of(p_wrapped));
+	return static_cast<RefCounted *>(p_wrapped)->reference();
 }
 
 void ref_release(void *p_wrapped) {
-	void *owner = owner_of(p_wrapped);
-	if (call_engine<bool>(ref_unreference, owner)) {
-		gde.object_destroy(owner);
+	RefCounted *object = static_cast<RefCounted *>(p_wrapped);
+	if (object->unreference()) {
+		gde.object_destroy(object->_owner);
 	}
 }
 

@@ -17,6 +17,11 @@ protected:
 	static void _bind_methods();
 
 public:
+	// Some mistakes are told by the bundled binding only.
+	static bool is_bundled_binding();
+	// A method that no engine has: an error that names it, and an empty result.
+	static godot::String call_missing_method();
+
 	godot::PackedStringArray check_strings();
 	godot::PackedStringArray check_arrays();
 	godot::PackedStringArray check_math();

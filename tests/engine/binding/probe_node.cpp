@@ -142,9 +142,10 @@ void ProbeNode::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_resource"), &ProbeNode::get_resource);
 	ClassDB::bind_method(D_METHOD("set_axis", "index", "value"), &ProbeNode::set_axis);
 	ClassDB::bind_method(D_METHOD("get_axis", "index"), &ProbeNode::get_axis);
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "speed", PROPERTY_HINT_RANGE, "0,10,0.1,suffix:m/s"), "set_speed", "get_speed");
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "resource", PROPERTY_HINT_RESOURCE_TYPE, "ProbeResource"), "set_resource",
-			"get_resource");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "speed", PROPERTY_HINT_RANGE, "0,10,0.1,suffix:m/s"), "set_speed",
+			"get_speed");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "resource", PROPERTY_HINT_RESOURCE_TYPE, "ProbeResource"),
+			"set_resource", "get_resource");
 	ADD_PROPERTYI(PropertyInfo(Variant::FLOAT, "axis_y", PROPERTY_HINT_NONE, "", PROPERTY_USAGE_EDITOR), "set_axis",
 			"get_axis", 1);
 

@@ -1,5 +1,7 @@
 #include "probe_resource.hpp"
 
+#include <godot_cpp/variant/utility_functions.hpp>
+
 using namespace godot;
 
 namespace probe {
@@ -32,6 +34,10 @@ void ProbeResource::_validate_property(PropertyInfo &r_property) const {
 	if (r_property.name == StringName("points") && kind == KIND_ROUND) {
 		r_property.usage = PROPERTY_USAGE_NO_EDITOR;
 	}
+}
+
+RID ProbeResource::_get_rid() const {
+	return UtilityFunctions::rid_from_int64(77);
 }
 
 bool ProbeResource::ask_flag(bool p_flag) {
@@ -117,7 +123,8 @@ void ProbeResource::_bind_methods() {
 	ADD_GROUP("Looks", "");
 	ADD_PROPERTY(PropertyInfo(Variant::STRING, "label"), "set_label", "get_label");
 	ADD_PROPERTY(PropertyInfo(Variant::COLOR, "tint"), "set_tint", "get_tint");
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "curve", PROPERTY_HINT_RESOURCE_TYPE, "Curve"), "set_curve", "get_curve");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::OBJECT, "curve", PROPERTY_HINT_RESOURCE_TYPE, "Curve"), "set_curve", "get_curve");
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_VECTOR3_ARRAY, "points"), "set_points", "get_points");
 
 	ClassDB::bind_method(D_METHOD("ask_flag", "flag"), &ProbeResource::ask_flag);

@@ -68,6 +68,8 @@ public:
 	void set_points(const godot::PackedVector3Array &p_points) { points = p_points; }
 	godot::PackedVector3Array get_points() const { return points; }
 
+	godot::RID _get_rid() const override;
+
 	// What scripts override, with the answer without one.
 	bool ask_flag(bool p_flag);
 	int ask_count(int p_count);

@@ -20,12 +20,10 @@ void ref_release(void *p_wrapped);
 } // namespace internal
 
 // A counted reference to an object whose class descends from RefCounted.
-template <typename T>
-class Ref {
+template <typename T> class Ref {
 	T *reference = nullptr;
 
-	template <typename U>
-	friend class Ref;
+	template <typename U> friend class Ref;
 
 	static void *_bytes(const T *p_object) { return const_cast<void *>(static_cast<const void *>(p_object)); }
 	void _share(T *p_object) {
@@ -48,17 +46,10 @@ public:
 		}
 	}
 	Ref(const Ref &p_from) { _share(p_from.reference); }
-	Ref(Ref &&p_from) :
-			reference(p_from.reference) {
-		p_from.reference = nullptr;
-	}
+	Ref(Ref &&p_from) : reference(p_from.reference) { p_from.reference = nullptr; }
 	// Null when the object is of another class.
-	template <typename U>
-	Ref(const Ref<U> &p_from) {
-		_share(dynamic_cast<T *>(p_from.reference));
-	}
-	Ref(const Variant &p_from) :
-			Ref(dynamic_cast<T *>(internal::wrapped_in(p_from))) {}
+	template <typename U> Ref(const Ref<U> &p_from) { _share(dynamic_cast<T *>(p_from.reference)); }
+	Ref(const Variant &p_from) : Ref(dynamic_cast<T *>(internal::wrapped_in(p_from))) {}
 	~Ref() { unref(); }
 
 	// Takes over a count that was made for the caller.
@@ -80,15 +71,13 @@ public:
 		}
 		return *this;
 	}
-	template <typename U>
-	Ref &operator=(const Ref<U> &p_from) {
+	template <typename U> Ref &operator=(const Ref<U> &p_from) {
 		_share(dynamic_cast<T *>(p_from.reference));
 		return *this;
 	}
 	Ref &operator=(const Variant &p_from) { return *this = Ref(p_from); }
 
-	template <typename... Args>
-	void instantiate(Args &&...p_args) {
+	template <typename... Args> void instantiate(Args &&...p_args) {
 		*this = Ref(memnew(T(std::forward<Args>(p_args)...)));
 	}
 	void unref() {

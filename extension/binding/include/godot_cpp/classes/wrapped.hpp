@@ -54,8 +54,7 @@ protected:
 
 	static void _bind_methods() {}
 	static void (*_get_bind_methods())() { return &Wrapped::_bind_methods; }
-	template <typename T>
-	static void _bind_virtuals(internal::VirtualTable &) {}
+	template <typename T> static void _bind_virtuals(internal::VirtualTable &) {}
 
 	void _notification(int) {}
 	bool _set(const StringName &, const Variant &) { return false; }
@@ -69,7 +68,8 @@ protected:
 
 namespace internal {
 
-// The C++ object of an engine object: the one that was made for it, or a new one of the nearest class we know. Null for null.
+// The C++ object of an engine object: the one that was made for it, or a new one of the nearest class we know. Null for
+// null.
 Wrapped *wrapper_of(void *p_owner);
 // The object in a Variant, null when there is none or it was freed.
 Wrapped *wrapped_in(const Variant &p_value);

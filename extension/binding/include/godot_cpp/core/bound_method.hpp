@@ -6,7 +6,8 @@
 
 namespace godot::internal {
 
-// A method of ours that the engine calls, either with Variants, whose number and types are checked here, or with pointers.
+// A method of ours that the engine calls, either with Variants, whose number and types are checked here, or with
+// pointers.
 class BoundMethod {
 public:
 	StringName name;
@@ -29,8 +30,7 @@ public:
 	void register_in(const StringName &p_class);
 
 protected:
-	template <typename Parts>
-	void describe() {
+	template <typename Parts> void describe() {
 		returns = !std::is_void_v<typename Parts::Result>;
 		result = Parts::describe_result();
 		result_metadata = Parts::result_metadata();
@@ -39,8 +39,7 @@ protected:
 	}
 };
 
-template <typename M>
-class MemberMethod final : public BoundMethod {
+template <typename M> class MemberMethod final : public BoundMethod {
 	using Class = typename FunctionType<M>::Class;
 	using Parts = typename FunctionType<M>::Parts;
 	M method;
@@ -52,8 +51,7 @@ class MemberMethod final : public BoundMethod {
 	}
 
 public:
-	explicit MemberMethod(M p_method) :
-			method(p_method) {
+	explicit MemberMethod(M p_method) : method(p_method) {
 		describe<Parts>();
 		flags |= FunctionType<M>::is_const ? uint32_t(METHOD_FLAG_CONST) : 0u;
 	}
@@ -68,14 +66,12 @@ public:
 	}
 };
 
-template <typename M>
-class StaticMethod final : public BoundMethod {
+template <typename M> class StaticMethod final : public BoundMethod {
 	using Parts = typename FunctionType<M>::Parts;
 	M function;
 
 public:
-	explicit StaticMethod(M p_function) :
-			function(p_function) {
+	explicit StaticMethod(M p_function) : function(p_function) {
 		describe<Parts>();
 		flags |= METHOD_FLAG_STATIC;
 	}

@@ -17,14 +17,12 @@ struct MethodDefinition {
 	StringName name;
 	std::vector<StringName> args;
 
-	MethodDefinition(const char *p_name) :
-			name(p_name) {}
+	MethodDefinition(const char *p_name) : name(p_name) {}
 	MethodDefinition(const StringName &p_name, std::vector<StringName> p_args = {}) :
 			name(p_name), args(std::move(p_args)) {}
 };
 
-template <typename... Args>
-MethodDefinition D_METHOD(const StringName &p_name, const Args &...p_args) {
+template <typename... Args> MethodDefinition D_METHOD(const StringName &p_name, const Args &...p_args) {
 	return MethodDefinition(p_name, { StringName(p_args)... });
 }
 
@@ -41,20 +39,14 @@ class ClassDB {
 	static void add_class(bool p_is_virtual, bool p_is_abstract, bool p_is_exposed, bool p_is_runtime);
 
 public:
-	template <typename T>
-	static void register_class(bool p_virtual = false) {
+	template <typename T> static void register_class(bool p_virtual = false) {
 		add_class<T>(p_virtual, std::is_abstract_v<T>, true, false);
 	}
-	template <typename T>
-	static void register_abstract_class() {
-		add_class<T>(false, true, true, false);
-	}
-	template <typename T>
-	static void register_internal_class() {
+	template <typename T> static void register_abstract_class() { add_class<T>(false, true, true, false); }
+	template <typename T> static void register_internal_class() {
 		add_class<T>(false, std::is_abstract_v<T>, false, false);
 	}
-	template <typename T>
-	static void register_runtime_class() {
+	template <typename T> static void register_runtime_class() {
 		add_class<T>(false, std::is_abstract_v<T>, true, true);
 	}
 
@@ -67,10 +59,11 @@ public:
 	template <typename M, typename... Defaults>
 	static void bind_static_method(const StringName &p_class, const MethodDefinition &p_definition, M p_method,
 			const Defaults &...p_defaults) {
-		add_method(p_class, std::make_unique<internal::StaticMethod<M>>(p_method), p_definition, { Variant(p_defaults)... });
+		add_method(p_class, std::make_unique<internal::StaticMethod<M>>(p_method), p_definition,
+				{ Variant(p_defaults)... });
 	}
-	static void add_virtual_method(const StringName &p_class, const MethodInfo &p_method,
-			const std::vector<StringName> &p_names = {});
+	static void add_virtual_method(
+			const StringName &p_class, const MethodInfo &p_method, const std::vector<StringName> &p_names = {});
 
 	static void add_property(const StringName &p_class, const PropertyInfo &p_info, const StringName &p_setter,
 			const StringName &p_getter, int p_index = -1);
@@ -114,17 +107,17 @@ void ClassDB::add_class(bool p_is_virtual, bool p_is_abstract, bool p_is_exposed
 #define GDREGISTER_RUNTIME_CLASS(m_class) ::godot::ClassDB::register_runtime_class<m_class>();
 
 // Inside of _bind_methods.
-#define ADD_PROPERTY(m_property, m_setter, m_getter) \
+#define ADD_PROPERTY(m_property, m_setter, m_getter)                                                                   \
 	::godot::ClassDB::add_property(get_class_static(), m_property, m_setter, m_getter)
-#define ADD_PROPERTYI(m_property, m_setter, m_getter, m_index) \
+#define ADD_PROPERTYI(m_property, m_setter, m_getter, m_index)                                                         \
 	::godot::ClassDB::add_property(get_class_static(), m_property, m_setter, m_getter, m_index)
 #define ADD_GROUP(m_name, m_prefix) ::godot::ClassDB::add_property_group(get_class_static(), m_name, m_prefix)
 #define ADD_SUBGROUP(m_name, m_prefix) ::godot::ClassDB::add_property_subgroup(get_class_static(), m_name, m_prefix)
 #define ADD_SIGNAL(m_signal) ::godot::ClassDB::add_signal(get_class_static(), m_signal)
-#define GODOT_BIND_CONSTANT(m_constant, m_enum, m_is_bit_field) \
-	::godot::ClassDB::bind_integer_constant(                    \
+#define GODOT_BIND_CONSTANT(m_constant, m_enum, m_is_bit_field)                                                        \
+	::godot::ClassDB::bind_integer_constant(                                                                           \
 			get_class_static(), m_enum, ::godot::StringName(#m_constant), int64_t(m_constant), m_is_bit_field)
-#define GODOT_ENUM_NAME_OF(m_constant) \
+#define GODOT_ENUM_NAME_OF(m_constant)                                                                                 \
 	::godot::internal::enum_name(::godot::internal::TypeTraits<decltype(m_constant)>::cpp_name)
 #define BIND_CONSTANT(m_constant) GODOT_BIND_CONSTANT(m_constant, ::godot::StringName(), false)
 #define BIND_ENUM_CONSTANT(m_constant) GODOT_BIND_CONSTANT(m_constant, GODOT_ENUM_NAME_OF(m_constant), false)

@@ -37,72 +37,64 @@ struct ClassRecord {
 };
 
 // The record of one class while it is registered.
-template <typename T>
-inline ClassRecord *record_of_class = nullptr;
+template <typename T> inline ClassRecord *record_of_class = nullptr;
 
-// Called inside of the class, so that the functions may be private. A function counts when the class itself declares it.
-template <typename T>
-struct ClassHooks {
+// Called inside of the class, so that the functions may be private. A function counts when the class itself declares
+// it.
+template <typename T> struct ClassHooks {
 	ClassRecord &record;
 
-	template <auto M>
-	static constexpr bool is_own = std::is_same_v<typename FunctionType<decltype(M)>::Class, T>;
+	template <auto M> static constexpr bool is_own = std::is_same_v<typename FunctionType<decltype(M)>::Class, T>;
 
 	static T *self(Wrapped *p_self) { return static_cast<T *>(p_self); }
 	static T *self(const Wrapped *p_self) { return const_cast<T *>(static_cast<const T *>(p_self)); }
 
-	template <auto M>
-	void notification() {
+	template <auto M> void notification() {
 		if constexpr (is_own<M>) {
 			record.notification = [](Wrapped *p_self, int p_what) { (self(p_self)->*M)(p_what); };
 		}
 	}
-	template <auto M>
-	void set() {
+	template <auto M> void set() {
 		if constexpr (is_own<M>) {
 			record.set = [](Wrapped *p_self, const StringName &p_name, const Variant &p_value) -> bool {
 				return (self(p_self)->*M)(p_name, p_value);
 			};
 		}
 	}
-	template <auto M>
-	void get() {
+	template <auto M> void get() {
 		if constexpr (is_own<M>) {
 			record.get = [](const Wrapped *p_self, const StringName &p_name, Variant &r_value) -> bool {
 				return (self(p_self)->*M)(p_name, r_value);
 			};
 		}
 	}
-	template <auto M>
-	void get_property_list() {
+	template <auto M> void get_property_list() {
 		if constexpr (is_own<M>) {
-			record.get_property_list = [](const Wrapped *p_self, List<PropertyInfo> *r_list) { (self(p_self)->*M)(r_list); };
+			record.get_property_list = [](const Wrapped *p_self, List<PropertyInfo> *r_list) {
+				(self(p_self)->*M)(r_list);
+			};
 		}
 	}
-	template <auto M>
-	void property_can_revert() {
+	template <auto M> void property_can_revert() {
 		if constexpr (is_own<M>) {
 			record.property_can_revert = [](const Wrapped *p_self, const StringName &p_name) -> bool {
 				return (self(p_self)->*M)(p_name);
 			};
 		}
 	}
-	template <auto M>
-	void property_get_revert() {
+	template <auto M> void property_get_revert() {
 		if constexpr (is_own<M>) {
 			record.property_get_revert = [](const Wrapped *p_self, const StringName &p_name, Variant &r_value) -> bool {
 				return (self(p_self)->*M)(p_name, r_value);
 			};
 		}
 	}
-	template <auto M>
-	void validate_property() {
+	template <auto M> void validate_property() {
 		if constexpr (is_own<M>) {
 			record.validate_property = [](const Wrapped *p_self, PropertyInfo &r_info) { (self(p_self)->*M)(r_info); };
 		}
 	}
-	template <auto M>
-	void to_string() {
+	template <auto M> void to_string() {
 		if constexpr (is_own<M>) {
 			record.to_string = [](const Wrapped *p_self) -> String { return (self(p_self)->*M)(); };
 		}
@@ -112,38 +104,40 @@ struct ClassHooks {
 } // namespace godot::internal
 
 // At the head of every class of ours.
-#define GDCLASS(m_class, m_inherits)                                                       \
-public:                                                                                    \
-	using self_type = m_class;                                                             \
-	using super_type = m_inherits;                                                         \
-	static const ::godot::StringName &get_class_static() {                                 \
-		static ::godot::internal::StaticName name(#m_class);                               \
-		return name.get();                                                                 \
-	}                                                                                      \
-	static const ::godot::StringName &get_parent_class_static() {                          \
-		return m_inherits::get_class_static();                                             \
-	}                                                                                      \
-	static void _initialize_class() {                                                      \
-		if (m_class::_get_bind_methods() != m_inherits::_get_bind_methods()) {             \
-			m_class::_bind_methods();                                                      \
-		}                                                                                  \
-	}                                                                                      \
-	const ::godot::internal::ClassRecord *_get_class_record() const override {             \
-		return ::godot::internal::record_of_class<m_class>;                                \
-	}                                                                                      \
-	static void _describe_class(::godot::internal::ClassHooks<m_class> &r_hooks) {         \
-		m_class::_bind_virtuals<m_class>(r_hooks.record.virtuals);                         \
-		r_hooks.notification<&m_class::_notification>();                                   \
-		r_hooks.set<&m_class::_set>();                                                     \
-		r_hooks.get<&m_class::_get>();                                                     \
-		r_hooks.get_property_list<&m_class::_get_property_list>();                         \
-		r_hooks.property_can_revert<&m_class::_property_can_revert>();                     \
-		r_hooks.property_get_revert<&m_class::_property_get_revert>();                     \
-		r_hooks.validate_property<&m_class::_validate_property>();                         \
-		r_hooks.to_string<&m_class::_to_string>();                                         \
-	}                                                                                      \
-                                                                                           \
-protected:                                                                                 \
-	static void (*_get_bind_methods())() { return &m_class::_bind_methods; }               \
-                                                                                           \
+#define GDCLASS(m_class, m_inherits)                                                                                   \
+public:                                                                                                                \
+	using self_type = m_class;                                                                                         \
+	using super_type = m_inherits;                                                                                     \
+	static const ::godot::StringName &get_class_static() {                                                             \
+		static ::godot::internal::StaticName name(#m_class);                                                           \
+		return name.get();                                                                                             \
+	}                                                                                                                  \
+	static const ::godot::StringName &get_parent_class_static() {                                                      \
+		return m_inherits::get_class_static();                                                                         \
+	}                                                                                                                  \
+	static void _initialize_class() {                                                                                  \
+		if (m_class::_get_bind_methods() != m_inherits::_get_bind_methods()) {                                         \
+			m_class::_bind_methods();                                                                                  \
+		}                                                                                                              \
+	}                                                                                                                  \
+	const ::godot::internal::ClassRecord *_get_class_record() const override {                                         \
+		return ::godot::internal::record_of_class<m_class>;                                                            \
+	}                                                                                                                  \
+	static void _describe_class(::godot::internal::ClassHooks<m_class> &r_hooks) {                                     \
+		m_class::_bind_virtuals<m_class>(r_hooks.record.virtuals);                                                     \
+		r_hooks.notification<&m_class::_notification>();                                                               \
+		r_hooks.set<&m_class::_set>();                                                                                 \
+		r_hooks.get<&m_class::_get>();                                                                                 \
+		r_hooks.get_property_list<&m_class::_get_property_list>();                                                     \
+		r_hooks.property_can_revert<&m_class::_property_can_revert>();                                                 \
+		r_hooks.property_get_revert<&m_class::_property_get_revert>();                                                 \
+		r_hooks.validate_property<&m_class::_validate_property>();                                                     \
+		r_hooks.to_string<&m_class::_to_string>();                                                                     \
+	}                                                                                                                  \
+                                                                                                                       \
+protected:                                                                                                             \
+	static void (*_get_bind_methods())() {                                                                             \
+		return &m_class::_bind_methods;                                                                                \
+	}                                                                                                                  \
+                                                                                                                       \
 private:

@@ -5,6 +5,9 @@
 
 // Words that every header of the binding uses.
 
+// Not defined by godot-cpp.
+#define GODOT_BUNDLED_BINDING
+
 #ifndef _FORCE_INLINE_
 #define _FORCE_INLINE_ inline
 #endif

@@ -16,8 +16,7 @@ void report_missing(const char *p_class, const char *p_name, int64_t p_hash);
 void report_call_error(const char *p_name, const GDExtensionCallError &p_error);
 
 // A function of the engine with the name and hash of its signature; constant until its first call finds it.
-template <typename Pointer, Pointer (*Find)(const char *, const char *, int, int64_t)>
-class EngineFunction {
+template <typename Pointer, Pointer (*Find)(const char *, const char *, int, int64_t)> class EngineFunction {
 	const char *owner;
 	const char *name;
 	int type;
@@ -82,8 +81,7 @@ class Singleton {
 	Wrapped *find();
 
 public:
-	constexpr explicit Singleton(const char *p_name) :
-			name(p_name) {}
+	constexpr explicit Singleton(const char *p_name) : name(p_name) {}
 	Wrapped *get() {
 		Wrapped *wrapped = found.load(std::memory_order_acquire);
 		return likely(wrapped) ? wrapped : find();
@@ -93,8 +91,7 @@ public:
 };
 
 // Calls with pointers to the held arguments and a place for the result.
-template <typename R, typename F, typename... Held>
-inline R with_pointers(F p_call, const Held &...p_held) {
+template <typename R, typename F, typename... Held> inline R with_pointers(F p_call, const Held &...p_held) {
 	const GDExtensionConstTypePtr arguments[sizeof...(Held) + 1] = { p_held.ptr()..., nullptr };
 	if constexpr (std::is_void_v<R>) {
 		p_call(arguments, nullptr);
@@ -128,23 +125,18 @@ inline R call_builtin(BuiltinMethod &p_method, void *p_base, const A &...p_argum
 	if (unlikely(!function)) {
 		return R();
 	}
-	return with_pointers<R>(
-			[&](const GDExtensionConstTypePtr *p_pointers, void *r_result) {
-				function(p_base, p_pointers, r_result, int32_t(sizeof...(A)));
-			},
+	return with_pointers<R>([&](const GDExtensionConstTypePtr *p_pointers,
+									void *r_result) { function(p_base, p_pointers, r_result, int32_t(sizeof...(A))); },
 			typename TypeTraits<A>::Argument(p_arguments)...);
 }
 
-template <typename R, typename... A>
-inline R call_utility(UtilityFunction &p_function, const A &...p_arguments) {
+template <typename R, typename... A> inline R call_utility(UtilityFunction &p_function, const A &...p_arguments) {
 	const GDExtensionPtrUtilityFunction function = p_function.get();
 	if (unlikely(!function)) {
 		return R();
 	}
-	return with_pointers<R>(
-			[&](const GDExtensionConstTypePtr *p_pointers, void *r_result) {
-				function(r_result, p_pointers, int32_t(sizeof...(A)));
-			},
+	return with_pointers<R>([&](const GDExtensionConstTypePtr *p_pointers,
+									void *r_result) { function(r_result, p_pointers, int32_t(sizeof...(A))); },
 			typename TypeTraits<A>::Argument(p_arguments)...);
 }
 
@@ -200,9 +192,9 @@ inline R call_utility_array(UtilityFunction &p_function, const Variant *p_values
 	});
 }
 
-template <typename R>
-inline R call_operator(Operator &p_operator, const void *p_left, const void *p_right) {
-	return with_pointers<R>([&](const GDExtensionConstTypePtr *, void *r_result) { p_operator.get()(p_left, p_right, r_result); });
+template <typename R> inline R call_operator(Operator &p_operator, const void *p_left, const void *p_right) {
+	return with_pointers<R>(
+			[&](const GDExtensionConstTypePtr *, void *r_result) { p_operator.get()(p_left, p_right, r_result); });
 }
 
 template <typename... A>
@@ -215,29 +207,28 @@ inline void construct(GDExtensionVariantType p_type, int p_index, void *r_base, 
 } // namespace godot::internal
 
 // Life and copies of a built-in type that only the engine knows from inside.
-#define GODOT_OPAQUE_TYPE(m_type, m_id)                                                  \
-	m_type::m_type() {                                                                   \
-		internal::type_functions[m_id].create(this, nullptr);                            \
-	}                                                                                    \
-	m_type::m_type(const m_type &p_from) {                                               \
-		const GDExtensionConstTypePtr arguments[] = { &p_from };                         \
-		internal::type_functions[m_id].copy(this, arguments);                            \
-	}                                                                                    \
-	m_type::m_type(m_type &&p_from) :                                                    \
-			m_type() {                                                                   \
-		std::swap(_opaque, p_from._opaque);                                              \
-	}                                                                                    \
-	m_type::~m_type() {                                                                  \
-		internal::type_functions[m_id].destroy(this);                                    \
-	}                                                                                    \
-	m_type &m_type::operator=(const m_type &p_from) {                                    \
-		if (this != &p_from) {                                                           \
-			m_type copy(p_from);                                                         \
-			std::swap(_opaque, copy._opaque);                                            \
-		}                                                                                \
-		return *this;                                                                    \
-	}                                                                                    \
-	m_type &m_type::operator=(m_type &&p_from) {                                         \
-		std::swap(_opaque, p_from._opaque);                                              \
-		return *this;                                                                    \
+#define GODOT_OPAQUE_TYPE(m_type, m_id)                                                                                \
+	m_type::m_type() {                                                                                                 \
+		internal::type_functions[m_id].create(this, nullptr);                                                          \
+	}                                                                                                                  \
+	m_type::m_type(const m_type &p_from) {                                                                             \
+		const GDExtensionConstTypePtr arguments[] = { &p_from };                                                       \
+		internal::type_functions[m_id].copy(this, arguments);                                                          \
+	}                                                                                                                  \
+	m_type::m_type(m_type &&p_from) : m_type() {                                                                       \
+		std::swap(_opaque, p_from._opaque);                                                                            \
+	}                                                                                                                  \
+	m_type::~m_type() {                                                                                                \
+		internal::type_functions[m_id].destroy(this);                                                                  \
+	}                                                                                                                  \
+	m_type &m_type::operator=(const m_type &p_from) {                                                                  \
+		if (this != &p_from) {                                                                                         \
+			m_type copy(p_from);                                                                                       \
+			std::swap(_opaque, copy._opaque);                                                                          \
+		}                                                                                                              \
+		return *this;                                                                                                  \
+	}                                                                                                                  \
+	m_type &m_type::operator=(m_type &&p_from) {                                                                       \
+		std::swap(_opaque, p_from._opaque);                                                                            \
+		return *this;                                                                                                  \
 	}

@@ -26,8 +26,7 @@ class VirtualTable {
 	void add(const char *p_name, uint32_t p_hash, VirtualCall p_call);
 
 public:
-	template <typename T, auto Method>
-	void bind(const char *p_name, uint32_t p_hash) {
+	template <typename T, auto Method> void bind(const char *p_name, uint32_t p_hash) {
 		add(p_name, p_hash, [](Wrapped *p_self, const GDExtensionConstTypePtr *p_arguments, void *r_result) {
 			FunctionType<decltype(Method)>::Parts::call_pointers(
 					[p_self](auto &&...p_values) -> decltype(auto) {
@@ -48,27 +47,26 @@ struct EngineClass {
 extern const EngineClass engine_classes[];
 extern const int engine_class_count;
 
-template <typename T>
-Wrapped *create_wrapper(void *p_owner) {
+template <typename T> Wrapped *create_wrapper(void *p_owner) {
 	Construction construction(nullptr, p_owner);
 	return new T;
 }
 
 } // namespace godot::internal
 
-#define GODOT_ENGINE_CLASS(m_class, m_base, m_engine_name)              \
-public:                                                                 \
-	using self_type = m_class;                                          \
-	using native_type = m_class;                                        \
-	static const StringName &get_class_static() {                       \
-		static internal::StaticName name(m_engine_name);                \
-		return name.get();                                              \
-	}                                                                   \
-                                                                        \
+#define GODOT_ENGINE_CLASS(m_class, m_base, m_engine_name)                                                             \
+public:                                                                                                                \
+	using self_type = m_class;                                                                                         \
+	using native_type = m_class;                                                                                       \
+	static const StringName &get_class_static() {                                                                      \
+		static internal::StaticName name(m_engine_name);                                                               \
+		return name.get();                                                                                             \
+	}                                                                                                                  \
+                                                                                                                       \
 private:
 
 // A virtual method is overridden when the name leads to another declaration than the engine class's own.
-#define GODOT_ENGINE_VIRTUAL(m_class, m_name, m_hash)                                    \
-	if constexpr (!std::is_same_v<decltype(&T::m_name), decltype(&m_class::m_name)>) {   \
-		r_table.bind<T, &T::m_name>(#m_name, m_hash);                                    \
+#define GODOT_ENGINE_VIRTUAL(m_class, m_name, m_hash)                                                                  \
+	if constexpr (!std::is_same_v<decltype(&T::m_name), decltype(&m_class::m_name)>) {                                 \
+		r_table.bind<T, &T::m_name>(#m_name, m_hash);                                                                  \
 	}

@@ -47,8 +47,7 @@ class StaticName {
 	void create();
 
 public:
-	constexpr explicit StaticName(const char *p_text) :
-			text(p_text) {}
+	constexpr explicit StaticName(const char *p_text) : text(p_text) {}
 	const StringName &get() {
 		if (unlikely(!ready.load(std::memory_order_acquire))) {
 			create();

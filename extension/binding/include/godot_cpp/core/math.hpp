@@ -19,16 +19,13 @@
 
 namespace godot {
 
-template <typename T, typename U>
-constexpr auto MIN(const T p_a, const U p_b) {
+template <typename T, typename U> constexpr auto MIN(const T p_a, const U p_b) {
 	return p_a < p_b ? p_a : p_b;
 }
-template <typename T, typename U>
-constexpr auto MAX(const T p_a, const U p_b) {
+template <typename T, typename U> constexpr auto MAX(const T p_a, const U p_b) {
 	return p_a > p_b ? p_a : p_b;
 }
-template <typename T, typename U, typename V>
-constexpr auto CLAMP(const T p_a, const U p_min, const V p_max) {
+template <typename T, typename U, typename V> constexpr auto CLAMP(const T p_a, const U p_min, const V p_max) {
 	return p_a < p_min ? p_min : (p_a > p_max ? p_max : p_a);
 }
 
@@ -55,36 +52,28 @@ using std::sin;
 using std::sqrt;
 using std::tan;
 
-template <typename T>
-inline bool is_nan(T p_value) {
+template <typename T> inline bool is_nan(T p_value) {
 	return std::isnan(p_value);
 }
-template <typename T>
-inline bool is_inf(T p_value) {
+template <typename T> inline bool is_inf(T p_value) {
 	return std::isinf(p_value);
 }
-template <typename T>
-inline bool is_finite(T p_value) {
+template <typename T> inline bool is_finite(T p_value) {
 	return std::isfinite(p_value);
 }
-template <typename T>
-inline T deg_to_rad(T p_degrees) {
+template <typename T> inline T deg_to_rad(T p_degrees) {
 	return p_degrees * T(PI / 180.0);
 }
-template <typename T>
-inline T rad_to_deg(T p_radians) {
+template <typename T> inline T rad_to_deg(T p_radians) {
 	return p_radians * T(180.0 / PI);
 }
-template <typename T>
-inline T lerp(T p_from, T p_to, T p_weight) {
+template <typename T> inline T lerp(T p_from, T p_to, T p_weight) {
 	return p_from + (p_to - p_from) * p_weight;
 }
-template <typename T>
-inline bool is_zero_approx(T p_value) {
+template <typename T> inline bool is_zero_approx(T p_value) {
 	return std::abs(p_value) < T(CMP_EPSILON);
 }
-template <typename T>
-inline bool is_equal_approx(T p_left, T p_right) {
+template <typename T> inline bool is_equal_approx(T p_left, T p_right) {
 	if (p_left == p_right) {
 		return true;
 	}

@@ -16,15 +16,12 @@ void announce(Wrapped *p_wrapped);
 void destroy(Wrapped *p_wrapped);
 
 // A construction by memnew, from before the constructor to after it. For a plain type it does nothing.
-template <typename T, bool IsWrapped = std::is_base_of_v<Wrapped, T>>
-struct Making {
+template <typename T, bool IsWrapped = std::is_base_of_v<Wrapped, T>> struct Making {
 	T *finish(T *p_made) { return p_made; }
 };
 
-template <typename T>
-struct Making<T, true> : Construction {
-	Making() :
-			Construction(&T::native_type::get_class_static(), nullptr) {}
+template <typename T> struct Making<T, true> : Construction {
+	Making() : Construction(&T::native_type::get_class_static(), nullptr) {}
 	T *finish(T *p_made) {
 		constexpr bool is_native = std::is_same_v<typename T::self_type, typename T::native_type>;
 		join(p_made, is_native ? nullptr : &T::self_type::get_class_static());
@@ -35,8 +32,7 @@ struct Making<T, true> : Construction {
 
 } // namespace internal
 
-template <typename T>
-void memdelete(T *p_object) {
+template <typename T> void memdelete(T *p_object) {
 	if constexpr (std::is_base_of_v<Wrapped, T>) {
 		internal::destroy(p_object);
 	} else {
@@ -47,11 +43,11 @@ void memdelete(T *p_object) {
 } // namespace godot
 
 // memnew(Node3D), memnew(Thing(argument)): makes the C++ object together with its engine object.
-#define memnew(m_class) \
+#define memnew(m_class)                                                                                                \
 	(::godot::internal::Making<std::remove_reference_t<decltype(*new m_class)>>().finish(new m_class))
-#define memdelete_notnull(m_object)        \
-	{                                      \
-		if (m_object) {                    \
-			::godot::memdelete(m_object);  \
-		}                                  \
+#define memdelete_notnull(m_object)                                                                                    \
+	{                                                                                                                  \
+		if (m_object) {                                                                                                \
+			::godot::memdelete(m_object);                                                                              \
+		}                                                                                                              \
 	}

@@ -19,11 +19,9 @@ struct MethodInfo {
 	std::vector<GDExtensionClassMethodArgumentMetadata> arguments_metadata;
 
 	MethodInfo() = default;
-	explicit MethodInfo(const StringName &p_name) :
-			name(p_name) {}
+	explicit MethodInfo(const StringName &p_name) : name(p_name) {}
 	template <typename... Args>
-	MethodInfo(const StringName &p_name, const Args &...p_arguments) :
-			name(p_name), arguments{ p_arguments... } {}
+	MethodInfo(const StringName &p_name, const Args &...p_arguments) : name(p_name), arguments{ p_arguments... } {}
 	template <typename... Args>
 	MethodInfo(Variant::Type p_return, const StringName &p_name, const Args &...p_arguments) :
 			name(p_name), return_val(PropertyInfo(p_return, StringName())), arguments{ p_arguments... } {}

@@ -4,12 +4,10 @@
 
 namespace godot {
 
-template <typename... Args>
-void print_line(const Args &...p_values) {
+template <typename... Args> void print_line(const Args &...p_values) {
 	UtilityFunctions::print(p_values...);
 }
-template <typename... Args>
-void print_error(const Args &...p_values) {
+template <typename... Args> void print_error(const Args &...p_values) {
 	UtilityFunctions::printerr(p_values...);
 }
 

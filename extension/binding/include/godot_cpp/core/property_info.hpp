@@ -28,14 +28,14 @@ struct PropertyInfo {
 			usage(p_usage) {}
 
 	bool operator==(const PropertyInfo &p_other) const {
-		return type == p_other.type && name == p_other.name && class_name == p_other.class_name && hint == p_other.hint &&
-				hint_string == p_other.hint_string && usage == p_other.usage;
+		return type == p_other.type && name == p_other.name && class_name == p_other.class_name &&
+				hint == p_other.hint && hint_string == p_other.hint_string && usage == p_other.usage;
 	}
 
 	// The engine's form; it points into this object.
 	GDExtensionPropertyInfo c_info() const {
-		return { GDExtensionVariantType(type), const_cast<StringName *>(&name), const_cast<StringName *>(&class_name), hint,
-			const_cast<String *>(&hint_string), usage };
+		return { GDExtensionVariantType(type), const_cast<StringName *>(&name), const_cast<StringName *>(&class_name),
+			hint, const_cast<String *>(&hint_string), usage };
 	}
 };
 

@@ -9,8 +9,7 @@
 
 namespace godot::internal {
 
-template <typename R, typename... A>
-struct Signature {
+template <typename R, typename... A> struct Signature {
 	using Result = R;
 	static constexpr size_t count = sizeof...(A);
 
@@ -53,8 +52,7 @@ struct Signature {
 	}
 
 private:
-	template <typename T>
-	static bool fits(const Variant &p_value, int32_t &r_expected) {
+	template <typename T> static bool fits(const Variant &p_value, int32_t &r_expected) {
 		using Traits = TypeTraits<Plain<T>>;
 		r_expected = int32_t(Traits::type);
 		if constexpr (Traits::type == Variant::NIL) {
@@ -78,28 +76,25 @@ private:
 		if constexpr (std::is_void_v<R>) {
 			p_function(TypeTraits<Plain<A>>::from_variant(*p_arguments[I])...);
 		} else {
-			r_result = TypeTraits<Plain<R>>::to_variant(p_function(TypeTraits<Plain<A>>::from_variant(*p_arguments[I])...));
+			r_result = TypeTraits<Plain<R>>::to_variant(
+					p_function(TypeTraits<Plain<A>>::from_variant(*p_arguments[I])...));
 		}
 	}
 };
 
 // Taken apart: the class that declares a function, its signature, whether it is const.
-template <typename M>
-struct FunctionType;
-template <typename R, typename C, typename... A>
-struct FunctionType<R (C::*)(A...)> {
+template <typename M> struct FunctionType;
+template <typename R, typename C, typename... A> struct FunctionType<R (C::*)(A...)> {
 	using Class = C;
 	using Parts = Signature<R, A...>;
 	static constexpr bool is_const = false;
 };
-template <typename R, typename C, typename... A>
-struct FunctionType<R (C::*)(A...) const> {
+template <typename R, typename C, typename... A> struct FunctionType<R (C::*)(A...) const> {
 	using Class = C;
 	using Parts = Signature<R, A...>;
 	static constexpr bool is_const = true;
 };
-template <typename R, typename... A>
-struct FunctionType<R (*)(A...)> {
+template <typename R, typename... A> struct FunctionType<R (*)(A...)> {
 	using Class = void;
 	using Parts = Signature<R, A...>;
 	static constexpr bool is_const = false;

@@ -5,8 +5,8 @@
 #include <godot_cpp/classes/wrapped.hpp>
 #include <godot_cpp/core/property_info.hpp>
 
-// One description per C++ type, on which calls in both directions are built: engine methods, our bound methods, virtuals
-// of the engine that we override and methods of ours that scripts override.
+// One description per C++ type, on which calls in both directions are built: engine methods, our bound methods,
+// virtuals of the engine that we override and methods of ours that scripts override.
 //   type, metadata   what the engine calls it
 //   Argument         holds a value in the form in which a pointer call takes it
 //   Result           receives what a pointer call returns; is_direct: the value itself can receive it
@@ -15,29 +15,22 @@
 
 namespace godot {
 
-template <typename T>
-class Ref;
-template <typename T>
-class BitField;
+template <typename T> class Ref;
+template <typename T> class BitField;
 
 namespace internal {
 
-template <typename T, typename = void>
-struct TypeTraits;
+template <typename T, typename = void> struct TypeTraits;
 
-template <typename T>
-using Plain = std::remove_cv_t<std::remove_reference_t<T>>;
+template <typename T> using Plain = std::remove_cv_t<std::remove_reference_t<T>>;
 
-template <typename T>
-struct PointerArgument {
+template <typename T> struct PointerArgument {
 	const T *value;
-	PointerArgument(const T &p_value) :
-			value(&p_value) {}
+	PointerArgument(const T &p_value) : value(&p_value) {}
 	const void *ptr() const { return value; }
 };
 
-template <typename T, int Type>
-struct DirectTraits {
+template <typename T, int Type> struct DirectTraits {
 	static constexpr Variant::Type type = Variant::Type(Type);
 	static constexpr auto metadata = GDEXTENSION_METHOD_ARGUMENT_METADATA_NONE;
 	static constexpr bool is_direct = true;
@@ -50,14 +43,12 @@ struct DirectTraits {
 	static PropertyInfo describe() { return PropertyInfo(type, StringName()); }
 };
 
-#define GODOT_TYPE_TRAITS(m_type, m_id)                      \
-	template <>                                              \
-	struct TypeTraits<m_type> : DirectTraits<m_type, GDEXTENSION_VARIANT_TYPE_##m_id> {};
+#define GODOT_TYPE_TRAITS(m_type, m_id)                                                                                \
+	template <> struct TypeTraits<m_type> : DirectTraits<m_type, GDEXTENSION_VARIANT_TYPE_##m_id> {};
 GODOT_FOR_EACH_BUILTIN(GODOT_TYPE_TRAITS)
 #undef GODOT_TYPE_TRAITS
 
-template <>
-struct TypeTraits<Variant> : DirectTraits<Variant, GDEXTENSION_VARIANT_TYPE_NIL> {
+template <> struct TypeTraits<Variant> : DirectTraits<Variant, GDEXTENSION_VARIANT_TYPE_NIL> {
 	static Variant from_variant(const Variant &p_value) { return p_value; }
 	static PropertyInfo describe() {
 		return PropertyInfo(Variant::NIL, StringName(), PROPERTY_HINT_NONE, String(),
@@ -66,15 +57,13 @@ struct TypeTraits<Variant> : DirectTraits<Variant, GDEXTENSION_VARIANT_TYPE_NIL>
 };
 
 // Types that travel as another one: every integer as int64, float as double, bool as a byte.
-template <typename T, typename Encoded, int Type, int Metadata>
-struct EncodedTraits {
+template <typename T, typename Encoded, int Type, int Metadata> struct EncodedTraits {
 	static constexpr Variant::Type type = Variant::Type(Type);
 	static constexpr auto metadata = GDExtensionClassMethodArgumentMetadata(Metadata);
 	static constexpr bool is_direct = false;
 	struct Argument {
 		Encoded value;
-		Argument(T p_value) :
-				value(Encoded(p_value)) {}
+		Argument(T p_value) : value(Encoded(p_value)) {}
 		const void *ptr() const { return &value; }
 	};
 	struct Result {
@@ -98,9 +87,9 @@ struct EncodedTraits {
 	static PropertyInfo describe() { return PropertyInfo(type, StringName()); }
 };
 
-#define GODOT_NUMBER_TRAITS(m_type, m_encoded, m_id, m_metadata)                                          \
-	template <>                                                                                           \
-	struct TypeTraits<m_type> : EncodedTraits<m_type, m_encoded, GDEXTENSION_VARIANT_TYPE_##m_id,         \
+#define GODOT_NUMBER_TRAITS(m_type, m_encoded, m_id, m_metadata)                                                       \
+	template <>                                                                                                        \
+	struct TypeTraits<m_type> : EncodedTraits<m_type, m_encoded, GDEXTENSION_VARIANT_TYPE_##m_id,                      \
 										GDEXTENSION_METHOD_ARGUMENT_METADATA_##m_metadata> {};
 GODOT_NUMBER_TRAITS(bool, uint8_t, BOOL, NONE)
 GODOT_NUMBER_TRAITS(int8_t, int64_t, INT, INT_IS_INT8)
@@ -126,7 +115,8 @@ template <typename T, bool IsBitField>
 struct EnumTraits : EncodedTraits<T, int64_t, GDEXTENSION_VARIANT_TYPE_INT, GDEXTENSION_METHOD_ARGUMENT_METADATA_NONE> {
 	static Variant to_variant(T p_value) { return Variant(int64_t(p_value)); }
 	static PropertyInfo describe() {
-		const uint32_t flag = IsBitField ? uint32_t(PROPERTY_USAGE_CLASS_IS_BITFIELD) : uint32_t(PROPERTY_USAGE_CLASS_IS_ENUM);
+		const uint32_t flag =
+				IsBitField ? uint32_t(PROPERTY_USAGE_CLASS_IS_BITFIELD) : uint32_t(PROPERTY_USAGE_CLASS_IS_ENUM);
 		return PropertyInfo(Variant::INT, StringName(), PROPERTY_HINT_NONE, String(), PROPERTY_USAGE_DEFAULT | flag,
 				enum_class_name(TypeTraits<T>::cpp_name));
 	}
@@ -142,15 +132,13 @@ struct ObjectArgument {
 	const void *ptr() const { return &object; }
 };
 
-template <typename T>
-struct TypeTraits<T *, std::enable_if_t<std::is_class_v<T>>> {
+template <typename T> struct TypeTraits<T *, std::enable_if_t<std::is_class_v<T>>> {
 	using Class = std::remove_const_t<T>;
 	static constexpr Variant::Type type = Variant::OBJECT;
 	static constexpr auto metadata = GDEXTENSION_METHOD_ARGUMENT_METADATA_NONE;
 	static constexpr bool is_direct = false;
 	struct Argument : ObjectArgument {
-		Argument(const T *p_object) :
-				ObjectArgument{ owner_of(p_object) } {}
+		Argument(const T *p_object) : ObjectArgument{ owner_of(p_object) } {}
 	};
 	struct Result {
 		void *object = nullptr;
@@ -165,19 +153,18 @@ struct TypeTraits<T *, std::enable_if_t<std::is_class_v<T>>> {
 	static Variant to_variant(const T *p_value) { return Variant(static_cast<const Object *>(p_value)); }
 	static bool accepts(const Variant &p_value) { return !wrapped_in(p_value) || from_variant(p_value); }
 	static PropertyInfo describe() {
-		return PropertyInfo(type, StringName(), PROPERTY_HINT_NONE, String(), PROPERTY_USAGE_DEFAULT, Class::get_class_static());
+		return PropertyInfo(
+				type, StringName(), PROPERTY_HINT_NONE, String(), PROPERTY_USAGE_DEFAULT, Class::get_class_static());
 	}
 };
 
 // A counted reference: an argument points to the object's pointer, what a call returns brings its own count.
-template <typename T>
-struct TypeTraits<Ref<T>> {
+template <typename T> struct TypeTraits<Ref<T>> {
 	static constexpr Variant::Type type = Variant::OBJECT;
 	static constexpr auto metadata = GDEXTENSION_METHOD_ARGUMENT_METADATA_NONE;
 	static constexpr bool is_direct = false;
 	struct Argument : ObjectArgument {
-		Argument(const Ref<T> &p_ref) :
-				ObjectArgument{ owner_of(p_ref.ptr()) } {}
+		Argument(const Ref<T> &p_ref) : ObjectArgument{ owner_of(p_ref.ptr()) } {}
 	};
 	struct Result {
 		void *object = nullptr;
@@ -202,16 +189,13 @@ struct TypeTraits<Ref<T>> {
 } // namespace internal
 
 // A set of flags of one enum.
-template <typename T>
-class BitField {
+template <typename T> class BitField {
 	int64_t value = 0;
 
 public:
 	constexpr BitField() = default;
-	constexpr BitField(int64_t p_value) :
-			value(p_value) {}
-	constexpr BitField(T p_value) :
-			value(int64_t(p_value)) {}
+	constexpr BitField(int64_t p_value) : value(p_value) {}
+	constexpr BitField(T p_value) : value(int64_t(p_value)) {}
 	constexpr operator int64_t() const { return value; }
 	constexpr void set_flag(T p_flag) { value |= int64_t(p_flag); }
 	constexpr bool has_flag(T p_flag) const { return value & int64_t(p_flag); }
@@ -232,18 +216,17 @@ struct TypeTraits<BitField<T>>
 } // namespace godot
 
 // After the class, outside of every namespace.
-#define GODOT_ENUM_TRAITS(m_enum, m_is_bit_field)                          \
-	template <>                                                            \
-	struct internal::TypeTraits<m_enum> : EnumTraits<m_enum, m_is_bit_field> { \
-		static constexpr const char *cpp_name = #m_enum;                   \
+#define GODOT_ENUM_TRAITS(m_enum, m_is_bit_field)                                                                      \
+	template <> struct internal::TypeTraits<m_enum> : EnumTraits<m_enum, m_is_bit_field> {                             \
+		static constexpr const char *cpp_name = #m_enum;                                                               \
 	};
-#define VARIANT_ENUM_CAST(m_enum)            \
-	namespace godot {                        \
-	GODOT_ENUM_TRAITS(m_enum, false)         \
+#define VARIANT_ENUM_CAST(m_enum)                                                                                      \
+	namespace godot {                                                                                                  \
+	GODOT_ENUM_TRAITS(m_enum, false)                                                                                   \
 	}
-#define VARIANT_BITFIELD_CAST(m_enum)        \
-	namespace godot {                        \
-	GODOT_ENUM_TRAITS(m_enum, true)          \
+#define VARIANT_BITFIELD_CAST(m_enum)                                                                                  \
+	namespace godot {                                                                                                  \
+	GODOT_ENUM_TRAITS(m_enum, true)                                                                                    \
 	}
 
 namespace godot {

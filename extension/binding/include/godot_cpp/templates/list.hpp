@@ -5,7 +5,6 @@
 namespace godot {
 
 // Only what _get_property_list needs: this code uses the standard containers.
-template <typename T>
-class List : public std::list<T> {};
+template <typename T> class List : public std::list<T> {};
 
 } // namespace godot

@@ -10,8 +10,7 @@ public:
 	Vector3 size;
 
 	constexpr AABB() = default;
-	constexpr AABB(const Vector3 &p_position, const Vector3 &p_size) :
-			position(p_position), size(p_size) {}
+	constexpr AABB(const Vector3 &p_position, const Vector3 &p_size) : position(p_position), size(p_size) {}
 
 	constexpr Vector3 get_position() const { return position; }
 	constexpr Vector3 get_size() const { return size; }

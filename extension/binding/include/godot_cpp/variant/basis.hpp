@@ -18,8 +18,7 @@ public:
 			rows{ Vector3(p_xx, p_xy, p_xz), Vector3(p_yx, p_yy, p_yz), Vector3(p_zx, p_zy, p_zz) } {}
 	Basis(const Quaternion &p_quaternion);
 	// The axis has length 1, the angle is in radians.
-	Basis(const Vector3 &p_axis, real_t p_angle) :
-			Basis(Quaternion(p_axis, p_angle)) {}
+	Basis(const Vector3 &p_axis, real_t p_angle) : Basis(Quaternion(p_axis, p_angle)) {}
 
 	constexpr const Vector3 &operator[](int p_row) const { return rows[p_row]; }
 	constexpr Vector3 &operator[](int p_row) { return rows[p_row]; }
@@ -31,7 +30,9 @@ public:
 		rows[1][p_index] = p_value.y;
 		rows[2][p_index] = p_value.z;
 	}
-	constexpr void set_columns(const Vector3 &p_x, const Vector3 &p_y, const Vector3 &p_z) { *this = Basis(p_x, p_y, p_z); }
+	constexpr void set_columns(const Vector3 &p_x, const Vector3 &p_y, const Vector3 &p_z) {
+		*this = Basis(p_x, p_y, p_z);
+	}
 	Quaternion get_quaternion() const { return get_rotation_quaternion(); }
 	constexpr real_t determinant() const { return rows[0].dot(rows[1].cross(rows[2])); }
 	constexpr Basis transposed() const { return Basis(rows[0], rows[1], rows[2]); }

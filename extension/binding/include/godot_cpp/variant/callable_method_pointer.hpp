@@ -14,13 +14,13 @@ Callable make_callable(Object *p_object, std::unique_ptr<BoundMethod> p_method, 
 
 } // namespace internal
 
-template <typename C, typename M>
-Callable create_callable(C *p_object, M p_method) {
-	return internal::make_callable(p_object, std::make_unique<internal::MemberMethod<M>>(p_method), &p_method, sizeof(M));
+template <typename C, typename M> Callable create_callable(C *p_object, M p_method) {
+	return internal::make_callable(
+			p_object, std::make_unique<internal::MemberMethod<M>>(p_method), &p_method, sizeof(M));
 }
-template <typename M>
-Callable create_static_callable(M p_function) {
-	return internal::make_callable(nullptr, std::make_unique<internal::StaticMethod<M>>(p_function), &p_function, sizeof(M));
+template <typename M> Callable create_static_callable(M p_function) {
+	return internal::make_callable(
+			nullptr, std::make_unique<internal::StaticMethod<M>>(p_function), &p_function, sizeof(M));
 }
 
 } // namespace godot

@@ -12,8 +12,7 @@ class CharString {
 
 public:
 	CharString() = default;
-	explicit CharString(std::string p_bytes) :
-			bytes(std::move(p_bytes)) {}
+	explicit CharString(std::string p_bytes) : bytes(std::move(p_bytes)) {}
 	const char *get_data() const { return bytes.c_str(); }
 	const char *ptr() const { return bytes.c_str(); }
 	// Without the closing zero.

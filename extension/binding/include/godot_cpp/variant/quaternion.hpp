@@ -14,8 +14,7 @@ public:
 	real_t w = 1;
 
 	constexpr Quaternion() = default;
-	constexpr Quaternion(real_t p_x, real_t p_y, real_t p_z, real_t p_w) :
-			x(p_x), y(p_y), z(p_z), w(p_w) {}
+	constexpr Quaternion(real_t p_x, real_t p_y, real_t p_z, real_t p_w) : x(p_x), y(p_y), z(p_z), w(p_w) {}
 	// The axis has length 1, the angle is in radians.
 	Quaternion(const Vector3 &p_axis, real_t p_angle);
 	// The shortest turn from one direction to another.
@@ -49,7 +48,9 @@ public:
 		return Quaternion(x - p_q.x, y - p_q.y, z - p_q.z, w - p_q.w);
 	}
 	constexpr Quaternion operator-() const { return Quaternion(-x, -y, -z, -w); }
-	constexpr bool operator==(const Quaternion &p_q) const { return x == p_q.x && y == p_q.y && z == p_q.z && w == p_q.w; }
+	constexpr bool operator==(const Quaternion &p_q) const {
+		return x == p_q.x && y == p_q.y && z == p_q.z && w == p_q.w;
+	}
 	constexpr bool operator!=(const Quaternion &p_q) const { return !(*this == p_q); }
 
 #include <godot_cpp/generated/quaternion_methods.inc>

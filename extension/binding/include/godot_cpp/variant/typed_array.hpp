@@ -6,8 +6,7 @@
 namespace godot {
 
 // An Array whose elements the engine keeps to one type.
-template <typename T>
-class TypedArray : public Array {
+template <typename T> class TypedArray : public Array {
 	using Held = std::conditional_t<std::is_base_of_v<Object, T>, T *, T>;
 
 	void _declare() {
@@ -25,17 +24,14 @@ public:
 			assign(p_array);
 		}
 	}
-	TypedArray(const Variant &p_variant) :
-			TypedArray(p_variant.operator Array()) {}
-	TypedArray(std::initializer_list<Variant> p_values) :
-			TypedArray(Array(p_values)) {}
+	TypedArray(const Variant &p_variant) : TypedArray(p_variant.operator Array()) {}
+	TypedArray(std::initializer_list<Variant> p_values) : TypedArray(Array(p_values)) {}
 	void operator=(const Array &p_array) { *this = TypedArray(p_array); }
 };
 
 namespace internal {
 
-template <typename T>
-struct TypeTraits<TypedArray<T>> {
+template <typename T> struct TypeTraits<TypedArray<T>> {
 	static constexpr Variant::Type type = Variant::ARRAY;
 	static constexpr auto metadata = GDEXTENSION_METHOD_ARGUMENT_METADATA_NONE;
 	static constexpr bool is_direct = false;
@@ -53,7 +49,8 @@ struct TypeTraits<TypedArray<T>> {
 	static PropertyInfo describe() {
 		using Held = std::conditional_t<std::is_base_of_v<Object, T>, T *, T>;
 		const PropertyInfo element = TypeTraits<Held>::describe();
-		const String name = element.type == Variant::OBJECT ? String(element.class_name) : Variant::get_type_name(element.type);
+		const String name =
+				element.type == Variant::OBJECT ? String(element.class_name) : Variant::get_type_name(element.type);
 		return PropertyInfo(Variant::ARRAY, StringName(), PROPERTY_HINT_ARRAY_TYPE, name);
 	}
 };

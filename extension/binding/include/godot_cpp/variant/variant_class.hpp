@@ -7,34 +7,21 @@
 
 namespace godot {
 
-template <typename T>
-class Ref;
+template <typename T> class Ref;
 
 // Every built-in type that a Variant holds by itself, with its engine type.
-#define GODOT_FOR_EACH_BUILTIN(m_do)                          \
-	m_do(String, STRING) m_do(Vector2, VECTOR2)               \
-	m_do(Vector2i, VECTOR2I) m_do(Rect2, RECT2)               \
-	m_do(Rect2i, RECT2I) m_do(Vector3, VECTOR3)               \
-	m_do(Vector3i, VECTOR3I) m_do(Transform2D, TRANSFORM2D)   \
-	m_do(Vector4, VECTOR4) m_do(Vector4i, VECTOR4I)           \
-	m_do(Plane, PLANE) m_do(Quaternion, QUATERNION)           \
-	m_do(AABB, AABB) m_do(Basis, BASIS)                       \
-	m_do(Transform3D, TRANSFORM3D)                            \
-	m_do(Projection, PROJECTION) m_do(Color, COLOR)           \
-	m_do(StringName, STRING_NAME) m_do(NodePath, NODE_PATH)   \
-	m_do(RID, RID) m_do(Callable, CALLABLE)                   \
-	m_do(Signal, SIGNAL) m_do(Dictionary, DICTIONARY)         \
-	m_do(Array, ARRAY)                                        \
-	m_do(PackedByteArray, PACKED_BYTE_ARRAY)                  \
-	m_do(PackedInt32Array, PACKED_INT32_ARRAY)                \
-	m_do(PackedInt64Array, PACKED_INT64_ARRAY)                \
-	m_do(PackedFloat32Array, PACKED_FLOAT32_ARRAY)            \
-	m_do(PackedFloat64Array, PACKED_FLOAT64_ARRAY)            \
-	m_do(PackedStringArray, PACKED_STRING_ARRAY)              \
-	m_do(PackedVector2Array, PACKED_VECTOR2_ARRAY)            \
-	m_do(PackedVector3Array, PACKED_VECTOR3_ARRAY)            \
-	m_do(PackedColorArray, PACKED_COLOR_ARRAY)                \
-	m_do(PackedVector4Array, PACKED_VECTOR4_ARRAY)
+#define GODOT_FOR_EACH_BUILTIN(m_do)                                                                                   \
+	m_do(String, STRING) m_do(Vector2, VECTOR2) m_do(Vector2i, VECTOR2I) m_do(Rect2, RECT2) m_do(Rect2i, RECT2I) m_do( \
+			Vector3, VECTOR3) m_do(Vector3i, VECTOR3I) m_do(Transform2D, TRANSFORM2D) m_do(Vector4,                    \
+			VECTOR4) m_do(Vector4i, VECTOR4I) m_do(Plane, PLANE) m_do(Quaternion, QUATERNION) m_do(AABB,               \
+			AABB) m_do(Basis, BASIS) m_do(Transform3D, TRANSFORM3D) m_do(Projection, PROJECTION) m_do(Color,           \
+			COLOR) m_do(StringName, STRING_NAME) m_do(NodePath, NODE_PATH) m_do(RID, RID) m_do(Callable,               \
+			CALLABLE) m_do(Signal, SIGNAL) m_do(Dictionary, DICTIONARY) m_do(Array, ARRAY) m_do(PackedByteArray,       \
+			PACKED_BYTE_ARRAY) m_do(PackedInt32Array, PACKED_INT32_ARRAY) m_do(PackedInt64Array, PACKED_INT64_ARRAY)   \
+			m_do(PackedFloat32Array, PACKED_FLOAT32_ARRAY) m_do(PackedFloat64Array, PACKED_FLOAT64_ARRAY)              \
+					m_do(PackedStringArray, PACKED_STRING_ARRAY) m_do(PackedVector2Array, PACKED_VECTOR2_ARRAY)        \
+							m_do(PackedVector3Array, PACKED_VECTOR3_ARRAY) m_do(PackedColorArray, PACKED_COLOR_ARRAY)  \
+									m_do(PackedVector4Array, PACKED_VECTOR4_ARRAY)
 
 // The engine's value of any type.
 class Variant {
@@ -51,10 +38,8 @@ public:
 	Variant(const Variant &p_from);
 	Variant(Variant &&p_from);
 	explicit Variant(internal::Uninitialized) {}
-	Variant(std::nullptr_t) :
-			Variant() {}
-	template <typename T, std::enable_if_t<std::is_arithmetic_v<T>, int> = 0>
-	Variant(T p_value) {
+	Variant(std::nullptr_t) : Variant() {}
+	template <typename T, std::enable_if_t<std::is_arithmetic_v<T>, int> = 0> Variant(T p_value) {
 		if constexpr (std::is_same_v<T, bool>) {
 			_set_bool(p_value);
 		} else if constexpr (std::is_integral_v<T>) {
@@ -63,15 +48,12 @@ public:
 			_set_float(double(p_value));
 		}
 	}
-	template <typename T, std::enable_if_t<std::is_enum_v<T>, int> = 0>
-	Variant(T p_value) {
+	template <typename T, std::enable_if_t<std::is_enum_v<T>, int> = 0> Variant(T p_value) {
 		_set_int(int64_t(p_value));
 	}
 	Variant(const char *p_text);
 	Variant(const Object *p_object);
-	template <typename T>
-	Variant(const Ref<T> &p_ref) :
-			Variant(static_cast<const Object *>(p_ref.ptr())) {}
+	template <typename T> Variant(const Ref<T> &p_ref) : Variant(static_cast<const Object *>(p_ref.ptr())) {}
 #define GODOT_VARIANT_CONSTRUCTOR(m_type, m_id) Variant(const ::godot::m_type &p_value);
 	GODOT_FOR_EACH_BUILTIN(GODOT_VARIANT_CONSTRUCTOR)
 #undef GODOT_VARIANT_CONSTRUCTOR

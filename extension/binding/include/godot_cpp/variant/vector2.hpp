@@ -17,8 +17,7 @@ public:
 	real_t y = 0;
 
 	constexpr Vector2() = default;
-	constexpr Vector2(real_t p_x, real_t p_y) :
-			x(p_x), y(p_y) {}
+	constexpr Vector2(real_t p_x, real_t p_y) : x(p_x), y(p_y) {}
 
 	constexpr real_t &operator[](int p_axis) { return p_axis == 0 ? x : y; }
 	constexpr const real_t &operator[](int p_axis) const { return p_axis == 0 ? x : y; }
@@ -37,9 +36,7 @@ public:
 	constexpr Vector2 operator-() const { return Vector2(-x, -y); }
 	constexpr bool operator==(const Vector2 &p_v) const { return x == p_v.x && y == p_v.y; }
 	constexpr bool operator!=(const Vector2 &p_v) const { return !(*this == p_v); }
-	constexpr bool operator<(const Vector2 &p_v) const {
-		return x != p_v.x ? x < p_v.x : y < p_v.y;
-	}
+	constexpr bool operator<(const Vector2 &p_v) const { return x != p_v.x ? x < p_v.x : y < p_v.y; }
 
 	constexpr real_t dot(const Vector2 &p_v) const { return x * p_v.x + y * p_v.y; }
 	constexpr real_t length_squared() const { return dot(*this); }

@@ -19,8 +19,7 @@ public:
 	real_t z = 0;
 
 	constexpr Vector3() = default;
-	constexpr Vector3(real_t p_x, real_t p_y, real_t p_z) :
-			x(p_x), y(p_y), z(p_z) {}
+	constexpr Vector3(real_t p_x, real_t p_y, real_t p_z) : x(p_x), y(p_y), z(p_z) {}
 
 	constexpr real_t &operator[](int p_axis) { return p_axis == 0 ? x : (p_axis == 1 ? y : z); }
 	constexpr const real_t &operator[](int p_axis) const { return p_axis == 0 ? x : (p_axis == 1 ? y : z); }
@@ -57,7 +56,9 @@ public:
 	bool is_equal_approx(const Vector3 &p_v) const {
 		return Math::is_equal_approx(x, p_v.x) && Math::is_equal_approx(y, p_v.y) && Math::is_equal_approx(z, p_v.z);
 	}
-	bool is_zero_approx() const { return Math::is_zero_approx(x) && Math::is_zero_approx(y) && Math::is_zero_approx(z); }
+	bool is_zero_approx() const {
+		return Math::is_zero_approx(x) && Math::is_zero_approx(y) && Math::is_zero_approx(z);
+	}
 	constexpr Vector3 cross(const Vector3 &p_v) const {
 		return Vector3(y * p_v.z - z * p_v.y, z * p_v.x - x * p_v.z, x * p_v.y - y * p_v.x);
 	}

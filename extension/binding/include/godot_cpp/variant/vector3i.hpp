@@ -18,10 +18,8 @@ public:
 	int32_t z = 0;
 
 	constexpr Vector3i() = default;
-	constexpr Vector3i(int32_t p_x, int32_t p_y, int32_t p_z) :
-			x(p_x), y(p_y), z(p_z) {}
-	constexpr explicit Vector3i(const Vector3 &p_v) :
-			x(int32_t(p_v.x)), y(int32_t(p_v.y)), z(int32_t(p_v.z)) {}
+	constexpr Vector3i(int32_t p_x, int32_t p_y, int32_t p_z) : x(p_x), y(p_y), z(p_z) {}
+	constexpr explicit Vector3i(const Vector3 &p_v) : x(int32_t(p_v.x)), y(int32_t(p_v.y)), z(int32_t(p_v.z)) {}
 	constexpr operator Vector3() const { return Vector3(real_t(x), real_t(y), real_t(z)); }
 
 	constexpr int32_t &operator[](int p_axis) { return p_axis == 0 ? x : (p_axis == 1 ? y : z); }

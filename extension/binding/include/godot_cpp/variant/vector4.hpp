@@ -21,15 +21,24 @@ public:
 	real_t w = 0;
 
 	constexpr Vector4() = default;
-	constexpr Vector4(real_t p_x, real_t p_y, real_t p_z, real_t p_w) :
-			x(p_x), y(p_y), z(p_z), w(p_w) {}
+	constexpr Vector4(real_t p_x, real_t p_y, real_t p_z, real_t p_w) : x(p_x), y(p_y), z(p_z), w(p_w) {}
 
 	constexpr real_t &operator[](int p_axis) { return p_axis == 0 ? x : (p_axis == 1 ? y : (p_axis == 2 ? z : w)); }
-	constexpr const real_t &operator[](int p_axis) const { return p_axis == 0 ? x : (p_axis == 1 ? y : (p_axis == 2 ? z : w)); }
-	constexpr Vector4 operator+(const Vector4 &p_v) const { return Vector4(x + p_v.x, y + p_v.y, z + p_v.z, w + p_v.w); }
-	constexpr Vector4 operator-(const Vector4 &p_v) const { return Vector4(x - p_v.x, y - p_v.y, z - p_v.z, w - p_v.w); }
-	constexpr Vector4 operator*(const Vector4 &p_v) const { return Vector4(x * p_v.x, y * p_v.y, z * p_v.z, w * p_v.w); }
-	constexpr Vector4 operator/(const Vector4 &p_v) const { return Vector4(x / p_v.x, y / p_v.y, z / p_v.z, w / p_v.w); }
+	constexpr const real_t &operator[](int p_axis) const {
+		return p_axis == 0 ? x : (p_axis == 1 ? y : (p_axis == 2 ? z : w));
+	}
+	constexpr Vector4 operator+(const Vector4 &p_v) const {
+		return Vector4(x + p_v.x, y + p_v.y, z + p_v.z, w + p_v.w);
+	}
+	constexpr Vector4 operator-(const Vector4 &p_v) const {
+		return Vector4(x - p_v.x, y - p_v.y, z - p_v.z, w - p_v.w);
+	}
+	constexpr Vector4 operator*(const Vector4 &p_v) const {
+		return Vector4(x * p_v.x, y * p_v.y, z * p_v.z, w * p_v.w);
+	}
+	constexpr Vector4 operator/(const Vector4 &p_v) const {
+		return Vector4(x / p_v.x, y / p_v.y, z / p_v.z, w / p_v.w);
+	}
 	constexpr Vector4 operator*(real_t p_s) const { return Vector4(x * p_s, y * p_s, z * p_s, w * p_s); }
 	constexpr Vector4 operator/(real_t p_s) const { return Vector4(x / p_s, y / p_s, z / p_s, w / p_s); }
 	constexpr Vector4 &operator+=(const Vector4 &p_v) { return *this = *this + p_v; }
@@ -57,9 +66,12 @@ public:
 	constexpr Vector4 lerp(const Vector4 &p_to, real_t p_weight) const { return *this + (p_to - *this) * p_weight; }
 	bool is_finite() const { return std::isfinite(x) && std::isfinite(y) && std::isfinite(z) && std::isfinite(w); }
 	bool is_equal_approx(const Vector4 &p_v) const {
-		return Math::is_equal_approx(x, p_v.x) && Math::is_equal_approx(y, p_v.y) && Math::is_equal_approx(z, p_v.z) && Math::is_equal_approx(w, p_v.w);
+		return Math::is_equal_approx(x, p_v.x) && Math::is_equal_approx(y, p_v.y) && Math::is_equal_approx(z, p_v.z) &&
+				Math::is_equal_approx(w, p_v.w);
 	}
-	bool is_zero_approx() const { return Math::is_zero_approx(x) && Math::is_zero_approx(y) && Math::is_zero_approx(z) && Math::is_zero_approx(w); }
+	bool is_zero_approx() const {
+		return Math::is_zero_approx(x) && Math::is_zero_approx(y) && Math::is_zero_approx(z) && Math::is_zero_approx(w);
+	}
 
 #include <godot_cpp/generated/vector4_methods.inc>
 };
