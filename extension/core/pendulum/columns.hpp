@@ -12,6 +12,9 @@ public:
 	explicit Columns(int column_count);
 
 	int size() const { return row_count; }
+	/// Makes room for `rows` rows, no more than that and a cache line.
+	void reserve(int rows);
+	std::size_t bytes() const { return lines.capacity() * sizeof(CacheLine); }
 	/// Appends a row of zeros and tells its index. Allocates where the room is used up.
 	int add_row();
 	/// Removes row `index` by moving the last one into its place.
@@ -32,7 +35,7 @@ private:
 	int row_count = 0;
 	std::vector<CacheLine> lines;
 
-	void grow();
+	void resize_room(std::size_t wanted);
 };
 
 } // namespace undergrowth

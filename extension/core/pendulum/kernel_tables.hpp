@@ -2,6 +2,8 @@
 
 #include "pendulum/kernels.hpp"
 
+#include <cstdint>
+
 namespace undergrowth {
 
 /// What the elasticity kernel reads and writes: one array entry per plant.
@@ -43,6 +45,47 @@ struct GnomonicView {
 	const float *last_x, *last_z;
 };
 
+/// Plants of one species, which differ in length only, so that most constants are the species' own: one array entry per
+/// plant, and one number for all.
+struct ElasticityPage {
+	float *x, *y, *z; ///< As in ElasticityTable.
+	float *turn_x, *turn_y, *turn_z;
+	const float *weight; ///< g/L·gain·step.
+	float lift_share; ///< 1 + e: lift over weight.
+	float wind_share; ///< w/(m·g): wind_gain over weight, 1/N.
+	float keep;
+	float lowest_y;
+};
+
+/// The same for the spring law; units as in SpringTable.
+struct SpringPage {
+	float *x, *z;
+	float *rate_x, *rate_z;
+	const float *rest_x, *rest_z;
+	const float *wind_gain;
+	float place_from_place, place_from_rate;
+	float rate_from_place, rate_from_rate;
+	float most; ///< MAX_GNOMONIC.
+};
+
+/// A wind along one horizontal unit direction, of a strength (N, >= 0) of its own for each plant.
+struct PlantWinds {
+	const float *strengths;
+	float x, z;
+};
+
+/// A wind that travels over the ground, at one time. The place in its period (cycles) of a plant at (x, z) is
+/// cycle - cycles_x·x - cycles_z·z, and a gust started since - delay_x·x - delay_z·z seconds ago.
+struct TravellingWind {
+	float steady; ///< N, always.
+	float wave; ///< N: wave·(1 + sin(2π·cycles)).
+	float burst; ///< N, in the first half of each cycle.
+	float gust; ///< N, from 0 to `duration` after the gust's start.
+	float cycle, cycles_x, cycles_z; ///< Cycles; cycles/m.
+	float since, delay_x, delay_z; ///< s; s/m.
+	float duration; ///< s.
+};
+
 /// The force of one step (N).
 struct KernelWind {
 	float x, y, z;
@@ -56,6 +99,13 @@ inline constexpr float MAX_GNOMONIC = 1e3f;
 struct KernelSet {
 	void (*step_elasticity)(const ElasticityTable &table, int begin, int end, const KernelWind &wind);
 	void (*step_spring)(const SpringTable &table, int begin, int end, float most, const KernelWind &wind);
+	void (*step_elasticity_page)(const ElasticityPage &page, int count, const PlantWinds &winds);
+	void (*step_spring_page)(const SpringPage &page, int count, const PlantWinds &winds);
+	/// The strength (N) of `wind` at the plants (x, z) (m) to out[0 .. count).
+	void (*sample_wind)(const TravellingWind &wind, const float *x, const float *z, int count, float *out);
+	/// Moves each pair of bends (field/bend_encoding.hpp) on: the second becomes the first, the present one the second.
+	void (*encode_elasticity)(const float *x, const float *y, const float *z, int count, uint32_t *pairs);
+	void (*encode_spring)(const float *x, const float *z, int count, uint32_t *pairs);
 	/// Unit directions to out[0 .. 3·count), three floats each.
 	void (*interpolate_elasticity)(const DirectionView &view, int count, float alpha, float *out);
 	void (*interpolate_spring)(const GnomonicView &view, int count, float alpha, float *out);

@@ -2,6 +2,7 @@
 
 #if !defined(__GNUC__)
 #include <math.h>
+#include <string.h>
 #pragma fp_contract(off)
 #endif
 
@@ -11,7 +12,8 @@ namespace baseline_kernels {
 
 #include "pendulum/kernel_bodies.inc"
 
-static const KernelSet SET = { step_elasticity, step_spring, interpolate_elasticity, interpolate_spring };
+static const KernelSet SET = { step_elasticity, step_spring, step_elasticity_page, step_spring_page, sample_wind,
+	encode_elasticity, encode_spring, interpolate_elasticity, interpolate_spring };
 
 } // namespace baseline_kernels
 

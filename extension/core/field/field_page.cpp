@@ -1,0 +1,274 @@
+#include "field/field_page.hpp"
+
+#include "pendulum/gnomonic.hpp"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+/// Columns of every page.
+enum Column : int {
+	ROOT_X,
+	ROOT_Y,
+	ROOT_Z,
+	LENGTH,
+	STILL_COLUMNS,
+};
+
+/// Further columns of a page of the elasticity law.
+enum ElasticityColumn : int {
+	X = STILL_COLUMNS,
+	Y,
+	Z,
+	TURN_X,
+	TURN_Y,
+	TURN_Z,
+	WEIGHT,
+	SWINGING_COLUMNS,
+};
+
+/// Further columns of a page of the spring law, as many.
+enum SpringColumn : int {
+	FLAT_X = STILL_COLUMNS,
+	FLAT_Z,
+	FLAT_RATE_X,
+	FLAT_RATE_Z,
+	REST_X,
+	REST_Z,
+	WIND_GAIN,
+};
+
+/// Plants whose winds are sampled together: the strengths stay in the first-level cache.
+constexpr int BLOCK = 512;
+constexpr float SHORTEST = 1e-4f; // m; as safe_joint().
+
+bool is_finite(const glm::vec3 &vector) {
+	return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
+}
+
+} // namespace
+
+bool is_valid(const FieldPlant &plant) {
+	return is_finite(plant.root) && std::isfinite(plant.length) && plant.length > 0.0f && is_finite(plant.rest) &&
+			plant.rest.y > 0.0f;
+}
+
+FieldPage::FieldPage(
+		int species_index, const FieldSpecies &species, const FieldPlant *plants, int count, float step, bool swings) :
+		species_number(species_index),
+		is_swinging(swings),
+		step_time(step),
+		kind(species),
+		rows(swings ? static_cast<int>(SWINGING_COLUMNS) : static_cast<int>(STILL_COLUMNS)),
+		pairs(2 * static_cast<std::size_t>(count)) {
+	kind.joint = safe_joint(species.joint);
+	rows.reserve(count);
+	for (int i = 0; i < count; i++) {
+		rows.add_row();
+		column(ROOT_X)[i] = plants[i].root.x;
+		column(ROOT_Y)[i] = plants[i].root.y;
+		column(ROOT_Z)[i] = plants[i].root.z;
+		column(LENGTH)[i] = plants[i].length;
+		if (is_swinging && kind.law == Law::spring) {
+			column(REST_X)[i] = std::clamp(plants[i].rest.x / plants[i].rest.y, -MAX_GNOMONIC, MAX_GNOMONIC);
+			column(REST_Z)[i] = std::clamp(plants[i].rest.z / plants[i].rest.y, -MAX_GNOMONIC, MAX_GNOMONIC);
+		}
+		grow_box(plants[i]);
+		set_state(i, { rest(i), {} });
+		pairs[2 * static_cast<std::size_t>(i)] = pairs[2 * static_cast<std::size_t>(i) + 1];
+	}
+	if (is_swinging) {
+		update_constants();
+	}
+}
+
+glm::vec3 FieldPage::root(int index) const {
+	return { column(ROOT_X)[index], column(ROOT_Y)[index], column(ROOT_Z)[index] };
+}
+
+float FieldPage::length(int index) const {
+	return column(LENGTH)[index];
+}
+
+glm::vec3 FieldPage::rest(int index) const {
+	if (!is_swinging || kind.law == Law::elasticity) {
+		return { 0.0f, 1.0f, 0.0f };
+	}
+	return glm::normalize(glm::vec3(column(REST_X)[index], 1.0f, column(REST_Z)[index]));
+}
+
+glm::vec3 FieldPage::tip(int index) const {
+	return root(index) + length(index) * state(index).direction;
+}
+
+TipState FieldPage::state(int index) const {
+	const auto at = [this, index](int which) { return column(which)[index]; };
+	if (!is_swinging) {
+		const glm::vec3 before = decode_bend(pairs[2 * static_cast<std::size_t>(index)]);
+		const glm::vec3 now = decode_bend(pairs[2 * static_cast<std::size_t>(index) + 1]);
+		return safe_state({ now, (now - before) / step_time });
+	}
+	if (kind.law == Law::elasticity) {
+		return safe_state({ { at(X), at(Y), at(Z) }, glm::vec3(at(TURN_X), at(TURN_Y), at(TURN_Z)) / step_time });
+	}
+	return from_gnomonic({ at(FLAT_X), at(FLAT_Z), at(FLAT_RATE_X), at(FLAT_RATE_Z) });
+}
+
+void FieldPage::put_state(int index, const TipState &state) {
+	if (kind.law == Law::elasticity) {
+		const TipState safe = safe_state(state);
+		column(X)[index] = safe.direction.x;
+		column(Y)[index] = safe.direction.y;
+		column(Z)[index] = safe.direction.z;
+		column(TURN_X)[index] = safe.rate.x * step_time;
+		column(TURN_Y)[index] = safe.rate.y * step_time;
+		column(TURN_Z)[index] = safe.rate.z * step_time;
+		return;
+	}
+	const GnomonicState flat = to_gnomonic(state);
+	column(FLAT_X)[index] = flat.x;
+	column(FLAT_Z)[index] = flat.z;
+	column(FLAT_RATE_X)[index] = flat.rate_x;
+	column(FLAT_RATE_Z)[index] = flat.rate_z;
+}
+
+void FieldPage::set_state(int index, const TipState &state) {
+	if (is_swinging) {
+		put_state(index, state);
+	}
+	pairs[2 * static_cast<std::size_t>(index) + 1] = encode_bend(safe_state(state).direction);
+}
+
+void FieldPage::remove(int index) {
+	const std::size_t last = static_cast<std::size_t>(size()) - 1;
+	rows.remove_row(index);
+	pairs[2 * static_cast<std::size_t>(index)] = pairs[2 * last];
+	pairs[2 * static_cast<std::size_t>(index) + 1] = pairs[2 * last + 1];
+	pairs.resize(2 * last);
+}
+
+void FieldPage::set_species(const FieldSpecies &species) {
+	if (is_swinging && species.law != kind.law) {
+		std::vector<TipState> states;
+		for (int i = 0; i < size(); i++) {
+			states.push_back(state(i));
+		}
+		kind.law = species.law;
+		for (int i = 0; i < size(); i++) {
+			if (kind.law == Law::spring) {
+				column(REST_X)[i] = 0.0f;
+				column(REST_Z)[i] = 0.0f;
+			}
+			put_state(i, states[static_cast<std::size_t>(i)]);
+		}
+	}
+	kind = species;
+	kind.joint = safe_joint(species.joint);
+	if (is_swinging) {
+		update_constants();
+	}
+}
+
+void FieldPage::set_step_length(float step) {
+	if (is_swinging && kind.law == Law::elasticity) {
+		const float ratio = step / step_time;
+		for (int i = 0; i < size(); i++) {
+			column(TURN_X)[i] *= ratio;
+			column(TURN_Y)[i] *= ratio;
+			column(TURN_Z)[i] *= ratio;
+		}
+	}
+	step_time = step;
+	if (is_swinging) {
+		update_constants();
+	}
+}
+
+void FieldPage::update_constants() {
+	Joint joint = kind.joint;
+	if (kind.law == Law::elasticity) {
+		elasticity = elasticity_constants(joint, step_time);
+		for (int i = 0; i < size(); i++) {
+			joint.length = length(i);
+			column(WEIGHT)[i] = elasticity_constants(joint, step_time).weight;
+		}
+		return;
+	}
+	joint.length = 1.0f;
+	spring = spring_constants(joint, step_time);
+	for (int i = 0; i < size(); i++) {
+		column(WIND_GAIN)[i] = spring.wind_gain / std::max(length(i), SHORTEST);
+	}
+}
+
+ElasticityPage FieldPage::elasticity_page(int begin) {
+	ElasticityPage page;
+	page.x = column(X) + begin;
+	page.y = column(Y) + begin;
+	page.z = column(Z) + begin;
+	page.turn_x = column(TURN_X) + begin;
+	page.turn_y = column(TURN_Y) + begin;
+	page.turn_z = column(TURN_Z) + begin;
+	page.weight = column(WEIGHT) + begin;
+	page.lift_share = 1.0f + kind.joint.elasticity;
+	page.wind_share = kind.joint.wind_weight / (kind.joint.mass * STANDARD_GRAVITY);
+	page.keep = elasticity.keep;
+	page.lowest_y = elasticity.lowest_y;
+	return page;
+}
+
+SpringPage FieldPage::spring_page(int begin) {
+	SpringPage page;
+	page.x = column(FLAT_X) + begin;
+	page.z = column(FLAT_Z) + begin;
+	page.rate_x = column(FLAT_RATE_X) + begin;
+	page.rate_z = column(FLAT_RATE_Z) + begin;
+	page.rest_x = column(REST_X) + begin;
+	page.rest_z = column(REST_Z) + begin;
+	page.wind_gain = column(WIND_GAIN) + begin;
+	page.place_from_place = spring.place_from_place;
+	page.place_from_rate = spring.place_from_rate;
+	page.rate_from_place = spring.rate_from_place;
+	page.rate_from_rate = spring.rate_from_rate;
+	page.most = MAX_GNOMONIC;
+	return page;
+}
+
+void FieldPage::step(const TravellingWind &wind, const PlantWinds &along) {
+	const KernelSet &set = kernels(best_simd_level());
+	float strengths[BLOCK];
+	for (int begin = 0; begin < size(); begin += BLOCK) {
+		const int count = std::min(BLOCK, size() - begin);
+		set.sample_wind(wind, column(ROOT_X) + begin, column(ROOT_Z) + begin, count, strengths);
+		const PlantWinds winds = { strengths, along.x, along.z };
+		Bend *block_pairs = pairs.data() + 2 * static_cast<std::size_t>(begin);
+		if (kind.law == Law::elasticity) {
+			const ElasticityPage block = elasticity_page(begin);
+			set.step_elasticity_page(block, count, winds);
+			set.encode_elasticity(block.x, block.y, block.z, count, block_pairs);
+		} else {
+			const SpringPage block = spring_page(begin);
+			set.step_spring_page(block, count, winds);
+			set.encode_spring(block.x, block.z, count, block_pairs);
+		}
+	}
+}
+
+void FieldPage::grow_box(const FieldPlant &plant) {
+	const glm::vec3 reach = glm::vec3(plant.length + std::max(kind.collision_radius, 0.0f));
+	const bool first = size() == 1;
+	box_low = first ? plant.root - reach : glm::min(box_low, plant.root - reach);
+	box_high = first ? plant.root + reach : glm::max(box_high, plant.root + reach);
+}
+
+std::size_t FieldPage::bytes() const {
+	return rows.bytes() + pairs.capacity() * sizeof(Bend) + sizeof(FieldPage);
+}
+
+} // namespace undergrowth

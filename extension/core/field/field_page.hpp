@@ -1,0 +1,111 @@
+#pragma once
+
+#include "field/bend_encoding.hpp"
+#include "pendulum/columns.hpp"
+#include "pendulum/joint.hpp"
+#include "pendulum/joint_constants.hpp"
+#include "pendulum/kernel_tables.hpp"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace undergrowth {
+
+/// What all plants of one species in a field share.
+struct FieldSpecies {
+	Law law = Law::elasticity;
+	Joint joint; ///< Without `length` and `rest`, which each plant has of its own.
+	float collision_radius = 0.05f; ///< m, of the sphere at a tip.
+	// Of the prototypes only, which stand for all plants of the species.
+	float shortest = 0.5f; ///< m.
+	float longest = 1.0f; ///< m.
+	float lean = 0.0f; ///< rad, from upright to the rest direction (spring law).
+};
+
+/// One plant as it enters a field.
+struct FieldPlant {
+	glm::vec3 root = { 0.0f, 0.0f, 0.0f }; ///< m, field axes.
+	float length = 1.0f; ///< m, > 0.
+	glm::vec3 rest = { 0.0f, 1.0f, 0.0f }; ///< Unit; of the spring law only, as Joint::rest.
+};
+
+/// Whether all numbers are finite, the length > 0 and the rest direction above the ground.
+bool is_valid(const FieldPlant &plant);
+
+/// Up to PAGE_PLANTS plants of one species in struct-of-arrays, with their bends. A page may be stepped by any whole
+/// number of steps at once; its constants belong to that interval.
+class FieldPage {
+public:
+	static constexpr int PAGE_PLANTS = 4096;
+
+	/// At rest, upright (elasticity law) or along `rest` (spring law), for steps of `step` seconds.
+	/// Of `plants`, `count` <= PAGE_PLANTS valid ones; a page that does not swing holds places and bends only.
+	FieldPage(int species_index, const FieldSpecies &species, const FieldPlant *plants, int count, float step,
+			bool swings);
+
+	int species() const { return species_number; }
+	int size() const { return rows.size(); }
+	bool swings() const { return is_swinging; }
+	/// Seconds of the step that the constants are for.
+	float step_length() const { return step_time; }
+
+	/// Columns of roots and lengths (m), size() each.
+	const float *roots_x() const { return rows.column(0); }
+	const float *roots_y() const { return rows.column(1); }
+	const float *roots_z() const { return rows.column(2); }
+	const float *lengths() const { return rows.column(3); }
+	float collision_radius() const { return kind.collision_radius; }
+	float mass() const { return kind.joint.mass; }
+	glm::vec3 root(int index) const;
+	float length(int index) const;
+	/// The direction of a plant in calm air.
+	glm::vec3 rest(int index) const;
+	/// The root's place plus length times the direction.
+	glm::vec3 tip(int index) const;
+	TipState state(int index) const;
+	/// Puts a plant into a state; the bend that is drawn as the last one is this state's.
+	void set_state(int index, const TipState &state);
+	/// Removes plant `index`; the last one takes its index.
+	void remove(int index);
+
+	/// Other constants; the motion goes on. Where the law changes, plants of the spring law rest upright.
+	void set_species(const FieldSpecies &species);
+	/// Constants for steps of another length (s); the motion goes on. Allocates nothing.
+	void set_step_length(float step);
+	/// One step under `wind`, and the bends after it.
+	void step(const TravellingWind &wind, const PlantWinds &along);
+
+	/// Pairs of bends, 2·size(): each plant's before its last step and after it.
+	const Bend *bends() const { return pairs.data(); }
+	Bend *bends() { return pairs.data(); }
+
+	/// The box (m) that holds all roots and every place that a tip can reach.
+	const glm::vec3 &low() const { return box_low; }
+	const glm::vec3 &high() const { return box_high; }
+	/// Of the heap.
+	std::size_t bytes() const;
+
+private:
+	int species_number;
+	bool is_swinging;
+	float step_time; ///< s.
+	FieldSpecies kind;
+	SpringConstants spring = {};
+	ElasticityConstants elasticity = {}; ///< Only what does not depend on a plant's length.
+	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
+	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
+	Columns rows;
+	std::vector<Bend> pairs;
+
+	float *column(int which) { return rows.column(which); }
+	const float *column(int which) const { return rows.column(which); }
+	ElasticityPage elasticity_page(int begin);
+	SpringPage spring_page(int begin);
+	void update_constants();
+	void put_state(int index, const TipState &state);
+	void grow_box(const FieldPlant &plant);
+};
+
+} // namespace undergrowth

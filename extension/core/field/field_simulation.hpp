@@ -1,0 +1,130 @@
+#pragma once
+
+#include "field/bodies.hpp"
+#include "field/field_page.hpp"
+#include "field/field_wind.hpp"
+#include "field/prototypes.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace undergrowth {
+
+struct FieldSettings {
+	float step = 1.0f / 60.0f; ///< s, finite, > 0.
+	int update_interval = 1; ///< Steps, 1 to 64.
+	int prototypes = 0; ///< Per species, up to Prototypes::MOST; 0: every plant is simulated.
+	/// Whether followers' bends are written to their pages. Off where the drawing reads the prototypes' history itself:
+	/// then a follower costs nothing.
+	bool write_followers = true;
+	uint64_t seed = 0; ///< Chooses prototypes and delays.
+};
+
+/// The motion of all plants of a field, in pages that any number of threads may step.
+///
+/// A step is begin_step(), then step_pages() once for every page, in any split and on any threads: the bits are the
+/// same. Step n covers the time from n·step to (n + interval)·step, by one step of that length under the wind in the
+/// middle of it, so that what is shown, the way from the bend before to the bend after (alpha()), is never late.
+/// A page whose interval is k steps at steps n with n % k == page % k: never all pages in one step (thesis, section
+/// 5.3.1). Nothing allocates between begin_step() and the next change of the field.
+///
+/// Plants are named by page and index. Removing a plant moves the last one of its page into its place.
+class FieldSimulation {
+public:
+	explicit FieldSimulation(const FieldSettings &settings);
+
+	const FieldSettings &settings() const { return options; }
+	/// Tells the species' index.
+	int add_species(const FieldSpecies &species);
+	/// The motion goes on.
+	void set_species(int index, const FieldSpecies &species);
+	int species_count() const { return static_cast<int>(kinds.size()); }
+
+	/// A page of `count` plants of one species, up to FieldPage::PAGE_PLANTS; tells its index. Where a plant is not
+	/// valid, the species is unknown or they are too many, nothing is added and it tells -1.
+	int add_page(int species, const FieldPlant *plants, int count);
+	void remove(int page, int index);
+	/// Removes all pages; species and time stay.
+	void clear();
+	int page_count() const { return static_cast<int>(entries.size()); }
+	int plant_count() const;
+	/// Plants that are stepped, prototypes included.
+	int simulated_count() const;
+	const FieldPage &page(int index) const { return at(index).page; }
+	FieldPage &page(int index) { return at(index).page; }
+
+	/// Any change of the wind takes effect at each page's next step, at no cost: nothing is kept per plant. Followers
+	/// go to their new delay bit by bit.
+	void set_wind(const FieldWind &wind);
+	const FieldWind &wind() const { return blowing; }
+	/// Takes effect at each page's next step.
+	void set_update_interval(int steps);
+	/// The page's interval becomes `multiple` (1, 2, 4, 8) times the field's.
+	void set_page_multiple(int page, int multiple);
+	int page_interval(int page) const;
+	/// What pushes plants in the coming steps; bodies that are not valid are left out.
+	void set_bodies(const FieldBody *bodies, int count);
+
+	/// Seconds since the start: the number of steps that were begun, times their length.
+	double time() const { return static_cast<double>(next_step) * static_cast<double>(options.step); }
+	/// Moves the prototypes on and makes the next step the present one. On one thread.
+	void begin_step();
+	/// The present step of pages [begin, end) that are due in it. Disjoint ranges may run on several threads at once.
+	void step_pages(int begin, int end);
+	/// begin_step() and step_pages() of all.
+	void step();
+
+	/// Whether the present step changed the page's bends.
+	bool has_stepped(int page) const { return at(page).last_step == next_step - 1; }
+	/// How far to go from each plant's bend before to its bend after, `fraction` of a step after the present one began.
+	float alpha(int page, float fraction) const;
+	/// At the end of its page's last step. Of a follower: what it shows.
+	TipState state(int page, int index) const;
+	/// A blow on the tip (N·s): changes the velocity by impulse/mass. Followers are not moved by it.
+	void apply_impulse(int page, int index, const glm::vec3 &impulse);
+
+	/// Null where every plant of the species is simulated.
+	const Prototypes *prototypes(int species) const;
+	/// Whose motion a plant of a page that follows shows, and how long after the wind comes to it.
+	const Follower &follower(int page, int index) const { return at(page).followers[static_cast<std::size_t>(index)]; }
+	/// How long before their own time prototypes feel the wind (s), so that plants upwind of the origin have a delay,
+	/// too: a follower's delay is lead + wind_delay() at its root + its own.
+	float prototype_lead() const { return lead; }
+
+	/// Whether a point lies within `margin` (m) of a plant's straight line from root to tip, thickened by its collision
+	/// radius.
+	bool is_point_in_plants(const glm::vec3 &point, float margin) const;
+
+	/// Bytes on the heap, by capacity, over plants. 0 where there are none.
+	double bytes_per_plant() const;
+
+private:
+	struct Entry {
+		FieldPage page;
+		std::vector<Follower> followers; ///< Empty where plants swing by themselves.
+		int multiple = 1;
+		int interval = 1; ///< Of the last step, in steps.
+		int64_t last_step = -1;
+	};
+
+	FieldSettings options;
+	FieldWind blowing;
+	PlantWinds along = {};
+	std::vector<FieldSpecies> kinds;
+	std::vector<Prototypes> models; ///< One for each species, or none.
+	std::vector<Entry> entries;
+	std::vector<FieldBody> pushing;
+	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
+	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
+	float lead = 0.0f; ///< s.
+	int64_t next_step = 0;
+
+	const Entry &at(int page) const { return entries[static_cast<std::size_t>(page)]; }
+	Entry &at(int page) { return entries[static_cast<std::size_t>(page)]; }
+	void step_page(Entry &entry, int interval);
+	void show_followers(Entry &entry, int most_change);
+	int wanted_delay(const Follower &follower, float x, float z, const TravellingWind &wind) const;
+	void update_lead();
+};
+
+} // namespace undergrowth

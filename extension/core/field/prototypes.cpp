@@ -1,0 +1,80 @@
+#include "field/prototypes.hpp"
+
+#include "base/portable_math.hpp"
+#include "base/random.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+constexpr float OWN_DELAY = 0.8f; // s; about a swing, so that followers of one prototype are anywhere in it.
+/// A plant that leans follows one of the prototypes within this share of the circle.
+constexpr int LEAN_SECTORS = 8;
+
+/// Where `rest` leans to, as a share of the circle from +z towards +x: by its octant and the tangent within it, which
+/// is even enough and needs no arc tangent.
+float lean_share(const glm::vec3 &rest) {
+	const float sum = std::fabs(rest.x) + std::fabs(rest.z);
+	if (sum <= 0.0f) {
+		return 0.0f;
+	}
+	const float diamond = 1.0f - rest.z / sum; // From 0 at +z to 2 at -z.
+	return 0.25f * (rest.x >= 0.0f ? diamond : 4.0f - diamond);
+}
+
+std::vector<FieldPlant> spread_plants(const FieldSpecies &species, int count) {
+	std::vector<FieldPlant> plants(static_cast<std::size_t>(count));
+	const double lean = std::clamp(static_cast<double>(species.lean), 0.0, 1.5);
+	for (int i = 0; i < count; i++) {
+		FieldPlant &plant = plants[static_cast<std::size_t>(i)];
+		// Neighbours on the circle of leans differ in length: an odd stride through the lengths.
+		const float part = static_cast<float>((i * 29) % count) / static_cast<float>(std::max(count - 1, 1));
+		plant.length = species.shortest + part * (species.longest - species.shortest);
+		const double around = 2.0 * PI * (i + 0.5) / count;
+		plant.rest = { static_cast<float>(portable_sin(lean) * portable_sin(around)),
+			static_cast<float>(portable_cos(lean)), static_cast<float>(portable_sin(lean) * portable_cos(around)) };
+	}
+	return plants;
+}
+
+} // namespace
+
+Prototypes::Prototypes(int species_index, const FieldSpecies &species, int count, float step) :
+		page(species_index, species, spread_plants(species, count).data(), count, step, true),
+		leans(species.law == Law::spring && species.lean > 0.0f),
+		ring(2 * static_cast<std::size_t>(SLOTS * MOST)) {
+	for (int slot = 0; slot < SLOTS; slot++) {
+		std::copy(page.bends(), page.bends() + 2 * count, ring.begin() + 2 * slot * MOST);
+	}
+}
+
+Follower Prototypes::pick(const FieldPlant &plant, uint64_t hash) const {
+	const uint64_t mixed = mix_bits(hash);
+	const uint64_t low = mixed & 0xffffffffull;
+	const int all = count();
+	Follower follower;
+	if (leans) {
+		const int sector = std::max(all / LEAN_SECTORS, 1);
+		const int first = static_cast<int>(lean_share(plant.rest) * static_cast<float>(all)) - sector / 2 + all;
+		follower.prototype =
+				static_cast<uint16_t>((first + static_cast<int>(low % static_cast<uint64_t>(sector))) % all);
+	} else {
+		follower.prototype = static_cast<uint16_t>(low % static_cast<uint64_t>(all));
+	}
+	const float steps = std::min(OWN_DELAY / page.step_length(), static_cast<float>(LONGEST_DELAY / 2));
+	follower.own_delay = static_cast<uint16_t>((mixed >> 32) % static_cast<uint64_t>(std::max(steps, 1.0f)));
+	return follower;
+}
+
+void Prototypes::step(const TravellingWind &wind, const PlantWinds &along) {
+	TravellingWind here = wind;
+	here.cycles_x = here.cycles_z = here.delay_x = here.delay_z = 0.0f;
+	page.step(here, along);
+	newest = (newest + 1) & (SLOTS - 1);
+	std::copy(page.bends(), page.bends() + 2 * page.size(), ring.begin() + 2 * newest * MOST);
+}
+
+} // namespace undergrowth
