@@ -6,6 +6,7 @@ extends EditorNode3DGizmoPlugin
 
 const GizmoShapes := preload("gizmo_shapes.gd")
 const Translations := preload("../translations/translations.gd")
+const ScenePlants := preload("../wind_page/scene_plants.gd")
 const SceneWind := preload("../wind_page/scene_wind.gd")
 
 const HEIGHT_HANDLE := 0
@@ -47,6 +48,7 @@ func setup(undo: EditorUndoRedoManager) -> void:
 	var tree := Engine.get_main_loop() as SceneTree
 	tree.process_frame.connect(_follow_selected)
 	EditorInterface.get_selection().selection_changed.connect(_on_selection_changed)
+	_ask_for_gizmos.call_deferred()
 
 
 ## Lets go of the editor. Call it before the plugin is removed.
@@ -168,6 +170,13 @@ static func _wind_on(plant: Plant3D) -> PlantWind:
 
 static func _wind_direction(wind: PlantWind) -> Vector3:
 	return Vector3.BACK.rotated(Vector3.UP, deg_to_rad(wind.direction_degrees))
+
+
+# Plants of a scene that was open before the plugin asked in vain: they must ask again.
+func _ask_for_gizmos() -> void:
+	for plant in ScenePlants.all(EditorInterface.get_edited_scene_root()):
+		plant.clear_gizmos()
+		plant.update_gizmos()
 
 
 # Plants that were selected lose their handle, those that are now get one.

@@ -63,8 +63,11 @@ func _process(delta: float) -> void:
 func _collect() -> void:
 	var root := EditorInterface.get_edited_scene_root()
 	var found := ScenePlants.all(root)
+	var stays: Dictionary[Plant3D, bool] = {}
+	for plant in found:
+		stays[plant] = true
 	for plant: Variant in _plants:
-		if is_instance_valid(plant) and not found.has(plant):
+		if is_instance_valid(plant) and not stays.has(plant):
 			(plant as Plant3D).reset()
 	_root = root
 	_plants = found

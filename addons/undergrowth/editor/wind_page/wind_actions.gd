@@ -45,7 +45,10 @@ func apply() -> void:
 	if calm:
 		_add_new_wind(calm)
 	_undo.commit_action()
-	_state.report(tr("%d plants feel this wind now.") % plants.size())
+	var told := tr_n(
+		"%d plant feels this wind now.", "%d plants feel this wind now.", plants.size()
+	)
+	_state.report(told % plants.size())
 
 
 ## Brings the wind of the first chosen plant that has one to the page.

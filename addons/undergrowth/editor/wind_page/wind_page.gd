@@ -9,6 +9,10 @@ const SceneWind := preload("scene_wind.gd")
 const WindActions := preload("wind_actions.gd")
 const WindClock := preload("wind_clock.gd")
 
+## What a wind accepts at most, in the units of its properties.
+const MOST: Dictionary[StringName, float] = {
+	&"strength": 1e6, &"frequency": 1000.0, &"gust_duration": 3600.0
+}
 const KINDS: Array[String] = ["Gust", "Constant", "Bursts", "Waves"]
 
 var _state: EditorState
@@ -37,6 +41,8 @@ func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
 		&"gust_duration": %Duration,
 		&"direction_degrees": %Direction,
 	}
+	for part: Control in [%Fields, %Outcome]:
+		part.custom_minimum_size.x *= EditorInterface.get_editor_scale()
 	for kind in KINDS:
 		_kind.add_item(kind)
 	_connect_controls()
@@ -61,9 +67,18 @@ func _process(delta: float) -> void:
 		WindClock.advance(_state.wind, delta)
 
 
-func _set_wind(value: Variant, property: StringName) -> void:
-	if _state.wind.get(property) != value:
-		_state.wind.set(property, value)
+func _set_wind(value: float, property: StringName) -> void:
+	var accepted := value
+	if property == &"direction_degrees" and (value < 0.0 or value > 360.0):
+		accepted = fposmod(value, 360.0)
+	elif value > MOST.get(property, INF):
+		accepted = MOST[property]
+		var told := tr("%s can be at most %d.") % [tr(property.capitalize()), roundi(accepted)]
+		_state.report(told, EditorState.Severity.WARNING)
+	if _state.wind.get(property) == accepted:
+		_show_wind()
+	else:
+		_state.wind.set(property, accepted)
 
 
 func _show_wind() -> void:
