@@ -183,6 +183,18 @@ func test_the_four_functions_tell_faults_to_their_callers() -> void:
 	check_error("returned nothing")
 
 
+func test_the_same_fault_is_told_once_however_often_the_plant_is_built() -> void:
+	_write("func _generate_height(_rng):\n\treturn NAN\n")
+	await _stand()
+	for lod in range(1, 10):
+		_plant.lod = lod
+		await frames(1)
+		_plant.rebuild()
+		_plant.step(0.1)
+		_plant.apply_impulse(Vector3.RIGHT)
+	check_error("_generate_height() gave nan")
+
+
 func test_a_repaired_species_grows_again() -> void:
 	_write("@export var bad := true\nfunc _generate_height(_rng):\n\treturn NAN if bad else 1.5\n")
 	await _stand()
@@ -243,5 +255,6 @@ func _write(code: String, base := "PlantFunction") -> void:
 func _stand() -> void:
 	_plant = Plant3D.new()
 	_plant.function = _function
+	_plant.simulating = false
 	root.add_child(_plant)
 	await frames(2)

@@ -156,11 +156,18 @@ func test_the_thesis_step_of_32_ms_works_and_moves_no_plant() -> void:
 	check_near(PlantSimulation.step_length, 0.032, 1e-9, "step")
 	check_near(_plant.get_tip_position(), tip, TIP_TOLERANCE, "tip")
 	check_equal(PlantSimulation.get_plant_count(), 1)
+	_plant.reset()
 	var before := _plant.wind.get_time()
 	await _pass(0.3)
 	var steps := (_plant.wind.get_time() - before) / 0.032
 	check(steps >= 8.0, "it steps, %f times" % steps)
 	check_near(steps, roundf(steps), 1e-6, "whole steps of 32 ms")
+	var other := _add_plant(_plant.function)
+	other.simulating = false
+	other.wind = _make_wind()
+	for i in roundi(steps):
+		other.step(0.032)
+	check_near(_plant.get_tip_position(), other.get_tip_position(), TIP_TOLERANCE, "tip")
 
 
 func test_a_step_of_another_length_moves_driven_plants_on() -> void:

@@ -92,6 +92,22 @@ func test_the_others_keep_their_own_motion_when_one_goes() -> void:
 			check_near(_plants[i].get_tip_position(), tips[i], 1e-5, "tip of a neighbour")
 
 
+func test_each_plant_answers_for_itself_when_others_went() -> void:
+	for i in 10:
+		_plants.pop_at(i).free()
+	for pushed in _plants:
+		for plant in _plants:
+			plant.reset()
+		pushed.apply_impulse(Vector3(0.02, 0, 0))
+		for i in 1000:
+			await frames(1)
+			if pushed.get_deflection() > 1e-3:
+				break
+		check(pushed.get_deflection() > 1e-3, "the pushed one moves")
+		for plant in _plants:
+			check(plant == pushed or plant.get_deflection() < 1e-3, "only the pushed one moves")
+
+
 func test_a_thousand_plants_come_and_go() -> void:
 	for i in 1000:
 		_add_plant(i)
