@@ -29,8 +29,7 @@ private:
 	float height_max = 1.0f; // m.
 
 	/// Swaps `slot` for `part` and follows its changes.
-	template <typename Part>
-	void follow(godot::Ref<Part> &slot, const godot::Ref<Part> &part);
+	template <typename Part> void follow(godot::Ref<Part> &slot, const godot::Ref<Part> &part);
 	void on_part_changed();
 
 protected:

@@ -1,4 +1,5 @@
-// What Plant3D does for the editor only: it moves under a wind that is tried out, and keeps what is drawn around it true.
+// What Plant3D does for the editor only: it moves under a wind that is tried out, and keeps what is drawn around it
+// true.
 
 #include "plant_3d.hpp"
 

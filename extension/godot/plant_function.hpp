@@ -74,7 +74,8 @@ public:
 	godot::Color calculate_color_at_point(double offset);
 	godot::Ref<godot::ArrayMesh> generate_mesh(double height, int lod, int64_t seed = 0);
 
-	/// What keeps generate_mesh() from building this plant and what to do about it; nothing where it builds. Reports nothing.
+	/// What keeps generate_mesh() from building this plant and what to do about it; nothing where it builds. Reports
+	/// nothing.
 	godot::String find_problem(double height, int lod, int64_t seed = 0);
 
 	/// Samples the plant for a mesh. Height 0 asks the function. Returns what is wrong and what to do, or nothing.

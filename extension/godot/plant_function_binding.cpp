@@ -13,8 +13,7 @@ static void bind_functions() {
 	ClassDB::bind_method(D_METHOD("generate_height", "rng"), &PlantFunction::generate_height);
 	ClassDB::bind_method(D_METHOD("calculate_curve_point", "offset"), &PlantFunction::calculate_curve_point);
 	ClassDB::bind_method(D_METHOD("calculate_color_at_point", "offset"), &PlantFunction::calculate_color_at_point);
-	ClassDB::bind_method(
-			D_METHOD("generate_mesh", "height", "lod", "seed"), &PlantFunction::generate_mesh, DEFVAL(0));
+	ClassDB::bind_method(D_METHOD("generate_mesh", "height", "lod", "seed"), &PlantFunction::generate_mesh, DEFVAL(0));
 	ClassDB::bind_method(D_METHOD("find_problem", "height", "lod", "seed"), &PlantFunction::find_problem, DEFVAL(0));
 }
 
@@ -68,8 +67,8 @@ void PlantFunction::_bind_methods() {
 	ADD_GROUP("Motion", "");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "law", PROPERTY_HINT_ENUM, "Elasticity,Spring"), "set_law", "get_law");
 	ADD_PROPERTY(number("elasticity", "-0.5,20,0.01,or_greater"), "set_elasticity", "get_elasticity");
-	ADD_PROPERTY(number("inner_friction", "0,5,0.001,or_greater,suffix:N·s/m"), "set_inner_friction",
-			"get_inner_friction");
+	ADD_PROPERTY(
+			number("inner_friction", "0,5,0.001,or_greater,suffix:N·s/m"), "set_inner_friction", "get_inner_friction");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "stays_above_ground"), "set_stays_above_ground", "get_stays_above_ground");
 	ADD_PROPERTY(number("natural_frequency", "0.05,10,0.01,or_greater,suffix:Hz"), "set_natural_frequency",
 			"get_natural_frequency");
@@ -81,10 +80,12 @@ void PlantFunction::_bind_methods() {
 			"get_collision_radius");
 
 	ADD_GROUP("Look", "");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "shading", PROPERTY_HINT_ENUM, "Smooth,Flat"), "set_shading", "get_shading");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::INT, "shading", PROPERTY_HINT_ENUM, "Smooth,Flat"), "set_shading", "get_shading");
 	ADD_PROPERTY(number("shape_deviation", "0,1,0.01"), "set_shape_deviation", "get_shape_deviation");
 	ADD_PROPERTY(number("color_deviation", "0,1,0.01"), "set_color_deviation", "get_color_deviation");
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "material", PROPERTY_HINT_RESOURCE_TYPE, "BaseMaterial3D,ShaderMaterial"),
+	ADD_PROPERTY(
+			PropertyInfo(Variant::OBJECT, "material", PROPERTY_HINT_RESOURCE_TYPE, "BaseMaterial3D,ShaderMaterial"),
 			"set_material", "get_material");
 
 	BIND_ENUM_CONSTANT(LAW_ELASTICITY);

@@ -31,8 +31,7 @@ static double microseconds_since(Clock::time_point start) {
 PlantGroup::PlantGroup(Law law, float step, const Ref<PlantWind> &shared_wind, const Basis &axes) :
 		batch(law, step), wind(shared_wind), frame(axes) {}
 
-PlantSimulation::PlantSimulation() :
-		clock(DEFAULT_STEP) {
+PlantSimulation::PlantSimulation() : clock(DEFAULT_STEP) {
 	singleton = this;
 	const Variant setting = ProjectSettings::get_singleton()->get_setting(STEP_SETTING, DEFAULT_STEP);
 	set_step_length(setting);

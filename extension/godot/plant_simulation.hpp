@@ -57,8 +57,8 @@ public:
 	};
 
 	/// Takes a plant in, from the next frame on. It must leave before it is freed.
-	Place enter(Plant3D *plant, Law law, const godot::Ref<PlantWind> &wind, const godot::Basis &frame, const Joint &joint,
-			const TipState &state);
+	Place enter(Plant3D *plant, Law law, const godot::Ref<PlantWind> &wind, const godot::Basis &frame,
+			const Joint &joint, const TipState &state);
 	/// Lets a plant go.
 	void leave(const Place &place);
 

@@ -45,7 +45,8 @@ public:
 
 	/// The wind's clock goes on: by a step in the simulation, by a frame where someone drives plants by hand.
 	void advance(double step);
-	/// The clock of a plant that is stepped by hand: this wind's never stands behind it, so that a gust blows there now.
+	/// The clock of a plant that is stepped by hand: this wind's never stands behind it, so that a gust blows there
+	/// now.
 	void keep_up_with(double clock);
 	/// The force of the present step (N, world axes).
 	glm::vec3 force() const;

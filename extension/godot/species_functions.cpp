@@ -6,14 +6,14 @@ using namespace godot;
 
 namespace undergrowth {
 
-#define BIND_PART(m_class, m_part, m_argument)                                               \
-	ClassDB::bind_method(D_METHOD("set_" #m_part, m_argument), &m_class::set_##m_part);      \
+#define BIND_PART(m_class, m_part, m_argument)                                                                         \
+	ClassDB::bind_method(D_METHOD("set_" #m_part, m_argument), &m_class::set_##m_part);                                \
 	ClassDB::bind_method(D_METHOD("get_" #m_part), &m_class::get_##m_part)
-#define BIND_PART_COLOR(m_class, m_part)                                                     \
-	BIND_PART(m_class, m_part, "color");                                                     \
+#define BIND_PART_COLOR(m_class, m_part)                                                                               \
+	BIND_PART(m_class, m_part, "color");                                                                               \
 	ADD_PROPERTY(PropertyInfo(Variant::COLOR, #m_part), "set_" #m_part, "get_" #m_part)
-#define BIND_PART_SIZE(m_class, m_part, m_range)                                             \
-	BIND_PART(m_class, m_part, "metres");                                                    \
+#define BIND_PART_SIZE(m_class, m_part, m_range)                                                                       \
+	BIND_PART(m_class, m_part, "metres");                                                                              \
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, #m_part, PROPERTY_HINT_RANGE, m_range), "set_" #m_part, "get_" #m_part)
 
 void GrassFunction::_bind_methods() {

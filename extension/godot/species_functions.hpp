@@ -12,8 +12,7 @@
 namespace undergrowth {
 
 /// A plant function whose four methods are those of a species of the core. Not a class of the engine's.
-template <typename Species>
-class SpeciesFunction : public PlantFunction {
+template <typename Species> class SpeciesFunction : public PlantFunction {
 protected:
 	Species species;
 
@@ -50,19 +49,19 @@ protected:
 };
 
 // Setter and getter of one property of a species.
-#define UNDERGROWTH_PART_COLOR(m_part)                             \
-	void set_##m_part(const godot::Color &color) {                 \
-		set_part_color(species.m_part, color);                     \
-	}                                                              \
-	godot::Color get_##m_part() const {                            \
-		return to_godot(species.m_part);                           \
+#define UNDERGROWTH_PART_COLOR(m_part)                                                                                 \
+	void set_##m_part(const godot::Color &color) {                                                                     \
+		set_part_color(species.m_part, color);                                                                         \
+	}                                                                                                                  \
+	godot::Color get_##m_part() const {                                                                                \
+		return to_godot(species.m_part);                                                                               \
 	}
-#define UNDERGROWTH_PART_SIZE(m_part)                              \
-	void set_##m_part(double metres) {                             \
-		set_part_size(species.m_part, #m_part, metres);            \
-	}                                                              \
-	double get_##m_part() const {                                  \
-		return as_written(species.m_part);                         \
+#define UNDERGROWTH_PART_SIZE(m_part)                                                                                  \
+	void set_##m_part(double metres) {                                                                                 \
+		set_part_size(species.m_part, #m_part, metres);                                                                \
+	}                                                                                                                  \
+	double get_##m_part() const {                                                                                      \
+		return as_written(species.m_part);                                                                             \
 	}
 
 class GrassFunction : public SpeciesFunction<Grass> {

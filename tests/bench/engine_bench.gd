@@ -1,8 +1,9 @@
 ## Measures plants in the engine against their peers and prints a JSON list of rows.
 ##
-## Run headless with --fixed-fps 60, so that each frame is one step. All variants show the same skinned mesh on a
-## skeleton of two bones; the time of the same frames with nothing moving is subtracted. bone_pose_only is what the
-## engine's own call costs: the script's loop around it is part of what is subtracted.
+## Run headless with --fixed-fps 60, so that each frame is one step. All variants show the same
+## skinned mesh on a skeleton of two bones; the time of the same frames with nothing moving is
+## subtracted. bone_pose_only is what the engine's own call costs: the script's loop around it is
+## part of what is subtracted.
 extends SceneTree
 
 const COUNTS: Array[int] = [100, 1000, 3000]
@@ -44,14 +45,17 @@ func _measure(title: String, count: int, fill: Callable) -> void:
 	scene.queue_free()
 	await process_frame
 	var usec := busy - idle
-	_rows.append(
-		{
-			"name": title,
-			"plants": count,
-			"threads": 1,
-			"median_ms": usec / 1000.0,
-			"us_per_plant": usec / count,
-		}
+	(
+		_rows
+		. append(
+			{
+				"name": title,
+				"plants": count,
+				"threads": 1,
+				"median_ms": usec / 1000.0,
+				"us_per_plant": usec / count,
+			}
+		)
 	)
 
 

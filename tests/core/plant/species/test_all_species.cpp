@@ -78,7 +78,8 @@ TEST_CASE_TEMPLATE("base shapes are sound at any level", Species, Grass, Reed, C
 	}
 }
 
-TEST_CASE_TEMPLATE("10 N bend a plant by 10 to 25 degrees, so that waves of twice that do not lay it flat", Species, Grass, Reed, Cattail, Tulip, Bellflower) {
+TEST_CASE_TEMPLATE("10 N bend a plant by 10 to 25 degrees, so that waves of twice that do not lay it flat", Species,
+		Grass, Reed, Cattail, Tulip, Bellflower) {
 	const Motion motion = Species::motion();
 	const double omega = 2.0 * PI * motion.natural_frequency;
 	const double tangent = 10.0 * motion.wind_weight / (motion.mass * omega * omega * Species::heights.at(0.5f));
