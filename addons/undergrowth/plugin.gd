@@ -1,16 +1,26 @@
 @tool
 extends EditorPlugin
-## Adds the dock "Undergrowth" to the editor, and takes everything away again when switched off.
+## Adds the dock "Undergrowth", previews in the inspector, gizmos and thumbnails to the editor, and
+## takes everything away again when switched off.
 
+# Loaded when needed: without the library none of these scripts can be compiled.
 const DOCK_SCENE := "editor/dock.tscn"
 const DOCK_ICON := "icons/PlantFunction.svg"
-## A class of the library. Without the library no script of the dock can be compiled.
+const INSPECTOR := "editor/inspector/undergrowth_inspector.gd"
+const GIZMOS := "editor/gizmo/plant_gizmos.gd"
+const THUMBNAILS := "editor/thumbnails/plant_thumbnails.gd"
+const TRANSLATIONS := "editor/translations/translations.gd"
+## A class of the library.
 const NATIVE_CLASS := &"PlantFunction"
 ## Seconds of one step of the simulation; PlantSimulation reads it when the library is loaded.
 const STEP_SETTING := "undergrowth/simulation/step_length"
 const DEFAULT_STEP := 1.0 / 60.0
 
 var _dock: EditorDock
+var _inspector: EditorInspectorPlugin
+var _gizmos: EditorNode3DGizmoPlugin
+var _thumbnails: EditorResourcePreviewGenerator
+var _translations: Script
 
 
 func _enter_tree() -> void:
@@ -26,14 +36,23 @@ func _enter_tree() -> void:
 			)
 		)
 		return
+	_translations = _load(TRANSLATIONS)
+	_translations.call(&"add")
 	_add_dock()
+	_add_helpers()
 
 
 func _exit_tree() -> void:
-	if _dock:
-		remove_dock(_dock)
-		_dock.queue_free()
-		_dock = null
+	if not _dock:
+		return
+	remove_inspector_plugin(_inspector)
+	_gizmos.call(&"close")
+	remove_node_3d_gizmo_plugin(_gizmos)
+	EditorInterface.get_resource_previewer().remove_preview_generator(_thumbnails)
+	remove_dock(_dock)
+	_dock.queue_free()
+	_dock = null
+	_translations.call(&"remove")
 
 
 func _get_plugin_name() -> String:
@@ -60,7 +79,7 @@ func _show_step_setting() -> void:
 
 
 func _add_dock() -> void:
-	var content: Control = (load(_folder().path_join(DOCK_SCENE)) as PackedScene).instantiate()
+	var content: Control = (_load(DOCK_SCENE) as PackedScene).instantiate()
 	_dock = EditorDock.new()
 	_dock.name = "Undergrowth"
 	_dock.title = "Undergrowth"
@@ -73,6 +92,20 @@ func _add_dock() -> void:
 	_dock.add_child(content)
 	add_dock(_dock)
 	content.call(&"setup", self)
+
+
+func _add_helpers() -> void:
+	_inspector = (_load(INSPECTOR) as GDScript).new()
+	add_inspector_plugin(_inspector)
+	_gizmos = (_load(GIZMOS) as GDScript).new()
+	add_node_3d_gizmo_plugin(_gizmos)
+	_gizmos.call(&"setup", get_undo_redo())
+	_thumbnails = (_load(THUMBNAILS) as GDScript).new()
+	EditorInterface.get_resource_previewer().add_preview_generator(_thumbnails)
+
+
+func _load(file: String) -> Resource:
+	return load(_folder().path_join(file))
 
 
 func _folder() -> String:

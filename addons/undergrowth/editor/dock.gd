@@ -5,6 +5,7 @@ extends VBoxContainer
 const EditorState := preload("editor_state.gd")
 const PlantPage := preload("plant_page/plant_page.gd")
 const WindPage := preload("wind_page/wind_page.gd")
+const Translations := preload("translations/translations.gd")
 const StatusLine := preload("widgets/status_line.gd")
 
 ## In pixels at 100 %: three thumbnails side by side, and properties with whole names.
@@ -21,6 +22,7 @@ var state := EditorState.new()
 
 ## Brings the dock to life. A dock that is only opened as a scene stays still.
 func setup(plugin: EditorPlugin) -> void:
+	set_translation_domain(Translations.DOMAIN)
 	_pages.set_tab_title(_pages.get_tab_idx_from_control(_plant_page), tr("Plant"))
 	_pages.set_tab_title(_pages.get_tab_idx_from_control(_wind_page), tr("Wind"))
 	custom_minimum_size.x = LEAST_WIDTH * EditorInterface.get_editor_scale()

@@ -22,7 +22,7 @@ enum Severity { INFO, WARNING, ERROR }
 const LEVELS: Array[int] = [24, 12, 6, 3]
 const DEFAULT_LOD := 12
 ## A light breeze, in newtons and hertz.
-const PREVIEW_STRENGTH := 1.5
+const PREVIEW_STRENGTH := 5.0
 const PREVIEW_FREQUENCY := 0.4
 
 ## The chosen species; null while none is.

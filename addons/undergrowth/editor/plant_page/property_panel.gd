@@ -4,8 +4,7 @@ extends VBoxContainer
 
 const EditorState := preload("../editor_state.gd")
 const ProfilePlot := preload("../widgets/profile_plot.gd")
-## On the inspector: what add-ons put on top of a species there, the dock shows already.
-const EMBEDDED_META := &"undergrowth_embedded"
+const PlantInspectorView := preload("../inspector/plant_inspector_view.gd")
 const SECTION_CLASS := "EditorInspectorSection"
 const RESOURCE_SECTION := "Resource"
 
@@ -19,11 +18,10 @@ var _inspector: EditorInspector
 func setup(state: EditorState) -> void:
 	_state = state
 	_inspector = EditorInspector.new()
-	_inspector.set_meta(EMBEDDED_META, true)
 	_inspector.size_flags_vertical = Control.SIZE_EXPAND_FILL
 	_inspector.resource_selected.connect(_on_resource_selected)
 	add_child(_inspector)
-	(_inspector.get_child(0) as Control).minimum_size_changed.connect(_hide_resource_section)
+	(_inspector.get_child(0) as Control).minimum_size_changed.connect(_hide_repeated)
 	_plot.setup(state)
 	_state.function_chosen.connect(_show_function)
 	_show_function()
@@ -33,11 +31,15 @@ func _show_function() -> void:
 	_inspector.edit(_state.function)
 
 
-# Name, path and scene of a resource say nothing about a species; the inspector itself has them.
-func _hide_resource_section() -> void:
+# The dock shows the plant already. Name, path and scene of a resource say nothing about a species;
+# the editor's own inspector has them.
+func _hide_repeated() -> void:
 	for section: Control in _inspector.find_children("*", SECTION_CLASS, true, false):
 		if section.tooltip_text == RESOURCE_SECTION:
 			section.hide()
+	for view: Control in _inspector.find_children("*", "SubViewportContainer", true, false):
+		if view is PlantInspectorView:
+			view.hide()
 
 
 func _on_resource_selected(resource: Resource, _path: String) -> void:

@@ -1,0 +1,42 @@
+@tool
+extends "editor_test.gd"
+## Switching the add-on off and on again.
+
+const PLUGIN := "undergrowth"
+
+
+func test_off_and_on_again() -> void:
+	for i in 3:
+		EditorInterface.set_plugin_enabled(PLUGIN, false)
+		await frames(4)
+		check(dock() == null, "nothing is left of the dock")
+		EditorInterface.set_plugin_enabled(PLUGIN, true)
+		await frames(10)
+		check(dock() != null, "the dock is back")
+	await open_page("Plant")
+	var counts := part("Plant/Preview/Counts") as Label
+	check(counts.text.contains("triangles"), "it shows a plant: " + counts.text)
+
+
+func test_wide_dock_stands_side_by_side() -> void:
+	await open_page("Plant")
+	var split := part("Plant/Split") as SplitContainer
+	check(split.vertical, "one below the other in a narrow dock")
+	var page := part("Plant") as Control
+	var content := dock()
+	var home := content.get_parent()
+	var window := Window.new()
+	window.size = Vector2i(1100, 420)
+	EditorInterface.get_base_control().add_child(window)
+	content.reparent(window, false)
+	content.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
+	await frames(5)
+	check(not split.vertical, "side by side at %s" % page.size)
+	await frames(30)
+	var picture := window.get_texture().get_image()
+	if not pictures_folder.is_empty():
+		picture.save_png(pictures_folder.path_join("dock_wide.png"))
+	content.reparent(home, false)
+	window.queue_free()
+	await frames(5)
+	check(split.vertical, "one below the other again")
