@@ -50,8 +50,18 @@ bool String::operator==(const StringName &p_name) const {
 	return *this == String(p_name);
 }
 
+// The engine makes names faster from Latin-1, which is the same for ASCII.
 StringName::StringName(const char *p_text, bool) {
-	gde.string_name_new_with_utf8_chars(this, p_text ? p_text : "");
+	const char *text = p_text ? p_text : "";
+	const char *end = text;
+	while (*end > 0) {
+		end++;
+	}
+	if (*end == 0) {
+		gde.string_name_new_with_latin1_chars(this, text, false);
+	} else {
+		gde.string_name_new_with_utf8_chars(this, text);
+	}
 }
 
 bool StringName::operator==(const char *p_text) const {

@@ -26,9 +26,8 @@ void call(void *p_data, const GDExtensionConstVariantPtr *p_arguments, GDExtensi
 		*r_error = { GDEXTENSION_CALL_ERROR_INSTANCE_IS_NULL, 0, 0 };
 		return;
 	}
-	Variant result;
-	callable.method->call(self, reinterpret_cast<const Variant *const *>(p_arguments), p_count, result, *r_error);
-	*static_cast<Variant *>(r_result) = std::move(result);
+	callable.method->call(self, reinterpret_cast<const Variant *const *>(p_arguments), p_count,
+			*static_cast<Variant *>(r_result), *r_error);
 }
 
 GDExtensionBool is_valid(void *p_data) {

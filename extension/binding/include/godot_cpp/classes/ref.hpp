@@ -49,7 +49,7 @@ public:
 	Ref(Ref &&p_from) : reference(p_from.reference) { p_from.reference = nullptr; }
 	// Null when the object is of another class.
 	template <typename U> Ref(const Ref<U> &p_from) { _share(dynamic_cast<T *>(p_from.reference)); }
-	Ref(const Variant &p_from) : Ref(dynamic_cast<T *>(internal::wrapped_in(p_from))) {}
+	Ref(const Variant &p_from) : Ref(internal::cast<T>(internal::wrapped_in(p_from))) {}
 	~Ref() { unref(); }
 
 	// Takes over a count that was made for the caller.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <type_traits>
+#include <typeinfo>
 
 #include <godot_cpp/core/property_info.hpp>
 #include <godot_cpp/templates/list.hpp>
@@ -73,6 +74,15 @@ namespace internal {
 Wrapped *wrapper_of(void *p_owner);
 // The object in a Variant, null when there is none or it was freed.
 Wrapped *wrapped_in(const Variant &p_value);
+
+// dynamic_cast, with a shortcut for the most common case: the object is exactly of that class.
+template <typename T>
+inline T *cast(Wrapped *p_wrapped) {
+	if (p_wrapped && typeid(*p_wrapped) == typeid(T)) {
+		return static_cast<T *>(p_wrapped);
+	}
+	return dynamic_cast<T *>(p_wrapped);
+}
 
 } // namespace internal
 

@@ -146,10 +146,10 @@ template <typename T> struct TypeTraits<T *, std::enable_if_t<std::is_class_v<T>
 		T *take() { return static_cast<T *>(static_cast<void *>(wrapper_of(object))); }
 	};
 	static T *load(const void *p_from) {
-		return p_from ? dynamic_cast<T *>(wrapper_of(*static_cast<void *const *>(p_from))) : nullptr;
+		return p_from ? cast<T>(wrapper_of(*static_cast<void *const *>(p_from))) : nullptr;
 	}
 	static void store(void *r_to, const T *p_value) { *static_cast<void **>(r_to) = owner_of(p_value); }
-	static T *from_variant(const Variant &p_value) { return dynamic_cast<T *>(wrapped_in(p_value)); }
+	static T *from_variant(const Variant &p_value) { return cast<T>(wrapped_in(p_value)); }
 	static Variant to_variant(const T *p_value) { return Variant(static_cast<const Object *>(p_value)); }
 	static bool accepts(const Variant &p_value) { return !wrapped_in(p_value) || from_variant(p_value); }
 	static PropertyInfo describe() {
@@ -172,14 +172,14 @@ template <typename T> struct TypeTraits<Ref<T>> {
 		Ref<T> take() { return Ref<T>::adopt(static_cast<T *>(static_cast<void *>(wrapper_of(object)))); }
 	};
 	static Ref<T> load(const void *p_from) {
-		return p_from ? Ref<T>(dynamic_cast<T *>(wrapper_of(gde.ref_get_object(p_from)))) : Ref<T>();
+		return p_from ? Ref<T>(cast<T>(wrapper_of(gde.ref_get_object(p_from)))) : Ref<T>();
 	}
 	static void store(void *r_to, const Ref<T> &p_value) { gde.ref_set_object(r_to, owner_of(p_value.ptr())); }
-	static Ref<T> from_variant(const Variant &p_value) { return Ref<T>(dynamic_cast<T *>(wrapped_in(p_value))); }
+	static Ref<T> from_variant(const Variant &p_value) { return Ref<T>(cast<T>(wrapped_in(p_value))); }
 	static Variant to_variant(const Ref<T> &p_value) { return Variant(p_value); }
 	static bool accepts(const Variant &p_value) {
 		Wrapped *wrapped = wrapped_in(p_value);
-		return !wrapped || dynamic_cast<T *>(wrapped);
+		return !wrapped || cast<T>(wrapped);
 	}
 	static PropertyInfo describe() {
 		return PropertyInfo(type, StringName(), PROPERTY_HINT_RESOURCE_TYPE, String(T::get_class_static()));
