@@ -143,6 +143,14 @@ func click(control: Control, at := Vector2.INF, button := MOUSE_BUTTON_LEFT) -> 
 	await frames(2)
 
 
+## Double-clicks into [param control] at [param at].
+func double_click(control: Control, at: Vector2) -> void:
+	await click(control, at)
+	_press(control, _in_window(control, at), MOUSE_BUTTON_LEFT, true, true)
+	_press(control, _in_window(control, at), MOUSE_BUTTON_LEFT, false)
+	await frames(2)
+
+
 ## Clicks an item of a list.
 func click_item(list: ItemList, index: int) -> void:
 	list.ensure_current_is_visible()
@@ -242,12 +250,15 @@ func _in_window(control: Control, at: Vector2) -> Vector2:
 	return control.get_global_transform_with_canvas() * own
 
 
-func _press(control: Control, where: Vector2, button: MouseButton, pressed: bool) -> void:
+func _press(
+	control: Control, where: Vector2, button: MouseButton, pressed: bool, double := false
+) -> void:
 	var event := InputEventMouseButton.new()
 	event.window_id = control.get_window().get_window_id()
 	event.button_index = button
 	event.button_mask = 1 << (button - 1) if pressed else 0
 	event.pressed = pressed
+	event.double_click = double
 	event.position = where
 	event.global_position = where
 	_send(event)

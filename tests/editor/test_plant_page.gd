@@ -175,3 +175,31 @@ func _find_slider(property: String) -> EditorSpinSlider:
 		if editor.get_edited_property() == property:
 			return editor.find_children("*", "EditorSpinSlider", true, false)[0]
 	return null
+
+
+func test_width_curve_is_dragged() -> void:
+	await open_page("Plant")
+	var list := part("Plant/List/ReadyList") as ItemList
+	await _reveal(list, list.item_count - 1)
+	await click_item(list, list.item_count - 1)
+	var curve := (_state().function as CurvePlantFunction).width_curve
+	var points := part("Plant/Points") as Control
+	await frames(2)
+	var grip := Vector2(points.size.x * curve.get_point_position(1).x, 0.0)
+	await drag(points, grip, grip + Vector2(30.0, 12.0))
+	var moved := curve.get_point_position(1)
+	check(moved.x > 0.5 and moved.y < 0.8, "the point went along: %s" % moved)
+	await undo()
+	check(curve.get_point_position(1).is_equal_approx(Vector2(0.45, 1.0)), "undo puts it back")
+	await redo()
+	check(curve.get_point_position(1).is_equal_approx(moved), "redo moves it again")
+	await take_picture("curves")
+	await double_click(points, Vector2(points.size.x * 0.2, points.size.y * 0.4))
+	check_equal(curve.point_count, 4, "points after a double-click")
+	await undo()
+	check_equal(curve.point_count, 3, "points after undo")
+	var place := Vector2(moved.x, 0.5 - 0.5 * moved.y) * points.size
+	await click(points, place, MOUSE_BUTTON_RIGHT)
+	check_equal(curve.point_count, 2, "points after a right click")
+	await undo()
+	await undo()

@@ -132,8 +132,10 @@ func end_work() -> void:
 	work_changed.emit()
 
 
+## The user wants no more of it.
 func cancel_work() -> void:
 	work_cancelled = true
+	work_changed.emit()
 
 
 func _watch(before: Resource, after: Resource, listener: Callable) -> void:

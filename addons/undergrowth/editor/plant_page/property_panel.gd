@@ -14,15 +14,15 @@ var _inspector: EditorInspector
 @onready var _plot: ProfilePlot = %Plot
 
 
-## Shows the species of [param state].
-func setup(state: EditorState) -> void:
+## Shows the species of [param state]; changes are steps of [param undo].
+func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
 	_state = state
 	_inspector = EditorInspector.new()
 	_inspector.size_flags_vertical = Control.SIZE_EXPAND_FILL
 	_inspector.resource_selected.connect(_on_resource_selected)
 	add_child(_inspector)
 	(_inspector.get_child(0) as Control).minimum_size_changed.connect(_hide_repeated)
-	_plot.setup(state)
+	_plot.setup(state, undo)
 	_state.function_chosen.connect(_show_function)
 	_show_function()
 

@@ -7,14 +7,20 @@ signal chosen(entry: SpeciesEntry)
 ## The list is current: files were looked through.
 signal refreshed
 
+const EditorState := preload("../editor_state.gd")
 const SpeciesEntry := preload("species_entry.gd")
 const SpeciesCatalog := preload("species_catalog.gd")
 const PlantPhoto := preload("../widgets/plant_photo.gd")
 const THUMBNAIL_SIZE := 48
+## From so many new thumbnails on, progress is shown.
+const MANY := 24
 
 var _thumbnails: Dictionary[String, Texture2D] = {}
 var _stamps: Dictionary[String, int] = {}
 var _chosen_key := ""
+var _state: EditorState
+# What the status line calls our work, while it shows it.
+var _work_title := ""
 
 @onready var _catalog: SpeciesCatalog = %Catalog
 @onready var _photo: PlantPhoto = %Photo
@@ -24,8 +30,10 @@ var _chosen_key := ""
 @onready var _project_hint: Label = %ProjectHint
 
 
-## Fills the list and keeps it current.
-func setup() -> void:
+## Fills the list and keeps it current. Many new thumbnails show their progress in [param state].
+func setup(state: EditorState) -> void:
+	_state = state
+	_state.work_changed.connect(_on_work_changed)
 	_photo.taken.connect(_on_photo_taken)
 	_filter.text_changed.connect(func(_text: String) -> void: _fill())
 	for list: ItemList in [_ready_list, _project_list]:
@@ -104,11 +112,26 @@ func _picture_of(entry: SpeciesEntry) -> Texture2D:
 
 func _on_catalog_changed() -> void:
 	_fill()
+	var wanted := 0
 	for entry: SpeciesEntry in _entries():
 		if _stamps.get(entry.key, -1) != entry.stamp:
 			_stamps[entry.key] = entry.stamp
 			_photo.request(entry.key, entry.instantiate)
+			wanted += 1
+	if wanted >= MANY and _state.work_total == 0:
+		_work_title = tr("Taking pictures of %d species") % wanted
+		_state.begin_work(_work_title, wanted)
 	refreshed.emit()
+
+
+func _shows_work() -> bool:
+	return _state.work_total > 0 and _state.work_title == _work_title
+
+
+func _on_work_changed() -> void:
+	if _shows_work() and _state.work_cancelled:
+		_photo.clear()
+		_state.end_work()
 
 
 func _on_photo_taken(key: String, picture: Texture2D) -> void:
@@ -117,6 +140,10 @@ func _on_photo_taken(key: String, picture: Texture2D) -> void:
 		for i in list.item_count:
 			if (list.get_item_metadata(i) as SpeciesEntry).key == key:
 				list.set_item_icon(i, _thumbnails[key])
+	if _shows_work():
+		_state.advance_work()
+		if _state.work_done >= _state.work_total:
+			_state.end_work()
 
 
 func _on_item_selected(index: int, list: ItemList) -> void:

@@ -1,23 +1,41 @@
 @tool
 extends Control
 ## A species' outline and colour along its height. The plant lies on its side: root left, tip right.
+## The width curve of a CurvePlantFunction can be dragged; other species are only plotted.
 
 const EditorState := preload("../editor_state.gd")
+const ProfilePoints := preload("profile_points.gd")
 const SAMPLES := 64
 const LEAST_HEIGHT := 56
+const LEAST_HEIGHT_TO_EDIT := 100
+const MARGIN := 6.0
 
 var _state: EditorState
 var _widths: PackedFloat32Array = []
 var _colors: PackedColorArray = []
+# The base shape's radius in metres, and the width that fills the plot.
 var _radius := 0.0
+var _most_width := 0.0
+
+@onready var _points: ProfilePoints = $Points
 
 
-## Plots the species of [param state].
-func setup(state: EditorState) -> void:
+## Plots the species of [param state]; changes of its curve are steps of [param undo].
+func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
 	_state = state
-	custom_minimum_size.y = LEAST_HEIGHT * EditorInterface.get_editor_scale()
-	_state.function_chosen.connect(_sample)
+	_points.setup(undo)
+	_state.function_chosen.connect(_show_function)
 	_state.function_edited.connect(_sample)
+	resized.connect(_place_points)
+	_show_function()
+
+
+func _show_function() -> void:
+	var curves := _state.function as CurvePlantFunction
+	var least := LEAST_HEIGHT_TO_EDIT if curves else LEAST_HEIGHT
+	custom_minimum_size.y = least * EditorInterface.get_editor_scale()
+	_points.edit(curves)
+	_place_points()
 	_sample()
 
 
@@ -25,40 +43,68 @@ func _sample() -> void:
 	_widths.clear()
 	_colors.clear()
 	if _state.function and _state.problem.is_empty():
-		_radius = 0.0
-		for point in _state.function.get_base_shape(EditorState.DEFAULT_LOD):
-			_radius = maxf(_radius, Vector2(point.x, point.z).length())
-		for i in SAMPLES + 1:
-			var offset := float(i) / SAMPLES
-			_widths.append(_state.function.calculate_curve_point(offset))
-			_colors.append(_state.function.calculate_color_at_point(offset))
+		_sample_function(_state.function)
+	_points.queue_redraw()
 	queue_redraw()
 
 
-func _draw() -> void:
-	var box := get_theme_stylebox(&"normal", &"LineEdit")
-	draw_style_box(box, Rect2(Vector2.ZERO, size))
-	if _widths.is_empty():
-		return
-	var font := get_theme_font(&"main", &"EditorFonts")
-	var font_size := get_theme_font_size(&"main_size", &"EditorFonts")
-	var line := font.get_height(font_size)
-	var area := Rect2(Vector2.ZERO, size).grow(-6.0 * EditorInterface.get_editor_scale())
-	area.size.y -= line
-	_draw_outline(area)
-	_draw_text(font, font_size, area)
+func _sample_function(function: PlantFunction) -> void:
+	_radius = 0.0
+	for point in function.get_base_shape(EditorState.DEFAULT_LOD):
+		_radius = maxf(_radius, Vector2(point.x, point.z).length())
+	for i in SAMPLES + 1:
+		var offset := float(i) / SAMPLES
+		_widths.append(function.calculate_curve_point(offset))
+		_colors.append(function.calculate_color_at_point(offset))
+	var curves := function as CurvePlantFunction
+	if curves:
+		_most_width = curves.width_curve.max_value if curves.width_curve else 1.0
+	else:
+		_most_width = maxf(_widest(), 1e-6)
 
 
-func _draw_outline(area: Rect2) -> void:
+func _widest() -> float:
 	var widest := 0.0
 	for width in _widths:
 		widest = maxf(widest, width)
+	return widest
+
+
+func _place_points() -> void:
+	var area := _area()
+	_points.position = area.position
+	_points.size = area.size
+
+
+# Where the outline is drawn: all but a line of text below it.
+func _area() -> Rect2:
+	var area := Rect2(Vector2.ZERO, size).grow(-MARGIN * EditorInterface.get_editor_scale())
+	area.size.y -= _font().get_height(_font_size())
+	return area
+
+
+func _font() -> Font:
+	return get_theme_font(&"main", &"EditorFonts")
+
+
+func _font_size() -> int:
+	return get_theme_font_size(&"main_size", &"EditorFonts")
+
+
+func _draw() -> void:
+	draw_style_box(get_theme_stylebox(&"normal", &"LineEdit"), Rect2(Vector2.ZERO, size))
+	if not _widths.is_empty():
+		_draw_outline(_area())
+		_draw_text(_area())
+
+
+func _draw_outline(area: Rect2) -> void:
 	var middle := area.get_center().y
 	for i in SAMPLES:
 		var left := area.position.x + area.size.x * i / SAMPLES
 		var right := area.position.x + area.size.x * (i + 1) / SAMPLES
-		var here := _widths[i] / maxf(widest, 1e-6) * area.size.y * 0.5
-		var there := _widths[i + 1] / maxf(widest, 1e-6) * area.size.y * 0.5
+		var here := _widths[i] / _most_width * area.size.y * 0.5
+		var there := _widths[i + 1] / _most_width * area.size.y * 0.5
 		if here + there < 0.01:
 			continue
 		draw_primitive(
@@ -73,12 +119,10 @@ func _draw_outline(area: Rect2) -> void:
 		)
 
 
-func _draw_text(font: Font, font_size: int, area: Rect2) -> void:
-	var widest := 0.0
-	for width in _widths:
-		widest = maxf(widest, width)
+func _draw_text(area: Rect2) -> void:
 	var color := get_theme_color(&"font_disabled_color", &"Editor")
-	var base := Vector2(area.position.x, area.end.y + font.get_ascent(font_size))
-	var breadth := tr("Root · up to %s cm wide") % String.num(widest * _radius * 200.0, 1)
-	draw_string(font, base, breadth, HORIZONTAL_ALIGNMENT_LEFT, area.size.x, font_size, color)
-	draw_string(font, base, tr("Tip"), HORIZONTAL_ALIGNMENT_RIGHT, area.size.x, font_size, color)
+	var base := Vector2(area.position.x, area.end.y + _font().get_ascent(_font_size()))
+	var breadth := tr("Root · up to %s cm wide") % String.num(_widest() * _radius * 200.0, 1)
+	var width := area.size.x
+	draw_string(_font(), base, breadth, HORIZONTAL_ALIGNMENT_LEFT, width, _font_size(), color)
+	draw_string(_font(), base, tr("Tip"), HORIZONTAL_ALIGNMENT_RIGHT, width, _font_size(), color)

@@ -59,10 +59,11 @@ func _on_work_changed() -> void:
 	_progress.max_value = maxi(1, _state.work_total)
 	_progress.value = _state.work_done
 	_cancel.disabled = _state.work_cancelled
-	if _work.visible:
+	if _work.visible and _text.text != _state.work_title:
 		show_message(_state.work_title, EditorState.Severity.INFO)
+	elif not _work.visible and _text.text == _state.work_title:
+		show_message("", EditorState.Severity.INFO)
 
 
 func _on_cancel_pressed() -> void:
 	_state.cancel_work()
-	_cancel.disabled = true
