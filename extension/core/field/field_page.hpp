@@ -74,6 +74,9 @@ public:
 	void set_species(const FieldSpecies &species);
 	/// Constants for steps of another length (s); the motion goes on. Allocates nothing.
 	void set_step_length(float step);
+	/// When in a step its wind is to be taken, as a share of it: the elasticity law's kick stands at the start of the
+	/// drift (its rate is that of the middle), the spring law's closed form holds the force of the middle.
+	double wind_moment() const { return kind.law == Law::elasticity ? 0.0 : 0.5; }
 	/// One step under `wind`, and the bends after it.
 	void step(const TravellingWind &wind, const PlantWinds &along);
 

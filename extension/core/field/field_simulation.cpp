@@ -148,12 +148,19 @@ void FieldSimulation::set_bodies(const FieldBody *bodies, int count) {
 			bodies, bodies + count, std::back_inserter(pushing), [](const FieldBody &body) { return is_valid(body); });
 }
 
-void FieldSimulation::begin_step() {
-	const double middle = (static_cast<double>(next_step) + 0.5) * static_cast<double>(options.step);
-	const TravellingWind wind = wind_at_time(blowing, middle + static_cast<double>(lead));
+void FieldSimulation::step_prototypes(int64_t number) {
 	for (Prototypes &model : models) {
-		model.step(wind, along);
+		const double moment = static_cast<double>(number) + model.wind_moment();
+		const double moment_time = moment * static_cast<double>(options.step) + static_cast<double>(lead);
+		model.step(wind_at_time(blowing, moment_time), along);
 	}
+}
+
+void FieldSimulation::begin_step() {
+	for (int64_t number = next_step == 0 ? -Prototypes::SLOTS : 0; number < 0; number++) {
+		step_prototypes(number);
+	}
+	step_prototypes(next_step);
 	next_step++;
 }
 
@@ -184,8 +191,8 @@ void FieldSimulation::step_page(Entry &entry, int interval) {
 	if (entry.page.step_length() != step_length) {
 		entry.page.set_step_length(step_length);
 	}
-	const double middle = (static_cast<double>(entry.last_step) + 0.5 * interval) * static_cast<double>(options.step);
-	entry.page.step(wind_at_time(blowing, middle), along);
+	const double moment = static_cast<double>(entry.last_step) + entry.page.wind_moment() * interval;
+	entry.page.step(wind_at_time(blowing, moment * static_cast<double>(options.step)), along);
 	for (const FieldBody &body : pushing) {
 		push_plants(entry.page, body);
 	}

@@ -23,10 +23,10 @@ struct FieldSettings {
 /// The motion of all plants of a field, in pages that any number of threads may step.
 ///
 /// A step is begin_step(), then step_pages() once for every page, in any split and on any threads: the bits are the
-/// same. Step n covers the time from n·step to (n + interval)·step, by one step of that length under the wind in the
-/// middle of it, so that what is shown, the way from the bend before to the bend after (alpha()), is never late.
-/// A page whose interval is k steps at steps n with n % k == page % k: never all pages in one step (thesis, section
-/// 5.3.1). Nothing allocates between begin_step() and the next change of the field.
+/// same. Step n covers the time from n·step to (n + interval)·step, by one step of that length under the wind at its
+/// FieldPage::wind_moment(), so that what is shown, the way from the bend before to the bend after (alpha()), is never
+/// late. A page whose interval is k steps at steps n with n % k == page % k: never all pages in one step (thesis,
+/// section 5.3.1). Nothing allocates between begin_step() and the next change of the field.
 ///
 /// Plants are named by page and index. Removing a plant moves the last one of its page into its place.
 class FieldSimulation {
@@ -67,7 +67,9 @@ public:
 
 	/// Seconds since the start: the number of steps that were begun, times their length.
 	double time() const { return static_cast<double>(next_step) * static_cast<double>(options.step); }
-	/// Moves the prototypes on and makes the next step the present one. On one thread.
+	/// Moves the prototypes on and makes the next step the present one. On one thread. The first one simulates what
+	/// prototypes did before the start, so that delays reach back into the same wind: about half a millisecond a
+	/// species.
 	void begin_step();
 	/// The present step of pages [begin, end) that are due in it. Disjoint ranges may run on several threads at once.
 	void step_pages(int begin, int end);
@@ -121,6 +123,7 @@ private:
 
 	const Entry &at(int page) const { return entries[static_cast<std::size_t>(page)]; }
 	Entry &at(int page) { return entries[static_cast<std::size_t>(page)]; }
+	void step_prototypes(int64_t number);
 	void step_page(Entry &entry, int interval);
 	void show_followers(Entry &entry, int most_change);
 	int wanted_delay(const Follower &follower, float x, float z, const TravellingWind &wind) const;

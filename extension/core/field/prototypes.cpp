@@ -10,7 +10,7 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float OWN_DELAY = 0.8f; // s; about a swing, so that followers of one prototype are anywhere in it.
+constexpr float OWN_DELAY = 1.0f; // s; about a swing, so that followers of one prototype are anywhere in it.
 /// A plant that leans follows one of the prototypes within this share of the circle.
 constexpr int LEAN_SECTORS = 8;
 

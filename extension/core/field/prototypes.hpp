@@ -43,7 +43,7 @@ public:
 	/// row for each slot. One slot changes with each step.
 	const Bend *history() const { return ring.data(); }
 	int newest_slot() const { return newest; }
-	TipState state(int prototype) const { return page.state(prototype); }
+	double wind_moment() const { return page.wind_moment(); }
 	std::size_t bytes() const { return ring.capacity() * sizeof(Bend) + page.bytes(); }
 
 private:

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "field/field_simulation.hpp"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace undergrowth {
+
+/// Contact of tips (thesis, requirement 2.2.4): spheres of the collision radius that push each other apart.
+///
+/// Inelastic: of two tips that touch, what they approach each other by is taken away, shared by their masses, and they
+/// are moved apart along their spheres. A pair counts by one over the larger number of contacts of the two, so that
+/// every plant's motion is a weighted mean of motions that single contacts would give, and energy never grows. Two tips
+/// that overlap in calm air touch only where they come nearer than that, so that no contact is a motor.
+///
+/// Once after each step: gather() of all pages, sort() on one thread, count() of all pages, separate() of all pages.
+/// Each of the three may be split over threads by ranges of pages, one after the other; the bits are the same. Plants
+/// that follow a prototype take no part.
+class TipContact {
+public:
+	/// Takes the memory that a field needs; to be called when plants came or went. Nothing allocates after it.
+	void fit(const FieldSimulation &field);
+	void gather(const FieldSimulation &field, int begin, int end);
+	void sort();
+	void count(const FieldSimulation &field, int begin, int end);
+	void separate(FieldSimulation &field, int begin, int end);
+	/// All of them, on one thread.
+	void resolve(FieldSimulation &field);
+
+	/// Of the last count(): contacts of a plant, up to 255.
+	int contacts(int page, int index) const { return touching[first(page) + static_cast<std::size_t>(index)]; }
+	std::size_t bytes() const;
+
+private:
+	float cell_size = 1.0f; ///< m, the largest distance of two tips that touch.
+	std::vector<uint32_t> page_firsts; ///< Of each page, and the number of all plants at the end.
+	std::vector<glm::vec3> tips; ///< m.
+	std::vector<glm::vec3> velocities; ///< m/s.
+	std::vector<uint16_t> pages; ///< Whose a tip is.
+	std::vector<uint8_t> touching;
+	std::vector<uint32_t> bucket_ends; ///< A power of two of them, and one more.
+	std::vector<uint32_t> sorted; ///< Tips by bucket, in rising order within one.
+
+	std::size_t first(int page) const { return page_firsts[static_cast<std::size_t>(page)]; }
+	uint32_t bucket(int cell_x, int cell_z) const;
+	int cell(float place) const;
+	/// Calls visit(other, offset, distance, wanted distance) for each tip that touches `tip`.
+	template <class Visit> void for_each_contact(const FieldSimulation &field, uint32_t tip, const Visit &visit) const;
+};
+
+} // namespace undergrowth

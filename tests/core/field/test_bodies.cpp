@@ -1,0 +1,112 @@
+#include "field_fixture.hpp"
+
+#include <doctest/doctest.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <limits>
+
+using namespace undergrowth;
+
+namespace {
+
+constexpr Law BOTH_LAWS[] = { Law::elasticity, Law::spring };
+constexpr float CLEAR_TOLERANCE = 0.02f; // m, of a tip against a body that it is pushed out of once a step.
+
+FieldBody walker(float x) {
+	FieldBody body;
+	body.from = { x, 0.4f, 0.0f };
+	body.to = { x, 1.4f, 0.0f };
+	body.radius = 0.4f;
+	body.velocity = { 1.0f, 0.0f, 0.0f };
+	return body;
+}
+
+FieldSimulation calm_plant(Law law) {
+	FieldPlant plant;
+	plant.root.z = 0.1f;
+	FieldSimulation field = single_plant(law, plant);
+	field.set_wind({ { WindKind::constant, 0.0f }, 0.0f });
+	return field;
+}
+
+} // namespace
+
+TEST_CASE("a tip stays outside of a capsule that walks into it, and rings down after") {
+	for (const Law law : BOTH_LAWS) {
+		FieldSimulation field = calm_plant(law);
+		float most = 0.0f;
+		for (int i = 0; i < 90; i++) {
+			const FieldBody body = walker(-1.5f + static_cast<float>(i) * FIELD_STEP);
+			field.set_bodies(&body, 1);
+			field.step();
+			const glm::vec3 tip = field.page(0).tip(0);
+			const float apart = glm::distance(tip, nearest_on_segment(body.from, body.to, tip));
+			CHECK(apart > body.radius + field.page(0).collision_radius() - CLEAR_TOLERANCE);
+			most = std::max(most, field.state(0, 0).direction.x);
+		}
+		CHECK(most > 0.2f);
+		field.set_bodies(nullptr, 0);
+		int crossings = 0;
+		float before = field.state(0, 0).direction.x;
+		for (int i = 0; i < 3000; i++) {
+			field.step();
+			const float now = field.state(0, 0).direction.x;
+			crossings += (now < 0.0f) != (before < 0.0f) ? 1 : 0;
+			before = now;
+		}
+		CHECK(crossings >= 3);
+		CHECK(std::fabs(field.state(0, 0).direction.x) < 1e-3f);
+		CHECK(glm::length(field.state(0, 0).rate) < 1e-3f);
+	}
+}
+
+TEST_CASE("a sphere pushes by its velocity, a body that stands still takes only what comes at it") {
+	for (const Law law : BOTH_LAWS) {
+		FieldSimulation field = calm_plant(law);
+		FieldBody ball;
+		ball.from = ball.to = { -0.3f, 1.0f, 0.1f };
+		ball.radius = 0.3f;
+		ball.velocity = { 2.0f, 0.0f, 0.0f };
+		push_plants(field.page(0), ball);
+		CHECK(field.state(0, 0).rate.x == doctest::Approx(2.0).epsilon(0.02));
+
+		FieldSimulation other = calm_plant(law);
+		other.apply_impulse(0, 0, { -0.4f, 0.0f, 0.0f });
+		ball.velocity = {};
+		CHECK(push_plants(other.page(0), ball) == 1);
+		CHECK(std::fabs(other.state(0, 0).rate.x) < 0.05f);
+	}
+}
+
+TEST_CASE("bodies far away, below another page's plants, or of numbers that are none touch nothing") {
+	FieldSimulation field = calm_plant(Law::spring);
+	const uint64_t before = hash_field(field);
+	FieldBody body = walker(30.0f);
+	CHECK(push_plants(field.page(0), body) == 0);
+	body = walker(0.0f);
+	body.from.x = std::numeric_limits<float>::quiet_NaN();
+	CHECK(push_plants(field.page(0), body) == 0);
+	body = walker(0.0f);
+	body.radius = 0.0f;
+	CHECK(push_plants(field.page(0), body) == 0);
+	CHECK(hash_field(field) == before);
+}
+
+TEST_CASE("a body on top of a stem, or with its axis in the tip, parts them without a number that is none") {
+	for (const Law law : BOTH_LAWS) {
+		for (const float height : { 0.6f, 1.0f, 1.3f }) {
+			FieldSimulation field = calm_plant(law);
+			FieldBody ball;
+			ball.from = ball.to = { 0.0f, height, 0.1f };
+			ball.radius = 0.5f;
+			for (int i = 0; i < 60; i++) {
+				field.set_bodies(&ball, 1);
+				field.step();
+			}
+			CHECK(std::isfinite(field.state(0, 0).direction.x + field.state(0, 0).rate.x));
+			CHECK(field.state(0, 0).direction.y > 0.0f);
+		}
+	}
+}

@@ -1,0 +1,222 @@
+#include "field/contact.hpp"
+#include "field_fixture.hpp"
+
+#include <doctest/doctest.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+using namespace undergrowth;
+
+namespace {
+
+constexpr Law BOTH_LAWS[] = { Law::elasticity, Law::spring };
+constexpr float RADIUS = 0.1f; // m.
+constexpr float APART_TOLERANCE = 0.003f; // m; contact is solved once a step, halfway for each of the two.
+constexpr float DEEPEST = 0.25f * RADIUS; // What fast tips may overlap after a step in which they met.
+/// Of the most that the same swing has without contact, whose energy goes up and down a little with the step's own
+/// error.
+constexpr double ENERGY_TOLERANCE = 1e-3;
+constexpr float REST_SPEED = 1e-3f; // 1/s.
+
+FieldSpecies tips_of(Law law) {
+	FieldSpecies species = species_of(law);
+	species.collision_radius = RADIUS;
+	species.joint.inner_friction = 0.0f;
+	species.joint.damping_ratio = 0.0f;
+	return species;
+}
+
+FieldSimulation row_of(const FieldSpecies &species, int count, float spacing) {
+	FieldSimulation field((FieldSettings()));
+	std::vector<FieldPlant> plants(static_cast<size_t>(count));
+	for (int i = 0; i < count; i++) {
+		plants[static_cast<size_t>(i)].root.x = spacing * static_cast<float>(i);
+	}
+	field.add_page(field.add_species(species), plants.data(), count);
+	field.set_wind({ { WindKind::constant, 0.0f }, 0.0f });
+	return field;
+}
+
+/// J; the elasticity law's force is (1 + e)·m·g·|y| upwards and m·g downwards, hence U = m·g·(L·y - (1 + e)·L·y²/2).
+/// The spring law's t obeys t'' = -ω²·t: over m, (|t'|² + ω²·|t|²)/2.
+double energy(const FieldSimulation &field, const FieldSpecies &species) {
+	const double mass = static_cast<double>(species.joint.mass);
+	const double gravity = static_cast<double>(STANDARD_GRAVITY);
+	double sum = 0.0;
+	for (int i = 0; i < field.page(0).size(); i++) {
+		const TipState state = field.state(0, i);
+		const double length = static_cast<double>(field.page(0).length(i));
+		const double y = static_cast<double>(state.direction.y);
+		if (species.law == Law::elasticity) {
+			const double speed = length * static_cast<double>(glm::length(state.rate));
+			const double lift = 1.0 + static_cast<double>(species.joint.elasticity);
+			sum += 0.5 * mass * speed * speed + mass * gravity * length * ((y - 1.0) + 0.5 * lift * (1.0 - y * y));
+			continue;
+		}
+		const glm::dvec3 t = glm::dvec3(state.direction) / y;
+		const glm::dvec3 rate = (glm::dvec3(state.rate) - t * static_cast<double>(state.rate.y)) / y;
+		const double omega = 2.0 * PI * static_cast<double>(species.joint.natural_frequency);
+		sum += 0.5 * mass * (glm::dot(rate, rate) + omega * omega * (t.x * t.x + t.z * t.z));
+	}
+	return sum;
+}
+
+float tip_distance(const FieldSimulation &field, int a, int b) {
+	return glm::distance(field.page(0).tip(a), field.page(0).tip(b));
+}
+
+} // namespace
+
+TEST_CASE("two plants that swing into each other part, and lose energy, never gain") {
+	for (const Law law : BOTH_LAWS) {
+		const FieldSpecies species = tips_of(law);
+		double most[2] = {}; // Without contact, and with it.
+		for (const bool touching : { false, true }) {
+			FieldSimulation field = row_of(species, 2, 0.4f);
+			TipContact contact;
+			contact.fit(field);
+			field.apply_impulse(0, 0, { 0.35f, 0.0f, 0.02f });
+			field.apply_impulse(0, 1, { -0.3f, 0.0f, 0.0f });
+			const double start = energy(field, species);
+			for (int i = 0; i < 60 * 60; i++) {
+				field.step();
+				if (touching) {
+					contact.resolve(field);
+					REQUIRE(tip_distance(field, 0, 1) > 2.0f * RADIUS - DEEPEST);
+				}
+				most[touching ? 1 : 0] = std::max(most[touching ? 1 : 0], energy(field, species));
+			}
+			CHECK((energy(field, species) < 0.8 * start) == touching);
+		}
+		CHECK(most[1] <= most[0] * (1.0 + ENERGY_TOLERANCE));
+	}
+}
+
+TEST_CASE("a contact by itself never adds energy of motion, however many tips meet") {
+	for (const Law law : BOTH_LAWS) {
+		for (int trial = 0; trial < 50; trial++) {
+			const FieldSpecies species = tips_of(law);
+			FieldSimulation field((FieldSettings()));
+			std::vector<FieldPlant> plants(40);
+			for (int i = 0; i < 40; i++) {
+				plants[static_cast<size_t>(i)].root = { 0.3f * static_cast<float>(i % 7), 0.0f,
+					0.3f * static_cast<float>(i / 7) };
+			}
+			field.add_page(field.add_species(species), plants.data(), 40);
+			const auto noise = [trial](int which, int i) {
+				return signed_noise(static_cast<uint64_t>(100 * trial + which), static_cast<uint64_t>(i));
+			};
+			for (int i = 0; i < 40; i++) {
+				field.page(0).set_state(
+						i, { { 0.4f * noise(1, i), 1.0f, 0.4f * noise(2, i) }, { noise(3, i), 0.0f, noise(4, i) } });
+			}
+			TipContact contact;
+			contact.fit(field);
+			const auto motion = [&field] {
+				double sum = 0.0;
+				for (int i = 0; i < 40; i++) {
+					const glm::vec3 rate = field.state(0, i).rate;
+					sum += static_cast<double>(glm::dot(rate, rate));
+				}
+				return sum;
+			};
+			const double before = motion();
+			contact.resolve(field);
+			CHECK(motion() <= before * (1.0 + 1e-5));
+		}
+	}
+}
+
+TEST_CASE("plants pushed together by a wind part when it ends, and come to rest") {
+	for (const Law law : BOTH_LAWS) {
+		FieldSpecies species = tips_of(law);
+		species.joint.inner_friction = 0.6f;
+		species.joint.damping_ratio = 0.2f;
+		FieldSimulation field = row_of(species, 2, 0.35f);
+		TipContact contact;
+		contact.fit(field);
+		for (int i = 0; i < 600; i++) {
+			field.apply_impulse(0, 0, { 0.05f, 0.0f, 0.0f });
+			field.apply_impulse(0, 1, { -0.05f, 0.0f, 0.0f });
+			field.step();
+			contact.resolve(field);
+		}
+		CHECK(contact.contacts(0, 0) == 1);
+		CHECK(std::fabs(tip_distance(field, 0, 1) - 2.0f * RADIUS) < APART_TOLERANCE);
+		CHECK(glm::length(field.state(0, 0).rate) < 0.05f);
+		for (int i = 0; i < 3000; i++) {
+			field.step();
+			contact.resolve(field);
+		}
+		CHECK(contact.contacts(0, 0) == 0);
+		for (int i = 0; i < 2; i++) {
+			CHECK(glm::length(field.state(0, i).rate) < REST_SPEED);
+			CHECK(glm::distance(field.state(0, i).direction, field.page(0).rest(i)) < REST_SPEED);
+		}
+	}
+}
+
+TEST_CASE("plants that stand too close to be apart in calm air stay at rest") {
+	for (const Law law : BOTH_LAWS) {
+		FieldSimulation field = row_of(tips_of(law), 5, 0.05f);
+		TipContact contact;
+		contact.fit(field);
+		for (int i = 0; i < 300; i++) {
+			field.step();
+			contact.resolve(field);
+		}
+		for (int i = 0; i < 5; i++) {
+			CHECK(glm::distance(field.state(0, i).direction, field.page(0).rest(i)) < 1e-3f);
+		}
+	}
+}
+
+TEST_CASE("the grid finds the contacts that comparing every pair finds") {
+	FieldSimulation field((FieldSettings()));
+	FieldSpecies species = tips_of(Law::elasticity);
+	const int kind = field.add_species(species);
+	for (int page = 0; page < 3; page++) {
+		std::vector<FieldPlant> plants;
+		for (int i = 0; i < 300; i++) {
+			FieldPlant plant = chance_plant(1000 * page + i);
+			plant.root *= 0.08f;
+			plants.push_back(plant);
+		}
+		field.add_page(kind, plants.data(), 300);
+	}
+	field.set_wind(wave_wind());
+	for (int i = 0; i < 100; i++) {
+		field.step();
+	}
+	TipContact contact;
+	contact.fit(field);
+	contact.gather(field, 0, 3);
+	contact.sort();
+	contact.count(field, 0, 3);
+	int total = 0;
+	for (int a = 0; a < 900; a++) {
+		int expected = 0;
+		for (int b = 0; b < 900; b++) {
+			const FieldPage &first = field.page(a / 300);
+			const FieldPage &second = field.page(b / 300);
+			const glm::vec3 up = { 0.0f, 1.0f, 0.0f };
+			const float calm = glm::distance(first.root(a % 300) + first.length(a % 300) * up,
+					second.root(b % 300) + second.length(b % 300) * up);
+			const float wanted = std::min(2.0f * RADIUS, calm);
+			expected += a != b && glm::distance(first.tip(a % 300), second.tip(b % 300)) < wanted ? 1 : 0;
+		}
+		REQUIRE(contact.contacts(a / 300, a % 300) == expected);
+		total += expected;
+	}
+	CHECK(total > 20);
+}
+
+TEST_CASE("a field with contact keeps within its memory") {
+	FieldSimulation field((FieldSettings()));
+	add_plants(field, field.add_species(species_of(Law::elasticity)), 100000);
+	TipContact contact;
+	contact.fit(field);
+	CHECK(field.bytes_per_plant() + static_cast<double>(contact.bytes()) / 100000.0 <= 96.0);
+}

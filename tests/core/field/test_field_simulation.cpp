@@ -1,0 +1,340 @@
+#include "field_fixture.hpp"
+#include "pendulum/batch.hpp"
+
+#include <doctest/doctest.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <limits>
+
+using namespace undergrowth;
+
+namespace {
+
+constexpr Law BOTH_LAWS[] = { Law::elasticity, Law::spring };
+constexpr float BATCH_TOLERANCE = 1e-5f; // Rounding of 600 steps with the constants factored in another way.
+/// Of directions at interval 4 beside interval 1, under waves of half a hertz on plants of about one: the wind is
+/// constant for 1/15 s instead of 1/60 s.
+constexpr float INTERVAL_TOLERANCE = 0.01f;
+/// While they still swing from the start: the rate is that of the middle of a step, so a start from rest is a different
+/// one for steps of another length.
+constexpr float START_TOLERANCE = 0.04f;
+constexpr int SETTLED = 900; // Steps.
+constexpr float BEND_TOLERANCE = 1.1e-3f;
+constexpr double MOST_BYTES = 96.0;
+
+bool is_whole(const TipState &state) {
+	return std::isfinite(glm::dot(state.direction, state.rate)) &&
+			std::fabs(glm::length(state.direction) - 1.0f) < 1e-5f;
+}
+
+} // namespace
+
+TEST_CASE("a plant of a field moves as one of a batch") {
+	for (const Law law : BOTH_LAWS) {
+		FieldPlant plant = chance_plant(3);
+		plant.root = {};
+		plant.rest = glm::normalize(plant.rest);
+		FieldSimulation field = single_plant(law, plant);
+		FieldWind wind = wave_wind();
+		field.set_wind(wind);
+		PendulumBatch batch(law, FIELD_STEP);
+		Joint joint = species_of(law).joint;
+		joint.length = plant.length;
+		joint.rest = plant.rest;
+		batch.add(joint, field.state(0, 0));
+		for (int i = 0; i < 600; i++) {
+			field.step();
+			batch.step(wind_force(wind.wind, (i + field.page(0).wind_moment()) * static_cast<double>(FIELD_STEP)));
+			REQUIRE(glm::distance(field.state(0, 0).direction, batch.state(0).direction) < BATCH_TOLERANCE);
+		}
+	}
+}
+
+TEST_CASE("bends are what the states are, before the last step and after it") {
+	for (const Law law : BOTH_LAWS) {
+		FieldSimulation field((FieldSettings()));
+		add_plants(field, field.add_species(species_of(law)), 700);
+		field.set_wind(wave_wind());
+		for (int i = 0; i < 40; i++) {
+			std::vector<glm::vec3> before;
+			for (int k = 0; k < 700; k++) {
+				before.push_back(field.state(0, k).direction);
+			}
+			field.step();
+			for (int k = 0; k < 700; k++) {
+				const Bend *pair = field.page(0).bends() + 2 * k;
+				REQUIRE(glm::distance(decode_bend(pair[0]), before[static_cast<size_t>(k)]) < BEND_TOLERANCE);
+				REQUIRE(glm::distance(decode_bend(pair[1]), field.state(0, k).direction) < BEND_TOLERANCE);
+			}
+		}
+	}
+}
+
+TEST_CASE("pages stepped in any order and split give the same bits") {
+	FieldSettings settings;
+	settings.update_interval = 2;
+	FieldSimulation whole = mixed_field(settings, 1500);
+	FieldSimulation split = mixed_field(settings, 1500);
+	for (int i = 0; i < 120; i++) {
+		whole.step();
+		split.begin_step();
+		const int cut = i % (split.page_count() + 1);
+		split.step_pages(cut, 99);
+		split.step_pages(-3, cut);
+	}
+	CHECK(hash_field(whole) == hash_field(split));
+}
+
+TEST_CASE("a field's motion has the same bits on every platform") {
+	constexpr uint64_t GOLDEN = 0x65e2e829376ea73aull;
+	FieldSimulation field = mixed_field({}, 300);
+	for (int i = 0; i < 300; i++) {
+		field.step();
+	}
+	CHECK(hash_field(field) == GOLDEN);
+}
+
+TEST_CASE("at interval 4 a plant moves as at the full rate, within the tolerance") {
+	FieldSettings slow;
+	slow.update_interval = 4;
+	FieldSimulation full = mixed_field({}, 400);
+	FieldSimulation reduced = mixed_field(slow, 400);
+	for (int i = 0; i < 1200; i++) {
+		full.step();
+		reduced.step();
+		for (int page = 0; page < full.page_count(); page++) {
+			// A page that steps at n shows the state of n + 4 when the full rate has come to it, at n + 3.
+			// Pages whose turn comes later start later; by SETTLED that is damped away.
+			if (reduced.alpha(page, 1.0f) != 1.0f || (i < SETTLED && page % 4 != 0)) {
+				continue;
+			}
+			for (int k = 0; k < full.page(page).size(); k += 7) {
+				const float apart = glm::distance(full.state(page, k).direction, reduced.state(page, k).direction);
+				REQUIRE(apart < (i < SETTLED ? START_TOLERANCE : INTERVAL_TOLERANCE));
+			}
+		}
+	}
+}
+
+TEST_CASE("pages step in turns, never all in one step") {
+	FieldSettings settings;
+	settings.update_interval = 4;
+	FieldSimulation field = mixed_field(settings, 1024);
+	REQUIRE(field.page_count() == 8);
+	for (int i = 0; i < 16; i++) {
+		field.step();
+		int stepped = 0;
+		for (int page = 0; page < 8; page++) {
+			stepped += field.has_stepped(page) ? 1 : 0;
+		}
+		CHECK(stepped == 2);
+	}
+}
+
+TEST_CASE("alpha goes from one bend to the next over the page's interval") {
+	FieldSettings settings;
+	settings.update_interval = 2;
+	FieldSimulation field = mixed_field(settings, 256);
+	field.set_page_multiple(0, 2);
+	CHECK(field.page_interval(0) == 4);
+	CHECK(field.page_interval(1) == 2);
+	for (int i = 0; i < 9; i++) {
+		field.step();
+	}
+	CHECK(field.has_stepped(0));
+	CHECK(field.alpha(0, 0.0f) == 0.0f);
+	CHECK(field.alpha(0, 0.5f) == doctest::Approx(0.125));
+	CHECK(field.alpha(1, 0.5f) == doctest::Approx(0.75));
+	field.step();
+	CHECK(field.alpha(0, 0.0f) == doctest::Approx(0.25));
+}
+
+TEST_CASE("a change of a page's interval goes on with the motion") {
+	for (const Law law : BOTH_LAWS) {
+		FieldPlant plant;
+		FieldSimulation field = single_plant(law, plant);
+		field.apply_impulse(0, 0, { 0.3f, 0.0f, 0.0f });
+		field.set_wind({ { WindKind::constant, 0.0f }, 0.0f });
+		for (int i = 0; i < 12; i++) {
+			field.step();
+		}
+		const TipState before = field.state(0, 0);
+		field.set_page_multiple(0, 4);
+		for (int i = 0; i < 4 && !field.has_stepped(0); i++) {
+			field.step();
+		}
+		field.page(0).set_step_length(FIELD_STEP);
+		field.page(0).set_step_length(4.0f * FIELD_STEP);
+		const TipState after = field.state(0, 0);
+		CHECK(glm::distance(before.direction, after.direction) < 0.15f);
+		CHECK(glm::length(after.rate) < 1.5f * glm::length(before.rate) + 0.5f);
+	}
+}
+
+TEST_CASE("an hour of wind leads to no drift and no number that is none") {
+	constexpr float SAME_PHASE_TOLERANCE = 2e-3f;
+	for (const Law law : BOTH_LAWS) {
+		FieldSettings settings;
+		settings.step = 1.0f / 64.0f; // Whole steps in the wind's period, so that the same phase comes back exactly.
+		FieldSimulation field(settings);
+		add_plants(field, field.add_species(species_of(law)), 16);
+		field.set_wind(wave_wind());
+		std::vector<glm::vec3> early;
+		constexpr int HOUR = 3600 * 64;
+		for (int i = 0; i <= HOUR; i++) {
+			field.step();
+			for (int k = 0; (i == 120 * 64 || i == HOUR) && k < 16; k++) {
+				if (i == HOUR) {
+					CHECK(glm::distance(early[static_cast<size_t>(k)], field.state(0, k).direction) <
+							SAME_PHASE_TOLERANCE);
+				} else {
+					early.push_back(field.state(0, k).direction);
+				}
+			}
+		}
+	}
+}
+
+TEST_CASE("a blow moves one plant of the field") {
+	for (const Law law : BOTH_LAWS) {
+		FieldSimulation field = single_plant(law, {});
+		field.apply_impulse(0, 0, { 0.2f, 0.0f, 0.0f });
+		CHECK(field.state(0, 0).rate.x == doctest::Approx(0.5));
+	}
+}
+
+TEST_CASE("fields of no plant, of one, and of a million") {
+	FieldSimulation empty((FieldSettings()));
+	empty.step();
+	CHECK(empty.plant_count() == 0);
+	CHECK(empty.bytes_per_plant() == 0.0);
+	CHECK(empty.add_page(empty.add_species({}), nullptr, 0) == 0);
+	empty.step();
+
+	FieldSimulation one = single_plant(Law::elasticity, {});
+	one.step();
+	CHECK(one.plant_count() == 1);
+
+	FieldSimulation many((FieldSettings()));
+	add_plants(many, many.add_species(species_of(Law::elasticity)), 1000000);
+	many.set_wind(wave_wind());
+	many.step();
+	many.step();
+	CHECK(many.plant_count() == 1000000);
+	CHECK(is_whole(many.state(many.page_count() - 1, 3)));
+	CHECK(many.bytes_per_plant() <= MOST_BYTES);
+}
+
+TEST_CASE("a field takes no more memory than it may, with prototypes neither") {
+	for (const int prototypes : { 0, 64 }) {
+		FieldSettings settings;
+		settings.prototypes = prototypes;
+		FieldSimulation field(settings);
+		add_plants(field, field.add_species(species_of(Law::spring)), 100000);
+		CHECK(field.bytes_per_plant() <= MOST_BYTES);
+		const double before = field.bytes_per_plant();
+		for (int i = 0; i < 10; i++) {
+			field.step();
+		}
+		CHECK(field.bytes_per_plant() == before);
+	}
+}
+
+TEST_CASE("plants with numbers that are none are refused, and the field stays as it was") {
+	FieldSimulation field((FieldSettings()));
+	const int species = field.add_species({});
+	const float bad[] = { std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity() };
+	for (const float value : bad) {
+		FieldPlant plants[3];
+		plants[1].root.z = value;
+		CHECK(field.add_page(species, plants, 3) == -1);
+		plants[1] = {};
+		plants[1].length = value;
+		CHECK(field.add_page(species, plants, 3) == -1);
+		plants[1] = {};
+		plants[1].rest = { value, 1.0f, 0.0f };
+		CHECK(field.add_page(species, plants, 3) == -1);
+	}
+	FieldPlant flat;
+	flat.length = 0.0f;
+	CHECK(field.add_page(species, &flat, 1) == -1);
+	const FieldPlant good;
+	CHECK(field.add_page(species + 1, &good, 1) == -1);
+	CHECK(field.page_count() == 0);
+}
+
+TEST_CASE("no species, wind, blow or step, however extreme, leads to a number that is none") {
+	constexpr float NONE = std::numeric_limits<float>::quiet_NaN();
+	for (const Law law : BOTH_LAWS) {
+		for (const float extreme : { NONE, 0.0f, -1.0f, 1e-30f, 1e30f }) {
+			FieldSettings settings;
+			settings.step = extreme;
+			settings.step = settings.step < 1.0f ? settings.step : FIELD_STEP;
+			settings.update_interval = -4;
+			FieldSimulation field(settings);
+			FieldSpecies species = species_of(law);
+			species.joint.mass = extreme;
+			species.joint.elasticity = extreme;
+			species.joint.wind_weight = extreme;
+			species.joint.natural_frequency = extreme;
+			add_plants(field, field.add_species(species), 50);
+			FieldWind wind = wave_wind();
+			wind.wind.strength = extreme;
+			field.set_wind(wind);
+			field.apply_impulse(0, 3, { extreme, extreme, 0.0f });
+			for (int i = 0; i < 300; i++) {
+				field.step();
+			}
+			for (int i = 0; i < 50; i++) {
+				REQUIRE(is_whole(field.state(0, i)));
+			}
+		}
+	}
+}
+
+TEST_CASE("removing a plant moves only the last one of its page") {
+	for (const int prototypes : { 0, 8 }) {
+		FieldSettings settings;
+		settings.prototypes = prototypes;
+		FieldSimulation field = mixed_field(settings, 100);
+		field.step();
+		const TipState last = field.state(0, 99);
+		const glm::vec3 root = field.page(0).root(99);
+		field.remove(0, 5);
+		CHECK(field.plant_count() == 199);
+		CHECK(field.state(0, 5).direction == last.direction);
+		CHECK(field.page(0).root(5) == root);
+		while (field.page(0).size() > 0) {
+			field.remove(0, field.page(0).size() - 1);
+		}
+		field.step();
+		CHECK(field.plant_count() == 100);
+	}
+}
+
+TEST_CASE("a species that changes goes on with its motion, and a change of law, too") {
+	FieldSimulation field = mixed_field({}, 64);
+	for (int i = 0; i < 30; i++) {
+		field.step();
+	}
+	for (const Law law : { Law::elasticity, Law::spring, Law::elasticity }) {
+		const TipState before = field.state(0, 7);
+		field.set_species(0, species_of(law));
+		CHECK(glm::distance(field.state(0, 7).direction, before.direction) < 1e-5f);
+		CHECK(glm::distance(field.state(0, 7).rate, before.rate) < 1e-4f);
+	}
+}
+
+TEST_CASE("a point near a stem or a tip lies in plants, one between plants does not") {
+	FieldPlant plant;
+	plant.root = { 3.0f, 0.0f, -2.0f };
+	const FieldSimulation field = single_plant(Law::spring, plant);
+	CHECK(field.is_point_in_plants({ 3.04f, 0.5f, -2.0f }, 0.0f));
+	CHECK(field.is_point_in_plants({ 3.0f, 1.04f, -2.0f }, 0.0f));
+	CHECK_FALSE(field.is_point_in_plants({ 3.1f, 0.5f, -2.0f }, 0.0f));
+	CHECK(field.is_point_in_plants({ 3.1f, 0.5f, -2.0f }, 0.06f));
+	CHECK_FALSE(field.is_point_in_plants({ 3.0f, 1.2f, -2.0f }, 0.0f));
+	CHECK_FALSE(field.is_point_in_plants({ std::numeric_limits<float>::quiet_NaN(), 0.5f, -2.0f }, 0.0f));
+}
