@@ -13,7 +13,8 @@ constexpr int max_arguments = 16;
 void call(void *p_method, GDExtensionClassInstancePtr p_self, const GDExtensionConstVariantPtr *p_arguments,
 		GDExtensionInt p_count, GDExtensionVariantPtr r_result, GDExtensionCallError *r_error) {
 	static_cast<const BoundMethod *>(p_method)->call(static_cast<Wrapped *>(p_self),
-			reinterpret_cast<const Variant *const *>(p_arguments), p_count, *static_cast<Variant *>(r_result), *r_error);
+			reinterpret_cast<const Variant *const *>(p_arguments), p_count, *static_cast<Variant *>(r_result),
+			*r_error);
 }
 
 void call_pointers(void *p_method, GDExtensionClassInstancePtr p_self, const GDExtensionConstTypePtr *p_arguments,

@@ -73,7 +73,7 @@ Wrapped *Singleton::find() {
 	if (!found.load(std::memory_order_relaxed)) {
 		next = first_singleton;
 		first_singleton = this;
-		wrapped->_is_singleton = true;
+		wrapped->_wrapper.is_singleton = true;
 		found.store(wrapped, std::memory_order_release);
 	}
 	return wrapped;
@@ -89,21 +89,6 @@ void Singleton::forget(const Wrapped *p_wrapped) {
 		} else {
 			link = &singleton->next;
 		}
-	}
-}
-
-void Singleton::release_all() {
-	while (true) {
-		Wrapped *wrapped = nullptr;
-		{
-			const std::lock_guard<std::mutex> lock(singletons_mutex);
-			wrapped = first_singleton ? first_singleton->found.load(std::memory_order_relaxed) : nullptr;
-		}
-		if (!wrapped) {
-			return;
-		}
-		gde.object_free_instance_binding(wrapped->_owner, library); // which makes it forgotten
-		forget(wrapped);
 	}
 }
 

@@ -30,7 +30,7 @@ void deinitialize_level(void *, GDExtensionInitializationLevel p_level) {
 	}
 	ClassDB::deinitialize(p_level);
 	if (--state.depth == 0) {
-		internal::Singleton::release_all();
+		internal::release_wrappers();
 		internal::StaticName::release_all();
 	}
 }

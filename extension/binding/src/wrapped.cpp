@@ -52,6 +52,28 @@ GDExtensionBool agree(void *, void *, GDExtensionBool) {
 }
 constexpr GDExtensionInstanceBindingCallbacks own_callbacks = { no_binding, keep_binding, agree };
 
+// All wrappers of living engine objects, in both directions.
+std::mutex wrappers_mutex;
+Wrapped *first_wrapper = nullptr;
+
+void enlist(Wrapped *p_wrapped) {
+	const std::lock_guard<std::mutex> lock(wrappers_mutex);
+	p_wrapped->_wrapper.next = first_wrapper;
+	if (first_wrapper) {
+		first_wrapper->_wrapper.previous = p_wrapped;
+	}
+	first_wrapper = p_wrapped;
+}
+
+void delist(Wrapped *p_wrapped) {
+	const std::lock_guard<std::mutex> lock(wrappers_mutex);
+	auto &link = p_wrapped->_wrapper;
+	(link.previous ? link.previous->_wrapper.next : first_wrapper) = link.next;
+	if (link.next) {
+		link.next->_wrapper.previous = link.previous;
+	}
+}
+
 using WrapFunction = Wrapped *(*)(void *);
 
 WrapFunction find_class(const std::string &p_name) {
@@ -84,13 +106,16 @@ void *wrap(void *, void *p_owner) {
 	if (!gde.object_get_class_name(p_owner, library, &name)) {
 		name = StringName("Object");
 	}
-	return find_ancestor(String(name).utf8().get_data())(p_owner);
+	Wrapped *wrapped = find_ancestor(String(name).utf8().get_data())(p_owner);
+	enlist(wrapped);
+	return wrapped;
 }
 void unwrap(void *, void *, void *p_binding) {
 	Wrapped *wrapped = static_cast<Wrapped *>(p_binding);
-	if (wrapped->_is_singleton) {
+	if (wrapped->_wrapper.is_singleton) {
 		Singleton::forget(wrapped);
 	}
+	delist(wrapped);
 	delete wrapped;
 }
 constexpr GDExtensionInstanceBindingCallbacks engine_callbacks = { wrap, unwrap, agree };
@@ -118,6 +143,21 @@ void join(Wrapped *p_wrapped, const StringName *p_extension_class) {
 		bind_own(p_wrapped);
 	} else {
 		gde.object_set_instance_binding(p_wrapped->_owner, library, p_wrapped, &engine_callbacks);
+		enlist(p_wrapped);
+	}
+}
+
+void release_wrappers() {
+	while (true) {
+		void *owner = nullptr;
+		{
+			const std::lock_guard<std::mutex> lock(wrappers_mutex);
+			if (!first_wrapper) {
+				return;
+			}
+			owner = first_wrapper->_owner;
+		}
+		gde.object_free_instance_binding(owner, library); // calls unwrap
 	}
 }
 

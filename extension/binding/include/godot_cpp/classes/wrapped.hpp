@@ -39,7 +39,12 @@ struct Construction {
 class Wrapped {
 public:
 	void *_owner;
-	bool _is_singleton = false; // then a record points here, which must hear of the end
+	// Wrappers of engine objects are listed, because their objects may outlive the library.
+	struct {
+		Wrapped *previous = nullptr;
+		Wrapped *next = nullptr;
+		bool is_singleton = false; // then a record points here, which must hear of the end
+	} _wrapper;
 
 	Wrapped(const Wrapped &) = delete;
 	Wrapped &operator=(const Wrapped &) = delete;
@@ -72,12 +77,13 @@ namespace internal {
 // The C++ object of an engine object: the one that was made for it, or a new one of the nearest class we know. Null for
 // null.
 Wrapped *wrapper_of(void *p_owner);
+// Takes all wrappers from engine objects that are still alive: nothing of the library may be called after it is closed.
+void release_wrappers();
 // The object in a Variant, null when there is none or it was freed.
 Wrapped *wrapped_in(const Variant &p_value);
 
 // dynamic_cast, with a shortcut for the most common case: the object is exactly of that class.
-template <typename T>
-inline T *cast(Wrapped *p_wrapped) {
+template <typename T> inline T *cast(Wrapped *p_wrapped) {
 	if (p_wrapped && typeid(*p_wrapped) == typeid(T)) {
 		return static_cast<T *>(p_wrapped);
 	}

@@ -87,7 +87,6 @@ public:
 		return likely(wrapped) ? wrapped : find();
 	}
 	static void forget(const Wrapped *p_wrapped);
-	static void release_all();
 };
 
 // Calls with pointers to the held arguments and a place for the result.
