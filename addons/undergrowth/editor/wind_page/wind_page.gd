@@ -18,6 +18,8 @@ const KINDS: Array[String] = ["Gust", "Constant", "Bursts", "Waves"]
 var _state: EditorState
 # Which property of the wind each slider shows.
 var _sliders: Dictionary[StringName, EditorSpinSlider] = {}
+# The status line tells of a limit.
+var _says_limit := false
 
 @onready var _kind: OptionButton = %Kind
 @onready var _frequency_label: Label = %FrequencyLabel
@@ -68,17 +70,24 @@ func _process(delta: float) -> void:
 
 
 func _set_wind(value: float, property: StringName) -> void:
-	var accepted := value
+	var accepted := minf(value, MOST.get(property, INF))
 	if property == &"direction_degrees" and (value < 0.0 or value > 360.0):
 		accepted = fposmod(value, 360.0)
-	elif value > MOST.get(property, INF):
-		accepted = MOST[property]
-		var told := tr("%s can be at most %d.") % [tr(property.capitalize()), roundi(accepted)]
-		_state.report(told, EditorState.Severity.WARNING)
+	_say_limit(property, accepted < value and MOST.has(property))
 	if _state.wind.get(property) == accepted:
 		_show_wind()
 	else:
 		_state.wind.set(property, accepted)
+
+
+func _say_limit(property: StringName, is_reached: bool) -> void:
+	if is_reached:
+		var told := tr("%s can be at most %d %s.")
+		var words := [tr(property.capitalize()), roundi(MOST[property]), _sliders[property].suffix]
+		_state.report(told % words, EditorState.Severity.WARNING)
+	elif _says_limit:
+		_state.report("")
+	_says_limit = is_reached
 
 
 func _show_wind() -> void:
