@@ -18,7 +18,7 @@ enum class AreaFault {
 	too_few_points, ///< Fewer than three.
 	not_finite,
 	too_far, ///< Beyond FARTHEST_COORDINATE.
-	no_area, ///< Less than 1e-6 of its bounding box's longer side squared, or none.
+	no_area, ///< On a line, to 1e-6 of its length.
 };
 
 /// The first fault, in the order of the enumeration.

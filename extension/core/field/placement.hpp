@@ -8,6 +8,8 @@
 
 namespace undergrowth {
 
+struct AreaRow;
+
 /// How one species is spread.
 struct PlacementSpecies {
 	float share = 1.0f; ///< Weight among all species, >= 0.
@@ -76,8 +78,6 @@ public:
 	std::size_t candidate_count(int begin, int end) const;
 
 private:
-	struct Row;
-
 	PlacementRequest request;
 	PlacementFault found;
 	double spacing = 1.0; ///< m.
@@ -87,8 +87,9 @@ private:
 	uint64_t drift_seed = 0;
 	std::vector<double> shares; ///< Summed up to each species.
 
-	void read_row(int row, Row &into) const;
-	void place_cell(int column, int row, const Row &edges, FieldPlants &plants) const;
+	/// Its spans are cells: from the first to before the last.
+	AreaRow read_row(int row) const;
+	void place_cell(int column, int row, const AreaRow &edges, FieldPlants &plants) const;
 	int pick_species(uint64_t bits) const;
 	uint64_t drift_bits(double x, double z) const;
 };

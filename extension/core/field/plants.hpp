@@ -35,14 +35,14 @@ struct FieldPlants {
 	std::vector<float> z;
 	std::vector<float> scale;
 	std::vector<uint16_t> turn; ///< 2π/65536 rad.
-	std::vector<uint16_t> height; ///< MOST_HEIGHT/65536; 8192 is 1.
+	std::vector<uint16_t> height; ///< MOST_HEIGHT/65536; 8192 stands for 1.
 	std::vector<uint16_t> lean; ///< (π/2)/65535 rad.
 	std::vector<uint8_t> species;
 	std::vector<uint8_t> variant;
 
 	int size() const { return static_cast<int>(x.size()); }
 	void reserve(std::size_t count);
-	/// Existing plants stay; new ones are the first of all values 0.
+	/// Cuts the end off, or appends plants of which all values are 0.
 	void resize(std::size_t count);
 	void clear() { resize(0); }
 
@@ -53,7 +53,7 @@ struct FieldPlants {
 	PlacedPlant plant(int index) const;
 	/// Plant `to` becomes equal to plant `from`.
 	void copy(int from, int to);
-	/// The plants order[0], order[1], …: an index for each of them, any of [0, size()).
+	/// The plants order[0], order[1], … to order[size() - 1].
 	FieldPlants reordered(const std::vector<int> &order) const;
 	/// Removes plants, those left keep their order. Indices ascend and do not repeat.
 	void remove(const std::vector<int> &ascending);
