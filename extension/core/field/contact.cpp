@@ -33,8 +33,9 @@ void TipContact::fit(const FieldSimulation &field) {
 	}
 	page_firsts.push_back(total);
 	cell_size = 2.0f * radius;
+	cells_per_metre = 0.999f / cell_size; // Cells are a little larger than they need to be, whatever rounding does.
 	std::size_t buckets = 16;
-	while (2 * buckets <= total) {
+	while (buckets < total) {
 		buckets *= 2;
 	}
 	tips.resize(total);
@@ -62,7 +63,9 @@ void TipContact::gather(const FieldSimulation &field, int begin, int end) {
 }
 
 int TipContact::cell(float place) const {
-	return static_cast<int>(std::floor(std::clamp(place / cell_size, -MOST_CELLS, MOST_CELLS)));
+	const float cells = std::clamp(place * cells_per_metre, -MOST_CELLS, MOST_CELLS);
+	const int towards_0 = static_cast<int>(cells);
+	return cells < static_cast<float>(towards_0) ? towards_0 - 1 : towards_0;
 }
 
 /// Neighbours along x stand in neighbouring buckets, so that three cells are one run of `sorted`.

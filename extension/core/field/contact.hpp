@@ -36,6 +36,7 @@ public:
 
 private:
 	float cell_size = 1.0f; ///< m, the largest distance of two tips that touch.
+	float cells_per_metre = 1.0f;
 	std::vector<uint32_t> page_firsts; ///< Of each page, and the number of all plants at the end.
 	std::vector<glm::vec3> tips; ///< m.
 	std::vector<glm::vec3> velocities; ///< m/s.
