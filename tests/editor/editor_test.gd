@@ -222,6 +222,7 @@ func redo() -> void:
 ## [param of] cuts out one control.
 func take_picture(name: String, of: Control = null) -> void:
 	await frames(3)
+	EditorInterface.get_base_control().queue_redraw()  # Where nothing moves, no frame is drawn.
 	await RenderingServer.frame_post_draw
 	var window := EditorInterface.get_base_control().get_window()
 	var picture := window.get_texture().get_image()

@@ -33,7 +33,9 @@ func test_wrong_value_is_explained() -> void:
 	await _write(FILE, WRONG_VALUE)
 	await _choose(FILE)
 	_check_status("_calculate_curve_point(")
-	check((part("Plant/Preview/Hint") as Label).visible, "the preview says why it is empty")
+	var hint := part("Plant/Preview/Hint") as Label
+	check(hint.is_visible_in_tree(), "the preview says why it is empty")
+	await take_picture("fault")
 	await _remove(FILE)
 
 

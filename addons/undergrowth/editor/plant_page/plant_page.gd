@@ -87,7 +87,7 @@ func _on_chosen_written(now: SpeciesEntry) -> void:
 
 
 func _on_chosen_gone() -> void:
-	var renamed := _list.find(_state.function.resource_path)
+	var renamed := _list.find(_path_of(_state.function))
 	if renamed:
 		_chosen = renamed
 		_state.choose(_state.function, renamed.get_path(), renamed.title)
@@ -99,3 +99,10 @@ func _on_chosen_gone() -> void:
 	)
 	_chosen = null
 	_state.path = ""
+
+
+# The editor gives what it moves its new path.
+func _path_of(function: PlantFunction) -> String:
+	var script := function.get_script() as Script
+	var is_script := _chosen.kind == SpeciesEntry.Kind.SCRIPT and script
+	return script.resource_path if is_script else function.resource_path

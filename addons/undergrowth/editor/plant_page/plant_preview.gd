@@ -31,6 +31,7 @@ var _refresh_is_queued := false
 @onready var _tools: PanelContainer = %Tools
 @onready var _counts_panel: PanelContainer = %CountsPanel
 @onready var _counts: Label = %Counts
+@onready var _hint_panel: PanelContainer = %HintPanel
 @onready var _hint: Label = %Hint
 @onready var _play: Button = %Play
 @onready var _rings: Button = %Rings
@@ -81,8 +82,10 @@ func _dress() -> void:
 	var backdrop := StyleBoxFlat.new()
 	backdrop.bg_color = Color(get_theme_color(&"base_color", &"Editor"), BACKDROP_OPACITY)
 	backdrop.set_corner_radius_all(roundi(4 * EditorInterface.get_editor_scale()))
+	backdrop.set_content_margin_all(roundi(4 * EditorInterface.get_editor_scale()))
 	_tools.add_theme_stylebox_override(&"panel", backdrop)
 	_counts_panel.add_theme_stylebox_override(&"panel", backdrop)
+	_hint_panel.add_theme_stylebox_override(&"panel", backdrop)
 
 
 # As many plants as are shown: one, or one for each level.
@@ -123,7 +126,7 @@ func _refresh() -> void:
 	if not _state.function or not _state.problem.is_empty():
 		_show_nothing()
 		return
-	_hint.visible = false
+	_hint_panel.visible = false
 	_set_plant_count(EditorState.LEVELS.size() if _levels.button_pressed else 1)
 	for i in _plants.size():
 		_show_plant(i)
@@ -134,7 +137,7 @@ func _refresh() -> void:
 
 # The last good plant of a species that broke while it was changed stays in sight.
 func _show_nothing() -> void:
-	_hint.visible = _plants.is_empty()
+	_hint_panel.visible = _plants.is_empty()
 	_hint.text = tr("Choose a species above.") if not _state.function else _state.problem
 	_counts_panel.visible = false
 

@@ -27,6 +27,7 @@ var _work_title := ""
 @onready var _filter: LineEdit = %Filter
 @onready var _ready_list: ItemList = %ReadyList
 @onready var _project_list: ItemList = %ProjectList
+@onready var _no_match: Label = %NoMatch
 @onready var _project_hint: Label = %ProjectHint
 
 
@@ -79,9 +80,9 @@ func _dress() -> void:
 	for list: ItemList in [_ready_list, _project_list]:
 		list.fixed_icon_size = Vector2i(size, size)
 		list.fixed_column_width = roundi(size * 1.5)
-	_project_hint.add_theme_color_override(
-		&"font_color", get_theme_color(&"font_disabled_color", &"Editor")
-	)
+	for hint: Label in [_project_hint, _no_match]:
+		var pale := get_theme_color(&"font_disabled_color", &"Editor")
+		hint.add_theme_color_override(&"font_color", pale)
 
 
 func _entries() -> Array:
@@ -92,6 +93,7 @@ func _fill() -> void:
 	_fill_list(_ready_list, _catalog.ready_species)
 	_fill_list(_project_list, _catalog.project_species)
 	_project_hint.visible = _catalog.project_species.is_empty()
+	_no_match.visible = _ready_list.item_count + _project_list.item_count == 0
 	mark(_chosen_key)
 
 

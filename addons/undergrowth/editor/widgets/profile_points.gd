@@ -2,7 +2,7 @@
 extends Control
 ## The points of a species' width curve, to be dragged on top of its outline: root left, tip right.
 
-const TOOL_TIP := "Drag a point to change the width there. Double-click adds a point, a right click takes one away."
+const TOOL_TIP := "Drag points. A double-click adds one, a right click removes it."
 const GRAB_RADIUS := 9.0
 const HANDLE_RADIUS := 4.0
 const LEAST_POINTS := 2
