@@ -2,11 +2,14 @@
 extends "actions_test.gd"
 ## The actions of the plant page: into the scene, into a file, and a species of one's own.
 
+const Ground := preload("res://addons/undergrowth/editor/actions/ground.gd")
 const FileNames := preload("res://addons/undergrowth/editor/actions/file_names.gd")
 const SCENE := "res://actions_scene.tscn"
 const CONTROL_SCENE := "res://actions_control.tscn"
 const SAVED := "res://my species/Ševar vlažni.tres"
 const BLOCKER := "res://not_a_folder"
+const READ_ONLY := "res://read_only"
+const MAY_READ := FileAccess.UNIX_READ_OWNER | FileAccess.UNIX_EXECUTE_OWNER
 const NEW_TITLE := "Šaš uz rijeku"
 const NEW_SCRIPT := "res://sas_uz_rijeku.gd"
 const NEW_CLASS := "SasUzRijekuFunction"
@@ -28,7 +31,9 @@ func test_add_is_one_step() -> void:
 	await _open_scene(SCENE, _make_scene())
 	await open_page("Plant")
 	await _choose("Tulip")
+	var text_before := _saved_text()
 	await _use("Add")
+	var text_after := _saved_text()
 	var root := EditorInterface.get_edited_scene_root()
 	check_equal(root.get_child_count(), 2, "children after adding")
 	var plant := root.get_child(-1) as Plant3D
@@ -42,9 +47,12 @@ func test_add_is_one_step() -> void:
 	)
 	await undo()
 	check_equal(root.get_child_count(), 1, "children after undo")
+	check_equal(_saved_text(), text_before, "the saved scene after undo")
 	await redo()
 	check_equal(root.get_child_count(), 2, "children after redo")
 	check(root.get_child(-1) == plant and plant.owner == root, "redo brings the same plant back")
+	check_equal(_saved_text(), text_after, "the saved scene after redo")
+	check(text_after.contains('type="Plant3D"'), "the plant is saved")
 
 
 func test_add_puts_plants_on_what_the_view_looks_at() -> void:
@@ -64,6 +72,42 @@ func test_add_puts_plants_on_what_the_view_looks_at() -> void:
 	check(second.get_parent() == root, "a plant is not put below a plant")
 	await undo()
 	table.free()
+
+
+func test_ground_is_whatever_a_ray_meets() -> void:
+	var root := EditorInterface.get_edited_scene_root() as Node3D
+	var away := Vector3(500.0, 0.0, 0.0)
+	var things: Dictionary[String, Node3D] = {
+		"plane": _with_mesh(PlaneMesh.new()),
+		"sphere": _with_mesh(SphereMesh.new()),
+		"geometry": CSGBox3D.new(),
+		"collider": _make_collider(),
+	}
+	var tops: Dictionary[String, float] = {
+		"plane": 3.0, "sphere": 3.5, "geometry": 3.5, "collider": 3.5
+	}
+	for kind in things:
+		root.add_child(things[kind])
+		things[kind].global_position = away + Vector3.UP * 3.0
+		await frames(10)
+		check_near_ground(away + Vector3.UP * 9.0, Vector3.DOWN, tops[kind], kind)
+		things[kind].free()
+		await frames(2)
+	check_near_ground(away + Vector3.UP * 9.0, Vector3.DOWN, 0.0, "nothing")
+	check_near_ground(away + Vector3.UP * 9.0, Vector3.UP, 0.0, "the sky")
+
+
+func test_before_a_wall_the_ground_is_at_its_foot() -> void:
+	var root := EditorInterface.get_edited_scene_root() as Node3D
+	var wall := CSGBox3D.new()
+	wall.size = Vector3(0.2, 10.0, 10.0)
+	root.add_child(wall)
+	await frames(5)
+	var point := Ground.find_along(
+		root.get_world_3d(), Vector3(-4.0, 2.0, 0.0), Vector3(1.0, -0.1, 0.0).normalized()
+	)
+	check(point.is_equal_approx(Vector3(-0.15, 0.0, 0.0)), "foot of the wall: %s" % point)
+	wall.free()
 
 
 func test_add_goes_below_the_selected_node() -> void:
@@ -254,6 +298,33 @@ func test_names_become_files_and_classes() -> void:
 	check_equal(FileNames.to_node_name("a.b:c/d"), "a_b_c_d", "node")
 
 
+## Fails the test unless the ground along that ray is at [param height].
+func check_near_ground(from: Vector3, along: Vector3, height: float, what: String) -> void:
+	var root := EditorInterface.get_edited_scene_root() as Node3D
+	var point := Ground.find_along(root.get_world_3d(), from, along)
+	check(absf(point.y - height) < 0.02, "%s: %s, not at %f" % [what, point, height])
+
+
+## The edited scene as its file has it after saving.
+func _saved_text() -> String:
+	check_equal(EditorInterface.save_scene(), OK, "saving")
+	return FileAccess.get_file_as_string(SCENE)
+
+
+func _with_mesh(mesh: Mesh) -> MeshInstance3D:
+	var shown := MeshInstance3D.new()
+	shown.mesh = mesh
+	return shown
+
+
+func _make_collider() -> StaticBody3D:
+	var body := StaticBody3D.new()
+	var shape := CollisionShape3D.new()
+	shape.shape = BoxShape3D.new()
+	body.add_child(shape)
+	return body
+
+
 func _make_scene() -> Node3D:
 	var root := Node3D.new()
 	root.name = "Garden"
@@ -290,12 +361,12 @@ func _add_plants(root: Node, count: int) -> Array[Node]:
 
 ## A folder whose rights forbid writing; who runs the tests as root may write there all the same.
 func _check_read_only_folder() -> void:
-	var folder := "res://read_only"
-	DirAccess.make_dir_recursive_absolute(folder)
-	var real := ProjectSettings.globalize_path(folder)
-	FileAccess.set_unix_permissions(real, 0x16D)
-	var path := folder.path_join("reed.tres")
+	DirAccess.make_dir_recursive_absolute(READ_ONLY)
+	var real := ProjectSettings.globalize_path(READ_ONLY)
+	FileAccess.set_unix_permissions(real, MAY_READ)
+	var path := READ_ONLY.path_join("reed.tres")
+	var may_write := FileAccess.open(path, FileAccess.WRITE) != null
 	part("Plant/Actions").call(&"save_as", path)
-	var told := _message().contains(folder)
-	check(told, "the folder is named: " + _message())
-	await frames(1)
+	check(_message().begins_with("Saved" if may_write else "Cannot write"), _message())
+	check(_message().contains(path), "the file is named: " + _message())
+	FileAccess.set_unix_permissions(real, MAY_READ | FileAccess.UNIX_WRITE_OWNER)

@@ -67,7 +67,7 @@ func _dress() -> void:
 	_assign.icon = get_theme_icon(&"Paint", &"EditorIcons")
 	_save.icon = get_theme_icon(&"Save", &"EditorIcons")
 	_new.icon = get_theme_icon(&"ScriptCreate", &"EditorIcons")
-	_bake.icon = get_theme_icon(&"BakedLightmap", &"EditorIcons")
+	_bake.icon = get_theme_icon(&"Bake", &"EditorIcons")
 
 
 func _refresh() -> void:
@@ -155,7 +155,8 @@ func _on_new_accepted(title: String, folder: String) -> void:
 	var script := load(path) as Script
 	EditorInterface.edit_script(script)
 	EditorInterface.set_main_screen_editor("Script")
-	_choose(script.call(&"new") as PlantFunction, path, true)
+	if script.can_instantiate():
+		_choose(script.call(&"new") as PlantFunction, path, true)
 	_state.report(tr("Made %s. Change its four functions and save it.") % path)
 
 
@@ -209,6 +210,8 @@ func _bake_files() -> void:
 	_state.begin_work(tr("Baking %s…") % _options.title, total)
 	while not work.is_done() and problem.is_empty() and not _state.work_cancelled:
 		await get_tree().process_frame
+		if not is_inside_tree():
+			return
 		problem = _bake_for_a_frame(work)
 	_state.end_work()
 	_tell_end(work, total, problem)

@@ -67,11 +67,12 @@ func _check() -> void:
 	if not problem.is_empty():
 		_hint.show_problem(problem)
 		return
-	var files := options.get_files()
-	var names := files[0].get_file()
-	if files.size() > 1:
-		names = tr("%s to %s") % [names, files[-1].get_file()]
-	_hint.show_text(tr_n("%d file: %s", "%d files: %s", files.size()) % [files.size(), names])
+	var count := options.count_files()
+	var ends := options.get_ends()
+	var names := ends[0].get_file()
+	if count > 1:
+		names = tr("%s to %s") % [names, ends[1].get_file()]
+	_hint.show_text(tr_n("%d file: %s", "%d files: %s", count) % [count, names])
 
 
 func _on_confirmed() -> void:

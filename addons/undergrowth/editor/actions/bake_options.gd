@@ -9,8 +9,11 @@ const MAX_LEVELS := 8
 const MAX_VARIANTS := 1000
 const DEFAULT_LEVELS: Array[int] = [24, 12, 6, 3]
 
-## What the baked plant is called. Files get the stem that [FileNames] makes of it.
-var title := ""
+## What the baked plant is called. Files get the stem that file_names.gd makes of it.
+var title := "":
+	set(value):
+		title = value
+		_stem = FileNames.to_stem(title)
 var folder := "res://"
 ## Metres; 0: the species' own height.
 var height := 0.0
@@ -23,6 +26,8 @@ var levels := DEFAULT_LEVELS.duplicate()
 var with_meshes := true
 ## One scene with a skeleton for each variant.
 var with_scene := false
+
+var _stem := ""
 
 
 ## Reads levels from a text such as "24, 12, 6, 3".
@@ -38,7 +43,7 @@ func read_levels(text: String) -> void:
 
 ## What is wrong with these options and what to do; empty where nothing is.
 func find_problem() -> String:
-	if FileNames.to_stem(title).is_empty():
+	if _stem.is_empty():
 		return Translations.text("Give the plant a name with letters or digits.")
 	if not folder.begins_with("res://"):
 		return Translations.text("%s is not in the project. Choose a folder in res://.") % folder
@@ -66,8 +71,19 @@ func get_scene_path(variant: int) -> String:
 
 ## How the files of one variant begin.
 func get_stem(variant: int) -> String:
-	var stem := FileNames.to_stem(title)
-	return stem if variants == 1 else "%s_%d" % [stem, variant + 1]
+	return _stem if variants == 1 else "%s_%d" % [_stem, variant + 1]
+
+
+## How many files are going to be written.
+func count_files() -> int:
+	return variants * ((levels.size() if with_meshes else 0) + (1 if with_scene else 0))
+
+
+## The first and the last of [method get_files], without the others.
+func get_ends() -> PackedStringArray:
+	var first := get_mesh_path(0, 0) if with_meshes else get_scene_path(0)
+	var last := get_mesh_path(variants - 1, levels.size() - 1)
+	return [first, get_scene_path(variants - 1) if with_scene else last]
 
 
 ## All files that are going to be written.

@@ -8,6 +8,8 @@ const DISTANCE_WITHOUT_GROUND := 4.0
 ## Steeper than this (the up part of the normal) nothing grows; the ground below is looked for.
 const LEAST_UPRIGHT := 0.4
 const OFF_WALL := 0.05
+## A flat mesh still counts that far beyond its edge.
+const EDGE := 1e-3
 ## Meshes with more triangles would take too long to search.
 const MAX_TRIANGLES := 50000
 
@@ -75,19 +77,34 @@ static func _cast_on(node: Node3D, from: Vector3, to: Vector3) -> Dictionary:
 
 
 static func _cast_on_mesh(mesh: Mesh, place: Transform3D, from: Vector3, to: Vector3) -> Dictionary:
-	if (
-		not mesh
-		or is_zero_approx(place.basis.determinant())
-		or _count_triangles(mesh) > MAX_TRIANGLES
-	):
+	if not mesh or is_zero_approx(place.basis.determinant()):
 		return {}
 	var inverse := place.affine_inverse()
-	var triangles := mesh.generate_triangle_mesh()
-	var hit := triangles.intersect_segment(inverse * from, inverse * to) if triangles else {}
+	var hit := _cast_in_mesh(mesh, inverse * from, inverse * to)
 	if hit.is_empty():
 		return {}
 	var normal: Vector3 = inverse.basis.transposed() * (hit["normal"] as Vector3)
 	return {"position": place * (hit["position"] as Vector3), "normal": normal.normalized()}
+
+
+## The same in the mesh's own axes.
+static func _cast_in_mesh(mesh: Mesh, from: Vector3, to: Vector3) -> Dictionary:
+	if mesh is PlaneMesh:  # However finely it is divided.
+		return _cast_on_flat(mesh as PlaneMesh, from, to)
+	if _count_triangles(mesh) > MAX_TRIANGLES:
+		return {}
+	var triangles := mesh.generate_triangle_mesh()
+	return triangles.intersect_segment(from, to) if triangles else {}
+
+
+static func _cast_on_flat(mesh: PlaneMesh, from: Vector3, to: Vector3) -> Dictionary:
+	var box := mesh.get_aabb()
+	var normal := Vector3.ZERO
+	normal[box.get_shortest_axis_index()] = 1.0
+	var met: Variant = Plane(normal, box.position.dot(normal)).intersects_segment(from, to)
+	if met is Vector3 and box.grow(EDGE).has_point(met):
+		return {"position": met, "normal": normal}
+	return {}
 
 
 static func _meshes_of(node: Node3D) -> Array[Dictionary]:
