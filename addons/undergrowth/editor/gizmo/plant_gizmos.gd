@@ -12,9 +12,9 @@ const SceneWind := preload("../wind_page/scene_wind.gd")
 const HEIGHT_HANDLE := 0
 const LEAST_HEIGHT := 0.01
 const MOST_HEIGHT := 1000.0
-## Steps of the height in metres while the handle is dragged; with Ctrl held.
-const SNAP := 0.1
-const FINE_SNAP := 0.001
+## Steps of the height in metres while the handle is dragged, and while Ctrl is held, too.
+const STEP := 0.001
+const SNAP_STEP := 0.1
 ## Below this deflection, in radians, nothing is drawn for the bend.
 const LEAST_BEND := 0.005
 
@@ -97,7 +97,7 @@ func _set_handle(
 ) -> void:
 	var plant := gizmo.get_node_3d() as Plant3D
 	var height := _height_under(plant, camera, point)
-	var step := FINE_SNAP if not Input.is_key_pressed(KEY_CTRL) else SNAP
+	var step := SNAP_STEP if Input.is_key_pressed(KEY_CTRL) else STEP
 	plant.height = clampf(snappedf(height, step), LEAST_HEIGHT, MOST_HEIGHT)
 
 

@@ -4,6 +4,7 @@ extends EditorResourcePreviewGenerator
 ##
 ## The editor asks on a thread of its own with most renderers, and between two frames with
 ## Compatibility: pictures are painted in software, without a viewport and without waiting for one.
+## Small lists keep the icon of the class, which is drawn for its size.
 
 const ThumbnailPainter := preload("thumbnail_painter.gd")
 
@@ -16,7 +17,3 @@ func _generate(resource: Resource, size: Vector2i, _metadata: Dictionary) -> Tex
 	var function := resource as PlantFunction
 	var image := ThumbnailPainter.paint(function, size) if function else null
 	return ImageTexture.create_from_image(image) if image else null
-
-
-func _can_generate_small_preview() -> bool:
-	return true
