@@ -286,7 +286,9 @@ FieldSimulation waving_field(const FieldSettings &settings, int plants) {
 		const int kind = field.add_species(species);
 		std::vector<FieldPlant> page;
 		for (int i = 0; i < plants / 2; i++) {
-			const auto noise = [i](uint64_t which) { return signed_noise(which, static_cast<uint64_t>(i)); };
+			const auto noise = [i, kind](uint64_t which) {
+				return signed_noise(which + 100 * static_cast<uint64_t>(kind), static_cast<uint64_t>(i));
+			};
 			FieldPlant plant;
 			plant.root = { 80.0f * noise(1), 0.0f, 80.0f * noise(2) };
 			plant.length = 0.75f + 0.25f * noise(3);

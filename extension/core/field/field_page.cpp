@@ -194,10 +194,7 @@ void FieldPage::update_constants() {
 	Joint joint = kind.joint;
 	if (kind.law == Law::elasticity) {
 		elasticity = elasticity_constants(joint, step_time);
-		for (int i = 0; i < size(); i++) {
-			joint.length = length(i);
-			column(WEIGHT)[i] = elasticity_constants(joint, step_time).weight;
-		}
+		elasticity_weights(joint, step_time, lengths(), size(), column(WEIGHT));
 		return;
 	}
 	joint.length = 1.0f;

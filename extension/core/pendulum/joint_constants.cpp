@@ -47,14 +47,14 @@ double decay_ratio(double x) {
 /// determinant and the trace 2·s·cos(μ·step), μ² = ω² - β². Hence gain·ω²·step = (1 - s)² + 4·s·sin²(μ·step/2), which
 /// without friction is 4·sin²(ω·step/2). For an overdamped joint, with the decay rates a and b (a + b = 2β, a·b = ω²),
 /// it is (1 - exp(-a·step))·(1 - exp(-b·step)).
-double kick_gain(double omega_squared, double beta, double step) {
+/// `s` is exp(-beta·step).
+double kick_gain(double omega_squared, double beta, double s, double step) {
 	const double mu_squared = omega_squared - beta * beta;
 	if (mu_squared <= 0.0) {
 		const double fast = beta + std::sqrt(-mu_squared);
 		const double slow = fast > 0.0 ? omega_squared / fast : 0.0;
 		return step * decay_ratio(fast * step) * decay_ratio(slow * step);
 	}
-	const double s = portable_exp(-beta * step);
 	const double phase = std::sqrt(mu_squared) * step;
 	const double sine = portable_sin(0.5 * std::min(phase, MAX_PHASE));
 	return ((1.0 - s) * (1.0 - s) + 4.0 * s * sine * sine) / (omega_squared * step);
@@ -96,6 +96,33 @@ Decay decay(double omega, double damping, double step) {
 	return { 0.5 * (slow + fast), 0.5 * (slow - fast) / half_gap };
 }
 
+/// What the elasticity law's constants have in common for joints that differ in length only. All of `joint` is safe.
+class ElasticityStep {
+public:
+	ElasticityStep(const Joint &joint, float step) :
+			h(static_cast<double>(step)),
+			elasticity(static_cast<double>(joint.elasticity)),
+			beta(0.5 * static_cast<double>(joint.inner_friction) / static_cast<double>(joint.mass)),
+			keep(portable_exp(-2.0 * beta * h)),
+			shrink(portable_exp(-beta * h)) {}
+
+	double kept() const { return keep; }
+	double fall(float length) const { return static_cast<double>(STANDARD_GRAVITY) / static_cast<double>(length); }
+	double gain(float length) const {
+		const double stiffest = (1.0 + std::fabs(elasticity)) * fall(length);
+		const double most = STABLE * (1.0 + keep) / (stiffest * h);
+		return std::min(kick_gain(std::fabs(elasticity) * fall(length), beta, shrink, h), most);
+	}
+	float weight(float length) const { return static_cast<float>(fall(length) * gain(length) * h); }
+
+private:
+	double h; ///< s.
+	double elasticity;
+	double beta; ///< 1/s.
+	double keep;
+	double shrink;
+};
+
 } // namespace
 
 Joint safe_joint(const Joint &joint) {
@@ -116,23 +143,27 @@ Joint safe_joint(const Joint &joint) {
 
 ElasticityConstants elasticity_constants(const Joint &joint, float step) {
 	const Joint safe = safe_joint(joint);
+	const ElasticityStep common(safe, step);
 	const double h = static_cast<double>(step);
-	const double elasticity = static_cast<double>(safe.elasticity);
-	const double fall = static_cast<double>(STANDARD_GRAVITY) / static_cast<double>(safe.length);
-	const double beta = 0.5 * static_cast<double>(safe.inner_friction) / static_cast<double>(safe.mass);
-	const double keep = portable_exp(-2.0 * beta * h);
-	const double stiffest = (1.0 + std::fabs(elasticity)) * fall;
-	const double most = STABLE * (1.0 + keep) / (stiffest * h);
-	const double gain = std::min(kick_gain(std::fabs(elasticity) * fall, beta, h), most);
+	const double gain = common.gain(safe.length);
 	const double inertia = static_cast<double>(safe.mass) * static_cast<double>(safe.length);
 
 	ElasticityConstants constants;
-	constants.lift = static_cast<float>((1.0 + elasticity) * fall * gain * h);
-	constants.weight = static_cast<float>(fall * gain * h);
+	constants.lift =
+			static_cast<float>((1.0 + static_cast<double>(safe.elasticity)) * common.fall(safe.length) * gain * h);
+	constants.weight = common.weight(safe.length);
 	constants.wind_gain = static_cast<float>(static_cast<double>(safe.wind_weight) / inertia * gain * h);
-	constants.keep = static_cast<float>(keep);
+	constants.keep = static_cast<float>(common.kept());
 	constants.lowest_y = safe.above_ground ? GROUND_Y : NO_GROUND_Y;
 	return constants;
+}
+
+void elasticity_weights(const Joint &joint, float step, const float *lengths, int count, float *weights) {
+	const Joint safe = safe_joint(joint);
+	const ElasticityStep common(safe, step);
+	for (int i = 0; i < count; i++) {
+		weights[i] = common.weight(within(lengths[i], MIN_LENGTH, LARGE, safe.length));
+	}
 }
 
 SpringConstants spring_constants(const Joint &joint, float step) {

@@ -28,6 +28,8 @@ struct SpringConstants {
 Joint safe_joint(const Joint &joint);
 
 ElasticityConstants elasticity_constants(const Joint &joint, float step);
+/// The `weight` of elasticity_constants() for joints like `joint` with each of `count` lengths (m); the same bits.
+void elasticity_weights(const Joint &joint, float step, const float *lengths, int count, float *weights);
 SpringConstants spring_constants(const Joint &joint, float step);
 
 } // namespace undergrowth

@@ -1,5 +1,7 @@
 #include "swing.hpp"
 
+#include "pendulum/joint_constants.hpp"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -281,4 +283,17 @@ TEST_CASE("waves keep a tall plant steadier than a low one") {
 		return (most - least) / (most + least);
 	};
 	CHECK(share(3.0) < 0.5 * share(0.3));
+}
+
+TEST_CASE("weights of many lengths have the bits of each length by itself") {
+	const float lengths[] = { 0.05f, 0.3f, 1.0f, 2.5f, 1e-9f, 1e9f };
+	for (const float step : { FRAME_STEP, LONG_STEP, 8.0f * FRAME_STEP }) {
+		float weights[6];
+		Joint joint;
+		elasticity_weights(joint, step, lengths, 6, weights);
+		for (int i = 0; i < 6; i++) {
+			joint.length = lengths[i];
+			CHECK(weights[i] == elasticity_constants(joint, step).weight);
+		}
+	}
 }
