@@ -54,7 +54,7 @@ bool String::operator==(const StringName &p_name) const {
 StringName::StringName(const char *p_text, bool) {
 	const char *text = p_text ? p_text : "";
 	const char *end = text;
-	while (*end > 0) {
+	while (static_cast<signed char>(*end) > 0) {
 		end++;
 	}
 	if (*end == 0) {

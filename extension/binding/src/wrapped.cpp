@@ -32,6 +32,10 @@ Wrapped::Wrapped() {
 	construction->taken = true;
 	_owner = construction->owner ? construction->owner
 								 : internal::gde.classdb_construct_object2(construction->native_name);
+	if (!_owner) {
+		std::fputs("FATAL: memnew of a class that the engine does not instantiate.\n", stderr);
+		std::abort();
+	}
 }
 
 Object *ObjectDB::get_instance(uint64_t p_id) {

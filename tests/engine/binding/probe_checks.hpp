@@ -3,6 +3,9 @@
 #include <godot_cpp/classes/ref_counted.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
+// Inside of ProbeChecks.
+#define CHECK(m_condition) check(m_condition, #m_condition)
+
 namespace probe {
 
 // What only C++ can see. Each method returns the checks that failed, as text.
@@ -12,6 +15,7 @@ class ProbeChecks : public godot::RefCounted {
 	godot::PackedStringArray failures;
 
 	void check(bool p_passed, const char *p_text);
+	void check_threads();
 
 protected:
 	static void _bind_methods();
