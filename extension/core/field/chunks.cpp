@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace undergrowth {
 
@@ -18,20 +19,25 @@ int chunk_coordinate(float place, float size) {
 	return static_cast<int>(std::clamp(chunk, -FARTHEST_CHUNK, FARTHEST_CHUNK));
 }
 
-/// Moves bit i to bit 2·i.
-uint64_t spread_bits(uint32_t value) {
-	uint64_t bits = value;
-	bits = (bits | (bits << 16)) & 0x0000ffff0000ffffull;
-	bits = (bits | (bits << 8)) & 0x00ff00ff00ff00ffull;
-	bits = (bits | (bits << 4)) & 0x0f0f0f0f0f0f0f0full;
-	bits = (bits | (bits << 2)) & 0x3333333333333333ull;
-	return (bits | (bits << 1)) & 0x5555555555555555ull;
-}
-
-uint64_t morton_key(int column, int row) {
+/// Place along Hilbert's curve (Hilbert 1891), which goes from each square to one beside it.
+uint64_t curve_key(int column, int row) {
 	constexpr uint32_t MIDDLE = 0x80000000u;
-	return spread_bits(static_cast<uint32_t>(column) + MIDDLE) |
-			(spread_bits(static_cast<uint32_t>(row) + MIDDLE) << 1);
+	uint32_t x = static_cast<uint32_t>(column) + MIDDLE;
+	uint32_t y = static_cast<uint32_t>(row) + MIDDLE;
+	uint64_t key = 0;
+	for (uint32_t side = MIDDLE; side != 0; side >>= 1) {
+		const bool right = (x & side) != 0;
+		const bool upper = (y & side) != 0;
+		key = 4 * key + ((right ? 3u : 0u) ^ (upper ? 1u : 0u));
+		if (!upper) {
+			// The curve within the two lower quarters is turned.
+			const uint32_t flip = right ? 0xffffffffu : 0u;
+			const uint32_t turned = x ^ flip;
+			x = y ^ flip;
+			y = turned;
+		}
+	}
+	return key;
 }
 
 int kind_of(const FieldPlants &plants, std::size_t i) {
@@ -47,11 +53,13 @@ std::vector<FieldChunk> find_chunks(const FieldPlants &plants, float size, std::
 		FieldChunk chunk;
 		chunk.column = chunk_coordinate(plants.x[i], size);
 		chunk.row = chunk_coordinate(plants.z[i], size);
-		keys[i] = morton_key(chunk.column, chunk.row);
 		// Plants come in rows: most follow one of the same chunk.
-		if (i == 0 || keys[i] != keys[i - 1]) {
-			found.emplace_back(keys[i], chunk);
+		if (i > 0 && chunk.column == found.back().second.column && chunk.row == found.back().second.row) {
+			keys[i] = keys[i - 1];
+			continue;
 		}
+		keys[i] = curve_key(chunk.column, chunk.row);
+		found.emplace_back(keys[i], chunk);
 	}
 	const auto is_before = [](const auto &a, const auto &b) { return a.first < b.first; };
 	const auto is_same = [](const auto &a, const auto &b) { return a.first == b.first; };

@@ -32,7 +32,7 @@ struct FieldChunk {
 
 struct FieldChunks {
 	float size = 16.0f; ///< m.
-	std::vector<FieldChunk> chunks; ///< Those with plants, in Morton order of (column, row): neighbours are near.
+	std::vector<FieldChunk> chunks; ///< Those with plants, along Hilbert's curve: next ones are neighbours.
 	std::vector<ChunkRange> ranges; ///< By chunk, species and variant; they cover all plants once.
 };
 
