@@ -60,7 +60,8 @@ TEST_CASE("faults of one species are found") {
 	CHECK(species_fault_with([](Species &s) { s.share = 0.0f; }) == PlacementFault::none);
 	CHECK(species_fault_with([](Species &s) { s.share = -1.0f; }) == PlacementFault::bad_share);
 	CHECK(species_fault_with([](Species &s) { s.share = NOT_A_NUMBER; }) == PlacementFault::bad_share);
-	CHECK(species_fault_with([](Species &s) { s.share = 1.0f / 0.0f; }) == PlacementFault::bad_share);
+	CHECK(species_fault_with([](Species &s) { s.share = std::numeric_limits<float>::infinity(); }) ==
+			PlacementFault::bad_share);
 	CHECK(species_fault_with([](Species &s) { s.variants = 0; }) == PlacementFault::bad_variants);
 	CHECK(species_fault_with([](Species &s) { s.variants = 257; }) == PlacementFault::bad_variants);
 	CHECK(species_fault_with([](Species &s) { s.least_scale = 0.0f; }) == PlacementFault::bad_scale);
