@@ -17,6 +17,8 @@ namespace {
 
 constexpr int MAX_INTERVAL = 64;
 constexpr int MAX_MULTIPLE = 8;
+constexpr int FOLLOWER_BLOCK = 256;
+constexpr float MOST_STEPS = 1e9f; // Of a delay.
 constexpr float USUAL_STEP = 1.0f / 60.0f; // s.
 
 FieldSettings safe_settings(const FieldSettings &settings) {
@@ -199,23 +201,32 @@ void FieldSimulation::step_page(Entry &entry, int interval) {
 }
 
 int FieldSimulation::wanted_delay(const Follower &follower, float x, float z, const TravellingWind &wind) const {
-	const float late = (lead + (wind.delay_x * x + wind.delay_z * z)) / options.step;
-	const int travel = static_cast<int>(std::clamp(late, 0.0f, 1e9f));
-	return (travel + follower.own_delay) % Prototypes::LONGEST_DELAY;
+	const float late = (lead + (wind.delay_x * x + wind.delay_z * z)) * (1.0f / options.step);
+	const int steps = static_cast<int>(std::min(std::max(late, 0.0f), MOST_STEPS)) + follower.own_delay;
+	return static_cast<int>(static_cast<uint32_t>(steps) % Prototypes::LONGEST_DELAY);
 }
 
 void FieldSimulation::show_followers(Entry &entry, int most_change) {
 	const Prototypes &model = models[static_cast<std::size_t>(entry.page.species())];
 	const TravellingWind wind = wind_at_time(blowing, 0.0); // For the delays, which are the same at all times.
-	const float *x = entry.page.roots_x();
-	const float *z = entry.page.roots_z();
+	const float *__restrict x = entry.page.roots_x();
+	const float *__restrict z = entry.page.roots_z();
+	Follower *followers = entry.followers.data();
 	Bend *pairs = entry.page.bends();
-	for (int i = 0; i < entry.page.size(); i++) {
-		Follower &follower = entry.followers[static_cast<std::size_t>(i)];
-		const int change = wanted_delay(follower, x[i], z[i], wind) - follower.delay;
-		follower.delay = static_cast<uint16_t>(follower.delay + std::clamp(change, -most_change, most_change));
-		pairs[2 * i] = pairs[2 * i + 1];
-		pairs[2 * i + 1] = model.bend(follower.prototype, follower.delay);
+	int wanted[FOLLOWER_BLOCK];
+	for (int begin = 0; begin < entry.page.size(); begin += FOLLOWER_BLOCK) {
+		const int count = std::min(FOLLOWER_BLOCK, entry.page.size() - begin);
+		for (int i = 0; i < count; i++) {
+			wanted[i] = wanted_delay(followers[begin + i], x[begin + i], z[begin + i], wind);
+		}
+		for (int i = 0; i < count; i++) {
+			Follower &follower = followers[begin + i];
+			const int change = wanted[i] - follower.delay;
+			follower.delay = static_cast<uint16_t>(follower.delay + std::clamp(change, -most_change, most_change));
+			Bend *pair = pairs + 2 * (begin + i);
+			pair[0] = pair[1];
+			pair[1] = model.bend(follower.prototype, follower.delay);
+		}
 	}
 }
 
