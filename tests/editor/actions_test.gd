@@ -2,7 +2,14 @@
 extends "editor_test.gd"
 ## What the tests of the actions share: the buttons, their dialogs, scenes to work in.
 
+const Translations := preload("res://addons/undergrowth/editor/translations/translations.gd")
 const EditorState := preload("res://addons/undergrowth/editor/editor_state.gd")
+
+
+## In English, whatever the system speaks: the tests read messages.
+func run(test: String) -> PackedStringArray:
+	TranslationServer.get_or_add_domain(Translations.DOMAIN).set_locale_override("en")
+	return await super(test)
 
 
 ## Writes the editor's window with a dialog on it.

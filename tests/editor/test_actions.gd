@@ -366,6 +366,7 @@ func _check_read_only_folder() -> void:
 	FileAccess.set_unix_permissions(real, MAY_READ)
 	var path := READ_ONLY.path_join("reed.tres")
 	var may_write := FileAccess.open(path, FileAccess.WRITE) != null
+	DirAccess.remove_absolute(path)
 	part("Plant/Actions").call(&"save_as", path)
 	check(_message().begins_with("Saved" if may_write else "Cannot write"), _message())
 	check(_message().contains(path), "the file is named: " + _message())

@@ -2,7 +2,6 @@
 extends "actions_test.gd"
 ## Texts in other languages: complete, shown by the dock, and nowhere else.
 
-const Translations := preload("res://addons/undergrowth/editor/translations/translations.gd")
 const LANGUAGE := "hr"
 const FOLDERS: Array[String] = ["res://addons/undergrowth/editor"]
 const PLUGIN := "undergrowth"
