@@ -51,7 +51,8 @@ enum class PlacementFault {
 	too_many_plants,
 };
 
-/// The first fault, in the order of the enumeration.
+/// The first fault, in the order of the enumeration. Only Placement finds that an area which crosses itself has room
+/// for too many plants.
 PlacementFault find_placement_fault(const PlacementRequest &request);
 /// One sentence for the author of the field: what is wrong and what to do.
 const char *describe(PlacementFault fault);
