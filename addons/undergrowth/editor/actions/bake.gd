@@ -16,8 +16,8 @@ var written: PackedStringArray = []
 
 var _function: PlantFunction
 var _options: BakeOptions
-## Each makes one file and returns what went wrong.
-var _pieces: Array[Callable] = []
+## How many files were tried so far.
+var _next := 0
 var _material: Material
 
 
@@ -25,12 +25,6 @@ var _material: Material
 func _init(function: PlantFunction, options: BakeOptions) -> void:
 	_function = function.duplicate(true)
 	_options = options
-	for variant in options.variants:
-		if options.with_meshes:
-			for level in options.levels.size():
-				_pieces.append(_bake_level.bind(variant, level))
-		if options.with_scene:
-			_pieces.append(_bake_scene.bind(variant))
 
 
 ## Bakes all at once, and returns what went wrong and what to do; empty where nothing did.
@@ -45,16 +39,21 @@ static func bake(function: PlantFunction, options: BakeOptions) -> String:
 
 ## How many files are left to write.
 func get_pieces_left() -> int:
-	return _pieces.size()
+	return _options.count_files() - _next
 
 
 func is_done() -> bool:
-	return _pieces.is_empty()
+	return get_pieces_left() == 0
 
 
 ## Writes one more file. Returns what went wrong and what to do; empty where nothing did.
 func bake_next() -> String:
-	return _pieces.pop_front().call()
+	var meshes := _options.levels.size() if _options.with_meshes else 0
+	var per_variant := meshes + (1 if _options.with_scene else 0)
+	var variant := floori(float(_next) / per_variant)
+	var part := _next % per_variant
+	_next += 1
+	return _bake_level(variant, part) if part < meshes else _bake_scene(variant)
 
 
 ## The plain mesh of one level: one surface with its material and without bones.
