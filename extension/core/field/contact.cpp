@@ -96,31 +96,36 @@ void TipContact::for_each_contact(const FieldSimulation &field, uint32_t tip, co
 	const FieldPage &own_page = field.page(pages[tip]);
 	const int own_index = static_cast<int>(tip - page_firsts[pages[tip]]);
 	const glm::vec3 place = tips[tip];
-	const int cell_x = cell(place.x);
 	const int cell_z = cell(place.z);
-	for (int row = cell_z - 1; row <= cell_z + 1; row++) {
-		for (int column = cell_x - 1; column <= cell_x + 1; column++) {
-			const uint32_t run = bucket(column, row);
-			for (uint32_t i = bucket_ends[run]; i < bucket_ends[run + 1]; i++) {
-				const uint32_t other = sorted[i];
-				const glm::vec3 offset = place - tips[other];
-				const float squared = glm::dot(offset, offset);
-				if (squared >= cell_size * cell_size || other == tip || cell(tips[other].x) != column ||
-						cell(tips[other].z) != row) {
-					continue;
-				}
-				const FieldPage &page = field.page(pages[other]);
-				const float sum = own_page.collision_radius() + page.collision_radius();
-				if (squared >= sum * sum) {
-					continue;
-				}
-				const int index = static_cast<int>(other - page_firsts[pages[other]]);
-				const float wanted = std::min(sum, glm::distance(rest_tip(own_page, own_index), rest_tip(page, index)));
-				const float distance = std::sqrt(squared);
-				if (distance < wanted) {
-					visit(other, offset, distance, wanted);
-				}
+	const auto visit_run = [&](uint32_t begin, uint32_t end, int row) {
+		for (uint32_t i = begin; i < end; i++) {
+			const uint32_t other = sorted[i];
+			const glm::vec3 offset = place - tips[other];
+			const float squared = glm::dot(offset, offset);
+			// Rows of cells may share buckets: each tip counts in its own row only.
+			if (squared >= cell_size * cell_size || other == tip || cell(tips[other].z) != row) {
+				continue;
 			}
+			const FieldPage &page = field.page(pages[other]);
+			const float sum = own_page.collision_radius() + page.collision_radius();
+			if (squared >= sum * sum) {
+				continue;
+			}
+			const int index = static_cast<int>(other - page_firsts[pages[other]]);
+			const float wanted = std::min(sum, glm::distance(rest_tip(own_page, own_index), rest_tip(page, index)));
+			const float distance = std::sqrt(squared);
+			if (distance < wanted) {
+				visit(other, offset, distance, wanted);
+			}
+		}
+	};
+	const auto buckets = static_cast<uint32_t>(bucket_ends.size() - 1);
+	for (int row = cell_z - 1; row <= cell_z + 1; row++) {
+		const uint32_t start = bucket(cell(place.x) - 1, row);
+		const uint32_t end = start + 3;
+		visit_run(bucket_ends[start], bucket_ends[std::min(end, buckets)], row);
+		if (end > buckets) {
+			visit_run(bucket_ends[0], bucket_ends[end - buckets], row);
 		}
 	}
 }
