@@ -139,6 +139,9 @@ void Plant3D::_notification(int what) {
 			mark_stale();
 			update_simulation();
 			break;
+		case NOTIFICATION_CHILD_ORDER_CHANGED:
+			lose_skeleton();
+			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
 			update_axes();
 			update_joint();

@@ -27,12 +27,13 @@ class Plant3D : public godot::Node3D {
 
 	// What is drawn.
 	godot::Skeleton3D *skeleton = nullptr;
-	godot::MeshInstance3D *mesh_instance = nullptr;
+	uint64_t mesh_instance = 0; // Instance id: a grandchild may be freed without a word to the plant.
 	godot::Ref<godot::ArrayMesh> mesh;
 	float built_height = 0.0f; // m; 0 until a mesh was built.
 	bool mesh_is_stale = true;
 	bool rebuild_is_queued = false;
 	godot::String problem; // Why the last build failed; shown as configuration warning.
+	godot::String refusal; // Why the last step() did nothing; told once, not in each frame that calls it.
 
 	// How it moves. Either in the simulation (place) or driven by hand (own).
 	TipState state; // Valid while in neither.
@@ -52,8 +53,11 @@ class Plant3D : public godot::Node3D {
 	void mark_stale();
 	bool build_mesh();
 	void make_children();
+	void make_mesh_instance();
 	void find_children();
+	void lose_skeleton();
 	void show_mesh();
+	godot::MeshInstance3D *get_mesh_instance() const;
 	godot::AABB reach() const;
 	void report_problem(const godot::String &what);
 
@@ -66,6 +70,7 @@ class Plant3D : public godot::Node3D {
 	void update_axes();
 	void update_joint();
 	bool can_be_driven();
+	void refuse(const godot::String &what);
 	PlantGroup *prepare_own_group();
 	void pose_now();
 

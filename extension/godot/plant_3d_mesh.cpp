@@ -61,7 +61,6 @@ bool Plant3D::build_mesh() {
 	mesh = function->build(sampled, seed);
 	built_height = sampled.height;
 	show_mesh();
-	mesh_instance->set_custom_aabb(reach());
 	update_joint();
 	return true;
 }
@@ -69,7 +68,21 @@ bool Plant3D::build_mesh() {
 void Plant3D::find_children() {
 	skeleton = Object::cast_to<Skeleton3D>(get_node_or_null(SKELETON_NAME));
 	posed = glm::vec3(NAN); // Whatever the bone shows now, the next pose is set.
-	mesh_instance = skeleton ? Object::cast_to<MeshInstance3D>(skeleton->get_node_or_null(MESH_NAME)) : nullptr;
+	const Node *found = skeleton ? skeleton->get_node_or_null(MESH_NAME) : nullptr;
+	mesh_instance = found ? uint64_t(found->get_instance_id()) : 0;
+}
+
+// A script may free or take away what get_skeleton() gave it. The plant grows anew at the end of the frame.
+void Plant3D::lose_skeleton() {
+	if (skeleton && skeleton->get_parent() != this) {
+		skeleton = nullptr;
+		mesh_instance = 0;
+		mark_stale();
+	}
+}
+
+MeshInstance3D *Plant3D::get_mesh_instance() const {
+	return Object::cast_to<MeshInstance3D>(ObjectDB::get_instance(mesh_instance));
 }
 
 void Plant3D::make_children() {
@@ -78,22 +91,31 @@ void Plant3D::make_children() {
 	skeleton->add_bone("root");
 	skeleton->add_bone("tip");
 	skeleton->set_bone_parent(1, 0);
-	mesh_instance = memnew(MeshInstance3D);
-	mesh_instance->set_name(MESH_NAME);
-	mesh_instance->set_skin(plant_skin());
-	skeleton->add_child(mesh_instance, false, INTERNAL_MODE_FRONT);
-	mesh_instance->set_skeleton_path(NodePath(".."));
+	posed = { 0.0f, 1.0f, 0.0f };
+	make_mesh_instance();
 	add_child(skeleton, false, INTERNAL_MODE_FRONT);
+}
+
+void Plant3D::make_mesh_instance() {
+	MeshInstance3D *made = memnew(MeshInstance3D);
+	made->set_name(MESH_NAME);
+	made->set_skin(plant_skin());
+	skeleton->add_child(made, false, INTERNAL_MODE_FRONT);
+	made->set_skeleton_path(NodePath(".."));
+	mesh_instance = made->get_instance_id();
 }
 
 void Plant3D::show_mesh() {
 	if (!skeleton) {
 		find_children(); // A reloaded library finds the children that its former self made.
 	}
-	if (!skeleton || !mesh_instance) {
+	if (!skeleton) {
 		make_children();
+	} else if (!get_mesh_instance()) {
+		make_mesh_instance();
 	}
-	mesh_instance->set_mesh(mesh);
+	get_mesh_instance()->set_mesh(mesh);
+	get_mesh_instance()->set_custom_aabb(reach());
 	if (Engine::get_singleton()->is_editor_hint()) {
 		update_gizmos(); // They show the height, and a click is tested against the mesh.
 	}
@@ -122,7 +144,7 @@ Skeleton3D *Plant3D::get_skeleton() {
 
 AABB Plant3D::get_reach() {
 	get_mesh();
-	return mesh_instance ? mesh_instance->get_custom_aabb() : AABB();
+	return mesh.is_valid() ? reach() : AABB();
 }
 
 double Plant3D::get_plant_height() {

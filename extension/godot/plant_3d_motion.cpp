@@ -149,6 +149,13 @@ bool Plant3D::can_be_driven() {
 	return false;
 }
 
+void Plant3D::refuse(const String &what) {
+	if (what != refusal) {
+		refusal = what;
+		report_error(this, what);
+	}
+}
+
 PlantGroup *Plant3D::prepare_own_group() {
 	const float step_length = float(PlantSimulation::get_singleton()->get_step_length());
 	const Law law = Law(int(function->get_law()));
@@ -166,16 +173,17 @@ PlantGroup *Plant3D::prepare_own_group() {
 
 void Plant3D::step(double delta) {
 	if (!std::isfinite(delta) || delta < 0.0 || delta > MOST_STEP) {
-		report_error(this, "step(" + String::num(delta) + ") is impossible; nothing moved. Pass seconds of 0 or more.");
+		refuse("step(" + String::num(delta) + ") is impossible; nothing moved. Pass seconds of 0 or more.");
 		return;
 	}
 	if (place.group) {
-		report_error(this, "step() does nothing while the plant simulates by itself. Set simulating to false first.");
+		refuse("step() does nothing while the plant simulates by itself. Set simulating to false first.");
 		return;
 	}
 	if (!can_be_driven()) {
 		return;
 	}
+	refusal = String();
 	PlantGroup *group = prepare_own_group();
 	for (int steps = own_clock->advance(delta); steps > 0; steps--) {
 		own_time += own_clock->step();

@@ -196,6 +196,35 @@ func test_freed_by_the_skeletons_own_signal() -> void:
 	check_equal(PlantSimulation.get_plant_count(), 1, "plants in the simulation")
 
 
+func test_a_skeleton_that_is_freed_grows_again() -> void:
+	var plant := _add_plant("Rose")
+	await frames(2)
+	var tip := plant.get_tip_position()
+	plant.get_skeleton().free()
+	await frames(2)
+	_check_one_skeleton(plant)
+	check_near(plant.get_tip_position(), tip, 0.1, "tip")
+
+
+func test_a_skeleton_that_is_taken_away_grows_again() -> void:
+	var plant := _add_plant("Rose")
+	var skeleton := plant.get_skeleton()
+	plant.remove_child(skeleton)
+	await frames(2)
+	_check_one_skeleton(plant)
+	check(plant.get_skeleton() != skeleton, "a new one")
+	skeleton.free()
+
+
+func test_a_mesh_instance_that_is_freed_comes_back_with_the_next_mesh() -> void:
+	var plant := _add_plant("Rose")
+	plant.get_skeleton().get_child(0, true).free()
+	check(plant.get_reach().has_volume(), "its reach")
+	plant.height = 0.5
+	await frames(2)
+	_check_one_skeleton(plant)
+
+
 func test_a_shared_function_outlives_its_plants() -> void:
 	var function := TulipFunction.new()
 	for i in 10:
