@@ -16,14 +16,13 @@ def main():
     paths = [path for path in sorted(ADDON.rglob("*")) if path.is_file() and path.suffix not in LEFT_OUT]
     target = ROOT / "build/undergrowth.zip"
     with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
-        for path in [*paths, ROOT / "LICENSE"]:
-            name = path.relative_to(ROOT) if path in paths else Path("addons/undergrowth/LICENSE")
+        for path in paths:
             # A fixed time: the same files give the same archive.
-            entry = zipfile.ZipInfo(name.as_posix(), FIXED_TIME)
+            entry = zipfile.ZipInfo(path.relative_to(ROOT).as_posix(), FIXED_TIME)
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.external_attr = (0o755 if path.suffix in (".so", ".dylib") else 0o644) << 16
             archive.writestr(entry, path.read_bytes())
-    print(f"{target.relative_to(ROOT)}: {len(paths) + 1} files, {target.stat().st_size / 1e6:.1f} MB")
+    print(f"{target.relative_to(ROOT)}: {len(paths)} files, {target.stat().st_size / 1e6:.1f} MB")
     return 0
 
 
