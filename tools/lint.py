@@ -95,7 +95,7 @@ def main():
         check("gdformat", [], scripts)
     clean = [check("clang-format", ["--dry-run", "--Werror"], cpp), check("gdformat", ["--check"], scripts),
              check("gdlint", [], scripts)]
-    core = files(["extension/core"], ".cpp", ".hpp")
+    core = files(["extension/core"], ".cpp", ".hpp", ".inc")
     wrong = foreign_includes(core)
     print(f"includes of the core: {len(core)} files, {'not clean' if wrong else 'clean'}")
     print("".join(line + "\n" for line in wrong), end="")
