@@ -45,8 +45,8 @@ def fetch(name, requirements):
         shutil.rmtree(scratch, ignore_errors=True)
         if result.returncode != 0:
             raise Missing(f"pip could not fetch {', '.join(requirements)}:\n{debian.last_lines(result.stdout)}\n"
-                          "Give this machine a package index, or install them yourself (brew install scons, "
-                          "pacman -S scons, pip install scons).")
+                          "Give this machine a package index, or install them yourself "
+                          f"(pip install {' '.join(requirements)}).")
 
     content = f"python {sys.version_info[0]}.{sys.version_info[1]}: {' '.join(requirements)}"
     return make_folder(name, content, fill) / "packages"
