@@ -1,0 +1,76 @@
+@tool
+extends "wind_test.gd"
+## The wind page: its controls, its graph, and its files.
+
+const DirectionDial := preload("res://addons/undergrowth/editor/widgets/direction_dial.gd")
+const ForceGraph := preload("res://addons/undergrowth/editor/widgets/force_graph.gd")
+const WIND_FILE := "res://bura š.tres"
+
+
+func test_kind_is_chosen() -> void:
+	await _choose_kind(PlantWind.KIND_BURSTS)
+	check_equal(_wind().kind, PlantWind.KIND_BURSTS, "kind")
+	check((part("Wind/Frequency") as Control).visible, "bursts have a frequency")
+	await _choose_kind(PlantWind.KIND_CONSTANT)
+	check_equal(_wind().kind, PlantWind.KIND_CONSTANT, "kind")
+	check(not (part("Wind/Frequency") as Control).visible, "a constant wind has none")
+
+
+func test_strength_is_typed() -> void:
+	await open_page("Wind")
+	await _type_number("Strength", "2.5")
+	check_equal(_wind().strength, 2.5, "strength")
+	await _type_number("Strength", "5000000")
+	check_equal(_wind().strength, 1e6, "strength, at most")
+	var told := (part("Status/Text") as Label).text
+	check(told.contains("Strength"), "the status line tells: " + told)
+	await _type_number("Strength", "3")
+
+
+func test_dial_is_turned() -> void:
+	await open_page("Wind")
+	var dial := part("Wind/Dial") as DirectionDial
+	await _reveal(dial)
+	var middle := dial.size * 0.5
+	await drag(dial, middle + Vector2(0, 20), middle + Vector2(30, 0))
+	check_equal(_wind().direction_degrees, 90.0, "towards the right")
+	await press_key(dial, KEY_RIGHT)
+	check_equal(_wind().direction_degrees, 91.0, "one key farther")
+	await press_key(dial, KEY_LEFT, 0, false, true)
+	check_equal(_wind().direction_degrees, 76.0, "back with Shift")
+	var told := (part("Wind/Heading") as Label).text
+	check(told.contains("76°") and told.contains("+x"), "the label says " + told)
+
+
+func test_graph_moves_and_gust_blows() -> void:
+	await _choose_kind(PlantWind.KIND_GUST)
+	var graph := part("Wind/Graph") as ForceGraph
+	var before := graph.get_now()
+	await frames(5)
+	check(graph.get_now() > before, "now moves on")
+	check(graph.wind == _wind(), "the graph is of the page's wind")
+	_wind().gust_duration = 60.0  # However slow this machine is.
+	await _press_button("Gust")
+	var force := _wind().sample(_wind().get_time()).length()
+	check(is_equal_approx(force, _wind().strength), "the gust blows with %f N" % force)
+	_wind().gust_duration = 0.5
+
+
+func test_wind_is_saved() -> void:
+	await open_page("Wind")
+	await _press_button("Save")
+	var dialog: EditorFileDialog
+	for child in part("Wind/WindActions").get_children():
+		dialog = child as EditorFileDialog
+	check(dialog and dialog.visible, "a dialog asks where")
+	var line := dialog.get_line_edit()
+	line.grab_focus()
+	line.text = ""
+	await type(line, WIND_FILE.get_file())
+	await press_key(line, KEY_ENTER)
+	await frames(3)
+	var saved := load(WIND_FILE) as PlantWind
+	check(saved != null, "the file is there")
+	check_equal(saved.direction_degrees, _wind().direction_degrees, "its direction")
+	DirAccess.remove_absolute(ProjectSettings.globalize_path(WIND_FILE))
+	EditorInterface.get_resource_filesystem().scan()

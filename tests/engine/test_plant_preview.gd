@@ -1,0 +1,81 @@
+## Plants moved by tools under a wind that is tried out: Plant3D.preview() and PlantWind.advance().
+extends "res://tests/engine/harness.gd"
+
+const STEP := 1.0 / 60.0
+
+var _plant: Plant3D
+var _wind: PlantWind
+
+
+func before_each() -> void:
+	_plant = Plant3D.new()
+	_plant.function = TulipFunction.new()
+	_plant.simulating = false
+	root.add_child(_plant)
+	_wind = PlantWind.new()
+	_wind.kind = PlantWind.KIND_CONSTANT
+	_wind.strength = 2.0
+	_wind.direction_degrees = 90.0
+
+
+func after_each() -> void:
+	_plant.free()
+
+
+func test_preview_bends_with_the_given_wind_and_changes_no_property() -> void:
+	_preview(120)
+	check(_plant.get_tip_position().x > 0.01, "the tip goes where the wind blows to")
+	check(_plant.wind == null, "the plant's own wind stays")
+	_plant.reset()
+	check_equal(_plant.get_deflection(), 0.0, "deflection after reset")
+
+
+func test_preview_equals_step_under_the_same_wind() -> void:
+	_wind.kind = PlantWind.KIND_WAVES
+	_preview(90)
+	var tip := _plant.get_tip_position()
+	var twin := Plant3D.new()
+	twin.function = _plant.function
+	twin.simulating = false
+	twin.wind = _wind.duplicate()
+	root.add_child(twin)
+	for i in 90:
+		twin.step(STEP)
+	check(twin.get_tip_position().is_equal_approx(tip), "both tips are at %s" % tip)
+	twin.free()
+
+
+func test_preview_hears_a_gust() -> void:
+	_wind.kind = PlantWind.KIND_GUST
+	_preview(60)
+	_plant.reset()
+	_wind.trigger_gust()
+	_preview(10)
+	check(_plant.get_deflection() > 1e-3, "the gust moves the plant")
+
+
+func test_preview_leaves_others_alone() -> void:
+	_plant.preview(-1.0, _wind)
+	_plant.preview(NAN, _wind)
+	_plant.preview(STEP, null)
+	check_equal(_plant.get_deflection(), 0.0, "deflection")
+	var bare := Plant3D.new()
+	bare.preview(STEP, _wind)
+	check(bare.get_mesh() == null, "a plant without a function stays without a mesh")
+	bare.free()
+
+
+func test_advance_refuses_impossible_times() -> void:
+	_wind.advance(1.5)
+	check_equal(_wind.get_time(), 1.5, "time")
+	_wind.advance(-1.0)
+	check_error("is impossible")
+	_wind.advance(INF)
+	check_error("is impossible")
+	check_equal(_wind.get_time(), 1.5, "time")
+
+
+func _preview(count: int) -> void:
+	for i in count:
+		_wind.advance(STEP)
+		_plant.preview(STEP, _wind)
