@@ -15,6 +15,8 @@ const NATIVE_CLASS := &"PlantFunction"
 ## Seconds of one step of the simulation; PlantSimulation reads it when the library is loaded.
 const STEP_SETTING := "undergrowth/simulation/step_length"
 const DEFAULT_STEP := 1.0 / 60.0
+## Width of a screen in pixels at 100 % from which on the dock has a column of its own.
+const ROOMY_SCREEN := 1500.0
 
 var _dock: EditorDock
 var _inspector: EditorInspectorPlugin
@@ -84,7 +86,7 @@ func _add_dock() -> void:
 	_dock.name = "Undergrowth"
 	_dock.title = "Undergrowth"
 	_dock.layout_key = "Undergrowth"
-	_dock.default_slot = EditorDock.DOCK_SLOT_RIGHT_UR
+	_dock.default_slot = _choose_slot()
 	_dock.available_layouts = EditorDock.DOCK_LAYOUT_ALL
 	var icon := _folder().path_join(DOCK_ICON)
 	if ResourceLoader.exists(icon):
@@ -92,6 +94,14 @@ func _add_dock() -> void:
 	_dock.add_child(content)
 	add_dock(_dock)
 	content.call(&"setup", self)
+
+
+# A column of its own beside the inspector where the screen has room for it.
+func _choose_slot() -> EditorDock.DockSlot:
+	var width := DisplayServer.screen_get_usable_rect().size.x / EditorInterface.get_editor_scale()
+	if width >= ROOMY_SCREEN:
+		return EditorDock.DOCK_SLOT_RIGHT_UR
+	return EditorDock.DOCK_SLOT_RIGHT_UL
 
 
 func _add_helpers() -> void:

@@ -8,8 +8,8 @@ const WindPage := preload("wind_page/wind_page.gd")
 const Translations := preload("translations/translations.gd")
 const StatusLine := preload("widgets/status_line.gd")
 
-## In pixels at 100 %: three thumbnails side by side, and properties with whole names.
-const LEAST_WIDTH := 320
+## In pixels at 100 %. No more, so that small screens have room for it.
+const LEAST_WIDTH := 260
 
 ## What both pages share.
 var state := EditorState.new()

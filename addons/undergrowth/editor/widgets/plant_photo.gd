@@ -14,6 +14,8 @@ const LEAST_BREADTH := 0.2
 const MOST_WIDENING := 3.5
 
 var _queue: Array[Dictionary] = []
+var _wish := {}
+# The picture that the next drawn frame holds; nothing: none is being taken.
 var _key := ""
 
 @onready var _camera: Camera3D = $Camera
@@ -24,9 +26,15 @@ func _ready() -> void:
 	RenderingServer.frame_post_draw.connect(_on_frame_drawn)
 
 
+# The editor takes docks out and puts them in elsewhere: what was asked for is still wanted.
+func _enter_tree() -> void:
+	_begin_next.call_deferred()
+
+
 func _exit_tree() -> void:
-	_queue.clear()
-	_key = ""
+	if not _key.is_empty():
+		_queue.push_front(_wish)
+		_key = ""
 
 
 ## Asks for a picture; [param make] is called when its turn comes and returns a PlantFunction.
@@ -43,13 +51,13 @@ func clear() -> void:
 func _begin_next() -> void:
 	if not _key.is_empty() or _queue.is_empty() or not is_inside_tree():
 		return
-	var wish: Dictionary = _queue.pop_front()
-	var mesh := _build(wish["make"])
+	_wish = _queue.pop_front()
+	var mesh := _build(_wish["make"])
 	if not mesh:
-		taken.emit(wish["key"], null)
+		taken.emit(_wish["key"], null)
 		_begin_next.call_deferred()
 		return
-	_key = wish["key"]
+	_key = _wish["key"]
 	_plant.mesh = mesh
 	var box := mesh.get_aabb()
 	var breadth := maxf(box.size.x, box.size.z)
