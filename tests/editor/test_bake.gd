@@ -182,6 +182,9 @@ func test_long_work_can_be_cancelled() -> void:
 	)
 	check(FileAccess.file_exists(FOLDER.path_join("many_1_lod0.res")), "the first is")
 	check(not (part("Plant/Actions/Bake") as Button).disabled, "new work can begin")
+	var files := EditorInterface.get_resource_filesystem()
+	check(await until(func() -> bool: return not files.is_scanning()), "the editor knows the files")
+	await frames(5)
 
 
 func _start_bake() -> void:
