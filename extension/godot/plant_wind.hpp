@@ -48,6 +48,8 @@ public:
 	/// The clock of a plant that is stepped by hand: this wind's never stands behind it, so that a gust blows there
 	/// now.
 	void keep_up_with(double clock);
+	/// What blows, for those who ask at a place and time of their own.
+	const Wind &description() const { return wind; }
 	/// The force of the present step (N, world axes).
 	glm::vec3 force() const;
 };

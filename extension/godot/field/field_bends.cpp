@@ -1,0 +1,111 @@
+#include "field/field_bends.hpp"
+
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <algorithm>
+#include <cstring>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr int SIDE = 64;
+static constexpr int SPARE_PAGES = 16;
+static constexpr int PAIRS_PER_LAYER = SIDE * SIDE;
+static constexpr int HISTORY_LAYERS = Prototypes::SLOTS * Prototypes::MOST / PAIRS_PER_LAYER;
+static_assert(FieldPage::PAGE_PLANTS == PAIRS_PER_LAYER && Prototypes::MOST == SIDE, "a row of a layer is a slot");
+
+FieldBends::~FieldBends() {
+	RenderingServer *server = RenderingServer::get_singleton();
+	for (const RID &one : { texture, blend_texture }) {
+		if (server && one.is_valid()) {
+			server->free_rid(one);
+		}
+	}
+}
+
+void FieldBends::make_images(const FieldSimulation &simulation) {
+	const bool follows = simulation.settings().prototypes > 0;
+	page_layers = follows ? 0 : simulation.page_count() + SPARE_PAGES;
+	const int count = page_layers + (follows ? HISTORY_LAYERS * simulation.species_count() : 0);
+	layers.clear();
+	for (int i = 0; i < std::max(count, 1); i++) {
+		layers.push_back(Image::create_empty(SIDE, SIDE, false, Image::FORMAT_RGBAH));
+	}
+	is_fresh.assign(layers.size(), 0);
+	blends = Image::create_empty(int(layers.size()), 1, false, Image::FORMAT_RF);
+	if (!follows) {
+		for (int page = 0; page < simulation.page_count(); page++) {
+			write_page(simulation, page);
+		}
+		return;
+	}
+	for (int species = 0; species < simulation.species_count(); species++) {
+		const Bend *from = simulation.prototypes(species)->history();
+		for (int i = 0; i < HISTORY_LAYERS; i++) {
+			write_layer(history_layer(species) + i, from + 2 * size_t(i) * PAIRS_PER_LAYER, PAIRS_PER_LAYER, 0);
+		}
+	}
+}
+
+void FieldBends::make_textures() {
+	TypedArray<Image> images;
+	for (const Ref<Image> &layer : layers) {
+		images.push_back(layer);
+	}
+	RenderingServer *server = RenderingServer::get_singleton();
+	texture = server->texture_2d_layered_create(images, RenderingServer::TEXTURE_LAYERED_2D_ARRAY);
+	blend_texture = server->texture_2d_create(blends);
+	std::fill(is_fresh.begin(), is_fresh.end(), uint8_t(0));
+}
+
+bool FieldBends::has_room(const FieldSimulation &simulation) const {
+	return simulation.settings().prototypes > 0 || simulation.page_count() <= page_layers;
+}
+
+int FieldBends::history_layer(int species) const {
+	return page_layers + HISTORY_LAYERS * species;
+}
+
+void FieldBends::write_layer(int layer, const Bend *from, int pairs, int first) {
+	uint8_t *to = layers[size_t(layer)]->ptrw() + size_t(first) * 2 * sizeof(Bend);
+	std::memcpy(to, from, size_t(pairs) * 2 * sizeof(Bend));
+	is_fresh[size_t(layer)] = 1;
+}
+
+void FieldBends::write_page(const FieldSimulation &simulation, int page) {
+	write_layer(page, simulation.page(page).bends(), simulation.page(page).size(), 0);
+}
+
+void FieldBends::write_history(const FieldSimulation &simulation) {
+	for (int species = 0; species < simulation.species_count(); species++) {
+		const Prototypes &models = *simulation.prototypes(species);
+		const int slot = models.newest_slot();
+		const Bend *from = models.history() + 2 * size_t(slot) * Prototypes::MOST;
+		write_layer(history_layer(species) + slot / SIDE, from, SIDE, slot % SIDE * SIDE);
+	}
+}
+
+void FieldBends::upload(const FieldSimulation &simulation, float fraction) {
+	RenderingServer *server = RenderingServer::get_singleton();
+	for (size_t i = 0; i < layers.size(); i++) {
+		if (is_fresh[i]) {
+			server->texture_2d_update(texture, layers[i], int(i));
+			is_fresh[i] = 0;
+		}
+	}
+	if (page_layers == 0) {
+		return; // Followers' blend is one for all: a uniform.
+	}
+	float *shares = reinterpret_cast<float *>(blends->ptrw());
+	for (int page = 0; page < simulation.page_count(); page++) {
+		shares[page] = simulation.alpha(page, fraction);
+	}
+	server->texture_2d_update(blend_texture, blends, 0);
+}
+
+size_t FieldBends::bytes() const {
+	return layers.size() * PAIRS_PER_LAYER * 2 * sizeof(Bend);
+}
+
+} // namespace undergrowth

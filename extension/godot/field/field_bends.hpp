@@ -1,0 +1,53 @@
+#pragma once
+
+#include "field/field_simulation.hpp"
+
+#include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/variant/rid.hpp>
+
+#include <vector>
+
+namespace undergrowth {
+
+/// The textures that carry bends to the graphics card: a layer of 64 by 64 texels for each page (before and after its
+/// last step), 16 layers for the history of each species' prototypes, and a row with a blend for each layer.
+class FieldBends {
+public:
+	FieldBends() = default;
+	~FieldBends();
+	FieldBends(const FieldBends &) = delete;
+	FieldBends &operator=(const FieldBends &) = delete;
+
+	/// Makes images for `simulation` as it is now and some pages more. On any thread, but for make_textures().
+	void make_images(const FieldSimulation &simulation);
+	void make_textures();
+	/// Whether the images have room for all pages of `simulation`.
+	bool has_room(const FieldSimulation &simulation) const;
+	/// First layer of a species' history.
+	int history_layer(int species) const;
+
+	/// Takes over a page's bends. On any thread; different pages at the same time.
+	void write_page(const FieldSimulation &simulation, int page);
+	/// Takes over the newest slot of each species' history, and whether its layer has to be sent.
+	void write_history(const FieldSimulation &simulation);
+
+	/// Sends what was written since the last time, and the blends for `fraction` of a step. Main thread.
+	void upload(const FieldSimulation &simulation, float fraction);
+
+	godot::RID bends_texture() const { return texture; }
+	godot::RID blends_texture() const { return blend_texture; }
+	size_t bytes() const;
+
+private:
+	std::vector<godot::Ref<godot::Image>> layers;
+	std::vector<uint8_t> is_fresh; ///< By layer: written and not yet sent.
+	godot::Ref<godot::Image> blends;
+	godot::RID texture;
+	godot::RID blend_texture;
+	int page_layers = 0;
+
+	void write_layer(int layer, const Bend *from, int pairs, int first);
+};
+
+} // namespace undergrowth

@@ -1,0 +1,87 @@
+#include "field/field_looks.hpp"
+
+#include "base/random.hpp"
+#include "convert.hpp"
+#include "field/plants.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr float MOST_LEAN = 1.4f; // rad; the spring law rests above the ground.
+
+int FieldLevel::groups(int level, int variants) {
+	return std::max(1, variants >> level);
+}
+
+static int64_t variant_seed(int64_t seed, int variant) {
+	return int64_t(mix_bits(uint64_t(seed) ^ mix_bits(uint64_t(variant))) >> 1);
+}
+
+String FieldLook::sample(const std::vector<FieldLevel> &levels, int variant_count, int64_t seed) {
+	variants.clear();
+	samples.assign(levels.size(), {});
+	for (int variant = 0; variant < variant_count; variant++) {
+		const int64_t own_seed = variant_seed(seed, variant);
+		for (size_t level = 0; level < levels.size(); level++) {
+			if (variant >= FieldLevel::groups(int(level), variant_count)) {
+				break;
+			}
+			SampledPlant sampled;
+			const String problem = function->sample(0.0, levels[level].lod, own_seed, sampled);
+			if (!problem.is_empty()) {
+				return problem;
+			}
+			if (level == 0) {
+				variants.push_back({ own_seed, sampled.height });
+			}
+			width = std::max(width, sampled.widest());
+			samples[level].push_back(std::move(sampled));
+		}
+	}
+	read_motion();
+	return String();
+}
+
+void FieldLook::build() {
+	meshes.assign(samples.size(), {});
+	for (size_t level = 0; level < samples.size(); level++) {
+		for (size_t group = 0; group < samples[level].size(); group++) {
+			meshes[level].push_back(function->build(samples[level][group], variants[group].seed));
+		}
+	}
+	samples.clear();
+}
+
+void FieldLook::read_motion() {
+	motion.law = Law(int(function->get_law()));
+	motion.joint = function->make_joint(1.0f, Basis());
+	motion.collision_radius = float(function->get_collision_radius());
+	motion.lean = std::atan2(motion.joint.rest.z, motion.joint.rest.y);
+	motion.shortest = motion.longest = variants.empty() ? 1.0f : variants[0].height;
+	for (const FieldVariant &variant : variants) {
+		motion.shortest = std::min(motion.shortest, variant.height);
+		motion.longest = std::max(motion.longest, variant.height);
+	}
+}
+
+float FieldLook::length_of(const PlacedPlant &plant) const {
+	return variants[plant.variant].height * plant.height * plant.scale;
+}
+
+FieldPlant FieldLook::to_simulate(const PlacedPlant &plant) const {
+	FieldPlant simulated;
+	simulated.root = plant.root;
+	simulated.length = length_of(plant);
+	// The species leans towards the plant's own +z, what was placed leans it towards its +x.
+	const float lean = std::min(plant.lean, MOST_LEAN);
+	const float up = std::cos(motion.lean);
+	const Vector3 own(up * std::sin(lean), up * std::cos(lean), std::sin(motion.lean));
+	simulated.rest = to_glm(Basis(Vector3(0.0f, 1.0f, 0.0f), plant.turn).xform(own));
+	return simulated;
+}
+
+} // namespace undergrowth

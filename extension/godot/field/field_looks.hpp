@@ -1,0 +1,52 @@
+#pragma once
+
+#include "field/field_page.hpp"
+#include "plant_function.hpp"
+
+#include <godot_cpp/classes/shader_material.hpp>
+
+#include <vector>
+
+namespace undergrowth {
+
+/// One level of detail of a field.
+struct FieldLevel {
+	int lod = 12; ///< Vertical segments.
+	float begin = 0.0f; ///< m from the camera.
+	float end = 0.0f; ///< m; 0: no end.
+	float margin = 2.0f; ///< m over which it dissolves.
+	int chunk_factor = 1; ///< Its chunks are so many chunks wide.
+	bool casts_shadows = true;
+
+	/// How many meshes it draws for a species of `variants` plants: half as many in each further level.
+	static int groups(int level, int variants);
+};
+
+/// A plant of which a species has several.
+struct FieldVariant {
+	int64_t seed = 0; ///< A Plant3D with this seed looks the same.
+	float height = 1.0f; ///< m.
+};
+
+/// One species of a field: what it shows and how it moves.
+struct FieldLook {
+	godot::Ref<PlantFunction> function;
+	std::vector<FieldVariant> variants;
+	std::vector<std::vector<SampledPlant>> samples; ///< By level and group; let go when the meshes are built.
+	std::vector<std::vector<godot::Ref<godot::ArrayMesh>>> meshes; ///< By level and group.
+	std::vector<godot::Ref<godot::ShaderMaterial>> materials; ///< By level.
+	FieldSpecies motion;
+	float width = 0.0f; ///< m: the farthest that any mesh goes from its axis.
+
+	/// Asks the function; main thread only, since scripts may answer. Tells what is wrong and what to do, or nothing.
+	godot::String sample(const std::vector<FieldLevel> &levels, int variant_count, int64_t seed);
+	/// Builds the meshes of what was sampled; on any thread.
+	void build();
+	/// The function's motion as it is now.
+	void read_motion();
+	/// The root of a plant, its length and rest direction, for the simulation.
+	FieldPlant to_simulate(const struct PlacedPlant &plant) const;
+	float length_of(const struct PlacedPlant &plant) const;
+};
+
+} // namespace undergrowth

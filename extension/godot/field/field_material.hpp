@@ -1,0 +1,15 @@
+#pragma once
+
+#include <godot_cpp/classes/material.hpp>
+#include <godot_cpp/classes/shader_material.hpp>
+
+namespace undergrowth {
+
+/// A material that bends, made from what a function wears: the add-on's own shader where it has none or a
+/// BaseMaterial3D, whose colours, textures and shine it takes over; a copy of a ShaderMaterial.
+godot::Ref<godot::ShaderMaterial> make_field_material(const godot::Ref<godot::Material> &worn);
+
+/// Whether its shader includes undergrowth_bend.gdshaderinc.
+bool bends_in_shader(const godot::Ref<godot::ShaderMaterial> &material);
+
+} // namespace undergrowth

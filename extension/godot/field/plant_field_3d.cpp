@@ -1,0 +1,147 @@
+// PlantField3D's life in the tree. What users set: plant_field_3d_properties.cpp.
+
+#include "field/plant_field_3d.hpp"
+
+#include "follow_changes.hpp"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/performance.hpp>
+#include <godot_cpp/classes/world3d.hpp>
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr double USUAL_STEP = 1.0 / 60.0; // s.
+
+// All fields in the tree, for the monitors. Main thread only.
+static std::vector<PlantField3D *> &standing_fields() {
+	static std::vector<PlantField3D *> fields;
+	return fields;
+}
+
+PlantField3D::PlantField3D() : clock(USUAL_STEP) {
+	levels = { 12, 6, 3, 2 };
+	level_distances = { 12.0f, 25.0f, 50.0f };
+}
+
+PlantField3D::~PlantField3D() {
+	finish_step();
+	fill_job.reset();
+}
+
+PackedStringArray PlantField3D::_get_configuration_warnings() const {
+	PackedStringArray warnings;
+	if (species.is_empty()) {
+		warnings.push_back("This field needs a species: add a PlantFunction, such as a GrassFunction, to Species.");
+	} else if (!problem.is_empty()) {
+		warnings.push_back(problem);
+	}
+	return warnings;
+}
+
+void PlantField3D::on_species_changed() {
+	for (int64_t i = 0; i < species.size(); i++) {
+		const Ref<PlantFunction> function = species[i];
+		if (function.is_null()) {
+			return; // The library was reloaded, and the engine has not set it again yet.
+		}
+		if (!function->is_motion_change()) {
+			continue;
+		}
+		// Only how it moves: its plants stay, and so does their motion.
+		finish_step();
+		for (size_t look = 0; look < style.looks.size(); look++) {
+			if (style.looks[look].function == function && simulation) {
+				style.looks[look].read_motion();
+				simulation->set_species(int(look), style.looks[look].motion);
+			}
+		}
+		return;
+	}
+	mark_stale();
+}
+
+void PlantField3D::on_area_changed() {
+	mark_stale();
+}
+
+enum Monitor { MONITOR_PLANTS, MONITOR_SIMULATED, MONITOR_STEP, MONITOR_UPLOAD, MONITORS };
+static const char *const MONITOR_NAMES[MONITORS] = { "undergrowth/field_plants", "undergrowth/field_simulated",
+	"undergrowth/field_step_usec", "undergrowth/field_upload_usec" };
+
+double PlantField3D::monitor(int which) const {
+	double sum = 0.0;
+	for (const PlantField3D *field : standing_fields()) {
+		sum += which == MONITOR_PLANTS ? field->get_plant_count() : 0.0;
+		sum += which == MONITOR_SIMULATED && field->simulation ? field->simulation->simulated_count() : 0.0;
+		sum += which == MONITOR_STEP ? field->steps.busy_usec() : 0.0;
+		sum += which == MONITOR_UPLOAD ? field->upload_usec : 0.0;
+	}
+	return sum;
+}
+
+// The first field in the tree answers for all.
+void PlantField3D::update_monitors() {
+	Performance *performance = Performance::get_singleton();
+	const std::vector<PlantField3D *> &fields = standing_fields();
+	for (int i = 0; i < MONITORS; i++) {
+		if (performance->has_custom_monitor(MONITOR_NAMES[i])) {
+			performance->remove_custom_monitor(MONITOR_NAMES[i]);
+		}
+		if (!fields.empty()) {
+			Array arguments;
+			arguments.push_back(i);
+			performance->add_custom_monitor(MONITOR_NAMES[i], Callable(fields[0], "_monitor"), arguments);
+		}
+	}
+}
+
+void PlantField3D::_notification(int what) {
+	std::vector<PlantField3D *> &fields = standing_fields();
+	switch (what) {
+		case NOTIFICATION_ENTER_TREE:
+			set_notify_transform(true);
+			fields.push_back(this);
+			update_monitors();
+			for (const std::unique_ptr<FieldDrawing> &drawing : drawings) {
+				restart_drawing(*drawing);
+			}
+			if (is_stale && !fill_job && !species.is_empty()) {
+				mark_stale();
+			}
+			update_processing();
+			break;
+		case NOTIFICATION_EXIT_TREE:
+			finish_step();
+			fields.erase(std::remove(fields.begin(), fields.end(), this), fields.end());
+			update_monitors();
+			watched.clear();
+			for (const std::unique_ptr<FieldDrawing> &drawing : drawings) {
+				drawing->set_scenario(RID());
+			}
+			break;
+		case NOTIFICATION_EXTENSION_RELOADED:
+			mark_stale();
+			break;
+		case NOTIFICATION_INTERNAL_PROCESS:
+			process_frame();
+			break;
+		case NOTIFICATION_TRANSFORM_CHANGED:
+			for (const std::unique_ptr<FieldDrawing> &drawing : drawings) {
+				drawing->set_transform(get_global_transform());
+			}
+			break;
+		case NOTIFICATION_VISIBILITY_CHANGED:
+			for (const std::unique_ptr<FieldDrawing> &drawing : drawings) {
+				drawing->set_visible(is_visible_in_tree());
+			}
+			break;
+		default:
+			break;
+	}
+}
+
+} // namespace undergrowth

@@ -1,0 +1,257 @@
+#pragma once
+
+#include "field/contact.hpp"
+#include "field/field_drawing.hpp"
+#include "field/field_fill.hpp"
+#include "field/field_steps.hpp"
+#include "pendulum/fixed_step.hpp"
+#include "plant_wind.hpp"
+
+#include <godot_cpp/classes/curve3d.hpp>
+#include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace undergrowth {
+
+/// What users set of a PlantField3D that is a number; in the order of the inspector.
+struct FieldOptions {
+	double density = 4.0; // Plants/m².
+	godot::Vector2 size = { 20.0f, 20.0f }; // m.
+	int64_t seed = 0;
+	double clumping = 0.0;
+	double drift_size = 3.0; // m.
+	int variants = 4;
+	godot::Vector2 scale_range = { 0.8f, 1.2f };
+	double height_deviation = 0.1;
+	double lean_deviation_degrees = 0.0;
+	int ground = 0;
+	int64_t ground_mask = 1;
+	godot::Vector2 height_limits = { -1000.0f, 1000.0f }; // m.
+	godot::Vector2 slope_limits_degrees = { 0.0f, 90.0f };
+	double wind_speed = 10.0; // m/s.
+	bool simulating = true;
+	int threads = 0;
+	int update_interval = 1;
+	double far_distance = 0.0; // m.
+	int prototypes = 0;
+	bool contact = false;
+	double touch_margin = 0.1; // m.
+	double fade_margin = 3.0; // m.
+	double shadow_distance = 30.0; // m.
+	double visibility_range = 0.0; // m.
+	double chunk_size = 16.0; // m.
+	int64_t layers = 1;
+};
+
+/// Thousands of plants, each with its own motion, drawn as multimeshes that bend in the vertex shader.
+class PlantField3D : public godot::Node3D {
+	GDCLASS(PlantField3D, godot::Node3D)
+
+public:
+	enum GroundKind {
+		GROUND_NONE = int(FieldGround::Kind::none),
+		GROUND_COLLIDERS = int(FieldGround::Kind::colliders),
+		GROUND_MESH = int(FieldGround::Kind::mesh),
+	};
+
+private:
+	// What users set.
+	FieldOptions options;
+	godot::TypedArray<PlantFunction> species;
+	godot::PackedFloat32Array shares;
+	godot::Ref<godot::Curve3D> area;
+	godot::TypedArray<godot::Curve3D> exclusions;
+	godot::TypedArray<godot::NodePath> excluded_fields;
+	godot::NodePath ground_mesh;
+	godot::Ref<PlantWind> wind;
+	godot::StringName bodies_group;
+	godot::PackedInt32Array levels;
+	godot::PackedFloat32Array level_distances;
+
+	// What stands.
+	FieldStyle style;
+	std::vector<std::unique_ptr<FieldPatch>> patches; // The filled one first, then those that were added.
+	std::vector<std::unique_ptr<FieldDrawing>> drawings; // One for each patch.
+	std::unique_ptr<FieldSimulation> simulation;
+	std::unique_ptr<FieldBends> bends;
+	FieldSteps steps; // After what it works on: it is destroyed first.
+	TipContact touching;
+	std::vector<PlacedPlant> pending; // Added, and taken in at the end of the frame.
+	godot::String problem;
+
+	// Filling.
+	std::unique_ptr<FieldFill> fill_job;
+	std::unique_ptr<FieldRays> rays;
+	bool is_stale = true;
+	bool fill_is_queued = false;
+	float told_progress = -1.0f;
+
+	// Moving.
+	FixedStep clock;
+	double wind_offset = 0.0; // s, the wind's clock less the simulation's.
+	double seen_wind_time = -1.0; // s.
+	float shown_alpha = 0.0f; // Of the step that is shown next.
+	double upload_usec = 0.0;
+	double main_usec = 0.0;
+	struct WatchedBody {
+		uint64_t id = 0;
+		glm::vec3 at = { 0.0f, 0.0f, 0.0f };
+		bool is_inside = false;
+	};
+	std::vector<WatchedBody> watched;
+	int frames_since_far = 0;
+
+	// plant_field_3d_fill.cpp
+	void mark_stale();
+	void report_problem(const godot::String &what);
+	godot::String make_recipe(FieldRecipe &recipe);
+	godot::String make_style(FieldStyle &into);
+	godot::String make_request(PlacementRequest &into);
+	godot::String make_ground(FieldGround &into);
+	void poll_fill();
+	void adopt(FieldResult &result);
+	void dress();
+	void restart_drawing(FieldDrawing &drawing);
+	std::vector<FieldLevel> make_levels() const;
+
+	// plant_field_3d_motion.cpp
+	bool may_simulate() const;
+	void update_processing();
+	void process_frame();
+	void step(double delta);
+	void finish_step();
+	void upload();
+	void update_wind(int step_count);
+	void gather_bodies();
+	void update_far();
+	void send_uniforms();
+
+	// plant_field_3d_plants.cpp
+	struct Found {
+		int patch = -1;
+		int plant = -1;
+	};
+	Found find(int64_t index) const;
+	void flush_pending();
+	void redraw(int patch, const std::vector<ClumpPlace> &places);
+	PlacedPlant place_transform(const godot::Transform3D &transform, int species_index) const;
+	int species_for(const godot::Ref<PlantFunction> &function);
+
+	void update_monitors();
+
+	void set_number(double &slot, const char *name, double value, const Range &range, bool needs_fill);
+	void set_whole(int &slot, const char *name, int value, const Range &range, bool needs_fill);
+	void set_span(godot::Vector2 &slot, const char *name, const godot::Vector2 &value, const Range &range);
+
+protected:
+	static void _bind_methods();
+	void _notification(int what);
+
+public:
+	PlantField3D();
+	~PlantField3D() override;
+	godot::PackedStringArray _get_configuration_warnings() const override;
+
+	void fill();
+	bool is_filling() const;
+	void add_plants(const godot::Variant &transforms, const godot::Ref<PlantFunction> &function);
+	int remove_in_sphere(const godot::Vector3 &center, double radius);
+	bool is_point_in_plants(const godot::Vector3 &point);
+	int apply_impulse_in_sphere(const godot::Vector3 &center, double radius, const godot::Vector3 &impulse);
+	int get_plant_count() const;
+	godot::Transform3D get_plant_transform(int64_t index);
+	godot::Ref<PlantFunction> get_plant_function(int64_t index);
+	double get_plant_height(int64_t index);
+	int64_t get_plant_seed(int64_t index);
+	godot::Vector3 get_tip_position(int64_t index);
+	godot::Dictionary get_statistics();
+
+	// Called by the engine.
+	void on_species_changed();
+	void on_area_changed();
+	void on_fill_queued();
+	double monitor(int which) const;
+
+	/// The field's outline in its own axes.
+	Polygon outline() const;
+
+	void set_species(const godot::TypedArray<PlantFunction> &functions);
+	godot::TypedArray<PlantFunction> get_species() const;
+	void set_shares(const godot::PackedFloat32Array &weights);
+	godot::PackedFloat32Array get_shares() const;
+	void set_density(double plants);
+	double get_density() const;
+	void set_size(const godot::Vector2 &metres);
+	godot::Vector2 get_size() const;
+	void set_area(const godot::Ref<godot::Curve3D> &curve);
+	godot::Ref<godot::Curve3D> get_area() const;
+	void set_exclusions(const godot::TypedArray<godot::Curve3D> &curves);
+	godot::TypedArray<godot::Curve3D> get_exclusions() const;
+	void set_excluded_fields(const godot::TypedArray<godot::NodePath> &paths);
+	godot::TypedArray<godot::NodePath> get_excluded_fields() const;
+	void set_seed(int64_t seed);
+	int64_t get_seed() const;
+	void set_clumping(double share);
+	double get_clumping() const;
+	void set_drift_size(double metres);
+	double get_drift_size() const;
+	void set_variants(int count);
+	int get_variants() const;
+	void set_scale_range(const godot::Vector2 &range);
+	godot::Vector2 get_scale_range() const;
+	void set_height_deviation(double share);
+	double get_height_deviation() const;
+	void set_lean_deviation_degrees(double degrees);
+	double get_lean_deviation_degrees() const;
+	void set_ground(GroundKind kind);
+	GroundKind get_ground() const;
+	void set_ground_mask(int64_t mask);
+	int64_t get_ground_mask() const;
+	void set_ground_mesh(const godot::NodePath &path);
+	godot::NodePath get_ground_mesh() const;
+	void set_height_limits(const godot::Vector2 &metres);
+	godot::Vector2 get_height_limits() const;
+	void set_slope_limits_degrees(const godot::Vector2 &degrees);
+	godot::Vector2 get_slope_limits_degrees() const;
+	void set_wind(const godot::Ref<PlantWind> &new_wind);
+	godot::Ref<PlantWind> get_wind() const;
+	void set_wind_speed(double speed);
+	double get_wind_speed() const;
+	void set_simulating(bool on);
+	bool is_simulating() const;
+	void set_threads(int count);
+	int get_threads() const;
+	void set_update_interval(int step_count);
+	int get_update_interval() const;
+	void set_far_distance(double metres);
+	double get_far_distance() const;
+	void set_prototypes(int count);
+	int get_prototypes() const;
+	void set_contact(bool on);
+	bool has_contact() const;
+	void set_bodies_group(const godot::StringName &group);
+	godot::StringName get_bodies_group() const;
+	void set_touch_margin(double metres);
+	double get_touch_margin() const;
+	void set_levels(const godot::PackedInt32Array &lods);
+	godot::PackedInt32Array get_levels() const;
+	void set_level_distances(const godot::PackedFloat32Array &metres);
+	godot::PackedFloat32Array get_level_distances() const;
+	void set_fade_margin(double metres);
+	double get_fade_margin() const;
+	void set_shadow_distance(double metres);
+	double get_shadow_distance() const;
+	void set_visibility_range(double metres);
+	double get_visibility_range() const;
+	void set_chunk_size(double metres);
+	double get_chunk_size() const;
+	void set_layers(int64_t mask);
+	int64_t get_layers() const;
+};
+
+} // namespace undergrowth
+
+VARIANT_ENUM_CAST(undergrowth::PlantField3D::GroundKind);

@@ -1,0 +1,208 @@
+// The part of PlantField3D that moves: steps beside the main thread, bodies, wind and what the shaders need to know.
+
+#include "field/plant_field_3d.hpp"
+
+#include "convert.hpp"
+#include "field/field_shapes.hpp"
+
+#include <godot_cpp/classes/camera3d.hpp>
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/os.hpp>
+#include <godot_cpp/classes/scene_tree.hpp>
+#include <godot_cpp/classes/viewport.hpp>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+using namespace godot;
+
+namespace undergrowth {
+
+using Clock = std::chrono::steady_clock;
+
+static constexpr int FRAMES_BETWEEN_FAR_UPDATES = 15;
+static constexpr int MOST_FAR_MULTIPLE = 8;
+static constexpr double LARGEST_WIND_DRIFT = 2.5; // Steps that two clocks may differ by and still count as one.
+
+static double microseconds_since(Clock::time_point start) {
+	return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+}
+
+bool PlantField3D::may_simulate() const {
+	return options.simulating && simulation && simulation->plant_count() > 0 &&
+			!Engine::get_singleton()->is_editor_hint();
+}
+
+void PlantField3D::update_processing() {
+	set_process_internal(is_inside_tree() && (fill_job || !pending.empty() || may_simulate()));
+}
+
+void PlantField3D::finish_step() {
+	steps.wait();
+}
+
+void PlantField3D::process_frame() {
+	const Clock::time_point start = Clock::now();
+	if (fill_job) {
+		poll_fill();
+	}
+	if (!simulation) {
+		return;
+	}
+	finish_step();
+	flush_pending();
+	if (may_simulate()) {
+		upload();
+		step(get_process_delta_time());
+	}
+	main_usec = microseconds_since(start);
+}
+
+void PlantField3D::upload() {
+	if (!is_visible_in_tree()) {
+		return; // What is fresh stays so until somebody looks.
+	}
+	const Clock::time_point start = Clock::now();
+	bends->upload(*simulation, shown_alpha);
+	send_uniforms();
+	upload_usec = microseconds_since(start);
+}
+
+// The last step of a frame runs beside it and is shown in the next one. Where frames take longer than a step, those
+// before it are done at once.
+void PlantField3D::step(double delta) {
+	const int step_count = clock.advance(delta);
+	shown_alpha = clock.alpha();
+	if (step_count == 0) {
+		return;
+	}
+	update_wind(step_count);
+	gather_bodies();
+	update_far();
+	const int processors = OS::get_singleton()->get_processor_count();
+	const int workers = options.threads > 0 ? options.threads : processors;
+	TipContact *contact = options.contact && options.prototypes == 0 ? &touching : nullptr;
+	for (int i = 0; i < step_count; i++) {
+		steps.start(*simulation, *bends, contact, workers);
+	}
+}
+
+// The wind's clock goes on with whoever simulates first in a frame: Plant3Ds, another field or this one.
+void PlantField3D::update_wind(int step_count) {
+	FieldWind blowing;
+	blowing.speed = float(options.wind_speed);
+	if (wind.is_null()) {
+		blowing.wind.strength = 0.0f;
+		simulation->set_wind(blowing);
+		return;
+	}
+	const double advance = step_count * clock.step();
+	if (wind->get_time() == seen_wind_time) {
+		wind->advance(advance);
+	}
+	seen_wind_time = wind->get_time();
+	const double offset = seen_wind_time - advance - simulation->time();
+	if (std::fabs(offset - wind_offset) > LARGEST_WIND_DRIFT * clock.step()) {
+		wind_offset = offset;
+	}
+	blowing.wind = wind->description();
+	blowing.wind.gust_start -= wind_offset;
+	blowing.wind.phase += double(blowing.wind.frequency) * wind_offset;
+	const Vector3 direction = get_global_transform().basis.inverse().xform(to_godot(wind_direction(blowing.wind)));
+	blowing.wind.direction = std::atan2(direction.x, direction.z);
+	simulation->set_wind(blowing);
+}
+
+void PlantField3D::gather_bodies() {
+	std::vector<FieldBody> pushing;
+	std::vector<WatchedBody> present;
+	const TypedArray<Node> nodes = bodies_group.is_empty()
+			? TypedArray<Node>()
+			: TypedArray<Node>(get_tree()->get_nodes_in_group(bodies_group));
+	const Transform3D to_field = get_global_transform().affine_inverse();
+	for (int64_t i = 0; i < nodes.size(); i++) {
+		const Node3D *node = Object::cast_to<Node3D>(nodes[i]);
+		if (!node) {
+			continue;
+		}
+		const size_t first = pushing.size();
+		add_shapes(node, to_field, pushing);
+		if (pushing.size() == first) {
+			continue;
+		}
+		WatchedBody body;
+		body.id = node->get_instance_id();
+		body.at = to_glm(to_field.xform(node->get_global_position()));
+		const auto before = std::find_if(
+				watched.begin(), watched.end(), [&](const WatchedBody &other) { return other.id == body.id; });
+		if (before != watched.end()) {
+			const double delta = std::max(get_process_delta_time(), 1e-4);
+			for (size_t k = first; k < pushing.size(); k++) {
+				pushing[k].velocity = (body.at - before->at) / float(delta);
+			}
+			body.is_inside = before->is_inside;
+		}
+		const bool was_inside = body.is_inside;
+		body.is_inside = false;
+		for (size_t k = first; k < pushing.size() && !body.is_inside; k++) {
+			const float margin = pushing[k].radius + float(options.touch_margin);
+			body.is_inside = simulation->is_point_in_plants(pushing[k].from, margin) ||
+					simulation->is_point_in_plants(pushing[k].to, margin);
+		}
+		present.push_back(body);
+		if (body.is_inside != was_inside) {
+			call_deferred("emit_signal", body.is_inside ? "body_entered_plants" : "body_exited_plants", node);
+		}
+	}
+	watched = std::move(present);
+	simulation->set_bodies(pushing.data(), int(pushing.size()));
+}
+
+// Pages farther than far_distance are stepped half as often, those twice as far a quarter as often, and so on.
+void PlantField3D::update_far() {
+	if (frames_since_far++ % FRAMES_BETWEEN_FAR_UPDATES != 0) {
+		return;
+	}
+	const Camera3D *camera = get_viewport()->get_camera_3d();
+	const bool applies = camera && options.far_distance > 0.0;
+	const glm::vec3 eye = applies ? to_glm(to_local(camera->get_global_position())) : glm::vec3(0.0f);
+	for (int page = 0; page < simulation->page_count(); page++) {
+		int multiple = 1;
+		if (applies) {
+			const FieldPage &plants = simulation->page(page);
+			const double away = glm::distance(eye, glm::clamp(eye, plants.low(), plants.high()));
+			while (multiple < MOST_FAR_MULTIPLE && away > options.far_distance * multiple) {
+				multiple *= 2;
+			}
+		}
+		simulation->set_page_multiple(page, multiple);
+	}
+}
+
+void PlantField3D::send_uniforms() {
+	if (options.prototypes == 0 || simulation->settings().prototypes == 0) {
+		return;
+	}
+	const float step_length = simulation->settings().step;
+	const FieldWind &blowing = simulation->wind();
+	const float per_x = wind_delay(blowing, 1.0f, 0.0f) / step_length;
+	const float per_z = wind_delay(blowing, 0.0f, 1.0f) / step_length;
+	const Transform3D placed = get_global_transform();
+	const Vector3 per_metre = placed.basis.inverse().transposed().xform(Vector3(per_x, 0.0f, per_z));
+	const float at_origin = simulation->prototype_lead() / step_length - per_metre.dot(placed.origin);
+	const Vector4 delay(per_metre.x, per_metre.y, per_metre.z, at_origin);
+	for (int i = 0; i < simulation->species_count(); i++) {
+		const Vector3 history(
+				float(bends->history_layer(i)), float(simulation->prototypes(i)->newest_slot()), shown_alpha);
+		for (const Ref<ShaderMaterial> &material : style.looks[size_t(i)].materials) {
+			material->set_shader_parameter("undergrowth_history", history);
+			material->set_shader_parameter("undergrowth_delay", delay);
+		}
+	}
+}
+
+} // namespace undergrowth
