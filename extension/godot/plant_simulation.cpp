@@ -79,19 +79,12 @@ void PlantSimulation::drop_empty_groups() {
 	groups.erase(std::remove_if(groups.begin(), groups.end(), is_empty), groups.end());
 }
 
-// A wind is shared by groups: its clock goes on once a step, at the first group that has it.
 void PlantSimulation::step_groups() {
-	for (size_t i = 0; i < groups.size(); i++) {
-		PlantGroup &group = *groups[i];
-		if (group.wind.is_null()) {
-			group.batch.step(glm::vec3(0.0f));
-			continue;
-		}
-		const auto same_wind = [&](const std::unique_ptr<PlantGroup> &other) { return other->wind == group.wind; };
-		if (std::none_of(groups.begin(), groups.begin() + std::ptrdiff_t(i), same_wind)) {
-			group.wind->advance(clock.step());
-		}
-		group.batch.step(to_glm(group.frame.xform_inv(to_godot(group.wind->force()))));
+	step_number++;
+	for (const std::unique_ptr<PlantGroup> &group : groups) {
+		const glm::vec3 force =
+				group->wind.is_valid() ? group->wind->force_of_step(step_number, clock.step()) : glm::vec3(0.0f);
+		group->batch.step(to_glm(group->frame.xform_inv(to_godot(force))));
 	}
 }
 

@@ -33,6 +33,7 @@ class PlantSimulation : public godot::Object {
 
 	std::vector<std::unique_ptr<PlantGroup>> groups;
 	FixedStep clock;
+	uint64_t step_number = 0; ///< Of the present step; the first is 1.
 	uint64_t connected_tree = 0; ///< Instance id of the scene tree whose frames we follow.
 	double step_time_usec = 0.0;
 	double pose_time_usec = 0.0;

@@ -113,8 +113,13 @@ void PlantWind::keep_up_with(double clock) {
 	time = std::max(time, clock);
 }
 
-glm::vec3 PlantWind::force() const {
-	return wind_force(wind, time);
+glm::vec3 PlantWind::force_of_step(uint64_t number, double step) {
+	if (number != sampled_step) {
+		sampled_step = number;
+		time += step;
+		sampled_force = wind_force(wind, time);
+	}
+	return sampled_force;
 }
 
 void PlantWind::_validate_property(PropertyInfo &property) const {

@@ -22,6 +22,8 @@ public:
 private:
 	Wind wind;
 	double time = 0.0;
+	uint64_t sampled_step = 0;
+	glm::vec3 sampled_force = { 0.0f, 0.0f, 0.0f }; // N, of that step.
 
 protected:
 	static void _bind_methods();
@@ -50,8 +52,9 @@ public:
 	void keep_up_with(double clock);
 	/// What blows, for those who ask at a place and time of their own.
 	const Wind &description() const { return wind; }
-	/// The force of the present step (N, world axes).
-	glm::vec3 force() const;
+	/// The force of step number `number` of the simulation (N, world axes). The first that asks advances the clock and
+	/// samples, for all others of that step.
+	glm::vec3 force_of_step(uint64_t number, double step);
 };
 
 } // namespace undergrowth
