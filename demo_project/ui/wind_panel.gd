@@ -45,13 +45,15 @@ func _unhandled_input(event: InputEvent) -> void:
 
 
 func _process(_delta: float) -> void:
+	(%FrameRate as Label).text = "%d fps" % Engine.get_frames_per_second()
+	(%FrameRow as Control).visible = shows_frame_rate
+	if get_tree().paused:
+		return  # Plants that pause have left the simulation: the last figures stay.
 	var simulation := Engine.get_singleton(&"PlantSimulation")
 	var step_time: float = simulation.call(&"get_step_time_usec")
 	_step_time = step_time if _step_time < 0.0 else lerpf(_step_time, step_time, SMOOTHING)
 	(%Plants as Label).text = "%d" % simulation.call(&"get_plant_count")
 	(%StepTime as Label).text = _as_time(_step_time)
-	(%FrameRate as Label).text = "%d fps" % Engine.get_frames_per_second()
-	(%FrameRow as Control).visible = shows_frame_rate
 
 
 func _on_kind_selected(kind: int) -> void:
