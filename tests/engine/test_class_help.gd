@@ -11,6 +11,7 @@ const CLASSES: PackedStringArray = [
 	"CurvePlantFunction",
 	"PlantWind",
 	"Plant3D",
+	"PlantField3D",
 	"PlantSimulation",
 ]
 ## Seen from the tests' project in build/test, or below the project itself.

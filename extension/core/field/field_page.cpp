@@ -65,21 +65,27 @@ FieldPage::FieldPage(
 		is_swinging(swings),
 		step_time(step),
 		kind(species),
-		rows(swings ? static_cast<int>(SWINGING_COLUMNS) : static_cast<int>(STILL_COLUMNS)),
-		pairs(2 * static_cast<std::size_t>(count)) {
+		rows(swings ? static_cast<int>(SWINGING_COLUMNS) : static_cast<int>(STILL_COLUMNS)) {
 	kind.joint = safe_joint(species.joint);
-	rows.reserve(count);
-	for (int i = 0; i < count; i++) {
+	add(plants, count);
+}
+
+void FieldPage::add(const FieldPlant *plants, int count) {
+	const int before = size();
+	rows.reserve(before + count);
+	pairs.resize(2 * static_cast<std::size_t>(before + count));
+	for (int i = before; i < before + count; i++) {
+		const FieldPlant &plant = plants[i - before];
 		rows.add_row();
-		column(ROOT_X)[i] = plants[i].root.x;
-		column(ROOT_Y)[i] = plants[i].root.y;
-		column(ROOT_Z)[i] = plants[i].root.z;
-		column(LENGTH)[i] = plants[i].length;
+		column(ROOT_X)[i] = plant.root.x;
+		column(ROOT_Y)[i] = plant.root.y;
+		column(ROOT_Z)[i] = plant.root.z;
+		column(LENGTH)[i] = plant.length;
 		if (is_swinging && kind.law == Law::spring) {
-			column(REST_X)[i] = std::clamp(plants[i].rest.x / plants[i].rest.y, -MAX_GNOMONIC, MAX_GNOMONIC);
-			column(REST_Z)[i] = std::clamp(plants[i].rest.z / plants[i].rest.y, -MAX_GNOMONIC, MAX_GNOMONIC);
+			column(REST_X)[i] = std::clamp(plant.rest.x / plant.rest.y, -MAX_GNOMONIC, MAX_GNOMONIC);
+			column(REST_Z)[i] = std::clamp(plant.rest.z / plant.rest.y, -MAX_GNOMONIC, MAX_GNOMONIC);
 		}
-		grow_box(plants[i]);
+		grow_box(plant);
 		set_state(i, { rest(i), {} });
 		pairs[2 * static_cast<std::size_t>(i)] = pairs[2 * static_cast<std::size_t>(i) + 1];
 	}

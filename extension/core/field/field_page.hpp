@@ -67,6 +67,8 @@ public:
 	TipState state(int index) const;
 	/// Puts a plant into a state; the bend that is drawn as the last one is this state's.
 	void set_state(int index, const TipState &state);
+	/// Appends `count` valid plants, at rest; no more than PAGE_PLANTS in all. Allocates.
+	void add(const FieldPlant *plants, int count);
 	/// Removes plant `index`; the last one takes its index.
 	void remove(int index);
 

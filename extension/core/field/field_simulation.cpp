@@ -42,6 +42,10 @@ bool contains(const FieldPage &page, const glm::vec3 &point, float margin) {
 			point.y <= page.high().y + margin && point.z >= page.low().z - margin && point.z <= page.high().z + margin;
 }
 
+bool are_valid(const FieldPlant *plants, int count) {
+	return std::all_of(plants, plants + count, [](const FieldPlant &plant) { return is_valid(plant); });
+}
+
 } // namespace
 
 FieldSimulation::FieldSimulation(const FieldSettings &settings) : options(safe_settings(settings)) {
@@ -72,30 +76,43 @@ int FieldSimulation::add_page(int species, const FieldPlant *plants, int count) 
 	if (species < 0 || species >= species_count() || count < 0 || count > FieldPage::PAGE_PLANTS) {
 		return -1;
 	}
-	if (!std::all_of(plants, plants + count, [](const FieldPlant &plant) { return is_valid(plant); })) {
+	if (!are_valid(plants, count)) {
 		return -1;
 	}
-	const bool follows = !models.empty();
 	const FieldSpecies &kind = kinds[static_cast<std::size_t>(species)];
 	const float step_length = options.step * static_cast<float>(options.update_interval);
-	entries.push_back({ FieldPage(species, kind, plants, count, step_length, !follows), {}, 1, 1, -1 });
-	Entry &entry = entries.back();
-	entry.interval = options.update_interval;
+	entries.push_back({ FieldPage(species, kind, plants, count, step_length, models.empty()), {}, 1, 1, -1 });
+	entries.back().interval = options.update_interval;
+	take_in(entries.back(), plants, count);
+	return page_count() - 1;
+}
+
+bool FieldSimulation::add_to_page(int page, const FieldPlant *plants, int count) {
+	if (count < 0 || at(page).page.size() + count > FieldPage::PAGE_PLANTS || !are_valid(plants, count)) {
+		return false;
+	}
+	at(page).page.add(plants, count);
+	take_in(at(page), plants, count);
+	return true;
+}
+
+/// What plants that a page has just got mean for the field: its box, and whom they follow.
+void FieldSimulation::take_in(Entry &entry, const FieldPlant *plants, int count) {
 	const bool first = page_count() == 1;
 	box_low = first ? entry.page.low() : glm::min(box_low, entry.page.low());
 	box_high = first ? entry.page.high() : glm::max(box_high, entry.page.high());
 	update_lead();
-	if (follows) {
-		entry.followers.reserve(static_cast<std::size_t>(count));
-		const TravellingWind now = wind_at_time(blowing, time());
-		for (int i = 0; i < count; i++) {
-			Follower follower =
-					models[static_cast<std::size_t>(species)].pick(plants[i], place_hash(options.seed, plants[i].root));
-			follower.delay = static_cast<uint16_t>(wanted_delay(follower, plants[i].root.x, plants[i].root.z, now));
-			entry.followers.push_back(follower);
-		}
+	if (models.empty()) {
+		return;
 	}
-	return page_count() - 1;
+	const Prototypes &model = models[static_cast<std::size_t>(entry.page.species())];
+	entry.followers.reserve(entry.followers.size() + static_cast<std::size_t>(count));
+	const TravellingWind now = wind_at_time(blowing, time());
+	for (int i = 0; i < count; i++) {
+		Follower follower = model.pick(plants[i], place_hash(options.seed, plants[i].root));
+		follower.delay = static_cast<uint16_t>(wanted_delay(follower, plants[i].root.x, plants[i].root.z, now));
+		entry.followers.push_back(follower);
+	}
 }
 
 void FieldSimulation::remove(int page, int index) {

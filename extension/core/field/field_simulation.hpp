@@ -43,6 +43,9 @@ public:
 	/// A page of `count` plants of one species, up to FieldPage::PAGE_PLANTS; tells its index. Where a plant is not
 	/// valid, the species is unknown or they are too many, nothing is added and it tells -1.
 	int add_page(int species, const FieldPlant *plants, int count);
+	/// Appends plants of its species to a page that has room for them; their indices follow those that are there.
+	/// Tells false, and adds nothing, where a plant is not valid or there is no room.
+	bool add_to_page(int page, const FieldPlant *plants, int count);
 	void remove(int page, int index);
 	/// Removes all pages; species and time stay.
 	void clear();
@@ -123,6 +126,7 @@ private:
 
 	const Entry &at(int page) const { return entries[static_cast<std::size_t>(page)]; }
 	Entry &at(int page) { return entries[static_cast<std::size_t>(page)]; }
+	void take_in(Entry &entry, const FieldPlant *plants, int count);
 	void step_prototypes(int64_t number);
 	void step_page(Entry &entry, int interval);
 	void show_followers(Entry &entry, int most_change);

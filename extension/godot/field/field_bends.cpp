@@ -60,7 +60,9 @@ void FieldBends::make_textures() {
 }
 
 bool FieldBends::has_room(const FieldSimulation &simulation) const {
-	return simulation.settings().prototypes > 0 || simulation.page_count() <= page_layers;
+	const int wanted = simulation.settings().prototypes > 0 ? HISTORY_LAYERS * simulation.species_count()
+															: simulation.page_count();
+	return wanted <= int(layers.size());
 }
 
 int FieldBends::history_layer(int species) const {

@@ -15,7 +15,7 @@ static constexpr float STANDING_SHARE = 0.5f;
 static constexpr float MESHES_SHARE = 0.6f;
 static constexpr float SIMULATED_SHARE = 0.8f;
 
-static std::vector<float> reaches(const FieldStyle &style) {
+std::vector<float> reaches(const FieldStyle &style) {
 	std::vector<float> reach;
 	for (const FieldLook &look : style.looks) {
 		reach.push_back(look.motion.longest + look.width);
@@ -38,7 +38,8 @@ static void add_page(
 	}
 }
 
-void take_in(const FieldStyle &style, FieldSimulation &simulation, float chunk_size, FieldPatch &patch) {
+// Sorts plants into chunks, adds them to the simulation as pages and notes where each is.
+static void take_in(const FieldStyle &style, FieldSimulation &simulation, float chunk_size, FieldPatch &patch) {
 	const std::vector<float> reach = reaches(style);
 	patch.chunks = sort_into_chunks(patch.plants, chunk_size, reach.data(), int(reach.size()));
 	patch.places.assign(size_t(patch.plants.size()), FieldPatch::GONE);

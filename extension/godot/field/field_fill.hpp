@@ -29,8 +29,8 @@ struct FieldResult {
 	std::vector<ClumpPlan> plans;
 };
 
-/// Sorts plants into chunks, adds them to the simulation as pages and notes where each is.
-void take_in(const FieldStyle &style, FieldSimulation &simulation, float chunk_size, FieldPatch &patch);
+/// How far plants of each species reach at scale and height 1 (m), for sort_into_chunks().
+std::vector<float> reaches(const FieldStyle &style);
 
 /// Fills a field on one of the engine's worker threads.
 class FieldFill {

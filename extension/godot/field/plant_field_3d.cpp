@@ -94,7 +94,7 @@ void PlantField3D::update_monitors() {
 		if (!fields.empty()) {
 			Array arguments;
 			arguments.push_back(i);
-			performance->add_custom_monitor(MONITOR_NAMES[i], Callable(fields[0], "_monitor"), arguments);
+			performance->add_custom_monitor(MONITOR_NAMES[i], Callable(fields[0], "_on_monitor_asked"), arguments);
 		}
 	}
 }
@@ -137,6 +137,10 @@ void PlantField3D::_notification(int what) {
 		case NOTIFICATION_VISIBILITY_CHANGED:
 			for (const std::unique_ptr<FieldDrawing> &drawing : drawings) {
 				drawing->set_visible(is_visible_in_tree());
+			}
+			if (simulation) {
+				finish_step();
+				upload();
 			}
 			break;
 		default:

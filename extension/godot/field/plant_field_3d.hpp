@@ -79,7 +79,13 @@ private:
 	std::unique_ptr<FieldBends> bends;
 	FieldSteps steps; // After what it works on: it is destroyed first.
 	TipContact touching;
-	std::vector<PlacedPlant> pending; // Added, and taken in at the end of the frame.
+	/// Plants of one species that were added and are taken in at the next frame.
+	struct Pending {
+		godot::Ref<PlantFunction> function;
+		std::vector<PlacedPlant> plants;
+	};
+	std::vector<Pending> pending;
+	int filled_patches = 0; // 1 where the first patch was filled; the others were added.
 	godot::String problem;
 
 	// Filling.
@@ -95,7 +101,8 @@ private:
 	double seen_wind_time = -1.0; // s.
 	float shown_alpha = 0.0f; // Of the step that is shown next.
 	double upload_usec = 0.0;
-	double main_usec = 0.0;
+	double main_usec = 0.0; // Of the last frame, without wait_usec.
+	double wait_usec = 0.0; // For the worker threads, where they took longer than the frame.
 	struct WatchedBody {
 		uint64_t id = 0;
 		glm::vec3 at = { 0.0f, 0.0f, 0.0f };
@@ -108,12 +115,14 @@ private:
 	void mark_stale();
 	void report_problem(const godot::String &what);
 	godot::String make_recipe(FieldRecipe &recipe);
+	void start_style(FieldStyle &into) const;
 	godot::String make_style(FieldStyle &into);
 	godot::String make_request(PlacementRequest &into);
 	godot::String make_ground(FieldGround &into);
 	void poll_fill();
 	void adopt(FieldResult &result);
 	void dress();
+	void keep_added();
 	void restart_drawing(FieldDrawing &drawing);
 	std::vector<FieldLevel> make_levels() const;
 
@@ -135,7 +144,12 @@ private:
 		int plant = -1;
 	};
 	Found find(int64_t index) const;
+	void add_pending(const godot::Ref<PlantFunction> &function, std::vector<PlacedPlant> &&plants);
 	void flush_pending();
+	void take_into_pages(FieldPatch &patch, int species_index, const std::vector<int> &members);
+	void merge_added();
+	void show_bends();
+	int count_pending() const;
 	void redraw(int patch, const std::vector<ClumpPlace> &places);
 	PlacedPlant place_transform(const godot::Transform3D &transform, int species_index) const;
 	int species_for(const godot::Ref<PlantFunction> &function);

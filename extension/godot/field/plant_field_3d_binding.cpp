@@ -12,7 +12,7 @@ static void bind_plant_methods() {
 	ClassDB::bind_method(D_METHOD("_on_species_changed"), &PlantField3D::on_species_changed);
 	ClassDB::bind_method(D_METHOD("_on_area_changed"), &PlantField3D::on_area_changed);
 	ClassDB::bind_method(D_METHOD("_on_fill_queued"), &PlantField3D::on_fill_queued);
-	ClassDB::bind_method(D_METHOD("_monitor", "which"), &PlantField3D::monitor);
+	ClassDB::bind_method(D_METHOD("_on_monitor_asked", "which"), &PlantField3D::monitor);
 	ClassDB::bind_method(D_METHOD("fill"), &PlantField3D::fill);
 	ClassDB::bind_method(D_METHOD("is_filling"), &PlantField3D::is_filling);
 	ClassDB::bind_method(D_METHOD("add_plants", "transforms", "function"), &PlantField3D::add_plants);

@@ -21,6 +21,7 @@ namespace undergrowth {
 static constexpr double RAY_USEC = 3000.0; // A frame.
 static constexpr float RADIANS_PER_DEGREE = float(PI / 180.0);
 static constexpr int MOST_CHUNK_FACTOR = 4;
+static constexpr float FARTHEST = 1e9f; // m.
 static constexpr float OUTLINE_TOLERANCE_DEGREES = 4.0f;
 static constexpr int OUTLINE_STAGES = 5;
 
@@ -128,9 +129,13 @@ std::vector<FieldLevel> PlantField3D::make_levels() const {
 	return made;
 }
 
-String PlantField3D::make_style(FieldStyle &into) {
+void PlantField3D::start_style(FieldStyle &into) const {
 	into.levels = make_levels();
 	into.needs_colors = RenderingServer::get_singleton()->get_current_rendering_method() == String("gl_compatibility");
+}
+
+String PlantField3D::make_style(FieldStyle &into) {
+	start_style(into);
 	for (int64_t i = 0; i < species.size(); i++) {
 		FieldLook look;
 		look.function = species[i];
@@ -246,6 +251,7 @@ void PlantField3D::poll_fill() {
 
 void PlantField3D::adopt(FieldResult &result) {
 	finish_step();
+	keep_added();
 	patches.clear();
 	drawings.clear();
 	simulation = std::move(result.simulation);
@@ -253,11 +259,12 @@ void PlantField3D::adopt(FieldResult &result) {
 	style = std::move(result.style);
 	patches.push_back(std::make_unique<FieldPatch>(std::move(result.patch)));
 	drawings.push_back(std::make_unique<FieldDrawing>());
+	filled_patches = 1;
 	bends->make_textures();
 	dress();
 	restart_drawing(*drawings.back());
 	drawings.back()->show(style, result.plans);
-	clock = FixedStep(double(simulation->settings().step));
+	clock = FixedStep(PlantSimulation::get_singleton()->get_step_length());
 	seen_wind_time = -1.0;
 	if (options.contact) {
 		touching.fit(*simulation);
@@ -276,23 +283,42 @@ void PlantField3D::restart_drawing(FieldDrawing &drawing) {
 	drawing.set_layers(uint32_t(options.layers));
 }
 
-// Materials belong to one field, since textures cannot differ by instance.
+// Materials belong to one field and level, since textures cannot differ by instance.
 void PlantField3D::dress() {
 	for (FieldLook &look : style.looks) {
-		look.materials.clear();
-		for (const FieldLevel &level : style.levels) {
+		const bool is_new = look.materials.empty();
+		for (size_t i = look.materials.size(); i < style.levels.size(); i++) {
+			const FieldLevel &level = style.levels[i];
+			const float begin = level.begin > 0.0f ? level.begin : -FARTHEST;
+			const float end = level.end > 0.0f ? level.end : FARTHEST;
 			const Ref<ShaderMaterial> material = make_field_material(look.function->get_material());
-			material->set_shader_parameter("undergrowth_bends", bends->bends_texture());
-			material->set_shader_parameter("undergrowth_blends", bends->blends_texture());
-			const float begin = level.begin > 0.0f ? level.begin : -1e9f;
-			const float end = level.end > 0.0f ? level.end : 1e9f;
 			material->set_shader_parameter("undergrowth_level", Vector3(begin, end, level.margin));
 			look.materials.push_back(material);
 		}
-		if (!bends_in_shader(look.materials[0])) {
+		for (const Ref<ShaderMaterial> &material : look.materials) {
+			material->set_shader_parameter("undergrowth_bends", bends->bends_texture());
+			material->set_shader_parameter("undergrowth_blends", bends->blends_texture());
+		}
+		if (is_new && !bends_in_shader(look.materials[0])) {
 			report_error(look.function.ptr(),
 					"its material has a shader that does not bend in a PlantField3D. Include "
 					"undergrowth_bend.gdshaderinc, which says how.");
+		}
+	}
+}
+
+// What was added by code outlives a new fill.
+void PlantField3D::keep_added() {
+	for (size_t i = size_t(filled_patches); i < patches.size(); i++) {
+		const FieldPatch &patch = *patches[i];
+		std::vector<std::vector<PlacedPlant>> by_species(style.looks.size());
+		for (int plant = 0; plant < patch.plants.size(); plant++) {
+			if (patch.places[size_t(plant)] != FieldPatch::GONE) {
+				by_species[patch.plants.species[size_t(plant)]].push_back(patch.plants.plant(plant));
+			}
+		}
+		for (size_t look = 0; look < by_species.size(); look++) {
+			add_pending(style.looks[look].function, std::move(by_species[look]));
 		}
 	}
 }

@@ -4,6 +4,7 @@
 
 #include "convert.hpp"
 #include "field/field_shapes.hpp"
+#include "plant_simulation.hpp"
 
 #include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/engine.hpp>
@@ -53,17 +54,19 @@ void PlantField3D::process_frame() {
 	if (!simulation) {
 		return;
 	}
+	const Clock::time_point before_waiting = Clock::now();
 	finish_step();
+	wait_usec = microseconds_since(before_waiting);
 	flush_pending();
 	if (may_simulate()) {
 		upload();
 		step(get_process_delta_time());
 	}
-	main_usec = microseconds_since(start);
+	main_usec = microseconds_since(start) - wait_usec;
 }
 
 void PlantField3D::upload() {
-	if (!is_visible_in_tree()) {
+	if (!bends || !is_visible_in_tree()) {
 		return; // What is fresh stays so until somebody looks.
 	}
 	const Clock::time_point start = Clock::now();
@@ -75,6 +78,9 @@ void PlantField3D::upload() {
 // The last step of a frame runs beside it and is shown in the next one. Where frames take longer than a step, those
 // before it are done at once.
 void PlantField3D::step(double delta) {
+	if (PlantSimulation::get_singleton()->get_step_length() != clock.step() && !is_stale) {
+		mark_stale(); // Constants hold for one step length.
+	}
 	const int step_count = clock.advance(delta);
 	shown_alpha = clock.alpha();
 	if (step_count == 0) {
@@ -156,6 +162,13 @@ void PlantField3D::gather_bodies() {
 		present.push_back(body);
 		if (body.is_inside != was_inside) {
 			call_deferred("emit_signal", body.is_inside ? "body_entered_plants" : "body_exited_plants", node);
+		}
+	}
+	for (const WatchedBody &body : watched) {
+		Object *gone = body.is_inside ? ObjectDB::get_instance(body.id) : nullptr;
+		const auto is_same = [&](const WatchedBody &other) { return other.id == body.id; };
+		if (gone && std::none_of(present.begin(), present.end(), is_same)) {
+			call_deferred("emit_signal", "body_exited_plants", gone); // It left the group, or the tree.
 		}
 	}
 	watched = std::move(present);

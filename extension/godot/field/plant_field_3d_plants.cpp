@@ -12,13 +12,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <tuple>
 
 using namespace godot;
 
 namespace undergrowth {
 
 static constexpr float LEAST_TILT = 1e-3f;
+static constexpr int MOST_ADDED_PATCHES = 8;
 static constexpr int FLOATS_PER_TRANSFORM = 12;
 
 // What a transform says about a plant: its place, scale and turn; a tilt becomes a lean to that side.
@@ -47,7 +50,7 @@ int PlantField3D::species_for(const Ref<PlantFunction> &function) {
 		}
 	}
 	if (style.levels.empty()) {
-		style.levels = make_levels();
+		start_style(style);
 	}
 	FieldLook look;
 	look.function = function;
@@ -112,28 +115,120 @@ void PlantField3D::add_plants(const Variant &transforms, const Ref<PlantFunction
 	if (species_index < 0) {
 		return;
 	}
-	int bad = 0;
-	std::vector<PlacedPlant> placed;
-	for (const Transform3D &place : places) {
-		PlacedPlant plant = place_transform(place, species_index);
-		plant.variant = int((uint64_t(patches.size()) + pending.size() + placed.size()) % uint64_t(options.variants));
-		if (is_valid(plant)) {
-			placed.push_back(plant);
-		} else {
-			bad++;
-		}
-	}
-	if (bad > 0) {
-		report_error(this,
-				String::num_int64(bad) +
-						" transforms of add_plants() are not finite or of no size; the others are added.");
-	}
-	if (double(get_plant_count()) + double(placed.size()) > PlacementRequest::MOST_PLANTS) {
+	if (double(get_plant_count()) + double(places.size()) > PlacementRequest::MOST_PLANTS) {
 		report_error(this, "cannot hold more than 4,000,000 plants; none of these is added. Use another field.");
 		return;
 	}
-	pending.insert(pending.end(), placed.begin(), placed.end());
+	std::vector<PlacedPlant> placed;
+	for (const Transform3D &place : places) {
+		PlacedPlant plant = place_transform(place, species_index);
+		plant.variant = (count_pending() + int(placed.size())) % options.variants;
+		if (is_valid(plant)) {
+			placed.push_back(plant);
+		}
+	}
+	if (placed.size() < places.size()) {
+		report_error(this,
+				String::num_int64(int64_t(places.size() - placed.size())) +
+						" transforms of add_plants() are not finite or of no size; the others are added.");
+	}
+	add_pending(function, std::move(placed));
 	update_processing();
+}
+
+void PlantField3D::add_pending(const Ref<PlantFunction> &function, std::vector<PlacedPlant> &&plants) {
+	if (plants.empty()) {
+		return;
+	}
+	if (pending.empty() || pending.back().function != function) {
+		pending.push_back({ function, std::move(plants) });
+	} else {
+		pending.back().plants.insert(pending.back().plants.end(), plants.begin(), plants.end());
+	}
+}
+
+int PlantField3D::count_pending() const {
+	int count = 0;
+	for (const Pending &group : pending) {
+		count += int(group.plants.size());
+	}
+	return count;
+}
+
+// A page of the species that has room, or -1.
+static int find_open_page(const FieldSimulation &simulation, int species) {
+	for (int page = simulation.page_count() - 1; page >= 0; page--) {
+		const FieldPage &plants = simulation.page(page);
+		if (plants.species() == species && plants.size() < FieldPage::PAGE_PLANTS) {
+			return page;
+		}
+	}
+	return -1;
+}
+
+// Puts some plants of a patch, all of one species, into the page of their species that has room, and into new ones.
+void PlantField3D::take_into_pages(FieldPatch &patch, int species_index, const std::vector<int> &members) {
+	size_t done = 0;
+	while (done < members.size()) {
+		int page = find_open_page(*simulation, species_index);
+		const int before = page >= 0 ? simulation->page(page).size() : 0;
+		const size_t count = std::min(members.size() - done, size_t(FieldPage::PAGE_PLANTS - before));
+		std::vector<FieldPlant> simulated;
+		for (size_t i = done; i < done + count; i++) {
+			simulated.push_back(style.looks[size_t(species_index)].to_simulate(patch.plants.plant(members[i])));
+		}
+		if (page >= 0) {
+			simulation->add_to_page(page, simulated.data(), int(count));
+		} else {
+			page = simulation->add_page(species_index, simulated.data(), int(count));
+		}
+		for (size_t i = 0; i < count; i++) {
+			const uint32_t index = uint32_t(before) + uint32_t(i);
+			patch.places[size_t(members[done + i])] = uint32_t(page) * FieldPage::PAGE_PLANTS + index;
+		}
+		done += count;
+	}
+}
+
+// Many small patches become one, so that planting here and there does not end in thousands of multimeshes.
+void PlantField3D::merge_added() {
+	if (int(patches.size()) - filled_patches <= MOST_ADDED_PATCHES) {
+		return;
+	}
+	FieldPlants all;
+	std::vector<std::pair<float, uint32_t>> unsorted;
+	for (size_t i = size_t(filled_patches); i < patches.size(); i++) {
+		const FieldPatch &patch = *patches[i];
+		for (int plant = 0; plant < patch.plants.size(); plant++) {
+			if (patch.places[size_t(plant)] != FieldPatch::GONE) {
+				all.add(patch.plants.plant(plant));
+				unsorted.push_back({ all.x.back(), patch.places[size_t(plant)] });
+			}
+		}
+	}
+	patches.resize(size_t(filled_patches));
+	drawings.resize(size_t(filled_patches));
+	const std::vector<float> reach = reaches(style);
+	auto merged = std::make_unique<FieldPatch>();
+	merged->plants = std::move(all);
+	// The order of sorting is not told: a plant is found again by where its page says that it stands.
+	merged->chunks = sort_into_chunks(merged->plants, float(options.chunk_size), reach.data(), int(reach.size()));
+	std::map<std::tuple<float, float, float, int>, std::vector<uint32_t>> by_root;
+	for (const auto &[x, place] : unsorted) {
+		const FieldPage &page = simulation->page(int(place / FieldPage::PAGE_PLANTS));
+		const glm::vec3 root = page.root(int(place % FieldPage::PAGE_PLANTS));
+		by_root[{ root.x, root.y, root.z, page.species() }].push_back(place);
+	}
+	for (int plant = 0; plant < merged->plants.size(); plant++) {
+		const PlacedPlant placed = merged->plants.plant(plant);
+		std::vector<uint32_t> &there = by_root[{ placed.root.x, placed.root.y, placed.root.z, placed.species }];
+		merged->places.push_back(there.back());
+		there.pop_back();
+	}
+	drawings.push_back(std::make_unique<FieldDrawing>());
+	restart_drawing(*drawings.back());
+	drawings.back()->show(style, FieldDrawing::plan(style, *merged, *simulation));
+	patches.push_back(std::move(merged));
 }
 
 // Plants that were added since the last frame become a patch of their own.
@@ -143,32 +238,53 @@ void PlantField3D::flush_pending() {
 	}
 	finish_step();
 	auto patch = std::make_unique<FieldPatch>();
-	for (const PlacedPlant &plant : pending) {
-		patch->plants.add(plant);
+	for (const Pending &group : pending) {
+		const int species_index = species_for(group.function);
+		for (PlacedPlant plant : group.plants) {
+			plant.species = species_index;
+			plant.variant %= options.variants;
+			patch->plants.add(plant);
+		}
 	}
 	pending.clear();
-	take_in(style, *simulation, float(options.chunk_size), *patch);
-	if (!bends || !bends->has_room(*simulation)) {
-		bends = std::make_unique<FieldBends>();
-		if (simulation->settings().prototypes > 0) {
-			simulation->step();
-		}
-		bends->make_images(*simulation);
-		bends->make_textures();
+	const std::vector<float> reach = reaches(style);
+	patch->chunks = sort_into_chunks(patch->plants, float(options.chunk_size), reach.data(), int(reach.size()));
+	patch->places.assign(size_t(patch->plants.size()), FieldPatch::GONE);
+	std::vector<std::vector<int>> members(style.looks.size());
+	for (int plant = 0; plant < patch->plants.size(); plant++) {
+		members[patch->plants.species[size_t(plant)]].push_back(plant);
 	}
-	for (int page = 0; page < simulation->page_count() && simulation->settings().prototypes == 0; page++) {
-		bends->write_page(*simulation, page);
+	for (int kind = 0; kind < int(members.size()); kind++) {
+		take_into_pages(*patch, kind, members[size_t(kind)]);
 	}
-	dress();
+	show_bends();
 	drawings.push_back(std::make_unique<FieldDrawing>());
 	restart_drawing(*drawings.back());
 	drawings.back()->show(style, FieldDrawing::plan(style, *patch, *simulation));
 	patches.push_back(std::move(patch));
+	merge_added();
 	if (options.contact) {
 		touching.fit(*simulation);
 	}
 	upload();
 	update_processing();
+}
+
+// After pages came or grew: into the textures that there are, or larger ones.
+void PlantField3D::show_bends() {
+	if (simulation->settings().prototypes > 0 && simulation->time() == 0.0) {
+		simulation->step(); // It fills the prototypes' history.
+	}
+	if (!bends || !bends->has_room(*simulation)) {
+		bends = std::make_unique<FieldBends>();
+		bends->make_images(*simulation);
+		bends->make_textures();
+	} else {
+		for (int page = 0; page < simulation->page_count() && simulation->settings().prototypes == 0; page++) {
+			bends->write_page(*simulation, page);
+		}
+	}
+	dress();
 }
 
 void PlantField3D::redraw(int patch, const std::vector<ClumpPlace> &places) {
@@ -298,7 +414,7 @@ int PlantField3D::apply_impulse_in_sphere(const Vector3 &center, double radius, 
 }
 
 int PlantField3D::get_plant_count() const {
-	return (simulation ? simulation->plant_count() : 0) + int(pending.size());
+	return (simulation ? simulation->plant_count() : 0) + count_pending();
 }
 
 PlantField3D::Found PlantField3D::find(int64_t index) const {
@@ -403,6 +519,7 @@ Dictionary PlantField3D::get_statistics() {
 	told["step_usec"] = steps.busy_usec();
 	told["upload_usec"] = upload_usec;
 	told["main_usec"] = main_usec;
+	told["wait_usec"] = wait_usec;
 	told["bytes_per_plant"] = count > 0 ? double(bytes) / count + simulation->bytes_per_plant() : 0.0;
 	return told;
 }
