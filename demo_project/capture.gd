@@ -2,7 +2,7 @@ extends SceneTree
 ## Takes pictures of a scene of the demo, with a display or under Xvfb:
 ##
 ## godot --path demo_project --rendering-method forward_plus --fixed-fps 15 --audio-driver Dummy
-##     --script res://capture.gd -- --out=DIR [--scene=res://meadow/meadow.tscn] [--name=demo]
+##     --script res://capture.gd -- --out=DIR [--scene=res://field/field.tscn] [--name=demo]
 ##     [--frames=60]
 ##
 ## Writes DIR/demo.png (1280×720, with the panel) and DIR/frames/000.png … (640×360, one per frame
@@ -14,7 +14,7 @@ const FRAME_SIZE := Vector2i(640, 360)
 const WARM_UP_FRAMES := 100
 const GUST_FRAME := 8
 
-var _options := {"out": "", "scene": "res://meadow/meadow.tscn", "name": "demo", "frames": "60"}
+var _options := {"out": "", "scene": "res://field/field.tscn", "name": "demo", "frames": "60"}
 
 
 func _initialize() -> void:

@@ -2,7 +2,8 @@ extends Camera3D
 ## A camera that looks at a point over the ground.
 ##
 ## Drag with the left button to orbit, with the right or middle button to pan, turn the wheel to
-## zoom, and walk with W, A, S, D or the arrow keys.
+## zoom, and walk with W, A, S, D or the arrow keys. Where it has a companion, the keys move that
+## one, and the camera comes along.
 
 const DRAG_SPEED := 0.005  # rad per pixel.
 const WALK_SPEED := 0.7  # Distances to the target per second.
@@ -23,6 +24,10 @@ const SMOOTHING := 10.0  # 1/s.
 @export var ground: Node3D
 ## Metres that the camera keeps above the ground.
 @export_range(0.0, 2.0, 0.05, "suffix:m") var clearance := 0.35
+## Whom the camera comes along with while the keys steer it: a node with an `is_steered()` method.
+@export var companion: Node3D
+## How far above the companion's feet the camera looks.
+@export_range(0.0, 3.0, 0.05, "suffix:m") var companion_height := 1.0
 
 @onready var _shown_target := target
 @onready var _shown_distance := distance
@@ -52,8 +57,11 @@ func _unhandled_input(event: InputEvent) -> void:
 
 
 func _process(delta: float) -> void:
-	var walk := Input.get_vector("camera_left", "camera_right", "camera_forward", "camera_back")
-	_walk(walk * WALK_SPEED * delta)
+	if not companion:
+		var walk := Input.get_vector("walk_left", "walk_right", "walk_forward", "walk_back")
+		_walk(walk * WALK_SPEED * delta)
+	elif companion.call(&"is_steered"):
+		target = companion.global_position + Vector3.UP * companion_height
 	_place(1.0 - exp(-SMOOTHING * delta))
 
 

@@ -1,3 +1,4 @@
+@tool
 extends MeshInstance3D
 ## Gently rolling ground with a pond, as one generated mesh.
 ##
@@ -5,7 +6,6 @@ extends MeshInstance3D
 
 const WATER_LEVEL := 0.0
 const POND_DEPTH := 0.6
-const ROLL_HEIGHT := 0.3
 const RIDGE_START := 16.0
 const RIDGE_END := 70.0
 
@@ -17,6 +17,8 @@ const RIDGE_END := 70.0
 @export var pond_center := Vector2(3.2, -4.0)
 ## Half the pond's length along x and z.
 @export var pond_radii := Vector2(3.6, 2.6)
+## How much the ground rolls.
+@export_range(0.0, 3.0, 0.01, "suffix:m") var roll_height := 0.3
 
 var _noise := FastNoiseLite.new()
 
@@ -31,11 +33,17 @@ func _ready() -> void:
 	mesh = _make_mesh()
 
 
+# The mesh follows from the other properties: a scene that was saved in the editor does without it.
+func _validate_property(property: Dictionary) -> void:
+	if property.name == &"mesh":
+		property.usage &= ~PROPERTY_USAGE_STORAGE
+
+
 ## Height of the ground (m) at a place of the scene.
 func height_at(x: float, z: float) -> float:
 	var away := Vector2(x, z).length()
 	var ridge := smoothstep(RIDGE_START, RIDGE_END, away)
-	var rolling := _noise.get_noise_2d(x, z) * ROLL_HEIGHT
+	var rolling := _noise.get_noise_2d(x, z) * roll_height
 	var hills := (0.6 + _noise.get_noise_2d(x * 0.25 + 40.0, z * 0.25)) * ridge * 7.0
 	return lerpf(WATER_LEVEL - POND_DEPTH, 0.38 + rolling + hills, dryness_at(x, z))
 

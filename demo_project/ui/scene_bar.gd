@@ -1,10 +1,12 @@
 extends PanelContainer
 ## The bar at the lower edge: switches between the demo's scenes.
 ##
-## Its buttons do, and the keys 1, 2 and 3.
+## Its buttons do, and the keys 1 to 5.
 
 const SCENES: Array[String] = [
+	"res://field/field.tscn",
 	"res://meadow/meadow.tscn",
+	"res://ladder/ladder.tscn",
 	"res://levels/levels.tscn",
 	"res://script_species/script_species.tscn",
 ]

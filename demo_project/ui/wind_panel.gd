@@ -2,19 +2,24 @@ extends PanelContainer
 ## The panel over the picture: sets a wind while the plants move, pauses them, and shows their cost.
 
 const WindDial := preload("wind_dial.gd")
-const SMOOTHING := 0.06
+const Figures := preload("figures.gd")
 
 ## The wind that the panel sets.
 @export var wind: PlantWind
+## The fields that the wind travels through, of which figures are shown. None: all Plant3D nodes.
+@export var fields: Array[PlantField3D] = []
 ## Frames per second are shown; off where pictures are taken off screen.
-@export var shows_frame_rate := true
-
-var _step_time := -1.0  # µs.
+@export var shows_frame_rate := true:
+	set(shows):
+		shows_frame_rate = shows
+		if is_node_ready():
+			(%Figures as Figures).shows_frame_rate = shows
 
 @onready var _kind: OptionButton = %Kind
 @onready var _strength: Slider = %Strength
 @onready var _direction: WindDial = %Direction
 @onready var _frequency: Slider = %Frequency
+@onready var _wind_speed: Slider = %WindSpeed
 @onready var _pause: Button = %Pause
 
 
@@ -23,6 +28,11 @@ func _ready() -> void:
 	_strength.value = wind.strength
 	_direction.value = wind.direction_degrees
 	_frequency.value = wind.frequency
+	if fields:
+		_wind_speed.value = fields[0].wind_speed
+		_wind_speed.value_changed.connect(_on_wind_speed_changed)
+	(%Figures as Figures).fields = fields
+	(%Figures as Figures).shows_frame_rate = shows_frame_rate
 	_kind.item_selected.connect(_on_kind_selected)
 	_strength.value_changed.connect(_on_value_changed.bind(&"strength"))
 	_direction.value_changed.connect(_on_value_changed.bind(&"direction_degrees"))
@@ -44,18 +54,6 @@ func _unhandled_input(event: InputEvent) -> void:
 		_pause.button_pressed = not _pause.button_pressed
 
 
-func _process(_delta: float) -> void:
-	(%FrameRate as Label).text = "%d fps" % Engine.get_frames_per_second()
-	(%FrameRow as Control).visible = shows_frame_rate
-	if get_tree().paused:
-		return  # Plants that pause have left the simulation: the last figures stay.
-	var simulation := Engine.get_singleton(&"PlantSimulation")
-	var step_time: float = simulation.call(&"get_step_time_usec")
-	_step_time = step_time if _step_time < 0.0 else lerpf(_step_time, step_time, SMOOTHING)
-	(%Plants as Label).text = "%d" % simulation.call(&"get_plant_count")
-	(%StepTime as Label).text = _as_time(_step_time)
-
-
 func _on_kind_selected(kind: int) -> void:
 	wind.kind = kind as PlantWind.Kind
 	_show_values()
@@ -63,6 +61,12 @@ func _on_kind_selected(kind: int) -> void:
 
 func _on_value_changed(value: float, property: StringName) -> void:
 	wind.set(property, value)
+	_show_values()
+
+
+func _on_wind_speed_changed(value: float) -> void:
+	for field in fields:
+		field.wind_speed = value
 	_show_values()
 
 
@@ -76,11 +80,8 @@ func _show_values() -> void:
 	(%StrengthValue as Label).text = "%.1f N" % wind.strength
 	(%DirectionValue as Label).text = "%d°" % roundi(wind.direction_degrees)
 	(%FrequencyValue as Label).text = "%.2f Hz" % wind.frequency
+	(%WindSpeedRow as Control).visible = not fields.is_empty()
+	var is_everywhere := _wind_speed.value == 0.0
+	(%WindSpeedValue as Label).text = "at once" if is_everywhere else "%.1f m/s" % _wind_speed.value
 	_frequency.editable = has_frequency
 	(%FrequencyRow as Control).modulate.a = 1.0 if has_frequency else 0.35
-
-
-func _as_time(microseconds: float) -> String:
-	if microseconds < 1000.0:
-		return "%d µs" % roundi(microseconds)
-	return "%.2f ms" % (microseconds / 1000.0)

@@ -1,0 +1,74 @@
+extends AnimatableBody3D
+## Somebody who goes for a walk and pushes plants aside.
+##
+## It goes round its route by itself. With the arrow keys or W, A, S, D it goes where you like, and
+## some seconds after the last key back to its route.
+
+const PATIENCE := 6.0  # s without a key.
+const TURNING := 6.0  # 1/s.
+
+## The round that it goes.
+@export var route: Path3D
+## Where on the route it starts.
+@export_range(0.0, 200.0, 0.1, "suffix:m") var start := 0.0
+## How fast it goes.
+@export_range(0.1, 10.0, 0.1, "suffix:m/s") var speed := 1.5
+## How fast it goes with the keys.
+@export_range(0.1, 10.0, 0.1, "suffix:m/s") var steered_speed := 3.2
+## What it walks on: a node with a `height_at(x, z)` method.
+@export var ground: Node3D
+## Farthest from the scene's middle that it goes.
+@export_range(1.0, 200.0, 1.0, "suffix:m") var roaming_radius := 34.0
+
+var _idle_time := PATIENCE
+var _velocity := Vector2.ZERO
+
+@onready var _along := start
+
+
+func _ready() -> void:
+	var place := _route_place()
+	_stand(Vector2(place.x, place.y))
+
+
+func _process(delta: float) -> void:
+	var wish := Input.get_vector(&"walk_left", &"walk_right", &"walk_forward", &"walk_back")
+	_idle_time = 0.0 if wish else _idle_time + delta
+	var wanted := _steered(wish) if is_steered() else _on_route(delta)
+	_velocity = _velocity.lerp(wanted, 1.0 - exp(-TURNING * delta))
+	var here := Vector2(global_position.x, global_position.z) + _velocity * delta
+	_stand(here.limit_length(roaming_radius))
+	if _velocity.length() > 0.1:
+		var yaw := atan2(_velocity.x, _velocity.y)
+		global_rotation.y = lerp_angle(global_rotation.y, yaw, 1.0 - exp(-TURNING * delta))
+
+
+## Whether somebody steers it with the keys.
+func is_steered() -> bool:
+	return _idle_time < PATIENCE
+
+
+## What the keys ask for, as the camera sees it.
+func _steered(wish: Vector2) -> Vector2:
+	_along = route.curve.get_closest_offset(route.to_local(global_position))
+	var camera := get_viewport().get_camera_3d()
+	return wish.rotated(-camera.global_rotation.y if camera else 0.0) * steered_speed
+
+
+## Towards the next place of its route.
+func _on_route(delta: float) -> Vector2:
+	var way := _route_place() - Vector2(global_position.x, global_position.z)
+	if way.length() < speed:
+		_along = fposmod(_along + speed * delta, route.curve.get_baked_length())
+	return way.limit_length(speed)
+
+
+func _route_place() -> Vector2:
+	var ahead := fposmod(_along + speed, route.curve.get_baked_length())
+	var place := route.to_global(route.curve.sample_baked(ahead, true))
+	return Vector2(place.x, place.z)
+
+
+func _stand(place: Vector2) -> void:
+	var height := float(ground.call(&"height_at", place.x, place.y)) if ground else 0.0
+	global_position = Vector3(place.x, height, place.y)
