@@ -23,7 +23,8 @@ TEST_LINE = re.compile(r"^(ok|not ok) (.*)$", re.MULTILINE)
 # What the engine says before this line, while it loads the extension, no test can claim.
 START = "\nstart\n"
 # The headless engine's stand-in for a renderer may not be used by two threads at once; the real ones may.
-DRAWN = {"threads"}
+# By which rendering methods a script is run in a virtual display.
+DRAWN = {"threads": ["gl_compatibility"], "field_picture": ["gl_compatibility", "forward_plus"]}
 # What a virtual display makes the engine say.
 EXPECTED = "WARNING: Could not set V-Sync mode"
 END_LINE = re.compile(r"^done (\d+)$", re.MULTILINE)
@@ -33,16 +34,22 @@ def suites(godot, probe=None):
     """One suite for each tests/engine/**/test_*.gd; those of the binding need its `probe` library."""
     scripts = sorted((ROOT / "tests/engine").glob("test_*.gd"))
     folder = make_project()
-    found = [(script, folder) for script in scripts]
+    found = [(script, folder, method) for script in scripts for method in DRAWN.get(subject(script), [None])]
     if probe:
         folder = make_probe_project(Path(probe))
-        found += [(script, folder) for script in sorted((ROOT / "tests/engine/binding").glob("test_*.gd"))]
-    return [(name_of(script), lambda script=script, folder=folder: run_script(godot, folder, script))
-            for script, folder in found]
+        found += [(script, folder, None) for script in sorted((ROOT / "tests/engine/binding").glob("test_*.gd"))]
+    return [(name_of(script, method),
+             lambda script=script, folder=folder, method=method: run_script(godot, folder, script, method))
+            for script, folder, method in found]
 
 
-def name_of(script):
-    return "engine:" + script.stem[len("test_"):]
+def subject(script):
+    return script.stem[len("test_"):]
+
+
+def name_of(script, method=None):
+    several = len(DRAWN.get(subject(script), [])) > 1
+    return "engine:" + subject(script) + (f":{method}" if several else "")
 
 
 def make_probe_project(probe):
@@ -81,13 +88,14 @@ def private_home(environment=os.environ):
     return {**environment, "GODOT_SILENCE_ROOT_WARNING": "1", **{name: str(home / name.lower()) for name in names}}
 
 
-def run_script(godot, folder, script):
-    name = name_of(script)
+def run_script(godot, folder, script, method=None):
+    """Headless, or drawn in a virtual display by a rendering `method`."""
+    name = name_of(script, method)
     path = "res://" + (Path("tests/engine") / script.relative_to(ROOT / "tests/engine")).as_posix()
     words = [godot, "--path", folder, "--script", path]
-    if script.stem[len("test_"):] not in DRAWN:
+    if not method:
         return read_output(name, *run(name, [*words, "--headless"], timeout=180, environment=private_home()))
-    words += ["--rendering-method", "gl_compatibility", "--audio-driver", "Dummy"]
+    words += ["--rendering-method", method, "--audio-driver", "Dummy"]
     try:
         with display.virtual(640, 360) as environment:
             return read_output(name, *run(name, words, timeout=180, environment=private_home(environment)))

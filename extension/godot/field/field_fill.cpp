@@ -128,6 +128,7 @@ void FieldFill::build() {
 	}
 	done = MESHES_SHARE;
 	result.simulation = std::make_unique<FieldSimulation>(recipe.settings);
+	result.simulation->set_wind(recipe.wind);
 	for (const FieldLook &look : result.style.looks) {
 		result.simulation->add_species(look.motion);
 	}

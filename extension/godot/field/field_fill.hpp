@@ -17,6 +17,7 @@ struct FieldRecipe {
 	FieldSettings settings;
 	FieldStyle style; ///< Sampled, but without meshes.
 	FieldGround ground;
+	FieldWind wind; ///< At the simulation's start: prototypes have felt it before.
 	float chunk_size = 16.0f; ///< m.
 };
 

@@ -47,6 +47,9 @@ String FieldLook::sample(const std::vector<FieldLevel> &levels, int variant_coun
 }
 
 void FieldLook::build() {
+	if (samples.empty()) {
+		return;
+	}
 	meshes.assign(samples.size(), {});
 	for (size_t level = 0; level < samples.size(); level++) {
 		for (size_t group = 0; group < samples[level].size(); group++) {

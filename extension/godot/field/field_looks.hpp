@@ -40,7 +40,7 @@ struct FieldLook {
 
 	/// Asks the function; main thread only, since scripts may answer. Tells what is wrong and what to do, or nothing.
 	godot::String sample(const std::vector<FieldLevel> &levels, int variant_count, int64_t seed);
-	/// Builds the meshes of what was sampled; on any thread.
+	/// Builds the meshes of what was sampled; once, on any thread.
 	void build();
 	/// The function's motion as it is now.
 	void read_motion();

@@ -133,6 +133,7 @@ private:
 	void step(double delta);
 	void finish_step();
 	void upload();
+	FieldWind wind_here(double offset) const;
 	void update_wind(int step_count);
 	void gather_bodies();
 	void update_far();

@@ -134,6 +134,11 @@ void PlantField3D::start_style(FieldStyle &into) const {
 	into.needs_colors = RenderingServer::get_singleton()->get_current_rendering_method() == String("gl_compatibility");
 }
 
+// The headless engine's stand-in for a renderer may not be used by two threads at once. It has no adapter.
+static bool renders_on_threads() {
+	return !RenderingServer::get_singleton()->get_video_adapter_name().is_empty();
+}
+
 String PlantField3D::make_style(FieldStyle &into) {
 	start_style(into);
 	for (int64_t i = 0; i < species.size(); i++) {
@@ -146,6 +151,9 @@ String PlantField3D::make_style(FieldStyle &into) {
 		const String fault = look.sample(into.levels, options.variants, look_seed);
 		if (!fault.is_empty()) {
 			return describe(look.function.ptr()) + ": " + fault;
+		}
+		if (!renders_on_threads()) {
+			look.build();
 		}
 		into.looks.push_back(std::move(look));
 	}
@@ -176,10 +184,11 @@ String PlantField3D::make_ground(FieldGround &into) {
 }
 
 String PlantField3D::make_recipe(FieldRecipe &recipe) {
-	if (species.is_empty()) {
-		return "has no species. Add a PlantFunction to species.";
+	const bool has_filled = filled_patches > 0 && patches[0]->plants.size() > 0;
+	if (species.is_empty() && has_filled) {
+		return "has no species any more; its plants stay. Add a PlantFunction to species.";
 	}
-	String fault = make_request(recipe.request);
+	String fault = species.is_empty() ? String() : make_request(recipe.request); // Else only what code adds.
 	if (fault.is_empty()) {
 		fault = make_ground(recipe.ground);
 	}
@@ -192,6 +201,7 @@ String PlantField3D::make_recipe(FieldRecipe &recipe) {
 	recipe.settings.write_followers = false;
 	recipe.settings.seed = uint64_t(options.seed);
 	recipe.chunk_size = float(options.chunk_size);
+	recipe.wind = wind_here(wind.is_valid() ? wind->get_time() : 0.0);
 	return fault;
 }
 

@@ -97,30 +97,36 @@ void PlantField3D::step(double delta) {
 	}
 }
 
-// The wind's clock goes on with whoever simulates first in a frame: Plant3Ds, another field or this one.
-void PlantField3D::update_wind(int step_count) {
+// The wind in the field's axes, at the simulation's clock: the wind's own is `offset` seconds ahead of it.
+FieldWind PlantField3D::wind_here(double offset) const {
 	FieldWind blowing;
 	blowing.speed = float(options.wind_speed);
 	if (wind.is_null()) {
 		blowing.wind.strength = 0.0f;
-		simulation->set_wind(blowing);
-		return;
-	}
-	const double advance = step_count * clock.step();
-	if (wind->get_time() == seen_wind_time) {
-		wind->advance(advance);
-	}
-	seen_wind_time = wind->get_time();
-	const double offset = seen_wind_time - advance - simulation->time();
-	if (std::fabs(offset - wind_offset) > LARGEST_WIND_DRIFT * clock.step()) {
-		wind_offset = offset;
+		return blowing;
 	}
 	blowing.wind = wind->description();
-	blowing.wind.gust_start -= wind_offset;
-	blowing.wind.phase += double(blowing.wind.frequency) * wind_offset;
+	blowing.wind.gust_start -= offset;
+	blowing.wind.phase += double(blowing.wind.frequency) * offset;
 	const Vector3 direction = get_global_transform().basis.inverse().xform(to_godot(wind_direction(blowing.wind)));
 	blowing.wind.direction = std::atan2(direction.x, direction.z);
-	simulation->set_wind(blowing);
+	return blowing;
+}
+
+// The wind's clock goes on with whoever simulates first in a frame: Plant3Ds, another field or this one.
+void PlantField3D::update_wind(int step_count) {
+	if (wind.is_valid()) {
+		const double advance = step_count * clock.step();
+		if (wind->get_time() == seen_wind_time) {
+			wind->advance(advance);
+		}
+		seen_wind_time = wind->get_time();
+		const double offset = seen_wind_time - advance - simulation->time();
+		if (std::fabs(offset - wind_offset) > LARGEST_WIND_DRIFT * clock.step()) {
+			wind_offset = offset;
+		}
+	}
+	simulation->set_wind(wind_here(wind_offset));
 }
 
 void PlantField3D::gather_bodies() {
