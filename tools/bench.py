@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Measures the core and the add-on in a headless engine; prints a table and writes build/bench.json.
+"""Measures the core and the add-on in a headless engine; prints a table, writes build/bench.json and build/bench.png.
 
-Both measuring programs print a JSON list of rows {"name", "plants", "threads", "median_ms", "us_per_plant"}.
+All measuring programs print a JSON list of rows {"name", "plants", "threads", "median_ms", "us_per_plant"}.
 """
 
 import argparse
@@ -13,7 +13,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests"))
 
-from suites import engine  # noqa: E402  (the path above comes first)
+import bench_plot  # noqa: E402  (the path above comes first)
+from suites import engine  # noqa: E402
 
 COLUMNS = ("name", "plants", "threads", "median_ms", "us_per_plant")
 TIMEOUT = 600
@@ -56,6 +57,16 @@ def text(value):
     return f"{value:.4g}" if isinstance(value, float) else "" if value is None else str(value)
 
 
+def plot(rows):
+    """build/bench.png, where matplotlib is."""
+    target = ROOT / "build/bench.png"
+    try:
+        if bench_plot.draw(rows, target):
+            print(target.relative_to(ROOT))
+    except ImportError as error:
+        print(f"No plot ({error}): pip install matplotlib, or ./run bench where pip reaches a package index")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--godot", required=True)
@@ -72,6 +83,7 @@ def main():
     target = ROOT / "build/bench.json"
     target.write_text(json.dumps(rows, indent="\t") + "\n")
     print(f"{table(rows)}\n{target.relative_to(ROOT)}")
+    plot(rows)
     return 0
 
 

@@ -1,4 +1,5 @@
-"""Python packages in .toolchain/: SCons for every word, the formatters for `lint`, Pillow for pictures."""
+"""Python packages in .toolchain/: SCons for every word, the formatters for `lint`, Pillow for pictures,
+matplotlib for the plot of `bench`."""
 
 import importlib.util
 import os
@@ -15,6 +16,7 @@ OLDEST_SCONS = (4, 0)
 SCONS = ["scons==4.11.1"]
 FORMATTERS = ["clang-format==23.1.5", "gdtoolkit==4.5.0"]
 PICTURES = ["Pillow==12.0.0"]
+PLOTS = ["matplotlib==3.10.8"]
 
 
 def pip_command(scratch):
@@ -76,3 +78,8 @@ def formatter_folder():
 def picture_folder():
     """The folder for PYTHONPATH that holds Pillow; None where this Python has it already."""
     return None if importlib.util.find_spec("PIL") else fetch("pictures", PICTURES)
+
+
+def plot_folder():
+    """The folder for PYTHONPATH that holds matplotlib; None where this Python has it already."""
+    return None if importlib.util.find_spec("matplotlib") else fetch("plots", PLOTS)

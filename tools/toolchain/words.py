@@ -12,6 +12,7 @@ from .place import Missing, ROOT, TOOLCHAIN, environment_with, say
 # Words that neither compile nor start Godot.
 LIGHT_WORDS = {"lint"}
 PICTURE_WORDS = {"demo"}
+PLOT_WORDS = {"bench"}
 DRAWING_WORDS = {"demo", "test"}
 # Suites of `test` that need no engine.
 CORE_SUITES = {"tools", "core", "asan", "tsan"}
@@ -37,6 +38,10 @@ def environment_for(words):
     if targets & PICTURE_WORDS:
         folder = python_tools.picture_folder()
         changes["PYTHONPATH"] += [folder] if folder else []
+    if targets & PLOT_WORDS:
+        with contextlib.suppress(Missing):  # what was measured is worth having without its plot; bench says so
+            folder = python_tools.plot_folder()
+            changes["PYTHONPATH"] += [folder] if folder else []
     if "lint" in targets:
         changes["PYTHONPATH"].append(python_tools.formatter_folder())
     if needs_godot(words):
