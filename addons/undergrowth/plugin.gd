@@ -83,6 +83,7 @@ func _show_step_setting() -> void:
 func _add_dock() -> void:
 	var content: Control = (_load(DOCK_SCENE) as PackedScene).instantiate()
 	_dock = EditorDock.new()
+	_dock.set_translation_domain(_translations.get(&"DOMAIN"))
 	_dock.name = "Undergrowth"
 	_dock.title = "Undergrowth"
 	_dock.layout_key = "Undergrowth"

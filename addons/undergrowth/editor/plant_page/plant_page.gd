@@ -37,6 +37,7 @@ func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> vo
 	_view_controls.setup(state)
 	_properties.setup(state, undo)
 	_actions.setup(state, undo, dock)
+	_actions.saved.connect(_on_saved)
 	_choose(_list.get_first())
 	_list.mark(_chosen.key)
 
@@ -61,6 +62,12 @@ func _choose(entry: SpeciesEntry) -> void:
 	_chosen = entry
 	_state.report("")
 	_state.choose(function, entry.get_path(), entry.title)
+
+
+# What is chosen now is what the file has.
+func _on_saved(entry: SpeciesEntry) -> void:
+	_chosen = entry
+	_list.mark(entry.key)
 
 
 # A chosen script was saved anew, or the chosen file is gone or has another name.

@@ -24,12 +24,22 @@ func setup(state: EditorState) -> void:
 	_dice.pressed.connect(func() -> void: _seed.value += 1)
 	for slider: Control in [_height, _seed, _lod]:
 		slider.custom_minimum_size.x *= EditorInterface.get_editor_scale()
+	_translate()
 	_dress()
 
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and is_node_ready():
 		_dress()
+	elif what == NOTIFICATION_TRANSLATION_CHANGED and is_node_ready():
+		_translate()
+
+
+# These sliders do not translate their labels themselves.
+func _translate() -> void:
+	_height.label = tr("Height")
+	_seed.label = tr("Seed")
+	_lod.label = tr("Lod")
 
 
 func _dress() -> void:
