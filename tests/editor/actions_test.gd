@@ -7,9 +7,9 @@ const EditorState := preload("res://addons/undergrowth/editor/editor_state.gd")
 
 
 ## In English, whatever the system speaks: the tests read messages.
-func run(test: String) -> PackedStringArray:
+func run(test: String) -> void:
 	TranslationServer.get_or_add_domain(Translations.DOMAIN).set_locale_override("en")
-	return await super(test)
+	await super(test)
 
 
 ## Writes the editor's window with a dialog on it.

@@ -20,6 +20,8 @@ const TESTS_OPTION := "--editor-tests="
 const PICTURES_OPTION := "--pictures="
 ## Frames for which the editor is left alone once its files are scanned.
 const SETTLING_FRAMES := 20
+## Seconds after which a test that has not come to its end fails, and the next one begins.
+const LIMIT := 60.0
 
 var _passed := 0
 var _failed := 0
@@ -64,16 +66,34 @@ func _run_script(path: String) -> void:
 		_failed += 1
 		print("not ok %s: the script has an error" % path.get_file())
 		return
-	var test: EditorTest = script.call(&"new")
-	test.pictures_folder = _option(PICTURES_OPTION)
+	var test := _make_test(script)
 	for method: Dictionary in script.get_script_method_list():
 		var title: String = method["name"]
-		if title.begins_with("test_"):
-			await _run_test(test, title)
+		if title.begins_with("test_") and not await _run_test(test, title):
+			test = _make_test(script)
 
 
-func _run_test(test: EditorTest, title: String) -> void:
-	var problems: PackedStringArray = await test.run(title)
+func _make_test(script: Script) -> EditorTest:
+	var test: EditorTest = script.call(&"new")
+	test.pictures_folder = _option(PICTURES_OPTION)
+	return test
+
+
+# False where the test was given up.
+func _run_test(test: EditorTest, title: String) -> bool:
+	var begin := Time.get_ticks_msec()
+	test.run(title)
+	while not test.is_done and Time.get_ticks_msec() - begin < LIMIT * 1000.0:
+		await get_tree().process_frame
+	var is_done := test.is_done
+	if not is_done:
+		test.give_up("it hangs: not done after %d s" % LIMIT)
+	_tell(title, test.problems)
+	print("took %.1f s" % ((Time.get_ticks_msec() - begin) * 0.001))
+	return is_done
+
+
+func _tell(title: String, problems: PackedStringArray) -> void:
 	if problems.is_empty():
 		_passed += 1
 		print("ok " + title)

@@ -38,6 +38,8 @@ class Listener:
 const DOCK_SCRIPT := "res://addons/undergrowth/editor/dock.gd"
 ## Frames for which [method until] waits.
 const PATIENCE := 600
+## Frames within which something is under the pointer.
+const POINTING_FRAMES := 20
 ## Steps in which a drag goes from its beginning to its end.
 const DRAG_STEPS := 8
 ## Colours that a picture must have at least to count as more than empty.
@@ -46,33 +48,57 @@ const LEAST_COLORS := 40
 ## Where [method take_picture] writes; nothing: nowhere.
 var pictures_folder := ""
 
+## What is wrong with the test that ran last, or nothing.
+var problems: PackedStringArray = []
+## The test came to its end, or was given up.
+var is_done := true
+
 var _listener := Listener.new()
-var _problems: PackedStringArray = []
 var _errors: PackedStringArray = []
 var _check_count := 0
 
 
-## Runs the method called [param test]; what is wrong, or nothing.
-func run(test: String) -> PackedStringArray:
-	_problems = []
+## Runs the method called [param test], and tells the end with [member is_done].
+func run(test: String) -> void:
+	is_done = false
+	problems = []
 	_errors = []
 	_check_count = 0
 	OS.add_logger(_listener)
 	await call(test)
+	if is_done:
+		return  # It was given up.
+	if _check_count == 0:
+		problems.append("nothing was checked")
+	await _end(test)
+
+
+## Lets a test that hangs go: [param why] is what is wrong with it.
+func give_up(why: String) -> void:
+	problems.append(why)
+	_take_errors()
+	is_done = true
+
+
+func _end(test: String) -> void:
+	_take_errors()
+	if not problems.is_empty():
+		await _photograph("failed_" + test)
+	is_done = true
+
+
+func _take_errors() -> void:
 	OS.remove_logger(_listener)
 	_errors.append_array(_listener.take())
 	for message in _errors:
-		_problems.append("unexpected: " + message)
-	if _check_count == 0:
-		_problems.append("nothing was checked")
-	return _problems
+		problems.append("unexpected: " + message)
 
 
 ## Fails the test unless [param condition] holds; [param what] says what was expected.
 func check(condition: bool, what: String) -> void:
 	_check_count += 1
 	if not condition:
-		_problems.append(what)
+		problems.append(what)
 
 
 ## Fails the test unless both are of one type and equal.
@@ -136,7 +162,7 @@ func until(condition: Callable) -> bool:
 ## Clicks into [param control], in the middle or at [param at] (its own coordinates).
 func click(control: Control, at := Vector2.INF, button := MOUSE_BUTTON_LEFT) -> void:
 	var where := _in_window(control, at)
-	_move(control, where, where, 0)
+	await _point(control, where)
 	_press(control, where, button, true)
 	await frames(1)
 	_press(control, where, button, false)
@@ -161,7 +187,7 @@ func click_item(list: ItemList, index: int) -> void:
 func drag(control: Control, from: Vector2, to: Vector2, button := MOUSE_BUTTON_LEFT) -> void:
 	var start := _in_window(control, from)
 	var goal := _in_window(control, to)
-	_move(control, start, start, 0)
+	await _point(control, start)
 	_press(control, start, button, true)
 	await frames(1)
 	var before := start
@@ -178,7 +204,7 @@ func drag(control: Control, from: Vector2, to: Vector2, button := MOUSE_BUTTON_L
 func wheel(control: Control, clicks: int) -> void:
 	var where := _in_window(control, Vector2.INF)
 	var button := MOUSE_BUTTON_WHEEL_UP if clicks > 0 else MOUSE_BUTTON_WHEEL_DOWN
-	_move(control, where, where, 0)
+	await _point(control, where)
 	for i in absi(clicks):
 		_press(control, where, button, true)
 		_press(control, where, button, false)
@@ -222,19 +248,24 @@ func redo() -> void:
 ## [param of] cuts out one control.
 func take_picture(name: String, of: Control = null) -> void:
 	await frames(3)
+	var picture := await _photograph("dock_" + name, of)
+	var colors: Dictionary[Color, bool] = {}
+	for x in range(0, picture.get_width(), 7):
+		for y in range(0, picture.get_height(), 7):
+			colors[picture.get_pixel(x, y)] = true
+	check(colors.size() >= LEAST_COLORS, "dock_%s.png has %d colours" % [name, colors.size()])
+
+
+func _photograph(name: String, of: Control = null) -> Image:
 	EditorInterface.get_base_control().queue_redraw()  # Where nothing moves, no frame is drawn.
 	await RenderingServer.frame_post_draw
 	var window := EditorInterface.get_base_control().get_window()
 	var picture := window.get_texture().get_image()
 	if of:
 		picture = picture.get_region(Rect2i(of.get_global_rect()))
-	var colors: Dictionary[Color, bool] = {}
-	for x in range(0, picture.get_width(), 7):
-		for y in range(0, picture.get_height(), 7):
-			colors[picture.get_pixel(x, y)] = true
-	check(colors.size() >= LEAST_COLORS, "dock_%s.png has %d colours" % [name, colors.size()])
 	if not pictures_folder.is_empty():
-		picture.save_png(pictures_folder.path_join("dock_%s.png" % name))
+		picture.save_png(pictures_folder.path_join(name + ".png"))
+	return picture
 
 
 func _collect(node: Node, script_path: String, found: Array[Node]) -> void:
@@ -249,6 +280,17 @@ func _collect(node: Node, script_path: String, found: Array[Node]) -> void:
 func _in_window(control: Control, at: Vector2) -> Vector2:
 	var own := control.size * 0.5 if at == Vector2.INF else at
 	return control.get_global_transform_with_canvas() * own
+
+
+# A button takes a click only where the engine knows the pointer over it. Beware of dragging an
+# EditorSpinSlider: it captures the system's pointer, and Xvfb's never comes back into the window.
+func _point(control: Control, where: Vector2) -> void:
+	for i in POINTING_FRAMES:
+		_move(control, where, where, 0)
+		if control.get_viewport().gui_get_hovered_control():
+			return
+		await frames(1)
+	problems.append("nothing is under the pointer at %s of %s" % [where, control])
 
 
 func _press(
