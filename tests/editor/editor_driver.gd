@@ -11,9 +11,10 @@ extends EditorPlugin
 ## Without `--editor-tests` nothing happens: the project can be opened by hand. Names of test
 ## scripts (test_plant_page,test_undo) instead of `all` run only these.
 ##
-## Each script test_*.gd of this folder extends editor_test.gd; each of its methods test_* prints
-## `ok NAME` or `not ok NAME: why`; errors and warnings in the log that no test claims fail it. The
-## last line is `N passed, N failed`, and the editor's exit status is 0 only if none failed.
+## Each script test_*.gd of this folder extends editor_test.gd. After `start` each of its methods
+## test_* prints `ok NAME` or `not ok NAME: why`; errors and warnings in the log that no test claims
+## fail it. The last line is `N passed, N failed`, and the editor's exit status is 0 only if none
+## failed.
 
 const EditorTest := preload("editor_test.gd")
 const TESTS_OPTION := "--editor-tests="
@@ -35,8 +36,10 @@ func _enter_tree() -> void:
 
 func _run(wish: String) -> void:
 	await _wait_for_editor()
+	print("start")
 	for path in _scripts(wish):
 		await _run_script(path)
+	await _wait_for_editor()
 	print("%d passed, %d failed" % [_passed, _failed])
 	get_tree().quit(0 if _failed == 0 and _passed > 0 else 1)
 

@@ -3,6 +3,7 @@ extends "editor_test.gd"
 ## Switching the add-on off and on again.
 
 const PLUGIN := "undergrowth"
+const LIBRARY := "res://addons/undergrowth/undergrowth.gdextension"
 
 
 func test_off_and_on_again() -> void:
@@ -40,3 +41,18 @@ func test_wide_dock_stands_side_by_side() -> void:
 	window.queue_free()
 	await frames(5)
 	check(split.vertical, "one below the other again")
+
+
+func test_library_is_loaded_anew_under_the_dock() -> void:
+	await open_page("Plant")
+	check_equal(
+		GDExtensionManager.reload_extension(LIBRARY), GDExtensionManager.LOAD_STATUS_OK, "status"
+	)
+	await frames(10)
+	check(dock() != null, "the dock is there")
+	await open_page("Plant")
+	var counts := part("Plant/Preview/Counts") as Label
+	check(counts.text.contains("triangles"), "it shows a plant: " + counts.text)
+	var plant := part("Plant/Preview/Plants").get_child(0) as Plant3D
+	var moves := func() -> bool: return plant.get_deflection() > 1e-3
+	check(await until(moves), "the plant moves")

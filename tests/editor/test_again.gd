@@ -1,0 +1,35 @@
+@tool
+extends "actions_test.gd"
+## The project that the other tests saved, opened again with an editor at 200 %.
+
+const SCENE := "res://actions_scene.tscn"
+const SPECIES := "res://my species/Ševar vlažni.tres"
+const OWN_SCRIPT := "res://sas_uz_rijeku.gd"
+
+
+func test_the_project_opens_with_its_species() -> void:
+	check_equal(EditorInterface.get_editor_scale(), 2.0, "scale")
+	await open_page("Plant")
+	var list := part("Plant/List/ProjectList") as ItemList
+	for path: String in [SPECIES, OWN_SCRIPT]:
+		check(await until(func() -> bool: return _lists(list, path)), path + " is listed")
+
+
+func test_the_saved_scene_opens_with_its_plants() -> void:
+	EditorInterface.open_scene_from_path(SCENE)
+	EditorInterface.set_main_screen_editor("3D")
+	await frames(5)
+	var root := EditorInterface.get_edited_scene_root()
+	check(root != null and root.scene_file_path == SCENE, "the scene is open")
+	var plants := root.find_children("*", "Plant3D", true, false)
+	check(plants.size() > 1, "%d plants" % plants.size())
+	for plant: Plant3D in plants:
+		check(plant.get_mesh() != null, plant.name + " has a mesh")
+
+
+func test_picture_at_200_percent() -> void:
+	await _choose("Bellflower")
+	check(dock().size.x <= EditorInterface.get_base_control().size.x * 0.5, "the dock leaves room")
+	await take_picture("200")
+	await open_page("Wind")
+	await take_picture("200_wind")
