@@ -1,26 +1,16 @@
-// PlantField3D's life in the tree. What users set: plant_field_3d_properties.cpp.
+// PlantField3D's life in the tree. What users set: plant_field_3d_*_properties.cpp.
 
 #include "field/plant_field_3d.hpp"
 
 #include "follow_changes.hpp"
 
-#include <godot_cpp/classes/engine.hpp>
-#include <godot_cpp/classes/performance.hpp>
 #include <godot_cpp/classes/world3d.hpp>
-
-#include <algorithm>
 
 using namespace godot;
 
 namespace undergrowth {
 
 static constexpr double USUAL_STEP = 1.0 / 60.0; // s.
-
-// All fields in the tree, for the monitors. Main thread only.
-static std::vector<PlantField3D *> &standing_fields() {
-	static std::vector<PlantField3D *> fields;
-	return fields;
-}
 
 PlantField3D::PlantField3D() : clock(USUAL_STEP) {
 	levels = { 12, 6, 3, 2 };
@@ -68,44 +58,11 @@ void PlantField3D::on_area_changed() {
 	mark_stale();
 }
 
-enum Monitor { MONITOR_PLANTS, MONITOR_SIMULATED, MONITOR_STEP, MONITOR_UPLOAD, MONITORS };
-static const char *const MONITOR_NAMES[MONITORS] = { "undergrowth/field_plants", "undergrowth/field_simulated",
-	"undergrowth/field_step_usec", "undergrowth/field_upload_usec" };
-
-double PlantField3D::monitor(int which) const {
-	double sum = 0.0;
-	for (const PlantField3D *field : standing_fields()) {
-		sum += which == MONITOR_PLANTS ? field->get_plant_count() : 0.0;
-		sum += which == MONITOR_SIMULATED && field->simulation ? field->simulation->simulated_count() : 0.0;
-		sum += which == MONITOR_STEP ? field->steps.busy_usec() : 0.0;
-		sum += which == MONITOR_UPLOAD ? field->upload_usec : 0.0;
-	}
-	return sum;
-}
-
-// The first field in the tree answers for all.
-void PlantField3D::update_monitors() {
-	Performance *performance = Performance::get_singleton();
-	const std::vector<PlantField3D *> &fields = standing_fields();
-	for (int i = 0; i < MONITORS; i++) {
-		if (performance->has_custom_monitor(MONITOR_NAMES[i])) {
-			performance->remove_custom_monitor(MONITOR_NAMES[i]);
-		}
-		if (!fields.empty()) {
-			Array arguments;
-			arguments.push_back(i);
-			performance->add_custom_monitor(MONITOR_NAMES[i], Callable(fields[0], "_on_monitor_asked"), arguments);
-		}
-	}
-}
-
 void PlantField3D::_notification(int what) {
-	std::vector<PlantField3D *> &fields = standing_fields();
 	switch (what) {
 		case NOTIFICATION_ENTER_TREE:
 			set_notify_transform(true);
-			fields.push_back(this);
-			update_monitors();
+			count_in_monitors(true);
 			for (const std::unique_ptr<FieldDrawing> &drawing : drawings) {
 				restart_drawing(*drawing);
 			}
@@ -116,8 +73,7 @@ void PlantField3D::_notification(int what) {
 			break;
 		case NOTIFICATION_EXIT_TREE:
 			finish_step();
-			fields.erase(std::remove(fields.begin(), fields.end(), this), fields.end());
-			update_monitors();
+			count_in_monitors(false);
 			watched.clear();
 			for (const std::unique_ptr<FieldDrawing> &drawing : drawings) {
 				drawing->set_scenario(RID());

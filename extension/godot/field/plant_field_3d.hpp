@@ -3,6 +3,7 @@
 #include "field/contact.hpp"
 #include "field/field_drawing.hpp"
 #include "field/field_fill.hpp"
+#include "field/field_options.hpp"
 #include "field/field_steps.hpp"
 #include "pendulum/fixed_step.hpp"
 #include "plant_wind.hpp"
@@ -15,36 +16,6 @@
 #include <vector>
 
 namespace undergrowth {
-
-/// What users set of a PlantField3D that is a number; in the order of the inspector.
-struct FieldOptions {
-	double density = 4.0; // Plants/m².
-	godot::Vector2 size = { 20.0f, 20.0f }; // m.
-	int64_t seed = 0;
-	double clumping = 0.0;
-	double drift_size = 3.0; // m.
-	int variants = 4;
-	godot::Vector2 scale_range = { 0.8f, 1.2f };
-	double height_deviation = 0.1;
-	double lean_deviation_degrees = 0.0;
-	int ground = 0;
-	int64_t ground_mask = 1;
-	godot::Vector2 height_limits = { -1000.0f, 1000.0f }; // m.
-	godot::Vector2 slope_limits_degrees = { 0.0f, 90.0f };
-	double wind_speed = 10.0; // m/s.
-	bool simulating = true;
-	int threads = 0;
-	int update_interval = 1;
-	double far_distance = 0.0; // m.
-	int prototypes = 0;
-	bool contact = false;
-	double touch_margin = 0.1; // m.
-	double fade_margin = 3.0; // m.
-	double shadow_distance = 30.0; // m.
-	double visibility_range = 0.0; // m.
-	double chunk_size = 16.0; // m.
-	int64_t layers = 1;
-};
 
 /// Thousands of plants, each with its own motion, drawn as multimeshes that bend in the vertex shader.
 class PlantField3D : public godot::Node3D {
@@ -111,20 +82,21 @@ private:
 	std::vector<WatchedBody> watched;
 	int frames_since_far = 0;
 
-	// plant_field_3d_fill.cpp
-	void mark_stale();
-	void report_problem(const godot::String &what);
+	// plant_field_3d_recipe.cpp
 	godot::String make_recipe(FieldRecipe &recipe);
 	void start_style(FieldStyle &into) const;
 	godot::String make_style(FieldStyle &into);
 	godot::String make_request(PlacementRequest &into);
 	godot::String make_ground(FieldGround &into);
+	std::vector<FieldLevel> make_levels() const;
+
+	// plant_field_3d_fill.cpp
+	void mark_stale();
+	void report_problem(const godot::String &what);
 	void poll_fill();
 	void adopt(FieldResult &result);
 	void dress();
-	void keep_added();
 	void restart_drawing(FieldDrawing &drawing);
-	std::vector<FieldLevel> make_levels() const;
 
 	// plant_field_3d_motion.cpp
 	bool may_simulate() const;
@@ -139,24 +111,34 @@ private:
 	void update_far();
 	void send_uniforms();
 
-	// plant_field_3d_plants.cpp
+	// plant_field_3d_adding.cpp
+	PlacedPlant place_transform(const godot::Transform3D &transform, int species_index) const;
+	int species_for(const godot::Ref<PlantFunction> &function);
+	void add_pending(const godot::Ref<PlantFunction> &function, std::vector<PlacedPlant> &&plants);
+	int count_pending() const;
+	void keep_added();
+
+	// plant_field_3d_patches.cpp
+	void flush_pending();
+	void take_into_pages(FieldPatch &patch, int species_index, const std::vector<int> &members);
+	void merge_added();
+	void show_bends();
+
+	// plant_field_3d_removing.cpp
+	void redraw(int patch, const std::vector<ClumpPlace> &places);
+
+	// plant_field_3d_asking.cpp
 	struct Found {
 		int patch = -1;
 		int plant = -1;
 	};
 	Found find(int64_t index) const;
-	void add_pending(const godot::Ref<PlantFunction> &function, std::vector<PlacedPlant> &&plants);
-	void flush_pending();
-	void take_into_pages(FieldPatch &patch, int species_index, const std::vector<int> &members);
-	void merge_added();
-	void show_bends();
-	int count_pending() const;
-	void redraw(int patch, const std::vector<ClumpPlace> &places);
-	PlacedPlant place_transform(const godot::Transform3D &transform, int species_index) const;
-	int species_for(const godot::Ref<PlantFunction> &function);
 
-	void update_monitors();
+	// plant_field_3d_statistics.cpp
+	/// As one of the fields that the Performance monitors sum up.
+	void count_in_monitors(bool on);
 
+	// plant_field_3d_plant_properties.cpp
 	void set_number(double &slot, const char *name, double value, const Range &range, bool needs_fill);
 	void set_whole(int &slot, const char *name, int value, const Range &range, bool needs_fill);
 	void set_span(godot::Vector2 &slot, const char *name, const godot::Vector2 &value, const Range &range);
