@@ -1,34 +1,20 @@
 ## The picture of a plant in a field is that of a Plant3D in the same state, with a real renderer.
-extends "res://tests/engine/harness.gd"
+extends "res://tests/engine/picture_harness.gd"
 
-const PICTURE_SIZE := Vector2i(200, 240)
-## A pixel differs where a channel does by more than this.
-const TOLERANCE := 10.0 / 255.0
-## Pixels that may: on the outline, where the last bit of a vertex decides.
-const MOST_DIFFERENT := 12
-## Pixels of the plant, at least.
-const LEAST_PLANT := 100
-
-var _stage: SubViewport
 var _field: PlantField3D
 
 
 func before_each() -> void:
-	_stage = SubViewport.new()
-	_stage.size = PICTURE_SIZE
-	_stage.own_world_3d = true
-	_stage.render_target_update_mode = SubViewport.UPDATE_ALWAYS
-	root.add_child(_stage)
-	_add_light()
+	make_stage()
 	_field = PlantField3D.new()
 	_field.wind = PlantWind.new()
 	_field.wind.kind = PlantWind.KIND_CONSTANT
 	_field.wind.direction_degrees = 60.0
-	_stage.add_child(_field)
+	stage.add_child(_field)
 
 
 func after_each() -> void:
-	_stage.free()
+	stage.free()
 
 
 func test_a_bent_plant_of_the_spring_law() -> void:
@@ -85,11 +71,11 @@ func test_followers_of_prototypes_are_drawn() -> void:
 	_field.wind.kind = PlantWind.KIND_WAVES
 	await _field.filled
 	await frames(10)
-	var first := await _picture()
+	var first := await picture()
 	await frames(20)
-	var later := await _picture()
-	check(_count_different(first, _empty_picture()) > LEAST_PLANT, "plants are drawn")
-	check(_count_different(first, later) > 50, "they move")
+	var later := await picture()
+	check(count_different(first, empty_picture()) > LEAST_PLANT, "plants are drawn")
+	check(count_different(first, later) > 50, "they move")
 
 
 func test_levels_dissolve_into_each_other_without_holes() -> void:
@@ -102,15 +88,15 @@ func test_levels_dissolve_into_each_other_without_holes() -> void:
 	_field.fade_margin = 2.0
 	_field.add_plants([Transform3D.IDENTITY], function)
 	await frames(5)
-	var drawn := _count_different(await _picture(), _empty_picture())
+	var drawn := count_different(await picture(), empty_picture())
 	_field.hide()
 	var plant := Plant3D.new()
 	plant.function = function
 	plant.height = _field.get_plant_height(0)
 	plant.seed = _field.get_plant_seed(0)
-	_stage.add_child(plant)
+	stage.add_child(plant)
 	await frames(3)
-	var whole := _count_different(await _picture(), _empty_picture())
+	var whole := count_different(await picture(), empty_picture())
 	check_near(float(drawn), float(whole), 0.05 * whole, "pixels of the plant")
 
 
@@ -121,7 +107,7 @@ func _compare(function: PlantFunction, place: Transform3D) -> void:
 	_field.simulating = false
 	await frames(2)
 	RenderingServer.render_loop_enabled = true
-	var in_field := await _picture()
+	var in_field := await picture()
 	_field.hide()
 	var plant := Plant3D.new()
 	plant.function = function
@@ -129,13 +115,13 @@ func _compare(function: PlantFunction, place: Transform3D) -> void:
 	plant.transform = _field.transform * _field.get_plant_transform(0)
 	plant.height = _field.get_plant_height(0)
 	plant.seed = _field.get_plant_seed(0)
-	_stage.add_child(plant)
+	stage.add_child(plant)
 	var tip := plant.to_local(_field.to_global(_field.get_tip_position(0))).normalized()
 	plant.get_skeleton().set_bone_pose_rotation(1, Quaternion(Vector3.UP, tip))
 	await frames(2)
-	var alone := await _picture()
-	check(_count_different(alone, _empty_picture()) > LEAST_PLANT, "a plant is drawn")
-	var different := _count_different(in_field, alone)
+	var alone := await picture()
+	check(count_different(alone, empty_picture()) > LEAST_PLANT, "a plant is drawn")
+	var different := count_different(in_field, alone)
 	check(different <= MOST_DIFFERENT, "%d pixels differ" % different)
 
 
@@ -146,42 +132,3 @@ func _settle() -> void:
 	while _field.wind.get_time() < time + 40.0:
 		await process_frame
 	Engine.time_scale = 1.0
-
-
-func _picture() -> Image:
-	await frames(2)
-	await RenderingServer.frame_post_draw
-	return _stage.get_texture().get_image()
-
-
-func _empty_picture() -> Image:
-	var empty := Image.create_empty(PICTURE_SIZE.x, PICTURE_SIZE.y, false, Image.FORMAT_RGBA8)
-	empty.fill(Color.BLACK)
-	return empty
-
-
-func _count_different(one: Image, other: Image) -> int:
-	var count := 0
-	for y in PICTURE_SIZE.y:
-		for x in PICTURE_SIZE.x:
-			var a := one.get_pixel(x, y)
-			var b := other.get_pixel(x, y)
-			var apart := maxf(absf(a.r - b.r), maxf(absf(a.g - b.g), absf(a.b - b.b)))
-			count += 1 if apart > TOLERANCE else 0
-	return count
-
-
-func _add_light() -> void:
-	var camera := Camera3D.new()
-	_stage.add_child(camera)
-	camera.look_at_from_position(Vector3(0, 1.0, 2.8), Vector3(0, 0.7, 0))
-	var sun := DirectionalLight3D.new()
-	sun.rotation_degrees = Vector3(-50, 30, 0)
-	_stage.add_child(sun)
-	var surroundings := WorldEnvironment.new()
-	surroundings.environment = Environment.new()
-	surroundings.environment.background_mode = Environment.BG_COLOR
-	surroundings.environment.background_color = Color.BLACK
-	surroundings.environment.ambient_light_source = Environment.AMBIENT_SOURCE_COLOR
-	surroundings.environment.ambient_light_color = Color(0.4, 0.4, 0.4)
-	_stage.add_child(surroundings)

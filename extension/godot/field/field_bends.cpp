@@ -10,6 +10,7 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr int SIDE = 64;
+static constexpr Bend HIDDEN = 0x7bffu; // s.x is the largest half, 65,504: no bend has it.
 static constexpr int SPARE_PAGES = 16;
 static constexpr int PAIRS_PER_LAYER = SIDE * SIDE;
 static constexpr int HISTORY_LAYERS = Prototypes::SLOTS * Prototypes::MOST / PAIRS_PER_LAYER;
@@ -77,6 +78,31 @@ void FieldBends::write_layer(int layer, const Bend *from, int pairs, int first) 
 
 void FieldBends::write_page(const FieldSimulation &simulation, int page) {
 	write_layer(page, simulation.page(page).bends(), simulation.page(page).size(), 0);
+	if (size_t(page) < hidden.size()) {
+		for (const int index : hidden[size_t(page)]) {
+			const Bend pair[2] = { HIDDEN, HIDDEN };
+			std::memcpy(layers[size_t(page)]->ptrw() + size_t(index) * sizeof(pair), pair, sizeof(pair));
+		}
+	}
+}
+
+void FieldBends::hide(int page, int index) {
+	hidden.resize(std::max(hidden.size(), size_t(page) + 1));
+	hidden[size_t(page)].push_back(index);
+}
+
+std::vector<int> FieldBends::hidden_pages() const {
+	std::vector<int> pages;
+	for (size_t page = 0; page < hidden.size(); page++) {
+		if (!hidden[page].empty()) {
+			pages.push_back(int(page));
+		}
+	}
+	return pages;
+}
+
+void FieldBends::show_all() {
+	hidden.clear();
 }
 
 void FieldBends::write_history(const FieldSimulation &simulation) {

@@ -29,6 +29,12 @@ public:
 
 	/// Takes over a page's bends. On any thread; different pages at the same time.
 	void write_page(const FieldSimulation &simulation, int page);
+	/// Draws nothing where this plant is, until show_all(). From the page's next write_page() on.
+	void hide(int page, int index);
+	/// Pages with plants that are hidden.
+	std::vector<int> hidden_pages() const;
+	/// Forgets what was hidden. Each page shows it from its next write_page() on.
+	void show_all();
 	/// Takes over the newest slot of each species' history, and whether its layer has to be sent.
 	void write_history(const FieldSimulation &simulation);
 
@@ -42,6 +48,7 @@ public:
 private:
 	std::vector<godot::Ref<godot::Image>> layers;
 	std::vector<uint8_t> is_fresh; ///< By layer: written and not yet sent.
+	std::vector<std::vector<int>> hidden; ///< By page: plants that others show.
 	godot::Ref<godot::Image> blends;
 	godot::RID texture;
 	godot::RID blend_texture;

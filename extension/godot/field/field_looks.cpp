@@ -56,7 +56,14 @@ void FieldLook::build() {
 			meshes[level].push_back(function->build(samples[level][group], variants[group].seed));
 		}
 	}
+	nearest = std::move(samples[0]);
 	samples.clear();
+}
+
+Ref<ArrayMesh> FieldLook::build_alone(const PlacedPlant &plant) const {
+	SampledPlant sampled = nearest[plant.variant];
+	sampled.height = variants[plant.variant].height * plant.height;
+	return function->build(sampled, variants[plant.variant].seed);
 }
 
 void FieldLook::read_motion() {

@@ -33,6 +33,7 @@ struct FieldLook {
 	godot::Ref<PlantFunction> function;
 	std::vector<FieldVariant> variants;
 	std::vector<std::vector<SampledPlant>> samples; ///< By level and group; let go when the meshes are built.
+	std::vector<SampledPlant> nearest; ///< Of the first level, kept for plants that get a mesh of their own.
 	std::vector<std::vector<godot::Ref<godot::ArrayMesh>>> meshes; ///< By level and group.
 	std::vector<godot::Ref<godot::ShaderMaterial>> materials; ///< By level.
 	FieldSpecies motion;
@@ -42,6 +43,8 @@ struct FieldLook {
 	godot::String sample(const std::vector<FieldLevel> &levels, int variant_count, int64_t seed);
 	/// Builds the meshes of what was sampled; once, on any thread.
 	void build();
+	/// A mesh for one plant alone, with its own height, to be turned and scaled by `scale`.
+	godot::Ref<godot::ArrayMesh> build_alone(const struct PlacedPlant &plant) const;
 	/// The function's motion as it is now.
 	void read_motion();
 	/// The root of a plant, its length and rest direction, for the simulation.

@@ -32,6 +32,8 @@ struct FieldOptions {
 	double fade_margin = 3.0; // m.
 	double shadow_distance = 30.0; // m.
 	double visibility_range = 0.0; // m.
+	double skeleton_distance = 0.0; // m.
+	int most_skeletons = 64;
 	double chunk_size = 16.0; // m.
 	int64_t layers = 1;
 };

@@ -62,6 +62,7 @@ void PlantField3D::_notification(int what) {
 	switch (what) {
 		case NOTIFICATION_ENTER_TREE:
 			set_notify_transform(true);
+			skeletons.remove_strays(this);
 			count_in_monitors(true);
 			for (const std::unique_ptr<FieldDrawing> &drawing : drawings) {
 				restart_drawing(*drawing);
@@ -80,6 +81,7 @@ void PlantField3D::_notification(int what) {
 			}
 			break;
 		case NOTIFICATION_EXTENSION_RELOADED:
+			skeletons.remove_strays(this);
 			mark_stale();
 			break;
 		case NOTIFICATION_INTERNAL_PROCESS:

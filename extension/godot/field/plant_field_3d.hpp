@@ -4,6 +4,7 @@
 #include "field/field_drawing.hpp"
 #include "field/field_fill.hpp"
 #include "field/field_options.hpp"
+#include "field/field_skeletons.hpp"
 #include "field/field_steps.hpp"
 #include "pendulum/fixed_step.hpp"
 #include "plant_wind.hpp"
@@ -57,6 +58,8 @@ private:
 	};
 	std::vector<Pending> pending;
 	int filled_patches = 0; // 1 where the first patch was filled; the others were added.
+	FieldSkeletons skeletons;
+	int frames_since_choice = 0; // Of the plants that are shown as skeletons.
 	godot::String problem;
 
 	// Filling.
@@ -133,10 +136,31 @@ private:
 		int plant = -1;
 	};
 	Found find(int64_t index) const;
+	static godot::Transform3D drawn_transform(const PlacedPlant &plant);
 
 	// plant_field_3d_statistics.cpp
 	/// As one of the fields that the Performance monitors sum up.
 	void count_in_monitors(bool on);
+
+	// plant_field_3d_skeletons.cpp
+	/// A plant near the camera.
+	struct Near {
+		float away; // m; less where it is shown already.
+		int patch;
+		int plant;
+	};
+	bool wants_skeletons() const;
+	std::vector<Near> find_nearest() const;
+	const FieldSkeletons::Shown *find_shown(int patch, int plant) const;
+	template <class Test> bool release_skeletons(Test &&goes);
+	void skeletons_changed();
+	void release_all_skeletons();
+	void release_added_skeletons();
+	void release_removed_skeletons();
+	void hide_shown();
+	void show_skeleton(const Near &near);
+	bool choose_skeletons();
+	void pose_skeletons();
 
 	// plant_field_3d_plant_properties.cpp
 	void set_number(double &slot, const char *name, double value, const Range &range, bool needs_fill);
@@ -164,6 +188,11 @@ public:
 	double get_plant_height(int64_t index);
 	int64_t get_plant_seed(int64_t index);
 	godot::Vector3 get_tip_position(int64_t index);
+	/// The node that shows a plant near the camera; null where it has none.
+	godot::Skeleton3D *get_skeleton(int64_t index);
+	/// The plant that a skeleton shows now, or -1.
+	int64_t get_skeleton_plant(const godot::Skeleton3D *skeleton) const;
+	godot::TypedArray<godot::Skeleton3D> get_skeletons() const;
 	godot::Dictionary get_statistics();
 
 	// Called by the engine.
@@ -243,6 +272,10 @@ public:
 	double get_shadow_distance() const;
 	void set_visibility_range(double metres);
 	double get_visibility_range() const;
+	void set_skeleton_distance(double metres);
+	double get_skeleton_distance() const;
+	void set_most_skeletons(int count);
+	int get_most_skeletons() const;
 	void set_chunk_size(double metres);
 	double get_chunk_size() const;
 	void set_layers(int64_t mask);

@@ -80,7 +80,11 @@ Transform3D PlantField3D::get_plant_transform(int64_t index) {
 	if (found.patch < 0) {
 		return Transform3D();
 	}
-	const PlacedPlant plant = patches[size_t(found.patch)]->plants.plant(found.plant);
+	return drawn_transform(patches[size_t(found.patch)]->plants.plant(found.plant));
+}
+
+// Where its mesh is drawn, before it bends. Field axes.
+Transform3D PlantField3D::drawn_transform(const PlacedPlant &plant) {
 	const Basis basis =
 			Basis(Vector3(0.0f, 1.0f, 0.0f), plant.turn).scaled(Vector3(plant.scale, plant.scale, plant.scale));
 	return Transform3D(basis, to_godot(plant.root));

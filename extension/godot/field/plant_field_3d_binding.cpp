@@ -26,6 +26,9 @@ static void bind_plant_methods() {
 	ClassDB::bind_method(D_METHOD("get_plant_height", "index"), &PlantField3D::get_plant_height);
 	ClassDB::bind_method(D_METHOD("get_plant_seed", "index"), &PlantField3D::get_plant_seed);
 	ClassDB::bind_method(D_METHOD("get_tip_position", "index"), &PlantField3D::get_tip_position);
+	ClassDB::bind_method(D_METHOD("get_skeleton", "index"), &PlantField3D::get_skeleton);
+	ClassDB::bind_method(D_METHOD("get_skeleton_plant", "skeleton"), &PlantField3D::get_skeleton_plant);
+	ClassDB::bind_method(D_METHOD("get_skeletons"), &PlantField3D::get_skeletons);
 	ClassDB::bind_method(D_METHOD("get_statistics"), &PlantField3D::get_statistics);
 }
 
@@ -98,6 +101,10 @@ static void bind_property_methods() {
 	ClassDB::bind_method(D_METHOD("get_shadow_distance"), &PlantField3D::get_shadow_distance);
 	ClassDB::bind_method(D_METHOD("set_visibility_range", "value"), &PlantField3D::set_visibility_range);
 	ClassDB::bind_method(D_METHOD("get_visibility_range"), &PlantField3D::get_visibility_range);
+	ClassDB::bind_method(D_METHOD("set_skeleton_distance", "value"), &PlantField3D::set_skeleton_distance);
+	ClassDB::bind_method(D_METHOD("get_skeleton_distance"), &PlantField3D::get_skeleton_distance);
+	ClassDB::bind_method(D_METHOD("set_most_skeletons", "value"), &PlantField3D::set_most_skeletons);
+	ClassDB::bind_method(D_METHOD("get_most_skeletons"), &PlantField3D::get_most_skeletons);
 	ClassDB::bind_method(D_METHOD("set_chunk_size", "value"), &PlantField3D::set_chunk_size);
 	ClassDB::bind_method(D_METHOD("get_chunk_size"), &PlantField3D::get_chunk_size);
 	ClassDB::bind_method(D_METHOD("set_layers", "value"), &PlantField3D::set_layers);
@@ -174,6 +181,10 @@ void PlantField3D::_bind_methods() {
 	ADD_PROPERTY(
 			PropertyInfo(Variant::FLOAT, "visibility_range", PROPERTY_HINT_RANGE, "0,1000,0.1,or_greater,suffix:m"),
 			"set_visibility_range", "get_visibility_range");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "skeleton_distance", PROPERTY_HINT_RANGE, "0,20,0.1,or_greater,suffix:m"),
+			"set_skeleton_distance", "get_skeleton_distance");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "most_skeletons", PROPERTY_HINT_RANGE, "0,1024,1"), "set_most_skeletons",
+			"get_most_skeletons");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "chunk_size", PROPERTY_HINT_RANGE, "4,100,0.1,or_greater,suffix:m"),
 			"set_chunk_size", "get_chunk_size");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "layers", PROPERTY_HINT_LAYERS_3D_RENDER, ""), "set_layers", "get_layers");
@@ -184,6 +195,10 @@ void PlantField3D::_bind_methods() {
 			"body_entered_plants", PropertyInfo(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D")));
 	ADD_SIGNAL(MethodInfo(
 			"body_exited_plants", PropertyInfo(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D")));
+
+	const PropertyInfo skeleton(Variant::OBJECT, "skeleton", PROPERTY_HINT_RESOURCE_TYPE, "Skeleton3D");
+	ADD_SIGNAL(MethodInfo("skeleton_shown", skeleton));
+	ADD_SIGNAL(MethodInfo("skeleton_hidden", skeleton));
 
 	BIND_ENUM_CONSTANT(GROUND_NONE);
 	BIND_ENUM_CONSTANT(GROUND_COLLIDERS);

@@ -14,6 +14,8 @@ static constexpr Range FADE_MARGIN_RANGE = { 0.0, 1000.0 };
 static constexpr Range SHADOW_DISTANCE_RANGE = { 0.0, 1e6 };
 static constexpr Range VISIBILITY_RANGE_RANGE = { 0.0, 1e6 };
 static constexpr Range CHUNK_SIZE_RANGE = { 1.0, 1000.0 };
+static constexpr Range SKELETON_DISTANCE_RANGE = { 0.0, 1e6 };
+static constexpr Range MOST_SKELETONS_RANGE = { 0, 1024 };
 static constexpr Range LOD_RANGE = { MIN_LOD, MAX_LOD };
 
 void PlantField3D::set_levels(const PackedInt32Array &lods) {
@@ -81,11 +83,30 @@ double PlantField3D::get_chunk_size() const {
 	return options.chunk_size;
 }
 
+void PlantField3D::set_skeleton_distance(double value) {
+	set_number(options.skeleton_distance, "skeleton_distance", value, SKELETON_DISTANCE_RANGE, false);
+	skeletons_changed();
+}
+
+double PlantField3D::get_skeleton_distance() const {
+	return options.skeleton_distance;
+}
+
+void PlantField3D::set_most_skeletons(int value) {
+	set_whole(options.most_skeletons, "most_skeletons", value, MOST_SKELETONS_RANGE, false);
+	skeletons_changed();
+}
+
+int PlantField3D::get_most_skeletons() const {
+	return options.most_skeletons;
+}
+
 void PlantField3D::set_layers(int64_t mask) {
 	options.layers = mask;
 	for (const std::unique_ptr<FieldDrawing> &drawing : drawings) {
 		drawing->set_layers(uint32_t(mask));
 	}
+	skeletons.set_layers(uint32_t(mask));
 }
 
 int64_t PlantField3D::get_layers() const {

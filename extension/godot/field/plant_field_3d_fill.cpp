@@ -94,6 +94,7 @@ void PlantField3D::poll_fill() {
 
 void PlantField3D::adopt(FieldResult &result) {
 	finish_step();
+	release_all_skeletons();
 	keep_added();
 	patches.clear();
 	drawings.clear();

@@ -39,7 +39,7 @@ bool PlantField3D::may_simulate() const {
 }
 
 void PlantField3D::update_processing() {
-	set_process_internal(is_inside_tree() && (fill_job || !pending.empty() || may_simulate()));
+	set_process_internal(is_inside_tree() && (fill_job || !pending.empty() || may_simulate() || wants_skeletons()));
 }
 
 void PlantField3D::finish_step() {
@@ -58,8 +58,12 @@ void PlantField3D::process_frame() {
 	finish_step();
 	wait_usec = microseconds_since(before_waiting);
 	flush_pending();
-	if (may_simulate()) {
+	const bool has_chosen = choose_skeletons();
+	if (may_simulate() || has_chosen) {
 		upload();
+	}
+	pose_skeletons();
+	if (may_simulate()) {
 		step(get_process_delta_time());
 	}
 	main_usec = microseconds_since(start) - wait_usec;

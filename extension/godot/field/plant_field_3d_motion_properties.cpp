@@ -32,6 +32,10 @@ double PlantField3D::get_wind_speed() const {
 
 void PlantField3D::set_simulating(bool on) {
 	options.simulating = on;
+	if (!on && simulation) {
+		finish_step();
+		upload(); // What it was the last to do is seen, too.
+	}
 	update_processing();
 }
 

@@ -52,6 +52,7 @@ void PlantField3D::merge_added() {
 	if (int(patches.size()) - filled_patches <= MOST_ADDED_PATCHES) {
 		return;
 	}
+	release_added_skeletons();
 	FieldPlants all;
 	std::vector<std::pair<float, uint32_t>> unsorted;
 	for (size_t i = size_t(filled_patches); i < patches.size(); i++) {
@@ -135,6 +136,7 @@ void PlantField3D::show_bends() {
 	if (!bends || !bends->has_room(*simulation)) {
 		bends = std::make_unique<FieldBends>();
 		bends->make_images(*simulation);
+		hide_shown();
 		bends->make_textures();
 	} else {
 		for (int page = 0; page < simulation->page_count() && simulation->settings().prototypes == 0; page++) {

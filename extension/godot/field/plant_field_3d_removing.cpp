@@ -86,6 +86,7 @@ int PlantField3D::remove_in_sphere(const Vector3 &center, double radius) {
 			removed++;
 		}
 	}
+	release_removed_skeletons();
 	for (int page = 0; page < simulation->page_count() && simulation->settings().prototypes == 0; page++) {
 		if (is_affected[size_t(page)]) {
 			bends->write_page(*simulation, page);

@@ -78,6 +78,7 @@ Dictionary PlantField3D::get_statistics() {
 	told["plants"] = count;
 	told["simulated"] = simulation ? simulation->simulated_count() : 0;
 	told["drawn_by_level"] = drawn;
+	told["skeletons"] = int64_t(skeletons.shown.size());
 	told["step_usec"] = steps.busy_usec();
 	told["upload_usec"] = upload_usec;
 	told["main_usec"] = main_usec;

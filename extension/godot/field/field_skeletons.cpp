@@ -1,0 +1,120 @@
+#include "field/field_skeletons.hpp"
+
+#include "shared_resources.hpp"
+
+#include <godot_cpp/classes/mesh_instance3d.hpp>
+#include <godot_cpp/core/object.hpp>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static const char *const HOLDER_NAME = "FieldSkeletons";
+static const char *const SKELETON_NAME = "PlantSkeleton";
+static const char *const MESH_NAME = "PlantMesh";
+static constexpr int TIP_BONE = 1;
+
+static MeshInstance3D *mesh_of(const Skeleton3D *skeleton) {
+	return Object::cast_to<MeshInstance3D>(skeleton->get_node_or_null(NodePath(MESH_NAME)));
+}
+
+void FieldSkeletons::remove_strays(Node3D *field) const {
+	Node *stray = field->get_node_or_null(NodePath(HOLDER_NAME));
+	if (stray && stray->get_instance_id() != holder) {
+		field->remove_child(stray);
+		stray->queue_free();
+	}
+}
+
+Node *FieldSkeletons::find_holder(Node3D *field) {
+	Node *found = Object::cast_to<Node>(ObjectDB::get_instance(holder));
+	if (!found) {
+		found = memnew(Node3D);
+		found->set_name(HOLDER_NAME);
+		field->add_child(found, false, Node::INTERNAL_MODE_BACK);
+		holder = found->get_instance_id();
+	}
+	return found;
+}
+
+Skeleton3D *FieldSkeletons::make(Node3D *field) {
+	Skeleton3D *skeleton = memnew(Skeleton3D);
+	skeleton->set_name(SKELETON_NAME);
+	skeleton->add_bone("root");
+	skeleton->add_bone("tip");
+	skeleton->set_bone_parent(TIP_BONE, 0);
+	MeshInstance3D *drawn = memnew(MeshInstance3D);
+	drawn->set_name(MESH_NAME);
+	drawn->set_skin(plant_skin());
+	skeleton->add_child(drawn, false, Node::INTERNAL_MODE_FRONT);
+	drawn->set_skeleton_path(NodePath(".."));
+	find_holder(field)->add_child(skeleton, true);
+	return skeleton;
+}
+
+Skeleton3D *FieldSkeletons::take(
+		Node3D *field, const Transform3D &place, const Ref<ArrayMesh> &mesh, const Look &look) {
+	Skeleton3D *skeleton = nullptr;
+	while (!skeleton && !idle.empty()) {
+		skeleton = Object::cast_to<Skeleton3D>(ObjectDB::get_instance(idle.back()));
+		idle.pop_back();
+		if (skeleton && (!mesh_of(skeleton) || skeleton->get_bone_count() != 2)) {
+			skeleton->queue_free(); // A script has changed it.
+			skeleton = nullptr;
+		}
+	}
+	skeleton = skeleton ? skeleton : make(field);
+	MeshInstance3D *drawn = mesh_of(skeleton);
+	drawn->set_mesh(mesh);
+	drawn->set_layer_mask(look.layers);
+	drawn->set_cast_shadows_setting(look.casts_shadows ? GeometryInstance3D::SHADOW_CASTING_SETTING_ON
+													   : GeometryInstance3D::SHADOW_CASTING_SETTING_OFF);
+	// Linear blend skinning moves no vertex farther from the root than it is at rest.
+	const AABB box = mesh->get_aabb();
+	const float reach = box.position.abs().max(box.get_end().abs()).length();
+	drawn->set_custom_aabb(AABB(Vector3(-reach, -reach, -reach), Vector3(2.0f * reach, 2.0f * reach, 2.0f * reach)));
+	skeleton->set_transform(place);
+	skeleton->set_visible(true);
+	return skeleton;
+}
+
+void FieldSkeletons::set_layers(uint32_t mask) const {
+	for (const Shown &entry : shown) {
+		const Skeleton3D *skeleton = node(entry);
+		MeshInstance3D *drawn = skeleton ? mesh_of(skeleton) : nullptr;
+		if (drawn) {
+			drawn->set_layer_mask(mask);
+		}
+	}
+}
+
+void FieldSkeletons::give_back(Skeleton3D *skeleton) {
+	if (skeleton->get_child_count(false) > 0) {
+		skeleton->queue_free(); // At the end of the frame: whoever hears of it first may take the children away.
+		return;
+	}
+	skeleton->set_visible(false);
+	idle.push_back(skeleton->get_instance_id());
+}
+
+void FieldSkeletons::clear() {
+	for (const uint64_t id : idle) {
+		Node *skeleton = Object::cast_to<Node>(ObjectDB::get_instance(id));
+		if (skeleton) {
+			skeleton->queue_free();
+		}
+	}
+	idle.clear();
+}
+
+Skeleton3D *FieldSkeletons::node(const Shown &entry) {
+	return Object::cast_to<Skeleton3D>(ObjectDB::get_instance(entry.skeleton));
+}
+
+void FieldSkeletons::pose(Skeleton3D *skeleton, const Quaternion &turn) {
+	if (skeleton->get_bone_count() > TIP_BONE) {
+		skeleton->set_bone_pose_rotation(TIP_BONE, turn);
+	}
+}
+
+} // namespace undergrowth

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <godot_cpp/classes/array_mesh.hpp>
+#include <godot_cpp/classes/skeleton3d.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace undergrowth {
+
+/// Plants of a field that are shown as nodes: a Skeleton3D of two bones with a skinned mesh, as a Plant3D has. They are
+/// children of an internal node of the field, so that they are never saved, and used again for other plants. Scripts
+/// may free any of them at any time.
+class FieldSkeletons {
+public:
+	/// A plant, by its place in the field's patches, and the node that shows it.
+	struct Shown {
+		int patch = 0;
+		int plant = 0;
+		uint64_t skeleton = 0; ///< Instance id.
+	};
+	/// How they are drawn.
+	struct Look {
+		uint32_t layers = 1;
+		bool casts_shadows = true;
+	};
+
+	/// Removes what a copy of a field, or one whose library was reloaded, finds among its children.
+	void remove_strays(godot::Node3D *field) const;
+
+	/// A skeleton at `place` (field axes) that shows `mesh`. Its bone is not turned yet.
+	godot::Skeleton3D *take(godot::Node3D *field, const godot::Transform3D &place,
+			const godot::Ref<godot::ArrayMesh> &mesh, const Look &look);
+	/// Draws those that are shown in other render layers.
+	void set_layers(uint32_t mask) const;
+	/// Hides a skeleton for later use; one to which scripts have added children goes with them.
+	void give_back(godot::Skeleton3D *skeleton);
+	/// Frees those that nobody uses.
+	void clear();
+
+	/// The node of an entry; null where a script has freed it.
+	static godot::Skeleton3D *node(const Shown &entry);
+	/// Turns the tip's bone so that it bends the mesh as the shader of fields does.
+	static void pose(godot::Skeleton3D *skeleton, const godot::Quaternion &turn);
+
+	std::vector<Shown> shown;
+
+private:
+	uint64_t holder = 0; ///< Instance id.
+	std::vector<uint64_t> idle;
+
+	godot::Node *find_holder(godot::Node3D *field);
+	godot::Skeleton3D *make(godot::Node3D *field);
+};
+
+} // namespace undergrowth

@@ -1,0 +1,63 @@
+## Base of the engine tests that look at pictures: a stage with a camera and a light.
+extends "res://tests/engine/harness.gd"
+
+const PICTURE_SIZE := Vector2i(200, 240)
+## A pixel differs where a channel does by more than this.
+const TOLERANCE := 10.0 / 255.0
+## Pixels that may: on the outline, where the last bit of a vertex decides.
+const MOST_DIFFERENT := 12
+## Pixels of the plant, at least.
+const LEAST_PLANT := 100
+
+var stage: SubViewport
+
+
+## A new stage; [code]stage.free()[/code] takes it away with all that is on it.
+func make_stage() -> void:
+	stage = SubViewport.new()
+	stage.size = PICTURE_SIZE
+	stage.own_world_3d = true
+	stage.render_target_update_mode = SubViewport.UPDATE_ALWAYS
+	root.add_child(stage)
+	_add_light()
+
+
+## What the stage shows, two frames from now.
+func picture() -> Image:
+	await frames(2)
+	await RenderingServer.frame_post_draw
+	return stage.get_texture().get_image()
+
+
+func empty_picture() -> Image:
+	var empty := Image.create_empty(PICTURE_SIZE.x, PICTURE_SIZE.y, false, Image.FORMAT_RGBA8)
+	empty.fill(Color.BLACK)
+	return empty
+
+
+## Pixels in which two pictures differ.
+func count_different(one: Image, other: Image) -> int:
+	var count := 0
+	for y in PICTURE_SIZE.y:
+		for x in PICTURE_SIZE.x:
+			var a := one.get_pixel(x, y)
+			var b := other.get_pixel(x, y)
+			var apart := maxf(absf(a.r - b.r), maxf(absf(a.g - b.g), absf(a.b - b.b)))
+			count += 1 if apart > TOLERANCE else 0
+	return count
+
+
+func _add_light() -> void:
+	var camera := Camera3D.new()
+	stage.add_child(camera)
+	camera.look_at_from_position(Vector3(0, 1.0, 2.8), Vector3(0, 0.7, 0))
+	var sun := DirectionalLight3D.new()
+	sun.rotation_degrees = Vector3(-50, 30, 0)
+	stage.add_child(sun)
+	var surroundings := WorldEnvironment.new()
+	surroundings.environment = Environment.new()
+	surroundings.environment.background_mode = Environment.BG_COLOR
+	surroundings.environment.background_color = Color.BLACK
+	surroundings.environment.ambient_light_source = Environment.AMBIENT_SOURCE_COLOR
+	surroundings.environment.ambient_light_color = Color(0.4, 0.4, 0.4)
+	stage.add_child(surroundings)
