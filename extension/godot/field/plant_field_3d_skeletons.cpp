@@ -159,9 +159,8 @@ bool PlantField3D::choose_skeletons() {
 	for (const Near &near : nearest) {
 		wanted.insert({ near.patch, near.plant });
 	}
-	bool changes = release_skeletons([&](const FieldSkeletons::Shown &entry) {
-		return wanted.count({ entry.patch, entry.plant }) == 0;
-	});
+	bool changes = release_skeletons(
+			[&](const FieldSkeletons::Shown &entry) { return wanted.count({ entry.patch, entry.plant }) == 0; });
 	int added = 0;
 	for (size_t i = 0; i < nearest.size() && added < MOST_NEW; i++) {
 		if (!find_shown(nearest[i].patch, nearest[i].plant)) {
@@ -188,8 +187,8 @@ void PlantField3D::pose_skeletons() {
 		const FieldPatch &patch = *patches[size_t(entry.patch)];
 		const int page = patch.page(entry.plant);
 		const Bend *pair = simulation->page(page).bends() + 2 * patch.index(entry.plant);
-		const glm::vec2 bend = glm::mix(
-				stereographic(pair[0]), stereographic(pair[1]), simulation->alpha(page, shown_alpha));
+		const glm::vec2 bend =
+				glm::mix(stereographic(pair[0]), stereographic(pair[1]), simulation->alpha(page, shown_alpha));
 		const float turn = patch.plants.plant(entry.plant).turn;
 		const float c = std::cos(turn);
 		const float d = std::sin(turn);
@@ -207,8 +206,8 @@ Skeleton3D *PlantField3D::get_skeleton(int64_t index) {
 }
 
 int64_t PlantField3D::get_skeleton_plant(const Skeleton3D *skeleton) const {
-	const auto entry = std::find_if(
-			skeletons.shown.begin(), skeletons.shown.end(), [&](const FieldSkeletons::Shown &shown) {
+	const auto entry =
+			std::find_if(skeletons.shown.begin(), skeletons.shown.end(), [&](const FieldSkeletons::Shown &shown) {
 				return skeleton && shown.skeleton == uint64_t(skeleton->get_instance_id());
 			});
 	if (entry == skeletons.shown.end()) {
