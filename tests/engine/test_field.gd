@@ -229,6 +229,46 @@ func test_ground_is_what_a_mesh_says() -> void:
 	hill.free()
 
 
+func test_plants_lean_with_the_ground() -> void:
+	var hill := MeshInstance3D.new()
+	hill.mesh = PlaneMesh.new()
+	(hill.mesh as PlaneMesh).size = Vector2(10, 10)
+	hill.rotation.z = 0.4
+	hill.name = "Hill"
+	root.add_child(hill)
+	_field.ground_mesh = NodePath("../Hill")
+	_field.ground = PlantField3D.GROUND_MESH
+	_field.lean_deviation_degrees = 0.0
+	_field.simulating = false
+	for function: PlantFunction in _field.species:
+		function.law = PlantFunction.LAW_SPRING
+		function.lean_degrees = 0.0
+	await _fill()
+	check_near(_field_axis(5), Vector3.UP, 1e-3, "a plant without alignment")
+	_field.slope_alignment = 1.0
+	await _filled(_field)
+	for i: int in range(0, _field.get_plant_count(), 17):
+		check_near(_field_axis(i), hill.basis.y, 2e-3, "axis of plant %d" % i)
+	_field.slope_alignment = 0.5
+	await _filled(_field)
+	check_near(_field_axis(5), Vector3.UP.rotated(Vector3.BACK, 0.2), 5e-3, "half an alignment")
+	hill.free()
+
+
+func test_added_plants_keep_their_turn_and_their_tilt() -> void:
+	_field.species = [] as Array[PlantFunction]
+	_field.simulating = false
+	root.add_child(_field)
+	var function := TulipFunction.new()
+	function.law = PlantFunction.LAW_SPRING
+	function.lean_degrees = 0.0
+	var tilt := Basis(Vector3(1, 0, 2).normalized(), 0.6)
+	_field.add_plants([Transform3D(tilt * Basis(Vector3.UP, 1.3), Vector3(1, 2, 3))], function)
+	await frames(2)
+	check_near(_field_axis(0), tilt.y, 1e-3, "axis")
+	check_near(_field.get_plant_transform(0).basis.z, Basis(Vector3.UP, 1.3).z, 1e-3, "front")
+
+
 func test_ground_is_what_rays_hit() -> void:
 	var body := StaticBody3D.new()
 	var shape := CollisionShape3D.new()
@@ -281,6 +321,12 @@ func _fill() -> void:
 func _filled(field: PlantField3D) -> void:
 	await field.filled
 	await process_frame
+
+
+## The direction from a plant's root to its tip.
+func _field_axis(index: int) -> Vector3:
+	var at := _field.get_plant_transform(index).origin
+	return (_field.get_tip_position(index) - at).normalized()
 
 
 func _make_field() -> PlantField3D:

@@ -59,12 +59,31 @@ bool is_slope_allowed(const glm::vec3 &normal, const Cosines &allowed) {
 	return std::isfinite(length) && cosine >= allowed.least && cosine <= allowed.most;
 }
 
+glm::dvec3 unit(const glm::dvec3 &v) {
+	return v / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+}
+
+/// Leans a plant further: as `share` of the way from upright to the ground's normal turns it.
+void align(PlacedPlant &plant, const glm::vec3 &normal, double share) {
+	const glm::dvec3 up(0.0, 1.0, 0.0);
+	const glm::dvec3 towards = unit(up + share * (unit(glm::dvec3(normal)) - up));
+	const double around = static_cast<double>(plant.turn) + static_cast<double>(plant.side);
+	const double aside = portable_sin(plant.lean);
+	const glm::dvec3 was(aside * portable_cos(around), portable_cos(plant.lean), -aside * portable_sin(around));
+	// The shortest turn from `up` to `towards`.
+	const glm::dvec3 sum = up + towards;
+	const double along = sum.x * was.x + sum.y * was.y + sum.z * was.z;
+	const glm::dvec3 is = was - sum * (along / (1.0 + towards.y)) + towards * (2.0 * was.y);
+	plant.lean = static_cast<float>(portable_atan2(std::sqrt(is.x * is.x + is.z * is.z), is.y));
+	plant.side = static_cast<float>(portable_atan2(-is.z, is.x) - static_cast<double>(plant.turn));
+}
+
 } // namespace
 
 bool is_valid(const PlacedPlant &plant) {
 	const bool finite = std::isfinite(plant.root.x) && std::isfinite(plant.root.y) && std::isfinite(plant.root.z) &&
 			std::isfinite(plant.scale) && std::isfinite(plant.turn) && std::isfinite(plant.height) &&
-			std::isfinite(plant.lean);
+			std::isfinite(plant.lean) && std::isfinite(plant.side);
 	return finite && plant.scale > 0.0f && plant.species >= 0 && plant.species <= 255 && plant.variant >= 0 &&
 			plant.variant <= 255;
 }
@@ -77,6 +96,7 @@ void FieldPlants::reserve(std::size_t count) {
 	turn.reserve(count);
 	height.reserve(count);
 	lean.reserve(count);
+	side.reserve(count);
 	species.reserve(count);
 	variant.reserve(count);
 }
@@ -89,6 +109,7 @@ void FieldPlants::resize(std::size_t count) {
 	turn.resize(count);
 	height.resize(count);
 	lean.resize(count);
+	side.resize(count);
 	species.resize(count);
 	variant.resize(count);
 }
@@ -104,6 +125,7 @@ bool FieldPlants::add(const PlacedPlant &plant) {
 	turn.push_back(turn_code(plant.turn));
 	height.push_back(nearest_code(plant.height * HEIGHT_CODES));
 	lean.push_back(nearest_code(plant.lean * LEAN_CODES));
+	side.push_back(turn_code(plant.side));
 	species.push_back(static_cast<uint8_t>(plant.species));
 	variant.push_back(static_cast<uint8_t>(plant.variant));
 	return true;
@@ -117,6 +139,7 @@ void FieldPlants::append(const FieldPlants &other) {
 	append_column(turn, other.turn);
 	append_column(height, other.height);
 	append_column(lean, other.lean);
+	append_column(side, other.side);
 	append_column(species, other.species);
 	append_column(variant, other.variant);
 }
@@ -129,6 +152,7 @@ PlacedPlant FieldPlants::plant(int index) const {
 	plant.turn = static_cast<float>(turn[i] * (2.0 * PI / TURN_CODES));
 	plant.height = static_cast<float>(height[i] / HEIGHT_CODES);
 	plant.lean = static_cast<float>(lean[i] / LEAN_CODES);
+	plant.side = static_cast<float>(side[i] * (2.0 * PI / TURN_CODES));
 	plant.species = species[i];
 	plant.variant = variant[i];
 	return plant;
@@ -144,6 +168,7 @@ void FieldPlants::copy(int from, int to) {
 	turn[t] = turn[f];
 	height[t] = height[f];
 	lean[t] = lean[f];
+	side[t] = side[f];
 	species[t] = species[f];
 	variant[t] = variant[f];
 }
@@ -157,6 +182,7 @@ FieldPlants FieldPlants::reordered(const std::vector<int> &order) const {
 	sorted.turn = pick(turn, order);
 	sorted.height = pick(height, order);
 	sorted.lean = pick(lean, order);
+	sorted.side = pick(side, order);
 	sorted.species = pick(species, order);
 	sorted.variant = pick(variant, order);
 	return sorted;
@@ -177,7 +203,7 @@ void FieldPlants::remove(const std::vector<int> &ascending) {
 
 std::size_t FieldPlants::bytes() const {
 	return (x.capacity() + y.capacity() + z.capacity() + scale.capacity()) * sizeof(float) +
-			(turn.capacity() + height.capacity() + lean.capacity()) * sizeof(uint16_t) + species.capacity() +
+			(turn.capacity() + height.capacity() + lean.capacity() + side.capacity()) * sizeof(uint16_t) + species.capacity() +
 			variant.capacity();
 }
 
@@ -193,6 +219,12 @@ int apply_ground(FieldPlants &plants, const float *heights, const glm::vec3 *nor
 		}
 		plants.copy(i, kept);
 		plants.y[static_cast<std::size_t>(kept)] = height;
+		if (limits.alignment > 0.0f && normals != nullptr) {
+			PlacedPlant plant = plants.plant(kept);
+			align(plant, normals[i], limits.alignment);
+			plants.lean[static_cast<std::size_t>(kept)] = nearest_code(plant.lean * LEAN_CODES);
+			plants.side[static_cast<std::size_t>(kept)] = turn_code(plant.side);
+		}
 		kept++;
 	}
 	plants.resize(static_cast<std::size_t>(kept));

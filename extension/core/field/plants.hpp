@@ -14,7 +14,8 @@ struct PlacedPlant {
 	float scale = 1.0f; ///< Of the whole plant, > 0.
 	float turn = 0.0f; ///< rad, around +y; any, kept from 0 to 2π.
 	float height = 1.0f; ///< Times the species' height, beside `scale`; 0 to FieldPlants::MOST_HEIGHT.
-	float lean = 0.0f; ///< rad, from upright towards the plant's own +x; 0 to π/2.
+	float lean = 0.0f; ///< rad, from upright; 0 to π/2.
+	float side = 0.0f; ///< rad, to which side it leans: around +y from the plant's own +x; any, kept from 0 to 2π.
 	int species = 0; ///< 0 to 255.
 	int variant = 0; ///< 0 to 255, in the species' pool of meshes.
 };
@@ -22,13 +23,13 @@ struct PlacedPlant {
 /// Whether all numbers are finite, the scale > 0 and the species and the variant in range.
 bool is_valid(const PlacedPlant &plant);
 
-/// What was placed in a field, in struct-of-arrays: 24 bytes a plant. Columns have equal lengths.
+/// What was placed in a field, in struct-of-arrays: 26 bytes a plant. Columns have equal lengths.
 ///
-/// Turn, height and lean are kept in 16 bits each: to 1e-4 rad, 1.3e-4 and 2.4e-5 rad; heights and leans out of range
+/// Turn, side, height and lean are kept in 16 bits each: to 1e-4 rad, 1e-4 rad, 1.3e-4 and 2.4e-5 rad; heights and leans out of range
 /// become the nearest in range.
 struct FieldPlants {
 	static constexpr float MOST_HEIGHT = 8.0f;
-	static constexpr std::size_t PLANT_BYTES = 24;
+	static constexpr std::size_t PLANT_BYTES = 26;
 
 	std::vector<float> x; ///< m, field axes, of roots; y and z alike.
 	std::vector<float> y;
@@ -37,6 +38,7 @@ struct FieldPlants {
 	std::vector<uint16_t> turn; ///< 2π/65536 rad.
 	std::vector<uint16_t> height; ///< MOST_HEIGHT/65536; 8192 stands for 1.
 	std::vector<uint16_t> lean; ///< (π/2)/65535 rad.
+	std::vector<uint16_t> side; ///< 2π/65536 rad.
 	std::vector<uint8_t> species;
 	std::vector<uint8_t> variant;
 
@@ -68,9 +70,10 @@ struct GroundLimits {
 	float highest = 3.4e38f;
 	float flattest = 0.0f; ///< rad, slope; 0 is level, π/2 a wall.
 	float steepest = 3.2f; ///< rad.
+	float alignment = 0.0f; ///< 0: plants lean as on level ground; 1: with the ground's normal, too.
 };
 
-/// Sets each plant's y to heights[i] and removes those whose height or slope is beyond the limits (which are included)
+/// Sets each plant's y to heights[i], leans it by the alignment with the slope, and removes those whose height or slope is beyond the limits (which are included)
 /// or not finite: NaN stands for no ground. Those left keep their order; tells how many they are.
 /// `heights` (m) and `normals` (of any length > 0) have an entry for each plant; null normals stand for level ground.
 int apply_ground(FieldPlants &plants, const float *heights, const glm::vec3 *normals, const GroundLimits &limits);

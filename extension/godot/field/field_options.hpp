@@ -21,6 +21,7 @@ struct FieldOptions {
 	int64_t ground_mask = 1;
 	godot::Vector2 height_limits = { -1000.0f, 1000.0f }; // m.
 	godot::Vector2 slope_limits_degrees = { 0.0f, 90.0f };
+	double slope_alignment = 0.0;
 	double wind_speed = 10.0; // m/s.
 	bool simulating = true;
 	int threads = 0;

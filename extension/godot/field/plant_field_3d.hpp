@@ -242,6 +242,8 @@ public:
 	godot::Vector2 get_height_limits() const;
 	void set_slope_limits_degrees(const godot::Vector2 &degrees);
 	godot::Vector2 get_slope_limits_degrees() const;
+	void set_slope_alignment(double share);
+	double get_slope_alignment() const;
 	void set_wind(const godot::Ref<PlantWind> &new_wind);
 	godot::Ref<PlantWind> get_wind() const;
 	void set_wind_speed(double speed);

@@ -18,15 +18,16 @@ PlacedPlant PlantField3D::place_transform(const Transform3D &transform, int spec
 	PlacedPlant plant;
 	plant.root = to_glm(transform.origin);
 	const Vector3 up = transform.basis.get_column(1);
-	const Vector3 front = transform.basis.get_column(2);
 	plant.scale = up.length();
 	const float aside = std::sqrt(up.x * up.x + up.z * up.z);
+	Vector3 front = transform.basis.get_column(2);
 	if (aside > LEAST_TILT * plant.scale) {
-		plant.turn = std::atan2(-up.z, up.x);
 		plant.lean = std::atan2(aside, up.y);
-	} else {
-		plant.turn = std::atan2(front.x, front.z);
+		const Vector3 across(up.z / aside, 0.0f, -up.x / aside);
+		front = Basis(across, -plant.lean).xform(front);
 	}
+	plant.turn = std::atan2(front.x, front.z);
+	plant.side = plant.lean > 0.0f ? std::atan2(-up.z, up.x) - plant.turn : 0.0f;
 	plant.species = species_index;
 	return plant;
 }

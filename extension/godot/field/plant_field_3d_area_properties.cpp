@@ -11,6 +11,7 @@ namespace undergrowth {
 static constexpr Range SIZE_RANGE = { 0.0, 1e5 };
 static constexpr Range HEIGHT_LIMITS_RANGE = { -1e6, 1e6 };
 static constexpr Range SLOPE_LIMITS_RANGE = { 0.0, 180.0 };
+static constexpr Range SLOPE_ALIGNMENT_RANGE = { 0.0, 1.0 };
 
 void PlantField3D::set_size(const Vector2 &metres) {
 	if (accept_value(this, "size", metres.x, SIZE_RANGE) && accept_value(this, "size", metres.y, SIZE_RANGE)) {
@@ -107,6 +108,14 @@ void PlantField3D::set_slope_limits_degrees(const Vector2 &degrees) {
 
 Vector2 PlantField3D::get_slope_limits_degrees() const {
 	return options.slope_limits_degrees;
+}
+
+void PlantField3D::set_slope_alignment(double value) {
+	set_number(options.slope_alignment, "slope_alignment", value, SLOPE_ALIGNMENT_RANGE, true);
+}
+
+double PlantField3D::get_slope_alignment() const {
+	return options.slope_alignment;
 }
 
 } // namespace undergrowth

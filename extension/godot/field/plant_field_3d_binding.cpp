@@ -71,6 +71,8 @@ static void bind_property_methods() {
 	ClassDB::bind_method(D_METHOD("get_height_limits"), &PlantField3D::get_height_limits);
 	ClassDB::bind_method(D_METHOD("set_slope_limits_degrees", "value"), &PlantField3D::set_slope_limits_degrees);
 	ClassDB::bind_method(D_METHOD("get_slope_limits_degrees"), &PlantField3D::get_slope_limits_degrees);
+	ClassDB::bind_method(D_METHOD("set_slope_alignment", "value"), &PlantField3D::set_slope_alignment);
+	ClassDB::bind_method(D_METHOD("get_slope_alignment"), &PlantField3D::get_slope_alignment);
 	ClassDB::bind_method(D_METHOD("set_wind", "value"), &PlantField3D::set_wind);
 	ClassDB::bind_method(D_METHOD("get_wind"), &PlantField3D::get_wind);
 	ClassDB::bind_method(D_METHOD("set_wind_speed", "value"), &PlantField3D::set_wind_speed);
@@ -152,6 +154,8 @@ void PlantField3D::_bind_methods() {
 			"get_height_limits");
 	ADD_PROPERTY(PropertyInfo(Variant::VECTOR2, "slope_limits_degrees", PROPERTY_HINT_NONE, String::utf8("suffix:°")),
 			"set_slope_limits_degrees", "get_slope_limits_degrees");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "slope_alignment", PROPERTY_HINT_RANGE, "0,1,0.01"),
+			"set_slope_alignment", "get_slope_alignment");
 	ADD_GROUP("Motion", "");
 	ADD_PROPERTY(
 			PropertyInfo(Variant::OBJECT, "wind", PROPERTY_HINT_RESOURCE_TYPE, "PlantWind"), "set_wind", "get_wind");

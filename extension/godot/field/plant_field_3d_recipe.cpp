@@ -138,6 +138,7 @@ String PlantField3D::make_ground(FieldGround &into) {
 	into.limits.highest = options.height_limits.y;
 	into.limits.flattest = options.slope_limits_degrees.x * RADIANS_PER_DEGREE;
 	into.limits.steepest = options.slope_limits_degrees.y * RADIANS_PER_DEGREE;
+	into.limits.alignment = float(options.slope_alignment);
 	if (into.kind != FieldGround::Kind::mesh) {
 		return String();
 	}

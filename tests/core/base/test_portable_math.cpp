@@ -50,6 +50,20 @@ TEST_CASE("portable sine and cosine hold at the borders of the quadrants") {
 	CHECK(portable_cos(0.0) == 1.0);
 }
 
+TEST_CASE("the portable angle of a direction agrees with the C library's") {
+	double worst = 0.0;
+	for (int i = 0; i < POINTS; i++) {
+		const double x = sample(2 * i, 3.0);
+		const double y = sample(2 * i + 1, 3.0);
+		worst = std::fmax(worst, std::fabs(portable_atan2(y, x) - std::atan2(y, x)));
+	}
+	CHECK(worst < TOLERANCE);
+	CHECK(portable_atan2(0.0, 0.0) == 0.0);
+	CHECK(portable_atan2(0.0, 2.0) == 0.0);
+	CHECK(portable_atan2(0.0, -2.0) == doctest::Approx(std::atan2(0.0, -2.0)));
+	CHECK(portable_atan2(-1.0, 0.0) == doctest::Approx(std::atan2(-1.0, 0.0)));
+}
+
 TEST_CASE("portable tangent agrees with the C library's away from its poles") {
 	double worst = 0.0;
 	for (int i = 0; i < POINTS; i++) {

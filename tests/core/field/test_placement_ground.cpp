@@ -54,6 +54,57 @@ TEST_CASE("plants take the ground's height and keep their order") {
 	}
 }
 
+TEST_CASE("plants lean with the ground as far as they are told") {
+	constexpr double SLOPE = 0.5;
+	constexpr double TOLERANCE = 2e-4; // rad: the codes' and the normal's rounding.
+	const float height = 1.0f;
+	const glm::vec3 normal = 3.0f * normal_of(SLOPE);
+	for (const float turn : { 0.0f, 1.0f, 4.0f }) {
+		PlacedPlant upright;
+		upright.turn = turn;
+		FieldPlants plants;
+		plants.add(upright);
+		GroundLimits limits;
+		apply_ground(plants, &height, &normal, limits);
+		CHECK(plants.plant(0).lean == 0.0f);
+		limits.alignment = 1.0f;
+		apply_ground(plants, &height, &normal, limits);
+		const PlacedPlant aligned = plants.plant(0);
+		CHECK(aligned.turn == doctest::Approx(turn).epsilon(TOLERANCE));
+		CHECK(std::abs(aligned.lean - SLOPE) < TOLERANCE);
+		// The normal leans to -x: half a turn from the field's +x.
+		CHECK(std::abs(std::cos(aligned.turn + aligned.side) + 1.0) < TOLERANCE);
+		// What leaned uphill by as much stands upright.
+		PlacedPlant uphill = upright;
+		uphill.lean = static_cast<float>(SLOPE);
+		uphill.side = -turn;
+		FieldPlants others;
+		others.add(uphill);
+		apply_ground(others, &height, &normal, limits);
+		CHECK(others.plant(0).lean < TOLERANCE);
+	}
+}
+
+TEST_CASE("half an alignment leans plants half as far, and none on level ground") {
+	const float height = 0.0f;
+	const glm::vec3 normal = normal_of(0.2);
+	const glm::vec3 level = { 0.0f, 1.0f, 0.0f };
+	GroundLimits limits;
+	limits.alignment = 0.5f;
+	FieldPlants plants;
+	plants.add({});
+	apply_ground(plants, &height, &normal, limits);
+	CHECK(plants.plant(0).lean == doctest::Approx(0.1).epsilon(0.01));
+	FieldPlants flat;
+	PlacedPlant leaning;
+	leaning.lean = 0.3f;
+	leaning.side = 1.0f;
+	flat.add(leaning);
+	apply_ground(flat, &height, &level, limits);
+	CHECK(flat.plant(0).lean == doctest::Approx(0.3).epsilon(1e-3));
+	CHECK(flat.plant(0).side == doctest::Approx(1.0).epsilon(1e-3));
+}
+
 TEST_CASE("limits of height and slope are included, beyond them nothing grows") {
 	GroundLimits limits;
 	limits.lowest = -1.0f;
@@ -149,7 +200,7 @@ TEST_CASE("plants that are not sound are left out") {
 	CHECK(plants.plant(0).lean == 0.0f);
 }
 
-TEST_CASE("removed plants are gone, the others keep their order, and a plant costs 24 bytes") {
+TEST_CASE("removed plants are gone, the others keep their order, and a plant costs 26 bytes") {
 	const FieldPlants all = placed(square_field(10.0f, 3.0f, 2));
 	FieldPlants plants = all;
 	const int last = all.size() - 1;
