@@ -203,8 +203,8 @@ void FieldPlants::remove(const std::vector<int> &ascending) {
 
 std::size_t FieldPlants::bytes() const {
 	return (x.capacity() + y.capacity() + z.capacity() + scale.capacity()) * sizeof(float) +
-			(turn.capacity() + height.capacity() + lean.capacity() + side.capacity()) * sizeof(uint16_t) + species.capacity() +
-			variant.capacity();
+			(turn.capacity() + height.capacity() + lean.capacity() + side.capacity()) * sizeof(uint16_t) +
+			species.capacity() + variant.capacity();
 }
 
 int apply_ground(FieldPlants &plants, const float *heights, const glm::vec3 *normals, const GroundLimits &limits) {

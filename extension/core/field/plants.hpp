@@ -25,8 +25,8 @@ bool is_valid(const PlacedPlant &plant);
 
 /// What was placed in a field, in struct-of-arrays: 26 bytes a plant. Columns have equal lengths.
 ///
-/// Turn, side, height and lean are kept in 16 bits each: to 1e-4 rad, 1e-4 rad, 1.3e-4 and 2.4e-5 rad; heights and leans out of range
-/// become the nearest in range.
+/// Turn, side, height and lean are kept in 16 bits each: to 1e-4 rad, 1e-4 rad, 1.3e-4 and 2.4e-5 rad; heights and
+/// leans out of range become the nearest in range.
 struct FieldPlants {
 	static constexpr float MOST_HEIGHT = 8.0f;
 	static constexpr std::size_t PLANT_BYTES = 26;
@@ -73,9 +73,10 @@ struct GroundLimits {
 	float alignment = 0.0f; ///< 0: plants lean as on level ground; 1: with the ground's normal, too.
 };
 
-/// Sets each plant's y to heights[i], leans it by the alignment with the slope, and removes those whose height or slope is beyond the limits (which are included)
-/// or not finite: NaN stands for no ground. Those left keep their order; tells how many they are.
-/// `heights` (m) and `normals` (of any length > 0) have an entry for each plant; null normals stand for level ground.
+/// Sets each plant's y to heights[i], leans it by the alignment with the slope, and removes those whose height or slope
+/// is beyond the limits (which are included) or not finite: NaN stands for no ground. Those left keep their order;
+/// tells how many they are. `heights` (m) and `normals` (of any length > 0) have an entry for each plant; null normals
+/// stand for level ground.
 int apply_ground(FieldPlants &plants, const float *heights, const glm::vec3 *normals, const GroundLimits &limits);
 
 } // namespace undergrowth

@@ -29,7 +29,35 @@ PackedStringArray PlantField3D::_get_configuration_warnings() const {
 	} else if (!problem.is_empty()) {
 		warnings.push_back(problem);
 	}
+	if (levels.size() > level_distances.size() + 1) {
+		warnings.push_back("Only " + String::num_int64(level_distances.size() + 1) + " of " +
+				String::num_int64(levels.size()) +
+				" Levels are drawn: give Level Distances a number for each level but the last.");
+	}
+	if (options.prototypes > 0 && (options.contact || options.skeleton_distance > 0.0)) {
+		warnings.push_back(
+				"Plants that follow Prototypes neither touch each other nor become skeletons: set Prototypes "
+				"to 0, or Contact off and Skeleton Distance to 0.");
+	}
+	if (wind.is_valid() && wind->get_strength() == 0.0) {
+		warnings.push_back(
+				"The wind has a strength of 0 N, so these plants stand still: raise Strength in their Wind.");
+	}
 	return warnings;
+}
+
+// The inspector shows what counts for this ground and area. (Properties with a slider stay: a new list would end the
+// dragging of it.)
+void PlantField3D::_validate_property(PropertyInfo &property) const {
+	const String name = property.name;
+	const bool is_flat = options.ground == GROUND_NONE;
+	const bool is_idle = (name == "size" && area.is_valid()) ||
+			(name == "ground_mask" && options.ground != GROUND_COLLIDERS) ||
+			(name == "ground_mesh" && options.ground != GROUND_MESH) ||
+			(is_flat && (name == "height_limits" || name.begins_with("slope_")));
+	if (is_idle) {
+		property.usage &= ~uint32_t(PROPERTY_USAGE_EDITOR);
+	}
 }
 
 void PlantField3D::on_species_changed() {
@@ -56,6 +84,10 @@ void PlantField3D::on_species_changed() {
 
 void PlantField3D::on_area_changed() {
 	mark_stale();
+}
+
+void PlantField3D::on_wind_changed() {
+	update_configuration_warnings();
 }
 
 void PlantField3D::_notification(int what) {

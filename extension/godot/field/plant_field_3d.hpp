@@ -170,6 +170,7 @@ private:
 protected:
 	static void _bind_methods();
 	void _notification(int what);
+	void _validate_property(godot::PropertyInfo &property) const;
 
 public:
 	PlantField3D();
@@ -198,6 +199,7 @@ public:
 	// Called by the engine.
 	void on_species_changed();
 	void on_area_changed();
+	void on_wind_changed();
 	void on_fill_queued();
 	double monitor(int which) const;
 

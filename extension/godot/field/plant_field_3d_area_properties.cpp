@@ -29,6 +29,7 @@ void PlantField3D::set_area(const Ref<Curve3D> &curve) {
 	unfollow_changes(area.ptr(), changed);
 	area = curve;
 	follow_changes(area.ptr(), changed);
+	notify_property_list_changed();
 	mark_stale();
 }
 

@@ -11,6 +11,7 @@ namespace undergrowth {
 static void bind_plant_methods() {
 	ClassDB::bind_method(D_METHOD("_on_species_changed"), &PlantField3D::on_species_changed);
 	ClassDB::bind_method(D_METHOD("_on_area_changed"), &PlantField3D::on_area_changed);
+	ClassDB::bind_method(D_METHOD("_on_wind_changed"), &PlantField3D::on_wind_changed);
 	ClassDB::bind_method(D_METHOD("_on_fill_queued"), &PlantField3D::on_fill_queued);
 	ClassDB::bind_method(D_METHOD("_on_monitor_asked", "which"), &PlantField3D::monitor);
 	ClassDB::bind_method(D_METHOD("fill"), &PlantField3D::fill);

@@ -29,6 +29,7 @@ void PlantField3D::set_levels(const PackedInt32Array &lods) {
 		return;
 	}
 	levels = lods;
+	update_configuration_warnings();
 	mark_stale();
 }
 
@@ -44,6 +45,7 @@ void PlantField3D::set_level_distances(const PackedFloat32Array &metres) {
 		}
 	}
 	level_distances = metres;
+	update_configuration_warnings();
 	mark_stale();
 }
 

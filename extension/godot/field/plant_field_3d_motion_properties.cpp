@@ -2,6 +2,8 @@
 
 #include "field/plant_field_3d.hpp"
 
+#include "follow_changes.hpp"
+
 using namespace godot;
 
 namespace undergrowth {
@@ -14,8 +16,12 @@ static constexpr Range PROTOTYPES_RANGE = { 0, 64 };
 static constexpr Range INTERVAL_RANGE = { 1, 64 };
 
 void PlantField3D::set_wind(const Ref<PlantWind> &new_wind) {
+	const Callable changed(this, "_on_wind_changed");
+	unfollow_changes(wind.ptr(), changed);
 	wind = new_wind;
+	follow_changes(wind.ptr(), changed);
 	seen_wind_time = -1.0;
+	update_configuration_warnings();
 }
 
 Ref<PlantWind> PlantField3D::get_wind() const {
@@ -73,6 +79,7 @@ double PlantField3D::get_far_distance() const {
 
 void PlantField3D::set_prototypes(int value) {
 	set_whole(options.prototypes, "prototypes", value, PROTOTYPES_RANGE, true);
+	update_configuration_warnings();
 }
 
 int PlantField3D::get_prototypes() const {
@@ -81,6 +88,7 @@ int PlantField3D::get_prototypes() const {
 
 void PlantField3D::set_contact(bool on) {
 	options.contact = on;
+	update_configuration_warnings();
 	if (on && simulation) {
 		finish_step();
 		touching.fit(*simulation);

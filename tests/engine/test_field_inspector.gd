@@ -1,0 +1,45 @@
+## What the inspector shows of a field: the properties that count.
+extends "res://tests/engine/harness.gd"
+
+var _field: PlantField3D
+
+
+func before_each() -> void:
+	_field = PlantField3D.new()
+	_field.species = [TulipFunction.new()]
+
+
+func after_each() -> void:
+	_field.free()
+
+
+func test_the_inspector_shows_what_counts_for_the_ground() -> void:
+	check_equal(_shown_of(["ground_mask", "ground_mesh", "slope_alignment", "height_limits"]), [])
+	_field.ground = PlantField3D.GROUND_COLLIDERS
+	check_equal(
+		_shown_of(["ground_mask", "ground_mesh", "slope_alignment", "slope_limits_degrees"]),
+		["ground_mask", "slope_limits_degrees", "slope_alignment"]
+	)
+	_field.ground = PlantField3D.GROUND_MESH
+	check_equal(_shown_of(["ground_mask", "ground_mesh"]), ["ground_mesh"])
+
+
+func test_the_inspector_shows_a_size_where_no_curve_is_the_area() -> void:
+	check_equal(_shown_of(["size", "area"]), ["size", "area"])
+	_field.area = Curve3D.new()
+	check_equal(_shown_of(["size", "area"]), ["area"])
+
+
+func test_what_is_not_shown_is_saved_all_the_same() -> void:
+	for property: Dictionary in _field.get_property_list():
+		if property["name"] == "ground_mask":
+			check(property["usage"] & PROPERTY_USAGE_STORAGE != 0, "it is stored")
+
+
+## Those of some properties that the inspector shows, in its order.
+func _shown_of(names: Array[String]) -> Array:
+	var shown := []
+	for property: Dictionary in _field.get_property_list():
+		if property["name"] in names and property["usage"] & PROPERTY_USAGE_EDITOR != 0:
+			shown.append(property["name"])
+	return shown
