@@ -36,7 +36,7 @@ func _show(index: int, told: Dictionary) -> void:
 	_costs[index] = cost if is_first else lerpf(_costs[index], cost, SMOOTHING)
 	var share := 100.0 * _costs[index] / maxf(_costs[0], 0.1)
 	labels[index].text = (
-		"%s\n%s of %s plants simulated\n%s a frame, %d %%"
+		"%s\n%s of %s simulated\n%s a frame, %d %%"
 		% [
 			titles[index],
 			Figures.as_count(told["simulated"]),
