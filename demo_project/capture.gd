@@ -5,8 +5,9 @@ extends SceneTree
 ##     --script res://capture.gd -- --out=DIR [--scene=res://field/field.tscn] [--name=demo]
 ##     [--frames=60]
 ##
-## Writes DIR/demo.png (1280×720, with the panel) and DIR/frames/000.png … (640×360, one per frame
-## of --fixed-fps, with a gust); no frames with --frames=0. Ends with status 1 where it could not.
+## Writes DIR/demo.png (1280×720, with the panel) and DIR/frames/000.png … (640×360 without it, one
+## per frame of --fixed-fps, with a gust); no frames with --frames=0. Ends with status 1 where it
+## could not.
 ## Forward+ in software (lavapipe) is faster than Compatibility (llvmpipe) and looks better.
 
 const PICTURE_SIZE := Vector2i(1280, 720)
@@ -39,6 +40,7 @@ func _take_pictures() -> void:
 	if not _save(folder.path_join("%s.png" % _options["name"])):
 		return
 	root.msaa_3d = Viewport.MSAA_2X  # In software a frame takes a third of the time.
+	_hide_panels()
 	await _draw_at(FRAME_SIZE)
 	for index in frames:
 		if index == GUST_FRAME:
@@ -59,6 +61,12 @@ func _sway() -> void:
 	for _frame in WARM_UP_FRAMES:
 		await process_frame
 	RenderingServer.render_loop_enabled = true
+
+
+## So small, panels hide the plants and can't be read.
+func _hide_panels() -> void:
+	for layer: CanvasLayer in current_scene.find_children("*", "CanvasLayer", true, false):
+		layer.hide()
 
 
 func _draw_at(size: Vector2i) -> void:
