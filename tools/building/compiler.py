@@ -93,7 +93,7 @@ def for_kernels(env, file_name, arch):
         env.Append(CCFLAGS=["-fno-math-errno", "-fno-trapping-math"])
     if "avx2" in file_name and arch == "x86_64":
         # Without FMA: a fused multiply rounds once and would give other bits than the portable kernel.
-        env.Append(CCFLAGS=["/arch:AVX2"] if is_msvc(env) else ["-mavx2", "-mno-fma"])
+        env.Append(CCFLAGS=["/arch:AVX2"] if is_msvc(env) else ["-mavx2", "-mf16c", "-mno-fma"])
     return env
 
 

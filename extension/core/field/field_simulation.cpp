@@ -161,6 +161,11 @@ int FieldSimulation::page_interval(int page) const {
 	return options.update_interval * at(page).multiple;
 }
 
+bool FieldSimulation::is_due(int page, int64_t number) const {
+	const int interval = page_interval(page);
+	return number % interval == page % interval;
+}
+
 void FieldSimulation::set_bodies(const FieldBody *bodies, int count) {
 	pushing.clear();
 	std::copy_if(
@@ -183,11 +188,24 @@ void FieldSimulation::begin_step() {
 	next_step++;
 }
 
+int FieldSimulation::due_count() const {
+	// The first step simulates what prototypes did before it.
+	const int rounds = next_step == 0 ? Prototypes::SLOTS + 1 : 1;
+	int due = 0;
+	for (const Prototypes &model : models) {
+		due += rounds * model.count();
+	}
+	for (int page = 0; page < page_count(); page++) {
+		const bool steps = at(page).page.swings() || options.write_followers;
+		due += steps && is_due(page, next_step) ? at(page).page.size() : 0;
+	}
+	return due;
+}
+
 void FieldSimulation::step_pages(int begin, int end) {
 	for (int page = std::max(begin, 0); page < std::min(end, page_count()); page++) {
-		const int interval = page_interval(page);
-		if ((next_step - 1) % interval == page % interval) {
-			step_page(at(page), interval);
+		if (is_due(page, next_step - 1)) {
+			step_page(at(page), page_interval(page));
 		}
 	}
 }

@@ -76,6 +76,8 @@ public:
 	void begin_step();
 	/// The present step of pages [begin, end) that are due in it. Disjoint ranges may run on several threads at once.
 	void step_pages(int begin, int end);
+	/// Plants that the next step will step, prototypes included.
+	int due_count() const;
 	/// begin_step() and step_pages() of all.
 	void step();
 
@@ -128,6 +130,7 @@ private:
 	Entry &at(int page) { return entries[static_cast<std::size_t>(page)]; }
 	void take_in(Entry &entry, const FieldPlant *plants, int count);
 	void step_prototypes(int64_t number);
+	bool is_due(int page, int64_t number) const;
 	void step_page(Entry &entry, int interval);
 	void show_followers(Entry &entry, int most_change);
 	int wanted_delay(const Follower &follower, float x, float z, const TravellingWind &wind) const;

@@ -84,6 +84,7 @@ struct TravellingWind {
 	float cycle, cycles_x, cycles_z; ///< Cycles; cycles/m.
 	float since, delay_x, delay_z; ///< s; s/m.
 	float duration; ///< s.
+	float half = 0.5f; ///< Of a cycle. Always; a variable because compilers bound by it in fewer instructions.
 };
 
 /// The force of one step (N).

@@ -48,12 +48,13 @@ unsigned int saved_registers() {
 #endif
 }
 
-/// Whether the processor has AVX2 and the operating system saves its registers (Intel's manual, volume 1, 14.3).
+/// Whether the processor has AVX2 and half floats (which came before it), and the operating system saves its registers
+/// (Intel's manual, volume 1, 14.3).
 bool processor_has_avx2() {
-	constexpr unsigned int OSXSAVE_AND_AVX = (1u << 27) | (1u << 28);
+	constexpr unsigned int OSXSAVE_AVX_AND_F16C = (1u << 27) | (1u << 28) | (1u << 29);
 	constexpr unsigned int AVX2 = 1u << 5;
 	constexpr unsigned int XMM_AND_YMM = 6u;
-	if (cpuid(0).a < 7u || (cpuid(1).c & OSXSAVE_AND_AVX) != OSXSAVE_AND_AVX) {
+	if (cpuid(0).a < 7u || (cpuid(1).c & OSXSAVE_AVX_AND_F16C) != OSXSAVE_AVX_AND_F16C) {
 		return false;
 	}
 	return (saved_registers() & XMM_AND_YMM) == XMM_AND_YMM && (cpuid(7).b & AVX2) != 0u;

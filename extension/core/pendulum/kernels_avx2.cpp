@@ -3,6 +3,10 @@
 
 #if defined(__AVX2__)
 
+#include <immintrin.h>
+#if defined(__F16C__) || defined(_MSC_VER)
+#define UNDERGROWTH_F16C
+#endif
 #if !defined(__GNUC__)
 #include <math.h>
 #include <string.h>

@@ -35,6 +35,7 @@ void FieldBends::make_images(const FieldSimulation &simulation) {
 	}
 	is_fresh.assign(layers.size(), 0);
 	blends = Image::create_empty(int(layers.size()), 1, false, Image::FORMAT_RF);
+	shares.assign(layers.size(), 0.0f);
 	if (!follows) {
 		for (int page = 0; page < simulation.page_count(); page++) {
 			write_page(simulation, page);
@@ -125,11 +126,16 @@ void FieldBends::upload(const FieldSimulation &simulation, float fraction) {
 	if (page_layers == 0) {
 		return; // Followers' blend is one for all: a uniform.
 	}
-	float *shares = reinterpret_cast<float *>(blends->ptrw());
+	bool has_changed = false;
 	for (int page = 0; page < simulation.page_count(); page++) {
-		shares[page] = simulation.alpha(page, fraction);
+		const float share = simulation.alpha(page, fraction);
+		has_changed = has_changed || share != shares[size_t(page)];
+		shares[size_t(page)] = share;
 	}
-	server->texture_2d_update(blend_texture, blends, 0);
+	if (has_changed) {
+		std::memcpy(blends->ptrw(), shares.data(), shares.size() * sizeof(float));
+		server->texture_2d_update(blend_texture, blends, 0);
+	}
 }
 
 size_t FieldBends::bytes() const {

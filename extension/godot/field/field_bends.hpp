@@ -50,6 +50,7 @@ private:
 	std::vector<uint8_t> is_fresh; ///< By layer: written and not yet sent.
 	std::vector<std::vector<int>> hidden; ///< By page: plants that others show.
 	godot::Ref<godot::Image> blends;
+	std::vector<float> shares; ///< What `blends` holds.
 	godot::RID texture;
 	godot::RID blend_texture;
 	int page_layers = 0;

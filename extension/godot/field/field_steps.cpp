@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <thread>
 
 using namespace godot;
 
@@ -11,19 +12,35 @@ namespace undergrowth {
 
 using Clock = std::chrono::steady_clock;
 
+/// Plants that are stepped in less time than waking a worker thread takes of both threads.
+static constexpr int FEW_PLANTS = 4096;
+static constexpr int TOUCHING_PLANT = 16; // What a plant with contact costs, in plants without.
+
+bool FieldSteps::is_small() const {
+	const int64_t plants = stepped->due_count();
+	return plants * (touching ? TOUCHING_PLANT : 1) <= FEW_PLANTS;
+}
+
 void FieldSteps::start(FieldSimulation &simulation, FieldBends &bends, TipContact *contact, int workers) {
 	wait();
 	stepped = &simulation;
 	written = &bends;
 	touching = contact;
-	next_page = 0;
+	for (int phase = 0; phase < PHASES; phase++) {
+		next_part[phase].store(0, std::memory_order_relaxed);
+		parts_done[phase].store(0, std::memory_order_relaxed);
+	}
 	busy_nsec = 0;
+	is_inline = is_small();
+	if (is_inline) {
+		work(this, 0);
+		return;
+	}
 	const bool follows = simulation.settings().prototypes > 0;
 	if (!follows) {
 		simulation.begin_step(); // Prototypes step in it: those go to the workers, too.
 	}
 	const int tasks = follows ? 1 : std::clamp(workers, 1, std::max(simulation.page_count(), 1));
-	still_working = tasks;
 	group = WorkerThreadPool::get_singleton()->add_native_group_task(&FieldSteps::work, this, tasks, tasks, true);
 }
 
@@ -34,38 +51,60 @@ void FieldSteps::wait() {
 	}
 }
 
+// Parts go to whoever is free: the bits do not depend on it. Whoever finds none left waits for those that others are
+// doing at this moment, so it never waits for a thread that has not begun.
 void FieldSteps::work(void *self, uint32_t) {
 	const Clock::time_point start = Clock::now();
 	FieldSteps *steps = static_cast<FieldSteps *>(self);
-	if (steps->stepped->settings().prototypes > 0) {
+	if (steps->is_inline || steps->stepped->settings().prototypes > 0) {
 		steps->stepped->begin_step();
-		steps->stepped->step_pages(0, steps->stepped->page_count());
-		steps->written->write_history(*steps->stepped);
-	} else {
-		steps->step_and_write();
-		if (--steps->still_working == 0 && steps->touching) {
-			steps->separate_and_write();
+	}
+	for (int phase = 0; phase < (steps->touching ? PHASES : STEP + 1); phase++) {
+		const int parts = steps->parts_of(phase);
+		for (int part = steps->next_part[phase]++; part < parts; part = steps->next_part[phase]++) {
+			steps->do_part(phase, part);
+			steps->parts_done[phase]++;
+		}
+		while (steps->touching && steps->parts_done[phase].load() < parts) {
+			std::this_thread::yield();
 		}
 	}
 	steps->busy_nsec += std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count();
 }
 
-// Pages go to whoever is free: the bits do not depend on it.
-void FieldSteps::step_and_write() {
-	const int count = stepped->page_count();
-	for (int page = next_page++; page < count; page = next_page++) {
-		stepped->step_pages(page, page + 1);
-		if (!touching && stepped->has_stepped(page)) {
-			written->write_page(*stepped, page);
-		}
+int FieldSteps::parts_of(int phase) const {
+	if (phase == SORT || stepped->settings().prototypes > 0) {
+		return 1;
 	}
+	return stepped->page_count();
 }
 
-// By the last of the threads.
-void FieldSteps::separate_and_write() {
-	touching->resolve(*stepped);
-	for (int page = 0; page < stepped->page_count(); page++) {
-		written->write_page(*stepped, page);
+void FieldSteps::do_part(int phase, int part) {
+	if (stepped->settings().prototypes > 0) {
+		stepped->step_pages(0, stepped->page_count());
+		written->write_history(*stepped);
+		return;
+	}
+	switch (phase) {
+		case STEP:
+			stepped->step_pages(part, part + 1);
+			if (!touching && stepped->has_stepped(part)) {
+				written->write_page(*stepped, part);
+			}
+			break;
+		case GATHER:
+			touching->gather(*stepped, part, part + 1);
+			break;
+		case SORT:
+			touching->sort();
+			break;
+		case COUNT:
+			touching->count(*stepped, part, part + 1);
+			break;
+		default:
+			touching->separate(*stepped, part, part + 1);
+			written->write_page(*stepped, part);
+			break;
 	}
 }
 

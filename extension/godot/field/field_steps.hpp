@@ -18,26 +18,33 @@ public:
 	FieldSteps(const FieldSteps &) = delete;
 	FieldSteps &operator=(const FieldSteps &) = delete;
 
-	/// Begins one step on up to `workers` threads and returns at once.
-	/// `contact`, where there is one, takes part after all plants have moved.
+	/// Begins one step on up to `workers` threads and returns at once; a step that costs less than waking a thread is
+	/// done when it returns. `contact`, where there is one, takes part after all plants have moved.
 	void start(FieldSimulation &simulation, FieldBends &bends, TipContact *contact, int workers);
 	/// Until the step is done; at once where there is none.
 	void wait();
 	/// Time that the last step took of all threads together.
 	double busy_usec() const { return double(busy_nsec.load()) * 1e-3; }
+	/// The part of it that start() took of the thread that called it.
+	double inline_usec() const { return is_inline ? busy_usec() : 0.0; }
 
 private:
+	/// What a step does, one after the other: each is divided among the threads.
+	enum Phase : int { STEP, GATHER, SORT, COUNT, SEPARATE, PHASES };
+
 	FieldSimulation *stepped = nullptr;
 	FieldBends *written = nullptr;
 	TipContact *touching = nullptr;
-	std::atomic<int> next_page{ 0 };
-	std::atomic<int> still_working{ 0 };
+	std::atomic<int> next_part[PHASES] = {};
+	std::atomic<int> parts_done[PHASES] = {};
 	std::atomic<int64_t> busy_nsec{ 0 };
+	bool is_inline = false;
 	int64_t group = -1; ///< Of the engine's worker threads.
 
+	bool is_small() const;
 	static void work(void *self, uint32_t worker);
-	void step_and_write();
-	void separate_and_write();
+	int parts_of(int phase) const;
+	void do_part(int phase, int part);
 };
 
 } // namespace undergrowth

@@ -105,7 +105,7 @@ private:
 	bool may_simulate() const;
 	void update_processing();
 	void process_frame();
-	void step(double delta);
+	double step(double delta);
 	void finish_step();
 	void upload();
 	FieldWind wind_here(double offset) const;

@@ -58,15 +58,16 @@ void PlantField3D::process_frame() {
 	finish_step();
 	wait_usec = microseconds_since(before_waiting);
 	flush_pending();
+	double stepping_usec = 0.0;
 	const bool has_chosen = choose_skeletons();
 	if (may_simulate() || has_chosen) {
 		upload();
 	}
 	pose_skeletons();
 	if (may_simulate()) {
-		step(get_process_delta_time());
+		stepping_usec = step(get_process_delta_time());
 	}
-	main_usec = microseconds_since(start) - wait_usec;
+	main_usec = microseconds_since(start) - wait_usec - stepping_usec;
 }
 
 void PlantField3D::upload() {
@@ -80,25 +81,28 @@ void PlantField3D::upload() {
 }
 
 // The last step of a frame runs beside it and is shown in the next one. Where frames take longer than a step, those
-// before it are done at once.
-void PlantField3D::step(double delta) {
+// before it are done at once. Tells how much of this thread steps took, which small fields take here.
+double PlantField3D::step(double delta) {
 	if (PlantSimulation::get_singleton()->get_step_length() != clock.step() && !is_stale) {
 		mark_stale(); // Constants hold for one step length.
 	}
 	const int step_count = clock.advance(delta);
 	shown_alpha = clock.alpha();
 	if (step_count == 0) {
-		return;
+		return 0.0;
 	}
 	update_wind(step_count);
 	gather_bodies();
 	update_far();
-	const int processors = OS::get_singleton()->get_processor_count();
+	static const int processors = OS::get_singleton()->get_processor_count();
 	const int workers = options.threads > 0 ? options.threads : processors;
 	TipContact *contact = options.contact && options.prototypes == 0 ? &touching : nullptr;
+	double stepping_usec = 0.0;
 	for (int i = 0; i < step_count; i++) {
 		steps.start(*simulation, *bends, contact, workers);
+		stepping_usec += steps.inline_usec();
 	}
+	return stepping_usec;
 }
 
 // The wind in the field's axes, at the simulation's clock: the wind's own is `offset` seconds ahead of it.
@@ -134,6 +138,10 @@ void PlantField3D::update_wind(int step_count) {
 }
 
 void PlantField3D::gather_bodies() {
+	if (bodies_group.is_empty() && watched.empty()) {
+		simulation->set_bodies(nullptr, 0);
+		return;
+	}
 	std::vector<FieldBody> pushing;
 	std::vector<WatchedBody> present;
 	const TypedArray<Node> nodes = bodies_group.is_empty()
