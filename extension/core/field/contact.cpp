@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace undergrowth {
 
@@ -34,16 +35,16 @@ void TipContact::fit(const FieldSimulation &field) {
 	page_firsts.push_back(total);
 	cell_size = 2.0f * radius;
 	cells_per_metre = 0.999f / cell_size; // Cells are a little larger than they need to be, whatever rounding does.
-	std::size_t buckets = 16;
-	while (buckets < total) {
-		buckets *= 2;
+	std::size_t bucket_count = 16;
+	while (bucket_count < total) {
+		bucket_count *= 2;
 	}
-	tips.resize(total);
-	velocities.resize(total);
+	vectors.resize(total);
+	buckets.resize(total);
 	pages.resize(total);
 	touching.assign(total, 0);
 	sorted.resize(total);
-	bucket_ends.resize(buckets + 1);
+	bucket_ends.resize(bucket_count + 1);
 	for (int page = 0; page < field.page_count(); page++) {
 		std::fill(pages.begin() + page_firsts[static_cast<std::size_t>(page)],
 				pages.begin() + page_firsts[static_cast<std::size_t>(page) + 1], static_cast<uint16_t>(page));
@@ -53,11 +54,11 @@ void TipContact::fit(const FieldSimulation &field) {
 void TipContact::gather(const FieldSimulation &field, int begin, int end) {
 	for (int number = begin; number < end; number++) {
 		const FieldPage &page = field.page(number);
+		std::memset(touching.data() + first(number), 0, first(number + 1) - first(number));
 		for (int i = 0; page.swings() && i < page.size(); i++) {
 			const std::size_t tip = first(number) + static_cast<std::size_t>(i);
-			const TipState state = page.state(i);
-			tips[tip] = page.root(i) + page.length(i) * state.direction;
-			velocities[tip] = page.length(i) * state.rate;
+			vectors[tip] = page.tip(i);
+			buckets[tip] = bucket(cell(vectors[tip].x), cell(vectors[tip].z));
 		}
 	}
 }
@@ -65,7 +66,7 @@ void TipContact::gather(const FieldSimulation &field, int begin, int end) {
 int TipContact::cell(float place) const {
 	const float cells = std::clamp(place * cells_per_metre, -MOST_CELLS, MOST_CELLS);
 	const int towards_0 = static_cast<int>(cells);
-	return cells < static_cast<float>(towards_0) ? towards_0 - 1 : towards_0;
+	return towards_0 - static_cast<int>(cells < static_cast<float>(towards_0)); // A branch here would be a coin's toss.
 }
 
 /// Neighbours along x stand in neighbouring buckets, so that three cells are one run of `sorted`.
@@ -77,96 +78,103 @@ uint32_t TipContact::bucket(int cell_x, int cell_z) const {
 
 void TipContact::sort() {
 	std::fill(bucket_ends.begin(), bucket_ends.end(), 0u);
-	for (const glm::vec3 &tip : tips) {
-		bucket_ends[bucket(cell(tip.x), cell(tip.z)) + 1]++;
+	for (const uint32_t one : buckets) {
+		bucket_ends[one + 1]++;
 	}
 	for (std::size_t i = 1; i < bucket_ends.size(); i++) {
 		bucket_ends[i] += bucket_ends[i - 1];
 	}
 	// From the last tip down, so that each bucket rises; bucket_ends[i + 1] comes down to where bucket i starts.
-	for (std::size_t i = tips.size(); i-- > 0;) {
-		sorted[--bucket_ends[bucket(cell(tips[i].x), cell(tips[i].z)) + 1]] = static_cast<uint32_t>(i);
+	for (std::size_t i = buckets.size(); i-- > 0;) {
+		sorted[--bucket_ends[buckets[i] + 1]] = { vectors[i], static_cast<uint32_t>(i) };
 	}
 	std::copy(bucket_ends.begin() + 1, bucket_ends.end(), bucket_ends.begin());
-	bucket_ends.back() = static_cast<uint32_t>(tips.size());
+	bucket_ends.back() = static_cast<uint32_t>(sorted.size());
 }
 
 template <class Visit>
-void TipContact::for_each_contact(const FieldSimulation &field, uint32_t tip, const Visit &visit) const {
-	const FieldPage &own_page = field.page(pages[tip]);
-	const int own_index = static_cast<int>(tip - page_firsts[pages[tip]]);
-	const glm::vec3 place = tips[tip];
-	const int cell_z = cell(place.z);
+void TipContact::for_each_contact(const FieldSimulation &field, const SortedTip &own, Visit &&visit) const {
 	const auto visit_run = [&](uint32_t begin, uint32_t end, int row) {
 		for (uint32_t i = begin; i < end; i++) {
-			const uint32_t other = sorted[i];
-			const glm::vec3 offset = place - tips[other];
+			const SortedTip &other = sorted[i];
+			const glm::vec3 offset = own.place - other.place;
 			const float squared = glm::dot(offset, offset);
 			// Rows of cells may share buckets: each tip counts in its own row only.
-			if (squared >= cell_size * cell_size || other == tip || cell(tips[other].z) != row) {
+			if (squared >= cell_size * cell_size || other.tip == own.tip || cell(other.place.z) != row) {
 				continue;
 			}
-			const FieldPage &page = field.page(pages[other]);
+			const FieldPage &own_page = field.page(pages[own.tip]);
+			const FieldPage &page = field.page(pages[other.tip]);
 			const float sum = own_page.collision_radius() + page.collision_radius();
 			if (squared >= sum * sum) {
 				continue;
 			}
-			const int index = static_cast<int>(other - page_firsts[pages[other]]);
-			const float wanted = std::min(sum, glm::distance(rest_tip(own_page, own_index), rest_tip(page, index)));
+			const float at_rest = glm::distance(
+					rest_tip(own_page, index_of(own.tip)), rest_tip(page, index_of(other.tip)));
+			const float wanted = std::min(sum, at_rest);
 			const float distance = std::sqrt(squared);
 			if (distance < wanted) {
-				visit(other, offset, distance, wanted);
+				visit(other.tip, offset, distance, wanted);
 			}
 		}
 	};
-	const auto buckets = static_cast<uint32_t>(bucket_ends.size() - 1);
+	const auto bucket_count = static_cast<uint32_t>(bucket_ends.size() - 1);
+	const int cell_x = cell(own.place.x);
+	const int cell_z = cell(own.place.z);
 	for (int row = cell_z - 1; row <= cell_z + 1; row++) {
-		const uint32_t start = bucket(cell(place.x) - 1, row);
+		const uint32_t start = bucket(cell_x - 1, row);
 		const uint32_t end = start + 3;
-		visit_run(bucket_ends[start], bucket_ends[std::min(end, buckets)], row);
-		if (end > buckets) {
-			visit_run(bucket_ends[0], bucket_ends[end - buckets], row);
+		visit_run(bucket_ends[start], bucket_ends[std::min(end, bucket_count)], row);
+		if (end > bucket_count) {
+			visit_run(bucket_ends[0], bucket_ends[end - bucket_count], row);
 		}
 	}
 }
 
 void TipContact::count(const FieldSimulation &field, int begin, int end) {
-	for (std::size_t tip = first(begin); tip < first(end); tip++) {
+	for (std::size_t i = first(begin); i < first(end); i++) {
+		const SortedTip &own = sorted[i];
 		int found = 0;
-		for_each_contact(
-				field, static_cast<uint32_t>(tip), [&found](uint32_t, const glm::vec3 &, float, float) { found++; });
-		touching[tip] = static_cast<uint8_t>(std::min(found, MOST_CONTACTS));
+		for_each_contact(field, own, [&found](uint32_t, const glm::vec3 &, float, float) { found++; });
+		if (found > 0) {
+			touching[own.tip] = static_cast<uint8_t>(std::min(found, MOST_CONTACTS));
+			const FieldPage &page = field.page(pages[own.tip]);
+			vectors[own.tip] = page.length(index_of(own.tip)) * page.state(index_of(own.tip)).rate;
+		}
 	}
 }
 
 void TipContact::separate(FieldSimulation &field, int begin, int end) {
-	for (std::size_t tip = first(begin); tip < first(end); tip++) {
-		if (touching[tip] == 0) {
-			continue;
+	for (std::size_t i = first(begin); i < first(end); i++) {
+		if (touching[sorted[i].tip] > 0) {
+			separate_one(field, sorted[i]);
 		}
-		FieldPage &page = field.page(pages[tip]);
-		const int index = static_cast<int>(tip - first(pages[tip]));
-		glm::vec3 move = { 0.0f, 0.0f, 0.0f };
-		glm::vec3 blow = { 0.0f, 0.0f, 0.0f };
-		for_each_contact(field, static_cast<uint32_t>(tip),
-				[&](uint32_t other, const glm::vec3 &offset, float distance, float wanted) {
-					const float other_mass = field.page(pages[other]).mass();
-					const float share = other_mass / (page.mass() + other_mass) /
-							static_cast<float>(std::max(touching[tip], touching[other]));
-					// Tips at the same place part along x, the one of the lower number to the right.
-					const glm::vec3 normal =
-							distance > 0.0f ? offset / distance : glm::vec3(tip < other ? 1.0f : -1.0f, 0.0f, 0.0f);
-					move += share * (wanted - distance) * normal;
-					const float approach = glm::dot(velocities[tip] - velocities[other], normal);
-					blow -= share * std::min(approach, 0.0f) * normal;
-				});
-		TipState state = page.state(index);
-		const glm::vec3 along = move - glm::dot(move, state.direction) * state.direction;
-		state.rate += blow / page.length(index);
-		state.direction += along / page.length(index);
-		state.direction.y = std::max(state.direction.y, LEAST_HEIGHT);
-		page.set_state(index, state);
 	}
+}
+
+void TipContact::separate_one(FieldSimulation &field, const SortedTip &own) {
+	const uint32_t tip = own.tip;
+	FieldPage &page = field.page(pages[tip]);
+	glm::vec3 move = { 0.0f, 0.0f, 0.0f };
+	glm::vec3 blow = { 0.0f, 0.0f, 0.0f };
+	for_each_contact(field, own, [&](uint32_t other, const glm::vec3 &offset, float distance, float wanted) {
+		const float other_mass = field.page(pages[other]).mass();
+		const float share = other_mass / (page.mass() + other_mass) /
+				static_cast<float>(std::max(touching[tip], touching[other]));
+		// Tips at the same place part along x, the one of the lower number to the right.
+		const glm::vec3 normal =
+				distance > 0.0f ? offset / distance : glm::vec3(tip < other ? 1.0f : -1.0f, 0.0f, 0.0f);
+		move += share * (wanted - distance) * normal;
+		const float approach = glm::dot(vectors[tip] - vectors[other], normal);
+		blow -= share * std::min(approach, 0.0f) * normal;
+	});
+	const int index = index_of(tip);
+	TipState state = page.state(index);
+	const glm::vec3 along = move - glm::dot(move, state.direction) * state.direction;
+	state.rate += blow / page.length(index);
+	state.direction += along / page.length(index);
+	state.direction.y = std::max(state.direction.y, LEAST_HEIGHT);
+	page.set_state(index, state);
 }
 
 void TipContact::resolve(FieldSimulation &field) {
@@ -177,9 +185,9 @@ void TipContact::resolve(FieldSimulation &field) {
 }
 
 std::size_t TipContact::bytes() const {
-	return page_firsts.capacity() * sizeof(uint32_t) + (tips.capacity() + velocities.capacity()) * sizeof(glm::vec3) +
+	return page_firsts.capacity() * sizeof(uint32_t) + vectors.capacity() * sizeof(glm::vec3) +
 			pages.capacity() * sizeof(uint16_t) + touching.capacity() +
-			(bucket_ends.capacity() + sorted.capacity()) * sizeof(uint32_t);
+			(bucket_ends.capacity() + buckets.capacity()) * sizeof(uint32_t) + sorted.capacity() * sizeof(SortedTip);
 }
 
 } // namespace undergrowth

@@ -17,8 +17,9 @@ namespace undergrowth {
 /// that overlap in calm air touch only where they come nearer than that, so that no contact is a motor.
 ///
 /// Once after each step: gather() of all pages, sort() on one thread, count() of all pages, separate() of all pages.
-/// Each of the three may be split over threads by ranges of pages, one after the other; the bits are the same. Plants
-/// that follow a prototype take no part.
+/// Each of the three may be split over threads by ranges of page numbers, one after the other; the bits are the same.
+/// count() and separate() divide the tips by where they are on the ground, so neighbours are neighbours in memory:
+/// a range of so many pages means so many tips, of any page. Plants that follow a prototype take no part.
 class TipContact {
 public:
 	/// Takes the memory that a field needs; to be called when plants came or went. Nothing allocates after it.
@@ -35,21 +36,29 @@ public:
 	std::size_t bytes() const;
 
 private:
+	struct SortedTip {
+		glm::vec3 place; ///< m.
+		uint32_t tip;
+	};
+
 	float cell_size = 1.0f; ///< m, the largest distance of two tips that touch.
 	float cells_per_metre = 1.0f;
 	std::vector<uint32_t> page_firsts; ///< Of each page, and the number of all plants at the end.
-	std::vector<glm::vec3> tips; ///< m.
-	std::vector<glm::vec3> velocities; ///< m/s.
+	/// By tip: from gather() to sort() its place (m), from count() to separate() its velocity (m/s) if it touches one.
+	std::vector<glm::vec3> vectors;
+	std::vector<uint32_t> buckets; ///< By tip.
 	std::vector<uint16_t> pages; ///< Whose a tip is.
 	std::vector<uint8_t> touching;
 	std::vector<uint32_t> bucket_ends; ///< A power of two of them, and one more.
-	std::vector<uint32_t> sorted; ///< Tips by bucket, in rising order within one.
+	std::vector<SortedTip> sorted; ///< By bucket, in rising order of tips within one.
 
 	std::size_t first(int page) const { return page_firsts[static_cast<std::size_t>(page)]; }
+	int index_of(uint32_t tip) const { return static_cast<int>(tip - page_firsts[pages[tip]]); }
 	uint32_t bucket(int cell_x, int cell_z) const;
 	int cell(float place) const;
-	/// Calls visit(other, offset, distance, wanted distance) for each tip that touches `tip`.
-	template <class Visit> void for_each_contact(const FieldSimulation &field, uint32_t tip, const Visit &visit) const;
+	/// Calls visit(other tip, offset, distance, wanted distance) for each tip that touches `own`.
+	template <class Visit> void for_each_contact(const FieldSimulation &field, const SortedTip &own, Visit &&visit) const;
+	void separate_one(FieldSimulation &field, const SortedTip &own);
 };
 
 } // namespace undergrowth

@@ -110,7 +110,17 @@ glm::vec3 FieldPage::rest(int index) const {
 }
 
 glm::vec3 FieldPage::tip(int index) const {
-	return root(index) + length(index) * state(index).direction;
+	return root(index) + length(index) * direction(index);
+}
+
+glm::vec3 FieldPage::direction(int index) const {
+	if (!is_swinging) {
+		return decode_bend(pairs[2 * static_cast<std::size_t>(index) + 1]);
+	}
+	if (kind.law == Law::elasticity) {
+		return { column(X)[index], column(Y)[index], column(Z)[index] };
+	}
+	return glm::normalize(glm::vec3(column(FLAT_X)[index], 1.0f, column(FLAT_Z)[index]));
 }
 
 TipState FieldPage::state(int index) const {

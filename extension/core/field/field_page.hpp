@@ -62,6 +62,8 @@ public:
 	float length(int index) const;
 	/// The direction of a plant in calm air.
 	glm::vec3 rest(int index) const;
+	/// Where a plant points: unit, root to tip.
+	glm::vec3 direction(int index) const;
 	/// The root's place plus length times the direction.
 	glm::vec3 tip(int index) const;
 	TipState state(int index) const;

@@ -101,8 +101,10 @@ void FieldSteps::do_part(int phase, int part) {
 		case COUNT:
 			touching->count(*stepped, part, part + 1);
 			break;
-		default:
+		case SEPARATE:
 			touching->separate(*stepped, part, part + 1);
+			break;
+		default:
 			written->write_page(*stepped, part);
 			break;
 	}

@@ -30,7 +30,7 @@ public:
 
 private:
 	/// What a step does, one after the other: each is divided among the threads.
-	enum Phase : int { STEP, GATHER, SORT, COUNT, SEPARATE, PHASES };
+	enum Phase : int { STEP, GATHER, SORT, COUNT, SEPARATE, WRITE, PHASES };
 
 	FieldSimulation *stepped = nullptr;
 	FieldBends *written = nullptr;
