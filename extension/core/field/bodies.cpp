@@ -21,13 +21,6 @@ bool is_finite(const glm::vec3 &vector) {
 	return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
 }
 
-bool boxes_overlap(const FieldPage &page, const FieldBody &body) {
-	const glm::vec3 low = glm::min(body.from, body.to) - body.radius;
-	const glm::vec3 high = glm::max(body.from, body.to) + body.radius;
-	return low.x <= page.high().x && high.x >= page.low().x && low.y <= page.high().y && high.y >= page.low().y &&
-			low.z <= page.high().z && high.z >= page.low().z;
-}
-
 glm::vec3 tangent_part(const glm::vec3 &vector, const glm::vec3 &direction) {
 	return vector - glm::dot(vector, direction) * direction;
 }
@@ -73,6 +66,13 @@ bool push_point(
 
 } // namespace
 
+bool boxes_overlap(const FieldPage &page, const FieldBody &body) {
+	const glm::vec3 low = glm::min(body.from, body.to) - body.radius;
+	const glm::vec3 high = glm::max(body.from, body.to) + body.radius;
+	return low.x <= page.high().x && high.x >= page.low().x && low.y <= page.high().y && high.y >= page.low().y &&
+			low.z <= page.high().z && high.z >= page.low().z;
+}
+
 bool is_valid(const FieldBody &body) {
 	return is_finite(body.from) && is_finite(body.to) && is_finite(body.velocity) && std::isfinite(body.radius) &&
 			body.radius > 0.0f;
@@ -85,30 +85,24 @@ glm::vec3 nearest_on_segment(const glm::vec3 &from, const glm::vec3 &to, const g
 	return from + part * way;
 }
 
+bool push_plant(TipState &state, const glm::vec3 &root, float length, float thickness, const FieldBody &body) {
+	const bool inside = push_point(state, root, length, UPPER_STEM, 0.0f, body);
+	return push_point(state, root, length, TIP, thickness, body) || inside;
+}
+
 int push_plants(FieldPage &page, const FieldBody &body) {
-	if (!page.swings() || !is_valid(body) || !boxes_overlap(page, body)) {
+	if (!page.swings() || !is_valid(body)) {
 		return 0;
 	}
 	const float thickness = std::max(page.collision_radius(), 0.0f);
-	const float *x = page.roots_x();
-	const float *z = page.roots_z();
-	const float *lengths = page.lengths();
-	const glm::vec3 low = glm::min(body.from, body.to) - (body.radius + thickness);
-	const glm::vec3 high = glm::max(body.from, body.to) + (body.radius + thickness);
 	int touched = 0;
-	for (int i = 0; i < page.size(); i++) {
-		const float reach = lengths[i];
-		if (x[i] + reach < low.x || x[i] - reach > high.x || z[i] + reach < low.z || z[i] - reach > high.z) {
-			continue;
-		}
+	for_each_in_reach(page, body, [&](int i) {
 		TipState state = page.state(i);
-		bool inside = push_point(state, page.root(i), lengths[i], UPPER_STEM, 0.0f, body);
-		inside = push_point(state, page.root(i), lengths[i], TIP, thickness, body) || inside;
-		if (inside) {
+		if (push_plant(state, page.root(i), page.length(i), thickness, body)) {
 			page.set_state(i, state);
 			touched++;
 		}
-	}
+	});
 	return touched;
 }
 

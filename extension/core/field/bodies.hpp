@@ -2,6 +2,10 @@
 
 #include "field/field_page.hpp"
 
+#include <glm/common.hpp>
+
+#include <algorithm>
+
 namespace undergrowth {
 
 /// A moving capsule, or a sphere where both ends are the same point, that pushes plants out of its way.
@@ -15,6 +19,12 @@ struct FieldBody {
 /// Whether all numbers are finite and the radius is above 0.
 bool is_valid(const FieldBody &body);
 
+/// Turns one plant of `length` (m) that is in `state` out of the body as push_plants() does; tells whether it was in it.
+bool push_plant(TipState &state, const glm::vec3 &root, float length, float thickness, const FieldBody &body);
+
+/// Calls visit(index) for each plant of a page that the body may touch, in rising order. `body`: valid.
+template <class Visit> void for_each_in_reach(const FieldPage &page, const FieldBody &body, const Visit &visit);
+
 /// Pushes the plants of a swinging page out of a body: the tip, which is a sphere of the collision radius, and a point
 /// of the upper stem, along their spheres, by as much as they are inside. What they move towards the body, seen from
 /// it, they lose; nothing springs back from it. Tells how many plants were touched.
@@ -22,5 +32,26 @@ int push_plants(FieldPage &page, const FieldBody &body);
 
 /// The point of a segment that is nearest to `point`.
 glm::vec3 nearest_on_segment(const glm::vec3 &from, const glm::vec3 &to, const glm::vec3 &point);
+
+/// Whether a plant of the page could be touched.
+bool boxes_overlap(const FieldPage &page, const FieldBody &body);
+
+template <class Visit> void for_each_in_reach(const FieldPage &page, const FieldBody &body, const Visit &visit) {
+	if (!boxes_overlap(page, body)) {
+		return;
+	}
+	const float margin = body.radius + std::max(page.collision_radius(), 0.0f);
+	const glm::vec3 low = glm::min(body.from, body.to) - margin;
+	const glm::vec3 high = glm::max(body.from, body.to) + margin;
+	const float *x = page.roots_x();
+	const float *z = page.roots_z();
+	const float *lengths = page.lengths();
+	for (int i = 0; i < page.size(); i++) {
+		const float reach = lengths[i];
+		if (x[i] + reach >= low.x && x[i] - reach <= high.x && z[i] + reach >= low.z && z[i] - reach <= high.z) {
+			visit(i);
+		}
+	}
+}
 
 } // namespace undergrowth

@@ -70,6 +70,11 @@ FieldPage::FieldPage(
 	add(plants, count);
 }
 
+void FieldPage::reserve(int plants) {
+	rows.reserve(plants);
+	pairs.reserve(2 * static_cast<std::size_t>(std::max(plants, 0)));
+}
+
 void FieldPage::add(const FieldPlant *plants, int count) {
 	const int before = size();
 	rows.reserve(before + count);
@@ -90,7 +95,7 @@ void FieldPage::add(const FieldPlant *plants, int count) {
 		pairs[2 * static_cast<std::size_t>(i)] = pairs[2 * static_cast<std::size_t>(i) + 1];
 	}
 	if (is_swinging) {
-		update_constants();
+		update_constants(before);
 	}
 }
 
@@ -187,7 +192,7 @@ void FieldPage::set_species(const FieldSpecies &species) {
 	kind = species;
 	kind.joint = safe_joint(species.joint);
 	if (is_swinging) {
-		update_constants();
+		update_constants(0);
 	}
 }
 
@@ -202,20 +207,20 @@ void FieldPage::set_step_length(float step) {
 	}
 	step_time = step;
 	if (is_swinging) {
-		update_constants();
+		update_constants(0);
 	}
 }
 
-void FieldPage::update_constants() {
+void FieldPage::update_constants(int begin) {
 	Joint joint = kind.joint;
 	if (kind.law == Law::elasticity) {
 		elasticity = elasticity_constants(joint, step_time);
-		elasticity_weights(joint, step_time, lengths(), size(), column(WEIGHT));
+		elasticity_weights(joint, step_time, lengths() + begin, size() - begin, column(WEIGHT) + begin);
 		return;
 	}
 	joint.length = 1.0f;
 	spring = spring_constants(joint, step_time);
-	for (int i = 0; i < size(); i++) {
+	for (int i = begin; i < size(); i++) {
 		column(WIND_GAIN)[i] = spring.wind_gain / std::max(length(i), SHORTEST);
 	}
 }

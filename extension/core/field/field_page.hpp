@@ -69,7 +69,9 @@ public:
 	TipState state(int index) const;
 	/// Puts a plant into a state; the bend that is drawn as the last one is this state's.
 	void set_state(int index, const TipState &state);
-	/// Appends `count` valid plants, at rest; no more than PAGE_PLANTS in all. Allocates.
+	/// Makes room for `plants` in all, so that add() does not allocate until there are more.
+	void reserve(int plants);
+	/// Appends `count` valid plants, at rest; no more than PAGE_PLANTS in all.
 	void add(const FieldPlant *plants, int count);
 	/// Removes plant `index`; the last one takes its index.
 	void remove(int index);
@@ -110,7 +112,8 @@ private:
 	const float *column(int which) const { return rows.column(which); }
 	ElasticityPage elasticity_page(int begin);
 	SpringPage spring_page(int begin);
-	void update_constants();
+	/// Of the plants from `begin` on.
+	void update_constants(int begin);
 	void put_state(int index, const TipState &state);
 	void grow_box(const FieldPlant &plant);
 };

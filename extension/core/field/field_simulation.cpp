@@ -17,8 +17,6 @@ namespace {
 
 constexpr int MAX_INTERVAL = 64;
 constexpr int MAX_MULTIPLE = 8;
-constexpr int FOLLOWER_BLOCK = 256;
-constexpr float MOST_STEPS = 1e9f; // Of a delay.
 constexpr float USUAL_STEP = 1.0f / 60.0f; // s.
 
 FieldSettings safe_settings(const FieldSettings &settings) {
@@ -37,11 +35,6 @@ uint64_t place_hash(uint64_t seed, const glm::vec3 &root) {
 	return mix_bits(mix_bits(seed ^ place[0]) ^ place[1]);
 }
 
-bool contains(const FieldPage &page, const glm::vec3 &point, float margin) {
-	return point.x >= page.low().x - margin && point.x <= page.high().x + margin && point.y >= page.low().y - margin &&
-			point.y <= page.high().y + margin && point.z >= page.low().z - margin && point.z <= page.high().z + margin;
-}
-
 bool are_valid(const FieldPlant *plants, int count) {
 	return std::all_of(plants, plants + count, [](const FieldPlant &plant) { return is_valid(plant); });
 }
@@ -56,6 +49,7 @@ int FieldSimulation::add_species(const FieldSpecies &species) {
 	kinds.push_back(species);
 	if (options.prototypes > 0) {
 		models.emplace_back(species_count() - 1, species, options.prototypes, options.step);
+		loose.emplace_back(species_count() - 1, species, options.step);
 	}
 	return species_count() - 1;
 }
@@ -69,6 +63,7 @@ void FieldSimulation::set_species(int index, const FieldSpecies &species) {
 	}
 	if (!models.empty()) {
 		models[static_cast<std::size_t>(index)].set_species(species);
+		loose[static_cast<std::size_t>(index)].set_species(species);
 	}
 }
 
@@ -81,7 +76,7 @@ int FieldSimulation::add_page(int species, const FieldPlant *plants, int count) 
 	}
 	const FieldSpecies &kind = kinds[static_cast<std::size_t>(species)];
 	const float step_length = options.step * static_cast<float>(options.update_interval);
-	entries.push_back({ FieldPage(species, kind, plants, count, step_length, models.empty()), {}, 1, 1, -1 });
+	entries.push_back({ FieldPage(species, kind, plants, count, step_length, models.empty()), {}, 1, 1, 0, -1 });
 	entries.back().interval = options.update_interval;
 	take_in(entries.back(), plants, count);
 	return page_count() - 1;
@@ -113,19 +108,32 @@ void FieldSimulation::take_in(Entry &entry, const FieldPlant *plants, int count)
 		follower.delay = static_cast<uint16_t>(wanted_delay(follower, plants[i].root.x, plants[i].root.z, now));
 		entry.followers.push_back(follower);
 	}
+	loose_of(entry).reserve(count_of_species(entry.page.species()));
 }
 
 void FieldSimulation::remove(int page, int index) {
 	Entry &entry = at(page);
-	entry.page.remove(index);
 	if (!entry.followers.empty()) {
+		follow_again(entry, index);
 		entry.followers[static_cast<std::size_t>(index)] = entry.followers.back();
 		entry.followers.pop_back();
+		const bool is_last = index == static_cast<int>(entry.followers.size());
+		const int number = is_last ? 0 : entry.followers[static_cast<std::size_t>(index)].loose;
+		if (number > 0) {
+			loose_of(entry).set_index(number - 1, index);
+		}
+		entry.loose_version++;
 	}
+	entry.page.remove(index);
 }
 
 void FieldSimulation::clear() {
 	entries.clear();
+	loose.clear();
+	for (const Prototypes &model : models) {
+		const int species = static_cast<int>(&model - models.data());
+		loose.emplace_back(species, kinds[static_cast<std::size_t>(species)], options.step);
+	}
 }
 
 int FieldSimulation::plant_count() const {
@@ -140,7 +148,11 @@ int FieldSimulation::simulated_count() const {
 	if (models.empty()) {
 		return plant_count();
 	}
-	return static_cast<int>(models.size()) * options.prototypes;
+	int plants = static_cast<int>(models.size()) * options.prototypes;
+	for (const LoosePlants &some : loose) {
+		plants += some.count();
+	}
+	return plants;
 }
 
 void FieldSimulation::set_wind(const FieldWind &wind) {
@@ -186,6 +198,7 @@ void FieldSimulation::begin_step() {
 	}
 	step_prototypes(next_step);
 	next_step++;
+	step_loose();
 }
 
 int FieldSimulation::due_count() const {
@@ -194,6 +207,9 @@ int FieldSimulation::due_count() const {
 	int due = 0;
 	for (const Prototypes &model : models) {
 		due += rounds * model.count();
+	}
+	for (const LoosePlants &some : loose) {
+		due += some.count();
 	}
 	for (int page = 0; page < page_count(); page++) {
 		const bool steps = at(page).page.swings() || options.write_followers;
@@ -233,109 +249,6 @@ void FieldSimulation::step_page(Entry &entry, int interval) {
 	for (const FieldBody &body : pushing) {
 		push_plants(entry.page, body);
 	}
-}
-
-int FieldSimulation::wanted_delay(const Follower &follower, float x, float z, const TravellingWind &wind) const {
-	const float late = (lead + (wind.delay_x * x + wind.delay_z * z)) * (1.0f / options.step);
-	const int steps = static_cast<int>(std::min(std::max(late, 0.0f), MOST_STEPS)) + follower.own_delay;
-	return static_cast<int>(static_cast<uint32_t>(steps) % Prototypes::LONGEST_DELAY);
-}
-
-void FieldSimulation::show_followers(Entry &entry, int most_change) {
-	const Prototypes &model = models[static_cast<std::size_t>(entry.page.species())];
-	const TravellingWind wind = wind_at_time(blowing, 0.0); // For the delays, which are the same at all times.
-	const float *__restrict x = entry.page.roots_x();
-	const float *__restrict z = entry.page.roots_z();
-	Follower *followers = entry.followers.data();
-	Bend *pairs = entry.page.bends();
-	int wanted[FOLLOWER_BLOCK];
-	for (int begin = 0; begin < entry.page.size(); begin += FOLLOWER_BLOCK) {
-		const int count = std::min(FOLLOWER_BLOCK, entry.page.size() - begin);
-		for (int i = 0; i < count; i++) {
-			wanted[i] = wanted_delay(followers[begin + i], x[begin + i], z[begin + i], wind);
-		}
-		for (int i = 0; i < count; i++) {
-			Follower &follower = followers[begin + i];
-			const int change = wanted[i] - follower.delay;
-			follower.delay = static_cast<uint16_t>(follower.delay + std::clamp(change, -most_change, most_change));
-			Bend *pair = pairs + 2 * (begin + i);
-			pair[0] = pair[1];
-			pair[1] = model.bend(follower.prototype, follower.delay);
-		}
-	}
-}
-
-void FieldSimulation::update_lead() {
-	const TravellingWind wind = wind_at_time(blowing, 0.0);
-	const float x = wind.delay_x > 0.0f ? box_low.x : box_high.x;
-	const float z = wind.delay_z > 0.0f ? box_low.z : box_high.z;
-	lead = std::max(-(wind.delay_x * x + wind.delay_z * z), 0.0f);
-}
-
-float FieldSimulation::alpha(int page, float fraction) const {
-	const Entry &entry = at(page);
-	const float steps = static_cast<float>(next_step - 1 - entry.last_step) + fraction;
-	return std::clamp(steps / static_cast<float>(entry.interval), 0.0f, 1.0f);
-}
-
-TipState FieldSimulation::state(int page, int index) const {
-	const Entry &entry = at(page);
-	if (entry.page.swings()) {
-		return entry.page.state(index);
-	}
-	const Prototypes &model = models[static_cast<std::size_t>(entry.page.species())];
-	const Follower &shown = entry.followers[static_cast<std::size_t>(index)];
-	const glm::vec3 now = decode_bend(model.bend(shown.prototype, shown.delay));
-	const glm::vec3 before = decode_bend(model.bend(shown.prototype, shown.delay + 1));
-	return safe_state({ now, (now - before) / options.step });
-}
-
-void FieldSimulation::apply_impulse(int page, int index, const glm::vec3 &impulse) {
-	FieldPage &plants = at(page).page;
-	if (!plants.swings()) {
-		return;
-	}
-	TipState state = plants.state(index);
-	state.rate += impulse / (plants.mass() * plants.length(index));
-	plants.set_state(index, state);
-}
-
-const Prototypes *FieldSimulation::prototypes(int species) const {
-	return models.empty() ? nullptr : &models[static_cast<std::size_t>(species)];
-}
-
-bool FieldSimulation::is_point_in_plants(const glm::vec3 &point, float margin) const {
-	for (const Entry &entry : entries) {
-		if (!contains(entry.page, point, margin)) {
-			continue;
-		}
-		const float *x = entry.page.roots_x();
-		const float *z = entry.page.roots_z();
-		const float radius = entry.page.collision_radius() + margin;
-		for (int i = 0; i < entry.page.size(); i++) {
-			const float reach = entry.page.length(i) + radius;
-			if (std::fabs(x[i] - point.x) > reach || std::fabs(z[i] - point.z) > reach) {
-				continue;
-			}
-			const glm::vec3 nearest = nearest_on_segment(entry.page.root(i), entry.page.tip(i), point);
-			if (glm::distance(nearest, point) <= radius) {
-				return true;
-			}
-		}
-	}
-	return false;
-}
-
-double FieldSimulation::bytes_per_plant() const {
-	const int plants = plant_count();
-	std::size_t bytes = entries.capacity() * sizeof(Entry);
-	for (const Entry &entry : entries) {
-		bytes += entry.page.bytes() - sizeof(FieldPage) + entry.followers.capacity() * sizeof(Follower);
-	}
-	for (const Prototypes &model : models) {
-		bytes += model.bytes();
-	}
-	return plants > 0 ? static_cast<double>(bytes) / plants : 0.0;
 }
 
 } // namespace undergrowth

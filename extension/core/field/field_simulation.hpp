@@ -3,6 +3,7 @@
 #include "field/bodies.hpp"
 #include "field/field_page.hpp"
 #include "field/field_wind.hpp"
+#include "field/loose_plants.hpp"
 #include "field/prototypes.hpp"
 
 #include <cstdint>
@@ -65,7 +66,8 @@ public:
 	/// The page's interval becomes `multiple` (1, 2, 4, 8) times the field's.
 	void set_page_multiple(int page, int multiple);
 	int page_interval(int page) const;
-	/// What pushes plants in the coming steps; bodies that are not valid are left out.
+	/// What pushes plants in the coming steps; bodies that are not valid are left out. A follower that is pushed swings
+	/// by itself until it has rung down (LoosePlants).
 	void set_bodies(const FieldBody *bodies, int count);
 
 	/// Seconds since the start: the number of steps that were begun, times their length.
@@ -87,13 +89,17 @@ public:
 	float alpha(int page, float fraction) const;
 	/// At the end of its page's last step. Of a follower: what it shows.
 	TipState state(int page, int index) const;
-	/// A blow on the tip (N·s): changes the velocity by impulse/mass. Followers are not moved by it.
+	/// A blow on the tip (N·s): changes the velocity by impulse/mass.
 	void apply_impulse(int page, int index, const glm::vec3 &impulse);
 
 	/// Null where every plant of the species is simulated.
 	const Prototypes *prototypes(int species) const;
 	/// Whose motion a plant of a page that follows shows, and how long after the wind comes to it.
 	const Follower &follower(int page, int index) const { return at(page).followers[static_cast<std::size_t>(index)]; }
+	/// Followers of a species that were pushed and swing by themselves, for a while; null where every plant does.
+	const LoosePlants *loose_plants(int species) const;
+	/// Changes whenever one of a page's followers begins or ends to swing by itself.
+	int loose_version(int page) const { return at(page).loose_version; }
 	/// How long before their own time prototypes feel the wind (s), so that plants upwind of the origin have a delay,
 	/// too: a follower's delay is lead + wind_delay() at its root + its own.
 	float prototype_lead() const { return lead; }
@@ -111,6 +117,7 @@ private:
 		std::vector<Follower> followers; ///< Empty where plants swing by themselves.
 		int multiple = 1;
 		int interval = 1; ///< Of the last step, in steps.
+		int loose_version = 0;
 		int64_t last_step = -1;
 	};
 
@@ -119,6 +126,7 @@ private:
 	PlantWinds along = {};
 	std::vector<FieldSpecies> kinds;
 	std::vector<Prototypes> models; ///< One for each species, or none.
+	std::vector<LoosePlants> loose; ///< As many.
 	std::vector<Entry> entries;
 	std::vector<FieldBody> pushing;
 	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
@@ -135,6 +143,13 @@ private:
 	void show_followers(Entry &entry, int most_change);
 	int wanted_delay(const Follower &follower, float x, float z, const TravellingWind &wind) const;
 	void update_lead();
+	LoosePlants &loose_of(const Entry &entry);
+	int count_of_species(int species) const;
+	Bend followed_bend(const Entry &entry, int index, int ago) const;
+	void push_follower(Entry &entry, int index, const TipState &state);
+	void follow_again(Entry &entry, int index);
+	void step_loose();
+	void push_followers(int page, const FieldBody &body);
 };
 
 } // namespace undergrowth

@@ -12,6 +12,7 @@ struct Follower {
 	uint16_t prototype = 0;
 	uint16_t own_delay = 0; ///< Steps; the wind's way to the plant comes on top.
 	uint16_t delay = 0; ///< Steps that it is shown late now; goes to where it should be without a jump.
+	uint16_t loose = 0; ///< One more than its number among the LoosePlants while it swings by itself, or 0.
 };
 
 /// The few plants of a species that are simulated for all others (thesis, section 5.3.1), and what they did in the last
@@ -27,6 +28,8 @@ public:
 	Prototypes(int species_index, const FieldSpecies &species, int count, float step);
 
 	int count() const { return page.size(); }
+	/// The direction of a prototype in calm air.
+	glm::vec3 rest(int prototype) const { return page.rest(prototype); }
 	/// Picks a prototype that leans as `plant` does and a delay of up to OWN_DELAY, both by `hash`.
 	Follower pick(const FieldPlant &plant, uint64_t hash) const;
 	void set_species(const FieldSpecies &species) { page.set_species(species); }

@@ -1,0 +1,98 @@
+// What a FieldSimulation is asked, and blows between steps.
+
+#include "field/field_simulation.hpp"
+#include "pendulum/gnomonic.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+bool contains(const FieldPage &page, const glm::vec3 &point, float margin) {
+	return point.x >= page.low().x - margin && point.x <= page.high().x + margin && point.y >= page.low().y - margin &&
+			point.y <= page.high().y + margin && point.z >= page.low().z - margin && point.z <= page.high().z + margin;
+}
+
+} // namespace
+
+float FieldSimulation::alpha(int page, float fraction) const {
+	const Entry &entry = at(page);
+	const float steps = static_cast<float>(next_step - 1 - entry.last_step) + fraction;
+	return std::clamp(steps / static_cast<float>(entry.interval), 0.0f, 1.0f);
+}
+
+TipState FieldSimulation::state(int page, int index) const {
+	const Entry &entry = at(page);
+	if (entry.page.swings()) {
+		return entry.page.state(index);
+	}
+	const Follower &shown = entry.followers[static_cast<std::size_t>(index)];
+	if (shown.loose > 0) {
+		return loose[static_cast<std::size_t>(entry.page.species())].shown_state(shown.loose - 1);
+	}
+	const glm::vec3 now = decode_bend(followed_bend(entry, index, 0));
+	const glm::vec3 before = decode_bend(followed_bend(entry, index, 1));
+	return safe_state({ now, (now - before) / options.step });
+}
+
+void FieldSimulation::apply_impulse(int page, int index, const glm::vec3 &impulse) {
+	FieldPage &plants = at(page).page;
+	TipState pushed = state(page, index);
+	pushed.rate += impulse / (plants.mass() * plants.length(index));
+	if (plants.swings()) {
+		plants.set_state(index, pushed);
+	} else {
+		push_follower(at(page), index, pushed);
+	}
+}
+
+const Prototypes *FieldSimulation::prototypes(int species) const {
+	return models.empty() ? nullptr : &models[static_cast<std::size_t>(species)];
+}
+
+const LoosePlants *FieldSimulation::loose_plants(int species) const {
+	return loose.empty() ? nullptr : &loose[static_cast<std::size_t>(species)];
+}
+
+bool FieldSimulation::is_point_in_plants(const glm::vec3 &point, float margin) const {
+	for (const Entry &entry : entries) {
+		if (!contains(entry.page, point, margin)) {
+			continue;
+		}
+		const float *x = entry.page.roots_x();
+		const float *z = entry.page.roots_z();
+		const float radius = entry.page.collision_radius() + margin;
+		for (int i = 0; i < entry.page.size(); i++) {
+			const float reach = entry.page.length(i) + radius;
+			if (std::fabs(x[i] - point.x) > reach || std::fabs(z[i] - point.z) > reach) {
+				continue;
+			}
+			const glm::vec3 nearest = nearest_on_segment(entry.page.root(i), entry.page.tip(i), point);
+			if (glm::distance(nearest, point) <= radius) {
+				return true;
+			}
+		}
+	}
+	return false;
+}
+
+double FieldSimulation::bytes_per_plant() const {
+	const int plants = plant_count();
+	std::size_t bytes = entries.capacity() * sizeof(Entry);
+	for (const Entry &entry : entries) {
+		bytes += entry.page.bytes() - sizeof(FieldPage) + entry.followers.capacity() * sizeof(Follower);
+	}
+	for (const Prototypes &model : models) {
+		bytes += model.bytes();
+	}
+	for (const LoosePlants &some : loose) {
+		bytes += some.bytes();
+	}
+	return plants > 0 ? static_cast<double>(bytes) / plants : 0.0;
+}
+
+} // namespace undergrowth

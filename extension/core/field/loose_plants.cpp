@@ -1,0 +1,65 @@
+#include "field/loose_plants.hpp"
+
+#include "field/bend_encoding.hpp"
+#include "pendulum/gnomonic.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace undergrowth {
+
+LoosePlants::LoosePlants(int species_index, const FieldSpecies &species, float step) :
+		swinging(species_index, species, nullptr, 0, step, true), step_time(step) {}
+
+void LoosePlants::reserve(int plants) {
+	room = std::max(room, std::min(plants, MOST));
+	swinging.reserve(room);
+	places.reserve(static_cast<std::size_t>(room));
+}
+
+int LoosePlants::add(const FieldPlant &plant, int page, int index, const TipState &state, Bend before) {
+	const int number = count();
+	swinging.add(&plant, 1);
+	swinging.set_state(number, state);
+	swinging.bends()[2 * number] = before;
+	places.push_back({ page, static_cast<uint16_t>(index), 0 });
+	return number;
+}
+
+void LoosePlants::remove(int number) {
+	swinging.remove(number);
+	places[static_cast<std::size_t>(number)] = places.back();
+	places.pop_back();
+}
+
+float LoosePlants::grow_older(int number, Bend followed) {
+	Place &place = places[static_cast<std::size_t>(number)];
+	place.age = static_cast<uint16_t>(std::min(place.age + 1, 0xffff));
+	const float gone = std::clamp((static_cast<float>(place.age) * step_time - ALONE) / GOING_BACK, 0.0f, 1.0f);
+	if (gone <= 0.0f) {
+		return 0.0f;
+	}
+	const float share = gone * gone * (3.0f - 2.0f * gone); // Without a jerk at either end.
+	const glm::vec3 own = swinging.direction(number);
+	const glm::vec3 other = decode_bend(followed);
+	swinging.bends()[2 * number + 1] = gone < 1.0f ? encode_bend(glm::normalize(own + share * (other - own))) : followed;
+	return share;
+}
+
+void LoosePlants::push(int number, const TipState &state) {
+	places[static_cast<std::size_t>(number)].age = 0;
+	swinging.set_state(number, state);
+}
+
+TipState LoosePlants::shown_state(int number) const {
+	TipState state = swinging.state(number);
+	if (static_cast<float>(places[static_cast<std::size_t>(number)].age) * step_time > ALONE) {
+		const Bend *pair = swinging.bends() + 2 * number;
+		const glm::vec3 now = decode_bend(pair[1]);
+		state = safe_state({ now, (now - decode_bend(pair[0])) / step_time });
+	}
+	return state;
+}
+
+} // namespace undergrowth

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "field/field_page.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace undergrowth {
+
+/// Plants of one species that follow a prototype, but were pushed: each swings by itself from what it showed, and goes
+/// back bit by bit to what its prototype shows when it has rung down. How much they cost is bounded by their number.
+class LoosePlants {
+public:
+	/// At a time; whoever comes then is not pushed. A layer of 64 by 64 texels.
+	static constexpr int MOST = FieldPage::PAGE_PLANTS;
+	static constexpr float ALONE = 3.0f; ///< s after the last push until it begins to go back.
+	static constexpr float GOING_BACK = 1.5f; ///< s.
+
+	LoosePlants(int species_index, const FieldSpecies &species, float step);
+
+	/// Makes room for that many, MOST at most, so that add() does not allocate.
+	void reserve(int plants);
+	bool is_full() const { return count() == room; }
+	int count() const { return swinging.size(); }
+	void set_species(const FieldSpecies &species) { swinging.set_species(species); }
+	/// Plant `index` of page `page`, in `state`, which came from the bend `before`; tells its number, which is the former
+	/// count(). Only where it is not full.
+	int add(const FieldPlant &plant, int page, int index, const TipState &state, Bend before);
+	/// The last one takes its number.
+	void remove(int number);
+
+	/// One step of all under `wind`.
+	void step(const TravellingWind &wind, const PlantWinds &along) { swinging.step(wind, along); }
+	/// A step later than at the last push. Tells how much of `followed`, which its prototype shows, it shows from now on
+	/// (0 to 1), and shows it.
+	float grow_older(int number, Bend followed);
+	/// Puts a plant that was pushed into a state.
+	void push(int number, const TipState &state);
+
+	/// What it shows, which is not its own motion alone while it goes back.
+	TipState shown_state(int number) const;
+	int page_of(int number) const { return places[static_cast<std::size_t>(number)].page; }
+	int index_of(int number) const { return places[static_cast<std::size_t>(number)].index; }
+	/// Where the plant is in its page now.
+	void set_index(int number, int index) { places[static_cast<std::size_t>(number)].index = static_cast<uint16_t>(index); }
+	/// Swinging plants with their pairs of bends as they are shown.
+	const FieldPage &page() const { return swinging; }
+	std::size_t bytes() const { return swinging.bytes() + places.capacity() * sizeof(Place); }
+
+private:
+	struct Place {
+		int page;
+		uint16_t index;
+		uint16_t age; ///< Steps since the last push.
+	};
+
+	FieldPage swinging;
+	std::vector<Place> places;
+	int room = 0;
+	float step_time; ///< s.
+};
+
+} // namespace undergrowth

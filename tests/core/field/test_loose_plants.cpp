@@ -1,0 +1,166 @@
+#include "field/loose_plants.hpp"
+#include "field_fixture.hpp"
+
+#include <doctest/doctest.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+using namespace undergrowth;
+
+namespace {
+
+constexpr float JUMP = 0.12f; // Between two steps: what waves and ringing down make of a direction, and some.
+constexpr int RUNG_DOWN = static_cast<int>((LoosePlants::ALONE + LoosePlants::GOING_BACK) / FIELD_STEP) + 2; // Steps.
+
+FieldSimulation following_field(Law law, bool write_followers, int count = 200) {
+	FieldSettings settings;
+	settings.prototypes = 16;
+	settings.write_followers = write_followers;
+	FieldSimulation field(settings);
+	std::vector<FieldPlant> plants;
+	for (int i = 0; i < count; i++) {
+		FieldPlant plant = chance_plant(i);
+		plant.root = { 0.1f * static_cast<float>(i % 100), 0.0f, 0.4f * static_cast<float>(i / 100) };
+		plants.push_back(plant);
+		if (i == count - 1 || static_cast<int>(plants.size()) == FieldPage::PAGE_PLANTS) {
+			const int kind = field.species_count() > 0 ? 0 : field.add_species(species_of(law));
+			field.add_page(kind, plants.data(), static_cast<int>(plants.size()));
+			plants.clear();
+		}
+	}
+	field.set_wind(wave_wind());
+	for (int i = 0; i < 60; i++) {
+		field.step();
+	}
+	return field;
+}
+
+/// A capsule that stands at `x` and walks along +x.
+FieldBody walker(float x) {
+	FieldBody body;
+	body.from = { x, 0.3f, 0.2f };
+	body.to = { x, 1.5f, 0.2f };
+	body.radius = 0.3f;
+	body.velocity = { 1.5f, 0.0f, 0.0f };
+	return body;
+}
+
+float depth(const FieldSimulation &field, int plant, const FieldBody &body) {
+	const FieldPage &page = field.page(0);
+	const glm::vec3 tip = page.root(plant) + page.length(plant) * field.state(0, plant).direction;
+	return body.radius - glm::distance(tip, nearest_on_segment(body.from, body.to, tip));
+}
+
+} // namespace
+
+TEST_CASE("a body pushes plants that follow, which ring down and follow again without a jump") {
+	for (const Law law : { Law::elasticity, Law::spring }) {
+		for (const bool write_followers : { true, false }) {
+			FieldSimulation field = following_field(law, write_followers);
+			const int plants = field.plant_count();
+			int most_loose = 0;
+			std::vector<glm::vec3> before(static_cast<size_t>(plants));
+			for (int i = 0; i < 240 + RUNG_DOWN; i++) {
+				const FieldBody body = walker(1.0f + 1.5f * FIELD_STEP * static_cast<float>(i));
+				field.set_bodies(&body, i < 240 ? 1 : 0);
+				field.step();
+				most_loose = std::max(most_loose, field.loose_plants(0)->count());
+				for (int k = 0; k < plants; k++) {
+					if (i < 240) {
+						REQUIRE(depth(field, k, body) < 0.05f);
+					}
+					const glm::vec3 now = field.state(0, k).direction;
+					if (i > 242) {
+						REQUIRE(glm::distance(now, before[static_cast<size_t>(k)]) < JUMP);
+					}
+					before[static_cast<size_t>(k)] = now;
+				}
+			}
+			CHECK(most_loose > 20);
+			CHECK(most_loose < plants);
+			CHECK(field.loose_plants(0)->count() == 0);
+			for (int k = 0; k < plants; k++) {
+				REQUIRE(field.follower(0, k).loose == 0);
+			}
+		}
+	}
+}
+
+TEST_CASE("plants that nobody pushes go on following, whatever their neighbours do") {
+	FieldSimulation pushed = following_field(Law::elasticity, true);
+	FieldSimulation calm = following_field(Law::elasticity, true);
+	for (int i = 0; i < 300; i++) {
+		const FieldBody body = walker(4.0f);
+		pushed.set_bodies(&body, i < 30 ? 1 : 0);
+		pushed.step();
+		calm.step();
+		int loose = 0;
+		for (int k = 0; k < pushed.plant_count(); k++) {
+			if (pushed.follower(0, k).loose > 0) {
+				loose++;
+				continue;
+			}
+			REQUIRE(pushed.page(0).bends()[2 * k + 1] == calm.page(0).bends()[2 * k + 1]);
+		}
+		REQUIRE(loose == pushed.loose_plants(0)->count());
+	}
+}
+
+TEST_CASE("a blow moves a plant that follows, for a while") {
+	FieldSimulation field = following_field(Law::spring, false);
+	const glm::vec3 before = field.state(0, 7).direction;
+	const int version = field.loose_version(0);
+	field.apply_impulse(0, 7, { 1.0f, 0.0f, 0.0f });
+	CHECK(field.loose_version(0) != version);
+	CHECK(field.loose_plants(0)->count() == 1);
+	CHECK(field.simulated_count() == 17);
+	for (int i = 0; i < 6; i++) {
+		field.step();
+	}
+	CHECK(field.state(0, 7).direction.x > before.x + 0.1f);
+	for (int i = 0; i < RUNG_DOWN; i++) {
+		field.step();
+	}
+	CHECK(field.loose_plants(0)->count() == 0);
+}
+
+TEST_CASE("no more plants swing by themselves than there is room for") {
+	FieldSimulation field = following_field(Law::elasticity, false, LoosePlants::MOST + 500);
+	for (int page = 0; page < field.page_count(); page++) {
+		for (int i = 0; i < field.page(page).size(); i++) {
+			field.apply_impulse(page, i, { 0.1f, 0.0f, 0.0f });
+		}
+	}
+	CHECK(field.loose_plants(0)->count() == LoosePlants::MOST);
+	for (int i = 0; i < RUNG_DOWN; i++) {
+		field.step();
+	}
+	CHECK(field.loose_plants(0)->count() == 0);
+}
+
+TEST_CASE("removing plants keeps who swings by itself apart") {
+	FieldSimulation field = following_field(Law::elasticity, true, 60);
+	for (int i = 0; i < 60; i += 2) {
+		field.apply_impulse(0, i, { 0.4f, 0.0f, 0.0f });
+	}
+	for (const int index : { 0, 59, 30, 31, 5, 0 }) {
+		if (index < field.page(0).size()) {
+			field.remove(0, index);
+		}
+		field.step();
+		const LoosePlants &loose = *field.loose_plants(0);
+		int pointed_at = 0;
+		for (int i = 0; i < field.page(0).size(); i++) {
+			const int number = field.follower(0, i).loose - 1;
+			if (number >= 0) {
+				pointed_at++;
+				REQUIRE(number < loose.count());
+				REQUIRE(loose.index_of(number) == i);
+				REQUIRE(loose.page().root(number) == field.page(0).root(i));
+			}
+		}
+		REQUIRE(pointed_at == loose.count());
+	}
+}
