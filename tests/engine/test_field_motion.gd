@@ -297,6 +297,29 @@ func test_bodies_push_plants_and_are_told_of() -> void:
 	walker.free()
 
 
+func test_bodies_push_plants_that_follow_prototypes_for_a_while() -> void:
+	_field.prototypes = 8
+	_field.wind = null
+	_field.bodies_group = &"walkers"
+	var walker := _add_walker()
+	await _start()
+	var rest := _tips()
+	walker.position = Vector3(0, 0.5, 0)
+	await _step(5)
+	var pushed := _count_moved(rest, 0.05)
+	check(pushed > 0, "plants are pushed")
+	check(pushed < rest.size(), "not all of them")
+	var simulated: int = _field.get_statistics()["simulated"]
+	check(simulated > 8, "they swing by themselves")
+	walker.position = Vector3(0, 0.5, 50)
+	await _step(400)
+	check_equal(_count_moved(rest, 0.02), 0, "plants that have not come back")
+	check_equal(
+		_field.get_statistics()["simulated"], 8 * _field.species.size(), "they follow again"
+	)
+	walker.free()
+
+
 func test_a_body_that_is_freed_among_plants_is_forgotten() -> void:
 	_field.bodies_group = &"walkers"
 	await _start()

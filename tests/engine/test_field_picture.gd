@@ -78,6 +78,20 @@ func test_followers_of_prototypes_are_drawn() -> void:
 	check(count_different(first, later) > 50, "they move")
 
 
+func test_a_follower_that_was_pushed() -> void:
+	var function := TulipFunction.new()
+	function.law = PlantFunction.LAW_SPRING
+	function.natural_frequency = 0.5
+	function.damping_ratio = 20.0  # So slow that it stands still for the picture.
+	_field.prototypes = 3
+	_field.wind.strength = 0.0
+	await _compare(
+		function,
+		Transform3D(Basis(Vector3.UP, 0.7), Vector3.ZERO),
+		function.mass * Vector3(60, 0, 30)
+	)
+
+
 func test_levels_dissolve_into_each_other_without_holes() -> void:
 	# The plant stands where both levels show a part of it.
 	var function := TulipFunction.new()
@@ -100,10 +114,15 @@ func test_levels_dissolve_into_each_other_without_holes() -> void:
 	check_near(float(drawn), float(whole), 0.05 * whole, "pixels of the plant")
 
 
-func _compare(function: PlantFunction, place: Transform3D) -> void:
+func _compare(function: PlantFunction, place: Transform3D, blow := Vector3.ZERO) -> void:
 	_field.add_plants([place], function)
 	RenderingServer.render_loop_enabled = false
 	await _settle()
+	if blow != Vector3.ZERO:
+		var before := _field.get_tip_position(0)
+		_field.apply_impulse_in_sphere(Vector3.ZERO, 1.0, blow)
+		await create_timer(0.3).timeout
+		check(_field.get_tip_position(0).distance_to(before) > 0.1, "the blow bends it")
 	_field.simulating = false
 	await frames(2)
 	RenderingServer.render_loop_enabled = true

@@ -19,7 +19,8 @@ struct FieldBody {
 /// Whether all numbers are finite and the radius is above 0.
 bool is_valid(const FieldBody &body);
 
-/// Turns one plant of `length` (m) that is in `state` out of the body as push_plants() does; tells whether it was in it.
+/// Turns one plant of `length` (m) that is in `state` out of the body as push_plants() does; tells whether it was in
+/// it.
 bool push_plant(TipState &state, const glm::vec3 &root, float length, float thickness, const FieldBody &body);
 
 /// Calls visit(index) for each plant of a page that the body may touch, in rising order. `body`: valid.

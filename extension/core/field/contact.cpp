@@ -109,8 +109,8 @@ void TipContact::for_each_contact(const FieldSimulation &field, const SortedTip 
 			if (squared >= sum * sum) {
 				continue;
 			}
-			const float at_rest = glm::distance(
-					rest_tip(own_page, index_of(own.tip)), rest_tip(page, index_of(other.tip)));
+			const float at_rest =
+					glm::distance(rest_tip(own_page, index_of(own.tip)), rest_tip(page, index_of(other.tip)));
 			const float wanted = std::min(sum, at_rest);
 			const float distance = std::sqrt(squared);
 			if (distance < wanted) {
@@ -159,8 +159,8 @@ void TipContact::separate_one(FieldSimulation &field, const SortedTip &own) {
 	glm::vec3 blow = { 0.0f, 0.0f, 0.0f };
 	for_each_contact(field, own, [&](uint32_t other, const glm::vec3 &offset, float distance, float wanted) {
 		const float other_mass = field.page(pages[other]).mass();
-		const float share = other_mass / (page.mass() + other_mass) /
-				static_cast<float>(std::max(touching[tip], touching[other]));
+		const float share =
+				other_mass / (page.mass() + other_mass) / static_cast<float>(std::max(touching[tip], touching[other]));
 		// Tips at the same place part along x, the one of the lower number to the right.
 		const glm::vec3 normal =
 				distance > 0.0f ? offset / distance : glm::vec3(tip < other ? 1.0f : -1.0f, 0.0f, 0.0f);

@@ -57,7 +57,8 @@ private:
 	uint32_t bucket(int cell_x, int cell_z) const;
 	int cell(float place) const;
 	/// Calls visit(other tip, offset, distance, wanted distance) for each tip that touches `own`.
-	template <class Visit> void for_each_contact(const FieldSimulation &field, const SortedTip &own, Visit &&visit) const;
+	template <class Visit>
+	void for_each_contact(const FieldSimulation &field, const SortedTip &own, Visit &&visit) const;
 	void separate_one(FieldSimulation &field, const SortedTip &own);
 };
 

@@ -43,7 +43,8 @@ float LoosePlants::grow_older(int number, Bend followed) {
 	const float share = gone * gone * (3.0f - 2.0f * gone); // Without a jerk at either end.
 	const glm::vec3 own = swinging.direction(number);
 	const glm::vec3 other = decode_bend(followed);
-	swinging.bends()[2 * number + 1] = gone < 1.0f ? encode_bend(glm::normalize(own + share * (other - own))) : followed;
+	swinging.bends()[2 * number + 1] =
+			gone < 1.0f ? encode_bend(glm::normalize(own + share * (other - own))) : followed;
 	return share;
 }
 

@@ -23,16 +23,16 @@ public:
 	bool is_full() const { return count() == room; }
 	int count() const { return swinging.size(); }
 	void set_species(const FieldSpecies &species) { swinging.set_species(species); }
-	/// Plant `index` of page `page`, in `state`, which came from the bend `before`; tells its number, which is the former
-	/// count(). Only where it is not full.
+	/// Plant `index` of page `page`, in `state`, which came from the bend `before`; tells its number, which is the
+	/// former count(). Only where it is not full.
 	int add(const FieldPlant &plant, int page, int index, const TipState &state, Bend before);
 	/// The last one takes its number.
 	void remove(int number);
 
 	/// One step of all under `wind`.
 	void step(const TravellingWind &wind, const PlantWinds &along) { swinging.step(wind, along); }
-	/// A step later than at the last push. Tells how much of `followed`, which its prototype shows, it shows from now on
-	/// (0 to 1), and shows it.
+	/// A step later than at the last push. Tells how much of `followed`, which its prototype shows, it shows from now
+	/// on (0 to 1), and shows it.
 	float grow_older(int number, Bend followed);
 	/// Puts a plant that was pushed into a state.
 	void push(int number, const TipState &state);
@@ -42,7 +42,9 @@ public:
 	int page_of(int number) const { return places[static_cast<std::size_t>(number)].page; }
 	int index_of(int number) const { return places[static_cast<std::size_t>(number)].index; }
 	/// Where the plant is in its page now.
-	void set_index(int number, int index) { places[static_cast<std::size_t>(number)].index = static_cast<uint16_t>(index); }
+	void set_index(int number, int index) {
+		places[static_cast<std::size_t>(number)].index = static_cast<uint16_t>(index);
+	}
 	/// Swinging plants with their pairs of bends as they are shown.
 	const FieldPage &page() const { return swinging; }
 	std::size_t bytes() const { return swinging.bytes() + places.capacity() * sizeof(Place); }

@@ -11,7 +11,8 @@
 namespace undergrowth {
 
 /// The textures that carry bends to the graphics card: a layer of 64 by 64 texels for each page (before and after its
-/// last step), 16 layers for the history of each species' prototypes, and a row with a blend for each layer.
+/// last step) and a row with a blend for each layer. Where plants follow prototypes, a page's layer says whom and how
+/// late instead, and each species has 16 layers for the history of its prototypes and one for plants that were pushed.
 class FieldBends {
 public:
 	FieldBends() = default;
@@ -24,7 +25,7 @@ public:
 	void make_textures();
 	/// Whether the images have room for all pages of `simulation`.
 	bool has_room(const FieldSimulation &simulation) const;
-	/// First layer of a species' history.
+	/// First layer of a species' history; its pushed plants are in the one after the history.
 	int history_layer(int species) const;
 
 	/// Takes over a page's bends. On any thread; different pages at the same time.
@@ -35,7 +36,7 @@ public:
 	std::vector<int> hidden_pages() const;
 	/// Forgets what was hidden. Each page shows it from its next write_page() on.
 	void show_all();
-	/// Takes over the newest slot of each species' history, and whether its layer has to be sent.
+	/// Takes over the newest slot of each species' history, and what its pushed plants do.
 	void write_history(const FieldSimulation &simulation);
 
 	/// Sends what was written since the last time, and the blends for `fraction` of a step. Main thread.
@@ -54,7 +55,10 @@ private:
 	godot::RID texture;
 	godot::RID blend_texture;
 	int page_layers = 0;
+	bool follows = false; ///< Prototypes.
+	std::vector<int> loose_versions; ///< By page: as written.
 
+	void write_followers(const FieldSimulation &simulation, int page);
 	void write_layer(int layer, const Bend *from, int pairs, int first);
 };
 

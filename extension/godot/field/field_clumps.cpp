@@ -21,15 +21,9 @@ ClumpPlace FieldDrawing::place_of(const FieldStyle &style, int level, int column
 }
 
 // Where the shader finds a plant's bend.
-static void write_place(float *to, const FieldSimulation &simulation, int page, int index) {
-	if (simulation.settings().prototypes > 0) {
-		const Follower &follower = simulation.follower(page, index);
-		to[0] = float(follower.prototype);
-		to[1] = float(follower.own_delay);
-	} else {
-		to[0] = float(index % HALVES_COUNT_TO);
-		to[1] = float(2 * page + index / HALVES_COUNT_TO);
-	}
+static void write_place(float *to, int page, int index) {
+	to[0] = float(index % HALVES_COUNT_TO);
+	to[1] = float(2 * page + index / HALVES_COUNT_TO);
 }
 
 static void write_transform(float *to, const PlacedPlant &plant) {
@@ -50,8 +44,7 @@ static AABB reach(const FieldLook &look, const PlacedPlant &plant) {
 }
 
 // Appends plants [begin, end) to a plan, but for those that are gone.
-static void add_range(ClumpPlan &plan, const FieldLook &look, const FieldPatch &patch,
-		const FieldSimulation &simulation, const ChunkRange &range) {
+static void add_range(ClumpPlan &plan, const FieldLook &look, const FieldPatch &patch, const ChunkRange &range) {
 	const float mesh_height = look.variants[size_t(plan.group)].height;
 	plan.buffer.resize(int64_t(plan.count + range.end - range.begin) * plan.stride);
 	float *to = plan.buffer.ptrw() + int64_t(plan.count) * plan.stride;
@@ -63,7 +56,7 @@ static void add_range(ClumpPlan &plan, const FieldLook &look, const FieldPatch &
 		write_transform(to, plant);
 		std::fill(to + TRANSFORM_FLOATS, to + plan.stride, 1.0f); // White, where there is a colour.
 		float *custom = to + plan.stride - CUSTOM_FLOATS;
-		write_place(custom, simulation, patch.page(i), patch.index(i));
+		write_place(custom, patch.page(i), patch.index(i));
 		custom[2] = plant.turn;
 		custom[3] = look.variants[size_t(plant.variant)].height * plant.height / mesh_height;
 		const AABB box = reach(look, plant);
@@ -74,8 +67,8 @@ static void add_range(ClumpPlan &plan, const FieldLook &look, const FieldPatch &
 }
 
 // The plants of chunks [begin, end), which are one place, cut into a plan for each mesh.
-static void plan_chunks(const FieldStyle &style, const FieldPatch &patch, const FieldSimulation &simulation,
-		const ClumpPlace &place, const std::vector<const FieldChunk *> &chunks, std::vector<ClumpPlan> &plans) {
+static void plan_chunks(const FieldStyle &style, const FieldPatch &patch, const ClumpPlace &place,
+		const std::vector<const FieldChunk *> &chunks, std::vector<ClumpPlan> &plans) {
 	std::map<std::pair<int, int>, ClumpPlan> by_mesh;
 	for (const FieldChunk *chunk : chunks) {
 		for (int i = chunk->first_range; i < chunk->last_range; i++) {
@@ -87,7 +80,7 @@ static void plan_chunks(const FieldStyle &style, const FieldPatch &patch, const 
 			plan.species = range.species;
 			plan.group = group;
 			plan.stride = TRANSFORM_FLOATS + CUSTOM_FLOATS + (style.needs_colors ? COLOR_FLOATS : 0);
-			add_range(plan, look, patch, simulation, range);
+			add_range(plan, look, patch, range);
 		}
 	}
 	for (auto &[mesh, plan] : by_mesh) {
@@ -98,8 +91,7 @@ static void plan_chunks(const FieldStyle &style, const FieldPatch &patch, const 
 	}
 }
 
-std::vector<ClumpPlan> FieldDrawing::plan(
-		const FieldStyle &style, const FieldPatch &patch, const FieldSimulation &simulation) {
+std::vector<ClumpPlan> FieldDrawing::plan(const FieldStyle &style, const FieldPatch &patch) {
 	std::vector<ClumpPlan> plans;
 	for (int level = 0; level < int(style.levels.size()); level++) {
 		std::map<ClumpPlace, std::vector<const FieldChunk *>> places;
@@ -107,14 +99,14 @@ std::vector<ClumpPlan> FieldDrawing::plan(
 			places[place_of(style, level, chunk.column, chunk.row)].push_back(&chunk);
 		}
 		for (const auto &[place, chunks] : places) {
-			plan_chunks(style, patch, simulation, place, chunks, plans);
+			plan_chunks(style, patch, place, chunks, plans);
 		}
 	}
 	return plans;
 }
 
 std::vector<ClumpPlan> FieldDrawing::plan_one(
-		const FieldStyle &style, const FieldPatch &patch, const FieldSimulation &simulation, const ClumpPlace &place) {
+		const FieldStyle &style, const FieldPatch &patch, const ClumpPlace &place) {
 	std::vector<const FieldChunk *> members;
 	for (const FieldChunk &chunk : patch.chunks.chunks) {
 		const ClumpPlace own = place_of(style, place.level, chunk.column, chunk.row);
@@ -123,7 +115,7 @@ std::vector<ClumpPlan> FieldDrawing::plan_one(
 		}
 	}
 	std::vector<ClumpPlan> plans;
-	plan_chunks(style, patch, simulation, place, members, plans);
+	plan_chunks(style, patch, place, members, plans);
 	return plans;
 }
 

@@ -65,11 +65,9 @@ public:
 	FieldDrawing &operator=(const FieldDrawing &) = delete;
 
 	/// How all of a patch is drawn. On any thread.
-	static std::vector<ClumpPlan> plan(
-			const FieldStyle &style, const FieldPatch &patch, const FieldSimulation &simulation);
+	static std::vector<ClumpPlan> plan(const FieldStyle &style, const FieldPatch &patch);
 	/// The same for one place only.
-	static std::vector<ClumpPlan> plan_one(const FieldStyle &style, const FieldPatch &patch,
-			const FieldSimulation &simulation, const ClumpPlace &place);
+	static std::vector<ClumpPlan> plan_one(const FieldStyle &style, const FieldPatch &patch, const ClumpPlace &place);
 	/// Where plants of a chunk are drawn.
 	static ClumpPlace place_of(const FieldStyle &style, int level, int column, int row);
 

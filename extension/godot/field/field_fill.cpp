@@ -140,7 +140,7 @@ void FieldFill::build() {
 	result.bends->make_images(*result.simulation);
 	done = SIMULATED_SHARE;
 	if (!is_cancelled) {
-		result.plans = FieldDrawing::plan(result.style, result.patch, *result.simulation);
+		result.plans = FieldDrawing::plan(result.style, result.patch);
 	}
 	done = 1.0f;
 }

@@ -85,7 +85,7 @@ void PlantField3D::merge_added() {
 	}
 	drawings.push_back(std::make_unique<FieldDrawing>());
 	restart_drawing(*drawings.back());
-	drawings.back()->show(style, FieldDrawing::plan(style, *merged, *simulation));
+	drawings.back()->show(style, FieldDrawing::plan(style, *merged));
 	patches.push_back(std::move(merged));
 }
 
@@ -118,7 +118,7 @@ void PlantField3D::flush_pending() {
 	show_bends();
 	drawings.push_back(std::make_unique<FieldDrawing>());
 	restart_drawing(*drawings.back());
-	drawings.back()->show(style, FieldDrawing::plan(style, *patch, *simulation));
+	drawings.back()->show(style, FieldDrawing::plan(style, *patch));
 	patches.push_back(std::move(patch));
 	merge_added();
 	if (options.contact) {
@@ -139,7 +139,7 @@ void PlantField3D::show_bends() {
 		hide_shown();
 		bends->make_textures();
 	} else {
-		for (int page = 0; page < simulation->page_count() && simulation->settings().prototypes == 0; page++) {
+		for (int page = 0; page < simulation->page_count(); page++) {
 			bends->write_page(*simulation, page);
 		}
 	}

@@ -14,8 +14,7 @@ namespace undergrowth {
 
 void PlantField3D::redraw(int patch, const std::vector<ClumpPlace> &places) {
 	for (const ClumpPlace &place : places) {
-		drawings[size_t(patch)]->replace(
-				style, place, FieldDrawing::plan_one(style, *patches[size_t(patch)], *simulation, place));
+		drawings[size_t(patch)]->replace(style, place, FieldDrawing::plan_one(style, *patches[size_t(patch)], place));
 	}
 }
 
@@ -87,10 +86,13 @@ int PlantField3D::remove_in_sphere(const Vector3 &center, double radius) {
 		}
 	}
 	release_removed_skeletons();
-	for (int page = 0; page < simulation->page_count() && simulation->settings().prototypes == 0; page++) {
+	for (int page = 0; page < simulation->page_count(); page++) {
 		if (is_affected[size_t(page)]) {
 			bends->write_page(*simulation, page);
 		}
+	}
+	if (simulation->settings().prototypes > 0) {
+		bends->write_history(*simulation); // Pushed plants have new places, too.
 	}
 	for (int p = 0; p < int(patches.size()); p++) {
 		redraw(p, { dirty[size_t(p)].begin(), dirty[size_t(p)].end() });
