@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Measures the core and the add-on in a headless engine; prints a table, writes build/bench.json and build/bench.png.
+"""Measures the core and the add-on, in a headless engine and in renderers without a graphics card.
 
-All measuring programs print a JSON list of rows {"name", "plants", "threads", "median_ms", "us_per_plant"}.
+Prints a table and what it means, writes build/bench.json and build/bench.png. All measuring programs print a JSON list
+of rows {"name", "plants", "threads", "median_ms", "us_per_plant"}; rows of fields also tell their "renderer".
 """
 
 import argparse
@@ -14,9 +15,13 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests"))
 
 import bench_plot  # noqa: E402  (the path above comes first)
+import bench_summary  # noqa: E402
 from suites import engine  # noqa: E402
+from toolchain import display  # noqa: E402
+from toolchain.place import Missing  # noqa: E402
 
-COLUMNS = ("name", "plants", "threads", "median_ms", "us_per_plant")
+COLUMNS = ("name", "plants", "threads", "median_ms", "us_per_plant", "renderer")
+RENDERERS = ("forward_plus", "gl_compatibility")
 TIMEOUT = 600
 ENGINE_SCRIPTS = ("engine_bench", "field_bench")
 # The engine's better physics has to be chosen, and told how many bodies there will be.
@@ -44,6 +49,20 @@ def measure(name, words, environment=None):
         return rows_in(answer.stdout)
     except ValueError as error:
         sys.exit(f"{name} measured nothing ({error}, exit status {answer.returncode}):\n{answer.stdout[-2000:]}")
+
+
+def drawn_rows(start):
+    """Fields in each renderer, in a virtual display; nothing where there is none."""
+    rows = []
+    for method in RENDERERS:
+        words = [*start, "--rendering-method", method, "--audio-driver", "Dummy", "--resolution", "320x180",
+                 "--script", "res://tests/bench/field_bench.gd"]
+        try:
+            with display.virtual(640, 360) as environment:
+                rows += measure(f"field_bench in {method}", words, engine.private_home(environment))
+        except Missing as missing:
+            print(f"{method} is not measured: {missing}")
+    return rows
 
 
 def table(rows):
@@ -76,13 +95,14 @@ def main():
     folder = engine.make_project("bench_project", {"tests/bench": "tests/bench"})
     with open(folder / "project.godot", "a", encoding="utf-8") as settings:
         settings.write(JOLT)
+    start = [options.godot, "--path", str(folder), "--fixed-fps", "60", "--disable-vsync"]
     for script in ENGINE_SCRIPTS:
-        words = [options.godot, "--headless", "--path", str(folder), "--fixed-fps", "60",
-                 "--script", f"res://tests/bench/{script}.gd"]
+        words = [*start, "--headless", "--script", f"res://tests/bench/{script}.gd"]
         rows += measure(script, words, engine.private_home())
+    rows += drawn_rows(start)
     target = ROOT / "build/bench.json"
     target.write_text(json.dumps(rows, indent="\t") + "\n")
-    print(f"{table(rows)}\n{target.relative_to(ROOT)}")
+    print("\n".join([table(rows), "", *bench_summary.lines(rows), "", str(target.relative_to(ROOT))]))
     plot(rows)
     return 0
 

@@ -1,22 +1,26 @@
 ## Measures fields of plants and what else could move as many bodies; prints a JSON list of rows.
 ##
-## Run with --fixed-fps 60, so that each frame is one step; headless, or with a renderer and
-## `-- field`, which leaves the rest out. For fields median_ms is what a frame costs on the
-## processor, all threads together, main_ms the main thread's part of it (without waiting for the
-## others), step_ms the rest and frame_ms how much longer frames take. For field_fill it is the time
-## from fill() to the signal, for jolt and gdscript how much longer frames or steps take.
+## Run with --fixed-fps 60, so that each frame is one step; headless, or with a renderer, whose name
+## is in the rows then, and which leaves the peers and field_fill out. For fields median_ms is what a
+## frame costs on the processor, simulating and uploading, all threads together, main_ms the main
+## thread's part of it (without waiting for the others), step_ms the rest and frame_ms how much
+## longer frames take; rows of field_frame_main are the main thread's part and its share of the
+## whole. For field_fill median_ms is the time from fill() to the signal, for jolt and gdscript how
+## much longer frames or steps take.
 extends SceneTree
 
 const FIELD_COUNTS: Array[int] = [1000, 10000, 100000, 1000000]
 const LADDER_COUNT := 100000
 const PEER_COUNTS: Array[int] = [1000, 10000]
 const DENSITY := 10.0
+const FAR_DISTANCE := 40.0  # What a new field has.
 const WARM_UP_FRAMES := 60
 const BLOCKS := 21
 const FRAMES_PER_BLOCK := 8
 const FILLS := 5
 
 var _rows: Array[Dictionary] = []
+var _renderer := "headless"
 
 
 func _initialize() -> void:
@@ -24,12 +28,15 @@ func _initialize() -> void:
 
 
 func _run() -> void:
+	if DisplayServer.get_name() != "headless":
+		_renderer = RenderingServer.get_current_rendering_method()
 	for count: int in FIELD_COUNTS:
 		await _measure_field("field_frame", count, {})
-	await _measure_field("field_frame_interval_4", LADDER_COUNT, {"update_interval": 4})
-	await _measure_field("field_frame_prototypes_64", LADDER_COUNT, {"prototypes": 64})
-	await _measure_field("field_frame_far", LADDER_COUNT * 10, {"far_distance": 20.0})
-	if not OS.get_cmdline_user_args().has("field"):
+		await _measure_field("field_frame_interval_4", count, {"update_interval": 4})
+		await _measure_field("field_frame_prototypes_64", count, {"prototypes": 64})
+	for count: int in [LADDER_COUNT, LADDER_COUNT * 10]:
+		await _measure_field("field_frame_far", count, {"far_distance": FAR_DISTANCE})
+	if _renderer == "headless":
 		await _measure_fill()
 		for count: int in PEER_COUNTS:
 			await _measure_jolt(count)
@@ -52,6 +59,7 @@ func _make_field(count: int, settings: Dictionary) -> PlantField3D:
 	field.variants = 8
 	field.density = DENSITY
 	field.size = Vector2.ONE * sqrt(count / DENSITY)
+	field.far_distance = 0.0
 	field.wind = PlantWind.new()
 	field.wind.kind = PlantWind.KIND_WAVES
 	for property: String in settings:
@@ -62,7 +70,7 @@ func _make_field(count: int, settings: Dictionary) -> PlantField3D:
 func _measure_field(title: String, count: int, settings: Dictionary) -> void:
 	var camera := Camera3D.new()
 	root.add_child(camera)
-	camera.position.y = 100.0  # Looking up: what is measured is not how plants are drawn.
+	camera.position.y = 5.0  # Looking up: what is measured is not how plants are drawn.
 	camera.rotation.x = PI / 2.0
 	var field := _make_field(count, settings)
 	root.add_child(field)
@@ -81,11 +89,19 @@ func _measure_field(title: String, count: int, settings: Dictionary) -> void:
 	# The mean over frames: with an interval, not every frame steps as many.
 	var main_usec := _mean_without_outliers(main)
 	var step_usec := _mean_without_outliers(step)
+	if title == "field_frame":
+		_add_row(
+			"field_frame_main",
+			field.get_plant_count(),
+			main_usec,
+			{"threads": 1, "renderer": _renderer, "share": main_usec / (main_usec + step_usec)}
+		)
 	_add_row(
 		title,
 		field.get_plant_count(),
 		main_usec + step_usec,
 		{
+			"renderer": _renderer,
 			"threads": OS.get_processor_count(),
 			"main_ms": main_usec / 1000.0,
 			"step_ms": step_usec / 1000.0,

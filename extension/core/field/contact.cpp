@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace undergrowth {
 
@@ -54,7 +53,7 @@ void TipContact::fit(const FieldSimulation &field) {
 void TipContact::gather(const FieldSimulation &field, int begin, int end) {
 	for (int number = begin; number < end; number++) {
 		const FieldPage &page = field.page(number);
-		std::memset(touching.data() + first(number), 0, first(number + 1) - first(number));
+		std::fill(touching.begin() + page_begin(number), touching.begin() + page_begin(number + 1), static_cast<uint8_t>(0));
 		for (int i = 0; page.swings() && i < page.size(); i++) {
 			const std::size_t tip = first(number) + static_cast<std::size_t>(i);
 			vectors[tip] = page.tip(i);

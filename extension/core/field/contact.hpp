@@ -4,6 +4,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -53,6 +54,7 @@ private:
 	std::vector<SortedTip> sorted; ///< By bucket, in rising order of tips within one.
 
 	std::size_t first(int page) const { return page_firsts[static_cast<std::size_t>(page)]; }
+	std::ptrdiff_t page_begin(int page) const { return static_cast<std::ptrdiff_t>(first(page)); }
 	int index_of(uint32_t tip) const { return static_cast<int>(tip - page_firsts[pages[tip]]); }
 	uint32_t bucket(int cell_x, int cell_z) const;
 	int cell(float place) const;

@@ -16,7 +16,8 @@ namespace undergrowth {
 namespace {
 
 constexpr int MAX_INTERVAL = 64;
-constexpr int MAX_MULTIPLE = 8;
+constexpr int MAX_MULTIPLE = 32;
+constexpr int LONGEST_INTERVAL = 64; // Steps: a second, about the swing of a plant.
 constexpr float USUAL_STEP = 1.0f / 60.0f; // s.
 
 FieldSettings safe_settings(const FieldSettings &settings) {
@@ -170,12 +171,14 @@ void FieldSimulation::set_page_multiple(int page, int multiple) {
 }
 
 int FieldSimulation::page_interval(int page) const {
-	return options.update_interval * at(page).multiple;
+	return std::min(options.update_interval * at(page).multiple, LONGEST_INTERVAL);
 }
 
 bool FieldSimulation::is_due(int page, int64_t number) const {
 	const int interval = page_interval(page);
-	return number % interval == page % interval;
+	// A page whose interval became shorter first comes to the end of the step that it has done: nothing jumps.
+	const bool is_free = at(page).last_step < 0 || number >= at(page).last_step + at(page).interval;
+	return is_free && number % interval == page % interval;
 }
 
 void FieldSimulation::set_bodies(const FieldBody *bodies, int count) {

@@ -63,7 +63,8 @@ public:
 	const FieldWind &wind() const { return blowing; }
 	/// Takes effect at each page's next step.
 	void set_update_interval(int steps);
-	/// The page's interval becomes `multiple` (1, 2, 4, 8) times the field's.
+	/// The page's interval becomes `multiple` (1, 2, 4 ... 32) times the field's, 64 steps at most, as soon as the step
+	/// that it has done is over.
 	void set_page_multiple(int page, int multiple);
 	int page_interval(int page) const;
 	/// What pushes plants in the coming steps; bodies that are not valid are left out. A follower that is pushed swings

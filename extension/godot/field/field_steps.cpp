@@ -14,11 +14,11 @@ using Clock = std::chrono::steady_clock;
 
 /// Plants that are stepped in less time than waking a worker thread takes of both threads.
 static constexpr int FEW_PLANTS = 4096;
+static constexpr int PLANTS_PER_THREAD = 8192; // Fewer are not worth waking another.
 static constexpr int TOUCHING_PLANT = 16; // What a plant with contact costs, in plants without.
 
-bool FieldSteps::is_small() const {
-	const int64_t plants = stepped->due_count();
-	return plants * (touching ? TOUCHING_PLANT : 1) <= FEW_PLANTS;
+int FieldSteps::work_of_step() const {
+	return touching ? TOUCHING_PLANT * stepped->plant_count() : stepped->due_count();
 }
 
 void FieldSteps::start(FieldSimulation &simulation, FieldBends &bends, TipContact *contact, int workers) {
@@ -31,16 +31,18 @@ void FieldSteps::start(FieldSimulation &simulation, FieldBends &bends, TipContac
 		parts_done[phase].store(0, std::memory_order_relaxed);
 	}
 	busy_nsec = 0;
-	is_inline = is_small();
+	const int plants = work_of_step(); // As many plants as would cost the same without contact.
+	is_inline = plants <= FEW_PLANTS;
 	if (is_inline) {
 		work(this, 0);
 		return;
 	}
 	const bool follows = simulation.settings().prototypes > 0;
+	const int useful = std::max(plants / PLANTS_PER_THREAD, 1);
+	const int tasks = follows ? 1 : std::clamp(std::min(useful, simulation.page_count()), 1, workers);
 	if (!follows) {
 		simulation.begin_step(); // Prototypes step in it: those go to the workers, too.
 	}
-	const int tasks = follows ? 1 : std::clamp(workers, 1, std::max(simulation.page_count(), 1));
 	group = WorkerThreadPool::get_singleton()->add_native_group_task(&FieldSteps::work, this, tasks, tasks, true);
 }
 

@@ -41,7 +41,7 @@ private:
 	bool is_inline = false;
 	int64_t group = -1; ///< Of the engine's worker threads.
 
-	bool is_small() const;
+	int work_of_step() const;
 	static void work(void *self, uint32_t worker);
 	int parts_of(int phase) const;
 	void do_part(int phase, int part);

@@ -26,7 +26,8 @@ namespace undergrowth {
 using Clock = std::chrono::steady_clock;
 
 static constexpr int FRAMES_BETWEEN_FAR_UPDATES = 15;
-static constexpr int MOST_FAR_MULTIPLE = 8;
+static constexpr int MOST_FAR_MULTIPLE = 32;
+static constexpr double FARTHER = 1.4142135623730951; // So much farther is stepped half as often again.
 static constexpr double LARGEST_WIND_DRIFT = 2.5; // Steps that two clocks may differ by and still count as one.
 
 static double microseconds_since(Clock::time_point start) {
@@ -193,7 +194,8 @@ void PlantField3D::gather_bodies() {
 	simulation->set_bodies(pushing.data(), int(pushing.size()));
 }
 
-// Pages farther than far_distance are stepped half as often, those twice as far a quarter as often, and so on.
+// Pages farther than far_distance are stepped half as often, those FARTHER yet a quarter as often, and so on: so often
+// as the ground at that distance grows, so that all far rings cost about the same.
 void PlantField3D::update_far() {
 	if (frames_since_far++ % FRAMES_BETWEEN_FAR_UPDATES != 0) {
 		return;
@@ -206,7 +208,7 @@ void PlantField3D::update_far() {
 		if (applies) {
 			const FieldPage &plants = simulation->page(page);
 			const double away = glm::distance(eye, glm::clamp(eye, plants.low(), plants.high()));
-			while (multiple < MOST_FAR_MULTIPLE && away > options.far_distance * multiple) {
+			for (double limit = options.far_distance; multiple < MOST_FAR_MULTIPLE && away > limit; limit *= FARTHER) {
 				multiple *= 2;
 			}
 		}

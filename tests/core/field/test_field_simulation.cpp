@@ -173,6 +173,29 @@ TEST_CASE("a change of a page's interval goes on with the motion") {
 	}
 }
 
+TEST_CASE("a page whose interval becomes shorter first shows the step that it has done") {
+	FieldSettings settings;
+	FieldSimulation field = mixed_field(settings, 256);
+	field.set_page_multiple(0, 32);
+	for (int i = 0; i < 33; i++) {
+		field.step();
+	}
+	REQUIRE(field.has_stepped(0));
+	field.set_page_multiple(0, 1);
+	float before = 0.0f;
+	for (int i = 1; i < 32; i++) {
+		field.step();
+		REQUIRE(!field.has_stepped(0));
+		REQUIRE(field.alpha(0, 0.0f) == doctest::Approx(static_cast<float>(i) / 32.0f));
+		REQUIRE(field.alpha(0, 0.0f) > before);
+		before = field.alpha(0, 0.0f);
+	}
+	field.step();
+	CHECK(field.has_stepped(0));
+	field.step();
+	CHECK(field.has_stepped(0));
+}
+
 TEST_CASE("an hour of wind leads to no drift and no number that is none") {
 	constexpr float SAME_PHASE_TOLERANCE = 2e-3f;
 	for (const Law law : BOTH_LAWS) {

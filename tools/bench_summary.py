@@ -1,0 +1,81 @@
+"""What ./run bench measured means: shares of what the processor can do, and how many times faster one row is than another."""
+
+PEERS = (("jolt", "Jolt body and pin joint"), ("spring_bone_2", "SpringBoneSimulator3D"),
+         ("gdscript", "GDScript arrays"), ("plant3d", "Plant3D"))
+PLANTS = 100000  # That most figures are told of.
+
+
+class Rows:
+    """Looks rows up by name, about how many plants they are of, and further members."""
+
+    def __init__(self, rows):
+        self.rows = rows
+
+    def find(self, name, plants, **members):
+        """The first that has all of it, or None. A field has not exactly as many plants as were asked for."""
+        for row in self.rows:
+            if (row["name"] == name and abs(row["plants"] - plants) <= 0.05 * plants
+                    and all(row.get(member, value) == value for member, value in members.items())):
+                return row
+        return None
+
+    def ratio(self, above, below):
+        """Of the times of two rows, or None where one was not measured."""
+        return above["median_ms"] / below["median_ms"] if above and below and below["median_ms"] > 0.0 else None
+
+
+def lines(rows):
+    found = Rows(rows)
+    told = [*kernel_lines(rows), *thread_lines(found)]
+    for renderer in ("headless", "forward_plus", "gl_compatibility"):
+        told += field_lines(found, renderer)
+    return [*told, *peer_lines(found)]
+
+
+def kernel_lines(rows):
+    return [f"{row['name']}, {row['level']}, {row['plants']:,} plants: {row['g_plant_steps']:.2f} G plant-steps/s, "
+            f"{percent(row['compute_share'])} of what the core can compute, {percent(row['memory_share'])} of what its "
+            "memory can move" for row in rows if "g_plant_steps" in row]
+
+
+def thread_lines(found):
+    told = []
+    for name in ("field_step", "field_contact"):
+        ratio = found.ratio(found.find(name, PLANTS, threads=1), found.find(name, PLANTS, threads=4))
+        if ratio:
+            told.append(f"{name}, {PLANTS:,} plants: four threads {ratio:.2f} times one")
+    return told
+
+
+def field_lines(found, renderer):
+    frame = found.find("field_frame", PLANTS, renderer=renderer)
+    main = found.find("field_frame_main", PLANTS, renderer=renderer)
+    if not frame or not main:
+        return []
+    told = [f"{renderer}: a frame of {PLANTS:,} plants {frame['median_ms']:.3f} ms, main thread "
+            f"{main['median_ms']:.3f} ms ({percent(main['share'])})"]
+    for name in ("field_frame_interval_4", "field_frame_prototypes_64", "field_frame_far"):
+        ratio = found.ratio(found.find(name, PLANTS, renderer=renderer), frame)
+        if ratio:
+            told.append(f"{renderer}: {name} {percent(ratio)} of that")
+    for name, plants in (("field_frame", 1000), ("field_frame_far", PLANTS)):
+        ratio = found.ratio(found.find(name, 10 * PLANTS, renderer=renderer),
+                            found.find(name, plants, renderer=renderer))
+        if ratio:
+            told.append(f"{renderer}: {name} of {10 * PLANTS:,} plants {ratio:.2f} times {plants:,}")
+    return told
+
+
+def peer_lines(found):
+    told = []
+    for plants in (1000, 10000):
+        frame = found.find("field_frame", plants, renderer="headless")
+        for name, title in PEERS:
+            ratio = found.ratio(found.find(name, plants), frame)
+            if ratio:
+                told.append(f"{plants:,} plants: a field is {ratio:.0f} times faster than {title}")
+    return told
+
+
+def percent(share):
+    return f"{100.0 * share:.3g} %"
