@@ -4,28 +4,28 @@ import math
 
 # The series in the order of their colours: (name of its rows, what the plot calls it, colour, marker).
 SERIES = (
-    ("field_frame", "PlantField3D", "#1b7f3b", "o"),
-    ("field_frame_interval_4", "PlantField3D, update_interval 4", "#1b7f3b", "^"),
-    ("field_frame_prototypes_64", "PlantField3D, prototypes 64", "#1b7f3b", "s"),
+    ("field_frame", "PlantField3D,\nevery plant", "#1b7f3b", "o"),
+    ("field_frame_interval_4", "update_interval 4", "#55a868", "^"),
+    ("field_frame_prototypes_64", "prototypes 64", "#3a9d8f", "s"),
     ("plant3d", "Plant3D", "#7a5195", "o"),
     ("spring_bone_2", "SpringBoneSimulator3D", "#c8553d", "D"),
     ("jolt", "Jolt body and joint", "#d08c12", "v"),
     ("gdscript", "GDScript arrays", "#4c78a8", "P"),
-    ("step_spring", "core alone, spring law", "#555555", "x"),
-    ("step_elasticity", "core alone, elasticity law", "#999999", "+"),
 )
-TITLE = "What a step of all plants takes"
-LEAST_GAP = 0.05  # Of the plot's height, between two labels.
+TITLE = "Processor time of a frame, by number of plants"
+LEAST_GAP = 0.062  # Of the plot's height, between two labels.
+LABEL_PLACE = 1.4  # Labels are right of the last point by this factor.
 
 
 def series_in(rows):
     """For each series of the plot that was measured: (name, [(plants, ms), ...] with plants ascending).
 
-    Of the core's rows those on one thread count; where one was measured for several sets of instructions, the quickest.
+    Of fields those in a headless engine count: what they cost, and not how they are drawn. Of rows for the same number
+    of plants, the quickest.
     """
     found = {}
     for row in rows:
-        if row["name"].startswith("step_") and row.get("threads", 1) != 1:
+        if row.get("renderer", "headless") != "headless":
             continue
         plants, time = row.get("plants"), row.get("median_ms")
         if not plants or time is None or time <= 0.0:
@@ -82,23 +82,23 @@ def draw(rows, target):
     measured = series_in(rows)
     if not measured:
         return False
-    figure, axes = pyplot.subplots(figsize=(10.0, 6.2), dpi=130)
+    # Twice as many points as it is to be shown with, 800 across.
+    figure, axes = pyplot.subplots(figsize=(8.0, 5.0), dpi=200)
     axes.set_xscale("log")
     axes.set_yscale("log")
     looks = {name: (label, colour, marker) for name, label, colour, marker in SERIES}
     for name, points in measured:
         _, colour, marker = looks[name]
-        axes.plot(*zip(*points), color=colour, marker=marker, markersize=6, linewidth=1.8)
-    axes.set_title(TITLE, loc="left", fontsize=15, fontweight="bold", pad=14)
-    axes.set_xlabel("plants", fontsize=11)
-    axes.set_ylabel("time of a step, or of a frame of a field", fontsize=11)
+        axes.plot(*zip(*points), color=colour, marker=marker, markersize=6, linewidth=2.2)
+    axes.set_title(TITLE, loc="left", fontsize=14, fontweight="bold", pad=12)
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: count_text(value)))
     axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: time_text(value)))
+    axes.tick_params(labelsize=11, length=0)
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_minor_locator(NullLocator())
     axes.grid(True, color="#e3e3e3", linewidth=0.8)
     axes.set_axisbelow(True)
-    axes.spines[["top", "right"]].set_visible(False)
+    axes.spines[["top", "right", "left", "bottom"]].set_visible(False)
     label_ends(axes, measured, looks)
     figure.tight_layout()
     figure.savefig(target)
@@ -107,13 +107,23 @@ def draw(rows, target):
 
 
 def label_ends(axes, measured, looks):
-    """Writes each series' name to the right of the plot, level with its last point where there is room for it."""
-    axes.set_xlim(right=max(points[-1][0] for _, points in measured) * 1.4)
+    """Writes each series' name beside its last point, moved up or down where names of one column would touch."""
+    axes.set_xlim(axes.get_xlim())  # Both as they will be drawn.
+    bottom, top = axes.get_ylim()
+    axes.set_ylim(bottom, 2.0 * top)
     to_axes = (axes.transData + axes.transAxes.inverted()).transform
-    ends = [to_axes(points[-1]) for _, points in measured]
-    for (name, points), end, y in zip(measured, ends, spread([end[1] for end in ends], LEAST_GAP)):
-        label, colour, _ = looks[name]
-        axes.annotate(label, xy=points[-1], xytext=(1.02, y), textcoords="axes fraction", xycoords="data",
-                      color=colour, fontsize=10.5, va="center", annotation_clip=False,
-                      arrowprops={"arrowstyle": "-", "color": colour, "alpha": 0.35, "linewidth": 0.8,
-                                  "linestyle": ":", "shrinkA": 2, "shrinkB": 5})
+    ends = {name: to_axes(points[-1]) for name, points in measured}
+    for column in columns_of(measured):
+        for name, y in zip(column, spread([ends[name][1] for name in column], LEAST_GAP)):
+            label, colour, _ = looks[name]
+            x = dict(measured)[name][-1][0] * LABEL_PLACE
+            axes.annotate(label, xy=(x, y), xycoords=("data", "axes fraction"), color=colour, fontsize=12,
+                          fontweight="bold" if "\n" in label else "normal", va="center", annotation_clip=False)
+
+
+def columns_of(measured):
+    """Names of series whose last points are at about the same number of plants, in groups."""
+    columns = {}
+    for name, points in measured:
+        columns.setdefault(round(math.log10(points[-1][0])), []).append(name)
+    return list(columns.values())

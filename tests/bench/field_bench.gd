@@ -1,9 +1,9 @@
 ## Measures fields of plants and what else could move as many bodies; prints a JSON list of rows.
 ##
-## Run with --fixed-fps 60, so that each frame is one step; headless, or with a renderer, whose name
-## is in the rows then, and which leaves the peers and field_fill out. For fields median_ms is what a
-## frame costs on the processor, simulating and uploading, all threads together, main_ms the main
-## thread's part of it (without waiting for the others), step_ms the rest and frame_ms how much
+## Run with --fixed-fps 60, so that each frame is one step; headless, or with a renderer, whose
+## name is in the rows then, and which leaves the peers and field_fill out. For fields median_ms is
+## what a frame costs on the processor, simulating and uploading, all threads together, main_ms the
+## main thread's part of it (without waiting for the others), step_ms the rest and frame_ms how much
 ## longer frames take; rows of field_frame_main are the main thread's part and its share of the
 ## whole. For field_fill median_ms is the time from fill() to the signal, for jolt and gdscript how
 ## much longer frames or steps take.

@@ -18,14 +18,13 @@ class Series(unittest.TestCase):
         rows = [row("plant3d", 1000, 2.0), row("plant3d", 100, 0.2)]
         self.assertEqual(bench_plot.series_in(rows), [("plant3d", [(100, 0.2), (1000, 2.0)])])
 
-    def test_the_quickest_instructions_count(self):
-        rows = [row("step_spring", 100, 3.0, level="baseline"), row("step_spring", 100, 1.0, level="avx2")]
-        self.assertEqual(bench_plot.series_in(rows), [("step_spring", [(100, 1.0)])])
+    def test_the_quickest_counts(self):
+        rows = [row("jolt", 100, 3.0), row("jolt", 100, 1.0)]
+        self.assertEqual(bench_plot.series_in(rows), [("jolt", [(100, 1.0)])])
 
-    def test_of_the_core_one_thread_counts(self):
-        rows = [row("step_spring", 100, 3.0), row("step_spring", 100, 1.0, threads=4),
-                row("field_frame", 100, 0.1, threads=4)]
-        self.assertEqual(bench_plot.series_in(rows), [("field_frame", [(100, 0.1)]), ("step_spring", [(100, 3.0)])])
+    def test_of_fields_those_in_a_headless_engine_count(self):
+        rows = [row("field_frame", 100, 3.0, renderer="headless"), row("field_frame", 100, 1.0, renderer="forward_plus")]
+        self.assertEqual(bench_plot.series_in(rows), [("field_frame", [(100, 3.0)])])
 
     def test_unknown_rows_and_rows_without_a_time_are_left_out(self):
         rows = [row("mesh", 500, 1.0), row("jolt", 1000, 0.0), row("jolt", 0, 1.0), {"name": "memory_bandwidth"}]
@@ -33,6 +32,10 @@ class Series(unittest.TestCase):
 
 
 class Labels(unittest.TestCase):
+    def test_series_that_end_together_are_one_column(self):
+        measured = [("field_frame", [(1009, 0.1), (99938, 1.0)]), ("jolt", [(10000, 1.0)]), ("plant3d", [(9999, 1.0)])]
+        self.assertEqual(bench_plot.columns_of(measured), [["field_frame"], ["jolt", "plant3d"]])
+
     def test_labels_with_room_stay(self):
         self.assertEqual(bench_plot.spread([0.5, 0.1, 0.9], 0.1), [0.5, 0.1, 0.9])
 

@@ -53,7 +53,8 @@ void TipContact::fit(const FieldSimulation &field) {
 void TipContact::gather(const FieldSimulation &field, int begin, int end) {
 	for (int number = begin; number < end; number++) {
 		const FieldPage &page = field.page(number);
-		std::fill(touching.begin() + page_begin(number), touching.begin() + page_begin(number + 1), static_cast<uint8_t>(0));
+		std::fill(touching.begin() + page_begin(number), touching.begin() + page_begin(number + 1),
+				static_cast<uint8_t>(0));
 		for (int i = 0; page.swings() && i < page.size(); i++) {
 			const std::size_t tip = first(number) + static_cast<std::size_t>(i);
 			vectors[tip] = page.tip(i);

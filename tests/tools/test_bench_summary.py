@@ -1,0 +1,40 @@
+"""What ./run bench says of its rows."""
+
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
+
+import bench_summary  # noqa: E402  (the path above comes first)
+
+
+def row(name, plants, time, **more):
+    return {"name": name, "plants": plants, "threads": 1, "median_ms": time, **more}
+
+
+class Lines(unittest.TestCase):
+    def test_shares_of_what_the_processor_can_do(self):
+        told = bench_summary.lines([row("step_spring", 10000, 1.0, level="avx2", g_plant_steps=2.5, compute_share=0.5,
+                                        memory_share=0.125)])
+        self.assertEqual(told, ["step_spring, avx2, 10,000 plants: 2.50 G plant-steps/s, 50 % of what the core can "
+                                "compute, 12.5 % of what its memory can move"])
+
+    def test_peers_are_compared_at_about_as_many_plants(self):
+        told = bench_summary.lines([row("jolt", 1000, 2.0), row("field_frame", 1009, 0.01, renderer="headless"),
+                                    row("field_frame", 1009, 1.0, renderer="forward_plus")])
+        self.assertEqual(told, ["1,000 plants: a field is 200 times faster than Jolt body and pin joint"])
+
+    def test_the_ladder_is_told_for_each_renderer(self):
+        told = bench_summary.lines([row("field_frame", 99938, 1.0, renderer="forward_plus"),
+                                    row("field_frame_main", 99938, 0.25, renderer="forward_plus", share=0.25),
+                                    row("field_frame_interval_4", 99938, 0.3, renderer="forward_plus")])
+        self.assertEqual(told, ["forward_plus: a frame of 100,000 plants 1.000 ms, main thread 0.250 ms (25 %)",
+                                "forward_plus: field_frame_interval_4 30 % of that"])
+
+    def test_nothing_measured_is_nothing_told(self):
+        self.assertEqual(bench_summary.lines([]), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
