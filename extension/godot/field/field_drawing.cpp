@@ -89,6 +89,9 @@ void FieldDrawing::set_scenario(const RID &scenario) {
 }
 
 void FieldDrawing::set_transform(const Transform3D &transform) {
+	if (!transform.is_finite()) {
+		return; // The engine would complain once for each multimesh.
+	}
 	placed = transform;
 	for_each([&](RenderingServer *server, const Clump &clump) {
 		server->instance_set_transform(clump.instance, placed);

@@ -6,6 +6,8 @@
 
 #include <godot_cpp/classes/world3d.hpp>
 
+#include <cmath>
+
 using namespace godot;
 
 namespace undergrowth {
@@ -88,6 +90,14 @@ void PlantField3D::on_area_changed() {
 
 void PlantField3D::on_wind_changed() {
 	update_configuration_warnings();
+}
+
+// From the field's axes to the world's. A field that is scaled to nothing, or is nowhere, counts as one at the origin,
+// so that everything can be brought back into its axes.
+Transform3D PlantField3D::axes() const {
+	const Transform3D placed = get_global_transform();
+	const float volume = placed.basis.determinant();
+	return placed.is_finite() && std::isfinite(volume) && volume != 0.0f ? placed : Transform3D();
 }
 
 void PlantField3D::_notification(int what) {

@@ -85,6 +85,8 @@ private:
 	std::vector<WatchedBody> watched;
 	int frames_since_far = 0;
 
+	godot::Transform3D axes() const;
+
 	// plant_field_3d_recipe.cpp
 	godot::String make_recipe(FieldRecipe &recipe);
 	void start_style(FieldStyle &into) const;

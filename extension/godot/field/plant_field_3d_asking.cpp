@@ -17,7 +17,7 @@ bool PlantField3D::is_point_in_plants(const Vector3 &point) {
 	}
 	finish_step();
 	flush_pending();
-	return simulation->is_point_in_plants(to_glm(to_local(point)), float(options.touch_margin));
+	return simulation->is_point_in_plants(to_glm(axes().affine_inverse().xform(point)), float(options.touch_margin));
 }
 
 int PlantField3D::apply_impulse_in_sphere(const Vector3 &center, double radius, const Vector3 &impulse) {
@@ -30,7 +30,7 @@ int PlantField3D::apply_impulse_in_sphere(const Vector3 &center, double radius, 
 	}
 	finish_step();
 	flush_pending();
-	const Transform3D to_field = get_global_transform().affine_inverse();
+	const Transform3D to_field = axes().affine_inverse();
 	const glm::vec3 middle = to_glm(to_field.xform(center));
 	const glm::vec3 blow = to_glm(to_field.basis.xform(impulse));
 	const float reach = float(radius) * to_field.basis.get_column(1).length();

@@ -7,11 +7,16 @@
 
 #include <godot_cpp/classes/world3d.hpp>
 
+#include <algorithm>
+
 using namespace godot;
 
 namespace undergrowth {
 
-static constexpr double RAY_USEC = 3000.0; // A frame.
+// Rays of one frame: at least so long, and a share of frames that take long anyway.
+static constexpr double LEAST_RAY_USEC = 3000.0;
+static constexpr double MOST_RAY_USEC = 50000.0;
+static constexpr double RAY_SHARE = 0.2;
 static constexpr float FARTHEST = 1e9f; // m.
 
 void PlantField3D::report_problem(const String &what) {
@@ -70,9 +75,10 @@ bool PlantField3D::is_filling() const {
 void PlantField3D::poll_fill() {
 	if (fill_job->wants_ground()) {
 		if (!rays) {
-			rays = std::make_unique<FieldRays>(get_world_3d(), get_global_transform(), uint32_t(options.ground_mask));
+			rays = std::make_unique<FieldRays>(get_world_3d(), axes(), uint32_t(options.ground_mask));
 		}
-		if (rays->cast(fill_job->plants(), RAY_USEC)) {
+		const double usec = std::clamp(1e6 * RAY_SHARE * get_process_delta_time(), LEAST_RAY_USEC, MOST_RAY_USEC);
+		if (rays->cast(fill_job->plants(), usec)) {
 			fill_job->go_on(std::move(rays->heights), std::move(rays->normals));
 			rays.reset();
 		}

@@ -117,7 +117,7 @@ FieldWind PlantField3D::wind_here(double offset) const {
 	blowing.wind = wind->description();
 	blowing.wind.gust_start -= offset;
 	blowing.wind.phase += double(blowing.wind.frequency) * offset;
-	const Vector3 direction = get_global_transform().basis.inverse().xform(to_godot(wind_direction(blowing.wind)));
+	const Vector3 direction = axes().basis.inverse().xform(to_godot(wind_direction(blowing.wind)));
 	blowing.wind.direction = std::atan2(direction.x, direction.z);
 	return blowing;
 }
@@ -148,7 +148,7 @@ void PlantField3D::gather_bodies() {
 	const TypedArray<Node> nodes = bodies_group.is_empty()
 			? TypedArray<Node>()
 			: TypedArray<Node>(get_tree()->get_nodes_in_group(bodies_group));
-	const Transform3D to_field = get_global_transform().affine_inverse();
+	const Transform3D to_field = axes().affine_inverse();
 	for (int64_t i = 0; i < nodes.size(); i++) {
 		const Node3D *node = Object::cast_to<Node3D>(nodes[i]);
 		if (!node) {
@@ -202,7 +202,8 @@ void PlantField3D::update_far() {
 	}
 	const Camera3D *camera = get_viewport()->get_camera_3d();
 	const bool applies = camera && options.far_distance > 0.0;
-	const glm::vec3 eye = applies ? to_glm(to_local(camera->get_global_position())) : glm::vec3(0.0f);
+	const glm::vec3 eye =
+			applies ? to_glm(axes().affine_inverse().xform(camera->get_global_position())) : glm::vec3(0.0f);
 	for (int page = 0; page < simulation->page_count(); page++) {
 		int multiple = 1;
 		if (applies) {
@@ -224,7 +225,7 @@ void PlantField3D::send_uniforms() {
 	const FieldWind &blowing = simulation->wind();
 	const float per_x = wind_delay(blowing, 1.0f, 0.0f) / step_length;
 	const float per_z = wind_delay(blowing, 0.0f, 1.0f) / step_length;
-	const Transform3D placed = get_global_transform();
+	const Transform3D placed = axes();
 	const Vector3 per_metre = placed.basis.inverse().transposed().xform(Vector3(per_x, 0.0f, per_z));
 	const float at_origin = simulation->prototype_lead() / step_length - per_metre.dot(placed.origin);
 	const Vector4 delay(per_metre.x, per_metre.y, per_metre.z, at_origin);

@@ -51,7 +51,7 @@ String PlantField3D::make_request(PlacementRequest &into) {
 		if (!other || other == this) {
 			return "excluded_fields[" + String::num_int64(i) + "] leads to no other PlantField3D. Set a path to one.";
 		}
-		const Transform3D to_field = get_global_transform().affine_inverse() * other->get_global_transform();
+		const Transform3D to_field = axes().affine_inverse() * other->axes();
 		Polygon polygon = other->outline();
 		for (glm::vec2 &point : polygon) {
 			const Vector3 placed = to_field.xform(Vector3(point.x, 0.0f, point.y));
@@ -147,7 +147,7 @@ String PlantField3D::make_ground(FieldGround &into) {
 	if (mesh.is_null()) {
 		return "ground_mesh leads to no MeshInstance3D with a mesh. Set its path, or another ground.";
 	}
-	const Transform3D to_field = get_global_transform().affine_inverse() * instance->get_global_transform();
+	const Transform3D to_field = axes().affine_inverse() * instance->get_global_transform();
 	into.triangles = mesh->get_faces();
 	Vector3 *corners = into.triangles.ptrw();
 	for (int64_t i = 0; i < into.triangles.size(); i++) {

@@ -28,7 +28,7 @@ int PlantField3D::remove_in_sphere(const Vector3 &center, double radius) {
 	}
 	finish_step();
 	flush_pending();
-	const Transform3D to_field = get_global_transform().affine_inverse();
+	const Transform3D to_field = axes().affine_inverse();
 	const glm::vec3 middle = to_glm(to_field.xform(center));
 	const float reach = float(radius) * to_field.basis.get_column(1).length();
 	// Where the last plant of each page is, which takes the place of one that goes.

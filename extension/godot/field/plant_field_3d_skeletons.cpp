@@ -38,7 +38,7 @@ std::vector<PlantField3D::Near> PlantField3D::find_nearest() const {
 	const float whole = first.end > 0.0f ? first.end - first.margin : float(options.skeleton_distance);
 	const float distance = std::min(float(options.skeleton_distance), whole);
 	const Vector3 eye = camera->get_global_position();
-	const Transform3D placed = get_global_transform();
+	const Transform3D placed = axes();
 	const Transform3D to_field = placed.affine_inverse();
 	const float reach = KEPT_FARTHER * distance * to_field.basis.get_column(1).length();
 	for (int p = 0; p < int(patches.size()); p++) {

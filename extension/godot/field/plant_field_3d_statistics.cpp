@@ -61,7 +61,7 @@ Dictionary PlantField3D::get_statistics() {
 	finish_step();
 	PackedInt32Array drawn;
 	const Camera3D *camera = is_inside_tree() ? get_viewport()->get_camera_3d() : nullptr;
-	const Vector3 eye = camera ? to_local(camera->get_global_position()) : Vector3();
+	const Vector3 eye = camera ? axes().affine_inverse().xform(camera->get_global_position()) : Vector3();
 	drawn.resize(int64_t(style.levels.size()));
 	drawn.fill(0);
 	for (const std::unique_ptr<FieldDrawing> &drawing : drawings) {

@@ -1,0 +1,173 @@
+## Fields that are as large, as small, as long or as odd as can be.
+extends "res://tests/engine/harness.gd"
+
+const HOUR := 3600.0
+## What lists of the engine may grow by while nothing happens.
+const MOST_GROWTH_BYTES := 300_000.0
+
+var _field: PlantField3D
+
+
+func before_each() -> void:
+	_field = PlantField3D.new()
+	_field.species = [TulipFunction.new()]
+	_field.wind = PlantWind.new()
+	_field.wind.kind = PlantWind.KIND_WAVES
+	_field.wind.strength = 3.0
+
+
+func after_each() -> void:
+	Engine.time_scale = 1.0
+	if is_instance_valid(_field):
+		_field.free()
+
+
+func test_a_million_plants() -> void:
+	_field.size = Vector2(500, 500)
+	_field.density = 4.0
+	_field.variants = 2
+	_field.levels = PackedInt32Array([2])
+	_field.level_distances = PackedFloat32Array()
+	await _fill()
+	check_near(_field.get_plant_count(), 1_000_000, 5000.0)
+	await frames(4)
+	var told := _field.get_statistics()
+	check_equal(told["simulated"], _field.get_plant_count())
+	check(told["bytes_per_plant"] <= 96.0, "at most 96 bytes a plant: %s" % told["bytes_per_plant"])
+	check(_field.get_tip_position(_field.get_plant_count() - 1).is_finite(), "the last tip is finite")
+	check(_field.remove_in_sphere(Vector3.ZERO, 5.0) > 200, "plants in the middle are removed")
+	await frames(2)
+
+
+func test_more_plants_than_there_may_be_are_refused() -> void:
+	_field.size = Vector2(5, 5)
+	await _fill()
+	var count := _field.get_plant_count()
+	_field.size = Vector2(50000, 50000)
+	await frames(2)
+	check_error("plants")
+	check_equal(_field.get_plant_count(), count)
+
+
+func test_an_hour_of_wind_leads_to_no_drift_and_takes_no_memory() -> void:
+	_field.size = Vector2(4, 4)
+	await _fill()
+	await frames(100)
+	var before := Performance.get_monitor(Performance.MEMORY_STATIC)
+	var objects := Performance.get_monitor(Performance.OBJECT_COUNT)
+	var end := _field.wind.get_time() + HOUR
+	Engine.time_scale = 1000.0
+	while _field.wind.get_time() < end:
+		await process_frame
+	Engine.time_scale = 1.0
+	await frames(100)
+	check(
+		Performance.get_monitor(Performance.MEMORY_STATIC) - before < MOST_GROWTH_BYTES,
+		"memory grew by %d" % (Performance.get_monitor(Performance.MEMORY_STATIC) - before)
+	)
+	check_equal(Performance.get_monitor(Performance.OBJECT_COUNT), objects, "objects")
+	_field.wind = null
+	var deadline := Time.get_ticks_msec() + 60000
+	while _farthest_from_rest() > 0.01 and Time.get_ticks_msec() < deadline:
+		Engine.time_scale = 20.0
+		await frames(20)
+	check(_farthest_from_rest() <= 0.01, "in calm air all come to rest")
+	for i in _field.get_plant_count():
+		var place := _field.get_plant_transform(i)
+		var length := _field.get_plant_height(i) * place.basis.y.length()
+		check_near(_field.get_tip_position(i).distance_to(place.origin), length, 1e-3, "length")
+
+
+func test_a_field_that_is_scaled_to_nothing_or_nowhere_recovers() -> void:
+	_field.size = Vector2(6, 6)
+	_field.bodies_group = &"walkers"
+	_field.skeleton_distance = 20.0
+	_field.far_distance = 1.0
+	var camera := Camera3D.new()
+	root.add_child(camera)
+	camera.position = Vector3(0, 1, 0)
+	var walker := StaticBody3D.new()
+	var shape := CollisionShape3D.new()
+	shape.shape = CapsuleShape3D.new()
+	walker.add_child(shape)
+	walker.add_to_group(&"walkers")
+	root.add_child(walker)
+	await _fill()
+	for odd: Transform3D in [
+		Transform3D(Basis.from_scale(Vector3.ZERO), Vector3.ZERO),
+		Transform3D(Basis.from_scale(Vector3(1, 0, 1)), Vector3.ZERO),
+		Transform3D(Basis.IDENTITY, Vector3(NAN, 0, 0)),
+		Transform3D(Basis(Vector3(INF, 0, 0), Vector3.UP, Vector3.BACK), Vector3.ZERO),
+		Transform3D(Basis.from_scale(Vector3(-1, 1, 1)), Vector3.ZERO),
+		Transform3D(Basis.from_scale(Vector3(1e-20, 1e-20, 1e-20)), Vector3.ZERO),
+		Transform3D(Basis.from_scale(Vector3(1e15, 1e15, 1e15)), Vector3.ZERO),
+	]:
+		_field.transform = Transform3D.IDENTITY
+		# The engine complains of each of its own nodes that is nowhere.
+		_field.skeleton_distance = 20.0 if odd.is_finite() else 0.0
+		await frames(20)
+		_field.transform = odd
+		await frames(10)
+		_field.remove_in_sphere(Vector3(1000, 0, 0), 1.0)
+		_field.is_point_in_plants(Vector3.ZERO)
+		_field.apply_impulse_in_sphere(Vector3(1000, 0, 0), 1.0, Vector3.RIGHT)
+		_field.get_statistics()
+		for i in _field.get_plant_count():
+			check(_field.get_tip_position(i).is_finite(), "tip %d in %s" % [i, odd])
+	_field.transform = Transform3D.IDENTITY
+	await frames(10)
+	var before := _field.get_tip_position(0)
+	await frames(30)
+	check(_field.get_tip_position(0) != before, "it moves again")
+	walker.free()
+	camera.free()
+
+
+func test_frames_of_any_length() -> void:
+	_field.size = Vector2(6, 6)
+	await _fill()
+	for time_scale: float in [0.0, 1e-6, 1.0, 1e3, 1e9]:
+		Engine.time_scale = time_scale
+		await frames(10)
+		for i in _field.get_plant_count():
+			check(_field.get_tip_position(i).is_finite(), "tip %d" % i)
+
+
+func test_a_fault_is_told_once_and_not_in_each_frame() -> void:
+	_field.size = Vector2(4, 4)
+	_field.shares = PackedFloat32Array([-1.0])
+	root.add_child(_field)
+	await frames(20)
+	check_error("share")
+	for i in 3:
+		_field.fill()
+		await frames(5)
+	check_error_count("share", 0)
+	_field.shares = PackedFloat32Array()
+	await _field.filled
+	check(_field.get_plant_count() > 0, "it fills")
+	_field.ground = PlantField3D.GROUND_MESH
+	await frames(20)
+	check_error("ground_mesh")
+	_field.ground_mesh = NodePath("../Nobody")
+	await frames(20)
+	check_error_count("ground_mesh", 0)
+	_field.ground = PlantField3D.GROUND_NONE
+	_field.excluded_fields = [NodePath(".")]
+	await frames(20)
+	check_error("excluded_fields[0]")
+
+
+func _fill() -> void:
+	root.add_child(_field)
+	await _field.filled
+	await frames(1)
+
+
+## How far the plant that is farthest from upright is, in radians.
+func _farthest_from_rest() -> float:
+	var farthest := 0.0
+	for i in _field.get_plant_count():
+		var axis := _field.get_tip_position(i) - _field.get_plant_transform(i).origin
+		farthest = maxf(farthest, axis.angle_to(Vector3.UP))
+	return farthest
