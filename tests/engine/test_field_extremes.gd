@@ -34,7 +34,9 @@ func test_a_million_plants() -> void:
 	var told := _field.get_statistics()
 	check_equal(told["simulated"], _field.get_plant_count())
 	check(told["bytes_per_plant"] <= 96.0, "at most 96 bytes a plant: %s" % told["bytes_per_plant"])
-	check(_field.get_tip_position(_field.get_plant_count() - 1).is_finite(), "the last tip is finite")
+	check(
+		_field.get_tip_position(_field.get_plant_count() - 1).is_finite(), "the last tip is finite"
+	)
 	check(_field.remove_in_sphere(Vector3.ZERO, 5.0) > 200, "plants in the middle are removed")
 	await frames(2)
 
