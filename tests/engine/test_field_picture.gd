@@ -51,6 +51,39 @@ func test_a_plant_of_a_turned_and_moved_field() -> void:
 	await _compare(function, Transform3D(Basis(Vector3.UP, 0.4), Vector3(0.1, 0, 0)))
 
 
+func test_a_plant_that_leans_on_a_slope() -> void:
+	var function := TulipFunction.new()
+	function.law = PlantFunction.LAW_SPRING
+	function.damping_ratio = 1.0
+	function.lean_degrees = 15.0
+	_field.wind.strength = 2.0
+	var tilt := Basis(Vector3(1, 0, 0.5).normalized(), -0.5)
+	await _compare(function, Transform3D(tilt * Basis(Vector3.UP, 2.0).scaled(Vector3.ONE * 0.8)))
+
+
+func test_a_field_below_parents_of_uneven_scale() -> void:
+	var parent := Node3D.new()
+	parent.scale = Vector3(1.3, 0.8, 0.9)
+	parent.rotation.y = 0.5
+	_field.reparent(parent, false)
+	stage.add_child(parent)
+	_field.rotation.y = 1.1
+	_field.wind.strength = 4.0
+	var function := TulipFunction.new()
+	function.law = PlantFunction.LAW_SPRING
+	function.damping_ratio = 1.0
+	await _compare(function, Transform3D(Basis(Vector3.UP, 0.4), Vector3(0.1, 0, 0)))
+
+
+func test_a_mirrored_field() -> void:
+	_field.scale = Vector3(-1, 1, 1)
+	_field.wind.strength = 4.0
+	var function := TulipFunction.new()
+	function.law = PlantFunction.LAW_SPRING
+	function.damping_ratio = 1.0
+	await _compare(function, Transform3D(Basis(Vector3.UP, 0.4), Vector3(0.1, 0, 0)))
+
+
 func test_a_plain_material() -> void:
 	var material := StandardMaterial3D.new()
 	material.albedo_color = Color(0.9, 0.4, 0.7)
@@ -131,10 +164,11 @@ func _compare(function: PlantFunction, place: Transform3D, blow := Vector3.ZERO)
 	var plant := Plant3D.new()
 	plant.function = function
 	plant.simulating = false
-	plant.transform = _field.transform * _field.get_plant_transform(0)
 	plant.height = _field.get_plant_height(0)
 	plant.seed = _field.get_plant_seed(0)
+	# Beside the field's own node, which is hidden; skewed as its parents are.
 	stage.add_child(plant)
+	plant.global_transform = _field.global_transform * _field.get_plant_transform(0)
 	var tip := plant.to_local(_field.to_global(_field.get_tip_position(0))).normalized()
 	plant.get_skeleton().set_bone_pose_rotation(1, Quaternion(Vector3.UP, tip))
 	await frames(2)
