@@ -90,6 +90,21 @@ func test_nobody_sees_a_skeleton_come_or_go() -> void:
 	check_equal(count_different(before, after), 0, "pixels that differ after them")
 
 
+func test_nobody_sees_skeletons_of_plants_that_follow_prototypes() -> void:
+	_field.prototypes = 4
+	await _field.filled
+	await frames(20)
+	_field.apply_impulse_in_sphere(Vector3.ZERO, 1.0, Vector3(2, 0, 0))
+	await frames(12)
+	_field.simulating = false
+	await frames(3)
+	var before := await picture()
+	_field.skeleton_distance = 7.0
+	await frames(60)
+	check_equal(_field.get_skeletons().size(), _field.get_plant_count(), "skeletons")
+	_check_same(before, await picture())
+
+
 func test_skeletons_are_what_is_drawn() -> void:
 	_field.simulating = false
 	_field.skeleton_distance = 7.0
@@ -177,10 +192,6 @@ func test_skeletons_follow_what_happens_to_their_field() -> void:
 	await _field.filled
 	await frames(60)
 	check_equal(_field.get_skeletons().size(), _field.get_plant_count(), "skeletons anew")
-	_field.prototypes = 4
-	await _field.filled
-	await frames(10)
-	check_equal(_field.get_skeletons().size(), 0, "skeletons of followers")
 
 
 func test_skeletons_are_neither_saved_nor_copied() -> void:

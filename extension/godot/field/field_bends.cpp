@@ -81,14 +81,17 @@ void FieldBends::write_layer(int layer, const Bend *from, int pairs, int first) 
 void FieldBends::write_page(const FieldSimulation &simulation, int page) {
 	if (follows) {
 		write_followers(simulation, page);
-		return;
+	} else {
+		write_layer(page, simulation.page(page).bends(), simulation.page(page).size(), 0);
+		write_hidden(page);
 	}
-	write_layer(page, simulation.page(page).bends(), simulation.page(page).size(), 0);
-	if (size_t(page) < hidden.size()) {
-		for (const int index : hidden[size_t(page)]) {
-			const Bend pair[2] = { HIDDEN, HIDDEN };
-			std::memcpy(layers[size_t(page)]->ptrw() + size_t(index) * sizeof(pair), pair, sizeof(pair));
-		}
+}
+
+void FieldBends::write_hidden(int page) {
+	const Bend pair[2] = { HIDDEN, HIDDEN };
+	for (size_t i = 0; size_t(page) < hidden.size() && i < hidden[size_t(page)].size(); i++) {
+		const size_t index = size_t(hidden[size_t(page)][i]);
+		std::memcpy(layers[size_t(page)]->ptrw() + index * sizeof(pair), pair, sizeof(pair));
 	}
 }
 
@@ -136,6 +139,7 @@ void FieldBends::write_followers(const FieldSimulation &simulation, int page) {
 	}
 	is_fresh[size_t(page)] = 1;
 	loose_versions[size_t(page)] = simulation.loose_version(page);
+	write_hidden(page);
 }
 
 void FieldBends::write_history(const FieldSimulation &simulation) {

@@ -58,6 +58,7 @@ private:
 	bool follows = false; ///< Prototypes.
 	std::vector<int> loose_versions; ///< By page: as written.
 
+	void write_hidden(int page);
 	void write_followers(const FieldSimulation &simulation, int page);
 	void write_layer(int layer, const Bend *from, int pairs, int first);
 };

@@ -36,10 +36,9 @@ PackedStringArray PlantField3D::_get_configuration_warnings() const {
 				String::num_int64(levels.size()) +
 				" Levels are drawn: give Level Distances a number for each level but the last.");
 	}
-	if (options.prototypes > 0 && (options.contact || options.skeleton_distance > 0.0)) {
+	if (options.prototypes > 0 && options.contact) {
 		warnings.push_back(
-				"Plants that follow Prototypes neither touch each other nor become skeletons: set Prototypes "
-				"to 0, or Contact off and Skeleton Distance to 0.");
+				"Plants that follow Prototypes do not touch each other: set Prototypes to 0, or Contact off.");
 	}
 	if (wind.is_valid() && wind->get_strength() == 0.0) {
 		warnings.push_back(

@@ -162,6 +162,7 @@ private:
 	void hide_shown();
 	void show_skeleton(const Near &near);
 	bool choose_skeletons();
+	glm::vec2 drawn_bend(const FieldPatch &patch, int plant) const;
 	void pose_skeletons();
 
 	// plant_field_3d_plant_properties.cpp

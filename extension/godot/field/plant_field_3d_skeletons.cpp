@@ -24,7 +24,7 @@ static constexpr float KEPT_FARTHER = 1.1f; // What is shown stays until it is s
 
 bool PlantField3D::wants_skeletons() const {
 	return options.skeleton_distance > 0.0 && options.most_skeletons > 0 && simulation &&
-			simulation->settings().prototypes == 0 && !Engine::get_singleton()->is_editor_hint();
+			!Engine::get_singleton()->is_editor_hint();
 }
 
 // The nearest plants, nearest first; no farther than the first level of detail, whose mesh they wear, is drawn whole.
@@ -118,7 +118,7 @@ void PlantField3D::release_removed_skeletons() {
 
 // In the field's textures, the plants that skeletons show are not there.
 void PlantField3D::hide_shown() {
-	if (!bends || !simulation || simulation->settings().prototypes > 0) {
+	if (!bends || !simulation) {
 		return;
 	}
 	std::vector<int> changed = bends->hidden_pages();
@@ -177,7 +177,28 @@ bool PlantField3D::choose_skeletons() {
 	return changes || added > 0;
 }
 
-// As the vertex shader bends the same plant in this frame: undergrowth_bend.gdshaderinc.
+// The bend that the vertex shader reads for the same plant in this frame: undergrowth_bend.gdshaderinc.
+glm::vec2 PlantField3D::drawn_bend(const FieldPatch &patch, int plant) const {
+	const int page = patch.page(plant);
+	const int index = patch.index(plant);
+	const Bend *pair = simulation->page(page).bends() + 2 * index;
+	float share = simulation->alpha(page, shown_alpha);
+	const int species_index = simulation->page(page).species();
+	const Prototypes *models = simulation->prototypes(species_index);
+	if (models) {
+		share = shown_alpha;
+		const Follower &follower = simulation->follower(page, index);
+		const PlacedPlant placed = patch.plants.plant(plant);
+		const float way = simulation->prototype_lead() + wind_delay(simulation->wind(), placed.root.x, placed.root.z);
+		const float late = float(follower.own_delay) + way / simulation->settings().step;
+		const int delay = int(glm::clamp(late, 0.0f, float(Prototypes::LONGEST_DELAY - 1)));
+		const int slot = (models->newest_slot() - delay) & (Prototypes::SLOTS - 1);
+		pair = follower.loose > 0 ? simulation->loose_plants(species_index)->page().bends() + 2 * (follower.loose - 1)
+								  : models->history() + 2 * (size_t(slot) * Prototypes::MOST + follower.prototype);
+	}
+	return glm::mix(stereographic(pair[0]), stereographic(pair[1]), share);
+}
+
 void PlantField3D::pose_skeletons() {
 	for (const FieldSkeletons::Shown &entry : skeletons.shown) {
 		Skeleton3D *skeleton = FieldSkeletons::node(entry);
@@ -185,10 +206,7 @@ void PlantField3D::pose_skeletons() {
 			continue; // A script has freed it; the next choice finds out.
 		}
 		const FieldPatch &patch = *patches[size_t(entry.patch)];
-		const int page = patch.page(entry.plant);
-		const Bend *pair = simulation->page(page).bends() + 2 * patch.index(entry.plant);
-		const glm::vec2 bend =
-				glm::mix(stereographic(pair[0]), stereographic(pair[1]), simulation->alpha(page, shown_alpha));
+		const glm::vec2 bend = drawn_bend(patch, entry.plant);
 		const float turn = patch.plants.plant(entry.plant).turn;
 		const float c = std::cos(turn);
 		const float d = std::sin(turn);
