@@ -1,0 +1,75 @@
+## Base of the engine tests of fields: a field to try, and what most of them do with it.
+extends "res://tests/engine/harness.gd"
+
+const STEP := 1.0 / 60.0
+
+var field: PlantField3D
+
+
+func after_each() -> void:
+	if is_instance_valid(field):
+		field.free()
+	Engine.time_scale = 1.0
+	paused = false
+
+
+## Adds the field to the tree and waits until it stands.
+func start() -> void:
+	root.add_child(field)
+	await field.filled
+	await frames(2)
+
+
+## Waits until [param filling] stands. A signal's sender must not be freed while it sends.
+func filled(filling: PlantField3D) -> void:
+	await filling.filled
+	await process_frame
+
+
+## Waits until the simulation took at least [param count] steps more, by the wind's clock.
+func step(count: int) -> void:
+	if field.wind == null:
+		await frames(count * 3)
+		return
+	var end := field.wind.get_time() + (count - 0.5) * STEP
+	while field.wind.get_time() < end:
+		await process_frame
+
+
+## All tips, in the axes of their field.
+func all_tips(of := field) -> PackedVector3Array:
+	var found := PackedVector3Array()
+	for i in of.get_plant_count():
+		found.append(of.get_tip_position(i))
+	return found
+
+
+## From a plant's root to its tip.
+func relative_tip(index: int) -> Vector3:
+	return field.get_tip_position(index) - field.get_plant_transform(index).origin
+
+
+## How many tips are farther than [param distance] from where they were.
+func count_moved(from: PackedVector3Array, distance: float) -> int:
+	var count := 0
+	for i in from.size():
+		count += 1 if field.get_tip_position(i).distance_to(from[i]) > distance else 0
+	return count
+
+
+## A capsule in the group "walkers".
+func add_walker() -> StaticBody3D:
+	var walker := StaticBody3D.new()
+	var shape := CollisionShape3D.new()
+	shape.shape = CapsuleShape3D.new()
+	walker.add_child(shape)
+	walker.add_to_group(&"walkers")
+	root.add_child(walker)
+	return walker
+
+
+func make_curve(points: Array[Vector3]) -> Curve3D:
+	var curve := Curve3D.new()
+	for point in points:
+		curve.add_point(point)
+	return curve

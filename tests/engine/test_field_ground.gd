@@ -1,0 +1,109 @@
+## Plants of fields on meshes, colliders and slopes.
+extends "res://tests/engine/field_harness.gd"
+
+
+func before_each() -> void:
+	field = _make_field()
+
+
+func test_ground_is_what_a_mesh_says() -> void:
+	var hill := MeshInstance3D.new()
+	var plane := PlaneMesh.new()
+	plane.size = Vector2(10, 10)
+	hill.mesh = plane
+	hill.rotation.z = 0.3
+	hill.position.y = 2.0
+	hill.name = "Hill"
+	root.add_child(hill)
+	root.add_child(field)
+	field.ground = PlantField3D.GROUND_MESH
+	field.ground_mesh = NodePath("../Hill")
+	await filled(field)
+	check_near(field.get_plant_count(), 5 * 10 * 10 * cos(0.3), 40.0)
+	for i in field.get_plant_count():
+		var place := field.get_plant_transform(i).origin
+		check_near(place.y, 2.0 + place.x * tan(0.3), 1e-3, "height at %s" % place)
+	field.slope_limits_degrees = Vector2(0, 10)
+	await filled(field)
+	check_equal(field.get_plant_count(), 0, "plants on too steep a slope")
+	hill.free()
+
+
+func test_plants_lean_with_the_ground() -> void:
+	var hill := MeshInstance3D.new()
+	hill.mesh = PlaneMesh.new()
+	(hill.mesh as PlaneMesh).size = Vector2(10, 10)
+	hill.rotation.z = 0.4
+	hill.name = "Hill"
+	root.add_child(hill)
+	field.ground_mesh = NodePath("../Hill")
+	field.ground = PlantField3D.GROUND_MESH
+	field.lean_deviation_degrees = 0.0
+	field.simulating = false
+	for function: PlantFunction in field.species:
+		function.law = PlantFunction.LAW_SPRING
+		function.lean_degrees = 0.0
+	await _fill()
+	check_near(_field_axis(5), Vector3.UP, 1e-3, "a plant without alignment")
+	field.slope_alignment = 1.0
+	await filled(field)
+	for i: int in range(0, field.get_plant_count(), 17):
+		check_near(_field_axis(i), hill.basis.y, 2e-3, "axis of plant %d" % i)
+	field.slope_alignment = 0.5
+	await filled(field)
+	check_near(_field_axis(5), Vector3.UP.rotated(Vector3.BACK, 0.2), 5e-3, "half an alignment")
+	hill.free()
+
+
+func test_added_plants_keep_their_turn_and_their_tilt() -> void:
+	field.species = [] as Array[PlantFunction]
+	field.simulating = false
+	root.add_child(field)
+	var function := TulipFunction.new()
+	function.law = PlantFunction.LAW_SPRING
+	function.lean_degrees = 0.0
+	var tilt := Basis(Vector3(1, 0, 2).normalized(), 0.6)
+	field.add_plants([Transform3D(tilt * Basis(Vector3.UP, 1.3), Vector3(1, 2, 3))], function)
+	await frames(2)
+	check_near(_field_axis(0), tilt.y, 1e-3, "axis")
+	check_near(field.get_plant_transform(0).basis.z, Basis(Vector3.UP, 1.3).z, 1e-3, "front")
+
+
+func test_ground_is_what_rays_hit() -> void:
+	var body := StaticBody3D.new()
+	var shape := CollisionShape3D.new()
+	var box := BoxShape3D.new()
+	box.size = Vector3(8, 2, 8)
+	shape.shape = box
+	body.add_child(shape)
+	body.position.y = 0.5
+	root.add_child(body)
+	await physics_frames(2)
+	root.add_child(field)
+	field.ground = PlantField3D.GROUND_COLLIDERS
+	await filled(field)
+	check_near(field.get_plant_count(), 5 * 8 * 8, 30.0)
+	for i in field.get_plant_count():
+		check_near(field.get_plant_transform(i).origin.y, 1.5, 1e-3, "height")
+	field.height_limits = Vector2(2, 5)
+	await filled(field)
+	check_equal(field.get_plant_count(), 0, "plants below the limit")
+	body.free()
+
+
+func _fill() -> void:
+	root.add_child(field)
+	await filled(field)
+
+
+func _make_field() -> PlantField3D:
+	var field := PlantField3D.new()
+	field.species = [GrassFunction.new(), TulipFunction.new()]
+	field.density = 5.0
+	return field
+
+
+## The direction from a plant's root to its tip.
+func _field_axis(index: int) -> Vector3:
+	var at := field.get_plant_transform(index).origin
+	return (field.get_tip_position(index) - at).normalized()

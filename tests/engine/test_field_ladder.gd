@@ -1,0 +1,127 @@
+## What saves a field time: threads, intervals, prototypes; and contact, which takes some.
+extends "res://tests/engine/field_harness.gd"
+
+
+func before_each() -> void:
+	field = PlantField3D.new()
+	field.species = [TulipFunction.new()]
+	field.size = Vector2(30, 30)
+	field.density = 3.0
+	field.wind = PlantWind.new()
+	field.wind.kind = PlantWind.KIND_WAVES
+	field.wind.strength = 2.0
+
+
+func test_the_number_of_threads_does_not_change_the_motion() -> void:
+	# Both share one wind and the frames, so both take the same steps.
+	field.size = Vector2(80, 80)
+	var other: PlantField3D = field.duplicate()
+	other.wind = field.wind
+	field.threads = 1
+	other.threads = 4
+	await start()
+	root.add_child(other)
+	await other.filled
+	await frames(2)
+	other.simulating = false
+	field.simulating = false
+	field.fill()
+	other.fill()
+	while field.is_filling() or other.is_filling():
+		await process_frame
+	field.wind_speed = 0.0
+	other.wind_speed = 0.0
+	field.simulating = true
+	other.simulating = true
+	await frames(40)
+	field.simulating = false
+	other.simulating = false
+	await frames(1)
+	check_equal(all_tips(other), all_tips(), "tips")
+	other.free()
+
+
+func test_changing_the_motion_keeps_the_state() -> void:
+	await start()
+	await step(30)
+	field.simulating = false
+	await frames(2)
+	var before := all_tips()
+	field.species[0].mass = 3.0
+	field.wind.strength = 9.0
+	field.wind_speed = 2.0
+	field.update_interval = 3
+	check_equal(all_tips(), before, "tips")
+	check(not field.is_filling(), "the field is not filled anew")
+
+
+func test_an_interval_stays_near_the_full_rate() -> void:
+	await start()
+	var other := await _add_twin({"update_interval": 4})
+	var largest := 0.0
+	for i in 30:
+		await frames(4)
+		for plant: int in range(0, field.get_plant_count(), 100):
+			largest = maxf(
+				largest, field.get_tip_position(plant).distance_to(other.get_tip_position(plant))
+			)
+	# Up to four steps apart in time; in these, a tip goes 0.1 m at most.
+	check(largest < 0.25, "tips are near those of the full rate: %f m" % largest)
+	other.free()
+
+
+func test_prototypes_do_not_move_in_unison() -> void:
+	field.prototypes = 8
+	await start()
+	check_equal(field.get_statistics()["simulated"], 8)
+	await step(60)
+	var tips := _relative_tips()
+	await step(20)
+	var later := _relative_tips()
+	var moved := 0
+	var same := 0
+	for i in range(1, tips.size()):
+		moved += 1 if tips[i].distance_to(later[i]) > 1e-4 else 0
+		same += 1 if tips[i].distance_to(tips[0]) < 1e-4 else 0
+	check(moved > tips.size() * 0.9, "%d of %d plants moved" % [moved, tips.size()])
+	check(same < tips.size() * 0.2, "%d of %d plants are as the first" % [same, tips.size()])
+
+
+func test_far_plants_are_stepped_less_often_and_still_move() -> void:
+	var camera := Camera3D.new()
+	camera.position = Vector3(0, 2, 500)
+	root.add_child(camera)
+	field.far_distance = 10.0
+	await start()
+	var before := all_tips()
+	await step(30)
+	check(all_tips() != before, "they move")
+	camera.free()
+
+
+func test_contact_keeps_running() -> void:
+	field.density = 20.0
+	field.contact = true
+	await start()
+	await step(30)
+	for i: int in range(0, field.get_plant_count(), 97):
+		check(field.get_tip_position(i).is_finite(), "tip %d is finite" % i)
+
+
+func _add_twin(settings: Dictionary) -> PlantField3D:
+	var twin: PlantField3D = field.duplicate()
+	twin.wind = field.wind
+	twin.species = field.species
+	for property: String in settings:
+		twin.set(property, settings[property])
+	root.add_child(twin)
+	await twin.filled
+	await frames(200)
+	return twin
+
+
+func _relative_tips() -> PackedVector3Array:
+	var tips := PackedVector3Array()
+	for i: int in range(0, field.get_plant_count(), 20):
+		tips.append(relative_tip(i).normalized())
+	return tips
