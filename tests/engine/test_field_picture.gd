@@ -125,28 +125,6 @@ func test_a_follower_that_was_pushed() -> void:
 	)
 
 
-func test_levels_dissolve_into_each_other_without_holes() -> void:
-	# The plant stands where both levels show a part of it.
-	var function := TulipFunction.new()
-	_field.wind.strength = 0.0
-	_field.levels = PackedInt32Array([12, 12])
-	_field.level_distances = PackedFloat32Array([3.5])
-	_field.visibility_range = 100.0
-	_field.fade_margin = 2.0
-	_field.add_plants([Transform3D.IDENTITY], function)
-	await frames(5)
-	var drawn := count_different(await picture(), empty_picture())
-	_field.hide()
-	var plant := Plant3D.new()
-	plant.function = function
-	plant.height = _field.get_plant_height(0)
-	plant.seed = _field.get_plant_seed(0)
-	stage.add_child(plant)
-	await frames(3)
-	var whole := count_different(await picture(), empty_picture())
-	check_near(float(drawn), float(whole), 0.05 * whole, "pixels of the plant")
-
-
 func _compare(function: PlantFunction, place: Transform3D, blow := Vector3.ZERO) -> void:
 	_field.add_plants([place], function)
 	RenderingServer.render_loop_enabled = false

@@ -25,7 +25,8 @@ START = "\nstart\n"
 # The headless engine's stand-in for a renderer may not be used by two threads at once; the real ones may.
 # By which rendering methods a script is run in a virtual display.
 DRAWN = {"threads": ["gl_compatibility"], "field_picture": ["gl_compatibility", "forward_plus"],
-         "field_skeletons": ["gl_compatibility", "forward_plus"]}
+         "field_skeletons": ["gl_compatibility", "forward_plus"],
+         "field_levels": ["gl_compatibility", "forward_plus"]}
 # What a virtual display makes the engine say.
 EXPECTED = "WARNING: Could not set V-Sync mode"
 END_LINE = re.compile(r"^done (\d+)$", re.MULTILINE)

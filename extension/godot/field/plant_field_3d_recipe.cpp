@@ -87,14 +87,15 @@ std::vector<FieldLevel> PlantField3D::make_levels() const {
 		level.lod = levels[i];
 		level.begin = i > 0 ? made.back().end : 0.0f;
 		level.end = i < level_distances.size() ? level_distances[i] : 0.0f;
-		if (i + 1 == levels.size() || level.end <= level.begin) {
-			level.end = float(options.visibility_range);
-		}
+		const float range = float(options.visibility_range);
+		const bool is_last =
+				i + 1 == levels.size() || level.end <= level.begin || (range > 0.0f && level.end >= range);
+		level.end = is_last ? range : level.end;
 		level.margin = std::max(float(options.fade_margin), 1e-3f);
 		level.chunk_factor = std::min(1 << int(i), MOST_CHUNK_FACTOR);
 		level.casts_shadows = level.begin < options.shadow_distance;
 		made.push_back(level);
-		if (level.end == float(options.visibility_range)) {
+		if (is_last) {
 			break; // Nothing is seen behind it.
 		}
 	}

@@ -1,0 +1,98 @@
+## Which level of detail of a field is seen from where, in pictures.
+extends "res://tests/engine/picture_harness.gd"
+
+var _field: PlantField3D
+
+
+func before_each() -> void:
+	make_stage()
+	_field = PlantField3D.new()
+	_field.simulating = false
+	stage.add_child(_field)
+
+
+func after_each() -> void:
+	stage.free()
+
+
+func test_levels_dissolve_into_each_other_without_holes() -> void:
+	# The plant stands where both levels show a part of it.
+	var function := TulipFunction.new()
+	_field.levels = PackedInt32Array([12, 12])
+	_field.level_distances = PackedFloat32Array([3.5])
+	_field.visibility_range = 100.0
+	_field.fade_margin = 2.0
+	_field.add_plants([Transform3D.IDENTITY], function)
+	await frames(5)
+	var drawn := count_different(await picture(), empty_picture())
+	_field.hide()
+	var plant := Plant3D.new()
+	plant.function = function
+	plant.height = _field.get_plant_height(0)
+	plant.seed = _field.get_plant_seed(0)
+	stage.add_child(plant)
+	await frames(3)
+	var whole := count_different(await picture(), empty_picture())
+	check_near(float(drawn), float(whole), 0.05 * whole, "pixels of the plant")
+
+
+func test_nothing_is_drawn_beyond_the_visibility_range() -> void:
+	_field.visibility_range = 2.0
+	_field.fade_margin = 0.5
+	_field.add_plants([Transform3D.IDENTITY], TulipFunction.new())
+	await frames(5)
+	check_equal(count_different(await picture(), empty_picture()), 0, "pixels of a plant too far")
+	stage.get_camera_3d().position.z = 1.4
+	var near := count_different(await picture(), empty_picture())
+	check(near > LEAST_PLANT, "%d pixels of a near plant" % near)
+
+
+func test_plants_cast_shadows_within_the_shadow_distance_only() -> void:
+	var ground := MeshInstance3D.new()
+	ground.mesh = PlaneMesh.new()
+	(ground.mesh as PlaneMesh).size = Vector2(6, 6)
+	stage.add_child(ground)
+	for light in stage.find_children("*", "DirectionalLight3D", true, false):
+		(light as DirectionalLight3D).shadow_enabled = true
+	_field.shadow_distance = 30.0
+	_field.add_plants([Transform3D.IDENTITY], TulipFunction.new())
+	await frames(5)
+	var with_shadow := await picture()
+	_field.shadow_distance = 0.0
+	await _field.filled
+	await frames(2)
+	var without_shadow := await picture()
+	_field.hide()
+	var bare := await picture()
+	var plant := count_different(without_shadow, bare)
+	check(plant > LEAST_PLANT, "the plant is drawn: %d pixels" % plant)
+	var shadow := count_different(with_shadow, without_shadow)
+	check(shadow > 50, "its shadow is: %d pixels" % shadow)
+
+
+func test_turning_the_camera_changes_no_level() -> void:
+	# The distance to each plant decides, not where on the screen it is.
+	_field.species = [TulipFunction.new()]
+	_field.size = Vector2(6, 6)
+	_field.density = 4.0
+	_field.levels = PackedInt32Array([12, 2])
+	_field.level_distances = PackedFloat32Array([3.5])
+	await _field.filled
+	await frames(3)
+	var before := await picture()
+	var camera := stage.get_camera_3d()
+	var turn := camera.rotation
+	camera.rotation.y += 0.4
+	await frames(3)
+	check(count_different(before, await picture()) > LEAST_PLANT, "it looks elsewhere")
+	camera.rotation = turn
+	check_equal(count_different(before, await picture()), 0, "pixels after turning back")
+
+
+func test_a_bent_plant_is_not_culled_where_only_its_tip_is_seen() -> void:
+	var function := TulipFunction.new()
+	function.law = PlantFunction.LAW_SPRING
+	function.lean_degrees = 80.0
+	_field.add_plants([Transform3D(Basis(Vector3.UP, PI / 2), Vector3(-2.2, 1.0, 0))], function)
+	await frames(5)
+	check(count_different(await picture(), empty_picture()) > LEAST_PLANT, "the tip of it is drawn")
