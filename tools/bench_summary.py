@@ -58,6 +58,9 @@ def field_lines(found, renderer):
         ratio = found.ratio(found.find(name, PLANTS, renderer=renderer), frame)
         if ratio:
             told.append(f"{renderer}: {name} {percent(ratio)} of that")
+    ratio = found.ratio(found.find("field_frame_far", 10 * PLANTS, renderer=renderer), frame)
+    if ratio:
+        told.append(f"{renderer}: field_frame_far of {10 * PLANTS:,} plants {ratio:.2f} times every one of {PLANTS:,}")
     for name, plants in (("field_frame", 1000), ("field_frame_far", PLANTS)):
         ratio = found.ratio(found.find(name, 10 * PLANTS, renderer=renderer),
                             found.find(name, plants, renderer=renderer))

@@ -26,7 +26,7 @@ struct FieldOptions {
 	bool simulating = true;
 	int threads = 0;
 	int update_interval = 1;
-	double far_distance = 40.0; // m.
+	double far_distance = 25.0; // m.
 	int prototypes = 0;
 	bool contact = false;
 	double touch_margin = 0.1; // m.

@@ -194,8 +194,9 @@ void PlantField3D::gather_bodies() {
 	simulation->set_bodies(pushing.data(), int(pushing.size()));
 }
 
-// Pages farther than far_distance are stepped half as often, those FARTHER yet a quarter as often, and so on: so often
-// as the ground at that distance grows, so that all far rings cost about the same.
+// Pages farther than far_distance are stepped half as often, those FARTHER yet a quarter as often, and so on: as fast
+// as the ground at a distance grows, so that all far rings cost about the same. A page's middle counts, but no plant of
+// it is taken to be more than far_distance farther than it is: where the camera stands, all are stepped in full.
 void PlantField3D::update_far() {
 	if (frames_since_far++ % FRAMES_BETWEEN_FAR_UPDATES != 0) {
 		return;
@@ -208,7 +209,9 @@ void PlantField3D::update_far() {
 		int multiple = 1;
 		if (applies) {
 			const FieldPage &plants = simulation->page(page);
-			const double away = glm::distance(eye, glm::clamp(eye, plants.low(), plants.high()));
+			const double nearest = glm::distance(eye, glm::clamp(eye, plants.low(), plants.high()));
+			const double middle = glm::distance(eye, 0.5f * (plants.low() + plants.high()));
+			const double away = std::min(middle, nearest + options.far_distance);
 			for (double limit = options.far_distance; multiple < MOST_FAR_MULTIPLE && away > limit; limit *= FARTHER) {
 				multiple *= 2;
 			}

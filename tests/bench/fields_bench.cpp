@@ -1,0 +1,111 @@
+// Whole steps of fields of plants, with the ways to save time, and contact; on one thread and on four.
+
+#include "base/random.hpp"
+#include "field/contact.hpp"
+#include "field/field_simulation.hpp"
+#include "page_workers.hpp"
+#include "report.hpp"
+
+using namespace undergrowth;
+
+namespace {
+
+/// Half of each law, under waves.
+FieldSimulation waving_field(const FieldSettings &settings, int plants) {
+	FieldSimulation field(settings);
+	const int page_size = std::clamp(plants / 16, 256, FieldPage::PAGE_PLANTS);
+	for (const Law law : { Law::elasticity, Law::spring }) {
+		FieldSpecies species;
+		species.law = law;
+		const int kind = field.add_species(species);
+		std::vector<FieldPlant> page;
+		for (int i = 0; i < plants / 2; i++) {
+			const auto noise = [i, kind](uint64_t which) {
+				return signed_noise(which + 100 * static_cast<uint64_t>(kind), static_cast<uint64_t>(i));
+			};
+			FieldPlant plant;
+			plant.root = { 80.0f * noise(1), 0.0f, 80.0f * noise(2) };
+			plant.length = 0.75f + 0.25f * noise(3);
+			page.push_back(plant);
+			if (static_cast<int>(page.size()) == page_size || i == plants / 2 - 1) {
+				field.add_page(kind, page.data(), static_cast<int>(page.size()));
+				page.clear();
+			}
+		}
+	}
+	FieldWind wind;
+	wind.wind.kind = WindKind::waves;
+	wind.wind.strength = 2.0f;
+	field.set_wind(wind);
+	return field;
+}
+
+void step(FieldSimulation &field, PageWorkers &workers) {
+	field.begin_step();
+	workers.for_pages(field.page_count(), [&field](int begin, int end) { field.step_pages(begin, end); });
+}
+
+void time_field(Report &report, const char *name, const FieldSettings &settings, int plants, int threads) {
+	FieldSimulation field = waving_field(settings, plants);
+	PageWorkers workers(threads);
+	// Whole turns of the interval, so that every run does the same.
+	const int repeats = std::max(PLANTS_PER_RUN / plants, 1) * settings.update_interval;
+	const double run = median_ms(
+							   [&] {
+								   for (int i = 0; i < repeats; i++) {
+									   step(field, workers);
+								   }
+							   },
+							   FEW_RUNS) /
+			repeats;
+	report.row(name, plants, threads, run, best_simd_level(), member("bytes_per_plant", field.bytes_per_plant()));
+}
+
+void time_ladder(Report &report) {
+	FieldSettings interval_4;
+	interval_4.update_interval = 4;
+	FieldSettings prototypes_64;
+	prototypes_64.prototypes = 64;
+	FieldSettings drawn_prototypes = prototypes_64;
+	drawn_prototypes.write_followers = false;
+	const bool has_four = std::thread::hardware_concurrency() >= 4;
+	for (const int plants : { 1000, 10000, 100000, 1000000 }) {
+		for (const int threads : { 1, 4 }) {
+			if (threads == 1 || has_four) {
+				time_field(report, "field_step", {}, plants, threads);
+				time_field(report, "field_step_interval_4", interval_4, plants, threads);
+				time_field(report, "field_step_prototypes_64", prototypes_64, plants, threads);
+			}
+		}
+		time_field(report, "field_step_prototypes_64_drawn", drawn_prototypes, plants, 1);
+	}
+}
+
+void time_contact(Report &report, int threads) {
+	constexpr int PLANTS = 100000;
+	FieldSimulation field = waving_field({}, PLANTS);
+	TipContact contact;
+	contact.fit(field);
+	for (int i = 0; i < 60; i++) {
+		field.step();
+	}
+	PageWorkers workers(threads);
+	const int pages = field.page_count();
+	const auto resolve = [&] {
+		workers.for_pages(pages, [&](int begin, int end) { contact.gather(field, begin, end); });
+		contact.sort();
+		workers.for_pages(pages, [&](int begin, int end) { contact.count(field, begin, end); });
+		workers.for_pages(pages, [&](int begin, int end) { contact.separate(field, begin, end); });
+	};
+	report.row("field_contact", PLANTS, threads, median_ms(resolve, FEW_RUNS), best_simd_level());
+}
+
+} // namespace
+
+void undergrowth::time_fields(Report &report) {
+	time_ladder(report);
+	time_contact(report, 1);
+	if (std::thread::hardware_concurrency() >= 4) {
+		time_contact(report, 4);
+	}
+}

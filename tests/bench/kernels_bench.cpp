@@ -1,0 +1,161 @@
+// Each law's step at each level that this processor has, beside what one core can do at most at that level.
+
+#include "pendulum/batch.hpp"
+#include "report.hpp"
+
+using namespace undergrowth;
+
+namespace {
+
+// What one core can do. Vectors are those of each level; without vector types of the compiler, single floats.
+
+#if defined(__GNUC__)
+using Lanes16 = float __attribute__((vector_size(16)));
+using Lanes32 = float __attribute__((vector_size(32)));
+#else
+using Lanes16 = float;
+using Lanes32 = float;
+#endif
+#if defined(__GNUC__) && defined(__x86_64__)
+#define FOR_AVX2 __attribute__((target("avx2")))
+#else
+#define FOR_AVX2
+#endif
+
+constexpr int CHAINS = 12; // As many as leave registers for the two constants, and enough to hide the latency.
+constexpr int ROUNDS = 100000;
+
+/// Twelve chains of a product and a sum. A macro of a body, because a function for other instructions is not inlined.
+#define CHAIN_BODY(Lanes)                                                                                              \
+	Lanes chains[CHAINS];                                                                                              \
+	const Lanes factor = Lanes{} + 0.999f;                                                                             \
+	const Lanes summand = Lanes{} + 0.001f;                                                                            \
+	for (int i = 0; i < CHAINS; i++) {                                                                                 \
+		chains[i] = Lanes{} + static_cast<float>(i);                                                                   \
+	}                                                                                                                  \
+	for (int round = 0; round < ROUNDS; round++) {                                                                     \
+		chains[0] = chains[0] * factor + summand;                                                                      \
+		chains[1] = chains[1] * factor + summand;                                                                      \
+		chains[2] = chains[2] * factor + summand;                                                                      \
+		chains[3] = chains[3] * factor + summand;                                                                      \
+		chains[4] = chains[4] * factor + summand;                                                                      \
+		chains[5] = chains[5] * factor + summand;                                                                      \
+		chains[6] = chains[6] * factor + summand;                                                                      \
+		chains[7] = chains[7] * factor + summand;                                                                      \
+		chains[8] = chains[8] * factor + summand;                                                                      \
+		chains[9] = chains[9] * factor + summand;                                                                      \
+		chains[10] = chains[10] * factor + summand;                                                                    \
+		chains[11] = chains[11] * factor + summand;                                                                    \
+	}                                                                                                                  \
+	for (int i = 1; i < CHAINS; i++) {                                                                                 \
+		chains[0] += chains[i];                                                                                        \
+	}                                                                                                                  \
+	*reinterpret_cast<Lanes *>(out) = chains[0];
+
+/// `out` is aligned and holds 8 floats.
+void run_chains_16(float *out){ CHAIN_BODY(Lanes16) } FOR_AVX2 void run_chains_32(float *out) {
+	CHAIN_BODY(Lanes32)
+}
+
+/// Reads twice as much as it writes, in place, as steps do: to[i] += from[i], in vectors.
+void move_16(const float *from, float *to, int count) {
+	constexpr int LANES = static_cast<int>(sizeof(Lanes16) / sizeof(float));
+	for (int i = 0; i < count / LANES; i++) {
+		reinterpret_cast<Lanes16 *>(to)[i] += reinterpret_cast<const Lanes16 *>(from)[i];
+	}
+}
+FOR_AVX2 void move_32(const float *from, float *to, int count) {
+	constexpr int LANES = static_cast<int>(sizeof(Lanes32) / sizeof(float));
+	for (int i = 0; i < count / LANES; i++) {
+		reinterpret_cast<Lanes32 *>(to)[i] += reinterpret_cast<const Lanes32 *>(from)[i];
+	}
+}
+
+/// What a step of one law costs by its source: sums, products, comparisons, divisions and roots one each, and the bytes
+/// of the columns that it reads and writes.
+struct StepCost {
+	const char *name;
+	Law law;
+	double operations;
+	double bytes;
+	int floats; ///< Of the table, per plant.
+};
+constexpr StepCost STEPS[] = {
+	{ "step_elasticity", Law::elasticity, 48.0, 80.0, 14 },
+	{ "step_spring", Law::spring, 30.0, 68.0, 13 },
+};
+
+/// Operations per ns.
+double time_compute(Report &report, SimdLevel level) {
+	alignas(64) float sink[16] = {};
+	const double run = median_ms([&] { level == SimdLevel::avx2 ? run_chains_32(sink) : run_chains_16(sink); });
+	const double lanes = static_cast<double>(level == SimdLevel::avx2 ? sizeof(Lanes32) : sizeof(Lanes16)) / 4.0;
+	const double rate = 2.0 * CHAINS * ROUNDS * lanes / (run * 1e6);
+	report.row("ceiling_compute", ROUNDS, 1, run, level, member("gflops", rate));
+	return rate;
+}
+
+/// Bytes per ns, in as much memory as the elasticity law's table of so many plants.
+double time_memory(Report &report, int plants, SimdLevel level) {
+	const int half = plants * STEPS[0].floats / 2 / 16 * 16;
+	struct alignas(64) Line {
+		float values[16] = {};
+	};
+	std::vector<Line> from(static_cast<std::size_t>(half / 16));
+	std::vector<Line> to(static_cast<std::size_t>(half / 16));
+	const int repeats = std::max(PLANTS_PER_RUN / plants, 1);
+	const double run = median_ms([&] {
+		for (int i = 0; i < repeats; i++) {
+			(level == SimdLevel::avx2 ? move_32 : move_16)(from.data()->values, to.data()->values, half);
+		}
+	});
+	const double rate = 3.0 * sizeof(float) * half * repeats / (run * 1e6);
+	report.row("ceiling_memory", plants, 1, run / repeats, level, member("gb_per_s", rate));
+	return rate;
+}
+
+PendulumBatch meadow(Law law, int plants) {
+	PendulumBatch batch(law, 1.0f / 60.0f);
+	for (int i = 0; i < plants; i++) {
+		const float part = static_cast<float>(i) / static_cast<float>(plants);
+		Joint joint;
+		joint.length = 0.3f + 1.5f * part;
+		joint.natural_frequency = 0.5f + 2.0f * part;
+		batch.add(joint, { { 0.3f * part, 1.0f, 0.1f }, { 0.0f, 0.0f, part } });
+	}
+	return batch;
+}
+
+void time_steps(Report &report, const StepCost &cost, int plants, SimdLevel level, double compute, double memory) {
+	PendulumBatch batch = meadow(cost.law, plants);
+	const int repeats = std::max(PLANTS_PER_RUN / plants, 1);
+	const double run = median_ms([&] {
+		for (int i = 0; i < repeats; i++) {
+			batch.step(0, plants, { 2.0f, 0.0f, 1.0f }, level);
+		}
+	}) / repeats;
+	const double per_ns = plants / (run * 1e6);
+	report.row(cost.name, plants, 1, run, level,
+			member("g_plant_steps", per_ns) + member("compute_share", per_ns * cost.operations / compute) +
+					member("memory_share", per_ns * cost.bytes / memory));
+}
+
+void time_level(Report &report, SimdLevel level) {
+	const double compute = time_compute(report, level);
+	for (const int plants : { 10000, 100000 }) {
+		const double memory = time_memory(report, plants, level);
+		for (const StepCost &cost : STEPS) {
+			time_steps(report, cost, plants, level, compute, memory);
+		}
+	}
+}
+
+} // namespace
+
+void undergrowth::time_kernels(Report &report) {
+	for (const SimdLevel level : { SimdLevel::baseline, SimdLevel::avx2 }) {
+		if (level <= best_simd_level()) {
+			time_level(report, level);
+		}
+	}
+}
