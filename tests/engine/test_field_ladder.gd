@@ -94,7 +94,7 @@ func test_far_plants_are_stepped_less_often_and_still_move() -> void:
 	field.far_distance = 10.0
 	await start()
 	var before := all_tips()
-	await step(30)
+	await step(80)
 	check(all_tips() != before, "they move")
 	camera.free()
 
