@@ -1,5 +1,6 @@
 #include "field/field_page.hpp"
 
+#include "field/field_page_columns.hpp"
 #include "pendulum/gnomonic.hpp"
 
 #include <glm/common.hpp>
@@ -10,43 +11,9 @@
 
 namespace undergrowth {
 
+using namespace field_page_columns;
+
 namespace {
-
-/// Columns of every page.
-enum Column : int {
-	ROOT_X,
-	ROOT_Y,
-	ROOT_Z,
-	LENGTH,
-	STILL_COLUMNS,
-};
-
-/// Further columns of a page of the elasticity law.
-enum ElasticityColumn : int {
-	X = STILL_COLUMNS,
-	Y,
-	Z,
-	TURN_X,
-	TURN_Y,
-	TURN_Z,
-	WEIGHT,
-	SWINGING_COLUMNS,
-};
-
-/// Further columns of a page of the spring law, as many.
-enum SpringColumn : int {
-	FLAT_X = STILL_COLUMNS,
-	FLAT_Z,
-	FLAT_RATE_X,
-	FLAT_RATE_Z,
-	REST_X,
-	REST_Z,
-	WIND_GAIN,
-};
-
-/// Plants whose winds are sampled together: the strengths stay in the first-level cache.
-constexpr int BLOCK = 512;
-constexpr float SHORTEST = 1e-4f; // m; as safe_joint().
 
 bool is_finite(const glm::vec3 &vector) {
 	return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
@@ -193,88 +160,6 @@ void FieldPage::set_species(const FieldSpecies &species) {
 	kind.joint = safe_joint(species.joint);
 	if (is_swinging) {
 		update_constants(0);
-	}
-}
-
-void FieldPage::set_step_length(float step) {
-	if (is_swinging && kind.law == Law::elasticity) {
-		const float ratio = step / step_time;
-		for (int i = 0; i < size(); i++) {
-			column(TURN_X)[i] *= ratio;
-			column(TURN_Y)[i] *= ratio;
-			column(TURN_Z)[i] *= ratio;
-		}
-	}
-	step_time = step;
-	if (is_swinging) {
-		update_constants(0);
-	}
-}
-
-void FieldPage::update_constants(int begin) {
-	Joint joint = kind.joint;
-	if (kind.law == Law::elasticity) {
-		elasticity = elasticity_constants(joint, step_time);
-		elasticity_weights(joint, step_time, lengths() + begin, size() - begin, column(WEIGHT) + begin);
-		return;
-	}
-	joint.length = 1.0f;
-	spring = spring_constants(joint, step_time);
-	for (int i = begin; i < size(); i++) {
-		column(WIND_GAIN)[i] = spring.wind_gain / std::max(length(i), SHORTEST);
-	}
-}
-
-ElasticityPage FieldPage::elasticity_page(int begin) {
-	ElasticityPage page;
-	page.x = column(X) + begin;
-	page.y = column(Y) + begin;
-	page.z = column(Z) + begin;
-	page.turn_x = column(TURN_X) + begin;
-	page.turn_y = column(TURN_Y) + begin;
-	page.turn_z = column(TURN_Z) + begin;
-	page.weight = column(WEIGHT) + begin;
-	page.lift_share = 1.0f + kind.joint.elasticity;
-	page.wind_share = kind.joint.wind_weight / (kind.joint.mass * STANDARD_GRAVITY);
-	page.keep = elasticity.keep;
-	page.lowest_y = elasticity.lowest_y;
-	return page;
-}
-
-SpringPage FieldPage::spring_page(int begin) {
-	SpringPage page;
-	page.x = column(FLAT_X) + begin;
-	page.z = column(FLAT_Z) + begin;
-	page.rate_x = column(FLAT_RATE_X) + begin;
-	page.rate_z = column(FLAT_RATE_Z) + begin;
-	page.rest_x = column(REST_X) + begin;
-	page.rest_z = column(REST_Z) + begin;
-	page.wind_gain = column(WIND_GAIN) + begin;
-	page.place_from_place = spring.place_from_place;
-	page.place_from_rate = spring.place_from_rate;
-	page.rate_from_place = spring.rate_from_place;
-	page.rate_from_rate = spring.rate_from_rate;
-	page.most = MAX_GNOMONIC;
-	return page;
-}
-
-void FieldPage::step(const TravellingWind &wind, const PlantWinds &along) {
-	const KernelSet &set = kernels(best_simd_level());
-	float strengths[BLOCK];
-	for (int begin = 0; begin < size(); begin += BLOCK) {
-		const int count = std::min(BLOCK, size() - begin);
-		set.sample_wind(wind, column(ROOT_X) + begin, column(ROOT_Z) + begin, count, strengths);
-		const PlantWinds winds = { strengths, along.x, along.z };
-		Bend *block_pairs = pairs.data() + 2 * static_cast<std::size_t>(begin);
-		if (kind.law == Law::elasticity) {
-			const ElasticityPage block = elasticity_page(begin);
-			set.step_elasticity_page(block, count, winds);
-			set.encode_elasticity(block.x, block.y, block.z, count, block_pairs);
-		} else {
-			const SpringPage block = spring_page(begin);
-			set.step_spring_page(block, count, winds);
-			set.encode_spring(block.x, block.z, count, block_pairs);
-		}
 	}
 }
 

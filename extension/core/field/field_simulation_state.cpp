@@ -19,6 +19,42 @@ bool contains(const FieldPage &page, const glm::vec3 &point, float margin) {
 
 } // namespace
 
+int FieldSimulation::plant_count() const {
+	int plants = 0;
+	for (const Entry &entry : entries) {
+		plants += entry.page.size();
+	}
+	return plants;
+}
+
+int FieldSimulation::simulated_count() const {
+	if (models.empty()) {
+		return plant_count();
+	}
+	int plants = static_cast<int>(models.size()) * options.prototypes;
+	for (const LoosePlants &some : loose) {
+		plants += some.count();
+	}
+	return plants;
+}
+
+int FieldSimulation::due_count() const {
+	// The first step simulates what prototypes did before it.
+	const int rounds = next_step == 0 ? Prototypes::SLOTS + 1 : 1;
+	int due = 0;
+	for (const Prototypes &model : models) {
+		due += rounds * model.count();
+	}
+	for (const LoosePlants &some : loose) {
+		due += some.count();
+	}
+	for (int page = 0; page < page_count(); page++) {
+		const bool steps = at(page).page.swings() || options.write_followers;
+		due += steps && is_due(page, next_step) ? at(page).page.size() : 0;
+	}
+	return due;
+}
+
 float FieldSimulation::alpha(int page, float fraction) const {
 	const Entry &entry = at(page);
 	const float steps = static_cast<float>(next_step - 1 - entry.last_step) + fraction;

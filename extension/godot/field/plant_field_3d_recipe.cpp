@@ -88,8 +88,7 @@ std::vector<FieldLevel> PlantField3D::make_levels() const {
 		level.begin = i > 0 ? made.back().end : 0.0f;
 		level.end = i < level_distances.size() ? level_distances[i] : 0.0f;
 		const float range = float(options.visibility_range);
-		const bool is_last =
-				i + 1 == levels.size() || level.end <= level.begin || (range > 0.0f && level.end >= range);
+		const bool is_last = i + 1 == levels.size() || level.end <= level.begin || (range > 0.0f && level.end >= range);
 		level.end = is_last ? range : level.end;
 		level.margin = std::max(float(options.fade_margin), 1e-3f);
 		level.chunk_factor = std::min(1 << int(i), MOST_CHUNK_FACTOR);
