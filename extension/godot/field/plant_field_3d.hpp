@@ -14,6 +14,7 @@
 #include <godot_cpp/variant/typed_array.hpp>
 
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace undergrowth {
@@ -130,7 +131,7 @@ private:
 	void show_bends();
 
 	// plant_field_3d_removing.cpp
-	void redraw(int patch, const std::vector<ClumpPlace> &places);
+	void show_removed(const std::vector<bool> &is_affected, const std::vector<std::set<ClumpPlace>> &dirty);
 
 	// plant_field_3d_asking.cpp
 	struct Found {

@@ -12,11 +12,112 @@ using namespace godot;
 
 namespace undergrowth {
 
-void PlantField3D::redraw(int patch, const std::vector<ClumpPlace> &places) {
-	for (const ClumpPlace &place : places) {
-		drawings[size_t(patch)]->replace(style, place, FieldDrawing::plan_one(style, *patches[size_t(patch)], place));
+namespace {
+
+using Patches = std::vector<std::unique_ptr<FieldPatch>>;
+
+/// Takes the plants within a sphere out of patches and simulation. What has to be drawn again is noted.
+class Removal {
+public:
+	Removal(const Patches &in, FieldSimulation &of, const FieldStyle &drawn_in);
+
+	/// Tells how many plants are gone.
+	int remove_in_sphere(const glm::vec3 &middle, float radius);
+
+	std::vector<bool> is_affected; ///< By page.
+	std::vector<std::set<ClumpPlace>> dirty; ///< By patch.
+
+private:
+	/// A plant by its patch and its index there.
+	using Member = std::pair<int, int>;
+
+	const Patches &patches;
+	FieldSimulation &simulation;
+	const FieldStyle &style;
+	std::vector<std::vector<Member>> members; ///< Of each page that is affected.
+
+	std::vector<Member> find(const glm::vec3 &middle, float radius) const;
+	void list_members();
+	void remove(const Member &member);
+	void mark(const Member &member);
+};
+
+Removal::Removal(const Patches &in, FieldSimulation &of, const FieldStyle &drawn_in) :
+		is_affected(size_t(of.page_count()), false),
+		dirty(in.size()),
+		patches(in),
+		simulation(of),
+		style(drawn_in),
+		members(size_t(of.page_count())) {}
+
+std::vector<Removal::Member> Removal::find(const glm::vec3 &middle, float radius) const {
+	std::vector<Member> found;
+	for (int p = 0; p < int(patches.size()); p++) {
+		const FieldPatch &patch = *patches[size_t(p)];
+		for (const int plant : find_in_sphere(patch.plants, patch.chunks, middle, radius)) {
+			if (patch.places[size_t(plant)] != FieldPatch::GONE) {
+				found.push_back({ p, plant });
+			}
+		}
+	}
+	return found;
+}
+
+void Removal::list_members() {
+	for (int p = 0; p < int(patches.size()); p++) {
+		const FieldPatch &patch = *patches[size_t(p)];
+		for (int plant = 0; plant < patch.plants.size(); plant++) {
+			if (patch.places[size_t(plant)] == FieldPatch::GONE || !is_affected[size_t(patch.page(plant))]) {
+				continue;
+			}
+			std::vector<Member> &page = members[size_t(patch.page(plant))];
+			page.resize(std::max(page.size(), size_t(patch.index(plant)) + 1));
+			page[size_t(patch.index(plant))] = { p, plant };
+		}
 	}
 }
+
+void Removal::mark(const Member &member) {
+	const auto [patch, plant] = member;
+	const FieldPlants &plants = patches[size_t(patch)]->plants;
+	const float size = patches[size_t(patch)]->chunks.size;
+	const int column = int(std::floor(plants.x[size_t(plant)] / size));
+	const int row = int(std::floor(plants.z[size_t(plant)] / size));
+	for (int level = 0; level < int(style.levels.size()); level++) {
+		dirty[size_t(patch)].insert(FieldDrawing::place_of(style, level, column, row));
+	}
+}
+
+// The last plant of its page takes its place.
+void Removal::remove(const Member &member) {
+	FieldPatch &patch = *patches[size_t(member.first)];
+	uint32_t &place = patch.places[size_t(member.second)];
+	const int page = patch.page(member.second);
+	const int index = patch.index(member.second);
+	std::vector<Member> &others = members[size_t(page)];
+	const Member last = others.back();
+	simulation.remove(page, index);
+	patches[size_t(last.first)]->places[size_t(last.second)] = place;
+	others[size_t(index)] = last;
+	others.pop_back();
+	place = FieldPatch::GONE;
+	mark(last);
+	mark(member);
+}
+
+int Removal::remove_in_sphere(const glm::vec3 &middle, float radius) {
+	const std::vector<Member> found = find(middle, radius);
+	for (const auto &[patch, plant] : found) {
+		is_affected[size_t(patches[size_t(patch)]->page(plant))] = true;
+	}
+	list_members();
+	for (const Member &member : found) {
+		remove(member);
+	}
+	return int(found.size());
+}
+
+} // namespace
 
 int PlantField3D::remove_in_sphere(const Vector3 &center, double radius) {
 	if (!center.is_finite() || !std::isfinite(radius) || radius < 0.0) {
@@ -29,63 +130,17 @@ int PlantField3D::remove_in_sphere(const Vector3 &center, double radius) {
 	finish_step();
 	flush_pending();
 	const Transform3D to_field = axes().affine_inverse();
-	const glm::vec3 middle = to_glm(to_field.xform(center));
-	const float reach = float(radius) * to_field.basis.get_column(1).length();
-	// Where the last plant of each page is, which takes the place of one that goes.
-	std::vector<std::vector<std::pair<int, int>>> members(size_t(simulation->page_count()));
-	int removed = 0;
-	std::vector<std::set<ClumpPlace>> dirty(patches.size());
-	const auto mark = [&](int patch, int plant) {
-		const FieldPlants &plants = patches[size_t(patch)]->plants;
-		const float size = patches[size_t(patch)]->chunks.size;
-		const int column = int(std::floor(plants.x[size_t(plant)] / size));
-		const int row = int(std::floor(plants.z[size_t(plant)] / size));
-		for (int level = 0; level < int(style.levels.size()); level++) {
-			dirty[size_t(patch)].insert(FieldDrawing::place_of(style, level, column, row));
-		}
-	};
-	std::vector<std::vector<int>> found;
-	std::vector<bool> is_affected(size_t(simulation->page_count()), false);
-	for (const std::unique_ptr<FieldPatch> &patch : patches) {
-		found.push_back(find_in_sphere(patch->plants, patch->chunks, middle, reach));
-		for (const int plant : found.back()) {
-			if (patch->places[size_t(plant)] != FieldPatch::GONE) {
-				is_affected[size_t(patch->page(plant))] = true;
-			}
-		}
+	Removal removal(patches, *simulation, style);
+	const int removed = removal.remove_in_sphere(
+			to_glm(to_field.xform(center)), float(radius) * to_field.basis.get_column(1).length());
+	if (removed > 0) {
+		release_removed_skeletons();
+		show_removed(removal.is_affected, removal.dirty);
 	}
-	for (int p = 0; p < int(patches.size()); p++) {
-		const FieldPatch &patch = *patches[size_t(p)];
-		for (int plant = 0; plant < patch.plants.size(); plant++) {
-			if (patch.places[size_t(plant)] == FieldPatch::GONE || !is_affected[size_t(patch.page(plant))]) {
-				continue;
-			}
-			auto &page = members[size_t(patch.page(plant))];
-			page.resize(std::max(page.size(), size_t(patch.index(plant)) + 1));
-			page[size_t(patch.index(plant))] = { p, plant };
-		}
-	}
-	for (int p = 0; p < int(patches.size()); p++) {
-		FieldPatch &patch = *patches[size_t(p)];
-		for (const int plant : found[size_t(p)]) {
-			if (patch.places[size_t(plant)] == FieldPatch::GONE) {
-				continue;
-			}
-			const int page = patch.page(plant);
-			const int index = patch.index(plant);
-			auto &members_of_page = members[size_t(page)];
-			const auto [last_patch, last_plant] = members_of_page.back();
-			simulation->remove(page, index);
-			patches[size_t(last_patch)]->places[size_t(last_plant)] = patch.places[size_t(plant)];
-			members_of_page[size_t(index)] = members_of_page.back();
-			members_of_page.pop_back();
-			mark(last_patch, last_plant);
-			patch.places[size_t(plant)] = FieldPatch::GONE;
-			mark(p, plant);
-			removed++;
-		}
-	}
-	release_removed_skeletons();
+	return removed;
+}
+
+void PlantField3D::show_removed(const std::vector<bool> &is_affected, const std::vector<std::set<ClumpPlace>> &dirty) {
 	for (int page = 0; page < simulation->page_count(); page++) {
 		if (is_affected[size_t(page)]) {
 			bends->write_page(*simulation, page);
@@ -94,16 +149,15 @@ int PlantField3D::remove_in_sphere(const Vector3 &center, double radius) {
 	if (simulation->settings().prototypes > 0) {
 		bends->write_history(*simulation); // Pushed plants have new places, too.
 	}
-	for (int p = 0; p < int(patches.size()); p++) {
-		redraw(p, { dirty[size_t(p)].begin(), dirty[size_t(p)].end() });
-	}
-	if (removed > 0) {
-		upload();
-		if (options.contact) {
-			touching.fit(*simulation);
+	for (size_t p = 0; p < patches.size(); p++) {
+		for (const ClumpPlace &place : dirty[p]) {
+			drawings[p]->replace(style, place, FieldDrawing::plan_one(style, *patches[p], place));
 		}
 	}
-	return removed;
+	upload();
+	if (options.contact) {
+		touching.fit(*simulation);
+	}
 }
 
 } // namespace undergrowth

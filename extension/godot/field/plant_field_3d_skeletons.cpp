@@ -216,39 +216,4 @@ void PlantField3D::pose_skeletons() {
 	}
 }
 
-Skeleton3D *PlantField3D::get_skeleton(int64_t index) {
-	flush_pending();
-	const Found found = find(index);
-	const FieldSkeletons::Shown *entry = found.patch < 0 ? nullptr : find_shown(found.patch, found.plant);
-	return entry ? FieldSkeletons::node(*entry) : nullptr;
-}
-
-int64_t PlantField3D::get_skeleton_plant(const Skeleton3D *skeleton) const {
-	const auto entry =
-			std::find_if(skeletons.shown.begin(), skeletons.shown.end(), [&](const FieldSkeletons::Shown &shown) {
-				return skeleton && shown.skeleton == uint64_t(skeleton->get_instance_id());
-			});
-	if (entry == skeletons.shown.end()) {
-		return -1;
-	}
-	int64_t index = 0;
-	for (int p = 0; p <= entry->patch; p++) {
-		const std::vector<uint32_t> &places = patches[size_t(p)]->places;
-		const auto end = p < entry->patch ? places.end() : places.begin() + entry->plant;
-		index += (end - places.begin()) - std::count(places.begin(), end, FieldPatch::GONE);
-	}
-	return index;
-}
-
-TypedArray<Skeleton3D> PlantField3D::get_skeletons() const {
-	TypedArray<Skeleton3D> nodes;
-	for (const FieldSkeletons::Shown &entry : skeletons.shown) {
-		Skeleton3D *skeleton = FieldSkeletons::node(entry);
-		if (skeleton) {
-			nodes.push_back(skeleton);
-		}
-	}
-	return nodes;
-}
-
 } // namespace undergrowth
