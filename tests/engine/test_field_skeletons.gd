@@ -122,11 +122,20 @@ func test_skeletons_are_what_is_drawn() -> void:
 func test_a_shader_of_fields_fits_skeletons_and_single_plants() -> void:
 	var material := ShaderMaterial.new()
 	material.shader = Shader.new()
+	# As in the class help.
 	material.shader.code = """
 		shader_type spatial;
 		#include "res://addons/undergrowth/shaders/undergrowth_bend.gdshaderinc"
-		void vertex() { UNDERGROWTH_BEND }
-		void fragment() { UNDERGROWTH_FADE ALBEDO = COLOR.rgb; }
+
+		void vertex() {
+			UNDERGROWTH_BEND
+			COLOR.rgb *= 0.8 + 0.4 * fract(dot(MODEL_MATRIX[3].xyz, vec3(12.9, 78.2, 37.7)));
+		}
+
+		void fragment() {
+			UNDERGROWTH_FADE
+			ALBEDO = COLOR.rgb;
+		}
 	"""
 	for function: PlantFunction in _field.species:
 		function.material = material
@@ -153,7 +162,12 @@ func test_signals_tell_of_skeletons_and_attached_nodes_go_with_them() -> void:
 	var skeleton: Skeleton3D = _field.get_skeletons()[0]
 	check_equal(_told[0], "shown %d" % _field.get_skeleton_plant(skeleton))
 	var lamp := skeleton.get_node("Lamp")
-	check(lamp is BoneAttachment3D and lamp.is_inside_tree(), "the lamp hangs on the plant")
+	await frames(10)
+	_field.simulating = false
+	await frames(2)
+	var light := lamp.get_child(0) as Node3D
+	var tip := _field.get_tip_position(_field.get_skeleton_plant(skeleton))
+	check_near(light.global_position, tip, 0.05, "the light hangs at the plant's tip")
 	_field.skeleton_distance = 0.0
 	await frames(3)
 	check_equal(_told.size(), 2, "signals")
@@ -225,3 +239,6 @@ func _tell_shown(skeleton: Skeleton3D) -> void:
 	lamp.name = "Lamp"
 	lamp.bone_name = "tip"
 	skeleton.add_child(lamp)
+	var light := Node3D.new()
+	light.position.y = _field.get_plant_height(_field.get_skeleton_plant(skeleton))
+	lamp.add_child(light)
