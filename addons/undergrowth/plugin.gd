@@ -5,7 +5,9 @@ extends EditorPlugin
 
 # Loaded when needed: without the library none of these scripts can be compiled.
 const DOCK_SCENE := "editor/dock.tscn"
+const ICONS := "icons"
 const DOCK_ICON := "icons/PlantFunction.svg"
+const ICON_SCALE := "editor/icon_scale.gd"
 const INSPECTOR := "editor/inspector/undergrowth_inspector.gd"
 const GIZMOS := "editor/gizmo/plant_gizmos.gd"
 const THUMBNAILS := "editor/thumbnails/plant_thumbnails.gd"
@@ -42,6 +44,7 @@ func _enter_tree() -> void:
 	_translations.call(&"add")
 	_add_dock()
 	_add_helpers()
+	_load(ICON_SCALE).call(&"adapt", _folder().path_join(ICONS))
 
 
 func _exit_tree() -> void:

@@ -15,6 +15,11 @@ func test_the_project_opens_with_its_species() -> void:
 		check(await until(func() -> bool: return _lists(list, path)), path + " is listed")
 
 
+func test_icons_follow_the_scale() -> void:
+	var icon := load("res://addons/undergrowth/icons/Plant3D.svg") as Texture2D
+	check(await until(func() -> bool: return icon.get_height() == 32), "the icon has 32 pixels")
+
+
 func test_the_saved_scene_opens_with_its_plants() -> void:
 	EditorInterface.open_scene_from_path(SCENE)
 	EditorInterface.set_main_screen_editor("3D")

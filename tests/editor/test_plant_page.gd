@@ -13,7 +13,7 @@ func test_dock_opens_with_a_plant() -> void:
 	check(_state().function != null, "a species is chosen")
 	check_equal(_state().problem, "", "problem")
 	var counts := part("Plant/Preview/Counts") as Label
-	check(counts.text.contains("triangles"), "triangles are counted: " + counts.text)
+	check(counts.text.contains("tris"), "triangles are counted: " + counts.text)
 
 
 func test_click_chooses_each_ready_species() -> void:

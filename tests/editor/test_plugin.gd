@@ -16,7 +16,7 @@ func test_off_and_on_again() -> void:
 		check(dock() != null, "the dock is back")
 	await open_page("Plant")
 	var counts := part("Plant/Preview/Counts") as Label
-	check(counts.text.contains("triangles"), "it shows a plant: " + counts.text)
+	check(counts.text.contains("tris"), "it shows a plant: " + counts.text)
 
 
 func test_wide_dock_stands_side_by_side() -> void:
@@ -52,7 +52,7 @@ func test_library_is_loaded_anew_under_the_dock() -> void:
 	check(dock() != null, "the dock is there")
 	await open_page("Plant")
 	var counts := part("Plant/Preview/Counts") as Label
-	check(counts.text.contains("triangles"), "it shows a plant: " + counts.text)
+	check(counts.text.contains("tris"), "it shows a plant: " + counts.text)
 	var plant := part("Plant/Preview/Plants").get_child(0) as Plant3D
 	var moves := func() -> bool: return plant.get_deflection() > 1e-3
 	check(await until(moves), "the plant moves")

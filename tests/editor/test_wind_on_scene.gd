@@ -3,6 +3,7 @@ extends "wind_test.gd"
 ## What the wind page does to the edited scene.
 
 const SCENE_FILES := "res://wind_page_%d.tscn"
+const FIELD_FILE := "res://wind_page_field.tscn"
 const EMPTY_FILE := "res://wind_page_empty.tscn"
 const SHARED_FILE := "res://wind_page_shared.tres"
 
@@ -94,6 +95,24 @@ func test_plants_of_a_scene_that_is_left_stand_still() -> void:
 	await _press_button("OnScene")
 
 
+func test_field_takes_part() -> void:
+	var field := await _open_field()
+	var pages := func() -> bool: return field.get_plant_count() > 0
+	check(await until(pages), "the field is filled")
+	await _choose_kind(PlantWind.KIND_CONSTANT)
+	var rest := field.get_tip_position(0)
+	await _press_button("OnScene")
+	var moves := func() -> bool: return field.get_tip_position(0).distance_to(rest) > 0.01
+	check(await until(moves), "the plants of the field move")
+	await _press_button("OnScene")
+	check(field.get_tip_position(0).is_equal_approx(rest), "they are at rest after the end")
+	check(not field.wind, "the field has no wind of its own yet")
+	await _press_button("Apply")
+	check(field.wind and field.wind.kind == PlantWind.KIND_CONSTANT, "the field has this wind")
+	await undo()
+	check(not field.wind, "no wind after undo")
+
+
 func test_scene_without_plants_is_told() -> void:
 	EditorInterface.open_scene_from_path(_make_empty_scene())
 	await frames(5)
@@ -125,6 +144,22 @@ func _history() -> UndoRedo:
 	var manager := EditorInterface.get_editor_undo_redo()
 	var id := manager.get_object_history_id(EditorInterface.get_edited_scene_root())
 	return manager.get_history_undo_redo(id)
+
+
+## A small field in a scene of its own.
+func _open_field() -> PlantField3D:
+	var root := Node3D.new()
+	root.name = "Field"
+	var field := PlantField3D.new()
+	field.species = [GrassFunction.new()]
+	field.size = Vector2(2, 2)
+	root.add_child(field)
+	field.owner = root
+	_save_scene(root, FIELD_FILE)
+	EditorInterface.open_scene_from_path(FIELD_FILE)
+	EditorInterface.set_main_screen_editor("3D")
+	await frames(10)
+	return EditorInterface.get_edited_scene_root().get_child(0) as PlantField3D
 
 
 ## Three plants, of which the first has a wind, in a scene of their own.

@@ -58,8 +58,7 @@ void FieldPage::add(const FieldPlant *plants, int count) {
 			column(REST_Z)[i] = std::clamp(plant.rest.z / plant.rest.y, -MAX_GNOMONIC, MAX_GNOMONIC);
 		}
 		grow_box(plant);
-		set_state(i, { rest(i), {} });
-		pairs[2 * static_cast<std::size_t>(i)] = pairs[2 * static_cast<std::size_t>(i) + 1];
+		settle(i);
 	}
 	if (is_swinging) {
 		update_constants(before);
@@ -131,6 +130,17 @@ void FieldPage::set_state(int index, const TipState &state) {
 		put_state(index, state);
 	}
 	pairs[2 * static_cast<std::size_t>(index) + 1] = encode_bend(safe_state(state).direction);
+}
+
+void FieldPage::settle(int index) {
+	set_state(index, { rest(index), {} });
+	pairs[2 * static_cast<std::size_t>(index)] = pairs[2 * static_cast<std::size_t>(index) + 1];
+}
+
+void FieldPage::settle() {
+	for (int i = 0; i < size(); i++) {
+		settle(i);
+	}
 }
 
 void FieldPage::remove(int index) {

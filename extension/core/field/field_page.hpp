@@ -69,6 +69,8 @@ public:
 	TipState state(int index) const;
 	/// Puts a plant into a state; the bend that is drawn as the last one is this state's.
 	void set_state(int index, const TipState &state);
+	/// Puts all plants into their rest directions, without velocity; both bends of each are those.
+	void settle();
 	/// Makes room for `plants` in all, so that add() does not allocate until there are more.
 	void reserve(int plants);
 	/// Appends `count` valid plants, at rest; no more than PAGE_PLANTS in all.
@@ -115,6 +117,7 @@ private:
 	/// Of the plants from `begin` on.
 	void update_constants(int begin);
 	void put_state(int index, const TipState &state);
+	void settle(int index);
 	void grow_box(const FieldPlant &plant);
 };
 

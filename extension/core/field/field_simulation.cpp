@@ -128,6 +128,14 @@ void FieldSimulation::remove(int page, int index) {
 	entry.page.remove(index);
 }
 
+void FieldSimulation::settle() {
+	for (Entry &entry : entries) {
+		if (entry.page.swings()) {
+			entry.page.settle();
+		}
+	}
+}
+
 void FieldSimulation::clear() {
 	entries.clear();
 	loose.clear();

@@ -93,6 +93,10 @@ public:
 	/// A blow on the tip (N·s): changes the velocity by impulse/mass.
 	void apply_impulse(int page, int index, const glm::vec3 &impulse);
 
+	/// Puts all plants that swing by themselves into their rest directions, without velocity. Followers stay with their
+	/// prototypes, which go on.
+	void settle();
+
 	/// Null where every plant of the species is simulated.
 	const Prototypes *prototypes(int species) const;
 	/// Whose motion a plant of a page that follows shows, and how long after the wind comes to it.

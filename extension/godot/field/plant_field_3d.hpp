@@ -109,13 +109,17 @@ private:
 	void update_processing();
 	void process_frame();
 	double step(double delta);
+	int worker_count() const;
 	void finish_step();
 	void upload();
-	FieldWind wind_here(double offset) const;
+	FieldWind wind_here(const godot::Ref<PlantWind> &from, double offset) const;
 	void update_wind(int step_count);
 	void gather_bodies();
 	void update_far();
 	void send_uniforms();
+
+	// plant_field_3d_preview.cpp
+	bool may_preview() const;
 
 	// plant_field_3d_adding.cpp
 	PlacedPlant place_transform(const godot::Transform3D &transform, int species_index) const;
@@ -186,6 +190,10 @@ public:
 	void add_plants(const godot::Variant &transforms, const godot::Ref<PlantFunction> &function);
 	int remove_in_sphere(const godot::Vector3 &center, double radius);
 	bool is_point_in_plants(const godot::Vector3 &point);
+	/// Moves the field by `delta` seconds under `blowing` where it does not move by itself, as in the editor.
+	void preview(double delta, const godot::Ref<PlantWind> &blowing);
+	/// Puts all plants into their rest.
+	void reset();
 	int apply_impulse_in_sphere(const godot::Vector3 &center, double radius, const godot::Vector3 &impulse);
 	int get_plant_count() const;
 	godot::Transform3D get_plant_transform(int64_t index);

@@ -19,6 +19,8 @@ static void bind_plant_methods() {
 	ClassDB::bind_method(D_METHOD("add_plants", "transforms", "function"), &PlantField3D::add_plants);
 	ClassDB::bind_method(D_METHOD("remove_in_sphere", "center", "radius"), &PlantField3D::remove_in_sphere);
 	ClassDB::bind_method(D_METHOD("is_point_in_plants", "point"), &PlantField3D::is_point_in_plants);
+	ClassDB::bind_method(D_METHOD("preview", "delta", "wind"), &PlantField3D::preview);
+	ClassDB::bind_method(D_METHOD("reset"), &PlantField3D::reset);
 	ClassDB::bind_method(
 			D_METHOD("apply_impulse_in_sphere", "center", "radius", "impulse"), &PlantField3D::apply_impulse_in_sphere);
 	ClassDB::bind_method(D_METHOD("get_plant_count"), &PlantField3D::get_plant_count);

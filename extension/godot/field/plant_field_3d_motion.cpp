@@ -95,26 +95,29 @@ double PlantField3D::step(double delta) {
 	update_wind(step_count);
 	gather_bodies();
 	update_far();
-	static const int processors = OS::get_singleton()->get_processor_count();
-	const int workers = options.threads > 0 ? options.threads : processors;
 	TipContact *contact = options.contact && options.prototypes == 0 ? &touching : nullptr;
 	double stepping_usec = 0.0;
 	for (int i = 0; i < step_count; i++) {
-		steps.start(*simulation, *bends, contact, workers);
+		steps.start(*simulation, *bends, contact, worker_count());
 		stepping_usec += steps.inline_usec();
 	}
 	return stepping_usec;
 }
 
+int PlantField3D::worker_count() const {
+	static const int processors = OS::get_singleton()->get_processor_count();
+	return options.threads > 0 ? options.threads : processors;
+}
+
 // The wind in the field's axes, at the simulation's clock: the wind's own is `offset` seconds ahead of it.
-FieldWind PlantField3D::wind_here(double offset) const {
+FieldWind PlantField3D::wind_here(const Ref<PlantWind> &from, double offset) const {
 	FieldWind blowing;
 	blowing.speed = float(options.wind_speed);
-	if (wind.is_null()) {
+	if (from.is_null()) {
 		blowing.wind.strength = 0.0f;
 		return blowing;
 	}
-	blowing.wind = wind->description();
+	blowing.wind = from->description();
 	blowing.wind.gust_start -= offset;
 	blowing.wind.phase += double(blowing.wind.frequency) * offset;
 	const Vector3 direction = axes().basis.inverse().xform(to_godot(wind_direction(blowing.wind)));
@@ -135,7 +138,7 @@ void PlantField3D::update_wind(int step_count) {
 			wind_offset = offset;
 		}
 	}
-	simulation->set_wind(wind_here(wind_offset));
+	simulation->set_wind(wind_here(wind, wind_offset));
 }
 
 void PlantField3D::gather_bodies() {

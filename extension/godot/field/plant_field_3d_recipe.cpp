@@ -174,7 +174,7 @@ String PlantField3D::make_recipe(FieldRecipe &recipe) {
 	recipe.settings.write_followers = false;
 	recipe.settings.seed = uint64_t(options.seed);
 	recipe.chunk_size = float(options.chunk_size);
-	recipe.wind = wind_here(wind.is_valid() ? wind->get_time() : 0.0);
+	recipe.wind = wind_here(wind, wind.is_valid() ? wind->get_time() : 0.0);
 	return fault;
 }
 

@@ -99,16 +99,19 @@ func _on_assign_pressed() -> void:
 		return
 	var plants := SceneActions.get_selected_plants(root)
 	if plants.is_empty():
-		_warn(tr("No plant is selected. Select one or more Plant3D nodes in the scene."))
+		_warn(tr("Nothing is selected. Select Plant3D or PlantField3D nodes in the scene."))
 		return
 	var function := SceneActions.to_scene_function(_state.function, root)
 	SceneActions.assign(_undo, root, plants, function)
-	_state.report(
-		(
-			tr_n("%d plant is %s now.", "%d plants are %s now.", plants.size())
-			% [plants.size(), _state.title]
-		)
-	)
+	_state.report(_tell_assigned(plants))
+
+
+func _tell_assigned(plants: Array[Node3D]) -> String:
+	var is_field := func(plant: Node3D) -> bool: return plant is PlantField3D
+	if plants.any(is_field):
+		return tr("%s grows in what is selected now.") % _state.title
+	var told := tr_n("%d plant is %s now.", "%d plants are %s now.", plants.size())
+	return told % [plants.size(), _state.title]
 
 
 func _on_save_pressed() -> void:

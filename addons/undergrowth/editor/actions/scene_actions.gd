@@ -4,6 +4,7 @@ extends RefCounted
 
 const Translations := preload("../translations/translations.gd")
 const FileNames := preload("file_names.gd")
+const ScenePlants := preload("../wind_page/scene_plants.gd")
 ## They say where a resource is, not what it is.
 const NOT_COMPARED: Array[StringName] = [
 	&"script", &"resource_path", &"resource_name", &"resource_scene_unique_id"
@@ -33,22 +34,26 @@ static func make_plant(function: PlantFunction, wind: PlantWind, title: String) 
 	return plant
 
 
-## Gives all [param plants] of the scene of [param root] the same function.
+## Gives all [param plants] of the scene of [param root] the same function: single plants become that
+## species, and in fields it grows beside those that they have.
 static func assign(
-	undo: EditorUndoRedoManager, root: Node, plants: Array[Plant3D], function: PlantFunction
+	undo: EditorUndoRedoManager, root: Node, plants: Array[Node3D], function: PlantFunction
 ) -> void:
 	undo.create_action(Translations.text("Assign Plant Function"), UndoRedo.MERGE_DISABLE, root)
 	for plant in plants:
-		undo.add_do_property(plant, &"function", function)
-		undo.add_undo_property(plant, &"function", plant.function)
+		if plant is PlantField3D:
+			_add_species(undo, plant as PlantField3D, function)
+		else:
+			undo.add_do_property(plant, &"function", function)
+			undo.add_undo_property(plant, &"function", plant.get(&"function"))
 	undo.commit_action()
 
 
-## The selected plants that belong to the scene of [param root].
-static func get_selected_plants(root: Node) -> Array[Plant3D]:
-	var plants: Array[Plant3D] = []
+## The selected plants and fields that belong to the scene of [param root].
+static func get_selected_plants(root: Node) -> Array[Node3D]:
+	var plants: Array[Node3D] = []
 	for node in EditorInterface.get_selection().get_selected_nodes():
-		if node is Plant3D and _is_saved_with(node, root):
+		if (node is Plant3D or node is PlantField3D) and _is_saved_with(node, root):
 			plants.append(node)
 	return plants
 
@@ -69,27 +74,46 @@ static func get_parent_for_new(root: Node) -> Node:
 static func to_scene_function(function: PlantFunction, root: Node) -> PlantFunction:
 	if not function.is_built_in():
 		return function
-	for plant in get_plants(root):
-		if plant.function and _is_equal(plant.function, function):
-			return plant.function
+	for known in _get_functions(root):
+		if _is_equal(known, function):
+			return known
 	return function.duplicate(true)
 
 
 ## The wind of the scene of [param root], or a copy of [param fallback] where none blows yet.
 static func to_scene_wind(fallback: PlantWind, root: Node) -> PlantWind:
-	for plant in get_plants(root):
-		if plant.wind:
-			return plant.wind
+	for plant in ScenePlants.all(root):
+		var wind: PlantWind = plant.get(&"wind")
+		if wind:
+			return wind
 	return fallback.duplicate() as PlantWind
 
 
-## All plants of a scene, those of scenes within it too.
-static func get_plants(root: Node) -> Array[Plant3D]:
-	var plants: Array[Plant3D] = []
-	if root is Plant3D:
-		plants.append(root)
-	plants.append_array(root.find_children("*", "Plant3D", true, false))
-	return plants
+static func _get_functions(root: Node) -> Array[PlantFunction]:
+	var functions: Array[PlantFunction] = []
+	for plant in ScenePlants.all(root):
+		if plant is PlantField3D:
+			functions.append_array((plant as PlantField3D).species)
+		else:
+			functions.append((plant as Plant3D).function)
+	return functions.filter(func(function: PlantFunction) -> bool: return function != null)
+
+
+static func _add_species(
+	undo: EditorUndoRedoManager, field: PlantField3D, function: PlantFunction
+) -> void:
+	if field.species.has(function):
+		return
+	var species := field.species.duplicate()
+	species.append(function)
+	undo.add_do_property(field, &"species", species)
+	undo.add_undo_property(field, &"species", field.species)
+	if field.shares:
+		var shares := field.shares.duplicate()
+		shares.resize(field.species.size())
+		shares.append(1.0)
+		undo.add_do_property(field, &"shares", shares)
+		undo.add_undo_property(field, &"shares", field.shares)
 
 
 static func _is_saved_with(node: Node, root: Node) -> bool:

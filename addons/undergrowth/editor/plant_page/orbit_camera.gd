@@ -8,13 +8,17 @@ const STEEPEST := 1.5
 const START_TURN := 0.6
 const START_TILT := 0.18
 ## Space around what is framed.
-const MARGIN := 1.25
+const MARGIN := 1.15
+## Of the view's height, however much of it is covered.
+const LEAST_FREE := 0.4
 
 var _turn := START_TURN
 var _tilt := START_TILT
 var _zoom := 1.0
 var _center := Vector3.ZERO
 var _size := Vector2.ONE
+# Pixels at the top and at the bottom of the view that something else covers.
+var _covered := Vector2.ZERO
 
 
 ## To the right in the picture, before the user turned it.
@@ -27,6 +31,13 @@ func frame(center: Vector3, size: Vector2) -> void:
 	_center = center
 	_size = size
 	place()
+
+
+## Leaves so many pixels free, at the top (x) and at the bottom (y) of the view.
+func spare(covered: Vector2) -> void:
+	if covered != _covered:
+		_covered = covered
+		place()
 
 
 ## Goes back to where it began.
@@ -57,11 +68,13 @@ func place() -> void:
 	if not is_inside_tree():
 		return
 	var view := Vector2(get_viewport().get_visible_rect().size).max(Vector2.ONE)
+	var free := maxf(view.y - _covered.x - _covered.y, view.y * LEAST_FREE) / view.y
 	var tangent := tan(deg_to_rad(fov) * 0.5)
-	var half := maxf(_size.y, _size.x * view.y / view.x) * 0.5 * MARGIN
+	var half := maxf(_size.y / free, _size.x * view.y / view.x) * 0.5 * MARGIN
 	var distance := (half / tangent + _size.x * 0.5) * _zoom
+	var rise := (_covered.x - _covered.y) / view.y * tangent * distance
 	basis = Basis.from_euler(Vector3(-_tilt, _turn, 0.0))
-	position = _center + basis.z * distance
+	position = _center + basis.z * distance + basis.y * rise
 	near = distance * 0.02
 	far = distance * 20.0
 

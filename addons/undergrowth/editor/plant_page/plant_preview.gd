@@ -14,6 +14,8 @@ const LABEL_NAME := "Level"
 const LABEL_PIXEL := 0.0022
 const LABEL_HEIGHT := 1.08
 const BACKDROP_OPACITY := 0.8
+## Of the editor's font size: all counts stand in one line of a narrow dock.
+const SMALL_FONT := 0.85
 ## Room for swaying, in shares of the height.
 const SWAY_ROOM := 0.5
 const RING_COLOR := Color(1.0, 1.0, 1.0, 0.55)
@@ -54,7 +56,8 @@ func setup(state: EditorState) -> void:
 		toggle.toggled.connect(func(_on: bool) -> void: _refresh())
 	_reset.pressed.connect(_camera.restart)
 	_view.gui_input.connect(_on_view_input)
-	_view.resized.connect(_camera.place)
+	for part: Control in [_view, _tools, _counts_panel]:
+		part.resized.connect(_make_room)
 	_dress()
 	_on_function_chosen()
 	set_process(true)
@@ -86,6 +89,8 @@ func _dress() -> void:
 	_tools.add_theme_stylebox_override(&"panel", backdrop)
 	_counts_panel.add_theme_stylebox_override(&"panel", backdrop)
 	_hint_panel.add_theme_stylebox_override(&"panel", backdrop)
+	var font_size := roundi(get_theme_font_size(&"font_size", &"Label") * SMALL_FONT)
+	_counts.add_theme_font_size_override(&"font_size", font_size)
 
 
 # As many plants as are shown: one, or one for each level.
@@ -175,11 +180,18 @@ func _show_counts() -> void:
 		var mesh := plant.get_mesh()
 		triangles += mesh.surface_get_array_index_len(0) / 3
 		vertices += mesh.surface_get_array_len(0)
+	var height := String.num(_plants[0].get_plant_height(), 2)
 	_counts_panel.visible = true
-	_counts.text = (
-		tr("%s m · %d triangles · %d vertices")
-		% [String.num(_plants[0].get_plant_height(), 2), triangles, vertices]
-	)
+	_counts.text = tr("%s m · %d tris · %d verts") % [height, triangles, vertices]
+
+
+# The plant stands between the tools and the counts; tools that don't reach the middle are beside it.
+func _make_room() -> void:
+	var is_over := _tools.position.x + _tools.size.x > _view.size.x * 0.45
+	var top := _tools.get_rect().end.y if is_over else 0.0
+	var bottom := _counts_panel.size.y if _counts_panel.visible else 0.0
+	_camera.spare(Vector2(top, bottom))
+	_camera.place()
 
 
 func _show_overlays() -> void:

@@ -12,6 +12,10 @@ const SpeciesEntry := preload("species_entry.gd")
 const SpeciesCatalog := preload("species_catalog.gd")
 const PlantPhoto := preload("../widgets/plant_photo.gd")
 const THUMBNAIL_SIZE := 48
+## Of the thumbnail's.
+const COLUMN_WIDTH := 1.4
+## Of the editor's font size.
+const SMALL_FONT := 0.85
 ## From so many new thumbnails on, progress is shown.
 const MANY := 24
 
@@ -79,7 +83,11 @@ func _dress() -> void:
 	_filter.right_icon = get_theme_icon(&"Search", &"EditorIcons")
 	for list: ItemList in [_ready_list, _project_list]:
 		list.fixed_icon_size = Vector2i(size, size)
-		list.fixed_column_width = roundi(size * 1.5)
+		# Three stand side by side in a dock of the usual width.
+		list.fixed_column_width = roundi(size * COLUMN_WIDTH)
+		list.add_theme_constant_override(&"h_separation", 0)
+		var font_size := roundi(get_theme_font_size(&"font_size", &"ItemList") * SMALL_FONT)
+		list.add_theme_font_size_override(&"font_size", font_size)
 	for hint: Label in [_project_hint, _no_match]:
 		var pale := get_theme_color(&"font_disabled_color", &"Editor")
 		hint.add_theme_color_override(&"font_color", pale)

@@ -12,7 +12,7 @@ static var blowing: PlantWind
 
 var _state: EditorState
 var _root: Node
-var _plants: Array[Plant3D] = []
+var _plants: Array[Node3D] = []
 var _is_stale := false
 
 
@@ -57,18 +57,18 @@ func _process(delta: float) -> void:
 		return
 	WindClock.advance(blowing, delta)
 	for plant in _plants:
-		plant.preview(delta, blowing)
+		plant.call(&"preview", delta, blowing)
 
 
 func _collect() -> void:
 	var root := EditorInterface.get_edited_scene_root()
 	var found := ScenePlants.all(root)
-	var stays: Dictionary[Plant3D, bool] = {}
+	var stays: Dictionary[Node3D, bool] = {}
 	for plant in found:
 		stays[plant] = true
 	for plant: Variant in _plants:
 		if is_instance_valid(plant) and not stays.has(plant):
-			(plant as Plant3D).reset()
+			(plant as Node3D).call(&"reset")
 	_root = root
 	_plants = found
 	_is_stale = false
@@ -78,7 +78,7 @@ func _release() -> void:
 	blowing = null
 	for plant: Variant in _plants:
 		if is_instance_valid(plant):
-			(plant as Plant3D).reset()
+			(plant as Node3D).call(&"reset")
 	_plants.clear()
 	_root = null
 
@@ -92,5 +92,5 @@ func _report() -> void:
 
 
 func _on_node_changed(node: Node) -> void:
-	if node is Plant3D:
+	if ScenePlants.is_plant(node):
 		_is_stale = true

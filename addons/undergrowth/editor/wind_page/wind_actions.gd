@@ -29,12 +29,13 @@ func apply() -> void:
 	if not _may_apply(root, plants):
 		return
 	var winds: Array[PlantWind] = []
-	var calm: Array[Plant3D] = []
+	var calm: Array[Node3D] = []
 	for plant in plants:
-		if not plant.wind:
+		var wind: PlantWind = plant.get(&"wind")
+		if not wind:
 			calm.append(plant)
-		elif not winds.has(plant.wind):
-			winds.append(plant.wind)
+		elif not winds.has(wind):
+			winds.append(wind)
 	var is_needed := winds.any(_differs) or calm.size() > 0
 	if not is_needed:
 		_state.report(tr("The plants have this wind already."))
@@ -54,8 +55,9 @@ func apply() -> void:
 ## Brings the wind of the first chosen plant that has one to the page.
 func take() -> void:
 	for plant in ScenePlants.chosen():
-		if plant.wind:
-			_copy(plant.wind, _state.wind)
+		var wind: PlantWind = plant.get(&"wind")
+		if wind:
+			_copy(wind, _state.wind)
 			_state.report(tr("This is the wind of %s.") % plant.name)
 			return
 	_state.report(tr("No plant here has a wind yet. Press Apply to give them this one."), WARNING)
@@ -92,7 +94,7 @@ func save(path: String) -> void:
 	_state.report(tr("The wind is saved as %s.") % path)
 
 
-func _may_apply(root: Node, plants: Array[Plant3D]) -> bool:
+func _may_apply(root: Node, plants: Array[Node3D]) -> bool:
 	if not root:
 		_state.report(tr("Open a scene first; then its plants can have this wind."), WARNING)
 		return false
@@ -100,7 +102,7 @@ func _may_apply(root: Node, plants: Array[Plant3D]) -> bool:
 		_state.report(tr("The scene has no plants yet. Add one on the Plant page."), WARNING)
 		return false
 	for plant in plants:
-		if not ScenePlants.is_saved_with(root, plant) and not plant.wind:
+		if not ScenePlants.is_saved_with(root, plant) and not plant.get(&"wind"):
 			var advice := tr(
 				"%s belongs to another scene. Open that scene, or make its children editable."
 			)
@@ -121,7 +123,7 @@ func _add_values(wind: PlantWind) -> void:
 		_undo.add_undo_property(wind, property, wind.get(property))
 
 
-func _add_new_wind(plants: Array[Plant3D]) -> void:
+func _add_new_wind(plants: Array[Node3D]) -> void:
 	var wind := PlantWind.new()
 	_copy(_state.wind, wind)
 	_undo.add_do_reference(wind)
