@@ -34,8 +34,8 @@ static func make_plant(function: PlantFunction, wind: PlantWind, title: String) 
 	return plant
 
 
-## Gives all [param plants] of the scene of [param root] the same function: single plants become that
-## species, and in fields it grows beside those that they have.
+## Gives all [param plants] of the scene of [param root] the same function: single plants become
+## that species, and in fields it grows beside those that they have.
 static func assign(
 	undo: EditorUndoRedoManager, root: Node, plants: Array[Node3D], function: PlantFunction
 ) -> void:

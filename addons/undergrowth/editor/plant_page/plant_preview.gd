@@ -16,6 +16,8 @@ const LABEL_HEIGHT := 1.08
 const BACKDROP_OPACITY := 0.8
 ## Of the editor's font size: all counts stand in one line of a narrow dock.
 const SMALL_FONT := 0.85
+## Of the view's width: where a plant begins.
+const MIDDLE := 0.45
 ## Room for swaying, in shares of the height.
 const SWAY_ROOM := 0.5
 const RING_COLOR := Color(1.0, 1.0, 1.0, 0.55)
@@ -185,9 +187,10 @@ func _show_counts() -> void:
 	_counts.text = tr("%s m · %d tris · %d verts") % [height, triangles, vertices]
 
 
-# The plant stands between the tools and the counts; tools that don't reach the middle are beside it.
+# The plant stands between the tools and the counts; tools that don't reach the middle are beside
+# it.
 func _make_room() -> void:
-	var is_over := _tools.position.x + _tools.size.x > _view.size.x * 0.45
+	var is_over := _tools.position.x + _tools.size.x > _view.size.x * MIDDLE
 	var top := _tools.get_rect().end.y if is_over else 0.0
 	var bottom := _counts_panel.size.y if _counts_panel.visible else 0.0
 	_camera.spare(Vector2(top, bottom))

@@ -7,7 +7,8 @@ const ProfilePlot := preload("../widgets/profile_plot.gd")
 const PlantInspectorView := preload("../inspector/plant_inspector_view.gd")
 const SECTION_CLASS := "EditorInspectorSection"
 const RESOURCE_SECTION := "Resource"
-## Of a line's width: a dock is narrower than the editor's inspector, and names are longer than values.
+## Of a line's width: a dock is narrower than the editor's inspector, and names are longer than
+## values.
 const NAME_SHARE := 0.58
 
 var _state: EditorState
@@ -33,8 +34,8 @@ func _show_function() -> void:
 	_inspector.edit(_state.function)
 
 
-# Names get more room. The dock shows the plant already. Name, path and scene of a resource say nothing about a species;
-# the editor's own inspector has them.
+# Names get more room. The dock shows the plant already. Name, path and scene of a resource say
+# nothing about a species; the editor's own inspector has them.
 func _adapt() -> void:
 	for section: Control in _inspector.find_children("*", SECTION_CLASS, true, false):
 		if section.tooltip_text == RESOURCE_SECTION:
