@@ -55,6 +55,30 @@ func test_plants_lean_with_the_ground() -> void:
 	hill.free()
 
 
+func test_plants_of_an_uneven_field_lean_with_colliders() -> void:
+	var body := StaticBody3D.new()
+	var shape := CollisionShape3D.new()
+	shape.shape = BoxShape3D.new()
+	(shape.shape as BoxShape3D).size = Vector3(30, 2, 30)
+	body.add_child(shape)
+	body.rotation.z = 0.4
+	root.add_child(body)
+	await physics_frames(2)
+	field.scale = Vector3(1, 2, 1)
+	field.lean_deviation_degrees = 0.0
+	field.simulating = false
+	for function: PlantFunction in field.species:
+		function.law = PlantFunction.LAW_SPRING
+		function.lean_degrees = 0.0
+	field.ground = PlantField3D.GROUND_COLLIDERS
+	field.slope_alignment = 1.0
+	await _fill()
+	# In the field's axes the same slope is half as steep.
+	var normal := Vector3(-sin(0.4), 2.0 * cos(0.4), 0).normalized()
+	check_near(_field_axis(5), normal, 5e-3, "axis")
+	body.free()
+
+
 func test_added_plants_keep_their_turn_and_their_tilt() -> void:
 	field.species = [] as Array[PlantFunction]
 	field.simulating = false

@@ -138,6 +138,7 @@ bool FieldRays::cast(const FieldPlants &plants, double usec) {
 	ray.instantiate();
 	ray->set_collision_mask(collision_mask);
 	const Transform3D inverse = placed.affine_inverse();
+	const Basis across = placed.basis.transposed(); // Normals stay at right angles where a field is scaled unevenly.
 	while (heights.size() < size_t(plants.size())) {
 		const size_t i = heights.size();
 		ray->set_from(placed.xform(Vector3(plants.x[i], REACH, plants.z[i])));
@@ -148,7 +149,7 @@ bool FieldRays::cast(const FieldPlants &plants, double usec) {
 			normals.push_back({ 0.0f, 1.0f, 0.0f });
 		} else {
 			heights.push_back(inverse.xform(Vector3(hit["position"])).y);
-			normals.push_back(to_glm(inverse.basis.xform(Vector3(hit["normal"]))));
+			normals.push_back(to_glm(across.xform(Vector3(hit["normal"]))));
 		}
 		if (heights.size() % 64 == 0 && Clock::now() > end) {
 			break;
