@@ -133,6 +133,7 @@ func _run_all() -> void:
 			failed += 0 if await _run_one(test) else 1
 	OS.remove_logger(_listener)
 	print("done %d" % count)
+	await _let_workers_rest()
 	quit(1 if failed > 0 else 0)
 
 
@@ -154,6 +155,13 @@ func _run_one(test: String) -> bool:
 	else:
 		print("not ok %s: %s" % [test, "; ".join(_problems).replace("\n", " ")])
 	return _problems.is_empty()
+
+
+## The engine can wait for ever at its exit where threads of its pool had work just before. Godot
+## 4.6.3 did so in 45 of 320 runs without any extension, and in none after a few frames.
+func _let_workers_rest() -> void:
+	await frames(10)
+	OS.delay_msec(50)
 
 
 ## A value as text, cut where it would fill the screen.
