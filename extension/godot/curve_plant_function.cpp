@@ -73,8 +73,8 @@ void CurvePlantFunction::on_part_changed() {
 
 void CurvePlantFunction::set_base_shape(BaseShape shape) {
 	if (shape < BASE_CIRCLE || shape > BASE_LOBED) {
-		report_error(this,
-				"base_shape " + String::num_int64(int(shape)) + " does not exist. Use one of the BASE_ constants.");
+		report_error(
+				this, "base_shape " + String::num_int64(shape) + " does not exist. Use one of the BASE_ constants.");
 		return;
 	}
 	base_shape = shape;

@@ -12,7 +12,7 @@ class CurvePlantFunction : public PlantFunction {
 	GDCLASS(CurvePlantFunction, PlantFunction)
 
 public:
-	enum BaseShape {
+	enum BaseShape : int64_t {
 		BASE_CIRCLE,
 		BASE_PARALLELOGRAM,
 		BASE_LOBED,

@@ -75,7 +75,7 @@ Joint PlantFunction::make_joint(float length, const Basis &frame) const {
 
 void PlantFunction::set_law(MotionLaw law) {
 	if (law != LAW_ELASTICITY && law != LAW_SPRING) {
-		report_error(this, "law " + String::num_int64(int(law)) + " does not exist. Use LAW_ELASTICITY or LAW_SPRING.");
+		report_error(this, "law " + String::num_int64(law) + " does not exist. Use LAW_ELASTICITY or LAW_SPRING.");
 		return;
 	}
 	motion.law = Law(law);
@@ -165,8 +165,8 @@ double PlantFunction::get_collision_radius() const {
 
 void PlantFunction::set_shading(ShadingMode shading) {
 	if (shading != SHADING_SMOOTH && shading != SHADING_FLAT) {
-		report_error(this,
-				"shading " + String::num_int64(int(shading)) + " does not exist. Use SHADING_SMOOTH or SHADING_FLAT.");
+		report_error(
+				this, "shading " + String::num_int64(shading) + " does not exist. Use SHADING_SMOOTH or SHADING_FLAT.");
 		return;
 	}
 	look.shading = Shading(shading);

@@ -20,11 +20,11 @@ class PlantFunction : public godot::Resource {
 	GDCLASS(PlantFunction, godot::Resource)
 
 public:
-	enum MotionLaw {
+	enum MotionLaw : int64_t {
 		LAW_ELASTICITY = int(Law::elasticity),
 		LAW_SPRING = int(Law::spring),
 	};
-	enum ShadingMode {
+	enum ShadingMode : int64_t {
 		SHADING_SMOOTH = int(Shading::smooth),
 		SHADING_FLAT = int(Shading::flat),
 	};

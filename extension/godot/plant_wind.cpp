@@ -22,7 +22,7 @@ static constexpr double RADIANS_PER_DEGREE = PI / 180.0;
 
 void PlantWind::set_kind(Kind kind) {
 	if (kind < KIND_GUST || kind > KIND_WAVES) {
-		report_error(this, "kind " + String::num_int64(int(kind)) + " does not exist. Use one of the KIND_ constants.");
+		report_error(this, "kind " + String::num_int64(kind) + " does not exist. Use one of the KIND_ constants.");
 		return;
 	}
 	if (WindKind(kind) == wind.kind) {

@@ -12,7 +12,7 @@ class PlantWind : public godot::Resource {
 	GDCLASS(PlantWind, godot::Resource)
 
 public:
-	enum Kind {
+	enum Kind : int64_t {
 		KIND_GUST = int(WindKind::gust),
 		KIND_CONSTANT = int(WindKind::constant),
 		KIND_BURSTS = int(WindKind::bursts),

@@ -24,7 +24,7 @@ class PlantField3D : public godot::Node3D {
 	GDCLASS(PlantField3D, godot::Node3D)
 
 public:
-	enum GroundKind {
+	enum GroundKind : int64_t {
 		GROUND_NONE = int(FieldGround::Kind::none),
 		GROUND_COLLIDERS = int(FieldGround::Kind::colliders),
 		GROUND_MESH = int(FieldGround::Kind::mesh),

@@ -64,8 +64,7 @@ TypedArray<NodePath> PlantField3D::get_excluded_fields() const {
 
 void PlantField3D::set_ground(GroundKind kind) {
 	if (kind < GROUND_NONE || kind > GROUND_MESH) {
-		report_error(
-				this, "ground " + String::num_int64(int(kind)) + " does not exist. Use one of the GROUND_ constants.");
+		report_error(this, "ground " + String::num_int64(kind) + " does not exist. Use one of the GROUND_ constants.");
 		return;
 	}
 	options.ground = int(kind);
