@@ -128,7 +128,7 @@ func test_values_out_of_range_give_one_error_and_are_not_kept() -> void:
 
 func test_kinds_that_do_not_exist_give_one_error() -> void:
 	var before := _wind.kind
-	for value: int in [-1, 4, 1000]:
+	for value: int in [-1, 4, 1000, 1 << 32]:
 		_wind.set("kind", value)
 		check_error("kind %d does not exist" % value)
 	check_equal(_wind.kind, before)
