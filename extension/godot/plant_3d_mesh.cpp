@@ -3,6 +3,7 @@
 #include "plant_3d.hpp"
 
 #include "as_written.hpp"
+#include "new_object.hpp"
 #include "shared_resources.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -86,7 +87,7 @@ MeshInstance3D *Plant3D::get_mesh_instance() const {
 }
 
 void Plant3D::make_children() {
-	skeleton = memnew(Skeleton3D);
+	skeleton = new_node<Skeleton3D>();
 	skeleton->set_name(SKELETON_NAME);
 	skeleton->add_bone("root");
 	skeleton->add_bone("tip");
@@ -97,7 +98,7 @@ void Plant3D::make_children() {
 }
 
 void Plant3D::make_mesh_instance() {
-	MeshInstance3D *made = memnew(MeshInstance3D);
+	MeshInstance3D *made = new_node<MeshInstance3D>();
 	made->set_name(MESH_NAME);
 	made->set_skin(plant_skin());
 	skeleton->add_child(made, false, INTERNAL_MODE_FRONT);

@@ -3,6 +3,7 @@
 #include "plant_function.hpp"
 
 #include "convert.hpp"
+#include "new_object.hpp"
 #include "plant/base_shape.hpp"
 #include "shared_resources.hpp"
 
@@ -143,8 +144,7 @@ static CrossSection cross_section_of(const PackedVector3Array &shape) {
 
 String PlantFunction::sample_height(double height, int64_t seed, SampledPlant &result) {
 	if (height == 0.0) {
-		Ref<RandomNumberGenerator> rng;
-		rng.instantiate();
+		Ref<RandomNumberGenerator> rng = new_counted<RandomNumberGenerator>();
 		rng->set_seed(uint64_t(seed));
 		String problem;
 		height = GDVIRTUAL_IS_OVERRIDDEN(_generate_height)
@@ -270,8 +270,7 @@ Ref<ArrayMesh> PlantFunction::build(const SampledPlant &sampled, int64_t seed) c
 	arrays[Mesh::ARRAY_BONES] = bones;
 	arrays[Mesh::ARRAY_WEIGHTS] = weights;
 	arrays[Mesh::ARRAY_INDEX] = indices;
-	Ref<ArrayMesh> mesh;
-	mesh.instantiate();
+	Ref<ArrayMesh> mesh = new_counted<ArrayMesh>();
 	mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays);
 	mesh->surface_set_material(0, material.is_valid() ? material : Ref<Material>(default_material()));
 	return mesh;

@@ -1,5 +1,7 @@
 #include "shared_resources.hpp"
 
+#include "new_object.hpp"
+
 #include <mutex>
 
 using namespace godot;
@@ -12,8 +14,7 @@ static Ref<Skin> *skin = nullptr;
 static std::mutex making; // Meshes may be generated on several threads.
 
 static Ref<StandardMaterial3D> make_material() {
-	Ref<StandardMaterial3D> made;
-	made.instantiate();
+	Ref<StandardMaterial3D> made = new_counted<StandardMaterial3D>();
 	made->set_name("Undergrowth plant");
 	made->set_flag(BaseMaterial3D::FLAG_ALBEDO_FROM_VERTEX_COLOR, true);
 	made->set_flag(BaseMaterial3D::FLAG_SRGB_VERTEX_COLOR, true);
@@ -26,8 +27,7 @@ static Ref<StandardMaterial3D> make_material() {
 }
 
 static Ref<Skin> make_skin() {
-	Ref<Skin> made;
-	made.instantiate();
+	Ref<Skin> made = new_counted<Skin>();
 	made->add_bind(0, Transform3D());
 	made->add_bind(1, Transform3D());
 	return made;

@@ -6,6 +6,7 @@ extends "res://tests/engine/harness.gd"
 
 const FOLDER := "user://hot_reload_project"
 const PLUGIN := "res://tests/engine/hot_reload/"
+const SHADERS := "addons/undergrowth/shaders"
 const PROJECT := """config_version=5
 
 [editor_plugins]
@@ -58,6 +59,7 @@ func _make_project() -> bool:
 	for file: String in ["plugin.cfg", "plugin.gd"]:
 		var target := folder.path_join("addons/hot_reload").path_join(file)
 		check_equal(DirAccess.copy_absolute(PLUGIN + file, target), OK, "copying " + file)
+	_copy_shaders(folder)
 	var library := _find_library()
 	check(not library.is_empty(), "the extension names a library for this machine")
 	if library.is_empty():
@@ -74,6 +76,13 @@ func _make_project() -> bool:
 	)
 	_write(folder.path_join(".godot/extension_list.cfg"), "res://undergrowth.gdextension\n")
 	return true
+
+
+func _copy_shaders(folder: String) -> void:
+	DirAccess.make_dir_recursive_absolute(folder.path_join(SHADERS))
+	for file in DirAccess.get_files_at("res://" + SHADERS):
+		var target := folder.path_join(SHADERS).path_join(file)
+		check_equal(DirAccess.copy_absolute("res://" + SHADERS.path_join(file), target), OK, file)
 
 
 ## The file that the running engine loaded our classes from.

@@ -1,6 +1,7 @@
 #include "field/field_ground.hpp"
 
 #include "convert.hpp"
+#include "new_object.hpp"
 
 #include <godot_cpp/classes/physics_direct_space_state3d.hpp>
 #include <godot_cpp/classes/physics_ray_query_parameters3d.hpp>
@@ -134,8 +135,7 @@ bool FieldRays::cast(const FieldPlants &plants, double usec) {
 	if (!space) {
 		return true;
 	}
-	Ref<PhysicsRayQueryParameters3D> ray;
-	ray.instantiate();
+	Ref<PhysicsRayQueryParameters3D> ray = new_counted<PhysicsRayQueryParameters3D>();
 	ray->set_collision_mask(collision_mask);
 	const Transform3D inverse = placed.affine_inverse();
 	const Basis across = placed.basis.transposed(); // Normals stay at right angles where a field is scaled unevenly.

@@ -1,5 +1,7 @@
 #include "field/field_material.hpp"
 
+#include "new_object.hpp"
+
 #include <godot_cpp/classes/base_material3d.hpp>
 #include <godot_cpp/classes/resource_loader.hpp>
 #include <godot_cpp/classes/shader.hpp>
@@ -29,8 +31,7 @@ Ref<ShaderMaterial> make_field_material(const Ref<Material> &worn) {
 	if (own.is_valid()) {
 		return own->duplicate();
 	}
-	Ref<ShaderMaterial> made;
-	made.instantiate();
+	Ref<ShaderMaterial> made = new_counted<ShaderMaterial>();
 	made->set_shader(ResourceLoader::get_singleton()->load(SHADER_PATH, "Shader"));
 	const Ref<BaseMaterial3D> plain = worn;
 	if (plain.is_valid()) {

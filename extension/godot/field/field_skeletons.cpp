@@ -1,5 +1,6 @@
 #include "field/field_skeletons.hpp"
 
+#include "new_object.hpp"
 #include "shared_resources.hpp"
 
 #include <godot_cpp/classes/mesh_instance3d.hpp>
@@ -29,7 +30,7 @@ void FieldSkeletons::remove_strays(Node3D *field) const {
 Node *FieldSkeletons::find_holder(Node3D *field) {
 	Node *found = Object::cast_to<Node>(ObjectDB::get_instance(holder));
 	if (!found) {
-		found = memnew(Node3D);
+		found = new_node<Node3D>();
 		found->set_name(HOLDER_NAME);
 		field->add_child(found, false, Node::INTERNAL_MODE_BACK);
 		holder = found->get_instance_id();
@@ -38,12 +39,12 @@ Node *FieldSkeletons::find_holder(Node3D *field) {
 }
 
 Skeleton3D *FieldSkeletons::make(Node3D *field) {
-	Skeleton3D *skeleton = memnew(Skeleton3D);
+	Skeleton3D *skeleton = new_node<Skeleton3D>();
 	skeleton->set_name(SKELETON_NAME);
 	skeleton->add_bone("root");
 	skeleton->add_bone("tip");
 	skeleton->set_bone_parent(TIP_BONE, 0);
-	MeshInstance3D *drawn = memnew(MeshInstance3D);
+	MeshInstance3D *drawn = new_node<MeshInstance3D>();
 	drawn->set_name(MESH_NAME);
 	drawn->set_skin(plant_skin());
 	skeleton->add_child(drawn, false, Node::INTERNAL_MODE_FRONT);

@@ -11,6 +11,7 @@ const STEP := 1.0 / 60.0
 # Untyped: after a reload, types that a script was compiled with are those of the old library.
 var _tulip: Node3D
 var _curve: Node3D
+var _field: Node3D
 var _shared: Resource
 var _last_strength := 2.5
 
@@ -26,17 +27,20 @@ func _run() -> void:
 	_tulip = _plant({"function": tulip, "height": 1.25, "lod": 7, "seed": 5})
 	var curve := _make("CurvePlantFunction", {"width_curve": _make_width(), "base_radius": 0.25})
 	_curve = _plant({"function": curve, "height": 2.0})
+	_field = _make_field(tulip)
 	await _frames(3)
+	await _until_filled()
 	_drive(_tulip)
 	for round_number in 3:
 		var status: int = GDExtensionManager.reload_extension(EXTENSION)
 		_tell("reload %d" % round_number, status == GDExtensionManager.LOAD_STATUS_OK)
 		await _frames(3)
 		await _check_all(round_number)
-	for plant in [_tulip, _curve]:
+	for plant in [_tulip, _curve, _field]:
 		plant.free()
 	_tulip = null
 	_curve = null
+	_field = null
 	_shared = null
 	print("result end")
 	get_tree().quit()
@@ -64,6 +68,7 @@ func _check_all(round_number: int) -> void:
 		_tell(prefix + "mesh shown", skeleton.get_child(0, true).mesh == mesh)
 	_check_motion(prefix)
 	await _check_signals(prefix)
+	await _check_field(prefix)
 
 
 func _check_motion(prefix: String) -> void:
@@ -88,6 +93,24 @@ func _check_signals(prefix: String) -> void:
 	await _frames(2)
 	var after: float = _curve.call("get_mesh").get_aabb().size.x
 	_tell(prefix + "it follows its curve", absf(after - 0.5 * before) < 1e-3 * before)
+
+
+func _check_field(prefix: String) -> void:
+	_tell(prefix + "settings of the field", _field.density == 6.0 and _field.species.size() == 1)
+	await _until_filled()
+	_tell(prefix + "the field is filled", _field.call("get_plant_count") > 10)
+	var before: Vector3 = _field.call("get_tip_position", 0)
+	for i in 20:
+		_shared.call("advance", STEP)
+		_field.call("preview", STEP, _shared)
+	var after: Vector3 = _field.call("get_tip_position", 0)
+	_tell(prefix + "the field moves", after.distance_to(before) > 1e-3)
+
+
+func _until_filled() -> void:
+	await _frames(2)
+	while _field.call("is_filling"):
+		await _frames(1)
 
 
 func _drive(plant: Node3D) -> void:
@@ -117,6 +140,15 @@ func _plant(properties: Dictionary) -> Node3D:
 	plant.set("wind", _shared)
 	add_child(plant)
 	return plant
+
+
+func _make_field(function: Resource) -> Node3D:
+	var field: Node3D = ClassDB.instantiate("PlantField3D")
+	field.species.append(function)
+	field.size = Vector2(4.0, 4.0)
+	field.density = 6.0
+	add_child(field)
+	return field
 
 
 func _frames(count: int) -> void:
