@@ -38,11 +38,11 @@ float Deviation::Ring::stretch(const Bearing &bearing) const {
 	return scale + glm::dot(twice, bearing.twice) + glm::dot(thrice, bearing.thrice);
 }
 
-glm::vec4 Deviation::Ring::tint(const glm::vec4 &color, const Bearing &bearing) const {
+glm::vec4 Deviation::Ring::tint(const glm::vec4 &untinted, const Bearing &bearing) const {
 	const float light = brightness + glm::dot(shade, bearing.once);
-	const glm::vec4 tinted = { color.x * light * (1.0f + hue), color.y * light, color.z * light * (1.0f - hue),
-		color.w };
-	return { glm::clamp(glm::vec3(tinted), 0.0f, 1.0f), color.w };
+	const glm::vec4 tinted = { untinted.x * light * (1.0f + hue), untinted.y * light, untinted.z * light * (1.0f - hue),
+		untinted.w };
+	return { glm::clamp(glm::vec3(tinted), 0.0f, 1.0f), untinted.w };
 }
 
 Deviation::Deviation(float p_shape, float p_color, uint64_t seed) : shape(p_shape), color(p_color) {

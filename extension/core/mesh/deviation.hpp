@@ -35,7 +35,7 @@ public:
 		/// Factor of the distance of a point from the axis, above 0.
 		float stretch(const Bearing &bearing) const;
 		/// The colour of a point, its alpha untouched. Components stay in [0, 1].
-		glm::vec4 tint(const glm::vec4 &color, const Bearing &bearing) const;
+		glm::vec4 tint(const glm::vec4 &untinted, const Bearing &bearing) const;
 	};
 
 	/// Both amounts from 0 to 1. With both 0 there is nothing to ask at().

@@ -46,7 +46,8 @@ bool ProbeCounter::juggle(const Ref<ProbeCounter> &p_ref) {
 		array.push_back(variant);
 		Ref<ProbeCounter> from_array = array[1];
 		Ref<ProbeCounter> again(p_ref.ptr());
-		again = again;
+		const Ref<ProbeCounter> &itself = again; // By another name, or the compiler takes it for a slip.
+		again = itself;
 		again = from_array;
 		if (copy.is_valid() || wrong.is_valid() || again != p_ref || from_variant != p_ref) {
 			return false;
