@@ -7,16 +7,46 @@ const LIBRARY := "res://addons/undergrowth/undergrowth.gdextension"
 
 
 func test_off_and_on_again() -> void:
-	for i in 3:
-		EditorInterface.set_plugin_enabled(PLUGIN, false)
-		await frames(4)
-		check(dock() == null, "nothing is left of the dock")
-		EditorInterface.set_plugin_enabled(PLUGIN, true)
-		await frames(10)
-		check(dock() != null, "the dock is back")
+	# The first time, the editor makes parts of its own that stay.
+	await _switch_off_and_on()
+	var nodes := _count(Performance.OBJECT_NODE_COUNT)
+	var orphans := _count(Performance.OBJECT_ORPHAN_NODE_COUNT)
+	for i in 4:
+		await _switch_off_and_on()
+	check_equal(_count(Performance.OBJECT_NODE_COUNT), nodes, "nodes after four times more")
+	check_equal(_count(Performance.OBJECT_ORPHAN_NODE_COUNT), orphans, "orphans")
 	await open_page("Plant")
 	var counts := part("Plant/Preview/Counts") as Label
 	check(counts.text.contains("tris"), "it shows a plant: " + counts.text)
+
+
+func test_nothing_stays_when_switched_off() -> void:
+	EditorInterface.set_plugin_enabled(PLUGIN, false)
+	await frames(4)
+	check(dock() == null, "no dock")
+	check(not TranslationServer.has_domain(&"undergrowth"), "no texts")
+	var left: Array[String] = []
+	for node in EditorInterface.get_base_control().find_children("*", "", true, false):
+		var script := node.get_script() as Script
+		if script and script.resource_path.begins_with("res://addons/undergrowth/"):
+			left.append(script.resource_path)
+	check_equal(left, [] as Array[String], "nodes with scripts of the add-on")
+	EditorInterface.set_plugin_enabled(PLUGIN, true)
+	await frames(10)
+	check(dock() != null, "the dock is back")
+
+
+func _switch_off_and_on() -> void:
+	EditorInterface.set_plugin_enabled(PLUGIN, false)
+	await frames(4)
+	check(dock() == null, "nothing is left of the dock")
+	EditorInterface.set_plugin_enabled(PLUGIN, true)
+	await frames(20)
+	check(dock() != null, "the dock is back")
+
+
+func _count(monitor: Performance.Monitor) -> int:
+	return int(Performance.get_monitor(monitor))
 
 
 func test_wide_dock_stands_side_by_side() -> void:

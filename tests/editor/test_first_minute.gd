@@ -1,0 +1,57 @@
+@tool
+extends "actions_test.gd"
+## What a newcomer does first: a species of their own, drawn with the mouse, sways in the viewport.
+
+const SCENE := "res://first_minute.tscn"
+const SPECIES := "res://first_minute.tres"
+
+
+func test_a_species_of_ones_own_sways_in_the_viewport() -> void:
+	await _open_scene(SCENE, _make_garden())
+	EditorInterface.set_main_screen_editor("3D")
+	await _choose("Curves")
+	await _draw_a_bulb()
+	await _save()
+	_select([])
+	await _use("Add")
+	var plant := EditorInterface.get_edited_scene_root().get_child(-1) as Plant3D
+	check(plant and plant.function.resource_path == SPECIES, "the scene has the saved species")
+	await open_page("Wind")
+	await click(part("Wind/OnScene") as Control)
+	check(await until(func() -> bool: return plant.get_deflection() > 0.01), "it sways")
+	await open_page("Plant")
+	await take_picture("first_minute")
+	await open_page("Wind")
+	await click(part("Wind/OnScene") as Control)
+	check_equal(plant.get_deflection(), 0.0, "deflection after the end")
+	check_equal(EditorInterface.save_scene(), OK, "saving")
+	var text := FileAccess.get_file_as_string(SCENE)
+	check(text.contains(SPECIES), "the scene names the species' file")
+
+
+## Narrow in the middle, wide at the top.
+func _draw_a_bulb() -> void:
+	var curve := (_state().function as CurvePlantFunction).width_curve
+	var points := part("Plant/Points") as Control
+	await frames(2)
+	var grip := Vector2(points.size.x * curve.get_point_position(1).x, 0.0)
+	await drag(points, grip, Vector2(points.size.x * 0.8, 2.0))
+	check(curve.get_point_position(1).x > 0.7, "the widest place is near the top")
+	await double_click(points, Vector2(points.size.x * 0.5, points.size.y * 0.4))
+	check_equal(curve.point_count, 4, "points")
+
+
+func _save() -> void:
+	await _use("Save")
+	var dialog := _dialog("EditorFileDialog") as EditorFileDialog
+	check(dialog != null, "the file dialog opens")
+	await _type_into(dialog, dialog.get_line_edit(), SPECIES)
+	await click(dialog.get_ok_button())
+	await frames(3)
+	check(FileAccess.file_exists(SPECIES), "the file is there: " + _message())
+
+
+func _make_garden() -> Node3D:
+	var root := Node3D.new()
+	root.name = "FirstMinute"
+	return root

@@ -1,0 +1,55 @@
+"""Every text that the editor's dock shows is in each translation, and no translation has others."""
+
+import re
+import unittest
+from pathlib import Path
+
+EDITOR = Path(__file__).resolve().parents[2] / "addons/undergrowth"
+STRING = r'"((?:[^"\\]|\\.)*)"'
+# In scripts: what is translated by name. Plural forms are asked for by the first.
+CALLS = re.compile(r"\b(?:tr|tr_n|Translations\.text)\(\s*" + STRING)
+# In scenes: properties that the engine translates.
+PROPERTIES = re.compile(r"^(?:text|tooltip_text|placeholder_text|title|ok_button_text|cancel_button_text|suffix|label)"
+                        r" = " + STRING, re.MULTILINE | re.DOTALL)
+ENTRY = re.compile(r'^msgid ((?:"(?:[^"\\]|\\.)*"\n?)+)', re.MULTILINE)
+# Symbols, units and paths are the same in every language.
+LETTERS = re.compile(r"[A-Za-z]{2}")
+SAME = {"Hz", "res://"}
+
+
+def shown():
+    """The texts of all scripts and scenes, with where they stand."""
+    found = {}
+    for pattern, ending in ((CALLS, "*.gd"), (PROPERTIES, "*.tscn")):
+        for path in sorted(EDITOR.rglob(ending)):
+            for text in pattern.findall(path.read_text(encoding="utf-8")):
+                if LETTERS.search(text) and text not in SAME:
+                    found.setdefault(text.replace("\n", "\\n"), path.relative_to(EDITOR))
+    return found
+
+
+def entries(path):
+    joined = ["".join(re.findall(STRING, lines)) for lines in ENTRY.findall(path.read_text(encoding="utf-8"))]
+    return {text for text in joined if text}
+
+
+class Translations(unittest.TestCase):
+    def test_there_are_texts_and_translations(self):
+        self.assertGreater(len(shown()), 100)
+        self.assertTrue(list(EDITOR.rglob("*.po")))
+
+    def test_each_text_is_translated(self):
+        for path in EDITOR.rglob("*.po"):
+            missing = {text: str(place) for text, place in shown().items() if text not in entries(path)}
+            self.assertEqual(missing, {}, path.name)
+
+    def test_no_translation_is_of_a_text_that_is_gone(self):
+        sources = "".join(path.read_text(encoding="utf-8") for ending in ("*.gd", "*.tscn")
+                          for path in sorted(EDITOR.rglob(ending)))
+        for path in EDITOR.rglob("*.po"):
+            idle = {text for text in entries(path) if text not in shown() and text not in sources}
+            self.assertEqual(idle, set(), path.name)
+
+
+if __name__ == "__main__":
+    unittest.main()
