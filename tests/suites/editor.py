@@ -43,6 +43,11 @@ TEST_LINE = re.compile(r"^(ok|not ok) (.*)$", re.MULTILINE)
 START_LINE = re.compile(r"^start$", re.MULTILINE)
 END_LINE = re.compile(r"^(\d+) passed, (\d+) failed$", re.MULTILINE)
 COMPLAINT = re.compile(r"^(?:USER )?(?:SCRIPT )?(?:ERROR|WARNING): .*$", re.MULTILINE)
+# While dialogs come and go, the thread that waits for events may use an input context that is gone
+# (godotengine/godot#118399 and #74548): seen once in a dozen whole runs.
+INPUT_METHOD_CRASH = re.compile(r"handle_crash: .*^\[\d+\] \S*libX11\S*\((?:XFilterEvent|X\w*IC\w*)\+",
+                                re.MULTILINE | re.DOTALL)
+ATTEMPTS = 3
 # What a virtual display makes the engine say.
 EXPECTED = "WARNING: Could not set V-Sync mode"
 
@@ -101,12 +106,26 @@ def run(godot):
 
 
 def run_once(godot, name):
+    """One run; another one from the same project where the engine's input methods crashed, which is not ours."""
+    before = FOLDER.with_name(FOLDER.name + "_before")
+    shutil.rmtree(before, ignore_errors=True)
+    shutil.copytree(FOLDER, before)
+    for attempt in range(ATTEMPTS):
+        output, problem = start_editor(godot, name)
+        if attempt == ATTEMPTS - 1 or not INPUT_METHOD_CRASH.search(output):
+            return read_output(output, problem)
+        print(f"editor:{name}: the engine's thread for X11 input methods crashed; once more", flush=True)
+        shutil.rmtree(FOLDER)
+        shutil.copytree(before, FOLDER)
+
+
+def start_editor(godot, name):
     words = [godot, "--editor", "--path", FOLDER, "--rendering-method", "gl_compatibility", "--audio-driver", "Dummy",
              "--", f"--editor-tests={','.join(scripts_of(name))}", f"--pictures={PICTURES}"]
     screen = DENSE_SCREEN if name in SETTINGS else SCREEN
     with display.virtual(*screen, window_manager=True) as environment:
         environment = own_home(environment, SETTINGS.get(name, ""))
-        return read_output(*result.run(f"editor:{name}", words, timeout=TIMEOUT, environment=environment))
+        return result.run(f"editor:{name}", words, timeout=TIMEOUT, environment=environment)
 
 
 def add(total, part):
