@@ -6,7 +6,7 @@
 ## part of what is subtracted.
 extends SceneTree
 
-const COUNTS: Array[int] = [100, 1000, 10000]
+const COUNTS: Array[int] = [100, 1000, 3000, 10000]
 const WARM_UP_FRAMES := 30
 const BLOCKS := 21
 const FRAMES_PER_BLOCK := 12

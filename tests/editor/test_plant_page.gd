@@ -3,6 +3,8 @@ extends "editor_test.gd"
 ## The plant page: the list, the preview, the properties.
 
 const EditorState := preload("res://addons/undergrowth/editor/editor_state.gd")
+const MANY := 20
+const MANY_FILES := "res://dock_many_%d.tres"
 const SPECIES_FILE := "res://dock_species.tres"
 
 
@@ -125,6 +127,24 @@ func test_project_species_come_and_go() -> void:
 	check(_state().function is TulipFunction, "its plant stays")
 	var text := (part("Status/Text") as Label).text
 	check(text.contains(SPECIES_FILE), "the status line tells: " + text)
+
+
+func test_list_is_refreshed_while_pictures_wait() -> void:
+	await open_page("Plant")
+	var list := part("Plant/List/ProjectList") as ItemList
+	for i in MANY:
+		var path := MANY_FILES % i
+		check_equal(ResourceSaver.save(ReedFunction.new(), path), OK, "saving " + path)
+		if i < MANY - 2:
+			continue
+		EditorInterface.get_resource_filesystem().scan()
+		check(await until(func() -> bool: return _index_of(list, path) >= 0), path + " is listed")
+	await frames(MANY)
+	for i in MANY:
+		DirAccess.remove_absolute(ProjectSettings.globalize_path(MANY_FILES % i))
+	EditorInterface.get_resource_filesystem().scan()
+	var gone := func() -> bool: return _index_of(list, MANY_FILES % (MANY - 1)) < 0
+	check(await until(gone), "deleted files leave the list")
 
 
 func test_picture_of_the_plant_page() -> void:

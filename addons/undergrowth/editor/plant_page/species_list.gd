@@ -126,7 +126,8 @@ func _on_catalog_changed() -> void:
 	for entry: SpeciesEntry in _entries():
 		if _stamps.get(entry.key, -1) != entry.stamp:
 			_stamps[entry.key] = entry.stamp
-			_photo.request(entry.key, entry.instantiate)
+			# A bound method would not keep the entry, which goes when files are looked through anew.
+			_photo.request(entry.key, func() -> PlantFunction: return entry.instantiate())
 			wanted += 1
 	if wanted >= MANY and _state.work_total == 0:
 		_work_title = tr("Taking pictures of %d species") % wanted
