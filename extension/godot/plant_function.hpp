@@ -80,8 +80,6 @@ public:
 
 	/// Samples the plant for a mesh. Height 0 asks the function. Returns what is wrong and what to do, or nothing.
 	godot::String sample(double height, int lod, int64_t seed, SampledPlant &result);
-	/// The mesh of a valid sample.
-	godot::Ref<godot::ArrayMesh> build(const SampledPlant &sample, int64_t seed) const;
 	/// The joint of a plant of `length` metres whose root stands in `frame` (its up axis and turn, orthonormal).
 	Joint make_joint(float length, const godot::Basis &frame) const;
 	/// True while `changed` is emitted for a property that leaves meshes as they are.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/area_edges.hpp"
+#include "stand/area_edges.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "field/area_row.hpp"
+#include "stand/area_row.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "field/placement.hpp"
+#include "stand/placement.hpp"
 #include "test_placement_fixture.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-#include "field/plants.hpp"
+#include "stand/plants.hpp"
 
 #include "base/portable_math.hpp"
 #include "conventions.hpp"

@@ -1,6 +1,6 @@
-#include "field/area.hpp"
+#include "stand/area.hpp"
 
-#include "field/area_edges.hpp"
+#include "stand/area_edges.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/area.hpp"
+#include "stand/area.hpp"
 
 #include <glm/vec2.hpp>
 

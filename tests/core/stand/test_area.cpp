@@ -1,5 +1,5 @@
-#include "field/area.hpp"
-#include "field/area_row.hpp"
+#include "stand/area.hpp"
+#include "stand/area_row.hpp"
 
 #include <doctest/doctest.h>
 

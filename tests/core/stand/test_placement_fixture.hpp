@@ -1,7 +1,7 @@
 #pragma once
 
 #include "../golden.hpp"
-#include "field/placement.hpp"
+#include "stand/placement.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,8 +1,8 @@
-#include "field/placement.hpp"
+#include "stand/placement.hpp"
 
 #include "base/random.hpp"
 #include "conventions.hpp"
-#include "field/area_row.hpp"
+#include "stand/area_row.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "conventions.hpp"
-#include "field/placement.hpp"
+#include "stand/placement.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "field/area.hpp"
-#include "field/plants.hpp"
+#include "stand/area.hpp"
+#include "stand/plants.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -70,6 +70,8 @@ public:
 	explicit Placement(const PlacementRequest &request);
 
 	PlacementFault fault() const { return found; }
+	/// The side of a cell (m).
+	double cell_size() const { return spacing; }
 	/// Rows of cells, along x, by increasing z.
 	int row_count() const { return rows; }
 	/// Appends the plants of rows [begin, end), y = 0. Rows placed one after the other in any ranges give the same
