@@ -23,7 +23,8 @@ bool is_valid(const FieldBody &body);
 /// it.
 bool push_plant(TipState &state, const glm::vec3 &root, float length, float thickness, const FieldBody &body);
 
-/// Calls visit(index) for each plant of a page that the body may touch, in rising order. `body`: valid.
+/// Calls visit(index) for each plant of a page that the body may touch, in rising order; never for one that is gone.
+/// `body`: valid.
 template <class Visit> void for_each_in_reach(const FieldPage &page, const FieldBody &body, const Visit &visit);
 
 /// Pushes the plants of a swinging page out of a body: the tip, which is a sphere of the collision radius, and a point
@@ -49,7 +50,9 @@ template <class Visit> void for_each_in_reach(const FieldPage &page, const Field
 	const float *lengths = page.lengths();
 	for (int i = 0; i < page.size(); i++) {
 		const float reach = lengths[i];
-		if (x[i] + reach >= low.x && x[i] - reach <= high.x && z[i] + reach >= low.z && z[i] - reach <= high.z) {
+		const bool is_near =
+				x[i] + reach >= low.x && x[i] - reach <= high.x && z[i] + reach >= low.z && z[i] - reach <= high.z;
+		if (is_near && reach > 0.0f) {
 			visit(i);
 		}
 	}

@@ -105,6 +105,9 @@ void TipContact::for_each_contact(const FieldSimulation &field, const SortedTip 
 			}
 			const FieldPage &own_page = field.page(pages[own.tip]);
 			const FieldPage &page = field.page(pages[other.tip]);
+			if (own_page.is_gone(index_of(own.tip)) || page.is_gone(index_of(other.tip))) {
+				continue;
+			}
 			const float sum = own_page.collision_radius() + page.collision_radius();
 			if (squared >= sum * sum) {
 				continue;

@@ -143,7 +143,17 @@ void FieldPage::settle() {
 	}
 }
 
+void FieldPage::drop(int index) {
+	if (is_gone(index)) {
+		return;
+	}
+	column(LENGTH)[index] = 0.0f;
+	settle(index);
+	gone++;
+}
+
 void FieldPage::remove(int index) {
+	gone -= is_gone(index) ? 1 : 0;
 	const std::size_t last = static_cast<std::size_t>(size()) - 1;
 	rows.remove_row(index);
 	pairs[2 * static_cast<std::size_t>(index)] = pairs[2 * last];

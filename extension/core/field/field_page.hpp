@@ -46,7 +46,12 @@ public:
 			bool swings);
 
 	int species() const { return species_number; }
+	/// Rows, those of plants that are gone included.
 	int size() const { return rows.size(); }
+	/// Plants that are not gone.
+	int standing() const { return size() - gone; }
+	/// Whether a plant was dropped: its row keeps its index, and its length is 0.
+	bool is_gone(int index) const { return lengths()[index] <= 0.0f; }
 	bool swings() const { return is_swinging; }
 	/// Seconds of the step that the constants are for.
 	float step_length() const { return step_time; }
@@ -75,6 +80,8 @@ public:
 	void reserve(int plants);
 	/// Appends `count` valid plants, at rest; no more than PAGE_PLANTS in all.
 	void add(const FieldPlant *plants, int count);
+	/// Takes plant `index` away and leaves its row, upright and without length. Nothing where it is gone.
+	void drop(int index);
 	/// Removes plant `index`; the last one takes its index.
 	void remove(int index);
 
@@ -102,6 +109,7 @@ private:
 	int species_number;
 	bool is_swinging;
 	float step_time; ///< s.
+	int gone = 0;
 	FieldSpecies kind;
 	SpringConstants spring = {};
 	ElasticityConstants elasticity = {}; ///< Only what does not depend on a plant's length.

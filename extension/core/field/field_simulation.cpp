@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <utility>
 
 namespace undergrowth {
 
@@ -77,10 +78,19 @@ int FieldSimulation::add_page(int species, const FieldPlant *plants, int count) 
 	}
 	const FieldSpecies &kind = kinds[static_cast<std::size_t>(species)];
 	const float step_length = options.step * static_cast<float>(options.update_interval);
-	entries.push_back({ FieldPage(species, kind, plants, count, step_length, models.empty()), {}, 1, 1, 0, -1 });
-	entries.back().interval = options.update_interval;
-	take_in(entries.back(), plants, count);
-	return page_count() - 1;
+	Entry entry = { FieldPage(species, kind, plants, count, step_length, models.empty()), {}, 1, 1, 0, -1, false };
+	entry.interval = options.update_interval;
+	const auto is_free = [](const Entry &one) { return one.is_free; };
+	const auto place = std::find_if(entries.begin(), entries.end(), is_free);
+	const int number = static_cast<int>(place - entries.begin());
+	if (place == entries.end()) {
+		entries.push_back(std::move(entry));
+	} else {
+		entry.loose_version = place->loose_version + 1; // Whoever remembers the old one sees a change.
+		*place = std::move(entry);
+	}
+	take_in(at(number), plants, count);
+	return number;
 }
 
 bool FieldSimulation::add_to_page(int page, const FieldPlant *plants, int count) {
@@ -94,10 +104,7 @@ bool FieldSimulation::add_to_page(int page, const FieldPlant *plants, int count)
 
 /// What plants that a page has just got mean for the field: its box, and whom they follow.
 void FieldSimulation::take_in(Entry &entry, const FieldPlant *plants, int count) {
-	const bool first = page_count() == 1;
-	box_low = first ? entry.page.low() : glm::min(box_low, entry.page.low());
-	box_high = first ? entry.page.high() : glm::max(box_high, entry.page.high());
-	update_lead();
+	update_box();
 	if (models.empty()) {
 		return;
 	}
@@ -110,6 +117,40 @@ void FieldSimulation::take_in(Entry &entry, const FieldPlant *plants, int count)
 		entry.followers.push_back(follower);
 	}
 	loose_of(entry).reserve(count_of_species(entry.page.species()));
+}
+
+/// The box of all plants, and what depends on it.
+void FieldSimulation::update_box() {
+	bool is_first = true;
+	for (const Entry &entry : entries) {
+		if (entry.page.size() == 0) {
+			continue;
+		}
+		box_low = is_first ? entry.page.low() : glm::min(box_low, entry.page.low());
+		box_high = is_first ? entry.page.high() : glm::max(box_high, entry.page.high());
+		is_first = false;
+	}
+	update_lead();
+}
+
+void FieldSimulation::drop(int page, int index) {
+	Entry &entry = at(page);
+	if (!entry.followers.empty()) {
+		follow_again(entry, index);
+	}
+	entry.page.drop(index);
+}
+
+void FieldSimulation::remove_page(int page) {
+	Entry &entry = at(page);
+	for (std::size_t i = 0; i < entry.followers.size(); i++) {
+		follow_again(entry, static_cast<int>(i));
+	}
+	entry.followers = {};
+	const int species = entry.page.species();
+	entry.page = FieldPage(species, kinds[static_cast<std::size_t>(species)], nullptr, 0, options.step, models.empty());
+	entry.is_free = true;
+	update_box();
 }
 
 void FieldSimulation::remove(int page, int index) {

@@ -41,15 +41,22 @@ public:
 	void set_species(int index, const FieldSpecies &species);
 	int species_count() const { return static_cast<int>(kinds.size()); }
 
-	/// A page of `count` plants of one species, up to FieldPage::PAGE_PLANTS; tells its index. Where a plant is not
-	/// valid, the species is unknown or they are too many, nothing is added and it tells -1.
+	/// A page of `count` plants of one species, up to FieldPage::PAGE_PLANTS; tells its number, which is the lowest one
+	/// that remove_page() freed, if any. Where a plant is not valid, the species is unknown or they are too many,
+	/// nothing is added and it tells -1.
 	int add_page(int species, const FieldPlant *plants, int count);
 	/// Appends plants of its species to a page that has room for them; their indices follow those that are there.
 	/// Tells false, and adds nothing, where a plant is not valid or there is no room.
 	bool add_to_page(int page, const FieldPlant *plants, int count);
 	void remove(int page, int index);
+	/// Takes a plant away; all others keep their index. Its row stays, and no body, blow, contact or question finds it.
+	void drop(int page, int index);
+	/// Takes a page with all its plants away; other pages keep their numbers. Until add_page() gives the number anew, it
+	/// names a page without plants.
+	void remove_page(int page);
 	/// Removes all pages; species and time stay.
 	void clear();
+	/// Page numbers are below it, also those that are free.
 	int page_count() const { return static_cast<int>(entries.size()); }
 	int plant_count() const;
 	/// Plants that are stepped, prototypes included.
@@ -124,6 +131,7 @@ private:
 		int interval = 1; ///< Of the last step, in steps.
 		int loose_version = 0;
 		int64_t last_step = -1;
+		bool is_free = false; ///< Nobody's, for the next add_page().
 	};
 
 	FieldSettings options;
@@ -141,6 +149,7 @@ private:
 
 	const Entry &at(int page) const { return entries[static_cast<std::size_t>(page)]; }
 	Entry &at(int page) { return entries[static_cast<std::size_t>(page)]; }
+	void update_box();
 	void take_in(Entry &entry, const FieldPlant *plants, int count);
 	void step_prototypes(int64_t number);
 	bool is_due(int page, int64_t number) const;

@@ -61,7 +61,7 @@ LoosePlants &FieldSimulation::loose_of(const Entry &entry) {
 int FieldSimulation::count_of_species(int species) const {
 	int plants = 0;
 	for (const Entry &entry : entries) {
-		plants += entry.page.species() == species ? entry.page.size() : 0;
+		plants += entry.page.species() == species ? entry.page.standing() : 0;
 	}
 	return plants;
 }

@@ -22,7 +22,7 @@ bool contains(const FieldPage &page, const glm::vec3 &point, float margin) {
 int FieldSimulation::plant_count() const {
 	int plants = 0;
 	for (const Entry &entry : entries) {
-		plants += entry.page.size();
+		plants += entry.page.standing();
 	}
 	return plants;
 }
@@ -50,7 +50,7 @@ int FieldSimulation::due_count() const {
 	}
 	for (int page = 0; page < page_count(); page++) {
 		const bool steps = at(page).page.swings() || options.write_followers;
-		due += steps && is_due(page, next_step) ? at(page).page.size() : 0;
+		due += steps && is_due(page, next_step) ? at(page).page.standing() : 0;
 	}
 	return due;
 }
@@ -77,6 +77,9 @@ TipState FieldSimulation::state(int page, int index) const {
 
 void FieldSimulation::apply_impulse(int page, int index, const glm::vec3 &impulse) {
 	FieldPage &plants = at(page).page;
+	if (plants.is_gone(index)) {
+		return;
+	}
 	TipState pushed = state(page, index);
 	pushed.rate += impulse / (plants.mass() * plants.length(index));
 	if (plants.swings()) {
@@ -104,7 +107,7 @@ bool FieldSimulation::is_point_in_plants(const glm::vec3 &point, float margin) c
 		const float radius = entry.page.collision_radius() + margin;
 		for (int i = 0; i < entry.page.size(); i++) {
 			const float reach = entry.page.length(i) + radius;
-			if (std::fabs(x[i] - point.x) > reach || std::fabs(z[i] - point.z) > reach) {
+			if (entry.page.is_gone(i) || std::fabs(x[i] - point.x) > reach || std::fabs(z[i] - point.z) > reach) {
 				continue;
 			}
 			const glm::vec3 nearest = nearest_on_segment(entry.page.root(i), entry.page.tip(i), point);
