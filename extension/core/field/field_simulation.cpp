@@ -1,7 +1,7 @@
 #include "field/field_simulation.hpp"
 
 #include "base/random.hpp"
-#include "pendulum/gnomonic.hpp"
+#include "motion/gnomonic.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -36,8 +36,8 @@ uint64_t place_hash(uint64_t seed, const glm::vec3 &root) {
 	return mix_bits(mix_bits(seed ^ place[0]) ^ place[1]);
 }
 
-bool are_valid(const FieldPlant *plants, int count) {
-	return std::all_of(plants, plants + count, [](const FieldPlant &plant) { return is_valid(plant); });
+bool are_valid(const MotionPlant *plants, int count) {
+	return std::all_of(plants, plants + count, [](const MotionPlant &plant) { return is_valid(plant); });
 }
 
 } // namespace
@@ -46,7 +46,7 @@ FieldSimulation::FieldSimulation(const FieldSettings &settings) : options(safe_s
 	along = winds_along(blowing);
 }
 
-int FieldSimulation::add_species(const FieldSpecies &species) {
+int FieldSimulation::add_species(const MotionSpecies &species) {
 	kinds.push_back(species);
 	if (options.prototypes > 0) {
 		models.emplace_back(species_count() - 1, species, options.prototypes, options.step);
@@ -55,7 +55,7 @@ int FieldSimulation::add_species(const FieldSpecies &species) {
 	return species_count() - 1;
 }
 
-void FieldSimulation::set_species(int index, const FieldSpecies &species) {
+void FieldSimulation::set_species(int index, const MotionSpecies &species) {
 	kinds[static_cast<std::size_t>(index)] = species;
 	for (Entry &entry : entries) {
 		if (entry.page.species() == index) {
@@ -68,23 +68,23 @@ void FieldSimulation::set_species(int index, const FieldSpecies &species) {
 	}
 }
 
-int FieldSimulation::add_page(int species, const FieldPlant *plants, int count) {
-	if (species < 0 || species >= species_count() || count < 0 || count > FieldPage::PAGE_PLANTS) {
+int FieldSimulation::add_page(int species, const MotionPlant *plants, int count) {
+	if (species < 0 || species >= species_count() || count < 0 || count > MotionPage::PAGE_PLANTS) {
 		return -1;
 	}
 	if (!are_valid(plants, count)) {
 		return -1;
 	}
-	const FieldSpecies &kind = kinds[static_cast<std::size_t>(species)];
+	const MotionSpecies &kind = kinds[static_cast<std::size_t>(species)];
 	const float step_length = options.step * static_cast<float>(options.update_interval);
-	entries.push_back({ FieldPage(species, kind, plants, count, step_length, models.empty()), {}, 1, 1, 0, -1 });
+	entries.push_back({ MotionPage(species, kind, plants, count, step_length, models.empty()), {}, 1, 1, 0, -1 });
 	entries.back().interval = options.update_interval;
 	take_in(entries.back(), plants, count);
 	return page_count() - 1;
 }
 
-bool FieldSimulation::add_to_page(int page, const FieldPlant *plants, int count) {
-	if (count < 0 || at(page).page.size() + count > FieldPage::PAGE_PLANTS || !are_valid(plants, count)) {
+bool FieldSimulation::add_to_page(int page, const MotionPlant *plants, int count) {
+	if (count < 0 || at(page).page.size() + count > MotionPage::PAGE_PLANTS || !are_valid(plants, count)) {
 		return false;
 	}
 	at(page).page.add(plants, count);
@@ -93,7 +93,7 @@ bool FieldSimulation::add_to_page(int page, const FieldPlant *plants, int count)
 }
 
 /// What plants that a page has just got mean for the field: its box, and whom they follow.
-void FieldSimulation::take_in(Entry &entry, const FieldPlant *plants, int count) {
+void FieldSimulation::take_in(Entry &entry, const MotionPlant *plants, int count) {
 	const bool first = page_count() == 1;
 	box_low = first ? entry.page.low() : glm::min(box_low, entry.page.low());
 	box_high = first ? entry.page.high() : glm::max(box_high, entry.page.high());
