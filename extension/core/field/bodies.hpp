@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/field_page.hpp"
+#include "motion/motion_page.hpp"
 
 #include <glm/common.hpp>
 
@@ -25,20 +25,20 @@ bool push_plant(TipState &state, const glm::vec3 &root, float length, float thic
 
 /// Calls visit(index) for each plant of a page that the body may touch, in rising order; never for one that is gone.
 /// `body`: valid.
-template <class Visit> void for_each_in_reach(const FieldPage &page, const FieldBody &body, const Visit &visit);
+template <class Visit> void for_each_in_reach(const MotionPage &page, const FieldBody &body, const Visit &visit);
 
 /// Pushes the plants of a swinging page out of a body: the tip, which is a sphere of the collision radius, and a point
 /// of the upper stem, along their spheres, by as much as they are inside. What they move towards the body, seen from
 /// it, they lose; nothing springs back from it. Tells how many plants were touched.
-int push_plants(FieldPage &page, const FieldBody &body);
+int push_plants(MotionPage &page, const FieldBody &body);
 
 /// The point of a segment that is nearest to `point`.
 glm::vec3 nearest_on_segment(const glm::vec3 &from, const glm::vec3 &to, const glm::vec3 &point);
 
 /// Whether a plant of the page could be touched.
-bool boxes_overlap(const FieldPage &page, const FieldBody &body);
+bool boxes_overlap(const MotionPage &page, const FieldBody &body);
 
-template <class Visit> void for_each_in_reach(const FieldPage &page, const FieldBody &body, const Visit &visit) {
+template <class Visit> void for_each_in_reach(const MotionPage &page, const FieldBody &body, const Visit &visit) {
 	if (!boxes_overlap(page, body)) {
 		return;
 	}

@@ -1,7 +1,7 @@
 #include "field/field_simulation.hpp"
 
 #include "base/random.hpp"
-#include "pendulum/gnomonic.hpp"
+#include "motion/gnomonic.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -37,8 +37,8 @@ uint64_t place_hash(uint64_t seed, const glm::vec3 &root) {
 	return mix_bits(mix_bits(seed ^ place[0]) ^ place[1]);
 }
 
-bool are_valid(const FieldPlant *plants, int count) {
-	return std::all_of(plants, plants + count, [](const FieldPlant &plant) { return is_valid(plant); });
+bool are_valid(const MotionPlant *plants, int count) {
+	return std::all_of(plants, plants + count, [](const MotionPlant &plant) { return is_valid(plant); });
 }
 
 } // namespace
@@ -47,7 +47,7 @@ FieldSimulation::FieldSimulation(const FieldSettings &settings) : options(safe_s
 	along = winds_along(blowing);
 }
 
-int FieldSimulation::add_species(const FieldSpecies &species) {
+int FieldSimulation::add_species(const MotionSpecies &species) {
 	kinds.push_back(species);
 	if (options.prototypes > 0) {
 		models.emplace_back(species_count() - 1, species, options.prototypes, options.step);
@@ -56,7 +56,7 @@ int FieldSimulation::add_species(const FieldSpecies &species) {
 	return species_count() - 1;
 }
 
-void FieldSimulation::set_species(int index, const FieldSpecies &species) {
+void FieldSimulation::set_species(int index, const MotionSpecies &species) {
 	kinds[static_cast<std::size_t>(index)] = species;
 	for (Entry &entry : entries) {
 		if (entry.page.species() == index) {
@@ -69,16 +69,16 @@ void FieldSimulation::set_species(int index, const FieldSpecies &species) {
 	}
 }
 
-int FieldSimulation::add_page(int species, const FieldPlant *plants, int count) {
-	if (species < 0 || species >= species_count() || count < 0 || count > FieldPage::PAGE_PLANTS) {
+int FieldSimulation::add_page(int species, const MotionPlant *plants, int count) {
+	if (species < 0 || species >= species_count() || count < 0 || count > MotionPage::PAGE_PLANTS) {
 		return -1;
 	}
 	if (!are_valid(plants, count)) {
 		return -1;
 	}
-	const FieldSpecies &kind = kinds[static_cast<std::size_t>(species)];
+	const MotionSpecies &kind = kinds[static_cast<std::size_t>(species)];
 	const float step_length = options.step * static_cast<float>(options.update_interval);
-	Entry entry = { FieldPage(species, kind, plants, count, step_length, models.empty()), {}, 1, 1, 0, -1, false };
+	Entry entry = { MotionPage(species, kind, plants, count, step_length, models.empty()), {}, 1, 1, 0, -1, false };
 	entry.interval = options.update_interval;
 	const auto is_free = [](const Entry &one) { return one.is_free; };
 	const auto place = std::find_if(entries.begin(), entries.end(), is_free);
@@ -93,8 +93,8 @@ int FieldSimulation::add_page(int species, const FieldPlant *plants, int count) 
 	return number;
 }
 
-bool FieldSimulation::add_to_page(int page, const FieldPlant *plants, int count) {
-	if (count < 0 || at(page).page.size() + count > FieldPage::PAGE_PLANTS || !are_valid(plants, count)) {
+bool FieldSimulation::add_to_page(int page, const MotionPlant *plants, int count) {
+	if (count < 0 || at(page).page.size() + count > MotionPage::PAGE_PLANTS || !are_valid(plants, count)) {
 		return false;
 	}
 	at(page).page.add(plants, count);
@@ -103,7 +103,7 @@ bool FieldSimulation::add_to_page(int page, const FieldPlant *plants, int count)
 }
 
 /// What plants that a page has just got mean for the field: its box, and whom they follow.
-void FieldSimulation::take_in(Entry &entry, const FieldPlant *plants, int count) {
+void FieldSimulation::take_in(Entry &entry, const MotionPlant *plants, int count) {
 	update_box();
 	if (models.empty()) {
 		return;
@@ -148,7 +148,7 @@ void FieldSimulation::remove_page(int page) {
 	}
 	entry.followers = {};
 	const int species = entry.page.species();
-	entry.page = FieldPage(species, kinds[static_cast<std::size_t>(species)], nullptr, 0, options.step, models.empty());
+	entry.page = MotionPage(species, kinds[static_cast<std::size_t>(species)], nullptr, 0, options.step, models.empty());
 	entry.is_free = true;
 	update_box();
 }

@@ -88,7 +88,7 @@ void FieldSimulation::push_follower(Entry &entry, int index, const TipState &sta
 	if (some.is_full()) {
 		return;
 	}
-	FieldPlant plant;
+	MotionPlant plant;
 	plant.root = entry.page.root(index);
 	plant.length = entry.page.length(index);
 	plant.rest = models[static_cast<std::size_t>(entry.page.species())].rest(follower.prototype);

@@ -1,7 +1,7 @@
 // What a FieldSimulation is asked, and blows between steps.
 
 #include "field/field_simulation.hpp"
-#include "pendulum/gnomonic.hpp"
+#include "motion/gnomonic.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -12,7 +12,7 @@ namespace undergrowth {
 
 namespace {
 
-bool contains(const FieldPage &page, const glm::vec3 &point, float margin) {
+bool contains(const MotionPage &page, const glm::vec3 &point, float margin) {
 	return point.x >= page.low().x - margin && point.x <= page.high().x + margin && point.y >= page.low().y - margin &&
 			point.y <= page.high().y + margin && point.z >= page.low().z - margin && point.z <= page.high().z + margin;
 }
@@ -76,7 +76,7 @@ TipState FieldSimulation::state(int page, int index) const {
 }
 
 void FieldSimulation::apply_impulse(int page, int index, const glm::vec3 &impulse) {
-	FieldPage &plants = at(page).page;
+	MotionPage &plants = at(page).page;
 	if (plants.is_gone(index)) {
 		return;
 	}
@@ -123,7 +123,7 @@ double FieldSimulation::bytes_per_plant() const {
 	const int plants = plant_count();
 	std::size_t bytes = entries.capacity() * sizeof(Entry);
 	for (const Entry &entry : entries) {
-		bytes += entry.page.bytes() - sizeof(FieldPage) + entry.followers.capacity() * sizeof(Follower);
+		bytes += entry.page.bytes() - sizeof(MotionPage) + entry.followers.capacity() * sizeof(Follower);
 	}
 	for (const Prototypes &model : models) {
 		bytes += model.bytes();

@@ -17,7 +17,7 @@ static constexpr int PAIRS_PER_LAYER = SIDE * SIDE;
 static constexpr int HISTORY_LAYERS = Prototypes::SLOTS * Prototypes::MOST / PAIRS_PER_LAYER;
 static constexpr int SPECIES_LAYERS = HISTORY_LAYERS + 1; // And one of loose plants.
 static_assert(LoosePlants::MOST <= PAIRS_PER_LAYER, "loose plants of a species have one layer");
-static_assert(FieldPage::PAGE_PLANTS == PAIRS_PER_LAYER && Prototypes::MOST == SIDE, "a row of a layer is a slot");
+static_assert(MotionPage::PAGE_PLANTS == PAIRS_PER_LAYER && Prototypes::MOST == SIDE, "a row of a layer is a slot");
 
 FieldBends::~FieldBends() {
 	RenderingServer *server = RenderingServer::get_singleton();
@@ -148,7 +148,7 @@ void FieldBends::write_history(const FieldSimulation &simulation) {
 		const int slot = models.newest_slot();
 		const Bend *from = models.history() + 2 * size_t(slot) * Prototypes::MOST;
 		write_layer(history_layer(species) + slot / SIDE, from, SIDE, slot % SIDE * SIDE);
-		const FieldPage &loose = simulation.loose_plants(species)->page();
+		const MotionPage &loose = simulation.loose_plants(species)->page();
 		if (loose.size() > 0) {
 			write_layer(history_layer(species) + HISTORY_LAYERS, loose.bends(), loose.size(), 0);
 		}

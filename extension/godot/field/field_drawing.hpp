@@ -29,8 +29,8 @@ struct FieldPatch {
 	FieldChunks chunks;
 	std::vector<uint32_t> places; ///< page·PAGE_PLANTS + index, or GONE for a plant that was removed.
 
-	int page(int plant) const { return int(places[size_t(plant)] / FieldPage::PAGE_PLANTS); }
-	int index(int plant) const { return int(places[size_t(plant)] % FieldPage::PAGE_PLANTS); }
+	int page(int plant) const { return int(places[size_t(plant)] / MotionPage::PAGE_PLANTS); }
+	int index(int plant) const { return int(places[size_t(plant)] % MotionPage::PAGE_PLANTS); }
 };
 
 /// A square of the ground at one level of detail: FieldLevel::chunk_factor chunks wide.

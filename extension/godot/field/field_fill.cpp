@@ -27,14 +27,14 @@ static void add_page(
 		const FieldStyle &style, FieldSimulation &simulation, const PagePlan &plan, int number, FieldPatch &patch) {
 	const std::vector<int> members = plan.plants(number);
 	const int species = plan.pages[size_t(number)].species;
-	std::vector<FieldPlant> simulated;
+	std::vector<MotionPlant> simulated;
 	simulated.reserve(members.size());
 	for (const int plant : members) {
 		simulated.push_back(style.looks[size_t(species)].to_simulate(patch.plants.plant(plant)));
 	}
 	const int page = simulation.add_page(species, simulated.data(), int(simulated.size()));
 	for (size_t i = 0; page >= 0 && i < members.size(); i++) {
-		patch.places[size_t(members[i])] = uint32_t(page) * FieldPage::PAGE_PLANTS + uint32_t(i);
+		patch.places[size_t(members[i])] = uint32_t(page) * MotionPage::PAGE_PLANTS + uint32_t(i);
 	}
 }
 
@@ -43,7 +43,7 @@ static void take_in(const FieldStyle &style, FieldSimulation &simulation, float 
 	const std::vector<float> reach = reaches(style);
 	patch.chunks = sort_into_chunks(patch.plants, chunk_size, reach.data(), int(reach.size()));
 	patch.places.assign(size_t(patch.plants.size()), FieldPatch::GONE);
-	const PagePlan plan = plan_pages(patch.chunks, FieldPage::PAGE_PLANTS);
+	const PagePlan plan = plan_pages(patch.chunks, MotionPage::PAGE_PLANTS);
 	for (int page = 0; page < int(plan.pages.size()); page++) {
 		add_page(style, simulation, plan, page, patch);
 	}

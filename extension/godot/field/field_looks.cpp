@@ -93,8 +93,8 @@ float FieldLook::length_of(const PlacedPlant &plant) const {
 	return variants[plant.variant].height * plant.height * plant.scale;
 }
 
-FieldPlant FieldLook::to_simulate(const PlacedPlant &plant) const {
-	FieldPlant simulated;
+MotionPlant FieldLook::to_simulate(const PlacedPlant &plant) const {
+	MotionPlant simulated;
 	simulated.root = plant.root;
 	simulated.length = length_of(plant);
 	// The species leans towards the plant's own +z; the way in which it was placed turns that towards its side.

@@ -92,7 +92,7 @@ TEST_CASE("no body, blow or question finds a plant that is dropped") {
 }
 
 TEST_CASE("plants that are dropped touch nothing") {
-	FieldPlant plants[3];
+	MotionPlant plants[3];
 	plants[1].root.x = 0.03f;
 	plants[1].root.y = 0.98f; // At the tip of the first.
 	plants[2].root.x = 0.06f;
@@ -138,7 +138,7 @@ TEST_CASE("a page that is removed leaves its number to the next one, and others 
 			CHECK(field.follower(2, 3).loose == 1);
 		}
 		field.step();
-		const FieldPlant plants[2];
+		const MotionPlant plants[2];
 		CHECK(field.add_page(0, plants, 2) == 1);
 		CHECK(field.loose_version(1) > version);
 		CHECK(field.add_page(0, plants, 1) == 3);
@@ -152,7 +152,7 @@ TEST_CASE("far plants that are removed delay the others no longer") {
 	FieldSettings settings;
 	settings.prototypes = 8;
 	FieldSimulation field(settings);
-	FieldPlant plant;
+	MotionPlant plant;
 	const int species = field.add_species(species_of(Law::elasticity));
 	field.set_wind({ { WindKind::waves, 1.0f }, 10.0f });
 	field.add_page(species, &plant, 1);
