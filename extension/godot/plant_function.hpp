@@ -2,7 +2,7 @@
 
 #include "mesh/plant_mesh.hpp"
 #include "messages.hpp"
-#include "pendulum/joint.hpp"
+#include "motion/joint.hpp"
 #include "plant/motion.hpp"
 #include "sampled_plant.hpp"
 

@@ -13,17 +13,17 @@ namespace {
 /// Half of each law, under waves.
 FieldSimulation waving_field(const FieldSettings &settings, int plants) {
 	FieldSimulation field(settings);
-	const int page_size = std::clamp(plants / 16, 256, FieldPage::PAGE_PLANTS);
+	const int page_size = std::clamp(plants / 16, 256, MotionPage::PAGE_PLANTS);
 	for (const Law law : { Law::elasticity, Law::spring }) {
-		FieldSpecies species;
+		MotionSpecies species;
 		species.law = law;
 		const int kind = field.add_species(species);
-		std::vector<FieldPlant> page;
+		std::vector<MotionPlant> page;
 		for (int i = 0; i < plants / 2; i++) {
 			const auto noise = [i, kind](uint64_t which) {
 				return signed_noise(which + 100 * static_cast<uint64_t>(kind), static_cast<uint64_t>(i));
 			};
-			FieldPlant plant;
+			MotionPlant plant;
 			plant.root = { 80.0f * noise(1), 0.0f, 80.0f * noise(2) };
 			plant.length = 0.75f + 0.25f * noise(3);
 			page.push_back(plant);

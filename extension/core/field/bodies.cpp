@@ -66,7 +66,7 @@ bool push_point(
 
 } // namespace
 
-bool boxes_overlap(const FieldPage &page, const FieldBody &body) {
+bool boxes_overlap(const MotionPage &page, const FieldBody &body) {
 	const glm::vec3 low = glm::min(body.from, body.to) - body.radius;
 	const glm::vec3 high = glm::max(body.from, body.to) + body.radius;
 	return low.x <= page.high().x && high.x >= page.low().x && low.y <= page.high().y && high.y >= page.low().y &&
@@ -90,7 +90,7 @@ bool push_plant(TipState &state, const glm::vec3 &root, float length, float thic
 	return push_point(state, root, length, TIP, thickness, body) || inside;
 }
 
-int push_plants(FieldPage &page, const FieldBody &body) {
+int push_plants(MotionPage &page, const FieldBody &body) {
 	if (!page.swings() || !is_valid(body)) {
 		return 0;
 	}

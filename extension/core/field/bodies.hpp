@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/field_page.hpp"
+#include "motion/motion_page.hpp"
 
 #include <glm/common.hpp>
 
@@ -23,21 +23,22 @@ bool is_valid(const FieldBody &body);
 /// it.
 bool push_plant(TipState &state, const glm::vec3 &root, float length, float thickness, const FieldBody &body);
 
-/// Calls visit(index) for each plant of a page that the body may touch, in rising order. `body`: valid.
-template <class Visit> void for_each_in_reach(const FieldPage &page, const FieldBody &body, const Visit &visit);
+/// Calls visit(index) for each plant of a page that the body may touch, in rising order; never for one that is gone.
+/// `body`: valid.
+template <class Visit> void for_each_in_reach(const MotionPage &page, const FieldBody &body, const Visit &visit);
 
 /// Pushes the plants of a swinging page out of a body: the tip, which is a sphere of the collision radius, and a point
 /// of the upper stem, along their spheres, by as much as they are inside. What they move towards the body, seen from
 /// it, they lose; nothing springs back from it. Tells how many plants were touched.
-int push_plants(FieldPage &page, const FieldBody &body);
+int push_plants(MotionPage &page, const FieldBody &body);
 
 /// The point of a segment that is nearest to `point`.
 glm::vec3 nearest_on_segment(const glm::vec3 &from, const glm::vec3 &to, const glm::vec3 &point);
 
 /// Whether a plant of the page could be touched.
-bool boxes_overlap(const FieldPage &page, const FieldBody &body);
+bool boxes_overlap(const MotionPage &page, const FieldBody &body);
 
-template <class Visit> void for_each_in_reach(const FieldPage &page, const FieldBody &body, const Visit &visit) {
+template <class Visit> void for_each_in_reach(const MotionPage &page, const FieldBody &body, const Visit &visit) {
 	if (!boxes_overlap(page, body)) {
 		return;
 	}
@@ -49,7 +50,9 @@ template <class Visit> void for_each_in_reach(const FieldPage &page, const Field
 	const float *lengths = page.lengths();
 	for (int i = 0; i < page.size(); i++) {
 		const float reach = lengths[i];
-		if (x[i] + reach >= low.x && x[i] - reach <= high.x && z[i] + reach >= low.z && z[i] - reach <= high.z) {
+		const bool is_near =
+				x[i] + reach >= low.x && x[i] - reach <= high.x && z[i] + reach >= low.z && z[i] - reach <= high.z;
+		if (is_near && reach > 0.0f) {
 			visit(i);
 		}
 	}

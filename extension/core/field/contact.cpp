@@ -14,7 +14,7 @@ constexpr float LEAST_HEIGHT = 0.02f; // Of a direction's y: where the ground st
 constexpr float MOST_CELLS = 1e9f;
 constexpr int MOST_CONTACTS = 255;
 
-glm::vec3 rest_tip(const FieldPage &page, int index) {
+glm::vec3 rest_tip(const MotionPage &page, int index) {
 	return page.root(index) + page.length(index) * page.rest(index);
 }
 
@@ -52,7 +52,7 @@ void TipContact::fit(const FieldSimulation &field) {
 
 void TipContact::gather(const FieldSimulation &field, int begin, int end) {
 	for (int number = begin; number < end; number++) {
-		const FieldPage &page = field.page(number);
+		const MotionPage &page = field.page(number);
 		std::fill(touching.begin() + page_begin(number), touching.begin() + page_begin(number + 1),
 				static_cast<uint8_t>(0));
 		for (int i = 0; page.swings() && i < page.size(); i++) {
@@ -103,8 +103,11 @@ void TipContact::for_each_contact(const FieldSimulation &field, const SortedTip 
 			if (squared >= cell_size * cell_size || other.tip == own.tip || cell(other.place.z) != row) {
 				continue;
 			}
-			const FieldPage &own_page = field.page(pages[own.tip]);
-			const FieldPage &page = field.page(pages[other.tip]);
+			const MotionPage &own_page = field.page(pages[own.tip]);
+			const MotionPage &page = field.page(pages[other.tip]);
+			if (own_page.is_gone(index_of(own.tip)) || page.is_gone(index_of(other.tip))) {
+				continue;
+			}
 			const float sum = own_page.collision_radius() + page.collision_radius();
 			if (squared >= sum * sum) {
 				continue;
@@ -138,7 +141,7 @@ void TipContact::count(const FieldSimulation &field, int begin, int end) {
 		for_each_contact(field, own, [&found](uint32_t, const glm::vec3 &, float, float) { found++; });
 		if (found > 0) {
 			touching[own.tip] = static_cast<uint8_t>(std::min(found, MOST_CONTACTS));
-			const FieldPage &page = field.page(pages[own.tip]);
+			const MotionPage &page = field.page(pages[own.tip]);
 			vectors[own.tip] = page.length(index_of(own.tip)) * page.state(index_of(own.tip)).rate;
 		}
 	}
@@ -154,7 +157,7 @@ void TipContact::separate(FieldSimulation &field, int begin, int end) {
 
 void TipContact::separate_one(FieldSimulation &field, const SortedTip &own) {
 	const uint32_t tip = own.tip;
-	FieldPage &page = field.page(pages[tip]);
+	MotionPage &page = field.page(pages[tip]);
 	glm::vec3 move = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 blow = { 0.0f, 0.0f, 0.0f };
 	for_each_contact(field, own, [&](uint32_t other, const glm::vec3 &offset, float distance, float wanted) {

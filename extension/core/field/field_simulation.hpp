@@ -1,8 +1,8 @@
 #pragma once
 
 #include "field/bodies.hpp"
-#include "field/field_page.hpp"
-#include "field/field_wind.hpp"
+#include "motion/motion_page.hpp"
+#include "wind/travelling_wind.hpp"
 #include "field/loose_plants.hpp"
 #include "field/prototypes.hpp"
 
@@ -25,7 +25,7 @@ struct FieldSettings {
 ///
 /// A step is begin_step(), then step_pages() once for every page, in any split and on any threads: the bits are the
 /// same. Step n covers the time from n·step to (n + interval)·step, by one step of that length under the wind at its
-/// FieldPage::wind_moment(), so that what is shown, the way from the bend before to the bend after (alpha()), is never
+/// MotionPage::wind_moment(), so that what is shown, the way from the bend before to the bend after (alpha()), is never
 /// late. A page whose interval is k steps at steps n with n % k == page % k: never all pages in one step (thesis,
 /// section 5.3.1). Nothing allocates between begin_step() and the next change of the field.
 ///
@@ -36,26 +36,33 @@ public:
 
 	const FieldSettings &settings() const { return options; }
 	/// Tells the species' index.
-	int add_species(const FieldSpecies &species);
+	int add_species(const MotionSpecies &species);
 	/// The motion goes on.
-	void set_species(int index, const FieldSpecies &species);
+	void set_species(int index, const MotionSpecies &species);
 	int species_count() const { return static_cast<int>(kinds.size()); }
 
-	/// A page of `count` plants of one species, up to FieldPage::PAGE_PLANTS; tells its index. Where a plant is not
-	/// valid, the species is unknown or they are too many, nothing is added and it tells -1.
-	int add_page(int species, const FieldPlant *plants, int count);
+	/// A page of `count` plants of one species, up to MotionPage::PAGE_PLANTS; tells its number, which is the lowest one
+	/// that remove_page() freed, if any. Where a plant is not valid, the species is unknown or they are too many,
+	/// nothing is added and it tells -1.
+	int add_page(int species, const MotionPlant *plants, int count);
 	/// Appends plants of its species to a page that has room for them; their indices follow those that are there.
 	/// Tells false, and adds nothing, where a plant is not valid or there is no room.
-	bool add_to_page(int page, const FieldPlant *plants, int count);
+	bool add_to_page(int page, const MotionPlant *plants, int count);
 	void remove(int page, int index);
+	/// Takes a plant away; all others keep their index. Its row stays, and no body, blow, contact or question finds it.
+	void drop(int page, int index);
+	/// Takes a page with all its plants away; other pages keep their numbers. Until add_page() gives the number anew, it
+	/// names a page without plants.
+	void remove_page(int page);
 	/// Removes all pages; species and time stay.
 	void clear();
+	/// Page numbers are below it, also those that are free.
 	int page_count() const { return static_cast<int>(entries.size()); }
 	int plant_count() const;
 	/// Plants that are stepped, prototypes included.
 	int simulated_count() const;
-	const FieldPage &page(int index) const { return at(index).page; }
-	FieldPage &page(int index) { return at(index).page; }
+	const MotionPage &page(int index) const { return at(index).page; }
+	MotionPage &page(int index) { return at(index).page; }
 
 	/// Any change of the wind takes effect at each page's next step, at no cost: nothing is kept per plant. Followers
 	/// go to their new delay bit by bit.
@@ -118,18 +125,19 @@ public:
 
 private:
 	struct Entry {
-		FieldPage page;
+		MotionPage page;
 		std::vector<Follower> followers; ///< Empty where plants swing by themselves.
 		int multiple = 1;
 		int interval = 1; ///< Of the last step, in steps.
 		int loose_version = 0;
 		int64_t last_step = -1;
+		bool is_free = false; ///< Nobody's, for the next add_page().
 	};
 
 	FieldSettings options;
 	FieldWind blowing;
 	PlantWinds along = {};
-	std::vector<FieldSpecies> kinds;
+	std::vector<MotionSpecies> kinds;
 	std::vector<Prototypes> models; ///< One for each species, or none.
 	std::vector<LoosePlants> loose; ///< As many.
 	std::vector<Entry> entries;
@@ -141,7 +149,8 @@ private:
 
 	const Entry &at(int page) const { return entries[static_cast<std::size_t>(page)]; }
 	Entry &at(int page) { return entries[static_cast<std::size_t>(page)]; }
-	void take_in(Entry &entry, const FieldPlant *plants, int count);
+	void update_box();
+	void take_in(Entry &entry, const MotionPlant *plants, int count);
 	void step_prototypes(int64_t number);
 	bool is_due(int page, int64_t number) const;
 	void step_page(Entry &entry, int interval);

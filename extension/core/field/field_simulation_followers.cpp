@@ -61,7 +61,7 @@ LoosePlants &FieldSimulation::loose_of(const Entry &entry) {
 int FieldSimulation::count_of_species(int species) const {
 	int plants = 0;
 	for (const Entry &entry : entries) {
-		plants += entry.page.species() == species ? entry.page.size() : 0;
+		plants += entry.page.species() == species ? entry.page.standing() : 0;
 	}
 	return plants;
 }
@@ -88,7 +88,7 @@ void FieldSimulation::push_follower(Entry &entry, int index, const TipState &sta
 	if (some.is_full()) {
 		return;
 	}
-	FieldPlant plant;
+	MotionPlant plant;
 	plant.root = entry.page.root(index);
 	plant.length = entry.page.length(index);
 	plant.rest = models[static_cast<std::size_t>(entry.page.species())].rest(follower.prototype);

@@ -1,7 +1,7 @@
 // What a FieldSimulation is asked, and blows between steps.
 
 #include "field/field_simulation.hpp"
-#include "pendulum/gnomonic.hpp"
+#include "motion/gnomonic.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -12,7 +12,7 @@ namespace undergrowth {
 
 namespace {
 
-bool contains(const FieldPage &page, const glm::vec3 &point, float margin) {
+bool contains(const MotionPage &page, const glm::vec3 &point, float margin) {
 	return point.x >= page.low().x - margin && point.x <= page.high().x + margin && point.y >= page.low().y - margin &&
 			point.y <= page.high().y + margin && point.z >= page.low().z - margin && point.z <= page.high().z + margin;
 }
@@ -22,7 +22,7 @@ bool contains(const FieldPage &page, const glm::vec3 &point, float margin) {
 int FieldSimulation::plant_count() const {
 	int plants = 0;
 	for (const Entry &entry : entries) {
-		plants += entry.page.size();
+		plants += entry.page.standing();
 	}
 	return plants;
 }
@@ -50,7 +50,7 @@ int FieldSimulation::due_count() const {
 	}
 	for (int page = 0; page < page_count(); page++) {
 		const bool steps = at(page).page.swings() || options.write_followers;
-		due += steps && is_due(page, next_step) ? at(page).page.size() : 0;
+		due += steps && is_due(page, next_step) ? at(page).page.standing() : 0;
 	}
 	return due;
 }
@@ -76,7 +76,10 @@ TipState FieldSimulation::state(int page, int index) const {
 }
 
 void FieldSimulation::apply_impulse(int page, int index, const glm::vec3 &impulse) {
-	FieldPage &plants = at(page).page;
+	MotionPage &plants = at(page).page;
+	if (plants.is_gone(index)) {
+		return;
+	}
 	TipState pushed = state(page, index);
 	pushed.rate += impulse / (plants.mass() * plants.length(index));
 	if (plants.swings()) {
@@ -104,7 +107,7 @@ bool FieldSimulation::is_point_in_plants(const glm::vec3 &point, float margin) c
 		const float radius = entry.page.collision_radius() + margin;
 		for (int i = 0; i < entry.page.size(); i++) {
 			const float reach = entry.page.length(i) + radius;
-			if (std::fabs(x[i] - point.x) > reach || std::fabs(z[i] - point.z) > reach) {
+			if (entry.page.is_gone(i) || std::fabs(x[i] - point.x) > reach || std::fabs(z[i] - point.z) > reach) {
 				continue;
 			}
 			const glm::vec3 nearest = nearest_on_segment(entry.page.root(i), entry.page.tip(i), point);
@@ -120,7 +123,7 @@ double FieldSimulation::bytes_per_plant() const {
 	const int plants = plant_count();
 	std::size_t bytes = entries.capacity() * sizeof(Entry);
 	for (const Entry &entry : entries) {
-		bytes += entry.page.bytes() - sizeof(FieldPage) + entry.followers.capacity() * sizeof(Follower);
+		bytes += entry.page.bytes() - sizeof(MotionPage) + entry.followers.capacity() * sizeof(Follower);
 	}
 	for (const Prototypes &model : models) {
 		bytes += model.bytes();

@@ -1,7 +1,7 @@
 #include "field/loose_plants.hpp"
 
-#include "field/bend_encoding.hpp"
-#include "pendulum/gnomonic.hpp"
+#include "motion/bend_encoding.hpp"
+#include "motion/gnomonic.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -9,7 +9,7 @@
 
 namespace undergrowth {
 
-LoosePlants::LoosePlants(int species_index, const FieldSpecies &species, float step) :
+LoosePlants::LoosePlants(int species_index, const MotionSpecies &species, float step) :
 		swinging(species_index, species, nullptr, 0, step, true), step_time(step) {}
 
 void LoosePlants::reserve(int plants) {
@@ -18,7 +18,7 @@ void LoosePlants::reserve(int plants) {
 	places.reserve(static_cast<std::size_t>(room));
 }
 
-int LoosePlants::add(const FieldPlant &plant, int page, int index, const TipState &state, Bend before) {
+int LoosePlants::add(const MotionPlant &plant, int page, int index, const TipState &state, Bend before) {
 	const int number = count();
 	swinging.add(&plant, 1);
 	swinging.set_state(number, state);

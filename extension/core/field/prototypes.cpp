@@ -25,11 +25,11 @@ float lean_share(const glm::vec3 &rest) {
 	return 0.25f * (rest.x >= 0.0f ? diamond : 4.0f - diamond);
 }
 
-std::vector<FieldPlant> spread_plants(const FieldSpecies &species, int count) {
-	std::vector<FieldPlant> plants(static_cast<std::size_t>(count));
+std::vector<MotionPlant> spread_plants(const MotionSpecies &species, int count) {
+	std::vector<MotionPlant> plants(static_cast<std::size_t>(count));
 	const double lean = std::clamp(static_cast<double>(species.lean), 0.0, 1.5);
 	for (int i = 0; i < count; i++) {
-		FieldPlant &plant = plants[static_cast<std::size_t>(i)];
+		MotionPlant &plant = plants[static_cast<std::size_t>(i)];
 		// Neighbours on the circle of leans differ in length: an odd stride through the lengths.
 		const float part = static_cast<float>((i * 29) % count) / static_cast<float>(std::max(count - 1, 1));
 		plant.length = species.shortest + part * (species.longest - species.shortest);
@@ -42,7 +42,7 @@ std::vector<FieldPlant> spread_plants(const FieldSpecies &species, int count) {
 
 } // namespace
 
-Prototypes::Prototypes(int species_index, const FieldSpecies &species, int count, float step) :
+Prototypes::Prototypes(int species_index, const MotionSpecies &species, int count, float step) :
 		page(species_index, species, spread_plants(species, count).data(), count, step, true),
 		leans(species.law == Law::spring && species.lean > 0.0f),
 		ring(2 * static_cast<std::size_t>(SLOTS * MOST)) {
@@ -51,7 +51,7 @@ Prototypes::Prototypes(int species_index, const FieldSpecies &species, int count
 	}
 }
 
-Follower Prototypes::pick(const FieldPlant &plant, uint64_t hash) const {
+Follower Prototypes::pick(const MotionPlant &plant, uint64_t hash) const {
 	const uint64_t mixed = mix_bits(hash);
 	const uint64_t low = mixed & 0xffffffffull;
 	const int all = count();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/field_page.hpp"
+#include "motion/motion_page.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -25,14 +25,14 @@ public:
 	static constexpr int LONGEST_DELAY = SLOTS - 64;
 
 	/// `count` from 1 to MOST.
-	Prototypes(int species_index, const FieldSpecies &species, int count, float step);
+	Prototypes(int species_index, const MotionSpecies &species, int count, float step);
 
 	int count() const { return page.size(); }
 	/// The direction of a prototype in calm air.
 	glm::vec3 rest(int prototype) const { return page.rest(prototype); }
 	/// Picks a prototype that leans as `plant` does and a delay of up to OWN_DELAY, both by `hash`.
-	Follower pick(const FieldPlant &plant, uint64_t hash) const;
-	void set_species(const FieldSpecies &species) { page.set_species(species); }
+	Follower pick(const MotionPlant &plant, uint64_t hash) const;
+	void set_species(const MotionSpecies &species) { page.set_species(species); }
 
 	/// One step of all prototypes; what they do is written into the next slot.
 	void step(const TravellingWind &wind, const PlantWinds &along);
@@ -50,7 +50,7 @@ public:
 	std::size_t bytes() const { return ring.capacity() * sizeof(Bend) + page.bytes(); }
 
 private:
-	FieldPage page;
+	MotionPage page;
 	bool leans;
 	int newest = 0;
 	std::vector<Bend> ring;

@@ -104,8 +104,8 @@ float FieldLook::reach_of(const PlacedPlant &plant) const {
 	return std::sqrt(height * height + width * width * plant.scale * plant.scale);
 }
 
-FieldPlant FieldLook::to_simulate(const PlacedPlant &plant) const {
-	FieldPlant simulated;
+MotionPlant FieldLook::to_simulate(const PlacedPlant &plant) const {
+	MotionPlant simulated;
 	simulated.root = plant.root;
 	simulated.length = length_of(plant);
 	// The species leans towards the plant's own +z; the way in which it was placed turns that towards its side.

@@ -6,7 +6,7 @@
 #include "field/field_options.hpp"
 #include "field/field_skeletons.hpp"
 #include "field/field_steps.hpp"
-#include "pendulum/fixed_step.hpp"
+#include "motion/fixed_step.hpp"
 #include "plant_wind.hpp"
 
 #include <godot_cpp/classes/curve3d.hpp>

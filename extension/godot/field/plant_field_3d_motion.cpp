@@ -211,7 +211,7 @@ void PlantField3D::update_far() {
 	for (int page = 0; page < simulation->page_count(); page++) {
 		int multiple = 1;
 		if (applies) {
-			const FieldPage &plants = simulation->page(page);
+			const MotionPage &plants = simulation->page(page);
 			const double nearest = glm::distance(eye, glm::clamp(eye, plants.low(), plants.high()));
 			const double middle = glm::distance(eye, 0.5f * (plants.low() + plants.high()));
 			const double away = std::min(middle, nearest + options.far_distance);

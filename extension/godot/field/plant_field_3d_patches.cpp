@@ -15,8 +15,8 @@ static constexpr int MOST_ADDED_PATCHES = 8;
 // A page of the species that has room, or -1.
 static int find_open_page(const FieldSimulation &simulation, int species) {
 	for (int page = simulation.page_count() - 1; page >= 0; page--) {
-		const FieldPage &plants = simulation.page(page);
-		if (plants.species() == species && plants.size() < FieldPage::PAGE_PLANTS) {
+		const MotionPage &plants = simulation.page(page);
+		if (plants.species() == species && plants.size() < MotionPage::PAGE_PLANTS) {
 			return page;
 		}
 	}
@@ -29,8 +29,8 @@ void PlantField3D::take_into_pages(FieldPatch &patch, int species_index, const s
 	while (done < members.size()) {
 		int page = find_open_page(*simulation, species_index);
 		const int before = page >= 0 ? simulation->page(page).size() : 0;
-		const size_t count = std::min(members.size() - done, size_t(FieldPage::PAGE_PLANTS - before));
-		std::vector<FieldPlant> simulated;
+		const size_t count = std::min(members.size() - done, size_t(MotionPage::PAGE_PLANTS - before));
+		std::vector<MotionPlant> simulated;
 		for (size_t i = done; i < done + count; i++) {
 			simulated.push_back(style.looks[size_t(species_index)].to_simulate(patch.plants.plant(members[i])));
 		}
@@ -41,7 +41,7 @@ void PlantField3D::take_into_pages(FieldPatch &patch, int species_index, const s
 		}
 		for (size_t i = 0; i < count; i++) {
 			const uint32_t index = uint32_t(before) + uint32_t(i);
-			patch.places[size_t(members[done + i])] = uint32_t(page) * FieldPage::PAGE_PLANTS + index;
+			patch.places[size_t(members[done + i])] = uint32_t(page) * MotionPage::PAGE_PLANTS + index;
 		}
 		done += count;
 	}
@@ -73,8 +73,8 @@ void PlantField3D::merge_added() {
 	merged->chunks = sort_into_chunks(merged->plants, float(options.chunk_size), reach.data(), int(reach.size()));
 	std::map<std::tuple<float, float, float, int>, std::vector<uint32_t>> by_root;
 	for (const auto &[x, place] : unsorted) {
-		const FieldPage &page = simulation->page(int(place / FieldPage::PAGE_PLANTS));
-		const glm::vec3 root = page.root(int(place % FieldPage::PAGE_PLANTS));
+		const MotionPage &page = simulation->page(int(place / MotionPage::PAGE_PLANTS));
+		const glm::vec3 root = page.root(int(place % MotionPage::PAGE_PLANTS));
 		by_root[{ root.x, root.y, root.z, page.species() }].push_back(place);
 	}
 	for (int plant = 0; plant < merged->plants.size(); plant++) {

@@ -24,7 +24,7 @@ FieldBody walker(float x) {
 }
 
 FieldSimulation calm_plant(Law law) {
-	FieldPlant plant;
+	MotionPlant plant;
 	plant.root.z = 0.1f;
 	FieldSimulation field = single_plant(law, plant);
 	field.set_wind({ { WindKind::constant, 0.0f }, 0.0f });

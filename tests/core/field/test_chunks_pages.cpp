@@ -1,5 +1,5 @@
 #include "field/chunks.hpp"
-#include "field/field_page.hpp"
+#include "motion/motion_page.hpp"
 #include "test_placement_fixture.hpp"
 
 #include <doctest/doctest.h>
@@ -39,7 +39,7 @@ void check_cover(const PagePlan &plan, const FieldPlants &plants, int most) {
 TEST_CASE("pages are of one species, of no more plants than a page holds, and cover all plants once") {
 	FieldPlants plants = placed(square_field(70.0f, 5.0f, 5));
 	const FieldChunks field = chunks_of(plants, 10.0f);
-	for (const int most : { FieldPage::PAGE_PLANTS, 1000, 1 }) {
+	for (const int most : { MotionPage::PAGE_PLANTS, 1000, 1 }) {
 		check_cover(plan_pages(field, most), plants, most);
 	}
 }
@@ -49,7 +49,7 @@ TEST_CASE("a species has as few pages as can be, all but its last full") {
 	const PagePlan plan = plan_pages(chunks_of(plants, 16.0f));
 	for (std::size_t i = 0; i < plan.pages.size(); i++) {
 		const bool is_last = i + 1 == plan.pages.size() || plan.pages[i + 1].species != plan.pages[i].species;
-		CHECK((is_last || plan.pages[i].count == FieldPage::PAGE_PLANTS));
+		CHECK((is_last || plan.pages[i].count == MotionPage::PAGE_PLANTS));
 		CHECK((i == 0 || plan.pages[i - 1].species <= plan.pages[i].species));
 	}
 	CHECK(plan.pages.back().species == 2);

@@ -20,17 +20,17 @@ constexpr float DEEPEST = 0.25f * RADIUS; // What fast tips may overlap after a 
 constexpr double ENERGY_TOLERANCE = 1e-3;
 constexpr float REST_SPEED = 1e-3f; // 1/s.
 
-FieldSpecies tips_of(Law law) {
-	FieldSpecies species = species_of(law);
+MotionSpecies tips_of(Law law) {
+	MotionSpecies species = species_of(law);
 	species.collision_radius = RADIUS;
 	species.joint.inner_friction = 0.0f;
 	species.joint.damping_ratio = 0.0f;
 	return species;
 }
 
-FieldSimulation row_of(const FieldSpecies &species, int count, float spacing) {
+FieldSimulation row_of(const MotionSpecies &species, int count, float spacing) {
 	FieldSimulation field((FieldSettings()));
-	std::vector<FieldPlant> plants(static_cast<size_t>(count));
+	std::vector<MotionPlant> plants(static_cast<size_t>(count));
 	for (int i = 0; i < count; i++) {
 		plants[static_cast<size_t>(i)].root.x = spacing * static_cast<float>(i);
 	}
@@ -41,7 +41,7 @@ FieldSimulation row_of(const FieldSpecies &species, int count, float spacing) {
 
 /// J; the elasticity law's force is (1 + e)·m·g·|y| upwards and m·g downwards, hence U = m·g·(L·y - (1 + e)·L·y²/2).
 /// The spring law's t obeys t'' = -ω²·t: over m, (|t'|² + ω²·|t|²)/2.
-double energy(const FieldSimulation &field, const FieldSpecies &species) {
+double energy(const FieldSimulation &field, const MotionSpecies &species) {
 	const double mass = static_cast<double>(species.joint.mass);
 	const double gravity = static_cast<double>(STANDARD_GRAVITY);
 	double sum = 0.0;
@@ -71,7 +71,7 @@ float tip_distance(const FieldSimulation &field, int a, int b) {
 
 TEST_CASE("two plants that swing into each other part, and lose energy, never gain") {
 	for (const Law law : BOTH_LAWS) {
-		const FieldSpecies species = tips_of(law);
+		const MotionSpecies species = tips_of(law);
 		double most[2] = {}; // Without contact, and with it.
 		for (const bool touching : { false, true }) {
 			FieldSimulation field = row_of(species, 2, 0.4f);
@@ -97,9 +97,9 @@ TEST_CASE("two plants that swing into each other part, and lose energy, never ga
 TEST_CASE("a contact by itself never adds energy of motion, however many tips meet") {
 	for (const Law law : BOTH_LAWS) {
 		for (int trial = 0; trial < 50; trial++) {
-			const FieldSpecies species = tips_of(law);
+			const MotionSpecies species = tips_of(law);
 			FieldSimulation field((FieldSettings()));
-			std::vector<FieldPlant> plants(40);
+			std::vector<MotionPlant> plants(40);
 			for (int i = 0; i < 40; i++) {
 				plants[static_cast<size_t>(i)].root = { 0.3f * static_cast<float>(i % 7), 0.0f,
 					0.3f * static_cast<float>(i / 7) };
@@ -131,7 +131,7 @@ TEST_CASE("a contact by itself never adds energy of motion, however many tips me
 
 TEST_CASE("plants pushed together by a wind part when it ends, and come to rest") {
 	for (const Law law : BOTH_LAWS) {
-		FieldSpecies species = tips_of(law);
+		MotionSpecies species = tips_of(law);
 		species.joint.inner_friction = 0.6f;
 		species.joint.damping_ratio = 0.2f;
 		FieldSimulation field = row_of(species, 2, 0.35f);
@@ -175,12 +175,12 @@ TEST_CASE("plants that stand too close to be apart in calm air stay at rest") {
 
 TEST_CASE("the grid finds the contacts that comparing every pair finds") {
 	FieldSimulation field((FieldSettings()));
-	FieldSpecies species = tips_of(Law::elasticity);
+	MotionSpecies species = tips_of(Law::elasticity);
 	const int kind = field.add_species(species);
 	for (int page = 0; page < 3; page++) {
-		std::vector<FieldPlant> plants;
+		std::vector<MotionPlant> plants;
 		for (int i = 0; i < 300; i++) {
-			FieldPlant plant = chance_plant(1000 * page + i);
+			MotionPlant plant = chance_plant(1000 * page + i);
 			plant.root *= 0.08f;
 			plants.push_back(plant);
 		}
@@ -199,8 +199,8 @@ TEST_CASE("the grid finds the contacts that comparing every pair finds") {
 	for (int a = 0; a < 900; a++) {
 		int expected = 0;
 		for (int b = 0; b < 900; b++) {
-			const FieldPage &first = field.page(a / 300);
-			const FieldPage &second = field.page(b / 300);
+			const MotionPage &first = field.page(a / 300);
+			const MotionPage &second = field.page(b / 300);
 			const glm::vec3 up = { 0.0f, 1.0f, 0.0f };
 			const float calm = glm::distance(first.root(a % 300) + first.length(a % 300) * up,
 					second.root(b % 300) + second.length(b % 300) * up);

@@ -1,5 +1,5 @@
 #include "field_fixture.hpp"
-#include "pendulum/batch.hpp"
+#include "motion/batch.hpp"
 
 #include <doctest/doctest.h>
 
@@ -33,7 +33,7 @@ bool is_whole(const TipState &state) {
 
 TEST_CASE("a plant of a field moves as one of a batch") {
 	for (const Law law : BOTH_LAWS) {
-		FieldPlant plant = chance_plant(3);
+		MotionPlant plant = chance_plant(3);
 		plant.root = {};
 		plant.rest = glm::normalize(plant.rest);
 		FieldSimulation field = single_plant(law, plant);
@@ -153,7 +153,7 @@ TEST_CASE("alpha goes from one bend to the next over the page's interval") {
 
 TEST_CASE("a change of a page's interval goes on with the motion") {
 	for (const Law law : BOTH_LAWS) {
-		FieldPlant plant;
+		MotionPlant plant;
 		FieldSimulation field = single_plant(law, plant);
 		field.apply_impulse(0, 0, { 0.3f, 0.0f, 0.0f });
 		field.set_wind({ { WindKind::constant, 0.0f }, 0.0f });
@@ -270,7 +270,7 @@ TEST_CASE("plants with numbers that are none are refused, and the field stays as
 	const int species = field.add_species({});
 	const float bad[] = { std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity() };
 	for (const float value : bad) {
-		FieldPlant plants[3];
+		MotionPlant plants[3];
 		plants[1].root.z = value;
 		CHECK(field.add_page(species, plants, 3) == -1);
 		plants[1] = {};
@@ -280,10 +280,10 @@ TEST_CASE("plants with numbers that are none are refused, and the field stays as
 		plants[1].rest = { value, 1.0f, 0.0f };
 		CHECK(field.add_page(species, plants, 3) == -1);
 	}
-	FieldPlant flat;
+	MotionPlant flat;
 	flat.length = 0.0f;
 	CHECK(field.add_page(species, &flat, 1) == -1);
-	const FieldPlant good;
+	const MotionPlant good;
 	CHECK(field.add_page(species + 1, &good, 1) == -1);
 	CHECK(field.page_count() == 0);
 }
@@ -297,7 +297,7 @@ TEST_CASE("no species, wind, blow or step, however extreme, leads to a number th
 			settings.step = settings.step < 1.0f ? settings.step : FIELD_STEP;
 			settings.update_interval = -4;
 			FieldSimulation field(settings);
-			FieldSpecies species = species_of(law);
+			MotionSpecies species = species_of(law);
 			species.joint.mass = extreme;
 			species.joint.elasticity = extreme;
 			species.joint.wind_weight = extreme;
@@ -351,7 +351,7 @@ TEST_CASE("a species that changes goes on with its motion, and a change of law, 
 }
 
 TEST_CASE("a point near a stem or a tip lies in plants, one between plants does not") {
-	FieldPlant plant;
+	MotionPlant plant;
 	plant.root = { 3.0f, 0.0f, -2.0f };
 	const FieldSimulation field = single_plant(Law::spring, plant);
 	CHECK(field.is_point_in_plants({ 3.04f, 0.5f, -2.0f }, 0.0f));

@@ -19,12 +19,12 @@ FieldSimulation following_field(Law law, bool write_followers, int count = 200) 
 	settings.prototypes = 16;
 	settings.write_followers = write_followers;
 	FieldSimulation field(settings);
-	std::vector<FieldPlant> plants;
+	std::vector<MotionPlant> plants;
 	for (int i = 0; i < count; i++) {
-		FieldPlant plant = chance_plant(i);
+		MotionPlant plant = chance_plant(i);
 		plant.root = { 0.1f * static_cast<float>(i % 100), 0.0f, 0.4f * static_cast<float>(i / 100) };
 		plants.push_back(plant);
-		if (i == count - 1 || static_cast<int>(plants.size()) == FieldPage::PAGE_PLANTS) {
+		if (i == count - 1 || static_cast<int>(plants.size()) == MotionPage::PAGE_PLANTS) {
 			const int kind = field.species_count() > 0 ? 0 : field.add_species(species_of(law));
 			field.add_page(kind, plants.data(), static_cast<int>(plants.size()));
 			plants.clear();
@@ -48,7 +48,7 @@ FieldBody walker(float x) {
 }
 
 float depth(const FieldSimulation &field, int plant, const FieldBody &body) {
-	const FieldPage &page = field.page(0);
+	const MotionPage &page = field.page(0);
 	const glm::vec3 tip = page.root(plant) + page.length(plant) * field.state(0, plant).direction;
 	return body.radius - glm::distance(tip, nearest_on_segment(body.from, body.to, tip));
 }

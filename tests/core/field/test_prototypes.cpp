@@ -127,12 +127,12 @@ TEST_CASE("plants that lean follow prototypes that lean their way") {
 	FieldSettings settings;
 	settings.prototypes = PROTOTYPES;
 	FieldSimulation field(settings);
-	FieldSpecies species = species_of(Law::spring);
+	MotionSpecies species = species_of(Law::spring);
 	species.lean = 0.3f;
 	const int kind = field.add_species(species);
-	std::vector<FieldPlant> plants;
+	std::vector<MotionPlant> plants;
 	for (int i = 0; i < 32; i++) {
-		FieldPlant plant = chance_plant(i);
+		MotionPlant plant = chance_plant(i);
 		const float around = 0.2f * static_cast<float>(i);
 		plant.rest = { std::sin(0.3f) * std::sin(around), std::cos(0.3f), std::sin(0.3f) * std::cos(around) };
 		plants.push_back(plant);
