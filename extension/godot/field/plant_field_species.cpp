@@ -1,5 +1,6 @@
 #include "field/plant_field_species.hpp"
 
+#include "as_written.hpp"
 #include "follow_changes.hpp"
 #include "given_name.hpp"
 #include "new_object.hpp"
@@ -111,7 +112,7 @@ double PlantFieldSpecies::get_height_deviation() const {
 
 void PlantFieldSpecies::set_lean_deviation(double radians) {
 	if (accept_angle(this, "lean_deviation", radians, LEAN_DEVIATION_DEGREES)) {
-		set_number(lean_deviation, radians);
+		set_number(lean_deviation, angle_as_written(radians));
 	}
 }
 
@@ -142,6 +143,8 @@ void PlantFieldSpecies::_bind_methods() {
 	ClassDB::bind_static_method(
 			"PlantFieldSpecies", D_METHOD("of", "species", "share"), &PlantFieldSpecies::of, DEFVAL(1.0));
 	ClassDB::bind_method(D_METHOD("_on_species_changed"), &PlantFieldSpecies::on_species_changed);
+	ClassDB::bind_method(D_METHOD("is_species_change"), &PlantFieldSpecies::is_species_change);
+	ClassDB::bind_method(D_METHOD("is_motion_change"), &PlantFieldSpecies::is_motion_change);
 	ClassDB::bind_method(D_METHOD("set_species", "species"), &PlantFieldSpecies::set_species);
 	ClassDB::bind_method(D_METHOD("get_species"), &PlantFieldSpecies::get_species);
 	ClassDB::bind_method(D_METHOD("set_share", "share"), &PlantFieldSpecies::set_share);
