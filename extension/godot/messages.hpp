@@ -2,6 +2,7 @@
 
 #include <godot_cpp/core/object.hpp>
 #include <godot_cpp/variant/string.hpp>
+#include <godot_cpp/variant/vector2.hpp>
 
 namespace undergrowth {
 
@@ -19,5 +20,12 @@ void report_error(const godot::Object *object, const godot::String &what);
 
 /// True where `value` is finite and within `range`; else reports that `property` keeps its value, and why.
 bool accept_value(const godot::Object *object, const char *property, double value, const Range &range);
+
+/// The same of an angle: `radians` within `degrees`. The message speaks of both, as one is easily taken for the other.
+bool accept_angle(const godot::Object *object, const char *property, double radians, const Range &degrees);
+
+/// The same of a range that goes from x up to y.
+bool accept_span(
+		const godot::Object *object, const char *property, const godot::Vector2 &value, const Range &range);
 
 } // namespace undergrowth

@@ -12,6 +12,8 @@ const CLASSES: PackedStringArray = [
 	"PlantWind",
 	"Plant3D",
 	"PlantField3D",
+	"PlantFieldSpecies",
+	"PlantFieldLevel",
 	"PlantSimulation",
 ]
 ## Seen from the tests' project in build/test, or below the project itself.
