@@ -28,7 +28,7 @@ ChangeSet PlantStore::apply(StandEdit &&edit) {
 		rename_species(edit.species_numbers);
 		const bool is_cut_anew = edit.tile_size != size;
 		size = edit.tile_size;
-		spacing = edit.spacing;
+		cell_size = edit.spacing;
 		for (PlantBlock &block : edit.filled) {
 			stand(std::move(block), changes);
 		}
@@ -227,8 +227,8 @@ PlantPlace PlantStore::find(PlantId id) const {
 		return found == added_places.end() ? PlantPlace() : found->second;
 	}
 	glm::vec3 place(0.0f);
-	filled_plant_place(id, spacing, place.x, place.z);
-	const float reach = static_cast<float>(spacing);
+	filled_plant_place(id, cell_size, place.x, place.z);
+	const float reach = static_cast<float>(cell_size);
 	PlantPlace found;
 	for_each_tile(place - reach, place + reach, [&](const std::vector<int> &members) {
 		for (const int number : members) {
@@ -238,7 +238,7 @@ PlantPlace PlantStore::find(PlantId id) const {
 				// Most are too far: the exact answer costs a division.
 				const bool is_near = root.x > place.x - reach && root.x < place.x + reach && root.z > place.z - reach &&
 						root.z < place.z + reach;
-				if (is_near && !there.is_gone(slot) && filled_plant_id(root.x, root.z, spacing) == id) {
+				if (is_near && !there.is_gone(slot) && filled_plant_id(root.x, root.z, cell_size) == id) {
 					found = { number, slot };
 				}
 			}
@@ -253,7 +253,7 @@ PlantId PlantStore::id(const PlantPlace &place) const {
 		return there.ids[static_cast<std::size_t>(place.slot)];
 	}
 	const glm::vec3 root = there.root(place.slot);
-	return filled_plant_id(root.x, root.z, spacing);
+	return filled_plant_id(root.x, root.z, cell_size);
 }
 
 std::vector<PlantId> PlantStore::ids() const {

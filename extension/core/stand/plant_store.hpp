@@ -58,6 +58,8 @@ public:
 	/// Ascending.
 	const std::vector<int> &blocks_of(const TileKey &tile) const;
 	float tile_size() const { return size; }
+	/// m, of the placement that plants were filled by.
+	double spacing() const { return cell_size; }
 	int plant_count() const { return standing; }
 
 	/// The block is -1 where no such plant stands. Costs by the plants of a tile.
@@ -76,7 +78,7 @@ public:
 
 private:
 	float size = 16.0f; ///< m.
-	double spacing = 1.0; ///< m.
+	double cell_size = 1.0; ///< m.
 	std::vector<PlantBlock> blocks;
 	std::vector<int> free_numbers;
 	std::map<TileKey, std::vector<int>> tiles;

@@ -137,7 +137,7 @@ void FieldFill::simulate() {
 		result.simulation->add_species(look.motion);
 	}
 	result.poses = std::make_unique<PoseTexture>(recipe.settings.prototypes > 0);
-	std::vector<FieldPlant> simulated;
+	std::vector<MotionPlant> simulated;
 	for (size_t i = 0; i < result.blocks.size(); i++) {
 		const PlantBlock &block = result.blocks[i];
 		simulated.clear();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/field_page.hpp"
+#include "motion/motion_page.hpp"
 #include "plant_function.hpp"
 #include "stand/plants.hpp"
 
@@ -39,7 +39,7 @@ struct FieldLook {
 	std::vector<SampledPlant> nearest; ///< Of the first level, kept for plants that get a mesh of their own.
 	std::vector<std::vector<godot::Ref<godot::ArrayMesh>>> meshes; ///< By level and group.
 	std::vector<godot::Ref<godot::ShaderMaterial>> materials; ///< By level.
-	FieldSpecies motion;
+	MotionSpecies motion;
 	float width = 0.0f; ///< m: the farthest that any mesh goes from its axis.
 
 	/// Asks the function; main thread only, since scripts may answer. Tells what is wrong and what to do, or nothing.
@@ -51,7 +51,7 @@ struct FieldLook {
 	/// The function's motion as it is now.
 	void read_motion();
 	/// The root of a plant, its length and rest direction, for the simulation.
-	FieldPlant to_simulate(const PlacedPlant &plant) const;
+	MotionPlant to_simulate(const PlacedPlant &plant) const;
 	float length_of(const PlacedPlant &plant) const;
 	/// The farthest that the plant's mesh goes from its root, however it bends: linear blend skinning moves no vertex
 	/// farther than it is at rest (m).

@@ -1,36 +1,21 @@
 #pragma once
 
-#include "field/field_ground.hpp"
-#include "plant_function.hpp"
+#include "field/plant_field_level.hpp"
+#include "field/plant_field_species.hpp"
 #include "plant_wind.hpp"
 
+#include <godot_cpp/variant/node_path.hpp>
 #include <godot_cpp/variant/string_name.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
 #include <godot_cpp/variant/vector2.hpp>
 
 #include <cstdint>
-#include <vector>
 
 namespace undergrowth {
 
-/// A species of a field, read from its resource.
-struct ListedSpecies {
-	godot::Ref<PlantFunction> function;
-	float share = 1.0f;
-	float density_factor = 1.0f;
-	godot::Vector2 scale_range = { 0.8f, 1.2f };
-	float height_deviation = 0.1f;
-	float lean_deviation = 0.0f; // rad.
-	int variants = 4;
-};
-
-/// A level of detail of a field, read from its resource.
-struct ListedLevel {
-	int segments = 12;
-	float end = 0.0f; // m; 0: never.
-};
-
 /// What users set of a PlantField3D that decides what stands: a change of it grows the field anew.
 struct StandOptions {
+	godot::TypedArray<PlantFieldSpecies> species;
 	double density = 40.0; // Plants/m².
 	godot::Vector2 size = { 20.0f, 20.0f }; // m.
 	int64_t seed = 0;
@@ -41,10 +26,14 @@ struct StandOptions {
 	godot::Vector2 height_limits = { -1000.0f, 1000.0f }; // m.
 	godot::Vector2 slope_limits = { 0.0f, 1.5707963f }; // rad.
 	double slope_alignment = 0.0;
+	godot::NodePath outline; // Of a Path3D; empty: a rectangle of `size`.
+	godot::TypedArray<godot::NodePath> exclusions; // Of Path3Ds and PlantField3Ds.
+	godot::NodePath ground_mesh;
 };
 
 /// What decides how it moves.
 struct MotionOptions {
+	godot::Ref<PlantWind> wind;
 	bool simulation_enabled = true;
 	int max_threads = 0;
 	int update_interval = 1;
@@ -57,11 +46,19 @@ struct MotionOptions {
 
 /// What decides how it is seen.
 struct ViewOptions {
+	godot::TypedArray<PlantFieldLevel> levels; // None: as usual.
 	double fade_margin = 3.0; // m.
 	double shadow_distance = 30.0; // m.
 	double skeleton_distance = 0.0; // m.
 	int max_skeletons = 64;
 	double tile_size = 16.0; // m.
+};
+
+/// All that users set of a PlantField3D, but for what it inherits.
+struct FieldProperties {
+	StandOptions stand;
+	MotionOptions motion;
+	ViewOptions view;
 };
 
 } // namespace undergrowth

@@ -90,16 +90,13 @@ void FieldView::clear(const ClumpPlace &place) {
 	clumps.erase(found);
 }
 
+void FieldView::clear() {
+	while (!clumps.empty()) {
+		clear(ClumpPlace(clumps.begin()->first));
+	}
+}
+
 void FieldView::show_filled(const FieldStyle &style, const std::vector<ClumpPlan> &plans) {
-	std::vector<ClumpPlace> old;
-	for (const auto &[place, group] : clumps) {
-		if (!place.is_added) {
-			old.push_back(place);
-		}
-	}
-	for (const ClumpPlace &place : old) {
-		clear(place);
-	}
 	show(style, plans);
 }
 
@@ -129,15 +126,6 @@ void FieldView::show_added(const FieldStyle &style, const PoseTexture &poses, co
 }
 
 void FieldView::show_all_added(const FieldStyle &style, const PoseTexture &poses, const PlantStore &store) {
-	std::vector<ClumpPlace> old;
-	for (const auto &[place, group] : clumps) {
-		if (place.is_added) {
-			old.push_back(place);
-		}
-	}
-	for (const ClumpPlace &place : old) {
-		clear(place);
-	}
 	std::vector<DrawnBlock> added;
 	for (int number = 0; number < store.block_count(); number++) {
 		if (store.block(number).is_added) {

@@ -62,7 +62,9 @@ public:
 	FieldView(const FieldView &) = delete;
 	FieldView &operator=(const FieldView &) = delete;
 
-	/// Shows these plans and nothing else of what was filled.
+	/// Draws nothing.
+	void clear();
+	/// Shows these plans.
 	void show_filled(const FieldStyle &style, const std::vector<ClumpPlan> &plans);
 	/// Draws the plants that were added anew in all places with a block that grew or was dropped.
 	void show_added(const FieldStyle &style, const PoseTexture &poses, const PlantStore &store,

@@ -19,7 +19,7 @@ static constexpr int HISTORY_LAYERS = Prototypes::SLOTS * Prototypes::MOST / PAI
 static constexpr int SPECIES_LAYERS = HISTORY_LAYERS + 1; // And one of loose plants.
 
 static_assert(LoosePlants::MOST <= PAIRS_PER_LAYER, "loose plants of a species have one layer");
-static_assert(FieldPage::PAGE_PLANTS == PAIRS_PER_LAYER, "a page fits into a layer");
+static_assert(MotionPage::PAGE_PLANTS == PAIRS_PER_LAYER, "a page fits into a layer");
 static_assert(Prototypes::MOST == PoseTexture::SIDE, "a row of a layer is a slot");
 
 PoseTexture::PoseTexture(bool follows) : follows_prototypes(follows) {}
@@ -129,7 +129,7 @@ void PoseTexture::write_block(const FieldSimulation &simulation, int page, int b
 	if (follows_prototypes) {
 		write_followers(simulation, page, own);
 	} else {
-		const FieldPage &plants = simulation.page(page);
+		const MotionPage &plants = simulation.page(page);
 		std::memcpy(texels(own.rows), plants.bends(), size_t(plants.size()) * TEXEL_BYTES);
 	}
 	write_hidden(own);
@@ -144,14 +144,12 @@ void PoseTexture::write_hidden(const Block &block) {
 	}
 }
 
-void PoseTexture::write_nobody(int block) {
-	Block &own = blocks[size_t(block)];
-	write_hidden(own);
-	own.is_fresh = true;
-}
-
 void PoseTexture::hide(int block, int slot) {
-	blocks[size_t(block)].hidden.push_back(uint16_t(slot));
+	Block &own = blocks[size_t(block)];
+	own.hidden.push_back(uint16_t(slot));
+	const Bend pair[2] = { HIDDEN, HIDDEN };
+	std::memcpy(texels(own.rows) + size_t(slot) * TEXEL_BYTES, pair, TEXEL_BYTES);
+	own.is_fresh = true;
 }
 
 void PoseTexture::show(int block, int slot) {
@@ -203,7 +201,7 @@ void PoseTexture::write_history(const FieldSimulation &simulation, bool all) {
 		}
 		const int slot = models.newest_slot();
 		write_layer(first + slot / SIDE, models.history() + size_t(slot) * 2 * Prototypes::MOST, SIDE, slot % SIDE * SIDE);
-		const FieldPage &loose = simulation.loose_plants(species)->page();
+		const MotionPage &loose = simulation.loose_plants(species)->page();
 		if (loose.size() > 0) {
 			write_layer(first + HISTORY_LAYERS, loose.bends(), loose.size(), 0);
 		}

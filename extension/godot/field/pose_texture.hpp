@@ -42,14 +42,12 @@ public:
 	/// Takes over the bends of a block, which is a page of the simulation. On any thread, different blocks at the same
 	/// time.
 	void write_block(const FieldSimulation &simulation, int page, int block);
-	/// Only hides what is hidden: of a block without a page.
-	void write_nobody(int block);
 	/// Takes over the newest slot of each species' history, or all of them, and what its pushed plants do.
 	void write_history(const FieldSimulation &simulation, bool all);
 
-	/// Draws nothing where this plant is, from the next write_block() on.
+	/// Draws nothing where this plant is.
 	void hide(int block, int slot);
-	/// Ends that.
+	/// Ends that, from the next write_block() on.
 	void show(int block, int slot);
 
 	/// Main thread from here on. Makes textures of the layers where they are new or more; tells whether they are others.
