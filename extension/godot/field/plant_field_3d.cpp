@@ -116,7 +116,7 @@ void PlantField3D::_notification(int what) {
 		case NOTIFICATION_EXIT_TREE:
 			finish_step();
 			count_in_monitors(false);
-			watched.clear();
+			bodies.forget();
 			for (const std::unique_ptr<FieldDrawing> &drawing : drawings) {
 				drawing->set_scenario(RID());
 			}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "field/contact.hpp"
+#include "field/field_bodies.hpp"
 #include "field/field_drawing.hpp"
 #include "field/field_fill.hpp"
 #include "field/field_options.hpp"
@@ -78,12 +79,7 @@ private:
 	double upload_usec = 0.0;
 	double main_usec = 0.0; // Of the last frame, without wait_usec.
 	double wait_usec = 0.0; // For the worker threads, where they took longer than the frame.
-	struct WatchedBody {
-		uint64_t id = 0;
-		glm::vec3 at = { 0.0f, 0.0f, 0.0f };
-		bool is_inside = false;
-	};
-	std::vector<WatchedBody> watched;
+	FieldBodies bodies;
 	int frames_since_far = 0;
 
 	godot::Transform3D axes() const;
@@ -114,7 +110,8 @@ private:
 	void upload();
 	FieldWind wind_here(const godot::Ref<PlantWind> &from, double offset) const;
 	void update_wind(int step_count);
-	void gather_bodies();
+	void push_bodies(double ago);
+	void tell_of_bodies();
 	void update_far();
 	void send_uniforms();
 

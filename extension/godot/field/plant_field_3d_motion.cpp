@@ -3,7 +3,7 @@
 #include "field/plant_field_3d.hpp"
 
 #include "convert.hpp"
-#include "field/field_shapes.hpp"
+#include "messages.hpp"
 #include "plant_simulation.hpp"
 
 #include <godot_cpp/classes/camera3d.hpp>
@@ -89,15 +89,20 @@ double PlantField3D::step(double delta) {
 	}
 	const int step_count = clock.advance(delta);
 	shown_alpha = clock.alpha();
+	bodies.watch(get_tree(), bodies_group, axes(), delta);
 	if (step_count == 0) {
 		return 0.0;
 	}
 	update_wind(step_count);
-	gather_bodies();
 	update_far();
 	TipContact *contact = options.contact && options.prototypes == 0 ? &touching : nullptr;
 	double stepping_usec = 0.0;
 	for (int i = 0; i < step_count; i++) {
+		finish_step();
+		push_bodies((double(clock.alpha()) + step_count - 1 - i) * clock.step());
+		if (i + 1 == step_count) {
+			tell_of_bodies();
+		}
 		steps.start(*simulation, *bends, contact, worker_count());
 		stepping_usec += steps.inline_usec();
 	}
@@ -141,60 +146,29 @@ void PlantField3D::update_wind(int step_count) {
 	simulation->set_wind(wind_here(wind, wind_offset));
 }
 
-void PlantField3D::gather_bodies() {
-	if (bodies_group.is_empty() && watched.empty()) {
-		simulation->set_bodies(nullptr, 0);
-		return;
-	}
-	std::vector<FieldBody> pushing;
-	std::vector<WatchedBody> present;
-	const TypedArray<Node> nodes = bodies_group.is_empty()
-			? TypedArray<Node>()
-			: TypedArray<Node>(get_tree()->get_nodes_in_group(bodies_group));
-	const Transform3D to_field = axes().affine_inverse();
-	for (int64_t i = 0; i < nodes.size(); i++) {
-		const Node3D *node = Object::cast_to<Node3D>(nodes[i]);
-		if (!node) {
-			continue;
-		}
-		const size_t first = pushing.size();
-		add_shapes(node, to_field, pushing);
-		if (pushing.size() == first) {
-			continue;
-		}
-		WatchedBody body;
-		body.id = node->get_instance_id();
-		body.at = to_glm(to_field.xform(node->get_global_position()));
-		const auto before = std::find_if(
-				watched.begin(), watched.end(), [&](const WatchedBody &other) { return other.id == body.id; });
-		if (before != watched.end()) {
-			const double delta = std::max(get_process_delta_time(), 1e-4);
-			for (size_t k = first; k < pushing.size(); k++) {
-				pushing[k].velocity = (body.at - before->at) / float(delta);
-			}
-			body.is_inside = before->is_inside;
-		}
-		const bool was_inside = body.is_inside;
-		body.is_inside = false;
-		for (size_t k = first; k < pushing.size() && !body.is_inside; k++) {
-			const float margin = pushing[k].radius + float(options.touch_margin);
-			body.is_inside = simulation->is_point_in_plants(pushing[k].from, margin) ||
-					simulation->is_point_in_plants(pushing[k].to, margin);
-		}
-		present.push_back(body);
-		if (body.is_inside != was_inside) {
-			call_deferred("emit_signal", body.is_inside ? "body_entered_plants" : "body_exited_plants", node);
-		}
-	}
-	for (const WatchedBody &body : watched) {
-		Object *gone = body.is_inside ? ObjectDB::get_instance(body.id) : nullptr;
-		const auto is_same = [&](const WatchedBody &other) { return other.id == body.id; };
-		if (gone && std::none_of(present.begin(), present.end(), is_same)) {
-			call_deferred("emit_signal", "body_exited_plants", gone); // It left the group, or the tree.
-		}
-	}
-	watched = std::move(present);
+// The bodies as they were `ago` seconds before this frame.
+void PlantField3D::push_bodies(double ago) {
+	const std::vector<FieldBody> &pushing = bodies.gather(ago);
 	simulation->set_bodies(pushing.data(), int(pushing.size()));
+}
+
+void PlantField3D::tell_of_bodies() {
+	const auto touches = [this](const FieldBody &body) {
+		for (int page = 0; page < simulation->page_count(); page++) {
+			if (touches_plants(simulation->page(page), body, float(options.touch_margin))) {
+				return true;
+			}
+		}
+		return false;
+	};
+	for (const FieldBodies::Event &event : bodies.find_events(touches)) {
+		if (Object *body = ObjectDB::get_instance(event.body)) {
+			call_deferred("emit_signal", event.has_entered ? "body_entered_plants" : "body_exited_plants", body);
+		}
+	}
+	for (const String &warning : bodies.take_warnings()) {
+		report_warning(this, warning);
+	}
 }
 
 // Pages farther than far_distance are stepped half as often, those FARTHER yet a quarter as often, and so on: as fast
