@@ -42,7 +42,7 @@ func test_plants_lean_with_the_ground() -> void:
 	field.simulating = false
 	for function: PlantFunction in field.species:
 		function.law = PlantFunction.LAW_SPRING
-		function.lean_degrees = 0.0
+		function.lean = 0.0
 	await _fill()
 	check_near(_field_axis(5), Vector3.UP, 1e-3, "a plant without alignment")
 	field.slope_alignment = 1.0
@@ -69,7 +69,7 @@ func test_plants_of_an_uneven_field_lean_with_colliders() -> void:
 	field.simulating = false
 	for function: PlantFunction in field.species:
 		function.law = PlantFunction.LAW_SPRING
-		function.lean_degrees = 0.0
+		function.lean = 0.0
 	field.ground = PlantField3D.GROUND_COLLIDERS
 	field.slope_alignment = 1.0
 	await _fill()
@@ -85,7 +85,7 @@ func test_added_plants_keep_their_turn_and_their_tilt() -> void:
 	root.add_child(field)
 	var function := TulipFunction.new()
 	function.law = PlantFunction.LAW_SPRING
-	function.lean_degrees = 0.0
+	function.lean = 0.0
 	var tilt := Basis(Vector3(1, 0, 2).normalized(), 0.6)
 	field.add_plants([Transform3D(tilt * Basis(Vector3.UP, 1.3), Vector3(1, 2, 3))], function)
 	await frames(2)

@@ -92,7 +92,7 @@ func test_turning_the_camera_changes_no_level() -> void:
 func test_a_bent_plant_is_not_culled_where_only_its_tip_is_seen() -> void:
 	var function := TulipFunction.new()
 	function.law = PlantFunction.LAW_SPRING
-	function.lean_degrees = 80.0
+	function.lean = deg_to_rad(80.0)
 	_field.add_plants([Transform3D(Basis(Vector3.UP, PI / 2), Vector3(-2.2, 1.0, 0))], function)
 	await frames(5)
 	check(count_different(await picture(), empty_picture()) > LEAST_PLANT, "the tip of it is drawn")

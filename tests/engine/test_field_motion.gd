@@ -84,7 +84,7 @@ func test_the_wind_comes_to_plants_downwind_later() -> void:
 	root.add_child(field)
 	var function := TulipFunction.new()
 	function.law = PlantFunction.LAW_SPRING
-	function.lean_degrees = 0.0
+	function.lean = 0.0
 	function.damping_ratio = 1.0
 	(
 		field

@@ -55,7 +55,7 @@ func test_a_plant_that_leans_on_a_slope() -> void:
 	var function := TulipFunction.new()
 	function.law = PlantFunction.LAW_SPRING
 	function.damping_ratio = 1.0
-	function.lean_degrees = 15.0
+	function.lean = deg_to_rad(15.0)
 	_field.wind.strength = 2.0
 	var tilt := Basis(Vector3(1, 0, 0.5).normalized(), -0.5)
 	await _compare(function, Transform3D(tilt * Basis(Vector3.UP, 2.0).scaled(Vector3.ONE * 0.8)))

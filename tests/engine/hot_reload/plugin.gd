@@ -25,7 +25,7 @@ func _run() -> void:
 	_shared = _make("PlantWind", {"kind": 1, "strength": _last_strength, "direction_degrees": 90.0})
 	var tulip := _make("TulipFunction", {"mass": 0.75, "shape_deviation": 0.25})
 	_tulip = _plant({"function": tulip, "height": 1.25, "lod": 7, "seed": 5})
-	var curve := _make("CurvePlantFunction", {"width_curve": _make_width(), "base_radius": 0.25})
+	var curve := _make("CurvePlantFunction", {"width_curve": _make_width(), "radius": 0.25})
 	_curve = _plant({"function": curve, "height": 2.0})
 	_field = _make_field(tulip)
 	await _frames(3)
