@@ -88,8 +88,8 @@ bool accept_angle(const Object *object, const char *property, double radians, co
 	report_error(object,
 			String(property) + " cannot be " + String::num(radians) + " rad, which is " + String::num(turned, 1) +
 					String::utf8("°, it keeps its value. Set an angle from ") + String::num(degrees.least) + " to " +
-					String::num(degrees.most) + String::utf8("°, in radians: deg_to_rad(") +
-					String::num(degrees.most) + ") is the largest.");
+					String::num(degrees.most) + String::utf8("°, in radians: deg_to_rad(") + String::num(degrees.most) +
+					") is the largest.");
 	return false;
 }
 

@@ -85,8 +85,8 @@ public:
 	godot::Ref<godot::ArrayMesh> build(const SampledPlant &sample, int64_t seed) const;
 	/// The joint of a plant of `length` metres whose root stands in `frame` (its up axis and turn, orthonormal).
 	Joint make_joint(float length, const godot::Basis &frame) const;
-	/// True while `changed` is emitted for a property that leaves meshes as they are. Setters emit it once for each real
-	/// change, never for a value that they have already.
+	/// True while `changed` is emitted for a property that leaves meshes as they are. Setters emit it once for each
+	/// real change, never for a value that they have already.
 	bool is_motion_change() const;
 
 	void set_law(MotionLaw law);

@@ -13,8 +13,10 @@ static void bind_functions() {
 	ClassDB::bind_method(D_METHOD("generate_height", "rng"), &PlantFunction::generate_height);
 	ClassDB::bind_method(D_METHOD("calculate_curve_point", "offset"), &PlantFunction::calculate_curve_point);
 	ClassDB::bind_method(D_METHOD("calculate_color_at_point", "offset"), &PlantFunction::calculate_color_at_point);
-	ClassDB::bind_method(D_METHOD("generate_mesh", "height", "segments", "seed"), &PlantFunction::generate_mesh, DEFVAL(0));
-	ClassDB::bind_method(D_METHOD("find_problem", "height", "segments", "seed"), &PlantFunction::find_problem, DEFVAL(0));
+	ClassDB::bind_method(
+			D_METHOD("generate_mesh", "height", "segments", "seed"), &PlantFunction::generate_mesh, DEFVAL(0));
+	ClassDB::bind_method(
+			D_METHOD("find_problem", "height", "segments", "seed"), &PlantFunction::find_problem, DEFVAL(0));
 }
 
 static void bind_motion_methods() {
