@@ -12,7 +12,8 @@ struct Range {
 	double most;
 };
 
-/// How messages call an object: its class, and its path, name or resource path.
+/// How messages call an object: its class, and where a user finds it. A resource by its file, else by its script or
+/// name and the file that it is embedded in; a node by its path in the game or in the edited scene.
 godot::String describe(const godot::Object *object);
 
 /// One error in Godot's log that names its object and says what to do.
@@ -28,7 +29,6 @@ bool accept_value(const godot::Object *object, const char *property, double valu
 bool accept_angle(const godot::Object *object, const char *property, double radians, const Range &degrees);
 
 /// The same of a range that goes from x up to y.
-bool accept_span(
-		const godot::Object *object, const char *property, const godot::Vector2 &value, const Range &range);
+bool accept_span(const godot::Object *object, const char *property, const godot::Vector2 &value, const Range &range);
 
 } // namespace undergrowth

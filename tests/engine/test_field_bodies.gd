@@ -3,8 +3,7 @@ extends "res://tests/engine/field_harness.gd"
 
 
 func before_each() -> void:
-	field = PlantField3D.new()
-	field.species = [TulipFunction.new()]
+	field = PlantField3D.from_species([TulipFunction.new()])
 	field.size = Vector2(30, 30)
 	field.density = 3.0
 	field.wind = PlantWind.new()
@@ -19,9 +18,11 @@ func test_impulses_move_plants_in_reach_only() -> void:
 	var count := field.apply_impulse_in_sphere(Vector3(3, 0, 3), 2.0, Vector3(1, 0, 0))
 	check(count > 10, "%d plants are hit" % count)
 	await step(4)
-	for i in field.get_plant_count():
-		var is_near := field.get_plant_transform(i).origin.distance_to(Vector3(3, 0, 3)) <= 2.0
-		var has_moved := field.get_tip_position(i).distance_to(before[i]) > 1e-5
+	var after := all_tips()
+	var places := field.get_plant_transforms(field.get_plant_ids())
+	for i in places.size():
+		var is_near := places[i].origin.distance_to(Vector3(3, 0, 3)) <= 2.0
+		var has_moved := after[i].distance_to(before[i]) > 1e-5
 		check(is_near == has_moved, "plant %d moves where it was hit" % i)
 	field.apply_impulse_in_sphere(Vector3.ZERO, 1.0, Vector3(NAN, 0, 0))
 	check_error("apply_impulse_in_sphere")

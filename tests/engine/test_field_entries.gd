@@ -142,9 +142,7 @@ func test_saved_entries_load_equal() -> void:
 	check_equal(ResourceSaver.save(entry, PATH), OK, "saving")
 	var text := FileAccess.get_file_as_string(PATH)
 	check(not text.contains("resource_name"), "a name that nobody gave is not saved: " + text)
-	var loaded: PlantFieldSpecies = ResourceLoader.load(
-		PATH, "", ResourceLoader.CACHE_MODE_IGNORE
-	)
+	var loaded: PlantFieldSpecies = ResourceLoader.load(PATH, "", ResourceLoader.CACHE_MODE_IGNORE)
 	for property in ["share", "scale_range", "lean_deviation", "resource_name"]:
 		check_equal(loaded.get(property), entry.get(property), property)
 	check(loaded.species is TulipFunction, "the species is kept")
@@ -168,7 +166,7 @@ func _refuse(resource: Resource, bad: Dictionary) -> void:
 func _count_changes(resource: Resource, values: Dictionary) -> void:
 	resource.changed.connect(_hear.bind(resource))
 	for property: String in values:
-		for expected: int in [1, 0]: # What is set once more is no change.
+		for expected: int in [1, 0]:  # What is set once more is no change.
 			_heard = []
 			resource.set(property, values[property])
 			check_equal(_heard.size(), expected, "signals for " + property)

@@ -75,6 +75,8 @@ public:
 	void set_hidden(const PlantPlace &place, bool hidden);
 
 	FieldBodies bodies;
+	/// Bodies that came among plants, or left them, since it was asked last.
+	std::vector<FieldBodies::Event> take_events() { return std::move(events); }
 	const PoseTexture *poses() const { return textures.get(); }
 	FieldWind wind_here(const Frame &frame, double offset) const;
 	double step_length() const { return clock.step(); }
@@ -97,6 +99,7 @@ private:
 	double seen_wind_time = -1.0; ///< s.
 	uint64_t seen_wind = 0; ///< Its instance id.
 	int frames_since_far = 0;
+	std::vector<FieldBodies::Event> events;
 	std::vector<glm::vec3> pushed_at; ///< m, field axes: bodies of the last step.
 
 	int page_of(int block) const { return pages[size_t(block)]; }
@@ -110,6 +113,8 @@ private:
 	void write_all();
 	void update_wind(const Frame &frame, int step_count);
 	void update_far(const Frame &frame, const MotionOptions &options);
+	void push(double ago);
+	void find_events(double margin);
 	void start_step(const MotionOptions &options, bool with_contact);
 };
 

@@ -112,6 +112,29 @@ void FieldMotion::start_step(const MotionOptions &options, bool with_contact) {
 	steps.start(*simulation, *textures, block_of_page, contact, worker_count(options));
 }
 
+// The bodies as they were `ago` seconds before this frame.
+void FieldMotion::push(double ago) {
+	const std::vector<FieldBody> &pushing = bodies.gather(ago);
+	simulation->set_bodies(pushing.data(), int(pushing.size()));
+	pushed_at.clear();
+	for (const FieldBody &body : pushing) {
+		pushed_at.push_back(body.from);
+	}
+}
+
+void FieldMotion::find_events(double margin) {
+	const auto touches = [&](const FieldBody &body) {
+		for (int page = 0; page < simulation->page_count(); page++) {
+			if (touches_plants(simulation->page(page), body, float(margin))) {
+				return true;
+			}
+		}
+		return false;
+	};
+	const std::vector<FieldBodies::Event> found = bodies.find_events(touches);
+	events.insert(events.end(), found.begin(), found.end());
+}
+
 // The last step of a frame runs beside it and is shown in the next one. Where frames take longer than a step, those
 // before it are done at once.
 double FieldMotion::advance(const Frame &frame, const MotionOptions &options) {
@@ -129,11 +152,9 @@ double FieldMotion::advance(const Frame &frame, const MotionOptions &options) {
 			break;
 		}
 		wait();
-		const std::vector<FieldBody> &pushing = bodies.gather(clock.step() * (step_count - 1 - i));
-		simulation->set_bodies(pushing.data(), int(pushing.size()));
-		pushed_at.clear();
-		for (const FieldBody &body : pushing) {
-			pushed_at.push_back(body.from);
+		push(clock.step() * (double(shown_alpha) + step_count - 1 - i));
+		if (i + 1 == step_count) {
+			find_events(options.touch_margin);
 		}
 		start_step(options, touches);
 		stepping_usec += steps.inline_usec();
