@@ -55,7 +55,6 @@ int PlantField3D::species_for(const Ref<PlantFunction> &function) {
 		settings.step = float(clock.step());
 		settings.update_interval = options.update_interval;
 		settings.prototypes = options.prototypes;
-		settings.write_followers = false;
 		settings.seed = uint64_t(options.seed);
 		simulation = std::make_unique<FieldSimulation>(settings);
 	}

@@ -223,24 +223,28 @@ void PlantField3D::update_far() {
 	}
 }
 
+// A plane of delays in the field's axes as the shader takes it, by metre of the world.
+static Vector4 world_delay(const DelayPlane &plane, const Transform3D &axes) {
+	const Vector3 per_metre = axes.basis.inverse().transposed().xform(Vector3(plane.x, 0.0f, plane.z));
+	return Vector4(per_metre.x, per_metre.y, per_metre.z, plane.base - per_metre.dot(axes.origin));
+}
+
 void PlantField3D::send_uniforms() {
 	if (options.prototypes == 0 || simulation->settings().prototypes == 0) {
 		return;
 	}
-	const float step_length = simulation->settings().step;
-	const FieldWind &blowing = simulation->wind();
-	const float per_x = wind_delay(blowing, 1.0f, 0.0f) / step_length;
-	const float per_z = wind_delay(blowing, 0.0f, 1.0f) / step_length;
-	const Transform3D placed = axes();
-	const Vector3 per_metre = placed.basis.inverse().transposed().xform(Vector3(per_x, 0.0f, per_z));
-	const float at_origin = simulation->prototype_lead() / step_length - per_metre.dot(placed.origin);
-	const Vector4 delay(per_metre.x, per_metre.y, per_metre.z, at_origin);
+	const FollowDelays &delays = simulation->follow_delays();
+	const Vector4 delay = world_delay(delays.after(), axes());
+	const Vector4 delay_before = world_delay(delays.before(), axes());
+	const float share = delays.share(shown_alpha);
 	for (int i = 0; i < simulation->species_count(); i++) {
 		const Vector3 history(
 				float(bends->history_layer(i)), float(simulation->prototypes(i)->newest_slot()), shown_alpha);
 		for (const Ref<ShaderMaterial> &material : style.looks[size_t(i)].materials) {
 			material->set_shader_parameter("undergrowth_history", history);
 			material->set_shader_parameter("undergrowth_delay", delay);
+			material->set_shader_parameter("undergrowth_delay_before", delay_before);
+			material->set_shader_parameter("undergrowth_delay_share", share);
 		}
 	}
 }

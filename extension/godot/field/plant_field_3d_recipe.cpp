@@ -171,7 +171,6 @@ String PlantField3D::make_recipe(FieldRecipe &recipe) {
 	recipe.settings.step = float(PlantSimulation::get_singleton()->get_step_length());
 	recipe.settings.update_interval = options.update_interval;
 	recipe.settings.prototypes = options.prototypes;
-	recipe.settings.write_followers = false;
 	recipe.settings.seed = uint64_t(options.seed);
 	recipe.chunk_size = float(options.chunk_size);
 	recipe.wind = wind_here(wind, wind.is_valid() ? wind->get_time() : 0.0);

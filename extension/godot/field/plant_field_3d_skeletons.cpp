@@ -179,24 +179,7 @@ bool PlantField3D::choose_skeletons() {
 
 // The bend that the vertex shader reads for the same plant in this frame: undergrowth_bend.gdshaderinc.
 glm::vec2 PlantField3D::drawn_bend(const FieldPatch &patch, int plant) const {
-	const int page = patch.page(plant);
-	const int index = patch.index(plant);
-	const Bend *pair = simulation->page(page).bends() + 2 * index;
-	float share = simulation->alpha(page, shown_alpha);
-	const int species_index = simulation->page(page).species();
-	const Prototypes *models = simulation->prototypes(species_index);
-	if (models) {
-		share = shown_alpha;
-		const Follower &follower = simulation->follower(page, index);
-		const PlacedPlant placed = patch.plants.plant(plant);
-		const float way = simulation->prototype_lead() + wind_delay(simulation->wind(), placed.root.x, placed.root.z);
-		const float late = float(follower.own_delay) + way / simulation->settings().step;
-		const int delay = int(glm::clamp(late, 0.0f, float(Prototypes::LONGEST_DELAY - 1)));
-		const int slot = (models->newest_slot() - delay) & (Prototypes::SLOTS - 1);
-		pair = follower.loose > 0 ? simulation->loose_plants(species_index)->page().bends() + 2 * (follower.loose - 1)
-								  : models->history() + 2 * (size_t(slot) * Prototypes::MOST + follower.prototype);
-	}
-	return glm::mix(stereographic(pair[0]), stereographic(pair[1]), share);
+	return simulation->shown_bend(patch.page(plant), patch.index(plant), shown_alpha);
 }
 
 void PlantField3D::pose_skeletons() {

@@ -63,6 +63,4 @@ TEST_CASE("a step of a field with prototypes allocates nothing, while a body pus
 	FieldSettings settings;
 	settings.prototypes = 32;
 	CHECK(allocations_of_steps(settings, false) == 0);
-	settings.write_followers = false;
-	CHECK(allocations_of_steps(settings, false) == 0);
 }
