@@ -41,10 +41,7 @@ long allocations_of_steps(const FieldSettings &settings, bool with_contact) {
 
 } // namespace
 
-TEST_CASE("allocations are counted") {
-	if (!counts_allocations()) {
-		return;
-	}
+TEST_CASE("allocations are counted" * doctest::skip(!counts_allocations())) {
 	const long before = allocation_count();
 	const std::vector<int> some(100);
 	const Columns table(3); // Aligned.

@@ -161,3 +161,53 @@ TEST_CASE("removing plants keeps who swings by itself apart") {
 		REQUIRE(pointed_at == loose.count());
 	}
 }
+
+TEST_CASE("a follower of a species that leans swings about its rest direction when it was pushed") {
+	MotionSpecies species = species_of(Law::spring);
+	species.lean = 0.5f;
+	species.joint.damping_ratio = 1.0f;
+	FieldSettings settings;
+	settings.prototypes = 16;
+	FieldSimulation field(settings);
+	std::vector<MotionPlant> plants(10);
+	for (int i = 0; i < 10; i++) {
+		const float around = 0.6f * static_cast<float>(i);
+		plants[static_cast<size_t>(i)].root.x = static_cast<float>(i);
+		plants[static_cast<size_t>(i)].rest = { std::sin(0.5f) * std::sin(around), std::cos(0.5f),
+			std::sin(0.5f) * std::cos(around) };
+	}
+	field.add_page(field.add_species(species), plants.data(), 10);
+	field.set_wind({ { WindKind::constant, 0.0f }, 0.0f });
+	field.step();
+	std::vector<glm::vec3> rests;
+	for (int i = 0; i < 10; i++) {
+		rests.push_back(field.state(0, i).direction);
+		field.apply_impulse(0, i, { 0.2f, 0.0f, 0.2f });
+	}
+	for (int i = 0; i < static_cast<int>(0.9f * LoosePlants::ALONE / FIELD_STEP); i++) {
+		field.step();
+	}
+	REQUIRE(field.loose_plants(0)->count() == 10);
+	for (int i = 0; i < 10; i++) {
+		CHECK(glm::distance(field.state(0, i).direction, rests[static_cast<size_t>(i)]) < 0.01f);
+	}
+}
+
+TEST_CASE("a follower that is pushed again goes on alone for as long as after the first push") {
+	FieldSimulation field = following_field(Law::spring);
+	const int almost = static_cast<int>(0.9f * LoosePlants::ALONE / FIELD_STEP);
+	field.apply_impulse(0, 7, { 0.2f, 0.0f, 0.0f });
+	for (int i = 0; i < 3; i++) {
+		for (int k = 0; k < almost; k++) {
+			field.step();
+		}
+		REQUIRE(field.loose_plants(0)->count() == 1);
+		const glm::vec3 own = field.loose_plants(0)->page().direction(0);
+		REQUIRE(glm::distance(field.state(0, 7).direction, own) < 1e-3f);
+		field.apply_impulse(0, 7, { 0.2f, 0.0f, 0.0f });
+	}
+	for (int k = 0; k < RUNG_DOWN; k++) {
+		field.step();
+	}
+	CHECK(field.loose_plants(0)->count() == 0);
+}
