@@ -66,8 +66,6 @@ void time_ladder(Report &report) {
 	interval_4.update_interval = 4;
 	FieldSettings prototypes_64;
 	prototypes_64.prototypes = 64;
-	FieldSettings drawn_prototypes = prototypes_64;
-	drawn_prototypes.write_followers = false;
 	const bool has_four = std::thread::hardware_concurrency() >= 4;
 	for (const int plants : { 1000, 10000, 100000, 1000000 }) {
 		for (const int threads : { 1, 4 }) {
@@ -77,7 +75,6 @@ void time_ladder(Report &report) {
 				time_field(report, "field_step_prototypes_64", prototypes_64, plants, threads);
 			}
 		}
-		time_field(report, "field_step_prototypes_64_drawn", drawn_prototypes, plants, 1);
 	}
 }
 

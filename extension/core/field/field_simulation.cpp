@@ -43,7 +43,8 @@ bool are_valid(const MotionPlant *plants, int count) {
 
 } // namespace
 
-FieldSimulation::FieldSimulation(const FieldSettings &settings) : options(safe_settings(settings)) {
+FieldSimulation::FieldSimulation(const FieldSettings &settings) :
+		options(safe_settings(settings)), delays(options.step) {
 	along = winds_along(blowing);
 }
 
@@ -110,11 +111,8 @@ void FieldSimulation::take_in(Entry &entry, const MotionPlant *plants, int count
 	}
 	const Prototypes &model = models[static_cast<std::size_t>(entry.page.species())];
 	entry.followers.reserve(entry.followers.size() + static_cast<std::size_t>(count));
-	const TravellingWind now = wind_at_time(blowing, time());
 	for (int i = 0; i < count; i++) {
-		Follower follower = model.pick(plants[i], place_hash(options.seed, plants[i].root));
-		follower.delay = static_cast<uint16_t>(wanted_delay(follower, plants[i].root.x, plants[i].root.z, now));
-		entry.followers.push_back(follower);
+		entry.followers.push_back(model.pick(plants[i], place_hash(options.seed, plants[i].root)));
 	}
 	loose_of(entry).reserve(count_of_species(entry.page.species()));
 }
@@ -130,7 +128,7 @@ void FieldSimulation::update_box() {
 		box_high = is_first ? entry.page.high() : glm::max(box_high, entry.page.high());
 		is_first = false;
 	}
-	update_lead();
+	update_delays();
 }
 
 void FieldSimulation::drop(int page, int index) {
@@ -189,7 +187,7 @@ void FieldSimulation::clear() {
 void FieldSimulation::set_wind(const FieldWind &wind) {
 	blowing = wind;
 	along = winds_along(wind);
-	update_lead();
+	update_delays();
 }
 
 void FieldSimulation::set_update_interval(int steps) {
@@ -231,6 +229,7 @@ void FieldSimulation::begin_step() {
 	}
 	step_prototypes(next_step);
 	next_step++;
+	delays.step();
 	step_loose();
 }
 
@@ -251,9 +250,6 @@ void FieldSimulation::step_page(Entry &entry, int interval) {
 	entry.last_step = next_step - 1;
 	entry.interval = interval;
 	if (!entry.page.swings()) {
-		if (options.write_followers) {
-			show_followers(entry, std::max(interval / 2, 1));
-		}
 		return;
 	}
 	const float step_length = options.step * static_cast<float>(interval);

@@ -3,6 +3,7 @@
 #include "field/field_simulation.hpp"
 #include "motion/gnomonic.hpp"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -49,8 +50,7 @@ int FieldSimulation::due_count() const {
 		due += some.count();
 	}
 	for (int page = 0; page < page_count(); page++) {
-		const bool steps = at(page).page.swings() || options.write_followers;
-		due += steps && is_due(page, next_step) ? at(page).page.standing() : 0;
+		due += at(page).page.swings() && is_due(page, next_step) ? at(page).page.standing() : 0;
 	}
 	return due;
 }
@@ -59,6 +59,24 @@ float FieldSimulation::alpha(int page, float fraction) const {
 	const Entry &entry = at(page);
 	const float steps = static_cast<float>(next_step - 1 - entry.last_step) + fraction;
 	return std::clamp(steps / static_cast<float>(entry.interval), 0.0f, 1.0f);
+}
+
+glm::vec2 FieldSimulation::shown_bend(int page, int index, float fraction) const {
+	const Entry &entry = at(page);
+	const MotionPage *swinging = &entry.page;
+	int row = index;
+	float share = fraction;
+	if (entry.page.swings()) {
+		share = alpha(page, fraction);
+	} else {
+		row = entry.followers[static_cast<std::size_t>(index)].loose - 1;
+		if (row < 0) {
+			return followed_bend(entry, index, fraction);
+		}
+		swinging = &loose[static_cast<std::size_t>(entry.page.species())].page();
+	}
+	const Bend *pair = swinging->bends() + 2 * row;
+	return glm::mix(stereographic(pair[0]), stereographic(pair[1]), share);
 }
 
 TipState FieldSimulation::state(int page, int index) const {
@@ -70,9 +88,8 @@ TipState FieldSimulation::state(int page, int index) const {
 	if (shown.loose > 0) {
 		return loose[static_cast<std::size_t>(entry.page.species())].shown_state(shown.loose - 1);
 	}
-	const glm::vec3 now = decode_bend(followed_bend(entry, index, 0));
-	const glm::vec3 before = decode_bend(followed_bend(entry, index, 1));
-	return safe_state({ now, (now - before) / options.step });
+	const glm::vec3 now = shown_direction(page, index, 1.0f);
+	return safe_state({ now, (now - shown_direction(page, index, 0.0f)) / options.step });
 }
 
 void FieldSimulation::apply_impulse(int page, int index, const glm::vec3 &impulse) {
@@ -98,7 +115,8 @@ const LoosePlants *FieldSimulation::loose_plants(int species) const {
 }
 
 bool FieldSimulation::is_point_in_plants(const glm::vec3 &point, float margin) const {
-	for (const Entry &entry : entries) {
+	for (int page = 0; page < page_count(); page++) {
+		const Entry &entry = at(page);
 		if (!contains(entry.page, point, margin)) {
 			continue;
 		}
@@ -110,7 +128,9 @@ bool FieldSimulation::is_point_in_plants(const glm::vec3 &point, float margin) c
 			if (entry.page.is_gone(i) || std::fabs(x[i] - point.x) > reach || std::fabs(z[i] - point.z) > reach) {
 				continue;
 			}
-			const glm::vec3 nearest = nearest_on_segment(entry.page.root(i), entry.page.tip(i), point);
+			const glm::vec3 root = entry.page.root(i);
+			const glm::vec3 tip = root + entry.page.length(i) * shown_direction(page, i, 1.0f);
+			const glm::vec3 nearest = nearest_on_segment(root, tip, point);
 			if (glm::distance(nearest, point) <= radius) {
 				return true;
 			}

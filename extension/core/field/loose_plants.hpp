@@ -23,17 +23,17 @@ public:
 	bool is_full() const { return count() == room; }
 	int count() const { return swinging.size(); }
 	void set_species(const MotionSpecies &species) { swinging.set_species(species); }
-	/// Plant `index` of page `page`, in `state`, which came from the bend `before`; tells its number, which is the
-	/// former count(). Only where it is not full.
-	int add(const MotionPlant &plant, int page, int index, const TipState &state, Bend before);
+	/// Plant `index` of page `page`, in `state`, which came from the direction `before`; tells its number, which is
+	/// the former count(). Only where it is not full.
+	int add(const MotionPlant &plant, int page, int index, const TipState &state, const glm::vec3 &before);
 	/// The last one takes its number.
 	void remove(int number);
 
 	/// One step of all under `wind`.
 	void step(const TravellingWind &wind, const PlantWinds &along) { swinging.step(wind, along); }
-	/// A step later than at the last push. Tells how much of `followed`, which its prototype shows, it shows from now
-	/// on (0 to 1), and shows it.
-	float grow_older(int number, Bend followed);
+	/// A step later than at the last push. Tells how much of `followed`, the unit direction that its prototype shows, it
+	/// shows from now on (0 to 1), and shows it.
+	float grow_older(int number, const glm::vec3 &followed);
 	/// Puts a plant that was pushed into a state.
 	void push(int number, const TipState &state);
 

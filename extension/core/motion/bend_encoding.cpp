@@ -67,7 +67,10 @@ glm::vec2 stereographic(Bend bend) {
 }
 
 glm::vec3 decode_bend(Bend bend) {
-	const glm::vec2 s = stereographic(bend);
+	return from_stereographic(stereographic(bend));
+}
+
+glm::vec3 from_stereographic(const glm::vec2 &s) {
 	const float n = glm::dot(s, s);
 	return glm::vec3(2.0f * s.x, 1.0f - n, 2.0f * s.y) / (1.0f + n);
 }

@@ -39,13 +39,13 @@ MotionPage::MotionPage(
 
 void MotionPage::reserve(int plants) {
 	rows.reserve(plants);
-	pairs.reserve(2 * static_cast<std::size_t>(std::max(plants, 0)));
+	pairs.reserve(is_swinging ? 2 * static_cast<std::size_t>(std::max(plants, 0)) : 0);
 }
 
 void MotionPage::add(const MotionPlant *plants, int count) {
 	const int before = size();
 	rows.reserve(before + count);
-	pairs.resize(2 * static_cast<std::size_t>(before + count));
+	pairs.resize(is_swinging ? 2 * static_cast<std::size_t>(before + count) : 0);
 	for (int i = before; i < before + count; i++) {
 		const MotionPlant &plant = plants[i - before];
 		rows.add_row();
@@ -86,7 +86,7 @@ glm::vec3 MotionPage::tip(int index) const {
 
 glm::vec3 MotionPage::direction(int index) const {
 	if (!is_swinging) {
-		return decode_bend(pairs[2 * static_cast<std::size_t>(index) + 1]);
+		return rest(index);
 	}
 	if (kind.law == Law::elasticity) {
 		return { column(X)[index], column(Y)[index], column(Z)[index] };
@@ -97,9 +97,7 @@ glm::vec3 MotionPage::direction(int index) const {
 TipState MotionPage::state(int index) const {
 	const auto at = [this, index](int which) { return column(which)[index]; };
 	if (!is_swinging) {
-		const glm::vec3 before = decode_bend(pairs[2 * static_cast<std::size_t>(index)]);
-		const glm::vec3 now = decode_bend(pairs[2 * static_cast<std::size_t>(index) + 1]);
-		return safe_state({ now, (now - before) / step_time });
+		return { rest(index), {} };
 	}
 	if (kind.law == Law::elasticity) {
 		return safe_state({ { at(X), at(Y), at(Z) }, glm::vec3(at(TURN_X), at(TURN_Y), at(TURN_Z)) / step_time });
@@ -128,13 +126,15 @@ void MotionPage::put_state(int index, const TipState &state) {
 void MotionPage::set_state(int index, const TipState &state) {
 	if (is_swinging) {
 		put_state(index, state);
+		pairs[2 * static_cast<std::size_t>(index) + 1] = encode_bend(safe_state(state).direction);
 	}
-	pairs[2 * static_cast<std::size_t>(index) + 1] = encode_bend(safe_state(state).direction);
 }
 
 void MotionPage::settle(int index) {
 	set_state(index, { rest(index), {} });
-	pairs[2 * static_cast<std::size_t>(index)] = pairs[2 * static_cast<std::size_t>(index) + 1];
+	if (is_swinging) {
+		pairs[2 * static_cast<std::size_t>(index)] = pairs[2 * static_cast<std::size_t>(index) + 1];
+	}
 }
 
 void MotionPage::settle() {
@@ -156,6 +156,9 @@ void MotionPage::remove(int index) {
 	gone -= is_gone(index) ? 1 : 0;
 	const std::size_t last = static_cast<std::size_t>(size()) - 1;
 	rows.remove_row(index);
+	if (!is_swinging) {
+		return;
+	}
 	pairs[2 * static_cast<std::size_t>(index)] = pairs[2 * last];
 	pairs[2 * static_cast<std::size_t>(index) + 1] = pairs[2 * last + 1];
 	pairs.resize(2 * last);

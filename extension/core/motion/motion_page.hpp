@@ -41,7 +41,8 @@ public:
 	static constexpr int PAGE_PLANTS = 4096;
 
 	/// At rest, upright (elasticity law) or along `rest` (spring law), for steps of `step` seconds.
-	/// Of `plants`, `count` <= PAGE_PLANTS valid ones; a page that does not swing holds places and bends only.
+	/// Of `plants`, `count` <= PAGE_PLANTS valid ones; a page that does not swing holds places only: its plants stand
+	/// upright.
 	MotionPage(int species_index, const MotionSpecies &species, const MotionPlant *plants, int count, float step,
 			bool swings);
 
@@ -53,6 +54,7 @@ public:
 	/// Whether a plant was dropped: its row keeps its index, and its length is 0.
 	bool is_gone(int index) const { return lengths()[index] <= 0.0f; }
 	bool swings() const { return is_swinging; }
+	Law law() const { return kind.law; }
 	/// Seconds of the step that the constants are for.
 	float step_length() const { return step_time; }
 
@@ -95,7 +97,7 @@ public:
 	/// One step under `wind`, and the bends after it.
 	void step(const TravellingWind &wind, const PlantWinds &along);
 
-	/// Pairs of bends, 2·size(): each plant's before its last step and after it.
+	/// Pairs of bends, 2·size(), of a page that swings: each plant's before its last step and after it.
 	const Bend *bends() const { return pairs.data(); }
 	Bend *bends() { return pairs.data(); }
 

@@ -70,7 +70,9 @@ inline FieldSimulation single_plant(Law law, const MotionPlant &plant, const Fie
 inline uint64_t hash_field(const FieldSimulation &field) {
 	GoldenHash hash;
 	for (int page = 0; page < field.page_count(); page++) {
-		hash.add(field.page(page).bends(), 2 * static_cast<std::size_t>(field.page(page).size()));
+		if (field.page(page).swings()) {
+			hash.add(field.page(page).bends(), 2 * static_cast<std::size_t>(field.page(page).size()));
+		}
 		for (int i = 0; i < field.page(page).size(); i++) {
 			const TipState state = field.state(page, i);
 			hash.add(&state, 1);

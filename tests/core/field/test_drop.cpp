@@ -15,7 +15,6 @@ constexpr int PROTOTYPES[] = { 0, 8 };
 FieldSimulation field_with(int prototypes, Law law = Law::elasticity) {
 	FieldSettings settings;
 	settings.prototypes = prototypes;
-	settings.write_followers = false;
 	FieldSimulation field(settings);
 	add_plants(field, field.add_species(species_of(law)), PLANTS, PLANTS / 3);
 	field.set_wind(wave_wind());

@@ -81,6 +81,11 @@ TEST_CASE("each fault of an area is found and said in a sentence") {
 	CHECK(find_area_fault({ { 0, 0 }, { 1, 1 }, { 3, 3 } }) == AreaFault::no_area);
 	CHECK(find_area_fault(rectangle({ 0.1f, 1000 })) == AreaFault::none);
 	CHECK(find_area_fault(rectangle({ 1.0e-3f, 1.0e-3f }, { 1, 1 })) == AreaFault::none);
+	// On a line to a millionth of its length.
+	for (const float length : { 1.0f, 1000.0f }) {
+		CHECK(find_area_fault({ { 0, 0 }, { length, 0 }, { 0, 1.2e-6f * length } }) == AreaFault::none);
+		CHECK(find_area_fault({ { 0, 0 }, { length, 0 }, { 0, 0.8e-6f * length } }) == AreaFault::no_area);
+	}
 	for (int fault = 0; fault <= static_cast<int>(AreaFault::no_area); fault++) {
 		CHECK(std::string(describe(static_cast<AreaFault>(fault))).back() == '.');
 	}
