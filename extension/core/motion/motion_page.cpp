@@ -130,6 +130,20 @@ void MotionPage::set_state(int index, const TipState &state) {
 	}
 }
 
+void MotionPage::take_motion(int index, const MotionPage &other, int from) {
+	if (is_swinging && other.is_swinging) {
+		put_state(index, other.state(from));
+	}
+	std::copy_n(other.pairs.begin() + 2 * from, 2, pairs.begin() + 2 * index);
+}
+
+void MotionPage::set_rest(int index, const glm::vec3 &rest) {
+	if (is_swinging && kind.law == Law::spring) {
+		column(REST_X)[index] = std::clamp(rest.x / rest.y, -MAX_GNOMONIC, MAX_GNOMONIC);
+		column(REST_Z)[index] = std::clamp(rest.z / rest.y, -MAX_GNOMONIC, MAX_GNOMONIC);
+	}
+}
+
 void MotionPage::settle(int index) {
 	set_state(index, { rest(index), {} });
 	if (is_swinging) {

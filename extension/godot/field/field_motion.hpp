@@ -62,8 +62,12 @@ public:
 	/// Where the shader finds the history of a species' prototypes: first layer, newest slot, blend; x is -1 where plants
 	/// swing by themselves.
 	godot::Vector3 history_of(int species) const;
-	/// The followers' delay in steps: by metre of world x, y and z, and at the world's origin.
-	godot::Vector4 follower_delay(const godot::Transform3D &axes) const;
+	/// How late followers are, as the shader takes it: steps by metre of world x, y and z, and at the world's origin.
+	struct Delays {
+		godot::Vector4 after, before;
+		float share = 1.0f; ///< Of `after`, while they go over to it.
+	};
+	Delays follower_delays(const godot::Transform3D &axes) const;
 
 	TipState read_state_now(const PlantPlace &place);
 	void write_state(const PlantPlace &place, const TipState &state);

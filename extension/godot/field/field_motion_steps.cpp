@@ -123,7 +123,7 @@ void FieldMotion::push(double ago) {
 }
 
 void FieldMotion::find_events(double margin) {
-	const auto touches = [&](const FieldBody &body) {
+	const auto is_among_plants = [&](const FieldBody &body) {
 		for (int page = 0; page < simulation->page_count(); page++) {
 			if (touches_plants(simulation->page(page), body, float(margin))) {
 				return true;
@@ -131,7 +131,7 @@ void FieldMotion::find_events(double margin) {
 		}
 		return false;
 	};
-	const std::vector<FieldBodies::Event> found = bodies.find_events(touches);
+	const std::vector<FieldBodies::Event> found = bodies.find_events(is_among_plants);
 	events.insert(events.end(), found.begin(), found.end());
 }
 
@@ -198,34 +198,19 @@ Vector3 FieldMotion::history_of(int species) const {
 				  : Vector3(-1.0f, 0.0f, 0.0f);
 }
 
-Vector4 FieldMotion::follower_delay(const Transform3D &axes) const {
-	const float step_length = simulation->settings().step;
-	const FieldWind &blowing = simulation->wind();
-	const float per_x = wind_delay(blowing, 1.0f, 0.0f) / step_length;
-	const float per_z = wind_delay(blowing, 0.0f, 1.0f) / step_length;
-	const Vector3 per_metre = axes.basis.inverse().transposed().xform(Vector3(per_x, 0.0f, per_z));
-	const float at_origin = simulation->prototype_lead() / step_length - per_metre.dot(axes.origin);
-	return Vector4(per_metre.x, per_metre.y, per_metre.z, at_origin);
+// A plane of delays in the field's axes as the shader takes it, by metre of the world.
+static Vector4 world_delay(const DelayPlane &plane, const Transform3D &axes) {
+	const Vector3 per_metre = axes.basis.inverse().transposed().xform(Vector3(plane.x, 0.0f, plane.z));
+	return Vector4(per_metre.x, per_metre.y, per_metre.z, plane.base - per_metre.dot(axes.origin));
 }
 
-// As the vertex shader reads it: undergrowth_bend.gdshaderinc.
+FieldMotion::Delays FieldMotion::follower_delays(const Transform3D &axes) const {
+	const FollowDelays &delays = simulation->follow_delays();
+	return { world_delay(delays.after(), axes), world_delay(delays.before(), axes), delays.share(shown_alpha) };
+}
+
 glm::vec2 FieldMotion::read_drawn_bend_now(const PlantPlace &place) const {
-	const int page = page_of(place.block);
-	const Bend *pair = simulation->page(page).bends() + 2 * place.slot;
-	float share = simulation->alpha(page, shown_alpha);
-	const int species = simulation->page(page).species();
-	if (const Prototypes *models = simulation->prototypes(species)) {
-		share = shown_alpha;
-		const Follower &follower = simulation->follower(page, place.slot);
-		const glm::vec3 root = simulation->page(page).root(place.slot);
-		const float way = simulation->prototype_lead() + wind_delay(simulation->wind(), root.x, root.z);
-		const float late = float(follower.own_delay) + way / simulation->settings().step;
-		const int delay = int(glm::clamp(late, 0.0f, float(Prototypes::LONGEST_DELAY - 1)));
-		const int slot = (models->newest_slot() - delay) & (Prototypes::SLOTS - 1);
-		pair = follower.loose > 0 ? simulation->loose_plants(species)->page().bends() + 2 * (follower.loose - 1)
-								  : models->history() + 2 * (size_t(slot) * Prototypes::MOST + follower.prototype);
-	}
-	return glm::mix(stereographic(pair[0]), stereographic(pair[1]), share);
+	return simulation->shown_bend(page_of(place.block), place.slot, shown_alpha);
 }
 
 } // namespace undergrowth

@@ -151,12 +151,14 @@ void Meadow::send_uniforms() {
 	if (!motion.poses() || !motion.poses()->follows()) {
 		return;
 	}
-	const Vector4 delay = motion.follower_delay(axes_of(node));
+	const FieldMotion::Delays delays = motion.follower_delays(axes_of(node));
 	for (size_t i = 0; i < style.looks.size(); i++) {
 		const Vector3 history = motion.history_of(int(i));
 		for (const Ref<ShaderMaterial> &material : style.looks[i].materials) {
 			material->set_shader_parameter("undergrowth_history", history);
-			material->set_shader_parameter("undergrowth_delay", delay);
+			material->set_shader_parameter("undergrowth_delay", delays.after);
+			material->set_shader_parameter("undergrowth_delay_before", delays.before);
+			material->set_shader_parameter("undergrowth_delay_share", delays.share);
 		}
 	}
 }

@@ -152,17 +152,6 @@ static void bind_plants() {
 	BIND(get_statistics);
 }
 
-static void bind_signals() {
-	ADD_SIGNAL(MethodInfo("fill_progressed", PropertyInfo(Variant::FLOAT, "ratio")));
-	ADD_SIGNAL(MethodInfo("filled"));
-	const PropertyInfo body(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D");
-	ADD_SIGNAL(MethodInfo("body_entered_plants", body));
-	ADD_SIGNAL(MethodInfo("body_exited_plants", body));
-	const PropertyInfo skeleton(Variant::OBJECT, "skeleton", PROPERTY_HINT_RESOURCE_TYPE, "Skeleton3D");
-	ADD_SIGNAL(MethodInfo("skeleton_shown", skeleton));
-	ADD_SIGNAL(MethodInfo("skeleton_hidden", skeleton));
-}
-
 void PlantField3D::_bind_methods() {
 	bind_plants();
 	ADD_GROUP("Plants", "");
@@ -199,7 +188,14 @@ void PlantField3D::_bind_methods() {
 	PROPERTY(FLOAT, skeleton_distance, RANGE("0,20,0.1,or_greater,suffix:m"));
 	PROPERTY(INT, max_skeletons, RANGE("0,1024,1"));
 	PROPERTY(FLOAT, tile_size, RANGE("4,100,0.1,or_greater,suffix:m"));
-	bind_signals();
+	ADD_SIGNAL(MethodInfo("fill_progressed", PropertyInfo(Variant::FLOAT, "ratio")));
+	ADD_SIGNAL(MethodInfo("filled"));
+	const PropertyInfo body(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D");
+	ADD_SIGNAL(MethodInfo("body_entered_plants", body));
+	ADD_SIGNAL(MethodInfo("body_exited_plants", body));
+	const PropertyInfo skeleton(Variant::OBJECT, "skeleton", PROPERTY_HINT_RESOURCE_TYPE, "Skeleton3D");
+	ADD_SIGNAL(MethodInfo("skeleton_shown", skeleton));
+	ADD_SIGNAL(MethodInfo("skeleton_hidden", skeleton));
 	BIND_ENUM_CONSTANT(GROUND_NONE);
 	BIND_ENUM_CONSTANT(GROUND_COLLIDERS);
 	BIND_ENUM_CONSTANT(GROUND_MESH);

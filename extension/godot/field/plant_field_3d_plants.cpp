@@ -207,7 +207,11 @@ PackedInt64Array PlantField3D::find_plants_in_box(const AABB &box) const {
 		return PackedInt64Array();
 	}
 	const Transform3D placed = axes_of(this);
-	const AABB around = placed.affine_inverse().xform(box);
+	const Transform3D to_field = placed.affine_inverse();
+	AABB around(to_field.xform(box.position), Vector3());
+	for (int i = 1; i < 8; i++) {
+		around.expand_to(to_field.xform(box.position + box.size * Vector3(i & 1, i >> 1 & 1, i >> 2)));
+	}
 	std::vector<PlantPlace> near, found;
 	meadow.store.find_in_box(to_glm(around.position), to_glm(around.get_end()), near);
 	for (const PlantPlace &place : near) {
