@@ -119,6 +119,7 @@ private:
 	void put_state(int index, const TipState &state);
 	void settle(int index);
 	void grow_box(const FieldPlant &plant);
+	void update_box();
 };
 
 } // namespace undergrowth
