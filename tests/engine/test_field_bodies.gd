@@ -268,6 +268,7 @@ func _push_by_passing(placed: Transform3D) -> Vector3:
 	for i in 25:
 		body.position = placed * Vector3(-0.6 + 0.02 * i, rest.y - 0.2, 0.1)
 		await process_frame
+	await frames(150)
 	var pushed := own.get_tip_position(0) - rest
 	body.free()
 	own.free()

@@ -216,10 +216,12 @@ void FieldSimulation::set_bodies(const FieldBody *bodies, int count) {
 }
 
 void FieldSimulation::step_prototypes(int64_t number) {
+	FieldWind wind = blowing;
+	wind.wind.gust_start += static_cast<double>(lead); // Nobody knows of a gust before: it comes in at the upwind edge.
 	for (Prototypes &model : models) {
 		const double moment = static_cast<double>(number) + model.wind_moment();
 		const double moment_time = moment * static_cast<double>(options.step) + static_cast<double>(lead);
-		model.step(wind_at_time(blowing, moment_time), along);
+		model.step(wind_at_time(wind, moment_time), along);
 	}
 }
 

@@ -133,6 +133,7 @@ private:
 	void put_state(int index, const TipState &state);
 	void settle(int index);
 	void grow_box(const MotionPlant &plant);
+	void update_box();
 };
 
 } // namespace undergrowth

@@ -33,6 +33,9 @@ void FieldSteps::start(FieldSimulation &simulation, PoseTexture &poses, const st
 		parts_done[phase].store(0, std::memory_order_relaxed);
 	}
 	busy_nsec = 0;
+	if (touching) {
+		touching->follow_radii(simulation);
+	}
 	const int plants = work_of_step(); // As many plants as would cost the same without contact.
 	is_inline = plants <= FEW_PLANTS;
 	if (is_inline) {

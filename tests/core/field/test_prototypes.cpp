@@ -343,3 +343,37 @@ TEST_CASE("prototypes of a species that changes become what its plants are, and 
 		CHECK(newest(*field.prototypes(0), i).y == doctest::Approx(std::cos(0.4)).epsilon(0.002));
 	}
 }
+
+TEST_CASE("a gust that is let go goes through plants that follow prototypes, from the upwind edge on") {
+	for (const float direction : { 0.0f, 2.2f }) {
+		FieldSimulation field = prototype_field(Law::spring, 10.0f);
+		FieldWind wind = field.wind();
+		wind.wind.kind = WindKind::gust;
+		wind.wind.direction = direction;
+		wind.wind.strength = 5.0f;
+		wind.wind.gust_duration = 1.0f;
+		wind.wind.gust_start = -1e6;
+		field.set_wind(wind);
+		for (int i = 0; i < 10; i++) {
+			field.step();
+		}
+		wind.wind.gust_start = field.time();
+		field.set_wind(wind);
+		std::vector<float> felt(PLANTS, -1.0f); // When (s).
+		for (int i = 0; i < 1200; i++) {
+			field.step();
+			for (int k = 0; k < PLANTS; k++) {
+				if (felt[static_cast<size_t>(k)] < 0.0f && field.state(0, k).direction.y < 0.99f) {
+					felt[static_cast<size_t>(k)] = static_cast<float>(i) * FIELD_STEP;
+				}
+			}
+		}
+		for (int k = 0; k < PLANTS; k++) {
+			const glm::vec3 root = field.page(0).root(k);
+			const float way = field.prototype_lead() + wind_delay(wind, root.x, root.z);
+			const float own = static_cast<float>(field.follower(0, k).own_delay) * FIELD_STEP;
+			REQUIRE(felt[static_cast<size_t>(k)] > way + own);
+			REQUIRE(felt[static_cast<size_t>(k)] < way + own + 0.5f);
+		}
+	}
+}
