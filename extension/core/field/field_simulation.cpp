@@ -146,7 +146,8 @@ void FieldSimulation::remove_page(int page) {
 	}
 	entry.followers = {};
 	const int species = entry.page.species();
-	entry.page = MotionPage(species, kinds[static_cast<std::size_t>(species)], nullptr, 0, options.step, models.empty());
+	entry.page =
+			MotionPage(species, kinds[static_cast<std::size_t>(species)], nullptr, 0, options.step, models.empty());
 	entry.is_free = true;
 	update_box();
 }

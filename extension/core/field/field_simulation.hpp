@@ -2,10 +2,10 @@
 
 #include "field/bodies.hpp"
 #include "field/follow_delays.hpp"
-#include "motion/motion_page.hpp"
-#include "wind/travelling_wind.hpp"
 #include "field/loose_plants.hpp"
 #include "field/prototypes.hpp"
+#include "motion/motion_page.hpp"
+#include "wind/travelling_wind.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -39,8 +39,8 @@ public:
 	void set_species(int index, const MotionSpecies &species);
 	int species_count() const { return static_cast<int>(kinds.size()); }
 
-	/// A page of `count` plants of one species, up to MotionPage::PAGE_PLANTS; tells its number, which is the lowest one
-	/// that remove_page() freed, if any. Where a plant is not valid, the species is unknown or they are too many,
+	/// A page of `count` plants of one species, up to MotionPage::PAGE_PLANTS; tells its number, which is the lowest
+	/// one that remove_page() freed, if any. Where a plant is not valid, the species is unknown or they are too many,
 	/// nothing is added and it tells -1.
 	int add_page(int species, const MotionPlant *plants, int count);
 	/// Appends plants of its species to a page that has room for them; their indices follow those that are there.
@@ -49,8 +49,8 @@ public:
 	void remove(int page, int index);
 	/// Takes a plant away; all others keep their index. Its row stays, and no body, blow, contact or question finds it.
 	void drop(int page, int index);
-	/// Takes a page with all its plants away; other pages keep their numbers. Until add_page() gives the number anew, it
-	/// names a page without plants.
+	/// Takes a page with all its plants away; other pages keep their numbers. Until add_page() gives the number anew,
+	/// it names a page without plants.
 	void remove_page(int page);
 	/// Removes all pages; species and time stay.
 	void clear();

@@ -31,8 +31,8 @@ public:
 
 	/// One step of all under `wind`.
 	void step(const TravellingWind &wind, const PlantWinds &along) { swinging.step(wind, along); }
-	/// A step later than at the last push. Tells how much of `followed`, the unit direction that its prototype shows, it
-	/// shows from now on (0 to 1), and shows it.
+	/// A step later than at the last push. Tells how much of `followed`, the unit direction that its prototype shows,
+	/// it shows from now on (0 to 1), and shows it.
 	float grow_older(int number, const glm::vec3 &followed);
 	/// Puts a plant that was pushed into a state.
 	void push(int number, const TipState &state);

@@ -38,8 +38,8 @@ public:
 
 	/// One step of all prototypes; what they do is written into the next slot.
 	void step(const TravellingWind &wind, const PlantWinds &along);
-	/// What a plant that is `late` steps late shows of a prototype, `fraction` of a step after the newest one began, as a
-	/// stereographic image: the same as undergrowth_late() in the shader. `late`: from 0 to the longest way and own
+	/// What a plant that is `late` steps late shows of a prototype, `fraction` of a step after the newest one began, as
+	/// a stereographic image: the same as undergrowth_late() in the shader. `late`: from 0 to the longest way and own
 	/// delay together, whose slots are clear of the one that is written next.
 	glm::vec2 bend(int prototype, float late, float fraction) const;
 

@@ -105,8 +105,8 @@ TEST_CASE("followers show what their prototype did, as long ago as the wind need
 				const float moment = 1399.0f - late - (1.0f - fraction);
 				const auto before = std::min(static_cast<size_t>(moment), did.size() - 2);
 				const float part = moment - static_cast<float>(before);
-				const glm::vec3 wanted = glm::mix(
-						did[before][follower.prototype], did[before + 1][follower.prototype], part);
+				const glm::vec3 wanted =
+						glm::mix(did[before][follower.prototype], did[before + 1][follower.prototype], part);
 				REQUIRE(glm::distance(field.shown_direction(0, i, fraction), wanted) < SAME);
 			}
 			REQUIRE(glm::distance(field.state(0, i).direction, field.shown_direction(0, i, 1.0f)) < 1e-6f);
@@ -167,7 +167,8 @@ TEST_CASE("what followers show goes on from one step to the next") {
 		for (int k = 0; k < PLANTS; k++) {
 			REQUIRE(glm::distance(field.shown_direction(0, k, 0.0f), ends[static_cast<size_t>(k)]) < 1e-4f);
 			const glm::vec3 way = field.shown_direction(0, k, 1.0f) - field.shown_direction(0, k, 0.0f);
-			REQUIRE(glm::distance(field.state(0, k).rate, way / FIELD_STEP) < 0.05f * glm::length(way / FIELD_STEP) + 1e-3f);
+			REQUIRE(glm::distance(field.state(0, k).rate, way / FIELD_STEP) <
+					0.05f * glm::length(way / FIELD_STEP) + 1e-3f);
 		}
 	}
 }

@@ -146,8 +146,8 @@ TEST_CASE("a plant whose page steps at another interval swings at the same frequ
 			step(*field, 30);
 		}
 		seldom.set_page_multiple(0, 4);
-		// Step 32 is the first of interval 4, and shows the end of step 35 then; a step of the elasticity law begins with
-		// the rate of the middle of the last one, which was shorter.
+		// Step 32 is the first of interval 4, and shows the end of step 35 then; a step of the elasticity law begins
+		// with the rate of the middle of the last one, which was shorter.
 		step(often, 6);
 		step(seldom, 3);
 		for (int i = 0; i < 100; i++) {

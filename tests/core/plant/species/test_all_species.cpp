@@ -89,7 +89,9 @@ TEST_CASE_TEMPLATE("base shapes are sound at any level", Species, Grass, Reed, C
 TEST_CASE("meshes of the species are the same on every platform") {
 	check_golden<Grass>({ 0xeed9d6a20185d089ull, 0xf9d7f3204e19420dull, 0xe98447f9121c5871ull, 0x69ef5137e5f2a5adull });
 	check_golden<Reed>({ 0x52631348a4eeaffeull, 0x8b94857710fcad01ull, 0xe9938bb85e9850f7ull, 0xda1fb437d359a340ull });
-	check_golden<Cattail>({ 0x10b8967b12fadd7aull, 0xe3eda167afd5e7aaull, 0xb7c186bfb40271f0ull, 0x5cd9e63ac631f91aull });
+	check_golden<Cattail>(
+			{ 0x10b8967b12fadd7aull, 0xe3eda167afd5e7aaull, 0xb7c186bfb40271f0ull, 0x5cd9e63ac631f91aull });
 	check_golden<Tulip>({ 0xeca94343025f67f1ull, 0x629d765d8472d00eull, 0xd8e993751b807d32ull, 0x9278f03179bad4f0ull });
-	check_golden<Bellflower>({ 0x93e0cbb8b0319332ull, 0x384862a176399f59ull, 0x5f41d2c1984c879aull, 0xac93170f5d00a8b4ull });
+	check_golden<Bellflower>(
+			{ 0x93e0cbb8b0319332ull, 0x384862a176399f59ull, 0x5f41d2c1984c879aull, 0xac93170f5d00a8b4ull });
 }
