@@ -131,9 +131,10 @@ void MotionPage::set_state(int index, const TipState &state) {
 }
 
 void MotionPage::take_motion(int index, const MotionPage &other, int from) {
-	if (is_swinging && other.is_swinging) {
-		put_state(index, other.state(from));
+	if (!is_swinging || !other.is_swinging) {
+		return; // Who follows a prototype has no motion of its own.
 	}
+	put_state(index, other.state(from));
 	std::copy_n(other.pairs.begin() + 2 * from, 2, pairs.begin() + 2 * index);
 }
 
