@@ -27,18 +27,31 @@ var _noise := FastNoiseLite.new()
 func _ready() -> void:
 	_noise.seed = 21
 	_noise.frequency = 0.35
-	var outlines: Array[Curve3D] = []
+	var outlines: Array[Path3D] = []
 	var picture := PackedByteArray()
 	picture.resize(PIXELS * PIXELS)
 	for child in get_children():
 		var path := child as Path3D
 		if path:
-			outlines.append(_outline(path.curve))
+			outlines.append(_add_outline(path))
 			_stamp(path.curve, picture)
 	for field in fields:
-		field.exclusions = outlines
+		var paths: Array[NodePath] = []
+		for outline in outlines:
+			paths.append(field.get_path_to(outline))
+		field.exclusions = paths
 	if ground_material:
 		_show(picture)
+
+
+## A path around a trail, that nobody sees or saves.
+func _add_outline(trail: Path3D) -> Path3D:
+	var outline := Path3D.new()
+	outline.name = trail.name + "Outline"
+	outline.curve = _outline(trail.curve)
+	outline.transform = trail.transform
+	add_child(outline, false, Node.INTERNAL_MODE_BACK)
+	return outline
 
 
 ## The closed outline of a trail along `curve`.

@@ -4,7 +4,7 @@ extends Node3D
 const ROW_DEPTH := 2.6
 
 ## The species, with smooth and with flat shading.
-@export var functions: Array[PlantFunction] = []
+@export var species: Array[PlantFunction] = []
 ## What each row is called.
 @export var row_names: PackedStringArray = []
 ## The levels of detail, from left to right.
@@ -18,23 +18,22 @@ const ROW_DEPTH := 2.6
 
 
 func _ready() -> void:
-	for row in functions.size():
+	for row in species.size():
 		for column in levels.size():
 			var x := (column - (levels.size() - 1) / 2.0 + row * 0.5) * gap
 			_stand(row, levels[column], Vector3(x, 0.0, -row * ROW_DEPTH))
 
 
-func _stand(row: int, lod: int, place: Vector3) -> void:
+func _stand(row: int, segments: int, place: Vector3) -> void:
 	var plant := Plant3D.new()
-	plant.function = functions[row]
+	plant.species = species[row]
 	plant.wind = wind
 	plant.height = height
-	plant.lod = lod
+	plant.segments = segments
 	plant.position = place
 	add_child(plant)
-	var text := (
-		"lod %d, %s\n%d triangles" % [lod, row_names[row], _count_triangles(plant.get_mesh())]
-	)
+	var triangles := _count_triangles(plant.get_mesh())
+	var text := "%d segments, %s\n%d triangles" % [segments, row_names[row], triangles]
 	# The front row is named at its feet and the back row over its heads: no text hides a plant.
 	var beside := Vector3(0.0, 0.2, 0.55) if row == 0 else Vector3(0.0, height + 0.25, 0.0)
 	_write(text, place + beside)

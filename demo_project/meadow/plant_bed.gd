@@ -6,13 +6,13 @@ extends Node3D
 const TRIES_PER_PLANT := 60
 
 ## What grows here: each plant takes one of these at random.
-@export var functions: Array[PlantFunction] = []
+@export var species: Array[PlantFunction] = []
 ## The wind that moves the bed.
 @export var wind: PlantWind
 ## How many plants grow here.
 @export_range(0, 5000) var count := 100
-## Level of detail of each plant.
-@export_range(1, 64) var lod := 8
+## Segments of each plant along its height.
+@export_range(1, 64) var segments := 8
 ## Plants are sown with a normal distribution of this width around the bed.
 @export var spread := Vector2(3.0, 3.0)
 ## Least and largest scale of a plant.
@@ -77,9 +77,9 @@ func _has_room(place: Vector2) -> bool:
 
 func _plant(place: Vector2) -> void:
 	var plant := Plant3D.new()
-	plant.function = functions[_rng.randi_range(0, functions.size() - 1)]
+	plant.species = species[_rng.randi_range(0, species.size() - 1)]
 	plant.wind = wind
-	plant.lod = lod
+	plant.segments = segments
 	plant.seed = _rng.randi()
 	var turn := Basis(Vector3.UP, _rng.randf() * TAU)
 	var size := _rng.randf_range(sizes.x, sizes.y)

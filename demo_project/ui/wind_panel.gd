@@ -19,24 +19,23 @@ const Figures := preload("figures.gd")
 @onready var _strength: Slider = %Strength
 @onready var _direction: WindDial = %Direction
 @onready var _frequency: Slider = %Frequency
-@onready var _wind_speed: Slider = %WindSpeed
+@onready var _travel_speed: Slider = %TravelSpeed
 @onready var _pause: Button = %Pause
 
 
 func _ready() -> void:
 	_kind.selected = wind.kind
 	_strength.value = wind.strength
-	_direction.value = wind.direction_degrees
+	_direction.value = rad_to_deg(wind.direction)
 	_frequency.value = wind.frequency
-	if fields:
-		_wind_speed.value = fields[0].wind_speed
-		_wind_speed.value_changed.connect(_on_wind_speed_changed)
+	_travel_speed.value = wind.travel_speed
 	(%Figures as Figures).fields = fields
 	(%Figures as Figures).shows_frame_rate = shows_frame_rate
 	_kind.item_selected.connect(_on_kind_selected)
 	_strength.value_changed.connect(_on_value_changed.bind(&"strength"))
-	_direction.value_changed.connect(_on_value_changed.bind(&"direction_degrees"))
+	_direction.value_changed.connect(_on_direction_turned)
 	_frequency.value_changed.connect(_on_value_changed.bind(&"frequency"))
+	_travel_speed.value_changed.connect(_on_value_changed.bind(&"travel_speed"))
 	_pause.button_pressed = get_tree().paused
 	_pause.toggled.connect(_on_pause_toggled)
 	(%Gust as Button).pressed.connect(wind.trigger_gust)
@@ -64,9 +63,8 @@ func _on_value_changed(value: float, property: StringName) -> void:
 	_show_values()
 
 
-func _on_wind_speed_changed(value: float) -> void:
-	for field in fields:
-		field.wind_speed = value
+func _on_direction_turned(degrees: float) -> void:
+	wind.direction = deg_to_rad(degrees)
 	_show_values()
 
 
@@ -78,10 +76,12 @@ func _on_pause_toggled(on: bool) -> void:
 func _show_values() -> void:
 	var has_frequency := wind.kind in [PlantWind.KIND_BURSTS, PlantWind.KIND_WAVES]
 	(%StrengthValue as Label).text = "%.1f N" % wind.strength
-	(%DirectionValue as Label).text = "%d°" % roundi(wind.direction_degrees)
+	(%DirectionValue as Label).text = "%d°" % roundi(rad_to_deg(wind.direction))
 	(%FrequencyValue as Label).text = "%.2f Hz" % wind.frequency
-	(%WindSpeedRow as Control).visible = not fields.is_empty()
-	var is_everywhere := _wind_speed.value == 0.0
-	(%WindSpeedValue as Label).text = "at once" if is_everywhere else "%.1f m/s" % _wind_speed.value
+	(%TravelSpeedRow as Control).visible = not fields.is_empty()
+	var is_everywhere := wind.travel_speed == 0.0
+	(%TravelSpeedValue as Label).text = (
+		"at once" if is_everywhere else "%.1f m/s" % wind.travel_speed
+	)
 	_frequency.editable = has_frequency
 	(%FrequencyRow as Control).modulate.a = 1.0 if has_frequency else 0.35

@@ -21,13 +21,13 @@ static constexpr float BLADE_THICKNESS = 0.25f;
 static constexpr float BLADE_SKEW = 0.5f;
 
 static std::vector<glm::vec2> make_ring(
-		CurvePlantFunction::BaseShape shape, int lod, float radius, int lobes, float lobe_depth) {
+		CurvePlantFunction::CrossSection shape, int lod, float radius, int lobes, float lobe_depth) {
 	switch (shape) {
-		case CurvePlantFunction::BASE_PARALLELOGRAM:
+		case CurvePlantFunction::CROSS_SECTION_PARALLELOGRAM:
 			return parallelogram_ring(2.0f * radius, BLADE_THICKNESS * radius, BLADE_SKEW * radius);
-		case CurvePlantFunction::BASE_LOBED:
+		case CurvePlantFunction::CROSS_SECTION_LOBED:
 			return lobed_ring(lod, radius, lobes, lobe_depth);
-		case CurvePlantFunction::BASE_CIRCLE:
+		case CurvePlantFunction::CROSS_SECTION_CIRCLE:
 			break;
 	}
 	return circle_ring(lod, radius);
@@ -35,7 +35,7 @@ static std::vector<glm::vec2> make_ring(
 
 PackedVector3Array CurvePlantFunction::own_base_shape(int lod) const {
 	PackedVector3Array points;
-	for (const glm::vec2 &point : make_ring(base_shape, lod, base_radius, lobes, lobe_depth)) {
+	for (const glm::vec2 &point : make_ring(cross_section, lod, radius, lobes, lobe_depth)) {
 		points.push_back(Vector3(point.x, 0.0f, point.y));
 	}
 	return points;
@@ -60,6 +60,9 @@ Color CurvePlantFunction::own_color(double offset) const {
 }
 
 template <typename Part> void CurvePlantFunction::follow(Ref<Part> &slot, const Ref<Part> &part) {
+	if (part == slot) {
+		return;
+	}
 	const Callable changed(this, "_on_part_changed");
 	unfollow_changes(slot.ptr(), changed);
 	slot = part;
@@ -71,34 +74,41 @@ void CurvePlantFunction::on_part_changed() {
 	shape_changed();
 }
 
-void CurvePlantFunction::set_base_shape(BaseShape shape) {
-	if (shape < BASE_CIRCLE || shape > BASE_LOBED) {
-		report_error(
-				this, "base_shape " + String::num_int64(shape) + " does not exist. Use one of the BASE_ constants.");
-		return;
-	}
-	base_shape = shape;
-	notify_property_list_changed();
-	shape_changed();
-}
-
-CurvePlantFunction::BaseShape CurvePlantFunction::get_base_shape_kind() const {
-	return base_shape;
-}
-
-void CurvePlantFunction::set_base_radius(double metres) {
-	if (accept_value(this, "base_radius", metres, RADIUS_RANGE)) {
-		base_radius = float(metres);
+void CurvePlantFunction::set_size(float &slot, const char *property, double value, const Range &range) {
+	if (accept_value(this, property, value, range) && float(value) != slot) {
+		slot = float(value);
 		shape_changed();
 	}
 }
 
-double CurvePlantFunction::get_base_radius() const {
-	return as_written(base_radius);
+void CurvePlantFunction::set_cross_section(CrossSection shape) {
+	if (shape < CROSS_SECTION_CIRCLE || shape > CROSS_SECTION_LOBED) {
+		report_error(this,
+				"cross_section " + String::num_int64(shape) +
+						" does not exist. Use one of the CROSS_SECTION_ constants.");
+		return;
+	}
+	if (shape != cross_section) {
+		cross_section = shape;
+		notify_property_list_changed();
+		shape_changed();
+	}
+}
+
+CurvePlantFunction::CrossSection CurvePlantFunction::get_cross_section() const {
+	return cross_section;
+}
+
+void CurvePlantFunction::set_radius(double metres) {
+	set_size(radius, "radius", metres, RADIUS_RANGE);
+}
+
+double CurvePlantFunction::get_radius() const {
+	return as_written(radius);
 }
 
 void CurvePlantFunction::set_lobes(int count) {
-	if (accept_value(this, "lobes", count, LOBES_RANGE)) {
+	if (accept_value(this, "lobes", count, LOBES_RANGE) && count != lobes) {
 		lobes = count;
 		shape_changed();
 	}
@@ -109,10 +119,7 @@ int CurvePlantFunction::get_lobes() const {
 }
 
 void CurvePlantFunction::set_lobe_depth(double depth) {
-	if (accept_value(this, "lobe_depth", depth, LOBE_DEPTH_RANGE)) {
-		lobe_depth = float(depth);
-		shape_changed();
-	}
+	set_size(lobe_depth, "lobe_depth", depth, LOBE_DEPTH_RANGE);
 }
 
 double CurvePlantFunction::get_lobe_depth() const {
@@ -136,10 +143,7 @@ Ref<Gradient> CurvePlantFunction::get_color_gradient() const {
 }
 
 void CurvePlantFunction::set_height_min(double metres) {
-	if (accept_value(this, "height_min", metres, HEIGHT_RANGE)) {
-		height_min = float(metres);
-		shape_changed();
-	}
+	set_size(height_min, "height_min", metres, HEIGHT_RANGE);
 }
 
 double CurvePlantFunction::get_height_min() const {
@@ -147,10 +151,7 @@ double CurvePlantFunction::get_height_min() const {
 }
 
 void CurvePlantFunction::set_height_max(double metres) {
-	if (accept_value(this, "height_max", metres, HEIGHT_RANGE)) {
-		height_max = float(metres);
-		shape_changed();
-	}
+	set_size(height_max, "height_max", metres, HEIGHT_RANGE);
 }
 
 double CurvePlantFunction::get_height_max() const {
@@ -159,17 +160,17 @@ double CurvePlantFunction::get_height_max() const {
 
 void CurvePlantFunction::_validate_property(PropertyInfo &property) const {
 	const String name = property.name;
-	if (base_shape != BASE_LOBED && (name == "lobes" || name == "lobe_depth")) {
+	if (cross_section != CROSS_SECTION_LOBED && (name == "lobes" || name == "lobe_depth")) {
 		property.usage = PROPERTY_USAGE_NO_EDITOR;
 	}
 }
 
 void CurvePlantFunction::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("_on_part_changed"), &CurvePlantFunction::on_part_changed);
-	ClassDB::bind_method(D_METHOD("set_base_shape", "shape"), &CurvePlantFunction::set_base_shape);
-	ClassDB::bind_method(D_METHOD("get_base_shape_kind"), &CurvePlantFunction::get_base_shape_kind);
-	ClassDB::bind_method(D_METHOD("set_base_radius", "metres"), &CurvePlantFunction::set_base_radius);
-	ClassDB::bind_method(D_METHOD("get_base_radius"), &CurvePlantFunction::get_base_radius);
+	ClassDB::bind_method(D_METHOD("set_cross_section", "shape"), &CurvePlantFunction::set_cross_section);
+	ClassDB::bind_method(D_METHOD("get_cross_section"), &CurvePlantFunction::get_cross_section);
+	ClassDB::bind_method(D_METHOD("set_radius", "metres"), &CurvePlantFunction::set_radius);
+	ClassDB::bind_method(D_METHOD("get_radius"), &CurvePlantFunction::get_radius);
 	ClassDB::bind_method(D_METHOD("set_lobes", "count"), &CurvePlantFunction::set_lobes);
 	ClassDB::bind_method(D_METHOD("get_lobes"), &CurvePlantFunction::get_lobes);
 	ClassDB::bind_method(D_METHOD("set_lobe_depth", "depth"), &CurvePlantFunction::set_lobe_depth);
@@ -184,10 +185,10 @@ void CurvePlantFunction::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_height_max"), &CurvePlantFunction::get_height_max);
 
 	ADD_GROUP("Shape", "");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "base_shape", PROPERTY_HINT_ENUM, "Circle,Parallelogram,Lobed"),
-			"set_base_shape", "get_base_shape_kind");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "base_radius", PROPERTY_HINT_RANGE, "0.001,1,0.001,or_greater,suffix:m"),
-			"set_base_radius", "get_base_radius");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "cross_section", PROPERTY_HINT_ENUM, "Circle,Parallelogram,Lobed"),
+			"set_cross_section", "get_cross_section");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "radius", PROPERTY_HINT_RANGE, "0.001,1,0.001,or_greater,suffix:m"),
+			"set_radius", "get_radius");
 	ADD_PROPERTY(
 			PropertyInfo(Variant::INT, "lobes", PROPERTY_HINT_RANGE, "2,16,1,or_greater"), "set_lobes", "get_lobes");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "lobe_depth", PROPERTY_HINT_RANGE, "0,0.9,0.01"), "set_lobe_depth",
@@ -201,9 +202,9 @@ void CurvePlantFunction::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "height_max", PROPERTY_HINT_RANGE, "0.01,5,0.01,or_greater,suffix:m"),
 			"set_height_max", "get_height_max");
 
-	BIND_ENUM_CONSTANT(BASE_CIRCLE);
-	BIND_ENUM_CONSTANT(BASE_PARALLELOGRAM);
-	BIND_ENUM_CONSTANT(BASE_LOBED);
+	BIND_ENUM_CONSTANT(CROSS_SECTION_CIRCLE);
+	BIND_ENUM_CONSTANT(CROSS_SECTION_PARALLELOGRAM);
+	BIND_ENUM_CONSTANT(CROSS_SECTION_LOBED);
 }
 
 } // namespace undergrowth

@@ -7,20 +7,20 @@
 
 namespace undergrowth {
 
-/// A species without code: a base shape to choose, a curve for the width, a gradient for the colour, a height range.
+/// A species without code: a cross-section to choose, a curve for the width, a gradient for the colour, a height range.
 class CurvePlantFunction : public PlantFunction {
 	GDCLASS(CurvePlantFunction, PlantFunction)
 
 public:
-	enum BaseShape : int64_t {
-		BASE_CIRCLE,
-		BASE_PARALLELOGRAM,
-		BASE_LOBED,
+	enum CrossSection : int64_t {
+		CROSS_SECTION_CIRCLE,
+		CROSS_SECTION_PARALLELOGRAM,
+		CROSS_SECTION_LOBED,
 	};
 
 private:
-	BaseShape base_shape = BASE_CIRCLE;
-	float base_radius = 0.05f; // m.
+	CrossSection cross_section = CROSS_SECTION_CIRCLE;
+	float radius = 0.05f; // m.
 	int lobes = 5;
 	float lobe_depth = 0.25f;
 	godot::Ref<godot::Curve> width_curve;
@@ -28,6 +28,7 @@ private:
 	float height_min = 0.5f; // m.
 	float height_max = 1.0f; // m.
 
+	void set_size(float &slot, const char *property, double value, const Range &range);
 	/// Swaps `slot` for `part` and follows its changes.
 	template <typename Part> void follow(godot::Ref<Part> &slot, const godot::Ref<Part> &part);
 	void on_part_changed();
@@ -41,10 +42,10 @@ protected:
 	godot::Color own_color(double offset) const override;
 
 public:
-	void set_base_shape(BaseShape shape);
-	BaseShape get_base_shape_kind() const;
-	void set_base_radius(double metres);
-	double get_base_radius() const;
+	void set_cross_section(CrossSection shape);
+	CrossSection get_cross_section() const;
+	void set_radius(double metres);
+	double get_radius() const;
 	void set_lobes(int count);
 	int get_lobes() const;
 	void set_lobe_depth(double depth);
@@ -61,4 +62,4 @@ public:
 
 } // namespace undergrowth
 
-VARIANT_ENUM_CAST(undergrowth::CurvePlantFunction::BaseShape);
+VARIANT_ENUM_CAST(undergrowth::CurvePlantFunction::CrossSection);

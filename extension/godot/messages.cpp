@@ -1,7 +1,11 @@
 #include "messages.hpp"
 
+#include "conventions.hpp"
+
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/classes/resource.hpp>
+#include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/classes/script.hpp>
 #include <godot_cpp/variant/utility_functions.hpp>
 
@@ -11,30 +15,62 @@ using namespace godot;
 
 namespace undergrowth {
 
+static constexpr double RADIANS_PER_DEGREE = PI / 180.0;
+static constexpr double ANGLE_TOLERANCE = 1e-5; // Degrees; what single precision leaves of them.
+
+// The file of a resource, or the one that it is embedded in.
+static String file_of(const Resource *resource) {
+	return resource->get_path().get_slice("::", 0);
+}
+
+// What a user calls a resource: its file; else its script, where its faults are mended; else its name.
 static String describe_resource(const Resource *resource) {
-	String label = resource->get_path();
+	const String file = file_of(resource);
+	const bool is_embedded = resource->get_path() != file;
+	if (!is_embedded && !file.is_empty()) {
+		return " '" + file + "'";
+	}
+	const Ref<Script> script = resource->get_script();
+	String label = script.is_valid() ? file_of(script.ptr()) : String();
 	if (label.is_empty()) {
 		label = resource->get_name();
 	}
-	const Ref<Script> script = resource->get_script();
-	if (label.is_empty() && script.is_valid()) {
-		label = script->get_path();
+	return (label.is_empty() ? String() : " '" + label + "'") + (is_embedded ? " in '" + file + "'" : String());
+}
+
+// A game's nodes are below the root, a scene's below the editor's own: those are called from their scene's root.
+static String describe_node(Node *node) {
+	if (!node->is_inside_tree()) {
+		return node->get_name();
 	}
-	return label;
+	Node *root = node->get_tree()->get_edited_scene_root();
+	if (!root && !Engine::get_singleton()->is_editor_hint()) {
+		return node->get_path();
+	}
+	if (!root || (root != node && !root->is_ancestor_of(node))) {
+		root = node->get_owner();
+	}
+	if (!root || root == node) {
+		return node->get_name();
+	}
+	return String(root->get_name()) + "/" + String(root->get_path_to(node));
 }
 
 String describe(const Object *object) {
-	String label;
-	if (const Node *node = Object::cast_to<Node>(object)) {
-		label = node->is_inside_tree() ? String(node->get_path()) : String(node->get_name());
-	} else if (const Resource *resource = Object::cast_to<Resource>(object)) {
-		label = describe_resource(resource);
+	if (const Resource *resource = Object::cast_to<Resource>(object)) {
+		return object->get_class() + describe_resource(resource);
 	}
+	Node *node = Object::cast_to<Node>(const_cast<Object *>(object)); // The engine's questions take no const ones.
+	const String label = node ? describe_node(node) : String();
 	return label.is_empty() ? object->get_class() : object->get_class() + " '" + label + "'";
 }
 
 void report_error(const Object *object, const String &what) {
 	UtilityFunctions::push_error(describe(object) + ": " + what);
+}
+
+void report_warning(const Object *object, const String &what) {
+	UtilityFunctions::push_warning(describe(object) + ": " + what);
 }
 
 bool accept_value(const Object *object, const char *property, double value, const Range &range) {
@@ -45,6 +81,33 @@ bool accept_value(const Object *object, const char *property, double value, cons
 			String(property) + " cannot be " + String::num(value) + ", it keeps its value. Set a number from " +
 					String::num(range.least) + " to " + String::num(range.most) + ".");
 	return false;
+}
+
+bool accept_angle(const Object *object, const char *property, double radians, const Range &degrees) {
+	const double turned = radians / RADIANS_PER_DEGREE;
+	if (std::isfinite(radians) && turned >= degrees.least - ANGLE_TOLERANCE &&
+			turned <= degrees.most + ANGLE_TOLERANCE) {
+		return true;
+	}
+	report_error(object,
+			String(property) + " cannot be " + String::num(radians) + " rad, which is " + String::num(turned, 1) +
+					String::utf8("°, it keeps its value. Set an angle from ") + String::num(degrees.least) + " to " +
+					String::num(degrees.most) + String::utf8("°, in radians: deg_to_rad(") + String::num(degrees.most) +
+					") is the largest.");
+	return false;
+}
+
+bool accept_span(const Object *object, const char *property, const Vector2 &value, const Range &range) {
+	if (!accept_value(object, property, value.x, range) || !accept_value(object, property, value.y, range)) {
+		return false;
+	}
+	if (value.y < value.x) {
+		report_error(object,
+				String(property) + " goes from " + String::num(value.x) + " down to " + String::num(value.y) +
+						", it keeps its value. Set the smaller number first.");
+		return false;
+	}
+	return true;
 }
 
 } // namespace undergrowth

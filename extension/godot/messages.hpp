@@ -2,6 +2,7 @@
 
 #include <godot_cpp/core/object.hpp>
 #include <godot_cpp/variant/string.hpp>
+#include <godot_cpp/variant/vector2.hpp>
 
 namespace undergrowth {
 
@@ -11,13 +12,23 @@ struct Range {
 	double most;
 };
 
-/// How messages call an object: its class, and its path, name or resource path.
+/// How messages call an object: its class, and where a user finds it. A resource by its file, else by its script or
+/// name and the file that it is embedded in; a node by its path in the game or in the edited scene.
 godot::String describe(const godot::Object *object);
 
 /// One error in Godot's log that names its object and says what to do.
 void report_error(const godot::Object *object, const godot::String &what);
 
+/// The same for what may be meant so, as a warning.
+void report_warning(const godot::Object *object, const godot::String &what);
+
 /// True where `value` is finite and within `range`; else reports that `property` keeps its value, and why.
 bool accept_value(const godot::Object *object, const char *property, double value, const Range &range);
+
+/// The same of an angle: `radians` within `degrees`. The message speaks of both, as one is easily taken for the other.
+bool accept_angle(const godot::Object *object, const char *property, double radians, const Range &degrees);
+
+/// The same of a range that goes from x up to y.
+bool accept_span(const godot::Object *object, const char *property, const godot::Vector2 &value, const Range &range);
 
 } // namespace undergrowth

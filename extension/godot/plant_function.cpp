@@ -19,12 +19,11 @@ static constexpr Range ELASTICITY_RANGE = { -0.99, 1e4 };
 static constexpr Range FRICTION_RANGE = { 0.0, 1e6 };
 static constexpr Range FREQUENCY_RANGE = { 0.01, 1000.0 };
 static constexpr Range DAMPING_RANGE = { 0.0, 100.0 };
-static constexpr Range LEAN_RANGE = { 0.0, 80.0 };
+static constexpr Range LEAN_DEGREES = { 0.0, 80.0 };
 static constexpr Range MASS_RANGE = { 1e-6, 1e6 };
 static constexpr Range WIND_WEIGHT_RANGE = { 0.0, 1e3 };
 static constexpr Range COLLISION_RANGE = { 0.0, 1e3 };
 static constexpr Range DEVIATION_RANGE = { 0.0, 1.0 };
-static constexpr double RADIANS_PER_DEGREE = PI / 180.0;
 
 void PlantFunction::shape_changed() {
 	emit_changed();
@@ -32,6 +31,7 @@ void PlantFunction::shape_changed() {
 
 void PlantFunction::adopt_motion(const Motion &species_motion) {
 	motion = species_motion;
+	lean = as_written(float(motion.lean * (180.0 / PI))) * (PI / 180.0);
 }
 
 bool PlantFunction::is_motion_change() const {
@@ -39,11 +39,10 @@ bool PlantFunction::is_motion_change() const {
 }
 
 void PlantFunction::set_motion(float &slot, const char *property, double value, const Range &range) {
-	if (!accept_value(this, property, value, range)) {
-		return;
+	if (accept_value(this, property, value, range) && float(value) != slot) {
+		slot = float(value);
+		motion_changed();
 	}
-	slot = float(value);
-	motion_changed();
 }
 
 void PlantFunction::motion_changed() {
@@ -53,7 +52,7 @@ void PlantFunction::motion_changed() {
 }
 
 void PlantFunction::set_look(float &slot, const char *property, double value) {
-	if (accept_value(this, property, value, DEVIATION_RANGE)) {
+	if (accept_value(this, property, value, DEVIATION_RANGE) && float(value) != slot) {
 		slot = float(value);
 		shape_changed();
 	}
@@ -78,9 +77,11 @@ void PlantFunction::set_law(MotionLaw law) {
 		report_error(this, "law " + String::num_int64(law) + " does not exist. Use LAW_ELASTICITY or LAW_SPRING.");
 		return;
 	}
-	motion.law = Law(law);
-	notify_property_list_changed();
-	motion_changed();
+	if (Law(law) != motion.law) {
+		motion.law = Law(law);
+		notify_property_list_changed();
+		motion_changed();
+	}
 }
 
 PlantFunction::MotionLaw PlantFunction::get_law() const {
@@ -104,8 +105,10 @@ double PlantFunction::get_inner_friction() const {
 }
 
 void PlantFunction::set_stays_above_ground(bool value) {
-	stays_above_ground = value;
-	motion_changed();
+	if (value != stays_above_ground) {
+		stays_above_ground = value;
+		motion_changed();
+	}
 }
 
 bool PlantFunction::get_stays_above_ground() const {
@@ -128,15 +131,17 @@ double PlantFunction::get_damping_ratio() const {
 	return as_written(motion.damping_ratio);
 }
 
-void PlantFunction::set_lean_degrees(double degrees) {
-	if (accept_value(this, "lean_degrees", degrees, LEAN_RANGE)) {
-		motion.lean = float(degrees * RADIANS_PER_DEGREE);
+void PlantFunction::set_lean(double radians) {
+	const double written = angle_as_written(radians);
+	if (accept_angle(this, "lean", radians, LEAN_DEGREES) && written != lean) {
+		lean = written;
+		motion.lean = float(written);
 		motion_changed();
 	}
 }
 
-double PlantFunction::get_lean_degrees() const {
-	return as_written(float(motion.lean / RADIANS_PER_DEGREE));
+double PlantFunction::get_lean() const {
+	return lean;
 }
 
 void PlantFunction::set_mass(double kilograms) {
@@ -169,8 +174,10 @@ void PlantFunction::set_shading(ShadingMode shading) {
 				this, "shading " + String::num_int64(shading) + " does not exist. Use SHADING_SMOOTH or SHADING_FLAT.");
 		return;
 	}
-	look.shading = Shading(shading);
-	shape_changed();
+	if (Shading(shading) != look.shading) {
+		look.shading = Shading(shading);
+		shape_changed();
+	}
 }
 
 PlantFunction::ShadingMode PlantFunction::get_shading() const {
@@ -194,8 +201,10 @@ double PlantFunction::get_color_deviation() const {
 }
 
 void PlantFunction::set_material(const Ref<Material> &new_material) {
-	material = new_material;
-	shape_changed();
+	if (new_material != material) {
+		material = new_material;
+		shape_changed();
+	}
 }
 
 Ref<Material> PlantFunction::get_material() const {
@@ -204,7 +213,7 @@ Ref<Material> PlantFunction::get_material() const {
 
 void PlantFunction::_validate_property(PropertyInfo &property) const {
 	static const char *const elasticity_only[] = { "elasticity", "inner_friction", "stays_above_ground" };
-	static const char *const spring_only[] = { "natural_frequency", "damping_ratio", "lean_degrees" };
+	static const char *const spring_only[] = { "natural_frequency", "damping_ratio", "lean" };
 	const auto &hidden = motion.law == Law::spring ? elasticity_only : spring_only;
 	const String name = property.name;
 	if (std::any_of(std::begin(hidden), std::end(hidden), [&](const char *other) { return name == other; })) {

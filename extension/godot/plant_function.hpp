@@ -31,6 +31,7 @@ public:
 
 private:
 	Motion motion;
+	double lean = 0.0; // rad, as users wrote it; motion.lean has fewer digits.
 	MeshOptions look;
 	bool stays_above_ground = true;
 	bool changes_motion_only = false;
@@ -44,7 +45,7 @@ private:
 			godot::Variant::Type wanted, godot::String &problem);
 	// The parts of sample(): each returns what is wrong and what to do, or nothing.
 	godot::String sample_height(double height, int64_t seed, SampledPlant &result);
-	godot::String sample_ring(int lod, SampledPlant &result);
+	godot::String sample_ring(int segments, SampledPlant &result);
 	godot::String sample_profile(SampledPlant &result);
 
 protected:
@@ -72,19 +73,18 @@ public:
 	double generate_height(const godot::Ref<godot::RandomNumberGenerator> &rng);
 	double calculate_curve_point(double offset);
 	godot::Color calculate_color_at_point(double offset);
-	godot::Ref<godot::ArrayMesh> generate_mesh(double height, int lod, int64_t seed = 0);
+	godot::Ref<godot::ArrayMesh> generate_mesh(double height, int segments, int64_t seed = 0);
 
 	/// What keeps generate_mesh() from building this plant and what to do about it; nothing where it builds. Reports
 	/// nothing.
-	godot::String find_problem(double height, int lod, int64_t seed = 0);
+	godot::String find_problem(double height, int segments, int64_t seed = 0);
 
 	/// Samples the plant for a mesh. Height 0 asks the function. Returns what is wrong and what to do, or nothing.
-	godot::String sample(double height, int lod, int64_t seed, SampledPlant &result);
-	/// The mesh of a valid sample.
-	godot::Ref<godot::ArrayMesh> build(const SampledPlant &sample, int64_t seed) const;
+	godot::String sample(double height, int segments, int64_t seed, SampledPlant &result);
 	/// The joint of a plant of `length` metres whose root stands in `frame` (its up axis and turn, orthonormal).
 	Joint make_joint(float length, const godot::Basis &frame) const;
-	/// True while `changed` is emitted for a property that leaves meshes as they are.
+	/// True while `changed` is emitted for a property that leaves meshes as they are. Setters emit it once for each
+	/// real change, never for a value that they have already.
 	bool is_motion_change() const;
 
 	void set_law(MotionLaw law);
@@ -99,8 +99,8 @@ public:
 	double get_natural_frequency() const;
 	void set_damping_ratio(double ratio);
 	double get_damping_ratio() const;
-	void set_lean_degrees(double degrees);
-	double get_lean_degrees() const;
+	void set_lean(double radians);
+	double get_lean() const;
 	void set_mass(double kilograms);
 	double get_mass() const;
 	void set_wind_weight(double weight);

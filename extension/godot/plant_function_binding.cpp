@@ -13,8 +13,10 @@ static void bind_functions() {
 	ClassDB::bind_method(D_METHOD("generate_height", "rng"), &PlantFunction::generate_height);
 	ClassDB::bind_method(D_METHOD("calculate_curve_point", "offset"), &PlantFunction::calculate_curve_point);
 	ClassDB::bind_method(D_METHOD("calculate_color_at_point", "offset"), &PlantFunction::calculate_color_at_point);
-	ClassDB::bind_method(D_METHOD("generate_mesh", "height", "lod", "seed"), &PlantFunction::generate_mesh, DEFVAL(0));
-	ClassDB::bind_method(D_METHOD("find_problem", "height", "lod", "seed"), &PlantFunction::find_problem, DEFVAL(0));
+	ClassDB::bind_method(
+			D_METHOD("generate_mesh", "height", "segments", "seed"), &PlantFunction::generate_mesh, DEFVAL(0));
+	ClassDB::bind_method(
+			D_METHOD("find_problem", "height", "segments", "seed"), &PlantFunction::find_problem, DEFVAL(0));
 }
 
 static void bind_motion_methods() {
@@ -30,8 +32,8 @@ static void bind_motion_methods() {
 	ClassDB::bind_method(D_METHOD("get_natural_frequency"), &PlantFunction::get_natural_frequency);
 	ClassDB::bind_method(D_METHOD("set_damping_ratio", "ratio"), &PlantFunction::set_damping_ratio);
 	ClassDB::bind_method(D_METHOD("get_damping_ratio"), &PlantFunction::get_damping_ratio);
-	ClassDB::bind_method(D_METHOD("set_lean_degrees", "degrees"), &PlantFunction::set_lean_degrees);
-	ClassDB::bind_method(D_METHOD("get_lean_degrees"), &PlantFunction::get_lean_degrees);
+	ClassDB::bind_method(D_METHOD("set_lean", "radians"), &PlantFunction::set_lean);
+	ClassDB::bind_method(D_METHOD("get_lean"), &PlantFunction::get_lean);
 	ClassDB::bind_method(D_METHOD("set_mass", "kilograms"), &PlantFunction::set_mass);
 	ClassDB::bind_method(D_METHOD("get_mass"), &PlantFunction::get_mass);
 	ClassDB::bind_method(D_METHOD("set_wind_weight", "weight"), &PlantFunction::set_wind_weight);
@@ -73,7 +75,7 @@ void PlantFunction::_bind_methods() {
 	ADD_PROPERTY(number("natural_frequency", "0.05,10,0.01,or_greater,suffix:Hz"), "set_natural_frequency",
 			"get_natural_frequency");
 	ADD_PROPERTY(number("damping_ratio", "0,2,0.001,or_greater"), "set_damping_ratio", "get_damping_ratio");
-	ADD_PROPERTY(number("lean_degrees", "0,80,0.1,suffix:°"), "set_lean_degrees", "get_lean_degrees");
+	ADD_PROPERTY(number("lean", "0,80,0.1,radians_as_degrees"), "set_lean", "get_lean");
 	ADD_PROPERTY(number("mass", "0.001,10,0.001,or_greater,exp,suffix:kg"), "set_mass", "get_mass");
 	ADD_PROPERTY(number("wind_weight", "0,4,0.01,or_greater"), "set_wind_weight", "get_wind_weight");
 	ADD_PROPERTY(number("collision_radius", "0,1,0.001,or_greater,suffix:m"), "set_collision_radius",

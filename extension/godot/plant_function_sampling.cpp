@@ -165,22 +165,22 @@ String PlantFunction::sample_height(double height, int64_t seed, SampledPlant &r
 	return String();
 }
 
-String PlantFunction::sample_ring(int lod, SampledPlant &result) {
-	if (lod < MIN_LOD || lod > MAX_LOD) {
-		return "a lod of " + String::num_int64(lod) + " cannot be built. Use " + String::num_int64(MIN_LOD) + " to " +
-				String::num_int64(MAX_LOD) + " vertical segments.";
+String PlantFunction::sample_ring(int segments, SampledPlant &result) {
+	if (segments < MIN_LOD || segments > MAX_LOD) {
+		return String::num_int64(segments) + " segments cannot be built. Use " + String::num_int64(MIN_LOD) + " to " +
+				String::num_int64(MAX_LOD) + " along the height.";
 	}
 	String problem;
 	const PackedVector3Array shape = GDVIRTUAL_IS_OVERRIDDEN(_get_base_shape)
-			? PackedVector3Array(call_override("_get_base_shape", lod, Variant::PACKED_VECTOR3_ARRAY, problem))
-			: own_base_shape(lod);
+			? PackedVector3Array(call_override("_get_base_shape", segments, Variant::PACKED_VECTOR3_ARRAY, problem))
+			: own_base_shape(segments);
 	if (problem.is_empty()) {
 		problem = ring_problem(shape);
 	}
 	if (!problem.is_empty()) {
 		return problem;
 	}
-	result.lod = lod;
+	result.lod = segments;
 	result.cross_section = cross_section_of(shape);
 	return String();
 }
@@ -220,29 +220,32 @@ String PlantFunction::sample_profile(SampledPlant &result) {
 	return String();
 }
 
-String PlantFunction::sample(double height, int lod, int64_t seed, SampledPlant &result) {
+String PlantFunction::sample(double height, int segments, int64_t seed, SampledPlant &result) {
+	result.options = look;
+	result.options.seed = uint64_t(seed);
+	result.material = material;
 	String problem = sample_height(height, seed, result);
 	if (problem.is_empty()) {
-		problem = sample_ring(lod, result);
+		problem = sample_ring(segments, result);
 	}
 	return problem.is_empty() ? sample_profile(result) : problem;
 }
 
-String PlantFunction::find_problem(double height, int lod, int64_t seed) {
+String PlantFunction::find_problem(double height, int segments, int64_t seed) {
 	SampledPlant sampled;
-	return sample(height, lod, seed, sampled);
+	return sample(height, segments, seed, sampled);
 }
 
-Ref<ArrayMesh> PlantFunction::build(const SampledPlant &sampled, int64_t seed) const {
-	const MeshCounts counts = count_mesh(int(sampled.cross_section.points.size()), sampled.lod, look.shading);
+Ref<ArrayMesh> SampledPlant::build() const {
+	const MeshCounts counts = count_mesh(int(cross_section.points.size()), lod, options.shading);
 	PackedVector3Array positions, normals;
-	PackedColorArray colors;
+	PackedColorArray tints;
 	PackedVector2Array uvs;
 	PackedInt32Array bones, indices;
 	PackedFloat32Array weights;
 	positions.resize(counts.vertices);
 	normals.resize(counts.vertices);
-	colors.resize(counts.vertices);
+	tints.resize(counts.vertices);
 	uvs.resize(counts.vertices);
 	bones.resize(counts.vertices * 4);
 	weights.resize(counts.vertices * 4);
@@ -251,21 +254,18 @@ Ref<ArrayMesh> PlantFunction::build(const SampledPlant &sampled, int64_t seed) c
 	MeshBuffers buffers;
 	buffers.positions = reinterpret_cast<glm::vec3 *>(positions.ptrw());
 	buffers.normals = reinterpret_cast<glm::vec3 *>(normals.ptrw());
-	buffers.colors = reinterpret_cast<glm::vec4 *>(colors.ptrw());
+	buffers.colors = reinterpret_cast<glm::vec4 *>(tints.ptrw());
 	buffers.uvs = reinterpret_cast<glm::vec2 *>(uvs.ptrw());
 	buffers.bones = bones.ptrw();
 	buffers.weights = weights.ptrw();
 	buffers.indices = indices.ptrw();
-	MeshOptions options = look;
-	options.seed = uint64_t(seed);
-	build_mesh({ &sampled.cross_section, sampled.widths.data(), sampled.colors.data(), sampled.height, sampled.lod },
-			options, buffers);
+	build_mesh({ &cross_section, widths.data(), colors.data(), height, lod }, options, buffers);
 
 	Array arrays;
 	arrays.resize(Mesh::ARRAY_MAX);
 	arrays[Mesh::ARRAY_VERTEX] = positions;
 	arrays[Mesh::ARRAY_NORMAL] = normals;
-	arrays[Mesh::ARRAY_COLOR] = colors;
+	arrays[Mesh::ARRAY_COLOR] = tints;
 	arrays[Mesh::ARRAY_TEX_UV] = uvs;
 	arrays[Mesh::ARRAY_BONES] = bones;
 	arrays[Mesh::ARRAY_WEIGHTS] = weights;
@@ -276,14 +276,14 @@ Ref<ArrayMesh> PlantFunction::build(const SampledPlant &sampled, int64_t seed) c
 	return mesh;
 }
 
-Ref<ArrayMesh> PlantFunction::generate_mesh(double height, int lod, int64_t seed) {
+Ref<ArrayMesh> PlantFunction::generate_mesh(double height, int segments, int64_t seed) {
 	SampledPlant sampled;
-	const String problem = sample(height, lod, seed, sampled);
+	const String problem = sample(height, segments, seed, sampled);
 	if (!problem.is_empty()) {
 		report_error(this, problem);
 		return Ref<ArrayMesh>();
 	}
-	return build(sampled, seed);
+	return sampled.build();
 }
 
 } // namespace undergrowth

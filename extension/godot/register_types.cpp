@@ -3,6 +3,8 @@
 #include "curve_plant_function.hpp"
 #include "doc_data.hpp"
 #include "field/plant_field_3d.hpp"
+#include "field/plant_field_level.hpp"
+#include "field/plant_field_species.hpp"
 #include "plant_3d.hpp"
 #include "plant_simulation.hpp"
 #include "plant_wind.hpp"
@@ -40,6 +42,8 @@ static void register_classes() {
 	GDREGISTER_CLASS(CurvePlantFunction);
 	GDREGISTER_CLASS(PlantWind);
 	GDREGISTER_CLASS(Plant3D);
+	GDREGISTER_CLASS(PlantFieldSpecies);
+	GDREGISTER_CLASS(PlantFieldLevel);
 	GDREGISTER_CLASS(PlantField3D);
 	GDREGISTER_ABSTRACT_CLASS(PlantSimulation);
 }

@@ -19,12 +19,14 @@ protected:
 	SpeciesFunction() { adopt_motion(Species::motion()); }
 
 	void set_part_color(glm::vec4 &part, const godot::Color &color) {
-		part = to_glm(color);
-		shape_changed();
+		if (to_glm(color) != part) {
+			part = to_glm(color);
+			shape_changed();
+		}
 	}
 
 	void set_part_size(float &part, const char *property, double metres) {
-		if (accept_value(this, property, metres, { 0.0001, 10.0 })) {
+		if (accept_value(this, property, metres, { 0.0001, 10.0 }) && float(metres) != part) {
 			part = float(metres);
 			shape_changed();
 		}

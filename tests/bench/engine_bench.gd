@@ -62,14 +62,14 @@ func _measure(title: String, count: int, fill: Callable) -> void:
 
 
 func _make_plants(scene: Node3D, count: int) -> Array[Plant3D]:
-	var function := TulipFunction.new()
+	var species := TulipFunction.new()
 	var plants: Array[Plant3D] = []
 	for i: int in count:
 		var plant := Plant3D.new()
-		plant.function = function
-		plant.lod = 8
+		plant.species = species
+		plant.segments = 8
 		plant.seed = i
-		plant.simulating = false
+		plant.simulation_enabled = false
 		scene.add_child(plant)
 		plants.append(plant)
 	return plants
@@ -78,9 +78,11 @@ func _make_plants(scene: Node3D, count: int) -> Array[Plant3D]:
 func _add_plants(plants: Array[Plant3D]) -> void:
 	var wind := PlantWind.new()
 	wind.kind = PlantWind.KIND_WAVES
+	wind.strength = 10.0
+	wind.frequency = 0.5
 	for plant: Plant3D in plants:
 		plant.wind = wind
-		plant.simulating = true
+		plant.simulation_enabled = true
 
 
 func _add_spring_bones(plants: Array[Plant3D]) -> void:

@@ -47,7 +47,6 @@ func _run() -> void:
 
 
 func _make_field(count: int, settings: Dictionary) -> PlantField3D:
-	var field := PlantField3D.new()
 	var kinds: Array[PlantFunction] = [
 		GrassFunction.new(),
 		ReedFunction.new(),
@@ -55,13 +54,16 @@ func _make_field(count: int, settings: Dictionary) -> PlantField3D:
 		TulipFunction.new(),
 		BellflowerFunction.new()
 	]
-	field.species = kinds
-	field.variants = 8
+	var field := PlantField3D.from_species(kinds)
+	for entry in field.species:
+		entry.variants = 8
 	field.density = DENSITY
 	field.size = Vector2.ONE * sqrt(count / DENSITY)
 	field.far_distance = 0.0
 	field.wind = PlantWind.new()
 	field.wind.kind = PlantWind.KIND_WAVES
+	field.wind.strength = 10.0
+	field.wind.frequency = 0.5
 	for property: String in settings:
 		field.set(property, settings[property])
 	return field
@@ -75,9 +77,9 @@ func _measure_field(title: String, count: int, settings: Dictionary) -> void:
 	var field := _make_field(count, settings)
 	root.add_child(field)
 	await field.filled
-	field.simulating = false
+	field.simulation_enabled = false
 	var idle := await _median_frame_usec()
-	field.simulating = true
+	field.simulation_enabled = true
 	var frame := await _median_frame_usec() - idle
 	var main: Array[float] = []
 	var step: Array[float] = []
@@ -115,7 +117,7 @@ func _measure_field(title: String, count: int, settings: Dictionary) -> void:
 
 
 func _measure_fill() -> void:
-	var field := _make_field(LADDER_COUNT, {"simulating": false})
+	var field := _make_field(LADDER_COUNT, {"simulation_enabled": false})
 	root.add_child(field)
 	await field.filled
 	var times: Array[float] = []

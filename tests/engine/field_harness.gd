@@ -38,23 +38,29 @@ func step(count: int) -> void:
 
 ## All tips, in the axes of their field.
 func all_tips(of := field) -> PackedVector3Array:
-	var found := PackedVector3Array()
-	for i in of.get_plant_count():
-		found.append(of.get_tip_position(i))
-	return found
+	return of.get_tip_positions(of.get_plant_ids())
 
 
 ## From a plant's root to its tip.
-func relative_tip(index: int) -> Vector3:
-	return field.get_tip_position(index) - field.get_plant_transform(index).origin
+func relative_tip(id: int) -> Vector3:
+	return field.get_tip_position(id) - field.get_plant_transform(id).origin
 
 
-## How many tips are farther than [param distance] from where they were.
+## How many tips are farther than [param distance] from where they were, in [method all_tips].
 func count_moved(from: PackedVector3Array, distance: float) -> int:
+	var now := all_tips()
 	var count := 0
 	for i in from.size():
-		count += 1 if field.get_tip_position(i).distance_to(from[i]) > distance else 0
+		count += 1 if now[i].distance_to(from[i]) > distance else 0
 	return count
+
+
+## Waits until the field, which was changed just now, is not being filled.
+func rested() -> void:
+	await frames(2)
+	while field.is_filling():
+		await process_frame
+	await frames(2)
 
 
 ## A capsule in the group "walkers".
@@ -68,8 +74,13 @@ func add_walker() -> StaticBody3D:
 	return walker
 
 
-func make_curve(points: Array[Vector3]) -> Curve3D:
-	var curve := Curve3D.new()
+## A [Path3D] through [param points] below the field, saved with it, and the path to it.
+func add_path(title: String, points: Array[Vector3]) -> NodePath:
+	var path := Path3D.new()
+	path.name = title
+	path.curve = Curve3D.new()
 	for point in points:
-		curve.add_point(point)
-	return curve
+		path.curve.add_point(point)
+	field.add_child(path)
+	path.owner = field
+	return NodePath(title)

@@ -61,6 +61,25 @@ func test_a_part_may_be_set_twice() -> void:
 	check(_function.width_curve == curve, "the curve is kept")
 
 
+func test_setting_what_is_set_already_is_no_change() -> void:
+	_function.changed.connect(func() -> void: _changes += 1)
+	var values := {
+		"cross_section": CurvePlantFunction.CROSS_SECTION_LOBED,
+		"radius": 0.3,
+		"lobes": 7,
+		"lobe_depth": 0.6,
+		"height_min": 0.3,
+		"height_max": 0.7,
+		"width_curve": _curve(0.5, 1.0),
+		"color_gradient": _gradient(Color.BLACK, Color.WHITE),
+	}
+	for property: String in values:
+		for expected: int in [1, 0]:
+			_changes = 0
+			_function.set(property, values[property])
+			check_equal(_changes, expected, "signals for " + property)
+
+
 func test_a_curve_below_zero_counts_as_zero() -> void:
 	var curve := Curve.new()
 	curve.min_value = -1.0
@@ -94,13 +113,13 @@ func test_heights_lie_in_their_range_either_way_round() -> void:
 			check(height >= 0.25 and height <= 0.75, "%f in its range" % height)
 
 
-func test_base_shapes() -> void:
-	_function.base_radius = 0.5
+func test_cross_sections() -> void:
+	_function.radius = 0.5
 	for point in _function.get_base_shape(16):
 		check_near(point.length(), 0.5, 1e-6, "radius of the circle")
-	_function.base_shape = CurvePlantFunction.BASE_PARALLELOGRAM
+	_function.cross_section = CurvePlantFunction.CROSS_SECTION_PARALLELOGRAM
 	check_equal(_function.get_base_shape(16).size(), 4, "points of the parallelogram")
-	_function.base_shape = CurvePlantFunction.BASE_LOBED
+	_function.cross_section = CurvePlantFunction.CROSS_SECTION_LOBED
 	_function.lobes = 3
 	_function.lobe_depth = 0.5
 	var least := INF
@@ -114,7 +133,7 @@ func test_base_shapes() -> void:
 
 func test_numbers_out_of_range_give_one_error_and_are_not_kept() -> void:
 	var bad := {
-		"base_radius": [0.0, -1.0, 101.0, NAN, INF],
+		"radius": [0.0, -1.0, 101.0, NAN, INF],
 		"lobes": [0, 1, -5, 65],
 		"lobe_depth": [-0.1, 1.0, NAN],
 		"height_min": [0.0, -1.0, 1001.0, NAN],
@@ -126,20 +145,20 @@ func test_numbers_out_of_range_give_one_error_and_are_not_kept() -> void:
 			_function.set(property, value)
 			check_error(property + " cannot be ")
 			check_equal(_function.get(property), before, property)
-	_function.set("base_shape", 3)
-	check_error("base_shape 3 does not exist")
+	_function.set("cross_section", 3)
+	check_error("cross_section 3 does not exist")
 
 
-func test_every_lod_of_every_base_shape_is_built() -> void:
+func test_any_number_of_segments_of_every_cross_section_is_built() -> void:
 	for shape in 3:
-		_function.set("base_shape", shape)
-		for lod in range(1, 65):
-			check(_function.generate_mesh(1.0, lod) != null, "shape %d, lod %d" % [shape, lod])
+		_function.set("cross_section", shape)
+		for segments in range(1, 65):
+			check(_function.generate_mesh(1.0, segments) != null, "%d, %d" % [shape, segments])
 
 
 func test_saved_it_loads_equal() -> void:
-	_function.base_shape = CurvePlantFunction.BASE_LOBED
-	_function.base_radius = 0.125
+	_function.cross_section = CurvePlantFunction.CROSS_SECTION_LOBED
+	_function.radius = 0.125
 	_function.lobes = 7
 	_function.lobe_depth = 0.5
 	_function.height_min = 0.25

@@ -9,8 +9,8 @@ var _field: PlantField3D
 
 
 func before_each() -> void:
-	_field = PlantField3D.new()
-	_field.species = [TulipFunction.new()]
+	_field = PlantField3D.from_species([TulipFunction.new()])
+	_field.density = 4.0
 	_field.wind = PlantWind.new()
 	_field.wind.kind = PlantWind.KIND_WAVES
 	_field.wind.strength = 3.0
@@ -24,19 +24,16 @@ func after_each() -> void:
 
 func test_a_million_plants() -> void:
 	_field.size = Vector2(500, 500)
-	_field.density = 4.0
-	_field.variants = 2
-	_field.levels = PackedInt32Array([2])
-	_field.level_distances = PackedFloat32Array()
+	_field.species[0].variants = 2
+	_field.levels = [PlantFieldLevel.of(2)]
 	await _fill()
 	check_near(_field.get_plant_count(), 1_000_000, 5000.0)
 	await frames(4)
 	var told := _field.get_statistics()
 	check_equal(told["simulated"], _field.get_plant_count())
 	check(told["bytes_per_plant"] <= 96.0, "at most 96 bytes a plant: %s" % told["bytes_per_plant"])
-	check(
-		_field.get_tip_position(_field.get_plant_count() - 1).is_finite(), "the last tip is finite"
-	)
+	var last := _field.get_plant_ids()[-1]
+	check(_field.get_tip_position(last).is_finite(), "the last tip is finite")
 	check(_field.remove_in_sphere(Vector3.ZERO, 5.0) > 200, "plants in the middle are removed")
 	await frames(2)
 
@@ -74,10 +71,10 @@ func test_an_hour_of_wind_leads_to_no_drift_and_takes_no_memory() -> void:
 		Engine.time_scale = 20.0
 		await frames(20)
 	check(_farthest_from_rest() <= 0.01, "in calm air all come to rest")
-	for i in _field.get_plant_count():
-		var place := _field.get_plant_transform(i)
-		var length := _field.get_plant_height(i) * place.basis.y.length()
-		check_near(_field.get_tip_position(i).distance_to(place.origin), length, 1e-3, "length")
+	for id in _field.get_plant_ids():
+		var place := _field.get_plant_transform(id)
+		var length := _field.get_plant_height(id) * place.basis.y.length()
+		check_near(_field.get_tip_position(id).distance_to(place.origin), length, 1e-3, "length")
 
 
 func test_a_field_that_is_scaled_to_nothing_or_nowhere_recovers() -> void:
@@ -114,13 +111,13 @@ func test_a_field_that_is_scaled_to_nothing_or_nowhere_recovers() -> void:
 		_field.is_point_in_plants(Vector3.ZERO)
 		_field.apply_impulse_in_sphere(Vector3(1000, 0, 0), 1.0, Vector3.RIGHT)
 		_field.get_statistics()
-		for i in _field.get_plant_count():
-			check(_field.get_tip_position(i).is_finite(), "tip %d in %s" % [i, odd])
+		for tip in _tips():
+			check(tip.is_finite(), "tip in %s" % odd)
 	_field.transform = Transform3D.IDENTITY
 	await frames(10)
-	var before := _field.get_tip_position(0)
+	var before := _tips()
 	await frames(30)
-	check(_field.get_tip_position(0) != before, "it moves again")
+	check(_tips()[0] != before[0], "it moves again")
 	walker.free()
 	camera.free()
 
@@ -131,13 +128,13 @@ func test_frames_of_any_length() -> void:
 	for time_scale: float in [0.0, 1e-6, 1.0, 1e3, 1e9]:
 		Engine.time_scale = time_scale
 		await frames(10)
-		for i in _field.get_plant_count():
-			check(_field.get_tip_position(i).is_finite(), "tip %d" % i)
+		for tip in _tips():
+			check(tip.is_finite(), "tip at a time scale of %s" % time_scale)
 
 
 func test_a_fault_is_told_once_and_not_in_each_frame() -> void:
 	_field.size = Vector2(4, 4)
-	_field.shares = PackedFloat32Array([-1.0])
+	_field.species[0].share = 0.0
 	root.add_child(_field)
 	await frames(20)
 	check_error("share")
@@ -145,19 +142,19 @@ func test_a_fault_is_told_once_and_not_in_each_frame() -> void:
 		_field.fill()
 		await frames(5)
 	check_error_count("share", 0)
-	_field.shares = PackedFloat32Array()
+	_field.species[0].share = 1.0
 	await _field.filled
 	check(_field.get_plant_count() > 0, "it fills")
-	_field.ground = PlantField3D.GROUND_MESH
+	_field.ground_mode = PlantField3D.GROUND_MESH
 	await frames(20)
 	check_error("ground_mesh")
 	_field.ground_mesh = NodePath("../Nobody")
 	await frames(20)
 	check_error_count("ground_mesh", 0)
-	_field.ground = PlantField3D.GROUND_NONE
-	_field.excluded_fields = [NodePath(".")]
+	_field.ground_mode = PlantField3D.GROUND_NONE
+	_field.exclusions = [NodePath(".")]
 	await frames(20)
-	check_error("excluded_fields[0]")
+	check_error("exclusions[0]")
 
 
 func _fill() -> void:
@@ -169,7 +166,13 @@ func _fill() -> void:
 ## How far the plant that is farthest from upright is, in radians.
 func _farthest_from_rest() -> float:
 	var farthest := 0.0
-	for i in _field.get_plant_count():
-		var axis := _field.get_tip_position(i) - _field.get_plant_transform(i).origin
+	var places := _field.get_plant_transforms(_field.get_plant_ids())
+	var tips := _tips()
+	for i in tips.size():
+		var axis := tips[i] - places[i].origin
 		farthest = maxf(farthest, axis.angle_to(Vector3.UP))
 	return farthest
+
+
+func _tips() -> PackedVector3Array:
+	return _field.get_tip_positions(_field.get_plant_ids())

@@ -6,29 +6,32 @@ func before_each() -> void:
 	field = _make_field()
 
 
-func test_a_new_field_without_species_is_no_error() -> void:
-	field.species = [] as Array[PlantFunction]
-	root.add_child(field)
-	await frames(3)
-	check_equal(field.get_plant_count(), 0)
+func test_a_new_field_grows_grass_that_covers_the_ground() -> void:
+	field.free()
+	field = PlantField3D.new()
+	await _fill()
+	check_near(field.get_plant_count(), 40 * 20 * 20, 300.0)
+	for id in field.get_plant_ids().slice(0, 10):
+		check(field.get_plant_species(id) is GrassFunction, "plant %d is grass" % id)
 
 
 func test_an_empty_species_is_one_error_and_the_field_stays() -> void:
 	await _fill()
 	var before := _described(field)
-	field.species = [GrassFunction.new(), null]
+	field.species = [PlantFieldSpecies.of(GrassFunction.new()), null]
 	await frames(3)
-	check_error("species[1] is empty")
+	check_error("species[1]")
 	check_equal(_described(field), before, "the field")
-	field.species = [] as Array[PlantFunction]
+	field.species = [PlantFieldSpecies.new(), PlantFieldSpecies.of(GrassFunction.new())]
 	await frames(3)
-	check_error("has no species")
+	check_error("species[0]")
 	check_equal(_described(field), before, "the field")
 
 
 func test_shares_of_0_are_one_error() -> void:
 	await _fill()
-	field.shares = PackedFloat32Array([0, 0])
+	for entry in field.species:
+		entry.share = 0.0
 	await frames(3)
 	check_error("share")
 	check(field.get_plant_count() > 0, "the field stays")
@@ -36,14 +39,36 @@ func test_shares_of_0_are_one_error() -> void:
 
 func test_an_area_of_nothing_is_one_error() -> void:
 	await _fill()
-	field.area = make_curve([Vector3.ZERO, Vector3.RIGHT])
+	field.outline = add_path("Area", [Vector3.ZERO, Vector3.RIGHT])
 	await frames(3)
 	check_error("PlantField3D")
 	check(field.get_plant_count() > 0, "the field stays")
-	field.area = null
+	field.outline = NodePath()
 	field.size = Vector2.ZERO
 	await frames(3)
 	check_error("PlantField3D")
+
+
+func test_an_outline_that_is_no_path_is_one_error() -> void:
+	await _fill()
+	for path: NodePath in [NodePath("../Nobody"), NodePath("..")]:
+		field.outline = path
+		await frames(3)
+		check_error("outline")
+		check(field.get_plant_count() > 0, "the field stays")
+	field.outline = NodePath()
+	await rested()
+	field.exclusions = [NodePath("../Nobody")]
+	await frames(3)
+	check_error("exclusions[0]")
+
+
+func test_levels_that_do_not_go_outwards_are_one_error() -> void:
+	await _fill()
+	field.levels = [PlantFieldLevel.of(8, 20.0), PlantFieldLevel.of(4, 10.0), null]
+	await frames(3)
+	check_error("levels")
+	check(field.get_plant_count() > 0, "the field stays")
 
 
 func test_absurd_densities_are_refused() -> void:
@@ -63,19 +88,15 @@ func test_absurd_densities_are_refused() -> void:
 
 func test_wrong_numbers_keep_the_old_value() -> void:
 	var wrong := {
-		"variants": 0,
 		"update_interval": 0,
 		"prototypes": 65,
-		"threads": -1,
-		"chunk_size": 0.0,
+		"max_threads": -1,
+		"tile_size": 0.0,
 		"clumping": 1.5,
-		"height_deviation": NAN,
-		"wind_speed": -1.0,
-		"scale_range": Vector2(2, 1),
-		"levels": PackedInt32Array([0]),
-		"level_distances": PackedFloat32Array([5, 5]),
+		"height_limits": Vector2(2, 1),
+		"slope_limits": Vector2(0.5, 0.25),
 		"fade_margin": INF,
-		"ground": 9,
+		"ground_mode": 9,
 	}
 	for property: String in wrong:
 		var before: Variant = field.get(property)
@@ -90,16 +111,17 @@ func _fill() -> void:
 
 
 func _make_field() -> PlantField3D:
-	var field := PlantField3D.new()
-	field.species = [GrassFunction.new(), TulipFunction.new()]
+	var field := PlantField3D.from_species([GrassFunction.new(), TulipFunction.new()])
 	field.density = 5.0
 	return field
 
 
 func _described(field: PlantField3D) -> Array:
 	var told := [field.get_plant_count()]
-	for i: int in range(0, field.get_plant_count(), 13):
+	var ids := field.get_plant_ids()
+	for i: int in range(0, ids.size(), 13):
+		var id := ids[i]
 		told.append_array(
-			[field.get_plant_transform(i), field.get_plant_height(i), field.get_plant_seed(i)]
+			[field.get_plant_transform(id), field.get_plant_height(id), field.get_plant_seed(id)]
 		)
 	return told

@@ -16,14 +16,14 @@ func test_ground_is_what_a_mesh_says() -> void:
 	hill.name = "Hill"
 	root.add_child(hill)
 	root.add_child(field)
-	field.ground = PlantField3D.GROUND_MESH
+	field.ground_mode = PlantField3D.GROUND_MESH
 	field.ground_mesh = NodePath("../Hill")
 	await filled(field)
 	check_near(field.get_plant_count(), 5 * 10 * 10 * cos(0.3), 40.0)
-	for i in field.get_plant_count():
-		var place := field.get_plant_transform(i).origin
+	for id in field.get_plant_ids():
+		var place := field.get_plant_transform(id).origin
 		check_near(place.y, 2.0 + place.x * tan(0.3), 1e-3, "height at %s" % place)
-	field.slope_limits_degrees = Vector2(0, 10)
+	field.slope_limits = Vector2(0, deg_to_rad(10))
 	await filled(field)
 	check_equal(field.get_plant_count(), 0, "plants on too steep a slope")
 	hill.free()
@@ -37,21 +37,22 @@ func test_plants_lean_with_the_ground() -> void:
 	hill.name = "Hill"
 	root.add_child(hill)
 	field.ground_mesh = NodePath("../Hill")
-	field.ground = PlantField3D.GROUND_MESH
-	field.lean_deviation_degrees = 0.0
-	field.simulating = false
-	for function: PlantFunction in field.species:
-		function.law = PlantFunction.LAW_SPRING
-		function.lean_degrees = 0.0
+	field.ground_mode = PlantField3D.GROUND_MESH
+	field.simulation_enabled = false
+	for entry in field.species:
+		entry.species.law = PlantFunction.LAW_SPRING
+		entry.species.lean = 0.0
 	await _fill()
-	check_near(_field_axis(5), Vector3.UP, 1e-3, "a plant without alignment")
+	check_near(_field_axis(_fifth()), Vector3.UP, 1e-3, "a plant without alignment")
 	field.slope_alignment = 1.0
 	await filled(field)
-	for i: int in range(0, field.get_plant_count(), 17):
-		check_near(_field_axis(i), hill.basis.y, 2e-3, "axis of plant %d" % i)
+	for id in field.get_plant_ids():
+		check_near(_field_axis(id), hill.basis.y, 2e-3, "axis of plant %d" % id)
 	field.slope_alignment = 0.5
 	await filled(field)
-	check_near(_field_axis(5), Vector3.UP.rotated(Vector3.BACK, 0.2), 5e-3, "half an alignment")
+	check_near(
+		_field_axis(_fifth()), Vector3.UP.rotated(Vector3.BACK, 0.2), 5e-3, "half an alignment"
+	)
 	hill.free()
 
 
@@ -65,32 +66,32 @@ func test_plants_of_an_uneven_field_lean_with_colliders() -> void:
 	root.add_child(body)
 	await physics_frames(2)
 	field.scale = Vector3(1, 2, 1)
-	field.lean_deviation_degrees = 0.0
-	field.simulating = false
-	for function: PlantFunction in field.species:
-		function.law = PlantFunction.LAW_SPRING
-		function.lean_degrees = 0.0
-	field.ground = PlantField3D.GROUND_COLLIDERS
+	field.simulation_enabled = false
+	for entry in field.species:
+		entry.species.law = PlantFunction.LAW_SPRING
+		entry.species.lean = 0.0
+	field.ground_mode = PlantField3D.GROUND_COLLIDERS
 	field.slope_alignment = 1.0
 	await _fill()
 	# In the field's axes the same slope is half as steep.
 	var normal := Vector3(-sin(0.4), 2.0 * cos(0.4), 0).normalized()
-	check_near(_field_axis(5), normal, 5e-3, "axis")
+	check_near(_field_axis(_fifth()), normal, 5e-3, "axis")
 	body.free()
 
 
 func test_added_plants_keep_their_turn_and_their_tilt() -> void:
-	field.species = [] as Array[PlantFunction]
-	field.simulating = false
+	field.density = 0.0
+	field.simulation_enabled = false
 	root.add_child(field)
 	var function := TulipFunction.new()
 	function.law = PlantFunction.LAW_SPRING
-	function.lean_degrees = 0.0
+	function.lean = 0.0
 	var tilt := Basis(Vector3(1, 0, 2).normalized(), 0.6)
-	field.add_plants([Transform3D(tilt * Basis(Vector3.UP, 1.3), Vector3(1, 2, 3))], function)
+	var place := Transform3D(tilt * Basis(Vector3.UP, 1.3), Vector3(1, 2, 3))
+	var id := field.add_plants([place], function)[0]
 	await frames(2)
-	check_near(_field_axis(0), tilt.y, 1e-3, "axis")
-	check_near(field.get_plant_transform(0).basis.z, Basis(Vector3.UP, 1.3).z, 1e-3, "front")
+	check_near(_field_axis(id), tilt.y, 1e-3, "axis")
+	check_near(field.get_plant_transform(id).basis.z, Basis(Vector3.UP, 1.3).z, 1e-3, "front")
 
 
 func test_ground_is_what_rays_hit() -> void:
@@ -104,11 +105,11 @@ func test_ground_is_what_rays_hit() -> void:
 	root.add_child(body)
 	await physics_frames(2)
 	root.add_child(field)
-	field.ground = PlantField3D.GROUND_COLLIDERS
+	field.ground_mode = PlantField3D.GROUND_COLLIDERS
 	await filled(field)
 	check_near(field.get_plant_count(), 5 * 8 * 8, 30.0)
-	for i in field.get_plant_count():
-		check_near(field.get_plant_transform(i).origin.y, 1.5, 1e-3, "height")
+	for transform in field.get_plant_transforms(field.get_plant_ids()):
+		check_near(transform.origin.y, 1.5, 1e-3, "height")
 	field.height_limits = Vector2(2, 5)
 	await filled(field)
 	check_equal(field.get_plant_count(), 0, "plants below the limit")
@@ -121,13 +122,16 @@ func _fill() -> void:
 
 
 func _make_field() -> PlantField3D:
-	var field := PlantField3D.new()
-	field.species = [GrassFunction.new(), TulipFunction.new()]
+	var field := PlantField3D.from_species([GrassFunction.new(), TulipFunction.new()])
 	field.density = 5.0
 	return field
 
 
 ## The direction from a plant's root to its tip.
-func _field_axis(index: int) -> Vector3:
-	var at := field.get_plant_transform(index).origin
-	return (field.get_tip_position(index) - at).normalized()
+func _field_axis(id: int) -> Vector3:
+	return relative_tip(id).normalized()
+
+
+## The id of one of the plants.
+func _fifth() -> int:
+	return field.get_plant_ids()[5]

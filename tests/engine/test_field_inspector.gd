@@ -6,7 +6,6 @@ var _field: PlantField3D
 
 func before_each() -> void:
 	_field = PlantField3D.new()
-	_field.species = [TulipFunction.new()]
 
 
 func after_each() -> void:
@@ -14,25 +13,27 @@ func after_each() -> void:
 
 
 func test_the_inspector_shows_what_counts_for_the_ground() -> void:
-	check_equal(_shown_of(["ground_mask", "ground_mesh", "slope_alignment", "height_limits"]), [])
-	_field.ground = PlantField3D.GROUND_COLLIDERS
 	check_equal(
-		_shown_of(["ground_mask", "ground_mesh", "slope_alignment", "slope_limits_degrees"]),
-		["ground_mask", "slope_limits_degrees", "slope_alignment"]
+		_shown_of(["ground_collision_mask", "ground_mesh", "slope_alignment", "height_limits"]), []
 	)
-	_field.ground = PlantField3D.GROUND_MESH
-	check_equal(_shown_of(["ground_mask", "ground_mesh"]), ["ground_mesh"])
+	_field.ground_mode = PlantField3D.GROUND_COLLIDERS
+	check_equal(
+		_shown_of(["ground_collision_mask", "ground_mesh", "slope_alignment", "slope_limits"]),
+		["ground_collision_mask", "slope_limits", "slope_alignment"]
+	)
+	_field.ground_mode = PlantField3D.GROUND_MESH
+	check_equal(_shown_of(["ground_collision_mask", "ground_mesh"]), ["ground_mesh"])
 
 
-func test_the_inspector_shows_a_size_where_no_curve_is_the_area() -> void:
-	check_equal(_shown_of(["size", "area"]), ["size", "area"])
-	_field.area = Curve3D.new()
-	check_equal(_shown_of(["size", "area"]), ["area"])
+func test_the_inspector_shows_a_size_where_no_path_is_the_outline() -> void:
+	check_equal(_shown_of(["size", "outline"]), ["size", "outline"])
+	_field.outline = NodePath("Area")
+	check_equal(_shown_of(["size", "outline"]), ["outline"])
 
 
 func test_what_is_not_shown_is_saved_all_the_same() -> void:
 	for property: Dictionary in _field.get_property_list():
-		if property["name"] == "ground_mask":
+		if property["name"] == "ground_collision_mask":
 			check(property["usage"] & PROPERTY_USAGE_STORAGE != 0, "it is stored")
 
 

@@ -3,8 +3,7 @@ extends "res://tests/engine/field_harness.gd"
 
 
 func before_each() -> void:
-	field = PlantField3D.new()
-	field.species = [TulipFunction.new()]
+	field = PlantField3D.from_species([TulipFunction.new()])
 	field.size = Vector2(30, 30)
 	field.density = 3.0
 	field.wind = PlantWind.new()
@@ -17,25 +16,24 @@ func test_the_number_of_threads_does_not_change_the_motion() -> void:
 	field.size = Vector2(80, 80)
 	var other: PlantField3D = field.duplicate()
 	other.wind = field.wind
-	field.threads = 1
-	other.threads = 4
+	field.max_threads = 1
+	other.max_threads = 4
 	await start()
 	root.add_child(other)
 	await other.filled
 	await frames(2)
-	other.simulating = false
-	field.simulating = false
+	other.simulation_enabled = false
+	field.simulation_enabled = false
 	field.fill()
 	other.fill()
 	while field.is_filling() or other.is_filling():
 		await process_frame
-	field.wind_speed = 0.0
-	other.wind_speed = 0.0
-	field.simulating = true
-	other.simulating = true
+	field.wind.travel_speed = 0.0
+	field.simulation_enabled = true
+	other.simulation_enabled = true
 	await frames(40)
-	field.simulating = false
-	other.simulating = false
+	field.simulation_enabled = false
+	other.simulation_enabled = false
 	await frames(1)
 	check_equal(all_tips(other), all_tips(), "tips")
 	other.free()
@@ -44,12 +42,12 @@ func test_the_number_of_threads_does_not_change_the_motion() -> void:
 func test_changing_the_motion_keeps_the_state() -> void:
 	await start()
 	await step(30)
-	field.simulating = false
+	field.simulation_enabled = false
 	await frames(2)
 	var before := all_tips()
-	field.species[0].mass = 3.0
+	field.species[0].species.mass = 3.0
 	field.wind.strength = 9.0
-	field.wind_speed = 2.0
+	field.wind.travel_speed = 2.0
 	field.update_interval = 3
 	check_equal(all_tips(), before, "tips")
 	check(not field.is_filling(), "the field is not filled anew")
@@ -61,10 +59,10 @@ func test_an_interval_stays_near_the_full_rate() -> void:
 	var largest := 0.0
 	for i in 30:
 		await frames(4)
-		for plant: int in range(0, field.get_plant_count(), 100):
-			largest = maxf(
-				largest, field.get_tip_position(plant).distance_to(other.get_tip_position(plant))
-			)
+		var tips := all_tips()
+		var others := all_tips(other)
+		for plant in tips.size():
+			largest = maxf(largest, tips[plant].distance_to(others[plant]))
 	# Up to four steps apart in time; in these, a tip goes 0.1 m at most.
 	check(largest < 0.25, "tips are near those of the full rate: %f m" % largest)
 	other.free()
@@ -101,11 +99,11 @@ func test_far_plants_are_stepped_less_often_and_still_move() -> void:
 
 func test_contact_keeps_running() -> void:
 	field.density = 20.0
-	field.contact = true
+	field.contact_enabled = true
 	await start()
 	await step(30)
-	for i: int in range(0, field.get_plant_count(), 97):
-		check(field.get_tip_position(i).is_finite(), "tip %d is finite" % i)
+	for tip in all_tips():
+		check(tip.is_finite(), "a tip is finite")
 
 
 func _add_twin(settings: Dictionary) -> PlantField3D:
@@ -122,6 +120,7 @@ func _add_twin(settings: Dictionary) -> PlantField3D:
 
 func _relative_tips() -> PackedVector3Array:
 	var tips := PackedVector3Array()
-	for i: int in range(0, field.get_plant_count(), 20):
-		tips.append(relative_tip(i).normalized())
+	var ids := field.get_plant_ids()
+	for i: int in range(0, ids.size(), 20):
+		tips.append(relative_tip(ids[i]).normalized())
 	return tips

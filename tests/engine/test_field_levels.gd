@@ -7,7 +7,8 @@ var _field: PlantField3D
 func before_each() -> void:
 	make_stage()
 	_field = PlantField3D.new()
-	_field.simulating = false
+	_field.density = 0.0  # Only what is added.
+	_field.simulation_enabled = false
 	stage.add_child(_field)
 
 
@@ -18,18 +19,17 @@ func after_each() -> void:
 func test_levels_dissolve_into_each_other_without_holes() -> void:
 	# The plant stands where both levels show a part of it.
 	var function := TulipFunction.new()
-	_field.levels = PackedInt32Array([12, 12])
-	_field.level_distances = PackedFloat32Array([3.5])
-	_field.visibility_range = 100.0
+	_field.levels = [PlantFieldLevel.of(12, 3.5), PlantFieldLevel.of(12)]
+	_field.visibility_range_end = 100.0
 	_field.fade_margin = 2.0
-	_field.add_plants([Transform3D.IDENTITY], function)
+	var id := _field.add_plants([Transform3D.IDENTITY], function)[0]
 	await frames(5)
 	var drawn := count_different(await picture(), empty_picture())
 	_field.hide()
 	var plant := Plant3D.new()
-	plant.function = function
-	plant.height = _field.get_plant_height(0)
-	plant.seed = _field.get_plant_seed(0)
+	plant.species = function
+	plant.height = _field.get_plant_height(id)
+	plant.seed = _field.get_plant_seed(id)
 	stage.add_child(plant)
 	await frames(3)
 	var whole := count_different(await picture(), empty_picture())
@@ -37,7 +37,7 @@ func test_levels_dissolve_into_each_other_without_holes() -> void:
 
 
 func test_nothing_is_drawn_beyond_the_visibility_range() -> void:
-	_field.visibility_range = 2.0
+	_field.visibility_range_end = 2.0
 	_field.fade_margin = 0.5
 	_field.add_plants([Transform3D.IDENTITY], TulipFunction.new())
 	await frames(5)
@@ -59,7 +59,7 @@ func test_plants_cast_shadows_within_the_shadow_distance_only() -> void:
 	await frames(5)
 	var with_shadow := await picture()
 	_field.shadow_distance = 0.0
-	await _field.filled
+	check(not _field.is_filling(), "nothing is filled anew for that")
 	await frames(2)
 	var without_shadow := await picture()
 	_field.hide()
@@ -72,11 +72,10 @@ func test_plants_cast_shadows_within_the_shadow_distance_only() -> void:
 
 func test_turning_the_camera_changes_no_level() -> void:
 	# The distance to each plant decides, not where on the screen it is.
-	_field.species = [TulipFunction.new()]
+	_field.species = [PlantFieldSpecies.of(TulipFunction.new())]
 	_field.size = Vector2(6, 6)
 	_field.density = 4.0
-	_field.levels = PackedInt32Array([12, 2])
-	_field.level_distances = PackedFloat32Array([3.5])
+	_field.levels = [PlantFieldLevel.of(12, 3.5), PlantFieldLevel.of(2)]
 	await _field.filled
 	await frames(3)
 	var before := await picture()
@@ -92,7 +91,7 @@ func test_turning_the_camera_changes_no_level() -> void:
 func test_a_bent_plant_is_not_culled_where_only_its_tip_is_seen() -> void:
 	var function := TulipFunction.new()
 	function.law = PlantFunction.LAW_SPRING
-	function.lean_degrees = 80.0
+	function.lean = deg_to_rad(80.0)
 	_field.add_plants([Transform3D(Basis(Vector3.UP, PI / 2), Vector3(-2.2, 1.0, 0))], function)
 	await frames(5)
 	check(count_different(await picture(), empty_picture()) > LEAST_PLANT, "the tip of it is drawn")

@@ -5,8 +5,7 @@ var _field: PlantField3D
 
 
 func before_each() -> void:
-	_field = PlantField3D.new()
-	_field.species = [GrassFunction.new(), TulipFunction.new()]
+	_field = PlantField3D.from_species([GrassFunction.new(), TulipFunction.new()])
 	_field.size = Vector2(60, 60)
 	_field.density = 8.0
 	_field.wind = PlantWind.new()
@@ -39,7 +38,7 @@ func test_freed_while_it_fills() -> void:
 
 func test_freed_by_a_handler_of_its_signals() -> void:
 	var field: PlantField3D = _field.duplicate()
-	field.filling_progressed.connect(func(_share: float) -> void: field.queue_free())
+	field.fill_progressed.connect(func(_ratio: float) -> void: field.queue_free())
 	root.add_child(field)
 	await frames(60)
 	check(not is_instance_valid(field), "it is gone")
@@ -47,7 +46,8 @@ func test_freed_by_a_handler_of_its_signals() -> void:
 
 func test_moved_hidden_and_reparented_while_it_moves() -> void:
 	var count := _field.get_plant_count()
-	var tips := _field.get_tip_position(3)
+	var id := _field.get_plant_ids()[3]
+	var tip := _field.get_tip_position(id)
 	var other := Node3D.new()
 	root.add_child(other)
 	for i in 40:
@@ -57,7 +57,7 @@ func test_moved_hidden_and_reparented_while_it_moves() -> void:
 		_field.reparent(other if i % 2 == 0 else root as Node, false)
 		await process_frame
 	check_equal(_field.get_plant_count(), count)
-	check(_field.get_tip_position(3) != tips, "it still moves")
+	check(_field.get_tip_position(id) != tip, "it still moves")
 	_field.reparent(root)
 	other.free()
 
@@ -79,8 +79,8 @@ func test_properties_that_change_in_every_frame() -> void:
 		_field.seed = i
 		_field.update_interval = 1 + i % 4
 		_field.prototypes = 16 if i % 10 == 5 else 0
-		_field.contact = i % 7 == 3
-		_field.threads = i % 5
+		_field.contact_enabled = i % 7 == 3
+		_field.max_threads = i % 5
 		await process_frame
 	_field.density = 2.0
 	_field.prototypes = 0
@@ -90,8 +90,7 @@ func test_properties_that_change_in_every_frame() -> void:
 
 
 func test_fields_without_a_tree_say_nothing() -> void:
-	var field := PlantField3D.new()
-	field.species = [GrassFunction.new()]
+	var field := PlantField3D.from_species([GrassFunction.new()])
 	field.fill()
 	check_equal(field.get_plant_count(), 0)
 	check_equal(field.is_point_in_plants(Vector3.ZERO), false)
@@ -100,11 +99,18 @@ func test_fields_without_a_tree_say_nothing() -> void:
 	field.free()
 
 
-func test_plants_of_no_index_are_one_error() -> void:
+func test_ids_that_do_not_stand_are_one_error() -> void:
 	check_equal(_field.get_plant_transform(-1), Transform3D.IDENTITY)
-	check_error("has no plant -1")
-	check_equal(_field.get_tip_position(100000000), Vector3.ZERO)
-	check_error("has no plant 100000000")
+	check_error("no plant -1")
+	check_equal(_field.get_tip_position(100000000000), Vector3.ZERO)
+	check_error("no plant 100000000000")
+	var gone := _field.get_plant_ids()[4]
+	check_equal(_field.remove_plant(gone), true)
+	check_equal(_field.has_plant(gone), false)
+	check_equal(_field.remove_plant(gone), false, "removing it again")
+	check_error_count("no plant", 0)
+	check_equal(_field.get_plant_height(gone), 0.0)
+	check_error("no plant %d" % gone)
 
 
 func test_removed_plants_are_gone_at_once() -> void:
@@ -112,25 +118,28 @@ func test_removed_plants_are_gone_at_once() -> void:
 	var removed := _field.remove_in_sphere(Vector3(5, 0, 5), 3.0)
 	check_near(removed, 8.0 * PI * 9.0, 40.0, "removed plants")
 	check_equal(_field.get_plant_count(), count - removed)
-	for i in _field.get_plant_count():
-		var away := _field.get_plant_transform(i).origin.distance_to(Vector3(5, 0, 5))
-		check(away > 3.0, "plant %d stays outside" % i)
+	for transform in _field.get_plant_transforms(_field.get_plant_ids()):
+		var away := transform.origin.distance_to(Vector3(5, 0, 5))
+		check(away > 3.0, "a plant stays outside: %f m away" % away)
 	check_equal(_field.remove_in_sphere(Vector3(5, 0, 5), 3.0), 0)
 	check_equal(_field.is_point_in_plants(Vector3(5, 0.2, 5)), false)
 	await frames(5)
 
 
 func test_the_others_keep_their_own_motion_when_some_go() -> void:
-	_field.simulating = false
+	_field.simulation_enabled = false
 	await frames(2)
-	var tips := {}
-	for i in _field.get_plant_count():
-		tips[_field.get_plant_transform(i).origin] = _field.get_tip_position(i)
-	_field.remove_in_sphere(Vector3(-9, 0, 4), 6.0)
-	for i in _field.get_plant_count():
-		check_equal(
-			_field.get_tip_position(i), tips[_field.get_plant_transform(i).origin], "tip %d" % i
-		)
+	var ids := _field.get_plant_ids()
+	var tips := _field.get_tip_positions(ids)
+	var transforms := _field.get_plant_transforms(ids)
+	var removed := _field.remove_in_sphere(Vector3(-9, 0, 4), 6.0)
+	var left := 0
+	for i in ids.size():
+		if _field.has_plant(ids[i]):
+			left += 1
+			check_equal(_field.get_tip_position(ids[i]), tips[i], "tip %d" % i)
+			check_equal(_field.get_plant_transform(ids[i]), transforms[i], "place %d" % i)
+	check_equal(left, ids.size() - removed, "plants that keep their ids")
 
 
 func test_all_plants_may_go_and_others_come() -> void:
@@ -138,7 +147,7 @@ func test_all_plants_may_go_and_others_come() -> void:
 	check_equal(_field.remove_in_sphere(Vector3.ZERO, 1000.0), count)
 	check_equal(_field.get_plant_count(), 0)
 	await frames(3)
-	_field.add_plants([Transform3D.IDENTITY], _field.species[0])
+	_field.add_plants([Transform3D.IDENTITY], _field.species[0].species)
 	await frames(3)
 	check_equal(_field.get_plant_count(), 1)
 
@@ -149,7 +158,7 @@ func test_plants_that_are_added_in_every_frame() -> void:
 	for i in 40:
 		_field.add_plants(
 			[Transform3D(Basis.IDENTITY.scaled(Vector3.ONE * 0.5), Vector3(100 + i, 0, 0))],
-			bell if i % 2 == 0 else _field.species[1] as PlantFunction
+			bell if i % 2 == 0 else _field.species[1].species
 		)
 		await process_frame
 	check_equal(_field.get_plant_count(), count + 40)
@@ -163,11 +172,13 @@ func test_plants_that_are_added_in_every_frame() -> void:
 
 
 func test_added_plants_outlive_a_new_fill() -> void:
-	_field.add_plants([Transform3D(Basis.IDENTITY, Vector3(200, 0, 0))], TulipFunction.new())
+	var place := Transform3D(Basis.IDENTITY, Vector3(200, 0, 0))
+	var id := _field.add_plants([place], TulipFunction.new())[0]
 	await frames(2)
 	_field.density = 1.0
 	await _field.filled
 	await frames(2)
+	check_equal(_field.get_plant_transform(id).origin, Vector3(200, 0, 0), "by its id")
 	check(_field.is_point_in_plants(Vector3(200, 0.1, 0)), "it still stands there")
 
 
@@ -176,11 +187,12 @@ func test_many_plants_are_added_fast() -> void:
 	for i in 20000:
 		rows.append_array([1, 0, 0, 300 + i % 100, 0, 1, 0, 0, 0, 0, 1, floori(i / 100.0)])
 	var count := _field.get_plant_count()
-	_field.add_plants(rows, GrassFunction.new())
+	var ids := _field.add_plants(rows, GrassFunction.new())
 	await frames(2)
+	check_equal(ids.size(), 20000, "ids")
 	check_equal(_field.get_plant_count(), count + 20000)
-	check_equal(_field.get_plant_transform(count).basis, Basis.IDENTITY)
-	var place := _field.get_plant_transform(_field.get_plant_count() - 1).origin
+	check_equal(_field.get_plant_transform(ids[0]).basis, Basis.IDENTITY)
+	var place := _field.get_plant_transform(ids[-1]).origin
 	check(place.x >= 300 and place.z >= 0, "it stands where it should: %s" % place)
 
 
@@ -194,16 +206,16 @@ func test_transforms_that_are_none_are_left_out_with_one_error() -> void:
 				Transform3D(Basis.IDENTITY.scaled(Vector3.ZERO), Vector3.ZERO),
 				Transform3D.IDENTITY,
 			],
-			_field.species[0]
+			_field.species[0].species
 		)
 	)
 	check_error("2 transforms")
 	check_equal(_field.get_plant_count(), count + 1)
 	_field.add_plants([Transform3D.IDENTITY], null)
 	check_error("needs a PlantFunction")
-	_field.add_plants("here", _field.species[0])
+	_field.add_plants("here", _field.species[0].species)
 	check_error("needs an Array")
-	_field.add_plants(PackedFloat32Array([1, 2, 3]), _field.species[0])
+	_field.add_plants(PackedFloat32Array([1, 2, 3]), _field.species[0].species)
 	check_error("needs an Array")
 	_field.remove_in_sphere(Vector3(INF, 0, 0), 1.0)
 	check_error("remove_in_sphere")
@@ -211,7 +223,7 @@ func test_transforms_that_are_none_are_left_out_with_one_error() -> void:
 
 
 func test_a_point_is_in_plants_where_one_stands() -> void:
-	var place := _field.get_plant_transform(20).origin
+	var place := _field.get_plant_transform(_field.get_plant_ids()[20]).origin
 	check(_field.is_point_in_plants(place + Vector3(0, 0.1, 0)), "at a plant")
 	check(not _field.is_point_in_plants(place + Vector3(0, 30, 0)), "above it")
 	check(not _field.is_point_in_plants(Vector3(500, 0, 0)), "far away")
@@ -225,14 +237,13 @@ func test_a_species_of_a_material_that_does_not_bend_is_told_once() -> void:
 	shader.code = "shader_type spatial;"
 	var material := ShaderMaterial.new()
 	material.shader = shader
-	_field.species[0].material = material
-	await _field.filled
-	await frames(3)
+	_field.species[0].species.material = material
+	await frames(10)
 	check_error("does not bend")
 
 
 func test_freed_fields_free_their_functions() -> void:
-	var weak: WeakRef = weakref(_field.species[0])
+	var weak: WeakRef = weakref(_field.species[0].species)
 	_field.free()
 	await frames(2)
 	check(weak.get_ref() == null, "the function goes")

@@ -3,8 +3,7 @@ extends "res://tests/engine/field_harness.gd"
 
 
 func before_each() -> void:
-	field = PlantField3D.new()
-	field.species = [TulipFunction.new()]
+	field = PlantField3D.from_species([TulipFunction.new()])
 	field.size = Vector2(30, 30)
 	field.density = 3.0
 	field.wind = PlantWind.new()
@@ -14,18 +13,18 @@ func before_each() -> void:
 
 func test_plants_move_in_wind() -> void:
 	await start()
-	var before := field.get_tip_position(7)
+	var before := all_tips()
 	await step(30)
-	check(field.get_tip_position(7).distance_to(before) > 0.001, "plant 7 moved")
+	check_equal(count_moved(before, 0.001), field.get_plant_count(), "plants that moved")
 
 
 func test_plants_keep_their_length() -> void:
 	await start()
 	await step(40)
-	for i: int in range(0, field.get_plant_count(), 50):
-		var place := field.get_plant_transform(i)
-		var length := field.get_plant_height(i) * place.basis.y.length()
-		check_near(field.get_tip_position(i).distance_to(place.origin), length, 1e-4)
+	for id in field.get_plant_ids():
+		var place := field.get_plant_transform(id)
+		var length := field.get_plant_height(id) * place.basis.y.length()
+		check_near(field.get_tip_position(id).distance_to(place.origin), length, 1e-4)
 
 
 func test_still_air_leaves_plants_at_rest() -> void:
@@ -58,7 +57,7 @@ func test_a_paused_tree_and_a_disabled_node_stand_still() -> void:
 func test_a_field_that_does_not_simulate_stands_still() -> void:
 	await start()
 	await step(10)
-	field.simulating = false
+	field.simulation_enabled = false
 	await frames(2)
 	var before := all_tips()
 	await frames(8)
@@ -76,35 +75,30 @@ func test_time_scale_0_stands_still() -> void:
 
 
 func test_the_wind_comes_to_plants_downwind_later() -> void:
-	field.species = [] as Array[PlantFunction]
+	field.density = 0.0
 	field.wind.kind = PlantWind.KIND_GUST
 	field.wind.gust_duration = 0.3
-	field.wind.direction_degrees = 90.0
-	field.wind_speed = 10.0
+	field.wind.direction = deg_to_rad(90.0)
+	field.wind.travel_speed = 10.0
 	root.add_child(field)
 	var function := TulipFunction.new()
 	function.law = PlantFunction.LAW_SPRING
-	function.lean_degrees = 0.0
+	function.lean = 0.0
 	function.damping_ratio = 1.0
-	(
-		field
-		. add_plants(
-			[
-				Transform3D(Basis.IDENTITY, Vector3(0, 0, 0)),
-				Transform3D(Basis.IDENTITY, Vector3(5, 0, 0)),
-			],
-			function
-		)
-	)
+	var transforms: Array[Transform3D] = [
+		Transform3D(Basis.IDENTITY, Vector3(0, 0, 0)),
+		Transform3D(Basis.IDENTITY, Vector3(5, 0, 0)),
+	]
+	var ids := field.add_plants(transforms, function)
 	await frames(5)
 	await step(240)
-	var rest := [relative_tip(0), relative_tip(1)]
+	var rest := [relative_tip(ids[0]), relative_tip(ids[1])]
 	field.wind.trigger_gust()
 	var first: Array[int] = [-1, -1]
 	for i in 120:
 		await step(1)
 		for plant in 2:
-			if first[plant] < 0 and relative_tip(plant).distance_to(rest[plant]) > 1e-4:
+			if first[plant] < 0 and relative_tip(ids[plant]).distance_to(rest[plant]) > 1e-4:
 				first[plant] = i
 	check(first[0] >= 0 and first[1] > first[0], "the gust comes to both: %s" % [first])
 	# 5 m at 10 m/s are half a second.
@@ -113,7 +107,7 @@ func test_the_wind_comes_to_plants_downwind_later() -> void:
 
 func test_wind_goes_on_where_plants_share_it() -> void:
 	var plant := Plant3D.new()
-	plant.function = TulipFunction.new()
+	plant.species = TulipFunction.new()
 	plant.wind = field.wind
 	root.add_child(plant)
 	await start()
@@ -128,15 +122,15 @@ func test_wind_goes_on_where_plants_share_it() -> void:
 
 
 func test_a_moved_field_keeps_the_winds_direction() -> void:
-	field.species = [] as Array[PlantFunction]
+	field.density = 0.0
 	field.wind.kind = PlantWind.KIND_CONSTANT
-	field.wind.direction_degrees = 90.0
+	field.wind.direction = deg_to_rad(90.0)
 	field.rotation.y = 1.1
 	root.add_child(field)
-	field.add_plants([Transform3D.IDENTITY], TulipFunction.new())
+	var id := field.add_plants([Transform3D.IDENTITY], TulipFunction.new())[0]
 	await frames(5)
 	await step(200)
-	var tip := field.global_basis * field.get_tip_position(0)
+	var tip := field.global_basis * field.get_tip_position(id)
 	check(tip.x > 0.01, "it bends to +x: %s" % tip)
 	check_near(tip.z, 0.0, 0.02, "z")
 

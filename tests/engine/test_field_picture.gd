@@ -7,9 +7,10 @@ var _field: PlantField3D
 func before_each() -> void:
 	make_stage()
 	_field = PlantField3D.new()
+	_field.density = 0.0  # Only what is added.
 	_field.wind = PlantWind.new()
 	_field.wind.kind = PlantWind.KIND_CONSTANT
-	_field.wind.direction_degrees = 60.0
+	_field.wind.direction = deg_to_rad(60.0)
 	stage.add_child(_field)
 
 
@@ -55,7 +56,7 @@ func test_a_plant_that_leans_on_a_slope() -> void:
 	var function := TulipFunction.new()
 	function.law = PlantFunction.LAW_SPRING
 	function.damping_ratio = 1.0
-	function.lean_degrees = 15.0
+	function.lean = deg_to_rad(15.0)
 	_field.wind.strength = 2.0
 	var tilt := Basis(Vector3(1, 0, 0.5).normalized(), -0.5)
 	await _compare(function, Transform3D(tilt * Basis(Vector3.UP, 2.0).scaled(Vector3.ONE * 0.8)))
@@ -96,7 +97,7 @@ func test_a_plain_material() -> void:
 
 
 func test_followers_of_prototypes_are_drawn() -> void:
-	_field.species = [TulipFunction.new()]
+	_field.species = [PlantFieldSpecies.of(TulipFunction.new())]
 	_field.prototypes = 4
 	_field.size = Vector2(3, 3)
 	_field.density = 10.0
@@ -126,28 +127,28 @@ func test_a_follower_that_was_pushed() -> void:
 
 
 func _compare(function: PlantFunction, place: Transform3D, blow := Vector3.ZERO) -> void:
-	_field.add_plants([place], function)
+	var id := _field.add_plants([place], function)[0]
 	RenderingServer.render_loop_enabled = false
 	await _settle()
 	if blow != Vector3.ZERO:
-		var before := _field.get_tip_position(0)
+		var before := _field.get_tip_position(id)
 		_field.apply_impulse_in_sphere(Vector3.ZERO, 1.0, blow)
 		await create_timer(0.3).timeout
-		check(_field.get_tip_position(0).distance_to(before) > 0.1, "the blow bends it")
-	_field.simulating = false
+		check(_field.get_tip_position(id).distance_to(before) > 0.1, "the blow bends it")
+	_field.simulation_enabled = false
 	await frames(2)
 	RenderingServer.render_loop_enabled = true
 	var in_field := await picture()
 	_field.hide()
 	var plant := Plant3D.new()
-	plant.function = function
-	plant.simulating = false
-	plant.height = _field.get_plant_height(0)
-	plant.seed = _field.get_plant_seed(0)
+	plant.species = function
+	plant.simulation_enabled = false
+	plant.height = _field.get_plant_height(id)
+	plant.seed = _field.get_plant_seed(id)
 	# Beside the field's own node, which is hidden; skewed as its parents are.
 	stage.add_child(plant)
-	plant.global_transform = _field.global_transform * _field.get_plant_transform(0)
-	var tip := plant.to_local(_field.to_global(_field.get_tip_position(0))).normalized()
+	plant.global_transform = _field.global_transform * _field.get_plant_transform(id)
+	var tip := plant.to_local(_field.to_global(_field.get_tip_position(id))).normalized()
 	plant.get_skeleton().set_bone_pose_rotation(1, Quaternion(Vector3.UP, tip))
 	await frames(2)
 	var alone := await picture()

@@ -13,10 +13,10 @@ func before_each() -> void:
 	_wind = PlantWind.new()
 	_wind.kind = PlantWind.KIND_CONSTANT
 	_wind.strength = 2.0
-	_field = PlantField3D.new()
-	_field.species = [TulipFunction.new(), GrassFunction.new()]
+	_field = PlantField3D.from_species([TulipFunction.new(), GrassFunction.new()])
+	_field.density = 4.0
 	_field.size = Vector2(6, 6)
-	_field.simulating = false
+	_field.simulation_enabled = false
 
 
 func after_each() -> void:
@@ -31,33 +31,32 @@ func test_preview_moves_plants_and_changes_no_property() -> void:
 	check(_field.wind == null, "the field has no wind of its own")
 
 
-func test_reset_puts_plants_back() -> void:
+func test_reset_motion_puts_plants_back() -> void:
 	await _start()
 	var before := _tips()
 	_preview(30)
-	_field.reset()
+	_field.reset_motion()
 	check_equal(_tips(), before, "tips after the reset")
 	_wind.strength = 0.0
 	_preview(10)
 	check_equal(_tips(), before, "tips after ten steps in still air")
 
 
-func test_reset_of_followers_fills_the_field_anew() -> void:
+func test_reset_motion_puts_followers_back_and_fills_nothing() -> void:
 	_field.prototypes = 8
 	await _start()
 	var before := _tips()
 	_preview(60)
 	check(_tips()[3].distance_to(before[3]) > 0.001, "plant 3 moved")
-	_field.reset()
-	await _field.filled
-	await frames(1)
+	_field.reset_motion()
+	check(not _field.is_filling(), "nothing is filled anew for that")
 	check_equal(_tips(), before, "tips after the reset")
 
 
 func test_still_air_moves_nothing() -> void:
 	await _start()
 	var before := _tips()
-	_field.preview(STEP, null)
+	_field._preview(STEP, null)
 	check_equal(_tips(), before, "tips")
 
 
@@ -65,28 +64,28 @@ func test_nonsense_is_ignored() -> void:
 	await _start()
 	var before := _tips()
 	for delta: float in [NAN, INF, -1.0, 1e9]:
-		_field.preview(delta, _wind)
+		_field._preview(delta, _wind)
 	check_equal(_tips(), before, "tips")
 
 
 func test_a_field_without_plants_bears_it() -> void:
-	_field.preview(STEP, _wind)
-	_field.reset()
+	_field._preview(STEP, _wind)
+	_field.reset_motion()
 	check_equal(_field.get_plant_count(), 0, "plants")
 
 
 func test_a_field_that_moves_by_itself_is_left_alone() -> void:
-	_field.simulating = true
+	_field.simulation_enabled = true
 	await _start()
 	var before := _tips()
-	_field.preview(1.0, _wind)
+	_field._preview(1.0, _wind)
 	check_equal(_tips(), before, "tips")
 
 
 func test_preview_moves_as_the_simulation_does() -> void:
 	await _start()
 	var other: PlantField3D = _field.duplicate()
-	other.simulating = true
+	other.simulation_enabled = true
 	other.wind = _wind.duplicate()
 	root.add_child(other)
 	await other.filled
@@ -95,9 +94,11 @@ func test_preview_moves_as_the_simulation_does() -> void:
 	var steps := roundi(other.wind.get_time() / STEP) + 1
 	check(steps > 10, "%d steps" % steps)
 	_preview(steps)
-	other.simulating = false
-	for i: int in range(0, _field.get_plant_count(), 7):
-		check_near(_field.get_tip_position(i).distance_to(other.get_tip_position(i)), 0.0, SAME)
+	other.simulation_enabled = false
+	var tips := _tips()
+	var others := other.get_tip_positions(other.get_plant_ids())
+	for i in tips.size():
+		check_near(tips[i].distance_to(others[i]), 0.0, SAME)
 	other.free()
 
 
@@ -110,11 +111,8 @@ func _start() -> void:
 func _preview(steps: int) -> void:
 	for i in steps:
 		_wind.advance(STEP)
-		_field.preview(STEP, _wind)
+		_field._preview(STEP, _wind)
 
 
 func _tips() -> PackedVector3Array:
-	var tips: PackedVector3Array = []
-	for i in _field.get_plant_count():
-		tips.append(_field.get_tip_position(i))
-	return tips
+	return _field.get_tip_positions(_field.get_plant_ids())

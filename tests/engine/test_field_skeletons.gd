@@ -11,16 +11,16 @@ var _told: Array[String] = []
 func before_each() -> void:
 	make_stage()
 	_told = []
-	_field = PlantField3D.new()
-	_field.species = [TulipFunction.new(), GrassFunction.new()]
+	_field = PlantField3D.from_species([TulipFunction.new(), GrassFunction.new()])
 	_field.size = Vector2(4, 4)
 	_field.density = 12.0
 	_field.wind = PlantWind.new()
 	_field.wind.kind = PlantWind.KIND_WAVES
 	_field.wind.strength = 3.0
-	_field.wind_speed = 2.0
-	_field.lean_deviation_degrees = 20.0
-	_field.most_skeletons = 1000
+	_field.wind.travel_speed = 2.0
+	for entry in _field.species:
+		entry.lean_deviation = deg_to_rad(20.0)
+	_field.max_skeletons = 1000
 	stage.add_child(_field)
 	await _field.filled
 	await frames(3)
@@ -34,11 +34,11 @@ func after_each() -> void:
 func test_no_plant_is_a_skeleton_unless_asked_for() -> void:
 	await frames(20)
 	check_equal(_field.get_skeletons().size(), 0)
-	check(_field.get_skeleton(0) == null, "no skeleton")
+	check(_field.get_skeleton(_field.get_plant_ids()[0]) == null, "no skeleton")
 
 
 func test_the_nearest_plants_become_skeletons() -> void:
-	_field.most_skeletons = 20
+	_field.max_skeletons = 20
 	_field.skeleton_distance = 3.0
 	await frames(60)
 	check_equal(_field.get_skeletons().size(), 20)
@@ -47,15 +47,15 @@ func test_the_nearest_plants_become_skeletons() -> void:
 	var farthest := 0.0
 	for skeleton: Skeleton3D in _field.get_skeletons():
 		farthest = maxf(farthest, skeleton.global_position.distance_to(eye))
-		var index := _field.get_skeleton_plant(skeleton)
-		check_equal(_field.get_skeleton(index), skeleton, "skeleton of plant %d" % index)
+		var id := _field.get_skeleton_plant(skeleton)
+		check_equal(_field.get_skeleton(id), skeleton, "skeleton of plant %d" % id)
 		check(
-			skeleton.transform.is_equal_approx(_field.get_plant_transform(index)),
-			"it stands where plant %d does" % index
+			skeleton.transform.is_equal_approx(_field.get_plant_transform(id)),
+			"it stands where plant %d does" % id
 		)
 	var nearer := 0
-	for i in _field.get_plant_count():
-		var away := _field.get_plant_transform(i).origin.distance_to(eye)
+	for transform in _field.get_plant_transforms(_field.get_plant_ids()):
+		var away := transform.origin.distance_to(eye)
 		nearer += 1 if away < farthest / 1.1 else 0
 	check(nearer <= 20, "%d plants are nearer than the farthest skeleton" % nearer)
 
@@ -63,19 +63,19 @@ func test_the_nearest_plants_become_skeletons() -> void:
 func test_a_skeleton_bends_as_its_plant() -> void:
 	_field.skeleton_distance = 7.0
 	await frames(60)
-	_field.simulating = false
+	_field.simulation_enabled = false
 	await frames(2)
 	check(_field.get_skeletons().size() > 100, "there are skeletons")
 	for skeleton: Skeleton3D in _field.get_skeletons():
-		var index := _field.get_skeleton_plant(skeleton)
-		var length := _field.get_plant_height(index)
+		var id := _field.get_skeleton_plant(skeleton)
+		var length := _field.get_plant_height(id)
 		var tip := skeleton.transform * (skeleton.get_bone_global_pose(1) * Vector3(0, length, 0))
 		# Half a step of a tip at 2 m/s, since pictures lie between two steps.
-		check_near(tip, _field.get_tip_position(index), 0.02, "tip of plant %d" % index)
+		check_near(tip, _field.get_tip_position(id), 0.02, "tip of plant %d" % id)
 
 
 func test_nobody_sees_a_skeleton_come_or_go() -> void:
-	_field.simulating = false
+	_field.simulation_enabled = false
 	await frames(3)
 	var before := await picture()
 	_field.skeleton_distance = 7.0
@@ -92,11 +92,11 @@ func test_nobody_sees_a_skeleton_come_or_go() -> void:
 
 func test_nobody_sees_skeletons_of_plants_that_follow_prototypes() -> void:
 	_field.prototypes = 4
-	await _field.filled
+	check(not _field.is_filling(), "nothing is filled anew for that")
 	await frames(20)
 	_field.apply_impulse_in_sphere(Vector3.ZERO, 1.0, Vector3(2, 0, 0))
 	await frames(12)
-	_field.simulating = false
+	_field.simulation_enabled = false
 	await frames(3)
 	var before := await picture()
 	_field.skeleton_distance = 7.0
@@ -106,7 +106,7 @@ func test_nobody_sees_skeletons_of_plants_that_follow_prototypes() -> void:
 
 
 func test_skeletons_are_what_is_drawn() -> void:
-	_field.simulating = false
+	_field.simulation_enabled = false
 	_field.skeleton_distance = 7.0
 	await frames(60)
 	for skeleton: Skeleton3D in _field.get_skeletons():
@@ -137,10 +137,11 @@ func test_a_shader_of_fields_fits_skeletons_and_single_plants() -> void:
 			ALBEDO = COLOR.rgb;
 		}
 	"""
-	for function: PlantFunction in _field.species:
-		function.material = material
-	await _field.filled
-	_field.simulating = false
+	for entry in _field.species:
+		entry.species.material = material
+	await frames(10)
+	check(not _field.is_filling(), "nothing is filled anew for that")
+	_field.simulation_enabled = false
 	await frames(3)
 	var before := await picture()
 	_field.skeleton_distance = 7.0
@@ -155,7 +156,7 @@ func test_signals_tell_of_skeletons_and_attached_nodes_go_with_them() -> void:
 		func(skeleton: Skeleton3D) -> void:
 			_told.append("hidden %d" % _field.get_skeleton_plant(skeleton))
 	)
-	_field.most_skeletons = 1
+	_field.max_skeletons = 1
 	_field.skeleton_distance = 7.0
 	await frames(10)
 	check_equal(_told.size(), 1, "signals")
@@ -163,7 +164,7 @@ func test_signals_tell_of_skeletons_and_attached_nodes_go_with_them() -> void:
 	check_equal(_told[0], "shown %d" % _field.get_skeleton_plant(skeleton))
 	var lamp := skeleton.get_node("Lamp")
 	await frames(10)
-	_field.simulating = false
+	_field.simulation_enabled = false
 	await frames(2)
 	var light := lamp.get_child(0) as Node3D
 	var tip := _field.get_tip_position(_field.get_skeleton_plant(skeleton))
@@ -177,7 +178,7 @@ func test_signals_tell_of_skeletons_and_attached_nodes_go_with_them() -> void:
 
 
 func test_skeletons_that_scripts_free_come_again() -> void:
-	_field.most_skeletons = 12
+	_field.max_skeletons = 12
 	_field.skeleton_distance = 7.0
 	await frames(30)
 	for i in 3:
@@ -198,7 +199,7 @@ func test_skeletons_follow_what_happens_to_their_field() -> void:
 	for skeleton: Skeleton3D in _field.get_skeletons():
 		check(skeleton.position.length() > 1.0, "plants at %s are gone" % skeleton.position)
 	for i in 12:
-		_field.add_plants([Transform3D(Basis(), Vector3(0.1 * i, 0, 0))], _field.species[0])
+		_field.add_plants([Transform3D(Basis(), Vector3(0.1 * i, 0, 0))], _field.species[0].species)
 		await frames(3)
 	await frames(30)
 	check_equal(_field.get_skeletons().size(), _field.get_plant_count(), "skeletons")

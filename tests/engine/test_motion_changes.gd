@@ -193,7 +193,7 @@ func _extremes() -> Array[Dictionary]:
 		{"damping_ratio": 100.0},
 		{"damping_ratio": 0.0},
 		{"wind_weight": 1000.0},
-		{"lean_degrees": 80.0},
+		{"lean": deg_to_rad(80.0)},
 	]
 
 

@@ -13,7 +13,7 @@ var _common := {
 	"stays_above_ground": false,
 	"natural_frequency": 2.5,
 	"damping_ratio": 0.5,
-	"lean_degrees": 30.0,
+	"lean": deg_to_rad(30.0),
 	"mass": 2.25,
 	"wind_weight": 0.875,
 	"collision_radius": 0.125,
@@ -27,7 +27,7 @@ var _out_of_range := {
 	"inner_friction": [-0.1, 1.1e6],
 	"natural_frequency": [0.0, -1.0, 1001.0],
 	"damping_ratio": [-0.1, 101.0],
-	"lean_degrees": [-1.0, 81.0],
+	"lean": [-0.01, deg_to_rad(80.1), 45.0],
 	"mass": [0.0, -1.0, 1.1e6],
 	"wind_weight": [-0.1, 1001.0],
 	"collision_radius": [-0.1, 1001.0],
@@ -46,9 +46,41 @@ func test_properties_keep_what_they_are_set_to() -> void:
 func test_numbers_as_written_come_back_as_written() -> void:
 	var function := PlantFunction.new()
 	function.mass = 0.3
-	function.lean_degrees = 33.3
 	check_equal(function.mass, 0.3)
-	check_equal(function.lean_degrees, 33.3)
+
+
+func test_angles_written_in_tenths_of_a_degree_come_back_as_written() -> void:
+	var function := PlantFunction.new()
+	for tenths in 801:
+		var written := deg_to_rad(tenths / 10.0)
+		function.lean = written
+		check_equal(function.lean, written, "%.1f°" % (tenths / 10.0))
+	function.lean = 0.5
+	check_equal(function.lean, 0.5, "what was written in radians")
+
+
+func test_an_angle_stays_what_it_is_however_often_it_is_saved() -> void:
+	for tenths in range(1, 800, 7):
+		var function := PlantFunction.new()
+		function.lean = deg_to_rad(tenths / 10.0)
+		ResourceSaver.save(function, PATH)
+		var text := FileAccess.get_file_as_string(PATH)
+		var loaded := ResourceLoader.load(PATH, "", ResourceLoader.CACHE_MODE_IGNORE)
+		check_equal((loaded as PlantFunction).lean, function.lean, "%.1f°" % (tenths / 10.0))
+		ResourceSaver.save(loaded, PATH)
+		check_equal(_without_uid(FileAccess.get_file_as_string(PATH)), _without_uid(text))
+	DirAccess.remove_absolute(PATH)
+
+
+func test_degrees_where_radians_belong_are_told() -> void:
+	PlantFunction.new().lean = 45.0
+	check_error("lean cannot be 45.0 rad, which is 2578.3°")
+
+
+func test_species_lean_by_whole_tenths_of_a_degree() -> void:
+	check_equal(GrassFunction.new().lean, deg_to_rad(14.0))
+	check_equal(ReedFunction.new().lean, deg_to_rad(3.5))
+	check_equal(BellflowerFunction.new().lean, deg_to_rad(42.0))
 
 
 func test_numbers_out_of_range_give_one_error_and_are_not_kept() -> void:
@@ -87,16 +119,10 @@ func test_each_change_is_signalled_once() -> void:
 	for species in _all_species():
 		species.changed.connect(_count_change)
 		for property: String in _common:
-			_changes = 0
-			species.set(property, _common[property])
-			check_equal(_changes, 1, "signals for " + property)
+			_check_signals(species, property, _another_of(species, property))
 		for property in _own_properties(species):
-			_changes = 0
-			species.set(property, _another(species.get(property)))
-			check_equal(_changes, 1, "signals for " + property)
-		_changes = 0
-		species.material = StandardMaterial3D.new()
-		check_equal(_changes, 1, "signals for material")
+			_check_signals(species, property, _another(species.get(property)))
+		_check_signals(species, "material", StandardMaterial3D.new())
 
 
 func test_refused_values_are_not_signalled() -> void:
@@ -205,6 +231,26 @@ func _check_all_changed(species: PlantFunction, label: String) -> void:
 	for property in _own_properties(species):
 		var value: Variant = species.get(property)
 		check_near(value, _another(value), RELATIVE_TOLERANCE, "%s of %s" % [property, label])
+
+
+## Setting [param value] is a change, setting it once more is none.
+func _check_signals(species: PlantFunction, property: String, value: Variant) -> void:
+	for expected: int in [1, 0]:
+		_changes = 0
+		species.set(property, value)
+		check_equal(_changes, expected, "signals for " + property)
+
+
+## A value of [param property] that is not this species' own.
+func _another_of(species: PlantFunction, property: String) -> Variant:
+	var value: Variant = _common[property]
+	if value != species.get(property):
+		return value
+	return 1 - value if value is int else not value if value is bool else value * 0.5
+
+
+func _without_uid(text: String) -> String:
+	return text.get_slice("[resource]", 1)
 
 
 func _count_change() -> void:

@@ -66,7 +66,7 @@ func test_a_law_that_changes_below_an_overhang_keeps_the_plant_there() -> void:
 	var hanging := Vector3(0, cos(deg_to_rad(120.0)), sin(deg_to_rad(120.0)))
 	check_near(_tip_in_world().normalized(), hanging, 1e-3, "it hangs aslant")
 	var grass := GrassFunction.new()
-	grass.lean_degrees = 0.0
+	grass.lean = 0.0
 	_plant.function = grass
 	_run(10.0)
 	check_near(_tip_in_world().normalized(), hanging, 1e-3, "so does its successor")
@@ -125,7 +125,7 @@ func test_a_plant_scaled_to_nothing_stays_finite() -> void:
 
 func test_a_leaning_species_leans_with_the_node() -> void:
 	var grass := GrassFunction.new()
-	grass.lean_degrees = 40.0
+	grass.lean = deg_to_rad(40.0)
 	_plant.function = grass
 	for turn: float in [0.0, 90.0, 200.0]:
 		_plant.rotation_degrees = Vector3(0, turn, 0)
@@ -139,12 +139,12 @@ func test_a_leaning_species_leans_with_the_node() -> void:
 
 func test_a_change_of_lean_moves_the_rest_and_not_the_tip() -> void:
 	var grass := GrassFunction.new()
-	grass.lean_degrees = 0.0
+	grass.lean = 0.0
 	grass.damping_ratio = 1.0
 	_plant.function = grass
 	_run(0.1)
 	var tip := _plant.get_tip_position()
-	grass.lean_degrees = 30.0
+	grass.lean = deg_to_rad(30.0)
 	check_near(_plant.get_tip_position(), tip, 1e-5, "tip")
 	check_near(_plant.get_deflection(), deg_to_rad(30.0), 1e-4, "deflection")
 	_run(5.0)

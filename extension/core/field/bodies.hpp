@@ -8,13 +8,25 @@
 
 namespace undergrowth {
 
-/// A moving capsule, or a sphere where both ends are the same point, that pushes plants out of its way.
+/// A moving capsule, sphere or box that pushes plants out of its way: all points nearer than `radius` to its core. A
+/// capsule's core is a segment, a sphere's is a segment whose ends are the same point, and that of a box whose edges are
+/// rounded by `radius` is a box.
 struct FieldBody {
-	glm::vec3 from = { 0.0f, 0.0f, 0.0f }; ///< m, field axes: the ends of its inner segment.
+	glm::vec3 from = { 0.0f, 0.0f, 0.0f }; ///< m, field axes: the ends of the core's middle line.
 	glm::vec3 to = { 0.0f, 0.0f, 0.0f };
 	float radius = 0.5f; ///< m, > 0.
 	glm::vec3 velocity = { 0.0f, 0.0f, 0.0f }; ///< m/s.
+	/// m, of a box only: half of its core's other two edges, at right angles to the middle line and to each other.
+	glm::vec3 half_width = { 0.0f, 0.0f, 0.0f };
+	glm::vec3 half_depth = { 0.0f, 0.0f, 0.0f };
 };
+
+/// Corners of the box along the axes that holds a body (m).
+struct BodyBox {
+	glm::vec3 low;
+	glm::vec3 high;
+};
+BodyBox box_of(const FieldBody &body);
 
 /// Whether all numbers are finite and the radius is above 0.
 bool is_valid(const FieldBody &body);
@@ -32,6 +44,13 @@ template <class Visit> void for_each_in_reach(const MotionPage &page, const Fiel
 /// it, they lose; nothing springs back from it. Tells how many plants were touched.
 int push_plants(MotionPage &page, const FieldBody &body);
 
+/// Whether a plant of the page comes nearer to a valid body than `margin` (m), its tip thickened by the collision
+/// radius. Points along its straight stem count, a quarter of its length apart.
+bool touches_plants(const MotionPage &page, const FieldBody &body, float margin);
+
+/// The point of a body's core that is nearest to `point`: `point` itself where it lies in the core.
+glm::vec3 nearest_in_core(const FieldBody &body, const glm::vec3 &point);
+
 /// The point of a segment that is nearest to `point`.
 glm::vec3 nearest_on_segment(const glm::vec3 &from, const glm::vec3 &to, const glm::vec3 &point);
 
@@ -42,9 +61,10 @@ template <class Visit> void for_each_in_reach(const MotionPage &page, const Fiel
 	if (!boxes_overlap(page, body)) {
 		return;
 	}
-	const float margin = body.radius + std::max(page.collision_radius(), 0.0f);
-	const glm::vec3 low = glm::min(body.from, body.to) - margin;
-	const glm::vec3 high = glm::max(body.from, body.to) + margin;
+	const float thickness = std::max(page.collision_radius(), 0.0f);
+	const BodyBox box = box_of(body);
+	const glm::vec3 low = box.low - thickness;
+	const glm::vec3 high = box.high + thickness;
 	const float *x = page.roots_x();
 	const float *z = page.roots_z();
 	const float *lengths = page.lengths();

@@ -130,6 +130,20 @@ void MotionPage::set_state(int index, const TipState &state) {
 	}
 }
 
+void MotionPage::take_motion(int index, const MotionPage &other, int from) {
+	if (is_swinging && other.is_swinging) {
+		put_state(index, other.state(from));
+	}
+	std::copy_n(other.pairs.begin() + 2 * from, 2, pairs.begin() + 2 * index);
+}
+
+void MotionPage::set_rest(int index, const glm::vec3 &rest) {
+	if (is_swinging && kind.law == Law::spring) {
+		column(REST_X)[index] = std::clamp(rest.x / rest.y, -MAX_GNOMONIC, MAX_GNOMONIC);
+		column(REST_Z)[index] = std::clamp(rest.z / rest.y, -MAX_GNOMONIC, MAX_GNOMONIC);
+	}
+}
+
 void MotionPage::settle(int index) {
 	set_state(index, { rest(index), {} });
 	if (is_swinging) {
@@ -179,10 +193,14 @@ void MotionPage::set_species(const MotionSpecies &species) {
 			put_state(i, states[static_cast<std::size_t>(i)]);
 		}
 	}
+	const bool has_other_radius = species.collision_radius != kind.collision_radius;
 	kind = species;
 	kind.joint = safe_joint(species.joint);
 	if (is_swinging) {
 		update_constants(0);
+	}
+	if (has_other_radius) {
+		update_box();
 	}
 }
 
@@ -191,6 +209,15 @@ void MotionPage::grow_box(const MotionPlant &plant) {
 	const bool first = size() == 1;
 	box_low = first ? plant.root - reach : glm::min(box_low, plant.root - reach);
 	box_high = first ? plant.root + reach : glm::max(box_high, plant.root + reach);
+}
+
+void MotionPage::update_box() {
+	const float radius = std::max(kind.collision_radius, 0.0f);
+	for (int i = 0; i < size(); i++) {
+		const glm::vec3 reach = glm::vec3(length(i) + radius);
+		box_low = i == 0 ? root(i) - reach : glm::min(box_low, root(i) - reach);
+		box_high = i == 0 ? root(i) + reach : glm::max(box_high, root(i) + reach);
+	}
 }
 
 std::size_t MotionPage::bytes() const {

@@ -76,6 +76,10 @@ public:
 	TipState state(int index) const;
 	/// Puts a plant into a state; the bend that is drawn as the last one is this state's.
 	void set_state(int index, const TipState &state);
+	/// Plant `from` of another page, of any law, goes on as plant `index`, and is drawn where it was.
+	void take_motion(int index, const MotionPage &other, int from);
+	/// Another direction in calm air (unit, y > 0), of the spring law; the motion goes on.
+	void set_rest(int index, const glm::vec3 &rest);
 	/// Puts all plants into their rest directions, without velocity; both bends of each are those.
 	void settle();
 	/// Makes room for `plants` in all, so that add() does not allocate until there are more.
@@ -129,6 +133,7 @@ private:
 	void put_state(int index, const TipState &state);
 	void settle(int index);
 	void grow_box(const MotionPlant &plant);
+	void update_box();
 };
 
 } // namespace undergrowth

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <godot_cpp/classes/ref.hpp>
+#include <godot_cpp/classes/resource.hpp>
+
+namespace undergrowth {
+
+/// One level of detail of a PlantField3D: how finely plants are drawn, and up to which distance.
+/// Emits `changed` for each real change.
+class PlantFieldLevel : public godot::Resource {
+	GDCLASS(PlantFieldLevel, godot::Resource)
+
+	int segments = 12;
+	double end = 0.0; // m.
+	godot::String given_name;
+
+	void level_changed();
+
+protected:
+	static void _bind_methods();
+	void _validate_property(godot::PropertyInfo &property) const;
+
+public:
+	/// Plants of `segments` up to `end` metres; 0: without end.
+	static godot::Ref<PlantFieldLevel> of(int segments, double end = 0.0);
+
+	void set_segments(int count);
+	int get_segments() const;
+	void set_end(double metres);
+	double get_end() const;
+};
+
+} // namespace undergrowth

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "plant_function.hpp"
+
+#include <godot_cpp/classes/resource.hpp>
+#include <godot_cpp/variant/vector2.hpp>
+
+namespace undergrowth {
+
+/// One species of a PlantField3D: how much of it grows there, and how its plants differ from one another.
+/// Emits `changed` for each real change of a number, of the species, and of what the species says of itself.
+class PlantFieldSpecies : public godot::Resource {
+	GDCLASS(PlantFieldSpecies, godot::Resource)
+
+	godot::Ref<PlantFunction> species;
+	double share = 1.0;
+	double density_factor = 1.0;
+	godot::Vector2 scale_range = { 0.8f, 1.2f };
+	double height_deviation = 0.1;
+	double lean_deviation = 0.0; // rad.
+	int variants = 4;
+	godot::String given_name;
+	bool forwards = false;
+
+	/// Tells who uses this that it changed, by itself or, where `from_species`, by the function inside.
+	void tell(bool from_species);
+	void set_number(double &slot, double value);
+
+protected:
+	static void _bind_methods();
+	void _validate_property(godot::PropertyInfo &property) const;
+
+public:
+	/// `function` with `share` of the field, and all else as it is by default.
+	static godot::Ref<PlantFieldSpecies> of(const godot::Ref<PlantFunction> &function, double share = 1.0);
+
+	/// True while `changed` is emitted for a property of the PlantFunction inside, false for all that is set here.
+	bool is_species_change() const;
+	/// True while `changed` is emitted for a property of the PlantFunction inside that leaves meshes as they are.
+	bool is_motion_change() const;
+	// Called by the engine.
+	void on_species_changed();
+
+	void set_species(const godot::Ref<PlantFunction> &function);
+	godot::Ref<PlantFunction> get_species() const;
+	void set_share(double weight);
+	double get_share() const;
+	void set_density_factor(double factor);
+	double get_density_factor() const;
+	void set_scale_range(const godot::Vector2 &range);
+	godot::Vector2 get_scale_range() const;
+	void set_height_deviation(double deviation);
+	double get_height_deviation() const;
+	void set_lean_deviation(double radians);
+	double get_lean_deviation() const;
+	void set_variants(int count);
+	int get_variants() const;
+};
+
+} // namespace undergrowth

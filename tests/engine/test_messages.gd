@@ -1,0 +1,118 @@
+## Errors call things by what a user finds them: a file, a script, a short path.
+extends "res://tests/engine/harness.gd"
+
+const SCENE := "user://messages_scene.tscn"
+const SPECIES := "user://messages_species.tres"
+const SCRIPT := "user://messages_spike.gd"
+
+var _world: Node
+
+
+func before_each() -> void:
+	_world = Node.new()
+	_world.name = "World"
+	root.add_child(_world)
+
+
+func after_each() -> void:
+	edited_scene_root = null
+	_world.free()
+	for path: String in [SCENE, SPECIES, SCRIPT]:
+		DirAccess.remove_absolute(path)
+
+
+func test_a_species_of_its_own_file_is_called_by_it() -> void:
+	ResourceSaver.save(GrassFunction.new(), SPECIES)
+	var grass: PlantFunction = load(SPECIES)
+	grass.mass = NAN
+	check_error("GrassFunction '%s': mass cannot be" % SPECIES)
+
+
+func test_a_species_that_nothing_is_known_of_is_called_by_its_class() -> void:
+	PlantFunction.new().mass = NAN
+	check_error("PlantFunction: mass cannot be")
+
+
+func test_a_species_embedded_in_a_scene_is_called_by_its_script() -> void:
+	var spike := _embedded(_scripted("extends PlantFunction\n"))
+	spike.mass = NAN
+	check_error("PlantFunction '%s' in '%s': mass cannot be" % [SCRIPT, SCENE])
+
+
+func test_a_species_embedded_in_a_scene_is_called_by_its_name() -> void:
+	var tulip := TulipFunction.new()
+	tulip.resource_name = "Red"
+	_embedded(tulip).mass = NAN
+	check_error("TulipFunction 'Red' in '%s': mass cannot be" % SCENE)
+
+
+func test_a_species_embedded_in_a_scene_is_called_by_the_scene_at_least() -> void:
+	_embedded(TulipFunction.new()).mass = NAN
+	check_error("TulipFunction in '%s': mass cannot be" % SCENE)
+
+
+func test_a_running_games_nodes_are_called_by_their_whole_path() -> void:
+	var plant := _plant_below(_world)
+	plant.height = NAN
+	check_error("Plant3D '/root/World/Rose': height cannot be")
+
+
+func test_nodes_of_an_edited_scene_are_called_from_its_root() -> void:
+	var scene := Node3D.new()
+	scene.name = "Meadow"
+	_world.add_child(scene)
+	edited_scene_root = scene
+	var bed := Node3D.new()
+	bed.name = "Bed"
+	scene.add_child(bed)
+	_plant_below(bed).height = NAN
+	check_error("Plant3D 'Meadow/Bed/Rose': height cannot be")
+
+
+func test_an_edited_scenes_root_is_called_by_its_name() -> void:
+	var plant := _plant_below(_world)
+	edited_scene_root = plant
+	plant.height = NAN
+	check_error("Plant3D 'Rose': height cannot be")
+
+
+func test_nodes_beside_an_edited_scene_are_called_from_their_own_root() -> void:
+	var scene := Node3D.new()
+	_world.add_child(scene)
+	edited_scene_root = scene
+	var plant := _plant_below(_world)
+	plant.height = NAN
+	check_error("Plant3D 'Rose': height cannot be")
+	plant.owner = _world
+	plant.height = INF
+	check_error("Plant3D 'World/Rose': height cannot be")
+
+
+func _plant_below(parent: Node) -> Plant3D:
+	var plant := Plant3D.new()
+	plant.name = "Rose"
+	parent.add_child(plant)
+	return plant
+
+
+func _scripted(code: String) -> PlantFunction:
+	var file := FileAccess.open(SCRIPT, FileAccess.WRITE)
+	file.store_string(code)
+	file.close()
+	return (load(SCRIPT) as GDScript).new()
+
+
+## [param species] as a scene gives it back that it was saved in.
+func _embedded(species: PlantFunction) -> PlantFunction:
+	var holder := Node.new()
+	holder.set_meta("species", species)
+	var scene := PackedScene.new()
+	scene.pack(holder)
+	holder.free()
+	check_equal(ResourceSaver.save(scene, SCENE), OK, "saving")
+	scene = ResourceLoader.load(SCENE, "", ResourceLoader.CACHE_MODE_IGNORE)
+	holder = scene.instantiate()
+	var loaded: PlantFunction = holder.get_meta("species")
+	check(loaded.resource_path.begins_with(SCENE + "::"), "embedded as " + loaded.resource_path)
+	holder.free()
+	return loaded
