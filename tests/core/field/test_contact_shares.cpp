@@ -84,3 +84,19 @@ TEST_CASE("tips at exactly one place part") {
 	CHECK(field.state(0, 0).direction.x > 0.02f);
 	CHECK(field.state(0, 1).direction.x < -0.02f);
 }
+
+TEST_CASE("what tips approach each other by is taken away in metres, however long their plants are") {
+	for (const float length : { 0.5f, 2.0f }) {
+		MotionPlant plants[2];
+		plants[0].length = plants[1].length = length;
+		plants[1].root.x = 0.12f;
+		FieldSimulation field((FieldSettings()));
+		field.add_page(field.add_species(kind_of(0.4f, 0.05f)), plants, 2);
+		field.page(0).set_state(0, leaning_at(0.05f / length, 1.0f));
+		REQUIRE(resolved(field).contacts(0, 0) == 1);
+		CHECK(field.state(0, 0).rate.x == doctest::Approx(0.5).epsilon(0.05));
+		CHECK(field.state(0, 1).rate.x == doctest::Approx(0.5).epsilon(0.05));
+		const float apart = field.page(0).tip(1).x - field.page(0).tip(0).x;
+		CHECK(apart == doctest::Approx(0.1).epsilon(0.05));
+	}
+}

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
+#include <limits>
 
 using namespace undergrowth;
 
@@ -209,5 +210,54 @@ TEST_CASE("a follower that is pushed again goes on alone for as long as after th
 	for (int k = 0; k < RUNG_DOWN; k++) {
 		field.step();
 	}
+	CHECK(field.loose_plants(0)->count() == 0);
+}
+
+TEST_CASE("a follower that was pushed swings in the wind as a plant that is simulated") {
+	for (const Law law : { Law::elasticity, Law::spring }) {
+		FieldSimulation following = following_field(law);
+		FieldSimulation simulated((FieldSettings()));
+		MotionPlant plant;
+		plant.root = following.page(0).root(40);
+		plant.length = following.page(0).length(40);
+		simulated.add_page(simulated.add_species(species_of(law)), &plant, 1);
+		simulated.set_wind(wave_wind());
+		while (simulated.time() < following.time()) {
+			simulated.step();
+		}
+		following.apply_impulse(0, 40, { 0.1f, 0.0f, 0.2f });
+		simulated.page(0).set_state(0, following.state(0, 40));
+		for (int i = 0; i < 120; i++) {
+			following.step();
+			simulated.step();
+			const glm::vec3 way = following.state(0, 40).direction - simulated.state(0, 0).direction;
+			REQUIRE(glm::length(way) < 1e-4f);
+			REQUIRE(glm::distance(following.state(0, 40).rate, simulated.state(0, 0).rate) < 1e-3f);
+		}
+	}
+}
+
+TEST_CASE("what followers that go back show has the rate that it moves at") {
+	FieldSimulation field = following_field(Law::spring);
+	field.apply_impulse(0, 7, { 0.3f, 0.0f, 0.0f });
+	const int alone = static_cast<int>(LoosePlants::ALONE / FIELD_STEP);
+	for (int i = 0; i < RUNG_DOWN; i++) {
+		const glm::vec3 before = field.state(0, 7).direction;
+		field.step();
+		if (i > alone + 2 && field.loose_plants(0)->count() > 0) {
+			const glm::vec3 rate = (field.state(0, 7).direction - before) / FIELD_STEP;
+			CHECK(glm::distance(field.state(0, 7).rate, rate) < 0.15f);
+		}
+	}
+}
+
+TEST_CASE("bodies of numbers that are none push no follower") {
+	FieldSimulation field = following_field(Law::spring);
+	FieldBody bodies[3] = { walker(2.0f), walker(4.0f), walker(6.0f) };
+	bodies[0].velocity.x = std::numeric_limits<float>::quiet_NaN();
+	bodies[1].radius = std::numeric_limits<float>::infinity();
+	bodies[2].from.y = std::numeric_limits<float>::quiet_NaN();
+	field.set_bodies(bodies, 3);
+	field.step();
 	CHECK(field.loose_plants(0)->count() == 0);
 }
