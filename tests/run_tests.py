@@ -64,6 +64,9 @@ def main():
     failures = [(result.name, failure) for result in results for failure in result.failures]
     for name, failure in failures:
         print(f"FAILED {name}: {failure}")
+    for result in results:
+        for note in result.notes:
+            print(f"NOTE {result.name}: {note}")
     if failures:
         print(f"The suites' output is in {LOGS.relative_to(ROOT)}/<suite>.log")
     line = f"{sum(result.passed for result in results)} passed, {len(failures)} failed"

@@ -69,6 +69,10 @@ void report_error(const Object *object, const String &what) {
 	UtilityFunctions::push_error(describe(object) + ": " + what);
 }
 
+void report_warning(const Object *object, const String &what) {
+	UtilityFunctions::push_warning(describe(object) + ": " + what);
+}
+
 bool accept_value(const Object *object, const char *property, double value, const Range &range) {
 	if (std::isfinite(value) && value >= range.least && value <= range.most) {
 		return true;

@@ -19,6 +19,9 @@ godot::String describe(const godot::Object *object);
 /// One error in Godot's log that names its object and says what to do.
 void report_error(const godot::Object *object, const godot::String &what);
 
+/// The same for what may be meant so, as a warning.
+void report_warning(const godot::Object *object, const godot::String &what);
+
 /// True where `value` is finite and within `range`; else reports that `property` keeps its value, and why.
 bool accept_value(const godot::Object *object, const char *property, double value, const Range &range);
 

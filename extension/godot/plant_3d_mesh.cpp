@@ -59,7 +59,7 @@ bool Plant3D::build_mesh() {
 		problem = String();
 		update_configuration_warnings();
 	}
-	mesh = function->build(sampled, seed);
+	mesh = sampled.build();
 	built_height = sampled.height;
 	show_mesh();
 	update_joint();

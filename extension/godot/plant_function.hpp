@@ -2,7 +2,7 @@
 
 #include "mesh/plant_mesh.hpp"
 #include "messages.hpp"
-#include "pendulum/joint.hpp"
+#include "motion/joint.hpp"
 #include "plant/motion.hpp"
 #include "sampled_plant.hpp"
 
@@ -81,8 +81,6 @@ public:
 
 	/// Samples the plant for a mesh. Height 0 asks the function. Returns what is wrong and what to do, or nothing.
 	godot::String sample(double height, int segments, int64_t seed, SampledPlant &result);
-	/// The mesh of a valid sample.
-	godot::Ref<godot::ArrayMesh> build(const SampledPlant &sample, int64_t seed) const;
 	/// The joint of a plant of `length` metres whose root stands in `frame` (its up axis and turn, orthonormal).
 	Joint make_joint(float length, const godot::Basis &frame) const;
 	/// True while `changed` is emitted for a property that leaves meshes as they are. Setters emit it once for each

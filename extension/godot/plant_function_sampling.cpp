@@ -221,6 +221,9 @@ String PlantFunction::sample_profile(SampledPlant &result) {
 }
 
 String PlantFunction::sample(double height, int segments, int64_t seed, SampledPlant &result) {
+	result.options = look;
+	result.options.seed = uint64_t(seed);
+	result.material = material;
 	String problem = sample_height(height, seed, result);
 	if (problem.is_empty()) {
 		problem = sample_ring(segments, result);
@@ -233,16 +236,16 @@ String PlantFunction::find_problem(double height, int segments, int64_t seed) {
 	return sample(height, segments, seed, sampled);
 }
 
-Ref<ArrayMesh> PlantFunction::build(const SampledPlant &sampled, int64_t seed) const {
-	const MeshCounts counts = count_mesh(int(sampled.cross_section.points.size()), sampled.lod, look.shading);
+Ref<ArrayMesh> SampledPlant::build() const {
+	const MeshCounts counts = count_mesh(int(cross_section.points.size()), lod, options.shading);
 	PackedVector3Array positions, normals;
-	PackedColorArray colors;
+	PackedColorArray tints;
 	PackedVector2Array uvs;
 	PackedInt32Array bones, indices;
 	PackedFloat32Array weights;
 	positions.resize(counts.vertices);
 	normals.resize(counts.vertices);
-	colors.resize(counts.vertices);
+	tints.resize(counts.vertices);
 	uvs.resize(counts.vertices);
 	bones.resize(counts.vertices * 4);
 	weights.resize(counts.vertices * 4);
@@ -251,21 +254,18 @@ Ref<ArrayMesh> PlantFunction::build(const SampledPlant &sampled, int64_t seed) c
 	MeshBuffers buffers;
 	buffers.positions = reinterpret_cast<glm::vec3 *>(positions.ptrw());
 	buffers.normals = reinterpret_cast<glm::vec3 *>(normals.ptrw());
-	buffers.colors = reinterpret_cast<glm::vec4 *>(colors.ptrw());
+	buffers.colors = reinterpret_cast<glm::vec4 *>(tints.ptrw());
 	buffers.uvs = reinterpret_cast<glm::vec2 *>(uvs.ptrw());
 	buffers.bones = bones.ptrw();
 	buffers.weights = weights.ptrw();
 	buffers.indices = indices.ptrw();
-	MeshOptions options = look;
-	options.seed = uint64_t(seed);
-	build_mesh({ &sampled.cross_section, sampled.widths.data(), sampled.colors.data(), sampled.height, sampled.lod },
-			options, buffers);
+	build_mesh({ &cross_section, widths.data(), colors.data(), height, lod }, options, buffers);
 
 	Array arrays;
 	arrays.resize(Mesh::ARRAY_MAX);
 	arrays[Mesh::ARRAY_VERTEX] = positions;
 	arrays[Mesh::ARRAY_NORMAL] = normals;
-	arrays[Mesh::ARRAY_COLOR] = colors;
+	arrays[Mesh::ARRAY_COLOR] = tints;
 	arrays[Mesh::ARRAY_TEX_UV] = uvs;
 	arrays[Mesh::ARRAY_BONES] = bones;
 	arrays[Mesh::ARRAY_WEIGHTS] = weights;
@@ -283,7 +283,7 @@ Ref<ArrayMesh> PlantFunction::generate_mesh(double height, int segments, int64_t
 		report_error(this, problem);
 		return Ref<ArrayMesh>();
 	}
-	return build(sampled, seed);
+	return sampled.build();
 }
 
 } // namespace undergrowth

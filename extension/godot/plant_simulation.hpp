@@ -1,7 +1,7 @@
 #pragma once
 
-#include "pendulum/batch.hpp"
-#include "pendulum/fixed_step.hpp"
+#include "motion/batch.hpp"
+#include "motion/fixed_step.hpp"
 #include "plant_wind.hpp"
 
 #include <godot_cpp/classes/scene_tree.hpp>

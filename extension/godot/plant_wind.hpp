@@ -42,6 +42,7 @@ public:
 	double get_gust_duration() const;
 
 	godot::Vector3 sample(double at_time) const;
+	double get_travel_speed() const { return 10.0; }
 	void trigger_gust();
 	double get_time() const;
 

@@ -1,6 +1,10 @@
 #pragma once
 
 #include "mesh/cross_section.hpp"
+#include "mesh/plant_mesh.hpp"
+
+#include <godot_cpp/classes/array_mesh.hpp>
+#include <godot_cpp/classes/material.hpp>
 
 #include <glm/vec4.hpp>
 
@@ -8,16 +12,21 @@
 
 namespace undergrowth {
 
-/// A plant function, asked at one height and level of detail: all that its mesh needs.
+/// A plant function, asked at one height and level of detail: all that its mesh needs, copied, so that a worker thread
+/// may build it while the function changes.
 struct SampledPlant {
 	CrossSection cross_section;
 	std::vector<float> widths; ///< lod + 1.
 	std::vector<glm::vec4> colors; ///< lod + 1.
 	float height = 0.0f; ///< m.
 	int lod = 0;
+	MeshOptions options; ///< With the seed.
+	godot::Ref<godot::Material> material; ///< Null: the add-on's own.
 
 	/// The largest distance of a side point from the plant's axis (m).
 	float widest() const;
+	/// On any thread, but for the headless engine's stand-in for a renderer: the main one.
+	godot::Ref<godot::ArrayMesh> build() const;
 };
 
 } // namespace undergrowth

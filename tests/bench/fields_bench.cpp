@@ -13,17 +13,17 @@ namespace {
 /// Half of each law, under waves.
 FieldSimulation waving_field(const FieldSettings &settings, int plants) {
 	FieldSimulation field(settings);
-	const int page_size = std::clamp(plants / 16, 256, FieldPage::PAGE_PLANTS);
+	const int page_size = std::clamp(plants / 16, 256, MotionPage::PAGE_PLANTS);
 	for (const Law law : { Law::elasticity, Law::spring }) {
-		FieldSpecies species;
+		MotionSpecies species;
 		species.law = law;
 		const int kind = field.add_species(species);
-		std::vector<FieldPlant> page;
+		std::vector<MotionPlant> page;
 		for (int i = 0; i < plants / 2; i++) {
 			const auto noise = [i, kind](uint64_t which) {
 				return signed_noise(which + 100 * static_cast<uint64_t>(kind), static_cast<uint64_t>(i));
 			};
-			FieldPlant plant;
+			MotionPlant plant;
 			plant.root = { 80.0f * noise(1), 0.0f, 80.0f * noise(2) };
 			plant.length = 0.75f + 0.25f * noise(3);
 			page.push_back(plant);
@@ -66,8 +66,6 @@ void time_ladder(Report &report) {
 	interval_4.update_interval = 4;
 	FieldSettings prototypes_64;
 	prototypes_64.prototypes = 64;
-	FieldSettings drawn_prototypes = prototypes_64;
-	drawn_prototypes.write_followers = false;
 	const bool has_four = std::thread::hardware_concurrency() >= 4;
 	for (const int plants : { 1000, 10000, 100000, 1000000 }) {
 		for (const int threads : { 1, 4 }) {
@@ -77,7 +75,6 @@ void time_ladder(Report &report) {
 				time_field(report, "field_step_prototypes_64", prototypes_64, plants, threads);
 			}
 		}
-		time_field(report, "field_step_prototypes_64_drawn", drawn_prototypes, plants, 1);
 	}
 }
 

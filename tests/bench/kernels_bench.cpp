@@ -1,6 +1,6 @@
 // Each law's step at each level that this processor has, beside what one core can do at most at that level.
 
-#include "pendulum/batch.hpp"
+#include "motion/batch.hpp"
 #include "report.hpp"
 
 using namespace undergrowth;

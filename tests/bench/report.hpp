@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pendulum/kernels.hpp"
+#include "base/simd.hpp"
 
 #include <algorithm>
 #include <chrono>

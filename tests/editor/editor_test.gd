@@ -9,6 +9,8 @@ extends RefCounted
 ## Collects what the engine reports, from whichever thread.
 class Listener:
 	extends Logger
+	## The suite leaves the engine without an input method: it crashes in its thread for them.
+	const EXPECTED := "XCreateIC couldn't create"
 	var _mutex := Mutex.new()
 	var _messages: PackedStringArray = []
 
@@ -23,6 +25,8 @@ class Listener:
 		_script_backtraces: Array[ScriptBacktrace]
 	) -> void:
 		var text := code if rationale.is_empty() else rationale
+		if text.begins_with(EXPECTED):
+			return
 		_mutex.lock()
 		_messages.append("%s (%s:%d)" % [text, file.get_file(), line])
 		_mutex.unlock()
@@ -36,8 +40,9 @@ class Listener:
 
 
 const DOCK_SCRIPT := "res://addons/undergrowth/editor/dock.gd"
-## Frames for which [method until] waits.
+## [method until] waits at least so many frames and so many seconds.
 const PATIENCE := 600
+const PATIENCE_SECONDS := 15.0
 ## Frames within which something is under the pointer.
 const POINTING_FRAMES := 20
 ## Steps in which a drag goes from its beginning to its end.
@@ -144,7 +149,7 @@ func open_page(name: String) -> void:
 	await click(bar, bar.get_tab_rect(index).get_center())
 
 
-## Waits for [param count] frames that are drawn.
+## Waits for [param count] frames; not each is drawn.
 func frames(count: int) -> void:
 	for i in count:
 		await (Engine.get_main_loop() as SceneTree).process_frame
@@ -152,10 +157,13 @@ func frames(count: int) -> void:
 
 ## Waits until [param condition] is true; false if it never is.
 func until(condition: Callable) -> bool:
-	for i in PATIENCE:
+	var begin := Time.get_ticks_msec()
+	var count := 0
+	while count < PATIENCE or Time.get_ticks_msec() - begin < PATIENCE_SECONDS * 1000.0:
 		if condition.call():
 			return true
 		await frames(1)
+		count += 1
 	return false
 
 
@@ -211,15 +219,21 @@ func wheel(control: Control, clicks: int) -> void:
 		await frames(1)
 
 
-## Types [param text] into whatever has the focus of the control's window.
+## Types [param text] into whatever has the focus of the control's window, faster than it is drawn.
 func type(control: Control, text: String) -> void:
 	for i in text.length():
-		await press_key(control, KEY_NONE, text.unicode_at(i))
+		_strike(control, KEY_NONE, text.unicode_at(i))
+	await frames(2)
 
 
 ## Presses one key and lets it go: `await press_key(dock(), KEY_ENTER)`, with Ctrl or Shift held
 ## when asked for.
 func press_key(control: Control, key: Key, unicode := 0, ctrl := false, shift := false) -> void:
+	_strike(control, key, unicode, ctrl, shift)
+	await frames(1)
+
+
+func _strike(control: Control, key: Key, unicode: int, ctrl := false, shift := false) -> void:
 	for pressed: bool in [true, false]:
 		var event := InputEventKey.new()
 		event.window_id = control.get_window().get_window_id()
@@ -230,7 +244,6 @@ func press_key(control: Control, key: Key, unicode := 0, ctrl := false, shift :=
 		event.shift_pressed = shift
 		event.pressed = pressed
 		_send(event)
-	await frames(1)
 
 
 ## Undoes the newest step, as Ctrl+Z over the scene does.

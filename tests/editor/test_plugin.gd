@@ -11,9 +11,9 @@ func test_off_and_on_again() -> void:
 	await _switch_off_and_on()
 	var nodes := _count(Performance.OBJECT_NODE_COUNT)
 	var orphans := _count(Performance.OBJECT_ORPHAN_NODE_COUNT)
-	for i in 4:
+	for i in 2:
 		await _switch_off_and_on()
-	check_equal(_count(Performance.OBJECT_NODE_COUNT), nodes, "nodes after four times more")
+	check_equal(_count(Performance.OBJECT_NODE_COUNT), nodes, "nodes after twice more")
 	check_equal(_count(Performance.OBJECT_ORPHAN_NODE_COUNT), orphans, "orphans")
 	await open_page("Plant")
 	var counts := part("Plant/Preview/Counts") as Label

@@ -92,3 +92,212 @@ func test_a_body_that_is_freed_among_plants_is_forgotten() -> void:
 	walker.free()
 	await step(3)
 	check(field.get_plant_count() > 0, "all goes on")
+
+
+func test_a_walker_moves_plants_alike_at_every_frame_rate() -> void:
+	for moved: String in ["physics", "drawn"]:
+		var expected := _way_of_tips(60, moved)
+		check(expected > 0.3, "tips go %f m" % expected)
+		for rate: int in [30, 144, 240]:
+			var way := _way_of_tips(rate, moved)
+			check_near(way, expected, 0.05 * expected, "way at %d frames, %s" % [rate, moved])
+
+
+## What the tips of tests/engine/driven/walk_through_field.gd go in a process of its own (m).
+func _way_of_tips(rate: int, moved: String) -> float:
+	var script := "res://tests/engine/driven/walk_through_field.gd"
+	var words := ["--headless", "--path", ProjectSettings.globalize_path("res://"), "--script", script]
+	words += ["--fixed-fps", str(rate), "--", moved]
+	var output := []
+	OS.execute(OS.get_environment("GODOT"), words, output, true)
+	var said := (output[0] as String).get_slice("way ", 1)
+	return said.to_float()
+
+
+func test_a_crate_pushes_by_its_own_size_and_turn() -> void:
+	field.wind = null
+	field.bodies_group = &"walkers"
+	field.density = 20.0
+	var crate := _add_body(_box(Vector3(2, 4, 0.4)))
+	crate.position = Vector3(0, 0.5, 0)
+	crate.rotation.y = 0.6
+	await start()
+	await step(30)
+	var inside := 0
+	for i in field.get_plant_count():
+		var tip := crate.to_local(field.get_tip_position(i)).abs()
+		inside += 1 if tip.x < 0.9 and tip.y < 1.9 and tip.z < 0.15 else 0
+	check_equal(inside, 0, "tips in the crate")
+	var rest := Vector3.ZERO
+	for i in field.get_plant_count():
+		var at := crate.to_local(field.get_plant_transform(i).origin).abs()
+		var lean := relative_tip(i).normalized()
+		if at.x < 0.7 and at.z < 0.1:
+			rest = lean
+		if at.x > 1.2 or at.z > 0.5:
+			check(lean.y > 0.99, "plant %d beside it stands" % i)
+	check(rest.y < 0.995 and rest != Vector3.ZERO, "plants in its middle lean: %s" % rest)
+	crate.free()
+
+
+func test_shapes_deep_below_a_body_push_but_not_those_of_areas() -> void:
+	field.wind = null
+	field.bodies_group = &"walkers"
+	await start()
+	var before := all_tips()
+	var hero := Node3D.new()
+	var pivot := Node3D.new()
+	var area := Area3D.new()
+	var sight := SphereShape3D.new()
+	sight.radius = 12.0
+	_add_shape(area, sight)
+	pivot.add_child(area)
+	_add_shape(pivot, CapsuleShape3D.new())
+	hero.add_child(pivot)
+	hero.position.y = 1.0
+	hero.add_to_group(&"walkers")
+	root.add_child(hero)
+	await step(10)
+	for i in before.size():
+		var away := field.get_plant_transform(i).origin.length()
+		var moved := field.get_tip_position(i).distance_to(before[i])
+		check(away < 2.5 or moved < 1e-3, "plant %d is pushed from %f m" % [i, away])
+	check(count_moved(before, 0.05) > 0, "plants are pushed")
+	hero.free()
+
+
+func test_bodies_that_cannot_push_are_told_of_once() -> void:
+	field.bodies_group = &"walkers"
+	var walker := add_walker()
+	var wall := _add_body(WorldBoundaryShape3D.new())
+	wall.name = "Wall"
+	Engine.time_scale = 8.0
+	await start()
+	await step(240)
+	check_error("Wall' is in the group 'walkers' but pushes no plants")
+	walker.free()
+	wall.free()
+
+
+func test_a_group_that_nobody_is_in_is_told_of_once() -> void:
+	field.bodies_group = &"wlakers"
+	Engine.time_scale = 8.0
+	await start()
+	await step(900)
+	check_error("nobody is in the group 'wlakers'")
+
+
+func test_what_is_set_down_among_plants_does_not_shove_them() -> void:
+	field.wind = null
+	field.bodies_group = &"walkers"
+	var walker := add_walker()
+	walker.position = Vector3(-500, 1, 0)
+	await start()
+	await step(10)
+	var rest := all_tips()
+	walker.position = Vector3(0, 1, 0)
+	await step(3)
+	walker.position = Vector3(500, 1, 0)
+	var most := 0.0
+	for i in 30:
+		await step(1)
+		for plant in rest.size():
+			most = maxf(most, field.get_tip_position(plant).distance_to(rest[plant]))
+	check(most > 0.05 and most < 1.2, "tips went %f m" % most)
+	for i in rest.size():
+		if absf(field.get_plant_transform(i).origin.x) > 3.0:
+			var moved := field.get_tip_position(i).distance_to(rest[i])
+			check(moved < 1e-3, "plant %d on the way is not swept" % i)
+	walker.free()
+
+
+func test_a_field_that_moves_is_not_shoved_by_a_body_that_stands() -> void:
+	for together: bool in [false, true]:
+		var still := await _most_lean_of(Vector3.ZERO, together)
+		var moved := await _most_lean_of(Vector3(0, 0, 6), together)
+		check(still > 0.3, "plants are pushed to %f rad" % still)
+		check_near(moved, still, 0.1, "lean where the field moves, together %s" % together)
+
+
+func test_plants_of_a_turned_and_scaled_field_are_pushed_as_those_of_another() -> void:
+	var usual := await _push_by_passing(Transform3D())
+	check(usual.length() > 0.2, "tips are pushed by %s" % usual)
+	var turned := Transform3D(Basis(Vector3.UP, 2.2).scaled(Vector3.ONE * 2.0), Vector3(30, 5, -20))
+	check_near(await _push_by_passing(turned), usual, 0.03, "push in the field's axes")
+
+
+## How far the plant in the middle leans at most where a thin ball stands beside it, while the field
+## goes by metres and back again; the ball goes with it where they are together.
+func _most_lean_of(way: Vector3, together: bool) -> float:
+	var own := _single_plant_field()
+	root.add_child(own)
+	await filled(own)
+	own.add_plants([Transform3D()], TulipFunction.new())
+	var ball := SphereShape3D.new()
+	ball.radius = 0.4
+	var body := _add_body(ball)
+	body.position = Vector3(0.2, own.get_plant_height(0) if own.get_plant_count() > 0 else 1.7, 0)
+	await frames(20)
+	var most := 0.0
+	for i in 30:
+		# The field trembles: in each frame it goes to the other side of where it was.
+		own.position = 0.001 * way * (1 if i % 2 == 0 else -1)
+		if together:
+			body.position += own.position - 0.001 * way * (1 if i % 2 == 1 else -1)
+		await process_frame
+		var tip := own.get_tip_position(0) - own.get_plant_transform(0).origin
+		most = maxf(most, tip.angle_to(Vector3.UP))
+	body.free()
+	own.free()
+	return most
+
+
+## The way of a tip, in the field's axes, that a ball passes which moves in the same way in them.
+func _push_by_passing(placed: Transform3D) -> Vector3:
+	var own := _single_plant_field()
+	own.transform = placed
+	root.add_child(own)
+	await filled(own)
+	own.add_plants([Transform3D()], TulipFunction.new())
+	await frames(3)
+	var rest := own.get_tip_position(0)
+	var size := placed.basis.get_scale().x
+	var ball := SphereShape3D.new()
+	ball.radius = 0.3 * size
+	var body := _add_body(ball)
+	for i in 25:
+		body.position = placed * Vector3(-0.6 + 0.02 * i, rest.y - 0.2, 0.1)
+		await process_frame
+	await frames(150)
+	var pushed := own.get_tip_position(0) - rest
+	body.free()
+	own.free()
+	return pushed
+
+
+func _single_plant_field() -> PlantField3D:
+	var own := PlantField3D.new()
+	own.density = 0.0
+	own.species = [TulipFunction.new()]
+	own.bodies_group = &"walkers"
+	return own
+
+
+func _add_body(shape: Shape3D) -> StaticBody3D:
+	var body := StaticBody3D.new()
+	_add_shape(body, shape)
+	body.add_to_group(&"walkers")
+	root.add_child(body)
+	return body
+
+
+func _add_shape(to: Node3D, shape: Shape3D) -> void:
+	var holder := CollisionShape3D.new()
+	holder.shape = shape
+	to.add_child(holder)
+
+
+func _box(size: Vector3) -> BoxShape3D:
+	var box := BoxShape3D.new()
+	box.size = size
+	return box

@@ -95,12 +95,16 @@ def run_script(godot, folder, script, method=None):
     name = name_of(script, method)
     path = "res://" + (Path("tests/engine") / script.relative_to(ROOT / "tests/engine")).as_posix()
     words = [godot, "--path", folder, "--script", path]
+    # Tests that start an engine of their own, as for a frame rate, take this one.
+    surroundings = {**os.environ, "GODOT": str(godot)}
     if not method:
-        return read_output(name, *run(name, [*words, "--headless"], timeout=180, environment=private_home()))
+        environment = private_home(surroundings)
+        return read_output(name, *run(name, [*words, "--headless"], timeout=180, environment=environment))
     words += ["--rendering-method", method, "--audio-driver", "Dummy"]
     try:
         with display.virtual(640, 360) as environment:
-            return read_output(name, *run(name, words, timeout=180, environment=private_home(environment)))
+            environment = private_home({**environment, "GODOT": str(godot)})
+            return read_output(name, *run(name, words, timeout=180, environment=environment))
     except Missing as missing:
         return Result(name, 0, [str(missing).replace("\n", " ")])
 

@@ -4,6 +4,7 @@ import dataclasses
 import os
 import signal
 import subprocess
+import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -12,15 +13,17 @@ LOGS = ROOT / "build/test"
 
 @dataclasses.dataclass
 class Result:
-    """The number of tests that passed, and one line for each that failed."""
+    """The number of tests that passed, one line for each that failed, and lines that must be read all the same."""
 
     name: str
     passed: int = 0
     failures: list = dataclasses.field(default_factory=list)
+    notes: list = dataclasses.field(default_factory=list)
 
 
-def run(name, command, timeout=300, folder=ROOT, environment=None):
-    """Runs `command` with its output in build/test/<name>.log. Returns (output, what went wrong or None)."""
+def run(name, command, timeout=300, folder=ROOT, environment=None, silence=None):
+    """Runs `command` with its output in build/test/<name>.log. Returns (output, what went wrong or None). It is ended
+    after `timeout` seconds, or, where `silence` is given, after so many seconds without a new word."""
     log = LOGS / (name.replace(":", "-").replace("/", "-") + ".log")
     with open(log, "wb") as out:
         try:
@@ -28,12 +31,29 @@ def run(name, command, timeout=300, folder=ROOT, environment=None):
                                        stderr=subprocess.STDOUT, env=environment, start_new_session=True)
         except OSError as error:
             return "", f"did not start: {error}"
+        problem = wait(process, log, timeout, silence)
+    return log.read_text(errors="replace"), problem
+
+
+def wait(process, log, timeout, silence):
+    """What went wrong with the process until its end, or None."""
+    end = time.monotonic() + timeout
+    size, spoken = 0, time.monotonic()
+    while True:
         try:
-            status = process.wait(timeout)
+            return complaint(process.wait(min(1.0, max(0.0, end - time.monotonic()))))
         except subprocess.TimeoutExpired:
-            status = None
-            kill_group(process)
-    return log.read_text(errors="replace"), complaint(status, timeout)
+            now = time.monotonic()
+        if log.stat().st_size != size:
+            size, spoken = log.stat().st_size, now
+        if silence and now - spoken > silence:
+            problem = f"silent for {silence} s"
+        elif now >= end:
+            problem = f"not done after {timeout} s"
+        else:
+            continue
+        kill_group(process)
+        return problem
 
 
 def kill_group(process):
@@ -45,9 +65,7 @@ def kill_group(process):
     process.wait()
 
 
-def complaint(status, timeout):
-    if status is None:
-        return f"not done after {timeout} s"
+def complaint(status):
     if status < 0:
         return f"crashed with {signal.Signals(-status).name}"
     return f"exit status {status}" if status else None

@@ -83,6 +83,11 @@ class Running(unittest.TestCase):
     def test_a_timeout_ends_the_program(self):
         self.assertEqual(self.run_python("import time; time.sleep(60)", timeout=0.5)[1], "not done after 0.5 s")
 
+    def test_a_silent_program_is_ended_and_a_slow_one_that_speaks_is_not(self):
+        speaks = "import time\nfor i in range(8): print(i, flush=True); time.sleep(0.5)"
+        self.assertIsNone(self.run_python(speaks, silence=2)[1])
+        self.assertEqual(self.run_python("import time; time.sleep(60)", silence=1)[1], "silent for 1 s")
+
     def test_a_program_that_is_not_there(self):
         self.assertIn("did not start", result.run("tools-sample", ["/no/such/program"])[1])
 

@@ -16,6 +16,7 @@ constexpr float LEAST_HEIGHT = 0.02f; // Of a pushed direction's y: where the gr
 /// A push almost along the stem turns it no more than one this far from it would.
 constexpr float LEAST_TANGENT = 0.3f;
 constexpr float TINY = 1e-6f;
+constexpr int STEM_PARTS = 4; // Between the points of a stem that may touch a body.
 
 bool is_finite(const glm::vec3 &vector) {
 	return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
@@ -25,13 +26,58 @@ glm::vec3 tangent_part(const glm::vec3 &vector, const glm::vec3 &direction) {
 	return vector - glm::dot(vector, direction) * direction;
 }
 
-/// From the body's axis to the point; where that is no direction, away from the axis towards the root, else +x.
-glm::vec3 way_out(const glm::vec3 &offset, const glm::vec3 &axis_point, const glm::vec3 &root) {
-	if (glm::dot(offset, offset) > TINY * TINY) {
-		return glm::normalize(offset);
-	}
-	const glm::vec3 aside = { root.x - axis_point.x, 0.0f, root.z - axis_point.z };
+/// The way by which a point leaves a body.
+struct Exit {
+	float depth; ///< m, to the body's surface; below 0 outside of it.
+	glm::vec3 out; ///< Unit.
+};
+
+/// Away from a middle line that the point lies on: towards the root, else +x.
+glm::vec3 away_from_line(const glm::vec3 &point, const glm::vec3 &root) {
+	const glm::vec3 aside = { root.x - point.x, 0.0f, root.z - point.z };
 	return glm::dot(aside, aside) > TINY * TINY ? glm::normalize(aside) : glm::vec3(1.0f, 0.0f, 0.0f);
+}
+
+float share_of_turn(const glm::vec3 &out, const glm::vec3 &direction) {
+	return std::max(glm::length(tangent_part(out, direction)), LEAST_TANGENT);
+}
+
+/// Of a point in the core: through the face that takes the stem the least turn.
+Exit exit_of_core(const FieldBody &body, const glm::vec3 &point, const glm::vec3 &direction) {
+	const glm::vec3 halves[] = { 0.5f * (body.to - body.from), body.half_width, body.half_depth };
+	const glm::vec3 offset = point - 0.5f * (body.from + body.to);
+	Exit best = { 0.0f, {} };
+	float least = -1.0f;
+	for (const glm::vec3 &half : halves) {
+		const float size = glm::length(half);
+		for (const float sign : { 1.0f, -1.0f }) {
+			const glm::vec3 out = size > 0.0f ? half * (sign / size) : glm::vec3(0.0f);
+			const float depth = body.radius + size - glm::dot(offset, out);
+			const float turn = depth / share_of_turn(out, direction);
+			if (size > 0.0f && (least < 0.0f || turn < least)) {
+				least = turn;
+				best = { depth, out };
+			}
+		}
+	}
+	return best;
+}
+
+Exit exit_of(const FieldBody &body, const glm::vec3 &point, const glm::vec3 &root, const glm::vec3 &direction) {
+	const glm::vec3 offset = point - nearest_in_core(body, point);
+	const float distance = glm::length(offset);
+	if (distance > TINY) {
+		return { body.radius - distance, glm::normalize(offset) };
+	}
+	const bool is_box = glm::dot(body.half_width, body.half_width) + glm::dot(body.half_depth, body.half_depth) > 0.0f;
+	return is_box ? exit_of_core(body, point, direction) : Exit{ body.radius, away_from_line(point, root) };
+}
+
+/// `moved` by as much of `half` to either side as brings it next to `point`.
+glm::vec3 nearest_along(const glm::vec3 &moved, const glm::vec3 &half, const glm::vec3 &point) {
+	const float squared = glm::dot(half, half);
+	const float part = squared > 0.0f ? std::clamp(glm::dot(point - moved, half) / squared, -1.0f, 1.0f) : 0.0f;
+	return moved + part * half;
 }
 
 /// Turns `state` so that the point at `share` of the stem leaves the body; tells whether it was inside.
@@ -39,17 +85,15 @@ bool push_point(
 		TipState &state, const glm::vec3 &root, float length, float share, float thickness, const FieldBody &body) {
 	const float arm = share * length;
 	const glm::vec3 point = root + arm * state.direction;
-	const glm::vec3 axis_point = nearest_on_segment(body.from, body.to, point);
-	const glm::vec3 offset = point - axis_point;
-	const float depth = body.radius + thickness - glm::length(offset);
+	const Exit exit = exit_of(body, point, root, state.direction);
+	const float depth = exit.depth + thickness;
 	if (depth <= 0.0f) {
 		return false;
 	}
-	const glm::vec3 out = way_out(offset, axis_point, root);
-	glm::vec3 along = tangent_part(out, state.direction);
+	glm::vec3 along = tangent_part(exit.out, state.direction);
 	float size = glm::length(along);
 	if (size < TINY) {
-		along = tangent_part(way_out({}, axis_point, root + glm::vec3(TINY, 0.0f, 0.0f)), state.direction);
+		along = tangent_part(away_from_line(point, root), state.direction);
 		size = std::max(glm::length(along), TINY);
 	}
 	along /= size;
@@ -66,16 +110,25 @@ bool push_point(
 
 } // namespace
 
-bool boxes_overlap(const FieldPage &page, const FieldBody &body) {
-	const glm::vec3 low = glm::min(body.from, body.to) - body.radius;
-	const glm::vec3 high = glm::max(body.from, body.to) + body.radius;
+BodyBox box_of(const FieldBody &body) {
+	const glm::vec3 reach = glm::abs(body.half_width) + glm::abs(body.half_depth) + body.radius;
+	return { glm::min(body.from, body.to) - reach, glm::max(body.from, body.to) + reach };
+}
+
+bool boxes_overlap(const MotionPage &page, const FieldBody &body) {
+	const auto [low, high] = box_of(body);
 	return low.x <= page.high().x && high.x >= page.low().x && low.y <= page.high().y && high.y >= page.low().y &&
 			low.z <= page.high().z && high.z >= page.low().z;
 }
 
 bool is_valid(const FieldBody &body) {
-	return is_finite(body.from) && is_finite(body.to) && is_finite(body.velocity) && std::isfinite(body.radius) &&
-			body.radius > 0.0f;
+	return is_finite(body.from) && is_finite(body.to) && is_finite(body.velocity) && is_finite(body.half_width) &&
+			is_finite(body.half_depth) && std::isfinite(body.radius) && body.radius > 0.0f;
+}
+
+glm::vec3 nearest_in_core(const FieldBody &body, const glm::vec3 &point) {
+	const glm::vec3 on_line = nearest_on_segment(body.from, body.to, point);
+	return nearest_along(nearest_along(on_line, body.half_width, point), body.half_depth, point);
 }
 
 glm::vec3 nearest_on_segment(const glm::vec3 &from, const glm::vec3 &to, const glm::vec3 &point) {
@@ -90,7 +143,23 @@ bool push_plant(TipState &state, const glm::vec3 &root, float length, float thic
 	return push_point(state, root, length, TIP, thickness, body) || inside;
 }
 
-int push_plants(FieldPage &page, const FieldBody &body) {
+bool touches_plants(const MotionPage &page, const FieldBody &body, float margin) {
+	FieldBody reach = body;
+	reach.radius += margin;
+	bool touches = false;
+	const float thickness = std::max(page.collision_radius(), 0.0f);
+	for_each_in_reach(page, reach, [&](int i) {
+		for (int part = 0; part <= STEM_PARTS && !touches; part++) {
+			const float share = static_cast<float>(part) / static_cast<float>(STEM_PARTS);
+			const glm::vec3 point = page.root(i) + share * page.length(i) * page.direction(i);
+			const float distance = glm::distance(nearest_in_core(body, point), point);
+			touches = distance <= reach.radius + (part == STEM_PARTS ? thickness : 0.0f);
+		}
+	});
+	return touches;
+}
+
+int push_plants(MotionPage &page, const FieldBody &body) {
 	if (!page.swings() || !is_valid(body)) {
 		return 0;
 	}

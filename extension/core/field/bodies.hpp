@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/field_page.hpp"
+#include "motion/motion_page.hpp"
 
 #include <glm/common.hpp>
 
@@ -8,13 +8,25 @@
 
 namespace undergrowth {
 
-/// A moving capsule, or a sphere where both ends are the same point, that pushes plants out of its way.
+/// A moving capsule, sphere or box that pushes plants out of its way: all points nearer than `radius` to its core. A
+/// capsule's core is a segment, a sphere's is a segment whose ends are the same point, and that of a box whose edges are
+/// rounded by `radius` is a box.
 struct FieldBody {
-	glm::vec3 from = { 0.0f, 0.0f, 0.0f }; ///< m, field axes: the ends of its inner segment.
+	glm::vec3 from = { 0.0f, 0.0f, 0.0f }; ///< m, field axes: the ends of the core's middle line.
 	glm::vec3 to = { 0.0f, 0.0f, 0.0f };
 	float radius = 0.5f; ///< m, > 0.
 	glm::vec3 velocity = { 0.0f, 0.0f, 0.0f }; ///< m/s.
+	/// m, of a box only: half of its core's other two edges, at right angles to the middle line and to each other.
+	glm::vec3 half_width = { 0.0f, 0.0f, 0.0f };
+	glm::vec3 half_depth = { 0.0f, 0.0f, 0.0f };
 };
+
+/// Corners of the box along the axes that holds a body (m).
+struct BodyBox {
+	glm::vec3 low;
+	glm::vec3 high;
+};
+BodyBox box_of(const FieldBody &body);
 
 /// Whether all numbers are finite and the radius is above 0.
 bool is_valid(const FieldBody &body);
@@ -23,33 +35,44 @@ bool is_valid(const FieldBody &body);
 /// it.
 bool push_plant(TipState &state, const glm::vec3 &root, float length, float thickness, const FieldBody &body);
 
-/// Calls visit(index) for each plant of a page that the body may touch, in rising order. `body`: valid.
-template <class Visit> void for_each_in_reach(const FieldPage &page, const FieldBody &body, const Visit &visit);
+/// Calls visit(index) for each plant of a page that the body may touch, in rising order; never for one that is gone.
+/// `body`: valid.
+template <class Visit> void for_each_in_reach(const MotionPage &page, const FieldBody &body, const Visit &visit);
 
 /// Pushes the plants of a swinging page out of a body: the tip, which is a sphere of the collision radius, and a point
 /// of the upper stem, along their spheres, by as much as they are inside. What they move towards the body, seen from
 /// it, they lose; nothing springs back from it. Tells how many plants were touched.
-int push_plants(FieldPage &page, const FieldBody &body);
+int push_plants(MotionPage &page, const FieldBody &body);
+
+/// Whether a plant of the page comes nearer to a valid body than `margin` (m), its tip thickened by the collision
+/// radius. Points along its straight stem count, a quarter of its length apart.
+bool touches_plants(const MotionPage &page, const FieldBody &body, float margin);
+
+/// The point of a body's core that is nearest to `point`: `point` itself where it lies in the core.
+glm::vec3 nearest_in_core(const FieldBody &body, const glm::vec3 &point);
 
 /// The point of a segment that is nearest to `point`.
 glm::vec3 nearest_on_segment(const glm::vec3 &from, const glm::vec3 &to, const glm::vec3 &point);
 
 /// Whether a plant of the page could be touched.
-bool boxes_overlap(const FieldPage &page, const FieldBody &body);
+bool boxes_overlap(const MotionPage &page, const FieldBody &body);
 
-template <class Visit> void for_each_in_reach(const FieldPage &page, const FieldBody &body, const Visit &visit) {
+template <class Visit> void for_each_in_reach(const MotionPage &page, const FieldBody &body, const Visit &visit) {
 	if (!boxes_overlap(page, body)) {
 		return;
 	}
-	const float margin = body.radius + std::max(page.collision_radius(), 0.0f);
-	const glm::vec3 low = glm::min(body.from, body.to) - margin;
-	const glm::vec3 high = glm::max(body.from, body.to) + margin;
+	const float thickness = std::max(page.collision_radius(), 0.0f);
+	const BodyBox box = box_of(body);
+	const glm::vec3 low = box.low - thickness;
+	const glm::vec3 high = box.high + thickness;
 	const float *x = page.roots_x();
 	const float *z = page.roots_z();
 	const float *lengths = page.lengths();
 	for (int i = 0; i < page.size(); i++) {
 		const float reach = lengths[i];
-		if (x[i] + reach >= low.x && x[i] - reach <= high.x && z[i] + reach >= low.z && z[i] - reach <= high.z) {
+		const bool is_near =
+				x[i] + reach >= low.x && x[i] - reach <= high.x && z[i] + reach >= low.z && z[i] - reach <= high.z;
+		if (is_near && reach > 0.0f) {
 			visit(i);
 		}
 	}

@@ -12,9 +12,9 @@ namespace {
 constexpr float LEAST_CELL = 1e-3f; // m.
 constexpr float LEAST_HEIGHT = 0.02f; // Of a direction's y: where the ground stops it.
 constexpr float MOST_CELLS = 1e9f;
-constexpr int MOST_CONTACTS = 255;
+static_assert(TipContact::MOST_CONTACTS <= 255, "the number of a tip's contacts is a byte");
 
-glm::vec3 rest_tip(const FieldPage &page, int index) {
+glm::vec3 rest_tip(const MotionPage &page, int index) {
 	return page.root(index) + page.length(index) * page.rest(index);
 }
 
@@ -22,18 +22,15 @@ glm::vec3 rest_tip(const FieldPage &page, int index) {
 
 void TipContact::fit(const FieldSimulation &field) {
 	page_firsts.clear();
-	float radius = 0.5f * LEAST_CELL;
 	uint32_t total = 0;
 	for (int page = 0; page < field.page_count(); page++) {
 		page_firsts.push_back(total);
 		if (field.page(page).swings()) {
 			total += static_cast<uint32_t>(field.page(page).size());
-			radius = std::max(radius, field.page(page).collision_radius());
 		}
 	}
 	page_firsts.push_back(total);
-	cell_size = 2.0f * radius;
-	cells_per_metre = 0.999f / cell_size; // Cells are a little larger than they need to be, whatever rounding does.
+	follow_radii(field);
 	std::size_t bucket_count = 16;
 	while (bucket_count < total) {
 		bucket_count *= 2;
@@ -50,9 +47,18 @@ void TipContact::fit(const FieldSimulation &field) {
 	}
 }
 
+void TipContact::follow_radii(const FieldSimulation &field) {
+	float radius = 0.5f * LEAST_CELL;
+	for (int page = 0; page < field.page_count(); page++) {
+		radius = field.page(page).swings() ? std::max(radius, field.page(page).collision_radius()) : radius;
+	}
+	cell_size = 2.0f * radius;
+	cells_per_metre = 0.999f / cell_size; // Cells are a little larger than they need to be, whatever rounding does.
+}
+
 void TipContact::gather(const FieldSimulation &field, int begin, int end) {
 	for (int number = begin; number < end; number++) {
-		const FieldPage &page = field.page(number);
+		const MotionPage &page = field.page(number);
 		std::fill(touching.begin() + page_begin(number), touching.begin() + page_begin(number + 1),
 				static_cast<uint8_t>(0));
 		for (int i = 0; page.swings() && i < page.size(); i++) {
@@ -81,7 +87,9 @@ void TipContact::sort() {
 	for (const uint32_t one : buckets) {
 		bucket_ends[one + 1]++;
 	}
+	most_in_bucket = 0;
 	for (std::size_t i = 1; i < bucket_ends.size(); i++) {
+		most_in_bucket = std::max(most_in_bucket, bucket_ends[i]);
 		bucket_ends[i] += bucket_ends[i - 1];
 	}
 	// From the last tip down, so that each bucket rises; bucket_ends[i + 1] comes down to where bucket i starts.
@@ -103,8 +111,11 @@ void TipContact::for_each_contact(const FieldSimulation &field, const SortedTip 
 			if (squared >= cell_size * cell_size || other.tip == own.tip || cell(other.place.z) != row) {
 				continue;
 			}
-			const FieldPage &own_page = field.page(pages[own.tip]);
-			const FieldPage &page = field.page(pages[other.tip]);
+			const MotionPage &own_page = field.page(pages[own.tip]);
+			const MotionPage &page = field.page(pages[other.tip]);
+			if (own_page.is_gone(index_of(own.tip)) || page.is_gone(index_of(other.tip))) {
+				continue;
+			}
 			const float sum = own_page.collision_radius() + page.collision_radius();
 			if (squared >= sum * sum) {
 				continue;
@@ -118,17 +129,48 @@ void TipContact::for_each_contact(const FieldSimulation &field, const SortedTip 
 			}
 		}
 	};
+	for_each_run(own, visit_run);
+}
+
+/// Two tips look at each other where their places in their buckets differ by NEIGHBOURS at most. Where the buckets hold
+/// so few that all do, the three of a row are one run.
+template <class Visit> void TipContact::for_each_run(const SortedTip &own, Visit &&visit) const {
 	const auto bucket_count = static_cast<uint32_t>(bucket_ends.size() - 1);
 	const int cell_x = cell(own.place.x);
 	const int cell_z = cell(own.place.z);
+	const auto place = static_cast<uint32_t>(&own - sorted.data());
+	const uint32_t rank = place - bucket_ends[bucket(cell_x, cell_z)];
 	for (int row = cell_z - 1; row <= cell_z + 1; row++) {
 		const uint32_t start = bucket(cell_x - 1, row);
+		if (is_crowded()) {
+			for_each_run_near(rank, start, row, visit);
+			continue;
+		}
 		const uint32_t end = start + 3;
-		visit_run(bucket_ends[start], bucket_ends[std::min(end, bucket_count)], row);
+		visit(bucket_ends[start], bucket_ends[std::min(end, bucket_count)], row);
 		if (end > bucket_count) {
-			visit_run(bucket_ends[0], bucket_ends[end - bucket_count], row);
+			visit(bucket_ends[0], bucket_ends[end - bucket_count], row);
 		}
 	}
+}
+
+template <class Visit>
+void TipContact::for_each_run_near(uint32_t rank, uint32_t start, int row, Visit &&visit) const {
+	constexpr auto NEAR = static_cast<uint32_t>(NEIGHBOURS);
+	const auto mask = static_cast<uint32_t>(bucket_ends.size()) - 2u;
+	for (uint32_t one = start; one != start + 3; one++) {
+		const uint32_t first = bucket_ends[one & mask];
+		const uint32_t end = bucket_ends[(one & mask) + 1];
+		visit(std::min(first + (rank > NEAR ? rank - NEAR : 0u), end), std::min(first + rank + NEAR + 1u, end), row);
+	}
+}
+
+std::size_t TipContact::candidate_count() const {
+	std::size_t found = 0;
+	for (const SortedTip &own : sorted) {
+		for_each_run(own, [&found](uint32_t begin, uint32_t end, int) { found += end - begin; });
+	}
+	return found - sorted.size(); // Each also finds itself.
 }
 
 void TipContact::count(const FieldSimulation &field, int begin, int end) {
@@ -137,8 +179,8 @@ void TipContact::count(const FieldSimulation &field, int begin, int end) {
 		int found = 0;
 		for_each_contact(field, own, [&found](uint32_t, const glm::vec3 &, float, float) { found++; });
 		if (found > 0) {
-			touching[own.tip] = static_cast<uint8_t>(std::min(found, MOST_CONTACTS));
-			const FieldPage &page = field.page(pages[own.tip]);
+			touching[own.tip] = static_cast<uint8_t>(found);
+			const MotionPage &page = field.page(pages[own.tip]);
 			vectors[own.tip] = page.length(index_of(own.tip)) * page.state(index_of(own.tip)).rate;
 		}
 	}
@@ -154,7 +196,7 @@ void TipContact::separate(FieldSimulation &field, int begin, int end) {
 
 void TipContact::separate_one(FieldSimulation &field, const SortedTip &own) {
 	const uint32_t tip = own.tip;
-	FieldPage &page = field.page(pages[tip]);
+	MotionPage &page = field.page(pages[tip]);
 	glm::vec3 move = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 blow = { 0.0f, 0.0f, 0.0f };
 	for_each_contact(field, own, [&](uint32_t other, const glm::vec3 &offset, float distance, float wanted) {
@@ -178,6 +220,7 @@ void TipContact::separate_one(FieldSimulation &field, const SortedTip &own) {
 }
 
 void TipContact::resolve(FieldSimulation &field) {
+	follow_radii(field);
 	gather(field, 0, field.page_count());
 	sort();
 	count(field, 0, field.page_count());

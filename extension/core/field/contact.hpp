@@ -17,14 +17,24 @@ namespace undergrowth {
 /// every plant's motion is a weighted mean of motions that single contacts would give, and energy never grows. Two tips
 /// that overlap in calm air touch only where they come nearer than that, so that no contact is a motor.
 ///
+/// A tip's cost is bounded whatever the radius: of each cell of the ground it looks at NEIGHBOURS tips before its own
+/// place in its cell, and as many after it. What one tip looks at looks at it, so that energy still never grows.
+///
 /// Once after each step: gather() of all pages, sort() on one thread, count() of all pages, separate() of all pages.
 /// Each of the three may be split over threads by ranges of page numbers, one after the other; the bits are the same.
 /// count() and separate() divide the tips by where they are on the ground, so neighbours are neighbours in memory:
 /// a range of so many pages means so many tips, of any page. Plants that follow a prototype take no part.
 class TipContact {
 public:
+	static constexpr int NEIGHBOURS = 13;
+	static constexpr int CELLS_IN_REACH = 9;
+	static constexpr int MOST_CONTACTS = CELLS_IN_REACH * (2 * NEIGHBOURS + 1);
+
 	/// Takes the memory that a field needs; to be called when plants came or went. Nothing allocates after it.
 	void fit(const FieldSimulation &field);
+	/// Takes over the collision radii of species that changed since fit(). Before gather(), on one thread, at the cost
+	/// of a look at each page.
+	void follow_radii(const FieldSimulation &field);
 	void gather(const FieldSimulation &field, int begin, int end);
 	void sort();
 	void count(const FieldSimulation &field, int begin, int end);
@@ -32,7 +42,11 @@ public:
 	/// All of them, on one thread.
 	void resolve(FieldSimulation &field);
 
-	/// Of the last count(): contacts of a plant, up to 255.
+	/// Whether so many tips were in one cell at the last sort() that some of them do not feel each other.
+	bool is_crowded() const { return most_in_bucket > static_cast<uint32_t>(NEIGHBOURS) + 1u; }
+	/// Pairs that the last sort() leaves to count() and separate() to look at, each twice.
+	std::size_t candidate_count() const;
+	/// Of the last count(): contacts of a plant, MOST_CONTACTS at most.
 	int contacts(int page, int index) const { return touching[first(page) + static_cast<std::size_t>(index)]; }
 	std::size_t bytes() const;
 
@@ -42,6 +56,7 @@ private:
 		uint32_t tip;
 	};
 
+	uint32_t most_in_bucket = 0;
 	float cell_size = 1.0f; ///< m, the largest distance of two tips that touch.
 	float cells_per_metre = 1.0f;
 	std::vector<uint32_t> page_firsts; ///< Of each page, and the number of all plants at the end.
@@ -58,6 +73,9 @@ private:
 	int index_of(uint32_t tip) const { return static_cast<int>(tip - page_firsts[pages[tip]]); }
 	uint32_t bucket(int cell_x, int cell_z) const;
 	int cell(float place) const;
+	/// Calls visit(begin, end, row) for each run of `sorted` whose tips in that row of cells `own` looks at.
+	template <class Visit> void for_each_run(const SortedTip &own, Visit &&visit) const;
+	template <class Visit> void for_each_run_near(uint32_t rank, uint32_t start, int row, Visit &&visit) const;
 	/// Calls visit(other tip, offset, distance, wanted distance) for each tip that touches `own`.
 	template <class Visit>
 	void for_each_contact(const FieldSimulation &field, const SortedTip &own, Visit &&visit) const;

@@ -1,7 +1,7 @@
 #include "field/field_simulation.hpp"
 
 #include "base/random.hpp"
-#include "pendulum/gnomonic.hpp"
+#include "motion/gnomonic.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <utility>
 
 namespace undergrowth {
 
@@ -36,17 +37,18 @@ uint64_t place_hash(uint64_t seed, const glm::vec3 &root) {
 	return mix_bits(mix_bits(seed ^ place[0]) ^ place[1]);
 }
 
-bool are_valid(const FieldPlant *plants, int count) {
-	return std::all_of(plants, plants + count, [](const FieldPlant &plant) { return is_valid(plant); });
+bool are_valid(const MotionPlant *plants, int count) {
+	return std::all_of(plants, plants + count, [](const MotionPlant &plant) { return is_valid(plant); });
 }
 
 } // namespace
 
-FieldSimulation::FieldSimulation(const FieldSettings &settings) : options(safe_settings(settings)) {
+FieldSimulation::FieldSimulation(const FieldSettings &settings) :
+		options(safe_settings(settings)), delays(options.step) {
 	along = winds_along(blowing);
 }
 
-int FieldSimulation::add_species(const FieldSpecies &species) {
+int FieldSimulation::add_species(const MotionSpecies &species) {
 	kinds.push_back(species);
 	if (options.prototypes > 0) {
 		models.emplace_back(species_count() - 1, species, options.prototypes, options.step);
@@ -55,7 +57,7 @@ int FieldSimulation::add_species(const FieldSpecies &species) {
 	return species_count() - 1;
 }
 
-void FieldSimulation::set_species(int index, const FieldSpecies &species) {
+void FieldSimulation::set_species(int index, const MotionSpecies &species) {
 	kinds[static_cast<std::size_t>(index)] = species;
 	for (Entry &entry : entries) {
 		if (entry.page.species() == index) {
@@ -68,23 +70,32 @@ void FieldSimulation::set_species(int index, const FieldSpecies &species) {
 	}
 }
 
-int FieldSimulation::add_page(int species, const FieldPlant *plants, int count) {
-	if (species < 0 || species >= species_count() || count < 0 || count > FieldPage::PAGE_PLANTS) {
+int FieldSimulation::add_page(int species, const MotionPlant *plants, int count) {
+	if (species < 0 || species >= species_count() || count < 0 || count > MotionPage::PAGE_PLANTS) {
 		return -1;
 	}
 	if (!are_valid(plants, count)) {
 		return -1;
 	}
-	const FieldSpecies &kind = kinds[static_cast<std::size_t>(species)];
+	const MotionSpecies &kind = kinds[static_cast<std::size_t>(species)];
 	const float step_length = options.step * static_cast<float>(options.update_interval);
-	entries.push_back({ FieldPage(species, kind, plants, count, step_length, models.empty()), {}, 1, 1, 0, -1 });
-	entries.back().interval = options.update_interval;
-	take_in(entries.back(), plants, count);
-	return page_count() - 1;
+	Entry entry = { MotionPage(species, kind, plants, count, step_length, models.empty()), {}, 1, 1, 0, -1, false };
+	entry.interval = options.update_interval;
+	const auto is_free = [](const Entry &one) { return one.is_free; };
+	const auto place = std::find_if(entries.begin(), entries.end(), is_free);
+	const int number = static_cast<int>(place - entries.begin());
+	if (place == entries.end()) {
+		entries.push_back(std::move(entry));
+	} else {
+		entry.loose_version = place->loose_version + 1; // Whoever remembers the old one sees a change.
+		*place = std::move(entry);
+	}
+	take_in(at(number), plants, count);
+	return number;
 }
 
-bool FieldSimulation::add_to_page(int page, const FieldPlant *plants, int count) {
-	if (count < 0 || at(page).page.size() + count > FieldPage::PAGE_PLANTS || !are_valid(plants, count)) {
+bool FieldSimulation::add_to_page(int page, const MotionPlant *plants, int count) {
+	if (count < 0 || at(page).page.size() + count > MotionPage::PAGE_PLANTS || !are_valid(plants, count)) {
 		return false;
 	}
 	at(page).page.add(plants, count);
@@ -93,23 +104,52 @@ bool FieldSimulation::add_to_page(int page, const FieldPlant *plants, int count)
 }
 
 /// What plants that a page has just got mean for the field: its box, and whom they follow.
-void FieldSimulation::take_in(Entry &entry, const FieldPlant *plants, int count) {
-	const bool first = page_count() == 1;
-	box_low = first ? entry.page.low() : glm::min(box_low, entry.page.low());
-	box_high = first ? entry.page.high() : glm::max(box_high, entry.page.high());
-	update_lead();
+void FieldSimulation::take_in(Entry &entry, const MotionPlant *plants, int count) {
+	update_box();
 	if (models.empty()) {
 		return;
 	}
 	const Prototypes &model = models[static_cast<std::size_t>(entry.page.species())];
 	entry.followers.reserve(entry.followers.size() + static_cast<std::size_t>(count));
-	const TravellingWind now = wind_at_time(blowing, time());
 	for (int i = 0; i < count; i++) {
-		Follower follower = model.pick(plants[i], place_hash(options.seed, plants[i].root));
-		follower.delay = static_cast<uint16_t>(wanted_delay(follower, plants[i].root.x, plants[i].root.z, now));
-		entry.followers.push_back(follower);
+		entry.followers.push_back(model.pick(plants[i], place_hash(options.seed, plants[i].root)));
 	}
 	loose_of(entry).reserve(count_of_species(entry.page.species()));
+}
+
+/// The box of all plants, and what depends on it.
+void FieldSimulation::update_box() {
+	bool is_first = true;
+	for (const Entry &entry : entries) {
+		if (entry.page.size() == 0) {
+			continue;
+		}
+		box_low = is_first ? entry.page.low() : glm::min(box_low, entry.page.low());
+		box_high = is_first ? entry.page.high() : glm::max(box_high, entry.page.high());
+		is_first = false;
+	}
+	update_delays();
+}
+
+void FieldSimulation::drop(int page, int index) {
+	Entry &entry = at(page);
+	if (!entry.followers.empty()) {
+		follow_again(entry, index);
+	}
+	entry.page.drop(index);
+}
+
+void FieldSimulation::remove_page(int page) {
+	Entry &entry = at(page);
+	for (std::size_t i = 0; i < entry.followers.size(); i++) {
+		follow_again(entry, static_cast<int>(i));
+	}
+	entry.followers = {};
+	const int species = entry.page.species();
+	entry.page =
+			MotionPage(species, kinds[static_cast<std::size_t>(species)], nullptr, 0, options.step, models.empty());
+	entry.is_free = true;
+	update_box();
 }
 
 void FieldSimulation::remove(int page, int index) {
@@ -148,7 +188,7 @@ void FieldSimulation::clear() {
 void FieldSimulation::set_wind(const FieldWind &wind) {
 	blowing = wind;
 	along = winds_along(wind);
-	update_lead();
+	update_delays();
 }
 
 void FieldSimulation::set_update_interval(int steps) {
@@ -177,10 +217,12 @@ void FieldSimulation::set_bodies(const FieldBody *bodies, int count) {
 }
 
 void FieldSimulation::step_prototypes(int64_t number) {
+	FieldWind wind = blowing;
+	wind.wind.gust_start += static_cast<double>(lead); // Nobody knows of a gust before: it comes in at the upwind edge.
 	for (Prototypes &model : models) {
 		const double moment = static_cast<double>(number) + model.wind_moment();
 		const double moment_time = moment * static_cast<double>(options.step) + static_cast<double>(lead);
-		model.step(wind_at_time(blowing, moment_time), along);
+		model.step(wind_at_time(wind, moment_time), along);
 	}
 }
 
@@ -190,6 +232,7 @@ void FieldSimulation::begin_step() {
 	}
 	step_prototypes(next_step);
 	next_step++;
+	delays.step();
 	step_loose();
 }
 
@@ -210,9 +253,6 @@ void FieldSimulation::step_page(Entry &entry, int interval) {
 	entry.last_step = next_step - 1;
 	entry.interval = interval;
 	if (!entry.page.swings()) {
-		if (options.write_followers) {
-			show_followers(entry, std::max(interval / 2, 1));
-		}
 		return;
 	}
 	const float step_length = options.step * static_cast<float>(interval);

@@ -1,10 +1,11 @@
 #pragma once
 
 #include "field/bodies.hpp"
-#include "field/field_page.hpp"
-#include "field/field_wind.hpp"
+#include "field/follow_delays.hpp"
 #include "field/loose_plants.hpp"
 #include "field/prototypes.hpp"
+#include "motion/motion_page.hpp"
+#include "wind/travelling_wind.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -15,9 +16,6 @@ struct FieldSettings {
 	float step = 1.0f / 60.0f; ///< s, finite, > 0.
 	int update_interval = 1; ///< Steps, 1 to 64.
 	int prototypes = 0; ///< Per species, up to Prototypes::MOST; 0: every plant is simulated.
-	/// Whether followers' bends are written to their pages. Off where the drawing reads the prototypes' history itself:
-	/// then a follower costs nothing.
-	bool write_followers = true;
 	uint64_t seed = 0; ///< Chooses prototypes and delays.
 };
 
@@ -25,7 +23,7 @@ struct FieldSettings {
 ///
 /// A step is begin_step(), then step_pages() once for every page, in any split and on any threads: the bits are the
 /// same. Step n covers the time from n·step to (n + interval)·step, by one step of that length under the wind at its
-/// FieldPage::wind_moment(), so that what is shown, the way from the bend before to the bend after (alpha()), is never
+/// MotionPage::wind_moment(), so that what is shown, the way from the bend before to the bend after (alpha()), is never
 /// late. A page whose interval is k steps at steps n with n % k == page % k: never all pages in one step (thesis,
 /// section 5.3.1). Nothing allocates between begin_step() and the next change of the field.
 ///
@@ -36,29 +34,36 @@ public:
 
 	const FieldSettings &settings() const { return options; }
 	/// Tells the species' index.
-	int add_species(const FieldSpecies &species);
+	int add_species(const MotionSpecies &species);
 	/// The motion goes on.
-	void set_species(int index, const FieldSpecies &species);
+	void set_species(int index, const MotionSpecies &species);
 	int species_count() const { return static_cast<int>(kinds.size()); }
 
-	/// A page of `count` plants of one species, up to FieldPage::PAGE_PLANTS; tells its index. Where a plant is not
-	/// valid, the species is unknown or they are too many, nothing is added and it tells -1.
-	int add_page(int species, const FieldPlant *plants, int count);
+	/// A page of `count` plants of one species, up to MotionPage::PAGE_PLANTS; tells its number, which is the lowest
+	/// one that remove_page() freed, if any. Where a plant is not valid, the species is unknown or they are too many,
+	/// nothing is added and it tells -1.
+	int add_page(int species, const MotionPlant *plants, int count);
 	/// Appends plants of its species to a page that has room for them; their indices follow those that are there.
 	/// Tells false, and adds nothing, where a plant is not valid or there is no room.
-	bool add_to_page(int page, const FieldPlant *plants, int count);
+	bool add_to_page(int page, const MotionPlant *plants, int count);
 	void remove(int page, int index);
+	/// Takes a plant away; all others keep their index. Its row stays, and no body, blow, contact or question finds it.
+	void drop(int page, int index);
+	/// Takes a page with all its plants away; other pages keep their numbers. Until add_page() gives the number anew,
+	/// it names a page without plants.
+	void remove_page(int page);
 	/// Removes all pages; species and time stay.
 	void clear();
+	/// Page numbers are below it, also those that are free.
 	int page_count() const { return static_cast<int>(entries.size()); }
 	int plant_count() const;
 	/// Plants that are stepped, prototypes included.
 	int simulated_count() const;
-	const FieldPage &page(int index) const { return at(index).page; }
-	FieldPage &page(int index) { return at(index).page; }
+	const MotionPage &page(int index) const { return at(index).page; }
+	MotionPage &page(int index) { return at(index).page; }
 
 	/// Any change of the wind takes effect at each page's next step, at no cost: nothing is kept per plant. Followers
-	/// go to their new delay bit by bit.
+	/// go over to new delays within a second (FollowDelays).
 	void set_wind(const FieldWind &wind);
 	const FieldWind &wind() const { return blowing; }
 	/// Takes effect at each page's next step.
@@ -88,7 +93,14 @@ public:
 	bool has_stepped(int page) const { return at(page).last_step == next_step - 1; }
 	/// How far to go from each plant's bend before to its bend after, `fraction` of a step after the present one began.
 	float alpha(int page, float fraction) const;
-	/// At the end of its page's last step. Of a follower: what it shows.
+	/// What is drawn of a plant, `fraction` of a step after the present one began, as a stereographic image of its
+	/// direction (motion/bend_encoding.hpp): the same as undergrowth_shown() in the shader.
+	glm::vec2 shown_bend(int page, int index, float fraction) const;
+	/// The same as a unit direction.
+	glm::vec3 shown_direction(int page, int index, float fraction) const {
+		return from_stereographic(shown_bend(page, index, fraction));
+	}
+	/// At the end of its page's last step. Of a follower: what it shows at the end of the present one.
 	TipState state(int page, int index) const;
 	/// A blow on the tip (N·s): changes the velocity by impulse/mass.
 	void apply_impulse(int page, int index, const glm::vec3 &impulse);
@@ -99,18 +111,20 @@ public:
 
 	/// Null where every plant of the species is simulated.
 	const Prototypes *prototypes(int species) const;
-	/// Whose motion a plant of a page that follows shows, and how long after the wind comes to it.
+	/// Whose motion a plant of a page that follows shows, and how long after the wind comes to it. Its delay is its own
+	/// and that of follow_delays() at its root.
 	const Follower &follower(int page, int index) const { return at(page).followers[static_cast<std::size_t>(index)]; }
 	/// Followers of a species that were pushed and swing by themselves, for a while; null where every plant does.
 	const LoosePlants *loose_plants(int species) const;
 	/// Changes whenever one of a page's followers begins or ends to swing by itself.
 	int loose_version(int page) const { return at(page).loose_version; }
 	/// How long before their own time prototypes feel the wind (s), so that plants upwind of the origin have a delay,
-	/// too: a follower's delay is lead + wind_delay() at its root + its own.
+	/// too.
 	float prototype_lead() const { return lead; }
+	const FollowDelays &follow_delays() const { return delays; }
 
 	/// Whether a point lies within `margin` (m) of a plant's straight line from root to tip, thickened by its collision
-	/// radius.
+	/// radius, as it is drawn at the end of the present step.
 	bool is_point_in_plants(const glm::vec3 &point, float margin) const;
 
 	/// Bytes on the heap, by capacity, over plants. 0 where there are none.
@@ -118,18 +132,19 @@ public:
 
 private:
 	struct Entry {
-		FieldPage page;
+		MotionPage page;
 		std::vector<Follower> followers; ///< Empty where plants swing by themselves.
 		int multiple = 1;
 		int interval = 1; ///< Of the last step, in steps.
 		int loose_version = 0;
 		int64_t last_step = -1;
+		bool is_free = false; ///< Nobody's, for the next add_page().
 	};
 
 	FieldSettings options;
 	FieldWind blowing;
 	PlantWinds along = {};
-	std::vector<FieldSpecies> kinds;
+	std::vector<MotionSpecies> kinds;
 	std::vector<Prototypes> models; ///< One for each species, or none.
 	std::vector<LoosePlants> loose; ///< As many.
 	std::vector<Entry> entries;
@@ -137,20 +152,20 @@ private:
 	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
 	float lead = 0.0f; ///< s.
+	FollowDelays delays;
 	int64_t next_step = 0;
 
 	const Entry &at(int page) const { return entries[static_cast<std::size_t>(page)]; }
 	Entry &at(int page) { return entries[static_cast<std::size_t>(page)]; }
-	void take_in(Entry &entry, const FieldPlant *plants, int count);
+	void update_box();
+	void take_in(Entry &entry, const MotionPlant *plants, int count);
 	void step_prototypes(int64_t number);
 	bool is_due(int page, int64_t number) const;
 	void step_page(Entry &entry, int interval);
-	void show_followers(Entry &entry, int most_change);
-	int wanted_delay(const Follower &follower, float x, float z, const TravellingWind &wind) const;
-	void update_lead();
+	void update_delays();
 	LoosePlants &loose_of(const Entry &entry);
 	int count_of_species(int species) const;
-	Bend followed_bend(const Entry &entry, int index, int ago) const;
+	glm::vec2 followed_bend(const Entry &entry, int index, float fraction) const;
 	void push_follower(Entry &entry, int index, const TipState &state);
 	void follow_again(Entry &entry, int index);
 	void step_loose();

@@ -1,8 +1,9 @@
 // What a FieldSimulation is asked, and blows between steps.
 
 #include "field/field_simulation.hpp"
-#include "pendulum/gnomonic.hpp"
+#include "motion/gnomonic.hpp"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace undergrowth {
 
 namespace {
 
-bool contains(const FieldPage &page, const glm::vec3 &point, float margin) {
+bool contains(const MotionPage &page, const glm::vec3 &point, float margin) {
 	return point.x >= page.low().x - margin && point.x <= page.high().x + margin && point.y >= page.low().y - margin &&
 			point.y <= page.high().y + margin && point.z >= page.low().z - margin && point.z <= page.high().z + margin;
 }
@@ -22,7 +23,7 @@ bool contains(const FieldPage &page, const glm::vec3 &point, float margin) {
 int FieldSimulation::plant_count() const {
 	int plants = 0;
 	for (const Entry &entry : entries) {
-		plants += entry.page.size();
+		plants += entry.page.standing();
 	}
 	return plants;
 }
@@ -49,8 +50,7 @@ int FieldSimulation::due_count() const {
 		due += some.count();
 	}
 	for (int page = 0; page < page_count(); page++) {
-		const bool steps = at(page).page.swings() || options.write_followers;
-		due += steps && is_due(page, next_step) ? at(page).page.size() : 0;
+		due += at(page).page.swings() && is_due(page, next_step) ? at(page).page.standing() : 0;
 	}
 	return due;
 }
@@ -59,6 +59,24 @@ float FieldSimulation::alpha(int page, float fraction) const {
 	const Entry &entry = at(page);
 	const float steps = static_cast<float>(next_step - 1 - entry.last_step) + fraction;
 	return std::clamp(steps / static_cast<float>(entry.interval), 0.0f, 1.0f);
+}
+
+glm::vec2 FieldSimulation::shown_bend(int page, int index, float fraction) const {
+	const Entry &entry = at(page);
+	const MotionPage *swinging = &entry.page;
+	int row = index;
+	float share = fraction;
+	if (entry.page.swings()) {
+		share = alpha(page, fraction);
+	} else {
+		row = entry.followers[static_cast<std::size_t>(index)].loose - 1;
+		if (row < 0) {
+			return followed_bend(entry, index, fraction);
+		}
+		swinging = &loose[static_cast<std::size_t>(entry.page.species())].page();
+	}
+	const Bend *pair = swinging->bends() + 2 * row;
+	return glm::mix(stereographic(pair[0]), stereographic(pair[1]), share);
 }
 
 TipState FieldSimulation::state(int page, int index) const {
@@ -70,13 +88,15 @@ TipState FieldSimulation::state(int page, int index) const {
 	if (shown.loose > 0) {
 		return loose[static_cast<std::size_t>(entry.page.species())].shown_state(shown.loose - 1);
 	}
-	const glm::vec3 now = decode_bend(followed_bend(entry, index, 0));
-	const glm::vec3 before = decode_bend(followed_bend(entry, index, 1));
-	return safe_state({ now, (now - before) / options.step });
+	const glm::vec3 now = shown_direction(page, index, 1.0f);
+	return safe_state({ now, (now - shown_direction(page, index, 0.0f)) / options.step });
 }
 
 void FieldSimulation::apply_impulse(int page, int index, const glm::vec3 &impulse) {
-	FieldPage &plants = at(page).page;
+	MotionPage &plants = at(page).page;
+	if (plants.is_gone(index)) {
+		return;
+	}
 	TipState pushed = state(page, index);
 	pushed.rate += impulse / (plants.mass() * plants.length(index));
 	if (plants.swings()) {
@@ -95,7 +115,8 @@ const LoosePlants *FieldSimulation::loose_plants(int species) const {
 }
 
 bool FieldSimulation::is_point_in_plants(const glm::vec3 &point, float margin) const {
-	for (const Entry &entry : entries) {
+	for (int page = 0; page < page_count(); page++) {
+		const Entry &entry = at(page);
 		if (!contains(entry.page, point, margin)) {
 			continue;
 		}
@@ -104,10 +125,12 @@ bool FieldSimulation::is_point_in_plants(const glm::vec3 &point, float margin) c
 		const float radius = entry.page.collision_radius() + margin;
 		for (int i = 0; i < entry.page.size(); i++) {
 			const float reach = entry.page.length(i) + radius;
-			if (std::fabs(x[i] - point.x) > reach || std::fabs(z[i] - point.z) > reach) {
+			if (entry.page.is_gone(i) || std::fabs(x[i] - point.x) > reach || std::fabs(z[i] - point.z) > reach) {
 				continue;
 			}
-			const glm::vec3 nearest = nearest_on_segment(entry.page.root(i), entry.page.tip(i), point);
+			const glm::vec3 root = entry.page.root(i);
+			const glm::vec3 tip = root + entry.page.length(i) * shown_direction(page, i, 1.0f);
+			const glm::vec3 nearest = nearest_on_segment(root, tip, point);
 			if (glm::distance(nearest, point) <= radius) {
 				return true;
 			}
@@ -120,7 +143,7 @@ double FieldSimulation::bytes_per_plant() const {
 	const int plants = plant_count();
 	std::size_t bytes = entries.capacity() * sizeof(Entry);
 	for (const Entry &entry : entries) {
-		bytes += entry.page.bytes() - sizeof(FieldPage) + entry.followers.capacity() * sizeof(Follower);
+		bytes += entry.page.bytes() - sizeof(MotionPage) + entry.followers.capacity() * sizeof(Follower);
 	}
 	for (const Prototypes &model : models) {
 		bytes += model.bytes();

@@ -1,7 +1,7 @@
 #include "field/loose_plants.hpp"
 
-#include "field/bend_encoding.hpp"
-#include "pendulum/gnomonic.hpp"
+#include "motion/bend_encoding.hpp"
+#include "motion/gnomonic.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -9,7 +9,7 @@
 
 namespace undergrowth {
 
-LoosePlants::LoosePlants(int species_index, const FieldSpecies &species, float step) :
+LoosePlants::LoosePlants(int species_index, const MotionSpecies &species, float step) :
 		swinging(species_index, species, nullptr, 0, step, true), step_time(step) {}
 
 void LoosePlants::reserve(int plants) {
@@ -18,11 +18,11 @@ void LoosePlants::reserve(int plants) {
 	places.reserve(static_cast<std::size_t>(room));
 }
 
-int LoosePlants::add(const FieldPlant &plant, int page, int index, const TipState &state, Bend before) {
+int LoosePlants::add(const MotionPlant &plant, int page, int index, const TipState &state, const glm::vec3 &before) {
 	const int number = count();
 	swinging.add(&plant, 1);
 	swinging.set_state(number, state);
-	swinging.bends()[2 * number] = before;
+	swinging.bends()[2 * number] = encode_bend(before);
 	places.push_back({ page, static_cast<uint16_t>(index), 0 });
 	return number;
 }
@@ -33,7 +33,7 @@ void LoosePlants::remove(int number) {
 	places.pop_back();
 }
 
-float LoosePlants::grow_older(int number, Bend followed) {
+float LoosePlants::grow_older(int number, const glm::vec3 &followed) {
 	Place &place = places[static_cast<std::size_t>(number)];
 	place.age = static_cast<uint16_t>(std::min(place.age + 1, 0xffff));
 	const float gone = std::clamp((static_cast<float>(place.age) * step_time - ALONE) / GOING_BACK, 0.0f, 1.0f);
@@ -42,9 +42,7 @@ float LoosePlants::grow_older(int number, Bend followed) {
 	}
 	const float share = gone * gone * (3.0f - 2.0f * gone); // Without a jerk at either end.
 	const glm::vec3 own = swinging.direction(number);
-	const glm::vec3 other = decode_bend(followed);
-	swinging.bends()[2 * number + 1] =
-			gone < 1.0f ? encode_bend(glm::normalize(own + share * (other - own))) : followed;
+	swinging.bends()[2 * number + 1] = encode_bend(glm::normalize(own + share * (followed - own)));
 	return share;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/field_page.hpp"
+#include "motion/motion_page.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -12,28 +12,28 @@ namespace undergrowth {
 class LoosePlants {
 public:
 	/// At a time; whoever comes then is not pushed. A layer of 64 by 64 texels.
-	static constexpr int MOST = FieldPage::PAGE_PLANTS;
+	static constexpr int MOST = MotionPage::PAGE_PLANTS;
 	static constexpr float ALONE = 3.0f; ///< s after the last push until it begins to go back.
 	static constexpr float GOING_BACK = 1.5f; ///< s.
 
-	LoosePlants(int species_index, const FieldSpecies &species, float step);
+	LoosePlants(int species_index, const MotionSpecies &species, float step);
 
 	/// Makes room for that many, MOST at most, so that add() does not allocate.
 	void reserve(int plants);
 	bool is_full() const { return count() == room; }
 	int count() const { return swinging.size(); }
-	void set_species(const FieldSpecies &species) { swinging.set_species(species); }
-	/// Plant `index` of page `page`, in `state`, which came from the bend `before`; tells its number, which is the
-	/// former count(). Only where it is not full.
-	int add(const FieldPlant &plant, int page, int index, const TipState &state, Bend before);
+	void set_species(const MotionSpecies &species) { swinging.set_species(species); }
+	/// Plant `index` of page `page`, in `state`, which came from the direction `before`; tells its number, which is
+	/// the former count(). Only where it is not full.
+	int add(const MotionPlant &plant, int page, int index, const TipState &state, const glm::vec3 &before);
 	/// The last one takes its number.
 	void remove(int number);
 
 	/// One step of all under `wind`.
 	void step(const TravellingWind &wind, const PlantWinds &along) { swinging.step(wind, along); }
-	/// A step later than at the last push. Tells how much of `followed`, which its prototype shows, it shows from now
-	/// on (0 to 1), and shows it.
-	float grow_older(int number, Bend followed);
+	/// A step later than at the last push. Tells how much of `followed`, the unit direction that its prototype shows,
+	/// it shows from now on (0 to 1), and shows it.
+	float grow_older(int number, const glm::vec3 &followed);
 	/// Puts a plant that was pushed into a state.
 	void push(int number, const TipState &state);
 
@@ -46,7 +46,7 @@ public:
 		places[static_cast<std::size_t>(number)].index = static_cast<uint16_t>(index);
 	}
 	/// Swinging plants with their pairs of bends as they are shown.
-	const FieldPage &page() const { return swinging; }
+	const MotionPage &page() const { return swinging; }
 	std::size_t bytes() const { return swinging.bytes() + places.capacity() * sizeof(Place); }
 
 private:
@@ -56,7 +56,7 @@ private:
 		uint16_t age; ///< Steps since the last push.
 	};
 
-	FieldPage swinging;
+	MotionPage swinging;
 	std::vector<Place> places;
 	int room = 0;
 	float step_time; ///< s.

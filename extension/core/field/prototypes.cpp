@@ -3,8 +3,11 @@
 #include "base/portable_math.hpp"
 #include "base/random.hpp"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace undergrowth {
 
@@ -25,11 +28,11 @@ float lean_share(const glm::vec3 &rest) {
 	return 0.25f * (rest.x >= 0.0f ? diamond : 4.0f - diamond);
 }
 
-std::vector<FieldPlant> spread_plants(const FieldSpecies &species, int count) {
-	std::vector<FieldPlant> plants(static_cast<std::size_t>(count));
+std::vector<MotionPlant> spread_plants(const MotionSpecies &species, int count) {
+	std::vector<MotionPlant> plants(static_cast<std::size_t>(count));
 	const double lean = std::clamp(static_cast<double>(species.lean), 0.0, 1.5);
 	for (int i = 0; i < count; i++) {
-		FieldPlant &plant = plants[static_cast<std::size_t>(i)];
+		MotionPlant &plant = plants[static_cast<std::size_t>(i)];
 		// Neighbours on the circle of leans differ in length: an odd stride through the lengths.
 		const float part = static_cast<float>((i * 29) % count) / static_cast<float>(std::max(count - 1, 1));
 		plant.length = species.shortest + part * (species.longest - species.shortest);
@@ -42,21 +45,23 @@ std::vector<FieldPlant> spread_plants(const FieldSpecies &species, int count) {
 
 } // namespace
 
-Prototypes::Prototypes(int species_index, const FieldSpecies &species, int count, float step) :
+Prototypes::Prototypes(int species_index, const MotionSpecies &species, int count, float step) :
 		page(species_index, species, spread_plants(species, count).data(), count, step, true),
-		leans(species.law == Law::spring && species.lean > 0.0f),
+		shortest(species.shortest),
+		longest(species.longest),
+		lean(species.lean),
 		ring(2 * static_cast<std::size_t>(SLOTS * MOST)) {
 	for (int slot = 0; slot < SLOTS; slot++) {
 		std::copy(page.bends(), page.bends() + 2 * count, ring.begin() + 2 * slot * MOST);
 	}
 }
 
-Follower Prototypes::pick(const FieldPlant &plant, uint64_t hash) const {
+Follower Prototypes::pick(const MotionPlant &plant, uint64_t hash) const {
 	const uint64_t mixed = mix_bits(hash);
 	const uint64_t low = mixed & 0xffffffffull;
 	const int all = count();
 	Follower follower;
-	if (leans) {
+	if (page.law() == Law::spring && lean > 0.0f) {
 		const int sector = std::max(all / LEAN_SECTORS, 1);
 		const int first = static_cast<int>(lean_share(plant.rest) * static_cast<float>(all)) - sector / 2 + all;
 		follower.prototype =
@@ -64,9 +69,35 @@ Follower Prototypes::pick(const FieldPlant &plant, uint64_t hash) const {
 	} else {
 		follower.prototype = static_cast<uint16_t>(low % static_cast<uint64_t>(all));
 	}
-	const float steps = std::min(OWN_DELAY / page.step_length(), static_cast<float>(LONGEST_DELAY / 2));
+	const float steps = std::min(OWN_DELAY / page.step_length(), static_cast<float>(LONGEST_OWN_DELAY));
 	follower.own_delay = static_cast<uint16_t>((mixed >> 32) % static_cast<uint64_t>(std::max(steps, 1.0f)));
 	return follower;
+}
+
+void Prototypes::set_species(const MotionSpecies &species) {
+	const bool respread = species.law != page.law() || species.shortest != shortest || species.longest != longest ||
+			species.lean != lean;
+	if (!respread) {
+		page.set_species(species);
+		return;
+	}
+	const int all = count();
+	MotionPage spread(page.species(), species, spread_plants(species, all).data(), all, page.step_length(), true);
+	for (int i = 0; i < all; i++) {
+		spread.set_state(i, page.state(i));
+	}
+	page = std::move(spread);
+	shortest = species.shortest;
+	longest = species.longest;
+	lean = species.lean;
+}
+
+glm::vec2 Prototypes::bend(int prototype, float late, float fraction) const {
+	const float ago = late + 1.0f - fraction; // Since the step after which it looked so.
+	const float whole = std::floor(ago);
+	const int slot = (newest - static_cast<int>(whole)) & (SLOTS - 1);
+	const Bend *pair = &ring[2 * static_cast<std::size_t>(slot * MOST + prototype)];
+	return glm::mix(stereographic(pair[0]), stereographic(pair[1]), 1.0f - (ago - whole));
 }
 
 void Prototypes::step(const TravellingWind &wind, const PlantWinds &along) {

@@ -1,6 +1,9 @@
 #pragma once
 
-#include "field/field_page.hpp"
+#include "field/follow_delays.hpp"
+#include "motion/motion_page.hpp"
+
+#include <glm/vec2.hpp>
 
 #include <cstdint>
 #include <vector>
@@ -11,7 +14,6 @@ namespace undergrowth {
 struct Follower {
 	uint16_t prototype = 0;
 	uint16_t own_delay = 0; ///< Steps; the wind's way to the plant comes on top.
-	uint16_t delay = 0; ///< Steps that it is shown late now; goes to where it should be without a jump.
 	uint16_t loose = 0; ///< One more than its number among the LoosePlants while it swings by itself, or 0.
 };
 
@@ -21,26 +23,25 @@ class Prototypes {
 public:
 	static constexpr int MOST = 64;
 	static constexpr int SLOTS = 1024; ///< A power of two.
-	/// Delays from here on start over: they stay clear of the slot that is written next.
-	static constexpr int LONGEST_DELAY = SLOTS - 64;
+	static constexpr int LONGEST_OWN_DELAY = 64; ///< Steps.
 
 	/// `count` from 1 to MOST.
-	Prototypes(int species_index, const FieldSpecies &species, int count, float step);
+	Prototypes(int species_index, const MotionSpecies &species, int count, float step);
 
 	int count() const { return page.size(); }
 	/// The direction of a prototype in calm air.
 	glm::vec3 rest(int prototype) const { return page.rest(prototype); }
-	/// Picks a prototype that leans as `plant` does and a delay of up to OWN_DELAY, both by `hash`.
-	Follower pick(const FieldPlant &plant, uint64_t hash) const;
-	void set_species(const FieldSpecies &species) { page.set_species(species); }
+	/// Picks a prototype that leans as `plant` does and a delay of up to a second, both by `hash`.
+	Follower pick(const MotionPlant &plant, uint64_t hash) const;
+	/// The motion goes on, about other rest directions where those change.
+	void set_species(const MotionSpecies &species);
 
 	/// One step of all prototypes; what they do is written into the next slot.
 	void step(const TravellingWind &wind, const PlantWinds &along);
-	/// The bend after the step `delay` steps ago, 0 to LONGEST_DELAY.
-	Bend bend(int prototype, int delay) const {
-		const int slot = (newest - delay) & (SLOTS - 1);
-		return ring[2 * static_cast<std::size_t>(slot * MOST + prototype) + 1];
-	}
+	/// What a plant that is `late` steps late shows of a prototype, `fraction` of a step after the newest one began, as
+	/// a stereographic image: the same as undergrowth_late() in the shader. `late`: from 0 to the longest way and own
+	/// delay together, whose slots are clear of the one that is written next.
+	glm::vec2 bend(int prototype, float late, float fraction) const;
 
 	/// All slots, MOST pairs of bends (before and after that step) each: 16 layers of 64 by 64 texels of four halves, a
 	/// row for each slot. One slot changes with each step.
@@ -49,9 +50,11 @@ public:
 	double wind_moment() const { return page.wind_moment(); }
 	std::size_t bytes() const { return ring.capacity() * sizeof(Bend) + page.bytes(); }
 
+	static_assert(DelayPlane::LONGEST_WAY + LONGEST_OWN_DELAY < SLOTS - 2, "a slot is read that is written next");
+
 private:
-	FieldPage page;
-	bool leans;
+	MotionPage page;
+	float shortest, longest, lean; ///< As they were spread.
 	int newest = 0;
 	std::vector<Bend> ring;
 };

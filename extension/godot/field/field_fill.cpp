@@ -2,6 +2,8 @@
 
 #include <godot_cpp/classes/worker_thread_pool.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 using namespace godot;
@@ -14,40 +16,6 @@ static constexpr float PLACED_SHARE = 0.3f;
 static constexpr float STANDING_SHARE = 0.5f;
 static constexpr float MESHES_SHARE = 0.6f;
 static constexpr float SIMULATED_SHARE = 0.8f;
-
-std::vector<float> reaches(const FieldStyle &style) {
-	std::vector<float> reach;
-	for (const FieldLook &look : style.looks) {
-		reach.push_back(look.motion.longest + look.width);
-	}
-	return reach;
-}
-
-static void add_page(
-		const FieldStyle &style, FieldSimulation &simulation, const PagePlan &plan, int number, FieldPatch &patch) {
-	const std::vector<int> members = plan.plants(number);
-	const int species = plan.pages[size_t(number)].species;
-	std::vector<FieldPlant> simulated;
-	simulated.reserve(members.size());
-	for (const int plant : members) {
-		simulated.push_back(style.looks[size_t(species)].to_simulate(patch.plants.plant(plant)));
-	}
-	const int page = simulation.add_page(species, simulated.data(), int(simulated.size()));
-	for (size_t i = 0; page >= 0 && i < members.size(); i++) {
-		patch.places[size_t(members[i])] = uint32_t(page) * FieldPage::PAGE_PLANTS + uint32_t(i);
-	}
-}
-
-// Sorts plants into chunks, adds them to the simulation as pages and notes where each is.
-static void take_in(const FieldStyle &style, FieldSimulation &simulation, float chunk_size, FieldPatch &patch) {
-	const std::vector<float> reach = reaches(style);
-	patch.chunks = sort_into_chunks(patch.plants, chunk_size, reach.data(), int(reach.size()));
-	patch.places.assign(size_t(patch.plants.size()), FieldPatch::GONE);
-	const PagePlan plan = plan_pages(patch.chunks, FieldPage::PAGE_PLANTS);
-	for (int page = 0; page < int(plan.pages.size()); page++) {
-		add_page(style, simulation, plan, page, patch);
-	}
-}
 
 FieldFill::FieldFill(FieldRecipe &&with) : recipe(std::move(with)) {
 	result.style = std::move(recipe.style);
@@ -89,30 +57,52 @@ FieldResult &FieldFill::finish() {
 void FieldFill::work(void *self) {
 	FieldFill *fill = static_cast<FieldFill *>(self);
 	if (fill->stage == Stage::placing) {
-		fill->place();
-		if (fill->recipe.ground.needs_rays()) {
+		if (fill->recipe.places) {
+			fill->place();
+		} else {
+			fill->gather_standing();
+		}
+		if (fill->recipe.places && fill->recipe.ground.needs_rays() && fill->placed.size() > 0) {
 			fill->stage = Stage::placed;
 			return;
 		}
-		fill->recipe.ground.look_up(fill->result.patch.plants, fill->heights, fill->normals);
+		if (fill->recipe.places) {
+			fill->recipe.ground.look_up(fill->placed, fill->heights, fill->normals);
+		}
 	}
-	fill->stand();
+	fill->stand_on_ground();
 	fill->build();
 	fill->stage = Stage::done;
 }
 
 void FieldFill::place() {
 	const Placement placement(recipe.request);
+	result.fault = recipe.request.species.empty() ? PlacementFault::none : placement.fault();
+	result.spacing = placement.cell_size();
 	for (int row = 0; row < placement.row_count() && !is_cancelled; row += ROWS_AT_ONCE) {
-		placement.place_rows(row, std::min(row + ROWS_AT_ONCE, placement.row_count()), result.patch.plants);
+		placement.place_rows(row, std::min(row + ROWS_AT_ONCE, placement.row_count()), placed);
 		done = PLACED_SHARE * float(row) / float(placement.row_count());
 	}
 	done = PLACED_SHARE;
 }
 
-void FieldFill::stand() {
+void FieldFill::gather_standing() {
+	result.spacing = recipe.old_spacing;
+	for (const auto &[number, block] : recipe.standing) {
+		const int species = recipe.species_numbers[size_t(block.species)];
+		for (int slot = 0; slot < block.size() && species >= 0; slot++) {
+			if (!block.is_gone(slot)) {
+				PlacedPlant plant = block.plants.plant(slot);
+				plant.species = species;
+				placed.add(plant);
+			}
+		}
+	}
+}
+
+void FieldFill::stand_on_ground() {
 	if (!heights.empty()) {
-		apply_ground(result.patch.plants, heights.data(), normals.data(), recipe.ground.limits);
+		apply_ground(placed, heights.data(), normals.data(), recipe.ground.limits);
 		heights = {};
 		normals = {};
 	}
@@ -127,22 +117,70 @@ void FieldFill::build() {
 		look.build();
 	}
 	done = MESHES_SHARE;
+	result.blocks = cut_into_blocks(placed, recipe.tile_size);
+	placed = FieldPlants();
+	simulate();
+	done = SIMULATED_SHARE;
+	std::vector<DrawnBlock> drawn;
+	for (size_t i = 0; i < result.blocks.size() && !is_cancelled; i++) {
+		drawn.push_back({ int(i), &result.blocks[i] });
+	}
+	result.plans = plan_clumps(result.style, *result.poses, drawn);
+	find_kept();
+	done = 1.0f;
+}
+
+void FieldFill::simulate() {
 	result.simulation = std::make_unique<FieldSimulation>(recipe.settings);
 	result.simulation->set_wind(recipe.wind);
 	for (const FieldLook &look : result.style.looks) {
 		result.simulation->add_species(look.motion);
 	}
-	take_in(result.style, *result.simulation, recipe.chunk_size, result.patch);
+	result.poses = std::make_unique<PoseTexture>(recipe.settings.prototypes > 0);
+	std::vector<MotionPlant> simulated;
+	for (size_t i = 0; i < result.blocks.size(); i++) {
+		const PlantBlock &block = result.blocks[i];
+		simulated.clear();
+		for (int slot = 0; slot < block.size(); slot++) {
+			simulated.push_back(result.style.looks[size_t(block.species)].to_simulate(block.plants.plant(slot)));
+		}
+		result.simulation->add_page(block.species, simulated.data(), int(simulated.size()));
+		result.poses->give_rows(int(i), block.size());
+	}
+	result.poses->give_history(result.simulation->species_count());
 	if (recipe.settings.prototypes > 0) {
 		result.simulation->step(); // It fills the prototypes' history.
+		result.poses->write_history(*result.simulation, true);
 	}
-	result.bends = std::make_unique<FieldBends>();
-	result.bends->make_images(*result.simulation);
-	done = SIMULATED_SHARE;
-	if (!is_cancelled) {
-		result.plans = FieldDrawing::plan(result.style, result.patch);
+	for (size_t i = 0; i < result.blocks.size(); i++) {
+		result.poses->write_block(*result.simulation, int(i), int(i));
 	}
-	done = 1.0f;
+}
+
+// Which plants stood before, by their names, species and sizes: what has moved on is another plant.
+void FieldFill::find_kept() {
+	std::vector<std::pair<PlantId, PlantPlace>> before;
+	for (const auto &[number, block] : recipe.standing) {
+		for (int slot = 0; slot < block.size(); slot++) {
+			if (!block.is_gone(slot)) {
+				const glm::vec3 root = block.root(slot);
+				before.push_back({ filled_plant_id(root.x, root.z, recipe.old_spacing), { number, slot } });
+			}
+		}
+	}
+	const auto is_less = [](const auto &a, const auto &b) { return a.first < b.first; };
+	std::sort(before.begin(), before.end(), is_less);
+	for (size_t i = 0; i < result.blocks.size() && !before.empty(); i++) {
+		const PlantBlock &block = result.blocks[i];
+		for (int slot = 0; slot < block.size(); slot++) {
+			const glm::vec3 root = block.root(slot);
+			const std::pair<PlantId, PlantPlace> wanted = { filled_plant_id(root.x, root.z, result.spacing), {} };
+			const auto found = std::lower_bound(before.begin(), before.end(), wanted, is_less);
+			if (found != before.end() && found->first == wanted.first) {
+				result.kept.push_back({ found->second, { int(i), slot } });
+			}
+		}
+	}
 }
 
 } // namespace undergrowth

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "field/field_bends.hpp"
-#include "field/field_drawing.hpp"
 #include "field/field_ground.hpp"
-#include "field/placement.hpp"
+#include "field/field_simulation.hpp"
+#include "field/field_view.hpp"
+#include "field/pose_texture.hpp"
+#include "stand/placement.hpp"
 
 #include <atomic>
 #include <memory>
@@ -11,29 +12,40 @@
 
 namespace undergrowth {
 
-/// How plants of a field come to be: all that a fill needs to know, copied, so that it may run beside the game.
+/// All that growing a field needs to know, copied, so that it may run beside the game.
 struct FieldRecipe {
+	bool places = true; ///< Or dresses anew what stands: `standing`.
 	PlacementRequest request;
+	FieldGround ground;
 	FieldSettings settings;
 	FieldStyle style; ///< Sampled, but without meshes.
-	FieldGround ground;
 	FieldWind wind; ///< At the simulation's start: prototypes have felt it before.
-	float chunk_size = 16.0f; ///< m.
+	std::vector<int> species_numbers; ///< What species are in `style`, by what they were.
+	float tile_size = 16.0f; ///< m.
+	/// What was filled before: `number` and a copy of each block. Plants that stand again go on with their motion.
+	std::vector<std::pair<int, PlantBlock>> standing;
+	double old_spacing = 1.0; ///< m, of those.
 };
 
-/// A field that is done.
+/// A plant that stood before and stands again.
+struct KeptPlant {
+	PlantPlace from; ///< In the store as it was.
+	PlantPlace to; ///< Its block by its index in the result.
+};
+
+/// A field that is grown.
 struct FieldResult {
 	FieldStyle style;
-	FieldPatch patch;
+	double spacing = 1.0; ///< m.
+	std::vector<PlantBlock> blocks; ///< Block i is page i of the simulation and block i of the texture.
 	std::unique_ptr<FieldSimulation> simulation;
-	std::unique_ptr<FieldBends> bends;
+	std::unique_ptr<PoseTexture> poses;
 	std::vector<ClumpPlan> plans;
+	std::vector<KeptPlant> kept;
+	PlacementFault fault = PlacementFault::none;
 };
 
-/// How far plants of each species reach at scale and height 1 (m), for sort_into_chunks().
-std::vector<float> reaches(const FieldStyle &style);
-
-/// Fills a field on one of the engine's worker threads.
+/// Grows a field on one of the engine's worker threads, from a recipe and nothing else.
 class FieldFill {
 public:
 	explicit FieldFill(FieldRecipe &&with);
@@ -44,13 +56,16 @@ public:
 	void start();
 	/// 0 to 1.
 	float progress() const { return done.load(); }
-	/// Plants wait on the ground for rays, which only the main thread may cast; finish() goes on.
+	/// Plants wait on the ground for rays, which the physics server answers on its own terms; go_on() goes on.
 	bool wants_ground() const { return stage.load() == Stage::placed; }
-	FieldPlants &plants() { return result.patch.plants; }
-	const FieldRecipe &made_by() const { return recipe; }
+	const FieldPlants &plants() const { return placed; }
 	/// On with it: heights and normals for all plants.
 	void go_on(std::vector<float> &&heights, std::vector<glm::vec3> &&normals);
 	bool is_done() const { return stage.load() == Stage::done; }
+	/// Whether what stands is placed anew.
+	bool places() const { return recipe.places; }
+	const std::vector<int> &species_numbers() const { return recipe.species_numbers; }
+	float tile_size() const { return recipe.tile_size; }
 	/// Waits for the thread.
 	FieldResult &finish();
 
@@ -59,6 +74,7 @@ private:
 
 	FieldRecipe recipe;
 	FieldResult result;
+	FieldPlants placed;
 	std::vector<float> heights;
 	std::vector<glm::vec3> normals;
 	std::atomic<float> done{ 0.0f };
@@ -70,8 +86,11 @@ private:
 	void launch(Stage next);
 	void wait();
 	void place();
-	void stand();
+	void gather_standing();
+	void stand_on_ground();
 	void build();
+	void simulate();
+	void find_kept();
 };
 
 } // namespace undergrowth

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/plants.hpp"
+#include "stand/plants.hpp"
 
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>

@@ -2,7 +2,6 @@
 
 #include "base/random.hpp"
 #include "convert.hpp"
-#include "field/plants.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +20,7 @@ static int64_t variant_seed(int64_t seed, int variant) {
 	return int64_t(mix_bits(uint64_t(seed) ^ mix_bits(uint64_t(variant))) >> 1);
 }
 
-String FieldLook::sample(const std::vector<FieldLevel> &levels, int variant_count, int64_t seed) {
+String FieldLook::sample(const std::vector<FieldLevel> &levels, int64_t seed) {
 	variants.clear();
 	samples.assign(levels.size(), {});
 	for (int variant = 0; variant < variant_count; variant++) {
@@ -38,12 +37,18 @@ String FieldLook::sample(const std::vector<FieldLevel> &levels, int variant_coun
 			if (level == 0) {
 				variants.push_back({ own_seed, sampled.height });
 			}
-			width = std::max(width, sampled.widest());
 			samples[level].push_back(std::move(sampled));
 		}
 	}
 	read_motion();
 	return String();
+}
+
+// How far a mesh goes from its axis, deviations included.
+static float width_of(const Ref<ArrayMesh> &mesh) {
+	const AABB box = mesh->get_aabb();
+	const Vector3 farthest = box.position.abs().max(box.get_end().abs());
+	return std::sqrt(farthest.x * farthest.x + farthest.z * farthest.z);
 }
 
 void FieldLook::build() {
@@ -52,8 +57,9 @@ void FieldLook::build() {
 	}
 	meshes.assign(samples.size(), {});
 	for (size_t level = 0; level < samples.size(); level++) {
-		for (size_t group = 0; group < samples[level].size(); group++) {
-			meshes[level].push_back(function->build(samples[level][group], variants[group].seed));
+		for (const SampledPlant &sampled : samples[level]) {
+			meshes[level].push_back(sampled.build());
+			width = std::max(width, width_of(meshes[level].back()));
 		}
 	}
 	nearest = std::move(samples[0]);
@@ -61,9 +67,9 @@ void FieldLook::build() {
 }
 
 Ref<ArrayMesh> FieldLook::build_alone(const PlacedPlant &plant) const {
-	SampledPlant sampled = nearest[plant.variant];
-	sampled.height = variants[plant.variant].height * plant.height;
-	return function->build(sampled, variants[plant.variant].seed);
+	SampledPlant sampled = nearest[size_t(plant.variant) % nearest.size()];
+	sampled.height = variant_of(plant).height * plant.height;
+	return sampled.build();
 }
 
 void FieldLook::read_motion() {
@@ -90,11 +96,16 @@ static Vector3 above_ground(const Vector3 &rest) {
 }
 
 float FieldLook::length_of(const PlacedPlant &plant) const {
-	return variants[plant.variant].height * plant.height * plant.scale;
+	return variant_of(plant).height * plant.height * plant.scale;
 }
 
-FieldPlant FieldLook::to_simulate(const PlacedPlant &plant) const {
-	FieldPlant simulated;
+float FieldLook::reach_of(const PlacedPlant &plant) const {
+	const float height = length_of(plant);
+	return std::sqrt(height * height + width * width * plant.scale * plant.scale);
+}
+
+MotionPlant FieldLook::to_simulate(const PlacedPlant &plant) const {
+	MotionPlant simulated;
 	simulated.root = plant.root;
 	simulated.length = length_of(plant);
 	// The species leans towards the plant's own +z; the way in which it was placed turns that towards its side.

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "field/field_page.hpp"
+#include "motion/motion_page.hpp"
 #include "plant_function.hpp"
+#include "stand/plants.hpp"
 
 #include <godot_cpp/classes/shader_material.hpp>
 
@@ -14,8 +15,8 @@ struct FieldLevel {
 	int lod = 12; ///< Vertical segments.
 	float begin = 0.0f; ///< m from the camera.
 	float end = 0.0f; ///< m; 0: no end.
-	float margin = 2.0f; ///< m over which it dissolves.
-	int chunk_factor = 1; ///< Its chunks are so many chunks wide.
+	float margin = 2.0f; ///< m over which it dissolves, > 0.
+	int tile_factor = 1; ///< Its multimeshes are so many tiles wide.
 	bool casts_shadows = true;
 
 	/// How many meshes it draws for a species of `variants` plants: half as many in each further level.
@@ -28,28 +29,34 @@ struct FieldVariant {
 	float height = 1.0f; ///< m.
 };
 
-/// One species of a field: what it shows and how it moves.
+/// One species of a field: what it shows and how it moves. Sampled on the main thread; from then on nothing here reads
+/// the function itself but read_motion() and follow_material().
 struct FieldLook {
 	godot::Ref<PlantFunction> function;
+	int variant_count = 4; ///< 1 to 64.
 	std::vector<FieldVariant> variants;
 	std::vector<std::vector<SampledPlant>> samples; ///< By level and group; let go when the meshes are built.
 	std::vector<SampledPlant> nearest; ///< Of the first level, kept for plants that get a mesh of their own.
 	std::vector<std::vector<godot::Ref<godot::ArrayMesh>>> meshes; ///< By level and group.
 	std::vector<godot::Ref<godot::ShaderMaterial>> materials; ///< By level.
-	FieldSpecies motion;
+	MotionSpecies motion;
 	float width = 0.0f; ///< m: the farthest that any mesh goes from its axis.
 
 	/// Asks the function; main thread only, since scripts may answer. Tells what is wrong and what to do, or nothing.
-	godot::String sample(const std::vector<FieldLevel> &levels, int variant_count, int64_t seed);
+	godot::String sample(const std::vector<FieldLevel> &levels, int64_t seed);
 	/// Builds the meshes of what was sampled; once, on any thread.
 	void build();
 	/// A mesh for one plant alone, with its own height, to be turned and scaled by `scale`.
-	godot::Ref<godot::ArrayMesh> build_alone(const struct PlacedPlant &plant) const;
+	godot::Ref<godot::ArrayMesh> build_alone(const PlacedPlant &plant) const;
 	/// The function's motion as it is now.
 	void read_motion();
 	/// The root of a plant, its length and rest direction, for the simulation.
-	FieldPlant to_simulate(const struct PlacedPlant &plant) const;
-	float length_of(const struct PlacedPlant &plant) const;
+	MotionPlant to_simulate(const PlacedPlant &plant) const;
+	float length_of(const PlacedPlant &plant) const;
+	/// The farthest that the plant's mesh goes from its root, however it bends: linear blend skinning moves no vertex
+	/// farther than it is at rest (m).
+	float reach_of(const PlacedPlant &plant) const;
+	const FieldVariant &variant_of(const PlacedPlant &plant) const { return variants[size_t(plant.variant) % variants.size()]; }
 };
 
 } // namespace undergrowth

@@ -12,18 +12,51 @@ using namespace godot;
 namespace undergrowth {
 
 static const char *const SHADER_PATH = "res://addons/undergrowth/shaders/plant_field.gdshader";
+static const char *const OWN_PREFIX = "undergrowth_"; // Of what the field sets.
 static const char *const INCLUDE_NAME = "undergrowth_bend.gdshaderinc";
 
+// A parameter that is set anew costs more than one that is asked for.
+static void set_parameter(const Ref<ShaderMaterial> &material, const StringName &name, const Variant &value) {
+	if (material->get_shader_parameter(name) != value) {
+		material->set_shader_parameter(name, value);
+	}
+}
+
 static void take_over(const Ref<BaseMaterial3D> &worn, const Ref<ShaderMaterial> &made) {
-	made->set_shader_parameter("albedo", worn->get_albedo());
-	made->set_shader_parameter("albedo_texture", worn->get_texture(BaseMaterial3D::TEXTURE_ALBEDO));
-	made->set_shader_parameter("vertex_colors", worn->get_flag(BaseMaterial3D::FLAG_ALBEDO_FROM_VERTEX_COLOR));
-	made->set_shader_parameter("vertex_colors_are_srgb", worn->get_flag(BaseMaterial3D::FLAG_SRGB_VERTEX_COLOR));
-	made->set_shader_parameter("roughness", worn->get_roughness());
-	made->set_shader_parameter("metallic", worn->get_metallic());
-	made->set_shader_parameter("specular", worn->get_specular());
+	set_parameter(made, "albedo", worn->get_albedo());
+	set_parameter(made, "albedo_texture", worn->get_texture(BaseMaterial3D::TEXTURE_ALBEDO));
+	set_parameter(made, "vertex_colors", worn->get_flag(BaseMaterial3D::FLAG_ALBEDO_FROM_VERTEX_COLOR));
+	set_parameter(made, "vertex_colors_are_srgb", worn->get_flag(BaseMaterial3D::FLAG_SRGB_VERTEX_COLOR));
+	set_parameter(made, "roughness", worn->get_roughness());
+	set_parameter(made, "metallic", worn->get_metallic());
+	set_parameter(made, "specular", worn->get_specular());
 	const bool has_backlight = worn->get_feature(BaseMaterial3D::FEATURE_BACKLIGHT);
-	made->set_shader_parameter("backlight", has_backlight ? worn->get_backlight() : Color(0.0f, 0.0f, 0.0f));
+	set_parameter(made, "backlight", has_backlight ? worn->get_backlight() : Color(0.0f, 0.0f, 0.0f));
+}
+
+static void take_over(const Ref<ShaderMaterial> &worn, const Ref<ShaderMaterial> &made) {
+	const Ref<Shader> shader = worn->get_shader();
+	if (made->get_shader() != shader) {
+		made->set_shader(shader);
+	}
+	const Array uniforms = shader.is_valid() ? shader->get_shader_uniform_list() : Array();
+	for (int64_t i = 0; i < uniforms.size(); i++) {
+		const Dictionary uniform = uniforms[i];
+		const String name = uniform["name"];
+		if (!name.begins_with(OWN_PREFIX)) {
+			set_parameter(made, name, worn->get_shader_parameter(name));
+		}
+	}
+}
+
+void follow_material(const Ref<Material> &worn, const Ref<ShaderMaterial> &made) {
+	const Ref<ShaderMaterial> own = worn;
+	const Ref<BaseMaterial3D> plain = worn;
+	if (own.is_valid()) {
+		take_over(own, made);
+	} else if (plain.is_valid()) {
+		take_over(plain, made);
+	}
 }
 
 Ref<ShaderMaterial> make_field_material(const Ref<Material> &worn) {

@@ -1,42 +1,64 @@
 #pragma once
 
+#include "field/plant_field_level.hpp"
+#include "field/plant_field_species.hpp"
+#include "plant_wind.hpp"
+
+#include <godot_cpp/variant/node_path.hpp>
+#include <godot_cpp/variant/string_name.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
 #include <godot_cpp/variant/vector2.hpp>
 
 #include <cstdint>
 
 namespace undergrowth {
 
-/// What users set of a PlantField3D that is a number; in the order of the inspector.
-struct FieldOptions {
-	double density = 4.0; // Plants/m².
+/// What users set of a PlantField3D that decides what stands: a change of it grows the field anew.
+struct StandOptions {
+	godot::TypedArray<PlantFieldSpecies> species;
+	double density = 40.0; // Plants/m².
 	godot::Vector2 size = { 20.0f, 20.0f }; // m.
 	int64_t seed = 0;
 	double clumping = 0.0;
-	double drift_size = 3.0; // m.
-	int variants = 4;
-	godot::Vector2 scale_range = { 0.8f, 1.2f };
-	double height_deviation = 0.1;
-	double lean_deviation_degrees = 0.0;
-	int ground = 0;
-	int64_t ground_mask = 1;
+	double clump_size = 3.0; // m.
+	int ground_mode = 0;
+	int64_t ground_collision_mask = 1;
 	godot::Vector2 height_limits = { -1000.0f, 1000.0f }; // m.
-	godot::Vector2 slope_limits_degrees = { 0.0f, 90.0f };
+	godot::Vector2 slope_limits = { 0.0f, 1.5707963f }; // rad.
 	double slope_alignment = 0.0;
-	double wind_speed = 10.0; // m/s.
-	bool simulating = true;
-	int threads = 0;
+	godot::NodePath outline; // Of a Path3D; empty: a rectangle of `size`.
+	godot::TypedArray<godot::NodePath> exclusions; // Of Path3Ds and PlantField3Ds.
+	godot::NodePath ground_mesh;
+};
+
+/// What decides how it moves.
+struct MotionOptions {
+	godot::Ref<PlantWind> wind;
+	bool simulation_enabled = true;
+	int max_threads = 0;
 	int update_interval = 1;
 	double far_distance = 25.0; // m.
 	int prototypes = 0;
-	bool contact = false;
+	bool contact_enabled = false;
+	godot::StringName bodies_group;
 	double touch_margin = 0.1; // m.
+};
+
+/// What decides how it is seen.
+struct ViewOptions {
+	godot::TypedArray<PlantFieldLevel> levels; // None: as usual.
 	double fade_margin = 3.0; // m.
 	double shadow_distance = 30.0; // m.
-	double visibility_range = 0.0; // m.
 	double skeleton_distance = 0.0; // m.
-	int most_skeletons = 64;
-	double chunk_size = 16.0; // m.
-	int64_t layers = 1;
+	int max_skeletons = 64;
+	double tile_size = 16.0; // m.
+};
+
+/// All that users set of a PlantField3D, but for what it inherits.
+struct FieldProperties {
+	StandOptions stand;
+	MotionOptions motion;
+	ViewOptions view;
 };
 
 } // namespace undergrowth

@@ -67,9 +67,7 @@ Skeleton3D *FieldSkeletons::take(
 	skeleton = skeleton ? skeleton : make(field);
 	MeshInstance3D *drawn = mesh_of(skeleton);
 	drawn->set_mesh(mesh);
-	drawn->set_layer_mask(look.layers);
-	drawn->set_cast_shadows_setting(look.casts_shadows ? GeometryInstance3D::SHADOW_CASTING_SETTING_ON
-													   : GeometryInstance3D::SHADOW_CASTING_SETTING_OFF);
+	dress(skeleton, look);
 	// Linear blend skinning moves no vertex farther from the root than it is at rest.
 	const AABB box = mesh->get_aabb();
 	const float reach = box.position.abs().max(box.get_end().abs()).length();
@@ -79,13 +77,12 @@ Skeleton3D *FieldSkeletons::take(
 	return skeleton;
 }
 
-void FieldSkeletons::set_layers(uint32_t mask) const {
-	for (const Shown &entry : shown) {
-		const Skeleton3D *skeleton = node(entry);
-		MeshInstance3D *drawn = skeleton ? mesh_of(skeleton) : nullptr;
-		if (drawn) {
-			drawn->set_layer_mask(mask);
-		}
+void FieldSkeletons::dress(Skeleton3D *skeleton, const Look &look) {
+	MeshInstance3D *drawn = mesh_of(skeleton);
+	if (drawn) {
+		drawn->set_layer_mask(look.layers);
+		drawn->set_cast_shadows_setting(look.casts_shadows ? GeometryInstance3D::SHADOW_CASTING_SETTING_ON
+														   : GeometryInstance3D::SHADOW_CASTING_SETTING_OFF);
 	}
 }
 
@@ -108,8 +105,8 @@ void FieldSkeletons::clear() {
 	idle.clear();
 }
 
-Skeleton3D *FieldSkeletons::node(const Shown &entry) {
-	return Object::cast_to<Skeleton3D>(ObjectDB::get_instance(entry.skeleton));
+Skeleton3D *FieldSkeletons::node(uint64_t skeleton) {
+	return Object::cast_to<Skeleton3D>(ObjectDB::get_instance(skeleton));
 }
 
 void FieldSkeletons::pose(Skeleton3D *skeleton, const Quaternion &turn) {

@@ -13,12 +13,6 @@ namespace undergrowth {
 /// may free any of them at any time.
 class FieldSkeletons {
 public:
-	/// A plant, by its place in the field's patches, and the node that shows it.
-	struct Shown {
-		int patch = 0;
-		int plant = 0;
-		uint64_t skeleton = 0; ///< Instance id.
-	};
 	/// How they are drawn.
 	struct Look {
 		uint32_t layers = 1;
@@ -31,19 +25,17 @@ public:
 	/// A skeleton at `place` (field axes) that shows `mesh`. Its bone is not turned yet.
 	godot::Skeleton3D *take(godot::Node3D *field, const godot::Transform3D &place,
 			const godot::Ref<godot::ArrayMesh> &mesh, const Look &look);
-	/// Draws those that are shown in other render layers.
-	void set_layers(uint32_t mask) const;
+	/// Draws one in another way.
+	static void dress(godot::Skeleton3D *skeleton, const Look &look);
 	/// Hides a skeleton for later use; one to which scripts have added children goes with them.
 	void give_back(godot::Skeleton3D *skeleton);
 	/// Frees those that nobody uses.
 	void clear();
 
-	/// The node of an entry; null where a script has freed it.
-	static godot::Skeleton3D *node(const Shown &entry);
+	/// The node of an instance id; null where a script has freed it.
+	static godot::Skeleton3D *node(uint64_t skeleton);
 	/// Turns the tip's bone so that it bends the mesh as the shader of fields does.
 	static void pose(godot::Skeleton3D *skeleton, const godot::Quaternion &turn);
-
-	std::vector<Shown> shown;
 
 private:
 	uint64_t holder = 0; ///< Instance id.

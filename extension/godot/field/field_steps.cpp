@@ -21,16 +21,21 @@ int FieldSteps::work_of_step() const {
 	return touching ? TOUCHING_PLANT * stepped->plant_count() : stepped->due_count();
 }
 
-void FieldSteps::start(FieldSimulation &simulation, FieldBends &bends, TipContact *contact, int workers) {
+void FieldSteps::start(FieldSimulation &simulation, PoseTexture &poses, const std::vector<int> &block_of_page,
+		TipContact *contact, int workers) {
 	wait();
 	stepped = &simulation;
-	written = &bends;
+	written = &poses;
+	blocks = &block_of_page;
 	touching = contact;
 	for (int phase = 0; phase < PHASES; phase++) {
 		next_part[phase].store(0, std::memory_order_relaxed);
 		parts_done[phase].store(0, std::memory_order_relaxed);
 	}
 	busy_nsec = 0;
+	if (touching) {
+		touching->follow_radii(simulation);
+	}
 	const int plants = work_of_step(); // As many plants as would cost the same without contact.
 	is_inline = plants <= FEW_PLANTS;
 	if (is_inline) {
@@ -81,17 +86,24 @@ int FieldSteps::parts_of(int phase) const {
 	return stepped->page_count();
 }
 
+void FieldSteps::write(int page) {
+	const int block = (*blocks)[size_t(page)];
+	if (block >= 0) {
+		written->write_block(*stepped, page, block);
+	}
+}
+
 void FieldSteps::do_part(int phase, int part) {
 	if (stepped->settings().prototypes > 0) {
 		stepped->step_pages(0, stepped->page_count());
-		written->write_history(*stepped);
+		written->write_history(*stepped, false);
 		return;
 	}
 	switch (phase) {
 		case STEP:
 			stepped->step_pages(part, part + 1);
 			if (!touching && stepped->has_stepped(part)) {
-				written->write_page(*stepped, part);
+				write(part);
 			}
 			break;
 		case GATHER:
@@ -107,7 +119,7 @@ void FieldSteps::do_part(int phase, int part) {
 			touching->separate(*stepped, part, part + 1);
 			break;
 		default:
-			written->write_page(*stepped, part);
+			write(part);
 			break;
 	}
 }

@@ -1,15 +1,16 @@
 #pragma once
 
 #include "field/contact.hpp"
-#include "field/field_bends.hpp"
 #include "field/field_simulation.hpp"
+#include "field/pose_texture.hpp"
 
 #include <atomic>
 #include <cstdint>
+#include <vector>
 
 namespace undergrowth {
 
-/// Steps a field's simulation on the engine's worker threads and takes its bends over into the images.
+/// Steps a field's simulation on the engine's worker threads and takes its poses over into the texture.
 /// Between start() and wait() nobody else may touch either.
 class FieldSteps {
 public:
@@ -19,8 +20,9 @@ public:
 	FieldSteps &operator=(const FieldSteps &) = delete;
 
 	/// Begins one step on up to `workers` threads and returns at once; a step that costs less than waking a thread is
-	/// done when it returns. `contact`, where there is one, takes part after all plants have moved.
-	void start(FieldSimulation &simulation, FieldBends &bends, TipContact *contact, int workers);
+	/// done when it returns. `block_of_page`: what the texture calls a page, -1 for none. `contact`, where there is one, takes part after all plants have moved.
+	void start(FieldSimulation &simulation, PoseTexture &poses, const std::vector<int> &block_of_page,
+			TipContact *contact, int workers);
 	/// Until the step is done; at once where there is none.
 	void wait();
 	/// Time that the last step took of all threads together.
@@ -33,7 +35,8 @@ private:
 	enum Phase : int { STEP, GATHER, SORT, COUNT, SEPARATE, WRITE, PHASES };
 
 	FieldSimulation *stepped = nullptr;
-	FieldBends *written = nullptr;
+	PoseTexture *written = nullptr;
+	const std::vector<int> *blocks = nullptr; ///< By page.
 	TipContact *touching = nullptr;
 	std::atomic<int> next_part[PHASES] = {};
 	std::atomic<int> parts_done[PHASES] = {};
@@ -45,6 +48,7 @@ private:
 	static void work(void *self, uint32_t worker);
 	int parts_of(int phase) const;
 	void do_part(int phase, int part);
+	void write(int page);
 };
 
 } // namespace undergrowth

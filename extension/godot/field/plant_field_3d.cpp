@@ -1,146 +1,298 @@
-// PlantField3D's life in the tree. What users set: plant_field_3d_*_properties.cpp.
+// PlantField3D's life in the tree. plant_field_3d_properties.cpp has what users set, plant_field_3d_plants.cpp what
+// they ask.
 
 #include "field/plant_field_3d.hpp"
 
 #include "follow_changes.hpp"
+#include "species_functions.hpp"
 
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/classes/path3d.hpp>
+#include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/classes/world3d.hpp>
+#include <godot_cpp/variant/utility_functions.hpp>
 
-#include <cmath>
+#include <chrono>
 
 using namespace godot;
 
 namespace undergrowth {
 
-static constexpr double USUAL_STEP = 1.0 / 60.0; // s.
+using Clock = std::chrono::steady_clock;
 
-PlantField3D::PlantField3D() : clock(USUAL_STEP) {
-	levels = { 12, 6, 3, 2 };
-	level_distances = { 12.0f, 25.0f, 50.0f };
+static constexpr int FRAMES_BETWEEN_LOOKS = 8; // At what cannot tell that it changed.
+static const char *const FRAME_METHOD = "_on_tree_frame";
+static const char *const PHYSICS_METHOD = "_on_physics_frame";
+
+PlantField3D::PlantField3D() :
+		meadow(this, properties,
+				{ [this](const String &fault) { report_problem(fault); },
+						[this](float ratio) { emit_signal("fill_progressed", ratio); },
+						[this] { emit_signal("filled"); },
+						[this](Skeleton3D *skeleton, bool is_shown) { tell_of_skeleton(skeleton, is_shown); } }) {
+	Ref<GrassFunction> grass;
+	grass.instantiate();
+	properties.stand.species.push_back(PlantFieldSpecies::of(grass));
+	follow_species();
 }
 
 PlantField3D::~PlantField3D() {
-	finish_step();
-	fill_job.reset();
+	meadow.motion.wait();
+}
+
+PlantField3D *PlantField3D::from_species(const Array &functions, const PackedFloat32Array &shares) {
+	PlantField3D *field = memnew(PlantField3D);
+	TypedArray<PlantFieldSpecies> listed;
+	for (int64_t i = 0; i < functions.size(); i++) {
+		const Ref<PlantFunction> function = functions[i];
+		if (function.is_null()) {
+			report_error(field, "from_species() needs PlantFunctions; entry " + String::num_int64(i) + " is none.");
+			continue;
+		}
+		listed.push_back(PlantFieldSpecies::of(function, i < shares.size() ? double(shares[i]) : 1.0));
+	}
+	field->set_species(listed);
+	return field;
+}
+
+AABB PlantField3D::_get_aabb() const {
+	const AABB drawn = meadow.box();
+	if (drawn.has_volume()) {
+		return drawn;
+	}
+	const AreaBox area = bounding_box(outline_polygon());
+	return AABB(Vector3(area.low.x, 0.0f, area.low.y), Vector3(area.high.x - area.low.x, 1.0f, area.high.y - area.low.y));
+}
+
+void PlantField3D::report_problem(const String &what) {
+	if (what != problem) { // The same fault is told once, however often the field is filled.
+		problem = what;
+		if (!problem.is_empty()) {
+			report_error(this, problem);
+		}
+		update_configuration_warnings();
+	}
 }
 
 PackedStringArray PlantField3D::_get_configuration_warnings() const {
 	PackedStringArray warnings;
-	if (species.is_empty()) {
-		warnings.push_back("This field needs a species: add a PlantFunction, such as a GrassFunction, to Species.");
-	} else if (!problem.is_empty()) {
+	if (!problem.is_empty()) {
 		warnings.push_back(problem);
+	} else if (properties.stand.species.is_empty()) {
+		warnings.push_back("This field grows nothing by itself: add a PlantFieldSpecies with a PlantFunction, such as a "
+						   "GrassFunction, to Species.");
 	}
-	if (levels.size() > level_distances.size() + 1) {
-		warnings.push_back("Only " + String::num_int64(level_distances.size() + 1) + " of " +
-				String::num_int64(levels.size()) +
-				" Levels are drawn: give Level Distances a number for each level but the last.");
+	if (properties.motion.prototypes > 0 && properties.motion.contact_enabled) {
+		warnings.push_back("Plants that follow Prototypes do not touch each other: set Prototypes to 0, or Contact "
+						   "Enabled off.");
 	}
-	if (options.prototypes > 0 && options.contact) {
-		warnings.push_back(
-				"Plants that follow Prototypes do not touch each other: set Prototypes to 0, or Contact off.");
-	}
-	if (wind.is_valid() && wind->get_strength() == 0.0) {
+	if (properties.motion.wind.is_valid() && properties.motion.wind->get_strength() == 0.0) {
 		warnings.push_back(
 				"The wind has a strength of 0 N, so these plants stand still: raise Strength in their Wind.");
 	}
 	return warnings;
 }
 
-// The inspector shows what counts for this ground and area. (Properties with a slider stay: a new list would end the
-// dragging of it.)
-void PlantField3D::_validate_property(PropertyInfo &property) const {
-	const String name = property.name;
-	const bool is_flat = options.ground == GROUND_NONE;
-	const bool is_idle = (name == "size" && area.is_valid()) ||
-			(name == "ground_mask" && options.ground != GROUND_COLLIDERS) ||
-			(name == "ground_mesh" && options.ground != GROUND_MESH) ||
-			(is_flat && (name == "height_limits" || name.begins_with("slope_")));
-	if (is_idle) {
-		property.usage &= ~uint32_t(PROPERTY_USAGE_EDITOR);
+// Many properties may change in one frame; the field grows once, after it.
+void PlantField3D::mark_stale(bool stand) {
+	stand_is_stale = stand_is_stale || stand;
+	look_is_stale = true;
+	if (is_inside_tree() && !fill_is_queued) {
+		fill_is_queued = true;
+		call_deferred("_on_fill_queued");
 	}
 }
 
-void PlantField3D::on_species_changed() {
-	for (int64_t i = 0; i < species.size(); i++) {
-		const Ref<PlantFunction> function = species[i];
-		if (function.is_null()) {
-			return; // The library was reloaded, and the engine has not set it again yet.
-		}
-		if (!function->is_motion_change()) {
-			continue;
-		}
-		// Only how it moves: its plants stay, and so does their motion.
-		finish_step();
-		for (size_t look = 0; look < style.looks.size(); look++) {
-			if (style.looks[look].function == function && simulation) {
-				style.looks[look].read_motion();
-				simulation->set_species(int(look), style.looks[look].motion);
-			}
-		}
+void PlantField3D::on_fill_queued() {
+	fill_is_queued = false;
+	if (!is_inside_tree() || (!stand_is_stale && !look_is_stale)) {
 		return;
 	}
-	mark_stale();
+	const bool stand = stand_is_stale;
+	stand_is_stale = look_is_stale = false;
+	watch_nodes();
+	meadow.fill(stand);
+	follow_frames(meadow.is_filling());
 }
 
-void PlantField3D::on_area_changed() {
-	mark_stale();
+void PlantField3D::fill() {
+	stand_is_stale = true;
+	if (is_inside_tree()) { // Else it grows when it enters the tree.
+		on_fill_queued();
+	}
 }
 
-void PlantField3D::on_wind_changed() {
-	update_configuration_warnings();
+bool PlantField3D::is_filling() const {
+	return meadow.is_filling() || ((stand_is_stale || look_is_stale) && fill_is_queued);
 }
 
-// From the field's axes to the world's. A field that is scaled to nothing, or is nowhere, counts as one at the origin,
-// so that everything can be brought back into its axes.
-Transform3D PlantField3D::axes() const {
-	const Transform3D placed = get_global_transform();
-	const float volume = placed.basis.determinant();
-	return placed.is_finite() && std::isfinite(volume) && volume != 0.0f ? placed : Transform3D();
+bool PlantField3D::may_simulate() const {
+	return properties.motion.simulation_enabled && !Engine::get_singleton()->is_editor_hint();
+}
+
+// Growing goes on in a tree that is paused, too: somebody may wait for it behind a loading screen.
+void PlantField3D::follow_frames(bool on) {
+	SceneTree *tree = get_tree();
+	for (const auto &[signal, method] :
+			{ std::pair("process_frame", FRAME_METHOD), std::pair("physics_frame", PHYSICS_METHOD) }) {
+		const Callable listener(this, method);
+		const bool follows = tree->is_connected(signal, listener);
+		if (on && !follows) {
+			tree->connect(signal, listener);
+		} else if (!on && follows) {
+			tree->disconnect(signal, listener);
+		}
+	}
+}
+
+// Whoever hears that it is filled may take the field out of the tree.
+void PlantField3D::poll(double delta, bool physics) {
+	meadow.poll(delta, physics);
+	if (is_inside_tree() && !meadow.is_filling()) {
+		follow_frames(false);
+	}
+}
+
+void PlantField3D::on_tree_frame() {
+	poll(get_process_delta_time(), false);
+}
+
+void PlantField3D::on_physics_frame() {
+	poll(get_physics_process_delta_time(), true);
+}
+
+void PlantField3D::process_frame() {
+	const Clock::time_point start = Clock::now();
+	meadow.motion.wait();
+	wait_usec = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+	if (frames_since_look++ % FRAMES_BETWEEN_LOOKS == 0) {
+		look_around();
+	}
+	const double stepping = meadow.advance(get_process_delta_time(), may_simulate());
+	if (may_simulate()) {
+		tell_of_bodies();
+	}
+	main_usec = std::chrono::duration<double, std::micro>(Clock::now() - start).count() - wait_usec - stepping;
+}
+
+// What the engine does not tell of: its own properties of the node, entries of an array, other nodes' places.
+void PlantField3D::look_around() {
+	meadow.update_wear({ uint32_t(get_layer_mask()), get_cast_shadows_setting() != SHADOW_CASTING_SETTING_OFF,
+			get_transparency() });
+	meadow.follow_materials();
+	if (get_visibility_range_end() != seen_range) {
+		seen_range = get_visibility_range_end();
+		changed(About::view);
+	}
+	const uint64_t material = get_material_override().is_valid() ? get_material_override()->get_instance_id() : 0;
+	if (material != seen_material) {
+		seen_material = material;
+		mark_stale(false);
+	}
+	bool differs = int64_t(seen_species.size()) != properties.stand.species.size();
+	for (size_t i = 0; i < seen_species.size() && !differs; i++) {
+		const Object *entry = properties.stand.species[int64_t(i)];
+		differs = (entry ? uint64_t(entry->get_instance_id()) : 0) != seen_species[i];
+	}
+	if (differs) {
+		follow_species();
+		mark_stale(true);
+	}
+	for (Watched &one : watched) {
+		if (is_moved(one)) {
+			mark_stale(true);
+		}
+	}
+}
+
+bool PlantField3D::is_moved(Watched &one) const {
+	const Node3D *node = Object::cast_to<Node3D>(ObjectDB::get_instance(one.node));
+	if (!node || !node->is_inside_tree()) {
+		return false;
+	}
+	const Transform3D placed = get_global_transform().affine_inverse() * node->get_global_transform();
+	const bool moved = !placed.is_equal_approx(one.placed);
+	one.placed = placed;
+	return moved;
+}
+
+// Outline and exclusions are live: a point that is dragged, a path that is moved.
+void PlantField3D::watch_nodes() {
+	const Callable listener(this, "_on_area_changed");
+	for (const Watched &old : watched) {
+		Object *node = ObjectDB::get_instance(old.node);
+		if (node && node->has_signal("curve_changed") && node->is_connected("curve_changed", listener)) {
+			node->disconnect("curve_changed", listener);
+		}
+	}
+	watched.clear();
+	TypedArray<NodePath> paths = properties.stand.exclusions.duplicate();
+	paths.push_back(properties.stand.outline);
+	paths.push_back(properties.stand.ground_mode == GROUND_MESH ? properties.stand.ground_mesh : NodePath());
+	for (int64_t i = 0; i < paths.size(); i++) {
+		const NodePath path = paths[i];
+		Node3D *node = path.is_empty() ? nullptr : Object::cast_to<Node3D>(get_node_or_null(path));
+		if (!node) {
+			continue;
+		}
+		watched.push_back({ uint64_t(node->get_instance_id()), Transform3D() });
+		is_moved(watched.back());
+		if (node->has_signal("curve_changed") && !node->is_connected("curve_changed", listener)) {
+			node->connect("curve_changed", listener);
+		}
+	}
+}
+
+void PlantField3D::tell_of_bodies() {
+	for (const String &warning : meadow.motion.bodies.take_warnings()) {
+		report_warning(this, warning);
+	}
+	for (const FieldBodies::Event &event : meadow.motion.take_events()) {
+		if (Object *body = ObjectDB::get_instance(event.body)) {
+			call_deferred("emit_signal", event.has_entered ? "body_entered_plants" : "body_exited_plants", body);
+		}
+	}
+}
+
+void PlantField3D::tell_of_skeleton(Skeleton3D *skeleton, bool is_shown) {
+	call_deferred("emit_signal", is_shown ? "skeleton_shown" : "skeleton_hidden", skeleton);
 }
 
 void PlantField3D::_notification(int what) {
 	switch (what) {
 		case NOTIFICATION_ENTER_TREE:
 			set_notify_transform(true);
-			skeletons.remove_strays(this);
+			set_process_internal(true);
 			count_in_monitors(true);
-			for (const std::unique_ptr<FieldDrawing> &drawing : drawings) {
-				restart_drawing(*drawing);
+			meadow.enter_tree();
+			if (stand_is_stale || look_is_stale) {
+				mark_stale(false);
 			}
-			if (is_stale && !fill_job && !species.is_empty()) {
-				mark_stale();
-			}
-			update_processing();
+			look_around();
+			follow_frames(meadow.is_filling());
 			break;
 		case NOTIFICATION_EXIT_TREE:
-			finish_step();
+			follow_frames(false);
 			count_in_monitors(false);
-			watched.clear();
-			for (const std::unique_ptr<FieldDrawing> &drawing : drawings) {
-				drawing->set_scenario(RID());
-			}
+			meadow.exit_tree();
 			break;
 		case NOTIFICATION_EXTENSION_RELOADED:
-			skeletons.remove_strays(this);
-			mark_stale();
+			follow_species();
+			mark_stale(true);
 			break;
 		case NOTIFICATION_INTERNAL_PROCESS:
 			process_frame();
 			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
-			for (const std::unique_ptr<FieldDrawing> &drawing : drawings) {
-				drawing->set_transform(get_global_transform());
+			meadow.moved();
+			if (Engine::get_singleton()->is_editor_hint() && properties.stand.ground_mode != GROUND_NONE) {
+				mark_stale(true); // In the editor plants stand on the ground that they are moved to.
 			}
 			break;
 		case NOTIFICATION_VISIBILITY_CHANGED:
-			for (const std::unique_ptr<FieldDrawing> &drawing : drawings) {
-				drawing->set_visible(is_visible_in_tree());
-			}
-			if (simulation) {
-				finish_step();
-				upload();
-			}
+			meadow.motion.wait();
+			meadow.set_visible(is_visible_in_tree());
 			break;
 		default:
 			break;

@@ -15,17 +15,17 @@ namespace undergrowth {
 inline constexpr float FIELD_STEP = 1.0f / 60.0f; // s.
 inline constexpr float HALF_SIDE = 50.0f; // m.
 
-inline FieldPlant chance_plant(int index) {
+inline MotionPlant chance_plant(int index) {
 	const auto noise = [index](uint64_t which) { return signed_noise(which, static_cast<uint64_t>(index)); };
-	FieldPlant plant;
+	MotionPlant plant;
 	plant.root = { HALF_SIDE * noise(1), 0.2f * noise(2), HALF_SIDE * noise(3) };
 	plant.length = 0.75f + 0.25f * noise(4);
 	plant.rest = { 0.2f * noise(5), 1.0f, 0.2f * noise(6) };
 	return plant;
 }
 
-inline FieldSpecies species_of(Law law) {
-	FieldSpecies species;
+inline MotionSpecies species_of(Law law) {
+	MotionSpecies species;
 	species.law = law;
 	species.joint.mass = 0.4f;
 	return species;
@@ -41,9 +41,9 @@ inline FieldWind wave_wind() {
 }
 
 /// `count` chance plants of `species` in pages of `page_size`.
-inline void add_plants(FieldSimulation &field, int species, int count, int page_size = FieldPage::PAGE_PLANTS) {
+inline void add_plants(FieldSimulation &field, int species, int count, int page_size = MotionPage::PAGE_PLANTS) {
 	for (int begin = 0; begin < count; begin += page_size) {
-		std::vector<FieldPlant> plants;
+		std::vector<MotionPlant> plants;
 		for (int i = begin; i < std::min(begin + page_size, count); i++) {
 			plants.push_back(chance_plant(i));
 		}
@@ -61,7 +61,7 @@ inline FieldSimulation mixed_field(const FieldSettings &settings, int count_of_e
 	return field;
 }
 
-inline FieldSimulation single_plant(Law law, const FieldPlant &plant, const FieldSettings &settings = {}) {
+inline FieldSimulation single_plant(Law law, const MotionPlant &plant, const FieldSettings &settings = {}) {
 	FieldSimulation field(settings);
 	field.add_page(field.add_species(species_of(law)), &plant, 1);
 	return field;
@@ -70,7 +70,9 @@ inline FieldSimulation single_plant(Law law, const FieldPlant &plant, const Fiel
 inline uint64_t hash_field(const FieldSimulation &field) {
 	GoldenHash hash;
 	for (int page = 0; page < field.page_count(); page++) {
-		hash.add(field.page(page).bends(), 2 * static_cast<std::size_t>(field.page(page).size()));
+		if (field.page(page).swings()) {
+			hash.add(field.page(page).bends(), 2 * static_cast<std::size_t>(field.page(page).size()));
+		}
 		for (int i = 0; i < field.page(page).size(); i++) {
 			const TipState state = field.state(page, i);
 			hash.add(&state, 1);

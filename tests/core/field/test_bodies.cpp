@@ -24,7 +24,7 @@ FieldBody walker(float x) {
 }
 
 FieldSimulation calm_plant(Law law) {
-	FieldPlant plant;
+	MotionPlant plant;
 	plant.root.z = 0.1f;
 	FieldSimulation field = single_plant(law, plant);
 	field.set_wind({ { WindKind::constant, 0.0f }, 0.0f });
@@ -109,4 +109,100 @@ TEST_CASE("a body on top of a stem, or with its axis in the tip, parts them with
 			CHECK(field.state(0, 0).direction.y > 0.0f);
 		}
 	}
+}
+
+namespace {
+
+/// A crate of 2 x 1 x 0.6 m that is turned about the vertical, its edges rounded by 2 cm.
+FieldBody crate(const glm::vec3 &middle, float turn) {
+	const glm::vec3 along = { std::cos(turn), 0.0f, -std::sin(turn) };
+	const glm::vec3 across = { std::sin(turn), 0.0f, std::cos(turn) };
+	FieldBody body;
+	body.radius = 0.02f;
+	body.from = middle - 0.98f * along;
+	body.to = middle + 0.98f * along;
+	body.half_width = { 0.0f, 0.48f, 0.0f };
+	body.half_depth = 0.28f * across;
+	return body;
+}
+
+/// m, of a point from the crate's faces; below 0 inside of it.
+float crate_distance(const glm::vec3 &middle, float turn, const glm::vec3 &point) {
+	const glm::vec3 offset = point - middle;
+	const float along = std::fabs(std::cos(turn) * offset.x - std::sin(turn) * offset.z) - 1.0f;
+	const float across = std::fabs(std::sin(turn) * offset.x + std::cos(turn) * offset.z) - 0.3f;
+	return std::max(std::max(along, across), std::fabs(offset.y) - 0.5f);
+}
+
+} // namespace
+
+TEST_CASE("tips stay outside of a crate that is pushed through them, to its corners") {
+	for (const Law law : BOTH_LAWS) {
+		for (const float turn : { 0.0f, 0.5f, 1.5707964f }) {
+			FieldSimulation field((FieldSettings()));
+			std::vector<FieldPlant> plants(41);
+			for (int i = 0; i < 41; i++) {
+				plants[static_cast<size_t>(i)].root.z = 0.05f * static_cast<float>(i - 20);
+				plants[static_cast<size_t>(i)].root.x = 0.003f * static_cast<float>(i);
+			}
+			FieldSpecies species = species_of(law);
+			species.collision_radius = 0.0f;
+			field.add_page(field.add_species(species), plants.data(), 41);
+			field.set_wind({ { WindKind::constant, 0.0f }, 0.0f });
+			float deepest = 0.0f;
+			int leaning = 0;
+			for (int i = 0; i < 150; i++) {
+				const glm::vec3 middle = { -2.0f + 1.5f * static_cast<float>(i) * FIELD_STEP, 1.1f, 0.0f };
+				FieldBody body = crate(middle, turn);
+				body.velocity.x = 1.5f;
+				field.set_bodies(&body, 1);
+				field.step();
+				for (int plant = 0; plant < 41; plant++) {
+					deepest = std::min(deepest, crate_distance(middle, turn, field.page(0).tip(plant)));
+					leaning += field.state(0, plant).direction.x > 0.3f ? 1 : 0;
+				}
+			}
+			CAPTURE(turn);
+			CHECK(deepest > -0.05f);
+			CHECK(leaning > 100);
+		}
+	}
+}
+
+TEST_CASE("a tip in the middle of a crate leaves it by its side, not by its length") {
+	for (const Law law : BOTH_LAWS) {
+		FieldSimulation field = calm_plant(law);
+		const FieldBody body = crate({ 0.3f, 1.0f, 0.0f }, 0.0f);
+		for (int i = 0; i < 30; i++) {
+			field.set_bodies(&body, 1);
+			field.step();
+		}
+		CHECK(field.page(0).tip(0).z > 0.28f);
+		CHECK(std::fabs(field.page(0).tip(0).x) < 0.05f);
+	}
+}
+
+TEST_CASE("a crate pushes nothing that it only passes by") {
+	FieldSimulation field = calm_plant(Law::elasticity);
+	CHECK(push_plants(field.page(0), crate({ 0.0f, 1.0f, 0.48f }, 0.0f)) == 0);
+	CHECK(push_plants(field.page(0), crate({ 0.0f, 1.0f, 0.4f }, 0.0f)) == 1);
+	CHECK(push_plants(field.page(0), crate({ 1.1f, 1.0f, 0.1f }, 0.0f)) == 0);
+}
+
+TEST_CASE("a body touches a plant from its root to its tip, within the margin") {
+	FieldSimulation field = calm_plant(Law::elasticity);
+	FieldBody ball;
+	ball.radius = 0.1f;
+	for (const float height : { 0.0f, 0.25f, 0.5f, 0.75f }) {
+		ball.from = ball.to = { 0.25f, height, 0.1f };
+		CHECK(!touches_plants(field.page(0), ball, 0.14f));
+		CHECK(touches_plants(field.page(0), ball, 0.16f));
+	}
+	ball.from = ball.to = { 0.25f, 1.0f, 0.1f };
+	CHECK(touches_plants(field.page(0), ball, 0.11f)); // The tip is a sphere.
+	ball.from = { -3.0f, 0.5f, 0.2f };
+	ball.to = { 3.0f, 0.5f, 0.2f };
+	CHECK(touches_plants(field.page(0), ball, 0.05f)); // A long log touches with its middle, too.
+	CHECK(touches_plants(field.page(0), crate({ 0.9f, 0.5f, 0.1f }, 0.0f), 0.0f));
+	CHECK(!touches_plants(field.page(0), crate({ 1.1f, 0.5f, 0.1f }, 0.0f), 0.05f));
 }

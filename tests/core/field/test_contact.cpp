@@ -20,17 +20,17 @@ constexpr float DEEPEST = 0.25f * RADIUS; // What fast tips may overlap after a 
 constexpr double ENERGY_TOLERANCE = 1e-3;
 constexpr float REST_SPEED = 1e-3f; // 1/s.
 
-FieldSpecies tips_of(Law law) {
-	FieldSpecies species = species_of(law);
+MotionSpecies tips_of(Law law) {
+	MotionSpecies species = species_of(law);
 	species.collision_radius = RADIUS;
 	species.joint.inner_friction = 0.0f;
 	species.joint.damping_ratio = 0.0f;
 	return species;
 }
 
-FieldSimulation row_of(const FieldSpecies &species, int count, float spacing) {
+FieldSimulation row_of(const MotionSpecies &species, int count, float spacing) {
 	FieldSimulation field((FieldSettings()));
-	std::vector<FieldPlant> plants(static_cast<size_t>(count));
+	std::vector<MotionPlant> plants(static_cast<size_t>(count));
 	for (int i = 0; i < count; i++) {
 		plants[static_cast<size_t>(i)].root.x = spacing * static_cast<float>(i);
 	}
@@ -41,7 +41,7 @@ FieldSimulation row_of(const FieldSpecies &species, int count, float spacing) {
 
 /// J; the elasticity law's force is (1 + e)·m·g·|y| upwards and m·g downwards, hence U = m·g·(L·y - (1 + e)·L·y²/2).
 /// The spring law's t obeys t'' = -ω²·t: over m, (|t'|² + ω²·|t|²)/2.
-double energy(const FieldSimulation &field, const FieldSpecies &species) {
+double energy(const FieldSimulation &field, const MotionSpecies &species) {
 	const double mass = static_cast<double>(species.joint.mass);
 	const double gravity = static_cast<double>(STANDARD_GRAVITY);
 	double sum = 0.0;
@@ -71,7 +71,7 @@ float tip_distance(const FieldSimulation &field, int a, int b) {
 
 TEST_CASE("two plants that swing into each other part, and lose energy, never gain") {
 	for (const Law law : BOTH_LAWS) {
-		const FieldSpecies species = tips_of(law);
+		const MotionSpecies species = tips_of(law);
 		double most[2] = {}; // Without contact, and with it.
 		for (const bool touching : { false, true }) {
 			FieldSimulation field = row_of(species, 2, 0.4f);
@@ -97,9 +97,9 @@ TEST_CASE("two plants that swing into each other part, and lose energy, never ga
 TEST_CASE("a contact by itself never adds energy of motion, however many tips meet") {
 	for (const Law law : BOTH_LAWS) {
 		for (int trial = 0; trial < 50; trial++) {
-			const FieldSpecies species = tips_of(law);
+			const MotionSpecies species = tips_of(law);
 			FieldSimulation field((FieldSettings()));
-			std::vector<FieldPlant> plants(40);
+			std::vector<MotionPlant> plants(40);
 			for (int i = 0; i < 40; i++) {
 				plants[static_cast<size_t>(i)].root = { 0.3f * static_cast<float>(i % 7), 0.0f,
 					0.3f * static_cast<float>(i / 7) };
@@ -131,7 +131,7 @@ TEST_CASE("a contact by itself never adds energy of motion, however many tips me
 
 TEST_CASE("plants pushed together by a wind part when it ends, and come to rest") {
 	for (const Law law : BOTH_LAWS) {
-		FieldSpecies species = tips_of(law);
+		MotionSpecies species = tips_of(law);
 		species.joint.inner_friction = 0.6f;
 		species.joint.damping_ratio = 0.2f;
 		FieldSimulation field = row_of(species, 2, 0.35f);
@@ -175,12 +175,12 @@ TEST_CASE("plants that stand too close to be apart in calm air stay at rest") {
 
 TEST_CASE("the grid finds the contacts that comparing every pair finds") {
 	FieldSimulation field((FieldSettings()));
-	FieldSpecies species = tips_of(Law::elasticity);
+	MotionSpecies species = tips_of(Law::elasticity);
 	const int kind = field.add_species(species);
 	for (int page = 0; page < 3; page++) {
-		std::vector<FieldPlant> plants;
+		std::vector<MotionPlant> plants;
 		for (int i = 0; i < 300; i++) {
-			FieldPlant plant = chance_plant(1000 * page + i);
+			MotionPlant plant = chance_plant(1000 * page + i);
 			plant.root *= 0.08f;
 			plants.push_back(plant);
 		}
@@ -199,8 +199,8 @@ TEST_CASE("the grid finds the contacts that comparing every pair finds") {
 	for (int a = 0; a < 900; a++) {
 		int expected = 0;
 		for (int b = 0; b < 900; b++) {
-			const FieldPage &first = field.page(a / 300);
-			const FieldPage &second = field.page(b / 300);
+			const MotionPage &first = field.page(a / 300);
+			const MotionPage &second = field.page(b / 300);
 			const glm::vec3 up = { 0.0f, 1.0f, 0.0f };
 			const float calm = glm::distance(first.root(a % 300) + first.length(a % 300) * up,
 					second.root(b % 300) + second.length(b % 300) * up);
@@ -219,4 +219,198 @@ TEST_CASE("a field with contact keeps within its memory") {
 	TipContact contact;
 	contact.fit(field);
 	CHECK(field.bytes_per_plant() + static_cast<double>(contact.bytes()) / 100000.0 <= 96.0);
+}
+
+namespace {
+
+constexpr float ABSURD_RADIUS = 50.0f; // m.
+
+/// `count` chance plants on 30 x 30 m, as many as fields have, with tips of `radius`.
+FieldSimulation lawn_of(Law law, int count, float radius) {
+	FieldSpecies species = tips_of(law);
+	species.collision_radius = radius;
+	FieldSimulation field((FieldSettings()));
+	std::vector<FieldPlant> plants;
+	for (int i = 0; i < count; i++) {
+		plants.push_back(chance_plant(i));
+		plants.back().root *= 0.3f;
+		plants.back().rest = { 0.0f, 1.0f, 0.0f };
+	}
+	field.add_page(field.add_species(species), plants.data(), count);
+	field.set_wind({ { WindKind::constant, 0.0f }, 0.0f });
+	return field;
+}
+
+void find_contacts(TipContact &contact, FieldSimulation &field) {
+	contact.gather(field, 0, field.page_count());
+	contact.sort();
+	contact.count(field, 0, field.page_count());
+}
+
+/// Two plants 1 m high, each of a species of its own, 0.4 m apart.
+FieldSimulation pair_of(const FieldSpecies &left, const FieldSpecies &right) {
+	FieldSimulation field((FieldSettings()));
+	FieldPlant plant;
+	field.add_page(field.add_species(left), &plant, 1);
+	plant.root.x = 0.4f;
+	field.add_page(field.add_species(right), &plant, 1);
+	return field;
+}
+
+} // namespace
+
+TEST_CASE("contact costs as much as there are plants, whatever their radius") {
+	for (const float radius : { RADIUS, 1.0f, ABSURD_RADIUS }) {
+		for (const int count : { 500, 1000, 2000, 4000 }) {
+			FieldSimulation field = lawn_of(Law::elasticity, count, radius);
+			for (int i = 0; i < count; i++) {
+				field.page(0).set_state(i, { { 0.5f * signed_noise(9, static_cast<uint64_t>(i)), 0.8f, 0.0f }, {} });
+			}
+			TipContact contact;
+			contact.fit(field);
+			find_contacts(contact, field);
+			CAPTURE(radius);
+			CHECK(contact.candidate_count() <= static_cast<std::size_t>(count * TipContact::MOST_CONTACTS));
+			CHECK(contact.is_crowded() == (radius > RADIUS));
+			int most = 0;
+			for (int i = 0; i < count; i++) {
+				most = std::max(most, contact.contacts(0, i));
+			}
+			CHECK(most > 0);
+			CHECK(most <= TipContact::MOST_CONTACTS);
+		}
+	}
+}
+
+TEST_CASE("tips of any radius never gain energy of motion from contact") {
+	for (const Law law : BOTH_LAWS) {
+		for (const float radius : { 0.5f, 3.0f, ABSURD_RADIUS }) {
+			const int count = 600;
+			FieldSimulation field = lawn_of(law, count, radius);
+			const auto noise = [](int which, int i) {
+				return signed_noise(static_cast<uint64_t>(which), static_cast<uint64_t>(i));
+			};
+			double before = 0.0;
+			for (int i = 0; i < count; i++) {
+				field.page(0).set_state(i,
+						{ { 0.4f * noise(21, i), 1.0f, 0.4f * noise(22, i) }, { noise(23, i), 0.0f, noise(24, i) } });
+				const glm::vec3 way = field.page(0).length(i) * field.state(0, i).rate;
+				before += static_cast<double>(glm::dot(way, way));
+			}
+			TipContact contact;
+			contact.fit(field);
+			contact.resolve(field);
+			double after = 0.0;
+			for (int i = 0; i < count; i++) {
+				const glm::vec3 way = field.page(0).length(i) * field.state(0, i).rate;
+				after += static_cast<double>(glm::dot(way, way));
+			}
+			CAPTURE(radius);
+			CHECK(after <= before * (1.0 + 1e-5));
+			CHECK(after < 0.95 * before);
+		}
+	}
+}
+
+TEST_CASE("a crowd of tips with an absurd radius comes to rest") {
+	for (const Law law : BOTH_LAWS) {
+		FieldSimulation field = lawn_of(law, 300, ABSURD_RADIUS);
+		TipContact contact;
+		contact.fit(field);
+		for (int i = 0; i < 300; i++) {
+			field.apply_impulse(0, i, { 0.3f * signed_noise(31, static_cast<uint64_t>(i)), 0.0f, 0.1f });
+		}
+		FieldSpecies species = tips_of(law);
+		double most = energy(field, species);
+		const double start = most;
+		for (int i = 0; i < 600; i++) {
+			field.step();
+			contact.resolve(field);
+			most = std::max(most, energy(field, species));
+		}
+		CHECK(most <= start * (1.0 + 0.05));
+		CHECK(energy(field, species) < 0.5 * start);
+	}
+}
+
+TEST_CASE("large tips touch wherever their species stands among others") {
+	FieldSpecies large = tips_of(Law::elasticity);
+	large.collision_radius = 0.3f;
+	const FieldSpecies small = tips_of(Law::elasticity);
+	for (const bool is_last : { false, true }) {
+		FieldSimulation field((FieldSettings()));
+		std::vector<FieldPlant> plants(2);
+		plants[1].root.x = 0.7f;
+		FieldPlant far;
+		far.root.x = 30.0f;
+		const int first = field.add_species(is_last ? small : large);
+		const int second = field.add_species(is_last ? large : small);
+		field.add_page(first, is_last ? &far : plants.data(), is_last ? 1 : 2);
+		field.add_page(second, is_last ? plants.data() : &far, is_last ? 2 : 1);
+		const int page = is_last ? 1 : 0;
+		field.page(page).set_state(0, { { 0.1f, 1.0f, 0.0f }, {} });
+		field.page(page).set_state(1, { { -0.1f, 1.0f, 0.0f }, {} });
+		TipContact contact;
+		contact.fit(field);
+		find_contacts(contact, field);
+		CHECK(contact.contacts(page, 0) == 1);
+		CHECK(contact.contacts(page, 1) == 1);
+	}
+}
+
+TEST_CASE("tips at the very same place part") {
+	FieldSimulation field = row_of(tips_of(Law::elasticity), 2, 1.2f);
+	field.page(0).set_state(0, { { 0.6f, 0.8f, 0.0f }, {} });
+	field.page(0).set_state(1, { { -0.6f, 0.8f, 0.0f }, {} });
+	REQUIRE(tip_distance(field, 0, 1) == 0.0f);
+	TipContact contact;
+	contact.fit(field);
+	contact.resolve(field);
+	CHECK(contact.contacts(0, 0) == 1);
+	CHECK(tip_distance(field, 0, 1) > RADIUS);
+}
+
+TEST_CASE("of two that meet the heavier one gives way less, and their momentum stays") {
+	for (const Law law : BOTH_LAWS) {
+		FieldSpecies light = tips_of(law);
+		FieldSpecies heavy = tips_of(law);
+		light.joint.mass = 0.1f;
+		heavy.joint.mass = 0.9f;
+		FieldSimulation field = pair_of(light, heavy);
+		const glm::vec3 inwards = { 0.12f, 1.0f, 0.0f };
+		const glm::vec3 outwards = { -0.12f, 1.0f, 0.0f };
+		field.page(0).set_state(0, { inwards, { 0.5f, 0.0f, 0.0f } });
+		field.page(1).set_state(0, { outwards, { -0.5f, 0.0f, 0.0f } });
+		const float before[] = { field.state(0, 0).rate.x, field.state(1, 0).rate.x };
+		const float at[] = { field.page(0).tip(0).x, field.page(1).tip(0).x };
+		TipContact contact;
+		contact.fit(field);
+		contact.resolve(field);
+		const float slowed[] = { before[0] - field.state(0, 0).rate.x, field.state(1, 0).rate.x - before[1] };
+		const float moved[] = { at[0] - field.page(0).tip(0).x, field.page(1).tip(0).x - at[1] };
+		CHECK(slowed[1] > 0.01f);
+		CHECK(slowed[0] == doctest::Approx(9.0f * slowed[1]).epsilon(0.05));
+		CHECK(moved[1] > 0.001f);
+		CHECK(moved[0] == doctest::Approx(9.0f * moved[1]).epsilon(0.1));
+	}
+}
+
+TEST_CASE("a radius that grows while plants swing reaches their contact, and bodies that touch them") {
+	FieldSpecies species = tips_of(Law::elasticity);
+	species.collision_radius = 0.02f;
+	FieldSimulation field = pair_of(species, species);
+	TipContact contact;
+	contact.fit(field);
+	species.collision_radius = 0.3f;
+	field.set_species(0, species);
+	field.set_species(1, species);
+	field.page(0).set_state(0, { { 0.1f, 1.0f, 0.0f }, {} });
+	contact.resolve(field);
+	CHECK(contact.contacts(0, 0) == 1);
+	CHECK(glm::distance(field.page(0).tip(0), field.page(1).tip(0)) > 0.35f);
+	FieldBody ball;
+	ball.radius = 0.1f;
+	ball.from = ball.to = field.page(1).root(0) + glm::vec3(0.0f, 1.35f, 0.0f);
+	CHECK(boxes_overlap(field.page(1), ball));
+	CHECK(touches_plants(field.page(1), ball, 0.0f));
 }

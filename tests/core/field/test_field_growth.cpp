@@ -12,7 +12,7 @@ TEST_CASE("a page that grew moves as one that was made whole") {
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		FieldSimulation whole({});
 		FieldSimulation grown({});
-		std::vector<FieldPlant> plants;
+		std::vector<MotionPlant> plants;
 		for (int i = 0; i < 100; i++) {
 			plants.push_back(chance_plant(i));
 		}
@@ -36,7 +36,7 @@ TEST_CASE("followers that come later follow a prototype of their own") {
 	settings.prototypes = 8;
 	FieldSimulation field(settings);
 	add_plants(field, field.add_species(species_of(Law::spring)), 10);
-	const FieldPlant more[2] = { chance_plant(10), chance_plant(11) };
+	const MotionPlant more[2] = { chance_plant(10), chance_plant(11) };
 	CHECK(field.add_to_page(0, more, 2));
 	CHECK(field.plant_count() == 12);
 	CHECK(field.follower(0, 11).prototype < 8);
@@ -53,7 +53,7 @@ TEST_CASE("plants that come later leave the motion of the others as it is") {
 	alone.set_wind(wave_wind());
 	for (int i = 0; i < 60; i++) {
 		if (i == 30) {
-			const FieldPlant more = chance_plant(50);
+			const MotionPlant more = chance_plant(50);
 			CHECK(field.add_to_page(0, &more, 1));
 		}
 		field.step();
@@ -66,15 +66,15 @@ TEST_CASE("plants that come later leave the motion of the others as it is") {
 
 TEST_CASE("a full page and plants that are none are refused, and nothing is added") {
 	FieldSimulation field({});
-	add_plants(field, field.add_species(species_of(Law::spring)), FieldPage::PAGE_PLANTS - 1);
-	const FieldPlant two[2] = { chance_plant(1), chance_plant(2) };
+	add_plants(field, field.add_species(species_of(Law::spring)), MotionPage::PAGE_PLANTS - 1);
+	const MotionPlant two[2] = { chance_plant(1), chance_plant(2) };
 	CHECK_FALSE(field.add_to_page(0, two, 2));
-	FieldPlant bad = chance_plant(3);
+	MotionPlant bad = chance_plant(3);
 	bad.length = 0.0f;
 	CHECK_FALSE(field.add_to_page(0, &bad, 1));
-	CHECK(field.plant_count() == FieldPage::PAGE_PLANTS - 1);
+	CHECK(field.plant_count() == MotionPage::PAGE_PLANTS - 1);
 	CHECK(field.add_to_page(0, two, 1));
-	CHECK(field.plant_count() == FieldPage::PAGE_PLANTS);
+	CHECK(field.plant_count() == MotionPage::PAGE_PLANTS);
 }
 
 } // namespace undergrowth

@@ -14,17 +14,16 @@ namespace {
 constexpr float JUMP = 0.12f; // Between two steps: what waves and ringing down make of a direction, and some.
 constexpr int RUNG_DOWN = static_cast<int>((LoosePlants::ALONE + LoosePlants::GOING_BACK) / FIELD_STEP) + 2; // Steps.
 
-FieldSimulation following_field(Law law, bool write_followers, int count = 200) {
+FieldSimulation following_field(Law law, int count = 200) {
 	FieldSettings settings;
 	settings.prototypes = 16;
-	settings.write_followers = write_followers;
 	FieldSimulation field(settings);
-	std::vector<FieldPlant> plants;
+	std::vector<MotionPlant> plants;
 	for (int i = 0; i < count; i++) {
-		FieldPlant plant = chance_plant(i);
+		MotionPlant plant = chance_plant(i);
 		plant.root = { 0.1f * static_cast<float>(i % 100), 0.0f, 0.4f * static_cast<float>(i / 100) };
 		plants.push_back(plant);
-		if (i == count - 1 || static_cast<int>(plants.size()) == FieldPage::PAGE_PLANTS) {
+		if (i == count - 1 || static_cast<int>(plants.size()) == MotionPage::PAGE_PLANTS) {
 			const int kind = field.species_count() > 0 ? 0 : field.add_species(species_of(law));
 			field.add_page(kind, plants.data(), static_cast<int>(plants.size()));
 			plants.clear();
@@ -48,7 +47,7 @@ FieldBody walker(float x) {
 }
 
 float depth(const FieldSimulation &field, int plant, const FieldBody &body) {
-	const FieldPage &page = field.page(0);
+	const MotionPage &page = field.page(0);
 	const glm::vec3 tip = page.root(plant) + page.length(plant) * field.state(0, plant).direction;
 	return body.radius - glm::distance(tip, nearest_on_segment(body.from, body.to, tip));
 }
@@ -57,40 +56,38 @@ float depth(const FieldSimulation &field, int plant, const FieldBody &body) {
 
 TEST_CASE("a body pushes plants that follow, which ring down and follow again without a jump") {
 	for (const Law law : { Law::elasticity, Law::spring }) {
-		for (const bool write_followers : { true, false }) {
-			FieldSimulation field = following_field(law, write_followers);
-			const int plants = field.plant_count();
-			int most_loose = 0;
-			std::vector<glm::vec3> before(static_cast<size_t>(plants));
-			for (int i = 0; i < 240 + RUNG_DOWN; i++) {
-				const FieldBody body = walker(1.0f + 1.5f * FIELD_STEP * static_cast<float>(i));
-				field.set_bodies(&body, i < 240 ? 1 : 0);
-				field.step();
-				most_loose = std::max(most_loose, field.loose_plants(0)->count());
-				for (int k = 0; k < plants; k++) {
-					if (i < 240) {
-						REQUIRE(depth(field, k, body) < 0.05f);
-					}
-					const glm::vec3 now = field.state(0, k).direction;
-					if (i > 242) {
-						REQUIRE(glm::distance(now, before[static_cast<size_t>(k)]) < JUMP);
-					}
-					before[static_cast<size_t>(k)] = now;
-				}
-			}
-			CHECK(most_loose > 20);
-			CHECK(most_loose < plants);
-			CHECK(field.loose_plants(0)->count() == 0);
+		FieldSimulation field = following_field(law);
+		const int plants = field.plant_count();
+		int most_loose = 0;
+		std::vector<glm::vec3> before(static_cast<size_t>(plants));
+		for (int i = 0; i < 240 + RUNG_DOWN; i++) {
+			const FieldBody body = walker(1.0f + 1.5f * FIELD_STEP * static_cast<float>(i));
+			field.set_bodies(&body, i < 240 ? 1 : 0);
+			field.step();
+			most_loose = std::max(most_loose, field.loose_plants(0)->count());
 			for (int k = 0; k < plants; k++) {
-				REQUIRE(field.follower(0, k).loose == 0);
+				if (i < 240) {
+					REQUIRE(depth(field, k, body) < 0.05f);
+				}
+				const glm::vec3 now = field.state(0, k).direction;
+				if (i > 242) {
+					REQUIRE(glm::distance(now, before[static_cast<size_t>(k)]) < JUMP);
+				}
+				before[static_cast<size_t>(k)] = now;
 			}
+		}
+		CHECK(most_loose > 20);
+		CHECK(most_loose < plants);
+		CHECK(field.loose_plants(0)->count() == 0);
+		for (int k = 0; k < plants; k++) {
+			REQUIRE(field.follower(0, k).loose == 0);
 		}
 	}
 }
 
 TEST_CASE("plants that nobody pushes go on following, whatever their neighbours do") {
-	FieldSimulation pushed = following_field(Law::elasticity, true);
-	FieldSimulation calm = following_field(Law::elasticity, true);
+	FieldSimulation pushed = following_field(Law::elasticity);
+	FieldSimulation calm = following_field(Law::elasticity);
 	for (int i = 0; i < 300; i++) {
 		const FieldBody body = walker(4.0f);
 		pushed.set_bodies(&body, i < 30 ? 1 : 0);
@@ -102,14 +99,14 @@ TEST_CASE("plants that nobody pushes go on following, whatever their neighbours 
 				loose++;
 				continue;
 			}
-			REQUIRE(pushed.page(0).bends()[2 * k + 1] == calm.page(0).bends()[2 * k + 1]);
+			REQUIRE(pushed.state(0, k).direction == calm.state(0, k).direction);
 		}
 		REQUIRE(loose == pushed.loose_plants(0)->count());
 	}
 }
 
 TEST_CASE("a blow moves a plant that follows, for a while") {
-	FieldSimulation field = following_field(Law::spring, false);
+	FieldSimulation field = following_field(Law::spring);
 	const glm::vec3 before = field.state(0, 7).direction;
 	const int version = field.loose_version(0);
 	field.apply_impulse(0, 7, { 1.0f, 0.0f, 0.0f });
@@ -127,7 +124,7 @@ TEST_CASE("a blow moves a plant that follows, for a while") {
 }
 
 TEST_CASE("no more plants swing by themselves than there is room for") {
-	FieldSimulation field = following_field(Law::elasticity, false, LoosePlants::MOST + 500);
+	FieldSimulation field = following_field(Law::elasticity, LoosePlants::MOST + 500);
 	for (int page = 0; page < field.page_count(); page++) {
 		for (int i = 0; i < field.page(page).size(); i++) {
 			field.apply_impulse(page, i, { 0.1f, 0.0f, 0.0f });
@@ -141,7 +138,7 @@ TEST_CASE("no more plants swing by themselves than there is room for") {
 }
 
 TEST_CASE("removing plants keeps who swings by itself apart") {
-	FieldSimulation field = following_field(Law::elasticity, true, 60);
+	FieldSimulation field = following_field(Law::elasticity, 60);
 	for (int i = 0; i < 60; i += 2) {
 		field.apply_impulse(0, i, { 0.4f, 0.0f, 0.0f });
 	}
@@ -163,4 +160,54 @@ TEST_CASE("removing plants keeps who swings by itself apart") {
 		}
 		REQUIRE(pointed_at == loose.count());
 	}
+}
+
+TEST_CASE("a follower of a species that leans swings about its rest direction when it was pushed") {
+	MotionSpecies species = species_of(Law::spring);
+	species.lean = 0.5f;
+	species.joint.damping_ratio = 1.0f;
+	FieldSettings settings;
+	settings.prototypes = 16;
+	FieldSimulation field(settings);
+	std::vector<MotionPlant> plants(10);
+	for (int i = 0; i < 10; i++) {
+		const float around = 0.6f * static_cast<float>(i);
+		plants[static_cast<size_t>(i)].root.x = static_cast<float>(i);
+		plants[static_cast<size_t>(i)].rest = { std::sin(0.5f) * std::sin(around), std::cos(0.5f),
+			std::sin(0.5f) * std::cos(around) };
+	}
+	field.add_page(field.add_species(species), plants.data(), 10);
+	field.set_wind({ { WindKind::constant, 0.0f }, 0.0f });
+	field.step();
+	std::vector<glm::vec3> rests;
+	for (int i = 0; i < 10; i++) {
+		rests.push_back(field.state(0, i).direction);
+		field.apply_impulse(0, i, { 0.2f, 0.0f, 0.2f });
+	}
+	for (int i = 0; i < static_cast<int>(0.9f * LoosePlants::ALONE / FIELD_STEP); i++) {
+		field.step();
+	}
+	REQUIRE(field.loose_plants(0)->count() == 10);
+	for (int i = 0; i < 10; i++) {
+		CHECK(glm::distance(field.state(0, i).direction, rests[static_cast<size_t>(i)]) < 0.01f);
+	}
+}
+
+TEST_CASE("a follower that is pushed again goes on alone for as long as after the first push") {
+	FieldSimulation field = following_field(Law::spring);
+	const int almost = static_cast<int>(0.9f * LoosePlants::ALONE / FIELD_STEP);
+	field.apply_impulse(0, 7, { 0.2f, 0.0f, 0.0f });
+	for (int i = 0; i < 3; i++) {
+		for (int k = 0; k < almost; k++) {
+			field.step();
+		}
+		REQUIRE(field.loose_plants(0)->count() == 1);
+		const glm::vec3 own = field.loose_plants(0)->page().direction(0);
+		REQUIRE(glm::distance(field.state(0, 7).direction, own) < 1e-3f);
+		field.apply_impulse(0, 7, { 0.2f, 0.0f, 0.0f });
+	}
+	for (int k = 0; k < RUNG_DOWN; k++) {
+		field.step();
+	}
+	CHECK(field.loose_plants(0)->count() == 0);
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "mesh/plant_mesh.hpp"
-#include "plant/sample.hpp"
 
 #include <cstring>
 #include <vector>
@@ -56,7 +55,11 @@ inline Plant make_plant(const std::vector<glm::vec2> &ring, const std::vector<fl
 
 template <class Species> Plant make_species_plant(const Species &species, int lod, float height) {
 	Plant plant = make_plant(species.base_shape(lod), std::vector<float>(lod + 1), height);
-	undergrowth::sample_species(species, lod, plant.widths.data(), plant.colors.data());
+	for (int k = 0; k <= lod; k++) {
+		const float offset = static_cast<float>(k) / static_cast<float>(lod);
+		plant.widths[k] = species.width(offset);
+		plant.colors[k] = species.color(offset);
+	}
 	return plant;
 }
 

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -141,6 +142,31 @@ TEST_CASE("a cone's smooth normals are those of the cone") {
 			const glm::dvec3 foot = glm::dvec3(mesh.positions[mesh.side(0, i)]) / 0.3;
 			const glm::dvec3 exact = glm::dvec3(foot.x, slope, foot.z) / length;
 			CHECK(glm::length(glm::dvec3(mesh.normals[mesh.side(k, i)]) - exact) < 1e-6);
+		}
+	}
+}
+
+TEST_CASE("a bulging plant's smooth normals are those of its curve, whether its rings wander or not") {
+	// Radius r(y) = 0.3·(1 + y - y²) at y = 0 to 1: differences of the rings above and below are exact.
+	constexpr int RINGS = 16;
+	std::vector<float> widths;
+	for (int k = 0; k <= RINGS; k++) {
+		const float y = static_cast<float>(k) / RINGS;
+		widths.push_back(1.0f + y - y * y);
+	}
+	for (const float deviation : { 0.0f, 1e-6f }) {
+		const BuiltMesh mesh = build(make_plant(circle_ring(24), widths, 1.0f), options_of(Shading::smooth, deviation));
+		for (int k = 0; k <= RINGS; k++) {
+			const bool is_end = k == 0 || k == RINGS;
+			// At the ends: the slope of the last band.
+			const double y = is_end ? (k == 0 ? 0.5 / RINGS : 1.0 - 0.5 / RINGS) : static_cast<double>(k) / RINGS;
+			const double slope = 0.3 * (1.0 - 2.0 * y);
+			for (int i = 0; i < mesh.points; i++) {
+				const glm::dvec3 place = mesh.positions[mesh.side(k, i)];
+				const double around = std::hypot(place.x, place.z);
+				const glm::dvec3 exact = glm::normalize(glm::dvec3(place.x / around, -slope, place.z / around));
+				CHECK(glm::length(glm::dvec3(mesh.normals[mesh.side(k, i)]) - exact) < 1e-5);
+			}
 		}
 	}
 }

@@ -1,0 +1,31 @@
+#include "field/follow_delays.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+FollowDelays::FollowDelays(float step) :
+		most_steps(std::max(static_cast<int>(std::lround(GOING_OVER / step)), 1)), steps(most_steps + 1) {}
+
+void FollowDelays::set(const DelayPlane &plane) {
+	old_plane = new_plane = wanted = plane;
+	steps = most_steps + 1;
+}
+
+void FollowDelays::step() {
+	steps = std::min(steps + 1, most_steps + 1);
+	if (steps > most_steps && wanted != new_plane) {
+		old_plane = new_plane;
+		new_plane = wanted;
+		steps = 1;
+	}
+}
+
+float FollowDelays::share(float fraction) const {
+	const float gone = static_cast<float>(steps - 1) + fraction;
+	const float part = std::clamp(gone / static_cast<float>(most_steps), 0.0f, 1.0f);
+	return part * part * (3.0f - 2.0f * part); // Without a jerk at either end.
+}
+
+} // namespace undergrowth

@@ -1,0 +1,78 @@
+#include "motion/bend_encoding.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace undergrowth {
+
+namespace {
+
+constexpr float MOST = 6e4f; // As the kernels' limit: within the range of halves.
+constexpr float LEAST_HEIGHT = 1e-6f;
+constexpr uint32_t INFINITE_HALF = 0x7c00u;
+
+uint32_t bits_of(float value) {
+	uint32_t bits;
+	std::memcpy(&bits, &value, sizeof bits);
+	return bits;
+}
+
+float float_of(uint32_t bits) {
+	float value;
+	std::memcpy(&value, &bits, sizeof value);
+	return value;
+}
+
+} // namespace
+
+uint16_t to_half(float value) {
+	const uint32_t bits = bits_of(value) & 0x7fffffffu;
+	const uint32_t sign = (bits_of(value) >> 16) & 0x8000u;
+	if (bits > 0x7f800000u) {
+		return static_cast<uint16_t>(sign | INFINITE_HALF | 0x200u);
+	}
+	if (bits >= 0x477ff000u) {
+		return static_cast<uint16_t>(sign | INFINITE_HALF);
+	}
+	if (bits < 0x38800000u) {
+		// Below 2^-14 a half has no leading one: adding 1/2 rounds to its last bit, 2^-24.
+		return static_cast<uint16_t>(sign | (bits_of(float_of(bits) + 0.5f) - 0x3f000000u));
+	}
+	return static_cast<uint16_t>(sign | ((bits - 0x38000000u + 0xfffu + ((bits >> 13) & 1u)) >> 13));
+}
+
+float from_half(uint16_t half) {
+	const uint32_t sign = static_cast<uint32_t>(half & 0x8000u) << 16;
+	const uint32_t size = half & 0x7fffu;
+	if (size >= INFINITE_HALF) {
+		return float_of(sign | 0x7f800000u | ((size & 0x3ffu) << 13));
+	}
+	// 2^112 puts the exponent, which starts from 15 instead of 127, in its place; subnormals come out right as well.
+	const float value = float_of(size << 13) * 0x1p112f;
+	return sign != 0u ? -value : value;
+}
+
+Bend encode_bend(const glm::vec3 &direction) {
+	const float scale = 1.0f / std::max(1.0f + direction.y, LEAST_HEIGHT);
+	const float x = std::clamp(direction.x * scale, -MOST, MOST);
+	const float z = std::clamp(direction.z * scale, -MOST, MOST);
+	return static_cast<Bend>(to_half(x)) | static_cast<Bend>(to_half(z)) << 16;
+}
+
+glm::vec2 stereographic(Bend bend) {
+	return { from_half(static_cast<uint16_t>(bend & 0xffffu)), from_half(static_cast<uint16_t>(bend >> 16)) };
+}
+
+glm::vec3 decode_bend(Bend bend) {
+	return from_stereographic(stereographic(bend));
+}
+
+glm::vec3 from_stereographic(const glm::vec2 &s) {
+	const float n = glm::dot(s, s);
+	return glm::vec3(2.0f * s.x, 1.0f - n, 2.0f * s.y) / (1.0f + n);
+}
+
+} // namespace undergrowth

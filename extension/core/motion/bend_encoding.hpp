@@ -1,0 +1,34 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+
+namespace undergrowth {
+
+/// How a plant's bend reaches the graphics card: the stereographic image s = (x, z)/(1 + y) of the unit direction from
+/// root to tip, as two half floats (IEEE 754 binary16, nearest, ties to even). Upright is (0, 0), the horizon the unit
+/// circle; within it neighbouring codes are less than 0.001 rad apart. Without a square root,
+/// d = (2·s.x, 1 - n, 2·s.y)/(1 + n) with n = dot(s, s), and the shortest turn from +y to d is the quaternion
+/// (s.y, 0, -s.x, 1)/sqrt(1 + n).
+///
+/// This is the only place that says so. Whole pages are encoded by motion/kernel_bends.inc, to the same bits; the
+/// mirror that reads them is undergrowth_bend() in addons/undergrowth/shaders/undergrowth_bend.gdshaderinc. Whoever
+/// changes one changes all three.
+using Bend = uint32_t; ///< s.x in the low half, s.y (of the axis z) in the high one.
+
+/// The half float nearest to `value`; beyond 65,504 it is infinite, not a number stays none.
+uint16_t to_half(float value);
+/// Exact.
+float from_half(uint16_t half);
+
+/// `direction`: unit; straight down becomes the largest code.
+Bend encode_bend(const glm::vec3 &direction);
+glm::vec2 stereographic(Bend bend);
+/// The unit direction whose stereographic image is `s`.
+glm::vec3 from_stereographic(const glm::vec2 &s);
+/// Unit.
+glm::vec3 decode_bend(Bend bend);
+
+} // namespace undergrowth

@@ -1,0 +1,40 @@
+#include "motion/fixed_step.hpp"
+
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+/// Share of a step that may be missing and still counts as a whole one: a frame of exactly one step, or twelve of
+/// 1/144 s against five of 1/60 s, must not wait for the next frame because a sum was rounded down.
+constexpr double ROUNDING = 1e-6;
+
+} // namespace
+
+FixedStep::FixedStep(double step, int max_steps) : step_length(step), most(max_steps) {}
+
+int FixedStep::advance(double delta) {
+	if (!std::isfinite(delta) || delta < 0.0) {
+		return 0;
+	}
+	left += delta;
+	const double due = std::floor(left / step_length + ROUNDING);
+	if (due > static_cast<double>(most)) {
+		left = 0.0;
+		return most;
+	}
+	left -= due * step_length;
+	return static_cast<int>(due);
+}
+
+float FixedStep::alpha() const {
+	const double part = left / step_length;
+	return static_cast<float>(part < 0.0 ? 0.0 : (part > 1.0 ? 1.0 : part));
+}
+
+double FixedStep::step() const {
+	return step_length;
+}
+
+} // namespace undergrowth

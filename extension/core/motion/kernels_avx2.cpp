@@ -1,0 +1,46 @@
+// Compiled with AVX2 switched on (base/simd.hpp). Where it is not, there is no such level and the baseline serves.
+#include "motion/kernel_tables.hpp"
+
+#if defined(__AVX2__)
+
+#include <immintrin.h>
+#if defined(__F16C__) || defined(_MSC_VER)
+#define UNDERGROWTH_F16C
+#endif
+#if !defined(__GNUC__)
+#include <math.h>
+#include <string.h>
+#pragma fp_contract(off)
+#endif
+
+namespace undergrowth {
+
+namespace avx2_kernels {
+
+#include "base/kernel_basics.inc"
+#include "motion/kernel_elasticity.inc"
+#include "motion/kernel_spring.inc"
+#include "motion/kernel_bends.inc"
+
+static const KernelSet SET = { step_elasticity, step_spring, step_elasticity_page, step_spring_page,
+	encode_elasticity, encode_spring, interpolate_elasticity, interpolate_spring };
+
+} // namespace avx2_kernels
+
+const KernelSet *avx2_kernel_set() {
+	return &avx2_kernels::SET;
+}
+
+} // namespace undergrowth
+
+#else
+
+namespace undergrowth {
+
+const KernelSet *avx2_kernel_set() {
+	return nullptr;
+}
+
+} // namespace undergrowth
+
+#endif

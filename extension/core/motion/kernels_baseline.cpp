@@ -1,0 +1,27 @@
+#include "motion/kernel_tables.hpp"
+
+#if !defined(__GNUC__)
+#include <math.h>
+#include <string.h>
+#pragma fp_contract(off)
+#endif
+
+namespace undergrowth {
+
+namespace baseline_kernels {
+
+#include "base/kernel_basics.inc"
+#include "motion/kernel_elasticity.inc"
+#include "motion/kernel_spring.inc"
+#include "motion/kernel_bends.inc"
+
+static const KernelSet SET = { step_elasticity, step_spring, step_elasticity_page, step_spring_page,
+	encode_elasticity, encode_spring, interpolate_elasticity, interpolate_spring };
+
+} // namespace baseline_kernels
+
+const KernelSet *baseline_kernel_set() {
+	return &baseline_kernels::SET;
+}
+
+} // namespace undergrowth

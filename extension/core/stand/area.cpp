@@ -1,0 +1,111 @@
+#include "stand/area.hpp"
+
+#include "stand/area_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+constexpr double LEAST_AREA_SHARE = 1.0e-6;
+
+bool is_finite(const glm::vec2 &point) {
+	return std::isfinite(point.x) && std::isfinite(point.y);
+}
+
+bool is_near(const glm::vec2 &point) {
+	return std::abs(point.x) <= FARTHEST_COORDINATE && std::abs(point.y) <= FARTHEST_COORDINATE;
+}
+
+/// Twice the area between the edges and any place: the sum of absolute values, which is 0 on a line only.
+double spread_area(const Polygon &polygon) {
+	double sum = 0.0;
+	const glm::dvec2 origin = polygon[0];
+	for (std::size_t i = 1; i + 1 < polygon.size(); i++) {
+		const glm::dvec2 a = glm::dvec2(polygon[i]) - origin;
+		const glm::dvec2 b = glm::dvec2(polygon[i + 1]) - origin;
+		sum += std::abs(a.x * b.y - a.y * b.x);
+	}
+	return sum;
+}
+
+} // namespace
+
+AreaFault find_area_fault(const Polygon &polygon) {
+	if (polygon.size() < 3) {
+		return AreaFault::too_few_points;
+	}
+	if (!std::all_of(polygon.begin(), polygon.end(), is_finite)) {
+		return AreaFault::not_finite;
+	}
+	if (!std::all_of(polygon.begin(), polygon.end(), is_near)) {
+		return AreaFault::too_far;
+	}
+	const AreaBox box = bounding_box(polygon);
+	const double longer = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+	return spread_area(polygon) > LEAST_AREA_SHARE * longer * longer ? AreaFault::none : AreaFault::no_area;
+}
+
+const char *describe(AreaFault fault) {
+	switch (fault) {
+		case AreaFault::none:
+			return "The area is sound.";
+		case AreaFault::too_few_points:
+			return "The area has fewer than three points: add points.";
+		case AreaFault::not_finite:
+			return "A point of the area is not a number: set it anew.";
+		case AreaFault::too_far:
+			return "A point of the area is more than 100 km from the field's origin: move the field instead.";
+		case AreaFault::no_area:
+			return "The area's points lie on a line: move them apart.";
+	}
+	return "";
+}
+
+Polygon rectangle(const glm::vec2 &size, const glm::vec2 &centre) {
+	const glm::vec2 half = { 0.5f * std::abs(size.x), 0.5f * std::abs(size.y) };
+	return { { centre.x - half.x, centre.y - half.y }, { centre.x + half.x, centre.y - half.y },
+		{ centre.x + half.x, centre.y + half.y }, { centre.x - half.x, centre.y + half.y } };
+}
+
+bool is_inside(const Polygon &polygon, const glm::vec2 &point) {
+	bool inside = false;
+	for_each_edge(polygon, [&](const AreaEdge &edge) { inside ^= edge.is_right_of(point); });
+	return inside;
+}
+
+double signed_area(const Polygon &polygon) {
+	double twice = 0.0;
+	for (std::size_t i = 0, last = polygon.size() - 1; i < polygon.size(); last = i++) {
+		// About the first point: far from the origin the products would lose digits.
+		const glm::dvec2 a = glm::dvec2(polygon[last]) - glm::dvec2(polygon[0]);
+		const glm::dvec2 b = glm::dvec2(polygon[i]) - glm::dvec2(polygon[0]);
+		twice += a.x * b.y - a.y * b.x;
+	}
+	return 0.5 * twice;
+}
+
+double perimeter(const Polygon &polygon) {
+	double sum = 0.0;
+	for (std::size_t i = 0, last = polygon.size() - 1; i < polygon.size(); last = i++) {
+		const glm::dvec2 way = glm::dvec2(polygon[i]) - glm::dvec2(polygon[last]);
+		sum += std::sqrt(way.x * way.x + way.y * way.y);
+	}
+	return sum;
+}
+
+AreaBox bounding_box(const Polygon &polygon) {
+	if (polygon.empty()) {
+		return {};
+	}
+	AreaBox box = { polygon[0], polygon[0] };
+	for (const glm::vec2 &point : polygon) {
+		box.low = { std::min(box.low.x, point.x), std::min(box.low.y, point.y) };
+		box.high = { std::max(box.high.x, point.x), std::max(box.high.y, point.y) };
+	}
+	return box;
+}
+
+} // namespace undergrowth

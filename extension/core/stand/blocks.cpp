@@ -1,0 +1,152 @@
+#include "stand/blocks.hpp"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace undergrowth {
+
+namespace {
+
+constexpr float USUAL_SIZE = 16.0f; ///< m.
+constexpr double FARTHEST_TILE = 1.0e9;
+constexpr int KINDS = 65536; ///< Species times variants.
+
+int tile_coordinate(float place, float size) {
+	const double tile = std::floor(static_cast<double>(place) / static_cast<double>(size));
+	return static_cast<int>(std::clamp(tile, -FARTHEST_TILE, FARTHEST_TILE));
+}
+
+/// Place along Hilbert's curve (Hilbert 1891), which goes from each square to one beside it.
+uint64_t curve_key(int column, int row) {
+	constexpr uint32_t MIDDLE = 0x80000000u;
+	uint32_t x = static_cast<uint32_t>(column) + MIDDLE;
+	uint32_t y = static_cast<uint32_t>(row) + MIDDLE;
+	uint64_t key = 0;
+	for (uint32_t side = MIDDLE; side != 0; side >>= 1) {
+		const bool right = (x & side) != 0;
+		const bool upper = (y & side) != 0;
+		key = 4 * key + ((right ? 3u : 0u) ^ (upper ? 1u : 0u));
+		if (!upper) {
+			// The curve within the two lower quarters is turned.
+			const uint32_t flip = right ? 0xffffffffu : 0u;
+			const uint32_t turned = x ^ flip;
+			x = y ^ flip;
+			y = turned;
+		}
+	}
+	return key;
+}
+
+int kind_of(const FieldPlants &plants, std::size_t i) {
+	return plants.species[i] * 256 + plants.variant[i];
+}
+
+/// Tiles along the curve, and each plant's number among them.
+std::vector<TileKey> find_tiles(const FieldPlants &plants, float size, std::vector<int> &of_plant) {
+	const std::size_t count = plants.x.size();
+	std::vector<uint64_t> keys(count);
+	std::vector<std::pair<uint64_t, TileKey>> found;
+	for (std::size_t i = 0; i < count; i++) {
+		const TileKey tile = tile_at(plants.x[i], plants.z[i], size);
+		// Plants come in rows: most follow one of the same tile.
+		if (i > 0 && tile == found.back().second) {
+			keys[i] = keys[i - 1];
+			continue;
+		}
+		keys[i] = curve_key(tile.column, tile.row);
+		found.emplace_back(keys[i], tile);
+	}
+	const auto is_before = [](const auto &a, const auto &b) { return a.first < b.first; };
+	const auto is_same = [](const auto &a, const auto &b) { return a.first == b.first; };
+	std::sort(found.begin(), found.end(), is_before);
+	found.erase(std::unique(found.begin(), found.end(), is_same), found.end());
+	of_plant.resize(count);
+	for (std::size_t i = 0; i < count; i++) {
+		if (i > 0 && keys[i] == keys[i - 1]) {
+			of_plant[i] = of_plant[i - 1];
+			continue;
+		}
+		const std::pair<uint64_t, TileKey> wanted = { keys[i], {} };
+		of_plant[i] = static_cast<int>(std::lower_bound(found.begin(), found.end(), wanted, is_before) - found.begin());
+	}
+	std::vector<TileKey> tiles;
+	for (const auto &entry : found) {
+		tiles.push_back(entry.second);
+	}
+	return tiles;
+}
+
+/// Stable: the entries of `order` by key(entry), which is in [0, keys).
+template <class Key> std::vector<int> counting_sort(const std::vector<int> &order, int keys, Key key) {
+	std::vector<int> starts(static_cast<std::size_t>(keys) + 1, 0);
+	for (const int entry : order) {
+		starts[static_cast<std::size_t>(key(entry)) + 1]++;
+	}
+	for (std::size_t i = 1; i < starts.size(); i++) {
+		starts[i] += starts[i - 1];
+	}
+	std::vector<int> sorted(order.size());
+	for (const int entry : order) {
+		sorted[static_cast<std::size_t>(starts[static_cast<std::size_t>(key(entry))]++)] = entry;
+	}
+	return sorted;
+}
+
+/// The plants order[begin] to order[end - 1], which are of one tile and species.
+PlantBlock make_block(
+		const FieldPlants &plants, const std::vector<int> &order, std::size_t begin, std::size_t end, const TileKey &tile) {
+	PlantBlock block;
+	block.tile = tile;
+	const auto first = order.begin() + static_cast<std::ptrdiff_t>(begin);
+	block.plants = plants.reordered({ first, order.begin() + static_cast<std::ptrdiff_t>(end) });
+	block.species = block.plants.species.front();
+	block.low = block.high = block.root(0);
+	for (int slot = 1; slot < block.size(); slot++) {
+		block.low = glm::min(block.low, block.root(slot));
+		block.high = glm::max(block.high, block.root(slot));
+	}
+	return block;
+}
+
+} // namespace
+
+TileKey tile_at(float x, float z, float size) {
+	return { tile_coordinate(x, size), tile_coordinate(z, size) };
+}
+
+void PlantBlock::add(const PlacedPlant &plant) {
+	plants.add(plant);
+	low = size() == 1 ? plant.root : glm::min(low, plant.root);
+	high = size() == 1 ? plant.root : glm::max(high, plant.root);
+}
+
+std::vector<PlantBlock> cut_into_blocks(const FieldPlants &plants, float tile_size) {
+	const float size = std::isfinite(tile_size) && tile_size > 0.0f ? tile_size : USUAL_SIZE;
+	std::vector<int> of_plant;
+	const std::vector<TileKey> tiles = find_tiles(plants, size, of_plant);
+	std::vector<int> order(plants.x.size());
+	for (std::size_t i = 0; i < order.size(); i++) {
+		order[i] = static_cast<int>(i);
+	}
+	const auto kind = [&](int i) { return kind_of(plants, static_cast<std::size_t>(i)); };
+	const auto tile = [&](int i) { return of_plant[static_cast<std::size_t>(i)]; };
+	order = counting_sort(order, KINDS, kind);
+	order = counting_sort(order, static_cast<int>(tiles.size()), tile);
+	std::vector<PlantBlock> blocks;
+	for (std::size_t begin = 0; begin < order.size();) {
+		std::size_t end = begin;
+		const int species = plants.species[static_cast<std::size_t>(order[begin])];
+		while (end < order.size() && end - begin < PlantBlock::MOST_PLANTS && tile(order[end]) == tile(order[begin]) &&
+				plants.species[static_cast<std::size_t>(order[end])] == species) {
+			end++;
+		}
+		blocks.push_back(make_block(plants, order, begin, end, tiles[static_cast<std::size_t>(tile(order[begin]))]));
+		begin = end;
+	}
+	return blocks;
+}
+
+} // namespace undergrowth

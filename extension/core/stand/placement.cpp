@@ -1,0 +1,170 @@
+#include "stand/placement.hpp"
+
+#include "base/random.hpp"
+#include "conventions.hpp"
+#include "stand/area_row.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+/// How far a plant may be from the middle of its cell, in cells.
+constexpr double JITTER = 0.5 * (1.0 - Placement::LEAST_DISTANCE);
+/// The middles of even and of odd rows' cells, in cells: rows are out of step, so that the grid does not show.
+constexpr double EVEN_MIDDLE = 0.25;
+constexpr double ODD_MIDDLE = 0.75;
+/// How far a drift's middle is from the middle of its cell, and how far its edge is frayed, in drifts.
+constexpr double DRIFT_JITTER = 0.35;
+constexpr double DRIFT_FRAY = 0.2;
+constexpr double FULL_TURN = 2.0 * PI;
+/// More cells than this hold plants only where an area crosses itself many times.
+constexpr std::size_t MOST_CANDIDATES = 4 * static_cast<std::size_t>(PlacementRequest::MOST_PLANTS);
+
+/// Bits [16·part, 16·part + 16) as a number in [0, 1).
+double unit16(uint64_t bits, int part) {
+	return static_cast<double>((bits >> (16 * part)) & 0xffff) * (1.0 / 65536.0);
+}
+
+/// The upper or the lower 32 bits as a number in [-1, 1).
+double signed32(uint64_t bits, int half) {
+	return static_cast<double>((bits >> (32 * half)) & 0xffffffff) * (2.0 / 4294967296.0) - 1.0;
+}
+
+uint64_t hash_cell(uint64_t seed, int column, int row) {
+	const uint64_t key = (static_cast<uint64_t>(static_cast<uint32_t>(row)) << 32) | static_cast<uint32_t>(column);
+	return mix_bits(seed ^ key);
+}
+
+double row_middle(int row) {
+	return (row & 1) == 0 ? EVEN_MIDDLE : ODD_MIDDLE;
+}
+
+int floor_to_int(double value) {
+	return static_cast<int>(std::floor(value));
+}
+
+} // namespace
+
+Placement::Placement(const PlacementRequest &wanted) : request(wanted), found(find_placement_fault(wanted)) {
+	if (found != PlacementFault::none || request.density == 0.0f) {
+		return;
+	}
+	spacing = 1.0 / std::sqrt(static_cast<double>(request.density));
+	cell_seed = mix_bits(request.seed);
+	drift_seed = mix_bits(cell_seed);
+	double sum = 0.0;
+	for (const PlacementSpecies &species : request.species) {
+		sum += static_cast<double>(species.share);
+		shares.push_back(sum);
+	}
+	const AreaBox box = bounding_box(request.area);
+	first_row = floor_to_int(static_cast<double>(box.low.y) / spacing);
+	rows = floor_to_int(static_cast<double>(box.high.y) / spacing) + 1 - first_row;
+	if (candidate_count(0, rows) > MOST_CANDIDATES) {
+		found = PlacementFault::too_many_plants;
+		rows = 0;
+	}
+}
+
+AreaRow Placement::read_row(int row) const {
+	// Wider than where plants stand by far more than coordinates are rounded by.
+	constexpr double SLACK = 0.01;
+	AreaRow into(request.area, request.exclusions, row * spacing - SLACK, (row + 1) * spacing + SLACK);
+	for (AreaSpan &span : into.spans) {
+		span.low = std::floor((span.low - SLACK) / spacing) - 1.0;
+		span.high = std::floor((span.high + SLACK) / spacing) + 1.0;
+	}
+	join(into.spans);
+	return into;
+}
+
+std::size_t Placement::candidate_count(int begin, int end) const {
+	double count = 0.0;
+	for (int i = std::max(begin, 0); i < std::min(end, rows); i++) {
+		const AreaRow row = read_row(first_row + i);
+		for (const AreaSpan &span : row.spans) {
+			count += span.high - span.low;
+		}
+	}
+	return static_cast<std::size_t>(count);
+}
+
+void Placement::place_rows(int begin, int end, FieldPlants &plants) const {
+	for (int i = std::max(begin, 0); i < std::min(end, rows); i++) {
+		const AreaRow row = read_row(first_row + i);
+		for (const AreaSpan &span : row.spans) {
+			for (int column = static_cast<int>(span.low); column < static_cast<int>(span.high); column++) {
+				place_cell(column, first_row + i, row, plants);
+			}
+		}
+	}
+}
+
+void Placement::place_cell(int column, int row, const AreaRow &edges, FieldPlants &plants) const {
+	const uint64_t where = hash_cell(cell_seed, column, row);
+	const double x = (column + row_middle(row) + JITTER * signed32(where, 0)) * spacing;
+	const double z = (row + 0.5 + JITTER * signed32(where, 1)) * spacing;
+	const glm::vec2 root = { static_cast<float>(x), static_cast<float>(z) };
+	if (!edges.holds(root)) {
+		return;
+	}
+	const uint64_t kind = mix_bits(where);
+	uint64_t species_bits = kind >> 32;
+	if (unit16(kind, 0) < static_cast<double>(request.clumping)) {
+		const uint64_t fray = mix_bits(kind ^ drift_seed);
+		species_bits = drift_bits(x / static_cast<double>(request.drift_size) + DRIFT_FRAY * signed32(fray, 0),
+				z / static_cast<double>(request.drift_size) + DRIFT_FRAY * signed32(fray, 1));
+	}
+	const int number = pick_species(species_bits & 0xffffffff);
+	const PlacementSpecies &species = request.species[static_cast<std::size_t>(number)];
+	const uint64_t shape = mix_bits(kind);
+	const double scale_way = static_cast<double>(species.most_scale) - static_cast<double>(species.least_scale);
+	const double height = 1.0 + static_cast<double>(species.height_deviation) * (2.0 * unit16(shape, 1) - 1.0);
+	PlacedPlant plant;
+	plant.root = { root.x, 0.0f, root.y };
+	plant.scale = static_cast<float>(static_cast<double>(species.least_scale) + scale_way * unit16(shape, 0));
+	plant.height = static_cast<float>(height);
+	plant.lean = static_cast<float>(static_cast<double>(species.most_lean) * unit16(shape, 2));
+	plant.turn = static_cast<float>(unit16(shape, 3) * FULL_TURN);
+	plant.species = number;
+	plant.variant = static_cast<int>(unit16(kind, 1) * species.variants);
+	plants.add(plant);
+}
+
+int Placement::pick_species(uint64_t bits) const {
+	const double drawn = static_cast<double>(bits) * (1.0 / 4294967296.0) * shares.back();
+	return static_cast<int>(std::upper_bound(shares.begin(), shares.end(), drawn) - shares.begin());
+}
+
+uint64_t Placement::drift_bits(double x, double z) const {
+	const int column = floor_to_int(x);
+	const int row = floor_to_int(z);
+	double nearest = 1.0e30;
+	uint64_t winner = 0;
+	for (int j = row - 1; j <= row + 1; j++) {
+		for (int i = column - 1; i <= column + 1; i++) {
+			const uint64_t bits = hash_cell(drift_seed, i, j);
+			const double dx = i + 0.5 + DRIFT_JITTER * signed32(bits, 0) - x;
+			const double dz = j + 0.5 + DRIFT_JITTER * signed32(bits, 1) - z;
+			const double distance = dx * dx + dz * dz;
+			if (distance < nearest) {
+				nearest = distance;
+				winner = bits;
+			}
+		}
+	}
+	return mix_bits(winner);
+}
+
+PlacementFault place_plants(const PlacementRequest &request, FieldPlants &plants) {
+	plants.clear();
+	const Placement placement(request);
+	plants.reserve(placement.candidate_count(0, placement.row_count()));
+	placement.place_rows(0, placement.row_count(), plants);
+	return placement.fault();
+}
+
+} // namespace undergrowth

@@ -1,0 +1,117 @@
+#include "conventions.hpp"
+#include "stand/placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+/// Whether `value` is a number from `least` to `most`.
+bool is_within(double value, double least, double most) {
+	return value >= least && value <= most;
+}
+
+bool is_bad_exclusion(const Polygon &polygon) {
+	const AreaFault fault = find_area_fault(polygon);
+	return fault == AreaFault::not_finite || fault == AreaFault::too_far;
+}
+
+PlacementFault find_species_fault(const PlacementSpecies &species) {
+	constexpr double MOST = 3.4e38;
+	if (!is_within(species.share, 0.0, MOST)) {
+		return PlacementFault::bad_share;
+	}
+	if (species.variants < 1 || species.variants > 256) {
+		return PlacementFault::bad_variants;
+	}
+	if (!(species.least_scale > 0.0f) || !is_within(species.most_scale, species.least_scale, MOST)) {
+		return PlacementFault::bad_scale;
+	}
+	const bool stands = is_within(species.height_deviation, 0.0, 1.0) && is_within(species.most_lean, 0.0, 0.5001 * PI);
+	return stands ? PlacementFault::none : PlacementFault::bad_deviation;
+}
+
+PlacementFault find_all_species_fault(const std::vector<PlacementSpecies> &all) {
+	if (all.empty()) {
+		return PlacementFault::no_species;
+	}
+	if (all.size() > PlacementRequest::MOST_SPECIES) {
+		return PlacementFault::too_many_species;
+	}
+	// The worst of the list in the order of the enumeration.
+	std::vector<PlacementFault> faults(all.size());
+	std::transform(all.begin(), all.end(), faults.begin(), find_species_fault);
+	faults.erase(std::remove(faults.begin(), faults.end(), PlacementFault::none), faults.end());
+	const auto has_share = [](const PlacementSpecies &species) { return species.share > 0.0f; };
+	const bool all_zero = std::none_of(all.begin(), all.end(), has_share);
+	if (all_zero) {
+		faults.push_back(PlacementFault::no_share);
+	}
+	return faults.empty() ? PlacementFault::none : *std::min_element(faults.begin(), faults.end());
+}
+
+bool are_too_many(const PlacementRequest &request) {
+	const double cells_a_metre = std::sqrt(static_cast<double>(request.density));
+	const AreaBox box = bounding_box(request.area);
+	const double longer = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+	return std::abs(signed_area(request.area)) * request.density > PlacementRequest::MOST_PLANTS ||
+			longer * cells_a_metre > PlacementRequest::MOST_PLANTS;
+}
+
+} // namespace
+
+PlacementFault find_placement_fault(const PlacementRequest &request) {
+	if (find_area_fault(request.area) != AreaFault::none) {
+		return PlacementFault::bad_area;
+	}
+	if (std::any_of(request.exclusions.begin(), request.exclusions.end(), is_bad_exclusion)) {
+		return PlacementFault::bad_exclusion;
+	}
+	if (!is_within(request.density, 0.0, PlacementRequest::MOST_DENSITY)) {
+		return PlacementFault::bad_density;
+	}
+	const PlacementFault fault = find_all_species_fault(request.species);
+	if (fault != PlacementFault::none) {
+		return fault;
+	}
+	if (!is_within(request.clumping, 0.0, 1.0) || !is_within(request.drift_size, 0.01f, FARTHEST_COORDINATE)) {
+		return PlacementFault::bad_clumping;
+	}
+	return are_too_many(request) ? PlacementFault::too_many_plants : PlacementFault::none;
+}
+
+const char *describe(PlacementFault fault) {
+	switch (fault) {
+		case PlacementFault::none:
+			return "The field is sound.";
+		case PlacementFault::bad_area:
+			return "The field's area holds nothing: give it at least three points that are not on a line.";
+		case PlacementFault::bad_exclusion:
+			return "An exclusion has a point that is not a number or more than 100 km away: set it anew.";
+		case PlacementFault::bad_density:
+			return "The density must be from 0 to 10000 plants per square metre.";
+		case PlacementFault::no_species:
+			return "The field has no species: add one.";
+		case PlacementFault::too_many_species:
+			return "The field has more than 256 species: spread them over several fields.";
+		case PlacementFault::bad_share:
+			return "A species' share must be a number of at least 0.";
+		case PlacementFault::no_share:
+			return "All species have a share of 0: give at least one of them a share.";
+		case PlacementFault::bad_variants:
+			return "A species must have 1 to 256 variants.";
+		case PlacementFault::bad_scale:
+			return "A species' scales must be above 0, the least not above the most.";
+		case PlacementFault::bad_deviation:
+			return "A species' height deviation must be from 0 to 1 and its lean from 0 to a quarter turn.";
+		case PlacementFault::bad_clumping:
+			return "Clumping must be from 0 to 1 and drifts from 1 cm to 100 km wide.";
+		case PlacementFault::too_many_plants:
+			return "The field would have more than 4 million plants: lower the density or make the area smaller.";
+	}
+	return "";
+}
+
+} // namespace undergrowth

@@ -1,0 +1,51 @@
+#include "stand/plant_id.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+constexpr int CELL_BITS = 31;
+constexpr int64_t MIDDLE = int64_t(1) << (CELL_BITS - 1);
+constexpr int64_t CELL_MASK = (int64_t(1) << CELL_BITS) - 1;
+constexpr int64_t ADDED = int64_t(1) << 62;
+/// Where a cell's left side is against its number: rows are out of step (Placement), and no plant is nearer to a side
+/// than 0.15 cells.
+constexpr double EVEN_SIDE = -0.25;
+constexpr double ODD_SIDE = 0.25;
+
+double side_of(int64_t row) {
+	return (row & 1) == 0 ? EVEN_SIDE : ODD_SIDE;
+}
+
+int64_t cell(double place) {
+	const auto most = static_cast<double>(MIDDLE - 1);
+	return static_cast<int64_t>(std::clamp(std::floor(place), -most, most));
+}
+
+} // namespace
+
+PlantId filled_plant_id(float x, float z, double spacing) {
+	const int64_t row = cell(static_cast<double>(z) / spacing);
+	const int64_t column = cell(static_cast<double>(x) / spacing - side_of(row));
+	return ((row + MIDDLE) << CELL_BITS) | (column + MIDDLE);
+}
+
+PlantId added_plant_id(int64_t number) {
+	return ADDED | number;
+}
+
+bool is_added(PlantId id) {
+	return (id & ADDED) != 0;
+}
+
+void filled_plant_place(PlantId id, double spacing, float &x, float &z) {
+	const int64_t row = ((id >> CELL_BITS) & CELL_MASK) - MIDDLE;
+	const int64_t column = (id & CELL_MASK) - MIDDLE;
+	x = static_cast<float>((static_cast<double>(column) + side_of(row) + 0.5) * spacing);
+	z = static_cast<float>((static_cast<double>(row) + 0.5) * spacing);
+}
+
+} // namespace undergrowth

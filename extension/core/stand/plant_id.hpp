@@ -1,0 +1,24 @@
+#pragma once
+
+#include "stand/plants.hpp"
+
+#include <cstdint>
+
+namespace undergrowth {
+
+/// What names a plant for as long as it stands, and again after it was filled anew: never negative. A plant that was
+/// filled is named by its cell (Placement), so that the same density gives the same names whatever else changes; one
+/// that was added by a number of its own.
+using PlantId = int64_t;
+
+inline constexpr PlantId NO_PLANT = -1;
+
+/// Of the plant with this root (m), filled at `spacing` (m, > 0).
+PlantId filled_plant_id(float x, float z, double spacing);
+/// Of the plant that was added as number `number` (>= 0).
+PlantId added_plant_id(int64_t number);
+bool is_added(PlantId id);
+/// A place (m) within the cell of a plant that was filled: its x and z are less than the spacing away.
+void filled_plant_place(PlantId id, double spacing, float &x, float &z);
+
+} // namespace undergrowth

@@ -1,0 +1,103 @@
+#pragma once
+
+#include "stand/blocks.hpp"
+#include "stand/plant_id.hpp"
+
+#include <cstddef>
+#include <map>
+#include <unordered_map>
+#include <vector>
+
+namespace undergrowth {
+
+/// Where a plant stands in a store: stable as long as its block stands.
+struct PlantPlace {
+	int block = -1;
+	int slot = -1;
+
+	bool operator==(const PlantPlace &other) const { return block == other.block && slot == other.slot; }
+};
+
+/// What is to happen to a stand, in this order.
+struct StandEdit {
+	bool fills = false; ///< Whether `filled` replaces all plants that were filled before.
+	std::vector<PlantBlock> filled; ///< As cut_into_blocks() makes them, of tiles of `tile_size`.
+	float tile_size = 16.0f; ///< m, > 0. Another one than before cuts what was added anew, too.
+	double spacing = 1.0; ///< m, > 0: of the placement that `filled` comes from.
+	/// With `fills`: what species are from now on, by what they were. Empty: the same.
+	std::vector<int> species_numbers;
+	std::vector<PlantPlace> removed; ///< Of plants that stand. Not together with `fills`.
+	std::vector<PlacedPlant> added; ///< Valid ones, of species that the owner knows.
+};
+
+/// What an edit did, for those who move and draw what stands.
+struct ChangeSet {
+	/// Plants [first, size) of a block are new. Of a block that is new, first is 0.
+	struct Grown {
+		int block = 0;
+		int first = 0;
+	};
+
+	std::vector<int> dropped; ///< Blocks that are no more. Their numbers may be those of new ones.
+	std::vector<Grown> grown;
+	/// Plants of blocks that still stand, even where nobody is left in one: only those that were added are dropped then.
+	std::vector<PlantPlace> gone;
+	std::vector<PlantId> added; ///< As the edit's `added`, in its order.
+};
+
+/// The one place that knows what stands in a field: blocks of plants in square tiles. It changes by apply() only.
+/// Plants never move within it: who was told a place may keep it until a ChangeSet names the block or the plant.
+class PlantStore {
+public:
+	ChangeSet apply(StandEdit &&edit);
+
+	/// One more than the largest number of a block.
+	int block_count() const { return static_cast<int>(blocks.size()); }
+	/// Where a number has no block, its block is empty.
+	const PlantBlock &block(int number) const { return blocks[static_cast<std::size_t>(number)]; }
+	/// Ascending.
+	const std::vector<int> &blocks_of(const TileKey &tile) const;
+	float tile_size() const { return size; }
+	/// m, of the placement that plants were filled by.
+	double spacing() const { return cell_size; }
+	int plant_count() const { return standing; }
+
+	/// The block is -1 where no such plant stands. Costs by the plants of a tile.
+	PlantPlace find(PlantId id) const;
+	/// Of a plant that stands.
+	PlantId id(const PlantPlace &place) const;
+	/// Ids of all plants, in the order of blocks and slots.
+	std::vector<PlantId> ids() const;
+	/// Appends all plants whose roots are at most `radius` (m) from `centre`. Costs by the tiles that the sphere meets.
+	void find_in_sphere(const glm::vec3 &centre, float radius, std::vector<PlantPlace> &found) const;
+	/// Appends all plants whose roots are in the box, its faces included.
+	void find_in_box(const glm::vec3 &low, const glm::vec3 &high, std::vector<PlantPlace> &found) const;
+
+	/// Of the heap, by capacity.
+	std::size_t bytes() const;
+
+private:
+	float size = 16.0f; ///< m.
+	double cell_size = 1.0; ///< m.
+	std::vector<PlantBlock> blocks;
+	std::vector<int> free_numbers;
+	std::map<TileKey, std::vector<int>> tiles;
+	std::unordered_map<PlantId, PlantPlace> added_places;
+	int64_t next_added = 0;
+	int standing = 0;
+
+	int take_number();
+	void stand(PlantBlock &&block, ChangeSet &changes);
+	void drop(int number, ChangeSet &changes);
+	void drop_filled(ChangeSet &changes);
+	void rename_species(const std::vector<int> &numbers);
+	void cut_added_anew(ChangeSet &changes);
+	void remove(const PlantPlace &place, ChangeSet &changes);
+	void add(const PlacedPlant &plant, PlantId id, ChangeSet &changes);
+	int open_block(const TileKey &tile, int species) const;
+	template <class Visit> void for_each_tile(const glm::vec3 &low, const glm::vec3 &high, const Visit &visit) const;
+	template <class Holds>
+	void find_in(const glm::vec3 &low, const glm::vec3 &high, const Holds &holds, std::vector<PlantPlace> &found) const;
+};
+
+} // namespace undergrowth

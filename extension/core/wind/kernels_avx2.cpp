@@ -1,0 +1,39 @@
+// Compiled with AVX2 switched on (base/simd.hpp). Where it is not, there is no such level and the baseline serves.
+#include "wind/wind_kernels.hpp"
+
+#if defined(__AVX2__)
+
+#if !defined(__GNUC__)
+#include <math.h>
+#include <string.h>
+#pragma fp_contract(off)
+#endif
+
+namespace undergrowth {
+
+namespace avx2_kernels {
+
+#include "base/kernel_basics.inc"
+#include "wind/kernel_wind.inc"
+
+static const WindKernels SET = { sample_wind };
+
+} // namespace avx2_kernels
+
+const WindKernels *avx2_wind_kernels() {
+	return &avx2_kernels::SET;
+}
+
+} // namespace undergrowth
+
+#else
+
+namespace undergrowth {
+
+const WindKernels *avx2_wind_kernels() {
+	return nullptr;
+}
+
+} // namespace undergrowth
+
+#endif

@@ -1,0 +1,24 @@
+#include "wind/wind_kernels.hpp"
+
+#if !defined(__GNUC__)
+#include <math.h>
+#include <string.h>
+#pragma fp_contract(off)
+#endif
+
+namespace undergrowth {
+
+namespace baseline_kernels {
+
+#include "base/kernel_basics.inc"
+#include "wind/kernel_wind.inc"
+
+static const WindKernels SET = { sample_wind };
+
+} // namespace baseline_kernels
+
+const WindKernels *baseline_wind_kernels() {
+	return &baseline_kernels::SET;
+}
+
+} // namespace undergrowth

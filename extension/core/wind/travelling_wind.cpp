@@ -1,0 +1,64 @@
+#include "wind/travelling_wind.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+constexpr float MAX_STRENGTH = 1e9f; // N.
+constexpr float MAX_FREQUENCY = 1e4f; // Hz.
+constexpr double LONG_AGO = 1e9; // s.
+constexpr float SLOWEST = 1e-3f; // m/s; slower winds would put too many cycles between neighbours to tell them apart.
+
+float safe(float value, float most) {
+	return std::isfinite(value) ? std::clamp(value, 0.0f, most) : 0.0f;
+}
+
+/// s/m, along the wind.
+float slowness(const FieldWind &wind) {
+	return std::isfinite(wind.speed) && wind.speed > 0.0f ? 1.0f / std::max(wind.speed, SLOWEST) : 0.0f;
+}
+
+double fraction(double value) {
+	const double part = value - std::floor(value);
+	return std::isfinite(part) && part < 1.0 ? part : 0.0;
+}
+
+} // namespace
+
+PlantWinds winds_along(const FieldWind &wind) {
+	Wind safe_wind;
+	safe_wind.direction = std::isfinite(wind.wind.direction) ? wind.wind.direction : 0.0f;
+	const glm::vec3 direction = wind_direction(safe_wind);
+	return { nullptr, direction.x, direction.z };
+}
+
+float wind_delay(const FieldWind &wind, float x, float z) {
+	const PlantWinds along = winds_along(wind);
+	return slowness(wind) * (along.x * x + along.z * z);
+}
+
+TravellingWind wind_at_time(const FieldWind &field_wind, double time) {
+	const Wind &wind = field_wind.wind;
+	const PlantWinds along = winds_along(field_wind);
+	const float strength = safe(wind.strength, MAX_STRENGTH);
+	const float frequency = safe(wind.frequency, MAX_FREQUENCY);
+	TravellingWind now = {};
+	now.steady = wind.kind == WindKind::constant ? strength : 0.0f;
+	now.wave = wind.kind == WindKind::waves ? strength : 0.0f;
+	now.burst = wind.kind == WindKind::bursts ? strength : 0.0f;
+	now.gust = wind.kind == WindKind::gust || wind.gust_triggered ? strength : 0.0f;
+	now.cycle = static_cast<float>(fraction(static_cast<double>(frequency) * time + wind.phase));
+	now.delay_x = slowness(field_wind) * along.x;
+	now.delay_z = slowness(field_wind) * along.z;
+	now.cycles_x = frequency * now.delay_x;
+	now.cycles_z = frequency * now.delay_z;
+	const double since = time - wind.gust_start;
+	now.since = std::isfinite(since) ? static_cast<float>(std::clamp(since, -LONG_AGO, LONG_AGO)) : 0.0f;
+	now.duration = safe(wind.gust_duration, static_cast<float>(LONG_AGO));
+	return now;
+}
+
+} // namespace undergrowth

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "wind/wind_kernels.hpp"
+#include "wind/wind.hpp"
+
+namespace undergrowth {
+
+/// A wind that travels through a field: a plant at (x, z) feels at `time` what `wind` is at
+/// time - dot((x, z), direction)/speed. The origin feels it as it is, plants upwind of the origin before it.
+struct FieldWind {
+	Wind wind;
+	float speed = 10.0f; ///< m/s. 0, less, or not finite: everywhere at once.
+};
+
+/// How long after the origin the wind comes to (x, z) (s).
+float wind_delay(const FieldWind &wind, float x, float z);
+
+/// The wind at one time, ready for the kernels. Numbers that are none or out of range count as 0. A pure function.
+TravellingWind wind_at_time(const FieldWind &wind, double time);
+
+/// Where it blows to: the horizontal unit direction as PlantWinds::x and z, without strengths.
+PlantWinds winds_along(const FieldWind &wind);
+
+} // namespace undergrowth

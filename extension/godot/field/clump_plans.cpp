@@ -1,0 +1,125 @@
+// Plans the multimeshes of a field: which plants each holds, where they stand and where their poses are.
+
+#include "field/field_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr int TRANSFORM_FLOATS = 12; // 3x4, row by row.
+static constexpr int COLOR_FLOATS = 4;
+static constexpr int CUSTOM_FLOATS = 4;
+// Compatibility keeps custom data in half floats, which count exactly from -2048 to 2048.
+static constexpr int HALVES_COUNT_FROM = -2048;
+
+static int divide_down(int count, int factor) {
+	return count >= 0 ? count / factor : -((-count + factor - 1) / factor);
+}
+
+static ClumpPlace place_of(const FieldStyle &style, int level, const PlantBlock &block) {
+	const int factor = style.levels[size_t(level)].tile_factor;
+	return { block.is_added, level, divide_down(block.tile.column, factor), divide_down(block.tile.row, factor) };
+}
+
+static void write_transform(float *to, const PlacedPlant &plant) {
+	const float c = plant.scale * std::cos(plant.turn);
+	const float s = plant.scale * std::sin(plant.turn);
+	const float rows[TRANSFORM_FLOATS] = { c, 0.0f, s, plant.root.x, 0.0f, plant.scale, 0.0f, plant.root.y, -s, 0.0f, c,
+		plant.root.z };
+	std::copy(rows, rows + TRANSFORM_FLOATS, to);
+}
+
+static AABB reach(const FieldLook &look, const PlacedPlant &plant) {
+	const float radius = look.reach_of(plant);
+	const Vector3 root(plant.root.x, plant.root.y, plant.root.z);
+	return AABB(root - Vector3(radius, radius, radius), 2.0f * Vector3(radius, radius, radius));
+}
+
+// Appends a plant to a plan whose buffer has room for it. `texel`: where the shader finds its pose.
+static void add_plant(ClumpPlan &plan, const FieldLook &look, const PlacedPlant &plant, std::pair<int, int> texel) {
+	const float mesh_height = look.variants[size_t(plan.group)].height;
+	float *to = plan.buffer.ptrw() + int64_t(plan.count) * plan.stride;
+	write_transform(to, plant);
+	std::fill(to + TRANSFORM_FLOATS, to + plan.stride, 1.0f); // White, where there is a colour.
+	float *custom = to + plan.stride - CUSTOM_FLOATS;
+	custom[0] = float(texel.first + HALVES_COUNT_FROM);
+	custom[1] = float(texel.second + HALVES_COUNT_FROM);
+	custom[2] = plant.turn;
+	custom[3] = look.variant_of(plant).height * plant.height / mesh_height;
+	const AABB box = reach(look, plant);
+	plan.box = plan.count == 0 ? box : plan.box.merge(box);
+	plan.count++;
+}
+
+static int group_of(const FieldLook &look, const PlantBlock &block, int slot, int groups) {
+	return int(block.plants.variant[size_t(slot)] % look.variants.size()) % groups;
+}
+
+using PlansByMesh = std::map<std::pair<int, int>, ClumpPlan>;
+
+static void add_block(const FieldStyle &style, const PoseTexture &poses, const DrawnBlock &drawn,
+		const ClumpPlace &place, PlansByMesh &plans) {
+	const PlantBlock &block = *drawn.block;
+	const FieldLook &look = style.looks[size_t(block.species)];
+	const int groups = int(look.meshes[size_t(place.level)].size());
+	std::vector<int> counts(size_t(groups), 0);
+	for (int slot = 0; slot < block.size(); slot++) {
+		counts[size_t(group_of(look, block, slot, groups))] += block.is_gone(slot) ? 0 : 1;
+	}
+	std::vector<ClumpPlan *> by_group(size_t(groups), nullptr);
+	for (int group = 0; group < groups; group++) {
+		if (counts[size_t(group)] > 0) {
+			ClumpPlan &plan = plans[{ block.species, group }];
+			plan.place = place;
+			plan.species = block.species;
+			plan.group = group;
+			plan.stride = TRANSFORM_FLOATS + CUSTOM_FLOATS + (style.needs_colors ? COLOR_FLOATS : 0);
+			plan.buffer.resize(int64_t(plan.count + counts[size_t(group)]) * plan.stride);
+			by_group[size_t(group)] = &plan;
+		}
+	}
+	for (int slot = 0; slot < block.size(); slot++) {
+		if (!block.is_gone(slot)) {
+			ClumpPlan &plan = *by_group[size_t(group_of(look, block, slot, groups))];
+			add_plant(plan, look, block.plants.plant(slot), poses.texel(drawn.number, slot));
+		}
+	}
+}
+
+static void plan_place(const FieldStyle &style, const PoseTexture &poses, const std::vector<DrawnBlock> &blocks,
+		const ClumpPlace &place, std::vector<ClumpPlan> &plans) {
+	PlansByMesh by_mesh;
+	for (const DrawnBlock &drawn : blocks) {
+		add_block(style, poses, drawn, place, by_mesh);
+	}
+	for (auto &[mesh, plan] : by_mesh) {
+		plans.push_back(std::move(plan));
+	}
+}
+
+std::vector<ClumpPlan> plan_clumps(
+		const FieldStyle &style, const PoseTexture &poses, const std::vector<DrawnBlock> &blocks) {
+	std::vector<ClumpPlan> plans;
+	for (int level = 0; level < int(style.levels.size()); level++) {
+		std::map<ClumpPlace, std::vector<DrawnBlock>> places;
+		for (const DrawnBlock &drawn : blocks) {
+			places[place_of(style, level, *drawn.block)].push_back(drawn);
+		}
+		for (const auto &[place, members] : places) {
+			plan_place(style, poses, members, place, plans);
+		}
+	}
+	return plans;
+}
+
+std::vector<ClumpPlan> plan_clumps_at(const FieldStyle &style, const PoseTexture &poses,
+		const std::vector<DrawnBlock> &blocks, const ClumpPlace &place) {
+	std::vector<ClumpPlan> plans;
+	plan_place(style, poses, blocks, place, plans);
+	return plans;
+}
+
+} // namespace undergrowth

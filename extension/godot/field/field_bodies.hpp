@@ -1,0 +1,97 @@
+#pragma once
+
+#include "field/bodies.hpp"
+
+#include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/classes/scene_tree.hpp>
+#include <godot_cpp/variant/string_name.hpp>
+#include <godot_cpp/variant/transform3d.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <vector>
+
+namespace undergrowth {
+
+/// Follows the bodies of a group for a field, so that they push its plants alike at every frame rate: where they are is
+/// noted in each frame, and between two frames they are taken to go straight on. Main thread.
+///
+/// A body's velocity is that of each of its shapes since the step before. It is taken in the world or, where that is
+/// less, in the field: a field that moves past a body that stands, or together with one, is not pushed by its motion.
+/// What goes farther than FASTEST between two frames was set down elsewhere, and does not push by that.
+class FieldBodies {
+public:
+	static constexpr double FASTEST = 50.0; ///< m/s.
+	static constexpr double SHAPES_KEPT = 0.25; ///< s, after which a body's shapes are looked for anew.
+	static constexpr double BODY_PATIENCE = 1.0; ///< s, until a body that cannot push is told of.
+	static constexpr double GROUP_PATIENCE = 5.0; ///< s, until a group without members is told of.
+
+	/// A body that came among plants, or left them.
+	struct Event {
+		uint64_t body; ///< Its instance id; it may be freed by now.
+		bool has_entered;
+	};
+
+	/// Once in every frame, of `delta` seconds: notes where the bodies of `group` are. `field_axes`: from the field's
+	/// axes to the world's, invertible. An empty group has no bodies.
+	void watch(godot::SceneTree *tree, const godot::StringName &group, const godot::Transform3D &field_axes,
+			double delta);
+	/// What pushes in a step whose time is `ago` seconds before this frame (0 to its delta), in field axes. Steps are
+	/// asked for in their order. It holds until the next call.
+	const std::vector<FieldBody> &gather(double ago);
+	/// Which bodies `touches` has changed for, by what gather() gave last, and who left the group or the tree.
+	std::vector<Event> find_events(const std::function<bool(const FieldBody &)> &touches);
+	/// What is amiss, with what to do; each once.
+	std::vector<godot::String> take_warnings();
+	/// Forgets all bodies without a word, as a field does that leaves the tree.
+	void forget();
+
+private:
+	/// Where a shape is.
+	struct Place {
+		FieldBody shape; ///< Field axes, without velocity.
+		glm::vec3 in_world; ///< m, its middle.
+	};
+	struct Shape {
+		uint64_t holder;
+		Place before; ///< In the frame before.
+		Place now;
+		Place stepped; ///< In the last step.
+		double stepped_at = -1.0; ///< s of `time`; below 0: in none.
+		bool is_here = false; ///< It can push in this frame.
+		bool was_here = false;
+	};
+	struct Body {
+		uint64_t id;
+		std::vector<Shape> shapes;
+		double age = 0.0; ///< s.
+		double shapes_age = SHAPES_KEPT; ///< s.
+		bool is_here = true;
+		bool is_touching = false;
+		size_t first = 0, count = 0; ///< Of what was gathered.
+	};
+
+	std::vector<Body> bodies;
+	std::vector<FieldBody> gathered;
+	godot::Transform3D axes, to_field;
+	godot::StringName watched_group;
+	double time = 0.0; ///< s.
+	double frame = 0.0; ///< s, the last one's length.
+	double empty_for = 0.0; ///< s without a member so far.
+	bool is_group_known = false; ///< It has had a member, or was warned of.
+	std::set<uint64_t> warned_of;
+	std::vector<godot::String> warnings;
+
+	void note_members(const godot::TypedArray<godot::Node> &nodes, double delta);
+	void note(const godot::Node3D *node, double delta);
+	void find_shapes(Body &body, const godot::Node3D *node);
+	void note_shape(Shape &shape);
+	bool is_jump(const Place &from, const Place &to) const;
+	glm::vec3 velocity(const Place &from, const Place &to, double seconds) const;
+	void warn_of(const Body &body, const godot::Node *node);
+	void warn_of_group(int64_t members, double delta);
+};
+
+} // namespace undergrowth

@@ -1,0 +1,241 @@
+#include "field/field_recipe.hpp"
+
+#include "base/random.hpp"
+#include "conventions.hpp"
+#include "convert.hpp"
+#include "field/plant_field_3d.hpp"
+
+#include <godot_cpp/classes/curve3d.hpp>
+#include <godot_cpp/classes/mesh_instance3d.hpp>
+#include <godot_cpp/classes/path3d.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr int MOST_TILE_FACTOR = 4;
+static constexpr float OUTLINE_TOLERANCE_DEGREES = 4.0f;
+static constexpr int OUTLINE_STAGES = 5;
+static constexpr float LEAST_MARGIN = 1e-3f; // m.
+
+Transform3D axes_of(const Node3D *node) {
+	const Transform3D placed = node->get_global_transform();
+	const float volume = placed.basis.determinant();
+	return placed.is_finite() && std::isfinite(volume) && volume != 0.0f ? placed : Transform3D();
+}
+
+static Polygon flatten(const Ref<Curve3D> &curve, const Transform3D &to_field) {
+	Polygon polygon;
+	for (const Vector3 &point : curve->tessellate(OUTLINE_STAGES, OUTLINE_TOLERANCE_DEGREES)) {
+		const Vector3 placed = to_field.xform(point);
+		polygon.push_back({ placed.x, placed.z });
+	}
+	if (polygon.size() > 1 && polygon.front() == polygon.back()) {
+		polygon.pop_back(); // Closed curves repeat their first point.
+	}
+	return polygon;
+}
+
+static const Path3D *find_path(const Node3D *field, const NodePath &path) {
+	const Path3D *found = path.is_empty() ? nullptr : Object::cast_to<Path3D>(field->get_node_or_null(path));
+	return found && found->get_curve().is_valid() ? found : nullptr;
+}
+
+static Polygon flatten(const Path3D *path, const Node3D *field) {
+	return flatten(path->get_curve(), axes_of(field).affine_inverse() * axes_of(path));
+}
+
+Polygon read_outline(const Node3D *field, const StandOptions &options) {
+	const Path3D *path = field->is_inside_tree() ? find_path(field, options.outline) : nullptr;
+	return path ? flatten(path, field) : rectangle({ options.size.x, options.size.y });
+}
+
+static String read_exclusion(const Node3D *field, const NodePath &path, const String &name, Polygon &into) {
+	if (const Path3D *line = find_path(field, path)) {
+		into = flatten(line, field);
+		return into.size() > 2 ? String()
+							   : name + " has a curve of two points or fewer, which goes around nothing. Add points.";
+	}
+	const PlantField3D *other = Object::cast_to<PlantField3D>(field->get_node_or_null(path));
+	if (!other || other == field) {
+		return name + " leads to no Path3D with a curve, and to no other PlantField3D. Set a path to one.";
+	}
+	const Transform3D to_field = axes_of(field).affine_inverse() * axes_of(other);
+	into = other->outline_polygon();
+	for (glm::vec2 &point : into) {
+		const Vector3 placed = to_field.xform(Vector3(point.x, 0.0f, point.y));
+		point = { placed.x, placed.z };
+	}
+	return String();
+}
+
+// A species' density is its share of the field's, times its own factor.
+static void add_species(const PlantFieldSpecies &listed, PlacementRequest &into) {
+	PlacementSpecies kind;
+	kind.share = float(listed.get_share() * listed.get_density_factor());
+	kind.variants = listed.get_variants();
+	kind.least_scale = listed.get_scale_range().x;
+	kind.most_scale = listed.get_scale_range().y;
+	kind.height_deviation = float(listed.get_height_deviation());
+	kind.most_lean = float(listed.get_lean_deviation());
+	into.species.push_back(kind);
+}
+
+String read_request(const Node3D *field, const StandOptions &options, PlacementRequest &into) {
+	if (!options.outline.is_empty() && !find_path(field, options.outline)) {
+		return "outline leads to no Path3D with a curve. Set a path to one, or none for a rectangle of Size.";
+	}
+	into.area = read_outline(field, options);
+	for (int64_t i = 0; i < options.exclusions.size(); i++) {
+		into.exclusions.emplace_back();
+		const String fault = read_exclusion(
+				field, options.exclusions[i], "exclusions[" + String::num_int64(i) + "]", into.exclusions.back());
+		if (!fault.is_empty()) {
+			return fault;
+		}
+	}
+	into.seed = uint64_t(options.seed);
+	into.clumping = float(options.clumping);
+	into.drift_size = float(options.clump_size);
+	double shares = 0.0, weighted = 0.0;
+	for (int64_t i = 0; i < options.species.size(); i++) {
+		const Ref<PlantFieldSpecies> listed = options.species[i];
+		if (listed.is_null() || listed->get_species().is_null()) {
+			return "species[" + String::num_int64(i) +
+					"] is empty. Set a PlantFieldSpecies with a PlantFunction there, or remove the entry.";
+		}
+		add_species(**listed, into);
+		shares += listed->get_share();
+		weighted += listed->get_share() * listed->get_density_factor();
+	}
+	into.density = float(shares > 0.0 ? options.density * weighted / shares : options.density);
+	const PlacementFault fault = into.density > 0.0f ? find_placement_fault(into) : PlacementFault::none;
+	if (fault == PlacementFault::bad_area) {
+		return describe(find_area_fault(into.area));
+	}
+	return fault == PlacementFault::none ? String() : String(undergrowth::describe(fault));
+}
+
+String read_ground(const Node3D *field, const StandOptions &options, FieldGround &into) {
+	into.kind = FieldGround::Kind(options.ground_mode);
+	into.limits.lowest = options.height_limits.x;
+	into.limits.highest = options.height_limits.y;
+	into.limits.flattest = options.slope_limits.x;
+	into.limits.steepest = options.slope_limits.y;
+	into.limits.alignment = float(options.slope_alignment);
+	if (into.kind != FieldGround::Kind::mesh) {
+		return String();
+	}
+	const MeshInstance3D *instance = Object::cast_to<MeshInstance3D>(field->get_node_or_null(options.ground_mesh));
+	const Ref<Mesh> mesh = instance ? instance->get_mesh() : Ref<Mesh>();
+	if (mesh.is_null()) {
+		return "ground_mesh leads to no MeshInstance3D with a mesh. Set its path, or another ground_mode.";
+	}
+	const Transform3D to_field = axes_of(field).affine_inverse() * instance->get_global_transform();
+	into.triangles = mesh->get_faces();
+	Vector3 *corners = into.triangles.ptrw();
+	for (int64_t i = 0; i < into.triangles.size(); i++) {
+		corners[i] = to_field.xform(corners[i]);
+	}
+	return String();
+}
+
+struct ListedLevel {
+	int segments;
+	float end; // m; 0: never.
+};
+
+static std::vector<ListedLevel> list_levels(const ViewOptions &options) {
+	std::vector<ListedLevel> listed;
+	for (int64_t i = 0; i < options.levels.size(); i++) {
+		const Ref<PlantFieldLevel> level = options.levels[i];
+		if (level.is_valid()) {
+			listed.push_back({ level->get_segments(), float(level->get_end()) });
+		}
+	}
+	if (listed.empty()) {
+		listed = { { 12, 12.0f }, { 6, 25.0f }, { 3, 50.0f }, { 2, 0.0f } };
+	}
+	return listed;
+}
+
+std::vector<FieldLevel> read_levels(const ViewOptions &options, float range) {
+	const std::vector<ListedLevel> listed = list_levels(options);
+	std::vector<FieldLevel> made;
+	for (size_t i = 0; i < listed.size(); i++) {
+		FieldLevel level;
+		level.lod = listed[i].segments;
+		level.begin = i > 0 ? made.back().end : 0.0f;
+		level.end = listed[i].end;
+		const bool is_last =
+				i + 1 == listed.size() || level.end <= level.begin || (range > 0.0f && level.end >= range);
+		level.end = is_last ? range : level.end;
+		level.margin = std::max(float(options.fade_margin), LEAST_MARGIN);
+		level.tile_factor = std::min(1 << int(i), MOST_TILE_FACTOR);
+		level.casts_shadows = level.begin < options.shadow_distance;
+		made.push_back(level);
+		if (is_last) {
+			break; // Nothing is seen behind it.
+		}
+	}
+	return made;
+}
+
+// The headless engine's stand-in for a renderer may not be used by two threads at once. It has no adapter.
+static bool renders_on_threads() {
+	return !RenderingServer::get_singleton()->get_video_adapter_name().is_empty();
+}
+
+static String take_look(
+		const Ref<PlantFunction> &function, int variants, const StandOptions &options, FieldStyle &into) {
+	FieldLook look;
+	look.function = function;
+	look.variant_count = variants;
+	const uint64_t number = into.looks.size();
+	const int64_t seed = int64_t(mix_bits(uint64_t(options.seed) ^ mix_bits(number)));
+	const String fault = look.sample(into.levels, seed);
+	if (!fault.is_empty()) {
+		return describe(function.ptr()) + ": " + fault;
+	}
+	if (!renders_on_threads()) {
+		look.build();
+	}
+	into.looks.push_back(std::move(look));
+	return String();
+}
+
+String read_looks(const StandOptions &options, const std::vector<FieldLook> &others, FieldStyle &into) {
+	into.needs_colors = RenderingServer::get_singleton()->get_current_rendering_method() == String("gl_compatibility");
+	String fault;
+	for (int64_t i = 0; i < options.species.size() && fault.is_empty(); i++) {
+		const Ref<PlantFieldSpecies> listed = options.species[i];
+		if (listed.is_null() || listed->get_species().is_null()) {
+			return "species[" + String::num_int64(i) +
+					"] is empty. Set a PlantFieldSpecies with a PlantFunction there, or remove the entry.";
+		}
+		fault = take_look(listed->get_species(), listed->get_variants(), options, into);
+	}
+	into.listed = int(into.looks.size());
+	for (size_t i = 0; i < others.size() && fault.is_empty(); i++) {
+		fault = take_look(others[i].function, others[i].variant_count, options, into);
+	}
+	return fault;
+}
+
+String read_other_look(
+		const Ref<PlantFunction> &function, const StandOptions &options, const FieldStyle &style, FieldLook &into) {
+	FieldStyle alone;
+	alone.levels = style.levels;
+	alone.looks.resize(style.looks.size()); // Seeds go by the number of the look.
+	const String fault = take_look(function, FieldLook().variant_count, options, alone);
+	if (fault.is_empty()) {
+		into = std::move(alone.looks.back());
+		into.build();
+	}
+	return fault;
+}
+
+} // namespace undergrowth

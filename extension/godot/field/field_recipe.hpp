@@ -1,0 +1,39 @@
+#pragma once
+
+#include "field/field_fill.hpp"
+#include "field/field_options.hpp"
+#include "stand/area.hpp"
+
+#include <godot_cpp/classes/node3d.hpp>
+
+#include <vector>
+
+namespace undergrowth {
+
+// Reads from properties and scene what growing a field needs to know. Main thread. What returns a String tells what is
+// wrong and what to do about it, or nothing.
+
+/// From a node's axes to the world's. A node that is scaled to nothing, or is nowhere, counts as one at the origin, so
+/// that everything can be brought back into its axes.
+godot::Transform3D axes_of(const godot::Node3D *node);
+
+/// The field's outline in its own axes. Where it is not that of a Path3D, it is the rectangle.
+Polygon read_outline(const godot::Node3D *field, const StandOptions &options);
+
+/// Where plants stand, and of which species of the list.
+godot::String read_request(const godot::Node3D *field, const StandOptions &options, PlacementRequest &into);
+
+/// What they stand on.
+godot::String read_ground(const godot::Node3D *field, const StandOptions &options, FieldGround &into);
+
+/// Levels up to `range` (m; 0: without end), at least one.
+std::vector<FieldLevel> read_levels(const ViewOptions &options, float range);
+
+/// A look for each species of the list, sampled; then for each of `others`.
+godot::String read_looks(const StandOptions &options, const std::vector<FieldLook> &others, FieldStyle &into);
+
+/// A look of a function that code adds plants of, sampled and built.
+godot::String read_other_look(
+		const godot::Ref<PlantFunction> &function, const StandOptions &options, const FieldStyle &style, FieldLook &into);
+
+} // namespace undergrowth

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "field/field_looks.hpp"
+
+#include <vector>
+
+namespace undergrowth {
+
+/// How all plants of a field are drawn.
+struct FieldStyle {
+	std::vector<FieldLook> looks; ///< By species.
+	std::vector<FieldLevel> levels; ///< At least one, nearest first.
+	bool needs_colors = false; ///< Compatibility takes custom data for colours where instances have no colours.
+	int listed = 0; ///< So many looks are of the field's list of species; the others came with plants that were added.
+};
+
+/// What an instance of the field wears beside its mesh: the engine's own properties of the node.
+struct FieldWear {
+	uint32_t layers = 1;
+	bool casts_shadows = true;
+	float transparency = 0.0f;
+
+	bool operator==(const FieldWear &other) const {
+		return layers == other.layers && casts_shadows == other.casts_shadows && transparency == other.transparency;
+	}
+};
+
+} // namespace undergrowth

@@ -1,0 +1,199 @@
+#include "field/field_view.hpp"
+
+#include <godot_cpp/classes/rendering_server.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace godot;
+
+namespace undergrowth {
+
+template <class Act> void FieldView::for_each(Act &&act) const {
+	RenderingServer *server = RenderingServer::get_singleton();
+	for (const auto &[place, group] : clumps) {
+		for (const Clump &clump : group) {
+			act(server, place, clump);
+		}
+	}
+}
+
+FieldView::~FieldView() {
+	if (RenderingServer::get_singleton()) {
+		for_each([](RenderingServer *server, const ClumpPlace &, const Clump &clump) {
+			server->free_rid(clump.instance);
+			server->free_rid(clump.multimesh);
+		});
+	}
+}
+
+// The engine measures in the world, from the middle of the box; the shader measures to each plant.
+void FieldView::set_range(const Clump &clump, const FieldLevel &level) const {
+	const float radius = clump.radius * largest_scale;
+	const float begin = std::max(level.begin - radius - level.margin, 0.0f);
+	const float end = level.end > 0.0f ? level.end + radius : 0.0f;
+	RenderingServer::get_singleton()->instance_geometry_set_visibility_range(
+			clump.instance, begin, end, 0.0f, 0.0f, RenderingServer::VISIBILITY_RANGE_FADE_DISABLED);
+}
+
+void FieldView::set_wear(const Clump &clump, const FieldLevel &level) const {
+	RenderingServer *server = RenderingServer::get_singleton();
+	server->instance_set_layer_mask(clump.instance, worn.layers);
+	server->instance_geometry_set_transparency(clump.instance, worn.transparency);
+	server->instance_geometry_set_cast_shadows_setting(clump.instance,
+			worn.casts_shadows && level.casts_shadows ? RenderingServer::SHADOW_CASTING_SETTING_ON
+													  : RenderingServer::SHADOW_CASTING_SETTING_OFF);
+}
+
+FieldView::Clump FieldView::make(const FieldStyle &style, const ClumpPlan &plan) const {
+	RenderingServer *server = RenderingServer::get_singleton();
+	const FieldLevel &level = style.levels[size_t(plan.place.level)];
+	const FieldLook &look = style.looks[size_t(plan.species)];
+	Clump clump;
+	clump.count = plan.count;
+	clump.middle = plan.box.get_center();
+	clump.radius = 0.5f * plan.box.size.length();
+	clump.multimesh = server->multimesh_create();
+	server->multimesh_allocate_data(
+			clump.multimesh, plan.count, RenderingServer::MULTIMESH_TRANSFORM_3D, style.needs_colors, true, false);
+	server->multimesh_set_mesh(clump.multimesh, look.meshes[size_t(plan.place.level)][size_t(plan.group)]->get_rid());
+	server->multimesh_set_custom_aabb(clump.multimesh, plan.box);
+	server->multimesh_set_buffer(clump.multimesh, plan.buffer);
+	clump.instance = server->instance_create2(clump.multimesh, world);
+	server->instance_attach_object_instance_id(clump.instance, owner);
+	server->instance_set_transform(clump.instance, placed);
+	server->instance_set_visible(clump.instance, is_visible);
+	server->instance_geometry_set_material_override(
+			clump.instance, look.materials[size_t(plan.place.level)]->get_rid());
+	set_wear(clump, level);
+	set_range(clump, level);
+	return clump;
+}
+
+void FieldView::show(const FieldStyle &style, const std::vector<ClumpPlan> &plans) {
+	levels = style.levels;
+	for (const ClumpPlan &plan : plans) {
+		clumps[plan.place].push_back(make(style, plan));
+	}
+}
+
+void FieldView::clear(const ClumpPlace &place) {
+	const auto found = clumps.find(place);
+	if (found == clumps.end()) {
+		return;
+	}
+	RenderingServer *server = RenderingServer::get_singleton();
+	for (const Clump &clump : found->second) {
+		server->free_rid(clump.instance);
+		server->free_rid(clump.multimesh);
+	}
+	clumps.erase(found);
+}
+
+void FieldView::clear() {
+	while (!clumps.empty()) {
+		clear(ClumpPlace(clumps.begin()->first));
+	}
+}
+
+void FieldView::show_filled(const FieldStyle &style, const std::vector<ClumpPlan> &plans) {
+	show(style, plans);
+}
+
+void FieldView::show_added(const FieldStyle &style, const PoseTexture &poses, const PlantStore &store,
+		const std::set<TileKey> &tiles) {
+	for (int level = 0; level < int(style.levels.size()); level++) {
+		const int factor = style.levels[size_t(level)].tile_factor;
+		const auto down = [factor](int count) { return int(std::floor(double(count) / factor)); };
+		std::set<std::pair<int, int>> places;
+		for (const TileKey &tile : tiles) {
+			places.insert({ down(tile.column), down(tile.row) });
+		}
+		for (const auto &[column, row] : places) {
+			std::vector<DrawnBlock> members;
+			for (int i = 0; i < factor * factor; i++) {
+				for (const int number : store.blocks_of({ column * factor + i % factor, row * factor + i / factor })) {
+					if (store.block(number).is_added) {
+						members.push_back({ number, &store.block(number) });
+					}
+				}
+			}
+			const ClumpPlace place = { true, level, column, row };
+			clear(place);
+			show(style, plan_clumps_at(style, poses, members, place));
+		}
+	}
+}
+
+void FieldView::show_all_added(const FieldStyle &style, const PoseTexture &poses, const PlantStore &store) {
+	std::vector<DrawnBlock> added;
+	for (int number = 0; number < store.block_count(); number++) {
+		if (store.block(number).is_added) {
+			added.push_back({ number, &store.block(number) });
+		}
+	}
+	show(style, plan_clumps(style, poses, added));
+}
+
+void FieldView::update_levels(const FieldStyle &style) {
+	levels = style.levels;
+	for_each([&](RenderingServer *, const ClumpPlace &place, const Clump &clump) {
+		set_range(clump, levels[size_t(place.level)]);
+		set_wear(clump, levels[size_t(place.level)]);
+	});
+}
+
+void FieldView::set_scenario(const RID &scenario) {
+	world = scenario;
+	for_each([&](RenderingServer *server, const ClumpPlace &, const Clump &clump) {
+		server->instance_set_scenario(clump.instance, world);
+	});
+}
+
+void FieldView::set_transform(const Transform3D &transform) {
+	if (!transform.is_finite()) {
+		return; // The engine would complain once for each multimesh.
+	}
+	placed = transform;
+	const Vector3 scale = transform.basis.get_scale().abs();
+	const float largest = std::max({ scale.x, scale.y, scale.z });
+	const bool is_scaled_anew = largest != largest_scale;
+	largest_scale = largest;
+	for_each([&](RenderingServer *server, const ClumpPlace &place, const Clump &clump) {
+		server->instance_set_transform(clump.instance, placed);
+		if (is_scaled_anew) {
+			set_range(clump, levels[size_t(place.level)]);
+		}
+	});
+}
+
+void FieldView::set_visible(bool visible) {
+	is_visible = visible;
+	for_each([&](RenderingServer *server, const ClumpPlace &, const Clump &clump) {
+		server->instance_set_visible(clump.instance, visible);
+	});
+}
+
+void FieldView::wear(const FieldWear &wear) {
+	worn = wear;
+	for_each([&](RenderingServer *, const ClumpPlace &place, const Clump &clump) {
+		set_wear(clump, levels[size_t(place.level)]);
+	});
+}
+
+std::vector<int> FieldView::count_drawn(const FieldStyle &style, const Vector3 &eye) const {
+	std::vector<int> drawn(style.levels.size(), 0);
+	for (const auto &[place, group] : clumps) {
+		const FieldLevel &level = style.levels[size_t(place.level)];
+		for (const Clump &clump : group) {
+			const float away = placed.xform(clump.middle).distance_to(eye);
+			const float radius = clump.radius * largest_scale;
+			if (away >= level.begin - radius && (level.end <= 0.0f || away < level.end + radius)) {
+				drawn[size_t(place.level)] += clump.count;
+			}
+		}
+	}
+	return drawn;
+}
+
+} // namespace undergrowth

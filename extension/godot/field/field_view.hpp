@@ -1,0 +1,114 @@
+#pragma once
+
+#include "field/field_style.hpp"
+#include "field/pose_texture.hpp"
+#include "stand/plant_store.hpp"
+
+#include <godot_cpp/variant/packed_float32_array.hpp>
+#include <godot_cpp/variant/rid.hpp>
+#include <godot_cpp/variant/transform3d.hpp>
+
+#include <map>
+#include <set>
+#include <tuple>
+#include <vector>
+
+namespace undergrowth {
+
+/// A square of the ground at one level of detail: FieldLevel::tile_factor tiles wide. Plants that code added have
+/// multimeshes of their own, so that adding one does not touch what was filled.
+struct ClumpPlace {
+	bool is_added;
+	int level;
+	int column;
+	int row;
+
+	bool operator<(const ClumpPlace &other) const {
+		return std::tie(is_added, level, column, row) <
+				std::tie(other.is_added, other.level, other.column, other.row);
+	}
+};
+
+/// One multimesh in the making: plants of one place that show one mesh.
+struct ClumpPlan {
+	ClumpPlace place;
+	int species = 0;
+	int group = 0;
+	int count = 0;
+	int stride = 0; ///< Floats per plant.
+	godot::PackedFloat32Array buffer;
+	godot::AABB box; ///< Covers the largest deflection.
+};
+
+/// A block to be drawn, by the number that the pose texture knows it by.
+struct DrawnBlock {
+	int number;
+	const PlantBlock *block;
+};
+
+/// How all plants of some blocks are drawn, which are all added ones or none. On any thread.
+std::vector<ClumpPlan> plan_clumps(
+		const FieldStyle &style, const PoseTexture &poses, const std::vector<DrawnBlock> &blocks);
+/// The same for one place only.
+std::vector<ClumpPlan> plan_clumps_at(const FieldStyle &style, const PoseTexture &poses,
+		const std::vector<DrawnBlock> &blocks, const ClumpPlace &place);
+
+/// The multimeshes of a field, one for each level, place, species and mesh. Transforms never change: what moves is in
+/// the PoseTexture, which each instance names its texel in. A plant that is gone is hidden there. Main thread.
+class FieldView {
+public:
+	FieldView() = default;
+	~FieldView();
+	FieldView(const FieldView &) = delete;
+	FieldView &operator=(const FieldView &) = delete;
+
+	/// Draws nothing.
+	void clear();
+	/// Shows these plans.
+	void show_filled(const FieldStyle &style, const std::vector<ClumpPlan> &plans);
+	/// Draws the plants that were added anew in all places with a block that grew or was dropped.
+	void show_added(const FieldStyle &style, const PoseTexture &poses, const PlantStore &store,
+			const std::set<TileKey> &tiles);
+	/// All plants that were added.
+	void show_all_added(const FieldStyle &style, const PoseTexture &poses, const PlantStore &store);
+
+	/// Where levels begin and end changed, or what casts shadows; their number and meshes have not.
+	void update_levels(const FieldStyle &style);
+	/// Into which world, or none.
+	void set_scenario(const godot::RID &scenario);
+	void set_transform(const godot::Transform3D &transform);
+	void set_visible(bool visible);
+	void wear(const FieldWear &wear);
+	/// Whose instances they are: what a ray of the editor meets.
+	void set_owner(uint64_t object) { owner = object; }
+
+	/// Plants that are shown at each level to an eye at `eye` (world axes).
+	std::vector<int> count_drawn(const FieldStyle &style, const godot::Vector3 &eye) const;
+
+private:
+	struct Clump {
+		godot::RID multimesh;
+		godot::RID instance;
+		int count = 0;
+		godot::Vector3 middle; ///< Field axes, m.
+		float radius = 0.0f;
+	};
+
+	std::map<ClumpPlace, std::vector<Clump>> clumps;
+	std::vector<FieldLevel> levels; ///< As they were shown.
+	godot::RID world;
+	godot::Transform3D placed;
+	float largest_scale = 1.0f; ///< Of the field's axes.
+	bool is_visible = true;
+	FieldWear worn;
+	uint64_t owner = 0;
+
+	Clump make(const FieldStyle &style, const ClumpPlan &plan) const;
+	void show(const FieldStyle &style, const std::vector<ClumpPlan> &plans);
+	void clear(const ClumpPlace &place);
+	void set_range(const Clump &clump, const FieldLevel &level) const;
+	void set_wear(const Clump &clump, const FieldLevel &level) const;
+	template <class Act> void for_each(Act &&act) const;
+};
+
+} // namespace undergrowth

@@ -1,0 +1,96 @@
+#pragma once
+
+#include "field/field_motion.hpp"
+#include "field/field_recipe.hpp"
+#include "field/skeleton_view.hpp"
+
+#include <godot_cpp/classes/geometry_instance3d.hpp>
+
+#include <memory>
+#include <set>
+#include <vector>
+
+namespace undergrowth {
+
+/// What a PlantField3D is made of, and the way of an edit through it: PlantStore knows what stands, FieldMotion how it
+/// moves, FieldView and SkeletonView how it is seen; each owns its state, and a ChangeSet tells the others. Growing goes
+/// on beside the game (FieldFill) and is taken over between two frames. Main thread.
+class Meadow {
+public:
+	/// What the node hears of.
+	struct Listener {
+		std::function<void(const godot::String &)> fault; ///< Empty: there is none any more.
+		std::function<void(float)> progressed; ///< 0 to 1.
+		std::function<void()> filled;
+		SkeletonView::Tell skeleton;
+	};
+
+	Meadow(godot::GeometryInstance3D *node, const FieldProperties &set_by_users, Listener &&teller);
+	~Meadow();
+
+	/// Grows anew what stands (`places`), or only what it looks like and how finely it moves.
+	void fill(bool places);
+	bool is_filling() const { return job != nullptr; }
+	/// Goes on with it; at any frame, paused or not. `physics`: it is one of physics, in which rays may be cast.
+	void poll(double delta, bool physics);
+
+	/// Once a frame that is not paused. Tells how many µs of this thread steps took.
+	double advance(double delta, bool simulates);
+	void preview(double delta, const godot::Ref<PlantWind> &blowing);
+	/// Shows what changed since the last frame.
+	void refresh();
+
+	/// Look of a function whose plants code adds; -1, with a fault told, where it cannot be built.
+	int species_for(const godot::Ref<PlantFunction> &function);
+	std::vector<PlantId> add(std::vector<PlacedPlant> &&plants);
+	void remove(std::vector<PlantPlace> &&places);
+	void settle();
+
+	/// How a species moves is another: its plants stay, and so does their motion.
+	void read_motion(const PlantFunction *function);
+	/// Distances of levels, or shadows. False where other meshes are needed for them.
+	bool update_levels();
+	void update_wear(const FieldWear &wear);
+	/// One species' materials follow what its user set, in turns.
+	void follow_materials();
+	void skeletons_changed();
+
+	void enter_tree();
+	void exit_tree();
+	void moved();
+	void set_visible(bool visible);
+
+	PlantStore store;
+	FieldMotion motion;
+	FieldStyle style;
+	SkeletonView skeletons;
+	double upload_usec = 0.0;
+	/// The box (field axes) that holds whatever is drawn, at most; of no volume where nothing is.
+	godot::AABB box() const;
+	std::vector<int> count_drawn(const godot::Vector3 &eye) const { return view.count_drawn(style, eye); }
+
+private:
+	godot::GeometryInstance3D *node;
+	const FieldProperties &properties;
+	Listener listener;
+	FieldView view;
+	FieldWear wear;
+	std::set<TileKey> unseen; ///< Tiles with plants that were added or dropped, and are not drawn so yet.
+	std::unique_ptr<FieldFill> job;
+	std::unique_ptr<FieldRays> rays;
+	std::vector<PlantId> removed_meanwhile; ///< While the job goes on.
+	float told_progress = -1.0f;
+	size_t followed_look = 0;
+
+	FieldMotion::Frame frame(double delta, const godot::Ref<PlantWind> &wind) const;
+	FieldSettings settings() const;
+	godot::String make_recipe(FieldRecipe &recipe, bool places);
+	void adopt(FieldFill &finished);
+	ChangeSet apply(StandEdit &&edit);
+	void dress();
+	void send_uniforms();
+	std::vector<godot::Vector3> find_eyes() const;
+	godot::Ref<godot::Material> worn_material(const FieldLook &look) const;
+};
+
+} // namespace undergrowth

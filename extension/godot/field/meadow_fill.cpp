@@ -1,0 +1,180 @@
+// How a field grows: from properties to plants that stand.
+
+#include "field/meadow.hpp"
+
+#include "plant_simulation.hpp"
+
+#include <godot_cpp/classes/physics_direct_space_state3d.hpp>
+#include <godot_cpp/classes/world3d.hpp>
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace undergrowth {
+
+// Rays of one frame: at least so long, and a share of frames that take long anyway.
+static constexpr double LEAST_RAY_USEC = 3000.0;
+static constexpr double MOST_RAY_USEC = 50000.0;
+static constexpr double RAY_SHARE = 0.2;
+
+FieldSettings Meadow::settings() const {
+	FieldSettings made;
+	made.step = float(PlantSimulation::get_singleton()->get_step_length());
+	made.update_interval = properties.motion.update_interval;
+	made.prototypes = properties.motion.prototypes;
+	made.seed = uint64_t(properties.stand.seed);
+	return made;
+}
+
+// Species of the list have its numbers; those of plants that code added come after them.
+static std::vector<FieldLook> others_of(
+		const FieldStyle &style, const PlantStore &store, const StandOptions &options, std::vector<int> &numbers) {
+	numbers.assign(style.looks.size(), -1);
+	for (size_t i = 0; i < style.looks.size(); i++) {
+		for (int64_t listed = options.species.size() - 1; listed >= 0; listed--) {
+			const Ref<PlantFieldSpecies> entry = options.species[listed];
+			if (entry.is_valid() && entry->get_species() == style.looks[i].function) {
+				numbers[i] = int(listed);
+			}
+		}
+		if (int64_t(i) < options.species.size() && int(i) < style.listed) {
+			const Ref<PlantFieldSpecies> entry = options.species[int64_t(i)];
+			const bool same = entry.is_valid() && entry->get_species() == style.looks[i].function;
+			numbers[i] = same ? int(i) : numbers[i];
+		}
+	}
+	std::vector<bool> is_used(style.looks.size(), false);
+	for (int number = 0; number < store.block_count(); number++) {
+		const PlantBlock &block = store.block(number);
+		if (block.is_added && block.size() > 0) {
+			is_used[size_t(block.species)] = true;
+		}
+	}
+	std::vector<FieldLook> others;
+	for (size_t i = 0; i < style.looks.size(); i++) {
+		if (numbers[i] < 0 && is_used[i]) {
+			numbers[i] = int(options.species.size()) + int(others.size());
+			others.emplace_back();
+			others.back().function = style.looks[i].function;
+			others.back().variant_count = style.looks[i].variant_count;
+		}
+	}
+	return others;
+}
+
+String Meadow::make_recipe(FieldRecipe &recipe, bool places) {
+	recipe.places = places;
+	const std::vector<FieldLook> others = others_of(style, store, properties.stand, recipe.species_numbers);
+	recipe.style.levels = read_levels(properties.view, node->get_visibility_range_end());
+	String fault = read_looks(properties.stand, others, recipe.style);
+	if (fault.is_empty() && places && properties.stand.species.size() > 0) { // Else only what code adds.
+		fault = read_request(node, properties.stand, recipe.request);
+	}
+	if (fault.is_empty()) {
+		fault = read_ground(node, properties.stand, recipe.ground);
+	}
+	if (!fault.is_empty()) {
+		return fault;
+	}
+	const Ref<PlantWind> &wind = properties.motion.wind;
+	recipe.settings = settings();
+	recipe.tile_size = float(properties.view.tile_size);
+	recipe.wind = motion.wind_here(frame(0.0, wind), wind.is_valid() ? wind->get_time() : 0.0);
+	recipe.old_spacing = store.spacing();
+	for (int number = 0; number < store.block_count(); number++) {
+		const PlantBlock &block = store.block(number);
+		if (!block.is_added && block.standing() > 0) {
+			recipe.standing.emplace_back(number, block);
+		}
+	}
+	return String();
+}
+
+void Meadow::fill(bool places) {
+	const bool placed_before = job && job->places();
+	rays.reset();
+	job.reset();
+	removed_meanwhile.clear();
+	FieldRecipe recipe;
+	motion.wait();
+	const String fault = make_recipe(recipe, places || placed_before);
+	listener.fault(fault);
+	if (!fault.is_empty()) {
+		return;
+	}
+	job = std::make_unique<FieldFill>(std::move(recipe));
+	told_progress = -1.0f;
+	job->start();
+}
+
+void Meadow::poll(double delta, bool physics) {
+	if (!job) {
+		return;
+	}
+	if (job->wants_ground() && physics) {
+		if (!rays) {
+			rays = std::make_unique<FieldRays>(
+					node->get_world_3d(), axes_of(node), uint32_t(properties.stand.ground_collision_mask));
+		}
+		const double usec = std::clamp(1e6 * RAY_SHARE * delta, LEAST_RAY_USEC, MOST_RAY_USEC);
+		if (rays->cast(job->plants(), usec)) {
+			job->go_on(std::move(rays->heights), std::move(rays->normals));
+			rays.reset();
+		}
+	}
+	const bool is_done = job->is_done();
+	const float progress = is_done ? 1.0f : job->progress();
+	if (is_done) {
+		const std::unique_ptr<FieldFill> finished = std::move(job);
+		adopt(*finished);
+	}
+	if (progress != told_progress) {
+		told_progress = progress;
+		listener.progressed(progress);
+	}
+	if (is_done) {
+		listener.filled();
+	}
+}
+
+void Meadow::adopt(FieldFill &finished) {
+	FieldResult &result = finished.finish();
+	motion.wait();
+	skeletons.release_all(motion);
+	style = std::move(result.style);
+	for (FieldLook &look : style.looks) {
+		look.read_motion(); // It may have changed meanwhile.
+	}
+	StandEdit edit;
+	edit.fills = true;
+	edit.filled = result.blocks; // The simulation's pages are told by their number.
+	edit.tile_size = finished.tile_size();
+	edit.spacing = result.spacing;
+	edit.species_numbers = finished.species_numbers();
+	const ChangeSet changes = store.apply(std::move(edit));
+	motion.adopt(result, changes, store, style);
+	view.clear();
+	motion.upload();
+	dress();
+	view.show_filled(style, result.plans);
+	view.show_all_added(style, *motion.poses(), store);
+	unseen.clear();
+	if (result.fault != PlacementFault::none) {
+		listener.fault(describe(result.fault));
+	}
+	std::vector<PlantPlace> again;
+	for (const PlantId id : removed_meanwhile) {
+		const PlantPlace place = store.find(id);
+		if (place.block >= 0) {
+			again.push_back(place);
+		}
+	}
+	removed_meanwhile.clear();
+	if (!again.empty()) {
+		remove(std::move(again));
+	}
+	refresh();
+}
+
+} // namespace undergrowth

@@ -1,0 +1,285 @@
+#include "field/pose_texture.hpp"
+
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr Bend HIDDEN = 0x7bffu; // s.x is the largest half, 65,504: no bend has it.
+static constexpr uint64_t ALL_ROWS = ~uint64_t(0);
+static constexpr int SPARE_LAYERS = 2; // So that plants which are added seldom need another texture.
+static constexpr size_t TEXEL_BYTES = 2 * sizeof(Bend);
+static constexpr int PAIRS_PER_LAYER = PoseTexture::SIDE * PoseTexture::SIDE;
+static constexpr int HISTORY_LAYERS = Prototypes::SLOTS * Prototypes::MOST / PAIRS_PER_LAYER;
+static constexpr int SPECIES_LAYERS = HISTORY_LAYERS + 1; // And one of loose plants.
+
+static_assert(LoosePlants::MOST <= PAIRS_PER_LAYER, "loose plants of a species have one layer");
+static_assert(MotionPage::PAGE_PLANTS == PAIRS_PER_LAYER, "a page fits into a layer");
+static_assert(Prototypes::MOST == PoseTexture::SIDE, "a row of a layer is a slot");
+
+PoseTexture::PoseTexture(bool follows) : follows_prototypes(follows) {}
+
+PoseTexture::~PoseTexture() {
+	free_textures();
+}
+
+void PoseTexture::free_textures() {
+	RenderingServer *server = RenderingServer::get_singleton();
+	for (RID *one : { &texture, &blend_texture }) {
+		if (server && one->is_valid()) {
+			server->free_rid(*one);
+		}
+		*one = RID();
+	}
+}
+
+int PoseTexture::add_layer(bool is_shared) {
+	layers.push_back(Image::create_empty(SIDE, SIDE, false, Image::FORMAT_RGBAH));
+	free_rows.push_back(is_shared ? ALL_ROWS : 0);
+	is_fresh.push_back(1);
+	return int(layers.size()) - 1;
+}
+
+// The first place with so many free rows side by side; the later layers first, where there is more room.
+PoseTexture::Rows PoseTexture::find_rows(int count) {
+	const uint64_t wanted = count >= SIDE ? ALL_ROWS : (uint64_t(1) << count) - 1;
+	for (int layer = int(layers.size()) - 1; layer >= 0; layer--) {
+		for (int first = 0; first + count <= SIDE && free_rows[size_t(layer)] != 0; first++) {
+			if ((free_rows[size_t(layer)] >> first & wanted) == wanted) {
+				free_rows[size_t(layer)] &= ~(wanted << first);
+				return { layer, first, count };
+			}
+		}
+	}
+	add_layer(true);
+	return find_rows(count);
+}
+
+void PoseTexture::release(const Rows &rows) {
+	const uint64_t taken = rows.count >= SIDE ? ALL_ROWS : (uint64_t(1) << rows.count) - 1;
+	free_rows[size_t(rows.layer)] |= taken << rows.first;
+}
+
+void PoseTexture::give_rows(int block, int plants) {
+	blocks.resize(std::max(blocks.size(), size_t(block) + 1));
+	Block &own = blocks[size_t(block)];
+	const int count = (plants + SIDE - 1) / SIDE;
+	if (own.rows.layer >= 0 && own.rows.count >= count) {
+		return;
+	}
+	if (own.rows.layer >= 0) {
+		// It grows, and will again.
+		release(own.rows);
+		own.rows = find_rows(std::min(std::max(count, 2 * own.rows.count), SIDE));
+	} else {
+		own.rows = find_rows(count);
+	}
+	own.share = -1.0f;
+}
+
+void PoseTexture::take_rows(int block) {
+	if (size_t(block) < blocks.size() && blocks[size_t(block)].rows.layer >= 0) {
+		release(blocks[size_t(block)].rows);
+		blocks[size_t(block)] = Block();
+	}
+}
+
+void PoseTexture::renumber(const std::vector<int> &numbers) {
+	std::vector<Block> renumbered;
+	for (size_t i = 0; i < numbers.size(); i++) {
+		renumbered.resize(std::max(renumbered.size(), size_t(numbers[i]) + 1));
+		renumbered[size_t(numbers[i])] = std::move(blocks[i]);
+	}
+	blocks = std::move(renumbered);
+}
+
+void PoseTexture::give_history(int species_count) {
+	while (follows_prototypes && int(histories.size()) < species_count) {
+		histories.push_back(int(layers.size()));
+		for (int i = 0; i < SPECIES_LAYERS; i++) {
+			add_layer(false);
+		}
+	}
+}
+
+bool PoseTexture::is_too_large() const {
+	return layers.size() + SPARE_LAYERS > size_t(MOST_LAYERS);
+}
+
+std::pair<int, int> PoseTexture::texel(int block, int slot) const {
+	const Rows &rows = blocks[size_t(block)].rows;
+	return { rows.first * SIDE + slot, rows.layer };
+}
+
+int PoseTexture::history_layer(int species) const {
+	return size_t(species) < histories.size() ? histories[size_t(species)] : -1;
+}
+
+uint8_t *PoseTexture::texels(const Rows &rows) {
+	return layers[size_t(rows.layer)]->ptrw() + size_t(rows.first) * SIDE * TEXEL_BYTES;
+}
+
+void PoseTexture::write_block(const FieldSimulation &simulation, int page, int block) {
+	Block &own = blocks[size_t(block)];
+	if (follows_prototypes) {
+		write_followers(simulation, page, own);
+	} else {
+		const MotionPage &plants = simulation.page(page);
+		std::memcpy(texels(own.rows), plants.bends(), size_t(plants.size()) * TEXEL_BYTES);
+	}
+	write_hidden(own);
+	own.is_fresh = true;
+}
+
+void PoseTexture::write_hidden(const Block &block) {
+	const Bend pair[2] = { HIDDEN, HIDDEN };
+	uint8_t *to = block.hidden.empty() ? nullptr : texels(block.rows);
+	for (const uint16_t slot : block.hidden) {
+		std::memcpy(to + size_t(slot) * TEXEL_BYTES, pair, TEXEL_BYTES);
+	}
+}
+
+void PoseTexture::hide(int block, int slot) {
+	Block &own = blocks[size_t(block)];
+	own.hidden.push_back(uint16_t(slot));
+	const Bend pair[2] = { HIDDEN, HIDDEN };
+	std::memcpy(texels(own.rows) + size_t(slot) * TEXEL_BYTES, pair, TEXEL_BYTES);
+	own.is_fresh = true;
+}
+
+void PoseTexture::show(int block, int slot) {
+	std::vector<uint16_t> &hidden = blocks[size_t(block)].hidden;
+	const auto found = std::find(hidden.begin(), hidden.end(), uint16_t(slot));
+	if (found != hidden.end()) {
+		*found = hidden.back();
+		hidden.pop_back();
+	}
+}
+
+static const std::array<uint32_t, Prototypes::SLOTS> &small_halves() {
+	static const std::array<uint32_t, Prototypes::SLOTS> halves = [] {
+		std::array<uint32_t, Prototypes::SLOTS> made = {};
+		for (size_t i = 0; i < made.size(); i++) {
+			made[i] = to_half(float(i));
+		}
+		return made;
+	}();
+	return halves;
+}
+
+// A texel for each plant: its prototype and own delay, and one more than the column and the row of its place among the
+// loose plants, or 0.
+void PoseTexture::write_followers(const FieldSimulation &simulation, int page, Block &block) {
+	const std::array<uint32_t, Prototypes::SLOTS> &halves = small_halves();
+	uint32_t *to = reinterpret_cast<uint32_t *>(texels(block.rows));
+	for (int i = 0; i < simulation.page(page).size(); i++) {
+		const Follower &follower = simulation.follower(page, i);
+		const uint32_t number = follower.loose > 0 ? follower.loose - 1u : 0u;
+		const uint32_t column = follower.loose > 0 ? number % SIDE + 1u : 0u;
+		to[2 * i] = halves[follower.prototype] | halves[follower.own_delay] << 16;
+		to[2 * i + 1] = halves[column] | halves[number / SIDE] << 16;
+	}
+	block.loose_version = simulation.loose_version(page);
+}
+
+void PoseTexture::write_layer(int layer, const Bend *from, int pairs, int first) {
+	std::memcpy(layers[size_t(layer)]->ptrw() + size_t(first) * TEXEL_BYTES, from, size_t(pairs) * TEXEL_BYTES);
+	is_fresh[size_t(layer)] = 1;
+}
+
+void PoseTexture::write_history(const FieldSimulation &simulation, bool all) {
+	for (int species = 0; follows_prototypes && species < simulation.species_count(); species++) {
+		const Prototypes &models = *simulation.prototypes(species);
+		const int first = histories[size_t(species)];
+		for (int layer = 0; all && layer < HISTORY_LAYERS; layer++) {
+			write_layer(first + layer, models.history() + size_t(layer) * 2 * PAIRS_PER_LAYER, PAIRS_PER_LAYER, 0);
+		}
+		const int slot = models.newest_slot();
+		write_layer(first + slot / SIDE, models.history() + size_t(slot) * 2 * Prototypes::MOST, SIDE, slot % SIDE * SIDE);
+		const MotionPage &loose = simulation.loose_plants(species)->page();
+		if (loose.size() > 0) {
+			write_layer(first + HISTORY_LAYERS, loose.bends(), loose.size(), 0);
+		}
+	}
+}
+
+bool PoseTexture::make_textures() {
+	if (texture.is_valid() && textured_layers >= layers.size()) {
+		return false;
+	}
+	for (int i = 0; i < SPARE_LAYERS; i++) {
+		add_layer(true);
+	}
+	free_textures();
+	TypedArray<Image> images;
+	for (const Ref<Image> &layer : layers) {
+		images.push_back(layer);
+	}
+	RenderingServer *server = RenderingServer::get_singleton();
+	texture = server->texture_2d_layered_create(images, RenderingServer::TEXTURE_LAYERED_2D_ARRAY);
+	blend_image = Image::create_empty(SIDE, int(layers.size()), false, Image::FORMAT_RF);
+	shares.assign(layers.size() * SIDE, 0.0f);
+	blend_texture = server->texture_2d_create(blend_image);
+	std::fill(is_fresh.begin(), is_fresh.end(), uint8_t(0));
+	for (Block &block : blocks) {
+		block.is_fresh = false;
+		block.share = -1.0f;
+	}
+	textured_layers = layers.size();
+	return true;
+}
+
+void PoseTexture::upload(const FieldSimulation &simulation, const std::vector<int> &pages, float fraction) {
+	for (size_t block = 0; follows_prototypes && block < blocks.size(); block++) {
+		Block &own = blocks[block];
+		if (own.rows.layer >= 0 && pages[block] >= 0 && simulation.loose_version(pages[block]) != own.loose_version) {
+			write_block(simulation, pages[block], int(block));
+		}
+	}
+	upload_layers();
+	if (!follows_prototypes) { // Followers' blend is one for all: a uniform.
+		upload_blends(simulation, pages, fraction);
+	}
+}
+
+void PoseTexture::upload_layers() {
+	for (Block &block : blocks) {
+		if (block.is_fresh) {
+			is_fresh[size_t(block.rows.layer)] = 1;
+			block.is_fresh = false;
+		}
+	}
+	RenderingServer *server = RenderingServer::get_singleton();
+	for (size_t layer = 0; layer < layers.size(); layer++) {
+		if (is_fresh[layer]) {
+			server->texture_2d_update(texture, layers[layer], int(layer));
+			is_fresh[layer] = 0;
+		}
+	}
+}
+
+void PoseTexture::upload_blends(const FieldSimulation &simulation, const std::vector<int> &pages, float fraction) {
+	bool has_changed = false;
+	for (size_t number = 0; number < blocks.size(); number++) {
+		Block &block = blocks[number];
+		const bool moves = block.rows.layer >= 0 && pages[number] >= 0;
+		const float share = moves ? simulation.alpha(pages[number], fraction) : block.share;
+		if (share != block.share) {
+			block.share = share;
+			float *to = shares.data() + size_t(block.rows.layer) * SIDE + size_t(block.rows.first);
+			std::fill(to, to + block.rows.count, share);
+			has_changed = true;
+		}
+	}
+	if (has_changed) {
+		std::memcpy(blend_image->ptrw(), shares.data(), shares.size() * sizeof(float));
+		RenderingServer::get_singleton()->texture_2d_update(blend_texture, blend_image, 0);
+	}
+}
+
+} // namespace undergrowth

@@ -1,0 +1,102 @@
+#pragma once
+
+#include "field/field_simulation.hpp"
+
+#include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/variant/rid.hpp>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace undergrowth {
+
+/// The textures that carry the plants' poses to the graphics card. A texel belongs to a plant: its bends before and
+/// after its last step, in layers of 64 by 64 texels; a block of plants has whole rows of one layer. A second texture
+/// has a blend for each row. Where plants follow prototypes, a texel says whom and how late instead, and each species
+/// has 16 layers for the history of its prototypes and one for plants that were pushed.
+class PoseTexture {
+public:
+	static constexpr int SIDE = 64;
+	static constexpr int MOST_LAYERS = 2048; ///< What graphics cards have.
+
+	/// For a simulation with prototypes or without.
+	explicit PoseTexture(bool follows_prototypes);
+	~PoseTexture();
+	PoseTexture(const PoseTexture &) = delete;
+	PoseTexture &operator=(const PoseTexture &) = delete;
+
+	/// Gives `block` rows for `plants` plants, those that it has or other ones. On any thread, but for no two at once.
+	void give_rows(int block, int plants);
+	void take_rows(int block);
+	/// Block i is called numbers[i] from now on.
+	void renumber(const std::vector<int> &numbers);
+	/// Makes room for the history of all species of a simulation.
+	void give_history(int species_count);
+	/// Whether the layers are more than a graphics card has.
+	bool is_too_large() const;
+	/// Where the shader finds a plant: x is its index in its layer, y the layer.
+	std::pair<int, int> texel(int block, int slot) const;
+
+	/// Takes over the bends of a block, which is a page of the simulation. On any thread, different blocks at the same
+	/// time.
+	void write_block(const FieldSimulation &simulation, int page, int block);
+	/// Takes over the newest slot of each species' history, or all of them, and what its pushed plants do.
+	void write_history(const FieldSimulation &simulation, bool all);
+
+	/// Draws nothing where this plant is.
+	void hide(int block, int slot);
+	/// Ends that, from the next write_block() on.
+	void show(int block, int slot);
+
+	/// Main thread from here on. Makes textures of the layers where they are new or more; tells whether they are others.
+	bool make_textures();
+	/// Sends what was written since the last time, and the blends for `fraction` of a step. `pages`: of each block.
+	void upload(const FieldSimulation &simulation, const std::vector<int> &pages, float fraction);
+	godot::RID poses() const { return texture; }
+	godot::RID blends() const { return blend_texture; }
+	/// First layer of a species' history, or -1.
+	int history_layer(int species) const;
+	bool follows() const { return follows_prototypes; }
+
+private:
+	struct Rows {
+		int layer = -1; ///< -1: none.
+		int first = 0;
+		int count = 0;
+	};
+	struct Block {
+		Rows rows;
+		bool is_fresh = false; ///< Written and not yet sent.
+		float share = -1.0f; ///< The blend that was sent.
+		int loose_version = 0; ///< Of followers, as written.
+		std::vector<uint16_t> hidden; ///< Plants that are gone, or that others show.
+	};
+
+	const bool follows_prototypes;
+	std::vector<godot::Ref<godot::Image>> layers;
+	std::vector<uint64_t> free_rows; ///< By layer: a bit for each row.
+	std::vector<uint8_t> is_fresh; ///< By layer, beside the blocks'.
+	std::vector<Block> blocks;
+	std::vector<int> histories; ///< By species: their first layers.
+	godot::Ref<godot::Image> blend_image;
+	std::vector<float> shares; ///< What `blend_image` holds.
+	bool shares_are_fresh = false;
+	godot::RID texture;
+	godot::RID blend_texture;
+	size_t textured_layers = 0;
+
+	int add_layer(bool is_shared);
+	Rows find_rows(int count);
+	void release(const Rows &rows);
+	uint8_t *texels(const Rows &rows);
+	void write_hidden(const Block &block);
+	void write_followers(const FieldSimulation &simulation, int page, Block &block);
+	void write_layer(int layer, const Bend *from, int pairs, int first);
+	void upload_layers();
+	void upload_blends(const FieldSimulation &simulation, const std::vector<int> &pages, float fraction);
+	void free_textures();
+};
+
+} // namespace undergrowth

@@ -1,0 +1,184 @@
+#include "field/skeleton_view.hpp"
+
+#include "convert.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr int FRAMES_BETWEEN_CHOICES = 6;
+static constexpr int MOST_NEW = 8; // A frame; each takes a mesh of its own.
+static constexpr float KEPT_FARTHER = 1.1f; // What is shown stays until it is so much too far: nothing flickers.
+
+static std::pair<int, int> key_of(const PlantPlace &place) {
+	return { place.block, place.slot };
+}
+
+const SkeletonView::Shown *SkeletonView::find_shown(const PlantPlace &place) const {
+	const auto found = std::find_if(
+			shown.begin(), shown.end(), [&](const Shown &entry) { return entry.place == place; });
+	return found == shown.end() ? nullptr : &*found;
+}
+
+// The nearest plants, nearest first; no farther than the first level of detail, whose mesh they wear, is drawn whole.
+std::vector<SkeletonView::Near> SkeletonView::find_nearest(
+		const Scene &scene, const std::vector<Vector3> &eyes, double wanted, int most) const {
+	const FieldLevel &first = scene.style.levels[0];
+	const float whole = first.end > 0.0f ? first.end - first.margin : float(wanted);
+	const float distance = std::min(float(wanted), whole);
+	const Transform3D to_field = scene.axes.affine_inverse();
+	const Vector3 scale = to_field.basis.get_scale().abs();
+	const float reach = KEPT_FARTHER * distance * std::max({ scale.x, scale.y, scale.z });
+	std::map<std::pair<int, int>, Near> nearest;
+	for (const Vector3 &eye : eyes) {
+		std::vector<PlantPlace> around;
+		scene.store.find_in_sphere(to_glm(to_field.xform(eye)), reach, around);
+		for (const PlantPlace &place : around) {
+			const Vector3 root = scene.axes.xform(to_godot(scene.store.block(place.block).root(place.slot)));
+			const float away = root.distance_to(eye);
+			const bool is_shown = find_shown(place) != nullptr;
+			const float counted = is_shown ? away / KEPT_FARTHER : away;
+			if (counted <= distance) {
+				const auto [entry, is_new] = nearest.insert({ key_of(place), { counted, place } });
+				entry->second.away = std::min(entry->second.away, counted);
+			}
+		}
+	}
+	std::vector<Near> sorted;
+	for (const auto &[key, near] : nearest) {
+		sorted.push_back(near);
+	}
+	const size_t count = std::min(sorted.size(), size_t(most));
+	std::partial_sort(sorted.begin(), sorted.begin() + std::ptrdiff_t(count), sorted.end(),
+			[](const Near &a, const Near &b) { return a.away < b.away; });
+	sorted.resize(count);
+	return sorted;
+}
+
+// Takes those away that `goes` names; their plants are drawn again where there still is a `motion` that draws them.
+bool SkeletonView::release(FieldMotion *motion, const std::function<bool(const Shown &)> &goes) {
+	std::vector<Shown> kept, gone;
+	for (const Shown &entry : shown) {
+		const bool stays = FieldSkeletons::node(entry.skeleton) && !goes(entry);
+		(stays ? kept : gone).push_back(entry);
+	}
+	shown = std::move(kept);
+	for (const Shown &entry : gone) {
+		if (motion) {
+			motion->set_hidden(entry.place, false);
+		}
+		if (Skeleton3D *skeleton = FieldSkeletons::node(entry.skeleton)) {
+			nodes.give_back(skeleton);
+			tell(skeleton, false);
+		}
+	}
+	return !gone.empty();
+}
+
+void SkeletonView::release_gone(const PlantStore &store) {
+	release(nullptr, [&](const Shown &entry) {
+		const PlantBlock &block = store.block(entry.place.block);
+		return entry.place.slot >= block.size() || block.is_gone(entry.place.slot);
+	});
+}
+
+void SkeletonView::release_all(FieldMotion &motion) {
+	release(motion.is_ready() ? &motion : nullptr, [](const Shown &) { return true; });
+	frames_since_choice = 0;
+}
+
+static Transform3D drawn_transform(const PlacedPlant &plant) {
+	const Vector3 scale(plant.scale, plant.scale, plant.scale);
+	return Transform3D(Basis(Vector3(0.0f, 1.0f, 0.0f), plant.turn).scaled(scale), to_godot(plant.root));
+}
+
+void SkeletonView::show(const Scene &scene, const PlantPlace &place) {
+	const PlacedPlant plant = scene.store.block(place.block).plants.plant(place.slot);
+	const FieldLook &look = scene.style.looks[size_t(plant.species)];
+	Skeleton3D *skeleton = nodes.take(scene.field, drawn_transform(plant), look.build_alone(plant),
+			{ scene.wear.layers, scene.wear.casts_shadows && scene.style.levels[0].casts_shadows });
+	shown.push_back({ place, uint64_t(skeleton->get_instance_id()) });
+	scene.motion.set_hidden(place, true);
+	tell(skeleton, true);
+}
+
+bool SkeletonView::choose(const Scene &scene, const std::vector<Vector3> &eyes, double distance, int most) {
+	if (((distance <= 0.0 || most <= 0) && shown.empty()) || frames_since_choice++ % FRAMES_BETWEEN_CHOICES != 0) {
+		return false;
+	}
+	const std::vector<Near> nearest = find_nearest(scene, eyes, distance, most);
+	std::set<std::pair<int, int>> wanted;
+	for (const Near &near : nearest) {
+		wanted.insert(key_of(near.place));
+	}
+	const bool changes = release(
+			&scene.motion, [&](const Shown &entry) { return wanted.count(key_of(entry.place)) == 0; });
+	int added = 0;
+	for (size_t i = 0; i < nearest.size() && added < MOST_NEW; i++) {
+		if (!find_shown(nearest[i].place)) {
+			show(scene, nearest[i].place);
+			added++;
+		}
+	}
+	if (added == MOST_NEW) {
+		frames_since_choice = 0; // There may be more.
+	}
+	return changes || added > 0;
+}
+
+void SkeletonView::pose(const PlantStore &store, const FieldMotion &motion) const {
+	for (const Shown &entry : shown) {
+		Skeleton3D *skeleton = FieldSkeletons::node(entry.skeleton);
+		if (!skeleton) {
+			continue; // A script has freed it; the next choice finds out.
+		}
+		const glm::vec2 bend = motion.read_drawn_bend_now(entry.place);
+		const float turn = store.block(entry.place.block).plants.plant(entry.place.slot).turn;
+		const float c = std::cos(turn);
+		const float d = std::sin(turn);
+		const glm::vec2 own(c * bend.x - d * bend.y, d * bend.x + c * bend.y);
+		const float scale = 1.0f / std::sqrt(1.0f + glm::dot(own, own));
+		FieldSkeletons::pose(skeleton, Quaternion(own.y * scale, 0.0f, -own.x * scale, scale));
+	}
+}
+
+void SkeletonView::dress(const FieldWear &wear, bool casts_shadows) const {
+	for (const Shown &entry : shown) {
+		if (Skeleton3D *skeleton = FieldSkeletons::node(entry.skeleton)) {
+			FieldSkeletons::dress(skeleton, { wear.layers, wear.casts_shadows && casts_shadows });
+		}
+	}
+}
+
+std::vector<Skeleton3D *> SkeletonView::skeletons() const {
+	std::vector<Skeleton3D *> found;
+	for (const Shown &entry : shown) {
+		if (Skeleton3D *skeleton = FieldSkeletons::node(entry.skeleton)) {
+			found.push_back(skeleton);
+		}
+	}
+	return found;
+}
+
+Skeleton3D *SkeletonView::find(const PlantPlace &place) const {
+	const Shown *entry = find_shown(place);
+	return entry ? FieldSkeletons::node(entry->skeleton) : nullptr;
+}
+
+PlantPlace SkeletonView::find(const Skeleton3D *skeleton) const {
+	for (const Shown &entry : shown) {
+		if (skeleton && entry.skeleton == uint64_t(skeleton->get_instance_id())) {
+			return entry.place;
+		}
+	}
+	return {};
+}
+
+} // namespace undergrowth

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "field/field_motion.hpp"
+#include "field/field_skeletons.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace undergrowth {
+
+/// Which plants near those who look are shown as nodes with skeletons, and in which pose. Main thread.
+class SkeletonView {
+public:
+	/// What the choice is made of.
+	struct Scene {
+		godot::Node3D *field;
+		const PlantStore &store;
+		const FieldStyle &style;
+		FieldMotion &motion;
+		godot::Transform3D axes; ///< From the field's to the world's.
+		FieldWear wear;
+	};
+	/// Tells of a skeleton that comes (true) or goes.
+	using Tell = std::function<void(godot::Skeleton3D *, bool)>;
+
+	explicit SkeletonView(Tell &&teller) : tell(std::move(teller)) {}
+
+	/// Removes what a copy of a field, or one whose library was reloaded, finds among its children.
+	void remove_strays(godot::Node3D *field) const { nodes.remove_strays(field); }
+	/// Once a frame, between two steps: now and then shows the plants nearest to `eyes` (world axes) within `distance`
+	/// (m), `most` of them. Tells whether the textures changed.
+	bool choose(const Scene &scene, const std::vector<godot::Vector3> &eyes, double distance, int most);
+	/// The next frame chooses.
+	void choose_soon() { frames_since_choice = 0; }
+	/// After plants went: their skeletons go, too.
+	void release_gone(const PlantStore &store);
+	/// All of them; their plants are drawn again.
+	void release_all(FieldMotion &motion);
+	/// Frees those that nobody uses.
+	void clear() { nodes.clear(); }
+	/// Turns all bones as the field bends its plants in this frame.
+	void pose(const PlantStore &store, const FieldMotion &motion) const;
+	void dress(const FieldWear &wear, bool casts_shadows) const;
+
+	int count() const { return int(shown.size()); }
+	std::vector<godot::Skeleton3D *> skeletons() const;
+	/// Null where the plant has none.
+	godot::Skeleton3D *find(const PlantPlace &place) const;
+	/// The block is -1 where it shows none now.
+	PlantPlace find(const godot::Skeleton3D *skeleton) const;
+
+private:
+	struct Shown {
+		PlantPlace place;
+		uint64_t skeleton = 0; ///< Instance id.
+	};
+	struct Near {
+		float away; ///< m; less where it is shown already.
+		PlantPlace place;
+	};
+
+	Tell tell;
+	FieldSkeletons nodes;
+	std::vector<Shown> shown;
+	int frames_since_choice = 0;
+
+	std::vector<Near> find_nearest(
+			const Scene &scene, const std::vector<godot::Vector3> &eyes, double distance, int most) const;
+	bool release(FieldMotion *motion, const std::function<bool(const Shown &)> &goes);
+	void show(const Scene &scene, const PlantPlace &place);
+	const Shown *find_shown(const PlantPlace &place) const;
+};
+
+} // namespace undergrowth

@@ -1,0 +1,159 @@
+#include "field_fixture.hpp"
+
+#include <doctest/doctest.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <functional>
+
+using namespace undergrowth;
+
+namespace {
+
+constexpr Law BOTH_LAWS[] = { Law::elasticity, Law::spring };
+
+struct Change {
+	Law law;
+	std::function<void(MotionSpecies &)> make;
+};
+
+/// Each property of a species that moves its plants otherwise.
+std::vector<Change> changes() {
+	return {
+		{ Law::elasticity, [](MotionSpecies &kind) { kind.joint.mass *= 2.0f; } },
+		{ Law::elasticity, [](MotionSpecies &kind) { kind.joint.wind_weight *= 0.5f; } },
+		{ Law::elasticity, [](MotionSpecies &kind) { kind.joint.elasticity *= 1.5f; } },
+		{ Law::elasticity, [](MotionSpecies &kind) { kind.joint.inner_friction *= 3.0f; } },
+		{ Law::spring, [](MotionSpecies &kind) { kind.joint.mass *= 2.0f; } },
+		{ Law::spring, [](MotionSpecies &kind) { kind.joint.wind_weight *= 0.5f; } },
+		{ Law::spring, [](MotionSpecies &kind) { kind.joint.natural_frequency *= 1.5f; } },
+		{ Law::spring, [](MotionSpecies &kind) { kind.joint.damping_ratio *= 3.0f; } },
+	};
+}
+
+FieldSimulation blown_field(const MotionSpecies &species, int prototypes) {
+	FieldSettings settings;
+	settings.prototypes = prototypes;
+	FieldSimulation field(settings);
+	add_plants(field, field.add_species(species), 40);
+	field.set_wind(wave_wind());
+	return field;
+}
+
+void step(FieldSimulation &field, int steps) {
+	for (int i = 0; i < steps; i++) {
+		field.step();
+	}
+}
+
+} // namespace
+
+TEST_CASE("plants of a species that is changed move as plants of one that always was so") {
+	for (const int prototypes : { 0, 8 }) {
+		for (const Change &change : changes()) {
+			const MotionSpecies before = species_of(change.law);
+			MotionSpecies after = before;
+			change.make(after);
+			FieldSimulation changed = blown_field(before, prototypes);
+			changed.set_species(0, after);
+			FieldSimulation always = blown_field(after, prototypes);
+			FieldSimulation never = blown_field(before, prototypes);
+			step(changed, 200);
+			step(always, 200);
+			step(never, 200);
+			CHECK(hash_field(changed) == hash_field(always));
+			CHECK(hash_field(changed) != hash_field(never));
+		}
+	}
+}
+
+TEST_CASE("a change of a species leaves where its plants are and how fast, and bends them otherwise from then on") {
+	for (const Change &change : changes()) {
+		FieldSimulation field = blown_field(species_of(change.law), 0);
+		step(field, 45);
+		MotionSpecies after = species_of(change.law);
+		change.make(after);
+		const TipState before = field.state(0, 7);
+		REQUIRE(glm::length(before.rate) > 0.01f);
+		field.set_species(0, after);
+		CHECK(glm::distance(field.state(0, 7).direction, before.direction) < 1e-6f);
+		CHECK(glm::distance(field.state(0, 7).rate, before.rate) < 1e-5f);
+	}
+}
+
+TEST_CASE("a follower that was pushed swings as its species does now") {
+	for (const Change &change : changes()) {
+		MotionSpecies after = species_of(change.law);
+		change.make(after);
+		FieldSimulation changed = blown_field(species_of(change.law), 8);
+		FieldSimulation never = blown_field(species_of(change.law), 8);
+		for (FieldSimulation *field : { &changed, &never }) {
+			step(*field, 30);
+			field->apply_impulse(0, 3, { 0.2f, 0.0f, 0.1f });
+		}
+		changed.set_species(0, after);
+		const LoosePlants &loose = *changed.loose_plants(0);
+		REQUIRE(loose.count() == 1);
+		step(changed, 20);
+		step(never, 20);
+		CHECK(glm::distance(changed.state(0, 3).direction, never.state(0, 3).direction) > 1e-4f);
+	}
+}
+
+TEST_CASE("plants whose species changes its law while they move go on, and come to rest where they stand upright") {
+	for (const Law law : BOTH_LAWS) {
+		const Law other = law == Law::elasticity ? Law::spring : Law::elasticity;
+		MotionPlant plant;
+		FieldSimulation field = single_plant(law, plant);
+		field.set_wind({ { WindKind::constant, 0.0f }, 0.0f });
+		field.apply_impulse(0, 0, { 0.4f, 0.0f, 0.25f });
+		step(field, 8);
+		const TipState before = field.state(0, 0);
+		REQUIRE(glm::length(before.rate) > 0.2f);
+		field.set_species(0, species_of(other));
+		CHECK(glm::distance(field.state(0, 0).direction, before.direction) < 1e-5f);
+		CHECK(glm::distance(field.state(0, 0).rate, before.rate) < 1e-4f);
+		step(field, 4000);
+		CHECK(glm::distance(field.state(0, 0).direction, glm::vec3(0.0f, 1.0f, 0.0f)) < 1e-3f);
+	}
+}
+
+TEST_CASE("a change of the step's length leaves where a plant is and how fast") {
+	for (const Law law : BOTH_LAWS) {
+		FieldSimulation field = single_plant(law, {});
+		field.set_wind({ { WindKind::constant, 0.0f }, 0.0f });
+		field.apply_impulse(0, 0, { 0.3f, 0.0f, 0.0f });
+		step(field, 5);
+		const TipState before = field.state(0, 0);
+		REQUIRE(glm::length(before.rate) > 0.2f);
+		for (const float length : { 4.0f * FIELD_STEP, 0.5f * FIELD_STEP, FIELD_STEP }) {
+			field.page(0).set_step_length(length);
+			CHECK(field.page(0).step_length() == length);
+			CHECK(glm::distance(field.state(0, 0).direction, before.direction) < 1e-6f);
+			CHECK(glm::distance(field.state(0, 0).rate, before.rate) < 1e-5f);
+		}
+	}
+}
+
+TEST_CASE("a plant whose page steps at another interval swings at the same frequency") {
+	for (const Law law : BOTH_LAWS) {
+		FieldSimulation often = single_plant(law, {});
+		FieldSimulation seldom = single_plant(law, {});
+		for (FieldSimulation *field : { &often, &seldom }) {
+			field->set_wind({ { WindKind::constant, 0.0f }, 0.0f });
+			field->apply_impulse(0, 0, { 0.02f, 0.0f, 0.0f });
+			step(*field, 30);
+		}
+		seldom.set_page_multiple(0, 4);
+		// Step 32 is the first of interval 4, and shows the end of step 35 then; a step of the elasticity law begins
+		// with the rate of the middle of the last one, which was shorter.
+		step(often, 6);
+		step(seldom, 3);
+		for (int i = 0; i < 100; i++) {
+			CHECK(glm::distance(often.state(0, 0).direction, seldom.state(0, 0).direction) < 3e-3f);
+			step(often, 4);
+			step(seldom, 4);
+		}
+	}
+}

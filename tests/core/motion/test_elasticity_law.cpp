@@ -1,0 +1,299 @@
+#include "swing.hpp"
+
+#include "motion/joint_constants.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <vector>
+
+using namespace undergrowth;
+
+namespace {
+
+constexpr double GRAVITY = 9.81;
+constexpr double FREQUENCY_TOLERANCE = 2e-4; // Relative; what zero crossings of a few dozen swings resolve.
+constexpr double DECAY_TOLERANCE = 0.01; // Relative; what peaks between samples resolve.
+constexpr double ANGLE_TOLERANCE = 2e-5; // rad.
+constexpr double LENGTH_TOLERANCE = 1e-6; // Of 1; floats near 1 are 6e-8 apart.
+constexpr double SMALL = 2e-3; // rad; the law's own amplitude term is below 1e-5 here.
+
+Joint joint_of(double elasticity, double length, double friction = 0.0) {
+	Joint joint;
+	joint.elasticity = static_cast<float>(elasticity);
+	joint.length = static_cast<float>(length);
+	joint.inner_friction = static_cast<float>(friction);
+	return joint;
+}
+
+PendulumBatch one_plant(const Joint &joint, const TipState &state, float step = FRAME_STEP) {
+	PendulumBatch batch(Law::elasticity, step);
+	batch.add(joint, state);
+	return batch;
+}
+
+void run(PendulumBatch &batch, double seconds, const glm::vec3 &wind = { 0.0f, 0.0f, 0.0f }) {
+	const int steps = static_cast<int>(seconds / static_cast<double>(batch.step_length()));
+	for (int i = 0; i < steps; i++) {
+		batch.step(wind);
+	}
+}
+
+/// The stable root of F·w = m·g·tan φ·((1 + e)·cos φ - 1), by bisection up to the slope's maximum.
+double equilibrium_angle(double force, double mass, double elasticity) {
+	double low = 0.0;
+	double high = std::acos(std::cbrt(1.0 / (1.0 + elasticity)));
+	for (int i = 0; i < 100; i++) {
+		const double middle = 0.5 * (low + high);
+		const double held = mass * GRAVITY * std::tan(middle) * ((1.0 + elasticity) * std::cos(middle) - 1.0);
+		(held < force ? low : high) = middle;
+	}
+	return low;
+}
+
+/// Per m·L²: half the rate squared and the potential of gravity and the upward force.
+double energy(const TipState &state, double elasticity, double length) {
+	const double y = static_cast<double>(state.direction.y);
+	const double x = static_cast<double>(state.rate.x);
+	const double z = static_cast<double>(state.rate.z);
+	const double w = static_cast<double>(state.rate.y);
+	const double top = 0.5 * (1.0 + elasticity) - 1.0;
+	const double potential = GRAVITY / length * (top - (0.5 * (1.0 + elasticity) * y * std::fabs(y) - y));
+	return 0.5 * (x * x + w * w + z * z) + potential;
+}
+
+} // namespace
+
+TEST_CASE("a small swing has the square of its angular frequency at e·g/L, whatever the step") {
+	for (const float step : { FRAME_STEP, LONG_STEP, 1.0f / 144.0f }) {
+		for (const double elasticity : { 0.25, 1.0, 4.0, 20.0 }) {
+			for (const double length : { 0.3, 1.0, 2.5 }) {
+				const double expected = std::sqrt(elasticity * GRAVITY / length) / (2.0 * PI);
+				PendulumBatch batch = one_plant(joint_of(elasticity, length), leaning(SMALL), step);
+				const int steps = static_cast<int>(40.0 / expected / static_cast<double>(step));
+				const double measured = frequency_of(record_x(batch, steps), static_cast<double>(step));
+				CAPTURE(step);
+				CAPTURE(elasticity);
+				CAPTURE(length);
+				CHECK(measured == doctest::Approx(expected).epsilon(FREQUENCY_TOLERANCE));
+			}
+		}
+	}
+}
+
+TEST_CASE("friction slows a small swing and shrinks it at c/(2m), whatever the step") {
+	constexpr double FRICTION = 0.8;
+	constexpr double MASS = 0.5;
+	const double beta = FRICTION / (2.0 * MASS);
+	const double omega = std::sqrt(4.0 * GRAVITY / 0.7 - beta * beta);
+	for (const float step : { FRAME_STEP, LONG_STEP }) {
+		Joint joint = joint_of(4.0, 0.7, FRICTION);
+		joint.mass = static_cast<float>(MASS);
+		PendulumBatch batch = one_plant(joint, leaning(0.02), step);
+		const std::vector<double> places = record_x(batch, static_cast<int>(6.0 / static_cast<double>(step)));
+		CHECK(frequency_of(places, static_cast<double>(step)) == doctest::Approx(omega / (2.0 * PI)).epsilon(1e-3));
+		CHECK(decay_rate_of(places, static_cast<double>(step)) == doctest::Approx(beta).epsilon(DECAY_TOLERANCE));
+	}
+}
+
+TEST_CASE("just inside acos(1/(1 + e)) a plant rises, just outside it falls to the ground") {
+	constexpr double MARGIN = 0.005;
+	for (const double elasticity : { 0.5, 1.0, 4.0 }) {
+		const double border = std::acos(1.0 / (1.0 + elasticity));
+		for (const bool above_ground : { true, false }) {
+			Joint joint = joint_of(elasticity, 1.0, 2.0);
+			joint.above_ground = above_ground;
+			PendulumBatch inside = one_plant(joint, leaning(border - MARGIN));
+			PendulumBatch outside = one_plant(joint, leaning(border + MARGIN));
+			run(inside, 60.0);
+			run(outside, 60.0);
+			CAPTURE(elasticity);
+			CHECK(deflection(inside.state(0)) < 1e-3);
+			const double height = static_cast<double>(outside.state(0).direction.y);
+			// Without ground the upward force grows again below it, and holds the tip at y = -1/(1 + e).
+			CHECK(height == doctest::Approx(above_ground ? 0.02 : -1.0 / (1.0 + elasticity)).epsilon(1e-3));
+		}
+	}
+}
+
+TEST_CASE("with ground a tip never goes below it, however it is thrown") {
+	Joint joint = joint_of(2.0, 0.5, 0.1);
+	PendulumBatch batch = one_plant(joint, leaning(0.3));
+	float lowest = 1.0f;
+	for (int i = 0; i < 5000; i++) {
+		if (i % 50 == 0) {
+			batch.apply_impulse(0, { 5.0f, -40.0f, 3.0f });
+		}
+		batch.step({ 2.0f, 0.0f, 0.0f });
+		lowest = std::min(lowest, batch.state(0).direction.y);
+	}
+	CHECK(lowest > 0.0f);
+}
+
+TEST_CASE("a tip that lies on the ground gathers no rate downwards") {
+	PendulumBatch batch = one_plant(joint_of(1.0, 1.0, 0.0), leaning(1.5));
+	run(batch, 30.0);
+	CHECK(batch.state(0).direction.y < 0.03f);
+	CHECK(std::fabs(batch.state(0).rate.y) < 0.1f);
+	batch.apply_impulse(0, { 0.0f, 5.0f, 0.0f });
+	run(batch, 0.1);
+	CHECK(batch.state(0).direction.y > 0.1f);
+}
+
+TEST_CASE("a joint that would swing a whole cycle in a step still rises, and bends in wind as it should") {
+	// Without a limit of the swing per step, sin²(ω·step/2) would leave no force at all here.
+	const double omega = 2.0 * PI / static_cast<double>(FRAME_STEP);
+	const double elasticity = omega * omega * 0.01 / GRAVITY;
+	PendulumBatch stiff = one_plant(joint_of(elasticity, 0.01), leaning(SMALL));
+	CHECK(frequency_of(record_x(stiff, 60), static_cast<double>(FRAME_STEP)) > 15.0);
+	PendulumBatch batch = one_plant(joint_of(elasticity, 0.01, 5.0), leaning(0.3));
+	run(batch, 20.0);
+	CHECK(deflection(batch.state(0)) < 1e-3);
+	run(batch, 20.0, { 200.0f, 0.0f, 0.0f });
+	CHECK(std::fabs(deflection(batch.state(0)) - equilibrium_angle(200.0, 1.0, elasticity)) < ANGLE_TOLERANCE);
+}
+
+TEST_CASE("a stiff joint without ground comes to rest hanging, too, where its law is stiffer than upright") {
+	Joint joint = joint_of(0.3, 1.42e-4, 5.0);
+	joint.above_ground = false;
+	PendulumBatch batch = one_plant(joint, leaning(2.0));
+	run(batch, 60.0);
+	CHECK(batch.state(0).direction.y == doctest::Approx(-1.0 / 1.3).epsilon(1e-4));
+	CHECK(glm::length(batch.state(0).rate) < 0.1f);
+}
+
+TEST_CASE("a storm lays a light plant down with the wind instead of shaking it") {
+	for (const float force : { 30.0f, 1e3f, 1e6f }) {
+		Joint joint = joint_of(5.0, 0.1, 1e-3);
+		joint.mass = 1e-3f;
+		joint.above_ground = false;
+		PendulumBatch batch = one_plant(joint, leaning(0.0));
+		run(batch, 60.0, { force, 0.0f, 0.0f });
+		CAPTURE(force);
+		CHECK(batch.state(0).direction.x > 0.9999f);
+		CHECK(glm::length(batch.state(0).rate) < 0.1f);
+	}
+}
+
+TEST_CASE("a constant wind bends a plant to F·w = m·g·tan φ·((1 + e)·cos φ - 1)") {
+	for (const float step : { FRAME_STEP, LONG_STEP }) {
+		for (const double elasticity : { 1.0, 4.0, 12.0 }) {
+			for (const double force : { 0.5, 2.0 }) {
+				Joint joint = joint_of(elasticity, 0.8, 2.0);
+				joint.mass = 0.6f;
+				joint.wind_weight = 0.5f;
+				PendulumBatch batch = one_plant(joint, leaning(0.0), step);
+				run(batch, 60.0, { 0.0f, 0.0f, static_cast<float>(force) });
+				const double expected = equilibrium_angle(0.5 * force, static_cast<double>(joint.mass), elasticity);
+				CHECK(std::fabs(deflection(batch.state(0)) - expected) < ANGLE_TOLERANCE);
+				CHECK(batch.state(0).direction.z > 0.0f);
+				CHECK(batch.state(0).direction.x == 0.0f);
+			}
+		}
+	}
+}
+
+TEST_CASE("a large swing in wind follows a finely stepped reference, closer with a shorter step") {
+	constexpr double SECONDS = 3.0;
+	constexpr int FINE = 200000;
+	const double fall = GRAVITY / 1.2;
+	double angle = 0.9;
+	double rate = 0.0;
+	for (int i = 0; i < FINE; i++) {
+		const double h = SECONDS / FINE;
+		const double up = fall * (5.0 * std::cos(angle) - 1.0);
+		rate += h * (-up * std::sin(angle) + 3.0 / 1.2 * std::cos(angle) - 0.3 * rate);
+		angle += h * rate;
+	}
+	const auto error = [&](float step) {
+		PendulumBatch batch = one_plant(joint_of(4.0, 1.2, 0.3), leaning(0.9), step);
+		run(batch, SECONDS + 1e-4, { 3.0f, 0.0f, 0.0f });
+		const glm::vec3 tip = batch.state(0).direction;
+		return std::fabs(std::atan2(static_cast<double>(tip.x), static_cast<double>(tip.y)) - angle);
+	};
+	CHECK(error(FRAME_STEP) < 0.08); // Half a step of delay at the greatest rate, and the same from the large angle.
+	CHECK(error(1.0f / 960.0f) < 0.005);
+}
+
+TEST_CASE("the tip keeps its distance from the root over an hour") {
+	PendulumBatch batch = one_plant(joint_of(4.0, 1.0), leaning(0.7));
+	batch.apply_impulse(0, { 0.0f, 0.0f, 1.5f });
+	double worst = 0.0;
+	double slope = 0.0;
+	for (int i = 0; i < 3600 * 60; i++) {
+		batch.step({ 0.0f, 0.0f, 0.0f });
+		const TipState tip = batch.state(0);
+		const glm::dvec3 direction = tip.direction;
+		worst = std::fmax(worst, std::fabs(glm::dot(direction, direction) - 1.0));
+		slope = std::fmax(slope, std::fabs(glm::dot(direction, glm::dvec3(tip.rate))));
+	}
+	CHECK(worst < LENGTH_TOLERANCE);
+	CHECK(slope < 1e-5); // 1/s: the rate stays in the tangent plane.
+}
+
+TEST_CASE("without friction the energy neither grows nor fades over an hour") {
+	PendulumBatch batch = one_plant(joint_of(4.0, 1.0), leaning(0.5));
+	batch.apply_impulse(0, { 0.0f, 0.0f, 1.0f });
+	constexpr int MINUTE = 3600;
+	double first = 0.0;
+	double last = 0.0;
+	double most = 0.0;
+	for (int i = 0; i < 60 * MINUTE; i++) {
+		batch.step({ 0.0f, 0.0f, 0.0f });
+		const double now = energy(batch.state(0), 4.0, 1.0);
+		first += i < MINUTE ? now / MINUTE : 0.0;
+		last += i >= 59 * MINUTE ? now / MINUTE : 0.0;
+		most = std::fmax(most, now);
+	}
+	CHECK(last == doctest::Approx(first).epsilon(0.005));
+	CHECK(most < 1.15 * first);
+}
+
+TEST_CASE("tall plants swing slower and wider and, being heavier, lose energy more slowly") {
+	const auto swing = [](double length) {
+		Joint joint = joint_of(4.0, length, 0.2);
+		joint.mass = static_cast<float>(0.3 * length);
+		PendulumBatch batch = one_plant(joint, leaning(0.0));
+		batch.apply_impulse(0, { 0.05f * joint.mass / 0.3f, 0.0f, 0.0f });
+		return record_x(batch, 600);
+	};
+	const double step = static_cast<double>(FRAME_STEP);
+	const std::vector<double> tall = swing(2.0);
+	const std::vector<double> low = swing(0.4);
+	CHECK(frequency_of(tall, step) < 0.5 * frequency_of(low, step));
+	CHECK(2.0 * peaks_of(tall).front() > 1.5 * 0.4 * peaks_of(low).front());
+	CHECK(decay_rate_of(tall, step) < 0.5 * decay_rate_of(low, step));
+}
+
+TEST_CASE("waves keep a tall plant steadier than a low one") {
+	const auto share = [](double length) {
+		PendulumBatch batch = one_plant(joint_of(4.0, length, 0.5), leaning(0.0));
+		double least = 10.0;
+		double most = -10.0;
+		for (int i = 0; i < 6000; i++) {
+			const double phase = 2.0 * PI * 1.2 * i / 60.0;
+			batch.step({ static_cast<float>(2.0 * (1.0 + std::sin(phase))), 0.0f, 0.0f });
+			if (i > 3000) {
+				least = std::fmin(least, static_cast<double>(batch.state(0).direction.x));
+				most = std::fmax(most, static_cast<double>(batch.state(0).direction.x));
+			}
+		}
+		return (most - least) / (most + least);
+	};
+	CHECK(share(3.0) < 0.5 * share(0.3));
+}
+
+TEST_CASE("weights of many lengths have the bits of each length by itself") {
+	const float lengths[] = { 0.05f, 0.3f, 1.0f, 2.5f, 1e-9f, 1e9f };
+	for (const float step : { FRAME_STEP, LONG_STEP, 8.0f * FRAME_STEP }) {
+		float weights[6];
+		Joint joint;
+		elasticity_weights(joint, step, lengths, 6, weights);
+		for (int i = 0; i < 6; i++) {
+			joint.length = lengths[i];
+			CHECK(weights[i] == elasticity_constants(joint, step).weight);
+		}
+	}
+}

@@ -1,0 +1,75 @@
+## Run by a test with --fixed-fps: a walker goes through a field, and what the tips near its way do
+## is printed as `way METRES`, the mean of all ways that they went. With `physics` among the
+## arguments the walker goes in physics frames, else in drawn ones.
+extends SceneTree
+
+const SPEED := 2.0  # m/s
+const START := -4.0  # m
+const SECONDS := 5.0
+const SAMPLE := 1.0 / 30.0  # s
+const REACH := 0.8  # m, of the tips that count.
+
+var _field := PlantField3D.new()
+var _walker := StaticBody3D.new()
+var _tips := PackedVector3Array()
+var _near: PackedInt32Array = []
+var _elapsed := -1.0
+var _walked := 0.0
+var _samples := 0
+var _way := 0.0
+
+
+func _initialize() -> void:
+	_field.species = [TulipFunction.new()]
+	_field.size = Vector2(6, 6)
+	_field.density = 12.0
+	_field.bodies_group = &"walkers"
+	root.add_child(_field)
+	var shape := CollisionShape3D.new()
+	shape.shape = CapsuleShape3D.new()
+	_walker.add_child(shape)
+	_walker.add_to_group(&"walkers")
+	_walker.position = Vector3(START, 1.0, 0)
+	root.add_child(_walker)
+	_field.filled.connect(_begin)
+
+
+func _physics_process(delta: float) -> bool:
+	if "physics" in OS.get_cmdline_user_args():
+		_walk(delta)
+	return false
+
+
+func _process(delta: float) -> bool:
+	if _elapsed < 0.0:
+		return false
+	_elapsed += delta
+	if not "physics" in OS.get_cmdline_user_args():
+		_walk(delta)
+	if _elapsed >= _samples * SAMPLE:
+		_sample()
+	if _elapsed >= SECONDS:
+		print("way %f" % (_way / _near.size()))
+	return _elapsed >= SECONDS
+
+
+func _begin() -> void:
+	for i in _field.get_plant_count():
+		if absf(_field.get_plant_transform(i).origin.z) < REACH:
+			_near.append(i)
+			_tips.append(_field.get_tip_position(i))
+	_elapsed = 0.0
+
+
+func _walk(delta: float) -> void:
+	if _elapsed >= 0.0:
+		_walked += delta
+		_walker.position.x = START + SPEED * _walked
+
+
+func _sample() -> void:
+	_samples += 1
+	for i in _near.size():
+		var tip := _field.get_tip_position(_near[i])
+		_way += tip.distance_to(_tips[i])
+		_tips[i] = tip
