@@ -66,10 +66,10 @@ func _make_plants(scene: Node3D, count: int) -> Array[Plant3D]:
 	var plants: Array[Plant3D] = []
 	for i: int in count:
 		var plant := Plant3D.new()
-		plant.function = function
-		plant.lod = 8
+		plant.species = function
+		plant.segments = 8
 		plant.seed = i
-		plant.simulating = false
+		plant.simulation_enabled = false
 		scene.add_child(plant)
 		plants.append(plant)
 	return plants
@@ -80,7 +80,7 @@ func _add_plants(plants: Array[Plant3D]) -> void:
 	wind.kind = PlantWind.KIND_WAVES
 	for plant: Plant3D in plants:
 		plant.wind = wind
-		plant.simulating = true
+		plant.simulation_enabled = true
 
 
 func _add_spring_bones(plants: Array[Plant3D]) -> void:

@@ -22,11 +22,11 @@ func _enter_tree() -> void:
 
 
 func _run() -> void:
-	_shared = _make("PlantWind", {"kind": 1, "strength": _last_strength, "direction_degrees": 90.0})
+	_shared = _make("PlantWind", {"kind": 1, "strength": _last_strength, "direction": PI / 2.0})
 	var tulip := _make("TulipFunction", {"mass": 0.75, "shape_deviation": 0.25})
-	_tulip = _plant({"function": tulip, "height": 1.25, "lod": 7, "seed": 5})
+	_tulip = _plant({"species": tulip, "height": 1.25, "segments": 7, "seed": 5})
 	var curve := _make("CurvePlantFunction", {"width_curve": _make_width(), "base_radius": 0.25})
-	_curve = _plant({"function": curve, "height": 2.0})
+	_curve = _plant({"species": curve, "height": 2.0})
 	_field = _make_field(tulip)
 	await _frames(3)
 	await _until_filled()
@@ -48,12 +48,12 @@ func _run() -> void:
 
 func _check_all(round_number: int) -> void:
 	var prefix := "after reload %d: " % round_number
-	_tell(prefix + "settings of the plant", _tulip.height == 1.25 and _tulip.lod == 7)
-	_tell(prefix + "seed of the plant", _tulip.seed == 5 and not _tulip.simulating)
-	var function: Resource = _tulip.function
-	_tell(prefix + "function", function.get_class() == "TulipFunction" and function.mass == 0.75)
+	_tell(prefix + "settings of the plant", _tulip.height == 1.25 and _tulip.segments == 7)
+	_tell(prefix + "seed of the plant", _tulip.seed == 5 and not _tulip.simulation_enabled)
+	var function: Resource = _tulip.species
+	_tell(prefix + "species", function.get_class() == "TulipFunction" and function.mass == 0.75)
 	_tell(prefix + "wind", _tulip.wind == _shared and _shared.strength == _last_strength)
-	_tell(prefix + "curve", _curve.function.width_curve.point_count == 2)
+	_tell(prefix + "curve", _curve.species.width_curve.point_count == 2)
 	for plant: Node3D in [_tulip, _curve]:
 		_tell(
 			prefix + "one skeleton", plant.find_children("*", "Skeleton3D", true, false).size() == 1
@@ -82,13 +82,13 @@ func _check_motion(prefix: String) -> void:
 
 func _check_signals(prefix: String) -> void:
 	for shading: int in [1, 0]:
-		_tulip.function.shading = shading
+		_tulip.species.shading = shading
 		await _frames(2)
 		var count: int = _tulip.call("get_mesh").surface_get_array_len(0)
-		var expected: ArrayMesh = _tulip.function.call("generate_mesh", 1.25, 7)
+		var expected: ArrayMesh = _tulip.species.call("generate_mesh", 1.25, 7)
 		_tell(prefix + "it follows its function", count == expected.surface_get_array_len(0))
 	var before: float = _curve.call("get_mesh").get_aabb().size.x
-	var width: Curve = _curve.function.width_curve
+	var width: Curve = _curve.species.width_curve
 	width.set_point_value(0, width.get_point_position(0).y * 0.5)
 	await _frames(2)
 	var after: float = _curve.call("get_mesh").get_aabb().size.x
@@ -136,7 +136,7 @@ func _plant(properties: Dictionary) -> Node3D:
 	var plant: Node3D = ClassDB.instantiate("Plant3D")
 	for property: String in properties:
 		plant.set(property, properties[property])
-	plant.set("simulating", false)
+	plant.set("simulation_enabled", false)
 	plant.set("wind", _shared)
 	add_child(plant)
 	return plant
