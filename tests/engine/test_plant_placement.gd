@@ -57,6 +57,42 @@ func test_plants_on_a_ceiling_sway_with_the_wind() -> void:
 	_check_sway(Vector3(0, 0, 1), "on a ceiling")
 
 
+func test_a_leaning_species_rests_at_its_lean_on_every_slope() -> void:
+	var species := BellflowerFunction.new()
+	species.damping_ratio = 1.0
+	_plant.species = species
+	var lean := Vector3.UP.angle_to(_plant.get_tip_position())
+	var last := Vector3.ZERO
+	for simulated: bool in [false, true]:
+		for slope in 180:
+			_plant.simulation_enabled = simulated
+			_plant.rotation_degrees = Vector3(slope, 0, 0)
+			await frames(1)
+			_plant.reset_motion()
+			check_near(_plant.get_deflection(), 0.0, 2e-4, "deflection at %d degrees" % slope)
+			var own := _plant.get_tip_position().normalized()
+			check_near(own, Vector3(0, cos(lean), sin(lean)), 2e-4, "rest at %d degrees" % slope)
+			if slope > 0:
+				var moved := last.angle_to(_tip_in_world())
+				check_near(moved, deg_to_rad(1.0), 1e-3, "way to %d degrees" % slope)
+			last = _tip_in_world()
+
+
+func test_a_plant_that_turns_over_slowly_never_jumps() -> void:
+	var species := BellflowerFunction.new()
+	species.damping_ratio = 1.0
+	species.natural_frequency = 5.0
+	_plant.species = species
+	var last := _tip_in_world()
+	for tenth in 1800:
+		_plant.rotation_degrees = Vector3(tenth / 10.0, 0, 0)
+		await frames(1)
+		_plant.advance(STEP)
+		var tip := _tip_in_world()
+		check(tip.angle_to(last) < deg_to_rad(1.0), "tip at %f degrees" % (tenth / 10.0))
+		last = tip
+
+
 func test_a_law_that_changes_below_an_overhang_keeps_the_plant_there() -> void:
 	_plant.species.law = PlantFunction.LAW_ELASTICITY
 	_plant.rotation_degrees = Vector3(120, 0, 0)
