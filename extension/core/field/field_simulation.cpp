@@ -174,6 +174,15 @@ void FieldSimulation::settle() {
 			entry.page.settle();
 		}
 	}
+	for (LoosePlants &some : loose) {
+		while (some.count() > 0) {
+			const int last = some.count() - 1;
+			follow_again(at(some.page_of(last)), some.index_of(last));
+		}
+	}
+	for (Prototypes &model : models) {
+		model.settle();
+	}
 }
 
 void FieldSimulation::clear() {

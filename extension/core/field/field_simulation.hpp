@@ -105,8 +105,7 @@ public:
 	/// A blow on the tip (N·s): changes the velocity by impulse/mass.
 	void apply_impulse(int page, int index, const glm::vec3 &impulse);
 
-	/// Puts all plants that swing by themselves into their rest directions, without velocity. Followers stay with their
-	/// prototypes, which go on.
+	/// Puts all plants into their rest directions, without velocity, prototypes and what they did before included.
 	void settle();
 
 	/// Null where every plant of the species is simulated.

@@ -28,6 +28,17 @@ int column_count(bool swings, bool keeps_directions) {
 
 } // namespace
 
+/// A state as it would be about another rest direction: as far from it in the plane that the spring law lives in.
+static TipState moved_rest(const TipState &state, const glm::vec3 &from, const glm::vec3 &to) {
+	if (from == to) {
+		return state;
+	}
+	GnomonicState flat = to_gnomonic(state);
+	flat.x += to.x / to.y - from.x / from.y;
+	flat.z += to.z / to.y - from.z / from.y;
+	return from_gnomonic(flat);
+}
+
 bool is_same_motion(const MotionSpecies &a, const MotionSpecies &b) {
 	const Joint &one = a.joint;
 	const Joint &other = b.joint;
@@ -173,8 +184,8 @@ void MotionPage::take_motion(int index, const MotionPage &other, int from) {
 	if (!is_swinging || !other.is_swinging) {
 		return; // Who follows a prototype has no motion of its own.
 	}
-	set_state(index, other.state(from));
-	set_before(index, other.before(from));
+	set_state(index, moved_rest(other.state(from), other.rest(from), rest(index)));
+	set_before(index, moved_rest({ other.before(from), {} }, other.rest(from), rest(index)).direction);
 }
 
 glm::vec3 MotionPage::before(int index) const {

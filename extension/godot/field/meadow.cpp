@@ -246,6 +246,9 @@ void Meadow::read_motion(const PlantFunction *function) {
 }
 
 bool Meadow::update_levels() {
+	if (!find_level_fault(properties.view).is_empty()) {
+		return false; // The next filling tells of it.
+	}
 	const std::vector<FieldLevel> wanted = read_levels(properties.view, node->get_visibility_range_end());
 	const bool same = std::equal(wanted.begin(), wanted.end(), style.levels.begin(), style.levels.end(),
 			[](const FieldLevel &a, const FieldLevel &b) { return a.lod == b.lod && a.tile_factor == b.tile_factor; });

@@ -67,8 +67,11 @@ String Meadow::make_recipe(FieldRecipe &recipe, bool places) {
 	recipe.places = places;
 	const std::vector<FieldLook> others = others_of(style, store, properties.stand, recipe.species_numbers);
 	recipe.style.levels = read_levels(properties.view, node->get_visibility_range_end());
-	String fault = read_looks(properties.stand, others, recipe.style);
-	if (fault.is_empty() && places && properties.stand.species.size() > 0) { // Else only what code adds.
+	String fault = find_level_fault(properties.view);
+	if (fault.is_empty()) {
+		fault = read_looks(properties.stand, others, recipe.style);
+	}
+	if (fault.is_empty() && places) {
 		fault = read_request(node, properties.stand, recipe.request);
 	}
 	if (fault.is_empty()) {

@@ -4,7 +4,6 @@
 #include "field/plant_field_3d.hpp"
 
 #include "follow_changes.hpp"
-#include "species_functions.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/node3d.hpp>
@@ -31,9 +30,6 @@ PlantField3D::PlantField3D() :
 						[this](float ratio) { emit_signal("fill_progressed", ratio); },
 						[this] { emit_signal("filled"); },
 						[this](Skeleton3D *skeleton, bool is_shown) { tell_of_skeleton(skeleton, is_shown); } }) {
-	Ref<GrassFunction> grass;
-	grass.instantiate();
-	properties.stand.species.push_back(PlantFieldSpecies::of(grass));
 	follow_species();
 }
 
@@ -43,16 +39,16 @@ PlantField3D::~PlantField3D() {
 
 PlantField3D *PlantField3D::from_species(const Array &functions, const PackedFloat32Array &shares) {
 	PlantField3D *field = memnew(PlantField3D);
-	TypedArray<PlantFieldSpecies> listed;
+	TypedArray<PlantFieldSpecies> entries;
 	for (int64_t i = 0; i < functions.size(); i++) {
 		const Ref<PlantFunction> function = functions[i];
 		if (function.is_null()) {
 			report_error(field, "from_species() needs PlantFunctions; entry " + String::num_int64(i) + " is none.");
 			continue;
 		}
-		listed.push_back(PlantFieldSpecies::of(function, i < shares.size() ? double(shares[i]) : 1.0));
+		entries.push_back(PlantFieldSpecies::of(function, i < shares.size() ? double(shares[i]) : 1.0));
 	}
-	field->set_species(listed);
+	field->set_species(entries);
 	return field;
 }
 
@@ -79,9 +75,6 @@ PackedStringArray PlantField3D::_get_configuration_warnings() const {
 	PackedStringArray warnings;
 	if (!problem.is_empty()) {
 		warnings.push_back(problem);
-	} else if (properties.stand.species.is_empty()) {
-		warnings.push_back("This field grows nothing by itself: add a PlantFieldSpecies with a PlantFunction, such as a "
-						   "GrassFunction, to Species.");
 	}
 	if (properties.motion.prototypes > 0 && properties.motion.contact_enabled) {
 		warnings.push_back("Plants that follow Prototypes do not touch each other: set Prototypes to 0, or Contact "
@@ -190,9 +183,9 @@ void PlantField3D::look_around() {
 		seen_material = material;
 		mark_stale(false);
 	}
-	bool differs = int64_t(seen_species.size()) != properties.stand.species.size();
+	bool differs = int64_t(seen_species.size()) != listed.size();
 	for (size_t i = 0; i < seen_species.size() && !differs; i++) {
-		const Object *entry = properties.stand.species[int64_t(i)];
+		const Object *entry = listed[int64_t(i)];
 		differs = (entry ? uint64_t(entry->get_instance_id()) : 0) != seen_species[i];
 	}
 	if (differs) {
