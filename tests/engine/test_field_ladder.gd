@@ -24,10 +24,8 @@ func test_the_number_of_threads_does_not_change_the_motion() -> void:
 	await frames(2)
 	other.simulation_enabled = false
 	field.simulation_enabled = false
-	field.fill()
-	other.fill()
-	while field.is_filling() or other.is_filling():
-		await process_frame
+	field.reset_motion()
+	other.reset_motion()
 	field.wind.travel_speed = 0.0
 	field.simulation_enabled = true
 	other.simulation_enabled = true
