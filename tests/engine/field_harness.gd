@@ -41,6 +41,13 @@ func all_tips(of := field) -> PackedVector3Array:
 	return of.get_tip_positions(of.get_plant_ids())
 
 
+## The ids of all plants, in an order of their own: dressed anew, a field lists them in another.
+func sorted_ids() -> PackedInt64Array:
+	var ids := field.get_plant_ids()
+	ids.sort()
+	return ids
+
+
 ## From a plant's root to its tip.
 func relative_tip(id: int) -> Vector3:
 	return field.get_tip_position(id) - field.get_plant_transform(id).origin

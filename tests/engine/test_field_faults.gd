@@ -56,19 +56,23 @@ func test_an_outline_that_is_no_path_is_one_error() -> void:
 		await frames(3)
 		check_error("outline")
 		check(field.get_plant_count() > 0, "the field stays")
-	field.outline = NodePath()
-	await rested()
+		field.outline = NodePath()
+		await rested()
 	field.exclusions = [NodePath("../Nobody")]
 	await frames(3)
 	check_error("exclusions[0]")
 
 
-func test_levels_that_do_not_go_outwards_are_one_error() -> void:
+func test_a_level_that_does_not_go_outwards_is_the_last() -> void:
 	await _fill()
-	field.levels = [PlantFieldLevel.of(8, 20.0), PlantFieldLevel.of(4, 10.0), null]
-	await frames(3)
-	check_error("levels")
-	check(field.get_plant_count() > 0, "the field stays")
+	var ids := sorted_ids()
+	field.levels = [PlantFieldLevel.of(8, 20.0), PlantFieldLevel.of(4, 10.0), PlantFieldLevel.of(2)]
+	await rested()
+	check_equal((field.get_statistics()["drawn_by_level"] as PackedInt32Array).size(), 2, "levels")
+	check_equal(sorted_ids(), ids, "plants stay")
+	field.levels = [null, PlantFieldLevel.of(3)]
+	await rested()
+	check_equal(sorted_ids(), ids, "plants stay")
 
 
 func test_absurd_densities_are_refused() -> void:

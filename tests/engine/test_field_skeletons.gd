@@ -91,8 +91,10 @@ func test_nobody_sees_a_skeleton_come_or_go() -> void:
 
 
 func test_nobody_sees_skeletons_of_plants_that_follow_prototypes() -> void:
+	var count := _field.get_plant_count()
 	_field.prototypes = 4
-	check(not _field.is_filling(), "nothing is filled anew for that")
+	await _rested()
+	check_equal(_field.get_plant_count(), count, "plants stay")
 	await frames(20)
 	_field.apply_impulse_in_sphere(Vector3.ZERO, 1.0, Vector3(2, 0, 0))
 	await frames(12)
@@ -139,8 +141,7 @@ func test_a_shader_of_fields_fits_skeletons_and_single_plants() -> void:
 	"""
 	for entry in _field.species:
 		entry.species.material = material
-	await frames(10)
-	check(not _field.is_filling(), "nothing is filled anew for that")
+	await _rested()
 	_field.simulation_enabled = false
 	await frames(3)
 	var before := await picture()
@@ -222,6 +223,14 @@ func test_skeletons_are_neither_saved_nor_copied() -> void:
 	check_equal(copy.get_child_count(true), 0, "children of a copy")
 	check_equal(_field.get_child_count(), 0, "children that others see")
 	copy.free()
+
+
+## Waits until meshes that are being built anew are worn.
+func _rested() -> void:
+	await frames(2)
+	while _field.is_filling():
+		await process_frame
+	await frames(2)
 
 
 func _check_same(before: Image, during: Image) -> void:

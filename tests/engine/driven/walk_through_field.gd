@@ -9,10 +9,10 @@ const SECONDS := 5.0
 const SAMPLE := 1.0 / 30.0  # s
 const REACH := 0.8  # m, of the tips that count.
 
-var _field := PlantField3D.new()
+var _field := PlantField3D.from_species([TulipFunction.new()])
 var _walker := StaticBody3D.new()
 var _tips := PackedVector3Array()
-var _near: PackedInt32Array = []
+var _near: PackedInt64Array = []
 var _elapsed := -1.0
 var _walked := 0.0
 var _samples := 0
@@ -20,7 +20,6 @@ var _way := 0.0
 
 
 func _initialize() -> void:
-	_field.species = [TulipFunction.new()]
 	_field.size = Vector2(6, 6)
 	_field.density = 12.0
 	_field.bodies_group = &"walkers"
@@ -54,10 +53,10 @@ func _process(delta: float) -> bool:
 
 
 func _begin() -> void:
-	for i in _field.get_plant_count():
-		if absf(_field.get_plant_transform(i).origin.z) < REACH:
-			_near.append(i)
-			_tips.append(_field.get_tip_position(i))
+	for id in _field.get_plant_ids():
+		if absf(_field.get_plant_transform(id).origin.z) < REACH:
+			_near.append(id)
+	_tips = _field.get_tip_positions(_near)
 	_elapsed = 0.0
 
 
@@ -69,7 +68,7 @@ func _walk(delta: float) -> void:
 
 func _sample() -> void:
 	_samples += 1
+	var tips := _field.get_tip_positions(_near)
 	for i in _near.size():
-		var tip := _field.get_tip_position(_near[i])
-		_way += tip.distance_to(_tips[i])
-		_tips[i] = tip
+		_way += tips[i].distance_to(_tips[i])
+	_tips = tips
