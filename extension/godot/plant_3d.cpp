@@ -1,4 +1,5 @@
-// Plant3D's properties and its life in the tree. plant_3d_mesh.cpp builds what is drawn, plant_3d_motion.cpp moves it.
+// Plant3D's properties and its life in the tree. plant_3d_mesh.cpp builds what is drawn, plant_3d_motion.cpp and
+// plant_3d_driving.cpp move it.
 
 #include "plant_3d.hpp"
 
@@ -12,39 +13,47 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr Range LOD_RANGE = { MIN_LOD, MAX_LOD };
+static constexpr Range SEGMENTS_RANGE = { MIN_LOD, MAX_LOD };
 static constexpr Range HEIGHT_RANGE = { 0.0, 1000.0 };
 
 Plant3D::~Plant3D() {
 	leave_simulation();
 }
 
-void Plant3D::set_function(const Ref<PlantFunction> &new_function) {
-	const Callable changed(this, "_on_function_changed");
-	unfollow_changes(function.ptr(), changed);
-	if (new_function.is_null() && function.is_valid()) {
-		report_problem("has no function any more; the last plant stays. Set a PlantFunction.");
+void Plant3D::set_species(const Ref<PlantFunction> &new_species) {
+	if (new_species == species) {
+		return;
 	}
-	function = new_function;
-	follow_changes(function.ptr(), changed);
-	if (function.is_valid()) {
+	const Callable changed(this, "_on_species_changed");
+	unfollow_changes(species.ptr(), changed);
+	if (new_species.is_null()) {
+		report_problem("has no species any more; the last plant stays. Set its Species to a PlantFunction.");
+	}
+	species = new_species;
+	follow_changes(species.ptr(), changed);
+	if (species.is_valid()) {
 		mark_stale();
-		update_axes();
 		update_simulation();
 	}
 	update_configuration_warnings();
 }
 
-Ref<PlantFunction> Plant3D::get_function() const {
-	return function;
+Ref<PlantFunction> Plant3D::get_species() const {
+	return species;
 }
 
 void Plant3D::set_wind(const Ref<PlantWind> &new_wind) {
+	if (new_wind == wind) {
+		return;
+	}
 	const Callable changed(this, "_on_wind_changed");
 	unfollow_changes(wind.ptr(), changed);
 	wind = new_wind;
 	follow_changes(wind.ptr(), changed);
-	update_simulation();
+	ear = PlantWind::Listener();
+	if (place.group) {
+		update_simulation();
+	}
 	on_wind_changed();
 }
 
@@ -52,19 +61,19 @@ Ref<PlantWind> Plant3D::get_wind() const {
 	return wind;
 }
 
-void Plant3D::set_lod(int new_lod) {
-	if (accept_value(this, "lod", new_lod, LOD_RANGE)) {
-		lod = new_lod;
+void Plant3D::set_segments(int count) {
+	if (count != segments && accept_value(this, "segments", count, SEGMENTS_RANGE)) {
+		segments = count;
 		mark_stale();
 	}
 }
 
-int Plant3D::get_lod() const {
-	return lod;
+int Plant3D::get_segments() const {
+	return segments;
 }
 
 void Plant3D::set_height(double metres) {
-	if (accept_value(this, "height", metres, HEIGHT_RANGE)) {
+	if (metres != height && accept_value(this, "height", metres, HEIGHT_RANGE)) {
 		height = metres;
 		mark_stale();
 	}
@@ -75,30 +84,33 @@ double Plant3D::get_height() const {
 }
 
 void Plant3D::set_seed(int64_t new_seed) {
-	seed = new_seed;
-	mark_stale();
+	if (new_seed != seed) {
+		seed = new_seed;
+		mark_stale();
+	}
 }
 
 int64_t Plant3D::get_seed() const {
 	return seed;
 }
 
-void Plant3D::set_simulating(bool on) {
-	simulating = on;
-	update_simulation();
+void Plant3D::set_simulation_enabled(bool enabled) {
+	if (enabled != simulation_enabled) {
+		simulation_enabled = enabled;
+		update_simulation();
+	}
 }
 
-bool Plant3D::is_simulating() const {
-	return simulating;
+bool Plant3D::is_simulation_enabled() const {
+	return simulation_enabled;
 }
 
-void Plant3D::on_function_changed() {
-	if (function.is_null()) {
+void Plant3D::on_species_changed() {
+	if (species.is_null()) {
 		return; // The library was reloaded, and the engine has not set it again yet.
 	}
-	if (function->is_motion_change()) {
-		update_axes(); // They depend on the law.
-		update_joint();
+	if (species->is_motion_change()) {
+		update_motion();
 	} else {
 		mark_stale();
 	}
@@ -107,8 +119,8 @@ void Plant3D::on_function_changed() {
 
 PackedStringArray Plant3D::_get_configuration_warnings() const {
 	PackedStringArray warnings;
-	if (function.is_null()) {
-		warnings.push_back("This plant needs a species: set Function to a PlantFunction, such as a TulipFunction.");
+	if (species.is_null()) {
+		warnings.push_back("This plant needs a species: set Species to a PlantFunction, such as a TulipFunction.");
 	} else if (!problem.is_empty()) {
 		warnings.push_back(problem);
 	}
@@ -123,10 +135,9 @@ void Plant3D::_notification(int what) {
 		case NOTIFICATION_ENTER_TREE:
 			set_notify_transform(true);
 			update_axes();
-			if (mesh_is_stale && function.is_valid()) {
+			if (mesh_is_stale && species.is_valid()) {
 				build_mesh();
 			}
-			is_shown = is_visible_in_tree();
 			update_simulation();
 			pose_now();
 			break;
@@ -144,10 +155,10 @@ void Plant3D::_notification(int what) {
 			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
 			update_axes();
-			update_joint();
+			update_motion();
 			break;
 		case NOTIFICATION_VISIBILITY_CHANGED:
-			is_shown = is_visible_in_tree();
+			update_bone();
 			pose_now();
 			break;
 		case NOTIFICATION_PAUSED:
@@ -162,21 +173,21 @@ void Plant3D::_notification(int what) {
 }
 
 void Plant3D::_bind_methods() {
-	ClassDB::bind_method(D_METHOD("_on_function_changed"), &Plant3D::on_function_changed);
+	ClassDB::bind_method(D_METHOD("_on_species_changed"), &Plant3D::on_species_changed);
 	ClassDB::bind_method(D_METHOD("_on_wind_changed"), &Plant3D::on_wind_changed);
 	ClassDB::bind_method(D_METHOD("_on_rebuild_queued"), &Plant3D::on_rebuild_queued);
-	ClassDB::bind_method(D_METHOD("set_function", "function"), &Plant3D::set_function);
-	ClassDB::bind_method(D_METHOD("get_function"), &Plant3D::get_function);
+	ClassDB::bind_method(D_METHOD("set_species", "species"), &Plant3D::set_species);
+	ClassDB::bind_method(D_METHOD("get_species"), &Plant3D::get_species);
 	ClassDB::bind_method(D_METHOD("set_wind", "wind"), &Plant3D::set_wind);
 	ClassDB::bind_method(D_METHOD("get_wind"), &Plant3D::get_wind);
-	ClassDB::bind_method(D_METHOD("set_lod", "lod"), &Plant3D::set_lod);
-	ClassDB::bind_method(D_METHOD("get_lod"), &Plant3D::get_lod);
+	ClassDB::bind_method(D_METHOD("set_segments", "segments"), &Plant3D::set_segments);
+	ClassDB::bind_method(D_METHOD("get_segments"), &Plant3D::get_segments);
 	ClassDB::bind_method(D_METHOD("set_height", "metres"), &Plant3D::set_height);
 	ClassDB::bind_method(D_METHOD("get_height"), &Plant3D::get_height);
 	ClassDB::bind_method(D_METHOD("set_seed", "seed"), &Plant3D::set_seed);
 	ClassDB::bind_method(D_METHOD("get_seed"), &Plant3D::get_seed);
-	ClassDB::bind_method(D_METHOD("set_simulating", "simulating"), &Plant3D::set_simulating);
-	ClassDB::bind_method(D_METHOD("is_simulating"), &Plant3D::is_simulating);
+	ClassDB::bind_method(D_METHOD("set_simulation_enabled", "simulation_enabled"), &Plant3D::set_simulation_enabled);
+	ClassDB::bind_method(D_METHOD("is_simulation_enabled"), &Plant3D::is_simulation_enabled);
 	ClassDB::bind_method(D_METHOD("rebuild"), &Plant3D::rebuild);
 	ClassDB::bind_method(D_METHOD("get_mesh"), &Plant3D::get_mesh);
 	ClassDB::bind_method(D_METHOD("get_skeleton"), &Plant3D::get_skeleton);
@@ -185,19 +196,22 @@ void Plant3D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_tip_position"), &Plant3D::get_tip_position);
 	ClassDB::bind_method(D_METHOD("get_deflection"), &Plant3D::get_deflection);
 	ClassDB::bind_method(D_METHOD("apply_impulse", "impulse"), &Plant3D::apply_impulse);
-	ClassDB::bind_method(D_METHOD("reset"), &Plant3D::reset);
-	ClassDB::bind_method(D_METHOD("step", "delta"), &Plant3D::step);
-	ClassDB::bind_method(D_METHOD("preview", "delta", "wind"), &Plant3D::preview);
+	ClassDB::bind_method(D_METHOD("reset_motion"), &Plant3D::reset_motion);
+	ClassDB::bind_method(D_METHOD("get_motion_state"), &Plant3D::get_motion_state);
+	ClassDB::bind_method(D_METHOD("set_motion_state", "state"), &Plant3D::set_motion_state);
+	ClassDB::bind_method(D_METHOD("advance", "delta"), &Plant3D::advance);
+	ClassDB::bind_method(D_METHOD("_preview", "delta", "wind"), &Plant3D::preview);
 
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "function", PROPERTY_HINT_RESOURCE_TYPE, "PlantFunction"),
-			"set_function", "get_function");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "species", PROPERTY_HINT_RESOURCE_TYPE, "PlantFunction"),
+			"set_species", "get_species");
 	ADD_PROPERTY(
 			PropertyInfo(Variant::OBJECT, "wind", PROPERTY_HINT_RESOURCE_TYPE, "PlantWind"), "set_wind", "get_wind");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "lod", PROPERTY_HINT_RANGE, "1,64,1,or_greater"), "set_lod", "get_lod");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "segments", PROPERTY_HINT_RANGE, "1,64,1,or_greater"), "set_segments", "get_segments");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "height", PROPERTY_HINT_RANGE, "0,5,0.01,or_greater,suffix:m"),
 			"set_height", "get_height");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "seed"), "set_seed", "get_seed");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "simulating"), "set_simulating", "is_simulating");
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "simulation_enabled"), "set_simulation_enabled", "is_simulation_enabled");
+	ADD_SIGNAL(MethodInfo("mesh_changed"));
 }
 
 } // namespace undergrowth

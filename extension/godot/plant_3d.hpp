@@ -7,23 +7,37 @@
 #include <godot_cpp/classes/mesh_instance3d.hpp>
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/classes/skeleton3d.hpp>
+#include <godot_cpp/variant/packed_float32_array.hpp>
 
 #include <memory>
 
 namespace undergrowth {
 
-/// One plant: a generated mesh on a skeleton of two bones (thesis, section 4.1), moved by the simulation or by step().
-/// Its skeleton and mesh instance are internal children: they are never saved with the scene.
+/// One plant: a generated mesh on a skeleton of two bones (thesis, section 4.1), moved by the simulation or by
+/// advance(). Its skeleton and mesh instance are internal children: they are never saved with the scene.
 class Plant3D : public godot::Node3D {
 	GDCLASS(Plant3D, godot::Node3D)
 
+	/// What moves of a plant, in world axes: its state, and where it pointed a step before, as it is drawn.
+	struct Swing {
+		TipState now;
+		glm::vec3 before = { 0.0f, 1.0f, 0.0f };
+	};
+	/// A plant that is driven by hand: a page of its own, and its own clock.
+	struct Driven {
+		Driven(const MotionSpecies &species, PlantFrame frame, double step) :
+				group(species, godot::Ref<PlantWind>(), frame, float(step)), clock(step) {}
+		PlantGroup group;
+		FixedStep clock;
+	};
+
 	// What users set.
-	godot::Ref<PlantFunction> function;
+	godot::Ref<PlantFunction> species;
 	godot::Ref<PlantWind> wind;
-	int lod = 12;
-	double height = 0.0; // m; 0: the function's own.
+	int segments = 12;
+	double height = 0.0; // m; 0: the species' own.
 	int64_t seed = 0;
-	bool simulating = true;
+	bool simulation_enabled = true;
 
 	// What is drawn.
 	godot::Skeleton3D *skeleton = nullptr;
@@ -33,21 +47,20 @@ class Plant3D : public godot::Node3D {
 	bool mesh_is_stale = true;
 	bool rebuild_is_queued = false;
 	godot::String problem; // Why the last build failed; shown as configuration warning.
-	godot::String refusal; // Why the last step() did nothing; told once, not in each frame that calls it.
+	godot::String refusal; // Why the last advance() did nothing; told once, not in each frame that calls it.
 
-	// How it moves. Either in the simulation (place) or driven by hand (own).
-	TipState state; // Valid while in neither.
-	bool has_state = false;
+	// How it moves: on a page of the simulation (place), on its own (driven), or not at all (parked).
+	Swing parked;
+	bool has_swing = false;
 	PlantSimulation::Place place;
-	std::unique_ptr<PlantGroup> own;
-	std::unique_ptr<FixedStep> own_clock;
+	std::unique_ptr<Driven> driven;
 	double own_time = 0.0; // s, the wind's clock while driven by hand.
-	godot::Basis frame; // Axes of the direction: the world's, but for plants on walls and ceilings.
-	godot::Basis to_local; // From that frame to the plant's own axes.
+	PlantWind::Listener ear; // For gusts, by that clock.
+	PlantFrame frame = PlantFrame::WORLD;
+	PlantBone own_bone; // While in no page.
 	godot::Basis plant_axes; // The node's global axes, without scale.
+	glm::vec3 root = { 0.0f, 0.0f, 0.0f }; // m, world axes.
 	float scale_along = 1.0f; // The node's scale along the plant.
-	glm::vec3 posed = { 0.0f, 1.0f, 0.0f }; // The direction the bone has now, in the plant's own axes.
-	bool is_shown = true;
 
 	// plant_3d_mesh.cpp
 	void mark_stale();
@@ -63,18 +76,26 @@ class Plant3D : public godot::Node3D {
 
 	// plant_3d_motion.cpp
 	bool may_simulate() const;
-	Joint joint() const;
-	glm::vec3 rest() const;
-	TipState current_state() const;
+	MotionSpecies motion() const;
+	MotionPlant description() const;
+	godot::Vector3 rest() const;
+	Swing swing() const;
+	void set_swing(const Swing &swing);
+	PlantGroup *page_group() const;
+	int page_index() const { return place.group ? place.index : 0; }
+	PlantBone &bone();
 	void park();
 	void update_axes();
-	void update_joint();
-	bool can_be_driven();
-	void refuse(const godot::String &what);
-	PlantGroup *prepare_own_group();
+	void update_motion();
+	void update_bone();
 	void pose_now();
 
-	void on_function_changed();
+	// plant_3d_driving.cpp
+	bool can_be_driven();
+	void refuse(const godot::String &what);
+	Driven &prepare_driven();
+
+	void on_species_changed();
 	void on_wind_changed();
 	void on_rebuild_queued();
 
@@ -87,18 +108,18 @@ public:
 	~Plant3D() override;
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
-	void set_function(const godot::Ref<PlantFunction> &new_function);
-	godot::Ref<PlantFunction> get_function() const;
+	void set_species(const godot::Ref<PlantFunction> &new_species);
+	godot::Ref<PlantFunction> get_species() const;
 	void set_wind(const godot::Ref<PlantWind> &new_wind);
 	godot::Ref<PlantWind> get_wind() const;
-	void set_lod(int new_lod);
-	int get_lod() const;
+	void set_segments(int count);
+	int get_segments() const;
 	void set_height(double metres);
 	double get_height() const;
 	void set_seed(int64_t new_seed);
 	int64_t get_seed() const;
-	void set_simulating(bool on);
-	bool is_simulating() const;
+	void set_simulation_enabled(bool enabled);
+	bool is_simulation_enabled() const;
 
 	bool rebuild();
 	godot::Ref<godot::ArrayMesh> get_mesh();
@@ -109,8 +130,11 @@ public:
 	godot::Vector3 get_tip_position() const;
 	double get_deflection() const;
 	void apply_impulse(const godot::Vector3 &impulse);
-	void reset();
-	void step(double delta);
+	void reset_motion();
+	/// Direction and rate of the tip, six floats in the plant's own axes.
+	godot::PackedFloat32Array get_motion_state() const;
+	void set_motion_state(const godot::PackedFloat32Array &state);
+	void advance(double delta);
 	/// Moves the plant as if `blowing` were its wind, at that wind's own clock. Properties stay as they are.
 	void preview(double delta, const godot::Ref<PlantWind> &blowing);
 
@@ -118,8 +142,6 @@ public:
 	void moved_to(int index) { place.index = index; }
 	void leave_simulation();
 	void update_simulation();
-	/// Turns the tip's bone to `direction` (unit, in the plant's frame).
-	void pose(const glm::vec3 &direction);
 };
 
 } // namespace undergrowth

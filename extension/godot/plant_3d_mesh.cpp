@@ -34,14 +34,14 @@ void Plant3D::mark_stale() {
 
 void Plant3D::on_rebuild_queued() {
 	rebuild_is_queued = false;
-	if (mesh_is_stale && function.is_valid()) {
+	if (mesh_is_stale && species.is_valid()) {
 		build_mesh();
 	}
 }
 
 bool Plant3D::rebuild() {
-	if (function.is_null()) {
-		report_problem("cannot be built without a function. Set a PlantFunction.");
+	if (species.is_null()) {
+		report_problem("cannot be built without a species. Set a PlantFunction.");
 		return false;
 	}
 	return build_mesh();
@@ -50,9 +50,9 @@ bool Plant3D::rebuild() {
 bool Plant3D::build_mesh() {
 	mesh_is_stale = false;
 	SampledPlant sampled;
-	const String fault = function->sample(height, lod, seed, sampled);
+	const String fault = species->sample(height, segments, seed, sampled);
 	if (!fault.is_empty()) {
-		report_problem(describe(function.ptr()) + ": " + fault);
+		report_problem(describe(species.ptr()) + ": " + fault);
 		return false;
 	}
 	if (!problem.is_empty()) {
@@ -62,13 +62,14 @@ bool Plant3D::build_mesh() {
 	mesh = sampled.build();
 	built_height = sampled.height;
 	show_mesh();
-	update_joint();
+	update_motion();
+	emit_signal("mesh_changed");
 	return true;
 }
 
 void Plant3D::find_children() {
 	skeleton = Object::cast_to<Skeleton3D>(get_node_or_null(SKELETON_NAME));
-	posed = glm::vec3(NAN); // Whatever the bone shows now, the next pose is set.
+	bone().posed = glm::vec3(NAN); // Whatever the bone shows now, the next pose is set.
 	const Node *found = skeleton ? skeleton->get_node_or_null(MESH_NAME) : nullptr;
 	mesh_instance = found ? uint64_t(found->get_instance_id()) : 0;
 }
@@ -78,6 +79,7 @@ void Plant3D::lose_skeleton() {
 	if (skeleton && skeleton->get_parent() != this) {
 		skeleton = nullptr;
 		mesh_instance = 0;
+		update_bone();
 		mark_stale();
 	}
 }
@@ -92,7 +94,7 @@ void Plant3D::make_children() {
 	skeleton->add_bone("root");
 	skeleton->add_bone("tip");
 	skeleton->set_bone_parent(1, 0);
-	posed = { 0.0f, 1.0f, 0.0f };
+	bone().posed = { 0.0f, 1.0f, 0.0f };
 	make_mesh_instance();
 	add_child(skeleton, false, INTERNAL_MODE_FRONT);
 }
@@ -132,7 +134,7 @@ AABB Plant3D::reach() const {
 }
 
 Ref<ArrayMesh> Plant3D::get_mesh() {
-	if (mesh_is_stale && function.is_valid()) {
+	if (mesh_is_stale && species.is_valid()) {
 		build_mesh();
 	}
 	return mesh;

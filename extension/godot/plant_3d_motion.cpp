@@ -1,4 +1,4 @@
-// The half of Plant3D that moves: its place in the simulation, its axes and its bone.
+// The part of Plant3D that moves: its place on a page, its axes and its bone.
 
 #include "plant_3d.hpp"
 
@@ -15,92 +15,105 @@ using namespace godot;
 
 namespace undergrowth {
 
-// Below this (radians, about) a change of the pose cannot be seen and is not worth an update of the skeleton.
-static constexpr float SMALLEST_TURN = 1e-6f;
-// Plants that stand at more than 60° from upright are simulated in axes of their own.
-static constexpr float MOST_UPRIGHT_TILT = 0.5f;
-static constexpr double MOST_STEP = 1e9; // s.
+static constexpr float SHORTEST = 1e-3f; // m.
+static constexpr int STATE_FLOATS = 6;
 
 bool Plant3D::may_simulate() const {
-	return simulating && is_inside_tree() && function.is_valid() && can_process() &&
+	return simulation_enabled && is_inside_tree() && species.is_valid() && can_process() &&
 			!Engine::get_singleton()->is_editor_hint();
 }
 
-// The spring law lives on the half sphere above the root, so a plant on a wall or a ceiling needs tilted axes.
-static Basis frame_of(const Basis &axes, Law law) {
-	const Vector3 up = axes.get_column(1);
-	if (law == Law::elasticity || up.y > MOST_UPRIGHT_TILT) {
-		return Basis();
+static glm::vec3 to_frame(PlantFrame frame, const glm::vec3 &v) {
+	return frame == PlantFrame::WORLD ? v : to_glm(axes_of(frame).xform_inv(to_godot(v)));
+}
+
+static glm::vec3 from_frame(PlantFrame frame, const glm::vec3 &v) {
+	return frame == PlantFrame::WORLD ? v : to_glm(axes_of(frame).xform(to_godot(v)));
+}
+
+MotionSpecies Plant3D::motion() const {
+	MotionSpecies motion;
+	motion.law = Law(int(species->get_law()));
+	motion.joint = species->make_joint(1.0f, Basis());
+	motion.collision_radius = 0.0f; // Plants of species that differ in it alone move alike.
+	return motion;
+}
+
+MotionPlant Plant3D::description() const {
+	MotionPlant plant;
+	plant.root = root;
+	plant.length = std::max(built_height > 0.0f ? built_height * scale_along : 1.0f, SHORTEST);
+	plant.rest = to_frame(frame, to_glm(rest()));
+	return plant;
+}
+
+// In world axes.
+Vector3 Plant3D::rest() const {
+	if (species.is_null() || species->get_law() == PlantFunction::LAW_ELASTICITY) {
+		return Vector3(0.0f, 1.0f, 0.0f);
 	}
-	const Vector3 world_up(0.0f, 1.0f, 0.0f);
-	if (up.y < -0.9999f) {
-		return Basis(Vector3(1.0f, 0.0f, 0.0f), float(PI));
+	return to_godot(species->make_joint(1.0f, plant_axes).rest);
+}
+
+PlantGroup *Plant3D::page_group() const {
+	return place.group ? place.group : driven ? &driven->group : nullptr;
+}
+
+PlantBone &Plant3D::bone() {
+	PlantGroup *group = page_group();
+	return group ? group->bones[size_t(page_index())] : own_bone;
+}
+
+Plant3D::Swing Plant3D::swing() const {
+	if (const PlantGroup *group = page_group()) {
+		const TipState state = group->page.state(page_index());
+		return { { from_frame(group->frame, state.direction), from_frame(group->frame, state.rate) },
+			from_frame(group->frame, group->page.before(page_index())) };
 	}
-	return Basis(Quaternion(world_up, up));
+	const glm::vec3 calm = to_glm(rest());
+	return has_swing ? parked : Swing{ { calm, {} }, calm };
+}
+
+void Plant3D::set_swing(const Swing &swing) {
+	if (PlantGroup *group = page_group()) {
+		const TipState &now = swing.now;
+		group->page.set_state(page_index(), { to_frame(group->frame, now.direction), to_frame(group->frame, now.rate) });
+		group->page.set_before(page_index(), to_frame(group->frame, swing.before));
+	} else {
+		parked = swing;
+	}
+	has_swing = true;
 }
 
 void Plant3D::update_axes() {
 	if (!is_inside_tree()) {
 		return;
 	}
-	const Basis global = get_global_transform().basis;
-	const float along = global.get_column(1).length();
-	if (std::fabs(global.determinant()) < 1e-12f || !std::isfinite(along)) {
+	const Transform3D global = get_global_transform();
+	const float along = global.basis.get_column(1).length();
+	root = to_glm(global.origin);
+	if (std::fabs(global.basis.determinant()) < 1e-12f || !std::isfinite(along)) {
 		return; // A plant that is scaled to nothing keeps its last axes.
 	}
-	plant_axes = global.orthonormalized();
+	plant_axes = global.basis.orthonormalized();
 	scale_along = along;
-	const Law law = function.is_valid() ? Law(int(function->get_law())) : Law::spring;
-	const Basis new_frame = frame_of(plant_axes, law);
-	const bool moves_over = !(new_frame == frame) && place.group;
-	to_local = plant_axes.transposed() * new_frame;
-	if (moves_over || !(new_frame == frame)) {
-		park();
-		state.direction = to_glm(new_frame.xform_inv(frame.xform(to_godot(state.direction))));
-		state.rate = to_glm(new_frame.xform_inv(frame.xform(to_godot(state.rate))));
-		frame = new_frame;
-		update_simulation();
-	}
 }
 
-Joint Plant3D::joint() const {
-	const float length = std::max(built_height > 0.0f ? built_height * scale_along : 1.0f, 1e-3f);
-	return function->make_joint(length, frame.transposed() * plant_axes);
-}
-
-glm::vec3 Plant3D::rest() const {
-	if (function.is_null() || function->get_law() == PlantFunction::LAW_ELASTICITY) {
-		return { 0.0f, 1.0f, 0.0f };
-	}
-	return joint().rest;
-}
-
-TipState Plant3D::current_state() const {
-	if (place.group) {
-		return place.group->batch.state(place.index);
-	}
-	if (own) {
-		return own->batch.state(0);
-	}
-	if (has_state) {
-		return state;
-	}
-	TipState at_rest;
-	at_rest.direction = rest();
-	return at_rest;
-}
-
-// Takes the state out of the batch that has it.
+// Takes the motion out of the page that has it.
 void Plant3D::park() {
-	state = current_state();
-	has_state = has_state || place.group || own;
+	if (!page_group()) {
+		return;
+	}
+	parked = swing();
+	has_swing = true;
+	own_bone = bone();
 	if (place.group) {
 		if (PlantSimulation *simulation = PlantSimulation::get_singleton()) {
 			simulation->leave(place);
 		}
 		place = PlantSimulation::Place();
 	}
-	own.reset();
+	driven.reset();
 }
 
 void Plant3D::leave_simulation() {
@@ -113,125 +126,66 @@ void Plant3D::update_simulation() {
 	park();
 	PlantSimulation *simulation = PlantSimulation::get_singleton();
 	if (!simulation || !may_simulate()) {
+		update_bone();
 		return;
 	}
+	const Swing before = swing();
+	const MotionSpecies motion_now = motion();
+	frame = frame_for(motion_now.law, rest());
 	simulation->follow(get_tree());
-	place = simulation->enter(this, Law(int(function->get_law())), wind, frame, joint(), state);
-	has_state = true;
+	place = simulation->enter(this, motion_now, wind, frame, description(), own_bone);
+	set_swing(before);
+	update_bone();
 }
 
-// Constants changed: the law may have, too, which takes the plant to another batch. Its motion goes on either way.
-void Plant3D::update_joint() {
-	if (function.is_null()) {
+// Constants, axes, length or place changed: all of them the page's, or such that another page has them. The motion goes
+// on either way.
+void Plant3D::update_motion() {
+	if (species.is_null()) {
 		return;
 	}
-	if (PlantGroup *group = place.group ? place.group : own.get()) {
-		if (group->batch.law() == Law(int(function->get_law()))) {
-			group->batch.set_joint(place.group ? place.index : 0, joint());
-		} else {
-			update_axes();
+	if (PlantGroup *group = page_group()) {
+		const MotionSpecies motion_now = motion();
+		const bool stays = frame_for(motion_now.law, rest()) == group->frame;
+		const bool is_same = is_same_motion(motion_now, group->species);
+		if (stays && (is_same || driven)) {
+			if (!is_same) {
+				group->species = motion_now;
+				group->page.set_species(motion_now);
+			}
+			group->page.set_plant(page_index(), description());
+		} else if (place.group) {
 			update_simulation();
+		} else {
+			park();
 		}
 	}
+	update_bone();
 	if (!place.group) {
 		pose_now();
 	}
 }
 
-// Told once, and not at all to those who know already why there is no plant.
-bool Plant3D::can_be_driven() {
-	if (function.is_valid() && get_mesh().is_valid()) {
-		return true;
-	}
-	if (problem.is_empty()) {
-		report_problem("cannot move without a plant. Set a PlantFunction.");
-	}
-	return false;
-}
-
-void Plant3D::refuse(const String &what) {
-	if (what != refusal) {
-		refusal = what;
-		report_error(this, what);
-	}
-}
-
-PlantGroup *Plant3D::prepare_own_group() {
-	const float step_length = float(PlantSimulation::get_singleton()->get_step_length());
-	const Law law = Law(int(function->get_law()));
-	if (own && (own->batch.law() != law || own->batch.step_length() != step_length)) {
-		park();
-	}
-	if (!own) {
-		const TipState start = current_state();
-		own = std::make_unique<PlantGroup>(law, step_length, wind, frame);
-		own->batch.add(joint(), start);
-		own_clock = std::make_unique<FixedStep>(PlantSimulation::get_singleton()->get_step_length());
-	}
-	return own.get();
-}
-
-void Plant3D::step(double delta) {
-	if (!std::isfinite(delta) || delta < 0.0 || delta > MOST_STEP) {
-		refuse("step(" + String::num(delta) + ") is impossible; nothing moved. Pass seconds of 0 or more.");
-		return;
-	}
-	if (place.group) {
-		refuse("step() does nothing while the plant simulates by itself. Set simulating to false first.");
-		return;
-	}
-	if (!can_be_driven()) {
-		return;
-	}
-	refusal = String();
-	PlantGroup *group = prepare_own_group();
-	for (int steps = own_clock->advance(delta); steps > 0; steps--) {
-		own_time += own_clock->step();
-		const Vector3 force = wind.is_valid() ? wind->sample(own_time) : Vector3();
-		group->batch.step(to_glm(frame.xform_inv(force)));
-	}
-	if (wind.is_valid()) {
-		wind->keep_up_with(own_time);
-	}
-	glm::vec3 direction;
-	group->batch.interpolate(own_clock->alpha(), &direction);
-	pose(direction);
+void Plant3D::update_bone() {
+	PlantBone &shown = bone();
+	const PlantGroup *group = page_group();
+	shown.skeleton = is_inside_tree() && is_visible_in_tree() ? skeleton : nullptr;
+	shown.to_local = plant_axes.transposed() * axes_of(group ? group->frame : PlantFrame::WORLD);
 }
 
 void Plant3D::pose_now() {
-	pose(current_state().direction);
-}
-
-// The shortest turn from +Y to d = (x, y, z): axis (z, 0, -x), half-angle form (1 + y, axis)/norm.
-static Quaternion turn_from_up(const glm::vec3 &d) {
-	const float w = 1.0f + d.y;
-	if (w < 1e-6f) {
-		return Quaternion(1.0f, 0.0f, 0.0f, 0.0f);
-	}
-	const float scale = 1.0f / std::sqrt(w * w + d.x * d.x + d.z * d.z);
-	return Quaternion(d.z * scale, 0.0f, -d.x * scale, w * scale);
-}
-
-void Plant3D::pose(const glm::vec3 &direction) {
-	if (!skeleton || !is_shown) {
-		return;
-	}
-	const glm::vec3 local = to_glm(to_local.xform(to_godot(direction)));
-	const glm::vec3 change = glm::abs(local - posed);
-	if (change.x < SMALLEST_TURN && change.y < SMALLEST_TURN && change.z < SMALLEST_TURN) {
-		return;
-	}
-	posed = local;
-	skeleton->set_bone_pose_rotation(1, turn_from_up(local));
+	const glm::vec3 direction = swing().now.direction;
+	const PlantGroup *group = page_group();
+	bone().turn_to(to_frame(group ? group->frame : PlantFrame::WORLD, direction));
 }
 
 Vector3 Plant3D::get_tip_position() const {
-	return to_local.xform(to_godot(current_state().direction)) * built_height;
+	return plant_axes.xform_inv(to_godot(swing().now.direction)) * built_height;
 }
 
 double Plant3D::get_deflection() const {
-	const glm::vec3 from = rest();
-	const glm::vec3 direction = current_state().direction;
+	const glm::vec3 from = to_glm(rest());
+	const glm::vec3 direction = swing().now.direction;
 	return std::atan2(glm::length(glm::cross(from, direction)), glm::dot(from, direction));
 }
 
@@ -243,21 +197,49 @@ void Plant3D::apply_impulse(const Vector3 &impulse) {
 	if (!place.group && !can_be_driven()) {
 		return;
 	}
-	PlantGroup *group = place.group ? place.group : prepare_own_group();
-	group->batch.apply_impulse(place.group ? place.index : 0, to_glm(frame.xform_inv(impulse)));
+	PlantGroup &group = place.group ? *place.group : prepare_driven().group;
+	group.page.apply_impulse(page_index(), to_frame(group.frame, to_glm(impulse)));
 }
 
-void Plant3D::reset() {
-	TipState at_rest;
-	at_rest.direction = rest();
+void Plant3D::reset_motion() {
+	const glm::vec3 calm = to_glm(rest());
 	if (place.group) {
-		place.group->batch.set_state(place.index, at_rest);
+		set_swing({ { calm, {} }, calm });
 	} else {
-		own.reset();
-		has_state = false;
+		park();
+		has_swing = false;
 		own_time = 0.0;
+		ear = PlantWind::Listener();
 	}
-	pose(at_rest.direction);
+	update_bone();
+	pose_now();
+}
+
+PackedFloat32Array Plant3D::get_motion_state() const {
+	const TipState now = swing().now;
+	const Vector3 direction = plant_axes.xform_inv(to_godot(now.direction));
+	const Vector3 rate = plant_axes.xform_inv(to_godot(now.rate));
+	PackedFloat32Array state;
+	state.resize(STATE_FLOATS);
+	for (int i = 0; i < 3; i++) {
+		state[i] = direction[i];
+		state[3 + i] = rate[i];
+	}
+	return state;
+}
+
+void Plant3D::set_motion_state(const PackedFloat32Array &state) {
+	const auto vector = [&state](int from) { return Vector3(state[from], state[from + 1], state[from + 2]); };
+	if (state.size() != STATE_FLOATS || !vector(0).is_finite() || !vector(3).is_finite() ||
+			vector(0).is_zero_approx()) {
+		report_error(this,
+				"set_motion_state() needs six finite numbers: the tip's direction and its rate, as get_motion_state() "
+				"gives them. The motion stays as it is.");
+		return;
+	}
+	const glm::vec3 direction = to_glm(plant_axes.xform(vector(0).normalized()));
+	set_swing({ { direction, to_glm(plant_axes.xform(vector(3))) }, direction });
+	pose_now();
 }
 
 } // namespace undergrowth

@@ -28,8 +28,27 @@ static double microseconds_since(Clock::time_point start) {
 	return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
 }
 
-PlantGroup::PlantGroup(Law law, float step, const Ref<PlantWind> &shared_wind, const Basis &axes) :
-		batch(law, step), wind(shared_wind), frame(axes) {}
+PlantGroup::PlantGroup(
+		const MotionSpecies &motion, const Ref<PlantWind> &shared_wind, PlantFrame axes, float step) :
+		species(motion),
+		wind(shared_wind),
+		frame(axes),
+		page(0, motion, nullptr, 0, step, true, MotionPage::Keeps::directions) {}
+
+void PlantGroup::step(const FieldWind &air, double start) {
+	const double moment = start + page.wind_moment() * double(page.step_length());
+	const PlantWinds along = winds_along(air);
+	const Vector3 way = axes_of(frame).xform_inv(Vector3(along.x, 0.0f, along.z));
+	page.step(wind_at_time(air, moment), { nullptr, way.x, way.z });
+}
+
+void PlantGroup::pose(float alpha) {
+	directions.resize(bones.size());
+	page.interpolate(alpha, directions.data());
+	for (size_t i = 0; i < bones.size(); i++) {
+		bones[i].turn_to(directions[i]);
+	}
+}
 
 PlantSimulation::PlantSimulation() : clock(DEFAULT_STEP) {
 	singleton = this;
@@ -45,33 +64,37 @@ PlantSimulation *PlantSimulation::get_singleton() {
 	return singleton;
 }
 
-PlantGroup *PlantSimulation::find_group(Law law, const Ref<PlantWind> &wind, const Basis &frame) {
+PlantGroup *PlantSimulation::find_group(
+		const MotionSpecies &species, const Ref<PlantWind> &wind, PlantFrame frame) {
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
-		if (group->batch.law() == law && group->wind == wind && group->frame == frame) {
+		if (group->wind == wind && group->frame == frame && is_same_motion(group->species, species)) {
 			return group.get();
 		}
 	}
-	groups.push_back(std::make_unique<PlantGroup>(law, float(clock.step()), wind, frame));
+	groups.push_back(std::make_unique<PlantGroup>(species, wind, frame, float(clock.step())));
 	return groups.back().get();
 }
 
-PlantSimulation::Place PlantSimulation::enter(Plant3D *plant, Law law, const Ref<PlantWind> &wind, const Basis &frame,
-		const Joint &joint, const TipState &state) {
-	PlantGroup *group = find_group(law, wind, frame);
+PlantSimulation::Place PlantSimulation::enter(Plant3D *plant, const MotionSpecies &species, const Ref<PlantWind> &wind,
+		PlantFrame frame, const MotionPlant &description, const PlantBone &bone) {
+	PlantGroup *group = find_group(species, wind, frame);
 	group->plants.push_back(plant);
-	group->directions.resize(group->plants.size());
-	return { group, group->batch.add(joint, state) };
+	group->bones.push_back(bone);
+	group->page.add(&description, 1);
+	return { group, group->page.size() - 1 };
 }
 
 void PlantSimulation::leave(const Place &place) {
 	PlantGroup *group = place.group;
-	const int last = group->batch.size() - 1;
-	group->batch.remove(place.index);
+	const int last = group->page.size() - 1;
+	group->page.remove(place.index);
 	if (place.index != last) {
 		group->plants[size_t(place.index)] = group->plants[size_t(last)];
 		group->plants[size_t(place.index)]->moved_to(place.index);
+		group->bones[size_t(place.index)] = group->bones[size_t(last)];
 	}
 	group->plants.pop_back();
+	group->bones.pop_back();
 }
 
 void PlantSimulation::drop_empty_groups() {
@@ -81,20 +104,17 @@ void PlantSimulation::drop_empty_groups() {
 
 void PlantSimulation::step_groups() {
 	step_number++;
+	const FieldWind calm = { { WindKind::constant, 0.0f }, 0.0f };
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
-		const glm::vec3 force =
-				group->wind.is_valid() ? group->wind->force_of_step(step_number, clock.step()) : glm::vec3(0.0f);
-		group->batch.step(to_glm(group->frame.xform_inv(to_godot(force))));
+		PlantWind *wind = group->wind.ptr();
+		group->step(wind ? wind->travelling() : calm, wind ? wind->begin_step(step_number, clock.step()) : 0.0);
 	}
 }
 
 void PlantSimulation::pose_plants() {
 	const float alpha = clock.alpha();
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
-		group->batch.interpolate(alpha, group->directions.data());
-		for (size_t i = 0; i < group->plants.size(); i++) {
-			group->plants[i]->pose(group->directions[i]);
-		}
+		group->pose(alpha);
 	}
 }
 
@@ -132,7 +152,7 @@ void PlantSimulation::follow(SceneTree *tree) {
 int PlantSimulation::get_plant_count() const {
 	int count = 0;
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
-		count += group->batch.size();
+		count += group->page.size();
 	}
 	return count;
 }
@@ -154,7 +174,7 @@ void PlantSimulation::set_step_length(double seconds) {
 		return;
 	}
 	clock = FixedStep(seconds);
-	// Each plant's constants hold for one step length: all move to batches of the new one, in their present state.
+	// Constants hold for one step length: all plants move to pages of the new one, in their present state.
 	std::vector<Plant3D *> everyone;
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
 		everyone.insert(everyone.end(), group->plants.begin(), group->plants.end());

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "motion/batch.hpp"
 #include "motion/fixed_step.hpp"
+#include "motion/motion_page.hpp"
+#include "plant_bone.hpp"
+#include "plant_frame.hpp"
 #include "plant_wind.hpp"
 
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/core/object.hpp>
-#include <godot_cpp/variant/basis.hpp>
 
 #include <memory>
 #include <vector>
@@ -15,15 +16,22 @@ namespace undergrowth {
 
 class Plant3D;
 
-/// Plants with one law, one wind and one frame, stepped together.
+/// Plants of one species, one wind and one frame: a page that is stepped together, and the bones that show it.
 struct PlantGroup {
-	PlantGroup(Law law, float step, const godot::Ref<PlantWind> &shared_wind, const godot::Basis &axes);
+	PlantGroup(const MotionSpecies &motion, const godot::Ref<PlantWind> &shared_wind, PlantFrame axes, float step);
 
-	PendulumBatch batch;
+	MotionSpecies species;
 	godot::Ref<PlantWind> wind; ///< Null: still air.
-	godot::Basis frame; ///< Axes of the batch's directions: the world's, but for plants on walls and ceilings.
-	std::vector<Plant3D *> plants; ///< plants[i] is the batch's plant i.
-	std::vector<glm::vec3> directions; ///< For drawing, one per plant.
+	PlantFrame frame; ///< Axes of the page's directions; its roots are in the world's.
+	MotionPage page;
+	std::vector<Plant3D *> plants; ///< plants[i] is the page's plant i; touched only where plants come and go.
+	std::vector<PlantBone> bones; ///< As many.
+	std::vector<glm::vec3> directions; ///< As many, for drawing.
+
+	/// One step that begins when the wind's clock shows `start` (s).
+	void step(const FieldWind &air, double start);
+	/// Turns all bones to where their plants point, `alpha` of the way of the last step.
+	void pose(float alpha);
 };
 
 /// Steps all simulating plants of the running scene together, once a frame and in fixed steps, and poses their bones.
@@ -38,7 +46,7 @@ class PlantSimulation : public godot::Object {
 	double step_time_usec = 0.0;
 	double pose_time_usec = 0.0;
 
-	PlantGroup *find_group(Law law, const godot::Ref<PlantWind> &wind, const godot::Basis &frame);
+	PlantGroup *find_group(const MotionSpecies &species, const godot::Ref<PlantWind> &wind, PlantFrame frame);
 	void drop_empty_groups();
 	void step_groups();
 	void pose_plants();
@@ -57,9 +65,9 @@ public:
 		int index = -1;
 	};
 
-	/// Takes a plant in, from the next frame on. It must leave before it is freed.
-	Place enter(Plant3D *plant, Law law, const godot::Ref<PlantWind> &wind, const godot::Basis &frame,
-			const Joint &joint, const TipState &state);
+	/// Takes a plant in, from the next frame on, at rest. It must leave before it is freed.
+	Place enter(Plant3D *plant, const MotionSpecies &species, const godot::Ref<PlantWind> &wind, PlantFrame frame,
+			const MotionPlant &description, const PlantBone &bone);
 	/// Lets a plant go.
 	void leave(const Place &place);
 

@@ -14,9 +14,9 @@ var _function: PlantFunction
 func before_each() -> void:
 	_function = TulipFunction.new()
 	_plant = Plant3D.new()
-	_plant.function = _function
+	_plant.species = _function
 	_plant.height = 1.5
-	_plant.simulating = false
+	_plant.simulation_enabled = false
 	root.add_child(_plant)
 
 
@@ -69,7 +69,7 @@ func test_constant_wind_bends_the_elasticity_law_to_its_equilibrium() -> void:
 	_function.elasticity = 6.0
 	for degrees: float in [5.0, 15.0, 30.0]:
 		var angle := deg_to_rad(degrees)
-		_plant.reset()
+		_plant.reset_motion()
 		_blow(0.5 * GRAVITY * tan(angle) * (7.0 * cos(angle) - 1.0))
 		_run(30.0)
 		check_near(rad_to_deg(_plant.get_deflection()), degrees, 0.01, "deflection")
@@ -82,7 +82,7 @@ func test_constant_wind_bends_the_spring_law_to_its_equilibrium() -> void:
 	_function.damping_ratio = 0.5
 	var stiffness := 0.25 * TAU * TAU * 1.5
 	for strength: float in [1.0, 10.0, 100.0]:
-		_plant.reset()
+		_plant.reset_motion()
 		_blow(strength)
 		_run(20.0)
 		check_near(tan(_plant.get_deflection()), 0.5 * strength / stiffness, 1e-4 * strength)
@@ -116,7 +116,7 @@ func test_the_tip_keeps_its_distance() -> void:
 		_plant.apply_impulse(Vector3(3, -1, 2))
 		_blow(5.0)
 		for i in 300:
-			_plant.step(STEP)
+			_plant.advance(STEP)
 			check_near(_plant.get_tip_position().length(), 1.5, LENGTH_TOLERANCE, "distance")
 
 
@@ -125,7 +125,7 @@ func test_the_spring_law_always_returns() -> void:
 	for impulse: float in [1.0, 100.0, 1e6]:
 		_plant.apply_impulse(Vector3(impulse, -impulse, 0))
 		for i in 60:
-			_plant.step(STEP)
+			_plant.advance(STEP)
 			check(_plant.get_tip_position().y >= 0.0, "above the ground")
 		_run(30.0)
 		check_near(_plant.get_deflection(), 0.0, 0.01, "deflection after %f N·s" % impulse)
@@ -143,7 +143,7 @@ func test_tall_plants_swing_slowly_and_low_ones_fast() -> void:
 func test_an_impulse_sets_the_tips_velocity() -> void:
 	_function.mass = 0.5
 	_plant.apply_impulse(Vector3(0.05, 0, 0))
-	_plant.step(STEP)
+	_plant.advance(STEP)
 	# v = 0.1 m/s, slowed a little by the spring within the step.
 	check_near(_plant.get_tip_position().x, 0.1 * STEP, 0.05 * 0.1 * STEP, "way of one step")
 
@@ -157,7 +157,7 @@ func test_an_impulse_along_the_stem_moves_nothing() -> void:
 func test_deflection_is_the_angle_from_rest() -> void:
 	_plant.apply_impulse(Vector3(0.3, 0, 0.1))
 	for i in 60:
-		_plant.step(STEP)
+		_plant.advance(STEP)
 		var angle := Vector3.UP.angle_to(_plant.get_tip_position())
 		check_near(_plant.get_deflection(), angle, 1e-4, "deflection")
 
@@ -165,7 +165,7 @@ func test_deflection_is_the_angle_from_rest() -> void:
 func test_reset_puts_it_back_to_rest() -> void:
 	_blow(5.0)
 	var first := _tips_at_whole_seconds(60)
-	_plant.reset()
+	_plant.reset_motion()
 	check_near(_plant.get_tip_position(), Vector3(0, 1.5, 0), LENGTH_TOLERANCE, "tip")
 	check_equal(_plant.get_deflection(), 0.0)
 	check_equal(_tips_at_whole_seconds(60), first, "the same motion again")
@@ -175,7 +175,7 @@ func test_the_bone_turns_from_up_to_the_tip() -> void:
 	_plant.apply_impulse(Vector3(0.3, 0, -0.2))
 	for i in 60:
 		var before := _plant.get_tip_position()
-		_plant.step(STEP)
+		_plant.advance(STEP)
 		# Exactly one step: what is drawn is the last but one.
 		var turned := _plant.get_skeleton().get_bone_pose_rotation(1) * Vector3.UP
 		var nearest := minf(
@@ -187,13 +187,13 @@ func test_the_bone_turns_from_up_to_the_tip() -> void:
 
 ## Lets the plant swing freely from a small push and compares with exp(-ζωt)·sin(ωt√(1 - ζ²)).
 func _check_swing(rate: int, frequency: float, damping: float) -> void:
-	_plant.reset()
+	_plant.reset_motion()
 	_plant.apply_impulse(Vector3(0.005, 0, 0))
 	var omega := TAU * frequency
 	var swing := omega * sqrt(1.0 - damping * damping)
 	var amplitude := 0.005 / _function.mass / swing
 	for i in range(1, 3 * rate):
-		_plant.step(1.0 / rate)
+		_plant.advance(1.0 / rate)
 		# The plant stands where its last whole step of 1/60 s took it.
 		var time := floorf(i * 60.0 / rate + 1e-3) / 60.0
 		var expected := amplitude * exp(-damping * omega * time) * sin(swing * time)
@@ -203,12 +203,12 @@ func _check_swing(rate: int, frequency: float, damping: float) -> void:
 
 ## Frequency (Hz) of a small free swing, from the times at which it passes the middle.
 func _frequency(rate: int) -> float:
-	_plant.reset()
+	_plant.reset_motion()
 	_plant.apply_impulse(Vector3(0.002, 0, 0))
 	var crossings: PackedFloat64Array = []
 	var last := 0.0
 	for i in 12 * rate:
-		_plant.step(1.0 / rate)
+		_plant.advance(1.0 / rate)
 		var place := _plant.get_tip_position().x
 		if i > 0 and last * place < 0.0:
 			crossings.append((i + last / (last - place)) / rate)
@@ -217,31 +217,31 @@ func _frequency(rate: int) -> float:
 
 
 func _tips_at_whole_seconds(rate: int) -> PackedVector3Array:
-	_plant.reset()
+	_plant.reset_motion()
 	_plant.apply_impulse(Vector3(0.2, 0, 0.1))
 	var tips := PackedVector3Array()
 	for second in 5:
 		for i in rate:
-			_plant.step(1.0 / rate)
+			_plant.advance(1.0 / rate)
 		tips.append(_plant.get_tip_position())
 	return tips
 
 
 func _run(seconds: float) -> void:
 	for i in roundi(seconds / STEP):
-		_plant.step(STEP)
+		_plant.advance(STEP)
 
 
 func _blow(strength: float) -> void:
 	_plant.wind = PlantWind.new()
 	_plant.wind.kind = PlantWind.KIND_CONSTANT
 	_plant.wind.strength = strength
-	_plant.wind.direction_degrees = 90.0
+	_plant.wind.direction = deg_to_rad(90.0)
 
 
 ## Bends the plant by a steady wind and lets it go.
 func _lean_to(degrees: float) -> void:
-	_plant.reset()
+	_plant.reset_motion()
 	_function.law = PlantFunction.LAW_SPRING
 	var stiffness := _function.mass * pow(TAU * _function.natural_frequency, 2.0) * 1.5
 	_function.damping_ratio = 1.0

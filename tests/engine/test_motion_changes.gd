@@ -13,9 +13,9 @@ var _function: PlantFunction
 func before_each() -> void:
 	_function = TulipFunction.new()
 	_plant = Plant3D.new()
-	_plant.function = _function
+	_plant.species = _function
 	_plant.height = 1.5
-	_plant.simulating = false
+	_plant.simulation_enabled = false
 	_plant.wind = PlantWind.new()
 	_plant.wind.strength = 1.0
 	root.add_child(_plant)
@@ -44,7 +44,7 @@ func test_changes_of_the_function_keep_the_tip_where_it_is() -> void:
 func test_changes_of_the_wind_keep_the_tip_where_it_is() -> void:
 	var changes := {
 		"strength": 3.0,
-		"direction_degrees": 120.0,
+		"direction": 2.0,
 		"kind": PlantWind.KIND_WAVES,
 		"frequency": 3.0,
 		"gust_duration": 3.0,
@@ -57,10 +57,10 @@ func test_changes_of_the_wind_keep_the_tip_where_it_is() -> void:
 
 
 func test_changes_of_the_plant_keep_the_direction_of_the_tip() -> void:
-	await _check_no_jump(func() -> void: _plant.lod = 5, "lod")
+	await _check_no_jump(func() -> void: _plant.segments = 5, "segments")
 	await _check_no_jump(func() -> void: _plant.seed = 5, "seed")
 	await _check_no_jump(func() -> void: _plant.height = 2.0, "height")
-	await _check_no_jump(func() -> void: _plant.function = ReedFunction.new(), "function")
+	await _check_no_jump(func() -> void: _plant.species = ReedFunction.new(), "species")
 	await _check_no_jump(func() -> void: _plant.rebuild(), "rebuild")
 
 
@@ -69,11 +69,11 @@ func test_changes_keep_the_velocity() -> void:
 	_plant.apply_impulse(Vector3(0.2, 0, 0))
 	_run(0.1)
 	var before := _plant.get_tip_position()
-	_plant.step(STEP)
+	_plant.advance(STEP)
 	var velocity := (_plant.get_tip_position() - before) / STEP
 	_function.law = PlantFunction.LAW_ELASTICITY
 	before = _plant.get_tip_position()
-	_plant.step(STEP)
+	_plant.advance(STEP)
 	check_near((_plant.get_tip_position() - before) / STEP, velocity, 0.15, "velocity")
 
 
@@ -81,20 +81,20 @@ func test_driving_by_hand_and_simulating_hand_over_the_motion() -> void:
 	_plant.apply_impulse(Vector3(0.2, 0, 0))
 	_run(0.2)
 	var tip := _plant.get_tip_position()
-	_plant.simulating = true
+	_plant.simulation_enabled = true
 	check_near(_plant.get_tip_position(), tip, TIP_TOLERANCE, "tip as it begins")
 	await frames(3)
 	tip = _plant.get_tip_position()
-	_plant.simulating = false
+	_plant.simulation_enabled = false
 	check_near(_plant.get_tip_position(), tip, TIP_TOLERANCE, "tip as it ends")
-	_plant.step(STEP)
+	_plant.advance(STEP)
 	check(_plant.get_tip_position() != tip, "it goes on by hand")
 
 
 func test_a_long_step_is_bounded() -> void:
 	_plant.apply_impulse(Vector3(0.2, 0, 0))
 	for delta: float in [10.0, 1e6]:
-		_plant.step(delta)
+		_plant.advance(delta)
 		check(_plant.get_tip_position().is_finite(), "tip after %f s" % delta)
 		check_near(_plant.get_tip_position().length(), 1.5, TIP_TOLERANCE, "distance")
 
@@ -104,17 +104,17 @@ func test_impossible_steps_give_one_error_and_move_nothing() -> void:
 	_run(0.2)
 	var tip := _plant.get_tip_position()
 	for delta: float in [-1.0, -1e-9, NAN, INF, -INF]:
-		_plant.step(delta)
+		_plant.advance(delta)
 		check_error("is impossible; nothing moved")
 		check_equal(_plant.get_tip_position(), tip, "tip")
 
 
 func test_the_same_impossible_step_is_told_once_until_one_was_possible() -> void:
 	for i in 3:
-		_plant.step(NAN)
+		_plant.advance(NAN)
 	check_error("is impossible; nothing moved")
-	_plant.step(STEP)
-	_plant.step(NAN)
+	_plant.advance(STEP)
+	_plant.advance(NAN)
 	check_error("is impossible; nothing moved")
 
 
@@ -123,27 +123,27 @@ func test_a_step_of_nothing_moves_nothing() -> void:
 	_run(0.2)
 	var tip := _plant.get_tip_position()
 	for i in 100:
-		_plant.step(0.0)
+		_plant.advance(0.0)
 	check_equal(_plant.get_tip_position(), tip, "tip")
 
 
 func test_short_steps_add_up() -> void:
 	_plant.apply_impulse(Vector3(0.2, 0, 0))
 	for i in 1000:
-		_plant.step(STEP / 10.0)
+		_plant.advance(STEP / 10.0)
 	var tip := _plant.get_tip_position()
-	_plant.reset()
+	_plant.reset_motion()
 	_plant.apply_impulse(Vector3(0.2, 0, 0))
 	for i in 100:
-		_plant.step(STEP)
+		_plant.advance(STEP)
 	check_equal(_plant.get_tip_position(), tip, "tip")
 
 
 func test_a_simulating_plant_cannot_be_stepped() -> void:
-	_plant.simulating = true
+	_plant.simulation_enabled = true
 	var tip := _plant.get_tip_position()
 	for i in 3:
-		_plant.step(1.0)
+		_plant.advance(1.0)
 	check_error("while the plant simulates")
 	check_equal(_plant.get_tip_position(), tip, "tip")
 
@@ -163,7 +163,7 @@ func test_huge_impulses_and_storms_stay_finite() -> void:
 		_function.law = law
 		_plant.apply_impulse(Vector3(1e30, -1e30, 1e30))
 		for i in 60:
-			_plant.step(STEP)
+			_plant.advance(STEP)
 			check_near(_plant.get_tip_position().length(), 1.5, 1e-4, "distance")
 
 
@@ -174,7 +174,7 @@ func test_extreme_functions_stay_finite() -> void:
 			_function.law = law
 			for property: String in extreme:
 				_function.set(property, extreme[property])
-			_plant.function = _function
+			_plant.species = _function
 			_plant.apply_impulse(Vector3(1, 0, 0))
 			_run(1.0)
 			check(_plant.get_tip_position().is_finite(), "tip with " + str(extreme))
@@ -199,7 +199,7 @@ func _extremes() -> Array[Dictionary]:
 
 func _run(seconds: float) -> void:
 	for i in roundi(seconds / STEP):
-		_plant.step(STEP)
+		_plant.advance(STEP)
 
 
 ## The direction of the tip stays while [param change] is made, through the frames in which the
@@ -213,7 +213,7 @@ func _check_no_jump(change: Callable, label: String) -> void:
 	await frames(2)
 	check_near(_plant.get_tip_position().normalized(), tip, TIP_TOLERANCE, label + " a frame later")
 	for i in 3:
-		_plant.step(STEP)
+		_plant.advance(STEP)
 		var moved := _plant.get_tip_position().normalized().distance_to(tip)
 		check(moved < LARGEST_MOVE, "%s: moved by %f in a step" % [label, moved])
 		tip = _plant.get_tip_position().normalized()

@@ -6,8 +6,8 @@ var _plant: Plant3D
 
 func before_each() -> void:
 	_plant = Plant3D.new()
-	_plant.function = TulipFunction.new()
-	_plant.simulating = false
+	_plant.species = TulipFunction.new()
+	_plant.simulation_enabled = false
 	root.add_child(_plant)
 
 
@@ -44,7 +44,7 @@ func test_its_children_are_internal() -> void:
 
 func test_plants_share_their_skin() -> void:
 	var other := Plant3D.new()
-	other.function = GrassFunction.new()
+	other.species = GrassFunction.new()
 	root.add_child(other)
 	check(other.get_skeleton().get_child(0, true).skin == _instance().skin, "one skin")
 	other.free()
@@ -52,8 +52,8 @@ func test_plants_share_their_skin() -> void:
 
 func test_mesh_height_and_seed_are_the_functions() -> void:
 	_plant.seed = 7
-	_plant.lod = 9
-	var expected := _plant.function.generate_mesh(0.0, 9, 7)
+	_plant.segments = 9
+	var expected := _plant.species.generate_mesh(0.0, 9, 7)
 	var arrays := _plant.get_mesh().surface_get_arrays(0)
 	check_equal(arrays, expected.surface_get_arrays(0), "mesh")
 	check_near(_plant.get_plant_height(), expected.get_aabb().size.y, 1e-6, "height")
@@ -63,7 +63,7 @@ func test_mesh_height_and_seed_are_the_functions() -> void:
 
 func test_it_can_be_asked_before_it_is_in_the_tree() -> void:
 	var plant := Plant3D.new()
-	plant.function = ReedFunction.new()
+	plant.species = ReedFunction.new()
 	plant.height = 2.0
 	check(plant.get_mesh() != null, "a mesh")
 	check_equal(plant.get_skeleton().get_bone_count(), 2, "bones")
@@ -74,12 +74,12 @@ func test_it_can_be_asked_before_it_is_in_the_tree() -> void:
 func test_changes_of_one_frame_are_built_once_at_its_end() -> void:
 	await frames(2)
 	var counter := _counting_function()
-	_plant.function = counter
+	_plant.species = counter
 	await frames(2)
 	check_equal(counter.get("builds"), 1, "builds after the function was set")
 	var before := _plant.get_mesh()
 	_plant.height = 0.5
-	_plant.lod = 5
+	_plant.segments = 5
 	_plant.seed = 3
 	counter.shape_deviation = 0.5
 	check_equal(counter.get("builds"), 1, "builds before the frame ends")
@@ -92,7 +92,7 @@ func test_changes_of_one_frame_are_built_once_at_its_end() -> void:
 
 func test_a_change_that_leaves_the_mesh_alone_builds_nothing() -> void:
 	var counter := _counting_function()
-	_plant.function = counter
+	_plant.species = counter
 	await frames(2)
 	counter.mass = 3.0
 	counter.natural_frequency = 0.5
@@ -110,9 +110,9 @@ func test_rebuild_builds_at_once() -> void:
 
 func test_a_changed_function_is_seen_by_all_its_plants() -> void:
 	var other := Plant3D.new()
-	other.function = _plant.function
+	other.species = _plant.species
 	root.add_child(other)
-	var tulip: TulipFunction = _plant.function
+	var tulip: TulipFunction = _plant.species
 	tulip.shading = PlantFunction.SHADING_FLAT
 	await frames(2)
 	var count := tulip.generate_mesh(1.0, 12).surface_get_array_len(0)
@@ -122,8 +122,8 @@ func test_a_changed_function_is_seen_by_all_its_plants() -> void:
 
 
 func test_a_function_that_was_replaced_is_no_longer_followed() -> void:
-	var old := _plant.function
-	_plant.function = GrassFunction.new()
+	var old := _plant.species
+	_plant.species = GrassFunction.new()
 	await frames(2)
 	var mesh := _plant.get_mesh()
 	old.shading = PlantFunction.SHADING_FLAT
@@ -131,23 +131,23 @@ func test_a_function_that_was_replaced_is_no_longer_followed() -> void:
 	check(_plant.get_mesh() == mesh, "the mesh stays")
 
 
-func test_without_a_function_the_last_plant_stays() -> void:
+func test_without_a_species_the_last_plant_stays() -> void:
 	var mesh := _plant.get_mesh()
-	_plant.function = null
+	_plant.species = null
 	await frames(10)
-	check_error("has no function any more")
+	check_error("has no species any more")
 	check(_plant.get_mesh() == mesh, "the mesh stays")
 	_plant.height = 0.5
-	_plant.step(0.1)
+	_plant.advance(0.1)
 	_plant.apply_impulse(Vector3.RIGHT)
-	_plant.reset()
+	_plant.reset_motion()
 	await frames(10)
 	check(_instance().mesh == mesh, "and is still shown")
-	_plant.function = GrassFunction.new()
+	_plant.species = GrassFunction.new()
 	check_near(_plant.get_plant_height(), 0.5, 1e-6, "the next plant's height")
 
 
-func test_a_plant_without_a_function_is_no_plant_yet() -> void:
+func test_a_plant_without_a_species_is_no_plant_yet() -> void:
 	var plant := Plant3D.new()
 	root.add_child(plant)
 	await frames(3)
@@ -157,7 +157,7 @@ func test_a_plant_without_a_function_is_no_plant_yet() -> void:
 	check_equal(plant.get_deflection(), 0.0, "deflection")
 	check_equal(plant.get_reach(), AABB(), "reach")
 	check_equal(plant.rebuild(), false, "rebuilt")
-	check_error("cannot be built without a function")
+	check_error("cannot be built without a species")
 	plant.free()
 
 
@@ -167,16 +167,16 @@ func test_pushing_a_plant_without_a_function_gives_one_error() -> void:
 	plant.apply_impulse(Vector3.RIGHT)
 	plant.apply_impulse(Vector3.RIGHT)
 	check_error("cannot move without a plant")
-	plant.reset()
+	plant.reset_motion()
 	plant.free()
 
 
 func test_stepping_a_plant_without_a_function_gives_one_error() -> void:
 	var plant := Plant3D.new()
-	plant.simulating = false
+	plant.simulation_enabled = false
 	root.add_child(plant)
 	for i in 10:
-		plant.step(0.1)
+		plant.advance(0.1)
 	check_error("cannot move without a plant")
 	plant.free()
 
@@ -189,11 +189,11 @@ func test_heights_out_of_range_give_one_error_and_are_not_kept() -> void:
 		check_equal(_plant.height, 1.5)
 
 
-func test_lods_out_of_range_give_one_error_and_are_not_kept() -> void:
+func test_segments_out_of_range_give_one_error_and_are_not_kept() -> void:
 	for lod: int in [0, -1, 257, 1000000]:
-		_plant.lod = lod
-		check_error("lod cannot be ")
-		check_equal(_plant.lod, 12)
+		_plant.segments = lod
+		check_error("segments cannot be ")
+		check_equal(_plant.segments, 12)
 
 
 func test_errors_name_the_plant() -> void:

@@ -11,8 +11,8 @@ func before_each() -> void:
 	_mover = Node3D.new()
 	root.add_child(_mover)
 	_plant = Plant3D.new()
-	_plant.function = TulipFunction.new()
-	_plant.simulating = false
+	_plant.species = TulipFunction.new()
+	_plant.simulation_enabled = false
 	_mover.add_child(_plant)
 
 
@@ -30,7 +30,7 @@ func test_upright_plants_sway_with_the_wind_whatever_their_turn() -> void:
 
 func test_tilted_plants_sway_with_the_wind() -> void:
 	for law: PlantFunction.MotionLaw in _laws():
-		_plant.function.law = law
+		_plant.species.law = law
 		_plant.rotation_degrees = Vector3(0, 0, 30)
 		await frames(1)
 		_check_sway(Vector3(1, 0, 0), "tilted, law %d" % law)
@@ -44,7 +44,7 @@ func test_plants_on_a_wall_sway_with_the_wind() -> void:
 	_check_sway(Vector3(1, 0, 0), "on a wall")
 	_plant.rotation_degrees = Vector3(0, 0, 90)
 	await frames(1)
-	_plant.reset()
+	_plant.reset_motion()
 	check_near(_tip_in_world().normalized(), Vector3(-1, 0, 0), 1e-5, "it stands off the wall")
 	_check_sway(Vector3(0, 0, 1), "on another wall")
 
@@ -57,25 +57,61 @@ func test_plants_on_a_ceiling_sway_with_the_wind() -> void:
 	_check_sway(Vector3(0, 0, 1), "on a ceiling")
 
 
+func test_a_leaning_species_rests_at_its_lean_on_every_slope() -> void:
+	var species := BellflowerFunction.new()
+	species.damping_ratio = 1.0
+	_plant.species = species
+	var lean := Vector3.UP.angle_to(_plant.get_tip_position())
+	var last := Vector3.ZERO
+	for simulated: bool in [false, true]:
+		for slope in 180:
+			_plant.simulation_enabled = simulated
+			_plant.rotation_degrees = Vector3(slope, 0, 0)
+			await frames(1)
+			_plant.reset_motion()
+			check_near(_plant.get_deflection(), 0.0, 2e-4, "deflection at %d degrees" % slope)
+			var own := _plant.get_tip_position().normalized()
+			check_near(own, Vector3(0, cos(lean), sin(lean)), 2e-4, "rest at %d degrees" % slope)
+			if slope > 0:
+				var moved := last.angle_to(_tip_in_world())
+				check_near(moved, deg_to_rad(1.0), 1e-3, "way to %d degrees" % slope)
+			last = _tip_in_world()
+
+
+func test_a_plant_that_turns_over_slowly_never_jumps() -> void:
+	var species := BellflowerFunction.new()
+	species.damping_ratio = 1.0
+	species.natural_frequency = 5.0
+	_plant.species = species
+	var last := _tip_in_world()
+	for tenth in 1800:
+		_plant.rotation_degrees = Vector3(tenth / 10.0, 0, 0)
+		await frames(1)
+		_plant.advance(STEP)
+		var tip := _tip_in_world()
+		check(tip.angle_to(last) < deg_to_rad(1.0), "tip at %f degrees" % (tenth / 10.0))
+		last = tip
+
+
 func test_a_law_that_changes_below_an_overhang_keeps_the_plant_there() -> void:
-	_plant.function.law = PlantFunction.LAW_ELASTICITY
+	_plant.species.law = PlantFunction.LAW_ELASTICITY
 	_plant.rotation_degrees = Vector3(120, 0, 0)
 	await frames(1)
-	_plant.function.law = PlantFunction.LAW_SPRING
+	_plant.species.law = PlantFunction.LAW_SPRING
 	_run(10.0)
 	var hanging := Vector3(0, cos(deg_to_rad(120.0)), sin(deg_to_rad(120.0)))
 	check_near(_tip_in_world().normalized(), hanging, 1e-3, "it hangs aslant")
 	var grass := GrassFunction.new()
 	grass.lean = 0.0
-	_plant.function = grass
+	_plant.species = grass
 	_run(10.0)
 	check_near(_tip_in_world().normalized(), hanging, 1e-3, "so does its successor")
 
 
 func test_a_simulating_plant_moved_to_the_ceiling_settles_there() -> void:
-	_plant.simulating = true
-	_plant.function.damping_ratio = 1.0
-	_plant.function.natural_frequency = 20.0
+	_plant.simulation_enabled = true
+	_plant.species.damping_ratio = 1.0
+	_plant.species.natural_frequency = 20.0
 	await frames(2)
 	_plant.rotation_degrees = Vector3(180, 0, 0)
 	await frames(2)
@@ -97,19 +133,19 @@ func test_plants_below_moved_nodes_follow() -> void:
 
 func test_scaled_plants_swing_like_plants_of_their_real_height() -> void:
 	_plant.height = 1.0
-	_plant.function.law = PlantFunction.LAW_ELASTICITY
+	_plant.species.law = PlantFunction.LAW_ELASTICITY
 	_plant.scale = Vector3.ONE * 2.0
 	var tall := Plant3D.new()
-	tall.function = _plant.function
+	tall.species = _plant.species
 	tall.height = 2.0
-	tall.simulating = false
+	tall.simulation_enabled = false
 	root.add_child(tall)
 	await frames(1)
 	_plant.apply_impulse(Vector3(0.2, 0, 0))
 	tall.apply_impulse(Vector3(0.2, 0, 0))
 	for i in 100:
-		_plant.step(STEP)
-		tall.step(STEP)
+		_plant.advance(STEP)
+		tall.advance(STEP)
 		check_near(_plant.get_tip_position() * 2.0, tall.get_tip_position(), 1e-4, "tip")
 	tall.free()
 
@@ -126,11 +162,11 @@ func test_a_plant_scaled_to_nothing_stays_finite() -> void:
 func test_a_leaning_species_leans_with_the_node() -> void:
 	var grass := GrassFunction.new()
 	grass.lean = deg_to_rad(40.0)
-	_plant.function = grass
+	_plant.species = grass
 	for turn: float in [0.0, 90.0, 200.0]:
 		_plant.rotation_degrees = Vector3(0, turn, 0)
 		await frames(1)
-		_plant.reset()
+		_plant.reset_motion()
 		_run(0.5)
 		check_near(_plant.get_deflection(), 0.0, 1e-4, "deflection from rest")
 		var leaning := Vector3(0, cos(deg_to_rad(40.0)), sin(deg_to_rad(40.0)))
@@ -141,7 +177,7 @@ func test_a_change_of_lean_moves_the_rest_and_not_the_tip() -> void:
 	var grass := GrassFunction.new()
 	grass.lean = 0.0
 	grass.damping_ratio = 1.0
-	_plant.function = grass
+	_plant.species = grass
 	_run(0.1)
 	var tip := _plant.get_tip_position()
 	grass.lean = deg_to_rad(30.0)
@@ -176,7 +212,7 @@ func _laws() -> Array[PlantFunction.MotionLaw]:
 
 func _run(seconds: float) -> void:
 	for i in roundi(seconds / STEP):
-		_plant.step(STEP)
+		_plant.advance(STEP)
 
 
 func _tip_in_world() -> Vector3:
@@ -185,11 +221,11 @@ func _tip_in_world() -> Vector3:
 
 ## Blows towards [param way] and checks that the tip moves there, and not aside.
 func _check_sway(way: Vector3, label: String) -> void:
-	_plant.reset()
+	_plant.reset_motion()
 	_plant.wind = PlantWind.new()
 	_plant.wind.kind = PlantWind.KIND_CONSTANT
 	_plant.wind.strength = 0.5
-	_plant.wind.direction_degrees = rad_to_deg(atan2(way.x, way.z))
+	_plant.wind.direction = atan2(way.x, way.z)
 	var before := _tip_in_world()
 	_run(0.3)
 	var moved := _tip_in_world() - before
@@ -204,7 +240,7 @@ func _check_bone_points_to_the_tip() -> void:
 	# The bone is drawn between two steps: let it arrive.
 	var wind := _plant.wind
 	_plant.wind = null
-	_plant.step(0.0)
+	_plant.advance(0.0)
 	_plant.wind = wind
 	var turned := _plant.get_skeleton().get_bone_pose_rotation(1) * Vector3.UP
 	check(turned.angle_to(_plant.get_tip_position()) < 0.1, "the bone points to the tip")

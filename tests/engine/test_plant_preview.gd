@@ -1,4 +1,4 @@
-## Plants moved by tools under a wind that is tried out: Plant3D.preview() and PlantWind.advance().
+## Plants moved by tools under a wind that is tried out: Plant3D._preview() and PlantWind.advance().
 extends "res://tests/engine/harness.gd"
 
 const STEP := 1.0 / 60.0
@@ -9,13 +9,13 @@ var _wind: PlantWind
 
 func before_each() -> void:
 	_plant = Plant3D.new()
-	_plant.function = TulipFunction.new()
-	_plant.simulating = false
+	_plant.species = TulipFunction.new()
+	_plant.simulation_enabled = false
 	root.add_child(_plant)
 	_wind = PlantWind.new()
 	_wind.kind = PlantWind.KIND_CONSTANT
 	_wind.strength = 2.0
-	_wind.direction_degrees = 90.0
+	_wind.direction = deg_to_rad(90.0)
 
 
 func after_each() -> void:
@@ -26,7 +26,7 @@ func test_preview_bends_with_the_given_wind_and_changes_no_property() -> void:
 	_preview(120)
 	check(_plant.get_tip_position().x > 0.01, "the tip goes where the wind blows to")
 	check(_plant.wind == null, "the plant's own wind stays")
-	_plant.reset()
+	_plant.reset_motion()
 	check_equal(_plant.get_deflection(), 0.0, "deflection after reset")
 
 
@@ -35,12 +35,12 @@ func test_preview_equals_step_under_the_same_wind() -> void:
 	_preview(90)
 	var tip := _plant.get_tip_position()
 	var twin := Plant3D.new()
-	twin.function = _plant.function
-	twin.simulating = false
+	twin.species = _plant.species
+	twin.simulation_enabled = false
 	twin.wind = _wind.duplicate()
 	root.add_child(twin)
 	for i in 90:
-		twin.step(STEP)
+		twin.advance(STEP)
 	check(twin.get_tip_position().is_equal_approx(tip), "both tips are at %s" % tip)
 	twin.free()
 
@@ -48,19 +48,19 @@ func test_preview_equals_step_under_the_same_wind() -> void:
 func test_preview_hears_a_gust() -> void:
 	_wind.kind = PlantWind.KIND_GUST
 	_preview(60)
-	_plant.reset()
+	_plant.reset_motion()
 	_wind.trigger_gust()
 	_preview(10)
 	check(_plant.get_deflection() > 1e-3, "the gust moves the plant")
 
 
 func test_preview_leaves_others_alone() -> void:
-	_plant.preview(-1.0, _wind)
-	_plant.preview(NAN, _wind)
-	_plant.preview(STEP, null)
+	_plant._preview(-1.0, _wind)
+	_plant._preview(NAN, _wind)
+	_plant._preview(STEP, null)
 	check_equal(_plant.get_deflection(), 0.0, "deflection")
 	var bare := Plant3D.new()
-	bare.preview(STEP, _wind)
+	bare._preview(STEP, _wind)
 	check(bare.get_mesh() == null, "a plant without a function stays without a mesh")
 	bare.free()
 
@@ -78,4 +78,4 @@ func test_advance_refuses_impossible_times() -> void:
 func _preview(count: int) -> void:
 	for i in count:
 		_wind.advance(STEP)
-		_plant.preview(STEP, _wind)
+		_plant._preview(STEP, _wind)

@@ -10,8 +10,8 @@ var _plant: Plant3D
 
 func before_each() -> void:
 	_plant = Plant3D.new()
-	_plant.function = TulipFunction.new()
-	_plant.simulating = false
+	_plant.species = TulipFunction.new()
+	_plant.simulation_enabled = false
 	root.add_child(_plant)
 
 
@@ -24,14 +24,14 @@ func test_reach_covers_the_largest_bends_of_all_species() -> void:
 		for law: PlantFunction.MotionLaw in _laws():
 			species.law = law
 			species.stays_above_ground = false
-			_plant.function = species
+			_plant.species = species
 			_check_reach("%s, law %d" % [species.get_class(), law])
 
 
 func test_reach_covers_irregular_plants() -> void:
 	for species in _all_species():
 		species.shape_deviation = 1.0
-		_plant.function = species
+		_plant.species = species
 		for seed_value in 5:
 			_plant.seed = seed_value
 			_check_reach("%s, seed %d" % [species.get_class(), seed_value])
@@ -41,7 +41,7 @@ func test_reach_covers_plants_that_stand_aslant() -> void:
 	for degrees: float in [30.0, 59.0, 61.0, 90.0, 135.0, 180.0]:
 		_plant.rotation_degrees = Vector3(degrees, 20.0, 0.0)
 		for law: PlantFunction.MotionLaw in _laws():
-			_plant.function.law = law
+			_plant.species.law = law
 			await frames(1)
 			_check_reach("%f degrees, law %d" % [degrees, law])
 
@@ -75,10 +75,10 @@ func _check_reach(label: String) -> void:
 	var most := 0.0
 	for side in 8:
 		var angle := TAU * side / 8.0
-		_plant.reset()
+		_plant.reset_motion()
 		_plant.apply_impulse(Vector3(cos(angle), -0.3, sin(angle)) * 1e4)
 		for i in 3:
-			_plant.step(STEP)
+			_plant.advance(STEP)
 			outside += _count_outside(reach)
 			most = maxf(most, _plant.get_deflection())
 	check_equal(outside, 0, "vertices out of reach of " + label)

@@ -32,13 +32,13 @@ func test_a_packed_scene_holds_no_children_of_plants() -> void:
 
 func test_a_saved_scene_loads_equal() -> void:
 	var plant := _add_plant("Rose")
-	plant.lod = 7
+	plant.segments = 7
 	plant.height = 1.25
 	plant.seed = 77
-	plant.simulating = false
+	plant.simulation_enabled = false
 	plant.wind = PlantWind.new()
 	plant.wind.strength = 3.5
-	plant.function.mass = 0.7
+	plant.species.mass = 0.7
 	plant.position = Vector3(1, 2, 3)
 	await frames(2)
 	check_equal(ResourceSaver.save(_pack(), PATH), OK, "saving")
@@ -56,7 +56,7 @@ func test_defaults_are_not_saved() -> void:
 	_add_plant("Rose", null)
 	check_equal(ResourceSaver.save(_pack(), PATH), OK, "saving")
 	var text := FileAccess.get_file_as_string(PATH)
-	for property: String in ["lod", "height", "seed", "simulating", "function", "wind"]:
+	for property: String in ["segments", "height", "seed", "simulation_enabled", "species", "wind"]:
 		check(not text.contains(property + " ="), "%s is not saved" % property)
 
 
@@ -129,24 +129,24 @@ func test_reparented_it_keeps_its_state() -> void:
 
 func test_changes_can_be_undone_and_redone() -> void:
 	var plant := _add_plant("Rose")
-	var tulip := plant.function
+	var tulip := plant.species
 	var undo := UndoRedo.new()
-	_change(undo, plant, "function", GrassFunction.new())
+	_change(undo, plant, "species", GrassFunction.new())
 	_change(undo, plant, "height", 0.5)
-	_change(undo, plant, "lod", 3)
+	_change(undo, plant, "segments", 3)
 	await frames(2)
 	check_equal(plant.get_mesh().get_aabb().size.y, 0.5, "height of the grass")
 	for i in 3:
 		undo.undo()
 	await frames(2)
-	check(plant.function == tulip, "the tulip is back")
+	check(plant.species == tulip, "the tulip is back")
 	_check_one_skeleton(plant)
 	var expected := tulip.generate_mesh(0.0, 12).surface_get_arrays(0)
 	check_equal(plant.get_mesh().surface_get_arrays(0), expected, "mesh of the tulip")
 	for i in 3:
 		undo.redo()
 	await frames(2)
-	check_equal(plant.lod, 3, "lod")
+	check_equal(plant.segments, 3, "segments")
 	check_equal(plant.get_mesh().get_aabb().size.y, 0.5, "height of the grass again")
 	undo.free()
 
@@ -239,7 +239,7 @@ func test_a_shared_function_outlives_its_plants() -> void:
 func _add_plant(plant_name: String, function: PlantFunction = TulipFunction.new()) -> Plant3D:
 	var plant := Plant3D.new()
 	plant.name = plant_name
-	plant.function = function
+	plant.species = function
 	_stage.add_child(plant)
 	plant.owner = _stage
 	return plant
@@ -273,10 +273,10 @@ func _check_one_skeleton(plant: Plant3D) -> void:
 
 
 func _check_equal_plants(actual: Plant3D, expected: Plant3D) -> void:
-	for property: String in ["lod", "height", "seed", "simulating", "transform"]:
+	for property: String in ["segments", "height", "seed", "simulation_enabled", "transform"]:
 		check_equal(actual.get(property), expected.get(property), property)
-	check_equal(actual.function.get_class(), expected.function.get_class(), "function")
-	check_equal(actual.function.mass, expected.function.mass, "mass")
+	check_equal(actual.species.get_class(), expected.species.get_class(), "species")
+	check_equal(actual.species.mass, expected.species.mass, "mass")
 	if expected.wind:
 		check_equal(actual.wind.strength, expected.wind.strength, "strength of the wind")
 	var arrays := expected.get_mesh().surface_get_arrays(0)

@@ -69,8 +69,8 @@ func test_directions_turn_from_plus_z_to_plus_x() -> void:
 		45.0: Vector3(1, 0, 1).normalized() * 8.0,
 	}
 	for degrees: float in ways:
-		_wind.direction_degrees = degrees
-		check_equal(_wind.direction_degrees, degrees, "degrees as they were set")
+		_wind.direction = deg_to_rad(degrees)
+		check_equal(_wind.direction, deg_to_rad(degrees), "direction as it was set")
 		check_near(_wind.sample(0.0), ways[degrees], FORCE_TOLERANCE, "%f degrees" % degrees)
 
 
@@ -94,6 +94,39 @@ func test_a_gust_can_be_triggered_again() -> void:
 	check_equal(_wind.sample(now + 0.6), Vector3.ZERO, "and is over")
 
 
+func test_a_gust_of_its_own_strength_and_length() -> void:
+	_wind.kind = PlantWind.KIND_CONSTANT
+	_wind.trigger_gust(3.0, 2.0)
+	check_near(_wind.sample(1.9), NORTH_TO_SOUTH * 11.0, FORCE_TOLERANCE, "while it blows")
+	check_near(_wind.sample(2.1), NORTH_TO_SOUTH * 8.0, FORCE_TOLERANCE, "after it")
+	_wind.trigger_gust(3.0)
+	check_near(_wind.sample(0.4), NORTH_TO_SOUTH * 11.0, FORCE_TOLERANCE, "its strength alone")
+	check_near(_wind.sample(0.6), NORTH_TO_SOUTH * 8.0, FORCE_TOLERANCE, "as long as the wind's")
+	for bad: Array in [[NAN, 1.0], [1e9, 1.0], [1.0, NAN], [1.0, 1e9]]:
+		_wind.trigger_gust(bad[0], bad[1])
+		check_error("the gust's ")
+		check_near(_wind.sample(0.4), NORTH_TO_SOUTH * 11.0, FORCE_TOLERANCE, "as before")
+
+
+func test_a_gust_reaches_plants_driven_by_hand_whatever_their_clocks_show() -> void:
+	for ahead: float in [0.0, 10.0]:
+		for behind: float in [0.0, 3.0]:
+			_wind = PlantWind.new()
+			_wind.kind = PlantWind.KIND_GUST
+			_wind.gust_duration = 0.5
+			_wind.advance(ahead)
+			_run(behind)
+			_plant.reset_motion()
+			_run(0.5)
+			_wind.trigger_gust(20.0)
+			var before := _plant.get_deflection()
+			_run(0.5)
+			var label := "%f s of the wind, %f s of the plant" % [ahead, behind]
+			check(_plant.get_deflection() > before + 0.2, "it bends: " + label)
+			_plant.free()
+			_plant = null
+
+
 func test_a_gust_chosen_while_running_blows_now() -> void:
 	_wind.kind = PlantWind.KIND_CONSTANT
 	_run(3.0)
@@ -114,7 +147,8 @@ func test_a_change_of_frequency_keeps_the_phase() -> void:
 func test_values_out_of_range_give_one_error_and_are_not_kept() -> void:
 	var bad := {
 		"strength": [-1.0, 1.1e6, INF, -INF, NAN],
-		"direction_degrees": [INF, -INF, NAN, 1e9],
+		"direction": [INF, -INF, NAN, 1e9],
+		"travel_speed": [-1.0, 1e5, INF, NAN],
 		"frequency": [-0.1, 1001.0, INF, NAN],
 		"gust_duration": [-0.1, 3601.0, INF, NAN],
 	}
@@ -152,11 +186,12 @@ func test_samples_are_finite_at_the_limits() -> void:
 func test_each_change_is_signalled_once() -> void:
 	_wind.changed.connect(func() -> void: _changes += 1)
 	var values := {
-		"kind": PlantWind.KIND_WAVES,
+		"kind": PlantWind.KIND_BURSTS,
 		"strength": 3.0,
-		"direction_degrees": 10.0,
+		"direction": 0.2,
 		"frequency": 2.0,
 		"gust_duration": 2.0,
+		"travel_speed": 3.0,
 	}
 	for property: String in values:
 		_changes = 0
@@ -164,14 +199,48 @@ func test_each_change_is_signalled_once() -> void:
 		check_equal(_changes, 1, "signals for " + property)
 
 
+func test_setting_what_is_set_already_signals_nothing() -> void:
+	_wind.direction = deg_to_rad(33.3)
+	_wind.changed.connect(func() -> void: _changes += 1)
+	for property: String in [
+		"kind", "strength", "direction", "frequency", "gust_duration", "travel_speed"
+	]:
+		_wind.set(property, _wind.get(property))
+		check_equal(_changes, 0, "signals for " + property)
+
+
+func test_tenths_of_a_degree_come_back_as_they_were_written() -> void:
+	for tenth in 3600:
+		var degrees := tenth / 10.0
+		_wind.direction = deg_to_rad(degrees)
+		check_equal(_wind.direction, deg_to_rad(degrees), "direction of %f degrees" % degrees)
+		check_equal(str(snappedf(rad_to_deg(_wind.direction), 1e-9)), str(degrees), "as shown")
+
+
+func test_a_new_wind_never_comes_to_rest() -> void:
+	var wind := PlantWind.new()
+	check_equal(wind.kind, PlantWind.KIND_WAVES, "kind")
+	check_equal(wind.strength, 5.0, "strength")
+	check_equal(wind.frequency, 0.4, "frequency")
+	_wind = wind
+	_run(60.0)
+	var least := INF
+	var most := 0.0
+	for i in 300:
+		_run(STEP)
+		least = minf(least, _plant.get_deflection())
+		most = maxf(most, _plant.get_deflection())
+	check(most - least > 0.05, "it still sways after a minute, by %f" % (most - least))
+
+
 func test_saved_it_loads_equal() -> void:
 	_wind.kind = PlantWind.KIND_BURSTS
-	_wind.direction_degrees = 33.3
+	_wind.direction = deg_to_rad(33.3)
 	_wind.frequency = 2.7
 	_wind.gust_duration = 1.25
 	check_equal(ResourceSaver.save(_wind, PATH), OK, "saving")
 	var loaded: PlantWind = ResourceLoader.load(PATH, "", ResourceLoader.CACHE_MODE_IGNORE)
-	for property: String in ["kind", "strength", "direction_degrees", "frequency", "gust_duration"]:
+	for property: String in ["kind", "strength", "direction", "travel_speed", "frequency", "gust_duration"]:
 		check_equal(loaded.get(property), _wind.get(property), property)
 	for time: float in [0.0, 0.3, 1.1, 20.0]:
 		check_equal(loaded.sample(time), _wind.sample(time), "force at %f" % time)
@@ -190,9 +259,9 @@ func test_a_gust_of_a_loaded_wind_still_blows() -> void:
 func _run(seconds: float) -> void:
 	if not _plant:
 		_plant = Plant3D.new()
-		_plant.function = TulipFunction.new()
-		_plant.simulating = false
+		_plant.species = TulipFunction.new()
+		_plant.simulation_enabled = false
 		_plant.wind = _wind
 		root.add_child(_plant)
 	for i in roundi(seconds / STEP):
-		_plant.step(STEP)
+		_plant.advance(STEP)

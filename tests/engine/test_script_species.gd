@@ -187,10 +187,10 @@ func test_the_same_fault_is_told_once_however_often_the_plant_is_built() -> void
 	_write("func _generate_height(_rng):\n\treturn NAN\n")
 	await _stand()
 	for lod in range(1, 10):
-		_plant.lod = lod
+		_plant.segments = lod
 		await frames(1)
 		_plant.rebuild()
-		_plant.step(0.1)
+		_plant.advance(0.1)
 		_plant.apply_impulse(Vector3.RIGHT)
 	check_error("_generate_height() gave nan")
 
@@ -220,7 +220,7 @@ func _check_fault(code: String, text: String, raised := 0) -> void:
 	_function = TulipFunction.new()
 	await _stand()
 	var mesh := _plant.get_mesh()
-	_plant.function = faulty
+	_plant.species = faulty
 	await frames(10)
 	check(_plant.get_mesh() == mesh, "the last good plant stays after " + code)
 	check(_plant.get_skeleton() != null, "so does its skeleton")
@@ -254,7 +254,7 @@ func _write(code: String, base := "PlantFunction") -> void:
 
 func _stand() -> void:
 	_plant = Plant3D.new()
-	_plant.function = _function
-	_plant.simulating = false
+	_plant.species = _function
+	_plant.simulation_enabled = false
 	root.add_child(_plant)
 	await frames(2)

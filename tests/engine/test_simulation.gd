@@ -27,10 +27,10 @@ func after_each() -> void:
 
 
 func test_the_wind_swings_plants_its_way() -> void:
-	_plant.function.damping_ratio = 1.0
+	_plant.species.damping_ratio = 1.0
 	for degrees: float in [0.0, 90.0, 225.0]:
-		_plant.reset()
-		_plant.wind.direction_degrees = degrees
+		_plant.reset_motion()
+		_plant.wind.direction = deg_to_rad(degrees)
 		var way := Vector3(sin(deg_to_rad(degrees)), 0, cos(deg_to_rad(degrees)))
 		await _pass(0.2)
 		var tip := _plant.get_tip_position()
@@ -40,14 +40,14 @@ func test_the_wind_swings_plants_its_way() -> void:
 
 
 func test_it_moves_plants_as_driving_by_hand_does() -> void:
-	var other := _add_plant(_plant.function)
-	other.simulating = false
+	var other := _add_plant(_plant.species)
+	other.simulation_enabled = false
 	other.wind = _make_wind()
 	await _pass(0.5)
 	var steps := roundi(_plant.wind.get_time() / STEP)
 	check(steps >= 29, "steps, %d" % steps)
 	for i in steps:
-		other.step(STEP)
+		other.advance(STEP)
 	check_near(_plant.get_tip_position(), other.get_tip_position(), TIP_TOLERANCE, "tip")
 
 
@@ -55,7 +55,7 @@ func test_a_shared_wind_goes_on_once_a_step() -> void:
 	var shared := _make_wind()
 	for i in 20:
 		var plant := _add_plant(GrassFunction.new() if i % 2 == 0 else ReedFunction.new())
-		plant.function.law = (i % 2) as PlantFunction.MotionLaw
+		plant.species.law = (i % 2) as PlantFunction.MotionLaw
 		plant.rotation_degrees.x = 15.0 * i
 		plant.wind = shared
 	await _pass(0.3)
@@ -120,11 +120,11 @@ func test_a_disabled_plant_stops_and_goes_on() -> void:
 
 func test_a_plant_that_is_told_to_stops_simulating() -> void:
 	await _pass(0.1)
-	_plant.simulating = false
+	_plant.simulation_enabled = false
 	var tip := _plant.get_tip_position()
 	await _pass(0.1)
 	check_equal(_plant.get_tip_position(), tip, "tip")
-	_plant.simulating = true
+	_plant.simulation_enabled = true
 	await _pass(0.1)
 	check(_plant.get_tip_position() != tip, "it moves")
 
@@ -156,28 +156,28 @@ func test_the_thesis_step_of_32_ms_works_and_moves_no_plant() -> void:
 	check_near(PlantSimulation.step_length, 0.032, 1e-9, "step")
 	check_near(_plant.get_tip_position(), tip, TIP_TOLERANCE, "tip")
 	check_equal(PlantSimulation.get_plant_count(), 1)
-	_plant.reset()
+	_plant.reset_motion()
 	var before := _plant.wind.get_time()
 	await _pass(0.3)
 	var steps := (_plant.wind.get_time() - before) / 0.032
 	check(steps >= 8.0, "it steps, %f times" % steps)
 	check_near(steps, roundf(steps), 1e-6, "whole steps of 32 ms")
-	var other := _add_plant(_plant.function)
-	other.simulating = false
+	var other := _add_plant(_plant.species)
+	other.simulation_enabled = false
 	other.wind = _make_wind()
 	for i in roundi(steps):
-		other.step(0.032)
+		other.advance(0.032)
 	check_near(_plant.get_tip_position(), other.get_tip_position(), TIP_TOLERANCE, "tip")
 
 
 func test_a_step_of_another_length_moves_driven_plants_on() -> void:
-	_plant.simulating = false
-	_plant.step(0.2)
+	_plant.simulation_enabled = false
+	_plant.advance(0.2)
 	var tip := _plant.get_tip_position()
 	PlantSimulation.step_length = 0.032
-	_plant.step(0.0)
+	_plant.advance(0.0)
 	check_near(_plant.get_tip_position(), tip, TIP_TOLERANCE, "tip")
-	_plant.step(0.1)
+	_plant.advance(0.1)
 	check(_plant.get_tip_position() != tip, "it moves")
 
 
@@ -199,7 +199,7 @@ func test_changes_while_running_keep_the_tip_where_it_is() -> void:
 	}
 	for property: String in changes:
 		var tip := _plant.get_tip_position()
-		_plant.function.set(property, changes[property])
+		_plant.species.set(property, changes[property])
 		check_near(_plant.get_tip_position(), tip, TIP_TOLERANCE, property)
 		await frames(1)
 		_check_moved_smoothly(tip, property)
@@ -210,7 +210,7 @@ func test_functions_and_winds_changed_while_running_keep_the_direction() -> void
 	await _pass(0.3)
 	for function: PlantFunction in [ReedFunction.new(), TulipFunction.new()]:
 		var direction := _plant.get_tip_position().normalized()
-		_plant.function = function
+		_plant.species = function
 		_plant.wind = _make_wind()
 		var now := _plant.get_tip_position().normalized()
 		check_near(now, direction, TIP_TOLERANCE, function.get_class())
@@ -223,7 +223,7 @@ func test_pushed_and_reset_while_running() -> void:
 	_plant.apply_impulse(Vector3(0.3, 0, 0))
 	await _pass(0.1)
 	check(_plant.get_tip_position().x > 0.01, "it was pushed")
-	_plant.reset()
+	_plant.reset_motion()
 	check_equal(_plant.get_deflection(), 0.0, "deflection")
 	await _pass(0.1)
 	check_near(_plant.get_deflection(), 0.0, 1e-5, "deflection later")
@@ -251,7 +251,7 @@ func _check_bone_near_the_tip() -> void:
 
 func _add_plant(function: PlantFunction) -> Plant3D:
 	var plant := Plant3D.new()
-	plant.function = function
+	plant.species = function
 	root.add_child(plant)
 	return plant
 

@@ -47,9 +47,9 @@ func test_freed_by_handlers_of_the_frames_signal() -> void:
 
 
 func test_freed_by_a_signal_of_the_functions_change() -> void:
-	var function := _plants[0].function
+	var function := _plants[0].species
 	var victim := _plants[3]
-	victim.function = function
+	victim.species = function
 	function.changed.connect(func() -> void: victim.queue_free())
 	function.mass = 0.5
 	await frames(3)
@@ -62,7 +62,7 @@ func test_freed_at_once_by_a_signal_of_the_functions_change() -> void:
 	var victim := _plants[3]
 	# Connected before the plant is: freed before the plant hears of the change.
 	function.changed.connect(func() -> void: victim.free(), CONNECT_ONE_SHOT)
-	victim.function = function
+	victim.species = function
 	function.mass = 0.5
 	check(not is_instance_valid(victim), "it is gone")
 	check_equal(PlantSimulation.get_plant_count(), 29)
@@ -97,7 +97,7 @@ func test_each_plant_answers_for_itself_when_others_went() -> void:
 		_plants.pop_at(i).free()
 	for pushed in _plants:
 		for plant in _plants:
-			plant.reset()
+			plant.reset_motion()
 		pushed.apply_impulse(Vector3(0.02, 0, 0))
 		for i in 1000:
 			await frames(1)
@@ -152,7 +152,7 @@ func test_freed_plants_free_their_function_and_mesh() -> void:
 	var plant := _make_plant(0)
 	_stage.add_child(plant)
 	await frames(2)
-	var weak: Array[WeakRef] = [weakref(plant.function), weakref(plant.get_mesh())]
+	var weak: Array[WeakRef] = [weakref(plant.species), weakref(plant.get_mesh())]
 	var skeleton := plant.get_skeleton()
 	plant.free()
 	await frames(2)
@@ -163,9 +163,9 @@ func test_freed_plants_free_their_function_and_mesh() -> void:
 
 func _make_plant(index: int) -> Plant3D:
 	var plant := Plant3D.new()
-	plant.function = GrassFunction.new()
-	plant.function.law = (index % 2) as PlantFunction.MotionLaw
-	plant.lod = 2
+	plant.species = GrassFunction.new()
+	plant.species.law = (index % 2) as PlantFunction.MotionLaw
+	plant.segments = 2
 	plant.height = 1.0
 	return plant
 

@@ -102,7 +102,7 @@ func _check_mesh(index: int, expected: ArrayMesh) -> void:
 
 func _make_plant(index: int) -> void:
 	var plant := Plant3D.new()
-	plant.function = _functions[index % _functions.size()].duplicate()
+	plant.species = _functions[index % _functions.size()].duplicate()
 	plant.seed = index
 	plant.height = 1.0
 	_hand_over(plant)
@@ -110,7 +110,7 @@ func _make_plant(index: int) -> void:
 
 func _make_built_plant(index: int) -> void:
 	var plant := Plant3D.new()
-	plant.function = _functions[index % _functions.size()].duplicate()
+	plant.species = _functions[index % _functions.size()].duplicate()
 	plant.get_mesh()
 	_hand_over(plant)
 

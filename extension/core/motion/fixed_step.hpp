@@ -10,7 +10,7 @@ public:
 
 	/// Steps to do now. A delta that is negative or not finite counts as 0.
 	int advance(double delta);
-	/// How far the present is from the last step but one (0) to the last (1), for PendulumBatch::interpolate().
+	/// How far the present is from the last step but one (0) to the last (1), for MotionPage::interpolate().
 	float alpha() const;
 	double step() const;
 

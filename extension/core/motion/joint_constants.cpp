@@ -142,48 +142,40 @@ Joint safe_joint(const Joint &joint) {
 }
 
 ElasticityConstants elasticity_constants(const Joint &joint, float step) {
-	const Joint safe = safe_joint(joint);
-	const ElasticityStep common(safe, step);
-	const double h = static_cast<double>(step);
-	const double gain = common.gain(safe.length);
-	const double inertia = static_cast<double>(safe.mass) * static_cast<double>(safe.length);
-
 	ElasticityConstants constants;
-	constants.lift =
-			static_cast<float>((1.0 + static_cast<double>(safe.elasticity)) * common.fall(safe.length) * gain * h);
-	constants.weight = common.weight(safe.length);
-	constants.wind_gain = static_cast<float>(static_cast<double>(safe.wind_weight) / inertia * gain * h);
-	constants.keep = static_cast<float>(common.kept());
-	constants.lowest_y = safe.above_ground ? GROUND_Y : NO_GROUND_Y;
+	constants.lift_share = 1.0f + joint.elasticity;
+	constants.wind_share = joint.wind_weight / (joint.mass * STANDARD_GRAVITY);
+	constants.keep = static_cast<float>(ElasticityStep(joint, step).kept());
+	constants.lowest_y = joint.above_ground ? GROUND_Y : NO_GROUND_Y;
 	return constants;
 }
 
 void elasticity_weights(const Joint &joint, float step, const float *lengths, int count, float *weights) {
-	const Joint safe = safe_joint(joint);
-	const ElasticityStep common(safe, step);
+	const ElasticityStep common(joint, step);
 	for (int i = 0; i < count; i++) {
-		weights[i] = common.weight(within(lengths[i], MIN_LENGTH, LARGE, safe.length));
+		weights[i] = common.weight(within(lengths[i], MIN_LENGTH, LARGE, joint.length));
 	}
 }
 
 SpringConstants spring_constants(const Joint &joint, float step) {
-	const Joint safe = safe_joint(joint);
-	const double h = static_cast<double>(step);
-	const double omega = 2.0 * PI * static_cast<double>(safe.natural_frequency);
-	const double damping = static_cast<double>(safe.damping_ratio);
-	const Decay part = decay(omega, damping, h);
-	const double stiffness =
-			static_cast<double>(safe.mass) * omega * omega * static_cast<double>(safe.length); // N per unit of t.
+	const double omega = 2.0 * PI * static_cast<double>(joint.natural_frequency);
+	const double damping = static_cast<double>(joint.damping_ratio);
+	const Decay part = decay(omega, damping, static_cast<double>(step));
+	const double stiffness = static_cast<double>(joint.mass) * omega * omega; // N per metre and unit of t.
 
 	SpringConstants constants;
-	constants.rest_x = safe.rest.x / safe.rest.y;
-	constants.rest_z = safe.rest.z / safe.rest.y;
-	constants.wind_gain = static_cast<float>(static_cast<double>(safe.wind_weight) / stiffness);
+	constants.wind_gain = static_cast<float>(static_cast<double>(joint.wind_weight) / stiffness);
 	constants.place_from_place = static_cast<float>(part.cosine + damping * omega * part.sine - 1.0);
 	constants.place_from_rate = static_cast<float>(part.sine);
 	constants.rate_from_place = static_cast<float>(-omega * omega * part.sine);
 	constants.rate_from_rate = static_cast<float>(part.cosine - damping * omega * part.sine - 1.0);
 	return constants;
+}
+
+void spring_gains(const SpringConstants &constants, const float *lengths, int count, float *gains) {
+	for (int i = 0; i < count; i++) {
+		gains[i] = constants.wind_gain / std::max(lengths[i], MIN_LENGTH);
+	}
 }
 
 } // namespace undergrowth

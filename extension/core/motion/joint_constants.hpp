@@ -4,19 +4,17 @@
 
 namespace undergrowth {
 
-/// What the elasticity kernel needs of one joint for one step length; units as in ElasticityTable.
+/// What the elasticity kernel needs of one species for one step length; units as in ElasticityPage.
 struct ElasticityConstants {
-	float lift;
-	float weight;
-	float wind_gain;
+	float lift_share;
+	float wind_share;
 	float keep;
 	float lowest_y;
 };
 
-/// What the spring kernel needs of one joint for one step length; units as in SpringTable.
+/// What the spring kernel needs of one species for one step length; units as in SpringPage, but `wind_gain` is for a
+/// plant of one metre: over the length it is a plant's own.
 struct SpringConstants {
-	float rest_x;
-	float rest_z;
 	float wind_gain;
 	float place_from_place;
 	float place_from_rate;
@@ -27,9 +25,12 @@ struct SpringConstants {
 /// The joint with every number brought into the range that the steps are safe in (not a number becomes the default).
 Joint safe_joint(const Joint &joint);
 
+/// These take a safe joint and do not ask for its length.
 ElasticityConstants elasticity_constants(const Joint &joint, float step);
-/// The `weight` of elasticity_constants() for joints like `joint` with each of `count` lengths (m); the same bits.
-void elasticity_weights(const Joint &joint, float step, const float *lengths, int count, float *weights);
 SpringConstants spring_constants(const Joint &joint, float step);
+/// ElasticityPage::weight of plants with each of `count` lengths (m).
+void elasticity_weights(const Joint &joint, float step, const float *lengths, int count, float *weights);
+/// SpringPage::wind_gain of them.
+void spring_gains(const SpringConstants &constants, const float *lengths, int count, float *gains);
 
 } // namespace undergrowth

@@ -7,33 +7,6 @@
 
 namespace undergrowth {
 
-/// What the elasticity kernel reads and writes: one array entry per plant.
-struct ElasticityTable {
-	float *x, *y, *z; ///< Direction.
-	/// What the last step turned the direction by, stretched by sqrt(1 + its square); on the tangent plane it is the
-	/// rate times the step.
-	float *turn_x, *turn_y, *turn_z;
-	float *last_x, *last_y, *last_z; ///< Direction one step ago.
-	const float *lift; ///< (1 + e)·g/L·gain·step.
-	const float *weight; ///< g/L·gain·step.
-	const float *wind_gain; ///< w/(m·L)·gain·step, 1/N.
-	const float *keep; ///< Share of the rate that friction leaves in one step.
-	const float *lowest_y; ///< Where the ground stops the tip; far below -1 for no ground.
-};
-
-/// What the spring kernel reads and writes. t = (x, z)/y is the gnomonic image of the direction.
-struct SpringTable {
-	float *x, *z; ///< t.
-	float *rate_x, *rate_z; ///< t', 1/s.
-	float *last_x, *last_z; ///< t one step ago.
-	const float *rest_x, *rest_z; ///< t of the rest direction.
-	const float *wind_gain; ///< w/(m·ω²·L), 1/N.
-	const float *place_from_place; ///< The closed-form step less the identity, for (t - equilibrium, t').
-	const float *place_from_rate; ///< s.
-	const float *rate_from_place; ///< 1/s.
-	const float *rate_from_rate;
-};
-
 /// Directions now and one step ago.
 struct DirectionView {
 	const float *x, *y, *z;
@@ -46,33 +19,31 @@ struct GnomonicView {
 	const float *last_x, *last_z;
 };
 
-/// Plants of one species, which differ in length only, so that most constants are the species' own: one array entry per
-/// plant, and one number for all.
+/// Plants of one species under the elasticity law. They differ in length only, so that most constants are the species'
+/// own: one array entry per plant, and one number for all.
 struct ElasticityPage {
-	float *x, *y, *z; ///< As in ElasticityTable.
+	float *x, *y, *z; ///< Direction.
+	/// What the last step turned the direction by, stretched by sqrt(1 + its square); on the tangent plane it is the
+	/// rate times the step.
 	float *turn_x, *turn_y, *turn_z;
 	const float *weight; ///< g/L·gain·step.
 	float lift_share; ///< 1 + e: lift over weight.
-	float wind_share; ///< w/(m·g): wind_gain over weight, 1/N.
-	float keep;
-	float lowest_y;
+	float wind_share; ///< w/(m·g): the wind's gain, w/(m·L)·gain·step, over weight, 1/N.
+	float keep; ///< Share of the rate that friction leaves in one step.
+	float lowest_y; ///< Where the ground stops the tip; far below -1 for no ground.
 };
 
-/// The same for the spring law; units as in SpringTable.
+/// The same for the spring law. t = (x, z)/y is the gnomonic image of the direction.
 struct SpringPage {
-	float *x, *z;
-	float *rate_x, *rate_z;
-	const float *rest_x, *rest_z;
-	const float *wind_gain;
-	float place_from_place, place_from_rate;
-	float rate_from_place, rate_from_rate;
+	float *x, *z; ///< t.
+	float *rate_x, *rate_z; ///< t', 1/s.
+	const float *rest_x, *rest_z; ///< t of the rest direction.
+	const float *wind_gain; ///< w/(m·ω²·L), 1/N.
+	float place_from_place; ///< The closed-form step less the identity, for (t - equilibrium, t').
+	float place_from_rate; ///< s.
+	float rate_from_place; ///< 1/s.
+	float rate_from_rate;
 	float most; ///< MAX_GNOMONIC.
-};
-
-/// The force of one step (N).
-struct KernelWind {
-	float x, y, z;
-	float size;
 };
 
 /// Both laws keep t and its equilibrium within this size, so that nothing overflows: 0.06 degrees above the ground.
@@ -80,10 +51,8 @@ inline constexpr float MAX_GNOMONIC = 1e3f;
 
 /// One build of the kernels. All builds give the same bits for any split of a range.
 struct KernelSet {
-	void (*step_elasticity)(const ElasticityTable &table, int begin, int end, const KernelWind &wind);
-	void (*step_spring)(const SpringTable &table, int begin, int end, float most, const KernelWind &wind);
-	void (*step_elasticity_page)(const ElasticityPage &page, int count, const PlantWinds &winds);
-	void (*step_spring_page)(const SpringPage &page, int count, const PlantWinds &winds);
+	void (*step_elasticity)(const ElasticityPage &page, int count, const PlantWinds &winds);
+	void (*step_spring)(const SpringPage &page, int count, const PlantWinds &winds);
 	/// Moves each pair of bends (motion/bend_encoding.hpp) on: the second becomes the first, the present one the second.
 	void (*encode_elasticity)(const float *x, const float *y, const float *z, int count, uint32_t *pairs);
 	void (*encode_spring)(const float *x, const float *z, int count, uint32_t *pairs);

@@ -19,7 +19,23 @@ bool is_finite(const glm::vec3 &vector) {
 	return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
 }
 
+int column_count(bool swings, bool keeps_directions) {
+	if (!swings) {
+		return static_cast<int>(STILL_COLUMNS);
+	}
+	return keeps_directions ? static_cast<int>(REMEMBERING_COLUMNS) : static_cast<int>(SWINGING_COLUMNS);
+}
+
 } // namespace
+
+bool is_same_motion(const MotionSpecies &a, const MotionSpecies &b) {
+	const Joint &one = a.joint;
+	const Joint &other = b.joint;
+	return a.law == b.law && one.mass == other.mass && one.wind_weight == other.wind_weight &&
+			one.elasticity == other.elasticity && one.inner_friction == other.inner_friction &&
+			one.above_ground == other.above_ground && one.natural_frequency == other.natural_frequency &&
+			one.damping_ratio == other.damping_ratio && a.collision_radius == b.collision_radius;
+}
 
 bool is_valid(const MotionPlant &plant) {
 	return is_finite(plant.root) && std::isfinite(plant.length) && plant.length > 0.0f && is_finite(plant.rest) &&
@@ -27,41 +43,62 @@ bool is_valid(const MotionPlant &plant) {
 }
 
 MotionPage::MotionPage(int species_index, const MotionSpecies &species, const MotionPlant *plants, int count,
-		float step, bool swings) :
+		float step, bool swings, Keeps keeps) :
 		species_number(species_index),
 		is_swinging(swings),
+		keeps_directions(swings && keeps == Keeps::directions),
 		step_time(step),
 		kind(species),
-		rows(swings ? static_cast<int>(SWINGING_COLUMNS) : static_cast<int>(STILL_COLUMNS)) {
+		rows(column_count(swings, keeps_directions)) {
 	kind.joint = safe_joint(species.joint);
 	add(plants, count);
 }
 
 void MotionPage::reserve(int plants) {
 	rows.reserve(plants);
-	pairs.reserve(is_swinging ? 2 * static_cast<std::size_t>(std::max(plants, 0)) : 0);
+	pairs.reserve(has_bends() ? 2 * static_cast<std::size_t>(std::max(plants, 0)) : 0);
 }
 
 void MotionPage::add(const MotionPlant *plants, int count) {
 	const int before = size();
 	rows.reserve(before + count);
-	pairs.resize(is_swinging ? 2 * static_cast<std::size_t>(before + count) : 0);
+	pairs.resize(has_bends() ? 2 * static_cast<std::size_t>(before + count) : 0);
 	for (int i = before; i < before + count; i++) {
-		const MotionPlant &plant = plants[i - before];
 		rows.add_row();
-		column(ROOT_X)[i] = plant.root.x;
-		column(ROOT_Y)[i] = plant.root.y;
-		column(ROOT_Z)[i] = plant.root.z;
-		column(LENGTH)[i] = plant.length;
-		if (is_swinging && kind.law == Law::spring) {
-			column(REST_X)[i] = std::clamp(plant.rest.x / plant.rest.y, -MAX_GNOMONIC, MAX_GNOMONIC);
-			column(REST_Z)[i] = std::clamp(plant.rest.z / plant.rest.y, -MAX_GNOMONIC, MAX_GNOMONIC);
-		}
-		grow_box(plant);
+		put_place(i, plants[i - before]);
 		settle(i);
 	}
 	if (is_swinging) {
 		update_constants(before);
+	}
+}
+
+void MotionPage::put_place(int index, const MotionPlant &plant) {
+	column(ROOT_X)[index] = plant.root.x;
+	column(ROOT_Y)[index] = plant.root.y;
+	column(ROOT_Z)[index] = plant.root.z;
+	column(LENGTH)[index] = plant.length;
+	put_rest(index, plant.rest);
+	grow_box(plant);
+}
+
+void MotionPage::put_rest(int index, const glm::vec3 &rest) {
+	if (is_swinging && kind.law == Law::spring) {
+		column(REST_X)[index] = std::clamp(rest.x / rest.y, -MAX_GNOMONIC, MAX_GNOMONIC);
+		column(REST_Z)[index] = std::clamp(rest.z / rest.y, -MAX_GNOMONIC, MAX_GNOMONIC);
+	}
+}
+
+void MotionPage::set_plant(int index, const MotionPlant &plant) {
+	put_place(index, plant);
+	if (is_swinging) {
+		update_constants(index, index + 1);
+	}
+}
+
+void MotionPage::set_rests(const glm::vec3 *rests) {
+	for (int i = 0; i < size(); i++) {
+		put_rest(i, rests[i]);
 	}
 }
 
@@ -126,29 +163,65 @@ void MotionPage::put_state(int index, const TipState &state) {
 void MotionPage::set_state(int index, const TipState &state) {
 	if (is_swinging) {
 		put_state(index, state);
+	}
+	if (has_bends()) {
 		pairs[2 * static_cast<std::size_t>(index) + 1] = encode_bend(safe_state(state).direction);
 	}
 }
 
 void MotionPage::take_motion(int index, const MotionPage &other, int from) {
-	if (is_swinging && other.is_swinging) {
-		put_state(index, other.state(from));
+	if (!is_swinging || !other.is_swinging) {
+		return;
 	}
-	std::copy_n(other.pairs.begin() + 2 * from, 2, pairs.begin() + 2 * index);
+	set_state(index, other.state(from));
+	set_before(index, other.before(from));
+	if (has_bends() && other.has_bends()) {
+		std::copy_n(other.pairs.begin() + 2 * from, 2, pairs.begin() + 2 * index);
+	}
 }
 
 void MotionPage::set_rest(int index, const glm::vec3 &rest) {
-	if (is_swinging && kind.law == Law::spring) {
-		column(REST_X)[index] = std::clamp(rest.x / rest.y, -MAX_GNOMONIC, MAX_GNOMONIC);
-		column(REST_Z)[index] = std::clamp(rest.z / rest.y, -MAX_GNOMONIC, MAX_GNOMONIC);
+	put_rest(index, rest);
+}
+
+glm::vec3 MotionPage::before(int index) const {
+	if (!is_swinging) {
+		return rest(index);
+	}
+	if (!keeps_directions) {
+		return decode_bend(pairs[2 * static_cast<std::size_t>(index)]);
+	}
+	if (kind.law == Law::elasticity) {
+		return { column(LAST_X)[index], column(LAST_Y)[index], column(LAST_Z)[index] };
+	}
+	return glm::normalize(glm::vec3(column(FLAT_LAST_X)[index], 1.0f, column(FLAT_LAST_Z)[index]));
+}
+
+void MotionPage::set_before(int index, const glm::vec3 &direction) {
+	const TipState safe = safe_state({ direction, {} });
+	if (has_bends()) {
+		pairs[2 * static_cast<std::size_t>(index)] = encode_bend(safe.direction);
+	} else if (is_swinging && kind.law == Law::elasticity) {
+		column(LAST_X)[index] = safe.direction.x;
+		column(LAST_Y)[index] = safe.direction.y;
+		column(LAST_Z)[index] = safe.direction.z;
+	} else if (is_swinging) {
+		const GnomonicState flat = to_gnomonic(safe);
+		column(FLAT_LAST_X)[index] = flat.x;
+		column(FLAT_LAST_Z)[index] = flat.z;
 	}
 }
 
+void MotionPage::apply_impulse(int index, const glm::vec3 &impulse) {
+	TipState blown = state(index);
+	blown.rate += impulse / (kind.joint.mass * length(index));
+	set_state(index, blown);
+}
+
 void MotionPage::settle(int index) {
-	set_state(index, { rest(index), {} });
-	if (is_swinging) {
-		pairs[2 * static_cast<std::size_t>(index)] = pairs[2 * static_cast<std::size_t>(index) + 1];
-	}
+	const glm::vec3 calm = rest(index);
+	set_state(index, { calm, {} });
+	set_before(index, calm);
 }
 
 void MotionPage::settle() {
@@ -170,27 +243,28 @@ void MotionPage::remove(int index) {
 	gone -= is_gone(index) ? 1 : 0;
 	const std::size_t last = static_cast<std::size_t>(size()) - 1;
 	rows.remove_row(index);
-	if (!is_swinging) {
-		return;
+	if (has_bends()) {
+		pairs[2 * static_cast<std::size_t>(index)] = pairs[2 * last];
+		pairs[2 * static_cast<std::size_t>(index) + 1] = pairs[2 * last + 1];
+		pairs.resize(2 * last);
 	}
-	pairs[2 * static_cast<std::size_t>(index)] = pairs[2 * last];
-	pairs[2 * static_cast<std::size_t>(index) + 1] = pairs[2 * last + 1];
-	pairs.resize(2 * last);
 }
 
 void MotionPage::set_species(const MotionSpecies &species) {
 	if (is_swinging && species.law != kind.law) {
 		std::vector<TipState> states;
+		std::vector<glm::vec3> last;
 		for (int i = 0; i < size(); i++) {
 			states.push_back(state(i));
+			last.push_back(before(i));
 		}
 		kind.law = species.law;
 		for (int i = 0; i < size(); i++) {
-			if (kind.law == Law::spring) {
-				column(REST_X)[i] = 0.0f;
-				column(REST_Z)[i] = 0.0f;
-			}
+			put_rest(i, { 0.0f, 1.0f, 0.0f });
 			put_state(i, states[static_cast<std::size_t>(i)]);
+			if (keeps_directions) {
+				set_before(i, last[static_cast<std::size_t>(i)]);
+			}
 		}
 	}
 	const bool has_other_radius = species.collision_radius != kind.collision_radius;

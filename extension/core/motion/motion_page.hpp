@@ -13,7 +13,7 @@
 
 namespace undergrowth {
 
-/// What all plants of one species in a field share.
+/// What all plants of one species share.
 struct MotionSpecies {
 	Law law = Law::elasticity;
 	Joint joint; ///< Without `length` and `rest`, which each plant has of its own.
@@ -24,9 +24,12 @@ struct MotionSpecies {
 	float lean = 0.0f; ///< rad, from upright to the rest direction (spring law).
 };
 
-/// One plant as it enters a field.
+/// Whether plants of both move alike, so that they may share a page.
+bool is_same_motion(const MotionSpecies &a, const MotionSpecies &b);
+
+/// One plant as it enters a page.
 struct MotionPlant {
-	glm::vec3 root = { 0.0f, 0.0f, 0.0f }; ///< m, field axes.
+	glm::vec3 root = { 0.0f, 0.0f, 0.0f }; ///< m; only x and z matter to the wind.
 	float length = 1.0f; ///< m, > 0.
 	glm::vec3 rest = { 0.0f, 1.0f, 0.0f }; ///< Unit; of the spring law only, as Joint::rest.
 };
@@ -34,17 +37,37 @@ struct MotionPlant {
 /// Whether all numbers are finite, the length > 0 and the rest direction above the ground.
 bool is_valid(const MotionPlant &plant);
 
-/// Up to PAGE_PLANTS plants of one species in struct-of-arrays, with their bends. A page may be stepped by any whole
-/// number of steps at once; its constants belong to that interval.
+/// Plants of one species in struct-of-arrays, stepped together, by any whole number of steps at once; the page's
+/// constants belong to that interval. All that moves in this add-on moves here: a field has many pages, whose bends are
+/// textures' layers, and plants with skeletons of their own share pages that keep directions.
+///
+/// Elasticity law (thesis, formulas 3.1 and 3.2): the tip feels (1 + e)·m·g·|y| upwards, m·g downwards, the wind and
+/// -friction·velocity, held on the sphere: equilibrium under a horizontal force F is F·w = m·g·tan φ·((1 + e)·cos φ -
+/// 1). Both norms are kept by an exact rotation; kicks are scaled (by sinc²(ω·step/2) without friction) so that a small
+/// swing has exactly ω² = e·g/L and friction's decay at any step length up to a third of its period; stiffer joints
+/// swing at about that period and stay stable. The rate is that of the middle of the last step (kick, then drift).
+///
+/// Spring law: the state is the gnomonic image t = (x, z)/y of the direction, which obeys
+/// t'' = -ω²·(t - rest - F·w/(m·ω²·L)) - 2·ζ·ω·t'. The step is the closed-form solution for a force that is constant
+/// during it, so there is no step-length error, nothing can become unstable, and the tip never reaches the ground.
+/// The equilibrium of an upright plant under a horizontal force F is tan φ = F·w/(m·ω²·L).
+///
+/// Winds are horizontal in the axes of the roots. Directions may have axes of their own, in which the wind's way is
+/// given to step(). Numbers out of a species' or a state's range are brought to the nearest safe one; nothing becomes
+/// NaN. Only adding allocates; a page has the same bits at every SimdLevel, however plants are divided among pages.
 class MotionPage {
 public:
-	static constexpr int PAGE_PLANTS = 4096;
+	static constexpr int PAGE_PLANTS = 4096; ///< Of a page of a field: a layer of 64 by 64 texels.
+	/// What a page keeps of each plant before its last step and after it, for those who draw it.
+	enum class Keeps {
+		bends, ///< Half floats, ready for the graphics card.
+		directions, ///< Floats, for skeletons; such a page has no bends.
+	};
 
 	/// At rest, upright (elasticity law) or along `rest` (spring law), for steps of `step` seconds.
-	/// Of `plants`, `count` <= PAGE_PLANTS valid ones; a page that does not swing holds places only: its plants stand
-	/// upright.
+	/// Of `plants`, `count` valid ones; a page that does not swing holds places only: its plants stand upright.
 	MotionPage(int species_index, const MotionSpecies &species, const MotionPlant *plants, int count, float step,
-			bool swings);
+			bool swings, Keeps keeps = Keeps::bends);
 
 	int species() const { return species_number; }
 	/// Rows, those of plants that are gone included.
@@ -54,6 +77,8 @@ public:
 	/// Whether a plant was dropped: its row keeps its index, and its length is 0.
 	bool is_gone(int index) const { return lengths()[index] <= 0.0f; }
 	bool swings() const { return is_swinging; }
+	/// Whether it keeps bends for a texture: it swings and does not keep directions.
+	bool has_bends() const { return is_swinging && !keeps_directions; }
 	Law law() const { return kind.law; }
 	/// Seconds of the step that the constants are for.
 	float step_length() const { return step_time; }
@@ -74,34 +99,50 @@ public:
 	/// The root's place plus length times the direction.
 	glm::vec3 tip(int index) const;
 	TipState state(int index) const;
-	/// Puts a plant into a state; the bend that is drawn as the last one is this state's.
+	/// Puts a plant into a state; what is drawn as the last one is this state's.
 	void set_state(int index, const TipState &state);
 	/// Plant `from` of another page, of any law, goes on as plant `index`, and is drawn where it was.
 	void take_motion(int index, const MotionPage &other, int from);
 	/// Another direction in calm air (unit, y > 0), of the spring law; the motion goes on.
 	void set_rest(int index, const glm::vec3 &rest);
+	/// Where a plant pointed before its last step, as it is drawn.
+	glm::vec3 before(int index) const;
+	void set_before(int index, const glm::vec3 &direction);
+	/// A blow on the tip (N·s): changes the velocity by impulse/mass, along the sphere. What goes along the stem is held
+	/// by the root, so a blow upwards straightens a bent plant and does nothing to an upright one.
+	void apply_impulse(int index, const glm::vec3 &impulse);
 	/// Puts all plants into their rest directions, without velocity; both bends of each are those.
 	void settle();
 	/// Makes room for `plants` in all, so that add() does not allocate until there are more.
 	void reserve(int plants);
-	/// Appends `count` valid plants, at rest; no more than PAGE_PLANTS in all.
+	/// Appends `count` valid plants, at rest.
 	void add(const MotionPlant *plants, int count);
 	/// Takes plant `index` away and leaves its row, upright and without length. Nothing where it is gone.
 	void drop(int index);
+	/// Another place, length and rest direction of plant `index`; its motion goes on.
+	void set_plant(int index, const MotionPlant &plant);
 	/// Removes plant `index`; the last one takes its index.
 	void remove(int index);
 
-	/// Other constants; the motion goes on. Where the law changes, plants of the spring law rest upright.
+	/// Other constants; the motion goes on. A page of the elasticity law keeps no rest directions: where the law changes,
+	/// plants rest upright until set_rests().
 	void set_species(const MotionSpecies &species);
+	/// Other rest directions (unit, as MotionPlant::rest), size() of them; plants swing there. Without effect where the
+	/// law has none.
+	void set_rests(const glm::vec3 *rests);
 	/// Constants for steps of another length (s); the motion goes on. Allocates nothing.
 	void set_step_length(float step);
 	/// When in a step its wind is to be taken, as a share of it: the elasticity law's kick stands at the start of the
 	/// drift (its rate is that of the middle), the spring law's closed form holds the force of the middle.
 	double wind_moment() const { return kind.law == Law::elasticity ? 0.0 : 0.5; }
-	/// One step under `wind`, and the bends after it.
-	void step(const TravellingWind &wind, const PlantWinds &along);
+	/// One step under `wind`, which blows along (along.x, along.z) of the directions' axes. `level` chooses the code, not
+	/// the result.
+	void step(const TravellingWind &wind, const PlantWinds &along, SimdLevel level = best_simd_level());
 
-	/// Pairs of bends, 2·size(), of a page that swings: each plant's before its last step and after it.
+	/// Of a page that keeps directions: unit directions of all plants, `alpha` of the way from before the last step (0)
+	/// to after it (1), to out[0 .. size()).
+	void interpolate(float alpha, glm::vec3 *out) const;
+	/// Of the others that swing: pairs of bends, 2·size(), each plant's before its last step and after it.
 	const Bend *bends() const { return pairs.data(); }
 	Bend *bends() { return pairs.data(); }
 
@@ -114,11 +155,12 @@ public:
 private:
 	int species_number;
 	bool is_swinging;
+	bool keeps_directions;
 	float step_time; ///< s.
 	int gone = 0;
 	MotionSpecies kind;
 	SpringConstants spring = {};
-	ElasticityConstants elasticity = {}; ///< Only what does not depend on a plant's length.
+	ElasticityConstants elasticity = {};
 	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
 	Columns rows;
@@ -128,9 +170,13 @@ private:
 	const float *column(int which) const { return rows.column(which); }
 	ElasticityPage elasticity_page(int begin);
 	SpringPage spring_page(int begin);
-	/// Of the plants from `begin` on.
-	void update_constants(int begin);
+	/// Of the plants from `begin` on, or up to `end`.
+	void update_constants(int begin) { update_constants(begin, size()); }
+	void update_constants(int begin, int end);
+	void put_place(int index, const MotionPlant &plant);
 	void put_state(int index, const TipState &state);
+	void put_rest(int index, const glm::vec3 &rest);
+	void remember();
 	void settle(int index);
 	void grow_box(const MotionPlant &plant);
 	void update_box();

@@ -14,7 +14,7 @@ enum Column : int {
 	STILL_COLUMNS,
 };
 
-/// Further columns of a page of the elasticity law.
+/// Further columns of a page of the elasticity law; the last ones only where it keeps directions.
 enum ElasticityColumn : int {
 	X = STILL_COLUMNS,
 	Y,
@@ -24,6 +24,10 @@ enum ElasticityColumn : int {
 	TURN_Z,
 	WEIGHT,
 	SWINGING_COLUMNS,
+	LAST_X = SWINGING_COLUMNS,
+	LAST_Y,
+	LAST_Z,
+	REMEMBERING_COLUMNS,
 };
 
 /// Further columns of a page of the spring law, as many.
@@ -35,6 +39,8 @@ enum SpringColumn : int {
 	REST_X,
 	REST_Z,
 	WIND_GAIN,
+	FLAT_LAST_X = SWINGING_COLUMNS,
+	FLAT_LAST_Z,
 };
 
 } // namespace motion_page_columns

@@ -13,7 +13,6 @@ namespace {
 
 /// Plants whose winds are sampled together: the strengths stay in the first-level cache.
 constexpr int BLOCK = 512;
-constexpr float SHORTEST = 1e-4f; // m; as safe_joint().
 
 } // namespace
 
@@ -32,17 +31,13 @@ void MotionPage::set_step_length(float step) {
 	}
 }
 
-void MotionPage::update_constants(int begin) {
-	Joint joint = kind.joint;
+void MotionPage::update_constants(int begin, int end) {
 	if (kind.law == Law::elasticity) {
-		elasticity = elasticity_constants(joint, step_time);
-		elasticity_weights(joint, step_time, lengths() + begin, size() - begin, column(WEIGHT) + begin);
-		return;
-	}
-	joint.length = 1.0f;
-	spring = spring_constants(joint, step_time);
-	for (int i = begin; i < size(); i++) {
-		column(WIND_GAIN)[i] = spring.wind_gain / std::max(length(i), SHORTEST);
+		elasticity = elasticity_constants(kind.joint, step_time);
+		elasticity_weights(kind.joint, step_time, lengths() + begin, end - begin, column(WEIGHT) + begin);
+	} else {
+		spring = spring_constants(kind.joint, step_time);
+		spring_gains(spring, lengths() + begin, end - begin, column(WIND_GAIN) + begin);
 	}
 }
 
@@ -55,8 +50,8 @@ ElasticityPage MotionPage::elasticity_page(int begin) {
 	page.turn_y = column(TURN_Y) + begin;
 	page.turn_z = column(TURN_Z) + begin;
 	page.weight = column(WEIGHT) + begin;
-	page.lift_share = 1.0f + kind.joint.elasticity;
-	page.wind_share = kind.joint.wind_weight / (kind.joint.mass * STANDARD_GRAVITY);
+	page.lift_share = elasticity.lift_share;
+	page.wind_share = elasticity.wind_share;
 	page.keep = elasticity.keep;
 	page.lowest_y = elasticity.lowest_y;
 	return page;
@@ -79,24 +74,62 @@ SpringPage MotionPage::spring_page(int begin) {
 	return page;
 }
 
-void MotionPage::step(const TravellingWind &wind, const PlantWinds &along) {
-	const KernelSet &set = kernels(best_simd_level());
-	const WindKernels &air = wind_kernels(best_simd_level());
+/// What is drawn as the last direction, before a step.
+void MotionPage::remember() {
+	const auto copy = [this](int from, int to) {
+		std::copy(column(from), column(from) + size(), column(to));
+	};
+	if (kind.law == Law::elasticity) {
+		copy(X, LAST_X);
+		copy(Y, LAST_Y);
+		copy(Z, LAST_Z);
+	} else {
+		copy(FLAT_X, FLAT_LAST_X);
+		copy(FLAT_Z, FLAT_LAST_Z);
+	}
+}
+
+void MotionPage::step(const TravellingWind &wind, const PlantWinds &along, SimdLevel level) {
+	const KernelSet &set = kernels(level);
+	const WindKernels &air = wind_kernels(level);
+	if (keeps_directions) {
+		remember();
+	}
 	float strengths[BLOCK];
 	for (int begin = 0; begin < size(); begin += BLOCK) {
 		const int count = std::min(BLOCK, size() - begin);
 		air.sample(wind, column(ROOT_X) + begin, column(ROOT_Z) + begin, count, strengths);
 		const PlantWinds winds = { strengths, along.x, along.z };
-		Bend *block_pairs = pairs.data() + 2 * static_cast<std::size_t>(begin);
+		Bend *block_pairs = keeps_directions ? nullptr : pairs.data() + 2 * static_cast<std::size_t>(begin);
 		if (kind.law == Law::elasticity) {
 			const ElasticityPage block = elasticity_page(begin);
-			set.step_elasticity_page(block, count, winds);
-			set.encode_elasticity(block.x, block.y, block.z, count, block_pairs);
+			set.step_elasticity(block, count, winds);
+			if (block_pairs) {
+				set.encode_elasticity(block.x, block.y, block.z, count, block_pairs);
+			}
 		} else {
 			const SpringPage block = spring_page(begin);
-			set.step_spring_page(block, count, winds);
-			set.encode_spring(block.x, block.z, count, block_pairs);
+			set.step_spring(block, count, winds);
+			if (block_pairs) {
+				set.encode_spring(block.x, block.z, count, block_pairs);
+			}
 		}
+	}
+}
+
+void MotionPage::interpolate(float alpha, glm::vec3 *out) const {
+	static_assert(sizeof(glm::vec3) == 3 * sizeof(float), "the kernels write three floats for each plant");
+	if (size() == 0 || !keeps_directions) {
+		return;
+	}
+	const auto at = [this](int which) { return column(which); };
+	const KernelSet &set = kernels(best_simd_level());
+	if (kind.law == Law::elasticity) {
+		const DirectionView view = { at(X), at(Y), at(Z), at(LAST_X), at(LAST_Y), at(LAST_Z) };
+		set.interpolate_elasticity(view, size(), alpha, &out->x);
+	} else {
+		const GnomonicView view = { at(FLAT_X), at(FLAT_Z), at(FLAT_LAST_X), at(FLAT_LAST_Z) };
+		set.interpolate_spring(view, size(), alpha, &out->x);
 	}
 }
 

@@ -49,7 +49,7 @@ TravellingWind wind_at_time(const FieldWind &field_wind, double time) {
 	now.steady = wind.kind == WindKind::constant ? strength : 0.0f;
 	now.wave = wind.kind == WindKind::waves ? strength : 0.0f;
 	now.burst = wind.kind == WindKind::bursts ? strength : 0.0f;
-	now.gust = wind.kind == WindKind::gust || wind.gust_triggered ? strength : 0.0f;
+	now.gust = safe(gust_strength(wind), MAX_STRENGTH);
 	now.cycle = static_cast<float>(fraction(static_cast<double>(frequency) * time + wind.phase));
 	now.delay_x = slowness(field_wind) * along.x;
 	now.delay_z = slowness(field_wind) * along.z;
@@ -57,7 +57,7 @@ TravellingWind wind_at_time(const FieldWind &field_wind, double time) {
 	now.cycles_z = frequency * now.delay_z;
 	const double since = time - wind.gust_start;
 	now.since = std::isfinite(since) ? static_cast<float>(std::clamp(since, -LONG_AGO, LONG_AGO)) : 0.0f;
-	now.duration = safe(wind.gust_duration, static_cast<float>(LONG_AGO));
+	now.duration = safe(gust_duration(wind), static_cast<float>(LONG_AGO));
 	return now;
 }
 

@@ -22,7 +22,7 @@ double cycle_at(const Wind &wind, double time) {
 
 bool gust_blows(const Wind &wind, double time) {
 	const double since = time - wind.gust_start;
-	return since >= 0.0 && since < static_cast<double>(wind.gust_duration);
+	return since >= 0.0 && since < static_cast<double>(gust_duration(wind));
 }
 
 float steady_strength(const Wind &wind, double time) {
@@ -41,9 +41,19 @@ float steady_strength(const Wind &wind, double time) {
 
 } // namespace
 
+float gust_strength(const Wind &wind) {
+	if (wind.gust_triggered) {
+		return wind.triggered_strength < 0.0f ? wind.strength : wind.triggered_strength;
+	}
+	return wind.kind == WindKind::gust ? wind.strength : 0.0f;
+}
+
+float gust_duration(const Wind &wind) {
+	return wind.gust_triggered && !(wind.triggered_duration < 0.0f) ? wind.triggered_duration : wind.gust_duration;
+}
+
 float wind_strength(const Wind &wind, double time) {
-	const bool may_gust = wind.kind == WindKind::gust || wind.gust_triggered;
-	const float gust = may_gust && gust_blows(wind, time) ? wind.strength : 0.0f;
+	const float gust = gust_blows(wind, time) ? gust_strength(wind) : 0.0f;
 	return steady_strength(wind, time) + gust;
 }
 

@@ -21,8 +21,14 @@ struct Wind {
 	float gust_duration = 0.5f; ///< s.
 	double gust_start = 0.0; ///< s.
 	bool gust_triggered = false; ///< A gust that somebody called for blows on top of the other kinds, too.
+	float triggered_strength = -1.0f; ///< N, of that gust; below 0: `strength`.
+	float triggered_duration = -1.0f; ///< s, of that gust; below 0: `gust_duration`.
 	double phase = 0.0; ///< Cycles that bursts and waves are ahead of frequency·time.
 };
+
+/// How strong (N) and how long (s) the gust at `gust_start` is, if one blows at all.
+float gust_strength(const Wind &wind);
+float gust_duration(const Wind &wind);
 
 /// The force's size (N) at `time` (s). A pure function.
 float wind_strength(const Wind &wind, double time);

@@ -140,12 +140,12 @@ TEST_CASE("tips stay outside of a crate that is pushed through them, to its corn
 	for (const Law law : BOTH_LAWS) {
 		for (const float turn : { 0.0f, 0.5f, 1.5707964f }) {
 			FieldSimulation field((FieldSettings()));
-			std::vector<FieldPlant> plants(41);
+			std::vector<MotionPlant> plants(41);
 			for (int i = 0; i < 41; i++) {
 				plants[static_cast<size_t>(i)].root.z = 0.05f * static_cast<float>(i - 20);
 				plants[static_cast<size_t>(i)].root.x = 0.003f * static_cast<float>(i);
 			}
-			FieldSpecies species = species_of(law);
+			MotionSpecies species = species_of(law);
 			species.collision_radius = 0.0f;
 			field.add_page(field.add_species(species), plants.data(), 41);
 			field.set_wind({ { WindKind::constant, 0.0f }, 0.0f });

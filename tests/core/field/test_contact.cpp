@@ -227,10 +227,10 @@ constexpr float ABSURD_RADIUS = 50.0f; // m.
 
 /// `count` chance plants on 30 x 30 m, as many as fields have, with tips of `radius`.
 FieldSimulation lawn_of(Law law, int count, float radius) {
-	FieldSpecies species = tips_of(law);
+	MotionSpecies species = tips_of(law);
 	species.collision_radius = radius;
 	FieldSimulation field((FieldSettings()));
-	std::vector<FieldPlant> plants;
+	std::vector<MotionPlant> plants;
 	for (int i = 0; i < count; i++) {
 		plants.push_back(chance_plant(i));
 		plants.back().root *= 0.3f;
@@ -248,9 +248,9 @@ void find_contacts(TipContact &contact, FieldSimulation &field) {
 }
 
 /// Two plants 1 m high, each of a species of its own, 0.4 m apart.
-FieldSimulation pair_of(const FieldSpecies &left, const FieldSpecies &right) {
+FieldSimulation pair_of(const MotionSpecies &left, const MotionSpecies &right) {
 	FieldSimulation field((FieldSettings()));
-	FieldPlant plant;
+	MotionPlant plant;
 	field.add_page(field.add_species(left), &plant, 1);
 	plant.root.x = 0.4f;
 	field.add_page(field.add_species(right), &plant, 1);
@@ -320,7 +320,7 @@ TEST_CASE("a crowd of tips with an absurd radius comes to rest") {
 		for (int i = 0; i < 300; i++) {
 			field.apply_impulse(0, i, { 0.3f * signed_noise(31, static_cast<uint64_t>(i)), 0.0f, 0.1f });
 		}
-		FieldSpecies species = tips_of(law);
+		MotionSpecies species = tips_of(law);
 		double most = energy(field, species);
 		const double start = most;
 		for (int i = 0; i < 600; i++) {
@@ -334,14 +334,14 @@ TEST_CASE("a crowd of tips with an absurd radius comes to rest") {
 }
 
 TEST_CASE("large tips touch wherever their species stands among others") {
-	FieldSpecies large = tips_of(Law::elasticity);
+	MotionSpecies large = tips_of(Law::elasticity);
 	large.collision_radius = 0.3f;
-	const FieldSpecies small = tips_of(Law::elasticity);
+	const MotionSpecies small = tips_of(Law::elasticity);
 	for (const bool is_last : { false, true }) {
 		FieldSimulation field((FieldSettings()));
-		std::vector<FieldPlant> plants(2);
+		std::vector<MotionPlant> plants(2);
 		plants[1].root.x = 0.7f;
-		FieldPlant far;
+		MotionPlant far;
 		far.root.x = 30.0f;
 		const int first = field.add_species(is_last ? small : large);
 		const int second = field.add_species(is_last ? large : small);
@@ -372,8 +372,8 @@ TEST_CASE("tips at the very same place part") {
 
 TEST_CASE("of two that meet the heavier one gives way less, and their momentum stays") {
 	for (const Law law : BOTH_LAWS) {
-		FieldSpecies light = tips_of(law);
-		FieldSpecies heavy = tips_of(law);
+		MotionSpecies light = tips_of(law);
+		MotionSpecies heavy = tips_of(law);
 		light.joint.mass = 0.1f;
 		heavy.joint.mass = 0.9f;
 		FieldSimulation field = pair_of(light, heavy);
@@ -396,7 +396,7 @@ TEST_CASE("of two that meet the heavier one gives way less, and their momentum s
 }
 
 TEST_CASE("a radius that grows while plants swing reaches their contact, and bodies that touch them") {
-	FieldSpecies species = tips_of(Law::elasticity);
+	MotionSpecies species = tips_of(Law::elasticity);
 	species.collision_radius = 0.02f;
 	FieldSimulation field = pair_of(species, species);
 	TipContact contact;

@@ -1,5 +1,4 @@
 #include "field_fixture.hpp"
-#include "motion/batch.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,7 +12,6 @@ using namespace undergrowth;
 namespace {
 
 constexpr Law BOTH_LAWS[] = { Law::elasticity, Law::spring };
-constexpr float BATCH_TOLERANCE = 1e-5f; // Rounding of 600 steps with the constants factored in another way.
 /// Of directions at interval 4 beside interval 1, under waves of half a hertz on plants of about one: the wind is
 /// constant for 1/15 s instead of 1/60 s.
 constexpr float INTERVAL_TOLERANCE = 0.01f;
@@ -31,23 +29,18 @@ bool is_whole(const TipState &state) {
 
 } // namespace
 
-TEST_CASE("a plant of a field moves as one of a batch") {
+TEST_CASE("a plant of a field moves as the same plant with a skeleton of its own, to the bit") {
 	for (const Law law : BOTH_LAWS) {
 		MotionPlant plant = chance_plant(3);
-		plant.root = {};
-		plant.rest = glm::normalize(plant.rest);
 		FieldSimulation field = single_plant(law, plant);
-		FieldWind wind = wave_wind();
+		const FieldWind wind = wave_wind();
 		field.set_wind(wind);
-		PendulumBatch batch(law, FIELD_STEP);
-		Joint joint = species_of(law).joint;
-		joint.length = plant.length;
-		joint.rest = plant.rest;
-		batch.add(joint, field.state(0, 0));
+		MotionPage page(0, species_of(law), &plant, 1, FIELD_STEP, true, MotionPage::Keeps::directions);
 		for (int i = 0; i < 600; i++) {
 			field.step();
-			batch.step(wind_force(wind.wind, (i + field.page(0).wind_moment()) * static_cast<double>(FIELD_STEP)));
-			REQUIRE(glm::distance(field.state(0, 0).direction, batch.state(0).direction) < BATCH_TOLERANCE);
+			const double moment = (i + page.wind_moment()) * static_cast<double>(FIELD_STEP);
+			page.step(wind_at_time(wind, moment), winds_along(wind));
+			REQUIRE(field.state(0, 0).direction == page.state(0).direction);
 		}
 	}
 }

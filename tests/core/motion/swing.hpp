@@ -1,7 +1,7 @@
 #pragma once
 
 #include "../golden.hpp"
-#include "motion/batch.hpp"
+#include "motion/motion_page.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-/// What the pendulum tests share: how a swing is recorded and measured, and a hash of a batch.
+/// What the tests of motion share: pages, how a swing is recorded and measured, and a hash of states.
 namespace undergrowth {
 
 inline constexpr float FRAME_STEP = 1.0f / 60.0f; // s, the add-on's usual step.
@@ -27,12 +27,43 @@ inline double deflection(const TipState &state) {
 	return std::atan2(std::sqrt(x * x + z * z), static_cast<double>(state.direction.y));
 }
 
+inline MotionSpecies species_with(Law law, const Joint &joint) {
+	MotionSpecies species;
+	species.law = law;
+	species.joint = joint;
+	return species;
+}
+
+inline MotionPlant plant_with(const Joint &joint) {
+	MotionPlant plant;
+	plant.length = joint.length;
+	plant.rest = joint.rest;
+	return plant;
+}
+
+/// A page of one plant that keeps its directions in floats, in `state` as it was put.
+inline MotionPage plant_page(Law law, const Joint &joint, const TipState &state, float step = FRAME_STEP) {
+	const MotionPlant plant = plant_with(joint);
+	MotionPage page(0, species_with(law, joint), &plant, 1, step, true, MotionPage::Keeps::directions);
+	page.set_state(0, state);
+	page.set_before(0, state.direction);
+	return page;
+}
+
+/// One step under the same horizontal force (N) everywhere.
+inline void step_in(MotionPage &page, const glm::vec3 &force, SimdLevel level = best_simd_level()) {
+	TravellingWind wind = {};
+	wind.steady = std::sqrt(force.x * force.x + force.z * force.z);
+	const float share = wind.steady > 0.0f ? 1.0f / wind.steady : 0.0f;
+	page.step(wind, { nullptr, force.x * share, force.z * share }, level);
+}
+
 /// The direction's x after each of `steps` steps without wind.
-inline std::vector<double> record_x(PendulumBatch &batch, int steps) {
+inline std::vector<double> record_x(MotionPage &page, int steps) {
 	std::vector<double> places;
 	for (int i = 0; i < steps; i++) {
-		batch.step({ 0.0f, 0.0f, 0.0f });
-		places.push_back(static_cast<double>(batch.state(0).direction.x));
+		step_in(page, { 0.0f, 0.0f, 0.0f });
+		places.push_back(static_cast<double>(page.state(0).direction.x));
 	}
 	return places;
 }
@@ -78,10 +109,10 @@ inline double decay_rate_of(const std::vector<double> &series, double sample_tim
 }
 
 /// Of the bits of all states.
-inline uint64_t hash_states(const PendulumBatch &batch) {
+inline uint64_t hash_states(const MotionPage &page) {
 	GoldenHash hash;
-	for (int i = 0; i < batch.size(); i++) {
-		const TipState state = batch.state(i);
+	for (int i = 0; i < page.size(); i++) {
+		const TipState state = page.state(i);
 		hash.add(&state, 1);
 	}
 	return hash.value();

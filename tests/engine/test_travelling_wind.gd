@@ -1,0 +1,97 @@
+## The wind that comes to a plant: where it stands decides when, as in a field, and the middle of a step how strong.
+extends "res://tests/engine/harness.gd"
+
+const STEP := 1.0 / 60.0
+const HEIGHT := 1.0
+## Metres, of tips of one metre: what the wind's way between steps leaves.
+const LATE_TIP := 2e-3
+
+var _plants: Array[Plant3D] = []
+
+
+func after_each() -> void:
+	for plant in _plants:
+		plant.free()
+	_plants.clear()
+
+
+func test_the_wind_of_a_step_is_that_of_its_middle() -> void:
+	var wind := _waves()
+	wind.frequency = 8.0
+	var plant := _add(Vector3(1.5, 0, 0), _species(PlantFunction.LAW_SPRING), wind)
+	plant.simulation_enabled = false
+	plant.species.damping_ratio = 0.0
+	plant.advance(STEP)
+	var omega := TAU * plant.species.natural_frequency
+	var strength := wind.sample(0.5 * STEP - 1.5 / wind.travel_speed).length()
+	var bent := strength * plant.species.wind_weight / (plant.species.mass * omega * omega * HEIGHT)
+	var tip := plant.get_tip_position()
+	check_near(tip.x / tip.y, bent * (1.0 - cos(omega * STEP)), 1e-6, "bend after one step")
+
+
+func test_the_wind_comes_later_to_a_plant_that_stands_downwind() -> void:
+	var wind := _waves()
+	wind.travel_speed = 4.0
+	var near := _add(Vector3.ZERO, _species(PlantFunction.LAW_SPRING), wind)
+	var far := _add(Vector3(4.0, 0, 0), near.species, wind)
+	var aside := _add(Vector3(0, 0, 9.0), near.species, wind)
+	for plant in _plants:
+		plant.simulation_enabled = false
+	var tips := PackedVector3Array()
+	for i in 1800:
+		for plant in _plants:
+			plant.advance(STEP)
+		tips.append(near.get_tip_position())
+		if i > 900:
+			check_near(far.get_tip_position(), tips[i - 60], LATE_TIP, "a second later")
+			check_near(aside.get_tip_position(), tips[i], LATE_TIP, "at once across the wind")
+
+
+func test_a_wind_without_a_travel_speed_blows_everywhere_at_once() -> void:
+	var wind := _waves()
+	wind.travel_speed = 0.0
+	var near := _add(Vector3.ZERO, _species(PlantFunction.LAW_SPRING), wind)
+	var far := _add(Vector3(4.0, 0, 0), near.species, wind)
+	for plant in _plants:
+		plant.simulation_enabled = false
+	for i in 200:
+		near.advance(STEP)
+		far.advance(STEP)
+		check_equal(far.get_tip_position(), near.get_tip_position(), "tip")
+
+
+func test_a_plant_that_is_carried_feels_the_wind_of_its_new_place() -> void:
+	var wind := _waves()
+	wind.travel_speed = 4.0
+	var carried := _add(Vector3.ZERO, _species(PlantFunction.LAW_SPRING), wind)
+	var standing := _add(Vector3(2.0, 0, 0), carried.species, wind)
+	await frames(2)
+	carried.position = Vector3(2.0, 0, 0)
+	carried.set_motion_state(standing.get_motion_state())
+	await frames(60)
+	check_near(carried.get_tip_position(), standing.get_tip_position(), 1e-6, "tip")
+
+
+func _waves() -> PlantWind:
+	var wind := PlantWind.new()
+	wind.strength = 1.0
+	wind.frequency = 0.7
+	wind.direction = PI / 2.0
+	return wind
+
+
+func _species(law: PlantFunction.MotionLaw) -> PlantFunction:
+	var species := TulipFunction.new()
+	species.law = law
+	return species
+
+
+func _add(place: Vector3, species: PlantFunction, wind: PlantWind) -> Plant3D:
+	var plant := Plant3D.new()
+	plant.species = species
+	plant.height = HEIGHT
+	plant.wind = wind
+	plant.position = place
+	root.add_child(plant)
+	_plants.append(plant)
+	return plant
