@@ -37,6 +37,9 @@ public:
 	int add_species(const MotionSpecies &species);
 	/// The motion goes on.
 	void set_species(int index, const MotionSpecies &species);
+	/// Another direction in calm air (unit, y > 0) of a plant of the spring law: after set_species() with another law or
+	/// lean. Its motion goes on; a follower shows a prototype that leans so from now on.
+	void set_rest(int page, int index, const glm::vec3 &rest);
 	int species_count() const { return static_cast<int>(kinds.size()); }
 
 	/// A page of `count` plants of one species, up to MotionPage::PAGE_PLANTS; tells its number, which is the lowest
@@ -163,6 +166,7 @@ private:
 	bool is_due(int page, int64_t number) const;
 	void step_page(Entry &entry, int interval);
 	void update_delays();
+	Follower pick(const MotionPlant &plant, int species) const;
 	LoosePlants &loose_of(const Entry &entry);
 	int count_of_species(int species) const;
 	glm::vec2 followed_bend(const Entry &entry, int index, float fraction) const;

@@ -2,9 +2,12 @@
 
 #include "field/field_simulation.hpp"
 
+#include "base/random.hpp"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <cstring>
 
 namespace undergrowth {
 
@@ -20,6 +23,28 @@ void FieldSimulation::update_delays() {
 	} else {
 		delays.want(plane);
 	}
+}
+
+void FieldSimulation::set_rest(int page, int index, const glm::vec3 &rest) {
+	Entry &entry = at(page);
+	if (entry.page.swings()) {
+		entry.page.set_rest(index, rest);
+		return;
+	}
+	Follower &follower = entry.followers[static_cast<std::size_t>(index)];
+	const uint16_t number = follower.loose;
+	follower = pick({ entry.page.root(index), entry.page.length(index), rest }, entry.page.species());
+	follower.loose = number;
+	entry.loose_version++;
+}
+
+/// Whom a plant follows: by its place, so that it does not depend on the order in which plants came.
+Follower FieldSimulation::pick(const MotionPlant &plant, int species) const {
+	uint32_t place[2];
+	std::memcpy(&place[0], &plant.root.x, sizeof place[0]);
+	std::memcpy(&place[1], &plant.root.z, sizeof place[1]);
+	const uint64_t hash = mix_bits(mix_bits(options.seed ^ place[0]) ^ place[1]);
+	return models[static_cast<std::size_t>(species)].pick(plant, hash);
 }
 
 LoosePlants &FieldSimulation::loose_of(const Entry &entry) {
