@@ -141,22 +141,6 @@ void FieldSimulation::remove_page(int page) {
 	update_box();
 }
 
-void FieldSimulation::remove(int page, int index) {
-	Entry &entry = at(page);
-	if (!entry.followers.empty()) {
-		follow_again(entry, index);
-		entry.followers[static_cast<std::size_t>(index)] = entry.followers.back();
-		entry.followers.pop_back();
-		const bool is_last = index == static_cast<int>(entry.followers.size());
-		const int number = is_last ? 0 : entry.followers[static_cast<std::size_t>(index)].loose;
-		if (number > 0) {
-			loose_of(entry).set_index(number - 1, index);
-		}
-		entry.loose_version++;
-	}
-	entry.page.remove(index);
-}
-
 void FieldSimulation::settle() {
 	for (Entry &entry : entries) {
 		if (entry.page.swings()) {

@@ -27,7 +27,7 @@ struct FieldSettings {
 /// late. A page whose interval is k steps at steps n with n % k == page % k: never all pages in one step (thesis,
 /// section 5.3.1). Nothing allocates between begin_step() and the next change of the field.
 ///
-/// Plants are named by page and index. Removing a plant moves the last one of its page into its place.
+/// Plants are named by page and index, which stay theirs.
 class FieldSimulation {
 public:
 	explicit FieldSimulation(const FieldSettings &settings);
@@ -49,7 +49,6 @@ public:
 	/// Appends plants of its species to a page that has room for them; their indices follow those that are there.
 	/// Tells false, and adds nothing, where a plant is not valid or there is no room.
 	bool add_to_page(int page, const MotionPlant *plants, int count);
-	void remove(int page, int index);
 	/// Takes a plant away; all others keep their index. Its row stays, and no body, blow, contact or question finds it.
 	void drop(int page, int index);
 	/// Takes a page with all its plants away; other pages keep their numbers. Until add_page() gives the number anew,
