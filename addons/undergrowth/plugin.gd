@@ -9,7 +9,7 @@ const ICONS := "icons"
 const DOCK_ICON := "icons/PlantFunction.svg"
 const ICON_SCALE := "editor/icon_scale.gd"
 const INSPECTOR := "editor/inspector/undergrowth_inspector.gd"
-const GIZMOS := "editor/gizmo/plant_gizmos.gd"
+const GIZMOS: Array[String] = ["editor/gizmo/plant_gizmos.gd", "editor/gizmo/field_gizmos.gd"]
 const THUMBNAILS := "editor/thumbnails/plant_thumbnails.gd"
 const TRANSLATIONS := "editor/translations/translations.gd"
 ## A class of the library.
@@ -22,7 +22,9 @@ const ROOMY_SCREEN := 1500.0
 
 var _dock: EditorDock
 var _inspector: EditorInspectorPlugin
-var _gizmos: EditorNode3DGizmoPlugin
+var _gizmos: Array[EditorNode3DGizmoPlugin] = []
+# Where gizmos go whose node is no more.
+var _stand_in: Node3D
 var _thumbnails: EditorResourcePreviewGenerator
 var _translations: Script
 
@@ -51,8 +53,8 @@ func _exit_tree() -> void:
 	if not _dock:
 		return
 	remove_inspector_plugin(_inspector)
-	_gizmos.call(&"close")
-	remove_node_3d_gizmo_plugin(_gizmos)
+	_remove_gizmos()
+	_stand_in.free()  # Only now: they have taken their gizmos from their nodes.
 	EditorInterface.get_resource_previewer().remove_preview_generator(_thumbnails)
 	remove_dock(_dock)
 	_dock.queue_free()
@@ -111,11 +113,25 @@ func _choose_slot() -> EditorDock.DockSlot:
 func _add_helpers() -> void:
 	_inspector = (_load(INSPECTOR) as GDScript).new()
 	add_inspector_plugin(_inspector)
-	_gizmos = (_load(GIZMOS) as GDScript).new()
-	add_node_3d_gizmo_plugin(_gizmos)
-	_gizmos.call(&"setup", get_undo_redo())
+	_add_gizmos()
 	_thumbnails = (_load(THUMBNAILS) as GDScript).new()
 	EditorInterface.get_resource_previewer().add_preview_generator(_thumbnails)
+
+
+func _add_gizmos() -> void:
+	_stand_in = Node3D.new()
+	for file in GIZMOS:
+		var plugin: EditorNode3DGizmoPlugin = (_load(file) as GDScript).new()
+		add_node_3d_gizmo_plugin(plugin)
+		plugin.call(&"setup", get_undo_redo(), _stand_in)
+		_gizmos.append(plugin)
+
+
+func _remove_gizmos() -> void:
+	for plugin in _gizmos:
+		plugin.call(&"close")
+		remove_node_3d_gizmo_plugin(plugin)
+	_gizmos.clear()
 
 
 func _load(file: String) -> Resource:

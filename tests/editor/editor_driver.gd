@@ -28,7 +28,9 @@ const LIMIT_FRAMES := 3000
 ## Seconds after which a line tells that a test goes on.
 const LIFE_SIGN_SECONDS := 10.0
 ## Of so many frames one is drawn: without a graphics card drawing takes nearly all the time.
-const DRAWN_FRAME := 6
+const DRAWN_FRAME := 8
+## And of so many pixels of the 3D viewports one.
+const DRAWN_PIXEL := 4
 
 var _passed := 0
 var _failed := 0
@@ -45,6 +47,8 @@ func _process(_delta: float) -> void:
 
 
 func _run(wish: String) -> void:
+	for i in 4:
+		EditorInterface.get_editor_viewport_3d(i).scaling_3d_scale = sqrt(1.0 / DRAWN_PIXEL)
 	await _wait_for_editor()
 	print("start")
 	for path in _scripts(wish):

@@ -15,7 +15,9 @@ func test_assign_lets_a_species_grow_in_a_field() -> void:
 	check_equal(field.species.size(), 2, "species after assigning")
 	check(field.species[1] is ReedFunction, "the second is the chosen one")
 	check_equal(field.shares, PackedFloat32Array([3.0, 1.0]), "shares")
+	check(field.wind and field.wind != _state().wind, "it has a wind of its own now")
 	await undo()
+	check(not field.wind, "no wind after undo")
 	check_equal(field.species.size(), 1, "species after undo")
 	check_equal(field.shares, PackedFloat32Array([3.0]), "shares after undo")
 	await redo()
@@ -23,6 +25,50 @@ func test_assign_lets_a_species_grow_in_a_field() -> void:
 	await _use("Assign")
 	check_equal(field.species.size(), 2, "species after assigning again")
 	check_equal(EditorInterface.save_scene(), OK, "saving")
+
+
+func test_assign_leaves_the_wind_of_a_field() -> void:
+	var field := await _open_field()
+	var own := PlantWind.new()
+	field.wind = own
+	await _choose("Tulip")
+	_select([field])
+	await _use("Assign")
+	check_equal(field.species.size(), 2, "species after assigning")
+	check(field.wind == own, "it keeps its wind")
+	await undo()
+
+
+func test_add_as_field_is_one_step() -> void:
+	await _open_field()
+	var root := EditorInterface.get_edited_scene_root()
+	_select([root.get_child(0)])
+	await _choose("Tulip")
+	await _use("AddField")
+	check_equal(root.get_child_count(), 2, "children after adding")
+	var field := root.get_child(-1) as PlantField3D
+	check(field != null and field.owner == root, "it is a field, saved with the scene")
+	check_equal(field.name, &"TulipField", "its name")
+	check(field.species[0] is TulipFunction, "tulips grow in it")
+	check(field.species[0] != _state().function, "the dock's own species stays out of the scene")
+	check_equal(field.wind.strength, _state().wind.strength, "strength of its wind")
+	check(field.wind != _state().wind, "the dock's own wind stays out of the scene")
+	check_equal(
+		EditorInterface.get_selection().get_selected_nodes(), [field] as Array[Node], "selected"
+	)
+	check(_message().contains("TulipField"), "it tells: " + _message())
+	check(await until(func() -> bool: return field.get_plant_count() > 0), "plants stand in it")
+	await undo()
+	check_equal(root.get_child_count(), 1, "children after undo")
+	await redo()
+	check_equal(root.get_child_count(), 2, "children after redo")
+	await undo()
+
+
+func test_add_as_field_needs_a_scene() -> void:
+	await _close_all_scenes()
+	await _use("AddField")
+	check(_message().contains("no scene"), "add: " + _message())
 
 
 func _open_field() -> PlantField3D:
@@ -35,5 +81,7 @@ func _open_field() -> PlantField3D:
 	field.size = Vector2(2, 2)
 	root.add_child(field)
 	field.owner = root
+	if SCENE in EditorInterface.get_open_scenes():
+		await _close_all_scenes()
 	await _open_scene(SCENE, root)
 	return EditorInterface.get_edited_scene_root().get_child(0) as PlantField3D

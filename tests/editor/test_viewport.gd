@@ -1,11 +1,10 @@
 @tool
-extends "editor_test.gd"
+extends "viewport_test.gd"
 ## Plants in the editor's viewport and resources in its inspector.
 
 const ForceGraph := preload("res://addons/undergrowth/editor/widgets/force_graph.gd")
 const PLANT_VIEW := "res://addons/undergrowth/editor/inspector/plant_inspector_view.gd"
 const WIND_VIEW := "res://addons/undergrowth/editor/inspector/wind_inspector_view.gd"
-const SCENE_FILE := "res://viewport.tscn"
 const SCRIPT_FILE := "res://viewport_species.gd"
 ## A script that cannot run in the editor.
 const SCRIPT := """extends PlantFunction
@@ -20,9 +19,9 @@ var _has_answer := false
 
 
 func test_click_selects_a_plant() -> void:
-	var plant := await _open_scene()
+	var plant := await _open_plant()
 	EditorInterface.get_selection().clear()
-	await click(_view(), _place_of(plant, plant.get_plant_height() * 0.9))
+	await click(_view(), _tip_of(plant, 0.9))
 	await frames(2)
 	check_equal(
 		EditorInterface.get_selection().get_selected_nodes(), [plant] as Array[Node], "selection"
@@ -30,12 +29,12 @@ func test_click_selects_a_plant() -> void:
 
 
 func test_height_handle_is_one_step() -> void:
-	var plant := await _open_scene()
+	var plant := await _open_plant()
 	EditorInterface.get_selection().clear()
 	EditorInterface.get_selection().add_node(plant)
 	await frames(5)
 	var before := plant.get_plant_height()
-	var from := _place_of(plant, before)
+	var from := _tip_of(plant)
 	await drag(_view(), from, from + Vector2(0, -40))
 	check(plant.height > before, "the plant grows from %f to %f m" % [before, plant.height])
 	var manager := EditorInterface.get_editor_undo_redo()
@@ -43,17 +42,6 @@ func test_height_handle_is_one_step() -> void:
 	check_equal(history.get_current_action_name(), tr("Change Plant Height"), "name of the step")
 	await undo()
 	check_equal(plant.height, 0.0, "height after undo")
-
-
-func test_gizmos_return_with_the_plugin() -> void:
-	var plant := await _open_scene()
-	check_equal(plant.get_gizmos().size(), 1, "gizmos")
-	EditorInterface.set_plugin_enabled("undergrowth", false)
-	await frames(5)
-	check_equal(plant.get_gizmos().size(), 0, "gizmos without the plugin")
-	EditorInterface.set_plugin_enabled("undergrowth", true)
-	await frames(5)
-	check_equal(plant.get_gizmos().size(), 1, "gizmos with the plugin again")
 
 
 func test_inspector_shows_a_moving_plant() -> void:
@@ -113,38 +101,6 @@ func test_species_files_have_thumbnails() -> void:
 func _on_thumbnail(_path: String, preview: Texture2D, _small: Texture2D, _data: Variant) -> void:
 	_thumbnail = preview
 	_has_answer = true
-
-
-func _open_scene() -> Plant3D:
-	var root := Node3D.new()
-	root.name = "Meadow"
-	var plant := Plant3D.new()
-	plant.function = TulipFunction.new()
-	root.add_child(plant)
-	plant.owner = root
-	var scene := PackedScene.new()
-	scene.pack(root)
-	root.free()
-	ResourceSaver.save(scene, SCENE_FILE)
-	if SCENE_FILE in EditorInterface.get_open_scenes():
-		EditorInterface.reload_scene_from_path(SCENE_FILE)
-	EditorInterface.open_scene_from_path(SCENE_FILE)
-	EditorInterface.set_main_screen_editor("3D")
-	await frames(10)
-	return EditorInterface.get_edited_scene_root().get_child(0)
-
-
-## The control over the first 3D viewport that takes the mouse.
-func _view() -> Control:
-	return EditorInterface.get_editor_viewport_3d(0).get_parent() as Control
-
-
-## Where the point at [param height] on the plant's axis is drawn.
-func _place_of(plant: Plant3D, height: float) -> Vector2:
-	var viewport := EditorInterface.get_editor_viewport_3d(0)
-	var point := plant.to_global(Vector3(0, height, 0))
-	var pixel := viewport.get_camera_3d().unproject_position(point)
-	return pixel * _view().size / Vector2(viewport.size)
 
 
 func _find_in_inspector(script_path: String) -> Node:

@@ -37,9 +37,9 @@ public:
 	int add_species(const MotionSpecies &species);
 	/// The motion goes on.
 	void set_species(int index, const MotionSpecies &species);
-	/// Another direction in calm air (unit, y > 0) of a plant of the spring law: after set_species() with another law or
-	/// lean. Its motion goes on; a follower shows a prototype that leans so from now on.
-	void set_rest(int page, int index, const glm::vec3 &rest);
+	/// Other directions in calm air (unit, y > 0) of all plants of a page, of the spring law: after set_species() with
+	/// another law or lean. Their motion goes on; followers show prototypes that lean so from now on.
+	void set_rests(int page, const glm::vec3 *rests);
 	int species_count() const { return static_cast<int>(kinds.size()); }
 
 	/// A page of `count` plants of one species, up to MotionPage::PAGE_PLANTS; tells its number, which is the lowest

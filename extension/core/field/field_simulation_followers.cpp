@@ -25,16 +25,18 @@ void FieldSimulation::update_delays() {
 	}
 }
 
-void FieldSimulation::set_rest(int page, int index, const glm::vec3 &rest) {
+void FieldSimulation::set_rests(int page, const glm::vec3 *rests) {
 	Entry &entry = at(page);
 	if (entry.page.swings()) {
-		entry.page.set_rest(index, rest);
+		entry.page.set_rests(rests);
 		return;
 	}
-	Follower &follower = entry.followers[static_cast<std::size_t>(index)];
-	const uint16_t number = follower.loose;
-	follower = pick({ entry.page.root(index), entry.page.length(index), rest }, entry.page.species());
-	follower.loose = number;
+	for (int i = 0; i < entry.page.size(); i++) {
+		Follower &follower = entry.followers[static_cast<std::size_t>(i)];
+		const uint16_t number = follower.loose;
+		follower = pick({ entry.page.root(i), entry.page.length(i), rests[i] }, entry.page.species());
+		follower.loose = number;
+	}
 	entry.loose_version++;
 }
 

@@ -171,17 +171,13 @@ void MotionPage::set_state(int index, const TipState &state) {
 
 void MotionPage::take_motion(int index, const MotionPage &other, int from) {
 	if (!is_swinging || !other.is_swinging) {
-		return;
+		return; // Who follows a prototype has no motion of its own.
 	}
 	set_state(index, other.state(from));
 	set_before(index, other.before(from));
 	if (has_bends() && other.has_bends()) {
 		std::copy_n(other.pairs.begin() + 2 * from, 2, pairs.begin() + 2 * index);
 	}
-}
-
-void MotionPage::set_rest(int index, const glm::vec3 &rest) {
-	put_rest(index, rest);
 }
 
 glm::vec3 MotionPage::before(int index) const {
@@ -199,13 +195,16 @@ glm::vec3 MotionPage::before(int index) const {
 
 void MotionPage::set_before(int index, const glm::vec3 &direction) {
 	const TipState safe = safe_state({ direction, {} });
-	if (has_bends()) {
+	if (!is_swinging) {
+		return;
+	}
+	if (!keeps_directions) {
 		pairs[2 * static_cast<std::size_t>(index)] = encode_bend(safe.direction);
-	} else if (is_swinging && kind.law == Law::elasticity) {
+	} else if (kind.law == Law::elasticity) {
 		column(LAST_X)[index] = safe.direction.x;
 		column(LAST_Y)[index] = safe.direction.y;
 		column(LAST_Z)[index] = safe.direction.z;
-	} else if (is_swinging) {
+	} else {
 		const GnomonicState flat = to_gnomonic(safe);
 		column(FLAT_LAST_X)[index] = flat.x;
 		column(FLAT_LAST_Z)[index] = flat.z;

@@ -103,8 +103,6 @@ public:
 	void set_state(int index, const TipState &state);
 	/// Plant `from` of another page, of any law, goes on as plant `index`, and is drawn where it was.
 	void take_motion(int index, const MotionPage &other, int from);
-	/// Another direction in calm air (unit, y > 0), of the spring law; the motion goes on.
-	void set_rest(int index, const glm::vec3 &rest);
 	/// Where a plant pointed before its last step, as it is drawn.
 	glm::vec3 before(int index) const;
 	void set_before(int index, const glm::vec3 &direction);

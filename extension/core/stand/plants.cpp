@@ -30,7 +30,7 @@ template <class T> void append_column(std::vector<T> &column, const std::vector<
 }
 
 template <class T> std::vector<T> pick(const std::vector<T> &column, const std::vector<int> &order) {
-	std::vector<T> picked(column.size());
+	std::vector<T> picked(order.size());
 	for (std::size_t i = 0; i < picked.size(); i++) {
 		picked[i] = column[static_cast<std::size_t>(order[i])];
 	}

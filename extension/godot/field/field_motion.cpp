@@ -185,12 +185,14 @@ void FieldMotion::set_species(int index, const FieldLook &look, const PlantStore
 	simulation->set_species(index, look.motion);
 	for (int block = 0; block < store.block_count(); block++) {
 		const PlantBlock &plants = store.block(block);
-		for (int slot = 0; plants.size() > 0 && plants.species == index && page_of(block) >= 0 && slot < plants.size();
-				slot++) {
-			if (!plants.is_gone(slot)) {
-				simulation->page(page_of(block)).set_rest(slot, look.to_simulate(plants.plants.plant(slot)).rest);
-			}
+		if (plants.size() == 0 || plants.species != index || page_of(block) < 0) {
+			continue;
 		}
+		std::vector<glm::vec3> rests;
+		for (int slot = 0; slot < plants.size(); slot++) {
+			rests.push_back(look.to_simulate(plants.plants.plant(slot)).rest);
+		}
+		simulation->set_rests(page_of(block), rests.data());
 	}
 	fit_contact(touches);
 }

@@ -142,6 +142,7 @@ void Meadow::adopt(FieldFill &finished) {
 	FieldResult &result = finished.finish();
 	motion.wait();
 	skeletons.release_all(motion);
+	view.clear(); // Before the materials go that it wears.
 	style = std::move(result.style);
 	for (FieldLook &look : style.looks) {
 		look.read_motion(); // It may have changed meanwhile.
@@ -154,7 +155,6 @@ void Meadow::adopt(FieldFill &finished) {
 	edit.species_numbers = finished.species_numbers();
 	const ChangeSet changes = store.apply(std::move(edit));
 	motion.adopt(result, changes, store, style);
-	view.clear();
 	motion.upload();
 	dress();
 	view.show_filled(style, result.plans);

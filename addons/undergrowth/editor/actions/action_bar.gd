@@ -29,6 +29,7 @@ var _save_dialog: EditorFileDialog
 var _options: BakeOptions
 
 @onready var _add: Button = %Add
+@onready var _add_field: Button = %AddField
 @onready var _assign: Button = %Assign
 @onready var _save: Button = %Save
 @onready var _new: Button = %New
@@ -44,6 +45,7 @@ func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> vo
 	_undo = undo
 	_dock = dock
 	_add.pressed.connect(_on_add_pressed)
+	_add_field.pressed.connect(_on_add_field_pressed)
 	_assign.pressed.connect(_on_assign_pressed)
 	_save.pressed.connect(_on_save_pressed)
 	_new.pressed.connect(_new_dialog.ask)
@@ -64,6 +66,7 @@ func _notification(what: int) -> void:
 
 func _dress() -> void:
 	_add.icon = get_theme_icon(&"Add", &"EditorIcons")
+	_add_field.icon = get_theme_icon(&"MultiMeshInstance3D", &"EditorIcons")
 	_assign.icon = get_theme_icon(&"Paint", &"EditorIcons")
 	_save.icon = get_theme_icon(&"Save", &"EditorIcons")
 	_new.icon = get_theme_icon(&"ScriptCreate", &"EditorIcons")
@@ -71,7 +74,7 @@ func _dress() -> void:
 
 
 func _refresh() -> void:
-	for button: Button in [_add, _assign, _save]:
+	for button: Button in [_add, _add_field, _assign, _save]:
 		button.disabled = not _state.function
 	_bake.disabled = not _state.function or _state.work_total > 0
 
@@ -86,9 +89,22 @@ func _on_add_pressed() -> void:
 	plant.height = _state.height
 	plant.seed = _state.seed_value
 	plant.lod = _state.lod
+	_add_to_scene(root, plant)
+
+
+func _on_add_field_pressed() -> void:
+	var root := _find_root()
+	if not root or not _can_build():
+		return
+	var function := SceneActions.to_scene_function(_state.function, root)
+	var wind := SceneActions.to_scene_wind(_state.wind, root)
+	_add_to_scene(root, SceneActions.make_field(function, wind, _state.title))
+
+
+func _add_to_scene(root: Node, plant: Node3D) -> void:
 	var point := Ground.find_point(EditorInterface.get_editor_viewport_3d(0))
 	var parent := SceneActions.get_parent_for_new(root)
-	SceneActions.add_plant(_undo, root, parent, plant, point)
+	SceneActions.add(_undo, root, parent, plant, point)
 	_select(plant)
 	_state.report(tr("Added %s to the scene.") % plant.name)
 
@@ -102,7 +118,8 @@ func _on_assign_pressed() -> void:
 		_warn(tr("Nothing is selected. Select Plant3D or PlantField3D nodes in the scene."))
 		return
 	var function := SceneActions.to_scene_function(_state.function, root)
-	SceneActions.assign(_undo, root, plants, function)
+	var wind := SceneActions.to_scene_wind(_state.wind, root)
+	SceneActions.assign(_undo, root, plants, function, wind)
 	_state.report(_tell_assigned(plants))
 
 

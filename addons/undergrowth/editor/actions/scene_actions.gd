@@ -11,13 +11,14 @@ const NOT_COMPARED: Array[StringName] = [
 ]
 
 
-## Adds a plant of [param function] below [param parent] in the scene of [param root], upright at
-## [param point] of the world.
-static func add_plant(
-	undo: EditorUndoRedoManager, root: Node, parent: Node, plant: Plant3D, point: Vector3
+## Adds [param plant], a single one or a field, below [param parent] in the scene of [param root],
+## upright at [param point] of the world.
+static func add(
+	undo: EditorUndoRedoManager, root: Node, parent: Node, plant: Node3D, point: Vector3
 ) -> void:
+	var title := "Add Field" if plant is PlantField3D else "Add Plant"
 	plant.transform = _local_place(parent as Node3D, point)
-	undo.create_action(Translations.text("Add Plant"), UndoRedo.MERGE_DISABLE, root)
+	undo.create_action(Translations.text(title), UndoRedo.MERGE_DISABLE, root)
 	undo.add_do_method(parent, &"add_child", plant, true)
 	undo.add_do_property(plant, &"owner", root)
 	undo.add_do_reference(plant)
@@ -34,15 +35,30 @@ static func make_plant(function: PlantFunction, wind: PlantWind, title: String) 
 	return plant
 
 
+## A field of that species that is ready to be added.
+static func make_field(function: PlantFunction, wind: PlantWind, title: String) -> PlantField3D:
+	var field := PlantField3D.new()
+	field.name = FileNames.to_node_name(title) + "Field"
+	field.species = [function]
+	field.wind = wind
+	return field
+
+
 ## Gives all [param plants] of the scene of [param root] the same function: single plants become
-## that species, and in fields it grows beside those that they have.
+## that species, and in fields it grows beside those that they have. Fields in still air get
+## [param wind].
 static func assign(
-	undo: EditorUndoRedoManager, root: Node, plants: Array[Node3D], function: PlantFunction
+	undo: EditorUndoRedoManager,
+	root: Node,
+	plants: Array[Node3D],
+	function: PlantFunction,
+	wind: PlantWind
 ) -> void:
 	undo.create_action(Translations.text("Assign Plant Function"), UndoRedo.MERGE_DISABLE, root)
 	for plant in plants:
 		if plant is PlantField3D:
 			_add_species(undo, plant as PlantField3D, function)
+			_add_wind(undo, plant as PlantField3D, wind)
 		else:
 			undo.add_do_property(plant, &"function", function)
 			undo.add_undo_property(plant, &"function", plant.get(&"function"))
@@ -58,11 +74,11 @@ static func get_selected_plants(root: Node) -> Array[Node3D]:
 	return plants
 
 
-## Where a new plant belongs: below the selected Node3D, but not below another plant.
+## Where a new plant belongs: below the selected Node3D, but not below another plant or a field.
 static func get_parent_for_new(root: Node) -> Node:
 	for node in EditorInterface.get_selection().get_selected_nodes():
 		var parent := node
-		while parent is Plant3D and parent != root:
+		while ScenePlants.is_plant(parent) and parent != root:
 			parent = parent.get_parent()
 		if parent is Node3D and _is_saved_with(parent, root):
 			return parent
@@ -84,7 +100,7 @@ static func to_scene_function(function: PlantFunction, root: Node) -> PlantFunct
 static func to_scene_wind(fallback: PlantWind, root: Node) -> PlantWind:
 	for plant in ScenePlants.all(root):
 		var wind: PlantWind = plant.get(&"wind")
-		if wind:
+		if wind and ScenePlants.is_wind_kept(root, wind):
 			return wind
 	return fallback.duplicate() as PlantWind
 
@@ -114,6 +130,15 @@ static func _add_species(
 		shares.append(1.0)
 		undo.add_do_property(field, &"shares", shares)
 		undo.add_undo_property(field, &"shares", field.shares)
+
+
+static func _add_wind(
+	undo: EditorUndoRedoManager, field: PlantField3D, wind: PlantWind
+) -> void:
+	if field.wind:
+		return
+	undo.add_do_property(field, &"wind", wind)
+	undo.add_undo_property(field, &"wind", null)
 
 
 static func _is_saved_with(node: Node, root: Node) -> bool:

@@ -1,6 +1,6 @@
 @tool
 extends RefCounted
-## Line shapes for the gizmo of plants, as pairs of points.
+## Line shapes for gizmos, as pairs of points.
 
 const ARC_STEPS := 24
 
@@ -13,6 +13,15 @@ static func box(box: AABB) -> PackedVector3Array:
 			if not i & axis_bit:
 				lines.append(_corner(box, i))
 				lines.append(_corner(box, i | axis_bit))
+	return lines
+
+
+## A line through all of [param points] and back to the first.
+static func loop(points: PackedVector3Array) -> PackedVector3Array:
+	var lines := PackedVector3Array()
+	for i in points.size():
+		lines.append(points[i])
+		lines.append(points[(i + 1) % points.size()])
 	return lines
 
 

@@ -1,12 +1,10 @@
 @tool
-extends EditorNode3DGizmoPlugin
+extends "kept_gizmos.gd"
 ## The gizmo of Plant3D: a click on the plant's mesh selects it. A selected plant shows a handle for
 ## its height, where its tip is and how far it is bent, where its wind blows to, and the box that
 ## holds it in every bend.
 
 const GizmoShapes := preload("gizmo_shapes.gd")
-const Translations := preload("../translations/translations.gd")
-const ScenePlants := preload("../wind_page/scene_plants.gd")
 const SceneWind := preload("../wind_page/scene_wind.gd")
 
 const HEIGHT_HANDLE := 0
@@ -18,45 +16,16 @@ const SNAP_STEP := 0.1
 ## Below this deflection, in radians, nothing is drawn for the bend.
 const LEAST_BEND := 0.005
 
-var _undo: EditorUndoRedoManager
 # What was drawn of each selected plant: its gizmo is drawn anew when that is no longer true.
 var _drawn: Dictionary[int, Array] = {}
 
 
 func _init() -> void:
-	set_translation_domain(Translations.DOMAIN)
+	super()
 	add_material("box", _line_material(Color(0.6, 0.8, 0.6, 0.2), false))
 	add_material("bend", _line_material(Color(1.0, 0.8, 0.25, 0.9), true))
 	add_material("wind", _line_material(Color(0.45, 0.75, 1.0, 0.9), true))
 	create_handle_material("height")
-
-
-# As bright for every selected plant, where the editor's own materials are bright for one only.
-func _line_material(color: Color, on_top: bool) -> StandardMaterial3D:
-	var material := StandardMaterial3D.new()
-	material.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
-	material.transparency = BaseMaterial3D.TRANSPARENCY_ALPHA
-	material.albedo_color = color
-	material.no_depth_test = on_top
-	material.disable_fog = true
-	return material
-
-
-## Changes are steps of [param undo].
-func setup(undo: EditorUndoRedoManager) -> void:
-	_undo = undo
-	var tree := Engine.get_main_loop() as SceneTree
-	tree.process_frame.connect(_follow_selected)
-	EditorInterface.get_selection().selection_changed.connect(_on_selection_changed)
-	_ask_for_gizmos.call_deferred()
-
-
-## Lets go of the editor. Call it before the plugin is removed.
-func close() -> void:
-	var tree := Engine.get_main_loop() as SceneTree
-	tree.process_frame.disconnect(_follow_selected)
-	EditorInterface.get_selection().selection_changed.disconnect(_on_selection_changed)
-	_drawn.clear()
 
 
 func _get_gizmo_name() -> String:
@@ -74,7 +43,7 @@ func _redraw(gizmo: EditorNode3DGizmo) -> void:
 	if not mesh:
 		return
 	gizmo.add_collision_triangles(mesh.generate_triangle_mesh())
-	if not EditorInterface.get_selection().get_selected_nodes().has(plant):
+	if not _is_selected(plant):
 		return
 	gizmo.add_lines(GizmoShapes.box(plant.get_reach()), get_material("box", gizmo))
 	_draw_bend(gizmo, plant)
@@ -89,13 +58,16 @@ func _get_handle_name(_gizmo: EditorNode3DGizmo, _id: int, _secondary: bool) -> 
 
 
 func _get_handle_value(gizmo: EditorNode3DGizmo, _id: int, _secondary: bool) -> Variant:
-	return (gizmo.get_node_3d() as Plant3D).height
+	var plant := gizmo.get_node_3d() as Plant3D
+	return plant.height if plant else 0.0
 
 
 func _set_handle(
 	gizmo: EditorNode3DGizmo, _id: int, _secondary: bool, camera: Camera3D, point: Vector2
 ) -> void:
 	var plant := gizmo.get_node_3d() as Plant3D
+	if not plant:
+		return
 	var height := _height_under(plant, camera, point)
 	var step := SNAP_STEP if Input.is_key_pressed(KEY_CTRL) else STEP
 	plant.height = clampf(snappedf(height, step), LEAST_HEIGHT, MOST_HEIGHT)
@@ -105,11 +77,13 @@ func _commit_handle(
 	gizmo: EditorNode3DGizmo, _id: int, _secondary: bool, restore: Variant, cancel: bool
 ) -> void:
 	var plant := gizmo.get_node_3d() as Plant3D
+	if not plant:
+		return
 	var height := plant.height
 	plant.height = restore
 	if cancel or is_equal_approx(height, restore):
 		return
-	_undo.create_action(tr("Change Plant Height"), UndoRedo.MERGE_ENDS, plant)
+	_undo.create_action(tr("Change Plant Height"), UndoRedo.MERGE_DISABLE, plant)
 	for other in _plants_to_change(plant):
 		_undo.add_do_property(other, &"height", height)
 		_undo.add_undo_property(other, &"height", other.height)
@@ -172,13 +146,6 @@ static func _wind_direction(wind: PlantWind) -> Vector3:
 	return Vector3.BACK.rotated(Vector3.UP, deg_to_rad(wind.direction_degrees))
 
 
-# Plants of a scene that was open before the plugin asked in vain: they must ask again.
-func _ask_for_gizmos() -> void:
-	for plant in ScenePlants.all(EditorInterface.get_edited_scene_root()):
-		plant.clear_gizmos()
-		plant.update_gizmos()
-
-
 # Plants that were selected lose their handle, those that are now get one.
 func _on_selection_changed() -> void:
 	for id in _drawn:
@@ -188,7 +155,7 @@ func _on_selection_changed() -> void:
 	_drawn.clear()
 
 
-func _follow_selected() -> void:
+func _follow() -> void:
 	for node in EditorInterface.get_selection().get_selected_nodes():
 		var plant := node as Plant3D
 		if not plant:

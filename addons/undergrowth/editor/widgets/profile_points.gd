@@ -13,6 +13,8 @@ const CURVE := &"width_curve"
 var _function: CurvePlantFunction
 var _undo: EditorUndoRedoManager
 var _grabbed := -1
+# The curve whose point is grabbed, and its points before.
+var _dragged: Curve
 var _before: Array = []
 
 
@@ -24,10 +26,15 @@ func setup(undo: EditorUndoRedoManager) -> void:
 
 ## Shows the points of [param function]; null shows none.
 func edit(function: CurvePlantFunction) -> void:
+	_let_go()
 	_function = function
-	_grabbed = -1
 	visible = function != null
 	queue_redraw()
+
+
+# A plugin that is switched off takes the mouse's hold away.
+func _exit_tree() -> void:
+	_let_go()
 
 
 func _gui_input(event: InputEvent) -> void:
@@ -63,11 +70,18 @@ func _on_left_button(button: InputEventMouseButton) -> void:
 		_add_point(button.position)
 	elif button.pressed:
 		_grabbed = _find_point(button.position)
-		_before = _curve().get(POINTS) if _curve() else []
-	elif _grabbed >= 0:
-		_grabbed = -1
-		_remember(tr("Move Width Point"), _before)
+		_dragged = _curve()
+		_before = _dragged.get(POINTS) if _dragged else []
+	else:
+		_let_go()
 	queue_redraw()
+
+
+# However a drag ends, what it has changed is a step of undo.
+func _let_go() -> void:
+	if _grabbed >= 0 and _curve() == _dragged:
+		_remember(tr("Move Width Point"), _before)
+	_grabbed = -1
 
 
 func _find_point(place: Vector2) -> int:
@@ -82,6 +96,9 @@ func _find_point(place: Vector2) -> int:
 
 
 func _move(place: Vector2) -> void:
+	if _curve() != _dragged:  # Undo put another one in.
+		_grabbed = -1
+		return
 	var point := _to_point(place)
 	_grabbed = _curve().set_point_offset(_grabbed, point.x)
 	_curve().set_point_value(_grabbed, point.y)

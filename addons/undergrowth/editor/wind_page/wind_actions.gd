@@ -22,7 +22,8 @@ func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
 
 
 ## Writes the values to the winds of the selected plants, or of all plants where none is selected.
-## Plants without a wind get a new one that they share. One step of undo.
+## Plants without a wind, or whose wind is saved in another scene, get a new one that they share. One
+## step of undo.
 func apply() -> void:
 	var root := EditorInterface.get_edited_scene_root()
 	var plants := ScenePlants.chosen()
@@ -32,12 +33,13 @@ func apply() -> void:
 	var calm: Array[Node3D] = []
 	for plant in plants:
 		var wind: PlantWind = plant.get(&"wind")
-		if not wind:
+		if not _has_own_wind(root, plant):
 			calm.append(plant)
 		elif not winds.has(wind):
 			winds.append(wind)
-	var is_needed := winds.any(_differs) or calm.size() > 0
-	if not is_needed:
+	var lacks := func(plant: Node3D) -> bool:
+		return not plant.get(&"wind") or _differs(plant.get(&"wind"))
+	if not winds.any(_differs) and not calm.any(lacks):
 		_state.report(tr("The plants have this wind already."))
 		return
 	_undo.create_action(tr("Apply Wind to Plants"), UndoRedo.MERGE_DISABLE, root)
@@ -102,13 +104,19 @@ func _may_apply(root: Node, plants: Array[Node3D]) -> bool:
 		_state.report(tr("The scene has no plants yet. Add one on the Plant page."), WARNING)
 		return false
 	for plant in plants:
-		if not ScenePlants.is_saved_with(root, plant) and not plant.get(&"wind"):
+		if not ScenePlants.is_saved_with(root, plant) and not _has_own_wind(root, plant):
 			var advice := tr(
 				"%s belongs to another scene. Open that scene, or make its children editable."
 			)
 			_state.report(advice % plant.name, WARNING)
 			return false
 	return true
+
+
+# True for a wind whose changes are saved.
+func _has_own_wind(root: Node, plant: Node3D) -> bool:
+	var wind: PlantWind = plant.get(&"wind")
+	return wind and ScenePlants.is_wind_kept(root, wind)
 
 
 func _differs(wind: PlantWind) -> bool:
@@ -129,7 +137,7 @@ func _add_new_wind(plants: Array[Node3D]) -> void:
 	_undo.add_do_reference(wind)
 	for plant in plants:
 		_undo.add_do_property(plant, &"wind", wind)
-		_undo.add_undo_property(plant, &"wind", null)
+		_undo.add_undo_property(plant, &"wind", plant.get(&"wind"))
 
 
 func _copy(from: PlantWind, to: PlantWind) -> void:

@@ -1,0 +1,170 @@
+@tool
+extends "kept_gizmos.gd"
+## The gizmo of PlantField3D: a click into its area selects it. Its border is always drawn, and while
+## it is selected the box that holds its plants, and a handle on each side of a rectangle.
+
+const FieldOutline := preload("field_outline.gd")
+const GizmoShapes := preload("gizmo_shapes.gd")
+
+const LEAST_SIZE := 0.1
+## Metres as far as a handle can be dragged out.
+const FARTHEST := 4096.0
+## Steps of the size in metres while a handle is dragged, and while Ctrl is held, too.
+const STEP := 0.01
+const SNAP_STEP := 0.5
+## Height of the box in metres where a field does not know its own.
+const LEAST_BOX := 0.5
+## The way out of the rectangle on each side, in the order of the handles' ids.
+const SIDES: Array[Vector3] = [Vector3.RIGHT, Vector3.LEFT, Vector3.BACK, Vector3.FORWARD]
+
+# What was drawn of each field: its gizmo is drawn anew when that is no longer true.
+var _drawn: Dictionary[int, Array] = {}
+
+
+func _init() -> void:
+	super()
+	add_material("border", _line_material(Color(0.45, 0.85, 0.4, 0.5), false))
+	add_material("chosen", _line_material(Color(0.55, 1.0, 0.45, 1.0), true))
+	add_material("box", _line_material(Color(0.6, 0.8, 0.6, 0.2), false))
+	create_handle_material("side")
+
+
+func _get_gizmo_name() -> String:
+	return "PlantField3D"
+
+
+func _has_gizmo(node: Node3D) -> bool:
+	return node is PlantField3D
+
+
+func _redraw(gizmo: EditorNode3DGizmo) -> void:
+	gizmo.clear()
+	var field := gizmo.get_node_3d() as PlantField3D
+	var corners := FieldOutline.of(field) if field else PackedVector3Array()
+	if corners.size() < 3:
+		return
+	var border := GizmoShapes.loop(corners)
+	gizmo.add_collision_segments(border)
+	_add_area(gizmo, corners)
+	var is_selected := _is_selected(field)
+	gizmo.add_lines(border, get_material("chosen" if is_selected else "border", gizmo))
+	if not is_selected:
+		return
+	gizmo.add_lines(GizmoShapes.box(_box_of(field, corners)), get_material("box", gizmo))
+	if FieldOutline.is_rectangle(field):
+		_add_handles(gizmo, field)
+
+
+func _get_handle_name(_gizmo: EditorNode3DGizmo, _id: int, _secondary: bool) -> String:
+	return tr("Size")
+
+
+## The size and the place of the field: the side across stays where it is.
+func _get_handle_value(gizmo: EditorNode3DGizmo, _id: int, _secondary: bool) -> Variant:
+	var field := gizmo.get_node_3d() as PlantField3D
+	return [field.size, field.position] if field else []
+
+
+func _set_handle(
+	gizmo: EditorNode3DGizmo, id: int, _secondary: bool, camera: Camera3D, point: Vector2
+) -> void:
+	var field := gizmo.get_node_3d() as PlantField3D
+	if not field:
+		return
+	var side := SIDES[id]
+	var axis := 0 if side.x else 1
+	var half := field.size[axis] * 0.5
+	var reach := _reach_under(field, side, camera, point)
+	var step := SNAP_STEP if Input.is_key_pressed(KEY_CTRL) else STEP
+	var is_both := Input.is_key_pressed(KEY_ALT)
+	var length := snappedf(reach * 2.0 if is_both else reach + half, step)
+	var size := field.size
+	size[axis] = maxf(length, LEAST_SIZE)
+	if not is_both:
+		field.translate_object_local(side * (size[axis] * 0.5 - half))
+	field.size = size
+
+
+func _commit_handle(
+	gizmo: EditorNode3DGizmo, _id: int, _secondary: bool, restore: Variant, cancel: bool
+) -> void:
+	var field := gizmo.get_node_3d() as PlantField3D
+	if not field or restore == [field.size, field.position]:
+		return
+	var size := field.size
+	var position := field.position
+	field.size = restore[0]
+	field.position = restore[1]
+	if cancel:
+		return
+	_undo.create_action(tr("Change Field Size"), UndoRedo.MERGE_DISABLE, field)
+	_undo.add_do_property(field, &"size", size)
+	_undo.add_do_property(field, &"position", position)
+	_undo.add_undo_property(field, &"size", restore[0])
+	_undo.add_undo_property(field, &"position", restore[1])
+	_undo.commit_action()
+
+
+func _add_area(gizmo: EditorNode3DGizmo, corners: PackedVector3Array) -> void:
+	var flat := PackedVector2Array()
+	for corner in corners:
+		flat.append(Vector2(corner.x, corner.z))
+	var faces := PackedVector3Array()
+	for i in Geometry2D.triangulate_polygon(flat):
+		faces.append(corners[i])
+	var triangles := TriangleMesh.new()
+	if faces and triangles.create_from_faces(faces):
+		gizmo.add_collision_triangles(triangles)
+
+
+func _add_handles(gizmo: EditorNode3DGizmo, field: PlantField3D) -> void:
+	var places := PackedVector3Array()
+	for side in SIDES:
+		places.append(side * Vector3(field.size.x, 0.0, field.size.y) * 0.5)
+	var ids := PackedInt32Array(range(SIDES.size()))
+	gizmo.add_handles(places, get_material("side", gizmo), ids)
+
+
+# How far out on that side the line of sight through `point` passes, in metres of the field.
+static func _reach_under(
+	field: PlantField3D, side: Vector3, camera: Camera3D, point: Vector2
+) -> float:
+	var to_field := field.global_transform.affine_inverse()
+	var eye := to_field * camera.project_ray_origin(point)
+	var sight := (to_field.basis * camera.project_ray_normal(point)).normalized()
+	var far := side * FARTHEST
+	var near := Geometry3D.get_closest_points_between_segments(
+		-far, far, eye, eye + sight * (FARTHEST + eye.length())
+	)
+	return near[0].dot(side)
+
+
+# Over the border as high as the plants, where the field tells it.
+static func _box_of(field: Node3D, corners: PackedVector3Array) -> AABB:
+	var box := AABB(corners[0], Vector3.ZERO)
+	for corner in corners:
+		box = box.expand(corner)
+	var seen := (field as VisualInstance3D).get_aabb() if field is VisualInstance3D else AABB()
+	if seen.has_surface():
+		return box.merge(seen)
+	return box.expand(box.position + Vector3.UP * LEAST_BOX)
+
+
+func _on_selection_changed() -> void:
+	for field in _nodes_with_gizmos():
+		field.update_gizmos()
+
+
+# Undo and the inspector change a field without telling its gizmo.
+func _follow() -> void:
+	for field in _nodes_with_gizmos():
+		var id := field.get_instance_id()
+		var look := FieldOutline.look(field as PlantField3D)
+		if _drawn.get(id, []) != look:
+			field.update_gizmos()
+			_drawn[id] = look
+
+
+func _let_go(id: int) -> void:
+	super(id)
+	_drawn.erase(id)

@@ -1,0 +1,99 @@
+@tool
+extends EditorNode3DGizmoPlugin
+## What the gizmos of plants and of fields share: one of ours never outlives its node.
+##
+## The editor's viewport holds the gizmo whose handle is under the pointer, or is dragged, also when
+## its scene is loaded anew meanwhile. The gizmo knows its node by address only, and when the plugin
+## goes, the engine asks each gizmo for its node: an address of nothing ends the editor. So a gizmo
+## whose node leaves the tree is handed to a node that stays; nodes that come back get a new one.
+
+const Translations := preload("../translations/translations.gd")
+
+var _undo: EditorUndoRedoManager
+var _stand_in: Node3D
+# The gizmos that were made for each node in the tree, by the node's id.
+var _made: Dictionary[int, Array] = {}
+
+
+func _init() -> void:
+	set_translation_domain(Translations.DOMAIN)
+
+
+## Changes are steps of [param undo]. Gizmos without a node belong to [param stand_in], which must
+## outlive this.
+func setup(undo: EditorUndoRedoManager, stand_in: Node3D) -> void:
+	_undo = undo
+	_stand_in = stand_in
+	(Engine.get_main_loop() as SceneTree).process_frame.connect(_follow)
+	EditorInterface.get_selection().selection_changed.connect(_on_selection_changed)
+	_ask_for_gizmos.call_deferred()
+
+
+## Lets go of the editor. Call it before the plugin is removed.
+func close() -> void:
+	(Engine.get_main_loop() as SceneTree).process_frame.disconnect(_follow)
+	EditorInterface.get_selection().selection_changed.disconnect(_on_selection_changed)
+
+
+func _create_gizmo(node: Node3D) -> EditorNode3DGizmo:
+	if not _has_gizmo(node):
+		return null
+	var gizmo := EditorNode3DGizmo.new()
+	var id := node.get_instance_id()
+	if not _made.has(id):
+		_made[id] = []
+		node.tree_exited.connect(_let_go.bind(id), CONNECT_ONE_SHOT)
+	_made[id].append(weakref(gizmo))
+	return gizmo
+
+
+## The nodes that have gizmos, for those who follow them.
+func _nodes_with_gizmos() -> Array[Node3D]:
+	var nodes: Array[Node3D] = []
+	for id in _made:
+		nodes.append(instance_from_id(id) as Node3D)
+	return nodes
+
+
+## Called in each frame: what has changed asks for a redraw.
+func _follow() -> void:
+	pass
+
+
+## Called when others are selected.
+func _on_selection_changed() -> void:
+	pass
+
+
+## As bright for every selected node, where the editor's own materials are bright for one only.
+static func _line_material(color: Color, on_top: bool) -> StandardMaterial3D:
+	var material := StandardMaterial3D.new()
+	material.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
+	material.transparency = BaseMaterial3D.TRANSPARENCY_ALPHA
+	material.albedo_color = color
+	material.no_depth_test = on_top
+	material.disable_fog = true
+	return material
+
+
+static func _is_selected(node: Node) -> bool:
+	return EditorInterface.get_selection().get_selected_nodes().has(node)
+
+
+func _let_go(id: int) -> void:
+	for kept: WeakRef in _made[id]:
+		var gizmo := kept.get_ref() as EditorNode3DGizmo
+		if gizmo:
+			gizmo.set_node_3d(_stand_in)
+	_made.erase(id)
+
+
+# Nodes of a scene that was open before the plugin asked in vain: they must ask again.
+func _ask_for_gizmos() -> void:
+	var root := EditorInterface.get_edited_scene_root()
+	if not root:
+		return
+	for node: Node in [root] + root.find_children("*", "Node3D", true, false):
+		if node is Node3D and _has_gizmo(node as Node3D):
+			(node as Node3D).clear_gizmos()
+			(node as Node3D).update_gizmos()

@@ -1,0 +1,223 @@
+#include "stand/plant_store.hpp"
+#include "stand/test_placement_fixture.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+using namespace undergrowth;
+
+namespace {
+
+constexpr double SPACING = 0.5; // m, of the density 4.
+
+StandEdit filling(const PlacementRequest &request, float tile_size = 16.0f) {
+	StandEdit edit;
+	edit.fills = true;
+	edit.tile_size = tile_size;
+	edit.spacing = Placement(request).cell_size();
+	edit.filled = cut_into_blocks(placed(request), tile_size);
+	return edit;
+}
+
+PlantStore filled_store(float side = 50.0f) {
+	PlantStore store;
+	store.apply(filling(square_field(side, 4.0f, 2)));
+	return store;
+}
+
+PlacedPlant plant_at(float x, float z, int species = 0) {
+	PlacedPlant plant;
+	plant.root = { x, 0.0f, z };
+	plant.species = species;
+	return plant;
+}
+
+std::set<PlantId> id_set(const PlantStore &store) {
+	const std::vector<PlantId> ids = store.ids();
+	return std::set<PlantId>(ids.begin(), ids.end());
+}
+
+} // namespace
+
+TEST_CASE("every plant has an id of its own, by which it is found") {
+	const PlantStore store = filled_store();
+	CHECK(store.plant_count() > 9000);
+	CHECK(static_cast<int>(id_set(store).size()) == store.plant_count());
+	for (int number = 0; number < store.block_count(); number++) {
+		for (int slot = 0; slot < store.block(number).size(); slot++) {
+			const PlantPlace place = { number, slot };
+			CHECK(store.find(store.id(place)) == place);
+		}
+	}
+}
+
+TEST_CASE("ids stay with plants when a field is filled anew, with other tiles or another outline") {
+	PlantStore store = filled_store();
+	const std::set<PlantId> before = id_set(store);
+	store.apply(filling(square_field(50.0f, 4.0f, 2), 7.0f));
+	CHECK(id_set(store) == before);
+	store.apply(filling(square_field(30.0f, 4.0f, 2)));
+	const std::set<PlantId> fewer = id_set(store);
+	CHECK(fewer.size() < before.size());
+	CHECK(std::includes(before.begin(), before.end(), fewer.begin(), fewer.end()));
+}
+
+TEST_CASE("cells name plants at all densities, far from the origin, too") {
+	for (const float density : { 0.01f, 1.0f, 40.0f, 2000.0f }) {
+		const double spacing = 1.0 / std::sqrt(static_cast<double>(density));
+		PlacementRequest request = square_field(static_cast<float>(30.0 * spacing), density, 5);
+		for (glm::vec2 &point : request.area) {
+			point += glm::vec2(-400.0f, 700.0f);
+		}
+		PlantStore store;
+		store.apply(filling(request));
+		CHECK(static_cast<int>(id_set(store).size()) == store.plant_count());
+		for (const PlantId id : store.ids()) {
+			CHECK(store.find(id).block >= 0);
+		}
+	}
+}
+
+TEST_CASE("a plant that is removed is gone, and nobody else") {
+	PlantStore store = filled_store();
+	std::set<PlantId> left = id_set(store);
+	std::vector<PlantPlace> around;
+	store.find_in_sphere({ 5.0f, 0.0f, 5.0f }, 3.0f, around);
+	REQUIRE(around.size() > 50);
+	const PlantPlace other = { 0, 0 };
+	const PlantId other_id = store.id(other);
+	std::vector<PlantId> gone;
+	for (const PlantPlace &place : around) {
+		gone.push_back(store.id(place));
+		left.erase(gone.back());
+	}
+	const int before = store.plant_count();
+	StandEdit edit;
+	edit.removed = around;
+	const ChangeSet changes = store.apply(std::move(edit));
+	CHECK(changes.gone.size() == around.size());
+	CHECK(changes.grown.empty());
+	CHECK(store.plant_count() == before - static_cast<int>(around.size()));
+	CHECK(id_set(store) == left);
+	CHECK(store.id(other) == other_id);
+	for (const PlantId id : gone) {
+		CHECK(store.find(id).block < 0);
+	}
+	around.clear();
+	store.find_in_sphere({ 5.0f, 0.0f, 5.0f }, 3.0f, around);
+	CHECK(around.empty());
+}
+
+TEST_CASE("removing somebody twice counts once") {
+	PlantStore store = filled_store(10.0f);
+	const int before = store.plant_count();
+	StandEdit edit;
+	edit.removed = { { 0, 1 }, { 0, 1 } };
+	CHECK(store.apply(std::move(edit)).gone.size() == 1);
+	CHECK(store.plant_count() == before - 1);
+}
+
+TEST_CASE("plants that are added keep their names through fillings and other tiles") {
+	PlantStore store = filled_store();
+	StandEdit edit;
+	edit.added = { plant_at(3.0f, 4.0f, 1), plant_at(-100.0f, 4.0f), plant_at(3.2f, 4.1f, 1) };
+	const ChangeSet changes = store.apply(std::move(edit));
+	REQUIRE(changes.added.size() == 3);
+	CHECK(changes.grown.size() == 2);
+	for (const float size : { 16.0f, 5.0f, 60.0f }) {
+		store.apply(filling(square_field(20.0f, 4.0f, 9), size));
+		for (std::size_t i = 0; i < 3; i++) {
+			const PlantPlace place = store.find(changes.added[i]);
+			REQUIRE(place.block >= 0);
+			CHECK(store.block(place.block).root(place.slot).x == std::vector<float>{ 3.0f, -100.0f, 3.2f }[i]);
+			CHECK(store.block(place.block).tile == tile_at(std::vector<float>{ 3.0f, -100.0f, 3.2f }[i], 4.0f, size));
+		}
+	}
+}
+
+TEST_CASE("species that are called otherwise are so for plants that were added, too") {
+	PlantStore store;
+	StandEdit edit;
+	edit.added = { plant_at(0.0f, 0.0f, 2) };
+	const PlantId id = store.apply(std::move(edit)).added[0];
+	StandEdit fill = filling(square_field(10.0f, 4.0f, 1));
+	fill.species_numbers = { 0, 1, 5 };
+	store.apply(std::move(fill));
+	const PlantPlace place = store.find(id);
+	CHECK(store.block(place.block).species == 5);
+	CHECK(store.block(place.block).plants.plant(place.slot).species == 5);
+}
+
+TEST_CASE("an added block whose last plant goes is dropped, and its number serves again") {
+	PlantStore store;
+	StandEdit edit;
+	edit.added = { plant_at(0.0f, 0.0f), plant_at(50.0f, 0.0f) };
+	const std::vector<PlantId> ids = store.apply(std::move(edit)).added;
+	StandEdit removal;
+	removal.removed = { store.find(ids[0]) };
+	const ChangeSet changes = store.apply(std::move(removal));
+	CHECK(changes.dropped.size() == 1);
+	CHECK(changes.gone.empty());
+	CHECK(store.find(ids[1]).block >= 0);
+	StandEdit again;
+	again.added = { plant_at(-50.0f, 0.0f) };
+	const ChangeSet later = store.apply(std::move(again));
+	CHECK(later.grown[0].block == changes.dropped[0]);
+	CHECK(later.added[0] != ids[0]);
+	CHECK(store.plant_count() == 2);
+}
+
+TEST_CASE("an emptied block that was filled stays, so that nobody else is drawn in its place") {
+	PlantStore store = filled_store(10.0f);
+	std::vector<PlantPlace> all;
+	store.find_in_sphere({ 0.0f, 0.0f, 0.0f }, 100.0f, all);
+	const auto count = all.size();
+	StandEdit edit;
+	edit.removed = std::move(all);
+	const ChangeSet changes = store.apply(std::move(edit));
+	CHECK(changes.gone.size() == count);
+	CHECK(changes.dropped.empty());
+	CHECK(store.plant_count() == 0);
+	CHECK(store.ids().empty());
+}
+
+TEST_CASE("what a sphere or a box holds is what stands there") {
+	const PlantStore store = filled_store(100.0f);
+	for (const glm::vec3 &centre : { glm::vec3(0.0f), glm::vec3(31.0f, 0.0f, -16.0f), glm::vec3(300.0f, 0.0f, 0.0f) }) {
+		for (const float radius : { 0.0f, 1.5f, 20.0f, 1.0e4f }) {
+			std::vector<PlantPlace> found;
+			store.find_in_sphere(centre, radius, found);
+			std::vector<PlantPlace> boxed;
+			store.find_in_box(centre - radius, centre + radius, boxed);
+			std::size_t in_sphere = 0;
+			std::size_t in_box = 0;
+			for (int number = 0; number < store.block_count(); number++) {
+				for (int slot = 0; slot < store.block(number).size(); slot++) {
+					const glm::vec3 way = store.block(number).root(slot) - centre;
+					const glm::dvec3 exact = glm::dvec3(way);
+					in_sphere += exact.x * exact.x + exact.y * exact.y + exact.z * exact.z <=
+									static_cast<double>(radius) * static_cast<double>(radius)
+							? 1
+							: 0;
+					in_box += std::fabs(way.x) <= radius && std::fabs(way.y) <= radius && std::fabs(way.z) <= radius;
+				}
+			}
+			CHECK(found.size() == in_sphere);
+			CHECK(boxed.size() == in_box);
+		}
+	}
+	std::vector<PlantPlace> none;
+	store.find_in_sphere({ 0.0f, 0.0f, 0.0f }, -1.0f, none);
+	store.find_in_sphere({ 0.0f, 0.0f, 0.0f }, std::nanf(""), none);
+	CHECK(none.empty());
+}
+
+TEST_CASE("names of nobody are nobody's") {
+	const PlantStore store = filled_store(10.0f);
+	for (const PlantId id : { PlantId(-1), PlantId(0), added_plant_id(0), filled_plant_id(1e5f, 1e5f, SPACING) }) {
+		CHECK(store.find(id).block == -1);
+	}
+}

@@ -1,0 +1,95 @@
+@tool
+extends "viewport_test.gd"
+## Fields in the editor's viewport: their border, and the handles for their size.
+
+
+func test_click_into_its_area_selects_a_field() -> void:
+	var field := await _open_field()
+	for place: Vector3 in [Vector3(0.4, 0, 0.6), Vector3(1, 0, 1.5)]:
+		await _click_at(field, place)
+		check_equal(_selected(), [field] as Array[Node], "selection at %s" % place)
+	await _click_at(field, Vector3(1.5, 0, 0))
+	check_equal(_selected(), [] as Array[Node], "selection beside it")
+
+
+func test_border_follows_the_size() -> void:
+	var field := await _open_field()
+	field.size = Vector2(4, 4)
+	await frames(3)
+	await _click_at(field, Vector3(1.5, 0, 0.2))
+	check_equal(_selected(), [field] as Array[Node], "selection where it has grown to")
+
+
+func test_a_side_is_dragged_in_one_step() -> void:
+	var field := await _open_field()
+	field.position = Vector3(0.5, 0, 0)
+	await _choose_only(field)
+	var version := _history().get_version()
+	var from := _place_of(field, Vector3(1, 0, 0))
+	await drag(_view(), from, _place_of(field, Vector3(2, 0, 0)))
+	check(absf(field.size.x - 3.0) < 0.1, "size: %s" % field.size)
+	check_equal(field.size.y, 4.0, "size along the other axis")
+	var across := field.to_global(Vector3(-field.size.x * 0.5, 0, 0))
+	check(absf(across.x + 0.5) < 0.02, "the side across stays: %s" % across)
+	check_equal(_history().get_version(), version + 1, "one step")
+	check_equal(_history().get_current_action_name(), tr("Change Field Size"), "its name")
+	await undo()
+	check_equal(field.size, Vector2(2, 4), "size after undo")
+	check_equal(field.position, Vector3(0.5, 0, 0), "place after undo")
+	await redo()
+	check(field.size.x > 2.5 and field.position.x > 0.75, "size after redo: %s" % field.size)
+
+
+func test_the_nearest_side_is_dragged_in_a_field_that_is_turned_and_scaled() -> void:
+	var field := await _open_field()
+	field.rotation.y = 0.5
+	field.scale = Vector3.ONE * 0.5
+	await _choose_only(field)
+	var before := field.to_global(Vector3(0, 0, -2))
+	await drag(_view(), _place_of(field, Vector3(0, 0, 2)), _place_of(field, Vector3(0, 0, 3)))
+	check(absf(field.size.y - 5.0) < 0.15, "size: %s" % field.size)
+	check_equal(field.size.x, 2.0, "size along the other axis")
+	var after := field.to_global(Vector3(0, 0, -field.size.y * 0.5))
+	check(after.distance_to(before) < 0.02, "the side across stays: %s, %s" % [before, after])
+
+
+func test_an_outline_is_the_border() -> void:
+	var field := await _open_field()
+	var curve := Curve3D.new()
+	for corner: Vector3 in [Vector3(-1, 0, -2), Vector3(1, 0, 2), Vector3(-1, 0, 2)]:
+		curve.add_point(corner)
+	field.area = curve
+	await frames(3)
+	await _click_at(field, Vector3(0.6, 0, -0.6))
+	check_equal(_selected(), [] as Array[Node], "selection beside the triangle")
+	await _click_at(field, Vector3(-0.6, 0, 1))
+	check_equal(_selected(), [field] as Array[Node], "selection in the triangle")
+	var from := _place_of(field, Vector3(1, 0, 0))
+	await drag(_view(), from, from + Vector2(60, 0))
+	check_equal(field.size, Vector2(2, 4), "it has no handles")
+
+
+func test_f_frames_a_field() -> void:
+	var field := await _open_field()
+	field.position = Vector3(30, 0, 0)
+	await _choose_only(field)
+	await click(_view(), Vector2(20, 20), MOUSE_BUTTON_MIDDLE)
+	await press_key(_view(), KEY_F)
+	var middle := _view().size * 0.5
+	var framed := func() -> bool:
+		return _place_of(field, Vector3.ZERO).distance_to(middle) < _view().size.y * 0.25
+	check(await until(framed), "it is in the middle: %s" % _place_of(field, Vector3.ZERO))
+	field.position = Vector3.ZERO
+	await press_key(_view(), KEY_F)
+	check(await until(framed), "and the camera comes back")
+
+
+func _click_at(field: PlantField3D, place: Vector3) -> void:
+	EditorInterface.get_selection().clear()
+	await frames(2)
+	await click(_view(), _place_of(field, place))
+	await frames(2)
+
+
+func _selected() -> Array[Node]:
+	return EditorInterface.get_selection().get_selected_nodes()
