@@ -53,8 +53,8 @@ bool is_valid(const MotionPlant &plant) {
 			plant.rest.y > 0.0f;
 }
 
-MotionPage::MotionPage(int species_index, const MotionSpecies &species, const MotionPlant *plants, int count, float step,
-		bool swings, Keeps keeps) :
+MotionPage::MotionPage(int species_index, const MotionSpecies &species, const MotionPlant *plants, int count,
+		float step, bool swings, Keeps keeps) :
 		species_number(species_index),
 		is_swinging(swings),
 		keeps_directions(swings && keeps == Keeps::directions),
@@ -184,8 +184,13 @@ void MotionPage::take_motion(int index, const MotionPage &other, int from) {
 	if (!is_swinging || !other.is_swinging) {
 		return; // Who follows a prototype has no motion of its own.
 	}
-	set_state(index, moved_rest(other.state(from), other.rest(from), rest(index)));
-	set_before(index, moved_rest({ other.before(from), {} }, other.rest(from), rest(index)).direction);
+	const glm::vec3 was = other.rest(from);
+	const glm::vec3 is = rest(index);
+	set_state(index, moved_rest(other.state(from), was, is));
+	set_before(index, moved_rest({ other.before(from), {} }, was, is).direction);
+	if (was == is && has_bends() && other.has_bends()) {
+		std::copy_n(other.pairs.begin() + 2 * from, 2, pairs.begin() + 2 * index); // To the bit.
+	}
 }
 
 glm::vec3 MotionPage::before(int index) const {

@@ -77,6 +77,8 @@ public:
 	/// Whether a plant was dropped: its row keeps its index, and its length is 0.
 	bool is_gone(int index) const { return lengths()[index] <= 0.0f; }
 	bool swings() const { return is_swinging; }
+	/// Whether it keeps bends for a texture: it swings and does not keep directions.
+	bool has_bends() const { return is_swinging && !keeps_directions; }
 	Law law() const { return kind.law; }
 	/// Seconds of the step that the constants are for.
 	float step_length() const { return step_time; }
@@ -163,7 +165,6 @@ private:
 	Columns rows;
 	std::vector<Bend> pairs;
 
-	bool has_bends() const { return is_swinging && !keeps_directions; }
 	float *column(int which) { return rows.column(which); }
 	const float *column(int which) const { return rows.column(which); }
 	ElasticityPage elasticity_page(int begin);
