@@ -141,6 +141,11 @@ void Plant3D::_notification(int what) {
 			update_simulation();
 			pose_now();
 			break;
+		case NOTIFICATION_POST_ENTER_TREE:
+			find_drawn();
+			bone().node_is_behind = true; // Outside of the tree a skeleton keeps its pose to itself.
+			pose_now();
+			break;
 		case NOTIFICATION_EXIT_TREE:
 			leave_simulation();
 			break;

@@ -46,7 +46,7 @@ void PlantGroup::pose(float alpha) {
 	directions.resize(bones.size());
 	page.interpolate(alpha, directions.data());
 	for (size_t i = 0; i < bones.size(); i++) {
-		bones[i].turn_to(directions[i]);
+		bones[i].show(directions[i]);
 	}
 }
 
