@@ -77,7 +77,8 @@ Plant3D::Swing Plant3D::swing() const {
 void Plant3D::set_swing(const Swing &swing) {
 	if (PlantGroup *group = page_group()) {
 		const TipState &now = swing.now;
-		group->page.set_state(page_index(), { to_frame(group->frame, now.direction), to_frame(group->frame, now.rate) });
+		group->page.set_state(
+				page_index(), { to_frame(group->frame, now.direction), to_frame(group->frame, now.rate) });
 		group->page.set_before(page_index(), to_frame(group->frame, swing.before));
 	} else {
 		parked = swing;

@@ -3,8 +3,8 @@
 ## Run headless with --fixed-fps 60, so that each frame is one step. All variants show the same
 ## skinned mesh on a skeleton of two bones; the time of the same frames with nothing moving is
 ## subtracted. bone_pose_only is what the engine's own call costs: the script's loop around it is
-## part of what is subtracted. plant3d_held is plants whose skeletons somebody asked for: others tell
-## the renderer alone of their motion, and nobody where there is none, as here.
+## part of what is subtracted. plant3d_held is plants whose skeletons somebody asked for: others
+## tell the renderer alone of their motion, and nobody where there is none, as here.
 extends SceneTree
 
 const COUNTS: Array[int] = [100, 1000, 3000, 10000]

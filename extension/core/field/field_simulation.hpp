@@ -1,10 +1,10 @@
 #pragma once
 
 #include "field/bodies.hpp"
-#include "motion/motion_page.hpp"
-#include "wind/travelling_wind.hpp"
 #include "field/loose_plants.hpp"
 #include "field/prototypes.hpp"
+#include "motion/motion_page.hpp"
+#include "wind/travelling_wind.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "motion/motion_page.hpp"
 
-#include "motion/motion_page_columns.hpp"
 #include "motion/gnomonic.hpp"
+#include "motion/motion_page_columns.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -42,8 +42,8 @@ bool is_valid(const MotionPlant &plant) {
 			plant.rest.y > 0.0f;
 }
 
-MotionPage::MotionPage(int species_index, const MotionSpecies &species, const MotionPlant *plants, int count, float step,
-		bool swings, Keeps keeps) :
+MotionPage::MotionPage(int species_index, const MotionSpecies &species, const MotionPlant *plants, int count,
+		float step, bool swings, Keeps keeps) :
 		species_number(species_index),
 		is_swinging(swings),
 		keeps_directions(swings && keeps == Keeps::directions),
