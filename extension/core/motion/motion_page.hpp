@@ -107,8 +107,8 @@ public:
 	/// Where a plant pointed before its last step, as it is drawn.
 	glm::vec3 before(int index) const;
 	void set_before(int index, const glm::vec3 &direction);
-	/// A blow on the tip (N·s): changes the velocity by impulse/mass, along the sphere. What goes along the stem is held
-	/// by the root, so a blow upwards straightens a bent plant and does nothing to an upright one.
+	/// A blow on the tip (N·s): changes the velocity by impulse/mass, along the sphere. What goes along the stem is
+	/// held by the root, so a blow upwards straightens a bent plant and does nothing to an upright one.
 	void apply_impulse(int index, const glm::vec3 &impulse);
 	/// Puts all plants into their rest directions, without velocity; both bends of each are those.
 	void settle();
@@ -123,8 +123,8 @@ public:
 	/// Removes plant `index`; the last one takes its index.
 	void remove(int index);
 
-	/// Other constants; the motion goes on. A page of the elasticity law keeps no rest directions: where the law changes,
-	/// plants rest upright until set_rests().
+	/// Other constants; the motion goes on. A page of the elasticity law keeps no rest directions: where the law
+	/// changes, plants rest upright until set_rests().
 	void set_species(const MotionSpecies &species);
 	/// Other rest directions (unit, as MotionPlant::rest), size() of them; plants swing there. Without effect where the
 	/// law has none.
@@ -134,8 +134,8 @@ public:
 	/// When in a step its wind is to be taken, as a share of it: the elasticity law's kick stands at the start of the
 	/// drift (its rate is that of the middle), the spring law's closed form holds the force of the middle.
 	double wind_moment() const { return kind.law == Law::elasticity ? 0.0 : 0.5; }
-	/// One step under `wind`, which blows along (along.x, along.z) of the directions' axes. `level` chooses the code, not
-	/// the result.
+	/// One step under `wind`, which blows along (along.x, along.z) of the directions' axes. `level` chooses the code,
+	/// not the result.
 	void step(const TravellingWind &wind, const PlantWinds &along, SimdLevel level = best_simd_level());
 
 	/// Of a page that keeps directions: unit directions of all plants, `alpha` of the way from before the last step (0)
