@@ -20,6 +20,7 @@ static constexpr float SMALLEST_TURN = 1e-6f;
 // Plants that stand at more than 60° from upright are simulated in axes of their own.
 static constexpr float MOST_UPRIGHT_TILT = 0.5f;
 static constexpr double MOST_STEP = 1e9; // s.
+static constexpr int MOST_STEPS_OF_CALL = 128;
 
 bool Plant3D::may_simulate() const {
 	return simulating && is_inside_tree() && function.is_valid() && can_process() &&
@@ -166,7 +167,8 @@ PlantGroup *Plant3D::prepare_own_group() {
 		const TipState start = current_state();
 		own = std::make_unique<PlantGroup>(law, step_length, wind, frame);
 		own->batch.add(joint(), start);
-		own_clock = std::make_unique<FixedStep>(PlantSimulation::get_singleton()->get_step_length());
+		const double length = PlantSimulation::get_singleton()->get_step_length();
+		own_clock = std::make_unique<FixedStep>(length, MOST_STEPS_OF_CALL);
 	}
 	return own.get();
 }

@@ -139,7 +139,7 @@ template <class Visit> void TipContact::for_each_run(const SortedTip &own, Visit
 	const uint32_t rank = place - bucket_ends[bucket(cell_x, cell_z)];
 	for (int row = cell_z - 1; row <= cell_z + 1; row++) {
 		const uint32_t start = bucket(cell_x - 1, row);
-		if (is_crowded()) {
+		if (leaves_out()) {
 			for_each_run_near(rank, start, row, visit);
 			continue;
 		}

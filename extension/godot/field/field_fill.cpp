@@ -111,7 +111,7 @@ void FieldFill::place() {
 }
 
 void FieldFill::stand() {
-	if (!heights.empty()) {
+	if (heights.size() == size_t(result.patch.plants.size()) && normals.size() == heights.size()) {
 		apply_ground(result.patch.plants, heights.data(), normals.data(), recipe.ground.limits);
 		heights = {};
 		normals = {};

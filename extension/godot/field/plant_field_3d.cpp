@@ -128,6 +128,9 @@ void PlantField3D::_notification(int what) {
 		case NOTIFICATION_INTERNAL_PROCESS:
 			process_frame();
 			break;
+		case NOTIFICATION_INTERNAL_PHYSICS_PROCESS:
+			cast_rays();
+			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
 			for (const std::unique_ptr<FieldDrawing> &drawing : drawings) {
 				drawing->set_transform(get_global_transform());

@@ -53,6 +53,7 @@ private:
 	std::unique_ptr<FieldBends> bends;
 	FieldSteps steps; // After what it works on: it is destroyed first.
 	TipContact touching;
+	bool has_told_of_crowd = false;
 	/// Plants of one species that were added and are taken in at the next frame.
 	struct Pending {
 		godot::Ref<PlantFunction> function;
@@ -67,6 +68,7 @@ private:
 	// Filling.
 	std::unique_ptr<FieldFill> fill_job;
 	std::unique_ptr<FieldRays> rays;
+	bool has_missed_ground = false;
 	bool is_stale = true;
 	bool fill_is_queued = false;
 	float told_progress = -1.0f;
@@ -96,6 +98,8 @@ private:
 	void mark_stale();
 	void report_problem(const godot::String &what);
 	void poll_fill();
+	void cast_rays();
+	void tell_of_no_ground();
 	void adopt(FieldResult &result);
 	void dress();
 	void restart_drawing(FieldDrawing &drawing);

@@ -3,6 +3,7 @@
 #include "field/plant_field_3d.hpp"
 
 #include "field/field_material.hpp"
+#include "messages.hpp"
 #include "plant_simulation.hpp"
 
 #include <godot_cpp/classes/world3d.hpp>
@@ -74,14 +75,8 @@ bool PlantField3D::is_filling() const {
 
 void PlantField3D::poll_fill() {
 	if (fill_job->wants_ground()) {
-		if (!rays) {
-			rays = std::make_unique<FieldRays>(get_world_3d(), axes(), uint32_t(options.ground_mask));
-		}
-		const double usec = std::clamp(1e6 * RAY_SHARE * get_process_delta_time(), LEAST_RAY_USEC, MOST_RAY_USEC);
-		if (rays->cast(fill_job->plants(), usec)) {
-			fill_job->go_on(std::move(rays->heights), std::move(rays->normals));
-			rays.reset();
-		}
+		set_physics_process_internal(true);
+		return;
 	}
 	const bool is_done = fill_job->is_done();
 	const float progress = is_done ? 1.0f : fill_job->progress();
@@ -96,6 +91,44 @@ void PlantField3D::poll_fill() {
 	if (is_done) {
 		emit_signal("filled");
 	}
+}
+
+// In a physics frame: only then may everybody ask physics.
+void PlantField3D::cast_rays() {
+	if (!fill_job || !fill_job->wants_ground()) {
+		set_physics_process_internal(false);
+		return;
+	}
+	if (!rays) {
+		rays = std::make_unique<FieldRays>(axes(), uint32_t(options.ground_mask));
+	}
+	const double usec =
+			std::clamp(1e6 * RAY_SHARE * get_physics_process_delta_time(), LEAST_RAY_USEC, MOST_RAY_USEC);
+	const TypedArray<RID> excluded = collision_objects_of(get_tree(), bodies_group);
+	const FieldRays::State state = rays->cast(get_world_3d(), excluded, fill_job->plants(), usec);
+	if (state == FieldRays::State::going_on) {
+		return;
+	}
+	set_physics_process_internal(false);
+	if (state == FieldRays::State::failed) {
+		report_problem("there is no 3D physics to cast rays at, so nothing is planted. Choose a 3D physics engine in the "
+					   "project settings, or another ground.");
+		fill_job.reset();
+	} else {
+		tell_of_no_ground();
+		fill_job->go_on(std::move(rays->heights), std::move(rays->normals));
+	}
+	rays.reset();
+}
+
+void PlantField3D::tell_of_no_ground() {
+	const bool is_missed = !rays->has_hit() && fill_job->plants().size() > 0;
+	if (is_missed && !has_missed_ground) {
+		report_warning(this,
+				"no collider is below or above it, so nothing grows. Check that ground_mask has a layer of the ground, "
+				"that the ground is within 1000 m, and call fill() once it is there where it comes later.");
+	}
+	has_missed_ground = is_missed;
 }
 
 void PlantField3D::adopt(FieldResult &result) {

@@ -96,11 +96,21 @@ double PlantField3D::step(double delta) {
 	update_wind(step_count);
 	update_far();
 	TipContact *contact = options.contact && options.prototypes == 0 ? &touching : nullptr;
+	if (contact && contact->is_crowded() && !has_told_of_crowd) {
+		has_told_of_crowd = true;
+		report_warning(this,
+				"too many tips are near each other for all of them to touch: some pairs are left out. Set a smaller "
+				"collision_radius in its species, or a smaller density.");
+	}
 	double stepping_usec = 0.0;
+	const Clock::time_point start = Clock::now();
 	for (int i = 0; i < step_count; i++) {
 		finish_step();
+		if (i > 0 && microseconds_since(start) > 1e6 * FixedStep::MOST_STEPPING) {
+			break; // The rest is dropped, so that a slow frame does not make the next one slower yet.
+		}
 		push_bodies((double(clock.alpha()) + step_count - 1 - i) * clock.step());
-		if (i + 1 == step_count) {
+		if (i == 0) {
 			tell_of_bodies();
 		}
 		steps.start(*simulation, *bends, contact, worker_count());
