@@ -4,7 +4,8 @@ extends "res://tests/engine/field_harness.gd"
 
 func test_plants_stand_on_colliders() -> void:
 	check(
-		ProjectSettings.get_setting("physics/3d/run_on_separate_thread"), "physics has its own thread"
+		ProjectSettings.get_setting("physics/3d/run_on_separate_thread"),
+		"physics has its own thread"
 	)
 	var body := StaticBody3D.new()
 	var shape := CollisionShape3D.new()

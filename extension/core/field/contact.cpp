@@ -151,8 +151,7 @@ template <class Visit> void TipContact::for_each_run(const SortedTip &own, Visit
 	}
 }
 
-template <class Visit>
-void TipContact::for_each_run_near(uint32_t rank, uint32_t start, int row, Visit &&visit) const {
+template <class Visit> void TipContact::for_each_run_near(uint32_t rank, uint32_t start, int row, Visit &&visit) const {
 	constexpr auto NEAR = static_cast<uint32_t>(NEIGHBOURS);
 	const auto mask = static_cast<uint32_t>(bucket_ends.size()) - 2u;
 	for (uint32_t one = start; one != start + 3; one++) {

@@ -15,8 +15,8 @@ namespace undergrowth {
 
 namespace {
 
-/// Triangles in the cells of a grid over the ground, so that a look-up tests few of them. (The engine's TriangleMesh took
-/// fifteen to thirty times as long for 100,000 plants.)
+/// Triangles in the cells of a grid over the ground, so that a look-up tests few of them. (The engine's TriangleMesh
+/// took fifteen to thirty times as long for 100,000 plants.)
 class TriangleGrid {
 public:
 	explicit TriangleGrid(const PackedVector3Array &triangles);

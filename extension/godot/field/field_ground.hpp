@@ -39,8 +39,8 @@ public:
 	enum class State { going_on, done, failed };
 
 	FieldRays(const godot::Transform3D &field, uint32_t mask);
-	/// Goes on for about `usec` in a world's space, which may be null. Bodies of `excluded` are no ground. It fails where
-	/// the world has no space for PATIENCE frames, and stays so.
+	/// Goes on for about `usec` in a world's space, which may be null. Bodies of `excluded` are no ground. It fails
+	/// where the world has no space for PATIENCE frames, and stays so.
 	State cast(const godot::Ref<godot::World3D> &world, const godot::TypedArray<godot::RID> &excluded,
 			const FieldPlants &plants, double usec);
 	/// 0 to 1.

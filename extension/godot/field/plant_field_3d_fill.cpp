@@ -102,8 +102,7 @@ void PlantField3D::cast_rays() {
 	if (!rays) {
 		rays = std::make_unique<FieldRays>(axes(), uint32_t(options.ground_mask));
 	}
-	const double usec =
-			std::clamp(1e6 * RAY_SHARE * get_physics_process_delta_time(), LEAST_RAY_USEC, MOST_RAY_USEC);
+	const double usec = std::clamp(1e6 * RAY_SHARE * get_physics_process_delta_time(), LEAST_RAY_USEC, MOST_RAY_USEC);
 	const TypedArray<RID> excluded = collision_objects_of(get_tree(), bodies_group);
 	const FieldRays::State state = rays->cast(get_world_3d(), excluded, fill_job->plants(), usec);
 	if (state == FieldRays::State::going_on) {
@@ -111,8 +110,9 @@ void PlantField3D::cast_rays() {
 	}
 	set_physics_process_internal(false);
 	if (state == FieldRays::State::failed) {
-		report_problem("there is no 3D physics to cast rays at, so nothing is planted. Choose a 3D physics engine in the "
-					   "project settings, or another ground.");
+		report_problem(
+				"there is no 3D physics to cast rays at, so nothing is planted. Choose a 3D physics engine in the "
+				"project settings, or another ground.");
 		fill_job.reset();
 	} else {
 		tell_of_no_ground();
