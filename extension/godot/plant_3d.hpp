@@ -27,7 +27,8 @@ class Plant3D : public godot::Node3D {
 	/// A plant that is driven by hand: a page of its own, and its own clock.
 	struct Driven {
 		Driven(const MotionSpecies &species, PlantFrame frame, double step) :
-				group(species, godot::Ref<PlantWind>(), frame, float(step)), clock(step) {}
+				group(species, godot::Ref<PlantWind>(), frame, float(step)), clock(step, MOST_STEPS_OF_CALL) {}
+		static constexpr int MOST_STEPS_OF_CALL = 128;
 		PlantGroup group;
 		FixedStep clock;
 	};

@@ -106,7 +106,7 @@ void PlantField3D::on_fill_queued() {
 	stand_is_stale = look_is_stale = false;
 	watch_nodes();
 	meadow.fill(stand);
-	follow_frames(meadow.is_filling());
+	follow_frames(meadow.is_at_work());
 }
 
 void PlantField3D::fill() {
@@ -117,7 +117,7 @@ void PlantField3D::fill() {
 }
 
 bool PlantField3D::is_filling() const {
-	return meadow.is_filling() || ((stand_is_stale || look_is_stale) && fill_is_queued);
+	return meadow.is_filling() || (stand_is_stale && fill_is_queued);
 }
 
 bool PlantField3D::may_simulate() const {
@@ -142,7 +142,7 @@ void PlantField3D::follow_frames(bool on) {
 // Whoever hears that it is filled may take the field out of the tree.
 void PlantField3D::poll(double delta, bool physics) {
 	meadow.poll(delta, physics);
-	if (is_inside_tree() && !meadow.is_filling()) {
+	if (is_inside_tree() && !meadow.is_at_work()) {
 		follow_frames(false);
 	}
 }
@@ -181,7 +181,7 @@ void PlantField3D::look_around() {
 	const uint64_t material = get_material_override().is_valid() ? get_material_override()->get_instance_id() : 0;
 	if (material != seen_material) {
 		seen_material = material;
-		mark_stale(false);
+		meadow.change_materials();
 	}
 	bool differs = int64_t(seen_species.size()) != listed.size();
 	for (size_t i = 0; i < seen_species.size() && !differs; i++) {
@@ -238,6 +238,12 @@ void PlantField3D::watch_nodes() {
 }
 
 void PlantField3D::tell_of_bodies() {
+	if (meadow.motion.is_crowded() && !has_told_of_crowd) {
+		has_told_of_crowd = true;
+		report_warning(this,
+				"too many tips are near each other for all of them to touch: some pairs are left out. Set a smaller "
+				"collision_radius in its species, or a smaller density.");
+	}
 	for (const String &warning : meadow.motion.bodies.take_warnings()) {
 		report_warning(this, warning);
 	}
@@ -263,7 +269,7 @@ void PlantField3D::_notification(int what) {
 				mark_stale(false);
 			}
 			look_around();
-			follow_frames(meadow.is_filling());
+			follow_frames(meadow.is_at_work());
 			break;
 		case NOTIFICATION_EXIT_TREE:
 			follow_frames(false);
@@ -276,6 +282,9 @@ void PlantField3D::_notification(int what) {
 			break;
 		case NOTIFICATION_INTERNAL_PROCESS:
 			process_frame();
+			break;
+		case NOTIFICATION_INTERNAL_PHYSICS_PROCESS:
+			cast_rays();
 			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
 			meadow.moved();

@@ -48,6 +48,7 @@ private:
 	bool stand_is_stale = true;
 	bool look_is_stale = true;
 	bool fill_is_queued = false;
+	bool has_told_of_crowd = false;
 	double main_usec = 0.0; ///< Of the last frame, without wait_usec.
 	double wait_usec = 0.0; ///< For the worker threads, where they took longer than the frame.
 	int frames_since_look = 0;

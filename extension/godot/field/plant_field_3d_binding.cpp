@@ -68,6 +68,7 @@ Dictionary PlantField3D::get_statistics() {
 	told["plants"] = count;
 	told["simulated"] = meadow.motion.simulated_count();
 	told["drawn_by_level"] = drawn;
+	told["is_dressing"] = (meadow.is_at_work() && !meadow.is_filling()) || (look_is_stale && fill_is_queued);
 	told["skeletons"] = int64_t(meadow.skeletons.count());
 	told["step_usec"] = meadow.motion.busy_usec();
 	told["upload_usec"] = meadow.upload_usec;

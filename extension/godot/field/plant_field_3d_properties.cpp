@@ -229,6 +229,10 @@ void PlantField3D::on_species_changed() {
 			meadow.read_motion(entry->get_species().ptr());
 			return;
 		}
+		if (entry->is_species_change() && entry->get_species()->is_material_change()) {
+			meadow.change_materials();
+			return;
+		}
 		if (entry->is_species_change()) {
 			mark_stale(false);
 			return;
@@ -242,6 +246,10 @@ void PlantField3D::on_added_species_changed() {
 	for (const FieldLook &look : meadow.style.looks) {
 		if (look.function.is_valid() && look.function->is_motion_change()) {
 			meadow.read_motion(look.function.ptr());
+			return;
+		}
+		if (look.function.is_valid() && look.function->is_material_change()) {
+			meadow.change_materials();
 			return;
 		}
 	}
