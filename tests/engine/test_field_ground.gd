@@ -122,7 +122,7 @@ func test_nothing_grows_on_bodies_that_push_plants() -> void:
 	walker.position = Vector3(1, 2.5, 1)
 	await physics_frames(2)
 	field.bodies_group = &"walkers"
-	field.ground = PlantField3D.GROUND_COLLIDERS
+	field.ground_mode = PlantField3D.GROUND_COLLIDERS
 	field.density = 60.0
 	await _fill()
 	check(field.get_plant_count() > 3000, "%d plants stand" % field.get_plant_count())
@@ -134,21 +134,21 @@ func test_nothing_grows_on_bodies_that_push_plants() -> void:
 
 
 func test_a_field_that_finds_no_ground_says_what_to_check() -> void:
-	field.ground = PlantField3D.GROUND_COLLIDERS
+	field.ground_mode = PlantField3D.GROUND_COLLIDERS
 	await _fill()
 	check_equal(field.get_plant_count(), 0, "plants without a ground")
-	check_error("Check that ground_mask has a layer of the ground")
+	check_error("Check that ground_collision_mask has a layer of the ground")
 	field.fill()
 	await filled(field)
-	check_error_count("ground_mask", 0)
+	check_error_count("ground_collision_mask", 0)
 	var ground := _add_ground(Vector3(8, 2, 8))
 	await physics_frames(2)
 	field.fill()
 	await filled(field)
 	check(field.get_plant_count() > 200, "plants stand once the ground is there")
-	field.ground_mask = 2
+	field.ground_collision_mask = 2
 	await filled(field)
-	check_error("ground_mask")
+	check_error("ground_collision_mask")
 	ground.free()
 
 

@@ -283,9 +283,6 @@ void PlantField3D::_notification(int what) {
 		case NOTIFICATION_INTERNAL_PROCESS:
 			process_frame();
 			break;
-		case NOTIFICATION_INTERNAL_PHYSICS_PROCESS:
-			cast_rays();
-			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
 			meadow.moved();
 			if (Engine::get_singleton()->is_editor_hint() && properties.stand.ground_mode != GROUND_NONE) {
