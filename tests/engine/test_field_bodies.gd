@@ -106,7 +106,9 @@ func test_a_walker_moves_plants_alike_at_every_frame_rate() -> void:
 ## What the tips of tests/engine/driven/walk_through_field.gd go in a process of its own (m).
 func _way_of_tips(rate: int, moved: String) -> float:
 	var script := "res://tests/engine/driven/walk_through_field.gd"
-	var words := ["--headless", "--path", ProjectSettings.globalize_path("res://"), "--script", script]
+	var words := [
+		"--headless", "--path", ProjectSettings.globalize_path("res://"), "--script", script
+	]
 	words += ["--fixed-fps", str(rate), "--", moved]
 	var output := []
 	OS.execute(OS.get_environment("GODOT"), words, output, true)
