@@ -141,6 +141,11 @@ void Plant3D::_notification(int what) {
 			update_simulation();
 			pose_now();
 			break;
+		case NOTIFICATION_POST_ENTER_TREE:
+			find_drawn();
+			bone().node_is_behind = true; // Outside of the tree a skeleton keeps its pose to itself.
+			pose_now();
+			break;
 		case NOTIFICATION_EXIT_TREE:
 			leave_simulation();
 			break;
@@ -202,11 +207,12 @@ void Plant3D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("advance", "delta"), &Plant3D::advance);
 	ClassDB::bind_method(D_METHOD("_preview", "delta", "wind"), &Plant3D::preview);
 
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "species", PROPERTY_HINT_RESOURCE_TYPE, "PlantFunction"),
-			"set_species", "get_species");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "species", PROPERTY_HINT_RESOURCE_TYPE, "PlantFunction"), "set_species",
+			"get_species");
 	ADD_PROPERTY(
 			PropertyInfo(Variant::OBJECT, "wind", PROPERTY_HINT_RESOURCE_TYPE, "PlantWind"), "set_wind", "get_wind");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "segments", PROPERTY_HINT_RANGE, "1,64,1,or_greater"), "set_segments", "get_segments");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "segments", PROPERTY_HINT_RANGE, "1,64,1,or_greater"), "set_segments",
+			"get_segments");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "height", PROPERTY_HINT_RANGE, "0,5,0.01,or_greater,suffix:m"),
 			"set_height", "get_height");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "seed"), "set_seed", "get_seed");

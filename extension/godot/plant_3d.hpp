@@ -7,6 +7,7 @@
 #include <godot_cpp/classes/mesh_instance3d.hpp>
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/classes/skeleton3d.hpp>
+#include <godot_cpp/classes/skin_reference.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>
 
 #include <memory>
@@ -26,7 +27,8 @@ class Plant3D : public godot::Node3D {
 	/// A plant that is driven by hand: a page of its own, and its own clock.
 	struct Driven {
 		Driven(const MotionSpecies &species, PlantFrame frame, double step) :
-				group(species, godot::Ref<PlantWind>(), frame, float(step)), clock(step) {}
+				group(species, godot::Ref<PlantWind>(), frame, float(step)), clock(step, MOST_STEPS_OF_CALL) {}
+		static constexpr int MOST_STEPS_OF_CALL = 128;
 		PlantGroup group;
 		FixedStep clock;
 	};
@@ -42,6 +44,8 @@ class Plant3D : public godot::Node3D {
 	// What is drawn.
 	godot::Skeleton3D *skeleton = nullptr;
 	uint64_t mesh_instance = 0; // Instance id: a grandchild may be freed without a word to the plant.
+	godot::Ref<godot::SkinReference> drawn; // The renderer's skeleton, which must not go before its id here.
+	bool skeleton_is_held = false; // Somebody asked for it.
 	godot::Ref<godot::ArrayMesh> mesh;
 	float built_height = 0.0f; // m; 0 until a mesh was built.
 	bool mesh_is_stale = true;
@@ -69,6 +73,7 @@ class Plant3D : public godot::Node3D {
 	void make_mesh_instance();
 	void find_children();
 	void lose_skeleton();
+	void find_drawn();
 	void show_mesh();
 	godot::MeshInstance3D *get_mesh_instance() const;
 	godot::AABB reach() const;

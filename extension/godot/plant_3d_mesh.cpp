@@ -70,6 +70,7 @@ bool Plant3D::build_mesh() {
 void Plant3D::find_children() {
 	skeleton = Object::cast_to<Skeleton3D>(get_node_or_null(SKELETON_NAME));
 	bone().posed = glm::vec3(NAN); // Whatever the bone shows now, the next pose is set.
+	skeleton_is_held = true; // Perhaps.
 	const Node *found = skeleton ? skeleton->get_node_or_null(MESH_NAME) : nullptr;
 	mesh_instance = found ? uint64_t(found->get_instance_id()) : 0;
 }
@@ -79,9 +80,16 @@ void Plant3D::lose_skeleton() {
 	if (skeleton && skeleton->get_parent() != this) {
 		skeleton = nullptr;
 		mesh_instance = 0;
-		update_bone();
+		find_drawn();
 		mark_stale();
 	}
+}
+
+// Known once the mesh instance is in the tree.
+void Plant3D::find_drawn() {
+	const MeshInstance3D *shown = get_mesh_instance();
+	drawn = shown ? shown->get_skin_reference() : Ref<SkinReference>();
+	update_bone();
 }
 
 MeshInstance3D *Plant3D::get_mesh_instance() const {
@@ -95,6 +103,7 @@ void Plant3D::make_children() {
 	skeleton->add_bone("tip");
 	skeleton->set_bone_parent(1, 0);
 	bone().posed = { 0.0f, 1.0f, 0.0f };
+	skeleton_is_held = false;
 	make_mesh_instance();
 	add_child(skeleton, false, INTERNAL_MODE_FRONT);
 }
@@ -119,6 +128,7 @@ void Plant3D::show_mesh() {
 	}
 	get_mesh_instance()->set_mesh(mesh);
 	get_mesh_instance()->set_custom_aabb(reach());
+	find_drawn();
 	if (Engine::get_singleton()->is_editor_hint()) {
 		update_gizmos(); // They show the height, and a click is tested against the mesh.
 	}
@@ -142,6 +152,11 @@ Ref<ArrayMesh> Plant3D::get_mesh() {
 
 Skeleton3D *Plant3D::get_skeleton() {
 	get_mesh();
+	if (!skeleton_is_held) {
+		skeleton_is_held = true;
+		update_bone();
+		bone().catch_up();
+	}
 	return skeleton;
 }
 

@@ -77,7 +77,8 @@ Plant3D::Swing Plant3D::swing() const {
 void Plant3D::set_swing(const Swing &swing) {
 	if (PlantGroup *group = page_group()) {
 		const TipState &now = swing.now;
-		group->page.set_state(page_index(), { to_frame(group->frame, now.direction), to_frame(group->frame, now.rate) });
+		group->page.set_state(
+				page_index(), { to_frame(group->frame, now.direction), to_frame(group->frame, now.rate) });
 		group->page.set_before(page_index(), to_frame(group->frame, swing.before));
 	} else {
 		parked = swing;
@@ -169,8 +170,15 @@ void Plant3D::update_motion() {
 void Plant3D::update_bone() {
 	PlantBone &shown = bone();
 	const PlantGroup *group = page_group();
+	const PlantBone before = shown;
 	shown.skeleton = is_inside_tree() && is_visible_in_tree() ? skeleton : nullptr;
 	shown.to_local = plant_axes.transposed() * axes_of(group ? group->frame : PlantFrame::WORLD);
+	shown.drawn = drawn.is_valid() ? drawn->get_skeleton() : RID();
+	shown.is_held = skeleton_is_held;
+	if (shown.skeleton != before.skeleton || shown.drawn != before.drawn || shown.is_held != before.is_held) {
+		const bool is_unseen = drawn.is_valid() && !shown.drawn.is_valid() && !skeleton_is_held;
+		shown.way = is_unseen ? PlantBone::Way::UNSEEN : PlantBone::Way::NODE; // Until the renderer has it.
+	}
 }
 
 void Plant3D::pose_now() {

@@ -2,6 +2,8 @@
 
 #include "convert.hpp"
 
+#include <godot_cpp/classes/rendering_server.hpp>
+
 #include <glm/common.hpp>
 
 #include <cmath>
@@ -11,6 +13,7 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr int TIP_BONE = 1;
+static constexpr int BONES = 2;
 // Below this (radians, about) a change of the pose cannot be seen and is not worth an update of the skeleton.
 static constexpr float SMALLEST_TURN = 1e-6f;
 
@@ -24,17 +27,49 @@ static Quaternion turn_from_up(const glm::vec3 &d) {
 	return Quaternion(d.z * scale, 0.0f, -d.x * scale, w * scale);
 }
 
-void PlantBone::turn_to(const glm::vec3 &direction) {
+static bool can_be_told_apart(const glm::vec3 &a, const glm::vec3 &b) {
+	const glm::vec3 change = glm::abs(a - b);
+	return !(change.x < SMALLEST_TURN && change.y < SMALLEST_TURN && change.z < SMALLEST_TURN);
+}
+
+void PlantBone::show(const glm::vec3 &direction) {
 	if (!skeleton) {
 		return;
 	}
+	if (way == Way::NODE) {
+		turn_to(direction);
+		// The renderer has the skeleton's bones from its first update on.
+		if (!is_held && drawn.is_valid() && RenderingServer::get_singleton()->skeleton_get_bone_count(drawn) == BONES) {
+			way = Way::RENDERER;
+		}
+		return;
+	}
 	const glm::vec3 local = to_glm(to_local.xform(to_godot(direction)));
-	const glm::vec3 change = glm::abs(local - posed);
-	if (change.x < SMALLEST_TURN && change.y < SMALLEST_TURN && change.z < SMALLEST_TURN) {
+	if (!can_be_told_apart(local, posed)) {
 		return;
 	}
 	posed = local;
-	skeleton->set_bone_pose_rotation(TIP_BONE, turn_from_up(local));
+	node_is_behind = true;
+	if (way == Way::RENDERER) {
+		RenderingServer::get_singleton()->skeleton_bone_set_transform(
+				drawn, TIP_BONE, Transform3D(Basis(turn_from_up(local)), Vector3()));
+	}
+}
+
+void PlantBone::turn_to(const glm::vec3 &direction) {
+	const glm::vec3 local = to_glm(to_local.xform(to_godot(direction)));
+	if (skeleton && can_be_told_apart(local, posed)) {
+		posed = local;
+		node_is_behind = true;
+	}
+	catch_up();
+}
+
+void PlantBone::catch_up() {
+	if (skeleton && node_is_behind) {
+		node_is_behind = false;
+		skeleton->set_bone_pose_rotation(TIP_BONE, turn_from_up(posed));
+	}
 }
 
 } // namespace undergrowth

@@ -203,7 +203,9 @@ double PlantFunction::get_color_deviation() const {
 void PlantFunction::set_material(const Ref<Material> &new_material) {
 	if (new_material != material) {
 		material = new_material;
-		shape_changed();
+		changes_material_only = true;
+		emit_changed();
+		changes_material_only = false;
 	}
 }
 

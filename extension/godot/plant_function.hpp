@@ -35,6 +35,7 @@ private:
 	MeshOptions look;
 	bool stays_above_ground = true;
 	bool changes_motion_only = false;
+	bool changes_material_only = false;
 	godot::Ref<godot::Material> material;
 
 	void set_motion(float &slot, const char *property, double value, const Range &range);
@@ -86,6 +87,8 @@ public:
 	/// True while `changed` is emitted for a property that leaves meshes as they are. Setters emit it once for each
 	/// real change, never for a value that they have already.
 	bool is_motion_change() const;
+	/// True while `changed` is emitted for another material, which leaves meshes as they are, too.
+	bool is_material_change() const { return changes_material_only; }
 
 	void set_law(MotionLaw law);
 	MotionLaw get_law() const;

@@ -28,8 +28,7 @@ static double microseconds_since(Clock::time_point start) {
 	return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
 }
 
-PlantGroup::PlantGroup(
-		const MotionSpecies &motion, const Ref<PlantWind> &shared_wind, PlantFrame axes, float step) :
+PlantGroup::PlantGroup(const MotionSpecies &motion, const Ref<PlantWind> &shared_wind, PlantFrame axes, float step) :
 		species(motion),
 		wind(shared_wind),
 		frame(axes),
@@ -46,7 +45,7 @@ void PlantGroup::pose(float alpha) {
 	directions.resize(bones.size());
 	page.interpolate(alpha, directions.data());
 	for (size_t i = 0; i < bones.size(); i++) {
-		bones[i].turn_to(directions[i]);
+		bones[i].show(directions[i]);
 	}
 }
 
@@ -64,8 +63,7 @@ PlantSimulation *PlantSimulation::get_singleton() {
 	return singleton;
 }
 
-PlantGroup *PlantSimulation::find_group(
-		const MotionSpecies &species, const Ref<PlantWind> &wind, PlantFrame frame) {
+PlantGroup *PlantSimulation::find_group(const MotionSpecies &species, const Ref<PlantWind> &wind, PlantFrame frame) {
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
 		if (group->wind == wind && group->frame == frame && is_same_motion(group->species, species)) {
 			return group.get();

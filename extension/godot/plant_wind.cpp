@@ -188,8 +188,8 @@ void PlantWind::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("sample", "time"), &PlantWind::sample);
 	ClassDB::bind_method(D_METHOD("set_travel_speed", "metres_per_second"), &PlantWind::set_travel_speed);
 	ClassDB::bind_method(D_METHOD("get_travel_speed"), &PlantWind::get_travel_speed);
-	ClassDB::bind_method(D_METHOD("trigger_gust", "strength", "duration"), &PlantWind::trigger_gust, DEFVAL(-1.0),
-			DEFVAL(-1.0));
+	ClassDB::bind_method(
+			D_METHOD("trigger_gust", "strength", "duration"), &PlantWind::trigger_gust, DEFVAL(-1.0), DEFVAL(-1.0));
 	ClassDB::bind_method(D_METHOD("get_time"), &PlantWind::get_time);
 	ClassDB::bind_method(D_METHOD("advance", "seconds"), &PlantWind::advance);
 

@@ -21,8 +21,8 @@ const TESTS_OPTION := "--editor-tests="
 const PICTURES_OPTION := "--pictures="
 ## Frames for which the editor is left alone once its files are scanned.
 const SETTLING_FRAMES := 20
-## A test hangs that has not come to its end after both, and the next one begins: a busy machine draws
-## few frames in that time, a quick one many.
+## A test hangs that has not come to its end after both, and the next one begins: a busy machine
+## has few frames in that time, a quick one many.
 const LIMIT_SECONDS := 60.0
 const LIMIT_FRAMES := 3000
 ## Seconds after which a line tells that a test goes on.

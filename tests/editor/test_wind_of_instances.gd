@@ -1,6 +1,7 @@
 @tool
 extends "wind_test.gd"
-## What the wind page writes to plants of scenes that stand inside the edited one: only what is saved.
+## What the wind page writes to plants of scenes that stand inside the edited one: only what is
+## saved.
 
 const POT := "res://wind_pot.tscn"
 const TULIP := "res://wind_tulip.tscn"
@@ -54,7 +55,7 @@ func _read_kind() -> PlantWind.Kind:
 	return kind
 
 
-## A scene with an instance of each of these, all selected or none.
+## A scene with an instance of each of these, none selected.
 func _open_yard(parts: Array[String]) -> Node3D:
 	_save(_make_plant(), TULIP)
 	var pot := Node3D.new()

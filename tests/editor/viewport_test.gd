@@ -23,6 +23,7 @@ func _open_field() -> PlantField3D:
 	var root := Node3D.new()
 	root.name = "Yard"
 	var field := PlantField3D.new()
+	field.name = "Field"
 	field.species = [GrassFunction.new()]
 	field.size = Vector2(2, 4)
 	_put(root, field)

@@ -70,6 +70,14 @@ func rested() -> void:
 	await frames(2)
 
 
+## Waits until what was changed just now of its look is seen.
+func dressed() -> void:
+	await frames(1)
+	while field.get_statistics()["is_dressing"]:
+		await process_frame
+	await frames(2)
+
+
 ## A capsule in the group "walkers".
 func add_walker() -> StaticBody3D:
 	var walker := StaticBody3D.new()

@@ -115,6 +115,8 @@ func test_a_field_that_is_scaled_to_nothing_or_nowhere_recovers() -> void:
 		_field.get_statistics()
 		for tip in _tips():
 			check(tip.is_finite(), "tip in %s" % odd)
+		# The engine's own instance of any node complains of that.
+		check_error_count("v.is_finite()", 0 if odd.is_finite() else 1)
 	_field.transform = Transform3D.IDENTITY
 	await frames(10)
 	var before := _tips()

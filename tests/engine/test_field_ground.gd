@@ -116,6 +116,54 @@ func test_ground_is_what_rays_hit() -> void:
 	body.free()
 
 
+func test_nothing_grows_on_bodies_that_push_plants() -> void:
+	var ground := _add_ground(Vector3(8, 2, 8))
+	var walker := add_walker()
+	walker.position = Vector3(1, 2.5, 1)
+	await physics_frames(2)
+	field.bodies_group = &"walkers"
+	field.ground = PlantField3D.GROUND_COLLIDERS
+	field.density = 60.0
+	await _fill()
+	check(field.get_plant_count() > 3000, "%d plants stand" % field.get_plant_count())
+	for i in field.get_plant_count():
+		var height := field.get_plant_transform(i).origin.y
+		check(absf(height - 1.5) < 1e-3, "plant %d stands on the ground, not at %f" % [i, height])
+	walker.free()
+	ground.free()
+
+
+func test_a_field_that_finds_no_ground_says_what_to_check() -> void:
+	field.ground = PlantField3D.GROUND_COLLIDERS
+	await _fill()
+	check_equal(field.get_plant_count(), 0, "plants without a ground")
+	check_error("Check that ground_mask has a layer of the ground")
+	field.fill()
+	await filled(field)
+	check_error_count("ground_mask", 0)
+	var ground := _add_ground(Vector3(8, 2, 8))
+	await physics_frames(2)
+	field.fill()
+	await filled(field)
+	check(field.get_plant_count() > 200, "plants stand once the ground is there")
+	field.ground_mask = 2
+	await filled(field)
+	check_error("ground_mask")
+	ground.free()
+
+
+func _add_ground(size: Vector3) -> StaticBody3D:
+	var body := StaticBody3D.new()
+	var shape := CollisionShape3D.new()
+	var box := BoxShape3D.new()
+	box.size = size
+	shape.shape = box
+	body.add_child(shape)
+	body.position.y = 0.5
+	root.add_child(body)
+	return body
+
+
 func _fill() -> void:
 	root.add_child(field)
 	await filled(field)

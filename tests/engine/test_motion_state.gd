@@ -62,7 +62,9 @@ func test_a_state_that_is_none_is_refused_with_one_error() -> void:
 	_plant.apply_impulse(Vector3(0.3, 0, 0))
 	_run(_plant, 10)
 	var before := _plant.get_motion_state()
-	for bad: Array in [[], [0, 1, 0], [0, 1, 0, 0, 0, NAN], [0, INF, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0]]:
+	for bad: Array in [
+		[], [0, 1, 0], [0, 1, 0, 0, 0, NAN], [0, INF, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0]
+	]:
 		_plant.set_motion_state(PackedFloat32Array(bad))
 		check_error("set_motion_state() needs six finite numbers")
 		check_equal(_plant.get_motion_state(), before, "state")

@@ -240,7 +240,9 @@ func test_saved_it_loads_equal() -> void:
 	_wind.gust_duration = 1.25
 	check_equal(ResourceSaver.save(_wind, PATH), OK, "saving")
 	var loaded: PlantWind = ResourceLoader.load(PATH, "", ResourceLoader.CACHE_MODE_IGNORE)
-	for property: String in ["kind", "strength", "direction", "travel_speed", "frequency", "gust_duration"]:
+	for property: String in [
+		"kind", "strength", "direction", "travel_speed", "frequency", "gust_duration"
+	]:
 		check_equal(loaded.get(property), _wind.get(property), property)
 	for time: float in [0.0, 0.3, 1.1, 20.0]:
 		check_equal(loaded.sample(time), _wind.sample(time), "force at %f" % time)

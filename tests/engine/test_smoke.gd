@@ -31,7 +31,7 @@ func test_smoke() -> void:
 	tips = field.get_tip_positions(field.get_plant_ids())
 	var before := field.get_plant_ids()
 	field.tile_size = 7.0
-	await field.filled
+	await dressed()
 	await frames(1)
 	var after := field.get_plant_ids()
 	var a := Array(before); a.sort()
@@ -40,8 +40,9 @@ func test_smoke() -> void:
 	field.simulation_enabled = false
 	await frames(2)
 	(field.species[0] as PlantFieldSpecies).species.tip_color = Color.RED
+	check(not field.is_filling(), "a colour fills nothing")
 	var now := field.get_tip_positions(after)
-	await field.filled
+	await dressed()
 	await frames(1)
 	var c := Array(field.get_plant_ids()); c.sort()
 	check_equal(c, a, "ids after recolour")
@@ -52,7 +53,7 @@ func test_smoke() -> void:
 	check(most < 1e-5, "tips stay %f" % most)
 	field.prototypes = 8
 	field.simulation_enabled = true
-	await field.filled
+	await dressed()
 	await frames(10)
 	check_equal(field.get_plant_count(), after.size())
 	print(field.get_statistics())

@@ -1,4 +1,4 @@
-## The wind that comes to a plant: where it stands decides when, as in a field, and the middle of a step how strong.
+## The wind that comes to a plant: its place decides when, the middle of a step how strong.
 extends "res://tests/engine/harness.gd"
 
 const STEP := 1.0 / 60.0

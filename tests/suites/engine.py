@@ -24,9 +24,12 @@ TEST_LINE = re.compile(r"^(ok|not ok) (.*)$", re.MULTILINE)
 START = "\nstart\n"
 # The headless engine's stand-in for a renderer may not be used by two threads at once; the real ones may.
 # By which rendering methods a script is run in a virtual display.
-DRAWN = {"threads": ["gl_compatibility"], "field_picture": ["gl_compatibility", "forward_plus"],
+DRAWN = {"threads": ["gl_compatibility"], "plant_bones": ["gl_compatibility"], "field_picture": ["gl_compatibility", "forward_plus"],
          "field_skeletons": ["gl_compatibility", "forward_plus"],
          "field_levels": ["gl_compatibility", "forward_plus"]}
+# What the projects of some scripts say besides.
+SETTINGS = {"physics_thread": "[physics]\n\n3d/run_on_separate_thread=true\n",
+            "no_physics": "[physics]\n\n3d/physics_engine=\"Dummy\"\n"}
 # What a virtual display makes the engine say.
 EXPECTED = "WARNING: Could not set V-Sync mode"
 END_LINE = re.compile(r"^done (\d+)$", re.MULTILINE)
@@ -36,7 +39,9 @@ def suites(godot, probe=None):
     """One suite for each tests/engine/**/test_*.gd; those of the binding need its `probe` library."""
     scripts = sorted((ROOT / "tests/engine").glob("test_*.gd"))
     folder = make_project()
-    found = [(script, folder, method) for script in scripts for method in DRAWN.get(subject(script), [None])]
+    folders = {name: make_project("project_" + name, settings=text) for name, text in SETTINGS.items()}
+    found = [(script, folders.get(subject(script), folder), method)
+             for script in scripts for method in DRAWN.get(subject(script), [None])]
     if probe:
         folder = make_probe_project(Path(probe))
         found += [(script, folder, None) for script in sorted((ROOT / "tests/engine/binding").glob("test_*.gd"))]
@@ -68,12 +73,13 @@ def make_probe_project(probe):
     return folder
 
 
-def make_project(name="project", links=(("tests/engine", "tests/engine"),)):
-    """A project build/test/<name> that holds the add-on and, by `links`, folders of the repository: {here: there}."""
+def make_project(name="project", links=(("tests/engine", "tests/engine"),), settings=""):
+    """A project build/test/<name> that holds the add-on and, by `links`, folders of the repository: {here: there}. Its
+    project.godot ends in `settings`."""
     folder = LOGS / name
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    (folder / "project.godot").write_text(PROJECT)
+    (folder / "project.godot").write_text(PROJECT + "\n" + settings)
     project.prepare(folder, ROOT / "addons")
     for here, there in dict(links).items():
         (folder / here).parent.mkdir(parents=True, exist_ok=True)

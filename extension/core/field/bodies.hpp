@@ -9,8 +9,8 @@
 namespace undergrowth {
 
 /// A moving capsule, sphere or box that pushes plants out of its way: all points nearer than `radius` to its core. A
-/// capsule's core is a segment, a sphere's is a segment whose ends are the same point, and that of a box whose edges are
-/// rounded by `radius` is a box.
+/// capsule's core is a segment, a sphere's is a segment whose ends are the same point, and that of a box whose edges
+/// are rounded by `radius` is a box.
 struct FieldBody {
 	glm::vec3 from = { 0.0f, 0.0f, 0.0f }; ///< m, field axes: the ends of the core's middle line.
 	glm::vec3 to = { 0.0f, 0.0f, 0.0f };

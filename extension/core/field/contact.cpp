@@ -142,7 +142,7 @@ template <class Visit> void TipContact::for_each_run(const SortedTip &own, Visit
 	const uint32_t rank = place - bucket_ends[bucket(cell_x, cell_z)];
 	for (int row = cell_z - 1; row <= cell_z + 1; row++) {
 		const uint32_t start = bucket(cell_x - 1, row);
-		if (is_crowded()) {
+		if (leaves_out()) {
 			for_each_run_near(rank, start, row, visit);
 			continue;
 		}
@@ -154,8 +154,7 @@ template <class Visit> void TipContact::for_each_run(const SortedTip &own, Visit
 	}
 }
 
-template <class Visit>
-void TipContact::for_each_run_near(uint32_t rank, uint32_t start, int row, Visit &&visit) const {
+template <class Visit> void TipContact::for_each_run_near(uint32_t rank, uint32_t start, int row, Visit &&visit) const {
 	constexpr auto NEAR = static_cast<uint32_t>(NEIGHBOURS);
 	const auto mask = static_cast<uint32_t>(bucket_ends.size()) - 2u;
 	for (uint32_t one = start; one != start + 3; one++) {

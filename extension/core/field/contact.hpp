@@ -42,8 +42,8 @@ public:
 	/// All of them, on one thread.
 	void resolve(FieldSimulation &field);
 
-	/// Whether so many tips were in one cell at the last sort() that some of them do not feel each other.
-	bool is_crowded() const { return most_in_bucket > static_cast<uint32_t>(NEIGHBOURS) + 1u; }
+	/// Whether so many tips were in one cell at the last sort() that most of its pairs do not look at each other.
+	bool is_crowded() const { return most_in_bucket > 4u * static_cast<uint32_t>(NEIGHBOURS); }
 	/// Pairs that the last sort() leaves to count() and separate() to look at, each twice.
 	std::size_t candidate_count() const;
 	/// Of the last count(): contacts of a plant, MOST_CONTACTS at most.
@@ -71,6 +71,8 @@ private:
 	std::size_t first(int page) const { return page_firsts[static_cast<std::size_t>(page)]; }
 	std::ptrdiff_t page_begin(int page) const { return static_cast<std::ptrdiff_t>(first(page)); }
 	int index_of(uint32_t tip) const { return static_cast<int>(tip - page_firsts[pages[tip]]); }
+	/// Whether there are tips in one cell that do not look at each other.
+	bool leaves_out() const { return most_in_bucket > static_cast<uint32_t>(NEIGHBOURS) + 1u; }
 	uint32_t bucket(int cell_x, int cell_z) const;
 	int cell(float place) const;
 	/// Calls visit(begin, end, row) for each run of `sorted` whose tips in that row of cells `own` looks at.

@@ -1,6 +1,5 @@
 #include "field/field_simulation.hpp"
 
-#include "base/random.hpp"
 #include "motion/gnomonic.hpp"
 
 #include <glm/common.hpp>
@@ -8,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <iterator>
 #include <utility>
 
@@ -27,14 +25,6 @@ FieldSettings safe_settings(const FieldSettings &settings) {
 	safe.update_interval = std::clamp(settings.update_interval, 1, MAX_INTERVAL);
 	safe.prototypes = std::clamp(settings.prototypes, 0, Prototypes::MOST);
 	return safe;
-}
-
-/// By the place, so that it does not depend on the order in which plants came.
-uint64_t place_hash(uint64_t seed, const glm::vec3 &root) {
-	uint32_t place[2];
-	std::memcpy(&place[0], &root.x, sizeof place[0]);
-	std::memcpy(&place[1], &root.z, sizeof place[1]);
-	return mix_bits(mix_bits(seed ^ place[0]) ^ place[1]);
 }
 
 bool are_valid(const MotionPlant *plants, int count) {
@@ -109,10 +99,9 @@ void FieldSimulation::take_in(Entry &entry, const MotionPlant *plants, int count
 	if (models.empty()) {
 		return;
 	}
-	const Prototypes &model = models[static_cast<std::size_t>(entry.page.species())];
 	entry.followers.reserve(entry.followers.size() + static_cast<std::size_t>(count));
 	for (int i = 0; i < count; i++) {
-		entry.followers.push_back(model.pick(plants[i], place_hash(options.seed, plants[i].root)));
+		entry.followers.push_back(pick(plants[i], entry.page.species()));
 	}
 	loose_of(entry).reserve(count_of_species(entry.page.species()));
 }
@@ -152,27 +141,20 @@ void FieldSimulation::remove_page(int page) {
 	update_box();
 }
 
-void FieldSimulation::remove(int page, int index) {
-	Entry &entry = at(page);
-	if (!entry.followers.empty()) {
-		follow_again(entry, index);
-		entry.followers[static_cast<std::size_t>(index)] = entry.followers.back();
-		entry.followers.pop_back();
-		const bool is_last = index == static_cast<int>(entry.followers.size());
-		const int number = is_last ? 0 : entry.followers[static_cast<std::size_t>(index)].loose;
-		if (number > 0) {
-			loose_of(entry).set_index(number - 1, index);
-		}
-		entry.loose_version++;
-	}
-	entry.page.remove(index);
-}
-
 void FieldSimulation::settle() {
 	for (Entry &entry : entries) {
 		if (entry.page.swings()) {
 			entry.page.settle();
 		}
+	}
+	for (LoosePlants &some : loose) {
+		while (some.count() > 0) {
+			const int last = some.count() - 1;
+			follow_again(at(some.page_of(last)), some.index_of(last));
+		}
+	}
+	for (Prototypes &model : models) {
+		model.settle();
 	}
 }
 

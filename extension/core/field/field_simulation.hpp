@@ -27,7 +27,7 @@ struct FieldSettings {
 /// late. A page whose interval is k steps at steps n with n % k == page % k: never all pages in one step (thesis,
 /// section 5.3.1). Nothing allocates between begin_step() and the next change of the field.
 ///
-/// Plants are named by page and index. Removing a plant moves the last one of its page into its place.
+/// Plants are named by page and index, which stay theirs.
 class FieldSimulation {
 public:
 	explicit FieldSimulation(const FieldSettings &settings);
@@ -37,6 +37,9 @@ public:
 	int add_species(const MotionSpecies &species);
 	/// The motion goes on.
 	void set_species(int index, const MotionSpecies &species);
+	/// Other directions in calm air (unit, y > 0) of all plants of a page, of the spring law: after set_species() with
+	/// another law or lean. Their motion goes on; followers show prototypes that lean so from now on.
+	void set_rests(int page, const glm::vec3 *rests);
 	int species_count() const { return static_cast<int>(kinds.size()); }
 
 	/// A page of `count` plants of one species, up to MotionPage::PAGE_PLANTS; tells its number, which is the lowest
@@ -46,7 +49,6 @@ public:
 	/// Appends plants of its species to a page that has room for them; their indices follow those that are there.
 	/// Tells false, and adds nothing, where a plant is not valid or there is no room.
 	bool add_to_page(int page, const MotionPlant *plants, int count);
-	void remove(int page, int index);
 	/// Takes a plant away; all others keep their index. Its row stays, and no body, blow, contact or question finds it.
 	void drop(int page, int index);
 	/// Takes a page with all its plants away; other pages keep their numbers. Until add_page() gives the number anew,
@@ -105,8 +107,7 @@ public:
 	/// A blow on the tip (N·s): changes the velocity by impulse/mass.
 	void apply_impulse(int page, int index, const glm::vec3 &impulse);
 
-	/// Puts all plants that swing by themselves into their rest directions, without velocity. Followers stay with their
-	/// prototypes, which go on.
+	/// Puts all plants into their rest directions, without velocity, prototypes and what they did before included.
 	void settle();
 
 	/// Null where every plant of the species is simulated.
@@ -163,6 +164,7 @@ private:
 	bool is_due(int page, int64_t number) const;
 	void step_page(Entry &entry, int interval);
 	void update_delays();
+	Follower pick(const MotionPlant &plant, int species) const;
 	LoosePlants &loose_of(const Entry &entry);
 	int count_of_species(int species) const;
 	glm::vec2 followed_bend(const Entry &entry, int index, float fraction) const;

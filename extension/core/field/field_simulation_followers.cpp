@@ -2,9 +2,12 @@
 
 #include "field/field_simulation.hpp"
 
+#include "base/random.hpp"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <cstring>
 
 namespace undergrowth {
 
@@ -20,6 +23,30 @@ void FieldSimulation::update_delays() {
 	} else {
 		delays.want(plane);
 	}
+}
+
+void FieldSimulation::set_rests(int page, const glm::vec3 *rests) {
+	Entry &entry = at(page);
+	if (entry.page.swings()) {
+		entry.page.set_rests(rests);
+		return;
+	}
+	for (int i = 0; i < entry.page.size(); i++) {
+		Follower &follower = entry.followers[static_cast<std::size_t>(i)];
+		const uint16_t number = follower.loose;
+		follower = pick({ entry.page.root(i), entry.page.length(i), rests[i] }, entry.page.species());
+		follower.loose = number;
+	}
+	entry.loose_version++;
+}
+
+/// Whom a plant follows: by its place, so that it does not depend on the order in which plants came.
+Follower FieldSimulation::pick(const MotionPlant &plant, int species) const {
+	uint32_t place[2];
+	std::memcpy(&place[0], &plant.root.x, sizeof place[0]);
+	std::memcpy(&place[1], &plant.root.z, sizeof place[1]);
+	const uint64_t hash = mix_bits(mix_bits(options.seed ^ place[0]) ^ place[1]);
+	return models[static_cast<std::size_t>(species)].pick(plant, hash);
 }
 
 LoosePlants &FieldSimulation::loose_of(const Entry &entry) {

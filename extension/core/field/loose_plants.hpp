@@ -41,10 +41,6 @@ public:
 	TipState shown_state(int number) const;
 	int page_of(int number) const { return places[static_cast<std::size_t>(number)].page; }
 	int index_of(int number) const { return places[static_cast<std::size_t>(number)].index; }
-	/// Where the plant is in its page now.
-	void set_index(int number, int index) {
-		places[static_cast<std::size_t>(number)].index = static_cast<uint16_t>(index);
-	}
 	/// Swinging plants with their pairs of bends as they are shown.
 	const MotionPage &page() const { return swinging; }
 	std::size_t bytes() const { return swinging.bytes() + places.capacity() * sizeof(Place); }

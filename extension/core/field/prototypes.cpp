@@ -51,8 +51,17 @@ Prototypes::Prototypes(int species_index, const MotionSpecies &species, int coun
 		longest(species.longest),
 		lean(species.lean),
 		ring(2 * static_cast<std::size_t>(SLOTS * MOST)) {
+	remember_rest();
+}
+
+void Prototypes::settle() {
+	page.settle();
+	remember_rest();
+}
+
+void Prototypes::remember_rest() {
 	for (int slot = 0; slot < SLOTS; slot++) {
-		std::copy(page.bends(), page.bends() + 2 * count, ring.begin() + 2 * slot * MOST);
+		std::copy(page.bends(), page.bends() + 2 * count(), ring.begin() + 2 * slot * MOST);
 	}
 }
 

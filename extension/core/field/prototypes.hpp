@@ -36,6 +36,9 @@ public:
 	/// The motion goes on, about other rest directions where those change.
 	void set_species(const MotionSpecies &species);
 
+	/// All at rest, now and in all that is remembered.
+	void settle();
+
 	/// One step of all prototypes; what they do is written into the next slot.
 	void step(const TravellingWind &wind, const PlantWinds &along);
 	/// What a plant that is `late` steps late shows of a prototype, `fraction` of a step after the newest one began, as
@@ -57,6 +60,8 @@ private:
 	float shortest, longest, lean; ///< As they were spread.
 	int newest = 0;
 	std::vector<Bend> ring;
+
+	void remember_rest();
 };
 
 } // namespace undergrowth

@@ -1,5 +1,6 @@
 #include "motion/fixed_step.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace undergrowth {
@@ -9,10 +10,17 @@ namespace {
 /// Share of a step that may be missing and still counts as a whole one: a frame of exactly one step, or twelve of
 /// 1/144 s against five of 1/60 s, must not wait for the next frame because a sum was rounded down.
 constexpr double ROUNDING = 1e-6;
+constexpr int LEAST_STEPS = 2; // That a frame may catch up, so that a step as long as a frame is never short of one.
+
+int steps_of_frame(double step) {
+	return std::max(static_cast<int>(std::ceil(FixedStep::LONGEST_FRAME / step - ROUNDING)), LEAST_STEPS);
+}
 
 } // namespace
 
 FixedStep::FixedStep(double step, int max_steps) : step_length(step), most(max_steps) {}
+
+FixedStep::FixedStep(double step) : FixedStep(step, steps_of_frame(step)) {}
 
 int FixedStep::advance(double delta) {
 	if (!std::isfinite(delta) || delta < 0.0) {

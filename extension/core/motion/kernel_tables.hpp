@@ -53,7 +53,8 @@ inline constexpr float MAX_GNOMONIC = 1e3f;
 struct KernelSet {
 	void (*step_elasticity)(const ElasticityPage &page, int count, const PlantWinds &winds);
 	void (*step_spring)(const SpringPage &page, int count, const PlantWinds &winds);
-	/// Moves each pair of bends (motion/bend_encoding.hpp) on: the second becomes the first, the present one the second.
+	/// Moves each pair of bends (motion/bend_encoding.hpp) on: the second becomes the first, the present one the
+	/// second.
 	void (*encode_elasticity)(const float *x, const float *y, const float *z, int count, uint32_t *pairs);
 	void (*encode_spring)(const float *x, const float *z, int count, uint32_t *pairs);
 	/// Unit directions to out[0 .. 3·count), three floats each.

@@ -18,9 +18,9 @@ namespace undergrowth {
 namespace avx2_kernels {
 
 #include "base/kernel_basics.inc"
+#include "motion/kernel_bends.inc"
 #include "motion/kernel_elasticity.inc"
 #include "motion/kernel_spring.inc"
-#include "motion/kernel_bends.inc"
 
 static const KernelSet SET = { step_elasticity, step_spring, encode_elasticity, encode_spring, interpolate_elasticity,
 	interpolate_spring };

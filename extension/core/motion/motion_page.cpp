@@ -28,6 +28,17 @@ int column_count(bool swings, bool keeps_directions) {
 
 } // namespace
 
+/// A state as it would be about another rest direction: as far from it in the plane that the spring law lives in.
+static TipState moved_rest(const TipState &state, const glm::vec3 &from, const glm::vec3 &to) {
+	if (from == to) {
+		return state;
+	}
+	GnomonicState flat = to_gnomonic(state);
+	flat.x += to.x / to.y - from.x / from.y;
+	flat.z += to.z / to.y - from.z / from.y;
+	return from_gnomonic(flat);
+}
+
 bool is_same_motion(const MotionSpecies &a, const MotionSpecies &b) {
 	const Joint &one = a.joint;
 	const Joint &other = b.joint;
@@ -42,8 +53,8 @@ bool is_valid(const MotionPlant &plant) {
 			plant.rest.y > 0.0f;
 }
 
-MotionPage::MotionPage(int species_index, const MotionSpecies &species, const MotionPlant *plants, int count, float step,
-		bool swings, Keeps keeps) :
+MotionPage::MotionPage(int species_index, const MotionSpecies &species, const MotionPlant *plants, int count,
+		float step, bool swings, Keeps keeps) :
 		species_number(species_index),
 		is_swinging(swings),
 		keeps_directions(swings && keeps == Keeps::directions),
@@ -173,8 +184,13 @@ void MotionPage::take_motion(int index, const MotionPage &other, int from) {
 	if (!is_swinging || !other.is_swinging) {
 		return; // Who follows a prototype has no motion of its own.
 	}
-	set_state(index, other.state(from));
-	set_before(index, other.before(from));
+	const glm::vec3 was = other.rest(from);
+	const glm::vec3 is = rest(index);
+	set_state(index, moved_rest(other.state(from), was, is));
+	set_before(index, moved_rest({ other.before(from), {} }, was, is).direction);
+	if (was == is && has_bends() && other.has_bends()) {
+		std::copy_n(other.pairs.begin() + 2 * from, 2, pairs.begin() + 2 * index); // To the bit.
+	}
 }
 
 glm::vec3 MotionPage::before(int index) const {

@@ -77,6 +77,8 @@ public:
 	/// Whether a plant was dropped: its row keeps its index, and its length is 0.
 	bool is_gone(int index) const { return lengths()[index] <= 0.0f; }
 	bool swings() const { return is_swinging; }
+	/// Whether it keeps bends for a texture: it swings and does not keep directions.
+	bool has_bends() const { return is_swinging && !keeps_directions; }
 	Law law() const { return kind.law; }
 	/// Seconds of the step that the constants are for.
 	float step_length() const { return step_time; }
@@ -99,13 +101,14 @@ public:
 	TipState state(int index) const;
 	/// Puts a plant into a state; what is drawn as the last one is this state's.
 	void set_state(int index, const TipState &state);
-	/// Plant `from` of another page, of any law, goes on as plant `index`, and is drawn where it was.
+	/// Plant `from` of another page, of any law, goes on as plant `index`, and is drawn where it was; about another rest
+	/// direction, as far from it.
 	void take_motion(int index, const MotionPage &other, int from);
 	/// Where a plant pointed before its last step, as it is drawn.
 	glm::vec3 before(int index) const;
 	void set_before(int index, const glm::vec3 &direction);
-	/// A blow on the tip (N·s): changes the velocity by impulse/mass, along the sphere. What goes along the stem is held
-	/// by the root, so a blow upwards straightens a bent plant and does nothing to an upright one.
+	/// A blow on the tip (N·s): changes the velocity by impulse/mass, along the sphere. What goes along the stem is
+	/// held by the root, so a blow upwards straightens a bent plant and does nothing to an upright one.
 	void apply_impulse(int index, const glm::vec3 &impulse);
 	/// Puts all plants into their rest directions, without velocity; both bends of each are those.
 	void settle();
@@ -120,8 +123,8 @@ public:
 	/// Removes plant `index`; the last one takes its index.
 	void remove(int index);
 
-	/// Other constants; the motion goes on. A page of the elasticity law keeps no rest directions: where the law changes,
-	/// plants rest upright until set_rests().
+	/// Other constants; the motion goes on. A page of the elasticity law keeps no rest directions: where the law
+	/// changes, plants rest upright until set_rests().
 	void set_species(const MotionSpecies &species);
 	/// Other rest directions (unit, as MotionPlant::rest), size() of them; plants swing there. Without effect where the
 	/// law has none.
@@ -131,8 +134,8 @@ public:
 	/// When in a step its wind is to be taken, as a share of it: the elasticity law's kick stands at the start of the
 	/// drift (its rate is that of the middle), the spring law's closed form holds the force of the middle.
 	double wind_moment() const { return kind.law == Law::elasticity ? 0.0 : 0.5; }
-	/// One step under `wind`, which blows along (along.x, along.z) of the directions' axes. `level` chooses the code, not
-	/// the result.
+	/// One step under `wind`, which blows along (along.x, along.z) of the directions' axes. `level` chooses the code,
+	/// not the result.
 	void step(const TravellingWind &wind, const PlantWinds &along, SimdLevel level = best_simd_level());
 
 	/// Of a page that keeps directions: unit directions of all plants, `alpha` of the way from before the last step (0)
@@ -162,7 +165,6 @@ private:
 	Columns rows;
 	std::vector<Bend> pairs;
 
-	bool has_bends() const { return is_swinging && !keeps_directions; }
 	float *column(int which) { return rows.column(which); }
 	const float *column(int which) const { return rows.column(which); }
 	ElasticityPage elasticity_page(int begin);

@@ -76,9 +76,7 @@ SpringPage MotionPage::spring_page(int begin) {
 
 /// What is drawn as the last direction, before a step.
 void MotionPage::remember() {
-	const auto copy = [this](int from, int to) {
-		std::copy(column(from), column(from) + size(), column(to));
-	};
+	const auto copy = [this](int from, int to) { std::copy(column(from), column(from) + size(), column(to)); };
 	if (kind.law == Law::elasticity) {
 		copy(X, LAST_X);
 		copy(Y, LAST_Y);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "wind/wind_kernels.hpp"
 #include "wind/wind.hpp"
+#include "wind/wind_kernels.hpp"
 
 namespace undergrowth {
 

@@ -36,8 +36,8 @@ public:
 
 	/// Once in every frame, of `delta` seconds: notes where the bodies of `group` are. `field_axes`: from the field's
 	/// axes to the world's, invertible. An empty group has no bodies.
-	void watch(godot::SceneTree *tree, const godot::StringName &group, const godot::Transform3D &field_axes,
-			double delta);
+	void watch(
+			godot::SceneTree *tree, const godot::StringName &group, const godot::Transform3D &field_axes, double delta);
 	/// What pushes in a step whose time is `ago` seconds before this frame (0 to its delta), in field axes. Steps are
 	/// asked for in their order. It holds until the next call.
 	const std::vector<FieldBody> &gather(double ago);

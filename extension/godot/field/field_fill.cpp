@@ -101,7 +101,7 @@ void FieldFill::gather_standing() {
 }
 
 void FieldFill::stand_on_ground() {
-	if (!heights.empty()) {
+	if (heights.size() == size_t(placed.size()) && normals.size() == heights.size()) {
 		apply_ground(placed, heights.data(), normals.data(), recipe.ground.limits);
 		heights = {};
 		normals = {};

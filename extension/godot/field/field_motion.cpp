@@ -192,7 +192,7 @@ void FieldMotion::set_species(int index, const FieldLook &look, const PlantStore
 		for (int slot = 0; slot < plants.size(); slot++) {
 			rests.push_back(look.to_simulate(plants.plants.plant(slot)).rest);
 		}
-		simulation->page(page_of(block)).set_rests(rests.data());
+		simulation->set_rests(page_of(block), rests.data());
 	}
 	fit_contact(touches);
 }

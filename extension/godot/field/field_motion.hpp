@@ -78,6 +78,9 @@ public:
 	/// The textures show a plant, or a skeleton does instead.
 	void set_hidden(const PlantPlace &place, bool hidden);
 
+	/// Whether so many tips touch that some pairs are left out.
+	bool is_crowded() const { return touches && touching.is_crowded(); }
+
 	FieldBodies bodies;
 	/// Bodies that came among plants, or left them, since it was asked last.
 	std::vector<FieldBodies::Event> take_events() { return std::move(events); }

@@ -24,8 +24,6 @@ static constexpr int FRAMES_BETWEEN_FAR_UPDATES = 15;
 static constexpr int MOST_FAR_MULTIPLE = 32;
 static constexpr double FARTHER = 1.4142135623730951; // So much farther is stepped half as often again.
 static constexpr double LARGEST_WIND_DRIFT = 2.5; // Steps that two clocks may differ by and still count as one.
-// s of steps in one frame after which the rest of its time is dropped: a frame that is late gets no later by them.
-static constexpr double MOST_STEPPING = 1.0 / 30.0;
 
 static int worker_count(const MotionOptions &options) {
 	static const int processors = OS::get_singleton()->get_processor_count();
@@ -148,12 +146,12 @@ double FieldMotion::advance(const Frame &frame, const MotionOptions &options) {
 	const Clock::time_point start = Clock::now();
 	double stepping_usec = 0.0;
 	for (int i = 0; i < step_count; i++) {
-		if (i > 0 && std::chrono::duration<double>(Clock::now() - start).count() > MOST_STEPPING) {
-			break;
-		}
 		wait();
+		if (i > 0 && std::chrono::duration<double>(Clock::now() - start).count() > FixedStep::MOST_STEPPING) {
+			break; // The rest is dropped, so that a slow frame does not make the next one slower yet.
+		}
 		push(clock.step() * (double(shown_alpha) + step_count - 1 - i));
-		if (i + 1 == step_count) {
+		if (i == 0) {
 			find_events(options.touch_margin);
 		}
 		start_step(options, touches);

@@ -61,7 +61,7 @@ static String read_exclusion(const Node3D *field, const NodePath &path, const St
 	}
 	const PlantField3D *other = Object::cast_to<PlantField3D>(field->get_node_or_null(path));
 	if (!other || other == field) {
-		return name + " leads to no Path3D with a curve, and to no other PlantField3D. Set a path to one.";
+		return name + " '" + String(path) + "' leads to no Path3D with a curve, and to no other PlantField3D. Set a path to one.";
 	}
 	const Transform3D to_field = axes_of(field).affine_inverse() * axes_of(other);
 	into = other->outline_polygon();
@@ -86,7 +86,8 @@ static void add_species(const PlantFieldSpecies &listed, PlacementRequest &into)
 
 String read_request(const Node3D *field, const StandOptions &options, PlacementRequest &into) {
 	if (!options.outline.is_empty() && !find_path(field, options.outline)) {
-		return "outline leads to no Path3D with a curve. Set a path to one, or none for a rectangle of Size.";
+		return "outline '" + String(options.outline) +
+				"' leads to no Path3D with a curve. Set a path to one, or none for a rectangle of Size.";
 	}
 	into.area = read_outline(field, options);
 	for (int64_t i = 0; i < options.exclusions.size(); i++) {
@@ -139,6 +140,24 @@ String read_ground(const Node3D *field, const StandOptions &options, FieldGround
 	Vector3 *corners = into.triangles.ptrw();
 	for (int64_t i = 0; i < into.triangles.size(); i++) {
 		corners[i] = to_field.xform(corners[i]);
+	}
+	return String();
+}
+
+String find_level_fault(const ViewOptions &options) {
+	float before = 0.0f;
+	for (int64_t i = 0; i < options.levels.size(); i++) {
+		const Ref<PlantFieldLevel> level = options.levels[i];
+		const String name = "levels[" + String::num_int64(i) + "]";
+		if (level.is_null()) {
+			return name + " is empty. Set a PlantFieldLevel there, or remove the entry.";
+		}
+		const float end = float(level->get_end());
+		if (i + 1 < options.levels.size() && end <= before) {
+			return name + " ends at " + String::num(end) + " m, not beyond the one before it. Let each level but the last "
+														   "end farther away than the one before.";
+		}
+		before = end;
 	}
 	return String();
 }

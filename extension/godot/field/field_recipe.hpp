@@ -26,6 +26,9 @@ godot::String read_request(const godot::Node3D *field, const StandOptions &optio
 /// What they stand on.
 godot::String read_ground(const godot::Node3D *field, const StandOptions &options, FieldGround &into);
 
+/// What is wrong with the levels that users set.
+godot::String find_level_fault(const ViewOptions &options);
+
 /// Levels up to `range` (m; 0: without end), at least one.
 std::vector<FieldLevel> read_levels(const ViewOptions &options, float range);
 

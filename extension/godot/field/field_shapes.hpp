@@ -10,16 +10,16 @@
 
 namespace undergrowth {
 
-/// The CollisionShape3Ds below a body, at any depth, by instance id. Those of an Area3D below it are no part of it (they
-/// feel, and are often large), and neither are those of nodes that are in `group` themselves.
+/// The CollisionShape3Ds below a body, at any depth, by instance id. Those of an Area3D below it are no part of it
+/// (they feel, and are often large), and neither are those of nodes that are in `group` themselves.
 std::vector<uint64_t> find_shape_holders(const godot::Node3D *body, const godot::StringName &group);
 
 /// Whether a CollisionShape3D has a shape that can push: a sphere, capsule, cylinder or box.
 bool may_push(const godot::CollisionShape3D *holder);
 
 /// What a CollisionShape3D pushes with, in world axes; `velocity` is not set. Spheres, capsules and boxes are exact but
-/// for a box's edges, which are rounded by up to 2 cm, and for uneven scales. A cylinder that is longer than wide is the
-/// capsule in it, a flatter one a box of its height and area. False where it cannot push now: disabled, or no such
+/// for a box's edges, which are rounded by up to 2 cm, and for uneven scales. A cylinder that is longer than wide is
+/// the capsule in it, a flatter one a box of its height and area. False where it cannot push now: disabled, or no such
 /// shape.
 bool shape_in_world(const godot::CollisionShape3D *holder, FieldBody &body);
 

@@ -50,6 +50,7 @@ FieldView::Clump FieldView::make(const FieldStyle &style, const ClumpPlan &plan)
 	const FieldLevel &level = style.levels[size_t(plan.place.level)];
 	const FieldLook &look = style.looks[size_t(plan.species)];
 	Clump clump;
+	clump.species = plan.species;
 	clump.count = plan.count;
 	clump.middle = plan.box.get_center();
 	clump.radius = 0.5f * plan.box.size.length();
@@ -178,6 +179,13 @@ void FieldView::wear(const FieldWear &wear) {
 	worn = wear;
 	for_each([&](RenderingServer *, const ClumpPlace &place, const Clump &clump) {
 		set_wear(clump, levels[size_t(place.level)]);
+	});
+}
+
+void FieldView::wear_materials(const FieldStyle &style) {
+	for_each([&](RenderingServer *server, const ClumpPlace &place, const Clump &clump) {
+		const FieldLook &look = style.looks[size_t(clump.species)];
+		server->instance_geometry_set_material_override(clump.instance, look.materials[size_t(place.level)]->get_rid());
 	});
 }
 

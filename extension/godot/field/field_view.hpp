@@ -79,6 +79,8 @@ public:
 	void set_transform(const godot::Transform3D &transform);
 	void set_visible(bool visible);
 	void wear(const FieldWear &wear);
+	/// The materials of `style` are other ones.
+	void wear_materials(const FieldStyle &style);
 	/// Whose instances they are: what a ray of the editor meets.
 	void set_owner(uint64_t object) { owner = object; }
 
@@ -89,6 +91,7 @@ private:
 	struct Clump {
 		godot::RID multimesh;
 		godot::RID instance;
+		int species = 0;
 		int count = 0;
 		godot::Vector3 middle; ///< Field axes, m.
 		float radius = 0.0f;

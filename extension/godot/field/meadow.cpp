@@ -136,6 +136,23 @@ Ref<Material> Meadow::worn_material(const FieldLook &look) const {
 	return instead.is_valid() ? instead : look.function->get_material();
 }
 
+void Meadow::change_materials() {
+	motion.wait();
+	std::vector<std::vector<Ref<ShaderMaterial>>> old; // They go once nobody wears them.
+	for (FieldLook &look : style.looks) {
+		old.push_back(std::move(look.materials));
+		look.materials.clear();
+		for (SampledPlant &sampled : look.nearest) {
+			sampled.material = look.function->get_material();
+		}
+	}
+	if (motion.is_ready() && motion.poses()->poses().is_valid()) {
+		dress();
+		view.wear_materials(style);
+		skeletons.release_all(motion);
+	}
+}
+
 void Meadow::follow_materials() {
 	if (style.looks.empty()) {
 		return;
@@ -246,6 +263,9 @@ void Meadow::read_motion(const PlantFunction *function) {
 }
 
 bool Meadow::update_levels() {
+	if (!find_level_fault(properties.view).is_empty()) {
+		return false; // The next filling tells of it.
+	}
 	const std::vector<FieldLevel> wanted = read_levels(properties.view, node->get_visibility_range_end());
 	const bool same = std::equal(wanted.begin(), wanted.end(), style.levels.begin(), style.levels.end(),
 			[](const FieldLevel &a, const FieldLevel &b) { return a.lod == b.lod && a.tile_factor == b.tile_factor; });

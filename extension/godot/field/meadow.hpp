@@ -30,7 +30,9 @@ public:
 
 	/// Grows anew what stands (`places`), or only what it looks like and how finely it moves.
 	void fill(bool places);
-	bool is_filling() const { return job != nullptr; }
+	bool is_at_work() const { return job != nullptr; }
+	/// Whether it places plants.
+	bool is_filling() const { return job && job->places(); }
 	/// Goes on with it; at any frame, paused or not. `physics`: it is one of physics, in which rays may be cast.
 	void poll(double delta, bool physics);
 
@@ -51,6 +53,8 @@ public:
 	/// Distances of levels, or shadows. False where other meshes are needed for them.
 	bool update_levels();
 	void update_wear(const FieldWear &wear);
+	/// A species wears another material.
+	void change_materials();
 	/// One species' materials follow what its user set, in turns.
 	void follow_materials();
 	void skeletons_changed();
@@ -81,10 +85,13 @@ private:
 	std::vector<PlantId> removed_meanwhile; ///< While the job goes on.
 	float told_progress = -1.0f;
 	size_t followed_look = 0;
+	bool has_missed_ground = false;
 
 	FieldMotion::Frame frame(double delta, const godot::Ref<PlantWind> &wind) const;
 	FieldSettings settings() const;
 	godot::String make_recipe(FieldRecipe &recipe, bool places);
+	void cast_rays(double delta);
+	void tell_of_no_ground();
 	void adopt(FieldFill &finished);
 	ChangeSet apply(StandEdit &&edit);
 	void dress();

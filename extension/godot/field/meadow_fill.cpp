@@ -2,6 +2,7 @@
 
 #include "field/meadow.hpp"
 
+#include "messages.hpp"
 #include "plant_simulation.hpp"
 
 #include <godot_cpp/classes/physics_direct_space_state3d.hpp>
@@ -67,8 +68,11 @@ String Meadow::make_recipe(FieldRecipe &recipe, bool places) {
 	recipe.places = places;
 	const std::vector<FieldLook> others = others_of(style, store, properties.stand, recipe.species_numbers);
 	recipe.style.levels = read_levels(properties.view, node->get_visibility_range_end());
-	String fault = read_looks(properties.stand, others, recipe.style);
-	if (fault.is_empty() && places && properties.stand.species.size() > 0) { // Else only what code adds.
+	String fault = find_level_fault(properties.view);
+	if (fault.is_empty()) {
+		fault = read_looks(properties.stand, others, recipe.style);
+	}
+	if (fault.is_empty() && places) {
 		fault = read_request(node, properties.stand, recipe.request);
 	}
 	if (fault.is_empty()) {
@@ -108,32 +112,57 @@ void Meadow::fill(bool places) {
 	job->start();
 }
 
+// In a physics frame: only then may everybody ask physics.
+void Meadow::cast_rays(double delta) {
+	if (!rays) {
+		rays = std::make_unique<FieldRays>(axes_of(node), uint32_t(properties.stand.ground_collision_mask));
+	}
+	const double usec = std::clamp(1e6 * RAY_SHARE * delta, LEAST_RAY_USEC, MOST_RAY_USEC);
+	const TypedArray<RID> excluded = collision_objects_of(node->get_tree(), properties.motion.bodies_group);
+	const FieldRays::State state = rays->cast(node->get_world_3d(), excluded, job->plants(), usec);
+	if (state == FieldRays::State::going_on) {
+		return;
+	}
+	if (state == FieldRays::State::failed) {
+		job.reset();
+		listener.fault("there is no 3D physics to cast rays at, so nothing is planted. Choose a 3D physics engine in the "
+					   "project settings, or another ground_mode.");
+	} else {
+		tell_of_no_ground();
+		job->go_on(std::move(rays->heights), std::move(rays->normals));
+	}
+	rays.reset();
+}
+
+void Meadow::tell_of_no_ground() {
+	const bool is_missed = !rays->has_hit() && job->plants().size() > 0;
+	if (is_missed && !has_missed_ground) {
+		report_warning(node,
+				"no collider is below or above it, so nothing grows. Check that ground_collision_mask has a layer of the "
+				"ground, that the ground is within 1000 m, and call fill() once it is there where it comes later.");
+	}
+	has_missed_ground = is_missed;
+}
+
 void Meadow::poll(double delta, bool physics) {
+	if (job && job->wants_ground() && physics) {
+		cast_rays(delta);
+	}
 	if (!job) {
 		return;
 	}
-	if (job->wants_ground() && physics) {
-		if (!rays) {
-			rays = std::make_unique<FieldRays>(
-					node->get_world_3d(), axes_of(node), uint32_t(properties.stand.ground_collision_mask));
-		}
-		const double usec = std::clamp(1e6 * RAY_SHARE * delta, LEAST_RAY_USEC, MOST_RAY_USEC);
-		if (rays->cast(job->plants(), usec)) {
-			job->go_on(std::move(rays->heights), std::move(rays->normals));
-			rays.reset();
-		}
-	}
 	const bool is_done = job->is_done();
 	const float progress = is_done ? 1.0f : job->progress();
+	const bool tells = job->places();
 	if (is_done) {
 		const std::unique_ptr<FieldFill> finished = std::move(job);
 		adopt(*finished);
 	}
-	if (progress != told_progress) {
+	if (tells && progress != told_progress) {
 		told_progress = progress;
 		listener.progressed(progress);
 	}
-	if (is_done) {
+	if (tells && is_done) {
 		listener.filled();
 	}
 }

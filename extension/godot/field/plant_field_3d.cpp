@@ -4,7 +4,6 @@
 #include "field/plant_field_3d.hpp"
 
 #include "follow_changes.hpp"
-#include "species_functions.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/node3d.hpp>
@@ -31,9 +30,6 @@ PlantField3D::PlantField3D() :
 						[this](float ratio) { emit_signal("fill_progressed", ratio); },
 						[this] { emit_signal("filled"); },
 						[this](Skeleton3D *skeleton, bool is_shown) { tell_of_skeleton(skeleton, is_shown); } }) {
-	Ref<GrassFunction> grass;
-	grass.instantiate();
-	properties.stand.species.push_back(PlantFieldSpecies::of(grass));
 	follow_species();
 }
 
@@ -43,16 +39,16 @@ PlantField3D::~PlantField3D() {
 
 PlantField3D *PlantField3D::from_species(const Array &functions, const PackedFloat32Array &shares) {
 	PlantField3D *field = memnew(PlantField3D);
-	TypedArray<PlantFieldSpecies> listed;
+	TypedArray<PlantFieldSpecies> entries;
 	for (int64_t i = 0; i < functions.size(); i++) {
 		const Ref<PlantFunction> function = functions[i];
 		if (function.is_null()) {
 			report_error(field, "from_species() needs PlantFunctions; entry " + String::num_int64(i) + " is none.");
 			continue;
 		}
-		listed.push_back(PlantFieldSpecies::of(function, i < shares.size() ? double(shares[i]) : 1.0));
+		entries.push_back(PlantFieldSpecies::of(function, i < shares.size() ? double(shares[i]) : 1.0));
 	}
-	field->set_species(listed);
+	field->set_species(entries);
 	return field;
 }
 
@@ -79,9 +75,6 @@ PackedStringArray PlantField3D::_get_configuration_warnings() const {
 	PackedStringArray warnings;
 	if (!problem.is_empty()) {
 		warnings.push_back(problem);
-	} else if (properties.stand.species.is_empty()) {
-		warnings.push_back("This field grows nothing by itself: add a PlantFieldSpecies with a PlantFunction, such as a "
-						   "GrassFunction, to Species.");
 	}
 	if (properties.motion.prototypes > 0 && properties.motion.contact_enabled) {
 		warnings.push_back("Plants that follow Prototypes do not touch each other: set Prototypes to 0, or Contact "
@@ -113,7 +106,7 @@ void PlantField3D::on_fill_queued() {
 	stand_is_stale = look_is_stale = false;
 	watch_nodes();
 	meadow.fill(stand);
-	follow_frames(meadow.is_filling());
+	follow_frames(meadow.is_at_work());
 }
 
 void PlantField3D::fill() {
@@ -124,7 +117,7 @@ void PlantField3D::fill() {
 }
 
 bool PlantField3D::is_filling() const {
-	return meadow.is_filling() || ((stand_is_stale || look_is_stale) && fill_is_queued);
+	return meadow.is_filling() || (stand_is_stale && fill_is_queued);
 }
 
 bool PlantField3D::may_simulate() const {
@@ -149,7 +142,7 @@ void PlantField3D::follow_frames(bool on) {
 // Whoever hears that it is filled may take the field out of the tree.
 void PlantField3D::poll(double delta, bool physics) {
 	meadow.poll(delta, physics);
-	if (is_inside_tree() && !meadow.is_filling()) {
+	if (is_inside_tree() && !meadow.is_at_work()) {
 		follow_frames(false);
 	}
 }
@@ -188,11 +181,11 @@ void PlantField3D::look_around() {
 	const uint64_t material = get_material_override().is_valid() ? get_material_override()->get_instance_id() : 0;
 	if (material != seen_material) {
 		seen_material = material;
-		mark_stale(false);
+		meadow.change_materials();
 	}
-	bool differs = int64_t(seen_species.size()) != properties.stand.species.size();
+	bool differs = int64_t(seen_species.size()) != listed.size();
 	for (size_t i = 0; i < seen_species.size() && !differs; i++) {
-		const Object *entry = properties.stand.species[int64_t(i)];
+		const Object *entry = listed[int64_t(i)];
 		differs = (entry ? uint64_t(entry->get_instance_id()) : 0) != seen_species[i];
 	}
 	if (differs) {
@@ -245,6 +238,12 @@ void PlantField3D::watch_nodes() {
 }
 
 void PlantField3D::tell_of_bodies() {
+	if (meadow.motion.is_crowded() && !has_told_of_crowd) {
+		has_told_of_crowd = true;
+		report_warning(this,
+				"too many tips are near each other for all of them to touch: some pairs are left out. Set a smaller "
+				"collision_radius in its species, or a smaller density.");
+	}
 	for (const String &warning : meadow.motion.bodies.take_warnings()) {
 		report_warning(this, warning);
 	}
@@ -270,7 +269,7 @@ void PlantField3D::_notification(int what) {
 				mark_stale(false);
 			}
 			look_around();
-			follow_frames(meadow.is_filling());
+			follow_frames(meadow.is_at_work());
 			break;
 		case NOTIFICATION_EXIT_TREE:
 			follow_frames(false);
@@ -283,6 +282,9 @@ void PlantField3D::_notification(int what) {
 			break;
 		case NOTIFICATION_INTERNAL_PROCESS:
 			process_frame();
+			break;
+		case NOTIFICATION_INTERNAL_PHYSICS_PROCESS:
+			cast_rays();
 			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
 			meadow.moved();

@@ -38,6 +38,7 @@ private:
 	};
 
 	FieldProperties properties;
+	godot::TypedArray<PlantFieldSpecies> listed; ///< By users. Where it is empty, grass grows.
 	Meadow meadow;
 	std::vector<Watched> watched;
 	std::vector<uint64_t> seen_species; ///< Of the list, as it was read: scripts may append to it.
@@ -47,6 +48,7 @@ private:
 	bool stand_is_stale = true;
 	bool look_is_stale = true;
 	bool fill_is_queued = false;
+	bool has_told_of_crowd = false;
 	double main_usec = 0.0; ///< Of the last frame, without wait_usec.
 	double wait_usec = 0.0; ///< For the worker threads, where they took longer than the frame.
 	int frames_since_look = 0;
@@ -137,8 +139,8 @@ public:
 	void on_physics_frame();
 	double monitor(int which) const;
 
-	void set_species(const godot::TypedArray<PlantFieldSpecies> &listed);
-	godot::TypedArray<PlantFieldSpecies> get_species() const { return properties.stand.species; }
+	void set_species(const godot::TypedArray<PlantFieldSpecies> &entries);
+	godot::TypedArray<PlantFieldSpecies> get_species() const { return listed; }
 	void set_density(double plants);
 	double get_density() const { return properties.stand.density; }
 	void set_seed(int64_t seed);
@@ -183,7 +185,7 @@ public:
 	godot::StringName get_bodies_group() const { return properties.motion.bodies_group; }
 	void set_touch_margin(double metres);
 	double get_touch_margin() const { return properties.motion.touch_margin; }
-	void set_levels(const godot::TypedArray<PlantFieldLevel> &listed);
+	void set_levels(const godot::TypedArray<PlantFieldLevel> &entries);
 	godot::TypedArray<PlantFieldLevel> get_levels() const { return properties.view.levels; }
 	void set_fade_margin(double metres);
 	double get_fade_margin() const { return properties.view.fade_margin; }

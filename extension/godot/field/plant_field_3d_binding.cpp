@@ -68,6 +68,7 @@ Dictionary PlantField3D::get_statistics() {
 	told["plants"] = count;
 	told["simulated"] = meadow.motion.simulated_count();
 	told["drawn_by_level"] = drawn;
+	told["is_dressing"] = (meadow.is_at_work() && !meadow.is_filling()) || (look_is_stale && fill_is_queued);
 	told["skeletons"] = int64_t(meadow.skeletons.count());
 	told["step_usec"] = meadow.motion.busy_usec();
 	told["upload_usec"] = meadow.upload_usec;
@@ -138,7 +139,7 @@ static void bind_plants() {
 	BIND(get_plant_seed, "id");
 	BIND(get_plant_transforms, "ids");
 	BIND(get_plant_heights, "ids");
-	BIND(get_outline_points);
+	LISTEN(get_outline_points);
 	BIND(is_point_in_plants, "point");
 	BIND(apply_impulse_in_sphere, "center", "radius", "impulse");
 	BIND(get_tip_position, "id");

@@ -130,7 +130,7 @@ PackedInt64Array PlantField3D::add_plants(const Variant &transforms, const Ref<P
 }
 
 bool PlantField3D::remove_plant(int64_t id) {
-	const PlantPlace place = find(id);
+	const PlantPlace place = meadow.store.find(id);
 	if (place.block >= 0) {
 		meadow.remove({ place });
 	}
@@ -139,7 +139,8 @@ bool PlantField3D::remove_plant(int64_t id) {
 
 int PlantField3D::remove_plants(const PackedInt64Array &ids) {
 	std::vector<PlantPlace> places;
-	for (const PlantPlace &place : find_all(ids)) {
+	for (const int64_t id : ids) {
+		const PlantPlace place = meadow.store.find(id);
 		if (place.block >= 0) {
 			places.push_back(place);
 		}
@@ -348,9 +349,6 @@ int PlantField3D::apply_impulse_in_sphere(const Vector3 &center, double radius, 
 
 void PlantField3D::reset_motion() {
 	meadow.settle();
-	if (properties.motion.prototypes > 0) {
-		mark_stale(false); // What they did before is in their history, and followers show it.
-	}
 }
 
 void PlantField3D::preview(double delta, const Ref<PlantWind> &blowing) {

@@ -4,6 +4,7 @@
 
 #include "as_written.hpp"
 #include "follow_changes.hpp"
+#include "species_functions.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 
@@ -191,8 +192,8 @@ Vector2 PlantField3D::get_slope_limits() const {
 	return properties.stand.slope_limits;
 }
 
-void PlantField3D::set_species(const TypedArray<PlantFieldSpecies> &listed) {
-	properties.stand.species = listed.duplicate();
+void PlantField3D::set_species(const TypedArray<PlantFieldSpecies> &entries) {
+	listed = entries.duplicate();
 	follow_species();
 	mark_stale(true);
 	update_configuration_warnings();
@@ -204,10 +205,16 @@ void PlantField3D::follow_species() {
 		unfollow_changes(Object::cast_to<Resource>(ObjectDB::get_instance(old)), listener);
 	}
 	seen_species.clear();
-	for (int64_t i = 0; i < properties.stand.species.size(); i++) {
-		Resource *entry = Object::cast_to<Resource>(properties.stand.species[i]);
+	for (int64_t i = 0; i < listed.size(); i++) {
+		Resource *entry = Object::cast_to<Resource>(listed[i]);
 		seen_species.push_back(entry ? uint64_t(entry->get_instance_id()) : 0);
 		follow_changes(entry, listener);
+	}
+	properties.stand.species = listed.duplicate();
+	if (listed.is_empty()) {
+		Ref<GrassFunction> grass;
+		grass.instantiate();
+		properties.stand.species.push_back(PlantFieldSpecies::of(grass));
 	}
 }
 
@@ -220,6 +227,10 @@ void PlantField3D::on_species_changed() {
 		}
 		if (entry->is_motion_change()) {
 			meadow.read_motion(entry->get_species().ptr());
+			return;
+		}
+		if (entry->is_species_change() && entry->get_species()->is_material_change()) {
+			meadow.change_materials();
 			return;
 		}
 		if (entry->is_species_change()) {
@@ -237,16 +248,20 @@ void PlantField3D::on_added_species_changed() {
 			meadow.read_motion(look.function.ptr());
 			return;
 		}
+		if (look.function.is_valid() && look.function->is_material_change()) {
+			meadow.change_materials();
+			return;
+		}
 	}
 	mark_stale(false);
 }
 
-void PlantField3D::set_levels(const TypedArray<PlantFieldLevel> &listed) {
+void PlantField3D::set_levels(const TypedArray<PlantFieldLevel> &entries) {
 	const Callable listener(this, "_on_levels_changed");
 	for (int64_t i = 0; i < properties.view.levels.size(); i++) {
 		unfollow_changes(Object::cast_to<Resource>(properties.view.levels[i]), listener);
 	}
-	properties.view.levels = listed.duplicate();
+	properties.view.levels = entries.duplicate();
 	for (int64_t i = 0; i < properties.view.levels.size(); i++) {
 		follow_changes(Object::cast_to<Resource>(properties.view.levels[i]), listener);
 	}

@@ -62,3 +62,40 @@ TEST_CASE("a ball pushes a tip from every side that its collision sphere reaches
 		}
 	}
 }
+
+TEST_CASE("a ball stops a tip that comes at it, and takes it along, in metres a second, however long the plant is") {
+	for (const Law law : BOTH_LAWS) {
+		for (const float length : { 0.5f, 2.0f }) {
+			MotionPlant plant;
+			plant.length = length;
+			FieldSimulation field = single_plant(law, plant);
+			FieldBody body = ball({ -0.25f, length, 0.0f }, 0.25f);
+			field.page(0).set_state(0, { { 0.0f, 1.0f, 0.0f }, { -1.0f, 0.0f, 0.5f } });
+			push_plants(field.page(0), body);
+			CHECK(std::fabs(field.state(0, 0).rate.x) < 0.05f);
+			CHECK(field.state(0, 0).rate.z == doctest::Approx(0.5).epsilon(0.05));
+			body.velocity.x = 1.0f;
+			push_plants(field.page(0), body);
+			CHECK(field.state(0, 0).rate.x * length == doctest::Approx(1.0).epsilon(0.05));
+		}
+	}
+}
+
+TEST_CASE("a blow gives a tip the speed of its strength over its mass, however long the plant is") {
+	for (const Law law : BOTH_LAWS) {
+		for (const int prototypes : { 0, 4 }) {
+			for (const float length : { 0.5f, 2.0f }) {
+				MotionPlant plant;
+				plant.length = length;
+				FieldSettings settings;
+				settings.prototypes = prototypes;
+				FieldSimulation field = single_plant(law, plant, settings);
+				field.set_wind({ { WindKind::constant, 0.0f }, 0.0f });
+				field.step();
+				field.apply_impulse(0, 0, { 0.2f, 0.0f, -0.1f });
+				CHECK(field.state(0, 0).rate.x * length == doctest::Approx(0.2 / 0.4).epsilon(0.01));
+				CHECK(field.state(0, 0).rate.z * length == doctest::Approx(-0.1 / 0.4).epsilon(0.01));
+			}
+		}
+	}
+}

@@ -288,26 +288,6 @@ TEST_CASE("no species, wind, blow or step, however extreme, leads to a number th
 	}
 }
 
-TEST_CASE("removing a plant moves only the last one of its page") {
-	for (const int prototypes : { 0, 8 }) {
-		FieldSettings settings;
-		settings.prototypes = prototypes;
-		FieldSimulation field = mixed_field(settings, 100);
-		field.step();
-		const TipState last = field.state(0, 99);
-		const glm::vec3 root = field.page(0).root(99);
-		field.remove(0, 5);
-		CHECK(field.plant_count() == 199);
-		CHECK(field.state(0, 5).direction == last.direction);
-		CHECK(field.page(0).root(5) == root);
-		while (field.page(0).size() > 0) {
-			field.remove(0, field.page(0).size() - 1);
-		}
-		field.step();
-		CHECK(field.plant_count() == 100);
-	}
-}
-
 TEST_CASE("a point near a stem or a tip lies in plants, one between plants does not") {
 	MotionPlant plant;
 	plant.root = { 3.0f, 0.0f, -2.0f };

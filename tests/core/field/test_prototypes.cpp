@@ -343,6 +343,21 @@ TEST_CASE("prototypes of a species that changes become what its plants are, and 
 	for (int i = 0; i < PROTOTYPES; i++) {
 		CHECK(newest(*field.prototypes(0), i).y == doctest::Approx(std::cos(0.4)).epsilon(0.002));
 	}
+	std::vector<glm::vec3> rests;
+	MotionPlant plant;
+	for (int i = 0; i < 50; i++) {
+		const float around = 0.12f * static_cast<float>(i);
+		rests.emplace_back(std::sin(0.4f) * std::sin(around), std::cos(0.4f), std::sin(0.4f) * std::cos(around));
+	}
+	field.set_rests(0, rests.data());
+	for (int i = 0; i < 50; i++) {
+		plant.root.z = static_cast<float>(i);
+		plant.rest = rests[static_cast<size_t>(i)];
+		const int added = field.add_page(0, &plant, 1);
+		for (const glm::vec3 shown : { field.state(added, 0).direction, field.state(0, i).direction }) {
+			CHECK(shown.x * plant.rest.x + shown.z * plant.rest.z > 0.75f * std::sin(0.4f) * std::sin(0.4f));
+		}
+	}
 }
 
 TEST_CASE("a gust that is let go goes through plants that follow prototypes, from the upwind edge on") {

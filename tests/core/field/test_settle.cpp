@@ -35,3 +35,28 @@ TEST_CASE("a field that settles is at rest, and stays there in still air") {
 		}
 	}
 }
+
+TEST_CASE("followers of prototypes settle, too, and those that were pushed follow again") {
+	FieldSettings settings;
+	settings.prototypes = 8;
+	FieldSimulation field(settings);
+	add_plants(field, field.add_species(species_of(Law::spring)), 300);
+	field.set_wind(wave_wind());
+	for (int i = 0; i < 100; i++) {
+		field.step();
+	}
+	field.apply_impulse(0, 7, { 1.0f, 0.0f, 0.0f });
+	REQUIRE(field.loose_plants(0)->count() == 1);
+	field.settle();
+	CHECK(field.loose_plants(0)->count() == 0);
+	FieldWind calm;
+	calm.wind.strength = 0.0f;
+	field.set_wind(calm);
+	for (int round = 0; round < 3; round++) {
+		for (int i = 0; i < 300; i++) {
+			const glm::vec3 rest = field.prototypes(0)->rest(field.follower(0, i).prototype);
+			CHECK(glm::distance(field.shown_direction(0, i, 0.5f), rest) < 1e-3f); // A half float's step.
+		}
+		field.step();
+	}
+}

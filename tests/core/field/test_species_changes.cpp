@@ -119,6 +119,18 @@ TEST_CASE("plants whose species changes its law while they move go on, and come 
 	}
 }
 
+TEST_CASE("plants that lean by a law that is left lean again when it comes back and says where to") {
+	MotionPlant plant;
+	plant.rest = glm::normalize(glm::vec3(0.3f, 1.0f, 0.1f));
+	FieldSimulation field = single_plant(Law::spring, plant);
+	field.set_wind({ { WindKind::constant, 0.0f }, 0.0f });
+	field.set_species(0, species_of(Law::elasticity));
+	field.set_species(0, species_of(Law::spring));
+	field.set_rests(0, &plant.rest);
+	step(field, 2000);
+	CHECK(glm::distance(field.state(0, 0).direction, plant.rest) < 1e-3f);
+}
+
 TEST_CASE("a change of the step's length leaves where a plant is and how fast") {
 	for (const Law law : BOTH_LAWS) {
 		FieldSimulation field = single_plant(law, {});

@@ -26,7 +26,7 @@ TEST_CASE("a frame of exactly one step does exactly one step, for hours") {
 }
 
 TEST_CASE("any frame rate does sixty steps a second, without drift over an hour") {
-	for (const int rate : { 30, 60, 75, 144, 240 }) {
+	for (const int rate : { 10, 15, 30, 60, 75, 144, 240 }) {
 		FixedStep clock(STEP);
 		int steps = 0;
 		for (int frame = 0; frame < 3600 * rate; frame++) {
@@ -53,6 +53,18 @@ TEST_CASE("a frame of ten seconds costs a bounded number of steps and leaves no 
 	CHECK(clock.advance(0.0) == 0);
 	CHECK(clock.advance(STEP) == 1);
 	CHECK(clock.advance(1e300) == 8);
+}
+
+TEST_CASE("after a hitch a frame catches up an eighth of a second, whatever the step, and no more") {
+	FixedStep usual(STEP);
+	CHECK(usual.advance(3.0) == 8);
+	CHECK(usual.advance(STEP) == 1);
+	FixedStep fine(0.001);
+	CHECK(fine.advance(0.1) == 100);
+	CHECK(fine.advance(3.0) == 134);
+	FixedStep coarse(0.1);
+	CHECK(coarse.advance(0.2) == 2);
+	CHECK(coarse.advance(3.0) == 2);
 }
 
 TEST_CASE("a frame that is negative or no number counts as none") {

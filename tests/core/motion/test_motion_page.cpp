@@ -1,81 +1,16 @@
-#include "swing.hpp"
-
-#include "../field/allocations.hpp"
-#include "base/random.hpp"
-#include "wind/travelling_wind.hpp"
+#include "varied.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <cstring>
 #include <initializer_list>
-#include <limits>
 #include <vector>
 
 using namespace undergrowth;
 
 namespace {
 
-constexpr Law BOTH_LAWS[] = { Law::elasticity, Law::spring };
-constexpr float STATE_TOLERANCE = 1e-6f;
 constexpr float BEND_TOLERANCE = 1.1e-3f;
-
-float noise(int index, int which) {
-	return signed_noise(static_cast<uint64_t>(which), static_cast<uint64_t>(index));
-}
-
-MotionPlant varied_plant(int index) {
-	MotionPlant plant;
-	plant.root = { 20.0f * noise(index, 14), 0.0f, 20.0f * noise(index, 15) };
-	plant.length = 1.0f + 0.8f * noise(index, 1);
-	plant.rest = glm::normalize(glm::vec3(0.5f * noise(index, 7), 1.0f, 0.5f * noise(index, 8)));
-	return plant;
-}
-
-Joint varied_joint(int index) {
-	Joint joint;
-	joint.mass = 0.6f + 0.5f * noise(index, 2);
-	joint.elasticity = 5.0f + 4.0f * noise(index, 3);
-	joint.inner_friction = 0.3f + 0.3f * noise(index, 4);
-	joint.above_ground = index % 3 != 0;
-	joint.natural_frequency = 1.5f + noise(index, 5);
-	joint.damping_ratio = 0.8f + 0.8f * noise(index, 6);
-	return joint;
-}
-
-TipState varied_state(int index) {
-	return { { noise(index, 9), 1.0f, noise(index, 10) }, { noise(index, 11), noise(index, 12), noise(index, 13) } };
-}
-
-/// Plants [first, first + count), each in a state of its own, under one species.
-MotionPage meadow(Law law, int first, int count, MotionPage::Keeps keeps = MotionPage::Keeps::directions) {
-	std::vector<MotionPlant> plants;
-	for (int i = 0; i < count; i++) {
-		plants.push_back(varied_plant(first + i));
-	}
-	MotionPage page(0, species_with(law, varied_joint(1)), plants.data(), count, FRAME_STEP, true, keeps);
-	for (int i = 0; i < count; i++) {
-		page.set_state(i, varied_state(first + i));
-	}
-	return page;
-}
-
-void blow(MotionPage &page, int step, SimdLevel level = best_simd_level()) {
-	FieldWind wind;
-	wind.wind.kind = WindKind::waves;
-	wind.wind.strength = 2.0f;
-	wind.wind.direction = 0.9f;
-	page.step(wind_at_time(wind, step * static_cast<double>(FRAME_STEP)), winds_along(wind), level);
-}
-
-bool same_bits(const TipState &a, const TipState &b) {
-	return std::memcmp(&a, &b, sizeof a) == 0;
-}
-
-bool is_finite(const TipState &state) {
-	return std::isfinite(state.direction.x + state.direction.y + state.direction.z) &&
-			std::isfinite(state.rate.x + state.rate.y + state.rate.z);
-}
 
 } // namespace
 
@@ -256,96 +191,5 @@ TEST_CASE("a page that keeps directions moves as one that keeps bends") {
 		for (int i = 0; i < 600; i++) {
 			REQUIRE(glm::distance(floats.before(i), halves.before(i)) < BEND_TOLERANCE);
 		}
-	}
-}
-
-TEST_CASE("plants divided among pages anyhow, at every level, give the same bits") {
-	for (const Law law : BOTH_LAWS) {
-		MotionPage whole = meadow(law, 0, 601);
-		MotionPage best = meadow(law, 0, 601);
-		MotionPage first = meadow(law, 0, 123);
-		MotionPage rest = meadow(law, 123, 478);
-		for (int i = 0; i < 300; i++) {
-			blow(whole, i, SimdLevel::baseline);
-			blow(best, i, SimdLevel::avx2);
-			blow(first, i, i % 2 == 0 ? SimdLevel::avx2 : SimdLevel::baseline);
-			blow(rest, i);
-		}
-		CHECK(hash_states(whole) == hash_states(best));
-		for (int i = 0; i < 601; i++) {
-			REQUIRE(same_bits(whole.state(i), i < 123 ? first.state(i) : rest.state(i - 123)));
-		}
-	}
-}
-
-TEST_CASE("a step of a page that keeps directions allocates nothing") {
-	for (const Law law : BOTH_LAWS) {
-		MotionPage page = meadow(law, 0, 1000);
-		std::vector<glm::vec3> drawn(1000);
-		blow(page, 0);
-		const long before = allocation_count();
-		for (int i = 1; i < 30; i++) {
-			blow(page, i);
-			page.interpolate(0.5f, drawn.data());
-		}
-		CHECK(allocation_count() == before);
-	}
-}
-
-TEST_CASE("no joint, state or wind, however extreme, leads to a number that is none") {
-	constexpr float NONE = std::numeric_limits<float>::quiet_NaN();
-	constexpr float INF = std::numeric_limits<float>::infinity();
-	constexpr float EXTREMES[] = { 0.0f, 1e-30f, 1e-6f, 1.0f, 1e6f, 1e30f, -1.0f, NONE, INF };
-	std::vector<MotionPage> pages;
-	for (const Law law : BOTH_LAWS) {
-		for (const float a : EXTREMES) {
-			for (const float b : EXTREMES) {
-				Joint joint;
-				joint.mass = b;
-				joint.length = std::isfinite(a) && a > 0.0f ? a : 1.0f;
-				pages.push_back(plant_page(law, joint, leaning(1.0)));
-				joint = Joint{};
-				joint.elasticity = a;
-				joint.inner_friction = b;
-				joint.natural_frequency = a;
-				joint.damping_ratio = b;
-				pages.push_back(plant_page(law, joint, leaning(-0.5)));
-				joint.length = 1e-3f;
-				joint.mass = 1e-3f;
-				joint.wind_weight = a;
-				joint.above_ground = false;
-				pages.push_back(plant_page(law, joint, { { a, b, 1.0f }, { b, a, a } }));
-			}
-		}
-	}
-	const float strengths[] = { 1e6f, 0.0f, NONE, 1e30f, INF };
-	for (MotionPage &page : pages) {
-		for (int i = 0; i < 500; i++) {
-			FieldWind wind;
-			wind.wind.strength = strengths[(i / 7) % 5];
-			wind.wind.direction = (i / 7) % 5 == 2 ? NONE : static_cast<float>(i);
-			page.step(wind_at_time(wind, i), winds_along(wind));
-			if (i % 100 == 0) {
-				page.apply_impulse(0, { 1e6f, -1e6f, NONE });
-				page.apply_impulse(0, { 1e6f, -1e6f, 1e30f });
-			}
-		}
-		glm::vec3 drawn;
-		page.interpolate(0.5f, &drawn);
-		REQUIRE(is_finite(page.state(0)));
-		REQUIRE(std::fabs(glm::length(page.state(0).direction) - 1.0f) < 4.0f * STATE_TOLERANCE);
-		REQUIRE(std::fabs(glm::length(drawn) - 1.0f) < 4.0f * STATE_TOLERANCE);
-	}
-}
-
-TEST_CASE("a run of each law has the same bits on every platform") {
-	constexpr uint64_t ELASTICITY_GOLDEN = 0xb68b263b2a6dc52aull;
-	constexpr uint64_t SPRING_GOLDEN = 0x60ec898e2215eba4ull;
-	for (const Law law : BOTH_LAWS) {
-		MotionPage page = meadow(law, 0, 50);
-		for (int i = 0; i < 600; i++) {
-			blow(page, i);
-		}
-		CHECK(hash_states(page) == (law == Law::elasticity ? ELASTICITY_GOLDEN : SPRING_GOLDEN));
 	}
 }

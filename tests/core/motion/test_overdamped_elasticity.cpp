@@ -15,10 +15,9 @@ TEST_CASE("a plant of the elasticity law with much friction creeps upright as it
 		REQUIRE(beta * beta > omega_squared);
 		const double slow = omega_squared / (beta + std::sqrt(beta * beta - omega_squared));
 		for (const float step : { FRAME_STEP, LONG_STEP }) {
-			PendulumBatch batch(Law::elasticity, step);
-			batch.add(joint, leaning(0.02));
+			MotionPage page = plant_page(Law::elasticity, joint, leaning(0.02), step);
 			const auto second = static_cast<std::size_t>(std::lround(1.0f / step));
-			const std::vector<double> places = record_x(batch, static_cast<int>(2 * second + 2));
+			const std::vector<double> places = record_x(page, static_cast<int>(2 * second + 2));
 			const double time = static_cast<double>(second) * static_cast<double>(step);
 			CHECK(std::log(places[second] / places[2 * second]) / time == doctest::Approx(slow).epsilon(0.01));
 		}

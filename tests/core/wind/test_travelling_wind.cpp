@@ -57,6 +57,8 @@ TEST_CASE("every plant feels the wind of its delay ago") {
 		for (const bool triggered : { false, true }) {
 			FieldWind wind = wind_of(kind);
 			wind.wind.gust_triggered = triggered;
+			wind.wind.triggered_strength = 4.0f;
+			wind.wind.triggered_duration = 0.9f;
 			for (const double time : { 0.0, 1.7, 2.5, 9.3, 3600.4 }) {
 				const std::vector<float> felt = strengths(wind, time, best_simd_level());
 				for (int i = 0; i < PLACES; i++) {

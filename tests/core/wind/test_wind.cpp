@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <initializer_list>
 
 using namespace undergrowth;
 
@@ -48,6 +49,23 @@ TEST_CASE("a triggered gust blows on top of the other kinds") {
 	wind.gust_triggered = true;
 	CHECK(wind_strength(wind, 2.2) == 20.0f);
 	CHECK(wind_strength(wind, 2.6) == 10.0f);
+}
+
+TEST_CASE("a gust that was called for may have a strength and a length of its own") {
+	for (const WindKind kind : { WindKind::constant, WindKind::gust }) {
+		Wind wind = wind_of(kind);
+		wind.gust_start = 2.0;
+		wind.triggered_strength = 3.0f;
+		wind.triggered_duration = 1.5f;
+		const float calm = kind == WindKind::constant ? 10.0f : 0.0f;
+		CHECK(wind_strength(wind, 2.2) == 10.0f); // Nobody called.
+		wind.gust_triggered = true;
+		CHECK(wind_strength(wind, 1.9) == calm);
+		CHECK(wind_strength(wind, 3.4) == calm + 3.0f);
+		CHECK(wind_strength(wind, 3.6) == calm);
+		wind.triggered_strength = 0.0f;
+		CHECK(wind_strength(wind, 2.2) == calm);
+	}
 }
 
 TEST_CASE("bursts blow in the first half of each period and stop fully in the second") {

@@ -132,9 +132,7 @@ static func _add_species(
 		undo.add_undo_property(field, &"shares", field.shares)
 
 
-static func _add_wind(
-	undo: EditorUndoRedoManager, field: PlantField3D, wind: PlantWind
-) -> void:
+static func _add_wind(undo: EditorUndoRedoManager, field: PlantField3D, wind: PlantWind) -> void:
 	if field.wind:
 		return
 	undo.add_do_property(field, &"wind", wind)

@@ -1,7 +1,7 @@
 @tool
 extends "kept_gizmos.gd"
-## The gizmo of PlantField3D: a click into its area selects it. Its border is always drawn, and while
-## it is selected the box that holds its plants, and a handle on each side of a rectangle.
+## The gizmo of PlantField3D: a click into its area selects it. Its border is always drawn, and
+## while it is selected the box that holds its plants, and a handle on each side of a rectangle.
 
 const FieldOutline := preload("field_outline.gd")
 const GizmoShapes := preload("gizmo_shapes.gd")

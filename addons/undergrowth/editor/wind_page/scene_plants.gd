@@ -35,8 +35,8 @@ static func is_saved_with(root: Node, plant: Node3D) -> bool:
 	return plant == root or owner == root or (owner and root.is_editable_instance(owner))
 
 
-## True if what is changed on [param wind] is saved: with the edited scene [param root], or in a file
-## of its own. A wind inside another scene, which is instanced here, is not.
+## True if what is changed on [param wind] is saved: with the edited scene [param root], or in a
+## file of its own. A wind inside another scene, which is instanced here, is not.
 static func is_wind_kept(root: Node, wind: PlantWind) -> bool:
 	if not wind.is_built_in() or wind.resource_path.is_empty():
 		return true

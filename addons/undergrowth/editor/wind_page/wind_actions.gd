@@ -22,8 +22,8 @@ func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
 
 
 ## Writes the values to the winds of the selected plants, or of all plants where none is selected.
-## Plants without a wind, or whose wind is saved in another scene, get a new one that they share. One
-## step of undo.
+## Plants without a wind, or whose wind is saved in another scene, get a new one that they share.
+## One step of undo.
 func apply() -> void:
 	var root := EditorInterface.get_edited_scene_root()
 	var plants := ScenePlants.chosen()

@@ -1,0 +1,29 @@
+## Fields on colliders where physics has a thread of its own: the suite's project says so.
+extends "res://tests/engine/field_harness.gd"
+
+
+func test_plants_stand_on_colliders() -> void:
+	check(
+		ProjectSettings.get_setting("physics/3d/run_on_separate_thread"),
+		"physics has its own thread"
+	)
+	var body := StaticBody3D.new()
+	var shape := CollisionShape3D.new()
+	shape.shape = BoxShape3D.new()
+	(shape.shape as BoxShape3D).size = Vector3(8, 2, 8)
+	body.add_child(shape)
+	body.position.y = 4.5
+	root.add_child(body)
+	await physics_frames(3)
+	field = PlantField3D.new()
+	field.species = [GrassFunction.new()]
+	field.density = 20.0
+	field.ground = PlantField3D.GROUND_COLLIDERS
+	await start()
+	check_near(field.get_plant_count(), 20 * 8 * 8, 60.0, "plants")
+	for i in field.get_plant_count():
+		check_near(field.get_plant_transform(i).origin.y, 5.5, 1e-3, "height")
+	field.fill()
+	await filled(field)
+	check_near(field.get_plant_count(), 20 * 8 * 8, 60.0, "plants after another fill")
+	body.free()
