@@ -108,7 +108,7 @@ func test_a_field_that_is_scaled_to_nothing_or_nowhere_recovers() -> void:
 		_field.transform = odd
 		await frames(10)
 		if not odd.is_finite():
-			check_error("is_finite()") # The engine's, of the field itself.
+			check_error("is_finite()")  # The engine's, of the field itself.
 		_field.remove_in_sphere(Vector3(1000, 0, 0), 1.0)
 		_field.is_point_in_plants(Vector3.ZERO)
 		_field.apply_impulse_in_sphere(Vector3(1000, 0, 0), 1.0, Vector3.RIGHT)

@@ -67,11 +67,11 @@ func test_a_level_that_does_not_go_outwards_is_the_last() -> void:
 	await _fill()
 	var ids := sorted_ids()
 	field.levels = [PlantFieldLevel.of(8, 20.0), PlantFieldLevel.of(4, 10.0), PlantFieldLevel.of(2)]
-	await rested()
+	await dressed()
 	check_equal((field.get_statistics()["drawn_by_level"] as PackedInt32Array).size(), 2, "levels")
 	check_equal(sorted_ids(), ids, "plants stay")
 	field.levels = [null, PlantFieldLevel.of(3)]
-	await rested()
+	await dressed()
 	check_equal(sorted_ids(), ids, "plants stay")
 
 

@@ -238,8 +238,10 @@ func test_a_species_of_a_material_that_does_not_bend_is_told_once() -> void:
 	var material := ShaderMaterial.new()
 	material.shader = shader
 	_field.species[0].species.material = material
-	await _field.filled
-	await frames(3)
+	await frames(2)
+	while _field.get_statistics()["is_dressing"]:
+		await process_frame
+	await frames(10)
 	check_error("does not bend")
 
 

@@ -50,7 +50,8 @@ func test_reset_motion_puts_followers_back_and_keeps_the_plants() -> void:
 	_preview(60)
 	check(_tips()[3].distance_to(before[3]) > 0.001, "plant 3 moved")
 	_field.reset_motion()
-	while _field.is_filling():
+	await frames(1)
+	while _field.get_statistics()["is_dressing"]:
 		await process_frame
 	check_equal(_field.get_plant_count(), ids.size(), "plants")
 	check_equal(_field.get_tip_positions(ids), before, "tips after the reset")

@@ -228,7 +228,7 @@ func test_skeletons_are_neither_saved_nor_copied() -> void:
 ## Waits until meshes that are being built anew are worn.
 func _rested() -> void:
 	await frames(2)
-	while _field.is_filling():
+	while _field.get_statistics()["is_dressing"]:
 		await process_frame
 	await frames(2)
 
