@@ -63,16 +63,23 @@ func test_an_outline_that_is_no_path_is_one_error() -> void:
 	check_error("exclusions[0]")
 
 
-func test_a_level_that_does_not_go_outwards_is_the_last() -> void:
+func test_levels_that_do_not_go_outwards_are_one_error() -> void:
 	await _fill()
 	var ids := sorted_ids()
+	var usual := (field.get_statistics()["drawn_by_level"] as PackedInt32Array).size()
 	field.levels = [PlantFieldLevel.of(8, 20.0), PlantFieldLevel.of(4, 10.0), PlantFieldLevel.of(2)]
 	await dressed()
-	check_equal((field.get_statistics()["drawn_by_level"] as PackedInt32Array).size(), 2, "levels")
-	check_equal(sorted_ids(), ids, "plants stay")
+	check_error("levels[1] ends at 10.0 m")
 	field.levels = [null, PlantFieldLevel.of(3)]
 	await dressed()
+	check_error("levels[0] is empty")
+	var drawn := (field.get_statistics()["drawn_by_level"] as PackedInt32Array).size()
+	check_equal(drawn, usual, "levels that are drawn")
 	check_equal(sorted_ids(), ids, "plants stay")
+	field.levels = [PlantFieldLevel.of(8, 20.0), PlantFieldLevel.of(4)]
+	await dressed()
+	drawn = (field.get_statistics()["drawn_by_level"] as PackedInt32Array).size()
+	check_equal(drawn, 2, "levels that are drawn")
 
 
 func test_absurd_densities_are_refused() -> void:

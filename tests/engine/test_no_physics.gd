@@ -3,14 +3,14 @@ extends "res://tests/engine/field_harness.gd"
 
 
 func test_a_field_on_colliders_fails_with_one_error_and_plants_nothing() -> void:
-	field = PlantField3D.new()
-	field.species = [GrassFunction.new()]
-	field.ground = PlantField3D.GROUND_COLLIDERS
+	field = PlantField3D.from_species([GrassFunction.new()])
+	field.density = 4.0
+	field.ground_mode = PlantField3D.GROUND_COLLIDERS
 	root.add_child(field)
 	await physics_frames(30)
 	check_equal(field.get_plant_count(), 0, "plants")
 	check(not field.is_filling(), "it does not go on for ever")
 	check_error("there is no 3D physics to cast rays at")
-	field.ground = PlantField3D.GROUND_NONE
+	field.ground_mode = PlantField3D.GROUND_NONE
 	await filled(field)
 	check(field.get_plant_count() > 0, "plants on flat ground")

@@ -15,14 +15,13 @@ func test_plants_stand_on_colliders() -> void:
 	body.position.y = 4.5
 	root.add_child(body)
 	await physics_frames(3)
-	field = PlantField3D.new()
-	field.species = [GrassFunction.new()]
+	field = PlantField3D.from_species([GrassFunction.new()])
 	field.density = 20.0
-	field.ground = PlantField3D.GROUND_COLLIDERS
+	field.ground_mode = PlantField3D.GROUND_COLLIDERS
 	await start()
 	check_near(field.get_plant_count(), 20 * 8 * 8, 60.0, "plants")
-	for i in field.get_plant_count():
-		check_near(field.get_plant_transform(i).origin.y, 5.5, 1e-3, "height")
+	for transform in field.get_plant_transforms(field.get_plant_ids()):
+		check_near(transform.origin.y, 5.5, 1e-3, "height")
 	field.fill()
 	await filled(field)
 	check_near(field.get_plant_count(), 20 * 8 * 8, 60.0, "plants after another fill")

@@ -130,7 +130,7 @@ PackedInt64Array PlantField3D::add_plants(const Variant &transforms, const Ref<P
 }
 
 bool PlantField3D::remove_plant(int64_t id) {
-	const PlantPlace place = meadow.store.find(id);
+	const PlantPlace place = find(id);
 	if (place.block >= 0) {
 		meadow.remove({ place });
 	}
