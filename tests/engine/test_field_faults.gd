@@ -63,15 +63,12 @@ func test_an_outline_that_is_no_path_is_one_error() -> void:
 	check_error("exclusions[0]")
 
 
-func test_a_level_that_does_not_go_outwards_is_the_last() -> void:
+func test_a_level_that_does_not_go_outwards_is_one_error() -> void:
 	await _fill()
 	var ids := sorted_ids()
 	field.levels = [PlantFieldLevel.of(8, 20.0), PlantFieldLevel.of(4, 10.0), PlantFieldLevel.of(2)]
 	await dressed()
-	check_equal((field.get_statistics()["drawn_by_level"] as PackedInt32Array).size(), 2, "levels")
-	check_equal(sorted_ids(), ids, "plants stay")
-	field.levels = [null, PlantFieldLevel.of(3)]
-	await dressed()
+	check_error("levels[1]")
 	check_equal(sorted_ids(), ids, "plants stay")
 
 
