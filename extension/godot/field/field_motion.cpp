@@ -4,6 +4,8 @@
 
 #include "plant_simulation.hpp"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 
 using namespace godot;
@@ -180,7 +182,7 @@ void FieldMotion::add_species(const FieldLook &look) {
 	}
 }
 
-void FieldMotion::set_species(int index, const FieldLook &look, const PlantStore &store) {
+void FieldMotion::set_species(int index, const FieldLook &look, const PlantStore &store, bool is_still) {
 	wait();
 	simulation->set_species(index, look.motion);
 	for (int block = 0; block < store.block_count(); block++) {
@@ -192,9 +194,26 @@ void FieldMotion::set_species(int index, const FieldLook &look, const PlantStore
 		for (int slot = 0; slot < plants.size(); slot++) {
 			rests.push_back(look.to_simulate(plants.plants.plant(slot)).rest);
 		}
-		simulation->set_rests(page_of(block), rests.data());
+		set_rests(page_of(block), rests, is_still);
 	}
 	fit_contact(touches);
+}
+
+void FieldMotion::set_rests(int page, const std::vector<glm::vec3> &rests, bool is_still) {
+	static constexpr float STILL = 1e-3f; // rad, and 1/s.
+	MotionPage &plants = simulation->page(page);
+	std::vector<int> at_rest;
+	for (int i = 0; is_still && plants.swings() && i < plants.size(); i++) {
+		const TipState state = plants.state(i);
+		if (glm::distance(state.direction, plants.rest(i)) < STILL && glm::length(state.rate) < STILL) {
+			at_rest.push_back(i);
+		}
+	}
+	simulation->set_rests(page, rests.data());
+	for (const int i : at_rest) {
+		plants.set_state(i, { plants.rest(i), {} });
+		plants.set_before(i, plants.rest(i));
+	}
 }
 
 void FieldMotion::set_update_interval(int step_count) {

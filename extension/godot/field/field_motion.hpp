@@ -34,8 +34,9 @@ public:
 	/// Follows an edit that fills nothing.
 	void apply(const ChangeSet &changes, const PlantStore &store, const FieldStyle &style);
 	void add_species(const FieldLook &look);
-	/// The species' constants are others; the motion goes on.
-	void set_species(int index, const FieldLook &look, const PlantStore &store);
+	/// The species' constants are others; the motion goes on. Where nothing moves (`is_still`), plants at rest take
+	/// another rest direction at once.
+	void set_species(int index, const FieldLook &look, const PlantStore &store, bool is_still);
 	void set_update_interval(int steps);
 	/// On or off, and anew where tips got other spheres.
 	void fit_contact(bool on);
@@ -56,6 +57,8 @@ public:
 	void preview(const Frame &frame, const MotionOptions &options);
 	/// Sends what is new to the textures; tells whether they are other ones now.
 	bool upload();
+	/// Takes all poses over into the textures.
+	void write_all();
 	/// All plants into their rest.
 	void settle();
 
@@ -117,7 +120,7 @@ private:
 			FieldSimulation &old, const std::vector<int> &old_pages);
 	void take_added(const PlantStore &store, const FieldStyle &style, const FieldSimulation *old,
 			const std::vector<int> &old_pages);
-	void write_all();
+	void set_rests(int page, const std::vector<glm::vec3> &rests, bool is_still);
 	void update_wind(const Frame &frame, int step_count);
 	void update_far(const Frame &frame, const MotionOptions &options);
 	void push(double ago);

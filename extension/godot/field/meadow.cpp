@@ -253,12 +253,16 @@ void Meadow::settle() {
 	}
 }
 
-void Meadow::read_motion(const PlantFunction *function) {
+void Meadow::read_motion(const PlantFunction *function, bool is_still) {
 	for (size_t i = 0; i < style.looks.size(); i++) {
 		if (style.looks[i].function.ptr() == function && motion.is_ready()) {
 			style.looks[i].read_motion();
-			motion.set_species(int(i), style.looks[i], store);
+			motion.set_species(int(i), style.looks[i], store, is_still);
 		}
+	}
+	if (is_still && motion.is_ready()) {
+		motion.write_all();
+		refresh();
 	}
 }
 

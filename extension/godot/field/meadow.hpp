@@ -48,8 +48,8 @@ public:
 	void remove(std::vector<PlantPlace> &&places);
 	void settle();
 
-	/// How a species moves is another: its plants stay, and so does their motion.
-	void read_motion(const PlantFunction *function);
+	/// How a species moves is another: its plants stay, and so does their motion, where they move.
+	void read_motion(const PlantFunction *function, bool is_still);
 	/// Distances of levels, or shadows. False where other meshes are needed for them.
 	bool update_levels();
 	void update_wear(const FieldWear &wear);

@@ -139,7 +139,7 @@ static void bind_plants() {
 	BIND(get_plant_seed, "id");
 	BIND(get_plant_transforms, "ids");
 	BIND(get_plant_heights, "ids");
-	LISTEN(get_outline_points);
+	BIND(get_outline_points);
 	BIND(is_point_in_plants, "point");
 	BIND(apply_impulse_in_sphere, "center", "radius", "impulse");
 	BIND(get_tip_position, "id");

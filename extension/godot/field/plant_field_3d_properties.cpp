@@ -226,7 +226,7 @@ void PlantField3D::on_species_changed() {
 			return; // The library was reloaded, and the engine has not set it again yet.
 		}
 		if (entry->is_motion_change()) {
-			meadow.read_motion(entry->get_species().ptr());
+			meadow.read_motion(entry->get_species().ptr(), !may_simulate());
 			return;
 		}
 		if (entry->is_species_change() && entry->get_species()->is_material_change()) {
@@ -245,7 +245,7 @@ void PlantField3D::on_species_changed() {
 void PlantField3D::on_added_species_changed() {
 	for (const FieldLook &look : meadow.style.looks) {
 		if (look.function.is_valid() && look.function->is_motion_change()) {
-			meadow.read_motion(look.function.ptr());
+			meadow.read_motion(look.function.ptr(), !may_simulate());
 			return;
 		}
 		if (look.function.is_valid() && look.function->is_material_change()) {
