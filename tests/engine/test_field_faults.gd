@@ -63,26 +63,18 @@ func test_an_outline_that_is_no_path_is_one_error() -> void:
 	check_error("exclusions[0]")
 
 
-<<<<<<< HEAD
 func test_levels_that_do_not_go_outwards_are_one_error() -> void:
-=======
-func test_a_level_that_does_not_go_outwards_is_one_error() -> void:
->>>>>>> h5
 	await _fill()
 	var ids := sorted_ids()
 	var usual := (field.get_statistics()["drawn_by_level"] as PackedInt32Array).size()
 	field.levels = [PlantFieldLevel.of(8, 20.0), PlantFieldLevel.of(4, 10.0), PlantFieldLevel.of(2)]
 	await dressed()
-<<<<<<< HEAD
 	check_error("levels[1] ends at 10.0 m")
 	field.levels = [null, PlantFieldLevel.of(3)]
 	await dressed()
 	check_error("levels[0] is empty")
 	var drawn := (field.get_statistics()["drawn_by_level"] as PackedInt32Array).size()
 	check_equal(drawn, usual, "levels that are drawn")
-=======
-	check_error("levels[1]")
->>>>>>> h5
 	check_equal(sorted_ids(), ids, "plants stay")
 	field.levels = [PlantFieldLevel.of(8, 20.0), PlantFieldLevel.of(4)]
 	await dressed()
