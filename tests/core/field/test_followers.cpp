@@ -1,0 +1,182 @@
+#include "prototype_fixture.hpp"
+
+#include <doctest/doctest.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using namespace undergrowth;
+
+namespace {
+
+constexpr float SAME = 1e-3f; // Of what halves and a mix of stereographic images leave.
+constexpr float CLOSE = 0.01f;
+
+/// Of any plant's direction in one step, in the ten seconds after a wind of waves turns, or slows down.
+float most_change(FieldSimulation &field, float turn) {
+	float most = 0.0f;
+	std::vector<glm::vec3> before(FOLLOWERS);
+	for (int i = 0; i < 1600; i++) {
+		if (i == 1000) {
+			FieldWind changed = field.wind();
+			changed.wind.direction += turn;
+			changed.speed = turn == 0.0f ? 5.0f : changed.speed;
+			field.set_wind(changed);
+		}
+		field.step();
+		for (int k = 0; k < FOLLOWERS; k++) {
+			const glm::vec3 now = field.state(0, k).direction;
+			most = i > 900 ? std::max(most, glm::distance(now, before[static_cast<size_t>(k)])) : 0.0f;
+			before[static_cast<size_t>(k)] = now;
+		}
+	}
+	return most;
+}
+
+} // namespace
+
+TEST_CASE("followers show what their prototype did, as long ago as the wind needs to them and as they are late") {
+	for (const float speed : { 20.0f, 4.0f, 0.0f }) {
+		FieldSimulation field = prototype_field(Law::elasticity, speed);
+		std::vector<std::vector<glm::vec3>> did; // By step and prototype.
+		for (int i = 0; i < 1400; i++) {
+			field.step();
+			did.emplace_back();
+			for (int k = 0; k < PROTOTYPES; k++) {
+				did.back().push_back(newest(*field.prototypes(0), k));
+			}
+		}
+		float most_late = 0.0f;
+		for (int i = 0; i < FOLLOWERS; i++) {
+			const Follower &follower = field.follower(0, i);
+			const glm::vec3 root = field.page(0).root(i);
+			const float way = (field.prototype_lead() + wind_delay(field.wind(), root.x, root.z)) / FIELD_STEP;
+			const float late = std::min(way, 896.0f) + static_cast<float>(follower.own_delay);
+			REQUIRE(way > -0.01f);
+			most_late = std::max(most_late, late);
+			for (const float fraction : { 0.0f, 0.3f, 1.0f }) {
+				const float moment = 1399.0f - late - (1.0f - fraction);
+				const auto before = std::min(static_cast<size_t>(moment), did.size() - 2);
+				const float part = moment - static_cast<float>(before);
+				const glm::vec3 wanted =
+						glm::mix(did[before][follower.prototype], did[before + 1][follower.prototype], part);
+				REQUIRE(glm::distance(field.shown_direction(0, i, fraction), wanted) < SAME);
+			}
+			REQUIRE(glm::distance(field.state(0, i).direction, field.shown_direction(0, i, 1.0f)) < 1e-6f);
+		}
+		CHECK((speed > 0.0f || most_late < 65.0f));
+		CHECK((speed != 4.0f || most_late > 900.0f));
+	}
+}
+
+TEST_CASE("a plant that follows one of its own length moves as one that is simulated, later by its own delay") {
+	for (const Law law : { Law::elasticity, Law::spring }) {
+		MotionSpecies species = species_of(law);
+		species.shortest = species.longest = 0.8f;
+		std::vector<MotionPlant> plants(20);
+		for (int i = 0; i < 20; i++) {
+			plants[static_cast<size_t>(i)] = { chance_plant(i).root, 0.8f, { 0.0f, 1.0f, 0.0f } };
+		}
+		FieldSettings settings;
+		FieldSimulation simulated(settings);
+		settings.prototypes = 1;
+		FieldSimulation following(settings);
+		for (FieldSimulation *field : { &simulated, &following }) {
+			field->add_page(field->add_species(species), plants.data(), 20);
+			FieldWind wind = wave_wind();
+			wind.speed = 15.0f;
+			field->set_wind(wind);
+		}
+		std::vector<std::vector<glm::vec3>> did;
+		for (int i = 0; i < 2400; i++) {
+			simulated.step();
+			following.step();
+			did.emplace_back();
+			for (int k = 0; k < 20; k++) {
+				did.back().push_back(simulated.state(0, k).direction);
+				if (i > 2000) {
+					const auto then = static_cast<size_t>(i - following.follower(0, k).own_delay);
+					REQUIRE(glm::distance(following.state(0, k).direction, did[then][static_cast<size_t>(k)]) < CLOSE);
+				}
+			}
+		}
+	}
+}
+
+TEST_CASE("what followers show goes on from one step to the next") {
+	FieldSimulation field = prototype_field(Law::spring, 8.0f);
+	field.step();
+	for (int i = 0; i < 200; i++) {
+		if (i == 100) {
+			FieldWind turned = field.wind();
+			turned.wind.direction += 1.5f;
+			field.set_wind(turned);
+		}
+		std::vector<glm::vec3> ends;
+		for (int k = 0; k < FOLLOWERS; k++) {
+			ends.push_back(field.shown_direction(0, k, 1.0f));
+		}
+		field.step();
+		for (int k = 0; k < FOLLOWERS; k++) {
+			REQUIRE(glm::distance(field.shown_direction(0, k, 0.0f), ends[static_cast<size_t>(k)]) < 1e-4f);
+			const glm::vec3 way = field.shown_direction(0, k, 1.0f) - field.shown_direction(0, k, 0.0f);
+			REQUIRE(glm::distance(field.state(0, k).rate, way / FIELD_STEP) <
+					0.05f * glm::length(way / FIELD_STEP) + 1e-3f);
+		}
+	}
+}
+
+TEST_CASE("a wind that turns or slows down moves followers by no more in a step than plants that are simulated") {
+	constexpr float MORE = 2.0f;
+	for (const Law law : { Law::elasticity, Law::spring }) {
+		for (const float turn : { 0.5f * 3.14159f, 0.0f }) {
+			FieldSimulation simulated((FieldSettings()));
+			add_plants(simulated, simulated.add_species(species_of(law)), FOLLOWERS);
+			FieldSimulation following = prototype_field(law, 8.0f);
+			simulated.set_wind(following.wind());
+			const float usual = most_change(simulated, turn);
+			const float followed = most_change(following, turn);
+			CAPTURE(usual);
+			CAPTURE(followed);
+			CHECK(followed < MORE * usual);
+		}
+	}
+}
+
+TEST_CASE("a gust that is let go goes through plants that follow prototypes, from the upwind edge on") {
+	for (const float direction : { 0.0f, 2.2f }) {
+		FieldSimulation field = prototype_field(Law::spring, 10.0f);
+		FieldWind wind = field.wind();
+		wind.wind.kind = WindKind::gust;
+		wind.wind.direction = direction;
+		wind.wind.strength = 5.0f;
+		wind.wind.gust_duration = 1.0f;
+		wind.wind.gust_start = -1e6;
+		field.set_wind(wind);
+		for (int i = 0; i < 10; i++) {
+			field.step();
+		}
+		wind.wind.gust_start = field.time();
+		field.set_wind(wind);
+		std::vector<float> felt(FOLLOWERS, -1.0f); // When (s).
+		for (int i = 0; i < 1200; i++) {
+			field.step();
+			for (int k = 0; k < FOLLOWERS; k++) {
+				if (felt[static_cast<size_t>(k)] < 0.0f && field.state(0, k).direction.y < 0.99f) {
+					felt[static_cast<size_t>(k)] = static_cast<float>(i) * FIELD_STEP;
+				}
+			}
+		}
+		for (int k = 0; k < FOLLOWERS; k++) {
+			const glm::vec3 root = field.page(0).root(k);
+			const float way = field.prototype_lead() + wind_delay(wind, root.x, root.z);
+			const float own = static_cast<float>(field.follower(0, k).own_delay) * FIELD_STEP;
+			REQUIRE(felt[static_cast<size_t>(k)] > way + own);
+			REQUIRE(felt[static_cast<size_t>(k)] < way + own + 0.5f);
+		}
+	}
+}
