@@ -72,7 +72,7 @@ func _check_all(round_number: int) -> void:
 
 
 func _check_motion(prefix: String) -> void:
-	_tulip.call("reset")
+	_tulip.call("reset_motion")
 	_drive(_tulip)
 	var tip: Vector3 = _tulip.call("get_tip_position")
 	_tell(prefix + "the wind moves it", tip.x > 0.01 and absf(tip.length() - 1.25) < 1e-4)
@@ -115,7 +115,7 @@ func _until_filled() -> void:
 
 func _drive(plant: Node3D) -> void:
 	for i in 20:
-		plant.call("step", STEP)
+		plant.call("advance", STEP)
 
 
 func _make(type: String, properties: Dictionary) -> Resource:
