@@ -6,6 +6,7 @@ const TIP_TOLERANCE := 1e-5
 
 var _plant: Plant3D
 var _heard := 0
+var _usual_step := PlantSimulation.step_length
 
 
 func before_each() -> void:
@@ -14,6 +15,7 @@ func before_each() -> void:
 
 
 func after_each() -> void:
+	PlantSimulation.step_length = _usual_step
 	for child in root.get_children():
 		if child is Plant3D:
 			child.free()
@@ -56,6 +58,32 @@ func test_a_state_is_in_the_plants_own_axes() -> void:
 	await frames(1)
 	twin.set_motion_state(state)
 	check_near(twin.get_tip_position(), tip, TIP_TOLERANCE, "tip")
+	_run(_plant, 30)
+	_run(twin, 30)
+	check(tip.distance_to(twin.get_tip_position()) > 0.01, "it swings on")
+	check_near(twin.get_tip_position(), _plant.get_tip_position(), 10 * TIP_TOLERANCE, "later")
+	_plant.reset_motion()
+	_plant.set_motion_state(twin.get_motion_state())
+	_run(_plant, 30)
+	_run(twin, 30)
+	check_near(twin.get_tip_position(), _plant.get_tip_position(), 10 * TIP_TOLERANCE, "later")
+
+
+func test_a_plant_that_goes_to_other_company_is_drawn_without_a_jump() -> void:
+	PlantSimulation.step_length = 0.1  # A pose that lost the last step would be seen.
+	_plant.simulation_enabled = true
+	_plant.get_skeleton()
+	_plant.apply_impulse(Vector3(1.0, 0, 0))
+	for i in 2000:
+		await frames(1)
+		if _bone_direction(_plant).angle_to(Vector3.UP) > 0.3:
+			break
+	await frames(1)
+	var shown := _bone_direction(_plant)
+	_plant.species.mass *= 1.01
+	await frames(2)
+	check(shown.angle_to(Vector3.UP) > 0.2, "it is bent")
+	check(_bone_direction(_plant).angle_to(shown) < 0.1, "the bone stays about there")
 
 
 func test_a_state_that_is_none_is_refused_with_one_error() -> void:
