@@ -14,6 +14,8 @@ const STEP := 0.01
 const SNAP_STEP := 0.5
 ## Height of the box in metres where a field does not know its own.
 const LEAST_BOX := 0.5
+## Room around the border where a click still counts, as a share of its longer side.
+const ROOM := 0.02
 ## The way out of the rectangle on each side, in the order of the handles' ids.
 const SIDES: Array[Vector3] = [Vector3.RIGHT, Vector3.LEFT, Vector3.BACK, Vector3.FORWARD]
 
@@ -45,6 +47,7 @@ func _redraw(gizmo: EditorNode3DGizmo) -> void:
 		return
 	var border := GizmoShapes.loop(corners)
 	gizmo.add_collision_segments(border)
+	gizmo.add_collision_segments(_room_around(corners))
 	_add_area(gizmo, corners)
 	var is_selected := _is_selected(field)
 	gizmo.add_lines(border, get_material("chosen" if is_selected else "border", gizmo))
@@ -103,6 +106,16 @@ func _commit_handle(
 	_undo.add_undo_property(field, &"size", restore[0])
 	_undo.add_undo_property(field, &"position", restore[1])
 	_undo.commit_action()
+
+
+# The editor asks a gizmo only where the box around all that can be clicked is hit: without room, the
+# border itself would be missed half the time.
+static func _room_around(corners: PackedVector3Array) -> PackedVector3Array:
+	var box := AABB(corners[0], Vector3.ZERO)
+	for corner in corners:
+		box = box.expand(corner)
+	box = box.grow(box.get_longest_axis_size() * ROOM)
+	return [box.position, box.position, box.end, box.end]
 
 
 func _add_area(gizmo: EditorNode3DGizmo, corners: PackedVector3Array) -> void:
