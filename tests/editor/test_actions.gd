@@ -37,10 +37,10 @@ func test_add_is_one_step() -> void:
 	var root := EditorInterface.get_edited_scene_root()
 	check_equal(root.get_child_count(), 2, "children after adding")
 	var plant := root.get_child(-1) as Plant3D
-	check(plant.function is TulipFunction, "the plant is a tulip")
+	check(plant.species is TulipFunction, "the plant is a tulip")
 	check_equal(plant.name, &"Tulip", "its name")
 	check(plant.owner == root, "it is saved with the scene")
-	check(plant.function != _state().function, "the dock's own species stays out of the scene")
+	check(plant.species != _state().function, "the dock's own species stays out of the scene")
 	check(plant.wind != null, "wind blows on it")
 	check_equal(
 		EditorInterface.get_selection().get_selected_nodes(), [plant] as Array[Node], "selected"
@@ -120,7 +120,7 @@ func test_add_goes_below_the_selected_node() -> void:
 	check(plant.global_basis.is_equal_approx(Basis.IDENTITY), "it is upright at its own size")
 	check(absf(plant.global_position.y) < 1e-3, "it stands on the ground of the world")
 	check(
-		plant.function == (root.get_child(-1) as Plant3D).function, "equal plants share a function"
+		plant.species == (root.get_child(-1) as Plant3D).function, "equal plants share a function"
 	)
 	await undo()
 	check_equal(bed.get_child_count(), 0, "plants in the bed after undo")
@@ -129,7 +129,7 @@ func test_add_goes_below_the_selected_node() -> void:
 func test_assign_changes_all_selected_in_one_step() -> void:
 	var root := EditorInterface.get_edited_scene_root()
 	var plants := _add_plants(root, 3)
-	var before := plants.map(func(plant: Plant3D) -> PlantFunction: return plant.function)
+	var before := plants.map(func(plant: Plant3D) -> PlantFunction: return plant.species)
 	_select([])
 	await _choose("Reed")
 	await _use("Assign")
@@ -137,13 +137,13 @@ func test_assign_changes_all_selected_in_one_step() -> void:
 	_select(plants)
 	await _use("Assign")
 	for plant: Plant3D in plants:
-		check(plant.function is ReedFunction, plant.name + " is a reed")
-	check(plants[0].function == plants[2].function, "they share it")
+		check(plant.species is ReedFunction, plant.name + " is a reed")
+	check(plants[0].species == plants[2].species, "they share it")
 	await undo()
-	var after := plants.map(func(plant: Plant3D) -> PlantFunction: return plant.function)
+	var after := plants.map(func(plant: Plant3D) -> PlantFunction: return plant.species)
 	check_equal(after, before, "functions after one undo")
 	await redo()
-	check(plants[2].function is ReedFunction, "redo assigns again")
+	check(plants[2].species is ReedFunction, "redo assigns again")
 
 
 func test_the_saved_scene_reads_back() -> void:
@@ -152,7 +152,7 @@ func test_the_saved_scene_reads_back() -> void:
 	var copy := scene.instantiate()
 	var kinds: Array[String] = []
 	for plant: Plant3D in copy.find_children("*", "Plant3D", true, false):
-		kinds.append(plant.function.get_class())
+		kinds.append(plant.species.get_class())
 		check(plant.get_mesh() != null, plant.name + " has a mesh")
 	kinds.sort()
 	var wanted: Array[String] = ["ReedFunction", "ReedFunction", "ReedFunction", "TulipFunction"]
@@ -198,7 +198,7 @@ func test_saving_over_a_species_changes_it_where_it_is_used() -> void:
 	check_equal(used.natural_frequency, 2.5, "frequency where it was in use")
 	check(_state().function == used, "the same is chosen")
 	var plant := Plant3D.new()
-	plant.function = used
+	plant.species = used
 	check(plant.get_mesh() != null, "it can be drawn")
 	plant.free()
 
@@ -267,7 +267,7 @@ func test_a_species_of_one_s_own_goes_into_the_scene() -> void:
 	_select([root])
 	await _use("Add")
 	var plant := root.get_child(-1) as Plant3D
-	check(plant.function.get_script() == load(NEW_SCRIPT), "its script")
+	check(plant.species.get_script() == load(NEW_SCRIPT), "its script")
 	check(plant.get_mesh() != null, "its mesh")
 	await undo()
 
@@ -352,7 +352,7 @@ func _add_plants(root: Node, count: int) -> Array[Node]:
 	for i in count:
 		var plant := Plant3D.new()
 		plant.name = "Plant%d" % i
-		plant.function = BellflowerFunction.new()
+		plant.species = BellflowerFunction.new()
 		root.add_child(plant)
 		plant.owner = root
 		plants.append(plant)

@@ -13,13 +13,12 @@ func test_assign_lets_a_species_grow_in_a_field() -> void:
 	await _use("Assign")
 	check(_message().contains("Reed"), "it tells: " + _message())
 	check_equal(field.species.size(), 2, "species after assigning")
-	check(field.species[1] is ReedFunction, "the second is the chosen one")
-	check_equal(field.shares, PackedFloat32Array([3.0, 1.0]), "shares")
+	check(field.species[1].species is ReedFunction, "the second is the chosen one")
+	check_equal(field.species[0].share, 3.0, "share of the first")
 	check(field.wind and field.wind != _state().wind, "it has a wind of its own now")
 	await undo()
 	check(not field.wind, "no wind after undo")
 	check_equal(field.species.size(), 1, "species after undo")
-	check_equal(field.shares, PackedFloat32Array([3.0]), "shares after undo")
 	await redo()
 	check_equal(field.species.size(), 2, "species after redo")
 	await _use("Assign")
@@ -49,8 +48,11 @@ func test_add_as_field_is_one_step() -> void:
 	var field := root.get_child(-1) as PlantField3D
 	check(field != null and field.owner == root, "it is a field, saved with the scene")
 	check_equal(field.name, &"TulipField", "its name")
-	check(field.species[0] is TulipFunction, "tulips grow in it")
-	check(field.species[0] != _state().function, "the dock's own species stays out of the scene")
+	check(field.species[0].species is TulipFunction, "tulips grow in it")
+	check(
+		field.species[0].species != _state().function,
+		"the dock's own species stays out of the scene"
+	)
 	check_equal(field.wind.strength, _state().wind.strength, "strength of its wind")
 	check(field.wind != _state().wind, "the dock's own wind stays out of the scene")
 	check_equal(
@@ -76,8 +78,7 @@ func _open_field() -> PlantField3D:
 	root.name = "Yard"
 	var field := PlantField3D.new()
 	field.name = "Field"
-	field.species = [GrassFunction.new()]
-	field.shares = PackedFloat32Array([3.0])
+	field.species = [PlantFieldSpecies.of(GrassFunction.new(), 3.0)]
 	field.size = Vector2(2, 2)
 	root.add_child(field)
 	field.owner = root

@@ -58,7 +58,10 @@ func test_an_outline_is_the_border() -> void:
 	var curve := Curve3D.new()
 	for corner: Vector3 in [Vector3(-1, 0, -2), Vector3(1, 0, 2), Vector3(-1, 0, 2)]:
 		curve.add_point(corner)
-	field.area = curve
+	var path := Path3D.new()
+	path.curve = curve
+	_put(EditorInterface.get_edited_scene_root(), path)
+	field.outline = field.get_path_to(path)
 	await frames(3)
 	await _click_at(field, Vector3(0.6, 0, -0.6))
 	check_equal(_selected(), PackedStringArray(), "selection beside the triangle")

@@ -93,7 +93,7 @@ func test_overlays_and_levels() -> void:
 		await click(part("Plant/Preview/" + name) as Control)
 	await frames(2)
 	check_equal(plants.get_child_count(), 4, "levels side by side")
-	var segments := plants.get_children().map(func(node: Plant3D) -> int: return node.lod)
+	var segments := plants.get_children().map(func(node: Plant3D) -> int: return node.segments)
 	check_equal(segments, Array(EditorState.LEVELS), "their segments")
 	await take_picture("levels")
 	for name: String in ["Rings", "Bones", "Levels"]:

@@ -83,7 +83,7 @@ func _open_yard(parts: Array[String]) -> Node3D:
 func _make_plant() -> Plant3D:
 	var plant := Plant3D.new()
 	plant.name = "Tulip"
-	plant.function = TulipFunction.new()
+	plant.species = TulipFunction.new()
 	plant.wind = PlantWind.new()
 	plant.wind.kind = PlantWind.KIND_CONSTANT
 	return plant

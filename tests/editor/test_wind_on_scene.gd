@@ -68,7 +68,7 @@ func test_apply_to_selected_only() -> void:
 
 
 func test_apply_changes_a_wind_of_its_own_file() -> void:
-	check_equal(ResourceSaver.save(PlantWind.new(), SHARED_FILE), OK, "saving")
+	check_equal(ResourceSaver.save(_make_constant_wind(), SHARED_FILE), OK, "saving")
 	var plants := await _open_scene()
 	for plant in plants:
 		plant.wind = load(SHARED_FILE)
@@ -100,12 +100,13 @@ func test_field_takes_part() -> void:
 	var pages := func() -> bool: return field.get_plant_count() > 0
 	check(await until(pages), "the field is filled")
 	await _choose_kind(PlantWind.KIND_CONSTANT)
-	var rest := field.get_tip_position(0)
+	var id := field.get_plant_ids()[0]
+	var rest := field.get_tip_position(id)
 	await _press_button("OnScene")
-	var moves := func() -> bool: return field.get_tip_position(0).distance_to(rest) > 0.01
+	var moves := func() -> bool: return field.get_tip_position(id).distance_to(rest) > 0.01
 	check(await until(moves), "the plants of the field move")
 	await _press_button("OnScene")
-	check(field.get_tip_position(0).is_equal_approx(rest), "they are at rest after the end")
+	check(field.get_tip_position(id).is_equal_approx(rest), "they are at rest after the end")
 	check(not field.wind, "the field has no wind of its own yet")
 	await _press_button("Apply")
 	check(field.wind and field.wind.kind == PlantWind.KIND_CONSTANT, "the field has this wind")
@@ -119,6 +120,12 @@ func test_scene_without_plants_is_told() -> void:
 	await _press_button("Apply")
 	var told := (part("Status/Text") as Label).text
 	check(told.contains(tr("no plants")), "the status line tells: " + told)
+
+
+func _make_constant_wind() -> PlantWind:
+	var wind := PlantWind.new()
+	wind.kind = PlantWind.KIND_CONSTANT
+	return wind
 
 
 func _read_kind(path: String) -> PlantWind.Kind:
@@ -151,7 +158,7 @@ func _open_field() -> PlantField3D:
 	var root := Node3D.new()
 	root.name = "Field"
 	var field := PlantField3D.new()
-	field.species = [GrassFunction.new()]
+	field.species = [PlantFieldSpecies.of(GrassFunction.new())]
 	field.size = Vector2(2, 2)
 	root.add_child(field)
 	field.owner = root
@@ -168,11 +175,11 @@ func _open_scene() -> Array[Plant3D]:
 	root.name = "Meadow"
 	for i in 3:
 		var plant := Plant3D.new()
-		plant.function = TulipFunction.new()
+		plant.species = TulipFunction.new()
 		plant.position.x = i
 		root.add_child(plant)
 		plant.owner = root
-	(root.get_child(0) as Plant3D).wind = PlantWind.new()
+	(root.get_child(0) as Plant3D).wind = _make_constant_wind()
 	_scene_count += 1
 	_scene_file = SCENE_FILES % _scene_count
 	_save_scene(root, _scene_file)

@@ -16,7 +16,7 @@ func test_a_species_of_ones_own_sways_in_the_viewport() -> void:
 	_select([])
 	await _use("Add")
 	var plant := EditorInterface.get_edited_scene_root().get_child(-1) as Plant3D
-	check(plant and plant.function.resource_path == SPECIES, "the scene has the saved species")
+	check(plant and plant.species.resource_path == SPECIES, "the scene has the saved species")
 	await open_page("Wind")
 	await click(part("Wind/OnScene") as Control)
 	check(await until(func() -> bool: return plant.get_deflection() > 0.01), "it sways")

@@ -12,7 +12,7 @@ func _open_plant(others := 0) -> Plant3D:
 	root.name = "Meadow"
 	for i in 1 + others:
 		var plant := Plant3D.new()
-		plant.function = TulipFunction.new()
+		plant.species = TulipFunction.new()
 		plant.position.x = i * 0.5
 		_put(root, plant)
 	return await _open(SCENE_FILE, root) as Plant3D
@@ -24,7 +24,7 @@ func _open_field() -> PlantField3D:
 	root.name = "Yard"
 	var field := PlantField3D.new()
 	field.name = "Field"
-	field.species = [GrassFunction.new()]
+	field.species = [PlantFieldSpecies.of(GrassFunction.new())]
 	field.size = Vector2(2, 4)
 	_put(root, field)
 	return await _open(FIELD_FILE, root) as PlantField3D

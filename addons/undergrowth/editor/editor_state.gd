@@ -7,7 +7,7 @@ extends RefCounted
 signal function_chosen
 ## The chosen species' properties changed. Its meshes may look different now.
 signal function_edited
-## [member height], [member seed_value] or [member lod] changed.
+## [member height], [member seed_value] or [member segments] changed.
 signal view_changed
 ## Another wind was put in, or the wind's properties changed.
 signal wind_changed
@@ -20,7 +20,7 @@ enum Severity { INFO, WARNING, ERROR }
 
 ## Segments of the four levels of detail that the dock shows and bakes, finest first.
 const LEVELS: Array[int] = [24, 12, 6, 3]
-const DEFAULT_LOD := 12
+const DEFAULT_SEGMENTS := 12
 ## A light breeze, in newtons and hertz.
 const PREVIEW_STRENGTH := 5.0
 const PREVIEW_FREQUENCY := 0.4
@@ -47,9 +47,9 @@ var seed_value := 1:
 		seed_value = value
 		_on_view_changed()
 ## Vertical segments of the previewed plant.
-var lod := DEFAULT_LOD:
+var segments := DEFAULT_SEGMENTS:
 	set(value):
-		lod = value
+		segments = value
 		_on_view_changed()
 ## The wind that blows on the preview. Change its properties, or put another in.
 var wind: PlantWind:
@@ -76,7 +76,7 @@ func _init() -> void:
 	breeze.kind = PlantWind.KIND_WAVES
 	breeze.strength = PREVIEW_STRENGTH
 	breeze.frequency = PREVIEW_FREQUENCY
-	breeze.direction_degrees = 90.0
+	breeze.direction = PI / 2.0
 	wind = breeze
 
 
@@ -148,7 +148,7 @@ func _watch(before: Resource, after: Resource, listener: Callable) -> void:
 func _check() -> void:
 	var found := ""
 	if _function:
-		found = _function.find_problem(height, lod, seed_value)
+		found = _function.find_problem(height, segments, seed_value)
 	if found == problem:
 		return
 	problem = found

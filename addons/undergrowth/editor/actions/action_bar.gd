@@ -88,7 +88,7 @@ func _on_add_pressed() -> void:
 	var plant := SceneActions.make_plant(function, wind, _state.title)
 	plant.height = _state.height
 	plant.seed = _state.seed_value
-	plant.lod = _state.lod
+	plant.segments = _state.segments
 	_add_to_scene(root, plant)
 
 

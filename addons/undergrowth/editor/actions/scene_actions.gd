@@ -30,16 +30,15 @@ static func add(
 static func make_plant(function: PlantFunction, wind: PlantWind, title: String) -> Plant3D:
 	var plant := Plant3D.new()
 	plant.name = FileNames.to_node_name(title)
-	plant.function = function
+	plant.species = function
 	plant.wind = wind
 	return plant
 
 
 ## A field of that species that is ready to be added.
 static func make_field(function: PlantFunction, wind: PlantWind, title: String) -> PlantField3D:
-	var field := PlantField3D.new()
+	var field := PlantField3D.from_species([function])
 	field.name = FileNames.to_node_name(title) + "Field"
-	field.species = [function]
 	field.wind = wind
 	return field
 
@@ -54,14 +53,14 @@ static func assign(
 	function: PlantFunction,
 	wind: PlantWind
 ) -> void:
-	undo.create_action(Translations.text("Assign Plant Function"), UndoRedo.MERGE_DISABLE, root)
+	undo.create_action(Translations.text("Assign Species"), UndoRedo.MERGE_DISABLE, root)
 	for plant in plants:
 		if plant is PlantField3D:
 			_add_species(undo, plant as PlantField3D, function)
 			_add_wind(undo, plant as PlantField3D, wind)
 		else:
-			undo.add_do_property(plant, &"function", function)
-			undo.add_undo_property(plant, &"function", plant.get(&"function"))
+			undo.add_do_property(plant, &"species", function)
+			undo.add_undo_property(plant, &"species", plant.get(&"species"))
 	undo.commit_action()
 
 
@@ -109,27 +108,23 @@ static func _get_functions(root: Node) -> Array[PlantFunction]:
 	var functions: Array[PlantFunction] = []
 	for plant in ScenePlants.all(root):
 		if plant is PlantField3D:
-			functions.append_array((plant as PlantField3D).species)
+			for listed in (plant as PlantField3D).species:
+				functions.append(listed.species if listed else null)
 		else:
-			functions.append((plant as Plant3D).function)
+			functions.append((plant as Plant3D).species)
 	return functions.filter(func(function: PlantFunction) -> bool: return function != null)
 
 
 static func _add_species(
 	undo: EditorUndoRedoManager, field: PlantField3D, function: PlantFunction
 ) -> void:
-	if field.species.has(function):
-		return
+	for listed in field.species:
+		if listed and listed.species == function:
+			return
 	var species := field.species.duplicate()
-	species.append(function)
+	species.append(PlantFieldSpecies.of(function))
 	undo.add_do_property(field, &"species", species)
 	undo.add_undo_property(field, &"species", field.species)
-	if field.shares:
-		var shares := field.shares.duplicate()
-		shares.resize(field.species.size())
-		shares.append(1.0)
-		undo.add_do_property(field, &"shares", shares)
-		undo.add_undo_property(field, &"shares", field.shares)
 
 
 static func _add_wind(undo: EditorUndoRedoManager, field: PlantField3D, wind: PlantWind) -> void:

@@ -3,7 +3,6 @@ extends "kept_gizmos.gd"
 ## The gizmo of PlantField3D: a click into its area selects it. Its border is always drawn, and
 ## while it is selected the box that holds its plants, and a handle on each side of a rectangle.
 
-const FieldOutline := preload("field_outline.gd")
 const GizmoShapes := preload("gizmo_shapes.gd")
 
 const LEAST_SIZE := 0.1
@@ -14,10 +13,12 @@ const STEP := 0.01
 const SNAP_STEP := 0.5
 ## Height of the box in metres where a field does not know its own.
 const LEAST_BOX := 0.5
+## Room around the border where a click still counts, as a share of its longer side.
+const ROOM := 0.02
 ## The way out of the rectangle on each side, in the order of the handles' ids.
 const SIDES: Array[Vector3] = [Vector3.RIGHT, Vector3.LEFT, Vector3.BACK, Vector3.FORWARD]
 
-# What was drawn of each field: its gizmo is drawn anew when that is no longer true.
+# What was drawn of each field that is worked on: the gizmo is drawn anew when that has changed.
 var _drawn: Dictionary[int, Array] = {}
 
 
@@ -40,18 +41,19 @@ func _has_gizmo(node: Node3D) -> bool:
 func _redraw(gizmo: EditorNode3DGizmo) -> void:
 	gizmo.clear()
 	var field := gizmo.get_node_3d() as PlantField3D
-	var corners := FieldOutline.of(field) if field else PackedVector3Array()
+	var corners := field.get_outline_points() if field else PackedVector3Array()
 	if corners.size() < 3:
 		return
 	var border := GizmoShapes.loop(corners)
 	gizmo.add_collision_segments(border)
+	gizmo.add_collision_segments(_room_around(corners))
 	_add_area(gizmo, corners)
 	var is_selected := _is_selected(field)
 	gizmo.add_lines(border, get_material("chosen" if is_selected else "border", gizmo))
 	if not is_selected:
 		return
 	gizmo.add_lines(GizmoShapes.box(_box_of(field, corners)), get_material("box", gizmo))
-	if FieldOutline.is_rectangle(field):
+	if field.outline.is_empty():
 		_add_handles(gizmo, field)
 
 
@@ -105,6 +107,16 @@ func _commit_handle(
 	_undo.commit_action()
 
 
+# The editor asks a gizmo only where the box around all that can be clicked is hit: without room,
+# the border itself would be missed half the time.
+static func _room_around(corners: PackedVector3Array) -> PackedVector3Array:
+	var box := AABB(corners[0], Vector3.ZERO)
+	for corner in corners:
+		box = box.expand(corner)
+	box = box.grow(box.get_longest_axis_size() * ROOM)
+	return [box.position, box.position, box.end, box.end]
+
+
 func _add_area(gizmo: EditorNode3DGizmo, corners: PackedVector3Array) -> void:
 	var flat := PackedVector2Array()
 	for corner in corners:
@@ -140,11 +152,11 @@ static func _reach_under(
 
 
 # Over the border as high as the plants, where the field tells it.
-static func _box_of(field: Node3D, corners: PackedVector3Array) -> AABB:
+static func _box_of(field: PlantField3D, corners: PackedVector3Array) -> AABB:
 	var box := AABB(corners[0], Vector3.ZERO)
 	for corner in corners:
 		box = box.expand(corner)
-	var seen := (field as VisualInstance3D).get_aabb() if field is VisualInstance3D else AABB()
+	var seen := field.get_aabb()
 	if seen.has_surface():
 		return box.merge(seen)
 	return box.expand(box.position + Vector3.UP * LEAST_BOX)
@@ -155,14 +167,23 @@ func _on_selection_changed() -> void:
 		field.update_gizmos()
 
 
-# Undo and the inspector change a field without telling its gizmo.
+# A field tells its gizmo when its own size changes. What else changes while one works on it: the
+# place of its outline, and the box of its plants.
 func _follow() -> void:
-	for field in _nodes_with_gizmos():
+	for node in _nodes_with_gizmos():
+		var field := node as PlantField3D
+		if not _is_worked_on(field):
+			continue
+		var look := [field.get_outline_points(), field.get_aabb()]
 		var id := field.get_instance_id()
-		var look := FieldOutline.look(field as PlantField3D)
 		if _drawn.get(id, []) != look:
 			field.update_gizmos()
 			_drawn[id] = look
+
+
+static func _is_worked_on(field: PlantField3D) -> bool:
+	var path := field.get_node_or_null(field.outline) if field.outline else null
+	return _is_selected(field) or (path and _is_selected(path))
 
 
 func _let_go(id: int) -> void:

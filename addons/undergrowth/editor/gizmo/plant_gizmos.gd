@@ -39,7 +39,7 @@ func _has_gizmo(node: Node3D) -> bool:
 func _redraw(gizmo: EditorNode3DGizmo) -> void:
 	gizmo.clear()
 	var plant := gizmo.get_node_3d() as Plant3D
-	var mesh := plant.get_mesh() if plant and plant.function else null
+	var mesh := plant.get_mesh() if plant and plant.species else null
 	if not mesh:
 		return
 	gizmo.add_collision_triangles(mesh.generate_triangle_mesh())
@@ -143,7 +143,7 @@ static func _wind_on(plant: Plant3D) -> PlantWind:
 
 
 static func _wind_direction(wind: PlantWind) -> Vector3:
-	return Vector3.BACK.rotated(Vector3.UP, deg_to_rad(wind.direction_degrees))
+	return Vector3.BACK.rotated(Vector3.UP, wind.direction)
 
 
 # Plants that were selected lose their handle, those that are now get one.
@@ -168,4 +168,4 @@ func _follow() -> void:
 
 func _look_of(plant: Plant3D) -> Array:
 	var wind := _wind_on(plant)
-	return [plant.get_tip_position(), wind.direction_degrees if wind else INF, plant.global_basis]
+	return [plant.get_tip_position(), wind.direction if wind else INF, plant.global_basis]

@@ -30,7 +30,7 @@ func _ready() -> void:
 	custom_minimum_size.y = 150.0 * EditorInterface.get_editor_scale()
 	_breeze.kind = PlantWind.KIND_WAVES
 	_breeze.frequency = 0.4
-	_breeze.direction_degrees = 90.0
+	_breeze.direction = PI / 2.0
 	if function:
 		function.changed.connect(_on_function_changed)
 		_on_function_changed()
@@ -42,7 +42,7 @@ func _process(delta: float) -> void:
 	var frame := minf(delta, LONGEST_FRAME)
 	_stand.rotate_y(TURN_RATE * frame)
 	WindClock.advance(_breeze, frame)
-	_plant.preview(frame, _breeze)
+	_plant._preview(frame, _breeze)
 
 
 func _on_function_changed() -> void:
@@ -53,9 +53,9 @@ func _on_function_changed() -> void:
 	if not found.is_empty():
 		return
 	_breeze.strength = _breeze_strength()
-	_plant.lod = SEGMENTS
+	_plant.segments = SEGMENTS
 	_plant.seed = PLANT_SEED
-	_plant.function = function
+	_plant.species = function
 	_frame_plant()
 
 

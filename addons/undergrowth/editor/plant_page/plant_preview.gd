@@ -70,7 +70,7 @@ func _process(delta: float) -> void:
 		return
 	WindClock.advance(_state.wind, delta)
 	for plant in _plants:
-		plant.preview(minf(delta, LONGEST_FRAME), _state.wind)
+		plant._preview(minf(delta, LONGEST_FRAME), _state.wind)
 
 
 func _notification(what: int) -> void:
@@ -101,7 +101,7 @@ func _set_plant_count(count: int) -> void:
 		_plants.pop_back().queue_free()
 	while _plants.size() < count:
 		var plant := Plant3D.new()
-		plant.simulating = false
+		plant.simulation_enabled = false
 		plant.add_child(_make_label())
 		_plant_root.add_child(plant)
 		_plants.append(plant)
@@ -151,14 +151,14 @@ func _show_nothing() -> void:
 
 func _show_plant(index: int) -> void:
 	var plant := _plants[index]
-	plant.function = _state.function
+	plant.species = _state.function
 	plant.height = _state.height
 	plant.seed = _state.seed_value
-	plant.lod = EditorState.LEVELS[index] if _plants.size() > 1 else _state.lod
+	plant.segments = EditorState.LEVELS[index] if _plants.size() > 1 else _state.segments
 	plant.rebuild()
 	var label: Label3D = plant.get_node(LABEL_NAME)
 	label.visible = _plants.size() > 1
-	label.text = str(plant.lod)
+	label.text = str(plant.segments)
 	label.position.y = plant.get_plant_height() * LABEL_HEIGHT
 
 
@@ -205,7 +205,7 @@ func _show_overlays() -> void:
 	for plant in _plants:
 		if _rings.button_pressed:
 			var height := plant.get_plant_height()
-			var rings := PreviewOverlay.make_rings(_state.function, height, plant.lod)
+			var rings := PreviewOverlay.make_rings(_state.function, height, plant.segments)
 			_add_overlay(plant, rings, RING_COLOR)
 		if _bones.button_pressed:
 			_add_overlay(plant, PreviewOverlay.make_bone(plant.get_plant_height()), BONE_COLOR)

@@ -11,12 +11,12 @@ const BONE_WAIST := 0.12
 
 ## The cross-sections that the plant's mesh is stretched over (thesis, figure 2.4), and lines along
 ## the stem that join them.
-static func make_rings(function: PlantFunction, height: float, lod: int) -> ArrayMesh:
+static func make_rings(function: PlantFunction, height: float, segments: int) -> ArrayMesh:
 	var lines := PackedVector3Array()
-	var shape := function.get_base_shape(lod)
+	var shape := function.get_base_shape(segments)
 	var below := PackedVector3Array()
-	for level in lod + 1:
-		var offset := float(level) / lod
+	for level in segments + 1:
+		var offset := float(level) / segments
 		var ring := PackedVector3Array()
 		var width := function.calculate_curve_point(offset)
 		for point in shape:

@@ -8,21 +8,21 @@ var _state: EditorState
 
 @onready var _height: EditorSpinSlider = %Height
 @onready var _seed: EditorSpinSlider = %Seed
-@onready var _lod: EditorSpinSlider = %Lod
+@onready var _segments: EditorSpinSlider = %Segments
 @onready var _dice: Button = %Dice
 
 
 ## Shows and changes the view of [param state].
 func setup(state: EditorState) -> void:
 	_state = state
-	_lod.value = state.lod
+	_segments.value = state.segments
 	_seed.value = state.seed_value
 	_height.value = state.height
 	_height.value_changed.connect(func(metres: float) -> void: _state.height = metres)
 	_seed.value_changed.connect(func(number: float) -> void: _state.seed_value = int(number))
-	_lod.value_changed.connect(func(segments: float) -> void: _state.lod = int(segments))
+	_segments.value_changed.connect(func(number: float) -> void: _state.segments = int(number))
 	_dice.pressed.connect(func() -> void: _seed.value += 1)
-	for slider: Control in [_height, _seed, _lod]:
+	for slider: Control in [_height, _seed, _segments]:
 		slider.custom_minimum_size.x *= EditorInterface.get_editor_scale()
 	_translate()
 	_dress()
@@ -39,7 +39,7 @@ func _notification(what: int) -> void:
 func _translate() -> void:
 	_height.label = tr("Height")
 	_seed.label = tr("Seed")
-	_lod.label = tr("Lod")
+	_segments.label = tr("Segments")
 
 
 func _dress() -> void:

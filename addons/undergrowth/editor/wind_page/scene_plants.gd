@@ -1,7 +1,7 @@
 @tool
 extends RefCounted
 ## Finds what feels a wind in the edited scene: single plants and fields. Both have the property
-## wind and the methods preview and reset.
+## wind and the methods _preview and reset_motion.
 
 
 static func is_plant(node: Node) -> bool:

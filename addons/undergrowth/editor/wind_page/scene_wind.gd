@@ -57,7 +57,7 @@ func _process(delta: float) -> void:
 		return
 	WindClock.advance(blowing, delta)
 	for plant in _plants:
-		plant.call(&"preview", delta, blowing)
+		plant.call(&"_preview", delta, blowing)
 
 
 func _collect() -> void:
@@ -68,7 +68,7 @@ func _collect() -> void:
 		stays[plant] = true
 	for plant: Variant in _plants:
 		if is_instance_valid(plant) and not stays.has(plant):
-			(plant as Node3D).call(&"reset")
+			(plant as Node3D).call(&"reset_motion")
 	_root = root
 	_plants = found
 	_is_stale = false
@@ -78,7 +78,7 @@ func _release() -> void:
 	blowing = null
 	for plant: Variant in _plants:
 		if is_instance_valid(plant):
-			(plant as Node3D).call(&"reset")
+			(plant as Node3D).call(&"reset_motion")
 	_plants.clear()
 	_root = null
 

@@ -7,7 +7,7 @@ const ProjectFiles := preload("../actions/project_files.gd")
 const ScenePlants := preload("scene_plants.gd")
 
 const PROPERTIES: Array[StringName] = [
-	&"kind", &"strength", &"direction_degrees", &"frequency", &"gust_duration"
+	&"kind", &"strength", &"direction", &"frequency", &"gust_duration", &"travel_speed"
 ]
 const WARNING := EditorState.Severity.WARNING
 

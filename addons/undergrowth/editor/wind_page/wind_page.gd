@@ -11,8 +11,10 @@ const WindClock := preload("wind_clock.gd")
 
 ## What a wind accepts at most, in the units of its properties.
 const MOST: Dictionary[StringName, float] = {
-	&"strength": 1e6, &"frequency": 1000.0, &"gust_duration": 3600.0
+	&"strength": 1e6, &"frequency": 1000.0, &"gust_duration": 3600.0, &"travel_speed": 1e4
 }
+## An angle in radians is shown in steps of so many degrees.
+const DEGREE_STEP := 0.001
 const KINDS: Array[String] = ["Gust", "Constant", "Bursts", "Waves"]
 
 var _state: EditorState
@@ -23,6 +25,7 @@ var _says_limit := false
 
 @onready var _kind: OptionButton = %Kind
 @onready var _frequency_label: Label = %FrequencyLabel
+@onready var _direction: EditorSpinSlider = %Direction
 @onready var _heading: Label = %Heading
 @onready var _dial: DirectionDial = %Dial
 @onready var _graph: ForceGraph = %Graph
@@ -41,7 +44,7 @@ func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
 		&"strength": %Strength,
 		&"frequency": %Frequency,
 		&"gust_duration": %Duration,
-		&"direction_degrees": %Direction,
+		&"travel_speed": %TravelSpeed,
 	}
 	for part: Control in [%Fields, %Outcome]:
 		part.custom_minimum_size.x *= EditorInterface.get_editor_scale()
@@ -55,7 +58,8 @@ func _connect_controls() -> void:
 	_kind.item_selected.connect(_set_wind.bind(&"kind"))
 	for property in _sliders:
 		_sliders[property].value_changed.connect(_set_wind.bind(property))
-	_dial.direction_changed.connect(_set_wind.bind(&"direction_degrees"))
+	_direction.value_changed.connect(_set_degrees)
+	_dial.direction_changed.connect(_set_degrees)
 	(%Gust as Button).pressed.connect(func() -> void: _state.wind.trigger_gust())
 	_on_scene.toggled.connect(_scene_wind.set_active)
 	(%Apply as Button).pressed.connect(_actions.apply)
@@ -69,10 +73,13 @@ func _process(delta: float) -> void:
 		WindClock.advance(_state.wind, delta)
 
 
+func _set_degrees(degrees: float) -> void:
+	var is_turn := degrees >= 0.0 and degrees <= 360.0
+	_set_wind(deg_to_rad(degrees if is_turn else fposmod(degrees, 360.0)), &"direction")
+
+
 func _set_wind(value: float, property: StringName) -> void:
 	var accepted := minf(value, MOST.get(property, INF))
-	if property == &"direction_degrees" and (value < 0.0 or value > 360.0):
-		accepted = fposmod(value, 360.0)
 	_say_limit(property, accepted < value and MOST.has(property))
 	if _state.wind.get(property) == accepted:
 		_show_wind()
@@ -99,7 +106,9 @@ func _show_wind() -> void:
 	_kind.select(wind.kind)
 	for property in _sliders:
 		_sliders[property].set_value_no_signal(wind.get(property))
-	_dial.degrees = wind.direction_degrees
+	var degrees := snappedf(rad_to_deg(wind.direction), DEGREE_STEP)
+	_direction.set_value_no_signal(degrees)
+	_dial.degrees = degrees
 	_heading.text = _dial.describe()
 	var is_periodic := wind.kind in [PlantWind.KIND_BURSTS, PlantWind.KIND_WAVES]
 	_frequency_label.visible = is_periodic
