@@ -229,11 +229,12 @@ func test_plants_of_a_turned_and_scaled_field_are_pushed_as_those_of_another() -
 	var usual := await _push_by_passing(Transform3D())
 	check(usual.length() > 0.2, "tips are pushed by %s" % usual)
 	var turned := Transform3D(Basis(Vector3.UP, 2.2).scaled(Vector3.ONE * 2.0), Vector3(30, 5, -20))
-	check_near(await _push_by_passing(turned), usual, 0.3 * usual.length(), "push")
+	var pushed := await _push_by_passing(turned)
+	check_near(pushed, usual, 0.3 * usual.length(), "push")
 
 
-## How far a plant leans at most beside a ball, while its field goes by metres in each frame, and the
-## ball too: in the end both are where they are at once if neither moves.
+## How far a plant leans at most beside a ball, while its field goes by metres in each frame, and
+## the ball too: in the end both are where they are at once if neither moves.
 func _most_lean_of(field_way: float, ball_way: float) -> float:
 	var own := _single_plant_field()
 	root.add_child(own)
@@ -256,7 +257,7 @@ func _most_lean_of(field_way: float, ball_way: float) -> float:
 	return most
 
 
-## How far the tip goes at most, in the field's axes, after a ball that goes at 2 m/s in them hit it.
+## How far the tip goes at most, in the field's axes, after a ball of 2 m/s in them hit it.
 func _push_by_passing(placed: Transform3D) -> Vector3:
 	var own := _single_plant_field()
 	own.transform = placed
