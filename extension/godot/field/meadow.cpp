@@ -3,7 +3,6 @@
 #include "field/meadow.hpp"
 
 #include "convert.hpp"
-#include "field/field_material.hpp"
 #include "messages.hpp"
 
 #include <godot_cpp/classes/camera3d.hpp>
@@ -21,14 +20,14 @@ namespace undergrowth {
 
 using Clock = std::chrono::steady_clock;
 
-static constexpr float FARTHEST = 1e9f; // m.
 static const char *const VIEWPORTS = "_viewports"; // The engine's own group.
 
 Meadow::Meadow(GeometryInstance3D *field, const FieldProperties &set_by_users, Listener &&teller) :
 		skeletons(SkeletonView::Tell(teller.skeleton)),
 		node(field),
 		properties(set_by_users),
-		listener(std::move(teller)) {
+		listener(std::move(teller)),
+		dress(field) {
 	view.set_owner(uint64_t(field->get_instance_id()));
 }
 
@@ -98,85 +97,24 @@ void Meadow::refresh() {
 	}
 	const Clock::time_point start = Clock::now();
 	if (motion.upload()) {
-		dress();
+		dress.put_on(style, *motion.poses());
 	}
 	if (!unseen.empty()) {
 		view.show_added(style, *motion.poses(), store, unseen);
 		unseen.clear();
 	}
-	send_uniforms();
+	dress.tell_of_followers(style, motion, axes_of(node));
 	upload_usec = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
-}
-
-// Materials belong to one field and level, since textures cannot differ by instance.
-void Meadow::dress() {
-	for (FieldLook &look : style.looks) {
-		const bool is_new = look.materials.empty();
-		for (size_t i = look.materials.size(); i < style.levels.size(); i++) {
-			look.materials.push_back(make_field_material(worn_material(look)));
-		}
-		for (size_t i = 0; i < look.materials.size(); i++) {
-			const FieldLevel &level = style.levels[i];
-			const float begin = level.begin > 0.0f ? level.begin : -FARTHEST;
-			const float end = level.end > 0.0f ? level.end : FARTHEST;
-			look.materials[i]->set_shader_parameter("undergrowth_level", Vector3(begin, end, level.margin));
-			look.materials[i]->set_shader_parameter("undergrowth_bends", motion.poses()->poses());
-			look.materials[i]->set_shader_parameter("undergrowth_blends", motion.poses()->blends());
-		}
-		if (is_new && !look.materials.empty() && !bends_in_shader(look.materials[0])) {
-			report_error(look.function.ptr(),
-					"its material has a shader that does not bend in a PlantField3D. Include "
-					"undergrowth_bend.gdshaderinc, which says how.");
-		}
-	}
-}
-
-Ref<Material> Meadow::worn_material(const FieldLook &look) const {
-	const Ref<Material> instead = node->get_material_override();
-	return instead.is_valid() ? instead : look.function->get_material();
 }
 
 void Meadow::change_materials() {
 	motion.wait();
 	std::vector<std::vector<Ref<ShaderMaterial>>> old; // They go once nobody wears them.
-	for (FieldLook &look : style.looks) {
-		old.push_back(std::move(look.materials));
-		look.materials.clear();
-		for (SampledPlant &sampled : look.nearest) {
-			sampled.material = look.function->get_material();
-		}
-	}
+	dress.take_off(style, old);
 	if (motion.is_ready() && motion.poses()->poses().is_valid()) {
-		dress();
+		dress.put_on(style, *motion.poses());
 		view.wear_materials(style);
 		skeletons.release_all(motion);
-	}
-}
-
-void Meadow::follow_materials() {
-	if (style.looks.empty()) {
-		return;
-	}
-	followed_look = (followed_look + 1) % style.looks.size();
-	const FieldLook &look = style.looks[followed_look];
-	for (const Ref<ShaderMaterial> &material : look.materials) {
-		follow_material(worn_material(look), material);
-	}
-}
-
-void Meadow::send_uniforms() {
-	if (!motion.poses() || !motion.poses()->follows()) {
-		return;
-	}
-	const FieldMotion::Delays delays = motion.follower_delays(axes_of(node));
-	for (size_t i = 0; i < style.looks.size(); i++) {
-		const Vector3 history = motion.history_of(int(i));
-		for (const Ref<ShaderMaterial> &material : style.looks[i].materials) {
-			material->set_shader_parameter("undergrowth_history", history);
-			material->set_shader_parameter("undergrowth_delay", delays.after);
-			material->set_shader_parameter("undergrowth_delay_before", delays.before);
-			material->set_shader_parameter("undergrowth_delay_share", delays.share);
-		}
 	}
 }
 
@@ -202,7 +140,7 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 	motion.add_species(look);
 	style.looks.push_back(std::move(look));
 	if (motion.poses()->poses().is_valid()) {
-		dress();
+		dress.put_on(style, *motion.poses());
 	}
 	return int(style.looks.size()) - 1;
 }
@@ -280,7 +218,7 @@ bool Meadow::update_levels() {
 	view.update_levels(style);
 	skeletons.dress(wear, style.levels[0].casts_shadows);
 	if (motion.poses() && motion.poses()->poses().is_valid()) {
-		dress();
+		dress.put_on(style, *motion.poses());
 	}
 	return true;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field/field_dress.hpp"
 #include "field/field_motion.hpp"
 #include "field/field_recipe.hpp"
 #include "field/skeleton_view.hpp"
@@ -56,7 +57,7 @@ public:
 	/// A species wears another material.
 	void change_materials();
 	/// One species' materials follow what its user set, in turns.
-	void follow_materials();
+	void follow_materials() { dress.follow(style); }
 	void skeletons_changed();
 
 	void enter_tree();
@@ -77,6 +78,7 @@ private:
 	godot::GeometryInstance3D *node;
 	const FieldProperties &properties;
 	Listener listener;
+	FieldDress dress;
 	FieldView view;
 	FieldWear wear;
 	std::set<TileKey> unseen; ///< Tiles with plants that were added or dropped, and are not drawn so yet.
@@ -84,7 +86,6 @@ private:
 	std::unique_ptr<FieldRays> rays;
 	std::vector<PlantId> removed_meanwhile; ///< While the job goes on.
 	float told_progress = -1.0f;
-	size_t followed_look = 0;
 	bool has_missed_ground = false;
 
 	FieldMotion::Frame frame(double delta, const godot::Ref<PlantWind> &wind) const;
@@ -94,10 +95,7 @@ private:
 	void tell_of_no_ground();
 	void adopt(FieldFill &finished);
 	ChangeSet apply(StandEdit &&edit);
-	void dress();
-	void send_uniforms();
 	std::vector<godot::Vector3> find_eyes() const;
-	godot::Ref<godot::Material> worn_material(const FieldLook &look) const;
 };
 
 } // namespace undergrowth

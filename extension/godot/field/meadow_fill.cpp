@@ -187,7 +187,7 @@ void Meadow::adopt(FieldFill &finished) {
 	const ChangeSet changes = store.apply(std::move(edit));
 	motion.adopt(result, changes, store, style);
 	motion.upload();
-	dress();
+	dress.put_on(style, *motion.poses());
 	view.show_filled(style, result.plans);
 	view.show_all_added(style, *motion.poses(), store);
 	unseen.clear();

@@ -6,8 +6,6 @@
 #include "follow_changes.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
-#include <godot_cpp/classes/node3d.hpp>
-#include <godot_cpp/classes/path3d.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/utility_functions.hpp>
@@ -29,7 +27,8 @@ PlantField3D::PlantField3D() :
 				{ [this](const String &fault) { report_problem(fault); },
 						[this](float ratio) { emit_signal("fill_progressed", ratio); },
 						[this] { emit_signal("filled"); },
-						[this](Skeleton3D *skeleton, bool is_shown) { tell_of_skeleton(skeleton, is_shown); } }) {
+						[this](Skeleton3D *skeleton, bool is_shown) { tell_of_skeleton(skeleton, is_shown); } }),
+		plants(this, meadow) {
 	follow_species();
 }
 
@@ -193,49 +192,21 @@ void PlantField3D::look_around() {
 		follow_species();
 		mark_stale(true);
 	}
-	for (Watched &one : watched) {
-		if (is_moved(one)) {
-			mark_stale(true);
-		}
+	if (watched.has_moved(this)) {
+		mark_stale(true);
 	}
-}
-
-bool PlantField3D::is_moved(Watched &one) const {
-	const Node3D *node = Object::cast_to<Node3D>(ObjectDB::get_instance(one.node));
-	if (!node || !node->is_inside_tree()) {
-		return false;
-	}
-	const Transform3D placed = get_global_transform().affine_inverse() * node->get_global_transform();
-	const bool moved = !placed.is_equal_approx(one.placed);
-	one.placed = placed;
-	return moved;
 }
 
 // Outline and exclusions are live: a point that is dragged, a path that is moved.
 void PlantField3D::watch_nodes() {
-	const Callable listener(this, "_on_area_changed");
-	for (const Watched &old : watched) {
-		Object *node = ObjectDB::get_instance(old.node);
-		if (node && node->has_signal("curve_changed") && node->is_connected("curve_changed", listener)) {
-			node->disconnect("curve_changed", listener);
-		}
+	std::vector<NodePath> paths = { properties.stand.outline };
+	for (int64_t i = 0; i < properties.stand.exclusions.size(); i++) {
+		paths.push_back(properties.stand.exclusions[i]);
 	}
-	watched.clear();
-	TypedArray<NodePath> paths = properties.stand.exclusions.duplicate();
-	paths.push_back(properties.stand.outline);
-	paths.push_back(properties.stand.ground_mode == GROUND_MESH ? properties.stand.ground_mesh : NodePath());
-	for (int64_t i = 0; i < paths.size(); i++) {
-		const NodePath path = paths[i];
-		Node3D *node = path.is_empty() ? nullptr : Object::cast_to<Node3D>(get_node_or_null(path));
-		if (!node) {
-			continue;
-		}
-		watched.push_back({ uint64_t(node->get_instance_id()), Transform3D() });
-		is_moved(watched.back());
-		if (node->has_signal("curve_changed") && !node->is_connected("curve_changed", listener)) {
-			node->connect("curve_changed", listener);
-		}
+	if (properties.stand.ground_mode == GROUND_MESH) {
+		paths.push_back(properties.stand.ground_mesh);
 	}
+	watched.watch(this, paths, Callable(this, "_on_area_changed"));
 }
 
 void PlantField3D::tell_of_bodies() {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "field/meadow.hpp"
+#include "field/node_watch.hpp"
+#include "field/plant_access.hpp"
 #include "messages.hpp"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
@@ -31,16 +33,11 @@ private:
 		view, ///< What stands is dressed anew.
 		nothing, ///< It is read when it is needed.
 	};
-	/// A node that the field depends on.
-	struct Watched {
-		uint64_t node;
-		godot::Transform3D placed;
-	};
-
 	FieldProperties properties;
 	godot::TypedArray<PlantFieldSpecies> listed; ///< By users. Where it is empty, grass grows.
 	Meadow meadow;
-	std::vector<Watched> watched;
+	PlantAccess plants;
+	NodeWatch watched;
 	std::vector<uint64_t> seen_species; ///< Of the list, as it was read: scripts may append to it.
 	float seen_range = 0.0f;
 	uint64_t seen_material = 0;
@@ -66,16 +63,9 @@ private:
 	void look_around();
 	void follow_species();
 	void watch_nodes();
-	bool is_moved(Watched &one) const;
 	void tell_of_bodies();
 	void tell_of_skeleton(godot::Skeleton3D *skeleton, bool is_shown);
 	void count_in_monitors(bool on);
-	PlacedPlant place_transform(const godot::Transform3D &transform, int species_index, int number) const;
-	PlantPlace find(int64_t id) const;
-	std::vector<PlantPlace> find_all(const godot::PackedInt64Array &ids) const;
-	float length_of(const PlantPlace &place) const;
-	godot::PackedInt64Array ids_of(const std::vector<PlantPlace> &places) const;
-	std::vector<PlantPlace> places_in_sphere(const godot::Vector3 &center, double radius) const;
 
 protected:
 	static void _bind_methods();
@@ -96,17 +86,19 @@ public:
 	bool remove_plant(int64_t id);
 	int remove_plants(const godot::PackedInt64Array &ids);
 	int remove_in_sphere(const godot::Vector3 &center, double radius);
-	int get_plant_count() const;
-	godot::PackedInt64Array get_plant_ids() const;
+	int get_plant_count() const { return meadow.store.plant_count(); }
+	godot::PackedInt64Array get_plant_ids() const { return plants.all(); }
 	bool has_plant(int64_t id) const;
 	godot::PackedInt64Array find_plants_in_box(const godot::AABB &box) const;
 	godot::PackedInt64Array find_plants_in_sphere(const godot::Vector3 &center, double radius) const;
-	godot::Transform3D get_plant_transform(int64_t id) const;
-	godot::Ref<PlantFunction> get_plant_species(int64_t id) const;
-	double get_plant_height(int64_t id) const;
-	int64_t get_plant_seed(int64_t id) const;
-	godot::TypedArray<godot::Transform3D> get_plant_transforms(const godot::PackedInt64Array &ids) const;
-	godot::PackedFloat32Array get_plant_heights(const godot::PackedInt64Array &ids) const;
+	godot::Transform3D get_plant_transform(int64_t id) const { return plants.transform(id); }
+	godot::Ref<PlantFunction> get_plant_species(int64_t id) const { return plants.species(id); }
+	double get_plant_height(int64_t id) const { return plants.height(id); }
+	int64_t get_plant_seed(int64_t id) const { return plants.seed(id); }
+	godot::TypedArray<godot::Transform3D> get_plant_transforms(const godot::PackedInt64Array &ids) const {
+		return plants.transforms(ids);
+	}
+	godot::PackedFloat32Array get_plant_heights(const godot::PackedInt64Array &ids) const { return plants.heights(ids); }
 	/// The field's outline in its own axes.
 	Polygon outline_polygon() const;
 	godot::PackedVector3Array get_outline_points() const;
@@ -114,10 +106,12 @@ public:
 	// How it moves.
 	bool is_point_in_plants(const godot::Vector3 &point);
 	int apply_impulse_in_sphere(const godot::Vector3 &center, double radius, const godot::Vector3 &impulse);
-	godot::Vector3 get_tip_position(int64_t id);
-	godot::PackedVector3Array get_tip_positions(const godot::PackedInt64Array &ids);
-	godot::PackedFloat32Array get_motion_state(const godot::PackedInt64Array &ids);
-	void set_motion_state(const godot::PackedInt64Array &ids, const godot::PackedFloat32Array &state);
+	godot::Vector3 get_tip_position(int64_t id) { return plants.tip_now(id); }
+	godot::PackedVector3Array get_tip_positions(const godot::PackedInt64Array &ids) { return plants.tips_now(ids); }
+	godot::PackedFloat32Array get_motion_state(const godot::PackedInt64Array &ids) { return plants.motion_now(ids); }
+	void set_motion_state(const godot::PackedInt64Array &ids, const godot::PackedFloat32Array &state) {
+		plants.set_motion(ids, state);
+	}
 	void reset_motion();
 	/// Moves the field by `delta` seconds under `blowing` where it does not move by itself, as in the editor.
 	void preview(double delta, const godot::Ref<PlantWind> &blowing);

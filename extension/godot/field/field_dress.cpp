@@ -1,0 +1,76 @@
+#include "field/field_dress.hpp"
+
+#include "field/field_material.hpp"
+#include "messages.hpp"
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr float FARTHEST = 1e9f; // m.
+
+Ref<Material> FieldDress::worn(const FieldLook &look) const {
+	const Ref<Material> instead = node->get_material_override();
+	return instead.is_valid() ? instead : look.function->get_material();
+}
+
+void FieldDress::put_on(FieldStyle &style, const PoseTexture &poses) const {
+	for (FieldLook &look : style.looks) {
+		const bool is_new = look.materials.empty();
+		for (size_t i = look.materials.size(); i < style.levels.size(); i++) {
+			look.materials.push_back(make_field_material(worn(look)));
+		}
+		for (size_t i = 0; i < look.materials.size(); i++) {
+			const FieldLevel &level = style.levels[i];
+			const float begin = level.begin > 0.0f ? level.begin : -FARTHEST;
+			const float end = level.end > 0.0f ? level.end : FARTHEST;
+			look.materials[i]->set_shader_parameter("undergrowth_level", Vector3(begin, end, level.margin));
+			look.materials[i]->set_shader_parameter("undergrowth_bends", poses.poses());
+			look.materials[i]->set_shader_parameter("undergrowth_blends", poses.blends());
+		}
+		if (is_new && !look.materials.empty() && !bends_in_shader(look.materials[0])) {
+			report_error(look.function.ptr(),
+					"its material has a shader that does not bend in a PlantField3D. Include "
+					"undergrowth_bend.gdshaderinc, which says how.");
+		}
+	}
+}
+
+void FieldDress::take_off(FieldStyle &style, std::vector<std::vector<Ref<ShaderMaterial>>> &old) const {
+	for (FieldLook &look : style.looks) {
+		old.push_back(std::move(look.materials));
+		look.materials.clear();
+		for (SampledPlant &sampled : look.nearest) {
+			sampled.material = look.function->get_material();
+		}
+	}
+}
+
+void FieldDress::follow(const FieldStyle &style) {
+	if (style.looks.empty()) {
+		return;
+	}
+	followed_look = (followed_look + 1) % style.looks.size();
+	const FieldLook &look = style.looks[followed_look];
+	for (const Ref<ShaderMaterial> &material : look.materials) {
+		follow_material(worn(look), material);
+	}
+}
+
+void FieldDress::tell_of_followers(const FieldStyle &style, const FieldMotion &motion, const Transform3D &axes) const {
+	if (!motion.poses() || !motion.poses()->follows()) {
+		return;
+	}
+	const FieldMotion::Delays delays = motion.follower_delays(axes);
+	for (size_t i = 0; i < style.looks.size(); i++) {
+		const Vector3 history = motion.history_of(int(i));
+		for (const Ref<ShaderMaterial> &material : style.looks[i].materials) {
+			material->set_shader_parameter("undergrowth_history", history);
+			material->set_shader_parameter("undergrowth_delay", delays.after);
+			material->set_shader_parameter("undergrowth_delay_before", delays.before);
+			material->set_shader_parameter("undergrowth_delay_share", delays.share);
+		}
+	}
+}
+
+} // namespace undergrowth

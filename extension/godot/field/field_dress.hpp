@@ -1,0 +1,33 @@
+#pragma once
+
+#include "field/field_motion.hpp"
+#include "field/field_style.hpp"
+
+#include <godot_cpp/classes/geometry_instance3d.hpp>
+
+namespace undergrowth {
+
+/// The materials that a field's plants wear: one for each species and level, since textures cannot differ by instance,
+/// made from what users set, and what the shaders are told in each frame. Main thread.
+class FieldDress {
+public:
+	explicit FieldDress(const godot::GeometryInstance3D *field) : node(field) {}
+
+	/// Makes the materials that are missing and tells all of levels and textures. A shader that does not bend is told
+	/// of, once for each look.
+	void put_on(FieldStyle &style, const PoseTexture &poses) const;
+	/// Forgets the materials; what was worn goes on with whoever holds `old`.
+	void take_off(FieldStyle &style, std::vector<std::vector<godot::Ref<godot::ShaderMaterial>>> &old) const;
+	/// One species' materials follow what their user changed in them, in turns.
+	void follow(const FieldStyle &style);
+	/// Where followers of prototypes find what they show in this frame.
+	void tell_of_followers(const FieldStyle &style, const FieldMotion &motion, const godot::Transform3D &axes) const;
+
+private:
+	const godot::GeometryInstance3D *node;
+	size_t followed_look = 0;
+
+	godot::Ref<godot::Material> worn(const FieldLook &look) const;
+};
+
+} // namespace undergrowth

@@ -1,0 +1,49 @@
+#include "field/node_watch.hpp"
+
+#include <godot_cpp/core/object.hpp>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static const char *const CURVE_CHANGED = "curve_changed"; // Of a Path3D.
+
+static Transform3D place_in(const Node3D *field, const Node3D *node) {
+	return field->get_global_transform().affine_inverse() * node->get_global_transform();
+}
+
+void NodeWatch::watch(const Node3D *field, const std::vector<NodePath> &paths, const Callable &changed) {
+	for (const Watched &old : nodes) {
+		Object *node = ObjectDB::get_instance(old.node);
+		if (node && node->has_signal(CURVE_CHANGED) && node->is_connected(CURVE_CHANGED, changed)) {
+			node->disconnect(CURVE_CHANGED, changed);
+		}
+	}
+	nodes.clear();
+	for (const NodePath &path : paths) {
+		Node3D *node = path.is_empty() ? nullptr : Object::cast_to<Node3D>(field->get_node_or_null(path));
+		if (!node) {
+			continue;
+		}
+		nodes.push_back({ uint64_t(node->get_instance_id()), place_in(field, node) });
+		if (node->has_signal(CURVE_CHANGED) && !node->is_connected(CURVE_CHANGED, changed)) {
+			node->connect(CURVE_CHANGED, changed);
+		}
+	}
+}
+
+bool NodeWatch::has_moved(const Node3D *field) {
+	bool moved = false;
+	for (Watched &one : nodes) {
+		const Node3D *node = Object::cast_to<Node3D>(ObjectDB::get_instance(one.node));
+		if (!node || !node->is_inside_tree()) {
+			continue;
+		}
+		const Transform3D placed = place_in(field, node);
+		moved = moved || !placed.is_equal_approx(one.placed);
+		one.placed = placed;
+	}
+	return moved;
+}
+
+} // namespace undergrowth
