@@ -1,6 +1,8 @@
 #include "field/plant_access.hpp"
 
 #include "convert.hpp"
+#include "field/plant_transforms.hpp"
+#include "follow_changes.hpp"
 #include "messages.hpp"
 
 #include <algorithm>
@@ -10,51 +12,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr float LEAST_TILT = 1e-3f;
-static constexpr int FLOATS_PER_TRANSFORM = 12;
 static constexpr int FLOATS_PER_STATE = 6; // Direction and rate.
-
-bool read_transforms(const Variant &from, std::vector<Transform3D> &to) {
-	if (from.get_type() == Variant::PACKED_FLOAT32_ARRAY) {
-		const PackedFloat32Array rows = from;
-		const float *f = rows.ptr();
-		for (int64_t i = 0; i + FLOATS_PER_TRANSFORM <= rows.size();
-				i += FLOATS_PER_TRANSFORM, f += FLOATS_PER_TRANSFORM) {
-			to.push_back(
-					Transform3D(Basis(Vector3(f[0], f[4], f[8]), Vector3(f[1], f[5], f[9]), Vector3(f[2], f[6], f[10])),
-							Vector3(f[3], f[7], f[11])));
-		}
-		return rows.size() % FLOATS_PER_TRANSFORM == 0;
-	}
-	if (from.get_type() != Variant::ARRAY) {
-		return false;
-	}
-	const Array list = from;
-	for (int64_t i = 0; i < list.size(); i++) {
-		if (list[i].get_type() != Variant::TRANSFORM3D) {
-			return false;
-		}
-		to.push_back(list[i]);
-	}
-	return true;
-}
-
-PlacedPlant place_transform(const Transform3D &transform) {
-	PlacedPlant plant;
-	plant.root = to_glm(transform.origin);
-	const Vector3 up = transform.basis.get_column(1);
-	plant.scale = up.length();
-	const float aside = std::sqrt(up.x * up.x + up.z * up.z);
-	Vector3 front = transform.basis.get_column(2);
-	if (aside > LEAST_TILT * plant.scale) {
-		plant.lean = std::atan2(aside, up.y);
-		const Vector3 across(up.z / aside, 0.0f, -up.x / aside);
-		front = Basis(across, -plant.lean).xform(front);
-	}
-	plant.turn = std::atan2(front.x, front.z);
-	plant.side = plant.lean > 0.0f ? std::atan2(-up.z, up.x) - plant.turn : 0.0f;
-	return plant;
-}
 
 PlantPlace PlantAccess::find(int64_t id) const {
 	const PlantPlace place = meadow.store.find(id);
@@ -209,12 +167,117 @@ void PlantAccess::set_motion(const PackedInt64Array &ids, const PackedFloat32Arr
 }
 
 int PlantAccess::blow(const Vector3 &center, double radius, const Vector3 &impulse) {
+	if (!center.is_finite() || !impulse.is_finite() || !std::isfinite(radius) || radius < 0.0) {
+		report_error(node, "apply_impulse_in_sphere() needs a finite centre, radius and impulse.");
+		return 0;
+	}
+	if (!node->is_inside_tree()) {
+		return 0;
+	}
 	const glm::vec3 blown = to_glm(axes_of(node).basis.inverse().xform(impulse));
 	const std::vector<PlantPlace> places = in_sphere(center, radius);
 	for (const PlantPlace &place : places) {
 		meadow.motion.apply_impulse(place, blown);
 	}
 	return int(places.size());
+}
+
+PackedInt64Array PlantAccess::add(
+		const Variant &transforms, const Ref<PlantFunction> &function, const Callable &changed) {
+	std::vector<Transform3D> places;
+	if (!read_transforms(transforms, places)) {
+		report_error(
+				node, "add_plants() needs an Array of Transform3D, or a PackedFloat32Array with 12 numbers for each.");
+		return PackedInt64Array();
+	}
+	if (function.is_null()) {
+		report_error(node, "add_plants() needs a PlantFunction: which species?");
+		return PackedInt64Array();
+	}
+	if (double(meadow.store.plant_count()) + double(places.size()) > PlacementRequest::MOST_PLANTS) {
+		report_error(node, "cannot hold more than 4,000,000 plants; none of these is added. Use another field.");
+		return PackedInt64Array();
+	}
+	const int species_index = meadow.species_for(function);
+	if (species_index < 0) {
+		return PackedInt64Array();
+	}
+	if (species_index >= meadow.style.listed) {
+		follow_changes(function.ptr(), changed);
+	}
+	const int variants = int(meadow.style.looks[size_t(species_index)].variants.size());
+	std::vector<PlacedPlant> placed;
+	for (const Transform3D &place : places) {
+		PlacedPlant plant = place_transform(place);
+		plant.species = species_index;
+		plant.variant = (meadow.store.plant_count() + int(placed.size())) % variants;
+		if (is_valid(plant)) {
+			placed.push_back(plant);
+		}
+	}
+	if (placed.size() < places.size()) {
+		report_error(node,
+				String::num_int64(int64_t(places.size() - placed.size())) +
+						" transforms of add_plants() are not finite or of no size; the others are added.");
+	}
+	PackedInt64Array ids;
+	for (const PlantId id : meadow.add(std::move(placed))) {
+		ids.push_back(id);
+	}
+	return ids;
+}
+
+bool PlantAccess::remove(int64_t id) {
+	const PlantPlace place = find(id);
+	if (place.block >= 0) {
+		meadow.remove({ place });
+	}
+	return place.block >= 0;
+}
+
+int PlantAccess::remove_all(const PackedInt64Array &ids) {
+	std::vector<PlantPlace> places;
+	for (const int64_t id : ids) {
+		const PlantPlace place = meadow.store.find(id);
+		if (place.block >= 0) {
+			places.push_back(place);
+		}
+	}
+	const int before = meadow.store.plant_count();
+	meadow.remove(std::move(places));
+	return before - meadow.store.plant_count();
+}
+
+int PlantAccess::remove_in_sphere(const Vector3 &center, double radius) {
+	if (!center.is_finite() || !std::isfinite(radius) || radius < 0.0) {
+		report_error(node, "remove_in_sphere() needs a finite centre and a radius of 0 or more.");
+		return 0;
+	}
+	if (!node->is_inside_tree()) {
+		return 0;
+	}
+	std::vector<PlantPlace> places = in_sphere(center, radius);
+	const int count = int(places.size());
+	if (count > 0) {
+		meadow.remove(std::move(places));
+	}
+	return count;
+}
+
+PackedInt64Array PlantAccess::find_in_sphere(const Vector3 &center, double radius) const {
+	if (!center.is_finite() || !std::isfinite(radius) || radius < 0.0) {
+		report_error(node, "find_plants_in_sphere() needs a finite centre and a radius of 0 or more.");
+		return PackedInt64Array();
+	}
+	return node->is_inside_tree() ? ids_of(in_sphere(center, radius)) : PackedInt64Array();
+}
+
+PackedInt64Array PlantAccess::find_in_box(const AABB &box) const {
+	if (!box.is_finite()) {
+		report_error(node, "find_plants_in_box() needs a finite box.");
+		return PackedInt64Array();
+	}
+	return node->is_inside_tree() ? ids_of(in_box(box)) : PackedInt64Array();
 }
 
 } // namespace undergrowth

@@ -38,6 +38,16 @@ public:
 	/// Six numbers for each plant: its direction and its rate.
 	godot::PackedFloat32Array motion_now(const godot::PackedInt64Array &ids);
 	void set_motion(const godot::PackedInt64Array &ids, const godot::PackedFloat32Array &state);
+	/// What transforms say, plants of `function`; tells their ids. `changed` hears of a species that the field does not
+	/// list.
+	godot::PackedInt64Array add(const godot::Variant &transforms, const godot::Ref<PlantFunction> &function,
+			const godot::Callable &changed);
+	bool remove(int64_t id);
+	/// Those of them that stand; tells how many they were.
+	int remove_all(const godot::PackedInt64Array &ids);
+	int remove_in_sphere(const godot::Vector3 &center, double radius);
+	godot::PackedInt64Array find_in_sphere(const godot::Vector3 &center, double radius) const;
+	godot::PackedInt64Array find_in_box(const godot::AABB &box) const;
 	/// Tells how many were blown.
 	int blow(const godot::Vector3 &center, double radius, const godot::Vector3 &impulse);
 
@@ -48,11 +58,5 @@ private:
 	PlacedPlant plant(const PlantPlace &place) const;
 	const FieldLook &look_of(const PlacedPlant &plant) const { return meadow.style.looks[size_t(plant.species)]; }
 };
-
-/// Reads an Array of Transform3D, or a PackedFloat32Array with 12 numbers for each; false where it is neither.
-bool read_transforms(const godot::Variant &from, std::vector<godot::Transform3D> &to);
-
-/// What a transform says about a plant: its place, scale and turn; a tilt becomes a lean to that side.
-PlacedPlant place_transform(const godot::Transform3D &transform);
 
 } // namespace undergrowth

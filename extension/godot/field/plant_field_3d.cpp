@@ -1,5 +1,4 @@
-// PlantField3D's life in the tree. plant_field_3d_properties.cpp has what users set, plant_field_3d_plants.cpp what
-// they ask.
+// PlantField3D's life in the tree. plant_field_3d_properties.cpp has what users set, PlantAccess what they ask.
 
 #include "field/plant_field_3d.hpp"
 
@@ -235,7 +234,7 @@ void PlantField3D::_notification(int what) {
 		case NOTIFICATION_ENTER_TREE:
 			set_notify_transform(true);
 			set_process_internal(true);
-			count_in_monitors(true);
+			FieldMonitors::enter(&meadow, this);
 			meadow.enter_tree();
 			if (stand_is_stale || look_is_stale) {
 				mark_stale(false);
@@ -245,7 +244,7 @@ void PlantField3D::_notification(int what) {
 			break;
 		case NOTIFICATION_EXIT_TREE:
 			follow_frames(false);
-			count_in_monitors(false);
+			FieldMonitors::leave(&meadow);
 			meadow.exit_tree();
 			break;
 		case NOTIFICATION_EXTENSION_RELOADED:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field/field_monitors.hpp"
 #include "field/meadow.hpp"
 #include "field/node_watch.hpp"
 #include "field/plant_access.hpp"
@@ -65,7 +66,6 @@ private:
 	void watch_nodes();
 	void tell_of_bodies();
 	void tell_of_skeleton(godot::Skeleton3D *skeleton, bool is_shown);
-	void count_in_monitors(bool on);
 
 protected:
 	static void _bind_methods();
@@ -82,15 +82,21 @@ public:
 	// What stands.
 	void fill();
 	bool is_filling() const;
-	godot::PackedInt64Array add_plants(const godot::Variant &transforms, const godot::Ref<PlantFunction> &function);
-	bool remove_plant(int64_t id);
-	int remove_plants(const godot::PackedInt64Array &ids);
-	int remove_in_sphere(const godot::Vector3 &center, double radius);
+	godot::PackedInt64Array add_plants(const godot::Variant &transforms, const godot::Ref<PlantFunction> &function) {
+		return plants.add(transforms, function, godot::Callable(this, "_on_added_species_changed"));
+	}
+	bool remove_plant(int64_t id) { return plants.remove(id); }
+	int remove_plants(const godot::PackedInt64Array &ids) { return plants.remove_all(ids); }
+	int remove_in_sphere(const godot::Vector3 &center, double radius) {
+		return plants.remove_in_sphere(center, radius);
+	}
 	int get_plant_count() const { return meadow.store.plant_count(); }
 	godot::PackedInt64Array get_plant_ids() const { return plants.all(); }
 	bool has_plant(int64_t id) const;
-	godot::PackedInt64Array find_plants_in_box(const godot::AABB &box) const;
-	godot::PackedInt64Array find_plants_in_sphere(const godot::Vector3 &center, double radius) const;
+	godot::PackedInt64Array find_plants_in_box(const godot::AABB &box) const { return plants.find_in_box(box); }
+	godot::PackedInt64Array find_plants_in_sphere(const godot::Vector3 &center, double radius) const {
+		return plants.find_in_sphere(center, radius);
+	}
 	godot::Transform3D get_plant_transform(int64_t id) const { return plants.transform(id); }
 	godot::Ref<PlantFunction> get_plant_species(int64_t id) const { return plants.species(id); }
 	double get_plant_height(int64_t id) const { return plants.height(id); }
@@ -105,7 +111,9 @@ public:
 
 	// How it moves.
 	bool is_point_in_plants(const godot::Vector3 &point);
-	int apply_impulse_in_sphere(const godot::Vector3 &center, double radius, const godot::Vector3 &impulse);
+	int apply_impulse_in_sphere(const godot::Vector3 &center, double radius, const godot::Vector3 &impulse) {
+		return plants.blow(center, radius, impulse);
+	}
 	godot::Vector3 get_tip_position(int64_t id) { return plants.tip_now(id); }
 	godot::PackedVector3Array get_tip_positions(const godot::PackedInt64Array &ids) { return plants.tips_now(ids); }
 	godot::PackedFloat32Array get_motion_state(const godot::PackedInt64Array &ids) { return plants.motion_now(ids); }
@@ -131,7 +139,7 @@ public:
 	void on_fill_queued();
 	void on_tree_frame();
 	void on_physics_frame();
-	double monitor(int which) const;
+	double monitor(int which) const { return FieldMonitors::sum(which); }
 
 	void set_species(const godot::TypedArray<PlantFieldSpecies> &entries);
 	godot::TypedArray<PlantFieldSpecies> get_species() const { return listed; }

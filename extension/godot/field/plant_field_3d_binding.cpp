@@ -1,58 +1,73 @@
-// What PlantField3D tells of itself: how scripts and the inspector see it, statistics, the engine's monitors.
+// What a PlantField3D does and tells besides living in a tree, and how scripts and the inspector see it.
 
 #include "field/plant_field_3d.hpp"
 
+#include "convert.hpp"
+
 #include <godot_cpp/classes/camera3d.hpp>
-#include <godot_cpp/classes/performance.hpp>
 #include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace godot;
 
 namespace undergrowth {
 
-// All fields in the tree, for the monitors. Main thread only.
-static std::vector<PlantField3D *> &standing_fields() {
-	static std::vector<PlantField3D *> fields;
-	return fields;
+bool PlantField3D::has_plant(int64_t id) const {
+	return meadow.store.find(id).block >= 0;
 }
 
-enum Monitor { MONITOR_PLANTS, MONITOR_SIMULATED, MONITOR_STEP, MONITOR_UPLOAD, MONITORS };
-static const char *const MONITOR_NAMES[MONITORS] = { "undergrowth/field_plants", "undergrowth/field_simulated",
-	"undergrowth/field_step_usec", "undergrowth/field_upload_usec" };
-
-double PlantField3D::monitor(int which) const {
-	double sum = 0.0;
-	for (const PlantField3D *field : standing_fields()) {
-		sum += which == MONITOR_PLANTS ? field->get_plant_count() : 0.0;
-		sum += which == MONITOR_SIMULATED ? field->meadow.motion.simulated_count() : 0;
-		sum += which == MONITOR_STEP ? field->meadow.motion.busy_usec() : 0.0;
-		sum += which == MONITOR_UPLOAD ? field->meadow.upload_usec : 0.0;
+bool PlantField3D::is_point_in_plants(const Vector3 &point) {
+	if (!point.is_finite() || !is_inside_tree()) {
+		return false;
 	}
-	return sum;
+	return meadow.motion.is_point_in_plants_now(
+			to_glm(axes_of(this).affine_inverse().xform(point)), float(properties.motion.touch_margin));
 }
 
-// The first field in the tree answers for all.
-void PlantField3D::count_in_monitors(bool on) {
-	std::vector<PlantField3D *> &fields = standing_fields();
-	if (on) {
-		fields.push_back(this);
-	} else {
-		fields.erase(std::remove(fields.begin(), fields.end(), this), fields.end());
+void PlantField3D::reset_motion() {
+	meadow.settle();
+}
+
+void PlantField3D::preview(double delta, const Ref<PlantWind> &blowing) {
+	static constexpr double MOST_FRAME = 3600.0; // s.
+	// Called in every frame, as Plant3D's: what cannot move stays still without a word.
+	if (std::isfinite(delta) && delta >= 0.0 && delta <= MOST_FRAME && is_inside_tree() && get_plant_count() > 0 &&
+			!may_simulate()) {
+		meadow.preview(delta, blowing);
 	}
-	Performance *performance = Performance::get_singleton();
-	for (int i = 0; i < MONITORS; i++) {
-		if (performance->has_custom_monitor(MONITOR_NAMES[i])) {
-			performance->remove_custom_monitor(MONITOR_NAMES[i]);
-		}
-		if (!fields.empty()) {
-			Array arguments;
-			arguments.push_back(i);
-			performance->add_custom_monitor(MONITOR_NAMES[i], Callable(fields[0], "_on_monitor_asked"), arguments);
-		}
+}
+
+Skeleton3D *PlantField3D::get_skeleton(int64_t id) const {
+	const PlantPlace place = plants.find(id);
+	return place.block < 0 ? nullptr : meadow.skeletons.find(place);
+}
+
+int64_t PlantField3D::get_skeleton_plant(const Skeleton3D *skeleton) const {
+	const PlantPlace place = meadow.skeletons.find(skeleton);
+	return place.block < 0 ? NO_PLANT : meadow.store.id(place);
+}
+
+TypedArray<Skeleton3D> PlantField3D::get_skeletons() const {
+	TypedArray<Skeleton3D> nodes;
+	for (Skeleton3D *skeleton : meadow.skeletons.skeletons()) {
+		nodes.push_back(skeleton);
 	}
+	return nodes;
+}
+
+Polygon PlantField3D::outline_polygon() const {
+	return read_outline(this, properties.stand);
+}
+
+PackedVector3Array PlantField3D::get_outline_points() const {
+	PackedVector3Array points;
+	for (const glm::vec2 &point : outline_polygon()) {
+		points.push_back(Vector3(point.x, 0.0f, point.y));
+	}
+	return points;
 }
 
 Dictionary PlantField3D::get_statistics() {

@@ -1,0 +1,66 @@
+#include "field/field_monitors.hpp"
+
+#include "field/meadow.hpp"
+
+#include <godot_cpp/classes/performance.hpp>
+#include <godot_cpp/variant/callable.hpp>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+using namespace godot;
+
+namespace undergrowth {
+
+enum Monitor { MONITOR_PLANTS, MONITOR_SIMULATED, MONITOR_STEP, MONITOR_UPLOAD, MONITORS };
+static const char *const MONITOR_NAMES[MONITORS] = { "undergrowth/field_plants", "undergrowth/field_simulated",
+	"undergrowth/field_step_usec", "undergrowth/field_upload_usec" };
+
+using Fields = std::vector<std::pair<const Meadow *, Object *>>;
+
+static Fields &standing_fields() {
+	static Fields fields;
+	return fields;
+}
+
+// The first field in the tree answers for all.
+static void choose_who_answers() {
+	Performance *performance = Performance::get_singleton();
+	for (int i = 0; i < MONITORS; i++) {
+		if (performance->has_custom_monitor(MONITOR_NAMES[i])) {
+			performance->remove_custom_monitor(MONITOR_NAMES[i]);
+		}
+		if (!standing_fields().empty()) {
+			Array arguments;
+			arguments.push_back(i);
+			performance->add_custom_monitor(
+					MONITOR_NAMES[i], Callable(standing_fields()[0].second, "_on_monitor_asked"), arguments);
+		}
+	}
+}
+
+void FieldMonitors::enter(const Meadow *meadow, Object *answers) {
+	standing_fields().push_back({ meadow, answers });
+	choose_who_answers();
+}
+
+void FieldMonitors::leave(const Meadow *meadow) {
+	Fields &fields = standing_fields();
+	const auto is_it = [&](const auto &field) { return field.first == meadow; };
+	fields.erase(std::remove_if(fields.begin(), fields.end(), is_it), fields.end());
+	choose_who_answers();
+}
+
+double FieldMonitors::sum(int which) {
+	double total = 0.0;
+	for (const auto &[meadow, node] : standing_fields()) {
+		total += which == MONITOR_PLANTS ? meadow->store.plant_count() : 0.0;
+		total += which == MONITOR_SIMULATED ? meadow->motion.simulated_count() : 0.0;
+		total += which == MONITOR_STEP ? meadow->motion.busy_usec() : 0.0;
+		total += which == MONITOR_UPLOAD ? meadow->upload_usec : 0.0;
+	}
+	return total;
+}
+
+} // namespace undergrowth

@@ -1,0 +1,56 @@
+#include "field/plant_transforms.hpp"
+
+#include "convert.hpp"
+
+#include <cmath>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr float LEAST_TILT = 1e-3f;
+static constexpr int FLOATS_PER_TRANSFORM = 12;
+
+bool read_transforms(const Variant &from, std::vector<Transform3D> &to) {
+	if (from.get_type() == Variant::PACKED_FLOAT32_ARRAY) {
+		const PackedFloat32Array rows = from;
+		const float *f = rows.ptr();
+		for (int64_t i = 0; i + FLOATS_PER_TRANSFORM <= rows.size();
+				i += FLOATS_PER_TRANSFORM, f += FLOATS_PER_TRANSFORM) {
+			to.push_back(
+					Transform3D(Basis(Vector3(f[0], f[4], f[8]), Vector3(f[1], f[5], f[9]), Vector3(f[2], f[6], f[10])),
+							Vector3(f[3], f[7], f[11])));
+		}
+		return rows.size() % FLOATS_PER_TRANSFORM == 0;
+	}
+	if (from.get_type() != Variant::ARRAY) {
+		return false;
+	}
+	const Array list = from;
+	for (int64_t i = 0; i < list.size(); i++) {
+		if (list[i].get_type() != Variant::TRANSFORM3D) {
+			return false;
+		}
+		to.push_back(list[i]);
+	}
+	return true;
+}
+
+PlacedPlant place_transform(const Transform3D &transform) {
+	PlacedPlant plant;
+	plant.root = to_glm(transform.origin);
+	const Vector3 up = transform.basis.get_column(1);
+	plant.scale = up.length();
+	const float aside = std::sqrt(up.x * up.x + up.z * up.z);
+	Vector3 front = transform.basis.get_column(2);
+	if (aside > LEAST_TILT * plant.scale) {
+		plant.lean = std::atan2(aside, up.y);
+		const Vector3 across(up.z / aside, 0.0f, -up.x / aside);
+		front = Basis(across, -plant.lean).xform(front);
+	}
+	plant.turn = std::atan2(front.x, front.z);
+	plant.side = plant.lean > 0.0f ? std::atan2(-up.z, up.x) - plant.turn : 0.0f;
+	return plant;
+}
+
+} // namespace undergrowth
