@@ -119,9 +119,7 @@ func test_add_goes_below_the_selected_node() -> void:
 	var plant := bed.get_child(0) as Plant3D
 	check(plant.global_basis.is_equal_approx(Basis.IDENTITY), "it is upright at its own size")
 	check(absf(plant.global_position.y) < 1e-3, "it stands on the ground of the world")
-	check(
-		plant.species == (root.get_child(-1) as Plant3D).function, "equal plants share a function"
-	)
+	check(plant.species == (root.get_child(-1) as Plant3D).species, "equal plants share a function")
 	await undo()
 	check_equal(bed.get_child_count(), 0, "plants in the bed after undo")
 

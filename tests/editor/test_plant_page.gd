@@ -40,6 +40,10 @@ func test_thumbnails_arrive() -> void:
 				return false
 		return true
 	check(await until(arrived), "every species has a thumbnail")
+	var seen: Dictionary[int, bool] = {}
+	for i in list.item_count:
+		seen[hash(list.get_item_icon(i).get_image().get_data())] = true
+	check_equal(seen.size(), list.item_count, "different thumbnails")
 
 
 func test_filter_leaves_what_matches() -> void:

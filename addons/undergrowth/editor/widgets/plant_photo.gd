@@ -83,10 +83,16 @@ func _frame(box: AABB) -> void:
 
 
 func _on_frame_drawn() -> void:
-	if _key.is_empty():
+	if _key.is_empty() or _is_to_be_drawn():
 		return
 	var picture := ImageTexture.create_from_image(get_texture().get_image())
 	var key := _key
 	_key = ""
 	taken.emit(key, picture)
 	_begin_next.call_deferred()
+
+
+# A frame may be drawn without this viewport: it still shows the plant before.
+func _is_to_be_drawn() -> bool:
+	var mode := RenderingServer.viewport_get_update_mode(get_viewport_rid())
+	return mode == RenderingServer.VIEWPORT_UPDATE_ONCE
