@@ -57,6 +57,7 @@ TravellingWind wind_at_time(const FieldWind &field_wind, double time) {
 	now.cycles_z = frequency * now.delay_z;
 	const double since = time - wind.gust_start;
 	now.since = std::isfinite(since) ? static_cast<float>(std::clamp(since, -LONG_AGO, LONG_AGO)) : 0.0f;
+	now.least_delay = std::isfinite(field_wind.least_delay) ? field_wind.least_delay : 0.0f;
 	now.duration = safe(gust_duration(wind), static_cast<float>(LONG_AGO));
 	return now;
 }

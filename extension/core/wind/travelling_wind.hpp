@@ -6,10 +6,12 @@
 namespace undergrowth {
 
 /// A wind that travels through a field: a plant at (x, z) feels at `time` what `wind` is at
-/// time - dot((x, z), direction)/speed. The origin feels it as it is, plants upwind of the origin before it.
+/// time - dot((x, z), direction)/speed. The origin feels it as it is, plants upwind of the origin before it, but for
+/// gusts: one that is let go now blows on all of them now, since nobody can have felt it before.
 struct FieldWind {
 	Wind wind;
 	float speed = 10.0f; ///< m/s. 0, less, or not finite: everywhere at once.
+	float least_delay = 0.0f; ///< s, of gusts. Not 0 where `wind` is told as it is at another place.
 };
 
 /// How long after the origin the wind comes to (x, z) (s).

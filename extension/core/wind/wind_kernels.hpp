@@ -13,7 +13,7 @@ struct PlantWinds {
 };
 
 /// A wind that travels over the ground, at one time. The place in its period (cycles) of a plant at (x, z) is
-/// cycle - cycles_x·x - cycles_z·z, and a gust started since - delay_x·x - delay_z·z seconds ago.
+/// cycle - cycles_x·x - cycles_z·z, and a gust started since - max(delay_x·x + delay_z·z, least_delay) seconds ago.
 struct TravellingWind {
 	float steady; ///< N, always.
 	float wave; ///< N: wave·(1 + sin(2π·cycles)).
@@ -22,6 +22,7 @@ struct TravellingWind {
 	float cycle, cycles_x, cycles_z; ///< Cycles; cycles/m.
 	float since, delay_x, delay_z; ///< s; s/m.
 	float duration; ///< s.
+	float least_delay = 0.0f; ///< s.
 	float half = 0.5f; ///< Of a cycle. Always; a variable because compilers bound by it in fewer instructions.
 };
 

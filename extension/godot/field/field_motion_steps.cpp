@@ -43,6 +43,7 @@ FieldWind FieldMotion::wind_here(const Frame &frame, double offset) const {
 	const glm::vec3 origin = to_glm(frame.axes.origin);
 	const double late = double(wind_delay(blowing, origin.x, origin.z));
 	const double ahead = offset - late;
+	blowing.least_delay = float(-late);
 	blowing.wind.gust_start -= ahead;
 	blowing.wind.phase += double(blowing.wind.frequency) * ahead;
 	const Vector3 direction = frame.axes.basis.inverse().xform(to_godot(wind_direction(blowing.wind)));

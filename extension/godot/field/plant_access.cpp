@@ -228,7 +228,7 @@ PackedInt64Array PlantAccess::add(
 }
 
 bool PlantAccess::remove(int64_t id) {
-	const PlantPlace place = find(id);
+	const PlantPlace place = meadow.store.find(id);
 	if (place.block >= 0) {
 		meadow.remove({ place });
 	}
