@@ -2,6 +2,10 @@
 extends "res://tests/engine/harness.gd"
 
 const STEP := 1.0 / 60.0
+## Metres. A field shows a step up to a few frames after it was due; what is left is less than what
+## a tip moves in a step.
+const SAME_TIP := 0.01
+const STEPS_LATE := 4.5
 const HEIGHT := 1.0
 ## Metres, of tips of one metre: what the wind's way between steps leaves.
 const LATE_TIP := 2e-3
@@ -13,6 +17,30 @@ func after_each() -> void:
 	for plant in _plants:
 		plant.free()
 	_plants.clear()
+
+
+func test_a_plant_and_a_fields_plant_at_one_place_move_as_one() -> void:
+	for law: PlantFunction.MotionLaw in [PlantFunction.LAW_ELASTICITY, PlantFunction.LAW_SPRING]:
+		var plant := _add(Vector3(7, 0, -3), _species(law), _waves())
+		plant.species.damping_ratio = 0.7  # Which began when does not matter for long.
+		plant.wind.strength = 3.0
+		var field := PlantField3D.new()
+		field.density = 0.0
+		field.wind = plant.wind
+		root.add_child(field)
+		var id := field.add_plants([plant.transform], plant.species)[0]
+		plant.height = field.get_plant_height(id)
+		var times: PackedFloat64Array = []
+		var tips := PackedVector3Array()
+		var field_tips := PackedVector3Array()
+		while plant.wind.get_time() < 8.0:
+			await frames(1)
+			times.append(plant.wind.get_time())
+			tips.append(plant.get_tip_position())
+			field_tips.append(field.get_tip_position(id) - plant.position)
+		check(_least_apart(times, tips, tips, 1.0) > 5.0 * SAME_TIP, "law %d: it sways" % law)
+		check_near(_least_apart(times, tips, field_tips, 0.0), 0.0, SAME_TIP, "law %d: apart" % law)
+		field.free()
 
 
 func test_the_wind_of_a_step_is_that_of_its_middle() -> void:
@@ -95,3 +123,20 @@ func _add(place: Vector3, species: PlantFunction, wind: PlantWind) -> Plant3D:
 	root.add_child(plant)
 	_plants.append(plant)
 	return plant
+
+
+## The farthest that a tip is, once the start is damped away, from all that another was within a few
+## steps of a time that is [param shift] seconds away.
+func _least_apart(
+	times: PackedFloat64Array, some: PackedVector3Array, others: PackedVector3Array, shift: float
+) -> float:
+	var most := 0.0
+	for i in times.size():
+		if times[i] < 5.0 or times[i] > 7.5 - shift:
+			continue
+		var least := INF
+		for k in times.size():
+			if absf(times[k] - times[i] - shift) < STEPS_LATE * STEP:
+				least = minf(least, some[i].distance_to(others[k]))
+		most = maxf(most, least)
+	return most
