@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -52,6 +53,24 @@ bool switches(const Wind &wind, double time) {
 
 } // namespace
 
+TEST_CASE("a gust that is let go now reaches everybody, also who stands upwind of it") {
+	for (const float least_delay : { 0.0f, 5.0f, -5.0f }) {
+		FieldWind wind = wind_of(WindKind::gust);
+		wind.wind.gust_start = 20.0 + static_cast<double>(-least_delay); // As it is told at a place that far away.
+		wind.least_delay = least_delay;
+		std::vector<float> most(PLACES, 0.0f);
+		for (double time = 20.0; time < 120.0; time += 0.25) {
+			const std::vector<float> felt = strengths(wind, time, best_simd_level());
+			for (std::size_t i = 0; i < felt.size(); i++) {
+				most[i] = std::max(most[i], felt[i]);
+			}
+		}
+		CHECK(*std::min_element(most.begin(), most.end()) == wind.wind.strength);
+		const std::vector<float> before = strengths(wind, 19.9, best_simd_level());
+		CHECK(*std::max_element(before.begin(), before.end()) == 0.0f);
+	}
+}
+
 TEST_CASE("every plant feels the wind of its delay ago") {
 	for (const WindKind kind : ALL_KINDS) {
 		for (const bool triggered : { false, true }) {
@@ -59,13 +78,21 @@ TEST_CASE("every plant feels the wind of its delay ago") {
 			wind.wind.gust_triggered = triggered;
 			wind.wind.triggered_strength = 4.0f;
 			wind.wind.triggered_duration = 0.9f;
+			Wind steady = wind.wind;
+			steady.gust_triggered = false;
+			steady.strength = kind == WindKind::gust ? 0.0f : steady.strength;
+			Wind gusts = wind.wind;
+			gusts.kind = WindKind::gust;
+			gusts.strength = kind == WindKind::gust || triggered ? gusts.strength : 0.0f;
 			for (const double time : { 0.0, 1.7, 2.5, 9.3, 3600.4 }) {
 				const std::vector<float> felt = strengths(wind, time, best_simd_level());
 				for (int i = 0; i < PLACES; i++) {
 					const auto place = static_cast<size_t>(i);
 					const double delay = static_cast<double>(wind_delay(wind, places(1)[place], places(2)[place]));
-					if (!switches(wind.wind, time - delay)) {
-						REQUIRE(std::fabs(felt[place] - wind_strength(wind.wind, time - delay)) < STRENGTH_TOLERANCE);
+					const double gust_time = time - std::max(delay, 0.0);
+					if (!switches(steady, time - delay) && !switches(gusts, gust_time)) {
+						const float expected = wind_strength(steady, time - delay) + wind_strength(gusts, gust_time);
+						REQUIRE(std::fabs(felt[place] - expected) < STRENGTH_TOLERANCE);
 					}
 					if (i > 200) {
 						break;
