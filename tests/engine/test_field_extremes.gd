@@ -1,7 +1,7 @@
 ## Fields that are as large, as small, as long or as odd as can be.
 extends "res://tests/engine/harness.gd"
 
-const HOUR := 3600.0
+const QUARTER := 900.0
 ## What lists of the engine may grow by while nothing happens.
 const MOST_GROWTH_BYTES := 300_000.0
 
@@ -48,13 +48,13 @@ func test_more_plants_than_there_may_be_are_refused() -> void:
 	check_equal(_field.get_plant_count(), count)
 
 
-func test_an_hour_of_wind_leads_to_no_drift_and_takes_no_memory() -> void:
+func test_a_quarter_of_an_hour_of_wind_leads_to_no_drift_and_takes_no_memory() -> void:
 	_field.size = Vector2(4, 4)
 	await _fill()
 	await frames(100)
 	var before := Performance.get_monitor(Performance.MEMORY_STATIC)
 	var objects := Performance.get_monitor(Performance.OBJECT_COUNT)
-	var end := _field.wind.get_time() + HOUR
+	var end := _field.wind.get_time() + QUARTER
 	Engine.time_scale = 1000.0
 	while _field.wind.get_time() < end:
 		await process_frame
@@ -115,8 +115,6 @@ func test_a_field_that_is_scaled_to_nothing_or_nowhere_recovers() -> void:
 		_field.get_statistics()
 		for tip in _tips():
 			check(tip.is_finite(), "tip in %s" % odd)
-		# The engine's own instance of any node complains of that.
-		check_error_count("v.is_finite()", 0 if odd.is_finite() else 1)
 	_field.transform = Transform3D.IDENTITY
 	await frames(10)
 	var before := _tips()

@@ -32,6 +32,7 @@ SETTINGS = {"physics_thread": "[physics]\n\n3d/run_on_separate_thread=true\n",
             "no_physics": "[physics]\n\n3d/physics_engine=\"Dummy\"\n"}
 # What a virtual display makes the engine say.
 EXPECTED = "WARNING: Could not set V-Sync mode"
+TIMEOUT = 600  # s for one script: two cores may be busy with other suites.
 END_LINE = re.compile(r"^done (\d+)$", re.MULTILINE)
 
 
@@ -105,12 +106,12 @@ def run_script(godot, folder, script, method=None):
     surroundings = {**os.environ, "GODOT": str(godot)}
     if not method:
         environment = private_home(surroundings)
-        return read_output(name, *run(name, [*words, "--headless"], timeout=180, environment=environment))
+        return read_output(name, *run(name, [*words, "--headless"], timeout=TIMEOUT, environment=environment))
     words += ["--rendering-method", method, "--audio-driver", "Dummy"]
     try:
         with display.virtual(640, 360) as environment:
             environment = private_home({**environment, "GODOT": str(godot)})
-            return read_output(name, *run(name, words, timeout=180, environment=environment))
+            return read_output(name, *run(name, words, timeout=TIMEOUT, environment=environment))
     except Missing as missing:
         return Result(name, 0, [str(missing).replace("\n", " ")])
 
