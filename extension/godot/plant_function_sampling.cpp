@@ -236,6 +236,20 @@ String PlantFunction::find_problem(double height, int segments, int64_t seed) {
 	return sample(height, segments, seed, sampled);
 }
 
+// Where there is no skeleton, shaders do not get the bones' weights: a field's reads that of the tip from here.
+static constexpr int64_t CUSTOM_FORMAT = int64_t(Mesh::ARRAY_CUSTOM_R_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT);
+
+static PackedFloat32Array tip_weights(const PackedFloat32Array &weights) {
+	PackedFloat32Array of_tip;
+	of_tip.resize(weights.size() / 4);
+	const float *from = weights.ptr();
+	float *to = of_tip.ptrw();
+	for (int64_t i = 0; i < of_tip.size(); i++) {
+		to[i] = from[4 * i + 1];
+	}
+	return of_tip;
+}
+
 Ref<ArrayMesh> SampledPlant::build() const {
 	const MeshCounts counts = count_mesh(int(cross_section.points.size()), lod, options.shading);
 	PackedVector3Array positions, normals;
@@ -270,8 +284,9 @@ Ref<ArrayMesh> SampledPlant::build() const {
 	arrays[Mesh::ARRAY_BONES] = bones;
 	arrays[Mesh::ARRAY_WEIGHTS] = weights;
 	arrays[Mesh::ARRAY_INDEX] = indices;
+	arrays[Mesh::ARRAY_CUSTOM0] = tip_weights(weights);
 	Ref<ArrayMesh> mesh = new_counted<ArrayMesh>();
-	mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays);
+	mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays, TypedArray<Array>(), Dictionary(), CUSTOM_FORMAT);
 	mesh->surface_set_material(0, material.is_valid() ? material : Ref<Material>(default_material()));
 	return mesh;
 }

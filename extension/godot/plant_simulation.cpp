@@ -119,7 +119,11 @@ void PlantSimulation::pose_plants() {
 void PlantSimulation::advance(double delta) {
 	const Clock::time_point start = Clock::now();
 	drop_empty_groups();
-	for (int steps = clock.advance(delta); steps > 0; steps--) {
+	const int step_count = clock.advance(delta);
+	for (int i = 0; i < step_count; i++) {
+		if (i > 0 && microseconds_since(start) > 1e6 * FixedStep::MOST_STEPPING) {
+			break; // The rest is dropped, so that a slow frame does not make the next one slower yet.
+		}
 		step_groups();
 	}
 	step_time_usec = microseconds_since(start);

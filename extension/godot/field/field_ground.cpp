@@ -124,10 +124,6 @@ void FieldGround::look_up(
 FieldRays::FieldRays(const Transform3D &field, uint32_t mask) :
 		placed(field), to_field(field.affine_inverse()), collision_mask(mask) {}
 
-float FieldRays::progress(const FieldPlants &plants) const {
-	return plants.size() > 0 ? float(heights.size()) / float(plants.size()) : 1.0f;
-}
-
 FieldRays::State FieldRays::cast(
 		const Ref<World3D> &world, const TypedArray<RID> &excluded, const FieldPlants &plants, double usec) {
 	using Clock = std::chrono::steady_clock;

@@ -43,8 +43,6 @@ public:
 	/// where the world has no space for PATIENCE frames, and stays so.
 	State cast(const godot::Ref<godot::World3D> &world, const godot::TypedArray<godot::RID> &excluded,
 			const FieldPlants &plants, double usec);
-	/// 0 to 1.
-	float progress(const FieldPlants &plants) const;
 	/// Whether any ray hit something.
 	bool has_hit() const { return hit_count > 0; }
 
