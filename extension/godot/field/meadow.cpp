@@ -142,9 +142,7 @@ void Meadow::change_materials() {
 	for (FieldLook &look : style.looks) {
 		old.push_back(std::move(look.materials));
 		look.materials.clear();
-		for (SampledPlant &sampled : look.nearest) {
-			sampled.material = look.function->get_material();
-		}
+		look.take_material();
 	}
 	if (motion.is_ready() && motion.poses()->poses().is_valid()) {
 		dress();
@@ -229,7 +227,17 @@ ChangeSet Meadow::apply(StandEdit &&edit) {
 std::vector<PlantId> Meadow::add(std::vector<PlacedPlant> &&plants) {
 	StandEdit edit;
 	edit.added = std::move(plants);
-	return apply(std::move(edit)).added;
+	const ChangeSet changes = apply(std::move(edit));
+	for (const ChangeSet::Grown &grown : changes.grown) {
+		if (job && !job->knows(store.block(grown.block).species)) {
+			const bool places = job->places();
+			job.reset(); // Its field would have no look for them.
+			const std::vector<PlantId> removed = removed_meanwhile;
+			fill(places);
+			removed_meanwhile = removed;
+		}
+	}
+	return changes.added;
 }
 
 void Meadow::remove(std::vector<PlantPlace> &&places) {
