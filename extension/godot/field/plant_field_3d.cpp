@@ -192,6 +192,12 @@ void PlantField3D::look_around() {
 		follow_species();
 		mark_stale(true);
 	}
+	if (seen_exclusions != properties.stand.exclusions) {
+		set_exclusions(properties.stand.exclusions);
+	}
+	if (seen_levels != properties.view.levels) {
+		set_levels(properties.view.levels);
+	}
 	for (Watched &one : watched) {
 		if (is_moved(one)) {
 			mark_stale(true);
@@ -205,8 +211,11 @@ bool PlantField3D::is_moved(Watched &one) const {
 		return false;
 	}
 	const Transform3D placed = get_global_transform().affine_inverse() * node->get_global_transform();
-	const bool moved = !placed.is_equal_approx(one.placed);
+	const PlantField3D *field = Object::cast_to<PlantField3D>(node);
+	const Vector2 size = field ? field->get_size() : Vector2();
+	const bool moved = !placed.is_equal_approx(one.placed) || size != one.size;
 	one.placed = placed;
+	one.size = size;
 	return moved;
 }
 
@@ -223,13 +232,20 @@ void PlantField3D::watch_nodes() {
 	TypedArray<NodePath> paths = properties.stand.exclusions.duplicate();
 	paths.push_back(properties.stand.outline);
 	paths.push_back(properties.stand.ground_mode == GROUND_MESH ? properties.stand.ground_mesh : NodePath());
+	std::vector<Node3D *> nodes;
 	for (int64_t i = 0; i < paths.size(); i++) {
 		const NodePath path = paths[i];
-		Node3D *node = path.is_empty() ? nullptr : Object::cast_to<Node3D>(get_node_or_null(path));
+		nodes.push_back(path.is_empty() ? nullptr : Object::cast_to<Node3D>(get_node_or_null(path)));
+		const PlantField3D *field = Object::cast_to<PlantField3D>(nodes.back());
+		if (field && !field->get_outline().is_empty()) {
+			nodes.push_back(Object::cast_to<Node3D>(field->get_node_or_null(field->get_outline())));
+		}
+	}
+	for (Node3D *node : nodes) {
 		if (!node) {
 			continue;
 		}
-		watched.push_back({ uint64_t(node->get_instance_id()), Transform3D() });
+		watched.push_back({ uint64_t(node->get_instance_id()), Transform3D(), Vector2() });
 		is_moved(watched.back());
 		if (node->has_signal("curve_changed") && !node->is_connected("curve_changed", listener)) {
 			node->connect("curve_changed", listener);

@@ -35,6 +35,7 @@ private:
 	struct Watched {
 		uint64_t node;
 		godot::Transform3D placed;
+		godot::Vector2 size; ///< Of a field.
 	};
 
 	FieldProperties properties;
@@ -42,6 +43,8 @@ private:
 	Meadow meadow;
 	std::vector<Watched> watched;
 	std::vector<uint64_t> seen_species; ///< Of the list, as it was read: scripts may append to it.
+	godot::TypedArray<godot::NodePath> seen_exclusions;
+	godot::TypedArray<PlantFieldLevel> seen_levels;
 	float seen_range = 0.0f;
 	uint64_t seen_material = 0;
 	godot::String problem;
