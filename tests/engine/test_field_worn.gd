@@ -75,7 +75,7 @@ func test_materials_of_skeletons_are_those_of_now() -> void:
 
 
 func test_species_that_change_in_every_frame_while_a_field_fills() -> void:
-	_field.size = Vector2(60, 60)
+	_field.size = Vector2(24, 24)
 	_field.species.append(PlantFieldSpecies.of(TulipFunction.new()))
 	for entry in _field.species:
 		entry.species.shape_deviation = 0.5
@@ -94,7 +94,7 @@ func test_species_that_change_in_every_frame_while_a_field_fills() -> void:
 	await frames(1)
 	while _field.is_filling() or _field.get_statistics()["is_dressing"]:
 		await process_frame
-	check_near(_field.get_plant_count(), 200 * 3600, 4000.0, "plants")
+	check_near(_field.get_plant_count(), 200 * 576, 2000.0, "plants")
 
 
 ## Until a field has looked at what its species wear.
