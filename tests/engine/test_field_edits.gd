@@ -30,7 +30,6 @@ func test_a_level_that_is_appended_is_drawn() -> void:
 	field.levels = [PlantFieldLevel.of(12, 4.0)]
 	await start()
 	field.levels.append(PlantFieldLevel.of(3))
-	field.levels[0].end = 5.0
 	await frames(LOOK)
 	await dressed()
 	check_equal(field.get_statistics()["drawn_by_level"].size(), 2, "levels")

@@ -130,17 +130,22 @@ func test_no_part_of_a_deviating_plant_is_culled() -> void:
 	function.shape_deviation = 1.0
 	function.radius = 0.6
 	field.density = 0.0
+	field.levels = [PlantFieldLevel.of(12)]
 	_stage.add_child(field)
 	var id := field.add_plants([Transform3D.IDENTITY], function)[0]
-	field.levels = [PlantFieldLevel.of(12)]
-	await dressed()
-	var mesh := function.generate_mesh(
-		field.get_plant_height(id), 12, field.get_plant_seed(id)
-	)
+	var height := field.get_plant_height(id)
+	var mesh := function.generate_mesh(height, 12, field.get_plant_seed(id))
 	var farthest := Vector3.ZERO
 	for vertex: Vector3 in mesh.surface_get_arrays(0)[Mesh.ARRAY_VERTEX]:
 		farthest = vertex if vertex.length() > farthest.length() else farthest
-	var at := field.get_plant_transform(id) * farthest
+	# Turned so that it goes out by the side of a box, not by its corner.
+	field.remove_plant(id)
+	var turn := Basis(Vector3.UP, atan2(farthest.z, farthest.x))
+	id = field.add_plants([Transform3D(turn, Vector3.ZERO)], function)[0]
+	check_near(field.get_plant_height(id), height, 1e-6, "height of the same plant again")
+	await frames(4)
+	var at := turn * farthest
+	check_near(at.z, 0.0, 1e-3, "z of its widest place")
 	var camera := _stage.get_camera_3d()
 	camera.projection = Camera3D.PROJECTION_ORTHOGONAL
 	camera.size = 0.02
