@@ -21,11 +21,13 @@ func test_graphics_settings_keep_plants_mown_places_and_motion() -> void:
 		"fade_margin": func() -> void: field.fade_margin = 0.5,
 		"visibility_range_end": func() -> void: field.visibility_range_end = 20.0,
 		"no visibility_range_end": func() -> void: field.visibility_range_end = 0.0,
-		"levels": func() -> void: field.levels = [PlantFieldLevel.of(8, 9.0), PlantFieldLevel.of(2)],
+		"levels":
+		func() -> void: field.levels = [PlantFieldLevel.of(8, 9.0), PlantFieldLevel.of(2)],
 		"end of a level": func() -> void: field.levels[0].end = 7.0,
 		"segments of a level": func() -> void: field.levels[0].segments = 5,
 		"tile_size": func() -> void: field.tile_size = 5.0,
-		"cast_shadow": func() -> void: field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF,
+		"cast_shadow":
+		func() -> void: field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF,
 		"layers": func() -> void: field.layers = 4,
 		"transparency": func() -> void: field.transparency = 0.2,
 		"material_override": func() -> void: field.material_override = StandardMaterial3D.new(),

@@ -8,7 +8,7 @@ func before_each() -> void:
 	make_stage()
 	_field = PlantField3D.from_species([GrassFunction.new()])
 	_field.size = Vector2(3, 3)
-	_field.density = 60.0
+	_field.density = 30.0
 	_field.simulation_enabled = false
 	stage.add_child(_field)
 	await _field.filled
@@ -70,7 +70,7 @@ func test_materials_of_skeletons_are_those_of_now() -> void:
 	_field.skeleton_distance = 10.0
 	_field.max_skeletons = 1000
 	await frames(60)
-	check(_field.get_skeletons().size() > 100, "%d skeletons" % _field.get_skeletons().size())
+	check(_field.get_skeletons().size() > 60, "%d skeletons" % _field.get_skeletons().size())
 	_check_colour(await picture(), Color.BLUE, "blue")
 
 
@@ -94,7 +94,7 @@ func test_species_that_change_in_every_frame_while_a_field_fills() -> void:
 	await frames(1)
 	while _field.is_filling() or _field.get_statistics()["is_dressing"]:
 		await process_frame
-	check_near(_field.get_plant_count(), 60 * 576, 1500.0, "plants")
+	check_near(_field.get_plant_count(), 30 * 576, 1000.0, "plants")
 
 
 ## Until a field has looked at what its species wear.
