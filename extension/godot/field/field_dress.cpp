@@ -40,9 +40,7 @@ void FieldDress::take_off(FieldStyle &style, std::vector<std::vector<Ref<ShaderM
 	for (FieldLook &look : style.looks) {
 		old.push_back(std::move(look.materials));
 		look.materials.clear();
-		for (SampledPlant &sampled : look.nearest) {
-			sampled.material = look.function->get_material();
-		}
+		look.take_material();
 	}
 }
 

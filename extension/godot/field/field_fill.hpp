@@ -65,6 +65,10 @@ public:
 	/// Whether what stands is placed anew.
 	bool places() const { return recipe.places; }
 	const std::vector<int> &species_numbers() const { return recipe.species_numbers; }
+	/// Whether a species that the field has goes on in it.
+	bool knows(int species) const {
+		return size_t(species) < recipe.species_numbers.size() && recipe.species_numbers[size_t(species)] >= 0;
+	}
 	float tile_size() const { return recipe.tile_size; }
 	/// Waits for the thread.
 	FieldResult &finish();

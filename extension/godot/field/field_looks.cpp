@@ -72,6 +72,12 @@ Ref<ArrayMesh> FieldLook::build_alone(const PlacedPlant &plant) const {
 	return sampled.build();
 }
 
+void FieldLook::take_material() {
+	for (SampledPlant &sampled : nearest) {
+		sampled.material = function->get_material();
+	}
+}
+
 void FieldLook::read_motion() {
 	motion.law = Law(int(function->get_law()));
 	motion.joint = function->make_joint(1.0f, Basis());

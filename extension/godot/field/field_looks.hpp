@@ -50,6 +50,8 @@ struct FieldLook {
 	godot::Ref<godot::ArrayMesh> build_alone(const PlacedPlant &plant) const;
 	/// The function's motion as it is now.
 	void read_motion();
+	/// Its material, for plants that get a mesh of their own.
+	void take_material();
 	/// The root of a plant, its length and rest direction, for the simulation.
 	MotionPlant to_simulate(const PlacedPlant &plant) const;
 	float length_of(const PlacedPlant &plant) const;

@@ -167,7 +167,17 @@ ChangeSet Meadow::apply(StandEdit &&edit) {
 std::vector<PlantId> Meadow::add(std::vector<PlacedPlant> &&plants) {
 	StandEdit edit;
 	edit.added = std::move(plants);
-	return apply(std::move(edit)).added;
+	const ChangeSet changes = apply(std::move(edit));
+	for (const ChangeSet::Grown &grown : changes.grown) {
+		if (job && !job->knows(store.block(grown.block).species)) {
+			const bool places = job->places();
+			job.reset(); // Its field would have no look for them.
+			const std::vector<PlantId> removed = removed_meanwhile;
+			fill(places);
+			removed_meanwhile = removed;
+		}
+	}
+	return changes.added;
 }
 
 void Meadow::remove(std::vector<PlantPlace> &&places) {

@@ -85,6 +85,7 @@ private:
 	std::unique_ptr<FieldFill> job;
 	std::unique_ptr<FieldRays> rays;
 	std::vector<PlantId> removed_meanwhile; ///< While the job goes on.
+	bool is_due_again = false; ///< Its look changed while it was dressed anew.
 	float told_progress = -1.0f;
 	bool has_missed_ground = false;
 

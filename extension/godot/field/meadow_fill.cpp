@@ -97,9 +97,16 @@ String Meadow::make_recipe(FieldRecipe &recipe, bool places) {
 
 void Meadow::fill(bool places) {
 	const bool placed_before = job && job->places();
+	if (job && !places && !placed_before) {
+		is_due_again = true; // What changes in each frame is seen now and then, and not only when that ends.
+		return;
+	}
 	rays.reset();
 	job.reset();
-	removed_meanwhile.clear();
+	is_due_again = false;
+	if (places) {
+		removed_meanwhile.clear();
+	}
 	FieldRecipe recipe;
 	motion.wait();
 	const String fault = make_recipe(recipe, places || placed_before);
@@ -159,6 +166,9 @@ void Meadow::poll(double delta, bool physics) {
 	if (is_done) {
 		const std::unique_ptr<FieldFill> finished = std::move(job);
 		adopt(*finished);
+		if (is_due_again || !update_levels()) {
+			fill(false);
+		}
 	}
 	if (tells && progress != told_progress) {
 		told_progress = progress;
@@ -175,8 +185,14 @@ void Meadow::adopt(FieldFill &finished) {
 	skeletons.release_all(motion);
 	view.clear(); // Before the materials go that it wears.
 	style = std::move(result.style);
-	for (FieldLook &look : style.looks) {
-		look.read_motion(); // It may have changed meanwhile.
+	std::vector<int> other_leans;
+	for (size_t i = 0; i < style.looks.size(); i++) {
+		const float lean = style.looks[i].motion.lean;
+		style.looks[i].read_motion(); // It may have changed meanwhile.
+		if (style.looks[i].motion.lean != lean) {
+			other_leans.push_back(int(i));
+		}
+		style.looks[i].take_material();
 	}
 	StandEdit edit;
 	edit.fills = true;
@@ -186,6 +202,11 @@ void Meadow::adopt(FieldFill &finished) {
 	edit.species_numbers = finished.species_numbers();
 	const ChangeSet changes = store.apply(std::move(edit));
 	motion.adopt(result, changes, store, style);
+	motion.set_update_interval(properties.motion.update_interval);
+	for (const int i : other_leans) {
+		motion.set_species(i, style.looks[size_t(i)], store, true);
+		motion.write_all();
+	}
 	motion.upload();
 	dress.put_on(style, *motion.poses());
 	view.show_filled(style, result.plans);

@@ -8,11 +8,13 @@ namespace undergrowth {
 
 static const char *const CURVE_CHANGED = "curve_changed"; // Of a Path3D.
 
+static const char *const SIZE = "size"; // Of a field.
+
 static Transform3D place_in(const Node3D *field, const Node3D *node) {
 	return field->get_global_transform().affine_inverse() * node->get_global_transform();
 }
 
-void NodeWatch::watch(const Node3D *field, const std::vector<NodePath> &paths, const Callable &changed) {
+void NodeWatch::watch(const Node3D *field, const std::vector<Node3D *> &wanted, const Callable &changed) {
 	for (const Watched &old : nodes) {
 		Object *node = ObjectDB::get_instance(old.node);
 		if (node && node->has_signal(CURVE_CHANGED) && node->is_connected(CURVE_CHANGED, changed)) {
@@ -20,12 +22,11 @@ void NodeWatch::watch(const Node3D *field, const std::vector<NodePath> &paths, c
 		}
 	}
 	nodes.clear();
-	for (const NodePath &path : paths) {
-		Node3D *node = path.is_empty() ? nullptr : Object::cast_to<Node3D>(field->get_node_or_null(path));
+	for (Node3D *node : wanted) {
 		if (!node) {
 			continue;
 		}
-		nodes.push_back({ uint64_t(node->get_instance_id()), place_in(field, node) });
+		nodes.push_back({ uint64_t(node->get_instance_id()), place_in(field, node), node->get(SIZE) });
 		if (node->has_signal(CURVE_CHANGED) && !node->is_connected(CURVE_CHANGED, changed)) {
 			node->connect(CURVE_CHANGED, changed);
 		}
@@ -40,8 +41,10 @@ bool NodeWatch::has_moved(const Node3D *field) {
 			continue;
 		}
 		const Transform3D placed = place_in(field, node);
-		moved = moved || !placed.is_equal_approx(one.placed);
+		const Variant size = node->get(SIZE);
+		moved = moved || !placed.is_equal_approx(one.placed) || size != one.size;
 		one.placed = placed;
+		one.size = size;
 	}
 	return moved;
 }

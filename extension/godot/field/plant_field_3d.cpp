@@ -191,21 +191,32 @@ void PlantField3D::look_around() {
 		follow_species();
 		mark_stale(true);
 	}
+	if (seen_exclusions != properties.stand.exclusions) {
+		set_exclusions(properties.stand.exclusions);
+	}
+	if (seen_levels != properties.view.levels) {
+		set_levels(properties.view.levels);
+	}
 	if (watched.has_moved(this)) {
 		mark_stale(true);
 	}
 }
 
-// Outline and exclusions are live: a point that is dragged, a path that is moved.
+// Outline and exclusions are live: a point that is dragged, a path that is moved, another field that grows.
 void PlantField3D::watch_nodes() {
-	std::vector<NodePath> paths = { properties.stand.outline };
-	for (int64_t i = 0; i < properties.stand.exclusions.size(); i++) {
-		paths.push_back(properties.stand.exclusions[i]);
+	TypedArray<NodePath> paths = properties.stand.exclusions.duplicate();
+	paths.push_back(properties.stand.outline);
+	paths.push_back(properties.stand.ground_mode == GROUND_MESH ? properties.stand.ground_mesh : NodePath());
+	std::vector<Node3D *> nodes;
+	for (int64_t i = 0; i < paths.size(); i++) {
+		const NodePath path = paths[i];
+		nodes.push_back(path.is_empty() ? nullptr : Object::cast_to<Node3D>(get_node_or_null(path)));
+		const PlantField3D *field = Object::cast_to<PlantField3D>(nodes.back());
+		if (field && !field->get_outline().is_empty()) {
+			nodes.push_back(Object::cast_to<Node3D>(field->get_node_or_null(field->get_outline())));
+		}
 	}
-	if (properties.stand.ground_mode == GROUND_MESH) {
-		paths.push_back(properties.stand.ground_mesh);
-	}
-	watched.watch(this, paths, Callable(this, "_on_area_changed"));
+	watched.watch(this, nodes, Callable(this, "_on_area_changed"));
 }
 
 void PlantField3D::tell_of_bodies() {

@@ -40,6 +40,8 @@ private:
 	PlantAccess plants;
 	NodeWatch watched;
 	std::vector<uint64_t> seen_species; ///< Of the list, as it was read: scripts may append to it.
+	godot::TypedArray<godot::NodePath> seen_exclusions;
+	godot::TypedArray<PlantFieldLevel> seen_levels;
 	float seen_range = 0.0f;
 	uint64_t seen_material = 0;
 	godot::String problem;

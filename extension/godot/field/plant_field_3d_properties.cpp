@@ -154,6 +154,7 @@ void PlantField3D::set_outline(const NodePath &path) {
 
 void PlantField3D::set_exclusions(const TypedArray<NodePath> &paths) {
 	properties.stand.exclusions = paths.duplicate();
+	seen_exclusions = paths.duplicate();
 	mark_stale(true);
 }
 
@@ -258,10 +259,11 @@ void PlantField3D::on_added_species_changed() {
 
 void PlantField3D::set_levels(const TypedArray<PlantFieldLevel> &entries) {
 	const Callable listener(this, "_on_levels_changed");
-	for (int64_t i = 0; i < properties.view.levels.size(); i++) {
-		unfollow_changes(Object::cast_to<Resource>(properties.view.levels[i]), listener);
+	for (int64_t i = 0; i < seen_levels.size(); i++) {
+		unfollow_changes(Object::cast_to<Resource>(seen_levels[i]), listener);
 	}
 	properties.view.levels = entries.duplicate();
+	seen_levels = entries.duplicate();
 	for (int64_t i = 0; i < properties.view.levels.size(); i++) {
 		follow_changes(Object::cast_to<Resource>(properties.view.levels[i]), listener);
 	}

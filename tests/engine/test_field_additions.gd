@@ -1,0 +1,174 @@
+## Plants that code adds while a field is not at rest, and what is asked of plants by their ids.
+extends "res://tests/engine/field_harness.gd"
+
+
+func before_each() -> void:
+	field = PlantField3D.from_species([TulipFunction.new()])
+	field.size = Vector2(20, 20)
+	field.density = 3.0
+
+
+func test_plants_that_are_added_after_variants_were_raised() -> void:
+	field.species[0].variants = 2
+	await start()
+	var count := field.get_plant_count()
+	field.species[0].variants = 64
+	var places: Array[Transform3D] = []
+	for i in 300:
+		places.append(Transform3D(Basis.IDENTITY, Vector3(0.05 * i, 0, 30)))
+	var ids := field.add_plants(places, field.species[0].species)
+	check_equal(ids.size(), 300, "ids")
+	_check_sound(ids)
+	await rested()
+	await dressed()
+	check_equal(field.get_plant_count(), count + 300, "plants")
+	_check_sound(ids)
+	var heights := {}
+	for id in ids:
+		heights[field.get_plant_height(id)] = true
+	field.add_plants(places, field.species[0].species)
+	await frames(3)
+	check_equal(field.get_plant_count(), count + 600, "plants")
+
+
+func test_preview_after_a_species_came_that_follows_prototypes() -> void:
+	field.prototypes = 8
+	field.simulation_enabled = false
+	await start()
+	var wind := PlantWind.new()
+	for i in 6:
+		field.add_plants([Transform3D(Basis.IDENTITY, Vector3(i, 0, 15))], ReedFunction.new())
+		for j in 4:
+			wind.advance(STEP)
+			field._preview(STEP, wind)
+	await frames(3)
+	check(field.get_plant_count() > 6, "all goes on")
+	_check_sound(field.get_plant_ids())
+
+
+func test_a_species_that_comes_while_a_field_fills() -> void:
+	field.size = Vector2(100, 100)
+	await start()
+	for round in 4:
+		field.fill()
+		await frames(round)
+		var ids := PackedInt64Array()
+		for function: PlantFunction in [ReedFunction.new(), GrassFunction.new()]:
+			var place := Transform3D(Basis.IDENTITY, Vector3(60 + ids.size(), 0, round))
+			ids.append_array(field.add_plants([place], function))
+		if field.is_filling():
+			await filled(field)
+		await frames(2)
+		for i in 2:
+			var place := field.get_plant_transform(ids[i]).origin
+			check_equal(place, Vector3(60 + i, 0, round), "place")
+			var function := field.get_plant_species(ids[i])
+			check_equal(function.get_class(), ["ReedFunction", "GrassFunction"][i], "species")
+		_check_sound(ids)
+
+
+func test_a_species_whose_plants_went_and_come_again_while_a_field_fills() -> void:
+	await start()
+	var reed := ReedFunction.new()
+	var id := field.add_plants([Transform3D(Basis.IDENTITY, Vector3(30, 0, 0))], reed)[0]
+	field.remove_plant(id)
+	field.fill()
+	var again := field.add_plants([Transform3D(Basis.IDENTITY, Vector3(31, 0, 0))], reed)
+	await filled(field)
+	await frames(2)
+	check_equal(field.get_plant_species(again[0]), reed as PlantFunction, "species")
+	check_equal(field.has_plant(id), false, "who went")
+	_check_sound(again)
+
+
+func test_plants_that_are_mown_while_a_field_is_dressed_stay_away() -> void:
+	await start()
+	field.tile_size = 7.0
+	await frames(1)
+	check(field.remove_in_sphere(Vector3.ZERO, 3.0) > 10, "plants are mown")
+	var count := field.get_plant_count()
+	field.tile_size = 8.0
+	await dressed()
+	check_equal(field.get_plant_count(), count, "plants")
+	check_equal(field.find_plants_in_sphere(Vector3.ZERO, 3.0).size(), 0, "plants in the middle")
+
+
+func test_bulk_answers_are_the_single_ones() -> void:
+	await start()
+	field.add_plants([Transform3D(Basis.IDENTITY, Vector3(30, 0, 0))], ReedFunction.new())
+	field.remove_in_sphere(Vector3(3, 0, 3), 2.0)
+	field.apply_impulse_in_sphere(Vector3.ZERO, 100.0, Vector3(0.2, 0, 0))
+	await frames(10)
+	field.simulation_enabled = false
+	await frames(2)
+	var ids := field.get_plant_ids()
+	check_equal(ids.size(), field.get_plant_count(), "ids")
+	var transforms := field.get_plant_transforms(ids)
+	var heights := field.get_plant_heights(ids)
+	var tips := field.get_tip_positions(ids)
+	for i in ids.size():
+		check_equal(field.get_plant_transform(ids[i]), transforms[i], "transform %d" % i)
+		check_near(field.get_plant_height(ids[i]), heights[i], 1e-6, "height %d" % i)
+		check_equal(field.get_tip_position(ids[i]), tips[i], "tip %d" % i)
+		check_equal(field.has_plant(ids[i]), true, "plant %d" % i)
+	check_equal(field.get_plant_transforms([]).size(), 0, "of nobody")
+
+
+func test_a_state_that_was_kept_comes_back() -> void:
+	field.wind = PlantWind.new()
+	await start()
+	await step(30)
+	field.simulation_enabled = false
+	await frames(2)
+	var ids := field.get_plant_ids()
+	var state := field.get_motion_state(ids)
+	check_equal(state.size(), 6 * ids.size(), "numbers")
+	var tips := field.get_tip_positions(ids)
+	field.reset_motion()
+	check(field.get_tip_positions(ids) != tips, "they go back to rest")
+	field.set_motion_state(ids, state)
+	var back := field.get_motion_state(ids)
+	var again := field.get_tip_positions(ids)
+	for i in ids.size():
+		check_near(again[i], tips[i], 1e-3, "tip %d" % i)
+		for j in 6:
+			check_near(back[6 * i + j], state[6 * i + j], 5e-3, "number %d of plant %d" % [j, i])
+	field.set_motion_state(ids, PackedFloat32Array([1, 2, 3]))
+	check_error("six numbers")
+	field.set_motion_state(ids.slice(0, 1), PackedFloat32Array([NAN, 0, 0, INF, 0, 0]))
+	check(field.get_tip_position(ids[0]).is_finite(), "no number that is none is taken")
+
+
+func test_several_plants_are_removed_by_their_ids() -> void:
+	await start()
+	var ids := field.get_plant_ids()
+	var gone := ids.slice(10, 40)
+	gone.append_array([gone[0], -7])
+	check_equal(field.remove_plants(gone), 30, "removed")
+	check_equal(field.get_plant_count(), ids.size() - 30, "plants")
+	for i in ids.size():
+		check_equal(field.has_plant(ids[i]), i < 10 or i >= 40, "plant %d stands" % i)
+	check_equal(field.remove_plants(gone), 0, "removed again")
+
+
+func test_plants_keep_their_ids_when_they_grow_again() -> void:
+	await start()
+	var ids := sorted_ids()
+	var places := field.get_plant_transforms(ids)
+	field.fill()
+	await filled(field)
+	check_equal(sorted_ids(), ids, "ids")
+	check_equal(field.get_plant_transforms(ids), places, "where they stand")
+	field.size = Vector2(10, 20)
+	await filled(field)
+	for id in field.get_plant_ids():
+		var i := ids.bsearch(id)
+		check(ids[i] == id, "plant %d was there before" % id)
+		check_equal(field.get_plant_transform(id), places[i], "where plant %d stands" % id)
+
+
+func _check_sound(ids: PackedInt64Array) -> void:
+	for id in ids:
+		var height := field.get_plant_height(id)
+		check(height > 0.05 and height < 20.0, "plant %d is %f m high" % [id, height])
+		check(field.get_tip_position(id).is_finite(), "its tip is somewhere")

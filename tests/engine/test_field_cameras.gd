@@ -1,0 +1,93 @@
+## Fields that several cameras see, each in a viewport of its own.
+extends "res://tests/engine/field_harness.gd"
+
+
+func before_each() -> void:
+	field = PlantField3D.from_species([TulipFunction.new()])
+	field.size = Vector2(300, 20)
+	field.density = 1.0
+	for x: float in [-140.0, 140.0]:
+		_add_camera(x)
+
+
+func after_each() -> void:
+	super()
+	for viewport in root.get_children():
+		if viewport is SubViewport:
+			viewport.free()
+
+
+func test_plants_near_every_camera_are_skeletons() -> void:
+	field.skeleton_distance = 8.0
+	field.max_skeletons = 64
+	await start()
+	await frames(60)
+	var sides := [0, 0]
+	for skeleton in field.get_skeletons():
+		check(absf(skeleton.global_position.x) > 100.0, "%s is near one" % skeleton.global_position)
+		sides[0 if skeleton.global_position.x < 0 else 1] += 1
+	check(sides[0] > 10 and sides[1] > 10, "skeletons near each camera: %s" % [sides])
+
+
+func test_plants_near_every_camera_are_stepped_in_full() -> void:
+	field.far_distance = 20.0
+	field.wind = PlantWind.new()
+	await start()
+	await step(40)
+	# Over some steps: who is stepped in each of them moves in each of them.
+	var ids := [_ids_near(-140.0), _ids_near(140.0), _ids_near(0.0)]
+	var moves := [0, 0, 0]
+	for i in 16:
+		var before := []
+		for place in 3:
+			before.append(field.get_motion_state(ids[place]))
+		await step(1)
+		for place in 3:
+			var now := field.get_motion_state(ids[place])
+			moves[place] += 1 if now != before[place] else 0
+	check(moves[0] >= 15 and moves[1] >= 15, "steps near the cameras of 16: %s" % [moves])
+	check(moves[2] < 10, "steps far from both of 16: %s" % [moves])
+
+
+func test_a_body_far_from_all_cameras_pushes_all_plants_in_its_way() -> void:
+	field.wind = null
+	field.bodies_group = &"walkers"
+	for viewport in root.get_children():
+		if viewport is SubViewport:
+			viewport.get_child(0).position = Vector3(0, 1, 200)
+	var walker := add_walker()
+	walker.position = Vector3(-60, 0.8, 0)
+	check(field.far_distance > 0.0, "far plants are stepped less often by default")
+	await start()
+	await step(20)
+	var rest := all_tips()
+	var moved := {}
+	while walker.position.x < -37.0:
+		walker.position.x += 6.0 * root.get_process_delta_time()
+		await process_frame
+		var now := all_tips()
+		for plant in rest.size():
+			if now[plant].distance_to(rest[plant]) > 0.02:
+				moved[plant] = true
+	var places := field.get_plant_transforms(field.get_plant_ids())
+	var in_way := 0
+	for plant in places.size():
+		var at := places[plant].origin
+		if at.x > -58 and at.x < -38 and absf(at.z) < 0.3:
+			in_way += 1
+			check(moved.has(plant), "the plant at %s is pushed" % at)
+	check(in_way > 5, "%d plants in the way" % in_way)
+	walker.free()
+
+
+func _ids_near(x: float) -> PackedInt64Array:
+	return field.find_plants_in_sphere(Vector3(x, 0, 0), 3.0)
+
+
+func _add_camera(x: float) -> void:
+	var viewport := SubViewport.new()
+	var camera := Camera3D.new()
+	camera.position = Vector3(x, 1, 0)
+	viewport.add_child(camera)
+	root.add_child(viewport)
+	camera.make_current()

@@ -1,0 +1,228 @@
+## What a change of a property touches in a field that stands: nothing but what it is about.
+extends "res://tests/engine/field_harness.gd"
+
+## Tips may differ by as much as poses are rounded to when they are taken over (m).
+const SAME := 2e-3
+
+
+func before_each() -> void:
+	field = PlantField3D.from_species([TulipFunction.new(), GrassFunction.new()])
+	field.density = 5.0
+	field.size = Vector2(16, 16)
+	field.wind = PlantWind.new()
+	field.wind.kind = PlantWind.KIND_CONSTANT
+	field.wind.strength = 3.0
+
+
+func test_graphics_settings_keep_plants_mown_places_and_motion() -> void:
+	var changes := {
+		"shadow_distance": func() -> void: field.shadow_distance = 3.0,
+		"no shadow_distance": func() -> void: field.shadow_distance = 0.0,
+		"fade_margin": func() -> void: field.fade_margin = 0.5,
+		"visibility_range_end": func() -> void: field.visibility_range_end = 20.0,
+		"no visibility_range_end": func() -> void: field.visibility_range_end = 0.0,
+		"levels":
+		func() -> void: field.levels = [PlantFieldLevel.of(8, 9.0), PlantFieldLevel.of(2)],
+		"end of a level": func() -> void: field.levels[0].end = 7.0,
+		"segments of a level": func() -> void: field.levels[0].segments = 5,
+		"tile_size": func() -> void: field.tile_size = 5.0,
+		"cast_shadow":
+		func() -> void: field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF,
+		"layers": func() -> void: field.layers = 4,
+		"transparency": func() -> void: field.transparency = 0.2,
+		"material_override": func() -> void: field.material_override = StandardMaterial3D.new(),
+		"skeleton_distance": func() -> void: field.skeleton_distance = 3.0,
+	}
+	await _check_kept(changes)
+
+
+func test_looks_of_species_keep_plants_mown_places_and_motion() -> void:
+	var tulip := field.species[0].species as TulipFunction
+	var changes := {
+		"colour": func() -> void: tulip.flower_color = Color.BLUE,
+		"material": func() -> void: tulip.material = StandardMaterial3D.new(),
+		"shading": func() -> void: tulip.shading = PlantFunction.SHADING_FLAT,
+		"shape_deviation": func() -> void: tulip.shape_deviation = 0.4,
+		"color_deviation": func() -> void: tulip.color_deviation = 0.4,
+	}
+	await _check_kept(changes)
+
+
+func test_settings_of_motion_keep_plants_mown_places_and_motion() -> void:
+	var tulip := field.species[0].species as TulipFunction
+	var changes := {
+		"update_interval": func() -> void: field.update_interval = 3,
+		"far_distance": func() -> void: field.far_distance = 5.0,
+		"max_threads": func() -> void: field.max_threads = 3,
+		"bodies_group": func() -> void: field.bodies_group = &"walkers",
+		"contact_enabled": func() -> void: field.contact_enabled = true,
+		"wind": func() -> void: field.wind = PlantWind.new(),
+		"no wind": func() -> void: field.wind = null,
+		"mass": func() -> void: tulip.mass *= 3.0,
+		"collision_radius": func() -> void: tulip.collision_radius = 0.1,
+	}
+	await _check_kept(changes)
+
+
+func test_prototypes_keep_plants_and_mown_places() -> void:
+	await _start_mown()
+	var ids := sorted_ids()
+	for count: int in [8, 3, 0]:
+		field.prototypes = count
+		await dressed()
+		check_equal(sorted_ids(), ids, "plants with %d prototypes" % count)
+
+
+func test_a_property_of_motion_that_is_set_while_a_field_fills_counts() -> void:
+	field.wind = null
+	field.size = Vector2(100, 100)
+	var tulip := field.species[0].species as TulipFunction
+	tulip.law = PlantFunction.LAW_SPRING
+	root.add_child(field)
+	await frames(1)
+	check(field.is_filling(), "it fills")
+	tulip.lean = deg_to_rad(40.0)
+	tulip.mass = 7.0
+	await filled(field)
+	await frames(2)
+	var found := 0
+	for id in field.get_plant_ids():
+		if field.get_plant_species(id) == tulip and found < 20:
+			found += 1
+			var way := relative_tip(id).angle_to(Vector3.UP)
+			check_near(way, deg_to_rad(40.0), 0.02, "lean of plant %d" % id)
+	check_equal(found, 20, "tulips")
+	var rest := all_tips()
+	field.apply_impulse_in_sphere(Vector3.ZERO, 1000.0, Vector3(7.0 * 2.0, 0, 0))
+	await frames(1)
+	var most := 0.0
+	var ids := field.get_plant_ids()
+	var rates := field.get_motion_state(ids)
+	for i in ids.size():
+		if field.get_plant_species(ids[i]) == tulip:
+			var rate := Vector3(rates[6 * i + 3], rates[6 * i + 4], rates[6 * i + 5])
+			most = maxf(most, rate.length() * field.get_plant_height(ids[i]))
+	check(most < 4.0, "a blow on so heavy a plant gives %f m/s" % most)
+	check_equal(rest.size(), ids.size(), "tips")
+
+
+func test_what_is_set_of_the_view_while_a_field_fills_counts() -> void:
+	field.size = Vector2(100, 100)
+	root.add_child(field)
+	await frames(1)
+	check(field.is_filling(), "it fills")
+	field.visibility_range_end = 5.0
+	field.levels = [PlantFieldLevel.of(7, 3.0), PlantFieldLevel.of(3)]
+	await frames(1)
+	await filled(field)
+	await dressed()
+	check_equal(field.get_statistics()["drawn_by_level"].size(), 2, "levels")
+	field.fill()
+	await frames(1)
+	check(field.is_filling(), "it fills again")
+	field.levels = [PlantFieldLevel.of(7, 3.0), PlantFieldLevel.of(5, 4.0), PlantFieldLevel.of(3)]
+	await filled(field)
+	await dressed()
+	check_equal(field.get_statistics()["drawn_by_level"].size(), 3, "levels")
+
+
+func test_a_look_that_changes_in_every_frame_is_worn_now_and_then() -> void:
+	await _start_mown()
+	var grass := field.species[1].species as GrassFunction
+	var states := {}
+	for i in 60:
+		grass.tip_color = Color(0.01 * i, 0.5, 0)
+		await process_frame
+		states[field.get_statistics()["is_dressing"]] = true
+	await dressed()
+	check(not field.is_filling(), "it grows nothing anew")
+	check(states.has(true), "it was dressed")
+
+
+func test_a_species_leans_otherwise_while_its_field_runs() -> void:
+	field.wind = null
+	var tulip := TulipFunction.new()
+	tulip.law = PlantFunction.LAW_SPRING
+	tulip.damping_ratio = 1.0
+	field.species = [PlantFieldSpecies.of(tulip)]
+	await start()
+	Engine.time_scale = 10.0
+	await _check_lean(tulip.lean, "before")
+	tulip.lean = deg_to_rad(60.0)
+	await _check_lean(tulip.lean, "of another lean")
+	tulip.law = PlantFunction.LAW_ELASTICITY
+	await frames(30)
+	tulip.law = PlantFunction.LAW_SPRING
+	await _check_lean(tulip.lean, "after another law")
+
+
+func test_thicker_tips_of_added_plants_part() -> void:
+	field.density = 0.0
+	field.wind = null
+	field.contact_enabled = true
+	root.add_child(field)
+	var tulip := TulipFunction.new()
+	tulip.law = PlantFunction.LAW_SPRING
+	tulip.lean = 0.0
+	tulip.collision_radius = 0.01
+	# The first and the fifth are as high as each other.
+	var places: Array[Transform3D] = []
+	for x: float in [0.0, 20.0, 40.0, 60.0, 0.4]:
+		places.append(Transform3D(Basis.IDENTITY, Vector3(x, 0, 0)))
+	var all := field.add_plants(places, tulip)
+	var ids := PackedInt64Array([all[0], all[4]])
+	check_near(field.get_plant_height(ids[0]), field.get_plant_height(ids[1]), 1e-6, "height")
+	await frames(10)
+	var thin := await _nearest_in_swing(ids, tulip.mass)
+	check(thin < 0.2, "thin tips come as near as %f m" % thin)
+	tulip.collision_radius = 0.15
+	var thick := await _nearest_in_swing(ids, tulip.mass)
+	check(thick > 0.26, "thick tips come no nearer than %f m" % thick)
+
+
+## How near two tips come after a blow that sends the first one to the other (m).
+func _nearest_in_swing(ids: PackedInt64Array, mass: float) -> float:
+	field.reset_motion()
+	field.apply_impulse_in_sphere(Vector3.ZERO, 0.1, Vector3(3.0 * mass, 0, 0))
+	var nearest := 1.0
+	for i in 60:
+		await process_frame
+		var tips := field.get_tip_positions(ids)
+		nearest = minf(nearest, tips[0].distance_to(tips[1]))
+	return nearest
+
+
+func _check_lean(lean: float, what: String) -> void:
+	await frames(90)
+	for id in field.get_plant_ids().slice(0, 20):
+		check_near(relative_tip(id).angle_to(Vector3.UP), lean, 0.03, "lean %s" % what)
+
+
+## Plants bent by a wind, some of them mown and one added, that stand still.
+func _start_mown() -> void:
+	await start()
+	check(field.remove_in_sphere(Vector3(2, 0, 2), 2.0) > 10, "plants are mown")
+	var bell := BellflowerFunction.new()
+	field.add_plants([Transform3D(Basis.IDENTITY, Vector3(2, 0, 2))], bell)
+	await step(40)
+	field.simulation_enabled = false
+	await frames(2)
+
+
+func _check_kept(changes: Dictionary) -> void:
+	await _start_mown()
+	var ids := sorted_ids()
+	var tips := field.get_tip_positions(ids)
+	for what: String in changes:
+		(changes[what] as Callable).call()
+		await frames(1)
+		check(not field.is_filling(), "%s fills nothing" % what)
+		await frames(10)  # The engine's own properties are looked at now and then.
+		check(not field.is_filling(), "%s fills nothing" % what)
+		await dressed()
+		check_equal(sorted_ids(), ids, "plants after %s" % what)
+		var now := field.get_tip_positions(ids)
+		var most := 0.0
+		for i in tips.size():
+			most = maxf(most, now[i].distance_to(tips[i]))
+		check(most < SAME, "tips went %f m by %s" % [most, what])
