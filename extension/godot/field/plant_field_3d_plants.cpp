@@ -122,9 +122,14 @@ PackedInt64Array PlantField3D::add_plants(const Variant &transforms, const Ref<P
 				String::num_int64(int64_t(places.size() - placed.size())) +
 						" transforms of add_plants() are not finite or of no size; the others are added.");
 	}
+	const bool begins_again = !placed.empty() && meadow.grows_without(species_index);
 	PackedInt64Array ids;
 	for (const PlantId id : meadow.add(std::move(placed))) {
 		ids.push_back(id);
+	}
+	if (begins_again) {
+		mark_stale(meadow.is_filling());
+		meadow.stop_growing();
 	}
 	return ids;
 }

@@ -46,7 +46,7 @@ func value(info: Dictionary) -> Variant:
 		TYPE_COLOR:
 			return Color(rng.randf(), rng.randf(), rng.randf())
 		TYPE_AABB:
-			return AABB(point(), point())
+			return AABB(place(), place())
 		TYPE_TRANSFORM3D:
 			return transform()
 		TYPE_STRING_NAME:
@@ -54,19 +54,32 @@ func value(info: Dictionary) -> Variant:
 	return null
 
 
-## Somewhere about the field, now and then far away or nowhere.
-func point() -> Vector3:
-	if chance(0.03):
-		return Vector3(pick(ODD_NUMBERS), pick(ODD_NUMBERS), pick(ODD_NUMBERS))
+## Somewhere about the field.
+func place() -> Vector3:
 	return Vector3(rng.randf_range(-8.0, 8.0), rng.randf_range(-0.5, 2.0), rng.randf_range(-8.0, 8.0))
 
 
+## The same, now and then far away or nowhere.
+func point() -> Vector3:
+	if chance(0.03):
+		return Vector3(pick(ODD_NUMBERS), pick(ODD_NUMBERS), pick(ODD_NUMBERS))
+	return place()
+
+
+## Turned and scaled alike along all axes.
 func transform() -> Transform3D:
 	var axis := Vector3(rng.randfn(), rng.randfn() + 2.0, rng.randfn()).normalized()
-	var basis := Basis(axis, rng.randf_range(-3.0, 3.0)).scaled(Vector3.ONE * rng.randf_range(0.3, 1.5))
-	if chance(0.05):
-		basis = pick([Basis.from_scale(Vector3.ZERO), Basis.from_scale(Vector3(1, -1, 1)), basis * NAN])
-	return Transform3D(basis, point())
+	var scale := Vector3.ONE * rng.randf_range(0.3, 1.5)
+	return Transform3D(Basis(axis, rng.randf_range(-3.0, 3.0)).scaled(scale), place())
+
+
+## The same, now and then flat, mirrored, stretched or nowhere.
+func odd_transform() -> Transform3D:
+	var odd := transform()
+	if chance(0.1):
+		odd.basis = odd.basis * Basis.from_scale(pick([Vector3.ZERO, Vector3(1, -1, 1), Vector3(1, 4, 0.1)]))
+	odd.origin = point()
+	return odd
 
 
 func _number(info: Dictionary) -> float:

@@ -60,7 +60,7 @@ func new_plant() -> Plant3D:
 	var plant := Plant3D.new()
 	plant.species = pick(_functions)
 	plant.wind = pick(winds)
-	plant.position = point()
+	plant.position = place()
 	return plant
 
 
@@ -79,7 +79,7 @@ func new_other() -> Node3D:
 		2:
 			var camera := Camera3D.new()
 			camera.current = chance(0.5)
-			camera.position = point()
+			camera.position = place()
 			return camera
 		3:
 			return Node3D.new()
@@ -91,7 +91,7 @@ func edit_path(path: Path3D) -> void:
 		return
 	path.curve = null if chance(0.1) else Curve3D.new()
 	for i in rng.randi_range(0, 8) if path.curve != null else 0:
-		path.curve.add_point(point(), point() * 0.1, point() * 0.1)
+		path.curve.add_point(place(), place() * 0.1, place() * 0.1)
 
 
 func any_resource() -> Resource:
@@ -117,7 +117,8 @@ func change(object: Object, info: Dictionary) -> void:
 		"exclusions":
 			object.set(title, _path_list(object as Node))
 		_:
-			var chosen: Variant = value(info)
+			# The engine itself takes no nodes that are nowhere.
+			var chosen: Variant = place() if info["type"] == TYPE_VECTOR3 else value(info)
 			if chosen != null:
 				object.set(title, chosen)
 
@@ -186,7 +187,7 @@ func _transforms() -> Variant:
 		return "nonsense"
 	var transforms: Array[Transform3D] = []
 	for i in rng.randi_range(0, MOST_IDS):
-		transforms.append(transform())
+		transforms.append(odd_transform())
 	return transforms
 
 
@@ -231,13 +232,13 @@ func _new_body() -> Node3D:
 	var body: CollisionObject3D = pick(
 		[StaticBody3D.new, AnimatableBody3D.new, RigidBody3D.new, Area3D.new]
 	).call()
-	body.position = point()
+	body.position = place()
 	for i in rng.randi_range(0, 2):
 		var shape := CollisionShape3D.new()
 		shape.shape = null if chance(0.1) else ClassDB.instantiate(pick(SHAPES))
 		if shape.shape is ConvexPolygonShape3D:
-			shape.shape.points = PackedVector3Array([point(), point(), point(), point(), point()])
-		shape.position = point() * 0.1
+			shape.shape.points = PackedVector3Array([place(), place(), place(), place(), place()])
+		shape.position = place() * 0.1
 		body.add_child(shape)
 	if chance(0.8):
 		body.add_to_group(&"walkers")

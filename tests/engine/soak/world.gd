@@ -40,12 +40,14 @@ func act() -> void:
 ## Frees everything, in an order by chance.
 func end() -> void:
 	_forget_freed()
-	var nodes: Array[Node] = []
-	nodes.append_array(fields + plants + others)
-	while not nodes.is_empty():
-		var node: Node = nodes.pop_at(rng.randi_range(0, nodes.size() - 1))
-		if is_instance_valid(node):
-			node.free()
+	var ids: PackedInt64Array = []
+	for node: Node in fields + plants + others:
+		ids.append(node.get_instance_id())
+	while not ids.is_empty():
+		var index := rng.randi_range(0, ids.size() - 1)
+		if is_instance_id_valid(ids[index]):
+			instance_from_id(ids[index]).free()
+		ids.remove_at(index)
 
 
 func _forget_freed() -> void:
@@ -160,7 +162,7 @@ func _change_wind() -> void:
 func _move() -> void:
 	var node: Node3D = pick(others + fields + plants if chance(0.3) else others)
 	if node != null:
-		node.transform = transform() if chance(0.3) else Transform3D(Basis.IDENTITY, point())
+		node.transform = transform() if chance(0.3) else Transform3D(Basis.IDENTITY, place())
 		node.visible = chance(0.9)
 
 
