@@ -44,6 +44,23 @@ func test_removing_nothing_from_a_field_that_never_stood() -> void:
 	field.free()
 
 
+func test_all_plants_that_code_added_in_a_place_are_removed_at_once() -> void:
+	for prototypes: int in [0, 4]:
+		_field.prototypes = prototypes
+		await frames(2)
+		while _field.is_filling() or _field.get_statistics()["is_dressing"]:
+			await process_frame
+		var count := _field.get_plant_count()
+		var places: Array[Transform3D] = []
+		for i in 5:
+			places.append(Transform3D(Basis.IDENTITY, Vector3(500.0 + i, 0, 0)))
+		_field.add_plants(places, ReedFunction.new())
+		await frames(2)
+		check_equal(_field.remove_in_sphere(Vector3(502, 0, 0), 10.0), 5, "removed")
+		await frames(2)
+		check_equal(_field.get_plant_count(), count, "the others")
+
+
 func test_a_species_that_is_planted_while_the_field_grows_stays_what_it_is() -> void:
 	var reed := ReedFunction.new()
 	for before: PlantField3D in [PlantField3D.new(), _field]:
