@@ -9,6 +9,7 @@ const FRAMES_OF_ROUND := 240
 const MOST_ACTIONS_OF_FRAME := 6
 
 var _action_count := 0
+var _end := 0 # ms, by the clock of the engine.
 
 
 func _initialize() -> void:
@@ -17,10 +18,10 @@ func _initialize() -> void:
 
 func _soak() -> void:
 	await process_frame
-	var end := Time.get_ticks_msec() + 1000 * _option("seconds", 600)
+	_end = Time.get_ticks_msec() + 1000 * _option("seconds", 600)
 	var seed := _option("seed", 1)
 	var count := 0
-	while Time.get_ticks_msec() < end:
+	while Time.get_ticks_msec() < _end:
 		print("round %d seed %d" % [count, seed])
 		await _run_round(seed)
 		count += 1
@@ -40,6 +41,8 @@ func _run_round(seed: int) -> void:
 			world.act()
 			_action_count += 1
 		await process_frame
+		if Time.get_ticks_msec() > _end:
+			break
 	world.end()
 	paused = false
 	Engine.time_scale = 1.0

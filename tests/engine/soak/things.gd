@@ -230,7 +230,7 @@ func _path_list(node: Node) -> Array[NodePath]:
 
 func _new_body() -> Node3D:
 	var body: CollisionObject3D = pick(
-		[StaticBody3D.new, AnimatableBody3D.new, RigidBody3D.new, Area3D.new]
+		[StaticBody3D.new, AnimatableBody3D.new, CharacterBody3D.new, Area3D.new]
 	).call()
 	body.position = place()
 	for i in rng.randi_range(0, 2):
