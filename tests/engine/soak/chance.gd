@@ -1,4 +1,5 @@
-## Chance values: for a property by what its hint says, for an argument by its type. Some are absurd.
+## Chance values: for a property by what its hint says, for an argument by its type. Some are
+## absurd.
 extends RefCounted
 
 const ODD_NUMBERS: Array[float] = [0.0, -1.0, 1e-30, 1e30, -1e9, NAN, INF, -INF, 0.5, 1.0]
@@ -30,33 +31,37 @@ func pick(from: Array) -> Variant:
 
 ## A value for what [param info] describes, as in a property list; null where its type is unknown.
 func value(info: Dictionary) -> Variant:
+	var made: Variant = null
 	match int(info["type"]):
 		TYPE_BOOL:
-			return chance(0.5)
+			made = chance(0.5)
 		TYPE_INT:
-			return _capped(info, _integer(info))
+			made = _capped(info, _integer(info))
 		TYPE_FLOAT:
-			return _capped(info, _number(info))
+			made = _capped(info, _number(info))
 		TYPE_VECTOR2:
 			if info["name"] == "size":
-				return Vector2(rng.randf(), rng.randf()) * WIDEST_FIELD
-			return Vector2(_number(info), _number(info))
+				made = Vector2(rng.randf(), rng.randf()) * WIDEST_FIELD
+			else:
+				made = Vector2(_number(info), _number(info))
 		TYPE_VECTOR3:
-			return point()
+			made = point()
 		TYPE_COLOR:
-			return Color(rng.randf(), rng.randf(), rng.randf())
+			made = Color(rng.randf(), rng.randf(), rng.randf())
 		TYPE_AABB:
-			return AABB(place(), place())
+			made = AABB(place(), place())
 		TYPE_TRANSFORM3D:
-			return transform()
+			made = transform()
 		TYPE_STRING_NAME:
-			return pick([&"walkers", &"", &"nobody"])
-	return null
+			made = pick([&"walkers", &"", &"nobody"])
+	return made
 
 
 ## Somewhere about the field.
 func place() -> Vector3:
-	return Vector3(rng.randf_range(-8.0, 8.0), rng.randf_range(-0.5, 2.0), rng.randf_range(-8.0, 8.0))
+	return Vector3(
+		rng.randf_range(-8.0, 8.0), rng.randf_range(-0.5, 2.0), rng.randf_range(-8.0, 8.0)
+	)
 
 
 ## The same, now and then far away or nowhere.
@@ -77,7 +82,10 @@ func transform() -> Transform3D:
 func odd_transform() -> Transform3D:
 	var odd := transform()
 	if chance(0.1):
-		odd.basis = odd.basis * Basis.from_scale(pick([Vector3.ZERO, Vector3(1, -1, 1), Vector3(1, 4, 0.1)]))
+		odd.basis = (
+			odd.basis
+			* Basis.from_scale(pick([Vector3.ZERO, Vector3(1, -1, 1), Vector3(1, 4, 0.1)]))
+		)
 	odd.origin = point()
 	return odd
 

@@ -1,5 +1,6 @@
-// Godot opens libraries so that they see their own symbols first (RTLD_DEEPBIND); a sanitizer's must come before theirs.
-// Preloaded, this takes that flag from all calls. And libraries stay, so that leaks that are found at the end have names.
+// Godot opens libraries so that they see their own symbols first (RTLD_DEEPBIND); a sanitizer's must come before
+// theirs. Preloaded, this takes that flag from all calls. And libraries stay, so that leaks that are found at the end
+// have names.
 
 #include <dlfcn.h>
 

@@ -1,5 +1,5 @@
 ## Uses fields and plants at random for a given time, in rounds of one seed each, for sanitizers to
-## watch. What the add-on complains of is not looked at; it must not crash, nor touch foreign memory.
+## watch. What the add-on complains of is not looked at; it must not crash or touch foreign memory.
 ##
 ## Run by tests/suites/soak.py; `-- --seconds=N --seed=S`. Each round is told before it begins.
 extends SceneTree
@@ -9,7 +9,7 @@ const FRAMES_OF_ROUND := 240
 const MOST_ACTIONS_OF_FRAME := 6
 
 var _action_count := 0
-var _end := 0 # ms, by the clock of the engine.
+var _end := 0  # ms, by the clock of the engine.
 
 
 func _initialize() -> void:

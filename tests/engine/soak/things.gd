@@ -1,4 +1,5 @@
-## Makes and changes what the soak plays with. It knows the nodes that there are: lists of the world.
+## Makes and changes what the soak plays with. It knows the nodes that there are, by the world's
+## lists.
 extends "res://tests/engine/soak/chance.gd"
 
 const FUNCTIONS: Array[StringName] = [
@@ -43,12 +44,14 @@ func _init(seed: int, fields: Array[PlantField3D], others: Array[Node3D]) -> voi
 	for i in 4:
 		_levels.append(PlantFieldLevel.of(rng.randi_range(1, 8), i * 4.0))
 	var shader := Shader.new()
-	shader.code = "shader_type spatial; uniform float amount = 0.5; void fragment() { ALBEDO = vec3(amount); }"
+	shader.code = "shader_type spatial; uniform float a = 0.5; void fragment() { ALBEDO = vec3(a); }"
 	(_materials[1] as ShaderMaterial).shader = shader
 
 
 func new_field() -> PlantField3D:
-	var field := PlantField3D.from_species(_some(_functions, 3)) if chance(0.5) else PlantField3D.new()
+	var field := (
+		PlantField3D.from_species(_some(_functions, 3)) if chance(0.5) else PlantField3D.new()
+	)
 	field.size = Vector2(4.0 + WIDEST_FIELD * rng.randf(), 6.0)
 	field.density = rng.randf_range(1.0, 40.0)
 	field.bodies_group = &"walkers"
@@ -136,27 +139,30 @@ func ask(object: Object, info: Dictionary) -> void:
 
 
 func _argument(object: Object, info: Dictionary) -> Variant:
+	var made: Variant = null
 	match info["name"]:
 		"id":
-			return pick(_ids(object)) if chance(0.95) else rng.randi()
+			made = pick(_ids(object)) if chance(0.95) else rng.randi()
 		"ids":
-			return _ids(object)
+			made = _ids(object)
 		"state":
-			return _state()
+			made = _state()
 		"transforms":
-			return _transforms()
+			made = _transforms()
 		"functions":
-			return _some(_functions, 4)
+			made = _some(_functions, 4)
 		"shares":
-			return PackedFloat32Array([rng.randf(), -rng.randf(), NAN])
+			made = PackedFloat32Array([rng.randf(), -rng.randf(), NAN])
 		"species":
-			return null if chance(0.05) else pick(_functions)
+			made = null if chance(0.05) else pick(_functions)
 		"wind":
-			return pick(winds)
+			made = pick(winds)
 		"skeleton":
 			var field := object as PlantField3D
-			return pick(field.get_skeletons()) if field != null and chance(0.8) else null
-	return value(info)
+			made = pick(field.get_skeletons()) if field != null and chance(0.8) else null
+		_:
+			made = value(info)
+	return made
 
 
 ## Of plants that stand, some of others that did, and some twice.
@@ -229,9 +235,9 @@ func _path_list(node: Node) -> Array[NodePath]:
 
 
 func _new_body() -> Node3D:
-	var body: CollisionObject3D = pick(
-		[StaticBody3D.new, AnimatableBody3D.new, CharacterBody3D.new, Area3D.new]
-	).call()
+	var body: CollisionObject3D = (
+		pick([StaticBody3D.new, AnimatableBody3D.new, CharacterBody3D.new, Area3D.new]).call()
+	)
 	body.position = place()
 	for i in rng.randi_range(0, 2):
 		var shape := CollisionShape3D.new()

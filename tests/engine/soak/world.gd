@@ -25,9 +25,13 @@ func _init(new_root: Node, seed: int) -> void:
 	things = Things.new(seed, fields, others)
 	_add(Camera3D.new(), others)
 	_add_field()
-	var often: Array[Callable] = [_change_field, _change_field, _ask_field, _ask_field, _change_resource]
+	var often: Array[Callable] = [
+		_change_field, _change_field, _ask_field, _ask_field, _change_resource
+	]
 	_actions = [_change_plant, _ask_plant, _add_field, _add_plant, _add_other, _free_other]
-	_actions += [_free_field, _free_plant, _move, _move, _reparent, _pause, _change_wind, _edit_path]
+	_actions += [
+		_free_field, _free_plant, _move, _move, _reparent, _pause, _change_wind, _edit_path
+	]
 	_actions += often + often
 
 
@@ -116,7 +120,9 @@ func _change_plant() -> void:
 func _change(node: Node3D) -> void:
 	for i in rng.randi_range(1, 3) if node != null else 0:
 		var shown := SHOWN.filter(node.is_class)
-		var properties := ClassDB.class_get_property_list(shown[0] if chance(0.8) else pick(shown), true)
+		var properties := ClassDB.class_get_property_list(
+			shown[0] if chance(0.8) else pick(shown), true
+		)
 		things.change(node, pick(properties))
 
 
@@ -148,7 +154,10 @@ func _change_resource() -> void:
 
 
 func _is_stored(property: Dictionary) -> bool:
-	return property["usage"] & PROPERTY_USAGE_STORAGE and not property["name"] in ["resource_path", "script"]
+	return (
+		property["usage"] & PROPERTY_USAGE_STORAGE
+		and not property["name"] in ["resource_path", "script"]
+	)
 
 
 func _change_wind() -> void:
