@@ -2,7 +2,8 @@
 """Runs the test suites at the same time, prints what failed, and ends with one line `N passed, N failed`.
 
 SConstruct builds the programs and calls this (`scons test`). Each suite's output goes to build/test/<suite>.log. A crash,
-a timeout, a program that prints nothing and an engine that complains while it shuts down count as failures.
+a timeout, a program that prints nothing and an engine that complains while it shuts down count as failures. The suite
+`soak` (suites/soak.py) runs only where it is named.
 """
 
 import argparse
@@ -15,7 +16,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests")]
 
-from suites import editor, engine, picture, programs  # noqa: E402  (the path above comes first)
+from suites import editor, engine, picture, programs, soak  # noqa: E402  (the path above comes first)
 
 LOGS = ROOT / "build/test"
 
@@ -32,6 +33,7 @@ def plan(options):
             suites.append((name, lambda name=name, program=program: programs.doctest(name, program)))
     if options.godot:
         suites += engine.suites(options.godot, options.probe)
+        suites += soak.suites(options.godot, options.soak) if options.soak else []
     chosen = set(options.suites.split(",")) if options.suites else None
     return [(name, run) for name, run in suites if not chosen or name.split(":")[0] in chosen]
 
@@ -54,6 +56,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     for name in ("godot", "core", "asan", "tsan", "probe"):
         parser.add_argument(f"--{name}", help=f"the program for {name}; without it those suites are left out")
+    parser.add_argument("--soak", help="the folder of the library with sanitizers; without it the soak is left out")
     parser.add_argument("--suites", help="only these, separated by commas")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--summary", type=Path, help="write the last line there instead of printing it")

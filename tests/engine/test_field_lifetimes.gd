@@ -36,6 +36,47 @@ func test_freed_while_it_fills() -> void:
 	check(_field.get_plant_count() > 0, "the other stays")
 
 
+func test_removing_nothing_from_a_field_that_never_stood() -> void:
+	var field := PlantField3D.new()
+	check_equal(field.remove_plants([12345]), 0, "plants of no such id")
+	check_equal(field.remove_in_sphere(Vector3.ZERO, 1.0), 0, "plants where none are")
+	check_equal(field.add_plants([], GrassFunction.new()).size(), 0, "plants of no transforms")
+	field.free()
+
+
+func test_all_plants_that_code_added_in_a_place_are_removed_at_once() -> void:
+	for prototypes: int in [0, 4]:
+		_field.prototypes = prototypes
+		await frames(2)
+		while _field.is_filling() or _field.get_statistics()["is_dressing"]:
+			await process_frame
+		var count := _field.get_plant_count()
+		var places: Array[Transform3D] = []
+		for i in 5:
+			places.append(Transform3D(Basis.IDENTITY, Vector3(500.0 + i, 0, 0)))
+		_field.add_plants(places, ReedFunction.new())
+		await frames(2)
+		check_equal(_field.remove_in_sphere(Vector3(502, 0, 0), 10.0), 5, "removed")
+		await frames(2)
+		check_equal(_field.get_plant_count(), count, "the others")
+
+
+func test_a_species_that_is_planted_while_the_field_grows_stays_what_it_is() -> void:
+	var reed := ReedFunction.new()
+	for before: PlantField3D in [PlantField3D.new(), _field]:
+		if before != _field:
+			root.add_child(before)
+		before.fill()
+		var ids := before.add_plants([Transform3D(Basis.IDENTITY, Vector3(1, 0, 2))], reed)
+		await before.filled
+		check_equal(ids.size(), 1, "added plants")
+		check(before.get_plant_species(ids[0]) == reed, "it is a reed")
+		check(before.get_plant_count() > 1, "the field has filled")
+		await frames(3)
+		if before != _field:
+			before.free()
+
+
 func test_freed_by_a_handler_of_its_signals() -> void:
 	var field: PlantField3D = _field.duplicate()
 	field.fill_progressed.connect(func(_ratio: float) -> void: field.queue_free())

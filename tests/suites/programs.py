@@ -9,6 +9,7 @@ import sys
 from .result import Result, run
 
 DOCTEST_TOTAL = re.compile(r"test cases:\s*\d+ \|\s*(\d+) passed \|\s*(\d+) failed")
+TIMEOUT = 900  # s: sanitizers take ten times as long, more on a busy machine.
 SANITIZER_OPTIONS = {
     "ASAN_OPTIONS": "abort_on_error=1:detect_stack_use_after_return=1",
     "UBSAN_OPTIONS": "print_stacktrace=1:halt_on_error=1",
@@ -29,7 +30,8 @@ def without_address_randomisation():
 def doctest(name, program):
     """The tests of a doctest program; a sanitizer's report aborts it and is a failure."""
     prefix = without_address_randomisation() if name == "tsan" else []
-    output, problem = run(name, [*prefix, program, "--no-colors"], environment={**os.environ, **SANITIZER_OPTIONS})
+    output, problem = run(name, [*prefix, program, "--no-colors"], timeout=TIMEOUT,
+                          environment={**os.environ, **SANITIZER_OPTIONS})
     return read_doctest(name, output, problem)
 
 

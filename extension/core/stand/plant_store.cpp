@@ -39,6 +39,9 @@ ChangeSet PlantStore::apply(StandEdit &&edit) {
 	for (const PlantPlace &place : edit.removed) {
 		remove(place, changes);
 	}
+	// Whoever went before the last one of a block is told of with it.
+	const auto is_empty = [this](const PlantPlace &place) { return block(place.block).size() == 0; };
+	changes.gone.erase(std::remove_if(changes.gone.begin(), changes.gone.end(), is_empty), changes.gone.end());
 	for (const PlacedPlant &plant : edit.added) {
 		changes.added.push_back(added_plant_id(next_added++));
 		add(plant, changes.added.back(), changes);

@@ -146,6 +146,9 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 }
 
 ChangeSet Meadow::apply(StandEdit &&edit) {
+	if (edit.removed.empty() && edit.added.empty()) {
+		return {}; // There may be no motion yet.
+	}
 	motion.wait();
 	std::vector<TileKey> touched;
 	for (const PlantPlace &place : edit.removed) {

@@ -112,11 +112,25 @@ void Meadow::fill(bool places) {
 	const String fault = make_recipe(recipe, places || placed_before);
 	listener.fault(fault);
 	if (!fault.is_empty()) {
+		removed_meanwhile.clear();
 		return;
 	}
 	job = std::make_unique<FieldFill>(std::move(recipe));
 	told_progress = -1.0f;
 	job->start();
+}
+
+bool Meadow::grows_without(int species) const {
+	if (!job) {
+		return false;
+	}
+	const std::vector<int> &numbers = job->species_numbers();
+	return size_t(species) >= numbers.size() || numbers[size_t(species)] < 0;
+}
+
+void Meadow::stop_growing() {
+	rays.reset();
+	job.reset();
 }
 
 // In a physics frame: only then may everybody ask physics.

@@ -221,3 +221,19 @@ TEST_CASE("names of nobody are nobody's") {
 		CHECK(store.find(id).block == -1);
 	}
 }
+
+TEST_CASE("when all plants that were added in a place are removed at once, only their block is told of") {
+	PlantStore store;
+	StandEdit planting;
+	planting.added = { plant_at(1.0f, 1.0f), plant_at(2.0f, 2.0f), plant_at(3.0f, 3.0f), plant_at(40.0f, 1.0f) };
+	const ChangeSet planted = store.apply(std::move(planting));
+	StandEdit mowing;
+	for (int i = 0; i < 3; i++) {
+		mowing.removed.push_back(store.find(planted.added[static_cast<std::size_t>(i)]));
+	}
+	mowing.added = { plant_at(50.0f, 50.0f) }; // It may take the block's number.
+	const ChangeSet mown = store.apply(std::move(mowing));
+	CHECK(mown.dropped.size() == 1);
+	CHECK(mown.gone.empty());
+	CHECK(store.plant_count() == 2);
+}

@@ -1,0 +1,183 @@
+#include "field_fixture.hpp"
+#include "stand/plant_store.hpp"
+#include "stand/test_placement_fixture.hpp"
+
+#include <doctest/doctest.h>
+
+#include <thread>
+#include <utility>
+
+using namespace undergrowth;
+
+namespace {
+
+constexpr int ROUNDS = 48;
+constexpr int ROUNDS_OF_GROWTH = 6; ///< So many steps go on beside one filling.
+constexpr float TILE = 4.0f; // m.
+constexpr float SIDE = 24.0f; // m.
+
+/// What stands and how it moves, edited between steps on the main thread as a field does it.
+class Stand {
+public:
+	explicit Stand(int prototypes) : simulation(settings_of(prototypes)) {
+		for (const Law law : { Law::elasticity, Law::spring }) {
+			simulation.add_species(species_of(law));
+		}
+		simulation.set_wind(wave_wind());
+	}
+
+	void apply(StandEdit &&edit) {
+		const ChangeSet changes = store.apply(std::move(edit));
+		pages.resize(static_cast<std::size_t>(store.block_count()), -1);
+		for (const int block : changes.dropped) {
+			if (page(block) >= 0) {
+				simulation.remove_page(std::exchange(page(block), -1));
+			}
+		}
+		for (const ChangeSet::Grown &grown : changes.grown) {
+			grow(grown);
+		}
+		for (const PlantPlace &place : changes.gone) {
+			simulation.drop(page(place.block), place.slot);
+		}
+	}
+
+	/// The present step on `threads` threads, while this one looks plants up.
+	void step(int threads) {
+		simulation.begin_step();
+		const int count = simulation.page_count();
+		std::vector<std::thread> pool;
+		for (int i = 0; i < threads; i++) {
+			pool.emplace_back([this, i, threads, count] {
+				simulation.step_pages(count * i / threads, count * (i + 1) / threads);
+			});
+		}
+		std::vector<PlantPlace> found;
+		store.find_in_sphere({ 2.0f, 0.0f, 1.0f }, 5.0f, found);
+		for (const PlantPlace &place : found) {
+			seen += store.find(store.id(place)) == place ? 1 : 0;
+		}
+		for (std::thread &thread : pool) {
+			thread.join();
+		}
+	}
+
+	/// Takes every third plant near `centre` away, and plants as many beside it.
+	void edit_near(const glm::vec3 &centre) {
+		std::vector<PlantPlace> found;
+		store.find_in_sphere(centre, 2.0f, found);
+		StandEdit edit;
+		for (std::size_t i = 0; i < found.size(); i += 3) {
+			edit.removed.push_back(found[i]);
+			PlacedPlant plant;
+			plant.root = centre + glm::vec3(0.1f * static_cast<float>(i), 0.0f, 0.3f);
+			plant.species = static_cast<int>(i % 2);
+			edit.added.push_back(plant);
+		}
+		apply(std::move(edit));
+	}
+
+	uint64_t hash() const {
+		GoldenHash all;
+		const uint64_t motion = hash_field(simulation);
+		all.add(&motion, 1).add(&seen, 1).add(store.ids());
+		return all.value();
+	}
+
+	FieldSimulation simulation;
+	PlantStore store;
+	int seen = 0;
+
+private:
+	std::vector<int> pages; ///< By block.
+
+	static FieldSettings settings_of(int prototypes) {
+		FieldSettings settings;
+		settings.update_interval = 2;
+		settings.prototypes = prototypes;
+		return settings;
+	}
+
+	int &page(int block) { return pages[static_cast<std::size_t>(block)]; }
+
+	void grow(const ChangeSet::Grown &grown) {
+		const PlantBlock &block = store.block(grown.block);
+		std::vector<MotionPlant> plants(static_cast<std::size_t>(block.size() - grown.first));
+		for (std::size_t i = 0; i < plants.size(); i++) {
+			plants[i].root = block.root(grown.first + static_cast<int>(i));
+			plants[i].length = 0.7f;
+		}
+		const int count = static_cast<int>(plants.size());
+		if (page(grown.block) < 0) {
+			page(grown.block) = simulation.add_page(block.species, plants.data(), count);
+		} else {
+			REQUIRE(simulation.add_to_page(page(grown.block), plants.data(), count));
+		}
+	}
+};
+
+/// A filling that grows on a thread of its own, from copies: where to plant, and what stood.
+class Growth {
+public:
+	Growth(const PlantStore &store, const PlacementRequest &wanted) : request(wanted) {
+		for (int number = 0; number < store.block_count(); number++) {
+			standing.push_back(store.block(number));
+		}
+		worker = std::thread([this] { work(); });
+	}
+
+	/// Waits for it.
+	StandEdit take() {
+		worker.join();
+		return std::move(edit);
+	}
+
+	int stood = 0;
+
+private:
+	PlacementRequest request;
+	std::vector<PlantBlock> standing;
+	StandEdit edit;
+	std::thread worker;
+
+	void work() {
+		for (const PlantBlock &block : standing) {
+			stood += block.standing();
+		}
+		edit.fills = true;
+		edit.tile_size = TILE;
+		edit.spacing = Placement(request).cell_size();
+		edit.filled = cut_into_blocks(placed(request), TILE);
+	}
+};
+
+uint64_t run(int prototypes, int threads) {
+	Stand stand(prototypes);
+	PlacementRequest request = square_field(SIDE, 4.0f, 2);
+	stand.apply(Growth(stand.store, request).take());
+	for (int i = 0; i < ROUNDS; i += ROUNDS_OF_GROWTH) {
+		// The same meadow with a lane through other tiles.
+		const float lane = static_cast<float>(i % 20) - 10.0f;
+		request.exclusions = { { { lane, -20.0f }, { lane + 3.0f, -20.0f }, { lane + 3.0f, 20.0f }, { lane, 20.0f } } };
+		const int before = stand.store.plant_count();
+		Growth growth(stand.store, request);
+		for (int j = 0; j < ROUNDS_OF_GROWTH; j++) {
+			stand.step(threads);
+			stand.edit_near({ static_cast<float>(j) - 3.0f, 0.0f, static_cast<float>(i % 7) });
+		}
+		stand.apply(growth.take());
+		CHECK(growth.stood == before);
+	}
+	stand.step(threads);
+	CHECK(stand.seen > 0);
+	return stand.hash();
+}
+
+} // namespace
+
+TEST_CASE("plants are planted, mown and grown anew beside the steps with the same bits on any number of threads") {
+	for (const int prototypes : { 0, 16 }) {
+		const uint64_t single = run(prototypes, 1);
+		CHECK(run(prototypes, 4) == single);
+	}
+}

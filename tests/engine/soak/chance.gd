@@ -1,0 +1,120 @@
+## Chance values: for a property by what its hint says, for an argument by its type. Some are
+## absurd.
+extends RefCounted
+
+const ODD_NUMBERS: Array[float] = [0.0, -1.0, 1e-30, 1e30, -1e9, NAN, INF, -INF, 0.5, 1.0]
+const ODD_INTEGERS: Array[int] = [0, -1, 1, 2, 63, 64, 65, 2147483647, -9223372036854775808]
+## Where more would take minutes: what one plant, one field or one mesh costs by.
+const MOST: Dictionary[String, float] = {
+	"density": 60.0,
+	"density_factor": 3.0,
+	"variants": 6.0,
+	"segments": 14.0,
+	"lobes": 12.0,
+	"delta": 0.3,
+	"seconds": 100.0,
+}
+const WIDEST_FIELD := 14.0
+## Of values with a hint, these are without regard to it.
+const ODD_SHARE := 0.12
+
+var rng := RandomNumberGenerator.new()
+
+
+func chance(share: float) -> bool:
+	return rng.randf() < share
+
+
+func pick(from: Array) -> Variant:
+	return null if from.is_empty() else from[rng.randi_range(0, from.size() - 1)]
+
+
+## A value for what [param info] describes, as in a property list; null where its type is unknown.
+func value(info: Dictionary) -> Variant:
+	var made: Variant = null
+	match int(info["type"]):
+		TYPE_BOOL:
+			made = chance(0.5)
+		TYPE_INT:
+			made = _capped(info, _integer(info))
+		TYPE_FLOAT:
+			made = _capped(info, _number(info))
+		TYPE_VECTOR2:
+			if info["name"] == "size":
+				made = Vector2(rng.randf(), rng.randf()) * WIDEST_FIELD
+			else:
+				made = Vector2(_number(info), _number(info))
+		TYPE_VECTOR3:
+			made = point()
+		TYPE_COLOR:
+			made = Color(rng.randf(), rng.randf(), rng.randf())
+		TYPE_AABB:
+			made = AABB(place(), place())
+		TYPE_TRANSFORM3D:
+			made = transform()
+		TYPE_STRING_NAME:
+			made = pick([&"walkers", &"", &"nobody"])
+	return made
+
+
+## Somewhere about the field.
+func place() -> Vector3:
+	return Vector3(
+		rng.randf_range(-8.0, 8.0), rng.randf_range(-0.5, 2.0), rng.randf_range(-8.0, 8.0)
+	)
+
+
+## The same, now and then far away or nowhere.
+func point() -> Vector3:
+	if chance(0.03):
+		return Vector3(pick(ODD_NUMBERS), pick(ODD_NUMBERS), pick(ODD_NUMBERS))
+	return place()
+
+
+## Turned and scaled alike along all axes.
+func transform() -> Transform3D:
+	var axis := Vector3(rng.randfn(), rng.randfn() + 2.0, rng.randfn()).normalized()
+	var scale := Vector3.ONE * rng.randf_range(0.3, 1.5)
+	return Transform3D(Basis(axis, rng.randf_range(-3.0, 3.0)).scaled(scale), place())
+
+
+## The same, now and then flat, mirrored, stretched or nowhere.
+func odd_transform() -> Transform3D:
+	var odd := transform()
+	if chance(0.1):
+		odd.basis = (
+			odd.basis
+			* Basis.from_scale(pick([Vector3.ZERO, Vector3(1, -1, 1), Vector3(1, 4, 0.1)]))
+		)
+	odd.origin = point()
+	return odd
+
+
+func _number(info: Dictionary) -> float:
+	if chance(ODD_SHARE):
+		return pick(ODD_NUMBERS)
+	var range := _range_of(info)
+	return lerpf(range.x, range.y, pow(rng.randf(), 2.0))
+
+
+func _integer(info: Dictionary) -> int:
+	if chance(ODD_SHARE):
+		return pick(ODD_INTEGERS)
+	var range := _range_of(info)
+	return int(lerpf(range.x, range.y + 1.0, pow(rng.randf(), 2.0)))
+
+
+func _range_of(info: Dictionary) -> Vector2:
+	var hint: String = info.get("hint_string", "")
+	match int(info.get("hint", PROPERTY_HINT_NONE)):
+		PROPERTY_HINT_RANGE:
+			var words := hint.split(",")
+			return Vector2(float(words[0]), float(words[1]))
+		PROPERTY_HINT_ENUM:
+			return Vector2(0.0, hint.count(","))
+	return Vector2(0.0, 10.0)
+
+
+func _capped(info: Dictionary, number: Variant) -> Variant:
+	var most: float = MOST.get(info["name"], INF)
+	return number if not number > most else type_convert(most, typeof(number))

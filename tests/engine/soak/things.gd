@@ -1,0 +1,251 @@
+## Makes and changes what the soak plays with. It knows the nodes that there are, by the world's
+## lists.
+extends "res://tests/engine/soak/chance.gd"
+
+const FUNCTIONS: Array[StringName] = [
+	&"GrassFunction",
+	&"ReedFunction",
+	&"CattailFunction",
+	&"TulipFunction",
+	&"BellflowerFunction",
+	&"CurvePlantFunction",
+]
+const SHAPES: Array[StringName] = [
+	&"BoxShape3D",
+	&"SphereShape3D",
+	&"CapsuleShape3D",
+	&"CylinderShape3D",
+	&"WorldBoundaryShape3D",
+	&"ConvexPolygonShape3D",
+]
+const ScriptSpecies := preload("res://tests/engine/soak/script_species.gd")
+const MOST_IDS := 60
+
+var winds: Array[PlantWind] = [PlantWind.new(), PlantWind.new()]
+
+var _fields: Array[PlantField3D]
+var _others: Array[Node3D]
+var _functions: Array[PlantFunction] = [ScriptSpecies.new()]
+var _entries: Array[PlantFieldSpecies] = []
+var _levels: Array[PlantFieldLevel] = []
+var _materials: Array[Material] = [StandardMaterial3D.new(), ShaderMaterial.new()]
+## Some that stood once.
+var _known_ids: PackedInt64Array = []
+
+
+func _init(seed: int, fields: Array[PlantField3D], others: Array[Node3D]) -> void:
+	rng.seed = seed + 1000003
+	_fields = fields
+	_others = others
+	for title in FUNCTIONS:
+		_functions.append(ClassDB.instantiate(title))
+	for function in _functions:
+		_entries.append(PlantFieldSpecies.of(function, rng.randf()))
+	for i in 4:
+		_levels.append(PlantFieldLevel.of(rng.randi_range(1, 8), i * 4.0))
+	var shader := Shader.new()
+	shader.code = "shader_type spatial; uniform float a = 0.5; void fragment() { ALBEDO = vec3(a); }"
+	(_materials[1] as ShaderMaterial).shader = shader
+
+
+func new_field() -> PlantField3D:
+	var field := (
+		PlantField3D.from_species(_some(_functions, 3)) if chance(0.5) else PlantField3D.new()
+	)
+	field.size = Vector2(4.0 + WIDEST_FIELD * rng.randf(), 6.0)
+	field.density = rng.randf_range(1.0, 40.0)
+	field.bodies_group = &"walkers"
+	field.wind = pick(winds)
+	return field
+
+
+func new_plant() -> Plant3D:
+	var plant := Plant3D.new()
+	plant.species = pick(_functions)
+	plant.wind = pick(winds)
+	plant.position = place()
+	return plant
+
+
+## A path, a body, a mesh for the ground, a camera, or a node that others hang from.
+func new_other() -> Node3D:
+	match rng.randi_range(0, 6):
+		0:
+			var path := Path3D.new()
+			edit_path(path)
+			return path
+		1:
+			var ground := MeshInstance3D.new()
+			ground.mesh = PlaneMesh.new() if chance(0.5) else BoxMesh.new()
+			ground.scale = Vector3(8.0, 1.0, 8.0)
+			return ground
+		2:
+			var camera := Camera3D.new()
+			camera.current = chance(0.5)
+			camera.position = place()
+			return camera
+		3:
+			return Node3D.new()
+	return _new_body()
+
+
+func edit_path(path: Path3D) -> void:
+	if path == null:
+		return
+	path.curve = null if chance(0.1) else Curve3D.new()
+	for i in rng.randi_range(0, 8) if path.curve != null else 0:
+		path.curve.add_point(place(), place() * 0.1, place() * 0.1)
+
+
+func any_resource() -> Resource:
+	return pick(pick([_functions, _functions, _entries, _levels, _materials]))
+
+
+## Sets one property of [param object], which [param info] describes, by chance.
+func change(object: Object, info: Dictionary) -> void:
+	if info == null or info["usage"] & PROPERTY_USAGE_READ_ONLY:
+		return
+	var title: String = info["name"]
+	match title:
+		"species":
+			object.set(title, pick(_functions) if not object is PlantField3D else _entry_list())
+		"levels":
+			object.set(title, _level_list())
+		"wind":
+			object.set(title, null if chance(0.1) else pick(winds))
+		"material", "material_override", "material_overlay":
+			object.set(title, null if chance(0.4) else pick(_materials))
+		"outline", "ground_mesh":
+			object.set(title, NodePath() if chance(0.3) else _path_from(object as Node))
+		"exclusions":
+			object.set(title, _path_list(object as Node))
+		_:
+			# The engine itself takes no nodes that are nowhere.
+			var chosen: Variant = place() if info["type"] == TYPE_VECTOR3 else value(info)
+			if chosen != null:
+				object.set(title, chosen)
+
+
+## Calls a method of [param object], which [param info] describes, with arguments by chance.
+func ask(object: Object, info: Dictionary) -> void:
+	var arguments: Array = []
+	for argument: Dictionary in info["args"]:
+		arguments.append(_argument(object, argument))
+	var answer: Variant = object.callv(info["name"], arguments)
+	if answer is PackedInt64Array and not answer.is_empty():
+		_known_ids = answer.slice(0, MOST_IDS)
+	if answer is Node and not answer.is_inside_tree() and answer != object:
+		answer.free()
+
+
+func _argument(object: Object, info: Dictionary) -> Variant:
+	var made: Variant = null
+	match info["name"]:
+		"id":
+			made = pick(_ids(object)) if chance(0.95) else rng.randi()
+		"ids":
+			made = _ids(object)
+		"state":
+			made = _state()
+		"transforms":
+			made = _transforms()
+		"functions":
+			made = _some(_functions, 4)
+		"shares":
+			made = PackedFloat32Array([rng.randf(), -rng.randf(), NAN])
+		"species":
+			made = null if chance(0.05) else pick(_functions)
+		"wind":
+			made = pick(winds)
+		"skeleton":
+			var field := object as PlantField3D
+			made = pick(field.get_skeletons()) if field != null and chance(0.8) else null
+		_:
+			made = value(info)
+	return made
+
+
+## Of plants that stand, some of others that did, and some twice.
+func _ids(object: Object) -> PackedInt64Array:
+	var ids := PackedInt64Array()
+	var field := object as PlantField3D
+	if field != null and chance(0.9):
+		var all := field.get_plant_ids()
+		for i in rng.randi_range(1, MOST_IDS) if not all.is_empty() else 0:
+			ids.append(all[rng.randi_range(0, all.size() - 1)])
+	if ids.is_empty() or chance(0.15):
+		ids.append_array(_known_ids)
+	if ids.is_empty():
+		ids.append(rng.randi())
+	return ids
+
+
+func _state() -> PackedFloat32Array:
+	var state := PackedFloat32Array()
+	state.resize(6 * rng.randi_range(0, MOST_IDS))
+	for i in state.size():
+		state[i] = rng.randfn() if chance(0.99) else pick(ODD_NUMBERS)
+	return state
+
+
+func _transforms() -> Variant:
+	if chance(0.05):
+		return "nonsense"
+	var transforms: Array[Transform3D] = []
+	for i in rng.randi_range(0, MOST_IDS):
+		transforms.append(odd_transform())
+	return transforms
+
+
+func _some(from: Array, most: int) -> Array:
+	var some: Array = []
+	for i in rng.randi_range(0, most):
+		some.append(pick(from))
+	return some
+
+
+func _entry_list() -> Array[PlantFieldSpecies]:
+	var list: Array[PlantFieldSpecies] = []
+	list.assign(_some(_entries, 4))
+	if chance(0.05):
+		list.append(null)
+	return list
+
+
+func _level_list() -> Array[PlantFieldLevel]:
+	var list: Array[PlantFieldLevel] = []
+	list.assign(_some(_levels, 4))
+	if chance(0.05):
+		list.append(null)
+	return list
+
+
+func _path_from(node: Node) -> NodePath:
+	var target: Node = pick(_others + _fields)
+	if target == null or node == null or not node.is_inside_tree() or not target.is_inside_tree():
+		return ^"../nowhere"
+	return node.get_path_to(target)
+
+
+func _path_list(node: Node) -> Array[NodePath]:
+	var list: Array[NodePath] = []
+	for i in rng.randi_range(0, 3):
+		list.append(_path_from(node))
+	return list
+
+
+func _new_body() -> Node3D:
+	var body: CollisionObject3D = (
+		pick([StaticBody3D.new, AnimatableBody3D.new, CharacterBody3D.new, Area3D.new]).call()
+	)
+	body.position = place()
+	for i in rng.randi_range(0, 2):
+		var shape := CollisionShape3D.new()
+		shape.shape = null if chance(0.1) else ClassDB.instantiate(pick(SHAPES))
+		if shape.shape is ConvexPolygonShape3D:
+			shape.shape.points = PackedVector3Array([place(), place(), place(), place(), place()])
+		shape.position = place() * 0.1
+		body.add_child(shape)
+	if chance(0.8):
+		body.add_to_group(&"walkers")
+	return body

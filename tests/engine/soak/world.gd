@@ -1,0 +1,209 @@
+## What a round of the soak plays with: fields and plants, and all that they look at. Each action
+## changes, asks, moves or frees one thing by chance.
+extends "res://tests/engine/soak/chance.gd"
+
+const Things := preload("res://tests/engine/soak/things.gd")
+const MOST_FIELDS := 3
+const MOST_PLANTS := 12
+const MOST_OTHERS := 24
+## Classes whose own properties are changed.
+const SHOWN: Array[StringName] = [&"PlantField3D", &"Plant3D", &"GeometryInstance3D", &"Node3D"]
+
+var root: Node
+var things: Things
+var fields: Array[PlantField3D] = []
+var plants: Array[Plant3D] = []
+## Paths, bodies, meshes, cameras and groups that fields look at or stand below.
+var others: Array[Node3D] = []
+
+var _actions: Array[Callable] = []
+
+
+func _init(new_root: Node, seed: int) -> void:
+	root = new_root
+	rng.seed = seed
+	things = Things.new(seed, fields, others)
+	_add(Camera3D.new(), others)
+	_add_field()
+	var often: Array[Callable] = [
+		_change_field, _change_field, _ask_field, _ask_field, _change_resource
+	]
+	_actions = [_change_plant, _ask_plant, _add_field, _add_plant, _add_other, _free_other]
+	_actions += [
+		_free_field, _free_plant, _move, _move, _reparent, _pause, _change_wind, _edit_path
+	]
+	_actions += often + often
+
+
+func act() -> void:
+	_forget_freed()
+	var action: Callable = pick(_actions)
+	action.call()
+
+
+## Frees everything, in an order by chance.
+func end() -> void:
+	_forget_freed()
+	var ids: PackedInt64Array = []
+	for node: Node in fields + plants + others:
+		ids.append(node.get_instance_id())
+	while not ids.is_empty():
+		var index := rng.randi_range(0, ids.size() - 1)
+		if is_instance_id_valid(ids[index]):
+			instance_from_id(ids[index]).free()
+		ids.remove_at(index)
+
+
+func _forget_freed() -> void:
+	for list: Array in [fields, plants, others]:
+		for i in range(list.size() - 1, -1, -1):
+			if not is_instance_valid(list[i]) or list[i].is_queued_for_deletion():
+				list.remove_at(i)
+
+
+func _add(node: Node3D, list: Array) -> void:
+	list.append(node)
+	var parent: Node = pick(others) if not others.is_empty() and chance(0.2) else root
+	if parent != node:
+		parent.add_child(node)
+	else:
+		root.add_child(node)
+
+
+func _add_field() -> void:
+	if fields.size() < MOST_FIELDS:
+		var field := things.new_field()
+		field.filled.connect(_on_filled.bind(field))
+		_add(field, fields)
+
+
+func _add_plant() -> void:
+	if plants.size() < MOST_PLANTS:
+		_add(things.new_plant(), plants)
+
+
+func _add_other() -> void:
+	if others.size() < MOST_OTHERS:
+		_add(things.new_other(), others)
+
+
+func _free_other() -> void:
+	if others.size() > 2:
+		_free(pick(others), 1.0)
+
+
+func _free_field() -> void:
+	_free(pick(fields), 0.15)
+
+
+func _free_plant() -> void:
+	_free(pick(plants), 0.3)
+
+
+func _free(node: Node, share: float) -> void:
+	if node != null and chance(share):
+		if chance(0.5):
+			node.free()
+		else:
+			node.queue_free()
+
+
+func _change_field() -> void:
+	_change(pick(fields))
+
+
+func _change_plant() -> void:
+	_change(pick(plants))
+
+
+## Several at once now and then, as who loads settings does.
+func _change(node: Node3D) -> void:
+	for i in rng.randi_range(1, 3) if node != null else 0:
+		var shown := SHOWN.filter(node.is_class)
+		var properties := ClassDB.class_get_property_list(
+			shown[0] if chance(0.8) else pick(shown), true
+		)
+		things.change(node, pick(properties))
+
+
+func _ask_field() -> void:
+	_ask(pick(fields))
+
+
+func _ask_plant() -> void:
+	_ask(pick(plants))
+
+
+func _ask(node: Node3D) -> void:
+	if node == null:
+		return
+	var methods := ClassDB.class_get_method_list(node.get_class(), true).filter(_is_asked)
+	things.ask(node, pick(methods))
+
+
+func _is_asked(method: Dictionary) -> bool:
+	var title: String = method["name"]
+	var is_setter := title.begins_with("set_") and title != "set_motion_state"
+	return not is_setter and (not title.begins_with("_") or title == "_preview")
+
+
+func _change_resource() -> void:
+	var resource := things.any_resource()
+	if resource != null:
+		things.change(resource, pick(resource.get_property_list().filter(_is_stored)))
+
+
+func _is_stored(property: Dictionary) -> bool:
+	return (
+		property["usage"] & PROPERTY_USAGE_STORAGE
+		and not property["name"] in ["resource_path", "script"]
+	)
+
+
+func _change_wind() -> void:
+	var wind: PlantWind = pick(things.winds)
+	if chance(0.5):
+		things.ask(wind, pick(ClassDB.class_get_method_list(&"PlantWind", true).filter(_is_asked)))
+	else:
+		things.change(wind, pick(ClassDB.class_get_property_list(&"PlantWind", true)))
+
+
+func _move() -> void:
+	var node: Node3D = pick(others + fields + plants if chance(0.3) else others)
+	if node != null:
+		node.transform = transform() if chance(0.3) else Transform3D(Basis.IDENTITY, place())
+		node.visible = chance(0.9)
+
+
+func _reparent() -> void:
+	var node: Node3D = pick(fields + plants + others)
+	var parent: Node = pick(others) if chance(0.5) else root
+	if node == null or parent == node or node.is_ancestor_of(parent):
+		return
+	if chance(0.5) and node.is_inside_tree():
+		node.reparent(parent, chance(0.5))
+		return
+	if node.get_parent() != null:
+		node.get_parent().remove_child(node)
+	if chance(0.7):
+		parent.add_child(node)
+
+
+func _pause() -> void:
+	var tree := Engine.get_main_loop() as SceneTree
+	tree.paused = chance(0.2)
+	Engine.time_scale = pick([1.0, 1.0, 1.0, 0.0, 0.1, 20.0])
+
+
+func _edit_path() -> void:
+	things.edit_path(pick(others.filter(func(node: Node3D) -> bool: return node is Path3D)))
+
+
+## Scripts do things while they are told.
+func _on_filled(field: PlantField3D) -> void:
+	if chance(0.2):
+		_ask(field)
+	elif chance(0.1):
+		_change(field)
+	elif chance(0.05):
+		field.queue_free()
