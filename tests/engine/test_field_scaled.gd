@@ -129,6 +129,8 @@ func test_no_part_of_a_deviating_plant_is_culled() -> void:
 	function.lean = 0.0
 	function.shape_deviation = 1.0
 	function.radius = 0.6
+	function.height_min = 0.1
+	function.height_max = 0.1
 	field.density = 0.0
 	field.levels = [PlantFieldLevel.of(12)]
 	_stage.add_child(field)
