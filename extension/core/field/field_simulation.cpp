@@ -69,14 +69,16 @@ int FieldSimulation::add_page(int species, const MotionPlant *plants, int count)
 	}
 	const MotionSpecies &kind = kinds[static_cast<std::size_t>(species)];
 	const float step_length = options.step * static_cast<float>(options.update_interval);
-	Entry entry = { MotionPage(species, kind, plants, count, step_length, models.empty()), {}, 1, 1, 0, -1, false };
+	Entry entry = { MotionPage(species, kind, plants, count, step_length, models.empty()), {}, 1, 1, 0, 0, -1, false };
 	entry.interval = options.update_interval;
 	const auto is_free = [](const Entry &one) { return one.is_free; };
-	const auto place = std::find_if(entries.begin(), entries.end(), is_free);
+	const auto place = free_pages > 0 ? std::find_if(entries.begin(), entries.end(), is_free) : entries.end();
 	const int number = static_cast<int>(place - entries.begin());
+	entry.phase = number;
 	if (place == entries.end()) {
 		entries.push_back(std::move(entry));
 	} else {
+		free_pages--;
 		entry.loose_version = place->loose_version + 1; // Whoever remembers the old one sees a change.
 		*place = std::move(entry);
 	}
@@ -95,7 +97,11 @@ bool FieldSimulation::add_to_page(int page, const MotionPlant *plants, int count
 
 /// What plants that a page has just got mean for the field: its box, and whom they follow.
 void FieldSimulation::take_in(Entry &entry, const MotionPlant *plants, int count) {
-	update_box();
+	if (count > 0) {
+		grow_box(entry.page, plant_rows == 0);
+		plant_rows += count;
+		update_delays();
+	}
 	if (models.empty()) {
 		return;
 	}
@@ -106,16 +112,19 @@ void FieldSimulation::take_in(Entry &entry, const MotionPlant *plants, int count
 	loose_of(entry).reserve(count_of_species(entry.page.species()));
 }
 
+void FieldSimulation::grow_box(const MotionPage &page, bool is_first) {
+	box_low = is_first ? page.low() : glm::min(box_low, page.low());
+	box_high = is_first ? page.high() : glm::max(box_high, page.high());
+}
+
 /// The box of all plants, and what depends on it.
 void FieldSimulation::update_box() {
-	bool is_first = true;
+	plant_rows = 0;
 	for (const Entry &entry : entries) {
-		if (entry.page.size() == 0) {
-			continue;
+		if (entry.page.size() > 0) {
+			grow_box(entry.page, plant_rows == 0);
+			plant_rows += entry.page.size();
 		}
-		box_low = is_first ? entry.page.low() : glm::min(box_low, entry.page.low());
-		box_high = is_first ? entry.page.high() : glm::max(box_high, entry.page.high());
-		is_first = false;
 	}
 	update_delays();
 }
@@ -137,6 +146,7 @@ void FieldSimulation::remove_page(int page) {
 	const int species = entry.page.species();
 	entry.page =
 			MotionPage(species, kinds[static_cast<std::size_t>(species)], nullptr, 0, options.step, models.empty());
+	free_pages += entry.is_free ? 0 : 1;
 	entry.is_free = true;
 	update_box();
 }
@@ -160,6 +170,8 @@ void FieldSimulation::settle() {
 
 void FieldSimulation::clear() {
 	entries.clear();
+	free_pages = 0;
+	plant_rows = 0;
 	loose.clear();
 	for (const Prototypes &model : models) {
 		const int species = static_cast<int>(&model - models.data());
@@ -189,7 +201,7 @@ bool FieldSimulation::is_due(int page, int64_t number) const {
 	const int interval = page_interval(page);
 	// A page whose interval became shorter first comes to the end of the step that it has done: nothing jumps.
 	const bool is_free = at(page).last_step < 0 || number >= at(page).last_step + at(page).interval;
-	return is_free && number % interval == page % interval;
+	return is_free && number % interval == at(page).phase % interval;
 }
 
 void FieldSimulation::set_bodies(const FieldBody *bodies, int count) {
@@ -204,7 +216,7 @@ void FieldSimulation::step_prototypes(int64_t number) {
 	for (Prototypes &model : models) {
 		const double moment = static_cast<double>(number) + model.wind_moment();
 		const double moment_time = moment * static_cast<double>(options.step) + static_cast<double>(lead);
-		model.step(wind_at_time(wind, moment_time), along);
+		model.step(wind_at_time(wind, along, moment_time), along);
 	}
 }
 
@@ -242,7 +254,7 @@ void FieldSimulation::step_page(Entry &entry, int interval) {
 		entry.page.set_step_length(step_length);
 	}
 	const double moment = static_cast<double>(entry.last_step) + entry.page.wind_moment() * interval;
-	entry.page.step(wind_at_time(blowing, moment * static_cast<double>(options.step)), along);
+	entry.page.step(wind_at_time(blowing, along, moment * static_cast<double>(options.step)), along);
 	for (const FieldBody &body : pushing) {
 		push_plants(entry.page, body);
 	}

@@ -24,7 +24,7 @@ struct FieldSettings {
 /// A step is begin_step(), then step_pages() once for every page, in any split and on any threads: the bits are the
 /// same. Step n covers the time from n·step to (n + interval)·step, by one step of that length under the wind at its
 /// MotionPage::wind_moment(), so that what is shown, the way from the bend before to the bend after (alpha()), is never
-/// late. A page whose interval is k steps at steps n with n % k == page % k: never all pages in one step (thesis,
+/// late. A page whose interval is k steps at steps n with n % k == phase % k: never all pages in one step (thesis,
 /// section 5.3.1). Nothing allocates between begin_step() and the next change of the field.
 ///
 /// Plants are named by page and index, which stay theirs.
@@ -74,6 +74,9 @@ public:
 	/// that it has done is over.
 	void set_page_multiple(int page, int multiple);
 	int page_interval(int page) const;
+	/// In which of the steps of its interval a page is due; its number, unless this says otherwise. Pages whose poses
+	/// are sent together are best due together. Before the page's first step.
+	void set_page_phase(int page, int phase) { at(page).phase = phase; }
 	/// What pushes plants in the coming steps; bodies that are not valid are left out. A follower that is pushed swings
 	/// by itself until it has rung down (LoosePlants).
 	void set_bodies(const FieldBody *bodies, int count);
@@ -88,6 +91,8 @@ public:
 	void step_pages(int begin, int end);
 	/// Plants that the next step will step, prototypes included.
 	int due_count() const;
+	/// Of one page.
+	int due_count(int page) const;
 	/// begin_step() and step_pages() of all.
 	void step();
 
@@ -138,6 +143,7 @@ private:
 		int multiple = 1;
 		int interval = 1; ///< Of the last step, in steps.
 		int loose_version = 0;
+		int phase = 0;
 		int64_t last_step = -1;
 		bool is_free = false; ///< Nobody's, for the next add_page().
 	};
@@ -149,6 +155,8 @@ private:
 	std::vector<Prototypes> models; ///< One for each species, or none.
 	std::vector<LoosePlants> loose; ///< As many.
 	std::vector<Entry> entries;
+	int free_pages = 0;
+	int plant_rows = 0; ///< Of all pages: the box is that of so many.
 	std::vector<FieldBody> pushing;
 	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
@@ -158,6 +166,7 @@ private:
 
 	const Entry &at(int page) const { return entries[static_cast<std::size_t>(page)]; }
 	Entry &at(int page) { return entries[static_cast<std::size_t>(page)]; }
+	void grow_box(const MotionPage &page, bool is_first);
 	void update_box();
 	void take_in(Entry &entry, const MotionPlant *plants, int count);
 	void step_prototypes(int64_t number);

@@ -50,9 +50,13 @@ int FieldSimulation::due_count() const {
 		due += some.count();
 	}
 	for (int page = 0; page < page_count(); page++) {
-		due += at(page).page.swings() && is_due(page, next_step) ? at(page).page.standing() : 0;
+		due += due_count(page);
 	}
 	return due;
+}
+
+int FieldSimulation::due_count(int page) const {
+	return at(page).page.swings() && is_due(page, next_step) ? at(page).page.standing() : 0;
 }
 
 float FieldSimulation::alpha(int page, float fraction) const {

@@ -144,8 +144,9 @@ void FieldFill::simulate() {
 		for (int slot = 0; slot < block.size(); slot++) {
 			simulated.push_back(result.style.looks[size_t(block.species)].to_simulate(block.plants.plant(slot)));
 		}
-		result.simulation->add_page(block.species, simulated.data(), int(simulated.size()));
+		const int page = result.simulation->add_page(block.species, simulated.data(), int(simulated.size()));
 		result.poses->give_rows(int(i), block.size());
+		result.simulation->set_page_phase(page, result.poses->texel(int(i), 0).second); // Sent together, due together.
 	}
 	result.poses->give_history(result.simulation->species_count());
 	if (recipe.settings.prototypes > 0) {

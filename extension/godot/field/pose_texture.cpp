@@ -49,8 +49,14 @@ int PoseTexture::add_layer(bool is_shared) {
 PoseTexture::Rows PoseTexture::find_rows(int count) {
 	const uint64_t wanted = count >= SIDE ? ALL_ROWS : (uint64_t(1) << count) - 1;
 	for (int layer = int(layers.size()) - 1; layer >= 0; layer--) {
-		for (int first = 0; first + count <= SIDE && free_rows[size_t(layer)] != 0; first++) {
-			if ((free_rows[size_t(layer)] >> first & wanted) == wanted) {
+		uint64_t begins = free_rows[size_t(layer)]; // Bits of rows after which as many as `seen` are free.
+		for (int seen = 1; seen < count && begins != 0;) {
+			const int more = std::min(seen, count - seen);
+			begins &= begins >> more;
+			seen += more;
+		}
+		for (int first = 0; begins != 0; first++, begins >>= 1) {
+			if (begins & 1) {
 				free_rows[size_t(layer)] &= ~(wanted << first);
 				return { layer, first, count };
 			}
