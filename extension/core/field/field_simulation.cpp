@@ -69,19 +69,19 @@ int FieldSimulation::add_page(int species, const MotionPlant *plants, int count)
 	}
 	const MotionSpecies &kind = kinds[static_cast<std::size_t>(species)];
 	const float step_length = options.step * static_cast<float>(options.update_interval);
-	Entry entry = { MotionPage(species, kind, plants, count, step_length, models.empty()), {}, 1, 1, 0, 0, -1, false };
-	entry.interval = options.update_interval;
+	Entry entry = { MotionPage(species, kind, plants, count, step_length, models.empty()), {}, 0, false };
 	const auto is_free = [](const Entry &one) { return one.is_free; };
 	const auto place = free_pages > 0 ? std::find_if(entries.begin(), entries.end(), is_free) : entries.end();
 	const int number = static_cast<int>(place - entries.begin());
-	entry.phase = number;
 	if (place == entries.end()) {
 		entries.push_back(std::move(entry));
+		beats.emplace_back();
 	} else {
 		free_pages--;
 		entry.loose_version = place->loose_version + 1; // Whoever remembers the old one sees a change.
 		*place = std::move(entry);
 	}
+	beat(number) = { -1, options.update_interval, 1, number };
 	take_in(at(number), plants, count);
 	return number;
 }
@@ -170,6 +170,7 @@ void FieldSimulation::settle() {
 
 void FieldSimulation::clear() {
 	entries.clear();
+	beats.clear();
 	free_pages = 0;
 	plant_rows = 0;
 	loose.clear();
@@ -190,18 +191,19 @@ void FieldSimulation::set_update_interval(int steps) {
 }
 
 void FieldSimulation::set_page_multiple(int page, int multiple) {
-	at(page).multiple = std::clamp(multiple, 1, MAX_MULTIPLE);
+	beat(page).multiple = std::clamp(multiple, 1, MAX_MULTIPLE);
 }
 
 int FieldSimulation::page_interval(int page) const {
-	return std::min(options.update_interval * at(page).multiple, LONGEST_INTERVAL);
+	return std::min(options.update_interval * beat(page).multiple, LONGEST_INTERVAL);
 }
 
 bool FieldSimulation::is_due(int page, int64_t number) const {
 	const int interval = page_interval(page);
 	// A page whose interval became shorter first comes to the end of the step that it has done: nothing jumps.
-	const bool is_free = at(page).last_step < 0 || number >= at(page).last_step + at(page).interval;
-	return is_free && number % interval == at(page).phase % interval;
+	const Beat &own = beat(page);
+	const bool is_free = own.last_step < 0 || number >= own.last_step + own.interval;
+	return is_free && number % interval == own.phase % interval;
 }
 
 void FieldSimulation::set_bodies(const FieldBody *bodies, int count) {
@@ -225,6 +227,12 @@ void FieldSimulation::begin_step() {
 		step_prototypes(number);
 	}
 	step_prototypes(next_step);
+	for (int page = 0; page < page_count(); page++) {
+		if (is_due(page, next_step)) {
+			beat(page).interval = page_interval(page);
+			beat(page).last_step = next_step;
+		}
+	}
 	next_step++;
 	delays.step();
 	step_loose();
@@ -232,8 +240,8 @@ void FieldSimulation::begin_step() {
 
 void FieldSimulation::step_pages(int begin, int end) {
 	for (int page = std::max(begin, 0); page < std::min(end, page_count()); page++) {
-		if (is_due(page, next_step - 1)) {
-			step_page(at(page), page_interval(page));
+		if (has_stepped(page) && at(page).page.swings()) {
+			step_page(page);
 		}
 	}
 }
@@ -243,17 +251,14 @@ void FieldSimulation::step() {
 	step_pages(0, page_count());
 }
 
-void FieldSimulation::step_page(Entry &entry, int interval) {
-	entry.last_step = next_step - 1;
-	entry.interval = interval;
-	if (!entry.page.swings()) {
-		return;
-	}
+void FieldSimulation::step_page(int page) {
+	Entry &entry = at(page);
+	const int interval = beat(page).interval;
 	const float step_length = options.step * static_cast<float>(interval);
 	if (entry.page.step_length() != step_length) {
 		entry.page.set_step_length(step_length);
 	}
-	const double moment = static_cast<double>(entry.last_step) + entry.page.wind_moment() * interval;
+	const double moment = static_cast<double>(beat(page).last_step) + entry.page.wind_moment() * interval;
 	entry.page.step(wind_at_time(blowing, along, moment * static_cast<double>(options.step)), along);
 	for (const FieldBody &body : pushing) {
 		push_plants(entry.page, body);

@@ -18,7 +18,7 @@ static constexpr int PLANTS_PER_THREAD = 8192; // Fewer are not worth waking ano
 static constexpr int PLANTS_PER_PART = 2048; // Enough that taking a part costs nothing beside doing it.
 static constexpr int TOUCHING_PLANT = 16; // What a plant with contact costs, in plants without.
 
-// Pages by tiles are small: threads take some of them at a time. Tells how many plants are due.
+// Pages by tiles are small: threads take some of them at a time. Tells how many plants are due; their poses will be new.
 int FieldSteps::divide() {
 	runs.clear();
 	int in_run = PLANTS_PER_PART;
@@ -30,6 +30,10 @@ int FieldSteps::divide() {
 		}
 		const int of_page = stepped->due_count(page);
 		due += of_page;
+		const int block = (*blocks)[size_t(page)];
+		if (block >= 0 && (touching || of_page > 0) && stepped->settings().prototypes == 0) {
+			written->will_write(block);
+		}
 		in_run += touching ? stepped->page(page).size() : of_page;
 	}
 	runs.push_back(stepped->page_count());
@@ -111,7 +115,7 @@ int FieldSteps::parts_of(int phase) const {
 void FieldSteps::write(int page) {
 	const int block = (*blocks)[size_t(page)];
 	if (block >= 0) {
-		written->write_block(*stepped, page, block);
+		written->write_bends(*stepped, page, block);
 	}
 }
 
