@@ -10,7 +10,7 @@ using namespace undergrowth;
 
 namespace {
 
-constexpr int PLANTS_OF_TILE = 512; // Of one species, in a meadow of five.
+constexpr int PLANTS_OF_TILE = 400; // Of one species, in a meadow of five.
 
 /// Half of each law, under waves.
 FieldSimulation waving_field(const FieldSettings &settings, int plants, int most_in_page = MotionPage::PAGE_PLANTS) {

@@ -253,6 +253,9 @@ void FieldSimulation::step() {
 
 void FieldSimulation::step_page(int page) {
 	Entry &entry = at(page);
+	if (page + 1 < page_count() && has_stepped(page + 1)) {
+		at(page + 1).page.prefetch();
+	}
 	const int interval = beat(page).interval;
 	const float step_length = options.step * static_cast<float>(interval);
 	if (entry.page.step_length() != step_length) {

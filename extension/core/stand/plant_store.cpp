@@ -88,7 +88,8 @@ void PlantStore::drop(int number, ChangeSet &changes) {
 }
 
 void PlantStore::drop_filled(ChangeSet &changes) {
-	for (int number = 0; number < block_count(); number++) {
+	// From the last, so that take_number() gives the lowest first: a field that is filled as before keeps its numbers.
+	for (int number = block_count() - 1; number >= 0; number--) {
 		if (block(number).size() > 0 && !block(number).is_added) {
 			drop(number, changes);
 		}
