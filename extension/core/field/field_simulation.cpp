@@ -203,7 +203,7 @@ bool FieldSimulation::is_due(int page, int64_t number) const {
 	// A page whose interval became shorter first comes to the end of the step that it has done: nothing jumps.
 	const Beat &own = beat(page);
 	const bool is_free = own.last_step < 0 || number >= own.last_step + own.interval;
-	return is_free && number % interval == own.phase % interval;
+	return is_free && (interval == 1 || number % interval == own.phase % interval);
 }
 
 void FieldSimulation::set_bodies(const FieldBody *bodies, int count) {
@@ -227,7 +227,7 @@ void FieldSimulation::begin_step() {
 		step_prototypes(number);
 	}
 	step_prototypes(next_step);
-	for (int page = 0; page < page_count(); page++) {
+	for (int page = 0; page < page_count() && models.empty(); page++) { // Followers have no steps of their own.
 		if (is_due(page, next_step)) {
 			beat(page).interval = page_interval(page);
 			beat(page).last_step = next_step;
@@ -239,7 +239,7 @@ void FieldSimulation::begin_step() {
 }
 
 void FieldSimulation::step_pages(int begin, int end) {
-	for (int page = std::max(begin, 0); page < std::min(end, page_count()); page++) {
+	for (int page = std::max(begin, 0); page < std::min(end, page_count()) && models.empty(); page++) {
 		if (has_stepped(page) && at(page).page.swings()) {
 			step_page(page);
 		}

@@ -49,7 +49,7 @@ int FieldSimulation::due_count() const {
 	for (const LoosePlants &some : loose) {
 		due += some.count();
 	}
-	for (int page = 0; page < page_count(); page++) {
+	for (int page = 0; page < page_count() && models.empty(); page++) {
 		due += due_count(page);
 	}
 	return due;

@@ -18,20 +18,24 @@ static constexpr int PLANTS_PER_THREAD = 8192; // Fewer are not worth waking ano
 static constexpr int PLANTS_PER_PART = 2048; // Enough that taking a part costs nothing beside doing it.
 static constexpr int TOUCHING_PLANT = 16; // What a plant with contact costs, in plants without.
 
-// Pages by tiles are small: threads take some of them at a time. Tells how many plants are due; their poses will be new.
+// Begins the step. Pages by tiles are small: threads take some of them at a time. Tells how many plants are due; their poses will be new.
 int FieldSteps::divide() {
 	runs.clear();
 	int in_run = PLANTS_PER_PART;
+	if (stepped->settings().prototypes > 0) {
+		return stepped->due_count();
+	}
+	stepped->begin_step(); // Prototypes step in it: those go to the workers.
 	int due = 0;
 	for (int page = 0; page < stepped->page_count(); page++) {
 		if (in_run >= PLANTS_PER_PART) {
 			runs.push_back(page);
 			in_run = 0;
 		}
-		const int of_page = stepped->due_count(page);
+		const int of_page = stepped->has_stepped(page) ? stepped->page(page).standing() : 0;
 		due += of_page;
 		const int block = (*blocks)[size_t(page)];
-		if (block >= 0 && (touching || of_page > 0) && stepped->settings().prototypes == 0) {
+		if (block >= 0 && (touching || of_page > 0)) {
 			written->will_write(block);
 		}
 		in_run += touching ? stepped->page(page).size() : of_page;
@@ -44,7 +48,7 @@ int FieldSteps::work_of_step(int due) const {
 	if (touching) {
 		return TOUCHING_PLANT * stepped->plant_count();
 	}
-	return stepped->settings().prototypes > 0 ? stepped->due_count() : due;
+	return due;
 }
 
 void FieldSteps::start(FieldSimulation &simulation, PoseTexture &poses, const std::vector<int> &block_of_page,
@@ -71,9 +75,6 @@ void FieldSteps::start(FieldSimulation &simulation, PoseTexture &poses, const st
 	const bool follows = simulation.settings().prototypes > 0;
 	const int useful = std::max(plants / PLANTS_PER_THREAD, 1);
 	const int tasks = follows ? 1 : std::clamp(std::min(useful, int(runs.size()) - 1), 1, workers);
-	if (!follows) {
-		simulation.begin_step(); // Prototypes step in it: those go to the workers, too.
-	}
 	group = WorkerThreadPool::get_singleton()->add_native_group_task(&FieldSteps::work, this, tasks, tasks, true);
 }
 
@@ -89,7 +90,7 @@ void FieldSteps::wait() {
 void FieldSteps::work(void *self, uint32_t) {
 	const Clock::time_point start = Clock::now();
 	FieldSteps *steps = static_cast<FieldSteps *>(self);
-	if (steps->is_inline || steps->stepped->settings().prototypes > 0) {
+	if (steps->stepped->settings().prototypes > 0) {
 		steps->stepped->begin_step();
 	}
 	for (int phase = 0; phase < (steps->touching ? PHASES : STEP + 1); phase++) {

@@ -110,6 +110,7 @@ void Meadow::refresh() {
 
 // Materials belong to one field and level, since textures cannot differ by instance.
 void Meadow::dress() {
+	has_sent_delays = false;
 	for (FieldLook &look : style.looks) {
 		const bool is_new = look.materials.empty();
 		for (size_t i = look.materials.size(); i < style.levels.size(); i++) {
@@ -169,10 +170,17 @@ void Meadow::send_uniforms() {
 		return;
 	}
 	const FieldMotion::Delays delays = motion.follower_delays(axes_of(node));
+	const bool are_other = !has_sent_delays || delays.after != sent_delays.after ||
+			delays.before != sent_delays.before || delays.share != sent_delays.share;
+	sent_delays = delays;
+	has_sent_delays = true;
 	for (size_t i = 0; i < style.looks.size(); i++) {
 		const Vector3 history = motion.history_of(int(i));
 		for (const Ref<ShaderMaterial> &material : style.looks[i].materials) {
 			material->set_shader_parameter("undergrowth_history", history);
+			if (!are_other) {
+				continue;
+			}
 			material->set_shader_parameter("undergrowth_delay", delays.after);
 			material->set_shader_parameter("undergrowth_delay_before", delays.before);
 			material->set_shader_parameter("undergrowth_delay_share", delays.share);

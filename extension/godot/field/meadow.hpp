@@ -85,6 +85,8 @@ private:
 	std::vector<PlantId> removed_meanwhile; ///< While the job goes on.
 	float told_progress = -1.0f;
 	size_t followed_look = 0;
+	FieldMotion::Delays sent_delays; ///< To the materials, if any.
+	bool has_sent_delays = false;
 	bool has_missed_ground = false;
 
 	FieldMotion::Frame frame(double delta, const godot::Ref<PlantWind> &wind) const;
