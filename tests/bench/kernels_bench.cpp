@@ -169,9 +169,9 @@ public:
 													   elastic.wind_share, elastic.keep, elastic.lowest_y },
 						some, winds);
 			} else {
-				kernels(level).step_spring({ at(0), at(1), at(2), at(3), at(4), at(5), at(6), spring.place_from_place,
-												   spring.place_from_rate, spring.rate_from_place, spring.rate_from_rate,
-												   MAX_GNOMONIC },
+				kernels(level).step_spring(
+						{ at(0), at(1), at(2), at(3), at(4), at(5), at(6), spring.place_from_place,
+								spring.place_from_rate, spring.rate_from_place, spring.rate_from_rate, MAX_GNOMONIC },
 						some, winds);
 			}
 		}

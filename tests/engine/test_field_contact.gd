@@ -1,6 +1,7 @@
 ## Tips of a field's plants that push each other apart.
 extends "res://tests/engine/field_harness.gd"
 
+
 func before_each() -> void:
 	field = PlantField3D.from_species([TulipFunction.new()])
 	field.size = Vector2(30, 30)

@@ -1,7 +1,10 @@
 extends "res://tests/engine/field_harness.gd"
 
+
 func test_smoke() -> void:
-	field = PlantField3D.from_species([GrassFunction.new(), TulipFunction.new()], PackedFloat32Array([9, 1]))
+	field = PlantField3D.from_species(
+		[GrassFunction.new(), TulipFunction.new()], PackedFloat32Array([9, 1])
+	)
 	field.size = Vector2(30, 30)
 	field.density = 5.0
 	field.wind = PlantWind.new()
@@ -23,7 +26,9 @@ func test_smoke() -> void:
 	var n := field.remove_in_sphere(Vector3(2, 0, 2), 3.0)
 	check(n > 50, "removed %d" % n)
 	check_equal(field.get_plant_count(), ids.size() - n)
-	var added := field.add_plants([Transform3D(Basis(), Vector3(50, 0, 0))], BellflowerFunction.new())
+	var added := field.add_plants(
+		[Transform3D(Basis(), Vector3(50, 0, 0))], BellflowerFunction.new()
+	)
 	check_equal(added.size(), 1)
 	check(field.has_plant(added[0]), "has added")
 	await frames(5)
@@ -34,8 +39,10 @@ func test_smoke() -> void:
 	await dressed()
 	await frames(1)
 	var after := field.get_plant_ids()
-	var a := Array(before); a.sort()
-	var b := Array(after); b.sort()
+	var a := Array(before)
+	a.sort()
+	var b := Array(after)
+	b.sort()
 	check_equal(b, a, "ids after retile")
 	field.simulation_enabled = false
 	await frames(2)
@@ -44,7 +51,8 @@ func test_smoke() -> void:
 	var now := field.get_tip_positions(after)
 	await dressed()
 	await frames(1)
-	var c := Array(field.get_plant_ids()); c.sort()
+	var c := Array(field.get_plant_ids())
+	c.sort()
 	check_equal(c, a, "ids after recolour")
 	var later := field.get_tip_positions(after)
 	var most := 0.0

@@ -101,8 +101,8 @@ public:
 	TipState state(int index) const;
 	/// Puts a plant into a state; what is drawn as the last one is this state's.
 	void set_state(int index, const TipState &state);
-	/// Plant `from` of another page, of any law, goes on as plant `index`, and is drawn where it was; about another rest
-	/// direction, as far from it.
+	/// Plant `from` of another page, of any law, goes on as plant `index`, and is drawn where it was; about another
+	/// rest direction, as far from it.
 	void take_motion(int index, const MotionPage &other, int from);
 	/// Where a plant pointed before its last step, as it is drawn.
 	glm::vec3 before(int index) const;

@@ -96,8 +96,8 @@ template <class Key> std::vector<int> counting_sort(const std::vector<int> &orde
 }
 
 /// The plants order[begin] to order[end - 1], which are of one tile and species.
-PlantBlock make_block(
-		const FieldPlants &plants, const std::vector<int> &order, std::size_t begin, std::size_t end, const TileKey &tile) {
+PlantBlock make_block(const FieldPlants &plants, const std::vector<int> &order, std::size_t begin, std::size_t end,
+		const TileKey &tile) {
 	PlantBlock block;
 	block.tile = tile;
 	const auto first = order.begin() + static_cast<std::ptrdiff_t>(begin);

@@ -15,9 +15,7 @@ struct TileKey {
 	int column = 0;
 	int row = 0;
 
-	bool operator<(const TileKey &other) const {
-		return std::tie(column, row) < std::tie(other.column, other.row);
-	}
+	bool operator<(const TileKey &other) const { return std::tie(column, row) < std::tie(other.column, other.row); }
 	bool operator==(const TileKey &other) const { return column == other.column && row == other.row; }
 };
 

@@ -40,7 +40,8 @@ struct ChangeSet {
 
 	std::vector<int> dropped; ///< Blocks that are no more. Their numbers may be those of new ones.
 	std::vector<Grown> grown;
-	/// Plants of blocks that still stand, even where nobody is left in one: only those that were added are dropped then.
+	/// Plants of blocks that still stand, even where nobody is left in one: only those that were added are dropped
+	/// then.
 	std::vector<PlantPlace> gone;
 	std::vector<PlantId> added; ///< As the edit's `added`, in its order.
 };

@@ -56,7 +56,9 @@ struct FieldLook {
 	/// The farthest that the plant's mesh goes from its root, however it bends: linear blend skinning moves no vertex
 	/// farther than it is at rest (m).
 	float reach_of(const PlacedPlant &plant) const;
-	const FieldVariant &variant_of(const PlacedPlant &plant) const { return variants[size_t(plant.variant) % variants.size()]; }
+	const FieldVariant &variant_of(const PlacedPlant &plant) const {
+		return variants[size_t(plant.variant) % variants.size()];
+	}
 };
 
 } // namespace undergrowth

@@ -9,7 +9,8 @@ namespace undergrowth {
 /// BaseMaterial3D, whose colours, textures and shine it takes over; a copy of a ShaderMaterial.
 godot::Ref<godot::ShaderMaterial> make_field_material(const godot::Ref<godot::Material> &worn);
 
-/// Brings into `made` what its user changed in `worn` since: colours, textures and shine, or the parameters of a shader.
+/// Brings into `made` what its user changed in `worn` since: colours, textures and shine, or the parameters of a
+/// shader.
 void follow_material(const godot::Ref<godot::Material> &worn, const godot::Ref<godot::ShaderMaterial> &made);
 
 /// Whether its shader includes undergrowth_bend.gdshaderinc.

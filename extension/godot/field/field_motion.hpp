@@ -62,8 +62,8 @@ public:
 	/// All plants into their rest.
 	void settle();
 
-	/// Where the shader finds the history of a species' prototypes: first layer, newest slot, blend; x is -1 where plants
-	/// swing by themselves.
+	/// Where the shader finds the history of a species' prototypes: first layer, newest slot, blend; x is -1 where
+	/// plants swing by themselves.
 	godot::Vector3 history_of(int species) const;
 	/// How late followers are, as the shader takes it: steps by metre of world x, y and z, and at the world's origin.
 	struct Delays {
@@ -116,8 +116,8 @@ private:
 	void grow(const ChangeSet::Grown &grown, const PlantStore &store, const FieldStyle &style);
 	void drop_page(int block);
 	void give_page(int block, int page);
-	void keep_states(const FieldResult &result, const ChangeSet &changes, const PlantStore &store,
-			FieldSimulation &old, const std::vector<int> &old_pages);
+	void keep_states(const FieldResult &result, const ChangeSet &changes, const PlantStore &store, FieldSimulation &old,
+			const std::vector<int> &old_pages);
 	void take_added(const PlantStore &store, const FieldStyle &style, const FieldSimulation *old,
 			const std::vector<int> &old_pages);
 	void set_rests(int page, const std::vector<glm::vec3> &rests, bool is_still);

@@ -30,8 +30,8 @@ static int worker_count(const MotionOptions &options) {
 	return options.max_threads > 0 ? options.max_threads : processors;
 }
 
-// The wind in the field's axes, at the simulation's clock: the wind's own is `offset` seconds ahead of it. A field feels
-// the wind that has come to its origin, as a Plant3D there does.
+// The wind in the field's axes, at the simulation's clock: the wind's own is `offset` seconds ahead of it. A field
+// feels the wind that has come to its origin, as a Plant3D there does.
 FieldWind FieldMotion::wind_here(const Frame &frame, double offset) const {
 	FieldWind blowing;
 	if (frame.wind.is_null()) {

@@ -56,12 +56,14 @@ Polygon read_outline(const Node3D *field, const StandOptions &options) {
 static String read_exclusion(const Node3D *field, const NodePath &path, const String &name, Polygon &into) {
 	if (const Path3D *line = find_path(field, path)) {
 		into = flatten(line, field);
-		return into.size() > 2 ? String()
-							   : name + String(" has a curve of two points or fewer, which goes around nothing. Add points.");
+		return into.size() > 2
+				? String()
+				: name + String(" has a curve of two points or fewer, which goes around nothing. Add points.");
 	}
 	const PlantField3D *other = Object::cast_to<PlantField3D>(field->get_node_or_null(path));
 	if (!other || other == field) {
-		return name + String(" '") + String(path) + "' leads to no Path3D with a curve, and to no other PlantField3D. Set a path to one.";
+		return name + String(" '") + String(path) +
+				"' leads to no Path3D with a curve, and to no other PlantField3D. Set a path to one.";
 	}
 	const Transform3D to_field = axes_of(field).affine_inverse() * axes_of(other);
 	into = other->outline_polygon();
@@ -154,8 +156,9 @@ String find_level_fault(const ViewOptions &options) {
 		}
 		const float end = float(level->get_end());
 		if (i + 1 < options.levels.size() && end <= before) {
-			return name + String(" ends at ") + String::num(end) + " m, not beyond the one before it. Let each level but the last "
-														   "end farther away than the one before.";
+			return name + String(" ends at ") + String::num(end) +
+					" m, not beyond the one before it. Let each level but the last "
+					"end farther away than the one before.";
 		}
 		before = end;
 	}
@@ -189,8 +192,7 @@ std::vector<FieldLevel> read_levels(const ViewOptions &options, float range) {
 		level.lod = listed[i].segments;
 		level.begin = i > 0 ? made.back().end : 0.0f;
 		level.end = listed[i].end;
-		const bool is_last =
-				i + 1 == listed.size() || level.end <= level.begin || (range > 0.0f && level.end >= range);
+		const bool is_last = i + 1 == listed.size() || level.end <= level.begin || (range > 0.0f && level.end >= range);
 		level.end = is_last ? range : level.end;
 		level.margin = std::max(float(options.fade_margin), LEAST_MARGIN);
 		level.tile_factor = std::min(1 << int(i), MOST_TILE_FACTOR);

@@ -36,7 +36,7 @@ std::vector<FieldLevel> read_levels(const ViewOptions &options, float range);
 godot::String read_looks(const StandOptions &options, const std::vector<FieldLook> &others, FieldStyle &into);
 
 /// A look of a function that code adds plants of, sampled and built.
-godot::String read_other_look(
-		const godot::Ref<PlantFunction> &function, const StandOptions &options, const FieldStyle &style, FieldLook &into);
+godot::String read_other_look(const godot::Ref<PlantFunction> &function, const StandOptions &options,
+		const FieldStyle &style, FieldLook &into);
 
 } // namespace undergrowth

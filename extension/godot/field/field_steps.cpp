@@ -18,7 +18,8 @@ static constexpr int PLANTS_PER_THREAD = 8192; // Fewer are not worth waking ano
 static constexpr int PLANTS_PER_PART = 2048; // Enough that taking a part costs nothing beside doing it.
 static constexpr int TOUCHING_PLANT = 16; // What a plant with contact costs, in plants without.
 
-// Begins the step. Pages by tiles are small: threads take some of them at a time. Tells how many plants are due; their poses will be new.
+// Begins the step. Pages by tiles are small: threads take some of them at a time. Tells how many plants are due; their
+// poses will be new.
 int FieldSteps::divide() {
 	runs.clear();
 	int in_run = PLANTS_PER_PART;

@@ -20,7 +20,8 @@ public:
 	FieldSteps &operator=(const FieldSteps &) = delete;
 
 	/// Begins one step on up to `workers` threads and returns at once; a step that costs less than waking a thread is
-	/// done when it returns. `block_of_page`: what the texture calls a page, -1 for none. `contact`, where there is one, takes part after all plants have moved.
+	/// done when it returns. `block_of_page`: what the texture calls a page, -1 for none. `contact`, where there is
+	/// one, takes part after all plants have moved.
 	void start(FieldSimulation &simulation, PoseTexture &poses, const std::vector<int> &block_of_page,
 			TipContact *contact, int workers);
 	/// Until the step is done; at once where there is none.

@@ -101,8 +101,8 @@ void FieldView::show_filled(const FieldStyle &style, const std::vector<ClumpPlan
 	show(style, plans);
 }
 
-void FieldView::show_added(const FieldStyle &style, const PoseTexture &poses, const PlantStore &store,
-		const std::set<TileKey> &tiles) {
+void FieldView::show_added(
+		const FieldStyle &style, const PoseTexture &poses, const PlantStore &store, const std::set<TileKey> &tiles) {
 	for (int level = 0; level < int(style.levels.size()); level++) {
 		const int factor = style.levels[size_t(level)].tile_factor;
 		const auto down = [factor](int count) { return int(std::floor(double(count) / factor)); };

@@ -24,8 +24,7 @@ struct ClumpPlace {
 	int row;
 
 	bool operator<(const ClumpPlace &other) const {
-		return std::tie(is_added, level, column, row) <
-				std::tie(other.is_added, other.level, other.column, other.row);
+		return std::tie(is_added, level, column, row) < std::tie(other.is_added, other.level, other.column, other.row);
 	}
 };
 
@@ -67,8 +66,8 @@ public:
 	/// Shows these plans.
 	void show_filled(const FieldStyle &style, const std::vector<ClumpPlan> &plans);
 	/// Draws the plants that were added anew in all places with a block that grew or was dropped.
-	void show_added(const FieldStyle &style, const PoseTexture &poses, const PlantStore &store,
-			const std::set<TileKey> &tiles);
+	void show_added(
+			const FieldStyle &style, const PoseTexture &poses, const PlantStore &store, const std::set<TileKey> &tiles);
 	/// All plants that were added.
 	void show_all_added(const FieldStyle &style, const PoseTexture &poses, const PlantStore &store);
 

@@ -13,8 +13,8 @@
 namespace undergrowth {
 
 /// What a PlantField3D is made of, and the way of an edit through it: PlantStore knows what stands, FieldMotion how it
-/// moves, FieldView and SkeletonView how it is seen; each owns its state, and a ChangeSet tells the others. Growing goes
-/// on beside the game (FieldFill) and is taken over between two frames. Main thread.
+/// moves, FieldView and SkeletonView how it is seen; each owns its state, and a ChangeSet tells the others. Growing
+/// goes on beside the game (FieldFill) and is taken over between two frames. Main thread.
 class Meadow {
 public:
 	/// What the node hears of.

@@ -125,8 +125,9 @@ void Meadow::cast_rays(double delta) {
 	}
 	if (state == FieldRays::State::failed) {
 		job.reset();
-		listener.fault("there is no 3D physics to cast rays at, so nothing is planted. Choose a 3D physics engine in the "
-					   "project settings, or another ground_mode.");
+		listener.fault(
+				"there is no 3D physics to cast rays at, so nothing is planted. Choose a 3D physics engine in the "
+				"project settings, or another ground_mode.");
 	} else {
 		tell_of_no_ground();
 		job->go_on(std::move(rays->heights), std::move(rays->normals));
@@ -138,7 +139,8 @@ void Meadow::tell_of_no_ground() {
 	const bool is_missed = !rays->has_hit() && job->plants().size() > 0;
 	if (is_missed && !has_missed_ground) {
 		report_warning(node,
-				"no collider is below or above it, so nothing grows. Check that ground_collision_mask has a layer of the "
+				"no collider is below or above it, so nothing grows. Check that ground_collision_mask has a layer of "
+				"the "
 				"ground, that the ground is within 1000 m, and call fill() once it is there where it comes later.");
 	}
 	has_missed_ground = is_missed;

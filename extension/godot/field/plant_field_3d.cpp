@@ -58,7 +58,8 @@ AABB PlantField3D::_get_aabb() const {
 		return drawn;
 	}
 	const AreaBox area = bounding_box(outline_polygon());
-	return AABB(Vector3(area.low.x, 0.0f, area.low.y), Vector3(area.high.x - area.low.x, 1.0f, area.high.y - area.low.y));
+	return AABB(
+			Vector3(area.low.x, 0.0f, area.low.y), Vector3(area.high.x - area.low.x, 1.0f, area.high.y - area.low.y));
 }
 
 void PlantField3D::report_problem(const String &what) {

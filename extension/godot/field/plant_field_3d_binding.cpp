@@ -55,7 +55,6 @@ void PlantField3D::count_in_monitors(bool on) {
 	}
 }
 
-
 Dictionary PlantField3D::get_statistics() {
 	meadow.motion.wait();
 	const Camera3D *camera = is_inside_tree() ? get_viewport()->get_camera_3d() : nullptr;
@@ -74,8 +73,7 @@ Dictionary PlantField3D::get_statistics() {
 	told["upload_usec"] = meadow.upload_usec;
 	told["main_usec"] = main_usec;
 	told["wait_usec"] = wait_usec;
-	told["bytes_per_plant"] =
-			count > 0 ? double(meadow.store.bytes()) / count + meadow.motion.bytes_per_plant() : 0.0;
+	told["bytes_per_plant"] = count > 0 ? double(meadow.store.bytes()) / count + meadow.motion.bytes_per_plant() : 0.0;
 	return told;
 }
 
@@ -93,8 +91,9 @@ void PlantField3D::_validate_property(PropertyInfo &property) const {
 			(name == "ground_collision_mask" && stand.ground_mode != GROUND_COLLIDERS) ||
 			(name == "ground_mesh" && stand.ground_mode != GROUND_MESH) ||
 			(is_flat && (name == "height_limits" || name.begins_with("slope_")));
-	if (is_idle || std::any_of(std::begin(of_one_mesh), std::end(of_one_mesh),
-						   [&](const char *other) { return name == other; })) {
+	if (is_idle || std::any_of(std::begin(of_one_mesh), std::end(of_one_mesh), [&](const char *other) {
+			return name == other;
+		})) {
 		property.usage &= ~uint32_t(PROPERTY_USAGE_EDITOR);
 	}
 }

@@ -20,7 +20,8 @@ PlantPlace PlantField3D::find(int64_t id) const {
 	const PlantPlace place = meadow.store.find(id);
 	if (place.block < 0) {
 		report_error(this,
-				"has no plant " + String::num_int64(id) + ". Ids are those of get_plant_ids(), until a plant is removed.");
+				"has no plant " + String::num_int64(id) +
+						". Ids are those of get_plant_ids(), until a plant is removed.");
 	}
 	return place;
 }

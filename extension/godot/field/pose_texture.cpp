@@ -211,7 +211,8 @@ void PoseTexture::write_history(const FieldSimulation &simulation, bool all) {
 			write_layer(first + layer, models.history() + size_t(layer) * 2 * PAIRS_PER_LAYER, PAIRS_PER_LAYER, 0);
 		}
 		const int slot = models.newest_slot();
-		write_layer(first + slot / SIDE, models.history() + size_t(slot) * 2 * Prototypes::MOST, SIDE, slot % SIDE * SIDE);
+		write_layer(
+				first + slot / SIDE, models.history() + size_t(slot) * 2 * Prototypes::MOST, SIDE, slot % SIDE * SIDE);
 		const MotionPage &loose = simulation.loose_plants(species)->page();
 		if (loose.size() > 0) {
 			write_layer(first + HISTORY_LAYERS, loose.bends(), loose.size(), 0);

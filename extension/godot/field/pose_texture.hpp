@@ -53,7 +53,8 @@ public:
 	/// Ends that, from the next write_block() on.
 	void show(int block, int slot);
 
-	/// Main thread from here on. Makes textures of the layers where they are new or more; tells whether they are others.
+	/// Main thread from here on. Makes textures of the layers where they are new or more; tells whether they are
+	/// others.
 	bool make_textures();
 	/// Sends what was written since the last time, and the blends for `fraction` of a step. `pages`: of each block.
 	void upload(const FieldSimulation &simulation, const std::vector<int> &pages, float fraction);

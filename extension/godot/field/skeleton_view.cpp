@@ -22,8 +22,8 @@ static std::pair<int, int> key_of(const PlantPlace &place) {
 }
 
 const SkeletonView::Shown *SkeletonView::find_shown(const PlantPlace &place) const {
-	const auto found = std::find_if(
-			shown.begin(), shown.end(), [&](const Shown &entry) { return entry.place == place; });
+	const auto found =
+			std::find_if(shown.begin(), shown.end(), [&](const Shown &entry) { return entry.place == place; });
 	return found == shown.end() ? nullptr : &*found;
 }
 
@@ -118,8 +118,8 @@ bool SkeletonView::choose(const Scene &scene, const std::vector<Vector3> &eyes, 
 	for (const Near &near : nearest) {
 		wanted.insert(key_of(near.place));
 	}
-	const bool changes = release(
-			&scene.motion, [&](const Shown &entry) { return wanted.count(key_of(entry.place)) == 0; });
+	const bool changes =
+			release(&scene.motion, [&](const Shown &entry) { return wanted.count(key_of(entry.place)) == 0; });
 	int added = 0;
 	for (size_t i = 0; i < nearest.size() && added < MOST_NEW; i++) {
 		if (!find_shown(nearest[i].place)) {
