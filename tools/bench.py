@@ -23,7 +23,8 @@ from toolchain.place import Missing  # noqa: E402
 COLUMNS = ("name", "plants", "threads", "median_ms", "us_per_plant", "renderer")
 RENDERERS = ("forward_plus", "gl_compatibility")
 TIMEOUT = 600
-ENGINE_SCRIPTS = ("engine_bench", "field_bench")
+ENGINE_SCRIPTS = {"plants": "engine_bench", "fields": "field_bench"}
+PARTS = ("core", *ENGINE_SCRIPTS, "drawn")
 # The engine's better physics has to be chosen, and told how many bodies there will be.
 JOLT = """
 [physics]
@@ -90,16 +91,20 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--godot", required=True)
     parser.add_argument("--core", help="the program that measures the core")
+    parser.add_argument("--parts", default=",".join(PARTS), help="what to measure: some of " + ", ".join(PARTS))
     options = parser.parse_args()
-    rows = measure("core_bench", [options.core]) if options.core else []
+    parts = set(options.parts.split(","))
+    if not parts <= set(PARTS):
+        parser.error(f"no such part: {', '.join(sorted(parts - set(PARTS)))}; there are {', '.join(PARTS)}")
+    rows = measure("core_bench", [options.core]) if options.core and "core" in parts else []
     folder = engine.make_project("bench_project", {"tests/bench": "tests/bench"})
     with open(folder / "project.godot", "a", encoding="utf-8") as settings:
         settings.write(JOLT)
     start = [options.godot, "--path", str(folder), "--fixed-fps", "60", "--disable-vsync"]
-    for script in ENGINE_SCRIPTS:
+    for script in (name for part, name in ENGINE_SCRIPTS.items() if part in parts):
         words = [*start, "--headless", "--script", f"res://tests/bench/{script}.gd"]
         rows += measure(script, words, engine.private_home())
-    rows += drawn_rows(start)
+    rows += drawn_rows(start) if "drawn" in parts else []
     target = ROOT / "build/bench.json"
     target.write_text(json.dumps(rows, indent="\t") + "\n")
     print("\n".join([table(rows), "", *bench_summary.lines(rows), "", str(target.relative_to(ROOT))]))

@@ -237,7 +237,8 @@ String PlantFunction::find_problem(double height, int segments, int64_t seed) {
 }
 
 // Where there is no skeleton, shaders do not get the bones' weights: a field's reads that of the tip from here.
-static constexpr int64_t CUSTOM_FORMAT = int64_t(Mesh::ARRAY_CUSTOM_R_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT);
+static constexpr int64_t CUSTOM_FORMAT = int64_t(Mesh::ARRAY_CUSTOM_R_FLOAT)
+		<< int64_t(Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT);
 
 static PackedFloat32Array tip_weights(const PackedFloat32Array &weights) {
 	PackedFloat32Array of_tip;

@@ -10,10 +10,12 @@ using namespace undergrowth;
 
 namespace {
 
+constexpr int PLANTS_OF_TILE = 400; // Of one species, in a meadow of five.
+
 /// Half of each law, under waves.
-FieldSimulation waving_field(const FieldSettings &settings, int plants) {
+FieldSimulation waving_field(const FieldSettings &settings, int plants, int most_in_page = MotionPage::PAGE_PLANTS) {
 	FieldSimulation field(settings);
-	const int page_size = std::clamp(plants / 16, 256, MotionPage::PAGE_PLANTS);
+	const int page_size = std::clamp(plants / 16, 256, most_in_page);
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		MotionSpecies species;
 		species.law = law;
@@ -45,8 +47,9 @@ void step(FieldSimulation &field, PageWorkers &workers) {
 	workers.for_pages(field.page_count(), [&field](int begin, int end) { field.step_pages(begin, end); });
 }
 
-void time_field(Report &report, const char *name, const FieldSettings &settings, int plants, int threads) {
-	FieldSimulation field = waving_field(settings, plants);
+void time_field(Report &report, const char *name, const FieldSettings &settings, int plants, int threads,
+		int most_in_page = MotionPage::PAGE_PLANTS) {
+	FieldSimulation field = waving_field(settings, plants, most_in_page);
 	PageWorkers workers(threads);
 	// Whole turns of the interval, so that every run does the same.
 	const int repeats = std::max(PLANTS_PER_RUN / plants, 1) * settings.update_interval;
@@ -71,6 +74,7 @@ void time_ladder(Report &report) {
 		for (const int threads : { 1, 4 }) {
 			if (threads == 1 || has_four) {
 				time_field(report, "field_step", {}, plants, threads);
+				time_field(report, "field_step_tiles", {}, plants, threads, PLANTS_OF_TILE);
 				time_field(report, "field_step_interval_4", interval_4, plants, threads);
 				time_field(report, "field_step_prototypes_64", prototypes_64, plants, threads);
 			}

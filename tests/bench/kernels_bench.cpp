@@ -1,5 +1,7 @@
 // Each law's step at each level that this processor has, beside what one core can do at most at that level.
 
+#include "motion/joint_constants.hpp"
+#include "motion/kernel_tables.hpp"
 #include "motion/motion_page.hpp"
 #include "report.hpp"
 
@@ -71,19 +73,24 @@ FOR_AVX2 void move_32(const float *from, float *to, int count) {
 	}
 }
 
-/// What a step of one law costs by its source, its wind and its bends included: sums, products, comparisons, divisions
-/// and roots one each, and the bytes of the columns that it reads and writes.
+/// What a step of one law costs by its source: sums, products, comparisons, divisions and roots one each, and the bytes
+/// of the columns that it reads and writes.
 struct StepCost {
 	const char *name;
 	Law law;
 	double operations;
 	double bytes;
-	int floats; ///< Of the table, per plant.
+	bool is_whole; ///< With its wind and its bends, as a field's page does it; else the law's kernel alone.
 };
 constexpr StepCost STEPS[] = {
-	{ "step_elasticity", Law::elasticity, 57.0, 76.0, 13 },
-	{ "step_spring", Law::spring, 43.0, 68.0, 13 },
+	{ "step_elasticity", Law::elasticity, 48.0, 52.0, false },
+	{ "step_spring", Law::spring, 30.0, 44.0, false },
+	{ "page_elasticity", Law::elasticity, 57.0, 76.0, true },
+	{ "page_spring", Law::spring, 43.0, 68.0, true },
 };
+constexpr int PAGE_FLOATS = 13; // Of a page's table, per plant.
+constexpr int COLUMNS = 7; // Of a kernel.
+constexpr int AT_ONCE = 512; // Plants whose winds are sampled together.
 
 /// Operations per ns.
 double time_compute(Report &report, SimdLevel level) {
@@ -97,7 +104,7 @@ double time_compute(Report &report, SimdLevel level) {
 
 /// Bytes per ns, in as much memory as the elasticity law's table of so many plants.
 double time_memory(Report &report, int plants, SimdLevel level) {
-	const int half = plants * STEPS[0].floats / 2 / 16 * 16;
+	const int half = plants * PAGE_FLOATS / 2 / 16 * 16;
 	struct alignas(64) Line {
 		float values[16] = {};
 	};
@@ -131,16 +138,76 @@ std::vector<MotionPage> meadow(Law law, int plants) {
 	return pages;
 }
 
+/// The kernels' own columns, in upright plants.
+class Rows {
+public:
+	Rows(int plants, Law species_law) :
+			count(plants), law(species_law), values(static_cast<std::size_t>(COLUMNS) * stride()) {
+		std::vector<float> lengths;
+		for (int i = 0; i < plants; i++) {
+			lengths.push_back(0.3f + 1.5f * static_cast<float>(i) / static_cast<float>(plants));
+		}
+		constexpr float STEP = 1.0f / 60.0f;
+		const Joint joint = safe_joint({});
+		if (law == Law::elasticity) {
+			elastic = elasticity_constants(joint, STEP);
+			elasticity_weights(joint, STEP, lengths.data(), plants, column(6));
+			std::fill(column(1), column(1) + plants, 1.0f);
+		} else {
+			spring = spring_constants(joint, STEP);
+			spring_gains(spring, lengths.data(), plants, column(6));
+		}
+	}
+
+	void step(SimdLevel level) {
+		const PlantWinds winds = { strengths.data(), 0.8f, 0.6f };
+		for (int begin = 0; begin < count; begin += AT_ONCE) {
+			const int some = std::min(AT_ONCE, count - begin);
+			const auto at = [&](int which) { return column(which) + begin; };
+			if (law == Law::elasticity) {
+				kernels(level).step_elasticity({ at(0), at(1), at(2), at(3), at(4), at(5), at(6), elastic.lift_share,
+													   elastic.wind_share, elastic.keep, elastic.lowest_y },
+						some, winds);
+			} else {
+				kernels(level).step_spring(
+						{ at(0), at(1), at(2), at(3), at(4), at(5), at(6), spring.place_from_place,
+								spring.place_from_rate, spring.rate_from_place, spring.rate_from_rate, MAX_GNOMONIC },
+						some, winds);
+			}
+		}
+	}
+
+private:
+	int count;
+	Law law;
+	std::vector<float> values;
+	std::vector<float> strengths = std::vector<float>(AT_ONCE, 2.0f);
+	ElasticityConstants elastic = {};
+	SpringConstants spring = {};
+
+	/// Not a whole number of memory pages, as in Columns.
+	std::size_t stride() const { return static_cast<std::size_t>(count) + 80; }
+	float *column(int which) { return values.data() + static_cast<std::size_t>(which) * stride(); }
+};
+
 void time_steps(Report &report, const StepCost &cost, int plants, SimdLevel level, double compute, double memory) {
 	std::vector<MotionPage> pages = meadow(cost.law, plants);
+	Rows rows(plants, cost.law);
 	TravellingWind wind = {};
 	wind.steady = 2.0f;
 	const int repeats = std::max(PLANTS_PER_RUN / plants, 1);
+	const auto step = [&] {
+		if (!cost.is_whole) {
+			rows.step(level);
+			return;
+		}
+		for (MotionPage &page : pages) {
+			page.step(wind, { nullptr, 0.8f, 0.6f }, level);
+		}
+	};
 	const double run = median_ms([&] {
 		for (int i = 0; i < repeats; i++) {
-			for (MotionPage &page : pages) {
-				page.step(wind, { nullptr, 0.8f, 0.6f }, level);
-			}
+			step();
 		}
 	}) / repeats;
 	const double per_ns = plants / (run * 1e6);

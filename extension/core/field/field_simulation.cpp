@@ -69,17 +69,19 @@ int FieldSimulation::add_page(int species, const MotionPlant *plants, int count)
 	}
 	const MotionSpecies &kind = kinds[static_cast<std::size_t>(species)];
 	const float step_length = options.step * static_cast<float>(options.update_interval);
-	Entry entry = { MotionPage(species, kind, plants, count, step_length, models.empty()), {}, 1, 1, 0, -1, false };
-	entry.interval = options.update_interval;
+	Entry entry = { MotionPage(species, kind, plants, count, step_length, models.empty()), {}, 0, false };
 	const auto is_free = [](const Entry &one) { return one.is_free; };
-	const auto place = std::find_if(entries.begin(), entries.end(), is_free);
+	const auto place = free_pages > 0 ? std::find_if(entries.begin(), entries.end(), is_free) : entries.end();
 	const int number = static_cast<int>(place - entries.begin());
 	if (place == entries.end()) {
 		entries.push_back(std::move(entry));
+		beats.emplace_back();
 	} else {
+		free_pages--;
 		entry.loose_version = place->loose_version + 1; // Whoever remembers the old one sees a change.
 		*place = std::move(entry);
 	}
+	beat(number) = { -1, options.update_interval, 1, number };
 	take_in(at(number), plants, count);
 	return number;
 }
@@ -95,7 +97,11 @@ bool FieldSimulation::add_to_page(int page, const MotionPlant *plants, int count
 
 /// What plants that a page has just got mean for the field: its box, and whom they follow.
 void FieldSimulation::take_in(Entry &entry, const MotionPlant *plants, int count) {
-	update_box();
+	if (count > 0) {
+		grow_box(entry.page, plant_rows == 0);
+		plant_rows += count;
+		update_delays();
+	}
 	if (models.empty()) {
 		return;
 	}
@@ -106,16 +112,19 @@ void FieldSimulation::take_in(Entry &entry, const MotionPlant *plants, int count
 	loose_of(entry).reserve(count_of_species(entry.page.species()));
 }
 
+void FieldSimulation::grow_box(const MotionPage &page, bool is_first) {
+	box_low = is_first ? page.low() : glm::min(box_low, page.low());
+	box_high = is_first ? page.high() : glm::max(box_high, page.high());
+}
+
 /// The box of all plants, and what depends on it.
 void FieldSimulation::update_box() {
-	bool is_first = true;
+	plant_rows = 0;
 	for (const Entry &entry : entries) {
-		if (entry.page.size() == 0) {
-			continue;
+		if (entry.page.size() > 0) {
+			grow_box(entry.page, plant_rows == 0);
+			plant_rows += entry.page.size();
 		}
-		box_low = is_first ? entry.page.low() : glm::min(box_low, entry.page.low());
-		box_high = is_first ? entry.page.high() : glm::max(box_high, entry.page.high());
-		is_first = false;
 	}
 	update_delays();
 }
@@ -137,6 +146,7 @@ void FieldSimulation::remove_page(int page) {
 	const int species = entry.page.species();
 	entry.page =
 			MotionPage(species, kinds[static_cast<std::size_t>(species)], nullptr, 0, options.step, models.empty());
+	free_pages += entry.is_free ? 0 : 1;
 	entry.is_free = true;
 	update_box();
 }
@@ -160,6 +170,9 @@ void FieldSimulation::settle() {
 
 void FieldSimulation::clear() {
 	entries.clear();
+	beats.clear();
+	free_pages = 0;
+	plant_rows = 0;
 	loose.clear();
 	for (const Prototypes &model : models) {
 		const int species = static_cast<int>(&model - models.data());
@@ -178,18 +191,19 @@ void FieldSimulation::set_update_interval(int steps) {
 }
 
 void FieldSimulation::set_page_multiple(int page, int multiple) {
-	at(page).multiple = std::clamp(multiple, 1, MAX_MULTIPLE);
+	beat(page).multiple = std::clamp(multiple, 1, MAX_MULTIPLE);
 }
 
 int FieldSimulation::page_interval(int page) const {
-	return std::min(options.update_interval * at(page).multiple, LONGEST_INTERVAL);
+	return std::min(options.update_interval * beat(page).multiple, LONGEST_INTERVAL);
 }
 
 bool FieldSimulation::is_due(int page, int64_t number) const {
 	const int interval = page_interval(page);
 	// A page whose interval became shorter first comes to the end of the step that it has done: nothing jumps.
-	const bool is_free = at(page).last_step < 0 || number >= at(page).last_step + at(page).interval;
-	return is_free && number % interval == page % interval;
+	const Beat &own = beat(page);
+	const bool is_free = own.last_step < 0 || number >= own.last_step + own.interval;
+	return is_free && (interval == 1 || number % interval == own.phase % interval);
 }
 
 void FieldSimulation::set_bodies(const FieldBody *bodies, int count) {
@@ -204,7 +218,7 @@ void FieldSimulation::step_prototypes(int64_t number) {
 	for (Prototypes &model : models) {
 		const double moment = static_cast<double>(number) + model.wind_moment();
 		const double moment_time = moment * static_cast<double>(options.step) + static_cast<double>(lead);
-		model.step(wind_at_time(wind, moment_time), along);
+		model.step(wind_at_time(wind, along, moment_time), along);
 	}
 }
 
@@ -213,15 +227,21 @@ void FieldSimulation::begin_step() {
 		step_prototypes(number);
 	}
 	step_prototypes(next_step);
+	for (int page = 0; page < page_count() && models.empty(); page++) { // Followers have no steps of their own.
+		if (is_due(page, next_step)) {
+			beat(page).interval = page_interval(page);
+			beat(page).last_step = next_step;
+		}
+	}
 	next_step++;
 	delays.step();
 	step_loose();
 }
 
 void FieldSimulation::step_pages(int begin, int end) {
-	for (int page = std::max(begin, 0); page < std::min(end, page_count()); page++) {
-		if (is_due(page, next_step - 1)) {
-			step_page(at(page), page_interval(page));
+	for (int page = std::max(begin, 0); page < std::min(end, page_count()) && models.empty(); page++) {
+		if (has_stepped(page) && at(page).page.swings()) {
+			step_page(page);
 		}
 	}
 }
@@ -231,18 +251,18 @@ void FieldSimulation::step() {
 	step_pages(0, page_count());
 }
 
-void FieldSimulation::step_page(Entry &entry, int interval) {
-	entry.last_step = next_step - 1;
-	entry.interval = interval;
-	if (!entry.page.swings()) {
-		return;
+void FieldSimulation::step_page(int page) {
+	Entry &entry = at(page);
+	if (page + 1 < page_count() && has_stepped(page + 1)) {
+		at(page + 1).page.prefetch();
 	}
+	const int interval = beat(page).interval;
 	const float step_length = options.step * static_cast<float>(interval);
 	if (entry.page.step_length() != step_length) {
 		entry.page.set_step_length(step_length);
 	}
-	const double moment = static_cast<double>(entry.last_step) + entry.page.wind_moment() * interval;
-	entry.page.step(wind_at_time(blowing, moment * static_cast<double>(options.step)), along);
+	const double moment = static_cast<double>(beat(page).last_step) + entry.page.wind_moment() * interval;
+	entry.page.step(wind_at_time(blowing, along, moment * static_cast<double>(options.step)), along);
 	for (const FieldBody &body : pushing) {
 		push_plants(entry.page, body);
 	}

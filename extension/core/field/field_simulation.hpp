@@ -24,7 +24,7 @@ struct FieldSettings {
 /// A step is begin_step(), then step_pages() once for every page, in any split and on any threads: the bits are the
 /// same. Step n covers the time from n·step to (n + interval)·step, by one step of that length under the wind at its
 /// MotionPage::wind_moment(), so that what is shown, the way from the bend before to the bend after (alpha()), is never
-/// late. A page whose interval is k steps at steps n with n % k == page % k: never all pages in one step (thesis,
+/// late. A page whose interval is k steps at steps n with n % k == phase % k: never all pages in one step (thesis,
 /// section 5.3.1). Nothing allocates between begin_step() and the next change of the field.
 ///
 /// Plants are named by page and index, which stay theirs.
@@ -74,6 +74,9 @@ public:
 	/// that it has done is over.
 	void set_page_multiple(int page, int multiple);
 	int page_interval(int page) const;
+	/// In which of the steps of its interval a page is due; its number, unless this says otherwise. Pages whose poses
+	/// are sent together are best due together. Before the page's first step.
+	void set_page_phase(int page, int phase) { beat(page).phase = phase; }
 	/// What pushes plants in the coming steps; bodies that are not valid are left out. A follower that is pushed swings
 	/// by itself until it has rung down (LoosePlants).
 	void set_bodies(const FieldBody *bodies, int count);
@@ -88,11 +91,13 @@ public:
 	void step_pages(int begin, int end);
 	/// Plants that the next step will step, prototypes included.
 	int due_count() const;
+	/// Of one page.
+	int due_count(int page) const;
 	/// begin_step() and step_pages() of all.
 	void step();
 
 	/// Whether the present step changed the page's bends.
-	bool has_stepped(int page) const { return at(page).last_step == next_step - 1; }
+	bool has_stepped(int page) const { return beat(page).last_step == next_step - 1; }
 	/// How far to go from each plant's bend before to its bend after, `fraction` of a step after the present one began.
 	float alpha(int page, float fraction) const;
 	/// What is drawn of a plant, `fraction` of a step after the present one began, as a stereographic image of its
@@ -135,11 +140,16 @@ private:
 	struct Entry {
 		MotionPage page;
 		std::vector<Follower> followers; ///< Empty where plants swing by themselves.
-		int multiple = 1;
-		int interval = 1; ///< Of the last step, in steps.
 		int loose_version = 0;
-		int64_t last_step = -1;
 		bool is_free = false; ///< Nobody's, for the next add_page().
+	};
+
+	/// When a page steps. Beside the pages, which other threads write to, so that going through all costs little.
+	struct Beat {
+		int64_t last_step = -1;
+		int interval = 1; ///< Of the last step, in steps.
+		int multiple = 1;
+		int phase = 0;
 	};
 
 	FieldSettings options;
@@ -149,6 +159,9 @@ private:
 	std::vector<Prototypes> models; ///< One for each species, or none.
 	std::vector<LoosePlants> loose; ///< As many.
 	std::vector<Entry> entries;
+	std::vector<Beat> beats; ///< As many.
+	int free_pages = 0;
+	int plant_rows = 0; ///< Of all pages: the box is that of so many.
 	std::vector<FieldBody> pushing;
 	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
@@ -158,11 +171,14 @@ private:
 
 	const Entry &at(int page) const { return entries[static_cast<std::size_t>(page)]; }
 	Entry &at(int page) { return entries[static_cast<std::size_t>(page)]; }
+	const Beat &beat(int page) const { return beats[static_cast<std::size_t>(page)]; }
+	Beat &beat(int page) { return beats[static_cast<std::size_t>(page)]; }
+	void grow_box(const MotionPage &page, bool is_first);
 	void update_box();
 	void take_in(Entry &entry, const MotionPlant *plants, int count);
 	void step_prototypes(int64_t number);
 	bool is_due(int page, int64_t number) const;
-	void step_page(Entry &entry, int interval);
+	void step_page(int page);
 	void update_delays();
 	Follower pick(const MotionPlant &plant, int species) const;
 	LoosePlants &loose_of(const Entry &entry);

@@ -121,7 +121,7 @@ void FieldSimulation::step_loose() {
 			continue;
 		}
 		const double moment = static_cast<double>(next_step - 1) + some.page().wind_moment();
-		some.step(wind_at_time(blowing, moment * static_cast<double>(options.step)), along);
+		some.step(wind_at_time(blowing, along, moment * static_cast<double>(options.step)), along);
 		for (int number = some.count() - 1; number >= 0; number--) {
 			Entry &entry = at(some.page_of(number));
 			const int index = some.index_of(number);

@@ -49,16 +49,20 @@ int FieldSimulation::due_count() const {
 	for (const LoosePlants &some : loose) {
 		due += some.count();
 	}
-	for (int page = 0; page < page_count(); page++) {
-		due += at(page).page.swings() && is_due(page, next_step) ? at(page).page.standing() : 0;
+	for (int page = 0; page < page_count() && models.empty(); page++) {
+		due += due_count(page);
 	}
 	return due;
 }
 
+int FieldSimulation::due_count(int page) const {
+	return at(page).page.swings() && is_due(page, next_step) ? at(page).page.standing() : 0;
+}
+
 float FieldSimulation::alpha(int page, float fraction) const {
-	const Entry &entry = at(page);
-	const float steps = static_cast<float>(next_step - 1 - entry.last_step) + fraction;
-	return std::clamp(steps / static_cast<float>(entry.interval), 0.0f, 1.0f);
+	const Beat &own = beat(page);
+	const float steps = static_cast<float>(next_step - 1 - own.last_step) + fraction;
+	return std::clamp(steps / static_cast<float>(own.interval), 0.0f, 1.0f);
 }
 
 glm::vec2 FieldSimulation::shown_bend(int page, int index, float fraction) const {
@@ -141,7 +145,7 @@ bool FieldSimulation::is_point_in_plants(const glm::vec3 &point, float margin) c
 
 double FieldSimulation::bytes_per_plant() const {
 	const int plants = plant_count();
-	std::size_t bytes = entries.capacity() * sizeof(Entry);
+	std::size_t bytes = entries.capacity() * sizeof(Entry) + beats.capacity() * sizeof(Beat);
 	for (const Entry &entry : entries) {
 		bytes += entry.page.bytes() - sizeof(MotionPage) + entry.followers.capacity() * sizeof(Follower);
 	}

@@ -150,6 +150,8 @@ public:
 	const glm::vec3 &high() const { return box_high; }
 	/// Of the heap.
 	std::size_t bytes() const;
+	/// It is stepped soon: the beginnings of its columns come into the cache.
+	void prefetch() const;
 
 private:
 	int species_number;

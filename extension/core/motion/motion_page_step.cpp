@@ -74,6 +74,17 @@ SpringPage MotionPage::spring_page(int begin) {
 	return page;
 }
 
+void MotionPage::prefetch() const {
+#if defined(__GNUC__)
+	constexpr int FLOATS = 64; // Of each column: what the processor's own prefetching needs to take over.
+	for (int i = ROOT_X; is_swinging && i < SWINGING_COLUMNS; i++) {
+		for (int j = 0; j < FLOATS; j += 16) {
+			__builtin_prefetch(column(i) + j);
+		}
+	}
+#endif
+}
+
 /// What is drawn as the last direction, before a step.
 void MotionPage::remember() {
 	const auto copy = [this](int from, int to) { std::copy(column(from), column(from) + size(), column(to)); };

@@ -3,6 +3,7 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace undergrowth {
@@ -17,6 +18,11 @@ bool is_in(const glm::vec3 &point, const glm::vec3 &low, const glm::vec3 &high) 
 bool meet(const PlantBlock &block, const glm::vec3 &low, const glm::vec3 &high) {
 	return block.low.x <= high.x && block.high.x >= low.x && block.low.y <= high.y && block.high.y >= low.y &&
 			block.low.z <= high.z && block.high.z >= low.z;
+}
+
+bool is_near(const PlantBlock &block, const glm::vec3 &place, float reach) {
+	return block.low.x <= place.x + reach && block.high.x >= place.x - reach && block.low.z <= place.z + reach &&
+			block.high.z >= place.z - reach;
 }
 
 } // namespace
@@ -85,7 +91,8 @@ void PlantStore::drop(int number, ChangeSet &changes) {
 }
 
 void PlantStore::drop_filled(ChangeSet &changes) {
-	for (int number = 0; number < block_count(); number++) {
+	// From the last, so that take_number() gives the lowest first: a field that is filled as before keeps its numbers.
+	for (int number = block_count() - 1; number >= 0; number--) {
 		if (block(number).size() > 0 && !block(number).is_added) {
 			drop(number, changes);
 		}
@@ -236,13 +243,17 @@ PlantPlace PlantStore::find(PlantId id) const {
 	for_each_tile(place - reach, place + reach, [&](const std::vector<int> &members) {
 		for (const int number : members) {
 			const PlantBlock &there = block(number);
-			for (int slot = 0; found.block < 0 && !there.is_added && slot < there.size(); slot++) {
-				const glm::vec3 root = there.root(slot);
+			if (found.block >= 0 || there.is_added || !is_near(there, place, reach)) {
+				continue;
+			}
+			const float *x = there.plants.x.data();
+			const float *z = there.plants.z.data();
+			for (int slot = 0; slot < there.size(); slot++) {
 				// Most are too far: the exact answer costs a division.
-				const bool is_near = root.x > place.x - reach && root.x < place.x + reach && root.z > place.z - reach &&
-						root.z < place.z + reach;
-				if (is_near && !there.is_gone(slot) && filled_plant_id(root.x, root.z, cell_size) == id) {
+				if (std::fabs(x[slot] - place.x) < reach && std::fabs(z[slot] - place.z) < reach &&
+						!there.is_gone(slot) && filled_plant_id(x[slot], z[slot], cell_size) == id) {
 					found = { number, slot };
+					break;
 				}
 			}
 		}

@@ -41,8 +41,11 @@ float wind_delay(const FieldWind &wind, float x, float z) {
 }
 
 TravellingWind wind_at_time(const FieldWind &field_wind, double time) {
+	return wind_at_time(field_wind, winds_along(field_wind), time);
+}
+
+TravellingWind wind_at_time(const FieldWind &field_wind, const PlantWinds &along, double time) {
 	const Wind &wind = field_wind.wind;
-	const PlantWinds along = winds_along(field_wind);
 	const float strength = safe(wind.strength, MAX_STRENGTH);
 	const float frequency = safe(wind.frequency, MAX_FREQUENCY);
 	TravellingWind now = {};

@@ -23,4 +23,7 @@ TravellingWind wind_at_time(const FieldWind &wind, double time);
 /// Where it blows to: the horizontal unit direction as PlantWinds::x and z, without strengths.
 PlantWinds winds_along(const FieldWind &wind);
 
+/// The same as wind_at_time() for who has winds_along(wind) already.
+TravellingWind wind_at_time(const FieldWind &wind, const PlantWinds &along, double time);
+
 } // namespace undergrowth

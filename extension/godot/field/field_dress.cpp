@@ -14,7 +14,8 @@ Ref<Material> FieldDress::worn(const FieldLook &look) const {
 	return instead.is_valid() ? instead : look.function->get_material();
 }
 
-void FieldDress::put_on(FieldStyle &style, const PoseTexture &poses) const {
+void FieldDress::put_on(FieldStyle &style, const PoseTexture &poses) {
+	has_sent = false;
 	for (FieldLook &look : style.looks) {
 		const bool is_new = look.materials.empty();
 		for (size_t i = look.materials.size(); i < style.levels.size(); i++) {
@@ -55,15 +56,22 @@ void FieldDress::follow(const FieldStyle &style) {
 	}
 }
 
-void FieldDress::tell_of_followers(const FieldStyle &style, const FieldMotion &motion, const Transform3D &axes) const {
+void FieldDress::tell_of_followers(const FieldStyle &style, const FieldMotion &motion, const Transform3D &axes) {
 	if (!motion.poses() || !motion.poses()->follows()) {
 		return;
 	}
 	const FieldMotion::Delays delays = motion.follower_delays(axes);
+	const bool are_same =
+			has_sent && delays.after == sent.after && delays.before == sent.before && delays.share == sent.share;
+	sent = delays;
+	has_sent = true;
 	for (size_t i = 0; i < style.looks.size(); i++) {
 		const Vector3 history = motion.history_of(int(i));
 		for (const Ref<ShaderMaterial> &material : style.looks[i].materials) {
 			material->set_shader_parameter("undergrowth_history", history);
+			if (are_same) {
+				continue;
+			}
 			material->set_shader_parameter("undergrowth_delay", delays.after);
 			material->set_shader_parameter("undergrowth_delay_before", delays.before);
 			material->set_shader_parameter("undergrowth_delay_share", delays.share);

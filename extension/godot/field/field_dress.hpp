@@ -15,17 +15,19 @@ public:
 
 	/// Makes the materials that are missing and tells all of levels and textures. A shader that does not bend is told
 	/// of, once for each look.
-	void put_on(FieldStyle &style, const PoseTexture &poses) const;
+	void put_on(FieldStyle &style, const PoseTexture &poses);
 	/// Forgets the materials; what was worn goes on with whoever holds `old`.
 	void take_off(FieldStyle &style, std::vector<std::vector<godot::Ref<godot::ShaderMaterial>>> &old) const;
 	/// One species' materials follow what their user changed in them, in turns.
 	void follow(const FieldStyle &style);
 	/// Where followers of prototypes find what they show in this frame.
-	void tell_of_followers(const FieldStyle &style, const FieldMotion &motion, const godot::Transform3D &axes) const;
+	void tell_of_followers(const FieldStyle &style, const FieldMotion &motion, const godot::Transform3D &axes);
 
 private:
 	const godot::GeometryInstance3D *node;
 	size_t followed_look = 0;
+	FieldMotion::Delays sent; ///< To the materials that are worn, if any.
+	bool has_sent = false;
 
 	godot::Ref<godot::Material> worn(const FieldLook &look) const;
 };

@@ -144,8 +144,9 @@ void FieldFill::simulate() {
 		for (int slot = 0; slot < block.size(); slot++) {
 			simulated.push_back(result.style.looks[size_t(block.species)].to_simulate(block.plants.plant(slot)));
 		}
-		result.simulation->add_page(block.species, simulated.data(), int(simulated.size()));
+		const int page = result.simulation->add_page(block.species, simulated.data(), int(simulated.size()));
 		result.poses->give_rows(int(i), block.size());
+		result.simulation->set_page_phase(page, result.poses->texel(int(i), 0).second); // Sent together, due together.
 	}
 	result.poses->give_history(result.simulation->species_count());
 	if (recipe.settings.prototypes > 0) {
@@ -157,8 +158,27 @@ void FieldFill::simulate() {
 	}
 }
 
+// Whether the same plants stand as before, as after most changes: no names need be compared then.
+bool FieldFill::are_the_same() {
+	std::vector<KeptPlant> same;
+	bool is_same = result.spacing == recipe.old_spacing && result.blocks.size() == recipe.standing.size();
+	for (size_t i = 0; is_same && i < result.blocks.size(); i++) {
+		const PlantBlock &now = result.blocks[i];
+		const auto &[number, before] = recipe.standing[i];
+		is_same = before.gone == 0 && now.plants.x == before.plants.x && now.plants.z == before.plants.z;
+		for (int slot = 0; is_same && slot < now.size(); slot++) {
+			same.push_back({ { number, slot }, { int(i), slot } });
+		}
+	}
+	result.kept = is_same ? std::move(same) : std::vector<KeptPlant>();
+	return is_same;
+}
+
 // Which plants stood before, by their names, species and sizes: what has moved on is another plant.
 void FieldFill::find_kept() {
+	if (are_the_same()) {
+		return;
+	}
 	std::vector<std::pair<PlantId, PlantPlace>> before;
 	for (const auto &[number, block] : recipe.standing) {
 		for (int slot = 0; slot < block.size(); slot++) {

@@ -94,6 +94,7 @@ private:
 	void stand_on_ground();
 	void build();
 	void simulate();
+	bool are_the_same();
 	void find_kept();
 };
 

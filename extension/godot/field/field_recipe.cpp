@@ -56,12 +56,13 @@ Polygon read_outline(const Node3D *field, const StandOptions &options) {
 static String read_exclusion(const Node3D *field, const NodePath &path, const String &name, Polygon &into) {
 	if (const Path3D *line = find_path(field, path)) {
 		into = flatten(line, field);
-		return into.size() > 2 ? String()
-							   : name + " has a curve of two points or fewer, which goes around nothing. Add points.";
+		return into.size() > 2
+				? String()
+				: name + String(" has a curve of two points or fewer, which goes around nothing. Add points.");
 	}
 	const PlantField3D *other = Object::cast_to<PlantField3D>(field->get_node_or_null(path));
 	if (!other || other == field) {
-		return name + " '" + String(path) +
+		return name + String(" '") + String(path) +
 				"' leads to no Path3D with a curve, and to no other PlantField3D. Set a path to one.";
 	}
 	const Transform3D to_field = axes_of(field).affine_inverse() * axes_of(other);
@@ -151,11 +152,11 @@ String find_level_fault(const ViewOptions &options) {
 		const Ref<PlantFieldLevel> level = options.levels[i];
 		const String name = "levels[" + String::num_int64(i) + "]";
 		if (level.is_null()) {
-			return name + " is empty. Set a PlantFieldLevel there, or remove the entry.";
+			return name + String(" is empty. Set a PlantFieldLevel there, or remove the entry.");
 		}
 		const float end = float(level->get_end());
 		if (i + 1 < options.levels.size() && end <= before) {
-			return name + " ends at " + String::num(end) +
+			return name + String(" ends at ") + String::num(end) +
 					" m, not beyond the one before it. Let each level but the last "
 					"end farther away than the one before.";
 		}

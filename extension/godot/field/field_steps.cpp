@@ -15,10 +15,41 @@ using Clock = std::chrono::steady_clock;
 /// Plants that are stepped in less time than waking a worker thread takes of both threads.
 static constexpr int FEW_PLANTS = 4096;
 static constexpr int PLANTS_PER_THREAD = 8192; // Fewer are not worth waking another.
+static constexpr int PLANTS_PER_PART = 2048; // Enough that taking a part costs nothing beside doing it.
 static constexpr int TOUCHING_PLANT = 16; // What a plant with contact costs, in plants without.
 
-int FieldSteps::work_of_step() const {
-	return touching ? TOUCHING_PLANT * stepped->plant_count() : stepped->due_count();
+// Begins the step. Pages by tiles are small: threads take some of them at a time. Tells how many plants are due; their
+// poses will be new.
+int FieldSteps::divide() {
+	runs.clear();
+	int in_run = PLANTS_PER_PART;
+	if (stepped->settings().prototypes > 0) {
+		return stepped->due_count();
+	}
+	stepped->begin_step(); // Prototypes step in it: those go to the workers.
+	int due = 0;
+	for (int page = 0; page < stepped->page_count(); page++) {
+		if (in_run >= PLANTS_PER_PART) {
+			runs.push_back(page);
+			in_run = 0;
+		}
+		const int of_page = stepped->has_stepped(page) ? stepped->page(page).standing() : 0;
+		due += of_page;
+		const int block = (*blocks)[size_t(page)];
+		if (block >= 0 && (touching || of_page > 0)) {
+			written->will_write(block);
+		}
+		in_run += touching ? stepped->page(page).size() : of_page;
+	}
+	runs.push_back(stepped->page_count());
+	return due;
+}
+
+int FieldSteps::work_of_step(int due) const {
+	if (touching) {
+		return TOUCHING_PLANT * stepped->plant_count();
+	}
+	return due;
 }
 
 void FieldSteps::start(FieldSimulation &simulation, PoseTexture &poses, const std::vector<int> &block_of_page,
@@ -36,7 +67,7 @@ void FieldSteps::start(FieldSimulation &simulation, PoseTexture &poses, const st
 	if (touching) {
 		touching->follow_radii(simulation);
 	}
-	const int plants = work_of_step(); // As many plants as would cost the same without contact.
+	const int plants = work_of_step(divide()); // As many plants as would cost the same without contact.
 	is_inline = plants <= FEW_PLANTS;
 	if (is_inline) {
 		work(this, 0);
@@ -44,10 +75,7 @@ void FieldSteps::start(FieldSimulation &simulation, PoseTexture &poses, const st
 	}
 	const bool follows = simulation.settings().prototypes > 0;
 	const int useful = std::max(plants / PLANTS_PER_THREAD, 1);
-	const int tasks = follows ? 1 : std::clamp(std::min(useful, simulation.page_count()), 1, workers);
-	if (!follows) {
-		simulation.begin_step(); // Prototypes step in it: those go to the workers, too.
-	}
+	const int tasks = follows ? 1 : std::clamp(std::min(useful, int(runs.size()) - 1), 1, workers);
 	group = WorkerThreadPool::get_singleton()->add_native_group_task(&FieldSteps::work, this, tasks, tasks, true);
 }
 
@@ -63,7 +91,7 @@ void FieldSteps::wait() {
 void FieldSteps::work(void *self, uint32_t) {
 	const Clock::time_point start = Clock::now();
 	FieldSteps *steps = static_cast<FieldSteps *>(self);
-	if (steps->is_inline || steps->stepped->settings().prototypes > 0) {
+	if (steps->stepped->settings().prototypes > 0) {
 		steps->stepped->begin_step();
 	}
 	for (int phase = 0; phase < (steps->touching ? PHASES : STEP + 1); phase++) {
@@ -83,13 +111,13 @@ int FieldSteps::parts_of(int phase) const {
 	if (phase == SORT || stepped->settings().prototypes > 0) {
 		return 1;
 	}
-	return stepped->page_count();
+	return int(runs.size()) - 1;
 }
 
 void FieldSteps::write(int page) {
 	const int block = (*blocks)[size_t(page)];
 	if (block >= 0) {
-		written->write_block(*stepped, page, block);
+		written->write_bends(*stepped, page, block);
 	}
 }
 
@@ -99,27 +127,34 @@ void FieldSteps::do_part(int phase, int part) {
 		written->write_history(*stepped, false);
 		return;
 	}
+	if (phase == SORT) {
+		touching->sort();
+		return;
+	}
+	const int first = runs[size_t(part)];
+	const int end = runs[size_t(part) + 1];
 	switch (phase) {
 		case STEP:
-			stepped->step_pages(part, part + 1);
-			if (!touching && stepped->has_stepped(part)) {
-				write(part);
+			for (int page = first; page < end; page++) {
+				stepped->step_pages(page, page + 1);
+				if (!touching && stepped->has_stepped(page)) {
+					write(page);
+				}
 			}
 			break;
 		case GATHER:
-			touching->gather(*stepped, part, part + 1);
-			break;
-		case SORT:
-			touching->sort();
+			touching->gather(*stepped, first, end);
 			break;
 		case COUNT:
-			touching->count(*stepped, part, part + 1);
+			touching->count(*stepped, first, end);
 			break;
 		case SEPARATE:
-			touching->separate(*stepped, part, part + 1);
+			touching->separate(*stepped, first, end);
 			break;
 		default:
-			write(part);
+			for (int page = first; page < end; page++) {
+				write(page);
+			}
 			break;
 	}
 }

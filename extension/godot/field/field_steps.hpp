@@ -39,13 +39,15 @@ private:
 	PoseTexture *written = nullptr;
 	const std::vector<int> *blocks = nullptr; ///< By page.
 	TipContact *touching = nullptr;
+	std::vector<int> runs; ///< First pages of the parts that threads take, and the end.
 	std::atomic<int> next_part[PHASES] = {};
 	std::atomic<int> parts_done[PHASES] = {};
 	std::atomic<int64_t> busy_nsec{ 0 };
 	bool is_inline = false;
 	int64_t group = -1; ///< Of the engine's worker threads.
 
-	int work_of_step() const;
+	int divide();
+	int work_of_step(int due) const;
 	static void work(void *self, uint32_t worker);
 	int parts_of(int phase) const;
 	void do_part(int phase, int part);

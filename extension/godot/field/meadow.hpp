@@ -34,10 +34,6 @@ public:
 	bool is_at_work() const { return job != nullptr; }
 	/// Whether it places plants.
 	bool is_filling() const { return job && job->places(); }
-	/// Whether what it grows does not know a species of now, plants of which it would have to take over.
-	bool grows_without(int species) const;
-	/// Until fill() is called again; the old field stays.
-	void stop_growing();
 	/// Goes on with it; at any frame, paused or not. `physics`: it is one of physics, in which rays may be cast.
 	void poll(double delta, bool physics);
 

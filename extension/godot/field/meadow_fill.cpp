@@ -120,19 +120,6 @@ void Meadow::fill(bool places) {
 	job->start();
 }
 
-bool Meadow::grows_without(int species) const {
-	if (!job) {
-		return false;
-	}
-	const std::vector<int> &numbers = job->species_numbers();
-	return size_t(species) >= numbers.size() || numbers[size_t(species)] < 0;
-}
-
-void Meadow::stop_growing() {
-	rays.reset();
-	job.reset();
-}
-
 // In a physics frame: only then may everybody ask physics.
 void Meadow::cast_rays(double delta) {
 	if (!rays) {

@@ -18,7 +18,8 @@ PlantPlace PlantAccess::find(int64_t id) const {
 	const PlantPlace place = meadow.store.find(id);
 	if (place.block < 0) {
 		report_error(node,
-				"has no plant " + String::num_int64(id) + ". Ids are those of get_plant_ids(), until a plant is removed.");
+				"has no plant " + String::num_int64(id) +
+						". Ids are those of get_plant_ids(), until a plant is removed.");
 	}
 	return place;
 }

@@ -106,7 +106,9 @@ public:
 	godot::TypedArray<godot::Transform3D> get_plant_transforms(const godot::PackedInt64Array &ids) const {
 		return plants.transforms(ids);
 	}
-	godot::PackedFloat32Array get_plant_heights(const godot::PackedInt64Array &ids) const { return plants.heights(ids); }
+	godot::PackedFloat32Array get_plant_heights(const godot::PackedInt64Array &ids) const {
+		return plants.heights(ids);
+	}
 	/// The field's outline in its own axes.
 	Polygon outline_polygon() const;
 	godot::PackedVector3Array get_outline_points() const;

@@ -49,8 +49,14 @@ int PoseTexture::add_layer(bool is_shared) {
 PoseTexture::Rows PoseTexture::find_rows(int count) {
 	const uint64_t wanted = count >= SIDE ? ALL_ROWS : (uint64_t(1) << count) - 1;
 	for (int layer = int(layers.size()) - 1; layer >= 0; layer--) {
-		for (int first = 0; first + count <= SIDE && free_rows[size_t(layer)] != 0; first++) {
-			if ((free_rows[size_t(layer)] >> first & wanted) == wanted) {
+		uint64_t begins = free_rows[size_t(layer)]; // Bits of rows after which as many as `seen` are free.
+		for (int seen = 1; seen < count && begins != 0;) {
+			const int more = std::min(seen, count - seen);
+			begins &= begins >> more;
+			seen += more;
+		}
+		for (int first = 0; begins != 0; first++, begins >>= 1) {
+			if (begins & 1) {
 				free_rows[size_t(layer)] &= ~(wanted << first);
 				return { layer, first, count };
 			}
@@ -125,15 +131,20 @@ uint8_t *PoseTexture::texels(const Rows &rows) {
 }
 
 void PoseTexture::write_block(const FieldSimulation &simulation, int page, int block) {
-	Block &own = blocks[size_t(block)];
+	will_write(block);
 	if (follows_prototypes) {
-		write_followers(simulation, page, own);
+		write_followers(simulation, page, blocks[size_t(block)]);
+		write_hidden(blocks[size_t(block)]);
 	} else {
-		const MotionPage &plants = simulation.page(page);
-		std::memcpy(texels(own.rows), plants.bends(), size_t(plants.size()) * TEXEL_BYTES);
+		write_bends(simulation, page, block);
 	}
+}
+
+void PoseTexture::write_bends(const FieldSimulation &simulation, int page, int block) {
+	const MotionPage &plants = simulation.page(page);
+	const Block &own = blocks[size_t(block)];
+	std::memcpy(texels(own.rows), plants.bends(), size_t(plants.size()) * TEXEL_BYTES);
 	write_hidden(own);
-	own.is_fresh = true;
 }
 
 void PoseTexture::write_hidden(const Block &block) {
@@ -149,7 +160,7 @@ void PoseTexture::hide(int block, int slot) {
 	own.hidden.push_back(uint16_t(slot));
 	const Bend pair[2] = { HIDDEN, HIDDEN };
 	std::memcpy(texels(own.rows) + size_t(slot) * TEXEL_BYTES, pair, TEXEL_BYTES);
-	own.is_fresh = true;
+	will_write(block);
 }
 
 void PoseTexture::show(int block, int slot) {
@@ -228,7 +239,6 @@ bool PoseTexture::make_textures() {
 	blend_texture = server->texture_2d_create(blend_image);
 	std::fill(is_fresh.begin(), is_fresh.end(), uint8_t(0));
 	for (Block &block : blocks) {
-		block.is_fresh = false;
 		block.share = -1.0f;
 	}
 	textured_layers = layers.size();
@@ -249,12 +259,6 @@ void PoseTexture::upload(const FieldSimulation &simulation, const std::vector<in
 }
 
 void PoseTexture::upload_layers() {
-	for (Block &block : blocks) {
-		if (block.is_fresh) {
-			is_fresh[size_t(block.rows.layer)] = 1;
-			block.is_fresh = false;
-		}
-	}
 	RenderingServer *server = RenderingServer::get_singleton();
 	for (size_t layer = 0; layer < layers.size(); layer++) {
 		if (is_fresh[layer]) {

@@ -42,6 +42,9 @@ public:
 	/// Takes over the bends of a block, which is a page of the simulation. On any thread, different blocks at the same
 	/// time.
 	void write_block(const FieldSimulation &simulation, int page, int block);
+	/// The same in two: will_write() of all blocks on one thread, then write_bends() on any, of plants that swing.
+	void will_write(int block) { is_fresh[size_t(blocks[size_t(block)].rows.layer)] = 1; }
+	void write_bends(const FieldSimulation &simulation, int page, int block);
 	/// Takes over the newest slot of each species' history, or all of them, and what its pushed plants do.
 	void write_history(const FieldSimulation &simulation, bool all);
 
@@ -69,7 +72,6 @@ private:
 	};
 	struct Block {
 		Rows rows;
-		bool is_fresh = false; ///< Written and not yet sent.
 		float share = -1.0f; ///< The blend that was sent.
 		int loose_version = 0; ///< Of followers, as written.
 		std::vector<uint16_t> hidden; ///< Plants that are gone, or that others show.
@@ -78,7 +80,7 @@ private:
 	const bool follows_prototypes;
 	std::vector<godot::Ref<godot::Image>> layers;
 	std::vector<uint64_t> free_rows; ///< By layer: a bit for each row.
-	std::vector<uint8_t> is_fresh; ///< By layer, beside the blocks'.
+	std::vector<uint8_t> is_fresh; ///< By layer: written and not yet sent.
 	std::vector<Block> blocks;
 	std::vector<int> histories; ///< By species: their first layers.
 	godot::Ref<godot::Image> blend_image;
