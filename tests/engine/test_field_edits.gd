@@ -1,4 +1,4 @@
-## What scripts and tools edit of a field that stands, and that it sees it: lists, paths, exclusions.
+## What scripts and tools edit of a field that stands, and that it sees it: lists, paths.
 extends "res://tests/engine/field_harness.gd"
 
 const LOOK := 10  # Frames between two looks at what tells nobody that it changed.
