@@ -48,6 +48,19 @@ func test_more_plants_than_there_may_be_are_refused() -> void:
 	check_equal(_field.get_plant_count(), count)
 
 
+func test_more_tiles_than_a_graphics_card_can_draw_are_refused() -> void:
+	_field.size = Vector2(6, 6)
+	await _fill()
+	var ids := _field.get_plant_ids()
+	_field.tile_size = 1.0
+	_field.density = 1.0
+	_field.size = Vector2(400, 400)
+	while _field.is_filling():
+		await process_frame
+	check_error("texture layers")
+	check_equal(_field.get_plant_ids(), ids, "what stood before")
+
+
 func test_a_quarter_of_an_hour_of_wind_leads_to_no_drift_and_takes_no_memory() -> void:
 	_field.size = Vector2(4, 4)
 	await _fill()

@@ -44,7 +44,7 @@ void FieldMotion::adopt(
 	pages.assign(size_t(store.block_count()), -1);
 	block_of_page.clear();
 	std::vector<int> numbers;
-	for (size_t i = 0; i < result.blocks.size(); i++) {
+	for (size_t i = 0; i < size_t(simulation->page_count()); i++) {
 		numbers.push_back(changes.grown[i].block);
 		give_page(numbers.back(), int(i));
 	}

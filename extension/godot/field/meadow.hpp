@@ -94,7 +94,8 @@ private:
 	godot::String make_recipe(FieldRecipe &recipe, bool places);
 	void cast_rays(double delta);
 	void tell_of_no_ground();
-	void adopt(FieldFill &finished);
+	/// False, with the fault told, where it cannot stand.
+	bool adopt(FieldFill &finished);
 	ChangeSet apply(StandEdit &&edit);
 	std::vector<godot::Vector3> find_eyes() const;
 };

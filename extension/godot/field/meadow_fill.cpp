@@ -166,9 +166,12 @@ void Meadow::poll(double delta, bool physics) {
 	const bool tells = job->places();
 	if (is_done) {
 		const std::unique_ptr<FieldFill> finished = std::move(job);
-		adopt(*finished);
-		if (is_due_again || !update_levels()) {
+		const bool stands = adopt(*finished);
+		if (is_due_again || (stands && !update_levels())) {
 			fill(false);
+		}
+		if (!stands) {
+			return;
 		}
 	}
 	if (tells && progress != told_progress) {
@@ -180,8 +183,25 @@ void Meadow::poll(double delta, bool physics) {
 	}
 }
 
-void Meadow::adopt(FieldFill &finished) {
+// What only shows when everything is placed.
+static String fault_of(const FieldResult &result) {
+	if (result.fault != PlacementFault::none) {
+		return describe(result.fault);
+	}
+	if (result.poses->is_too_large()) {
+		return "needs more texture layers than graphics cards have. Set a larger tile_size or a lower density, or "
+			   "divide it among several fields.";
+	}
+	return String();
+}
+
+bool Meadow::adopt(FieldFill &finished) {
 	FieldResult &result = finished.finish();
+	const String fault = fault_of(result);
+	if (!fault.is_empty()) {
+		listener.fault(fault); // What stood before stays.
+		return false;
+	}
 	motion.wait();
 	skeletons.release_all(motion);
 	view.clear(); // Before the materials go that it wears.
@@ -197,7 +217,7 @@ void Meadow::adopt(FieldFill &finished) {
 	}
 	StandEdit edit;
 	edit.fills = true;
-	edit.filled = result.blocks; // The simulation's pages are told by their number.
+	edit.filled = std::move(result.blocks);
 	edit.tile_size = finished.tile_size();
 	edit.spacing = result.spacing;
 	edit.species_numbers = finished.species_numbers();
@@ -213,9 +233,6 @@ void Meadow::adopt(FieldFill &finished) {
 	view.show_filled(style, result.plans);
 	view.show_all_added(style, *motion.poses(), store);
 	unseen.clear();
-	if (result.fault != PlacementFault::none) {
-		listener.fault(describe(result.fault));
-	}
 	std::vector<PlantPlace> again;
 	for (const PlantId id : removed_meanwhile) {
 		const PlantPlace place = store.find(id);
@@ -228,6 +245,7 @@ void Meadow::adopt(FieldFill &finished) {
 		remove(std::move(again));
 	}
 	refresh();
+	return true;
 }
 
 } // namespace undergrowth
