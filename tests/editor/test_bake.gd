@@ -64,6 +64,7 @@ func test_levels_are_plain_meshes_that_a_multimesh_draws() -> void:
 		check(format & Mesh.ARRAY_FORMAT_BONES == 0, "level %d has no bones" % level)
 		check(format & Mesh.ARRAY_FORMAT_NORMAL != 0, "level %d has normals" % level)
 		check(format & Mesh.ARRAY_FORMAT_COLOR != 0, "level %d has colours" % level)
+		check(format & Mesh.ARRAY_FORMAT_CUSTOM0 != 0, "level %d has the tip's weights" % level)
 		check(mesh.surface_get_material(0) is StandardMaterial3D, "level %d is lit" % level)
 		var indices := mesh.surface_get_array_index_len(0)
 		check(indices < before, "level %d is coarser than the one before" % level)

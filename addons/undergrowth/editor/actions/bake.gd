@@ -10,6 +10,8 @@ const FileNames := preload("file_names.gd")
 const ProjectFiles := preload("project_files.gd")
 const ADD_ON_FOLDER := "res://addons/undergrowth/"
 const BONES: Array[String] = ["root", "tip"]
+## The weight of the tip in CUSTOM0, for shaders that bend what has no skeleton.
+const TIP_WEIGHTS := Mesh.ARRAY_CUSTOM_R_FLOAT << Mesh.ARRAY_FORMAT_CUSTOM0_SHIFT
 
 ## Files that were written so far.
 var written: PackedStringArray = []
@@ -130,7 +132,7 @@ func _generate(variant: int, level: int) -> ArrayMesh:
 func _make_mesh(arrays: Array, title: String) -> ArrayMesh:
 	var mesh := ArrayMesh.new()
 	mesh.resource_name = title
-	mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays)
+	mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays, [], {}, TIP_WEIGHTS)
 	mesh.surface_set_material(0, _material)
 	return mesh
 

@@ -6,6 +6,8 @@ extends RefCounted
 const Translations := preload("../translations/translations.gd")
 const PROJECT := "res://"
 const NOT_COPIED: Array[StringName] = [&"script", &"resource_path", &"resource_scene_unique_id"]
+## How a mesh says what is in CUSTOM0 to CUSTOM3: three bits each.
+const CUSTOM_FORMATS := 0xfff << Mesh.ARRAY_FORMAT_CUSTOM0_SHIFT
 
 
 ## What keeps [param path] from being written, and what to do; empty where nothing does. Makes the
@@ -30,7 +32,11 @@ static func save_mesh(mesh: ArrayMesh, path: String) -> String:
 		known.clear_surfaces()
 		for i in mesh.get_surface_count():
 			known.add_surface_from_arrays(
-				mesh.surface_get_primitive_type(i), mesh.surface_get_arrays(i)
+				mesh.surface_get_primitive_type(i),
+				mesh.surface_get_arrays(i),
+				[],
+				{},
+				mesh.surface_get_format(i) & CUSTOM_FORMATS
 			)
 			known.surface_set_material(i, mesh.surface_get_material(i))
 		mesh = known
