@@ -90,7 +90,7 @@ void MotionPage::put_place(int index, const MotionPlant &plant) {
 	column(ROOT_Z)[index] = plant.root.z;
 	column(LENGTH)[index] = plant.length;
 	put_rest(index, plant.rest);
-	grow_box(plant);
+	grow_box(index, size() == 1);
 }
 
 void MotionPage::put_rest(int index, const glm::vec3 &rest) {
@@ -290,19 +290,16 @@ void MotionPage::set_species(const MotionSpecies &species) {
 	}
 }
 
-void MotionPage::grow_box(const MotionPlant &plant) {
-	const glm::vec3 reach = glm::vec3(plant.length + std::max(kind.collision_radius, 0.0f));
-	const bool first = size() == 1;
-	box_low = first ? plant.root - reach : glm::min(box_low, plant.root - reach);
-	box_high = first ? plant.root + reach : glm::max(box_high, plant.root + reach);
+void MotionPage::grow_box(int index, bool is_first) {
+	const glm::vec3 place = root(index);
+	const glm::vec3 reach = glm::vec3(length(index) + std::max(kind.collision_radius, 0.0f));
+	box_low = is_first ? place - reach : glm::min(box_low, place - reach);
+	box_high = is_first ? place + reach : glm::max(box_high, place + reach);
 }
 
 void MotionPage::update_box() {
-	const float radius = std::max(kind.collision_radius, 0.0f);
 	for (int i = 0; i < size(); i++) {
-		const glm::vec3 reach = glm::vec3(length(i) + radius);
-		box_low = i == 0 ? root(i) - reach : glm::min(box_low, root(i) - reach);
-		box_high = i == 0 ? root(i) + reach : glm::max(box_high, root(i) + reach);
+		grow_box(i, i == 0);
 	}
 }
 

@@ -179,7 +179,7 @@ private:
 	void put_rest(int index, const glm::vec3 &rest);
 	void remember();
 	void settle(int index);
-	void grow_box(const MotionPlant &plant);
+	void grow_box(int index, bool is_first);
 	void update_box();
 };
 

@@ -26,6 +26,10 @@ public:
 	/// Until the worker threads are done.
 	void wait();
 	bool is_ready() const { return simulation != nullptr; }
+	/// Whether there is anything to see it by: textures, which stand once something was uploaded.
+	bool has_poses() const { return textures && textures->poses().is_valid(); }
+	/// Whether the next step asks for Frame::eyes. It does so now and then only.
+	bool wants_eyes() const;
 	/// An empty field, for plants that code adds.
 	void start(const FieldSettings &settings);
 	/// Takes over what was grown: block i of `result` is block changes.grown[i] of the store. Plants that stood before

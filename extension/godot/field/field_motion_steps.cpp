@@ -73,12 +73,18 @@ void FieldMotion::update_wind(const Frame &frame, int step_count) {
 	simulation->set_wind(wind_here(frame, wind_offset));
 }
 
+bool FieldMotion::wants_eyes() const {
+	return frames_since_far % FRAMES_BETWEEN_FAR_UPDATES == 0;
+}
+
 // Pages farther than far_distance are stepped half as often, those FARTHER yet a quarter as often, and so on: as fast
 // as the ground at a distance grows, so that all far rings cost about the same. A page's middle counts, but no plant of
 // it is taken to be more than far_distance farther than it is: where somebody looks, all are stepped in full. Bodies
 // that push count as eyes.
 void FieldMotion::update_far(const Frame &frame, const MotionOptions &options) {
-	if (frames_since_far++ % FRAMES_BETWEEN_FAR_UPDATES != 0) {
+	const bool is_due = wants_eyes();
+	frames_since_far++;
+	if (!is_due) {
 		return;
 	}
 	const Transform3D to_field = frame.axes.affine_inverse();

@@ -66,7 +66,7 @@ double Meadow::advance(double delta, bool simulates) {
 	FieldMotion::Frame now = frame(delta, properties.motion.wind);
 	motion.wait();
 	const bool wants_skeletons = seen.skeleton_distance > 0.0 && !Engine::get_singleton()->is_editor_hint();
-	if (wants_skeletons || properties.motion.far_distance > 0.0) {
+	if (wants_skeletons || (properties.motion.far_distance > 0.0 && motion.wants_eyes())) {
 		now.eyes = find_eyes();
 	}
 	const bool is_seen = node->is_visible_in_tree();
@@ -111,7 +111,7 @@ void Meadow::change_materials() {
 	motion.wait();
 	std::vector<std::vector<Ref<ShaderMaterial>>> old; // They go once nobody wears them.
 	dress.take_off(style, old);
-	if (motion.is_ready() && motion.poses()->poses().is_valid()) {
+	if (motion.has_poses()) {
 		dress.put_on(style, *motion.poses());
 		view.wear_materials(style);
 		skeletons.release_all(motion);
@@ -139,7 +139,7 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 	}
 	motion.add_species(look);
 	style.looks.push_back(std::move(look));
-	if (motion.poses()->poses().is_valid()) {
+	if (motion.has_poses()) {
 		dress.put_on(style, *motion.poses());
 	}
 	return int(style.looks.size()) - 1;
@@ -230,7 +230,7 @@ bool Meadow::update_levels() {
 	style.levels = wanted;
 	view.update_levels(style);
 	skeletons.dress(wear, style.levels[0].casts_shadows);
-	if (motion.poses() && motion.poses()->poses().is_valid()) {
+	if (motion.has_poses()) {
 		dress.put_on(style, *motion.poses());
 	}
 	return true;
