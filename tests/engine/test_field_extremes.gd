@@ -48,13 +48,16 @@ func test_more_plants_than_there_may_be_are_refused() -> void:
 	check_equal(_field.get_plant_count(), count)
 
 
-func test_more_tiles_than_a_graphics_card_can_draw_are_refused() -> void:
+func test_more_histories_than_a_graphics_card_can_draw_are_refused() -> void:
 	_field.size = Vector2(6, 6)
 	await _fill()
 	var ids := _field.get_plant_ids()
-	_field.tile_size = 1.0
-	_field.density = 1.0
-	_field.size = Vector2(400, 400)
+	var many: Array[PlantFieldSpecies] = []
+	for i in 130:  # 17 layers each.
+		many.append(PlantFieldSpecies.of(GrassFunction.new()))
+		many[i].variants = 1
+	_field.species = many
+	_field.prototypes = 1
 	while _field.is_filling():
 		await process_frame
 	check_error("texture layers")

@@ -240,7 +240,7 @@ void FieldSimulation::begin_step() {
 
 void FieldSimulation::step_pages(int begin, int end) {
 	for (int page = std::max(begin, 0); page < std::min(end, page_count()) && models.empty(); page++) {
-		if (has_stepped(page) && at(page).page.swings()) {
+		if (has_stepped(page) && at(page).page.swings() && at(page).page.standing() > 0) {
 			step_page(page);
 		}
 	}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "field/bodies.hpp"
+#include "field/field_settings.hpp"
 #include "field/follow_delays.hpp"
 #include "field/loose_plants.hpp"
 #include "field/prototypes.hpp"
@@ -11,13 +12,6 @@
 #include <vector>
 
 namespace undergrowth {
-
-struct FieldSettings {
-	float step = 1.0f / 60.0f; ///< s, finite, > 0.
-	int update_interval = 1; ///< Steps, 1 to 64.
-	int prototypes = 0; ///< Per species, up to Prototypes::MOST; 0: every plant is simulated.
-	uint64_t seed = 0; ///< Chooses prototypes and delays.
-};
 
 /// The motion of all plants of a field, in pages that any number of threads may step.
 ///
@@ -37,9 +31,10 @@ public:
 	int add_species(const MotionSpecies &species);
 	/// The motion goes on.
 	void set_species(int index, const MotionSpecies &species);
-	/// Other directions in calm air (unit, y > 0) of all plants of a page, of the spring law: after set_species() with
-	/// another law or lean. Their motion goes on; followers show prototypes that lean so from now on.
-	void set_rests(int page, const glm::vec3 *rests);
+	/// Other directions in calm air (unit, y > 0) of `count` plants of a page from `first` on, of the spring law: after
+	/// set_species() with another law or lean. Their motion goes on; followers show prototypes that lean so from now
+	/// on.
+	void set_rests(int page, int first, const glm::vec3 *rests, int count);
 	int species_count() const { return static_cast<int>(kinds.size()); }
 
 	/// A page of `count` plants of one species, up to MotionPage::PAGE_PLANTS; tells its number, which is the lowest

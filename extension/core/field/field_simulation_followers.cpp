@@ -25,16 +25,16 @@ void FieldSimulation::update_delays() {
 	}
 }
 
-void FieldSimulation::set_rests(int page, const glm::vec3 *rests) {
+void FieldSimulation::set_rests(int page, int first, const glm::vec3 *rests, int count) {
 	Entry &entry = at(page);
 	if (entry.page.swings()) {
-		entry.page.set_rests(rests);
+		entry.page.set_rests(first, rests, count);
 		return;
 	}
-	for (int i = 0; i < entry.page.size(); i++) {
+	for (int i = first; i < first + count; i++) {
 		Follower &follower = entry.followers[static_cast<std::size_t>(i)];
 		const uint16_t number = follower.loose;
-		follower = pick({ entry.page.root(i), entry.page.length(i), rests[i] }, entry.page.species());
+		follower = pick({ entry.page.root(i), entry.page.length(i), rests[i - first] }, entry.page.species());
 		follower.loose = number;
 	}
 	entry.loose_version++;

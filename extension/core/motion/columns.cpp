@@ -8,12 +8,22 @@ namespace undergrowth {
 namespace {
 
 constexpr std::size_t PAGE_FLOATS = 1024;
-/// Columns a whole number of memory pages apart share the same few sets of the first-level cache and evict each other.
-/// Five lines more than whole pages spread them.
+/// Columns a whole number of memory pages apart share the same few sets of the first-level cache and evict each other;
+/// a little less than that apart, what is written of one is taken for what is read of the next. Five lines more than
+/// whole pages spread them.
 constexpr std::size_t SPREAD_FLOATS = 80;
+constexpr std::size_t MOST_SPREAD_FLOATS = PAGE_FLOATS - 112;
 
 std::size_t round_up(std::size_t value, std::size_t unit) {
 	return (value + unit - 1) / unit * unit;
+}
+
+std::size_t spread(std::size_t floats) {
+	const std::size_t beyond = floats % PAGE_FLOATS;
+	if (floats < PAGE_FLOATS || (beyond >= SPREAD_FLOATS && beyond <= MOST_SPREAD_FLOATS)) {
+		return floats;
+	}
+	return floats - beyond + SPREAD_FLOATS + (beyond > MOST_SPREAD_FLOATS ? PAGE_FLOATS : 0);
 }
 
 } // namespace
@@ -45,7 +55,7 @@ void Columns::reserve(int rows) {
 }
 
 void Columns::resize_room(std::size_t wanted) {
-	const std::size_t new_stride = wanted % PAGE_FLOATS == 0 ? wanted + SPREAD_FLOATS : wanted;
+	const std::size_t new_stride = spread(wanted);
 	std::vector<CacheLine> grown(columns * new_stride / LINE_FLOATS);
 	for (std::size_t i = 0; i < columns; i++) {
 		const float *from = column(static_cast<int>(i));

@@ -15,10 +15,6 @@ using namespace motion_page_columns;
 
 namespace {
 
-bool is_finite(const glm::vec3 &vector) {
-	return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
-}
-
 int column_count(bool swings, bool keeps_directions) {
 	if (!swings) {
 		return static_cast<int>(STILL_COLUMNS);
@@ -37,20 +33,6 @@ static TipState moved_rest(const TipState &state, const glm::vec3 &from, const g
 	flat.x += to.x / to.y - from.x / from.y;
 	flat.z += to.z / to.y - from.z / from.y;
 	return from_gnomonic(flat);
-}
-
-bool is_same_motion(const MotionSpecies &a, const MotionSpecies &b) {
-	const Joint &one = a.joint;
-	const Joint &other = b.joint;
-	return a.law == b.law && one.mass == other.mass && one.wind_weight == other.wind_weight &&
-			one.elasticity == other.elasticity && one.inner_friction == other.inner_friction &&
-			one.above_ground == other.above_ground && one.natural_frequency == other.natural_frequency &&
-			one.damping_ratio == other.damping_ratio && a.collision_radius == b.collision_radius;
-}
-
-bool is_valid(const MotionPlant &plant) {
-	return is_finite(plant.root) && std::isfinite(plant.length) && plant.length > 0.0f && is_finite(plant.rest) &&
-			plant.rest.y > 0.0f;
 }
 
 MotionPage::MotionPage(int species_index, const MotionSpecies &species, const MotionPlant *plants, int count,
@@ -107,9 +89,9 @@ void MotionPage::set_plant(int index, const MotionPlant &plant) {
 	}
 }
 
-void MotionPage::set_rests(const glm::vec3 *rests) {
-	for (int i = 0; i < size(); i++) {
-		put_rest(i, rests[i]);
+void MotionPage::set_rests(int first, const glm::vec3 *rests, int count) {
+	for (int i = 0; i < count; i++) {
+		put_rest(first + i, rests[i]);
 	}
 }
 

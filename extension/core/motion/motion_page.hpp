@@ -2,9 +2,9 @@
 
 #include "motion/bend_encoding.hpp"
 #include "motion/columns.hpp"
-#include "motion/joint.hpp"
 #include "motion/joint_constants.hpp"
 #include "motion/kernel_tables.hpp"
+#include "motion/motion_species.hpp"
 
 #include <glm/vec3.hpp>
 
@@ -12,30 +12,6 @@
 #include <vector>
 
 namespace undergrowth {
-
-/// What all plants of one species share.
-struct MotionSpecies {
-	Law law = Law::elasticity;
-	Joint joint; ///< Without `length` and `rest`, which each plant has of its own.
-	float collision_radius = 0.05f; ///< m, of the sphere at a tip.
-	// Of the prototypes only, which stand for all plants of the species.
-	float shortest = 0.5f; ///< m.
-	float longest = 1.0f; ///< m.
-	float lean = 0.0f; ///< rad, from upright to the rest direction (spring law).
-};
-
-/// Whether plants of both move alike, so that they may share a page.
-bool is_same_motion(const MotionSpecies &a, const MotionSpecies &b);
-
-/// One plant as it enters a page.
-struct MotionPlant {
-	glm::vec3 root = { 0.0f, 0.0f, 0.0f }; ///< m; only x and z matter to the wind.
-	float length = 1.0f; ///< m, > 0.
-	glm::vec3 rest = { 0.0f, 1.0f, 0.0f }; ///< Unit; of the spring law only, as Joint::rest.
-};
-
-/// Whether all numbers are finite, the length > 0 and the rest direction above the ground.
-bool is_valid(const MotionPlant &plant);
 
 /// Plants of one species in struct-of-arrays, stepped together, by any whole number of steps at once; the page's
 /// constants belong to that interval. All that moves in this add-on moves here: a field has many pages, whose bends are
@@ -126,9 +102,9 @@ public:
 	/// Other constants; the motion goes on. A page of the elasticity law keeps no rest directions: where the law
 	/// changes, plants rest upright until set_rests().
 	void set_species(const MotionSpecies &species);
-	/// Other rest directions (unit, as MotionPlant::rest), size() of them; plants swing there. Without effect where the
-	/// law has none.
-	void set_rests(const glm::vec3 *rests);
+	/// Other rest directions (unit, as MotionPlant::rest) of `count` plants from `first` on; plants swing there.
+	/// Without effect where the law has none.
+	void set_rests(int first, const glm::vec3 *rests, int count);
 	/// Constants for steps of another length (s); the motion goes on. Allocates nothing.
 	void set_step_length(float step);
 	/// When in a step its wind is to be taken, as a share of it: the elasticity law's kick stands at the start of the

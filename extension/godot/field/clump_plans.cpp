@@ -39,14 +39,14 @@ static AABB reach(const FieldLook &look, const PlacedPlant &plant) {
 }
 
 // Appends a plant to a plan whose buffer has room for it. `texel`: where the shader finds its pose.
-static void add_plant(ClumpPlan &plan, const FieldLook &look, const PlacedPlant &plant, std::pair<int, int> texel) {
+static void add_plant(ClumpPlan &plan, const FieldLook &look, const PlacedPlant &plant, const PoseTexels &texel) {
 	const float mesh_height = look.variants[size_t(plan.group)].height;
 	float *to = plan.buffer.ptrw() + int64_t(plan.count) * plan.stride;
 	write_transform(to, plant);
 	std::fill(to + TRANSFORM_FLOATS, to + plan.stride, 1.0f); // White, where there is a colour.
 	float *custom = to + plan.stride - CUSTOM_FLOATS;
 	custom[0] = float(texel.first + HALVES_COUNT_FROM);
-	custom[1] = float(texel.second + HALVES_COUNT_FROM);
+	custom[1] = float(texel.layer + HALVES_COUNT_FROM);
 	custom[2] = plant.turn;
 	custom[3] = look.variant_of(plant).height * plant.height / mesh_height;
 	const AABB box = reach(look, plant);
@@ -60,8 +60,7 @@ static int group_of(const FieldLook &look, const PlantBlock &block, int slot, in
 
 using PlansByMesh = std::map<std::pair<int, int>, ClumpPlan>;
 
-static void add_block(const FieldStyle &style, const PoseTexture &poses, const DrawnBlock &drawn,
-		const ClumpPlace &place, PlansByMesh &plans) {
+static void add_block(const FieldStyle &style, const DrawnBlock &drawn, const ClumpPlace &place, PlansByMesh &plans) {
 	const PlantBlock &block = *drawn.block;
 	const FieldLook &look = style.looks[size_t(block.species)];
 	const int groups = int(look.meshes[size_t(place.level)].size());
@@ -84,24 +83,23 @@ static void add_block(const FieldStyle &style, const PoseTexture &poses, const D
 	for (int slot = 0; slot < block.size(); slot++) {
 		if (!block.is_gone(slot)) {
 			ClumpPlan &plan = *by_group[size_t(group_of(look, block, slot, groups))];
-			add_plant(plan, look, block.plants.plant(slot), poses.texel(drawn.number, slot));
+			add_plant(plan, look, block.plants.plant(slot), { drawn.texels.layer, drawn.texels.first + slot });
 		}
 	}
 }
 
-static void plan_place(const FieldStyle &style, const PoseTexture &poses, const std::vector<DrawnBlock> &blocks,
-		const ClumpPlace &place, std::vector<ClumpPlan> &plans) {
+static void plan_place(const FieldStyle &style, const std::vector<DrawnBlock> &blocks, const ClumpPlace &place,
+		std::vector<ClumpPlan> &plans) {
 	PlansByMesh by_mesh;
 	for (const DrawnBlock &drawn : blocks) {
-		add_block(style, poses, drawn, place, by_mesh);
+		add_block(style, drawn, place, by_mesh);
 	}
 	for (auto &[mesh, plan] : by_mesh) {
 		plans.push_back(std::move(plan));
 	}
 }
 
-std::vector<ClumpPlan> plan_clumps(
-		const FieldStyle &style, const PoseTexture &poses, const std::vector<DrawnBlock> &blocks) {
+std::vector<ClumpPlan> plan_clumps(const FieldStyle &style, const std::vector<DrawnBlock> &blocks) {
 	std::vector<ClumpPlan> plans;
 	for (int level = 0; level < int(style.levels.size()); level++) {
 		std::map<ClumpPlace, std::vector<DrawnBlock>> places;
@@ -109,16 +107,16 @@ std::vector<ClumpPlan> plan_clumps(
 			places[place_of(style, level, *drawn.block)].push_back(drawn);
 		}
 		for (const auto &[place, members] : places) {
-			plan_place(style, poses, members, place, plans);
+			plan_place(style, members, place, plans);
 		}
 	}
 	return plans;
 }
 
-std::vector<ClumpPlan> plan_clumps_at(const FieldStyle &style, const PoseTexture &poses,
-		const std::vector<DrawnBlock> &blocks, const ClumpPlace &place) {
+std::vector<ClumpPlan> plan_clumps_at(
+		const FieldStyle &style, const std::vector<DrawnBlock> &blocks, const ClumpPlace &place) {
 	std::vector<ClumpPlan> plans;
-	plan_place(style, poses, blocks, place, plans);
+	plan_place(style, blocks, place, plans);
 	return plans;
 }
 

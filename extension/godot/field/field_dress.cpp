@@ -14,7 +14,7 @@ Ref<Material> FieldDress::worn(const FieldLook &look) const {
 	return instead.is_valid() ? instead : look.function->get_material();
 }
 
-void FieldDress::put_on(FieldStyle &style, const PoseTexture &poses) {
+void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
 	has_sent = false;
 	for (FieldLook &look : style.looks) {
 		const bool is_new = look.materials.empty();
@@ -26,8 +26,8 @@ void FieldDress::put_on(FieldStyle &style, const PoseTexture &poses) {
 			const float begin = level.begin > 0.0f ? level.begin : -FARTHEST;
 			const float end = level.end > 0.0f ? level.end : FARTHEST;
 			look.materials[i]->set_shader_parameter("undergrowth_level", Vector3(begin, end, level.margin));
-			look.materials[i]->set_shader_parameter("undergrowth_bends", poses.poses());
-			look.materials[i]->set_shader_parameter("undergrowth_blends", poses.blends());
+			look.materials[i]->set_shader_parameter("undergrowth_bends", motion.pose_texture());
+			look.materials[i]->set_shader_parameter("undergrowth_blends", motion.blend_texture());
 		}
 		if (is_new && !look.materials.empty() && !bends_in_shader(look.materials[0])) {
 			report_error(look.function.ptr(),
@@ -57,7 +57,7 @@ void FieldDress::follow(const FieldStyle &style) {
 }
 
 void FieldDress::tell_of_followers(const FieldStyle &style, const FieldMotion &motion, const Transform3D &axes) {
-	if (!motion.poses() || !motion.poses()->follows()) {
+	if (!motion.follows_prototypes()) {
 		return;
 	}
 	const FieldMotion::Delays delays = motion.follower_delays(axes);

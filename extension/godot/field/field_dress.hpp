@@ -15,7 +15,7 @@ public:
 
 	/// Makes the materials that are missing and tells all of levels and textures. A shader that does not bend is told
 	/// of, once for each look.
-	void put_on(FieldStyle &style, const PoseTexture &poses);
+	void put_on(FieldStyle &style, const FieldMotion &motion);
 	/// Forgets the materials; what was worn goes on with whoever holds `old`.
 	void take_off(FieldStyle &style, std::vector<std::vector<godot::Ref<godot::ShaderMaterial>>> &old) const;
 	/// One species' materials follow what their user changed in them, in turns.

@@ -119,43 +119,15 @@ void FieldFill::build() {
 	done = MESHES_SHARE;
 	result.blocks = cut_into_blocks(placed, recipe.tile_size);
 	placed = FieldPlants();
-	simulate();
+	result.motion = recipe.prepare(result.blocks, result.style, recipe.settings, recipe.wind);
 	done = SIMULATED_SHARE;
 	std::vector<DrawnBlock> drawn;
 	for (size_t i = 0; i < result.blocks.size() && !is_cancelled; i++) {
-		drawn.push_back({ int(i), &result.blocks[i] });
+		drawn.push_back({ result.motion->texels(int(i)), &result.blocks[i] });
 	}
-	result.plans = plan_clumps(result.style, *result.poses, drawn);
+	result.plans = plan_clumps(result.style, drawn);
 	find_kept();
 	done = 1.0f;
-}
-
-void FieldFill::simulate() {
-	result.simulation = std::make_unique<FieldSimulation>(recipe.settings);
-	result.simulation->set_wind(recipe.wind);
-	for (const FieldLook &look : result.style.looks) {
-		result.simulation->add_species(look.motion);
-	}
-	result.poses = std::make_unique<PoseTexture>(recipe.settings.prototypes > 0);
-	std::vector<MotionPlant> simulated;
-	for (size_t i = 0; i < result.blocks.size(); i++) {
-		const PlantBlock &block = result.blocks[i];
-		simulated.clear();
-		for (int slot = 0; slot < block.size(); slot++) {
-			simulated.push_back(result.style.looks[size_t(block.species)].to_simulate(block.plants.plant(slot)));
-		}
-		const int page = result.simulation->add_page(block.species, simulated.data(), int(simulated.size()));
-		result.poses->give_rows(int(i), block.size());
-		result.simulation->set_page_phase(page, result.poses->texel(int(i), 0).second); // Sent together, due together.
-	}
-	result.poses->give_history(result.simulation->species_count());
-	if (recipe.settings.prototypes > 0) {
-		result.simulation->step(); // It fills the prototypes' history.
-		result.poses->write_history(*result.simulation, true);
-	}
-	for (size_t i = 0; i < result.blocks.size(); i++) {
-		result.poses->write_block(*result.simulation, int(i), int(i));
-	}
 }
 
 // Whether the same plants stand as before, as after most changes: no names need be compared then.

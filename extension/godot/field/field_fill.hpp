@@ -1,9 +1,8 @@
 #pragma once
 
 #include "field/field_ground.hpp"
-#include "field/field_simulation.hpp"
+#include "field/field_motion.hpp"
 #include "field/field_view.hpp"
-#include "field/pose_texture.hpp"
 #include "stand/placement.hpp"
 
 #include <atomic>
@@ -17,6 +16,7 @@ struct FieldRecipe {
 	bool places = true; ///< Or dresses anew what stands: `standing`.
 	PlacementRequest request;
 	FieldGround ground;
+	FieldMotion::Prepare prepare = nullptr;
 	FieldSettings settings;
 	FieldStyle style; ///< Sampled, but without meshes.
 	FieldWind wind; ///< At the simulation's start: prototypes have felt it before.
@@ -27,19 +27,12 @@ struct FieldRecipe {
 	double old_spacing = 1.0; ///< m, of those.
 };
 
-/// A plant that stood before and stands again.
-struct KeptPlant {
-	PlantPlace from; ///< In the store as it was.
-	PlantPlace to; ///< Its block by its index in the result.
-};
-
 /// A field that is grown.
 struct FieldResult {
 	FieldStyle style;
 	double spacing = 1.0; ///< m.
-	std::vector<PlantBlock> blocks; ///< Block i is page i of the simulation and block i of the texture.
-	std::unique_ptr<FieldSimulation> simulation;
-	std::unique_ptr<PoseTexture> poses;
+	std::vector<PlantBlock> blocks;
+	std::unique_ptr<PreparedMotion> motion; ///< Of these blocks.
 	std::vector<ClumpPlan> plans;
 	std::vector<KeptPlant> kept;
 	PlacementFault fault = PlacementFault::none;
@@ -93,7 +86,6 @@ private:
 	void gather_standing();
 	void stand_on_ground();
 	void build();
-	void simulate();
 	bool are_the_same();
 	void find_kept();
 };

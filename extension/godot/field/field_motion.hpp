@@ -1,50 +1,51 @@
 #pragma once
 
-#include "field/contact.hpp"
 #include "field/field_bodies.hpp"
-#include "field/field_fill.hpp"
 #include "field/field_options.hpp"
-#include "field/field_steps.hpp"
-#include "motion/fixed_step.hpp"
+#include "field/field_settings.hpp"
+#include "field/field_style.hpp"
+#include "motion/joint.hpp"
 #include "stand/plant_store.hpp"
+#include "wind/travelling_wind.hpp"
+
+#include <godot_cpp/variant/rid.hpp>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace undergrowth {
 
-/// How the plants of a field move: the simulation, its clock and its wind, what pushes it, and the texture that tells
-/// the graphics card of it. It follows the PlantStore by change sets; block numbers are the store's. Worker threads
-/// step it between two frames: everything here waits for them, so whatever reads a state says so in its name.
+/// Where the shader finds the poses of a block: plant `slot` at texel first + slot of a layer.
+struct PoseTexels {
+	int layer = -1;
+	int first = 0;
+};
+
+/// What a motion makes of a field that is being grown, on a worker thread. FieldMotion::adopt() takes it over.
+class PreparedMotion {
+public:
+	virtual ~PreparedMotion() = default;
+	/// Of block i of the list that it was prepared from.
+	virtual PoseTexels texels(int block) const = 0;
+	/// Whether it needs more than a graphics card has.
+	virtual bool is_too_large() const = 0;
+};
+
+/// A plant that stood before and stands again.
+struct KeptPlant {
+	PlantPlace from; ///< In the store as it was.
+	PlantPlace to; ///< Its block by its index among those that were grown.
+};
+
+/// How the plants of a field move, and the textures that tell the graphics card of it. This class says what a field
+/// asks of a motion; CpuMotion answers it with the core's simulation on worker threads, and another one, say on the
+/// graphics card, may stand in its place: nobody else knows pages, steps or threads.
+///
+/// A motion follows the PlantStore by change sets; block numbers are the store's. What reads a state ends in `_now`:
+/// it waits until the state is known.
 class FieldMotion {
 public:
-	FieldMotion();
-	~FieldMotion();
-	FieldMotion(const FieldMotion &) = delete;
-	FieldMotion &operator=(const FieldMotion &) = delete;
-
-	/// Until the worker threads are done.
-	void wait();
-	bool is_ready() const { return simulation != nullptr; }
-	/// Whether there is anything to see it by: textures, which stand once something was uploaded.
-	bool has_poses() const { return textures && textures->poses().is_valid(); }
-	/// Whether the next step asks for Frame::eyes. It does so now and then only.
-	bool wants_eyes() const;
-	/// An empty field, for plants that code adds.
-	void start(const FieldSettings &settings);
-	/// Takes over what was grown: block i of `result` is block changes.grown[i] of the store. Plants that stood before
-	/// go on with their motion.
-	void adopt(FieldResult &result, const ChangeSet &changes, const PlantStore &store, const FieldStyle &style);
-	/// Follows an edit that fills nothing.
-	void apply(const ChangeSet &changes, const PlantStore &store, const FieldStyle &style);
-	void add_species(const FieldLook &look);
-	/// The species' constants are others; the motion goes on. Where nothing moves (`is_still`), plants at rest take
-	/// another rest direction at once.
-	void set_species(int index, const FieldLook &look, const PlantStore &store, bool is_still);
-	void set_update_interval(int steps);
-	/// On or off, and anew where tips got other spheres.
-	void fit_contact(bool on);
-
 	/// What a frame is about.
 	struct Frame {
 		double delta = 0.0; ///< s.
@@ -53,83 +54,87 @@ public:
 		std::vector<godot::Vector3> eyes; ///< World axes: whoever looks.
 		godot::SceneTree *tree = nullptr;
 	};
-
-	/// Steps for a frame: the last one goes on beside it and is shown in the next one. Tells how many µs of this
-	/// thread steps took, which small fields take here.
-	double advance(const Frame &frame, const MotionOptions &options);
-	/// Steps for a tool, at the wind's own clock and without bodies; done when it returns.
-	void preview(const Frame &frame, const MotionOptions &options);
-	/// Sends what is new to the textures; tells whether they are other ones now.
-	bool upload();
-	/// Takes all poses over into the textures.
-	void write_all();
-	/// All plants into their rest.
-	void settle();
-
-	/// Where the shader finds the history of a species' prototypes: first layer, newest slot, blend; x is -1 where
-	/// plants swing by themselves.
-	godot::Vector3 history_of(int species) const;
-	/// How late followers are, as the shader takes it: steps by metre of world x, y and z, and at the world's origin.
+	/// How late followers of prototypes are, as the shader takes it: steps by metre of world x, y and z, and at the
+	/// world's origin.
 	struct Delays {
 		godot::Vector4 after, before;
 		float share = 1.0f; ///< Of `after`, while they go over to it.
 	};
-	Delays follower_delays(const godot::Transform3D &axes) const;
+	/// Prepares blocks of a style for adopt(), under a wind at its start. On any thread.
+	using Prepare = std::unique_ptr<PreparedMotion> (*)(const std::vector<PlantBlock> &blocks, const FieldStyle &style,
+			const FieldSettings &settings, const FieldWind &wind);
 
-	TipState read_state_now(const PlantPlace &place);
-	void write_state(const PlantPlace &place, const TipState &state);
-	void apply_impulse(const PlantPlace &place, const glm::vec3 &impulse);
-	bool is_point_in_plants_now(const glm::vec3 &point, float margin);
-	/// The bend that is drawn in this frame.
-	glm::vec2 read_drawn_bend_now(const PlantPlace &place) const;
-	/// The textures show a plant, or a skeleton does instead.
-	void set_hidden(const PlantPlace &place, bool hidden);
+	FieldMotion() = default;
+	virtual ~FieldMotion() = default;
+	FieldMotion(const FieldMotion &) = delete;
+	FieldMotion &operator=(const FieldMotion &) = delete;
 
+	virtual Prepare prepare() const = 0;
+	/// Until nothing of it is at work beside this thread.
+	virtual void wait() = 0;
+	virtual bool is_ready() const = 0;
+	/// Whether the next advance() asks for Frame::eyes. It does so now and then only.
+	virtual bool wants_eyes() const = 0;
+	/// An empty field, for plants that code adds.
+	virtual void start(const FieldSettings &settings) = 0;
+	/// Takes over what was grown: block i of `prepared` is block changes.grown[i] of the store. Plants that stood
+	/// before go on with their motion.
+	virtual void adopt(PreparedMotion &prepared, const std::vector<KeptPlant> &kept, const ChangeSet &changes,
+			const PlantStore &store, const FieldStyle &style) = 0;
+	/// Follows an edit that fills nothing.
+	virtual void apply(const ChangeSet &changes, const PlantStore &store, const FieldStyle &style) = 0;
+	virtual void add_species(const FieldLook &look) = 0;
+	/// The species' constants are others; the motion goes on. Where nothing moves (`is_still`), plants at rest take
+	/// another rest direction at once.
+	virtual void set_species(int index, const FieldLook &look, const PlantStore &store, bool is_still) = 0;
+	virtual void set_update_interval(int steps) = 0;
+	/// On or off, and anew where tips got other spheres.
+	virtual void fit_contact(bool on) = 0;
 	/// Whether so many tips touch that some pairs are left out.
-	bool is_crowded() const { return touches && touching.is_crowded(); }
+	virtual bool is_crowded() const = 0;
+
+	/// Steps for a frame: the last one goes on beside it and is shown in the next one. Tells how many µs of this
+	/// thread steps took, which small fields take here.
+	virtual double advance(const Frame &frame, const MotionOptions &options) = 0;
+	/// Steps for a tool, at the wind's own clock and without bodies; done when it returns.
+	virtual void preview(const Frame &frame, const MotionOptions &options) = 0;
+	/// All plants into their rest.
+	virtual void settle() = 0;
+
+	/// Sends what is new to the textures; tells whether they are other ones now.
+	virtual bool upload() = 0;
+	/// Takes all poses over into the textures.
+	virtual void write_all() = 0;
+	/// The textures show a plant, or a skeleton does instead.
+	virtual void set_hidden(const PlantPlace &place, bool hidden) = 0;
+	/// A block of the store that stands.
+	virtual PoseTexels texels(int block) const = 0;
+	/// Bends before and after, and a blend for each row of texels. Invalid until something was uploaded.
+	virtual godot::RID pose_texture() const = 0;
+	virtual godot::RID blend_texture() const = 0;
+	/// Where the shader finds the history of a species' prototypes: first layer, newest slot, blend; x is -1 where
+	/// plants swing by themselves.
+	virtual godot::Vector3 history_of(int species) const = 0;
+	virtual bool follows_prototypes() const = 0;
+	virtual Delays follower_delays(const godot::Transform3D &axes) const = 0;
+
+	virtual TipState read_state_now(const PlantPlace &place) = 0;
+	/// The bend that is drawn in this frame.
+	virtual glm::vec2 read_drawn_bend_now(const PlantPlace &place) const = 0;
+	virtual bool is_point_in_plants_now(const glm::vec3 &point, float margin) = 0;
+	virtual void write_state(const PlantPlace &place, const TipState &state) = 0;
+	virtual void apply_impulse(const PlantPlace &place, const glm::vec3 &impulse) = 0;
+
+	virtual int simulated_count() const = 0;
+	virtual double bytes_per_plant() const = 0;
+	virtual double busy_usec() const = 0;
 
 	FieldBodies bodies;
 	/// Bodies that came among plants, or left them, since it was asked last.
-	std::vector<FieldBodies::Event> take_events() { return std::move(events); }
-	const PoseTexture *poses() const { return textures.get(); }
-	FieldWind wind_here(const Frame &frame, double offset) const;
-	double step_length() const { return clock.step(); }
-	int simulated_count() const { return simulation ? simulation->simulated_count() : 0; }
-	double bytes_per_plant() const { return simulation ? simulation->bytes_per_plant() : 0.0; }
-	double busy_usec() const { return steps.busy_usec(); }
+	std::vector<FieldBodies::Event> take_events() { return std::exchange(events, {}); }
 
-private:
-	std::unique_ptr<FieldSimulation> simulation;
-	std::unique_ptr<PoseTexture> textures;
-	std::vector<int> pages; ///< By block; -1: none.
-	std::vector<int> block_of_page;
-	std::vector<int> stale_blocks; ///< Plants of which are drawn again, and not written yet.
-	TipContact touching;
-	bool touches = false;
-	FieldSteps steps; // After what it works on: it is destroyed first.
-	FixedStep clock;
-	float shown_alpha = 0.0f; ///< Of the step that is shown next.
-	double wind_offset = 0.0; ///< s, the wind's clock less the simulation's.
-	double seen_wind_time = -1.0; ///< s.
-	uint64_t seen_wind = 0; ///< Its instance id.
-	int frames_since_far = 0;
+protected:
 	std::vector<FieldBodies::Event> events;
-	std::vector<glm::vec3> pushed_at; ///< m, field axes: bodies of the last step.
-
-	int page_of(int block) const { return pages[size_t(block)]; }
-	void grow(const ChangeSet::Grown &grown, const PlantStore &store, const FieldStyle &style);
-	void drop_page(int block);
-	void give_page(int block, int page);
-	void keep_states(const FieldResult &result, const ChangeSet &changes, const PlantStore &store, FieldSimulation &old,
-			const std::vector<int> &old_pages);
-	void take_added(const PlantStore &store, const FieldStyle &style, const FieldSimulation *old,
-			const std::vector<int> &old_pages);
-	void set_rests(int page, const std::vector<glm::vec3> &rests, bool is_still);
-	void update_wind(const Frame &frame, int step_count);
-	void update_far(const Frame &frame, const MotionOptions &options);
-	void push(double ago);
-	void find_events(double margin);
-	void start_step(const MotionOptions &options, bool with_contact);
 };
 
 } // namespace undergrowth

@@ -8,6 +8,7 @@
 #include <godot_cpp/classes/curve3d.hpp>
 #include <godot_cpp/classes/mesh_instance3d.hpp>
 #include <godot_cpp/classes/path3d.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
 
 #include <algorithm>
 #include <cmath>

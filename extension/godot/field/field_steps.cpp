@@ -18,7 +18,7 @@ static constexpr int PLANTS_PER_THREAD = 8192; // Fewer are not worth waking ano
 static constexpr int PLANTS_PER_PART = 2048; // Enough that taking a part costs nothing beside doing it.
 static constexpr int TOUCHING_PLANT = 16; // What a plant with contact costs, in plants without.
 
-// Begins the step. Pages by tiles are small: threads take some of them at a time. Tells how many plants are due; their
+// Begins the step. Pages may be small: threads take some of them at a time. Tells how many plants are due; their
 // poses will be new.
 int FieldSteps::divide() {
 	runs.clear();
@@ -35,9 +35,8 @@ int FieldSteps::divide() {
 		}
 		const int of_page = stepped->has_stepped(page) ? stepped->page(page).standing() : 0;
 		due += of_page;
-		const int block = (*blocks)[size_t(page)];
-		if (block >= 0 && (touching || of_page > 0)) {
-			written->will_write(block);
+		if (of_page > 0 || (touching && stepped->page(page).standing() > 0)) {
+			written->will_write(page);
 		}
 		in_run += touching ? stepped->page(page).size() : of_page;
 	}
@@ -52,12 +51,10 @@ int FieldSteps::work_of_step(int due) const {
 	return due;
 }
 
-void FieldSteps::start(FieldSimulation &simulation, PoseTexture &poses, const std::vector<int> &block_of_page,
-		TipContact *contact, int workers) {
+void FieldSteps::start(FieldSimulation &simulation, PoseTexture &poses, TipContact *contact, int workers) {
 	wait();
 	stepped = &simulation;
 	written = &poses;
-	blocks = &block_of_page;
 	touching = contact;
 	for (int phase = 0; phase < PHASES; phase++) {
 		next_part[phase].store(0, std::memory_order_relaxed);
@@ -114,13 +111,6 @@ int FieldSteps::parts_of(int phase) const {
 	return int(runs.size()) - 1;
 }
 
-void FieldSteps::write(int page) {
-	const int block = (*blocks)[size_t(page)];
-	if (block >= 0) {
-		written->write_bends(*stepped, page, block);
-	}
-}
-
 void FieldSteps::do_part(int phase, int part) {
 	if (stepped->settings().prototypes > 0) {
 		stepped->step_pages(0, stepped->page_count());
@@ -137,8 +127,8 @@ void FieldSteps::do_part(int phase, int part) {
 		case STEP:
 			for (int page = first; page < end; page++) {
 				stepped->step_pages(page, page + 1);
-				if (!touching && stepped->has_stepped(page)) {
-					write(page);
+				if (!touching && stepped->has_stepped(page) && stepped->page(page).standing() > 0) {
+					written->write_bends(*stepped, page);
 				}
 			}
 			break;
@@ -153,7 +143,9 @@ void FieldSteps::do_part(int phase, int part) {
 			break;
 		default:
 			for (int page = first; page < end; page++) {
-				write(page);
+				if (stepped->page(page).standing() > 0) {
+					written->write_bends(*stepped, page);
+				}
 			}
 			break;
 	}

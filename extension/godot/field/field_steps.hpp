@@ -20,10 +20,8 @@ public:
 	FieldSteps &operator=(const FieldSteps &) = delete;
 
 	/// Begins one step on up to `workers` threads and returns at once; a step that costs less than waking a thread is
-	/// done when it returns. `block_of_page`: what the texture calls a page, -1 for none. `contact`, where there is
-	/// one, takes part after all plants have moved.
-	void start(FieldSimulation &simulation, PoseTexture &poses, const std::vector<int> &block_of_page,
-			TipContact *contact, int workers);
+	/// done when it returns. `contact`, where there is one, takes part after all plants have moved.
+	void start(FieldSimulation &simulation, PoseTexture &poses, TipContact *contact, int workers);
 	/// Until the step is done; at once where there is none.
 	void wait();
 	/// Time that the last step took of all threads together.
@@ -37,7 +35,6 @@ private:
 
 	FieldSimulation *stepped = nullptr;
 	PoseTexture *written = nullptr;
-	const std::vector<int> *blocks = nullptr; ///< By page.
 	TipContact *touching = nullptr;
 	std::vector<int> runs; ///< First pages of the parts that threads take, and the end.
 	std::atomic<int> next_part[PHASES] = {};
@@ -51,7 +48,6 @@ private:
 	static void work(void *self, uint32_t worker);
 	int parts_of(int phase) const;
 	void do_part(int phase, int part);
-	void write(int page);
 };
 
 } // namespace undergrowth

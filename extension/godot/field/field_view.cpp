@@ -102,7 +102,7 @@ void FieldView::show_filled(const FieldStyle &style, const std::vector<ClumpPlan
 }
 
 void FieldView::show_added(
-		const FieldStyle &style, const PoseTexture &poses, const PlantStore &store, const std::set<TileKey> &tiles) {
+		const FieldStyle &style, const FieldMotion &motion, const PlantStore &store, const std::set<TileKey> &tiles) {
 	for (int level = 0; level < int(style.levels.size()); level++) {
 		const int factor = style.levels[size_t(level)].tile_factor;
 		const auto down = [factor](int count) { return int(std::floor(double(count) / factor)); };
@@ -115,25 +115,25 @@ void FieldView::show_added(
 			for (int i = 0; i < factor * factor; i++) {
 				for (const int number : store.blocks_of({ column * factor + i % factor, row * factor + i / factor })) {
 					if (store.block(number).is_added) {
-						members.push_back({ number, &store.block(number) });
+						members.push_back({ motion.texels(number), &store.block(number) });
 					}
 				}
 			}
 			const ClumpPlace place = { true, level, column, row };
 			clear(place);
-			show(style, plan_clumps_at(style, poses, members, place));
+			show(style, plan_clumps_at(style, members, place));
 		}
 	}
 }
 
-void FieldView::show_all_added(const FieldStyle &style, const PoseTexture &poses, const PlantStore &store) {
+void FieldView::show_all_added(const FieldStyle &style, const FieldMotion &motion, const PlantStore &store) {
 	std::vector<DrawnBlock> added;
 	for (int number = 0; number < store.block_count(); number++) {
 		if (store.block(number).is_added) {
-			added.push_back({ number, &store.block(number) });
+			added.push_back({ motion.texels(number), &store.block(number) });
 		}
 	}
-	show(style, plan_clumps(style, poses, added));
+	show(style, plan_clumps(style, added));
 }
 
 void FieldView::update_levels(const FieldStyle &style) {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "field/field_motion.hpp"
 #include "field/field_style.hpp"
-#include "field/pose_texture.hpp"
 #include "stand/plant_store.hpp"
 
 #include <godot_cpp/variant/packed_float32_array.hpp>
@@ -39,21 +39,20 @@ struct ClumpPlan {
 	godot::AABB box; ///< Covers the largest deflection.
 };
 
-/// A block to be drawn, by the number that the pose texture knows it by.
+/// A block to be drawn.
 struct DrawnBlock {
-	int number;
+	PoseTexels texels;
 	const PlantBlock *block;
 };
 
 /// How all plants of some blocks are drawn, which are all added ones or none. On any thread.
-std::vector<ClumpPlan> plan_clumps(
-		const FieldStyle &style, const PoseTexture &poses, const std::vector<DrawnBlock> &blocks);
+std::vector<ClumpPlan> plan_clumps(const FieldStyle &style, const std::vector<DrawnBlock> &blocks);
 /// The same for one place only.
-std::vector<ClumpPlan> plan_clumps_at(const FieldStyle &style, const PoseTexture &poses,
-		const std::vector<DrawnBlock> &blocks, const ClumpPlace &place);
+std::vector<ClumpPlan> plan_clumps_at(
+		const FieldStyle &style, const std::vector<DrawnBlock> &blocks, const ClumpPlace &place);
 
 /// The multimeshes of a field, one for each level, place, species and mesh. Transforms never change: what moves is in
-/// the PoseTexture, which each instance names its texel in. A plant that is gone is hidden there. Main thread.
+/// the motion's textures, which each instance names its texel in. A plant that is gone is hidden there. Main thread.
 class FieldView {
 public:
 	FieldView() = default;
@@ -66,10 +65,10 @@ public:
 	/// Shows these plans.
 	void show_filled(const FieldStyle &style, const std::vector<ClumpPlan> &plans);
 	/// Draws the plants that were added anew in all places with a block that grew or was dropped.
-	void show_added(
-			const FieldStyle &style, const PoseTexture &poses, const PlantStore &store, const std::set<TileKey> &tiles);
+	void show_added(const FieldStyle &style, const FieldMotion &motion, const PlantStore &store,
+			const std::set<TileKey> &tiles);
 	/// All plants that were added.
-	void show_all_added(const FieldStyle &style, const PoseTexture &poses, const PlantStore &store);
+	void show_all_added(const FieldStyle &style, const FieldMotion &motion, const PlantStore &store);
 
 	/// Where levels begin and end changed, or what casts shadows; their number and meshes have not.
 	void update_levels(const FieldStyle &style);

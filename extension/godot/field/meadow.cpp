@@ -3,6 +3,7 @@
 #include "field/meadow.hpp"
 
 #include "convert.hpp"
+#include "field/cpu_motion.hpp"
 #include "messages.hpp"
 
 #include <godot_cpp/classes/camera3d.hpp>
@@ -23,6 +24,8 @@ using Clock = std::chrono::steady_clock;
 static const char *const VIEWPORTS = "_viewports"; // The engine's own group.
 
 Meadow::Meadow(GeometryInstance3D *field, const FieldProperties &set_by_users, Listener &&teller) :
+		own_motion(std::make_unique<CpuMotion>()),
+		motion(*own_motion),
 		skeletons(SkeletonView::Tell(teller.skeleton)),
 		node(field),
 		properties(set_by_users),
@@ -97,10 +100,10 @@ void Meadow::refresh() {
 	}
 	const Clock::time_point start = Clock::now();
 	if (motion.upload()) {
-		dress.put_on(style, *motion.poses());
+		dress.put_on(style, motion);
 	}
 	if (!unseen.empty()) {
-		view.show_added(style, *motion.poses(), store, unseen);
+		view.show_added(style, motion, store, unseen);
 		unseen.clear();
 	}
 	dress.tell_of_followers(style, motion, axes_of(node));
@@ -111,8 +114,8 @@ void Meadow::change_materials() {
 	motion.wait();
 	std::vector<std::vector<Ref<ShaderMaterial>>> old; // They go once nobody wears them.
 	dress.take_off(style, old);
-	if (motion.has_poses()) {
-		dress.put_on(style, *motion.poses());
+	if (motion.pose_texture().is_valid()) {
+		dress.put_on(style, motion);
 		view.wear_materials(style);
 		skeletons.release_all(motion);
 	}
@@ -139,8 +142,8 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 	}
 	motion.add_species(look);
 	style.looks.push_back(std::move(look));
-	if (motion.has_poses()) {
-		dress.put_on(style, *motion.poses());
+	if (motion.pose_texture().is_valid()) {
+		dress.put_on(style, motion);
 	}
 	return int(style.looks.size()) - 1;
 }
@@ -230,8 +233,8 @@ bool Meadow::update_levels() {
 	style.levels = wanted;
 	view.update_levels(style);
 	skeletons.dress(wear, style.levels[0].casts_shadows);
-	if (motion.has_poses()) {
-		dress.put_on(style, *motion.poses());
+	if (motion.pose_texture().is_valid()) {
+		dress.put_on(style, motion);
 	}
 	return true;
 }

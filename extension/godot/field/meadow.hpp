@@ -65,8 +65,12 @@ public:
 	void moved();
 	void set_visible(bool visible);
 
+private:
+	const std::unique_ptr<FieldMotion> own_motion;
+
+public:
 	PlantStore store;
-	FieldMotion motion;
+	FieldMotion &motion;
 	FieldStyle style;
 	SkeletonView skeletons;
 	double upload_usec = 0.0;

@@ -2,6 +2,7 @@
 
 #include "field/meadow.hpp"
 
+#include "field/field_wind_clock.hpp"
 #include "messages.hpp"
 #include "plant_simulation.hpp"
 
@@ -82,9 +83,10 @@ String Meadow::make_recipe(FieldRecipe &recipe, bool places) {
 		return fault;
 	}
 	const Ref<PlantWind> &wind = properties.motion.wind;
+	recipe.prepare = motion.prepare();
 	recipe.settings = settings();
 	recipe.tile_size = float(properties.view.tile_size);
-	recipe.wind = motion.wind_here(frame(0.0, wind), wind.is_valid() ? wind->get_time() : 0.0);
+	recipe.wind = field_wind(wind, axes_of(node), wind.is_valid() ? wind->get_time() : 0.0);
 	recipe.old_spacing = store.spacing();
 	for (int number = 0; number < store.block_count(); number++) {
 		const PlantBlock &block = store.block(number);
@@ -188,9 +190,9 @@ static String fault_of(const FieldResult &result) {
 	if (result.fault != PlacementFault::none) {
 		return describe(result.fault);
 	}
-	if (result.poses->is_too_large()) {
-		return "needs more texture layers than graphics cards have. Set a larger tile_size or a lower density, or "
-			   "divide it among several fields.";
+	if (result.motion->is_too_large()) {
+		return "needs more texture layers than graphics cards have. Set a lower density, fewer species where there are "
+			   "prototypes, or divide it among several fields.";
 	}
 	return String();
 }
@@ -222,16 +224,16 @@ bool Meadow::adopt(FieldFill &finished) {
 	edit.spacing = result.spacing;
 	edit.species_numbers = finished.species_numbers();
 	const ChangeSet changes = store.apply(std::move(edit));
-	motion.adopt(result, changes, store, style);
+	motion.adopt(*result.motion, result.kept, changes, store, style);
 	motion.set_update_interval(properties.motion.update_interval);
 	for (const int i : other_leans) {
 		motion.set_species(i, style.looks[size_t(i)], store, true);
 		motion.write_all();
 	}
 	motion.upload();
-	dress.put_on(style, *motion.poses());
+	dress.put_on(style, motion);
 	view.show_filled(style, result.plans);
-	view.show_all_added(style, *motion.poses(), store);
+	view.show_all_added(style, motion, store);
 	unseen.clear();
 	std::vector<PlantPlace> again;
 	for (const PlantId id : removed_meanwhile) {

@@ -71,9 +71,9 @@ void PoseTexture::release(const Rows &rows) {
 	free_rows[size_t(rows.layer)] |= taken << rows.first;
 }
 
-void PoseTexture::give_rows(int block, int plants) {
-	blocks.resize(std::max(blocks.size(), size_t(block) + 1));
-	Block &own = blocks[size_t(block)];
+void PoseTexture::give_rows(int page, int plants) {
+	pages.resize(std::max(pages.size(), size_t(page) + 1));
+	Page &own = pages[size_t(page)];
 	const int count = (plants + SIDE - 1) / SIDE;
 	if (own.rows.layer >= 0 && own.rows.count >= count) {
 		return;
@@ -88,20 +88,11 @@ void PoseTexture::give_rows(int block, int plants) {
 	own.share = -1.0f;
 }
 
-void PoseTexture::take_rows(int block) {
-	if (size_t(block) < blocks.size() && blocks[size_t(block)].rows.layer >= 0) {
-		release(blocks[size_t(block)].rows);
-		blocks[size_t(block)] = Block();
+void PoseTexture::take_rows(int page) {
+	if (has_rows(page)) {
+		release(pages[size_t(page)].rows);
+		pages[size_t(page)] = Page();
 	}
-}
-
-void PoseTexture::renumber(const std::vector<int> &numbers) {
-	std::vector<Block> renumbered;
-	for (size_t i = 0; i < numbers.size(); i++) {
-		renumbered.resize(std::max(renumbered.size(), size_t(numbers[i]) + 1));
-		renumbered[size_t(numbers[i])] = std::move(blocks[i]);
-	}
-	blocks = std::move(renumbered);
 }
 
 void PoseTexture::give_history(int species_count) {
@@ -117,55 +108,64 @@ bool PoseTexture::is_too_large() const {
 	return layers.size() + SPARE_LAYERS > size_t(MOST_LAYERS);
 }
 
-std::pair<int, int> PoseTexture::texel(int block, int slot) const {
-	const Rows &rows = blocks[size_t(block)].rows;
-	return { rows.first * SIDE + slot, rows.layer };
+PoseTexels PoseTexture::texels(const PageRows &plants) const {
+	const Rows &own = pages[size_t(plants.page)].rows;
+	return { own.layer, own.first * SIDE + plants.first };
 }
 
 int PoseTexture::history_layer(int species) const {
 	return size_t(species) < histories.size() ? histories[size_t(species)] : -1;
 }
 
-uint8_t *PoseTexture::texels(const Rows &rows) {
+uint8_t *PoseTexture::bytes_of(const Rows &rows) {
 	return layers[size_t(rows.layer)]->ptrw() + size_t(rows.first) * SIDE * TEXEL_BYTES;
 }
 
-void PoseTexture::write_block(const FieldSimulation &simulation, int page, int block) {
-	will_write(block);
+void PoseTexture::write_page(const FieldSimulation &simulation, int page) {
+	if (!has_rows(page)) {
+		return;
+	}
+	will_write(page);
 	if (follows_prototypes) {
-		write_followers(simulation, page, blocks[size_t(block)]);
-		write_hidden(blocks[size_t(block)]);
+		write_followers(simulation, page);
+		write_hidden(pages[size_t(page)]);
 	} else {
-		write_bends(simulation, page, block);
+		write_bends(simulation, page);
 	}
 }
 
-void PoseTexture::write_bends(const FieldSimulation &simulation, int page, int block) {
+void PoseTexture::write_pages(const FieldSimulation &simulation) {
+	for (int page = 0; page < int(pages.size()); page++) {
+		write_page(simulation, page);
+	}
+}
+
+void PoseTexture::write_bends(const FieldSimulation &simulation, int page) {
 	const MotionPage &plants = simulation.page(page);
-	const Block &own = blocks[size_t(block)];
-	std::memcpy(texels(own.rows), plants.bends(), size_t(plants.size()) * TEXEL_BYTES);
+	const Page &own = pages[size_t(page)];
+	std::memcpy(bytes_of(own.rows), plants.bends(), size_t(plants.size()) * TEXEL_BYTES);
 	write_hidden(own);
 }
 
-void PoseTexture::write_hidden(const Block &block) {
+void PoseTexture::write_hidden(const Page &page) {
 	const Bend pair[2] = { HIDDEN, HIDDEN };
-	uint8_t *to = block.hidden.empty() ? nullptr : texels(block.rows);
-	for (const uint16_t slot : block.hidden) {
-		std::memcpy(to + size_t(slot) * TEXEL_BYTES, pair, TEXEL_BYTES);
+	uint8_t *to = page.hidden.empty() ? nullptr : bytes_of(page.rows);
+	for (const uint16_t row : page.hidden) {
+		std::memcpy(to + size_t(row) * TEXEL_BYTES, pair, TEXEL_BYTES);
 	}
 }
 
-void PoseTexture::hide(int block, int slot) {
-	Block &own = blocks[size_t(block)];
-	own.hidden.push_back(uint16_t(slot));
+void PoseTexture::hide(int page, int row) {
+	Page &own = pages[size_t(page)];
+	own.hidden.push_back(uint16_t(row));
 	const Bend pair[2] = { HIDDEN, HIDDEN };
-	std::memcpy(texels(own.rows) + size_t(slot) * TEXEL_BYTES, pair, TEXEL_BYTES);
-	will_write(block);
+	std::memcpy(bytes_of(own.rows) + size_t(row) * TEXEL_BYTES, pair, TEXEL_BYTES);
+	will_write(page);
 }
 
-void PoseTexture::show(int block, int slot) {
-	std::vector<uint16_t> &hidden = blocks[size_t(block)].hidden;
-	const auto found = std::find(hidden.begin(), hidden.end(), uint16_t(slot));
+void PoseTexture::show(int page, int row) {
+	std::vector<uint16_t> &hidden = pages[size_t(page)].hidden;
+	const auto found = std::find(hidden.begin(), hidden.end(), uint16_t(row));
 	if (found != hidden.end()) {
 		*found = hidden.back();
 		hidden.pop_back();
@@ -185,9 +185,9 @@ static const std::array<uint32_t, Prototypes::SLOTS> &small_halves() {
 
 // A texel for each plant: its prototype and own delay, and one more than the column and the row of its place among the
 // loose plants, or 0.
-void PoseTexture::write_followers(const FieldSimulation &simulation, int page, Block &block) {
+void PoseTexture::write_followers(const FieldSimulation &simulation, int page) {
 	const std::array<uint32_t, Prototypes::SLOTS> &halves = small_halves();
-	uint32_t *to = reinterpret_cast<uint32_t *>(texels(block.rows));
+	uint32_t *to = reinterpret_cast<uint32_t *>(bytes_of(pages[size_t(page)].rows));
 	for (int i = 0; i < simulation.page(page).size(); i++) {
 		const Follower &follower = simulation.follower(page, i);
 		const uint32_t number = follower.loose > 0 ? follower.loose - 1u : 0u;
@@ -195,7 +195,7 @@ void PoseTexture::write_followers(const FieldSimulation &simulation, int page, B
 		to[2 * i] = halves[follower.prototype] | halves[follower.own_delay] << 16;
 		to[2 * i + 1] = halves[column] | halves[number / SIDE] << 16;
 	}
-	block.loose_version = simulation.loose_version(page);
+	pages[size_t(page)].loose_version = simulation.loose_version(page);
 }
 
 void PoseTexture::write_layer(int layer, const Bend *from, int pairs, int first) {
@@ -238,23 +238,22 @@ bool PoseTexture::make_textures() {
 	shares.assign(layers.size() * SIDE, 0.0f);
 	blend_texture = server->texture_2d_create(blend_image);
 	std::fill(is_fresh.begin(), is_fresh.end(), uint8_t(0));
-	for (Block &block : blocks) {
-		block.share = -1.0f;
+	for (Page &page : pages) {
+		page.share = -1.0f;
 	}
 	textured_layers = layers.size();
 	return true;
 }
 
-void PoseTexture::upload(const FieldSimulation &simulation, const std::vector<int> &pages, float fraction) {
-	for (size_t block = 0; follows_prototypes && block < blocks.size(); block++) {
-		Block &own = blocks[block];
-		if (own.rows.layer >= 0 && pages[block] >= 0 && simulation.loose_version(pages[block]) != own.loose_version) {
-			write_block(simulation, pages[block], int(block));
+void PoseTexture::upload(const FieldSimulation &simulation, float fraction) {
+	for (int page = 0; follows_prototypes && page < int(pages.size()); page++) {
+		if (has_rows(page) && simulation.loose_version(page) != pages[size_t(page)].loose_version) {
+			write_page(simulation, page);
 		}
 	}
 	upload_layers();
 	if (!follows_prototypes) { // Followers' blend is one for all: a uniform.
-		upload_blends(simulation, pages, fraction);
+		upload_blends(simulation, fraction);
 	}
 }
 
@@ -268,16 +267,15 @@ void PoseTexture::upload_layers() {
 	}
 }
 
-void PoseTexture::upload_blends(const FieldSimulation &simulation, const std::vector<int> &pages, float fraction) {
+void PoseTexture::upload_blends(const FieldSimulation &simulation, float fraction) {
 	bool has_changed = false;
-	for (size_t number = 0; number < blocks.size(); number++) {
-		Block &block = blocks[number];
-		const bool moves = block.rows.layer >= 0 && pages[number] >= 0;
-		const float share = moves ? simulation.alpha(pages[number], fraction) : block.share;
-		if (share != block.share) {
-			block.share = share;
-			float *to = shares.data() + size_t(block.rows.layer) * SIDE + size_t(block.rows.first);
-			std::fill(to, to + block.rows.count, share);
+	for (int number = 0; number < int(pages.size()); number++) {
+		Page &page = pages[size_t(number)];
+		const float share = has_rows(number) ? simulation.alpha(number, fraction) : page.share;
+		if (share != page.share) {
+			page.share = share;
+			float *to = shares.data() + size_t(page.rows.layer) * SIDE + size_t(page.rows.first);
+			std::fill(to, to + page.rows.count, share);
 			has_changed = true;
 		}
 	}

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "field/field_motion.hpp"
 #include "field/field_simulation.hpp"
+#include "field/page_rows.hpp"
 
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
@@ -13,7 +15,7 @@
 namespace undergrowth {
 
 /// The textures that carry the plants' poses to the graphics card. A texel belongs to a plant: its bends before and
-/// after its last step, in layers of 64 by 64 texels; a block of plants has whole rows of one layer. A second texture
+/// after its last step, in layers of 64 by 64 texels; a page of plants has whole rows of one layer. A second texture
 /// has a blend for each row. Where plants follow prototypes, a texel says whom and how late instead, and each species
 /// has 16 layers for the history of its prototypes and one for plants that were pushed.
 class PoseTexture {
@@ -27,37 +29,37 @@ public:
 	PoseTexture(const PoseTexture &) = delete;
 	PoseTexture &operator=(const PoseTexture &) = delete;
 
-	/// Gives `block` rows for `plants` plants, those that it has or other ones. On any thread, but for no two at once.
-	void give_rows(int block, int plants);
-	void take_rows(int block);
-	/// Block i is called numbers[i] from now on.
-	void renumber(const std::vector<int> &numbers);
+	/// Gives a page rows for `plants` plants, those that it has or other ones. On any thread, but for no two at once.
+	void give_rows(int page, int plants);
+	void take_rows(int page);
 	/// Makes room for the history of all species of a simulation.
 	void give_history(int species_count);
 	/// Whether the layers are more than a graphics card has.
 	bool is_too_large() const;
-	/// Where the shader finds a plant: x is its index in its layer, y the layer.
-	std::pair<int, int> texel(int block, int slot) const;
+	/// Where the shader finds plants of a page.
+	PoseTexels texels(const PageRows &plants) const;
+	int layer_of(int page) const { return pages[size_t(page)].rows.layer; }
 
-	/// Takes over the bends of a block, which is a page of the simulation. On any thread, different blocks at the same
-	/// time.
-	void write_block(const FieldSimulation &simulation, int page, int block);
-	/// The same in two: will_write() of all blocks on one thread, then write_bends() on any, of plants that swing.
-	void will_write(int block) { is_fresh[size_t(blocks[size_t(block)].rows.layer)] = 1; }
-	void write_bends(const FieldSimulation &simulation, int page, int block);
+	/// Takes over the bends of a page of the simulation, nothing where it has no rows. On any thread, different pages
+	/// at the same time.
+	void write_page(const FieldSimulation &simulation, int page);
+	void write_pages(const FieldSimulation &simulation);
+	/// The same in two: will_write() of all pages on one thread, then write_bends() on any, of plants that swing.
+	void will_write(int page) { is_fresh[size_t(layer_of(page))] = 1; }
+	void write_bends(const FieldSimulation &simulation, int page);
 	/// Takes over the newest slot of each species' history, or all of them, and what its pushed plants do.
 	void write_history(const FieldSimulation &simulation, bool all);
 
 	/// Draws nothing where this plant is.
-	void hide(int block, int slot);
-	/// Ends that, from the next write_block() on.
-	void show(int block, int slot);
+	void hide(int page, int row);
+	/// Ends that, from the next write_page() on.
+	void show(int page, int row);
 
 	/// Main thread from here on. Makes textures of the layers where they are new or more; tells whether they are
 	/// others.
 	bool make_textures();
-	/// Sends what was written since the last time, and the blends for `fraction` of a step. `pages`: of each block.
-	void upload(const FieldSimulation &simulation, const std::vector<int> &pages, float fraction);
+	/// Sends what was written since the last time, and the blends for `fraction` of a step.
+	void upload(const FieldSimulation &simulation, float fraction);
 	godot::RID poses() const { return texture; }
 	godot::RID blends() const { return blend_texture; }
 	/// First layer of a species' history, or -1.
@@ -70,7 +72,7 @@ private:
 		int first = 0;
 		int count = 0;
 	};
-	struct Block {
+	struct Page {
 		Rows rows;
 		float share = -1.0f; ///< The blend that was sent.
 		int loose_version = 0; ///< Of followers, as written.
@@ -81,7 +83,7 @@ private:
 	std::vector<godot::Ref<godot::Image>> layers;
 	std::vector<uint64_t> free_rows; ///< By layer: a bit for each row.
 	std::vector<uint8_t> is_fresh; ///< By layer: written and not yet sent.
-	std::vector<Block> blocks;
+	std::vector<Page> pages; ///< By the simulation's numbers.
 	std::vector<int> histories; ///< By species: their first layers.
 	godot::Ref<godot::Image> blend_image;
 	std::vector<float> shares; ///< What `blend_image` holds.
@@ -93,12 +95,13 @@ private:
 	int add_layer(bool is_shared);
 	Rows find_rows(int count);
 	void release(const Rows &rows);
-	uint8_t *texels(const Rows &rows);
-	void write_hidden(const Block &block);
-	void write_followers(const FieldSimulation &simulation, int page, Block &block);
+	bool has_rows(int page) const { return size_t(page) < pages.size() && pages[size_t(page)].rows.layer >= 0; }
+	uint8_t *bytes_of(const Rows &rows);
+	void write_hidden(const Page &page);
+	void write_followers(const FieldSimulation &simulation, int page);
 	void write_layer(int layer, const Bend *from, int pairs, int first);
 	void upload_layers();
-	void upload_blends(const FieldSimulation &simulation, const std::vector<int> &pages, float fraction);
+	void upload_blends(const FieldSimulation &simulation, float fraction);
 	void free_textures();
 };
 

@@ -201,7 +201,7 @@ TEST_CASE("prototypes of a species that changes become what its plants are, and 
 		const float around = 0.12f * static_cast<float>(i);
 		rests.emplace_back(std::sin(0.4f) * std::sin(around), std::cos(0.4f), std::sin(0.4f) * std::cos(around));
 	}
-	field.set_rests(0, rests.data());
+	field.set_rests(0, 0, rests.data(), 50);
 	for (int i = 0; i < 50; i++) {
 		plant.root.z = static_cast<float>(i);
 		plant.rest = rests[static_cast<size_t>(i)];

@@ -126,7 +126,7 @@ TEST_CASE("plants that lean by a law that is left lean again when it comes back 
 	field.set_wind({ { WindKind::constant, 0.0f }, 0.0f });
 	field.set_species(0, species_of(Law::elasticity));
 	field.set_species(0, species_of(Law::spring));
-	field.set_rests(0, &plant.rest);
+	field.set_rests(0, 0, &plant.rest, 1);
 	step(field, 2000);
 	CHECK(glm::distance(field.state(0, 0).direction, plant.rest) < 1e-3f);
 }

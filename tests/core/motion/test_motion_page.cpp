@@ -127,13 +127,13 @@ TEST_CASE("plants swing to the rest directions that they are given, also after t
 	const glm::vec3 lean = glm::normalize(glm::vec3(0.6f, 0.8f, 0.1f));
 	MotionPage page = plant_page(Law::spring, joint, leaning(0.0));
 	page.set_species(species_with(Law::elasticity, joint));
-	page.set_rests(&lean);
+	page.set_rests(0, &lean, 1);
 	CHECK(page.rest(0) == glm::vec3(0.0f, 1.0f, 0.0f));
 	page.apply_impulse(0, { 0.5f, 0.0f, 0.7f }); // What swings must not be taken for a rest.
 	record_x(page, 10);
 	page.set_species(species_with(Law::spring, joint));
 	CHECK(page.rest(0) == glm::vec3(0.0f, 1.0f, 0.0f));
-	page.set_rests(&lean);
+	page.set_rests(0, &lean, 1);
 	CHECK(glm::length(page.rest(0) - lean) < STATE_TOLERANCE);
 	record_x(page, 1200);
 	CHECK(glm::length(page.state(0).direction - lean) < STATE_TOLERANCE);

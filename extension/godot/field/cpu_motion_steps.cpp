@@ -1,9 +1,8 @@
-// How FieldMotion steps: wind, who looks, and what is told to the graphics card.
+// How CpuMotion steps: wind, who looks, and what is told to the graphics card.
 
-#include "field/field_motion.hpp"
+#include "field/cpu_motion.hpp"
 
 #include "convert.hpp"
-#include "plant_simulation.hpp"
 
 #include <godot_cpp/classes/os.hpp>
 
@@ -23,57 +22,13 @@ using Clock = std::chrono::steady_clock;
 static constexpr int FRAMES_BETWEEN_FAR_UPDATES = 15;
 static constexpr int MOST_FAR_MULTIPLE = 32;
 static constexpr double FARTHER = 1.4142135623730951; // So much farther is stepped half as often again.
-static constexpr double LARGEST_WIND_DRIFT = 2.5; // Steps that two clocks may differ by and still count as one.
 
 static int worker_count(const MotionOptions &options) {
 	static const int processors = OS::get_singleton()->get_processor_count();
 	return options.max_threads > 0 ? options.max_threads : processors;
 }
 
-// The wind in the field's axes, at the simulation's clock: the wind's own is `offset` seconds ahead of it. A field
-// feels the wind that has come to its origin, as a Plant3D there does.
-FieldWind FieldMotion::wind_here(const Frame &frame, double offset) const {
-	FieldWind blowing;
-	if (frame.wind.is_null()) {
-		blowing.wind.strength = 0.0f;
-		return blowing;
-	}
-	blowing.wind = frame.wind->description();
-	blowing.speed = float(frame.wind->get_travel_speed());
-	const glm::vec3 origin = to_glm(frame.axes.origin);
-	const double late = double(wind_delay(blowing, origin.x, origin.z));
-	const double ahead = offset - late;
-	blowing.least_delay = float(-late);
-	blowing.wind.gust_start -= ahead;
-	blowing.wind.phase += double(blowing.wind.frequency) * ahead;
-	const Vector3 direction = frame.axes.basis.inverse().xform(to_godot(wind_direction(blowing.wind)));
-	blowing.wind.direction = std::atan2(direction.x, direction.z);
-	blowing.speed *= std::sqrt(direction.x * direction.x + direction.z * direction.z); // In metres of the field.
-	return blowing;
-}
-
-// The wind's clock goes on with whoever simulates first in a frame: Plant3Ds, another field or this one.
-void FieldMotion::update_wind(const Frame &frame, int step_count) {
-	const uint64_t wind = frame.wind.is_valid() ? uint64_t(frame.wind->get_instance_id()) : 0;
-	if (wind != seen_wind) {
-		seen_wind = wind;
-		seen_wind_time = -1.0;
-	}
-	if (frame.wind.is_valid()) {
-		const double advance = step_count * clock.step();
-		if (frame.wind->get_time() == seen_wind_time) {
-			frame.wind->advance(advance);
-		}
-		seen_wind_time = frame.wind->get_time();
-		const double offset = seen_wind_time - advance - simulation->time();
-		if (std::fabs(offset - wind_offset) > LARGEST_WIND_DRIFT * clock.step()) {
-			wind_offset = offset;
-		}
-	}
-	simulation->set_wind(wind_here(frame, wind_offset));
-}
-
-bool FieldMotion::wants_eyes() const {
+bool CpuMotion::wants_eyes() const {
 	return frames_since_far % FRAMES_BETWEEN_FAR_UPDATES == 0;
 }
 
@@ -81,7 +36,7 @@ bool FieldMotion::wants_eyes() const {
 // as the ground at a distance grows, so that all far rings cost about the same. A page's middle counts, but no plant of
 // it is taken to be more than far_distance farther than it is: where somebody looks, all are stepped in full. Bodies
 // that push count as eyes.
-void FieldMotion::update_far(const Frame &frame, const MotionOptions &options) {
+void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
 	const bool is_due = wants_eyes();
 	frames_since_far++;
 	if (!is_due) {
@@ -112,13 +67,13 @@ void FieldMotion::update_far(const Frame &frame, const MotionOptions &options) {
 	}
 }
 
-void FieldMotion::start_step(const MotionOptions &options, bool with_contact) {
+void CpuMotion::start_step(const MotionOptions &options, bool with_contact) {
 	TipContact *contact = with_contact && simulation->settings().prototypes == 0 ? &touching : nullptr;
-	steps.start(*simulation, *textures, block_of_page, contact, worker_count(options));
+	steps.start(*simulation, *textures, contact, worker_count(options));
 }
 
 // The bodies as they were `ago` seconds before this frame.
-void FieldMotion::push(double ago) {
+void CpuMotion::push(double ago) {
 	const std::vector<FieldBody> &pushing = bodies.gather(ago);
 	simulation->set_bodies(pushing.data(), int(pushing.size()));
 	pushed_at.clear();
@@ -127,7 +82,7 @@ void FieldMotion::push(double ago) {
 	}
 }
 
-void FieldMotion::find_events(double margin) {
+void CpuMotion::find_events(double margin) {
 	const auto is_among_plants = [&](const FieldBody &body) {
 		for (int page = 0; page < simulation->page_count(); page++) {
 			if (touches_plants(simulation->page(page), body, float(margin))) {
@@ -142,13 +97,14 @@ void FieldMotion::find_events(double margin) {
 
 // The last step of a frame runs beside it and is shown in the next one. Where frames take longer than a step, those
 // before it are done at once.
-double FieldMotion::advance(const Frame &frame, const MotionOptions &options) {
+double CpuMotion::advance(const Frame &frame, const MotionOptions &options) {
 	const int step_count = clock.advance(frame.delta);
 	shown_alpha = clock.alpha();
 	if (step_count == 0) {
 		return 0.0;
 	}
-	update_wind(frame, step_count);
+	wind_clock.follow(frame.wind, step_count, clock.step(), simulation->time());
+	simulation->set_wind(field_wind(frame.wind, frame.axes, wind_clock.ahead()));
 	update_far(frame, options);
 	const Clock::time_point start = Clock::now();
 	double stepping_usec = 0.0;
@@ -167,13 +123,14 @@ double FieldMotion::advance(const Frame &frame, const MotionOptions &options) {
 	return stepping_usec;
 }
 
-void FieldMotion::preview(const Frame &frame, const MotionOptions &options) {
+void CpuMotion::preview(const Frame &frame, const MotionOptions &options) {
 	wait();
 	const int step_count = clock.advance(frame.delta);
 	shown_alpha = clock.alpha();
 	if (step_count > 0) {
 		const double now = frame.wind.is_valid() ? frame.wind->get_time() : 0.0;
-		simulation->set_wind(wind_here(frame, now - step_count * clock.step() - simulation->time()));
+		const double ahead = now - step_count * clock.step() - simulation->time();
+		simulation->set_wind(field_wind(frame.wind, frame.axes, ahead));
 		simulation->set_bodies(nullptr, 0);
 	}
 	for (int i = 0; i < step_count; i++) {
@@ -182,22 +139,20 @@ void FieldMotion::preview(const Frame &frame, const MotionOptions &options) {
 	wait();
 }
 
-bool FieldMotion::upload() {
+bool CpuMotion::upload() {
 	wait();
-	std::sort(stale_blocks.begin(), stale_blocks.end());
-	stale_blocks.erase(std::unique(stale_blocks.begin(), stale_blocks.end()), stale_blocks.end());
-	for (const int block : stale_blocks) {
-		if (size_t(block) < pages.size() && page_of(block) >= 0) {
-			textures->write_block(*simulation, page_of(block), block);
-		}
+	std::sort(stale_pages.begin(), stale_pages.end());
+	stale_pages.erase(std::unique(stale_pages.begin(), stale_pages.end()), stale_pages.end());
+	for (const int page : stale_pages) {
+		textures->write_page(*simulation, page);
 	}
-	stale_blocks.clear();
+	stale_pages.clear();
 	const bool are_new = textures->make_textures();
-	textures->upload(*simulation, pages, shown_alpha);
+	textures->upload(*simulation, shown_alpha);
 	return are_new;
 }
 
-Vector3 FieldMotion::history_of(int species) const {
+Vector3 CpuMotion::history_of(int species) const {
 	const Prototypes *models = simulation->prototypes(species);
 	return models ? Vector3(float(textures->history_layer(species)), float(models->newest_slot()), shown_alpha)
 				  : Vector3(-1.0f, 0.0f, 0.0f);
@@ -209,13 +164,13 @@ static Vector4 world_delay(const DelayPlane &plane, const Transform3D &axes) {
 	return Vector4(per_metre.x, per_metre.y, per_metre.z, plane.base - per_metre.dot(axes.origin));
 }
 
-FieldMotion::Delays FieldMotion::follower_delays(const Transform3D &axes) const {
+FieldMotion::Delays CpuMotion::follower_delays(const Transform3D &axes) const {
 	const FollowDelays &delays = simulation->follow_delays();
 	return { world_delay(delays.after(), axes), world_delay(delays.before(), axes), delays.share(shown_alpha) };
 }
 
-glm::vec2 FieldMotion::read_drawn_bend_now(const PlantPlace &place) const {
-	return simulation->shown_bend(page_of(place.block), place.slot, shown_alpha);
+glm::vec2 CpuMotion::read_drawn_bend_now(const PlantPlace &place) const {
+	return simulation->shown_bend(rows_of(place.block).page, row_of(place), shown_alpha);
 }
 
 } // namespace undergrowth

@@ -1,0 +1,29 @@
+#include "motion/motion_species.hpp"
+
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+bool is_finite(const glm::vec3 &vector) {
+	return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
+}
+
+} // namespace
+
+bool is_same_motion(const MotionSpecies &a, const MotionSpecies &b) {
+	const Joint &one = a.joint;
+	const Joint &other = b.joint;
+	return a.law == b.law && one.mass == other.mass && one.wind_weight == other.wind_weight &&
+			one.elasticity == other.elasticity && one.inner_friction == other.inner_friction &&
+			one.above_ground == other.above_ground && one.natural_frequency == other.natural_frequency &&
+			one.damping_ratio == other.damping_ratio && a.collision_radius == b.collision_radius;
+}
+
+bool is_valid(const MotionPlant &plant) {
+	return is_finite(plant.root) && std::isfinite(plant.length) && plant.length > 0.0f && is_finite(plant.rest) &&
+			plant.rest.y > 0.0f;
+}
+
+} // namespace undergrowth

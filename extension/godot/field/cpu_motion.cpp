@@ -1,0 +1,270 @@
+// How CpuMotion follows what stands, and what it is asked. cpu_motion_steps.cpp moves it.
+
+#include "field/cpu_motion.hpp"
+
+#include "plant_simulation.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr double USUAL_STEP = 1.0 / 60.0; // s.
+
+CpuMotion::CpuMotion() : clock(USUAL_STEP) {}
+
+CpuMotion::~CpuMotion() {
+	wait();
+}
+
+void CpuMotion::wait() {
+	steps.wait();
+}
+
+FieldMotion::Prepare CpuMotion::prepare() const {
+	return &prepare_on_cpu;
+}
+
+void CpuMotion::start(const FieldSettings &settings) {
+	wait();
+	simulation = std::make_unique<FieldSimulation>(settings);
+	textures = std::make_unique<PoseTexture>(settings.prototypes > 0);
+	rows.clear();
+	begin_clock();
+}
+
+void CpuMotion::begin_clock() {
+	clock = FixedStep(PlantSimulation::get_singleton()->get_step_length());
+	wind_clock.forget();
+	stale_pages.clear();
+}
+
+void CpuMotion::adopt(PreparedMotion &prepared, const std::vector<KeptPlant> &kept, const ChangeSet &changes,
+		const PlantStore &store, const FieldStyle &style) {
+	wait();
+	auto &own = static_cast<PreparedCpuMotion &>(prepared);
+	const std::unique_ptr<FieldSimulation> old = std::exchange(simulation, std::move(own.simulation));
+	const std::vector<PageRows> old_rows = std::move(rows);
+	textures = std::move(own.textures);
+	rows.assign(size_t(store.block_count()), {});
+	for (size_t i = 0; i < own.rows.size(); i++) {
+		rows[size_t(changes.grown[i].block)] = own.rows[i];
+	}
+	for (int i = 0; i < int(style.looks.size()); i++) {
+		simulation->set_species(i, style.looks[size_t(i)].motion);
+	}
+	if (old) {
+		keep_states(kept, changes, store, *old, old_rows);
+	}
+	take_added(store, style, old.get(), old_rows);
+	begin_clock();
+	write_all();
+	fit_contact(touches);
+}
+
+void CpuMotion::keep_states(const std::vector<KeptPlant> &kept, const ChangeSet &changes, const PlantStore &store,
+		const FieldSimulation &old, const std::vector<PageRows> &old_rows) {
+	for (const KeptPlant &plant : kept) {
+		const size_t before = size_t(plant.from.block);
+		const PageRows from = before < old_rows.size() ? old_rows[before] : PageRows();
+		if (from.page < 0 || plant.from.slot >= from.count) {
+			continue;
+		}
+		const PlantPlace to = { changes.grown[size_t(plant.to.block)].block, plant.to.slot };
+		// The number of a block may have gone to another one meanwhile: a plant is known by where it stands.
+		const glm::vec3 was = old.page(from.page).root(from.first + plant.from.slot);
+		const glm::vec3 is = store.block(to.block).root(to.slot);
+		if (was.x == is.x && was.z == is.z) {
+			MotionPage &now = simulation->page(rows_of(to.block).page);
+			now.take_motion(row_of(to), old.page(from.page), from.first + plant.from.slot);
+		}
+	}
+}
+
+// Plants that code added outlive a new filling, and so does their motion.
+void CpuMotion::take_added(const PlantStore &store, const FieldStyle &style, const FieldSimulation *old,
+		const std::vector<PageRows> &old_rows) {
+	for (int block = 0; block < store.block_count(); block++) {
+		if (!store.block(block).is_added) {
+			continue;
+		}
+		grow({ block, 0 }, store, style);
+		const PageRows from = size_t(block) < old_rows.size() ? old_rows[size_t(block)] : PageRows();
+		const PageRows &to = rows_of(block);
+		MotionPage &now = simulation->page(to.page);
+		for (int slot = 0; old && from.page >= 0 && slot < std::min(from.count, to.count); slot++) {
+			const MotionPage &before = old->page(from.page);
+			if (!now.is_gone(to.first + slot) && before.root(from.first + slot) == now.root(to.first + slot)) {
+				now.take_motion(to.first + slot, before, from.first + slot);
+			}
+		}
+	}
+}
+
+void CpuMotion::apply(const ChangeSet &changes, const PlantStore &store, const FieldStyle &style) {
+	wait();
+	rows.resize(size_t(store.block_count()));
+	for (const int block : changes.dropped) {
+		drop_block(block);
+	}
+	for (const ChangeSet::Grown &grown : changes.grown) {
+		grow(grown, store, style);
+	}
+	for (const PlantPlace &place : changes.gone) {
+		drop(rows_of(place.block).page, row_of(place));
+	}
+	textures->write_history(*simulation, false);
+	fit_contact(touches);
+}
+
+void CpuMotion::drop(int page, int row) {
+	simulation->drop(page, row);
+	textures->hide(page, row);
+}
+
+// The page goes with the last of its blocks.
+void CpuMotion::drop_block(int block) {
+	const PageRows own = std::exchange(rows[size_t(block)], {});
+	for (int i = 0; own.page >= 0 && i < own.count; i++) {
+		drop(own.page, own.first + i);
+	}
+	const auto is_there = [&](const PageRows &other) { return other.page == own.page; };
+	if (own.page >= 0 && std::none_of(rows.begin(), rows.end(), is_there)) {
+		simulation->remove_page(own.page);
+		textures->take_rows(own.page);
+	}
+}
+
+// Only a block that code added grows, and it has a page of its own.
+void CpuMotion::grow(const ChangeSet::Grown &grown, const PlantStore &store, const FieldStyle &style) {
+	const PlantBlock &block = store.block(grown.block);
+	const FieldLook &look = style.looks[size_t(block.species)];
+	std::vector<MotionPlant> plants;
+	for (int slot = grown.first; slot < block.size(); slot++) {
+		PlacedPlant plant = block.plants.plant(slot);
+		plant.scale = block.is_gone(slot) ? 1.0f : plant.scale; // Its row has to be there, and is dropped at once.
+		plants.push_back(look.to_simulate(plant));
+	}
+	PageRows &own = rows[size_t(grown.block)];
+	if (own.page < 0) {
+		own.page = simulation->add_page(block.species, plants.data(), int(plants.size()));
+	} else {
+		simulation->add_to_page(own.page, plants.data(), int(plants.size()));
+	}
+	own.count = block.size();
+	textures->give_rows(own.page, own.count);
+	for (int slot = grown.first; slot < block.size(); slot++) {
+		if (block.is_gone(slot)) {
+			drop(own.page, slot);
+		}
+	}
+	if (simulation->settings().prototypes > 0 && simulation->time() == 0.0) {
+		simulation->step(); // It fills the prototypes' history.
+		textures->write_history(*simulation, true);
+	}
+	textures->write_page(*simulation, own.page);
+}
+
+void CpuMotion::write_all() {
+	textures->write_pages(*simulation);
+	textures->write_history(*simulation, true);
+}
+
+void CpuMotion::add_species(const FieldLook &look) {
+	wait();
+	simulation->add_species(look.motion);
+	textures->give_history(simulation->species_count());
+	if (simulation->time() > 0.0) {
+		textures->write_history(*simulation, true);
+	}
+}
+
+void CpuMotion::set_species(int index, const FieldLook &look, const PlantStore &store, bool is_still) {
+	wait();
+	simulation->set_species(index, look.motion);
+	for (int number = 0; number < store.block_count(); number++) {
+		const PlantBlock &block = store.block(number);
+		if (block.size() == 0 || block.species != index) {
+			continue;
+		}
+		std::vector<glm::vec3> rests;
+		for (int slot = 0; slot < block.size(); slot++) {
+			rests.push_back(look.to_simulate(block.plants.plant(slot)).rest);
+		}
+		set_rests(rows_of(number), rests, is_still);
+	}
+	fit_contact(touches);
+}
+
+void CpuMotion::set_rests(const PageRows &own, const std::vector<glm::vec3> &rests, bool is_still) {
+	static constexpr float STILL = 1e-3f; // rad, and 1/s.
+	MotionPage &plants = simulation->page(own.page);
+	std::vector<int> at_rest;
+	for (int i = own.first; is_still && plants.swings() && i < own.first + own.count; i++) {
+		const TipState state = plants.state(i);
+		if (glm::distance(state.direction, plants.rest(i)) < STILL && glm::length(state.rate) < STILL) {
+			at_rest.push_back(i);
+		}
+	}
+	simulation->set_rests(own.page, own.first, rests.data(), own.count);
+	for (const int i : at_rest) {
+		plants.set_state(i, { plants.rest(i), {} });
+		plants.set_before(i, plants.rest(i));
+	}
+}
+
+void CpuMotion::set_update_interval(int step_count) {
+	if (simulation) {
+		wait();
+		simulation->set_update_interval(step_count);
+	}
+}
+
+void CpuMotion::fit_contact(bool on) {
+	touches = on;
+	if (on && simulation) {
+		wait();
+		touching.fit(*simulation);
+	}
+}
+
+void CpuMotion::settle() {
+	wait();
+	simulation->settle();
+	write_all();
+}
+
+TipState CpuMotion::read_state_now(const PlantPlace &place) {
+	wait();
+	return simulation->state(rows_of(place.block).page, row_of(place));
+}
+
+void CpuMotion::write_state(const PlantPlace &place, const TipState &state) {
+	wait();
+	simulation->page(rows_of(place.block).page).set_state(row_of(place), state);
+}
+
+void CpuMotion::apply_impulse(const PlantPlace &place, const glm::vec3 &impulse) {
+	wait();
+	simulation->apply_impulse(rows_of(place.block).page, row_of(place), impulse);
+}
+
+bool CpuMotion::is_point_in_plants_now(const glm::vec3 &point, float margin) {
+	wait();
+	return simulation && simulation->is_point_in_plants(point, margin);
+}
+
+void CpuMotion::set_hidden(const PlantPlace &place, bool hidden) {
+	const int page = rows_of(place.block).page;
+	if (hidden) {
+		textures->hide(page, row_of(place));
+	} else {
+		textures->show(page, row_of(place));
+		stale_pages.push_back(page);
+	}
+}
+
+} // namespace undergrowth

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "field/contact.hpp"
+#include "field/field_steps.hpp"
+#include "field/field_wind_clock.hpp"
+#include "field/prepared_cpu_motion.hpp"
+#include "motion/fixed_step.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace undergrowth {
+
+/// A field's motion by the core's simulation, stepped by the engine's worker threads between two frames. Everything
+/// here waits for them.
+class CpuMotion : public FieldMotion {
+public:
+	CpuMotion();
+	~CpuMotion() override;
+
+	Prepare prepare() const override;
+	void wait() override;
+	bool is_ready() const override { return simulation != nullptr; }
+	bool wants_eyes() const override;
+	void start(const FieldSettings &settings) override;
+	void adopt(PreparedMotion &prepared, const std::vector<KeptPlant> &kept, const ChangeSet &changes,
+			const PlantStore &store, const FieldStyle &style) override;
+	void apply(const ChangeSet &changes, const PlantStore &store, const FieldStyle &style) override;
+	void add_species(const FieldLook &look) override;
+	void set_species(int index, const FieldLook &look, const PlantStore &store, bool is_still) override;
+	void set_update_interval(int steps) override;
+	void fit_contact(bool on) override;
+	bool is_crowded() const override { return touches && touching.is_crowded(); }
+
+	double advance(const Frame &frame, const MotionOptions &options) override;
+	void preview(const Frame &frame, const MotionOptions &options) override;
+	void settle() override;
+
+	bool upload() override;
+	void write_all() override;
+	void set_hidden(const PlantPlace &place, bool hidden) override;
+	PoseTexels texels(int block) const override { return textures->texels(rows_of(block)); }
+	godot::RID pose_texture() const override { return textures ? textures->poses() : godot::RID(); }
+	godot::RID blend_texture() const override { return textures ? textures->blends() : godot::RID(); }
+	godot::Vector3 history_of(int species) const override;
+	bool follows_prototypes() const override { return textures && textures->follows(); }
+	Delays follower_delays(const godot::Transform3D &axes) const override;
+
+	TipState read_state_now(const PlantPlace &place) override;
+	glm::vec2 read_drawn_bend_now(const PlantPlace &place) const override;
+	bool is_point_in_plants_now(const glm::vec3 &point, float margin) override;
+	void write_state(const PlantPlace &place, const TipState &state) override;
+	void apply_impulse(const PlantPlace &place, const glm::vec3 &impulse) override;
+
+	int simulated_count() const override { return simulation ? simulation->simulated_count() : 0; }
+	double bytes_per_plant() const override { return simulation ? simulation->bytes_per_plant() : 0.0; }
+	double busy_usec() const override { return steps.busy_usec(); }
+
+private:
+	std::unique_ptr<FieldSimulation> simulation;
+	std::unique_ptr<PoseTexture> textures;
+	std::vector<PageRows> rows; ///< By block.
+	std::vector<int> stale_pages; ///< Plants of which are drawn again, and not written yet.
+	TipContact touching;
+	bool touches = false;
+	FieldSteps steps; // After what it works on: it is destroyed first.
+	FixedStep clock;
+	FieldWindClock wind_clock;
+	float shown_alpha = 0.0f; ///< Of the step that is shown next.
+	int frames_since_far = 0;
+	std::vector<glm::vec3> pushed_at; ///< m, field axes: bodies of the last step.
+
+	const PageRows &rows_of(int block) const { return rows[size_t(block)]; }
+	int row_of(const PlantPlace &place) const { return rows_of(place.block).first + place.slot; }
+	void begin_clock();
+	void grow(const ChangeSet::Grown &grown, const PlantStore &store, const FieldStyle &style);
+	void drop(int page, int row);
+	void drop_block(int block);
+	void keep_states(const std::vector<KeptPlant> &kept, const ChangeSet &changes, const PlantStore &store,
+			const FieldSimulation &old, const std::vector<PageRows> &old_rows);
+	void take_added(const PlantStore &store, const FieldStyle &style, const FieldSimulation *old,
+			const std::vector<PageRows> &old_rows);
+	void set_rests(const PageRows &plants, const std::vector<glm::vec3> &rests, bool is_still);
+	void update_far(const Frame &frame, const MotionOptions &options);
+	void push(double ago);
+	void find_events(double margin);
+	void start_step(const MotionOptions &options, bool with_contact);
+};
+
+} // namespace undergrowth

@@ -1,0 +1,50 @@
+#include "field/prepared_cpu_motion.hpp"
+
+#include <algorithm>
+
+namespace undergrowth {
+
+// Blocks that share a page, one page after the other.
+static void add_pages(const std::vector<PlantBlock> &blocks, const FieldStyle &style, PreparedCpuMotion &into) {
+	std::vector<std::vector<size_t>> members;
+	for (size_t i = 0; i < blocks.size(); i++) {
+		members.resize(std::max(members.size(), size_t(into.rows[i].page) + 1));
+		members[size_t(into.rows[i].page)].push_back(i);
+	}
+	std::vector<MotionPlant> plants;
+	for (const std::vector<size_t> &of_page : members) {
+		plants.clear();
+		for (const size_t i : of_page) {
+			const FieldLook &look = style.looks[size_t(blocks[i].species)];
+			for (int slot = 0; slot < blocks[i].size(); slot++) {
+				plants.push_back(look.to_simulate(blocks[i].plants.plant(slot)));
+			}
+		}
+		const int species = blocks[of_page.front()].species;
+		const int page = into.simulation->add_page(species, plants.data(), int(plants.size()));
+		into.textures->give_rows(page, int(plants.size()));
+		into.simulation->set_page_phase(page, into.textures->layer_of(page)); // Sent together, due together.
+	}
+}
+
+std::unique_ptr<PreparedMotion> prepare_on_cpu(const std::vector<PlantBlock> &blocks, const FieldStyle &style,
+		const FieldSettings &settings, const FieldWind &wind) {
+	auto made = std::make_unique<PreparedCpuMotion>();
+	made->simulation = std::make_unique<FieldSimulation>(settings);
+	made->simulation->set_wind(wind);
+	for (const FieldLook &look : style.looks) {
+		made->simulation->add_species(look.motion);
+	}
+	made->textures = std::make_unique<PoseTexture>(settings.prototypes > 0);
+	made->rows = join_into_pages(blocks);
+	add_pages(blocks, style, *made);
+	made->textures->give_history(made->simulation->species_count());
+	if (settings.prototypes > 0) {
+		made->simulation->step(); // It fills the prototypes' history.
+		made->textures->write_history(*made->simulation, true);
+	}
+	made->textures->write_pages(*made->simulation);
+	return made;
+}
+
+} // namespace undergrowth

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "field/field_motion.hpp"
+#include "field/field_simulation.hpp"
+#include "field/page_rows.hpp"
+#include "field/pose_texture.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace undergrowth {
+
+/// What CpuMotion takes over of a field that is grown: a simulation at rest, and textures that hold its poses.
+class PreparedCpuMotion : public PreparedMotion {
+public:
+	std::unique_ptr<FieldSimulation> simulation;
+	std::unique_ptr<PoseTexture> textures;
+	std::vector<PageRows> rows; ///< By block.
+
+	PoseTexels texels(int block) const override { return textures->texels(rows[size_t(block)]); }
+	bool is_too_large() const override { return textures->is_too_large(); }
+};
+
+/// CpuMotion's FieldMotion::Prepare.
+std::unique_ptr<PreparedMotion> prepare_on_cpu(const std::vector<PlantBlock> &blocks, const FieldStyle &style,
+		const FieldSettings &settings, const FieldWind &wind);
+
+} // namespace undergrowth
