@@ -65,6 +65,8 @@ public:
 
 	/// The block is -1 where no such plant stands. Costs by the plants of a tile.
 	PlantPlace find(PlantId id) const;
+	/// Where those of them stand that do, in their order.
+	std::vector<PlantPlace> find_all(const std::vector<PlantId> &ids) const;
 	/// Of a plant that stands.
 	PlantId id(const PlantPlace &place) const;
 	/// Ids of all plants, in the order of blocks and slots.

@@ -48,7 +48,7 @@ static void add_plant(ClumpPlan &plan, const FieldLook &look, const PlacedPlant 
 	custom[0] = float(texel.first + HALVES_COUNT_FROM);
 	custom[1] = float(texel.second + HALVES_COUNT_FROM);
 	custom[2] = plant.turn;
-	custom[3] = look.variant_of(plant).height * plant.height / mesh_height;
+	custom[3] = look.height_of(plant) / mesh_height;
 	const AABB box = reach(look, plant);
 	plan.box = plan.count == 0 ? box : plan.box.merge(box);
 	plan.count++;

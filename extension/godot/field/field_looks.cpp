@@ -68,7 +68,7 @@ void FieldLook::build() {
 
 Ref<ArrayMesh> FieldLook::build_alone(const PlacedPlant &plant) const {
 	SampledPlant sampled = nearest[size_t(plant.variant) % nearest.size()];
-	sampled.height = variant_of(plant).height * plant.height;
+	sampled.height = height_of(plant);
 	return sampled.build();
 }
 
@@ -99,10 +99,6 @@ static Vector3 above_ground(const Vector3 &rest) {
 	}
 	const float shrink = std::sin(MOST_LEAN) / aside;
 	return Vector3(rest.x * shrink, least, rest.z * shrink);
-}
-
-float FieldLook::length_of(const PlacedPlant &plant) const {
-	return variant_of(plant).height * plant.height * plant.scale;
 }
 
 float FieldLook::reach_of(const PlacedPlant &plant) const {

@@ -54,7 +54,10 @@ struct FieldLook {
 	void take_material();
 	/// The root of a plant, its length and rest direction, for the simulation.
 	MotionPlant to_simulate(const PlacedPlant &plant) const;
-	float length_of(const PlacedPlant &plant) const;
+	/// Without its scale (m).
+	float height_of(const PlacedPlant &plant) const { return variant_of(plant).height * plant.height; }
+	/// As it stands (m).
+	float length_of(const PlacedPlant &plant) const { return height_of(plant) * plant.scale; }
 	/// The farthest that the plant's mesh goes from its root, however it bends: linear blend skinning moves no vertex
 	/// farther than it is at rest (m).
 	float reach_of(const PlacedPlant &plant) const;

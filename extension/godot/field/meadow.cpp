@@ -62,11 +62,11 @@ double Meadow::advance(double delta, bool simulates) {
 	if (!motion.is_ready()) {
 		return 0.0;
 	}
-	const ViewOptions &seen = properties.view;
-	FieldMotion::Frame now = frame(delta, properties.motion.wind);
+	const ViewOptions &seen = properties;
+	FieldMotion::Frame now = frame(delta, properties.wind);
 	motion.wait();
 	const bool wants_skeletons = seen.skeleton_distance > 0.0 && !Engine::get_singleton()->is_editor_hint();
-	if (wants_skeletons || (properties.motion.far_distance > 0.0 && motion.wants_eyes())) {
+	if (wants_skeletons || (properties.far_distance > 0.0 && motion.wants_eyes())) {
 		now.eyes = find_eyes();
 	}
 	const bool is_seen = node->is_visible_in_tree();
@@ -81,12 +81,12 @@ double Meadow::advance(double delta, bool simulates) {
 	if (!simulates || store.plant_count() == 0) {
 		return 0.0;
 	}
-	motion.bodies.watch(now.tree, properties.motion.bodies_group, now.axes, delta);
-	return motion.advance(now, properties.motion);
+	motion.bodies.watch(now.tree, properties.bodies_group, now.axes, delta);
+	return motion.advance(now, properties);
 }
 
 void Meadow::preview(double delta, const Ref<PlantWind> &blowing) {
-	motion.preview(frame(delta, blowing), properties.motion);
+	motion.preview(frame(delta, blowing), properties);
 	refresh();
 	skeletons.pose(store, motion);
 }
@@ -125,11 +125,11 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 		}
 	}
 	if (style.levels.empty()) {
-		style.levels = read_levels(properties.view, node->get_visibility_range_end());
+		style.levels = read_levels(properties, node->get_visibility_range_end());
 		read_looks(StandOptions(), {}, style);
 	}
 	FieldLook look;
-	const String fault = read_other_look(function, properties.stand, style, look);
+	const String fault = read_other_look(function, properties, style, look);
 	if (!fault.is_empty()) {
 		report_error(node, "cannot add plants of " + fault);
 		return -1;
@@ -183,17 +183,20 @@ std::vector<PlantId> Meadow::add(std::vector<PlacedPlant> &&plants) {
 	return changes.added;
 }
 
-void Meadow::remove(std::vector<PlantPlace> &&places) {
-	if (job) {
-		for (const PlantPlace &place : places) {
-			removed_meanwhile.push_back(store.id(place));
-		}
+int Meadow::remove(std::vector<PlantPlace> &&places) {
+	if (places.empty()) {
+		return 0;
 	}
+	for (size_t i = 0; job && i < places.size(); i++) {
+		removed_meanwhile.push_back(store.id(places[i]));
+	}
+	const int before = store.plant_count();
 	StandEdit edit;
 	edit.removed = std::move(places);
 	apply(std::move(edit));
 	skeletons.release_gone(store);
 	refresh();
+	return before - store.plant_count();
 }
 
 void Meadow::settle() {
@@ -218,10 +221,10 @@ void Meadow::read_motion(const PlantFunction *function, bool is_still) {
 }
 
 bool Meadow::update_levels() {
-	if (!find_level_fault(properties.view).is_empty()) {
+	if (!find_level_fault(properties).is_empty()) {
 		return false; // The next filling tells of it.
 	}
-	const std::vector<FieldLevel> wanted = read_levels(properties.view, node->get_visibility_range_end());
+	const std::vector<FieldLevel> wanted = read_levels(properties, node->get_visibility_range_end());
 	const bool same = std::equal(wanted.begin(), wanted.end(), style.levels.begin(), style.levels.end(),
 			[](const FieldLevel &a, const FieldLevel &b) { return a.lod == b.lod && a.tile_factor == b.tile_factor; });
 	if (!same) {
@@ -246,7 +249,7 @@ void Meadow::update_wear(const FieldWear &wanted) {
 
 void Meadow::skeletons_changed() {
 	skeletons.choose_soon();
-	if (properties.view.skeleton_distance <= 0.0 || properties.view.max_skeletons <= 0) {
+	if (properties.skeleton_distance <= 0.0 || properties.max_skeletons <= 0) {
 		motion.wait();
 		skeletons.release_all(motion);
 		skeletons.clear();

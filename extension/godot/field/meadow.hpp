@@ -46,7 +46,8 @@ public:
 	/// Look of a function whose plants code adds; -1, with a fault told, where it cannot be built.
 	int species_for(const godot::Ref<PlantFunction> &function);
 	std::vector<PlantId> add(std::vector<PlacedPlant> &&plants);
-	void remove(std::vector<PlantPlace> &&places);
+	/// Tells how many stood there.
+	int remove(std::vector<PlantPlace> &&places);
 	void settle();
 
 	/// How a species moves is another: its plants stay, and so does their motion, where they move.

@@ -9,6 +9,7 @@
 #include <godot_cpp/classes/world3d.hpp>
 
 #include <algorithm>
+#include <utility>
 
 using namespace godot;
 
@@ -22,9 +23,9 @@ static constexpr double RAY_SHARE = 0.2;
 FieldSettings Meadow::settings() const {
 	FieldSettings made;
 	made.step = float(PlantSimulation::get_singleton()->get_step_length());
-	made.update_interval = properties.motion.update_interval;
-	made.prototypes = properties.motion.prototypes;
-	made.seed = uint64_t(properties.stand.seed);
+	made.update_interval = properties.update_interval;
+	made.prototypes = properties.prototypes;
+	made.seed = uint64_t(properties.seed);
 	return made;
 }
 
@@ -66,24 +67,24 @@ static std::vector<FieldLook> others_of(
 
 String Meadow::make_recipe(FieldRecipe &recipe, bool places) {
 	recipe.places = places;
-	const std::vector<FieldLook> others = others_of(style, store, properties.stand, recipe.species_numbers);
-	recipe.style.levels = read_levels(properties.view, node->get_visibility_range_end());
-	String fault = find_level_fault(properties.view);
+	const std::vector<FieldLook> others = others_of(style, store, properties, recipe.species_numbers);
+	recipe.style.levels = read_levels(properties, node->get_visibility_range_end());
+	String fault = find_level_fault(properties);
 	if (fault.is_empty()) {
-		fault = read_looks(properties.stand, others, recipe.style);
+		fault = read_looks(properties, others, recipe.style);
 	}
 	if (fault.is_empty() && places) {
-		fault = read_request(node, properties.stand, recipe.request);
+		fault = read_request(node, properties, recipe.request);
 	}
 	if (fault.is_empty()) {
-		fault = read_ground(node, properties.stand, recipe.ground);
+		fault = read_ground(node, properties, recipe.ground);
 	}
 	if (!fault.is_empty()) {
 		return fault;
 	}
-	const Ref<PlantWind> &wind = properties.motion.wind;
+	const Ref<PlantWind> &wind = properties.wind;
 	recipe.settings = settings();
-	recipe.tile_size = float(properties.view.tile_size);
+	recipe.tile_size = float(properties.tile_size);
 	recipe.wind = motion.wind_here(frame(0.0, wind), wind.is_valid() ? wind->get_time() : 0.0);
 	recipe.old_spacing = store.spacing();
 	for (int number = 0; number < store.block_count(); number++) {
@@ -123,10 +124,10 @@ void Meadow::fill(bool places) {
 // In a physics frame: only then may everybody ask physics.
 void Meadow::cast_rays(double delta) {
 	if (!rays) {
-		rays = std::make_unique<FieldRays>(axes_of(node), uint32_t(properties.stand.ground_collision_mask));
+		rays = std::make_unique<FieldRays>(axes_of(node), uint32_t(properties.ground_collision_mask));
 	}
 	const double usec = std::clamp(1e6 * RAY_SHARE * delta, LEAST_RAY_USEC, MOST_RAY_USEC);
-	const TypedArray<RID> excluded = collision_objects_of(node->get_tree(), properties.motion.bodies_group);
+	const TypedArray<RID> excluded = collision_objects_of(node->get_tree(), properties.bodies_group);
 	const FieldRays::State state = rays->cast(node->get_world_3d(), excluded, job->plants(), usec);
 	if (state == FieldRays::State::going_on) {
 		return;
@@ -223,7 +224,7 @@ bool Meadow::adopt(FieldFill &finished) {
 	edit.species_numbers = finished.species_numbers();
 	const ChangeSet changes = store.apply(std::move(edit));
 	motion.adopt(result, changes, store, style);
-	motion.set_update_interval(properties.motion.update_interval);
+	motion.set_update_interval(properties.update_interval);
 	for (const int i : other_leans) {
 		motion.set_species(i, style.looks[size_t(i)], store, true);
 		motion.write_all();
@@ -233,17 +234,7 @@ bool Meadow::adopt(FieldFill &finished) {
 	view.show_filled(style, result.plans);
 	view.show_all_added(style, *motion.poses(), store);
 	unseen.clear();
-	std::vector<PlantPlace> again;
-	for (const PlantId id : removed_meanwhile) {
-		const PlantPlace place = store.find(id);
-		if (place.block >= 0) {
-			again.push_back(place);
-		}
-	}
-	removed_meanwhile.clear();
-	if (!again.empty()) {
-		remove(std::move(again));
-	}
+	remove(store.find_all(std::exchange(removed_meanwhile, {})));
 	refresh();
 	return true;
 }

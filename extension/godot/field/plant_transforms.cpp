@@ -53,4 +53,9 @@ PlacedPlant place_transform(const Transform3D &transform) {
 	return plant;
 }
 
+Transform3D drawn_transform(const PlacedPlant &plant) {
+	const Vector3 scale(plant.scale, plant.scale, plant.scale);
+	return Transform3D(Basis(Vector3(0.0f, 1.0f, 0.0f), plant.turn).scaled(scale), to_godot(plant.root));
+}
+
 } // namespace undergrowth

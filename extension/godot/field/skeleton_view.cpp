@@ -1,6 +1,7 @@
 #include "field/skeleton_view.hpp"
 
 #include "convert.hpp"
+#include "field/plant_transforms.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -92,11 +93,6 @@ void SkeletonView::release_gone(const PlantStore &store) {
 void SkeletonView::release_all(FieldMotion &motion) {
 	release(motion.is_ready() ? &motion : nullptr, [](const Shown &) { return true; });
 	frames_since_choice = 0;
-}
-
-static Transform3D drawn_transform(const PlacedPlant &plant) {
-	const Vector3 scale(plant.scale, plant.scale, plant.scale);
-	return Transform3D(Basis(Vector3(0.0f, 1.0f, 0.0f), plant.turn).scaled(scale), to_godot(plant.root));
 }
 
 void SkeletonView::show(const Scene &scene, const PlantPlace &place) {
