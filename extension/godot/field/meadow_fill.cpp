@@ -86,13 +86,7 @@ String Meadow::make_recipe(FieldRecipe &recipe, bool places) {
 	recipe.settings = settings();
 	recipe.tile_size = float(properties.tile_size);
 	recipe.wind = motion.wind_here(frame(0.0, wind), wind.is_valid() ? wind->get_time() : 0.0);
-	recipe.old_spacing = store.spacing();
-	for (int number = 0; number < store.block_count(); number++) {
-		const PlantBlock &block = store.block(number);
-		if (!block.is_added && block.standing() > 0) {
-			recipe.standing.emplace_back(number, block);
-		}
-	}
+	recipe.standing = copy_filled(store);
 	return String();
 }
 
