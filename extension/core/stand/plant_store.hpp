@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <map>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct PlantPlace {
 	int slot = -1;
 
 	bool operator==(const PlantPlace &other) const { return block == other.block && slot == other.slot; }
+	bool operator<(const PlantPlace &other) const { return std::tie(block, slot) < std::tie(other.block, other.slot); }
 };
 
 /// What is to happen to a stand, in this order.

@@ -3,10 +3,10 @@
 #include "convert.hpp"
 #include "new_object.hpp"
 #include "stand/triangle_ground.hpp"
+#include "stopwatch.hpp"
 
 #include <godot_cpp/classes/collision_object3d.hpp>
 
-#include <chrono>
 #include <cmath>
 
 using namespace godot;
@@ -26,8 +26,7 @@ FieldRays::FieldRays(const Transform3D &field, uint32_t mask) :
 
 FieldRays::State FieldRays::cast(
 		const Ref<World3D> &world, const TypedArray<RID> &excluded, const FieldPlants &plants, double usec) {
-	using Clock = std::chrono::steady_clock;
-	const Clock::time_point end = Clock::now() + std::chrono::microseconds(int64_t(usec));
+	const Stopwatch watch;
 	const bool has_space = world.is_valid() && world->get_space().is_valid();
 	PhysicsDirectSpaceState3D *space = has_space ? world->get_direct_space_state() : nullptr;
 	if (!space) {
@@ -41,7 +40,7 @@ FieldRays::State FieldRays::cast(
 	while (heights.size() < size_t(plants.size())) {
 		const size_t i = heights.size();
 		cast_one(space, ray.ptr(), plants.x[i], plants.z[i]);
-		if (heights.size() % 64 == 0 && Clock::now() > end) {
+		if (heights.size() % 64 == 0 && watch.usec() > usec) {
 			break;
 		}
 	}

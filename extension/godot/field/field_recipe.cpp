@@ -106,10 +106,6 @@ String read_request(const Node3D *field, const StandOptions &options, PlacementR
 	double shares = 0.0, weighted = 0.0;
 	for (int64_t i = 0; i < options.species.size(); i++) {
 		const Ref<PlantFieldSpecies> listed = options.species[i];
-		if (listed.is_null() || listed->get_species().is_null()) {
-			return "species[" + String::num_int64(i) +
-					"] is empty. Set a PlantFieldSpecies with a PlantFunction there, or remove the entry.";
-		}
 		add_species(**listed, into);
 		shares += listed->get_share();
 		weighted += listed->get_share() * listed->get_density_factor();

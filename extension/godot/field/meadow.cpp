@@ -4,6 +4,7 @@
 
 #include "convert.hpp"
 #include "messages.hpp"
+#include "stopwatch.hpp"
 
 #include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/engine.hpp>
@@ -12,13 +13,10 @@
 #include <godot_cpp/classes/world3d.hpp>
 
 #include <algorithm>
-#include <chrono>
 
 using namespace godot;
 
 namespace undergrowth {
-
-using Clock = std::chrono::steady_clock;
 
 static const char *const VIEWPORTS = "_viewports"; // The engine's own group.
 
@@ -42,6 +40,12 @@ FieldMotion::Frame Meadow::frame(double delta, const Ref<PlantWind> &wind) const
 	now.wind = wind;
 	now.tree = node->get_tree();
 	return now;
+}
+
+FieldWear Meadow::near_wear() const {
+	FieldWear near = wear;
+	near.casts_shadows = wear.casts_shadows && (style.levels.empty() || style.levels[0].casts_shadows);
+	return near;
 }
 
 // All cameras that look into this world: that of the screen, and those of other viewports.
@@ -71,7 +75,7 @@ double Meadow::advance(double delta, bool simulates) {
 	}
 	const bool is_seen = node->is_visible_in_tree();
 	const bool has_chosen = !style.levels.empty() &&
-			skeletons.choose({ node, store, style, motion, now.axes, wear },
+			skeletons.choose({ node, store, style, motion, now.axes, near_wear() },
 					wants_skeletons && is_seen ? now.eyes : std::vector<Vector3>(), seen.skeleton_distance,
 					seen.max_skeletons);
 	if ((simulates || has_chosen || !unseen.empty()) && is_seen) {
@@ -95,7 +99,7 @@ void Meadow::refresh() {
 	if (!motion.is_ready() || !node->is_inside_tree()) {
 		return;
 	}
-	const Clock::time_point start = Clock::now();
+	const Stopwatch watch;
 	if (motion.upload()) {
 		dress.put_on(style, *motion.poses());
 	}
@@ -104,7 +108,7 @@ void Meadow::refresh() {
 		unseen.clear();
 	}
 	dress.tell_of_followers(style, motion, axes_of(node));
-	upload_usec = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+	upload_usec = watch.usec();
 }
 
 void Meadow::change_materials() {
@@ -232,7 +236,7 @@ bool Meadow::update_levels() {
 	}
 	style.levels = wanted;
 	view.update_levels(style);
-	skeletons.dress(wear, style.levels[0].casts_shadows);
+	skeletons.dress(near_wear());
 	if (motion.has_poses()) {
 		dress.put_on(style, *motion.poses());
 	}
@@ -243,7 +247,7 @@ void Meadow::update_wear(const FieldWear &wanted) {
 	if (!(wanted == wear)) {
 		wear = wanted;
 		view.wear(wear);
-		skeletons.dress(wear, style.levels.empty() || style.levels[0].casts_shadows);
+		skeletons.dress(near_wear());
 	}
 }
 

@@ -90,6 +90,8 @@ private:
 	float told_progress = -1.0f;
 	bool has_missed_ground = false;
 
+	/// What skeletons wear, which are drawn at the first level.
+	FieldWear near_wear() const;
 	FieldMotion::Frame frame(double delta, const godot::Ref<PlantWind> &wind) const;
 	FieldSettings settings() const;
 	godot::String make_recipe(FieldRecipe &recipe, bool places);

@@ -9,6 +9,7 @@
 #include <godot_cpp/classes/world3d.hpp>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 using namespace godot;
@@ -29,37 +30,45 @@ FieldSettings Meadow::settings() const {
 	return made;
 }
 
+// Which species of the list a look is of, or -1. Of a function that is listed twice each entry stays its own.
+static int listed_number(const FieldStyle &style, int look, const StandOptions &options) {
+	const int count = int(options.species.size());
+	const auto is_it = [&](int number) {
+		const Ref<PlantFieldSpecies> entry = options.species[number];
+		return entry.is_valid() && entry->get_species() == style.looks[size_t(look)].function;
+	};
+	if (look < std::min(count, style.listed) && is_it(look)) {
+		return look;
+	}
+	for (int number = 0; number < count; number++) {
+		if (is_it(number)) {
+			return number;
+		}
+	}
+	return -1;
+}
+
 // Species of the list have its numbers; those of plants that code added come after them.
 static std::vector<FieldLook> others_of(
 		const FieldStyle &style, const PlantStore &store, const StandOptions &options, std::vector<int> &numbers) {
-	numbers.assign(style.looks.size(), -1);
-	for (size_t i = 0; i < style.looks.size(); i++) {
-		for (int64_t listed = options.species.size() - 1; listed >= 0; listed--) {
-			const Ref<PlantFieldSpecies> entry = options.species[listed];
-			if (entry.is_valid() && entry->get_species() == style.looks[i].function) {
-				numbers[i] = int(listed);
-			}
-		}
-		if (int64_t(i) < options.species.size() && int(i) < style.listed) {
-			const Ref<PlantFieldSpecies> entry = options.species[int64_t(i)];
-			const bool same = entry.is_valid() && entry->get_species() == style.looks[i].function;
-			numbers[i] = same ? int(i) : numbers[i];
-		}
+	numbers.clear();
+	for (int look = 0; look < int(style.looks.size()); look++) {
+		numbers.push_back(listed_number(style, look, options));
 	}
-	std::vector<bool> is_used(style.looks.size(), false);
+	std::set<int> used;
 	for (int number = 0; number < store.block_count(); number++) {
 		const PlantBlock &block = store.block(number);
 		if (block.is_added && block.size() > 0) {
-			is_used[size_t(block.species)] = true;
+			used.insert(block.species);
 		}
 	}
 	std::vector<FieldLook> others;
-	for (size_t i = 0; i < style.looks.size(); i++) {
-		if (numbers[i] < 0 && is_used[i]) {
-			numbers[i] = int(options.species.size()) + int(others.size());
+	for (const int look : used) {
+		if (numbers[size_t(look)] < 0) {
+			numbers[size_t(look)] = int(options.species.size()) + int(others.size());
 			others.emplace_back();
-			others.back().function = style.looks[i].function;
-			others.back().variant_count = style.looks[i].variant_count;
+			others.back().function = style.looks[size_t(look)].function;
+			others.back().variant_count = style.looks[size_t(look)].variant_count;
 		}
 	}
 	return others;
@@ -225,7 +234,7 @@ bool Meadow::adopt(FieldFill &finished) {
 	}
 	motion.upload();
 	dress.put_on(style, *motion.poses());
-	view.show_filled(style, result.plans);
+	view.show(style, result.plans);
 	view.show_all_added(style, *motion.poses(), store);
 	unseen.clear();
 	remove(store.find_all(std::exchange(removed_meanwhile, {})));

@@ -3,20 +3,16 @@
 
 #include "field/plant_field_3d.hpp"
 
-#include "follow_changes.hpp"
+#include "stopwatch.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/utility_functions.hpp>
 
-#include <chrono>
-
 using namespace godot;
 
 namespace undergrowth {
-
-using Clock = std::chrono::steady_clock;
 
 static constexpr int FRAMES_BETWEEN_LOOKS = 8; // At what cannot tell that it changed.
 static const char *const FRAME_METHOD = "_on_tree_frame";
@@ -155,9 +151,9 @@ void PlantField3D::on_physics_frame() {
 }
 
 void PlantField3D::process_frame() {
-	const Clock::time_point start = Clock::now();
+	const Stopwatch watch;
 	meadow.motion.wait();
-	wait_usec = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+	wait_usec = watch.usec();
 	if (frames_since_look++ % FRAMES_BETWEEN_LOOKS == 0) {
 		look_around();
 	}
@@ -165,7 +161,7 @@ void PlantField3D::process_frame() {
 	if (may_simulate()) {
 		tell_of_bodies();
 	}
-	main_usec = std::chrono::duration<double, std::micro>(Clock::now() - start).count() - wait_usec - stepping;
+	main_usec = watch.usec() - wait_usec - stepping;
 }
 
 // What the engine does not tell of: its own properties of the node, entries of an array, other nodes' places.

@@ -33,11 +33,7 @@ int64_t PlantField3D::get_skeleton_plant(const Skeleton3D *skeleton) const {
 }
 
 TypedArray<Skeleton3D> PlantField3D::get_skeletons() const {
-	TypedArray<Skeleton3D> nodes;
-	for (Skeleton3D *skeleton : meadow.skeletons.skeletons()) {
-		nodes.push_back(skeleton);
-	}
-	return nodes;
+	return meadow.skeletons.skeletons();
 }
 
 Polygon PlantField3D::outline_polygon() const {

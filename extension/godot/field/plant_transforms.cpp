@@ -3,6 +3,8 @@
 #include "convert.hpp"
 #include "stand/plant_axes.hpp"
 
+#include <cmath>
+
 using namespace godot;
 
 namespace undergrowth {
@@ -40,8 +42,10 @@ PlacedPlant place_transform(const Transform3D &transform) {
 }
 
 Transform3D drawn_transform(const PlacedPlant &plant) {
-	const Vector3 scale(plant.scale, plant.scale, plant.scale);
-	return Transform3D(Basis(Vector3(0.0f, 1.0f, 0.0f), plant.turn).scaled(scale), to_godot(plant.root));
+	const float c = plant.scale * std::cos(plant.turn);
+	const float s = plant.scale * std::sin(plant.turn);
+	const Vector3 up(0.0f, plant.scale, 0.0f);
+	return Transform3D(Vector3(c, 0.0f, -s), up, Vector3(s, 0.0f, c), to_godot(plant.root));
 }
 
 } // namespace undergrowth
