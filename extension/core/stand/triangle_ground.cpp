@@ -77,7 +77,8 @@ bool TriangleGrid::find(float x, float z, float &height, glm::vec3 &normal) cons
 			z > low_z + cell * static_cast<float>(rows)) {
 		return false;
 	}
-	const std::size_t at = static_cast<std::size_t>(row_of(z)) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column_of(x));
+	const std::size_t at = static_cast<std::size_t>(row_of(z)) * static_cast<std::size_t>(columns) +
+			static_cast<std::size_t>(column_of(x));
 	for (int i = firsts[at]; i < firsts[at + 1]; i++) {
 		const glm::vec3 *t = corners + 3 * members[static_cast<std::size_t>(i)];
 		const float ax = t[1].x - t[0].x, az = t[1].z - t[0].z;

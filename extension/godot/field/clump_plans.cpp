@@ -58,8 +58,8 @@ static int group_of(const FieldLook &look, const PlantBlock &block, int slot, in
 
 using PlansByMesh = std::map<std::tuple<ClumpPlace, int, int>, ClumpPlan>; // Place, species, group.
 
-static void add_block(const FieldStyle &style, const PoseTexture &poses, const DrawnBlock &drawn, int level,
-		PlansByMesh &plans) {
+static void add_block(
+		const FieldStyle &style, const PoseTexture &poses, const DrawnBlock &drawn, int level, PlansByMesh &plans) {
 	const PlantBlock &block = *drawn.block;
 	const ClumpPlace place = place_of(style, level, block);
 	const FieldLook &look = style.looks[size_t(block.species)];

@@ -30,7 +30,7 @@ struct FieldVariant {
 };
 
 /// One species of a field: what it shows and how it moves. Sampled on the main thread; from then on nothing here reads
-/// the function itself but read_motion() and follow_material().
+/// the function itself but read_motion() and take_material().
 struct FieldLook {
 	godot::Ref<PlantFunction> function;
 	int variant_count = 4; ///< 1 to 64.

@@ -3,7 +3,6 @@
 #include <godot_cpp/classes/rendering_server.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 using namespace godot;
 

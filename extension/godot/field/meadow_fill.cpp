@@ -5,7 +5,6 @@
 #include "messages.hpp"
 #include "plant_simulation.hpp"
 
-#include <godot_cpp/classes/physics_direct_space_state3d.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 
 #include <algorithm>

@@ -7,8 +7,6 @@
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
-#include <godot_cpp/classes/world3d.hpp>
-#include <godot_cpp/variant/utility_functions.hpp>
 
 using namespace godot;
 

@@ -99,8 +99,8 @@ public:
 	godot::PackedStringArray _get_configuration_warnings() const override;
 	godot::AABB _get_aabb() const override;
 
-	// What stands. An id that does not stand is one error and an empty answer. What a plant tells of its place is in the
-	// field's own axes; spheres and boxes are in the world's.
+	// What stands. An id that does not stand is one error and an empty answer. What a plant tells of its place is in
+	// the field's own axes; spheres and boxes are in the world's.
 	void fill();
 	bool is_filling() const;
 	godot::PackedInt64Array add_plants(const godot::Variant &transforms, const godot::Ref<PlantFunction> &function);

@@ -102,8 +102,7 @@ PackedVector3Array PlantField3D::get_tip_positions(const PackedInt64Array &ids) 
 PackedFloat32Array PlantField3D::get_motion_state(const PackedInt64Array &ids) {
 	PackedFloat32Array found;
 	for (const int64_t id : ids) {
-		const TipState state =
-				ask(id, [this](const Standing &one) { return meadow.motion.read_state_now(one.place); });
+		const TipState state = ask(id, [this](const Standing &one) { return meadow.motion.read_state_now(one.place); });
 		for (const glm::vec3 &part : { state.direction, state.rate }) {
 			found.push_back(part.x);
 			found.push_back(part.y);

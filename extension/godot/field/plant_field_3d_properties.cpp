@@ -48,12 +48,12 @@ template <auto slot, const PlantField3D::Setting &setting> void PlantField3D::se
 	}
 // The same of one that has no bounds.
 #define VALUE(m_type, m_name, m_about, ...)                                                                            \
-	NUMBER(m_type, m_name, m_about, std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max(),         \
-			##__VA_ARGS__)
+	NUMBER(m_type, m_name, m_about, std::numeric_limits<double>::lowest(),                                             \
+			std::numeric_limits<double>::max(), ##__VA_ARGS__)
 // One that has a setter of its own, or a getter that is called otherwise.
 #define SET_HERE(m_type, m_name, m_getter_name, ...)                                                                   \
-	BIND_PROPERTY(m_type, m_name, m_getter_name, &self_type::set_##m_name, &self_type::get<&FieldProperties::m_name>,  \
-			##__VA_ARGS__)
+	BIND_PROPERTY(m_type, m_name, m_getter_name, &self_type::set_##m_name,                                             \
+			&self_type::get<&FieldProperties::m_name>, ##__VA_ARGS__)
 
 void PlantField3D::bind_properties() {
 	ADD_GROUP("Plants", "");
