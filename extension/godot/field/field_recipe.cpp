@@ -235,7 +235,7 @@ String read_looks(const StandOptions &options, const std::vector<FieldLook> &oth
 		}
 		fault = take_look(listed->get_species(), listed->get_variants(), options, into);
 	}
-	into.listed = int(into.looks.size());
+	into.listed_count = int(into.looks.size());
 	for (size_t i = 0; i < others.size() && fault.is_empty(); i++) {
 		fault = take_look(others[i].function, others[i].variant_count, options, into);
 	}

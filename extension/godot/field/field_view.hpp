@@ -31,7 +31,7 @@ struct ClumpPlace {
 struct ClumpPlan {
 	ClumpPlace place;
 	int species = 0;
-	int group = 0;
+	int group = 0; ///< Which of the meshes that its level has of the species.
 	int count = 0;
 	int stride = 0; ///< Floats per plant.
 	godot::PackedFloat32Array buffer;
@@ -97,7 +97,7 @@ private:
 
 	std::map<ClumpPlace, std::vector<Clump>> clumps;
 	std::vector<FieldLevel> levels; ///< As they were shown.
-	godot::RID world;
+	godot::RID world; ///< Its scenario.
 	godot::Transform3D placed;
 	float largest_scale = 1.0f; ///< Of the field's axes.
 	bool is_visible = true;

@@ -34,10 +34,11 @@ public:
 	bool is_at_work() const { return job != nullptr; }
 	/// Whether it places plants.
 	bool is_filling() const { return job && job->places(); }
-	/// Goes on with it; at any frame, paused or not. `physics`: it is one of physics, in which rays may be cast.
+	/// Goes on with it; at any frame (of `delta` s), paused or not. `physics`: it is one of physics, in which rays may
+	/// be cast.
 	void poll(double delta, bool physics);
 
-	/// Once a frame that is not paused. Tells how many µs of this thread steps took.
+	/// Once a frame (of `delta` s) that is not paused. Tells how many µs of this thread steps took.
 	double advance(double delta, bool simulates);
 	void preview(double delta, const godot::Ref<PlantWind> &blowing);
 	/// Shows what changed since the last frame.
@@ -70,7 +71,7 @@ public:
 	FieldMotion motion;
 	FieldStyle style;
 	SkeletonView skeletons;
-	double upload_usec = 0.0;
+	double upload_usec = 0.0; ///< What the last refresh() took of this thread.
 	/// The box (field axes) that holds whatever is drawn, at most; of no volume where nothing is.
 	godot::AABB box() const;
 	std::vector<int> count_drawn(const godot::Vector3 &eye) const { return view.count_drawn(style, eye); }

@@ -36,7 +36,7 @@ static int listed_number(const FieldStyle &style, int look, const StandOptions &
 		const Ref<PlantFieldSpecies> entry = options.species[number];
 		return entry.is_valid() && entry->get_species() == style.looks[size_t(look)].function;
 	};
-	if (look < std::min(count, style.listed) && is_it(look)) {
+	if (look < std::min(count, style.listed_count) && is_it(look)) {
 		return look;
 	}
 	for (int number = 0; number < count; number++) {

@@ -61,6 +61,8 @@ private:
 	double wait_usec = 0.0; ///< For the worker threads, where they took longer than the frame.
 	int frames_since_look = 0;
 
+	/// The getter and the setter of a Setting that scripts call. The setter refuses, with an error, what is out of
+	/// range, and tells `about` of a real change.
 	template <auto slot> auto get() const { return properties.*slot; }
 	template <auto slot, const Setting &setting> void set(decltype(value_of(slot)) value);
 	static void bind_properties();

@@ -205,7 +205,7 @@ PackedInt64Array PlantField3D::add_plants(const Variant &transforms, const Ref<P
 	if (species_index < 0) {
 		return PackedInt64Array();
 	}
-	if (species_index >= meadow.style.listed) {
+	if (species_index >= meadow.style.listed_count) {
 		follow_changes(function.ptr(), Callable(this, "_on_added_species_changed"));
 	}
 	const int variants = int(meadow.style.looks[size_t(species_index)].variants.size());

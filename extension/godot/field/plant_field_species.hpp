@@ -20,7 +20,7 @@ class PlantFieldSpecies : public godot::Resource {
 	double lean_deviation = 0.0; // rad.
 	int variants = 4;
 	godot::String given_name;
-	bool forwards = false;
+	bool forwards = false; // While `changed` is emitted for the function inside.
 
 	/// Tells who uses this that it changed, by itself or, where `from_species`, by the function inside.
 	void tell(bool from_species);
