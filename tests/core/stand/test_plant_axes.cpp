@@ -47,6 +47,19 @@ TEST_CASE("a plant that is placed upright is turned as its transform is, and lea
 	}
 }
 
+TEST_CASE("a tilt takes nothing from a plant's turn about its stem") {
+	for (const double around : { 0.0, 0.7, -2.5 }) {
+		const glm::vec3 up = leaning(0.6, around);
+		const glm::vec3 across = leaning(0.5 * PI, around + 0.5 * PI);
+		const glm::vec3 level_front = leaning(0.5 * PI, 1.2);
+		// Turned by 0.6 rad about `across`, as `up` was.
+		const glm::vec3 front = static_cast<float>(portable_cos(0.6)) * level_front +
+				static_cast<float>(portable_sin(0.6)) * glm::cross(across, level_front) +
+				static_cast<float>(1.0 - portable_cos(0.6)) * glm::dot(across, level_front) * across;
+		CHECK(plant_of_axes({}, up, front).turn == doctest::Approx(1.2));
+	}
+}
+
 TEST_CASE("a species' own lean goes to the side that its plants are turned to") {
 	PlacedPlant plant;
 	plant.turn = 1.1f;
