@@ -1,11 +1,10 @@
-// The half of PlantFunction that asks the four functions and turns their answers into a mesh.
+// The half of PlantFunction that asks the four functions. SampledPlant turns their answers into a mesh.
 
 #include "plant_function.hpp"
 
 #include "convert.hpp"
 #include "new_object.hpp"
 #include "plant/base_shape.hpp"
-#include "shared_resources.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/script.hpp>
@@ -113,11 +112,6 @@ Color PlantFunction::calculate_color_at_point(double offset) {
 		return Color();
 	}
 	return color;
-}
-
-float SampledPlant::widest() const {
-	const float width = widths.empty() ? 0.0f : *std::max_element(widths.begin(), widths.end());
-	return width * cross_section.radius;
 }
 
 static String ring_problem(const PackedVector3Array &shape) {
@@ -234,62 +228,6 @@ String PlantFunction::sample(double height, int segments, int64_t seed, SampledP
 String PlantFunction::find_problem(double height, int segments, int64_t seed) {
 	SampledPlant sampled;
 	return sample(height, segments, seed, sampled);
-}
-
-// Where there is no skeleton, shaders do not get the bones' weights: a field's reads that of the tip from here.
-static constexpr int64_t CUSTOM_FORMAT = int64_t(Mesh::ARRAY_CUSTOM_R_FLOAT)
-		<< int64_t(Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT);
-
-static PackedFloat32Array tip_weights(const PackedFloat32Array &weights) {
-	PackedFloat32Array of_tip;
-	of_tip.resize(weights.size() / 4);
-	const float *from = weights.ptr();
-	float *to = of_tip.ptrw();
-	for (int64_t i = 0; i < of_tip.size(); i++) {
-		to[i] = from[4 * i + 1];
-	}
-	return of_tip;
-}
-
-Ref<ArrayMesh> SampledPlant::build() const {
-	const MeshCounts counts = count_mesh(int(cross_section.points.size()), lod, options.shading);
-	PackedVector3Array positions, normals;
-	PackedColorArray tints;
-	PackedVector2Array uvs;
-	PackedInt32Array bones, indices;
-	PackedFloat32Array weights;
-	positions.resize(counts.vertices);
-	normals.resize(counts.vertices);
-	tints.resize(counts.vertices);
-	uvs.resize(counts.vertices);
-	bones.resize(counts.vertices * 4);
-	weights.resize(counts.vertices * 4);
-	indices.resize(counts.indices);
-
-	MeshBuffers buffers;
-	buffers.positions = reinterpret_cast<glm::vec3 *>(positions.ptrw());
-	buffers.normals = reinterpret_cast<glm::vec3 *>(normals.ptrw());
-	buffers.colors = reinterpret_cast<glm::vec4 *>(tints.ptrw());
-	buffers.uvs = reinterpret_cast<glm::vec2 *>(uvs.ptrw());
-	buffers.bones = bones.ptrw();
-	buffers.weights = weights.ptrw();
-	buffers.indices = indices.ptrw();
-	build_mesh({ &cross_section, widths.data(), colors.data(), height, lod }, options, buffers);
-
-	Array arrays;
-	arrays.resize(Mesh::ARRAY_MAX);
-	arrays[Mesh::ARRAY_VERTEX] = positions;
-	arrays[Mesh::ARRAY_NORMAL] = normals;
-	arrays[Mesh::ARRAY_COLOR] = tints;
-	arrays[Mesh::ARRAY_TEX_UV] = uvs;
-	arrays[Mesh::ARRAY_BONES] = bones;
-	arrays[Mesh::ARRAY_WEIGHTS] = weights;
-	arrays[Mesh::ARRAY_INDEX] = indices;
-	arrays[Mesh::ARRAY_CUSTOM0] = tip_weights(weights);
-	Ref<ArrayMesh> mesh = new_counted<ArrayMesh>();
-	mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays, TypedArray<Array>(), Dictionary(), CUSTOM_FORMAT);
-	mesh->surface_set_material(0, material.is_valid() ? material : Ref<Material>(default_material()));
-	return mesh;
 }
 
 Ref<ArrayMesh> PlantFunction::generate_mesh(double height, int segments, int64_t seed) {

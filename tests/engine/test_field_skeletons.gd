@@ -74,6 +74,20 @@ func test_a_skeleton_bends_as_its_plant() -> void:
 		check_near(tip, _field.get_tip_position(id), 0.02, "tip of plant %d" % id)
 
 
+func test_skeletons_are_as_transparent_as_their_field() -> void:
+	_field.transparency = 0.5
+	_field.max_skeletons = 5
+	_field.skeleton_distance = 3.0
+	await frames(60)
+	for wanted: float in [0.5, 0.25]:
+		_field.transparency = wanted
+		await frames(20)
+		check_equal(_field.get_skeletons().size(), 5)
+		for skeleton: Skeleton3D in _field.get_skeletons():
+			var drawn := skeleton.get_child(0, true) as MeshInstance3D
+			check_near(drawn.transparency, wanted, 1e-6, "transparency")
+
+
 func test_nobody_sees_a_skeleton_come_or_go() -> void:
 	_field.simulation_enabled = false
 	await frames(3)

@@ -12,7 +12,6 @@ namespace {
 
 constexpr float TIP = 1.0f; // Share of the length.
 constexpr float UPPER_STEM = 0.6f;
-constexpr float LEAST_HEIGHT = 0.02f; // Of a pushed direction's y: where the ground stops it.
 /// A push almost along the stem turns it no more than one this far from it would.
 constexpr float LEAST_TANGENT = 0.3f;
 constexpr float TINY = 1e-6f;
@@ -98,7 +97,7 @@ bool push_point(
 	}
 	along /= size;
 	glm::vec3 moved = state.direction + along * (depth / (arm * std::max(size, LEAST_TANGENT)));
-	moved.y = std::max(moved.y, LEAST_HEIGHT);
+	moved.y = std::max(moved.y, LEAST_PUSHED_HEIGHT);
 	state.direction = glm::normalize(moved);
 	const float inward = glm::dot(arm * state.rate - body.velocity, along);
 	if (inward < 0.0f) {

@@ -2,11 +2,14 @@
 
 #include "motion/motion_page.hpp"
 
-#include <glm/common.hpp>
+#include <glm/vec3.hpp>
 
 #include <algorithm>
 
 namespace undergrowth {
+
+/// Of a direction's y: where the ground stops a plant that is pushed.
+inline constexpr float LEAST_PUSHED_HEIGHT = 0.02f;
 
 /// A moving capsule, sphere or box that pushes plants out of its way: all points nearer than `radius` to its core. A
 /// capsule's core is a segment, a sphere's is a segment whose ends are the same point, and that of a box whose edges

@@ -10,7 +10,6 @@ namespace undergrowth {
 namespace {
 
 constexpr float LEAST_CELL = 1e-3f; // m.
-constexpr float LEAST_HEIGHT = 0.02f; // Of a direction's y: where the ground stops it.
 constexpr float MOST_CELLS = 1e9f;
 static_assert(TipContact::MOST_CONTACTS <= 255, "the number of a tip's contacts is a byte");
 
@@ -214,7 +213,7 @@ void TipContact::separate_one(FieldSimulation &field, const SortedTip &own) {
 	const glm::vec3 along = move - glm::dot(move, state.direction) * state.direction;
 	state.rate += blow / page.length(index);
 	state.direction += along / page.length(index);
-	state.direction.y = std::max(state.direction.y, LEAST_HEIGHT);
+	state.direction.y = std::max(state.direction.y, LEAST_PUSHED_HEIGHT);
 	page.set_state(index, state);
 }
 

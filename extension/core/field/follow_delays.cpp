@@ -24,8 +24,7 @@ void FollowDelays::step() {
 
 float FollowDelays::share(float fraction) const {
 	const float gone = static_cast<float>(steps - 1) + fraction;
-	const float part = std::clamp(gone / static_cast<float>(most_steps), 0.0f, 1.0f);
-	return part * part * (3.0f - 2.0f * part); // Without a jerk at either end.
+	return glm::smoothstep(0.0f, 1.0f, gone / static_cast<float>(most_steps)); // Without a jerk at either end.
 }
 
 } // namespace undergrowth

@@ -3,6 +3,7 @@
 #include "motion/bend_encoding.hpp"
 #include "motion/gnomonic.hpp"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -36,11 +37,11 @@ void LoosePlants::remove(int number) {
 float LoosePlants::grow_older(int number, const glm::vec3 &followed) {
 	Place &place = places[static_cast<std::size_t>(number)];
 	place.age = static_cast<uint16_t>(std::min(place.age + 1, 0xffff));
-	const float gone = std::clamp((static_cast<float>(place.age) * step_time - ALONE) / GOING_BACK, 0.0f, 1.0f);
-	if (gone <= 0.0f) {
+	const float gone = (static_cast<float>(place.age) * step_time - ALONE) / GOING_BACK;
+	const float share = glm::smoothstep(0.0f, 1.0f, gone); // Without a jerk at either end.
+	if (share <= 0.0f) {
 		return 0.0f;
 	}
-	const float share = gone * gone * (3.0f - 2.0f * gone); // Without a jerk at either end.
 	const glm::vec3 own = swinging.direction(number);
 	swinging.bends()[2 * number + 1] = encode_bend(glm::normalize(own + share * (followed - own)));
 	return share;

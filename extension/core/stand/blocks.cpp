@@ -117,6 +117,11 @@ TileKey tile_at(float x, float z, float size) {
 	return { tile_coordinate(x, size), tile_coordinate(z, size) };
 }
 
+TileKey wider_tile(const TileKey &tile, int factor) {
+	const auto down = [factor](int count) { return count / factor - static_cast<int>(count % factor < 0); };
+	return { down(tile.column), down(tile.row) };
+}
+
 void PlantBlock::add(const PlacedPlant &plant) {
 	plants.add(plant);
 	low = size() == 1 ? plant.root : glm::min(low, plant.root);

@@ -22,6 +22,9 @@ struct TileKey {
 /// The tile that holds (x, z) (m), of tiles of `size` (m). Whatever is farther than 1e9 tiles is in the last one.
 TileKey tile_at(float x, float z, float size);
 
+/// The tile that is `factor` (>= 1) times as wide and holds this one.
+TileKey wider_tile(const TileKey &tile, int factor);
+
 /// Plants of one species in one tile: what is built, stepped, drawn and dropped as a whole. Each keeps its slot for as
 /// long as the block stands.
 struct PlantBlock {

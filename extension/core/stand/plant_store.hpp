@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <map>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct PlantPlace {
 	int slot = -1;
 
 	bool operator==(const PlantPlace &other) const { return block == other.block && slot == other.slot; }
+	bool operator<(const PlantPlace &other) const { return std::tie(block, slot) < std::tie(other.block, other.slot); }
 };
 
 /// What is to happen to a stand, in this order.
@@ -65,6 +67,8 @@ public:
 
 	/// The block is -1 where no such plant stands. Costs by the plants of a tile.
 	PlantPlace find(PlantId id) const;
+	/// Where those of them stand that do, in their order.
+	std::vector<PlantPlace> find_all(const std::vector<PlantId> &ids) const;
 	/// Of a plant that stands.
 	PlantId id(const PlantPlace &place) const;
 	/// Ids of all plants, in the order of blocks and slots.

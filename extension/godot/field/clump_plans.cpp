@@ -2,8 +2,10 @@
 
 #include "field/field_view.hpp"
 
+#include "convert.hpp"
+#include "field/plant_transforms.hpp"
+
 #include <algorithm>
-#include <cmath>
 
 using namespace godot;
 
@@ -15,26 +17,22 @@ static constexpr int CUSTOM_FLOATS = 4;
 // Compatibility keeps custom data in half floats, which count exactly from -2048 to 2048.
 static constexpr int HALVES_COUNT_FROM = -2048;
 
-static int divide_down(int count, int factor) {
-	return count >= 0 ? count / factor : -((-count + factor - 1) / factor);
-}
-
 static ClumpPlace place_of(const FieldStyle &style, int level, const PlantBlock &block) {
-	const int factor = style.levels[size_t(level)].tile_factor;
-	return { block.is_added, level, divide_down(block.tile.column, factor), divide_down(block.tile.row, factor) };
+	return { block.is_added, level, wider_tile(block.tile, style.levels[size_t(level)].tile_factor) };
 }
 
-static void write_transform(float *to, const PlacedPlant &plant) {
-	const float c = plant.scale * std::cos(plant.turn);
-	const float s = plant.scale * std::sin(plant.turn);
-	const float rows[TRANSFORM_FLOATS] = { c, 0.0f, s, plant.root.x, 0.0f, plant.scale, 0.0f, plant.root.y, -s, 0.0f, c,
-		plant.root.z };
-	std::copy(rows, rows + TRANSFORM_FLOATS, to);
+static void write_transform(float *to, const Transform3D &transform) {
+	for (int row = 0; row < 3; row++) {
+		const Vector3 &axes = transform.basis.rows[row];
+		for (const float number : { axes.x, axes.y, axes.z, transform.origin[row] }) {
+			*to++ = number;
+		}
+	}
 }
 
 static AABB reach(const FieldLook &look, const PlacedPlant &plant) {
 	const float radius = look.reach_of(plant);
-	const Vector3 root(plant.root.x, plant.root.y, plant.root.z);
+	const Vector3 root = to_godot(plant.root);
 	return AABB(root - Vector3(radius, radius, radius), 2.0f * Vector3(radius, radius, radius));
 }
 
@@ -42,13 +40,13 @@ static AABB reach(const FieldLook &look, const PlacedPlant &plant) {
 static void add_plant(ClumpPlan &plan, const FieldLook &look, const PlacedPlant &plant, const PoseTexels &texel) {
 	const float mesh_height = look.variants[size_t(plan.group)].height;
 	float *to = plan.buffer.ptrw() + int64_t(plan.count) * plan.stride;
-	write_transform(to, plant);
+	write_transform(to, drawn_transform(plant));
 	std::fill(to + TRANSFORM_FLOATS, to + plan.stride, 1.0f); // White, where there is a colour.
 	float *custom = to + plan.stride - CUSTOM_FLOATS;
 	custom[0] = float(texel.first + HALVES_COUNT_FROM);
 	custom[1] = float(texel.layer + HALVES_COUNT_FROM);
 	custom[2] = plant.turn;
-	custom[3] = look.variant_of(plant).height * plant.height / mesh_height;
+	custom[3] = look.height_of(plant) / mesh_height;
 	const AABB box = reach(look, plant);
 	plan.box = plan.count == 0 ? box : plan.box.merge(box);
 	plan.count++;
@@ -58,12 +56,13 @@ static int group_of(const FieldLook &look, const PlantBlock &block, int slot, in
 	return int(block.plants.variant[size_t(slot)] % look.variants.size()) % groups;
 }
 
-using PlansByMesh = std::map<std::pair<int, int>, ClumpPlan>;
+using PlansByMesh = std::map<std::tuple<ClumpPlace, int, int>, ClumpPlan>; // Place, species, group.
 
-static void add_block(const FieldStyle &style, const DrawnBlock &drawn, const ClumpPlace &place, PlansByMesh &plans) {
+static void add_block(const FieldStyle &style, const DrawnBlock &drawn, int level, PlansByMesh &plans) {
 	const PlantBlock &block = *drawn.block;
+	const ClumpPlace place = place_of(style, level, block);
 	const FieldLook &look = style.looks[size_t(block.species)];
-	const int groups = int(look.meshes[size_t(place.level)].size());
+	const int groups = int(look.meshes[size_t(level)].size());
 	std::vector<int> counts(size_t(groups), 0);
 	for (int slot = 0; slot < block.size(); slot++) {
 		counts[size_t(group_of(look, block, slot, groups))] += block.is_gone(slot) ? 0 : 1;
@@ -71,7 +70,7 @@ static void add_block(const FieldStyle &style, const DrawnBlock &drawn, const Cl
 	std::vector<ClumpPlan *> by_group(size_t(groups), nullptr);
 	for (int group = 0; group < groups; group++) {
 		if (counts[size_t(group)] > 0) {
-			ClumpPlan &plan = plans[{ block.species, group }];
+			ClumpPlan &plan = plans[{ place, block.species, group }];
 			plan.place = place;
 			plan.species = block.species;
 			plan.group = group;
@@ -88,35 +87,25 @@ static void add_block(const FieldStyle &style, const DrawnBlock &drawn, const Cl
 	}
 }
 
-static void plan_place(const FieldStyle &style, const std::vector<DrawnBlock> &blocks, const ClumpPlace &place,
-		std::vector<ClumpPlan> &plans) {
+std::vector<ClumpPlan> plan_level(const FieldStyle &style, const std::vector<DrawnBlock> &blocks, int level) {
 	PlansByMesh by_mesh;
 	for (const DrawnBlock &drawn : blocks) {
-		add_block(style, drawn, place, by_mesh);
+		add_block(style, drawn, level, by_mesh);
 	}
+	std::vector<ClumpPlan> plans;
 	for (auto &[mesh, plan] : by_mesh) {
 		plans.push_back(std::move(plan));
 	}
+	return plans;
 }
 
 std::vector<ClumpPlan> plan_clumps(const FieldStyle &style, const std::vector<DrawnBlock> &blocks) {
 	std::vector<ClumpPlan> plans;
 	for (int level = 0; level < int(style.levels.size()); level++) {
-		std::map<ClumpPlace, std::vector<DrawnBlock>> places;
-		for (const DrawnBlock &drawn : blocks) {
-			places[place_of(style, level, *drawn.block)].push_back(drawn);
-		}
-		for (const auto &[place, members] : places) {
-			plan_place(style, members, place, plans);
+		for (ClumpPlan &plan : plan_level(style, blocks, level)) {
+			plans.push_back(std::move(plan));
 		}
 	}
-	return plans;
-}
-
-std::vector<ClumpPlan> plan_clumps_at(
-		const FieldStyle &style, const std::vector<DrawnBlock> &blocks, const ClumpPlace &place) {
-	std::vector<ClumpPlan> plans;
-	plan_place(style, blocks, place, plans);
 	return plans;
 }
 

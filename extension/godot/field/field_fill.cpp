@@ -3,7 +3,6 @@
 #include <godot_cpp/classes/worker_thread_pool.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 using namespace godot;
@@ -60,7 +59,8 @@ void FieldFill::work(void *self) {
 		if (fill->recipe.places) {
 			fill->place();
 		} else {
-			fill->gather_standing();
+			fill->placed = gather_plants(fill->recipe.standing, fill->recipe.species_numbers);
+			fill->result.spacing = fill->recipe.standing.spacing;
 		}
 		if (fill->recipe.places && fill->recipe.ground.needs_rays() && fill->placed.size() > 0) {
 			fill->stage = Stage::placed;
@@ -84,20 +84,6 @@ void FieldFill::place() {
 		done = PLACED_SHARE * float(row) / float(placement.row_count());
 	}
 	done = PLACED_SHARE;
-}
-
-void FieldFill::gather_standing() {
-	result.spacing = recipe.old_spacing;
-	for (const auto &[number, block] : recipe.standing) {
-		const int species = recipe.species_numbers[size_t(block.species)];
-		for (int slot = 0; slot < block.size() && species >= 0; slot++) {
-			if (!block.is_gone(slot)) {
-				PlacedPlant plant = block.plants.plant(slot);
-				plant.species = species;
-				placed.add(plant);
-			}
-		}
-	}
 }
 
 void FieldFill::stand_on_ground() {
@@ -126,53 +112,8 @@ void FieldFill::build() {
 		drawn.push_back({ result.motion->texels(int(i)), &result.blocks[i] });
 	}
 	result.plans = plan_clumps(result.style, drawn);
-	find_kept();
+	result.kept = find_kept(recipe.standing, result.blocks, result.spacing);
 	done = 1.0f;
-}
-
-// Whether the same plants stand as before, as after most changes: no names need be compared then.
-bool FieldFill::are_the_same() {
-	std::vector<KeptPlant> same;
-	bool is_same = result.spacing == recipe.old_spacing && result.blocks.size() == recipe.standing.size();
-	for (size_t i = 0; is_same && i < result.blocks.size(); i++) {
-		const PlantBlock &now = result.blocks[i];
-		const auto &[number, before] = recipe.standing[i];
-		is_same = before.gone == 0 && now.plants.x == before.plants.x && now.plants.z == before.plants.z;
-		for (int slot = 0; is_same && slot < now.size(); slot++) {
-			same.push_back({ { number, slot }, { int(i), slot } });
-		}
-	}
-	result.kept = is_same ? std::move(same) : std::vector<KeptPlant>();
-	return is_same;
-}
-
-// Which plants stood before, by their names, species and sizes: what has moved on is another plant.
-void FieldFill::find_kept() {
-	if (are_the_same()) {
-		return;
-	}
-	std::vector<std::pair<PlantId, PlantPlace>> before;
-	for (const auto &[number, block] : recipe.standing) {
-		for (int slot = 0; slot < block.size(); slot++) {
-			if (!block.is_gone(slot)) {
-				const glm::vec3 root = block.root(slot);
-				before.push_back({ filled_plant_id(root.x, root.z, recipe.old_spacing), { number, slot } });
-			}
-		}
-	}
-	const auto is_less = [](const auto &a, const auto &b) { return a.first < b.first; };
-	std::sort(before.begin(), before.end(), is_less);
-	for (size_t i = 0; i < result.blocks.size() && !before.empty(); i++) {
-		const PlantBlock &block = result.blocks[i];
-		for (int slot = 0; slot < block.size(); slot++) {
-			const glm::vec3 root = block.root(slot);
-			const std::pair<PlantId, PlantPlace> wanted = { filled_plant_id(root.x, root.z, result.spacing), {} };
-			const auto found = std::lower_bound(before.begin(), before.end(), wanted, is_less);
-			if (found != before.end() && found->first == wanted.first) {
-				result.kept.push_back({ found->second, { int(i), slot } });
-			}
-		}
-	}
 }
 
 } // namespace undergrowth

@@ -3,6 +3,7 @@
 #include "field/field_ground.hpp"
 #include "field/field_motion.hpp"
 #include "field/field_view.hpp"
+#include "stand/kept_plants.hpp"
 #include "stand/placement.hpp"
 
 #include <atomic>
@@ -22,9 +23,8 @@ struct FieldRecipe {
 	FieldWind wind; ///< At the simulation's start: prototypes have felt it before.
 	std::vector<int> species_numbers; ///< What species are in `style`, by what they were.
 	float tile_size = 16.0f; ///< m.
-	/// What was filled before: `number` and a copy of each block. Plants that stand again go on with their motion.
-	std::vector<std::pair<int, PlantBlock>> standing;
-	double old_spacing = 1.0; ///< m, of those.
+	/// What was filled before. Plants that stand again go on with their motion.
+	FilledBlocks standing;
 };
 
 /// A field that is grown.
@@ -83,11 +83,8 @@ private:
 	void launch(Stage next);
 	void wait();
 	void place();
-	void gather_standing();
 	void stand_on_ground();
 	void build();
-	bool are_the_same();
-	void find_kept();
 };
 
 } // namespace undergrowth

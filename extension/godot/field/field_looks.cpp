@@ -1,7 +1,7 @@
 #include "field/field_looks.hpp"
 
 #include "base/random.hpp"
-#include "convert.hpp"
+#include "stand/plant_axes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,6 @@
 using namespace godot;
 
 namespace undergrowth {
-
-static constexpr float MOST_LEAN = 1.4f; // rad.
 
 int FieldLevel::groups(int level, int variants) {
 	return std::max(1, variants >> level);
@@ -68,7 +66,7 @@ void FieldLook::build() {
 
 Ref<ArrayMesh> FieldLook::build_alone(const PlacedPlant &plant) const {
 	SampledPlant sampled = nearest[size_t(plant.variant) % nearest.size()];
-	sampled.height = variant_of(plant).height * plant.height;
+	sampled.height = height_of(plant);
 	return sampled.build();
 }
 
@@ -90,21 +88,6 @@ void FieldLook::read_motion() {
 	}
 }
 
-// The spring law rests above the ground.
-static Vector3 above_ground(const Vector3 &rest) {
-	const float least = std::cos(MOST_LEAN);
-	const float aside = std::sqrt(rest.x * rest.x + rest.z * rest.z);
-	if (rest.y >= least || aside <= 0.0f) {
-		return rest.y >= least ? rest : Vector3(0.0f, 1.0f, 0.0f);
-	}
-	const float shrink = std::sin(MOST_LEAN) / aside;
-	return Vector3(rest.x * shrink, least, rest.z * shrink);
-}
-
-float FieldLook::length_of(const PlacedPlant &plant) const {
-	return variant_of(plant).height * plant.height * plant.scale;
-}
-
 float FieldLook::reach_of(const PlacedPlant &plant) const {
 	const float height = length_of(plant);
 	return std::sqrt(height * height + width * width * plant.scale * plant.scale);
@@ -114,12 +97,7 @@ MotionPlant FieldLook::to_simulate(const PlacedPlant &plant) const {
 	MotionPlant simulated;
 	simulated.root = plant.root;
 	simulated.length = length_of(plant);
-	// The species leans towards the plant's own +z; the way in which it was placed turns that towards its side.
-	const Vector3 up(0.0f, 1.0f, 0.0f);
-	const Vector3 own(0.0f, std::cos(motion.lean), std::sin(motion.lean));
-	const Vector3 across(-std::sin(plant.side), 0.0f, -std::cos(plant.side));
-	const Vector3 leaned = Basis(across, plant.lean).xform(own);
-	simulated.rest = to_glm(Basis(up, plant.turn).xform(above_ground(leaned)));
+	simulated.rest = rest_direction(plant, motion.lean);
 	return simulated;
 }
 

@@ -30,7 +30,7 @@ struct FieldVariant {
 };
 
 /// One species of a field: what it shows and how it moves. Sampled on the main thread; from then on nothing here reads
-/// the function itself but read_motion() and follow_material().
+/// the function itself but read_motion() and take_material().
 struct FieldLook {
 	godot::Ref<PlantFunction> function;
 	int variant_count = 4; ///< 1 to 64.
@@ -54,7 +54,10 @@ struct FieldLook {
 	void take_material();
 	/// The root of a plant, its length and rest direction, for the simulation.
 	MotionPlant to_simulate(const PlacedPlant &plant) const;
-	float length_of(const PlacedPlant &plant) const;
+	/// Without its scale (m).
+	float height_of(const PlacedPlant &plant) const { return variant_of(plant).height * plant.height; }
+	/// As it stands (m).
+	float length_of(const PlacedPlant &plant) const { return height_of(plant) * plant.scale; }
 	/// The farthest that the plant's mesh goes from its root, however it bends: linear blend skinning moves no vertex
 	/// farther than it is at rest (m).
 	float reach_of(const PlacedPlant &plant) const;

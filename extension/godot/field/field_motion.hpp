@@ -5,6 +5,7 @@
 #include "field/field_settings.hpp"
 #include "field/field_style.hpp"
 #include "motion/joint.hpp"
+#include "stand/kept_plants.hpp"
 #include "stand/plant_store.hpp"
 #include "wind/travelling_wind.hpp"
 
@@ -30,12 +31,6 @@ public:
 	virtual PoseTexels texels(int block) const = 0;
 	/// Whether it needs more than a graphics card has.
 	virtual bool is_too_large() const = 0;
-};
-
-/// A plant that stood before and stands again.
-struct KeptPlant {
-	PlantPlace from; ///< In the store as it was.
-	PlantPlace to; ///< Its block by its index among those that were grown.
 };
 
 /// How the plants of a field move, and the textures that tell the graphics card of it. This class says what a field

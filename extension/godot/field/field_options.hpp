@@ -55,10 +55,6 @@ struct ViewOptions {
 };
 
 /// All that users set of a PlantField3D, but for what it inherits.
-struct FieldProperties {
-	StandOptions stand;
-	MotionOptions motion;
-	ViewOptions view;
-};
+struct FieldProperties : StandOptions, MotionOptions, ViewOptions {};
 
 } // namespace undergrowth

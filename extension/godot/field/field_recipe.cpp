@@ -107,10 +107,6 @@ String read_request(const Node3D *field, const StandOptions &options, PlacementR
 	double shares = 0.0, weighted = 0.0;
 	for (int64_t i = 0; i < options.species.size(); i++) {
 		const Ref<PlantFieldSpecies> listed = options.species[i];
-		if (listed.is_null() || listed->get_species().is_null()) {
-			return "species[" + String::num_int64(i) +
-					"] is empty. Set a PlantFieldSpecies with a PlantFunction there, or remove the entry.";
-		}
 		add_species(**listed, into);
 		shares += listed->get_share();
 		weighted += listed->get_share() * listed->get_density_factor();
@@ -240,7 +236,7 @@ String read_looks(const StandOptions &options, const std::vector<FieldLook> &oth
 		}
 		fault = take_look(listed->get_species(), listed->get_variants(), options, into);
 	}
-	into.listed = int(into.looks.size());
+	into.listed_count = int(into.looks.size());
 	for (size_t i = 0; i < others.size() && fault.is_empty(); i++) {
 		fault = take_look(others[i].function, others[i].variant_count, options, into);
 	}

@@ -20,7 +20,7 @@ godot::Transform3D axes_of(const godot::Node3D *node);
 /// The field's outline in its own axes. Where it is not that of a Path3D, it is the rectangle.
 Polygon read_outline(const godot::Node3D *field, const StandOptions &options);
 
-/// Where plants stand, and of which species of the list.
+/// Where plants stand, and of which species of the list. After read_looks(), which finds entries that are empty.
 godot::String read_request(const godot::Node3D *field, const StandOptions &options, PlacementRequest &into);
 
 /// What they stand on.

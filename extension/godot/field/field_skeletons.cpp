@@ -54,10 +54,10 @@ Skeleton3D *FieldSkeletons::make(Node3D *field) {
 }
 
 Skeleton3D *FieldSkeletons::take(
-		Node3D *field, const Transform3D &place, const Ref<ArrayMesh> &mesh, const Look &look) {
+		Node3D *field, const Transform3D &place, const Ref<ArrayMesh> &mesh, const FieldWear &wear) {
 	Skeleton3D *skeleton = nullptr;
 	while (!skeleton && !idle.empty()) {
-		skeleton = Object::cast_to<Skeleton3D>(ObjectDB::get_instance(idle.back()));
+		skeleton = node(idle.back());
 		idle.pop_back();
 		if (skeleton && (!mesh_of(skeleton) || skeleton->get_bone_count() != 2)) {
 			skeleton->queue_free(); // A script has changed it.
@@ -67,21 +67,22 @@ Skeleton3D *FieldSkeletons::take(
 	skeleton = skeleton ? skeleton : make(field);
 	MeshInstance3D *drawn = mesh_of(skeleton);
 	drawn->set_mesh(mesh);
-	dress(skeleton, look);
+	dress(skeleton, wear);
 	// Linear blend skinning moves no vertex farther from the root than it is at rest.
 	const AABB box = mesh->get_aabb();
 	const float reach = box.position.abs().max(box.get_end().abs()).length();
-	drawn->set_custom_aabb(AABB(Vector3(-reach, -reach, -reach), Vector3(2.0f * reach, 2.0f * reach, 2.0f * reach)));
+	drawn->set_custom_aabb(AABB().grow(reach));
 	skeleton->set_transform(place);
 	skeleton->set_visible(true);
 	return skeleton;
 }
 
-void FieldSkeletons::dress(Skeleton3D *skeleton, const Look &look) {
+void FieldSkeletons::dress(Skeleton3D *skeleton, const FieldWear &wear) {
 	MeshInstance3D *drawn = mesh_of(skeleton);
 	if (drawn) {
-		drawn->set_layer_mask(look.layers);
-		drawn->set_cast_shadows_setting(look.casts_shadows ? GeometryInstance3D::SHADOW_CASTING_SETTING_ON
+		drawn->set_layer_mask(wear.layers);
+		drawn->set_transparency(wear.transparency);
+		drawn->set_cast_shadows_setting(wear.casts_shadows ? GeometryInstance3D::SHADOW_CASTING_SETTING_ON
 														   : GeometryInstance3D::SHADOW_CASTING_SETTING_OFF);
 	}
 }
@@ -97,8 +98,7 @@ void FieldSkeletons::give_back(Skeleton3D *skeleton) {
 
 void FieldSkeletons::clear() {
 	for (const uint64_t id : idle) {
-		Node *skeleton = Object::cast_to<Node>(ObjectDB::get_instance(id));
-		if (skeleton) {
+		if (Skeleton3D *skeleton = node(id)) {
 			skeleton->queue_free();
 		}
 	}

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "field/field_style.hpp"
+
 #include <godot_cpp/classes/array_mesh.hpp>
 #include <godot_cpp/classes/skeleton3d.hpp>
 
@@ -13,20 +15,13 @@ namespace undergrowth {
 /// may free any of them at any time.
 class FieldSkeletons {
 public:
-	/// How they are drawn.
-	struct Look {
-		uint32_t layers = 1;
-		bool casts_shadows = true;
-	};
-
 	/// Removes what a copy of a field, or one whose library was reloaded, finds among its children.
 	void remove_strays(godot::Node3D *field) const;
 
 	/// A skeleton at `place` (field axes) that shows `mesh`. Its bone is not turned yet.
 	godot::Skeleton3D *take(godot::Node3D *field, const godot::Transform3D &place,
-			const godot::Ref<godot::ArrayMesh> &mesh, const Look &look);
-	/// Draws one in another way.
-	static void dress(godot::Skeleton3D *skeleton, const Look &look);
+			const godot::Ref<godot::ArrayMesh> &mesh, const FieldWear &wear);
+	static void dress(godot::Skeleton3D *skeleton, const FieldWear &wear);
 	/// Hides a skeleton for later use; one to which scripts have added children goes with them.
 	void give_back(godot::Skeleton3D *skeleton);
 	/// Frees those that nobody uses.

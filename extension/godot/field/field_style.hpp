@@ -11,7 +11,8 @@ struct FieldStyle {
 	std::vector<FieldLook> looks; ///< By species.
 	std::vector<FieldLevel> levels; ///< At least one, nearest first.
 	bool needs_colors = false; ///< Compatibility takes custom data for colours where instances have no colours.
-	int listed = 0; ///< So many looks are of the field's list of species; the others came with plants that were added.
+	int listed_count =
+			0; ///< So many looks are of the field's list of species; the others came with plants that were added.
 };
 
 /// What an instance of the field wears beside its mesh: the engine's own properties of the node.

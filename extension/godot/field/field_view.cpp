@@ -3,7 +3,6 @@
 #include <godot_cpp/classes/rendering_server.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 using namespace godot;
 
@@ -97,21 +96,17 @@ void FieldView::clear() {
 	}
 }
 
-void FieldView::show_filled(const FieldStyle &style, const std::vector<ClumpPlan> &plans) {
-	show(style, plans);
-}
-
 void FieldView::show_added(
 		const FieldStyle &style, const FieldMotion &motion, const PlantStore &store, const std::set<TileKey> &tiles) {
 	for (int level = 0; level < int(style.levels.size()); level++) {
 		const int factor = style.levels[size_t(level)].tile_factor;
-		const auto down = [factor](int count) { return int(std::floor(double(count) / factor)); };
-		std::set<std::pair<int, int>> places;
+		std::set<TileKey> places;
 		for (const TileKey &tile : tiles) {
-			places.insert({ down(tile.column), down(tile.row) });
+			places.insert(wider_tile(tile, factor));
 		}
+		std::vector<DrawnBlock> members;
 		for (const auto &[column, row] : places) {
-			std::vector<DrawnBlock> members;
+			clear(ClumpPlace{ true, level, { column, row } });
 			for (int i = 0; i < factor * factor; i++) {
 				for (const int number : store.blocks_of({ column * factor + i % factor, row * factor + i / factor })) {
 					if (store.block(number).is_added) {
@@ -119,10 +114,8 @@ void FieldView::show_added(
 					}
 				}
 			}
-			const ClumpPlace place = { true, level, column, row };
-			clear(place);
-			show(style, plan_clumps_at(style, members, place));
 		}
+		show(style, plan_level(style, members, level));
 	}
 }
 

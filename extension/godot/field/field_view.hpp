@@ -20,11 +20,10 @@ namespace undergrowth {
 struct ClumpPlace {
 	bool is_added;
 	int level;
-	int column;
-	int row;
+	TileKey tile;
 
 	bool operator<(const ClumpPlace &other) const {
-		return std::tie(is_added, level, column, row) < std::tie(other.is_added, other.level, other.column, other.row);
+		return std::tie(is_added, level, tile) < std::tie(other.is_added, other.level, other.tile);
 	}
 };
 
@@ -32,7 +31,7 @@ struct ClumpPlace {
 struct ClumpPlan {
 	ClumpPlace place;
 	int species = 0;
-	int group = 0;
+	int group = 0; ///< Which of the meshes that its level has of the species.
 	int count = 0;
 	int stride = 0; ///< Floats per plant.
 	godot::PackedFloat32Array buffer;
@@ -45,11 +44,10 @@ struct DrawnBlock {
 	const PlantBlock *block;
 };
 
-/// How all plants of some blocks are drawn, which are all added ones or none. On any thread.
+/// How all plants of some blocks are drawn. On any thread.
 std::vector<ClumpPlan> plan_clumps(const FieldStyle &style, const std::vector<DrawnBlock> &blocks);
-/// The same for one place only.
-std::vector<ClumpPlan> plan_clumps_at(
-		const FieldStyle &style, const std::vector<DrawnBlock> &blocks, const ClumpPlace &place);
+/// The same at one level of detail.
+std::vector<ClumpPlan> plan_level(const FieldStyle &style, const std::vector<DrawnBlock> &blocks, int level);
 
 /// The multimeshes of a field, one for each level, place, species and mesh. Transforms never change: what moves is in
 /// the motion's textures, which each instance names its texel in. A plant that is gone is hidden there. Main thread.
@@ -62,8 +60,8 @@ public:
 
 	/// Draws nothing.
 	void clear();
-	/// Shows these plans.
-	void show_filled(const FieldStyle &style, const std::vector<ClumpPlan> &plans);
+	/// Shows these plans, beside what is shown.
+	void show(const FieldStyle &style, const std::vector<ClumpPlan> &plans);
 	/// Draws the plants that were added anew in all places with a block that grew or was dropped.
 	void show_added(const FieldStyle &style, const FieldMotion &motion, const PlantStore &store,
 			const std::set<TileKey> &tiles);
@@ -97,7 +95,7 @@ private:
 
 	std::map<ClumpPlace, std::vector<Clump>> clumps;
 	std::vector<FieldLevel> levels; ///< As they were shown.
-	godot::RID world;
+	godot::RID world; ///< Its scenario.
 	godot::Transform3D placed;
 	float largest_scale = 1.0f; ///< Of the field's axes.
 	bool is_visible = true;
@@ -105,7 +103,6 @@ private:
 	uint64_t owner = 0;
 
 	Clump make(const FieldStyle &style, const ClumpPlan &plan) const;
-	void show(const FieldStyle &style, const std::vector<ClumpPlan> &plans);
 	void clear(const ClumpPlace &place);
 	void set_range(const Clump &clump, const FieldLevel &level) const;
 	void set_wear(const Clump &clump, const FieldLevel &level) const;

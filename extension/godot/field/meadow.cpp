@@ -5,6 +5,7 @@
 #include "convert.hpp"
 #include "field/cpu_motion.hpp"
 #include "messages.hpp"
+#include "stopwatch.hpp"
 
 #include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/engine.hpp>
@@ -13,13 +14,10 @@
 #include <godot_cpp/classes/world3d.hpp>
 
 #include <algorithm>
-#include <chrono>
 
 using namespace godot;
 
 namespace undergrowth {
-
-using Clock = std::chrono::steady_clock;
 
 static const char *const VIEWPORTS = "_viewports"; // The engine's own group.
 
@@ -47,6 +45,12 @@ FieldMotion::Frame Meadow::frame(double delta, const Ref<PlantWind> &wind) const
 	return now;
 }
 
+FieldWear Meadow::near_wear() const {
+	FieldWear near = wear;
+	near.casts_shadows = wear.casts_shadows && (style.levels.empty() || style.levels[0].casts_shadows);
+	return near;
+}
+
 // All cameras that look into this world: that of the screen, and those of other viewports.
 std::vector<Vector3> Meadow::find_eyes() const {
 	std::vector<Vector3> eyes;
@@ -65,16 +69,16 @@ double Meadow::advance(double delta, bool simulates) {
 	if (!motion.is_ready()) {
 		return 0.0;
 	}
-	const ViewOptions &seen = properties.view;
-	FieldMotion::Frame now = frame(delta, properties.motion.wind);
+	const ViewOptions &seen = properties;
+	FieldMotion::Frame now = frame(delta, properties.wind);
 	motion.wait();
 	const bool wants_skeletons = seen.skeleton_distance > 0.0 && !Engine::get_singleton()->is_editor_hint();
-	if (wants_skeletons || (properties.motion.far_distance > 0.0 && motion.wants_eyes())) {
+	if (wants_skeletons || (properties.far_distance > 0.0 && motion.wants_eyes())) {
 		now.eyes = find_eyes();
 	}
 	const bool is_seen = node->is_visible_in_tree();
 	const bool has_chosen = !style.levels.empty() &&
-			skeletons.choose({ node, store, style, motion, now.axes, wear },
+			skeletons.choose({ node, store, style, motion, now.axes, near_wear() },
 					wants_skeletons && is_seen ? now.eyes : std::vector<Vector3>(), seen.skeleton_distance,
 					seen.max_skeletons);
 	if ((simulates || has_chosen || !unseen.empty()) && is_seen) {
@@ -84,12 +88,12 @@ double Meadow::advance(double delta, bool simulates) {
 	if (!simulates || store.plant_count() == 0) {
 		return 0.0;
 	}
-	motion.bodies.watch(now.tree, properties.motion.bodies_group, now.axes, delta);
-	return motion.advance(now, properties.motion);
+	motion.bodies.watch(now.tree, properties.bodies_group, now.axes, delta);
+	return motion.advance(now, properties);
 }
 
 void Meadow::preview(double delta, const Ref<PlantWind> &blowing) {
-	motion.preview(frame(delta, blowing), properties.motion);
+	motion.preview(frame(delta, blowing), properties);
 	refresh();
 	skeletons.pose(store, motion);
 }
@@ -98,7 +102,7 @@ void Meadow::refresh() {
 	if (!motion.is_ready() || !node->is_inside_tree()) {
 		return;
 	}
-	const Clock::time_point start = Clock::now();
+	const Stopwatch watch;
 	if (motion.upload()) {
 		dress.put_on(style, motion);
 	}
@@ -107,7 +111,7 @@ void Meadow::refresh() {
 		unseen.clear();
 	}
 	dress.tell_of_followers(style, motion, axes_of(node));
-	upload_usec = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+	upload_usec = watch.usec();
 }
 
 void Meadow::change_materials() {
@@ -128,11 +132,11 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 		}
 	}
 	if (style.levels.empty()) {
-		style.levels = read_levels(properties.view, node->get_visibility_range_end());
+		style.levels = read_levels(properties, node->get_visibility_range_end());
 		read_looks(StandOptions(), {}, style);
 	}
 	FieldLook look;
-	const String fault = read_other_look(function, properties.stand, style, look);
+	const String fault = read_other_look(function, properties, style, look);
 	if (!fault.is_empty()) {
 		report_error(node, "cannot add plants of " + fault);
 		return -1;
@@ -186,17 +190,20 @@ std::vector<PlantId> Meadow::add(std::vector<PlacedPlant> &&plants) {
 	return changes.added;
 }
 
-void Meadow::remove(std::vector<PlantPlace> &&places) {
-	if (job) {
-		for (const PlantPlace &place : places) {
-			removed_meanwhile.push_back(store.id(place));
-		}
+int Meadow::remove(std::vector<PlantPlace> &&places) {
+	if (places.empty()) {
+		return 0;
 	}
+	for (size_t i = 0; job && i < places.size(); i++) {
+		removed_meanwhile.push_back(store.id(places[i]));
+	}
+	const int before = store.plant_count();
 	StandEdit edit;
 	edit.removed = std::move(places);
 	apply(std::move(edit));
 	skeletons.release_gone(store);
 	refresh();
+	return before - store.plant_count();
 }
 
 void Meadow::settle() {
@@ -221,10 +228,10 @@ void Meadow::read_motion(const PlantFunction *function, bool is_still) {
 }
 
 bool Meadow::update_levels() {
-	if (!find_level_fault(properties.view).is_empty()) {
+	if (!find_level_fault(properties).is_empty()) {
 		return false; // The next filling tells of it.
 	}
-	const std::vector<FieldLevel> wanted = read_levels(properties.view, node->get_visibility_range_end());
+	const std::vector<FieldLevel> wanted = read_levels(properties, node->get_visibility_range_end());
 	const bool same = std::equal(wanted.begin(), wanted.end(), style.levels.begin(), style.levels.end(),
 			[](const FieldLevel &a, const FieldLevel &b) { return a.lod == b.lod && a.tile_factor == b.tile_factor; });
 	if (!same) {
@@ -232,7 +239,7 @@ bool Meadow::update_levels() {
 	}
 	style.levels = wanted;
 	view.update_levels(style);
-	skeletons.dress(wear, style.levels[0].casts_shadows);
+	skeletons.dress(near_wear());
 	if (motion.pose_texture().is_valid()) {
 		dress.put_on(style, motion);
 	}
@@ -243,13 +250,13 @@ void Meadow::update_wear(const FieldWear &wanted) {
 	if (!(wanted == wear)) {
 		wear = wanted;
 		view.wear(wear);
-		skeletons.dress(wear, style.levels.empty() || style.levels[0].casts_shadows);
+		skeletons.dress(near_wear());
 	}
 }
 
 void Meadow::skeletons_changed() {
 	skeletons.choose_soon();
-	if (properties.view.skeleton_distance <= 0.0 || properties.view.max_skeletons <= 0) {
+	if (properties.skeleton_distance <= 0.0 || properties.max_skeletons <= 0) {
 		motion.wait();
 		skeletons.release_all(motion);
 		skeletons.clear();

@@ -34,10 +34,11 @@ public:
 	bool is_at_work() const { return job != nullptr; }
 	/// Whether it places plants.
 	bool is_filling() const { return job && job->places(); }
-	/// Goes on with it; at any frame, paused or not. `physics`: it is one of physics, in which rays may be cast.
+	/// Goes on with it; at any frame (of `delta` s), paused or not. `physics`: it is one of physics, in which rays may
+	/// be cast.
 	void poll(double delta, bool physics);
 
-	/// Once a frame that is not paused. Tells how many µs of this thread steps took.
+	/// Once a frame (of `delta` s) that is not paused. Tells how many µs of this thread steps took.
 	double advance(double delta, bool simulates);
 	void preview(double delta, const godot::Ref<PlantWind> &blowing);
 	/// Shows what changed since the last frame.
@@ -46,7 +47,8 @@ public:
 	/// Look of a function whose plants code adds; -1, with a fault told, where it cannot be built.
 	int species_for(const godot::Ref<PlantFunction> &function);
 	std::vector<PlantId> add(std::vector<PlacedPlant> &&plants);
-	void remove(std::vector<PlantPlace> &&places);
+	/// Tells how many stood there.
+	int remove(std::vector<PlantPlace> &&places);
 	void settle();
 
 	/// How a species moves is another: its plants stay, and so does their motion, where they move.
@@ -73,7 +75,7 @@ public:
 	FieldMotion &motion;
 	FieldStyle style;
 	SkeletonView skeletons;
-	double upload_usec = 0.0;
+	double upload_usec = 0.0; ///< What the last refresh() took of this thread.
 	/// The box (field axes) that holds whatever is drawn, at most; of no volume where nothing is.
 	godot::AABB box() const;
 	std::vector<int> count_drawn(const godot::Vector3 &eye) const { return view.count_drawn(style, eye); }
@@ -93,6 +95,8 @@ private:
 	float told_progress = -1.0f;
 	bool has_missed_ground = false;
 
+	/// What skeletons wear, which are drawn at the first level.
+	FieldWear near_wear() const;
 	FieldMotion::Frame frame(double delta, const godot::Ref<PlantWind> &wind) const;
 	FieldSettings settings() const;
 	godot::String make_recipe(FieldRecipe &recipe, bool places);

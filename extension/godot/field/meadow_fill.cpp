@@ -6,10 +6,11 @@
 #include "messages.hpp"
 #include "plant_simulation.hpp"
 
-#include <godot_cpp/classes/physics_direct_space_state3d.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 using namespace godot;
 
@@ -23,43 +24,51 @@ static constexpr double RAY_SHARE = 0.2;
 FieldSettings Meadow::settings() const {
 	FieldSettings made;
 	made.step = float(PlantSimulation::get_singleton()->get_step_length());
-	made.update_interval = properties.motion.update_interval;
-	made.prototypes = properties.motion.prototypes;
-	made.seed = uint64_t(properties.stand.seed);
+	made.update_interval = properties.update_interval;
+	made.prototypes = properties.prototypes;
+	made.seed = uint64_t(properties.seed);
 	return made;
+}
+
+// Which species of the list a look is of, or -1. Of a function that is listed twice each entry stays its own.
+static int listed_number(const FieldStyle &style, int look, const StandOptions &options) {
+	const int count = int(options.species.size());
+	const auto is_it = [&](int number) {
+		const Ref<PlantFieldSpecies> entry = options.species[number];
+		return entry.is_valid() && entry->get_species() == style.looks[size_t(look)].function;
+	};
+	if (look < std::min(count, style.listed_count) && is_it(look)) {
+		return look;
+	}
+	for (int number = 0; number < count; number++) {
+		if (is_it(number)) {
+			return number;
+		}
+	}
+	return -1;
 }
 
 // Species of the list have its numbers; those of plants that code added come after them.
 static std::vector<FieldLook> others_of(
 		const FieldStyle &style, const PlantStore &store, const StandOptions &options, std::vector<int> &numbers) {
-	numbers.assign(style.looks.size(), -1);
-	for (size_t i = 0; i < style.looks.size(); i++) {
-		for (int64_t listed = options.species.size() - 1; listed >= 0; listed--) {
-			const Ref<PlantFieldSpecies> entry = options.species[listed];
-			if (entry.is_valid() && entry->get_species() == style.looks[i].function) {
-				numbers[i] = int(listed);
-			}
-		}
-		if (int64_t(i) < options.species.size() && int(i) < style.listed) {
-			const Ref<PlantFieldSpecies> entry = options.species[int64_t(i)];
-			const bool same = entry.is_valid() && entry->get_species() == style.looks[i].function;
-			numbers[i] = same ? int(i) : numbers[i];
-		}
+	numbers.clear();
+	for (int look = 0; look < int(style.looks.size()); look++) {
+		numbers.push_back(listed_number(style, look, options));
 	}
-	std::vector<bool> is_used(style.looks.size(), false);
+	std::set<int> used;
 	for (int number = 0; number < store.block_count(); number++) {
 		const PlantBlock &block = store.block(number);
 		if (block.is_added && block.size() > 0) {
-			is_used[size_t(block.species)] = true;
+			used.insert(block.species);
 		}
 	}
 	std::vector<FieldLook> others;
-	for (size_t i = 0; i < style.looks.size(); i++) {
-		if (numbers[i] < 0 && is_used[i]) {
-			numbers[i] = int(options.species.size()) + int(others.size());
+	for (const int look : used) {
+		if (numbers[size_t(look)] < 0) {
+			numbers[size_t(look)] = int(options.species.size()) + int(others.size());
 			others.emplace_back();
-			others.back().function = style.looks[i].function;
-			others.back().variant_count = style.looks[i].variant_count;
+			others.back().function = style.looks[size_t(look)].function;
+			others.back().variant_count = style.looks[size_t(look)].variant_count;
 		}
 	}
 	return others;
@@ -67,33 +76,27 @@ static std::vector<FieldLook> others_of(
 
 String Meadow::make_recipe(FieldRecipe &recipe, bool places) {
 	recipe.places = places;
-	const std::vector<FieldLook> others = others_of(style, store, properties.stand, recipe.species_numbers);
-	recipe.style.levels = read_levels(properties.view, node->get_visibility_range_end());
-	String fault = find_level_fault(properties.view);
+	const std::vector<FieldLook> others = others_of(style, store, properties, recipe.species_numbers);
+	recipe.style.levels = read_levels(properties, node->get_visibility_range_end());
+	String fault = find_level_fault(properties);
 	if (fault.is_empty()) {
-		fault = read_looks(properties.stand, others, recipe.style);
+		fault = read_looks(properties, others, recipe.style);
 	}
 	if (fault.is_empty() && places) {
-		fault = read_request(node, properties.stand, recipe.request);
+		fault = read_request(node, properties, recipe.request);
 	}
 	if (fault.is_empty()) {
-		fault = read_ground(node, properties.stand, recipe.ground);
+		fault = read_ground(node, properties, recipe.ground);
 	}
 	if (!fault.is_empty()) {
 		return fault;
 	}
-	const Ref<PlantWind> &wind = properties.motion.wind;
+	const Ref<PlantWind> &wind = properties.wind;
 	recipe.prepare = motion.prepare();
 	recipe.settings = settings();
-	recipe.tile_size = float(properties.view.tile_size);
+	recipe.tile_size = float(properties.tile_size);
 	recipe.wind = field_wind(wind, axes_of(node), wind.is_valid() ? wind->get_time() : 0.0);
-	recipe.old_spacing = store.spacing();
-	for (int number = 0; number < store.block_count(); number++) {
-		const PlantBlock &block = store.block(number);
-		if (!block.is_added && block.standing() > 0) {
-			recipe.standing.emplace_back(number, block);
-		}
-	}
+	recipe.standing = copy_filled(store);
 	return String();
 }
 
@@ -125,10 +128,10 @@ void Meadow::fill(bool places) {
 // In a physics frame: only then may everybody ask physics.
 void Meadow::cast_rays(double delta) {
 	if (!rays) {
-		rays = std::make_unique<FieldRays>(axes_of(node), uint32_t(properties.stand.ground_collision_mask));
+		rays = std::make_unique<FieldRays>(axes_of(node), uint32_t(properties.ground_collision_mask));
 	}
 	const double usec = std::clamp(1e6 * RAY_SHARE * delta, LEAST_RAY_USEC, MOST_RAY_USEC);
-	const TypedArray<RID> excluded = collision_objects_of(node->get_tree(), properties.motion.bodies_group);
+	const TypedArray<RID> excluded = collision_objects_of(node->get_tree(), properties.bodies_group);
 	const FieldRays::State state = rays->cast(node->get_world_3d(), excluded, job->plants(), usec);
 	if (state == FieldRays::State::going_on) {
 		return;
@@ -225,27 +228,17 @@ bool Meadow::adopt(FieldFill &finished) {
 	edit.species_numbers = finished.species_numbers();
 	const ChangeSet changes = store.apply(std::move(edit));
 	motion.adopt(*result.motion, result.kept, changes, store, style);
-	motion.set_update_interval(properties.motion.update_interval);
+	motion.set_update_interval(properties.update_interval);
 	for (const int i : other_leans) {
 		motion.set_species(i, style.looks[size_t(i)], store, true);
 		motion.write_all();
 	}
 	motion.upload();
 	dress.put_on(style, motion);
-	view.show_filled(style, result.plans);
+	view.show(style, result.plans);
 	view.show_all_added(style, motion, store);
 	unseen.clear();
-	std::vector<PlantPlace> again;
-	for (const PlantId id : removed_meanwhile) {
-		const PlantPlace place = store.find(id);
-		if (place.block >= 0) {
-			again.push_back(place);
-		}
-	}
-	removed_meanwhile.clear();
-	if (!again.empty()) {
-		remove(std::move(again));
-	}
+	remove(store.find_all(std::exchange(removed_meanwhile, {})));
 	refresh();
 	return true;
 }

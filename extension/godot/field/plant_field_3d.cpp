@@ -1,21 +1,16 @@
-// PlantField3D's life in the tree. plant_field_3d_properties.cpp has what users set, PlantAccess what they ask.
+// PlantField3D's life in the tree. Beside it: _properties.cpp has what users set, _plants.cpp what
+// they ask of plants and do to them, _binding.cpp the rest.
 
 #include "field/plant_field_3d.hpp"
 
-#include "follow_changes.hpp"
+#include "stopwatch.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
-#include <godot_cpp/classes/world3d.hpp>
-#include <godot_cpp/variant/utility_functions.hpp>
-
-#include <chrono>
 
 using namespace godot;
 
 namespace undergrowth {
-
-using Clock = std::chrono::steady_clock;
 
 static constexpr int FRAMES_BETWEEN_LOOKS = 8; // At what cannot tell that it changed.
 static const char *const FRAME_METHOD = "_on_tree_frame";
@@ -26,8 +21,7 @@ PlantField3D::PlantField3D() :
 				{ [this](const String &fault) { report_problem(fault); },
 						[this](float ratio) { emit_signal("fill_progressed", ratio); },
 						[this] { emit_signal("filled"); },
-						[this](Skeleton3D *skeleton, bool is_shown) { tell_of_skeleton(skeleton, is_shown); } }),
-		plants(this, meadow) {
+						[this](Skeleton3D *skeleton, bool is_shown) { tell_of_skeleton(skeleton, is_shown); } }) {
 	follow_species();
 }
 
@@ -75,11 +69,11 @@ PackedStringArray PlantField3D::_get_configuration_warnings() const {
 	if (!problem.is_empty()) {
 		warnings.push_back(problem);
 	}
-	if (properties.motion.prototypes > 0 && properties.motion.contact_enabled) {
+	if (properties.prototypes > 0 && properties.contact_enabled) {
 		warnings.push_back("Plants that follow Prototypes do not touch each other: set Prototypes to 0, or Contact "
 						   "Enabled off.");
 	}
-	if (properties.motion.wind.is_valid() && properties.motion.wind->get_strength() == 0.0) {
+	if (properties.wind.is_valid() && properties.wind->get_strength() == 0.0) {
 		warnings.push_back(
 				"The wind has a strength of 0 N, so these plants stand still: raise Strength in their Wind.");
 	}
@@ -120,7 +114,7 @@ bool PlantField3D::is_filling() const {
 }
 
 bool PlantField3D::may_simulate() const {
-	return properties.motion.simulation_enabled && !Engine::get_singleton()->is_editor_hint();
+	return properties.simulation_enabled && !Engine::get_singleton()->is_editor_hint();
 }
 
 // Growing goes on in a tree that is paused, too: somebody may wait for it behind a loading screen.
@@ -155,9 +149,9 @@ void PlantField3D::on_physics_frame() {
 }
 
 void PlantField3D::process_frame() {
-	const Clock::time_point start = Clock::now();
+	const Stopwatch watch;
 	meadow.motion.wait();
-	wait_usec = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+	wait_usec = watch.usec();
 	if (frames_since_look++ % FRAMES_BETWEEN_LOOKS == 0) {
 		look_around();
 	}
@@ -165,7 +159,7 @@ void PlantField3D::process_frame() {
 	if (may_simulate()) {
 		tell_of_bodies();
 	}
-	main_usec = std::chrono::duration<double, std::micro>(Clock::now() - start).count() - wait_usec - stepping;
+	main_usec = watch.usec() - wait_usec - stepping;
 }
 
 // What the engine does not tell of: its own properties of the node, entries of an array, other nodes' places.
@@ -175,7 +169,7 @@ void PlantField3D::look_around() {
 	meadow.follow_materials();
 	if (get_visibility_range_end() != seen_range) {
 		seen_range = get_visibility_range_end();
-		changed(About::view);
+		changed(About::levels);
 	}
 	const uint64_t material = get_material_override().is_valid() ? get_material_override()->get_instance_id() : 0;
 	if (material != seen_material) {
@@ -191,11 +185,11 @@ void PlantField3D::look_around() {
 		follow_species();
 		mark_stale(true);
 	}
-	if (seen_exclusions != properties.stand.exclusions) {
-		set_exclusions(properties.stand.exclusions);
+	if (seen_exclusions != properties.exclusions) {
+		set_exclusions(properties.exclusions);
 	}
-	if (seen_levels != properties.view.levels) {
-		set_levels(properties.view.levels);
+	if (seen_levels != properties.levels) {
+		set_levels(properties.levels);
 	}
 	if (watched.has_moved(this)) {
 		mark_stale(true);
@@ -204,16 +198,16 @@ void PlantField3D::look_around() {
 
 // Outline and exclusions are live: a point that is dragged, a path that is moved, another field that grows.
 void PlantField3D::watch_nodes() {
-	TypedArray<NodePath> paths = properties.stand.exclusions.duplicate();
-	paths.push_back(properties.stand.outline);
-	paths.push_back(properties.stand.ground_mode == GROUND_MESH ? properties.stand.ground_mesh : NodePath());
+	TypedArray<NodePath> paths = properties.exclusions.duplicate();
+	paths.push_back(properties.outline);
+	paths.push_back(properties.ground_mode == GROUND_MESH ? properties.ground_mesh : NodePath());
 	std::vector<Node3D *> nodes;
 	for (int64_t i = 0; i < paths.size(); i++) {
 		const NodePath path = paths[i];
 		nodes.push_back(path.is_empty() ? nullptr : Object::cast_to<Node3D>(get_node_or_null(path)));
 		const PlantField3D *field = Object::cast_to<PlantField3D>(nodes.back());
-		if (field && !field->get_outline().is_empty()) {
-			nodes.push_back(Object::cast_to<Node3D>(field->get_node_or_null(field->get_outline())));
+		if (field && !field->properties.outline.is_empty()) {
+			nodes.push_back(Object::cast_to<Node3D>(field->get_node_or_null(field->properties.outline)));
 		}
 	}
 	watched.watch(this, nodes, Callable(this, "_on_area_changed"));
@@ -267,7 +261,7 @@ void PlantField3D::_notification(int what) {
 			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
 			meadow.moved();
-			if (Engine::get_singleton()->is_editor_hint() && properties.stand.ground_mode != GROUND_NONE) {
+			if (Engine::get_singleton()->is_editor_hint() && properties.ground_mode != GROUND_NONE) {
 				mark_stale(true); // In the editor plants stand on the ground that they are moved to.
 			}
 			break;

@@ -1,31 +1,18 @@
-// What a PlantField3D does and tells besides living in a tree, and how scripts and the inspector see it.
+// What a PlantField3D does and tells beside its plants, and the methods that scripts call.
 
 #include "field/plant_field_3d.hpp"
 
-#include "convert.hpp"
+#include "bind_properties.hpp"
 
 #include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 using namespace godot;
 
 namespace undergrowth {
-
-bool PlantField3D::has_plant(int64_t id) const {
-	return meadow.store.find(id).block >= 0;
-}
-
-bool PlantField3D::is_point_in_plants(const Vector3 &point) {
-	if (!point.is_finite() || !is_inside_tree()) {
-		return false;
-	}
-	return meadow.motion.is_point_in_plants_now(
-			to_glm(axes_of(this).affine_inverse().xform(point)), float(properties.motion.touch_margin));
-}
 
 void PlantField3D::reset_motion() {
 	meadow.settle();
@@ -40,26 +27,17 @@ void PlantField3D::preview(double delta, const Ref<PlantWind> &blowing) {
 	}
 }
 
-Skeleton3D *PlantField3D::get_skeleton(int64_t id) const {
-	const PlantPlace place = plants.find(id);
-	return place.block < 0 ? nullptr : meadow.skeletons.find(place);
-}
-
 int64_t PlantField3D::get_skeleton_plant(const Skeleton3D *skeleton) const {
 	const PlantPlace place = meadow.skeletons.find(skeleton);
 	return place.block < 0 ? NO_PLANT : meadow.store.id(place);
 }
 
 TypedArray<Skeleton3D> PlantField3D::get_skeletons() const {
-	TypedArray<Skeleton3D> nodes;
-	for (Skeleton3D *skeleton : meadow.skeletons.skeletons()) {
-		nodes.push_back(skeleton);
-	}
-	return nodes;
+	return meadow.skeletons.skeletons();
 }
 
 Polygon PlantField3D::outline_polygon() const {
-	return read_outline(this, properties.stand);
+	return read_outline(this, properties);
 }
 
 PackedVector3Array PlantField3D::get_outline_points() const {
@@ -92,38 +70,10 @@ Dictionary PlantField3D::get_statistics() {
 	return told;
 }
 
-// The inspector shows what counts for this ground and area, and hides what the engine's base classes say of one mesh.
-// (Properties with a slider stay: a new list would end the dragging of it.)
-void PlantField3D::_validate_property(PropertyInfo &property) const {
-	static const char *const of_one_mesh[] = { "gi_mode", "gi_lightmap_texel_density", "gi_lightmap_texel_scale",
-		"gi_lightmap_scale", "lod_bias", "material_overlay", "extra_cull_margin", "custom_aabb",
-		"ignore_occlusion_culling", "visibility_range_begin", "visibility_range_begin_margin",
-		"visibility_range_end_margin", "visibility_range_fade_mode", "sorting_offset", "sorting_use_aabb_center" };
-	const String name = property.name;
-	const StandOptions &stand = properties.stand;
-	const bool is_flat = stand.ground_mode == GROUND_NONE;
-	const bool is_idle = (name == "size" && !stand.outline.is_empty()) ||
-			(name == "ground_collision_mask" && stand.ground_mode != GROUND_COLLIDERS) ||
-			(name == "ground_mesh" && stand.ground_mode != GROUND_MESH) ||
-			(is_flat && (name == "height_limits" || name.begins_with("slope_")));
-	if (is_idle || std::any_of(std::begin(of_one_mesh), std::end(of_one_mesh), [&](const char *other) {
-			return name == other;
-		})) {
-		property.usage &= ~uint32_t(PROPERTY_USAGE_EDITOR);
-	}
-}
-
-#define BIND(m_name, ...) ClassDB::bind_method(D_METHOD(#m_name, ##__VA_ARGS__), &PlantField3D::m_name)
+// What the engine calls, by its name with an underscore before it.
 #define LISTEN(m_name, ...) ClassDB::bind_method(D_METHOD("_" #m_name, ##__VA_ARGS__), &PlantField3D::m_name)
-// A property with its setter and getter, and what else PropertyInfo says of it.
-#define PROPERTY_AS(m_getter, m_type, m_name, ...)                                                                     \
-	ClassDB::bind_method(D_METHOD("set_" #m_name, "value"), &PlantField3D::set_##m_name);                              \
-	ClassDB::bind_method(D_METHOD(#m_getter), &PlantField3D::m_getter);                                                \
-	ADD_PROPERTY(PropertyInfo(Variant::m_type, #m_name, ##__VA_ARGS__), "set_" #m_name, #m_getter)
-#define PROPERTY(m_type, m_name, ...) PROPERTY_AS(get_##m_name, m_type, m_name, ##__VA_ARGS__)
-#define RANGE(m_text) PROPERTY_HINT_RANGE, String::utf8(m_text)
 
-static void bind_plants() {
+void PlantField3D::_bind_methods() {
 	ClassDB::bind_static_method("PlantField3D", D_METHOD("from_species", "functions", "shares"),
 			&PlantField3D::from_species, DEFVAL(PackedFloat32Array()));
 	LISTEN(on_species_changed);
@@ -165,44 +115,7 @@ static void bind_plants() {
 	BIND(get_skeleton_plant, "skeleton");
 	BIND(get_skeletons);
 	BIND(get_statistics);
-}
-
-void PlantField3D::_bind_methods() {
-	bind_plants();
-	ADD_GROUP("Plants", "");
-	PROPERTY(ARRAY, species, PROPERTY_HINT_ARRAY_TYPE, "24/17:PlantFieldSpecies");
-	PROPERTY(FLOAT, density, RANGE("0,100,0.01,or_greater,suffix:1/m²"));
-	PROPERTY(INT, seed);
-	PROPERTY(FLOAT, clumping, RANGE("0,1,0.01"));
-	PROPERTY(FLOAT, clump_size, RANGE("0.1,50,0.1,or_greater,suffix:m"));
-	ADD_GROUP("Area", "");
-	PROPERTY(VECTOR2, size, PROPERTY_HINT_NONE, "suffix:m");
-	PROPERTY(NODE_PATH, outline, PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Path3D");
-	PROPERTY(ARRAY, exclusions, PROPERTY_HINT_ARRAY_TYPE, "22/35:Path3D,PlantField3D");
-	ADD_GROUP("Ground", "");
-	PROPERTY(INT, ground_mode, PROPERTY_HINT_ENUM, "None,Colliders,Mesh");
-	PROPERTY(INT, ground_collision_mask, PROPERTY_HINT_LAYERS_3D_PHYSICS);
-	PROPERTY(NODE_PATH, ground_mesh, PROPERTY_HINT_NODE_PATH_VALID_TYPES, "MeshInstance3D");
-	PROPERTY(VECTOR2, height_limits, PROPERTY_HINT_NONE, "suffix:m");
-	PROPERTY(VECTOR2, slope_limits, RANGE("0,180,0.1,radians_as_degrees"));
-	PROPERTY(FLOAT, slope_alignment, RANGE("0,1,0.01"));
-	ADD_GROUP("Motion", "");
-	PROPERTY(OBJECT, wind, PROPERTY_HINT_RESOURCE_TYPE, "PlantWind");
-	PROPERTY_AS(is_simulation_enabled, BOOL, simulation_enabled);
-	PROPERTY(INT, max_threads, RANGE("0,16,1,or_greater"));
-	PROPERTY(INT, update_interval, RANGE("1,64,1"));
-	PROPERTY(FLOAT, far_distance, RANGE("0,200,0.1,or_greater,suffix:m"));
-	PROPERTY(INT, prototypes, RANGE("0,64,1"));
-	PROPERTY_AS(is_contact_enabled, BOOL, contact_enabled);
-	PROPERTY(STRING_NAME, bodies_group);
-	PROPERTY(FLOAT, touch_margin, RANGE("0,2,0.01,or_greater,suffix:m"));
-	ADD_GROUP("Drawing", "");
-	PROPERTY(ARRAY, levels, PROPERTY_HINT_ARRAY_TYPE, "24/17:PlantFieldLevel");
-	PROPERTY(FLOAT, fade_margin, RANGE("0,20,0.1,or_greater,suffix:m"));
-	PROPERTY(FLOAT, shadow_distance, RANGE("0,200,0.1,or_greater,suffix:m"));
-	PROPERTY(FLOAT, skeleton_distance, RANGE("0,20,0.1,or_greater,suffix:m"));
-	PROPERTY(INT, max_skeletons, RANGE("0,1024,1"));
-	PROPERTY(FLOAT, tile_size, RANGE("4,100,0.1,or_greater,suffix:m"));
+	bind_properties();
 	ADD_SIGNAL(MethodInfo("fill_progressed", PropertyInfo(Variant::FLOAT, "ratio")));
 	ADD_SIGNAL(MethodInfo("filled"));
 	const PropertyInfo body(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D");

@@ -2,158 +2,164 @@
 
 #include "field/plant_field_3d.hpp"
 
-#include "as_written.hpp"
+#include "bind_properties.hpp"
 #include "follow_changes.hpp"
 #include "species_functions.hpp"
 
-#include <godot_cpp/core/class_db.hpp>
+#include <algorithm>
+#include <limits>
+#include <type_traits>
 
 using namespace godot;
 
 namespace undergrowth {
 
 void PlantField3D::changed(About about) {
-	if (about == About::stand) {
-		mark_stale(true);
-	} else if (about == About::view && !meadow.update_levels()) {
-		mark_stale(false);
+	const bool needs_meshes = about == About::meshes || (about == About::levels && !meadow.update_levels());
+	if (about == About::stand || needs_meshes) {
+		mark_stale(about == About::stand);
+	}
+	if (about == About::skeletons) {
+		meadow.skeletons_changed();
+	}
+	update_configuration_warnings();
+}
+
+template <auto slot, const PlantField3D::Setting &setting> void PlantField3D::set(decltype(value_of(slot)) value) {
+	using Value = decltype(value);
+	bool is_accepted = true;
+	if constexpr (std::is_arithmetic_v<Value>) {
+		is_accepted = accept_value(this, setting.name, double(value), setting.range);
+	} else if constexpr (std::is_same_v<Value, Vector2>) {
+		is_accepted = accept_span(this, setting.name, value, setting.range);
+	}
+	if (is_accepted && value != properties.*slot) {
+		properties.*slot = value;
+		changed(setting.about);
 	}
 }
 
-void PlantField3D::set_number(double &slot, const char *name, double value, const Range &range, About about) {
-	if (accept_value(this, name, value, range) && value != slot) {
-		slot = value;
-		changed(about);
+// A property that is no more than a value: what a change of it is about, its bounds, and what PropertyInfo says of it.
+#define NUMBER(m_type, m_name, m_about, m_least, m_most, ...)                                                          \
+	{                                                                                                                  \
+		static constexpr Setting setting = { #m_name, About::m_about, { m_least, m_most } };                           \
+		BIND_PROPERTY(m_type, m_name, "get_" #m_name, (&self_type::set<&FieldProperties::m_name, setting>),            \
+				&self_type::get<&FieldProperties::m_name>, ##__VA_ARGS__);                                             \
 	}
+// The same of one that has no bounds.
+#define VALUE(m_type, m_name, m_about, ...)                                                                            \
+	NUMBER(m_type, m_name, m_about, std::numeric_limits<double>::lowest(),                                             \
+			std::numeric_limits<double>::max(), ##__VA_ARGS__)
+// One that has a setter of its own, or a getter that is called otherwise.
+#define SET_HERE(m_type, m_name, m_getter_name, ...)                                                                   \
+	BIND_PROPERTY(m_type, m_name, m_getter_name, &self_type::set_##m_name,                                             \
+			&self_type::get<&FieldProperties::m_name>, ##__VA_ARGS__)
+
+void PlantField3D::bind_properties() {
+	ADD_GROUP("Plants", "");
+	PROPERTY(ARRAY, species, PROPERTY_HINT_ARRAY_TYPE, "24/17:PlantFieldSpecies");
+	NUMBER(FLOAT, density, stand, 0.0, 10000.0, SLIDER("0,100,0.01,or_greater,suffix:1/m²"));
+	VALUE(INT, seed, stand);
+	NUMBER(FLOAT, clumping, stand, 0.0, 1.0, SLIDER("0,1,0.01"));
+	NUMBER(FLOAT, clump_size, stand, 0.01, 1000.0, SLIDER("0.1,50,0.1,or_greater,suffix:m"));
+	ADD_GROUP("Area", "");
+	SET_HERE(VECTOR2, size, "get_size", PROPERTY_HINT_NONE, "suffix:m");
+	SET_HERE(NODE_PATH, outline, "get_outline", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Path3D");
+	SET_HERE(ARRAY, exclusions, "get_exclusions", PROPERTY_HINT_ARRAY_TYPE, "22/35:Path3D,PlantField3D");
+	ADD_GROUP("Ground", "");
+	PROPERTY(INT, ground_mode, PROPERTY_HINT_ENUM, "None,Colliders,Mesh");
+	VALUE(INT, ground_collision_mask, stand, PROPERTY_HINT_LAYERS_3D_PHYSICS);
+	VALUE(NODE_PATH, ground_mesh, stand, PROPERTY_HINT_NODE_PATH_VALID_TYPES, "MeshInstance3D");
+	NUMBER(VECTOR2, height_limits, stand, -1e6, 1e6, PROPERTY_HINT_NONE, "suffix:m");
+	NUMBER(VECTOR2, slope_limits, stand, 0.0, 3.1415928, SLIDER("0,180,0.1,radians_as_degrees"));
+	NUMBER(FLOAT, slope_alignment, stand, 0.0, 1.0, SLIDER("0,1,0.01"));
+	ADD_GROUP("Motion", "");
+	SET_HERE(OBJECT, wind, "get_wind", PROPERTY_HINT_RESOURCE_TYPE, "PlantWind");
+	SET_HERE(BOOL, simulation_enabled, "is_simulation_enabled");
+	NUMBER(INT, max_threads, nothing, 0.0, 256.0, SLIDER("0,16,1,or_greater"));
+	SET_HERE(INT, update_interval, "get_update_interval", SLIDER("1,64,1"));
+	NUMBER(FLOAT, far_distance, nothing, 0.0, 1e6, SLIDER("0,200,0.1,or_greater,suffix:m"));
+	NUMBER(INT, prototypes, meshes, 0.0, 64.0, SLIDER("0,64,1"));
+	SET_HERE(BOOL, contact_enabled, "is_contact_enabled");
+	VALUE(STRING_NAME, bodies_group, nothing);
+	NUMBER(FLOAT, touch_margin, nothing, 0.0, 100.0, SLIDER("0,2,0.01,or_greater,suffix:m"));
+	ADD_GROUP("Drawing", "");
+	SET_HERE(ARRAY, levels, "get_levels", PROPERTY_HINT_ARRAY_TYPE, "24/17:PlantFieldLevel");
+	NUMBER(FLOAT, fade_margin, levels, 0.0, 1000.0, SLIDER("0,20,0.1,or_greater,suffix:m"));
+	NUMBER(FLOAT, shadow_distance, levels, 0.0, 1e6, SLIDER("0,200,0.1,or_greater,suffix:m"));
+	NUMBER(FLOAT, skeleton_distance, skeletons, 0.0, 1e6, SLIDER("0,20,0.1,or_greater,suffix:m"));
+	NUMBER(INT, max_skeletons, skeletons, 0.0, 1024.0, SLIDER("0,1024,1"));
+	NUMBER(FLOAT, tile_size, meshes, 1.0, 1000.0, SLIDER("4,100,0.1,or_greater,suffix:m"));
 }
 
-void PlantField3D::set_whole(int &slot, const char *name, int value, const Range &range, About about) {
-	if (accept_value(this, name, value, range) && value != slot) {
-		slot = value;
-		changed(about);
-	}
-}
-
-// From x to y.
-void PlantField3D::set_span(Vector2 &slot, const char *name, const Vector2 &value, const Range &range) {
-	if (!accept_value(this, name, value.x, range) || !accept_value(this, name, value.y, range)) {
-		return;
-	}
-	if (value.y < value.x) {
-		report_error(this,
-				String(name) + " goes from " + String::num(value.x) + " down to " + String::num(value.y) +
-						", it keeps its value. Set the smaller number first.");
-	} else if (value != slot) {
-		slot = value;
-		changed(About::stand);
-	}
-}
-
-#define FIELD_NUMBER(m_name, m_slot, m_least, m_most, m_about)                                                         \
-	void PlantField3D::set_##m_name(double value) {                                                                    \
-		set_number(properties.m_slot, #m_name, value, { m_least, m_most }, About::m_about);                            \
-	}
-#define FIELD_WHOLE(m_name, m_slot, m_least, m_most, m_about)                                                          \
-	void PlantField3D::set_##m_name(int value) {                                                                       \
-		set_whole(properties.m_slot, #m_name, value, { m_least, m_most }, About::m_about);                             \
-	}
-
-FIELD_NUMBER(density, stand.density, 0.0, 10000.0, stand)
-FIELD_NUMBER(clumping, stand.clumping, 0.0, 1.0, stand)
-FIELD_NUMBER(clump_size, stand.clump_size, 0.01, 1000.0, stand)
-FIELD_NUMBER(slope_alignment, stand.slope_alignment, 0.0, 1.0, stand)
-FIELD_NUMBER(far_distance, motion.far_distance, 0.0, 1e6, nothing)
-FIELD_NUMBER(touch_margin, motion.touch_margin, 0.0, 100.0, nothing)
-FIELD_WHOLE(max_threads, motion.max_threads, 0, 256, nothing)
-FIELD_NUMBER(fade_margin, view.fade_margin, 0.0, 1000.0, view)
-FIELD_NUMBER(shadow_distance, view.shadow_distance, 0.0, 1e6, view)
-
-#undef FIELD_NUMBER
-#undef FIELD_WHOLE
-
-void PlantField3D::set_tile_size(double metres) {
-	const double before = properties.view.tile_size;
-	set_number(properties.view.tile_size, "tile_size", metres, { 1.0, 1000.0 }, About::nothing);
-	if (properties.view.tile_size != before) {
-		mark_stale(false);
-	}
-}
-
-void PlantField3D::set_skeleton_distance(double metres) {
-	set_number(properties.view.skeleton_distance, "skeleton_distance", metres, { 0.0, 1e6 }, About::nothing);
-	meadow.skeletons_changed();
-}
-
-void PlantField3D::set_max_skeletons(int count) {
-	set_whole(properties.view.max_skeletons, "max_skeletons", count, { 0, 1024 }, About::nothing);
-	meadow.skeletons_changed();
-}
-
-void PlantField3D::set_update_interval(int step_count) {
-	set_whole(properties.motion.update_interval, "update_interval", step_count, { 1, 64 }, About::nothing);
-	meadow.motion.set_update_interval(properties.motion.update_interval);
-}
-
-void PlantField3D::set_prototypes(int count) {
-	const int before = properties.motion.prototypes;
-	set_whole(properties.motion.prototypes, "prototypes", count, { 0, 64 }, About::nothing);
-	if (properties.motion.prototypes != before) {
-		mark_stale(false);
-		update_configuration_warnings();
+// The inspector shows what counts for this ground and area, and hides what the engine's base classes say of one mesh.
+// (Properties with a slider stay: a new list would end the dragging of it.)
+void PlantField3D::_validate_property(PropertyInfo &property) const {
+	static const char *const of_one_mesh[] = { "gi_mode", "gi_lightmap_texel_density", "gi_lightmap_texel_scale",
+		"gi_lightmap_scale", "lod_bias", "material_overlay", "extra_cull_margin", "custom_aabb",
+		"ignore_occlusion_culling", "visibility_range_begin", "visibility_range_begin_margin",
+		"visibility_range_end_margin", "visibility_range_fade_mode", "sorting_offset", "sorting_use_aabb_center" };
+	const String name = property.name;
+	const StandOptions &stand = properties;
+	const bool is_flat = stand.ground_mode == GROUND_NONE;
+	const bool is_idle = (name == "size" && !stand.outline.is_empty()) ||
+			(name == "ground_collision_mask" && stand.ground_mode != GROUND_COLLIDERS) ||
+			(name == "ground_mesh" && stand.ground_mode != GROUND_MESH) ||
+			(is_flat && (name == "height_limits" || name.begins_with("slope_")));
+	if (is_idle || std::any_of(std::begin(of_one_mesh), std::end(of_one_mesh), [&](const char *other) {
+			return name == other;
+		})) {
+		property.usage &= ~uint32_t(PROPERTY_USAGE_EDITOR);
 	}
 }
 
 void PlantField3D::set_contact_enabled(bool on) {
-	properties.motion.contact_enabled = on;
+	properties.contact_enabled = on;
 	update_configuration_warnings();
 	meadow.motion.fit_contact(on);
 }
 
 void PlantField3D::set_simulation_enabled(bool on) {
-	properties.motion.simulation_enabled = on;
+	properties.simulation_enabled = on;
 	if (!on) {
 		meadow.refresh(); // What it was the last to do is seen, too.
 	}
 }
 
-void PlantField3D::set_bodies_group(const StringName &group) {
-	properties.motion.bodies_group = group;
+void PlantField3D::set_update_interval(int step_count) {
+	if (accept_value(this, "update_interval", step_count, { 1, 64 })) {
+		properties.update_interval = step_count;
+		meadow.motion.set_update_interval(step_count);
+	}
 }
 
 void PlantField3D::set_wind(const Ref<PlantWind> &wind) {
 	const Callable listener(this, "_on_wind_changed");
-	unfollow_changes(properties.motion.wind.ptr(), listener);
-	properties.motion.wind = wind;
-	follow_changes(properties.motion.wind.ptr(), listener);
+	unfollow_changes(properties.wind.ptr(), listener);
+	properties.wind = wind;
+	follow_changes(properties.wind.ptr(), listener);
 	update_configuration_warnings();
-}
-
-void PlantField3D::set_seed(int64_t seed) {
-	if (seed != properties.stand.seed) {
-		properties.stand.seed = seed;
-		mark_stale(true);
-	}
 }
 
 void PlantField3D::set_size(const Vector2 &metres) {
 	static constexpr Range SIZE_RANGE = { 0.0, 1e5 };
 	if (accept_value(this, "size", metres.x, SIZE_RANGE) && accept_value(this, "size", metres.y, SIZE_RANGE) &&
-			metres != properties.stand.size) {
-		properties.stand.size = metres;
+			metres != properties.size) {
+		properties.size = metres;
 		mark_stale(true);
 		update_gizmos();
 	}
 }
 
 void PlantField3D::set_outline(const NodePath &path) {
-	properties.stand.outline = path;
+	properties.outline = path;
 	notify_property_list_changed();
 	mark_stale(true);
 	update_gizmos();
 }
 
 void PlantField3D::set_exclusions(const TypedArray<NodePath> &paths) {
-	properties.stand.exclusions = paths.duplicate();
+	properties.exclusions = paths.duplicate();
 	seen_exclusions = paths.duplicate();
 	mark_stale(true);
 }
@@ -162,35 +168,11 @@ void PlantField3D::set_ground_mode(GroundMode mode) {
 	if (mode < GROUND_NONE || mode > GROUND_MESH) {
 		report_error(
 				this, "ground_mode " + String::num_int64(mode) + " does not exist. Use one of the GROUND_ constants.");
-	} else if (int(mode) != properties.stand.ground_mode) {
-		properties.stand.ground_mode = int(mode);
+	} else if (int(mode) != properties.ground_mode) {
+		properties.ground_mode = int(mode);
 		notify_property_list_changed();
 		mark_stale(true);
 	}
-}
-
-void PlantField3D::set_ground_collision_mask(int64_t mask) {
-	if (mask != properties.stand.ground_collision_mask) {
-		properties.stand.ground_collision_mask = mask;
-		mark_stale(true);
-	}
-}
-
-void PlantField3D::set_ground_mesh(const NodePath &path) {
-	properties.stand.ground_mesh = path;
-	mark_stale(true);
-}
-
-void PlantField3D::set_height_limits(const Vector2 &metres) {
-	set_span(properties.stand.height_limits, "height_limits", metres, { -1e6, 1e6 });
-}
-
-void PlantField3D::set_slope_limits(const Vector2 &radians) {
-	set_span(properties.stand.slope_limits, "slope_limits", radians, { 0.0, 3.1415928 });
-}
-
-Vector2 PlantField3D::get_slope_limits() const {
-	return properties.stand.slope_limits;
 }
 
 void PlantField3D::set_species(const TypedArray<PlantFieldSpecies> &entries) {
@@ -211,31 +193,34 @@ void PlantField3D::follow_species() {
 		seen_species.push_back(entry ? uint64_t(entry->get_instance_id()) : 0);
 		follow_changes(entry, listener);
 	}
-	properties.stand.species = listed.duplicate();
+	properties.species = listed.duplicate();
 	if (listed.is_empty()) {
 		Ref<GrassFunction> grass;
 		grass.instantiate();
-		properties.stand.species.push_back(PlantFieldSpecies::of(grass));
+		properties.species.push_back(PlantFieldSpecies::of(grass));
+	}
+}
+
+// Of a species whose function tells of a change.
+void PlantField3D::follow_look(const Ref<PlantFunction> &function) {
+	if (function->is_motion_change()) {
+		meadow.read_motion(function.ptr(), !may_simulate());
+	} else if (function->is_material_change()) {
+		meadow.change_materials();
+	} else {
+		mark_stale(false);
 	}
 }
 
 // One of them tells; which one, and of what, is asked.
 void PlantField3D::on_species_changed() {
-	for (int64_t i = 0; i < properties.stand.species.size(); i++) {
-		const Ref<PlantFieldSpecies> entry = properties.stand.species[i];
+	for (int64_t i = 0; i < properties.species.size(); i++) {
+		const Ref<PlantFieldSpecies> entry = properties.species[i];
 		if (entry.is_null()) {
 			return; // The library was reloaded, and the engine has not set it again yet.
 		}
-		if (entry->is_motion_change()) {
-			meadow.read_motion(entry->get_species().ptr(), !may_simulate());
-			return;
-		}
-		if (entry->is_species_change() && entry->get_species()->is_material_change()) {
-			meadow.change_materials();
-			return;
-		}
 		if (entry->is_species_change()) {
-			mark_stale(false);
+			follow_look(entry->get_species());
 			return;
 		}
 	}
@@ -245,12 +230,8 @@ void PlantField3D::on_species_changed() {
 // Of a species whose plants code added.
 void PlantField3D::on_added_species_changed() {
 	for (const FieldLook &look : meadow.style.looks) {
-		if (look.function.is_valid() && look.function->is_motion_change()) {
-			meadow.read_motion(look.function.ptr(), !may_simulate());
-			return;
-		}
-		if (look.function.is_valid() && look.function->is_material_change()) {
-			meadow.change_materials();
+		if (look.function.is_valid() && (look.function->is_motion_change() || look.function->is_material_change())) {
+			follow_look(look.function);
 			return;
 		}
 	}
@@ -262,16 +243,16 @@ void PlantField3D::set_levels(const TypedArray<PlantFieldLevel> &entries) {
 	for (int64_t i = 0; i < seen_levels.size(); i++) {
 		unfollow_changes(Object::cast_to<Resource>(seen_levels[i]), listener);
 	}
-	properties.view.levels = entries.duplicate();
+	properties.levels = entries.duplicate();
 	seen_levels = entries.duplicate();
-	for (int64_t i = 0; i < properties.view.levels.size(); i++) {
-		follow_changes(Object::cast_to<Resource>(properties.view.levels[i]), listener);
+	for (int64_t i = 0; i < properties.levels.size(); i++) {
+		follow_changes(Object::cast_to<Resource>(properties.levels[i]), listener);
 	}
 	on_levels_changed();
 }
 
 void PlantField3D::on_levels_changed() {
-	changed(About::view);
+	changed(About::levels);
 }
 
 void PlantField3D::on_area_changed() {

@@ -25,9 +25,9 @@ public:
 	static godot::Ref<PlantFieldLevel> of(int segments, double end = 0.0);
 
 	void set_segments(int count);
-	int get_segments() const;
+	int get_segments() const { return segments; }
 	void set_end(double metres);
-	double get_end() const;
+	double get_end() const { return end; }
 };
 
 } // namespace undergrowth

@@ -20,11 +20,12 @@ class PlantFieldSpecies : public godot::Resource {
 	double lean_deviation = 0.0; // rad.
 	int variants = 4;
 	godot::String given_name;
-	bool forwards = false;
+	bool forwards = false; // While `changed` is emitted for the function inside.
 
 	/// Tells who uses this that it changed, by itself or, where `from_species`, by the function inside.
 	void tell(bool from_species);
-	void set_number(double &slot, double value);
+	template <class Value> void set(Value &slot, const Value &value);
+	template <class Value> void set_number(Value &slot, const char *name, Value value, const Range &range);
 
 protected:
 	static void _bind_methods();
@@ -35,26 +36,26 @@ public:
 	static godot::Ref<PlantFieldSpecies> of(const godot::Ref<PlantFunction> &function, double share = 1.0);
 
 	/// True while `changed` is emitted for a property of the PlantFunction inside, false for all that is set here.
-	bool is_species_change() const;
+	bool is_species_change() const { return forwards; }
 	/// True while `changed` is emitted for a property of the PlantFunction inside that leaves meshes as they are.
 	bool is_motion_change() const;
 	// Called by the engine.
 	void on_species_changed();
 
 	void set_species(const godot::Ref<PlantFunction> &function);
-	godot::Ref<PlantFunction> get_species() const;
+	godot::Ref<PlantFunction> get_species() const { return species; }
 	void set_share(double weight);
-	double get_share() const;
+	double get_share() const { return share; }
 	void set_density_factor(double factor);
-	double get_density_factor() const;
+	double get_density_factor() const { return density_factor; }
 	void set_scale_range(const godot::Vector2 &range);
-	godot::Vector2 get_scale_range() const;
+	godot::Vector2 get_scale_range() const { return scale_range; }
 	void set_height_deviation(double deviation);
-	double get_height_deviation() const;
+	double get_height_deviation() const { return height_deviation; }
 	void set_lean_deviation(double radians);
-	double get_lean_deviation() const;
+	double get_lean_deviation() const { return lean_deviation; }
 	void set_variants(int count);
-	int get_variants() const;
+	int get_variants() const { return variants; }
 };
 
 } // namespace undergrowth

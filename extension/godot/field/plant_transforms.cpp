@@ -1,6 +1,7 @@
 #include "field/plant_transforms.hpp"
 
 #include "convert.hpp"
+#include "stand/plant_axes.hpp"
 
 #include <cmath>
 
@@ -8,7 +9,6 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr float LEAST_TILT = 1e-3f;
 static constexpr int FLOATS_PER_TRANSFORM = 12;
 
 bool read_transforms(const Variant &from, std::vector<Transform3D> &to) {
@@ -37,20 +37,15 @@ bool read_transforms(const Variant &from, std::vector<Transform3D> &to) {
 }
 
 PlacedPlant place_transform(const Transform3D &transform) {
-	PlacedPlant plant;
-	plant.root = to_glm(transform.origin);
-	const Vector3 up = transform.basis.get_column(1);
-	plant.scale = up.length();
-	const float aside = std::sqrt(up.x * up.x + up.z * up.z);
-	Vector3 front = transform.basis.get_column(2);
-	if (aside > LEAST_TILT * plant.scale) {
-		plant.lean = std::atan2(aside, up.y);
-		const Vector3 across(up.z / aside, 0.0f, -up.x / aside);
-		front = Basis(across, -plant.lean).xform(front);
-	}
-	plant.turn = std::atan2(front.x, front.z);
-	plant.side = plant.lean > 0.0f ? std::atan2(-up.z, up.x) - plant.turn : 0.0f;
-	return plant;
+	const Basis &axes = transform.basis;
+	return plant_of_axes(to_glm(transform.origin), to_glm(axes.get_column(1)), to_glm(axes.get_column(2)));
+}
+
+Transform3D drawn_transform(const PlacedPlant &plant) {
+	const float c = plant.scale * std::cos(plant.turn);
+	const float s = plant.scale * std::sin(plant.turn);
+	const Vector3 up(0.0f, plant.scale, 0.0f);
+	return Transform3D(Vector3(c, 0.0f, -s), up, Vector3(s, 0.0f, c), to_godot(plant.root));
 }
 
 } // namespace undergrowth

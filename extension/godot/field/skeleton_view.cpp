@@ -1,6 +1,7 @@
 #include "field/skeleton_view.hpp"
 
 #include "convert.hpp"
+#include "field/plant_transforms.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -17,10 +18,6 @@ static constexpr int FRAMES_BETWEEN_CHOICES = 6;
 static constexpr int MOST_NEW = 8; // A frame; each takes a mesh of its own.
 static constexpr float KEPT_FARTHER = 1.1f; // What is shown stays until it is so much too far: nothing flickers.
 
-static std::pair<int, int> key_of(const PlantPlace &place) {
-	return { place.block, place.slot };
-}
-
 const SkeletonView::Shown *SkeletonView::find_shown(const PlantPlace &place) const {
 	const auto found =
 			std::find_if(shown.begin(), shown.end(), [&](const Shown &entry) { return entry.place == place; });
@@ -28,7 +25,7 @@ const SkeletonView::Shown *SkeletonView::find_shown(const PlantPlace &place) con
 }
 
 // The nearest plants, nearest first; no farther than the first level of detail, whose mesh they wear, is drawn whole.
-std::vector<SkeletonView::Near> SkeletonView::find_nearest(
+std::vector<PlantPlace> SkeletonView::find_nearest(
 		const Scene &scene, const std::vector<Vector3> &eyes, double wanted, int most) const {
 	const FieldLevel &first = scene.style.levels[0];
 	const float whole = first.end > 0.0f ? first.end - first.margin : float(wanted);
@@ -36,30 +33,31 @@ std::vector<SkeletonView::Near> SkeletonView::find_nearest(
 	const Transform3D to_field = scene.axes.affine_inverse();
 	const Vector3 scale = to_field.basis.get_scale().abs();
 	const float reach = KEPT_FARTHER * distance * std::max({ scale.x, scale.y, scale.z });
-	std::map<std::pair<int, int>, Near> nearest;
+	std::map<PlantPlace, float> nearest; // m; less where it is shown already.
 	for (const Vector3 &eye : eyes) {
 		std::vector<PlantPlace> around;
 		scene.store.find_in_sphere(to_glm(to_field.xform(eye)), reach, around);
 		for (const PlantPlace &place : around) {
 			const Vector3 root = scene.axes.xform(to_godot(scene.store.block(place.block).root(place.slot)));
 			const float away = root.distance_to(eye);
-			const bool is_shown = find_shown(place) != nullptr;
-			const float counted = is_shown ? away / KEPT_FARTHER : away;
+			const float counted = find_shown(place) ? away / KEPT_FARTHER : away;
 			if (counted <= distance) {
-				const auto [entry, is_new] = nearest.insert({ key_of(place), { counted, place } });
-				entry->second.away = std::min(entry->second.away, counted);
+				const auto [entry, is_new] = nearest.insert({ place, counted });
+				entry->second = std::min(entry->second, counted);
 			}
 		}
 	}
-	std::vector<Near> sorted;
-	for (const auto &[key, near] : nearest) {
-		sorted.push_back(near);
+	std::vector<std::pair<float, PlantPlace>> sorted;
+	for (const auto &[place, away] : nearest) {
+		sorted.push_back({ away, place });
 	}
 	const size_t count = std::min(sorted.size(), size_t(most));
-	std::partial_sort(sorted.begin(), sorted.begin() + std::ptrdiff_t(count), sorted.end(),
-			[](const Near &a, const Near &b) { return a.away < b.away; });
-	sorted.resize(count);
-	return sorted;
+	std::partial_sort(sorted.begin(), sorted.begin() + std::ptrdiff_t(count), sorted.end());
+	std::vector<PlantPlace> chosen;
+	for (size_t i = 0; i < count; i++) {
+		chosen.push_back(sorted[i].second);
+	}
+	return chosen;
 }
 
 // Takes those away that `goes` names; their plants are drawn again where there still is a `motion` that draws them.
@@ -94,16 +92,10 @@ void SkeletonView::release_all(FieldMotion &motion) {
 	frames_since_choice = 0;
 }
 
-static Transform3D drawn_transform(const PlacedPlant &plant) {
-	const Vector3 scale(plant.scale, plant.scale, plant.scale);
-	return Transform3D(Basis(Vector3(0.0f, 1.0f, 0.0f), plant.turn).scaled(scale), to_godot(plant.root));
-}
-
 void SkeletonView::show(const Scene &scene, const PlantPlace &place) {
 	const PlacedPlant plant = scene.store.block(place.block).plants.plant(place.slot);
 	const FieldLook &look = scene.style.looks[size_t(plant.species)];
-	Skeleton3D *skeleton = nodes.take(scene.field, drawn_transform(plant), look.build_alone(plant),
-			{ scene.wear.layers, scene.wear.casts_shadows && scene.style.levels[0].casts_shadows });
+	Skeleton3D *skeleton = nodes.take(scene.field, drawn_transform(plant), look.build_alone(plant), scene.wear);
 	shown.push_back({ place, uint64_t(skeleton->get_instance_id()) });
 	scene.motion.set_hidden(place, true);
 	tell(skeleton, true);
@@ -113,17 +105,13 @@ bool SkeletonView::choose(const Scene &scene, const std::vector<Vector3> &eyes, 
 	if (((distance <= 0.0 || most <= 0) && shown.empty()) || frames_since_choice++ % FRAMES_BETWEEN_CHOICES != 0) {
 		return false;
 	}
-	const std::vector<Near> nearest = find_nearest(scene, eyes, distance, most);
-	std::set<std::pair<int, int>> wanted;
-	for (const Near &near : nearest) {
-		wanted.insert(key_of(near.place));
-	}
-	const bool changes =
-			release(&scene.motion, [&](const Shown &entry) { return wanted.count(key_of(entry.place)) == 0; });
+	const std::vector<PlantPlace> nearest = find_nearest(scene, eyes, distance, most);
+	const std::set<PlantPlace> wanted(nearest.begin(), nearest.end());
+	const bool changes = release(&scene.motion, [&](const Shown &entry) { return wanted.count(entry.place) == 0; });
 	int added = 0;
 	for (size_t i = 0; i < nearest.size() && added < MOST_NEW; i++) {
-		if (!find_shown(nearest[i].place)) {
-			show(scene, nearest[i].place);
+		if (!find_shown(nearest[i])) {
+			show(scene, nearest[i]);
 			added++;
 		}
 	}
@@ -149,16 +137,16 @@ void SkeletonView::pose(const PlantStore &store, const FieldMotion &motion) cons
 	}
 }
 
-void SkeletonView::dress(const FieldWear &wear, bool casts_shadows) const {
+void SkeletonView::dress(const FieldWear &wear) const {
 	for (const Shown &entry : shown) {
 		if (Skeleton3D *skeleton = FieldSkeletons::node(entry.skeleton)) {
-			FieldSkeletons::dress(skeleton, { wear.layers, wear.casts_shadows && casts_shadows });
+			FieldSkeletons::dress(skeleton, wear);
 		}
 	}
 }
 
-std::vector<Skeleton3D *> SkeletonView::skeletons() const {
-	std::vector<Skeleton3D *> found;
+TypedArray<Skeleton3D> SkeletonView::skeletons() const {
+	TypedArray<Skeleton3D> found;
 	for (const Shown &entry : shown) {
 		if (Skeleton3D *skeleton = FieldSkeletons::node(entry.skeleton)) {
 			found.push_back(skeleton);

@@ -3,6 +3,8 @@
 #include "field/field_motion.hpp"
 #include "field/field_skeletons.hpp"
 
+#include <godot_cpp/variant/typed_array.hpp>
+
 #include <functional>
 #include <vector>
 
@@ -18,7 +20,7 @@ public:
 		const FieldStyle &style;
 		FieldMotion &motion;
 		godot::Transform3D axes; ///< From the field's to the world's.
-		FieldWear wear;
+		FieldWear wear; ///< Of the first level.
 	};
 	/// Tells of a skeleton that comes (true) or goes.
 	using Tell = std::function<void(godot::Skeleton3D *, bool)>;
@@ -40,10 +42,10 @@ public:
 	void clear() { nodes.clear(); }
 	/// Turns all bones as the field bends its plants in this frame.
 	void pose(const PlantStore &store, const FieldMotion &motion) const;
-	void dress(const FieldWear &wear, bool casts_shadows) const;
+	void dress(const FieldWear &wear) const;
 
 	int count() const { return int(shown.size()); }
-	std::vector<godot::Skeleton3D *> skeletons() const;
+	godot::TypedArray<godot::Skeleton3D> skeletons() const;
 	/// Null where the plant has none.
 	godot::Skeleton3D *find(const PlantPlace &place) const;
 	/// The block is -1 where it shows none now.
@@ -54,17 +56,13 @@ private:
 		PlantPlace place;
 		uint64_t skeleton = 0; ///< Instance id.
 	};
-	struct Near {
-		float away; ///< m; less where it is shown already.
-		PlantPlace place;
-	};
 
 	Tell tell;
 	FieldSkeletons nodes;
 	std::vector<Shown> shown;
 	int frames_since_choice = 0;
 
-	std::vector<Near> find_nearest(
+	std::vector<PlantPlace> find_nearest(
 			const Scene &scene, const std::vector<godot::Vector3> &eyes, double distance, int most) const;
 	bool release(FieldMotion *motion, const std::function<bool(const Shown &)> &goes);
 	void show(const Scene &scene, const PlantPlace &place);

@@ -137,3 +137,13 @@ TEST_CASE("no plants, one plant and plants far apart have their tiles") {
 	CHECK(cut_into_blocks(plants, 0.0f).size() == 4);
 	CHECK(cut_into_blocks(plants, std::numeric_limits<float>::quiet_NaN()).size() == 4);
 }
+
+TEST_CASE("a wider tile holds the tiles within it on both sides of the origin") {
+	for (int column = -9; column <= 9; column++) {
+		for (const int factor : { 1, 2, 4 }) {
+			const TileKey wide = wider_tile({ column, -column }, factor);
+			const auto size = static_cast<float>(factor);
+			CHECK(wide == tile_at(static_cast<float>(column) + 0.5f, static_cast<float>(-column) + 0.5f, size));
+		}
+	}
+}

@@ -18,9 +18,6 @@ const ROOM := 0.02
 ## The way out of the rectangle on each side, in the order of the handles' ids.
 const SIDES: Array[Vector3] = [Vector3.RIGHT, Vector3.LEFT, Vector3.BACK, Vector3.FORWARD]
 
-# What was drawn of each field that is worked on: the gizmo is drawn anew when that has changed.
-var _drawn: Dictionary[int, Array] = {}
-
 
 func _init() -> void:
 	super()
@@ -76,7 +73,7 @@ func _set_handle(
 	var side := SIDES[id]
 	var axis := 0 if side.x else 1
 	var half := field.size[axis] * 0.5
-	var reach := _reach_under(field, side, camera, point)
+	var reach := GizmoShapes.reach_along(field, side, FARTHEST, camera, point)
 	var step := SNAP_STEP if Input.is_key_pressed(KEY_CTRL) else STEP
 	var is_both := Input.is_key_pressed(KEY_ALT)
 	var length := snappedf(reach * 2.0 if is_both else reach + half, step)
@@ -137,20 +134,6 @@ func _add_handles(gizmo: EditorNode3DGizmo, field: PlantField3D) -> void:
 	gizmo.add_handles(places, get_material("side", gizmo), ids)
 
 
-# How far out on that side the line of sight through `point` passes, in metres of the field.
-static func _reach_under(
-	field: PlantField3D, side: Vector3, camera: Camera3D, point: Vector2
-) -> float:
-	var to_field := field.global_transform.affine_inverse()
-	var eye := to_field * camera.project_ray_origin(point)
-	var sight := (to_field.basis * camera.project_ray_normal(point)).normalized()
-	var far := side * FARTHEST
-	var near := Geometry3D.get_closest_points_between_segments(
-		-far, far, eye, eye + sight * (FARTHEST + eye.length())
-	)
-	return near[0].dot(side)
-
-
 # Over the border as high as the plants, where the field tells it.
 static func _box_of(field: PlantField3D, corners: PackedVector3Array) -> AABB:
 	var box := AABB(corners[0], Vector3.ZERO)
@@ -162,30 +145,19 @@ static func _box_of(field: PlantField3D, corners: PackedVector3Array) -> AABB:
 	return box.expand(box.position + Vector3.UP * LEAST_BOX)
 
 
-func _on_selection_changed() -> void:
-	for field in _nodes_with_gizmos():
-		field.update_gizmos()
+# Also those whose outline is selected.
+func _worked_on() -> Array[Node3D]:
+	var fields: Array[Node3D] = []
+	for id in _made:
+		var field := instance_from_id(id) as PlantField3D
+		var path := field.get_node_or_null(field.outline) if field.outline else null
+		if _is_selected(field) or (path and _is_selected(path)):
+			fields.append(field)
+	return fields
 
 
-# A field tells its gizmo when its own size changes. What else changes while one works on it: the
-# place of its outline, and the box of its plants.
-func _follow() -> void:
-	for node in _nodes_with_gizmos():
-		var field := node as PlantField3D
-		if not _is_worked_on(field):
-			continue
-		var look := [field.get_outline_points(), field.get_aabb()]
-		var id := field.get_instance_id()
-		if _drawn.get(id, []) != look:
-			field.update_gizmos()
-			_drawn[id] = look
-
-
-static func _is_worked_on(field: PlantField3D) -> bool:
-	var path := field.get_node_or_null(field.outline) if field.outline else null
-	return _is_selected(field) or (path and _is_selected(path))
-
-
-func _let_go(id: int) -> void:
-	super(id)
-	_drawn.erase(id)
+# A field tells its gizmo when its own size changes. What else does: the place of its outline, and
+# the box of its plants.
+func _look_of(node: Node3D) -> Array:
+	var field := node as PlantField3D
+	return [field.get_outline_points(), field.get_aabb()]

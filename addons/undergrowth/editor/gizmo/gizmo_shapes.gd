@@ -1,6 +1,6 @@
 @tool
 extends RefCounted
-## Line shapes for gizmos, as pairs of points.
+## Line shapes for gizmos, as pairs of points, and where a drag is on a line.
 
 const ARC_STEPS := 24
 
@@ -53,6 +53,22 @@ static func cross(at: Vector3, arm: float) -> PackedVector3Array:
 		lines.append(at - axis * arm)
 		lines.append(at + axis * arm)
 	return lines
+
+
+## How far out along [param way], a unit vector in the axes of [param node], the line of sight
+## through [param point] passes: in metres of the node from its origin, up to [param farthest] to
+## either side.
+static func reach_along(
+	node: Node3D, way: Vector3, farthest: float, camera: Camera3D, point: Vector2
+) -> float:
+	var to_node := node.global_transform.affine_inverse()
+	var eye := to_node * camera.project_ray_origin(point)
+	var sight := (to_node.basis * camera.project_ray_normal(point)).normalized()
+	var far := way * farthest
+	var near := Geometry3D.get_closest_points_between_segments(
+		-far, far, eye, eye + sight * (farthest + eye.length())
+	)
+	return near[0].dot(way)
 
 
 static func _corner(box: AABB, i: int) -> Vector3:

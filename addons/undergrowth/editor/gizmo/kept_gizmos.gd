@@ -1,6 +1,7 @@
 @tool
 extends EditorNode3DGizmoPlugin
-## What the gizmos of plants and of fields share: one of ours never outlives its node.
+## What the gizmos of plants and of fields share: one of ours never outlives its node, and is drawn
+## anew when what it shows has changed while one works on it.
 ##
 ## The editor's viewport holds the gizmo whose handle is under the pointer, or is dragged, also when
 ## its scene is loaded anew meanwhile. The gizmo knows its node by address only, and when the plugin
@@ -13,6 +14,9 @@ var _undo: EditorUndoRedoManager
 var _stand_in: Node3D
 # The gizmos that were made for each node in the tree, by the node's id.
 var _made: Dictionary[int, Array] = {}
+# What was drawn of each node that is worked on, by its id: it is drawn anew when that is no longer
+# true.
+var _drawn: Dictionary[int, Array] = {}
 
 
 func _init() -> void:
@@ -47,22 +51,36 @@ func _create_gizmo(node: Node3D) -> EditorNode3DGizmo:
 	return gizmo
 
 
-## The nodes that have gizmos, for those who follow them.
-func _nodes_with_gizmos() -> Array[Node3D]:
+## The nodes whose gizmos show more than where they are: those that are selected.
+func _worked_on() -> Array[Node3D]:
 	var nodes: Array[Node3D] = []
-	for id in _made:
-		nodes.append(instance_from_id(id) as Node3D)
+	for node in EditorInterface.get_selection().get_selected_nodes():
+		if node is Node3D and _has_gizmo(node as Node3D):
+			nodes.append(node)
 	return nodes
 
 
-## Called in each frame: what has changed asks for a redraw.
+## What is drawn of a node that is worked on follows this, which may change at any time.
+func _look_of(_node: Node3D) -> Array:
+	return []
+
+
+# In each frame.
 func _follow() -> void:
-	pass
+	for node in _worked_on():
+		var look := _look_of(node)
+		if _drawn.get(node.get_instance_id(), []) != look:
+			_drawn[node.get_instance_id()] = look
+			node.update_gizmos()
 
 
-## Called when others are selected.
+# Nodes that were selected are drawn as others are; those that are now, in the next frame.
 func _on_selection_changed() -> void:
-	pass
+	for id in _drawn:
+		var node := instance_from_id(id) as Node3D
+		if node:
+			node.update_gizmos()
+	_drawn.clear()
 
 
 ## As bright for every selected node, where the editor's own materials are bright for one only.
@@ -86,6 +104,7 @@ func _let_go(id: int) -> void:
 		if gizmo:
 			gizmo.set_node_3d(_stand_in)
 	_made.erase(id)
+	_drawn.erase(id)
 
 
 # Nodes of a scene that was open before the plugin asked in vain: they must ask again.

@@ -16,9 +16,6 @@ const SNAP_STEP := 0.1
 ## Below this deflection, in radians, nothing is drawn for the bend.
 const LEAST_BEND := 0.005
 
-# What was drawn of each selected plant: its gizmo is drawn anew when that is no longer true.
-var _drawn: Dictionary[int, Array] = {}
-
 
 func _init() -> void:
 	super()
@@ -68,7 +65,7 @@ func _set_handle(
 	var plant := gizmo.get_node_3d() as Plant3D
 	if not plant:
 		return
-	var height := _height_under(plant, camera, point)
+	var height := GizmoShapes.reach_along(plant, Vector3.UP, MOST_HEIGHT, camera, point)
 	var step := SNAP_STEP if Input.is_key_pressed(KEY_CTRL) else STEP
 	plant.height = clampf(snappedf(height, step), LEAST_HEIGHT, MOST_HEIGHT)
 
@@ -99,17 +96,6 @@ func _plants_to_change(dragged: Plant3D) -> Array[Plant3D]:
 	if not plants.has(dragged):
 		plants.assign([dragged])
 	return plants
-
-
-# Where the line of sight through `point` passes the plant's own axis, in metres along it.
-func _height_under(plant: Plant3D, camera: Camera3D, point: Vector2) -> float:
-	var to_plant := plant.global_transform.affine_inverse()
-	var eye := to_plant * camera.project_ray_origin(point)
-	var sight := (to_plant.basis * camera.project_ray_normal(point)).normalized()
-	var far := maxf(camera.far, 1.0) + eye.length()
-	var axis := Vector3.UP * (far + MOST_HEIGHT)
-	var near := Geometry3D.get_closest_points_between_segments(-axis, axis, eye, eye + sight * far)
-	return near[0].y
 
 
 func _draw_bend(gizmo: EditorNode3DGizmo, plant: Plant3D) -> void:
@@ -146,26 +132,7 @@ static func _wind_direction(wind: PlantWind) -> Vector3:
 	return Vector3.BACK.rotated(Vector3.UP, wind.direction)
 
 
-# Plants that were selected lose their handle, those that are now get one.
-func _on_selection_changed() -> void:
-	for id in _drawn:
-		var plant := instance_from_id(id) as Plant3D
-		if plant:
-			plant.update_gizmos()
-	_drawn.clear()
-
-
-func _follow() -> void:
-	for node in EditorInterface.get_selection().get_selected_nodes():
-		var plant := node as Plant3D
-		if not plant:
-			continue
-		var look := _look_of(plant)
-		if _drawn.get(plant.get_instance_id(), []) != look:
-			_drawn[plant.get_instance_id()] = look
-			plant.update_gizmos()
-
-
-func _look_of(plant: Plant3D) -> Array:
+func _look_of(node: Node3D) -> Array:
+	var plant := node as Plant3D
 	var wind := _wind_on(plant)
 	return [plant.get_tip_position(), wind.direction if wind else INF, plant.global_basis]

@@ -1,0 +1,85 @@
+#include "stand/kept_plants.hpp"
+
+#include <algorithm>
+
+namespace undergrowth {
+
+namespace {
+
+PlantId name_of(const PlantBlock &block, int slot, double spacing) {
+	const glm::vec3 root = block.root(slot);
+	return filled_plant_id(root.x, root.z, spacing);
+}
+
+/// Whether the same plants stand as before, as after most changes: no names need be compared then.
+bool are_the_same(const FilledBlocks &before, const std::vector<PlantBlock> &now, double spacing) {
+	return spacing == before.spacing &&
+			std::equal(now.begin(), now.end(), before.blocks.begin(), before.blocks.end(),
+					[](const PlantBlock &block, const std::pair<int, PlantBlock> &was) {
+						return was.second.gone == 0 && block.plants.x == was.second.plants.x &&
+								block.plants.z == was.second.plants.z;
+					});
+}
+
+} // namespace
+
+FilledBlocks copy_filled(const PlantStore &store) {
+	FilledBlocks filled;
+	filled.spacing = store.spacing();
+	for (int number = 0; number < store.block_count(); number++) {
+		const PlantBlock &block = store.block(number);
+		if (!block.is_added && block.standing() > 0) {
+			filled.blocks.emplace_back(number, block);
+		}
+	}
+	return filled;
+}
+
+FieldPlants gather_plants(const FilledBlocks &filled, const std::vector<int> &species_numbers) {
+	FieldPlants plants;
+	for (const auto &[number, block] : filled.blocks) {
+		const int species = species_numbers[static_cast<std::size_t>(block.species)];
+		for (int slot = 0; slot < block.size() && species >= 0; slot++) {
+			if (!block.is_gone(slot)) {
+				PlacedPlant plant = block.plants.plant(slot);
+				plant.species = species;
+				plants.add(plant);
+			}
+		}
+	}
+	return plants;
+}
+
+std::vector<KeptPlant> find_kept(const FilledBlocks &before, const std::vector<PlantBlock> &now, double spacing) {
+	std::vector<KeptPlant> kept;
+	if (are_the_same(before, now, spacing)) {
+		for (std::size_t i = 0; i < now.size(); i++) {
+			for (int slot = 0; slot < now[i].size(); slot++) {
+				kept.push_back({ { before.blocks[i].first, slot }, { static_cast<int>(i), slot } });
+			}
+		}
+		return kept;
+	}
+	std::vector<std::pair<PlantId, PlantPlace>> named;
+	for (const auto &[number, block] : before.blocks) {
+		for (int slot = 0; slot < block.size(); slot++) {
+			if (!block.is_gone(slot)) {
+				named.push_back({ name_of(block, slot, before.spacing), { number, slot } });
+			}
+		}
+	}
+	const auto is_less = [](const auto &a, const auto &b) { return a.first < b.first; };
+	std::sort(named.begin(), named.end(), is_less);
+	for (std::size_t i = 0; i < now.size() && !named.empty(); i++) {
+		for (int slot = 0; slot < now[i].size(); slot++) {
+			const std::pair<PlantId, PlantPlace> wanted = { name_of(now[i], slot, spacing), {} };
+			const auto found = std::lower_bound(named.begin(), named.end(), wanted, is_less);
+			if (found != named.end() && found->first == wanted.first) {
+				kept.push_back({ found->second, { static_cast<int>(i), slot } });
+			}
+		}
+	}
+	return kept;
+}
+
+} // namespace undergrowth

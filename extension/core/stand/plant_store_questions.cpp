@@ -1,0 +1,150 @@
+#include "stand/plant_store.hpp"
+
+#include <glm/vec3.hpp>
+
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+bool is_in(const glm::vec3 &point, const glm::vec3 &low, const glm::vec3 &high) {
+	return point.x >= low.x && point.x <= high.x && point.y >= low.y && point.y <= high.y && point.z >= low.z &&
+			point.z <= high.z;
+}
+
+bool meet(const PlantBlock &block, const glm::vec3 &low, const glm::vec3 &high) {
+	return block.low.x <= high.x && block.high.x >= low.x && block.low.y <= high.y && block.high.y >= low.y &&
+			block.low.z <= high.z && block.high.z >= low.z;
+}
+
+bool is_near(const PlantBlock &block, const glm::vec3 &place, float reach) {
+	return block.low.x <= place.x + reach && block.high.x >= place.x - reach && block.low.z <= place.z + reach &&
+			block.high.z >= place.z - reach;
+}
+
+} // namespace
+
+const std::vector<int> &PlantStore::blocks_of(const TileKey &tile) const {
+	static const std::vector<int> none;
+	const auto found = tiles.find(tile);
+	return found == tiles.end() ? none : found->second;
+}
+
+template <class Visit>
+void PlantStore::for_each_tile(const glm::vec3 &low, const glm::vec3 &high, const Visit &visit) const {
+	const TileKey first = tile_at(low.x, low.z, size);
+	const TileKey last = tile_at(high.x, high.z, size);
+	for (auto tile = tiles.lower_bound(first); tile != tiles.end() && tile->first.column <= last.column; ++tile) {
+		if (tile->first.row >= first.row && tile->first.row <= last.row) {
+			visit(tile->second);
+		}
+	}
+}
+
+template <class Holds>
+void PlantStore::find_in(
+		const glm::vec3 &low, const glm::vec3 &high, const Holds &holds, std::vector<PlantPlace> &found) const {
+	for_each_tile(low, high, [&](const std::vector<int> &members) {
+		for (const int number : members) {
+			const PlantBlock &there = block(number);
+			for (int slot = 0; meet(there, low, high) && slot < there.size(); slot++) {
+				if (!there.is_gone(slot) && holds(there.root(slot))) {
+					found.push_back({ number, slot });
+				}
+			}
+		}
+	});
+}
+
+void PlantStore::find_in_sphere(const glm::vec3 &centre, float radius, std::vector<PlantPlace> &found) const {
+	if (!(radius >= 0.0f)) {
+		return;
+	}
+	const double most = static_cast<double>(radius) * static_cast<double>(radius);
+	const auto holds = [&](const glm::vec3 &root) {
+		const glm::dvec3 way = glm::dvec3(root) - glm::dvec3(centre);
+		return way.x * way.x + way.y * way.y + way.z * way.z <= most;
+	};
+	find_in(centre - radius, centre + radius, holds, found);
+}
+
+void PlantStore::find_in_box(const glm::vec3 &low, const glm::vec3 &high, std::vector<PlantPlace> &found) const {
+	find_in(low, high, [&](const glm::vec3 &root) { return is_in(root, low, high); }, found);
+}
+
+PlantPlace PlantStore::find(PlantId id) const {
+	if (id < 0) {
+		return {};
+	}
+	if (undergrowth::is_added(id)) {
+		const auto found = added_places.find(id);
+		return found == added_places.end() ? PlantPlace() : found->second;
+	}
+	glm::vec3 place(0.0f);
+	filled_plant_place(id, cell_size, place.x, place.z);
+	const float reach = static_cast<float>(cell_size);
+	PlantPlace found;
+	for_each_tile(place - reach, place + reach, [&](const std::vector<int> &members) {
+		for (const int number : members) {
+			const PlantBlock &there = block(number);
+			if (found.block >= 0 || there.is_added || !is_near(there, place, reach)) {
+				continue;
+			}
+			const float *x = there.plants.x.data();
+			const float *z = there.plants.z.data();
+			for (int slot = 0; slot < there.size(); slot++) {
+				// Most are too far: the exact answer costs a division.
+				if (std::fabs(x[slot] - place.x) < reach && std::fabs(z[slot] - place.z) < reach &&
+						!there.is_gone(slot) && filled_plant_id(x[slot], z[slot], cell_size) == id) {
+					found = { number, slot };
+					break;
+				}
+			}
+		}
+	});
+	return found;
+}
+
+std::vector<PlantPlace> PlantStore::find_all(const std::vector<PlantId> &ids) const {
+	std::vector<PlantPlace> found;
+	for (const PlantId id : ids) {
+		const PlantPlace place = find(id);
+		if (place.block >= 0) {
+			found.push_back(place);
+		}
+	}
+	return found;
+}
+
+PlantId PlantStore::id(const PlantPlace &place) const {
+	const PlantBlock &there = block(place.block);
+	if (there.is_added) {
+		return there.ids[static_cast<std::size_t>(place.slot)];
+	}
+	const glm::vec3 root = there.root(place.slot);
+	return filled_plant_id(root.x, root.z, cell_size);
+}
+
+std::vector<PlantId> PlantStore::ids() const {
+	std::vector<PlantId> all;
+	all.reserve(static_cast<std::size_t>(standing));
+	for (int number = 0; number < block_count(); number++) {
+		for (int slot = 0; slot < block(number).size(); slot++) {
+			if (!block(number).is_gone(slot)) {
+				all.push_back(id({ number, slot }));
+			}
+		}
+	}
+	return all;
+}
+
+std::size_t PlantStore::bytes() const {
+	std::size_t bytes = blocks.capacity() * sizeof(PlantBlock);
+	for (const PlantBlock &block : blocks) {
+		bytes += block.plants.bytes() + block.ids.capacity() * sizeof(PlantId);
+	}
+	return bytes;
+}
+
+} // namespace undergrowth
