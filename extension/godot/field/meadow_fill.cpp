@@ -1,4 +1,4 @@
-// How a field grows: from properties to plants that stand.
+// How a field grows: from properties, and from what code adds, to looks and to plants that stand.
 
 #include "field/meadow.hpp"
 
@@ -121,6 +121,33 @@ void Meadow::fill(bool places) {
 	job = std::make_unique<FieldFill>(std::move(recipe));
 	told_progress = -1.0f;
 	job->start();
+}
+
+int Meadow::species_for(const Ref<PlantFunction> &function) {
+	for (size_t i = 0; i < style.looks.size(); i++) {
+		if (style.looks[i].function == function) {
+			return int(i);
+		}
+	}
+	if (style.levels.empty()) {
+		style.levels = read_levels(properties, node->get_visibility_range_end());
+		read_looks(StandOptions(), {}, style);
+	}
+	FieldLook look;
+	const String fault = read_other_look(function, properties, style, look);
+	if (!fault.is_empty()) {
+		report_error(node, "cannot add plants of " + fault);
+		return -1;
+	}
+	if (!motion.is_ready()) {
+		motion.start(settings());
+	}
+	motion.add_species(look);
+	style.looks.push_back(std::move(look));
+	if (motion.has_poses()) {
+		dress.put_on(style, *motion.poses());
+	}
+	return int(style.looks.size()) - 1;
 }
 
 // In a physics frame: only then may everybody ask physics.
