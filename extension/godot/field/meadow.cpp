@@ -4,7 +4,6 @@
 
 #include "convert.hpp"
 #include "field/cpu_motion.hpp"
-#include "messages.hpp"
 #include "stopwatch.hpp"
 
 #include <godot_cpp/classes/camera3d.hpp>
@@ -123,33 +122,6 @@ void Meadow::change_materials() {
 		view.wear_materials(style);
 		skeletons.release_all(motion);
 	}
-}
-
-int Meadow::species_for(const Ref<PlantFunction> &function) {
-	for (size_t i = 0; i < style.looks.size(); i++) {
-		if (style.looks[i].function == function) {
-			return int(i);
-		}
-	}
-	if (style.levels.empty()) {
-		style.levels = read_levels(properties, node->get_visibility_range_end());
-		read_looks(StandOptions(), {}, style);
-	}
-	FieldLook look;
-	const String fault = read_other_look(function, properties, style, look);
-	if (!fault.is_empty()) {
-		report_error(node, "cannot add plants of " + fault);
-		return -1;
-	}
-	if (!motion.is_ready()) {
-		motion.start(settings());
-	}
-	motion.add_species(look);
-	style.looks.push_back(std::move(look));
-	if (motion.pose_texture().is_valid()) {
-		dress.put_on(style, motion);
-	}
-	return int(style.looks.size()) - 1;
 }
 
 ChangeSet Meadow::apply(StandEdit &&edit) {

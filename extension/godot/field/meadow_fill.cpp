@@ -1,4 +1,4 @@
-// How a field grows: from properties to plants that stand.
+// How a field grows: from properties, and from what code adds, to looks and to plants that stand.
 
 #include "field/meadow.hpp"
 
@@ -123,6 +123,33 @@ void Meadow::fill(bool places) {
 	job = std::make_unique<FieldFill>(std::move(recipe));
 	told_progress = -1.0f;
 	job->start();
+}
+
+int Meadow::species_for(const Ref<PlantFunction> &function) {
+	for (size_t i = 0; i < style.looks.size(); i++) {
+		if (style.looks[i].function == function) {
+			return int(i);
+		}
+	}
+	if (style.levels.empty()) {
+		style.levels = read_levels(properties, node->get_visibility_range_end());
+		read_looks(StandOptions(), {}, style);
+	}
+	FieldLook look;
+	const String fault = read_other_look(function, properties, style, look);
+	if (!fault.is_empty()) {
+		report_error(node, "cannot add plants of " + fault);
+		return -1;
+	}
+	if (!motion.is_ready()) {
+		motion.start(settings());
+	}
+	motion.add_species(look);
+	style.looks.push_back(std::move(look));
+	if (motion.pose_texture().is_valid()) {
+		dress.put_on(style, motion);
+	}
+	return int(style.looks.size()) - 1;
 }
 
 // In a physics frame: only then may everybody ask physics.
