@@ -38,8 +38,7 @@ MotionSpecies Plant3D::motion() const {
 	motion.joint = species->make_joint(1.0f, Basis());
 	// Plants of species that differ in it alone move alike, where nothing comes to their tips.
 	const PlantPush push = what_pushes();
-	motion.collision_radius =
-			push.has_bodies() || push.has_contact() ? float(species->get_collision_radius()) : 0.0f;
+	motion.collision_radius = push.has_bodies() || push.has_contact() ? float(species->get_collision_radius()) : 0.0f;
 	return motion;
 }
 

@@ -59,8 +59,7 @@ int push_plants(MotionPage &page, const FieldBody &body, const PageStand &stand 
 
 /// Whether a plant of the page comes nearer to a valid body than `margin` (m), its tip thickened by the collision
 /// radius. Points along its straight stem count, a quarter of its length apart.
-bool touches_plant(
-		const MotionPage &page, int index, const FieldBody &body, float margin, const PageStand &stand = {});
+bool touches_plant(const MotionPage &page, int index, const FieldBody &body, float margin, const PageStand &stand = {});
 
 /// Whether any of them does.
 bool touches_plants(const MotionPage &page, const FieldBody &body, float margin);

@@ -246,8 +246,8 @@ template <class Pages> void TipContact::resolve(Pages &field) {
 
 std::size_t TipContact::bytes() const {
 	return (page_firsts.capacity() + pages.capacity()) * sizeof(uint32_t) + vectors.capacity() * sizeof(glm::vec3) +
-			touching.capacity() +
-			(bucket_ends.capacity() + buckets.capacity()) * sizeof(uint32_t) + sorted.capacity() * sizeof(SortedTip);
+			touching.capacity() + (bucket_ends.capacity() + buckets.capacity()) * sizeof(uint32_t) +
+			sorted.capacity() * sizeof(SortedTip);
 }
 
 #define FOR_PAGES(Pages)                                                                                               \
