@@ -68,8 +68,8 @@ TEST_CASE("what a body and a root have in common does not push") {
 	CHECK(push_plants(page, body, moving) == 1);
 	CHECK(glm::length(page.state(0).rate) < 1e-5f);
 	page.settle();
-	body.velocity = {}; // The body stands.
-	CHECK(push_plants(page, body, moving) == 1);
+	const FieldBody ahead = ball({ 0.35f, 1.0f, 0.0f }, 0.3f); // It stands, and the root brings the plant to it.
+	CHECK(push_plants(page, ahead, moving) == 1);
 	CHECK(glm::length(page.state(0).rate) < 1e-5f);
 	page.settle();
 	body.velocity = { 3.0f, 0.0f, 0.0f }; // It comes from behind, faster by 1 m/s.
@@ -142,6 +142,7 @@ TEST_CASE("the tips of a plant on a wall and of one on the ground part, and lose
 	CHECK(glm::distance(tip(ground, lone.stand(0)), tip(wall, lone.stand(1))) >
 			before + 0.4f * (2.0f * RADIUS - before));
 	CHECK(ground.state(0).rate.x > -0.6f);
+	CHECK(std::fabs(wall.state(0).direction.x) < 0.01f);
 	for (int i = 0; i < 30; i++) {
 		contact.resolve(lone);
 	}
