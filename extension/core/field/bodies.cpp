@@ -181,7 +181,7 @@ bool touches_plants(const MotionPage &page, const FieldBody &body, float margin)
 }
 
 int push_plants(MotionPage &page, const FieldBody &body, const PageStand &stand) {
-	if (!page.swings() || !is_valid(body)) {
+	if (!page.swings() || !is_valid(body) || !boxes_overlap(page, body)) {
 		return 0;
 	}
 	const float thickness = std::max(page.collision_radius(), 0.0f);
