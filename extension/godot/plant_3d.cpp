@@ -1,5 +1,5 @@
-// Plant3D's properties and its life in the tree. plant_3d_mesh.cpp builds what is drawn, plant_3d_motion.cpp and
-// plant_3d_driving.cpp move it.
+// Plant3D's properties and its life in the tree. plant_3d_mesh.cpp builds what is drawn, plant_3d_motion.cpp,
+// plant_3d_driving.cpp and plant_3d_pushes.cpp move it.
 
 #include "plant_3d.hpp"
 
@@ -7,7 +7,6 @@
 #include "plant/base_shape.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
-#include <godot_cpp/core/class_db.hpp>
 
 using namespace godot;
 
@@ -148,6 +147,10 @@ void Plant3D::_notification(int what) {
 			break;
 		case NOTIFICATION_EXIT_TREE:
 			leave_simulation();
+			forget_touches();
+			break;
+		case NOTIFICATION_ENTER_WORLD:
+			change_pushes();
 			break;
 		case NOTIFICATION_EXTENSION_RELOADED:
 			update_axes();
@@ -175,49 +178,6 @@ void Plant3D::_notification(int what) {
 		default:
 			break;
 	}
-}
-
-void Plant3D::_bind_methods() {
-	ClassDB::bind_method(D_METHOD("_on_species_changed"), &Plant3D::on_species_changed);
-	ClassDB::bind_method(D_METHOD("_on_wind_changed"), &Plant3D::on_wind_changed);
-	ClassDB::bind_method(D_METHOD("_on_rebuild_queued"), &Plant3D::on_rebuild_queued);
-	ClassDB::bind_method(D_METHOD("set_species", "species"), &Plant3D::set_species);
-	ClassDB::bind_method(D_METHOD("get_species"), &Plant3D::get_species);
-	ClassDB::bind_method(D_METHOD("set_wind", "wind"), &Plant3D::set_wind);
-	ClassDB::bind_method(D_METHOD("get_wind"), &Plant3D::get_wind);
-	ClassDB::bind_method(D_METHOD("set_segments", "segments"), &Plant3D::set_segments);
-	ClassDB::bind_method(D_METHOD("get_segments"), &Plant3D::get_segments);
-	ClassDB::bind_method(D_METHOD("set_height", "metres"), &Plant3D::set_height);
-	ClassDB::bind_method(D_METHOD("get_height"), &Plant3D::get_height);
-	ClassDB::bind_method(D_METHOD("set_seed", "seed"), &Plant3D::set_seed);
-	ClassDB::bind_method(D_METHOD("get_seed"), &Plant3D::get_seed);
-	ClassDB::bind_method(D_METHOD("set_simulation_enabled", "simulation_enabled"), &Plant3D::set_simulation_enabled);
-	ClassDB::bind_method(D_METHOD("is_simulation_enabled"), &Plant3D::is_simulation_enabled);
-	ClassDB::bind_method(D_METHOD("rebuild"), &Plant3D::rebuild);
-	ClassDB::bind_method(D_METHOD("get_mesh"), &Plant3D::get_mesh);
-	ClassDB::bind_method(D_METHOD("get_skeleton"), &Plant3D::get_skeleton);
-	ClassDB::bind_method(D_METHOD("get_reach"), &Plant3D::get_reach);
-	ClassDB::bind_method(D_METHOD("get_plant_height"), &Plant3D::get_plant_height);
-	ClassDB::bind_method(D_METHOD("get_tip_position"), &Plant3D::get_tip_position);
-	ClassDB::bind_method(D_METHOD("get_deflection"), &Plant3D::get_deflection);
-	ClassDB::bind_method(D_METHOD("apply_impulse", "impulse"), &Plant3D::apply_impulse);
-	ClassDB::bind_method(D_METHOD("reset_motion"), &Plant3D::reset_motion);
-	ClassDB::bind_method(D_METHOD("get_motion_state"), &Plant3D::get_motion_state);
-	ClassDB::bind_method(D_METHOD("set_motion_state", "state"), &Plant3D::set_motion_state);
-	ClassDB::bind_method(D_METHOD("advance", "delta"), &Plant3D::advance);
-	ClassDB::bind_method(D_METHOD("_preview", "delta", "wind"), &Plant3D::preview);
-
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "species", PROPERTY_HINT_RESOURCE_TYPE, "PlantFunction"), "set_species",
-			"get_species");
-	ADD_PROPERTY(
-			PropertyInfo(Variant::OBJECT, "wind", PROPERTY_HINT_RESOURCE_TYPE, "PlantWind"), "set_wind", "get_wind");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "segments", PROPERTY_HINT_RANGE, "1,64,1,or_greater"), "set_segments",
-			"get_segments");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "height", PROPERTY_HINT_RANGE, "0,5,0.01,or_greater,suffix:m"),
-			"set_height", "get_height");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "seed"), "set_seed", "get_seed");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "simulation_enabled"), "set_simulation_enabled", "is_simulation_enabled");
-	ADD_SIGNAL(MethodInfo("mesh_changed"));
 }
 
 } // namespace undergrowth

@@ -26,8 +26,7 @@ class Plant3D : public godot::Node3D {
 	};
 	/// A plant that is driven by hand: a page of its own, and its own clock.
 	struct Driven {
-		Driven(const MotionSpecies &species, PlantFrame frame, double step) :
-				group(species, godot::Ref<PlantWind>(), frame, float(step)), clock(step, MOST_STEPS_OF_CALL) {}
+		Driven(const PlantKind &kind, double step) : group(kind, float(step)), clock(step, MOST_STEPS_OF_CALL) {}
 		static constexpr int MOST_STEPS_OF_CALL = 128;
 		PlantGroup group;
 		FixedStep clock;
@@ -40,6 +39,9 @@ class Plant3D : public godot::Node3D {
 	double height = 0.0; // m; 0: the species' own.
 	int64_t seed = 0;
 	bool simulation_enabled = true;
+	bool contact_enabled = false;
+	godot::StringName bodies_group;
+	double touch_margin = 0.1; // m.
 
 	// What is drawn.
 	godot::Skeleton3D *skeleton = nullptr;
@@ -82,6 +84,7 @@ class Plant3D : public godot::Node3D {
 	// plant_3d_motion.cpp
 	bool may_simulate() const;
 	MotionSpecies motion() const;
+	PlantPush what_pushes() const;
 	MotionPlant description() const;
 	godot::Vector3 rest() const;
 	Swing swing() const;
@@ -94,6 +97,10 @@ class Plant3D : public godot::Node3D {
 	void update_motion();
 	void update_bone();
 	void pose_now();
+
+	// plant_3d_pushes.cpp
+	void change_pushes();
+	void forget_touches();
 
 	// plant_3d_driving.cpp
 	bool can_be_driven();
@@ -125,6 +132,12 @@ public:
 	int64_t get_seed() const;
 	void set_simulation_enabled(bool enabled);
 	bool is_simulation_enabled() const;
+	void set_contact_enabled(bool on);
+	bool is_contact_enabled() const;
+	void set_bodies_group(const godot::StringName &group);
+	godot::StringName get_bodies_group() const;
+	void set_touch_margin(double metres);
+	double get_touch_margin() const;
 
 	bool rebuild();
 	godot::Ref<godot::ArrayMesh> get_mesh();
@@ -134,6 +147,7 @@ public:
 
 	godot::Vector3 get_tip_position() const;
 	double get_deflection() const;
+	bool is_point_in_plants(const godot::Vector3 &point) const;
 	void apply_impulse(const godot::Vector3 &impulse);
 	void reset_motion();
 	/// Direction and rate of the tip, six floats in the plant's own axes.
@@ -145,8 +159,11 @@ public:
 
 	// For PlantSimulation.
 	void moved_to(int index) { place.index = index; }
+	bool is_in_simulation() const { return place.group != nullptr; }
 	void leave_simulation();
 	void update_simulation();
+	/// A body, by its instance id, came among the plant or left it.
+	void tell_of_body(uint64_t body, bool has_entered);
 };
 
 } // namespace undergrowth

@@ -40,10 +40,9 @@ Plant3D::Driven &Plant3D::prepare_driven() {
 		const Swing before = swing();
 		const MotionSpecies motion_now = motion();
 		frame = frame_for(motion_now.law, rest());
-		std::unique_ptr<Driven> made = std::make_unique<Driven>(motion_now, frame, step_length);
+		std::unique_ptr<Driven> made = std::make_unique<Driven>(PlantKind{ motion_now, {}, frame, {} }, step_length);
 		const MotionPlant plant = description();
-		made->group.page.add(&plant, 1);
-		made->group.bones.push_back(own_bone);
+		made->group.add(this, plant, own_bone);
 		driven = std::move(made);
 		set_swing(before);
 		update_bone();

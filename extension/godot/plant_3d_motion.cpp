@@ -5,6 +5,7 @@
 #include "convert.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/world3d.hpp>
 
 #include <glm/geometric.hpp>
 
@@ -35,8 +36,19 @@ MotionSpecies Plant3D::motion() const {
 	MotionSpecies motion;
 	motion.law = Law(int(species->get_law()));
 	motion.joint = species->make_joint(1.0f, Basis());
-	motion.collision_radius = 0.0f; // Plants of species that differ in it alone move alike.
+	// Plants of species that differ in it alone move alike, where nothing comes to their tips.
+	const PlantPush push = what_pushes();
+	motion.collision_radius = push.has_bodies() || push.has_contact() ? float(species->get_collision_radius()) : 0.0f;
 	return motion;
+}
+
+PlantPush Plant3D::what_pushes() const {
+	PlantPush push;
+	push.bodies_group = bodies_group;
+	push.touch_margin = push.has_bodies() ? float(touch_margin) : 0.0f;
+	const Ref<World3D> world = contact_enabled && is_inside_tree() ? get_world_3d() : Ref<World3D>();
+	push.contact_world = world.is_valid() ? uint64_t(world->get_instance_id()) : 0;
+	return push;
 }
 
 MotionPlant Plant3D::description() const {
@@ -67,8 +79,8 @@ PlantBone &Plant3D::bone() {
 Plant3D::Swing Plant3D::swing() const {
 	if (const PlantGroup *group = page_group()) {
 		const TipState state = group->page.state(page_index());
-		return { { from_frame(group->frame, state.direction), from_frame(group->frame, state.rate) },
-			from_frame(group->frame, group->page.before(page_index())) };
+		return { { from_frame(group->kind.frame, state.direction), from_frame(group->kind.frame, state.rate) },
+			from_frame(group->kind.frame, group->page.before(page_index())) };
 	}
 	const glm::vec3 calm = to_glm(rest());
 	return has_swing ? parked : Swing{ { calm, {} }, calm };
@@ -78,8 +90,8 @@ void Plant3D::set_swing(const Swing &swing) {
 	if (PlantGroup *group = page_group()) {
 		const TipState &now = swing.now;
 		group->page.set_state(
-				page_index(), { to_frame(group->frame, now.direction), to_frame(group->frame, now.rate) });
-		group->page.set_before(page_index(), to_frame(group->frame, swing.before));
+				page_index(), { to_frame(group->kind.frame, now.direction), to_frame(group->kind.frame, now.rate) });
+		group->page.set_before(page_index(), to_frame(group->kind.frame, swing.before));
 	} else {
 		parked = swing;
 	}
@@ -134,7 +146,7 @@ void Plant3D::update_simulation() {
 	const MotionSpecies motion_now = motion();
 	frame = frame_for(motion_now.law, rest());
 	simulation->follow(get_tree());
-	place = simulation->enter(this, motion_now, wind, frame, description(), own_bone);
+	place = simulation->enter(this, { motion_now, wind, frame, what_pushes() }, description(), own_bone);
 	set_swing(before);
 	update_bone();
 }
@@ -147,11 +159,11 @@ void Plant3D::update_motion() {
 	}
 	if (PlantGroup *group = page_group()) {
 		const MotionSpecies motion_now = motion();
-		const bool stays = frame_for(motion_now.law, rest()) == group->frame;
-		const bool is_same = is_same_motion(motion_now, group->species);
+		const bool stays = frame_for(motion_now.law, rest()) == group->kind.frame;
+		const bool is_same = is_same_motion(motion_now, group->kind.species);
 		if (stays && (is_same || driven)) {
 			if (!is_same) {
-				group->species = motion_now;
+				group->kind.species = motion_now;
 				group->page.set_species(motion_now);
 			}
 			group->page.set_plant(page_index(), description());
@@ -172,7 +184,7 @@ void Plant3D::update_bone() {
 	const PlantGroup *group = page_group();
 	const PlantBone before = shown;
 	shown.skeleton = is_inside_tree() && is_visible_in_tree() ? skeleton : nullptr;
-	shown.to_local = plant_axes.transposed() * axes_of(group ? group->frame : PlantFrame::WORLD);
+	shown.to_local = plant_axes.transposed() * axes_of(group ? group->kind.frame : PlantFrame::WORLD);
 	shown.drawn = drawn.is_valid() ? drawn->get_skeleton() : RID();
 	shown.is_held = skeleton_is_held;
 	if (shown.skeleton != before.skeleton || shown.drawn != before.drawn || shown.is_held != before.is_held) {
@@ -184,7 +196,7 @@ void Plant3D::update_bone() {
 void Plant3D::pose_now() {
 	const glm::vec3 direction = swing().now.direction;
 	const PlantGroup *group = page_group();
-	bone().turn_to(to_frame(group ? group->frame : PlantFrame::WORLD, direction));
+	bone().turn_to(to_frame(group ? group->kind.frame : PlantFrame::WORLD, direction));
 }
 
 Vector3 Plant3D::get_tip_position() const {
@@ -206,7 +218,7 @@ void Plant3D::apply_impulse(const Vector3 &impulse) {
 		return;
 	}
 	PlantGroup &group = place.group ? *place.group : prepare_driven().group;
-	group.page.apply_impulse(page_index(), to_frame(group.frame, to_glm(impulse)));
+	group.page.apply_impulse(page_index(), to_frame(group.kind.frame, to_glm(impulse)));
 }
 
 void Plant3D::reset_motion() {

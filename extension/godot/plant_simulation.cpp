@@ -28,27 +28,6 @@ static double microseconds_since(Clock::time_point start) {
 	return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
 }
 
-PlantGroup::PlantGroup(const MotionSpecies &motion, const Ref<PlantWind> &shared_wind, PlantFrame axes, float step) :
-		species(motion),
-		wind(shared_wind),
-		frame(axes),
-		page(0, motion, nullptr, 0, step, true, MotionPage::Keeps::directions) {}
-
-void PlantGroup::step(const FieldWind &air, double start) {
-	const double moment = start + page.wind_moment() * double(page.step_length());
-	const PlantWinds along = winds_along(air);
-	const Vector3 way = axes_of(frame).xform_inv(Vector3(along.x, 0.0f, along.z));
-	page.step(wind_at_time(air, moment), { nullptr, way.x, way.z });
-}
-
-void PlantGroup::pose(float alpha) {
-	directions.resize(bones.size());
-	page.interpolate(alpha, directions.data());
-	for (size_t i = 0; i < bones.size(); i++) {
-		bones[i].show(directions[i]);
-	}
-}
-
 PlantSimulation::PlantSimulation() : clock(DEFAULT_STEP) {
 	singleton = this;
 	const Variant setting = ProjectSettings::get_singleton()->get_setting(STEP_SETTING, DEFAULT_STEP);
@@ -63,49 +42,83 @@ PlantSimulation *PlantSimulation::get_singleton() {
 	return singleton;
 }
 
-PlantGroup *PlantSimulation::find_group(const MotionSpecies &species, const Ref<PlantWind> &wind, PlantFrame frame) {
+PlantGroup *PlantSimulation::find_group(const PlantKind &kind) {
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
-		if (group->wind == wind && group->frame == frame && is_same_motion(group->species, species)) {
+		if (group->kind == kind) {
 			return group.get();
 		}
 	}
-	groups.push_back(std::make_unique<PlantGroup>(species, wind, frame, float(clock.step())));
+	groups.push_back(std::make_unique<PlantGroup>(kind, float(clock.step())));
+	are_groups_new = true;
 	return groups.back().get();
 }
 
-PlantSimulation::Place PlantSimulation::enter(Plant3D *plant, const MotionSpecies &species, const Ref<PlantWind> &wind,
-		PlantFrame frame, const MotionPlant &description, const PlantBone &bone) {
-	PlantGroup *group = find_group(species, wind, frame);
-	group->plants.push_back(plant);
-	group->bones.push_back(bone);
-	group->page.add(&description, 1);
+PlantSimulation::Place PlantSimulation::enter(
+		Plant3D *plant, const PlantKind &kind, const MotionPlant &description, const PlantBone &bone) {
+	PlantGroup *group = find_group(kind);
+	group->add(plant, description, bone);
+	is_contact_stale = is_contact_stale || kind.push.has_contact();
 	return { group, group->page.size() - 1 };
 }
 
 void PlantSimulation::leave(const Place &place) {
-	PlantGroup *group = place.group;
-	const int last = group->page.size() - 1;
-	group->page.remove(place.index);
-	if (place.index != last) {
-		group->plants[size_t(place.index)] = group->plants[size_t(last)];
-		group->plants[size_t(place.index)]->moved_to(place.index);
-		group->bones[size_t(place.index)] = group->bones[size_t(last)];
-	}
-	group->plants.pop_back();
-	group->bones.pop_back();
+	place.group->remove(place.index);
+	is_contact_stale = is_contact_stale || place.group->kind.push.has_contact();
 }
 
 void PlantSimulation::drop_empty_groups() {
 	const auto is_empty = [](const std::unique_ptr<PlantGroup> &group) { return group->plants.empty(); };
-	groups.erase(std::remove_if(groups.begin(), groups.end(), is_empty), groups.end());
+	const auto first = std::remove_if(groups.begin(), groups.end(), is_empty);
+	are_groups_new = are_groups_new || first != groups.end();
+	groups.erase(first, groups.end());
+}
+
+void PlantSimulation::follow_groups() {
+	if (are_groups_new) {
+		bodies.follow(groups);
+	}
+	if (are_groups_new || is_contact_stale) {
+		contact.follow(groups);
+	}
+	are_groups_new = is_contact_stale = false;
 }
 
 void PlantSimulation::step_groups() {
 	step_number++;
 	const FieldWind calm = { { WindKind::constant, 0.0f }, 0.0f };
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
-		PlantWind *wind = group->wind.ptr();
+		PlantWind *wind = group->kind.wind.ptr();
 		group->step(wind ? wind->travelling() : calm, wind ? wind->begin_step(step_number, clock.step()) : 0.0);
+	}
+}
+
+// Bodies and contact cost nothing where no plant asks for them.
+void PlantSimulation::step(double ago, bool is_first) {
+	const bool is_pushed = bodies.are_needed();
+	if (is_pushed) {
+		bodies.gather(ago);
+	}
+	if (is_pushed && is_first) {
+		bodies.tell_of_touches();
+	}
+	step_groups();
+	if (is_pushed) {
+		bodies.push();
+	}
+	if (contact.is_needed()) {
+		contact.resolve();
+	}
+}
+
+void PlantSimulation::tell_of_pushes() {
+	if (contact.is_crowded() && !has_told_of_crowd) {
+		has_told_of_crowd = true;
+		report_warning(this,
+				"too many tips are near each other for all of them to touch: some pairs are left out. Set a smaller "
+				"collision_radius in their species, set the plants farther apart, or contact_enabled off.");
+	}
+	for (const String &warning : bodies.take_warnings()) {
+		report_warning(this, warning);
 	}
 }
 
@@ -119,12 +132,20 @@ void PlantSimulation::pose_plants() {
 void PlantSimulation::advance(double delta) {
 	const Clock::time_point start = Clock::now();
 	drop_empty_groups();
+	follow_groups();
+	SceneTree *tree = Object::cast_to<SceneTree>(ObjectDB::get_instance(connected_tree));
+	if (tree && bodies.are_needed()) {
+		bodies.watch(tree, delta);
+	}
 	const int step_count = clock.advance(delta);
 	for (int i = 0; i < step_count; i++) {
 		if (i > 0 && microseconds_since(start) > 1e6 * FixedStep::MOST_STEPPING) {
 			break; // The rest is dropped, so that a slow frame does not make the next one slower yet.
 		}
-		step_groups();
+		step(clock.step() * (double(clock.alpha()) + step_count - 1 - i), i == 0);
+	}
+	if (bodies.are_needed() || contact.is_needed()) {
+		tell_of_pushes();
 	}
 	step_time_usec = microseconds_since(start);
 	pose_plants();

@@ -1,10 +1,9 @@
 #pragma once
 
 #include "motion/fixed_step.hpp"
-#include "motion/motion_page.hpp"
-#include "plant_bone.hpp"
-#include "plant_frame.hpp"
-#include "plant_wind.hpp"
+#include "plant_bodies.hpp"
+#include "plant_contact.hpp"
+#include "plant_group.hpp"
 
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/core/object.hpp>
@@ -14,41 +13,29 @@
 
 namespace undergrowth {
 
-class Plant3D;
-
-/// Plants of one species, one wind and one frame: a page that is stepped together, and the bones that show it.
-struct PlantGroup {
-	PlantGroup(const MotionSpecies &motion, const godot::Ref<PlantWind> &shared_wind, PlantFrame axes, float step);
-
-	MotionSpecies species;
-	godot::Ref<PlantWind> wind; ///< Null: still air.
-	PlantFrame frame; ///< Axes of the page's directions; its roots are in the world's.
-	MotionPage page;
-	std::vector<Plant3D *> plants; ///< plants[i] is the page's plant i; touched only where plants come and go.
-	std::vector<PlantBone> bones; ///< As many.
-	std::vector<glm::vec3> directions; ///< As many, for drawing.
-
-	/// One step that begins when the wind's clock shows `start` (s).
-	void step(const FieldWind &air, double start);
-	/// Turns all bones to where their plants point, `alpha` of the way of the last step.
-	void pose(float alpha);
-};
-
 /// Steps all simulating plants of the running scene together, once a frame and in fixed steps, and poses their bones.
 /// An engine singleton. Main thread only.
 class PlantSimulation : public godot::Object {
 	GDCLASS(PlantSimulation, godot::Object)
 
 	std::vector<std::unique_ptr<PlantGroup>> groups;
+	PlantBodies bodies;
+	PlantContact contact;
+	bool are_groups_new = false; ///< Groups came or went since bodies and contact were told.
+	bool is_contact_stale = false; ///< Plants that touch did.
+	bool has_told_of_crowd = false;
 	FixedStep clock;
 	uint64_t step_number = 0; ///< Of the present step; the first is 1.
 	uint64_t connected_tree = 0; ///< Instance id of the scene tree whose frames we follow.
 	double step_time_usec = 0.0;
 	double pose_time_usec = 0.0;
 
-	PlantGroup *find_group(const MotionSpecies &species, const godot::Ref<PlantWind> &wind, PlantFrame frame);
+	PlantGroup *find_group(const PlantKind &kind);
 	void drop_empty_groups();
+	void follow_groups();
 	void step_groups();
+	void step(double ago, bool is_first);
+	void tell_of_pushes();
 	void pose_plants();
 
 protected:
@@ -66,10 +53,11 @@ public:
 	};
 
 	/// Takes a plant in, from the next frame on, at rest. It must leave before it is freed.
-	Place enter(Plant3D *plant, const MotionSpecies &species, const godot::Ref<PlantWind> &wind, PlantFrame frame,
-			const MotionPlant &description, const PlantBone &bone);
+	Place enter(Plant3D *plant, const PlantKind &kind, const MotionPlant &description, const PlantBone &bone);
 	/// Lets a plant go.
 	void leave(const Place &place);
+	/// A plant that leaves the tree is touched by nobody, without a word.
+	void forget_touches(const Plant3D *plant) { bodies.forget(plant); }
 
 	/// Simulates `delta` seconds; the scene tree's frames call it.
 	void advance(double delta);

@@ -14,3 +14,16 @@ func test_a_field_on_colliders_fails_with_one_error_and_plants_nothing() -> void
 	field.ground_mode = PlantField3D.GROUND_NONE
 	await filled(field)
 	check(field.get_plant_count() > 0, "plants on flat ground")
+
+
+func test_shapes_push_plants_where_there_is_no_physics() -> void:
+	var plant := Plant3D.new()
+	plant.species = TulipFunction.new()
+	plant.bodies_group = &"walkers"
+	root.add_child(plant)
+	var walker := add_walker()
+	walker.position = Vector3(-0.2, plant.get_plant_height(), 0)
+	await frames(30)
+	check(plant.get_deflection() > 0.1, "pushed by %f rad" % plant.get_deflection())
+	walker.free()
+	plant.free()

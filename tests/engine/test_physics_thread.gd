@@ -26,3 +26,26 @@ func test_plants_stand_on_colliders() -> void:
 	await filled(field)
 	check_near(field.get_plant_count(), 20 * 8 * 8, 60.0, "plants after another fill")
 	body.free()
+
+
+func test_bodies_that_physics_moves_push_plants() -> void:
+	var plant := Plant3D.new()
+	plant.species = TulipFunction.new()
+	plant.bodies_group = &"walkers"
+	root.add_child(plant)
+	var ball := RigidBody3D.new()
+	var shape := CollisionShape3D.new()
+	shape.shape = SphereShape3D.new()
+	ball.add_child(shape)
+	ball.gravity_scale = 0.0
+	ball.position = Vector3(-1.5, plant.get_plant_height(), 0)
+	ball.linear_velocity.x = 1.5
+	ball.add_to_group(&"walkers")
+	root.add_child(ball)
+	var most := 0.0
+	while ball.position.x < 1.0:
+		await physics_frame
+		most = maxf(most, plant.get_deflection())
+	check(most > 0.2, "pushed by %f rad" % most)
+	ball.free()
+	plant.free()

@@ -107,6 +107,21 @@ bool push_point(
 	return true;
 }
 
+/// In the axes of the page's directions.
+FieldBody turned_inward(const FieldBody &body, const PageStand &stand) {
+	FieldBody turned = body;
+	for (glm::vec3 FieldBody::*vector : { &FieldBody::from, &FieldBody::to, &FieldBody::velocity,
+				 &FieldBody::half_width, &FieldBody::half_depth }) {
+		turned.*vector = stand.inward(body.*vector);
+	}
+	return turned;
+}
+
+glm::vec3 lesser_velocity(const FieldBody &body, const glm::vec3 &root_velocity) {
+	const glm::vec3 seen = body.velocity - root_velocity;
+	return glm::dot(seen, seen) < glm::dot(body.velocity, body.velocity) ? seen : body.velocity;
+}
+
 } // namespace
 
 BodyBox box_of(const FieldBody &body) {
@@ -142,31 +157,39 @@ bool push_plant(TipState &state, const glm::vec3 &root, float length, float thic
 	return push_point(state, root, length, TIP, thickness, body) || inside;
 }
 
+bool touches_plant(const MotionPage &page, int index, const FieldBody &body, float margin, const PageStand &stand) {
+	const float thickness = std::max(page.collision_radius(), 0.0f);
+	const glm::vec3 root = page.root(index);
+	const glm::vec3 stem = page.length(index) * stand.outward(page.direction(index));
+	for (int part = 0; part <= STEM_PARTS; part++) {
+		const glm::vec3 point = root + static_cast<float>(part) / static_cast<float>(STEM_PARTS) * stem;
+		const float distance = glm::distance(nearest_in_core(body, point), point);
+		if (distance <= body.radius + margin + (part == STEM_PARTS ? thickness : 0.0f)) {
+			return true;
+		}
+	}
+	return false;
+}
+
 bool touches_plants(const MotionPage &page, const FieldBody &body, float margin) {
 	FieldBody reach = body;
 	reach.radius += margin;
 	bool touches = false;
-	const float thickness = std::max(page.collision_radius(), 0.0f);
-	for_each_in_reach(page, reach, [&](int i) {
-		for (int part = 0; part <= STEM_PARTS && !touches; part++) {
-			const float share = static_cast<float>(part) / static_cast<float>(STEM_PARTS);
-			const glm::vec3 point = page.root(i) + share * page.length(i) * page.direction(i);
-			const float distance = glm::distance(nearest_in_core(body, point), point);
-			touches = distance <= reach.radius + (part == STEM_PARTS ? thickness : 0.0f);
-		}
-	});
+	for_each_in_reach(page, reach, [&](int i) { touches = touches || touches_plant(page, i, body, margin); });
 	return touches;
 }
 
-int push_plants(MotionPage &page, const FieldBody &body) {
-	if (!page.swings() || !is_valid(body)) {
+int push_plants(MotionPage &page, const FieldBody &body, const PageStand &stand) {
+	if (!page.swings() || !is_valid(body) || !boxes_overlap(page, body)) {
 		return 0;
 	}
 	const float thickness = std::max(page.collision_radius(), 0.0f);
+	FieldBody seen = turned_inward(body, stand);
 	int touched = 0;
 	for_each_in_reach(page, body, [&](int i) {
 		TipState state = page.state(i);
-		if (push_plant(state, page.root(i), page.length(i), thickness, body)) {
+		seen.velocity = stand.inward(stand.velocities ? lesser_velocity(body, stand.velocities[i]) : body.velocity);
+		if (push_plant(state, stand.inward(page.root(i)), page.length(i), thickness, seen)) {
 			page.set_state(i, state);
 			touched++;
 		}

@@ -2,6 +2,8 @@
 
 #include "motion/motion_page.hpp"
 
+#include <glm/common.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
@@ -34,6 +36,17 @@ BodyBox box_of(const FieldBody &body);
 /// Whether all numbers are finite and the radius is above 0.
 bool is_valid(const FieldBody &body);
 
+/// What pages have whose plants stand on nodes of their own; those of a field have neither.
+struct PageStand {
+	const glm::mat3 *axes = nullptr; ///< Of the page's directions, in those of its roots; null: the same.
+	const glm::vec3 *velocities = nullptr; ///< m/s, of the roots, MotionPage::size() of them; null: they stay.
+
+	/// From the axes of the page's directions to those of its roots.
+	glm::vec3 outward(const glm::vec3 &vector) const { return axes ? *axes * vector : vector; }
+	/// The way back.
+	glm::vec3 inward(const glm::vec3 &vector) const { return axes ? vector * *axes : vector; }
+};
+
 /// Turns one plant of `length` (m) that is in `state` out of the body as push_plants() does; tells whether it was in
 /// it.
 bool push_plant(TipState &state, const glm::vec3 &root, float length, float thickness, const FieldBody &body);
@@ -44,11 +57,15 @@ template <class Visit> void for_each_in_reach(const MotionPage &page, const Fiel
 
 /// Pushes the plants of a swinging page out of a body: the tip, which is a sphere of the collision radius, and a point
 /// of the upper stem, along their spheres, by as much as they are inside. What they move towards the body, seen from
-/// it, they lose; nothing springs back from it. Tells how many plants were touched.
-int push_plants(MotionPage &page, const FieldBody &body);
+/// it, they lose; nothing springs back from it. A root that moves past a body, or together with one, does not push by
+/// that: of the body's velocity and that seen from the root the lesser counts. Tells how many plants were touched.
+int push_plants(MotionPage &page, const FieldBody &body, const PageStand &stand = {});
 
 /// Whether a plant of the page comes nearer to a valid body than `margin` (m), its tip thickened by the collision
 /// radius. Points along its straight stem count, a quarter of its length apart.
+bool touches_plant(const MotionPage &page, int index, const FieldBody &body, float margin, const PageStand &stand = {});
+
+/// Whether any of them does.
 bool touches_plants(const MotionPage &page, const FieldBody &body, float margin);
 
 /// The point of a body's core that is nearest to `point`: `point` itself where it lies in the core.

@@ -13,13 +13,28 @@ constexpr float LEAST_CELL = 1e-3f; // m.
 constexpr float MOST_CELLS = 1e9f;
 static_assert(TipContact::MOST_CONTACTS <= 255, "the number of a tip's contacts is a byte");
 
-glm::vec3 rest_tip(const MotionPage &page, int index) {
-	return page.root(index) + page.length(index) * page.rest(index);
+/// A field's plants have the axes of the field.
+PageStand stand_of(const FieldSimulation & /*field*/, int /*page*/) {
+	return {};
+}
+
+const PageStand &stand_of(const LonePages &pages, int page) {
+	return pages.stand(page);
+}
+
+template <class Pages> glm::vec3 tip_of(const Pages &field, int number, int index) {
+	const MotionPage &page = field.page(number);
+	return page.root(index) + page.length(index) * stand_of(field, number).outward(page.direction(index));
+}
+
+template <class Pages> glm::vec3 rest_tip(const Pages &field, int number, int index) {
+	const MotionPage &page = field.page(number);
+	return page.root(index) + page.length(index) * stand_of(field, number).outward(page.rest(index));
 }
 
 } // namespace
 
-void TipContact::fit(const FieldSimulation &field) {
+template <class Pages> void TipContact::fit(const Pages &field) {
 	page_firsts.clear();
 	uint32_t total = 0;
 	for (int page = 0; page < field.page_count(); page++) {
@@ -42,11 +57,11 @@ void TipContact::fit(const FieldSimulation &field) {
 	bucket_ends.resize(bucket_count + 1);
 	for (int page = 0; page < field.page_count(); page++) {
 		std::fill(pages.begin() + page_firsts[static_cast<std::size_t>(page)],
-				pages.begin() + page_firsts[static_cast<std::size_t>(page) + 1], static_cast<uint16_t>(page));
+				pages.begin() + page_firsts[static_cast<std::size_t>(page) + 1], static_cast<uint32_t>(page));
 	}
 }
 
-void TipContact::follow_radii(const FieldSimulation &field) {
+template <class Pages> void TipContact::follow_radii(const Pages &field) {
 	float radius = 0.5f * LEAST_CELL;
 	for (int page = 0; page < field.page_count(); page++) {
 		radius = field.page(page).swings() ? std::max(radius, field.page(page).collision_radius()) : radius;
@@ -55,14 +70,14 @@ void TipContact::follow_radii(const FieldSimulation &field) {
 	cells_per_metre = 0.999f / cell_size; // Cells are a little larger than they need to be, whatever rounding does.
 }
 
-void TipContact::gather(const FieldSimulation &field, int begin, int end) {
+template <class Pages> void TipContact::gather(const Pages &field, int begin, int end) {
 	for (int number = begin; number < end; number++) {
 		const MotionPage &page = field.page(number);
 		std::fill(touching.begin() + page_begin(number), touching.begin() + page_begin(number + 1),
 				static_cast<uint8_t>(0));
 		for (int i = 0; page.swings() && i < page.size(); i++) {
 			const std::size_t tip = first(number) + static_cast<std::size_t>(i);
-			vectors[tip] = page.tip(i);
+			vectors[tip] = tip_of(field, number, i);
 			buckets[tip] = bucket(cell(vectors[tip].x), cell(vectors[tip].z));
 		}
 	}
@@ -99,8 +114,8 @@ void TipContact::sort() {
 	bucket_ends.back() = static_cast<uint32_t>(sorted.size());
 }
 
-template <class Visit>
-void TipContact::for_each_contact(const FieldSimulation &field, const SortedTip &own, Visit &&visit) const {
+template <class Pages, class Visit>
+void TipContact::for_each_contact(const Pages &field, const SortedTip &own, Visit &&visit) const {
 	const auto visit_run = [&](uint32_t begin, uint32_t end, int row) {
 		for (uint32_t i = begin; i < end; i++) {
 			const SortedTip &other = sorted[i];
@@ -110,8 +125,8 @@ void TipContact::for_each_contact(const FieldSimulation &field, const SortedTip 
 			if (squared >= cell_size * cell_size || other.tip == own.tip || cell(other.place.z) != row) {
 				continue;
 			}
-			const MotionPage &own_page = field.page(pages[own.tip]);
-			const MotionPage &page = field.page(pages[other.tip]);
+			const MotionPage &own_page = field.page(page_of(own.tip));
+			const MotionPage &page = field.page(page_of(other.tip));
 			if (own_page.is_gone(index_of(own.tip)) || page.is_gone(index_of(other.tip))) {
 				continue;
 			}
@@ -119,8 +134,8 @@ void TipContact::for_each_contact(const FieldSimulation &field, const SortedTip 
 			if (squared >= sum * sum) {
 				continue;
 			}
-			const float at_rest =
-					glm::distance(rest_tip(own_page, index_of(own.tip)), rest_tip(page, index_of(other.tip)));
+			const float at_rest = glm::distance(rest_tip(field, page_of(own.tip), index_of(own.tip)),
+					rest_tip(field, page_of(other.tip), index_of(other.tip)));
 			const float wanted = std::min(sum, at_rest);
 			const float distance = std::sqrt(squared);
 			if (distance < wanted) {
@@ -171,20 +186,21 @@ std::size_t TipContact::candidate_count() const {
 	return found - sorted.size(); // Each also finds itself.
 }
 
-void TipContact::count(const FieldSimulation &field, int begin, int end) {
+template <class Pages> void TipContact::count(const Pages &field, int begin, int end) {
 	for (std::size_t i = first(begin); i < first(end); i++) {
 		const SortedTip &own = sorted[i];
 		int found = 0;
 		for_each_contact(field, own, [&found](uint32_t, const glm::vec3 &, float, float) { found++; });
 		if (found > 0) {
 			touching[own.tip] = static_cast<uint8_t>(found);
-			const MotionPage &page = field.page(pages[own.tip]);
-			vectors[own.tip] = page.length(index_of(own.tip)) * page.state(index_of(own.tip)).rate;
+			const MotionPage &page = field.page(page_of(own.tip));
+			vectors[own.tip] = page.length(index_of(own.tip)) *
+					stand_of(field, page_of(own.tip)).outward(page.state(index_of(own.tip)).rate);
 		}
 	}
 }
 
-void TipContact::separate(FieldSimulation &field, int begin, int end) {
+template <class Pages> void TipContact::separate(Pages &field, int begin, int end) {
 	for (std::size_t i = first(begin); i < first(end); i++) {
 		if (touching[sorted[i].tip] > 0) {
 			separate_one(field, sorted[i]);
@@ -192,13 +208,13 @@ void TipContact::separate(FieldSimulation &field, int begin, int end) {
 	}
 }
 
-void TipContact::separate_one(FieldSimulation &field, const SortedTip &own) {
+template <class Pages> void TipContact::separate_one(Pages &field, const SortedTip &own) {
 	const uint32_t tip = own.tip;
-	MotionPage &page = field.page(pages[tip]);
+	MotionPage &page = field.page(page_of(tip));
 	glm::vec3 move = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 blow = { 0.0f, 0.0f, 0.0f };
 	for_each_contact(field, own, [&](uint32_t other, const glm::vec3 &offset, float distance, float wanted) {
-		const float other_mass = field.page(pages[other]).mass();
+		const float other_mass = field.page(page_of(other)).mass();
 		const float share =
 				other_mass / (page.mass() + other_mass) / static_cast<float>(std::max(touching[tip], touching[other]));
 		// Tips at the same place part along x, the one of the lower number to the right.
@@ -209,15 +225,17 @@ void TipContact::separate_one(FieldSimulation &field, const SortedTip &own) {
 		blow -= share * std::min(approach, 0.0f) * normal;
 	});
 	const int index = index_of(tip);
+	const PageStand &stand = stand_of(field, page_of(tip));
 	TipState state = page.state(index);
+	move = stand.inward(move);
 	const glm::vec3 along = move - glm::dot(move, state.direction) * state.direction;
-	state.rate += blow / page.length(index);
+	state.rate += stand.inward(blow) / page.length(index);
 	state.direction += along / page.length(index);
 	state.direction.y = std::max(state.direction.y, LEAST_PUSHED_HEIGHT);
 	page.set_state(index, state);
 }
 
-void TipContact::resolve(FieldSimulation &field) {
+template <class Pages> void TipContact::resolve(Pages &field) {
 	follow_radii(field);
 	gather(field, 0, field.page_count());
 	sort();
@@ -226,9 +244,22 @@ void TipContact::resolve(FieldSimulation &field) {
 }
 
 std::size_t TipContact::bytes() const {
-	return page_firsts.capacity() * sizeof(uint32_t) + vectors.capacity() * sizeof(glm::vec3) +
-			pages.capacity() * sizeof(uint16_t) + touching.capacity() +
-			(bucket_ends.capacity() + buckets.capacity()) * sizeof(uint32_t) + sorted.capacity() * sizeof(SortedTip);
+	return (page_firsts.capacity() + pages.capacity()) * sizeof(uint32_t) + vectors.capacity() * sizeof(glm::vec3) +
+			touching.capacity() + (bucket_ends.capacity() + buckets.capacity()) * sizeof(uint32_t) +
+			sorted.capacity() * sizeof(SortedTip);
 }
+
+#define FOR_PAGES(Pages)                                                                                               \
+	template void TipContact::fit(const Pages &field);                                                                 \
+	template void TipContact::follow_radii(const Pages &field);                                                        \
+	template void TipContact::gather(const Pages &field, int begin, int end);                                          \
+	template void TipContact::count(const Pages &field, int begin, int end);                                           \
+	template void TipContact::separate(Pages &field, int begin, int end);                                              \
+	template void TipContact::resolve(Pages &field);
+
+FOR_PAGES(FieldSimulation)
+FOR_PAGES(LonePages)
+
+#undef FOR_PAGES
 
 } // namespace undergrowth

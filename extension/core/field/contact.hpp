@@ -1,6 +1,7 @@
 #pragma once
 
 #include "field/field_simulation.hpp"
+#include "field/lone_pages.hpp"
 
 #include <glm/vec3.hpp>
 
@@ -24,23 +25,25 @@ namespace undergrowth {
 /// Each of the three may be split over threads by ranges of page numbers, one after the other; the bits are the same.
 /// count() and separate() divide the tips by where they are on the ground, so neighbours are neighbours in memory:
 /// a range of so many pages means so many tips, of any page. Plants that follow a prototype take no part.
+///
+/// Pages: FieldSimulation, or LonePages, whose places are those of one world.
 class TipContact {
 public:
 	static constexpr int NEIGHBOURS = 13;
 	static constexpr int CELLS_IN_REACH = 9;
 	static constexpr int MOST_CONTACTS = CELLS_IN_REACH * (2 * NEIGHBOURS + 1);
 
-	/// Takes the memory that a field needs; to be called when plants came or went. Nothing allocates after it.
-	void fit(const FieldSimulation &field);
+	/// Takes the memory that these pages need; to be called when plants came or went. Nothing allocates after it.
+	template <class Pages> void fit(const Pages &field);
 	/// Takes over the collision radii of species that changed since fit(). Before gather(), on one thread, at the cost
 	/// of a look at each page.
-	void follow_radii(const FieldSimulation &field);
-	void gather(const FieldSimulation &field, int begin, int end);
+	template <class Pages> void follow_radii(const Pages &field);
+	template <class Pages> void gather(const Pages &field, int begin, int end);
 	void sort();
-	void count(const FieldSimulation &field, int begin, int end);
-	void separate(FieldSimulation &field, int begin, int end);
+	template <class Pages> void count(const Pages &field, int begin, int end);
+	template <class Pages> void separate(Pages &field, int begin, int end);
 	/// All of them, on one thread.
-	void resolve(FieldSimulation &field);
+	template <class Pages> void resolve(Pages &field);
 
 	/// Whether so many tips were in one cell at the last sort() that most of its pairs do not look at each other.
 	bool is_crowded() const { return most_in_bucket > 4u * static_cast<uint32_t>(NEIGHBOURS); }
@@ -63,13 +66,14 @@ private:
 	/// By tip: from gather() to sort() its place (m), from count() to separate() its velocity (m/s) if it touches one.
 	std::vector<glm::vec3> vectors;
 	std::vector<uint32_t> buckets; ///< By tip.
-	std::vector<uint16_t> pages; ///< Whose a tip is.
+	std::vector<uint32_t> pages; ///< Whose a tip is.
 	std::vector<uint8_t> touching;
 	std::vector<uint32_t> bucket_ends; ///< A power of two of them, and one more.
 	std::vector<SortedTip> sorted; ///< By bucket, in rising order of tips within one.
 
 	std::size_t first(int page) const { return page_firsts[static_cast<std::size_t>(page)]; }
 	std::ptrdiff_t page_begin(int page) const { return static_cast<std::ptrdiff_t>(first(page)); }
+	int page_of(uint32_t tip) const { return static_cast<int>(pages[tip]); }
 	int index_of(uint32_t tip) const { return static_cast<int>(tip - page_firsts[pages[tip]]); }
 	/// Whether there are tips in one cell that do not look at each other.
 	bool leaves_out() const { return most_in_bucket > static_cast<uint32_t>(NEIGHBOURS) + 1u; }
@@ -79,9 +83,9 @@ private:
 	template <class Visit> void for_each_run(const SortedTip &own, Visit &&visit) const;
 	template <class Visit> void for_each_run_near(uint32_t rank, uint32_t start, int row, Visit &&visit) const;
 	/// Calls visit(other tip, offset, distance, wanted distance) for each tip that touches `own`.
-	template <class Visit>
-	void for_each_contact(const FieldSimulation &field, const SortedTip &own, Visit &&visit) const;
-	void separate_one(FieldSimulation &field, const SortedTip &own);
+	template <class Pages, class Visit>
+	void for_each_contact(const Pages &field, const SortedTip &own, Visit &&visit) const;
+	template <class Pages> void separate_one(Pages &field, const SortedTip &own);
 };
 
 } // namespace undergrowth

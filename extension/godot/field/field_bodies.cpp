@@ -113,9 +113,13 @@ void FieldBodies::note_shape(Shape &shape) {
 }
 
 // Bodies of physics move in its frames only, so that in a short frame one goes the way of a longer one.
-bool FieldBodies::is_jump(const Place &from, const Place &to) const {
+float FieldBodies::farthest_way(double delta) {
 	const double tick = 1.0 / std::max(Engine::get_singleton()->get_physics_ticks_per_second(), 1);
-	const float farthest = float(FASTEST * std::max(frame, tick));
+	return float(FASTEST * std::max(delta, tick));
+}
+
+bool FieldBodies::is_jump(const Place &from, const Place &to) const {
+	const float farthest = farthest_way(frame);
 	const Vector3 in_field = axes.basis.xform(to_godot(middle(to.shape) - middle(from.shape)));
 	return glm::distance(from.in_world, to.in_world) > farthest || in_field.length() > farthest;
 }
@@ -165,9 +169,21 @@ std::vector<FieldBodies::Event> FieldBodies::find_events(const std::function<boo
 			events.push_back({ body.id, body.is_touching });
 		}
 	}
+	drop_gone();
+	return events;
+}
+
+void FieldBodies::for_each_shape(const std::function<void(uint64_t, const FieldBody &)> &visit) const {
+	for (const Body &body : bodies) {
+		for (size_t i = body.first; i < body.first + body.count; i++) {
+			visit(body.id, gathered[i]);
+		}
+	}
+}
+
+void FieldBodies::drop_gone() {
 	const auto is_gone = [](const Body &body) { return !body.is_here; };
 	bodies.erase(std::remove_if(bodies.begin(), bodies.end(), is_gone), bodies.end());
-	return events;
 }
 
 void FieldBodies::warn_of(const Body &body, const Node *node) {

@@ -16,7 +16,8 @@
 namespace undergrowth {
 
 /// Follows the bodies of a group for a field, so that they push its plants alike at every frame rate: where they are is
-/// noted in each frame, and between two frames they are taken to go straight on. Main thread.
+/// noted in each frame, and between two frames they are taken to go straight on. Main thread. Plants that stand alone
+/// are pushed by the same (PlantBodies), in the axes of the world.
 ///
 /// A body's velocity is that of each of its shapes since the step before. It is taken in the world or, where that is
 /// less, in the field: a field that moves past a body that stands, or together with one, is not pushed by its motion.
@@ -27,6 +28,9 @@ public:
 	static constexpr double SHAPES_KEPT = 0.25; ///< s, after which a body's shapes are looked for anew.
 	static constexpr double BODY_PATIENCE = 1.0; ///< s, until a body that cannot push is told of.
 	static constexpr double GROUP_PATIENCE = 5.0; ///< s, until a group without members is told of.
+
+	/// How far anything goes in a frame of `delta` seconds (m) that was not set down elsewhere.
+	static float farthest_way(double delta);
 
 	/// A body that came among plants, or left them.
 	struct Event {
@@ -43,6 +47,11 @@ public:
 	const std::vector<FieldBody> &gather(double ago);
 	/// Which bodies `touches` has changed for, by what gather() gave last, and who left the group or the tree.
 	std::vector<Event> find_events(const std::function<bool(const FieldBody &)> &touches);
+	/// Calls visit(instance id, shape) for each shape that gather() gave last. For those who find events of their own,
+	/// and drop_gone() then.
+	void for_each_shape(const std::function<void(uint64_t, const FieldBody &)> &visit) const;
+	/// Forgets who left the group or the tree.
+	void drop_gone();
 	/// What is amiss, with what to do; each once.
 	std::vector<godot::String> take_warnings();
 	/// Forgets all bodies without a word, as a field does that leaves the tree.

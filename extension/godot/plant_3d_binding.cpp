@@ -1,0 +1,71 @@
+// How scripts and the inspector see a Plant3D.
+
+#include "plant_3d.hpp"
+
+#include <godot_cpp/core/class_db.hpp>
+
+using namespace godot;
+
+namespace undergrowth {
+
+void Plant3D::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("_on_species_changed"), &Plant3D::on_species_changed);
+	ClassDB::bind_method(D_METHOD("_on_wind_changed"), &Plant3D::on_wind_changed);
+	ClassDB::bind_method(D_METHOD("_on_rebuild_queued"), &Plant3D::on_rebuild_queued);
+	ClassDB::bind_method(D_METHOD("set_species", "species"), &Plant3D::set_species);
+	ClassDB::bind_method(D_METHOD("get_species"), &Plant3D::get_species);
+	ClassDB::bind_method(D_METHOD("set_wind", "wind"), &Plant3D::set_wind);
+	ClassDB::bind_method(D_METHOD("get_wind"), &Plant3D::get_wind);
+	ClassDB::bind_method(D_METHOD("set_segments", "segments"), &Plant3D::set_segments);
+	ClassDB::bind_method(D_METHOD("get_segments"), &Plant3D::get_segments);
+	ClassDB::bind_method(D_METHOD("set_height", "metres"), &Plant3D::set_height);
+	ClassDB::bind_method(D_METHOD("get_height"), &Plant3D::get_height);
+	ClassDB::bind_method(D_METHOD("set_seed", "seed"), &Plant3D::set_seed);
+	ClassDB::bind_method(D_METHOD("get_seed"), &Plant3D::get_seed);
+	ClassDB::bind_method(D_METHOD("set_simulation_enabled", "simulation_enabled"), &Plant3D::set_simulation_enabled);
+	ClassDB::bind_method(D_METHOD("is_simulation_enabled"), &Plant3D::is_simulation_enabled);
+	ClassDB::bind_method(D_METHOD("set_contact_enabled", "contact_enabled"), &Plant3D::set_contact_enabled);
+	ClassDB::bind_method(D_METHOD("is_contact_enabled"), &Plant3D::is_contact_enabled);
+	ClassDB::bind_method(D_METHOD("set_bodies_group", "bodies_group"), &Plant3D::set_bodies_group);
+	ClassDB::bind_method(D_METHOD("get_bodies_group"), &Plant3D::get_bodies_group);
+	ClassDB::bind_method(D_METHOD("set_touch_margin", "metres"), &Plant3D::set_touch_margin);
+	ClassDB::bind_method(D_METHOD("get_touch_margin"), &Plant3D::get_touch_margin);
+	ClassDB::bind_method(D_METHOD("rebuild"), &Plant3D::rebuild);
+	ClassDB::bind_method(D_METHOD("get_mesh"), &Plant3D::get_mesh);
+	ClassDB::bind_method(D_METHOD("get_skeleton"), &Plant3D::get_skeleton);
+	ClassDB::bind_method(D_METHOD("get_reach"), &Plant3D::get_reach);
+	ClassDB::bind_method(D_METHOD("get_plant_height"), &Plant3D::get_plant_height);
+	ClassDB::bind_method(D_METHOD("get_tip_position"), &Plant3D::get_tip_position);
+	ClassDB::bind_method(D_METHOD("get_deflection"), &Plant3D::get_deflection);
+	ClassDB::bind_method(D_METHOD("is_point_in_plants", "point"), &Plant3D::is_point_in_plants);
+	ClassDB::bind_method(D_METHOD("apply_impulse", "impulse"), &Plant3D::apply_impulse);
+	ClassDB::bind_method(D_METHOD("reset_motion"), &Plant3D::reset_motion);
+	ClassDB::bind_method(D_METHOD("get_motion_state"), &Plant3D::get_motion_state);
+	ClassDB::bind_method(D_METHOD("set_motion_state", "state"), &Plant3D::set_motion_state);
+	ClassDB::bind_method(D_METHOD("advance", "delta"), &Plant3D::advance);
+	ClassDB::bind_method(D_METHOD("_preview", "delta", "wind"), &Plant3D::preview);
+
+	ADD_GROUP("Plant", "");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "species", PROPERTY_HINT_RESOURCE_TYPE, "PlantFunction"), "set_species",
+			"get_species");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "height", PROPERTY_HINT_RANGE, "0,5,0.01,or_greater,suffix:m"),
+			"set_height", "get_height");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "seed"), "set_seed", "get_seed");
+	ADD_GROUP("Motion", "");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::OBJECT, "wind", PROPERTY_HINT_RESOURCE_TYPE, "PlantWind"), "set_wind", "get_wind");
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "simulation_enabled"), "set_simulation_enabled", "is_simulation_enabled");
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "contact_enabled"), "set_contact_enabled", "is_contact_enabled");
+	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "bodies_group"), "set_bodies_group", "get_bodies_group");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "touch_margin", PROPERTY_HINT_RANGE, "0,2,0.01,or_greater,suffix:m"),
+			"set_touch_margin", "get_touch_margin");
+	ADD_GROUP("Drawing", "");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "segments", PROPERTY_HINT_RANGE, "1,64,1,or_greater"), "set_segments",
+			"get_segments");
+	ADD_SIGNAL(MethodInfo("mesh_changed"));
+	const PropertyInfo body(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D");
+	ADD_SIGNAL(MethodInfo("body_entered_plants", body));
+	ADD_SIGNAL(MethodInfo("body_exited_plants", body));
+}
+
+} // namespace undergrowth

@@ -1,0 +1,143 @@
+#include "plant_bodies.hpp"
+
+#include "plant_3d.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+using namespace godot;
+
+namespace undergrowth {
+
+bool PlantBodies::Touch::operator<(const Touch &other) const {
+	return plant != other.plant ? plant < other.plant : body < other.body;
+}
+
+void PlantBodies::follow(const std::vector<std::unique_ptr<PlantGroup>> &groups) {
+	for (Reading &reading : readings) {
+		reading.groups.clear();
+	}
+	are_named = false;
+	for (const std::unique_ptr<PlantGroup> &group : groups) {
+		if (group->kind.push.has_bodies()) {
+			reading_of(group->kind.push.bodies_group).groups.push_back(group.get());
+			are_named = true;
+		}
+	}
+	for (Reading &reading : readings) { // It stays, to remember what it told of.
+		if (reading.groups.empty()) {
+			reading.bodies.forget();
+		}
+	}
+}
+
+PlantBodies::Reading &PlantBodies::reading_of(const StringName &name) {
+	const auto has_name = [&name](const Reading &reading) { return reading.name == name; };
+	const auto known = std::find_if(readings.begin(), readings.end(), has_name);
+	if (known != readings.end()) {
+		return *known;
+	}
+	readings.emplace_back();
+	readings.back().name = name;
+	return readings.back();
+}
+
+void PlantBodies::watch(SceneTree *tree, double delta) {
+	for (Reading &reading : readings) {
+		if (!reading.groups.empty()) {
+			reading.bodies.watch(tree, reading.name, Transform3D(), delta);
+		}
+		for (PlantGroup *group : reading.groups) {
+			group->roots.watch(group->page, delta);
+		}
+	}
+}
+
+void PlantBodies::gather(double step_ago) {
+	ago = step_ago;
+	for (Reading &reading : readings) {
+		reading.shapes = &reading.bodies.gather(ago);
+	}
+}
+
+void PlantBodies::push() {
+	for (Reading &reading : readings) {
+		for (PlantGroup *group : reading.groups) {
+			const PageStand stand = { group->turned_axes(), group->roots.velocities(ago) };
+			for (const FieldBody &shape : *reading.shapes) {
+				push_plants(group->page, shape, stand);
+			}
+		}
+	}
+}
+
+void PlantBodies::find(const Reading &reading, const PlantGroup &group) {
+	const PageStand stand = { group.turned_axes(), nullptr };
+	const float margin = group.kind.push.touch_margin;
+	reading.bodies.for_each_shape([&](uint64_t body, const FieldBody &shape) {
+		if (!is_valid(shape)) {
+			return;
+		}
+		FieldBody reach = shape;
+		reach.radius += margin;
+		for_each_in_reach(group.page, reach, [&](int i) {
+			if (touches_plant(group.page, i, shape, margin, stand)) {
+				found.push_back({ uint64_t(group.plants[size_t(i)]->get_instance_id()), body });
+			}
+		});
+	});
+}
+
+void PlantBodies::tell_of_touches() {
+	found.clear();
+	for (Reading &reading : readings) {
+		for (const PlantGroup *group : reading.groups) {
+			find(reading, *group);
+		}
+		reading.bodies.drop_gone();
+	}
+	const auto is_same = [](const Touch &a, const Touch &b) { return a.plant == b.plant && a.body == b.body; };
+	std::sort(found.begin(), found.end());
+	found.erase(std::unique(found.begin(), found.end(), is_same), found.end());
+	const std::vector<Touch> before = std::move(touches);
+	touches = found;
+	for (const Touch &touch : touches) {
+		Plant3D *plant = Object::cast_to<Plant3D>(ObjectDB::get_instance(touch.plant));
+		if (plant && !std::binary_search(before.begin(), before.end(), touch)) {
+			plant->tell_of_body(touch.body, true);
+		}
+	}
+	for (const Touch &touch : before) {
+		if (!std::binary_search(found.begin(), found.end(), touch)) {
+			tell_of_end(touch);
+		}
+	}
+	std::sort(touches.begin(), touches.end());
+}
+
+// Who does not simulate now, such as a plant that pauses, is touched as before until it does again.
+void PlantBodies::tell_of_end(const Touch &touch) {
+	Plant3D *plant = Object::cast_to<Plant3D>(ObjectDB::get_instance(touch.plant));
+	if (plant && plant->is_in_simulation()) {
+		plant->tell_of_body(touch.body, false);
+	} else if (plant) {
+		touches.push_back(touch);
+	}
+}
+
+void PlantBodies::forget(const Plant3D *plant) {
+	const uint64_t id = plant->get_instance_id();
+	const auto is_its = [id](const Touch &touch) { return touch.plant == id; };
+	touches.erase(std::remove_if(touches.begin(), touches.end(), is_its), touches.end());
+}
+
+std::vector<String> PlantBodies::take_warnings() {
+	std::vector<String> all;
+	for (Reading &reading : readings) {
+		const std::vector<String> own = reading.bodies.take_warnings();
+		all.insert(all.end(), own.begin(), own.end());
+	}
+	return all;
+}
+
+} // namespace undergrowth

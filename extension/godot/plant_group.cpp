@@ -1,0 +1,67 @@
+#include "plant_group.hpp"
+
+#include "convert.hpp"
+#include "plant_3d.hpp"
+
+using namespace godot;
+
+namespace undergrowth {
+
+static glm::mat3 matrix_of(const Basis &basis) {
+	return { to_glm(basis.get_column(0)), to_glm(basis.get_column(1)), to_glm(basis.get_column(2)) };
+}
+
+bool PlantPush::operator==(const PlantPush &other) const {
+	return bodies_group == other.bodies_group && touch_margin == other.touch_margin &&
+			contact_world == other.contact_world;
+}
+
+bool PlantKind::operator==(const PlantKind &other) const {
+	return wind == other.wind && frame == other.frame && is_same_motion(species, other.species) && push == other.push;
+}
+
+PlantGroup::PlantGroup(const PlantKind &of, float step) :
+		kind(of),
+		page(0, of.species, nullptr, 0, step, true, MotionPage::Keeps::directions),
+		axes(matrix_of(axes_of(of.frame))) {}
+
+void PlantGroup::add(Plant3D *plant, const MotionPlant &description, const PlantBone &bone) {
+	plants.push_back(plant);
+	bones.push_back(bone);
+	page.add(&description, 1);
+	if (kind.push.has_bodies()) {
+		roots.add(description.root);
+	}
+}
+
+void PlantGroup::remove(int index) {
+	const int last = page.size() - 1;
+	page.remove(index);
+	if (index != last) {
+		plants[size_t(index)] = plants[size_t(last)];
+		plants[size_t(index)]->moved_to(index);
+		bones[size_t(index)] = bones[size_t(last)];
+	}
+	plants.pop_back();
+	bones.pop_back();
+	if (kind.push.has_bodies()) {
+		roots.remove(index);
+	}
+}
+
+void PlantGroup::step(const FieldWind &air, double start) {
+	const double moment = start + page.wind_moment() * double(page.step_length());
+	const PlantWinds along = winds_along(air);
+	const Vector3 way = axes_of(kind.frame).xform_inv(Vector3(along.x, 0.0f, along.z));
+	page.step(wind_at_time(air, moment), { nullptr, way.x, way.z });
+}
+
+void PlantGroup::pose(float alpha) {
+	directions.resize(bones.size());
+	page.interpolate(alpha, directions.data());
+	for (size_t i = 0; i < bones.size(); i++) {
+		bones[i].show(directions[i]);
+	}
+}
+
+} // namespace undergrowth

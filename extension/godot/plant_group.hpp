@@ -1,0 +1,62 @@
+#pragma once
+
+#include "field/bodies.hpp"
+#include "plant_bone.hpp"
+#include "plant_frame.hpp"
+#include "plant_wind.hpp"
+#include "root_ways.hpp"
+
+#include <godot_cpp/variant/string_name.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace undergrowth {
+
+class Plant3D;
+
+/// What else than the wind moves a plant that stands alone.
+struct PlantPush {
+	godot::StringName bodies_group; ///< Whose bodies push it; empty: nobody's.
+	float touch_margin = 0.0f; ///< m; 0 without bodies.
+	uint64_t contact_world = 0; ///< Instance id of the World3D whose tips it touches; 0: it touches none.
+
+	bool has_bodies() const { return !bodies_group.is_empty(); }
+	bool has_contact() const { return contact_world != 0; }
+	bool operator==(const PlantPush &other) const;
+};
+
+/// What plants have in common that share a page.
+struct PlantKind {
+	MotionSpecies species;
+	godot::Ref<PlantWind> wind; ///< Null: still air.
+	PlantFrame frame = PlantFrame::WORLD; ///< Axes of the page's directions; its roots are in the world's.
+	PlantPush push;
+
+	bool operator==(const PlantKind &other) const;
+};
+
+/// Plants of one kind: a page that is stepped together, and the bones that show it.
+struct PlantGroup {
+	PlantGroup(const PlantKind &of, float step);
+
+	PlantKind kind;
+	MotionPage page;
+	std::vector<Plant3D *> plants; ///< plants[i] is the page's plant i; touched only where plants come and go.
+	std::vector<PlantBone> bones; ///< As many.
+	std::vector<glm::vec3> directions; ///< As many, for drawing.
+	RootWays roots; ///< As many, of a kind that bodies push.
+	glm::mat3 axes; ///< Of the kind's frame.
+
+	void add(Plant3D *plant, const MotionPlant &description, const PlantBone &bone);
+	/// The last plant takes its index.
+	void remove(int index);
+	/// One step that begins when the wind's clock shows `start` (s).
+	void step(const FieldWind &air, double start);
+	/// Null where directions have the world's axes.
+	const glm::mat3 *turned_axes() const { return kind.frame == PlantFrame::WORLD ? nullptr : &axes; }
+	/// Turns all bones to where their plants point, `alpha` of the way of the last step.
+	void pose(float alpha);
+};
+
+} // namespace undergrowth
