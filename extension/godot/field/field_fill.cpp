@@ -126,7 +126,7 @@ void FieldFill::build() {
 		drawn.push_back({ int(i), &result.blocks[i] });
 	}
 	result.plans = plan_clumps(result.style, *result.poses, drawn);
-	find_kept();
+	result.kept = find_kept(recipe.standing, recipe.old_spacing, result.blocks, result.spacing);
 	done = 1.0f;
 }
 
@@ -155,51 +155,6 @@ void FieldFill::simulate() {
 	}
 	for (size_t i = 0; i < result.blocks.size(); i++) {
 		result.poses->write_block(*result.simulation, int(i), int(i));
-	}
-}
-
-// Whether the same plants stand as before, as after most changes: no names need be compared then.
-bool FieldFill::are_the_same() {
-	std::vector<KeptPlant> same;
-	bool is_same = result.spacing == recipe.old_spacing && result.blocks.size() == recipe.standing.size();
-	for (size_t i = 0; is_same && i < result.blocks.size(); i++) {
-		const PlantBlock &now = result.blocks[i];
-		const auto &[number, before] = recipe.standing[i];
-		is_same = before.gone == 0 && now.plants.x == before.plants.x && now.plants.z == before.plants.z;
-		for (int slot = 0; is_same && slot < now.size(); slot++) {
-			same.push_back({ { number, slot }, { int(i), slot } });
-		}
-	}
-	result.kept = is_same ? std::move(same) : std::vector<KeptPlant>();
-	return is_same;
-}
-
-// Which plants stood before, by their names, species and sizes: what has moved on is another plant.
-void FieldFill::find_kept() {
-	if (are_the_same()) {
-		return;
-	}
-	std::vector<std::pair<PlantId, PlantPlace>> before;
-	for (const auto &[number, block] : recipe.standing) {
-		for (int slot = 0; slot < block.size(); slot++) {
-			if (!block.is_gone(slot)) {
-				const glm::vec3 root = block.root(slot);
-				before.push_back({ filled_plant_id(root.x, root.z, recipe.old_spacing), { number, slot } });
-			}
-		}
-	}
-	const auto is_less = [](const auto &a, const auto &b) { return a.first < b.first; };
-	std::sort(before.begin(), before.end(), is_less);
-	for (size_t i = 0; i < result.blocks.size() && !before.empty(); i++) {
-		const PlantBlock &block = result.blocks[i];
-		for (int slot = 0; slot < block.size(); slot++) {
-			const glm::vec3 root = block.root(slot);
-			const std::pair<PlantId, PlantPlace> wanted = { filled_plant_id(root.x, root.z, result.spacing), {} };
-			const auto found = std::lower_bound(before.begin(), before.end(), wanted, is_less);
-			if (found != before.end() && found->first == wanted.first) {
-				result.kept.push_back({ found->second, { int(i), slot } });
-			}
-		}
 	}
 }
 

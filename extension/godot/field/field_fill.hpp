@@ -4,6 +4,7 @@
 #include "field/field_simulation.hpp"
 #include "field/field_view.hpp"
 #include "field/pose_texture.hpp"
+#include "stand/kept_plants.hpp"
 #include "stand/placement.hpp"
 
 #include <atomic>
@@ -23,14 +24,8 @@ struct FieldRecipe {
 	std::vector<int> species_numbers; ///< What species are in `style`, by what they were.
 	float tile_size = 16.0f; ///< m.
 	/// What was filled before: `number` and a copy of each block. Plants that stand again go on with their motion.
-	std::vector<std::pair<int, PlantBlock>> standing;
+	std::vector<NumberedBlock> standing;
 	double old_spacing = 1.0; ///< m, of those.
-};
-
-/// A plant that stood before and stands again.
-struct KeptPlant {
-	PlantPlace from; ///< In the store as it was.
-	PlantPlace to; ///< Its block by its index in the result.
 };
 
 /// A field that is grown.
@@ -94,8 +89,6 @@ private:
 	void stand_on_ground();
 	void build();
 	void simulate();
-	bool are_the_same();
-	void find_kept();
 };
 
 } // namespace undergrowth
