@@ -125,6 +125,13 @@ func physics_frames(count: int) -> void:
 		await physics_frame
 
 
+## What starts this engine once more. A script may have started it by its loader, which has no other
+## name for itself.
+func engine_path() -> String:
+	var named := OS.get_environment("GODOT")
+	return OS.get_executable_path() if named.is_empty() else named
+
+
 func _run_all() -> void:
 	await process_frame
 	var failed := 0
