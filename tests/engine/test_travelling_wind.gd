@@ -125,8 +125,8 @@ func _add(place: Vector3, species: PlantFunction, wind: PlantWind) -> Plant3D:
 	return plant
 
 
-## The farthest that a tip is, once the start is damped away, from all that another was within a few
-## steps of a time that is [param shift] seconds away.
+## The farthest that a tip is, once the start is damped away, from the way that another went within
+## a few steps of a time that is [param shift] seconds away. Frames may be longer than that.
 func _least_apart(
 	times: PackedFloat64Array, some: PackedVector3Array, others: PackedVector3Array, shift: float
 ) -> float:
@@ -135,8 +135,12 @@ func _least_apart(
 		if times[i] < 5.0 or times[i] > 7.5 - shift:
 			continue
 		var least := INF
-		for k in times.size():
-			if absf(times[k] - times[i] - shift) < STEPS_LATE * STEP:
-				least = minf(least, some[i].distance_to(others[k]))
+		var begin := times[i] + shift - STEPS_LATE * STEP
+		var end := times[i] + shift + STEPS_LATE * STEP
+		for k in range(1, times.size()):
+			if times[k] > begin and times[k - 1] < end:
+				var way := [others[k - 1], others[k]]
+				var nearest := Geometry3D.get_closest_point_to_segment(some[i], way[0], way[1])
+				least = minf(least, some[i].distance_to(nearest))
 		most = maxf(most, least)
 	return most

@@ -203,9 +203,7 @@ PackedInt64Array PlantAccess::add(
 	if (species_index < 0) {
 		return PackedInt64Array();
 	}
-	if (species_index >= meadow.style.listed) {
-		follow_changes(function.ptr(), changed);
-	}
+	follow_changes(function.ptr(), changed); // Also a listed one: it may leave the list, and they stay.
 	const int variants = int(meadow.style.looks[size_t(species_index)].variants.size());
 	std::vector<PlacedPlant> placed;
 	for (const Transform3D &place : places) {

@@ -242,17 +242,29 @@ void PlantField3D::on_species_changed() {
 	mark_stale(true);
 }
 
-// Of a species whose plants code added.
+bool PlantField3D::lists(const Ref<PlantFunction> &function) const {
+	for (int64_t i = 0; i < properties.stand.species.size(); i++) {
+		const Ref<PlantFieldSpecies> entry = properties.stand.species[i];
+		if (entry.is_valid() && entry->get_species() == function) {
+			return true;
+		}
+	}
+	return false;
+}
+
+// Of a species whose plants code added. What is on the list as well is heard of there.
 void PlantField3D::on_added_species_changed() {
 	for (const FieldLook &look : meadow.style.looks) {
-		if (look.function.is_valid() && look.function->is_motion_change()) {
+		const bool is_motion = look.function.is_valid() && look.function->is_motion_change();
+		if (!is_motion && (look.function.is_null() || !look.function->is_material_change())) {
+			continue;
+		}
+		if (is_motion && !lists(look.function)) {
 			meadow.read_motion(look.function.ptr(), !may_simulate());
-			return;
-		}
-		if (look.function.is_valid() && look.function->is_material_change()) {
+		} else if (!lists(look.function)) {
 			meadow.change_materials();
-			return;
 		}
+		return;
 	}
 	mark_stale(false);
 }
