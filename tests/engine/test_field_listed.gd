@@ -71,6 +71,18 @@ func test_a_species_of_another_entry_is_followed_where_code_added_plants() -> vo
 	await _check_recoloured()
 
 
+func test_a_list_that_is_set_again_and_again_fills_the_field_once_each() -> void:
+	await start()
+	var fills := [0]
+	field.filled.connect(func() -> void: fills[0] += 1)
+	for i in 3:
+		field.species = field.species.duplicate()
+		await filled(field)
+		await frames(30)
+		check_equal(fills[0], i + 1, "fills")
+	check(not field.is_filling(), "it rests")
+
+
 func test_more_variants_keep_plants_and_their_motion() -> void:
 	field.wind = PlantWind.new()
 	field.wind.kind = PlantWind.KIND_CONSTANT

@@ -22,7 +22,9 @@ func after_each() -> void:
 func test_a_plant_and_a_fields_plant_at_one_place_move_as_one() -> void:
 	for law: PlantFunction.MotionLaw in [PlantFunction.LAW_ELASTICITY, PlantFunction.LAW_SPRING]:
 		var plant := _add(Vector3(7, 0, -3), _species(law), _waves())
-		plant.species.damping_ratio = 0.7  # Which began when does not matter for long.
+		# Which began when does not matter for long.
+		plant.species.damping_ratio = 0.7
+		plant.species.inner_friction = 1.0
 		plant.wind.strength = 3.0
 		var field := PlantField3D.new()
 		field.density = 0.0

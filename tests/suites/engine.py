@@ -32,6 +32,7 @@ DRAWN = {"threads": ["gl_compatibility"], "plant_bones": ["gl_compatibility"], "
          "field_scaled": ["gl_compatibility"], "field_worn": ["gl_compatibility"]}
 # What the projects of some scripts say besides.
 SETTINGS = {"physics_thread": "[physics]\n\n3d/run_on_separate_thread=true\n",
+            "step_setting": "[undergrowth]\n\nsimulation/step_length=0.025\n",
             "no_physics": "[physics]\n\n3d/physics_engine=\"Dummy\"\n"}
 # What a virtual display makes the engine say.
 EXPECTED = "WARNING: Could not set V-Sync mode"
