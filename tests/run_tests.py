@@ -9,6 +9,7 @@ a timeout, a program that prints nothing and an engine that complains while it s
 import argparse
 import concurrent.futures
 import os
+import random
 import sys
 import time
 from pathlib import Path
@@ -32,10 +33,19 @@ def plan(options):
         if program:
             suites.append((name, lambda name=name, program=program: programs.doctest(name, program)))
     if options.godot:
-        suites += engine.suites(options.godot, options.probe)
+        suites += engine.suites(options.godot, options.probe, rounds_of(options), options.only)
         suites += soak.suites(options.godot, options.soak) if options.soak else []
     chosen = set(options.suites.split(",")) if options.suites else None
     return [(name, run) for name, run in suites if not chosen or name.split(":")[0] in chosen]
+
+
+def rounds_of(options):
+    """How often engine suites run and in which order, told so that it can be had again."""
+    if options.order == "written":
+        return engine.Rounds(options.times)
+    seed = random.randrange(1000000) if options.seed is None else options.seed
+    print(f"Engine suites in random order: order=random seed={seed} times={options.times}", flush=True)
+    return engine.Rounds(options.times, seed)
 
 
 def run_all(suites, jobs):
@@ -58,6 +68,10 @@ def main():
         parser.add_argument(f"--{name}", help=f"the program for {name}; without it those suites are left out")
     parser.add_argument("--soak", help="the folder of the library with sanitizers; without it the soak is left out")
     parser.add_argument("--suites", help="only these, separated by commas")
+    parser.add_argument("--only", help="of the engine's suites only these, separated by commas: field_*,motion")
+    parser.add_argument("--times", type=int, default=1, help="how often each engine suite runs")
+    parser.add_argument("--order", choices=["written", "random"], default="written", help="of an engine suite's tests")
+    parser.add_argument("--seed", type=int, help="of the random order; by chance where it is left out")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--summary", type=Path, help="write the last line there instead of printing it")
     options = parser.parse_args()

@@ -2,6 +2,9 @@
 ##
 ## Run one with `godot --headless --path build/test/project --script res://tests/engine/test_x.gd`.
 ## Each method prints `ok NAME` or `not ok NAME: why`; first comes `start`, last `done COUNT`.
+## After `--` one may say `--rounds=N`: all tests run N times in one process, on the same object, so
+## that what one test leaves behind meets every other. `--seed=N` has them run in a random order,
+## which `round K seed N` names; each round more takes the next number as its seed.
 ## An error or warning of the engine that the test does not claim with [method check_error] fails
 ## the test, and so does a test that checks nothing.
 extends SceneTree
@@ -122,19 +125,58 @@ func physics_frames(count: int) -> void:
 		await physics_frame
 
 
+## What starts this engine once more. A script may have started it by its loader, which has no other
+## name for itself.
+func engine_path() -> String:
+	var named := OS.get_environment("GODOT")
+	return OS.get_executable_path() if named.is_empty() else named
+
+
 func _run_all() -> void:
 	await process_frame
 	var failed := 0
 	var count := 0
-	for method: Dictionary in get_script().get_script_method_list():
-		var test: String = method["name"]
-		if test.begins_with("test_"):
+	for number in _word("rounds", "1").to_int():
+		for test in _tests_of_round(number):
 			count += 1
 			failed += 0 if await _run_one(test) else 1
 	OS.remove_logger(_listener)
 	print("done %d" % count)
 	await _let_workers_rest()
 	quit(1 if failed > 0 else 0)
+
+
+## The names of all tests, as they stand in the script or shuffled.
+func _tests_of_round(number: int) -> PackedStringArray:
+	var tests: PackedStringArray = []
+	for method: Dictionary in get_script().get_script_method_list():
+		if method["name"].begins_with("test_"):
+			tests.append(method["name"])
+	var word := _word("seed", "")
+	if not word.is_empty():
+		tests = shuffled(tests, word.to_int() + number)
+		print("round %d seed %d" % [number + 1, word.to_int() + number])
+	return tests
+
+
+## [param names] in an order that [param seed_value] alone decides.
+func shuffled(names: PackedStringArray, seed_value: int) -> PackedStringArray:
+	var random := RandomNumberGenerator.new()
+	random.seed = hash(seed_value)  # Seeds in a row would begin alike.
+	for last in range(names.size() - 1, 0, -1):
+		var other := random.randi_range(0, last)
+		var name := names[last]
+		names[last] = names[other]
+		names[other] = name
+	return names
+
+
+## What the command line says after `--` as `--NAME=VALUE`, or [param otherwise].
+func _word(name: String, otherwise: String) -> String:
+	for word in OS.get_cmdline_user_args():
+		if word.begins_with("--%s=" % name):
+			return word.get_slice("=", 1)
+	return otherwise
 
 
 func _run_one(test: String) -> bool:

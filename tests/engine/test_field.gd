@@ -130,6 +130,22 @@ func test_plants_stand_inside_the_area_and_outside_exclusions() -> void:
 	path.free()
 
 
+func test_a_field_that_leaves_the_tree_while_it_fills_goes_on_when_it_comes_back() -> void:
+	field.density = 20.0
+	root.add_child(field)
+	await frames(1)
+	check(field.is_filling(), "it fills")
+	root.remove_child(field)
+	await frames(3)
+	root.add_child(field)
+	var left := 600
+	while field.is_filling() and left > 0:
+		left -= 1
+		await process_frame
+	check(left > 0, "it stands")
+	check(field.get_plant_count() > 100, "%d plants" % field.get_plant_count())
+
+
 func test_filling_tells_how_far_it_is() -> void:
 	var told: Array[float] = []
 	field.fill_progressed.connect(func(ratio: float) -> void: told.append(ratio))

@@ -111,7 +111,7 @@ func _way_of_tips(rate: int, moved: String) -> float:
 	]
 	words += ["--fixed-fps", str(rate), "--", moved]
 	var output := []
-	OS.execute(OS.get_environment("GODOT"), words, output, true)
+	OS.execute(engine_path(), words, output, true)
 	var said := (output[0] as String).get_slice("way ", 1)
 	return said.to_float()
 

@@ -76,6 +76,22 @@ func test_an_outline_that_moves_or_whose_point_is_dragged_is_followed() -> void:
 	check(field.get_plant_count() > 4 * 45, "%d plants then" % field.get_plant_count())
 
 
+func test_an_outline_that_was_replaced_is_no_longer_followed() -> void:
+	field.outline = _add_square("Lawn")
+	await start()
+	field.outline = _add_square("Meadow")
+	await filled(field)
+	await frames(2 * LOOK)
+	var lawn := field.get_node("Lawn") as Path3D
+	lawn.curve.set_point_position(0, Vector3(-9, 0, -9))
+	await frames(1)
+	check(not field.is_filling(), "it is not filled for the old outline")
+	var meadow := field.get_node("Meadow") as Path3D
+	meadow.curve.set_point_position(0, Vector3(-9, 0, -9))
+	check(field.is_filling(), "it is filled for the new one")
+	await rested()
+
+
 func test_another_field_that_is_excluded_is_followed() -> void:
 	var path := PlantField3D.from_species([GrassFunction.new()])
 	path.name = "Path"

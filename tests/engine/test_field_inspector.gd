@@ -37,6 +37,20 @@ func test_what_is_not_shown_is_saved_all_the_same() -> void:
 			check(property["usage"] & PROPERTY_USAGE_STORAGE != 0, "it is stored")
 
 
+func test_the_inspector_groups_what_a_species_is_and_offers_both_kinds_of_material() -> void:
+	var groups := {}
+	var group := ""
+	for property: Dictionary in TulipFunction.new().get_property_list():
+		if property["usage"] & PROPERTY_USAGE_GROUP != 0:
+			group = property["name"]
+		groups[property["name"]] = group
+		if property["name"] == "material":
+			check_equal(property["hint_string"], "BaseMaterial3D,ShaderMaterial", "materials")
+	check_equal(groups["shading"], "Look", "group of shading")
+	check_equal(groups["material"], "Look", "group of material")
+	check(groups["mass"] != "Look", "mass is not of the look")
+
+
 ## Those of some properties that the inspector shows, in its order.
 func _shown_of(names: Array[String]) -> Array:
 	var shown := []

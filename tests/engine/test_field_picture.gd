@@ -112,6 +112,14 @@ func test_followers_of_prototypes_are_drawn() -> void:
 	check(count_different(first, later) > 50, "they move")
 
 
+func test_followers_that_stand_still_look_alike_in_another_material() -> void:
+	await _check_followers_dressed(false)
+
+
+func test_followers_of_a_preview_look_alike_in_another_material() -> void:
+	await _check_followers_dressed(true)
+
+
 func test_a_follower_that_was_pushed() -> void:
 	var function := TulipFunction.new()
 	function.law = PlantFunction.LAW_SPRING
@@ -124,6 +132,35 @@ func test_a_follower_that_was_pushed() -> void:
 		Transform3D(Basis(Vector3.UP, 0.7), Vector3.ZERO),
 		function.mass * Vector3(60, 0, 30)
 	)
+
+
+## Followers in slow waves, so that each is late by its own time, before and after they get a material
+## that looks the same; in a field that stands still or in a [param preview].
+func _check_followers_dressed(preview: bool) -> void:
+	var function := TulipFunction.new()
+	function.material = StandardMaterial3D.new()
+	_field.species = [PlantFieldSpecies.of(function)]
+	_field.prototypes = 1
+	_field.size = Vector2(3, 3)
+	_field.density = 10.0
+	_field.wind.strength = 4.0
+	_field.wind.kind = PlantWind.KIND_WAVES
+	_field.wind.travel_speed = 1.0
+	await _field.filled
+	RenderingServer.render_loop_enabled = false
+	await _settle()
+	_field.simulation_enabled = false
+	await frames(2)
+	RenderingServer.render_loop_enabled = true
+	var before := await picture()
+	function.material = function.material.duplicate()
+	if preview:
+		_field._preview(0.0, _field.wind)
+	await frames(4)
+	var after := await picture()
+	check(count_different(before, empty_picture()) > LEAST_PLANT, "plants are drawn")
+	var different := count_different(before, after)
+	check(different <= MOST_DIFFERENT, "%d pixels differ" % different)
 
 
 func _compare(function: PlantFunction, place: Transform3D, blow := Vector3.ZERO) -> void:

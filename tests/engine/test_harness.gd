@@ -51,6 +51,18 @@ func test_frames_pass_while_waiting() -> void:
 	check_equal(Engine.get_process_frames() - before, 3, "frames")
 
 
+func test_a_seed_decides_the_order_and_no_name_is_lost() -> void:
+	var names: PackedStringArray = ["a", "b", "c", "d", "e", "f", "g"]
+	var orders := {}
+	for seed_value in 20:
+		var order := shuffled(names, seed_value)
+		check_equal(order, shuffled(names, seed_value), "the same seed's order")
+		orders[order] = true
+		order.sort()
+		check_equal(order, names, "names")
+	check(orders.size() > 15, "other seeds have other orders")
+
+
 ## Checks that [param checks] fails exactly once, and forgets that failure.
 func _expect_failure(checks: Callable) -> void:
 	var before := _problems.size()

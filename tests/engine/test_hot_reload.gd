@@ -25,7 +25,7 @@ func test_plants_and_resources_survive_reloads_of_the_library() -> void:
 	var words: PackedStringArray = ["--headless", "--editor", "--quit-after", PATIENCE]
 	words.append_array(["--path", ProjectSettings.globalize_path(FOLDER)])
 	var lines: Array = []
-	var status := OS.execute(OS.get_executable_path(), words, lines, true)
+	var status := OS.execute(engine_path(), words, lines, true)
 	_output = "\n".join(lines)
 	check_equal(status, 0, "exit status of the editor")
 	_check_results()

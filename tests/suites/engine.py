@@ -1,5 +1,7 @@
 """Suites in a headless engine: one process for each test script, so that a crash takes no other test with it."""
 
+import dataclasses
+import fnmatch
 import os
 import re
 import shutil
@@ -30,15 +32,43 @@ DRAWN = {"threads": ["gl_compatibility"], "plant_bones": ["gl_compatibility"], "
          "field_scaled": ["gl_compatibility"], "field_worn": ["gl_compatibility"]}
 # What the projects of some scripts say besides.
 SETTINGS = {"physics_thread": "[physics]\n\n3d/run_on_separate_thread=true\n",
+            "step_setting": "[undergrowth]\n\nsimulation/step_length=0.025\n",
             "no_physics": "[physics]\n\n3d/physics_engine=\"Dummy\"\n"}
 # What a virtual display makes the engine say.
 EXPECTED = "WARNING: Could not set V-Sync mode"
 TIMEOUT = 600  # s for one script: two cores may be busy with other suites.
 END_LINE = re.compile(r"^done (\d+)$", re.MULTILINE)
+# One more for each round, where there are several: `round 3 seed 17`.
+ROUND_OR_TEST = re.compile(r"^(?:round \d+ seed (\d+)|(ok|not ok) (.*))$", re.MULTILINE)
 
 
-def suites(godot, probe=None):
-    """One suite for each tests/engine/**/test_*.gd; those of the binding need its `probe` library."""
+@dataclasses.dataclass
+class Rounds:
+    """How often the tests of a script run, and, where there is a `seed`, that their order is a matter of chance: the
+    first round's is the seed itself, each round more has the next number.
+
+    A test that only passes after another shows in an engine's first round, one that another breaks in any later one.
+    So one process takes many rounds on end, and there are several processes."""
+
+    times: int = 1
+    seed: int = None
+    IN_A_PROCESS = 10
+
+    def cut(self):
+        """Rounds for one process each."""
+        return [Rounds(min(self.IN_A_PROCESS, self.times - first), None if self.seed is None else self.seed + first)
+                for first in range(0, self.times, self.IN_A_PROCESS)]
+
+    def words(self):
+        """What the harness is told."""
+        words = [f"--rounds={self.times}"] if self.times > 1 else []
+        words += [] if self.seed is None else [f"--seed={self.seed}"]
+        return ["--", *words] if words else []
+
+
+def suites(godot, probe=None, rounds=None, only=None):
+    """One suite for each tests/engine/**/test_*.gd; those of the binding need its `probe` library. `only` names some,
+    as in `field_*,motion`. With many `rounds` there are several suites for a script, one for each process."""
     scripts = sorted((ROOT / "tests/engine").glob("test_*.gd"))
     folder = make_project()
     folders = {name: make_project("project_" + name, settings=text) for name, text in SETTINGS.items()}
@@ -47,13 +77,20 @@ def suites(godot, probe=None):
     if probe:
         folder = make_probe_project(Path(probe))
         found += [(script, folder, None) for script in sorted((ROOT / "tests/engine/binding").glob("test_*.gd"))]
-    return [(name_of(script, method),
-             lambda script=script, folder=folder, method=method: run_script(godot, folder, script, method))
-            for script, folder, method in found]
+    chosen = [one for one in found if is_wanted(one[0], only)]
+    parts = (rounds or Rounds()).cut()
+    return [(name_of(script, method) + (f":{part + 1}" if part else ""),
+             lambda script=script, folder=folder, method=method, part=part:
+             run_script(godot, folder, script, method, parts[part], part))
+            for part in range(len(parts)) for script, folder, method in chosen]
 
 
 def subject(script):
     return script.stem[len("test_"):]
+
+
+def is_wanted(script, only):
+    return not only or any(fnmatch.fnmatch(subject(script), name) for name in only.split(","))
 
 
 def name_of(script, method=None):
@@ -98,21 +135,25 @@ def private_home(environment=os.environ):
     return {**environment, "GODOT_SILENCE_ROOT_WARNING": "1", **{name: str(home / name.lower()) for name in names}}
 
 
-def run_script(godot, folder, script, method=None):
-    """Headless, or drawn in a virtual display by a rendering `method`."""
-    name = name_of(script, method)
+def run_script(godot, folder, script, method=None, rounds=None, part=0):
+    """Headless, or drawn in a virtual display by a rendering `method`: the `part`-th process with `rounds` of it."""
+    name = name_of(script, method) + (f":{part + 1}" if part else "")
+    rounds = rounds or Rounds()
     path = "res://" + (Path("tests/engine") / script.relative_to(ROOT / "tests/engine")).as_posix()
     words = [godot, "--path", folder, "--script", path]
     # Tests that start an engine of their own, as for a frame rate, take this one.
     surroundings = {**os.environ, "GODOT": str(godot)}
     if not method:
         environment = private_home(surroundings)
-        return read_output(name, *run(name, [*words, "--headless"], timeout=TIMEOUT, environment=environment))
-    words += ["--rendering-method", method, "--audio-driver", "Dummy"]
+        words += ["--headless", *rounds.words()]
+        return read_output(name, *run(name, words, timeout=TIMEOUT * rounds.times, silence=TIMEOUT,
+                                      environment=environment))
+    words += ["--rendering-method", method, "--audio-driver", "Dummy", *rounds.words()]
     try:
         with display.virtual(640, 360) as environment:
             environment = private_home({**environment, "GODOT": str(godot)})
-            return read_output(name, *run(name, words, timeout=TIMEOUT, environment=environment))
+            return read_output(name, *run(name, words, timeout=TIMEOUT * rounds.times, silence=TIMEOUT,
+                                          environment=environment))
     except Missing as missing:
         return Result(name, 0, [str(missing).replace("\n", " ")])
 
@@ -123,7 +164,7 @@ def read_output(name, output, problem):
     loading = output.partition(START)[0]
     failures = [line for line in loading.splitlines()
                 if line.startswith(("ERROR:", "WARNING:")) and not line.startswith(EXPECTED)]
-    failures += [text for word, text in lines if word == "not ok"]
+    failures += failed_tests(output)
     end = END_LINE.search(output)
     if not end or int(end.group(1)) != len(lines) or not lines:
         failures.append(f"ended early: {problem or last_line(output)}")
@@ -131,6 +172,15 @@ def read_output(name, output, problem):
         failures += [problem] if problem and not failures else []
         failures += [line for line in output[end.end():].splitlines() if LEAK.search(line)]
     return Result(name, sum(word == "ok" for word, _ in lines), failures)
+
+
+def failed_tests(output):
+    """What each failed test said, and, where chance ordered the tests, by which seed."""
+    failures, order = [], ""
+    for seed, word, text in ROUND_OR_TEST.findall(output):
+        order = f" (order=random seed={seed})" if seed else order
+        failures += [text + order] if word == "not ok" else []
+    return failures
 
 
 def last_line(output):

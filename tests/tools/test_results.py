@@ -44,6 +44,27 @@ class EngineOutput(unittest.TestCase):
         self.assertEqual(self.failures(""), ["ended early: no output"])
 
 
+    def test_a_failure_in_random_order_tells_its_seed(self):
+        output = "\nstart\nround 1 seed 7\nok test_a\nround 2 seed 8\nnot ok test_a: why\ndone 2\n"
+        self.assertEqual(self.failures(output), ["test_a: why (order=random seed=8)"])
+
+
+class Rounds(unittest.TestCase):
+    def test_many_rounds_are_cut_into_processes_of_ten(self):
+        cut = engine.Rounds(23, 100).cut()
+        self.assertEqual([(one.times, one.seed) for one in cut], [(10, 100), (10, 110), (3, 120)])
+
+    def test_one_round_as_written_says_nothing_to_the_engine(self):
+        self.assertEqual([one.words() for one in engine.Rounds().cut()], [[]])
+        self.assertEqual(engine.Rounds(2, 5).words(), ["--", "--rounds=2", "--seed=5"])
+
+    def test_scripts_are_chosen_by_name(self):
+        scripts = [Path(f"test_{name}.gd") for name in ("field", "field_ground", "motion", "motion_state")]
+        chosen = [engine.subject(script) for script in scripts if engine.is_wanted(script, "field_*,motion")]
+        self.assertEqual(chosen, ["field_ground", "motion"])
+        self.assertTrue(all(engine.is_wanted(script, None) for script in scripts))
+
+
 class DoctestOutput(unittest.TestCase):
     TOTAL = "[doctest] test cases: {} | {} passed | {} failed | 0 skipped\n"
 

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <utility>
 
 using namespace godot;
 
@@ -202,15 +203,18 @@ void CpuMotion::set_species(int index, const FieldLook &look, const PlantStore &
 void CpuMotion::set_rests(const PageRows &own, const std::vector<glm::vec3> &rests, bool is_still) {
 	static constexpr float STILL = 1e-3f; // rad, and 1/s.
 	MotionPage &plants = simulation->page(own.page);
-	std::vector<int> at_rest;
+	std::vector<std::pair<int, glm::vec3>> at_rest;
 	for (int i = own.first; is_still && plants.swings() && i < own.first + own.count; i++) {
 		const TipState state = plants.state(i);
 		if (glm::distance(state.direction, plants.rest(i)) < STILL && glm::length(state.rate) < STILL) {
-			at_rest.push_back(i);
+			at_rest.emplace_back(i, plants.rest(i));
 		}
 	}
 	simulation->set_rests(own.page, own.first, rests.data(), own.count);
-	for (const int i : at_rest) {
+	for (const auto &[i, was] : at_rest) {
+		if (plants.rest(i) == was) {
+			continue; // It may only pass there, of another mass than before.
+		}
 		plants.set_state(i, { plants.rest(i), {} });
 		plants.set_before(i, plants.rest(i));
 	}

@@ -121,6 +121,7 @@ void Meadow::change_materials() {
 		dress.put_on(style, motion);
 		view.wear_materials(style);
 		skeletons.release_all(motion);
+		refresh(); // A field that stands still has no frame that would tell them of its followers.
 	}
 }
 

@@ -146,6 +146,7 @@ public:
 
 	// Called by the engine.
 	void on_species_changed();
+	bool lists(const godot::Ref<PlantFunction> &function) const;
 	void on_added_species_changed();
 	void on_levels_changed();
 	void on_area_changed();

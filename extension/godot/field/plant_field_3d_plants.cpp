@@ -205,9 +205,8 @@ PackedInt64Array PlantField3D::add_plants(const Variant &transforms, const Ref<P
 	if (species_index < 0) {
 		return PackedInt64Array();
 	}
-	if (species_index >= meadow.style.listed_count) {
-		follow_changes(function.ptr(), Callable(this, "_on_added_species_changed"));
-	}
+	// Also a listed one: it may leave the list, and they stay.
+	follow_changes(function.ptr(), Callable(this, "_on_added_species_changed"));
 	const int variants = int(meadow.style.looks[size_t(species_index)].variants.size());
 	std::vector<PlacedPlant> placed;
 	for (const Transform3D &place : places) {

@@ -227,11 +227,23 @@ void PlantField3D::on_species_changed() {
 	mark_stale(true);
 }
 
-// Of a species whose plants code added.
+bool PlantField3D::lists(const Ref<PlantFunction> &function) const {
+	for (int64_t i = 0; i < properties.species.size(); i++) {
+		const Ref<PlantFieldSpecies> entry = properties.species[i];
+		if (entry.is_valid() && entry->get_species() == function) {
+			return true;
+		}
+	}
+	return false;
+}
+
+// Of a species whose plants code added. What is on the list as well is heard of there.
 void PlantField3D::on_added_species_changed() {
 	for (const FieldLook &look : meadow.style.looks) {
 		if (look.function.is_valid() && (look.function->is_motion_change() || look.function->is_material_change())) {
-			follow_look(look.function);
+			if (!lists(look.function)) {
+				follow_look(look.function);
+			}
 			return;
 		}
 	}

@@ -1,3 +1,4 @@
+#include "../golden.hpp"
 #include "base/portable_math.hpp"
 #include "base/random.hpp"
 
@@ -33,6 +34,18 @@ TEST_CASE("portable sine and cosine agree with the C library's up to a million r
 		}
 	}
 	CHECK(worst < TOLERANCE);
+}
+
+TEST_CASE("portable functions have the same bits on every platform") {
+	constexpr uint64_t GOLDEN = 0x469fc7b457f927afull;
+	GoldenHash hash;
+	for (int i = 0; i < POINTS; i++) {
+		const double angle = sample(i, i % 2 == 0 ? 1.0 : 1e3);
+		const double values[] = { portable_sin(angle), portable_cos(angle), portable_tan(sample(i, 1.5)),
+			portable_exp(sample(i, i % 2 == 0 ? 0.5 : 300.0)), portable_atan2(angle, sample(i + 1, 1.0)) };
+		hash.add(values, 5);
+	}
+	CHECK(hash.value() == GOLDEN);
 }
 
 TEST_CASE("portable sine and cosine hold at the borders of the quadrants") {

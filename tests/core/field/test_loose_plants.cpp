@@ -55,6 +55,29 @@ float depth(const FieldSimulation &field, int plant, const FieldBody &body) {
 
 } // namespace
 
+TEST_CASE("a plant that was pushed goes back slowly, fast and slowly, and only once it swung alone") {
+	LoosePlants some(0, species_of(Law::spring), FIELD_STEP);
+	some.reserve(1);
+	const glm::vec3 up = { 0.0f, 1.0f, 0.0f };
+	REQUIRE(some.add(chance_plant(1), 0, 0, { up, {} }, up) == 0);
+	const int alone = static_cast<int>(LoosePlants::ALONE / FIELD_STEP + 0.5f);
+	const int back = static_cast<int>(LoosePlants::GOING_BACK / FIELD_STEP + 0.5f);
+	std::vector<float> shares;
+	for (int i = 0; i < alone + back + 5; i++) {
+		shares.push_back(some.grow_older(0, up));
+	}
+	for (int i = 0; i < alone - 1; i++) {
+		REQUIRE(shares[static_cast<std::size_t>(i)] == 0.0f);
+	}
+	const auto after = [&](float part) {
+		return shares[static_cast<std::size_t>(alone - 1 + static_cast<int>(part * static_cast<float>(back)))];
+	};
+	CHECK(after(0.1f) == doctest::Approx(0.028).epsilon(0.02));
+	CHECK(after(0.5f) == doctest::Approx(0.5).epsilon(0.02));
+	CHECK(after(0.9f) == doctest::Approx(0.972).epsilon(0.02));
+	CHECK(shares.back() == 1.0f);
+}
+
 TEST_CASE("a body pushes plants that follow, which ring down and follow again without a jump") {
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		FieldSimulation field = following_field(law);

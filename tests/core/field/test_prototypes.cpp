@@ -42,6 +42,15 @@ double product(const std::vector<double> &a, const std::vector<double> &b) {
 
 } // namespace
 
+TEST_CASE("the first step is told to take all that prototypes did before it") {
+	FieldSettings settings;
+	settings.prototypes = 8;
+	FieldSimulation field = mixed_field(settings, 300);
+	CHECK(field.due_count() == 2 * 8 * (Prototypes::SLOTS + 1));
+	field.step();
+	CHECK(field.due_count() == 2 * 8);
+}
+
 TEST_CASE("plants that share prototypes do not move in unison") {
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		for (const float speed : { 0.0f, 10.0f }) {

@@ -1,8 +1,10 @@
+#include "stand/blocks.hpp"
 #include "stand/kept_plants.hpp"
 #include "test_placement_fixture.hpp"
 
 #include <doctest/doctest.h>
 
+#include <map>
 #include <utility>
 
 using namespace undergrowth;
@@ -23,45 +25,131 @@ PlantStore filled_store(const PlacementRequest &request, float tile_size) {
 	return store;
 }
 
-/// Checks that pairs are the same plants, each once.
-void check_pairs(const std::vector<KeptPlant> &kept, const PlantStore &store, const std::vector<PlantBlock> &now) {
-	for (const KeptPlant &pair : kept) {
-		const PlantBlock &block = now[static_cast<std::size_t>(pair.to.block)];
-		REQUIRE(store.block(pair.from.block).root(pair.from.slot) == block.root(pair.to.slot));
+struct Stand {
+	double spacing;
+	std::vector<PlantBlock> blocks;
+
+	/// Numbers in a store that has no others: 7, 10, 13 ...
+	FilledBlocks numbered() const {
+		FilledBlocks all;
+		all.spacing = spacing;
+		for (const PlantBlock &block : blocks) {
+			all.blocks.emplace_back(7 + 3 * static_cast<int>(all.blocks.size()), block);
+		}
+		return all;
 	}
+};
+
+Stand stand_of(const PlacementRequest &request, float tile = 5.0f) {
+	return { Placement(request).cell_size(), cut_into_blocks(placed(request), tile) };
+}
+
+PlantId name_of(const PlantBlock &block, int slot, double spacing) {
+	return filled_plant_id(block.root(slot).x, block.root(slot).z, spacing);
+}
+
+std::map<PlantId, PlantPlace> names_of(const FilledBlocks &filled) {
+	std::map<PlantId, PlantPlace> names;
+	for (const auto &[number, block] : filled.blocks) {
+		for (int slot = 0; slot < block.size(); slot++) {
+			if (!block.is_gone(slot)) {
+				names[name_of(block, slot, filled.spacing)] = { number, slot };
+			}
+		}
+	}
+	return names;
+}
+
+/// Checks that those are kept, from where and to where, whose names both have, and no other; tells their number.
+int check_kept(const FilledBlocks &before, const Stand &now) {
+	std::map<PlantId, PlantPlace> names = names_of(before);
+	const std::vector<KeptPlant> kept = find_kept(before, now.blocks, now.spacing);
+	std::size_t next = 0;
+	for (std::size_t i = 0; i < now.blocks.size(); i++) {
+		for (int slot = 0; slot < now.blocks[i].size(); slot++) {
+			const auto found = names.find(name_of(now.blocks[i], slot, now.spacing));
+			if (found == names.end()) {
+				continue;
+			}
+			REQUIRE(next < kept.size());
+			CHECK(kept[next].to.block == static_cast<int>(i));
+			CHECK(kept[next].to.slot == slot);
+			CHECK(kept[next].from.block == found->second.block);
+			CHECK(kept[next].from.slot == found->second.slot);
+			next++;
+		}
+	}
+	CHECK(next == kept.size());
+	return static_cast<int>(kept.size());
+}
+
+int plants_of(const Stand &stand) {
+	int count = 0;
+	for (const PlantBlock &block : stand.blocks) {
+		count += block.size();
+	}
+	return count;
 }
 
 } // namespace
 
-TEST_CASE("all plants of a field that is filled with the same again are kept") {
-	const PlacementRequest request = square_field(30.0f, DENSITY, 2);
-	const PlantStore store = filled_store(request, 8.0f);
-	const std::vector<PlantBlock> now = cut_into_blocks(placed(request), 8.0f);
-	const std::vector<KeptPlant> kept = find_kept(copy_filled(store), now, SPACING);
-	CHECK(static_cast<int>(kept.size()) == store.plant_count());
-	check_pairs(kept, store, now);
+TEST_CASE("who stands where it stood is kept, all of them") {
+	const Stand stand = stand_of(square_field(20.0f, 3.0f, 5));
+	CHECK(check_kept(stand.numbered(), stand) == plants_of(stand));
+	CHECK(plants_of(stand) > 1000);
 }
 
-TEST_CASE("plants are known again in other tiles and within a smaller outline, but for those that were removed") {
-	PlantStore store = filled_store(square_field(30.0f, DENSITY, 2), 8.0f);
-	StandEdit mowing;
-	store.find_in_sphere({ 0.0f, 0.0f, 0.0f }, 3.0f, mowing.removed);
-	const auto mown = static_cast<int>(mowing.removed.size());
-	REQUIRE(mown > 0);
-	store.apply(std::move(mowing));
-	const FieldPlants fewer = placed(square_field(20.0f, DENSITY, 2));
-	const std::vector<PlantBlock> now = cut_into_blocks(fewer, 5.0f);
-	const std::vector<KeptPlant> kept = find_kept(copy_filled(store), now, SPACING);
-	CHECK(static_cast<int>(kept.size()) == fewer.size() - mown);
-	check_pairs(kept, store, now);
+TEST_CASE("plants are kept by their cells when tiles, sizes, seeds and species are others") {
+	const PlacementRequest request = square_field(20.0f, 3.0f, 5);
+	const Stand before = stand_of(request);
+	CHECK(check_kept(before.numbered(), stand_of(request, 7.0f)) == plants_of(before));
+	PlacementRequest other = request;
+	other.seed = 6;
+	CHECK(check_kept(before.numbered(), stand_of(other)) > 900);
+	const Stand smaller = stand_of(square_field(10.0f, 3.0f, 5));
+	CHECK(check_kept(before.numbered(), smaller) == plants_of(smaller));
+	CHECK(check_kept(smaller.numbered(), before) == plants_of(smaller));
 }
 
-TEST_CASE("nobody is kept where plants stand at another spacing") {
-	const PlacementRequest request = square_field(30.0f, DENSITY, 1);
-	const PlantStore store = filled_store(request, 8.0f);
-	const std::vector<PlantBlock> now = cut_into_blocks(placed(square_field(30.0f, 1.0f, 1)), 8.0f);
-	CHECK(find_kept(copy_filled(store), {}, SPACING).empty());
-	CHECK(find_kept(FilledBlocks(), now, 1.0).empty());
+TEST_CASE("who is gone is not kept, though it grows again where it stood") {
+	const Stand stand = stand_of(square_field(20.0f, 3.0f, 5));
+	FilledBlocks before = stand.numbered();
+	before.blocks[2].second.plants.scale[1] = 0.0f;
+	before.blocks[2].second.gone = 1;
+	CHECK(check_kept(before, stand) == plants_of(stand) - 1);
+}
+
+TEST_CASE("another density has other names, also where a plant stands on the same spot") {
+	const Stand stand = stand_of(square_field(20.0f, 3.0f, 5));
+	Stand other = stand;
+	other.spacing *= 0.8;
+	const int kept = check_kept(stand.numbered(), other);
+	CHECK(kept < plants_of(stand));
+}
+
+TEST_CASE("a tile more or less changes nothing for the others") {
+	const Stand stand = stand_of(square_field(20.0f, 3.0f, 5));
+	Stand fewer = stand;
+	fewer.blocks.pop_back();
+	CHECK(check_kept(stand.numbered(), fewer) == plants_of(fewer));
+	CHECK(check_kept(fewer.numbered(), stand) == plants_of(fewer));
+	fewer = stand;
+	fewer.blocks.erase(fewer.blocks.begin() + 1);
+	CHECK(check_kept(stand.numbered(), fewer) == plants_of(fewer));
+	CHECK(find_kept(FilledBlocks(), stand.blocks, stand.spacing).empty());
+	CHECK(find_kept(stand.numbered(), {}, stand.spacing).empty());
+}
+
+TEST_CASE("a plant that moved along one axis only is told by its cell as well") {
+	const Stand stand = stand_of(square_field(20.0f, 3.0f, 5));
+	for (const bool along_x : { true, false }) {
+		Stand moved = stand;
+		FieldPlants &plants = moved.blocks[0].plants;
+		(along_x ? plants.x : plants.z)[0] += static_cast<float>(4.0 * stand.spacing);
+		const std::vector<KeptPlant> kept = find_kept(stand.numbered(), moved.blocks, moved.spacing);
+		CHECK(check_kept(stand.numbered(), moved) == static_cast<int>(kept.size()));
+		CHECK(kept.front().from.slot != kept.front().to.slot);
+	}
 }
 
 TEST_CASE("what is dressed anew stands as it stood, without species that are no more and without the removed") {

@@ -68,7 +68,7 @@ func test_objects_outlive_a_reload_of_the_library() -> void:
 	_write(folder + "/.godot/extension_list.cfg", "res://probe.gdextension\n")
 	var output: Array = []
 	var words := ["--headless", "--editor", "--path", folder, "--script", "reload_in_editor.gd"]
-	var status := OS.execute(OS.get_executable_path(), words, output, true)
+	var status := OS.execute(engine_path(), words, output, true)
 	var text: String = output[0]
 	check_equal(status, 0, "exit status")
 	check(text.contains("3 reloads passed"), "the other engine said: " + text.right(2000))

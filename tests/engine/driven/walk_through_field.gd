@@ -1,6 +1,7 @@
 ## Run by a test with --fixed-fps: a walker goes through a field, and what the tips near its way do
 ## is printed as `way METRES`, the mean of all ways that they went. With `physics` among the
-## arguments the walker goes in physics frames, else in drawn ones.
+## arguments the walker goes in physics frames, else in drawn ones; `ticks=N` says how many physics
+## frames a second has, and `contact` lets tips touch.
 extends SceneTree
 
 const SPEED := 2.0  # m/s
@@ -20,6 +21,11 @@ var _way := 0.0
 
 
 func _initialize() -> void:
+	for word in OS.get_cmdline_user_args():
+		if word.begins_with("ticks="):
+			Engine.physics_ticks_per_second = word.trim_prefix("ticks=").to_int()
+	Engine.max_physics_steps_per_frame = 100
+	_field.contact_enabled = "contact" in OS.get_cmdline_user_args()
 	_field.size = Vector2(6, 6)
 	_field.density = 12.0
 	_field.bodies_group = &"walkers"
