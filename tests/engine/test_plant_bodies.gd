@@ -54,7 +54,9 @@ func test_what_walks_by_moves_both_alike_at_every_frame_rate() -> void:
 		for rate: int in [30, 60, 144, 240]:
 			var ways := _ways_of(rate, moved)
 			for again in 3:  # A machine that is busy with others makes slow frames drop steps.
-				ways = _ways_of(rate, moved) if ways[2] > MOST_APART else ways
+				if ways[2] > MOST_APART:
+					print("again, %f m apart at %d frames, %s" % [ways[2], rate, moved])
+					ways = _ways_of(rate, moved)
 			var how := " at %d frames, %s" % [rate, moved]
 			check(ways[0] > 0.3, "tips of the field go %f m" % ways[0])
 			check_near(ways[1], ways[0], 0.05 * ways[0], "way" + how)
@@ -248,18 +250,6 @@ func test_a_group_that_nobody_is_in_is_told_of_once() -> void:
 	check_error("nobody is in the group 'wlakers'")
 
 
-func test_a_group_is_read_once_for_all_plants() -> void:
-	var species := make_species(PlantFunction.LAW_SPRING)
-	for i in 300:
-		add_ball(Vector3(i, 1.0, 50.0), 0.2)
-	add_plant(species)
-	var of_one := await _usual_step_time()
-	for i in 299:
-		add_plant(species, Transform3D(Basis(), Vector3(i, 0, 0))).touch_margin = 0.001 * i
-	var of_many := await _usual_step_time()
-	check(of_many < 150.0 * of_one, "%f µs for 300 plants, %f for one" % [of_many, of_one])
-
-
 func test_what_is_set_down_by_a_plant_does_not_shove_it() -> void:
 	var plant := add_plant(make_species(PlantFunction.LAW_SPRING))
 	var ball := add_ball(Vector3(-500, 1.2, 0), RADIUS)
@@ -311,16 +301,6 @@ func _most_lean_of(plant_way: float, ball_way: float) -> float:
 
 
 ## µs, the median of some frames with a step.
-func _usual_step_time() -> float:
-	var times := PackedFloat64Array()
-	await frames(20)
-	while times.size() < 21:
-		await process_frame
-		times.append(PlantSimulation.get_step_time_usec())
-	times.sort()
-	return times[10]
-
-
 ## A ball at the tip of a plant that stands so leaves it at its surface.
 func _check_surface(species: PlantFunction, placed: Transform3D) -> void:
 	var plant := add_plant(species, placed)

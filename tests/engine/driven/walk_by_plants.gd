@@ -1,7 +1,7 @@
 ## Run by a test with --fixed-fps: a walker goes through plants of a field, and through plants alone
-## that stand as they do beside it. What their tips do is printed as `ways METRES METRES METRES`: the
-## mean of all ways that those and these went, and the most between a plant's tip in either. With `physics` among the arguments walkers go in physics frames, else
-## in drawn ones.
+## that stand beside it as they do. What their tips do is printed as `ways METRES METRES METRES`:
+## the mean of all ways that those and these went, and the most between a plant's tip in either.
+## With `physics` among the arguments walkers go in physics frames, else in drawn ones.
 extends SceneTree
 
 const SPEED := 2.0  # m/s
