@@ -1,10 +1,10 @@
 #pragma once
 
-#include "field/bodies.hpp"
+#include "bodies/root_ways.hpp"
+#include "motion/bodies.hpp"
 #include "plant_bone.hpp"
 #include "plant_frame.hpp"
 #include "plant_wind.hpp"
-#include "root_ways.hpp"
 
 #include <godot_cpp/variant/string_name.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "bodies/plant_bodies.hpp"
 #include "motion/fixed_step.hpp"
-#include "plant_bodies.hpp"
 #include "plant_contact.hpp"
 #include "plant_group.hpp"
 

@@ -206,10 +206,10 @@ bool FieldSimulation::is_due(int page, int64_t number) const {
 	return is_free && (interval == 1 || number % interval == own.phase % interval);
 }
 
-void FieldSimulation::set_bodies(const FieldBody *bodies, int count) {
+void FieldSimulation::set_bodies(const MovingBody *bodies, int count) {
 	pushing.clear();
 	std::copy_if(
-			bodies, bodies + count, std::back_inserter(pushing), [](const FieldBody &body) { return is_valid(body); });
+			bodies, bodies + count, std::back_inserter(pushing), [](const MovingBody &body) { return is_valid(body); });
 }
 
 void FieldSimulation::step_prototypes(int64_t number) {
@@ -263,7 +263,7 @@ void FieldSimulation::step_page(int page) {
 	}
 	const double moment = static_cast<double>(beat(page).last_step) + entry.page.wind_moment() * interval;
 	entry.page.step(wind_at_time(blowing, along, moment * static_cast<double>(options.step)), along);
-	for (const FieldBody &body : pushing) {
+	for (const MovingBody &body : pushing) {
 		push_plants(entry.page, body);
 	}
 }

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "field/bodies.hpp"
 #include "field/field_settings.hpp"
 #include "field/follow_delays.hpp"
 #include "field/loose_plants.hpp"
 #include "field/prototypes.hpp"
+#include "motion/bodies.hpp"
 #include "motion/motion_page.hpp"
 #include "wind/travelling_wind.hpp"
 
@@ -74,7 +74,7 @@ public:
 	void set_page_phase(int page, int phase) { beat(page).phase = phase; }
 	/// What pushes plants in the coming steps; bodies that are not valid are left out. A follower that is pushed swings
 	/// by itself until it has rung down (LoosePlants).
-	void set_bodies(const FieldBody *bodies, int count);
+	void set_bodies(const MovingBody *bodies, int count);
 
 	/// Seconds since the start: the number of steps that were begun, times their length.
 	double time() const { return static_cast<double>(next_step) * static_cast<double>(options.step); }
@@ -157,7 +157,7 @@ private:
 	std::vector<Beat> beats; ///< As many.
 	int free_pages = 0;
 	int plant_rows = 0; ///< Of all pages: the box is that of so many.
-	std::vector<FieldBody> pushing;
+	std::vector<MovingBody> pushing;
 	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
 	float lead = 0.0f; ///< s.
@@ -182,7 +182,7 @@ private:
 	void push_follower(Entry &entry, int index, const TipState &state);
 	void follow_again(Entry &entry, int index);
 	void step_loose();
-	void push_followers(int page, const FieldBody &body);
+	void push_followers(int page, const MovingBody &body);
 };
 
 } // namespace undergrowth

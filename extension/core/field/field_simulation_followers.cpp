@@ -130,14 +130,14 @@ void FieldSimulation::step_loose() {
 			}
 		}
 	}
-	for (const FieldBody &body : pushing) {
+	for (const MovingBody &body : pushing) {
 		for (int page = 0; page < page_count() && !models.empty(); page++) {
 			push_followers(page, body);
 		}
 	}
 }
 
-void FieldSimulation::push_followers(int page, const FieldBody &body) {
+void FieldSimulation::push_followers(int page, const MovingBody &body) {
 	Entry &entry = at(page);
 	const float thickness = std::max(entry.page.collision_radius(), 0.0f);
 	for_each_in_reach(entry.page, body, [&](int index) {

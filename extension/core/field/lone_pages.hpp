@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/bodies.hpp"
+#include "motion/bodies.hpp"
 
 #include <vector>
 

@@ -74,16 +74,16 @@ void CpuMotion::start_step(const MotionOptions &options, bool with_contact) {
 
 // The bodies as they were `ago` seconds before this frame.
 void CpuMotion::push(double ago) {
-	const std::vector<FieldBody> &pushing = bodies.gather(ago);
+	const std::vector<MovingBody> &pushing = bodies.gather(ago);
 	simulation->set_bodies(pushing.data(), int(pushing.size()));
 	pushed_at.clear();
-	for (const FieldBody &body : pushing) {
+	for (const MovingBody &body : pushing) {
 		pushed_at.push_back(body.from);
 	}
 }
 
 void CpuMotion::find_events(double margin) {
-	const auto is_among_plants = [&](const FieldBody &body) {
+	const auto is_among_plants = [&](const MovingBody &body) {
 		for (int page = 0; page < simulation->page_count(); page++) {
 			if (touches_plants(simulation->page(page), body, float(margin))) {
 				return true;
@@ -91,7 +91,7 @@ void CpuMotion::find_events(double margin) {
 		}
 		return false;
 	};
-	const std::vector<FieldBodies::Event> found = bodies.find_events(is_among_plants);
+	const std::vector<GroupBodies::Event> found = bodies.find_events(is_among_plants);
 	events.insert(events.end(), found.begin(), found.end());
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/field_bodies.hpp"
+#include "bodies/group_bodies.hpp"
 #include "field/field_options.hpp"
 #include "field/field_settings.hpp"
 #include "field/field_style.hpp"
@@ -124,12 +124,12 @@ public:
 	virtual double bytes_per_plant() const = 0;
 	virtual double busy_usec() const = 0;
 
-	FieldBodies bodies;
+	GroupBodies bodies;
 	/// Bodies that came among plants, or left them, since it was asked last.
-	std::vector<FieldBodies::Event> take_events() { return std::exchange(events, {}); }
+	std::vector<GroupBodies::Event> take_events() { return std::exchange(events, {}); }
 
 protected:
-	std::vector<FieldBodies::Event> events;
+	std::vector<GroupBodies::Event> events;
 };
 
 } // namespace undergrowth

@@ -223,7 +223,7 @@ void PlantField3D::tell_of_bodies() {
 	for (const String &warning : meadow.motion.bodies.take_warnings()) {
 		report_warning(this, warning);
 	}
-	for (const FieldBodies::Event &event : meadow.motion.take_events()) {
+	for (const GroupBodies::Event &event : meadow.motion.take_events()) {
 		if (Object *body = ObjectDB::get_instance(event.body)) {
 			call_deferred("emit_signal", event.has_entered ? "body_entered_plants" : "body_exited_plants", body);
 		}

@@ -410,7 +410,7 @@ TEST_CASE("a radius that grows while plants swing reaches their contact, and bod
 	contact.resolve(field);
 	CHECK(contact.contacts(0, 0) == 1);
 	CHECK(glm::distance(field.page(0).tip(0), field.page(1).tip(0)) > 0.35f);
-	FieldBody ball;
+	MovingBody ball;
 	ball.radius = 0.1f;
 	ball.from = ball.to = field.page(1).root(0) + glm::vec3(0.0f, 1.35f, 0.0f);
 	CHECK(boxes_overlap(field.page(1), ball));

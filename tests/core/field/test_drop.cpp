@@ -24,8 +24,8 @@ FieldSimulation field_with(int prototypes, Law law = Law::elasticity) {
 	return field;
 }
 
-FieldBody ball_around(const glm::vec3 &place) {
-	FieldBody ball;
+MovingBody ball_around(const glm::vec3 &place) {
+	MovingBody ball;
 	ball.from = ball.to = place;
 	ball.radius = 1.5f;
 	return ball;
@@ -80,7 +80,7 @@ TEST_CASE("no body, blow or question finds a plant that is dropped") {
 		field.apply_impulse(0, 7, { 0.3f, 0.0f, 0.0f });
 		CHECK(field.state(0, 7).rate == before.rate);
 		CHECK(field.simulated_count() == simulated - 1);
-		const FieldBody ball = ball_around(root);
+		const MovingBody ball = ball_around(root);
 		int visited = 0;
 		for_each_in_reach(field.page(0), ball, [&](int index) { visited += index == 7 ? 1 : 0; });
 		CHECK(visited == 0);

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int STEPS = 600;
 
-FieldBody walker(int step) {
-	FieldBody body;
+MovingBody walker(int step) {
+	MovingBody body;
 	body.from = { -20.0f + 0.1f * static_cast<float>(step), 0.3f, 0.0f };
 	body.to = { -20.0f + 0.1f * static_cast<float>(step), 1.5f, 3.0f };
 	body.velocity = { 6.0f, 0.0f, 0.0f };
@@ -25,7 +25,7 @@ long allocations_of_steps(const FieldSettings &settings, bool with_contact) {
 	contact.fit(field);
 	long before = 0;
 	for (int i = 0; i < STEPS; i++) {
-		const FieldBody body = walker(i);
+		const MovingBody body = walker(i);
 		field.set_bodies(&body, 1);
 		if (i == 1) {
 			before = allocation_count();

@@ -18,7 +18,7 @@ FieldSimulation threaded_field(int prototypes) {
 	settings.update_interval = 2;
 	settings.prototypes = prototypes;
 	FieldSimulation field = mixed_field(settings, PLANTS_OF_EACH);
-	FieldBody body;
+	MovingBody body;
 	body.from = { -20.0f, 0.3f, 0.0f };
 	body.to = { 20.0f, 0.3f, 5.0f };
 	body.velocity = { 0.0f, 0.0f, 1.0f };

@@ -27,8 +27,8 @@ MotionPage page_of(Law law, const glm::vec3 &root) {
 	return { 0, species, &plant, 1, FIELD_STEP, true, MotionPage::Keeps::directions };
 }
 
-FieldBody ball(const glm::vec3 &place, float radius) {
-	FieldBody body;
+MovingBody ball(const glm::vec3 &place, float radius) {
+	MovingBody body;
 	body.from = body.to = place;
 	body.radius = radius;
 	return body;
@@ -46,9 +46,9 @@ TEST_CASE("a plant on a wall is pushed out of a ball as one on the ground is, tu
 	MotionPage ground = page_of(Law::spring, root);
 	MotionPage wall = page_of(Law::spring, root);
 	const glm::vec3 to_ball = { -0.15f, 0.95f, 0.1f };
-	FieldBody pushing = ball(root + to_ball, 0.3f);
+	MovingBody pushing = ball(root + to_ball, 0.3f);
 	pushing.velocity = { 0.5f, 0.1f, 0.0f };
-	FieldBody turned = ball(root + WALL * to_ball, 0.3f);
+	MovingBody turned = ball(root + WALL * to_ball, 0.3f);
 	turned.velocity = WALL * pushing.velocity;
 	CHECK(push_plants(ground, pushing) == 1);
 	CHECK(push_plants(wall, turned, walled) == 1);
@@ -62,13 +62,13 @@ TEST_CASE("a plant on a wall is pushed out of a ball as one on the ground is, tu
 TEST_CASE("what a body and a root have in common does not push") {
 	const glm::vec3 root_velocity = { 2.0f, 0.0f, 0.0f };
 	const PageStand moving = { nullptr, &root_velocity };
-	FieldBody body = ball({ -0.35f, 1.0f, 0.0f }, 0.3f);
+	MovingBody body = ball({ -0.35f, 1.0f, 0.0f }, 0.3f);
 	MotionPage page = page_of(Law::spring, {});
 	body.velocity = root_velocity; // Both go along.
 	CHECK(push_plants(page, body, moving) == 1);
 	CHECK(glm::length(page.state(0).rate) < 1e-5f);
 	page.settle();
-	const FieldBody ahead = ball({ 0.35f, 1.0f, 0.0f }, 0.3f); // It stands, and the root brings the plant to it.
+	const MovingBody ahead = ball({ 0.35f, 1.0f, 0.0f }, 0.3f); // It stands, and the root brings the plant to it.
 	CHECK(push_plants(page, ahead, moving) == 1);
 	CHECK(glm::length(page.state(0).rate) < 1e-5f);
 	page.settle();

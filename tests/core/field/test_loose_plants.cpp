@@ -38,8 +38,8 @@ FieldSimulation following_field(Law law, int count = 200) {
 }
 
 /// A capsule that stands at `x` and walks along +x.
-FieldBody walker(float x) {
-	FieldBody body;
+MovingBody walker(float x) {
+	MovingBody body;
 	body.from = { x, 0.3f, 0.2f };
 	body.to = { x, 1.5f, 0.2f };
 	body.radius = 0.3f;
@@ -47,7 +47,7 @@ FieldBody walker(float x) {
 	return body;
 }
 
-float depth(const FieldSimulation &field, int plant, const FieldBody &body) {
+float depth(const FieldSimulation &field, int plant, const MovingBody &body) {
 	const MotionPage &page = field.page(0);
 	const glm::vec3 tip = page.root(plant) + page.length(plant) * field.state(0, plant).direction;
 	return body.radius - glm::distance(tip, nearest_on_segment(body.from, body.to, tip));
@@ -85,7 +85,7 @@ TEST_CASE("a body pushes plants that follow, which ring down and follow again wi
 		int most_loose = 0;
 		std::vector<glm::vec3> before(static_cast<size_t>(plants));
 		for (int i = 0; i < 240 + RUNG_DOWN; i++) {
-			const FieldBody body = walker(1.0f + 1.5f * FIELD_STEP * static_cast<float>(i));
+			const MovingBody body = walker(1.0f + 1.5f * FIELD_STEP * static_cast<float>(i));
 			field.set_bodies(&body, i < 240 ? 1 : 0);
 			field.step();
 			most_loose = std::max(most_loose, field.loose_plants(0)->count());
@@ -113,7 +113,7 @@ TEST_CASE("plants that nobody pushes go on following, whatever their neighbours 
 	FieldSimulation pushed = following_field(Law::elasticity);
 	FieldSimulation calm = following_field(Law::elasticity);
 	for (int i = 0; i < 300; i++) {
-		const FieldBody body = walker(4.0f);
+		const MovingBody body = walker(4.0f);
 		pushed.set_bodies(&body, i < 30 ? 1 : 0);
 		pushed.step();
 		calm.step();
@@ -276,7 +276,7 @@ TEST_CASE("what followers that go back show has the rate that it moves at") {
 
 TEST_CASE("bodies of numbers that are none push no follower") {
 	FieldSimulation field = following_field(Law::spring);
-	FieldBody bodies[3] = { walker(2.0f), walker(4.0f), walker(6.0f) };
+	MovingBody bodies[3] = { walker(2.0f), walker(4.0f), walker(6.0f) };
 	bodies[0].velocity.x = std::numeric_limits<float>::quiet_NaN();
 	bodies[1].radius = std::numeric_limits<float>::infinity();
 	bodies[2].from.y = std::numeric_limits<float>::quiet_NaN();

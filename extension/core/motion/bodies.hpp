@@ -16,7 +16,7 @@ inline constexpr float LEAST_PUSHED_HEIGHT = 0.02f;
 /// A moving capsule, sphere or box that pushes plants out of its way: all points nearer than `radius` to its core. A
 /// capsule's core is a segment, a sphere's is a segment whose ends are the same point, and that of a box whose edges
 /// are rounded by `radius` is a box.
-struct FieldBody {
+struct MovingBody {
 	glm::vec3 from = { 0.0f, 0.0f, 0.0f }; ///< m, field axes: the ends of the core's middle line.
 	glm::vec3 to = { 0.0f, 0.0f, 0.0f };
 	float radius = 0.5f; ///< m, > 0.
@@ -31,10 +31,10 @@ struct BodyBox {
 	glm::vec3 low;
 	glm::vec3 high;
 };
-BodyBox box_of(const FieldBody &body);
+BodyBox box_of(const MovingBody &body);
 
 /// Whether all numbers are finite and the radius is above 0.
-bool is_valid(const FieldBody &body);
+bool is_valid(const MovingBody &body);
 
 /// What pages have whose plants stand on nodes of their own; those of a field have neither.
 struct PageStand {
@@ -49,35 +49,36 @@ struct PageStand {
 
 /// Turns one plant of `length` (m) that is in `state` out of the body as push_plants() does; tells whether it was in
 /// it.
-bool push_plant(TipState &state, const glm::vec3 &root, float length, float thickness, const FieldBody &body);
+bool push_plant(TipState &state, const glm::vec3 &root, float length, float thickness, const MovingBody &body);
 
 /// Calls visit(index) for each plant of a page that the body may touch, in rising order; never for one that is gone.
 /// `body`: valid.
-template <class Visit> void for_each_in_reach(const MotionPage &page, const FieldBody &body, const Visit &visit);
+template <class Visit> void for_each_in_reach(const MotionPage &page, const MovingBody &body, const Visit &visit);
 
 /// Pushes the plants of a swinging page out of a body: the tip, which is a sphere of the collision radius, and a point
 /// of the upper stem, along their spheres, by as much as they are inside. What they move towards the body, seen from
 /// it, they lose; nothing springs back from it. A root that moves past a body, or together with one, does not push by
 /// that: of the body's velocity and that seen from the root the lesser counts. Tells how many plants were touched.
-int push_plants(MotionPage &page, const FieldBody &body, const PageStand &stand = {});
+int push_plants(MotionPage &page, const MovingBody &body, const PageStand &stand = {});
 
 /// Whether a plant of the page comes nearer to a valid body than `margin` (m), its tip thickened by the collision
 /// radius. Points along its straight stem count, a quarter of its length apart.
-bool touches_plant(const MotionPage &page, int index, const FieldBody &body, float margin, const PageStand &stand = {});
+bool touches_plant(
+		const MotionPage &page, int index, const MovingBody &body, float margin, const PageStand &stand = {});
 
 /// Whether any of them does.
-bool touches_plants(const MotionPage &page, const FieldBody &body, float margin);
+bool touches_plants(const MotionPage &page, const MovingBody &body, float margin);
 
 /// The point of a body's core that is nearest to `point`: `point` itself where it lies in the core.
-glm::vec3 nearest_in_core(const FieldBody &body, const glm::vec3 &point);
+glm::vec3 nearest_in_core(const MovingBody &body, const glm::vec3 &point);
 
 /// The point of a segment that is nearest to `point`.
 glm::vec3 nearest_on_segment(const glm::vec3 &from, const glm::vec3 &to, const glm::vec3 &point);
 
 /// Whether a plant of the page could be touched.
-bool boxes_overlap(const MotionPage &page, const FieldBody &body);
+bool boxes_overlap(const MotionPage &page, const MovingBody &body);
 
-template <class Visit> void for_each_in_reach(const MotionPage &page, const FieldBody &body, const Visit &visit) {
+template <class Visit> void for_each_in_reach(const MotionPage &page, const MovingBody &body, const Visit &visit) {
 	if (!boxes_overlap(page, body)) {
 		return;
 	}

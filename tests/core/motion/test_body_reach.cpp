@@ -1,4 +1,4 @@
-#include "field_fixture.hpp"
+#include "../field/field_fixture.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,8 +12,8 @@ namespace {
 
 constexpr Law BOTH_LAWS[] = { Law::elasticity, Law::spring };
 
-FieldBody ball(const glm::vec3 &place, float radius) {
-	FieldBody body;
+MovingBody ball(const glm::vec3 &place, float radius) {
+	MovingBody body;
 	body.from = body.to = place;
 	body.radius = radius;
 	return body;
@@ -24,7 +24,7 @@ FieldBody ball(const glm::vec3 &place, float radius) {
 TEST_CASE("a ball at the upper stem pushes the plant, though it is far below the tip") {
 	for (const Law law : BOTH_LAWS) {
 		FieldSimulation field = single_plant(law, {});
-		const FieldBody low = ball({ -0.08f, 0.6f, 0.0f }, 0.1f);
+		const MovingBody low = ball({ -0.08f, 0.6f, 0.0f }, 0.1f);
 		field.set_bodies(&low, 1);
 		field.step();
 		CHECK(field.state(0, 0).direction.x > 0.02f);
@@ -45,7 +45,7 @@ TEST_CASE("a ball pushes a tip from every side that its collision sphere reaches
 			MotionPage &page = field.page(0);
 			page.set_state(0, { glm::normalize(lean + glm::vec3(0.0f, 0.1f, 0.0f)), {} });
 			const glm::vec3 way = page.state(0).direction;
-			FieldBody body = ball(page.tip(0) + apart * way, RADIUS);
+			MovingBody body = ball(page.tip(0) + apart * way, RADIUS);
 			// Aside a little, so that there is a way to turn.
 			body.from += 0.002f * glm::vec3(way.z, 0.0f, -way.x);
 			body.to = body.from;
@@ -69,7 +69,7 @@ TEST_CASE("a ball stops a tip that comes at it, and takes it along, in metres a 
 			MotionPlant plant;
 			plant.length = length;
 			FieldSimulation field = single_plant(law, plant);
-			FieldBody body = ball({ -0.25f, length, 0.0f }, 0.25f);
+			MovingBody body = ball({ -0.25f, length, 0.0f }, 0.25f);
 			field.page(0).set_state(0, { { 0.0f, 1.0f, 0.0f }, { -1.0f, 0.0f, 0.5f } });
 			push_plants(field.page(0), body);
 			CHECK(std::fabs(field.state(0, 0).rate.x) < 0.05f);

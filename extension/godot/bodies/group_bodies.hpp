@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/bodies.hpp"
+#include "motion/bodies.hpp"
 
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
@@ -15,14 +15,14 @@
 
 namespace undergrowth {
 
-/// Follows the bodies of a group for a field, so that they push its plants alike at every frame rate: where they are is
-/// noted in each frame, and between two frames they are taken to go straight on. Main thread. Plants that stand alone
-/// are pushed by the same (PlantBodies), in the axes of the world.
+/// Follows the bodies of a group for a field, or for plants that stand alone (PlantBodies), whose axes are the world's,
+/// so that they push plants alike at every frame rate: where they are is noted in each frame, and between two frames
+/// they are taken to go straight on. Main thread.
 ///
 /// A body's velocity is that of each of its shapes since the step before. It is taken in the world or, where that is
 /// less, in the field: a field that moves past a body that stands, or together with one, is not pushed by its motion.
 /// What goes farther than FASTEST between two frames was set down elsewhere, and does not push by that.
-class FieldBodies {
+class GroupBodies {
 public:
 	static constexpr double FASTEST = 50.0; ///< m/s.
 	static constexpr double SHAPES_KEPT = 0.25; ///< s, after which a body's shapes are looked for anew.
@@ -44,12 +44,12 @@ public:
 			godot::SceneTree *tree, const godot::StringName &group, const godot::Transform3D &field_axes, double delta);
 	/// What pushes in a step whose time is `ago` seconds before this frame (0 to its delta), in field axes. Steps are
 	/// asked for in their order. It holds until the next call.
-	const std::vector<FieldBody> &gather(double ago);
+	const std::vector<MovingBody> &gather(double ago);
 	/// Which bodies `touches` has changed for, by what gather() gave last, and who left the group or the tree.
-	std::vector<Event> find_events(const std::function<bool(const FieldBody &)> &touches);
+	std::vector<Event> find_events(const std::function<bool(const MovingBody &)> &touches);
 	/// Calls visit(instance id, shape) for each shape that gather() gave last. For those who find events of their own,
 	/// and drop_gone() then.
-	void for_each_shape(const std::function<void(uint64_t, const FieldBody &)> &visit) const;
+	void for_each_shape(const std::function<void(uint64_t, const MovingBody &)> &visit) const;
 	/// Forgets who left the group or the tree.
 	void drop_gone();
 	/// What is amiss, with what to do; each once.
@@ -60,7 +60,7 @@ public:
 private:
 	/// Where a shape is.
 	struct Place {
-		FieldBody shape; ///< Field axes, without velocity.
+		MovingBody shape; ///< Field axes, without velocity.
 		glm::vec3 in_world; ///< m, its middle.
 	};
 	struct Shape {
@@ -83,7 +83,7 @@ private:
 	};
 
 	std::vector<Body> bodies;
-	std::vector<FieldBody> gathered;
+	std::vector<MovingBody> gathered;
 	godot::Transform3D axes, to_field;
 	godot::StringName watched_group;
 	double time = 0.0; ///< s.

@@ -1,4 +1,4 @@
-#include "plant_bodies.hpp"
+#include "bodies/plant_bodies.hpp"
 
 #include "plant_3d.hpp"
 
@@ -64,7 +64,7 @@ void PlantBodies::push() {
 	for (Reading &reading : readings) {
 		for (PlantGroup *group : reading.groups) {
 			const PageStand stand = { group->turned_axes(), group->roots.velocities(ago) };
-			for (const FieldBody &shape : *reading.shapes) {
+			for (const MovingBody &shape : *reading.shapes) {
 				push_plants(group->page, shape, stand);
 			}
 		}
@@ -74,11 +74,11 @@ void PlantBodies::push() {
 void PlantBodies::find(const Reading &reading, const PlantGroup &group) {
 	const PageStand stand = { group.turned_axes(), nullptr };
 	const float margin = group.kind.push.touch_margin;
-	reading.bodies.for_each_shape([&](uint64_t body, const FieldBody &shape) {
+	reading.bodies.for_each_shape([&](uint64_t body, const MovingBody &shape) {
 		if (!is_valid(shape)) {
 			return;
 		}
-		FieldBody reach = shape;
+		MovingBody reach = shape;
 		reach.radius += margin;
 		for_each_in_reach(group.page, reach, [&](int i) {
 			if (touches_plant(group.page, i, shape, margin, stand)) {

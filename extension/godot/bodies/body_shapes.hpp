@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/bodies.hpp"
+#include "motion/bodies.hpp"
 
 #include <godot_cpp/classes/collision_shape3d.hpp>
 #include <godot_cpp/classes/node3d.hpp>
@@ -21,10 +21,10 @@ bool may_push(const godot::CollisionShape3D *holder);
 /// for a box's edges, which are rounded by up to 2 cm, and for uneven scales. A cylinder that is longer than wide is
 /// the capsule in it, a flatter one a box of its height and area. False where it cannot push now: disabled, or no such
 /// shape.
-bool shape_in_world(const godot::CollisionShape3D *holder, FieldBody &body);
+bool shape_in_world(const godot::CollisionShape3D *holder, MovingBody &body);
 
 /// A body brought into other axes. Its radius is exact where they are scaled evenly; else as it is in the mean along
 /// the ground. A box stays one with right angles.
-FieldBody transformed(const godot::Transform3D &to, const FieldBody &body);
+MovingBody transformed(const godot::Transform3D &to, const MovingBody &body);
 
 } // namespace undergrowth

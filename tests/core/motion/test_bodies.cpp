@@ -1,4 +1,4 @@
-#include "field_fixture.hpp"
+#include "../field/field_fixture.hpp"
 
 #include <doctest/doctest.h>
 
@@ -14,8 +14,8 @@ namespace {
 constexpr Law BOTH_LAWS[] = { Law::elasticity, Law::spring };
 constexpr float CLEAR_TOLERANCE = 0.02f; // m, of a tip against a body that it is pushed out of once a step.
 
-FieldBody walker(float x) {
-	FieldBody body;
+MovingBody walker(float x) {
+	MovingBody body;
 	body.from = { x, 0.4f, 0.0f };
 	body.to = { x, 1.4f, 0.0f };
 	body.radius = 0.4f;
@@ -38,7 +38,7 @@ TEST_CASE("a tip stays outside of a capsule that walks into it, and rings down a
 		FieldSimulation field = calm_plant(law);
 		float most = 0.0f;
 		for (int i = 0; i < 90; i++) {
-			const FieldBody body = walker(-1.5f + static_cast<float>(i) * FIELD_STEP);
+			const MovingBody body = walker(-1.5f + static_cast<float>(i) * FIELD_STEP);
 			field.set_bodies(&body, 1);
 			field.step();
 			const glm::vec3 tip = field.page(0).tip(0);
@@ -65,7 +65,7 @@ TEST_CASE("a tip stays outside of a capsule that walks into it, and rings down a
 TEST_CASE("a sphere pushes by its velocity, a body that stands still takes only what comes at it") {
 	for (const Law law : BOTH_LAWS) {
 		FieldSimulation field = calm_plant(law);
-		FieldBody ball;
+		MovingBody ball;
 		ball.from = ball.to = { -0.3f, 1.0f, 0.1f };
 		ball.radius = 0.3f;
 		ball.velocity = { 2.0f, 0.0f, 0.0f };
@@ -83,7 +83,7 @@ TEST_CASE("a sphere pushes by its velocity, a body that stands still takes only 
 TEST_CASE("bodies far away, below another page's plants, or of numbers that are none touch nothing") {
 	FieldSimulation field = calm_plant(Law::spring);
 	const uint64_t before = hash_field(field);
-	FieldBody body = walker(30.0f);
+	MovingBody body = walker(30.0f);
 	CHECK(push_plants(field.page(0), body) == 0);
 	body = walker(0.0f);
 	body.from.x = std::numeric_limits<float>::quiet_NaN();
@@ -98,7 +98,7 @@ TEST_CASE("a body on top of a stem, or with its axis in the tip, parts them with
 	for (const Law law : BOTH_LAWS) {
 		for (const float height : { 0.6f, 1.0f, 1.3f }) {
 			FieldSimulation field = calm_plant(law);
-			FieldBody ball;
+			MovingBody ball;
 			ball.from = ball.to = { 0.0f, height, 0.1f };
 			ball.radius = 0.5f;
 			for (int i = 0; i < 60; i++) {
@@ -114,10 +114,10 @@ TEST_CASE("a body on top of a stem, or with its axis in the tip, parts them with
 namespace {
 
 /// A crate of 2 x 1 x 0.6 m that is turned about the vertical, its edges rounded by 2 cm.
-FieldBody crate(const glm::vec3 &middle, float turn) {
+MovingBody crate(const glm::vec3 &middle, float turn) {
 	const glm::vec3 along = { std::cos(turn), 0.0f, -std::sin(turn) };
 	const glm::vec3 across = { std::sin(turn), 0.0f, std::cos(turn) };
-	FieldBody body;
+	MovingBody body;
 	body.radius = 0.02f;
 	body.from = middle - 0.98f * along;
 	body.to = middle + 0.98f * along;
@@ -153,7 +153,7 @@ TEST_CASE("tips stay outside of a crate that is pushed through them, to its corn
 			int leaning = 0;
 			for (int i = 0; i < 150; i++) {
 				const glm::vec3 middle = { -2.0f + 1.5f * static_cast<float>(i) * FIELD_STEP, 1.1f, 0.0f };
-				FieldBody body = crate(middle, turn);
+				MovingBody body = crate(middle, turn);
 				body.velocity.x = 1.5f;
 				field.set_bodies(&body, 1);
 				field.step();
@@ -172,7 +172,7 @@ TEST_CASE("tips stay outside of a crate that is pushed through them, to its corn
 TEST_CASE("a tip in the middle of a crate leaves it by its side, not by its length") {
 	for (const Law law : BOTH_LAWS) {
 		FieldSimulation field = calm_plant(law);
-		const FieldBody body = crate({ 0.3f, 1.0f, 0.0f }, 0.0f);
+		const MovingBody body = crate({ 0.3f, 1.0f, 0.0f }, 0.0f);
 		for (int i = 0; i < 30; i++) {
 			field.set_bodies(&body, 1);
 			field.step();
@@ -191,7 +191,7 @@ TEST_CASE("a crate pushes nothing that it only passes by") {
 
 TEST_CASE("a body touches a plant from its root to its tip, within the margin") {
 	FieldSimulation field = calm_plant(Law::elasticity);
-	FieldBody ball;
+	MovingBody ball;
 	ball.radius = 0.1f;
 	for (const float height : { 0.0f, 0.25f, 0.5f, 0.75f }) {
 		ball.from = ball.to = { 0.25f, height, 0.1f };

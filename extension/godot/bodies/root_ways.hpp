@@ -8,8 +8,8 @@
 
 namespace undergrowth {
 
-/// How fast the roots of a page's plants go, as FieldBodies knows it of bodies: where they are is noted in each frame,
-/// and between two frames they are taken to go straight on. A root that goes farther than FieldBodies::FASTEST was set
+/// How fast the roots of a page's plants go, as GroupBodies knows it of bodies: where they are is noted in each frame,
+/// and between two frames they are taken to go straight on. A root that goes farther than GroupBodies::FASTEST was set
 /// down elsewhere.
 class RootWays {
 public:

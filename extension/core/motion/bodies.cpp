@@ -1,4 +1,4 @@
-#include "field/bodies.hpp"
+#include "motion/bodies.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -42,7 +42,7 @@ float share_of_turn(const glm::vec3 &out, const glm::vec3 &direction) {
 }
 
 /// Of a point in the core: through the face that takes the stem the least turn.
-Exit exit_of_core(const FieldBody &body, const glm::vec3 &point, const glm::vec3 &direction) {
+Exit exit_of_core(const MovingBody &body, const glm::vec3 &point, const glm::vec3 &direction) {
 	const glm::vec3 halves[] = { 0.5f * (body.to - body.from), body.half_width, body.half_depth };
 	const glm::vec3 offset = point - 0.5f * (body.from + body.to);
 	Exit best = { 0.0f, {} };
@@ -62,7 +62,7 @@ Exit exit_of_core(const FieldBody &body, const glm::vec3 &point, const glm::vec3
 	return best;
 }
 
-Exit exit_of(const FieldBody &body, const glm::vec3 &point, const glm::vec3 &root, const glm::vec3 &direction) {
+Exit exit_of(const MovingBody &body, const glm::vec3 &point, const glm::vec3 &root, const glm::vec3 &direction) {
 	const glm::vec3 offset = point - nearest_in_core(body, point);
 	const float distance = glm::length(offset);
 	if (distance > TINY) {
@@ -81,7 +81,7 @@ glm::vec3 nearest_along(const glm::vec3 &moved, const glm::vec3 &half, const glm
 
 /// Turns `state` so that the point at `share` of the stem leaves the body; tells whether it was inside.
 bool push_point(
-		TipState &state, const glm::vec3 &root, float length, float share, float thickness, const FieldBody &body) {
+		TipState &state, const glm::vec3 &root, float length, float share, float thickness, const MovingBody &body) {
 	const float arm = share * length;
 	const glm::vec3 point = root + arm * state.direction;
 	const Exit exit = exit_of(body, point, root, state.direction);
@@ -108,39 +108,39 @@ bool push_point(
 }
 
 /// In the axes of the page's directions.
-FieldBody turned_inward(const FieldBody &body, const PageStand &stand) {
-	FieldBody turned = body;
-	for (glm::vec3 FieldBody::*vector : { &FieldBody::from, &FieldBody::to, &FieldBody::velocity,
-				 &FieldBody::half_width, &FieldBody::half_depth }) {
+MovingBody turned_inward(const MovingBody &body, const PageStand &stand) {
+	MovingBody turned = body;
+	for (glm::vec3 MovingBody::*vector : { &MovingBody::from, &MovingBody::to, &MovingBody::velocity,
+				 &MovingBody::half_width, &MovingBody::half_depth }) {
 		turned.*vector = stand.inward(body.*vector);
 	}
 	return turned;
 }
 
-glm::vec3 lesser_velocity(const FieldBody &body, const glm::vec3 &root_velocity) {
+glm::vec3 lesser_velocity(const MovingBody &body, const glm::vec3 &root_velocity) {
 	const glm::vec3 seen = body.velocity - root_velocity;
 	return glm::dot(seen, seen) < glm::dot(body.velocity, body.velocity) ? seen : body.velocity;
 }
 
 } // namespace
 
-BodyBox box_of(const FieldBody &body) {
+BodyBox box_of(const MovingBody &body) {
 	const glm::vec3 reach = glm::abs(body.half_width) + glm::abs(body.half_depth) + body.radius;
 	return { glm::min(body.from, body.to) - reach, glm::max(body.from, body.to) + reach };
 }
 
-bool boxes_overlap(const MotionPage &page, const FieldBody &body) {
+bool boxes_overlap(const MotionPage &page, const MovingBody &body) {
 	const auto [low, high] = box_of(body);
 	return low.x <= page.high().x && high.x >= page.low().x && low.y <= page.high().y && high.y >= page.low().y &&
 			low.z <= page.high().z && high.z >= page.low().z;
 }
 
-bool is_valid(const FieldBody &body) {
+bool is_valid(const MovingBody &body) {
 	return is_finite(body.from) && is_finite(body.to) && is_finite(body.velocity) && is_finite(body.half_width) &&
 			is_finite(body.half_depth) && std::isfinite(body.radius) && body.radius > 0.0f;
 }
 
-glm::vec3 nearest_in_core(const FieldBody &body, const glm::vec3 &point) {
+glm::vec3 nearest_in_core(const MovingBody &body, const glm::vec3 &point) {
 	const glm::vec3 on_line = nearest_on_segment(body.from, body.to, point);
 	return nearest_along(nearest_along(on_line, body.half_width, point), body.half_depth, point);
 }
@@ -152,12 +152,12 @@ glm::vec3 nearest_on_segment(const glm::vec3 &from, const glm::vec3 &to, const g
 	return from + part * way;
 }
 
-bool push_plant(TipState &state, const glm::vec3 &root, float length, float thickness, const FieldBody &body) {
+bool push_plant(TipState &state, const glm::vec3 &root, float length, float thickness, const MovingBody &body) {
 	const bool inside = push_point(state, root, length, UPPER_STEM, 0.0f, body);
 	return push_point(state, root, length, TIP, thickness, body) || inside;
 }
 
-bool touches_plant(const MotionPage &page, int index, const FieldBody &body, float margin, const PageStand &stand) {
+bool touches_plant(const MotionPage &page, int index, const MovingBody &body, float margin, const PageStand &stand) {
 	const float thickness = std::max(page.collision_radius(), 0.0f);
 	const glm::vec3 root = page.root(index);
 	const glm::vec3 stem = page.length(index) * stand.outward(page.direction(index));
@@ -171,20 +171,20 @@ bool touches_plant(const MotionPage &page, int index, const FieldBody &body, flo
 	return false;
 }
 
-bool touches_plants(const MotionPage &page, const FieldBody &body, float margin) {
-	FieldBody reach = body;
+bool touches_plants(const MotionPage &page, const MovingBody &body, float margin) {
+	MovingBody reach = body;
 	reach.radius += margin;
 	bool touches = false;
 	for_each_in_reach(page, reach, [&](int i) { touches = touches || touches_plant(page, i, body, margin); });
 	return touches;
 }
 
-int push_plants(MotionPage &page, const FieldBody &body, const PageStand &stand) {
+int push_plants(MotionPage &page, const MovingBody &body, const PageStand &stand) {
 	if (!page.swings() || !is_valid(body) || !boxes_overlap(page, body)) {
 		return 0;
 	}
 	const float thickness = std::max(page.collision_radius(), 0.0f);
-	FieldBody seen = turned_inward(body, stand);
+	MovingBody seen = turned_inward(body, stand);
 	int touched = 0;
 	for_each_in_reach(page, body, [&](int i) {
 		TipState state = page.state(i);

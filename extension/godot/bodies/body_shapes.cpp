@@ -1,4 +1,4 @@
-#include "field/field_shapes.hpp"
+#include "bodies/body_shapes.hpp"
 
 #include "convert.hpp"
 
@@ -39,8 +39,8 @@ std::vector<uint64_t> find_shape_holders(const Node3D *body, const StringName &g
 	return found;
 }
 
-static FieldBody box_body(const Vector3 &half) {
-	FieldBody body;
+static MovingBody box_body(const Vector3 &half) {
+	MovingBody body;
 	body.radius = std::min(MOST_ROUNDING, 0.5f * float(std::min({ half.x, half.y, half.z })));
 	body.to = { half.x - body.radius, 0.0f, 0.0f };
 	body.from = -body.to;
@@ -49,8 +49,8 @@ static FieldBody box_body(const Vector3 &half) {
 	return body;
 }
 
-static FieldBody capsule_body(float radius, float height) {
-	FieldBody body;
+static MovingBody capsule_body(float radius, float height) {
+	MovingBody body;
 	body.radius = radius;
 	body.to = { 0.0f, std::max(0.5f * height - radius, 0.0f), 0.0f };
 	body.from = -body.to;
@@ -58,7 +58,7 @@ static FieldBody capsule_body(float radius, float height) {
 }
 
 // In the shape's own axes; of radius 0 where it is none that can push.
-static FieldBody body_of(const Ref<Shape3D> &shape) {
+static MovingBody body_of(const Ref<Shape3D> &shape) {
 	if (const BoxShape3D *box = Object::cast_to<BoxShape3D>(shape.ptr())) {
 		return box_body(0.5f * box->get_size());
 	}
@@ -84,7 +84,7 @@ bool may_push(const CollisionShape3D *holder) {
 	return body_of(holder->get_shape()).radius > 0.0f;
 }
 
-bool shape_in_world(const CollisionShape3D *holder, FieldBody &body) {
+bool shape_in_world(const CollisionShape3D *holder, MovingBody &body) {
 	if (holder->is_disabled() || !holder->is_inside_tree()) {
 		return false;
 	}
@@ -103,8 +103,8 @@ static glm::vec3 squared_up(const glm::vec3 &half, const glm::vec3 &first, const
 	return size > 0.0f ? across * (glm::length(half) / size) : half;
 }
 
-FieldBody transformed(const Transform3D &to, const FieldBody &body) {
-	FieldBody moved = body;
+MovingBody transformed(const Transform3D &to, const MovingBody &body) {
+	MovingBody moved = body;
 	moved.from = to_glm(to.xform(to_godot(body.from)));
 	moved.to = to_glm(to.xform(to_godot(body.to)));
 	const glm::vec3 along = moved.to - moved.from;

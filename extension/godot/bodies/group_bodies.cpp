@@ -1,7 +1,7 @@
-#include "field/field_bodies.hpp"
+#include "bodies/group_bodies.hpp"
 
+#include "bodies/body_shapes.hpp"
 #include "convert.hpp"
-#include "field/field_shapes.hpp"
 #include "messages.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -15,8 +15,8 @@ using namespace godot;
 
 namespace undergrowth {
 
-static FieldBody mix(const FieldBody &from, const FieldBody &to, float part) {
-	FieldBody mixed = to;
+static MovingBody mix(const MovingBody &from, const MovingBody &to, float part) {
+	MovingBody mixed = to;
 	mixed.from = glm::mix(from.from, to.from, part);
 	mixed.to = glm::mix(from.to, to.to, part);
 	mixed.half_width = glm::mix(from.half_width, to.half_width, part);
@@ -25,11 +25,11 @@ static FieldBody mix(const FieldBody &from, const FieldBody &to, float part) {
 	return mixed;
 }
 
-static glm::vec3 middle(const FieldBody &body) {
+static glm::vec3 middle(const MovingBody &body) {
 	return 0.5f * (body.from + body.to);
 }
 
-void FieldBodies::watch(SceneTree *tree, const StringName &group, const Transform3D &field_axes, double delta) {
+void GroupBodies::watch(SceneTree *tree, const StringName &group, const Transform3D &field_axes, double delta) {
 	time += delta;
 	frame = delta;
 	axes = field_axes;
@@ -52,7 +52,7 @@ void FieldBodies::watch(SceneTree *tree, const StringName &group, const Transfor
 	}
 }
 
-void FieldBodies::note_members(const TypedArray<Node> &nodes, double delta) {
+void GroupBodies::note_members(const TypedArray<Node> &nodes, double delta) {
 	warn_of_group(nodes.size(), delta);
 	for (int64_t i = 0; i < nodes.size(); i++) {
 		const Node3D *node = Object::cast_to<Node3D>(nodes[i]);
@@ -64,7 +64,7 @@ void FieldBodies::note_members(const TypedArray<Node> &nodes, double delta) {
 	}
 }
 
-void FieldBodies::note(const Node3D *node, double delta) {
+void GroupBodies::note(const Node3D *node, double delta) {
 	const uint64_t id = node->get_instance_id();
 	auto found = std::find_if(bodies.begin(), bodies.end(), [id](const Body &body) { return body.id == id; });
 	if (found == bodies.end()) {
@@ -84,7 +84,7 @@ void FieldBodies::note(const Node3D *node, double delta) {
 	}
 }
 
-void FieldBodies::find_shapes(Body &body, const Node3D *node) {
+void GroupBodies::find_shapes(Body &body, const Node3D *node) {
 	body.shapes_age = 0.0;
 	std::vector<Shape> shapes;
 	for (const uint64_t holder : find_shape_holders(node, watched_group)) {
@@ -95,11 +95,11 @@ void FieldBodies::find_shapes(Body &body, const Node3D *node) {
 	body.shapes = std::move(shapes);
 }
 
-void FieldBodies::note_shape(Shape &shape) {
+void GroupBodies::note_shape(Shape &shape) {
 	const CollisionShape3D *holder = Object::cast_to<CollisionShape3D>(ObjectDB::get_instance(shape.holder));
 	shape.was_here = shape.is_here;
 	shape.before = shape.now;
-	FieldBody world;
+	MovingBody world;
 	shape.is_here = holder && shape_in_world(holder, world);
 	if (!shape.is_here) {
 		shape.stepped_at = -1.0;
@@ -113,18 +113,18 @@ void FieldBodies::note_shape(Shape &shape) {
 }
 
 // Bodies of physics move in its frames only, so that in a short frame one goes the way of a longer one.
-float FieldBodies::farthest_way(double delta) {
+float GroupBodies::farthest_way(double delta) {
 	const double tick = 1.0 / std::max(Engine::get_singleton()->get_physics_ticks_per_second(), 1);
 	return float(FASTEST * std::max(delta, tick));
 }
 
-bool FieldBodies::is_jump(const Place &from, const Place &to) const {
+bool GroupBodies::is_jump(const Place &from, const Place &to) const {
 	const float farthest = farthest_way(frame);
 	const Vector3 in_field = axes.basis.xform(to_godot(middle(to.shape) - middle(from.shape)));
 	return glm::distance(from.in_world, to.in_world) > farthest || in_field.length() > farthest;
 }
 
-const std::vector<FieldBody> &FieldBodies::gather(double ago) {
+const std::vector<MovingBody> &GroupBodies::gather(double ago) {
 	gathered.clear();
 	const float part = frame > 0.0 ? float(std::clamp(1.0 - ago / frame, 0.0, 1.0)) : 1.0f;
 	for (Body &body : bodies) {
@@ -148,7 +148,7 @@ const std::vector<FieldBody> &FieldBodies::gather(double ago) {
 }
 
 // In field axes.
-glm::vec3 FieldBodies::velocity(const Place &from, const Place &to, double seconds) const {
+glm::vec3 GroupBodies::velocity(const Place &from, const Place &to, double seconds) const {
 	if (seconds <= 0.0) {
 		return { 0.0f, 0.0f, 0.0f };
 	}
@@ -159,7 +159,7 @@ glm::vec3 FieldBodies::velocity(const Place &from, const Place &to, double secon
 	return way / float(seconds);
 }
 
-std::vector<FieldBodies::Event> FieldBodies::find_events(const std::function<bool(const FieldBody &)> &touches) {
+std::vector<GroupBodies::Event> GroupBodies::find_events(const std::function<bool(const MovingBody &)> &touches) {
 	std::vector<Event> events;
 	for (Body &body : bodies) {
 		const bool was_touching = body.is_touching;
@@ -173,7 +173,7 @@ std::vector<FieldBodies::Event> FieldBodies::find_events(const std::function<boo
 	return events;
 }
 
-void FieldBodies::for_each_shape(const std::function<void(uint64_t, const FieldBody &)> &visit) const {
+void GroupBodies::for_each_shape(const std::function<void(uint64_t, const MovingBody &)> &visit) const {
 	for (const Body &body : bodies) {
 		for (size_t i = body.first; i < body.first + body.count; i++) {
 			visit(body.id, gathered[i]);
@@ -181,12 +181,12 @@ void FieldBodies::for_each_shape(const std::function<void(uint64_t, const FieldB
 	}
 }
 
-void FieldBodies::drop_gone() {
+void GroupBodies::drop_gone() {
 	const auto is_gone = [](const Body &body) { return !body.is_here; };
 	bodies.erase(std::remove_if(bodies.begin(), bodies.end(), is_gone), bodies.end());
 }
 
-void FieldBodies::warn_of(const Body &body, const Node *node) {
+void GroupBodies::warn_of(const Body &body, const Node *node) {
 	const auto pushes = [](const Shape &shape) {
 		const CollisionShape3D *holder = Object::cast_to<CollisionShape3D>(ObjectDB::get_instance(shape.holder));
 		return holder && may_push(holder);
@@ -200,7 +200,7 @@ void FieldBodies::warn_of(const Body &body, const Node *node) {
 			"Add one, or take it out of the group.");
 }
 
-void FieldBodies::warn_of_group(int64_t members, double delta) {
+void GroupBodies::warn_of_group(int64_t members, double delta) {
 	empty_for += delta;
 	is_group_known = is_group_known || members > 0;
 	if (empty_for < GROUP_PATIENCE || is_group_known) {
@@ -211,13 +211,13 @@ void FieldBodies::warn_of_group(int64_t members, double delta) {
 			"', so nothing pushes its plants. Add bodies to that group, or mend its name in bodies_group.");
 }
 
-std::vector<String> FieldBodies::take_warnings() {
+std::vector<String> GroupBodies::take_warnings() {
 	std::vector<String> taken;
 	taken.swap(warnings);
 	return taken;
 }
 
-void FieldBodies::forget() {
+void GroupBodies::forget() {
 	bodies.clear();
 	gathered.clear();
 	empty_for = 0.0;

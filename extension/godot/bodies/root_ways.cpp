@@ -1,6 +1,6 @@
-#include "root_ways.hpp"
+#include "bodies/root_ways.hpp"
 
-#include "field/field_bodies.hpp"
+#include "bodies/group_bodies.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -20,7 +20,7 @@ void RootWays::remove(int index) {
 void RootWays::watch(const MotionPage &page, double delta) {
 	time += delta;
 	frame = delta;
-	const float farthest = FieldBodies::farthest_way(delta);
+	const float farthest = GroupBodies::farthest_way(delta);
 	for (size_t i = 0; i < ways.size(); i++) {
 		const glm::vec3 root = page.root(int(i));
 		Way &way = ways[i];

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/field_bodies.hpp"
+#include "bodies/group_bodies.hpp"
 #include "plant_group.hpp"
 
 #include <memory>
@@ -33,9 +33,9 @@ private:
 	/// The bodies of a group, and the plants that name it.
 	struct Reading {
 		godot::StringName name;
-		FieldBodies bodies;
+		GroupBodies bodies;
 		std::vector<PlantGroup *> groups;
-		const std::vector<FieldBody> *shapes = nullptr; ///< Of the present step.
+		const std::vector<MovingBody> *shapes = nullptr; ///< Of the present step.
 	};
 	/// A body that touches a plant, by their instance ids: either may be freed by now.
 	struct Touch {
