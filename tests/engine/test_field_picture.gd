@@ -134,8 +134,8 @@ func test_a_follower_that_was_pushed() -> void:
 	)
 
 
-## Followers in slow waves, so that each is late by its own time, before and after they get a material
-## that looks the same; in a field that stands still or in a [param preview].
+## Followers in slow waves, so that each is late by its own time, before and after they get a
+## material that looks the same; in a field that stands still or in a [param preview].
 func _check_followers_dressed(preview: bool) -> void:
 	var function := TulipFunction.new()
 	function.material = StandardMaterial3D.new()

@@ -8,9 +8,11 @@ namespace {
 
 /// Whether the same plants stand as before, as after most changes: no names need be compared then.
 bool are_the_same(const std::vector<NumberedBlock> &before, const std::vector<PlantBlock> &now) {
-	return std::equal(before.begin(), before.end(), now.begin(), now.end(), [](const auto &old, const PlantBlock &block) {
-		return old.second.gone == 0 && old.second.plants.x == block.plants.x && old.second.plants.z == block.plants.z;
-	});
+	return std::equal(
+			before.begin(), before.end(), now.begin(), now.end(), [](const auto &old, const PlantBlock &block) {
+				return old.second.gone == 0 && old.second.plants.x == block.plants.x &&
+						old.second.plants.z == block.plants.z;
+			});
 }
 
 std::vector<KeptPlant> keep_all(const std::vector<NumberedBlock> &before) {

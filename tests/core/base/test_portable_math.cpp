@@ -1,6 +1,6 @@
+#include "../golden.hpp"
 #include "base/portable_math.hpp"
 #include "base/random.hpp"
-#include "../golden.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
-#include "stand/kept_plants.hpp"
 #include "stand/blocks.hpp"
+#include "stand/kept_plants.hpp"
 #include "test_placement_fixture.hpp"
 
 #include <doctest/doctest.h>
