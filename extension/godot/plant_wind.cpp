@@ -46,14 +46,12 @@ PlantWind::Kind PlantWind::get_kind() const {
 	return Kind(int(air.wind.kind));
 }
 
-// Tells whether the value is another one than before, and a possible one.
-bool PlantWind::set_number(float &slot, const char *property, double value, const Range &range) {
+void PlantWind::set_number(float &slot, const char *property, double value, const Range &range) {
 	if (!accept_value(this, property, value, range) || slot == float(value)) {
-		return false;
+		return;
 	}
 	slot = float(value);
 	emit_changed();
-	return true;
 }
 
 void PlantWind::set_strength(double newtons) {

@@ -36,7 +36,7 @@ private:
 	double step_start = 0.0; ///< s, of that step.
 
 	void begin_gust();
-	bool set_number(float &slot, const char *property, double value, const Range &range);
+	void set_number(float &slot, const char *property, double value, const Range &range);
 
 protected:
 	static void _bind_methods();

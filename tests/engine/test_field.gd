@@ -131,10 +131,10 @@ func test_plants_stand_inside_the_area_and_outside_exclusions() -> void:
 
 
 func test_a_field_that_leaves_the_tree_while_it_fills_goes_on_when_it_comes_back() -> void:
-	field.density = 20.0
 	root.add_child(field)
-	await frames(1)
-	check(field.is_filling(), "it fills")
+	while not field.is_filling():
+		await process_frame
+	field.fill()  # It is at work from here on, however slow the machine is.
 	root.remove_child(field)
 	await frames(3)
 	root.add_child(field)

@@ -151,6 +151,32 @@ func test_several_plants_are_removed_by_their_ids() -> void:
 	check_equal(field.remove_plants(gone), 0, "removed again")
 
 
+func test_plants_that_code_adds_are_drawn_once_at_every_level() -> void:
+	field.density = 0.0
+	field.tile_size = 4.0
+	root.add_child(field)
+	var camera := Camera3D.new()
+	root.add_child(camera)
+	var count := 0
+	for row in 6:
+		var places: Array[Transform3D] = []
+		for i in 12:
+			var place := Vector3(-21.0 + 4.0 * i, 0, -13.0 + 5.0 * row)
+			places.append(Transform3D(Basis.IDENTITY, place))
+		count += field.add_plants(places, field.species[0].species).size()
+		await frames(3)
+		camera.position = Vector3(0, 2, 5000)
+		var drawn: PackedInt32Array = field.get_statistics()["drawn_by_level"]
+		check_equal(drawn[-1], count, "drawn of %d from far away" % count)
+	var ids := field.get_plant_ids()
+	for i in range(0, ids.size(), 2):
+		count -= 1 if field.remove_plant(ids[i]) else 0
+	await frames(3)
+	var left: PackedInt32Array = field.get_statistics()["drawn_by_level"]
+	check(left[-1] >= count, "%d are drawn, %d stand" % [left[-1], count])
+	camera.free()
+
+
 func test_plants_keep_their_ids_when_they_grow_again() -> void:
 	await start()
 	var ids := sorted_ids()

@@ -14,8 +14,14 @@ func before_each() -> void:
 func test_plants_move_in_wind() -> void:
 	await start()
 	var before := all_tips()
-	await step(30)
-	check_equal(count_moved(before, 0.001), field.get_plant_count(), "plants that moved")
+	var moved := {}
+	for i in 10:
+		await step(3)  # Where a tip is in the end, it may have been in the beginning.
+		var tips := all_tips()
+		for plant in tips.size():
+			if tips[plant].distance_to(before[plant]) > 0.001:
+				moved[plant] = true
+	check_equal(moved.size(), field.get_plant_count(), "plants that moved")
 
 
 func test_plants_keep_their_length() -> void:

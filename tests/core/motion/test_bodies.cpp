@@ -136,6 +136,23 @@ float crate_distance(const glm::vec3 &middle, float turn, const glm::vec3 &point
 
 } // namespace
 
+TEST_CASE("a tip deep in a crate leaves it by the nearest side, on either side of its middle") {
+	for (const Law law : BOTH_LAWS) {
+		for (const float side : { 0.1f, -0.1f }) {
+			for (const bool is_turned : { false, true }) {
+				FieldSimulation field = calm_plant(law);
+				const glm::vec3 middle = is_turned ? glm::vec3(-side, 0.9f, 0.1f) : glm::vec3(0.0f, 0.9f, 0.1f - side);
+				const FieldBody body = crate(middle, is_turned ? 1.5707964f : 0.0f);
+				field.set_bodies(&body, 1);
+				field.step();
+				const glm::vec3 direction = field.state(0, 0).direction;
+				CHECK((is_turned ? direction.x : direction.z) * side > 0.01f);
+				CHECK(std::fabs(is_turned ? direction.z : direction.x) < 0.01f);
+			}
+		}
+	}
+}
+
 TEST_CASE("tips stay outside of a crate that is pushed through them, to its corners") {
 	for (const Law law : BOTH_LAWS) {
 		for (const float turn : { 0.0f, 0.5f, 1.5707964f }) {
