@@ -125,6 +125,14 @@ func physics_frames(count: int) -> void:
 		await physics_frame
 
 
+## Waits for what worker threads do: until [param holds], a minute at most.
+func until(holds: Callable, what: String) -> void:
+	var deadline := Time.get_ticks_msec() + 60000
+	while not holds.call() and Time.get_ticks_msec() < deadline:
+		await process_frame
+	check(holds.call(), what)
+
+
 ## What starts this engine once more. A script may have started it by its loader, which has no other
 ## name for itself.
 func engine_path() -> String:

@@ -76,6 +76,7 @@ func test_a_saved_field_is_the_same_when_it_is_loaded() -> void:
 	field.wind = PlantWind.new()
 	field.levels = [PlantFieldLevel.of(8, 9.0), PlantFieldLevel.of(2)]
 	field.bodies_group = &"walkers"
+	var walker := add_walker()
 	await _fill()
 	var scene := PackedScene.new()
 	check_equal(scene.pack(field), OK, "packing")
@@ -94,6 +95,7 @@ func test_a_saved_field_is_the_same_when_it_is_loaded() -> void:
 	check_equal(loaded.levels.size(), 2, "levels")
 	check_equal(loaded.levels[0].end, 9.0, "end of the first level")
 	loaded.free()
+	walker.free()
 	DirAccess.remove_absolute(path)
 
 
@@ -138,11 +140,7 @@ func test_a_field_that_leaves_the_tree_while_it_fills_goes_on_when_it_comes_back
 	root.remove_child(field)
 	await frames(3)
 	root.add_child(field)
-	var left := 600
-	while field.is_filling() and left > 0:
-		left -= 1
-		await process_frame
-	check(left > 0, "it stands")
+	await until(func() -> bool: return not field.is_filling(), "it stands")
 	check(field.get_plant_count() > 100, "%d plants" % field.get_plant_count())
 
 

@@ -55,20 +55,11 @@ func test_levels_and_looks_change_while_paused() -> void:
 	paused = true
 	field.levels = [PlantFieldLevel.of(5)]
 	field.species[0].species.color_deviation = 0.5
-	var frames_left := 300
 	await frames(1)
-	while field.get_statistics()["is_dressing"] and frames_left > 0:
-		frames_left -= 1
-		await process_frame
-	check(frames_left > 0, "it is dressed")
+	await until(func() -> bool: return not field.get_statistics()["is_dressing"], "it is dressed")
 	check_equal(field.get_statistics()["drawn_by_level"].size(), 1, "levels")
 
 
-## Waits for it, but not for ever.
 func _grown() -> void:
 	await frames(1)
-	var left := 300
-	while field.is_filling() and left > 0:
-		left -= 1
-		await process_frame
-	check(left > 0, "it is filled")
+	await until(func() -> bool: return not field.is_filling(), "it is filled")

@@ -36,6 +36,9 @@ SETTINGS = {"physics_thread": "[physics]\n\n3d/run_on_separate_thread=true\n",
             "no_physics": "[physics]\n\n3d/physics_engine=\"Dummy\"\n"}
 # What a virtual display makes the engine say.
 EXPECTED = "WARNING: Could not set V-Sync mode"
+# Each frame is a sixtieth of a second to the scene, however long it takes: a busy machine changes nothing, and nobody
+# waits for the clock.
+STEADY = ["--fixed-fps", "60"]
 TIMEOUT = 600  # s for one script: two cores may be busy with other suites.
 END_LINE = re.compile(r"^done (\d+)$", re.MULTILINE)
 # One more for each round, where there are several: `round 3 seed 17`.
@@ -140,7 +143,7 @@ def run_script(godot, folder, script, method=None, rounds=None, part=0):
     name = name_of(script, method) + (f":{part + 1}" if part else "")
     rounds = rounds or Rounds()
     path = "res://" + (Path("tests/engine") / script.relative_to(ROOT / "tests/engine")).as_posix()
-    words = [godot, "--path", folder, "--script", path]
+    words = [godot, "--path", folder, *STEADY, "--script", path]
     # Tests that start an engine of their own, as for a frame rate, take this one.
     surroundings = {**os.environ, "GODOT": str(godot)}
     if not method:
