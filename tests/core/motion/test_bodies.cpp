@@ -142,7 +142,7 @@ TEST_CASE("a tip deep in a crate leaves it by the nearest side, on either side o
 			for (const bool is_turned : { false, true }) {
 				FieldSimulation field = calm_plant(law);
 				const glm::vec3 middle = is_turned ? glm::vec3(-side, 0.9f, 0.1f) : glm::vec3(0.0f, 0.9f, 0.1f - side);
-				const FieldBody body = crate(middle, is_turned ? 1.5707964f : 0.0f);
+				const MovingBody body = crate(middle, is_turned ? 1.5707964f : 0.0f);
 				field.set_bodies(&body, 1);
 				field.step();
 				const glm::vec3 direction = field.state(0, 0).direction;
