@@ -1,13 +1,11 @@
-// The half of PlantFunction that asks the four functions. SampledPlant turns their answers into a mesh.
+// The half of PlantFunction that asks the four functions and turns their answers into a mesh.
 
 #include "plant_function.hpp"
 
 #include "convert.hpp"
 #include "new_object.hpp"
 #include "plant/base_shape.hpp"
-
-#include <godot_cpp/classes/engine.hpp>
-#include <godot_cpp/classes/script.hpp>
+#include "script_call.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,21 +20,9 @@ static constexpr double MAX_RING_EXTENT = 1e6; // m.
 
 Variant PlantFunction::call_override(
 		const StringName &method, const Variant &argument, Variant::Type wanted, String &problem) {
-	const Ref<Script> script = get_script();
-	if (script.is_valid() && Engine::get_singleton()->is_editor_hint() && !script->is_tool()) {
-		problem = "its script cannot run in the editor. Begin the script with @tool.";
-		return Variant();
-	}
-	const Variant result = call(method, argument);
-	const bool number_fits = wanted == Variant::FLOAT && result.get_type() == Variant::INT;
-	if (result.get_type() == wanted || number_fits) {
-		return result;
-	}
-	const String got =
-			result.get_type() == Variant::NIL ? String("nothing") : Variant::get_type_name(result.get_type());
-	problem =
-			String(method) + "() of its script returned " + got + ". Return a " + Variant::get_type_name(wanted) + ".";
-	return Variant();
+	Array arguments;
+	arguments.push_back(argument);
+	return call_script_override(this, method, arguments, wanted, problem);
 }
 
 PackedVector3Array PlantFunction::own_base_shape(int lod) const {
@@ -114,6 +100,15 @@ Color PlantFunction::calculate_color_at_point(double offset) {
 	return color;
 }
 
+static bool is_level(int segments) {
+	return segments >= MIN_LOD && segments <= MAX_LOD;
+}
+
+static String level_problem(int segments) {
+	return String::num_int64(segments) + " segments cannot be built. Use " + String::num_int64(MIN_LOD) + " to " +
+			String::num_int64(MAX_LOD) + " along the height.";
+}
+
 static String ring_problem(const PackedVector3Array &shape) {
 	const RingFault fault = find_ring_fault(reinterpret_cast<const glm::vec3 *>(shape.ptr()), int(shape.size()));
 	if (fault != RingFault::none) {
@@ -136,6 +131,14 @@ static CrossSection cross_section_of(const PackedVector3Array &shape) {
 	return make_cross_section(ring);
 }
 
+String PlantFunction::find_height_problem(double height) {
+	if (std::isfinite(height) && height >= 0.0 && height <= MAX_HEIGHT) {
+		return String();
+	}
+	return "a height of " + String::num(height) + " m cannot be built. Use more than 0 and at most " +
+			String::num(MAX_HEIGHT) + " m, or 0 for the function's own.";
+}
+
 String PlantFunction::sample_height(double height, int64_t seed, SampledPlant &result) {
 	if (height == 0.0) {
 		Ref<RandomNumberGenerator> rng = new_counted<RandomNumberGenerator>();
@@ -151,18 +154,13 @@ String PlantFunction::sample_height(double height, int64_t seed, SampledPlant &r
 			return "_generate_height() gave " + String::num(height) + ". Return metres above 0.";
 		}
 	}
-	if (!std::isfinite(height) || height < 0.0 || height > MAX_HEIGHT) {
-		return "a height of " + String::num(height) + " m cannot be built. Use more than 0 and at most " +
-				String::num(MAX_HEIGHT) + " m, or 0 for the function's own.";
-	}
 	result.height = float(height);
-	return String();
+	return find_height_problem(height);
 }
 
 String PlantFunction::sample_ring(int segments, SampledPlant &result) {
-	if (segments < MIN_LOD || segments > MAX_LOD) {
-		return String::num_int64(segments) + " segments cannot be built. Use " + String::num_int64(MIN_LOD) + " to " +
-				String::num_int64(MAX_LOD) + " along the height.";
+	if (!is_level(segments)) {
+		return level_problem(segments);
 	}
 	String problem;
 	const PackedVector3Array shape = GDVIRTUAL_IS_OVERRIDDEN(_get_base_shape)
@@ -218,6 +216,11 @@ String PlantFunction::sample(double height, int segments, int64_t seed, SampledP
 	result.options = look;
 	result.options.seed = uint64_t(seed);
 	result.material = material;
+	result.grown.reset();
+	if (has_parts()) {
+		result.lod = segments;
+		return is_level(segments) ? grow(height, seed, result) : level_problem(segments);
+	}
 	String problem = sample_height(height, seed, result);
 	if (problem.is_empty()) {
 		problem = sample_ring(segments, result);

@@ -1,6 +1,9 @@
+// Turns what was asked of a plant function into a mesh of the engine's.
+
 #include "sampled_plant.hpp"
 
-#include "convert.hpp"
+#include "form/form_arrays.hpp"
+#include "form/grown_plant.hpp"
 #include "new_object.hpp"
 #include "shared_resources.hpp"
 
@@ -31,6 +34,9 @@ static PackedFloat32Array tip_weights(const PackedFloat32Array &weights) {
 }
 
 Ref<ArrayMesh> SampledPlant::build() const {
+	if (grown) {
+		return build_form_mesh(*grown, *this);
+	}
 	const MeshCounts counts = count_mesh(int(cross_section.points.size()), lod, options.shading);
 	PackedVector3Array positions, normals;
 	PackedColorArray tints;

@@ -58,6 +58,8 @@ struct FieldLook {
 	float height_of(const PlacedPlant &plant) const { return variant_of(plant).height * plant.height; }
 	/// As it stands (m).
 	float length_of(const PlacedPlant &plant) const { return height_of(plant) * plant.scale; }
+	/// Whether its plants are of parts.
+	bool has_parts() const { return !nearest.empty() && nearest[0].grown; }
 	/// The farthest that the plant's mesh goes from its root, however it bends: linear blend skinning moves no vertex
 	/// farther than it is at rest (m).
 	float reach_of(const PlacedPlant &plant) const;
