@@ -4,7 +4,7 @@
 #include <limits>
 
 // Argument reductions and coefficients are those of fdlibm (Sun Microsystems 1993: e_rem_pio2.c, k_sin.c, k_cos.c,
-// e_exp.c). floor, fabs, fmod and ldexp are exact by their definition, so every platform's agree.
+// e_exp.c). floor, fabs, fmod, frexp and ldexp are exact by their definition, so every platform's agree.
 
 namespace undergrowth {
 
@@ -127,6 +127,36 @@ double portable_exp(double exponent) {
 																			z * 4.13813679705723846039e-08))));
 	const double scaled = 1.0 - ((low - (x * c) / (2.0 - c)) - high);
 	return std::ldexp(scaled, static_cast<int>(count));
+}
+
+double portable_log(double value) {
+	if (!(value > 0.0) || !std::isfinite(value)) {
+		return std::numeric_limits<double>::quiet_NaN();
+	}
+	// value = m·2^count with m in [√½, √2]; ln m = 2·artanh((m - 1)/(m + 1)), whose argument is below 0.172: eleven
+	// terms of the series end below 1e-17.
+	int count = 0;
+	double m = std::frexp(value, &count);
+	if (m < 0.70710678118654752440) {
+		m *= 2.0;
+		count--;
+	}
+	const double f = (m - 1.0) / (m + 1.0);
+	double sum = 0.0;
+	for (int i = 21; i >= 1; i -= 2) {
+		sum = 1.0 / i + sum * f * f;
+	}
+	return count * LN2_HIGH + (count * LN2_LOW + 2.0 * f * sum);
+}
+
+double portable_pow(double base, double exponent) {
+	if (exponent == 0.0 || base == 1.0) {
+		return 1.0;
+	}
+	if (base == 0.0) {
+		return exponent > 0.0 ? 0.0 : std::numeric_limits<double>::infinity();
+	}
+	return portable_exp(exponent * portable_log(base));
 }
 
 double portable_atan2(double y, double x) {

@@ -50,6 +50,29 @@ TEST_CASE("portable sine and cosine hold at the borders of the quadrants") {
 	CHECK(portable_cos(0.0) == 1.0);
 }
 
+TEST_CASE("the portable logarithm and powers agree with the C library's") {
+	double worst = 0.0;
+	for (int i = 0; i < POINTS; i++) {
+		const double value = std::exp(sample(i, 20.0));
+		const double log = std::log(value);
+		worst = std::fmax(worst, std::fabs(portable_log(value) - log) / std::fmax(1.0, std::fabs(log)));
+		const double share = std::fabs(sample(2 * i, 1.0));
+		const double power = 4.0 * std::fabs(sample(3 * i, 1.0));
+		worst = std::fmax(worst, std::fabs(portable_pow(share, power) - std::pow(share, power)));
+	}
+	CHECK(worst < TOLERANCE);
+}
+
+TEST_CASE("powers of 0 and 1, and logarithms of what has none") {
+	CHECK(portable_pow(0.0, 0.5) == 0.0);
+	CHECK(portable_pow(0.0, 0.0) == 1.0);
+	CHECK(std::isinf(portable_pow(0.0, -1.0)));
+	CHECK(portable_pow(1.0, 1e9) == 1.0);
+	CHECK(std::isnan(portable_log(0.0)));
+	CHECK(std::isnan(portable_log(-1.0)));
+	CHECK(std::isnan(portable_pow(-1.0, 0.5)));
+}
+
 TEST_CASE("the portable angle of a direction agrees with the C library's") {
 	double worst = 0.0;
 	for (int i = 0; i < POINTS; i++) {

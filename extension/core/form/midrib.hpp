@@ -1,0 +1,48 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace undergrowth {
+
+/// How a midrib runs from its base on.
+struct MidribCurve {
+	float bend =
+			0.0f; ///< rad: how far the tip has turned from the direction at the base. Negative: back to the parent.
+	float power = 1.0f; ///< 0.5 to 4. The turn at offset s is bend·s^power: above 1 it gathers at the tip.
+	float wander = 0.0f; ///< rad, 0 to 1.5: how far noise turns the tip from that, aside and along.
+};
+
+/// The line along which a part runs, of length 1: by arc length, so that bending never makes it longer (a Bézier's
+/// length changes as it bends). Its own axes: it begins at the origin along +y and bends towards +z.
+class Midrib {
+public:
+	/// A place on the line and the axes that go along with it: across = (1, 0, 0) at the base, along × across = up.
+	/// They never turn about the line (rotation-minimising: Wang, Jüttler, Zheng and Liu 2008).
+	struct Place {
+		glm::vec3 point;
+		glm::vec3 along; ///< Unit length.
+		glm::vec3 across; ///< Unit length, towards the right edge of a blade.
+		glm::vec3 up; ///< Unit length, the upper (adaxial) side of a blade.
+		glm::vec3 curvature; ///< Change of `along` per length.
+	};
+
+	/// `seed` chooses the noise; without `wander` it is unused.
+	explicit Midrib(const MidribCurve &curve, uint64_t seed = 0);
+
+	/// The place at the offset `s` from 0 to 1. Points lie within 1e-4 of the exact curve.
+	Place at(float s) const;
+
+private:
+	static constexpr int STEPS = 48;
+	struct Node {
+		glm::vec3 point;
+		glm::vec3 along;
+		glm::vec3 across;
+	};
+	std::array<Node, STEPS + 1> nodes;
+};
+
+} // namespace undergrowth

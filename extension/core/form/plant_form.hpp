@@ -1,0 +1,73 @@
+#pragma once
+
+#include "form/arrangement.hpp"
+#include "form/midrib.hpp"
+#include "form/part.hpp"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace undergrowth {
+
+inline constexpr int MAX_PARTS = 4096; ///< Of one plant.
+inline constexpr int MAX_DEPTH = 4; ///< Parts that carry parts that carry parts …: stem, twig, stalk, floret.
+inline constexpr int ON_GROUND = -1;
+
+/// One part of one plant, where it stands.
+struct PlacedPart {
+	int kind = 0; ///< Index of its PartKind in PlantForm::parts.
+	int group = 0; ///< Those that one arrangement placed (PlantForm::groups).
+	int carrier = ON_GROUND; ///< Index of the placed part that carries it, always below its own.
+	int own_midrib = -1; ///< Index in PlantForm::wanderers; -1: that of its kind.
+	PartAxes axes;
+	glm::vec3 base; ///< m, where it is attached.
+	float length; ///< m.
+	float width; ///< m.
+	float offset; ///< Of its base on the carrier.
+	float rank; ///< 0 to 1, in golden-ratio order within its group: of those below any share the rest stays spread.
+	float tint; ///< -1 to 1, the part's own share of a colour deviation.
+};
+
+/// What one arrangement placed on all of its carriers.
+struct PartGroup {
+	int kind = 0; ///< Of the parts: all are of one.
+	int carrier_group = ON_GROUND; ///< Group of the carriers; ON_GROUND too where they are of several.
+	Layout layout = Layout::along;
+	float radius = 0.0f; ///< m, as arranged.
+	float dome = 0.0f;
+	int depth = 1; ///< 1 on the ground.
+	int first = 0; ///< Placed parts first … first + count - 1 are its own.
+	int count = 0;
+};
+
+/// What one plant of one seed is: the same at every level of detail. A flat list; carriers stand before what they
+/// carry.
+struct PlantForm {
+	static constexpr int NO_STEM = -1;
+
+	std::vector<Part> parts; ///< Each kind of part once.
+	std::vector<Midrib> midribs; ///< Of each kind of part, without its wander.
+	std::vector<Midrib> wanderers; ///< Of parts that wander, each its own.
+	std::vector<PartGroup> groups;
+	std::vector<PlacedPart> placed;
+	int stem = NO_STEM; ///< Index of the placed part that is the stem of the four functions, if it has one.
+	float height = 1.0f; ///< m. With parts alone it is the height of the highest.
+	float reach = 0.0f; ///< m, the farthest that a midrib goes from the plant's axis.
+
+	const Midrib &midrib_of(const PlacedPart &part) const {
+		return part.own_midrib < 0 ? midribs[static_cast<size_t>(part.kind)]
+								   : wanderers[static_cast<size_t>(part.own_midrib)];
+	}
+	/// A place on the midrib of a placed part, in the plant's axes (m).
+	glm::vec3 point_of(const PlacedPart &part, float offset) const;
+	/// Its axes there: outward is the lower side of a blade.
+	PartAxes axes_of(const PlacedPart &part, float offset) const;
+	/// A vector of a part's own axes in the plant's.
+	static glm::vec3 turned(const PartAxes &axes, const glm::vec3 &own) {
+		return axes.x * own.x + axes.along * own.y + axes.outward * own.z;
+	}
+};
+
+} // namespace undergrowth

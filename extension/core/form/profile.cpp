@@ -1,0 +1,69 @@
+#include "form/profile.hpp"
+
+#include "base/portable_math.hpp"
+
+#include <algorithm>
+
+namespace undergrowth {
+
+namespace {
+
+constexpr float INSIDE = 0.01f; // Of the length: as near to the ends as slopes are asked for.
+constexpr int MEAN_STEPS = 32;
+
+float profile_at(const Profile &profile, float widest, float s) {
+	const double up = profile.rise > 0.0f ? portable_pow(static_cast<double>(s) / widest, profile.rise) : 1.0;
+	const double down = profile.fall > 0.0f ? portable_pow((1.0 - s) / (1.0 - widest), profile.fall) : 1.0;
+	return static_cast<float>(up * down);
+}
+
+float sample_at(const std::vector<float> &samples, float s) {
+	const float place = s * static_cast<float>(samples.size() - 1);
+	const size_t before = std::min(static_cast<size_t>(place), samples.size() - 2);
+	const float t = place - static_cast<float>(before);
+	return samples[before] * (1.0f - t) + samples[before + 1] * t;
+}
+
+} // namespace
+
+float WidthFunction::widest() const {
+	if (!samples.empty()) {
+		const auto most = std::max_element(samples.begin(), samples.end());
+		return static_cast<float>(most - samples.begin()) / static_cast<float>(samples.size() - 1);
+	}
+	const float sum = profile.rise + profile.fall;
+	return sum > 0.0f ? profile.rise / sum : 0.0f;
+}
+
+float WidthFunction::at(float s) const {
+	if (!samples.empty()) {
+		return sample_at(samples, s);
+	}
+	const float most = widest();
+	const float width = profile_at(profile, most, s);
+	return s < most ? std::max(width, base_width) : width;
+}
+
+float WidthFunction::slope(float s) const {
+	const float inside = std::clamp(s, INSIDE, 1.0f - INSIDE);
+	if (samples.empty()) {
+		const float width = at(inside);
+		const bool is_held = inside < widest() && width == base_width;
+		return is_held ? 0.0f : width * (profile.rise / inside - profile.fall / (1.0f - inside));
+	}
+	const float low = std::max(inside - INSIDE, 0.0f);
+	const float high = std::min(inside + INSIDE, 1.0f);
+	return (at(high) - at(low)) / (high - low);
+}
+
+float WidthFunction::mean() const {
+	// s = 3t² - 2t³ crowds the steps where roots are steep; the midpoint rule on it.
+	double sum = 0.0;
+	for (int i = 0; i < MEAN_STEPS; i++) {
+		const double t = (i + 0.5) / MEAN_STEPS;
+		sum += 6.0 * t * (1.0 - t) * at(static_cast<float>(t * t * (3.0 - 2.0 * t)));
+	}
+	return static_cast<float>(sum / MEAN_STEPS);
+}
+
+} // namespace undergrowth

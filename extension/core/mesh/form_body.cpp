@@ -1,0 +1,198 @@
+#include "mesh/form_body.hpp"
+
+#include "base/portable_math.hpp"
+#include "conventions.hpp"
+#include "mesh/plan_steps.hpp"
+
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+constexpr int PLACES = 3; // Of a part that are measured: base, middle, tip.
+constexpr float MOST_LARGER = 4.0f; // In area.
+constexpr float LEAST_RADIUS = 1e-4f; // m.
+
+/// What a body's parts measure in its own axes.
+struct Measure {
+	float low = 1e9f;
+	float high = -1e9f;
+	float farthest = 0.0f;
+	float area = 0.0f; ///< m², of parts.
+	float shown = 0.0f; ///< m² of the silhouette, were none before another.
+	glm::vec3 squares = glm::vec3(0.0f);
+	float alpha = 0.0f;
+	float shine = 0.0f;
+	// Means over the parts that stand on the carrier itself:
+	float along[PLACES] = {};
+	float away[PLACES] = {};
+	float lid = 0.0f; ///< m², of those.
+	int count = 0;
+};
+
+struct OwnPlace {
+	float along;
+	float away;
+};
+
+OwnPlace place_in(const FormBody &body, const glm::vec3 &point) {
+	const glm::vec3 way = point - body.origin;
+	const float along = glm::dot(way, body.axes.along);
+	return { along, glm::length(way - body.axes.along * along) };
+}
+
+void add(
+		Measure &m, const FormBody &body, const PlantForm &form, const FormMeasure &measure, const PlacedPart &placed) {
+	const Part &part = form.parts[static_cast<size_t>(placed.kind)];
+	const glm::vec4 &color = measure.colors[static_cast<size_t>(placed.kind)];
+	const size_t group = static_cast<size_t>(placed.group);
+	const bool is_own = placed.group == body.group;
+	for (int i = 0; i < PLACES; i++) {
+		const OwnPlace own = place_in(body, form.point_of(placed, 0.5f * static_cast<float>(i)));
+		m.low = std::min(m.low, own.along);
+		m.high = std::max(m.high, own.along);
+		m.farthest = std::max(m.farthest, own.away);
+		m.along[i] += is_own ? own.along : 0.0f;
+		m.away[i] += is_own ? own.away : 0.0f;
+	}
+	const float area = placed.length * placed.width * measure.mean_widths[static_cast<size_t>(placed.kind)];
+	m.count += is_own ? 1 : 0;
+	m.lid += is_own ? area : 0.0f;
+	m.area += area;
+	m.shown += measure.shown[group] / static_cast<float>(form.groups[group].count);
+	m.squares += glm::vec3(color) * glm::vec3(color) * area;
+	m.alpha += color.w * area;
+	m.shine += part.translucency * area;
+}
+
+/// As many parts as there are lie before each other: of an envelope H they cover H·(1 - exp(-A/H)), here by its series'
+/// rational neighbour.
+float covered(float area, float envelope) {
+	return envelope > 0.0f ? area / (1.0f + area / envelope) : area;
+}
+
+void shape_dome(FormBody &body, const Measure &m, float dome) {
+	if (dome > HALF_SPHERE) {
+		const float middle = 0.5f * (m.low + m.high);
+		// Two cones as large from the side as the sphere: π/2 of its radius.
+		body.rings = { { m.low, 0.0f }, { middle, 1.57f * m.farthest }, { m.high, 0.0f } };
+		body.has_base = true;
+	} else {
+		body.rings = { { m.low, m.farthest }, { m.high, 0.0f } };
+	}
+	body.has_tip = true;
+}
+
+/// The lathe of the mean midrib. Where it is flat and the parts leave gaps, it is drawn in until it is as large as
+/// they.
+void shape_lathe(FormBody &body, const Measure &m) {
+	FormBody::Ring ways[PLACES];
+	for (int i = 0; i < PLACES; i++) {
+		ways[i] = { m.along[i] / static_cast<float>(m.count), m.away[i] / static_cast<float>(m.count) };
+	}
+	const float rise = std::abs(ways[2].along - ways[0].along);
+	const float most = std::sqrt(ways[0].radius * ways[0].radius + m.lid / static_cast<float>(PI));
+	if (rise < ways[2].radius - ways[0].radius && most < ways[2].radius) {
+		ways[1].radius *= most / ways[2].radius;
+		ways[2].radius = most;
+	}
+	body.rings.push_back({ ways[0].along, 0.0f });
+	if (body.detail.rings > 1) {
+		body.rings.push_back(ways[1]);
+	}
+	body.rings.push_back(ways[2]);
+	if (body.detail.rings == 1) { // A cone is as wide as the lathe is on the mean.
+		body.rings.back().radius =
+				std::max(ways[2].radius, 0.25f * ways[0].radius + ways[1].radius + 0.25f * ways[2].radius);
+	}
+	body.has_base = true;
+}
+
+void shape_spindle(FormBody &body, const Measure &m) {
+	const float length = std::max(m.high - m.low, LEAST_RADIUS);
+	const float farthest = std::max(m.farthest, LEAST_RADIUS);
+	body.shown = covered(m.shown, 2.0f * farthest * length);
+	body.rings = { { m.low, 0.0f }, { 0.5f * (m.low + m.high), body.shown / length }, { m.high, 0.0f } };
+	body.has_base = body.has_tip = true;
+}
+
+/// A circle is so much wider from the side, on the mean, than the polygon in it.
+float polygon_fill(int sides) {
+	const double half_turn = PI / sides;
+	return static_cast<float>(half_turn / portable_sin(half_turn));
+}
+
+void shape(FormBody &body, const PlantForm &form, const Measure &m) {
+	const PartGroup &group = form.groups[static_cast<size_t>(body.group)];
+	if (group.layout == Layout::disc) {
+		shape_dome(body, m, group.dome);
+	} else if (group.layout == Layout::whorl) {
+		shape_lathe(body, m);
+	} else {
+		shape_spindle(body, m);
+	}
+	for (FormBody::Ring &ring : body.rings) {
+		ring.radius *= polygon_fill(body.detail.sides);
+	}
+	const float area = std::max(m.area, 1e-12f);
+	body.color = glm::vec4(glm::sqrt(m.squares / area), m.alpha / area);
+	body.translucency = m.shine / area;
+}
+
+/// Its axes: those of its carrier, at the mean place of what stands there.
+FormBody begin_body(const PlantForm &form, const FormPlan &plan, size_t first) {
+	const PlacedPart &part = form.placed[first];
+	FormBody body;
+	body.group = part.group;
+	body.first = static_cast<int>(first);
+	body.detail = plan.groups[static_cast<size_t>(part.group)].body;
+	body.origin = part.base;
+	body.axes = { { 1.0f, 0.0f, 0.0f }, { 0.0f, 1.0f, 0.0f }, { 0.0f, 0.0f, 1.0f } };
+	if (part.carrier != ON_GROUND) {
+		const PlacedPart &carrier = form.placed[static_cast<size_t>(part.carrier)];
+		body.axes = form.axes_of(carrier, part.offset);
+		body.origin = form.point_of(carrier, part.offset);
+	}
+	return body;
+}
+
+} // namespace
+
+std::vector<FormBody> make_bodies(const PlantForm &form, const FormMeasure &measure, const FormPlan &plan) {
+	std::vector<FormBody> bodies;
+	std::vector<Measure> measures(static_cast<size_t>(plan.body_count));
+	std::vector<int> counts(form.groups.size(), 0);
+	for (size_t i = 0; i < form.placed.size() && plan.body_count > 0; i++) {
+		if (plan.bodies[i] < 0) {
+			continue;
+		}
+		const size_t number = static_cast<size_t>(plan.bodies[i]);
+		if (number == bodies.size()) {
+			bodies.push_back(begin_body(form, plan, i));
+			counts[static_cast<size_t>(bodies.back().group)]++;
+		}
+		add(measures[number], bodies[number], form, measure, form.placed[i]);
+	}
+	for (size_t i = 0; i < bodies.size(); i++) {
+		shape(bodies[i], form, measures[i]);
+		// Of carriers that are dropped the others' bodies show the parts, too.
+		const size_t group = static_cast<size_t>(bodies[i].group);
+		const float own = measure.shown[group] * static_cast<float>(measures[i].count) /
+				static_cast<float>(form.groups[group].count);
+		const float more = own > 0.0f ? plan.shown[group] / static_cast<float>(counts[group]) / own : 1.0f;
+		bodies[i].shown *= more;
+		for (FormBody::Ring &ring : bodies[i].rings) {
+			ring.radius *= std::sqrt(std::min(more, MOST_LARGER));
+			ring.along *= std::sqrt(std::min(more, MOST_LARGER));
+		}
+	}
+	return bodies;
+}
+
+} // namespace undergrowth

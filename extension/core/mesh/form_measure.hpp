@@ -1,0 +1,33 @@
+#pragma once
+
+#include "form/plant_form.hpp"
+
+#include <vector>
+
+namespace undergrowth {
+
+/// What a form shows when every part of it is drawn as finely as parts are drawn: what its levels are held to.
+struct FormMeasure {
+	/// m² of each group's silhouette from the side: the mean over all directions along the ground, were no part
+	/// before another.
+	std::vector<float> shown;
+	float silhouette = 0.0f; ///< m² of the whole plant from the side, what lies behind other parts once.
+	float reach = 0.0f; ///< m, the farthest that any of it goes from the plant's axis.
+	float top = 0.0f; ///< m, its highest place.
+	std::vector<glm::vec4> colors; ///< The mean colour of each kind of part.
+	std::vector<float> mean_widths; ///< Of each kind, in shares of its width.
+};
+
+FormMeasure measure_form(const PlantForm &form);
+
+/// The mean colour of a part, as light adds up: by the squares of its components, weighed by its width.
+glm::vec4 mean_color(const Part &part);
+
+/// Twice a triangle's mean silhouette along the ground (m²). A plane of normal n and area A shows A·|n·v| from v, and
+/// the mean of |n·v| over the directions v along the ground is 2/π of the part of n that lies along it.
+float twice_shown(const glm::vec3 &a, const glm::vec3 &b, const glm::vec3 &c);
+
+/// The share of a part's triangles that is seen: of a closed one the nearer half.
+float near_share(PartKind kind);
+
+} // namespace undergrowth

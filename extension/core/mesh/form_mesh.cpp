@@ -1,0 +1,72 @@
+#include "mesh/form_mesh.hpp"
+
+#include "mesh/form_writer.hpp"
+
+namespace undergrowth {
+
+namespace {
+
+// From so many on, what parts hide of each other is as it grew.
+constexpr int ENOUGH_VERTICES = 400;
+
+/// Shapes that parts of a kind share, made when the first is drawn. Groups of one kind may be drawn differently.
+class Shapes {
+public:
+	Shapes(const PlantForm &p_form, const FormPlan &p_plan) :
+			form(p_form), plan(p_plan), shared(p_form.groups.size()) {}
+
+	const PartTemplate &of(const PlacedPart &placed) {
+		const Part &part = form.parts[static_cast<size_t>(placed.kind)];
+		const PartDetail &detail = plan.groups[static_cast<size_t>(placed.group)].detail;
+		if (placed.own_midrib >= 0) {
+			own = make_part_template(part, form.midrib_of(placed), detail);
+			return own;
+		}
+		PartTemplate &shape = shared[static_cast<size_t>(placed.group)];
+		if (shape.vertices.empty()) {
+			shape = make_part_template(part, form.midrib_of(placed), detail);
+		}
+		return shape;
+	}
+
+private:
+	const PlantForm &form;
+	const FormPlan &plan;
+	std::vector<PartTemplate> shared;
+	PartTemplate own;
+};
+
+} // namespace
+
+void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const FormPlan &plan,
+		const MeshOptions &options, float height, const FormBuffers &buffers) {
+	const std::vector<PartHang> hangs = hang_parts(form);
+	FormWriter writer(form, options, buffers);
+	Shapes shapes(form, plan);
+	for (size_t g = 0; g < form.groups.size(); g++) {
+		const PartGroup &group = form.groups[g];
+		const FormWriter::Mark begin = writer.mark();
+		for (int i = group.first; i < group.first + group.count; i++) {
+			const size_t place = static_cast<size_t>(i);
+			if (plan.fates[place] == FormPlan::drawn) {
+				writer.add_part(form.placed[place], hangs[place], shapes.of(form.placed[place]));
+			}
+		}
+		const bool is_sheet = plan.groups[g].detail.columns == 2;
+		writer.widen(
+				begin, plan.shown[g], is_sheet ? 1.0f : near_share(form.parts[static_cast<size_t>(group.kind)].kind));
+	}
+	for (const FormBody &body : make_bodies(form, measure, plan)) {
+		const FormWriter::Mark begin = writer.mark();
+		writer.add_body(body, hangs[static_cast<size_t>(body.first)]);
+		if (body.shown > 0.0f) {
+			writer.widen(begin, body.shown, 0.5f);
+		}
+	}
+	if (plan.is_cut && plan.counts.vertices < ENOUGH_VERTICES) {
+		writer.match(measure);
+	}
+	writer.stretch(height / form.height);
+}
+
+} // namespace undergrowth

@@ -1,0 +1,132 @@
+#include "mesh/form_writer.hpp"
+
+#include "base/portable_math.hpp"
+#include "mesh/silhouette.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+// Light that falls into a stand dies away exponentially with the leaves above (Beer-Lambert; extinction in a canopy).
+constexpr double EXTINCTION = 1.6; // From the top of a plant to the ground: there a fifth is left.
+constexpr float INNER_SHADE = 0.4f; // Of the light, in the middle of a clump.
+constexpr float MOST_WIDENING = 12.0f;
+constexpr int MATCH_STEPS = 5;
+constexpr float MATCHED = 0.01f; // Of the area.
+constexpr float BRIGHTNESS_SHARE = 0.25f; // The most that a full colour deviation does, as mesh/deviation.cpp.
+
+} // namespace
+
+FormWriter::FormWriter(const PlantForm &p_form, const MeshOptions &options, const FormBuffers &buffers) :
+		form(p_form), out(buffers), color_deviation(options.color_deviation) {
+	for (int i = 0; i <= HEIGHTS + 1; i++) {
+		light[i] =
+				static_cast<float>(portable_exp(-EXTINCTION * std::max(0.0, 1.0 - i / static_cast<double>(HEIGHTS))));
+	}
+}
+
+float FormWriter::openness(const glm::vec3 &point) const {
+	const float place = std::clamp(point.y / form.height, 0.0f, 1.0f) * HEIGHTS;
+	const int below = static_cast<int>(place);
+	const float t = place - static_cast<float>(below);
+	const float above_it = light[below] * (1.0f - t) + light[below + 1] * t;
+	const float away = std::sqrt(point.x * point.x + point.z * point.z);
+	const float inside = form.reach > 0.0f ? std::max(0.0f, 1.0f - away / form.reach) : 0.0f;
+	return above_it * (1.0f - INNER_SHADE * inside * inside);
+}
+
+void FormWriter::put(const Common &common, const glm::vec3 &middle, const glm::vec3 &aside, const glm::vec3 &normal,
+		const glm::vec3 &along, const glm::vec4 &color, glm::vec2 uv, float offset) {
+	const PartHang &hang = common.hang;
+	const int i = vertices++;
+	out.positions[i] = middle + aside;
+	out.normals[i] = normal;
+	out.tangents[i] = glm::vec4(along, 1.0f);
+	const glm::vec3 tinted = glm::vec3(color) * common.brightness;
+	out.colors[i] = { std::min(tinted.x, 1.0f), std::min(tinted.y, 1.0f), std::min(tinted.z, 1.0f),
+		openness(middle + aside) };
+	out.uvs[i] = uv;
+	const float x = hang.is_root ? stem_offset_of(form, middle) : hang.stem_offset;
+	out.custom0[i] = { x, hang.weight_at(offset), hang.rank, common.leafiness };
+	out.custom1[i] = glm::vec4(hang.pivot, hang.frequency);
+	out.custom2[i] = glm::vec4(aside, hang.phase);
+	const int32_t bones[4] = { 0, 1, 0, 0 };
+	const float weights[4] = { 1.0f - x, x, 0.0f, 0.0f };
+	std::copy(bones, bones + 4, out.bones + 4 * i);
+	std::copy(weights, weights + 4, out.weights + 4 * i);
+}
+
+void FormWriter::add_part(const PlacedPart &part, const PartHang &hang, const PartTemplate &shape) {
+	const float leafiness = form.parts[static_cast<size_t>(part.kind)].translucency;
+	const Common common = { hang, leafiness, 1.0f + BRIGHTNESS_SHARE * color_deviation * part.tint };
+	const float width = part.width;
+	for (const int32_t index : shape.indices) {
+		put_index(vertices + index);
+	}
+	for (const TemplateVertex &vertex : shape.vertices) {
+		const SurfacePoint &point = vertex.point;
+		glm::vec3 normal = surface_normal(point, part.length, width);
+		if (vertex.lean != 0.0f) {
+			normal = glm::normalize(normal + point.around * vertex.lean);
+		}
+		put(common, part.base + PlantForm::turned(part.axes, point.middle * part.length),
+				PlantForm::turned(part.axes, point.aside * width), PlantForm::turned(part.axes, normal),
+				PlantForm::turned(part.axes, point.along), vertex.color, vertex.uv, vertex.offset);
+	}
+}
+
+void FormWriter::widen(const Mark &begin, float shown, float near_share) {
+	float twice = 0.0f;
+	for (int i = begin.index; i < indices; i += 3) {
+		twice += twice_shown(
+				out.positions[out.indices[i]], out.positions[out.indices[i + 1]], out.positions[out.indices[i + 2]]);
+	}
+	const float factor = std::min(twice > 0.0f ? 2.0f * shown / (twice * near_share) : 1.0f, MOST_WIDENING);
+	scale_width(begin.vertex, factor);
+}
+
+void FormWriter::stretch(float factor) {
+	const glm::vec3 up(1.0f, factor, 1.0f);
+	for (int i = 0; i < vertices && factor != 1.0f; i++) {
+		out.positions[i] *= up;
+		out.normals[i] = glm::normalize(out.normals[i] / up);
+		out.tangents[i] = glm::vec4(glm::normalize(glm::vec3(out.tangents[i]) * up), 1.0f);
+		out.custom1[i].y *= factor;
+		out.custom2[i].y *= factor;
+	}
+}
+
+void FormWriter::scale_width(int begin, float factor) {
+	for (int i = begin; i < vertices; i++) {
+		const glm::vec3 aside(out.custom2[i]);
+		out.positions[i] += aside * (factor - 1.0f);
+		out.custom2[i] = glm::vec4(aside * factor, out.custom2[i].w);
+	}
+}
+
+// Few wide parts lie before each other more than many narrow ones. Each step takes the area for a power of the width,
+// the power by the step before.
+void FormWriter::match(const FormMeasure &measure) {
+	float power = 1.0f;
+	float before = 0.0f;
+	float factor = 1.0f;
+	for (int step = 0; step < MATCH_STEPS; step++) {
+		const float area = silhouette_area(out.positions, out.indices, indices, measure.reach, measure.top);
+		if (!(area > 0.0f) || std::abs(area / measure.silhouette - 1.0f) < MATCHED) {
+			return;
+		}
+		if (step > 0 && std::abs(factor - 1.0f) > 1e-3f) {
+			power = std::clamp((area / before - 1.0f) / (factor - 1.0f), 0.2f, 2.0f);
+		}
+		before = area;
+		factor = std::clamp(1.0f + (measure.silhouette / area - 1.0f) / power, 0.5f, 2.0f);
+		scale_width(0, factor);
+	}
+}
+
+} // namespace undergrowth

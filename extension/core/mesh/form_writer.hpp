@@ -1,0 +1,57 @@
+#pragma once
+
+#include "mesh/form_body.hpp"
+#include "mesh/part_hang.hpp"
+#include "mesh/part_template.hpp"
+#include "mesh/plant_mesh.hpp"
+#include "mesh/vertex_format.hpp"
+
+namespace undergrowth {
+
+/// Writes parts and bodies into the buffers of a mesh, one behind the other.
+class FormWriter {
+public:
+	FormWriter(const PlantForm &form, const MeshOptions &options, const FormBuffers &buffers);
+
+	void add_part(const PlacedPart &part, const PartHang &hang, const PartTemplate &shape);
+	void add_body(const FormBody &body, const PartHang &hang);
+
+	/// How far the mesh has grown.
+	struct Mark {
+		int vertex;
+		int index;
+	};
+	Mark mark() const { return { vertices, indices }; }
+	/// Makes all that was written since `begin` so much wider that it shows `shown` m² from the side, on the mean.
+	/// `near_share`: the share of its triangles that are seen.
+	/// Stretches what was written along y. The last thing to do.
+	void stretch(float factor);
+	/// Makes everything so much wider or narrower that the whole covers as much as the plant with all of its parts.
+	void match(const FormMeasure &measure);
+	void widen(const Mark &begin, float shown, float near_share);
+
+private:
+	static constexpr int HEIGHTS = 32;
+
+	/// What all vertices of one part or body share.
+	struct Common {
+		PartHang hang;
+		float leafiness;
+		float brightness;
+	};
+
+	const PlantForm &form;
+	const FormBuffers &out;
+	const float color_deviation;
+	float light[HEIGHTS + 2]; ///< That falls to each height of the plant.
+	int vertices = 0;
+	int indices = 0;
+
+	void put(const Common &common, const glm::vec3 &middle, const glm::vec3 &aside, const glm::vec3 &normal,
+			const glm::vec3 &along, const glm::vec4 &color, glm::vec2 uv, float offset);
+	void scale_width(int begin, float factor);
+	float openness(const glm::vec3 &point) const;
+	void put_index(int index) { out.indices[indices++] = index; }
+};
+
+} // namespace undergrowth

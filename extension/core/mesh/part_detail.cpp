@@ -1,0 +1,132 @@
+#include "mesh/part_detail.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+constexpr float POINT = 0.02f; // Of the width: narrower tips are points.
+constexpr float LID = 0.0015f; // m: narrower tips are left open.
+constexpr int PYRAMID_ROWS = 1;
+
+const std::vector<PartDetail> BEAD_DETAILS = { { 4, 3 }, { 4, 2 }, { 3, PYRAMID_ROWS } };
+const std::vector<PartDetail> BLADE_DETAILS = { { 5, 8 }, { 5, 6 }, { 3, 6 }, { 3, 4 }, { 3, 3 }, { 2, 4 }, { 2, 3 },
+	{ 2, 2 }, { 2, 1 } };
+const std::vector<PartDetail> AXIS_DETAILS = { { 10, 10 }, { 8, 8 }, { 6, 8 }, { 6, 6 }, { 5, 5 }, { 5, 4 }, { 4, 3 },
+	{ 3, 3 }, { 3, 2 }, { 3, 1 }, { 2, 2 }, { 2, 1 } };
+
+bool is_even(const Part &part) {
+	return part.widths.samples.empty() && part.widths.profile.rise == 0.0f && part.widths.profile.fall == 0.0f;
+}
+
+float square(float value) {
+	return value * value;
+}
+
+float blade_error(const Part &part, const PartDetail &detail) {
+	const BladeShape &blade = part.blade;
+	const float curl = square(blade.fold) + square(blade.roll);
+	float across = 0.0f;
+	if (detail.columns < 5) {
+		across = detail.columns == 3 ? 0.003f + 0.02f * square(blade.roll) : 0.015f + 0.06f * curl + 0.05f * blade.wave;
+	}
+	return across + (blade.teeth > 0 && !shows_teeth(part, detail) ? 0.03f : 0.0f);
+}
+
+float round_error(const PartDetail &detail) {
+	return detail.columns == 2 ? 0.1f : 0.3f / static_cast<float>(detail.columns * detail.columns);
+}
+
+std::vector<float> blade_offsets(const Part &part, const PartDetail &detail) {
+	std::vector<float> offsets;
+	if (shows_teeth(part, detail)) {
+		for (int i = 0; i < part.blade.teeth; i++) { // On the corners of the saw (form/surface.cpp).
+			const float teeth = static_cast<float>(part.blade.teeth);
+			offsets.push_back(static_cast<float>(i) / teeth);
+			offsets.push_back((static_cast<float>(i) + 0.75f) / teeth);
+		}
+		offsets.push_back(1.0f);
+	} else if (detail.rows == 2) {
+		offsets = { 0.0f, std::clamp(part.widths.widest(), 0.35f, 0.75f), 1.0f };
+	}
+	return offsets;
+}
+
+} // namespace
+
+bool ends_in_point(const Part &part) {
+	return part.kind == PartKind::bead || part.width_at(1.0f) <= POINT;
+}
+
+bool has_lid(const Part &part, const PartDetail &detail) {
+	return part.kind == PartKind::axis && detail.columns > 3 && !part.axis.open_tip &&
+			part.width_at(1.0f) * part.width > LID;
+}
+
+bool shows_teeth(const Part &part, const PartDetail &detail) {
+	return part.kind == PartKind::blade && part.blade.teeth > 0 && detail.rows == 2 * part.blade.teeth;
+}
+
+std::vector<PartDetail> details_of(const Part &part) {
+	if (part.kind == PartKind::bead) {
+		return BEAD_DETAILS;
+	}
+	std::vector<PartDetail> details = part.kind == PartKind::axis ? AXIS_DETAILS : BLADE_DETAILS;
+	if (part.kind == PartKind::blade && part.blade.teeth > 0) {
+		details.insert(details.begin(), { 3, 2 * part.blade.teeth });
+	}
+	if (part.kind == PartKind::blade && part.blade.roll == 0.0f &&
+			part.blade.wave == 0.0f) { // Five columns show nothing that three do not.
+		const auto is_fine = [](const PartDetail &detail) { return detail.columns > 3; };
+		details.erase(std::remove_if(details.begin(), details.end(), is_fine), details.end());
+	}
+	// Those that cost no less than a finer one are none.
+	for (size_t i = 1; i < details.size();) {
+		if (count_part(part, details[i]).vertices < count_part(part, details[i - 1]).vertices) {
+			i++;
+		} else {
+			details.erase(details.begin() + static_cast<std::ptrdiff_t>(i));
+		}
+	}
+	return details;
+}
+
+MeshCounts count_part(const Part &part, const PartDetail &detail) {
+	const int c = detail.columns;
+	const int rows = detail.rows;
+	if (part.kind == PartKind::bead) { // Two poles, or a ring and a pole.
+		return rows == PYRAMID_ROWS ? MeshCounts{ c + 1, 3 * c } : MeshCounts{ c * (rows - 1) + 2, 6 * c * (rows - 1) };
+	}
+	const bool is_sheet = part.kind == PartKind::blade || c == 2;
+	const int spans = is_sheet ? c - 1 : c;
+	const bool pointed = ends_in_point(part) && !part.axis.open_tip;
+	const bool lid = has_lid(part, detail);
+	const int rings = pointed ? rows : rows + 1;
+	const int triangles = 2 * spans * (rings - 1) + (pointed || lid ? spans : 0);
+	return { c * rings + (pointed || lid ? 1 : 0), 3 * triangles };
+}
+
+float error_of(const Part &part, const PartDetail &detail) {
+	if (part.kind == PartKind::bead) {
+		return detail.rows == PYRAMID_ROWS ? 0.06f : 0.02f * static_cast<float>(3 - detail.rows);
+	}
+	const float span = 1.0f / static_cast<float>(detail.rows);
+	const float edge = is_even(part) ? 0.0f : 0.06f * square(span);
+	const float chord = 0.04f * square(std::abs(part.curve.bend) * span) + 0.2f * square(part.curve.wander * span);
+	return edge + chord + (part.kind == PartKind::blade ? blade_error(part, detail) : round_error(detail));
+}
+
+std::vector<float> row_offsets(const Part &part, const PartDetail &detail) {
+	if (part.kind == PartKind::bead && detail.rows == PYRAMID_ROWS) {
+		return { std::clamp(part.widths.widest() - 0.2f, 0.0f, 0.8f), 1.0f };
+	}
+	std::vector<float> offsets = part.kind == PartKind::axis ? std::vector<float>() : blade_offsets(part, detail);
+	for (int i = 0; i <= detail.rows && static_cast<int>(offsets.size()) <= detail.rows; i++) {
+		offsets.push_back(static_cast<float>(i) / static_cast<float>(detail.rows));
+	}
+	return offsets;
+}
+
+} // namespace undergrowth

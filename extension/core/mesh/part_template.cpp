@@ -1,0 +1,77 @@
+#include "mesh/part_template.hpp"
+
+#include "mesh/form_measure.hpp"
+#include "mesh/template_parts.hpp"
+
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+
+namespace undergrowth {
+
+namespace {
+
+constexpr float RIBBON_ROUNDNESS = 0.9f; // rad: a ribbon is lit as the round stem that it stands for.
+
+/// A stem from far away: a flat ribbon. Its widths are samples, for blades do not taper by themselves.
+PartTemplate make_ribbon_template(const Part &part, const Midrib &midrib, const PartDetail &detail) {
+	constexpr int SAMPLES = 9;
+	Part flat = part;
+	flat.kind = PartKind::blade;
+	flat.blade = BladeShape();
+	flat.blade.roundness = RIBBON_ROUNDNESS;
+	flat.widths.samples.clear();
+	for (int i = 0; i < SAMPLES; i++) {
+		flat.widths.samples.push_back(part.width_at(static_cast<float>(i) / (SAMPLES - 1)));
+	}
+	return make_sheet_template(flat, midrib, detail);
+}
+
+/// Squares of the mean colour of a template's triangles, weighed by their areas on a part of its length and width.
+glm::vec3 drawn_squares(const PartTemplate &shape, const Part &part) {
+	glm::vec3 sum(0.0f);
+	float whole = 0.0f;
+	for (size_t i = 0; i < shape.indices.size(); i += 3) {
+		glm::vec3 points[3];
+		glm::vec3 squares(0.0f);
+		for (size_t k = 0; k < 3; k++) {
+			const TemplateVertex &vertex = shape.vertices[static_cast<size_t>(shape.indices[i + k])];
+			const glm::vec3 color(vertex.color);
+			points[k] = vertex.point.middle * part.mean_length() + vertex.point.aside * part.width;
+			squares += color * color;
+		}
+		const float area = glm::length(glm::cross(points[1] - points[0], points[2] - points[0]));
+		sum += squares * area;
+		whole += 3.0f * area;
+	}
+	return whole > 0.0f ? sum / whole : glm::vec3(0.0f);
+}
+
+/// Few vertices weigh base and tip more than a part has of them.
+void keep_mean_color(PartTemplate &shape, const Part &part) {
+	const glm::vec3 mean(mean_color(part));
+	const glm::vec3 more = mean * mean - drawn_squares(shape, part);
+	for (TemplateVertex &vertex : shape.vertices) {
+		const glm::vec3 color(vertex.color);
+		vertex.color = glm::vec4(glm::sqrt(glm::max(color * color + more, glm::vec3(0.0f))), vertex.color.w);
+	}
+}
+
+} // namespace
+
+PartTemplate make_part_template(const Part &part, const Midrib &midrib, const PartDetail &detail) {
+	PartTemplate out;
+	if (part.kind == PartKind::bead) {
+		out = make_bead_template(part, midrib, detail);
+	} else if (part.kind == PartKind::blade) {
+		out = make_sheet_template(part, midrib, detail);
+	} else if (detail.columns == 2) {
+		out = make_ribbon_template(part, midrib, detail);
+	} else {
+		out = make_tube_template(part, midrib, detail);
+	}
+	keep_mean_color(out, part);
+	return out;
+}
+
+} // namespace undergrowth

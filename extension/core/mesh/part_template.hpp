@@ -1,0 +1,32 @@
+#pragma once
+
+#include "form/surface.hpp"
+#include "mesh/part_detail.hpp"
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include <vector>
+
+namespace undergrowth {
+
+/// A vertex that all parts of one kind and one detail share.
+struct TemplateVertex {
+	SurfacePoint point;
+	glm::vec4 color;
+	glm::vec2 uv;
+	float offset; ///< Along the part, 0 to 1.
+	float lean; ///< How far its normal leans across: the tangent of the angle. 0 on tubes.
+};
+
+/// The surface of a kind of part at one detail, for a length and a width of 1.
+struct PartTemplate {
+	std::vector<TemplateVertex> vertices;
+	std::vector<int32_t> indices;
+};
+
+/// Works it out in the part's own mean colour, however coarse it is; as many vertices and indices as count_part()
+/// tells.
+PartTemplate make_part_template(const Part &part, const Midrib &midrib, const PartDetail &detail);
+
+} // namespace undergrowth

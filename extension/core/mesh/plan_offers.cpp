@@ -1,0 +1,105 @@
+// The half of PlanSteps that weighs what each step saves against what it harms.
+
+#include "mesh/plan_steps.hpp"
+
+#include <algorithm>
+
+namespace undergrowth {
+
+namespace {
+
+// What steps do to a picture, in shares of the area that they touch. Orders, not physics.
+constexpr float MERGED = 0.08f;
+constexpr float UNCOVERED = 0.35f; // For the share of a body that its parts left open.
+constexpr float BODY_SIDE = 0.3f; // Divided by the square of the sides.
+constexpr float CONE = 0.05f; // For a whorl's lathe.
+
+float body_error(const PartGroup &group, const BodyDetail &detail) {
+	const float cone = group.layout == Layout::whorl && detail.rings == 1 ? CONE : 0.0f;
+	return cone + BODY_SIDE / static_cast<float>(detail.sides * detail.sides);
+}
+
+} // namespace
+
+void PlanSteps::offer(Step &best, int group, size_t detail, size_t kept, size_t body, float saved, float harm) const {
+	if (saved < 0.5f) {
+		return;
+	}
+	const float price = harm / saved;
+	if (best.group < 0 || price < best.price) {
+		best.group = group;
+		best.price = price;
+		best.next.detail = detail;
+		best.next.kept = kept;
+		best.next.body = body;
+	}
+}
+
+void PlanSteps::offer_details(Step &best, int group, int excess) const {
+	const State &state = states[static_cast<size_t>(group)];
+	for (size_t detail = state.detail + 1; detail < state.details.size() && state.parts > 0; detail++) {
+		const int saved = state.parts * (state.costs[state.detail] - state.costs[detail]);
+		const bool turns_flat =
+				state.is_stem && state.details[detail].columns == 2 && state.details[state.detail].columns > 2;
+		const float harm =
+				state.area * (state.errors[detail] - state.errors[state.detail] + (turns_flat ? FLAT_STEM : 0.0f));
+		offer(best, group, detail, state.kept, state.body, static_cast<float>(std::min(saved, excess)), harm);
+	}
+}
+
+void PlanSteps::offer_thinning(Step &best, int group, int excess) const {
+	const State &state = states[static_cast<size_t>(group)];
+	for (size_t kept = state.kept + 1; kept < KEPT_COUNT && KEPT[state.kept] > 0.0f; kept++) {
+		if (state.body > 0 && KEPT[kept] > 0.0f) {
+			continue; // A body stands for all of its parts.
+		}
+		if (KEPT[kept] == 0.0f && state.branch_vertices == total) {
+			continue; // Something is to be seen of every plant.
+		}
+		const float left = static_cast<float>(state.left[kept]) / static_cast<float>(state.left[state.kept]);
+		const float saved = static_cast<float>(state.branch_vertices) * (1.0f - left);
+		const float harm = state.branch_area * (thin_error(state, kept) - thin_error(state, state.kept));
+		offer(best, group, state.detail, kept, state.body, std::min(saved, static_cast<float>(excess)), harm);
+	}
+}
+
+void PlanSteps::offer_body(Step &best, int group, int excess) const {
+	const State &state = states[static_cast<size_t>(group)];
+	const PartGroup &own = form.groups[static_cast<size_t>(group)];
+	if (own.carrier_group == ON_GROUND || own.count < 2) {
+		return; // A tuft is no lump, and what stands alone is a part.
+	}
+	const int carriers =
+			state.body > 0 ? state.bodies : std::max(1, states[static_cast<size_t>(own.carrier_group)].parts);
+	for (size_t body = state.body + 1; body < BODY_COUNT; body++) {
+		const int saved = state.branch_vertices - carriers * count_body(own, BODIES[body]).vertices;
+		const float harm = state.body > 0
+				? state.branch_area * (body_error(own, BODIES[body]) - body_error(own, BODIES[state.body]))
+				: state.branch_area * (body_error(own, BODIES[body]) + MERGED + UNCOVERED * (1.0f - state.cover)) -
+						state.branch_error;
+		offer(best, group, state.detail, 0, body, static_cast<float>(std::min(saved, excess)), std::max(harm, 0.0f));
+	}
+}
+
+bool PlanSteps::take_best(int budget) {
+	Step best;
+	const int excess = total - budget;
+	for (int group = 0; group < static_cast<int>(states.size()); group++) {
+		if (states[static_cast<size_t>(group)].branch_vertices > 0) {
+			offer_details(best, group, excess);
+			offer_thinning(best, group, excess);
+			offer_body(best, group, excess);
+		}
+	}
+	if (best.group < 0) {
+		return false;
+	}
+	State &state = states[static_cast<size_t>(best.group)];
+	state.detail = best.next.detail;
+	state.kept = best.next.kept;
+	state.body = best.next.body;
+	recount();
+	return true;
+}
+
+} // namespace undergrowth

@@ -1,0 +1,248 @@
+#include "mesh/plan_steps.hpp"
+
+#include "conventions.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+// What steps do to a picture, in shares of the area that they touch. Orders, not physics.
+constexpr float THINNED = 0.1f; // By so much for each part that one has to stand for.
+constexpr float ONE_SIDED = 0.3f; // Divided by the parts left: the fewer, the more lopsided.
+constexpr float TWIN_DROPPED = 0.2f; // Where another group of the same kind on the same carriers goes on.
+constexpr float DROPPED = 1.5f;
+constexpr float COLOR_LOST = 8.0f; // Times the square of the distance to the nearest colour that stays.
+constexpr float THINNED_WHORL = 0.3f; // One side of a flower is no flower.
+
+/// How much of the body of a group its parts fill.
+float cover_of(const PartGroup &group, const Part &part) {
+	if (group.layout == Layout::disc) {
+		return 1.0f;
+	}
+	if (group.layout != Layout::whorl) {
+		return 0.4f;
+	}
+	const float around = 2.0f * static_cast<float>(PI) * (group.radius + 0.5f * part.mean_length());
+	return std::min(1.0f, static_cast<float>(group.count) * part.width / around);
+}
+
+} // namespace
+
+PlanSteps::PlanSteps(const PlantForm &p_form, const FormMeasure &p_measure) :
+		form(p_form), measure(p_measure), states(p_form.groups.size()) {
+	for (size_t g = 0; g < states.size(); g++) {
+		const Part &part = form.parts[static_cast<size_t>(form.groups[g].kind)];
+		State &state = states[g];
+		state.details = details_of(part);
+		for (const PartDetail &detail : state.details) {
+			state.costs.push_back(count_part(part, detail).vertices);
+			state.errors.push_back(error_of(part, detail));
+		}
+		state.cover = cover_of(form.groups[g], part);
+		count_left(g);
+		state.area = measure.shown[g];
+		const int carrier = form.groups[g].carrier_group;
+		if (carrier != ON_GROUND && form.groups[static_cast<size_t>(carrier)].depth == 1) {
+			states[static_cast<size_t>(carrier)].is_stem = true;
+		}
+	}
+	find_contrasts();
+	recount();
+}
+
+/// How many parts of a group each share keeps.
+void PlanSteps::count_left(size_t group) {
+	const PartGroup &own = form.groups[group];
+	states[group].left.assign(KEPT_COUNT, 0);
+	for (int i = own.first; i < own.first + own.count; i++) {
+		for (size_t kept = 0; kept < KEPT_COUNT; kept++) {
+			states[group].left[kept] += form.placed[static_cast<size_t>(i)].rank < KEPT[kept] ? 1 : 0;
+		}
+	}
+}
+
+void PlanSteps::find_contrasts() {
+	for (size_t g = 0; g < states.size(); g++) {
+		const glm::vec4 &own = measure.colors[static_cast<size_t>(form.groups[g].kind)];
+		float nearest = 1.0f;
+		for (const PartGroup &other : form.groups) {
+			const glm::vec4 way = measure.colors[static_cast<size_t>(other.kind)] - own;
+			nearest = other.kind == form.groups[g].kind ? nearest : std::min(nearest, glm::dot(way, way));
+		}
+		states[g].contrast = nearest;
+	}
+}
+
+void PlanSteps::recount() {
+	fates.assign(form.placed.size(), FormPlan::drawn);
+	bodies.assign(form.placed.size(), -1);
+	body_count = 0;
+	for (State &state : states) {
+		state.parts = state.bodies = 0;
+	}
+	for (size_t i = 0; i < form.placed.size(); i++) {
+		const PlacedPart &part = form.placed[i];
+		State &state = states[static_cast<size_t>(part.group)];
+		const size_t carrier = static_cast<size_t>(std::max(part.carrier, 0));
+		const FormPlan::Fate fate = part.carrier == ON_GROUND ? FormPlan::drawn : fates[carrier];
+		if (fate == FormPlan::dropped || (fate == FormPlan::drawn && !(part.rank < KEPT[state.kept]))) {
+			fates[i] = FormPlan::dropped;
+		} else if (fate == FormPlan::merged) {
+			fates[i] = FormPlan::merged;
+			bodies[i] = bodies[carrier];
+		} else if (state.body > 0) {
+			// Those of one carrier follow each other.
+			const bool goes_on = i > 0 && form.placed[i - 1].group == part.group &&
+					form.placed[i - 1].carrier == part.carrier && bodies[i - 1] >= 0;
+			fates[i] = FormPlan::merged;
+			bodies[i] = goes_on ? bodies[i - 1] : body_count++;
+			state.bodies += goes_on ? 0 : 1;
+		} else {
+			state.parts++;
+		}
+	}
+	add_up_branches();
+}
+
+int PlanSteps::own_vertices(size_t group) const {
+	const State &state = states[group];
+	return state.parts * state.costs[state.detail] +
+			state.bodies * count_body(form.groups[group], BODIES[state.body]).vertices;
+}
+
+void PlanSteps::add_up_branches() {
+	total = 0;
+	for (size_t g = states.size(); g-- > 0;) {
+		State &state = states[g];
+		state.branch_vertices = own_vertices(g);
+		total += state.branch_vertices;
+		state.branch_area = state.area;
+		state.branch_error = own_error(state);
+		for (size_t other = g + 1; other < states.size(); other++) {
+			if (form.groups[other].carrier_group == static_cast<int>(g)) {
+				state.branch_vertices += states[other].branch_vertices;
+				state.branch_area += states[other].branch_area;
+				state.branch_error += states[other].branch_error;
+			}
+		}
+	}
+}
+
+float PlanSteps::thin_error(const State &state, size_t kept) const {
+	const size_t group = static_cast<size_t>(&state - states.data());
+	if (KEPT[kept] > 0.0f) {
+		const bool is_whorl = form.groups[group].layout == Layout::whorl;
+		const float left = static_cast<float>(state.left[kept]);
+		const float thinned = static_cast<float>(state.left[0]) / left - 1.0f;
+		return thinned <= 0.0f ? 0.0f : (is_whorl ? THINNED_WHORL : THINNED) * thinned + ONE_SIDED / left;
+	}
+	return has_twin(static_cast<int>(group)) ? TWIN_DROPPED : DROPPED + COLOR_LOST * state.contrast;
+}
+
+/// Whether another group of the same kind on the same carriers is drawn, too.
+bool PlanSteps::has_twin(int group) const {
+	const PartGroup &own = form.groups[static_cast<size_t>(group)];
+	for (size_t g = 0; g < states.size(); g++) {
+		const PartGroup &other = form.groups[g];
+		if (static_cast<int>(g) != group && other.kind == own.kind && other.carrier_group == own.carrier_group &&
+				own_vertices(g) > 0) {
+			return true;
+		}
+	}
+	return false;
+}
+
+float PlanSteps::own_error(const State &state) const {
+	const float flat = state.is_stem && state.details[state.detail].columns == 2 ? FLAT_STEM : 0.0f;
+	return state.area * (state.errors[state.detail] + flat + thin_error(state, state.kept));
+}
+
+bool PlanSteps::give_back(int budget) {
+	size_t best = states.size();
+	float most = 0.0f;
+	for (size_t g = 0; g < states.size(); g++) {
+		State &state = states[g];
+		const State before = state;
+		const float error = own_error(state);
+		if (!step_back(state)) {
+			continue;
+		}
+		recount();
+		const float gain = error - own_error(states[g]);
+		if (total <= budget && gain > most) {
+			most = gain;
+			best = g;
+		}
+		states[g] = before;
+	}
+	if (best < states.size()) {
+		step_back(states[best]);
+	}
+	recount();
+	return best < states.size();
+}
+
+/// One step finer: all parts before better parts.
+bool PlanSteps::step_back(State &state) const {
+	if (state.body > 0 || KEPT[state.kept] == 0.0f || state.parts == 0) {
+		return false;
+	}
+	if (state.kept > 0) {
+		state.kept--;
+	} else if (state.detail > 0) {
+		state.detail--;
+	} else {
+		return false;
+	}
+	return true;
+}
+
+/// What nothing is drawn of, others show: of the same kind, else of the nearest colour.
+void PlanSteps::pass_on(std::vector<float> &shown) const {
+	for (size_t g = 0; g < states.size(); g++) {
+		const int kind = form.groups[g].kind;
+		const bool in_body = fates[static_cast<size_t>(form.groups[g].first)] == FormPlan::merged;
+		if (own_vertices(g) > 0 || in_body || shown[g] == 0.0f) {
+			continue;
+		}
+		size_t heir = g;
+		float least = 1e9f;
+		for (size_t other = 0; other < states.size(); other++) {
+			const glm::vec4 way = measure.colors[static_cast<size_t>(form.groups[other].kind)] -
+					measure.colors[static_cast<size_t>(kind)];
+			const float distance = form.groups[other].kind == kind ? -1.0f : glm::dot(way, way);
+			if (own_vertices(other) > 0 && distance < least) {
+				heir = other;
+				least = distance;
+			}
+		}
+		shown[heir] += heir == g ? 0.0f : shown[g];
+		shown[g] = 0.0f;
+	}
+}
+
+FormPlan PlanSteps::finish() {
+	FormPlan plan;
+	plan.shown = measure.shown;
+	pass_on(plan.shown);
+	for (size_t g = 0; g < states.size(); g++) {
+		const State &state = states[g];
+		const PartDetail &detail = state.details[state.detail];
+		plan.groups.push_back({ detail, KEPT[state.kept], BODIES[state.body] });
+		const MeshCounts part = count_part(form.parts[static_cast<size_t>(form.groups[g].kind)], detail);
+		plan.counts.vertices += own_vertices(g);
+		plan.counts.indices +=
+				state.parts * part.indices + state.bodies * count_body(form.groups[g], BODIES[state.body]).indices;
+	}
+	plan.fates = std::move(fates);
+	plan.bodies = std::move(bodies);
+	plan.body_count = body_count;
+	return plan;
+}
+
+} // namespace undergrowth

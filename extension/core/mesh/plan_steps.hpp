@@ -1,0 +1,85 @@
+#pragma once
+
+#include "mesh/form_plan.hpp"
+
+#include <vector>
+
+namespace undergrowth {
+
+inline constexpr float HALF_SPHERE = 1.75f; // rad: domes above this are drawn as whole spheres.
+
+/// Shares of the parts that are kept; the last keeps none.
+inline constexpr float KEPT[] = { 1.0f, 0.8f, 0.65f, 0.5f, 0.42f, 0.34f, 0.25f, 0.18f, 0.12f, 0.07f, 0.04f, 0.02f,
+	0.01f, 0.005f, 0.001f, 0.0002f, 0.0f };
+inline constexpr size_t KEPT_COUNT = sizeof(KEPT) / sizeof(KEPT[0]);
+inline constexpr BodyDetail BODIES[] = { { 0, 0 }, { 8, 2 }, { 6, 2 }, { 5, 2 }, { 4, 2 }, { 5, 1 }, { 4, 1 },
+	{ 3, 1 } };
+inline constexpr size_t BODY_COUNT = sizeof(BODIES) / sizeof(BODIES[0]);
+
+inline constexpr float FLAT_STEM = 0.3f; ///< A stem as a ribbon is seen edge-on from some sides.
+
+/// Takes a form's full detail back step by step (plan_form).
+class PlanSteps {
+public:
+	PlanSteps(const PlantForm &form, const FormMeasure &measure);
+
+	int vertices() const { return total; }
+	/// Takes the step that costs least for each vertex that it saves, of those that are still too many. False where
+	/// there is none.
+	bool take_best(int budget);
+	/// Takes one step back that still fits, the one that mends most. False where there is none.
+	bool give_back(int budget);
+	FormPlan finish();
+
+private:
+	/// A group as it is drawn now.
+	struct State {
+		std::vector<PartDetail> details;
+		std::vector<int> costs; ///< Vertices of a part at each detail.
+		std::vector<float> errors; ///< Of its area, at each detail.
+		size_t detail = 0;
+		size_t kept = 0; ///< Index in KEPT.
+		size_t body = 0; ///< Index in BODY_SIDES; 0: no body.
+		int parts = 0; ///< Drawn as parts.
+		int bodies = 0;
+		float area = 0.0f; ///< m² that all of its parts show.
+		bool is_stem = false; ///< It stands on the ground and carries others.
+		std::vector<int> left; ///< Parts that each share keeps.
+		float contrast = 0.0f; ///< Square of the distance of its colour to the nearest other part's.
+		float cover = 1.0f; ///< Share of a body's silhouette that its parts fill.
+		// With all that its parts carry:
+		int branch_vertices = 0;
+		float branch_area = 0.0f;
+		float branch_error = 0.0f;
+	};
+	struct Step {
+		int group = -1;
+		State next; ///< Only detail, kept and body count.
+		float price = 0.0f;
+	};
+
+	const PlantForm &form;
+	const FormMeasure &measure;
+	std::vector<State> states;
+	std::vector<FormPlan::Fate> fates;
+	std::vector<int> bodies;
+	int body_count = 0;
+	int total = 0;
+
+	bool step_back(State &state) const;
+	void recount();
+	void count_left(size_t group);
+	void find_contrasts();
+	void add_up_branches();
+	float own_error(const State &state) const;
+	float thin_error(const State &state, size_t kept) const;
+	bool has_twin(int group) const;
+	void pass_on(std::vector<float> &shown) const;
+	int own_vertices(size_t group) const;
+	void offer(Step &best, int group, size_t detail, size_t kept, size_t body, float saved, float harm) const;
+	void offer_details(Step &best, int group, int excess) const;
+	void offer_thinning(Step &best, int group, int excess) const;
+	void offer_body(Step &best, int group, int excess) const;
+};
+
+} // namespace undergrowth

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "mesh/part_template.hpp"
+
+#include <vector>
+
+namespace undergrowth {
+
+/// Writes triangles between rows of equal length that lie one behind the other, clockwise from the front.
+class Weaver {
+public:
+	Weaver(PartTemplate &p_out, int p_columns, bool p_closed) :
+			out(p_out), columns(p_columns), spans(p_closed ? p_columns : p_columns - 1) {}
+
+	void band(int lower, int upper) {
+		for (int i = 0; i < spans; i++) {
+			const int next = (i + 1) % columns;
+			add(lower + i, lower + next, upper + next);
+			add(lower + i, upper + next, upper + i);
+		}
+	}
+	void fan_to_tip(int row, int tip) {
+		for (int i = 0; i < spans; i++) {
+			add(row + i, row + (i + 1) % columns, tip);
+		}
+	}
+	void fan_to_base(int row, int base) {
+		for (int i = 0; i < spans; i++) {
+			add(row + i, base, row + (i + 1) % columns);
+		}
+	}
+
+private:
+	void add(int a, int b, int c) { out.indices.insert(out.indices.end(), { a, b, c }); }
+
+	PartTemplate &out;
+	const int columns;
+	const int spans;
+};
+
+/// Parts of make_part_template().
+PartTemplate make_sheet_template(const Part &part, const Midrib &midrib, const PartDetail &detail);
+PartTemplate make_tube_template(const Part &part, const Midrib &midrib, const PartDetail &detail);
+PartTemplate make_bead_template(const Part &part, const Midrib &midrib, const PartDetail &detail);
+
+} // namespace undergrowth

@@ -1,0 +1,164 @@
+#include "form_species.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace undergrowth;
+
+namespace {
+
+glm::vec4 hex(int rgb) {
+	return { static_cast<float>(rgb >> 16) / 255.0f, static_cast<float>((rgb >> 8) & 255) / 255.0f,
+		static_cast<float>(rgb & 255) / 255.0f, 1.0f };
+}
+
+Part colored(Part part, int base, int tip) {
+	part.colors.base = hex(base);
+	part.colors.tip = hex(tip);
+	return part;
+}
+
+Part blade(float length_min, float length_max, float width, const Profile &profile, float bend) {
+	Part part;
+	part.length_min = length_min;
+	part.length_max = length_max;
+	part.width = width;
+	part.widths.profile = profile;
+	part.widths.base_width = 0.3f;
+	part.curve.bend = bend * DEGREE;
+	part.translucency = 0.8f;
+	return part;
+}
+
+Part axis(float length_min, float length_max, float base, float tip, float bend) {
+	Part part;
+	part.kind = PartKind::axis;
+	part.length_min = length_min;
+	part.length_max = length_max;
+	part.width = base;
+	part.axis.tip_diameter = tip;
+	part.widths.profile = EVEN_PROFILE;
+	part.curve.bend = bend * DEGREE;
+	return part;
+}
+
+Part bead(float length, float diameter) {
+	Part part;
+	part.kind = PartKind::bead;
+	part.length_min = part.length_max = length;
+	part.width = diameter;
+	return part;
+}
+
+/// A plant that is grown line by line, and whatever fails is a failure of the test.
+class Grower {
+public:
+	explicit Grower(uint64_t seed) : growth(0.3f, seed) {}
+
+	std::vector<int> add(const Part &part, const Arrangement &arrangement, const std::vector<int> &on = { ON_GROUND }) {
+		int kind = 0;
+		std::vector<int> handles;
+		CHECK(growth.add_kind(part, kind) == "");
+		CHECK(growth.arrange(kind, arrangement, on, handles) == "");
+		return handles;
+	}
+	PlantForm finish() { return growth.finish(); }
+
+private:
+	Growth growth;
+};
+
+Arrangement arranged(Layout layout, int count, Span angle = {}) {
+	Arrangement a;
+	a.layout = layout;
+	a.count_min = a.count_max = count;
+	a.angle = { angle.first * DEGREE, angle.last * DEGREE };
+	return a;
+}
+
+Arrangement tuft(int count, float radius, Span tilt) {
+	Arrangement a = arranged(Layout::ground, count);
+	a.radius = radius;
+	a.tilt = { tilt.first * DEGREE, tilt.last * DEGREE };
+	return a;
+}
+
+Arrangement along(
+		int count, float from, float to, float turn, Span angle, Span scale = { 1.0f, 1.0f }, int per_node = 1) {
+	Arrangement a = arranged(Layout::along, count, angle);
+	a.from = from;
+	a.to = to;
+	a.turn = turn * DEGREE;
+	a.scale = scale;
+	a.per_node = per_node;
+	return a;
+}
+
+} // namespace
+
+PlantForm grow_grass(uint64_t seed) {
+	Part leaf = colored(blade(0.2f, 0.35f, 0.009f, GRASS_PROFILE, 75.0f), 0x3f5a22, 0x8fa44e);
+	leaf.curve.power = 2.0f;
+	leaf.widths.base_width = 0.6f;
+	leaf.blade.fold = 25.0f * DEGREE;
+	leaf.blade.twist = 60.0f * DEGREE;
+	Grower plant(seed);
+	plant.add(leaf, tuft(14, 0.025f, { 3.0f, 30.0f }));
+	const std::vector<int> culms = plant.add(
+			colored(axis(0.45f, 0.75f, 0.002f, 0.0008f, 12.0f), 0x66803a, 0xa39a5c), tuft(3, 0.012f, { 2.0f, 10.0f }));
+	plant.add(leaf, along(2, 0.12f, 0.5f, 180.0f, { 25.0f, 35.0f }), culms);
+	const std::vector<int> twigs = plant.add(colored(axis(0.04f, 0.04f, 0.0005f, 0.0003f, 25.0f), 0xa39a5c, 0xa39a5c),
+			along(12, 0.82f, 1.0f, 45.0f, { 75.0f, 35.0f }, { 1.0f, 0.3f }, 4), culms);
+	plant.add(colored(bead(0.005f, 0.002f), 0x7e8a55, 0x8e7a86), along(2, 0.5f, 1.0f, 180.0f, { 30.0f, 10.0f }), twigs);
+	return plant.finish();
+}
+
+PlantForm grow_tulip(uint64_t seed) {
+	Part leaf = colored(blade(0.22f, 0.32f, 0.05f, LANCEOLATE_PROFILE, 45.0f), 0x7c9a84, 0x5f8670);
+	leaf.blade.fold = 30.0f * DEGREE;
+	leaf.blade.wave = 0.15f;
+	Part tepal = colored(blade(0.065f, 0.065f, 0.046f, TEPAL_PROFILE, -55.0f), 0xf0c52e, 0xc4161c);
+	tepal.blade.roll = 50.0f * DEGREE;
+	Part stamen = colored(axis(0.02f, 0.02f, 0.001f, 0.003f, 0.0f), 0xe0c040, 0x2a1a2e);
+	Grower plant(seed);
+	const std::vector<int> stems = plant.add(
+			colored(axis(0.35f, 0.5f, 0.008f, 0.006f, 6.0f), 0x6f8f62, 0x86a06a), arranged(Layout::ground, 1));
+	plant.add(leaf, along(2, 0.03f, 0.2f, 180.0f, { 18.0f, 28.0f }), stems);
+	Arrangement outer = arranged(Layout::whorl, 3, { 57.0f, 57.0f });
+	outer.radius = 0.004f;
+	Arrangement inner = arranged(Layout::whorl, 3, { 51.0f, 51.0f });
+	inner.radius = 0.003f;
+	inner.phase = 60.0f * DEGREE;
+	inner.scale = { 0.96f, 0.96f };
+	plant.add(tepal, outer, stems);
+	plant.add(tepal, inner, stems);
+	plant.add(stamen, arranged(Layout::whorl, 6, { 14.0f, 14.0f }), stems);
+	return plant.finish();
+}
+
+PlantForm grow_daisy(uint64_t seed) {
+	Part basal = colored(blade(0.08f, 0.08f, 0.018f, SPATULATE_PROFILE, 40.0f), 0x4c6b2c, 0x7d9a4a);
+	basal.blade.teeth = 5;
+	Part leaf = colored(blade(0.05f, 0.05f, 0.009f, STRAP_PROFILE, 0.0f), 0x4c6b2c, 0x7d9a4a);
+	leaf.blade.teeth = 4;
+	leaf.blade.fold = 15.0f * DEGREE;
+	Grower plant(seed);
+	plant.add(basal, tuft(8, 0.008f, { 45.0f, 75.0f }));
+	const std::vector<int> stems = plant.add(colored(axis(0.35f, 0.7f, 0.003f, 0.0022f, 10.0f), 0x4c6b2c, 0x7d9a4a),
+			tuft(static_cast<int>(seed % 3) + 1, 0.01f, { 2.0f, 12.0f }));
+	plant.add(leaf, along(9, 0.05f, 0.75f, 137.508f, { 35.0f, 25.0f }, { 1.0f, 0.35f }), stems);
+	Arrangement disc = arranged(Layout::disc, 130);
+	disc.radius = 0.0075f;
+	disc.dome = 50.0f * DEGREE;
+	plant.add(colored(bead(0.003f, 0.001f), 0xc98a12, 0xf6d64a), disc, stems);
+	Arrangement rays = arranged(Layout::whorl, 22, { 80.0f, 80.0f });
+	rays.radius = 0.007f;
+	rays.deviation = 6.0f * DEGREE;
+	plant.add(colored(blade(0.016f, 0.016f, 0.0045f, RAY_PROFILE, 12.0f), 0xeeece0, 0xfafaf5), rays, stems);
+	return plant.finish();
+}
+
+PlantForm grow_alone(const Part &part, uint64_t seed) {
+	Grower plant(seed);
+	plant.add(part, arranged(Layout::ground, 1));
+	return plant.finish();
+}

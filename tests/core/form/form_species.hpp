@@ -1,0 +1,14 @@
+#pragma once
+
+#include "form/growth.hpp"
+
+/// Three plants of parts for tests: a tuft of grass, a tulip and a daisy, as a script grows them.
+
+inline constexpr float DEGREE = 0.01745329f;
+
+undergrowth::PlantForm grow_grass(uint64_t seed);
+undergrowth::PlantForm grow_tulip(uint64_t seed);
+undergrowth::PlantForm grow_daisy(uint64_t seed);
+
+/// A form of one part alone that stands upright on the ground.
+undergrowth::PlantForm grow_alone(const undergrowth::Part &part, uint64_t seed = 1);

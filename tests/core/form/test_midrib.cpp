@@ -1,0 +1,108 @@
+#include "form/midrib.hpp"
+#include "form_species.hpp"
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+using namespace undergrowth;
+
+namespace {
+
+constexpr int POINTS = 4000;
+
+double length_of(const Midrib &midrib) {
+	double sum = 0.0;
+	glm::dvec3 before = midrib.at(0.0f).point;
+	for (int i = 1; i <= POINTS; i++) {
+		const glm::dvec3 point = midrib.at(static_cast<float>(i) / POINTS).point;
+		sum += glm::length(point - before);
+		before = point;
+	}
+	return sum;
+}
+
+} // namespace
+
+TEST_CASE("a midrib is as long as its part, however it bends and wanders") {
+	for (const float bend : { -3.0f, -1.0f, 0.0f, 0.8f, 1.3f, 3.0f }) {
+		for (const float power : { 0.5f, 1.0f, 2.0f, 4.0f }) {
+			for (const float wander : { 0.0f, 0.7f }) {
+				CHECK(std::abs(length_of(Midrib({ bend, power, wander }, 5)) - 1.0) < 1e-4);
+			}
+		}
+	}
+}
+
+TEST_CASE("a midrib with an even bend is an arc of a circle") {
+	const float bend = 1.2f;
+	const Midrib midrib({ bend, 1.0f, 0.0f });
+	for (int i = 0; i <= 50; i++) {
+		const float s = static_cast<float>(i) / 50.0f;
+		const Midrib::Place place = midrib.at(s);
+		CHECK(place.point.x == 0.0f);
+		CHECK(std::abs(place.point.y - std::sin(bend * s) / bend) < 1e-5);
+		CHECK(std::abs(place.point.z - (1.0f - std::cos(bend * s)) / bend) < 1e-5);
+		CHECK(std::abs(place.along.z - std::sin(bend * s)) < 2e-4);
+	}
+}
+
+TEST_CASE("the axes along a midrib stay upright on each other, and never turn about it") {
+	for (const float wander : { 0.0f, 1.0f }) {
+		const Midrib midrib({ 2.0f, 1.5f, wander }, 11);
+		glm::vec3 before = midrib.at(0.0f).across;
+		for (int i = 1; i <= 400; i++) {
+			const Midrib::Place place = midrib.at(static_cast<float>(i) / 400.0f);
+			CHECK(std::abs(glm::dot(place.along, place.across)) < 1e-6);
+			CHECK(std::abs(glm::length(place.up) - 1.0f) < 1e-6);
+			CHECK(glm::dot(glm::cross(place.along, place.across), place.up) > 0.999999f);
+			// What turned `across` is no turn about `along`: its change has no share along `up`.
+			CHECK(std::abs(glm::dot(place.across - before, place.up)) < 4e-4f);
+			before = place.across;
+		}
+	}
+}
+
+TEST_CASE("a midrib wanders by its seed, and not at its base") {
+	const Midrib one({ 0.0f, 1.0f, 0.8f }, 1);
+	const Midrib other({ 0.0f, 1.0f, 0.8f }, 2);
+	CHECK(one.at(0.0f).along == glm::vec3(0.0f, 1.0f, 0.0f));
+	CHECK(glm::length(one.at(1.0f).point - other.at(1.0f).point) > 0.01f);
+	CHECK(one.at(1.0f).point == Midrib({ 0.0f, 1.0f, 0.8f }, 1).at(1.0f).point);
+}
+
+TEST_CASE("profiles have the areas that leaves were measured with") {
+	const struct {
+		Profile profile;
+		float area;
+	} leaves[] = { { GRASS_PROFILE, 0.80f }, { STRAP_PROFILE, 0.86f }, { LANCEOLATE_PROFILE, 0.69f },
+		{ OVATE_PROFILE, 0.67f }, { ELLIPTIC_PROFILE, 0.785f }, { OBOVATE_PROFILE, 0.64f },
+		{ SPATULATE_PROFILE, 0.52f }, { TEPAL_PROFILE, 0.75f }, { RAY_PROFILE, 0.78f }, { EVEN_PROFILE, 1.0f } };
+	for (const auto &leaf : leaves) {
+		WidthFunction widths;
+		widths.profile = leaf.profile;
+		CHECK(std::abs(widths.mean() - leaf.area) < 0.006f);
+		CHECK(std::abs(widths.at(widths.widest()) - 1.0f) < 1e-6f);
+	}
+}
+
+TEST_CASE("a width function's slope is its difference") {
+	for (const Profile &profile : { GRASS_PROFILE, OVATE_PROFILE, SPATULATE_PROFILE, ELLIPTIC_PROFILE }) {
+		WidthFunction widths;
+		widths.profile = profile;
+		for (float s = 0.05f; s < 0.95f; s += 0.05f) {
+			const float slope = (widths.at(s + 0.002f) - widths.at(s - 0.002f)) / 0.004f;
+			CHECK(std::abs(widths.slope(s) - slope) < 0.02f * (1.0f + std::abs(slope)));
+		}
+	}
+}
+
+TEST_CASE("samples stand for a profile") {
+	WidthFunction widths;
+	widths.samples = { 0.5f, 1.0f, 0.0f };
+	CHECK(widths.at(0.25f) == 0.75f);
+	CHECK(widths.at(1.0f) == 0.0f);
+	CHECK(widths.widest() == 0.5f);
+	CHECK(std::abs(widths.slope(0.25f) - 1.0f) < 1e-4f);
+}

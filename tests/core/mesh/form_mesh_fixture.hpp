@@ -1,0 +1,74 @@
+#pragma once
+
+#include "mesh/form_mesh.hpp"
+
+#include "../golden.hpp"
+
+#include <vector>
+
+/// The mesh of a form in vectors of its own.
+struct BuiltForm {
+	std::vector<glm::vec3> positions;
+	std::vector<glm::vec3> normals;
+	std::vector<glm::vec4> tangents;
+	std::vector<glm::vec4> colors;
+	std::vector<glm::vec2> uvs;
+	std::vector<glm::vec4> custom0;
+	std::vector<glm::vec4> custom1;
+	std::vector<glm::vec4> custom2;
+	std::vector<int32_t> bones;
+	std::vector<float> weights;
+	std::vector<int32_t> indices;
+
+	int size() const { return static_cast<int>(positions.size()); }
+	uint64_t hash() const {
+		return GoldenHash()
+				.add(positions)
+				.add(normals)
+				.add(tangents)
+				.add(colors)
+				.add(uvs)
+				.add(custom0)
+				.add(custom1)
+				.add(custom2)
+				.add(bones)
+				.add(weights)
+				.add(indices)
+				.value();
+	}
+};
+
+inline BuiltForm build(const undergrowth::PlantForm &form, const undergrowth::FormPlan &plan, float height = 0.0f,
+		const undergrowth::MeshOptions &options = {}) {
+	BuiltForm mesh;
+	const size_t n = static_cast<size_t>(plan.counts.vertices);
+	mesh.positions.resize(n);
+	mesh.normals.resize(n);
+	mesh.tangents.resize(n);
+	mesh.colors.resize(n);
+	mesh.uvs.resize(n);
+	mesh.custom0.resize(n);
+	mesh.custom1.resize(n);
+	mesh.custom2.resize(n);
+	mesh.bones.resize(4 * n);
+	mesh.weights.resize(4 * n);
+	mesh.indices.resize(static_cast<size_t>(plan.counts.indices), -1);
+	undergrowth::build_form_mesh(form, undergrowth::measure_form(form), plan, options,
+			height > 0.0f ? height : form.height,
+			{ mesh.positions.data(), mesh.normals.data(), mesh.tangents.data(), mesh.colors.data(), mesh.uvs.data(),
+					mesh.custom0.data(), mesh.custom1.data(), mesh.custom2.data(), mesh.bones.data(),
+					mesh.weights.data(), mesh.indices.data() });
+	return mesh;
+}
+
+/// What a camera far away sees of a mesh.
+struct Sight {
+	double area = 0.0; ///< m² of the silhouette.
+	glm::dvec3 light = glm::dvec3(0.0); ///< The mean colour in linear light, every triangle lit the same.
+};
+
+/// Seen level from `side` of eight, drawn on `pixels` by `pixels` over `box` metres from the ground up.
+Sight look_at(const BuiltForm &mesh, int side, double box, int pixels = 500);
+
+/// The distance of two colours in linear light: CIE 1976 ΔE in L*a*b* under D65.
+double color_distance(const glm::dvec3 &a, const glm::dvec3 &b);

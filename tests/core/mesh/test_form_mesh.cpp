@@ -1,0 +1,208 @@
+#include "../form/form_species.hpp"
+#include "form_mesh_fixture.hpp"
+
+#include "mesh/part_template.hpp"
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace undergrowth;
+
+namespace {
+
+using Grow = PlantForm (*)(uint64_t);
+constexpr Grow SPECIES[] = { grow_grass, grow_tulip, grow_daisy };
+constexpr int LEVELS[] = { 12, 6, 3, 2, 1 };
+
+BuiltForm build_level(const PlantForm &form, int lod) {
+	return build(form, plan_form(form, measure_form(form), vertex_budget(lod)));
+}
+
+/// The whole of what a mesh promises to be.
+void check_sound(const BuiltForm &mesh) {
+	for (const int32_t index : mesh.indices) {
+		CHECK((index >= 0 && index < mesh.size()));
+	}
+	for (int i = 0; i < mesh.size(); i++) {
+		const size_t k = static_cast<size_t>(i);
+		CHECK(std::abs(glm::length(mesh.normals[k]) - 1.0f) < 1e-5f);
+		CHECK(std::abs(glm::length(glm::vec3(mesh.tangents[k])) - 1.0f) < 1e-5f);
+		CHECK(mesh.weights[4 * k] + mesh.weights[4 * k + 1] == 1.0f);
+		CHECK(mesh.weights[4 * k + 1] == mesh.custom0[k].x);
+		CHECK((mesh.custom0[k].x >= 0.0f && mesh.custom0[k].x <= 1.0f));
+		CHECK((mesh.custom0[k].y >= 0.0f && mesh.custom0[k].y <= 1.0f));
+		CHECK((mesh.colors[k].w > 0.0f && mesh.colors[k].w <= 1.0f));
+		CHECK(std::isfinite(glm::dot(mesh.positions[k], mesh.positions[k])));
+	}
+}
+
+/// The share of the triangles (by area) whose corners' normals lie on the side from which they are clockwise.
+double share_facing_front(const BuiltForm &mesh) {
+	double facing = 0.0;
+	double whole = 0.0;
+	for (size_t i = 0; i < mesh.indices.size(); i += 3) {
+		const size_t a = static_cast<size_t>(mesh.indices[i]);
+		const size_t b = static_cast<size_t>(mesh.indices[i + 1]);
+		const size_t c = static_cast<size_t>(mesh.indices[i + 2]);
+		const glm::vec3 front =
+				glm::cross(mesh.positions[c] - mesh.positions[a], mesh.positions[b] - mesh.positions[a]);
+		const double area = glm::length(front);
+		whole += area;
+		facing += glm::dot(front, mesh.normals[a] + mesh.normals[b] + mesh.normals[c]) > 0.0f ? area : 0.0;
+	}
+	return facing / whole;
+}
+
+} // namespace
+
+TEST_CASE("budgets of vertices are 5.5 times the segments squared, and 12 at least") {
+	CHECK(vertex_budget(12) == 792);
+	CHECK(vertex_budget(6) == 198);
+	CHECK(vertex_budget(3) == 50);
+	CHECK(vertex_budget(2) == 22);
+	CHECK(vertex_budget(1) == 12);
+}
+
+TEST_CASE("meshes of parts stay in their budget, fill their buffers, and are sound") {
+	for (const Grow grow : SPECIES) {
+		for (const uint64_t seed : { 1, 2, 3 }) {
+			const PlantForm form = grow(seed);
+			for (const int lod : LEVELS) {
+				const BuiltForm mesh = build_level(form, lod);
+				CHECK(mesh.size() <= vertex_budget(lod));
+				CHECK(mesh.size() >= vertex_budget(lod) / 2);
+				check_sound(mesh);
+			}
+		}
+	}
+}
+
+TEST_CASE("triangles are clockwise from the side that their normals point to") {
+	for (const Grow grow : SPECIES) {
+		CHECK(share_facing_front(build_level(grow(2), 40)) > 0.99);
+		CHECK(share_facing_front(build_level(grow(2), 3)) > 0.9);
+	}
+}
+
+TEST_CASE("counts of a part are those of its template, at every detail") {
+	Part part;
+	for (const PartKind kind : { PartKind::axis, PartKind::blade, PartKind::bead }) {
+		part.kind = kind;
+		for (const float fall : { 0.0f, 0.5f }) {
+			part.widths.profile.fall = fall;
+			part.blade.teeth = fall > 0.0f ? 5 : 0;
+			part.axis.tip_diameter = 0.02f;
+			part.axis.open_tip = fall > 0.0f;
+			for (const PartDetail &detail : details_of(part)) {
+				const PartTemplate shape = make_part_template(part, Midrib({}), detail);
+				const MeshCounts counts = count_part(part, detail);
+				CHECK(static_cast<int>(shape.vertices.size()) == counts.vertices);
+				CHECK(static_cast<int>(shape.indices.size()) == counts.indices);
+			}
+		}
+	}
+}
+
+TEST_CASE("details cost less and less") {
+	for (const PartKind kind : { PartKind::axis, PartKind::blade, PartKind::bead }) {
+		Part part;
+		part.kind = kind;
+		const std::vector<PartDetail> details = details_of(part);
+		for (size_t i = 1; i < details.size(); i++) {
+			CHECK(count_part(part, details[i]).vertices < count_part(part, details[i - 1]).vertices);
+		}
+	}
+}
+
+TEST_CASE("leaves hang on their stem by its offset, swing about where they are attached, and rank as it does") {
+	const PlantForm form = grow_tulip(1);
+	const BuiltForm mesh = build_level(form, 40);
+	const PlacedPart &leaf = form.placed[static_cast<size_t>(form.groups[1].first)];
+	const float expected = form.point_of(form.placed[0], leaf.offset).y / form.height;
+	int found = 0;
+	for (size_t i = 0; i < mesh.positions.size(); i++) {
+		if (glm::vec3(mesh.custom1[i]) == leaf.base) {
+			found++;
+			CHECK(mesh.custom0[i].x == expected);
+			CHECK(std::abs(mesh.custom0[i].y - (1.0f - mesh.uvs[i].y)) < 1e-6f);
+			CHECK(mesh.custom1[i].w == 3.0f);
+			const glm::vec3 midrib = mesh.positions[i] - glm::vec3(mesh.custom2[i]);
+			CHECK(glm::length(midrib - form.point_of(leaf, mesh.custom0[i].y)) < 1e-5f);
+		}
+	}
+	CHECK(found > 20);
+}
+
+TEST_CASE("a stem's vertices hang by their own height, and do not swing") {
+	Part part;
+	part.kind = PartKind::axis;
+	part.length_min = part.length_max = 0.5f;
+	const PlantForm form = grow_alone(part);
+	const BuiltForm mesh = build_level(form, 12);
+	for (size_t i = 0; i < mesh.positions.size(); i++) {
+		CHECK(std::abs(mesh.custom0[i].x - mesh.positions[i].y / form.height) < 1e-6f);
+		CHECK(mesh.custom0[i].y == 0.0f);
+	}
+}
+
+TEST_CASE("the base and the inside of a tuft are darker than its tips") {
+	const PlantForm form = grow_grass(1);
+	const BuiltForm mesh = build_level(form, 12);
+	float darkest = 1.0f;
+	float lightest = 0.0f;
+	for (size_t i = 0; i < mesh.positions.size(); i++) {
+		(mesh.positions[i].y < 0.01f ? darkest : lightest) = mesh.positions[i].y < 0.01f
+				? std::min(darkest, mesh.colors[i].w)
+				: std::max(lightest, mesh.colors[i].w);
+	}
+	CHECK(darkest < 0.25f);
+	CHECK(darkest > 0.1f);
+	CHECK(lightest > 0.9f);
+}
+
+TEST_CASE("a mesh that is stretched is the grown one, moved up, with upright normals") {
+	const PlantForm form = grow_tulip(1);
+	const FormPlan plan = plan_form(form, measure_form(form), vertex_budget(40));
+	const BuiltForm grown = build(form, plan);
+	const BuiltForm tall = build(form, plan, 1.5f * form.height);
+	for (size_t i = 0; i < grown.positions.size(); i++) {
+		CHECK(std::abs(tall.positions[i].y - 1.5f * grown.positions[i].y) < 1e-6f);
+		CHECK(tall.positions[i].x == grown.positions[i].x);
+		CHECK(tall.custom0[i] == grown.custom0[i]);
+	}
+	check_sound(tall);
+}
+
+TEST_CASE("a colour deviation tints each part by itself") {
+	const PlantForm form = grow_grass(1);
+	const FormPlan plan = plan_form(form, measure_form(form), vertex_budget(40));
+	MeshOptions options;
+	options.color_deviation = 1.0f;
+	const BuiltForm plain = build(form, plan);
+	const BuiltForm tinted = build(form, plan, 0.0f, options);
+	float least = 2.0f;
+	float most = 0.0f;
+	for (size_t i = 0; i < plain.colors.size(); i++) {
+		least = std::min(least, tinted.colors[i].y / plain.colors[i].y);
+		most = std::max(most, tinted.colors[i].y / plain.colors[i].y);
+	}
+	CHECK(least < 0.9f);
+	CHECK(least >= 0.749f);
+	CHECK(most > 1.1f);
+}
+
+TEST_CASE("meshes of parts are the same on every platform") {
+	const uint64_t goldens[3][3] = { { 0x81911b55f229723cull, 0x0af547edae7ca8e3ull, 0x50148c05eb99aea0ull },
+		{ 0xe24cb8be252b4e10ull, 0x8a82fb632269e518ull, 0x16f2d93c0dd66356ull },
+		{ 0x07d3acaa71cd0c52ull, 0x2f5dc172ae894ca4ull, 0x1177a44983890fd4ull } };
+	const int lods[3] = { 12, 3, 1 };
+	for (int species = 0; species < 3; species++) {
+		const PlantForm form = SPECIES[species](5);
+		for (int level = 0; level < 3; level++) {
+			CHECK(build_level(form, lods[level]).hash() == goldens[species][level]);
+		}
+	}
+}
