@@ -1,5 +1,6 @@
 #pragma once
 
+#include "form/plant_growth.hpp"
 #include "mesh/plant_mesh.hpp"
 #include "messages.hpp"
 #include "motion/joint.hpp"
@@ -37,6 +38,8 @@ private:
 	bool changes_motion_only = false;
 	bool changes_material_only = false;
 	godot::Ref<godot::Material> material;
+	bool has_stem = true;
+	godot::Array arrangements; // Of PlantArrangement.
 
 	void set_motion(float &slot, const char *property, double value, const Range &range);
 	void motion_changed();
@@ -44,7 +47,11 @@ private:
 	/// Calls a script's override; tells in `problem` where it returned something else than `wanted`.
 	godot::Variant call_override(const godot::StringName &method, const godot::Variant &argument,
 			godot::Variant::Type wanted, godot::String &problem);
+	bool has_parts() const;
+	// plant_function_growth.cpp
+	godot::String grow(double height, int64_t seed, SampledPlant &result);
 	// The parts of sample(): each returns what is wrong and what to do, or nothing.
+	static godot::String find_height_problem(double height);
 	godot::String sample_height(double height, int64_t seed, SampledPlant &result);
 	godot::String sample_ring(int segments, SampledPlant &result);
 	godot::String sample_profile(SampledPlant &result);
@@ -67,6 +74,7 @@ protected:
 	GDVIRTUAL1R(double, _generate_height, godot::Ref<godot::RandomNumberGenerator>)
 	GDVIRTUAL1R(double, _calculate_curve_point, double)
 	GDVIRTUAL1R(godot::Color, _calculate_color_at_point, double)
+	GDVIRTUAL1(_grow, godot::Ref<PlantGrowth>)
 
 public:
 	// The four functions, as callers see them. A fault in a script is reported and gives an empty or zero result.
@@ -82,6 +90,8 @@ public:
 
 	/// Samples the plant for a mesh. Height 0 asks the function. Returns what is wrong and what to do, or nothing.
 	godot::String sample(double height, int segments, int64_t seed, SampledPlant &result);
+	/// The stem of the four functions as a part.
+	godot::String read_stem(Part &into);
 	/// The joint of a plant of `length` metres whose root stands in `frame` (its up axis and turn, orthonormal).
 	Joint make_joint(float length, const godot::Basis &frame) const;
 	/// True while `changed` is emitted for a property that leaves meshes as they are. Setters emit it once for each
@@ -90,6 +100,13 @@ public:
 	/// True while `changed` is emitted for another material, which leaves meshes as they are, too.
 	bool is_material_change() const { return changes_material_only; }
 
+	// Called by the engine.
+	void on_arrangement_changed();
+
+	void set_has_stem(bool grows);
+	bool get_has_stem() const { return has_stem; }
+	void set_arrangements(const godot::TypedArray<PlantArrangement> &list);
+	godot::TypedArray<PlantArrangement> get_arrangements() const;
 	void set_law(MotionLaw law);
 	MotionLaw get_law() const;
 	void set_elasticity(double value);

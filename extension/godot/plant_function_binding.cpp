@@ -43,6 +43,11 @@ static void bind_motion_methods() {
 }
 
 static void bind_look_methods() {
+	ClassDB::bind_method(D_METHOD("_on_arrangement_changed"), &PlantFunction::on_arrangement_changed);
+	ClassDB::bind_method(D_METHOD("set_has_stem", "grows"), &PlantFunction::set_has_stem);
+	ClassDB::bind_method(D_METHOD("get_has_stem"), &PlantFunction::get_has_stem);
+	ClassDB::bind_method(D_METHOD("set_arrangements", "arrangements"), &PlantFunction::set_arrangements);
+	ClassDB::bind_method(D_METHOD("get_arrangements"), &PlantFunction::get_arrangements);
 	ClassDB::bind_method(D_METHOD("set_shading", "shading"), &PlantFunction::set_shading);
 	ClassDB::bind_method(D_METHOD("get_shading"), &PlantFunction::get_shading);
 	ClassDB::bind_method(D_METHOD("set_shape_deviation", "deviation"), &PlantFunction::set_shape_deviation);
@@ -62,10 +67,15 @@ void PlantFunction::_bind_methods() {
 	GDVIRTUAL_BIND(_generate_height, "rng");
 	GDVIRTUAL_BIND(_calculate_curve_point, "offset");
 	GDVIRTUAL_BIND(_calculate_color_at_point, "offset");
+	GDVIRTUAL_BIND(_grow, "plant");
 	bind_functions();
 	bind_motion_methods();
 	bind_look_methods();
 
+	ADD_GROUP("Parts", "");
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "has_stem"), "set_has_stem", "get_has_stem");
+	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "arrangements", PROPERTY_HINT_ARRAY_TYPE, "24/17:PlantArrangement"),
+			"set_arrangements", "get_arrangements");
 	ADD_GROUP("Motion", "");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "law", PROPERTY_HINT_ENUM, "Elasticity,Spring"), "set_law", "get_law");
 	ADD_PROPERTY(number("elasticity", "-0.5,20,0.01,or_greater"), "set_elasticity", "get_elasticity");

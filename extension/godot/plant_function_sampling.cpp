@@ -5,10 +5,7 @@
 #include "convert.hpp"
 #include "new_object.hpp"
 #include "plant/base_shape.hpp"
-#include "shared_resources.hpp"
-
-#include <godot_cpp/classes/engine.hpp>
-#include <godot_cpp/classes/script.hpp>
+#include "script_call.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,21 +20,9 @@ static constexpr double MAX_RING_EXTENT = 1e6; // m.
 
 Variant PlantFunction::call_override(
 		const StringName &method, const Variant &argument, Variant::Type wanted, String &problem) {
-	const Ref<Script> script = get_script();
-	if (script.is_valid() && Engine::get_singleton()->is_editor_hint() && !script->is_tool()) {
-		problem = "its script cannot run in the editor. Begin the script with @tool.";
-		return Variant();
-	}
-	const Variant result = call(method, argument);
-	const bool number_fits = wanted == Variant::FLOAT && result.get_type() == Variant::INT;
-	if (result.get_type() == wanted || number_fits) {
-		return result;
-	}
-	const String got =
-			result.get_type() == Variant::NIL ? String("nothing") : Variant::get_type_name(result.get_type());
-	problem =
-			String(method) + "() of its script returned " + got + ". Return a " + Variant::get_type_name(wanted) + ".";
-	return Variant();
+	Array arguments;
+	arguments.push_back(argument);
+	return call_script_override(this, method, arguments, wanted, problem);
 }
 
 PackedVector3Array PlantFunction::own_base_shape(int lod) const {
@@ -115,9 +100,13 @@ Color PlantFunction::calculate_color_at_point(double offset) {
 	return color;
 }
 
-float SampledPlant::widest() const {
-	const float width = widths.empty() ? 0.0f : *std::max_element(widths.begin(), widths.end());
-	return width * cross_section.radius;
+static bool is_level(int segments) {
+	return segments >= MIN_LOD && segments <= MAX_LOD;
+}
+
+static String level_problem(int segments) {
+	return String::num_int64(segments) + " segments cannot be built. Use " + String::num_int64(MIN_LOD) + " to " +
+			String::num_int64(MAX_LOD) + " along the height.";
 }
 
 static String ring_problem(const PackedVector3Array &shape) {
@@ -142,6 +131,14 @@ static CrossSection cross_section_of(const PackedVector3Array &shape) {
 	return make_cross_section(ring);
 }
 
+String PlantFunction::find_height_problem(double height) {
+	if (std::isfinite(height) && height >= 0.0 && height <= MAX_HEIGHT) {
+		return String();
+	}
+	return "a height of " + String::num(height) + " m cannot be built. Use more than 0 and at most " +
+			String::num(MAX_HEIGHT) + " m, or 0 for the function's own.";
+}
+
 String PlantFunction::sample_height(double height, int64_t seed, SampledPlant &result) {
 	if (height == 0.0) {
 		Ref<RandomNumberGenerator> rng = new_counted<RandomNumberGenerator>();
@@ -157,18 +154,13 @@ String PlantFunction::sample_height(double height, int64_t seed, SampledPlant &r
 			return "_generate_height() gave " + String::num(height) + ". Return metres above 0.";
 		}
 	}
-	if (!std::isfinite(height) || height < 0.0 || height > MAX_HEIGHT) {
-		return "a height of " + String::num(height) + " m cannot be built. Use more than 0 and at most " +
-				String::num(MAX_HEIGHT) + " m, or 0 for the function's own.";
-	}
 	result.height = float(height);
-	return String();
+	return find_height_problem(height);
 }
 
 String PlantFunction::sample_ring(int segments, SampledPlant &result) {
-	if (segments < MIN_LOD || segments > MAX_LOD) {
-		return String::num_int64(segments) + " segments cannot be built. Use " + String::num_int64(MIN_LOD) + " to " +
-				String::num_int64(MAX_LOD) + " along the height.";
+	if (!is_level(segments)) {
+		return level_problem(segments);
 	}
 	String problem;
 	const PackedVector3Array shape = GDVIRTUAL_IS_OVERRIDDEN(_get_base_shape)
@@ -224,6 +216,11 @@ String PlantFunction::sample(double height, int segments, int64_t seed, SampledP
 	result.options = look;
 	result.options.seed = uint64_t(seed);
 	result.material = material;
+	result.grown.reset();
+	if (has_parts()) {
+		result.lod = segments;
+		return is_level(segments) ? grow(height, seed, result) : level_problem(segments);
+	}
 	String problem = sample_height(height, seed, result);
 	if (problem.is_empty()) {
 		problem = sample_ring(segments, result);
@@ -234,62 +231,6 @@ String PlantFunction::sample(double height, int segments, int64_t seed, SampledP
 String PlantFunction::find_problem(double height, int segments, int64_t seed) {
 	SampledPlant sampled;
 	return sample(height, segments, seed, sampled);
-}
-
-// Where there is no skeleton, shaders do not get the bones' weights: a field's reads that of the tip from here.
-static constexpr int64_t CUSTOM_FORMAT = int64_t(Mesh::ARRAY_CUSTOM_R_FLOAT)
-		<< int64_t(Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT);
-
-static PackedFloat32Array tip_weights(const PackedFloat32Array &weights) {
-	PackedFloat32Array of_tip;
-	of_tip.resize(weights.size() / 4);
-	const float *from = weights.ptr();
-	float *to = of_tip.ptrw();
-	for (int64_t i = 0; i < of_tip.size(); i++) {
-		to[i] = from[4 * i + 1];
-	}
-	return of_tip;
-}
-
-Ref<ArrayMesh> SampledPlant::build() const {
-	const MeshCounts counts = count_mesh(int(cross_section.points.size()), lod, options.shading);
-	PackedVector3Array positions, normals;
-	PackedColorArray tints;
-	PackedVector2Array uvs;
-	PackedInt32Array bones, indices;
-	PackedFloat32Array weights;
-	positions.resize(counts.vertices);
-	normals.resize(counts.vertices);
-	tints.resize(counts.vertices);
-	uvs.resize(counts.vertices);
-	bones.resize(counts.vertices * 4);
-	weights.resize(counts.vertices * 4);
-	indices.resize(counts.indices);
-
-	MeshBuffers buffers;
-	buffers.positions = reinterpret_cast<glm::vec3 *>(positions.ptrw());
-	buffers.normals = reinterpret_cast<glm::vec3 *>(normals.ptrw());
-	buffers.colors = reinterpret_cast<glm::vec4 *>(tints.ptrw());
-	buffers.uvs = reinterpret_cast<glm::vec2 *>(uvs.ptrw());
-	buffers.bones = bones.ptrw();
-	buffers.weights = weights.ptrw();
-	buffers.indices = indices.ptrw();
-	build_mesh({ &cross_section, widths.data(), colors.data(), height, lod }, options, buffers);
-
-	Array arrays;
-	arrays.resize(Mesh::ARRAY_MAX);
-	arrays[Mesh::ARRAY_VERTEX] = positions;
-	arrays[Mesh::ARRAY_NORMAL] = normals;
-	arrays[Mesh::ARRAY_COLOR] = tints;
-	arrays[Mesh::ARRAY_TEX_UV] = uvs;
-	arrays[Mesh::ARRAY_BONES] = bones;
-	arrays[Mesh::ARRAY_WEIGHTS] = weights;
-	arrays[Mesh::ARRAY_INDEX] = indices;
-	arrays[Mesh::ARRAY_CUSTOM0] = tip_weights(weights);
-	Ref<ArrayMesh> mesh = new_counted<ArrayMesh>();
-	mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays, TypedArray<Array>(), Dictionary(), CUSTOM_FORMAT);
-	mesh->surface_set_material(0, material.is_valid() ? material : Ref<Material>(default_material()));
-	return mesh;
 }
 
 Ref<ArrayMesh> PlantFunction::generate_mesh(double height, int segments, int64_t seed) {

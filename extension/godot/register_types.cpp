@@ -5,6 +5,8 @@
 #include "field/plant_field_3d.hpp"
 #include "field/plant_field_level.hpp"
 #include "field/plant_field_species.hpp"
+#include "form/plant_growth.hpp"
+#include "form/plant_part_kinds.hpp"
 #include "plant_3d.hpp"
 #include "plant_simulation.hpp"
 #include "plant_wind.hpp"
@@ -33,6 +35,12 @@ static void load_class_help() {
 }
 
 static void register_classes() {
+	GDREGISTER_ABSTRACT_CLASS(PlantPart);
+	GDREGISTER_CLASS(PlantAxis);
+	GDREGISTER_CLASS(PlantBlade);
+	GDREGISTER_CLASS(PlantBead);
+	GDREGISTER_CLASS(PlantArrangement);
+	GDREGISTER_CLASS(PlantGrowth);
 	GDREGISTER_CLASS(PlantFunction);
 	GDREGISTER_CLASS(GrassFunction);
 	GDREGISTER_CLASS(ReedFunction);

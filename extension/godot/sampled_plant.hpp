@@ -8,9 +8,12 @@
 
 #include <glm/vec4.hpp>
 
+#include <memory>
 #include <vector>
 
 namespace undergrowth {
+
+struct GrownPlant;
 
 /// A plant function, asked at one height and level of detail: all that its mesh needs, copied, so that a worker thread
 /// may build it while the function changes.
@@ -22,6 +25,7 @@ struct SampledPlant {
 	int lod = 0;
 	MeshOptions options; ///< With the seed.
 	godot::Ref<godot::Material> material; ///< Null: the add-on's own.
+	std::shared_ptr<const GrownPlant> grown; ///< A plant of parts: then cross-section, widths and colours are empty.
 
 	/// The largest distance of a side point from the plant's axis (m).
 	float widest() const;

@@ -2,6 +2,9 @@
 
 #include "new_object.hpp"
 
+#include <godot_cpp/classes/resource_loader.hpp>
+#include <godot_cpp/classes/shader.hpp>
+
 #include <mutex>
 
 using namespace godot;
@@ -10,6 +13,7 @@ namespace undergrowth {
 
 // Pointers: no reference may be made before the engine's interface is loaded or die after it is gone.
 static Ref<StandardMaterial3D> *material = nullptr;
+static Ref<ShaderMaterial> *of_parts = nullptr;
 static Ref<Skin> *skin = nullptr;
 static std::mutex making; // Meshes may be generated on several threads.
 
@@ -41,6 +45,17 @@ Ref<StandardMaterial3D> default_material() {
 	return *material;
 }
 
+Ref<ShaderMaterial> parts_material() {
+	const std::lock_guard<std::mutex> lock(making);
+	if (!of_parts) {
+		Ref<ShaderMaterial> made = new_counted<ShaderMaterial>();
+		made->set_name("Undergrowth plant of parts");
+		made->set_shader(ResourceLoader::get_singleton()->load(PARTS_SHADER_PATH, "Shader"));
+		of_parts = new Ref<ShaderMaterial>(made);
+	}
+	return *of_parts;
+}
+
 Ref<Skin> plant_skin() {
 	const std::lock_guard<std::mutex> lock(making);
 	if (!skin) {
@@ -52,8 +67,10 @@ Ref<Skin> plant_skin() {
 void free_shared_resources() {
 	const std::lock_guard<std::mutex> lock(making);
 	delete material;
+	delete of_parts;
 	delete skin;
 	material = nullptr;
+	of_parts = nullptr;
 	skin = nullptr;
 }
 

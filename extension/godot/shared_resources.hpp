@@ -1,5 +1,6 @@
 #pragma once
 
+#include <godot_cpp/classes/shader_material.hpp>
 #include <godot_cpp/classes/skin.hpp>
 #include <godot_cpp/classes/standard_material3d.hpp>
 
@@ -8,6 +9,13 @@ namespace undergrowth {
 /// What plants wear that have no material of their own: vertex colours, Lambert light, a little light through the
 /// leaf (thesis, section 2.4). One for all plants; made at first use.
 godot::Ref<godot::StandardMaterial3D> default_material();
+
+/// The same for plants of parts: open sheets, lit from both sides and from behind, dark at their base. Made of the
+/// shader that fields of such plants wear.
+godot::Ref<godot::ShaderMaterial> parts_material();
+
+/// Where that shader is.
+inline const char *const PARTS_SHADER_PATH = "res://addons/undergrowth/shaders/plant_parts.gdshader";
 
 /// The binding of the two bones, root and tip, that all plants share.
 godot::Ref<godot::Skin> plant_skin();

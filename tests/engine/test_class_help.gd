@@ -3,6 +3,12 @@ extends "res://tests/engine/harness.gd"
 
 const CLASSES: PackedStringArray = [
 	"PlantFunction",
+	"PlantPart",
+	"PlantAxis",
+	"PlantBlade",
+	"PlantBead",
+	"PlantArrangement",
+	"PlantGrowth",
 	"GrassFunction",
 	"ReedFunction",
 	"CattailFunction",

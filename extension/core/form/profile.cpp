@@ -9,6 +9,9 @@ namespace undergrowth {
 namespace {
 
 constexpr float INSIDE = 0.01f; // Of the length: as near to the ends as slopes are asked for.
+// Leaves that narrow only at their very end are blunt there, not pointed.
+constexpr float BLUNT_FALL = 0.4f;
+constexpr float BLUNT_END = 0.97f; // Of the length: from there on the width stays.
 constexpr int MEAN_STEPS = 32;
 
 float profile_at(const Profile &profile, float widest, float s) {
@@ -35,12 +38,16 @@ float WidthFunction::widest() const {
 	return sum > 0.0f ? profile.rise / sum : 0.0f;
 }
 
+bool WidthFunction::is_blunt() const {
+	return samples.empty() && profile.fall <= BLUNT_FALL;
+}
+
 float WidthFunction::at(float s) const {
 	if (!samples.empty()) {
 		return sample_at(samples, s);
 	}
 	const float most = widest();
-	const float width = profile_at(profile, most, s);
+	const float width = profile_at(profile, most, is_blunt() ? std::min(s, BLUNT_END) : s);
 	return s < most ? std::max(width, base_width) : width;
 }
 
@@ -48,7 +55,7 @@ float WidthFunction::slope(float s) const {
 	const float inside = std::clamp(s, INSIDE, 1.0f - INSIDE);
 	if (samples.empty()) {
 		const float width = at(inside);
-		const bool is_held = inside < widest() && width == base_width;
+		const bool is_held = (inside < widest() && width == base_width) || (is_blunt() && inside > BLUNT_END);
 		return is_held ? 0.0f : width * (profile.rise / inside - profile.fall / (1.0f - inside));
 	}
 	const float low = std::max(inside - INSIDE, 0.0f);

@@ -33,6 +33,8 @@ struct WidthFunction {
 
 	/// Offset of the widest place, 0 to 1.
 	float widest() const;
+	/// Whether the tip is cut off instead of running out into a point: where the profile falls by 0.4 or less.
+	bool is_blunt() const;
 	/// Width at `s` from 0 to 1, as a share of the part's width.
 	float at(float s) const;
 	/// How fast the width changes per unit of offset. Next to both ends it is that of 1 % inside, for roots have no

@@ -16,7 +16,7 @@ constexpr float THINNED = 0.1f; // By so much for each part that one has to stan
 constexpr float ONE_SIDED = 0.3f; // Divided by the parts left: the fewer, the more lopsided.
 constexpr float TWIN_DROPPED = 0.2f; // Where another group of the same kind on the same carriers goes on.
 constexpr float DROPPED = 1.5f;
-constexpr float COLOR_LOST = 8.0f; // Times the square of the distance to the nearest colour that stays.
+constexpr float COLOR_LOST = 30.0f; // Times the square of the distance to the nearest colour that stays.
 constexpr float THINNED_WHORL = 0.3f; // One side of a flower is no flower.
 
 /// How much of the body of a group its parts fill.
@@ -202,7 +202,8 @@ bool PlanSteps::step_back(State &state) const {
 	return true;
 }
 
-/// What nothing is drawn of, others show: of the same kind, else of the nearest colour.
+/// What nothing is drawn of, others show: of the same kind, else of the nearest colour, and rather leaves than stems,
+/// which would become posts.
 void PlanSteps::pass_on(std::vector<float> &shown) const {
 	for (size_t g = 0; g < states.size(); g++) {
 		const int kind = form.groups[g].kind;
@@ -215,7 +216,9 @@ void PlanSteps::pass_on(std::vector<float> &shown) const {
 		for (size_t other = 0; other < states.size(); other++) {
 			const glm::vec4 way = measure.colors[static_cast<size_t>(form.groups[other].kind)] -
 					measure.colors[static_cast<size_t>(kind)];
-			const float distance = form.groups[other].kind == kind ? -1.0f : glm::dot(way, way);
+			const float distance = form.groups[other].kind == kind
+					? -1.0f
+					: glm::dot(way, way) + (states[other].is_stem ? 0.05f : 0.0f);
 			if (own_vertices(other) > 0 && distance < least) {
 				heir = other;
 				least = distance;

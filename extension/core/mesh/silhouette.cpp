@@ -8,7 +8,7 @@ namespace undergrowth {
 
 namespace {
 
-constexpr int DOTS = 128; // Across and up.
+constexpr int DOTS = 256; // Across and up.
 constexpr int SIDES = 4;
 constexpr float HALF = 0.70710678f;
 constexpr float COSINES[SIDES] = { 1.0f, HALF, 0.0f, -HALF };

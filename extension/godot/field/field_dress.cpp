@@ -19,7 +19,7 @@ void FieldDress::put_on(FieldStyle &style, const PoseTexture &poses) {
 	for (FieldLook &look : style.looks) {
 		const bool is_new = look.materials.empty();
 		for (size_t i = look.materials.size(); i < style.levels.size(); i++) {
-			look.materials.push_back(make_field_material(worn(look)));
+			look.materials.push_back(make_field_material(worn(look), look.has_parts()));
 		}
 		for (size_t i = 0; i < look.materials.size(); i++) {
 			const FieldLevel &level = style.levels[i];

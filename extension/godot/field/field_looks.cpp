@@ -30,9 +30,14 @@ String FieldLook::sample(const std::vector<FieldLevel> &levels, int64_t seed) {
 				break;
 			}
 			SampledPlant sampled;
-			const String problem = function->sample(0.0, levels[level].lod, own_seed, sampled);
-			if (!problem.is_empty()) {
-				return problem;
+			if (level > 0 && samples[0][size_t(variant)].grown) {
+				sampled = samples[0][size_t(variant)]; // A plant of parts is the same at all levels.
+				sampled.lod = levels[level].lod;
+			} else {
+				const String problem = function->sample(0.0, levels[level].lod, own_seed, sampled);
+				if (!problem.is_empty()) {
+					return problem;
+				}
 			}
 			if (level == 0) {
 				variants.push_back({ own_seed, sampled.height });

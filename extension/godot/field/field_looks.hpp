@@ -54,6 +54,8 @@ struct FieldLook {
 	void take_material();
 	/// The root of a plant, its length and rest direction, for the simulation.
 	MotionPlant to_simulate(const PlacedPlant &plant) const;
+	/// Whether its plants are of parts.
+	bool has_parts() const { return !nearest.empty() && nearest[0].grown; }
 	float length_of(const PlacedPlant &plant) const;
 	/// The farthest that the plant's mesh goes from its root, however it bends: linear blend skinning moves no vertex
 	/// farther than it is at rest (m).

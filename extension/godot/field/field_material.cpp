@@ -1,6 +1,7 @@
 #include "field/field_material.hpp"
 
 #include "new_object.hpp"
+#include "shared_resources.hpp"
 
 #include <godot_cpp/classes/base_material3d.hpp>
 #include <godot_cpp/classes/resource_loader.hpp>
@@ -59,13 +60,13 @@ void follow_material(const Ref<Material> &worn, const Ref<ShaderMaterial> &made)
 	}
 }
 
-Ref<ShaderMaterial> make_field_material(const Ref<Material> &worn) {
+Ref<ShaderMaterial> make_field_material(const Ref<Material> &worn, bool of_parts) {
 	const Ref<ShaderMaterial> own = worn;
 	if (own.is_valid()) {
 		return own->duplicate();
 	}
 	Ref<ShaderMaterial> made = new_counted<ShaderMaterial>();
-	made->set_shader(ResourceLoader::get_singleton()->load(SHADER_PATH, "Shader"));
+	made->set_shader(ResourceLoader::get_singleton()->load(of_parts ? PARTS_SHADER_PATH : SHADER_PATH, "Shader"));
 	const Ref<BaseMaterial3D> plain = worn;
 	if (plain.is_valid()) {
 		take_over(plain, made);

@@ -6,8 +6,9 @@
 namespace undergrowth {
 
 /// A material that bends, made from what a function wears: the add-on's own shader where it has none or a
-/// BaseMaterial3D, whose colours, textures and shine it takes over; a copy of a ShaderMaterial.
-godot::Ref<godot::ShaderMaterial> make_field_material(const godot::Ref<godot::Material> &worn);
+/// BaseMaterial3D, whose colours, textures and shine it takes over; a copy of a ShaderMaterial. `of_parts`: plants are
+/// of parts, so the shader is theirs.
+godot::Ref<godot::ShaderMaterial> make_field_material(const godot::Ref<godot::Material> &worn, bool of_parts);
 
 /// Brings into `made` what its user changed in `worn` since: colours, textures and shine, or the parameters of a
 /// shader.

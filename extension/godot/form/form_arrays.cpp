@@ -1,0 +1,96 @@
+#include "form/form_arrays.hpp"
+
+#include "mesh/form_mesh.hpp"
+#include "motion/bend_encoding.hpp"
+#include "new_object.hpp"
+#include "shared_resources.hpp"
+
+#include <godot_cpp/variant/packed_byte_array.hpp>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr int64_t CUSTOM_FORMAT =
+		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT)) |
+		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_HALF) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM1_SHIFT)) |
+		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_HALF) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM2_SHIFT));
+
+// The engine's arrays of a mesh, sized, and where the core writes them.
+struct FormArrays {
+	PackedVector3Array positions, normals;
+	PackedColorArray colors;
+	PackedVector2Array uvs;
+	PackedFloat32Array tangents, weights, custom0;
+	PackedInt32Array bones, indices;
+	std::vector<glm::vec4> custom1, custom2;
+
+	explicit FormArrays(const MeshCounts &counts) : custom1(size_t(counts.vertices)), custom2(size_t(counts.vertices)) {
+		positions.resize(counts.vertices);
+		normals.resize(counts.vertices);
+		colors.resize(counts.vertices);
+		uvs.resize(counts.vertices);
+		tangents.resize(4 * counts.vertices);
+		weights.resize(4 * counts.vertices);
+		custom0.resize(4 * counts.vertices);
+		bones.resize(4 * counts.vertices);
+		indices.resize(counts.indices);
+	}
+	FormBuffers buffers() {
+		FormBuffers to;
+		to.positions = reinterpret_cast<glm::vec3 *>(positions.ptrw());
+		to.normals = reinterpret_cast<glm::vec3 *>(normals.ptrw());
+		to.tangents = reinterpret_cast<glm::vec4 *>(tangents.ptrw());
+		to.colors = reinterpret_cast<glm::vec4 *>(colors.ptrw());
+		to.uvs = reinterpret_cast<glm::vec2 *>(uvs.ptrw());
+		to.custom0 = reinterpret_cast<glm::vec4 *>(custom0.ptrw());
+		to.custom1 = custom1.data();
+		to.custom2 = custom2.data();
+		to.bones = bones.ptrw();
+		to.weights = weights.ptrw();
+		to.indices = indices.ptrw();
+		return to;
+	}
+};
+
+static PackedByteArray halves(const std::vector<glm::vec4> &values) {
+	PackedByteArray bytes;
+	bytes.resize(int64_t(values.size() * 4 * sizeof(uint16_t)));
+	uint16_t *to = reinterpret_cast<uint16_t *>(bytes.ptrw());
+	for (const glm::vec4 &value : values) {
+		for (int i = 0; i < 4; i++) {
+			*to++ = to_half(value[i]);
+		}
+	}
+	return bytes;
+}
+
+static Array packed(const FormArrays &from) {
+	Array arrays;
+	arrays.resize(Mesh::ARRAY_MAX);
+	arrays[Mesh::ARRAY_VERTEX] = from.positions;
+	arrays[Mesh::ARRAY_NORMAL] = from.normals;
+	arrays[Mesh::ARRAY_TANGENT] = from.tangents;
+	arrays[Mesh::ARRAY_COLOR] = from.colors;
+	arrays[Mesh::ARRAY_TEX_UV] = from.uvs;
+	arrays[Mesh::ARRAY_CUSTOM0] = from.custom0;
+	arrays[Mesh::ARRAY_CUSTOM1] = halves(from.custom1);
+	arrays[Mesh::ARRAY_CUSTOM2] = halves(from.custom2);
+	arrays[Mesh::ARRAY_BONES] = from.bones;
+	arrays[Mesh::ARRAY_WEIGHTS] = from.weights;
+	arrays[Mesh::ARRAY_INDEX] = from.indices;
+	return arrays;
+}
+
+Ref<ArrayMesh> build_form_mesh(const GrownPlant &grown, const SampledPlant &sampled) {
+	const FormPlan plan = plan_form(grown.form, grown.measure, vertex_budget(sampled.lod));
+	FormArrays arrays(plan.counts);
+	build_form_mesh(grown.form, grown.measure, plan, sampled.options, sampled.height, arrays.buffers());
+	Ref<ArrayMesh> mesh = new_counted<ArrayMesh>();
+	mesh->add_surface_from_arrays(
+			Mesh::PRIMITIVE_TRIANGLES, packed(arrays), TypedArray<Array>(), Dictionary(), CUSTOM_FORMAT);
+	mesh->surface_set_material(0, sampled.material.is_valid() ? sampled.material : Ref<Material>(parts_material()));
+	return mesh;
+}
+
+} // namespace undergrowth

@@ -1,0 +1,80 @@
+// Turns what was asked of a plant function into a mesh of the engine's.
+
+#include "sampled_plant.hpp"
+
+#include "form/form_arrays.hpp"
+#include "form/grown_plant.hpp"
+#include "new_object.hpp"
+#include "shared_resources.hpp"
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace undergrowth {
+
+float SampledPlant::widest() const {
+	const float width = widths.empty() ? 0.0f : *std::max_element(widths.begin(), widths.end());
+	return width * cross_section.radius;
+}
+
+// Where there is no skeleton, shaders do not get the bones' weights: a field's reads that of the tip from here.
+static constexpr int64_t CUSTOM_FORMAT = int64_t(Mesh::ARRAY_CUSTOM_R_FLOAT)
+		<< int64_t(Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT);
+
+static PackedFloat32Array tip_weights(const PackedFloat32Array &weights) {
+	PackedFloat32Array of_tip;
+	of_tip.resize(weights.size() / 4);
+	const float *from = weights.ptr();
+	float *to = of_tip.ptrw();
+	for (int64_t i = 0; i < of_tip.size(); i++) {
+		to[i] = from[4 * i + 1];
+	}
+	return of_tip;
+}
+
+Ref<ArrayMesh> SampledPlant::build() const {
+	if (grown) {
+		return build_form_mesh(*grown, *this);
+	}
+	const MeshCounts counts = count_mesh(int(cross_section.points.size()), lod, options.shading);
+	PackedVector3Array positions, normals;
+	PackedColorArray tints;
+	PackedVector2Array uvs;
+	PackedInt32Array bones, indices;
+	PackedFloat32Array weights;
+	positions.resize(counts.vertices);
+	normals.resize(counts.vertices);
+	tints.resize(counts.vertices);
+	uvs.resize(counts.vertices);
+	bones.resize(counts.vertices * 4);
+	weights.resize(counts.vertices * 4);
+	indices.resize(counts.indices);
+
+	MeshBuffers buffers;
+	buffers.positions = reinterpret_cast<glm::vec3 *>(positions.ptrw());
+	buffers.normals = reinterpret_cast<glm::vec3 *>(normals.ptrw());
+	buffers.colors = reinterpret_cast<glm::vec4 *>(tints.ptrw());
+	buffers.uvs = reinterpret_cast<glm::vec2 *>(uvs.ptrw());
+	buffers.bones = bones.ptrw();
+	buffers.weights = weights.ptrw();
+	buffers.indices = indices.ptrw();
+	build_mesh({ &cross_section, widths.data(), colors.data(), height, lod }, options, buffers);
+
+	Array arrays;
+	arrays.resize(Mesh::ARRAY_MAX);
+	arrays[Mesh::ARRAY_VERTEX] = positions;
+	arrays[Mesh::ARRAY_NORMAL] = normals;
+	arrays[Mesh::ARRAY_COLOR] = tints;
+	arrays[Mesh::ARRAY_TEX_UV] = uvs;
+	arrays[Mesh::ARRAY_BONES] = bones;
+	arrays[Mesh::ARRAY_WEIGHTS] = weights;
+	arrays[Mesh::ARRAY_INDEX] = indices;
+	arrays[Mesh::ARRAY_CUSTOM0] = tip_weights(weights);
+	Ref<ArrayMesh> mesh = new_counted<ArrayMesh>();
+	mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays, TypedArray<Array>(), Dictionary(), CUSTOM_FORMAT);
+	mesh->surface_set_material(0, material.is_valid() ? material : Ref<Material>(default_material()));
+	return mesh;
+}
+
+} // namespace undergrowth

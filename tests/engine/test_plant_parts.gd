@@ -1,0 +1,219 @@
+## Plants of parts: what scripts and files say of them becomes a mesh in the format of vertex_format.hpp.
+extends "res://tests/engine/harness.gd"
+
+const READY: PackedStringArray = ["meadow_grass", "garden_tulip", "oxeye_daisy"]
+const TULIP := "res://addons/undergrowth/species/garden_tulip.tres"
+const DAISY := "res://addons/undergrowth/species/oxeye_daisy.tres"
+const BUDGETS: Dictionary = {12: 792, 6: 198, 3: 50, 2: 22, 1: 12}
+
+
+class Daisy:
+	extends PlantFunction
+	static var grown := 0
+	var ray := PlantBlade.of({length = 0.016, width = 0.0045, profile = PlantBlade.PROFILE_RAY})
+	var stem := PlantAxis.of({length = Vector2(0.3, 0.6), diameter = Vector2(0.003, 0.002)})
+
+	func _grow(plant: PlantGrowth) -> void:
+		grown += 1
+		var stems := plant.scatter(stem, plant.rng.randi_range(1, 3), {radius = 0.01})
+		plant.whorl(ray, stems, 22, {radius = 0.007, angle = 1.4})
+
+
+class Faulty:
+	extends PlantFunction
+	var deed: Callable
+
+	func _grow(plant: PlantGrowth) -> void:
+		deed.call(plant)
+
+
+class Lobed:
+	extends PlantBlade
+
+	func _calculate_width(offset: float) -> float:
+		return 0.5 if offset < 0.5 else 1.0
+
+	func _calculate_color(_offset: float, across: float) -> Color:
+		return Color(across, 0, 0)
+
+
+func test_a_species_of_data_fits_its_budgets() -> void:
+	for file in READY:
+		var species: PlantFunction = load("res://addons/undergrowth/species/%s.tres" % file)
+		for segments: int in BUDGETS:
+			var mesh := species.generate_mesh(0.0, segments, 4)
+			check(mesh.surface_get_array_len(0) <= BUDGETS[segments], "%s, %d" % [file, segments])
+			check(mesh.surface_get_array_len(0) > 0, file + " is drawn")
+
+
+func test_a_script_grows_a_plant_once_for_each_seed() -> void:
+	var species := Daisy.new()
+	var mesh := species.generate_mesh(0.0, 6, 1)
+	check(mesh.get_aabb().size.y > 0.25, "as high as its stems")
+	check_equal(Daisy.grown, 1, "grown")
+	Daisy.grown = 0
+	var field := PlantField3D.from_species([species])
+	field.size = Vector2(2, 2)
+	field.density = 5.0
+	root.add_child(field)
+	await field.filled
+	await frames(1)
+	check_equal(Daisy.grown, 4, "asked once for each of the four variants, whatever the levels")
+	check(field.get_plant_ids().size() > 5, "plants stand")
+	field.free()
+
+
+func test_the_same_seed_gives_the_same_bytes() -> void:
+	var species: PlantFunction = load(DAISY)
+	var one := species.generate_mesh(0.0, 6, 9).surface_get_arrays(0)
+	var again := species.generate_mesh(0.0, 6, 9).surface_get_arrays(0)
+	var other := species.generate_mesh(0.0, 6, 10).surface_get_arrays(0)
+	check_equal(one[Mesh.ARRAY_VERTEX], again[Mesh.ARRAY_VERTEX], "the same seed")
+	check(one[Mesh.ARRAY_VERTEX] != other[Mesh.ARRAY_VERTEX], "another seed")
+
+
+func test_a_species_without_parts_has_its_lathe() -> void:
+	var plain := TulipFunction.new().generate_mesh(1.5, 8, 3).surface_get_arrays(0)
+	var emptied := TulipFunction.new()
+	emptied.arrangements = [PlantArrangement.of({part = PlantBead.new()})]
+	emptied.arrangements = []
+	var again := emptied.generate_mesh(1.5, 8, 3).surface_get_arrays(0)
+	for array: int in [Mesh.ARRAY_VERTEX, Mesh.ARRAY_NORMAL, Mesh.ARRAY_COLOR, Mesh.ARRAY_CUSTOM0]:
+		check_equal(again[array], plain[array], "array %d" % array)
+
+
+func test_leaves_on_a_stem_of_four_functions() -> void:
+	var species := TulipFunction.new()
+	var leaf := PlantBlade.of({length = 0.3, width = 0.05})
+	species.arrangements = [PlantArrangement.of({part = leaf, count = 3, to = 0.3, angle = 0.6})]
+	var mesh := species.generate_mesh(0.0, 12, 1)
+	check(mesh.get_aabb().size.x > 0.2, "leaves stand off the stem")
+	var arrays := mesh.surface_get_arrays(0)
+	check_equal(arrays[Mesh.ARRAY_TANGENT].size(), 4 * mesh.surface_get_array_len(0), "tangents")
+	check(arrays[Mesh.ARRAY_CUSTOM2] != null, "half-widths")
+
+
+func test_weights_are_the_stem_offsets() -> void:
+	var species: PlantFunction = load(TULIP)
+	var arrays := species.generate_mesh(0.0, 12, 1).surface_get_arrays(0)
+	var offsets: PackedFloat32Array = arrays[Mesh.ARRAY_CUSTOM0]
+	var weights: PackedFloat32Array = arrays[Mesh.ARRAY_WEIGHTS]
+	var worst := 0.0
+	for i in arrays[Mesh.ARRAY_VERTEX].size():
+		worst = maxf(worst, absf(offsets[4 * i] - weights[4 * i + 1]))
+		worst = maxf(worst, absf(weights[4 * i] + weights[4 * i + 1] - 1.0))
+	check_near(worst, 0.0, 1e-4, "weights")
+
+
+func test_a_script_says_width_and_color_of_a_part() -> void:
+	var species := PlantFunction.new()
+	species.has_stem = false
+	species.arrangements = [
+		PlantArrangement.of({part = Lobed.new(), layout = PlantArrangement.LAYOUT_GROUND})
+	]
+	var colors: PackedColorArray = species.generate_mesh(0.0, 12).surface_get_arrays(0)[
+		Mesh.ARRAY_COLOR
+	]
+	var reds: Array = Array(colors).map(func(color: Color) -> float: return color.r)
+	check_near(reds.min(), 0.0, 0.2, "at the midrib")
+	check_near(reds.max(), 1.0, 0.2, "at the edges")
+
+
+func test_setters_are_quiet_and_keep_degrees() -> void:
+	var blade := PlantBlade.new()
+	var told := [0]
+	blade.changed.connect(func() -> void: told[0] += 1)
+	blade.bend = deg_to_rad(75.0)
+	blade.bend = deg_to_rad(75.0)
+	blade.width = 0.009
+	blade.width = 0.009
+	check_equal(told[0], 2, "changes")
+	check_equal(rad_to_deg(blade.bend), 75.0, "degrees")
+	check_equal(blade.width, 0.009, "width")
+
+
+func test_a_change_deep_inside_reaches_the_species() -> void:
+	var bead := PlantBead.new()
+	var inner := PlantArrangement.of({part = bead})
+	var outer := PlantArrangement.of({part = PlantAxis.new()})
+	outer.carries = [inner]
+	var species := PlantFunction.new()
+	species.arrangements = [outer]
+	var told := [0]
+	species.changed.connect(func() -> void: told[0] += 1)
+	bead.diameter = 0.01
+	check_equal(told[0], 1, "one change")
+
+
+func test_values_out_of_range_keep_the_last() -> void:
+	var blade := PlantBlade.new()
+	blade.width = -1.0
+	check_error("PlantBlade: width cannot be -1")
+	blade.fold = NAN
+	check_error("PlantBlade: fold cannot be nan")
+	var arrangement := PlantArrangement.new()
+	arrangement.count = Vector2i(0, 0)
+	check_error("PlantArrangement: count cannot be 0 to 0")
+	arrangement.count = Vector2i(1, 1000000)
+	check_error("PlantArrangement: count cannot be 1 to 1000000")
+	check_equal(arrangement.count, Vector2i(1, 1), "count")
+	PlantBlade.of({colour = Color.RED})
+	check_error("PlantBlade: has no 'colour'")
+
+
+func test_what_carries_itself_or_has_no_part_is_told() -> void:
+	var arrangement := PlantArrangement.of({part = PlantAxis.new()})
+	arrangement.carries = [arrangement]
+	var species := PlantFunction.new()
+	species.arrangements = [arrangement]
+	check(species.find_problem(0.0, 6).contains("deep, perhaps by itself"), "carries itself")
+	arrangement.carries = []
+	arrangement.part = null
+	check(species.find_problem(0.0, 6).contains("has no part"), "no part")
+	species.arrangements = []
+	species.has_stem = false
+	check(species.find_problem(0.0, 6).contains("grew nothing"), "nothing")
+
+
+func test_a_script_that_errs_is_told_what_to_do() -> void:
+	var blade := PlantBlade.new()
+	var bare := PackedInt32Array([7])
+	var deeds := {
+		"grew nothing": func(_plant: PlantGrowth) -> void: pass,
+		"passed no part": func(plant: PlantGrowth) -> void: plant.scatter(null, 3),
+		"count cannot be 0": func(plant: PlantGrowth) -> void: plant.scatter(blade, 0),
+		"count cannot be -4": func(plant: PlantGrowth) -> void: plant.scatter(blade, -4),
+		"count cannot be 1e+06": func(plant: PlantGrowth) -> void: plant.scatter(blade, 1000000),
+		"a handle is none": func(plant: PlantGrowth) -> void: plant.along(blade, bare, 2),
+		"the option 'size'": func(plant: PlantGrowth) -> void: plant.scatter(blade, 3, {size = 2}),
+		"angle cannot be nan":
+		func(plant: PlantGrowth) -> void: plant.along(blade, plant.ground, 1, {angle = NAN}),
+	}
+	for words: String in deeds:
+		var species := Faulty.new()
+		species.deed = deeds[words]
+		var problem := species.find_problem(0.0, 6)
+		check(problem.contains(words), "'%s' says: %s" % [words, problem])
+
+
+func test_a_plant_that_has_grown_takes_no_more_parts() -> void:
+	var species := Faulty.new()
+	var kept: Array[PlantGrowth] = []
+	species.deed = func(plant: PlantGrowth) -> void:
+		plant.add(PlantBlade.new())
+		kept.append(plant)
+	check(species.generate_mesh(0.0, 3) != null, "it grew")
+	kept[0].add(PlantBlade.new())
+	check_error("PlantGrowth: the plant has grown")
+
+
+func test_the_last_good_plant_stays() -> void:
+	var plant := Plant3D.new()
+	plant.species = load(TULIP).duplicate()
+	root.add_child(plant)
+	var good := plant.get_mesh()
+	plant.species.arrangements = [PlantArrangement.new()]
+	await frames(2)
+	check_error("has no part")
+	check_equal(plant.get_mesh(), good, "the mesh")
+	plant.free()
