@@ -1,4 +1,4 @@
-## Plants of parts: what scripts and files say of them becomes a mesh in the format of vertex_format.hpp.
+## Plants of parts: what scripts and files say of them becomes a mesh of sheets and tubes.
 extends "res://tests/engine/harness.gd"
 
 const READY: PackedStringArray = ["meadow_grass", "garden_tulip", "oxeye_daisy"]

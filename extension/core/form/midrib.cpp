@@ -57,7 +57,7 @@ Midrib::Midrib(const MidribCurve &curve, uint64_t seed) {
 	glm::dvec3 along = direction(curve, seed, 0.0);
 	glm::dvec3 across(1.0, 0.0, 0.0);
 	nodes[0] = { point, along, across };
-	const bool is_straight = curve.bend == 0.0f && !(curve.wander > 0.0f);
+	is_straight = curve.bend == 0.0f && !(curve.wander > 0.0f);
 	for (int i = 0; i < STEPS; i++) {
 		const double middle = (i + 0.5) / STEPS;
 		const glm::dvec3 step = is_straight
@@ -72,6 +72,10 @@ Midrib::Midrib(const MidribCurve &curve, uint64_t seed) {
 }
 
 Midrib::Place Midrib::at(float s) const {
+	if (is_straight) {
+		return { { 0.0f, s, 0.0f }, { 0.0f, 1.0f, 0.0f }, { 1.0f, 0.0f, 0.0f }, { 0.0f, 0.0f, -1.0f },
+			glm::vec3(0.0f) };
+	}
 	const float place = std::clamp(s, 0.0f, 1.0f) * STEPS;
 	const size_t i = std::min(static_cast<size_t>(place), nodes.size() - 2);
 	const float t = place - static_cast<float>(i);

@@ -43,6 +43,7 @@ private:
 		glm::vec3 across;
 	};
 	std::array<Node, STEPS + 1> nodes;
+	bool is_straight = true;
 };
 
 } // namespace undergrowth
