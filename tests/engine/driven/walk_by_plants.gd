@@ -15,6 +15,7 @@ var _ids: PackedInt64Array = []
 var _plants: Array[Plant3D] = []
 var _walkers: Array[StaticBody3D] = []
 var _tips: Array[Vector3] = []
+var _is_filled := false
 var _elapsed := -1.0
 var _walked := 0.0
 var _samples := 0
@@ -35,7 +36,7 @@ func _initialize() -> void:
 		walker.position = Vector3(START, 1.0, 0) + i * ASIDE
 		root.add_child(walker)
 		_walkers.append(walker)
-	_field.filled.connect(_begin)
+	_field.filled.connect(func() -> void: _is_filled = true)
 
 
 func _physics_process(delta: float) -> bool:
@@ -46,6 +47,9 @@ func _physics_process(delta: float) -> bool:
 
 func _process(delta: float) -> bool:
 	if _elapsed < 0.0:
+		# Here, whenever it was filled, so that both begin to step with the same frame.
+		if _is_filled:
+			_begin()
 		return false
 	_elapsed += delta
 	if not "physics" in OS.get_cmdline_user_args():
