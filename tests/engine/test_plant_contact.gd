@@ -9,6 +9,8 @@ const CLEAR := 0.015
 const SPRING := PlantFunction.LAW_SPRING
 const ELASTIC := PlantFunction.LAW_ELASTICITY
 
+var _has_told := false
+
 
 func test_two_tips_in_each_other_part_at_once_along_the_line_through_both() -> void:
 	for law: PlantFunction.MotionLaw in [SPRING, ELASTIC]:
@@ -170,12 +172,13 @@ func test_who_comes_or_goes_while_tips_touch_is_noticed() -> void:
 		check(tip_of(plant).is_finite(), "all goes on")
 
 
-func test_a_crowd_of_tips_is_told_of_once() -> void:
+func test_a_crowd_of_tips_is_told_of_once_by_an_engine() -> void:
 	var species := make_species(SPRING, 20.0)
 	for i in 200:
 		_add_touching(species, Transform3D(Basis(), Vector3(0.3 * i, 0, 0)))
 	await pass_time(0.3)
-	check_error("PlantSimulation: too many tips are near each other")
+	check_error_count("PlantSimulation: too many tips are near each other", 0 if _has_told else 1)
+	_has_told = true
 
 
 func test_usual_plants_are_not_told_of_a_crowd() -> void:

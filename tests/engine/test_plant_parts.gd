@@ -47,6 +47,7 @@ func test_a_species_of_data_fits_its_budgets() -> void:
 
 
 func test_a_script_grows_a_plant_once_for_each_seed() -> void:
+	Daisy.grown = 0
 	var species := Daisy.new()
 	var mesh := species.generate_mesh(0.0, 6, 1)
 	check(mesh.get_aabb().size.y > 0.25, "as high as its stems")
