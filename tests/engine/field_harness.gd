@@ -80,13 +80,28 @@ func dressed() -> void:
 
 ## A capsule in the group "walkers".
 func add_walker() -> StaticBody3D:
-	var walker := StaticBody3D.new()
-	var shape := CollisionShape3D.new()
-	shape.shape = CapsuleShape3D.new()
-	walker.add_child(shape)
-	walker.add_to_group(&"walkers")
-	root.add_child(walker)
-	return walker
+	return add_body(CapsuleShape3D.new())
+
+
+## A body of this shape in the group "walkers".
+func add_body(shape: Shape3D) -> StaticBody3D:
+	var body := StaticBody3D.new()
+	add_shape(body, shape)
+	body.add_to_group(&"walkers")
+	root.add_child(body)
+	return body
+
+
+func add_shape(to: Node3D, shape: Shape3D) -> void:
+	var holder := CollisionShape3D.new()
+	holder.shape = shape
+	to.add_child(holder)
+
+
+func box_shape(size: Vector3) -> BoxShape3D:
+	var box := BoxShape3D.new()
+	box.size = size
+	return box
 
 
 ## A [Path3D] through [param points] below the field, saved with it, and the path to it.

@@ -120,7 +120,7 @@ func test_a_crate_pushes_by_its_own_size_and_turn() -> void:
 	field.wind = null
 	field.bodies_group = &"walkers"
 	field.density = 20.0
-	var crate := _add_body(_box(Vector3(2, 4, 0.4)))
+	var crate := add_body(box_shape(Vector3(2, 4, 0.4)))
 	crate.position = Vector3(0, 0.5, 0)
 	crate.rotation.y = 0.6
 	await start()
@@ -152,9 +152,9 @@ func test_shapes_deep_below_a_body_push_but_not_those_of_areas() -> void:
 	var area := Area3D.new()
 	var sight := SphereShape3D.new()
 	sight.radius = 12.0
-	_add_shape(area, sight)
+	add_shape(area, sight)
 	pivot.add_child(area)
-	_add_shape(pivot, CapsuleShape3D.new())
+	add_shape(pivot, CapsuleShape3D.new())
 	hero.add_child(pivot)
 	hero.position.y = 1.0
 	hero.add_to_group(&"walkers")
@@ -173,7 +173,7 @@ func test_shapes_deep_below_a_body_push_but_not_those_of_areas() -> void:
 func test_bodies_that_cannot_push_are_told_of_once() -> void:
 	field.bodies_group = &"walkers"
 	var walker := add_walker()
-	var wall := _add_body(WorldBoundaryShape3D.new())
+	var wall := add_body(WorldBoundaryShape3D.new())
 	wall.name = "Wall"
 	Engine.time_scale = 8.0
 	await start()
@@ -243,7 +243,7 @@ func _most_lean_of(field_way: float, ball_way: float) -> float:
 	await frames(3)
 	var ball := SphereShape3D.new()
 	ball.radius = 0.4
-	var body := _add_body(ball)
+	var body := add_body(ball)
 	var most := 0.0
 	for i in 60:
 		var left := maxi(15 - i, 0)
@@ -268,7 +268,7 @@ func _push_by_passing(placed: Transform3D) -> Vector3:
 	var rest := own.get_tip_position(id)
 	var ball := SphereShape3D.new()
 	ball.radius = 0.3 * placed.basis.get_scale().x
-	var body := _add_body(ball)
+	var body := add_body(ball)
 	var way := -1.0
 	while way < -0.3:
 		body.position = placed * Vector3(way, rest.y, 0.1)
@@ -289,23 +289,3 @@ func _single_plant_field() -> PlantField3D:
 	own.density = 0.0
 	own.bodies_group = &"walkers"
 	return own
-
-
-func _add_body(shape: Shape3D) -> StaticBody3D:
-	var body := StaticBody3D.new()
-	_add_shape(body, shape)
-	body.add_to_group(&"walkers")
-	root.add_child(body)
-	return body
-
-
-func _add_shape(to: Node3D, shape: Shape3D) -> void:
-	var holder := CollisionShape3D.new()
-	holder.shape = shape
-	to.add_child(holder)
-
-
-func _box(size: Vector3) -> BoxShape3D:
-	var box := BoxShape3D.new()
-	box.size = size
-	return box

@@ -9,7 +9,7 @@ var _ground: StaticBody3D
 func before_each() -> void:
 	Engine.max_physics_steps_per_frame = 100
 	_ground = StaticBody3D.new()
-	_add_shape(_ground, _box(Vector3(8, 2, 8)))
+	add_shape(_ground, box_shape(Vector3(8, 2, 8)))
 	_ground.position.y = 4.5
 	root.add_child(_ground)
 	field = PlantField3D.from_species([GrassFunction.new()])
@@ -160,7 +160,7 @@ func _add_ball(x: float) -> RigidBody3D:
 	var ball := RigidBody3D.new()
 	var shape := SphereShape3D.new()
 	shape.radius = 0.5
-	_add_shape(ball, shape)
+	add_shape(ball, shape)
 	ball.gravity_scale = 0.0
 	ball.linear_damp_mode = RigidBody3D.DAMP_MODE_REPLACE
 	ball.add_to_group(&"walkers")
@@ -168,15 +168,3 @@ func _add_ball(x: float) -> RigidBody3D:
 	ball.linear_velocity = Vector3(8, 0, 0)
 	root.add_child(ball)
 	return ball
-
-
-func _add_shape(to: Node3D, shape: Shape3D) -> void:
-	var holder := CollisionShape3D.new()
-	holder.shape = shape
-	to.add_child(holder)
-
-
-func _box(size: Vector3) -> BoxShape3D:
-	var box := BoxShape3D.new()
-	box.size = size
-	return box

@@ -3,6 +3,7 @@
 #include "field/cpu_motion.hpp"
 
 #include "convert.hpp"
+#include "stopwatch.hpp"
 
 #include <godot_cpp/classes/os.hpp>
 
@@ -10,14 +11,11 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 using namespace godot;
 
 namespace undergrowth {
-
-using Clock = std::chrono::steady_clock;
 
 static constexpr int FRAMES_BETWEEN_FAR_UPDATES = 15;
 static constexpr int MOST_FAR_MULTIPLE = 32;
@@ -106,11 +104,11 @@ double CpuMotion::advance(const Frame &frame, const MotionOptions &options) {
 	wind_clock.follow(frame.wind, step_count, clock.step(), simulation->time());
 	simulation->set_wind(field_wind(frame.wind, frame.axes, wind_clock.ahead()));
 	update_far(frame, options);
-	const Clock::time_point start = Clock::now();
+	const Stopwatch watch;
 	double stepping_usec = 0.0;
 	for (int i = 0; i < step_count; i++) {
 		wait();
-		if (i > 0 && std::chrono::duration<double>(Clock::now() - start).count() > FixedStep::MOST_STEPPING) {
+		if (i > 0 && watch.usec() > 1e6 * FixedStep::MOST_STEPPING) {
 			break; // The rest is dropped, so that a slow frame does not make the next one slower yet.
 		}
 		push(clock.step() * (double(shown_alpha) + step_count - 1 - i));
