@@ -1,5 +1,5 @@
-// PlantField3D's life in the tree. Beside it: _properties.cpp has what users set, _plants.cpp what
-// they ask of plants and do to them, _binding.cpp the rest.
+// PlantField3D's life in the tree. Beside it: _properties.cpp has what users set, _binding.cpp what
+// they call.
 
 #include "field/plant_field_3d.hpp"
 

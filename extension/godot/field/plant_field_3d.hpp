@@ -1,12 +1,11 @@
 #pragma once
 
 #include "field/field_monitors.hpp"
-#include "field/meadow.hpp"
+#include "field/named_plants.hpp"
 #include "field/node_watch.hpp"
 #include "messages.hpp"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
-#include <godot_cpp/classes/skeleton3d.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
 #include <vector>
@@ -46,6 +45,7 @@ private:
 	FieldProperties properties;
 	godot::TypedArray<PlantFieldSpecies> listed; ///< By users. Where it is empty, grass grows.
 	Meadow meadow;
+	NamedPlants plants{ this, meadow };
 	NodeWatch watched;
 	std::vector<uint64_t> seen_species; ///< Of the list, as it was read: scripts may append to it.
 	godot::TypedArray<godot::NodePath> seen_exclusions;
@@ -65,6 +65,21 @@ private:
 	/// range, and tells `about` of a real change.
 	template <auto slot> auto get() const { return properties.*slot; }
 	template <auto slot, const Setting &setting> void set(decltype(value_of(slot)) value);
+	/// A method of `plants` as one of the node, for scripts.
+	template <auto asked, class Answer, class... Given> Answer ask(Given... given) const {
+		return (plants.*asked)(given...);
+	}
+	template <auto asked, class Answer, class... Given> Answer tell(Given... given) {
+		return (plants.*asked)(given...);
+	}
+	template <auto asked, class Answer, class... Given>
+	static constexpr auto of_plants(Answer (NamedPlants::*)(Given...) const) {
+		return &PlantField3D::ask<asked, Answer, Given...>;
+	}
+	template <auto asked, class Answer, class... Given>
+	static constexpr auto of_plants(Answer (NamedPlants::*)(Given...)) {
+		return &PlantField3D::tell<asked, Answer, Given...>;
+	}
 	static void bind_properties();
 	void changed(About about);
 	void mark_stale(bool stand);
@@ -80,15 +95,6 @@ private:
 	void tell_of_bodies();
 	void tell_of_skeleton(godot::Skeleton3D *skeleton, bool is_shown);
 
-	/// A plant that an id names.
-	struct Standing {
-		PlantPlace place;
-		PlacedPlant plant;
-		const FieldLook &look;
-	};
-	template <class Say> auto ask(int64_t id, const Say &say) const;
-	std::vector<PlantPlace> in_sphere(const char *method, const godot::Vector3 &center, double radius) const;
-
 protected:
 	static void _bind_methods();
 	void _notification(int what);
@@ -101,45 +107,21 @@ public:
 	godot::PackedStringArray _get_configuration_warnings() const override;
 	godot::AABB _get_aabb() const override;
 
-	// What stands. An id that does not stand is one error and an empty answer. What a plant tells of its place is in
-	// the field's own axes; spheres and boxes are in the world's.
+	// What stands; of single plants `plants` tells.
 	void fill();
 	bool is_filling() const;
-	godot::PackedInt64Array add_plants(const godot::Variant &transforms, const godot::Ref<PlantFunction> &function);
-	bool remove_plant(int64_t id);
-	int remove_plants(const godot::PackedInt64Array &ids);
-	int remove_in_sphere(const godot::Vector3 &center, double radius);
 	int get_plant_count() const { return meadow.store.plant_count(); }
-	godot::PackedInt64Array get_plant_ids() const;
-	bool has_plant(int64_t id) const;
-	godot::PackedInt64Array find_plants_in_box(const godot::AABB &box) const;
-	godot::PackedInt64Array find_plants_in_sphere(const godot::Vector3 &center, double radius) const;
-	/// Where its mesh is drawn, before it bends.
-	godot::Transform3D get_plant_transform(int64_t id) const;
-	godot::Ref<PlantFunction> get_plant_species(int64_t id) const;
-	double get_plant_height(int64_t id) const;
-	int64_t get_plant_seed(int64_t id) const;
-	godot::TypedArray<godot::Transform3D> get_plant_transforms(const godot::PackedInt64Array &ids) const;
-	godot::PackedFloat32Array get_plant_heights(const godot::PackedInt64Array &ids) const;
 	/// The field's outline in its own axes.
 	Polygon outline_polygon() const;
 	godot::PackedVector3Array get_outline_points() const;
 
 	// How it moves.
-	bool is_point_in_plants(const godot::Vector3 &point);
-	/// N·s, world axes, at the tips of all plants in a sphere; tells how many they are.
-	int apply_impulse_in_sphere(const godot::Vector3 &center, double radius, const godot::Vector3 &impulse);
-	godot::Vector3 get_tip_position(int64_t id);
-	godot::PackedVector3Array get_tip_positions(const godot::PackedInt64Array &ids);
-	/// Six numbers for each plant: its direction and its rate.
-	godot::PackedFloat32Array get_motion_state(const godot::PackedInt64Array &ids);
-	void set_motion_state(const godot::PackedInt64Array &ids, const godot::PackedFloat32Array &state);
+	bool is_point_in_plants(const godot::Vector3 &point) { return plants.is_point_in(point, properties.touch_margin); }
 	void reset_motion();
 	/// Moves the field by `delta` seconds under `blowing` where it does not move by itself, as in the editor.
 	void preview(double delta, const godot::Ref<PlantWind> &blowing);
 
 	// How it is seen.
-	godot::Skeleton3D *get_skeleton(int64_t id) const;
 	int64_t get_skeleton_plant(const godot::Skeleton3D *skeleton) const;
 	godot::TypedArray<godot::Skeleton3D> get_skeletons() const;
 	godot::Dictionary get_statistics();

@@ -73,6 +73,10 @@ Dictionary PlantField3D::get_statistics() {
 // What the engine calls, by its name with an underscore before it.
 #define LISTEN(m_name, ...) ClassDB::bind_method(D_METHOD("_" #m_name, ##__VA_ARGS__), &PlantField3D::m_name)
 
+// Asked of NamedPlants, which calls it `m_asked`.
+#define OF_PLANTS(m_name, m_asked, ...)                                                                                \
+	ClassDB::bind_method(D_METHOD(#m_name, ##__VA_ARGS__), of_plants<&NamedPlants::m_asked>(&NamedPlants::m_asked))
+
 void PlantField3D::_bind_methods() {
 	ClassDB::bind_static_method("PlantField3D", D_METHOD("from_species", "functions", "shares"),
 			&PlantField3D::from_species, DEFVAL(PackedFloat32Array()));
@@ -88,30 +92,30 @@ void PlantField3D::_bind_methods() {
 	LISTEN(preview, "delta", "wind");
 	BIND(fill);
 	BIND(is_filling);
-	BIND(add_plants, "transforms", "species");
-	BIND(remove_plant, "id");
-	BIND(remove_plants, "ids");
-	BIND(remove_in_sphere, "center", "radius");
+	OF_PLANTS(add_plants, add, "transforms", "species");
+	OF_PLANTS(remove_plant, remove, "id");
+	OF_PLANTS(remove_plants, remove_all, "ids");
+	OF_PLANTS(remove_in_sphere, remove_in_sphere, "center", "radius");
 	BIND(get_plant_count);
-	BIND(get_plant_ids);
-	BIND(has_plant, "id");
-	BIND(find_plants_in_box, "box");
-	BIND(find_plants_in_sphere, "center", "radius");
-	BIND(get_plant_transform, "id");
-	BIND(get_plant_species, "id");
-	BIND(get_plant_height, "id");
-	BIND(get_plant_seed, "id");
-	BIND(get_plant_transforms, "ids");
-	BIND(get_plant_heights, "ids");
+	OF_PLANTS(get_plant_ids, ids);
+	OF_PLANTS(has_plant, has, "id");
+	OF_PLANTS(find_plants_in_box, find_in_box, "box");
+	OF_PLANTS(find_plants_in_sphere, find_in_sphere, "center", "radius");
+	OF_PLANTS(get_plant_transform, transform, "id");
+	OF_PLANTS(get_plant_species, species, "id");
+	OF_PLANTS(get_plant_height, height, "id");
+	OF_PLANTS(get_plant_seed, seed, "id");
+	OF_PLANTS(get_plant_transforms, transforms, "ids");
+	OF_PLANTS(get_plant_heights, heights, "ids");
 	BIND(get_outline_points);
 	BIND(is_point_in_plants, "point");
-	BIND(apply_impulse_in_sphere, "center", "radius", "impulse");
-	BIND(get_tip_position, "id");
-	BIND(get_tip_positions, "ids");
-	BIND(get_motion_state, "ids");
-	BIND(set_motion_state, "ids", "state");
+	OF_PLANTS(apply_impulse_in_sphere, apply_impulse_in_sphere, "center", "radius", "impulse");
+	OF_PLANTS(get_tip_position, tip_position, "id");
+	OF_PLANTS(get_tip_positions, tip_positions, "ids");
+	OF_PLANTS(get_motion_state, motion_state, "ids");
+	OF_PLANTS(set_motion_state, set_motion_state, "ids", "state");
 	BIND(reset_motion);
-	BIND(get_skeleton, "id");
+	OF_PLANTS(get_skeleton, skeleton, "id");
 	BIND(get_skeleton_plant, "skeleton");
 	BIND(get_skeletons);
 	BIND(get_statistics);

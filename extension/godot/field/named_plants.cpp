@@ -1,10 +1,10 @@
-// What a PlantField3D tells of its plants, and how they are pushed, added and removed.
-
-#include "field/plant_field_3d.hpp"
+#include "field/named_plants.hpp"
 
 #include "convert.hpp"
 #include "field/plant_transforms.hpp"
 #include "follow_changes.hpp"
+#include "messages.hpp"
+#include "plant_frame.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +17,10 @@ namespace undergrowth {
 static constexpr int FLOATS_PER_STATE = 6; // Direction and rate.
 
 // What `say` returns of the plant that an id names; told, and empty, where it does not stand.
-template <class Say> auto PlantField3D::ask(int64_t id, const Say &say) const {
+template <class Say> auto NamedPlants::ask(int64_t id, const Say &say) const {
 	const PlantPlace place = meadow.store.find(id);
 	if (place.block < 0) {
-		report_error(this,
+		report_error(node,
 				"has no plant " + String::num_int64(id) +
 						". Ids are those of get_plant_ids(), until a plant is removed.");
 		return decltype(say(std::declval<Standing>()))();
@@ -52,54 +52,54 @@ static PackedInt64Array ids_of(const PlantStore &store, const std::vector<PlantP
 	return packed(ids);
 }
 
-bool PlantField3D::has_plant(int64_t id) const {
+bool NamedPlants::has(int64_t id) const {
 	return meadow.store.find(id).block >= 0;
 }
 
-PackedInt64Array PlantField3D::get_plant_ids() const {
+PackedInt64Array NamedPlants::ids() const {
 	return packed(meadow.store.ids());
 }
 
-Transform3D PlantField3D::get_plant_transform(int64_t id) const {
+Transform3D NamedPlants::transform(int64_t id) const {
 	return ask(id, [](const Standing &one) { return drawn_transform(one.plant); });
 }
 
-TypedArray<Transform3D> PlantField3D::get_plant_transforms(const PackedInt64Array &ids) const {
-	return each_of<TypedArray<Transform3D>>(ids, [this](int64_t id) { return get_plant_transform(id); });
+TypedArray<Transform3D> NamedPlants::transforms(const PackedInt64Array &ids) const {
+	return each_of<TypedArray<Transform3D>>(ids, [this](int64_t id) { return transform(id); });
 }
 
-Ref<PlantFunction> PlantField3D::get_plant_species(int64_t id) const {
+Ref<PlantFunction> NamedPlants::species(int64_t id) const {
 	return ask(id, [](const Standing &one) { return one.look.function; });
 }
 
-double PlantField3D::get_plant_height(int64_t id) const {
+double NamedPlants::height(int64_t id) const {
 	return ask(id, [](const Standing &one) { return double(one.look.height_of(one.plant)); });
 }
 
-PackedFloat32Array PlantField3D::get_plant_heights(const PackedInt64Array &ids) const {
-	return each_of<PackedFloat32Array>(ids, [this](int64_t id) { return float(get_plant_height(id)); });
+PackedFloat32Array NamedPlants::heights(const PackedInt64Array &ids) const {
+	return each_of<PackedFloat32Array>(ids, [this](int64_t id) { return float(height(id)); });
 }
 
-int64_t PlantField3D::get_plant_seed(int64_t id) const {
+int64_t NamedPlants::seed(int64_t id) const {
 	return ask(id, [](const Standing &one) { return one.look.variant_of(one.plant).seed; });
 }
 
-Skeleton3D *PlantField3D::get_skeleton(int64_t id) const {
+Skeleton3D *NamedPlants::skeleton(int64_t id) const {
 	return ask(id, [this](const Standing &one) { return meadow.skeletons.find(one.place); });
 }
 
-Vector3 PlantField3D::get_tip_position(int64_t id) {
+Vector3 NamedPlants::tip_position(int64_t id) {
 	return ask(id, [this](const Standing &one) {
 		const glm::vec3 up = meadow.motion.read_state_now(one.place).direction;
 		return to_godot(one.plant.root + one.look.length_of(one.plant) * up);
 	});
 }
 
-PackedVector3Array PlantField3D::get_tip_positions(const PackedInt64Array &ids) {
-	return each_of<PackedVector3Array>(ids, [this](int64_t id) { return get_tip_position(id); });
+PackedVector3Array NamedPlants::tip_positions(const PackedInt64Array &ids) {
+	return each_of<PackedVector3Array>(ids, [this](int64_t id) { return tip_position(id); });
 }
 
-PackedFloat32Array PlantField3D::get_motion_state(const PackedInt64Array &ids) {
+PackedFloat32Array NamedPlants::motion_state(const PackedInt64Array &ids) {
 	PackedFloat32Array found;
 	for (const int64_t id : ids) {
 		const TipState state = ask(id, [this](const Standing &one) { return meadow.motion.read_state_now(one.place); });
@@ -112,9 +112,9 @@ PackedFloat32Array PlantField3D::get_motion_state(const PackedInt64Array &ids) {
 	return found;
 }
 
-void PlantField3D::set_motion_state(const PackedInt64Array &ids, const PackedFloat32Array &state) {
+void NamedPlants::set_motion_state(const PackedInt64Array &ids, const PackedFloat32Array &state) {
 	if (state.size() != ids.size() * FLOATS_PER_STATE) {
-		report_error(this, "set_motion_state() needs six numbers for each id, as get_motion_state() gives them.");
+		report_error(node, "set_motion_state() needs six numbers for each id, as get_motion_state() gives them.");
 		return;
 	}
 	const float *from = state.ptr();
@@ -125,31 +125,31 @@ void PlantField3D::set_motion_state(const PackedInt64Array &ids, const PackedFlo
 }
 
 // Plants around a place in the world; nobody outside of a tree, and told of `method` where that is no sphere.
-std::vector<PlantPlace> PlantField3D::in_sphere(const char *method, const Vector3 &center, double radius) const {
+std::vector<PlantPlace> NamedPlants::in_sphere(const char *method, const Vector3 &center, double radius) const {
 	std::vector<PlantPlace> found;
 	if (!center.is_finite() || !std::isfinite(radius) || radius < 0.0) {
-		report_error(this, String(method) + "() needs a finite centre and a radius of 0 or more.");
-	} else if (is_inside_tree()) {
-		const Transform3D to_field = axes_of(this).affine_inverse();
+		report_error(node, String(method) + "() needs a finite centre and a radius of 0 or more.");
+	} else if (node->is_inside_tree()) {
+		const Transform3D to_field = axes_of(node).affine_inverse();
 		const float reach = float(radius) * to_field.basis.get_column(1).length();
 		meadow.store.find_in_sphere(to_glm(to_field.xform(center)), reach, found);
 	}
 	return found;
 }
 
-PackedInt64Array PlantField3D::find_plants_in_sphere(const Vector3 &center, double radius) const {
+PackedInt64Array NamedPlants::find_in_sphere(const Vector3 &center, double radius) const {
 	return ids_of(meadow.store, in_sphere("find_plants_in_sphere", center, radius));
 }
 
-PackedInt64Array PlantField3D::find_plants_in_box(const AABB &box) const {
+PackedInt64Array NamedPlants::find_in_box(const AABB &box) const {
 	if (!box.is_finite()) {
-		report_error(this, "find_plants_in_box() needs a finite box.");
+		report_error(node, "find_plants_in_box() needs a finite box.");
 		return PackedInt64Array();
 	}
-	if (!is_inside_tree()) {
+	if (!node->is_inside_tree()) {
 		return PackedInt64Array();
 	}
-	const Transform3D placed = axes_of(this);
+	const Transform3D placed = axes_of(node);
 	const Transform3D to_field = placed.affine_inverse();
 	AABB around(to_field.xform(box.position), Vector3());
 	for (int i = 1; i < 8; i++) {
@@ -165,40 +165,39 @@ PackedInt64Array PlantField3D::find_plants_in_box(const AABB &box) const {
 	return ids_of(meadow.store, found);
 }
 
-int PlantField3D::apply_impulse_in_sphere(const Vector3 &center, double radius, const Vector3 &impulse) {
+int NamedPlants::apply_impulse_in_sphere(const Vector3 &center, double radius, const Vector3 &impulse) {
 	if (!impulse.is_finite()) {
-		report_error(this, "apply_impulse_in_sphere() needs a finite impulse.");
+		report_error(node, "apply_impulse_in_sphere() needs a finite impulse.");
 		return 0;
 	}
 	const std::vector<PlantPlace> places = in_sphere("apply_impulse_in_sphere", center, radius);
-	const glm::vec3 blow = places.empty() ? glm::vec3() : to_glm(axes_of(this).basis.inverse().xform(impulse));
+	const glm::vec3 blow = places.empty() ? glm::vec3() : to_glm(axes_of(node).basis.inverse().xform(impulse));
 	for (const PlantPlace &place : places) {
 		meadow.motion.apply_impulse(place, blow);
 	}
 	return int(places.size());
 }
 
-bool PlantField3D::is_point_in_plants(const Vector3 &point) {
-	if (!point.is_finite() || !is_inside_tree()) {
+bool NamedPlants::is_point_in(const Vector3 &point, double margin) {
+	if (!point.is_finite() || !node->is_inside_tree()) {
 		return false;
 	}
-	return meadow.motion.is_point_in_plants_now(
-			to_glm(axes_of(this).affine_inverse().xform(point)), float(properties.touch_margin));
+	return meadow.motion.is_point_in_plants_now(to_glm(axes_of(node).affine_inverse().xform(point)), float(margin));
 }
 
-PackedInt64Array PlantField3D::add_plants(const Variant &transforms, const Ref<PlantFunction> &function) {
+PackedInt64Array NamedPlants::add(const Variant &transforms, const Ref<PlantFunction> &function) {
 	std::vector<Transform3D> places;
 	if (!read_transforms(transforms, places)) {
 		report_error(
-				this, "add_plants() needs an Array of Transform3D, or a PackedFloat32Array with 12 numbers for each.");
+				node, "add_plants() needs an Array of Transform3D, or a PackedFloat32Array with 12 numbers for each.");
 		return PackedInt64Array();
 	}
 	if (function.is_null()) {
-		report_error(this, "add_plants() needs a PlantFunction: which species?");
+		report_error(node, "add_plants() needs a PlantFunction: which species?");
 		return PackedInt64Array();
 	}
-	if (double(get_plant_count()) + double(places.size()) > PlacementRequest::MOST_PLANTS) {
-		report_error(this, "cannot hold more than 4,000,000 plants; none of these is added. Use another field.");
+	if (double(meadow.store.plant_count()) + double(places.size()) > PlacementRequest::MOST_PLANTS) {
+		report_error(node, "cannot hold more than 4,000,000 plants; none of these is added. Use another field.");
 		return PackedInt64Array();
 	}
 	const int species_index = meadow.species_for(function);
@@ -206,34 +205,34 @@ PackedInt64Array PlantField3D::add_plants(const Variant &transforms, const Ref<P
 		return PackedInt64Array();
 	}
 	// Also a listed one: it may leave the list, and they stay.
-	follow_changes(function.ptr(), Callable(this, "_on_added_species_changed"));
+	follow_changes(function.ptr(), Callable(node, "_on_added_species_changed"));
 	const int variants = int(meadow.style.looks[size_t(species_index)].variants.size());
 	std::vector<PlacedPlant> placed;
 	for (const Transform3D &place : places) {
 		PlacedPlant plant = place_transform(place);
 		plant.species = species_index;
-		plant.variant = (get_plant_count() + int(placed.size())) % variants;
+		plant.variant = (meadow.store.plant_count() + int(placed.size())) % variants;
 		if (is_valid(plant)) {
 			placed.push_back(plant);
 		}
 	}
 	if (placed.size() < places.size()) {
-		report_error(this,
+		report_error(node,
 				String::num_int64(int64_t(places.size() - placed.size())) +
 						" transforms of add_plants() are not finite or of no size; the others are added.");
 	}
 	return packed(meadow.add(std::move(placed)));
 }
 
-bool PlantField3D::remove_plant(int64_t id) {
+bool NamedPlants::remove(int64_t id) {
 	return meadow.remove(meadow.store.find_all({ id })) > 0;
 }
 
-int PlantField3D::remove_plants(const PackedInt64Array &ids) {
+int NamedPlants::remove_all(const PackedInt64Array &ids) {
 	return meadow.remove(meadow.store.find_all(std::vector<PlantId>(ids.ptr(), ids.ptr() + ids.size())));
 }
 
-int PlantField3D::remove_in_sphere(const Vector3 &center, double radius) {
+int NamedPlants::remove_in_sphere(const Vector3 &center, double radius) {
 	return meadow.remove(in_sphere("remove_in_sphere", center, radius));
 }
 

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "field/meadow.hpp"
+
+#include <godot_cpp/classes/skeleton3d.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <vector>
+
+namespace undergrowth {
+
+/// What a field's node tells of single plants, and how they are pushed, added and removed, in the words of scripts. An
+/// id that does not stand is one error and an empty answer. What a plant tells of its place is in the field's own axes;
+/// spheres and boxes are in the world's, and nobody stands in them while the node is outside of a tree. Errors name the
+/// node and PlantField3D's methods. Main thread.
+class NamedPlants {
+public:
+	NamedPlants(godot::GeometryInstance3D *p_node, Meadow &p_meadow) : node(p_node), meadow(p_meadow) {}
+
+	bool has(int64_t id) const;
+	godot::PackedInt64Array ids() const;
+	godot::PackedInt64Array find_in_box(const godot::AABB &box) const;
+	godot::PackedInt64Array find_in_sphere(const godot::Vector3 &center, double radius) const;
+	/// Where its mesh is drawn, before it bends.
+	godot::Transform3D transform(int64_t id) const;
+	godot::Ref<PlantFunction> species(int64_t id) const;
+	double height(int64_t id) const;
+	int64_t seed(int64_t id) const;
+	godot::TypedArray<godot::Transform3D> transforms(const godot::PackedInt64Array &ids) const;
+	godot::PackedFloat32Array heights(const godot::PackedInt64Array &ids) const;
+	godot::Skeleton3D *skeleton(int64_t id) const;
+
+	/// `margin`: m from a plant that still counts as in it.
+	bool is_point_in(const godot::Vector3 &point, double margin);
+	/// N·s, world axes, at the tips of all plants in a sphere; tells how many they are.
+	int apply_impulse_in_sphere(const godot::Vector3 &center, double radius, const godot::Vector3 &impulse);
+	godot::Vector3 tip_position(int64_t id);
+	godot::PackedVector3Array tip_positions(const godot::PackedInt64Array &ids);
+	/// Six numbers for each plant: its direction and its rate.
+	godot::PackedFloat32Array motion_state(const godot::PackedInt64Array &ids);
+	void set_motion_state(const godot::PackedInt64Array &ids, const godot::PackedFloat32Array &state);
+
+	/// The node's _on_added_species_changed() hears of what their species changes from now on.
+	godot::PackedInt64Array add(const godot::Variant &transforms, const godot::Ref<PlantFunction> &function);
+	bool remove(int64_t id);
+	int remove_all(const godot::PackedInt64Array &ids);
+	int remove_in_sphere(const godot::Vector3 &center, double radius);
+
+private:
+	/// A plant that an id names.
+	struct Standing {
+		PlantPlace place;
+		PlacedPlant plant;
+		const FieldLook &look;
+	};
+	godot::GeometryInstance3D *node;
+	Meadow &meadow;
+
+	template <class Say> auto ask(int64_t id, const Say &say) const;
+	std::vector<PlantPlace> in_sphere(const char *method, const godot::Vector3 &center, double radius) const;
+};
+
+} // namespace undergrowth
