@@ -1,0 +1,55 @@
+extends PanelContainer
+## The panel of what the picture is made of beside plants: each thing can be switched off.
+##
+## What the renderer cannot do is off, and says why.
+
+## The picture's light, haze, glow and tones.
+@export var environment: Environment
+## Pollen and seeds.
+@export var air: Node3D
+## A node with the butterflies.
+@export var butterflies: Node3D
+
+@onready var _rows: VBoxContainer = %Rows
+
+
+func _ready() -> void:
+	_add("Haze", environment.fog_enabled, func(on: bool) -> void: environment.fog_enabled = on)
+	_add("Glow", environment.glow_enabled, func(on: bool) -> void: environment.glow_enabled = on)
+	_add("Film tones", true, _set_film_tones)
+	_add("Pollen and seeds", air.visible, _show.bind(air))
+	_add("Butterflies", butterflies.visible, _show.bind(butterflies))
+	_add_for_forward("Shade in corners", &"ssao_enabled")
+	_add_for_forward("Sun shafts", &"volumetric_fog_enabled")
+
+
+func _add(text: String, is_on: bool, act: Callable) -> CheckButton:
+	var button := CheckButton.new()
+	button.text = text
+	button.focus_mode = Control.FOCUS_NONE
+	button.button_pressed = is_on
+	button.toggled.connect(act)
+	_rows.add_child(button)
+	return button
+
+
+## What only Forward+ can do.
+func _add_for_forward(text: String, property: StringName) -> void:
+	var can_do := RenderingServer.get_current_rendering_method() == "forward_plus"
+	var is_on := can_do and environment.get(property) as bool
+	var act := func(on: bool) -> void: environment.set(property, on)
+	var button := _add(text, is_on, act)
+	button.disabled = not can_do
+	if not can_do:
+		button.tooltip_text = "Only the Forward+ renderer has this."
+
+
+func _set_film_tones(on: bool) -> void:
+	environment.tonemap_mode = (
+		Environment.TONE_MAPPER_AGX if on else Environment.TONE_MAPPER_LINEAR
+	)
+
+
+func _show(on: bool, node: Node3D) -> void:
+	node.visible = on
+	node.process_mode = PROCESS_MODE_INHERIT if on else PROCESS_MODE_DISABLED
