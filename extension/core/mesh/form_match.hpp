@@ -12,6 +12,7 @@ struct WrittenUnit {
 	int vertex = 0;
 	int index = 0;
 	float near_share = 1.0f; ///< Of its triangles that are seen.
+	bool is_flower = false; ///< Or of one: it keeps its size beside the rest.
 };
 
 /// Makes what was written of a form look like the form: each unit so much wider or narrower, along the ground also more

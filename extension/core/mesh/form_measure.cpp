@@ -67,10 +67,13 @@ void measure_whole(const Whole &whole, FormMeasure &measure) {
 		measure.box.take_in(point);
 	}
 	if (!measure.box.is_empty()) {
-		const SeenMesh seen = { whole.points.data(), whole.light.data(), static_cast<int>(whole.points.size()),
-			whole.indices.data(), static_cast<int>(whole.indices.size()) };
+		const SeenMesh seen = { whole.points.data(), static_cast<int>(whole.points.size()), whole.indices.data(),
+			static_cast<int>(whole.indices.size()) };
 		measure.outlines = outline_areas(seen, measure.box);
-		seen_light(seen, measure.box, measure.light);
+		const std::vector<float> shares = seen_shares(seen, measure.box);
+		for (size_t i = 0; i < shares.size(); i++) {
+			measure.light += whole.light[i] * shares[i];
+		}
 	}
 }
 

@@ -42,7 +42,9 @@ void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const Fo
 	FormWriter writer(form, options, buffers);
 	Shapes shapes(form, plan);
 	std::vector<WrittenUnit> units;
-	const auto begin_unit = [&](float near) { units.push_back({ writer.mark().vertex, writer.mark().index, near }); };
+	const auto begin_unit = [&](float near, bool is_flower) {
+		units.push_back({ writer.mark().vertex, writer.mark().index, near, is_flower });
+	};
 	for (size_t g = 0; g < form.groups.size(); g++) {
 		const PartGroup &group = form.groups[g];
 		const FormWriter::Mark begin = writer.mark();
@@ -51,7 +53,7 @@ void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const Fo
 		for (int i = group.first; i < group.first + group.count; i++) {
 			const size_t place = static_cast<size_t>(i);
 			if (plan.fates[place] == FormPlan::drawn) {
-				begin_unit(near);
+				begin_unit(near, group.layout == Layout::whorl);
 				writer.add_part(form.placed[place], hangs[place], shapes.of(form.placed[place]));
 			}
 		}
@@ -59,14 +61,14 @@ void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const Fo
 	}
 	for (const FormBody &body : make_bodies(form, measure, plan)) {
 		const FormWriter::Mark begin = writer.mark();
-		begin_unit(0.5f);
+		begin_unit(0.5f, true);
 		writer.add_body(body, hangs[static_cast<size_t>(body.first)]);
 		if (body.shown > 0.0f) {
 			writer.widen(begin, body.shown, 0.5f);
 		}
 	}
 	if (plan.is_cut) {
-		begin_unit(0.0f);
+		begin_unit(0.0f, false);
 		match_form(measure, units, buffers);
 	}
 	writer.stretch(height / form.height);

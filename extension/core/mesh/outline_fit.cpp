@@ -13,7 +13,10 @@ constexpr float TURNED = 0.35f; // What growing one way is worth beside growing 
 constexpr float MOST_STEP = 0.5f;
 constexpr float LEAST_WIDTH = 0.3f; // Of what was written.
 constexpr float MOST_WIDTH = 4.0f;
+constexpr float LEAST_FLOWER = 0.7f;
+constexpr float MOST_FLOWER = 1.4f;
 constexpr float MOST_TURNED = 0.5f;
+constexpr float MOST_TURNED_FLOWER = 0.25f;
 constexpr float STIFFNESS = 1e-3f; // So that outlines that nothing can change apart from each other do no harm.
 
 /// Solves a·x = b for a symmetric positive matrix, by Cholesky's parts; x is left in b.
@@ -44,16 +47,18 @@ void solve(float (&a)[OUTLINES][OUTLINES], float (&b)[OUTLINES]) {
 } // namespace
 
 OutlineFit::OutlineFit(const std::vector<WrittenUnit> &p_written, const FormBuffers &p_mesh) :
-		written(p_written), mesh(p_mesh), units(p_written.size() - 1), factors(p_written.size() - 1) {
+		written(p_written), mesh(p_mesh), units(p_written.size() - 1) {
 	for (int i = 0; i < written.back().vertex; i++) {
 		asides.emplace_back(mesh.custom2[i]);
+	}
+	for (size_t u = 0; u < units.size(); u++) {
+		look_at(u);
 	}
 }
 
 /// A triangle's area in a picture is half the cross product of two of its edges; its change is that of the edges.
 void OutlineFit::look_at(size_t number) {
 	Unit &unit = units[number];
-	unit = Unit();
 	const float share = 0.5f * written[number].near_share;
 	for (int i = written[number].index; i < written[number + 1].index; i += 3) {
 		const int32_t *corner = mesh.indices + i;
@@ -62,7 +67,7 @@ void OutlineFit::look_at(size_t number) {
 			const float s = OUTLINE_SINES[side];
 			float x[3];
 			float y[3];
-			float dx[3][WAYS];
+			Ways dx[3];
 			float dy[3];
 			for (int k = 0; k < 3; k++) {
 				const glm::vec3 &point = mesh.positions[corner[k]];
@@ -77,7 +82,7 @@ void OutlineFit::look_at(size_t number) {
 			const float twice = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
 			const float sign = twice < 0.0f ? -share : share;
 			unit.area[side] += twice * sign;
-			for (int way = 0; way < WAYS; way++) {
+			for (size_t way = 0; way < WAYS; way++) {
 				float change = (dx[1][way] - dx[0][way]) * (y[2] - y[0]) - (dx[2][way] - dx[0][way]) * (y[1] - y[0]);
 				if (way == 0) {
 					change += (x[1] - x[0]) * (dy[2] - dy[0]) - (x[2] - x[0]) * (dy[1] - dy[0]);
@@ -90,60 +95,71 @@ void OutlineFit::look_at(size_t number) {
 	for (const float area : unit.area) {
 		mean += area / OUTLINES;
 	}
-	for (int way = 0; way < WAYS; way++) {
+	for (size_t way = 0; way < WAYS; way++) {
 		unit.weight[way] = mean > 0.0f ? (way == 0 ? 1.0f : TURNED) / mean : 0.0f;
 	}
 }
 
 void OutlineFit::approach(const Outlines &areas, const Outlines &wanted) {
-	Outlines whole = {};
-	float all = 0.0f;
-	for (size_t u = 0; u < units.size(); u++) {
-		look_at(u);
-		for (size_t side = 0; side < OUTLINES; side++) {
-			whole[side] += units[u].area[side];
-			all += units[u].area[side] / OUTLINES;
-		}
-	}
-	if (!(all > 0.0f)) {
-		return;
-	}
 	float matrix[OUTLINES][OUTLINES] = {};
 	float right[OUTLINES];
+	float all = 0.0f;
 	for (size_t i = 0; i < OUTLINES; i++) {
-		// What hides behind other units goes on hiding behind them in the same share.
-		right[i] = (wanted[i] / std::max(areas[i], 0.05f * wanted[i]) - 1.0f) * whole[i];
-		for (size_t k = 0; k < OUTLINES; k++) {
-			for (const Unit &unit : units) {
-				for (int way = 0; way < WAYS; way++) {
+		float whole = 0.0f;
+		for (const Unit &unit : units) {
+			whole += unit.area[i];
+			for (size_t way = 0; way < WAYS; way++) {
+				whole += unit.change[i][way] * unit.widths[way];
+				for (size_t k = 0; k < OUTLINES; k++) {
 					matrix[i][k] += unit.change[i][way] * unit.weight[way] * unit.change[k][way];
 				}
 			}
 		}
-		matrix[i][i] += STIFFNESS * all;
+		all += whole;
+		// What hides behind other units goes on hiding behind them in the same share.
+		right[i] = (wanted[i] / std::max(areas[i], 0.05f * wanted[i]) - 1.0f) * whole;
+	}
+	for (size_t i = 0; i < OUTLINES; i++) {
+		matrix[i][i] += STIFFNESS * std::max(all, 1e-12f);
 	}
 	solve(matrix, right);
 	for (size_t u = 0; u < units.size(); u++) {
-		float change[WAYS] = {};
-		for (int way = 0; way < WAYS; way++) {
+		Unit &unit = units[u];
+		const float least = (written[u].is_flower ? LEAST_FLOWER : LEAST_WIDTH) - 1.0f;
+		const float most = (written[u].is_flower ? MOST_FLOWER : MOST_WIDTH) - 1.0f;
+		const float turned = written[u].is_flower ? MOST_TURNED_FLOWER : MOST_TURNED;
+		for (size_t way = 0; way < WAYS; way++) {
+			float change = 0.0f;
 			for (size_t i = 0; i < OUTLINES; i++) {
-				change[way] += units[u].weight[way] * units[u].change[i][way] * right[i];
+				change += unit.weight[way] * unit.change[i][way] * right[i];
 			}
+			change = std::clamp(change, -MOST_STEP, MOST_STEP);
+			unit.widths[way] = way == 0
+					? std::clamp(unit.widths[way] + change, least, most)
+					: std::clamp(unit.widths[way] + change, -turned, turned);
 		}
-		apply(u, change);
+		apply(u, unit.widths);
 	}
 }
 
-void OutlineFit::apply(size_t number, const float (&change)[WAYS]) {
-	Factor &factor = factors[number];
-	const auto step = [](float value) { return std::clamp(value, -MOST_STEP, MOST_STEP); };
-	factor.aside = std::clamp(factor.aside + step(change[1]), -MOST_TURNED, MOST_TURNED);
-	factor.aslant = std::clamp(factor.aslant + step(change[2]), -MOST_TURNED, MOST_TURNED);
-	factor.width = std::clamp(factor.width * (1.0f + step(change[0])), LEAST_WIDTH, MOST_WIDTH);
+void OutlineFit::keep() {
+	for (Unit &unit : units) {
+		unit.kept = unit.widths;
+	}
+}
+
+void OutlineFit::finish() {
+	for (size_t u = 0; u < units.size(); u++) {
+		apply(u, units[u].kept);
+	}
+}
+
+void OutlineFit::apply(size_t number, const Ways &widths) {
+	const float width = 1.0f + widths[0];
 	for (int i = written[number].vertex; i < written[number + 1].vertex; i++) {
 		const glm::vec3 &was = asides[static_cast<size_t>(i)];
-		const glm::vec3 now = { ((1.0f + factor.aside) * was.x + factor.aslant * was.z) * factor.width,
-			was.y * factor.width, ((1.0f - factor.aside) * was.z + factor.aslant * was.x) * factor.width };
+		const glm::vec3 now = { (width + widths[1]) * was.x + widths[2] * was.z, was.y * width,
+			(width - widths[1]) * was.z + widths[2] * was.x };
 		mesh.positions[i] += now - glm::vec3(mesh.custom2[i]);
 		mesh.custom2[i] = glm::vec4(now, mesh.custom2[i].w);
 	}

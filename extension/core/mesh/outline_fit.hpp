@@ -13,30 +13,31 @@ public:
 
 	/// One step: the outlines are `areas` and are to be `wanted`.
 	void approach(const Outlines &areas, const Outlines &wanted);
+	/// Remembers the widths of the last step.
+	void keep();
+	/// Gives the mesh the widths that were remembered, or those that it began with.
+	void finish();
 
 private:
 	static constexpr int WAYS = 3; ///< Wider; wider along x than along z; along x = z than across.
+	using Ways = std::array<float, WAYS>;
 
-	/// What a unit shows in each outline, were nothing before it, and how that changes.
+	/// What a unit shows in each outline, were nothing before it, as it was written, and how its widths change that.
 	struct Unit {
 		Outlines area = {};
-		float change[OUTLINES][WAYS] = {};
-		float weight[WAYS] = {};
+		std::array<Ways, OUTLINES> change = {};
+		Ways weight = {}; ///< How willingly it changes.
+		Ways widths = {}; ///< So far, beyond what was written.
+		Ways kept = {};
 	};
 
 	const std::vector<WrittenUnit> &written;
 	const FormBuffers &mesh;
 	std::vector<Unit> units;
-	struct Factor {
-		float width = 1.0f;
-		float aside = 0.0f;
-		float aslant = 0.0f;
-	};
-	std::vector<Factor> factors; ///< So far.
 	std::vector<glm::vec3> asides; ///< As they were written.
 
 	void look_at(size_t number);
-	void apply(size_t number, const float (&change)[WAYS]);
+	void apply(size_t number, const Ways &widths);
 };
 
 } // namespace undergrowth

@@ -6,8 +6,8 @@ namespace undergrowth {
 
 namespace {
 
-constexpr int COLUMNS = 160; // Of a box.
-constexpr int ROWS = 160;
+constexpr int COLUMNS = 96; // Of a box.
+constexpr int ROWS = 128;
 
 /// What is nearest and farthest at each dot: nearest from the other side.
 class Sight {
@@ -62,10 +62,10 @@ struct Shares {
 		c_x = (a.y - b.y) * scale;
 		c_y = (b.x - a.x) * scale;
 	}
-	template <class Value> Value at(float px, float py, const Value &a, const Value &b, const Value &c) const {
-		const float share_b = b_x * (px - x) + b_y * (py - y);
-		const float share_c = c_x * (px - x) + c_y * (py - y);
-		return a * (1.0f - share_b - share_c) + b * share_b + c * share_c;
+	void at(float px, float py, float (&out)[3]) const {
+		out[1] = b_x * (px - x) + b_y * (py - y);
+		out[2] = c_x * (px - x) + c_y * (py - y);
+		out[0] = 1.0f - out[1] - out[2];
 	}
 };
 
@@ -82,19 +82,19 @@ void draw(Sight &sight, const SightLens &lens, const int32_t *at, int triangle) 
 		int first, end;
 		rows.columns(row, lens.columns(), first, end);
 		for (int column = first; column < end; column++) {
-			const float depth = shares.at(static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f, a.depth,
-					b.depth, c.depth);
-			sight.put(row, column, depth, triangle);
+			float share[3];
+			shares.at(static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f, share);
+			sight.put(row, column, share[0] * a.depth + share[1] * b.depth + share[2] * c.depth, triangle);
 		}
 	}
 }
 
 } // namespace
 
-bool seen_light(const SeenMesh &mesh, const SightBox &box, glm::vec3 &mean) {
+std::vector<float> seen_shares(const SeenMesh &mesh, const SightBox &box) {
 	SightLens lens(mesh, box, COLUMNS, ROWS);
 	Sight sight(lens.columns(), lens.rows());
-	glm::vec3 sum(0.0f);
+	std::vector<float> shares(static_cast<size_t>(mesh.vertex_count), 0.0f);
 	int count = 0;
 	for (size_t side = 0; side < OUTLINES; side++) {
 		lens.look_from(side);
@@ -104,13 +104,18 @@ bool seen_light(const SeenMesh &mesh, const SightBox &box, glm::vec3 &mean) {
 		}
 		sight.for_each([&](int triangle, float x, float y) {
 			const int32_t *at = mesh.indices + triangle;
-			sum += Shares(lens.corner(at[0]), lens.corner(at[1]), lens.corner(at[2]))
-						   .at(x, y, mesh.light[at[0]], mesh.light[at[1]], mesh.light[at[2]]);
+			float share[3];
+			Shares(lens.corner(at[0]), lens.corner(at[1]), lens.corner(at[2])).at(x, y, share);
+			for (int k = 0; k < 3; k++) {
+				shares[static_cast<size_t>(at[k])] += share[k];
+			}
 			count++;
 		});
 	}
-	mean = count > 0 ? sum / static_cast<float>(count) : sum;
-	return count > 0;
+	for (float &share : shares) {
+		share /= static_cast<float>(std::max(count, 1));
+	}
+	return shares;
 }
 
 float to_light(float component) {

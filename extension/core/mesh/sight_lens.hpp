@@ -46,7 +46,7 @@ public:
 		sort(0, 1);
 		sort(1, 2);
 		sort(0, 1);
-		begin = std::max(0, first_beyond(corners[0]->y));
+		begin = first_beyond(corners[0]->y);
 		end = std::min(rows, first_beyond(corners[2]->y));
 		if (begin < end) {
 			whole = slope(0, 2);
@@ -58,22 +58,22 @@ public:
 	int begin, end;
 
 	/// The columns whose middles it covers in a row.
-	void columns(int row, int count, int &first, int &last_end) const {
+	void columns(int row, int count, int &first, int &beyond) const {
 		const float level = static_cast<float>(row) + 0.5f;
 		const SightLens::Corner &middle = *corners[1];
 		const float a = corners[0]->x + whole * (level - corners[0]->y);
 		const float b = level < middle.y ? corners[0]->x + lower * (level - corners[0]->y)
 										 : middle.x + upper * (level - middle.y);
-		first = first_beyond(std::max(std::min(a, b), 0.0f));
-		last_end = first_beyond(std::min(std::max(a, b), static_cast<float>(count)));
+		first = first_beyond(std::min(a, b));
+		beyond = std::min(first_beyond(std::max(a, b)), count);
 	}
 
 private:
 	const SightLens::Corner *corners[3];
 	float whole = 0.0f, lower = 0.0f, upper = 0.0f;
 
-	/// The first dot whose middle is not before a place.
-	static int first_beyond(float place) { return static_cast<int>(std::ceil(std::clamp(place, -1e6f, 1e6f) - 0.5f)); }
+	/// The first dot whose middle is beyond a place.
+	static int first_beyond(float place) { return static_cast<int>(std::clamp(place, 0.0f, 1e6f) + 0.5f); }
 	void sort(int i, int k) {
 		if (corners[k]->y < corners[i]->y) {
 			std::swap(corners[i], corners[k]);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace undergrowth {
 
@@ -27,21 +28,20 @@ struct SightBox {
 	bool is_empty() const { return !(reach > 0.0f) || !(top > low); }
 };
 
-/// A mesh to be looked at: triangles, and for colours as many linear colours as positions.
+/// A mesh to be looked at.
 struct SeenMesh {
 	const glm::vec3 *positions = nullptr;
-	const glm::vec3 *light = nullptr;
 	int vertex_count = 0;
 	const int32_t *indices = nullptr;
 	int index_count = 0;
 };
 
-/// m² that a mesh covers in each outline; what lies behind other parts counts once. `light` is unused.
+/// m² that a mesh covers in each outline; what lies behind other parts counts once.
 Outlines outline_areas(const SeenMesh &mesh, const SightBox &box);
 
-/// Its mean colour from all eight sides as a camera far away sees it, nearer triangles before others, all lit the same.
-/// False where nothing is seen.
-bool seen_light(const SeenMesh &mesh, const SightBox &box, glm::vec3 &mean);
+/// By how much each vertex's colour counts in the mean colour that a camera far away sees, over all eight sides,
+/// nearer triangles before others, all lit the same. They sum to 1, or are all 0 where nothing is seen.
+std::vector<float> seen_shares(const SeenMesh &mesh, const SightBox &box);
 
 /// A colour's component, as authors write it, in linear light and back, within 2e-3. Polynomials, for the exact curve
 /// has powers.
