@@ -89,6 +89,30 @@ void shape_dome(FormBody &body, const Measure &m, float dome) {
 	body.has_tip = true;
 }
 
+/// A whorl that lies flat is not seen from the side as a lathe of midribs, but its parts are, for they lean, fold and
+/// curl: it rises until it shows as much.
+void thicken(FormBody &body, const Measure &m) {
+	float widest = 0.0f;
+	float low = body.rings.front().along;
+	float high = low;
+	for (const FormBody::Ring &ring : body.rings) {
+		widest = std::max(widest, ring.radius);
+		low = std::min(low, ring.along);
+		high = std::max(high, ring.along);
+	}
+	const float wanted = 0.5f * m.shown; // The farther half of the parts lies behind the nearer.
+	const float shows = widest * (high - low);
+	if (shows >= wanted || !(widest > 0.0f)) {
+		return;
+	}
+	const float rise = wanted / widest;
+	const float sign = body.rings.back().along < body.rings.front().along ? -1.0f : 1.0f;
+	const float base = body.rings.front().along;
+	for (size_t i = 1; i < body.rings.size(); i++) {
+		body.rings[i].along = base + sign * rise * static_cast<float>(i) / static_cast<float>(body.rings.size() - 1);
+	}
+}
+
 /// The lathe of the mean midrib. Where it is flat and the parts leave gaps, it is drawn in until it is as large as
 /// they.
 void shape_lathe(FormBody &body, const Measure &m) {
@@ -112,6 +136,7 @@ void shape_lathe(FormBody &body, const Measure &m) {
 				std::max(ways[2].radius, 0.25f * ways[0].radius + ways[1].radius + 0.25f * ways[2].radius);
 	}
 	body.has_base = true;
+	thicken(body, m);
 }
 
 void shape_spindle(FormBody &body, const Measure &m) {
@@ -187,9 +212,11 @@ std::vector<FormBody> make_bodies(const PlantForm &form, const FormMeasure &meas
 				static_cast<float>(form.groups[group].count);
 		const float more = own > 0.0f ? plan.shown[group] / static_cast<float>(counts[group]) / own : 1.0f;
 		bodies[i].shown *= more;
+		const Layout layout = form.groups[group].layout;
+		const bool is_spindle = layout == Layout::along || layout == Layout::ground; // As long as what it stands on.
 		for (FormBody::Ring &ring : bodies[i].rings) {
 			ring.radius *= std::sqrt(std::min(more, MOST_LARGER));
-			ring.along *= std::sqrt(std::min(more, MOST_LARGER));
+			ring.along *= is_spindle ? 1.0f : std::sqrt(std::min(more, MOST_LARGER));
 		}
 	}
 	return bodies;

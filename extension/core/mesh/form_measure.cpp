@@ -3,7 +3,6 @@
 #include "base/portable_math.hpp"
 #include "conventions.hpp"
 #include "mesh/part_template.hpp"
-#include "mesh/silhouette.hpp"
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
@@ -40,6 +39,7 @@ float fill_of(const Part &part, float mean_width) {
 /// All parts as they grew, in one mesh.
 struct Whole {
 	std::vector<glm::vec3> points;
+	std::vector<glm::vec3> light;
 	std::vector<int32_t> indices;
 
 	/// Adds a part; tells what it shows (m²), both sides.
@@ -49,6 +49,7 @@ struct Whole {
 			points.push_back(part.base +
 					PlantForm::turned(
 							part.axes, vertex.point.middle * part.length + vertex.point.aside * (part.width * fill)));
+			light.emplace_back(to_light(vertex.color.x), to_light(vertex.color.y), to_light(vertex.color.z));
 		}
 		float twice = 0.0f;
 		for (size_t i = 0; i < shape.indices.size(); i += 3) {
@@ -63,12 +64,16 @@ struct Whole {
 
 void measure_whole(const Whole &whole, FormMeasure &measure) {
 	for (const glm::vec3 &point : whole.points) {
-		measure.reach = std::max(measure.reach, std::sqrt(point.x * point.x + point.z * point.z));
-		measure.top = std::max(measure.top, point.y);
+		measure.box.take_in(point);
 	}
-	if (measure.reach > 0.0f && measure.top > 0.0f) {
-		measure.silhouette = silhouette_area(whole.points.data(), whole.indices.data(),
-				static_cast<int>(whole.indices.size()), measure.reach, measure.top);
+	if (!measure.box.is_empty()) {
+		const SeenMesh seen = { whole.points.data(), static_cast<int>(whole.points.size()), whole.indices.data(),
+			static_cast<int>(whole.indices.size()) };
+		measure.outlines = outline_areas(seen, measure.box);
+		const std::vector<float> shares = seen_shares(seen, measure.box);
+		for (size_t i = 0; i < shares.size(); i++) {
+			measure.light += whole.light[i] * shares[i];
+		}
 	}
 }
 

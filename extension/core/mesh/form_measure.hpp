@@ -1,6 +1,7 @@
 #pragma once
 
 #include "form/plant_form.hpp"
+#include "mesh/silhouette.hpp"
 
 #include <vector>
 
@@ -11,9 +12,9 @@ struct FormMeasure {
 	/// m² of each group's silhouette from the side: the mean over all directions along the ground, were no part
 	/// before another.
 	std::vector<float> shown;
-	float silhouette = 0.0f; ///< m² of the whole plant from the side, what lies behind other parts once.
-	float reach = 0.0f; ///< m, the farthest that any of it goes from the plant's axis.
-	float top = 0.0f; ///< m, its highest place.
+	Outlines outlines = {}; ///< m² of the whole plant from each side, what lies behind other parts once.
+	glm::vec3 light = glm::vec3(0.0f); ///< Its mean colour from all sides, linear.
+	SightBox box; ///< What both are measured in.
 	std::vector<glm::vec4> colors; ///< The mean colour of each kind of part.
 	std::vector<float> mean_widths; ///< Of each kind, in shares of its width.
 };

@@ -1,13 +1,11 @@
 #include "mesh/form_mesh.hpp"
 
+#include "mesh/form_match.hpp"
 #include "mesh/form_writer.hpp"
 
 namespace undergrowth {
 
 namespace {
-
-// From so many on, what parts hide of each other is as it grew.
-constexpr int ENOUGH_VERTICES = 400;
 
 /// Shapes that parts of a kind share, made when the first is drawn. Groups of one kind may be drawn differently.
 class Shapes {
@@ -43,28 +41,35 @@ void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const Fo
 	const std::vector<PartHang> hangs = hang_parts(form);
 	FormWriter writer(form, options, buffers);
 	Shapes shapes(form, plan);
+	std::vector<WrittenUnit> units;
+	const auto begin_unit = [&](float near, bool is_flower) {
+		units.push_back({ writer.mark().vertex, writer.mark().index, near, is_flower });
+	};
 	for (size_t g = 0; g < form.groups.size(); g++) {
 		const PartGroup &group = form.groups[g];
 		const FormWriter::Mark begin = writer.mark();
+		const bool is_sheet = plan.groups[g].detail.columns == 2;
+		const float near = is_sheet ? 1.0f : near_share(form.parts[static_cast<size_t>(group.kind)].kind);
 		for (int i = group.first; i < group.first + group.count; i++) {
 			const size_t place = static_cast<size_t>(i);
 			if (plan.fates[place] == FormPlan::drawn) {
+				begin_unit(near, group.layout == Layout::whorl);
 				writer.add_part(form.placed[place], hangs[place], shapes.of(form.placed[place]));
 			}
 		}
-		const bool is_sheet = plan.groups[g].detail.columns == 2;
-		writer.widen(
-				begin, plan.shown[g], is_sheet ? 1.0f : near_share(form.parts[static_cast<size_t>(group.kind)].kind));
+		writer.widen(begin, plan.shown[g], near);
 	}
 	for (const FormBody &body : make_bodies(form, measure, plan)) {
 		const FormWriter::Mark begin = writer.mark();
+		begin_unit(0.5f, true);
 		writer.add_body(body, hangs[static_cast<size_t>(body.first)]);
 		if (body.shown > 0.0f) {
 			writer.widen(begin, body.shown, 0.5f);
 		}
 	}
-	if (plan.is_cut && plan.counts.vertices < ENOUGH_VERTICES) {
-		writer.match(measure);
+	if (plan.is_cut) {
+		begin_unit(0.0f, false);
+		match_form(measure, units, buffers);
 	}
 	writer.stretch(height / form.height);
 }

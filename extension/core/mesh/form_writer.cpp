@@ -1,7 +1,6 @@
 #include "mesh/form_writer.hpp"
 
 #include "base/portable_math.hpp"
-#include "mesh/silhouette.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -16,8 +15,6 @@ namespace {
 constexpr double EXTINCTION = 1.6; // From the top of a plant to the ground: there a fifth is left.
 constexpr float INNER_SHADE = 0.4f; // Of the light, in the middle of a clump.
 constexpr float MOST_WIDENING = 12.0f;
-constexpr int MATCH_STEPS = 5;
-constexpr float MATCHED = 0.01f; // Of the area.
 constexpr float BRIGHTNESS_SHARE = 0.25f; // The most that a full colour deviation does, as mesh/deviation.cpp.
 
 } // namespace
@@ -106,26 +103,6 @@ void FormWriter::scale_width(int begin, float factor) {
 		const glm::vec3 aside(out.custom2[i]);
 		out.positions[i] += aside * (factor - 1.0f);
 		out.custom2[i] = glm::vec4(aside * factor, out.custom2[i].w);
-	}
-}
-
-// Few wide parts lie before each other more than many narrow ones. Each step takes the area for a power of the width,
-// the power by the step before.
-void FormWriter::match(const FormMeasure &measure) {
-	float power = 1.0f;
-	float before = 0.0f;
-	float factor = 1.0f;
-	for (int step = 0; step < MATCH_STEPS; step++) {
-		const float area = silhouette_area(out.positions, out.indices, indices, measure.reach, measure.top);
-		if (!(area > 0.0f) || std::abs(area / measure.silhouette - 1.0f) < MATCHED) {
-			return;
-		}
-		if (step > 0 && std::abs(factor - 1.0f) > 1e-3f) {
-			power = std::clamp((area / before - 1.0f) / (factor - 1.0f), 0.2f, 2.0f);
-		}
-		before = area;
-		factor = std::clamp(1.0f + (measure.silhouette / area - 1.0f) / power, 0.5f, 2.0f);
-		scale_width(0, factor);
 	}
 }
 

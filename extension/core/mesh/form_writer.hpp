@@ -26,8 +26,6 @@ public:
 	/// `near_share`: the share of its triangles that are seen.
 	/// Stretches what was written along y. The last thing to do.
 	void stretch(float factor);
-	/// Makes everything so much wider or narrower that the whole covers as much as the plant with all of its parts.
-	void match(const FormMeasure &measure);
 	void widen(const Mark &begin, float shown, float near_share);
 
 private:

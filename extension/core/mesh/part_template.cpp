@@ -13,13 +13,16 @@ namespace {
 
 constexpr float RIBBON_ROUNDNESS = 0.9f; // rad: a ribbon is lit as the round stem that it stands for.
 
-/// A stem from far away: a flat ribbon. Its widths are samples, for blades do not taper by themselves.
+constexpr float RIBBON_TWIST = 1.75f; // rad: from no side it is seen edge-on all along.
+
+/// A stem from far away: a twisted ribbon. Its widths are samples, for blades do not taper by themselves.
 PartTemplate make_ribbon_template(const Part &part, const Midrib &midrib, const PartDetail &detail) {
 	constexpr int SAMPLES = 9;
 	Part flat = part;
 	flat.kind = PartKind::blade;
 	flat.blade = BladeShape();
 	flat.blade.roundness = RIBBON_ROUNDNESS;
+	flat.blade.twist = RIBBON_TWIST;
 	flat.widths.samples.clear();
 	for (int i = 0; i < SAMPLES; i++) {
 		flat.widths.samples.push_back(part.width_at(static_cast<float>(i) / (SAMPLES - 1)));

@@ -51,16 +51,34 @@ void PlanSteps::offer_thinning(Step &best, int group, int excess) const {
 	const State &state = states[static_cast<size_t>(group)];
 	for (size_t kept = state.kept + 1; kept < KEPT_COUNT && KEPT[state.kept] > 0.0f; kept++) {
 		if (state.body > 0 && KEPT[kept] > 0.0f) {
-			continue; // A body stands for all of its parts.
+			offer_few(best, group, kept, excess); // A body stands for all of its parts.
+			continue;
 		}
 		if (KEPT[kept] == 0.0f && state.branch_vertices == total) {
 			continue; // Something is to be seen of every plant.
 		}
 		const float left = static_cast<float>(state.left[kept]) / static_cast<float>(state.left[state.kept]);
 		const float saved = static_cast<float>(state.branch_vertices) * (1.0f - left);
-		const float harm = state.branch_area * (thin_error(state, kept) - thin_error(state, state.kept));
+		const float area = KEPT[kept] == 0.0f ? dropped_area(state) : state.branch_area;
+		const float harm = area * (thin_error(state, kept) - thin_error(state, state.kept));
 		offer(best, group, state.detail, kept, state.body, std::min(saved, static_cast<float>(excess)), harm);
 	}
+}
+
+/// A few parts, as coarse as they may be, instead of a body.
+void PlanSteps::offer_few(Step &best, int group, size_t kept, int excess) const {
+	const State &state = states[static_cast<size_t>(group)];
+	const PartGroup &own = form.groups[static_cast<size_t>(group)];
+	const bool carries = state.branch_area > state.area;
+	if (carries || own.layout == Layout::disc || own.layout == Layout::whorl || state.bodies == 0) {
+		return; // What carries others is more than its parts; and flowers are whole.
+	}
+	const int saved = state.branch_vertices - state.left[kept] * state.costs.back();
+	const float harm = state.area *
+			(thin_error(state, kept) + state.errors.back() - body_error(own, BODIES[state.body]) - MERGED -
+					UNCOVERED * (1.0f - state.cover));
+	offer(best, group, state.details.size() - 1, kept, 0, static_cast<float>(std::min(saved, excess)),
+			std::max(harm, 0.0f));
 }
 
 void PlanSteps::offer_body(Step &best, int group, int excess) const {

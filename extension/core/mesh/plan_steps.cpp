@@ -15,7 +15,9 @@ namespace {
 constexpr float THINNED = 0.1f; // By so much for each part that one has to stand for.
 constexpr float ONE_SIDED = 0.3f; // Divided by the parts left: the fewer, the more lopsided.
 constexpr float TWIN_DROPPED = 0.2f; // Where another group of the same kind on the same carriers goes on.
-constexpr float DROPPED = 1.5f;
+constexpr float DROPPED = 1.2f;
+constexpr float MOST_THINNED = 1.0f; // A few are better than none.
+constexpr float STANDS_OUT = 6.0f; // Times the square of a colour's distance to the plant's mean.
 constexpr float COLOR_LOST = 30.0f; // Times the square of the distance to the nearest colour that stays.
 constexpr float THINNED_WHORL = 0.3f; // One side of a flower is no flower.
 
@@ -52,6 +54,7 @@ PlanSteps::PlanSteps(const PlantForm &p_form, const FormMeasure &p_measure) :
 		}
 	}
 	find_contrasts();
+	find_worths();
 	recount();
 }
 
@@ -75,6 +78,20 @@ void PlanSteps::find_contrasts() {
 			nearest = other.kind == form.groups[g].kind ? nearest : std::min(nearest, glm::dot(way, way));
 		}
 		states[g].contrast = nearest;
+	}
+}
+
+void PlanSteps::find_worths() {
+	glm::vec4 mean(0.0f);
+	float whole = 1e-12f;
+	for (size_t g = 0; g < states.size(); g++) {
+		mean += measure.colors[static_cast<size_t>(form.groups[g].kind)] * states[g].area;
+		whole += states[g].area;
+	}
+	for (size_t g = 0; g < states.size(); g++) {
+		const glm::vec3 way(measure.colors[static_cast<size_t>(form.groups[g].kind)] - mean / whole);
+		states[g].worth = 1.0f + STANDS_OUT * glm::dot(way, way);
+		states[g].area *= states[g].worth;
 	}
 }
 
@@ -139,22 +156,37 @@ float PlanSteps::thin_error(const State &state, size_t kept) const {
 		const bool is_whorl = form.groups[group].layout == Layout::whorl;
 		const float left = static_cast<float>(state.left[kept]);
 		const float thinned = static_cast<float>(state.left[0]) / left - 1.0f;
-		return thinned <= 0.0f ? 0.0f : (is_whorl ? THINNED_WHORL : THINNED) * thinned + ONE_SIDED / left;
+		const float error = (is_whorl ? THINNED_WHORL : THINNED) * thinned + ONE_SIDED / left;
+		return thinned <= 0.0f ? 0.0f : std::min(error, MOST_THINNED);
 	}
 	return has_twin(static_cast<int>(group)) ? TWIN_DROPPED : DROPPED + COLOR_LOST * state.contrast;
 }
 
-/// Whether another group of the same kind on the same carriers is drawn, too.
+/// Whether two groups are of the same kind on the same carriers.
+bool PlanSteps::are_twins(size_t group, size_t other) const {
+	const PartGroup &a = form.groups[group];
+	const PartGroup &b = form.groups[other];
+	return group != other && a.kind == b.kind && a.carrier_group == b.carrier_group;
+}
+
+/// Whether a twin is drawn, too.
 bool PlanSteps::has_twin(int group) const {
-	const PartGroup &own = form.groups[static_cast<size_t>(group)];
 	for (size_t g = 0; g < states.size(); g++) {
-		const PartGroup &other = form.groups[g];
-		if (static_cast<int>(g) != group && other.kind == own.kind && other.carrier_group == own.carrier_group &&
-				own_vertices(g) > 0) {
+		if (are_twins(static_cast<size_t>(group), g) && own_vertices(g) > 0) {
 			return true;
 		}
 	}
 	return false;
+}
+
+/// What goes with a group that is dropped: the last of some twins goes for all of them.
+float PlanSteps::dropped_area(const State &state) const {
+	const size_t group = static_cast<size_t>(&state - states.data());
+	float area = state.branch_area;
+	for (size_t g = 0; g < states.size(); g++) {
+		area += are_twins(group, g) && own_vertices(g) == 0 ? states[g].area : 0.0f;
+	}
+	return area;
 }
 
 float PlanSteps::own_error(const State &state) const {
@@ -189,10 +221,15 @@ bool PlanSteps::give_back(int budget) {
 
 /// One step finer: all parts before better parts.
 bool PlanSteps::step_back(State &state) const {
-	if (state.body > 0 || KEPT[state.kept] == 0.0f || state.parts == 0) {
+	if (KEPT[state.kept] == 0.0f) { // A body stands for all.
+		state.kept = state.body > 0 ? 0 : state.kept - 1;
+	} else if (state.body == 0 && state.parts == 0) {
 		return false;
-	}
-	if (state.kept > 0) {
+	} else if (state.body > 1) {
+		state.body--;
+	} else if (state.body == 1) {
+		return false; // Parts again would be too many.
+	} else if (state.kept > 0) {
 		state.kept--;
 	} else if (state.detail > 0) {
 		state.detail--;

@@ -16,7 +16,7 @@ inline constexpr BodyDetail BODIES[] = { { 0, 0 }, { 8, 2 }, { 6, 2 }, { 5, 2 },
 	{ 3, 1 } };
 inline constexpr size_t BODY_COUNT = sizeof(BODIES) / sizeof(BODIES[0]);
 
-inline constexpr float FLAT_STEM = 0.3f; ///< A stem as a ribbon is seen edge-on from some sides.
+inline constexpr float FLAT_STEM = 0.1f; ///< A stem as a ribbon is thinner from some sides.
 
 /// Takes a form's full detail back step by step (plan_form).
 class PlanSteps {
@@ -39,13 +39,14 @@ private:
 		std::vector<float> errors; ///< Of its area, at each detail.
 		size_t detail = 0;
 		size_t kept = 0; ///< Index in KEPT.
-		size_t body = 0; ///< Index in BODY_SIDES; 0: no body.
+		size_t body = 0; ///< Index in BODIES; 0: no body.
 		int parts = 0; ///< Drawn as parts.
 		int bodies = 0;
 		float area = 0.0f; ///< m² that all of its parts show.
 		bool is_stem = false; ///< It stands on the ground and carries others.
 		std::vector<int> left; ///< Parts that each share keeps.
 		float contrast = 0.0f; ///< Square of the distance of its colour to the nearest other part's.
+		float worth = 1.0f; ///< What its area counts: the more, the more its colour stands out, as flowers' does.
 		float cover = 1.0f; ///< Share of a body's silhouette that its parts fill.
 		// With all that its parts carry:
 		int branch_vertices = 0;
@@ -70,15 +71,19 @@ private:
 	void recount();
 	void count_left(size_t group);
 	void find_contrasts();
+	void find_worths();
+	float dropped_area(const State &state) const;
 	void add_up_branches();
 	float own_error(const State &state) const;
 	float thin_error(const State &state, size_t kept) const;
+	bool are_twins(size_t group, size_t other) const;
 	bool has_twin(int group) const;
 	void pass_on(std::vector<float> &shown) const;
 	int own_vertices(size_t group) const;
 	void offer(Step &best, int group, size_t detail, size_t kept, size_t body, float saved, float harm) const;
 	void offer_details(Step &best, int group, int excess) const;
 	void offer_thinning(Step &best, int group, int excess) const;
+	void offer_few(Step &best, int group, size_t kept, int excess) const;
 	void offer_body(Step &best, int group, int excess) const;
 };
 

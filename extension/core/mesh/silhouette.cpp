@@ -1,91 +1,99 @@
 #include "mesh/silhouette.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include "mesh/sight_lens.hpp"
 
 namespace undergrowth {
 
 namespace {
 
-constexpr int DOTS = 256; // Across and up.
-constexpr int SIDES = 4;
-constexpr float HALF = 0.70710678f;
-constexpr float COSINES[SIDES] = { 1.0f, HALF, 0.0f, -HALF };
-constexpr float SINES[SIDES] = { 0.0f, HALF, 1.0f, HALF };
+constexpr int COLUMNS = 512; // Of a box.
+constexpr int ROWS = 256;
 
 /// Dots in rows of bits.
-class Picture {
+class Outline {
 public:
-	/// A triangle in dots, corners at (x[i], y[i]).
-	void draw(const float (&x)[3], const float (&y)[3]) {
-		const int low = std::max(0, static_cast<int>(std::ceil(std::min({ y[0], y[1], y[2] }) - 0.5f)));
-		const int high = std::min(DOTS - 1, static_cast<int>(std::floor(std::max({ y[0], y[1], y[2] }) - 0.5f)));
-		for (int row = low; row <= high; row++) {
-			draw_row(x, y, row);
+	Outline(int columns, int rows) : words((columns + 63) / 64), bits(static_cast<size_t>(words * rows)) {}
+
+	void clear() { std::fill(bits.begin(), bits.end(), 0); }
+	void fill(int row, int first, int end) {
+		uint64_t *own = bits.data() + row * words;
+		for (int at = first; at < end;) {
+			const int next = std::min(end, (at / 64 + 1) * 64);
+			own[at / 64] |= (~uint64_t(0) >> (64 - (next - at))) << (at % 64);
+			at = next;
 		}
 	}
 	int count() const {
 		int sum = 0;
-		for (const auto &row : rows) {
-			for (uint64_t word : row) {
-				for (; word != 0; word &= word - 1) {
-					sum++;
-				}
-			}
+		for (uint64_t word : bits) { // Sums of neighbours: of bits, pairs, fours; then all bytes at once.
+			word -= (word >> 1) & 0x5555555555555555u;
+			word = (word & 0x3333333333333333u) + ((word >> 2) & 0x3333333333333333u);
+			word = (word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fu;
+			sum += static_cast<int>((word * 0x0101010101010101u) >> 56);
 		}
 		return sum;
 	}
 
 private:
-	std::array<std::array<uint64_t, DOTS / 64>, DOTS> rows = {};
-
-	/// From where to where the triangle crosses the middle of a row.
-	void draw_row(const float (&x)[3], const float (&y)[3], int row) {
-		const float level = static_cast<float>(row) + 0.5f;
-		float left = 1e9f;
-		float right = -1e9f;
-		for (int i = 0; i < 3; i++) {
-			const int k = (i + 1) % 3;
-			if ((y[i] <= level) != (y[k] <= level)) {
-				const float at = x[i] + (x[k] - x[i]) * ((level - y[i]) / (y[k] - y[i]));
-				left = std::min(left, at);
-				right = std::max(right, at);
-			}
-		}
-		const int first = std::max(0, static_cast<int>(std::ceil(std::max(left, 0.0f) - 0.5f)));
-		const int last = static_cast<int>(std::floor(std::min(right, static_cast<float>(DOTS)) - 0.5f));
-		for (int word = 0; word < DOTS / 64 && first <= last; word++) {
-			const int from = std::max(first - 64 * word, 0);
-			const int to = std::min(last - 64 * word, 63);
-			if (from <= to) {
-				rows[static_cast<size_t>(row)][static_cast<size_t>(word)] |= (~uint64_t(0) >> (63 - to + from)) << from;
-			}
-		}
-	}
+	const int words;
+	std::vector<uint64_t> bits;
 };
 
 } // namespace
 
-float silhouette_area(const glm::vec3 *positions, const int32_t *indices, int index_count, float reach, float height) {
-	const float across = DOTS / (2.0f * reach);
-	const float up = DOTS / height;
-	int dots = 0;
-	for (int side = 0; side < SIDES; side++) {
-		Picture picture;
-		for (int i = 0; i < index_count; i += 3) {
-			float x[3];
-			float y[3];
-			for (int k = 0; k < 3; k++) {
-				const glm::vec3 &point = positions[indices[i + k]];
-				x[k] = (point.x * COSINES[side] + point.z * SINES[side] + reach) * across;
-				y[k] = point.y * up;
-			}
-			picture.draw(x, y);
-		}
-		dots += picture.count();
+void SightBox::take_in(const glm::vec3 &point) {
+	reach = std::max(reach, std::sqrt(point.x * point.x + point.z * point.z));
+	low = std::min(low, point.y);
+	top = std::max(top, point.y);
+}
+
+SightLens::SightLens(const SeenMesh &p_mesh, const SightBox &box, int columns, int rows) :
+		mesh(p_mesh),
+		across(static_cast<float>(columns) / (2.0f * box.reach)),
+		up(static_cast<float>(rows) / (box.top - box.low)),
+		ground(box.low),
+		corners(static_cast<size_t>(p_mesh.vertex_count)) {
+	SightBox own = box;
+	for (int i = 0; i < mesh.vertex_count; i++) {
+		own.take_in(mesh.positions[i]);
 	}
-	return static_cast<float>(dots) / (SIDES * across * up);
+	const auto dots = [](float metres, float a_metre, int usual) {
+		return std::ceil(std::min(metres * a_metre, MOST_LARGER * static_cast<float>(usual)) - 0.01f);
+	};
+	half = static_cast<int>(dots(own.reach, across, columns / 2));
+	low = dots(box.low - own.low, up, rows);
+	height = static_cast<int>(low + dots(own.top - box.low, up, rows));
+}
+
+void SightLens::look_from(size_t side) {
+	const float cosine = OUTLINE_COSINES[side];
+	const float sine = OUTLINE_SINES[side];
+	for (size_t i = 0; i < corners.size(); i++) {
+		const glm::vec3 &point = mesh.positions[i];
+		corners[i] = { (point.x * cosine + point.z * sine) * across + static_cast<float>(half),
+			(point.y - ground) * up + low, point.z * cosine - point.x * sine };
+	}
+}
+
+Outlines outline_areas(const SeenMesh &mesh, const SightBox &box) {
+	SightLens lens(mesh, box, COLUMNS, ROWS);
+	Outline outline(lens.columns(), lens.rows());
+	Outlines areas = {};
+	for (size_t side = 0; side < OUTLINES; side++) {
+		lens.look_from(side);
+		outline.clear();
+		for (int i = 0; i < mesh.index_count; i += 3) {
+			const int32_t *at = mesh.indices + i;
+			const TriangleRows rows(lens.corner(at[0]), lens.corner(at[1]), lens.corner(at[2]), lens.rows());
+			for (int row = rows.begin; row < rows.end; row++) {
+				int first, end;
+				rows.columns(row, lens.columns(), first, end);
+				outline.fill(row, first, end);
+			}
+		}
+		areas[side] = static_cast<float>(outline.count()) * lens.dot_area();
+	}
+	return areas;
 }
 
 } // namespace undergrowth

@@ -1,0 +1,83 @@
+#include "mesh/form_match.hpp"
+
+#include "mesh/outline_fit.hpp"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+constexpr int STEPS = 5;
+constexpr float MATCHED = 0.015f; // Of each outline.
+constexpr int COLOR_STEPS = 4;
+constexpr float MOST_GAIN = 1.8f; // Of a colour in linear light; the least is its reciprocal.
+
+SeenMesh seen(const FormBuffers &mesh, const std::vector<WrittenUnit> &units) {
+	return { mesh.positions, units.back().vertex, mesh.indices, units.back().index };
+}
+
+float worst_of(const Outlines &areas, const Outlines &wanted) {
+	float worst = 0.0f;
+	for (size_t side = 0; side < OUTLINES; side++) {
+		worst = std::max(worst, std::abs(areas[side] / wanted[side] - 1.0f));
+	}
+	return worst;
+}
+
+void match_outlines(const FormMeasure &measure, const std::vector<WrittenUnit> &units, const FormBuffers &mesh) {
+	Outlines areas = outline_areas(seen(mesh, units), measure.box);
+	float best = worst_of(areas, measure.outlines);
+	if (best < MATCHED) {
+		return;
+	}
+	OutlineFit fit(units, mesh);
+	for (int step = 0; step < STEPS && best >= MATCHED; step++) {
+		fit.approach(areas, measure.outlines);
+		areas = outline_areas(seen(mesh, units), measure.box);
+		const float worst = worst_of(areas, measure.outlines);
+		if (worst < best) {
+			best = worst;
+			fit.keep();
+		}
+	}
+	fit.finish();
+}
+
+void match_colors(const FormMeasure &measure, const std::vector<WrittenUnit> &units, const FormBuffers &mesh) {
+	const std::vector<float> shares = seen_shares(seen(mesh, units), measure.box);
+	std::vector<glm::vec3> light;
+	for (int i = 0; i < units.back().vertex; i++) {
+		const glm::vec4 &color = mesh.colors[i];
+		light.emplace_back(to_light(color.x), to_light(color.y), to_light(color.z));
+	}
+	glm::vec3 gains(1.0f);
+	for (int step = 0; step < COLOR_STEPS; step++) { // More than one, since no colour grows lighter than white.
+		glm::vec3 mean(0.0f);
+		for (size_t i = 0; i < shares.size(); i++) {
+			mean += glm::min(light[i] * gains, glm::vec3(1.0f)) * shares[i];
+		}
+		gains = glm::clamp(gains * (measure.light + 1e-4f) / (mean + 1e-4f), 1.0f / MOST_GAIN, MOST_GAIN);
+	}
+	for (int i = 0; i < units.back().vertex; i++) {
+		const glm::vec3 own = glm::min(light[static_cast<size_t>(i)] * gains, glm::vec3(1.0f));
+		mesh.colors[i] = { from_light(own.x), from_light(own.y), from_light(own.z), mesh.colors[i].w };
+	}
+}
+
+} // namespace
+
+void match_form(const FormMeasure &measure, const std::vector<WrittenUnit> &units, const FormBuffers &mesh) {
+	if (units.size() < 2 || measure.box.is_empty() ||
+			!(*std::min_element(measure.outlines.begin(), measure.outlines.end()) > 0.0f)) {
+		return;
+	}
+	match_outlines(measure, units, mesh);
+	match_colors(measure, units, mesh);
+}
+
+} // namespace undergrowth

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "mesh/form_measure.hpp"
+#include "mesh/vertex_format.hpp"
+
+#include <vector>
+
+namespace undergrowth {
+
+/// One part or body of a mesh: from its first vertex and index to those of the next.
+struct WrittenUnit {
+	int vertex = 0;
+	int index = 0;
+	float near_share = 1.0f; ///< Of its triangles that are seen.
+	bool is_flower = false; ///< Or of one: it keeps its size beside the rest.
+};
+
+/// Makes what was written of a form look like the form: each unit so much wider or narrower, along the ground also more
+/// one way than across, that the outlines from all sides are those of the plant with all of its parts; then all colours
+/// so much lighter or darker that the mean is. `units` end with one that begins where the mesh ends.
+void match_form(const FormMeasure &measure, const std::vector<WrittenUnit> &units, const FormBuffers &mesh);
+
+} // namespace undergrowth
