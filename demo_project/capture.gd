@@ -3,9 +3,10 @@ extends SceneTree
 ##
 ## godot --path demo_project --rendering-method forward_plus --fixed-fps 15 --audio-driver Dummy
 ##     --script res://capture.gd -- --out=DIR [--scene=res://field/field.tscn] [--name=demo]
-##     [--frames=60] [--size=1280x720]
+##     [--frames=60] [--size=1280x720] [--views=yes]
 ##
-## Writes DIR/demo.png (of that size, with the panel) and DIR/frames/000.png … (640×360 without it, one
+## Writes DIR/demo.png (of that size, with the panel), DIR/views/NAME.png for each camera under the
+## scene's node "Views" (without panels), and DIR/frames/000.png … (640×360 without it, one
 ## per frame of --fixed-fps, with a gust); no frames with --frames=0. Ends with status 1 where it
 ## could not.
 ## Forward+ in software (lavapipe) is faster than Compatibility (llvmpipe) and looks better.
@@ -20,6 +21,7 @@ var _options := {
 	"name": "demo",
 	"frames": "60",
 	"size": "1280x720",
+	"views": "",
 }
 
 
@@ -45,6 +47,8 @@ func _take_pictures() -> void:
 	await _draw_at(Vector2i(int(size[0]), int(size[-1])))
 	if not _save(folder.path_join("%s.png" % _options["name"])):
 		return
+	if _options["views"] and not await _take_views(folder.path_join("views")):
+		return
 	root.msaa_3d = Viewport.MSAA_2X  # In software a frame takes a third of the time.
 	_hide_panels()
 	await _draw_at(FRAME_SIZE)
@@ -55,6 +59,20 @@ func _take_pictures() -> void:
 		if not _save(folder.path_join("frames/%03d.png" % index)):
 			return
 	quit()
+
+
+## The scene from each of its cameras.
+func _take_views(folder: String) -> bool:
+	DirAccess.make_dir_recursive_absolute(folder)
+	_hide_panels()
+	var usual := root.get_camera_3d()
+	for view: Camera3D in current_scene.get_node(^"Views").get_children():
+		view.make_current()
+		await _draw_at(root.size)
+		if not _save(folder.path_join("%s.png" % view.name.to_snake_case())):
+			return false
+	usual.make_current()
+	return true
 
 
 ## Lets the plants swing for some seconds without drawing them.

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Shows the demo: in a window, or off screen as build/demo.png, the animation build/demo.webp, and build/species.png
-with all ready species."""
+"""Shows the demo: in a window, or off screen as build/demo.png, stills from six more places in build/views, the animation
+build/demo.webp, and build/species.png with all ready species."""
 
 import argparse
 import shutil
@@ -18,7 +18,7 @@ FRAMES = 60
 SHEET_SIZE = (1680, 1140)
 FRAMES_PER_SECOND = 15
 IMPORT_TIMEOUT = 120
-DRAWING_TIMEOUT = 300
+DRAWING_TIMEOUT = 600
 
 
 def import_resources(godot):
@@ -47,7 +47,7 @@ def capture(godot, size, *options):
 def draw(godot):
     """The demo's still picture and its frames, and the sheet of all species."""
     shutil.rmtree(OUT, ignore_errors=True)
-    capture(godot, (1280, 720), f"--frames={FRAMES}")
+    capture(godot, (1280, 720), f"--frames={FRAMES}", "--views=yes")
     capture(godot, SHEET_SIZE, "--scene=res://species/species_sheet.tscn", "--name=species", "--frames=0")
     still, sheet, frames = OUT / "demo.png", OUT / "species.png", sorted(OUT.glob("frames/*.png"))
     if not still.exists() or not sheet.exists() or len(frames) != FRAMES:
@@ -60,6 +60,10 @@ def write_pictures(still, sheet, frames):
     for picture in (still, sheet):
         shutil.copyfile(picture, ROOT / "build" / picture.name)
         print(f"build/{picture.name}")
+    views = ROOT / "build/views"
+    shutil.rmtree(views, ignore_errors=True)
+    shutil.copytree(OUT / "views", views)
+    print(f"build/views: {len(list(views.iterdir()))} stills")
     try:
         from PIL import Image
     except ImportError:
