@@ -1,9 +1,9 @@
 extends Node3D
-## One species in several levels of detail: a row with smooth shading, a row with flat shading.
+## Two species in several levels of detail, a row of each.
 
 const ROW_DEPTH := 2.6
 
-## The species, with smooth and with flat shading.
+## The species, one for each row.
 @export var species: Array[PlantFunction] = []
 ## What each row is called.
 @export var row_names: PackedStringArray = []
