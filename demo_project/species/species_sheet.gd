@@ -31,9 +31,9 @@ const COLUMNS := 6
 const APART := 30.0
 const VIEW_DEGREES := 20.0
 ## How much of its picture a plant fills.
-const FILLED := 0.76
+const FILLED := 0.78
 ## Wide plants are drawn smaller, by how much wider than high they are.
-const WIDEST := 1.55
+const WIDEST := 1.25
 ## How far plants stand aside, in shares of their height: the view from near is beside them.
 const ASIDE := 0.19
 ## Pixels of the view from near.
