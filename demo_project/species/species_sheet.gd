@@ -125,7 +125,14 @@ func _make_label(plant: Plant3D, file: String) -> Label:
 	var label := Label.new()
 	var height := plant.get_mesh().get_aabb().end.y
 	var metres := "%.0f cm" % (100.0 * height) if height < 1.0 else "%.1f m" % height
-	label.text = "%s, %s\n%s" % [file.substr(0, 1).to_upper() + file.substr(1).replace("_", " "), metres, SPECIES[file][0]]
+	label.text = (
+		"%s, %s\n%s"
+		% [
+			file.substr(0, 1).to_upper() + file.substr(1).replace("_", " "),
+			metres,
+			SPECIES[file][0]
+		]
+	)
 	label.horizontal_alignment = HORIZONTAL_ALIGNMENT_CENTER
 	label.vertical_alignment = VERTICAL_ALIGNMENT_BOTTOM
 	label.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
