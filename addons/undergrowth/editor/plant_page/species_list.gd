@@ -14,8 +14,8 @@ const SpeciesCatalog := preload("species_catalog.gd")
 const PlantPhoto := preload("../widgets/plant_photo.gd")
 const THUMBNAIL_SIZE := 56
 ## Columns are at least so wide, in shares of the thumbnail's size: room for a name.
-const LEAST_COLUMN := 1.25
-## Pixels that the engine's list wants beside each column.
+const LEAST_COLUMN := 1.2
+## Pixels that the engine's list wants beside each column. It keeps room for a scroll bar, too.
 const COLUMN_SLACK := 4
 ## Names are long.
 const TEXT_LINES := 2
@@ -104,7 +104,7 @@ func _dress() -> void:
 
 # As many columns as have room, and all of the room for them.
 func _fit_columns(list: ItemList) -> void:
-	var room := floori(list.size.x) - list.get_theme_constant(&"scrollbar_h_separation")
+	var room := floori(list.size.x - list.get_v_scroll_bar().get_combined_minimum_size().x)
 	var least := floori(list.fixed_icon_size.x * LEAST_COLUMN)
 	list.fixed_column_width = maxi(room / maxi(room / maxi(least, 1), 1) - COLUMN_SLACK, 0)
 	for i in list.item_count:
