@@ -5,6 +5,8 @@
 #include "conventions.hpp"
 #include "form/limits.hpp"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +16,7 @@ namespace {
 
 constexpr float FLAT_DOME = 0.02f; // rad: below, a cap is a disc.
 constexpr double MOST_LEVEL = 0.2; // Least cosine for stalks that end at one height.
+constexpr float LEAST_LEVEL = 1e-3f; // Of a unit vector.
 constexpr uint64_t COUNT_INDEX = 3;
 
 float sample_at(const std::vector<float> &samples, float t) {
@@ -96,8 +99,8 @@ float Arrangement::scale_at(float t) const {
 }
 
 std::string find_arrangement_fault(const Arrangement &a) {
-	std::string fault = find_limit_fault({ { "count", static_cast<double>(a.count_min), 1.0, 4096.0 },
-			{ "count", static_cast<double>(a.count_max), static_cast<double>(a.count_min), 4096.0 },
+	std::string fault = find_limit_fault({ { "count", static_cast<double>(a.count_min), 0.0, 4096.0 },
+			{ "count", static_cast<double>(a.count_max), std::max(1.0, static_cast<double>(a.count_min)), 4096.0 },
 			{ "per_node", static_cast<double>(a.per_node), 1.0, 64.0 }, { "from", a.from, 0.0, 1.0 },
 			{ "to", a.to, 0.0, 1.0 }, { "turn", a.turn, -1e3, 1e3 }, { "phase", a.phase, -1e3, 1e3 },
 			{ "angle", a.angle.first, -12.6, 12.6 }, { "angle", a.angle.last, -12.6, 12.6 },
@@ -135,6 +138,15 @@ PartAxes turn_into(const PartAxes &carrier, float azimuth, float tilt) {
 	const glm::vec3 outward = carrier.outward * ca + carrier.x * sa;
 	const glm::vec3 x = carrier.x * ca - carrier.outward * sa;
 	return { x, carrier.along * ct + outward * st, outward * ct - carrier.along * st };
+}
+
+PartAxes turn_level(const PartAxes &part, const PartAxes &carrier) {
+	const glm::vec3 outward = carrier.outward - part.along * glm::dot(carrier.outward, part.along);
+	const float length = glm::length(outward);
+	if (length < LEAST_LEVEL) { // The part goes straight up or down: every turn is as good.
+		return part;
+	}
+	return { glm::cross(part.along, outward) / length, part.along, outward / length };
 }
 
 } // namespace undergrowth

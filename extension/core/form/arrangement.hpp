@@ -32,8 +32,8 @@ struct Span {
 /// How many parts stand on each of those that carry them, and where.
 struct Arrangement {
 	Layout layout = Layout::along;
-	int count_min = 1; ///< 1 to 4096; each carrier has its own count between the two, by the seed.
-	int count_max = 1;
+	int count_min = 1; ///< 0 to 4096; each carrier has its own count between the two, by the seed.
+	int count_max = 1; ///< From 1 on. With a least count of 0 some plants have what others lack.
 	float from = 0.0f; ///< Along: the span of offsets on the carrier, 0 to 1.
 	float to = 1.0f;
 	int per_node = 1; ///< Along: parts at one node, 1 to 64.
@@ -47,6 +47,9 @@ struct Arrangement {
 	float radius = 0.0f; ///< m, 0 to 10: of the whorl, the disc, the tuft. A disc above a half sphere: of its sphere.
 	float dome = 0.0f; ///< Disc: rad, 0 (flat) to π (a whole sphere): from its middle to its rim.
 	bool level_tops = false; ///< Disc: stalks grow longer towards the rim, so that all end at one height (corymb).
+	/// Upper sides look where the carrier's does, so that all lie in one plane, as a fern's leaflets. Else they look
+	/// along the carrier, as a leaf's on its stem.
+	bool flat = false;
 	Span tilt; ///< Ground: rad from upright, from the middle of the disc to its rim; outward.
 	float deviation = 0.0f; ///< rad, 0 to 1.5: how far each part may turn from where it belongs.
 
@@ -85,5 +88,8 @@ int count_of(const Arrangement &arrangement, uint64_t seed);
 
 /// A part's axes on a carrier whose midrib and own axes are given in the plant's.
 PartAxes turn_into(const PartAxes &carrier, float azimuth, float tilt);
+
+/// The part's axes turned about the part until its upper side looks where the carrier's does, as far as it can.
+PartAxes turn_level(const PartAxes &part, const PartAxes &carrier);
 
 } // namespace undergrowth

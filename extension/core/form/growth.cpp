@@ -109,6 +109,9 @@ std::string Growth::arrange(
 	for (const int carrier : carriers) {
 		place_on(group, arrangement, carrier, handles);
 	}
+	if (grown.groups.back().count == 0) { // By chance this plant has none of them.
+		grown.groups.pop_back();
+	}
 	return fault;
 }
 
@@ -157,6 +160,7 @@ void Growth::place(int group, const Arrangement &arrangement, int carrier, const
 	placed.group = group;
 	placed.carrier = carrier;
 	placed.axes = turn_into(axes, seat.azimuth, seat.tilt);
+	placed.axes = arrangement.flat ? turn_level(placed.axes, axes) : placed.axes;
 	placed.base = base + aside.outward * seat.away + aside.along * seat.lift;
 	placed.length = (part.length_min + (part.length_max - part.length_min) * share) * scale * seat.stretch;
 	placed.width = part.width * scale;

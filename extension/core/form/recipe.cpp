@@ -65,6 +65,9 @@ std::string grow(const Recipe &recipe, int stem, Growth &growth) {
 		const bool on_ground = line.arrangement.layout == Layout::ground;
 		const std::vector<int> carriers = line.on == ON_GROUND ? std::vector<int>{ on_ground ? ON_GROUND : stem }
 															   : handles[static_cast<size_t>(line.on)];
+		if (carriers.empty()) {
+			continue; // This plant has none of what would carry them.
+		}
 		fault = growth.arrange(kinds[static_cast<size_t>(line.kind)], line.arrangement, carriers, handles[i]);
 	}
 	return fault;

@@ -49,13 +49,13 @@ static String read_option(const String &name, const Variant &value, Arrangement 
 		fits = read_span(value, *span);
 	} else if (name == "per_node" && value.get_type() == Variant::INT) {
 		into.per_node = int(int64_t(value));
-	} else if (name == "level_tops" && value.get_type() == Variant::BOOL) {
-		into.level_tops = bool(value);
+	} else if ((name == "level_tops" || name == "flat") && value.get_type() == Variant::BOOL) {
+		(name == "flat" ? into.flat : into.level_tops) = bool(value);
 		fits = true;
 	} else if (!number) {
 		return "`_grow` passed the option '" + name +
 				"', which is unknown or of another type. Use from, to, turn, phase, per_node, angle, scale, radius, "
-				"dome, level_tops, tilt and deviation.";
+				"dome, level_tops, flat, tilt and deviation.";
 	}
 	return fits ? String() : "`_grow` passed no number for '" + name + "'. Pass one, or a Vector2 where it runs.";
 }

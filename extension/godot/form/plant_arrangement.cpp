@@ -144,11 +144,11 @@ void PlantArrangement::set_count(const Vector2i &range) {
 	if (range == get_count()) {
 		return;
 	}
-	if (range.x < 1 || range.y < range.x || range.y > MAX_PARTS) {
+	if (range.x < 0 || range.y < 1 || range.y < range.x || range.y > MAX_PARTS) {
 		report_error(this,
 				"count cannot be " + String::num_int64(range.x) + " to " + String::num_int64(range.y) +
-						", it keeps its value. Set 1 to " + String::num_int64(MAX_PARTS) +
-						", the smaller number first.");
+						", it keeps its value. Set 0 to " + String::num_int64(MAX_PARTS) +
+						", the smaller number first, the larger 1 or more.");
 		return;
 	}
 	arrangement.count_min = range.x;
@@ -166,6 +166,13 @@ void PlantArrangement::set_per_node(int count) {
 void PlantArrangement::set_level_tops(bool level) {
 	if (level != arrangement.level_tops) {
 		arrangement.level_tops = level;
+		tell();
+	}
+}
+
+void PlantArrangement::set_flat(bool flat) {
+	if (flat != arrangement.flat) {
+		arrangement.flat = flat;
 		tell();
 	}
 }

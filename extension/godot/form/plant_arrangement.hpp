@@ -63,6 +63,8 @@ public:
 	int get_per_node() const { return arrangement.per_node; }
 	void set_level_tops(bool level);
 	bool get_level_tops() const { return arrangement.level_tops; }
+	void set_flat(bool flat);
+	bool get_flat() const { return arrangement.flat; }
 	void set_angle_curve(const godot::Ref<godot::Curve> &curve);
 	godot::Ref<godot::Curve> get_angle_curve() const { return angle_curve; }
 	void set_scale_curve(const godot::Ref<godot::Curve> &curve);

@@ -24,7 +24,8 @@ void PlantArrangement::_validate_property(PropertyInfo &property) const {
 	const bool is_ground = layout == Layout::ground;
 	const bool is_hidden = (layout != Layout::along && is_one_of(name, ALONG_ONLY)) ||
 			(layout != Layout::disc && is_one_of(name, DISC_ONLY)) || (layout == Layout::along && name == "radius") ||
-			(!is_ground && name == "tilt") || (is_ground && (name == "angle" || name == "angle_curve"));
+			(!is_ground && name == "tilt") ||
+			(is_ground && (name == "angle" || name == "angle_curve" || name == "flat"));
 	if (is_hidden) {
 		property.usage = PROPERTY_USAGE_NO_EDITOR;
 	}
@@ -52,7 +53,7 @@ void PlantArrangement::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("_on_changed"), &PlantArrangement::on_changed);
 	UNDERGROWTH_ADD(layout, PropertyInfo(Variant::INT, "layout", PROPERTY_HINT_ENUM, "Along,Whorl,Disc,Ground"));
 	UNDERGROWTH_ADD(part, resource("part", "PlantPart"));
-	UNDERGROWTH_ADD(count, PropertyInfo(Variant::VECTOR2I, "count", PROPERTY_HINT_RANGE, "1,200,1,or_greater"));
+	UNDERGROWTH_ADD(count, PropertyInfo(Variant::VECTOR2I, "count", PROPERTY_HINT_RANGE, "0,200,1,or_greater"));
 	UNDERGROWTH_ADD(from, number("from", "0,1,0.001"));
 	UNDERGROWTH_ADD(to, number("to", "0,1,0.001"));
 	UNDERGROWTH_ADD(per_node, PropertyInfo(Variant::INT, "per_node", PROPERTY_HINT_RANGE, "1,64,1"));
@@ -61,6 +62,7 @@ void PlantArrangement::_bind_methods() {
 	UNDERGROWTH_ADD(radius, number("radius", "0,1,0.0001,or_greater,suffix:m"));
 	UNDERGROWTH_ADD(dome, number("dome", "0,180,0.1,radians_as_degrees"));
 	UNDERGROWTH_ADD(level_tops, PropertyInfo(Variant::BOOL, "level_tops"));
+	UNDERGROWTH_ADD(flat, PropertyInfo(Variant::BOOL, "flat"));
 	UNDERGROWTH_ADD(tilt, span("tilt", "-180,180,0.1,or_less,or_greater,radians_as_degrees"));
 	UNDERGROWTH_ADD(angle, span("angle", "-180,180,0.1,or_less,or_greater,radians_as_degrees"));
 	UNDERGROWTH_ADD(angle_curve, resource("angle_curve", "Curve"));
