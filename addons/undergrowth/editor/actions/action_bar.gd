@@ -53,7 +53,7 @@ func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> vo
 	_bake.pressed.connect(_on_bake_pressed)
 	_new_dialog.accepted.connect(_on_new_accepted)
 	_bake_dialog.accepted.connect(_on_bake_accepted)
-	_replace_dialog.confirmed.connect(_on_replace_confirmed)
+	_replace_dialog.confirmed.connect(_bake_files)
 	_state.function_chosen.connect(_refresh)
 	_state.work_changed.connect(_refresh)
 	_refresh()
@@ -221,10 +221,6 @@ func _ask_to_replace(files: PackedStringArray) -> String:
 		+ "\n\n"
 		+ names
 	)
-
-
-func _on_replace_confirmed() -> void:
-	_bake_files()
 
 
 ## Bakes a few files a frame, until all are there, one fails or the user cancels.

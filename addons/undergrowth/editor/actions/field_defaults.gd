@@ -7,11 +7,11 @@ extends RefCounted
 const DENSITY_AT_ONE_METRE := 18.0
 const HEIGHT_POWER := 1.1
 ## Times a plant's breadth squared: how many overlap.
-const OVERLAP := 2.5
+const OVERLAP := 4.0
 const LEAST_DENSITY := 0.5
 const MOST_DENSITY := 400.0
 ## What is dense gets a smaller field, down to so many metres.
-const MOST_PLANTS := 20000.0
+const MOST_PLANTS := 12000.0
 const LEAST_SIDE := 5.0
 ## Radians. Plants of a field that stand quite upright look like a brush.
 const LEAN := 0.09

@@ -191,7 +191,12 @@ static func _is_equal_value(a: Variant, b: Variant) -> bool:
 		return _is_equal(a as Resource, b as Resource)
 	if a is Array and b is Array:
 		return _is_equal_list(a as Array, b as Array)
-	return typeof(a) == typeof(b) and a == b
+	if typeof(a) != typeof(b):
+		return false
+	# An angle is not the same to the last bit after a setter took it.
+	if a is float:
+		return is_equal_approx(a as float, b as float)
+	return a == b or (a is Vector2 and (a as Vector2).is_equal_approx(b as Vector2))
 
 
 static func _is_equal_list(a: Array, b: Array) -> bool:
