@@ -3,19 +3,24 @@ extends SceneTree
 ##
 ## godot --path demo_project --rendering-method forward_plus --fixed-fps 15 --audio-driver Dummy
 ##     --script res://capture.gd -- --out=DIR [--scene=res://field/field.tscn] [--name=demo]
-##     [--frames=60]
+##     [--frames=60] [--size=1280x720]
 ##
-## Writes DIR/demo.png (1280×720, with the panel) and DIR/frames/000.png … (640×360 without it, one
+## Writes DIR/demo.png (of that size, with the panel) and DIR/frames/000.png … (640×360 without it, one
 ## per frame of --fixed-fps, with a gust); no frames with --frames=0. Ends with status 1 where it
 ## could not.
 ## Forward+ in software (lavapipe) is faster than Compatibility (llvmpipe) and looks better.
 
-const PICTURE_SIZE := Vector2i(1280, 720)
 const FRAME_SIZE := Vector2i(640, 360)
 const WARM_UP_FRAMES := 100
 const GUST_FRAME := 8
 
-var _options := {"out": "", "scene": "res://field/field.tscn", "name": "demo", "frames": "60"}
+var _options := {
+	"out": "",
+	"scene": "res://field/field.tscn",
+	"name": "demo",
+	"frames": "60",
+	"size": "1280x720",
+}
 
 
 func _initialize() -> void:
@@ -36,7 +41,8 @@ func _take_pictures() -> void:
 	var frames := int(_options["frames"])
 	DirAccess.make_dir_recursive_absolute(folder.path_join("frames"))
 	await _sway()
-	await _draw_at(PICTURE_SIZE)
+	var size: PackedStringArray = _options["size"].split("x")
+	await _draw_at(Vector2i(int(size[0]), int(size[-1])))
 	if not _save(folder.path_join("%s.png" % _options["name"])):
 		return
 	root.msaa_3d = Viewport.MSAA_2X  # In software a frame takes a third of the time.

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Shows the demo: in a window, or off screen as build/demo.png and the animation build/demo.webp."""
+"""Shows the demo: in a window, or off screen as build/demo.png, the animation build/demo.webp, and build/species.png
+with all ready species."""
 
 import argparse
 import shutil
@@ -14,6 +15,7 @@ ROOT = Path(__file__).resolve().parents[1]
 PROJECT = ROOT / "demo_project"
 OUT = ROOT / "build/demo"
 FRAMES = 60
+SHEET_SIZE = (1680, 1140)
 FRAMES_PER_SECOND = 15
 IMPORT_TIMEOUT = 120
 DRAWING_TIMEOUT = 300
@@ -28,26 +30,36 @@ def import_resources(godot):
         sys.exit(f"The engine could not import the demo project (exit status {answer.returncode}):\n{answer.stdout}")
 
 
-def draw(godot):
-    """Has the demo project's capture.gd draw off screen; returns its still picture and its frames."""
-    shutil.rmtree(OUT, ignore_errors=True)
+def capture(godot, size, *options):
+    """Has the demo project's capture.gd draw off screen into OUT."""
     words = [godot, "--path", str(PROJECT), "--rendering-method", "forward_plus", "--fixed-fps", str(FRAMES_PER_SECOND),
-             "--audio-driver", "Dummy", "--script", "res://capture.gd", "--", f"--out={OUT}", f"--frames={FRAMES}"]
-    with display.virtual(1280, 720) as environment:
+             "--audio-driver", "Dummy", "--script", "res://capture.gd", "--", f"--out={OUT}",
+             "--size={}x{}".format(*size), *options]
+    with display.virtual(*size) as environment:
         try:
             status = subprocess.run(words, env=environment, stdin=subprocess.DEVNULL, timeout=DRAWING_TIMEOUT).returncode
         except subprocess.TimeoutExpired:
             sys.exit(f"The demo was not drawn after {DRAWING_TIMEOUT} s.")
-    still, frames = OUT / "demo.png", sorted(OUT.glob("frames/*.png"))
-    if status != 0 or not still.exists() or len(frames) != FRAMES:
-        sys.exit(f"The demo drew {len(frames)} of {FRAMES} frames and ended with status {status}.")
-    return still, frames
+    if status != 0:
+        sys.exit(f"The demo's drawing ended with status {status}.")
 
 
-def write_pictures(still, frames):
-    """build/demo.png and, where Pillow is, build/demo.webp."""
-    shutil.copyfile(still, ROOT / "build/demo.png")
-    print("build/demo.png")
+def draw(godot):
+    """The demo's still picture and its frames, and the sheet of all species."""
+    shutil.rmtree(OUT, ignore_errors=True)
+    capture(godot, (1280, 720), f"--frames={FRAMES}")
+    capture(godot, SHEET_SIZE, "--scene=res://species/species_sheet.tscn", "--name=species", "--frames=0")
+    still, sheet, frames = OUT / "demo.png", OUT / "species.png", sorted(OUT.glob("frames/*.png"))
+    if not still.exists() or not sheet.exists() or len(frames) != FRAMES:
+        sys.exit(f"The demo drew {len(frames)} of {FRAMES} frames.")
+    return still, sheet, frames
+
+
+def write_pictures(still, sheet, frames):
+    """build/demo.png, build/species.png and, where Pillow is, build/demo.webp."""
+    for picture in (still, sheet):
+        shutil.copyfile(picture, ROOT / "build" / picture.name)
+        print(f"build/{picture.name}")
     try:
         from PIL import Image
     except ImportError:

@@ -163,3 +163,19 @@ TEST_CASE("a part's own axes are turned out from its carrier's, and stay right-h
 	CHECK(glm::length(side.along - glm::vec3(std::sin(0.3f), std::cos(0.3f), 0.0f)) < 1e-6f);
 	CHECK(glm::length(glm::cross(side.along, side.outward) - side.x) < 1e-6f);
 }
+
+TEST_CASE("a flat part's upper side looks where its carrier's does, a part that goes straight up keeps its own") {
+	const PartAxes carrier = turn_into({ { 1.0f, 0.0f, 0.0f }, { 0.0f, 1.0f, 0.0f }, { 0.0f, 0.0f, 1.0f } }, 0.7f, 0.9f);
+	for (const float side : { 90.0f, -90.0f, 30.0f }) {
+		const PartAxes part = turn_into(carrier, side * DEGREE, 80.0f * DEGREE);
+		const PartAxes level = turn_level(part, carrier);
+		CHECK(level.along == part.along);
+		CHECK(std::abs(glm::dot(level.along, level.outward)) < 1e-6f);
+		CHECK(glm::length(glm::cross(level.along, level.outward) - level.x) < 1e-6f);
+		CHECK(glm::dot(level.outward, carrier.outward) >= glm::dot(part.outward, carrier.outward) - 1e-6f);
+	}
+	const PartAxes aside = turn_level(turn_into(carrier, 90.0f * DEGREE, 80.0f * DEGREE), carrier);
+	CHECK(glm::length(aside.outward - carrier.outward) < 1e-6f);
+	const PartAxes up = turn_into(carrier, 0.0f, 90.0f * DEGREE);
+	CHECK(turn_level(up, carrier).outward == up.outward);
+}

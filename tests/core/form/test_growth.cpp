@@ -181,3 +181,22 @@ TEST_CASE("a recipe grows what a script grows of it") {
 	CHECK(form.groups[1].carrier_group == 0);
 	CHECK(form.groups[1].depth == 2);
 }
+
+TEST_CASE("with a least count of 0 some seeds have what others lack, and whatever it carries") {
+	Recipe recipe = chain(2, 3);
+	recipe.lines[0].arrangement = counted(0, 1);
+	recipe.lines[0].arrangement.layout = Layout::ground;
+	recipe.lines.push_back({ 0, counted(2, 2), ON_GROUND });
+	recipe.lines[2].arrangement.layout = Layout::ground;
+	int with = 0;
+	for (uint64_t seed = 0; seed < 400; seed++) {
+		Growth growth(1.0f, seed);
+		CHECK(grow(recipe, ON_GROUND, growth) == "");
+		const PlantForm form = growth.finish();
+		const bool has = form.placed.size() == 1 + 3 + 2;
+		CHECK((has || form.placed.size() == 2));
+		CHECK(form.groups.size() == (has ? 3u : 1u));
+		with += has ? 1 : 0;
+	}
+	CHECK(std::abs(with - 200) < 50);
+}

@@ -1,0 +1,122 @@
+## The species that the add-on brings as data: each grows at any level, by its seed, and sways.
+extends "res://tests/engine/harness.gd"
+
+const FOLDER := "res://addons/undergrowth/species/"
+const PROMISED: PackedStringArray = [
+	"barley",
+	"bellflower",
+	"buttercup",
+	"cattail",
+	"common_reed",
+	"cornflower",
+	"dandelion",
+	"field_horsetail",
+	"garden_tulip",
+	"lavender",
+	"lawn_grass",
+	"male_fern",
+	"meadow_grass",
+	"oxeye_daisy",
+	"poppy",
+	"red_clover",
+	"wheat",
+	"yarrow",
+]
+const BUDGETS: Dictionary = {12: 792, 6: 198, 3: 50, 2: 22, 1: 12}
+## Metres: how far the tips of hanging leaves may be in the ground.
+const DEEPEST := 0.03
+## Newtons: the wind that a new PlantWind blows.
+const WIND := 5.0
+
+
+func test_what_is_promised_is_there() -> void:
+	var files := PackedStringArray()
+	for file in DirAccess.get_files_at(FOLDER):
+		if file.ends_with(".tres"):
+			files.append(file.trim_suffix(".tres"))
+	files.sort()
+	check_equal(files, PROMISED, "species")
+
+
+func test_each_grows_without_a_word_of_complaint() -> void:
+	for file in PROMISED:
+		for seed_of_plant in 4:
+			check_equal(_species(file).find_problem(0.0, 12, seed_of_plant), "", file)
+
+
+func test_each_fits_its_budgets() -> void:
+	for file in PROMISED:
+		for segments: int in BUDGETS:
+			for seed_of_plant in 3:
+				var mesh := _species(file).generate_mesh(0.0, segments, seed_of_plant)
+				var count := mesh.surface_get_array_len(0)
+				check(count > 0 and count <= BUDGETS[segments], "%s, %d" % [file, segments])
+
+
+func test_each_is_whole_at_all_levels() -> void:
+	for file in PROMISED:
+		var fine := _species(file).generate_mesh(0.0, 12, 3).get_aabb()
+		for segments: int in BUDGETS:
+			var mesh := _species(file).generate_mesh(0.0, segments, 3)
+			var box := mesh.get_aabb()
+			var what := "%s at %d" % [file, segments]
+			check(_all_finite(mesh.surface_get_arrays(0)[Mesh.ARRAY_VERTEX]), what + " is finite")
+			check(box.end.y > 0.5 * fine.end.y, what + " keeps its height")
+			check(box.end.y < 2.0 * fine.end.y, what + " does not grow")
+		check(fine.position.y > -DEEPEST, "%s begins at %.3f" % [file, fine.position.y])
+
+
+func test_no_two_plants_are_the_same_and_each_seed_gives_one() -> void:
+	for file in PROMISED:
+		var one := _points(file, 8)
+		check_equal(_points(file, 8), one, file + " of the same seed")
+		check(_points(file, 9) != one, file + " of another seed")
+
+
+func test_each_bends_in_the_wind_and_none_lies_down() -> void:
+	for file in PROMISED:
+		var species := _species(file)
+		var height := species.generate_mesh(0.0, 6, 1).get_aabb().end.y
+		var rate := TAU * species.natural_frequency
+		var push := WIND * species.wind_weight / (species.mass * rate * rate * height)
+		var degrees := rad_to_deg(atan(push))
+		check(degrees > 2.0 and degrees < 30.0, "%s bends by %.1f degrees" % [file, degrees])
+
+
+func test_parts_and_arrangements_have_names_that_users_read() -> void:
+	for file in PROMISED:
+		for arrangement: PlantArrangement in _species(file).arrangements:
+			_check_names(arrangement, file)
+
+
+func test_some_dandelions_have_a_clock() -> void:
+	var tallest := 0.0
+	var lowest := INF
+	for seed_of_plant in 12:
+		var height := _species("dandelion").generate_mesh(0.0, 12, seed_of_plant).get_aabb().end.y
+		tallest = maxf(tallest, height)
+		lowest = minf(lowest, height)
+	check(tallest > 0.2 and lowest < 0.2, "clocks stand above flowers, from %.2f m" % lowest)
+
+
+func _species(file: String) -> PlantFunction:
+	return load(FOLDER + file + ".tres")
+
+
+func _points(file: String, seed_of_plant: int) -> PackedVector3Array:
+	var mesh := _species(file).generate_mesh(0.0, 6, seed_of_plant)
+	return mesh.surface_get_arrays(0)[Mesh.ARRAY_VERTEX]
+
+
+func _all_finite(points: PackedVector3Array) -> bool:
+	for point in points:
+		if not point.is_finite():
+			return false
+	return true
+
+
+func _check_names(arrangement: PlantArrangement, file: String) -> void:
+	check(arrangement.resource_name != "", file + ": an arrangement's name")
+	check(arrangement.part.resource_name != "", file + ": a part's name")
+	for other: PlantArrangement in arrangement.carries:
+		_check_names(other, file)

@@ -1,0 +1,86 @@
+## Pictures of the species that the add-on brings: who looks sees leaves, and flowers of their colour.
+extends "res://tests/engine/picture_harness.gd"
+
+const FOLDER := "res://addons/undergrowth/species/"
+const GREEN := 0.25
+const WHITE := -1.0
+## Hue of what is seen besides leaves; WHITE has none.
+const HUES: Dictionary = {
+	"barley": 0.12,
+	"bellflower": 0.68,
+	"buttercup": 0.145,
+	"cattail": 0.05,
+	"common_reed": 0.97,
+	"cornflower": 0.62,
+	"dandelion": 0.14,
+	"field_horsetail": GREEN,
+	"garden_tulip": 0.0,
+	"lavender": 0.71,
+	"lawn_grass": GREEN,
+	"male_fern": GREEN,
+	"meadow_grass": GREEN,
+	"oxeye_daisy": WHITE,
+	"poppy": 0.0,
+	"red_clover": 0.87,
+	"wheat": 0.12,
+	"yarrow": WHITE,
+}
+const HUE_WIDTH := 0.06
+const LEAST_SATURATION := 0.2
+const LEAST_FLOWER := 8
+## Pixels of a thin plant, at least.
+const LEAST_SEEN := 60
+## Nothing of it is green any more.
+const RIPE := "wheat"
+const LEAST_WHITE := 0.5
+const MOST_CREAMY := 0.3
+## As in a field to 12 m, and to 25 m.
+const LEVELS: PackedInt32Array = [12, 6]
+## Metres: as high as the stage shows.
+const HEIGHT := 1.3
+
+
+func before_each() -> void:
+	make_stage()
+
+
+func after_each() -> void:
+	stage.free()
+
+
+func test_leaves_and_flowers_are_seen_in_their_colours() -> void:
+	for file: String in HUES:
+		for segments in LEVELS:
+			var shown := await _picture_of(file, segments)
+			var what := "%s at %d" % [file, segments]
+			check(count_different(shown, empty_picture()) > LEAST_SEEN, what + " is seen")
+			var flower := _count_hue(shown, HUES[file])
+			check(flower >= LEAST_FLOWER, "%s: %d pixels of its own colour" % [what, flower])
+			var green := _count_hue(shown, GREEN)
+			check(green >= LEAST_FLOWER or file == RIPE, "%s: %d green pixels" % [what, green])
+
+
+func _picture_of(file: String, segments: int) -> Image:
+	var plant := Plant3D.new()
+	plant.species = load(FOLDER + file + ".tres")
+	plant.segments = segments
+	plant.seed = 4
+	plant.simulation_enabled = false
+	stage.add_child(plant)
+	plant.scale = Vector3.ONE * HEIGHT / plant.get_mesh().get_aabb().end.y
+	var shown := await picture()
+	plant.free()
+	return shown
+
+
+func _count_hue(shown: Image, hue: float) -> int:
+	var count := 0
+	for y in PICTURE_SIZE.y:
+		for x in PICTURE_SIZE.x:
+			var color := shown.get_pixel(x, y)
+			if hue == WHITE:
+				count += 1 if color.v > LEAST_WHITE and color.s < MOST_CREAMY else 0
+			elif color.v > 0.1 and color.s >= LEAST_SATURATION:
+				var way := absf(color.h - hue)
+				count += 1 if minf(way, 1.0 - way) < HUE_WIDTH else 0
+	return count
