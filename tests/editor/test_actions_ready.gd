@@ -3,6 +3,9 @@ extends "actions_test.gd"
 ## What ships with the add-on: ready species and mixes in the list, and what becomes of them in a
 ## scene.
 
+const ThumbnailPainter := preload(
+	"res://addons/undergrowth/editor/thumbnails/thumbnail_painter.gd"
+)
 const SCENE := "res://actions_ready.tscn"
 const SPECIES := "res://addons/undergrowth/species"
 const MIXES := "res://addons/undergrowth/mixes"
@@ -44,6 +47,21 @@ func test_names_are_uncut_and_in_every_language() -> void:
 		var list := part("Plant/List/" + name) as ItemList
 		for i in list.item_count:
 			check(item_title(list, i) in known, item_title(list, i) + " is translated")
+
+
+func test_files_of_plants_of_parts_are_painted() -> void:
+	var picture := ThumbnailPainter.paint(load(TULIP) as PlantFunction, Vector2i(64, 64))
+	var used := picture.get_used_rect()
+	check(used.size.y > 55 and used.size.x > 8, "the plant fills it: %s" % used)
+	var red := 0
+	var green := 0
+	for y in 64:
+		for x in 64:
+			var color := picture.get_pixel(x, y)
+			if color.a > 0.5:
+				red += 1 if color.r > 1.5 * color.g else 0
+				green += 1 if color.g > color.r else 0
+	check(red > 8 and green > 30, "red petals and green leaves: %d, %d" % [red, green])
 
 
 func test_a_ready_species_stays_in_its_file() -> void:

@@ -46,7 +46,7 @@ static func measure(group: Node3D) -> AABB:
 static func find_tallest(field: PlantField3D) -> float:
 	var tallest := 0.0
 	for listed in _grown(field):
-		var mesh := _build(listed.species, SEGMENTS_AMONG_OTHERS, PLANT_SEED)
+		var mesh := build(listed.species, SEGMENTS_AMONG_OTHERS, PLANT_SEED)
 		tallest = maxf(tallest, mesh.get_aabb().end.y * _scale_of(listed))
 	return tallest
 
@@ -54,7 +54,7 @@ static func find_tallest(field: PlantField3D) -> float:
 static func _make_plant(function: PlantFunction) -> Node3D:
 	if not _can_build(function):
 		return null
-	var mesh := _build(function, SEGMENTS, PLANT_SEED)
+	var mesh := build(function, SEGMENTS, PLANT_SEED)
 	var size := mesh.get_aabb().size
 	var wider := 1.0
 	if not Traits.has_parts(function):
@@ -72,7 +72,7 @@ static func _make_mix(field: PlantField3D) -> Node3D:
 	for listed in grown:
 		var variants: Array[Mesh] = []
 		for i in VARIANTS:
-			variants.append(_build(listed.species, SEGMENTS_AMONG_OTHERS, PLANT_SEED + i))
+			variants.append(build(listed.species, SEGMENTS_AMONG_OTHERS, PLANT_SEED + i))
 		meshes.append(variants)
 	if grown.is_empty():
 		return null
@@ -129,7 +129,8 @@ static func _can_build(function: PlantFunction) -> bool:
 	return function.find_problem(0.0, SEGMENTS, PLANT_SEED).is_empty()
 
 
-static func _build(function: PlantFunction, segments: int, plant_seed: int) -> Mesh:
+## A mesh for small pictures: thin parts are wider than they are.
+static func build(function: PlantFunction, segments: int, plant_seed: int) -> Mesh:
 	var mesh := function.generate_mesh(0.0, segments, plant_seed)
 	return _widen_parts(mesh) if Traits.has_parts(function) else mesh
 
