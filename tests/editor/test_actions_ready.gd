@@ -3,9 +3,7 @@ extends "actions_test.gd"
 ## What ships with the add-on: ready species and mixes in the list, and what becomes of them in a
 ## scene.
 
-const ThumbnailPainter := preload(
-	"res://addons/undergrowth/editor/thumbnails/thumbnail_painter.gd"
-)
+const ThumbnailPainter := preload("res://addons/undergrowth/editor/thumbnails/thumbnail_painter.gd")
 const SCENE := "res://actions_ready.tscn"
 const SPECIES := "res://addons/undergrowth/species"
 const MIXES := "res://addons/undergrowth/mixes"

@@ -141,8 +141,8 @@ func _make_mesh(arrays: Array, title: String) -> ArrayMesh:
 	return mesh
 
 
-## A material of the project stays where it is; one of the library or the add-on comes along, and for
-## a shader of the add-on a plain one.
+## A material of the project stays where it is; one of the library or the add-on comes along, and
+## for a shader of the add-on a plain one.
 func _portable(material: Material) -> Material:
 	var shaded := material as ShaderMaterial
 	if shaded and shaded.shader and shaded.shader.resource_path.begins_with(ADD_ON_FOLDER):

@@ -1,7 +1,7 @@
 @tool
 extends RefCounted
-## One line of the list: a species or a mix that ships with the add-on, one of the library's classes,
-## or a script or a resource of the project.
+## One line of the list: a species or a mix that ships with the add-on, one of the library's
+## classes, or a script or a resource of the project.
 
 enum Kind { CLASS, SCRIPT, RESOURCE, MIX }
 

@@ -117,7 +117,7 @@ func _wrap(list: ItemList, title: String) -> String:
 	var font := list.get_theme_font(&"font")
 	var font_size := list.get_theme_font_size(&"font_size")
 	var length := font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
-	if length <= list.fixed_column_width:
+	if length <= list.fixed_column_width - COLUMN_SLACK:
 		return text
 	var half := text.length() / 2
 	var before := text.rfind(" ", half)

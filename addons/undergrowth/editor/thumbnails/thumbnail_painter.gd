@@ -1,7 +1,7 @@
 @tool
 extends RefCounted
-## Paints a species from its width and its colour along the height, row by row, and one of parts from
-## its mesh. It touches no scene, so it may run on any thread.
+## Paints a species from its width and its colour along the height, row by row, and one of parts
+## from its mesh. It touches no scene, so it may run on any thread.
 
 const MeshPainter := preload("mesh_painter.gd")
 const PlantGroup := preload("../widgets/plant_group.gd")

@@ -25,8 +25,8 @@ const BYTES_PER_WAY := 8
 const CUSTOM_FORMATS := 0xfff << Mesh.ARRAY_FORMAT_CUSTOM0_SHIFT
 
 
-## Makes a node that holds what a picture of [param sitter] shows, or null where nothing can be built.
-## [param sitter] is a [PlantFunction] or a [PlantField3D].
+## Makes a node that holds what a picture of [param sitter] shows, or null where nothing can be
+## built. [param sitter] is a [PlantFunction] or a [PlantField3D].
 static func make(sitter: Object) -> Node3D:
 	if sitter is PlantFunction:
 		return _make_plant(sitter as PlantFunction)
@@ -110,7 +110,10 @@ static func _draw_order(grown: Array[PlantFieldSpecies]) -> PackedInt32Array:
 	for i in COUNT:
 		var next := 0
 		for kind in grown.size():
-			if wanted[kind] * (i + 1) / COUNT - had[kind] > wanted[next] * (i + 1) / COUNT - had[next]:
+			if (
+				wanted[kind] * (i + 1) / COUNT - had[kind]
+				> wanted[next] * (i + 1) / COUNT - had[next]
+			):
 				next = kind
 		had[next] += 1.0
 		order.append(next)
