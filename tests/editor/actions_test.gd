@@ -39,13 +39,10 @@ func _use(action: String) -> void:
 
 func _choose(title: String) -> void:
 	await open_page("Plant")
-	var list := part("Plant/List/ReadyList") as ItemList
-	for i in list.item_count:
-		if list.get_item_text(i) == title:
-			var scroll := list.get_parent().get_parent() as ScrollContainer
-			scroll.scroll_vertical = int(list.position.y + list.get_item_rect(i).position.y)
-			await frames(2)
-			await click_item(list, i)
+	var found := find_item(title)
+	check(found[0] != null, title + " is listed")
+	if found[0]:
+		await click_item(found[0], found[1])
 	check_equal(_state().title, title, "chosen species")
 
 

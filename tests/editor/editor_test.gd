@@ -39,6 +39,8 @@ class Listener:
 		return taken
 
 
+## The lists of the plant page, as they stand below one another.
+const LISTS: Array[String] = ["ReadyList", "MixList", "SimpleList", "ProjectList"]
 const DOCK_SCRIPT := "res://addons/undergrowth/editor/dock.gd"
 ## [method until] waits at least so many frames and so many seconds.
 const PATIENCE := 600
@@ -185,10 +187,40 @@ func double_click(control: Control, at: Vector2) -> void:
 	await frames(2)
 
 
-## Clicks an item of a list.
+## Clicks an item of a list, wherever the list is scrolled to.
 func click_item(list: ItemList, index: int) -> void:
-	list.ensure_current_is_visible()
+	await reveal_item(list, index)
 	await click(list, list.get_item_rect(index).get_center())
+
+
+## Unfolds the group of a list and scrolls so that one of its items is in sight.
+func reveal_item(list: ItemList, index: int) -> void:
+	var above: Node = list.get_parent()
+	while above is not ScrollContainer:
+		if above is FoldableContainer:
+			(above as FoldableContainer).folded = false
+		above = above.get_parent()
+	await frames(2)
+	var scroll := above as ScrollContainer
+	var at := list.get_global_rect().position.y + list.get_item_rect(index).position.y
+	scroll.scroll_vertical += int(at - scroll.get_global_rect().position.y)
+	await frames(2)
+
+
+## What an item is called, in however many lines.
+func item_title(list: ItemList, index: int) -> String:
+	return list.get_item_text(index).replace("\n", " ")
+
+
+## The list of the plant page that has an item called [param title], and which one it is; [null, -1]
+## where none has.
+func find_item(title: String) -> Array:
+	for name: String in LISTS:
+		var list := part("Plant/List/" + name) as ItemList
+		for i in list.item_count:
+			if item_title(list, i) == title:
+				return [list, i]
+	return [null, -1]
 
 
 ## Presses at [param from], moves to [param to] and lets go (the control's own coordinates).

@@ -28,6 +28,7 @@ func test_every_text_is_in_every_language() -> void:
 
 func test_the_dock_speaks_the_chosen_language() -> void:
 	await open_page("Plant")
+	await _choose("Tulip")
 	var before := _domain().get_locale_override()
 	_speak(LANGUAGE)
 	await frames(3)

@@ -243,3 +243,21 @@ func _engine_words() -> PackedStringArray:
 		line = line.slice(line.find(0) + 1)
 	var first := words.find("--editor")
 	return words.slice(0, first) if first > 0 else PackedStringArray([OS.get_executable_path()])
+
+
+func test_a_plant_of_parts_is_baked_whole() -> void:
+	var options := BakeOptions.new()
+	options.title = "Baked tulip"
+	options.folder = FOLDER
+	options.with_scene = true
+	var tulip: PlantFunction = load("res://addons/undergrowth/species/garden_tulip.tres")
+	check_equal(Bake.bake(tulip, options), "", "problem")
+	var mesh := _read(FOLDER.path_join("baked_tulip_lod0.res")) as ArrayMesh
+	var material := mesh.surface_get_material(0) as StandardMaterial3D
+	check(material != null, "its material needs no shader of the add-on")
+	check_equal(material.cull_mode, BaseMaterial3D.CULL_DISABLED, "leaves are seen from both sides")
+	var colors: PackedColorArray = mesh.surface_get_arrays(0)[Mesh.ARRAY_COLOR]
+	var redness := 0.0
+	for color in colors:
+		redness = maxf(redness, color.r - color.g)
+	check(redness > 0.4, "its petals are red: %f" % redness)

@@ -112,9 +112,6 @@ func _choose(path: String) -> void:
 	var list := part("Plant/List/ProjectList") as ItemList
 	for i in list.item_count:
 		if list.get_item_tooltip(i) == path:
-			var scroll := list.get_parent().get_parent() as ScrollContainer
-			scroll.scroll_vertical = int(list.position.y + list.get_item_rect(i).position.y)
-			await frames(2)
 			await click_item(list, i)
 			return
 	check(false, path + " is in the list")

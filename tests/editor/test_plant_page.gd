@@ -18,41 +18,52 @@ func test_dock_opens_with_a_plant() -> void:
 	check(counts.text.contains("tris"), "triangles are counted: " + counts.text)
 
 
-func test_click_chooses_each_ready_species() -> void:
+func test_click_chooses_each_species_that_ships() -> void:
 	await open_page("Plant")
-	var list := part("Plant/List/ReadyList") as ItemList
-	check(list.item_count >= 6, "the five species of the thesis and the one of curves are listed")
-	for i in list.item_count:
-		var scroll := list.get_parent().get_parent() as ScrollContainer
-		scroll.scroll_vertical = int(list.position.y + list.get_item_rect(i).position.y)
-		await frames(2)
-		await click_item(list, i)
-		check_equal(_state().title, list.get_item_text(i), "chosen species")
-		check_equal(_state().problem, "", "problem of " + _state().title)
+	var simple := part("Plant/List/SimpleList") as ItemList
+	check(simple.item_count >= 6, "the five species of the thesis and the one of curves are listed")
+	for list: ItemList in [part("Plant/List/ReadyList"), simple]:
+		for i in list.item_count:
+			await click_item(list, i)
+			check_equal(_state().title, item_title(list, i), "chosen species")
+			check_equal(_state().problem, "", "problem of " + _state().title)
+			check(_state().function != null and not _state().mix, "it is a species")
 
 
 func test_thumbnails_arrive() -> void:
-	var list := part("Plant/List/ReadyList") as ItemList
-	var waiting := list.get_theme_icon(&"FileThumbnail", &"EditorIcons")
-	var arrived := func() -> bool:
-		for i in list.item_count:
-			if list.get_item_icon(i) == waiting:
-				return false
-		return true
-	check(await until(arrived), "every species has a thumbnail")
 	var seen: Dictionary[int, bool] = {}
+	var count := 0
+	for name: String in LISTS.slice(0, 3):
+		var list := part("Plant/List/" + name) as ItemList
+		check(await until(_have_arrived.bind(list)), "every item has a thumbnail: " + name)
+		count += list.item_count
+		for i in list.item_count:
+			var picture := list.get_item_icon(i).get_image()
+			seen[hash(picture.get_data())] = true
+			var used := picture.get_used_rect().size
+			check(
+				maxi(used.x, used.y) > picture.get_height() * 0.8,
+				"%s fills its picture: %s" % [list.get_item_text(i), used]
+			)
+	check_equal(seen.size(), count, "different thumbnails")
+
+
+func _have_arrived(list: ItemList) -> bool:
+	var waiting := list.get_theme_icon(&"FileThumbnail", &"EditorIcons")
 	for i in list.item_count:
-		seen[hash(list.get_item_icon(i).get_image().get_data())] = true
-	check_equal(seen.size(), list.item_count, "different thumbnails")
+		if list.get_item_icon(i) == waiting:
+			return false
+	return true
 
 
 func test_filter_leaves_what_matches() -> void:
 	await open_page("Plant")
 	var filter := part("Plant/List/Filter") as LineEdit
-	var list := part("Plant/List/ReadyList") as ItemList
+	var list := part("Plant/List/SimpleList") as ItemList
 	await click(filter)
 	await type(filter, "tul")
 	check_equal(list.item_count, 1, "species with tul")
+	check(not (part("Plant/List/Mixes") as Control).visible, "a group without any is hidden")
 	await type(filter, "x")
 	check((part("Plant/List/NoMatch") as Label).visible, "the list says that nothing matches")
 	for i in 4:
@@ -121,7 +132,6 @@ func test_project_species_come_and_go() -> void:
 	EditorInterface.get_resource_filesystem().scan()
 	var listed := func() -> bool: return _index_of(list, SPECIES_FILE) >= 0
 	check(await until(listed), "a new file appears in the list")
-	await _reveal(list, _index_of(list, SPECIES_FILE))
 	await click_item(list, _index_of(list, SPECIES_FILE))
 	check_equal(_state().path, SPECIES_FILE, "path of the chosen species")
 	DirAccess.remove_absolute(ProjectSettings.globalize_path(SPECIES_FILE))
@@ -153,8 +163,7 @@ func test_list_is_refreshed_while_pictures_wait() -> void:
 
 func test_picture_of_the_plant_page() -> void:
 	await open_page("Plant")
-	var list := part("Plant/List/ReadyList") as ItemList
-	await _reveal(list, 3)
+	var list := part("Plant/List/SimpleList") as ItemList
 	await click_item(list, 3)
 	await frames(30)
 	await take_picture("plant")
@@ -171,16 +180,9 @@ func _index_of(list: ItemList, key: String) -> int:
 	return -1
 
 
-func _reveal(list: ItemList, index: int) -> void:
-	var scroll := list.get_parent().get_parent() as ScrollContainer
-	scroll.scroll_vertical = int(list.position.y + list.get_item_rect(index).position.y)
-	await frames(2)
-
-
 func test_property_changes_are_undone() -> void:
 	await open_page("Plant")
-	var list := part("Plant/List/ReadyList") as ItemList
-	await _reveal(list, 0)
+	var list := part("Plant/List/SimpleList") as ItemList
 	await click_item(list, 0)
 	var grass := _state().function as GrassFunction
 	var before := grass.blade_width
@@ -210,8 +212,7 @@ func _find_slider(property: String) -> EditorSpinSlider:
 
 func test_width_curve_is_dragged() -> void:
 	await open_page("Plant")
-	var list := part("Plant/List/ReadyList") as ItemList
-	await _reveal(list, list.item_count - 1)
+	var list := part("Plant/List/SimpleList") as ItemList
 	await click_item(list, list.item_count - 1)
 	var curve := (_state().function as CurvePlantFunction).width_curve
 	var points := part("Plant/Points") as Control

@@ -1,9 +1,9 @@
 @tool
 extends RefCounted
-## What the dock's pages share: the chosen species, how it is shown, the wind of the preview, and
-## what the status line says.
+## What the dock's pages share: the chosen species or mix, how it is shown, the wind of the preview,
+## and what the status line says.
 
-## Another species was chosen, or none.
+## Another species or mix was chosen, or none.
 signal function_chosen
 ## The chosen species' properties changed. Its meshes may look different now.
 signal function_edited
@@ -25,14 +25,18 @@ const DEFAULT_SEGMENTS := 12
 const PREVIEW_STRENGTH := 5.0
 const PREVIEW_FREQUENCY := 0.4
 
-## The chosen species; null while none is.
+## The chosen species; null while none is, or a mix.
 var function: PlantFunction:
 	get:
 		return _function
-## What the chosen species is called.
+## The file of the add-on that [member function] was copied from, or null. As long as they are equal
+## a scene takes the file.
+var origin: PlantFunction
+## The scene of the chosen mix, with a field as its root; null while none is chosen.
+var mix: PackedScene
+## What the chosen species or mix is called.
 var title := ""
-## The file that [member function] was read from: a resource, a script, or nothing for the ready
-## species.
+## The file of the project that [member function] was read from: a resource or a script.
 var path := ""
 ## What keeps the chosen species from being built, and what to do; empty where it builds.
 var problem := ""
@@ -86,16 +90,23 @@ func close() -> void:
 	_watch(_wind, null, _on_wind_changed)
 	_function = null
 	_wind = null
+	origin = null
+	mix = null
 
 
-## Chooses [param new_function], read from [param new_path]; null chooses none.
-func choose(new_function: PlantFunction, new_path := "", new_title := "") -> void:
-	_watch(_function, new_function, _on_function_edited)
-	_function = new_function
-	path = new_path
-	title = new_title
-	_check()
-	function_chosen.emit()
+## Chooses [param new_function], read from [param new_path] or a copy of [param new_origin]; null
+## chooses none.
+func choose(
+	new_function: PlantFunction, new_path := "", new_title := "", new_origin: PlantFunction = null
+) -> void:
+	mix = null
+	_take(new_function, new_path, new_title, new_origin)
+
+
+## Chooses a mix instead of a species.
+func choose_mix(new_mix: PackedScene, new_title: String) -> void:
+	mix = new_mix
+	_take(null, "", new_title, null)
 
 
 ## The chosen species cannot be built until it is changed again: [param text] says why and what to
@@ -136,6 +147,18 @@ func end_work() -> void:
 func cancel_work() -> void:
 	work_cancelled = true
 	work_changed.emit()
+
+
+func _take(
+	new_function: PlantFunction, new_path: String, new_title: String, new_origin: PlantFunction
+) -> void:
+	_watch(_function, new_function, _on_function_edited)
+	_function = new_function
+	origin = new_origin
+	path = new_path
+	title = new_title
+	_check()
+	function_chosen.emit()
 
 
 func _watch(before: Resource, after: Resource, listener: Callable) -> void:

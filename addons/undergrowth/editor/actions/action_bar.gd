@@ -1,6 +1,7 @@
 @tool
 extends HFlowContainer
 ## What can be done with the chosen species: put it into the scene, save it, bake it, begin another.
+## A mix can be put into the scene.
 
 ## The chosen species is in a file now, and that file is chosen.
 signal saved(entry: SpeciesEntry)
@@ -52,7 +53,7 @@ func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> vo
 	_bake.pressed.connect(_on_bake_pressed)
 	_new_dialog.accepted.connect(_on_new_accepted)
 	_bake_dialog.accepted.connect(_on_bake_accepted)
-	_replace_dialog.confirmed.connect(_on_replace_confirmed)
+	_replace_dialog.confirmed.connect(_bake_files)
 	_state.function_chosen.connect(_refresh)
 	_state.work_changed.connect(_refresh)
 	_refresh()
@@ -74,8 +75,9 @@ func _dress() -> void:
 
 
 func _refresh() -> void:
-	for button: Button in [_add, _add_field, _assign, _save]:
+	for button: Button in [_add, _assign, _save]:
 		button.disabled = not _state.function
+	_add_field.disabled = not _state.function and not _state.mix
 	_bake.disabled = not _state.function or _state.work_total > 0
 
 
@@ -83,7 +85,7 @@ func _on_add_pressed() -> void:
 	var root := _find_root()
 	if not root or not _can_build():
 		return
-	var function := SceneActions.to_scene_function(_state.function, root)
+	var function := _to_scene_function(root)
 	var wind := SceneActions.to_scene_wind(_state.wind, root)
 	var plant := SceneActions.make_plant(function, wind, _state.title)
 	plant.height = _state.height
@@ -96,9 +98,15 @@ func _on_add_field_pressed() -> void:
 	var root := _find_root()
 	if not root or not _can_build():
 		return
-	var function := SceneActions.to_scene_function(_state.function, root)
 	var wind := SceneActions.to_scene_wind(_state.wind, root)
-	_add_to_scene(root, SceneActions.make_field(function, wind, _state.title))
+	if _state.mix:
+		_add_to_scene(root, SceneActions.make_mix(_state.mix, wind))
+	else:
+		_add_to_scene(root, SceneActions.make_field(_to_scene_function(root), wind, _state.title))
+
+
+func _to_scene_function(root: Node) -> PlantFunction:
+	return SceneActions.to_scene_function(_state.function, root, _state.origin)
 
 
 func _add_to_scene(root: Node, plant: Node3D) -> void:
@@ -117,7 +125,7 @@ func _on_assign_pressed() -> void:
 	if plants.is_empty():
 		_warn(tr("Nothing is selected. Select Plant3D or PlantField3D nodes in the scene."))
 		return
-	var function := SceneActions.to_scene_function(_state.function, root)
+	var function := _to_scene_function(root)
 	var wind := SceneActions.to_scene_wind(_state.wind, root)
 	SceneActions.assign(_undo, root, plants, function, wind)
 	_state.report(_tell_assigned(plants))
@@ -213,10 +221,6 @@ func _ask_to_replace(files: PackedStringArray) -> String:
 		+ "\n\n"
 		+ names
 	)
-
-
-func _on_replace_confirmed() -> void:
-	_bake_files()
 
 
 ## Bakes a few files a frame, until all are there, one fails or the user cancels.

@@ -10,8 +10,8 @@ const FileNames := preload("file_names.gd")
 const ProjectFiles := preload("project_files.gd")
 const ADD_ON_FOLDER := "res://addons/undergrowth/"
 const BONES: Array[String] = ["root", "tip"]
-## The weight of the tip in CUSTOM0, for shaders that bend what has no skeleton.
-const TIP_WEIGHTS := Mesh.ARRAY_CUSTOM_R_FLOAT << Mesh.ARRAY_FORMAT_CUSTOM0_SHIFT
+## Light that shines through leaves, where the add-on's own shader would say it.
+const BACKLIGHT := Color(0.3, 0.34, 0.2)
 
 ## Files that were written so far.
 var written: PackedStringArray = []
@@ -21,6 +21,9 @@ var _options: BakeOptions
 ## How many files were tried so far.
 var _next := 0
 var _material: Material
+# How the meshes say what is in CUSTOM0 and the others: the weight of the tip, for shaders that bend
+# what has no skeleton, and what parts say of themselves.
+var _custom_formats := 0
 
 
 ## Bakes [param function] as it is now; later changes of it do not matter.
@@ -124,6 +127,7 @@ func _generate(variant: int, level: int) -> ArrayMesh:
 	var mesh := _function.generate_mesh(
 		_options.height, _options.levels[level], _options.first_seed + variant
 	)
+	_custom_formats = mesh.surface_get_format(0) & ProjectFiles.CUSTOM_FORMATS
 	if not _material:
 		_material = _portable(mesh.surface_get_material(0))
 	return mesh
@@ -132,17 +136,31 @@ func _generate(variant: int, level: int) -> ArrayMesh:
 func _make_mesh(arrays: Array, title: String) -> ArrayMesh:
 	var mesh := ArrayMesh.new()
 	mesh.resource_name = title
-	mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays, [], {}, TIP_WEIGHTS)
+	mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays, [], {}, _custom_formats)
 	mesh.surface_set_material(0, _material)
 	return mesh
 
 
-## A material of the project stays where it is; one of the library or the add-on comes along.
+## A material of the project stays where it is; one of the library or the add-on comes along, and
+## for a shader of the add-on a plain one.
 func _portable(material: Material) -> Material:
+	var shaded := material as ShaderMaterial
+	if shaded and shaded.shader and shaded.shader.resource_path.begins_with(ADD_ON_FOLDER):
+		return _make_plain()
 	var stays := (
 		not material.is_built_in() and not material.resource_path.begins_with(ADD_ON_FOLDER)
 	)
 	return material if stays else material.duplicate(true)
+
+
+func _make_plain() -> StandardMaterial3D:
+	var plain := StandardMaterial3D.new()
+	plain.vertex_color_use_as_albedo = true
+	plain.vertex_color_is_srgb = true
+	plain.cull_mode = BaseMaterial3D.CULL_DISABLED
+	plain.backlight_enabled = true
+	plain.backlight = BACKLIGHT
+	return plain
 
 
 func _make_skin() -> Skin:

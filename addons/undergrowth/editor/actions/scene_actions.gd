@@ -3,6 +3,7 @@ extends RefCounted
 ## What changes the edited scene: each is one step that Godot's undo takes back.
 
 const Translations := preload("../translations/translations.gd")
+const FieldDefaults := preload("field_defaults.gd")
 const FileNames := preload("file_names.gd")
 const ScenePlants := preload("../wind_page/scene_plants.gd")
 ## They say where a resource is, not what it is.
@@ -35,10 +36,27 @@ static func make_plant(function: PlantFunction, wind: PlantWind, title: String) 
 	return plant
 
 
-## A field of that species that is ready to be added.
+## A field of that species that is ready to be added, as dense as suits its size.
 static func make_field(function: PlantFunction, wind: PlantWind, title: String) -> PlantField3D:
-	var field := PlantField3D.from_species([function])
+	var field := FieldDefaults.make_field(function)
 	field.name = FileNames.to_node_name(title) + "Field"
+	field.wind = wind
+	return field
+
+
+## The field of a mix that is ready to be added. It is the scene's own: what is changed on it later
+## reaches no other field of that mix. Its species stay in their files.
+static func make_mix(mix: PackedScene, wind: PlantWind) -> PlantField3D:
+	var field := mix.instantiate() as PlantField3D
+	field.scene_file_path = ""
+	var species: Array[PlantFieldSpecies] = []
+	for listed in field.species:
+		species.append(listed.duplicate())
+	field.species = species
+	var levels: Array[PlantFieldLevel] = []
+	for level in field.levels:
+		levels.append(level.duplicate())
+	field.levels = levels
 	field.wind = wind
 	return field
 
@@ -84,11 +102,16 @@ static func get_parent_for_new(root: Node) -> Node:
 	return root
 
 
-## [param function] where it has a file of its own. Else what the scene of [param root] has already
-## and is equal, or a copy: later edits in the dock must not reach into the scene.
-static func to_scene_function(function: PlantFunction, root: Node) -> PlantFunction:
+## [param function] where it has a file of its own, or [param origin], the file that it was copied
+## from, while it is equal. Else what the scene of [param root] has already and is equal, or a copy:
+## later edits in the dock must not reach into the scene.
+static func to_scene_function(
+	function: PlantFunction, root: Node, origin: PlantFunction = null
+) -> PlantFunction:
 	if not function.is_built_in():
 		return function
+	if origin and _has_equal_properties(origin, function):
+		return origin
 	for known in _get_functions(root):
 		if _is_equal(known, function):
 			return known
@@ -150,8 +173,10 @@ static func _is_equal(a: Resource, b: Resource) -> bool:
 		return true
 	if a.get_class() != b.get_class() or a.get_script() != b.get_script():
 		return false
-	if not a.is_built_in() or not b.is_built_in():
-		return false
+	return a.is_built_in() and b.is_built_in() and _has_equal_properties(a, b)
+
+
+static func _has_equal_properties(a: Resource, b: Resource) -> bool:
 	for property: Dictionary in a.get_property_list():
 		var name: StringName = property["name"]
 		if not property["usage"] & PROPERTY_USAGE_STORAGE or name in NOT_COMPARED:
@@ -164,4 +189,20 @@ static func _is_equal(a: Resource, b: Resource) -> bool:
 static func _is_equal_value(a: Variant, b: Variant) -> bool:
 	if a is Resource and b is Resource:
 		return _is_equal(a as Resource, b as Resource)
-	return typeof(a) == typeof(b) and a == b
+	if a is Array and b is Array:
+		return _is_equal_list(a as Array, b as Array)
+	if typeof(a) != typeof(b):
+		return false
+	# An angle is not the same to the last bit after a setter took it.
+	if a is float:
+		return is_equal_approx(a as float, b as float)
+	return a == b or (a is Vector2 and (a as Vector2).is_equal_approx(b as Vector2))
+
+
+static func _is_equal_list(a: Array, b: Array) -> bool:
+	if a.size() != b.size():
+		return false
+	for i in a.size():
+		if not _is_equal_value(a[i], b[i]):
+			return false
+	return true

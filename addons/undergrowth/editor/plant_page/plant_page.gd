@@ -1,6 +1,6 @@
 @tool
 extends VBoxContainer
-## The page for species: choose one, see it move, change its properties, use it.
+## The page for species and mixes: choose one, see it move, change its properties, use it.
 
 const EditorState := preload("../editor_state.gd")
 const SpeciesEntry := preload("species_entry.gd")
@@ -25,7 +25,7 @@ var _ready_functions: Dictionary[String, PlantFunction] = {}
 @onready var _actions: ActionBar = %Actions
 
 
-## Fills the page; the first ready species is chosen.
+## Fills the page; the first of the list is chosen.
 func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> void:
 	_state = state
 	resized.connect(_turn_split)
@@ -50,18 +50,35 @@ func _turn_split() -> void:
 func _choose(entry: SpeciesEntry) -> void:
 	if _chosen and entry.key == _chosen.key:
 		return
+	if entry.kind == SpeciesEntry.Kind.MIX:
+		_choose_mix(entry)
+		return
 	var function: PlantFunction = _ready_functions.get(entry.key)
 	if not function:
 		function = entry.instantiate()
 	if not function:
-		_state.report(entry.explain_failure(self), EditorState.Severity.ERROR)
-		_list.mark(_chosen.key if _chosen else "")
+		_refuse(entry)
 		return
-	if entry.kind == SpeciesEntry.Kind.READY:
+	if entry.is_ready:
 		_ready_functions[entry.key] = function
 	_chosen = entry
 	_state.report("")
-	_state.choose(function, entry.get_path(), entry.title)
+	_state.choose(function, entry.get_path(), entry.title, entry.get_origin())
+
+
+func _choose_mix(entry: SpeciesEntry) -> void:
+	var mix := entry.load_mix()
+	if not mix:
+		_refuse(entry)
+		return
+	_chosen = entry
+	_state.report("")
+	_state.choose_mix(mix, entry.title)
+
+
+func _refuse(entry: SpeciesEntry) -> void:
+	_state.report(entry.explain_failure(self), EditorState.Severity.ERROR)
+	_list.mark(_chosen.key if _chosen else "")
 
 
 # What is chosen now is what the file has.
@@ -72,7 +89,7 @@ func _on_saved(entry: SpeciesEntry) -> void:
 
 # A chosen script was saved anew, or the chosen file is gone or has another name.
 func _on_list_refreshed() -> void:
-	if not _chosen or _chosen.kind == SpeciesEntry.Kind.READY:
+	if not _chosen or _chosen.is_ready:
 		return
 	var now := _list.find(_chosen.key)
 	if not now:

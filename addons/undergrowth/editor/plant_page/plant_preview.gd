@@ -1,10 +1,12 @@
 @tool
 extends PanelContainer
-## The chosen species as a plant that stands in the wind of the dock.
+## The chosen species as a plant that stands in the wind of the dock, or a piece of the chosen mix.
 
 const EditorState := preload("../editor_state.gd")
 const OrbitCamera := preload("orbit_camera.gd")
+const PlantGroup := preload("../widgets/plant_group.gd")
 const PreviewOverlay := preload("preview_overlay.gd")
+const Traits := preload("species_traits.gd")
 const WindClock := preload("../wind_page/wind_clock.gd")
 ## Gap between the four levels, in shares of the plant's height.
 const LEVEL_GAP := 0.45
@@ -20,12 +22,20 @@ const SMALL_FONT := 0.85
 const MIDDLE := 0.45
 ## Room for swaying, in shares of the height.
 const SWAY_ROOM := 0.5
+## A piece of a mix has about so many plants, and is so many metres wide.
+const PIECE_PLANTS := 120.0
+const LEAST_PIECE := 0.4
+const MOST_PIECE := 2.5
+## Of the piece's side, as seen a little from above and from a corner.
+const PIECE_BREADTH := 1.25
 const RING_COLOR := Color(1.0, 1.0, 1.0, 0.55)
 const BONE_COLOR := Color(1.0, 0.72, 0.2)
 
 var _state: EditorState
 var _plants: Array[Plant3D] = []
 var _overlays: Array[MeshInstance3D] = []
+# The piece of a mix, or null.
+var _piece: PlantField3D
 var _refresh_is_queued := false
 
 @onready var _view: SubViewportContainer = %View
@@ -66,11 +76,15 @@ func setup(state: EditorState) -> void:
 
 
 func _process(delta: float) -> void:
-	if not is_visible_in_tree() or not _play.button_pressed or not _state.function:
+	if not is_visible_in_tree() or not _play.button_pressed:
+		return
+	if not _state.function and not _piece:
 		return
 	WindClock.advance(_state.wind, delta)
 	for plant in _plants:
 		plant._preview(minf(delta, LONGEST_FRAME), _state.wind)
+	if _piece:
+		_piece._preview(minf(delta, LONGEST_FRAME), _state.wind)
 
 
 func _notification(what: int) -> void:
@@ -119,6 +133,11 @@ func _make_label() -> Label3D:
 
 func _on_function_chosen() -> void:
 	_set_plant_count(0)
+	if _piece:
+		_piece.queue_free()
+		_piece = null
+	for toggle: Button in [_rings, _bones, _levels]:
+		toggle.disabled = _state.mix != null
 	_queue_refresh()
 
 
@@ -130,6 +149,9 @@ func _queue_refresh() -> void:
 
 func _refresh() -> void:
 	_refresh_is_queued = false
+	if _state.mix:
+		_show_piece()
+		return
 	if not _state.function or not _state.problem.is_empty():
 		_show_nothing()
 		return
@@ -149,6 +171,30 @@ func _show_nothing() -> void:
 	_counts_panel.visible = false
 
 
+# As dense as the mix itself, and small.
+func _show_piece() -> void:
+	if _piece:
+		return
+	_hint_panel.visible = false
+	_counts_panel.visible = false
+	_piece = _state.mix.instantiate()
+	var side := clampf(sqrt(PIECE_PLANTS / _piece.density), LEAST_PIECE, MOST_PIECE)
+	_piece.size = Vector2.ONE * side
+	_piece.wind = null
+	_piece.filled.connect(_show_plant_count)
+	_plant_root.add_child(_piece)
+	var height := PlantGroup.find_tallest(_piece)
+	_ground.scale = Vector3.ONE * side * 0.5 * GROUND_RADIUS
+	_camera.frame(Vector3.UP * height * 0.5, Vector2(side * PIECE_BREADTH, height))
+
+
+func _show_plant_count() -> void:
+	var count := _piece.get_plant_count()
+	var area := String.num(_piece.size.x * _piece.size.y, 1)
+	_counts_panel.visible = true
+	_counts.text = tr_n("%d plant on %s m²", "%d plants on %s m²", count) % [count, area]
+
+
 func _show_plant(index: int) -> void:
 	var plant := _plants[index]
 	plant.species = _state.function
@@ -164,7 +210,8 @@ func _show_plant(index: int) -> void:
 
 func _frame() -> void:
 	var height := _plants[0].get_plant_height()
-	var breadth := _plants[0].get_mesh().get_aabb().size.x
+	var size := _plants[0].get_mesh().get_aabb().size
+	var breadth := maxf(size.x, size.z)
 	var count := _plants.size()
 	var gap := maxf(height * LEVEL_GAP, breadth * 1.2)
 	for i in count:
@@ -203,7 +250,7 @@ func _show_overlays() -> void:
 			(overlay as Node).queue_free()
 	_overlays.clear()
 	for plant in _plants:
-		if _rings.button_pressed:
+		if _rings.button_pressed and Traits.has_stem(_state.function):
 			var height := plant.get_plant_height()
 			var rings := PreviewOverlay.make_rings(_state.function, height, plant.segments)
 			_add_overlay(plant, rings, RING_COLOR)

@@ -1,20 +1,24 @@
 @tool
 extends VBoxContainer
-## The chosen species' profile, and its properties in the editor's own inspector with its undo.
+## The chosen species' profile, and its properties in the editor's own inspector with its undo. Of a
+## mix, what grows in it.
 
 const EditorState := preload("../editor_state.gd")
 const ProfilePlot := preload("../widgets/profile_plot.gd")
+const SpeciesEntry := preload("species_entry.gd")
 const PlantInspectorView := preload("../inspector/plant_inspector_view.gd")
 const SECTION_CLASS := "EditorInspectorSection"
 const RESOURCE_SECTION := "Resource"
 ## Of a line's width: a dock is narrower than the editor's inspector, and names are longer than
 ## values.
-const NAME_SHARE := 0.58
+const NAME_SHARE := 0.61
 
 var _state: EditorState
 var _inspector: EditorInspector
 
 @onready var _plot: ProfilePlot = %Plot
+@onready var _mix_scroll: ScrollContainer = %MixScroll
+@onready var _mix_text: Label = %MixText
 
 
 ## Shows the species of [param state]; changes are steps of [param undo].
@@ -32,6 +36,25 @@ func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
 
 func _show_function() -> void:
 	_inspector.edit(_state.function)
+	_inspector.visible = not _state.mix
+	_mix_scroll.visible = _state.mix != null
+	_mix_text.text = _describe(_state.mix) if _state.mix else ""
+
+
+# One line for each species, with its part of all plants.
+func _describe(mix: PackedScene) -> String:
+	var field: PlantField3D = mix.instantiate()
+	var sum := 0.0
+	for listed in field.species:
+		sum += listed.share * listed.density_factor
+	var lines: PackedStringArray = []
+	for listed in field.species:
+		var percent := 100.0 * listed.share * listed.density_factor / sum
+		var title := SpeciesEntry.find_title(listed.species.resource_path)
+		lines.append("%s · %s %%" % [tr(title), String.num(percent, 0 if percent >= 1.0 else 1)])
+	field.free()
+	var hint := tr("Add it as a field, then change shares and density in the inspector.")
+	return "%s\n\n%s" % ["\n".join(lines), hint]
 
 
 # Names get more room. The dock shows the plant already. Name, path and scene of a resource say

@@ -1,25 +1,33 @@
 @tool
 extends Node
-## Finds every species: the library's, and the project's own scripts and resources.
+## Finds every species: those that ship with the add-on as files, the mixes of them, the library's
+## classes, and the project's own scripts and resources.
 ##
-## A file is only read from the editor's own index; nothing is loaded. The search goes on for a few
-## milliseconds a frame and begins anew whenever files change.
+## What the add-on has is found by listing its folders. A file of the project is only looked for in
+## the editor's own index; nothing is loaded. The search goes on for a few milliseconds a frame and
+## begins anew whenever files change.
 
 ## The list is complete and differs from the one before.
 signal changed
 
 const SpeciesEntry := preload("species_entry.gd")
 const BASE_CLASS := &"PlantFunction"
-## The ready species of the thesis in its order; what the library has besides follows.
-const FIRST_READY: Array[String] = [
+## The species of the thesis in its order; what the library has besides follows.
+const FIRST_CLASSES: Array[String] = [
 	"GrassFunction", "ReedFunction", "CattailFunction", "TulipFunction", "BellflowerFunction"
 ]
-const LAST_READY := "CurvePlantFunction"
+const LAST_CLASS := "CurvePlantFunction"
+## Beside the editor's folder.
+const READY_FOLDER := "species"
+const MIXES_FOLDER := "mixes"
 const SCRIPT_TYPES: Array[StringName] = [&"GDScript", &"CSharpScript"]
 const SEARCH_USEC_PER_FRAME := 4000
 
-## The library's species.
+## Those that ship with the add-on, and fields of several of them, by name.
 var ready_species: Array[SpeciesEntry] = []
+var mixes: Array[SpeciesEntry] = []
+## The library's classes: one stem each.
+var simple_species: Array[SpeciesEntry] = []
 ## The project's own, by path.
 var project_species: Array[SpeciesEntry] = []
 
@@ -34,11 +42,18 @@ func _ready() -> void:
 
 ## Begins to look, and keeps the lists current from now on.
 func start() -> void:
-	_collect_ready()
+	_collect_classes()
+	_collect_shipped()
+	changed.emit()
 	var files := EditorInterface.get_resource_filesystem()
 	files.filesystem_changed.connect(search)
 	files.script_classes_updated.connect(search)
 	search()
+
+
+## What was found, group by group, as the list shows it.
+func list_groups() -> Array[Array]:
+	return [ready_species, mixes, simple_species, project_species]
 
 
 ## Looks through all folders anew.
@@ -59,7 +74,7 @@ func _process(_delta: float) -> void:
 	while not _waiting.is_empty():
 		var folder := files.get_filesystem_path(_waiting[-1])
 		_waiting.remove_at(_waiting.size() - 1)
-		if folder:
+		if folder and not _is_shipped(folder.get_path()):
 			_search_folder(folder)
 		if Time.get_ticks_usec() - begin > SEARCH_USEC_PER_FRAME:
 			return
@@ -89,23 +104,49 @@ func _is_species(class_title: String) -> bool:
 
 func _finish() -> void:
 	_found.sort_custom(func(a: SpeciesEntry, b: SpeciesEntry) -> bool: return a.key < b.key)
-	if _fingerprint(_found) == _fingerprint(project_species):
-		return
+	var before := _fingerprint(ready_species + mixes + project_species)
 	project_species = _found
-	changed.emit()
+	_collect_shipped()
+	if _fingerprint(ready_species + mixes + project_species) != before:
+		changed.emit()
 
 
 func _fingerprint(entries: Array[SpeciesEntry]) -> Array:
 	return entries.map(func(entry: SpeciesEntry) -> Array: return [entry.key, entry.stamp])
 
 
-func _collect_ready() -> void:
-	var classes := FIRST_READY.duplicate()
+func _collect_classes() -> void:
+	var classes := FIRST_CLASSES.duplicate()
 	for other in ClassDB.get_inheriters_from_class(BASE_CLASS):
-		if other not in classes and other != LAST_READY and ClassDB.can_instantiate(other):
+		if other not in classes and other != LAST_CLASS and ClassDB.can_instantiate(other):
 			classes.append(other)
-	classes.append(LAST_READY)
+	classes.append(LAST_CLASS)
 	for title in classes:
 		if ClassDB.class_exists(title):
-			ready_species.append(SpeciesEntry.ready_species(title))
-	changed.emit()
+			simple_species.append(SpeciesEntry.from_class(title))
+
+
+func _collect_shipped() -> void:
+	ready_species = _list_files(READY_FOLDER, "tres", SpeciesEntry.Kind.RESOURCE)
+	mixes = _list_files(MIXES_FOLDER, "tscn", SpeciesEntry.Kind.MIX)
+
+
+func _list_files(folder: String, ending: String, kind: SpeciesEntry.Kind) -> Array[SpeciesEntry]:
+	var entries: Array[SpeciesEntry] = []
+	for file in ResourceLoader.list_directory(_shipped(folder)):
+		if file.get_extension() == ending:
+			entries.append(SpeciesEntry.from_ready_file(_shipped(folder).path_join(file), kind))
+	var is_before := func(a: SpeciesEntry, b: SpeciesEntry) -> bool:
+		return a.title.naturalnocasecmp_to(b.title) < 0
+	entries.sort_custom(is_before)
+	return entries
+
+
+func _is_shipped(folder: String) -> bool:
+	var path := folder.trim_suffix("/")
+	return path == _shipped(READY_FOLDER) or path == _shipped(MIXES_FOLDER)
+
+
+func _shipped(folder: String) -> String:
+	var own := (get_script() as Script).resource_path.get_base_dir()
+	return own.path_join("../..").simplify_path().path_join(folder)

@@ -1,25 +1,33 @@
 @tool
 extends RefCounted
-## One species of the list: a ready one of the add-on, a script, or a resource of the project.
+## One line of the list: a species or a mix that ships with the add-on, one of the library's
+## classes, or a script or a resource of the project.
 
-enum Kind { READY, SCRIPT, RESOURCE }
+enum Kind { CLASS, SCRIPT, RESOURCE, MIX }
 
 const CLASS_ENDING := "Function"
 const TOOL_MARK := "@tool"
+const FIELD_CLASS := &"PlantField3D"
 const CURVES_CLASS := "CurvePlantFunction"
+## Where a text resource begins to speak of itself; above it are the resources within.
+const MAIN_PART := "\n[resource]\n"
+const NAME_LINE := '(?m)^resource_name = "(.+)"$'
 
-var kind := Kind.READY
-## The class of a ready species, the path of the others.
+var kind := Kind.CLASS
+## The class of a species of the library, the path of the others.
 var key := ""
 var title := ""
 ## When the file was last written; a thumbnail is good for one stamp.
 var stamp := 0
+## Ships with the add-on: what the dock changes on it stays in the dock until it is saved.
+var is_ready := false
 
 
-static func ready_species(native_class: String) -> RefCounted:
+static func from_class(native_class: String) -> RefCounted:
 	var entry := new()
 	entry.key = native_class
 	entry.title = native_class.trim_suffix(CLASS_ENDING).capitalize()
+	entry.is_ready = true
 	if native_class == CURVES_CLASS:
 		entry.title = "Curves"
 	return entry
@@ -29,26 +37,70 @@ static func from_file(path: String, is_script: bool, script_class: String) -> Re
 	var entry := new()
 	entry.kind = Kind.SCRIPT if is_script else Kind.RESOURCE
 	entry.key = path
-	var named := script_class if is_script and not script_class.is_empty() else _file_title(path)
-	entry.title = named.trim_suffix(CLASS_ENDING).capitalize()
+	if not is_script:
+		entry.title = _name_within(path)
+	if entry.title.is_empty():
+		var named := _file_title(path) if script_class.is_empty() else script_class
+		entry.title = named.trim_suffix(CLASS_ENDING).capitalize()
 	entry.stamp = FileAccess.get_modified_time(path)
 	return entry
 
 
-## The file it comes from; nothing for a ready species.
+## A species or a mix in a file of the add-on.
+static func from_ready_file(path: String, kind_of_file: Kind) -> RefCounted:
+	var entry := new()
+	entry.kind = kind_of_file
+	entry.key = path
+	entry.is_ready = true
+	entry.title = find_title(path)
+	entry.stamp = FileAccess.get_modified_time(path)
+	return entry
+
+
+## What a species or a mix in a file of the add-on is called.
+static func find_title(path: String) -> String:
+	var title_within := _name_within(path)
+	if not title_within.is_empty():
+		return title_within
+	var words := _file_title(path).replace("_", " ")
+	return words.left(1).to_upper() + words.substr(1)
+
+
+## The file of the project that it comes from; nothing for what ships with the add-on.
 func get_path() -> String:
-	return "" if kind == Kind.READY else key
+	return "" if is_ready else key
 
 
-## The species, or null and in [method explain_failure] why.
+## The species, or null and in [method explain_failure] why. Of a ready one a copy.
 func instantiate() -> PlantFunction:
 	match kind:
-		Kind.READY:
-			return _instantiate_ready()
+		Kind.CLASS:
+			return _instantiate_class()
 		Kind.SCRIPT:
 			return _load_script().call(&"new") as PlantFunction if refresh() else null
+		Kind.RESOURCE:
+			var function := _load_file() as PlantFunction
+			return function.duplicate(true) if function and is_ready else function
 		_:
-			return _load_file() as PlantFunction
+			return null
+
+
+## The file of the add-on that [method instantiate] gives a copy of, or null.
+func get_origin() -> PlantFunction:
+	return _load_file() as PlantFunction if is_ready and kind == Kind.RESOURCE else null
+
+
+## The scene of a mix; null where this is none, or where the root of its scene is no field.
+func load_mix() -> PackedScene:
+	var scene := _load_file() as PackedScene if kind == Kind.MIX else null
+	return scene if scene and scene.get_state().get_node_type(0) == FIELD_CLASS else null
+
+
+## What a picture of it shows: a species, or a field to be freed by the caller; null where there is
+## none.
+func make_sitter() -> Object:
+	var scene := load_mix()
+	return scene.instantiate() if scene else instantiate()
 
 
 ## Takes over what was written into the file of a script since it was loaded; false where the script
@@ -68,7 +120,7 @@ func refresh() -> bool:
 func explain_failure(translator: Object) -> String:
 	if not FileAccess.file_exists(key):
 		return translator.tr("%s is gone. Choose another species.") % key
-	if kind == Kind.RESOURCE:
+	if kind != Kind.SCRIPT:
 		return translator.tr("%s holds no plant. See the output below for what is wrong.") % key
 	var script := _load_script()
 	if script is GDScript and not script.source_code.contains(TOOL_MARK):
@@ -80,7 +132,19 @@ static func _file_title(path: String) -> String:
 	return path.get_file().get_basename()
 
 
-func _instantiate_ready() -> PlantFunction:
+# What a text resource calls itself; nothing is loaded for it.
+static func _name_within(path: String) -> String:
+	if path.get_extension() != "tres":
+		return ""
+	var text := FileAccess.get_file_as_string(path)
+	var begin := text.rfind(MAIN_PART)
+	if begin < 0:
+		return ""
+	var found := RegEx.create_from_string(NAME_LINE).search(text, begin + MAIN_PART.length() - 1)
+	return found.get_string(1).c_unescape() if found else ""
+
+
+func _instantiate_class() -> PlantFunction:
 	var function := ClassDB.instantiate(key) as PlantFunction
 	var curves := function as CurvePlantFunction
 	if curves and not curves.width_curve and not curves.color_gradient:

@@ -1,8 +1,9 @@
 @tool
 extends VBoxContainer
-## The list of species with thumbnails: the ready ones, and below them the project's own.
+## The list with thumbnails, in groups that fold: ready species, mixes of them, simple species, and
+## the project's own.
 
-## The user chose a species.
+## The user chose a species or a mix.
 signal chosen(entry: SpeciesEntry)
 ## The list is current: files were looked through.
 signal refreshed
@@ -11,13 +12,17 @@ const EditorState := preload("../editor_state.gd")
 const SpeciesEntry := preload("species_entry.gd")
 const SpeciesCatalog := preload("species_catalog.gd")
 const PlantPhoto := preload("../widgets/plant_photo.gd")
-const THUMBNAIL_SIZE := 48
-## Of the thumbnail's.
-const COLUMN_WIDTH := 1.4
+const THUMBNAIL_SIZE := 56
+## Columns are at least so wide, in shares of the thumbnail's size: room for a name.
+const LEAST_COLUMN := 1.2
+## Pixels that the engine's list wants beside each column. It keeps room for a scroll bar, too.
+const COLUMN_SLACK := 4
+## Names are long.
+const TEXT_LINES := 2
 ## Of the editor's font size.
 const SMALL_FONT := 0.85
-## From so many new thumbnails on, progress is shown.
-const MANY := 24
+## From so many new thumbnails on, progress is shown; what ships with the add-on are fewer.
+const MANY := 48
 
 var _thumbnails: Dictionary[String, Texture2D] = {}
 var _stamps: Dictionary[String, int] = {}
@@ -29,8 +34,8 @@ var _work_title := ""
 @onready var _catalog: SpeciesCatalog = %Catalog
 @onready var _photo: PlantPhoto = %Photo
 @onready var _filter: LineEdit = %Filter
-@onready var _ready_list: ItemList = %ReadyList
-@onready var _project_list: ItemList = %ProjectList
+@onready var _groups: Array[FoldableContainer] = [%Ready, %Mixes, %Simple, %Project]
+@onready var _lists: Array[ItemList] = [%ReadyList, %MixList, %SimpleList, %ProjectList]
 @onready var _no_match: Label = %NoMatch
 @onready var _project_hint: Label = %ProjectHint
 
@@ -41,8 +46,9 @@ func setup(state: EditorState) -> void:
 	_state.work_changed.connect(_on_work_changed)
 	_photo.taken.connect(_on_photo_taken)
 	_filter.text_changed.connect(func(_text: String) -> void: _fill())
-	for list: ItemList in [_ready_list, _project_list]:
+	for list: ItemList in _lists:
 		list.item_selected.connect(_on_item_selected.bind(list))
+		list.resized.connect(_fit_columns.bind(list))
 	_catalog.changed.connect(_on_catalog_changed)
 	_catalog.start()
 	_dress()
@@ -56,15 +62,15 @@ func find(key: String) -> SpeciesEntry:
 	return null
 
 
-## The first ready species.
+## The first entry: a ready species, or one of the library's where their files are not there.
 func get_first() -> SpeciesEntry:
-	return _catalog.ready_species[0]
+	return _entries()[0]
 
 
 ## Marks the entry with that key as chosen, without a signal.
 func mark(key: String) -> void:
 	_chosen_key = key
-	for list: ItemList in [_ready_list, _project_list]:
+	for list: ItemList in _lists:
 		list.deselect_all()
 		for i in list.item_count:
 			if (list.get_item_metadata(i) as SpeciesEntry).key == key:
@@ -74,6 +80,8 @@ func mark(key: String) -> void:
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and is_node_ready():
 		_dress()
+	elif what == NOTIFICATION_TRANSLATION_CHANGED and _state:
+		_fill()
 
 
 func _dress() -> void:
@@ -81,38 +89,79 @@ func _dress() -> void:
 		return
 	var size := roundi(THUMBNAIL_SIZE * EditorInterface.get_editor_scale())
 	_filter.right_icon = get_theme_icon(&"Search", &"EditorIcons")
-	for list: ItemList in [_ready_list, _project_list]:
+	for list: ItemList in _lists:
 		list.fixed_icon_size = Vector2i(size, size)
-		# Three stand side by side in a dock of the usual width.
-		list.fixed_column_width = roundi(size * COLUMN_WIDTH)
+		list.max_text_lines = TEXT_LINES
 		list.add_theme_constant_override(&"h_separation", 0)
 		var font_size := roundi(get_theme_font_size(&"font_size", &"ItemList") * SMALL_FONT)
 		list.add_theme_font_size_override(&"font_size", font_size)
+		list.add_theme_stylebox_override(&"panel", StyleBoxEmpty.new())
+		_fit_columns(list)
 	for hint: Label in [_project_hint, _no_match]:
 		var pale := get_theme_color(&"font_disabled_color", &"Editor")
 		hint.add_theme_color_override(&"font_color", pale)
 
 
-func _entries() -> Array:
-	return _catalog.ready_species + _catalog.project_species
+# As many columns as have room, and all of the room for them.
+func _fit_columns(list: ItemList) -> void:
+	var room := floori(list.size.x - list.get_v_scroll_bar().get_combined_minimum_size().x)
+	var least := floori(list.fixed_icon_size.x * LEAST_COLUMN)
+	list.fixed_column_width = maxi(room / maxi(room / maxi(least, 1), 1) - COLUMN_SLACK, 0)
+	for i in list.item_count:
+		list.set_item_text(i, _wrap(list, (list.get_item_metadata(i) as SpeciesEntry).title))
+
+
+# The list itself would break a long name within a word.
+func _wrap(list: ItemList, title: String) -> String:
+	var text := tr(title)
+	var font := list.get_theme_font(&"font")
+	var font_size := list.get_theme_font_size(&"font_size")
+	var length := font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
+	if length <= list.fixed_column_width - COLUMN_SLACK:
+		return text
+	var half := text.length() / 2
+	var before := text.rfind(" ", half)
+	var after := text.find(" ", half)
+	var nearer_after := before < 0 or (after >= 0 and after - half < half - before)
+	var at := after if nearer_after else before
+	return text if at < 0 else text.left(at) + "\n" + text.substr(at + 1)
+
+
+func _entries() -> Array[SpeciesEntry]:
+	var entries: Array[SpeciesEntry] = []
+	for group in _catalog.list_groups():
+		entries.append_array(group)
+	return entries
 
 
 func _fill() -> void:
-	_fill_list(_ready_list, _catalog.ready_species)
-	_fill_list(_project_list, _catalog.project_species)
+	var groups := _catalog.list_groups()
+	var is_found := false
+	for i in _lists.size():
+		_fill_list(_lists[i], groups[i])
+		_groups[i].visible = _lists[i].item_count > 0
+		is_found = is_found or _groups[i].visible
+	# The project's own group tells newcomers that it is there.
 	_project_hint.visible = _catalog.project_species.is_empty()
-	_no_match.visible = _ready_list.item_count + _project_list.item_count == 0
+	_groups[-1].visible = _groups[-1].visible or (_project_hint.visible and _filter.text.is_empty())
+	_no_match.visible = not is_found
 	mark(_chosen_key)
 
 
 func _fill_list(list: ItemList, entries: Array[SpeciesEntry]) -> void:
 	list.clear()
 	for entry in entries:
-		if _filter.text.is_empty() or entry.title.containsn(_filter.text):
-			var index := list.add_item(entry.title, _picture_of(entry))
+		if _matches_filter(entry):
+			var index := list.add_item(_wrap(list, entry.title), _picture_of(entry))
 			list.set_item_metadata(index, entry)
 			list.set_item_tooltip(index, entry.key)
 	list.visible = list.item_count > 0
+
+
+# By its English name, too: that is what its file is called.
+func _matches_filter(entry: SpeciesEntry) -> bool:
+	var wanted := _filter.text
+	return wanted.is_empty() or tr(entry.title).containsn(wanted) or entry.title.containsn(wanted)
 
 
 func _picture_of(entry: SpeciesEntry) -> Texture2D:
@@ -127,7 +176,7 @@ func _on_catalog_changed() -> void:
 		if _stamps.get(entry.key, -1) != entry.stamp:
 			_stamps[entry.key] = entry.stamp
 			# A bound method would not keep the entry, which goes when files are looked through anew.
-			_photo.request(entry.key, func() -> PlantFunction: return entry.instantiate())
+			_photo.request(entry.key, func() -> Object: return entry.make_sitter())
 			wanted += 1
 	if wanted >= MANY and _state.work_total == 0:
 		_work_title = tr("Taking pictures of %d species") % wanted
@@ -147,7 +196,7 @@ func _on_work_changed() -> void:
 
 func _on_photo_taken(key: String, picture: Texture2D) -> void:
 	_thumbnails[key] = picture if picture else get_theme_icon(&"FileDeadBigThumb", &"EditorIcons")
-	for list: ItemList in [_ready_list, _project_list]:
+	for list: ItemList in _lists:
 		for i in list.item_count:
 			if (list.get_item_metadata(i) as SpeciesEntry).key == key:
 				list.set_item_icon(i, _thumbnails[key])

@@ -21,6 +21,7 @@ func setup(state: EditorState) -> void:
 	_height.value_changed.connect(func(metres: float) -> void: _state.height = metres)
 	_seed.value_changed.connect(func(number: float) -> void: _state.seed_value = int(number))
 	_segments.value_changed.connect(func(number: float) -> void: _state.segments = int(number))
+	_state.function_chosen.connect(func() -> void: visible = not _state.mix)
 	_dice.pressed.connect(func() -> void: _seed.value += 1)
 	for slider: Control in [_height, _seed, _segments]:
 		slider.custom_minimum_size.x *= EditorInterface.get_editor_scale()

@@ -1,10 +1,16 @@
 @tool
 extends RefCounted
-## Paints a species from its width and its colour along the height, row by row. It touches no scene
-## and no renderer, so it may run on any thread.
+## Paints a species from its width and its colour along the height, row by row, and one of parts
+## from its mesh. It touches no scene, so it may run on any thread.
+
+const MeshPainter := preload("mesh_painter.gd")
+const PlantGroup := preload("../widgets/plant_group.gd")
+const Traits := preload("../plant_page/species_traits.gd")
 
 const PLANT_SEED := 1
 const RINGS := 48
+## A plant of parts has so many vertices that its flowers stay flowers.
+const PART_SEGMENTS := 9
 ## Pixels are painted this many times finer, then made smaller: smooth edges.
 const FINER := 2
 const MARGIN := 0.06
@@ -23,6 +29,8 @@ const THINNEST := 0.016
 static func paint(function: PlantFunction, size: Vector2i) -> Image:
 	if not function.find_problem(0.0, RINGS, PLANT_SEED).is_empty():
 		return null
+	if Traits.has_parts(function):
+		return _paint_parts(function, size)
 	var canvas := Image.create_empty(size.x * FINER, size.y * FINER, false, Image.FORMAT_RGBA8)
 	var profile := _profile(function)
 	var height := _height(function)
@@ -36,6 +44,14 @@ static func paint(function: PlantFunction, size: Vector2i) -> Image:
 	for bend in bends:
 		_paint_stem(canvas, profile, colors, meter, height * meter, bend)
 	canvas.fix_alpha_edges()  # Else the empty pixels around would darken the edges.
+	canvas.resize(size.x, size.y, Image.INTERPOLATE_BILINEAR)
+	return canvas
+
+
+static func _paint_parts(function: PlantFunction, size: Vector2i) -> Image:
+	var mesh := PlantGroup.build(function, PART_SEGMENTS, PLANT_SEED)
+	var canvas := MeshPainter.new().paint(mesh, size * FINER)
+	canvas.fix_alpha_edges()
 	canvas.resize(size.x, size.y, Image.INTERPOLATE_BILINEAR)
 	return canvas
 

@@ -5,21 +5,19 @@ extends SubViewport
 ## Texture for [param key], or null where the plant cannot be built.
 signal taken(key: String, picture: Texture2D)
 
-const SEGMENTS := 16
-const PLANT_SEED := 1
-const MARGIN := 1.02
-## A stalk is drawn thicker than it is, up to this breadth in shares of its height: a picture is
-## small.
-const LEAST_BREADTH := 0.2
-const MOST_WIDENING := 3.5
+const PlantGroup := preload("plant_group.gd")
+## In pixels. A picture is taken larger than it is shown: thin leaves stay whole.
+const SIZE := 128
+const MARGIN := 4
 
 var _queue: Array[Dictionary] = []
 var _wish := {}
 # The picture that the next drawn frame holds; nothing: none is being taken.
 var _key := ""
+# What the picture shows.
+var _sitting: Node3D
 
 @onready var _camera: Camera3D = $Camera
-@onready var _plant: MeshInstance3D = $Plant
 
 
 func _ready() -> void:
@@ -37,7 +35,8 @@ func _exit_tree() -> void:
 		_key = ""
 
 
-## Asks for a picture; [param make] is called when its turn comes and returns a PlantFunction.
+## Asks for a picture; [param make] is called when its turn comes and returns a PlantFunction, a
+## PlantField3D that is freed afterwards, or null.
 func request(key: String, make: Callable) -> void:
 	_queue.append({"key": key, "make": make})
 	_begin_next.call_deferred()
@@ -52,44 +51,61 @@ func _begin_next() -> void:
 	if not _key.is_empty() or _queue.is_empty() or not is_inside_tree():
 		return
 	_wish = _queue.pop_front()
-	var mesh := _build(_wish["make"])
-	if not mesh:
+	_sitting = _seat(_wish["make"])
+	if not _sitting:
 		taken.emit(_wish["key"], null)
 		_begin_next.call_deferred()
 		return
 	_key = _wish["key"]
-	_plant.mesh = mesh
-	var box := mesh.get_aabb()
-	var breadth := maxf(box.size.x, box.size.z)
-	var wider := clampf(LEAST_BREADTH * box.size.y / maxf(breadth, 1e-6), 1.0, MOST_WIDENING)
-	_plant.scale = Vector3(wider, 1.0, wider)
-	_frame(_plant.transform * box)
+	add_child(_sitting)
+	_frame(PlantGroup.measure(_sitting))
 	render_target_update_mode = SubViewport.UPDATE_ONCE
 
 
-func _build(make: Callable) -> Mesh:
-	var function: PlantFunction = make.call()
-	if not function or not function.find_problem(0.0, SEGMENTS, PLANT_SEED).is_empty():
-		return null
-	return function.generate_mesh(0.0, SEGMENTS, PLANT_SEED)
+func _seat(make: Callable) -> Node3D:
+	if _sitting:
+		_sitting.free()
+	var sitter: Object = make.call()
+	var group := PlantGroup.make(sitter)
+	if sitter is Node:
+		(sitter as Node).free()
+	return group
 
 
+# The picture is as small as what it shows allows, as the camera sees its box.
 func _frame(box: AABB) -> void:
-	var center := box.get_center()
-	var radius := maxf(box.size.y * 0.5, Vector2(box.size.x, box.size.z).length() * 0.5) * MARGIN
-	_camera.size = radius * 2.0
-	_camera.far = radius * 8.0
-	_camera.position = center + _camera.basis.z * radius * 4.0
+	var seen := Rect2()
+	for i in 8:
+		var corner := _camera.basis.inverse() * box.get_endpoint(i)
+		var at := Vector2(corner.x, corner.y)
+		seen = Rect2(at, Vector2.ZERO) if i == 0 else seen.expand(at)
+	var reach := box.size.length()
+	var middle := seen.get_center()
+	_camera.size = maxf(seen.size.x, seen.size.y)
+	_camera.far = reach * 8.0
+	var behind := (_camera.basis.inverse() * box.get_center()).z + reach * 4.0
+	_camera.position = _camera.basis * Vector3(middle.x, middle.y, behind)
 
 
 func _on_frame_drawn() -> void:
 	if _key.is_empty() or _is_to_be_drawn():
 		return
-	var picture := ImageTexture.create_from_image(get_texture().get_image())
+	var picture := ImageTexture.create_from_image(_cut(get_texture().get_image()))
 	var key := _key
 	_key = ""
 	taken.emit(key, picture)
 	_begin_next.call_deferred()
+
+
+# A square around what is to be seen: a box around leaves and petals is larger than they are.
+func _cut(image: Image) -> Image:
+	var used := image.get_used_rect()
+	var side := maxi(used.size.x, used.size.y) + 2 * MARGIN
+	var square := Image.create_empty(side, side, false, image.get_format())
+	square.blit_rect(image, used, (Vector2i.ONE * side - used.size) / 2)
+	square.fix_alpha_edges()  # Else the empty pixels around would darken the edges.
+	square.resize(SIZE, SIZE, Image.INTERPOLATE_TRILINEAR)
+	return square
 
 
 # A frame may be drawn without this viewport: it still shows the plant before.

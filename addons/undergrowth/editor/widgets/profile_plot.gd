@@ -1,10 +1,12 @@
 @tool
 extends Control
 ## A species' outline and colour along its height. The plant lies on its side: root left, tip right.
-## The width curve of a CurvePlantFunction can be dragged; other species are only plotted.
+## The width curve of a CurvePlantFunction can be dragged; other species are only plotted, and those
+## without a stem of their own not at all.
 
 const EditorState := preload("../editor_state.gd")
 const ProfilePoints := preload("profile_points.gd")
+const Traits := preload("../plant_page/species_traits.gd")
 const SAMPLES := 64
 const LEAST_HEIGHT := 56
 const LEAST_HEIGHT_TO_EDIT := 100
@@ -42,6 +44,7 @@ func _show_function() -> void:
 func _sample() -> void:
 	_widths.clear()
 	_colors.clear()
+	visible = _state.function != null and Traits.has_stem(_state.function)
 	if _state.function and _state.problem.is_empty():
 		_sample_function(_state.function)
 	_points.queue_redraw()

@@ -1,0 +1,75 @@
+@tool
+extends RefCounted
+## Paints a mesh with vertex colours from its side, triangle by triangle, for plants of parts. It
+## touches no scene.
+
+const LIGHT := Vector3(-0.45, 0.7, 0.55)
+const AMBIENT := 0.65
+const MARGIN := 0.04
+## The camera is turned so far, as a list's pictures are.
+const TURN := -0.45
+
+var _canvas: Image
+var _depths: PackedFloat32Array = []
+
+
+## A picture of [param mesh] on nothing.
+func paint(mesh: ArrayMesh, size: Vector2i) -> Image:
+	_canvas = Image.create_empty(size.x, size.y, false, Image.FORMAT_RGBA8)
+	_depths.resize(size.x * size.y)
+	_depths.fill(-INF)
+	var arrays := mesh.surface_get_arrays(0)
+	var normals: PackedVector3Array = arrays[Mesh.ARRAY_NORMAL]
+	var colors: PackedColorArray = arrays[Mesh.ARRAY_COLOR]
+	var indices: PackedInt32Array = arrays[Mesh.ARRAY_INDEX]
+	var points := _place(arrays[Mesh.ARRAY_VERTEX], Vector2(size))
+	for i in range(0, indices.size(), 3):
+		var light := _light(normals[indices[i]])
+		var color := colors[indices[i]].lerp(colors[indices[i + 1]], 0.5)
+		color = Color(color.r * light, color.g * light, color.b * light, 1.0)
+		_fill(points[indices[i]], points[indices[i + 1]], points[indices[i + 2]], color)
+	return _canvas
+
+
+# In pixels, as large as the picture allows; z is nearer where it is more.
+func _place(points: PackedVector3Array, size: Vector2) -> PackedVector3Array:
+	var turned := PackedVector3Array()
+	var seen := Rect2()
+	for point in points:
+		var at := point.rotated(Vector3.UP, TURN)
+		var flat := Vector2(at.x, -at.y)
+		seen = Rect2(flat, Vector2.ZERO) if turned.is_empty() else seen.expand(flat)
+		turned.append(at)
+	var free := size * (1.0 - 2.0 * MARGIN)
+	var meter := minf(free.x / maxf(seen.size.x, 1e-6), free.y / maxf(seen.size.y, 1e-6))
+	var middle := seen.get_center()
+	for i in turned.size():
+		var at := turned[i]
+		var flat := (Vector2(at.x, -at.y) - middle) * meter + size * 0.5
+		turned[i] = Vector3(flat.x, flat.y, at.z)
+	return turned
+
+
+# Both sides of a leaf are lit.
+func _light(normal: Vector3) -> float:
+	var turned := normal.rotated(Vector3.UP, TURN)
+	return AMBIENT + (1.0 - AMBIENT) * absf(turned.dot(LIGHT.normalized()))
+
+
+func _fill(a: Vector3, b: Vector3, c: Vector3, color: Color) -> void:
+	var low := a.min(b).min(c).floor()
+	var high := a.max(b).max(c).ceil()
+	var area := (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)
+	if is_zero_approx(area):
+		return
+	for y in range(maxi(0, int(low.y)), mini(_canvas.get_height(), int(high.y))):
+		for x in range(maxi(0, int(low.x)), mini(_canvas.get_width(), int(high.x))):
+			var px := x + 0.5
+			var py := y + 0.5
+			var to_c := ((b.x - a.x) * (py - a.y) - (b.y - a.y) * (px - a.x)) / area
+			var to_b := ((px - a.x) * (c.y - a.y) - (py - a.y) * (c.x - a.x)) / area
+			var depth := a.z + (b.z - a.z) * to_b + (c.z - a.z) * to_c
+			var at := y * _canvas.get_width() + x
+			if minf(to_b, to_c) >= 0.0 and to_b + to_c <= 1.0 and depth > _depths[at]:
+				_depths[at] = depth
+				_canvas.set_pixel(x, y, color)

@@ -1,0 +1,166 @@
+@tool
+extends RefCounted
+## What a small picture shows: one plant of a species, or some plants of a mix that stand together.
+
+const Traits := preload("../plant_page/species_traits.gd")
+const PLANT_SEED := 1
+const SEGMENTS := 16
+## A plant among others is small.
+const SEGMENTS_AMONG_OTHERS := 9
+## Plants of a mix, and how many different ones of each species.
+const COUNT := 24
+const VARIANTS := 2
+## How far they stand apart, in shares of the tallest one's height: the radius of the whole.
+const SPREAD := 0.55
+## Where the next one stands, as seen from the middle: never beside the one before.
+const GOLDEN_ANGLE := 2.399963
+## A stalk is drawn thicker than it is, up to this breadth in shares of its height.
+const LEAST_BREADTH := 0.2
+const MOST_WIDENING := 3.5
+## So are thin parts, up to this half-width in shares of the plant's size.
+const LEAST_HALF_WIDTH := 0.008
+const MOST_PART_WIDENING := 5.0
+## CUSTOM2 is four numbers of two bytes.
+const BYTES_PER_WAY := 8
+const CUSTOM_FORMATS := 0xfff << Mesh.ARRAY_FORMAT_CUSTOM0_SHIFT
+
+
+## Makes a node that holds what a picture of [param sitter] shows, or null where nothing can be
+## built. [param sitter] is a [PlantFunction] or a [PlantField3D].
+static func make(sitter: Object) -> Node3D:
+	if sitter is PlantFunction:
+		return _make_plant(sitter as PlantFunction)
+	return _make_mix(sitter as PlantField3D) if sitter is PlantField3D else null
+
+
+## What [param group] of [method make] takes of room.
+static func measure(group: Node3D) -> AABB:
+	var box := AABB()
+	for plant: MeshInstance3D in group.get_children():
+		var own := plant.transform * plant.mesh.get_aabb()
+		box = own if plant.get_index() == 0 else box.merge(own)
+	return box
+
+
+## The height of the tallest species of [param field], in metres.
+static func find_tallest(field: PlantField3D) -> float:
+	var tallest := 0.0
+	for listed in _grown(field):
+		var mesh := build(listed.species, SEGMENTS_AMONG_OTHERS, PLANT_SEED)
+		tallest = maxf(tallest, mesh.get_aabb().end.y * _scale_of(listed))
+	return tallest
+
+
+static func _make_plant(function: PlantFunction) -> Node3D:
+	if not _can_build(function):
+		return null
+	var mesh := build(function, SEGMENTS, PLANT_SEED)
+	var size := mesh.get_aabb().size
+	var wider := 1.0
+	if not Traits.has_parts(function):
+		var breadth := maxf(maxf(size.x, size.z), 1e-6)
+		wider = clampf(LEAST_BREADTH * size.y / breadth, 1.0, MOST_WIDENING)
+	var group := Node3D.new()
+	_add(group, mesh, Transform3D(Basis.from_scale(Vector3(wider, 1.0, wider))))
+	return group
+
+
+static func _make_mix(field: PlantField3D) -> Node3D:
+	var grown := _grown(field)
+	var tallest := find_tallest(field)
+	var meshes: Array[Array] = []
+	for listed in grown:
+		var variants: Array[Mesh] = []
+		for i in VARIANTS:
+			variants.append(build(listed.species, SEGMENTS_AMONG_OTHERS, PLANT_SEED + i))
+		meshes.append(variants)
+	if grown.is_empty():
+		return null
+	var group := Node3D.new()
+	var order := _draw_order(grown)
+	for i in COUNT:
+		var turn := Basis(Vector3.UP, i * GOLDEN_ANGLE * 1.7)
+		var away := SPREAD * tallest * sqrt(float(i) / COUNT)
+		var place := Vector3.RIGHT.rotated(Vector3.UP, i * GOLDEN_ANGLE) * away
+		var size := _scale_of(grown[order[i]])
+		var mesh: Mesh = meshes[order[i]][i % VARIANTS]
+		_add(group, mesh, Transform3D(turn.scaled(Vector3.ONE * size), place))
+	return group
+
+
+static func _grown(field: PlantField3D) -> Array[PlantFieldSpecies]:
+	var grown: Array[PlantFieldSpecies] = []
+	for listed in field.species:
+		if listed and listed.species and _weight_of(listed) > 0.0 and _can_build(listed.species):
+			grown.append(listed)
+	return grown
+
+
+# Which species each plant is: as their shares say, but at least one plant of each.
+static func _draw_order(grown: Array[PlantFieldSpecies]) -> PackedInt32Array:
+	var sum := 0.0
+	for listed in grown:
+		sum += _weight_of(listed)
+	var wanted := PackedFloat32Array()
+	for listed in grown:
+		wanted.append(maxf(_weight_of(listed) / sum * COUNT, 1.0))
+	var order := PackedInt32Array()
+	var had := PackedFloat32Array()
+	had.resize(grown.size())
+	for i in COUNT:
+		var next := 0
+		for kind in grown.size():
+			if (
+				wanted[kind] * (i + 1) / COUNT - had[kind]
+				> wanted[next] * (i + 1) / COUNT - had[next]
+			):
+				next = kind
+		had[next] += 1.0
+		order.append(next)
+	return order
+
+
+static func _weight_of(listed: PlantFieldSpecies) -> float:
+	return listed.share * listed.density_factor
+
+
+static func _scale_of(listed: PlantFieldSpecies) -> float:
+	return (listed.scale_range.x + listed.scale_range.y) * 0.5
+
+
+static func _can_build(function: PlantFunction) -> bool:
+	return function.find_problem(0.0, SEGMENTS, PLANT_SEED).is_empty()
+
+
+## A mesh for small pictures: thin parts are wider than they are.
+static func build(function: PlantFunction, segments: int, plant_seed: int) -> Mesh:
+	var mesh := function.generate_mesh(0.0, segments, plant_seed)
+	return _widen_parts(mesh) if Traits.has_parts(function) else mesh
+
+
+# A vertex knows where the middle of its part is.
+static func _widen_parts(mesh: ArrayMesh) -> ArrayMesh:
+	var arrays := mesh.surface_get_arrays(0)
+	var points: PackedVector3Array = arrays[Mesh.ARRAY_VERTEX]
+	var ways: PackedByteArray = arrays[Mesh.ARRAY_CUSTOM2]
+	var size := mesh.get_aabb().size
+	var least := LEAST_HALF_WIDTH * maxf(maxf(size.x, size.z), size.y)
+	for i in points.size():
+		var way := Vector3.ZERO
+		for axis in 3:
+			way[axis] = ways.decode_half(BYTES_PER_WAY * i + 2 * axis)
+		var wider := clampf(least / maxf(way.length(), 1e-6), 1.0, MOST_PART_WIDENING)
+		points[i] += way * (wider - 1.0)
+	arrays[Mesh.ARRAY_VERTEX] = points
+	var widened := ArrayMesh.new()
+	var format := mesh.surface_get_format(0) & CUSTOM_FORMATS
+	widened.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays, [], {}, format)
+	widened.surface_set_material(0, mesh.surface_get_material(0))
+	return widened
+
+
+static func _add(group: Node3D, mesh: Mesh, place: Transform3D) -> void:
+	var shown := MeshInstance3D.new()
+	shown.mesh = mesh
+	shown.transform = place
+	group.add_child(shown)

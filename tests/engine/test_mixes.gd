@@ -1,0 +1,63 @@
+## The mixes that ship: fields of several ready species, which load, fill and grow what they say.
+extends "res://tests/engine/field_harness.gd"
+
+const FOLDER := "res://addons/undergrowth/mixes"
+const SPECIES_FOLDER := "res://addons/undergrowth/species/"
+## Drifts are few in a hundred square metres: so many times more or less than its share may stand.
+const MOST_APART := 2.0
+## On ten by ten metres.
+const MOST_PLANTS := 7000
+
+
+func test_every_mix_grows_what_it_says() -> void:
+	var files := DirAccess.get_files_at(FOLDER)
+	check(files.size() >= 5, "%d mixes" % files.size())
+	for file in files:
+		field = (load(FOLDER.path_join(file)) as PackedScene).instantiate()
+		check_equal(field.get_class(), "PlantField3D", file)
+		_check_what_it_says(file)
+		_draw_coarsely()
+		await start()
+		_check_what_stands(file)
+		field.free()
+
+
+func test_a_mix_is_ready_to_be_dragged_into_a_scene() -> void:
+	var scene: PackedScene = load(FOLDER.path_join("meadow.tscn"))
+	var one: PlantField3D = scene.instantiate()
+	check_equal(one.size, Vector2(10, 10), "size")
+	check(one.wind != null, "wind blows on a mix that is dragged into a scene")
+	for listed in one.species:
+		var path := listed.species.resource_path
+		check(path.begins_with(SPECIES_FOLDER), "a species of the add-on: " + path)
+	one.free()
+
+
+# Only where they stand matters here.
+func _draw_coarsely() -> void:
+	var levels: Array[PlantFieldLevel] = [PlantFieldLevel.of(1)]
+	field.levels = levels
+
+
+func _check_what_it_says(file: String) -> void:
+	check(field.species.size() > 1, file + " has several species")
+	check(field.clumping > 0.3, file + " grows in drifts")
+	for listed in field.species:
+		check(listed.species != null, file + " has all of its species")
+
+
+func _check_what_stands(file: String) -> void:
+	var counts: Dictionary[PlantFunction, int] = {}
+	for id in field.get_plant_ids():
+		var species := field.get_plant_species(id)
+		counts[species] = counts.get(species, 0) + 1
+	var total := float(field.get_plant_count())
+	check(total > 500 and total < MOST_PLANTS, "%s has %d plants" % [file, total])
+	var sum := 0.0
+	for listed in field.species:
+		sum += listed.share * listed.density_factor
+	for listed in field.species:
+		var wanted := listed.share * listed.density_factor / sum
+		var apart: float = counts.get(listed.species, 0) / total / wanted
+		var told := "%s: %s is %.2f times its share" % [file, listed.species.resource_path, apart]
+		check(apart < MOST_APART and apart > 1.0 / MOST_APART, told)
