@@ -12,10 +12,10 @@ namespace undergrowth {
 
 namespace {
 
-constexpr int STEPS = 5;
+constexpr int STEPS = 7;
 constexpr int FEW_STEPS = 1; // For what is so fine that it is nearly right.
 constexpr int FINE_VERTICES = 400;
-constexpr float MATCHED = 0.02f; // Of each outline.
+constexpr float MATCHED = 0.015f; // Of each outline.
 constexpr int COLOR_STEPS = 4;
 constexpr float MOST_GAIN = 1.8f; // Of a colour in linear light; the least is its reciprocal.
 

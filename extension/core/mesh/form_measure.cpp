@@ -16,7 +16,7 @@ namespace undergrowth {
 namespace {
 
 constexpr int COLOR_SAMPLES = 12;
-constexpr float SMALL = 0.12f; // Of a plant's height.
+constexpr float SMALL = 0.07f; // Of a plant's height.
 
 /// Whether a part is so small beside its plant that nobody sees how its edges run.
 bool is_small(const Part &part, float height) {
