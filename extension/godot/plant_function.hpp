@@ -1,5 +1,6 @@
 #pragma once
 
+#include "form/growth_cache.hpp"
 #include "form/plant_growth.hpp"
 #include "mesh/plant_mesh.hpp"
 #include "messages.hpp"
@@ -40,6 +41,8 @@ private:
 	godot::Ref<godot::Material> material;
 	bool has_stem = true;
 	godot::Array arrangements; // Of PlantArrangement.
+	GrowthCache grown_before;
+	bool has_told_slowness = false;
 
 	void set_motion(float &slot, const char *property, double value, const Range &range);
 	void motion_changed();
@@ -49,7 +52,9 @@ private:
 			godot::Variant::Type wanted, godot::String &problem);
 	bool has_parts() const;
 	// plant_function_growth.cpp
-	godot::String grow(double height, int64_t seed, SampledPlant &result);
+	godot::String sample_parts(double height, int64_t seed, SampledPlant &result);
+	godot::String grow(int64_t seed, std::shared_ptr<const GrownPlant> &plant);
+	void ask_grow(const godot::Ref<PlantGrowth> &plant, godot::String &problem);
 	// The parts of sample(): each returns what is wrong and what to do, or nothing.
 	static godot::String find_height_problem(double height);
 	godot::String sample_height(double height, int64_t seed, SampledPlant &result);
@@ -102,6 +107,8 @@ public:
 
 	// Called by the engine.
 	void on_arrangement_changed();
+	void on_own_change();
+	void on_grown_change();
 
 	void set_has_stem(bool grows);
 	bool get_has_stem() const { return has_stem; }

@@ -44,6 +44,8 @@ static void bind_motion_methods() {
 
 static void bind_look_methods() {
 	ClassDB::bind_method(D_METHOD("_on_arrangement_changed"), &PlantFunction::on_arrangement_changed);
+	ClassDB::bind_method(D_METHOD("_on_own_change"), &PlantFunction::on_own_change);
+	ClassDB::bind_method(D_METHOD("_on_grown_change"), &PlantFunction::on_grown_change);
 	ClassDB::bind_method(D_METHOD("set_has_stem", "grows"), &PlantFunction::set_has_stem);
 	ClassDB::bind_method(D_METHOD("get_has_stem"), &PlantFunction::get_has_stem);
 	ClassDB::bind_method(D_METHOD("set_arrangements", "arrangements"), &PlantFunction::set_arrangements);

@@ -5,11 +5,13 @@
 #include "new_object.hpp"
 #include "plant_function.hpp"
 #include "shared_resources.hpp"
+#include "stopwatch.hpp"
 
 using namespace godot;
 
 namespace undergrowth {
 
+static constexpr double SLOW_GROWTH = 1.0; // s: then somebody wonders why the game stands still.
 static constexpr int STEM_SEGMENTS = PartColors::ROWS - 1; // Its functions are asked at so many offsets and one more.
 
 bool PlantFunction::has_parts() const {
@@ -37,36 +39,72 @@ String PlantFunction::read_stem(Part &into) {
 	return String::utf8(find_part_fault(into).c_str());
 }
 
-// Once for each seed; the level does not matter.
-String PlantFunction::grow(double height, int64_t seed, SampledPlant &result) {
-	String problem = sample_height(0.0, seed, result);
+// Once for each seed as long as the species stays the same; level and height do not matter.
+String PlantFunction::sample_parts(double height, int64_t seed, SampledPlant &result) {
+	result.grown = grown_before.find(seed, state_of_script(this));
+	if (!result.grown) {
+		const String problem = grow(seed, result.grown);
+		if (!problem.is_empty()) {
+			return problem;
+		}
+	}
+	parts_material(); // Loaded here, for meshes may be built on worker threads.
+	result.height = height == 0.0 ? result.grown->form.height : float(height);
+	return height == 0.0 ? String() : find_height_problem(height);
+}
+
+String PlantFunction::grow(int64_t seed, std::shared_ptr<const GrownPlant> &grown) {
+	SampledPlant sampled;
+	String problem = sample_height(0.0, seed, sampled);
 	if (!problem.is_empty()) {
 		return problem;
 	}
+	// Whom it listens to it hears from the first growth on: scripts tell of no change of their variables' insides.
+	follow_changes(this, Callable(this, "_on_own_change"));
+	follow_script_resources(this, Callable(this, "_on_grown_change"));
 	Ref<PlantGrowth> plant;
 	plant.instantiate();
-	plant->begin(this, result.height, uint64_t(seed));
-	if (GDVIRTUAL_IS_OVERRIDDEN(_grow)) {
-		call_override("_grow", plant, Variant::NIL, problem);
-	} else {
+	plant->begin(this, sampled.height, uint64_t(seed));
+	ask_grow(plant, problem);
+	String what;
+	PlantForm form = plant->finish(what);
+	problem = problem.is_empty() ? what : problem;
+	if (problem.is_empty()) {
+		grown = std::make_shared<const GrownPlant>(std::move(form));
+		grown_before.keep(seed, state_of_script(this), grown);
+	}
+	return problem;
+}
+
+void PlantFunction::ask_grow(const Ref<PlantGrowth> &plant, String &problem) {
+	if (!GDVIRTUAL_IS_OVERRIDDEN(_grow)) {
 		if (has_stem) {
 			plant->add_stem();
 		}
 		plant->arrange(get_arrangements());
+		return;
 	}
-	String what;
-	PlantForm form = plant->finish(what);
-	problem = problem.is_empty() ? what : problem;
-	if (!problem.is_empty()) {
-		return problem;
+	const Stopwatch watch;
+	call_override("_grow", plant, Variant::NIL, problem);
+	const double seconds = 1e-6 * watch.usec();
+	if (seconds > SLOW_GROWTH && !has_told_slowness) {
+		has_told_slowness = true;
+		report_warning(this,
+				"its `_grow` took " + String::num(seconds, 1) +
+						" s for one plant, while the game stood still. Let it do less: what is the same for all seeds "
+						"can be worked out once, and a field asks for as many plants as the species has variants.");
 	}
-	auto grown = std::make_shared<GrownPlant>();
-	grown->form = std::move(form);
-	grown->measure = measure_form(grown->form);
-	result.grown = grown;
-	parts_material(); // Loaded here, for meshes may be built on worker threads.
-	result.height = height == 0.0 ? grown->form.height : float(height);
-	return height == 0.0 ? problem : find_height_problem(height);
+}
+
+// How it moves and what it wears leaves what has grown as it is.
+void PlantFunction::on_own_change() {
+	if (!is_motion_change() && !is_material_change()) {
+		grown_before.clear();
+	}
+}
+
+void PlantFunction::on_grown_change() {
+	grown_before.clear();
 }
 
 void PlantFunction::on_arrangement_changed() {

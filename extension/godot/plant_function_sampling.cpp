@@ -219,7 +219,7 @@ String PlantFunction::sample(double height, int segments, int64_t seed, SampledP
 	result.grown.reset();
 	if (has_parts()) {
 		result.lod = segments;
-		return is_level(segments) ? grow(height, seed, result) : level_problem(segments);
+		return is_level(segments) ? sample_parts(height, seed, result) : level_problem(segments);
 	}
 	String problem = sample_height(height, seed, result);
 	if (problem.is_empty()) {

@@ -13,7 +13,7 @@
 
 namespace undergrowth {
 
-struct GrownPlant;
+class GrownPlant;
 
 /// A plant function, asked at one height and level of detail: all that its mesh needs, copied, so that a worker thread
 /// may build it while the function changes.

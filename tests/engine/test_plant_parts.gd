@@ -8,13 +8,14 @@ const DAISY := "res://addons/undergrowth/species/oxeye_daisy.tres"
 class Daisy:
 	extends PlantFunction
 	static var grown := 0
+	var rays := 22
 	var ray := PlantBlade.of({length = 0.016, width = 0.0045, profile = PlantBlade.PROFILE_RAY})
 	var stem := PlantAxis.of({length = Vector2(0.3, 0.6), diameter = Vector2(0.003, 0.002)})
 
 	func _grow(plant: PlantGrowth) -> void:
 		grown += 1
 		var stems := plant.scatter(stem, plant.rng.randi_range(1, 3), {radius = 0.01})
-		plant.whorl(ray, stems, 22, {radius = 0.007, angle = 1.4})
+		plant.whorl(ray, stems, rays, {radius = 0.007, angle = 1.4})
 
 
 class Faulty:
@@ -51,6 +52,39 @@ func test_a_script_grows_a_plant_once_for_each_seed() -> void:
 	check_equal(Daisy.grown, 4, "asked once for each of the four variants, whatever the levels")
 	check(field.get_plant_ids().size() > 5, "plants stand")
 	field.free()
+
+
+func test_a_script_grows_once_for_all_levels_and_heights() -> void:
+	Daisy.grown = 0
+	var species := Daisy.new()
+	for segments: int in BUDGETS:
+		species.generate_mesh(0.0, segments, 1)
+	species.generate_mesh(0.7, 6, 1)
+	species.find_problem(0.0, 6, 1)
+	check_equal(Daisy.grown, 1, "grown")
+	species.generate_mesh(0.0, 6, 2)
+	check_equal(Daisy.grown, 2, "another seed")
+	species.mass = 0.5
+	species.material = StandardMaterial3D.new()
+	species.generate_mesh(0.0, 6, 1)
+	check_equal(Daisy.grown, 2, "motion and material")
+
+
+func test_a_script_grows_again_when_it_has_changed() -> void:
+	Daisy.grown = 0
+	var species := Daisy.new()
+	var before := species.generate_mesh(0.0, 6, 1).get_aabb()
+	species.stem.length = Vector2(1.0, 1.2)
+	check(species.generate_mesh(0.0, 6, 1).get_aabb().size.y > before.size.y, "a part's length")
+	check_equal(Daisy.grown, 2, "grown")
+	species.rays = 3  # A variable of the script, which tells nobody.
+	species.generate_mesh(0.0, 6, 1)
+	check_equal(Daisy.grown, 3, "a variable")
+	species.emit_changed()
+	species.generate_mesh(0.0, 6, 1)
+	check_equal(Daisy.grown, 4, "a change that is told")
+	species.stem = PlantAxis.of({length = 0.2})
+	check(species.generate_mesh(0.0, 6, 1).get_aabb().size.y < before.size.y, "another part")
 
 
 func test_the_same_seed_gives_the_same_bytes() -> void:

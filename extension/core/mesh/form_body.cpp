@@ -16,7 +16,7 @@ namespace undergrowth {
 namespace {
 
 constexpr int PLACES = 3; // Of a part that are measured: base, middle, tip.
-constexpr float MOST_LARGER = 4.0f; // In area.
+constexpr float MOST_LARGER = 2.0f; // In area.
 constexpr float LEAST_RADIUS = 1e-4f; // m.
 
 /// What a body's parts measure in its own axes.

@@ -12,7 +12,9 @@ namespace undergrowth {
 
 namespace {
 
-constexpr int STEPS = 5;
+constexpr int STEPS = 7;
+constexpr int FEW_STEPS = 1; // For what is so fine that it is nearly right.
+constexpr int FINE_VERTICES = 400;
 constexpr float MATCHED = 0.015f; // Of each outline.
 constexpr int COLOR_STEPS = 4;
 constexpr float MOST_GAIN = 1.8f; // Of a colour in linear light; the least is its reciprocal.
@@ -36,7 +38,8 @@ void match_outlines(const FormMeasure &measure, const std::vector<WrittenUnit> &
 		return;
 	}
 	OutlineFit fit(units, mesh);
-	for (int step = 0; step < STEPS && best >= MATCHED; step++) {
+	const int steps = units.back().vertex < FINE_VERTICES ? STEPS : FEW_STEPS;
+	for (int step = 0; step < steps && best >= MATCHED; step++) {
 		fit.approach(areas, measure.outlines);
 		areas = outline_areas(seen(mesh, units), measure.box);
 		const float worst = worst_of(areas, measure.outlines);

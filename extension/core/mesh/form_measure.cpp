@@ -16,21 +16,48 @@ namespace undergrowth {
 namespace {
 
 constexpr int COLOR_SAMPLES = 12;
+constexpr float SMALL = 0.07f; // Of a plant's height.
 
-/// Fine enough that what is measured is the true surface's, but for what fill_of() makes good.
-PartDetail measured_detail(const Part &part) {
-	if (part.kind == PartKind::blade) {
-		return details_of(part).front();
-	}
-	return part.kind == PartKind::bead ? PartDetail{ 4, 2 } : PartDetail{ part.axis.lobes > 0 ? 10 : 5, 6 };
+/// Whether a part is so small beside its plant that nobody sees how its edges run.
+bool is_small(const Part &part, float height) {
+	return std::max(part.mean_length(), part.width) < SMALL * height;
 }
 
-/// From the side, on the mean, a circle is so much wider than the polygon in it; and a bead larger than its two cones.
-float fill_of(const Part &part, float mean_width) {
-	if (part.kind == PartKind::blade) {
-		return 1.0f;
+/// Fine enough that what is measured is the true surface's, but for what fill_of() makes good.
+PartDetail measured_detail(const Part &part, float height) {
+	if (part.kind == PartKind::bead) {
+		return { 4, 2 };
 	}
-	const double half_turn = PI / measured_detail(part).columns;
+	if (part.kind == PartKind::blade) {
+		return is_small(part, height) ? PartDetail{ 2, 3 } : details_of(part).front();
+	}
+	return is_small(part, height) ? PartDetail{ 3, 2 } : PartDetail{ part.axis.lobes > 0 ? 10 : 5, 6 };
+}
+
+/// Of a part of its mean size, both sides as one.
+float area_of(const Part &part, const PartTemplate &shape) {
+	float twice = 0.0f;
+	for (size_t i = 0; i < shape.indices.size(); i += 3) {
+		glm::vec3 corners[3];
+		for (size_t k = 0; k < 3; k++) {
+			const SurfacePoint &point = shape.vertices[static_cast<size_t>(shape.indices[i + k])].point;
+			corners[k] = point.middle * part.mean_length() + point.aside * part.width;
+		}
+		twice += glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+	}
+	return 0.5f * twice;
+}
+
+/// From the side, on the mean, a circle is so much wider than the polygon in it; a bead larger than its two cones; and
+/// a small leaf's outline rounder than it is measured with.
+float fill_of(const Part &part, const Midrib &midrib, const PartTemplate &shape, float height, float mean_width) {
+	const PartDetail detail = measured_detail(part, height);
+	if (part.kind == PartKind::blade) {
+		const PartDetail fine = details_of(part).front();
+		const float area = detail == fine ? 0.0f : area_of(part, shape);
+		return area > 0.0f ? area_of(part, make_part_template(part, midrib, fine)) / area : 1.0f;
+	}
+	const double half_turn = PI / detail.columns;
 	const double round = half_turn / portable_sin(half_turn);
 	const float cones = std::max(part.widths.at(0.5f), 0.1f); // Their widest place is in the middle.
 	return static_cast<float>(round) * (part.kind == PartKind::bead ? 2.0f * mean_width / cones : 1.0f);
@@ -106,6 +133,7 @@ glm::vec4 mean_color(const Part &part) {
 FormMeasure measure_form(const PlantForm &form) {
 	FormMeasure measure;
 	std::vector<PartTemplate> shapes(form.parts.size());
+	std::vector<float> fills(form.parts.size());
 	Whole whole;
 	measure.shown.resize(form.groups.size(), 0.0f);
 	for (const Part &part : form.parts) {
@@ -113,13 +141,18 @@ FormMeasure measure_form(const PlantForm &form) {
 		measure.mean_widths.push_back(part.widths.mean());
 	}
 	for (const PlacedPart &placed : form.placed) {
-		const Part &part = form.parts[static_cast<size_t>(placed.kind)];
-		PartTemplate &shape = shapes[static_cast<size_t>(placed.kind)];
-		if (shape.vertices.empty() || placed.own_midrib >= 0) {
-			shape = make_part_template(part, form.midrib_of(placed), measured_detail(part));
+		const size_t kind = static_cast<size_t>(placed.kind);
+		const Part &part = form.parts[kind];
+		PartTemplate &shape = shapes[kind];
+		const bool is_first = shape.vertices.empty();
+		if (is_first || placed.own_midrib >= 0) {
+			shape = make_part_template(part, form.midrib_of(placed), measured_detail(part, form.height));
 		}
-		measure.shown[static_cast<size_t>(placed.group)] += near_share(part.kind) *
-				whole.add(placed, shape, fill_of(part, measure.mean_widths[static_cast<size_t>(placed.kind)]));
+		if (is_first) {
+			fills[kind] = fill_of(part, form.midrib_of(placed), shape, form.height, measure.mean_widths[kind]);
+		}
+		measure.shown[static_cast<size_t>(placed.group)] +=
+				near_share(part.kind) * whole.add(placed, shape, fills[kind]);
 	}
 	measure_whole(whole, measure);
 	return measure;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace undergrowth {
 
@@ -197,26 +198,36 @@ float PlanSteps::own_error(const State &state) const {
 bool PlanSteps::give_back(int budget) {
 	size_t best = states.size();
 	float most = 0.0f;
+	std::vector<std::pair<int, int>> counts; // Of parts and bodies now: trying a step changes those of what it carries.
+	for (const State &state : states) {
+		counts.emplace_back(state.parts, state.bodies);
+	}
+	const auto restore = [&] {
+		for (size_t g = 0; g < states.size(); g++) {
+			states[g].parts = counts[g].first;
+			states[g].bodies = counts[g].second;
+		}
+	};
 	for (size_t g = 0; g < states.size(); g++) {
 		State &state = states[g];
-		const State before = state;
+		const size_t before[] = { state.detail, state.kept, state.body };
 		const float error = own_error(state);
-		if (!step_back(state)) {
-			continue;
+		if (step_back(state)) {
+			recount();
+			const float gain = error - own_error(state);
+			if (total <= budget && gain > most) {
+				most = gain;
+				best = g;
+			}
 		}
-		recount();
-		const float gain = error - own_error(states[g]);
-		if (total <= budget && gain > most) {
-			most = gain;
-			best = g;
-		}
-		states[g] = before;
+		state.detail = before[0];
+		state.kept = before[1];
+		state.body = before[2];
+		restore();
 	}
-	if (best < states.size()) {
-		step_back(states[best]);
-	}
+	const bool found = best < states.size() && step_back(states[best]);
 	recount();
-	return best < states.size();
+	return found;
 }
 
 /// One step finer: all parts before better parts.

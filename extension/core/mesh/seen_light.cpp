@@ -14,7 +14,6 @@ class Sight {
 public:
 	Sight(int p_columns, int rows) : columns(p_columns), dots(static_cast<size_t>(p_columns * rows)) {}
 
-	void clear() { std::fill(dots.begin(), dots.end(), Dot()); }
 	void put(int row, int column, float depth, int triangle) {
 		Dot &dot = dots[static_cast<size_t>(row * columns + column)];
 		if (depth < dot.nearest) {
@@ -26,14 +25,15 @@ public:
 			dot.back = triangle;
 		}
 	}
-	/// Calls `look(triangle, x, y)` for what is seen from both sides.
-	template <class Look> void for_each(const Look &look) const {
+	/// Calls `look(triangle, x, y)` for what is seen from both sides, and forgets it.
+	template <class Look> void take(const Look &look) {
 		for (size_t i = 0; i < dots.size(); i++) {
 			if (dots[i].front >= 0) {
 				const float x = static_cast<float>(i % static_cast<size_t>(columns)) + 0.5f;
 				const float y = static_cast<float>(i / static_cast<size_t>(columns)) + 0.5f;
 				look(dots[i].front, x, y);
 				look(dots[i].back, x, y);
+				dots[i] = Dot();
 			}
 		}
 	}
@@ -98,11 +98,10 @@ std::vector<float> seen_shares(const SeenMesh &mesh, const SightBox &box) {
 	int count = 0;
 	for (size_t side = 0; side < OUTLINES; side++) {
 		lens.look_from(side);
-		sight.clear();
 		for (int i = 0; i < mesh.index_count; i += 3) {
 			draw(sight, lens, mesh.indices + i, i);
 		}
-		sight.for_each([&](int triangle, float x, float y) {
+		sight.take([&](int triangle, float x, float y) {
 			const int32_t *at = mesh.indices + triangle;
 			float share[3];
 			Shares(lens.corner(at[0]), lens.corner(at[1]), lens.corner(at[2])).at(x, y, share);

@@ -43,12 +43,12 @@ class TriangleRows {
 public:
 	TriangleRows(const SightLens::Corner &a, const SightLens::Corner &b, const SightLens::Corner &c, int rows) :
 			corners{ &a, &b, &c } {
-		sort(0, 1);
-		sort(1, 2);
-		sort(0, 1);
-		begin = first_beyond(corners[0]->y);
-		end = std::min(rows, first_beyond(corners[2]->y));
-		if (begin < end) {
+		begin = first_beyond(std::min(std::min(a.y, b.y), c.y));
+		end = std::min(rows, first_beyond(std::max(std::max(a.y, b.y), c.y)));
+		if (begin < end) { // Of small triangles most lie between two rows.
+			sort(0, 1);
+			sort(1, 2);
+			sort(0, 1);
 			whole = slope(0, 2);
 			lower = slope(0, 1);
 			upper = slope(1, 2);

@@ -7,7 +7,7 @@ namespace undergrowth {
 namespace {
 
 constexpr int COLUMNS = 512; // Of a box.
-constexpr int ROWS = 256;
+constexpr int ROWS = 160;
 
 /// Dots in rows of bits.
 class Outline {

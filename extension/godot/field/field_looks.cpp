@@ -18,32 +18,32 @@ static int64_t variant_seed(int64_t seed, int variant) {
 	return int64_t(mix_bits(uint64_t(seed) ^ mix_bits(uint64_t(variant))) >> 1);
 }
 
-String FieldLook::sample(const std::vector<FieldLevel> &levels, int64_t seed) {
-	variants.clear();
-	samples.assign(levels.size(), {});
-	for (int variant = 0; variant < variant_count; variant++) {
-		const int64_t own_seed = variant_seed(seed, variant);
-		for (size_t level = 0; level < levels.size(); level++) {
-			if (variant >= FieldLevel::groups(int(level), variant_count)) {
-				break;
-			}
-			SampledPlant sampled;
-			if (level > 0 && samples[0][size_t(variant)].grown) {
-				sampled = samples[0][size_t(variant)]; // A plant of parts is the same at all levels.
-				sampled.lod = levels[level].lod;
-			} else {
-				const String problem = function->sample(0.0, levels[level].lod, own_seed, sampled);
-				if (!problem.is_empty()) {
-					return problem;
-				}
-			}
-			if (level == 0) {
-				variants.push_back({ own_seed, sampled.height });
-			}
-			samples[level].push_back(std::move(sampled));
+String FieldLook::sample_next(const std::vector<FieldLevel> &levels) {
+	const int variant = int(variants.size());
+	const int64_t own_seed = variant_seed(seed, variant);
+	samples.resize(levels.size());
+	for (size_t level = 0; level < levels.size(); level++) {
+		if (variant >= FieldLevel::groups(int(level), variant_count)) {
+			break;
 		}
+		SampledPlant sampled;
+		if (level > 0 && samples[0][size_t(variant)].grown) {
+			sampled = samples[0][size_t(variant)]; // A plant of parts is the same at all levels.
+			sampled.lod = levels[level].lod;
+		} else {
+			const String problem = function->sample(0.0, levels[level].lod, own_seed, sampled);
+			if (!problem.is_empty()) {
+				return problem;
+			}
+		}
+		if (level == 0) {
+			variants.push_back({ own_seed, sampled.height });
+		}
+		samples[level].push_back(std::move(sampled));
 	}
-	read_motion();
+	if (is_sampled()) {
+		read_motion();
+	}
 	return String();
 }
 

@@ -42,8 +42,13 @@ struct FieldLook {
 	MotionSpecies motion;
 	float width = 0.0f; ///< m: the farthest that any mesh goes from its axis.
 
-	/// Asks the function; main thread only, since scripts may answer. Tells what is wrong and what to do, or nothing.
-	godot::String sample(const std::vector<FieldLevel> &levels, int64_t seed);
+	int64_t seed = 0; ///< Of all variants.
+
+	/// Asks the function for one variant more, at all levels; main thread only, since scripts may answer. Tells what is
+	/// wrong and what to do, or nothing.
+	godot::String sample_next(const std::vector<FieldLevel> &levels);
+	/// Whether all variants are sampled.
+	bool is_sampled() const { return int(variants.size()) == variant_count; }
 	/// Builds the meshes of what was sampled; once, on any thread.
 	void build();
 	/// A mesh for one plant alone, with its own height, to be turned and scaled by `scale`.

@@ -4,6 +4,7 @@
 #include "conventions.hpp"
 #include "convert.hpp"
 #include "field/plant_field_3d.hpp"
+#include "stopwatch.hpp"
 
 #include <godot_cpp/classes/curve3d.hpp>
 #include <godot_cpp/classes/mesh_instance3d.hpp>
@@ -207,40 +208,51 @@ static bool renders_on_threads() {
 	return !RenderingServer::get_singleton()->get_video_adapter_name().is_empty();
 }
 
-static String take_look(
+static void list_look(
 		const Ref<PlantFunction> &function, int variants, const StandOptions &options, FieldStyle &into) {
 	FieldLook look;
 	look.function = function;
 	look.variant_count = variants;
-	const uint64_t number = into.looks.size();
-	const int64_t seed = int64_t(mix_bits(uint64_t(options.seed) ^ mix_bits(number)));
-	const String fault = look.sample(into.levels, seed);
-	if (!fault.is_empty()) {
-		return describe(function.ptr()) + ": " + fault;
-	}
-	if (!renders_on_threads()) {
-		look.build();
-	}
+	look.seed = int64_t(mix_bits(uint64_t(options.seed) ^ mix_bits(uint64_t(into.looks.size()))));
 	into.looks.push_back(std::move(look));
-	return String();
 }
 
-String read_looks(const StandOptions &options, const std::vector<FieldLook> &others, FieldStyle &into) {
+String list_looks(const StandOptions &options, const std::vector<FieldLook> &others, FieldStyle &into) {
 	into.needs_colors = RenderingServer::get_singleton()->get_current_rendering_method() == String("gl_compatibility");
-	String fault;
-	for (int64_t i = 0; i < options.species.size() && fault.is_empty(); i++) {
+	for (int64_t i = 0; i < options.species.size(); i++) {
 		const Ref<PlantFieldSpecies> listed = options.species[i];
 		if (listed.is_null() || listed->get_species().is_null()) {
 			return "species[" + String::num_int64(i) +
 					"] is empty. Set a PlantFieldSpecies with a PlantFunction there, or remove the entry.";
 		}
-		fault = take_look(listed->get_species(), listed->get_variants(), options, into);
+		list_look(listed->get_species(), listed->get_variants(), options, into);
 	}
 	into.listed_count = int(into.looks.size());
-	for (size_t i = 0; i < others.size() && fault.is_empty(); i++) {
-		fault = take_look(others[i].function, others[i].variant_count, options, into);
+	for (const FieldLook &other : others) {
+		list_look(other.function, other.variant_count, options, into);
 	}
-	return fault;
+	return String();
+}
+
+String sample_looks(FieldStyle &style, double usec, bool &is_done) {
+	const Stopwatch watch;
+	is_done = false;
+	for (FieldLook &look : style.looks) {
+		while (!look.is_sampled()) {
+			if (watch.usec() > usec) {
+				return String();
+			}
+			const String fault = look.sample_next(style.levels);
+			if (!fault.is_empty()) {
+				return describe(look.function.ptr()) + ": " + fault;
+			}
+			if (look.is_sampled() && !renders_on_threads()) {
+				look.build();
+			}
+		}
+	}
+	is_done = true;
+	return String();
 }
 
 String read_other_look(
@@ -248,12 +260,16 @@ String read_other_look(
 	FieldStyle alone;
 	alone.levels = style.levels;
 	alone.looks.resize(style.looks.size()); // Seeds go by the number of the look.
-	const String fault = take_look(function, FieldLook().variant_count, options, alone);
-	if (fault.is_empty()) {
-		into = std::move(alone.looks.back());
-		into.build();
+	list_look(function, FieldLook().variant_count, options, alone);
+	into = std::move(alone.looks.back());
+	while (!into.is_sampled()) {
+		const String fault = into.sample_next(style.levels);
+		if (!fault.is_empty()) {
+			return describe(function.ptr()) + ": " + fault;
+		}
 	}
-	return fault;
+	into.build();
+	return String();
 }
 
 } // namespace undergrowth

@@ -20,7 +20,7 @@ godot::Transform3D axes_of(const godot::Node3D *node);
 /// The field's outline in its own axes. Where it is not that of a Path3D, it is the rectangle.
 Polygon read_outline(const godot::Node3D *field, const StandOptions &options);
 
-/// Where plants stand, and of which species of the list. After read_looks(), which finds entries that are empty.
+/// Where plants stand, and of which species of the list. After list_looks(), which finds entries that are empty.
 godot::String read_request(const godot::Node3D *field, const StandOptions &options, PlacementRequest &into);
 
 /// What they stand on.
@@ -32,8 +32,12 @@ godot::String find_level_fault(const ViewOptions &options);
 /// Levels up to `range` (m; 0: without end), at least one.
 std::vector<FieldLevel> read_levels(const ViewOptions &options, float range);
 
-/// A look for each species of the list, sampled; then for each of `others`.
-godot::String read_looks(const StandOptions &options, const std::vector<FieldLook> &others, FieldStyle &into);
+/// A look for each species of the list, not sampled yet; then for each of `others`.
+godot::String list_looks(const StandOptions &options, const std::vector<FieldLook> &others, FieldStyle &into);
+
+/// Asks for what looks have not been asked for yet, until `usec` have gone by: one that asks a script cannot be cut
+/// short. `is_done` tells whether all are sampled.
+godot::String sample_looks(FieldStyle &style, double usec, bool &is_done);
 
 /// A look of a function that code adds plants of, sampled and built.
 godot::String read_other_look(const godot::Ref<PlantFunction> &function, const StandOptions &options,

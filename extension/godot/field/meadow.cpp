@@ -167,7 +167,7 @@ int Meadow::remove(std::vector<PlantPlace> &&places) {
 	if (places.empty()) {
 		return 0;
 	}
-	for (size_t i = 0; job && i < places.size(); i++) {
+	for (size_t i = 0; is_at_work() && i < places.size(); i++) {
 		removed_meanwhile.push_back(store.id(places[i]));
 	}
 	const int before = store.plant_count();

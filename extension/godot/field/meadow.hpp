@@ -31,9 +31,9 @@ public:
 
 	/// Grows anew what stands (`places`), or only what it looks like and how finely it moves.
 	void fill(bool places);
-	bool is_at_work() const { return job != nullptr; }
+	bool is_at_work() const { return asking || job; }
 	/// Whether it places plants.
-	bool is_filling() const { return job && job->places(); }
+	bool is_filling() const { return asking ? asking->places : job && job->places(); }
 	/// Goes on with it; at any frame (of `delta` s), paused or not. `physics`: it is one of physics, in which rays may
 	/// be cast.
 	void poll(double delta, bool physics);
@@ -88,6 +88,13 @@ private:
 	FieldView view;
 	FieldWear wear;
 	std::set<TileKey> unseen; ///< Tiles with plants that were added or dropped, and are not drawn so yet.
+	/// Looks that are being asked for, a few each frame; then the job begins.
+	struct Asking {
+		bool places = true;
+		FieldStyle style;
+		uint64_t frame = 0; ///< In which some were asked.
+	};
+	std::unique_ptr<Asking> asking;
 	std::unique_ptr<FieldFill> job;
 	std::unique_ptr<FieldRays> rays;
 	std::vector<PlantId> removed_meanwhile; ///< While the job goes on.
@@ -99,7 +106,10 @@ private:
 	FieldWear near_wear() const;
 	FieldMotion::Frame frame(double delta, const godot::Ref<PlantWind> &wind) const;
 	FieldSettings settings() const;
-	godot::String make_recipe(FieldRecipe &recipe, bool places);
+	godot::String begin_asking(bool places);
+	void go_on_asking();
+	bool knows_all_looks(const FieldStyle &asked, std::vector<int> &numbers) const;
+	godot::String make_recipe(FieldRecipe &recipe);
 	void cast_rays(double delta);
 	void tell_of_no_ground();
 	/// False, with the fault told, where it cannot stand.

@@ -6,6 +6,7 @@
 #include "messages.hpp"
 #include "plant_simulation.hpp"
 
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 
 #include <algorithm>
@@ -20,6 +21,7 @@ namespace undergrowth {
 static constexpr double LEAST_RAY_USEC = 3000.0;
 static constexpr double MOST_RAY_USEC = 50000.0;
 static constexpr double RAY_SHARE = 0.2;
+static constexpr double ASKING_USEC = 4000.0; // A frame, of scripts.
 
 FieldSettings Meadow::settings() const {
 	FieldSettings made;
@@ -74,17 +76,58 @@ static std::vector<FieldLook> others_of(
 	return others;
 }
 
-String Meadow::make_recipe(FieldRecipe &recipe, bool places) {
-	recipe.places = places;
-	const std::vector<FieldLook> others = others_of(style, store, properties, recipe.species_numbers);
-	recipe.style.levels = read_levels(properties, node->get_visibility_range_end());
-	String fault = find_level_fault(properties);
-	if (fault.is_empty()) {
-		fault = read_looks(properties, others, recipe.style);
+String Meadow::begin_asking(bool places) {
+	std::vector<int> numbers;
+	asking = std::make_unique<Asking>();
+	asking->places = places;
+	asking->style.levels = read_levels(properties, node->get_visibility_range_end());
+	const String fault = find_level_fault(properties);
+	return fault.is_empty() ? list_looks(properties, others_of(style, store, properties, numbers), asking->style)
+							: fault;
+}
+
+// Scripts say what plants look like, on this thread. Those that take long are asked over some frames.
+void Meadow::go_on_asking() {
+	bool is_done = false;
+	asking->frame = Engine::get_singleton()->get_process_frames();
+	String fault = sample_looks(asking->style, ASKING_USEC, is_done);
+	if (fault.is_empty() && !is_done) {
+		return;
 	}
-	if (fault.is_empty() && places) {
-		fault = read_request(node, properties, recipe.request);
+	const bool places = asking->places;
+	FieldRecipe recipe;
+	motion.wait();
+	if (fault.is_empty() && !knows_all_looks(asking->style, recipe.species_numbers)) {
+		const std::vector<PlantId> removed = removed_meanwhile;
+		fill(places); // Code added plants meanwhile of which there were none before.
+		removed_meanwhile = removed;
+		return;
 	}
+	fault = fault.is_empty() ? make_recipe(recipe) : fault;
+	asking.reset();
+	listener.fault(fault);
+	if (!fault.is_empty()) {
+		removed_meanwhile.clear();
+		return;
+	}
+	job = std::make_unique<FieldFill>(std::move(recipe));
+	told_progress = -1.0f;
+	job->start();
+}
+
+bool Meadow::knows_all_looks(const FieldStyle &asked, std::vector<int> &numbers) const {
+	const std::vector<FieldLook> others = others_of(style, store, properties, numbers);
+	bool all = asked.looks.size() == size_t(asked.listed_count) + others.size();
+	for (size_t i = 0; all && i < others.size(); i++) {
+		all = asked.looks[size_t(asked.listed_count) + i].function == others[i].function;
+	}
+	return all;
+}
+
+String Meadow::make_recipe(FieldRecipe &recipe) {
+	recipe.places = asking->places;
+	recipe.style = std::move(asking->style);
+	String fault = recipe.places ? read_request(node, properties, recipe.request) : String();
 	if (fault.is_empty()) {
 		fault = read_ground(node, properties, recipe.ground);
 	}
@@ -101,8 +144,8 @@ String Meadow::make_recipe(FieldRecipe &recipe, bool places) {
 }
 
 void Meadow::fill(bool places) {
-	const bool placed_before = job && job->places();
-	if (job && !places && !placed_before) {
+	const bool placed_before = is_filling();
+	if (is_at_work() && !places && !placed_before) {
 		is_due_again = true; // What changes in each frame is seen now and then, and not only when that ends.
 		return;
 	}
@@ -112,17 +155,14 @@ void Meadow::fill(bool places) {
 	if (places) {
 		removed_meanwhile.clear();
 	}
-	FieldRecipe recipe;
-	motion.wait();
-	const String fault = make_recipe(recipe, places || placed_before);
-	listener.fault(fault);
-	if (!fault.is_empty()) {
-		removed_meanwhile.clear();
+	const String fault = begin_asking(places || placed_before);
+	if (fault.is_empty()) {
+		go_on_asking();
 		return;
 	}
-	job = std::make_unique<FieldFill>(std::move(recipe));
-	told_progress = -1.0f;
-	job->start();
+	asking.reset();
+	listener.fault(fault);
+	removed_meanwhile.clear();
 }
 
 int Meadow::species_for(const Ref<PlantFunction> &function) {
@@ -133,7 +173,7 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 	}
 	if (style.levels.empty()) {
 		style.levels = read_levels(properties, node->get_visibility_range_end());
-		read_looks(StandOptions(), {}, style);
+		list_looks(StandOptions(), {}, style);
 	}
 	FieldLook look;
 	const String fault = read_other_look(function, properties, style, look);
@@ -187,6 +227,9 @@ void Meadow::tell_of_no_ground() {
 }
 
 void Meadow::poll(double delta, bool physics) {
+	if (asking && !physics && asking->frame != Engine::get_singleton()->get_process_frames()) {
+		go_on_asking();
+	}
 	if (job && job->wants_ground() && physics) {
 		cast_rays(delta);
 	}

@@ -3,12 +3,27 @@
 #include "form/plant_form.hpp"
 #include "mesh/form_measure.hpp"
 
+#include <mutex>
+#include <utility>
+
 namespace undergrowth {
 
 /// A plant of parts that has grown: the same at all levels of detail, and shared by them.
-struct GrownPlant {
-	PlantForm form;
-	FormMeasure measure;
+class GrownPlant {
+public:
+	const PlantForm form;
+
+	explicit GrownPlant(PlantForm &&grown) : form(std::move(grown)) {}
+
+	/// Measured when the first mesh is built, on whatever thread that is.
+	const FormMeasure &measure() const {
+		std::call_once(is_measured, [this] { measured = measure_form(form); });
+		return measured;
+	}
+
+private:
+	mutable std::once_flag is_measured;
+	mutable FormMeasure measured;
 };
 
 } // namespace undergrowth

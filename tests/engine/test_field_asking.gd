@@ -1,0 +1,137 @@
+## Species in scripts that take their time: a field asks them over many frames, and grows then.
+extends "res://tests/engine/harness.gd"
+
+const SLOW_USEC := 5000  # More than a frame may take of them.
+const LONG_MSEC := 1050
+
+var _field: PlantField3D
+
+
+class Slow:
+	extends PlantFunction
+	static var asked: Array[int] = []  # In which frames.
+	var blade := PlantBlade.of({length = 0.3, width = 0.01})
+
+	func _grow(plant: PlantGrowth) -> void:
+		asked.append(Engine.get_process_frames())
+		OS.delay_usec(SLOW_USEC)
+		plant.scatter(blade, 3, {radius = 0.01})
+
+
+class SlowStem:
+	extends PlantFunction
+	static var asked: Array[int] = []
+
+	func _generate_height(_rng: RandomNumberGenerator) -> float:
+		asked.append(Engine.get_process_frames())
+		OS.delay_usec(SLOW_USEC)
+		return 0.5
+
+
+class Quick:
+	extends PlantFunction
+	static var asked: Array[int] = []
+	var blade := PlantBlade.of({length = 0.3, width = 0.01})
+
+	func _grow(plant: PlantGrowth) -> void:
+		asked.append(Engine.get_process_frames())
+		plant.scatter(blade, 3, {radius = 0.01})
+
+
+class Long:
+	extends PlantFunction
+
+	func _grow(plant: PlantGrowth) -> void:
+		OS.delay_msec(LONG_MSEC)
+		plant.add(PlantBlade.new())
+
+
+func after_each() -> void:
+	if _field:
+		_field.free()
+		_field = null
+
+
+func test_a_frame_asks_for_one_slow_plant_at_most() -> void:
+	Slow.asked.clear()
+	await _grow_field([Slow.new(), Slow.new()])
+	check_equal(Slow.asked.size(), 8, "asks of two species with four variants")
+	check_equal(_most_in_a_frame(Slow.asked), 1, "asks in a frame")
+	check(_field.get_plant_count() > 0, "plants stand")
+
+
+func test_a_frame_asks_for_one_slow_stem_at_most() -> void:
+	SlowStem.asked.clear()
+	await _grow_field([SlowStem.new()])
+	check(_most_in_a_frame(SlowStem.asked) <= 4, "only one variant's levels in a frame")
+	check(_field.get_plant_count() > 0, "plants stand")
+
+
+func test_quick_scripts_are_asked_at_once() -> void:
+	Quick.asked.clear()
+	await _grow_field([Quick.new()])
+	check_equal(Quick.asked.size(), 4, "asks")
+	check_equal(_field.get_plant_count() > 0, true, "plants stand")
+
+
+func test_a_field_that_is_still_asking_is_filling() -> void:
+	_field = _make_field([Slow.new()])
+	root.add_child(_field)
+	await frames(1)
+	check(_field.is_filling(), "while it asks")
+	_field.density = 6.0
+	await _field.filled
+	await frames(1)
+	check(not _field.is_filling(), "afterwards")
+	check(_field.get_plant_count() > 0, "plants stand")
+
+
+func test_a_field_may_go_while_it_asks() -> void:
+	_field = _make_field([Slow.new()])
+	root.add_child(_field)
+	await frames(1)
+	_field.free()
+	_field = null
+	await frames(2)
+	check(true, "nothing crashed")
+
+
+func test_plants_added_while_it_asks_stand_afterwards() -> void:
+	_field = _make_field([Slow.new()])
+	root.add_child(_field)
+	await frames(1)
+	var added := _field.add_plants([Transform3D.IDENTITY], GrassFunction.new())
+	await _field.filled
+	await frames(2)
+	check(_field.has_plant(added[0]), "the added plant")
+
+
+func test_a_script_that_grows_for_a_second_is_told_once() -> void:
+	var species := Long.new()
+	species.resource_name = "Sleepyhead"
+	species.generate_mesh(0.0, 3, 1)
+	check_error("Sleepyhead")
+	species.emit_changed()
+	species.generate_mesh(0.0, 3, 1)
+	check_error_count("`_grow` took", 0)
+
+
+func _make_field(species: Array[PlantFunction]) -> PlantField3D:
+	var field := PlantField3D.from_species(species)
+	field.size = Vector2(2, 2)
+	field.density = 5.0
+	return field
+
+
+func _grow_field(species: Array[PlantFunction]) -> void:
+	_field = _make_field(species)
+	root.add_child(_field)
+	await _field.filled
+	await frames(1)
+
+
+func _most_in_a_frame(asked: Array[int]) -> int:
+	var most := 0
+	for frame in asked:
+		most = maxi(most, asked.count(frame))
+	return most
