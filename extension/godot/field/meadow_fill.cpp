@@ -133,6 +133,8 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 	}
 	if (style.levels.empty()) {
 		style.levels = read_levels(properties, node->get_visibility_range_end());
+		style.tile_size = store.tile_size();
+		style.spacing = store.spacing();
 		read_looks(StandOptions(), {}, style);
 	}
 	FieldLook look;

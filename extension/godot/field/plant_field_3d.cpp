@@ -6,6 +6,7 @@
 #include "stopwatch.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
 
 using namespace godot;
@@ -15,6 +16,8 @@ namespace undergrowth {
 static constexpr int FRAMES_BETWEEN_LOOKS = 8; // At what cannot tell that it changed.
 static const char *const FRAME_METHOD = "_on_tree_frame";
 static const char *const PHYSICS_METHOD = "_on_physics_frame";
+static const char *const DRAW_METHOD = "_on_frame_drawn";
+static const char *const DRAW_SIGNAL = "frame_pre_draw"; // After all that moves cameras, in a paused tree, too.
 
 PlantField3D::PlantField3D() :
 		meadow(this, properties,
@@ -148,6 +151,21 @@ void PlantField3D::on_physics_frame() {
 	poll(get_physics_process_delta_time(), true);
 }
 
+void PlantField3D::follow_drawing(bool on) {
+	RenderingServer *server = RenderingServer::get_singleton();
+	const Callable listener(this, DRAW_METHOD);
+	const bool follows = server->is_connected(DRAW_SIGNAL, listener);
+	if (on && !follows) {
+		server->connect(DRAW_SIGNAL, listener);
+	} else if (!on && follows) {
+		server->disconnect(DRAW_SIGNAL, listener);
+	}
+}
+
+void PlantField3D::on_frame_drawn() {
+	meadow.thin();
+}
+
 void PlantField3D::process_frame() {
 	const Stopwatch watch;
 	meadow.motion.wait();
@@ -241,6 +259,7 @@ void PlantField3D::_notification(int what) {
 			set_process_internal(true);
 			FieldMonitors::enter(&meadow, this);
 			meadow.enter_tree();
+			follow_drawing(true);
 			if (stand_is_stale || look_is_stale) {
 				mark_stale(false);
 			}
@@ -250,6 +269,7 @@ void PlantField3D::_notification(int what) {
 		case NOTIFICATION_EXIT_TREE:
 			follow_frames(false);
 			FieldMonitors::leave(&meadow);
+			follow_drawing(false);
 			meadow.exit_tree();
 			break;
 		case NOTIFICATION_EXTENSION_RELOADED:

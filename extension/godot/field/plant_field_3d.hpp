@@ -154,6 +154,8 @@ public:
 	void on_fill_queued();
 	void on_tree_frame();
 	void on_physics_frame();
+	void on_frame_drawn();
+	void follow_drawing(bool on);
 	double monitor(int which) const { return FieldMonitors::sum(which); }
 
 	// What users set, where that is more than a Setting.
