@@ -42,10 +42,10 @@ float Thinning::cut_at(float distance) const {
 
 float Thinning::width_of(float rank, float distance) const {
 	const float share = share_at(distance);
-	if (rank < share) {
-		return 1.0f;
+	if (share <= 0.0f) {
+		return 0.0f;
 	}
-	return std::max(0.0f, 1.0f - (rank - share) / std::max(band(share), 1e-6f));
+	return std::clamp(1.0f - (rank - share) / band(share), 0.0f, 1.0f);
 }
 
 } // namespace undergrowth

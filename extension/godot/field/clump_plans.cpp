@@ -72,7 +72,9 @@ static void add_plant(const FieldStyle &style, const Member &member, ClumpPlan &
 	custom[2] = member.rank;
 	custom[3] = look.height_of(plant) / look.variants[size_t(plan.group)].height;
 	const AABB box = reach(look, plant, look.has_parts() ? PARTS_WIDENING : MOST_WIDENING);
+	const AABB root(to_godot(plant.root), Vector3());
 	plan.box = plan.count == 0 ? box : plan.box.merge(box);
+	plan.roots = plan.count == 0 ? root : plan.roots.merge(root);
 	plan.count++;
 	for (size_t i = size_t(std::ceil(member.rank * RANK_STEPS)); i < plan.kept.size(); i++) {
 		plan.kept[i]++;

@@ -10,7 +10,9 @@ namespace undergrowth {
 
 static constexpr int MOST_TILE_FACTOR = 4;
 static constexpr int MOST_TILE_CUTS = 4;
-static constexpr float SIDE_SHARE = 0.6f; // Of the distance at which a level ends: the most that a square is wide.
+// Of the distance at which a level ends: wider tiles are cut, and squares of several tiles are at most so wide.
+static constexpr float MOST_TILE_SHARE = 0.75f;
+static constexpr float MOST_SQUARE_SHARE = 0.6f;
 static constexpr float LEAST_MARGIN = 1e-3f; // m.
 
 String find_level_fault(const ViewOptions &options) {
@@ -60,7 +62,7 @@ static std::vector<ListedLevel> list_levels(const FieldProperties &options) {
 		return listed;
 	}
 	if (has_parts(options)) {
-		return { { 6, 8.0f, 1.0f }, { 3, 20.0f, 0.7f }, { 2, 50.0f, 0.25f }, { 1, 0.0f, 0.1f } };
+		return { { 6, 8.0f, 0.85f }, { 3, 20.0f, 0.65f }, { 2, 50.0f, 0.22f }, { 2, 0.0f, 0.09f } };
 	}
 	return { { 12, 12.0f, 1.0f }, { 6, 25.0f, 1.0f }, { 3, 50.0f, 1.0f }, { 2, 0.0f, 1.0f } };
 }
@@ -83,12 +85,13 @@ static Thinning thin(const Thinning *before, float begin, float end, float share
 
 // Small squares near the eye, where levels end soon and plants have many vertices; large ones far away.
 static void fit_tiles(FieldLevel &level, float tile_size) {
-	const float wanted = SIDE_SHARE * (level.end > 0.0f ? level.end : 2.0f * level.begin);
-	while (level.tile_factor < MOST_TILE_FACTOR && 2.0f * tile_size * float(level.tile_factor) <= wanted) {
+	const float end = level.end > 0.0f ? level.end : 2.0f * level.begin;
+	while (level.tile_factor < MOST_TILE_FACTOR &&
+			2.0f * tile_size * float(level.tile_factor) <= MOST_SQUARE_SHARE * end) {
 		level.tile_factor *= 2;
 	}
-	while (level.tile_factor == 1 && wanted > 0.0f && level.tile_cuts < MOST_TILE_CUTS &&
-			tile_size > wanted * float(level.tile_cuts)) {
+	while (end > 0.0f && level.tile_cuts < MOST_TILE_CUTS &&
+			tile_size > MOST_TILE_SHARE * end * float(level.tile_cuts)) {
 		level.tile_cuts *= 2;
 	}
 }

@@ -31,7 +31,7 @@ FieldView::~FieldView() {
 	}
 }
 
-// The engine measures in the world, from the middle of the box; the shader measures to each plant.
+// The engine measures in the world, from the middle of the box; the shader measures to each plant's root.
 void FieldView::set_range(const Clump &clump, const FieldLevel &level) const {
 	const float radius = clump.radius * largest_scale;
 	const float begin = std::max(level.begin - radius - level.margin, 0.0f);
@@ -58,8 +58,9 @@ FieldView::Clump FieldView::make(const FieldStyle &style, const ClumpPlan &plan)
 	clump.count = plan.count;
 	clump.has_parts = look.has_parts();
 	clump.kept = plan.kept;
-	clump.box = plan.box;
-	clump.radius = 0.5f * plan.box.size.length();
+	clump.roots = plan.roots;
+	clump.middle = plan.box.get_center();
+	clump.radius = 0.5f * plan.roots.size.length() + clump.middle.distance_to(plan.roots.get_center());
 	clump.multimesh = server->multimesh_create();
 	server->multimesh_allocate_data(
 			clump.multimesh, plan.count, RenderingServer::MULTIMESH_TRANSFORM_3D, style.needs_colors, true, false);
@@ -210,7 +211,7 @@ int FieldView::steps_for(const FieldLevel &level, const Clump &clump, const std:
 	if (eyes.empty() || !thinning.is_any()) {
 		return RANK_STEPS;
 	}
-	const AABB box = box_around(placed, clump.box);
+	const AABB box = box_around(placed, clump.roots);
 	float nearest = std::numeric_limits<float>::max();
 	for (const Vector3 &eye : eyes) {
 		nearest = std::min(nearest, float(eye.distance_to(eye.clamp(box.position, box.get_end()))));
@@ -248,7 +249,7 @@ std::vector<int> FieldView::count_drawn(const FieldStyle &style, const Vector3 &
 	for (const auto &[place, group] : clumps) {
 		const FieldLevel &level = style.levels[size_t(place.level)];
 		for (const Clump &clump : group) {
-			const float away = placed.xform(clump.box.get_center()).distance_to(eye);
+			const float away = placed.xform(clump.middle).distance_to(eye);
 			const float radius = clump.radius * largest_scale;
 			if (away >= level.begin - radius && (level.end <= 0.0f || away < level.end + radius)) {
 				drawn[size_t(place.level)] += clump.kept[size_t(steps_for(level, clump, { eye }))];

@@ -44,6 +44,7 @@ struct ClumpPlan {
 	RankCounts kept = {}; ///< How many have a rank of at most i / RANK_STEPS.
 	godot::PackedFloat32Array buffer;
 	godot::AABB box; ///< Covers the largest deflection.
+	godot::AABB roots; ///< From where to where they stand.
 };
 
 /// A block to be drawn.
@@ -104,8 +105,9 @@ private:
 		int count = 0;
 		bool has_parts = false;
 		RankCounts kept;
-		godot::AABB box; ///< Field axes, m.
-		float radius = 0.0f; ///< m, about the middle of its box.
+		godot::AABB roots; ///< Field axes, m.
+		godot::Vector3 middle; ///< Of what is drawn, which the engine measures to.
+		float radius = 0.0f; ///< m, about that: the farthest that a root is.
 		int shown = RANK_STEPS; ///< Up to which rank, times RANK_STEPS.
 	};
 

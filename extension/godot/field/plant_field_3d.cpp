@@ -3,10 +3,13 @@
 
 #include "field/plant_field_3d.hpp"
 
+#include "new_object.hpp"
+#include "species_functions.hpp"
 #include "stopwatch.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/classes/resource_loader.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
 
 using namespace godot;
@@ -14,6 +17,7 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr int FRAMES_BETWEEN_LOOKS = 8; // At what cannot tell that it changed.
+static const char *const GRASS_PATH = "res://addons/undergrowth/species/meadow_grass.tres";
 static const char *const FRAME_METHOD = "_on_tree_frame";
 static const char *const PHYSICS_METHOD = "_on_physics_frame";
 static const char *const DRAW_METHOD = "_on_frame_drawn";
@@ -101,8 +105,30 @@ void PlantField3D::on_fill_queued() {
 	const bool stand = stand_is_stale;
 	stand_is_stale = look_is_stale = false;
 	watch_nodes();
+	choose_grass();
 	meadow.fill(stand);
 	follow_frames(meadow.is_at_work());
+}
+
+// What grows where no species are listed. Not before it is planted: a resource may be loaded only once its classes are
+// known.
+void PlantField3D::choose_grass() {
+	if (!listed.is_empty() || !properties.species.is_empty()) {
+		return;
+	}
+	ResourceLoader *loader = ResourceLoader::get_singleton();
+	Ref<PlantFunction> grass;
+	if (loader->exists(GRASS_PATH)) {
+		grass = loader->load(GRASS_PATH);
+	}
+	if (grass.is_null()) {
+		report_warning(this,
+				String("its species are empty, and ") + GRASS_PATH +
+						" is missing, so single blades grow (GrassFunction). Set species, or add that file of the "
+						"add-on; an export takes it along where it exports all resources.");
+		grass = Ref<PlantFunction>(new_counted<GrassFunction>());
+	}
+	properties.species.push_back(PlantFieldSpecies::of(grass));
 }
 
 void PlantField3D::fill() {

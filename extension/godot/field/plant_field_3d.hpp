@@ -75,6 +75,7 @@ private:
 	void process_frame();
 	void look_around();
 	void follow_species();
+	void choose_grass();
 	void follow_look(const godot::Ref<PlantFunction> &function);
 	void watch_nodes();
 	void tell_of_bodies();
