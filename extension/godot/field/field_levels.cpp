@@ -62,7 +62,7 @@ static std::vector<ListedLevel> list_levels(const FieldProperties &options) {
 		return listed;
 	}
 	if (has_parts(options)) {
-		return { { 6, 8.0f, 0.85f }, { 3, 20.0f, 0.65f }, { 2, 50.0f, 0.22f }, { 2, 0.0f, 0.09f } };
+		return { { 6, 7.0f, 1.0f }, { 3, 18.0f, 0.65f }, { 2, 45.0f, 0.25f }, { 2, 0.0f, 0.1f } };
 	}
 	return { { 12, 12.0f, 1.0f }, { 6, 25.0f, 1.0f }, { 3, 50.0f, 1.0f }, { 2, 0.0f, 1.0f } };
 }
