@@ -50,7 +50,6 @@ private:
 	/// Calls a script's override; tells in `problem` where it returned something else than `wanted`.
 	godot::Variant call_override(const godot::StringName &method, const godot::Variant &argument,
 			godot::Variant::Type wanted, godot::String &problem);
-	bool has_parts() const;
 	// plant_function_growth.cpp
 	godot::String sample_parts(double height, int64_t seed, SampledPlant &result);
 	godot::String grow(int64_t seed, std::shared_ptr<const GrownPlant> &plant);
@@ -82,6 +81,8 @@ protected:
 	GDVIRTUAL1(_grow, godot::Ref<PlantGrowth>)
 
 public:
+	/// Whether its plants are of parts: grown, and not the one lathe of the four functions.
+	bool has_parts() const;
 	// The four functions, as callers see them. A fault in a script is reported and gives an empty or zero result.
 	godot::PackedVector3Array get_base_shape(int lod);
 	double generate_height(const godot::Ref<godot::RandomNumberGenerator> &rng);

@@ -24,6 +24,7 @@ func test_graphics_settings_keep_plants_mown_places_and_motion() -> void:
 		"levels":
 		func() -> void: field.levels = [PlantFieldLevel.of(8, 9.0), PlantFieldLevel.of(2)],
 		"end of a level": func() -> void: field.levels[0].end = 7.0,
+		"share of a level": func() -> void: field.levels[1].share = 0.3,
 		"segments of a level": func() -> void: field.levels[0].segments = 5,
 		"tile_size": func() -> void: field.tile_size = 5.0,
 		"cast_shadow":

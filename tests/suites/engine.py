@@ -29,6 +29,7 @@ START = "\nstart\n"
 DRAWN = {"threads": ["gl_compatibility"], "plant_bones": ["gl_compatibility"], "field_picture": ["gl_compatibility", "forward_plus"],
          "field_skeletons": ["gl_compatibility", "forward_plus"],
          "field_levels": ["gl_compatibility", "forward_plus"],
+         "field_widths": ["gl_compatibility", "forward_plus"],
          "field_scaled": ["gl_compatibility"], "field_worn": ["gl_compatibility"],
          "ready_species_picture": ["gl_compatibility"]}
 # What the projects of some scripts say besides.

@@ -41,9 +41,15 @@ bool is_added(PlantId id) {
 	return (id & ADDED) != 0;
 }
 
+void filled_plant_cell(PlantId id, int &column, int &row) {
+	row = static_cast<int>(((id >> CELL_BITS) & CELL_MASK) - MIDDLE);
+	column = static_cast<int>((id & CELL_MASK) - MIDDLE);
+}
+
 void filled_plant_place(PlantId id, double spacing, float &x, float &z) {
-	const int64_t row = ((id >> CELL_BITS) & CELL_MASK) - MIDDLE;
-	const int64_t column = (id & CELL_MASK) - MIDDLE;
+	int column = 0;
+	int row = 0;
+	filled_plant_cell(id, column, row);
 	x = static_cast<float>((static_cast<double>(column) + side_of(row) + 0.5) * spacing);
 	z = static_cast<float>((static_cast<double>(row) + 0.5) * spacing);
 }

@@ -6,6 +6,7 @@
 #include "field/plant_transforms.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace godot;
 
@@ -16,9 +17,20 @@ static constexpr int COLOR_FLOATS = 4;
 static constexpr int CUSTOM_FLOATS = 4;
 // Compatibility keeps custom data in half floats, which count exactly from -2048 to 2048.
 static constexpr int HALVES_COUNT_FROM = -2048;
+// Of plants of parts only the parts are drawn wider, not the whole.
+static constexpr float PARTS_WIDENING = 1.25f;
 
-static ClumpPlace place_of(const FieldStyle &style, int level, const PlantBlock &block) {
-	return { block.is_added, level, wider_tile(block.tile, style.levels[size_t(level)].tile_factor) };
+// The square of a level that holds a root; where squares are parts of a tile, one of the block's own tile.
+static ClumpPlace place_of(const FieldStyle &style, int level, const PlantBlock &block, const glm::vec3 &root) {
+	const FieldLevel &seen = style.levels[size_t(level)];
+	if (seen.tile_cuts == 1) {
+		return { block.is_added, level, wider_tile(block.tile, seen.tile_factor) };
+	}
+	const auto part = [&](float place, int tile) {
+		const float way = place / style.tile_size - float(tile);
+		return seen.tile_cuts * tile + std::clamp(int(way * float(seen.tile_cuts)), 0, seen.tile_cuts - 1);
+	};
+	return { block.is_added, level, { part(root.x, block.tile.column), part(root.z, block.tile.row) } };
 }
 
 static void write_transform(float *to, const Transform3D &transform) {
@@ -30,71 +42,87 @@ static void write_transform(float *to, const Transform3D &transform) {
 	}
 }
 
-static AABB reach(const FieldLook &look, const PlacedPlant &plant) {
-	const float radius = look.reach_of(plant);
+static AABB reach(const FieldLook &look, const PlacedPlant &plant, float widening) {
+	const float radius = look.reach_of(plant, widening);
 	const Vector3 root = to_godot(plant.root);
 	return AABB(root - Vector3(radius, radius, radius), 2.0f * Vector3(radius, radius, radius));
 }
 
-// Appends a plant to a plan whose buffer has room for it. `texel`: where the shader finds its pose.
-static void add_plant(ClumpPlan &plan, const FieldLook &look, const PlacedPlant &plant, const PoseTexels &texel) {
-	const float mesh_height = look.variants[size_t(plan.group)].height;
+// A plant in the making of a plan.
+struct Member {
+	float rank;
+	const DrawnBlock *block;
+	int slot;
+
+	bool operator<(const Member &other) const { return rank < other.rank; }
+};
+
+using MembersByMesh = std::map<std::tuple<ClumpPlace, int, int>, std::vector<Member>>; // Place, species, group.
+
+// Appends a plant to a plan whose buffer has room for it.
+static void add_plant(const FieldStyle &style, const Member &member, ClumpPlan &plan) {
+	const FieldLook &look = style.looks[size_t(plan.species)];
+	const PlacedPlant plant = member.block->block->plants.plant(member.slot);
 	float *to = plan.buffer.ptrw() + int64_t(plan.count) * plan.stride;
 	write_transform(to, drawn_transform(plant));
 	std::fill(to + TRANSFORM_FLOATS, to + plan.stride, 1.0f); // White, where there is a colour.
 	float *custom = to + plan.stride - CUSTOM_FLOATS;
-	custom[0] = float(texel.first + HALVES_COUNT_FROM);
-	custom[1] = float(texel.layer + HALVES_COUNT_FROM);
-	custom[2] = plant.turn;
-	custom[3] = look.height_of(plant) / mesh_height;
-	const AABB box = reach(look, plant);
+	custom[0] = float(member.block->texels.first + member.slot + HALVES_COUNT_FROM);
+	custom[1] = float(member.block->texels.layer + HALVES_COUNT_FROM);
+	custom[2] = member.rank;
+	custom[3] = look.height_of(plant) / look.variants[size_t(plan.group)].height;
+	const AABB box = reach(look, plant, look.has_parts() ? PARTS_WIDENING : MOST_WIDENING);
+	const AABB root(to_godot(plant.root), Vector3());
 	plan.box = plan.count == 0 ? box : plan.box.merge(box);
+	plan.roots = plan.count == 0 ? root : plan.roots.merge(root);
 	plan.count++;
+	for (size_t i = size_t(std::ceil(member.rank * RANK_STEPS)); i < plan.kept.size(); i++) {
+		plan.kept[i]++;
+	}
 }
 
-static int group_of(const FieldLook &look, const PlantBlock &block, int slot, int groups) {
-	return int(block.plants.variant[size_t(slot)] % look.variants.size()) % groups;
+// By rank, so that whoever is left away far from the eye is at the end.
+static ClumpPlan make_plan(const FieldStyle &style, const MembersByMesh::key_type &key, std::vector<Member> &members) {
+	ClumpPlan plan;
+	std::tie(plan.place, plan.species, plan.group) = key;
+	plan.stride = TRANSFORM_FLOATS + CUSTOM_FLOATS + (style.needs_colors ? COLOR_FLOATS : 0);
+	plan.buffer.resize(int64_t(members.size()) * plan.stride);
+	std::stable_sort(members.begin(), members.end());
+	for (const Member &member : members) {
+		add_plant(style, member, plan);
+	}
+	return plan;
 }
 
-using PlansByMesh = std::map<std::tuple<ClumpPlace, int, int>, ClumpPlan>; // Place, species, group.
+static float rank_of(const FieldStyle &style, const PlantBlock &block, int slot) {
+	if (block.is_added) {
+		return plant_rank(block.ids[size_t(slot)]);
+	}
+	const glm::vec3 root = block.root(slot);
+	return plant_rank(filled_plant_id(root.x, root.z, style.spacing));
+}
 
-static void add_block(const FieldStyle &style, const DrawnBlock &drawn, int level, PlansByMesh &plans) {
+static void add_block(const FieldStyle &style, const DrawnBlock &drawn, int level, MembersByMesh &members) {
 	const PlantBlock &block = *drawn.block;
-	const ClumpPlace place = place_of(style, level, block);
 	const FieldLook &look = style.looks[size_t(block.species)];
 	const int groups = int(look.meshes[size_t(level)].size());
-	std::vector<int> counts(size_t(groups), 0);
-	for (int slot = 0; slot < block.size(); slot++) {
-		counts[size_t(group_of(look, block, slot, groups))] += block.is_gone(slot) ? 0 : 1;
-	}
-	std::vector<ClumpPlan *> by_group(size_t(groups), nullptr);
-	for (int group = 0; group < groups; group++) {
-		if (counts[size_t(group)] > 0) {
-			ClumpPlan &plan = plans[{ place, block.species, group }];
-			plan.place = place;
-			plan.species = block.species;
-			plan.group = group;
-			plan.stride = TRANSFORM_FLOATS + CUSTOM_FLOATS + (style.needs_colors ? COLOR_FLOATS : 0);
-			plan.buffer.resize(int64_t(plan.count + counts[size_t(group)]) * plan.stride);
-			by_group[size_t(group)] = &plan;
-		}
-	}
 	for (int slot = 0; slot < block.size(); slot++) {
 		if (!block.is_gone(slot)) {
-			ClumpPlan &plan = *by_group[size_t(group_of(look, block, slot, groups))];
-			add_plant(plan, look, block.plants.plant(slot), { drawn.texels.layer, drawn.texels.first + slot });
+			const int group = int(block.plants.variant[size_t(slot)] % look.variants.size()) % groups;
+			const ClumpPlace place = place_of(style, level, block, block.root(slot));
+			members[{ place, block.species, group }].push_back({ rank_of(style, block, slot), &drawn, slot });
 		}
 	}
 }
 
 std::vector<ClumpPlan> plan_level(const FieldStyle &style, const std::vector<DrawnBlock> &blocks, int level) {
-	PlansByMesh by_mesh;
-	for (const DrawnBlock &drawn : blocks) {
-		add_block(style, drawn, level, by_mesh);
+	MembersByMesh by_mesh;
+	for (const DrawnBlock &block : blocks) {
+		add_block(style, block, level, by_mesh);
 	}
 	std::vector<ClumpPlan> plans;
-	for (auto &[mesh, plan] : by_mesh) {
-		plans.push_back(std::move(plan));
+	for (auto &[mesh, members] : by_mesh) {
+		plans.push_back(make_plan(style, mesh, members));
 	}
 	return plans;
 }

@@ -1,6 +1,7 @@
 #include "field/field_dress.hpp"
 
 #include "field/field_material.hpp"
+#include "field/field_recipe.hpp"
 #include "messages.hpp"
 
 using namespace godot;
@@ -9,6 +10,10 @@ namespace undergrowth {
 
 static constexpr float FARTHEST = 1e9f; // m.
 
+static Vector3 vector_of(const float (&numbers)[3]) {
+	return Vector3(numbers[0], numbers[1], numbers[2]);
+}
+
 Ref<Material> FieldDress::worn(const FieldLook &look) const {
 	const Ref<Material> instead = node->get_material_override();
 	return instead.is_valid() ? instead : look.function->get_material();
@@ -16,6 +21,7 @@ Ref<Material> FieldDress::worn(const FieldLook &look) const {
 
 void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
 	has_sent = false;
+	const Basis to_field = axes_of(node).basis.inverse();
 	for (FieldLook &look : style.looks) {
 		const bool is_new = look.materials.empty();
 		for (size_t i = look.materials.size(); i < style.levels.size(); i++) {
@@ -25,7 +31,12 @@ void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
 			const FieldLevel &level = style.levels[i];
 			const float begin = level.begin > 0.0f ? level.begin : -FARTHEST;
 			const float end = level.end > 0.0f ? level.end : FARTHEST;
+			const Thinning thinning = level.thinning_of(look.has_parts());
 			look.materials[i]->set_shader_parameter("undergrowth_level", Vector3(begin, end, level.margin));
+			look.materials[i]->set_shader_parameter("undergrowth_share_ends", vector_of(thinning.distances));
+			look.materials[i]->set_shader_parameter("undergrowth_shares", vector_of(thinning.shares));
+			look.materials[i]->set_shader_parameter("undergrowth_has_parts", look.has_parts());
+			look.materials[i]->set_shader_parameter("undergrowth_axes", to_field);
 			look.materials[i]->set_shader_parameter("undergrowth_bends", motion.pose_texture());
 			look.materials[i]->set_shader_parameter("undergrowth_blends", motion.blend_texture());
 		}
@@ -33,6 +44,15 @@ void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
 			report_error(look.function.ptr(),
 					"its material has a shader that does not bend in a PlantField3D. Include "
 					"undergrowth_bend.gdshaderinc, which says how.");
+		}
+	}
+}
+
+void FieldDress::tell_of_axes(const FieldStyle &style) const {
+	const Basis to_field = axes_of(node).basis.inverse();
+	for (const FieldLook &look : style.looks) {
+		for (const Ref<ShaderMaterial> &material : look.materials) {
+			material->set_shader_parameter("undergrowth_axes", to_field);
 		}
 	}
 }

@@ -18,6 +18,8 @@ public:
 	void put_on(FieldStyle &style, const FieldMotion &motion);
 	/// Forgets the materials; what was worn goes on with whoever holds `old`.
 	void take_off(FieldStyle &style, std::vector<std::vector<godot::Ref<godot::ShaderMaterial>>> &old) const;
+	/// Which way the field's axes point in the world.
+	void tell_of_axes(const FieldStyle &style) const;
 	/// One species' materials follow what their user changed in them, in turns.
 	void follow(const FieldStyle &style);
 	/// Where followers of prototypes find what they show in this frame.

@@ -107,6 +107,8 @@ void FieldFill::build() {
 	placed = FieldPlants();
 	result.motion = recipe.prepare(result.blocks, result.style, recipe.settings, recipe.wind);
 	done = SIMULATED_SHARE;
+	result.style.tile_size = recipe.tile_size;
+	result.style.spacing = result.spacing;
 	std::vector<DrawnBlock> drawn;
 	for (size_t i = 0; i < result.blocks.size() && !is_cancelled; i++) {
 		drawn.push_back({ result.motion->texels(int(i)), &result.blocks[i] });

@@ -93,9 +93,10 @@ void FieldLook::read_motion() {
 	}
 }
 
-float FieldLook::reach_of(const PlacedPlant &plant) const {
+float FieldLook::reach_of(const PlacedPlant &plant, float widening) const {
 	const float height = length_of(plant);
-	return std::sqrt(height * height + width * width * plant.scale * plant.scale);
+	const float side = width * widening * plant.scale;
+	return std::sqrt(height * height + side * side);
 }
 
 MotionPlant FieldLook::to_simulate(const PlacedPlant &plant) const {

@@ -3,6 +3,7 @@
 #include "motion/motion_page.hpp"
 #include "plant_function.hpp"
 #include "stand/plants.hpp"
+#include "stand/thinning.hpp"
 
 #include <godot_cpp/classes/shader_material.hpp>
 
@@ -16,11 +17,16 @@ struct FieldLevel {
 	float begin = 0.0f; ///< m from the camera.
 	float end = 0.0f; ///< m; 0: no end.
 	float margin = 2.0f; ///< m over which it dissolves, > 0.
-	int tile_factor = 1; ///< Its multimeshes are so many tiles wide.
+	int tile_factor = 1; ///< Its multimeshes are so many tiles wide,
+	int tile_cuts = 1; ///< or so many of them lie along a tile's side; one of the two is 1.
+	Thinning thinning;
+	bool thins_lathes = false; ///< Or only plants of parts.
 	bool casts_shadows = true;
 
 	/// How many meshes it draws for a species of `variants` plants: half as many in each further level.
 	static int groups(int level, int variants);
+	/// Of plants of parts, or of those without.
+	Thinning thinning_of(bool has_parts) const { return has_parts || thins_lathes ? thinning : Thinning(); }
 };
 
 /// A plant of which a species has several.
@@ -65,9 +71,9 @@ struct FieldLook {
 	float length_of(const PlacedPlant &plant) const { return height_of(plant) * plant.scale; }
 	/// Whether its plants are of parts.
 	bool has_parts() const { return !nearest.empty() && nearest[0].grown; }
-	/// The farthest that the plant's mesh goes from its root, however it bends: linear blend skinning moves no vertex
+	/// The farthest that the plant's mesh goes from its root, `widening` times as wide, however it bends: linear blend skinning moves no vertex
 	/// farther than it is at rest (m).
-	float reach_of(const PlacedPlant &plant) const;
+	float reach_of(const PlacedPlant &plant, float widening) const;
 	const FieldVariant &variant_of(const PlacedPlant &plant) const {
 		return variants[size_t(plant.variant) % variants.size()];
 	}

@@ -18,10 +18,8 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr int MOST_TILE_FACTOR = 4;
 static constexpr float OUTLINE_TOLERANCE_DEGREES = 4.0f;
 static constexpr int OUTLINE_STAGES = 5;
-static constexpr float LEAST_MARGIN = 1e-3f; // m.
 
 Transform3D axes_of(const Node3D *node) {
 	const Transform3D placed = node->get_global_transform();
@@ -142,65 +140,6 @@ String read_ground(const Node3D *field, const StandOptions &options, FieldGround
 		corners[i] = to_field.xform(corners[i]);
 	}
 	return String();
-}
-
-String find_level_fault(const ViewOptions &options) {
-	float before = 0.0f;
-	for (int64_t i = 0; i < options.levels.size(); i++) {
-		const Ref<PlantFieldLevel> level = options.levels[i];
-		const String name = "levels[" + String::num_int64(i) + "]";
-		if (level.is_null()) {
-			return name + String(" is empty. Set a PlantFieldLevel there, or remove the entry.");
-		}
-		const float end = float(level->get_end());
-		if (i + 1 < options.levels.size() && end <= before) {
-			return name + String(" ends at ") + String::num(end) +
-					" m, not beyond the one before it. Let each level but the last "
-					"end farther away than the one before.";
-		}
-		before = end;
-	}
-	return String();
-}
-
-struct ListedLevel {
-	int segments;
-	float end; // m; 0: never.
-};
-
-static std::vector<ListedLevel> list_levels(const ViewOptions &options) {
-	std::vector<ListedLevel> listed;
-	for (int64_t i = 0; i < options.levels.size(); i++) {
-		const Ref<PlantFieldLevel> level = options.levels[i];
-		if (level.is_valid()) {
-			listed.push_back({ level->get_segments(), float(level->get_end()) });
-		}
-	}
-	if (listed.empty()) {
-		listed = { { 12, 12.0f }, { 6, 25.0f }, { 3, 50.0f }, { 2, 0.0f } };
-	}
-	return listed;
-}
-
-std::vector<FieldLevel> read_levels(const ViewOptions &options, float range) {
-	const std::vector<ListedLevel> listed = list_levels(options);
-	std::vector<FieldLevel> made;
-	for (size_t i = 0; i < listed.size(); i++) {
-		FieldLevel level;
-		level.lod = listed[i].segments;
-		level.begin = i > 0 ? made.back().end : 0.0f;
-		level.end = listed[i].end;
-		const bool is_last = i + 1 == listed.size() || level.end <= level.begin || (range > 0.0f && level.end >= range);
-		level.end = is_last ? range : level.end;
-		level.margin = std::max(float(options.fade_margin), LEAST_MARGIN);
-		level.tile_factor = std::min(1 << int(i), MOST_TILE_FACTOR);
-		level.casts_shadows = level.begin < options.shadow_distance;
-		made.push_back(level);
-		if (is_last) {
-			break; // Nothing is seen behind it.
-		}
-	}
-	return made;
 }
 
 // The headless engine's stand-in for a renderer may not be used by two threads at once. It has no adapter.

@@ -29,8 +29,8 @@ godot::String read_ground(const godot::Node3D *field, const StandOptions &option
 /// What is wrong with the levels that users set.
 godot::String find_level_fault(const ViewOptions &options);
 
-/// Levels up to `range` (m; 0: without end), at least one.
-std::vector<FieldLevel> read_levels(const ViewOptions &options, float range);
+/// Levels up to `range` (m; 0: without end), at least one. Where none are set they hang on the species.
+std::vector<FieldLevel> read_levels(const FieldProperties &options, float range);
 
 /// A look for each species of the list, not sampled yet; then for each of `others`.
 godot::String list_looks(const StandOptions &options, const std::vector<FieldLook> &others, FieldStyle &into);

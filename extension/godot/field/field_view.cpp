@@ -3,10 +3,15 @@
 #include <godot_cpp/classes/rendering_server.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 using namespace godot;
 
 namespace undergrowth {
+
+static constexpr float EYE_STEP = 0.25f; // m that an eye goes before plants are counted again.
+static constexpr float RANK_ERROR = 1e-3f; // Of half floats, in which ranks come to the shader.
 
 template <class Act> void FieldView::for_each(Act &&act) const {
 	RenderingServer *server = RenderingServer::get_singleton();
@@ -26,7 +31,7 @@ FieldView::~FieldView() {
 	}
 }
 
-// The engine measures in the world, from the middle of the box; the shader measures to each plant.
+// The engine measures in the world, from the middle of the box; the shader measures to each plant's root.
 void FieldView::set_range(const Clump &clump, const FieldLevel &level) const {
 	const float radius = clump.radius * largest_scale;
 	const float begin = std::max(level.begin - radius - level.margin, 0.0f);
@@ -51,8 +56,11 @@ FieldView::Clump FieldView::make(const FieldStyle &style, const ClumpPlan &plan)
 	Clump clump;
 	clump.species = plan.species;
 	clump.count = plan.count;
+	clump.has_parts = look.has_parts();
+	clump.kept = plan.kept;
+	clump.roots = plan.roots;
 	clump.middle = plan.box.get_center();
-	clump.radius = 0.5f * plan.box.size.length();
+	clump.radius = 0.5f * plan.roots.size.length() + clump.middle.distance_to(plan.roots.get_center());
 	clump.multimesh = server->multimesh_create();
 	server->multimesh_allocate_data(
 			clump.multimesh, plan.count, RenderingServer::MULTIMESH_TRANSFORM_3D, style.needs_colors, true, false);
@@ -72,6 +80,7 @@ FieldView::Clump FieldView::make(const FieldStyle &style, const ClumpPlan &plan)
 
 void FieldView::show(const FieldStyle &style, const std::vector<ClumpPlan> &plans) {
 	levels = style.levels;
+	is_thinned = false;
 	for (const ClumpPlan &plan : plans) {
 		clumps[plan.place].push_back(make(style, plan));
 	}
@@ -100,13 +109,16 @@ void FieldView::show_added(
 		const FieldStyle &style, const FieldMotion &motion, const PlantStore &store, const std::set<TileKey> &tiles) {
 	for (int level = 0; level < int(style.levels.size()); level++) {
 		const int factor = style.levels[size_t(level)].tile_factor;
+		const int cuts = style.levels[size_t(level)].tile_cuts;
 		std::set<TileKey> places;
 		for (const TileKey &tile : tiles) {
 			places.insert(wider_tile(tile, factor));
 		}
 		std::vector<DrawnBlock> members;
 		for (const auto &[column, row] : places) {
-			clear(ClumpPlace{ true, level, { column, row } });
+			for (int i = 0; i < cuts * cuts; i++) {
+				clear(ClumpPlace{ true, level, { column * cuts + i % cuts, row * cuts + i / cuts } });
+			}
 			for (int i = 0; i < factor * factor; i++) {
 				for (const int number : store.blocks_of({ column * factor + i % factor, row * factor + i / factor })) {
 					if (store.block(number).is_added) {
@@ -131,6 +143,7 @@ void FieldView::show_all_added(const FieldStyle &style, const FieldMotion &motio
 
 void FieldView::update_levels(const FieldStyle &style) {
 	levels = style.levels;
+	is_thinned = false;
 	for_each([&](RenderingServer *, const ClumpPlace &place, const Clump &clump) {
 		set_range(clump, levels[size_t(place.level)]);
 		set_wear(clump, levels[size_t(place.level)]);
@@ -149,6 +162,7 @@ void FieldView::set_transform(const Transform3D &transform) {
 		return; // The engine would complain once for each multimesh.
 	}
 	placed = transform;
+	is_thinned = false;
 	const Vector3 scale = transform.basis.get_scale().abs();
 	const float largest = std::max({ scale.x, scale.y, scale.z });
 	const bool is_scaled_anew = largest != largest_scale;
@@ -182,6 +196,54 @@ void FieldView::wear_materials(const FieldStyle &style) {
 	});
 }
 
+static AABB box_around(const Transform3D &axes, const AABB &box) {
+	const Vector3 half = 0.5f * box.size;
+	Vector3 reach;
+	for (int i = 0; i < 3; i++) {
+		reach[i] = axes.basis.rows[i].abs().dot(half);
+	}
+	return AABB(axes.xform(box.get_center()) - reach, 2.0f * reach);
+}
+
+// The world's box about the turned one is farther out than that, so nobody is left away too early.
+int FieldView::steps_for(const FieldLevel &level, const Clump &clump, const std::vector<Vector3> &eyes) const {
+	const Thinning thinning = level.thinning_of(clump.has_parts);
+	if (eyes.empty() || !thinning.is_any()) {
+		return RANK_STEPS;
+	}
+	const AABB box = box_around(placed, clump.roots);
+	float nearest = std::numeric_limits<float>::max();
+	for (const Vector3 &eye : eyes) {
+		nearest = std::min(nearest, float(eye.distance_to(eye.clamp(box.position, box.get_end()))));
+	}
+	const float cut = thinning.cut_at(std::max(nearest - EYE_STEP, level.begin - level.margin));
+	return std::clamp(int(std::ceil((cut + RANK_ERROR) * RANK_STEPS)), 0, RANK_STEPS);
+}
+
+bool FieldView::thins() const {
+	return std::any_of(levels.begin(), levels.end(), [](const FieldLevel &level) { return level.thinning.is_any(); });
+}
+
+void FieldView::thin(const std::vector<Vector3> &eyes) {
+	const auto is_near = [](const Vector3 &one, const Vector3 &other) { return one.distance_to(other) < EYE_STEP; };
+	if (is_thinned && std::equal(eyes.begin(), eyes.end(), thinned_for.begin(), thinned_for.end(), is_near)) {
+		return;
+	}
+	is_thinned = true;
+	thinned_for = eyes;
+	RenderingServer *server = RenderingServer::get_singleton();
+	for (auto &[place, group] : clumps) {
+		for (Clump &clump : group) {
+			const int steps = steps_for(levels[size_t(place.level)], clump, eyes);
+			if (steps != clump.shown) {
+				clump.shown = steps;
+				// The renderers want one at least; the shader draws nothing of it.
+				server->multimesh_set_visible_instances(clump.multimesh, std::max(clump.kept[size_t(steps)], 1));
+			}
+		}
+	}
+}
+
 std::vector<int> FieldView::count_drawn(const FieldStyle &style, const Vector3 &eye) const {
 	std::vector<int> drawn(style.levels.size(), 0);
 	for (const auto &[place, group] : clumps) {
@@ -190,7 +252,7 @@ std::vector<int> FieldView::count_drawn(const FieldStyle &style, const Vector3 &
 			const float away = placed.xform(clump.middle).distance_to(eye);
 			const float radius = clump.radius * largest_scale;
 			if (away >= level.begin - radius && (level.end <= 0.0f || away < level.end + radius)) {
-				drawn[size_t(place.level)] += clump.count;
+				drawn[size_t(place.level)] += clump.kept[size_t(steps_for(level, clump, { eye }))];
 			}
 		}
 	}

@@ -8,6 +8,7 @@
 #include <godot_cpp/variant/rid.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
 
+#include <array>
 #include <map>
 #include <set>
 #include <tuple>
@@ -15,7 +16,7 @@
 
 namespace undergrowth {
 
-/// A square of the ground at one level of detail: FieldLevel::tile_factor tiles wide. Plants that code added have
+/// A square of the ground at one level of detail: FieldLevel::tile_factor tiles wide, or a part of one. Plants that code added have
 /// multimeshes of their own, so that adding one does not touch what was filled.
 struct ClumpPlace {
 	bool is_added;
@@ -27,15 +28,23 @@ struct ClumpPlace {
 	}
 };
 
-/// One multimesh in the making: plants of one place that show one mesh.
+/// How finely a multimesh's plants are counted by rank.
+constexpr int RANK_STEPS = 32;
+using RankCounts = std::array<int, RANK_STEPS + 1>;
+/// As the shader's: so much wider plants are drawn at most (undergrowth_width.gdshaderinc).
+constexpr float MOST_WIDENING = 3.0f;
+
+/// One multimesh in the making: plants of one place that show one mesh, by rank.
 struct ClumpPlan {
 	ClumpPlace place;
 	int species = 0;
 	int group = 0; ///< Which of the meshes that its level has of the species.
 	int count = 0;
 	int stride = 0; ///< Floats per plant.
+	RankCounts kept = {}; ///< How many have a rank of at most i / RANK_STEPS.
 	godot::PackedFloat32Array buffer;
 	godot::AABB box; ///< Covers the largest deflection.
+	godot::AABB roots; ///< From where to where they stand.
 };
 
 /// A block to be drawn.
@@ -75,6 +84,11 @@ public:
 	void set_transform(const godot::Transform3D &transform);
 	void set_visible(bool visible);
 	void wear(const FieldWear &wear);
+	/// Before a frame is drawn: draws no more of each multimesh than the nearest of `eyes` (world axes) sees of it. No
+	/// eyes: everything. Costs by the multimeshes, and only where an eye has moved.
+	void thin(const std::vector<godot::Vector3> &eyes);
+	/// Whether thin() has anything to do.
+	bool thins() const;
 	/// The materials of `style` are other ones.
 	void wear_materials(const FieldStyle &style);
 	/// Whose instances they are: what a ray of the editor meets.
@@ -89,8 +103,12 @@ private:
 		godot::RID instance;
 		int species = 0;
 		int count = 0;
-		godot::Vector3 middle; ///< Field axes, m.
-		float radius = 0.0f;
+		bool has_parts = false;
+		RankCounts kept;
+		godot::AABB roots; ///< Field axes, m.
+		godot::Vector3 middle; ///< Of what is drawn, which the engine measures to.
+		float radius = 0.0f; ///< m, about that: the farthest that a root is.
+		int shown = RANK_STEPS; ///< Up to which rank, times RANK_STEPS.
 	};
 
 	std::map<ClumpPlace, std::vector<Clump>> clumps;
@@ -101,11 +119,14 @@ private:
 	bool is_visible = true;
 	FieldWear worn;
 	uint64_t owner = 0;
+	std::vector<godot::Vector3> thinned_for; ///< Eyes.
+	bool is_thinned = false; ///< For these; else something changed.
 
 	Clump make(const FieldStyle &style, const ClumpPlan &plan) const;
 	void clear(const ClumpPlace &place);
 	void set_range(const Clump &clump, const FieldLevel &level) const;
 	void set_wear(const Clump &clump, const FieldLevel &level) const;
+	int steps_for(const FieldLevel &level, const Clump &clump, const std::vector<godot::Vector3> &eyes) const;
 	template <class Act> void for_each(Act &&act) const;
 };
 

@@ -113,6 +113,12 @@ void Meadow::refresh() {
 	upload_usec = watch.usec();
 }
 
+void Meadow::thin() {
+	if (view.thins() && node->is_visible_in_tree()) {
+		view.thin(find_eyes());
+	}
+}
+
 void Meadow::change_materials() {
 	motion.wait();
 	std::vector<std::vector<Ref<ShaderMaterial>>> old; // They go once nobody wears them.
@@ -204,11 +210,15 @@ bool Meadow::update_levels() {
 	if (!find_level_fault(properties).is_empty()) {
 		return false; // The next filling tells of it.
 	}
-	const std::vector<FieldLevel> wanted = read_levels(properties, node->get_visibility_range_end());
+	std::vector<FieldLevel> wanted = read_levels(properties, node->get_visibility_range_end());
 	const bool same = std::equal(wanted.begin(), wanted.end(), style.levels.begin(), style.levels.end(),
-			[](const FieldLevel &a, const FieldLevel &b) { return a.lod == b.lod && a.tile_factor == b.tile_factor; });
+			[](const FieldLevel &a, const FieldLevel &b) { return a.lod == b.lod; });
 	if (!same) {
 		return style.levels.empty();
+	}
+	for (size_t i = 0; i < wanted.size(); i++) { // The squares stay as they were planned.
+		wanted[i].tile_factor = style.levels[i].tile_factor;
+		wanted[i].tile_cuts = style.levels[i].tile_cuts;
 	}
 	style.levels = wanted;
 	view.update_levels(style);
@@ -252,6 +262,7 @@ void Meadow::exit_tree() {
 
 void Meadow::moved() {
 	view.set_transform(node->get_global_transform());
+	dress.tell_of_axes(style);
 }
 
 void Meadow::set_visible(bool visible) {

@@ -44,6 +44,9 @@ public:
 	/// Shows what changed since the last frame.
 	void refresh();
 
+	/// Before each frame is drawn, paused or not: leaves plants away that are too far from all who look.
+	void thin();
+
 	/// Look of a function whose plants code adds; -1, with a fault told, where it cannot be built.
 	int species_for(const godot::Ref<PlantFunction> &function);
 	std::vector<PlantId> add(std::vector<PlacedPlant> &&plants);

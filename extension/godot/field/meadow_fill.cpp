@@ -173,6 +173,8 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 	}
 	if (style.levels.empty()) {
 		style.levels = read_levels(properties, node->get_visibility_range_end());
+		style.tile_size = store.tile_size();
+		style.spacing = store.spacing();
 		list_looks(StandOptions(), {}, style);
 	}
 	FieldLook look;

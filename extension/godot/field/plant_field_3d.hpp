@@ -90,6 +90,7 @@ private:
 	void process_frame();
 	void look_around();
 	void follow_species();
+	void choose_grass();
 	void follow_look(const godot::Ref<PlantFunction> &function);
 	void watch_nodes();
 	void tell_of_bodies();
@@ -136,6 +137,8 @@ public:
 	void on_fill_queued();
 	void on_tree_frame();
 	void on_physics_frame();
+	void on_frame_drawn();
+	void follow_drawing(bool on);
 	double monitor(int which) const { return FieldMonitors::sum(which); }
 
 	// What users set, where that is more than a Setting.

@@ -88,6 +88,7 @@ void PlantField3D::_bind_methods() {
 	LISTEN(on_fill_queued);
 	LISTEN(on_tree_frame);
 	LISTEN(on_physics_frame);
+	LISTEN(on_frame_drawn);
 	ClassDB::bind_method(D_METHOD("_on_monitor_asked", "which"), &PlantField3D::monitor);
 	LISTEN(preview, "delta", "wind");
 	BIND(fill);

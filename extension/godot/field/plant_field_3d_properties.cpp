@@ -4,7 +4,6 @@
 
 #include "bind_properties.hpp"
 #include "follow_changes.hpp"
-#include "species_functions.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -194,11 +193,6 @@ void PlantField3D::follow_species() {
 		follow_changes(entry, listener);
 	}
 	properties.species = listed.duplicate();
-	if (listed.is_empty()) {
-		Ref<GrassFunction> grass;
-		grass.instantiate();
-		properties.species.push_back(PlantFieldSpecies::of(grass));
-	}
 }
 
 // Of a species whose function tells of a change.

@@ -10,10 +10,11 @@ using namespace godot;
 
 namespace undergrowth {
 
-Ref<PlantFieldLevel> PlantFieldLevel::of(int segments, double end) {
+Ref<PlantFieldLevel> PlantFieldLevel::of(int segments, double end, double share) {
 	Ref<PlantFieldLevel> made = new_counted<PlantFieldLevel>();
 	made->set_segments(segments);
 	made->set_end(end);
+	made->set_share(share);
 	return made;
 }
 
@@ -37,15 +38,23 @@ void PlantFieldLevel::set_end(double metres) {
 	}
 }
 
+void PlantFieldLevel::set_share(double kept) {
+	if (accept_value(this, "share", kept, { 0.0, 1.0 }) && kept != share) {
+		share = kept;
+		level_changed();
+	}
+}
+
 void PlantFieldLevel::_validate_property(PropertyInfo &property) const {
 	hide_given_name(this, given_name, property);
 }
 
 void PlantFieldLevel::_bind_methods() {
-	ClassDB::bind_static_method(
-			"PlantFieldLevel", D_METHOD("of", "segments", "end"), &PlantFieldLevel::of, DEFVAL(0.0));
+	ClassDB::bind_static_method("PlantFieldLevel", D_METHOD("of", "segments", "end", "share"), &PlantFieldLevel::of,
+			DEFVAL(0.0), DEFVAL(1.0));
 	PROPERTY(INT, segments, SLIDER("1,64,1"));
 	PROPERTY(FLOAT, end, SLIDER("0,200,0.1,or_greater,suffix:m"));
+	PROPERTY(FLOAT, share, SLIDER("0,1,0.01"));
 }
 
 } // namespace undergrowth

@@ -12,6 +12,7 @@ class PlantFieldLevel : public godot::Resource {
 
 	int segments = 12;
 	double end = 0.0; // m.
+	double share = 1.0;
 	godot::String given_name;
 
 	void level_changed();
@@ -21,13 +22,15 @@ protected:
 	void _validate_property(godot::PropertyInfo &property) const;
 
 public:
-	/// Plants of `segments` up to `end` metres; 0: without end.
-	static godot::Ref<PlantFieldLevel> of(int segments, double end = 0.0);
+	/// Plants of `segments` up to `end` metres; 0: without end. At its end a `share` of them is left.
+	static godot::Ref<PlantFieldLevel> of(int segments, double end = 0.0, double share = 1.0);
 
 	void set_segments(int count);
 	int get_segments() const { return segments; }
 	void set_end(double metres);
 	double get_end() const { return end; }
+	void set_share(double kept);
+	double get_share() const { return share; }
 };
 
 } // namespace undergrowth

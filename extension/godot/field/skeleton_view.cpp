@@ -38,10 +38,13 @@ std::vector<PlantPlace> SkeletonView::find_nearest(
 		std::vector<PlantPlace> around;
 		scene.store.find_in_sphere(to_glm(to_field.xform(eye)), reach, around);
 		for (const PlantPlace &place : around) {
-			const Vector3 root = scene.axes.xform(to_godot(scene.store.block(place.block).root(place.slot)));
-			const float away = root.distance_to(eye);
+			const PlantBlock &block = scene.store.block(place.block);
+			const float away = scene.axes.xform(to_godot(block.root(place.slot))).distance_to(eye);
 			const float counted = find_shown(place) ? away / KEPT_FARTHER : away;
-			if (counted <= distance) {
+			const Thinning thinning = first.thinning_of(scene.style.looks[size_t(block.species)].has_parts());
+			const bool is_whole = !thinning.is_any() || // Nobody comes who is being left away.
+					thinning.width_of(plant_rank(scene.store.id(place)), away) == 1.0f;
+			if (counted <= distance && is_whole) {
 				const auto [entry, is_new] = nearest.insert({ place, counted });
 				entry->second = std::min(entry->second, counted);
 			}

@@ -1,0 +1,51 @@
+#include "stand/thinning.hpp"
+
+#include "stand/curve_key.hpp"
+
+#include <algorithm>
+
+namespace undergrowth {
+
+namespace {
+
+constexpr uint64_t GOLDEN_RATIO = 0x9E3779B97F4A7C15u; ///< Its fraction, in 2^-64.
+
+} // namespace
+
+float plant_rank(PlantId id) {
+	int column = 0;
+	int row = 0;
+	uint64_t number = static_cast<uint64_t>(id);
+	if (!is_added(id)) {
+		filled_plant_cell(id, column, row);
+		number = curve_key(column, row);
+	}
+	constexpr int KEPT_BITS = 24; // As many as a float holds.
+	return static_cast<float>((number * GOLDEN_RATIO) >> (64 - KEPT_BITS)) / static_cast<float>(1 << KEPT_BITS);
+}
+
+float Thinning::share_at(float distance) const {
+	const int first = distance < distances[1] ? 0 : 1;
+	const float length = distances[first + 1] - distances[first];
+	const float way = length > 0.0f ? (distance - distances[first]) / length : 1.0f;
+	return shares[first] + (shares[first + 1] - shares[first]) * std::clamp(way, 0.0f, 1.0f);
+}
+
+float Thinning::band(float share) {
+	return std::min(MOST_BAND, BAND_SHARE * share);
+}
+
+float Thinning::cut_at(float distance) const {
+	const float share = share_at(distance);
+	return share + band(share);
+}
+
+float Thinning::width_of(float rank, float distance) const {
+	const float share = share_at(distance);
+	if (share <= 0.0f) {
+		return 0.0f;
+	}
+	return std::clamp(1.0f - (rank - share) / band(share), 0.0f, 1.0f);
+}
+
+} // namespace undergrowth

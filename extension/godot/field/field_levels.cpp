@@ -1,0 +1,122 @@
+// Reads the levels of detail that users set of a field, and what they are where none are set.
+
+#include "field/field_recipe.hpp"
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr int MOST_TILE_FACTOR = 4;
+static constexpr int MOST_TILE_CUTS = 4;
+// Of the distance at which a level ends: wider tiles are cut, and squares of several tiles are at most so wide.
+static constexpr float MOST_TILE_SHARE = 0.75f;
+static constexpr float MOST_SQUARE_SHARE = 0.6f;
+static constexpr float LEAST_MARGIN = 1e-3f; // m.
+
+String find_level_fault(const ViewOptions &options) {
+	float before = 0.0f;
+	for (int64_t i = 0; i < options.levels.size(); i++) {
+		const Ref<PlantFieldLevel> level = options.levels[i];
+		const String name = "levels[" + String::num_int64(i) + "]";
+		if (level.is_null()) {
+			return name + String(" is empty. Set a PlantFieldLevel there, or remove the entry.");
+		}
+		const float end = float(level->get_end());
+		if (i + 1 < options.levels.size() && end <= before) {
+			return name + String(" ends at ") + String::num(end) +
+					" m, not beyond the one before it. Let each level but the last "
+					"end farther away than the one before.";
+		}
+		before = end;
+	}
+	return String();
+}
+
+struct ListedLevel {
+	int segments;
+	float end; // m; 0: never.
+	float share;
+};
+
+static bool has_parts(const StandOptions &options) {
+	for (int64_t i = 0; i < options.species.size(); i++) {
+		const Ref<PlantFieldSpecies> entry = options.species[i];
+		if (entry.is_valid() && entry->get_species().is_valid() && entry->get_species()->has_parts()) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static std::vector<ListedLevel> list_levels(const FieldProperties &options) {
+	std::vector<ListedLevel> listed;
+	for (int64_t i = 0; i < options.levels.size(); i++) {
+		const Ref<PlantFieldLevel> level = options.levels[i];
+		if (level.is_valid()) {
+			listed.push_back({ level->get_segments(), float(level->get_end()), float(level->get_share()) });
+		}
+	}
+	if (!listed.empty()) {
+		return listed;
+	}
+	if (has_parts(options)) {
+		return { { 6, 7.0f, 1.0f }, { 3, 18.0f, 0.65f }, { 2, 45.0f, 0.25f }, { 2, 0.0f, 0.1f } };
+	}
+	return { { 12, 12.0f, 1.0f }, { 6, 25.0f, 1.0f }, { 3, 50.0f, 1.0f }, { 2, 0.0f, 1.0f } };
+}
+
+// A level without end has its share from twice the distance on at which it begins.
+static Thinning thin(const Thinning *before, float begin, float end, float share) {
+	Thinning made;
+	made.distances[1] = begin;
+	made.distances[2] = end > begin ? end : 2.0f * begin;
+	made.shares[2] = share;
+	if (before) {
+		made.distances[0] = before->distances[1];
+		made.shares[0] = before->shares[1];
+		made.shares[1] = before->shares[2];
+	} else if (end <= 0.0f) {
+		std::fill(made.shares, made.shares + 3, share);
+	}
+	return made;
+}
+
+// Small squares near the eye, where levels end soon and plants have many vertices; large ones far away.
+static void fit_tiles(FieldLevel &level, float tile_size) {
+	const float end = level.end > 0.0f ? level.end : 2.0f * level.begin;
+	while (level.tile_factor < MOST_TILE_FACTOR &&
+			2.0f * tile_size * float(level.tile_factor) <= MOST_SQUARE_SHARE * end) {
+		level.tile_factor *= 2;
+	}
+	while (end > 0.0f && level.tile_cuts < MOST_TILE_CUTS &&
+			tile_size > MOST_TILE_SHARE * end * float(level.tile_cuts)) {
+		level.tile_cuts *= 2;
+	}
+}
+
+std::vector<FieldLevel> read_levels(const FieldProperties &options, float range) {
+	const std::vector<ListedLevel> listed = list_levels(options);
+	std::vector<FieldLevel> made;
+	for (size_t i = 0; i < listed.size(); i++) {
+		FieldLevel level;
+		level.lod = listed[i].segments;
+		level.begin = i > 0 ? made.back().end : 0.0f;
+		level.end = listed[i].end;
+		const bool is_last = i + 1 == listed.size() || level.end <= level.begin || (range > 0.0f && level.end >= range);
+		level.thinning = thin(i > 0 ? &made.back().thinning : nullptr, level.begin, level.end, listed[i].share);
+		level.thins_lathes = !options.levels.is_empty();
+		level.end = is_last ? range : level.end;
+		level.margin = std::max(float(options.fade_margin), LEAST_MARGIN);
+		level.casts_shadows = level.begin < options.shadow_distance;
+		fit_tiles(level, float(options.tile_size));
+		made.push_back(level);
+		if (is_last) {
+			break; // Nothing is seen behind it.
+		}
+	}
+	return made;
+}
+
+} // namespace undergrowth

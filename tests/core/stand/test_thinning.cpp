@@ -1,0 +1,111 @@
+#include "stand/thinning.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using namespace undergrowth;
+
+namespace {
+
+constexpr int SIDE = 64; // Cells.
+
+// By rows, of the cells of a grid.
+std::vector<float> ranks_of_cells() {
+	std::vector<float> ranks;
+	for (int row = 0; row < SIDE; row++) {
+		for (int column = 0; column < SIDE; column++) {
+			// Not near a cell's side, where rows are out of step.
+			const float shift = row % 2 == 0 ? 0.25f : 0.75f;
+			ranks.push_back(
+					plant_rank(filled_plant_id(static_cast<float>(column) + shift, static_cast<float>(row) + 0.5f, 1.0)));
+		}
+	}
+	return ranks;
+}
+
+// Of a square of cells those with ranks below a share.
+int count_kept(const std::vector<float> &ranks, int column, int row, int side, float share) {
+	int count = 0;
+	for (int i = 0; i < side * side; i++) {
+		count += ranks[static_cast<size_t>((row + i / side) * SIDE + column + i % side)] < share ? 1 : 0;
+	}
+	return count;
+}
+
+Thinning falling() {
+	Thinning thinning;
+	const float distances[3] = { 0.0f, 10.0f, 30.0f };
+	const float shares[3] = { 1.0f, 0.8f, 0.2f };
+	std::copy(distances, distances + 3, thinning.distances);
+	std::copy(shares, shares + 3, thinning.shares);
+	return thinning;
+}
+
+} // namespace
+
+TEST_CASE("of any share of plants what is left stays spread") {
+	const std::vector<float> ranks = ranks_of_cells();
+	for (const float share : { 0.1f, 0.25f, 0.5f, 0.8f }) {
+		double squares = 0.0;
+		constexpr int BLOCK = 8;
+		for (int row = 0; row < SIDE; row += BLOCK) {
+			for (int column = 0; column < SIDE; column += BLOCK) {
+				const double off = count_kept(ranks, column, row, BLOCK, share) - share * BLOCK * BLOCK;
+				CHECK(std::abs(off) <= 3.0);
+				squares += off * off;
+			}
+		}
+		// By chance alone it would be share·(1 - share)·64 in each square: 5.8 to 16.
+		CHECK(squares / 64.0 < 2.0);
+	}
+}
+
+TEST_CASE("ranks of added plants are spread, whoever was added before") {
+	int kept = 0;
+	for (int64_t number = 500; number < 600; number++) {
+		const float rank = plant_rank(added_plant_id(number));
+		CHECK(rank >= 0.0f);
+		CHECK(rank < 1.0f);
+		kept += rank < 0.3f ? 1 : 0;
+	}
+	CHECK(std::abs(kept - 30) <= 2);
+}
+
+TEST_CASE("the share of plants goes linearly from one level's end to the next") {
+	const Thinning thinning = falling();
+	CHECK(thinning.share_at(-5.0f) == doctest::Approx(1.0f));
+	CHECK(thinning.share_at(5.0f) == doctest::Approx(0.9f));
+	CHECK(thinning.share_at(10.0f) == doctest::Approx(0.8f));
+	CHECK(thinning.share_at(20.0f) == doctest::Approx(0.5f));
+	CHECK(thinning.share_at(1000.0f) == doctest::Approx(0.2f));
+	CHECK(thinning.is_any());
+	CHECK_FALSE(Thinning().is_any());
+	CHECK(Thinning().share_at(500.0f) == 1.0f);
+	CHECK(Thinning().width_of(0.99f, 500.0f) == 1.0f);
+}
+
+TEST_CASE("a plant has lost all of its width before it is cut, and loses it bit by bit") {
+	const Thinning thinning = falling();
+	for (const float rank : { 0.15f, 0.3f, 0.55f, 0.85f, 0.97f }) {
+		float before = thinning.width_of(rank, 0.0f);
+		CHECK(before == 1.0f);
+		for (float away = 0.0f; away < 40.0f; away += 0.05f) {
+			const float width = thinning.width_of(rank, away);
+			CHECK(width <= before);
+			CHECK(before - width < 0.05f);
+			CHECK((width == 0.0f || rank < thinning.cut_at(away)));
+			CHECK((width > 0.0f || rank >= thinning.cut_at(away) - 1e-5f));
+			before = width;
+		}
+	}
+}
+
+TEST_CASE("a level that keeps nobody draws nobody") {
+	Thinning none;
+	std::fill(none.shares, none.shares + 3, 0.0f);
+	CHECK(none.width_of(0.0f, 3.0f) == 0.0f);
+	CHECK(none.cut_at(3.0f) == 0.0f);
+}

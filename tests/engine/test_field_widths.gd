@@ -1,0 +1,137 @@
+## How wide plants of a field are drawn where levels of detail change and where plants are left
+## away, in pictures.
+extends "res://tests/engine/picture_harness.gd"
+
+const MEADOW_GRASS := "res://addons/undergrowth/species/meadow_grass.tres"
+const MARGIN := 1.0
+
+var _field: PlantField3D
+
+
+func before_each() -> void:
+	make_stage()
+	_field = PlantField3D.new()
+	_field.density = 0.0  # Only what is added.
+	_field.simulation_enabled = false
+	_field.fade_margin = MARGIN
+	stage.add_child(_field)
+
+
+func after_each() -> void:
+	stage.free()
+
+
+func test_a_lathe_covers_as_much_while_its_level_changes() -> void:
+	_field.add_plants([Transform3D.IDENTITY], TulipFunction.new())
+	await _check_transition(0.03, 0.002)
+
+
+func test_a_plant_of_parts_covers_as_much_while_its_level_changes() -> void:
+	var scaled := Basis.from_scale(Vector3.ONE * 4.0)
+	_field.add_plants([Transform3D(scaled)], load(MEADOW_GRASS))
+	await _check_transition(0.15, 0.06)
+
+
+func test_a_thinned_field_covers_as_much_as_the_whole() -> void:
+	# A third of the plants, so many times as wide.
+	for function: PlantFunction in [load(MEADOW_GRASS), _blade()]:
+		_field.species = [PlantFieldSpecies.of(function)]
+		_field.density = 60.0
+		_field.size = Vector2(1.2, 1.2)
+		_field.levels = [PlantFieldLevel.of(6)]
+		await _filled()
+		var whole := _count_covered(await picture())
+		_field.levels[0].share = 0.4
+		var thinned := _count_covered(await picture())
+		check(whole > 10 * LEAST_PLANT, "plants are drawn")
+		check_near(float(thinned), float(whole), 0.2 * whole, "pixels of %s" % function)
+
+
+func test_a_plant_that_is_left_away_draws_nothing() -> void:
+	_field.add_plants([Transform3D.IDENTITY], load(MEADOW_GRASS))
+	_field.add_plants([Transform3D(Basis.IDENTITY, Vector3(0.3, 0, 0))], TulipFunction.new())
+	_field.levels = [PlantFieldLevel.of(6, 0.0, 0.0)]
+	check_equal(_count_covered(await picture()), 0, "pixels of plants that are left away")
+	_field.levels[0].share = 1.0
+	check(_count_covered(await picture()) > LEAST_PLANT, "they are drawn again")
+
+
+func test_what_is_left_away_costs_no_vertices() -> void:
+	_field.species = [PlantFieldSpecies.of(load(MEADOW_GRASS))]
+	_field.density = 60.0
+	_field.size = Vector2(2, 2)
+	_field.levels = [PlantFieldLevel.of(3, 20.0, 0.1)]
+	await _filled()
+	var near := await _primitives_from(1.0)
+	var far := await _primitives_from(20.0)
+	check(near > 1000, "%d triangles" % near)
+	check(far < near * 0.2, "%d triangles from afar, %d near" % [far, near])
+	paused = true
+	check_equal(await _primitives_from(1.0), near, "near in a game that is paused")
+	paused = false
+	_field.levels[0].share = 1.0
+	check_equal(await _primitives_from(20.0), near, "with a share of all of them")
+
+
+func _primitives_from(away: float) -> int:
+	stage.get_camera_3d().look_at_from_position(Vector3(0, 0.5, 1.0 + away), Vector3.ZERO)
+	await picture()
+	return RenderingServer.viewport_get_render_info(
+		stage.get_viewport_rid(),
+		RenderingServer.VIEWPORT_RENDER_INFO_TYPE_VISIBLE,
+		RenderingServer.VIEWPORT_RENDER_INFO_PRIMITIVES_IN_FRAME
+	)
+
+
+func _filled() -> void:
+	await frames(2)
+	while _field.is_filling() or _field.get_statistics()["is_dressing"]:
+		await process_frame
+	await frames(2)
+
+
+## A lathe that is not thinner than pixels.
+func _blade() -> GrassFunction:
+	return GrassFunction.new()
+
+
+## Goes through the band between two levels. What is covered stays between what either level covers,
+## but for [param tolerance] of it; and no more than [param dots] of it are dots.
+func _check_transition(tolerance: float, dots: float) -> void:
+	var away := stage.get_camera_3d().position.length()
+	var covered: Array[int] = []
+	for step in 9:
+		var way := (step - 1) / 7.0 * 1.2 - 0.1
+		_field.levels = [PlantFieldLevel.of(6, away + MARGIN * (1.0 - way)), PlantFieldLevel.of(3)]
+		await frames(2)
+		var image := await picture()
+		covered.append(_count_covered(image))
+		var found := _count_dots(image)
+		check(found <= dots * covered.back(), "%d dots of %d pixels" % [found, covered.back()])
+	var least := mini(covered[0], covered[-1]) * (1.0 - tolerance)
+	var most := maxi(covered[0], covered[-1]) * (1.0 + tolerance)
+	check(least > LEAST_PLANT, "a plant is drawn")
+	for count in covered:
+		check(count >= least and count <= most, "%s pixels" % [covered])
+
+
+func _count_covered(image: Image) -> int:
+	return count_different(image, empty_picture())
+
+
+## Pixels that are covered among eight that are not, or the other way round.
+func _count_dots(image: Image) -> int:
+	var count := 0
+	for y in range(1, PICTURE_SIZE.y - 1):
+		for x in range(1, PICTURE_SIZE.x - 1):
+			var here := _is_covered(image, x, y)
+			var same := 0
+			for i in 9:
+				same += 1 if _is_covered(image, x - 1 + i % 3, y - 1 + i / 3) == here else 0
+			count += 1 if same == 1 else 0
+	return count
+
+
+func _is_covered(image: Image, x: int, y: int) -> bool:
+	var color := image.get_pixel(x, y)
+	return maxf(color.r, maxf(color.g, color.b)) > TOLERANCE
