@@ -11,6 +11,7 @@ namespace undergrowth {
 namespace {
 
 constexpr int SECTORS = 8;
+constexpr float LYING = 0.1f; // Bend: what has less room cannot go as far as what stands beside it.
 constexpr float EXACT = 65536.0f; // Sums of so many parts of 1 are exact.
 
 float exact(float weight) {
@@ -29,12 +30,27 @@ float size_of(const PlacedPart &part) {
 } // namespace
 
 FormBones::FormBones(const PlantForm &form, const std::vector<PartHang> &hangs) : first_of(form.placed.size(), -1) {
-	std::vector<int> heads, blades, leaves;
+	std::vector<int> heads, blades, lying, leaves;
 	for (size_t i = 0; i < hangs.size(); i++) {
-		if (hangs[i].swinger == static_cast<int>(i)) {
-			(hangs[i].swing.is_head() ? heads : hangs[i].is_root ? blades : leaves).push_back(static_cast<int>(i));
+		const PartHang &hang = hangs[i];
+		if (hang.swinger == static_cast<int>(i)) {
+			std::vector<int> &ground = hang.swing.room < LYING ? lying : blades;
+			(hang.swing.is_head() ? heads : hang.is_root ? ground : leaves).push_back(static_cast<int>(i));
 		}
 	}
+	add_heads(form, hangs, heads);
+	if (blades.size() + lying.size() > MOST_OF_TUFT) {
+		add_tuft("tuft_", form, hangs, blades);
+		add_tuft("lying_", form, hangs, lying);
+	} else {
+		leaves.insert(leaves.end(), blades.begin(), blades.end());
+		leaves.insert(leaves.end(), lying.begin(), lying.end());
+	}
+	add_leaves(form, hangs, std::move(leaves));
+}
+
+void FormBones::add_heads(
+		const PlantForm &form, const std::vector<PartHang> &hangs, const std::vector<int> &heads) {
 	for (const int head : heads) {
 		if (all.size() < MOST - FIRST) {
 			first_of[static_cast<size_t>(head)] = static_cast<int>(all.size());
@@ -42,11 +58,9 @@ FormBones::FormBones(const PlantForm &form, const std::vector<PartHang> &hangs) 
 			add("head" + number, form, form.placed[static_cast<size_t>(head)], hangs[static_cast<size_t>(head)], 1.0f);
 		}
 	}
-	if (blades.size() > MOST_OF_TUFT) {
-		add_tuft(form, hangs, blades);
-	} else {
-		leaves.insert(leaves.end(), blades.begin(), blades.end());
-	}
+}
+
+void FormBones::add_leaves(const PlantForm &form, const std::vector<PartHang> &hangs, std::vector<int> leaves) {
 	std::stable_sort(leaves.begin(), leaves.end(), [&form](int a, int b) {
 		return size_of(form.placed[static_cast<size_t>(a)]) > size_of(form.placed[static_cast<size_t>(b)]);
 	});
@@ -59,8 +73,8 @@ FormBones::FormBones(const PlantForm &form, const std::vector<PartHang> &hangs) 
 }
 
 /// Those on one side share the bones of the largest of them.
-void FormBones::add_tuft(
-		const PlantForm &form, const std::vector<PartHang> &hangs, const std::vector<int> &blades) {
+void FormBones::add_tuft(const std::string &name, const PlantForm &form, const std::vector<PartHang> &hangs,
+		const std::vector<int> &blades) {
 	std::array<int, SECTORS> largest;
 	largest.fill(-1);
 	for (const int blade : blades) {
@@ -73,7 +87,7 @@ void FormBones::add_tuft(
 	std::array<int, SECTORS> bones;
 	for (size_t i = 0; i < SECTORS; i++) {
 		const size_t of = static_cast<size_t>(std::max(largest[i], 0));
-		bones[i] = largest[i] < 0 ? -1 : add_pair("tuft_" + std::to_string(i + 1), form, form.placed[of], hangs[of]);
+		bones[i] = largest[i] < 0 ? -1 : add_pair(name + std::to_string(i + 1), form, form.placed[of], hangs[of]);
 	}
 	for (const int blade : blades) {
 		first_of[static_cast<size_t>(blade)] =

@@ -12,6 +12,8 @@ namespace {
 constexpr float GROUP_PHASE = 0.38196601f; // So that neighbours of two groups are apart, too.
 constexpr float MOST_OF_HEAD = 0.25f; // Of the plant's height: longer parts at a stem's tip are leaves of a crown.
 constexpr float TIP = 0.999f; // Offset.
+constexpr int ROOM_PLACES = 4;
+constexpr float LEAST_AWAY = 1e-4f; // m.
 constexpr float LEAST_ASIDE = 1e-5f; // Of the length: upright parts hang on the side that their back turns to.
 
 float frequency_of(const PlantForm &form, const PlacedPart &part) {
@@ -27,6 +29,18 @@ glm::vec2 side_of(const PlantForm &form, const PlacedPart &part) {
 	return { part.axes.outward.x, part.axes.outward.z };
 }
 
+/// How far a part may turn outward before its midrib meets the ground: to the first order, each place by its weight.
+float room_of(const PlantForm &form, const PlacedPart &part) {
+	float room = 1.0f;
+	for (int i = 1; i <= ROOM_PLACES; i++) {
+		const float offset = static_cast<float>(i) / ROOM_PLACES;
+		const glm::vec3 point = form.point_of(part, offset);
+		const float away = std::max(glm::length(glm::vec2(point.x - part.base.x, point.z - part.base.z)), LEAST_AWAY);
+		room = std::min(room, 0.5f * std::max(point.y, 0.0f) / (away * offset)); // Half: a bend is half a turn.
+	}
+	return room;
+}
+
 PartSwing swing_of(const PlantForm &form, const PlacedPart &part, const glm::vec2 &side) {
 	const Part &kind = form.parts[static_cast<size_t>(part.kind)];
 	PartSwing swing;
@@ -34,6 +48,7 @@ PartSwing swing_of(const PlantForm &form, const PlacedPart &part, const glm::vec
 	swing.damping_ratio = kind.damping_ratio;
 	swing.phase = part.rank + GROUP_PHASE * static_cast<float>(part.group);
 	swing.side = side;
+	swing.room = swing.is_head() ? 1.0f : room_of(form, part);
 	return decode_swing(encode_swing(swing));
 }
 

@@ -61,7 +61,8 @@ glm::vec2 part_bend(const PartSwing &part, const StemMotion &stem) {
 			glm::vec2(-flap.y, flap.x) * (flutter * ASIDE * other);
 
 	const float inward = std::max(-glm::dot(bend, part.side), 0.0f);
-	bend += part.side * (inward - inward / (1.0f + inward / INWARD));
+	const float outward = std::max(glm::dot(bend, part.side), 0.0f);
+	bend += part.side * (inward - inward / (1.0f + inward / INWARD) - outward + outward / (1.0f + outward / part.room));
 	bend *= part.is_head() ? HEAD : 1.0f;
 	const float size = glm::length(bend) / MOST_PART_BEND;
 	return bend / std::sqrt(1.0f + size * size);
@@ -80,15 +81,22 @@ float arc_share(const glm::vec2 &bend) {
 	return 1.0f / ((1.0f + q) * tangent);
 }
 
+// tan(weight · atan|s|)/|s|, by its series.
+glm::vec2 bend_at(const glm::vec2 &tip, float weight) {
+	const float q = glm::dot(tip, tip);
+	const float w = weight * weight;
+	return tip * (weight * (1.0f - q * (1.0f - w) * (0.33333333f - q * (0.2f - 0.13333333f * w))));
+}
+
 glm::vec3 bent_way(const glm::vec3 &way, const glm::vec2 &bend, float weight) {
-	const glm::vec2 own = bend * weight;
+	const glm::vec2 own = bend_at(bend, weight);
 	return turned(way, own) * arc_share(own);
 }
 
 // The stem moves a place at its offset x by the share x of its bend: (1 - x)·v + x·turned(v). In the plane of the bend
 // that turns and shrinks, which a bone cannot do in one plane alone: it takes the turn and the mean size.
 PartPose pose_of(const PartBone &bone, const StemMotion &stem) {
-	const glm::vec2 own = part_bend(bone.swing, stem) * bone.weight;
+	const glm::vec2 own = bend_at(part_bend(bone.swing, stem), bone.weight);
 	const float n = glm::dot(stem.bend, stem.bend);
 	const float x = bone.stem_offset;
 	const float along = 1.0f - x + x * (1.0f - n) / (1.0f + n);

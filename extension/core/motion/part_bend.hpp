@@ -25,7 +25,7 @@ struct StemMotion {
 /// - it lags behind the stem, by a time that grows with its damping and falls with its frequency,
 /// - it flutters at about its frequency and its own phase, more the farther the stem is from its rest, most on the lee
 ///   side, and less the more it is damped,
-/// - stiff parts (of high frequency) do all of it less, and none folds far in towards its stem.
+/// - stiff parts (of high frequency) do all of it less, and none folds far in towards its stem or down into the ground.
 ///
 /// So parts of a stem at rest are still, and come to rest with it. Numbers of any size give a bound, finite one. The
 /// mirror for fields is undergrowth_part_bend() in addons/undergrowth/shaders/undergrowth_swing.gdshaderinc: who
@@ -41,6 +41,9 @@ glm::vec3 turned(const glm::vec3 &v, const glm::vec2 &bend);
 /// Where a point of a part goes whose own bend is `bend`; `way` leads from the pivot to it. `weight`: its own bend
 /// weight, 0 at the attachment and 1 at the tip. A straight blade becomes an arc of a circle of the same length.
 glm::vec3 bent_way(const glm::vec3 &way, const glm::vec2 &bend, float weight);
+
+/// The bend of a place of a part whose tip bends so: its angle is `weight` times the tip's. Within 1e-4.
+glm::vec2 bend_at(const glm::vec2 &tip, float weight);
 
 /// How much shorter the straight way to a place is than the arc, where the way has turned by this bend.
 float arc_share(const glm::vec2 &bend);

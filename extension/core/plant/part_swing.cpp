@@ -14,8 +14,11 @@ constexpr int STEPS = 16; // Of each octave.
 constexpr int OCTAVES = 8;
 constexpr int DAMPINGS = 32;
 constexpr float MOST_DAMPING = 2.0f;
-constexpr int PHASES = 64;
-constexpr int SIDES = 63;
+constexpr int PHASES = 32;
+constexpr int SIDES = 31;
+constexpr int ROOMS = 4;
+constexpr float LEAST_ROOM = 0.02f;
+constexpr float MORE_ROOM = 4.0f;
 constexpr int LOWEST = -2048; // Halves hold whole numbers from here to 2048.
 
 int nearest(float value) {
@@ -41,6 +44,15 @@ int side_of(const glm::vec2 &side) {
 	return 1 + (step + SIDES) % SIDES;
 }
 
+/// The largest that is no larger.
+int room_of(float room) {
+	int step = 0;
+	for (float next = LEAST_ROOM * MORE_ROOM; step < ROOMS - 1 && next <= room; next *= MORE_ROOM) {
+		step++;
+	}
+	return step;
+}
+
 } // namespace
 
 SwingCode encode_swing(const PartSwing &swing) {
@@ -49,7 +61,7 @@ SwingCode encode_swing(const PartSwing &swing) {
 	const float turns = swing.phase - std::floor(swing.phase);
 	const int phase = nearest(turns * PHASES) % PHASES;
 	return { static_cast<float>(LOWEST + DAMPINGS * pace_of(swing.frequency) + damping),
-		static_cast<float>(LOWEST + PHASES * phase + side_of(swing.side)) };
+		static_cast<float>(LOWEST + ((phase << 5) + side_of(swing.side)) * ROOMS + room_of(swing.room)) };
 }
 
 PartSwing decode_swing(const SwingCode &code) {
@@ -61,8 +73,9 @@ PartSwing decode_swing(const SwingCode &code) {
 	PartSwing swing;
 	swing.frequency = swings / static_cast<float>(SWING_PERIOD);
 	swing.damping_ratio = MOST_DAMPING * damping * damping;
-	swing.phase = static_cast<float>(place / PHASES) / PHASES;
-	const int side = place % PHASES;
+	swing.phase = static_cast<float>(place >> 7) / PHASES;
+	const int side = (place >> 2) & SIDES;
+	swing.room = LEAST_ROOM * static_cast<float>(1 << (2 * (place % ROOMS)));
 	if (side > 0) {
 		const double turn = 2.0 * PI * (side - 1) / SIDES;
 		swing.side = { static_cast<float>(portable_cos(turn)), static_cast<float>(portable_sin(turn)) };
