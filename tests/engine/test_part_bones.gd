@@ -37,7 +37,7 @@ func test_root_and_tip_keep_their_names_and_there_are_32_bones_at_most() -> void
 func test_a_tulip_has_bones_for_its_leaves_and_one_for_its_head() -> void:
 	var skeleton := _plant.get_skeleton()
 	var head := skeleton.get_bone_global_rest(skeleton.find_bone("head")).origin
-	check_near(head.y, _plant.get_plant_height(), 0.1 * _plant.get_plant_height(), "the head's height")
+	check_near(head.y, _plant.get_plant_height(), 0.15 * _plant.get_plant_height(), "the head's height")
 	var leaf := skeleton.get_bone_global_rest(skeleton.find_bone("leaf_1")).origin
 	check(leaf.y > 0.0 and leaf.y < 0.3 * _plant.get_plant_height(), "a leaf is attached low")
 	check_equal(skeleton.find_bone("stem_1"), -1, "bones of the stem")
@@ -76,10 +76,12 @@ func test_a_plant_at_rest_has_still_leaves_and_comes_back_to_rest() -> void:
 	var skeleton := _plant.get_skeleton()
 	_plant.advance(0.5)
 	check_near(_turn_of(skeleton, "leaf_1"), 0.0, 1e-5, "without wind")
-	_plant.apply_impulse(Vector3(0.02, 0.0, 0.01))
-	for i in 6:
+	_plant.apply_impulse(Vector3(0.08, 0.0, 0.04))
+	var most := 0.0
+	for i in 12:
 		_plant.advance(STEP)
-	check(_turn_of(skeleton, "leaf_1") > 0.02, "after a blow")
+		most = maxf(most, _turn_of(skeleton, "leaf_1"))
+	check(most > 0.05, "after a blow")
 	_plant.species.damping_ratio = 1.0
 	for i in 300:
 		_plant.advance(STEP)
