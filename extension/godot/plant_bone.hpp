@@ -1,5 +1,7 @@
 #pragma once
 
+#include "part_skeleton.hpp"
+
 #include <godot_cpp/classes/skeleton3d.hpp>
 #include <godot_cpp/variant/basis.hpp>
 #include <godot_cpp/variant/rid.hpp>
@@ -10,7 +12,7 @@
 
 namespace undergrowth {
 
-/// The bone that shows where one plant points: all that posing needs, so that the simulation's rows of these are read
+/// The bone that shows where one plant points, and the way to those of its parts: all that posing needs, so that the simulation's rows of these are read
 /// one after the other and no plant is touched.
 ///
 /// A skeleton that is told of a turn updates itself at the end of the frame: messages, signals, all bones, for three
@@ -24,6 +26,7 @@ struct PlantBone {
 	};
 
 	godot::Skeleton3D *skeleton = nullptr; ///< Null where there is nothing to show: no skeleton, or hidden.
+	PartSkeleton *parts = nullptr; ///< Of a plant of parts: how its further bones stand.
 	godot::RID drawn; ///< What the renderer has of it; invalid where nobody knows.
 	godot::Basis to_local; ///< From the axes of the plant's directions to the plant's own.
 	glm::vec3 posed = { 0.0f, 1.0f, 0.0f }; ///< What is shown now, in the plant's own axes.
@@ -31,6 +34,11 @@ struct PlantBone {
 	bool is_held = false; ///< Somebody asked for the skeleton.
 	bool node_is_behind = false; ///< The node does not know what is shown.
 
+	/// Whether show() of this direction poses parts, which go by what the stem does.
+	bool shows_parts(const glm::vec3 &direction) const;
+	/// What the stem does besides: the directions (unit) before and after its last step of `step` seconds, and the clock
+	/// of swings.
+	void follow_stem(const glm::vec3 &before, const glm::vec3 &after, float step, float clock);
 	/// Turns the bone to `direction` (unit), in every frame. Nothing where it points there already, within what can be
 	/// seen.
 	void show(const glm::vec3 &direction);
@@ -38,6 +46,9 @@ struct PlantBone {
 	void turn_to(const glm::vec3 &direction);
 	/// Tells the node what is shown.
 	void catch_up();
+
+private:
+	void take(const glm::vec3 &local);
 };
 
 } // namespace undergrowth

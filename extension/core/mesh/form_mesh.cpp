@@ -36,10 +36,10 @@ private:
 
 } // namespace
 
-void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const FormPlan &plan,
+void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const FormPlan &plan, const FormBones &bones,
 		const MeshOptions &options, float height, const FormBuffers &buffers) {
 	const std::vector<PartHang> hangs = hang_parts(form);
-	FormWriter writer(form, options, buffers);
+	FormWriter writer(form, bones, options, buffers);
 	Shapes shapes(form, plan);
 	std::vector<WrittenUnit> units;
 	const auto begin_unit = [&](float near, bool is_flower) {

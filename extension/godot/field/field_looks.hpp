@@ -57,8 +57,8 @@ struct FieldLook {
 	bool is_sampled() const { return int(variants.size()) == variant_count; }
 	/// Builds the meshes of what was sampled; once, on any thread.
 	void build();
-	/// A mesh for one plant alone, with its own height, to be turned and scaled by `scale`.
-	godot::Ref<godot::ArrayMesh> build_alone(const PlacedPlant &plant) const;
+	/// For the mesh of one plant alone, with its own height, to be turned and scaled by `scale`, on a skeleton.
+	SampledPlant sample_alone(const PlacedPlant &plant) const;
 	/// The function's motion as it is now.
 	void read_motion();
 	/// Its material, for plants that get a mesh of their own.

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "form/plant_form.hpp"
+#include "mesh/form_bones.hpp"
 #include "mesh/form_measure.hpp"
+#include "mesh/part_hang.hpp"
 
 #include <mutex>
 #include <utility>
@@ -12,8 +14,9 @@ namespace undergrowth {
 class GrownPlant {
 public:
 	const PlantForm form;
+	const FormBones bones;
 
-	explicit GrownPlant(PlantForm &&grown) : form(std::move(grown)) {}
+	explicit GrownPlant(PlantForm &&grown) : form(std::move(grown)), bones(form, hang_parts(form)) {}
 
 	/// Measured when the first mesh is built, on whatever thread that is.
 	const FormMeasure &measure() const {

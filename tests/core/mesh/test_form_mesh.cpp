@@ -128,7 +128,7 @@ TEST_CASE("leaves hang on their stem by its offset, swing about where they are a
 			found++;
 			CHECK(mesh.custom0[i].x == expected);
 			CHECK(std::abs(mesh.custom0[i].y - (1.0f - mesh.uvs[i].y)) < 1e-6f);
-			CHECK(mesh.custom1[i].w == 3.0f);
+			CHECK(decode_swing({ mesh.custom1[i].w, mesh.custom2[i].w }).frequency == 3.0f);
 			const glm::vec3 midrib = mesh.positions[i] - glm::vec3(mesh.custom2[i]);
 			CHECK(glm::length(midrib - form.point_of(leaf, mesh.custom0[i].y)) < 1e-5f);
 		}
