@@ -5,9 +5,9 @@ extends SceneTree
 ##     --script res://capture.gd -- --out=DIR [--scene=res://field/field.tscn] [--name=demo]
 ##     [--frames=60] [--size=1280x720]
 ##
-## Writes DIR/demo.png (of that size, with the panel) and DIR/frames/000.png … (640×360 without it, one
-## per frame of --fixed-fps, with a gust); no frames with --frames=0. Ends with status 1 where it
-## could not.
+## Writes DIR/demo.png (of that size, with the panel) and DIR/frames/000.png … (640×360 without it,
+## one per frame of --fixed-fps, with a gust); no frames with --frames=0. Ends with status 1 where
+## it could not.
 ## Forward+ in software (lavapipe) is faster than Compatibility (llvmpipe) and looks better.
 
 const FRAME_SIZE := Vector2i(640, 360)

@@ -31,9 +31,9 @@ const COLUMNS := 6
 const APART := 30.0
 const VIEW_DEGREES := 20.0
 ## How much of its picture a plant fills.
-const FILLED := 0.76
+const FILLED := 0.78
 ## Wide plants are drawn smaller, by how much wider than high they are.
-const WIDEST := 1.55
+const WIDEST := 1.25
 ## How far plants stand aside, in shares of their height: the view from near is beside them.
 const ASIDE := 0.19
 ## Pixels of the view from near.
@@ -125,7 +125,14 @@ func _make_label(plant: Plant3D, file: String) -> Label:
 	var label := Label.new()
 	var height := plant.get_mesh().get_aabb().end.y
 	var metres := "%.0f cm" % (100.0 * height) if height < 1.0 else "%.1f m" % height
-	label.text = "%s, %s\n%s" % [file.substr(0, 1).to_upper() + file.substr(1).replace("_", " "), metres, SPECIES[file][0]]
+	label.text = (
+		"%s, %s\n%s"
+		% [
+			file.substr(0, 1).to_upper() + file.substr(1).replace("_", " "),
+			metres,
+			SPECIES[file][0]
+		]
+	)
 	label.horizontal_alignment = HORIZONTAL_ALIGNMENT_CENTER
 	label.vertical_alignment = VERTICAL_ALIGNMENT_BOTTOM
 	label.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)

@@ -108,7 +108,9 @@ func test_flat_parts_lie_in_the_plane_of_what_carries_them() -> void:
 	leaflet.turn = 0.0
 	leaflet.phase = 0.5 * PI
 	leaflet.angle = Vector2(1.4, 1.4)
-	var frond := PlantArrangement.of({part = PlantAxis.new(), layout = PlantArrangement.LAYOUT_GROUND})
+	var frond := PlantArrangement.of(
+		{part = PlantAxis.new(), layout = PlantArrangement.LAYOUT_GROUND}
+	)
 	frond.carries = [leaflet]
 	var species := PlantFunction.new()
 	species.has_stem = false

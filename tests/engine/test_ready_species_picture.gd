@@ -1,4 +1,4 @@
-## Pictures of the species that the add-on brings: who looks sees leaves, and flowers of their colour.
+## Pictures of the species that the add-on brings: leaves are seen, and flowers in their colours.
 extends "res://tests/engine/picture_harness.gd"
 
 const FOLDER := "res://addons/undergrowth/species/"

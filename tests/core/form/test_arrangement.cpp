@@ -165,7 +165,8 @@ TEST_CASE("a part's own axes are turned out from its carrier's, and stay right-h
 }
 
 TEST_CASE("a flat part's upper side looks where its carrier's does, a part that goes straight up keeps its own") {
-	const PartAxes carrier = turn_into({ { 1.0f, 0.0f, 0.0f }, { 0.0f, 1.0f, 0.0f }, { 0.0f, 0.0f, 1.0f } }, 0.7f, 0.9f);
+	const PartAxes carrier =
+			turn_into({ { 1.0f, 0.0f, 0.0f }, { 0.0f, 1.0f, 0.0f }, { 0.0f, 0.0f, 1.0f } }, 0.7f, 0.9f);
 	for (const float side : { 90.0f, -90.0f, 30.0f }) {
 		const PartAxes part = turn_into(carrier, side * DEGREE, 80.0f * DEGREE);
 		const PartAxes level = turn_level(part, carrier);
