@@ -25,7 +25,7 @@ const SPECIES := {
 	"male_fern": ["Dryopteris filix-mas", 1, 0.8, 0.3],
 	"field_horsetail": ["Equisetum arvense", 5, 0.7, 0.14],
 }
-const SEGMENTS := 48
+const SEGMENTS := 64
 const COLUMNS := 6
 ## Metres between two plants of a world in which each is 1 m high or wide.
 const APART := 30.0
@@ -35,9 +35,9 @@ const FILLED := 0.78
 ## Wide plants are drawn smaller, by how much wider than high they are.
 const WIDEST := 1.25
 ## How far plants stand aside, in shares of their height: the view from near is beside them.
-const ASIDE := 0.19
+const ASIDE := 0.17
 ## Pixels of the view from near.
-const INSET := Vector2(124, 124)
+const INSET := Vector2(120, 120)
 const INSET_PLACE := Vector2(4, 4)
 
 @onready var _cells: GridContainer = %Cells
