@@ -188,6 +188,7 @@ func test_property_changes_are_undone() -> void:
 	var before := grass.blade_width
 	var slider := _find_slider("blade_width")
 	check(slider != null, "the inspector shows the width of a blade")
+	await _bring_into_sight(slider)
 	await click(slider, Vector2(slider.size.x * 0.3, slider.size.y * 0.4))
 	await frames(3)
 	await press_key(slider, KEY_A, 0, true)
@@ -201,6 +202,14 @@ func test_property_changes_are_undone() -> void:
 	await redo()
 	check_equal(grass.blade_width, after, "width after redo")
 	await undo()
+
+
+func _bring_into_sight(control: Control) -> void:
+	var above := control.get_parent()
+	while above is not EditorInspector:
+		above = above.get_parent()
+	(above as EditorInspector).ensure_control_visible(control)
+	await frames(2)
 
 
 func _find_slider(property: String) -> EditorSpinSlider:
