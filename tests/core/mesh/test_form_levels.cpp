@@ -25,8 +25,8 @@ struct Tolerance {
 	double color;
 };
 
-constexpr Tolerance TOLERANCES[] = { { 12, 0.03, 0.05, 3.0 }, { 6, 0.03, 0.08, 3.0 }, { 3, 0.03, 0.08, 3.0 },
-	{ 2, 0.08, 0.13, 3.0 }, { 1, 0.15, 0.45, 8.0 } };
+constexpr Tolerance TOLERANCES[] = { { 12, 0.03, 0.05, 3.0 }, { 6, 0.03, 0.09, 3.0 }, { 3, 0.03, 0.09, 3.0 },
+	{ 2, 0.12, 0.18, 3.0 }, { 1, 0.15, 0.45, 8.0 } };
 
 struct Sights {
 	Sight sides[SIDES];
