@@ -92,8 +92,8 @@ void shape_dome(FormBody &body, const Measure &m, float dome) {
 	body.has_tip = true;
 }
 
-/// As much as its parts show, a lathe shows from the side. A whorl that lies flat is not seen from the side as a lathe of midribs, but its parts are, for they lean, fold and
-/// curl: it rises until it shows as much.
+/// As much as its parts show, a lathe shows from the side. A whorl that lies flat is not seen from the side as a lathe
+/// of midribs, but its parts are, for they lean, fold and curl: it rises until it shows as much.
 void thicken(FormBody &body, const Measure &m) {
 	float widest = 0.0f;
 	float low = body.rings.front().along;

@@ -134,9 +134,8 @@ void OutlineFit::approach(const Outlines &areas, const Outlines &wanted) {
 				change += unit.weight[way] * unit.change[i][way] * right[i];
 			}
 			change = std::clamp(change, -MOST_STEP, MOST_STEP);
-			unit.widths[way] = way == 0
-					? std::clamp(unit.widths[way] + change, least, most)
-					: std::clamp(unit.widths[way] + change, -turned, turned);
+			unit.widths[way] = way == 0 ? std::clamp(unit.widths[way] + change, least, most)
+										: std::clamp(unit.widths[way] + change, -turned, turned);
 		}
 		apply(u, unit.widths);
 	}
