@@ -18,6 +18,9 @@ const WARM_UP_FRAMES := 60
 const BLOCKS := 21
 const FRAMES_PER_BLOCK := 8
 const FILLS := 5
+const PARTS: Array[String] = [
+	"meadow_grass", "garden_tulip", "oxeye_daisy", "meadow_grass", "oxeye_daisy"
+]
 
 var _rows: Array[Dictionary] = []
 var _renderer := "headless"
@@ -37,7 +40,9 @@ func _run() -> void:
 	for count: int in [LADDER_COUNT, LADDER_COUNT * 10]:
 		await _measure_field("field_frame_far", count, {"far_distance": FAR_DISTANCE})
 	if _renderer == "headless":
-		await _measure_fill()
+		await _measure_fill("field_fill", _make_field(LADDER_COUNT, {"simulation_enabled": false}))
+		await _measure_fill("field_fill_of_parts", _make_field_of_parts())
+		_measure_meshes_of_parts()
 		for count: int in PEER_COUNTS:
 			await _measure_jolt(count)
 		for count: int in PEER_COUNTS:
@@ -116,20 +121,50 @@ func _measure_field(title: String, count: int, settings: Dictionary) -> void:
 	await process_frame
 
 
-func _measure_fill() -> void:
-	var field := _make_field(LADDER_COUNT, {"simulation_enabled": false})
+func _measure_fill(title: String, field: PlantField3D) -> void:
 	root.add_child(field)
 	await field.filled
 	var times: Array[float] = []
 	for i in FILLS:
 		var start := Time.get_ticks_usec()
-		field.fill()
+		field.seed += 1  # Of other seeds: nothing has grown before.
 		await field.filled
 		times.append(Time.get_ticks_usec() - start)
 		await process_frame
-	_add_row("field_fill", field.get_plant_count(), _median(times), {"threads": 1})
+	var bytes: float = field.get_statistics()["bytes_per_plant"]
+	_add_row(
+		title, field.get_plant_count(), _median(times), {"threads": 1, "bytes_per_plant": bytes}
+	)
 	field.free()
 	await process_frame
+
+
+## Ready species of parts, two of them twice.
+func _make_field_of_parts() -> PlantField3D:
+	var kinds: Array[PlantFunction] = []
+	for name in PARTS:
+		kinds.append(load("res://addons/undergrowth/species/%s.tres" % name).duplicate())
+	var field := PlantField3D.from_species(kinds)
+	field.density = DENSITY
+	field.size = Vector2.ONE * sqrt(LADDER_COUNT / DENSITY)
+	field.simulation_enabled = false
+	return field
+
+
+## What a seed's first mesh and its further levels take.
+func _measure_meshes_of_parts() -> void:
+	for name in PARTS.slice(0, 3):
+		var species: PlantFunction = load("res://addons/undergrowth/species/%s.tres" % name)
+		var first: Array[float] = []
+		var further: Array[float] = []
+		for seed_value in BLOCKS:
+			for segments: int in [12, 6, 3, 2]:
+				var start := Time.get_ticks_usec()
+				species.generate_mesh(0.0, segments, 1000 + seed_value)
+				var usec := float(Time.get_ticks_usec() - start)
+				(first if segments == 12 else further).append(usec)
+		_add_row("first_mesh_" + name, 1, _median(first), {"threads": 1})
+		_add_row("further_mesh_" + name, 1, _median(further), {"threads": 1})
 
 
 ## A body for each plant's tip, held by a pin joint at its root, as Jolt moves it.

@@ -17,6 +17,9 @@ namespace {
 
 constexpr int PLACES = 3; // Of a part that are measured: base, middle, tip.
 constexpr float MOST_LARGER = 2.0f; // In area.
+constexpr float MOST_RISE = 0.6f; // Of a flat whorl's radius.
+constexpr float LEAST_THIN = 0.4f; // Of a lathe's radius.
+constexpr float MOST_STOUT = 0.4f; // Of a spindle: its silhouette in shares of its length's square.
 constexpr float LEAST_RADIUS = 1e-4f; // m.
 
 /// What a body's parts measure in its own axes.
@@ -89,8 +92,8 @@ void shape_dome(FormBody &body, const Measure &m, float dome) {
 	body.has_tip = true;
 }
 
-/// A whorl that lies flat is not seen from the side as a lathe of midribs, but its parts are, for they lean, fold and
-/// curl: it rises until it shows as much.
+/// As much as its parts show, a lathe shows from the side. A whorl that lies flat is not seen from the side as a lathe
+/// of midribs, but its parts are, for they lean, fold and curl: it rises until it shows as much.
 void thicken(FormBody &body, const Measure &m) {
 	float widest = 0.0f;
 	float low = body.rings.front().along;
@@ -102,10 +105,16 @@ void thicken(FormBody &body, const Measure &m) {
 	}
 	const float wanted = 0.5f * m.shown; // The farther half of the parts lies behind the nearer.
 	const float shows = widest * (high - low);
-	if (shows >= wanted || !(widest > 0.0f)) {
+	if (shows > 1.3f * wanted) { // Thin parts that stand up hide less than their lathe of what they stand around.
+		for (FormBody::Ring &ring : body.rings) {
+			ring.radius *= std::max(wanted / shows, LEAST_THIN);
+		}
 		return;
 	}
-	const float rise = wanted / widest;
+	if (shows >= std::min(wanted, MOST_RISE * widest * widest) || !(widest > 0.0f)) {
+		return;
+	}
+	const float rise = std::min(wanted / widest, MOST_RISE * widest);
 	const float sign = body.rings.back().along < body.rings.front().along ? -1.0f : 1.0f;
 	const float base = body.rings.front().along;
 	for (size_t i = 1; i < body.rings.size(); i++) {
@@ -211,7 +220,11 @@ std::vector<FormBody> make_bodies(const PlantForm &form, const FormMeasure &meas
 		const float own = measure.shown[group] * static_cast<float>(measures[i].count) /
 				static_cast<float>(form.groups[group].count);
 		const float more = own > 0.0f ? plan.shown[group] / static_cast<float>(counts[group]) / own : 1.0f;
-		bodies[i].shown *= more;
+		const float length = bodies[i].rings.back().along - bodies[i].rings.front().along;
+		if (bodies[i].shown > 0.0f) {
+			const float with_others = bodies[i].shown + std::max(own * (more - 1.0f), 0.0f);
+			bodies[i].shown = std::min(with_others, std::max(MOST_STOUT * length * length, bodies[i].shown));
+		}
 		const Layout layout = form.groups[group].layout;
 		const bool is_spindle = layout == Layout::along || layout == Layout::ground; // As long as what it stands on.
 		for (FormBody::Ring &ring : bodies[i].rings) {

@@ -12,11 +12,11 @@ namespace {
 constexpr float TURNED = 0.35f; // What growing one way is worth beside growing all ways.
 constexpr float MOST_STEP = 0.5f;
 constexpr float LEAST_WIDTH = 0.25f; // Of what was written.
-constexpr float MOST_WIDTH = 6.0f;
-constexpr float LEAST_FLOWER = 0.4f;
-constexpr float MOST_FLOWER = 1.5f;
+constexpr float MOST_WIDTH = 4.0f;
+constexpr float LEAST_FLOWER = 0.45f;
+constexpr float MOST_FLOWER = 1.7f;
 constexpr float MOST_TURNED = 0.7f;
-constexpr float MOST_TURNED_FLOWER = 0.4f;
+constexpr float MOST_TURNED_FLOWER = 0.25f;
 constexpr float STIFFNESS = 1e-3f; // So that outlines that nothing can change apart from each other do no harm.
 
 /// Solves a·x = b for a symmetric positive matrix, by Cholesky's parts; x is left in b.
@@ -134,9 +134,8 @@ void OutlineFit::approach(const Outlines &areas, const Outlines &wanted) {
 				change += unit.weight[way] * unit.change[i][way] * right[i];
 			}
 			change = std::clamp(change, -MOST_STEP, MOST_STEP);
-			unit.widths[way] = way == 0
-					? std::clamp(unit.widths[way] + change, least, most)
-					: std::clamp(unit.widths[way] + change, -turned, turned);
+			unit.widths[way] = way == 0 ? std::clamp(unit.widths[way] + change, least, most)
+										: std::clamp(unit.widths[way] + change, -turned, turned);
 		}
 		apply(u, unit.widths);
 	}

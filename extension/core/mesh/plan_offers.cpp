@@ -12,6 +12,7 @@ namespace {
 constexpr float MERGED = 0.08f;
 constexpr float UNCOVERED = 0.35f; // For the share of a body that its parts left open.
 constexpr float BODY_SIDE = 0.3f; // Divided by the square of the sides.
+constexpr float FLOWER_WORTH = 1.5f; // From here on its colour is one of a flower.
 constexpr float CONE = 0.05f; // For a whorl's lathe.
 
 float body_error(const PartGroup &group, const BodyDetail &detail) {
@@ -70,7 +71,8 @@ void PlanSteps::offer_few(Step &best, int group, size_t kept, int excess) const 
 	const State &state = states[static_cast<size_t>(group)];
 	const PartGroup &own = form.groups[static_cast<size_t>(group)];
 	const bool carries = state.branch_area > state.area;
-	if (carries || own.layout == Layout::disc || own.layout == Layout::whorl || state.bodies == 0) {
+	const bool is_flower = state.worth > FLOWER_WORTH;
+	if (carries || is_flower || own.layout == Layout::disc || own.layout == Layout::whorl || state.bodies == 0) {
 		return; // What carries others is more than its parts; and flowers are whole.
 	}
 	const int saved = state.branch_vertices - state.left[kept] * state.costs.back();

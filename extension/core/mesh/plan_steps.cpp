@@ -14,10 +14,10 @@ namespace {
 
 // What steps do to a picture, in shares of the area that they touch. Orders, not physics.
 constexpr float THINNED = 0.1f; // By so much for each part that one has to stand for.
-constexpr float ONE_SIDED = 0.3f; // Divided by the parts left: the fewer, the more lopsided.
+constexpr float ONE_SIDED = 0.6f; // Divided by the parts left: the fewer, the more lopsided.
 constexpr float TWIN_DROPPED = 0.2f; // Where another group of the same kind on the same carriers goes on.
-constexpr float DROPPED = 1.2f;
-constexpr float MOST_THINNED = 1.0f; // A few are better than none.
+constexpr float DROPPED = 1.3f;
+constexpr float MOST_THINNED = 0.6f; // A few are better than none.
 constexpr float STANDS_OUT = 6.0f; // Times the square of a colour's distance to the plant's mean.
 constexpr float COLOR_LOST = 30.0f; // Times the square of the distance to the nearest colour that stays.
 constexpr float THINNED_WHORL = 0.3f; // One side of a flower is no flower.
@@ -157,8 +157,8 @@ float PlanSteps::thin_error(const State &state, size_t kept) const {
 		const bool is_whorl = form.groups[group].layout == Layout::whorl;
 		const float left = static_cast<float>(state.left[kept]);
 		const float thinned = static_cast<float>(state.left[0]) / left - 1.0f;
-		const float error = (is_whorl ? THINNED_WHORL : THINNED) * thinned + ONE_SIDED / left;
-		return thinned <= 0.0f ? 0.0f : std::min(error, MOST_THINNED);
+		const float others = std::min((is_whorl ? THINNED_WHORL : THINNED) * thinned, MOST_THINNED);
+		return thinned <= 0.0f ? 0.0f : others + ONE_SIDED / left;
 	}
 	return has_twin(static_cast<int>(group)) ? TWIN_DROPPED : DROPPED + COLOR_LOST * state.contrast;
 }

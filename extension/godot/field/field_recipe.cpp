@@ -147,8 +147,7 @@ static bool renders_on_threads() {
 	return !RenderingServer::get_singleton()->get_video_adapter_name().is_empty();
 }
 
-static void list_look(
-		const Ref<PlantFunction> &function, int variants, const StandOptions &options, FieldStyle &into) {
+static void list_look(const Ref<PlantFunction> &function, int variants, const StandOptions &options, FieldStyle &into) {
 	FieldLook look;
 	look.function = function;
 	look.variant_count = variants;

@@ -25,8 +25,8 @@ struct Tolerance {
 	double color;
 };
 
-constexpr Tolerance TOLERANCES[] = { { 12, 0.03, 0.05, 3.0 }, { 6, 0.03, 0.08, 3.0 }, { 3, 0.03, 0.08, 3.0 },
-	{ 2, 0.08, 0.13, 3.0 }, { 1, 0.15, 0.45, 8.0 } };
+constexpr Tolerance TOLERANCES[] = { { 12, 0.03, 0.05, 3.0 }, { 6, 0.03, 0.09, 3.0 }, { 3, 0.03, 0.09, 3.0 },
+	{ 2, 0.12, 0.18, 3.0 }, { 1, 0.15, 0.45, 8.0 } };
 
 struct Sights {
 	Sight sides[SIDES];
@@ -99,8 +99,8 @@ double flower_share(const PlantForm &form, int lod, bool (*is_flower)(const glm:
 		const size_t a = static_cast<size_t>(mesh.indices[i]);
 		const size_t b = static_cast<size_t>(mesh.indices[i + 1]);
 		const size_t c = static_cast<size_t>(mesh.indices[i + 2]);
-		const double area = glm::length(
-				glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]));
+		const double area =
+				glm::length(glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]));
 		whole += area;
 		flower += is_flower(mesh.colors[a]) && is_flower(mesh.colors[b]) ? area : 0.0;
 	}
@@ -120,7 +120,8 @@ TEST_CASE("a tulip is red and a daisy white at every level") {
 }
 
 TEST_CASE("a level is measured as the plant is: larger pictures show what goes beyond it") {
-	const glm::vec3 square[] = { { -1.0f, 0.0f, 0.0f }, { 1.0f, 0.0f, 0.0f }, { 1.0f, 1.0f, 0.0f }, { -1.0f, 1.0f, 0.0f } };
+	const glm::vec3 square[] = { { -1.0f, 0.0f, 0.0f }, { 1.0f, 0.0f, 0.0f }, { 1.0f, 1.0f, 0.0f },
+		{ -1.0f, 1.0f, 0.0f } };
 	const int32_t indices[] = { 0, 1, 2, 0, 2, 3 };
 	const SeenMesh mesh = { square, 4, indices, 6 };
 	const SightBox whole = { 1.0f, 0.0f, 1.0f };
