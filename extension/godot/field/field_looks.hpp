@@ -71,8 +71,8 @@ struct FieldLook {
 	float length_of(const PlacedPlant &plant) const { return height_of(plant) * plant.scale; }
 	/// Whether its plants are of parts.
 	bool has_parts() const { return !nearest.empty() && nearest[0].grown; }
-	/// The farthest that the plant's mesh goes from its root, `widening` times as wide, however it bends: linear blend skinning moves no vertex
-	/// farther than it is at rest (m).
+	/// The farthest that the plant's mesh goes from its root, `widening` times as wide, however it bends: linear blend
+	/// skinning moves no vertex farther than it is at rest (m).
 	float reach_of(const PlacedPlant &plant, float widening) const;
 	const FieldVariant &variant_of(const PlacedPlant &plant) const {
 		return variants[size_t(plant.variant) % variants.size()];

@@ -16,8 +16,8 @@
 
 namespace undergrowth {
 
-/// A square of the ground at one level of detail: FieldLevel::tile_factor tiles wide, or a part of one. Plants that code added have
-/// multimeshes of their own, so that adding one does not touch what was filled.
+/// A square of the ground at one level of detail: FieldLevel::tile_factor tiles wide, or a part of one. Plants that
+/// code added have multimeshes of their own, so that adding one does not touch what was filled.
 struct ClumpPlace {
 	bool is_added;
 	int level;

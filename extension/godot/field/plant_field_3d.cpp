@@ -3,13 +3,9 @@
 
 #include "field/plant_field_3d.hpp"
 
-#include "new_object.hpp"
-#include "species_functions.hpp"
 #include "stopwatch.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
-#include <godot_cpp/classes/rendering_server.hpp>
-#include <godot_cpp/classes/resource_loader.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
 
 using namespace godot;
@@ -17,11 +13,8 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr int FRAMES_BETWEEN_LOOKS = 8; // At what cannot tell that it changed.
-static const char *const GRASS_PATH = "res://addons/undergrowth/species/meadow_grass.tres";
 static const char *const FRAME_METHOD = "_on_tree_frame";
 static const char *const PHYSICS_METHOD = "_on_physics_frame";
-static const char *const DRAW_METHOD = "_on_frame_drawn";
-static const char *const DRAW_SIGNAL = "frame_pre_draw"; // After all that moves cameras, in a paused tree, too.
 
 PlantField3D::PlantField3D() :
 		meadow(this, properties,
@@ -110,27 +103,6 @@ void PlantField3D::on_fill_queued() {
 	follow_frames(meadow.is_at_work());
 }
 
-// What grows where no species are listed. Not before it is planted: a resource may be loaded only once its classes are
-// known.
-void PlantField3D::choose_grass() {
-	if (!listed.is_empty() || !properties.species.is_empty()) {
-		return;
-	}
-	ResourceLoader *loader = ResourceLoader::get_singleton();
-	Ref<PlantFunction> grass;
-	if (loader->exists(GRASS_PATH)) {
-		grass = loader->load(GRASS_PATH);
-	}
-	if (grass.is_null()) {
-		report_warning(this,
-				String("its species are empty, and ") + GRASS_PATH +
-						" is missing, so single blades grow (GrassFunction). Set species, or add that file of the "
-						"add-on; an export takes it along where it exports all resources.");
-		grass = Ref<PlantFunction>(new_counted<GrassFunction>());
-	}
-	properties.species.push_back(PlantFieldSpecies::of(grass));
-}
-
 void PlantField3D::fill() {
 	stand_is_stale = true;
 	if (is_inside_tree()) { // Else it grows when it enters the tree.
@@ -175,21 +147,6 @@ void PlantField3D::on_tree_frame() {
 
 void PlantField3D::on_physics_frame() {
 	poll(get_physics_process_delta_time(), true);
-}
-
-void PlantField3D::follow_drawing(bool on) {
-	RenderingServer *server = RenderingServer::get_singleton();
-	const Callable listener(this, DRAW_METHOD);
-	const bool follows = server->is_connected(DRAW_SIGNAL, listener);
-	if (on && !follows) {
-		server->connect(DRAW_SIGNAL, listener);
-	} else if (!on && follows) {
-		server->disconnect(DRAW_SIGNAL, listener);
-	}
-}
-
-void PlantField3D::on_frame_drawn() {
-	meadow.thin();
 }
 
 void PlantField3D::process_frame() {

@@ -5,6 +5,7 @@
 #include "bind_properties.hpp"
 
 #include <godot_cpp/classes/camera3d.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
@@ -13,6 +14,9 @@
 using namespace godot;
 
 namespace undergrowth {
+
+static const char *const DRAW_METHOD = "_on_frame_drawn";
+static const char *const DRAW_SIGNAL = "frame_pre_draw"; // After all that moves cameras, in a paused tree, too.
 
 void PlantField3D::reset_motion() {
 	meadow.settle();
@@ -68,6 +72,21 @@ Dictionary PlantField3D::get_statistics() {
 	told["wait_usec"] = wait_usec;
 	told["bytes_per_plant"] = count > 0 ? double(meadow.store.bytes()) / count + meadow.motion.bytes_per_plant() : 0.0;
 	return told;
+}
+
+void PlantField3D::follow_drawing(bool on) {
+	RenderingServer *server = RenderingServer::get_singleton();
+	const Callable listener(this, DRAW_METHOD);
+	const bool follows = server->is_connected(DRAW_SIGNAL, listener);
+	if (on && !follows) {
+		server->connect(DRAW_SIGNAL, listener);
+	} else if (!on && follows) {
+		server->disconnect(DRAW_SIGNAL, listener);
+	}
+}
+
+void PlantField3D::on_frame_drawn() {
+	meadow.thin();
 }
 
 // What the engine calls, by its name with an underscore before it.

@@ -4,6 +4,10 @@
 
 #include "bind_properties.hpp"
 #include "follow_changes.hpp"
+#include "new_object.hpp"
+#include "species_functions.hpp"
+
+#include <godot_cpp/classes/resource_loader.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -12,6 +16,8 @@
 using namespace godot;
 
 namespace undergrowth {
+
+static const char *const GRASS_PATH = "res://addons/undergrowth/species/meadow_grass.tres";
 
 void PlantField3D::changed(About about) {
 	const bool needs_meshes = about == About::meshes || (about == About::levels && !meadow.update_levels());
@@ -193,6 +199,27 @@ void PlantField3D::follow_species() {
 		follow_changes(entry, listener);
 	}
 	properties.species = listed.duplicate();
+}
+
+// What grows where no species are listed. Not before it is planted: a resource may be loaded only once its classes are
+// known.
+void PlantField3D::choose_grass() {
+	if (!listed.is_empty() || !properties.species.is_empty()) {
+		return;
+	}
+	ResourceLoader *loader = ResourceLoader::get_singleton();
+	Ref<PlantFunction> grass;
+	if (loader->exists(GRASS_PATH)) {
+		grass = loader->load(GRASS_PATH);
+	}
+	if (grass.is_null()) {
+		report_warning(this,
+				String("its species are empty, and ") + GRASS_PATH +
+						" is missing, so single blades grow (GrassFunction). Set species, or add that file of the "
+						"add-on; an export takes it along where it exports all resources.");
+		grass = Ref<PlantFunction>(new_counted<GrassFunction>());
+	}
+	properties.species.push_back(PlantFieldSpecies::of(grass));
 }
 
 // Of a species whose function tells of a change.

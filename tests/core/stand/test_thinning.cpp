@@ -19,8 +19,8 @@ std::vector<float> ranks_of_cells() {
 		for (int column = 0; column < SIDE; column++) {
 			// Not near a cell's side, where rows are out of step.
 			const float shift = row % 2 == 0 ? 0.25f : 0.75f;
-			ranks.push_back(
-					plant_rank(filled_plant_id(static_cast<float>(column) + shift, static_cast<float>(row) + 0.5f, 1.0)));
+			ranks.push_back(plant_rank(
+					filled_plant_id(static_cast<float>(column) + shift, static_cast<float>(row) + 0.5f, 1.0)));
 		}
 	}
 	return ranks;
