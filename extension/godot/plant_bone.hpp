@@ -14,8 +14,8 @@
 
 namespace undergrowth {
 
-/// The bone that shows where one plant points, and the way to those of its parts: all that posing needs, so that the simulation's rows of these are read
-/// one after the other and no plant is touched.
+/// The bone that shows where one plant points, and the way to those of its parts: all that posing needs, so that the
+/// simulation's rows of these are read one after the other and no plant is touched.
 ///
 /// A skeleton that is told of a turn updates itself at the end of the frame: messages, signals, all bones, for three
 /// times what the turn costs. Nobody sees that but who holds the skeleton, so the renderer is told instead until then,
@@ -48,8 +48,7 @@ struct PlantBone {
 	void follow(const Step &step);
 	/// Turns the bone to `direction` (unit), in every frame. Nothing where it points there already, within what can be
 	/// seen, and no part swings. `step()` tells the last step and is asked where parts need it.
-	template <typename AskStep>
-	void show(const glm::vec3 &direction, const AskStep &step) {
+	template <typename AskStep> void show(const glm::vec3 &direction, const AskStep &step) {
 		if (!skeleton) {
 			return;
 		}

@@ -50,8 +50,7 @@ FormBones::FormBones(const PlantForm &form, const std::vector<PartHang> &hangs) 
 	add_leaves(form, hangs, std::move(leaves));
 }
 
-void FormBones::add_heads(
-		const PlantForm &form, const std::vector<PartHang> &hangs, const std::vector<int> &heads) {
+void FormBones::add_heads(const PlantForm &form, const std::vector<PartHang> &hangs, const std::vector<int> &heads) {
 	for (const int head : heads) {
 		if (all.size() < MOST - FIRST) {
 			first_of[static_cast<size_t>(head)] = static_cast<int>(all.size());
@@ -96,8 +95,7 @@ void FormBones::add_tuft(const std::string &name, const PlantForm &form, const s
 	}
 }
 
-int FormBones::add_pair(
-		const std::string &name, const PlantForm &form, const PlacedPart &part, const PartHang &hang) {
+int FormBones::add_pair(const std::string &name, const PlantForm &form, const PlacedPart &part, const PartHang &hang) {
 	const bool is_long = part.length > LONG && all.size() + 2 <= MOST - FIRST;
 	if (all.size() >= MOST - FIRST) {
 		return -1;

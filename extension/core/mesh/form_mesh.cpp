@@ -61,7 +61,8 @@ void hold_to_stems(const PlantForm &form, const FormPlan &plan, std::vector<Part
 		const glm::vec3 low = form.point_of(stem, *(above - 1));
 		const glm::vec3 high = form.point_of(stem, *above);
 		const float t = (part.offset - *(above - 1)) / (*above - *(above - 1));
-		const glm::vec3 moved = low * (stem_offset_of(form, low) * (1.0f - t)) + high * (stem_offset_of(form, high) * t);
+		const glm::vec3 moved =
+				low * (stem_offset_of(form, low) * (1.0f - t)) + high * (stem_offset_of(form, high) * t);
 		const glm::vec3 place = form.point_of(stem, part.offset);
 		const float square = glm::dot(place, place);
 		hangs[i].stem_offset = square > 0.0f ? std::min(glm::dot(moved, place) / square, 1.0f) : 0.0f;
