@@ -71,7 +71,8 @@ void PartSkeleton::set_up(Skeleton3D *skeleton, const PartSkeleton *parts) {
 		for (size_t i = 0; parts && i < parts->bones.size(); i++) {
 			const int outer_of = parts->bones[i].outer_of;
 			skeleton->add_bone(parts->names[i]);
-			skeleton->set_bone_parent(int(FormBones::FIRST + i), outer_of < 0 ? FormBones::TIP : FormBones::FIRST + outer_of);
+			skeleton->set_bone_parent(
+					int(FormBones::FIRST + i), outer_of < 0 ? FormBones::TIP : FormBones::FIRST + outer_of);
 		}
 	}
 	for (size_t i = 0; parts && i < parts->bones.size(); i++) {

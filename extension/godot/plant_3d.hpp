@@ -14,8 +14,9 @@
 
 namespace undergrowth {
 
-/// One plant: a generated mesh on a skeleton of two bones (thesis, section 4.1) and those of its parts, moved by the simulation or by
-/// advance(). Its skeleton and mesh instance are internal children: they are never saved with the scene.
+/// One plant: a generated mesh on a skeleton of two bones (thesis, section 4.1) and those of its parts, moved by the
+/// simulation or by advance(). Its skeleton and mesh instance are internal children: they are never saved with the
+/// scene.
 class Plant3D : public godot::Node3D {
 	GDCLASS(Plant3D, godot::Node3D)
 

@@ -188,6 +188,7 @@ void Plant3D::update_bone() {
 	shown.drawn = drawn.is_valid() ? drawn->get_skeleton() : RID();
 	shown.is_held = skeleton_is_held;
 	shown.parts = parts.get();
+	shown.is_calm = !parts; // Until it was posed.
 	if (parts) {
 		const glm::vec3 calm = to_glm(plant_axes.xform_inv(rest()));
 		parts->stem.rest = glm::vec2(calm.x, calm.z) / std::max(1.0f + calm.y, SHORTEST);
@@ -205,7 +206,7 @@ void Plant3D::pose_now() {
 	PlantBone &shown = bone();
 	if (shown.parts) {
 		const float step = float(PlantSimulation::get_singleton()->get_step_length());
-		shown.follow_stem(to_frame(axes, now.before), to_frame(axes, now.now.direction), step, parts->stem.clock);
+		shown.follow({ to_frame(axes, now.before), to_frame(axes, now.now.direction), step, parts->stem.clock });
 		shown.posed = glm::vec3(NAN);
 	}
 	shown.turn_to(to_frame(axes, now.now.direction));

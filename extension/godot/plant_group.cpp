@@ -60,10 +60,9 @@ void PlantGroup::pose(float alpha, float swing_clock) {
 	directions.resize(bones.size());
 	page.interpolate(alpha, directions.data());
 	for (size_t i = 0; i < bones.size(); i++) {
-		if (bones[i].shows_parts(directions[i])) {
-			bones[i].follow_stem(page.before(int(i)), page.direction(int(i)), page.step_length(), swing_clock);
-		}
-		bones[i].show(directions[i]);
+		bones[i].show(directions[i], [&]() -> PlantBone::Step {
+			return { page.before(int(i)), page.direction(int(i)), page.step_length(), swing_clock };
+		});
 	}
 }
 

@@ -63,7 +63,9 @@ func test_leaves_move_in_steady_wind_and_stand_with_the_field() -> void:
 	_step_field(600)
 	var before := await picture()
 	var still := await picture()
-	check_equal(count_different(before, still), 0, "pixels that changed in a field that stands still")
+	check_equal(
+		count_different(before, still), 0, "pixels that changed in a field that stands still"
+	)
 	_step_field(11)
 	check(count_different(before, await picture()) > 20, "leaves flutter")
 

@@ -31,13 +31,18 @@ func test_root_and_tip_keep_their_names_and_there_are_32_bones_at_most() -> void
 		check(skeleton.get_bone_count() > 2, species + " has bones of its parts")
 		check(skeleton.get_bone_count() <= 32, species + " has 32 bones at most")
 		for bone in range(2, skeleton.get_bone_count()):
-			check(skeleton.get_bone_parent(bone) >= 1, "%s bone %d hangs on the stem" % [species, bone])
+			check(
+				skeleton.get_bone_parent(bone) >= 1,
+				"%s bone %d hangs on the stem" % [species, bone]
+			)
 
 
 func test_a_tulip_has_bones_for_its_leaves_and_one_for_its_head() -> void:
 	var skeleton := _plant.get_skeleton()
 	var head := skeleton.get_bone_global_rest(skeleton.find_bone("head")).origin
-	check_near(head.y, _plant.get_plant_height(), 0.15 * _plant.get_plant_height(), "the head's height")
+	check_near(
+		head.y, _plant.get_plant_height(), 0.15 * _plant.get_plant_height(), "the head's height"
+	)
 	var leaf := skeleton.get_bone_global_rest(skeleton.find_bone("leaf_1")).origin
 	check(leaf.y > 0.0 and leaf.y < 0.3 * _plant.get_plant_height(), "a leaf is attached low")
 	check_equal(skeleton.find_bone("stem_1"), -1, "bones of the stem")
@@ -53,7 +58,9 @@ func test_weights_of_a_vertex_are_of_bones_that_there_are() -> void:
 		var most := 0
 		var worst := 0.0
 		for i in range(0, weights.size(), 4):
-			worst = maxf(worst, absf(weights[i] + weights[i + 1] + weights[i + 2] + weights[i + 3] - 1.0))
+			worst = maxf(
+				worst, absf(weights[i] + weights[i + 1] + weights[i + 2] + weights[i + 3] - 1.0)
+			)
 			for k in range(i, i + 4):
 				most = maxi(most, bones[k])
 		check_equal(most, count - 1, species + ": the last bone")
@@ -99,9 +106,14 @@ func test_reset_motion_puts_leaves_into_their_rest() -> void:
 func test_frequency_and_damping_of_a_leaf_matter() -> void:
 	var turns: Array[float] = []
 	for change: Array in [[2.5, 0.12], [8.0, 0.12], [2.5, 1.0]]:
-		var leaf := PlantBlade.of({
-			length = Vector2(0.2, 0.2), width = 0.03, frequency = change[0], damping_ratio = change[1]
-		})
+		var leaf := PlantBlade.of(
+			{
+				length = Vector2(0.2, 0.2),
+				width = 0.03,
+				frequency = change[0],
+				damping_ratio = change[1]
+			}
+		)
 		var line := PlantArrangement.new()
 		line.part = leaf
 		line.count = Vector2i(1, 1)

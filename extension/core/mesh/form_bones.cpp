@@ -11,6 +11,7 @@ namespace undergrowth {
 namespace {
 
 constexpr int SECTORS = 8;
+constexpr float MORE_THAN_OWN = 0.05f; // Of the stem's bend.
 constexpr float LYING = 0.1f; // Bend: what has less room cannot go as far as what stands beside it.
 constexpr float EXACT = 65536.0f; // Sums of so many parts of 1 are exact.
 
@@ -49,8 +50,7 @@ FormBones::FormBones(const PlantForm &form, const std::vector<PartHang> &hangs) 
 	add_leaves(form, hangs, std::move(leaves));
 }
 
-void FormBones::add_heads(
-		const PlantForm &form, const std::vector<PartHang> &hangs, const std::vector<int> &heads) {
+void FormBones::add_heads(const PlantForm &form, const std::vector<PartHang> &hangs, const std::vector<int> &heads) {
 	for (const int head : heads) {
 		if (all.size() < MOST - FIRST) {
 			first_of[static_cast<size_t>(head)] = static_cast<int>(all.size());
@@ -95,8 +95,7 @@ void FormBones::add_tuft(const std::string &name, const PlantForm &form, const s
 	}
 }
 
-int FormBones::add_pair(
-		const std::string &name, const PlantForm &form, const PlacedPart &part, const PartHang &hang) {
+int FormBones::add_pair(const std::string &name, const PlantForm &form, const PlacedPart &part, const PartHang &hang) {
 	const bool is_long = part.length > LONG && all.size() + 2 <= MOST - FIRST;
 	if (all.size() >= MOST - FIRST) {
 		return -1;
@@ -150,11 +149,14 @@ void FormBones::bind(int swinger, float stem_offset, float weight, int32_t *bone
 	const bool is_pair = has_outer(first);
 	const float outer = is_pair ? std::max(2.0f * weight - 1.0f, 0.0f) : 0.0f;
 	const float inner = is_pair ? std::min(2.0f * weight, 2.0f - 2.0f * weight) : weight;
-	weights[2] = exact(inner);
-	weights[3] = std::min(exact(outer), 1.0f - weights[2]);
+	const float of_inner = all[static_cast<size_t>(first)].stem_offset;
+	const float of_outer = all[static_cast<size_t>(first + (is_pair ? 1 : 0))].stem_offset;
+	// What is low shares bones of higher parts only so far as the stem moves it.
+	const float most = (stem_offset + MORE_THAN_OWN) / std::max(inner * of_inner + outer * of_outer, MORE_THAN_OWN);
+	weights[2] = exact(inner * std::min(most, 1.0f));
+	weights[3] = std::min(exact(outer * std::min(most, 1.0f)), 1.0f - weights[2]);
 	const float room = 1.0f - weights[2] - weights[3];
-	const float taken = weights[2] * all[static_cast<size_t>(first)].stem_offset +
-			weights[3] * all[static_cast<size_t>(first + (is_pair ? 1 : 0))].stem_offset;
+	const float taken = weights[2] * of_inner + weights[3] * of_outer;
 	weights[1] = std::clamp(exact(stem_offset - taken), 0.0f, room);
 	weights[0] = room - weights[1];
 	bones[2] = FIRST + first;

@@ -44,7 +44,8 @@ private:
 	std::vector<std::string> all_names;
 	std::vector<int> first_of; ///< By placed part: the index of its first bone, or -1.
 
-	void add(const std::string &name, const PlantForm &form, const PlacedPart &part, const PartHang &hang, float weight);
+	void add(
+			const std::string &name, const PlantForm &form, const PlacedPart &part, const PartHang &hang, float weight);
 	int add_pair(const std::string &name, const PlantForm &form, const PlacedPart &part, const PartHang &hang);
 	void add_heads(const PlantForm &form, const std::vector<PartHang> &hangs, const std::vector<int> &heads);
 	void add_tuft(const std::string &name, const PlantForm &form, const std::vector<PartHang> &hangs,

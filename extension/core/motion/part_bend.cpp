@@ -54,11 +54,10 @@ glm::vec2 part_bend(const PartSwing &part, const StemMotion &stem) {
 	const float slow = std::floor(0.625f * swings + 0.5f); // A whole number, too.
 	const float one = wave(stem.clock * swings + part.phase);
 	const float other = wave(stem.clock * slow + 2.618f * part.phase);
-	const float flutter = FLUTTER * soft / (1.0f + CALMED * part.damping_ratio) * (1.0f + FLUTTER_OF_LEE * lee) * far /
-			(1.0f + far);
+	const float flutter =
+			FLUTTER * soft / (1.0f + CALMED * part.damping_ratio) * (1.0f + FLUTTER_OF_LEE * lee) * far / (1.0f + far);
 	const glm::vec2 flap = part.is_head() ? wind : part.side;
-	bend += flap * (flutter * (0.7f * one + 0.3f * other)) +
-			glm::vec2(-flap.y, flap.x) * (flutter * ASIDE * other);
+	bend += flap * (flutter * (0.7f * one + 0.3f * other)) + glm::vec2(-flap.y, flap.x) * (flutter * ASIDE * other);
 
 	const float inward = std::max(-glm::dot(bend, part.side), 0.0f);
 	const float outward = std::max(glm::dot(bend, part.side), 0.0f);
@@ -102,8 +101,7 @@ PartPose pose_of(const PartBone &bone, const StemMotion &stem) {
 	const float along = 1.0f - x + x * (1.0f - n) / (1.0f + n);
 	const float aside = 2.0f * x / (1.0f + n);
 	const float shrink = std::sqrt(along * along + aside * aside * n);
-	const glm::quat turn =
-			quaternion_of(stem.bend * (aside / std::max(shrink + along, LEAST))) * quaternion_of(own);
+	const glm::quat turn = quaternion_of(stem.bend * (aside / std::max(shrink + along, LEAST))) * quaternion_of(own);
 	PartPose pose;
 	pose.turn = { turn.x, turn.y, turn.z, turn.w };
 	pose.size = (1.0f + 2.0f * shrink) / 3.0f * (bone.swing.is_head() ? 1.0f : arc_share(own));

@@ -10,7 +10,8 @@ struct PartSwing {
 	float frequency = 3.0f; ///< Hz, above 0.
 	float damping_ratio = 0.12f; ///< 1 is critical.
 	float phase = 0.0f; ///< 0 to 1: where in its swing it is when others begin theirs.
-	/// Unit, x and z of the plant's axes: the side of its carrier on which it hangs. (0, 0): on none, as a flower's head.
+	/// Unit, x and z of the plant's axes: the side of its carrier on which it hangs. (0, 0): on none, as a flower's
+	/// head.
 	glm::vec2 side = { 0.0f, 0.0f };
 	/// A bend: how far it may turn outward, that is down, before it meets the ground. 0 to 1.
 	float room = 1.0f;
@@ -28,8 +29,8 @@ struct SwingCode {
 	/// 32 · pace + damping - 2048. Pace p from 0 to 127: (16 + p mod 16) · 2^⌊p/16⌋ swings in SWING_PERIOD, that is
 	/// 0.125 to 31 Hz within 3 %. Damping d from 0 to 31: the ratio 2 · (d/31)².
 	float pace = -2048.0f;
-	/// 128 · phase + 4 · side + room - 2048. Phase in 32nds; side 1 to 31: (side - 1)/31 of a turn from +x towards +z, 0:
-	/// none; room 0 to 3: 0.02 · 4^room, the largest that is no larger.
+	/// 128 · phase + 4 · side + room - 2048. Phase in 32nds; side 1 to 31: (side - 1)/31 of a turn from +x towards +z,
+	/// 0: none; room 0 to 3: 0.02 · 4^room, the largest that is no larger.
 	float place = -2048.0f;
 };
 

@@ -90,8 +90,7 @@ void FieldDress::tell_of_swings(const FieldStyle &style, const FieldMotion &moti
 		const float end = look.motion.longest * SWINGS_TO;
 		for (size_t i = 0; look.motion.has_parts && i < look.materials.size(); i++) {
 			if (style.levels[i].begin - style.levels[i].margin < end) {
-				look.materials[i]->set_shader_parameter(
-						"undergrowth_swing", Vector3(clock, end * SWINGS_WHOLE, end));
+				look.materials[i]->set_shader_parameter("undergrowth_swing", Vector3(clock, end * SWINGS_WHOLE, end));
 			}
 		}
 	}

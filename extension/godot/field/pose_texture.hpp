@@ -17,8 +17,9 @@ namespace undergrowth {
 /// The textures that carry the plants' poses to the graphics card. A texel belongs to a plant: its bends before and
 /// after its last step, in layers of 64 by 64 texels; a page of plants has whole rows of one layer. A second texture
 /// has a blend for each row, a third one how many steps a second it takes and which layer says where its plants rest:
-/// one of plants of parts has it, as soon as one of them does not rest upright. Where plants follow prototypes, a texel says whom and how late instead, and each species
-/// has 16 layers for the history of its prototypes and one for plants that were pushed.
+/// one of plants of parts has it, as soon as one of them does not rest upright. Where plants follow prototypes, a texel
+/// says whom and how late instead, and each species has 16 layers for the history of its prototypes and one for plants
+/// that were pushed.
 class PoseTexture {
 public:
 	static constexpr int SIDE = 64;
@@ -52,7 +53,8 @@ public:
 	/// Takes over the newest slot of each species' history, or all of them, and what its pushed plants do.
 	void write_history(const FieldSimulation &simulation, bool all);
 
-	/// Takes over where the plants of a page rest. Before they are drawn first, and whenever that changes; on one thread.
+	/// Takes over where the plants of a page rest. Before they are drawn first, and whenever that changes; on one
+	/// thread.
 	void write_rests(const FieldSimulation &simulation, int page);
 
 	/// Draws nothing where this plant is.

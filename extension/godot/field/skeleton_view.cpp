@@ -100,8 +100,7 @@ void SkeletonView::show(const Scene &scene, const PlantPlace &place) {
 	const FieldLook &look = scene.style.looks[size_t(plant.species)];
 	const SampledPlant sampled = look.sample_alone(plant);
 	std::shared_ptr<PartSkeleton> parts = PartSkeleton::of(sampled);
-	Skeleton3D *skeleton =
-			nodes.take(scene.field, drawn_transform(plant), sampled.build(), parts.get(), scene.wear);
+	Skeleton3D *skeleton = nodes.take(scene.field, drawn_transform(plant), sampled.build(), parts.get(), scene.wear);
 	shown.push_back({ place, uint64_t(skeleton->get_instance_id()), std::move(parts) });
 	scene.motion.set_hidden(place, true);
 	tell(skeleton, true);

@@ -167,6 +167,37 @@ TEST_CASE("the base of a leaf stays on its stem, however the leaf swings") {
 	}
 }
 
+TEST_CASE("leaves stay on a stem that is drawn of few rows, however far it bends") {
+	const PlantForm form = grow_tulip(3);
+	int found = 0;
+	for (const int budget : { 150, 400, 800 }) {
+		const BuiltForm mesh = build(form, plan_form(form, measure_form(form), budget));
+		StemMotion stem;
+		stem.bend = stem.rest = { 0.4f, 0.1f };
+		// The drawn middle of the stem at each of its rows.
+		std::vector<std::pair<float, glm::vec3>> rows;
+		for (size_t i = 0; i < mesh.positions.size() && mesh.custom0[i].y == 0.0f; i++) {
+			const glm::vec3 middle = mesh.positions[i] - glm::vec3(mesh.custom2[i]);
+			if (rows.empty() || middle.y > rows.back().first + 1e-4f) {
+				rows.emplace_back(middle.y, glm::mix(middle, turned(middle, stem.bend), mesh.custom0[i].x));
+			}
+		}
+		for (size_t i = 0; i < mesh.positions.size(); i++) {
+			const glm::vec3 pivot(mesh.custom1[i]);
+			for (size_t k = 1; k < rows.size() && mesh.custom0[i].y > 0.0f && mesh.custom0[i].x < 0.5f; k++) {
+				if (pivot.y >= rows[k - 1].first && pivot.y < rows[k].first) {
+					const float t = (pivot.y - rows[k - 1].first) / (rows[k].first - rows[k - 1].first);
+					const glm::vec3 drawn = glm::mix(rows[k - 1].second, rows[k].second, t);
+					const glm::vec3 base = glm::mix(pivot, turned(pivot, stem.bend), mesh.custom0[i].x);
+					CHECK(glm::distance(drawn, base) < 0.012f * form.height);
+					found++;
+				}
+			}
+		}
+	}
+	CHECK(found > 20);
+}
+
 TEST_CASE("bones go along with a plant that is stretched") {
 	const Grown plant(grow_tulip(3));
 	const std::vector<PartBone> tall = plant.bones.stretched(1.5f);
