@@ -66,8 +66,11 @@ func test_leaves_move_in_steady_wind_and_stand_with_the_field() -> void:
 	check_equal(
 		count_different(before, still), 0, "pixels that changed in a field that stands still"
 	)
-	_step_field(11)
-	check(count_different(before, await picture()) > 20, "leaves flutter")
+	var most := 0
+	for i in 4:
+		_step_field(7)
+		most = maxi(most, count_different(before, await picture()))
+	check(most > 12, "leaves flutter: %d pixels changed" % most)
 
 
 func test_parts_of_followers_move_with_the_wind() -> void:

@@ -32,7 +32,7 @@ public:
 	const std::vector<PartBone> &bones() const { return all; }
 	/// "leaf_1", "leaf_1_outer", "head", "tuft_1", "lying_1" …, as many.
 	const std::vector<std::string> &names() const { return all_names; }
-	/// As they are for a plant that is stretched to `height` (m) along y.
+	/// As they are for a plant that is stretched along y by `factor`.
 	std::vector<PartBone> stretched(float factor) const;
 
 	/// Four bones and weights of a vertex; weights sum to 1 exactly. `stem_offset` and `weight` are its own. Swinger:
