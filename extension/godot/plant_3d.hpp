@@ -14,8 +14,9 @@
 
 namespace undergrowth {
 
-/// One plant: a generated mesh on a skeleton of two bones (thesis, section 4.1), moved by the simulation or by
-/// advance(). Its skeleton and mesh instance are internal children: they are never saved with the scene.
+/// One plant: a generated mesh on a skeleton of two bones (thesis, section 4.1) and those of its parts, moved by the
+/// simulation or by advance(). Its skeleton and mesh instance are internal children: they are never saved with the
+/// scene.
 class Plant3D : public godot::Node3D {
 	GDCLASS(Plant3D, godot::Node3D)
 
@@ -30,6 +31,7 @@ class Plant3D : public godot::Node3D {
 		static constexpr int MOST_STEPS_OF_CALL = 128;
 		PlantGroup group;
 		FixedStep clock;
+		SwingClock swings;
 	};
 
 	// What users set.
@@ -49,6 +51,7 @@ class Plant3D : public godot::Node3D {
 	godot::Ref<godot::SkinReference> drawn; // The renderer's skeleton, which must not go before its id here.
 	bool skeleton_is_held = false; // Somebody asked for it.
 	godot::Ref<godot::ArrayMesh> mesh;
+	std::unique_ptr<PartSkeleton> parts; // Of a plant of parts that swing.
 	float built_height = 0.0f; // m; 0 until a mesh was built.
 	bool mesh_is_stale = true;
 	bool rebuild_is_queued = false;
@@ -77,6 +80,7 @@ class Plant3D : public godot::Node3D {
 	void lose_skeleton();
 	void find_drawn();
 	void show_mesh();
+	void set_up_bones();
 	godot::MeshInstance3D *get_mesh_instance() const;
 	godot::AABB reach() const;
 	void report_problem(const godot::String &what);

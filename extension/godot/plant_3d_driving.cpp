@@ -70,12 +70,13 @@ void Plant3D::advance(double delta) {
 	}
 	for (int steps = own.clock.advance(delta); steps > 0; steps--) {
 		own.group.step(air, own_time);
+		own.swings.step(own.clock.step());
 		own_time += own.clock.step();
 	}
 	if (wind.is_valid()) {
 		wind->keep_up_with(own_time);
 	}
-	own.group.pose(own.clock.alpha());
+	own.group.pose(own.clock.alpha(), own.swings.now(own.clock.alpha()));
 }
 
 // Called for every plant of a scene and every frame. What cannot move stays still without a word: its configuration
@@ -94,9 +95,10 @@ void Plant3D::preview(double delta, const Ref<PlantWind> &blowing) {
 	}
 	for (int steps = own.clock.advance(delta); steps > 0; steps--) {
 		own.group.step(air, time);
+		own.swings.step(own.clock.step());
 		time += own.clock.step();
 	}
-	own.group.pose(own.clock.alpha());
+	own.group.pose(own.clock.alpha(), own.swings.now(own.clock.alpha()));
 }
 
 void Plant3D::on_wind_changed() {

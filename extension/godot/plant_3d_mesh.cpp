@@ -51,6 +51,7 @@ bool Plant3D::build_mesh() {
 	mesh_is_stale = false;
 	SampledPlant sampled;
 	const String fault = species->sample(height, segments, seed, sampled);
+	sampled.has_part_bones = true;
 	if (!fault.is_empty()) {
 		report_problem(describe(species.ptr()) + ": " + fault);
 		return false;
@@ -60,6 +61,8 @@ bool Plant3D::build_mesh() {
 		update_configuration_warnings();
 	}
 	mesh = sampled.build();
+	bone().parts = nullptr;
+	parts = PartSkeleton::of(sampled);
 	built_height = sampled.height;
 	show_mesh();
 	update_motion();
@@ -99,9 +102,6 @@ MeshInstance3D *Plant3D::get_mesh_instance() const {
 void Plant3D::make_children() {
 	skeleton = new_node<Skeleton3D>();
 	skeleton->set_name(SKELETON_NAME);
-	skeleton->add_bone("root");
-	skeleton->add_bone("tip");
-	skeleton->set_bone_parent(1, 0);
 	bone().posed = { 0.0f, 1.0f, 0.0f };
 	skeleton_is_held = false;
 	make_mesh_instance();
@@ -111,10 +111,19 @@ void Plant3D::make_children() {
 void Plant3D::make_mesh_instance() {
 	MeshInstance3D *made = new_node<MeshInstance3D>();
 	made->set_name(MESH_NAME);
-	made->set_skin(plant_skin());
 	skeleton->add_child(made, false, INTERNAL_MODE_FRONT);
 	made->set_skeleton_path(NodePath(".."));
 	mesh_instance = made->get_instance_id();
+}
+
+// The skeleton is bound anew, and stands anew as it did.
+void Plant3D::set_up_bones() {
+	const bool is_other = parts || skeleton->get_bone_count() != PartSkeleton::count(nullptr);
+	PartSkeleton::set_up(skeleton, parts.get());
+	get_mesh_instance()->set_skin(PartSkeleton::skin_of(parts.get()));
+	if (is_other) {
+		bone().posed = glm::vec3(NAN);
+	}
 }
 
 void Plant3D::show_mesh() {
@@ -126,6 +135,7 @@ void Plant3D::show_mesh() {
 	} else if (!get_mesh_instance()) {
 		make_mesh_instance();
 	}
+	set_up_bones();
 	get_mesh_instance()->set_mesh(mesh);
 	get_mesh_instance()->set_custom_aabb(reach());
 	find_drawn();

@@ -187,6 +187,12 @@ void Plant3D::update_bone() {
 	shown.to_local = plant_axes.transposed() * axes_of(group ? group->kind.frame : PlantFrame::WORLD);
 	shown.drawn = drawn.is_valid() ? drawn->get_skeleton() : RID();
 	shown.is_held = skeleton_is_held;
+	shown.parts = parts.get();
+	shown.is_calm = !parts; // Until it was posed.
+	if (parts) {
+		const glm::vec3 calm = to_glm(plant_axes.xform_inv(rest()));
+		parts->stem.rest = glm::vec2(calm.x, calm.z) / std::max(1.0f + calm.y, SHORTEST);
+	}
 	if (shown.skeleton != before.skeleton || shown.drawn != before.drawn || shown.is_held != before.is_held) {
 		const bool is_unseen = drawn.is_valid() && !shown.drawn.is_valid() && !skeleton_is_held;
 		shown.way = is_unseen ? PlantBone::Way::UNSEEN : PlantBone::Way::NODE; // Until the renderer has it.
@@ -194,9 +200,16 @@ void Plant3D::update_bone() {
 }
 
 void Plant3D::pose_now() {
-	const glm::vec3 direction = swing().now.direction;
+	const Swing now = swing();
 	const PlantGroup *group = page_group();
-	bone().turn_to(to_frame(group ? group->kind.frame : PlantFrame::WORLD, direction));
+	const PlantFrame axes = group ? group->kind.frame : PlantFrame::WORLD;
+	PlantBone &shown = bone();
+	if (shown.parts) {
+		const float step = float(PlantSimulation::get_singleton()->get_step_length());
+		shown.follow({ to_frame(axes, now.before), to_frame(axes, now.now.direction), step, parts->stem.clock });
+		shown.posed = glm::vec3(NAN);
+	}
+	shown.turn_to(to_frame(axes, now.now.direction));
 }
 
 Vector3 Plant3D::get_tip_position() const {

@@ -1,11 +1,11 @@
 #include "plant_bone.hpp"
 
-#include "convert.hpp"
-
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 
 #include <glm/common.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace godot;
@@ -13,9 +13,7 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr int TIP_BONE = 1;
-static constexpr int BONES = 2;
-// Below this (radians, about) a change of the pose cannot be seen and is not worth an update of the skeleton.
-static constexpr float SMALLEST_TURN = 1e-6f;
+static constexpr float LEAST_HEIGHT = 1e-6f;
 
 // The shortest turn from +Y to d = (x, y, z): axis (z, 0, -x), half-angle form (1 + y, axis)/norm.
 static Quaternion turn_from_up(const glm::vec3 &d) {
@@ -27,40 +25,61 @@ static Quaternion turn_from_up(const glm::vec3 &d) {
 	return Quaternion(d.z * scale, 0.0f, -d.x * scale, w * scale);
 }
 
-static bool can_be_told_apart(const glm::vec3 &a, const glm::vec3 &b) {
-	const glm::vec3 change = glm::abs(a - b);
-	return !(change.x < SMALLEST_TURN && change.y < SMALLEST_TURN && change.z < SMALLEST_TURN);
+static glm::vec2 bend_of(const glm::vec3 &direction) {
+	const float scale = 1.0f / std::max(1.0f + direction.y, LEAST_HEIGHT);
+	return { direction.x * scale, direction.z * scale };
 }
 
-void PlantBone::show(const glm::vec3 &direction) {
-	if (!skeleton) {
-		return;
-	}
-	if (way == Way::NODE) {
-		turn_to(direction);
-		// The renderer has the skeleton's bones from its first update on.
-		if (!is_held && drawn.is_valid() && RenderingServer::get_singleton()->skeleton_get_bone_count(drawn) == BONES) {
-			way = Way::RENDERER;
-		}
-		return;
-	}
-	const glm::vec3 local = to_glm(to_local.xform(to_godot(direction)));
-	if (!can_be_told_apart(local, posed)) {
-		return;
-	}
+void PlantBone::take(const glm::vec3 &local) {
 	posed = local;
 	node_is_behind = true;
+	is_calm = true;
+	if (parts && way != Way::UNSEEN) {
+		parts->stem.bend = bend_of(local);
+		is_calm = parts->is_calm();
+	}
+}
+
+void PlantBone::follow(const Step &step) {
+	const glm::vec2 from = bend_of(to_glm(to_local.xform(to_godot(step.before))));
+	const glm::vec2 to = bend_of(to_glm(to_local.xform(to_godot(step.after))));
+	parts->stem.rate = (to - from) / step.seconds;
+	parts->stem.clock = step.clock;
+}
+
+void PlantBone::show_local(const glm::vec3 &local) {
+	if (way == Way::NODE && !may_leave_node()) {
+		turn_to_local(local);
+		return;
+	}
+	way = way == Way::NODE ? Way::RENDERER : way;
+	take(local);
 	if (way == Way::RENDERER) {
 		RenderingServer::get_singleton()->skeleton_bone_set_transform(
 				drawn, TIP_BONE, Transform3D(Basis(turn_from_up(local)), Vector3()));
+		if (parts) {
+			parts->pose(drawn);
+		}
 	}
 }
 
+// The renderer has the skeleton's bones from its first update on, and hears what the node was told when its frame ends:
+// from then on nothing comes after what it is told here.
+bool PlantBone::may_leave_node() const {
+	return !is_held && drawn.is_valid() && told_node_in != Engine::get_singleton()->get_process_frames() &&
+			RenderingServer::get_singleton()->skeleton_get_bone_count(drawn) == PartSkeleton::count(parts);
+}
+
 void PlantBone::turn_to(const glm::vec3 &direction) {
-	const glm::vec3 local = to_glm(to_local.xform(to_godot(direction)));
-	if (skeleton && can_be_told_apart(local, posed)) {
-		posed = local;
-		node_is_behind = true;
+	way = way == Way::RENDERER ? Way::NODE : way;
+	if (skeleton) {
+		turn_to_local(to_glm(to_local.xform(to_godot(direction))));
+	}
+}
+
+void PlantBone::turn_to_local(const glm::vec3 &local) {
+	if (can_be_told_apart(local, posed) || !is_calm) {
+		take(local);
 	}
 	catch_up();
 }
@@ -68,7 +87,12 @@ void PlantBone::turn_to(const glm::vec3 &direction) {
 void PlantBone::catch_up() {
 	if (skeleton && node_is_behind) {
 		node_is_behind = false;
+		told_node_in = Engine::get_singleton()->get_process_frames();
 		skeleton->set_bone_pose_rotation(TIP_BONE, turn_from_up(posed));
+		if (parts) {
+			parts->stem.bend = bend_of(posed);
+			parts->pose(skeleton);
+		}
 	}
 }
 

@@ -63,6 +63,7 @@ String PlantFunction::grow(double height, int64_t seed, SampledPlant &result) {
 	auto grown = std::make_shared<GrownPlant>();
 	grown->form = std::move(form);
 	grown->measure = measure_form(grown->form);
+	grown->bones = FormBones(grown->form, hang_parts(grown->form));
 	result.grown = grown;
 	parts_material(); // Loaded here, for meshes may be built on worker threads.
 	result.height = height == 0.0 ? grown->form.height : float(height);

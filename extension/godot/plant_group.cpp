@@ -56,11 +56,13 @@ void PlantGroup::step(const FieldWind &air, double start) {
 	page.step(wind_at_time(air, moment), { nullptr, way.x, way.z });
 }
 
-void PlantGroup::pose(float alpha) {
+void PlantGroup::pose(float alpha, float swing_clock) {
 	directions.resize(bones.size());
 	page.interpolate(alpha, directions.data());
 	for (size_t i = 0; i < bones.size(); i++) {
-		bones[i].show(directions[i]);
+		bones[i].show(directions[i], [&]() -> PlantBone::Step {
+			return { page.before(int(i)), page.direction(int(i)), page.step_length(), swing_clock };
+		});
 	}
 }
 

@@ -56,7 +56,8 @@ struct PlantGroup {
 	/// Null where directions have the world's axes.
 	const glm::mat3 *turned_axes() const { return kind.frame == PlantFrame::WORLD ? nullptr : &axes; }
 	/// Turns all bones to where their plants point, `alpha` of the way of the last step.
-	void pose(float alpha);
+	/// `swing_clock`: as StemMotion::clock.
+	void pose(float alpha, float swing_clock);
 };
 
 } // namespace undergrowth

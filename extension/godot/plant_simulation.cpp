@@ -85,6 +85,7 @@ void PlantSimulation::follow_groups() {
 
 void PlantSimulation::step_groups() {
 	step_number++;
+	swings.step(clock.step());
 	const FieldWind calm = { { WindKind::constant, 0.0f }, 0.0f };
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
 		PlantWind *wind = group->kind.wind.ptr();
@@ -125,7 +126,7 @@ void PlantSimulation::tell_of_pushes() {
 void PlantSimulation::pose_plants() {
 	const float alpha = clock.alpha();
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
-		group->pose(alpha);
+		group->pose(alpha, swings.now(alpha));
 	}
 }
 

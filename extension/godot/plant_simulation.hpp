@@ -2,6 +2,7 @@
 
 #include "bodies/plant_bodies.hpp"
 #include "motion/fixed_step.hpp"
+#include "motion/swing_clock.hpp"
 #include "plant_contact.hpp"
 #include "plant_group.hpp"
 
@@ -25,6 +26,7 @@ class PlantSimulation : public godot::Object {
 	bool is_contact_stale = false; ///< Plants that touch did.
 	bool has_told_of_crowd = false;
 	FixedStep clock;
+	SwingClock swings;
 	uint64_t step_number = 0; ///< Of the present step; the first is 1.
 	uint64_t connected_tree = 0; ///< Instance id of the scene tree whose frames we follow.
 	double step_time_usec = 0.0;

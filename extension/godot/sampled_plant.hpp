@@ -25,6 +25,7 @@ struct SampledPlant {
 	int lod = 0;
 	MeshOptions options; ///< With the seed.
 	godot::Ref<godot::Material> material; ///< Null: the add-on's own.
+	bool has_part_bones = false; ///< It is for a skeleton that has the bones of its parts, beside root and tip.
 	std::shared_ptr<const GrownPlant> grown; ///< A plant of parts: then cross-section, widths and colours are empty.
 
 	/// The largest distance of a side point from the plant's axis (m).

@@ -43,17 +43,6 @@ func test_a_plant_at_rest_with_flat_shading_and_deviation() -> void:
 	await _compare(function, Transform3D(Basis.IDENTITY, Vector3(-0.2, 0.1, 0)))
 
 
-func test_a_bent_plant_of_parts() -> void:
-	var species: PlantFunction = load("res://addons/undergrowth/species/garden_tulip.tres")
-	var function: PlantFunction = species.duplicate()
-	function.damping_ratio = 1.0
-	function.mass = 1.0
-	function.wind_weight = 1.0
-	_field.wind.strength = 4.0
-	var scaled := Basis(Vector3.UP, 0.7).scaled(Vector3.ONE * 2.5)
-	await _compare(function, Transform3D(scaled, Vector3(0.1, 0, 0.2)))
-
-
 func test_a_plant_of_a_turned_and_moved_field() -> void:
 	var function := TulipFunction.new()
 	function.law = PlantFunction.LAW_SPRING

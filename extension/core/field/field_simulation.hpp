@@ -6,6 +6,7 @@
 #include "field/prototypes.hpp"
 #include "motion/bodies.hpp"
 #include "motion/motion_page.hpp"
+#include "motion/part_bend.hpp"
 #include "wind/travelling_wind.hpp"
 
 #include <cstdint>
@@ -97,7 +98,18 @@ public:
 	float alpha(int page, float fraction) const;
 	/// What is drawn of a plant, `fraction` of a step after the present one began, as a stereographic image of its
 	/// direction (motion/bend_encoding.hpp): the same as undergrowth_shown() in the shader.
-	glm::vec2 shown_bend(int page, int index, float fraction) const;
+	glm::vec2 shown_bend(int page, int index, float fraction) const { return shown_way(page, index, fraction).bend; }
+	/// What part_bend() needs of the same plant; all but the clock, in the axes of the field. As the vertex shader has
+	/// it.
+	StemMotion shown_stem(int page, int index, float fraction) const;
+	/// Unit: where a plant points in calm air; of a follower whom it follows.
+	glm::vec3 rest(int page, int index) const;
+	/// Whether plants of a page are of parts.
+	bool has_parts(int page) const { return kinds[static_cast<std::size_t>(at(page).page.species())].has_parts; }
+	/// From a plant's bend before to its bend after, as they are drawn (s).
+	float shown_interval(int page) const {
+		return at(page).page.swings() ? static_cast<float>(beat(page).interval) * options.step : options.step;
+	}
 	/// The same as a unit direction.
 	glm::vec3 shown_direction(int page, int index, float fraction) const {
 		return from_stereographic(shown_bend(page, index, fraction));
@@ -178,7 +190,8 @@ private:
 	Follower pick(const MotionPlant &plant, int species) const;
 	LoosePlants &loose_of(const Entry &entry);
 	int count_of_species(int species) const;
-	glm::vec2 followed_bend(const Entry &entry, int index, float fraction) const;
+	BendWay shown_way(int page, int index, float fraction) const;
+	BendWay followed_way(const Entry &entry, int index, float fraction) const;
 	void push_follower(Entry &entry, int index, const TipState &state);
 	void follow_again(Entry &entry, int index);
 	void step_loose();

@@ -62,18 +62,18 @@ int FieldSimulation::count_of_species(int species) const {
 }
 
 /// What a plant shows that does not swing by itself.
-glm::vec2 FieldSimulation::followed_bend(const Entry &entry, int index, float fraction) const {
+BendWay FieldSimulation::followed_way(const Entry &entry, int index, float fraction) const {
 	const Follower &follower = entry.followers[static_cast<std::size_t>(index)];
 	const Prototypes &model = models[static_cast<std::size_t>(entry.page.species())];
 	const glm::vec3 root = entry.page.root(index);
 	const auto own = static_cast<float>(follower.own_delay);
-	const glm::vec2 after = model.bend(follower.prototype, own + delays.after().at(root.x, root.z), fraction);
+	const BendWay after = model.way(follower.prototype, own + delays.after().at(root.x, root.z), fraction);
 	const float share = delays.share(fraction);
 	if (share >= 1.0f) {
 		return after;
 	}
-	const glm::vec2 before = model.bend(follower.prototype, own + delays.before().at(root.x, root.z), fraction);
-	return glm::mix(before, after, share);
+	const BendWay before = model.way(follower.prototype, own + delays.before().at(root.x, root.z), fraction);
+	return { glm::mix(before.bend, after.bend, share), glm::mix(before.change, after.change, share) };
 }
 
 /// From now on it swings by itself; where too many do, it goes on following.
@@ -125,7 +125,7 @@ void FieldSimulation::step_loose() {
 		for (int number = some.count() - 1; number >= 0; number--) {
 			Entry &entry = at(some.page_of(number));
 			const int index = some.index_of(number);
-			if (some.grow_older(number, from_stereographic(followed_bend(entry, index, 1.0f))) >= 1.0f) {
+			if (some.grow_older(number, from_stereographic(followed_way(entry, index, 1.0f).bend)) >= 1.0f) {
 				follow_again(entry, index);
 			}
 		}

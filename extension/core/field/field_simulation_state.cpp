@@ -65,7 +65,7 @@ float FieldSimulation::alpha(int page, float fraction) const {
 	return std::clamp(steps / static_cast<float>(own.interval), 0.0f, 1.0f);
 }
 
-glm::vec2 FieldSimulation::shown_bend(int page, int index, float fraction) const {
+BendWay FieldSimulation::shown_way(int page, int index, float fraction) const {
 	const Entry &entry = at(page);
 	const MotionPage *swinging = &entry.page;
 	int row = index;
@@ -75,12 +75,24 @@ glm::vec2 FieldSimulation::shown_bend(int page, int index, float fraction) const
 	} else {
 		row = entry.followers[static_cast<std::size_t>(index)].loose - 1;
 		if (row < 0) {
-			return followed_bend(entry, index, fraction);
+			return followed_way(entry, index, fraction);
 		}
 		swinging = &loose[static_cast<std::size_t>(entry.page.species())].page();
 	}
 	const Bend *pair = swinging->bends() + 2 * row;
-	return glm::mix(stereographic(pair[0]), stereographic(pair[1]), share);
+	return bend_way(pair, share);
+}
+
+StemMotion FieldSimulation::shown_stem(int page, int index, float fraction) const {
+	const BendWay way = shown_way(page, index, fraction);
+	return { way.bend, way.change / shown_interval(page), stereographic(encode_bend(rest(page, index))), 0.0f };
+}
+
+glm::vec3 FieldSimulation::rest(int page, int index) const {
+	const Entry &entry = at(page);
+	return entry.page.swings() ? entry.page.rest(index)
+							   : models[static_cast<std::size_t>(entry.page.species())].rest(
+										 entry.followers[static_cast<std::size_t>(index)].prototype);
 }
 
 TipState FieldSimulation::state(int page, int index) const {

@@ -101,12 +101,12 @@ void Prototypes::set_species(const MotionSpecies &species) {
 	lean = species.lean;
 }
 
-glm::vec2 Prototypes::bend(int prototype, float late, float fraction) const {
+BendWay Prototypes::way(int prototype, float late, float fraction) const {
 	const float ago = late + 1.0f - fraction; // Since the step after which it looked so.
 	const float whole = std::floor(ago);
 	const int slot = (newest - static_cast<int>(whole)) & (SLOTS - 1);
 	const Bend *pair = &ring[2 * static_cast<std::size_t>(slot * MOST + prototype)];
-	return glm::mix(stereographic(pair[0]), stereographic(pair[1]), 1.0f - (ago - whole));
+	return bend_way(pair, 1.0f - (ago - whole));
 }
 
 void Prototypes::step(const TravellingWind &wind, const PlantWinds &along) {

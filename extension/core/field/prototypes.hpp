@@ -44,7 +44,8 @@ public:
 	/// What a plant that is `late` steps late shows of a prototype, `fraction` of a step after the newest one began, as
 	/// a stereographic image: the same as undergrowth_late() in the shader. `late`: from 0 to the longest way and own
 	/// delay together, whose slots are clear of the one that is written next.
-	glm::vec2 bend(int prototype, float late, float fraction) const;
+	BendWay way(int prototype, float late, float fraction) const;
+	glm::vec2 bend(int prototype, float late, float fraction) const { return way(prototype, late, fraction).bend; }
 
 	/// All slots, MOST pairs of bends (before and after that step) each: 16 layers of 64 by 64 texels of four halves, a
 	/// row for each slot. One slot changes with each step.

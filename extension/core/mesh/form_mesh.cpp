@@ -1,6 +1,11 @@
 #include "mesh/form_mesh.hpp"
 
 #include "mesh/form_writer.hpp"
+#include "mesh/part_detail.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
 
 namespace undergrowth {
 
@@ -36,12 +41,41 @@ private:
 	PartTemplate own;
 };
 
+/// Between two rows a stem is drawn straight, beside the curve on which it bends: what it carries there hangs so far
+/// along the bend that it stays on the stem that is drawn.
+void hold_to_stems(const PlantForm &form, const FormPlan &plan, std::vector<PartHang> &hangs) {
+	for (size_t i = 0; i < form.placed.size(); i++) {
+		const PlacedPart &part = form.placed[i];
+		const size_t carrier = static_cast<size_t>(std::max(part.carrier, 0));
+		if (part.carrier == ON_GROUND || plan.fates[carrier] != FormPlan::drawn) {
+			continue;
+		}
+		if (!hangs[carrier].is_root) {
+			hangs[i].stem_offset = hangs[carrier].stem_offset;
+			continue;
+		}
+		const PlacedPart &stem = form.placed[carrier];
+		const std::vector<float> rows = row_offsets(
+				form.parts[static_cast<size_t>(stem.kind)], plan.groups[static_cast<size_t>(stem.group)].detail);
+		const auto above = std::upper_bound(rows.begin() + 1, rows.end() - 1, part.offset);
+		const glm::vec3 low = form.point_of(stem, *(above - 1));
+		const glm::vec3 high = form.point_of(stem, *above);
+		const float t = (part.offset - *(above - 1)) / (*above - *(above - 1));
+		const glm::vec3 moved =
+				low * (stem_offset_of(form, low) * (1.0f - t)) + high * (stem_offset_of(form, high) * t);
+		const glm::vec3 place = form.point_of(stem, part.offset);
+		const float square = glm::dot(place, place);
+		hangs[i].stem_offset = square > 0.0f ? std::min(glm::dot(moved, place) / square, 1.0f) : 0.0f;
+	}
+}
+
 } // namespace
 
-void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const FormPlan &plan,
+void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const FormPlan &plan, const FormBones &bones,
 		const MeshOptions &options, float height, const FormBuffers &buffers) {
-	const std::vector<PartHang> hangs = hang_parts(form);
-	FormWriter writer(form, options, buffers);
+	std::vector<PartHang> hangs = hang_parts(form);
+	hold_to_stems(form, plan, hangs);
+	FormWriter writer(form, bones, options, buffers);
 	Shapes shapes(form, plan);
 	for (size_t g = 0; g < form.groups.size(); g++) {
 		const PartGroup &group = form.groups[g];

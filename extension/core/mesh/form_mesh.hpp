@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesh/form_bones.hpp"
 #include "mesh/form_plan.hpp"
 #include "mesh/plant_mesh.hpp"
 #include "mesh/vertex_format.hpp"
@@ -11,7 +12,8 @@ namespace undergrowth {
 /// point to. `height`: m, to which the grown plant is stretched along y, as fields stretch plants; the form's own
 /// height leaves it as it grew. Of the options only the colour deviation counts. Guarantees: indices in range, normals
 /// and tangents of length 1 within 1e-6, weights that sum to 1 exactly, the same bytes for the same arguments.
-void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const FormPlan &plan,
+/// Vertices are bound to `bones` beside root and tip.
+void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const FormPlan &plan, const FormBones &bones,
 		const MeshOptions &options, float height, const FormBuffers &buffers);
 
 } // namespace undergrowth

@@ -22,8 +22,9 @@ constexpr float BRIGHTNESS_SHARE = 0.25f; // The most that a full colour deviati
 
 } // namespace
 
-FormWriter::FormWriter(const PlantForm &p_form, const MeshOptions &options, const FormBuffers &buffers) :
-		form(p_form), out(buffers), color_deviation(options.color_deviation) {
+FormWriter::FormWriter(
+		const PlantForm &p_form, const FormBones &bones, const MeshOptions &options, const FormBuffers &buffers) :
+		form(p_form), skeleton(bones), out(buffers), color_deviation(options.color_deviation) {
 	for (int i = 0; i <= HEIGHTS + 1; i++) {
 		light[i] =
 				static_cast<float>(portable_exp(-EXTINCTION * std::max(0.0, 1.0 - i / static_cast<double>(HEIGHTS))));
@@ -52,18 +53,17 @@ void FormWriter::put(const Common &common, const glm::vec3 &middle, const glm::v
 		openness(middle + aside) };
 	out.uvs[i] = uv;
 	const float x = hang.is_root ? stem_offset_of(form, middle) : hang.stem_offset;
-	out.custom0[i] = { x, hang.weight_at(offset), hang.rank, common.leafiness };
-	out.custom1[i] = glm::vec4(hang.pivot, hang.frequency);
-	out.custom2[i] = glm::vec4(aside, hang.phase);
-	const int32_t bones[4] = { 0, 1, 0, 0 };
-	const float weights[4] = { 1.0f - x, x, 0.0f, 0.0f };
-	std::copy(bones, bones + 4, out.bones + 4 * i);
-	std::copy(weights, weights + 4, out.weights + 4 * i);
+	const float weight = hang.weight_at(offset);
+	out.custom0[i] = { x, weight, hang.rank, common.leafiness };
+	out.custom1[i] = glm::vec4(hang.pivot, common.swing.pace);
+	out.custom2[i] = glm::vec4(aside, common.swing.place);
+	skeleton.bind(hang.swinger, x, weight, out.bones + 4 * i, out.weights + 4 * i);
 }
 
 void FormWriter::add_part(const PlacedPart &part, const PartHang &hang, const PartTemplate &shape) {
 	const float leafiness = form.parts[static_cast<size_t>(part.kind)].translucency;
-	const Common common = { hang, leafiness, 1.0f + BRIGHTNESS_SHARE * color_deviation * part.tint };
+	const Common common = { hang, encode_swing(hang.swing), leafiness,
+		1.0f + BRIGHTNESS_SHARE * color_deviation * part.tint };
 	const float width = part.width;
 	for (const int32_t index : shape.indices) {
 		put_index(vertices + index);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mesh/form_body.hpp"
+#include "mesh/form_bones.hpp"
 #include "mesh/part_hang.hpp"
 #include "mesh/part_template.hpp"
 #include "mesh/plant_mesh.hpp"
@@ -11,7 +12,8 @@ namespace undergrowth {
 /// Writes parts and bodies into the buffers of a mesh, one behind the other.
 class FormWriter {
 public:
-	FormWriter(const PlantForm &form, const MeshOptions &options, const FormBuffers &buffers);
+	/// All of these outlive it. `bones`: what vertices are bound to beside root and tip.
+	FormWriter(const PlantForm &form, const FormBones &bones, const MeshOptions &options, const FormBuffers &buffers);
 
 	void add_part(const PlacedPart &part, const PartHang &hang, const PartTemplate &shape);
 	void add_body(const FormBody &body, const PartHang &hang);
@@ -36,11 +38,13 @@ private:
 	/// What all vertices of one part or body share.
 	struct Common {
 		PartHang hang;
+		SwingCode swing;
 		float leafiness;
 		float brightness;
 	};
 
 	const PlantForm &form;
+	const FormBones &skeleton;
 	const FormBuffers &out;
 	const float color_deviation;
 	float light[HEIGHTS + 2]; ///< That falls to each height of the plant.

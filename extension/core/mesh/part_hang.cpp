@@ -1,5 +1,7 @@
 #include "mesh/part_hang.hpp"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,46 +10,138 @@ namespace undergrowth {
 namespace {
 
 constexpr float GROUP_PHASE = 0.38196601f; // So that neighbours of two groups are apart, too.
+constexpr float MOST_OF_HEAD = 0.25f; // Of the plant's height: longer parts at a stem's tip are leaves of a crown.
+constexpr float TIP = 0.999f; // Offset.
+constexpr int ROOM_PLACES = 4;
+constexpr float LEAST_AWAY = 1e-4f; // m.
+constexpr float LEAST_ASIDE = 1e-5f; // Of the length: upright parts hang on the side that their back turns to.
 
-PartHang hang_on_ground(const PlantForm &form, const PlacedPart &part) {
-	PartHang hang;
-	hang.is_root = true;
-	// Stems bend by the plant's own bend alone; what lies on the ground as a leaf swings besides.
-	hang.swings = form.parts[static_cast<size_t>(part.kind)].kind == PartKind::blade;
-	return hang;
+float frequency_of(const PlantForm &form, const PlacedPart &part) {
+	return form.parts[static_cast<size_t>(part.kind)].frequency;
+}
+
+glm::vec2 side_of(const PlantForm &form, const PlacedPart &part) {
+	const glm::vec3 way = form.point_of(part, 1.0f) - part.base;
+	const glm::vec2 aside(way.x, way.z);
+	if (glm::dot(aside, aside) > LEAST_ASIDE * LEAST_ASIDE * part.length * part.length) {
+		return aside;
+	}
+	return { part.axes.outward.x, part.axes.outward.z };
+}
+
+/// How far a part may turn outward before its midrib meets the ground: to the first order, each place by its weight.
+float room_of(const PlantForm &form, const PlacedPart &part) {
+	float room = 1.0f;
+	for (int i = 1; i <= ROOM_PLACES; i++) {
+		const float offset = static_cast<float>(i) / ROOM_PLACES;
+		const glm::vec3 point = form.point_of(part, offset);
+		const float away = std::max(glm::length(glm::vec2(point.x - part.base.x, point.z - part.base.z)), LEAST_AWAY);
+		room = std::min(room, 0.5f * std::max(point.y, 0.0f) / (away * offset)); // Half: a bend is half a turn.
+	}
+	return room;
+}
+
+PartSwing swing_of(const PlantForm &form, const PlacedPart &part, const glm::vec2 &side) {
+	const Part &kind = form.parts[static_cast<size_t>(part.kind)];
+	PartSwing swing;
+	swing.frequency = kind.frequency;
+	swing.damping_ratio = kind.damping_ratio;
+	swing.phase = part.rank + GROUP_PHASE * static_cast<float>(part.group);
+	swing.side = side;
+	swing.room = swing.is_head() ? 1.0f : room_of(form, part);
+	return decode_swing(encode_swing(swing));
+}
+
+/// Whether a part belongs to a head, where nothing swings that carries it.
+bool is_of_head(const PlantForm &form, const PlacedPart &part) {
+	const Layout layout = form.groups[static_cast<size_t>(part.group)].layout;
+	return (layout == Layout::whorl || layout == Layout::disc) && part.offset > TIP &&
+			part.length < MOST_OF_HEAD * form.height;
+}
+
+void let_swing(const PlantForm &form, int index, PartHang &hang) {
+	const PlacedPart &part = form.placed[static_cast<size_t>(index)];
+	hang.swings = hang.has_swing = true;
+	hang.swinger = index;
+	hang.pivot = part.base;
+	hang.swing = swing_of(form, part, side_of(form, part));
 }
 
 PartHang hang_on(const PlantForm &form, const PlacedPart &part, const PartHang &carrier) {
 	const PlacedPart &carries = form.placed[static_cast<size_t>(part.carrier)];
 	PartHang hang = carrier;
 	hang.is_root = false;
+	hang.swings = false;
 	hang.stem_offset =
 			carrier.is_root ? stem_offset_of(form, form.point_of(carries, part.offset)) : carrier.stem_offset;
-	hang.swings = carrier.is_root && !carrier.swings && form.parts[static_cast<size_t>(part.kind)].frequency > 0.0f;
 	hang.weight = carrier.weight_at(part.offset);
+	hang.rank = std::max(part.rank, carrier.rank);
 	return hang;
 }
 
+/// Of each placed part the one of a head on it that is softest, or -1.
+std::vector<int> find_heads(const PlantForm &form) {
+	std::vector<int> softest(form.placed.size(), -1);
+	for (size_t i = 0; i < form.placed.size(); i++) {
+		const PlacedPart &part = form.placed[i];
+		if (part.carrier == ON_GROUND || !is_of_head(form, part) || !(frequency_of(form, part) > 0.0f)) {
+			continue;
+		}
+		int &found = softest[static_cast<size_t>(part.carrier)];
+		if (found < 0 || frequency_of(form, part) < frequency_of(form, form.placed[static_cast<size_t>(found)])) {
+			found = static_cast<int>(i);
+		}
+	}
+	return softest;
+}
+
+/// All of it goes with what it hangs on, and turns about that one's tip.
+void join_head(const PlantForm &form, int softest, PartHang &hang) {
+	const PlacedPart &part = form.placed[static_cast<size_t>(softest)];
+	hang.has_swing = true;
+	hang.swinger = softest;
+	hang.weight = 1.0f;
+	hang.pivot = form.point_of(form.placed[static_cast<size_t>(part.carrier)], 1.0f);
+	hang.swing = swing_of(form, part, glm::vec2(0.0f));
+}
+
 } // namespace
+
+PartHang PartHang::of_body() const {
+	PartHang hang = *this;
+	if (swings) {
+		hang.swings = hang.has_swing = false;
+		hang.swinger = -1;
+		hang.weight = 0.0f;
+	}
+	return hang;
+}
 
 float stem_offset_of(const PlantForm &form, const glm::vec3 &point) {
 	return std::clamp(point.y / form.height, 0.0f, 1.0f);
 }
 
 std::vector<PartHang> hang_parts(const PlantForm &form) {
+	const std::vector<int> heads = find_heads(form);
 	std::vector<PartHang> hangs;
 	hangs.reserve(form.placed.size());
 	for (const PlacedPart &part : form.placed) {
 		const bool on_ground = part.carrier == ON_GROUND;
-		const PartHang *carrier = on_ground ? nullptr : &hangs[static_cast<size_t>(part.carrier)];
-		PartHang hang = on_ground ? hang_on_ground(form, part) : hang_on(form, part, *carrier);
-		if (hang.swings) {
-			const float phase = part.rank + GROUP_PHASE * static_cast<float>(part.group);
-			hang.pivot = part.base;
-			hang.frequency = form.parts[static_cast<size_t>(part.kind)].frequency;
-			hang.phase = phase - std::floor(phase);
+		PartHang hang;
+		if (on_ground) {
+			hang.is_root = true;
+			hang.rank = part.rank;
+		} else {
+			hang = hang_on(form, part, hangs[static_cast<size_t>(part.carrier)]);
 		}
-		hang.rank = on_ground ? part.rank : std::max(part.rank, carrier->rank);
+		// Stems bend by the plant's own bend alone; what lies on the ground as a leaf swings besides.
+		const bool is_stem = on_ground && form.parts[static_cast<size_t>(part.kind)].kind != PartKind::blade;
+		const int head = on_ground || !is_of_head(form, part) ? -1 : heads[static_cast<size_t>(part.carrier)];
+		if (!hang.has_swing && head >= 0) {
+			join_head(form, head, hang);
+		} else if (!hang.has_swing && !is_stem && frequency_of(form, part) > 0.0f) {
+			let_swing(form, static_cast<int>(hangs.size()), hang);
+		}
 		hangs.push_back(hang);
 	}
 	return hangs;

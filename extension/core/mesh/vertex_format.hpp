@@ -19,21 +19,27 @@ namespace undergrowth {
 //           Materials take it for ambient occlusion, not for transparency.
 // UV        x from 0 to 1 across a blade, or around a tube and back; y from 1 at a part's base to 0 at its tip.
 // CUSTOM0   x: stem offset: where on the plant's stem the vertex hangs, 0 root to 1 tip. Of what stands on the ground
-// its
-//              own height over the plant's; of parts on a stem that of their attachment, so that they go along with it
-//              unbent. With one joint it is the tip's weight (thesis, formula 4.1); with more, the place x on the line
-//              of joints (u(x) of the stem's bend, and its centre).
-//           y: own bend weight: how far the part's own swing turns the vertex about its pivot. 0 at the attachment, 1
-//           at
-//              the tip; 0 on stems. What a swinging part carries has the weight of where it is attached.
+//              its own height over the plant's; of parts on a stem that of their attachment, so that they go along with
+//              it unbent, and so much more that they stay on the stem that is drawn straight from row to row. With
+//              one joint it is the tip's weight (thesis, formula 4.1); with more, the place x on the line of joints
+//              (u(x) of the stem's bend, and its centre).
+//           y: own bend weight: what share of its part's swing turns the vertex about its pivot. 0 at the attachment, 1
+//              at the tip; 0 on stems and on bodies that stand for many parts. What a swinging part carries has the
+//              weight of where it is attached, a head (all short parts on and around a stem's tip) 1 all over.
 //           z: rank, 0 to 1: the part is drawn while its rank is below the share of parts that a distance keeps. In
 //              golden-ratio order, so that what is left stays spread; of what is carried at least its carrier's.
 //           w: leafiness, 0 to 1: the share of the light from behind that shines through.
-// CUSTOM1   xyz: pivot (m): where the part is attached, about which its own swing turns it; w: Hz of that swing.
+// CUSTOM1   xyz: pivot (m): where the part is attached, about which its own swing turns it; w: frequency and damping
+//           of that swing, SwingCode::pace (plant/part_swing.hpp).
 // CUSTOM2   xyz: from the part's midrib to the vertex (m): what grows when a part is drawn wider, because others of its
-//              kind are left away or a pixel is wider than the part. VERTEX minus it lies on the midrib: seen from the
-//              pivot that is the part's azimuth. w: phase of its swing, 0 to 1; no two neighbours have the same.
-// BONES, WEIGHTS  root and tip: (1 - x, x, 0, 0) with the stem offset x.
+//              kind are left away or a pixel is wider than the part. VERTEX minus it lies on the midrib.
+//           w: phase and side of its swing, SwingCode::place; no two neighbours have the same.
+// BONES, WEIGHTS  root and tip: (1 - x, x, 0, 0) with the stem offset x. Where a skeleton has bones of parts, these
+//           take the share of the own bend weight (mesh/form_bones.hpp).
+//
+// A swing comes before the stem's bend. A place of weight y turns about the pivot by y times the tip's angle and comes
+// so much nearer to it that a straight blade becomes an arc of its own length; the tangent turns twice as far. A head
+// turns as a whole. How far says motion/part_bend.hpp.
 //
 // A lathe without parts (mesh/plant_mesh.hpp) has CUSTOM0.x alone. Then the renderers give (x, 0, 0, 1) for CUSTOM0:
 // no swing of its own, kept at all distances, leafy all over; that is what a lathe is. CUSTOM1 and CUSTOM2 count only

@@ -1,5 +1,6 @@
 #include "motion/bend_encoding.hpp"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -68,6 +69,12 @@ glm::vec2 stereographic(Bend bend) {
 
 glm::vec3 decode_bend(Bend bend) {
 	return from_stereographic(stereographic(bend));
+}
+
+BendWay bend_way(const Bend *pair, float share) {
+	const glm::vec2 before = stereographic(pair[0]);
+	const glm::vec2 after = stereographic(pair[1]);
+	return { glm::mix(before, after, share), after - before };
 }
 
 glm::vec3 from_stereographic(const glm::vec2 &s) {

@@ -31,4 +31,13 @@ glm::vec3 from_stereographic(const glm::vec2 &s);
 /// Unit.
 glm::vec3 decode_bend(Bend bend);
 
+/// What is drawn between two bends, and how far the way is from one to the other.
+struct BendWay {
+	glm::vec2 bend;
+	glm::vec2 change;
+};
+
+/// `share` of the way from pair[0] to pair[1].
+BendWay bend_way(const Bend *pair, float share);
+
 } // namespace undergrowth

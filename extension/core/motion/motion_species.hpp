@@ -15,6 +15,7 @@ struct MotionSpecies {
 	float shortest = 0.5f; ///< m.
 	float longest = 1.0f; ///< m.
 	float lean = 0.0f; ///< rad, from upright to the rest direction (spring law).
+	bool has_parts = false; ///< Which swing by themselves; it does not matter to the motion.
 };
 
 /// Whether plants of both move alike, so that they may share a page.

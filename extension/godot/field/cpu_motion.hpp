@@ -5,6 +5,7 @@
 #include "field/field_wind_clock.hpp"
 #include "field/prepared_cpu_motion.hpp"
 #include "motion/fixed_step.hpp"
+#include "motion/swing_clock.hpp"
 
 #include <memory>
 #include <vector>
@@ -42,12 +43,14 @@ public:
 	PoseTexels texels(int block) const override { return textures->texels(rows_of(block)); }
 	godot::RID pose_texture() const override { return textures ? textures->poses() : godot::RID(); }
 	godot::RID blend_texture() const override { return textures ? textures->blends() : godot::RID(); }
+	godot::RID beat_texture() const override { return textures ? textures->beats() : godot::RID(); }
+	float swing_clock() const override { return swings.now(shown_alpha); }
 	godot::Vector3 history_of(int species) const override;
 	bool follows_prototypes() const override { return textures && textures->follows(); }
 	Delays follower_delays(const godot::Transform3D &axes) const override;
 
 	TipState read_state_now(const PlantPlace &place) override;
-	glm::vec2 read_drawn_bend_now(const PlantPlace &place) const override;
+	StemMotion read_drawn_stem_now(const PlantPlace &place) const override;
 	bool is_point_in_plants_now(const glm::vec3 &point, float margin) override;
 	void write_state(const PlantPlace &place, const TipState &state) override;
 	void apply_impulse(const PlantPlace &place, const glm::vec3 &impulse) override;
@@ -67,6 +70,7 @@ private:
 	FixedStep clock;
 	FieldWindClock wind_clock;
 	float shown_alpha = 0.0f; ///< Of the step that is shown next.
+	SwingClock swings;
 	int frames_since_far = 0;
 	std::vector<glm::vec3> pushed_at; ///< m, field axes: bodies of the last step.
 

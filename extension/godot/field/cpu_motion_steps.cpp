@@ -68,6 +68,7 @@ void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
 void CpuMotion::start_step(const MotionOptions &options, bool with_contact) {
 	TipContact *contact = with_contact && simulation->settings().prototypes == 0 ? &touching : nullptr;
 	steps.start(*simulation, *textures, contact, worker_count(options));
+	swings.step(clock.step());
 }
 
 // The bodies as they were `ago` seconds before this frame.
@@ -167,8 +168,10 @@ FieldMotion::Delays CpuMotion::follower_delays(const Transform3D &axes) const {
 	return { world_delay(delays.after(), axes), world_delay(delays.before(), axes), delays.share(shown_alpha) };
 }
 
-glm::vec2 CpuMotion::read_drawn_bend_now(const PlantPlace &place) const {
-	return simulation->shown_bend(rows_of(place.block).page, row_of(place), shown_alpha);
+StemMotion CpuMotion::read_drawn_stem_now(const PlantPlace &place) const {
+	StemMotion stem = simulation->shown_stem(rows_of(place.block).page, row_of(place), shown_alpha);
+	stem.clock = swing_clock();
+	return stem;
 }
 
 } // namespace undergrowth

@@ -8,6 +8,8 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr float FARTHEST = 1e9f; // m.
+static constexpr float SWINGS_TO = 60.0f; // Heights of a plant away: a leaf sways by less than a pixel there.
+static constexpr float SWINGS_WHOLE = 0.75f; // Of that: up to there all of it.
 
 Ref<Material> FieldDress::worn(const FieldLook &look) const {
 	const Ref<Material> instead = node->get_material_override();
@@ -16,6 +18,7 @@ Ref<Material> FieldDress::worn(const FieldLook &look) const {
 
 void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
 	has_sent = false;
+	sent_clock = -1.0f;
 	for (FieldLook &look : style.looks) {
 		const bool is_new = look.materials.empty();
 		for (size_t i = look.materials.size(); i < style.levels.size(); i++) {
@@ -28,6 +31,7 @@ void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
 			look.materials[i]->set_shader_parameter("undergrowth_level", Vector3(begin, end, level.margin));
 			look.materials[i]->set_shader_parameter("undergrowth_bends", motion.pose_texture());
 			look.materials[i]->set_shader_parameter("undergrowth_blends", motion.blend_texture());
+			look.materials[i]->set_shader_parameter("undergrowth_beats", motion.beat_texture());
 		}
 		if (is_new && !look.materials.empty() && !bends_in_shader(look.materials[0])) {
 			report_error(look.function.ptr(),
@@ -53,6 +57,22 @@ void FieldDress::follow(const FieldStyle &style) {
 	const FieldLook &look = style.looks[followed_look];
 	for (const Ref<ShaderMaterial> &material : look.materials) {
 		follow_material(worn(look), material);
+	}
+}
+
+void FieldDress::tell_of_swings(const FieldStyle &style, const FieldMotion &motion) {
+	const float clock = motion.swing_clock();
+	if (clock == sent_clock) {
+		return;
+	}
+	sent_clock = clock;
+	for (const FieldLook &look : style.looks) {
+		const float end = look.motion.longest * SWINGS_TO;
+		for (size_t i = 0; look.motion.has_parts && i < look.materials.size(); i++) {
+			if (style.levels[i].begin - style.levels[i].margin < end) {
+				look.materials[i]->set_shader_parameter("undergrowth_swing", Vector3(clock, end * SWINGS_WHOLE, end));
+			}
+		}
 	}
 }
 

@@ -20,6 +20,8 @@ public:
 	void take_off(FieldStyle &style, std::vector<std::vector<godot::Ref<godot::ShaderMaterial>>> &old) const;
 	/// One species' materials follow what their user changed in them, in turns.
 	void follow(const FieldStyle &style);
+	/// The clock that parts swing by, in this frame.
+	void tell_of_swings(const FieldStyle &style, const FieldMotion &motion);
 	/// Where followers of prototypes find what they show in this frame.
 	void tell_of_followers(const FieldStyle &style, const FieldMotion &motion, const godot::Transform3D &axes);
 
@@ -28,6 +30,7 @@ private:
 	size_t followed_look = 0;
 	FieldMotion::Delays sent; ///< To the materials that are worn, if any.
 	bool has_sent = false;
+	float sent_clock = -1.0f; ///< To the same; -1: none.
 
 	godot::Ref<godot::Material> worn(const FieldLook &look) const;
 };

@@ -69,10 +69,11 @@ void FieldLook::build() {
 	samples.clear();
 }
 
-Ref<ArrayMesh> FieldLook::build_alone(const PlacedPlant &plant) const {
+SampledPlant FieldLook::sample_alone(const PlacedPlant &plant) const {
 	SampledPlant sampled = nearest[size_t(plant.variant) % nearest.size()];
 	sampled.height = height_of(plant);
-	return sampled.build();
+	sampled.has_part_bones = true;
+	return sampled;
 }
 
 void FieldLook::take_material() {
@@ -86,6 +87,7 @@ void FieldLook::read_motion() {
 	motion.joint = function->make_joint(1.0f, Basis());
 	motion.collision_radius = float(function->get_collision_radius());
 	motion.lean = std::atan2(motion.joint.rest.z, motion.joint.rest.y);
+	motion.has_parts = motion.has_parts || (!samples.empty() && samples[0][0].grown);
 	motion.shortest = motion.longest = variants.empty() ? 1.0f : variants[0].height;
 	for (const FieldVariant &variant : variants) {
 		motion.shortest = std::min(motion.shortest, variant.height);

@@ -46,8 +46,8 @@ struct FieldLook {
 	godot::String sample(const std::vector<FieldLevel> &levels, int64_t seed);
 	/// Builds the meshes of what was sampled; once, on any thread.
 	void build();
-	/// A mesh for one plant alone, with its own height, to be turned and scaled by `scale`.
-	godot::Ref<godot::ArrayMesh> build_alone(const PlacedPlant &plant) const;
+	/// For the mesh of one plant alone, with its own height, to be turned and scaled by `scale`, on a skeleton.
+	SampledPlant sample_alone(const PlacedPlant &plant) const;
 	/// The function's motion as it is now.
 	void read_motion();
 	/// Its material, for plants that get a mesh of their own.

@@ -5,6 +5,7 @@
 #include "field/field_settings.hpp"
 #include "field/field_style.hpp"
 #include "motion/joint.hpp"
+#include "motion/part_bend.hpp"
 #include "stand/kept_plants.hpp"
 #include "stand/plant_store.hpp"
 #include "wind/travelling_wind.hpp"
@@ -107,6 +108,10 @@ public:
 	/// Bends before and after, and a blend for each row of texels. Invalid until something was uploaded.
 	virtual godot::RID pose_texture() const = 0;
 	virtual godot::RID blend_texture() const = 0;
+	/// Steps a second, and the layer of the rests or -1, for each row of texels.
+	virtual godot::RID beat_texture() const = 0;
+	/// What is drawn in this frame by the clock of swings: 0 to 1, a share of SWING_PERIOD.
+	virtual float swing_clock() const = 0;
 	/// Where the shader finds the history of a species' prototypes: first layer, newest slot, blend; x is -1 where
 	/// plants swing by themselves.
 	virtual godot::Vector3 history_of(int species) const = 0;
@@ -114,8 +119,8 @@ public:
 	virtual Delays follower_delays(const godot::Transform3D &axes) const = 0;
 
 	virtual TipState read_state_now(const PlantPlace &place) = 0;
-	/// The bend that is drawn in this frame.
-	virtual glm::vec2 read_drawn_bend_now(const PlantPlace &place) const = 0;
+	/// The bend that is drawn in this frame and all else that a plant's parts go by, in the field's axes.
+	virtual StemMotion read_drawn_stem_now(const PlantPlace &place) const = 0;
 	virtual bool is_point_in_plants_now(const glm::vec3 &point, float margin) = 0;
 	virtual void write_state(const PlantPlace &place, const TipState &state) = 0;
 	virtual void apply_impulse(const PlantPlace &place, const glm::vec3 &impulse) = 0;

@@ -41,31 +41,29 @@ Node *FieldSkeletons::find_holder(Node3D *field) {
 Skeleton3D *FieldSkeletons::make(Node3D *field) {
 	Skeleton3D *skeleton = new_node<Skeleton3D>();
 	skeleton->set_name(SKELETON_NAME);
-	skeleton->add_bone("root");
-	skeleton->add_bone("tip");
-	skeleton->set_bone_parent(TIP_BONE, 0);
 	MeshInstance3D *drawn = new_node<MeshInstance3D>();
 	drawn->set_name(MESH_NAME);
-	drawn->set_skin(plant_skin());
 	skeleton->add_child(drawn, false, Node::INTERNAL_MODE_FRONT);
 	drawn->set_skeleton_path(NodePath(".."));
 	find_holder(field)->add_child(skeleton, true);
 	return skeleton;
 }
 
-Skeleton3D *FieldSkeletons::take(
-		Node3D *field, const Transform3D &place, const Ref<ArrayMesh> &mesh, const FieldWear &wear) {
+Skeleton3D *FieldSkeletons::take(Node3D *field, const Transform3D &place, const Ref<ArrayMesh> &mesh,
+		const PartSkeleton *parts, const FieldWear &wear) {
 	Skeleton3D *skeleton = nullptr;
 	while (!skeleton && !idle.empty()) {
 		skeleton = node(idle.back());
 		idle.pop_back();
-		if (skeleton && (!mesh_of(skeleton) || skeleton->get_bone_count() != 2)) {
+		if (skeleton && !mesh_of(skeleton)) {
 			skeleton->queue_free(); // A script has changed it.
 			skeleton = nullptr;
 		}
 	}
 	skeleton = skeleton ? skeleton : make(field);
 	MeshInstance3D *drawn = mesh_of(skeleton);
+	PartSkeleton::set_up(skeleton, parts);
+	drawn->set_skin(PartSkeleton::skin_of(parts));
 	drawn->set_mesh(mesh);
 	dress(skeleton, wear);
 	// Linear blend skinning moves no vertex farther from the root than it is at rest.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "field/field_style.hpp"
+#include "part_skeleton.hpp"
 
 #include <godot_cpp/classes/array_mesh.hpp>
 #include <godot_cpp/classes/skeleton3d.hpp>
@@ -10,7 +11,7 @@
 
 namespace undergrowth {
 
-/// Plants of a field that are shown as nodes: a Skeleton3D of two bones with a skinned mesh, as a Plant3D has. They are
+/// Plants of a field that are shown as nodes: a Skeleton3D with a skinned mesh, as a Plant3D has. They are
 /// children of an internal node of the field, so that they are never saved, and used again for other plants. Scripts
 /// may free any of them at any time.
 class FieldSkeletons {
@@ -18,9 +19,9 @@ public:
 	/// Removes what a copy of a field, or one whose library was reloaded, finds among its children.
 	void remove_strays(godot::Node3D *field) const;
 
-	/// A skeleton at `place` (field axes) that shows `mesh`. Its bone is not turned yet.
+	/// A skeleton at `place` (field axes) that shows `mesh`, with the bones of its `parts`, if any. None is turned yet.
 	godot::Skeleton3D *take(godot::Node3D *field, const godot::Transform3D &place,
-			const godot::Ref<godot::ArrayMesh> &mesh, const FieldWear &wear);
+			const godot::Ref<godot::ArrayMesh> &mesh, const PartSkeleton *parts, const FieldWear &wear);
 	static void dress(godot::Skeleton3D *skeleton, const FieldWear &wear);
 	/// Hides a skeleton for later use; one to which scripts have added children goes with them.
 	void give_back(godot::Skeleton3D *skeleton);

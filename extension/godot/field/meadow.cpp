@@ -110,6 +110,7 @@ void Meadow::refresh() {
 		unseen.clear();
 	}
 	dress.tell_of_followers(style, motion, axes_of(node));
+	dress.tell_of_swings(style, motion);
 	upload_usec = watch.usec();
 }
 

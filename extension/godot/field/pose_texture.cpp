@@ -12,9 +12,7 @@ namespace undergrowth {
 
 static constexpr Bend HIDDEN = 0x7bffu; // s.x is the largest half, 65,504: no bend has it.
 static constexpr uint64_t ALL_ROWS = ~uint64_t(0);
-static constexpr int SPARE_LAYERS = 2; // So that plants which are added seldom need another texture.
-static constexpr size_t TEXEL_BYTES = 2 * sizeof(Bend);
-static constexpr int PAIRS_PER_LAYER = PoseTexture::SIDE * PoseTexture::SIDE;
+static constexpr int PAIRS_PER_LAYER = PoseTexture::PAIRS_PER_LAYER;
 static constexpr int HISTORY_LAYERS = Prototypes::SLOTS * Prototypes::MOST / PAIRS_PER_LAYER;
 static constexpr int SPECIES_LAYERS = HISTORY_LAYERS + 1; // And one of loose plants.
 
@@ -30,7 +28,7 @@ PoseTexture::~PoseTexture() {
 
 void PoseTexture::free_textures() {
 	RenderingServer *server = RenderingServer::get_singleton();
-	for (RID *one : { &texture, &blend_texture }) {
+	for (RID *one : { &texture, &blend_texture, &beat_texture }) {
 		if (server && one->is_valid()) {
 			server->free_rid(*one);
 		}
@@ -85,7 +83,7 @@ void PoseTexture::give_rows(int page, int plants) {
 	} else {
 		own.rows = find_rows(count);
 	}
-	own.share = -1.0f;
+	own.share = own.interval = -1.0f;
 }
 
 void PoseTexture::take_rows(int page) {
@@ -237,9 +235,12 @@ bool PoseTexture::make_textures() {
 	blend_image = Image::create_empty(SIDE, int(layers.size()), false, Image::FORMAT_RF);
 	shares.assign(layers.size() * SIDE, 0.0f);
 	blend_texture = server->texture_2d_create(blend_image);
+	beat_image = Image::create_empty(SIDE, int(layers.size()), false, Image::FORMAT_RGF);
+	beats_sent.assign(2 * layers.size() * SIDE, 0.0f);
+	beat_texture = server->texture_2d_create(beat_image);
 	std::fill(is_fresh.begin(), is_fresh.end(), uint8_t(0));
 	for (Page &page : pages) {
-		page.share = -1.0f;
+		page.share = page.interval = -1.0f;
 	}
 	textured_layers = layers.size();
 	return true;
@@ -252,6 +253,7 @@ void PoseTexture::upload(const FieldSimulation &simulation, float fraction) {
 		}
 	}
 	upload_layers();
+	upload_beats(simulation);
 	if (!follows_prototypes) { // Followers' blend is one for all: a uniform.
 		upload_blends(simulation, fraction);
 	}

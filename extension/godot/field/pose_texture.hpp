@@ -16,12 +16,15 @@ namespace undergrowth {
 
 /// The textures that carry the plants' poses to the graphics card. A texel belongs to a plant: its bends before and
 /// after its last step, in layers of 64 by 64 texels; a page of plants has whole rows of one layer. A second texture
-/// has a blend for each row. Where plants follow prototypes, a texel says whom and how late instead, and each species
-/// has 16 layers for the history of its prototypes and one for plants that were pushed.
+/// has a blend for each row, a third one how many steps a second it takes and which layer says where its plants rest:
+/// one of plants of parts has it, as soon as one of them does not rest upright. Where plants follow prototypes, a texel
+/// says whom and how late instead, and each species has 16 layers for the history of its prototypes and one for plants
+/// that were pushed.
 class PoseTexture {
 public:
 	static constexpr int SIDE = 64;
 	static constexpr int MOST_LAYERS = 2048; ///< What graphics cards have.
+	static constexpr int PAIRS_PER_LAYER = SIDE * SIDE;
 
 	/// For a simulation with prototypes or without.
 	explicit PoseTexture(bool follows_prototypes);
@@ -50,6 +53,10 @@ public:
 	/// Takes over the newest slot of each species' history, or all of them, and what its pushed plants do.
 	void write_history(const FieldSimulation &simulation, bool all);
 
+	/// Takes over where the plants of a page rest. Before they are drawn first, and whenever that changes; on one
+	/// thread.
+	void write_rests(const FieldSimulation &simulation, int page);
+
 	/// Draws nothing where this plant is.
 	void hide(int page, int row);
 	/// Ends that, from the next write_page() on.
@@ -62,11 +69,14 @@ public:
 	void upload(const FieldSimulation &simulation, float fraction);
 	godot::RID poses() const { return texture; }
 	godot::RID blends() const { return blend_texture; }
+	godot::RID beats() const { return beat_texture; }
 	/// First layer of a species' history, or -1.
 	int history_layer(int species) const;
 	bool follows() const { return follows_prototypes; }
 
 private:
+	static constexpr int SPARE_LAYERS = 2; ///< So that plants which are added seldom need another texture.
+	static constexpr size_t TEXEL_BYTES = 2 * sizeof(Bend);
 	struct Rows {
 		int layer = -1; ///< -1: none.
 		int first = 0;
@@ -75,6 +85,7 @@ private:
 	struct Page {
 		Rows rows;
 		float share = -1.0f; ///< The blend that was sent.
+		float interval = -1.0f; ///< s, of the steps that was sent.
 		int loose_version = 0; ///< Of followers, as written.
 		std::vector<uint16_t> hidden; ///< Plants that are gone, or that others show.
 	};
@@ -87,9 +98,12 @@ private:
 	std::vector<int> histories; ///< By species: their first layers.
 	godot::Ref<godot::Image> blend_image;
 	std::vector<float> shares; ///< What `blend_image` holds.
-	bool shares_are_fresh = false;
+	godot::Ref<godot::Image> beat_image;
+	std::vector<float> beats_sent; ///< What `beat_image` holds.
+	std::vector<int> rest_layers; ///< By layer: the one of its rests, or -1.
 	godot::RID texture;
 	godot::RID blend_texture;
+	godot::RID beat_texture;
 	size_t textured_layers = 0;
 
 	int add_layer(bool is_shared);
@@ -102,6 +116,8 @@ private:
 	void write_layer(int layer, const Bend *from, int pairs, int first);
 	void upload_layers();
 	void upload_blends(const FieldSimulation &simulation, float fraction);
+	void upload_beats(const FieldSimulation &simulation);
+	int rest_layer(int layer) const;
 	void free_textures();
 };
 

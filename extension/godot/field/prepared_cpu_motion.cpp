@@ -44,6 +44,9 @@ std::unique_ptr<PreparedMotion> prepare_on_cpu(const std::vector<PlantBlock> &bl
 		made->textures->write_history(*made->simulation, true);
 	}
 	made->textures->write_pages(*made->simulation);
+	for (int page = 0; page < made->simulation->page_count(); page++) {
+		made->textures->write_rests(*made->simulation, page);
+	}
 	return made;
 }
 

@@ -95,8 +95,10 @@ void SkeletonView::release_all(FieldMotion &motion) {
 void SkeletonView::show(const Scene &scene, const PlantPlace &place) {
 	const PlacedPlant plant = scene.store.block(place.block).plants.plant(place.slot);
 	const FieldLook &look = scene.style.looks[size_t(plant.species)];
-	Skeleton3D *skeleton = nodes.take(scene.field, drawn_transform(plant), look.build_alone(plant), scene.wear);
-	shown.push_back({ place, uint64_t(skeleton->get_instance_id()) });
+	const SampledPlant sampled = look.sample_alone(plant);
+	std::shared_ptr<PartSkeleton> parts = PartSkeleton::of(sampled);
+	Skeleton3D *skeleton = nodes.take(scene.field, drawn_transform(plant), sampled.build(), parts.get(), scene.wear);
+	shown.push_back({ place, uint64_t(skeleton->get_instance_id()), std::move(parts) });
 	scene.motion.set_hidden(place, true);
 	tell(skeleton, true);
 }
@@ -127,13 +129,18 @@ void SkeletonView::pose(const PlantStore &store, const FieldMotion &motion) cons
 		if (!skeleton) {
 			continue; // A script has freed it; the next choice finds out.
 		}
-		const glm::vec2 bend = motion.read_drawn_bend_now(entry.place);
+		const StemMotion stem = motion.read_drawn_stem_now(entry.place);
 		const float turn = store.block(entry.place.block).plants.plant(entry.place.slot).turn;
 		const float c = std::cos(turn);
 		const float d = std::sin(turn);
-		const glm::vec2 own(c * bend.x - d * bend.y, d * bend.x + c * bend.y);
+		const auto to_own = [c, d](const glm::vec2 &s) { return glm::vec2(c * s.x - d * s.y, d * s.x + c * s.y); };
+		const glm::vec2 own = to_own(stem.bend);
 		const float scale = 1.0f / std::sqrt(1.0f + glm::dot(own, own));
 		FieldSkeletons::pose(skeleton, Quaternion(own.y * scale, 0.0f, -own.x * scale, scale));
+		if (entry.parts) {
+			entry.parts->stem = { own, to_own(stem.rate), to_own(stem.rest), stem.clock };
+			entry.parts->pose(skeleton);
+		}
 	}
 }
 

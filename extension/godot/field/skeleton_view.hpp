@@ -55,6 +55,7 @@ private:
 	struct Shown {
 		PlantPlace place;
 		uint64_t skeleton = 0; ///< Instance id.
+		std::shared_ptr<PartSkeleton> parts; ///< Null: it has root and tip alone.
 	};
 
 	Tell tell;

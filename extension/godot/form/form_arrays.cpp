@@ -85,7 +85,9 @@ static Array packed(const FormArrays &from) {
 Ref<ArrayMesh> build_form_mesh(const GrownPlant &grown, const SampledPlant &sampled) {
 	const FormPlan plan = plan_form(grown.form, grown.measure, vertex_budget(sampled.lod));
 	FormArrays arrays(plan.counts);
-	build_form_mesh(grown.form, grown.measure, plan, sampled.options, sampled.height, arrays.buffers());
+	const FormBones none;
+	build_form_mesh(grown.form, grown.measure, plan, sampled.has_part_bones ? grown.bones : none, sampled.options,
+			sampled.height, arrays.buffers());
 	Ref<ArrayMesh> mesh = new_counted<ArrayMesh>();
 	mesh->add_surface_from_arrays(
 			Mesh::PRIMITIVE_TRIANGLES, packed(arrays), TypedArray<Array>(), Dictionary(), CUSTOM_FORMAT);

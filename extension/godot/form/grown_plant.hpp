@@ -1,6 +1,7 @@
 #pragma once
 
 #include "form/plant_form.hpp"
+#include "mesh/form_bones.hpp"
 #include "mesh/form_measure.hpp"
 
 namespace undergrowth {
@@ -9,6 +10,7 @@ namespace undergrowth {
 struct GrownPlant {
 	PlantForm form;
 	FormMeasure measure;
+	FormBones bones;
 };
 
 } // namespace undergrowth

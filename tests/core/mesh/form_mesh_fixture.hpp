@@ -39,7 +39,7 @@ struct BuiltForm {
 };
 
 inline BuiltForm build(const undergrowth::PlantForm &form, const undergrowth::FormPlan &plan, float height = 0.0f,
-		const undergrowth::MeshOptions &options = {}) {
+		const undergrowth::MeshOptions &options = {}, const undergrowth::FormBones &bones = {}) {
 	BuiltForm mesh;
 	const size_t n = static_cast<size_t>(plan.counts.vertices);
 	mesh.positions.resize(n);
@@ -53,7 +53,7 @@ inline BuiltForm build(const undergrowth::PlantForm &form, const undergrowth::Fo
 	mesh.bones.resize(4 * n);
 	mesh.weights.resize(4 * n);
 	mesh.indices.resize(static_cast<size_t>(plan.counts.indices), -1);
-	undergrowth::build_form_mesh(form, undergrowth::measure_form(form), plan, options,
+	undergrowth::build_form_mesh(form, undergrowth::measure_form(form), plan, bones, options,
 			height > 0.0f ? height : form.height,
 			{ mesh.positions.data(), mesh.normals.data(), mesh.tangents.data(), mesh.colors.data(), mesh.uvs.data(),
 					mesh.custom0.data(), mesh.custom1.data(), mesh.custom2.data(), mesh.bones.data(),

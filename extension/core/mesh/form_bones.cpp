@@ -1,0 +1,166 @@
+#include "mesh/form_bones.hpp"
+
+#include "base/portable_math.hpp"
+#include "conventions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+constexpr int SECTORS = 8;
+constexpr float MORE_THAN_OWN = 0.05f; // Of the stem's bend.
+constexpr float LYING = 0.1f; // Bend: what has less room cannot go as far as what stands beside it.
+constexpr float EXACT = 65536.0f; // Sums of so many parts of 1 are exact.
+
+float exact(float weight) {
+	return std::floor(weight * EXACT + 0.5f) / EXACT;
+}
+
+int sector_of(const glm::vec2 &side) {
+	const double turn = portable_atan2(side.y, side.x) / (2.0 * PI);
+	return (static_cast<int>(std::floor(turn * SECTORS + 0.5)) + SECTORS) % SECTORS;
+}
+
+float size_of(const PlacedPart &part) {
+	return part.length * part.width;
+}
+
+} // namespace
+
+FormBones::FormBones(const PlantForm &form, const std::vector<PartHang> &hangs) : first_of(form.placed.size(), -1) {
+	std::vector<int> heads, blades, lying, leaves;
+	for (size_t i = 0; i < hangs.size(); i++) {
+		const PartHang &hang = hangs[i];
+		if (hang.swinger == static_cast<int>(i)) {
+			std::vector<int> &ground = hang.swing.room < LYING ? lying : blades;
+			(hang.swing.is_head() ? heads : hang.is_root ? ground : leaves).push_back(static_cast<int>(i));
+		}
+	}
+	add_heads(form, hangs, heads);
+	if (blades.size() + lying.size() > MOST_OF_TUFT) {
+		add_tuft("tuft_", form, hangs, blades);
+		add_tuft("lying_", form, hangs, lying);
+	} else {
+		leaves.insert(leaves.end(), blades.begin(), blades.end());
+		leaves.insert(leaves.end(), lying.begin(), lying.end());
+	}
+	add_leaves(form, hangs, std::move(leaves));
+}
+
+void FormBones::add_heads(const PlantForm &form, const std::vector<PartHang> &hangs, const std::vector<int> &heads) {
+	for (const int head : heads) {
+		if (all.size() < MOST - FIRST) {
+			first_of[static_cast<size_t>(head)] = static_cast<int>(all.size());
+			const std::string number = heads.size() == 1 ? "" : "_" + std::to_string(all.size() + 1);
+			add("head" + number, form, form.placed[static_cast<size_t>(head)], hangs[static_cast<size_t>(head)], 1.0f);
+		}
+	}
+}
+
+void FormBones::add_leaves(const PlantForm &form, const std::vector<PartHang> &hangs, std::vector<int> leaves) {
+	std::stable_sort(leaves.begin(), leaves.end(), [&form](int a, int b) {
+		return size_of(form.placed[static_cast<size_t>(a)]) > size_of(form.placed[static_cast<size_t>(b)]);
+	});
+	int number = 0;
+	for (const int leaf : leaves) {
+		const PlacedPart &part = form.placed[static_cast<size_t>(leaf)];
+		first_of[static_cast<size_t>(leaf)] =
+				add_pair("leaf_" + std::to_string(++number), form, part, hangs[static_cast<size_t>(leaf)]);
+	}
+}
+
+/// Those on one side share the bones of the largest of them.
+void FormBones::add_tuft(const std::string &name, const PlantForm &form, const std::vector<PartHang> &hangs,
+		const std::vector<int> &blades) {
+	std::array<int, SECTORS> largest;
+	largest.fill(-1);
+	for (const int blade : blades) {
+		int &found = largest[static_cast<size_t>(sector_of(hangs[static_cast<size_t>(blade)].swing.side))];
+		const PlacedPart &part = form.placed[static_cast<size_t>(blade)];
+		if (found < 0 || size_of(part) > size_of(form.placed[static_cast<size_t>(found)])) {
+			found = blade;
+		}
+	}
+	std::array<int, SECTORS> bones;
+	for (size_t i = 0; i < SECTORS; i++) {
+		const size_t of = static_cast<size_t>(std::max(largest[i], 0));
+		bones[i] = largest[i] < 0 ? -1 : add_pair(name + std::to_string(i + 1), form, form.placed[of], hangs[of]);
+	}
+	for (const int blade : blades) {
+		first_of[static_cast<size_t>(blade)] =
+				bones[static_cast<size_t>(sector_of(hangs[static_cast<size_t>(blade)].swing.side))];
+	}
+}
+
+int FormBones::add_pair(const std::string &name, const PlantForm &form, const PlacedPart &part, const PartHang &hang) {
+	const bool is_long = part.length > LONG && all.size() + 2 <= MOST - FIRST;
+	if (all.size() >= MOST - FIRST) {
+		return -1;
+	}
+	const int first = static_cast<int>(all.size());
+	add(name, form, part, hang, is_long ? 0.5f : 1.0f);
+	if (is_long) {
+		add(name + "_outer", form, part, hang, 1.0f);
+		all.back().origin = form.point_of(part, 0.5f);
+		all.back().outer_of = first;
+	}
+	return first;
+}
+
+void FormBones::add(
+		const std::string &name, const PlantForm &form, const PlacedPart &part, const PartHang &hang, float weight) {
+	PartBone bone;
+	bone.origin = bone.pivot = hang.pivot;
+	bone.stem_offset = hang.is_root ? stem_offset_of(form, form.point_of(part, weight)) : hang.stem_offset;
+	bone.weight = weight;
+	bone.swing = hang.swing;
+	all.push_back(bone);
+	all_names.push_back(name);
+}
+
+std::vector<PartBone> FormBones::stretched(float factor) const {
+	std::vector<PartBone> bones = all;
+	for (PartBone &bone : bones) {
+		bone.origin.y *= factor;
+		bone.pivot.y *= factor;
+	}
+	return bones;
+}
+
+bool FormBones::has_outer(int bone) const {
+	const size_t next = static_cast<size_t>(bone) + 1;
+	return next < all.size() && all[next].outer_of == bone;
+}
+
+// What part bones do not take of the stem's bend the tip does, so that a plant without swing bends as without them.
+void FormBones::bind(int swinger, float stem_offset, float weight, int32_t *bones, float *weights) const {
+	const int first = swinger < 0 || first_of.empty() ? -1 : first_of[static_cast<size_t>(swinger)];
+	std::fill(bones, bones + 4, ROOT);
+	std::fill(weights, weights + 4, 0.0f);
+	bones[1] = TIP;
+	if (first < 0) {
+		weights[0] = 1.0f - stem_offset;
+		weights[1] = stem_offset;
+		return;
+	}
+	const bool is_pair = has_outer(first);
+	const float outer = is_pair ? std::max(2.0f * weight - 1.0f, 0.0f) : 0.0f;
+	const float inner = is_pair ? std::min(2.0f * weight, 2.0f - 2.0f * weight) : weight;
+	const float of_inner = all[static_cast<size_t>(first)].stem_offset;
+	const float of_outer = all[static_cast<size_t>(first + (is_pair ? 1 : 0))].stem_offset;
+	// What is low shares bones of higher parts only so far as the stem moves it.
+	const float most = (stem_offset + MORE_THAN_OWN) / std::max(inner * of_inner + outer * of_outer, MORE_THAN_OWN);
+	weights[2] = exact(inner * std::min(most, 1.0f));
+	weights[3] = std::min(exact(outer * std::min(most, 1.0f)), 1.0f - weights[2]);
+	const float room = 1.0f - weights[2] - weights[3];
+	const float taken = weights[2] * of_inner + weights[3] * of_outer;
+	weights[1] = std::clamp(exact(stem_offset - taken), 0.0f, room);
+	weights[0] = room - weights[1];
+	bones[2] = FIRST + first;
+	bones[3] = is_pair ? FIRST + first + 1 : ROOT;
+}
+
+} // namespace undergrowth

@@ -1,0 +1,112 @@
+#include "motion/part_bend.hpp"
+
+#include "conventions.hpp"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+// The same numbers stand in undergrowth_swing.gdshaderinc.
+constexpr float STIFF = 6.0f; // Hz: such parts give way half as much as soft ones.
+constexpr float PRESS = 0.45f; // Of the stem's own bend, from the side.
+constexpr float PRESS_OF_LEE = 0.4f; // More from outside, less on the lee side, as a share of it.
+constexpr float LAG = 0.8f; // rad of the part's own swing.
+constexpr float FLUTTER = 0.5f;
+constexpr float FLUTTER_OF_LEE = 0.5f;
+constexpr float CALMED = 4.0f; // Per damping ratio.
+constexpr float ASIDE = 0.4f; // Of the flutter.
+constexpr float INWARD = 0.12f; // About 14°: no part goes farther in to its stem.
+constexpr float HEAD = 0.6f; // Heads turn as a whole.
+constexpr float CALM = 2e-3f; // Below, a stem rests: half floats say no more.
+constexpr float LEAST = 1e-6f;
+
+float wave(float cycles) {
+	return static_cast<float>(std::sin(2.0 * PI * (cycles - std::floor(cycles))));
+}
+
+glm::quat quaternion_of(const glm::vec2 &bend) {
+	const float scale = 1.0f / std::sqrt(1.0f + glm::dot(bend, bend));
+	return glm::quat(scale, bend.y * scale, 0.0f, -bend.x * scale);
+}
+
+} // namespace
+
+glm::vec2 part_bend(const PartSwing &part, const StemMotion &stem) {
+	const glm::vec2 away = stem.bend - stem.rest;
+	const float distance = glm::length(away);
+	const float far = std::max(distance - CALM, 0.0f);
+	const glm::vec2 wind = distance > CALM ? away / distance : glm::vec2(0.0f);
+	const float lee = glm::dot(part.side, wind);
+	const float stiffness = part.frequency / STIFF;
+	const float soft = 1.0f / (1.0f + stiffness * stiffness);
+	const float lag = (LAG + 2.0f * part.damping_ratio) / (2.0f * static_cast<float>(PI) * part.frequency);
+	glm::vec2 bend = wind * (far * PRESS * soft * (1.0f - PRESS_OF_LEE * lee)) -
+			stem.rate * (lag / (1.0f + glm::dot(stem.bend, stem.bend)));
+
+	const float swings = part.frequency * static_cast<float>(SWING_PERIOD);
+	const float slow = std::floor(0.625f * swings + 0.5f); // A whole number, too.
+	const float one = wave(stem.clock * swings + part.phase);
+	const float other = wave(stem.clock * slow + 2.618f * part.phase);
+	const float flutter =
+			FLUTTER * soft / (1.0f + CALMED * part.damping_ratio) * (1.0f + FLUTTER_OF_LEE * lee) * far / (1.0f + far);
+	const glm::vec2 flap = part.is_head() ? wind : part.side;
+	bend += flap * (flutter * (0.7f * one + 0.3f * other)) + glm::vec2(-flap.y, flap.x) * (flutter * ASIDE * other);
+
+	const float inward = std::max(-glm::dot(bend, part.side), 0.0f);
+	const float outward = std::max(glm::dot(bend, part.side), 0.0f);
+	bend += part.side * (inward - inward / (1.0f + inward / INWARD) - outward + outward / (1.0f + outward / part.room));
+	bend *= part.is_head() ? HEAD : 1.0f;
+	const float size = glm::length(bend) / MOST_PART_BEND;
+	return bend / std::sqrt(1.0f + size * size);
+}
+
+glm::vec3 turned(const glm::vec3 &v, const glm::vec2 &bend) {
+	const glm::vec3 axis(bend.y, 0.0f, -bend.x);
+	return v + 2.0f / (1.0f + glm::dot(bend, bend)) * glm::cross(axis, glm::cross(axis, v) + v);
+}
+
+// A place that has turned by the angle a = 2·atan|s| as seen from the pivot lies on an arc that has turned by 2·a: its
+// chord is sin(a)/a of it.
+float arc_share(const glm::vec2 &bend) {
+	const float q = glm::dot(bend, bend);
+	const float tangent = 1.0f - q * (0.33333333f - q * (0.2f - q * (0.14285714f - q * 0.11111111f)));
+	return 1.0f / ((1.0f + q) * tangent);
+}
+
+// tan(weight · atan|s|)/|s|, by its series.
+glm::vec2 bend_at(const glm::vec2 &tip, float weight) {
+	const float q = glm::dot(tip, tip);
+	const float w = weight * weight;
+	return tip * (weight * (1.0f - q * (1.0f - w) * (0.33333333f - q * (0.2f - 0.13333333f * w))));
+}
+
+glm::vec3 bent_way(const glm::vec3 &way, const glm::vec2 &bend, float weight) {
+	const glm::vec2 own = bend_at(bend, weight);
+	return turned(way, own) * arc_share(own);
+}
+
+// The stem moves a place at its offset x by the share x of its bend: (1 - x)·v + x·turned(v). In the plane of the bend
+// that turns and shrinks, which a bone cannot do in one plane alone: it takes the turn and the mean size.
+PartPose pose_of(const PartBone &bone, const StemMotion &stem) {
+	const glm::vec2 own = bend_at(part_bend(bone.swing, stem), bone.weight);
+	const float n = glm::dot(stem.bend, stem.bend);
+	const float x = bone.stem_offset;
+	const float along = 1.0f - x + x * (1.0f - n) / (1.0f + n);
+	const float aside = 2.0f * x / (1.0f + n);
+	const float shrink = std::sqrt(along * along + aside * aside * n);
+	const glm::quat turn = quaternion_of(stem.bend * (aside / std::max(shrink + along, LEAST))) * quaternion_of(own);
+	PartPose pose;
+	pose.turn = { turn.x, turn.y, turn.z, turn.w };
+	pose.size = (1.0f + 2.0f * shrink) / 3.0f * (bone.swing.is_head() ? 1.0f : arc_share(own));
+	pose.shift = glm::mix(bone.pivot, turned(bone.pivot, stem.bend), x) - pose.size * (turn * bone.pivot);
+	return pose;
+}
+
+} // namespace undergrowth

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "plant/part_swing.hpp"
+
+#include <cmath>
+
+namespace undergrowth {
+
+/// The clock that parts swing by. It goes on with the steps of the motion, so that what does not step stands still.
+class SwingClock {
+public:
+	void step(double seconds) {
+		last = seconds;
+		time = std::fmod(time + seconds, SWING_PERIOD);
+	}
+	/// `alpha` of the way of the last step: StemMotion::clock.
+	float now(float alpha) const {
+		const double share = (time + (static_cast<double>(alpha) - 1.0) * last) / SWING_PERIOD;
+		return static_cast<float>(share - std::floor(share));
+	}
+
+private:
+	double time = 0.0; ///< s, at the end of the last step.
+	double last = 0.0; ///< s, its length.
+};
+
+} // namespace undergrowth

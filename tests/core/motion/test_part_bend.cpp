@@ -1,0 +1,187 @@
+#include "motion/part_bend.hpp"
+#include "motion/swing_clock.hpp"
+
+#include <doctest/doctest.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <random>
+
+using namespace undergrowth;
+
+namespace {
+
+PartSwing leaf(float phase = 0.0f, const glm::vec2 &side = { 1.0f, 0.0f }) {
+	PartSwing swing;
+	swing.phase = phase;
+	swing.side = side;
+	return swing;
+}
+
+StemMotion blown(const glm::vec2 &bend, float clock = 0.0f) {
+	StemMotion stem;
+	stem.bend = bend;
+	stem.clock = clock;
+	return stem;
+}
+
+/// The mean over one of a clock's seconds.
+glm::vec2 mean_bend(const PartSwing &part, const glm::vec2 &bend) {
+	glm::vec2 sum(0.0f);
+	for (int i = 0; i < 2048; i++) {
+		sum += part_bend(part, blown(bend, static_cast<float>(i) / 2048.0f)) / 2048.0f;
+	}
+	return sum;
+}
+
+/// The largest distance from that mean.
+float flutter(const PartSwing &part, const glm::vec2 &bend) {
+	const glm::vec2 mean = mean_bend(part, bend);
+	float most = 0.0f;
+	for (int i = 0; i < 2048; i++) {
+		most = std::max(most, glm::distance(mean, part_bend(part, blown(bend, static_cast<float>(i) / 2048.0f))));
+	}
+	return most;
+}
+
+} // namespace
+
+TEST_CASE("parts of a stem at rest are still, whatever the clock shows, also where it leans") {
+	for (const glm::vec2 &rest : { glm::vec2(0.0f), glm::vec2(0.2f, -0.1f) }) {
+		for (int i = 0; i < 100; i++) {
+			StemMotion stem = blown(rest, static_cast<float>(i) / 100.0f);
+			stem.rest = rest;
+			CHECK(part_bend(leaf(0.3f), stem) == glm::vec2(0.0f));
+		}
+	}
+}
+
+TEST_CASE("a part lags behind its stem, longer where it is softer or more damped") {
+	StemMotion stem;
+	stem.rate = { 1.0f, 0.0f };
+	PartSwing across = leaf(0.0f, { 0.0f, 1.0f });
+	const float lag = -part_bend(across, stem).x;
+	CHECK(lag > 0.02f);
+	across.frequency = 6.0f;
+	CHECK(-part_bend(across, stem).x < 0.7f * lag);
+	across.frequency = 3.0f;
+	across.damping_ratio = 0.6f;
+	CHECK(-part_bend(across, stem).x > 1.3f * lag);
+}
+
+TEST_CASE("in steady wind a part leans with it, most on the windward side, and flutters most on the lee side") {
+	const glm::vec2 wind(0.2f, 0.0f);
+	const float windward = mean_bend(leaf(0.0f, { -1.0f, 0.0f }), wind).x;
+	const float aside = mean_bend(leaf(0.0f, { 0.0f, 1.0f }), wind).x;
+	const float lee = mean_bend(leaf(0.0f, { 1.0f, 0.0f }), wind).x;
+	CHECK(lee > 0.01f);
+	CHECK(aside > 1.2f * lee);
+	CHECK(windward > lee);
+	CHECK(windward < 0.12f); // Not into the stem.
+	CHECK(flutter(leaf(0.0f, { 1.0f, 0.0f }), wind) > 1.5f * flutter(leaf(0.0f, { -1.0f, 0.0f }), wind));
+}
+
+TEST_CASE("a part flutters less the stiffer and the more damped it is, and the less its stem is bent") {
+	const glm::vec2 wind(0.2f, 0.0f);
+	const float usual = flutter(leaf(), wind);
+	PartSwing other = leaf();
+	other.frequency = 9.0f;
+	CHECK(flutter(other, wind) < 0.6f * usual);
+	other = leaf();
+	other.damping_ratio = 0.8f;
+	CHECK(flutter(other, wind) < 0.6f * usual);
+	CHECK(flutter(leaf(), 0.25f * wind) < 0.4f * usual);
+}
+
+TEST_CASE("no two phases are in unison") {
+	float apart = 0.0f;
+	for (int i = 0; i < 256; i++) {
+		const StemMotion stem = blown({ 0.2f, 0.1f }, static_cast<float>(i) / 256.0f);
+		apart = std::max(apart, glm::distance(part_bend(leaf(0.1f), stem), part_bend(leaf(0.5f), stem)));
+	}
+	CHECK(apart > 0.03f);
+}
+
+TEST_CASE("a part turns no farther down than it has room") {
+	PartSwing low = leaf();
+	low.room = 0.02f;
+	for (int i = 0; i < 256; i++) {
+		StemMotion stem = blown({ 1.5f, 0.1f }, static_cast<float>(i) / 256.0f);
+		stem.rate = { -10.0f, 0.0f };
+		CHECK(part_bend(low, stem).x <= 0.02f);
+	}
+}
+
+TEST_CASE("a part's bend is bounded and a number, however wild its stem is and however long its steps") {
+	std::mt19937 chance(7);
+	std::uniform_real_distribution<float> any(-1.0f, 1.0f);
+	for (int i = 0; i < 20000; i++) {
+		PartSwing part = leaf(any(chance), { std::cos(10.0f * any(chance)), std::sin(10.0f * any(chance)) });
+		part.frequency = 0.125f + 30.0f * std::abs(any(chance));
+		part.damping_ratio = 2.0f * std::abs(any(chance));
+		const float most = std::pow(10.0f, 4.8f * any(chance));
+		const glm::vec2 before = most * glm::vec2(any(chance), any(chance));
+		StemMotion stem = blown(most * glm::vec2(any(chance), any(chance)), std::abs(any(chance)));
+		stem.rate = (stem.bend - before) * (i % 2 == 0 ? 15.0f : 1000.0f);
+		const glm::vec2 bend = part_bend(part, stem);
+		REQUIRE(glm::length(bend) <= MOST_PART_BEND * 1.0001f);
+		REQUIRE(std::isfinite(bend.x + bend.y));
+	}
+}
+
+TEST_CASE("parts come to rest with their stem") {
+	const PartSwing part = leaf(0.4f, { 0.6f, 0.8f });
+	SwingClock clock;
+	StemMotion stem;
+	float early = 0.0f;
+	float late = 0.0f;
+	for (int i = 0; i < 1200; i++) {
+		clock.step(1.0 / 60.0);
+		const float time = static_cast<float>(i) / 60.0f;
+		const float size = 0.3f * std::exp(-0.6f * time);
+		const glm::vec2 bend(size * std::cos(7.0f * time), 0.3f * size * std::sin(7.0f * time));
+		stem.rate = (bend - stem.bend) * 60.0f;
+		stem.bend = bend;
+		stem.clock = clock.now(1.0f);
+		float &most = i < 120 ? early : late;
+		if (i < 120 || i >= 1140) {
+			most = std::max(most, glm::length(part_bend(part, stem)));
+		}
+	}
+	CHECK(early > 0.05f);
+	CHECK(late < 1e-4f);
+}
+
+TEST_CASE("nothing jumps where the clock begins anew") {
+	SwingClock clock;
+	clock.step(SWING_PERIOD - 0.1);
+	glm::vec2 before(0.0f);
+	const PartSwing part = decode_swing(encode_swing(leaf(0.4f)));
+	for (int i = 0; i < 120; i++) {
+		clock.step(1.0 / 600.0);
+		const glm::vec2 now = part_bend(part, blown({ 0.2f, 0.1f }, clock.now(1.0f)));
+		if (i > 0) {
+			REQUIRE(glm::distance(now, before) < 0.003f);
+		}
+		before = now;
+	}
+}
+
+TEST_CASE("a bent blade keeps its length") {
+	for (const float size : { 0.05f, 0.2f, MOST_PART_BEND }) {
+		const glm::vec2 bend = size * glm::vec2(0.6f, -0.8f);
+		// Of a blade that lies in the plane of its bend.
+		const glm::vec3 along = 0.4f * glm::normalize(glm::vec3(0.6f * 0.3f, 1.0f, -0.8f * 0.3f));
+		float length = 0.0f;
+		glm::vec3 before(0.0f);
+		for (int i = 1; i <= 1000; i++) {
+			const float s = static_cast<float>(i) / 1000.0f;
+			const glm::vec3 now = bent_way(along * s, bend, s);
+			length += glm::distance(now, before);
+			before = now;
+		}
+		CHECK(length == doctest::Approx(0.4f).epsilon(1e-4));
+	}
+}

@@ -1,0 +1,137 @@
+## Parts of plants swing in a field as those of a Plant3D in the same state do.
+extends "res://tests/engine/picture_harness.gd"
+
+const STEP := 1.0 / 60.0
+## Of the outline of a plant with leaves that swing: linear blend skinning is as near as that.
+const MOST_OF_PARTS := 50
+
+var _field: PlantField3D
+var _wind: PlantWind
+
+
+func before_each() -> void:
+	make_stage()
+	_wind = PlantWind.new()
+	_wind.kind = PlantWind.KIND_CONSTANT
+	_wind.direction = deg_to_rad(60.0)
+	_wind.strength = 20.0
+	_field = PlantField3D.new()
+	_field.density = 0.0  # Only what is added.
+	_field.wind = _wind
+	_field.simulation_enabled = false
+	stage.add_child(_field)
+	_field.fill()
+	while _field.is_filling():
+		await process_frame
+
+
+func after_each() -> void:
+	stage.free()
+
+
+func test_a_tulip_in_the_middle_of_a_gust() -> void:
+	await _compare(_tulip(), Transform3D(Basis(Vector3.UP, 0.7).scaled(Vector3.ONE * 2.5)), 13)
+
+
+func test_a_tulip_that_swings_back_in_a_turned_field() -> void:
+	_field.rotation.y = 1.9
+	await _compare(_tulip(), Transform3D(Basis(Vector3.UP, -2.1).scaled(Vector3.ONE * 2.5)), 27)
+
+
+func test_a_tulip_that_leans() -> void:
+	var species := _tulip()
+	species.lean = deg_to_rad(20.0)
+	await _compare(species, Transform3D(Basis(Vector3.UP, 2.0).scaled(Vector3.ONE * 2.5)), 20)
+
+
+func test_leaves_on_a_slope_are_still_without_wind() -> void:
+	_wind.strength = 0.0
+	var tilt := Basis(Vector3(1, 0, 0.5).normalized(), -0.4)
+	_field.add_plants([Transform3D(tilt.scaled(Vector3.ONE * 2.5))], _tulip())
+	_step_field(30)
+	var before := await picture()
+	_step_field(37)
+	var after := await picture()
+	check(count_different(before, empty_picture()) > LEAST_PLANT, "a plant is drawn")
+	check_equal(count_different(before, after), 0, "pixels that changed")
+
+
+func test_leaves_move_in_steady_wind_and_stand_with_the_field() -> void:
+	var species := _tulip()
+	species.damping_ratio = 1.0
+	_field.add_plants([Transform3D(Basis.IDENTITY.scaled(Vector3.ONE * 2.5))], species)
+	_step_field(600)
+	var before := await picture()
+	var still := await picture()
+	check_equal(
+		count_different(before, still), 0, "pixels that changed in a field that stands still"
+	)
+	var most := 0
+	for i in 4:
+		_step_field(7)
+		most = maxi(most, count_different(before, await picture()))
+	check(most > 12, "leaves flutter: %d pixels changed" % most)
+
+
+func test_parts_of_followers_move_with_the_wind() -> void:
+	_field.prototypes = 4
+	_field.add_plants([Transform3D(Basis.IDENTITY.scaled(Vector3.ONE * 2.5))], _tulip())
+	_step_field(60)
+	var before := await picture()
+	_step_field(9)
+	check(count_different(before, empty_picture()) > LEAST_PLANT, "a plant is drawn")
+	check(count_different(before, await picture()) > 20, "it moves")
+
+
+func test_far_plants_do_not_swing() -> void:
+	var species := _tulip()
+	species.damping_ratio = 1.0
+	_field.add_plants([Transform3D(Basis.IDENTITY.scaled(Vector3.ONE * 2.5))], species)
+	stage.get_camera_3d().fov = 4.0
+	stage.get_camera_3d().position = Vector3(0, 0.7, 40.0)
+	stage.get_camera_3d().look_at(Vector3(0, 0.7, 0))
+	_step_field(600)
+	var before := await picture()
+	_step_field(11)
+	check(count_different(before, empty_picture()) > LEAST_PLANT, "a plant is drawn")
+	check_equal(count_different(before, await picture()), 0, "pixels that changed")
+
+
+func _tulip() -> PlantFunction:
+	var species: PlantFunction = load("res://addons/undergrowth/species/garden_tulip.tres")
+	species = species.duplicate()
+	species.mass = 1.0
+	species.wind_weight = 1.0
+	return species
+
+
+func _step_field(count: int) -> void:
+	for i in count:
+		_field._preview(STEP, _wind)
+
+
+func _compare(species: PlantFunction, place: Transform3D, steps: int) -> void:
+	var id := _field.add_plants([place], species)[0]
+	_step_field(steps)
+	var in_field := await picture()
+	_field.hide()
+	var plant := Plant3D.new()
+	plant.species = species
+	plant.simulation_enabled = false
+	plant.height = _field.get_plant_height(id)
+	plant.seed = _field.get_plant_seed(id)
+	stage.add_child(plant)
+	plant.global_transform = _field.global_transform * _field.get_plant_transform(id)
+	await frames(2)  # It hears of its place at a frame's end.
+	for i in steps:
+		plant._preview(STEP, _wind)
+	await frames(2)
+	var alone := await picture()
+	check(plant.get_deflection() > 0.03, "it is bent")
+	var different := count_different(in_field, alone)
+	check(different <= MOST_OF_PARTS, "%d pixels differ" % different)
+	var skeleton := plant.get_skeleton()
+	for bone in range(2, skeleton.get_bone_count()):
+		skeleton.set_bone_pose(bone, skeleton.get_bone_rest(bone))
+	var stiff := count_different(alone, await picture())
+	check(stiff > 2 * different, "%d pixels show the swing, %d differ" % [stiff, different])

@@ -1,0 +1,188 @@
+## The bones of plants of parts, in a Plant3D and near those who look at a field.
+extends "res://tests/engine/harness.gd"
+
+const STEP := 1.0 / 60.0
+const SPECIES := ["garden_tulip", "meadow_grass", "oxeye_daisy"]
+
+var _plant: Plant3D
+
+
+func before_each() -> void:
+	_plant = Plant3D.new()
+	_plant.species = _load("garden_tulip")
+	_plant.seed = 5
+	_plant.wind = PlantWind.new()
+	_plant.wind.kind = PlantWind.KIND_CONSTANT
+	_plant.wind.strength = 6.0
+	_plant.simulation_enabled = false
+	root.add_child(_plant)
+
+
+func after_each() -> void:
+	_plant.free()
+
+
+func test_root_and_tip_keep_their_names_and_there_are_32_bones_at_most() -> void:
+	for species: String in SPECIES:
+		_plant.species = _load(species)
+		var skeleton := _plant.get_skeleton()
+		check_equal(skeleton.get_bone_name(0), "root", species)
+		check_equal(skeleton.get_bone_name(1), "tip", species)
+		check(skeleton.get_bone_count() > 2, species + " has bones of its parts")
+		check(skeleton.get_bone_count() <= 32, species + " has 32 bones at most")
+		for bone in range(2, skeleton.get_bone_count()):
+			check(
+				skeleton.get_bone_parent(bone) >= 1,
+				"%s bone %d hangs on the stem" % [species, bone]
+			)
+
+
+func test_a_tulip_has_bones_for_its_leaves_and_one_for_its_head() -> void:
+	var skeleton := _plant.get_skeleton()
+	var head := skeleton.get_bone_global_rest(skeleton.find_bone("head")).origin
+	check_near(
+		head.y, _plant.get_plant_height(), 0.15 * _plant.get_plant_height(), "the head's height"
+	)
+	var leaf := skeleton.get_bone_global_rest(skeleton.find_bone("leaf_1")).origin
+	check(leaf.y > 0.0 and leaf.y < 0.3 * _plant.get_plant_height(), "a leaf is attached low")
+	check_equal(skeleton.find_bone("stem_1"), -1, "bones of the stem")
+
+
+func test_weights_of_a_vertex_are_of_bones_that_there_are() -> void:
+	for species: String in SPECIES:
+		_plant.species = _load(species)
+		var count := _plant.get_skeleton().get_bone_count()
+		var arrays := _plant.get_mesh().surface_get_arrays(0)
+		var bones: PackedInt32Array = arrays[Mesh.ARRAY_BONES]
+		var weights: PackedFloat32Array = arrays[Mesh.ARRAY_WEIGHTS]
+		var most := 0
+		var worst := 0.0
+		for i in range(0, weights.size(), 4):
+			worst = maxf(
+				worst, absf(weights[i] + weights[i + 1] + weights[i + 2] + weights[i + 3] - 1.0)
+			)
+			for k in range(i, i + 4):
+				most = maxi(most, bones[k])
+		check_equal(most, count - 1, species + ": the last bone")
+		check_near(worst, 0.0, 1e-4, species + ": sums of weights")
+
+
+func test_leaves_lag_behind_their_stem_and_each_in_its_own_way() -> void:
+	var skeleton := _plant.get_skeleton()
+	for i in 12:
+		_plant.advance(STEP)
+	var turns: Array[float] = []
+	for bone in ["leaf_1", "leaf_2", "leaf_3"]:
+		turns.append(_turn_of(skeleton, bone))
+	check(turns.max() > 0.02, "leaves turn on their stem: %s" % [turns])
+	check(absf(turns[0] - turns[1]) > 1e-3 and absf(turns[1] - turns[2]) > 1e-3, "%s" % [turns])
+
+
+func test_a_plant_at_rest_has_still_leaves_and_comes_back_to_rest() -> void:
+	_plant.wind.strength = 0.0
+	var skeleton := _plant.get_skeleton()
+	_plant.advance(0.5)
+	check_near(_turn_of(skeleton, "leaf_1"), 0.0, 1e-5, "without wind")
+	_plant.apply_impulse(Vector3(0.08, 0.0, 0.04))
+	var most := 0.0
+	for i in 12:
+		_plant.advance(STEP)
+		most = maxf(most, _turn_of(skeleton, "leaf_1"))
+	check(most > 0.05, "after a blow")
+	_plant.species.damping_ratio = 1.0
+	for i in 300:
+		_plant.advance(STEP)
+	check_near(_turn_of(skeleton, "leaf_1"), 0.0, 1e-4, "later")
+
+
+func test_reset_motion_puts_leaves_into_their_rest() -> void:
+	for i in 12:
+		_plant.advance(STEP)
+	check(_turn_of(_plant.get_skeleton(), "leaf_2") > 0.005, "it is bent")
+	_plant.reset_motion()
+	check_near(_turn_of(_plant.get_skeleton(), "leaf_2"), 0.0, 1e-5, "it rests")
+
+
+func test_frequency_and_damping_of_a_leaf_matter() -> void:
+	var turns: Array[float] = []
+	for change: Array in [[2.5, 0.12], [8.0, 0.12], [2.5, 1.0]]:
+		var leaf := PlantBlade.of(
+			{
+				length = Vector2(0.2, 0.2),
+				width = 0.03,
+				frequency = change[0],
+				damping_ratio = change[1]
+			}
+		)
+		var line := PlantArrangement.new()
+		line.part = leaf
+		line.count = Vector2i(1, 1)
+		line.angle = Vector2(0.6, 0.6)
+		line.from = 0.5
+		var species := PlantFunction.new()
+		species.arrangements = [line]
+		_plant.species = species
+		_plant.reset_motion()
+		for i in 10:
+			_plant.advance(STEP)
+		turns.append(_turn_of(_plant.get_skeleton(), "leaf_1"))
+	check(absf(turns[0] - turns[1]) > 1e-3, "frequency: %s" % [turns])
+	check(absf(turns[0] - turns[2]) > 1e-3, "damping: %s" % [turns])
+
+
+func test_a_plant_of_another_species_has_its_bones_only() -> void:
+	check(_plant.get_skeleton().get_bone_count() > 2, "a tulip of parts")
+	_plant.species = TulipFunction.new()
+	check_equal(_plant.get_skeleton().get_bone_count(), 2, "bones of a lathe")
+	_plant.species = _load("meadow_grass")
+	check(_plant.get_skeleton().find_bone("tuft_1") >= 2, "grass")
+
+
+func test_a_mesh_alone_is_bound_to_root_and_tip() -> void:
+	var mesh := _plant.species.generate_mesh(0.4, 12, 5)
+	var bones: PackedInt32Array = mesh.surface_get_arrays(0)[Mesh.ARRAY_BONES]
+	check_equal(Array(bones).max(), 1, "the last bone")
+
+
+func test_skeletons_of_a_field_have_the_same_bones_and_swing() -> void:
+	var camera := Camera3D.new()
+	root.add_child(camera)
+	camera.position = Vector3(0.5, 0.5, 1.0)
+	var field := PlantField3D.new()
+	field.density = 0.0
+	field.wind = _plant.wind
+	field.skeleton_distance = 10.0
+	root.add_child(field)
+	field.fill()
+	while field.is_filling():
+		await process_frame
+	var id := field.add_plants([Transform3D.IDENTITY], _plant.species)[0]
+	var skeleton: Skeleton3D = null
+	for i in 100:
+		await frames(1)
+		skeleton = field.get_skeleton(id)
+		if skeleton:
+			break
+	check(skeleton != null, "a plant near the camera has a skeleton")
+	if skeleton:
+		check(skeleton.find_bone("leaf_1") >= 2, "it has bones of leaves")
+		var most := 0.0
+		for i in 30:
+			await frames(1)
+			most = maxf(most, _turn_of(skeleton, "leaf_1"))
+		check(most > 0.01, "they swing")
+	field.free()
+	camera.free()
+
+
+func _load(species: String) -> PlantFunction:
+	return load("res://addons/undergrowth/species/%s.tres" % species).duplicate()
+
+
+## How far a bone has turned beside its parent's share of the stem's bend, in radians.
+func _turn_of(skeleton: Skeleton3D, bone: String) -> float:
+	var index := skeleton.find_bone(bone)
+	var turned := skeleton.get_bone_global_pose(index).basis.get_rotation_quaternion()
+	var tip := skeleton.get_bone_global_pose(1).basis.get_rotation_quaternion()
+	var share := skeleton.get_bone_global_rest(index).origin.y / _plant.get_plant_height()
+	return turned.angle_to(Quaternion.IDENTITY.slerp(tip, clampf(share, 0.0, 1.0)))
