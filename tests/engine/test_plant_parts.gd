@@ -57,7 +57,7 @@ func test_a_script_grows_a_plant_once_for_each_seed() -> void:
 func test_a_script_grows_once_for_all_levels_and_heights() -> void:
 	Daisy.grown = 0
 	var species := Daisy.new()
-	for segments: int in BUDGETS:
+	for segments: int in [12, 6, 3, 2, 1]:
 		species.generate_mesh(0.0, segments, 1)
 	species.generate_mesh(0.7, 6, 1)
 	species.find_problem(0.0, 6, 1)

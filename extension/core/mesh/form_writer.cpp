@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace undergrowth {
@@ -22,10 +23,15 @@ constexpr float BRIGHTNESS_SHARE = 0.25f; // The most that a full colour deviati
 FormWriter::FormWriter(
 		const PlantForm &p_form, const FormBones &bones, const MeshOptions &options, const FormBuffers &buffers) :
 		form(p_form), skeleton(bones), out(buffers), color_deviation(options.color_deviation) {
-	for (int i = 0; i <= HEIGHTS + 1; i++) {
-		light[i] =
-				static_cast<float>(portable_exp(-EXTINCTION * std::max(0.0, 1.0 - i / static_cast<double>(HEIGHTS))));
-	}
+	static const auto falls = [] { // The same for all plants.
+		std::array<float, HEIGHTS + 2> at;
+		for (size_t i = 0; i < at.size(); i++) {
+			const double below = std::max(0.0, 1.0 - static_cast<double>(i) / HEIGHTS);
+			at[i] = static_cast<float>(portable_exp(-EXTINCTION * below));
+		}
+		return at;
+	}();
+	std::copy(falls.begin(), falls.end(), light);
 }
 
 float FormWriter::openness(const glm::vec3 &point) const {

@@ -1,0 +1,109 @@
+// How a field asks what its species look like, before it grows.
+
+#include "field/meadow.hpp"
+
+#include <godot_cpp/classes/engine.hpp>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr double ASKING_USEC = 4000.0; // A frame, of scripts.
+
+// Which species of the list a look is of, or -1. Of a function that is listed twice each entry stays its own.
+static int listed_number(const FieldStyle &style, int look, const StandOptions &options) {
+	const int count = int(options.species.size());
+	const auto is_it = [&](int number) {
+		const Ref<PlantFieldSpecies> entry = options.species[number];
+		return entry.is_valid() && entry->get_species() == style.looks[size_t(look)].function;
+	};
+	if (look < std::min(count, style.listed_count) && is_it(look)) {
+		return look;
+	}
+	for (int number = 0; number < count; number++) {
+		if (is_it(number)) {
+			return number;
+		}
+	}
+	return -1;
+}
+
+// Species of the list have its numbers; those of plants that code added come after them.
+static std::vector<FieldLook> others_of(
+		const FieldStyle &style, const PlantStore &store, const StandOptions &options, std::vector<int> &numbers) {
+	numbers.clear();
+	for (int look = 0; look < int(style.looks.size()); look++) {
+		numbers.push_back(listed_number(style, look, options));
+	}
+	std::set<int> used;
+	for (int number = 0; number < store.block_count(); number++) {
+		const PlantBlock &block = store.block(number);
+		if (block.is_added && block.size() > 0) {
+			used.insert(block.species);
+		}
+	}
+	std::vector<FieldLook> others;
+	for (const int look : used) {
+		if (numbers[size_t(look)] < 0) {
+			numbers[size_t(look)] = int(options.species.size()) + int(others.size());
+			others.emplace_back();
+			others.back().function = style.looks[size_t(look)].function;
+			others.back().variant_count = style.looks[size_t(look)].variant_count;
+		}
+	}
+	return others;
+}
+
+String Meadow::begin_asking(bool places) {
+	std::vector<int> numbers;
+	asking = std::make_unique<Asking>();
+	asking->places = places;
+	asking->style.levels = read_levels(properties, node->get_visibility_range_end());
+	const String fault = find_level_fault(properties);
+	return fault.is_empty() ? list_looks(properties, others_of(style, store, properties, numbers), asking->style)
+							: fault;
+}
+
+// Scripts say what plants look like, on this thread. Those that take long are asked over some frames.
+void Meadow::go_on_asking() {
+	bool is_done = false;
+	asking->frame = Engine::get_singleton()->get_process_frames();
+	String fault = sample_looks(asking->style, ASKING_USEC, is_done);
+	if (fault.is_empty() && !is_done) {
+		return;
+	}
+	const bool places = asking->places;
+	FieldRecipe recipe;
+	motion.wait();
+	if (fault.is_empty() && !knows_all_looks(asking->style, recipe.species_numbers)) {
+		const std::vector<PlantId> removed = removed_meanwhile;
+		fill(places); // Code added plants meanwhile of which there were none before.
+		removed_meanwhile = removed;
+		return;
+	}
+	fault = fault.is_empty() ? make_recipe(recipe) : fault;
+	asking.reset();
+	listener.fault(fault);
+	if (!fault.is_empty()) {
+		removed_meanwhile.clear();
+		return;
+	}
+	job = std::make_unique<FieldFill>(std::move(recipe));
+	told_progress = -1.0f;
+	job->start();
+}
+
+bool Meadow::knows_all_looks(const FieldStyle &asked, std::vector<int> &numbers) const {
+	const std::vector<FieldLook> others = others_of(style, store, properties, numbers);
+	bool all = asked.looks.size() == size_t(asked.listed_count) + others.size();
+	for (size_t i = 0; all && i < others.size(); i++) {
+		all = asked.looks[size_t(asked.listed_count) + i].function == others[i].function;
+	}
+	return all;
+}
+
+} // namespace undergrowth
