@@ -40,8 +40,9 @@ struct ListedLevel {
 	float share;
 };
 
+// Whether the field is filled with plants of parts. What code adds alone is no meadow.
 static bool has_parts(const StandOptions &options) {
-	for (int64_t i = 0; i < options.species.size(); i++) {
+	for (int64_t i = 0; i < options.species.size() && options.density > 0.0; i++) {
 		const Ref<PlantFieldSpecies> entry = options.species[i];
 		if (entry.is_valid() && entry->get_species().is_valid() && entry->get_species()->has_parts()) {
 			return true;
