@@ -19,7 +19,9 @@ func _ready() -> void:
 	_add_ball(skin, Vector3(0.0, 0.83, 0.53), Vector3(0.1, 0.11, 0.17), 0.5)
 	_add_ball(wool, Vector3(0.0, 0.94, 0.44), Vector3(0.11, 0.08, 0.1))
 	for side: float in [-1.0, 1.0]:
-		_add_ball(skin, Vector3(0.14 * side, 0.87, 0.44), Vector3(0.075, 0.022, 0.035), 0.0, 0.35 * side)
+		_add_ball(
+			skin, Vector3(0.14 * side, 0.87, 0.44), Vector3(0.075, 0.022, 0.035), 0.0, 0.35 * side
+		)
 		for end: float in [-1.0, 1.0]:
 			_add_leg(Vector3(0.13 * side, 0.42, 0.24 * end))
 	_before = global_position
@@ -71,5 +73,7 @@ func _add_ball(
 	var drawn := MeshInstance3D.new()
 	drawn.mesh = ball
 	drawn.material_override = material
-	drawn.transform = Transform3D(Basis.from_euler(Vector3(pitch, 0.0, roll)).scaled_local(radii), place)
+	drawn.transform = Transform3D(
+		Basis.from_euler(Vector3(pitch, 0.0, roll)).scaled_local(radii), place
+	)
 	add_child(drawn, false, INTERNAL_MODE_BACK)

@@ -3,36 +3,45 @@ class_name AnemoneFunction
 extends PlantFunction
 ## Wood anemone, a plant of parts in one script: a stem, three leaves about it, and a flower.
 
-var stem := PlantAxis.of(
-	{
-		length = Vector2(0.14, 0.22),
-		diameter = Vector2(0.003, 0.0018),
-		bend = deg_to_rad(14.0),
-		base_color = Color("7d5a46"),
-		tip_color = Color("8ea860"),
-	}
+var stem := (
+	PlantAxis
+	. of(
+		{
+			length = Vector2(0.14, 0.22),
+			diameter = Vector2(0.003, 0.0018),
+			bend = deg_to_rad(14.0),
+			base_color = Color("7d5a46"),
+			tip_color = Color("8ea860"),
+		}
+	)
 )
-var leaf := PlantBlade.of(
-	{
-		length = Vector2(0.05, 0.065),
-		width = 0.026,
-		profile = PlantBlade.PROFILE_OBOVATE,
-		teeth = 5,
-		bend = deg_to_rad(50.0),
-		fold = deg_to_rad(15.0),
-		base_color = Color("4d7030"),
-		tip_color = Color("84a24a"),
-	}
+var leaf := (
+	PlantBlade
+	. of(
+		{
+			length = Vector2(0.05, 0.065),
+			width = 0.026,
+			profile = PlantBlade.PROFILE_OBOVATE,
+			teeth = 5,
+			bend = deg_to_rad(50.0),
+			fold = deg_to_rad(15.0),
+			base_color = Color("4d7030"),
+			tip_color = Color("84a24a"),
+		}
+	)
 )
-var petal := PlantBlade.of(
-	{
-		length = 0.021,
-		width = 0.011,
-		profile = PlantBlade.PROFILE_ELLIPTIC,
-		bend = deg_to_rad(-25.0),
-		base_color = Color("dfe6c8"),
-		tip_color = Color("fbf8f6"),
-	}
+var petal := (
+	PlantBlade
+	. of(
+		{
+			length = 0.021,
+			width = 0.011,
+			profile = PlantBlade.PROFILE_ELLIPTIC,
+			bend = deg_to_rad(-25.0),
+			base_color = Color("dfe6c8"),
+			tip_color = Color("fbf8f6"),
+		}
+	)
 )
 var anther := PlantBead.of({length = 0.002, diameter = 0.0012, tip_color = Color("e9c94a")})
 
