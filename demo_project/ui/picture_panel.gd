@@ -27,6 +27,10 @@ func _add(text: String, is_on: bool, act: Callable) -> CheckButton:
 	var button := CheckButton.new()
 	button.text = text
 	button.focus_mode = Control.FOCUS_NONE
+	for style: StringName in [&"normal", &"pressed", &"hover", &"hover_pressed", &"disabled"]:
+		button.add_theme_stylebox_override(style, StyleBoxEmpty.new())
+	for color: StringName in [&"font_pressed_color", &"font_hover_pressed_color"]:
+		button.add_theme_color_override(color, get_theme_color(&"font_color", &"Label"))
 	button.button_pressed = is_on
 	button.toggled.connect(act)
 	_rows.add_child(button)

@@ -67,7 +67,7 @@ def share(values):
 
 def is_green(colour):
     red, green, blue = colour
-    return green > 40 and green > 1.1 * red and green > 1.3 * blue
+    return green > 40 and green > red and green > 1.3 * blue  # In low sun, leaves are nearly yellow.
 
 
 def is_sky(colour):
