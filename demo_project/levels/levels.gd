@@ -11,7 +11,7 @@ const ROW_DEPTH := 2.6
 @export var levels: PackedInt32Array = [4, 8, 16, 32]
 ## Metres between two plants of a row.
 @export_range(0.2, 5.0, 0.05, "suffix:m") var gap := 1.5
-## Height of every plant.
+## Height that every plant is scaled to.
 @export_range(0.1, 5.0, 0.05, "suffix:m") var height := 1.7
 ## The wind that moves them.
 @export var wind: PlantWind
@@ -22,18 +22,22 @@ func _ready() -> void:
 		for column in levels.size():
 			var x := (column - (levels.size() - 1) / 2.0 + row * 0.5) * gap
 			_stand(row, levels[column], Vector3(x, 0.0, -row * ROW_DEPTH))
+		_write(
+			row_names[row],
+			Vector3((row - levels.size()) * 0.5 * gap, 0.5 * height, -row * ROW_DEPTH)
+		)
 
 
 func _stand(row: int, segments: int, place: Vector3) -> void:
 	var plant := Plant3D.new()
 	plant.species = species[row]
 	plant.wind = wind
-	plant.height = height
 	plant.segments = segments
 	plant.position = place
 	add_child(plant)
+	plant.scale = Vector3.ONE * height / plant.get_plant_height()
 	var triangles := _count_triangles(plant.get_mesh())
-	var text := "%d segments, %s\n%d triangles" % [segments, row_names[row], triangles]
+	var text := "%d segments\n%d triangles" % [segments, triangles]
 	# The front row is named at its feet and the back row over its heads: no text hides a plant.
 	var beside := Vector3(0.0, 0.2, 0.55) if row == 0 else Vector3(0.0, height + 0.25, 0.0)
 	_write(text, place + beside)
