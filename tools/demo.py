@@ -3,6 +3,7 @@
 build/demo.webp, and build/species.png with all ready species."""
 
 import argparse
+import functools
 import shutil
 import subprocess
 import sys
@@ -24,8 +25,13 @@ DRAWING_TIMEOUT = 600
 def import_resources(godot):
     """Lets the engine prepare pictures and scripts once; a running project does not do that itself."""
     words = [godot, "--headless", "--path", str(PROJECT), "--import"]
-    answer = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                            timeout=IMPORT_TIMEOUT)
+    run = functools.partial(subprocess.run, words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                            stderr=subprocess.STDOUT, text=True, timeout=IMPORT_TIMEOUT)
+    try:
+        answer = run()
+    except subprocess.TimeoutExpired:  # The engine may hang at its exit while its threads still start.
+        print(f"The engine did not end {IMPORT_TIMEOUT} s after it began to import; once more.")
+        answer = run()
     if answer.returncode != 0:
         sys.exit(f"The engine could not import the demo project (exit status {answer.returncode}):\n{answer.stdout}")
 
