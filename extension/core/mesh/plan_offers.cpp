@@ -51,12 +51,12 @@ void PlanSteps::offer_details(Step &best, int group, int excess) const {
 
 void PlanSteps::offer_thinning(Step &best, int group, int excess) const {
 	const State &state = states[static_cast<size_t>(group)];
-	for (size_t kept = state.kept + 1; kept < KEPT_COUNT && KEPT[state.kept] > 0.0f; kept++) {
+	for (size_t kept = state.kept + 1; kept < state.kept_end && KEPT[state.kept] > 0.0f; kept++) {
 		if (state.body > 0 && KEPT[kept] > 0.0f) {
 			offer_few(best, group, kept, excess); // A body stands for all of its parts.
 			continue;
 		}
-		if (KEPT[kept] == 0.0f && (state.is_last || state.branch_vertices == total)) {
+		if (KEPT[kept] == 0.0f && state.branch_vertices == total) {
 			continue; // Something is to be seen of every plant.
 		}
 		const float left = static_cast<float>(state.left[kept]) / static_cast<float>(state.left[state.kept]);
@@ -119,13 +119,13 @@ PlanSteps::Step PlanSteps::find_best(int budget) const {
 }
 
 bool PlanSteps::take_best(int budget) {
-	for (;;) {
+	for (size_t tries = 0; tries <= KEPT_COUNT * states.size(); tries++) {
 		const Step best = find_best(budget);
 		if (best.group < 0) {
 			return false;
 		}
 		State &state = states[static_cast<size_t>(best.group)];
-		const size_t kept = state.kept;
+		const size_t before[] = { state.detail, state.kept, state.body };
 		state.bodies_left += state.body > 0 && best.next.body == 0 ? 1 : 0;
 		state.detail = best.next.detail;
 		state.kept = best.next.kept;
@@ -134,10 +134,14 @@ bool PlanSteps::take_best(int budget) {
 		if (total > 0) {
 			return true;
 		}
-		state.kept = kept; // It carries all that is left, beside other groups.
-		state.is_last = true;
+		// What stands on parts of several groups may all go with one of these, too.
+		state.kept_end = best.next.kept;
+		state.detail = before[0];
+		state.kept = before[1];
+		state.body = before[2];
 		recount();
 	}
+	return false;
 }
 
 } // namespace undergrowth

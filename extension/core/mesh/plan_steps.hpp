@@ -48,7 +48,7 @@ private:
 		float contrast = 0.0f; ///< Square of the distance of its colour to the nearest other part's.
 		float worth = 1.0f; ///< What its area counts: the more, the more its colour stands out, as flowers' does.
 		float cover = 1.0f; ///< Share of a body's silhouette that its parts fill.
-		bool is_last = false; ///< Without it nothing would be seen of the plant.
+		size_t kept_end = KEPT_COUNT; ///< From here on nothing would be seen of the plant.
 		int bodies_left = 0; ///< How often a few parts took the place of its bodies.
 		std::vector<size_t> carried; ///< Groups that stand on it alone.
 		size_t twins = 0; ///< Index in `twins`.
