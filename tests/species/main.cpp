@@ -2,8 +2,8 @@
 //
 //     species FIRST COUNT STEP    seeds FIRST, FIRST + STEP …, COUNT of them
 //
-// The last line is `done: N species, N grown, N failed, slowest SEED with N ms`. A species that fails is told by its seed
-// in a line `FAILED seed N: why`; what a sanitizer ends or what takes too long is the last.
+// The last line is `done: N species, N grown, N failed, slowest SEED with N ms`. A species that fails is told by its
+// seed in a line `FAILED seed N: why`; what a sanitizer ends or what takes too long is the last.
 
 #include "try_species.hpp"
 

@@ -12,9 +12,9 @@ namespace {
 
 constexpr float MOST = std::numeric_limits<float>::max();
 constexpr float ENDLESS = std::numeric_limits<float>::infinity();
-constexpr float ODD_NUMBERS[] = { std::numeric_limits<float>::quiet_NaN(), ENDLESS, -ENDLESS, MOST, -MOST, 1e10f, -1e10f,
-	1e-40f, -1e-40f, 1e-9f, -0.0f, 0.0f, -1e-3f, 1e-5f, 1e-4f, 1e-3f, 0.9f, 1.0f, 1.5f, 3.15f, 4.0f, 8.0f, 10.0f,
-	12.6f, -12.6f, 20.0f, 100.0f, 100.00001f, 1e3f, 1.0000001f };
+constexpr float ODD_NUMBERS[] = { std::numeric_limits<float>::quiet_NaN(), ENDLESS, -ENDLESS, MOST, -MOST, 1e10f,
+	-1e10f, 1e-40f, -1e-40f, 1e-9f, -0.0f, 0.0f, -1e-3f, 1e-5f, 1e-4f, 1e-3f, 0.9f, 1.0f, 1.5f, 3.15f, 4.0f, 8.0f,
+	10.0f, 12.6f, -12.6f, 20.0f, 100.0f, 100.00001f, 1e3f, 1.0000001f };
 constexpr int ODD_COUNTS[] = { 0, -1, 1, 2, 32, 33, 64, 65, 4096, 4097, 1 << 20, std::numeric_limits<int>::max(),
 	std::numeric_limits<int>::min() };
 
@@ -44,7 +44,8 @@ std::vector<glm::vec2> any_ring(Chance &chance) {
 
 glm::vec4 any_color(Chance &chance) {
 	const float most = chance.one_in(6) ? 16.0f : 1.0f;
-	return { chance.within(0.0f, most), chance.within(0.0f, most), chance.within(0.0f, most), chance.within(0.0f, 1.0f) };
+	return { chance.within(0.0f, most), chance.within(0.0f, most), chance.within(0.0f, most),
+		chance.within(0.0f, 1.0f) };
 }
 
 void color(Part &part, Chance &chance) {
