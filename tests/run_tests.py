@@ -2,8 +2,8 @@
 """Runs the test suites at the same time, prints what failed, and ends with one line `N passed, N failed`.
 
 SConstruct builds the programs and calls this (`scons test`). Each suite's output goes to build/test/<suite>.log. A crash,
-a timeout, a program that prints nothing and an engine that complains while it shuts down count as failures. The suite
-`soak` (suites/soak.py) runs only where it is named.
+a timeout, a program that prints nothing and an engine that complains while it shuts down count as failures. The suites
+`soak` and `species` (suites/soak.py, suites/species.py) run only where they are named.
 """
 
 import argparse
@@ -17,7 +17,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests")]
 
-from suites import editor, engine, picture, programs, soak  # noqa: E402  (the path above comes first)
+from suites import editor, engine, picture, programs, soak, species  # noqa: E402  (the path above comes first)
 
 LOGS = ROOT / "build/test"
 
@@ -32,6 +32,7 @@ def plan(options):
     for name, program in (("core", options.core), ("asan", options.asan), ("tsan", options.tsan)):
         if program:
             suites.append((name, lambda name=name, program=program: programs.doctest(name, program)))
+    suites += species.suites(options.species) if options.species else []
     if options.godot:
         suites += engine.suites(options.godot, options.probe, rounds_of(options), options.only)
         suites += soak.suites(options.godot, options.soak) if options.soak else []
@@ -64,7 +65,7 @@ def run_all(suites, jobs):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("godot", "core", "asan", "tsan", "probe"):
+    for name in ("godot", "core", "asan", "tsan", "species", "probe"):
         parser.add_argument(f"--{name}", help=f"the program for {name}; without it those suites are left out")
     parser.add_argument("--soak", help="the folder of the library with sanitizers; without it the soak is left out")
     parser.add_argument("--suites", help="only these, separated by commas")

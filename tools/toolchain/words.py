@@ -15,7 +15,7 @@ PICTURE_WORDS = {"demo"}
 PLOT_WORDS = {"bench"}
 DRAWING_WORDS = {"demo", "test", "bench"}
 # Suites of `test` that need no engine.
-CORE_SUITES = {"tools", "core", "asan", "tsan"}
+CORE_SUITES = {"tools", "core", "asan", "tsan", "species"}
 
 
 def targets_of(words):

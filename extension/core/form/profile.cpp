@@ -15,8 +15,11 @@ constexpr float BLUNT_END = 0.97f; // Of the length: from there on the width sta
 constexpr int MEAN_STEPS = 32;
 
 float profile_at(const Profile &profile, float widest, float s) {
-	const double up = profile.rise > 0.0f ? portable_pow(static_cast<double>(s) / widest, profile.rise) : 1.0;
-	const double down = profile.fall > 0.0f ? portable_pow((1.0 - s) / (1.0 - widest), profile.fall) : 1.0;
+	// Where one exponent is next to nothing beside the other, the widest place is rounded to an end.
+	const double up =
+			profile.rise > 0.0f && widest > 0.0f ? portable_pow(static_cast<double>(s) / widest, profile.rise) : 1.0;
+	const double down =
+			profile.fall > 0.0f && widest < 1.0f ? portable_pow((1.0 - s) / (1.0 - widest), profile.fall) : 1.0;
 	return static_cast<float>(up * down);
 }
 

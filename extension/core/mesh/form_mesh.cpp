@@ -63,7 +63,7 @@ void hold_to_stems(const PlantForm &form, const FormPlan &plan, std::vector<Part
 				low * (stem_offset_of(form, low) * (1.0f - t)) + high * (stem_offset_of(form, high) * t);
 		const glm::vec3 place = form.point_of(stem, part.offset);
 		const float square = glm::dot(place, place);
-		hangs[i].stem_offset = square > 0.0f ? std::min(glm::dot(moved, place) / square, 1.0f) : 0.0f;
+		hangs[i].stem_offset = square > 0.0f ? std::clamp(glm::dot(moved, place) / square, 0.0f, 1.0f) : 0.0f;
 	}
 }
 

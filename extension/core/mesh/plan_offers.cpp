@@ -14,6 +14,7 @@ constexpr float UNCOVERED = 0.35f; // For the share of a body that its parts lef
 constexpr float BODY_SIDE = 0.3f; // Divided by the square of the sides.
 constexpr float FLOWER_WORTH = 1.5f; // From here on its colour is one of a flower.
 constexpr float CONE = 0.05f; // For a whorl's lathe.
+constexpr int MOST_BODIES_LEFT = 2; // A body, a few parts, a body …: all other steps only ever go on.
 
 float body_error(const PartGroup &group, const BodyDetail &detail) {
 	const float cone = group.layout == Layout::whorl && detail.rings == 1 ? CONE : 0.0f;
@@ -50,7 +51,7 @@ void PlanSteps::offer_details(Step &best, int group, int excess) const {
 
 void PlanSteps::offer_thinning(Step &best, int group, int excess) const {
 	const State &state = states[static_cast<size_t>(group)];
-	for (size_t kept = state.kept + 1; kept < KEPT_COUNT && KEPT[state.kept] > 0.0f; kept++) {
+	for (size_t kept = state.kept + 1; kept < state.kept_end && KEPT[state.kept] > 0.0f; kept++) {
 		if (state.body > 0 && KEPT[kept] > 0.0f) {
 			offer_few(best, group, kept, excess); // A body stands for all of its parts.
 			continue;
@@ -72,6 +73,9 @@ void PlanSteps::offer_few(Step &best, int group, size_t kept, int excess) const 
 	const PartGroup &own = form.groups[static_cast<size_t>(group)];
 	const bool carries = state.branch_area > state.area;
 	const bool is_flower = state.worth > FLOWER_WORTH;
+	if (state.bodies_left >= MOST_BODIES_LEFT) {
+		return;
+	}
 	if (carries || is_flower || own.layout == Layout::disc || own.layout == Layout::whorl || state.bodies == 0) {
 		return; // What carries others is more than its parts; and flowers are whole.
 	}
@@ -101,7 +105,7 @@ void PlanSteps::offer_body(Step &best, int group, int excess) const {
 	}
 }
 
-bool PlanSteps::take_best(int budget) {
+PlanSteps::Step PlanSteps::find_best(int budget) const {
 	Step best;
 	const int excess = total - budget;
 	for (int group = 0; group < static_cast<int>(states.size()); group++) {
@@ -111,15 +115,33 @@ bool PlanSteps::take_best(int budget) {
 			offer_body(best, group, excess);
 		}
 	}
-	if (best.group < 0) {
-		return false;
+	return best;
+}
+
+bool PlanSteps::take_best(int budget) {
+	for (size_t tries = 0; tries <= KEPT_COUNT * states.size(); tries++) {
+		const Step best = find_best(budget);
+		if (best.group < 0) {
+			return false;
+		}
+		State &state = states[static_cast<size_t>(best.group)];
+		const size_t before[] = { state.detail, state.kept, state.body };
+		state.bodies_left += state.body > 0 && best.next.body == 0 ? 1 : 0;
+		state.detail = best.next.detail;
+		state.kept = best.next.kept;
+		state.body = best.next.body;
+		recount();
+		if (total > 0) {
+			return true;
+		}
+		// What stands on parts of several groups may all go with one of these, too.
+		state.kept_end = best.next.kept;
+		state.detail = before[0];
+		state.kept = before[1];
+		state.body = before[2];
+		recount();
 	}
-	State &state = states[static_cast<size_t>(best.group)];
-	state.detail = best.next.detail;
-	state.kept = best.next.kept;
-	state.body = best.next.body;
-	recount();
-	return true;
+	return false;
 }
 
 } // namespace undergrowth

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace undergrowth {
@@ -54,6 +55,7 @@ PlanSteps::PlanSteps(const PlantForm &p_form, const FormMeasure &p_measure) :
 			states[static_cast<size_t>(carrier)].is_stem = true;
 		}
 	}
+	find_relatives();
 	find_contrasts();
 	find_worths();
 	recount();
@@ -67,6 +69,20 @@ void PlanSteps::count_left(size_t group) {
 		for (size_t kept = 0; kept < KEPT_COUNT; kept++) {
 			states[group].left[kept] += form.placed[static_cast<size_t>(i)].rank < KEPT[kept] ? 1 : 0;
 		}
+	}
+}
+
+/// Once, for plants may have as many groups as parts.
+void PlanSteps::find_relatives() {
+	std::map<std::pair<int, int>, size_t> known;
+	for (size_t g = 0; g < states.size(); g++) {
+		const PartGroup &group = form.groups[g];
+		if (group.carrier_group != ON_GROUND) {
+			states[static_cast<size_t>(group.carrier_group)].carried.push_back(g);
+		}
+		states[g].twins = known.emplace(std::pair(group.kind, group.carrier_group), known.size()).first->second;
+		twins.resize(known.size());
+		twins[states[g].twins].push_back(g);
 	}
 }
 
@@ -141,12 +157,10 @@ void PlanSteps::add_up_branches() {
 		total += state.branch_vertices;
 		state.branch_area = state.area;
 		state.branch_error = own_error(state);
-		for (size_t other = g + 1; other < states.size(); other++) {
-			if (form.groups[other].carrier_group == static_cast<int>(g)) {
-				state.branch_vertices += states[other].branch_vertices;
-				state.branch_area += states[other].branch_area;
-				state.branch_error += states[other].branch_error;
-			}
+		for (const size_t other : state.carried) {
+			state.branch_vertices += states[other].branch_vertices;
+			state.branch_area += states[other].branch_area;
+			state.branch_error += states[other].branch_error;
 		}
 	}
 }
@@ -163,29 +177,19 @@ float PlanSteps::thin_error(const State &state, size_t kept) const {
 	return has_twin(static_cast<int>(group)) ? TWIN_DROPPED : DROPPED + COLOR_LOST * state.contrast;
 }
 
-/// Whether two groups are of the same kind on the same carriers.
-bool PlanSteps::are_twins(size_t group, size_t other) const {
-	const PartGroup &a = form.groups[group];
-	const PartGroup &b = form.groups[other];
-	return group != other && a.kind == b.kind && a.carrier_group == b.carrier_group;
-}
-
 /// Whether a twin is drawn, too.
 bool PlanSteps::has_twin(int group) const {
-	for (size_t g = 0; g < states.size(); g++) {
-		if (are_twins(static_cast<size_t>(group), g) && own_vertices(g) > 0) {
-			return true;
-		}
-	}
-	return false;
+	const std::vector<size_t> &all = twins[states[static_cast<size_t>(group)].twins];
+	return std::any_of(all.begin(), all.end(),
+			[&](size_t twin) { return twin != static_cast<size_t>(group) && own_vertices(twin) > 0; });
 }
 
 /// What goes with a group that is dropped: the last of some twins goes for all of them.
 float PlanSteps::dropped_area(const State &state) const {
 	const size_t group = static_cast<size_t>(&state - states.data());
 	float area = state.branch_area;
-	for (size_t g = 0; g < states.size(); g++) {
-		area += are_twins(group, g) && own_vertices(g) == 0 ? states[g].area : 0.0f;
+	for (const size_t twin : twins[state.twins]) {
+		area += twin != group && own_vertices(twin) == 0 ? states[twin].area : 0.0f;
 	}
 	return area;
 }

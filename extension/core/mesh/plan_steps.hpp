@@ -48,6 +48,10 @@ private:
 		float contrast = 0.0f; ///< Square of the distance of its colour to the nearest other part's.
 		float worth = 1.0f; ///< What its area counts: the more, the more its colour stands out, as flowers' does.
 		float cover = 1.0f; ///< Share of a body's silhouette that its parts fill.
+		size_t kept_end = KEPT_COUNT; ///< From here on nothing would be seen of the plant.
+		int bodies_left = 0; ///< How often a few parts took the place of its bodies.
+		std::vector<size_t> carried; ///< Groups that stand on it alone.
+		size_t twins = 0; ///< Index in `twins`.
 		// With all that its parts carry:
 		int branch_vertices = 0;
 		float branch_area = 0.0f;
@@ -62,6 +66,7 @@ private:
 	const PlantForm &form;
 	const FormMeasure &measure;
 	std::vector<State> states;
+	std::vector<std::vector<size_t>> twins; ///< Groups of one kind on the same carriers.
 	std::vector<FormPlan::Fate> fates;
 	std::vector<int> bodies;
 	int body_count = 0;
@@ -70,16 +75,17 @@ private:
 	bool step_back(State &state) const;
 	void recount();
 	void count_left(size_t group);
+	void find_relatives();
 	void find_contrasts();
 	void find_worths();
 	float dropped_area(const State &state) const;
 	void add_up_branches();
 	float own_error(const State &state) const;
 	float thin_error(const State &state, size_t kept) const;
-	bool are_twins(size_t group, size_t other) const;
 	bool has_twin(int group) const;
 	void pass_on(std::vector<float> &shown) const;
 	int own_vertices(size_t group) const;
+	Step find_best(int budget) const;
 	void offer(Step &best, int group, size_t detail, size_t kept, size_t body, float saved, float harm) const;
 	void offer_details(Step &best, int group, int excess) const;
 	void offer_thinning(Step &best, int group, int excess) const;

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "form/growth.hpp"
+
+#include "base/random.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+/// Odd numbers, the same for the same seed.
+class Chance {
+public:
+	explicit Chance(uint64_t p_seed) : seed(p_seed) {}
+
+	/// Borders often.
+	float within(float least, float most) {
+		const float share = next_share();
+		return one_in(6) ? (one_in(2) ? least : most) : least + (most - least) * share;
+	}
+	/// The same over powers of ten.
+	float spread(float least, float most) {
+		return std::min(std::max(least * std::pow(most / least, next_share()), least), most);
+	}
+	int whole(int least, int most) {
+		const uint64_t bits = undergrowth::mix_bits(undergrowth::mix_bits(seed) ^ index++);
+		return least + static_cast<int>(bits % static_cast<uint64_t>(most - least + 1));
+	}
+	bool one_in(int many) { return whole(1, many) == 1; }
+
+private:
+	uint64_t seed;
+	uint64_t index = 0;
+
+	float next_share() { return 0.5f + 0.5f * undergrowth::signed_noise(seed, index++); }
+};
+
+/// Parts and arrangements of any numbers within their limits.
+undergrowth::Part any_part(Chance &chance);
+undergrowth::Arrangement any_arrangement(Chance &chance);
+
+/// Puts numbers there that authors and scripts should not write: not finite, huge, negative, next to the limits.
+void spoil(undergrowth::Part &part, Chance &chance);
+void spoil(undergrowth::Arrangement &arrangement, Chance &chance);
+
+/// A few kinds of parts on each other, at times too deep or too many.
+undergrowth::Recipe any_recipe(Chance &chance);

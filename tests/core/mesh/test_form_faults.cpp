@@ -1,0 +1,89 @@
+// Plants that random species found (tests/species).
+
+#include "form_mesh_fixture.hpp"
+
+#include "form/growth.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace undergrowth;
+
+namespace {
+
+Part axis(float length, float width, float bend = 0.0f) {
+	Part part;
+	part.kind = PartKind::axis;
+	part.length_min = part.length_max = length;
+	part.width = width;
+	part.curve.bend = bend;
+	return part;
+}
+
+std::vector<int> add(Growth &growth, const Part &part, int count, Layout layout, const std::vector<int> &carriers) {
+	int kind = 0;
+	std::vector<int> handles;
+	Arrangement arrangement;
+	arrangement.layout = layout;
+	arrangement.count_min = arrangement.count_max = count;
+	CHECK(growth.add_kind(part, kind) == "");
+	CHECK(growth.arrange(kind, arrangement, carriers, handles) == "");
+	return handles;
+}
+
+} // namespace
+
+TEST_CASE("a plant whose leaves stand on stems of two kinds is seen at all levels") {
+	Growth growth(1.0f, 1);
+	const std::vector<int> thin = add(growth, axis(0.01f, 1e-4f), 1, Layout::ground, { ON_GROUND });
+	const std::vector<int> thick = add(growth, axis(0.02f, 1e-4f), 1, Layout::ground, { ON_GROUND });
+	add(growth, axis(0.5f, 0.3f), 400, Layout::whorl, { thin.front(), thick.front() });
+	const PlantForm form = growth.finish();
+	for (const int lod : { 12, 6, 3, 2, 1 }) {
+		const FormPlan plan = plan_form(form, measure_form(form), vertex_budget(lod));
+		CHECK(plan.counts.vertices > 0);
+		CHECK(plan.counts.vertices <= vertex_budget(lod));
+	}
+}
+
+TEST_CASE("what hangs on a stem that curls up hangs somewhere from its root to its tip") {
+	for (float bend = 2.0f; bend < 12.5f; bend += 0.25f) {
+		Growth growth(1.0f, 1);
+		const std::vector<int> stems = add(growth, axis(1.0f, 0.02f, bend), 1, Layout::ground, { ON_GROUND });
+		add(growth, Part(), 60, Layout::along, stems);
+		const PlantForm form = growth.finish();
+		const BuiltForm mesh = build(form, plan_form(form, measure_form(form), vertex_budget(6)));
+		CHECK(std::all_of(mesh.custom0.begin(), mesh.custom0.end(),
+				[](const glm::vec4 &hang) { return hang.x >= 0.0f && hang.x <= 1.0f; }));
+	}
+}
+
+TEST_CASE("a leaf is finite whose width rises over nearly all or falls over nearly all of its length") {
+	for (const Profile &profile : { Profile{ 7.6f, 1e-9f }, Profile{ 1e-9f, 7.6f }, Profile{ 1e-40f, 8.0f } }) {
+		WidthFunction widths;
+		widths.profile = profile;
+		for (const float s : { 0.0f, 0.01f, 0.5f, 0.99f, 1.0f }) {
+			CHECK(std::isfinite(widths.at(s)));
+			CHECK(std::isfinite(widths.slope(s)));
+		}
+		CHECK(std::isfinite(widths.mean()));
+	}
+}
+
+TEST_CASE("a plant whose script arranges each of 200 leaves by itself is within its budget") {
+	Growth growth(0.3f, 1);
+	int stem = 0, kind = 0;
+	CHECK(growth.add_stem(axis(0.3f, 0.01f), stem) == "");
+	CHECK(growth.add_kind(Part(), kind) == "");
+	for (int i = 0; i < 200; i++) {
+		Arrangement alone;
+		alone.from = alone.to = static_cast<float>(i) / 200.0f;
+		std::vector<int> handles;
+		CHECK(growth.arrange(kind, alone, { stem }, handles) == "");
+	}
+	const PlantForm form = growth.finish();
+	const FormPlan plan = plan_form(form, measure_form(form), vertex_budget(6));
+	CHECK(plan.counts.vertices <= vertex_budget(6));
+}

@@ -1,0 +1,92 @@
+#include "any_plant.hpp"
+
+using namespace undergrowth;
+
+namespace {
+
+constexpr int SPOILT = 4; // One species in so many has numbers that nothing should have.
+
+int any_stem(Chance &chance, bool is_spoilt, Growth &growth) {
+	int stem = ON_GROUND;
+	if (chance.one_in(3)) {
+		Part part = any_part(chance);
+		if (is_spoilt && chance.one_in(4)) {
+			spoil(part, chance);
+		}
+		growth.add_stem(part, stem);
+		if (chance.one_in(8)) {
+			int other = ON_GROUND;
+			growth.add_stem(part, other); // Refused.
+		}
+	}
+	return stem;
+}
+
+void grow_recipe(Chance &chance, bool is_spoilt, Growth &growth) {
+	Recipe recipe = any_recipe(chance);
+	if (is_spoilt) {
+		spoil(recipe.kinds[static_cast<size_t>(chance.whole(0, static_cast<int>(recipe.kinds.size()) - 1))], chance);
+		for (RecipeLine &line : recipe.lines) {
+			if (chance.one_in(4)) {
+				spoil(line.arrangement, chance);
+				line.on = chance.whole(-2, static_cast<int>(recipe.lines.size()));
+				line.kind = chance.whole(-1, static_cast<int>(recipe.kinds.size()));
+			}
+		}
+	}
+	grow(recipe, any_stem(chance, is_spoilt, growth), growth);
+}
+
+/// Some of what stands, of one group or of many.
+std::vector<int> any_carriers(Chance &chance, bool is_spoilt, const Growth &growth) {
+	const int most = static_cast<int>(growth.form().placed.size());
+	std::vector<int> carriers;
+	if (is_spoilt && chance.one_in(10)) {
+		return { chance.whole(-3, 2 * most + 2) };
+	}
+	const int first = chance.whole(ON_GROUND, most - 1);
+	for (int i = chance.one_in(3) ? chance.whole(0, 20) : 0; i >= 0; i--) {
+		carriers.push_back(chance.one_in(3) ? chance.whole(ON_GROUND, most - 1) : std::min(first + i, most - 1));
+	}
+	return carriers;
+}
+
+/// As a script that loops over its parts: many arrangements of a few parts each.
+void grow_by_hand(Chance &chance, bool is_spoilt, Growth &growth) {
+	any_stem(chance, is_spoilt, growth);
+	const int steps = chance.one_in(40) ? chance.whole(100, 700) : chance.whole(1, 30);
+	const bool is_alike = chance.one_in(2); // One kind for all.
+	int kind = -1;
+	for (int i = 0; i < steps; i++) {
+		if (!is_alike || kind < 0) {
+			Part part = any_part(chance);
+			if (is_spoilt && chance.one_in(6)) {
+				spoil(part, chance);
+			}
+			growth.add_kind(part, kind);
+		}
+		Arrangement arrangement = any_arrangement(chance);
+		if (steps > 40) {
+			arrangement.count_min = arrangement.count_max = 1;
+		}
+		if (is_spoilt && chance.one_in(6)) {
+			spoil(arrangement, chance);
+		}
+		std::vector<int> handles;
+		growth.arrange(kind, arrangement, any_carriers(chance, is_spoilt, growth), handles);
+	}
+}
+
+} // namespace
+
+bool grow_any_plant(Chance &chance, uint64_t seed, PlantForm &form) {
+	Growth growth(chance.spread(1e-2f, 50.0f), seed);
+	const bool is_spoilt = chance.one_in(SPOILT);
+	if (chance.one_in(4)) {
+		grow_by_hand(chance, is_spoilt, growth);
+	} else {
+		grow_recipe(chance, is_spoilt, growth);
+	}
+	form = growth.finish();
+	return !form.placed.empty();
+}

@@ -1,0 +1,65 @@
+"""Species of random numbers grown, measured, planned, drawn and bent under AddressSanitizer and UBSan (tests/species). Not
+among the suites of the plain test: `./run test suites=species`.
+
+SPECIES_COUNT says how many (20000; a million takes a night), SPECIES_SEED with which seed they begin (0). A seed that
+fails is told; SPECIES_SEED=it SPECIES_COUNT=1 tries it alone. Each processor has its share of the seeds. How far each is
+stands in build/test/species-N.log.
+"""
+
+import os
+import re
+
+from .programs import SANITIZER_OPTIONS
+from .result import Result, run
+
+COUNT = 20000
+LONGEST = 7 * 24 * 3600  # s; what takes too long ends by itself.
+SILENCE = 120  # s: a species that does not end is told after 30.
+MOST_ENDS = 5  # Of one share, by sanitizers; then it goes no further.
+FAILED_LINE = re.compile(r"^FAILED (seed (\d+): .*)$", re.MULTILINE)
+END_LINE = re.compile(r"^done: (\d+) species, (\d+) grown, (\d+) failed, (slowest \d+ with \d+ ms)$", re.MULTILINE)
+
+
+def suites(program):
+    """A share of the seeds for each processor."""
+    count = int(os.environ.get("SPECIES_COUNT", COUNT))
+    first = int(os.environ.get("SPECIES_SEED", "0"))
+    step = max(1, min(os.cpu_count() or 1, count))
+    shares = [(first + i, (count - i + step - 1) // step) for i in range(step)]
+    return [(f"species:{i}", lambda i=i, share=share: grow(f"species:{i}", program, *share, step))
+            for i, share in enumerate(shares)]
+
+
+def grow(name, program, first, count, step):
+    """Each species counts as a test. Where one ends the program, the next one goes on."""
+    total = Result(name)
+    ends = 0
+    while count > 0:
+        log = f"{name}:{ends}" if ends else name
+        output, problem = run(log, [program, first, count, step], LONGEST, silence=SILENCE,
+                              environment={**os.environ, **SANITIZER_OPTIONS})
+        read = read_output(name, output, problem, first, step)
+        total.passed += read.passed
+        total.failures += read.failures
+        total.notes += read.notes
+        seeds = [int(seed) for _, seed in FAILED_LINE.findall(output)]
+        ends += 1
+        if END_LINE.search(output) or not seeds or ends == MOST_ENDS:
+            break
+        done = (seeds[-1] - first) // step + 1
+        first, count = first + done * step, count - done
+    return total
+
+
+def read_output(name, output, problem, first=0, step=1):
+    """A program that ends early has tried what comes before the last seed that it tells."""
+    failed = FAILED_LINE.findall(output)
+    failures = [failure for failure, _ in failed]
+    end = END_LINE.search(output)
+    if end:
+        notes = [f"{end.group(1)} species, {end.group(2)} of them grew, {end.group(4)}"]
+        if problem and not failures:
+            failures = [problem]
+        return Result(name, int(end.group(1)) - len(failed), failures, notes)
+    tried = (int(failed[-1][1]) - first) // step + 1 if failed else 0
+    return Result(name, max(0, tried - len(failed)), failures or [f"ended early: {problem or 'no last line'}"])
