@@ -1,7 +1,7 @@
 """Species of random numbers grown, measured, planned, drawn and bent under AddressSanitizer and UBSan (tests/species). Not
 among the suites of the plain test: `./run test suites=species`.
 
-SPECIES_COUNT says how many (20000; a million takes a night), SPECIES_SEED with which seed they begin (0). A seed that
+SPECIES_COUNT says how many (2000: minutes; a processor tries 3 to 10 a second), SPECIES_SEED with which seed they begin (0). A seed that
 fails is told; SPECIES_SEED=it SPECIES_COUNT=1 tries it alone. Each processor has its share of the seeds. How far each is
 stands in build/test/species-N.log.
 """
@@ -12,7 +12,7 @@ import re
 from .programs import SANITIZER_OPTIONS
 from .result import Result, run
 
-COUNT = 20000
+COUNT = 2000
 LONGEST = 7 * 24 * 3600  # s; what takes too long ends by itself.
 SILENCE = 120  # s: a species that does not end is told after 30.
 MOST_ENDS = 5  # Of one share, by sanitizers; then it goes no further.
