@@ -75,13 +75,16 @@ func _take_views(folder: String) -> bool:
 	return true
 
 
-## Lets the plants swing for some seconds without drawing them.
+## Lets the plants grow, and swing for some seconds, without drawing them.
 func _sway() -> void:
 	await scene_changed
 	for panel in current_scene.find_children("WindPanel", "PanelContainer", true, false):
 		panel.set(&"shows_frame_rate", false)
 	await RenderingServer.frame_post_draw
 	RenderingServer.render_loop_enabled = false
+	var fields := current_scene.find_children("*", "PlantField3D", true, false)
+	while fields.any(func(field: PlantField3D) -> bool: return field.is_filling()):
+		await process_frame
 	for _frame in WARM_UP_FRAMES:
 		await process_frame
 	RenderingServer.render_loop_enabled = true
