@@ -1,6 +1,7 @@
 #include "form/growth_options.hpp"
 
 #include <godot_cpp/variant/array.hpp>
+#include <godot_cpp/variant/variant.hpp>
 #include <godot_cpp/variant/vector2.hpp>
 
 using namespace godot;
