@@ -83,21 +83,6 @@ func add_walker() -> StaticBody3D:
 	return add_body(CapsuleShape3D.new())
 
 
-## A body of this shape in the group "walkers".
-func add_body(shape: Shape3D) -> StaticBody3D:
-	var body := StaticBody3D.new()
-	add_shape(body, shape)
-	body.add_to_group(&"walkers")
-	root.add_child(body)
-	return body
-
-
-func add_shape(to: Node3D, shape: Shape3D) -> void:
-	var holder := CollisionShape3D.new()
-	holder.shape = shape
-	to.add_child(holder)
-
-
 func box_shape(size: Vector3) -> BoxShape3D:
 	var box := BoxShape3D.new()
 	box.size = size

@@ -214,6 +214,22 @@ func _let_workers_rest() -> void:
 	OS.delay_msec(50)
 
 
+## A body of this shape in the group "walkers".
+func add_body(shape: Shape3D, at := Vector3.ZERO) -> StaticBody3D:
+	var body := StaticBody3D.new()
+	add_shape(body, shape)
+	body.position = at
+	body.add_to_group(&"walkers")
+	root.add_child(body)
+	return body
+
+
+func add_shape(to: Node3D, shape: Shape3D) -> void:
+	var holder := CollisionShape3D.new()
+	holder.shape = shape
+	to.add_child(holder)
+
+
 ## A value as text, cut where it would fill the screen.
 func _shown(value: Variant) -> String:
 	var text := var_to_str(value)

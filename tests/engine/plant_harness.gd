@@ -54,21 +54,6 @@ func add_ball(at: Vector3, radius: float) -> StaticBody3D:
 	return add_body(ball, at)
 
 
-func add_body(shape: Shape3D, at := Vector3.ZERO) -> StaticBody3D:
-	var body := StaticBody3D.new()
-	add_shape(body, shape)
-	body.position = at
-	body.add_to_group(GROUP)
-	root.add_child(body)
-	return body
-
-
-func add_shape(to: Node3D, shape: Shape3D) -> void:
-	var holder := CollisionShape3D.new()
-	holder.shape = shape
-	to.add_child(holder)
-
-
 ## Waits until the simulation went on for so many seconds.
 func pass_time(seconds: float) -> void:
 	var passed := 0.0

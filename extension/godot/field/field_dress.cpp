@@ -23,7 +23,6 @@ Ref<Material> FieldDress::worn(const FieldLook &look) const {
 
 void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
 	has_sent = false;
-	const Basis to_field = axes_of(node).basis.inverse();
 	sent_clock = -1.0f;
 	for (FieldLook &look : style.looks) {
 		const bool is_new = look.materials.empty();
@@ -39,7 +38,6 @@ void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
 			look.materials[i]->set_shader_parameter("undergrowth_share_ends", vector_of(thinning.distances));
 			look.materials[i]->set_shader_parameter("undergrowth_shares", vector_of(thinning.shares));
 			look.materials[i]->set_shader_parameter("undergrowth_has_parts", look.has_parts());
-			look.materials[i]->set_shader_parameter("undergrowth_axes", to_field);
 			look.materials[i]->set_shader_parameter("undergrowth_bends", motion.pose_texture());
 			look.materials[i]->set_shader_parameter("undergrowth_blends", motion.blend_texture());
 			look.materials[i]->set_shader_parameter("undergrowth_beats", motion.beat_texture());
@@ -50,6 +48,7 @@ void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
 					"undergrowth_bend.gdshaderinc, which says how.");
 		}
 	}
+	tell_of_axes(style);
 }
 
 void FieldDress::tell_of_axes(const FieldStyle &style) const {
