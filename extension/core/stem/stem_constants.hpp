@@ -1,0 +1,44 @@
+#pragma once
+
+namespace undergrowth {
+
+/// Oscillators of a stem at most; the first is its swing in the wind, the second what blows and pushes wake.
+constexpr int MOST_STEM_MODES = 2;
+/// Joints of a stem at most.
+constexpr int MOST_STEM_JOINTS = 8;
+/// Coefficients of a shape along the stem, those of x, x², … x⁶.
+constexpr int STEM_SHAPE_TERMS = 6;
+
+/// One oscillator of a stem: half its deflection (m) is q·φ(s), its bend along the stem q·ψ(x), ψ = dφ/ds with a
+/// largest size of 1 and above 0 at the tip. Energies are 2·mass·|v|² and 2·stiffness·|q|².
+struct StemMode {
+	float frequency = 1.0f; ///< rad/s, gravity included.
+	float damping = 0.1f; ///< Damping ratio of a small swing in still air.
+	float stiffness = 1.0f; ///< N·m, φᵀAφ.
+	float mass = 1.0f; ///< kg·m², stiffness/frequency².
+	float tip_slope = 1.0f; ///< ψ at the tip.
+	float dead_share = 1.0f; ///< Of a load in newtons: static amplitude over the linear slope of the tip.
+	float air_share = 1.0f; ///< Of a wind in m/s: the same.
+	float air_drag = 0.0f; ///< kg·m/s over m/s: ∫c φ² with the head's, D of the mode.
+	float air_lag = 0.0f; ///< m: ∫c φ_1 φ/∫c φ_1, how far the mode moves away from the wind.
+};
+
+/// All that a step and a picture know of a species' stem of `length`; of other lengths, see `length`.
+struct StemConstants {
+	/// m, the stem that this is computed for. A plant of another length L has the same frequencies; its loads count
+	/// length/L times as much.
+	float length = 1.0f;
+	int modes = 1;
+	int joints = 4;
+	StemMode mode[MOST_STEM_MODES];
+	float dead_slope = 1.0f; ///< 1/N: linear slope of the tip under the wind's newtons, weights of joints included.
+	float air_slope = 0.0f; ///< s²/m²: the same over the wind's speed squared.
+	float axial_share = 1.0f; ///< What a load along the stem counts beside one across it.
+	/// ψ_1, ψ_2 and the shapes of large bends X3, X5: u(x) = Σ_k q_k ψ_k + t·(|t|²·X3 + |t|⁴·X5), t = Σ_k q_k·tip_slope;
+	/// shape[j] has the four coefficients of x^(j+1), x from 0 at the root to 1 at the tip.
+	float shape[STEM_SHAPE_TERMS][4] = {};
+	/// φ_k (m) at the joints s_j = j·length/joints, j = 1 … joints, and at the head.
+	float deflection[MOST_STEM_JOINTS + 1][MOST_STEM_MODES] = {};
+};
+
+} // namespace undergrowth
