@@ -24,7 +24,7 @@ const PageStand &stand_of(const LonePages &pages, int page) {
 
 template <class Pages> glm::vec3 tip_of(const Pages &field, int number, int index) {
 	const MotionPage &page = field.page(number);
-	return page.root(index) + page.length(index) * stand_of(field, number).outward(page.direction(index));
+	return page.root(index) + stand_of(field, number).outward(page.arm(index, 1.0f));
 }
 
 template <class Pages> glm::vec3 rest_tip(const Pages &field, int number, int index) {

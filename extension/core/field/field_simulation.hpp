@@ -114,6 +114,8 @@ public:
 	glm::vec3 shown_direction(int page, int index, float fraction) const {
 		return from_stereographic(shown_bend(page, index, fraction));
 	}
+	/// A place on a plant as it is drawn (m), from its root (share 0) to its tip (1).
+	glm::vec3 shown_point(int page, int index, float share, float fraction) const;
 	/// At the end of its page's last step. Of a follower: what it shows at the end of the present one.
 	TipState state(int page, int index) const;
 	/// A blow on the tip (N·s): changes the velocity by impulse/mass.
@@ -136,7 +138,7 @@ public:
 	float prototype_lead() const { return lead; }
 	const FollowDelays &follow_delays() const { return delays; }
 
-	/// Whether a point lies within `margin` (m) of a plant's straight line from root to tip, thickened by its collision
+	/// Whether a point lies within `margin` (m) of a plant's line from root to tip, thickened by its collision
 	/// radius, as it is drawn at the end of the present step.
 	bool is_point_in_plants(const glm::vec3 &point, float margin) const;
 
@@ -190,6 +192,7 @@ private:
 	Follower pick(const MotionPlant &plant, int species) const;
 	LoosePlants &loose_of(const Entry &entry);
 	int count_of_species(int species) const;
+	glm::vec3 nearest_on_plant(int page, int index, const glm::vec3 &point) const;
 	BendWay shown_way(int page, int index, float fraction) const;
 	BendWay followed_way(const Entry &entry, int index, float fraction) const;
 	void push_follower(Entry &entry, int index, const TipState &state);

@@ -2,6 +2,7 @@
 
 #include "field/field_simulation.hpp"
 #include "motion/gnomonic.hpp"
+#include "stem/stem_bones.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -85,7 +86,14 @@ BendWay FieldSimulation::shown_way(int page, int index, float fraction) const {
 
 StemMotion FieldSimulation::shown_stem(int page, int index, float fraction) const {
 	const BendWay way = shown_way(page, index, fraction);
-	return { way.bend, way.change / shown_interval(page), stereographic(encode_bend(rest(page, index))), 0.0f };
+	StemMotion stem;
+	stem.bend = way.bend;
+	stem.rate = way.change / shown_interval(page);
+	stem.rest = stereographic(encode_bend(rest(page, index)));
+	if (at(page).page.has_second_bends()) {
+		stem.second = bend_way(at(page).page.second_bends() + 2 * index, alpha(page, fraction)).bend;
+	}
+	return stem;
 }
 
 glm::vec3 FieldSimulation::rest(int page, int index) const {
@@ -113,13 +121,17 @@ void FieldSimulation::apply_impulse(int page, int index, const glm::vec3 &impuls
 	if (plants.is_gone(index)) {
 		return;
 	}
-	TipState pushed = state(page, index);
-	pushed.rate += impulse / (plants.mass() * plants.length(index));
 	if (plants.swings()) {
-		plants.set_state(index, pushed);
-	} else {
-		push_follower(at(page), index, pushed);
+		plants.apply_impulse(index, impulse);
+		return;
 	}
+	TipState pushed = state(page, index);
+	if (plants.law() == Law::stem) {
+		pushed = plants.blown(pushed, index, impulse);
+	} else {
+		pushed.rate += impulse / (plants.mass() * plants.length(index));
+	}
+	push_follower(at(page), index, pushed);
 }
 
 const Prototypes *FieldSimulation::prototypes(int species) const {
@@ -128,6 +140,37 @@ const Prototypes *FieldSimulation::prototypes(int species) const {
 
 const LoosePlants *FieldSimulation::loose_plants(int species) const {
 	return loose.empty() ? nullptr : &loose[static_cast<std::size_t>(species)];
+}
+
+glm::vec3 FieldSimulation::shown_point(int page, int index, float share, float fraction) const {
+	const MotionPage &plants = at(page).page;
+	const float reach = plants.length(index);
+	if (plants.law() != Law::stem) {
+		return plants.root(index) + share * reach * shown_direction(page, index, fraction);
+	}
+	const StemConstants &stem = plants.stem_constants();
+	const StemMotion now = shown_stem(page, index, fraction);
+	glm::vec2 places[MOST_STEM_MODES] = {};
+	places[0] = into_rest(now.bend, now.rest) / stem.mode[0].tip_slope;
+	if (stem.modes == 2) {
+		places[1] = now.second / stem.mode[1].tip_slope;
+	}
+	return plants.root(index) + reach * turned(stem_place(stem, places, share).centre, now.rest);
+}
+
+/// Of its straight line, or of those between the joints of its stem.
+glm::vec3 FieldSimulation::nearest_on_plant(int page, int index, const glm::vec3 &point) const {
+	const MotionPage &plants = at(page).page;
+	const int parts = plants.law() == Law::stem ? plants.stem_constants().joints : 1;
+	glm::vec3 from = plants.root(index);
+	glm::vec3 nearest = from;
+	for (int part = 1; part <= parts; part++) {
+		const glm::vec3 to = shown_point(page, index, static_cast<float>(part) / static_cast<float>(parts), 1.0f);
+		const glm::vec3 here = nearest_on_segment(from, to, point);
+		nearest = glm::distance(here, point) < glm::distance(nearest, point) ? here : nearest;
+		from = to;
+	}
+	return nearest;
 }
 
 bool FieldSimulation::is_point_in_plants(const glm::vec3 &point, float margin) const {
@@ -144,10 +187,7 @@ bool FieldSimulation::is_point_in_plants(const glm::vec3 &point, float margin) c
 			if (entry.page.is_gone(i) || std::fabs(x[i] - point.x) > reach || std::fabs(z[i] - point.z) > reach) {
 				continue;
 			}
-			const glm::vec3 root = entry.page.root(i);
-			const glm::vec3 tip = root + entry.page.length(i) * shown_direction(page, i, 1.0f);
-			const glm::vec3 nearest = nearest_on_segment(root, tip, point);
-			if (glm::distance(nearest, point) <= radius) {
+			if (glm::distance(nearest_on_plant(page, i, point), point) <= radius) {
 				return true;
 			}
 		}

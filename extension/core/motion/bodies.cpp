@@ -160,9 +160,9 @@ bool push_plant(TipState &state, const glm::vec3 &root, float length, float thic
 bool touches_plant(const MotionPage &page, int index, const MovingBody &body, float margin, const PageStand &stand) {
 	const float thickness = std::max(page.collision_radius(), 0.0f);
 	const glm::vec3 root = page.root(index);
-	const glm::vec3 stem = page.length(index) * stand.outward(page.direction(index));
 	for (int part = 0; part <= STEM_PARTS; part++) {
-		const glm::vec3 point = root + static_cast<float>(part) / static_cast<float>(STEM_PARTS) * stem;
+		const float share = static_cast<float>(part) / static_cast<float>(STEM_PARTS);
+		const glm::vec3 point = root + stand.outward(page.arm(index, share));
 		const float distance = glm::distance(nearest_in_core(body, point), point);
 		if (distance <= body.radius + margin + (part == STEM_PARTS ? thickness : 0.0f)) {
 			return true;

@@ -5,6 +5,8 @@
 #include "motion/joint_constants.hpp"
 #include "motion/kernel_tables.hpp"
 #include "motion/motion_species.hpp"
+#include "motion/stem_state.hpp"
+#include "motion/stem_step.hpp"
 
 #include <glm/vec3.hpp>
 
@@ -27,6 +29,10 @@ namespace undergrowth {
 /// t'' = -ω²·(t - rest - F·w/(m·ω²·L)) - 2·ζ·ω·t'. The step is the closed-form solution for a force that is constant
 /// during it, so there is no step-length error, nothing can become unstable, and the tip never reaches the ground.
 /// The equilibrium of an upright plant under a horizontal force F is tan φ = F·w/(m·ω²·L).
+///
+/// Stem law: a stem that bends along its length (stem/stem_beam.hpp, motion/stem_step.hpp). One or two oscillators a
+/// plant in the frame of its rest; what is called its direction here is where the tip points, and tip() lies where the
+/// bent stem ends. The equilibrium of an upright plant under a horizontal force F is tan φ = F·StemConstants::dead_slope.
 ///
 /// Winds are horizontal in the axes of the roots. Directions may have axes of their own, in which the wind's way is
 /// given to step(). Numbers out of a species' or a state's range are brought to the nearest safe one; nothing becomes
@@ -55,6 +61,8 @@ public:
 	bool swings() const { return is_swinging; }
 	/// Whether it keeps bends for a texture: it swings and does not keep directions.
 	bool has_bends() const { return is_swinging && !keeps_directions; }
+	/// Whether a second mode of its stems has bends of its own.
+	bool has_second_bends() const { return has_bends() && kind.law == Law::stem && kind.stem.modes == 2; }
 	Law law() const { return kind.law; }
 	/// Seconds of the step that the constants are for.
 	float step_length() const { return step_time; }
@@ -72,8 +80,10 @@ public:
 	glm::vec3 rest(int index) const;
 	/// Where a plant points: unit, root to tip.
 	glm::vec3 direction(int index) const;
-	/// The root's place plus length times the direction.
-	glm::vec3 tip(int index) const;
+	/// From the root to a place on the plant (m), the root itself (share 0) to the tip (1), in the directions' axes: on
+	/// the straight line along the direction, or on the bent stem.
+	glm::vec3 arm(int index, float share) const;
+	glm::vec3 tip(int index) const { return root(index) + arm(index, 1.0f); }
 	TipState state(int index) const;
 	/// Puts a plant into a state; what is drawn as the last one is this state's.
 	void set_state(int index, const TipState &state);
@@ -83,6 +93,16 @@ public:
 	/// Where a plant pointed before its last step, as it is drawn.
 	glm::vec3 before(int index) const;
 	void set_before(int index, const glm::vec3 &direction);
+	/// Of the stem law only, in the frame of the rest, whose bend in the axes of directions is rest_bend().
+	const StemConstants &stem_constants() const { return kind.stem; }
+	StemState stem(int index) const;
+	void set_stem(int index, const StemState &state);
+	/// Amplitudes before the last step, of a page that keeps directions.
+	StemState stem_before(int index) const;
+	void set_stem_before(int index, const StemState &state);
+	glm::vec2 rest_bend(int index) const;
+	/// A blow on a joint, 1 to StemConstants::joints, whose last one is the tip, or on the head (joints + 1).
+	void apply_impulse_at(int index, int joint, const glm::vec3 &impulse);
 	/// A blow on the tip (N·s): changes the velocity by impulse/mass, along the sphere. What goes along the stem is
 	/// held by the root, so a blow upwards straightens a bent plant and does nothing to an upright one.
 	void apply_impulse(int index, const glm::vec3 &impulse);
@@ -108,7 +128,7 @@ public:
 	/// Constants for steps of another length (s); the motion goes on. Allocates nothing.
 	void set_step_length(float step);
 	/// When in a step its wind is to be taken, as a share of it: the elasticity law's kick stands at the start of the
-	/// drift (its rate is that of the middle), the spring law's closed form holds the force of the middle.
+	/// drift (its rate is that of the middle), the closed forms of the others hold the force of the middle.
 	double wind_moment() const { return kind.law == Law::elasticity ? 0.0 : 0.5; }
 	/// One step under `wind`, which blows along (along.x, along.z) of the directions' axes. `level` chooses the code,
 	/// not the result.
@@ -120,6 +140,8 @@ public:
 	/// Of the others that swing: pairs of bends, 2·size(), each plant's before its last step and after it.
 	const Bend *bends() const { return pairs.data(); }
 	Bend *bends() { return pairs.data(); }
+	/// Of the second mode: its part of the tip's bend in the frame of the rest, as many.
+	const Bend *second_bends() const { return second_pairs.data(); }
 
 	/// The box (m) that holds all roots and every place that a tip can reach.
 	const glm::vec3 &low() const { return box_low; }
@@ -138,20 +160,25 @@ private:
 	MotionSpecies kind;
 	SpringConstants spring = {};
 	ElasticityConstants elasticity = {};
+	StemStep stems = {};
 	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
 	Columns rows;
 	std::vector<Bend> pairs;
+	std::vector<Bend> second_pairs;
 
 	float *column(int which) { return rows.column(which); }
 	const float *column(int which) const { return rows.column(which); }
 	ElasticityPage elasticity_page(int begin);
 	SpringPage spring_page(int begin);
+	StemPage stem_page(int begin);
 	/// Of the plants from `begin` on, or up to `end`.
 	void update_constants(int begin) { update_constants(begin, size()); }
 	void update_constants(int begin, int end);
 	void put_place(int index, const MotionPlant &plant);
 	void put_state(int index, const TipState &state);
+	void put_stem(int index, const StemState &state);
+	void change_columns(const MotionSpecies &species);
 	void put_rest(int index, const glm::vec3 &rest);
 	void remember();
 	void settle(int index);

@@ -43,6 +43,37 @@ enum SpringColumn : int {
 	FLAT_LAST_Z,
 };
 
+/// Further columns of a page of the stem law: of mode 0, as many; of mode 1, where there is one; and the amplitudes
+/// before the last step of each where it keeps directions.
+enum StemColumn : int {
+	PLACE_X = STILL_COLUMNS,
+	PLACE_Z,
+	RATE_X,
+	RATE_Z,
+	STEM_REST_X, ///< Stereographic.
+	STEM_REST_Z,
+	LOAD_SCALE, ///< The reference length over the plant's own.
+	SECOND_PLACE_X = SWINGING_COLUMNS,
+	SECOND_PLACE_Z,
+	SECOND_RATE_X,
+	SECOND_RATE_Z,
+	TWO_MODES_COLUMNS,
+};
+
+/// Where the amplitudes of a mode stand: x, z and their rates, side by side.
+constexpr int first_of_mode(int mode) {
+	return mode == 0 ? static_cast<int>(PLACE_X) : static_cast<int>(SECOND_PLACE_X);
+}
+
+/// Where those before the last step stand, of a page of so many modes.
+constexpr int last_of_mode(int modes, int mode) {
+	return (modes == 1 ? static_cast<int>(SWINGING_COLUMNS) : static_cast<int>(TWO_MODES_COLUMNS)) + 2 * mode;
+}
+
+constexpr int stem_columns(int modes, bool keeps_directions) {
+	return last_of_mode(modes, keeps_directions ? modes : 0);
+}
+
 } // namespace motion_page_columns
 
 } // namespace undergrowth

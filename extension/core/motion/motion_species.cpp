@@ -18,7 +18,8 @@ bool is_same_motion(const MotionSpecies &a, const MotionSpecies &b) {
 	return a.law == b.law && one.mass == other.mass && one.wind_weight == other.wind_weight &&
 			one.elasticity == other.elasticity && one.inner_friction == other.inner_friction &&
 			one.above_ground == other.above_ground && one.natural_frequency == other.natural_frequency &&
-			one.damping_ratio == other.damping_ratio && a.collision_radius == b.collision_radius;
+			one.damping_ratio == other.damping_ratio && a.collision_radius == b.collision_radius &&
+			(a.law != Law::stem || a.stem == b.stem);
 }
 
 bool is_valid(const MotionPlant &plant) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "motion/joint.hpp"
+#include "stem/stem_constants.hpp"
 
 #include <glm/vec3.hpp>
 
@@ -9,12 +10,13 @@ namespace undergrowth {
 /// What all plants of one species share.
 struct MotionSpecies {
 	Law law = Law::elasticity;
-	Joint joint; ///< Without `length` and `rest`, which each plant has of its own.
+	Joint joint; ///< Without `length` and `rest`, which each plant has of its own. Of the laws of one joint.
+	StemConstants stem; ///< Of the stem law.
 	float collision_radius = 0.05f; ///< m, of the sphere at a tip.
 	// Of the prototypes only, which stand for all plants of the species.
 	float shortest = 0.5f; ///< m.
 	float longest = 1.0f; ///< m.
-	float lean = 0.0f; ///< rad, from upright to the rest direction (spring law).
+	float lean = 0.0f; ///< rad, from upright to the rest direction (not of the elasticity law).
 	bool has_parts = false; ///< Which swing by themselves; it does not matter to the motion.
 };
 
@@ -25,7 +27,7 @@ bool is_same_motion(const MotionSpecies &a, const MotionSpecies &b);
 struct MotionPlant {
 	glm::vec3 root = { 0.0f, 0.0f, 0.0f }; ///< m; only x and z matter to the wind.
 	float length = 1.0f; ///< m, > 0.
-	glm::vec3 rest = { 0.0f, 1.0f, 0.0f }; ///< Unit; of the spring law only, as Joint::rest.
+	glm::vec3 rest = { 0.0f, 1.0f, 0.0f }; ///< Unit; not of the elasticity law; as Joint::rest.
 };
 
 /// Whether all numbers are finite, the length > 0 and the rest direction above the ground.

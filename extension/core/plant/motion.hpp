@@ -6,6 +6,7 @@ namespace undergrowth {
 enum class Law {
 	elasticity, ///< The thesis's (formulas 3.1 and 3.2): an upward force that grows with the tip's height.
 	spring, ///< A damped spring at the joint that always returns to the rest direction.
+	stem, ///< An elastic stem that bends along its length (stem/stem_beam.hpp).
 };
 
 /// What a species says about its motion. Each law uses its own part.

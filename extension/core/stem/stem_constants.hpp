@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstring>
+
 namespace undergrowth {
 
 /// Oscillators of a stem at most; the first is its swing in the wind, the second what blows and pushes wake.
@@ -39,6 +41,13 @@ struct StemConstants {
 	float shape[STEM_SHAPE_TERMS][4] = {};
 	/// φ_k (m) at the joints s_j = j·length/joints, j = 1 … joints, and at the head.
 	float deflection[MOST_STEM_JOINTS + 1][MOST_STEM_MODES] = {};
+
+	bool operator==(const StemConstants &other) const {
+		static_assert(sizeof(StemConstants) == 4 * (6 + 9 * MOST_STEM_MODES + 4 * STEM_SHAPE_TERMS) +
+								4 * (MOST_STEM_JOINTS + 1) * MOST_STEM_MODES,
+				"no padding, so bytes say whether all numbers are the same");
+		return std::memcmp(this, &other, sizeof(StemConstants)) == 0;
+	}
 };
 
 } // namespace undergrowth

@@ -167,7 +167,7 @@ void CpuMotion::grow(const ChangeSet::Grown &grown, const PlantStore &store, con
 		textures->write_history(*simulation, true);
 	}
 	textures->write_page(*simulation, own.page);
-	textures->write_rests(*simulation, own.page);
+	textures->write_beside(*simulation, own.page);
 }
 
 void CpuMotion::write_all() {
@@ -212,7 +212,7 @@ void CpuMotion::set_rests(const PageRows &own, const std::vector<glm::vec3> &res
 		}
 	}
 	simulation->set_rests(own.page, own.first, rests.data(), own.count);
-	textures->write_rests(*simulation, own.page);
+	textures->write_beside(*simulation, own.page);
 	for (const auto &[i, was] : at_rest) {
 		if (plants.rest(i) == was) {
 			continue; // It may only pass there, of another mass than before.

@@ -49,6 +49,29 @@ void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
 		}
 	}
 	tell_of_axes(style);
+	tell_of_stems(style);
+}
+
+// Of bends of the tip and not of amplitudes: that is what textures hold.
+static Array shapes_of(const StemConstants &stem) {
+	Array shapes;
+	for (const float (&shape)[4] : stem.shape) {
+		const float second = stem.modes == 2 ? shape[1] / stem.mode[1].tip_slope : 0.0f;
+		shapes.push_back(Vector4(shape[0] / stem.mode[0].tip_slope, second, shape[2], shape[3]));
+	}
+	return shapes;
+}
+
+void FieldDress::tell_of_stems(const FieldStyle &style) const {
+	for (const FieldLook &look : style.looks) {
+		const bool is_stem = look.motion.law == Law::stem;
+		for (const Ref<ShaderMaterial> &material : look.materials) {
+			material->set_shader_parameter("undergrowth_stem_modes", is_stem ? look.motion.stem.modes : 0);
+			if (is_stem) {
+				material->set_shader_parameter("undergrowth_stem_shapes", shapes_of(look.motion.stem));
+			}
+		}
+	}
 }
 
 void FieldDress::tell_of_axes(const FieldStyle &style) const {

@@ -24,6 +24,8 @@ public:
 	void follow(const FieldStyle &style);
 	/// The clock that parts swing by, in this frame.
 	void tell_of_swings(const FieldStyle &style, const FieldMotion &motion);
+	/// How stems bend along their length.
+	void tell_of_stems(const FieldStyle &style) const;
 	/// Where followers of prototypes find what they show in this frame.
 	void tell_of_followers(const FieldStyle &style, const FieldMotion &motion, const godot::Transform3D &axes);
 

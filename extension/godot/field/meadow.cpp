@@ -201,6 +201,7 @@ void Meadow::read_motion(const PlantFunction *function, bool is_still) {
 			motion.set_species(int(i), style.looks[i], store, is_still);
 		}
 	}
+	dress.tell_of_stems(style);
 	if (is_still && motion.is_ready()) {
 		motion.write_all();
 		refresh();

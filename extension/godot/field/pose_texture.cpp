@@ -3,7 +3,6 @@
 #include <godot_cpp/variant/typed_array.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 
 using namespace godot;
@@ -13,12 +12,8 @@ namespace undergrowth {
 static constexpr Bend HIDDEN = 0x7bffu; // s.x is the largest half, 65,504: no bend has it.
 static constexpr uint64_t ALL_ROWS = ~uint64_t(0);
 static constexpr int PAIRS_PER_LAYER = PoseTexture::PAIRS_PER_LAYER;
-static constexpr int HISTORY_LAYERS = Prototypes::SLOTS * Prototypes::MOST / PAIRS_PER_LAYER;
-static constexpr int SPECIES_LAYERS = HISTORY_LAYERS + 1; // And one of loose plants.
 
-static_assert(LoosePlants::MOST <= PAIRS_PER_LAYER, "loose plants of a species have one layer");
 static_assert(MotionPage::PAGE_PLANTS == PAIRS_PER_LAYER, "a page fits into a layer");
-static_assert(Prototypes::MOST == PoseTexture::SIDE, "a row of a layer is a slot");
 
 PoseTexture::PoseTexture(bool follows) : follows_prototypes(follows) {}
 
@@ -93,15 +88,6 @@ void PoseTexture::take_rows(int page) {
 	}
 }
 
-void PoseTexture::give_history(int species_count) {
-	while (follows_prototypes && int(histories.size()) < species_count) {
-		histories.push_back(int(layers.size()));
-		for (int i = 0; i < SPECIES_LAYERS; i++) {
-			add_layer(false);
-		}
-	}
-}
-
 bool PoseTexture::is_too_large() const {
 	return layers.size() + SPARE_LAYERS > size_t(MOST_LAYERS);
 }
@@ -109,10 +95,6 @@ bool PoseTexture::is_too_large() const {
 PoseTexels PoseTexture::texels(const PageRows &plants) const {
 	const Rows &own = pages[size_t(plants.page)].rows;
 	return { own.layer, own.first * SIDE + plants.first };
-}
-
-int PoseTexture::history_layer(int species) const {
-	return size_t(species) < histories.size() ? histories[size_t(species)] : -1;
 }
 
 uint8_t *PoseTexture::bytes_of(const Rows &rows) {
@@ -138,10 +120,23 @@ void PoseTexture::write_pages(const FieldSimulation &simulation) {
 	}
 }
 
+void PoseTexture::will_write(int page) {
+	const int layer = layer_of(page);
+	is_fresh[size_t(layer)] = 1;
+	if (beside(layer).seconds >= 0) {
+		is_fresh[size_t(beside(layer).seconds)] = 1;
+	}
+}
+
 void PoseTexture::write_bends(const FieldSimulation &simulation, int page) {
 	const MotionPage &plants = simulation.page(page);
 	const Page &own = pages[size_t(page)];
 	std::memcpy(bytes_of(own.rows), plants.bends(), size_t(plants.size()) * TEXEL_BYTES);
+	const int seconds = beside(own.rows.layer).seconds;
+	if (plants.has_second_bends() && seconds >= 0) {
+		const Rows rows = { seconds, own.rows.first, own.rows.count };
+		std::memcpy(bytes_of(rows), plants.second_bends(), size_t(plants.size()) * TEXEL_BYTES);
+	}
 	write_hidden(own);
 }
 
@@ -170,52 +165,9 @@ void PoseTexture::show(int page, int row) {
 	}
 }
 
-static const std::array<uint32_t, Prototypes::SLOTS> &small_halves() {
-	static const std::array<uint32_t, Prototypes::SLOTS> halves = [] {
-		std::array<uint32_t, Prototypes::SLOTS> made = {};
-		for (size_t i = 0; i < made.size(); i++) {
-			made[i] = to_half(float(i));
-		}
-		return made;
-	}();
-	return halves;
-}
-
-// A texel for each plant: its prototype and own delay, and one more than the column and the row of its place among the
-// loose plants, or 0.
-void PoseTexture::write_followers(const FieldSimulation &simulation, int page) {
-	const std::array<uint32_t, Prototypes::SLOTS> &halves = small_halves();
-	uint32_t *to = reinterpret_cast<uint32_t *>(bytes_of(pages[size_t(page)].rows));
-	for (int i = 0; i < simulation.page(page).size(); i++) {
-		const Follower &follower = simulation.follower(page, i);
-		const uint32_t number = follower.loose > 0 ? follower.loose - 1u : 0u;
-		const uint32_t column = follower.loose > 0 ? number % SIDE + 1u : 0u;
-		to[2 * i] = halves[follower.prototype] | halves[follower.own_delay] << 16;
-		to[2 * i + 1] = halves[column] | halves[number / SIDE] << 16;
-	}
-	pages[size_t(page)].loose_version = simulation.loose_version(page);
-}
-
 void PoseTexture::write_layer(int layer, const Bend *from, int pairs, int first) {
 	std::memcpy(layers[size_t(layer)]->ptrw() + size_t(first) * TEXEL_BYTES, from, size_t(pairs) * TEXEL_BYTES);
 	is_fresh[size_t(layer)] = 1;
-}
-
-void PoseTexture::write_history(const FieldSimulation &simulation, bool all) {
-	for (int species = 0; follows_prototypes && species < simulation.species_count(); species++) {
-		const Prototypes &models = *simulation.prototypes(species);
-		const int first = histories[size_t(species)];
-		for (int layer = 0; all && layer < HISTORY_LAYERS; layer++) {
-			write_layer(first + layer, models.history() + size_t(layer) * 2 * PAIRS_PER_LAYER, PAIRS_PER_LAYER, 0);
-		}
-		const int slot = models.newest_slot();
-		write_layer(
-				first + slot / SIDE, models.history() + size_t(slot) * 2 * Prototypes::MOST, SIDE, slot % SIDE * SIDE);
-		const MotionPage &loose = simulation.loose_plants(species)->page();
-		if (loose.size() > 0) {
-			write_layer(first + HISTORY_LAYERS, loose.bends(), loose.size(), 0);
-		}
-	}
 }
 
 bool PoseTexture::make_textures() {
@@ -235,8 +187,8 @@ bool PoseTexture::make_textures() {
 	blend_image = Image::create_empty(SIDE, int(layers.size()), false, Image::FORMAT_RF);
 	shares.assign(layers.size() * SIDE, 0.0f);
 	blend_texture = server->texture_2d_create(blend_image);
-	beat_image = Image::create_empty(SIDE, int(layers.size()), false, Image::FORMAT_RGF);
-	beats_sent.assign(2 * layers.size() * SIDE, 0.0f);
+	beat_image = Image::create_empty(SIDE, int(layers.size()), false, Image::FORMAT_RGBF);
+	beats_sent.assign(3 * layers.size() * SIDE, 0.0f);
 	beat_texture = server->texture_2d_create(beat_image);
 	std::fill(is_fresh.begin(), is_fresh.end(), uint8_t(0));
 	for (Page &page : pages) {

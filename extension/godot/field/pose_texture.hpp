@@ -16,8 +16,9 @@ namespace undergrowth {
 
 /// The textures that carry the plants' poses to the graphics card. A texel belongs to a plant: its bends before and
 /// after its last step, in layers of 64 by 64 texels; a page of plants has whole rows of one layer. A second texture
-/// has a blend for each row, a third one how many steps a second it takes and which layer says where its plants rest:
-/// one of plants of parts has it, as soon as one of them does not rest upright. Where plants follow prototypes, a texel
+/// has a blend for each row, a third one how many steps a second it takes, which layer says where its plants rest and
+/// which one the bends of their stems' second modes: plants of parts and stems have the one as soon as one of them does
+/// not rest upright, stems of two modes the other. Where plants follow prototypes, a texel
 /// says whom and how late instead, and each species has 16 layers for the history of its prototypes and one for plants
 /// that were pushed.
 class PoseTexture {
@@ -48,14 +49,14 @@ public:
 	void write_page(const FieldSimulation &simulation, int page);
 	void write_pages(const FieldSimulation &simulation);
 	/// The same in two: will_write() of all pages on one thread, then write_bends() on any, of plants that swing.
-	void will_write(int page) { is_fresh[size_t(layer_of(page))] = 1; }
+	void will_write(int page);
 	void write_bends(const FieldSimulation &simulation, int page);
 	/// Takes over the newest slot of each species' history, or all of them, and what its pushed plants do.
 	void write_history(const FieldSimulation &simulation, bool all);
 
-	/// Takes over where the plants of a page rest. Before they are drawn first, and whenever that changes; on one
-	/// thread.
-	void write_rests(const FieldSimulation &simulation, int page);
+	/// Takes over where the plants of a page rest, and gives it room for second modes. Before they are drawn first, and
+	/// whenever a species changes; on one thread.
+	void write_beside(const FieldSimulation &simulation, int page);
 
 	/// Draws nothing where this plant is.
 	void hide(int page, int row);
@@ -100,7 +101,11 @@ private:
 	std::vector<float> shares; ///< What `blend_image` holds.
 	godot::Ref<godot::Image> beat_image;
 	std::vector<float> beats_sent; ///< What `beat_image` holds.
-	std::vector<int> rest_layers; ///< By layer: the one of its rests, or -1.
+	struct Beside { ///< Layers that say more of a layer's plants, or -1.
+		int rests = -1;
+		int seconds = -1;
+	};
+	std::vector<Beside> besides; ///< By layer, as far as any has one.
 	godot::RID texture;
 	godot::RID blend_texture;
 	godot::RID beat_texture;
@@ -117,7 +122,10 @@ private:
 	void upload_layers();
 	void upload_blends(const FieldSimulation &simulation, float fraction);
 	void upload_beats(const FieldSimulation &simulation);
-	int rest_layer(int layer) const;
+	Beside beside(int layer) const;
+	/// Makes one of them, of zeros, unless it is there or the graphics card has no more; tells it or -1.
+	int add_beside(int layer, int Beside::*which);
+	void write_rests(const FieldSimulation &simulation, int page);
 	void free_textures();
 };
 

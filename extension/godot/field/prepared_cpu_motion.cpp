@@ -45,7 +45,7 @@ std::unique_ptr<PreparedMotion> prepare_on_cpu(const std::vector<PlantBlock> &bl
 	}
 	made->textures->write_pages(*made->simulation);
 	for (int page = 0; page < made->simulation->page_count(); page++) {
-		made->textures->write_rests(*made->simulation, page);
+		made->textures->write_beside(*made->simulation, page);
 	}
 	return made;
 }

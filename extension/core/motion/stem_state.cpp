@@ -1,0 +1,107 @@
+#include "motion/stem_state.hpp"
+
+#include "motion/gnomonic.hpp"
+#include "motion/part_bend.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+constexpr float LEAST = 1e-6f;
+
+glm::vec2 divided(const glm::vec2 &a, const glm::vec2 &b) {
+	const float scale = 1.0f / std::max(glm::dot(b, b), LEAST * LEAST);
+	return glm::vec2(a.x * b.x + a.y * b.y, a.y * b.x - a.x * b.y) * scale;
+}
+
+/// With the complex conjugate of `a`.
+glm::vec2 multiplied(const glm::vec2 &a, const glm::vec2 &b) {
+	return { a.x * b.x + a.y * b.y, a.x * b.y - a.y * b.x };
+}
+
+/// How fast the direction changes whose bend changes so.
+glm::vec3 rate_of_direction(const glm::vec2 &bend, const glm::vec2 &rate) {
+	const float scale = 1.0f / (1.0f + glm::dot(bend, bend));
+	const float growth = 2.0f * glm::dot(bend, rate) * scale;
+	const glm::vec2 across = 2.0f * scale * (rate - growth * bend);
+	return { across.x, -2.0f * growth * scale, across.y };
+}
+
+glm::vec2 rate_of_bend(const glm::vec3 &direction, const glm::vec3 &rate) {
+	const float scale = 1.0f / std::max(1.0f + direction.y, LEAST);
+	const glm::vec2 bend = glm::vec2(direction.x, direction.z) * scale;
+	return (glm::vec2(rate.x, rate.z) - bend * rate.y) * scale;
+}
+
+glm::vec2 no_longer(const glm::vec2 &v, float most) {
+	const float size = glm::length(v);
+	return size > most ? v * (most / size) : v;
+}
+
+} // namespace
+
+// A turn of the sphere about a horizontal axis is a Möbius map of the stereographic plane.
+glm::vec2 out_of_rest(const glm::vec2 &bend, const glm::vec2 &rest) {
+	return divided(bend + rest, glm::vec2(1.0f, 0.0f) - multiplied(rest, bend));
+}
+
+glm::vec2 into_rest(const glm::vec2 &bend, const glm::vec2 &rest) {
+	return divided(bend - rest, glm::vec2(1.0f, 0.0f) + multiplied(rest, bend));
+}
+
+glm::vec2 tip_bend(const StemConstants &stem, const StemState &state) {
+	glm::vec2 bend = { 0.0f, 0.0f };
+	for (int k = 0; k < stem.modes; k++) {
+		bend += state.place[k] * stem.mode[k].tip_slope;
+	}
+	return bend;
+}
+
+TipState tip_state(const StemConstants &stem, const StemState &state, const glm::vec2 &rest) {
+	glm::vec2 rate = { 0.0f, 0.0f };
+	for (int k = 0; k < stem.modes; k++) {
+		rate += state.rate[k] * stem.mode[k].tip_slope;
+	}
+	const glm::vec2 bend = tip_bend(stem, state);
+	return safe_state({ turned(from_stereographic(bend), rest), turned(rate_of_direction(bend, rate), rest) });
+}
+
+StemState safe_stem(const StemConstants &stem, const StemState &state) {
+	StemState safe;
+	for (int k = 0; k < stem.modes; k++) {
+		const glm::vec2 &place = state.place[k];
+		const glm::vec2 &rate = state.rate[k];
+		if (std::isfinite(place.x + place.y + rate.x + rate.y)) {
+			safe.place[k] = no_longer(place, MOST_STEM_AMPLITUDE);
+			safe.rate[k] = no_longer(rate, MOST_STEM_RATE * stem.mode[k].frequency);
+		}
+	}
+	return safe;
+}
+
+StemBends bends_of(const StemConstants &stem, const StemState &state, const glm::vec2 &rest) {
+	const auto packed = [](const glm::vec2 &bend) {
+		return static_cast<Bend>(to_half(bend.x)) | static_cast<Bend>(to_half(bend.y)) << 16;
+	};
+	return { packed(out_of_rest(state.place[0] * stem.mode[0].tip_slope, rest)),
+		packed(state.place[1] * stem.mode[1].tip_slope) };
+}
+
+StemState stem_state(const StemConstants &stem, const TipState &tip, const glm::vec2 &rest) {
+	const TipState safe = safe_state(tip);
+	const glm::vec3 direction = turned(safe.direction, -rest);
+	const glm::vec3 rate = turned(safe.rate, -rest);
+	const StemMode &mode = stem.mode[0];
+	StemState state;
+	const float scale = 1.0f / (std::max(1.0f + direction.y, LEAST) * mode.tip_slope);
+	state.place[0] = no_longer(glm::vec2(direction.x, direction.z) * scale, MOST_STEM_AMPLITUDE);
+	state.rate[0] = no_longer(rate_of_bend(direction, rate) / mode.tip_slope, MOST_STEM_RATE * mode.frequency);
+	return state;
+}
+
+} // namespace undergrowth

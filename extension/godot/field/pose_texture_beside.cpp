@@ -1,0 +1,79 @@
+// What a PoseTexture says of plants besides their bends: where they rest, second modes, and how long their steps are.
+
+#include "field/pose_texture.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+using namespace godot;
+
+namespace undergrowth {
+
+PoseTexture::Beside PoseTexture::beside(int layer) const {
+	return size_t(layer) < besides.size() ? besides[size_t(layer)] : Beside();
+}
+
+int PoseTexture::add_beside(int layer, int Beside::*which) {
+	if (beside(layer).*which < 0 && layers.size() < size_t(MOST_LAYERS) - SPARE_LAYERS) {
+		besides.resize(std::max(besides.size(), size_t(layer) + 1));
+		besides[size_t(layer)].*which = add_layer(false);
+		std::memset(layers.back()->ptrw(), 0, PAIRS_PER_LAYER * TEXEL_BYTES);
+	}
+	return beside(layer).*which;
+}
+
+void PoseTexture::write_beside(const FieldSimulation &simulation, int page) {
+	if (!has_rows(page)) {
+		return;
+	}
+	pages[size_t(page)].interval = -1.0f; // Sent anew.
+	if (simulation.page(page).has_second_bends()) {
+		add_beside(layer_of(page), &Beside::seconds);
+		write_page(simulation, page);
+	}
+	if (simulation.has_parts(page) || simulation.page(page).law() == Law::stem) {
+		write_rests(simulation, page);
+	}
+}
+
+void PoseTexture::write_rests(const FieldSimulation &simulation, int page) {
+	const Rows &rows = pages[size_t(page)].rows;
+	std::vector<Bend> rests(2 * size_t(simulation.page(page).size()), 0);
+	for (size_t i = 0; i < rests.size(); i += 2) {
+		rests[i] = encode_bend(simulation.rest(page, int(i / 2)));
+	}
+	const bool are_upright = std::all_of(rests.begin(), rests.end(), [](Bend rest) { return rest == 0; });
+	if (are_upright && beside(rows.layer).rests < 0) {
+		return;
+	}
+	const int layer = add_beside(rows.layer, &Beside::rests);
+	if (layer >= 0) {
+		write_layer(layer, rests.data(), int(rests.size() / 2), rows.first * SIDE);
+	}
+}
+
+void PoseTexture::upload_beats(const FieldSimulation &simulation) {
+	bool has_changed = false;
+	for (int number = 0; number < int(pages.size()); number++) {
+		Page &page = pages[size_t(number)];
+		if (!has_rows(number) || simulation.shown_interval(number) == page.interval) {
+			continue;
+		}
+		page.interval = simulation.shown_interval(number);
+		const Beside layers_beside = beside(page.rows.layer);
+		const bool has_seconds = simulation.page(number).has_second_bends();
+		float *to = beats_sent.data() + 3 * (size_t(page.rows.layer) * SIDE + size_t(page.rows.first));
+		for (int row = 0; row < page.rows.count; row++) {
+			*to++ = 1.0f / page.interval;
+			*to++ = float(layers_beside.rests);
+			*to++ = has_seconds ? float(layers_beside.seconds) : -1.0f;
+		}
+		has_changed = true;
+	}
+	if (has_changed) {
+		std::memcpy(beat_image->ptrw(), beats_sent.data(), beats_sent.size() * sizeof(float));
+		RenderingServer::get_singleton()->texture_2d_update(beat_texture, beat_image, 0);
+	}
+}
+
+} // namespace undergrowth
