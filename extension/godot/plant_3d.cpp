@@ -1,133 +1,22 @@
-// Plant3D's properties and its life in the tree. plant_3d_mesh.cpp builds what is drawn, plant_3d_motion.cpp,
-// plant_3d_driving.cpp and plant_3d_pushes.cpp move it.
+// A Plant3D's life in the tree, and what it is asked.
 
 #include "plant_3d.hpp"
 
-#include "follow_changes.hpp"
-#include "plant/base_shape.hpp"
+#include "as_written.hpp"
+#include "convert.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
 
 using namespace godot;
 
 namespace undergrowth {
 
-static constexpr Range SEGMENTS_RANGE = { MIN_LOD, MAX_LOD };
-static constexpr Range HEIGHT_RANGE = { 0.0, 1000.0 };
-
-Plant3D::~Plant3D() {
-	leave_simulation();
-}
-
-void Plant3D::set_species(const Ref<PlantFunction> &new_species) {
-	if (new_species == species) {
-		return;
-	}
-	const Callable changed(this, "_on_species_changed");
-	unfollow_changes(species.ptr(), changed);
-	if (new_species.is_null()) {
-		report_problem("has no species any more; the last plant stays. Set its Species to a PlantFunction.");
-	}
-	species = new_species;
-	follow_changes(species.ptr(), changed);
-	if (species.is_valid()) {
-		mark_stale();
-		update_simulation();
-	}
-	update_configuration_warnings();
-}
-
-Ref<PlantFunction> Plant3D::get_species() const {
-	return species;
-}
-
-void Plant3D::set_wind(const Ref<PlantWind> &new_wind) {
-	if (new_wind == wind) {
-		return;
-	}
-	const Callable changed(this, "_on_wind_changed");
-	unfollow_changes(wind.ptr(), changed);
-	wind = new_wind;
-	follow_changes(wind.ptr(), changed);
-	ear = PlantWind::Listener();
-	if (place.group) {
-		update_simulation();
-	}
-	on_wind_changed();
-}
-
-Ref<PlantWind> Plant3D::get_wind() const {
-	return wind;
-}
-
-void Plant3D::set_segments(int count) {
-	if (count != segments && accept_value(this, "segments", count, SEGMENTS_RANGE)) {
-		segments = count;
-		mark_stale();
-	}
-}
-
-int Plant3D::get_segments() const {
-	return segments;
-}
-
-void Plant3D::set_height(double metres) {
-	if (metres != height && accept_value(this, "height", metres, HEIGHT_RANGE)) {
-		height = metres;
-		mark_stale();
-	}
-}
-
-double Plant3D::get_height() const {
-	return height;
-}
-
-void Plant3D::set_seed(int64_t new_seed) {
-	if (new_seed != seed) {
-		seed = new_seed;
-		mark_stale();
-	}
-}
-
-int64_t Plant3D::get_seed() const {
-	return seed;
-}
-
-void Plant3D::set_simulation_enabled(bool enabled) {
-	if (enabled != simulation_enabled) {
-		simulation_enabled = enabled;
-		update_simulation();
-	}
-}
-
-bool Plant3D::is_simulation_enabled() const {
-	return simulation_enabled;
-}
-
-void Plant3D::on_species_changed() {
-	if (species.is_null()) {
-		return; // The library was reloaded, and the engine has not set it again yet.
-	}
-	if (species->is_motion_change()) {
-		update_motion();
-	} else {
-		mark_stale();
-	}
-	update_configuration_warnings();
-}
-
-PackedStringArray Plant3D::_get_configuration_warnings() const {
-	PackedStringArray warnings;
-	if (species.is_null()) {
-		warnings.push_back("This plant needs a species: set Species to a PlantFunction, such as a TulipFunction.");
-	} else if (!problem.is_empty()) {
-		warnings.push_back(problem);
-	}
-	if (wind.is_valid() && wind->get_strength() == 0.0) {
-		warnings.push_back("The wind has a strength of 0 N, so this plant stands still: raise Strength in its Wind.");
-	}
-	return warnings;
-}
+static constexpr double MOST_STEP = 1e9; // s.
+static constexpr double MOST_FRAME = 3600.0; // s.
 
 void Plant3D::_notification(int what) {
 	switch (what) {
@@ -138,12 +27,13 @@ void Plant3D::_notification(int what) {
 				build_mesh();
 			}
 			update_simulation();
-			pose_now();
+			motion.pose_now(rest());
 			break;
 		case NOTIFICATION_POST_ENTER_TREE:
-			find_drawn();
-			bone().node_is_behind = true; // Outside of the tree a skeleton keeps its pose to itself.
-			pose_now();
+			view.find_drawn();
+			update_bone();
+			motion.bone().node_is_behind = true; // Outside of the tree a skeleton keeps its pose to itself.
+			motion.pose_now(rest());
 			break;
 		case NOTIFICATION_EXIT_TREE:
 			leave_simulation();
@@ -154,12 +44,15 @@ void Plant3D::_notification(int what) {
 			break;
 		case NOTIFICATION_EXTENSION_RELOADED:
 			update_axes();
-			find_children();
+			view.find_children();
 			mark_stale();
 			update_simulation();
 			break;
 		case NOTIFICATION_CHILD_ORDER_CHANGED:
-			lose_skeleton();
+			if (view.lose_skeleton()) { // The plant grows anew at the end of the frame.
+				update_bone();
+				mark_stale();
+			}
 			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
 			update_axes();
@@ -167,7 +60,7 @@ void Plant3D::_notification(int what) {
 			break;
 		case NOTIFICATION_VISIBILITY_CHANGED:
 			update_bone();
-			pose_now();
+			motion.pose_now(rest());
 			break;
 		case NOTIFICATION_PAUSED:
 		case NOTIFICATION_UNPAUSED:
@@ -178,6 +71,229 @@ void Plant3D::_notification(int what) {
 		default:
 			break;
 	}
+}
+
+void Plant3D::report_problem(const String &what) {
+	if (what != problem) { // The same fault is told once, however often the plant is built.
+		problem = what;
+		report_error(this, problem);
+		update_configuration_warnings();
+	}
+}
+
+bool Plant3D::rebuild() {
+	if (species.is_null()) {
+		report_problem("cannot be built without a species. Set a PlantFunction.");
+		return false;
+	}
+	return build_mesh();
+}
+
+bool Plant3D::build_mesh() {
+	mesh_is_stale = false;
+	SampledPlant sampled;
+	const String fault = species->sample(height, segments, seed, sampled);
+	sampled.has_part_bones = true;
+	if (!fault.is_empty()) {
+		report_problem(describe(species.ptr()) + ": " + fault);
+		return false;
+	}
+	if (!problem.is_empty()) {
+		problem = String();
+		update_configuration_warnings();
+	}
+	view.show(sampled);
+	if (Engine::get_singleton()->is_editor_hint()) {
+		update_gizmos(); // They show the height, and a click is tested against the mesh.
+	}
+	update_motion();
+	emit_signal("mesh_changed");
+	return true;
+}
+
+Ref<ArrayMesh> Plant3D::get_mesh() {
+	if (mesh_is_stale && species.is_valid()) {
+		build_mesh();
+	}
+	return view.get_mesh();
+}
+
+Skeleton3D *Plant3D::get_skeleton() {
+	get_mesh();
+	if (view.hold_skeleton()) {
+		update_bone();
+		motion.bone().catch_up();
+	}
+	return view.get_skeleton();
+}
+
+AABB Plant3D::get_reach() {
+	get_mesh();
+	return view.reach();
+}
+
+double Plant3D::get_plant_height() {
+	get_mesh();
+	return as_written(view.height());
+}
+
+void Plant3D::update_axes() {
+	if (is_inside_tree()) {
+		stance.follow(get_global_transform());
+	}
+}
+
+bool Plant3D::may_simulate() const {
+	return simulation_enabled && is_inside_tree() && species.is_valid() && can_process() &&
+			!Engine::get_singleton()->is_editor_hint();
+}
+
+void Plant3D::update_simulation() {
+	PlantSimulation *simulation = PlantSimulation::get_singleton();
+	if (simulation && may_simulate()) {
+		simulation->follow(get_tree());
+		motion.simulate(simulation, moved());
+	} else {
+		motion.park();
+	}
+	update_bone();
+}
+
+void Plant3D::update_motion() {
+	if (species.is_null()) {
+		return;
+	}
+	if (!motion.follow(moved())) {
+		update_simulation();
+	}
+	update_bone();
+	if (!motion.is_simulated()) {
+		motion.pose_now(rest());
+	}
+}
+
+void Plant3D::update_bone() {
+	motion.follow_axes(stance.axes);
+	const bool is_seen = is_inside_tree() && is_visible_in_tree();
+	view.follow_drawn(is_seen, to_glm(stance.axes.xform_inv(to_godot(rest()))));
+}
+
+void Plant3D::forget_touches() {
+	if (PlantSimulation *simulation = PlantSimulation::get_singleton()) {
+		simulation->forget_touches(this);
+	}
+}
+
+void Plant3D::tell_of_body(uint64_t body, bool has_entered) {
+	if (Object *node = ObjectDB::get_instance(body)) {
+		call_deferred("emit_signal", has_entered ? "body_entered_plants" : "body_exited_plants", node);
+	}
+}
+
+// Told once, and not at all to those who know already why there is no plant.
+bool Plant3D::can_be_driven() {
+	if (species.is_valid() && get_mesh().is_valid()) {
+		return true;
+	}
+	if (problem.is_empty()) {
+		report_problem("cannot move without a plant. Set its Species to a PlantFunction.");
+	}
+	return false;
+}
+
+void Plant3D::refuse(const String &what) {
+	if (what != refusal) {
+		refusal = what;
+		report_error(this, what);
+	}
+}
+
+void Plant3D::drive() {
+	if (!motion.is_driven()) {
+		motion.drive(moved());
+		update_bone();
+	}
+}
+
+void Plant3D::advance(double delta) {
+	if (!std::isfinite(delta) || delta < 0.0 || delta > MOST_STEP) {
+		refuse("advance(" + String::num(delta) + ") is impossible; nothing moved. Pass seconds of 0 or more.");
+		return;
+	}
+	if (motion.is_simulated()) {
+		refuse("advance() does nothing while the plant simulates by itself. Set simulation_enabled to false first.");
+		return;
+	}
+	if (can_be_driven()) {
+		refusal = String();
+		drive();
+		motion.advance(delta, wind);
+	}
+}
+
+// Called for every plant of a scene and every frame. What cannot move stays still without a word: its configuration
+// warning tells why.
+void Plant3D::preview(double delta, const Ref<PlantWind> &blowing) {
+	const bool is_frame = std::isfinite(delta) && delta >= 0.0 && delta <= MOST_FRAME;
+	if (is_frame && !motion.is_simulated() && species.is_valid() && get_mesh().is_valid()) {
+		drive();
+		motion.preview(delta, blowing);
+	}
+}
+
+Vector3 Plant3D::get_tip_position() const {
+	return stance.axes.xform_inv(to_godot(motion.swing(rest()).now.direction)) * view.height();
+}
+
+double Plant3D::get_deflection() const {
+	const glm::vec3 from = rest();
+	const glm::vec3 direction = motion.swing(rest()).now.direction;
+	return std::atan2(glm::length(glm::cross(from, direction)), glm::dot(from, direction));
+}
+
+void Plant3D::apply_impulse(const Vector3 &impulse) {
+	if (!impulse.is_finite()) {
+		report_error(this, "apply_impulse() needs a finite impulse in newton seconds.");
+		return;
+	}
+	if (!motion.is_simulated()) {
+		if (!can_be_driven()) {
+			return;
+		}
+		drive();
+	}
+	motion.apply_impulse(to_glm(impulse));
+}
+
+void Plant3D::reset_motion() {
+	motion.reset(rest());
+	update_bone();
+	motion.pose_now(rest());
+}
+
+PackedFloat32Array Plant3D::get_motion_state() const {
+	return stance.floats_of(motion.swing(rest()).now);
+}
+
+void Plant3D::set_motion_state(const PackedFloat32Array &state) {
+	TipState given;
+	if (!stance.read_state(state, given)) {
+		report_error(this,
+				"set_motion_state() needs six finite numbers: the tip's direction and its rate, as get_motion_state() "
+				"gives them. The motion stays as it is.");
+		return;
+	}
+	motion.set_swing({ given, given.direction });
+	motion.pose_now(rest());
+}
+
+bool Plant3D::is_point_in_plants(const Vector3 &point) const {
+	if (!point.is_finite() || !is_inside_tree() || species.is_null()) {
+		return false;
+	}
+	const glm::vec3 tip = stance.root + stance.length_of(view.height()) * motion.swing(rest()).now.direction;
+	const float away = glm::distance(nearest_on_segment(stance.root, tip, to_glm(point)), to_glm(point));
+	return away <= float(touch_margin + species->get_collision_radius());
 }
 
 } // namespace undergrowth

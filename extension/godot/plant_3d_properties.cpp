@@ -1,0 +1,220 @@
+// What users set of a Plant3D, and what its parts learn of it.
+
+#include "plant_3d.hpp"
+
+#include "convert.hpp"
+#include "follow_changes.hpp"
+#include "plant/base_shape.hpp"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/world3d.hpp>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr Range SEGMENTS_RANGE = { MIN_LOD, MAX_LOD };
+static constexpr Range HEIGHT_RANGE = { 0.0, 1000.0 };
+static constexpr Range MARGIN_RANGE = { 0.0, 100.0 };
+
+void Plant3D::set_species(const Ref<PlantFunction> &new_species) {
+	if (new_species == species) {
+		return;
+	}
+	const Callable changed(this, "_on_species_changed");
+	unfollow_changes(species.ptr(), changed);
+	if (new_species.is_null()) {
+		report_problem("has no species any more; the last plant stays. Set its Species to a PlantFunction.");
+	}
+	species = new_species;
+	follow_changes(species.ptr(), changed);
+	if (species.is_valid()) {
+		mark_stale();
+		update_simulation();
+	}
+	update_configuration_warnings();
+}
+
+Ref<PlantFunction> Plant3D::get_species() const {
+	return species;
+}
+
+void Plant3D::set_wind(const Ref<PlantWind> &new_wind) {
+	if (new_wind == wind) {
+		return;
+	}
+	const Callable changed(this, "_on_wind_changed");
+	unfollow_changes(wind.ptr(), changed);
+	wind = new_wind;
+	follow_changes(wind.ptr(), changed);
+	motion.forget_wind();
+	if (motion.is_simulated()) {
+		update_simulation();
+	}
+	on_wind_changed();
+}
+
+Ref<PlantWind> Plant3D::get_wind() const {
+	return wind;
+}
+
+void Plant3D::set_segments(int count) {
+	if (count != segments && accept_value(this, "segments", count, SEGMENTS_RANGE)) {
+		segments = count;
+		mark_stale();
+	}
+}
+
+int Plant3D::get_segments() const {
+	return segments;
+}
+
+void Plant3D::set_height(double metres) {
+	if (metres != height && accept_value(this, "height", metres, HEIGHT_RANGE)) {
+		height = metres;
+		mark_stale();
+	}
+}
+
+double Plant3D::get_height() const {
+	return height;
+}
+
+void Plant3D::set_seed(int64_t new_seed) {
+	if (new_seed != seed) {
+		seed = new_seed;
+		mark_stale();
+	}
+}
+
+int64_t Plant3D::get_seed() const {
+	return seed;
+}
+
+void Plant3D::set_simulation_enabled(bool enabled) {
+	if (enabled != simulation_enabled) {
+		simulation_enabled = enabled;
+		update_simulation();
+	}
+}
+
+bool Plant3D::is_simulation_enabled() const {
+	return simulation_enabled;
+}
+
+void Plant3D::set_contact_enabled(bool on) {
+	contact_enabled = on;
+	change_pushes();
+}
+
+bool Plant3D::is_contact_enabled() const {
+	return contact_enabled;
+}
+
+void Plant3D::set_bodies_group(const StringName &group) {
+	bodies_group = group;
+	change_pushes();
+}
+
+StringName Plant3D::get_bodies_group() const {
+	return bodies_group;
+}
+
+void Plant3D::set_touch_margin(double metres) {
+	if (accept_value(this, "touch_margin", metres, MARGIN_RANGE)) {
+		touch_margin = metres;
+		change_pushes();
+	}
+}
+
+double Plant3D::get_touch_margin() const {
+	return touch_margin;
+}
+
+// Plants that the same pushes share a page.
+void Plant3D::change_pushes() {
+	if (motion.has_other_push(what_pushes())) {
+		update_simulation();
+	}
+}
+
+MotionSpecies Plant3D::kind_of_motion() const {
+	MotionSpecies kind;
+	kind.law = Law(int(species->get_law()));
+	kind.joint = species->make_joint(1.0f, Basis());
+	// Plants of species that differ in it alone move alike, where nothing comes to their tips.
+	const PlantPush push = what_pushes();
+	kind.collision_radius = push.has_bodies() || push.has_contact() ? float(species->get_collision_radius()) : 0.0f;
+	return kind;
+}
+
+PlantPush Plant3D::what_pushes() const {
+	PlantPush push;
+	push.bodies_group = bodies_group;
+	push.touch_margin = push.has_bodies() ? float(touch_margin) : 0.0f;
+	const Ref<World3D> world = contact_enabled && is_inside_tree() ? get_world_3d() : Ref<World3D>();
+	push.contact_world = world.is_valid() ? uint64_t(world->get_instance_id()) : 0;
+	return push;
+}
+
+// In world axes.
+glm::vec3 Plant3D::rest() const {
+	if (species.is_null() || species->get_law() == PlantFunction::LAW_ELASTICITY) {
+		return { 0.0f, 1.0f, 0.0f };
+	}
+	return species->make_joint(1.0f, stance.axes).rest;
+}
+
+MovedPlant Plant3D::moved() const {
+	return { kind_of_motion(), wind, what_pushes(), stance.root, rest(), stance.length_of(view.height()) };
+}
+
+// Many properties may change in one frame; the mesh is built once, at its end.
+void Plant3D::mark_stale() {
+	mesh_is_stale = true;
+	if (is_inside_tree() && !rebuild_is_queued) {
+		rebuild_is_queued = true;
+		call_deferred("_on_rebuild_queued");
+	}
+}
+
+void Plant3D::on_rebuild_queued() {
+	rebuild_is_queued = false;
+	if (mesh_is_stale && species.is_valid()) {
+		build_mesh();
+	}
+}
+
+void Plant3D::on_species_changed() {
+	if (species.is_null()) {
+		return; // The library was reloaded, and the engine has not set it again yet.
+	}
+	if (species->is_motion_change()) {
+		update_motion();
+	} else {
+		mark_stale();
+	}
+	update_configuration_warnings();
+}
+
+void Plant3D::on_wind_changed() {
+	if (Engine::get_singleton()->is_editor_hint()) {
+		update_configuration_warnings();
+		update_gizmos(); // They show the wind's direction.
+	}
+}
+
+PackedStringArray Plant3D::_get_configuration_warnings() const {
+	PackedStringArray warnings;
+	if (species.is_null()) {
+		warnings.push_back("This plant needs a species: set Species to a PlantFunction, such as a TulipFunction.");
+	} else if (!problem.is_empty()) {
+		warnings.push_back(problem);
+	}
+	if (wind.is_valid() && wind->get_strength() == 0.0) {
+		warnings.push_back("The wind has a strength of 0 N, so this plant stands still: raise Strength in its Wind.");
+	}
+	return warnings;
+}
+
+} // namespace undergrowth

@@ -1,0 +1,172 @@
+#include "plant_motion.hpp"
+
+#include "convert.hpp"
+
+using namespace godot;
+
+namespace undergrowth {
+
+static const FieldWind CALM_AIR = { { WindKind::constant, 0.0f }, 0.0f };
+
+static glm::vec3 to_frame(PlantFrame frame, const glm::vec3 &v) {
+	return frame == PlantFrame::WORLD ? v : to_glm(axes_of(frame).xform_inv(to_godot(v)));
+}
+
+static glm::vec3 from_frame(PlantFrame frame, const glm::vec3 &v) {
+	return frame == PlantFrame::WORLD ? v : to_glm(axes_of(frame).xform(to_godot(v)));
+}
+
+static PlantFrame frame_of(const MovedPlant &moved) {
+	return frame_for(moved.species.law, to_godot(moved.rest));
+}
+
+static MotionPlant row_of(const MovedPlant &moved, PlantFrame frame) {
+	MotionPlant row;
+	row.root = moved.root;
+	row.length = moved.length;
+	row.rest = to_frame(frame, moved.rest);
+	return row;
+}
+
+PlantGroup *PlantMotion::group() const {
+	return place.group ? place.group : driven ? &driven->group : nullptr;
+}
+
+PlantFrame PlantMotion::frame() const {
+	const PlantGroup *in = group();
+	return in ? in->kind.frame : PlantFrame::WORLD;
+}
+
+PlantBone &PlantMotion::bone() {
+	PlantGroup *in = group();
+	return in ? in->bones[size_t(index())] : own_bone;
+}
+
+PlantSwing PlantMotion::swing(const glm::vec3 &rest) const {
+	if (const PlantGroup *in = group()) {
+		const TipState state = in->page.state(index());
+		return { { from_frame(frame(), state.direction), from_frame(frame(), state.rate) },
+			from_frame(frame(), in->page.before(index())) };
+	}
+	return parked.value_or(PlantSwing::at_rest(rest));
+}
+
+void PlantMotion::set_swing(const PlantSwing &swing) {
+	if (PlantGroup *in = group()) {
+		in->page.set_state(index(), { to_frame(frame(), swing.now.direction), to_frame(frame(), swing.now.rate) });
+		in->page.set_before(index(), to_frame(frame(), swing.before));
+	} else {
+		parked = swing;
+	}
+}
+
+void PlantMotion::park() {
+	if (!group()) {
+		return;
+	}
+	parked = swing({});
+	own_bone = bone();
+	if (place.group) {
+		if (PlantSimulation *simulation = PlantSimulation::get_singleton()) {
+			simulation->leave(place);
+		}
+		place = PlantSimulation::Place();
+	}
+	driven.reset();
+}
+
+void PlantMotion::leave_simulation() {
+	if (place.group) {
+		park();
+	}
+}
+
+void PlantMotion::simulate(PlantSimulation *simulation, const MovedPlant &moved) {
+	park();
+	const PlantSwing before = swing(moved.rest);
+	const PlantFrame axes = frame_of(moved);
+	place = simulation->enter(plant, { moved.species, moved.wind, axes, moved.push }, row_of(moved, axes), own_bone);
+	set_swing(before);
+}
+
+bool PlantMotion::is_driven() const {
+	return driven && driven->step_length() == PlantSimulation::get_singleton()->get_step_length();
+}
+
+void PlantMotion::drive(const MovedPlant &moved) {
+	park();
+	const PlantSwing before = swing(moved.rest);
+	const PlantFrame axes = frame_of(moved);
+	driven = std::make_unique<DrivenPlant>(
+			PlantKind{ moved.species, {}, axes, {} }, PlantSimulation::get_singleton()->get_step_length());
+	driven->group.add(plant, row_of(moved, axes), own_bone);
+	set_swing(before);
+}
+
+void PlantMotion::advance(double delta, const Ref<PlantWind> &wind) {
+	driven->advance(delta, wind.is_valid() ? wind->heard_by(ear, own_time) : CALM_AIR, own_time);
+	if (wind.is_valid()) {
+		wind->keep_up_with(own_time);
+	}
+}
+
+void PlantMotion::preview(double delta, const Ref<PlantWind> &blowing) {
+	double time = blowing.is_valid() ? blowing->get_time() - delta : 0.0;
+	driven->advance(delta, blowing.is_valid() ? blowing->travelling() : CALM_AIR, time);
+}
+
+bool PlantMotion::follow(const MovedPlant &moved) {
+	PlantGroup *in = group();
+	if (!in) {
+		return true;
+	}
+	const bool stays = frame_of(moved) == in->kind.frame;
+	const bool is_same = is_same_motion(moved.species, in->kind.species);
+	if (stays && (is_same || driven)) {
+		if (!is_same) {
+			in->kind.species = moved.species;
+			in->page.set_species(moved.species);
+		}
+		in->page.set_plant(index(), row_of(moved, in->kind.frame));
+		return true;
+	}
+	if (driven) {
+		park();
+	}
+	return !place.group;
+}
+
+void PlantMotion::reset(const glm::vec3 &rest) {
+	if (place.group) {
+		set_swing(PlantSwing::at_rest(rest));
+	} else {
+		park();
+		parked.reset();
+		own_time = 0.0;
+		forget_wind();
+	}
+}
+
+void PlantMotion::apply_impulse(const glm::vec3 &impulse) {
+	if (PlantGroup *in = group()) {
+		in->page.apply_impulse(index(), to_frame(frame(), impulse));
+	}
+}
+
+void PlantMotion::follow_axes(const Basis &axes) {
+	bone().to_local = axes.transposed() * axes_of(frame());
+}
+
+void PlantMotion::pose_now(const glm::vec3 &rest) {
+	const PlantSwing now = swing(rest);
+	const glm::vec3 direction = to_frame(frame(), now.now.direction);
+	PlantBone &shown = bone();
+	if (shown.parts) {
+		const float step = float(PlantSimulation::get_singleton()->get_step_length());
+		shown.follow({ to_frame(frame(), now.before), direction, step, shown.parts->stem.clock });
+		shown.posed = glm::vec3(NAN);
+	}
+	shown.turn_to(direction);
+}
+
+} // namespace undergrowth
