@@ -4,12 +4,15 @@
 #include "form/grown_plant.hpp"
 #include "new_object.hpp"
 #include "shared_resources.hpp"
+#include "stem/stem_bones.hpp"
 
 #include <godot_cpp/classes/rendering_server.hpp>
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 using namespace godot;
 
@@ -17,29 +20,72 @@ namespace undergrowth {
 
 static constexpr float CALM_BEND = 1.5e-3f; // Where part_bend() says that a stem rests, and less.
 static constexpr float CALM_RATE = 1e-4f; // 1/s: no part bends as far as a millionth by it.
-static const char *const OWN_BONES[] = { "root", "tip" };
+
+static Quaternion quaternion_of(const glm::vec4 &turn) {
+	return Quaternion(turn.x, turn.y, turn.z, turn.w);
+}
+
+static Quaternion quaternion_of(const glm::vec2 &bend) {
+	const float scale = 1.0f / std::sqrt(1.0f + glm::dot(bend, bend));
+	return Quaternion(bend.y * scale, 0.0f, -bend.x * scale, scale);
+}
 
 static Transform3D transform_of(const PartPose &pose) {
-	const Quaternion turn(pose.turn.x, pose.turn.y, pose.turn.z, pose.turn.w);
-	return Transform3D(Basis(turn).scaled(Vector3(pose.size, pose.size, pose.size)), to_godot(pose.shift));
+	const Vector3 size(pose.size, pose.size, pose.size);
+	return Transform3D(Basis(quaternion_of(pose.turn)).scaled(size), to_godot(pose.shift));
 }
 
 std::unique_ptr<PartSkeleton> PartSkeleton::of(const SampledPlant &sampled) {
-	if (!sampled.grown || !sampled.has_part_bones || sampled.grown->bones.bones().empty()) {
+	const bool has_parts = sampled.grown && sampled.has_part_bones && !sampled.grown->bones.bones().empty();
+	if (!has_parts && !sampled.stem) {
 		return nullptr;
 	}
 	auto made = std::make_unique<PartSkeleton>();
-	made->bones = sampled.grown->bones.stretched(sampled.height / sampled.grown->form.height);
-	for (const std::string &name : sampled.grown->bones.names()) {
-		made->names.push_back(String::utf8(name.c_str()));
+	made->height = sampled.height;
+	made->add_bone("root", -1, Vector3());
+	made->add_bone("tip", FormBones::ROOT, Vector3());
+	if (sampled.stem) {
+		made->constants = sampled.stem;
+		made->joints = sampled.stem->joints;
+		made->add_stem();
+	}
+	if (has_parts) {
+		made->bones = sampled.grown->bones.stretched(sampled.height / sampled.grown->form.height);
+	}
+	for (size_t i = 0; i < made->bones.size(); i++) {
+		const PartBone &bone = made->bones[i];
+		made->add_bone(String::utf8(sampled.grown->bones.names()[i].c_str()), made->carrier_of(bone),
+				to_godot(bone.origin));
 	}
 	made->skin = new_counted<Skin>();
-	made->skin->add_bind(FormBones::ROOT, Transform3D());
-	made->skin->add_bind(FormBones::TIP, Transform3D());
-	for (size_t i = 0; i < made->bones.size(); i++) {
-		made->skin->add_bind(int(FormBones::FIRST + i), Transform3D(Basis(), -to_godot(made->bones[i].origin)));
+	for (size_t i = 0; i < made->origins.size(); i++) {
+		made->skin->add_bind(int(i), Transform3D(Basis(), -made->origins[i]));
 	}
+	made->posed.resize(made->origins.size());
 	return made;
+}
+
+void PartSkeleton::add_bone(const String &name, int parent, const Vector3 &origin) {
+	names.push_back(name);
+	parents.push_back(parent);
+	origins.push_back(origin);
+}
+
+void PartSkeleton::add_stem() {
+	for (int joint = 0; joint < joints; joint++) {
+		add_bone("stem_" + String::num_int64(joint + 1), joint == 0 ? int(FormBones::ROOT) : FormBones::TIP + joint,
+				Vector3(0.0f, height * float(joint) / float(joints), 0.0f));
+	}
+	parents[FormBones::TIP] = FormBones::TIP + joints;
+	origins[FormBones::TIP] = Vector3(0.0f, height, 0.0f);
+}
+
+int PartSkeleton::carrier_of(const PartBone &bone) const {
+	if (bone.outer_of >= 0) {
+		return part_index(size_t(bone.outer_of));
+	}
+	const int link = std::min(int(bone.stem_offset * float(joints)), joints - 1);
+	return has_joints() ? FormBones::FIRST + link : int(FormBones::TIP);
 }
 
 Ref<Skin> PartSkeleton::skin_of(const PartSkeleton *parts) {
@@ -47,65 +93,89 @@ Ref<Skin> PartSkeleton::skin_of(const PartSkeleton *parts) {
 }
 
 int PartSkeleton::count(const PartSkeleton *parts) {
-	return FormBones::FIRST + (parts ? int(parts->bones.size()) : 0);
-}
-
-// In the axes of the bone that carries it.
-Transform3D PartSkeleton::rest(size_t bone) const {
-	const int outer_of = bones[bone].outer_of;
-	const glm::vec3 carrier = outer_of < 0 ? glm::vec3(0.0f) : bones[size_t(outer_of)].origin;
-	return Transform3D(Basis(), to_godot(bones[bone].origin - carrier));
+	return parts ? int(parts->names.size()) : int(FormBones::FIRST);
 }
 
 void PartSkeleton::set_up(Skeleton3D *skeleton, const PartSkeleton *parts) {
+	static const char *const own[] = { "root", "tip" };
+	const auto name_of = [&](int bone) { return parts ? parts->names[size_t(bone)] : String(own[bone]); };
 	bool are_same = skeleton->get_bone_count() == count(parts);
-	for (int i = 0; are_same && parts && i < int(parts->bones.size()); i++) {
-		are_same = skeleton->get_bone_name(FormBones::FIRST + i) == parts->names[size_t(i)];
+	for (int i = 0; are_same && i < count(parts); i++) {
+		are_same = skeleton->get_bone_name(i) == name_of(i);
 	}
 	if (!are_same) {
 		skeleton->clear_bones();
-		for (const char *name : OWN_BONES) {
-			skeleton->add_bone(name);
-		}
-		skeleton->set_bone_parent(FormBones::TIP, FormBones::ROOT);
-		for (size_t i = 0; parts && i < parts->bones.size(); i++) {
-			const int outer_of = parts->bones[i].outer_of;
-			skeleton->add_bone(parts->names[i]);
-			skeleton->set_bone_parent(
-					int(FormBones::FIRST + i), outer_of < 0 ? FormBones::TIP : FormBones::FIRST + outer_of);
+		for (int i = 0; i < count(parts); i++) {
+			skeleton->add_bone(name_of(i));
 		}
 	}
-	for (size_t i = 0; parts && i < parts->bones.size(); i++) {
-		skeleton->set_bone_rest(int(FormBones::FIRST + i), parts->rest(i));
-		skeleton->set_bone_pose(int(FormBones::FIRST + i), parts->rest(i));
+	if (!parts) {
+		skeleton->set_bone_parent(FormBones::TIP, FormBones::ROOT);
+		skeleton->set_bone_rest(FormBones::TIP, Transform3D());
+		return;
+	}
+	for (int i = 1; i < count(parts); i++) {
+		const int parent = parts->parents[size_t(i)];
+		const Transform3D rest(Basis(), parts->origins[size_t(i)] - parts->origins[size_t(parent)]);
+		skeleton->set_bone_parent(i, parent);
+		skeleton->set_bone_rest(i, rest);
+		skeleton->set_bone_pose(i, rest);
 	}
 }
 
 bool PartSkeleton::is_calm() const {
-	return glm::distance(stem.bend, stem.rest) < CALM_BEND && glm::length(stem.rate) < CALM_RATE;
+	return glm::distance(stem.bend, stem.rest) < CALM_BEND && glm::length(stem.rate) < CALM_RATE &&
+			glm::length(stem.second) < CALM_RATE;
 }
 
-void PartSkeleton::pose(Skeleton3D *skeleton) const {
+Vector3 PartSkeleton::joint_position(int joint) const {
+	const StandingStem standing(*constants, height, stem);
+	StemLink links[MOST_STEM_JOINTS];
+	const glm::vec3 end = stem_links(*constants, standing.amplitudes, links);
+	return to_godot(turned((joint < joints ? links[joint].start : end) * height, stem.rest));
+}
+
+void PartSkeleton::update_stem(const StandingStem &standing) {
+	StemLink links[MOST_STEM_JOINTS];
+	const glm::vec3 end = stem_links(*constants, standing.amplitudes, links);
+	const Quaternion lean = quaternion_of(stem.rest);
+	for (int i = 0; i < joints; i++) {
+		posed[size_t(FormBones::FIRST + i)] = Transform3D(Basis(lean * quaternion_of(links[i].turn)),
+				to_godot(turned(links[i].start * height, stem.rest)));
+	}
+	posed[FormBones::TIP] = Transform3D(Basis(quaternion_of(stem.bend)), to_godot(turned(end * height, stem.rest)));
+}
+
+void PartSkeleton::update() {
+	std::optional<StandingStem> standing;
+	if (has_joints()) {
+		standing.emplace(*constants, height, stem);
+		update_stem(*standing);
+	} else {
+		posed[FormBones::TIP] = Transform3D(Basis(quaternion_of(stem.bend)));
+	}
+	for (size_t i = 0; i < bones.size(); i++) {
+		const PartPose pose = standing ? pose_of(bones[i], stem, *standing) : pose_of(bones[i], stem);
+		posed[size_t(part_index(i))] = transform_of(pose) * Transform3D(Basis(), to_godot(bones[i].origin));
+	}
+}
+
+void PartSkeleton::pose(Skeleton3D *skeleton) {
 	if (skeleton->get_bone_count() != count(this)) {
 		return; // A script has changed it.
 	}
-	const glm::vec2 s = stem.bend;
-	const float scale = 1.0f / std::sqrt(1.0f + glm::dot(s, s));
-	const Quaternion to_tip(-s.y * scale, 0.0f, s.x * scale, scale);
-	std::vector<Transform3D> posed(bones.size()); // In the plant's axes.
-	for (size_t i = 0; i < bones.size(); i++) {
-		const int outer_of = bones[i].outer_of;
-		posed[i] = transform_of(pose_of(bones[i], stem)) * Transform3D(Basis(), to_godot(bones[i].origin));
-		const Transform3D to_carrier =
-				outer_of < 0 ? Transform3D(Basis(to_tip)) : posed[size_t(outer_of)].affine_inverse();
-		skeleton->set_bone_pose(int(FormBones::FIRST + i), to_carrier * posed[i]);
+	update();
+	for (int i = has_joints() ? FormBones::TIP : FormBones::FIRST; i < count(this); i++) {
+		skeleton->set_bone_pose(i, posed[size_t(parents[size_t(i)])].affine_inverse() * posed[size_t(i)]);
 	}
 }
 
-void PartSkeleton::pose(const RID &drawn) const {
+void PartSkeleton::pose(const RID &drawn) {
+	update();
 	RenderingServer *server = RenderingServer::get_singleton();
-	for (size_t i = 0; i < bones.size(); i++) {
-		server->skeleton_bone_set_transform(drawn, int(FormBones::FIRST + i), transform_of(pose_of(bones[i], stem)));
+	for (int i = has_joints() ? FormBones::TIP : FormBones::FIRST; i < count(this); i++) {
+		const Transform3D back(Basis(), -origins[size_t(i)]);
+		server->skeleton_bone_set_transform(drawn, i, posed[size_t(i)] * back);
 	}
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesh/form_bones.hpp"
 #include "motion/part_bend.hpp"
 #include "sampled_plant.hpp"
 
@@ -12,7 +13,7 @@
 
 namespace undergrowth {
 
-/// The bones of one plant of parts beside root and tip, and how they stand now.
+/// The bones of one plant beside root and tip, those of its stem's joints and of its parts, and how they stand now.
 class PartSkeleton {
 public:
 	/// Of a plant as it was sampled for a skeleton; null where it has no such bones.
@@ -29,18 +30,33 @@ public:
 	StemMotion stem;
 	/// Whether everything stands still at this bend, so that it needs no further pose while the stem does not move.
 	bool is_calm() const;
+	/// Whether the stem has joints: then the tip is posed here, too.
+	bool has_joints() const { return joints > 0; }
+	/// Where a joint is now (m): 0 the root, as many as there are the tip.
+	godot::Vector3 joint_position(int joint) const;
 
 	/// Tells the node.
-	void pose(godot::Skeleton3D *skeleton) const;
+	void pose(godot::Skeleton3D *skeleton);
 	/// Tells the renderer alone; `drawn` is what it has of the skeleton.
-	void pose(const godot::RID &drawn) const;
+	void pose(const godot::RID &drawn);
 
 private:
+	int joints = 0;
+	std::shared_ptr<const StemConstants> constants; ///< Of a stem with joints.
+	float height = 1.0f; ///< m.
 	std::vector<PartBone> bones;
-	std::vector<godot::String> names;
+	std::vector<godot::String> names; ///< Of all bones.
+	std::vector<int> parents; ///< Of all bones, -1 of the root.
+	std::vector<godot::Vector3> origins; ///< m: where all bones are at rest, in the plant's axes.
+	std::vector<godot::Transform3D> posed; ///< Of all bones, in the plant's axes.
 	godot::Ref<godot::Skin> skin;
 
-	godot::Transform3D rest(size_t bone) const;
+	void add_bone(const godot::String &name, int parent, const godot::Vector3 &origin);
+	void add_stem();
+	int part_index(size_t part) const { return FormBones::FIRST + joints + int(part); }
+	int carrier_of(const PartBone &bone) const;
+	void update_stem(const StandingStem &standing);
+	void update();
 };
 
 } // namespace undergrowth

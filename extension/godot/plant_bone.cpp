@@ -45,6 +45,7 @@ void PlantBone::follow(const Step &step) {
 	const glm::vec2 to = bend_of(to_glm(to_local.xform(to_godot(step.after))));
 	parts->stem.rate = (to - from) / step.seconds;
 	parts->stem.clock = step.clock;
+	parts->stem.second = step.second;
 }
 
 void PlantBone::show_local(const glm::vec3 &local) {
@@ -55,8 +56,10 @@ void PlantBone::show_local(const glm::vec3 &local) {
 	way = way == Way::NODE ? Way::RENDERER : way;
 	take(local);
 	if (way == Way::RENDERER) {
-		RenderingServer::get_singleton()->skeleton_bone_set_transform(
-				drawn, TIP_BONE, Transform3D(Basis(turn_from_up(local)), Vector3()));
+		if (!parts || !parts->has_joints()) {
+			RenderingServer::get_singleton()->skeleton_bone_set_transform(
+					drawn, TIP_BONE, Transform3D(Basis(turn_from_up(local)), Vector3()));
+		}
 		if (parts) {
 			parts->pose(drawn);
 		}
@@ -88,7 +91,9 @@ void PlantBone::catch_up() {
 	if (skeleton && node_is_behind) {
 		node_is_behind = false;
 		told_node_in = Engine::get_singleton()->get_process_frames();
-		skeleton->set_bone_pose_rotation(TIP_BONE, turn_from_up(posed));
+		if (!parts || !parts->has_joints()) {
+			skeleton->set_bone_pose_rotation(TIP_BONE, turn_from_up(posed));
+		}
 		if (parts) {
 			parts->stem.bend = bend_of(posed);
 			parts->pose(skeleton);

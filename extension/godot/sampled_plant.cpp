@@ -4,6 +4,7 @@
 
 #include "form/form_arrays.hpp"
 #include "form/grown_plant.hpp"
+#include "mesh/joint_binding.hpp"
 #include "new_object.hpp"
 #include "shared_resources.hpp"
 
@@ -61,6 +62,10 @@ Ref<ArrayMesh> SampledPlant::build() const {
 	buffers.indices = indices.ptrw();
 	build_mesh({ &cross_section, widths.data(), colors.data(), height, lod }, options, buffers);
 
+	const PackedFloat32Array offsets = tip_weights(weights);
+	if (stem) {
+		bind_to_joints(stem->joints, counts.vertices, bones.ptrw(), weights.ptrw());
+	}
 	Array arrays;
 	arrays.resize(Mesh::ARRAY_MAX);
 	arrays[Mesh::ARRAY_VERTEX] = positions;
@@ -70,7 +75,7 @@ Ref<ArrayMesh> SampledPlant::build() const {
 	arrays[Mesh::ARRAY_BONES] = bones;
 	arrays[Mesh::ARRAY_WEIGHTS] = weights;
 	arrays[Mesh::ARRAY_INDEX] = indices;
-	arrays[Mesh::ARRAY_CUSTOM0] = tip_weights(weights);
+	arrays[Mesh::ARRAY_CUSTOM0] = offsets;
 	Ref<ArrayMesh> mesh = new_counted<ArrayMesh>();
 	mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays, TypedArray<Array>(), Dictionary(), CUSTOM_FORMAT);
 	mesh->surface_set_material(0, material.is_valid() ? material : Ref<Material>(default_material()));

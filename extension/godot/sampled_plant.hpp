@@ -2,6 +2,7 @@
 
 #include "mesh/cross_section.hpp"
 #include "mesh/plant_mesh.hpp"
+#include "stem/stem_constants.hpp"
 
 #include <godot_cpp/classes/array_mesh.hpp>
 #include <godot_cpp/classes/material.hpp>
@@ -26,6 +27,7 @@ struct SampledPlant {
 	MeshOptions options; ///< With the seed.
 	godot::Ref<godot::Material> material; ///< Null: the add-on's own.
 	bool has_part_bones = false; ///< It is for a skeleton that has the bones of its parts, beside root and tip.
+	std::shared_ptr<const StemConstants> stem; ///< Of one that bends along its length, on a skeleton; else null.
 	std::shared_ptr<const GrownPlant> grown; ///< A plant of parts: then cross-section, widths and colours are empty.
 
 	/// The largest distance of a side point from the plant's axis (m).

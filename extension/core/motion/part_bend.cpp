@@ -1,6 +1,8 @@
 #include "motion/part_bend.hpp"
 
 #include "conventions.hpp"
+#include "motion/stem_state.hpp"
+#include "stem/stem_bones.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -26,6 +28,7 @@ constexpr float INWARD = 0.12f; // About 14°: no part goes farther in to its st
 constexpr float HEAD = 0.6f; // Heads turn as a whole.
 constexpr float CALM = 2e-3f; // Below, a stem rests: half floats say no more.
 constexpr float LEAST = 1e-6f;
+constexpr float LEANS = 3.0f; // A third of the way up a plant leans as its stem does; undergrowth_stem.gdshaderinc.
 
 float wave(float cycles) {
 	return static_cast<float>(std::sin(2.0 * PI * (cycles - std::floor(cycles))));
@@ -106,6 +109,39 @@ PartPose pose_of(const PartBone &bone, const StemMotion &stem) {
 	pose.turn = { turn.x, turn.y, turn.z, turn.w };
 	pose.size = (1.0f + 2.0f * shrink) / 3.0f * (bone.swing.is_head() ? 1.0f : arc_share(own));
 	pose.shift = glm::mix(bone.pivot, turned(bone.pivot, stem.bend), x) - pose.size * (turn * bone.pivot);
+	return pose;
+}
+
+StandingStem::StandingStem(const StemConstants &stem, float plant_height, const StemMotion &motion) :
+		constants(stem), height(plant_height), rest(motion.rest) {
+	amplitudes[0] = into_rest(motion.bend, motion.rest) / stem.mode[0].tip_slope;
+	amplitudes[1] = stem.modes == 2 ? motion.second / stem.mode[1].tip_slope : glm::vec2(0.0f);
+}
+
+// A stem that leans is straight from its root on; what stands on the ground around the root stays there.
+glm::vec2 StandingStem::lean_at(float x) const {
+	return rest * std::clamp(LEANS * x, 0.0f, 1.0f);
+}
+
+glm::vec3 StandingStem::place_of(const glm::vec3 &place, float x) const {
+	const StemPlace on_stem = stem_place(constants, amplitudes, x);
+	const glm::vec3 aside = turned(place - glm::vec3(0.0f, x * height, 0.0f), on_stem.bend);
+	return turned(on_stem.centre * height, rest) + turned(aside, lean_at(x));
+}
+
+glm::vec4 StandingStem::turn_at(float x) const {
+	const glm::quat turn = quaternion_of(lean_at(x)) * quaternion_of(stem_bend(constants, amplitudes, x));
+	return { turn.x, turn.y, turn.z, turn.w };
+}
+
+PartPose pose_of(const PartBone &bone, const StemMotion &motion, const StandingStem &stem) {
+	const glm::vec2 own = bend_at(part_bend(bone.swing, motion), bone.weight);
+	const glm::vec4 of_stem = stem.turn_at(bone.stem_offset);
+	const glm::quat turn = glm::quat(of_stem.w, of_stem.x, of_stem.y, of_stem.z) * quaternion_of(own);
+	PartPose pose;
+	pose.turn = { turn.x, turn.y, turn.z, turn.w };
+	pose.size = bone.swing.is_head() ? 1.0f : arc_share(own);
+	pose.shift = stem.place_of(bone.pivot, bone.stem_offset) - pose.size * (turn * bone.pivot);
 	return pose;
 }
 

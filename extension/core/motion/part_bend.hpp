@@ -1,6 +1,7 @@
 #pragma once
 
 #include "plant/part_swing.hpp"
+#include "stem/stem_constants.hpp"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -59,5 +60,26 @@ struct PartPose {
 /// Of a bone, in the plant's axes. Linear blend skinning from the stem to it, and on to the bone of the outer half,
 /// shows what shaders show, to the first order of the bend.
 PartPose pose_of(const PartBone &bone, const StemMotion &stem);
+
+/// How a stem stands that bends along its length, in the plant's axes.
+struct StandingStem {
+	const StemConstants &constants;
+	float height; ///< m, of the plant.
+	glm::vec2 rest; ///< The bend in calm air.
+	glm::vec2 amplitudes[MOST_STEM_MODES] = {}; ///< In the frame of the rest.
+
+	StandingStem(const StemConstants &stem, float plant_height, const StemMotion &motion);
+	/// Where the stem has brought what stands at `place` (m) and hangs on it at the offset x, and how far it has turned
+	/// that: as undergrowth_bend_stem() in the shaders.
+	glm::vec3 place_of(const glm::vec3 &place, float x) const;
+	/// Unit quaternion, w last.
+	glm::vec4 turn_at(float x) const;
+
+private:
+	glm::vec2 lean_at(float x) const;
+};
+
+/// Of a bone on such a stem: as pose_of() above.
+PartPose pose_of(const PartBone &bone, const StemMotion &motion, const StandingStem &stem);
 
 } // namespace undergrowth

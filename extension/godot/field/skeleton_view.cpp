@@ -139,9 +139,11 @@ void SkeletonView::pose(const PlantStore &store, const FieldMotion &motion) cons
 		const auto to_own = [c, d](const glm::vec2 &s) { return glm::vec2(c * s.x - d * s.y, d * s.x + c * s.y); };
 		const glm::vec2 own = to_own(stem.bend);
 		const float scale = 1.0f / std::sqrt(1.0f + glm::dot(own, own));
-		FieldSkeletons::pose(skeleton, Quaternion(own.y * scale, 0.0f, -own.x * scale, scale));
+		if (!entry.parts || !entry.parts->has_joints()) {
+			FieldSkeletons::pose(skeleton, Quaternion(own.y * scale, 0.0f, -own.x * scale, scale));
+		}
 		if (entry.parts) {
-			entry.parts->stem = { own, to_own(stem.rate), to_own(stem.rest), stem.clock };
+			entry.parts->stem = { own, to_own(stem.rate), to_own(stem.rest), to_own(stem.second), stem.clock };
 			entry.parts->pose(skeleton);
 		}
 	}

@@ -1,6 +1,7 @@
 #include "form/form_arrays.hpp"
 
 #include "mesh/form_mesh.hpp"
+#include "mesh/joint_binding.hpp"
 #include "motion/bend_encoding.hpp"
 #include "new_object.hpp"
 #include "shared_resources.hpp"
@@ -14,7 +15,8 @@ namespace undergrowth {
 static constexpr int64_t CUSTOM_FORMAT =
 		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT)) |
 		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_HALF) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM1_SHIFT)) |
-		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_HALF) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM2_SHIFT));
+		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_HALF) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM2_SHIFT)) |
+		(int64_t(Mesh::ARRAY_CUSTOM_R_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM3_SHIFT));
 
 // The engine's arrays of a mesh, sized, and where the core writes them.
 struct FormArrays {
@@ -82,15 +84,28 @@ static Array packed(const FormArrays &from) {
 	return arrays;
 }
 
+// Of the plant that the mesh shows, at every vertex: where a stem bends, shaders ask for it.
+static PackedFloat32Array heights(float height, int vertices) {
+	PackedFloat32Array all;
+	all.resize(vertices);
+	all.fill(height);
+	return all;
+}
+
 Ref<ArrayMesh> build_form_mesh(const GrownPlant &grown, const SampledPlant &sampled) {
 	const FormPlan plan = plan_form(grown.form, grown.measure(), vertex_budget(sampled.lod));
 	FormArrays arrays(plan.counts);
 	const FormBones none;
 	build_form_mesh(grown.form, grown.measure(), plan, sampled.has_part_bones ? grown.bones : none, sampled.options,
 			sampled.height, arrays.buffers());
+	if (sampled.stem) {
+		bind_to_joints(sampled.stem->joints, plan.counts.vertices, arrays.bones.ptrw(), arrays.weights.ptrw());
+	}
+	Array all = packed(arrays);
+	all[Mesh::ARRAY_CUSTOM3] = heights(sampled.height, plan.counts.vertices);
 	Ref<ArrayMesh> mesh = new_counted<ArrayMesh>();
 	mesh->add_surface_from_arrays(
-			Mesh::PRIMITIVE_TRIANGLES, packed(arrays), TypedArray<Array>(), Dictionary(), CUSTOM_FORMAT);
+			Mesh::PRIMITIVE_TRIANGLES, all, TypedArray<Array>(), Dictionary(), CUSTOM_FORMAT);
 	mesh->surface_set_material(0, sampled.material.is_valid() ? sampled.material : Ref<Material>(parts_material()));
 	return mesh;
 }

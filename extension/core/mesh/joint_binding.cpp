@@ -1,0 +1,52 @@
+#include "mesh/joint_binding.hpp"
+
+#include "mesh/form_bones.hpp"
+#include "stem/stem_bones.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace undergrowth {
+
+namespace {
+
+struct Influence {
+	int32_t bone = 0;
+	float weight = 0.0f;
+};
+
+constexpr int KEPT = 4;
+constexpr int MOST = KEPT + 2;
+
+} // namespace
+
+static void bind_vertex(int joints, int32_t *bones, float *weights) {
+	const float of_stem = weights[0] + weights[1];
+	const float x = of_stem > 0.0f ? weights[1] / of_stem : 0.0f;
+	const StemBinding stem = bind_to_stem(joints, x);
+	std::array<Influence, MOST> all;
+	for (size_t i = 0; i < KEPT; i++) {
+		const int link = stem.bones[i];
+		all[i] = { link == 0 ? FormBones::ROOT : FormBones::TIP + link, stem.weights[i] * of_stem };
+	}
+	for (size_t i = 0; i < 2; i++) { // Of parts; a bone without weight may be any.
+		all[KEPT + i] = { weights[2 + i] > 0.0f ? bones[2 + i] + joints : FormBones::ROOT, weights[2 + i] };
+	}
+	std::stable_sort(all.begin(), all.end(), [](const Influence &a, const Influence &b) { return a.weight > b.weight; });
+	float sum = 0.0f;
+	for (size_t i = 0; i < KEPT; i++) {
+		sum += all[i].weight;
+	}
+	for (size_t i = 0; i < KEPT; i++) {
+		bones[i] = all[i].bone;
+		weights[i] = all[i].weight / sum;
+	}
+}
+
+void bind_to_joints(int joints, int vertices, int32_t *bones, float *weights) {
+	for (int i = 0; i < vertices; i++) {
+		bind_vertex(joints, bones + 4 * i, weights + 4 * i);
+	}
+}
+
+} // namespace undergrowth
