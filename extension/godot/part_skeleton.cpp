@@ -128,13 +128,6 @@ bool PartSkeleton::is_calm() const {
 			glm::length(stem.second) < CALM_RATE;
 }
 
-Vector3 PartSkeleton::joint_position(int joint) const {
-	const StandingStem standing(*constants, height, stem);
-	StemLink links[MOST_STEM_JOINTS];
-	const glm::vec3 end = stem_links(*constants, standing.amplitudes, links);
-	return to_godot(turned((joint < joints ? links[joint].start : end) * height, stem.rest));
-}
-
 void PartSkeleton::update_stem(const StandingStem &standing) {
 	StemLink links[MOST_STEM_JOINTS];
 	const glm::vec3 end = stem_links(*constants, standing.amplitudes, links);

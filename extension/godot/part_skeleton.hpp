@@ -32,8 +32,9 @@ public:
 	bool is_calm() const;
 	/// Whether the stem has joints: then the tip is posed here, too.
 	bool has_joints() const { return joints > 0; }
-	/// Where a joint is now (m): 0 the root, as many as there are the tip.
-	godot::Vector3 joint_position(int joint) const;
+	int joint_count() const { return joints; }
+	/// Other constants for as many joints.
+	void set_stem(const std::shared_ptr<const StemConstants> &stem_constants) { constants = stem_constants; }
 
 	/// Tells the node.
 	void pose(godot::Skeleton3D *skeleton);

@@ -94,6 +94,7 @@ bool Plant3D::build_mesh() {
 	SampledPlant sampled;
 	const String fault = species->sample(height, segments, seed, sampled);
 	sampled.has_part_bones = true;
+	sampled.stem = fault.is_empty() ? find_stem(sampled.height) : nullptr;
 	if (!fault.is_empty()) {
 		report_problem(describe(species.ptr()) + ": " + fault);
 		return false;
@@ -242,7 +243,18 @@ void Plant3D::preview(double delta, const Ref<PlantWind> &blowing) {
 }
 
 Vector3 Plant3D::get_tip_position() const {
-	return stance.axes.xform_inv(to_godot(motion.swing(rest()).now.direction)) * view.height();
+	return stance.axes.xform_inv(to_godot(motion.arm(rest(), 1.0f))) * view.height();
+}
+
+Vector3 Plant3D::get_joint_position(int joint) const {
+	const int joints = std::max(view.joint_count(), 1);
+	if (joint < 0 || joint > joints) {
+		report_error(this,
+				"get_joint_position(" + String::num_int64(joint) + ") needs a joint from 0, the root, to " +
+						String::num_int64(joints) + ", the tip.");
+		return Vector3();
+	}
+	return stance.axes.xform_inv(to_godot(motion.arm(rest(), float(joint) / float(joints)))) * view.height();
 }
 
 double Plant3D::get_deflection() const {
@@ -291,9 +303,18 @@ bool Plant3D::is_point_in_plants(const Vector3 &point) const {
 	if (!point.is_finite() || !is_inside_tree() || species.is_null()) {
 		return false;
 	}
-	const glm::vec3 tip = stance.root + stance.length_of(view.height()) * motion.swing(rest()).now.direction;
-	const float away = glm::distance(nearest_on_segment(stance.root, tip, to_glm(point)), to_glm(point));
-	return away <= float(touch_margin + species->get_collision_radius());
+	const float length = stance.length_of(view.height());
+	const int parts = std::max(view.joint_count(), 1);
+	const float reach = float(touch_margin + species->get_collision_radius());
+	glm::vec3 from = stance.root;
+	for (int part = 1; part <= parts; part++) {
+		const glm::vec3 to = stance.root + length * motion.arm(rest(), float(part) / float(parts));
+		if (glm::distance(nearest_on_segment(from, to, to_glm(point)), to_glm(point)) <= reach) {
+			return true;
+		}
+		from = to;
+	}
+	return false;
 }
 
 } // namespace undergrowth

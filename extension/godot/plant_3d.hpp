@@ -36,6 +36,8 @@ class Plant3D : public godot::Node3D {
 	godot::String refusal; // Why the last advance() did nothing; told once, not in each frame that calls it.
 
 	// plant_3d_properties.cpp
+	/// Of a plant of `height` metres that stands here; null where another law moves it.
+	std::shared_ptr<const StemConstants> find_stem(float height) const;
 	MotionSpecies kind_of_motion() const;
 	PlantPush what_pushes() const;
 	MovedPlant moved() const;

@@ -138,10 +138,17 @@ void Plant3D::change_pushes() {
 	}
 }
 
+std::shared_ptr<const StemConstants> Plant3D::find_stem(float height) const {
+	return species->find_stem(stance.length_of(height));
+}
+
 MotionSpecies Plant3D::kind_of_motion() const {
 	MotionSpecies kind;
 	kind.law = Law(int(species->get_law()));
 	kind.joint = species->make_joint(1.0f, Basis());
+	if (const std::shared_ptr<const StemConstants> stem = find_stem(view.height())) {
+		kind.stem = *stem;
+	}
 	// Plants of species that differ in it alone move alike, where nothing comes to their tips.
 	const PlantPush push = what_pushes();
 	kind.collision_radius = push.has_bodies() || push.has_contact() ? float(species->get_collision_radius()) : 0.0f;
@@ -189,7 +196,7 @@ void Plant3D::on_species_changed() {
 	if (species.is_null()) {
 		return; // The library was reloaded, and the engine has not set it again yet.
 	}
-	if (species->is_motion_change()) {
+	if (species->is_motion_change() && view.follow_stem(find_stem(view.height()))) {
 		update_motion();
 	} else {
 		mark_stale();

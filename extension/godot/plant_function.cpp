@@ -5,11 +5,14 @@
 #include "as_written.hpp"
 #include "conventions.hpp"
 #include "convert.hpp"
+#include "follow_changes.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 using namespace godot;
 
@@ -23,9 +26,11 @@ static constexpr Range LEAN_DEGREES = { 0.0, 80.0 };
 static constexpr Range MASS_RANGE = { 1e-6, 1e6 };
 static constexpr Range WIND_WEIGHT_RANGE = { 0.0, 1e3 };
 static constexpr Range COLLISION_RANGE = { 0.0, 1e3 };
+static constexpr int STEM_SEGMENTS = 12; // How finely a lathe says where it is thick.
 static constexpr Range DEVIATION_RANGE = { 0.0, 1.0 };
 
 void PlantFunction::shape_changed() {
+	stems.clear();
 	emit_changed();
 }
 
@@ -46,6 +51,7 @@ void PlantFunction::set_motion(float &slot, const char *property, double value, 
 }
 
 void PlantFunction::motion_changed() {
+	stems.clear();
 	changes_motion_only = true;
 	emit_changed();
 	changes_motion_only = false;
@@ -73,8 +79,9 @@ Joint PlantFunction::make_joint(float length, const Basis &frame) const {
 }
 
 void PlantFunction::set_law(MotionLaw law) {
-	if (law != LAW_ELASTICITY && law != LAW_SPRING) {
-		report_error(this, "law " + String::num_int64(law) + " does not exist. Use LAW_ELASTICITY or LAW_SPRING.");
+	if (law != LAW_ELASTICITY && law != LAW_SPRING && law != LAW_STEM) {
+		report_error(this,
+				"law " + String::num_int64(law) + " does not exist. Use LAW_ELASTICITY, LAW_SPRING or LAW_STEM.");
 		return;
 	}
 	if (Law(law) != motion.law) {
@@ -142,6 +149,41 @@ void PlantFunction::set_lean(double radians) {
 
 double PlantFunction::get_lean() const {
 	return lean;
+}
+
+void PlantFunction::set_stem(const Ref<PlantStem> &new_stem) {
+	if (new_stem != stem) {
+		const Callable listener(this, "_on_stem_changed");
+		unfollow_changes(stem.ptr(), listener);
+		stem = new_stem;
+		follow_changes(stem.ptr(), listener);
+		motion_changed();
+	}
+}
+
+void PlantFunction::on_stem_changed() {
+	motion_changed();
+}
+
+// A plant of the species' own height says what its stem is like, so that it does not matter who asks first.
+std::shared_ptr<const StemConstants> PlantFunction::find_stem(double height) {
+	if (motion.law != Law::stem) {
+		return nullptr;
+	}
+	const bool is_news = stems.problem().is_empty();
+	if (!stems.knows_plants()) {
+		SampledPlant plant;
+		if (!sample(0.0, STEM_SEGMENTS, 0, plant).is_empty()) {
+			plant = SampledPlant(); // Whoever builds its mesh tells what is wrong.
+			plant.height = float(height);
+		}
+		stems.learn(plant);
+	}
+	const std::shared_ptr<const StemConstants> found = stems.of(float(height), motion, stem);
+	if (is_news && !stems.problem().is_empty()) {
+		report_error(this, stems.problem() + " It stands as a bare stem until then.");
+	}
+	return found;
 }
 
 void PlantFunction::set_mass(double kilograms) {
@@ -214,12 +256,21 @@ Ref<Material> PlantFunction::get_material() const {
 }
 
 void PlantFunction::_validate_property(PropertyInfo &property) const {
-	static const char *const elasticity_only[] = { "elasticity", "inner_friction", "stays_above_ground" };
-	static const char *const spring_only[] = { "natural_frequency", "damping_ratio", "lean" };
-	const auto &hidden = motion.law == Law::spring ? elasticity_only : spring_only;
+	static const std::vector<std::pair<const char *, std::vector<Law>>> laws_of = {
+		{ "elasticity", { Law::elasticity } },
+		{ "inner_friction", { Law::elasticity } },
+		{ "stays_above_ground", { Law::elasticity } },
+		{ "natural_frequency", { Law::spring, Law::stem } },
+		{ "damping_ratio", { Law::spring, Law::stem } },
+		{ "lean", { Law::spring, Law::stem } },
+		{ "mass", { Law::elasticity, Law::spring } },
+		{ "stem", { Law::stem } },
+	};
 	const String name = property.name;
-	if (std::any_of(std::begin(hidden), std::end(hidden), [&](const char *other) { return name == other; })) {
-		property.usage = PROPERTY_USAGE_NO_EDITOR;
+	for (const auto &[of_law, laws] : laws_of) {
+		if (name == of_law && std::find(laws.begin(), laws.end(), motion.law) == laws.end()) {
+			property.usage = PROPERTY_USAGE_NO_EDITOR;
+		}
 	}
 }
 

@@ -6,7 +6,9 @@
 #include "messages.hpp"
 #include "motion/joint.hpp"
 #include "plant/motion.hpp"
+#include "plant_stem.hpp"
 #include "sampled_plant.hpp"
+#include "stem_table.hpp"
 
 #include <godot_cpp/classes/array_mesh.hpp>
 #include <godot_cpp/classes/material.hpp>
@@ -25,6 +27,7 @@ public:
 	enum MotionLaw : int64_t {
 		LAW_ELASTICITY = int(Law::elasticity),
 		LAW_SPRING = int(Law::spring),
+		LAW_STEM = int(Law::stem),
 	};
 	enum ShadingMode : int64_t {
 		SHADING_SMOOTH = int(Shading::smooth),
@@ -41,6 +44,8 @@ private:
 	godot::Ref<godot::Material> material;
 	bool has_stem = true;
 	godot::Array arrangements; // Of PlantArrangement.
+	godot::Ref<PlantStem> stem;
+	StemTable stems;
 	GrowthCache grown_before;
 	bool has_told_slowness = false;
 
@@ -100,6 +105,8 @@ public:
 	godot::String read_stem(Part &into);
 	/// The joint of a plant of `length` metres whose root stands in `frame` (its up axis and turn, orthonormal).
 	Joint make_joint(float length, const godot::Basis &frame) const;
+	/// The stem of a plant of `height` metres; null where another law moves it. Reports once what keeps it from standing.
+	std::shared_ptr<const StemConstants> find_stem(double height);
 	/// True while `changed` is emitted for a property that leaves meshes as they are. Setters emit it once for each
 	/// real change, never for a value that they have already.
 	bool is_motion_change() const;
@@ -110,6 +117,7 @@ public:
 	void on_arrangement_changed();
 	void on_own_change();
 	void on_grown_change();
+	void on_stem_changed();
 
 	void set_has_stem(bool grows);
 	bool get_has_stem() const { return has_stem; }
@@ -129,6 +137,8 @@ public:
 	double get_damping_ratio() const;
 	void set_lean(double radians);
 	double get_lean() const;
+	void set_stem(const godot::Ref<PlantStem> &new_stem);
+	godot::Ref<PlantStem> get_stem() const { return stem; }
 	void set_mass(double kilograms);
 	double get_mass() const;
 	void set_wind_weight(double weight);

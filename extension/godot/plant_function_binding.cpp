@@ -34,6 +34,9 @@ static void bind_motion_methods() {
 	ClassDB::bind_method(D_METHOD("get_damping_ratio"), &PlantFunction::get_damping_ratio);
 	ClassDB::bind_method(D_METHOD("set_lean", "radians"), &PlantFunction::set_lean);
 	ClassDB::bind_method(D_METHOD("get_lean"), &PlantFunction::get_lean);
+	ClassDB::bind_method(D_METHOD("_on_stem_changed"), &PlantFunction::on_stem_changed);
+	ClassDB::bind_method(D_METHOD("set_stem", "stem"), &PlantFunction::set_stem);
+	ClassDB::bind_method(D_METHOD("get_stem"), &PlantFunction::get_stem);
 	ClassDB::bind_method(D_METHOD("set_mass", "kilograms"), &PlantFunction::set_mass);
 	ClassDB::bind_method(D_METHOD("get_mass"), &PlantFunction::get_mass);
 	ClassDB::bind_method(D_METHOD("set_wind_weight", "weight"), &PlantFunction::set_wind_weight);
@@ -79,7 +82,7 @@ void PlantFunction::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "arrangements", PROPERTY_HINT_ARRAY_TYPE, "24/17:PlantArrangement"),
 			"set_arrangements", "get_arrangements");
 	ADD_GROUP("Motion", "");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "law", PROPERTY_HINT_ENUM, "Elasticity,Spring"), "set_law", "get_law");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "law", PROPERTY_HINT_ENUM, "Elasticity,Spring,Stem"), "set_law", "get_law");
 	ADD_PROPERTY(number("elasticity", "-0.5,20,0.01,or_greater"), "set_elasticity", "get_elasticity");
 	ADD_PROPERTY(
 			number("inner_friction", "0,5,0.001,or_greater,suffix:N·s/m"), "set_inner_friction", "get_inner_friction");
@@ -88,6 +91,7 @@ void PlantFunction::_bind_methods() {
 			"get_natural_frequency");
 	ADD_PROPERTY(number("damping_ratio", "0,2,0.001,or_greater"), "set_damping_ratio", "get_damping_ratio");
 	ADD_PROPERTY(number("lean", "0,80,0.1,radians_as_degrees"), "set_lean", "get_lean");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "stem", PROPERTY_HINT_RESOURCE_TYPE, "PlantStem"), "set_stem", "get_stem");
 	ADD_PROPERTY(number("mass", "0.001,10,0.001,or_greater,exp,suffix:kg"), "set_mass", "get_mass");
 	ADD_PROPERTY(number("wind_weight", "0,4,0.01,or_greater"), "set_wind_weight", "get_wind_weight");
 	ADD_PROPERTY(number("collision_radius", "0,1,0.001,or_greater,suffix:m"), "set_collision_radius",
@@ -104,6 +108,7 @@ void PlantFunction::_bind_methods() {
 
 	BIND_ENUM_CONSTANT(LAW_ELASTICITY);
 	BIND_ENUM_CONSTANT(LAW_SPRING);
+	BIND_ENUM_CONSTANT(LAW_STEM);
 	BIND_ENUM_CONSTANT(SHADING_SMOOTH);
 	BIND_ENUM_CONSTANT(SHADING_FLAT);
 }

@@ -61,7 +61,8 @@ void PlantGroup::pose(float alpha, float swing_clock) {
 	page.interpolate(alpha, directions.data());
 	for (size_t i = 0; i < bones.size(); i++) {
 		bones[i].show(directions[i], [&]() -> PlantBone::Step {
-			return { page.before(int(i)), page.direction(int(i)), page.step_length(), swing_clock };
+			return { page.before(int(i)), page.direction(int(i)), page.step_length(), swing_clock,
+				page.second_bend(int(i), alpha) };
 		});
 	}
 }

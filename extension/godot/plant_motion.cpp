@@ -153,6 +153,20 @@ void PlantMotion::apply_impulse(const glm::vec3 &impulse) {
 	}
 }
 
+void PlantMotion::apply_impulse_at(int joint, const glm::vec3 &impulse) {
+	if (PlantGroup *in = group()) {
+		in->page.apply_impulse_at(index(), joint, to_frame(frame(), impulse));
+	}
+}
+
+glm::vec3 PlantMotion::arm(const glm::vec3 &rest, float share) const {
+	const PlantGroup *in = group();
+	if (!in) { // Nobody knows how a parked stem bends along its length.
+		return share * swing(rest).now.direction;
+	}
+	return from_frame(frame(), in->page.arm(index(), share)) / in->page.length(index());
+}
+
 void PlantMotion::follow_axes(const Basis &axes) {
 	bone().to_local = axes.transposed() * axes_of(frame());
 }
@@ -163,7 +177,9 @@ void PlantMotion::pose_now(const glm::vec3 &rest) {
 	PlantBone &shown = bone();
 	if (shown.parts) {
 		const float step = float(PlantSimulation::get_singleton()->get_step_length());
-		shown.follow({ to_frame(frame(), now.before), direction, step, shown.parts->stem.clock });
+		const PlantGroup *in = group();
+		const glm::vec2 second = in ? in->page.second_bend(index(), 1.0f) : glm::vec2(0.0f);
+		shown.follow({ to_frame(frame(), now.before), direction, step, shown.parts->stem.clock, second });
 		shown.posed = glm::vec3(NAN);
 	}
 	shown.turn_to(direction);

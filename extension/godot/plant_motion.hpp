@@ -64,10 +64,14 @@ public:
 	/// What moves. `rest` (unit, world axes) is where it points as long as nothing moved it.
 	PlantSwing swing(const glm::vec3 &rest) const;
 	void set_swing(const PlantSwing &swing);
+	/// From the root to a place on the plant, 0 the root to 1 the tip, in lengths of the plant and world axes.
+	glm::vec3 arm(const glm::vec3 &rest, float share) const;
 	/// Calms it down at `rest`; one that is driven begins anew.
 	void reset(const glm::vec3 &rest);
 	/// Once: `impulse` in newton seconds, world axes, on one that is simulated or driven.
 	void apply_impulse(const glm::vec3 &impulse);
+	/// The same on one of its stem's joints, 1 to as many as there are.
+	void apply_impulse_at(int joint, const glm::vec3 &impulse);
 
 	/// What shows it: a row of its page, or its own.
 	PlantBone &bone();

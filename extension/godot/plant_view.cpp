@@ -71,6 +71,15 @@ void PlantView::follow_drawn(bool is_seen, const glm::vec3 &calm) {
 	}
 }
 
+bool PlantView::follow_stem(const std::shared_ptr<const StemConstants> &stem) {
+	const bool is_same = (stem ? stem->joints : 0) == joint_count();
+	if (is_same && stem) {
+		parts->set_stem(stem);
+		motion.bone().is_calm = false; // It may bend otherwise.
+	}
+	return is_same || mesh.is_null();
+}
+
 bool PlantView::hold_skeleton() {
 	const bool is_news = !is_held;
 	is_held = true;

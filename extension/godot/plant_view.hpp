@@ -30,6 +30,10 @@ public:
 	/// Tells the bone what it poses. `is_seen`: the plant is in the tree and visible; `calm` is where it points at
 	/// rest, in its own axes.
 	void follow_drawn(bool is_seen, const glm::vec3 &calm);
+	/// The stem's constants are others. False where its bones have to be built anew.
+	bool follow_stem(const std::shared_ptr<const StemConstants> &stem);
+	/// Of the stem; 0 where it is straight.
+	int joint_count() const { return parts ? parts->joint_count() : 0; }
 	/// Somebody asked for the skeleton, so its node knows its pose in every frame. False where it did before.
 	bool hold_skeleton();
 

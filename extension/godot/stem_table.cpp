@@ -3,7 +3,6 @@
 #include "form/grown_plant.hpp"
 #include "mesh/form_stem.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 using namespace godot;
@@ -12,40 +11,38 @@ namespace undergrowth {
 
 static constexpr double HEIGHT_RATIO = 1.1; // Of neighbouring classes.
 
-void StemTable::clear() {
-	solved.clear();
-	reference = 0.0f;
-	fault = String();
-}
-
-int StemTable::class_of(float height, bool is_physical) const {
-	return is_physical ? int(std::lround(std::log(double(height) / reference) / std::log(HEIGHT_RATIO))) : 0;
-}
-
-static StemBeam beam_of(float height, const SampledPlant &drawn, const Motion &motion) {
+StemBeam StemTable::nothing() {
 	StemBeam beam;
-	beam.length = height;
-	beam.natural_frequency = motion.natural_frequency;
-	beam.damping_ratio = motion.damping_ratio;
-	if (drawn.grown) {
-		carry_parts(drawn.grown->form, beam);
-	} else {
-		carry_lathe(drawn.cross_section.radius, drawn.widths, beam);
-	}
+	beam.length = 0.0f;
 	return beam;
 }
 
-std::shared_ptr<const StemConstants> StemTable::of(
-		float height, const SampledPlant &drawn, const Motion &motion, const Ref<PlantStem> &stem) {
-	if (reference <= 0.0f) {
-		reference = height;
+void StemTable::learn(const SampledPlant &plant) {
+	drawn = StemBeam();
+	drawn.length = plant.height;
+	if (plant.grown) {
+		carry_parts(plant.grown->form, drawn);
+	} else {
+		carry_lathe(plant.cross_section.radius, plant.widths, drawn);
 	}
-	const int number = class_of(height, stem.is_valid() && stem->is_physical());
+}
+
+std::shared_ptr<const StemConstants> StemTable::of(float height, const Motion &motion, const Ref<PlantStem> &stem) {
+	const bool is_physical = stem.is_valid() && stem->is_physical();
+	const double ratio = double(height) / double(drawn.length);
+	const int number = is_physical ? int(std::lround(std::log(ratio) / std::log(HEIGHT_RATIO))) : 0;
 	std::shared_ptr<const StemConstants> &found = solved[number];
-	if (found) {
-		return found;
+	if (!found) {
+		found = std::make_shared<const StemConstants>(solve(number, motion, stem));
 	}
-	StemBeam beam = beam_of(float(reference * std::pow(HEIGHT_RATIO, number)), drawn, motion);
+	return found;
+}
+
+StemConstants StemTable::solve(int number, const Motion &motion, const Ref<PlantStem> &stem) {
+	StemBeam beam = drawn;
+	beam.length *= float(std::pow(HEIGHT_RATIO, number));
+	beam.natural_frequency = motion.natural_frequency;
+	beam.damping_ratio = motion.damping_ratio;
 	if (stem.is_valid()) {
 		stem->tell(beam);
 	}
@@ -59,8 +56,7 @@ std::shared_ptr<const StemConstants> StemTable::of(
 		solution = solve_stem(bare);
 	}
 	solution.constants.dead_slope *= motion.wind_weight;
-	found = std::make_shared<const StemConstants>(solution.constants);
-	return found;
+	return solution.constants;
 }
 
 } // namespace undergrowth

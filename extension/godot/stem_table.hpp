@@ -13,24 +13,26 @@ namespace undergrowth {
 /// height, and where it follows from stiffness, for heights a tenth apart. Main thread.
 class StemTable {
 public:
-	/// Forgets what was solved: the species changed.
-	void clear();
-	/// Whether `problem()` was told of.
-	bool is_empty() const { return solved.empty(); }
+	/// Forgets everything: the species changed.
+	void clear() { *this = StemTable(); }
+	/// Whether it knows what its plants look like. It has to, before it is asked.
+	bool knows_plants() const { return drawn.length > 0.0f; }
+	/// Takes over what one of them, of the species' own height, says of its stem.
+	void learn(const SampledPlant &plant);
 
-	/// The stem of a plant of `height` metres. `drawn`: one of the species as it was sampled; `stem` may be null. Where
-	/// nothing can stand so, that of a stem without load that swings as declared, and problem() says what is wrong.
-	std::shared_ptr<const StemConstants> of(
-			float height, const SampledPlant &drawn, const Motion &motion, const godot::Ref<PlantStem> &stem);
+	/// The stem of a plant of `height` metres; `stem` may be null. Where nothing can stand so, that of a bare stem that
+	/// swings at about 1.5 Hz, and problem() says what is wrong.
+	std::shared_ptr<const StemConstants> of(float height, const Motion &motion, const godot::Ref<PlantStem> &stem);
 	/// In English; empty where all stems stand.
 	const godot::String &problem() const { return fault; }
 
 private:
-	std::map<int, std::shared_ptr<const StemConstants>> solved; ///< By class of height.
-	float reference = 0.0f; ///< m, the height of class 0.
+	std::map<int, std::shared_ptr<const StemConstants>> solved; ///< By class of height; 0 is that of `drawn`.
+	StemBeam drawn = nothing();
 	godot::String fault;
 
-	int class_of(float height, bool is_physical) const;
+	static StemBeam nothing();
+	StemConstants solve(int number, const Motion &motion, const godot::Ref<PlantStem> &stem);
 };
 
 } // namespace undergrowth

@@ -101,6 +101,8 @@ public:
 	StemState stem_before(int index) const;
 	void set_stem_before(int index, const StemState &state);
 	glm::vec2 rest_bend(int index) const;
+	/// What the second mode adds to the tip's bend, `alpha` of the way of the last step, of a page that keeps directions.
+	glm::vec2 second_bend(int index, float alpha) const;
 	/// A blow on a joint, 1 to StemConstants::joints, whose last one is the tip, or on the head (joints + 1).
 	void apply_impulse_at(int index, int joint, const glm::vec3 &impulse);
 	/// A blow on the tip (N·s): changes the velocity by impulse/mass, along the sphere. What goes along the stem is

@@ -6,6 +6,7 @@
 #include "motion/part_bend.hpp"
 #include "stem/stem_bones.hpp"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -192,6 +193,14 @@ StemState MotionPage::stem_before(int index) const {
 		state.place[k] = { column(first)[index], column(first + 1)[index] };
 	}
 	return state;
+}
+
+glm::vec2 MotionPage::second_bend(int index, float alpha) const {
+	if (kind.law != Law::stem || kind.stem.modes < 2) {
+		return { 0.0f, 0.0f };
+	}
+	const glm::vec2 last = keeps_directions ? stem_before(index).place[1] : stem(index).place[1];
+	return glm::mix(last, stem(index).place[1], alpha) * kind.stem.mode[1].tip_slope;
 }
 
 void MotionPage::set_before(int index, const glm::vec3 &direction) {

@@ -73,6 +73,7 @@ SampledPlant FieldLook::sample_alone(const PlacedPlant &plant) const {
 	SampledPlant sampled = nearest[size_t(plant.variant) % nearest.size()];
 	sampled.height = height_of(plant);
 	sampled.has_part_bones = true;
+	sampled.stem = stem;
 	return sampled;
 }
 
@@ -82,11 +83,21 @@ void FieldLook::take_material() {
 	}
 }
 
+float FieldLook::mean_height() const {
+	float sum = 0.0f;
+	for (const FieldVariant &variant : variants) {
+		sum += variant.height / float(variants.size());
+	}
+	return variants.empty() ? 1.0f : sum;
+}
+
 void FieldLook::read_motion() {
 	motion.law = Law(int(function->get_law()));
 	motion.joint = function->make_joint(1.0f, Basis());
 	motion.collision_radius = float(function->get_collision_radius());
 	motion.lean = std::atan2(motion.joint.rest.z, motion.joint.rest.y);
+	stem = function->find_stem(mean_height());
+	motion.stem = stem ? *stem : StemConstants();
 	motion.has_parts = motion.has_parts || (!samples.empty() && samples[0][0].grown);
 	motion.shortest = motion.longest = variants.empty() ? 1.0f : variants[0].height;
 	for (const FieldVariant &variant : variants) {
@@ -98,7 +109,8 @@ void FieldLook::read_motion() {
 float FieldLook::reach_of(const PlacedPlant &plant, float widening) const {
 	const float height = length_of(plant);
 	const float side = width * widening * plant.scale;
-	return std::sqrt(height * height + side * side);
+	// A bent stem's sides may lie along the way to its end.
+	return motion.law == Law::stem ? height + side : std::sqrt(height * height + side * side);
 }
 
 MotionPlant FieldLook::to_simulate(const PlacedPlant &plant) const {

@@ -46,6 +46,7 @@ struct FieldLook {
 	std::vector<std::vector<godot::Ref<godot::ArrayMesh>>> meshes; ///< By level and group.
 	std::vector<godot::Ref<godot::ShaderMaterial>> materials; ///< By level.
 	MotionSpecies motion;
+	std::shared_ptr<const StemConstants> stem; ///< As `motion` has it; null of another law.
 	float width = 0.0f; ///< m: the farthest that any mesh goes from its axis.
 
 	int64_t seed = 0; ///< Of all variants.
@@ -71,8 +72,10 @@ struct FieldLook {
 	float length_of(const PlacedPlant &plant) const { return height_of(plant) * plant.scale; }
 	/// Whether its plants are of parts.
 	bool has_parts() const { return !nearest.empty() && nearest[0].grown; }
-	/// The farthest that the plant's mesh goes from its root, `widening` times as wide, however it bends: linear blend
-	/// skinning moves no vertex farther than it is at rest (m).
+	/// Of its variants (m).
+	float mean_height() const;
+	/// The farthest that the plant's mesh goes from its root, `widening` times as wide, however it bends (m): linear blend
+	/// skinning moves no vertex farther than it is at rest.
 	float reach_of(const PlacedPlant &plant, float widening) const;
 	const FieldVariant &variant_of(const PlacedPlant &plant) const {
 		return variants[size_t(plant.variant) % variants.size()];
