@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/simd.hpp"
+#include "stem/stem_constants.hpp"
 #include "wind/wind_kernels.hpp"
 
 #include <cstdint>
@@ -49,14 +50,65 @@ struct SpringPage {
 /// Both laws keep t and its equilibrium within this size, so that nothing overflows: 0.06 degrees above the ground.
 inline constexpr float MAX_GNOMONIC = 1e3f;
 
+/// A wind in m/s, along the axes of the directions, at each plant; null where there is none.
+struct PlantAir {
+	const float *x = nullptr;
+	const float *z = nullptr;
+};
+
+/// What the step of one mode of a stem (StemMode) multiplies by, for one step length.
+struct StemModeStep {
+	/// The closed-form step as in SpringPage; one that puts the mode where it would stand at last if it is too fast.
+	float place_from_place, place_from_rate, rate_from_place, rate_from_rate;
+	float dead_share, air_share; ///< Half of StemMode's.
+	float air_drag; ///< s/m: share of the rate that the air takes in a step at 1 m/s of wind.
+	float air_lag; ///< m, as in StemMode.
+	float most_rate; ///< 1/s.
+};
+
+/// The tip's bend in the middle of a step, of the first mode at its start.
+struct StemTip {
+	float of_place;
+	float of_rate; ///< s.
+	float most = 1.0f; ///< The horizon.
+};
+
+/// What the steps of a species' stems share, for one step length. Some are variables for the same reason as in bounded().
+struct StemStep {
+	int modes;
+	StemModeStep mode[MOST_STEM_MODES];
+	StemTip dead_tip, air_tip; ///< Under a load of either kind.
+	float dead_slope, air_slope, axial_share; ///< As in StemConstants.
+	float most_force; ///< N: what bends the tip to 0.006 degrees from along the wind.
+	float softness; ///< 1 over the load, as linear slope of the tip, that a step can follow.
+	float most_place = 1.5f;
+	float most_wind = 150.0f; ///< m/s.
+	float least_hold = 1e-3f; ///< Of 1 and the load along the stem.
+	float one = 1.0f;
+};
+
+/// Plants of one species under the stem law.
+struct StemPage {
+	float *x[MOST_STEM_MODES], *z[MOST_STEM_MODES]; ///< Amplitudes in the frame of the rest direction.
+	float *rate_x[MOST_STEM_MODES], *rate_z[MOST_STEM_MODES]; ///< 1/s.
+	const float *rest_x, *rest_z; ///< Stereographic image of the rest direction (motion/bend_encoding.hpp).
+	const float *scale; ///< The length that the species' constants are for, over the plant's own.
+	StemStep step;
+};
+
 /// One build of the kernels. All builds give the same bits for any split of a range.
 struct KernelSet {
 	void (*step_elasticity)(const ElasticityPage &page, int count, const PlantWinds &winds);
 	void (*step_spring)(const SpringPage &page, int count, const PlantWinds &winds);
+	/// `winds` in newtons and `air` in m/s blow together. Either one's numbers may be null.
+	void (*step_stem)(const StemPage &page, int count, const PlantWinds &winds, const PlantAir &air);
 	/// Moves each pair of bends (motion/bend_encoding.hpp) on: the second becomes the first, the present one the
 	/// second.
 	void (*encode_elasticity)(const float *x, const float *y, const float *z, int count, uint32_t *pairs);
 	void (*encode_spring)(const float *x, const float *z, int count, uint32_t *pairs);
+	/// The amplitudes of all modes, as they are, in the place of bends: `page.step.modes` pairs a plant, one after
+	/// another.
+	void (*encode_stem)(const StemPage &page, int count, uint32_t *pairs);
 	/// Unit directions to out[0 .. 3·count), three floats each.
 	void (*interpolate_elasticity)(const DirectionView &view, int count, float alpha, float *out);
 	void (*interpolate_spring)(const GnomonicView &view, int count, float alpha, float *out);

@@ -21,9 +21,10 @@ namespace avx2_kernels {
 #include "motion/kernel_bends.inc"
 #include "motion/kernel_elasticity.inc"
 #include "motion/kernel_spring.inc"
+#include "motion/kernel_stem.inc"
 
-static const KernelSet SET = { step_elasticity, step_spring, encode_elasticity, encode_spring, interpolate_elasticity,
-	interpolate_spring };
+static const KernelSet SET = { step_elasticity, step_spring, step_stem, encode_elasticity, encode_spring, encode_stem,
+	interpolate_elasticity, interpolate_spring };
 
 } // namespace avx2_kernels
 

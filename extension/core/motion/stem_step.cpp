@@ -1,0 +1,81 @@
+#include "motion/stem_step.hpp"
+
+#include "conventions.hpp"
+#include "motion/joint_constants.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+constexpr float MIN_LENGTH = 1e-4f; // m.
+constexpr float LEAST_SHARE = 1e-3f;
+constexpr float LEAST_SLOPE = 1e-30f; // 1/N.
+constexpr float MOST_LOAD = 1e4f; // As linear slope of the tip.
+/// rad a step, a quarter of a swing. Faster modes would only show what a step makes of them.
+constexpr float MOST_PHASE = static_cast<float>(0.5 * PI);
+constexpr float MOST_RATE = 6.0f; // Over the mode's frequency (rad/s).
+/// The step settles up to twice this share of a load's projection at the present bend, times load·(ω_1·step)².
+constexpr float FOLLOWED = 0.25f;
+
+StemModeStep mode_step(const StemMode &mode, float step) {
+	StemModeStep made;
+	made.dead_share = 0.5f * mode.dead_share;
+	made.air_share = 0.5f * mode.air_share;
+	made.air_drag = step * mode.air_drag / mode.mass;
+	made.air_lag = mode.air_lag;
+	made.most_rate = MOST_RATE * mode.frequency;
+	if (mode.frequency * step > MOST_PHASE) {
+		made.place_from_place = -1.0f;
+		made.place_from_rate = 0.0f;
+		made.rate_from_place = 0.0f;
+		made.rate_from_rate = -1.0f;
+		return made;
+	}
+	Joint joint;
+	joint.natural_frequency = static_cast<float>(static_cast<double>(mode.frequency) / (2.0 * PI));
+	joint.damping_ratio = mode.damping;
+	const SpringConstants spring = spring_constants(joint, step);
+	made.place_from_place = spring.place_from_place;
+	made.place_from_rate = spring.place_from_rate;
+	made.rate_from_place = spring.rate_from_place;
+	made.rate_from_rate = spring.rate_from_rate;
+	return made;
+}
+
+/// Of a first mode that has this share of the tip's bend.
+StemTip tip_of(float share, float step) {
+	StemTip tip;
+	tip.of_place = 1.0f / std::max(share, LEAST_SHARE);
+	tip.of_rate = 0.5f * step * tip.of_place;
+	return tip;
+}
+
+} // namespace
+
+StemStep stem_step_constants(const StemConstants &stem, float step) {
+	StemStep made = {};
+	made.modes = std::clamp(stem.modes, 1, MOST_STEM_MODES);
+	for (int k = 0; k < made.modes; k++) {
+		made.mode[k] = mode_step(stem.mode[k], step);
+	}
+	const float phase = stem.mode[0].frequency * step;
+	made.dead_slope = stem.dead_slope;
+	made.air_slope = stem.air_slope;
+	made.axial_share = stem.axial_share;
+	made.dead_tip = tip_of(stem.mode[0].dead_share, step);
+	made.air_tip = tip_of(stem.mode[0].air_share, step);
+	made.most_force = MOST_LOAD / std::max(made.dead_slope, LEAST_SLOPE);
+	made.softness = phase * phase / FOLLOWED;
+	return made;
+}
+
+void stem_scales(const StemConstants &stem, const float *lengths, int count, float *scales) {
+	for (int i = 0; i < count; i++) {
+		scales[i] = stem.length / std::max(lengths[i], MIN_LENGTH);
+	}
+}
+
+} // namespace undergrowth

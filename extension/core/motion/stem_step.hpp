@@ -1,0 +1,17 @@
+#pragma once
+
+#include "motion/kernel_tables.hpp"
+#include "stem/stem_constants.hpp"
+
+namespace undergrowth {
+
+/// What the stem kernel needs of a species for steps of one length (s).
+///
+/// The modes' steps are the closed form of a damped oscillator, so frequency and damping are as they say at any step
+/// length. A mode with less than four steps to a swing does not swing: it stands where its load leads.
+StemStep stem_step_constants(const StemConstants &stem, float step);
+
+/// StemPage::scale of plants with each of `count` lengths (m).
+void stem_scales(const StemConstants &stem, const float *lengths, int count, float *scales);
+
+} // namespace undergrowth

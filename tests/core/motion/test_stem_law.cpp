@@ -1,0 +1,82 @@
+#include "stem_plants.hpp"
+#include "swing.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <initializer_list>
+#include <vector>
+
+using namespace undergrowth;
+
+namespace {
+
+constexpr double FREQUENCY_TOLERANCE = 0.005; // Relative.
+constexpr double DAMPING_TOLERANCE = 0.003;
+constexpr double ANGLE_TOLERANCE = 2e-4; // rad.
+
+/// The amplitude's x after each of so many steps in calm air.
+std::vector<double> ring_down(StemPlants &plants, int steps, int mode) {
+	std::vector<double> places;
+	for (int i = 0; i < steps; i++) {
+		plants.step();
+		places.push_back(static_cast<double>(plants.place(0, mode).x));
+	}
+	return places;
+}
+
+} // namespace
+
+TEST_CASE("a stem swings at its declared frequency and damping at 30, 60 and 144 steps a second") {
+	for (const int rate : { 30, 60, 144 }) {
+		for (const double frequency : { 0.7, 1.6, 5.0 }) {
+			const double step = 1.0 / rate;
+			StemPlants plants(simple_stem(frequency, 0.06), 1, static_cast<float>(step));
+			plants.set_place(0, { 0.3f, 0.0f });
+			const std::vector<double> places = ring_down(plants, static_cast<int>(6.0 / frequency * rate), 0);
+			CAPTURE(rate);
+			CAPTURE(frequency);
+			CHECK(frequency_of(places, step) ==
+					doctest::Approx(frequency * std::sqrt(1.0 - 0.06 * 0.06)).epsilon(FREQUENCY_TOLERANCE));
+			// Crossings of a decaying swing between samples: peaks are found within a thousandth.
+			const double ratio = decay_rate_of(places, step) / (2.0 * PI * frequency);
+			CHECK(std::fabs(ratio - 0.06) < DAMPING_TOLERANCE);
+		}
+	}
+}
+
+TEST_CASE("a load in newtons bends the tip to tan θ = its linear slope") {
+	for (const bool two : { false, true }) {
+		for (const double frequency : { 0.7, 1.5, 7.0, 12.0 }) {
+			for (const double load : { 0.1, 0.5, 1.0, 2.5, 12.0, 300.0, 1e4 }) {
+				const StemConstants stem = two ? stem_of_two_modes(frequency, 0.1) : simple_stem(frequency, 0.1);
+				StemPlants plants(stem, 1, FRAME_STEP);
+				plants.blow(static_cast<float>(load) / stem.dead_slope);
+				plants.run(30.0 / frequency);
+				CAPTURE(frequency);
+				CAPTURE(load);
+				CHECK(std::fabs(plants.tip_angle(0) - std::atan(load)) < ANGLE_TOLERANCE);
+			}
+		}
+	}
+}
+
+TEST_CASE("a wind in m/s bends the tip to sin θ/cos² θ = its linear slope") {
+	for (const bool two : { false, true }) {
+		for (const double frequency : { 0.7, 1.5, 7.0, 12.0 }) {
+			for (const double load : { 0.17, 0.83, 3.33, 16.7, 33.3, 1000.0 }) {
+				const StemConstants stem = two ? stem_of_two_modes(frequency, 0.1) : simple_stem(frequency, 0.1);
+				StemPlants plants(stem, 1, FRAME_STEP);
+				const double scale = 1e-3 * load / static_cast<double>(stem.air_slope); // Wind of 31 m/s.
+				plants.set_scale(0, static_cast<float>(scale));
+				const glm::vec2 wind = { 0.0f, std::sqrt(1000.0f) };
+				plants.blow(0.0f, &wind);
+				plants.run(30.0 / frequency);
+				const double angle = plants.tip_angle(0);
+				CAPTURE(frequency);
+				CAPTURE(load);
+				CHECK(std::sin(angle) / (std::cos(angle) * std::cos(angle)) == doctest::Approx(load).epsilon(2e-3));
+			}
+		}
+	}
+}
