@@ -194,8 +194,8 @@ template <class Pages> void TipContact::count(const Pages &field, int begin, int
 		if (found > 0) {
 			touching[own.tip] = static_cast<uint8_t>(found);
 			const MotionPage &page = field.page(page_of(own.tip));
-			vectors[own.tip] = page.length(index_of(own.tip)) *
-					stand_of(field, page_of(own.tip)).outward(page.state(index_of(own.tip)).rate);
+			vectors[own.tip] =
+					stand_of(field, page_of(own.tip)).outward(page.tip_velocity(index_of(own.tip)));
 		}
 	}
 }
@@ -226,8 +226,12 @@ template <class Pages> void TipContact::separate_one(Pages &field, const SortedT
 	});
 	const int index = index_of(tip);
 	const PageStand &stand = stand_of(field, page_of(tip));
-	TipState state = page.state(index);
 	move = stand.inward(move);
+	if (page.law() == Law::stem) {
+		page.move_tip(index, move, stand.inward(blow));
+		return;
+	}
+	TipState state = page.state(index);
 	const glm::vec3 along = move - glm::dot(move, state.direction) * state.direction;
 	state.rate += stand.inward(blow) / page.length(index);
 	state.direction += along / page.length(index);

@@ -104,6 +104,8 @@ public:
 	StemMotion shown_stem(int page, int index, float fraction) const;
 	/// Unit: where a plant points in calm air; of a follower whom it follows.
 	glm::vec3 rest(int page, int index) const;
+	/// The same as half floats know it as a stereographic image.
+	glm::vec2 rest_bend(int page, int index) const;
 	/// Whether plants of a page are of parts.
 	bool has_parts(int page) const { return kinds[static_cast<std::size_t>(at(page).page.species())].has_parts; }
 	/// From a plant's bend before to its bend after, as they are drawn (s).

@@ -142,6 +142,15 @@ void FieldSimulation::push_followers(int page, const MovingBody &body) {
 	const float thickness = std::max(entry.page.collision_radius(), 0.0f);
 	for_each_in_reach(entry.page, body, [&](int index) {
 		TipState pushed = state(page, index);
+		if (entry.page.law() == Law::stem) {
+			const StemConstants &stem = entry.page.stem_constants();
+			const glm::vec2 calm = rest_bend(page, index);
+			StemState bent = stem_state(stem, pushed, calm);
+			if (push_plant(stem, bent, calm, entry.page.root(index), entry.page.length(index), thickness, body)) {
+				push_follower(entry, index, tip_state(stem, bent, calm));
+			}
+			return;
+		}
 		if (push_plant(pushed, entry.page.root(index), entry.page.length(index), thickness, body)) {
 			push_follower(entry, index, pushed);
 		}

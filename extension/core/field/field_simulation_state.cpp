@@ -89,7 +89,7 @@ StemMotion FieldSimulation::shown_stem(int page, int index, float fraction) cons
 	StemMotion stem;
 	stem.bend = way.bend;
 	stem.rate = way.change / shown_interval(page);
-	stem.rest = stereographic(encode_bend(rest(page, index)));
+	stem.rest = rest_bend(page, index);
 	if (at(page).page.has_second_bends()) {
 		stem.second = bend_way(at(page).page.second_bends() + 2 * index, alpha(page, fraction)).bend;
 	}
@@ -101,6 +101,10 @@ glm::vec3 FieldSimulation::rest(int page, int index) const {
 	return entry.page.swings() ? entry.page.rest(index)
 							   : models[static_cast<std::size_t>(entry.page.species())].rest(
 										 entry.followers[static_cast<std::size_t>(index)].prototype);
+}
+
+glm::vec2 FieldSimulation::rest_bend(int page, int index) const {
+	return stereographic(encode_bend(rest(page, index)));
 }
 
 TipState FieldSimulation::state(int page, int index) const {
@@ -127,7 +131,11 @@ void FieldSimulation::apply_impulse(int page, int index, const glm::vec3 &impuls
 	}
 	TipState pushed = state(page, index);
 	if (plants.law() == Law::stem) {
-		pushed = plants.blown(pushed, index, impulse);
+		const glm::vec2 calm = rest_bend(page, index);
+		StemState blown = stem_state(plants.stem_constants(), pushed, calm);
+		blow_on_stem(plants.stem_constants(), blown, 1.0f, turned(impulse, -calm),
+				plants.stem_constants().length / plants.length(index));
+		pushed = tip_state(plants.stem_constants(), blown, calm);
 	} else {
 		pushed.rate += impulse / (plants.mass() * plants.length(index));
 	}

@@ -1,5 +1,9 @@
 #include "motion/bodies.hpp"
 
+#include "motion/part_bend.hpp"
+#include "motion/stem_blows.hpp"
+#include "stem/stem_bones.hpp"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -15,6 +19,7 @@ constexpr float UPPER_STEM = 0.6f;
 /// A push almost along the stem turns it no more than one this far from it would.
 constexpr float LEAST_TANGENT = 0.3f;
 constexpr float TINY = 1e-6f;
+constexpr int PUSHED_PLACES = 8; // Of a stem that bends along its length, none of them its root.
 constexpr int STEM_PARTS = 4; // Between the points of a stem that may touch a body.
 
 bool is_finite(const glm::vec3 &vector) {
@@ -107,6 +112,33 @@ bool push_point(
 	return true;
 }
 
+/// Pushes one place of a stem, as push_point() does with what is straight.
+bool push_place(const StemConstants &stem, StemState &state, const glm::vec2 &rest, const glm::vec3 &root, float length,
+		float x, float thickness, const MovingBody &body) {
+	const StemPlace place = stem_place(stem, state.place, x);
+	const glm::vec3 point = root + length * turned(place.centre, rest);
+	const glm::vec3 direction = turned(from_stereographic(place.bend), rest);
+	const Exit exit = exit_of(body, point, root, direction);
+	const float depth = exit.depth + thickness;
+	if (depth <= 0.0f) {
+		return false;
+	}
+	glm::vec3 along = tangent_part(exit.out, direction);
+	float size = glm::length(along);
+	if (size < TINY) {
+		along = tangent_part(away_from_line(point, root), direction);
+		size = std::max(glm::length(along), TINY);
+	}
+	along = turned(along / size, -rest);
+	const float scale = stem.length / length;
+	push_stem(stem, state, x, along * (depth / std::max(size, LEAST_TANGENT)), scale);
+	const float inward = glm::dot(stem_velocity(stem, state, x, scale) - turned(body.velocity, -rest), along);
+	if (inward < 0.0f) {
+		blow_on_stem(stem, state, x, along * (-inward * stem_mass(stem, x)), scale);
+	}
+	return true;
+}
+
 /// In the axes of the page's directions.
 MovingBody turned_inward(const MovingBody &body, const PageStand &stand) {
 	MovingBody turned = body;
@@ -157,6 +189,16 @@ bool push_plant(TipState &state, const glm::vec3 &root, float length, float thic
 	return push_point(state, root, length, TIP, thickness, body) || inside;
 }
 
+bool push_plant(const StemConstants &stem, StemState &state, const glm::vec2 &rest, const glm::vec3 &root, float length,
+		float thickness, const MovingBody &body) {
+	bool inside = false;
+	for (int part = 1; part <= PUSHED_PLACES; part++) {
+		const float x = static_cast<float>(part) / PUSHED_PLACES;
+		inside |= push_place(stem, state, rest, root, length, x, part == PUSHED_PLACES ? thickness : 0.0f, body);
+	}
+	return inside;
+}
+
 bool touches_plant(const MotionPage &page, int index, const MovingBody &body, float margin, const PageStand &stand) {
 	const float thickness = std::max(page.collision_radius(), 0.0f);
 	const glm::vec3 root = page.root(index);
@@ -187,8 +229,17 @@ int push_plants(MotionPage &page, const MovingBody &body, const PageStand &stand
 	MovingBody seen = turned_inward(body, stand);
 	int touched = 0;
 	for_each_in_reach(page, body, [&](int i) {
-		TipState state = page.state(i);
 		seen.velocity = stand.inward(stand.velocities ? lesser_velocity(body, stand.velocities[i]) : body.velocity);
+		if (page.law() == Law::stem) {
+			StemState stem = page.stem(i);
+			if (push_plant(page.stem_constants(), stem, page.rest_bend(i), stand.inward(page.root(i)), page.length(i),
+						thickness, seen)) {
+				page.set_stem(i, stem);
+				touched++;
+			}
+			return;
+		}
+		TipState state = page.state(i);
 		if (push_plant(state, stand.inward(page.root(i)), page.length(i), thickness, seen)) {
 			page.set_state(i, state);
 			touched++;

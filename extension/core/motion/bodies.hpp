@@ -51,6 +51,11 @@ struct PageStand {
 /// it.
 bool push_plant(TipState &state, const glm::vec3 &root, float length, float thickness, const MovingBody &body);
 
+/// The same with a stem that bends along its length: at each of eight places from the ground up, so that a body pushes
+/// where it touches. `rest`: the bend of its rest.
+bool push_plant(const StemConstants &stem, StemState &state, const glm::vec2 &rest, const glm::vec3 &root, float length,
+		float thickness, const MovingBody &body);
+
 /// Calls visit(index) for each plant of a page that the body may touch, in rising order; never for one that is gone.
 /// `body`: valid.
 template <class Visit> void for_each_in_reach(const MotionPage &page, const MovingBody &body, const Visit &visit);

@@ -77,6 +77,7 @@ struct StemTip {
 struct StemStep {
 	int modes;
 	StemModeStep mode[MOST_STEM_MODES];
+	float tip_slope[MOST_STEM_MODES]; ///< As in StemMode.
 	StemTip dead_tip, air_tip; ///< Under a load of either kind.
 	float dead_slope, air_slope, axial_share; ///< As in StemConstants.
 	float most_force; ///< N: what bends the tip to 0.006 degrees from along the wind.
@@ -106,9 +107,8 @@ struct KernelSet {
 	/// second.
 	void (*encode_elasticity)(const float *x, const float *y, const float *z, int count, uint32_t *pairs);
 	void (*encode_spring)(const float *x, const float *z, int count, uint32_t *pairs);
-	/// The amplitudes of all modes, as they are, in the place of bends: `page.step.modes` pairs a plant, one after
-	/// another.
-	void (*encode_stem)(const StemPage &page, int count, uint32_t *pairs);
+	/// The tip's bends (motion/stem_state.hpp, StemBends); `second_pairs` is not asked for where there is one mode.
+	void (*encode_stem)(const StemPage &page, int count, uint32_t *pairs, uint32_t *second_pairs);
 	/// Unit directions to out[0 .. 3·count), three floats each.
 	void (*interpolate_elasticity)(const DirectionView &view, int count, float alpha, float *out);
 	void (*interpolate_spring)(const GnomonicView &view, int count, float alpha, float *out);

@@ -5,7 +5,7 @@
 #include "motion/joint_constants.hpp"
 #include "motion/kernel_tables.hpp"
 #include "motion/motion_species.hpp"
-#include "motion/stem_state.hpp"
+#include "motion/stem_blows.hpp"
 #include "motion/stem_step.hpp"
 
 #include <glm/vec3.hpp>
@@ -73,7 +73,8 @@ public:
 	const float *roots_z() const { return rows.column(2); }
 	const float *lengths() const { return rows.column(3); }
 	float collision_radius() const { return kind.collision_radius; }
-	float mass() const { return kind.joint.mass; }
+	/// What a blow on the tip moves (kg).
+	float mass() const { return kind.law == Law::stem ? stem_mass(kind.stem, 1.0f) : kind.joint.mass; }
 	glm::vec3 root(int index) const;
 	float length(int index) const;
 	/// The direction of a plant in calm air.
@@ -84,6 +85,8 @@ public:
 	/// the straight line along the direction, or on the bent stem.
 	glm::vec3 arm(int index, float share) const;
 	glm::vec3 tip(int index) const { return root(index) + arm(index, 1.0f); }
+	/// m/s, of a tip.
+	glm::vec3 tip_velocity(int index) const;
 	TipState state(int index) const;
 	/// Puts a plant into a state; what is drawn as the last one is this state's.
 	void set_state(int index, const TipState &state);
@@ -103,6 +106,8 @@ public:
 	glm::vec2 rest_bend(int index) const;
 	/// What the second mode adds to the tip's bend, `alpha` of the way of the last step, of a page that keeps directions.
 	glm::vec2 second_bend(int index, float alpha) const;
+	/// Of the stem law: moves a tip by `way` (m), and its velocity by `faster` (m/s), as far as they go across the stem.
+	void move_tip(int index, const glm::vec3 &way, const glm::vec3 &faster);
 	/// A blow on a joint, 1 to StemConstants::joints, whose last one is the tip, or on the head (joints + 1).
 	void apply_impulse_at(int index, int joint, const glm::vec3 &impulse);
 	/// A blow on the tip (N·s): changes the velocity by impulse/mass, along the sphere. What goes along the stem is

@@ -4,6 +4,7 @@
 #include "motion/motion_page.hpp"
 #include "motion/motion_page_columns.hpp"
 #include "motion/part_bend.hpp"
+#include "motion/stem_blows.hpp"
 #include "stem/stem_bones.hpp"
 
 #include <glm/common.hpp>
@@ -232,6 +233,29 @@ void MotionPage::set_stem_before(int index, const StemState &state) {
 		column(first)[index] = state.place[k].x;
 		column(first + 1)[index] = state.place[k].y;
 	}
+}
+
+glm::vec3 MotionPage::tip_velocity(int index) const {
+	if (!is_swinging || kind.law != Law::stem) {
+		return length(index) * state(index).rate;
+	}
+	return turned(stem_velocity(kind.stem, stem(index), 1.0f, kind.stem.length / length(index)), rest_bend(index));
+}
+
+void MotionPage::move_tip(int index, const glm::vec3 &way, const glm::vec3 &faster) {
+	const glm::vec2 back = -rest_bend(index);
+	const float scale = kind.stem.length / length(index);
+	StemState moved = stem(index);
+	push_stem(kind.stem, moved, 1.0f, turned(way, back), scale);
+	blow_on_stem(kind.stem, moved, 1.0f, turned(faster * stem_mass(kind.stem, 1.0f), back), scale);
+	set_stem(index, moved);
+}
+
+void MotionPage::apply_impulse_at(int index, int joint, const glm::vec3 &impulse) {
+	StemState blown = stem(index);
+	const float x = joint > kind.stem.joints ? ON_HEAD : static_cast<float>(joint) / static_cast<float>(kind.stem.joints);
+	blow_on_stem(kind.stem, blown, x, turned(impulse, -rest_bend(index)), kind.stem.length / length(index));
+	set_stem(index, blown);
 }
 
 void MotionPage::apply_impulse(int index, const glm::vec3 &impulse) {

@@ -2,6 +2,9 @@
 
 #include "motion/motion_page.hpp"
 #include "motion/motion_page_columns.hpp"
+#include "motion/part_bend.hpp"
+
+#include <glm/common.hpp>
 
 #include <algorithm>
 
@@ -35,6 +38,9 @@ void MotionPage::update_constants(int begin, int end) {
 	if (kind.law == Law::elasticity) {
 		elasticity = elasticity_constants(kind.joint, step_time);
 		elasticity_weights(kind.joint, step_time, lengths() + begin, end - begin, column(WEIGHT) + begin);
+	} else if (kind.law == Law::stem) {
+		stems = stem_step_constants(kind.stem, step_time);
+		stem_scales(kind.stem, lengths() + begin, end - begin, column(LOAD_SCALE) + begin);
 	} else {
 		spring = spring_constants(kind.joint, step_time);
 		spring_gains(spring, lengths() + begin, end - begin, column(WIND_GAIN) + begin);
@@ -74,6 +80,22 @@ SpringPage MotionPage::spring_page(int begin) {
 	return page;
 }
 
+StemPage MotionPage::stem_page(int begin) {
+	StemPage page = {};
+	for (int k = 0; k < kind.stem.modes; k++) {
+		const int first = first_of_mode(k);
+		page.x[k] = column(first) + begin;
+		page.z[k] = column(first + 1) + begin;
+		page.rate_x[k] = column(first + 2) + begin;
+		page.rate_z[k] = column(first + 3) + begin;
+	}
+	page.rest_x = column(STEM_REST_X) + begin;
+	page.rest_z = column(STEM_REST_Z) + begin;
+	page.scale = column(LOAD_SCALE) + begin;
+	page.step = stems;
+	return page;
+}
+
 void MotionPage::prefetch() const {
 #if defined(__GNUC__)
 	constexpr int FLOATS = 64; // Of each column: what the processor's own prefetching needs to take over.
@@ -92,6 +114,11 @@ void MotionPage::remember() {
 		copy(X, LAST_X);
 		copy(Y, LAST_Y);
 		copy(Z, LAST_Z);
+	} else if (kind.law == Law::stem) {
+		for (int k = 0; k < kind.stem.modes; k++) {
+			copy(first_of_mode(k), last_of_mode(kind.stem.modes, k));
+			copy(first_of_mode(k) + 1, last_of_mode(kind.stem.modes, k) + 1);
+		}
 	} else {
 		copy(FLAT_X, FLAT_LAST_X);
 		copy(FLAT_Z, FLAT_LAST_Z);
@@ -116,6 +143,13 @@ void MotionPage::step(const TravellingWind &wind, const PlantWinds &along, SimdL
 			if (block_pairs) {
 				set.encode_elasticity(block.x, block.y, block.z, count, block_pairs);
 			}
+		} else if (kind.law == Law::stem) {
+			const StemPage block = stem_page(begin);
+			set.step_stem(block, count, winds, {});
+			if (block_pairs) {
+				Bend *seconds = second_pairs.empty() ? nullptr : second_pairs.data() + 2 * static_cast<std::size_t>(begin);
+				set.encode_stem(block, count, block_pairs, seconds);
+			}
 		} else {
 			const SpringPage block = spring_page(begin);
 			set.step_spring(block, count, winds);
@@ -136,6 +170,15 @@ void MotionPage::interpolate(float alpha, glm::vec3 *out) const {
 	if (kind.law == Law::elasticity) {
 		const DirectionView view = { at(X), at(Y), at(Z), at(LAST_X), at(LAST_Y), at(LAST_Z) };
 		set.interpolate_elasticity(view, size(), alpha, &out->x);
+	} else if (kind.law == Law::stem) {
+		for (int i = 0; i < size(); i++) {
+			const StemState last = stem_before(i);
+			StemState shown = stem(i);
+			for (int k = 0; k < kind.stem.modes; k++) {
+				shown.place[k] = glm::mix(last.place[k], shown.place[k], alpha);
+			}
+			out[i] = turned(from_stereographic(tip_bend(kind.stem, shown)), rest_bend(i));
+		}
 	} else {
 		const GnomonicView view = { at(FLAT_X), at(FLAT_Z), at(FLAT_LAST_X), at(FLAT_LAST_Z) };
 		set.interpolate_spring(view, size(), alpha, &out->x);

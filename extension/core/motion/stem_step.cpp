@@ -60,6 +60,7 @@ StemStep stem_step_constants(const StemConstants &stem, float step) {
 	made.modes = std::clamp(stem.modes, 1, MOST_STEM_MODES);
 	for (int k = 0; k < made.modes; k++) {
 		made.mode[k] = mode_step(stem.mode[k], step);
+		made.tip_slope[k] = stem.mode[k].tip_slope;
 	}
 	const float phase = stem.mode[0].frequency * step;
 	made.dead_slope = stem.dead_slope;

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "motion/stem_state.hpp"
+
+#include <glm/vec3.hpp>
+
+namespace undergrowth {
+
+// What acts on a stem at a place x, 0 at its root to 1 at its tip, or on the centre of its head (ON_HEAD). Between
+// joints, how far the modes deflect it is taken from both. All vectors are in the frame of the rest. `scale`: the length
+// that the constants are for over the plant's own; frequencies and masses are the same for both.
+
+inline constexpr float ON_HEAD = 2.0f;
+
+/// m/s, of a place. Along the stem nothing moves.
+glm::vec3 stem_velocity(const StemConstants &stem, const StemState &state, float x, float scale);
+
+/// kg: what moves with a place as a blow feels it, 1/Σ φ²/m; much at the root.
+float stem_mass(const StemConstants &stem, float x);
+
+/// A blow (N·s): the place's velocity changes by impulse over stem_mass() across the stem; what goes along the stem
+/// is held by the root.
+void blow_on_stem(const StemConstants &stem, StemState &state, float x, const glm::vec3 &impulse, float scale);
+
+/// Moves a place by `way` (m), as far as it goes across the stem, with the least energy of bending: as something that
+/// pushes it there slowly would. For ways that are small beside the stem.
+void push_stem(const StemConstants &stem, StemState &state, float x, const glm::vec3 &way, float scale);
+
+} // namespace undergrowth
