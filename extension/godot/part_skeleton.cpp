@@ -2,6 +2,7 @@
 
 #include "convert.hpp"
 #include "form/grown_plant.hpp"
+#include "motion/bend_encoding.hpp"
 #include "new_object.hpp"
 #include "shared_resources.hpp"
 #include "stem/stem_bones.hpp"
@@ -126,6 +127,15 @@ void PartSkeleton::set_up(Skeleton3D *skeleton, const PartSkeleton *parts) {
 bool PartSkeleton::is_calm() const {
 	return glm::distance(stem.bend, stem.rest) < CALM_BEND && glm::length(stem.rate) < CALM_RATE &&
 			glm::length(stem.second) < CALM_RATE;
+}
+
+glm::vec3 PartSkeleton::arm(const glm::vec3 &direction, float share) const {
+	if (!has_joints()) {
+		return share * direction;
+	}
+	StemMotion bent = stem;
+	bent.bend = stereographic(encode_bend(direction));
+	return StandingStem(*constants, 1.0f, bent).place_of({ 0.0f, share, 0.0f }, share);
 }
 
 void PartSkeleton::update_stem(const StandingStem &standing) {

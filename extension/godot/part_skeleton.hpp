@@ -33,6 +33,8 @@ public:
 	/// Whether the stem has joints: then the tip is posed here, too.
 	bool has_joints() const { return joints > 0; }
 	int joint_count() const { return joints; }
+	/// As PlantView::arm().
+	glm::vec3 arm(const glm::vec3 &direction, float share) const;
 	/// Other constants for as many joints.
 	void set_stem(const std::shared_ptr<const StemConstants> &stem_constants) { constants = stem_constants; }
 

@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace godot;
@@ -242,8 +243,23 @@ void Plant3D::preview(double delta, const Ref<PlantWind> &blowing) {
 	}
 }
 
+// In the plant's own axes and lengths.
+Vector3 Plant3D::arm(float share) const {
+	glm::vec3 found;
+	if (motion.find_arm(share, found)) {
+		return stance.axes.xform_inv(to_godot(found));
+	}
+	const glm::vec3 own = to_glm(stance.axes.xform_inv(to_godot(motion.swing(rest()).now.direction)));
+	return to_godot(view.arm(own, share));
+}
+
+int Plant3D::get_joint_count() {
+	get_mesh();
+	return std::max(view.joint_count(), 1);
+}
+
 Vector3 Plant3D::get_tip_position() const {
-	return stance.axes.xform_inv(to_godot(motion.arm(rest(), 1.0f))) * view.height();
+	return arm(1.0f) * view.height();
 }
 
 Vector3 Plant3D::get_joint_position(int joint) const {
@@ -254,7 +270,7 @@ Vector3 Plant3D::get_joint_position(int joint) const {
 						String::num_int64(joints) + ", the tip.");
 		return Vector3();
 	}
-	return stance.axes.xform_inv(to_godot(motion.arm(rest(), float(joint) / float(joints)))) * view.height();
+	return arm(float(joint) / float(joints)) * view.height();
 }
 
 double Plant3D::get_deflection() const {
@@ -263,7 +279,7 @@ double Plant3D::get_deflection() const {
 	return std::atan2(glm::length(glm::cross(from, direction)), glm::dot(from, direction));
 }
 
-void Plant3D::apply_impulse(const Vector3 &impulse) {
+void Plant3D::apply_impulse(const Vector3 &impulse, int joint) {
 	if (!impulse.is_finite()) {
 		report_error(this, "apply_impulse() needs a finite impulse in newton seconds.");
 		return;
@@ -274,7 +290,16 @@ void Plant3D::apply_impulse(const Vector3 &impulse) {
 		}
 		drive();
 	}
-	motion.apply_impulse(to_glm(impulse));
+	const int joints = std::max(view.joint_count(), 1);
+	if (joint < 0 || joint == joints) {
+		motion.apply_impulse(to_glm(impulse));
+	} else if (joint > 0 && joint < joints) {
+		motion.apply_impulse_at(joint, to_glm(impulse));
+	} else {
+		report_error(this,
+				"apply_impulse() cannot reach joint " + String::num_int64(joint) + ". Use one from 1 to " +
+						String::num_int64(joints) + ", or -1 for the tip.");
+	}
 }
 
 void Plant3D::reset_motion() {
@@ -308,7 +333,7 @@ bool Plant3D::is_point_in_plants(const Vector3 &point) const {
 	const float reach = float(touch_margin + species->get_collision_radius());
 	glm::vec3 from = stance.root;
 	for (int part = 1; part <= parts; part++) {
-		const glm::vec3 to = stance.root + length * motion.arm(rest(), float(part) / float(parts));
+		const glm::vec3 to = stance.root + length * to_glm(stance.axes.xform(arm(float(part) / float(parts))));
 		if (glm::distance(nearest_on_segment(from, to, to_glm(point)), to_glm(point)) <= reach) {
 			return true;
 		}

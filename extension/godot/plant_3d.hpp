@@ -36,8 +36,8 @@ class Plant3D : public godot::Node3D {
 	godot::String refusal; // Why the last advance() did nothing; told once, not in each frame that calls it.
 
 	// plant_3d_properties.cpp
-	/// Of a plant of `height` metres that stands here; null where another law moves it.
-	std::shared_ptr<const StemConstants> find_stem(float height) const;
+	/// Of a plant of so many metres that stands here; null where another law moves it.
+	std::shared_ptr<const StemConstants> find_stem(float metres) const;
 	MotionSpecies kind_of_motion() const;
 	PlantPush what_pushes() const;
 	MovedPlant moved() const;
@@ -59,6 +59,7 @@ class Plant3D : public godot::Node3D {
 	void drive();
 	void refuse(const godot::String &what);
 	void forget_touches();
+	godot::Vector3 arm(float share) const;
 
 protected:
 	static void _bind_methods();
@@ -93,10 +94,12 @@ public:
 	godot::AABB get_reach();
 	double get_plant_height();
 
+	int get_joint_count();
+	godot::Vector3 get_joint_position(int joint) const;
 	godot::Vector3 get_tip_position() const;
 	double get_deflection() const;
 	bool is_point_in_plants(const godot::Vector3 &point) const;
-	void apply_impulse(const godot::Vector3 &impulse);
+	void apply_impulse(const godot::Vector3 &impulse, int joint = -1);
 	void reset_motion();
 	/// Direction and rate of the tip, six floats in the plant's own axes.
 	godot::PackedFloat32Array get_motion_state() const;

@@ -38,7 +38,9 @@ void Plant3D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_tip_position"), &Plant3D::get_tip_position);
 	ClassDB::bind_method(D_METHOD("get_deflection"), &Plant3D::get_deflection);
 	ClassDB::bind_method(D_METHOD("is_point_in_plants", "point"), &Plant3D::is_point_in_plants);
-	ClassDB::bind_method(D_METHOD("apply_impulse", "impulse"), &Plant3D::apply_impulse);
+	ClassDB::bind_method(D_METHOD("apply_impulse", "impulse", "joint"), &Plant3D::apply_impulse, DEFVAL(-1));
+	ClassDB::bind_method(D_METHOD("get_joint_count"), &Plant3D::get_joint_count);
+	ClassDB::bind_method(D_METHOD("get_joint_position", "joint"), &Plant3D::get_joint_position);
 	ClassDB::bind_method(D_METHOD("reset_motion"), &Plant3D::reset_motion);
 	ClassDB::bind_method(D_METHOD("get_motion_state"), &Plant3D::get_motion_state);
 	ClassDB::bind_method(D_METHOD("set_motion_state", "state"), &Plant3D::set_motion_state);

@@ -138,8 +138,8 @@ void Plant3D::change_pushes() {
 	}
 }
 
-std::shared_ptr<const StemConstants> Plant3D::find_stem(float height) const {
-	return species->find_stem(stance.length_of(height));
+std::shared_ptr<const StemConstants> Plant3D::find_stem(float metres) const {
+	return species->find_stem(stance.length_of(metres));
 }
 
 MotionSpecies Plant3D::kind_of_motion() const {

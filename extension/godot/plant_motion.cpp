@@ -159,12 +159,12 @@ void PlantMotion::apply_impulse_at(int joint, const glm::vec3 &impulse) {
 	}
 }
 
-glm::vec3 PlantMotion::arm(const glm::vec3 &rest, float share) const {
+bool PlantMotion::find_arm(float share, glm::vec3 &arm) const {
 	const PlantGroup *in = group();
-	if (!in) { // Nobody knows how a parked stem bends along its length.
-		return share * swing(rest).now.direction;
+	if (in) {
+		arm = from_frame(frame(), in->page.arm(index(), share)) / in->page.length(index());
 	}
-	return from_frame(frame(), in->page.arm(index(), share)) / in->page.length(index());
+	return in != nullptr;
 }
 
 void PlantMotion::follow_axes(const Basis &axes) {

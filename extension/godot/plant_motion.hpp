@@ -64,8 +64,9 @@ public:
 	/// What moves. `rest` (unit, world axes) is where it points as long as nothing moved it.
 	PlantSwing swing(const glm::vec3 &rest) const;
 	void set_swing(const PlantSwing &swing);
-	/// From the root to a place on the plant, 0 the root to 1 the tip, in lengths of the plant and world axes.
-	glm::vec3 arm(const glm::vec3 &rest, float share) const;
+	/// From the root to a place on a plant that has a page, 0 the root to 1 the tip, in lengths of the plant and world
+	/// axes. False of one that is parked.
+	bool find_arm(float share, glm::vec3 &arm) const;
 	/// Calms it down at `rest`; one that is driven begins anew.
 	void reset(const glm::vec3 &rest);
 	/// Once: `impulse` in newton seconds, world axes, on one that is simulated or driven.

@@ -80,6 +80,10 @@ bool PlantView::follow_stem(const std::shared_ptr<const StemConstants> &stem) {
 	return is_same || mesh.is_null();
 }
 
+glm::vec3 PlantView::arm(const glm::vec3 &direction, float share) const {
+	return parts ? parts->arm(direction, share) : share * direction;
+}
+
 bool PlantView::hold_skeleton() {
 	const bool is_news = !is_held;
 	is_held = true;

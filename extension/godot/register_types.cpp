@@ -41,6 +41,7 @@ static void register_classes() {
 	GDREGISTER_CLASS(PlantBead);
 	GDREGISTER_CLASS(PlantArrangement);
 	GDREGISTER_CLASS(PlantGrowth);
+	GDREGISTER_CLASS(PlantStem);
 	GDREGISTER_CLASS(PlantFunction);
 	GDREGISTER_CLASS(GrassFunction);
 	GDREGISTER_CLASS(ReedFunction);
