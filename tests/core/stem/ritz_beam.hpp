@@ -9,7 +9,7 @@
 /// stem. Within 1e-5 for round stems that taper, with a head and leaves, weight included.
 class RitzBeam {
 public:
-	RitzBeam(const undergrowth::StemBeam &beam, double youngs_modulus) : beam(beam), modulus(youngs_modulus) {
+	RitzBeam(const undergrowth::StemBeam &stem, double youngs_modulus) : beam(stem), modulus(youngs_modulus) {
 		for (int n = 0; n < STEPS; n++) {
 			add((n + 0.5) / STEPS, 1.0 / STEPS);
 		}
