@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-/// The two slowest frequencies of a beam by another way than the product's: Ritz's, with ten polynomials over the whole
+/// The two slowest frequencies of a beam by another way than the product's: Ritz's, with polynomials over the whole
 /// stem. Within 1e-5 for round stems that taper, with a head and leaves, weight included.
 class RitzBeam {
 public:
@@ -21,7 +21,7 @@ public:
 	double second = 0.0; ///< rad/s.
 
 private:
-	static constexpr int COUNT = 10;
+	static constexpr int COUNT = 18;
 	static constexpr int STEPS = 4000;
 	using Matrix = std::array<std::array<double, COUNT>, COUNT>;
 
