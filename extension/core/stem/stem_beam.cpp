@@ -12,7 +12,7 @@ namespace undergrowth {
 
 namespace {
 
-constexpr double LEAST_REST = 1e-7; // Of the static shape: less is rounding.
+constexpr double LEAST_REST = 1e-16; // Of the energy of the static shape: less is rounding.
 constexpr int CELLS = STEM_SAMPLES - 1;
 
 /// A shape with its scalar products; the curve's deflection is that of a slope of at most 1.
