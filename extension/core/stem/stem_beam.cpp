@@ -3,6 +3,7 @@
 #include "conventions.hpp"
 #include "stem/stem_elements.hpp"
 #include "stem/stem_large.hpp"
+#include "stem/stem_products.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,7 @@ namespace undergrowth {
 
 namespace {
 
-constexpr double LEAST_REST = 1e-7; // Of the static shape: less is rounding.
-constexpr double GAUSS_PLACE[2] = { 0.21132486540518712, 0.78867513459481288 };
+constexpr double LEAST_REST = 1e-16; // Of the energy of the static shape: less is rounding.
 constexpr int CELLS = STEM_SAMPLES - 1;
 
 /// A shape with its scalar products; the curve's deflection is that of a slope of at most 1.
@@ -35,7 +35,7 @@ void write_terms(const StemSamples &samples, float *first, int step) {
 /// All that is made of a sound stem on the way to its constants.
 class Solver {
 public:
-	Solver(const StemBeam &beam, StemSolution &solution) : beam(beam), line(beam), elements(line), solution(solution) {}
+	Solver(const StemBeam &stem, StemSolution &result) : beam(stem), line(stem), elements(line), solution(result) {}
 
 	StemFault solve();
 
@@ -56,9 +56,6 @@ private:
 	void find_shapes(const StemFactors &factors);
 	Shape shape_of(StemCurve curve, double frequency) const;
 	void write_mode(int k);
-	double axial_share() const;
-	double air_product(const StemCurve &one, const StemCurve *other) const;
-	double head_deflection(const StemCurve &curve) const;
 	void write_deflections();
 	void write_shapes();
 	StemSamples slopes_of(const StemCurve &curve) const;
@@ -94,7 +91,7 @@ StemFault Solver::solve() {
 	}
 	constants.dead_slope = static_cast<float>(dead_slope);
 	constants.air_slope = static_cast<float>(air_slope);
-	constants.axial_share = static_cast<float>(axial_share());
+	constants.axial_share = static_cast<float>(axial_share(line, dead_curve));
 	for (int k = 0; k < beam.modes; k++) {
 		write_mode(k);
 		constants.mode[k].dead_share = static_cast<float>(shapes[k].dead / dead_slope);
@@ -149,49 +146,9 @@ void Solver::write_mode(int k) {
 	mode.stiffness = static_cast<float>(shape.stiffness);
 	mode.mass = static_cast<float>(shape.stiffness / (shape.frequency * shape.frequency));
 	mode.tip_slope = static_cast<float>(shape.curve.slope(1.0) / line.length);
-	mode.air_drag = static_cast<float>(air_product(shape.curve, &shape.curve));
-	mode.air_lag =
-			static_cast<float>(air_product(shape.curve, &shapes[0].curve) / air_product(shapes[0].curve, nullptr));
-}
-
-double Solver::head_deflection(const StemCurve &curve) const {
-	return curve.deflection(1.0) + line.head_centre / line.length * curve.slope(1.0);
-}
-
-/// ∫ c·one·other with the head's; without `other` ∫ c·one.
-double Solver::air_product(const StemCurve &one, const StemCurve *other) const {
-	const double head = head_deflection(one) * (other != nullptr ? head_deflection(*other) : 1.0);
-	double sum = line.head_air * head;
-	for (int i = 0; i < CELLS; i++) {
-		for (const double place : GAUSS_PLACE) {
-			const double x = (i + place) / CELLS;
-			const double value = one.deflection(x) * (other != nullptr ? other->deflection(x) : 1.0);
-			sum += 0.5 / CELLS * line.air.at(x) * value;
-		}
-	}
-	for (const StemSpread::Point &point : line.air.points) {
-		const double value = one.deflection(point.place);
-		sum += point.amount * value * (other != nullptr ? other->deflection(point.place) : 1.0);
-	}
-	return sum;
-}
-
-/// ∫V ψ²/(ψ_tip ∫V ψ): V is the wind above a place, ψ the slope of the static shape.
-double Solver::axial_share() const {
-	const double tip = dead_curve.slope(1.0);
-	const double arm = line.head_dead * line.head_centre / line.length;
-	double above = arm * tip * tip;
-	double below = arm * tip;
-	for (int i = 0; i < CELLS; i++) {
-		for (const double place : GAUSS_PLACE) {
-			const double x = (i + place) / CELLS;
-			const double slope = dead_curve.slope(x);
-			const double weight = 0.5 / CELLS * (line.dead.above(x) + line.head_dead);
-			above += weight * slope * slope;
-			below += weight * slope;
-		}
-	}
-	return above / (tip * below);
+	mode.air_drag = static_cast<float>(air_product(line, shape.curve, &shape.curve));
+	mode.air_lag = static_cast<float>(
+			air_product(line, shape.curve, &shapes[0].curve) / air_product(line, shapes[0].curve, nullptr));
 }
 
 void Solver::write_deflections() {
@@ -200,7 +157,7 @@ void Solver::write_deflections() {
 			solution.constants.deflection[j - 1][k] =
 					static_cast<float>(shapes[k].curve.deflection(static_cast<double>(j) / beam.joints));
 		}
-		solution.constants.deflection[beam.joints][k] = static_cast<float>(head_deflection(shapes[k].curve));
+		solution.constants.deflection[beam.joints][k] = static_cast<float>(head_deflection(line, shapes[k].curve));
 	}
 }
 

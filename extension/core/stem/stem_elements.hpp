@@ -10,7 +10,7 @@ namespace undergrowth {
 /// two for each element, with a cubic curve between (Hermite).
 class StemCurve {
 public:
-	static constexpr int ELEMENTS = 16;
+	static constexpr int ELEMENTS = 32;
 	static constexpr int SIZE = 2 * ELEMENTS;
 
 	std::array<double, SIZE> values = {};

@@ -40,7 +40,7 @@ double air_tip(double slope) {
 /// Least squares of two unknowns for each sample.
 class LargeFit {
 public:
-	explicit LargeFit(const StemSamples &shape) : shape(shape) {}
+	explicit LargeFit(const StemSamples &linear) : shape(linear) {}
 
 	/// Where the law says `tip`, the bends are these.
 	void add(const StemSamples &bends, double tip) {

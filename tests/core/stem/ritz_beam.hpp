@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 
-/// The two slowest frequencies of a beam by another way than the product's: Ritz's, with ten polynomials over the whole
+/// The two slowest frequencies of a beam by another way than the product's: Ritz's, with polynomials over the whole
 /// stem. Within 1e-5 for round stems that taper, with a head and leaves, weight included.
 class RitzBeam {
 public:
-	RitzBeam(const undergrowth::StemBeam &beam, double youngs_modulus) : beam(beam), modulus(youngs_modulus) {
+	RitzBeam(const undergrowth::StemBeam &stem, double youngs_modulus) : beam(stem), modulus(youngs_modulus) {
 		for (int n = 0; n < STEPS; n++) {
 			add((n + 0.5) / STEPS, 1.0 / STEPS);
 		}
@@ -21,7 +21,7 @@ public:
 	double second = 0.0; ///< rad/s.
 
 private:
-	static constexpr int COUNT = 10;
+	static constexpr int COUNT = 18;
 	static constexpr int STEPS = 4000;
 	using Matrix = std::array<std::array<double, COUNT>, COUNT>;
 

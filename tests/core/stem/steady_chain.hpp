@@ -13,22 +13,22 @@
 /// product's beam. Heads are points at their centre; loads at places are not known.
 class SteadyChain {
 public:
-	explicit SteadyChain(const undergrowth::StemBeam &beam, double youngs_modulus, int links = 128) :
-			beam(beam),
+	explicit SteadyChain(const undergrowth::StemBeam &stem, double youngs_modulus, int links = 128) :
+			beam(stem),
 			modulus(youngs_modulus),
 			count(links),
-			h(beam.length / links),
+			h(static_cast<double>(stem.length) / links),
 			angles(links, 0.0),
 			sideways(links, 0.0),
 			upward(links, 0.0) {}
 
-	/// Balance under so many newtons, spread as the drag area is, or all of it on the head.
-	void settle_dead(double newtons, bool on_head = false) {
+	/// Balance under so many newtons, spread as the drag area is.
+	void settle_dead(double newtons) {
 		for (int i = 0; i < count; i++) {
-			sideways[i] = on_head ? 0.0 : newtons * drag(i) / all_drag();
+			sideways[i] = newtons * drag(i) / all_drag();
 			upward[i] = 0.0;
 		}
-		head_sideways = newtons * (on_head ? 1.0 : head_drag() / all_drag());
+		head_sideways = newtons * head_drag() / all_drag();
 		head_upward = 0.0;
 		relax();
 	}

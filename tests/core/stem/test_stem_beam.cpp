@@ -13,7 +13,7 @@ using doctest::Approx;
 namespace {
 
 constexpr double BEAM = 1e-3; // Beside closed forms that are told with four figures.
-constexpr double FINE = 5e-4; // Of frequencies, beside Ritz; what 16 elements leave where the tip is all but a thread.
+constexpr double FINE = 2e-4; // Of frequencies, beside Ritz: the most is where the tip is all but a thread.
 constexpr double DECLARED = 1e-6; // Of a declared frequency: of the beam's own rounding.
 constexpr double GREENHILL = 2e-3;
 
@@ -51,7 +51,7 @@ TEST_CASE("frequencies of stems that taper and carry heads and leaves are those 
 			CAPTURE(taper);
 			CAPTURE(head);
 			CHECK(solution.frequencies[0] == Approx(ritz.frequency).epsilon(FINE));
-			CHECK(solution.frequencies[1] == Approx(ritz.second).epsilon(2.0 * FINE));
+			CHECK(solution.frequencies[1] == Approx(ritz.second).epsilon(FINE));
 		}
 	}
 }
@@ -196,5 +196,5 @@ TEST_CASE("the constants of a stem have the same bits everywhere") {
 			hash.add(&solution.constants, 1).add(solution.frequencies, 2).add(&solution.youngs_modulus, 1);
 		}
 	}
-	CHECK(hash.value() == 14747428492385879073ull);
+	CHECK(hash.value() == 14406723663282092288ull);
 }

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 using namespace undergrowth;
@@ -111,8 +110,8 @@ TEST_CASE("a blade in a wind draws the less the more it bends, as measured ones 
 }
 
 TEST_CASE("six terms are enough for the shape of a stem that tapers") {
-	// Of the length. A tip that is all but a thread bends in a corner.
-	for (const auto &[taper, path_limit] : { std::pair(0.0f, 5e-4), std::pair(0.6f, 5e-4), std::pair(0.9f, 1.5e-3) }) {
+	constexpr double PATH = 5e-4; // Of the length.
+	for (const float taper : { 0.0f, 0.6f, 0.9f }) {
 		StemBeam beam = stiff_stem(taper);
 		beam.wind_weights = { 0.0f, 0.0f, 0.0f, 1.0f };
 		const StemConstants stem = solve_stem(beam).constants;
@@ -139,6 +138,6 @@ TEST_CASE("six terms are enough for the shape of a stem that tapers") {
 			most = std::max(most, std::abs(path));
 		}
 		CAPTURE(taper);
-		CHECK(most < path_limit);
+		CHECK(most < PATH);
 	}
 }
