@@ -34,10 +34,15 @@ struct StemConstants {
 	float dead_slope = 1.0f; ///< 1/N: linear slope of the tip under the wind's newtons, weights of joints included.
 	float air_slope = 0.0f; ///< s²/m²: the same over the wind's speed squared.
 	float axial_share = 1.0f; ///< What a load along the stem counts beside one across it.
-	/// ψ_1, ψ_2 and the shapes of large bends X3, X5: u(x) = Σ_k q_k ψ_k + t·(|t|²·X3 + |t|⁴·X5), t = Σ_k q_k·tip_slope;
-	/// shape[j] has the four coefficients of x^(j+1), x from 0 at the root to 1 at the tip.
+	/// ψ_1, ψ_2 and the shapes of large bends X3, X5: u(x) = Σ_k q_k ψ_k + t·(n·X3 + n²·X5), t = Σ_k q_k·tip_slope and
+	/// n = min(|t|², 1), for no steady wind bends a tip farther than level; shape[j] has the four coefficients of
+	/// x^(j+1), x from 0 at the root to 1 at the tip.
 	float shape[STEM_SHAPE_TERMS][4] = {};
-	/// φ_k (m) at the joints s_j = j·length/joints, j = 1 … joints, and at the head.
+	/// X3 and X5 of a wind in m/s, which presses on a stem across it and so bends it otherwise than one in newtons
+	/// does; they take the place of the last two where such a wind blows (in_air()).
+	float air_shape[STEM_SHAPE_TERMS][2] = {};
+	/// φ_k (m) at the joints s_j = j·length/joints, j = 1 … joints, in deflection[j - 1], and at the head's centre in
+	/// deflection[joints].
 	float deflection[MOST_STEM_JOINTS + 1][MOST_STEM_MODES] = {};
 };
 

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "stem/stem_constants.hpp"
+
+#include <vector>
+
+namespace undergrowth {
+
+/// What a species says about its stem: a slender beam, fixed in the ground, that tapers and carries a head and leaves.
+/// SI units; lengths are those of a plant of mean height. Ranges: describe(StemFault).
+struct StemBeam {
+	enum class Section {
+		round, ///< Diameter, taper and how hollow.
+		blade ///< Flat; its width is the diameter, tapers, and bends across its thickness, which is the same all along.
+	};
+	/// Something that hangs on the stem.
+	struct Load {
+		float place = 1.0f; ///< 0 at the root, 1 at the tip.
+		float mass = 0.0f; ///< kg.
+		float drag_area = 0.0f; ///< m², drag coefficient included.
+	};
+
+	float length = 0.6f; ///< m.
+	int joints = 4; ///< Of the picture only: no frequency and no bend depends on it.
+	int modes = 1;
+	Section section = Section::round;
+	float diameter = 0.004f; ///< m, at the root.
+	float thickness = 0.0005f; ///< m, of a blade.
+	float taper = 0.5f; ///< Share of the diameter that is lost from root to tip.
+	float hollow = 0.0f; ///< Of a round stem: diameter of the hole inside over its own.
+	float density = 1000.0f; ///< kg/m³, of what is solid.
+	float drag_coefficient = 1.1f; ///< Of the bare stem, over diameter times length.
+
+	/// Hz, of the slowest small swing, gravity included; 0: it follows from `youngs_modulus`.
+	float natural_frequency = 1.5f;
+	float youngs_modulus = 4e9f; ///< Pa, where no frequency is declared.
+	float damping_ratio = 0.06f; ///< Of a small swing in still air, all modes.
+
+	float head_mass = 0.0f; ///< kg.
+	float head_centre = 0.0f; ///< m above the tip.
+	float head_inertia = 0.0f; ///< kg·m², about its centre.
+	float head_drag_area = 0.0f; ///< m², drag coefficient included.
+	float leaf_mass = 0.0f; ///< kg, spread evenly along the stem.
+	float leaf_drag_area = 0.0f; ///< m², spread evenly, drag coefficient included.
+	std::vector<Load> loads; ///< Besides, each at its place.
+
+	/// What share of a wind in newtons presses on each joint: at s_j = j·length/joints, j = 1 … joints, and the last on
+	/// the head. Empty: all of it, spread as the drag area is. Otherwise one for each joint.
+	std::vector<float> wind_weights;
+};
+
+enum class StemFault {
+	none,
+	length,
+	joints,
+	modes,
+	diameter,
+	thickness,
+	taper,
+	hollow,
+	density,
+	drag,
+	frequency,
+	stiffness,
+	damping,
+	head,
+	leaves,
+	loads,
+	weights,
+	falls,
+};
+
+/// In English, what is wrong and what to do.
+const char *describe(StemFault fault);
+
+/// The first fault of what is given, falls excepted.
+StemFault find_fault(const StemBeam &beam);
+
+/// What one stem comes to.
+struct StemSolution {
+	StemFault fault = StemFault::none;
+	StemConstants constants; ///< With a fault: the default ones.
+	double youngs_modulus = 0.0; ///< Pa: as given, or what the declared frequency needs.
+	double buckling_share = 0.0; ///< Its weight over the weight under which it would fall.
+	double frequencies[2] = {}; ///< rad/s, of the two slowest modes.
+};
+
+/// The oscillators and shapes of a stem. The linear beam is that of Euler and Bernoulli with the weight above each
+/// place pressing on it, as 16 finite elements with cubic (Hermite) shapes: the two slowest frequencies are within 0.01
+/// %. The last mode is not an eigenmode: it carries all that the wind's static shape has beyond the modes before it, so
+/// that steady wind is exact. What large bends do to the static shape comes from a chain of 64 links. Takes
+/// milliseconds; the same bits on every build.
+StemSolution solve_stem(const StemBeam &beam);
+
+} // namespace undergrowth

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "stem/stem_line.hpp"
+
+#include <array>
+
+namespace undergrowth {
+
+/// The same stem as rigid links that turn against each other, to see where large steady bends leave the linear beam's
+/// shape. In a plane, weight included.
+class StemChain {
+public:
+	static constexpr int LINKS = 64;
+	using Angles = std::array<double, LINKS>; ///< rad from upright, of each link.
+
+	StemChain(const StemLine &line, double youngs_modulus);
+
+	/// Brings `angles` to the balance under so many newtons, from one under less.
+	void settle_dead(double newtons, Angles &angles) const;
+	/// The same in air of such a speed squared (m²/s²), which presses across each link with the square of what blows
+	/// across it.
+	void settle_air(double speed_squared, Angles &angles) const;
+
+private:
+	Angles joint; ///< N·m a radian, of the joint below each link.
+	Angles weight; ///< N·m: moment of the weight about a level link's lower end.
+	Angles dead; ///< m: the same of one newton of wind.
+	Angles air; ///< kg/m: of the air on each link.
+	double length;
+	double head_centre;
+	double head_air;
+
+	double elastic(const Angles &angles, int link) const;
+	/// Adds (K + diagonal)⁻¹·moments, or as much of it as is safe; the largest change.
+	double turn(Angles &angles, const Angles &moments, const Angles &diagonal) const;
+};
+
+} // namespace undergrowth

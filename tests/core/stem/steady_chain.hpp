@@ -1,0 +1,165 @@
+#pragma once
+
+#include "stem/stem_beam.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+/// A stem as very many rigid links under steady loads, in a plane: what stems are held to. It knows nothing of the
+/// product's beam. Heads are points at their centre; loads at places are not known.
+class SteadyChain {
+public:
+	explicit SteadyChain(const undergrowth::StemBeam &stem, double youngs_modulus, int links = 128) :
+			beam(stem),
+			modulus(youngs_modulus),
+			count(links),
+			h(static_cast<double>(stem.length) / links),
+			angles(links, 0.0),
+			sideways(links, 0.0),
+			upward(links, 0.0) {}
+
+	/// Balance under so many newtons, spread as the drag area is.
+	void settle_dead(double newtons) {
+		for (int i = 0; i < count; i++) {
+			sideways[i] = newtons * drag(i) / all_drag();
+			upward[i] = 0.0;
+		}
+		head_sideways = newtons * head_drag() / all_drag();
+		head_upward = 0.0;
+		relax();
+	}
+
+	/// Balance in air of so many m/s, which presses across each link.
+	void settle_air(double speed) {
+		constexpr double SHARE = 0.15; // Of each answer: all of it would swing to and fro.
+		for (int n = 0; n < 2000; n++) {
+			const std::vector<double> before = angles;
+			for (int i = 0; i < count; i++) {
+				press(angles[i], speed * speed * drag(i), sideways[i], upward[i]);
+			}
+			press(angles[count - 1], speed * speed * head_drag(), head_sideways, head_upward);
+			relax();
+			double most = 0.0;
+			for (int i = 0; i < count; i++) {
+				most = std::max(most, std::abs(angles[i] - before[i]));
+				angles[i] = before[i] + SHARE * (angles[i] - before[i]);
+			}
+			if (most < 1e-6) {
+				return;
+			}
+		}
+	}
+
+	/// In stem lengths; x a whole number of links.
+	glm::dvec2 place(double x) const {
+		glm::dvec2 sum(0.0);
+		for (int i = 0; i < static_cast<int>(x * count + 0.5); i++) {
+			sum += glm::dvec2(std::sin(angles[i]), std::cos(angles[i])) / static_cast<double>(count);
+		}
+		return sum;
+	}
+
+	double tip_angle() const { return 1.5 * angles[count - 1] - 0.5 * angles[count - 2]; }
+
+	/// What the wind takes up over what it would of an upright stem: ∫c cos³θ/∫c.
+	double reconfiguration() const {
+		double sum = head_drag() * std::pow(std::cos(angles[count - 1]), 3.0);
+		for (int i = 0; i < count; i++) {
+			sum += drag(i) * std::pow(std::cos(angles[i]), 3.0);
+		}
+		return sum / all_drag();
+	}
+
+private:
+	undergrowth::StemBeam beam;
+	double modulus;
+	int count;
+	double h;
+	std::vector<double> angles;
+	std::vector<double> sideways;
+	std::vector<double> upward;
+	double head_sideways = 0.0;
+	double head_upward = 0.0;
+
+	double width(double link) const { return beam.diameter * (1.0 - beam.taper * link / count); }
+
+	/// kg/m of the link, half the air's density times drag area.
+	double drag(int link) const {
+		return 0.6 * h * (beam.drag_coefficient * width(link + 0.5) + beam.leaf_drag_area / beam.length);
+	}
+	double head_drag() const { return 0.6 * beam.head_drag_area; }
+	double all_drag() const {
+		double sum = head_drag();
+		for (int i = 0; i < count; i++) {
+			sum += drag(i);
+		}
+		return sum;
+	}
+
+	double weight(int link) const {
+		const double d = width(link + 0.5);
+		return 9.81 * h * (beam.density * 0.785398163 * d * d + beam.leaf_mass / beam.length);
+	}
+
+	/// Half of the links beside it bend at a joint.
+	double joint(int link) const {
+		const double d = width(link == 0 ? 0.25 : link);
+		return modulus * 0.0490873852 * d * d * d * d / (link == 0 ? 0.5 * h : h);
+	}
+
+	static void press(double angle, double force, double &aside, double &up) {
+		const double across = force * std::abs(std::cos(angle)) * std::cos(angle);
+		aside = across * std::cos(angle);
+		up = -across * std::sin(angle);
+	}
+
+	/// Newton for loads whose directions stay.
+	void relax() {
+		for (int n = 0; n < 100; n++) {
+			std::vector<double> moment(count);
+			std::vector<double> pivot(count);
+			const double head_weight = 9.81 * beam.head_mass;
+			double aside = head_sideways;
+			double up = head_upward - head_weight;
+			for (int i = count - 1; i >= 0; i--) {
+				const double arm = i == count - 1 ? beam.head_centre : 0.0;
+				const double x = h * (aside + 0.5 * sideways[i]) + arm * head_sideways;
+				const double y = h * (up + 0.5 * (upward[i] - weight(i))) + arm * (head_upward - head_weight);
+				const double across = std::cos(angles[i]);
+				const double along = std::sin(angles[i]);
+				moment[i] = x * across - y * along - joint(i) * (angles[i] - (i > 0 ? angles[i - 1] : 0.0));
+				pivot[i] = x * along + y * across + joint(i);
+				if (i < count - 1) {
+					moment[i] += joint(i + 1) * (angles[i + 1] - angles[i]);
+					pivot[i] += joint(i + 1);
+				}
+				aside += sideways[i];
+				up += upward[i] - weight(i);
+			}
+			if (turn(moment, pivot) < 1e-11) {
+				return;
+			}
+		}
+	}
+
+	double turn(std::vector<double> &moment, std::vector<double> &pivot) {
+		for (int i = 1; i < count; i++) {
+			const double share = joint(i) / pivot[i - 1];
+			pivot[i] -= share * joint(i);
+			moment[i] += share * moment[i - 1];
+		}
+		double most = 0.0;
+		for (int i = count - 1; i >= 0; i--) {
+			moment[i] = (moment[i] + (i < count - 1 ? joint(i + 1) * moment[i + 1] : 0.0)) / pivot[i];
+			most = std::max(most, std::abs(moment[i]));
+		}
+		for (int i = 0; i < count; i++) {
+			angles[i] += moment[i] * std::min(1.0, 0.1 / std::max(most, 1e-300));
+		}
+		return most;
+	}
+};

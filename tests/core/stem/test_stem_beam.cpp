@@ -1,0 +1,200 @@
+#include "ritz_beam.hpp"
+#include "stems.hpp"
+
+#include "golden.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace undergrowth;
+using doctest::Approx;
+
+namespace {
+
+constexpr double BEAM = 1e-3; // Beside closed forms that are told with four figures.
+constexpr double FINE = 5e-4; // Of frequencies, beside Ritz; what 16 elements leave where the tip is all but a thread.
+constexpr double DECLARED = 1e-6; // Of a declared frequency: of the beam's own rounding.
+constexpr double GREENHILL = 2e-3;
+
+/// The load under which a stem would fall: m·g·L²/(EI).
+double critical_load(const StemBeam &beam) {
+	const StemSolution solution = solve_stem(beam);
+	const double weight = stem_mass(beam) * STANDARD_GRAVITY;
+	return weight * beam.length * beam.length / (solution.youngs_modulus * root_bending(beam)) /
+			solution.buckling_share;
+}
+
+} // namespace
+
+TEST_CASE("frequencies of uniform stems are those of Euler and Bernoulli, with heads and without") {
+	const double expected[][3] = { { 0.0, 3.5160, 22.0345 }, { 0.5, 2.016, 16.901 }, { 2.0, 1.158, 15.861 } };
+	for (const auto &[head, first, second] : expected) {
+		const StemBeam beam = stiff_stem(0.0, head);
+		const StemSolution solution = solve_stem(beam);
+		REQUIRE(solution.fault == StemFault::none);
+		const double rate = beam_rate(beam, solution.youngs_modulus);
+		CHECK(solution.frequencies[0] / rate == Approx(first).epsilon(BEAM));
+		CHECK(solution.frequencies[1] / rate == Approx(second).epsilon(BEAM));
+	}
+}
+
+TEST_CASE("frequencies of stems that taper and carry heads and leaves are those of a finer way") {
+	for (const double taper : { 0.0, 0.3, 0.6, 0.9 }) {
+		for (const double head : { 0.0, 0.5, 2.0 }) {
+			StemBeam beam = stem_of(taper, head);
+			beam.head_centre = 0.04f;
+			beam.head_inertia = 1e-7f;
+			beam.leaf_mass = 0.002f;
+			const StemSolution solution = solve_stem(beam);
+			const RitzBeam ritz(beam, solution.youngs_modulus);
+			CAPTURE(taper);
+			CAPTURE(head);
+			CHECK(solution.frequencies[0] == Approx(ritz.frequency).epsilon(FINE));
+			CHECK(solution.frequencies[1] == Approx(ritz.second).epsilon(2.0 * FINE));
+		}
+	}
+}
+
+TEST_CASE("a stem stands up to the load that Greenhill says") {
+	CHECK(critical_load(stem_of(0.0)) == Approx(7.8374).epsilon(GREENHILL));
+	CHECK(critical_load(stem_of(0.0, 0.5)) == Approx(3.0691).epsilon(GREENHILL));
+	CHECK(critical_load(stem_of(0.0, 2.0)) == Approx(1.0730).epsilon(GREENHILL));
+	CHECK(critical_load(stem_of(0.6)) == Approx(7.0638).epsilon(GREENHILL));
+}
+
+TEST_CASE("weight slows a swing down") {
+	const double expected[][2] = { { 1.0, 0.93427 }, { 2.0, 0.86349 }, { 4.0, 0.70050 }, { 6.0, 0.48500 },
+		{ 7.0, 0.32752 } };
+	StemBeam beam = stem_of(0.0, 0.0, 0.0);
+	const double l = beam.length;
+	for (const auto &[load, share] : expected) {
+		beam.youngs_modulus =
+				static_cast<float>(stem_mass(beam) * STANDARD_GRAVITY * l * l / (load * root_bending(beam)));
+		const double rate = 3.51602 * beam_rate(beam, beam.youngs_modulus);
+		CHECK(solve_stem(beam).frequencies[0] / rate == Approx(share).epsilon(BEAM));
+	}
+}
+
+TEST_CASE("a stem whose weight is too much for it falls, and says so") {
+	StemBeam beam = stem_of(0.0, 0.0, 0.0);
+	const double l = beam.length;
+	const double critical = stem_mass(beam) * STANDARD_GRAVITY * l * l / (7.8373 * root_bending(beam));
+	beam.youngs_modulus = static_cast<float>(1.001 * critical);
+	CHECK(solve_stem(beam).fault == StemFault::none);
+	beam.youngs_modulus = static_cast<float>(0.999 * critical);
+	CHECK(solve_stem(beam).fault == StemFault::falls);
+	CHECK(solve_stem(beam).constants.dead_slope == 1.0f);
+}
+
+TEST_CASE("a declared frequency is the stem's, weight included, and its modulus gives the same stem again") {
+	for (const double taper : { 0.0, 0.6, 0.9 }) {
+		for (const double head : { 0.0, 2.0 }) {
+			for (const double declared : { 0.3, 1.4, 4.0 }) {
+				StemBeam beam = stem_of(taper, head, declared);
+				const StemSolution solution = solve_stem(beam);
+				REQUIRE(solution.fault == StemFault::none);
+				const double wanted = 2.0 * PI * beam.natural_frequency;
+				CHECK(solution.frequencies[0] == Approx(wanted).epsilon(DECLARED));
+				CHECK(solution.constants.mode[0].frequency == Approx(wanted).epsilon(DECLARED));
+				beam.natural_frequency = 0.0f;
+				beam.youngs_modulus = static_cast<float>(solution.youngs_modulus);
+				if (solution.buckling_share < 0.9) { // Nearer, the digits of a float decide.
+					CHECK(solve_stem(beam).frequencies[0] == Approx(wanted).epsilon(10.0 * DECLARED));
+				}
+			}
+		}
+	}
+}
+
+TEST_CASE("small bends are those of a beam under a load at its tip and under one all along it") {
+	StemBeam beam = stiff_stem();
+	const double modulus = 1e12 * root_bending(beam);
+	for (const int modes : { 1, 2 }) {
+		beam.modes = modes;
+		beam.wind_weights.clear();
+		const StemConstants even = solve_stem(beam).constants;
+		beam.wind_weights = { 0.0f, 0.0f, 0.0f, 1.0f };
+		const StemConstants tip = solve_stem(beam).constants;
+		CHECK(even.dead_slope * modulus == Approx(1.0 / 6.0).epsilon(BEAM));
+		CHECK(tip.dead_slope * modulus == Approx(1.0 / 2.0).epsilon(BEAM));
+		double even_bend = 0.0;
+		double tip_bend = 0.0;
+		for (int k = 0; k < modes; k++) {
+			even_bend += even.deflection[4][k] * even.mode[k].dead_share * even.dead_slope;
+			tip_bend += tip.deflection[4][k] * tip.mode[k].dead_share * tip.dead_slope;
+		}
+		CHECK(even_bend * modulus == Approx(1.0 / 8.0).epsilon(BEAM));
+		CHECK(tip_bend * modulus == Approx(1.0 / 3.0).epsilon(BEAM));
+	}
+}
+
+TEST_CASE("a load along the stem counts as much as the reference says") {
+	CHECK(solve_stem(stiff_stem()).constants.axial_share == Approx(0.75).epsilon(BEAM));
+}
+
+TEST_CASE("a head that the wind blows at above the tip turns it as well") {
+	StemBeam beam = stiff_stem();
+	beam.wind_weights = { 0.0f, 0.0f, 0.0f, 1.0f };
+	beam.head_centre = 0.1f;
+	const StemConstants stem = solve_stem(beam).constants;
+	CHECK(stem.dead_slope * 1e12 * root_bending(beam) == Approx(0.5 + 0.1).epsilon(BEAM));
+	CHECK(stem.deflection[4][0] == Approx(stem.deflection[3][0] + 0.1 * stem.mode[0].tip_slope).epsilon(1e-6));
+}
+
+TEST_CASE("masses and drag at places count as what is spread does where they are as many") {
+	StemBeam spread = stem_of(0.4, 0.3);
+	spread.leaf_mass = 0.003f;
+	spread.leaf_drag_area = 0.004f;
+	StemBeam placed = stem_of(0.4, 0.3);
+	for (int i = 0; i < 100; i++) {
+		placed.loads.push_back({ (static_cast<float>(i) + 0.5f) / 100.0f, 0.00003f, 0.00004f });
+	}
+	const StemSolution one = solve_stem(spread);
+	const StemSolution other = solve_stem(placed);
+	CHECK(other.youngs_modulus == Approx(one.youngs_modulus).epsilon(BEAM));
+	CHECK(other.constants.dead_slope == Approx(one.constants.dead_slope).epsilon(BEAM));
+	CHECK(other.constants.air_slope == Approx(one.constants.air_slope).epsilon(BEAM));
+	CHECK(other.constants.axial_share == Approx(one.constants.axial_share).epsilon(BEAM));
+	CHECK(other.constants.mode[0].air_drag == Approx(one.constants.mode[0].air_drag).epsilon(BEAM));
+	for (int j = 0; j < STEM_SHAPE_TERMS; j++) {
+		CHECK(std::abs(other.constants.shape[j][2] - one.constants.shape[j][2]) < 0.01f);
+	}
+}
+
+TEST_CASE("neither frequencies nor bends depend on the number of joints") {
+	StemBeam beam = stem_of(0.5, 0.5);
+	const StemSolution four = solve_stem(beam);
+	beam.joints = 1;
+	const StemSolution one = solve_stem(beam);
+	CHECK(one.frequencies[1] == four.frequencies[1]);
+	CHECK(one.constants.dead_slope == four.constants.dead_slope);
+	for (int j = 0; j < STEM_SHAPE_TERMS; j++) {
+		for (int k = 0; k < 4; k++) {
+			CHECK(one.constants.shape[j][k] == four.constants.shape[j][k]);
+		}
+	}
+}
+
+TEST_CASE("a hollow stem swings faster than one of the same material without its hole") {
+	StemBeam beam = stiff_stem();
+	const double solid = solve_stem(beam).frequencies[0];
+	beam.hollow = 0.8f; // Stiffness falls by 0.8⁴, mass by 0.8².
+	CHECK(solve_stem(beam).frequencies[0] / solid == Approx(std::sqrt(1.0 + 0.64)).epsilon(BEAM));
+}
+
+TEST_CASE("the constants of a stem have the same bits everywhere") {
+	GoldenHash hash;
+	for (const double taper : { 0.0, 0.5, 0.9 }) {
+		for (const int modes : { 1, 2 }) {
+			StemBeam beam = stem_of(taper, taper);
+			beam.modes = modes;
+			beam.head_drag_area = 0.001f;
+			beam.head_centre = 0.01f;
+			beam.loads = { { 0.3f, 0.0002f, 0.0005f } };
+			const StemSolution solution = solve_stem(beam);
+			hash.add(&solution.constants, 1).add(solution.frequencies, 2).add(&solution.youngs_modulus, 1);
+		}
+	}
+	CHECK(hash.value() == 14747428492385879073ull);
+}
