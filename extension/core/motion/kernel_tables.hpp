@@ -63,7 +63,6 @@ struct StemModeStep {
 	float dead_share, air_share; ///< Half of StemMode's.
 	float air_drag; ///< s/m: share of the rate that the air takes in a step at 1 m/s of wind.
 	float air_lag; ///< m, as in StemMode.
-	float most_rate; ///< 1/s.
 };
 
 /// The tip's bend in the middle of a step, of the first mode at its start.
@@ -80,9 +79,10 @@ struct StemStep {
 	float tip_slope[MOST_STEM_MODES]; ///< As in StemMode.
 	StemTip dead_tip, air_tip; ///< Under a load of either kind.
 	float dead_slope, air_slope, axial_share; ///< As in StemConstants.
-	float most_force; ///< N: what bends the tip to 0.006 degrees from along the wind.
+	float most_force; ///< N: `most_load` over `dead_slope`.
 	float softness; ///< 1 over the load, as linear slope of the tip, that a step can follow.
 	float most_place = 1.5f;
+	float most_load = 1e4f; ///< Linear slope of the tip: 0.006 degrees from along the wind.
 	float most_wind = 150.0f; ///< m/s.
 	float least_hold = 1e-3f; ///< Of 1 and the load along the stem.
 	float one = 1.0f;
@@ -94,6 +94,8 @@ struct StemPage {
 	float *rate_x[MOST_STEM_MODES], *rate_z[MOST_STEM_MODES]; ///< 1/s.
 	const float *rest_x, *rest_z; ///< Stereographic image of the rest direction (motion/bend_encoding.hpp).
 	const float *scale; ///< The length that the species' constants are for, over the plant's own.
+	float most_scale; ///< None of `scale` is above this; the nearer, the sooner steps are quick.
+	bool leans; ///< Whether any rest direction may not be upright. Without, steps are quicker to the same bits.
 	StemStep step;
 };
 

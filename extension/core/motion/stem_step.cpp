@@ -13,10 +13,8 @@ namespace {
 constexpr float MIN_LENGTH = 1e-4f; // m.
 constexpr float LEAST_SHARE = 1e-3f;
 constexpr float LEAST_SLOPE = 1e-30f; // 1/N.
-constexpr float MOST_LOAD = 1e4f; // As linear slope of the tip.
 /// rad a step, a quarter of a swing. Faster modes would only show what a step makes of them.
 constexpr float MOST_PHASE = static_cast<float>(0.5 * PI);
-constexpr float MOST_RATE = 6.0f; // Over the mode's frequency (rad/s).
 /// The step settles up to twice this share of a load's projection at the present bend, times load·(ω_1·step)².
 constexpr float FOLLOWED = 0.25f;
 
@@ -26,7 +24,6 @@ StemModeStep mode_step(const StemMode &mode, float step) {
 	made.air_share = 0.5f * mode.air_share;
 	made.air_drag = step * mode.air_drag / mode.mass;
 	made.air_lag = mode.air_lag;
-	made.most_rate = MOST_RATE * mode.frequency;
 	if (mode.frequency * step > MOST_PHASE) {
 		made.place_from_place = -1.0f;
 		made.place_from_rate = 0.0f;
@@ -68,7 +65,7 @@ StemStep stem_step_constants(const StemConstants &stem, float step) {
 	made.axial_share = stem.axial_share;
 	made.dead_tip = tip_of(stem.mode[0].dead_share, step);
 	made.air_tip = tip_of(stem.mode[0].air_share, step);
-	made.most_force = MOST_LOAD / std::max(made.dead_slope, LEAST_SLOPE);
+	made.most_force = made.most_load / std::max(made.dead_slope, LEAST_SLOPE);
 	made.softness = phase * phase / FOLLOWED;
 	return made;
 }

@@ -141,6 +141,8 @@ public:
 		made_page.rest_x = column(REST) + begin;
 		made_page.rest_z = column(REST + 1) + begin;
 		made_page.scale = column(SCALE) + begin;
+		made_page.most_scale = *std::max_element(column(SCALE), column(SCALE) + count);
+		made_page.leans = std::any_of(column(REST), column(SCALE), [](float value) { return value != 0.0f; });
 		made_page.step = made;
 		return made_page;
 	}
