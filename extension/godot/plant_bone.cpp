@@ -45,7 +45,8 @@ void PlantBone::follow(const Step &step) {
 	const glm::vec2 to = bend_of(to_glm(to_local.xform(to_godot(step.after))));
 	parts->stem.rate = (to - from) / step.seconds;
 	parts->stem.clock = step.clock;
-	parts->stem.second = step.second;
+	const glm::vec3 second = turned(to_glm(to_local.xform(to_godot(step.second))), -parts->stem.rest);
+	parts->stem.second = { second.x, second.z };
 }
 
 void PlantBone::show_local(const glm::vec3 &local) {

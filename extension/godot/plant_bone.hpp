@@ -44,7 +44,7 @@ struct PlantBone {
 		glm::vec3 after;
 		float seconds;
 		float clock;
-		glm::vec2 second; ///< StemMotion::second.
+		glm::vec3 second; ///< MotionPage::second_bend().
 	};
 	void follow(const Step &step);
 	/// Turns the bone to `direction` (unit), in every frame. Nothing where it points there already, within what can be

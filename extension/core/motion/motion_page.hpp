@@ -104,8 +104,9 @@ public:
 	StemState stem_before(int index) const;
 	void set_stem_before(int index, const StemState &state);
 	glm::vec2 rest_bend(int index) const;
-	/// What the second mode adds to the tip's bend, `alpha` of the way of the last step, of a page that keeps directions.
-	glm::vec2 second_bend(int index, float alpha) const;
+	/// What the second mode adds to the tip's bend, `alpha` of the way of the last step, of a page that keeps directions:
+	/// as a vector across the rest direction, in the directions' axes.
+	glm::vec3 second_bend(int index, float alpha) const;
 	/// Of the stem law: moves a tip by `way` (m), and its velocity by `faster` (m/s), as far as they go across the stem.
 	void move_tip(int index, const glm::vec3 &way, const glm::vec3 &faster);
 	/// A blow on a joint, 1 to StemConstants::joints, whose last one is the tip, or on the head (joints + 1).

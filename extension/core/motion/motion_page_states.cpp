@@ -196,12 +196,13 @@ StemState MotionPage::stem_before(int index) const {
 	return state;
 }
 
-glm::vec2 MotionPage::second_bend(int index, float alpha) const {
+glm::vec3 MotionPage::second_bend(int index, float alpha) const {
 	if (kind.law != Law::stem || kind.stem.modes < 2) {
-		return { 0.0f, 0.0f };
+		return { 0.0f, 0.0f, 0.0f };
 	}
 	const glm::vec2 last = keeps_directions ? stem_before(index).place[1] : stem(index).place[1];
-	return glm::mix(last, stem(index).place[1], alpha) * kind.stem.mode[1].tip_slope;
+	const glm::vec2 bend = glm::mix(last, stem(index).place[1], alpha) * kind.stem.mode[1].tip_slope;
+	return turned({ bend.x, 0.0f, bend.y }, rest_bend(index));
 }
 
 void MotionPage::set_before(int index, const glm::vec3 &direction) {

@@ -1,0 +1,115 @@
+## Stems bend in a field as those of a Plant3D in the same state do.
+extends "res://tests/engine/picture_harness.gd"
+
+const STEP := 1.0 / 60.0
+## Of the outline of a bent plant: bones are as near to the shader as that.
+const MOST_OF_STEMS := 60
+
+var _field: PlantField3D
+var _wind: PlantWind
+
+
+func before_each() -> void:
+	make_stage()
+	_wind = PlantWind.new()
+	_wind.kind = PlantWind.KIND_CONSTANT
+	_wind.direction = deg_to_rad(60.0)
+	_field = PlantField3D.new()
+	_field.density = 0.0  # Only what is added.
+	_field.wind = _wind
+	_field.simulation_enabled = false
+	stage.add_child(_field)
+	_field.fill()
+	while _field.is_filling():
+		await process_frame
+
+
+func after_each() -> void:
+	stage.free()
+
+
+func test_a_reed_in_steady_wind() -> void:
+	await _compare(_reed(), Transform3D(Basis(Vector3.UP, 0.7)), 240, 0.9)
+
+
+func test_a_reed_that_swings_back_in_a_turned_field() -> void:
+	_field.rotation.y = 1.9
+	await _compare(_reed(), Transform3D(Basis(Vector3.UP, -2.1)), 22, 0.9)
+
+
+func test_a_reed_that_leans() -> void:
+	var species := _reed()
+	species.lean = deg_to_rad(20.0)
+	await _compare(species, Transform3D(Basis(Vector3.UP, 2.0)), 30, 0.6)
+
+
+func test_a_reed_of_two_modes_on_a_slope() -> void:
+	var species := _reed()
+	species.stem.modes = 2
+	var tilt := Basis(Vector3(1, 0, 0.5).normalized(), -0.3)
+	await _compare(species, Transform3D(tilt * Basis(Vector3.UP, 2.0)), 13, 0.8)
+
+
+func test_a_tulip_of_parts() -> void:
+	var species: PlantFunction = load("res://addons/undergrowth/species/garden_tulip.tres")
+	species = species.duplicate()
+	species.law = PlantFunction.LAW_STEM
+	await _compare(species, Transform3D(Basis(Vector3.UP, 0.7).scaled(Vector3.ONE * 2.5)), 25, 0.8)
+
+
+func _reed() -> PlantFunction:
+	var species := ReedFunction.new()
+	species.law = PlantFunction.LAW_STEM
+	species.stem = PlantStem.new()
+	species.stem.joints = 8
+	return species
+
+
+## Wind of such a strength (N) that the tip is bent about as far as `slope` says.
+func _blow(species: PlantFunction, slope: float) -> void:
+	var plant := Plant3D.new()
+	plant.species = species
+	plant.simulation_enabled = false
+	plant.wind = PlantWind.new()
+	plant.wind.kind = PlantWind.KIND_CONSTANT
+	plant.wind.strength = 1e-4
+	stage.add_child(plant)
+	for i in 600:
+		plant.advance(STEP)
+	_wind.strength = slope * plant.wind.strength / maxf(absf(tan(plant.get_deflection())), 1e-9)
+	plant.free()
+
+
+func _compare(species: PlantFunction, place: Transform3D, steps: int, slope: float) -> void:
+	_blow(species, slope)
+	var id := _field.add_plants([place], species)[0]
+	for i in steps:
+		_field._preview(STEP, _wind)
+	var in_field := await picture()
+	_field.hide()
+	var plant := Plant3D.new()
+	plant.species = species
+	plant.simulation_enabled = false
+	plant.height = _field.get_plant_height(id)
+	plant.seed = _field.get_plant_seed(id)
+	stage.add_child(plant)
+	plant.global_transform = _field.global_transform * _field.get_plant_transform(id)
+	await frames(2)  # It hears of its place at a frame's end.
+	for i in steps:
+		plant._preview(STEP, _wind)
+	await frames(2)
+	var alone := await picture()
+	check(plant.get_deflection() > 0.2, "it is bent, %.2f" % plant.get_deflection())
+	check(count_different(in_field, empty_picture()) > LEAST_PLANT, "a plant is drawn")
+	var different := count_different(in_field, alone)
+	if OS.get_environment("STEM_STILLS") != "":
+		in_field.save_png("/tmp/shots/stem_field_%d.png" % steps)
+		alone.save_png("/tmp/shots/stem_alone_%d.png" % steps)
+	check(different <= MOST_OF_STEMS, "%d pixels differ" % different)
+	check(plant.get_joint_position(plant.get_joint_count()).is_equal_approx(plant.get_tip_position()), "tip")
+	var skeleton := plant.get_skeleton()
+	check_equal(skeleton.find_bone("stem_1"), 2, "bone of the first joint")
+	for bone in range(1, skeleton.get_bone_count()):
+		skeleton.set_bone_pose(bone, skeleton.get_bone_rest(bone))
+	var stiff := count_different(alone, await picture())
+	check(stiff > 3 * different, "%d pixels show the bend, %d differ" % [stiff, different])
