@@ -80,8 +80,14 @@ BendWay FieldSimulation::shown_way(int page, int index, float fraction) const {
 		}
 		swinging = &loose[static_cast<std::size_t>(entry.page.species())].page();
 	}
-	const Bend *pair = swinging->bends() + 2 * row;
-	return bend_way(pair, share);
+	BendWay way = bend_way(swinging->bends() + 2 * row, share);
+	if (swinging->has_second_bends()) { // The tip's bend is that of both modes.
+		const BendWay second = bend_way(swinging->second_bends() + 2 * row, share);
+		const glm::vec2 calm = swinging->rest_bend(row);
+		way.bend = out_of_rest(into_rest(way.bend, calm) + second.bend, calm);
+		way.change += second.change;
+	}
+	return way;
 }
 
 StemMotion FieldSimulation::shown_stem(int page, int index, float fraction) const {
@@ -158,12 +164,7 @@ glm::vec3 FieldSimulation::shown_point(int page, int index, float share, float f
 	}
 	const StemConstants &stem = plants.stem_constants();
 	const StemMotion now = shown_stem(page, index, fraction);
-	glm::vec2 places[MOST_STEM_MODES] = {};
-	places[0] = into_rest(now.bend, now.rest) / stem.mode[0].tip_slope;
-	if (stem.modes == 2) {
-		places[1] = now.second / stem.mode[1].tip_slope;
-	}
-	return plants.root(index) + reach * turned(stem_place(stem, places, share).centre, now.rest);
+	return plants.root(index) + StandingStem(stem, reach, now).place_of({ 0.0f, share * reach, 0.0f }, share);
 }
 
 /// Of its straight line, or of those between the joints of its stem.

@@ -114,7 +114,7 @@ PartPose pose_of(const PartBone &bone, const StemMotion &stem) {
 
 StandingStem::StandingStem(const StemConstants &stem, float plant_height, const StemMotion &motion) :
 		constants(stem), height(plant_height), rest(motion.rest) {
-	amplitudes[0] = into_rest(motion.bend, motion.rest) / stem.mode[0].tip_slope;
+	amplitudes[0] = (into_rest(motion.bend, motion.rest) - motion.second) / stem.mode[0].tip_slope;
 	amplitudes[1] = stem.modes == 2 ? motion.second / stem.mode[1].tip_slope : glm::vec2(0.0f);
 }
 

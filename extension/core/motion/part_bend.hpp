@@ -15,7 +15,7 @@ struct StemMotion {
 	glm::vec2 bend = { 0.0f, 0.0f };
 	glm::vec2 rate = { 0.0f, 0.0f }; ///< 1/s, of the bend: the change of the last step over its length.
 	glm::vec2 rest = { 0.0f, 0.0f }; ///< The bend in calm air.
-	glm::vec2 second = { 0.0f, 0.0f }; ///< What the second mode of a bending stem adds, in the frame of its rest.
+	glm::vec2 second = { 0.0f, 0.0f }; ///< What of it is a bending stem's second mode, in the frame of its rest.
 	float clock = 0.0f; ///< 0 to 1: the share of SWING_PERIOD that has gone by.
 };
 

@@ -50,6 +50,7 @@ public:
 	Delays follower_delays(const godot::Transform3D &axes) const override;
 
 	TipState read_state_now(const PlantPlace &place) override;
+	glm::vec3 read_tip_now(const PlantPlace &place) override;
 	StemMotion read_drawn_stem_now(const PlantPlace &place) const override;
 	bool is_point_in_plants_now(const glm::vec3 &point, float margin) override;
 	void write_state(const PlantPlace &place, const TipState &state) override;
