@@ -199,6 +199,9 @@ void CpuMotion::set_species(int index, const FieldLook &look, const PlantStore &
 		set_rests(rows_of(number), rests, is_still);
 	}
 	fit_contact(touches);
+	if (is_still) {
+		write_all();
+	}
 }
 
 void CpuMotion::set_rests(const PageRows &own, const std::vector<glm::vec3> &rests, bool is_still) {

@@ -202,7 +202,6 @@ void Meadow::read_motion(const PlantFunction *function, bool is_still) {
 		}
 	}
 	if (is_still && motion.is_ready()) {
-		motion.write_all();
 		refresh();
 	}
 }

@@ -34,10 +34,12 @@ void PoseTexture::write_rests(const FieldSimulation &simulation, int page) {
 	const int layer = rest_layer(rows.layer);
 	write_layer(layer, rests.data(), int(rests.size() / 2), rows.first * SIDE);
 	pages[size_t(page)].interval = -1.0f;
+	has_new_rows = true;
 }
 
 void PoseTexture::upload_beats(const FieldSimulation &simulation) {
 	bool has_changed = false;
+	has_new_rows = false;
 	for (int number = 0; number < int(pages.size()); number++) {
 		Page &page = pages[size_t(number)];
 		if (!has_rows(number) || simulation.shown_interval(number) == page.interval) {
