@@ -1,4 +1,4 @@
-// The half of PlantFunction that holds its properties. plant_function_sampling.cpp asks the four functions.
+// What users set of a species. plant_function_asking.cpp asks for what it grows.
 
 #include "plant_function.hpp"
 
@@ -253,6 +253,47 @@ void PlantFunction::set_material(const Ref<Material> &new_material) {
 
 Ref<Material> PlantFunction::get_material() const {
 	return material;
+}
+
+// How it moves and what it wears leaves what has grown as it is.
+void PlantFunction::on_own_change() {
+	if (!is_motion_change() && !is_material_change()) {
+		growth.forget();
+	}
+}
+
+void PlantFunction::on_grown_change() {
+	growth.forget();
+}
+
+void PlantFunction::on_arrangement_changed() {
+	shape_changed();
+}
+
+void PlantFunction::set_has_stem(bool grows) {
+	if (grows != has_stem) {
+		has_stem = grows;
+		shape_changed();
+	}
+}
+
+void PlantFunction::set_arrangements(const TypedArray<PlantArrangement> &list) {
+	const Callable changed(this, "_on_arrangement_changed");
+	for (int64_t i = 0; i < arrangements.size(); i++) {
+		unfollow_changes(Ref<PlantArrangement>(arrangements[i]).ptr(), changed);
+	}
+	const bool is_same = arrangements == list;
+	arrangements = list.duplicate();
+	for (int64_t i = 0; i < arrangements.size(); i++) {
+		follow_changes(Ref<PlantArrangement>(arrangements[i]).ptr(), changed);
+	}
+	if (!is_same) {
+		shape_changed();
+	}
+}
+
+TypedArray<PlantArrangement> PlantFunction::get_arrangements() const {
+	return TypedArray<PlantArrangement>(arrangements);
 }
 
 void PlantFunction::_validate_property(PropertyInfo &property) const {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "form/growth_cache.hpp"
 #include "form/plant_growth.hpp"
+#include "form/species_growth.hpp"
 #include "mesh/plant_mesh.hpp"
 #include "messages.hpp"
 #include "motion/joint.hpp"
@@ -46,8 +46,7 @@ private:
 	godot::Array arrangements; // Of PlantArrangement.
 	godot::Ref<PlantStem> stem;
 	StemTable stems;
-	GrowthCache grown_before;
-	bool has_told_slowness = false;
+	SpeciesGrowth growth;
 
 	void set_motion(float &slot, const char *property, double value, const Range &range);
 	void motion_changed();
@@ -55,15 +54,7 @@ private:
 	/// Calls a script's override; tells in `problem` where it returned something else than `wanted`.
 	godot::Variant call_override(const godot::StringName &method, const godot::Variant &argument,
 			godot::Variant::Type wanted, godot::String &problem);
-	// plant_function_growth.cpp
-	godot::String sample_parts(double height, int64_t seed, SampledPlant &result);
-	godot::String grow(int64_t seed, std::shared_ptr<const GrownPlant> &plant);
-	void ask_grow(const godot::Ref<PlantGrowth> &plant, godot::String &problem);
-	// The parts of sample(): each returns what is wrong and what to do, or nothing.
-	static godot::String find_height_problem(double height);
-	godot::String sample_height(double height, int64_t seed, SampledPlant &result);
-	godot::String sample_ring(int segments, SampledPlant &result);
-	godot::String sample_profile(SampledPlant &result);
+	void report_fault(const godot::String &problem) const;
 
 protected:
 	static void _bind_methods();
@@ -101,8 +92,14 @@ public:
 
 	/// Samples the plant for a mesh. Height 0 asks the function. Returns what is wrong and what to do, or nothing.
 	godot::String sample(double height, int segments, int64_t seed, SampledPlant &result);
-	/// The stem of the four functions as a part.
-	godot::String read_stem(Part &into);
+	// What sampling asks: a script's answers, else the species' own. A fault tells in `problem` what is wrong and what
+	// to do, and gives an empty or zero answer.
+	godot::PackedVector3Array ask_base_shape(int lod, godot::String &problem);
+	double ask_height(const godot::Ref<godot::RandomNumberGenerator> &rng, godot::String &problem);
+	double ask_curve_point(double offset, godot::String &problem);
+	godot::Color ask_color(double offset, godot::String &problem);
+	/// Grows `plant`. Tells whether a script does.
+	bool ask_to_grow(const godot::Ref<PlantGrowth> &plant, godot::String &problem);
 	/// The joint of a plant of `length` metres whose root stands in `frame` (its up axis and turn, orthonormal).
 	Joint make_joint(float length, const godot::Basis &frame) const;
 	/// The stem of a plant of `height` metres; null where another law moves it. Reports once what keeps it from standing.

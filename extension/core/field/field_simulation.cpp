@@ -69,16 +69,17 @@ int FieldSimulation::add_page(int species, const MotionPlant *plants, int count)
 	}
 	const MotionSpecies &kind = kinds[static_cast<std::size_t>(species)];
 	const float step_length = options.step * static_cast<float>(options.update_interval);
-	Entry entry = { MotionPage(species, kind, plants, count, step_length, models.empty()), {}, 0, false };
+	Entry entry = { MotionPage(species, kind, plants, count, step_length, models.empty()), {}, false, false };
 	const auto is_free = [](const Entry &one) { return one.is_free; };
 	const auto place = free_pages > 0 ? std::find_if(entries.begin(), entries.end(), is_free) : entries.end();
 	const int number = static_cast<int>(place - entries.begin());
 	if (place == entries.end()) {
 		entries.push_back(std::move(entry));
 		beats.emplace_back();
+		changed.reserve(entries.size()); // It grows within steps.
 	} else {
 		free_pages--;
-		entry.loose_version = place->loose_version + 1; // Whoever remembers the old one sees a change.
+		entry.is_changed = place->is_changed;
 		*place = std::move(entry);
 	}
 	beat(number) = { -1, options.update_interval, 1, number };
@@ -165,18 +166,6 @@ void FieldSimulation::settle() {
 	}
 	for (Prototypes &model : models) {
 		model.settle();
-	}
-}
-
-void FieldSimulation::clear() {
-	entries.clear();
-	beats.clear();
-	free_pages = 0;
-	plant_rows = 0;
-	loose.clear();
-	for (const Prototypes &model : models) {
-		const int species = static_cast<int>(&model - models.data());
-		loose.emplace_back(species, kinds[static_cast<std::size_t>(species)], options.step);
 	}
 }
 

@@ -50,8 +50,6 @@ public:
 	/// Takes a page with all its plants away; other pages keep their numbers. Until add_page() gives the number anew,
 	/// it names a page without plants.
 	void remove_page(int page);
-	/// Removes all pages; species and time stay.
-	void clear();
 	/// Page numbers are below it, also those that are free.
 	int page_count() const { return static_cast<int>(entries.size()); }
 	int plant_count() const;
@@ -110,7 +108,7 @@ public:
 	bool has_parts(int page) const { return kinds[static_cast<std::size_t>(at(page).page.species())].has_parts; }
 	/// From a plant's bend before to its bend after, as they are drawn (s).
 	float shown_interval(int page) const {
-		return at(page).page.swings() ? static_cast<float>(beat(page).interval) * options.step : options.step;
+		return models.empty() ? static_cast<float>(beat(page).interval) * options.step : options.step;
 	}
 	/// The same as a unit direction.
 	glm::vec3 shown_direction(int page, int index, float fraction) const {
@@ -133,8 +131,10 @@ public:
 	const Follower &follower(int page, int index) const { return at(page).followers[static_cast<std::size_t>(index)]; }
 	/// Followers of a species that were pushed and swing by themselves, for a while; null where every plant does.
 	const LoosePlants *loose_plants(int species) const;
-	/// Changes whenever one of a page's followers begins or ends to swing by itself.
-	int loose_version(int page) const { return at(page).loose_version; }
+	/// Pages of which followers began or ended to swing by themselves, or follow others, since forget_changed_pages();
+	/// each once.
+	const std::vector<int> &changed_pages() const { return changed; }
+	void forget_changed_pages();
 	/// How long before their own time prototypes feel the wind (s), so that plants upwind of the origin have a delay,
 	/// too.
 	float prototype_lead() const { return lead; }
@@ -151,7 +151,7 @@ private:
 	struct Entry {
 		MotionPage page;
 		std::vector<Follower> followers; ///< Empty where plants swing by themselves.
-		int loose_version = 0;
+		bool is_changed = false; ///< It is one of changed_pages().
 		bool is_free = false; ///< Nobody's, for the next add_page().
 	};
 
@@ -171,6 +171,7 @@ private:
 	std::vector<LoosePlants> loose; ///< As many.
 	std::vector<Entry> entries;
 	std::vector<Beat> beats; ///< As many.
+	std::vector<int> changed;
 	int free_pages = 0;
 	int plant_rows = 0; ///< Of all pages: the box is that of so many.
 	std::vector<MovingBody> pushing;
@@ -193,6 +194,8 @@ private:
 	void update_delays();
 	Follower pick(const MotionPlant &plant, int species) const;
 	LoosePlants &loose_of(const Entry &entry);
+	int number_of(const Entry &entry) const { return static_cast<int>(&entry - entries.data()); }
+	void follower_changed(Entry &entry);
 	int count_of_species(int species) const;
 	glm::vec3 nearest_on_plant(int page, int index, const glm::vec3 &point) const;
 	BendWay shown_way(int page, int index, float fraction) const;

@@ -37,7 +37,7 @@ void FieldSimulation::set_rests(int page, int first, const glm::vec3 *rests, int
 		follower = pick({ entry.page.root(i), entry.page.length(i), rests[i - first] }, entry.page.species());
 		follower.loose = number;
 	}
-	entry.loose_version++;
+	follower_changed(entry);
 }
 
 /// Whom a plant follows: by its place, so that it does not depend on the order in which plants came.
@@ -47,6 +47,20 @@ Follower FieldSimulation::pick(const MotionPlant &plant, int species) const {
 	std::memcpy(&place[1], &plant.root.z, sizeof place[1]);
 	const uint64_t hash = mix_bits(mix_bits(options.seed ^ place[0]) ^ place[1]);
 	return models[static_cast<std::size_t>(species)].pick(plant, hash);
+}
+
+void FieldSimulation::follower_changed(Entry &entry) {
+	if (!entry.is_changed) {
+		entry.is_changed = true;
+		changed.push_back(number_of(entry));
+	}
+}
+
+void FieldSimulation::forget_changed_pages() {
+	for (const int page : changed) {
+		at(page).is_changed = false;
+	}
+	changed.clear();
 }
 
 LoosePlants &FieldSimulation::loose_of(const Entry &entry) {
@@ -91,10 +105,10 @@ void FieldSimulation::push_follower(Entry &entry, int index, const TipState &sta
 	plant.root = entry.page.root(index);
 	plant.length = entry.page.length(index);
 	plant.rest = models[static_cast<std::size_t>(entry.page.species())].rest(follower.prototype);
-	const int page = static_cast<int>(&entry - entries.data());
+	const int page = number_of(entry);
 	const int number = some.add(plant, page, index, state, shown_direction(page, index, 0.0f));
 	follower.loose = static_cast<uint16_t>(number + 1);
-	entry.loose_version++;
+	follower_changed(entry);
 }
 
 void FieldSimulation::follow_again(Entry &entry, int index) {
@@ -106,11 +120,11 @@ void FieldSimulation::follow_again(Entry &entry, int index) {
 	const int number = follower.loose - 1;
 	some.remove(number);
 	follower.loose = 0;
-	entry.loose_version++;
+	follower_changed(entry);
 	if (number < some.count()) {
 		Entry &moved = at(some.page_of(number));
 		moved.followers[static_cast<std::size_t>(some.index_of(number))].loose = static_cast<uint16_t>(number + 1);
-		moved.loose_version++;
+		follower_changed(moved);
 	}
 }
 

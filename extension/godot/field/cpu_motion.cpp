@@ -199,6 +199,9 @@ void CpuMotion::set_species(int index, const FieldLook &look, const PlantStore &
 		set_rests(rows_of(number), rests, is_still);
 	}
 	fit_contact(touches);
+	if (is_still) {
+		write_all();
+	}
 }
 
 void CpuMotion::set_rests(const PageRows &own, const std::vector<glm::vec3> &rests, bool is_still) {
@@ -246,6 +249,13 @@ void CpuMotion::settle() {
 TipState CpuMotion::read_state_now(const PlantPlace &place) {
 	wait();
 	return simulation->state(rows_of(place.block).page, row_of(place));
+}
+
+glm::vec3 CpuMotion::read_tip_now(const PlantPlace &place) {
+	wait();
+	const PageRows &own = rows_of(place.block);
+	const MotionPage &page = simulation->page(own.page);
+	return page.swings() ? page.tip(row_of(place)) : simulation->shown_point(own.page, row_of(place), 1.0f, 1.0f);
 }
 
 void CpuMotion::write_state(const PlantPlace &place, const TipState &state) {

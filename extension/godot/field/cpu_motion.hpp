@@ -38,7 +38,6 @@ public:
 	void settle() override;
 
 	bool upload() override;
-	void write_all() override;
 	void set_hidden(const PlantPlace &place, bool hidden) override;
 	PoseTexels texels(int block) const override { return textures->texels(rows_of(block)); }
 	godot::RID pose_texture() const override { return textures ? textures->poses() : godot::RID(); }
@@ -64,7 +63,7 @@ private:
 	std::unique_ptr<FieldSimulation> simulation;
 	std::unique_ptr<PoseTexture> textures;
 	std::vector<PageRows> rows; ///< By block.
-	std::vector<int> stale_pages; ///< Plants of which are drawn again, and not written yet.
+	std::vector<int> stale_pages; ///< Plants of which are drawn again, or follow others, and not written yet.
 	TipContact touching;
 	bool touches = false;
 	FieldSteps steps; // After what it works on: it is destroyed first.
@@ -78,6 +77,7 @@ private:
 	const PageRows &rows_of(int block) const { return rows[size_t(block)]; }
 	int row_of(const PlantPlace &place) const { return rows_of(place.block).first + place.slot; }
 	void begin_clock();
+	void write_all();
 	void grow(const ChangeSet::Grown &grown, const PlantStore &store, const FieldStyle &style);
 	void drop(int page, int row);
 	void drop_block(int block);

@@ -140,6 +140,9 @@ void CpuMotion::preview(const Frame &frame, const MotionOptions &options) {
 
 bool CpuMotion::upload() {
 	wait();
+	const std::vector<int> &changed = simulation->changed_pages();
+	stale_pages.insert(stale_pages.end(), changed.begin(), changed.end());
+	simulation->forget_changed_pages();
 	std::sort(stale_pages.begin(), stale_pages.end());
 	stale_pages.erase(std::unique(stale_pages.begin(), stale_pages.end()), stale_pages.end());
 	for (const int page : stale_pages) {

@@ -81,7 +81,7 @@ public:
 	virtual void apply(const ChangeSet &changes, const PlantStore &store, const FieldStyle &style) = 0;
 	virtual void add_species(const FieldLook &look) = 0;
 	/// The species' constants are others; the motion goes on. Where nothing moves (`is_still`), plants at rest take
-	/// another rest direction at once.
+	/// another rest direction at once and show it.
 	virtual void set_species(int index, const FieldLook &look, const PlantStore &store, bool is_still) = 0;
 	virtual void set_update_interval(int steps) = 0;
 	/// On or off, and anew where tips got other spheres.
@@ -99,8 +99,6 @@ public:
 
 	/// Sends what is new to the textures; tells whether they are other ones now.
 	virtual bool upload() = 0;
-	/// Takes all poses over into the textures.
-	virtual void write_all() = 0;
 	/// The textures show a plant, or a skeleton does instead.
 	virtual void set_hidden(const PlantPlace &place, bool hidden) = 0;
 	/// A block of the store that stands.

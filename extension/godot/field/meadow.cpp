@@ -203,7 +203,6 @@ void Meadow::read_motion(const PlantFunction *function, bool is_still) {
 	}
 	dress.tell_of_stems(style);
 	if (is_still && motion.is_ready()) {
-		motion.write_all();
 		refresh();
 	}
 }

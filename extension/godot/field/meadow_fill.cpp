@@ -209,7 +209,6 @@ bool Meadow::adopt(FieldFill &finished) {
 	motion.set_update_interval(properties.update_interval);
 	for (const int i : other_leans) {
 		motion.set_species(i, style.looks[size_t(i)], store, true);
-		motion.write_all();
 	}
 	motion.upload();
 	dress.put_on(style, motion);

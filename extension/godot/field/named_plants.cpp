@@ -89,10 +89,7 @@ Skeleton3D *NamedPlants::skeleton(int64_t id) const {
 }
 
 Vector3 NamedPlants::tip_position(int64_t id) {
-	return ask(id, [this](const Standing &one) {
-		const glm::vec3 up = meadow.motion.read_state_now(one.place).direction;
-		return to_godot(one.plant.root + one.look.length_of(one.plant) * up);
-	});
+	return ask(id, [this](const Standing &one) { return to_godot(meadow.motion.read_tip_now(one.place)); });
 }
 
 PackedVector3Array NamedPlants::tip_positions(const PackedInt64Array &ids) {

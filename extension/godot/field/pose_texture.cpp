@@ -79,6 +79,7 @@ void PoseTexture::give_rows(int page, int plants) {
 		own.rows = find_rows(count);
 	}
 	own.share = own.interval = -1.0f;
+	has_new_rows = true;
 }
 
 void PoseTexture::take_rows(int page) {
@@ -194,19 +195,17 @@ bool PoseTexture::make_textures() {
 	for (Page &page : pages) {
 		page.share = page.interval = -1.0f;
 	}
+	has_new_rows = true;
 	textured_layers = layers.size();
 	return true;
 }
 
 void PoseTexture::upload(const FieldSimulation &simulation, float fraction) {
-	for (int page = 0; follows_prototypes && page < int(pages.size()); page++) {
-		if (has_rows(page) && simulation.loose_version(page) != pages[size_t(page)].loose_version) {
-			write_page(simulation, page);
-		}
-	}
 	upload_layers();
-	upload_beats(simulation);
-	if (!follows_prototypes) { // Followers' blend is one for all: a uniform.
+	if (!follows_prototypes || has_new_rows) { // Followers have one interval, and one blend for all: a uniform.
+		upload_beats(simulation);
+	}
+	if (!follows_prototypes) {
 		upload_blends(simulation, fraction);
 	}
 }

@@ -87,7 +87,6 @@ private:
 		Rows rows;
 		float share = -1.0f; ///< The blend that was sent.
 		float interval = -1.0f; ///< s, of the steps that was sent.
-		int loose_version = 0; ///< Of followers, as written.
 		std::vector<uint16_t> hidden; ///< Plants that are gone, or that others show.
 	};
 
@@ -96,6 +95,7 @@ private:
 	std::vector<uint64_t> free_rows; ///< By layer: a bit for each row.
 	std::vector<uint8_t> is_fresh; ///< By layer: written and not yet sent.
 	std::vector<Page> pages; ///< By the simulation's numbers.
+	bool has_new_rows = false; ///< Pages whose interval was not sent.
 	std::vector<int> histories; ///< By species: their first layers.
 	godot::Ref<godot::Image> blend_image;
 	std::vector<float> shares; ///< What `blend_image` holds.

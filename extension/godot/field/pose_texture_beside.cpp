@@ -27,6 +27,7 @@ void PoseTexture::write_beside(const FieldSimulation &simulation, int page) {
 		return;
 	}
 	pages[size_t(page)].interval = -1.0f; // Sent anew.
+	has_new_rows = true;
 	if (simulation.page(page).has_second_bends()) {
 		add_beside(layer_of(page), &Beside::seconds);
 		write_page(simulation, page);
@@ -54,6 +55,7 @@ void PoseTexture::write_rests(const FieldSimulation &simulation, int page) {
 
 void PoseTexture::upload_beats(const FieldSimulation &simulation) {
 	bool has_changed = false;
+	has_new_rows = false;
 	for (int number = 0; number < int(pages.size()); number++) {
 		Page &page = pages[size_t(number)];
 		if (!has_rows(number) || simulation.shown_interval(number) == page.interval) {

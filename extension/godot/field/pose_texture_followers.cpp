@@ -51,7 +51,6 @@ void PoseTexture::write_followers(const FieldSimulation &simulation, int page) {
 		to[2 * i] = halves[follower.prototype] | halves[follower.own_delay] << 16;
 		to[2 * i + 1] = halves[column] | halves[number / SIDE] << 16;
 	}
-	pages[size_t(page)].loose_version = simulation.loose_version(page);
 }
 
 void PoseTexture::write_history(const FieldSimulation &simulation, bool all) {

@@ -3,6 +3,7 @@
 #include "form/growth_options.hpp"
 #include "new_object.hpp"
 #include "plant_function.hpp"
+#include "species_sampling.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 
@@ -84,7 +85,7 @@ PackedInt32Array PlantGrowth::add_stem() {
 	PackedInt32Array handles;
 	Part part;
 	if (may_grow()) {
-		problem = species->read_stem(part);
+		problem = sample_stem(*species, part);
 	}
 	if (species && problem.is_empty()) {
 		problem = String::utf8(growth->add_stem(part, stem).c_str());

@@ -123,7 +123,6 @@ TEST_CASE("a page that is removed leaves its number to the next one, and others 
 		field.apply_impulse(1, 3, { 0.3f, 0.0f, 0.0f });
 		field.apply_impulse(2, 3, { 0.3f, 0.0f, 0.0f });
 		const glm::vec3 root = field.page(1).root(3);
-		const int version = field.loose_version(1);
 		field.set_page_multiple(1, 4);
 		field.step();
 		const TipState kept = field.state(2, 5);
@@ -142,7 +141,7 @@ TEST_CASE("a page that is removed leaves its number to the next one, and others 
 		const MotionPlant plants[2];
 		CHECK(field.add_page(0, plants, 2) == 1);
 		CHECK(field.page_interval(1) == 1);
-		CHECK(field.loose_version(1) > version);
+		CHECK(field.changed_pages() == (prototypes > 0 ? std::vector<int>{ 1, 2 } : std::vector<int>()));
 		CHECK(field.add_page(0, plants, 1) == 3);
 		CHECK(field.plant_count() == 2 * PLANTS / 3 + 3);
 		field.step();

@@ -150,3 +150,32 @@ TEST_CASE("the tips of a plant on a wall and of one on the ground part, and lose
 	CHECK(std::fabs(after - 2.0f * RADIUS) < NEAR);
 	CHECK(wall.state(0).direction.y > 0.99f);
 }
+
+TEST_CASE("plants on a wall or a ceiling touch as those on the ground do, turned with all else") {
+	const glm::mat3 ceiling = { { 1.0f, 0.0f, 0.0f }, { 0.0f, -1.0f, 0.0f }, { 0.0f, 0.0f, -1.0f } };
+	const glm::vec3 roots[] = { { 0.0f, 0.0f, 0.0f }, { 0.25f, 0.0f, 0.05f } };
+	const TipState states[] = { { glm::normalize(glm::vec3(0.1f, 1.0f, 0.02f)), { 0.6f, -0.062f, 0.1f } },
+		{ { 0.0f, 1.0f, 0.0f }, { -0.2f, 0.0f, 0.3f } } };
+	const glm::mat3 ground(1.0f);
+	TipState on_ground[2];
+	for (const glm::mat3 *axes : { &ground, &WALL, &ceiling }) {
+		MotionPage pages[] = { page_of(Law::spring, *axes * roots[0]), page_of(Law::spring, *axes * roots[1]) };
+		LonePages lone;
+		for (int i = 0; i < 2; i++) {
+			pages[i].set_state(0, states[i]);
+			lone.add(pages[i], axes);
+		}
+		TipContact contact;
+		contact.fit(lone);
+		contact.resolve(lone);
+		for (int i = 0; i < 2; i++) {
+			const TipState now = pages[i].state(0);
+			on_ground[i] = axes == &ground ? now : on_ground[i];
+			CHECK(contact.contacts(i, 0) == 1);
+			CHECK(glm::distance(now.rate, states[i].rate) > 0.2f); // A blow, and a move.
+			CHECK(glm::distance(now.direction, states[i].direction) > 0.01f);
+			CHECK(glm::distance(now.rate, on_ground[i].rate) < 1e-5f);
+			CHECK(glm::distance(now.direction, on_ground[i].direction) < 1e-6f);
+		}
+	}
+}

@@ -1,0 +1,67 @@
+#include "form/species_growth.hpp"
+
+#include "follow_changes.hpp"
+#include "form/grown_plant.hpp"
+#include "plant_function.hpp"
+#include "shared_resources.hpp"
+#include "species_sampling.hpp"
+#include "stopwatch.hpp"
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr double SLOW_GROWTH = 1.0; // s: then somebody wonders why the game stands still.
+
+String SpeciesGrowth::sample(PlantFunction &species, double height, int segments, int64_t seed, SampledPlant &result) {
+	String problem = find_level_problem(segments);
+	result.lod = segments;
+	result.grown = problem.is_empty() ? grown_before.find(seed, state_of_script(&species)) : nullptr;
+	if (problem.is_empty() && !result.grown) {
+		problem = grow(species, seed, result.grown);
+	}
+	if (!problem.is_empty()) {
+		return problem;
+	}
+	parts_material(); // Loaded here, for meshes may be built on worker threads.
+	result.height = height == 0.0 ? result.grown->form.height : float(height);
+	return height == 0.0 ? String() : find_height_problem(height);
+}
+
+String SpeciesGrowth::grow(PlantFunction &species, int64_t seed, std::shared_ptr<const GrownPlant> &grown) {
+	SampledPlant sampled;
+	String problem = sample_height(species, 0.0, seed, sampled);
+	if (!problem.is_empty()) {
+		return problem;
+	}
+	// Whom it listens to it hears from the first growth on: scripts tell of no change of their variables' insides.
+	follow_changes(&species, Callable(&species, "_on_own_change"));
+	follow_script_resources(&species, Callable(&species, "_on_grown_change"));
+	Ref<PlantGrowth> plant;
+	plant.instantiate();
+	plant->begin(&species, sampled.height, uint64_t(seed));
+	ask(species, plant, problem);
+	String what;
+	PlantForm form = plant->finish(what);
+	problem = problem.is_empty() ? what : problem;
+	if (problem.is_empty()) {
+		grown = std::make_shared<const GrownPlant>(std::move(form));
+		grown_before.keep(seed, state_of_script(&species), grown);
+	}
+	return problem;
+}
+
+void SpeciesGrowth::ask(PlantFunction &species, const Ref<PlantGrowth> &plant, String &problem) {
+	const Stopwatch watch;
+	const bool is_script = species.ask_to_grow(plant, problem);
+	const double seconds = 1e-6 * watch.usec();
+	if (is_script && seconds > SLOW_GROWTH && !has_told_slowness) {
+		has_told_slowness = true;
+		report_warning(&species,
+				"its `_grow` took " + String::num(seconds, 1) +
+						" s for one plant, while the game stood still. Let it do less: what is the same for all seeds "
+						"can be worked out once, and a field asks for as many plants as the species has variants.");
+	}
+}
+
+} // namespace undergrowth

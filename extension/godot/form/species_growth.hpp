@@ -1,0 +1,30 @@
+#pragma once
+
+#include "form/growth_cache.hpp"
+#include "sampled_plant.hpp"
+
+#include <godot_cpp/variant/string.hpp>
+
+namespace undergrowth {
+
+class PlantFunction;
+class PlantGrowth;
+
+/// Grows the plants of a species of parts: once for each seed as long as the species stays the same. Level and height
+/// do not matter. Main thread, for a species may be a script.
+class SpeciesGrowth {
+public:
+	/// As sample_lathe(), of a species of parts.
+	godot::String sample(PlantFunction &species, double height, int segments, int64_t seed, SampledPlant &result);
+	/// The species is another one now.
+	void forget() { grown_before.clear(); }
+
+private:
+	GrowthCache grown_before;
+	bool has_told_slowness = false;
+
+	godot::String grow(PlantFunction &species, int64_t seed, std::shared_ptr<const GrownPlant> &grown);
+	void ask(PlantFunction &species, const godot::Ref<PlantGrowth> &plant, godot::String &problem);
+};
+
+} // namespace undergrowth
