@@ -131,6 +131,7 @@ TEST_CASE("small bends are those of a beam under a load at its tip and under one
 
 TEST_CASE("a load along the stem counts as much as the reference says") {
 	CHECK(solve_stem(stiff_stem()).constants.axial_share == Approx(0.75).epsilon(BEAM));
+	CHECK(solve_stem(stiff_stem(0.6)).constants.axial_share == Approx(0.598).epsilon(BEAM));
 }
 
 TEST_CASE("a head that the wind blows at above the tip turns it as well") {
