@@ -12,7 +12,7 @@ static_assert(STEM_SAMPLES == StemChain::LINKS + 1, "a sample at the ends of eac
 
 // Of a linear beam's tip; air bends a stem the less the more it is bent.
 constexpr double SLOPES[] = { 0.5, 1.0, 2.0, 4.0, 7.0, 12.0 };
-constexpr double AIR_SLOPES[] = { 0.5, 1.0, 2.0, 4.0, 8.0, 20.0, 60.0, 200.0 };
+constexpr double AIR_SLOPES[] = { 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 30.0 };
 
 /// The bend at the ends of the links: between those of their middles.
 StemSamples bends_of(const StemChain::Angles &angles) {
