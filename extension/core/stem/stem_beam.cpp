@@ -20,7 +20,7 @@ struct Shape {
 	StemCurve curve;
 	double frequency = 0.0;
 	double stiffness = 0.0;
-	double dead = 0.0; ///< φᵀf/κ.
+	double dead = 0.0; ///< φᵀf/κ; in the end its share of a bend whose tip has the slope 1.
 	double air = 0.0;
 };
 
@@ -54,6 +54,8 @@ private:
 
 	double find_modulus() const;
 	void find_shapes(const StemFactors &factors);
+	void choose_shapes(const StemEigen &first, const StemEigen &second);
+	void divide_loads();
 	Shape shape_of(StemCurve curve, double frequency) const;
 	void write_mode(int k);
 	void write_deflections();
@@ -85,25 +87,19 @@ StemFault Solver::solve() {
 	constants.length = beam.length;
 	constants.modes = beam.modes;
 	constants.joints = beam.joints;
-	for (int k = 0; k < beam.modes; k++) {
-		dead_slope += shapes[k].dead * shapes[k].curve.slope(1.0) / line.length;
-		air_slope += shapes[k].air * shapes[k].curve.slope(1.0) / line.length;
-	}
 	constants.dead_slope = static_cast<float>(dead_slope);
 	constants.air_slope = static_cast<float>(air_slope);
 	constants.axial_share = static_cast<float>(axial_share(line, dead_curve));
 	for (int k = 0; k < beam.modes; k++) {
 		write_mode(k);
-		constants.mode[k].dead_share = static_cast<float>(shapes[k].dead / dead_slope);
-		constants.mode[k].air_share = static_cast<float>(shapes[k].air / air_slope);
+		constants.mode[k].dead_share = static_cast<float>(shapes[k].dead);
+		constants.mode[k].air_share = static_cast<float>(shapes[k].air);
 	}
 	write_deflections();
 	write_shapes();
 	return StemFault::none;
 }
 
-// The last shape is what the static one has beyond the modes before it. Where that is nothing but rounding, as under a
-// heavy head that alone is blown, the next mode takes its place.
 void Solver::find_shapes(const StemFactors &factors) {
 	const StemEigen first = smallest_eigen(factors, elements.mass);
 	const StemEigen second = smallest_eigen(factors, elements.mass, &first.curve);
@@ -112,6 +108,15 @@ void Solver::find_shapes(const StemFactors &factors) {
 	dead_load = load_of(line, line.dead, line.head_dead);
 	air_load = load_of(line, line.air, line.head_air);
 	dead_curve = factors.solve(dead_load);
+	dead_slope = dead_curve.slope(1.0) / line.length;
+	air_slope = factors.solve(air_load).slope(1.0) / line.length;
+	choose_shapes(first, second);
+	divide_loads();
+}
+
+// The last shape is what the static one has beyond the modes before it. Where that is nothing but rounding, as under a
+// heavy head that alone is blown, the next mode takes its place.
+void Solver::choose_shapes(const StemEigen &first, const StemEigen &second) {
 	if (beam.modes == 1) {
 		shapes[0] = shape_of(dead_curve, solution.frequencies[0]);
 		return;
@@ -121,6 +126,22 @@ void Solver::find_shapes(const StemFactors &factors) {
 	rest.add(shapes[0].curve, -shapes[0].dead);
 	const bool is_something = rest.dot(stiff.times(rest)) > LEAST_REST * dead_curve.dot(dead_load);
 	shapes[1] = shape_of(is_something ? rest : second.curve, solution.frequencies[1]);
+}
+
+// Of the bends that the loads bring, so that the tip's is right in both winds: the shapes are made for one in newtons,
+// and where that presses elsewhere than one in m/s, the first takes what they miss.
+void Solver::divide_loads() {
+	double dead_rest = 1.0;
+	double air_rest = 1.0;
+	for (int k = 0; k < beam.modes; k++) {
+		const double tip = shapes[k].curve.slope(1.0) / line.length;
+		shapes[k].dead /= dead_slope;
+		shapes[k].air /= air_slope;
+		dead_rest -= tip * shapes[k].dead;
+		air_rest -= tip * shapes[k].air;
+	}
+	shapes[0].dead += dead_rest / (shapes[0].curve.slope(1.0) / line.length);
+	shapes[0].air += air_rest / (shapes[0].curve.slope(1.0) / line.length);
 }
 
 Shape Solver::shape_of(StemCurve curve, double frequency) const {
@@ -177,8 +198,8 @@ void Solver::write_shapes() {
 		const StemSamples slopes = slopes_of(shapes[k].curve);
 		write_terms(slopes, constants.shape[0] + k, 4);
 		for (int i = 0; i < STEM_SAMPLES; i++) {
-			dead_shape[i] += slopes[i] * shapes[k].dead / dead_slope;
-			air_shape[i] += slopes[i] * shapes[k].air / air_slope;
+			dead_shape[i] += slopes[i] * shapes[k].dead;
+			air_shape[i] += slopes[i] * shapes[k].air;
 		}
 	}
 	const StemChain chain(line, solution.youngs_modulus);

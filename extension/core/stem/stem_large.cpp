@@ -10,7 +10,9 @@ namespace {
 
 static_assert(STEM_SAMPLES == StemChain::LINKS + 1, "a sample at the ends of each link");
 
-constexpr double SLOPES[] = { 0.5, 1.0, 2.0, 4.0, 7.0, 12.0 }; // Of a linear beam's tip.
+// Of a linear beam's tip; air bends a stem the less the more it is bent.
+constexpr double SLOPES[] = { 0.5, 1.0, 2.0, 4.0, 7.0, 12.0 };
+constexpr double AIR_SLOPES[] = { 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 30.0 };
 
 /// The bend at the ends of the links: between those of their middles.
 StemSamples bends_of(const StemChain::Angles &angles) {
@@ -92,7 +94,7 @@ LargeBends large_bends_of_newtons(const StemChain &chain, const StemSamples &sha
 LargeBends large_bends_of_air(const StemChain &chain, const StemSamples &shape, double speed_squared) {
 	LargeFit fit(shape);
 	StemChain::Angles angles = {};
-	for (const double slope : SLOPES) {
+	for (const double slope : AIR_SLOPES) {
 		chain.settle_air(slope * speed_squared, angles);
 		fit.add(bends_of(angles), air_tip(slope));
 	}

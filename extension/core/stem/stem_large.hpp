@@ -7,7 +7,7 @@ namespace undergrowth {
 
 /// What large steady bends add to the static shape ψ of the linear beam (1 at the tip), t being the tip's bend as the
 /// wind's law says it: u(x) = t·ψ + t³·x3 + t⁵·x5. Least squares of directions beside a chain under winds that give a
-/// linear tip slopes of 0.5 to 12.
+/// linear tip slopes of 0.5 to 12, in air to 30.
 struct LargeBends {
 	StemSamples x3;
 	StemSamples x5;

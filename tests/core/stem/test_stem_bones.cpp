@@ -79,9 +79,9 @@ TEST_CASE("a chain of bones is as long as its stem, however it is bent") {
 				const glm::vec3 next = j + 1 < joints ? links[j + 1].start : end;
 				length += glm::distance(glm::dvec3(links[j].start), glm::dvec3(next));
 				REQUIRE(glm::distance(turned(links[j].turn, { 0.0f, 1.0f, 0.0f }), links[j].direction) < 1e-5f);
-				REQUIRE(glm::length(links[j].turn) == Approx(1.0).epsilon(1e-6));
+				REQUIRE(glm::length(links[j].turn) == Approx(1.0).epsilon(1e-6).scale(0.0));
 			}
-			REQUIRE(length == Approx(1.0).epsilon(LENGTH));
+			REQUIRE(length == Approx(1.0).epsilon(LENGTH).scale(0.0));
 		}
 	}
 }
@@ -141,7 +141,7 @@ TEST_CASE("weights sum to one, change smoothly and leave the root where it is") 
 				of_bone[binding.bones[k]] += binding.weights[k];
 				sum += binding.weights[k];
 			}
-			REQUIRE(sum == Approx(1.0).epsilon(1e-6));
+			REQUIRE(sum == Approx(1.0).epsilon(1e-6).scale(0.0));
 			for (int bone = 0; bone <= joints; bone++) {
 				REQUIRE((i == 0 || std::abs(of_bone[bone] - before[bone]) < 0.002f * static_cast<float>(joints)));
 				before[bone] = of_bone[bone];
@@ -168,6 +168,6 @@ TEST_CASE("a stem that points straight down still has bones that are turns") {
 	const glm::vec3 end = stem_links(stem, amplitudes, links);
 	CHECK(std::isfinite(end.x + end.y + end.z));
 	for (int j = 0; j < 2; j++) {
-		CHECK(glm::length(links[j].turn) == Approx(1.0).epsilon(1e-5));
+		CHECK(glm::length(links[j].turn) == Approx(1.0).epsilon(1e-5).scale(0.0));
 	}
 }

@@ -1,6 +1,7 @@
 #include "stems.hpp"
 
 #include "stem/stem_bones.hpp"
+#include "stem/stem_shape.hpp"
 
 #include <doctest/doctest.h>
 
@@ -34,6 +35,20 @@ bool is_finite(const StemConstants &stem) {
 			std::isfinite(stem.air_slope) && stem.axial_share > 0.0f && stem.axial_share <= 1.0f;
 }
 
+/// No place is bent far beyond the tip or against the wind, however far that bends the tip.
+bool is_tame(const StemConstants &stem, bool is_in_air) {
+	for (const double slope : { 0.5, 2.0, 10.0, 1e4 }) {
+		const SteadyStem steady = is_in_air ? in_wind(stem, slope) : in_newtons(stem, slope);
+		for (int i = 1; i <= 32; i++) {
+			const float bend = stem_bend(stem, steady.amplitudes, static_cast<float>(i) / 32.0f).x;
+			if (!(bend > -0.15f && bend < 2.5f)) {
+				return false;
+			}
+		}
+	}
+	return true;
+}
+
 } // namespace
 
 TEST_CASE("stems of all sizes that stand have sound constants") {
@@ -59,6 +74,8 @@ TEST_CASE("stems of all sizes that stand have sound constants") {
 						REQUIRE(solution.fault == StemFault::none);
 						REQUIRE(is_finite(solution.constants));
 						REQUIRE(solution.buckling_share < 1.0);
+						REQUIRE(is_tame(solution.constants, false));
+						REQUIRE(is_tame(in_air(solution.constants), true));
 					}
 				}
 			}

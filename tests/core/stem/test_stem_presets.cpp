@@ -82,10 +82,10 @@ TEST_CASE("stems that declare how fast they swing need the moduli, and bend in t
 		const StemSolution solution = solve_stem(beam_of(preset));
 		const StemConstants &stem = solution.constants;
 		CHECK(std::abs(1e-9 * solution.youngs_modulus - preset.modulus) <= preset.rounded);
-		CHECK(solution.buckling_share == Approx(preset.buckling_share).epsilon(0.04));
-		CHECK(solution.frequencies[1] / solution.frequencies[0] == Approx(preset.second).epsilon(RATIO));
-		CHECK(wind_for(stem, PI / 6.0) == Approx(preset.wind_30).epsilon(WIND));
-		CHECK(wind_for(stem, PI / 3.0) == Approx(preset.wind_60).epsilon(WIND));
+		CHECK(solution.buckling_share == Approx(preset.buckling_share).epsilon(0.04).scale(0.0));
+		CHECK(solution.frequencies[1] / solution.frequencies[0] == Approx(preset.second).epsilon(RATIO).scale(0.0));
+		CHECK(wind_for(stem, PI / 6.0) == Approx(preset.wind_30).epsilon(WIND).scale(0.0));
+		CHECK(wind_for(stem, PI / 3.0) == Approx(preset.wind_60).epsilon(WIND).scale(0.0));
 		const StemMode &mode = stem.mode[0];
 		const double damping = mode.air_drag * 5.0 / (2.0 * mode.mass * mode.frequency);
 		CHECK(std::abs(damping - preset.air_damping) <= std::max(0.005, DAMPING * preset.air_damping));
