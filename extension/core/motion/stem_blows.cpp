@@ -66,7 +66,8 @@ void strike_stem(const StemConstants &stem, const glm::vec2 *places, glm::vec2 *
 	const glm::vec2 across = for_amplitudes(impulse, bend_at(stem, places, joint));
 	for (int k = 0; k < stem.modes; k++) {
 		const StemMode &mode = stem.mode[k];
-		rates[k] = no_longer(rates[k] + across * (0.5f * scale * shape[k] / mode.mass), MOST_BLOWN_RATE * mode.frequency);
+		rates[k] =
+				no_longer(rates[k] + across * (0.5f * scale * shape[k] / mode.mass), MOST_BLOWN_RATE * mode.frequency);
 	}
 }
 

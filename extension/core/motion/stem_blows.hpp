@@ -7,10 +7,10 @@
 
 namespace undergrowth {
 
-/// Blows and pushes on a stem. `places` and `rates` (1/s) are the amplitudes of its modes, one of each; vectors are seen
-/// from the frame of its rest direction, and `scale` is the length that `stem` is for over the plant's own. Joints are 1
-/// to stem.joints from the bottom to the tip; stem.joints + 1 is the head's centre. A bent stem is as heavy across
-/// itself as an upright one; along itself the root holds it.
+/// Blows and pushes on a stem. `places` and `rates` (1/s) are the amplitudes of its modes, one of each; vectors are
+/// seen from the frame of its rest direction, and `scale` is the length that `stem` is for over the plant's own. Joints
+/// are 1 to stem.joints from the bottom to the tip; stem.joints + 1 is the head's centre. A bent stem is as heavy
+/// across itself as an upright one; along itself the root holds it.
 
 /// kg: what a blow across the stem has to move at a joint. Its speed changes by impulse/mass.
 float mass_at_joint(const StemConstants &stem, int joint);

@@ -21,17 +21,21 @@ public:
 
 	/// `damping`: of the slowest small swing; dashpots are as the springs are.
 	ReferenceChain(const undergrowth::StemBeam &stem, double youngs_modulus, double damping, double lean = 0.0) :
-			h(static_cast<double>(stem.length) / LINKS), rest(lean), head_arm(static_cast<double>(stem.head_centre)),
+			h(static_cast<double>(stem.length) / LINKS),
+			rest(lean),
+			head_arm(static_cast<double>(stem.head_centre)),
 			head_inertia(static_cast<double>(stem.head_inertia)) {
 		angle.fill(lean);
 		for (int i = 0; i < LINKS; i++) {
 			const double d = width(stem, i + 0.5);
 			const double at_joint = width(stem, i == 0 ? 0.25 : i);
 			spring[i] = youngs_modulus * undergrowth::PI / 64.0 * std::pow(at_joint, 4.0) / (i == 0 ? 0.5 * h : h);
-			mass[i] = h * (static_cast<double>(stem.density) * undergrowth::PI / 4.0 * d * d +
-								  static_cast<double>(stem.leaf_mass) / static_cast<double>(stem.length));
-			air[i] = 0.6 * h * (static_cast<double>(stem.drag_coefficient) * d +
-									   static_cast<double>(stem.leaf_drag_area) / static_cast<double>(stem.length));
+			mass[i] = h *
+					(static_cast<double>(stem.density) * undergrowth::PI / 4.0 * d * d +
+							static_cast<double>(stem.leaf_mass) / static_cast<double>(stem.length));
+			air[i] = 0.6 * h *
+					(static_cast<double>(stem.drag_coefficient) * d +
+							static_cast<double>(stem.leaf_drag_area) / static_cast<double>(stem.length));
 		}
 		head_mass = static_cast<double>(stem.head_mass);
 		head_air = 0.6 * static_cast<double>(stem.head_drag_area);
