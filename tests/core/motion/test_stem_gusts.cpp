@@ -122,7 +122,7 @@ TEST_CASE("a gust moves the tip as it moves that of a chain of 64 links") {
 		for (const int modes : { 1, 2 }) {
 			for (const Wind kind : { Wind::newtons, Wind::air }) {
 				Rivals rivals(sample(which, modes), kind);
-				const double worst = rivals.follow(4.0, gust(kind == Wind::newtons ? 0.75 : 1.2));
+				const double worst = rivals.follow(3.0, gust(kind == Wind::newtons ? 0.75 : 1.2));
 				CAPTURE(which);
 				CAPTURE(modes);
 				CHECK(worst < GUST_TOLERANCE);
