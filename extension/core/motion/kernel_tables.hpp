@@ -72,13 +72,17 @@ struct StemTip {
 	float most = 1.0f; ///< The horizon.
 };
 
-/// What the steps of a species' stems share, for one step length. Some are variables for the same reason as in bounded().
+/// What the steps of a species' stems share, for one step length. Some are variables for the same reason as in
+/// bounded().
 struct StemStep {
 	int modes;
 	StemModeStep mode[MOST_STEM_MODES];
 	float tip_slope[MOST_STEM_MODES]; ///< As in StemMode.
 	StemTip dead_tip, air_tip; ///< Under a load of either kind.
 	float dead_slope, air_slope, axial_share; ///< As in StemConstants.
+	/// The axial share of a wind in m/s: most of the stem is bent less than its tip, and feels less of what blows along
+	/// that. A chain of links says 0.85 to 0.95 by taper and head, less the farther stems bend.
+	float air_along = 0.85f;
 	float most_force; ///< N: `most_load` over `dead_slope`.
 	float softness; ///< 1 over the load, as linear slope of the tip, that a step can follow.
 	float most_place = 1.5f;

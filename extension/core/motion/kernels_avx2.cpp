@@ -20,6 +20,7 @@ namespace avx2_kernels {
 #include "base/kernel_basics.inc"
 #include "motion/kernel_bends.inc"
 #include "motion/kernel_elasticity.inc"
+#include "motion/kernel_loads.inc"
 #include "motion/kernel_spring.inc"
 #include "motion/kernel_stem.inc"
 

@@ -21,17 +21,21 @@ public:
 
 	/// `damping`: of the slowest small swing; dashpots are as the springs are.
 	ReferenceChain(const undergrowth::StemBeam &stem, double youngs_modulus, double damping, double lean = 0.0) :
-			h(static_cast<double>(stem.length) / LINKS), rest(lean), head_arm(static_cast<double>(stem.head_centre)),
+			h(static_cast<double>(stem.length) / LINKS),
+			rest(lean),
+			head_arm(static_cast<double>(stem.head_centre)),
 			head_inertia(static_cast<double>(stem.head_inertia)) {
 		angle.fill(lean);
 		for (int i = 0; i < LINKS; i++) {
 			const double d = width(stem, i + 0.5);
 			const double at_joint = width(stem, i == 0 ? 0.25 : i);
 			spring[i] = youngs_modulus * undergrowth::PI / 64.0 * std::pow(at_joint, 4.0) / (i == 0 ? 0.5 * h : h);
-			mass[i] = h * (static_cast<double>(stem.density) * undergrowth::PI / 4.0 * d * d +
-								  static_cast<double>(stem.leaf_mass) / static_cast<double>(stem.length));
-			air[i] = 0.6 * h * (static_cast<double>(stem.drag_coefficient) * d +
-									   static_cast<double>(stem.leaf_drag_area) / static_cast<double>(stem.length));
+			mass[i] = h *
+					(static_cast<double>(stem.density) * undergrowth::PI / 4.0 * d * d +
+							static_cast<double>(stem.leaf_mass) / static_cast<double>(stem.length));
+			air[i] = 0.6 * h *
+					(static_cast<double>(stem.drag_coefficient) * d +
+							static_cast<double>(stem.leaf_drag_area) / static_cast<double>(stem.length));
 		}
 		head_mass = static_cast<double>(stem.head_mass);
 		head_air = 0.6 * static_cast<double>(stem.head_drag_area);
@@ -81,8 +85,10 @@ public:
 			angle[i] += dt * rate[i] + half * half * (acceleration[i] + acceleration[i]);
 			rate[i] += dt * acceleration[i];
 		}
-		factorise(half);
-		for (int n = 0; n < 40; n++) {
+		for (int rounds = 0; rounds < 40; rounds++) {
+			if (rounds % 12 == 0 && (rounds > 0 || half != factor_half)) {
+				factorise(half); // An old one serves while the stem has not moved far.
+			}
 			const Row change = solved(moments());
 			double most = 0.0;
 			for (int i = 0; i < LINKS; i++) {
@@ -91,7 +97,7 @@ public:
 				angle[i] += half * half * change[i];
 				most = std::max(most, std::fabs(half * half * change[i]));
 			}
-			if (most < 1e-9) {
+			if (most < 1e-8) {
 				return;
 			}
 		}
@@ -124,6 +130,7 @@ private:
 	Row lever; ///< kg·m: first moment of what a link carries, about its lower end.
 	Row inertia; ///< kg·m²: second moment of the same.
 	std::array<Row, LINKS> factor;
+	double factor_half = 0.0; ///< s: that `factor` is for.
 
 	static double width(const undergrowth::StemBeam &stem, double link) {
 		return static_cast<double>(stem.diameter) * (1.0 - static_cast<double>(stem.taper) * link / LINKS);
@@ -251,6 +258,7 @@ private:
 	/// Cholesky of masses, dashpots and springs as an acceleration meets them in a step of twice `half`.
 	void factorise(double half) {
 		const double stiff = half * half + half * dashpot;
+		factor_half = half;
 		for (int i = 0; i < LINKS; i++) {
 			for (int j = 0; j <= i; j++) {
 				double sum = mass_between(i, j) * std::cos(angle[i] - angle[j]);

@@ -118,8 +118,7 @@ public:
 		for (int begin = 0; begin < count; begin += at_once) {
 			const PlantWinds winds = { has_newtons ? column(STRENGTH) + begin : nullptr, along.x, along.y };
 			const PlantAir air = { column(AIR) + begin, column(AIR + 1) + begin };
-			kernels(level).step_stem(
-					page(begin), std::min(at_once, count - begin), winds, has_air ? air : PlantAir{});
+			kernels(level).step_stem(page(begin), std::min(at_once, count - begin), winds, has_air ? air : PlantAir{});
 		}
 	}
 	/// Steps of so many seconds.
@@ -158,7 +157,9 @@ public:
 		}
 		return sum;
 	}
-	uint64_t hash() const { return GoldenHash().add(values.data(), static_cast<std::size_t>(4 * stem.modes * count)).value(); }
+	uint64_t hash() const {
+		return GoldenHash().add(values.data(), static_cast<std::size_t>(4 * stem.modes * count)).value();
+	}
 
 private:
 	enum Column : int { REST = 8, SCALE = 10, STRENGTH, AIR, COLUMNS = AIR + 2 };

@@ -1,0 +1,106 @@
+#include "../stem/stems.hpp"
+#include "motion/stem_blows.hpp"
+#include "stem/stem_bones.hpp"
+#include "stem_plants.hpp"
+
+#include <doctest/doctest.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <initializer_list>
+
+using namespace undergrowth;
+
+namespace {
+
+constexpr float SPEED_TOLERANCE = 0.01f; // Relative.
+
+StemConstants sample(int modes) {
+	StemBeam beam = stem_of(0.6, 0.5);
+	beam.modes = modes;
+	return solve_stem(beam).constants;
+}
+
+} // namespace
+
+TEST_CASE("a blow changes a joint's speed by impulse over mass, across the stem, bent or not, of any length") {
+	for (const int modes : { 1, 2 }) {
+		const StemConstants stem = sample(modes);
+		for (int joint = 1; joint <= stem.joints + 1; joint++) {
+			for (const float bent : { 0.0f, 0.3f, -0.5f }) {
+				for (const float scale : { 1.0f, 0.5f, 2.0f }) {
+					const glm::vec2 places[] = { { bent, 0.2f * bent }, { 0.01f, 0.0f } };
+					glm::vec2 rates[2] = {};
+					const glm::vec3 impulse(1e-5f, 2e-6f, -3e-6f);
+					strike_stem(stem, places, rates, joint, impulse, scale);
+					const glm::vec3 speed = velocity_of_joint(stem, places, rates, joint, scale);
+					const float x = std::min(static_cast<float>(joint) / static_cast<float>(stem.joints), 1.0f);
+					const glm::vec2 bend = stem_bend(stem, places, x);
+					const glm::vec3 direction = from_stereographic(bend);
+					const glm::vec3 expected =
+							(impulse - direction * glm::dot(impulse, direction)) / mass_at_joint(stem, joint);
+					CAPTURE(joint);
+					CAPTURE(bent);
+					CHECK(glm::distance(speed, expected) < SPEED_TOLERANCE * glm::length(expected));
+					CHECK(std::fabs(glm::dot(speed, direction)) < 1e-4f * glm::length(speed));
+				}
+			}
+		}
+	}
+}
+
+TEST_CASE("the mass at the head of a light stem is the head's") {
+	StemBeam beam = stem_of(0.0, 20.0);
+	const StemConstants stem = solve_stem(beam).constants;
+	// A massless cantilever's tip carries 33/140 of the stem besides.
+	const double expected = static_cast<double>(beam.head_mass) + 33.0 / 140.0 * stem_mass(beam);
+	CHECK(static_cast<double>(mass_at_joint(stem, stem.joints + 1)) == doctest::Approx(expected).epsilon(0.06));
+}
+
+TEST_CASE("a blow along the stem is held by the root") {
+	const StemConstants stem = sample(2);
+	const glm::vec2 places[] = { { 0.4f, -0.1f }, { 0.0f, 0.0f } };
+	glm::vec2 rates[2] = {};
+	strike_stem(stem, places, rates, stem.joints, 1e-3f * from_stereographic(stem_bend(stem, places, 1.0f)));
+	CHECK(glm::length(rates[0]) < 1e-4f);
+	CHECK(glm::length(rates[1]) < 1e-3f);
+}
+
+TEST_CASE("a push moves a joint as far as it says, the easiest way") {
+	for (const int modes : { 1, 2 }) {
+		const StemConstants stem = sample(modes);
+		for (int joint = 1; joint <= stem.joints; joint++) {
+			glm::vec2 places[] = { { 0.0f, 0.0f }, { 0.0f, 0.0f } };
+			const float way = 0.02f * stem.deflection[joint - 1][0];
+			push_stem(stem, places, joint, { 0.0f, 0.0f, way }, 1.0f);
+			float moved = 0.0f;
+			for (int k = 0; k < modes; k++) {
+				moved += 2.0f * stem.deflection[joint - 1][k] * places[k].y;
+			}
+			CAPTURE(joint);
+			CHECK(moved == doctest::Approx(way).epsilon(1e-4));
+			const float x = static_cast<float>(joint) / static_cast<float>(stem.joints);
+			CHECK(stem_place(stem, places, x).centre.z * stem.length == doctest::Approx(way).epsilon(0.02));
+			if (modes == 2) { // More of one mode and less of the other stores more.
+				const float a = stem.mode[0].stiffness * places[0].y * stem.deflection[joint - 1][1];
+				const float b = stem.mode[1].stiffness * places[1].y * stem.deflection[joint - 1][0];
+				CHECK(a == doctest::Approx(b).epsilon(1e-3));
+			}
+		}
+	}
+}
+
+TEST_CASE("no blow and no push, however strong, leads out of the limits") {
+	const StemConstants stem = sample(2);
+	for (const float size : { 1e3f, 1e30f, std::nanf("") }) {
+		glm::vec2 places[] = { { 0.4f, -0.1f }, { 0.0f, 0.0f } };
+		glm::vec2 rates[2] = {};
+		strike_stem(stem, places, rates, 2, { size, size, -size });
+		push_stem(stem, places, 1, { -size, 0.0f, size });
+		for (int k = 0; k < 2; k++) {
+			CHECK(glm::length(rates[k]) <= 1.001f * MOST_BLOWN_RATE * stem.mode[k].frequency);
+			CHECK(glm::length(places[k]) <= 1.001f * MOST_PUSHED_PLACE);
+		}
+	}
+}
