@@ -11,7 +11,7 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float LEAST_EASE = 1e-9f; // 1/kg, m/N.
+constexpr float LEAST_EASE = 1e-12f; // 1/kg, m/N.
 
 struct Deflection {
 	float of_mode[MOST_STEM_MODES];

@@ -38,8 +38,13 @@ glm::vec2 rate_of_bend(const glm::vec3 &direction, const glm::vec3 &rate) {
 	return (glm::vec2(rate.x, rate.z) - bend * rate.y) * scale;
 }
 
+/// `v`, or where it is longer than `most` as long; nothing where it is no number.
 glm::vec2 no_longer(const glm::vec2 &v, float most) {
-	const float size = glm::length(v);
+	const float largest = std::max(std::fabs(v.x), std::fabs(v.y));
+	if (!std::isfinite(v.x) || !std::isfinite(v.y) || largest <= 0.0f) {
+		return { 0.0f, 0.0f };
+	}
+	const float size = largest * glm::length(v / largest); // Without squares of large numbers.
 	return size > most ? v * (most / size) : v;
 }
 
@@ -74,12 +79,8 @@ TipState tip_state(const StemConstants &stem, const StemState &state, const glm:
 StemState safe_stem(const StemConstants &stem, const StemState &state) {
 	StemState safe;
 	for (int k = 0; k < stem.modes; k++) {
-		const glm::vec2 &place = state.place[k];
-		const glm::vec2 &rate = state.rate[k];
-		if (std::isfinite(place.x + place.y + rate.x + rate.y)) {
-			safe.place[k] = no_longer(place, MOST_STEM_AMPLITUDE);
-			safe.rate[k] = no_longer(rate, MOST_STEM_RATE * stem.mode[k].frequency);
-		}
+		safe.place[k] = no_longer(state.place[k], MOST_STEM_AMPLITUDE);
+		safe.rate[k] = no_longer(state.rate[k], MOST_STEM_RATE * stem.mode[k].frequency);
 	}
 	return safe;
 }

@@ -16,6 +16,18 @@ namespace {
 
 constexpr float SPEED_TOLERANCE = 0.01f; // Relative.
 
+/// Where a joint is, from 1 on; the last one is the head's centre.
+float at_joint(const StemConstants &stem, int joint) {
+	return joint > stem.joints ? ON_HEAD : static_cast<float>(joint) / static_cast<float>(stem.joints);
+}
+
+StemState standing(const glm::vec2 &first, const glm::vec2 &second) {
+	StemState state;
+	state.place[0] = first;
+	state.place[1] = second;
+	return state;
+}
+
 StemConstants sample(int modes) {
 	StemBeam beam = stem_of(0.6, 0.5);
 	beam.modes = modes;
@@ -30,16 +42,15 @@ TEST_CASE("a blow changes a joint's speed by impulse over mass, across the stem,
 		for (int joint = 1; joint <= stem.joints + 1; joint++) {
 			for (const float bent : { 0.0f, 0.3f, -0.5f }) {
 				for (const float scale : { 1.0f, 0.5f, 2.0f }) {
-					const glm::vec2 places[] = { { bent, 0.2f * bent }, { 0.01f, 0.0f } };
-					glm::vec2 rates[2] = {};
+					StemState state = standing({ bent, 0.2f * bent }, { modes == 2 ? 0.01f : 0.0f, 0.0f });
 					const glm::vec3 impulse(1e-5f, 2e-6f, -3e-6f);
-					strike_stem(stem, places, rates, joint, impulse, scale);
-					const glm::vec3 speed = velocity_of_joint(stem, places, rates, joint, scale);
+					blow_on_stem(stem, state, at_joint(stem, joint), impulse, scale);
+					const glm::vec3 speed = stem_velocity(stem, state, at_joint(stem, joint), scale);
 					const float x = std::min(static_cast<float>(joint) / static_cast<float>(stem.joints), 1.0f);
-					const glm::vec2 bend = stem_bend(stem, places, x);
+					const glm::vec2 bend = stem_bend(stem, state.place, x);
 					const glm::vec3 direction = from_stereographic(bend);
 					const glm::vec3 expected =
-							(impulse - direction * glm::dot(impulse, direction)) / mass_at_joint(stem, joint);
+							(impulse - direction * glm::dot(impulse, direction)) / stem_mass(stem, at_joint(stem, joint));
 					CAPTURE(joint);
 					CAPTURE(bent);
 					CHECK(glm::distance(speed, expected) < SPEED_TOLERANCE * glm::length(expected));
@@ -54,26 +65,26 @@ TEST_CASE("the mass at the head of a light stem is the head's") {
 	StemBeam beam = stem_of(0.0, 20.0);
 	const StemConstants stem = solve_stem(beam).constants;
 	// A massless cantilever's tip carries 33/140 of the stem besides.
-	const double expected = static_cast<double>(beam.head_mass) + 33.0 / 140.0 * stem_mass(beam);
-	CHECK(static_cast<double>(mass_at_joint(stem, stem.joints + 1)) == doctest::Approx(expected).epsilon(0.06));
+	const double expected = static_cast<double>(beam.head_mass) + 33.0 / 140.0 * mass_of(beam);
+	CHECK(static_cast<double>(stem_mass(stem, ON_HEAD)) == doctest::Approx(expected).epsilon(0.06));
 }
 
 TEST_CASE("a blow along the stem is held by the root") {
 	const StemConstants stem = sample(2);
-	const glm::vec2 places[] = { { 0.4f, -0.1f }, { 0.0f, 0.0f } };
-	glm::vec2 rates[2] = {};
-	strike_stem(stem, places, rates, stem.joints, 1e-3f * from_stereographic(stem_bend(stem, places, 1.0f)));
-	CHECK(glm::length(rates[0]) < 1e-4f);
-	CHECK(glm::length(rates[1]) < 1e-3f);
+	StemState state = standing({ 0.4f, -0.1f }, { 0.0f, 0.0f });
+	blow_on_stem(stem, state, 1.0f, 1e-3f * from_stereographic(stem_bend(stem, state.place, 1.0f)), 1.0f);
+	CHECK(glm::length(state.rate[0]) < 1e-4f);
+	CHECK(glm::length(state.rate[1]) < 1e-3f);
 }
 
 TEST_CASE("a push moves a joint as far as it says, the easiest way") {
 	for (const int modes : { 1, 2 }) {
 		const StemConstants stem = sample(modes);
 		for (int joint = 1; joint <= stem.joints; joint++) {
-			glm::vec2 places[] = { { 0.0f, 0.0f }, { 0.0f, 0.0f } };
+			StemState state;
+			const glm::vec2 *places = state.place;
 			const float way = 0.02f * stem.deflection[joint - 1][0];
-			push_stem(stem, places, joint, { 0.0f, 0.0f, way }, 1.0f);
+			push_stem(stem, state, at_joint(stem, joint), { 0.0f, 0.0f, way }, 1.0f);
 			float moved = 0.0f;
 			for (int k = 0; k < modes; k++) {
 				moved += 2.0f * stem.deflection[joint - 1][k] * places[k].y;
@@ -94,13 +105,12 @@ TEST_CASE("a push moves a joint as far as it says, the easiest way") {
 TEST_CASE("no blow and no push, however strong, leads out of the limits") {
 	const StemConstants stem = sample(2);
 	for (const float size : { 1e3f, 1e30f, std::nanf("") }) {
-		glm::vec2 places[] = { { 0.4f, -0.1f }, { 0.0f, 0.0f } };
-		glm::vec2 rates[2] = {};
-		strike_stem(stem, places, rates, 2, { size, size, -size });
-		push_stem(stem, places, 1, { -size, 0.0f, size });
+		StemState state = standing({ 0.4f, -0.1f }, { 0.0f, 0.0f });
+		blow_on_stem(stem, state, 0.5f, { size, size, -size }, 1.0f);
+		push_stem(stem, state, 0.25f, { -size, 0.0f, size }, 1.0f);
 		for (int k = 0; k < 2; k++) {
-			CHECK(glm::length(rates[k]) <= 1.001f * MOST_BLOWN_RATE * stem.mode[k].frequency);
-			CHECK(glm::length(places[k]) <= 1.001f * MOST_PUSHED_PLACE);
+			CHECK(glm::length(state.rate[k]) <= 1.001f * MOST_STEM_RATE * stem.mode[k].frequency);
+			CHECK(glm::length(state.place[k]) <= 1.001f * MOST_STEM_AMPLITUDE);
 		}
 	}
 }

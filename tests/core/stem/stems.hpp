@@ -8,7 +8,7 @@
 #include <cmath>
 
 /// kg, of the bare stem.
-inline double stem_mass(const undergrowth::StemBeam &beam) {
+inline double mass_of(const undergrowth::StemBeam &beam) {
 	const double t = beam.taper;
 	const double base = beam.density * undergrowth::PI / 4.0 * beam.diameter * beam.diameter;
 	return base * beam.length * (1.0 - t + t * t / 3.0);
@@ -24,7 +24,7 @@ inline undergrowth::StemBeam stem_of(double taper = 0.0, double head = 0.0, doub
 	undergrowth::StemBeam beam;
 	beam.taper = static_cast<float>(taper);
 	beam.natural_frequency = static_cast<float>(frequency);
-	beam.head_mass = static_cast<float>(head * stem_mass(beam));
+	beam.head_mass = static_cast<float>(head * mass_of(beam));
 	return beam;
 }
 
@@ -35,14 +35,14 @@ inline undergrowth::StemBeam stiff_stem(double taper = 0.0, double head = 0.0) {
 	beam.diameter = 0.02f;
 	beam.density = 10.0f;
 	beam.youngs_modulus = 1e12f;
-	beam.head_mass = static_cast<float>(head * stem_mass(beam));
+	beam.head_mass = static_cast<float>(head * mass_of(beam));
 	return beam;
 }
 
 /// rad/s: √(EI/(m·L³)), by which frequencies of beams are told.
 inline double beam_rate(const undergrowth::StemBeam &beam, double youngs_modulus) {
 	const double l = beam.length;
-	return std::sqrt(youngs_modulus * root_bending(beam) / (stem_mass(beam) * l * l * l));
+	return std::sqrt(youngs_modulus * root_bending(beam) / (mass_of(beam) * l * l * l));
 }
 
 /// Amplitudes at rest in a wind that gives the linear tip so large a slope.

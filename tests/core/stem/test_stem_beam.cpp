@@ -20,7 +20,7 @@ constexpr double GREENHILL = 2e-3;
 /// The load under which a stem would fall: m·g·L²/(EI).
 double critical_load(const StemBeam &beam) {
 	const StemSolution solution = solve_stem(beam);
-	const double weight = stem_mass(beam) * STANDARD_GRAVITY;
+	const double weight = mass_of(beam) * STANDARD_GRAVITY;
 	return weight * beam.length * beam.length / (solution.youngs_modulus * root_bending(beam)) /
 			solution.buckling_share;
 }
@@ -70,7 +70,7 @@ TEST_CASE("weight slows a swing down") {
 	const double l = beam.length;
 	for (const auto &[load, share] : expected) {
 		beam.youngs_modulus =
-				static_cast<float>(stem_mass(beam) * STANDARD_GRAVITY * l * l / (load * root_bending(beam)));
+				static_cast<float>(mass_of(beam) * STANDARD_GRAVITY * l * l / (load * root_bending(beam)));
 		const double rate = 3.51602 * beam_rate(beam, beam.youngs_modulus);
 		CHECK(solve_stem(beam).frequencies[0] / rate == Approx(share).epsilon(BEAM).scale(0.0));
 	}
@@ -79,7 +79,7 @@ TEST_CASE("weight slows a swing down") {
 TEST_CASE("a stem whose weight is too much for it falls, and says so") {
 	StemBeam beam = stem_of(0.0, 0.0, 0.0);
 	const double l = beam.length;
-	const double critical = stem_mass(beam) * STANDARD_GRAVITY * l * l / (7.8373 * root_bending(beam));
+	const double critical = mass_of(beam) * STANDARD_GRAVITY * l * l / (7.8373 * root_bending(beam));
 	beam.youngs_modulus = static_cast<float>(1.001 * critical);
 	CHECK(solve_stem(beam).fault == StemFault::none);
 	beam.youngs_modulus = static_cast<float>(0.999 * critical);

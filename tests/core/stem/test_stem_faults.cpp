@@ -64,7 +64,7 @@ TEST_CASE("stems of all sizes that stand have sound constants") {
 						beam.taper = taper;
 						beam.modes = modes;
 						beam.natural_frequency = frequency;
-						beam.head_mass = head * static_cast<float>(stem_mass(beam));
+						beam.head_mass = head * static_cast<float>(mass_of(beam));
 						beam.head_centre = 0.05f * length;
 						const StemSolution solution = solve_stem(beam);
 						CAPTURE(length);
