@@ -9,6 +9,13 @@ namespace undergrowth {
 namespace {
 
 // What steps do to a picture, in shares of the area that they touch. Orders, not physics.
+constexpr float THINNED = 0.1f; // By so much for each part that one has to stand for.
+constexpr float ONE_SIDED = 0.6f; // Divided by the parts left: the fewer, the more lopsided.
+constexpr float TWIN_DROPPED = 0.2f; // Where another group of the same kind on the same carriers goes on.
+constexpr float DROPPED = 1.3f;
+constexpr float MOST_THINNED = 0.6f; // A few are better than none.
+constexpr float COLOR_LOST = 30.0f; // Times the square of the distance to the nearest colour that stays.
+constexpr float THINNED_WHORL = 0.3f; // One side of a flower is no flower.
 constexpr float MERGED = 0.08f;
 constexpr float UNCOVERED = 0.35f; // For the share of a body that its parts left open.
 constexpr float BODY_SIDE = 0.3f; // Divided by the square of the sides.
@@ -22,6 +29,40 @@ float body_error(const PartGroup &group, const BodyDetail &detail) {
 }
 
 } // namespace
+
+float PlanSteps::thin_error(const State &state, size_t kept) const {
+	const size_t group = static_cast<size_t>(&state - states.data());
+	if (KEPT[kept] > 0.0f) {
+		const bool is_whorl = form.groups[group].layout == Layout::whorl;
+		const float left = static_cast<float>(state.left[kept]);
+		const float thinned = static_cast<float>(state.left[0]) / left - 1.0f;
+		const float others = std::min((is_whorl ? THINNED_WHORL : THINNED) * thinned, MOST_THINNED);
+		return thinned <= 0.0f ? 0.0f : others + ONE_SIDED / left;
+	}
+	return has_twin(static_cast<int>(group)) ? TWIN_DROPPED : DROPPED + COLOR_LOST * state.contrast;
+}
+
+/// Whether a twin is drawn, too.
+bool PlanSteps::has_twin(int group) const {
+	const std::vector<size_t> &all = twins[states[static_cast<size_t>(group)].twins];
+	return std::any_of(all.begin(), all.end(),
+			[&](size_t twin) { return twin != static_cast<size_t>(group) && own_vertices(twin) > 0; });
+}
+
+/// What goes with a group that is dropped: the last of some twins goes for all of them.
+float PlanSteps::dropped_area(const State &state) const {
+	const size_t group = static_cast<size_t>(&state - states.data());
+	float area = state.branch_area;
+	for (const size_t twin : twins[state.twins]) {
+		area += twin != group && own_vertices(twin) == 0 ? states[twin].area : 0.0f;
+	}
+	return area;
+}
+
+float PlanSteps::own_error(const State &state) const {
+	const float flat = state.is_stem && state.details[state.detail].columns == 2 ? FLAT_STEM : 0.0f;
+	return state.area * (state.errors[state.detail] + flat + thin_error(state, state.kept));
+}
 
 void PlanSteps::offer(Step &best, int group, size_t detail, size_t kept, size_t body, float saved, float harm) const {
 	if (saved < 0.5f) {
