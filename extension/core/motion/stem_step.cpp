@@ -72,7 +72,7 @@ StemStep stem_step_constants(const StemConstants &stem, float step) {
 
 void stem_scales(const StemConstants &stem, const float *lengths, int count, float *scales) {
 	for (int i = 0; i < count; i++) {
-		scales[i] = stem.length / std::max(lengths[i], MIN_LENGTH);
+		scales[i] = lengths[i] > MIN_LENGTH ? stem.length / lengths[i] : 1.0f;
 	}
 }
 

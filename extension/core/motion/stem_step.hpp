@@ -11,7 +11,7 @@ namespace undergrowth {
 /// length. A mode with less than four steps to a swing does not swing: it stands where its load leads.
 StemStep stem_step_constants(const StemConstants &stem, float step);
 
-/// StemPage::scale of plants with each of `count` lengths (m).
+/// StemPage::scale of plants with each of `count` lengths (m); 1 for those without one, who are gone.
 void stem_scales(const StemConstants &stem, const float *lengths, int count, float *scales);
 
 } // namespace undergrowth
