@@ -169,6 +169,8 @@ private:
 	SpringConstants spring = {};
 	ElasticityConstants elasticity = {};
 	StemStep stems = {};
+	float most_load_scale = 1.0f; ///< Of the stem law: none of LOAD_SCALE is above it.
+	bool has_leaning = false; ///< Of the stem law: some rest direction may not be upright.
 	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
 	Columns rows;
