@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <numeric>
 
 namespace undergrowth {
 
@@ -41,8 +42,10 @@ void MotionPage::update_constants(int begin, int end) {
 	} else if (kind.law == Law::stem) {
 		stems = stem_step_constants(kind.stem, step_time);
 		stem_scales(kind.stem, lengths() + begin, end - begin, column(LOAD_SCALE) + begin);
+		const bool is_all = begin == 0 && end == size();
 		const float *scales = column(LOAD_SCALE);
-		most_load_scale = size() > 0 ? *std::max_element(scales, scales + size()) : 1.0f;
+		most_load_scale = std::accumulate(scales + begin, scales + end, is_all ? 0.0f : most_load_scale,
+				[](float most, float scale) { return std::max(most, scale); });
 	} else {
 		spring = spring_constants(kind.joint, step_time);
 		spring_gains(spring, lengths() + begin, end - begin, column(WIND_GAIN) + begin);
@@ -94,7 +97,7 @@ StemPage MotionPage::stem_page(int begin) {
 	page.rest_x = column(STEM_REST_X) + begin;
 	page.rest_z = column(STEM_REST_Z) + begin;
 	page.scale = column(LOAD_SCALE) + begin;
-	page.most_scale = most_load_scale;
+	page.most_scale = most_load_scale > 0.0f ? most_load_scale : 1.0f;
 	page.leans = has_leaning;
 	page.step = stems;
 	return page;
