@@ -53,7 +53,8 @@ void PlantGroup::step(const FieldWind &air, double start) {
 	const double moment = start + page.wind_moment() * double(page.step_length());
 	const PlantWinds along = winds_along(air);
 	const Vector3 way = axes_of(kind.frame).xform_inv(Vector3(along.x, 0.0f, along.z));
-	page.step(wind_at_time(air, moment), { nullptr, way.x, way.z });
+	const Vector3 side = axes_of(kind.frame).xform_inv(Vector3(along.side_x, 0.0f, along.side_z));
+	page.step(wind_at_time(air, moment), { nullptr, way.x, way.z, side.x, side.z });
 }
 
 void PlantGroup::pose(float alpha, float swing_clock) {

@@ -46,6 +46,12 @@ struct SpringPage {
 	float most; ///< MAX_GNOMONIC.
 };
 
+/// Air (m/s) at each plant, and what it does to the tip: a force of drag·speed·velocity on a wind weight of 1.
+struct PlantAir {
+	const float *x, *z;
+	float drag; ///< kg/m.
+};
+
 /// Both laws keep t and its equilibrium within this size, so that nothing overflows: 0.06 degrees above the ground.
 inline constexpr float MAX_GNOMONIC = 1e3f;
 
@@ -53,6 +59,8 @@ inline constexpr float MAX_GNOMONIC = 1e3f;
 struct KernelSet {
 	void (*step_elasticity)(const ElasticityPage &page, int count, const PlantWinds &winds);
 	void (*step_spring)(const SpringPage &page, int count, const PlantWinds &winds);
+	void (*step_elasticity_in_air)(const ElasticityPage &page, int count, const PlantAir &air);
+	void (*step_spring_in_air)(const SpringPage &page, int count, const PlantAir &air);
 	/// Moves each pair of bends (motion/bend_encoding.hpp) on: the second becomes the first, the present one the
 	/// second.
 	void (*encode_elasticity)(const float *x, const float *y, const float *z, int count, uint32_t *pairs);

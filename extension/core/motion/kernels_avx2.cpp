@@ -22,8 +22,8 @@ namespace avx2_kernels {
 #include "motion/kernel_elasticity.inc"
 #include "motion/kernel_spring.inc"
 
-static const KernelSet SET = { step_elasticity, step_spring, encode_elasticity, encode_spring, interpolate_elasticity,
-	interpolate_spring };
+static const KernelSet SET = { step_elasticity, step_spring, step_elasticity_in_air, step_spring_in_air,
+	encode_elasticity, encode_spring, interpolate_elasticity, interpolate_spring };
 
 } // namespace avx2_kernels
 

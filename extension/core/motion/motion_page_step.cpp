@@ -2,6 +2,7 @@
 
 #include "motion/motion_page.hpp"
 #include "motion/motion_page_columns.hpp"
+#include "wind/air.hpp"
 
 #include <algorithm>
 
@@ -104,21 +105,40 @@ void MotionPage::step(const TravellingWind &wind, const PlantWinds &along, SimdL
 	if (keeps_directions) {
 		remember();
 	}
-	float strengths[BLOCK];
+	const AirBlow blow = blow_over(wind.air, kind.stand_height, along);
+	const float *alone = kind.stand_height > 0.0f ? nullptr : lengths();
+	const float drag = air_drag(kind.joint);
+	float strengths[BLOCK]; // Of newtons; of air the velocities along x.
+	float side[BLOCK];
 	for (int begin = 0; begin < size(); begin += BLOCK) {
 		const int count = std::min(BLOCK, size() - begin);
-		air.sample(wind, column(ROOT_X) + begin, column(ROOT_Z) + begin, count, strengths);
+		const float *x = column(ROOT_X) + begin;
+		const float *z = column(ROOT_Z) + begin;
+		if (wind.is_air) {
+			sample_air(wind, blow, x, z, alone ? alone + begin : nullptr, count, strengths, side, level);
+		} else {
+			air.sample(wind, x, z, count, strengths);
+		}
+		const PlantAir breeze = { strengths, side, drag };
 		const PlantWinds winds = { strengths, along.x, along.z };
 		Bend *block_pairs = keeps_directions ? nullptr : pairs.data() + 2 * static_cast<std::size_t>(begin);
 		if (kind.law == Law::elasticity) {
 			const ElasticityPage block = elasticity_page(begin);
-			set.step_elasticity(block, count, winds);
+			if (wind.is_air) {
+				set.step_elasticity_in_air(block, count, breeze);
+			} else {
+				set.step_elasticity(block, count, winds);
+			}
 			if (block_pairs) {
 				set.encode_elasticity(block.x, block.y, block.z, count, block_pairs);
 			}
 		} else {
 			const SpringPage block = spring_page(begin);
-			set.step_spring(block, count, winds);
+			if (wind.is_air) {
+				set.step_spring_in_air(block, count, breeze);
+			} else {
+				set.step_spring(block, count, winds);
+			}
 			if (block_pairs) {
 				set.encode_spring(block.x, block.z, count, block_pairs);
 			}

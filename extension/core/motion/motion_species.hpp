@@ -11,6 +11,7 @@ struct MotionSpecies {
 	Law law = Law::elasticity;
 	Joint joint; ///< Without `length` and `rest`, which each plant has of its own.
 	float collision_radius = 0.05f; ///< m, of the sphere at a tip.
+	float stand_height = 0.0f; ///< m, of the stand that shelters its plants; 0: each stands alone.
 	// Of the prototypes only, which stand for all plants of the species.
 	float shortest = 0.5f; ///< m.
 	float longest = 1.0f; ///< m.

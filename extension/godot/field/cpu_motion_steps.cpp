@@ -40,6 +40,9 @@ void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
 	if (!is_due) {
 		return;
 	}
+	if (frame.wind.is_valid() && !frame.eyes.empty()) {
+		Ref<PlantWind>(frame.wind)->look_from(frame.eyes.front());
+	}
 	const Transform3D to_field = frame.axes.affine_inverse();
 	std::vector<glm::vec3> eyes;
 	for (const Vector3 &eye : frame.eyes) {
