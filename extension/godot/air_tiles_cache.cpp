@@ -19,7 +19,8 @@ void AirTilesCache::begin() {
 	static std::mutex only_once;
 	const std::lock_guard<std::mutex> lock(only_once);
 	if (!making().valid()) {
-		making() = std::async(std::launch::async, make_air_tiles, SEED).share();
+		// Where there are no threads, whoever needs them makes them.
+		making() = std::async(std::launch::async | std::launch::deferred, make_air_tiles, SEED).share();
 	}
 }
 

@@ -3,6 +3,7 @@
 #include "messages.hpp"
 #include "wind/travelling_wind.hpp"
 
+#include <godot_cpp/classes/material.hpp>
 #include <godot_cpp/classes/resource.hpp>
 
 namespace undergrowth {
@@ -51,6 +52,7 @@ private:
 	void take_air(const Air &wanted);
 	void change(const Air &wanted);
 	void set_air(float Air::*part, const char *property, double value, const Range &range);
+	bool is_air(const char *asked) const;
 	godot::Vector3 sample_air_force(double at_time) const;
 	static void bind_air();
 	void set_number(float &slot, const char *property, double value, const Range &range);
@@ -90,6 +92,8 @@ public:
 	int64_t get_beaufort() const;
 	/// Of the air at a place (world, its height above the ground as y), m/s.
 	godot::Vector3 sample_velocity(double at_time, const godot::Vector3 &place) const;
+	/// Tells a material that includes undergrowth_wind.gdshaderinc how it blows now.
+	void show_in(const godot::Ref<godot::Material> &material) const;
 	/// Within so many seconds of its clock this air becomes what another is.
 	void blend_to(const godot::Ref<PlantWind> &wind, double seconds);
 

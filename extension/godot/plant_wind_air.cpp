@@ -8,6 +8,7 @@
 #include "convert.hpp"
 #include "messages.hpp"
 #include "wind/air_profile.hpp"
+#include "wind_shader.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -99,16 +100,21 @@ int64_t PlantWind::get_beaufort() const {
 	return beaufort_of(double(blowing.air.speed));
 }
 
+// Told once, as whoever asks for velocities does so in each frame.
+bool PlantWind::is_air(const char *asked) const {
+	if (blowing.wind.kind != WindKind::air && !has_told_of_newtons) {
+		report_error(this, String(asked) + " needs KIND_AIR: other kinds are forces. Set kind, or call sample().");
+		has_told_of_newtons = true;
+	}
+	return blowing.wind.kind == WindKind::air;
+}
+
 Vector3 PlantWind::sample_velocity(double at_time, const Vector3 &place) const {
 	if (!std::isfinite(at_time) || !place.is_finite()) {
 		report_error(this, "sample_velocity() needs a finite time in seconds and a finite place in metres.");
 		return Vector3();
 	}
-	if (blowing.wind.kind != WindKind::air) {
-		if (!has_told_of_newtons) {
-			report_error(this, "sample_velocity() needs KIND_AIR: other kinds are forces. Set kind, or call sample().");
-			has_told_of_newtons = true;
-		}
+	if (!is_air("sample_velocity()")) {
 		return Vector3();
 	}
 	return to_godot(air_velocity(blowing.air, AirTilesCache::get().get(), at_time, to_glm(place)));
@@ -117,6 +123,14 @@ Vector3 PlantWind::sample_velocity(double at_time, const Vector3 &place) const {
 Vector3 PlantWind::sample_air_force(double at_time) const {
 	const Vector3 velocity = sample_velocity(at_time, Vector3(0, FORCE_HEIGHT, 0));
 	return velocity * (0.5 * AIR_DENSITY * velocity.length());
+}
+
+void PlantWind::show_in(const Ref<Material> &material) const {
+	if (material.is_null()) {
+		report_error(this, "show_in() needs a material whose shader includes undergrowth_wind.gdshaderinc.");
+	} else if (is_air("show_in()")) {
+		show_wind(travelling(), time, material);
+	}
 }
 
 void PlantWind::blend_to(const Ref<PlantWind> &wind, double seconds) {

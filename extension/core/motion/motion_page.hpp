@@ -154,6 +154,7 @@ private:
 	void put_state(int index, const TipState &state);
 	void put_rest(int index, const glm::vec3 &rest);
 	void remember();
+	void stir(const TravellingWind &wind, const PlantWinds &along, int begin, int count, float *x, float *z);
 	void settle(int index);
 	void grow_box(int index, bool is_first);
 	void update_box();

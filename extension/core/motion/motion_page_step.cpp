@@ -3,8 +3,10 @@
 #include "motion/motion_page.hpp"
 #include "motion/motion_page_columns.hpp"
 #include "wind/air.hpp"
+#include "wind/air_sources.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace undergrowth {
 
@@ -14,6 +16,16 @@ namespace {
 
 /// Plants whose winds are sampled together: the strengths stay in the first-level cache.
 constexpr int BLOCK = 512;
+
+/// A wind of newtons as the air that pushes as hard: strengths in, velocities out along both axes.
+void make_air(const PlantWinds &along, float drag, int count, float *strengths, float *side) {
+	const float over_drag = drag > 0.0f ? 1.0f / drag : 0.0f;
+	for (int i = 0; i < count; i++) {
+		const float speed = std::sqrt(strengths[i] * over_drag);
+		strengths[i] = speed * along.x;
+		side[i] = speed * along.z;
+	}
+}
 
 } // namespace
 
@@ -99,6 +111,15 @@ void MotionPage::remember() {
 	}
 }
 
+/// What sources do to a block, on top of air, or of newtons, which become air.
+void MotionPage::stir(const TravellingWind &wind, const PlantWinds &along, int begin, int count, float *x, float *z) {
+	if (!wind.is_air) {
+		make_air(along, air_drag(kind.joint), count, x, z);
+	}
+	add_sources(wind.sources, box_low, box_high, column(ROOT_X) + begin, column(ROOT_Y) + begin, column(ROOT_Z) + begin,
+			count, x, z);
+}
+
 void MotionPage::step(const TravellingWind &wind, const PlantWinds &along, SimdLevel level) {
 	const KernelSet &set = kernels(level);
 	const WindKernels &air = wind_kernels(level);
@@ -108,6 +129,8 @@ void MotionPage::step(const TravellingWind &wind, const PlantWinds &along, SimdL
 	const AirBlow blow = blow_over(wind.air, kind.stand_height, along);
 	const float *alone = kind.stand_height > 0.0f ? nullptr : lengths();
 	const float drag = air_drag(kind.joint);
+	const bool is_stirred = any_reaches(wind.sources, box_low, box_high);
+	const bool is_air = wind.is_air || is_stirred;
 	float strengths[BLOCK]; // Of newtons; of air the velocities along x.
 	float side[BLOCK];
 	for (int begin = 0; begin < size(); begin += BLOCK) {
@@ -119,12 +142,15 @@ void MotionPage::step(const TravellingWind &wind, const PlantWinds &along, SimdL
 		} else {
 			air.sample(wind, x, z, count, strengths);
 		}
+		if (is_stirred) {
+			stir(wind, along, begin, count, strengths, side);
+		}
 		const PlantAir breeze = { strengths, side, drag };
 		const PlantWinds winds = { strengths, along.x, along.z };
 		Bend *block_pairs = keeps_directions ? nullptr : pairs.data() + 2 * static_cast<std::size_t>(begin);
 		if (kind.law == Law::elasticity) {
 			const ElasticityPage block = elasticity_page(begin);
-			if (wind.is_air) {
+			if (is_air) {
 				set.step_elasticity_in_air(block, count, breeze);
 			} else {
 				set.step_elasticity(block, count, winds);
@@ -134,7 +160,7 @@ void MotionPage::step(const TravellingWind &wind, const PlantWinds &along, SimdL
 			}
 		} else {
 			const SpringPage block = spring_page(begin);
-			if (wind.is_air) {
+			if (is_air) {
 				set.step_spring_in_air(block, count, breeze);
 			} else {
 				set.step_spring(block, count, winds);

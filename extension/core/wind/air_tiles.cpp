@@ -150,9 +150,12 @@ std::vector<uint32_t> make_turbulence(uint64_t seed) {
 	add_waves(grid, powers.along, seed + 1, false);
 	add_waves(grid, powers.across, seed + 2, true);
 	sum_waves(grid);
-	std::vector<uint32_t> texels(grid.real.size());
-	for (std::size_t i = 0; i < texels.size(); i++) {
-		texels[i] = texel_of(grid.real[i]) | texel_of(grid.imaginary[i]) << 16;
+	std::vector<uint32_t> texels;
+	for (int j = 0; j < AirTiles::HEIGHT; j++) {
+		for (int i = 0; i < AirTiles::ROW; i++) {
+			const std::size_t place = at(i % AirTiles::WIDTH, j, AirTiles::WIDTH);
+			texels.push_back(texel_of(grid.real[place]) | texel_of(grid.imaginary[place]) << 16);
+		}
 	}
 	return texels;
 }

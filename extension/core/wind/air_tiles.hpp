@@ -26,7 +26,10 @@ struct AirTiles {
 	static constexpr int WAVE_SIDE_TEXELS = 8; ///< Across, of as many metres.
 	static constexpr double UNIT = 4096.0; ///< Of both maps: a standard deviation.
 
-	/// WIDTH·HEIGHT pairs of 16 bits: along the wind in the low ones, across it in the high ones.
+	static constexpr int ROW =
+			WIDTH + 8; ///< Texels of a row of the turbulence; the last ones are the first ones again.
+
+	/// ROW·HEIGHT pairs of 16 bits: along the wind in the low ones, across it in the high ones.
 	std::vector<uint32_t> turbulence;
 	/// WAVES_WIDTH·WAVES_HEIGHT pairs: a texel in the low bits, its neighbour downwind in the high ones.
 	std::vector<uint32_t> waves;

@@ -40,6 +40,17 @@ struct AirBlow {
 	float along_x, along_z, side_x, side_z; ///< Unit directions.
 };
 
+struct AirSource;
+
+/// What stirs the air at single places (air_sources.hpp), for plants whose directions have axes of their own: there, a
+/// metre along x of the roots' axes is (x_x, x_z), one along z is (z_x, z_z).
+struct AirSources {
+	const AirSource *all = nullptr;
+	int count = 0;
+	float x_x = 1.0f, x_z = 0.0f;
+	float z_x = 0.0f, z_z = 1.0f;
+};
+
 /// A wind that travels over the ground, at one time. The place in its period (cycles) of a plant at (x, z) is
 /// cycle - cycles_x·x - cycles_z·z, and a gust started since - max(delay_x·x + delay_z·z, least_delay) seconds ago.
 struct TravellingWind {
@@ -54,6 +65,7 @@ struct TravellingWind {
 	float half = 0.5f; ///< Of a cycle. Always; a variable because compilers bound by it in fewer instructions.
 	bool is_air = false; ///< Then `air` blows, and of the others the gust only, in m/s.
 	AirNow air = {};
+	AirSources sources = {}; ///< Felt whatever else blows.
 };
 
 /// One build of the kernels of wind. All builds give the same bits.

@@ -1,6 +1,7 @@
 #include "../wind/air_series.hpp"
 #include "varied.hpp"
 
+#include "wind/air_sources.hpp"
 #include "wind/travelling_wind.hpp"
 
 #include <doctest/doctest.h>
@@ -98,5 +99,32 @@ TEST_CASE("plants in turbulent air have the same bits at every level, however th
 		CHECK(hash_states(whole) == hash_states(best));
 		REQUIRE(same_bits(whole.state(17), first.state(17)));
 		CHECK(whole.direction(17) != whole.direction(18));
+	}
+}
+
+TEST_CASE("a source moves the pages that it reaches, with the same bits at every level, and no others") {
+	AirSource fan;
+	fan.kind = AirSource::Kind::fan;
+	fan.speed = 8.0f;
+	for (const bool newtons : { false, true }) {
+		FieldWind wind = air_of(-1.0f);
+		wind.wind.kind = newtons ? WindKind::waves : WindKind::air;
+		for (const Law law : BOTH_LAWS) {
+			MotionPage calm = meadow(law, 0, 601), near = meadow(law, 0, 601), best = meadow(law, 0, 601);
+			MotionPage far = meadow(law, 0, 601);
+			for (int i = 0; i < 100; i++) {
+				TravellingWind now = wind_at_time(wind, i / 60.0);
+				calm.step(now, winds_along(wind));
+				fan.place = { 1e4f, 0.0f, 0.0f };
+				now.sources = { &fan, 1 };
+				far.step(now, winds_along(wind));
+				fan.place = { 0.0f, 0.0f, 0.0f };
+				near.step(now, winds_along(wind), SimdLevel::baseline);
+				best.step(now, winds_along(wind), SimdLevel::avx2);
+			}
+			CHECK(hash_states(far) == hash_states(calm));
+			CHECK(hash_states(near) != hash_states(calm));
+			CHECK(hash_states(near) == hash_states(best));
+		}
 	}
 }

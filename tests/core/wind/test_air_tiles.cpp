@@ -8,7 +8,7 @@
 using namespace undergrowth;
 
 TEST_CASE("the maps of a seed have the same bytes on every platform") {
-	constexpr uint64_t TURBULENCE_GOLDEN = 0x5588f52833cf7718ull;
+	constexpr uint64_t TURBULENCE_GOLDEN = 0xfac831083c1475dull;
 	constexpr uint64_t WAVES_GOLDEN = 0x6d78c23e35b1d235ull;
 	CHECK(GoldenHash().add(shared_tiles().turbulence).value() == TURBULENCE_GOLDEN);
 	CHECK(GoldenHash().add(shared_tiles().waves).value() == WAVES_GOLDEN);

@@ -29,3 +29,5 @@ func _add(file: String, title: String) -> void:
 	button.tooltip_text = tr("Lets such air blow.")
 	button.pressed.connect(func() -> void: _chosen.call(load(FOLDER + file + ".tres")))
 	add_child(button)
+	button.owner = owner
+	button.unique_name_in_owner = true
