@@ -4,6 +4,11 @@ extends PanelContainer
 const WindDial := preload("wind_dial.gd")
 const Figures := preload("figures.gd")
 
+const WINDS := "res://addons/undergrowth/winds/"
+const WEATHER: Array[String] = ["calm", "light_air", "breeze", "fresh", "gale", "storm"]
+## Seconds in which other weather comes up.
+const BLEND := 5.0
+
 ## The wind that the panel sets.
 @export var wind: PlantWind
 ## The fields that the wind travels through, of which figures are shown. None: all Plant3D nodes.
@@ -16,6 +21,8 @@ const Figures := preload("figures.gd")
 			(%Figures as Figures).shows_frame_rate = shows
 
 @onready var _kind: OptionButton = %Kind
+@onready var _weather: OptionButton = %Weather
+@onready var _speed: Slider = %Speed
 @onready var _strength: Slider = %Strength
 @onready var _direction: WindDial = %Direction
 @onready var _frequency: Slider = %Frequency
@@ -25,6 +32,10 @@ const Figures := preload("figures.gd")
 
 func _ready() -> void:
 	_kind.selected = wind.kind
+	for weather in WEATHER:
+		_weather.add_item(weather.capitalize())
+	_weather.selected = -1
+	_speed.value = wind.speed
 	_strength.value = wind.strength
 	_direction.value = rad_to_deg(wind.direction)
 	_frequency.value = wind.frequency
@@ -32,6 +43,9 @@ func _ready() -> void:
 	(%Figures as Figures).fields = fields
 	(%Figures as Figures).shows_frame_rate = shows_frame_rate
 	_kind.item_selected.connect(_on_kind_selected)
+	_weather.item_selected.connect(_on_weather_selected)
+	wind.changed.connect(_show_values)
+	_speed.value_changed.connect(_on_value_changed.bind(&"speed"))
 	_strength.value_changed.connect(_on_value_changed.bind(&"strength"))
 	_direction.value_changed.connect(_on_direction_turned)
 	_frequency.value_changed.connect(_on_value_changed.bind(&"frequency"))
@@ -58,6 +72,12 @@ func _on_kind_selected(kind: int) -> void:
 	_show_values()
 
 
+func _on_weather_selected(index: int) -> void:
+	var weather: PlantWind = load(WINDS + WEATHER[index] + ".tres").duplicate()
+	weather.direction = wind.direction
+	wind.blend_to(weather, BLEND)
+
+
 func _on_value_changed(value: float, property: StringName) -> void:
 	wind.set(property, value)
 	_show_values()
@@ -74,11 +94,18 @@ func _on_pause_toggled(on: bool) -> void:
 
 
 func _show_values() -> void:
+	var is_air := wind.kind == PlantWind.KIND_AIR
+	for row: Control in [%WeatherRow, %SpeedRow]:
+		row.visible = is_air
+	for row: Control in [%StrengthRow, %FrequencyRow]:
+		row.visible = not is_air
+	_speed.set_value_no_signal(wind.speed)
+	(%SpeedValue as Label).text = "%.1f m/s · %d" % [wind.speed, wind.get_beaufort()]
 	var has_frequency := wind.kind in [PlantWind.KIND_BURSTS, PlantWind.KIND_WAVES]
 	(%StrengthValue as Label).text = "%.1f N" % wind.strength
 	(%DirectionValue as Label).text = "%d°" % roundi(rad_to_deg(wind.direction))
 	(%FrequencyValue as Label).text = "%.2f Hz" % wind.frequency
-	(%TravelSpeedRow as Control).visible = not fields.is_empty()
+	(%TravelSpeedRow as Control).visible = not fields.is_empty() and not is_air
 	var is_everywhere := wind.travel_speed == 0.0
 	(%TravelSpeedValue as Label).text = (
 		"at once" if is_everywhere else "%.1f m/s" % wind.travel_speed

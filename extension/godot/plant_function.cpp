@@ -25,6 +25,7 @@ static constexpr Range DAMPING_RANGE = { 0.0, 100.0 };
 static constexpr Range LEAN_DEGREES = { 0.0, 80.0 };
 static constexpr Range MASS_RANGE = { 1e-6, 1e6 };
 static constexpr Range WIND_WEIGHT_RANGE = { 0.0, 1e3 };
+static constexpr Range DRAG_AREA_RANGE = { -1.0, 1e3 };
 static constexpr Range COLLISION_RANGE = { 0.0, 1e3 };
 static constexpr int STEM_SEGMENTS = 12; // How finely a lathe says where it is thick.
 static constexpr Range DEVIATION_RANGE = { 0.0, 1.0 };
@@ -69,6 +70,7 @@ Joint PlantFunction::make_joint(float length, const Basis &frame) const {
 	joint.length = length;
 	joint.mass = motion.mass;
 	joint.wind_weight = motion.wind_weight;
+	joint.drag_area = motion.drag_area;
 	joint.elasticity = motion.elasticity;
 	joint.inner_friction = motion.inner_friction;
 	joint.above_ground = stays_above_ground;
@@ -200,6 +202,14 @@ void PlantFunction::set_wind_weight(double weight) {
 
 double PlantFunction::get_wind_weight() const {
 	return as_written(motion.wind_weight);
+}
+
+void PlantFunction::set_drag_area(double square_metres) {
+	set_motion(motion.drag_area, "drag_area", square_metres, DRAG_AREA_RANGE);
+}
+
+double PlantFunction::get_drag_area() const {
+	return as_written(motion.drag_area);
 }
 
 void PlantFunction::set_collision_radius(double metres) {

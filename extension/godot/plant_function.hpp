@@ -140,6 +140,8 @@ public:
 	double get_mass() const;
 	void set_wind_weight(double weight);
 	double get_wind_weight() const;
+	void set_drag_area(double square_metres);
+	double get_drag_area() const;
 	void set_collision_radius(double metres);
 	double get_collision_radius() const;
 	void set_shading(ShadingMode shading);

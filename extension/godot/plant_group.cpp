@@ -2,6 +2,7 @@
 
 #include "convert.hpp"
 #include "plant_3d.hpp"
+#include "plant_wind_source_3d.hpp"
 
 using namespace godot;
 
@@ -53,7 +54,13 @@ void PlantGroup::step(const FieldWind &air, double start) {
 	const double moment = start + page.wind_moment() * double(page.step_length());
 	const PlantWinds along = winds_along(air);
 	const Vector3 way = axes_of(kind.frame).xform_inv(Vector3(along.x, 0.0f, along.z));
-	page.step(wind_at_time(air, moment), { nullptr, way.x, way.z });
+	const Vector3 side = axes_of(kind.frame).xform_inv(Vector3(along.side_x, 0.0f, along.side_z));
+	TravellingWind now = wind_at_time(air, moment);
+	const std::vector<AirSource> &stirring = PlantWindSource3D::all_now();
+	const Vector3 x = axes_of(kind.frame).xform_inv(Vector3(1.0f, 0.0f, 0.0f));
+	const Vector3 z = axes_of(kind.frame).xform_inv(Vector3(0.0f, 0.0f, 1.0f));
+	now.sources = { stirring.data(), int(stirring.size()), x.x, x.z, z.x, z.z };
+	page.step(now, { nullptr, way.x, way.z, side.x, side.z });
 }
 
 void PlantGroup::pose(float alpha, float swing_clock) {

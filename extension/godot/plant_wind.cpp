@@ -1,11 +1,12 @@
+// The half of PlantWind that all kinds have. plant_wind_air.cpp has air's own.
+
 #include "plant_wind.hpp"
 
+#include "air_tiles_cache.hpp"
 #include "as_written.hpp"
 #include "conventions.hpp"
 #include "convert.hpp"
 #include "messages.hpp"
-
-#include <godot_cpp/core/class_db.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -22,28 +23,32 @@ static constexpr Range TRAVEL_SPEED_RANGE = { 0.0, 1e4 };
 
 // A wind that never comes to rest, and no gale: what it moves shows that it blows.
 PlantWind::PlantWind() {
-	air.wind.kind = WindKind::waves;
-	air.wind.strength = 5.0f;
-	air.wind.frequency = 0.4f;
+	blowing.wind.kind = WindKind::waves;
+	blowing.wind.strength = 5.0f;
+	blowing.wind.frequency = 0.4f;
+	blowing.air.speed = 5.0f;
 }
 
 void PlantWind::set_kind(Kind kind) {
-	if (kind < KIND_GUST || kind > KIND_WAVES) {
+	if (kind < KIND_GUST || kind > KIND_AIR) {
 		report_error(this, "kind " + String::num_int64(kind) + " does not exist. Use one of the KIND_ constants.");
 		return;
 	}
-	if (WindKind(kind) == air.wind.kind) {
+	if (WindKind(kind) == blowing.wind.kind) {
 		return;
 	}
-	air.wind.kind = WindKind(kind);
-	air.wind.gust_triggered = false;
+	blowing.wind.kind = WindKind(kind);
+	blowing.wind.gust_triggered = false;
+	if (kind == KIND_AIR) {
+		AirTilesCache::begin();
+	}
 	begin_gust(); // A gust that is chosen while the simulation runs blows now.
 	notify_property_list_changed();
 	emit_changed();
 }
 
 PlantWind::Kind PlantWind::get_kind() const {
-	return Kind(int(air.wind.kind));
+	return Kind(int(blowing.wind.kind));
 }
 
 void PlantWind::set_number(float &slot, const char *property, double value, const Range &range) {
@@ -55,18 +60,20 @@ void PlantWind::set_number(float &slot, const char *property, double value, cons
 }
 
 void PlantWind::set_strength(double newtons) {
-	set_number(air.wind.strength, "strength", newtons, STRENGTH_RANGE);
+	set_number(blowing.wind.strength, "strength", newtons, STRENGTH_RANGE);
 }
 
 double PlantWind::get_strength() const {
-	return as_written(air.wind.strength);
+	return as_written(blowing.wind.strength);
 }
 
 void PlantWind::set_direction(double radians) {
 	if (accept_value(this, "direction", radians, DIRECTION_RANGE) && radians != direction) {
 		direction = radians;
-		air.wind.direction = float(radians);
-		emit_changed();
+		blowing.wind.direction = float(radians);
+		Air turned = blowing.air;
+		turned.heading = radians;
+		change(turned);
 	}
 }
 
@@ -75,30 +82,30 @@ double PlantWind::get_direction() const {
 }
 
 void PlantWind::set_frequency(double hertz) {
-	if (accept_value(this, "frequency", hertz, FREQUENCY_RANGE) && float(hertz) != air.wind.frequency) {
-		change_frequency(air.wind, float(hertz), time);
+	if (accept_value(this, "frequency", hertz, FREQUENCY_RANGE) && float(hertz) != blowing.wind.frequency) {
+		change_frequency(blowing.wind, float(hertz), time);
 		emit_changed();
 	}
 }
 
 double PlantWind::get_frequency() const {
-	return as_written(air.wind.frequency);
+	return as_written(blowing.wind.frequency);
 }
 
 void PlantWind::set_gust_duration(double seconds) {
-	set_number(air.wind.gust_duration, "gust_duration", seconds, GUST_DURATION_RANGE);
+	set_number(blowing.wind.gust_duration, "gust_duration", seconds, GUST_DURATION_RANGE);
 }
 
 double PlantWind::get_gust_duration() const {
-	return as_written(air.wind.gust_duration);
+	return as_written(blowing.wind.gust_duration);
 }
 
 void PlantWind::set_travel_speed(double metres_per_second) {
-	set_number(air.speed, "travel_speed", metres_per_second, TRAVEL_SPEED_RANGE);
+	set_number(blowing.speed, "travel_speed", metres_per_second, TRAVEL_SPEED_RANGE);
 }
 
 double PlantWind::get_travel_speed() const {
-	return as_written(air.speed);
+	return as_written(blowing.speed);
 }
 
 Vector3 PlantWind::sample(double at_time) const {
@@ -106,11 +113,14 @@ Vector3 PlantWind::sample(double at_time) const {
 		report_error(this, "sample() needs a finite time in seconds.");
 		return Vector3();
 	}
-	return to_godot(wind_force(air.wind, at_time));
+	if (blowing.wind.kind == WindKind::air) {
+		return sample_air_force(at_time);
+	}
+	return to_godot(wind_force(blowing.wind, at_time));
 }
 
 void PlantWind::begin_gust() {
-	air.wind.gust_start = time;
+	blowing.wind.gust_start = time;
 	gusts++;
 }
 
@@ -121,9 +131,9 @@ void PlantWind::trigger_gust(double strength, double duration) {
 			(!own_duration && !accept_value(this, "the gust's duration", duration, GUST_DURATION_RANGE))) {
 		return;
 	}
-	air.wind.gust_triggered = true;
-	air.wind.triggered_strength = own_strength ? -1.0f : float(strength);
-	air.wind.triggered_duration = own_duration ? -1.0f : float(duration);
+	blowing.wind.gust_triggered = true;
+	blowing.wind.triggered_strength = own_strength ? -1.0f : float(strength);
+	blowing.wind.triggered_duration = own_duration ? -1.0f : float(duration);
 	begin_gust();
 }
 
@@ -137,19 +147,21 @@ void PlantWind::advance(double step) {
 				this, "advance(" + String::num(step) + ") is impossible; its time stays. Pass seconds of 0 or more.");
 		return;
 	}
-	time += step;
+	go_on_to(time + step);
 }
 
 void PlantWind::keep_up_with(double clock) {
-	time = std::max(time, clock);
+	if (clock > time) {
+		go_on_to(clock);
+	}
 }
 
 FieldWind PlantWind::heard_by(Listener &listener, double clock) const {
 	if (listener.heard != gusts) {
 		listener.heard = gusts;
-		listener.gust_start = clock - (time - air.wind.gust_start);
+		listener.gust_start = clock - (time - blowing.wind.gust_start);
 	}
-	FieldWind heard = air;
+	FieldWind heard = travelling();
 	if (gusts > 0) {
 		heard.wind.gust_start = listener.gust_start;
 	}
@@ -160,55 +172,9 @@ double PlantWind::begin_step(uint64_t number, double step) {
 	if (number != begun_step) {
 		begun_step = number;
 		step_start = time;
-		time += step;
+		go_on_to(time + step);
 	}
 	return step_start;
-}
-
-void PlantWind::_validate_property(PropertyInfo &property) const {
-	const bool periodic = air.wind.kind == WindKind::bursts || air.wind.kind == WindKind::waves;
-	if (property.name == StringName("frequency") && !periodic) {
-		property.usage = PROPERTY_USAGE_NO_EDITOR;
-	}
-}
-
-void PlantWind::_bind_methods() {
-	ClassDB::bind_method(D_METHOD("set_kind", "kind"), &PlantWind::set_kind);
-	ClassDB::bind_method(D_METHOD("get_kind"), &PlantWind::get_kind);
-	ClassDB::bind_method(D_METHOD("set_strength", "newtons"), &PlantWind::set_strength);
-	ClassDB::bind_method(D_METHOD("get_strength"), &PlantWind::get_strength);
-	ClassDB::bind_method(D_METHOD("set_direction", "radians"), &PlantWind::set_direction);
-	ClassDB::bind_method(D_METHOD("get_direction"), &PlantWind::get_direction);
-	ClassDB::bind_method(D_METHOD("set_frequency", "hertz"), &PlantWind::set_frequency);
-	ClassDB::bind_method(D_METHOD("get_frequency"), &PlantWind::get_frequency);
-	ClassDB::bind_method(D_METHOD("set_gust_duration", "seconds"), &PlantWind::set_gust_duration);
-	ClassDB::bind_method(D_METHOD("get_gust_duration"), &PlantWind::get_gust_duration);
-	ClassDB::bind_method(D_METHOD("sample", "time"), &PlantWind::sample);
-	ClassDB::bind_method(D_METHOD("set_travel_speed", "metres_per_second"), &PlantWind::set_travel_speed);
-	ClassDB::bind_method(D_METHOD("get_travel_speed"), &PlantWind::get_travel_speed);
-	ClassDB::bind_method(
-			D_METHOD("trigger_gust", "strength", "duration"), &PlantWind::trigger_gust, DEFVAL(-1.0), DEFVAL(-1.0));
-	ClassDB::bind_method(D_METHOD("get_time"), &PlantWind::get_time);
-	ClassDB::bind_method(D_METHOD("advance", "seconds"), &PlantWind::advance);
-
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "kind", PROPERTY_HINT_ENUM, "Gust,Constant,Bursts,Waves"), "set_kind",
-			"get_kind");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "strength", PROPERTY_HINT_RANGE, "0,50,0.1,or_greater,suffix:N"),
-			"set_strength", "get_strength");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "direction", PROPERTY_HINT_RANGE,
-						 "0,360,0.1,or_less,or_greater,radians_as_degrees"),
-			"set_direction", "get_direction");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "frequency", PROPERTY_HINT_RANGE, "0,5,0.01,or_greater,suffix:Hz"),
-			"set_frequency", "get_frequency");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "gust_duration", PROPERTY_HINT_RANGE, "0,10,0.01,or_greater,suffix:s"),
-			"set_gust_duration", "get_gust_duration");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "travel_speed", PROPERTY_HINT_RANGE, "0,50,0.1,or_greater,suffix:m/s"),
-			"set_travel_speed", "get_travel_speed");
-
-	BIND_ENUM_CONSTANT(KIND_GUST);
-	BIND_ENUM_CONSTANT(KIND_CONSTANT);
-	BIND_ENUM_CONSTANT(KIND_BURSTS);
-	BIND_ENUM_CONSTANT(KIND_WAVES);
 }
 
 } // namespace undergrowth

@@ -3,11 +3,12 @@
 #include "messages.hpp"
 #include "wind/travelling_wind.hpp"
 
+#include <godot_cpp/classes/material.hpp>
 #include <godot_cpp/classes/resource.hpp>
 
 namespace undergrowth {
 
-/// A wind that any number of plants share (thesis, section 4.3). Bridge to core/wind.
+/// A wind that any number of plants share: a force (thesis, section 4.3), or air that moves. Bridge to core/wind.
 /// The simulation advances its clock once a step, whatever the number of plants.
 class PlantWind : public godot::Resource {
 	GDCLASS(PlantWind, godot::Resource)
@@ -18,6 +19,7 @@ public:
 		KIND_CONSTANT = int(WindKind::constant),
 		KIND_BURSTS = int(WindKind::bursts),
 		KIND_WAVES = int(WindKind::waves),
+		KIND_AIR = int(WindKind::air),
 	};
 
 	/// One that feels this wind by a clock of its own: a gust that is called for begins for it when it hears of it,
@@ -28,7 +30,17 @@ public:
 	};
 
 private:
-	FieldWind air; ///< Direction as a float; what was set is in `direction`.
+	/// Air on its way to be another.
+	struct Blend {
+		Air from, to;
+		double begin = 0.0; ///< s, of the wind's clock.
+		double duration = 0.0; ///< s; 0: none.
+	};
+
+	FieldWind blowing; ///< Direction as a float; what was set is in `direction`.
+	Blend blend;
+	godot::Vector3 pivot; ///< Where somebody looks from: patterns go on there when the air changes.
+	mutable bool has_told_of_newtons = false;
 	double direction = 0.0; ///< rad.
 	double time = 0.0;
 	uint64_t gusts = 0; ///< That were called for.
@@ -36,6 +48,13 @@ private:
 	double step_start = 0.0; ///< s, of that step.
 
 	void begin_gust();
+	void go_on_to(double clock);
+	void take_air(const Air &wanted);
+	void change(const Air &wanted);
+	void set_air(float Air::*part, const char *property, double value, const Range &range);
+	bool is_air(const char *asked) const;
+	godot::Vector3 sample_air_force(double at_time) const;
+	static void bind_air();
 	void set_number(float &slot, const char *property, double value, const Range &range);
 
 protected:
@@ -58,6 +77,26 @@ public:
 	void set_travel_speed(double metres_per_second);
 	double get_travel_speed() const;
 
+	void set_speed(double metres_per_second);
+	double get_speed() const;
+	void set_turbulence(double share);
+	double get_turbulence() const;
+	void set_gustiness(double gustiness);
+	double get_gustiness() const;
+	void set_roughness(double metres);
+	double get_roughness() const;
+	void set_stand_height(double metres);
+	double get_stand_height() const;
+	void set_wave_share(double share);
+	double get_wave_share() const;
+	int64_t get_beaufort() const;
+	/// Of the air at a place (world, its height above the ground as y), m/s.
+	godot::Vector3 sample_velocity(double at_time, const godot::Vector3 &place) const;
+	/// Tells a material that includes undergrowth_wind.gdshaderinc how it blows now.
+	void show_in(const godot::Ref<godot::Material> &material) const;
+	/// Within so many seconds of its clock this air becomes what another is.
+	void blend_to(const godot::Ref<PlantWind> &wind, double seconds);
+
 	godot::Vector3 sample(double at_time) const;
 	/// A gust of `strength` (N) for `duration` (s), from now on; below 0: the wind's own.
 	void trigger_gust(double strength, double duration);
@@ -67,10 +106,11 @@ public:
 	void advance(double step);
 	/// The clock of a plant that is driven by hand: this wind's never stands behind it.
 	void keep_up_with(double clock);
-	/// What blows, for those who ask at a place and time of their own.
-	const Wind &description() const { return air.wind; }
-	/// The same, with the speed at which it travels over the ground.
-	const FieldWind &travelling() const { return air; }
+	/// Somebody looks from there (world).
+	void look_from(const godot::Vector3 &place) { pivot = place; }
+	/// What blows, for those who ask at a place and time of their own, with the speed at which it travels over the
+	/// ground.
+	FieldWind travelling() const;
 	/// The same for `listener`, whose clock shows `clock`.
 	FieldWind heard_by(Listener &listener, double clock) const;
 	/// This wind's clock (s) at the start of step number `number` of the simulation. The first that asks moves it on to

@@ -10,8 +10,10 @@
 #include "plant_3d.hpp"
 #include "plant_simulation.hpp"
 #include "plant_wind.hpp"
+#include "plant_wind_source_3d.hpp"
 #include "shared_resources.hpp"
 #include "species_functions.hpp"
+#include "wind_shader.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/class_db.hpp>
@@ -50,6 +52,7 @@ static void register_classes() {
 	GDREGISTER_CLASS(BellflowerFunction);
 	GDREGISTER_CLASS(CurvePlantFunction);
 	GDREGISTER_CLASS(PlantWind);
+	GDREGISTER_CLASS(PlantWindSource3D);
 	GDREGISTER_CLASS(Plant3D);
 	GDREGISTER_CLASS(PlantFieldSpecies);
 	GDREGISTER_CLASS(PlantFieldLevel);
@@ -71,6 +74,7 @@ static void uninitialize(ModuleInitializationLevel level) {
 		Engine::get_singleton()->unregister_singleton(SIMULATION_NAME);
 		memdelete(PlantSimulation::get_singleton());
 		free_shared_resources();
+		free_wind_texture();
 	}
 }
 

@@ -8,6 +8,7 @@
 int main() {
 	undergrowth::Report report;
 	undergrowth::time_kernels(report);
+	undergrowth::time_air(report);
 	undergrowth::time_fields(report);
 	undergrowth::time_meshes(report);
 	report.end();

@@ -19,6 +19,7 @@ FieldSimulation waving_field(const FieldSettings &settings, int plants, int most
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		MotionSpecies species;
 		species.law = law;
+		species.stand_height = 0.75f;
 		const int kind = field.add_species(species);
 		std::vector<MotionPlant> page;
 		for (int i = 0; i < plants / 2; i++) {
@@ -48,8 +49,11 @@ void step(FieldSimulation &field, PageWorkers &workers) {
 }
 
 void time_field(Report &report, const char *name, const FieldSettings &settings, int plants, int threads,
-		int most_in_page = MotionPage::PAGE_PLANTS) {
+		int most_in_page = MotionPage::PAGE_PLANTS, const FieldWind *wind = nullptr) {
 	FieldSimulation field = waving_field(settings, plants, most_in_page);
+	if (wind) {
+		field.set_wind(*wind);
+	}
 	PageWorkers workers(threads);
 	// Whole turns of the interval, so that every run does the same.
 	const int repeats = std::max(PLANTS_PER_RUN / plants, 1) * settings.update_interval;
@@ -82,6 +86,15 @@ void time_ladder(Report &report) {
 	}
 }
 
+/// Beside field_step, which blows in waves of newtons.
+void time_air_fields(Report &report) {
+	FieldWind wind;
+	wind.wind.kind = WindKind::air;
+	wind.air.speed = 9.0f;
+	wind.tiles = make_air_tiles(0);
+	time_field(report, "field_step_air", {}, 100000, 1, MotionPage::PAGE_PLANTS, &wind);
+}
+
 void time_contact(Report &report, int threads) {
 	constexpr int PLANTS = 100000;
 	FieldSimulation field = waving_field({}, PLANTS);
@@ -105,6 +118,7 @@ void time_contact(Report &report, int threads) {
 
 void undergrowth::time_fields(Report &report) {
 	time_ladder(report);
+	time_air_fields(report);
 	time_contact(report, 1);
 	if (std::thread::hardware_concurrency() >= 4) {
 		time_contact(report, 4);

@@ -57,6 +57,7 @@ inline std::string member(const char *name, double value) {
 }
 
 // Each prints its rows.
+void time_air(Report &report);
 void time_kernels(Report &report);
 void time_fields(Report &report);
 void time_meshes(Report &report);

@@ -56,6 +56,19 @@ func test_graph_moves_and_gust_blows() -> void:
 	_wind().gust_duration = 0.5
 
 
+func test_air_has_fields_of_its_own_and_presets() -> void:
+	await _choose_kind(PlantWind.KIND_AIR)
+	check_equal(_wind().kind, PlantWind.KIND_AIR, "kind")
+	check((part("Wind/Speed") as Control).visible, "air has a speed")
+	check(not (part("Wind/Strength") as Control).visible, "and no newtons")
+	await _press_button("Gale")
+	check(is_equal_approx(_wind().speed, 19.0), "speed of a gale")
+	var told := (part("Wind/Beaufort") as Label).text
+	check(told.begins_with("8"), "Beaufort's number: " + told)
+	await _choose_kind(PlantWind.KIND_WAVES)
+	check(not (part("Wind/Speed") as Control).visible, "waves have no speed")
+
+
 func test_wind_is_saved() -> void:
 	await open_page("Wind")
 	await _press_button("Save")

@@ -16,6 +16,7 @@ const CLASSES: PackedStringArray = [
 	"BellflowerFunction",
 	"CurvePlantFunction",
 	"PlantWind",
+	"PlantWindSource3D",
 	"Plant3D",
 	"PlantField3D",
 	"PlantFieldSpecies",

@@ -175,6 +175,12 @@ void FieldSimulation::set_wind(const FieldWind &wind) {
 	update_delays();
 }
 
+void FieldSimulation::set_air_sources(const std::vector<AirSource> &sources) {
+	stirring.clear();
+	std::copy_if(sources.begin(), sources.end(), std::back_inserter(stirring),
+			[&](const AirSource &source) { return reaches(source, box_low, box_high); });
+}
+
 void FieldSimulation::set_update_interval(int steps) {
 	options.update_interval = std::clamp(steps, 1, MAX_INTERVAL);
 }
@@ -251,7 +257,9 @@ void FieldSimulation::step_page(int page) {
 		entry.page.set_step_length(step_length);
 	}
 	const double moment = static_cast<double>(beat(page).last_step) + entry.page.wind_moment() * interval;
-	entry.page.step(wind_at_time(blowing, along, moment * static_cast<double>(options.step)), along);
+	TravellingWind now = wind_at_time(blowing, along, moment * static_cast<double>(options.step));
+	now.sources = { stirring.data(), static_cast<int>(stirring.size()) };
+	entry.page.step(now, along);
 	for (const MovingBody &body : pushing) {
 		push_plants(entry.page, body);
 	}

@@ -7,6 +7,7 @@
 #include "motion/bodies.hpp"
 #include "motion/motion_page.hpp"
 #include "motion/part_bend.hpp"
+#include "wind/air_sources.hpp"
 #include "wind/travelling_wind.hpp"
 
 #include <cstdint>
@@ -62,6 +63,8 @@ public:
 	/// go over to new delays within a second (FollowDelays).
 	void set_wind(const FieldWind &wind);
 	const FieldWind &wind() const { return blowing; }
+	/// What stirs the air in the coming steps, in the axes of the field. Followers do not feel it.
+	void set_air_sources(const std::vector<AirSource> &sources);
 	/// Takes effect at each page's next step.
 	void set_update_interval(int steps);
 	/// The page's interval becomes `multiple` (1, 2, 4 ... 32) times the field's, 64 steps at most, as soon as the step
@@ -175,6 +178,7 @@ private:
 	int free_pages = 0;
 	int plant_rows = 0; ///< Of all pages: the box is that of so many.
 	std::vector<MovingBody> pushing;
+	std::vector<AirSource> stirring;
 	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
 	float lead = 0.0f; ///< s.

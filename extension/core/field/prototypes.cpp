@@ -112,6 +112,9 @@ BendWay Prototypes::way(int prototype, float late, float fraction) const {
 void Prototypes::step(const TravellingWind &wind, const PlantWinds &along) {
 	TravellingWind here = wind;
 	here.cycles_x = here.cycles_z = here.delay_x = here.delay_z = 0.0f;
+	for (AirMap *map : { &here.air.turbulence, &here.air.waves }) {
+		map->s_x = map->s_z = map->n_x = map->n_z = 0.0f;
+	}
 	page.step(here, along);
 	newest = (newest + 1) & (SLOTS - 1);
 	std::copy(page.bends(), page.bends() + 2 * page.size(), ring.begin() + 2 * newest * MOST);

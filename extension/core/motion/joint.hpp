@@ -12,6 +12,7 @@ struct Joint {
 	float length = 1.0f; ///< m, > 0.
 	float mass = 1.0f; ///< kg, > 0.
 	float wind_weight = 1.0f;
+	float drag_area = -1.0f; ///< m², of air, its coefficient included; below 0: as many as wind_weight.
 	// Elasticity law.
 	float elasticity = 4.0f; ///< > -1.
 	float inner_friction = 0.3f; ///< N·s/m, >= 0.

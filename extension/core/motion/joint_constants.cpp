@@ -2,6 +2,7 @@
 
 #include "base/portable_math.hpp"
 #include "motion/kernel_tables.hpp"
+#include "wind/air_profile.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -131,6 +132,7 @@ Joint safe_joint(const Joint &joint) {
 	safe.length = within(joint.length, MIN_LENGTH, LARGE, usual.length);
 	safe.mass = within(joint.mass, MIN_MASS, LARGE, usual.mass);
 	safe.wind_weight = within(joint.wind_weight, 0.0f, LARGE, usual.wind_weight);
+	safe.drag_area = within(joint.drag_area, usual.drag_area, LARGE, usual.drag_area);
 	safe.elasticity = within(joint.elasticity, MIN_ELASTICITY, LARGE, usual.elasticity);
 	safe.inner_friction = within(joint.inner_friction, 0.0f, LARGE, usual.inner_friction);
 	safe.natural_frequency = within(joint.natural_frequency, MIN_FREQUENCY, MAX_FREQUENCY, usual.natural_frequency);
@@ -176,6 +178,13 @@ void spring_gains(const SpringConstants &constants, const float *lengths, int co
 	for (int i = 0; i < count; i++) {
 		gains[i] = constants.wind_gain / std::max(lengths[i], MIN_LENGTH);
 	}
+}
+
+float air_drag(const Joint &joint) {
+	if (joint.drag_area < 0.0f || joint.wind_weight <= 0.0f) {
+		return joint.wind_weight > 0.0f ? 0.5f * AIR_DENSITY : 0.0f;
+	}
+	return 0.5f * AIR_DENSITY * joint.drag_area / joint.wind_weight;
 }
 
 } // namespace undergrowth

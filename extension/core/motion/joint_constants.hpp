@@ -32,5 +32,7 @@ SpringConstants spring_constants(const Joint &joint, float step);
 void elasticity_weights(const Joint &joint, float step, const float *lengths, int count, float *weights);
 /// SpringPage::wind_gain of them.
 void spring_gains(const SpringConstants &constants, const float *lengths, int count, float *gains);
+/// PlantAir::drag: half the air's density times the drag area, over the wind weight, by which steps multiply forces.
+float air_drag(const Joint &joint);
 
 } // namespace undergrowth

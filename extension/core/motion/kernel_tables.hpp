@@ -50,10 +50,12 @@ struct SpringPage {
 /// Both laws keep t and its equilibrium within this size, so that nothing overflows: 0.06 degrees above the ground.
 inline constexpr float MAX_GNOMONIC = 1e3f;
 
-/// A wind in m/s, along the axes of the directions, at each plant; null where there is none.
+/// Air (m/s) at each plant, along the axes of the directions; null where there is none.
 struct PlantAir {
 	const float *x = nullptr;
 	const float *z = nullptr;
+	/// kg/m: what it does to a tip of the laws of one joint, a force of drag·speed·velocity on a wind weight of 1.
+	float drag = 0.0f;
 };
 
 /// What the step of one mode of a stem (StemMode) multiplies by, for one step length.
@@ -107,6 +109,8 @@ struct StemPage {
 struct KernelSet {
 	void (*step_elasticity)(const ElasticityPage &page, int count, const PlantWinds &winds);
 	void (*step_spring)(const SpringPage &page, int count, const PlantWinds &winds);
+	void (*step_elasticity_in_air)(const ElasticityPage &page, int count, const PlantAir &air);
+	void (*step_spring_in_air)(const SpringPage &page, int count, const PlantAir &air);
 	/// `winds` in newtons and `air` in m/s blow together. Either one's numbers may be null.
 	void (*step_stem)(const StemPage &page, int count, const PlantWinds &winds, const PlantAir &air);
 	/// Moves each pair of bends (motion/bend_encoding.hpp) on: the second becomes the first, the present one the

@@ -24,8 +24,8 @@ namespace avx2_kernels {
 #include "motion/kernel_spring.inc"
 #include "motion/kernel_stem.inc"
 
-static const KernelSet SET = { step_elasticity, step_spring, step_stem, encode_elasticity, encode_spring, encode_stem,
-	interpolate_elasticity, interpolate_spring };
+static const KernelSet SET = { step_elasticity, step_spring, step_elasticity_in_air, step_spring_in_air, step_stem,
+	encode_elasticity, encode_spring, encode_stem, interpolate_elasticity, interpolate_spring };
 
 } // namespace avx2_kernels
 

@@ -191,6 +191,10 @@ private:
 	void change_columns(const MotionSpecies &species);
 	void put_rest(int index, const glm::vec3 &rest);
 	void remember();
+	struct BlockWind;
+	void sample_wind(const TravellingWind &wind, const PlantWinds &along, int begin, int count, SimdLevel level,
+			BlockWind &block) const;
+	void step_block(const KernelSet &set, int begin, int count, const PlantWinds &winds, const PlantAir &air);
 	void settle(int index);
 	void grow_box(int index, bool is_first);
 	void update_box();

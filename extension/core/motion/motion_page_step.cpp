@@ -3,10 +3,13 @@
 #include "motion/motion_page.hpp"
 #include "motion/motion_page_columns.hpp"
 #include "motion/part_bend.hpp"
+#include "wind/air.hpp"
+#include "wind/air_sources.hpp"
 
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace undergrowth {
@@ -17,6 +20,16 @@ namespace {
 
 /// Plants whose winds are sampled together: the strengths stay in the first-level cache.
 constexpr int BLOCK = 512;
+
+/// A wind of newtons as the air that pushes as hard: strengths in, velocities out along both axes.
+void make_air(const PlantWinds &along, float drag, int count, float *strengths, float *side) {
+	const float over_drag = drag > 0.0f ? 1.0f / drag : 0.0f;
+	for (int i = 0; i < count; i++) {
+		const float speed = std::sqrt(strengths[i] * over_drag);
+		strengths[i] = speed * along.x;
+		side[i] = speed * along.z;
+	}
+}
 
 } // namespace
 
@@ -132,38 +145,80 @@ void MotionPage::remember() {
 	}
 }
 
+/// What blows over the plants of a block, in the first-level cache.
+struct MotionPage::BlockWind {
+	float strengths[BLOCK]; ///< N.
+	float x[BLOCK]; ///< m/s.
+	float z[BLOCK];
+	bool has_newtons = true;
+	bool has_air = false;
+};
+
+/// Of the laws of one joint, newtons that sources stir become air.
+void MotionPage::sample_wind(const TravellingWind &wind, const PlantWinds &along, int begin, int count,
+		SimdLevel level, BlockWind &block) const {
+	const float *x = column(ROOT_X) + begin;
+	const float *z = column(ROOT_Z) + begin;
+	const bool is_stirred = any_reaches(wind.sources, box_low, box_high);
+	block.has_air = wind.is_air || is_stirred;
+	block.has_newtons = !wind.is_air && (kind.law == Law::stem || !is_stirred);
+	if (wind.is_air) {
+		const float *alone = kind.stand_height > 0.0f ? nullptr : lengths() + begin;
+		const AirBlow blow = blow_over(wind.air, kind.stand_height, along);
+		sample_air(wind, blow, x, z, alone, count, block.x, block.z, level);
+	} else {
+		wind_kernels(level).sample(wind, x, z, count, block.strengths);
+	}
+	if (!is_stirred) {
+		return;
+	}
+	if (block.has_newtons) {
+		std::fill(block.x, block.x + count, 0.0f);
+		std::fill(block.z, block.z + count, 0.0f);
+	} else if (!wind.is_air) {
+		std::copy(block.strengths, block.strengths + count, block.x);
+		make_air(along, air_drag(kind.joint), count, block.x, block.z);
+	}
+	add_sources(wind.sources, box_low, box_high, x, column(ROOT_Y) + begin, z, count, block.x, block.z);
+}
+
+void MotionPage::step_block(const KernelSet &set, int begin, int count, const PlantWinds &winds, const PlantAir &air) {
+	Bend *block_pairs = keeps_directions ? nullptr : pairs.data() + 2 * static_cast<std::size_t>(begin);
+	if (kind.law == Law::elasticity) {
+		const ElasticityPage block = elasticity_page(begin);
+		air.x ? set.step_elasticity_in_air(block, count, air) : set.step_elasticity(block, count, winds);
+		if (block_pairs) {
+			set.encode_elasticity(block.x, block.y, block.z, count, block_pairs);
+		}
+	} else if (kind.law == Law::stem) {
+		const StemPage block = stem_page(begin);
+		set.step_stem(block, count, winds, air);
+		if (block_pairs) {
+			Bend *seconds = second_pairs.empty() ? nullptr : second_pairs.data() + 2 * static_cast<std::size_t>(begin);
+			set.encode_stem(block, count, block_pairs, seconds);
+		}
+	} else {
+		const SpringPage block = spring_page(begin);
+		air.x ? set.step_spring_in_air(block, count, air) : set.step_spring(block, count, winds);
+		if (block_pairs) {
+			set.encode_spring(block.x, block.z, count, block_pairs);
+		}
+	}
+}
+
 void MotionPage::step(const TravellingWind &wind, const PlantWinds &along, SimdLevel level) {
 	const KernelSet &set = kernels(level);
-	const WindKernels &air = wind_kernels(level);
 	if (keeps_directions) {
 		remember();
 	}
-	float strengths[BLOCK];
+	const float drag = air_drag(kind.joint);
+	BlockWind block;
 	for (int begin = 0; begin < size(); begin += BLOCK) {
 		const int count = std::min(BLOCK, size() - begin);
-		air.sample(wind, column(ROOT_X) + begin, column(ROOT_Z) + begin, count, strengths);
-		const PlantWinds winds = { strengths, along.x, along.z };
-		Bend *block_pairs = keeps_directions ? nullptr : pairs.data() + 2 * static_cast<std::size_t>(begin);
-		if (kind.law == Law::elasticity) {
-			const ElasticityPage block = elasticity_page(begin);
-			set.step_elasticity(block, count, winds);
-			if (block_pairs) {
-				set.encode_elasticity(block.x, block.y, block.z, count, block_pairs);
-			}
-		} else if (kind.law == Law::stem) {
-			const StemPage block = stem_page(begin);
-			set.step_stem(block, count, winds, {});
-			if (block_pairs) {
-				Bend *seconds = second_pairs.empty() ? nullptr : second_pairs.data() + 2 * static_cast<std::size_t>(begin);
-				set.encode_stem(block, count, block_pairs, seconds);
-			}
-		} else {
-			const SpringPage block = spring_page(begin);
-			set.step_spring(block, count, winds);
-			if (block_pairs) {
-				set.encode_spring(block.x, block.z, count, block_pairs);
-			}
-		}
+		sample_wind(wind, along, begin, count, level, block);
+		const PlantWinds winds = { block.has_newtons ? block.strengths : nullptr, along.x, along.z };
+		const PlantAir air = { block.has_air ? block.x : nullptr, block.has_air ? block.z : nullptr, drag };
+		step_block(set, begin, count, winds, air);
 	}
 }
 

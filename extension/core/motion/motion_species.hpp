@@ -13,6 +13,7 @@ struct MotionSpecies {
 	Joint joint; ///< Without `length` and `rest`, which each plant has of its own. Of the laws of one joint.
 	StemConstants stem; ///< Of the stem law.
 	float collision_radius = 0.05f; ///< m, of the sphere at a tip.
+	float stand_height = 0.0f; ///< m, of the stand that shelters its plants; 0: each stands alone.
 	// Of the prototypes only, which stand for all plants of the species.
 	float shortest = 0.5f; ///< m.
 	float longest = 1.0f; ///< m.

@@ -18,6 +18,7 @@ struct Motion {
 	float damping_ratio = 0.1f; ///< Spring law, 1 is critical.
 	float mass = 1.0f; ///< kg, at the tip.
 	float wind_weight = 1.0f; ///< Share of the wind's force that the tip catches.
+	float drag_area = -1.0f; ///< m², of air, its coefficient included; below 0: as many as wind_weight.
 	float lean = 0.0f; ///< Spring law, rad from upright to the rest direction, below π/2.
 	float collision_radius = 0.05f; ///< m, of the sphere at the tip.
 };

@@ -11,9 +11,10 @@ namespace undergrowth {
 namespace baseline_kernels {
 
 #include "base/kernel_basics.inc"
+#include "wind/kernel_air.inc"
 #include "wind/kernel_wind.inc"
 
-static const WindKernels SET = { sample_wind };
+static const WindKernels SET = { sample_wind, sample_turbulence, add_stand_waves, make_velocities };
 
 } // namespace baseline_kernels
 

@@ -32,7 +32,7 @@ PlantWinds winds_along(const FieldWind &wind) {
 	Wind safe_wind;
 	safe_wind.direction = std::isfinite(wind.wind.direction) ? wind.wind.direction : 0.0f;
 	const glm::vec3 direction = wind_direction(safe_wind);
-	return { nullptr, direction.x, direction.z };
+	return { nullptr, direction.x, direction.z, direction.z, -direction.x };
 }
 
 float wind_delay(const FieldWind &wind, float x, float z) {
@@ -62,6 +62,10 @@ TravellingWind wind_at_time(const FieldWind &field_wind, const PlantWinds &along
 	now.since = std::isfinite(since) ? static_cast<float>(std::clamp(since, -LONG_AGO, LONG_AGO)) : 0.0f;
 	now.least_delay = std::isfinite(field_wind.least_delay) ? field_wind.least_delay : 0.0f;
 	now.duration = safe(gust_duration(wind), static_cast<float>(LONG_AGO));
+	now.is_air = wind.kind == WindKind::air;
+	if (now.is_air) {
+		now.air = air_at_time(field_wind.air, field_wind.axes, field_wind.tiles.get(), time);
+	}
 	return now;
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "wind/air.hpp"
 #include "wind/wind.hpp"
 #include "wind/wind_kernels.hpp"
+
+#include <memory>
 
 namespace undergrowth {
 
@@ -12,6 +15,9 @@ struct FieldWind {
 	Wind wind;
 	float speed = 10.0f; ///< m/s. 0, less, or not finite: everywhere at once.
 	float least_delay = 0.0f; ///< s, of gusts. Not 0 where `wind` is told as it is at another place.
+	Air air = {}; ///< Of WindKind::air.
+	AirAxes axes = {}; ///< Of the places where it blows.
+	std::shared_ptr<const AirTiles> tiles = nullptr; ///< Null: no turbulence.
 };
 
 /// How long after the origin the wind comes to (x, z) (s).
@@ -20,7 +26,7 @@ float wind_delay(const FieldWind &wind, float x, float z);
 /// The wind at one time, ready for the kernels. Numbers that are none or out of range count as 0. A pure function.
 TravellingWind wind_at_time(const FieldWind &wind, double time);
 
-/// Where it blows to: the horizontal unit direction as PlantWinds::x and z, without strengths.
+/// Where it blows to: the horizontal unit direction as PlantWinds::x and z and that across it, without strengths.
 PlantWinds winds_along(const FieldWind &wind);
 
 /// The same as wind_at_time() for who has winds_along(wind) already.

@@ -34,6 +34,7 @@ float steady_strength(const Wind &wind, double time) {
 		case WindKind::waves:
 			return wind.strength * static_cast<float>(1.0 + portable_sin(2.0 * PI * cycle_at(wind, time)));
 		case WindKind::gust:
+		case WindKind::air:
 			break;
 	}
 	return 0.0f;

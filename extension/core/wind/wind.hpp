@@ -4,12 +4,13 @@
 
 namespace undergrowth {
 
-/// The four ways in which wind blows (thesis, section 4.3, figures 4.3 to 4.6).
+/// How wind blows: the four ways of the thesis (section 4.3, figures 4.3 to 4.6), and as air does.
 enum class WindKind {
 	gust, ///< Full strength for `gust_duration` from `gust_start` on, then nothing.
 	constant, ///< Full strength, always.
 	bursts, ///< Full strength in the first half of each period, nothing in the second.
 	waves, ///< strength·(1 + sin(2π·phase)): from 0 to twice the strength.
+	air, ///< A velocity, by FieldWind::air; of what is here, direction and gusts only, whose strength is in m/s.
 };
 
 /// All values finite; strength, frequency and gust_duration >= 0.

@@ -10,6 +10,45 @@ namespace undergrowth {
 struct PlantWinds {
 	const float *strengths;
 	float x, z;
+	float side_x = 0.0f; ///< Unit, across the wind: where the other component of air blows to.
+	float side_z = 0.0f;
+};
+
+/// A periodic map (AirTiles) at one time: the texel of a place (x, z) is (s + s_x·x + s_z·z, n + n_x·x + n_z·z).
+struct AirMap {
+	const uint32_t *texels = nullptr; ///< Null: none.
+	float s = 0.0f, s_x = 0.0f, s_z = 0.0f;
+	float n = 0.0f, n_x = 0.0f, n_z = 0.0f;
+	float farthest = 1e6f; ///< Texels. Always; a variable as TravellingWind::half.
+};
+
+/// Air at one time, for all who feel it.
+struct AirNow {
+	float speed = 0.0f; ///< m/s at 10 m; 0: still.
+	float gusts = 1.0f; ///< Standard deviations, as a multiple of those of the roughness.
+	float roughness = 0.0f; ///< m.
+	float skew = 0.0f; ///< Gustiness.
+	float wave_share = 0.0f; ///< Of the variance over a stand.
+	AirMap turbulence; ///< In metres of the places' axes.
+	AirMap waves;
+};
+
+/// Velocity along the wind, mean + gust·(u + skew·(u² - 1)), and across it, side_gust·v.
+struct AirBlow {
+	float mean, gust, side_gust; ///< m/s.
+	float skew;
+	float along_x, along_z, side_x, side_z; ///< Unit directions.
+};
+
+struct AirSource;
+
+/// What stirs the air at single places (air_sources.hpp), for plants whose directions have axes of their own: there, a
+/// metre along x of the roots' axes is (x_x, x_z), one along z is (z_x, z_z).
+struct AirSources {
+	const AirSource *all = nullptr;
+	int count = 0;
+	float x_x = 1.0f, x_z = 0.0f;
+	float z_x = 0.0f, z_z = 1.0f;
 };
 
 /// A wind that travels over the ground, at one time. The place in its period (cycles) of a plant at (x, z) is
@@ -24,12 +63,23 @@ struct TravellingWind {
 	float duration; ///< s.
 	float least_delay = 0.0f; ///< s.
 	float half = 0.5f; ///< Of a cycle. Always; a variable because compilers bound by it in fewer instructions.
+	bool is_air = false; ///< Then `air` blows, and of the others the gust only, in m/s.
+	AirNow air = {};
+	AirSources sources = {}; ///< Felt whatever else blows.
 };
 
 /// One build of the kernels of wind. All builds give the same bits.
 struct WindKernels {
 	/// The strength (N) of `wind` at the plants (x, z) (m) to out[0 .. count).
 	void (*sample)(const TravellingWind &wind, const float *x, const float *z, int count, float *out);
+	/// Both components of turbulence at the plants, in standard deviations.
+	void (*sample_turbulence)(
+			const AirMap &map, const float *x, const float *z, int count, float *along, float *across);
+	/// along[i] becomes keep·along[i] + share·(the waves over a stand, in standard deviations).
+	void (*add_stand_waves)(
+			const AirMap &map, const float *x, const float *z, int count, float keep, float share, float *along);
+	/// Makes velocities of both components, in place: those along x and along z.
+	void (*make_velocities)(const AirBlow &blow, int count, float *along, float *across);
 };
 
 const WindKernels *baseline_wind_kernels();

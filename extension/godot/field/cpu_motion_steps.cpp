@@ -3,6 +3,7 @@
 #include "field/cpu_motion.hpp"
 
 #include "convert.hpp"
+#include "plant_wind_source_3d.hpp"
 #include "stopwatch.hpp"
 
 #include <godot_cpp/classes/os.hpp>
@@ -39,6 +40,9 @@ void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
 	frames_since_far++;
 	if (!is_due) {
 		return;
+	}
+	if (frame.wind.is_valid() && !frame.eyes.empty()) {
+		Ref<PlantWind>(frame.wind)->look_from(frame.eyes.front());
 	}
 	const Transform3D to_field = frame.axes.affine_inverse();
 	std::vector<glm::vec3> eyes;
@@ -104,6 +108,7 @@ double CpuMotion::advance(const Frame &frame, const MotionOptions &options) {
 	}
 	wind_clock.follow(frame.wind, step_count, clock.step(), simulation->time());
 	simulation->set_wind(field_wind(frame.wind, frame.axes, wind_clock.ahead()));
+	simulation->set_air_sources(PlantWindSource3D::all_in(frame.axes));
 	update_far(frame, options);
 	const Stopwatch watch;
 	double stepping_usec = 0.0;
@@ -131,6 +136,7 @@ void CpuMotion::preview(const Frame &frame, const MotionOptions &options) {
 		const double ahead = now - step_count * clock.step() - simulation->time();
 		simulation->set_wind(field_wind(frame.wind, frame.axes, ahead));
 		simulation->set_bodies(nullptr, 0);
+		simulation->set_air_sources(PlantWindSource3D::all_in(frame.axes));
 	}
 	for (int i = 0; i < step_count; i++) {
 		start_step(options, false);

@@ -104,6 +104,7 @@ void FieldLook::read_motion() {
 		motion.shortest = std::min(motion.shortest, variant.height);
 		motion.longest = std::max(motion.longest, variant.height);
 	}
+	motion.stand_height = 0.5f * (motion.shortest + motion.longest);
 }
 
 float FieldLook::reach_of(const PlacedPlant &plant, float widening) const {

@@ -1,7 +1,9 @@
 @tool
 extends VBoxContainer
-## The force of a wind over the next seconds, with a button for a gust.
+## The force of a wind over the next seconds, with a button for a gust; of air, its speed, and
+## Beaufort's number and words for it.
 
+const Beaufort := preload("../wind_page/beaufort.gd")
 const ForceGraph := preload("../widgets/force_graph.gd")
 const Translations := preload("../translations/translations.gd")
 const WindClock := preload("../wind_page/wind_clock.gd")
@@ -9,6 +11,7 @@ const WindClock := preload("../wind_page/wind_clock.gd")
 ## The wind that is shown. Set it before the view enters the tree.
 var wind: PlantWind
 
+@onready var _beaufort: Label = %Beaufort
 @onready var _graph: ForceGraph = %Graph
 @onready var _gust: Button = %Gust
 
@@ -17,11 +20,19 @@ func _ready() -> void:
 	set_translation_domain(Translations.DOMAIN)
 	_graph.wind = wind
 	_gust.pressed.connect(_on_gust_pressed)
+	if wind:
+		wind.changed.connect(_show_beaufort)
+		_show_beaufort()
 
 
 func _process(delta: float) -> void:
 	if wind and is_visible_in_tree():
 		WindClock.advance(wind, delta)
+
+
+func _show_beaufort() -> void:
+	_beaufort.visible = wind.kind == PlantWind.KIND_AIR
+	_beaufort.text = "Beaufort " + Beaufort.describe(wind)
 
 
 func _on_gust_pressed() -> void:

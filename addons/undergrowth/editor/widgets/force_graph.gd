@@ -1,10 +1,14 @@
 @tool
 extends Control
 ## The force of a wind over the next seconds (thesis, figures 4.3 to 4.6): newtons over the wind's
-## own time, with a mark that moves along at "now". The owner lets the wind's clock go on.
+## own time, with a mark that moves along at "now". Of air, its speed in the last minute. The owner
+## lets the wind's clock go on.
 
-## Seconds that the graph spans.
+## Seconds that the graph spans, and of air.
 const SPAN := 8.0
+const AIR_SPAN := 60.0
+## Metres above the ground, where the speed of air is drawn.
+const AIR_PLACE := Vector3(0, 10, 0)
 ## Where in the span a fresh page begins, and where the mark turns the page, as shares of the span.
 const PAGE_START := 0.15
 const PAGE_END := 0.7
@@ -43,13 +47,40 @@ func _notification(what: int) -> void:
 func _process(_delta: float) -> void:
 	if not is_visible_in_tree() or not wind or wind.get_time() == _drawn_at:
 		return
-	var now := wind.get_time()
-	if now < _start or now > _start + PAGE_END * SPAN:
-		_start = now - PAGE_START * SPAN
+	_turn_page()
 	queue_redraw()
 
 
+# Air moves along under the mark, which stays near the end; of the others whole pages are turned.
+func _turn_page() -> void:
+	var now := wind.get_time()
+	if _is_air():
+		_start = now - (AIR_SPAN - 1.0)
+	elif now < _start or now > _start + PAGE_END * SPAN:
+		_start = now - PAGE_START * SPAN
+
+
+func _is_air() -> bool:
+	return wind and wind.kind == PlantWind.KIND_AIR
+
+
+func _span() -> float:
+	return AIR_SPAN if _is_air() else SPAN
+
+
+func _unit() -> String:
+	return "m/s" if _is_air() else "N"
+
+
+func _value(time: float) -> float:
+	if _is_air():
+		return wind.sample_velocity(time, AIR_PLACE).length()
+	return wind.sample(time).length()
+
+
 func _draw() -> void:
+	if wind:
+		_turn_page()
 	var font_size := roundi(get_theme_font_size("font_size", "Label") * 0.8)
 	var font := get_theme_font("font", "Label")
 	var frame := _frame(font, font_size)
@@ -65,7 +96,9 @@ func _draw() -> void:
 
 # Where the curve is drawn: newtons stand on its left, seconds below, what the mark says above.
 func _frame(font: Font, font_size: int) -> Rect2:
-	var left := font.get_string_size("100.0 N", HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x + 4.0
+	var left := (
+		font.get_string_size("100.0 " + _unit(), HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x + 4.0
+	)
 	var top := font_size * 1.5
 	return Rect2(left, top, size.x - left - 8.0, size.y - top - font_size * 1.5)
 
@@ -75,7 +108,7 @@ func _sample() -> PackedFloat32Array:
 	forces.resize(SAMPLES + 1)
 	if wind:
 		for i in SAMPLES + 1:
-			forces[i] = wind.sample(_start + SPAN * i / SAMPLES).length()
+			forces[i] = _value(_start + _span() * i / SAMPLES)
 	return forces
 
 
@@ -87,7 +120,8 @@ func _axis_end(forces: PackedFloat32Array) -> float:
 		largest = maxf(largest, force)
 	if wind:
 		var is_wave := wind.kind == PlantWind.KIND_WAVES
-		largest = maxf(largest, wind.strength * (2.0 if is_wave else 1.0))
+		if not _is_air():
+			largest = maxf(largest, wind.strength * (2.0 if is_wave else 1.0))
 	var power := pow(10.0, floorf(log(largest) / log(10.0)))
 	for factor: float in [1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0]:
 		if largest * 1.02 <= factor * power:
@@ -101,15 +135,16 @@ func _draw_axes(frame: Rect2, top: float, font: Font, font_size: int) -> void:
 	for step in 3:
 		var y := frame.end.y - frame.size.y * step / 2.0
 		draw_line(Vector2(frame.position.x, y), Vector2(frame.end.x, y), grid)
-		var label := "%s N" % String.num(top * step / 2.0, 3)
+		var label := "%s %s" % [String.num(top * step / 2.0, 3), _unit()]
 		var at := Vector2(0, y + font.get_ascent(font_size) / 2.5)
 		var width := frame.position.x - 4.0
 		draw_string(font, at, label, HORIZONTAL_ALIGNMENT_RIGHT, width, font_size, text)
-	var every := 2 if frame.size.x / SPAN > font_size * 1.6 else 4
-	for second in range(ceili(_start), floori(_start + SPAN) + 1):
+	var span := _span()
+	var every := 2 if frame.size.x / span > font_size * 1.6 else (10 if _is_air() else 4)
+	for second in range(ceili(_start), floori(_start + span) + 1):
 		if second % every != 0 or second < 0:
 			continue
-		var x := frame.position.x + (second - _start) / SPAN * frame.size.x
+		var x := frame.position.x + (second - _start) / span * frame.size.x
 		draw_line(Vector2(x, frame.position.y), Vector2(x, frame.end.y), grid)
 		var at := Vector2(x - font_size * 2.0, frame.end.y + font.get_ascent(font_size) + 2.0)
 		draw_string(
@@ -128,14 +163,14 @@ func _draw_curve(frame: Rect2, forces: PackedFloat32Array, top: float) -> void:
 
 func _draw_now(frame: Rect2, top: float, font: Font, font_size: int) -> void:
 	var color := get_theme_color("warning_color", "Editor")
-	var share := (wind.get_time() - _start) / SPAN
+	var share := (wind.get_time() - _start) / _span()
 	var x := frame.position.x + clampf(share, 0.0, 1.0) * frame.size.x
 	var width := 1.5 * EditorInterface.get_editor_scale()
 	draw_line(Vector2(x, frame.position.y), Vector2(x, frame.end.y), color, width)
-	var force := wind.sample(wind.get_time()).length()
+	var force := _value(wind.get_time())
 	var place := Vector2(x, frame.end.y - force / top * frame.size.y)
 	draw_circle(place, 3.0 * EditorInterface.get_editor_scale(), color, true, -1.0, true)
-	var label := tr("now: %s N") % String.num(force, 2)
+	var label := tr("now: %s") % ("%s %s" % [String.num(force, 2), _unit()])
 	var wide := font.get_string_size(label, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
 	var left := clampf(x - wide / 2.0, frame.position.x, frame.end.x - wide)
 	var at := Vector2(left, frame.position.y - font.get_descent(font_size) - 2.0)

@@ -7,7 +7,18 @@ const ProjectFiles := preload("../actions/project_files.gd")
 const ScenePlants := preload("scene_plants.gd")
 
 const PROPERTIES: Array[StringName] = [
-	&"kind", &"strength", &"direction", &"frequency", &"gust_duration", &"travel_speed"
+	&"kind",
+	&"strength",
+	&"direction",
+	&"frequency",
+	&"gust_duration",
+	&"travel_speed",
+	&"speed",
+	&"turbulence",
+	&"gustiness",
+	&"roughness",
+	&"stand_height",
+	&"wave_share",
 ]
 const WARNING := EditorState.Severity.WARNING
 

@@ -4,18 +4,30 @@ extends ScrollContainer
 
 const EditorState := preload("../editor_state.gd")
 const DirectionDial := preload("../widgets/direction_dial.gd")
+const Beaufort := preload("beaufort.gd")
 const ForceGraph := preload("../widgets/force_graph.gd")
 const SceneWind := preload("scene_wind.gd")
 const WindActions := preload("wind_actions.gd")
 const WindClock := preload("wind_clock.gd")
+const WindPresets := preload("wind_presets.gd")
 
 ## What a wind accepts at most, in the units of its properties.
 const MOST: Dictionary[StringName, float] = {
-	&"strength": 1e6, &"frequency": 1000.0, &"gust_duration": 3600.0, &"travel_speed": 1e4
+	&"strength": 1e6,
+	&"frequency": 1000.0,
+	&"gust_duration": 3600.0,
+	&"travel_speed": 1e4,
+	&"speed": 100.0,
+	&"turbulence": 2.0,
 }
 ## An angle in radians is shown in steps of so many degrees.
 const DEGREE_STEP := 0.001
-const KINDS: Array[String] = ["Gust", "Constant", "Bursts", "Waves"]
+const KINDS: Array[String] = ["Gust", "Constant", "Bursts", "Waves", "Air"]
+## What the page shows of air alone, and of the other kinds alone.
+const AIR: Array[StringName] = [
+	&"speed", &"turbulence", &"gustiness", &"roughness", &"stand_height", &"wave_share"
+]
+const NEWTONS: Array[StringName] = [&"strength", &"travel_speed"]
 
 var _state: EditorState
 # Which property of the wind each slider shows.
@@ -45,7 +57,14 @@ func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
 		&"frequency": %Frequency,
 		&"gust_duration": %Duration,
 		&"travel_speed": %TravelSpeed,
+		&"speed": %Speed,
+		&"turbulence": %Turbulence,
+		&"gustiness": %Gustiness,
+		&"roughness": %Roughness,
+		&"stand_height": %StandHeight,
+		&"wave_share": %WaveShare,
 	}
+	(%Presets as WindPresets).setup(_blow_as)
 	for part: Control in [%Fields, %Outcome]:
 		part.custom_minimum_size.x *= EditorInterface.get_editor_scale()
 	for kind in KINDS:
@@ -87,6 +106,11 @@ func _set_wind(value: float, property: StringName) -> void:
 		_state.wind.set(property, accepted)
 
 
+func _blow_as(preset: PlantWind) -> void:
+	for property in WindPresets.PROPERTIES:
+		_state.wind.set(property, preset.get(property))
+
+
 func _say_limit(property: StringName, is_reached: bool) -> void:
 	if is_reached:
 		var told := tr("%s can be at most %d %s.")
@@ -110,6 +134,19 @@ func _show_wind() -> void:
 	_direction.set_value_no_signal(degrees)
 	_dial.degrees = degrees
 	_heading.text = _dial.describe()
+	_show_fields(wind)
+
+
+# Each kind has fields of its own.
+func _show_fields(wind: PlantWind) -> void:
+	var is_air := wind.kind == PlantWind.KIND_AIR
+	for property in AIR + NEWTONS:
+		var is_shown := is_air == AIR.has(property)
+		_sliders[property].visible = is_shown
+		(get_node("%" + _sliders[property].name + "Label") as Label).visible = is_shown
+	(%BeaufortLabel as Label).visible = is_air
+	(%Beaufort as Label).visible = is_air
+	(%Beaufort as Label).text = Beaufort.describe(wind)
 	var is_periodic := wind.kind in [PlantWind.KIND_BURSTS, PlantWind.KIND_WAVES]
 	_frequency_label.visible = is_periodic
 	_sliders[&"frequency"].visible = is_periodic

@@ -1,0 +1,33 @@
+@tool
+extends HFlowContainer
+## The winds that ship with the add-on, as buttons: one press makes a wind such weather.
+
+const FOLDER := "res://addons/undergrowth/winds/"
+## What a preset says; the direction stays the wind's own.
+const PROPERTIES: Array[StringName] = [
+	&"kind", &"speed", &"turbulence", &"gustiness", &"roughness", &"stand_height", &"wave_share"
+]
+
+var _chosen: Callable
+
+
+## Fills itself with buttons. [param chosen] is called when one was pressed, with the preset's wind.
+func setup(chosen: Callable) -> void:
+	_chosen = chosen
+	_add("calm", tr("Calm"))
+	_add("light_air", tr("Light air"))
+	_add("breeze", tr("Breeze"))
+	_add("fresh", tr("Fresh breeze"))
+	_add("gale", tr("Gale"))
+	_add("storm", tr("Storm"))
+
+
+func _add(file: String, title: String) -> void:
+	var button := Button.new()
+	button.name = file.to_pascal_case()
+	button.text = title
+	button.tooltip_text = tr("Lets such air blow.")
+	button.pressed.connect(func() -> void: _chosen.call(load(FOLDER + file + ".tres")))
+	add_child(button)
+	button.owner = owner
+	button.unique_name_in_owner = true

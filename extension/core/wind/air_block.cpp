@@ -1,0 +1,86 @@
+// What air does to blocks of plants.
+
+#include "wind/air.hpp"
+#include "wind/air_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+/// Plants whose gusts are sampled together.
+constexpr int GUST_BLOCK = 64;
+
+/// How gusts and lulls weigh so that their variance stays 1.
+float unit_gust(float skew) {
+	return 1.0f / std::sqrt(1.0f + 2.0f * skew * skew);
+}
+
+/// Velocities of plants alone: each has the wind of its own height above open ground.
+void blow_alone(const AirNow &air, const float *lengths, AirBlow blow, int count, float *x, float *z) {
+	const auto roughness = static_cast<double>(air.roughness);
+	const float gust = air.speed * air.gusts * unit_gust(air.skew);
+	for (int i = 0; i < count; i++) {
+		const auto height = static_cast<double>(lengths[i]);
+		const auto share = static_cast<float>(open_ground_gusts(height, roughness));
+		blow.mean = air.speed * static_cast<float>(open_ground_speed(height, roughness));
+		blow.gust = gust * share;
+		blow.side_gust = static_cast<float>(SIDE_GUSTS) * air.speed * air.gusts * share;
+		baseline_wind_kernels()->make_velocities(blow, 1, x + i, z + i);
+	}
+}
+
+/// A gust that somebody called for, in m/s.
+void add_gust(const TravellingWind &wind, const AirBlow &blow, const float *x, const float *z, int count, float *out_x,
+		float *out_z, const WindKernels &kernels) {
+	float strengths[GUST_BLOCK];
+	for (int begin = 0; begin < count; begin += GUST_BLOCK) {
+		const int some = std::min(GUST_BLOCK, count - begin);
+		kernels.sample(wind, x + begin, z + begin, some, strengths);
+		for (int i = 0; i < some; i++) {
+			out_x[begin + i] += strengths[i] * blow.along_x;
+			out_z[begin + i] += strengths[i] * blow.along_z;
+		}
+	}
+}
+
+} // namespace
+
+AirBlow blow_over(const AirNow &air, float stand_height, const PlantWinds &axes) {
+	AirBlow blow = { 0.0f, 0.0f, 0.0f, air.skew, axes.x, axes.z, axes.side_x, axes.side_z };
+	if (stand_height > 0.0f) {
+		blow.mean = air.speed * static_cast<float>(stand_top_speed(static_cast<double>(stand_height)));
+		const float gust = blow.mean * static_cast<float>(STAND_GUSTS) * air.gusts;
+		blow.gust = gust * unit_gust(air.skew);
+		blow.side_gust = gust * static_cast<float>(SIDE_GUSTS);
+	}
+	return blow;
+}
+
+void sample_air(const TravellingWind &wind, const AirBlow &blow, const float *x, const float *z, const float *lengths,
+		int count, float *out_x, float *out_z, SimdLevel level) {
+	const WindKernels &kernels = wind_kernels(level);
+	const AirNow &air = wind.air;
+	if (air.turbulence.texels) {
+		kernels.sample_turbulence(air.turbulence, x, z, count, out_x, out_z);
+	} else {
+		std::fill(out_x, out_x + count, 0.0f);
+		std::fill(out_z, out_z + count, 0.0f);
+	}
+	if (air.waves.texels && !lengths) {
+		const float kept = std::sqrt(1.0f - air.wave_share);
+		kernels.add_stand_waves(air.waves, x, z, count, kept, std::sqrt(air.wave_share), out_x);
+	}
+	if (lengths) {
+		blow_alone(air, lengths, blow, count, out_x, out_z);
+	} else {
+		kernels.make_velocities(blow, count, out_x, out_z);
+	}
+	if (wind.gust != 0.0f) {
+		add_gust(wind, blow, x, z, count, out_x, out_z, kernels);
+	}
+}
+
+} // namespace undergrowth

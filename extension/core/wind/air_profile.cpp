@@ -1,0 +1,77 @@
+#include "wind/air_profile.hpp"
+
+#include "base/portable_math.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+constexpr double KARMAN = 0.4;
+constexpr double GUSTS_OF_FRICTION = 2.185; // σ_u/u*, of the spectrum's integral.
+constexpr double ROUGH_LAYER = 10.0; // Roughness lengths.
+constexpr double DISPLACEMENT = 0.7; // Of a stand's height.
+constexpr double STAND_ROUGHNESS = 0.1;
+constexpr double SMOOTHEST = 1e-6; // m.
+constexpr double ROUGHEST = 0.5 * REFERENCE_HEIGHT / ROUGH_LAYER; // m: the rough layer stays below the reference.
+constexpr double LOWEST_STAND = 1e-3; // m.
+constexpr double HIGHEST_STAND = 0.9 * REFERENCE_HEIGHT; // m.
+constexpr double BEAUFORT = 0.836; // m/s.
+constexpr int STRONGEST = 12;
+
+double safe_roughness(double roughness) {
+	return std::isfinite(roughness) ? std::clamp(roughness, SMOOTHEST, ROUGHEST) : SMOOTHEST;
+}
+
+double safe_height(double height) {
+	return std::isfinite(height) ? std::max(height, 0.0) : 0.0;
+}
+
+/// How much of the rough layer is below a height, 1 above it.
+double share_of_layer(double height, double roughness) {
+	return std::min(safe_height(height) / (ROUGH_LAYER * roughness), 1.0);
+}
+
+} // namespace
+
+double open_ground_speed(double height, double roughness) {
+	const double rough = safe_roughness(roughness);
+	const double above = std::max(safe_height(height), ROUGH_LAYER * rough);
+	const double speed = portable_log(above / rough) / portable_log(REFERENCE_HEIGHT / rough);
+	return speed * share_of_layer(height, rough);
+}
+
+double open_ground_gusts(double height, double roughness) {
+	const double rough = safe_roughness(roughness);
+	return share_of_layer(height, rough) * GUSTS_OF_FRICTION * KARMAN / portable_log(REFERENCE_HEIGHT / rough);
+}
+
+double stand_top_speed(double stand_height) {
+	return stand_speed(stand_height, stand_height);
+}
+
+double stand_speed(double height, double stand_height, double extinction) {
+	const double top = std::clamp(safe_height(stand_height), LOWEST_STAND, HIGHEST_STAND);
+	const double above = std::max(safe_height(height), top);
+	const double rough = STAND_ROUGHNESS * top;
+	const double down = DISPLACEMENT * top;
+	const double speed = portable_log((above - down) / rough) / portable_log((REFERENCE_HEIGHT - down) / rough);
+	return speed * portable_exp(-extinction * (1.0 - std::min(safe_height(height) / top, 1.0)));
+}
+
+double beaufort_speed(int number) {
+	const auto force = static_cast<double>(number);
+	return BEAUFORT * force * std::sqrt(force);
+}
+
+int beaufort_of(double speed) {
+	int number = 0;
+	while (number < STRONGEST && speed >= 0.5 * (beaufort_speed(number) + beaufort_speed(number + 1))) {
+		number++;
+	}
+	return number;
+}
+
+} // namespace undergrowth

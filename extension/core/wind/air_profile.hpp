@@ -1,0 +1,31 @@
+#pragma once
+
+namespace undergrowth {
+
+/// How fast the wind is at a height, for a speed at 10 m, and how much it varies. Heights and roughness in metres,
+/// speeds as shares of the speed at 10 m. All are finite and not below 0 for any finite arguments.
+
+inline constexpr float AIR_DENSITY = 1.225f; ///< kg/m³, at 15 °C.
+inline constexpr double REFERENCE_HEIGHT = 10.0; ///< m, of a weather report's speed.
+
+/// Above open ground of a roughness length: ln(z/z0)/ln(10/z0), the logarithmic law. Below ten roughness lengths, among
+/// what makes the ground rough, it falls to 0 in proportion to the height.
+double open_ground_speed(double height, double roughness);
+/// Standard deviation along the wind, as a share of the speed at 10 m: 2.185 friction velocities at all heights above
+/// ten roughness lengths (a quarter of the speed at 1 m over 0.03 m), and below in proportion to the height.
+double open_ground_gusts(double height, double roughness);
+/// At the tops of a stand so high, by the logarithmic law with its displacement (0.7 heights) and roughness (0.1).
+double stand_top_speed(double stand_height);
+/// At a height within it: exponential below its top (extinction from 2, thin, to 4.4, dense), by the law above it.
+double stand_speed(double height, double stand_height, double extinction = 2.5);
+/// Standard deviation along the wind at the tops of a stand, as a share of the speed there: 1.9 friction velocities.
+inline constexpr double STAND_GUSTS = 1.9 * 0.364;
+/// Across the wind, as a share of that along it.
+inline constexpr double SIDE_GUSTS = 0.75;
+
+/// Beaufort's number from 0 to 12 of a speed at 10 m (m/s): nearest to U = 0.836·B^1.5.
+int beaufort_of(double speed);
+/// That speed (m/s).
+double beaufort_speed(int number);
+
+} // namespace undergrowth

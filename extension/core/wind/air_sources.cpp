@@ -1,0 +1,155 @@
+#include "wind/air_sources.hpp"
+
+#include "conventions.hpp"
+#include "wind/air_profile.hpp"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+// Where sources end, so that they cost nothing beyond.
+constexpr float EXPLOSION_RADII = 12.0f; // Less than a hundredth of its speed is left.
+constexpr float LAST_PHASE = 8.0f; // Durations after the front.
+constexpr float FAN_SPREAD = 1.3f;
+constexpr float FAN_FADES = 8.0f; // Of its spread radii, from here
+constexpr float FAN_ENDS = 16.0f; // to here.
+constexpr float FREE_DIAMETERS = 6.0f;
+constexpr float FLOW_RADII = 6.0f; // A five-hundredth of the body's speed is left.
+constexpr float WAKE_MEMORY = 4.0f; // s.
+constexpr float WAKE_SHARE = 0.6f;
+constexpr float WAKE_WIDTHS = 4.0f;
+constexpr float WAKE_GROWTH = 4.0f; // Radii over which a wake begins to spread.
+
+/// The cube root of a number from 1 on, by Newton's steps, with the same bits everywhere.
+float cube_root(float value) {
+	float root = 0.5f * (1.0f + std::sqrt(value));
+	for (int i = 0; i < 6; i++) {
+		root -= (root * root * root - value) / (3.0f * root * root);
+	}
+	return root;
+}
+
+glm::vec3 explosion_at(const AirSource &source, const glm::vec3 &away) {
+	const float distance = glm::length(away);
+	const float phase = (source.age - distance / source.front) / source.duration;
+	if (phase <= 0.0f || phase > LAST_PHASE || distance <= 0.0f) {
+		return { 0.0f, 0.0f, 0.0f };
+	}
+	const float far = distance / source.radius;
+	const float later = 1.0f + phase * phase;
+	const float speed = source.speed / (1.0f + far * far) * (1.0f - phase) / (later * later);
+	return away * (speed / distance);
+}
+
+glm::vec3 fan_at(const AirSource &source, const glm::vec3 &away) {
+	const glm::vec3 flat = { away.x, 0.0f, away.z };
+	const float distance = glm::length(flat);
+	const float x = distance / (FAN_SPREAD * source.radius);
+	if (x >= FAN_ENDS || distance <= 0.0f) {
+		return { 0.0f, 0.0f, 0.0f };
+	}
+	const float faded = std::max(x - FAN_FADES, 0.0f) / (FAN_ENDS - FAN_FADES);
+	const float kept = 1.0f - faded * faded;
+	const float free = FREE_DIAMETERS * 2.0f * source.radius;
+	const float arrived = free / std::max(source.height, free);
+	const float speed = 4.0f * source.speed * x / (1.0f + x * x) * kept * kept * arrived;
+	return flat * (speed / distance);
+}
+
+glm::vec3 wake_at(const AirSource &source, const glm::vec3 &away) {
+	const float speed = glm::length(source.velocity);
+	if (speed <= 0.0f) {
+		return { 0.0f, 0.0f, 0.0f };
+	}
+	const float a = source.radius;
+	const float distance = glm::length(away);
+	const glm::vec3 ahead = source.velocity / speed;
+	const glm::vec3 out = distance > 0.0f ? away / distance : ahead;
+	glm::vec3 moved = { 0.0f, 0.0f, 0.0f };
+	if (distance < FLOW_RADII * a) {
+		const float near = a / std::max(distance, a);
+		moved = 0.5f * near * near * near * (3.0f * glm::dot(source.velocity, out) * out - source.velocity);
+	}
+	const float behind = -glm::dot(away, ahead);
+	if (behind > 0.0f && behind < speed * WAKE_MEMORY) {
+		const float root = cube_root(1.0f + behind / (WAKE_GROWTH * a));
+		const float beside = glm::length(away + behind * ahead) / (a * root);
+		const float narrow = 1.0f + beside * beside;
+		const float end = 1.0f - behind / (speed * WAKE_MEMORY);
+		if (beside < WAKE_WIDTHS) {
+			moved += source.velocity * (WAKE_SHARE * std::min(4.0f * end, 1.0f) / (root * root * narrow * narrow));
+		}
+	}
+	return moved;
+}
+
+} // namespace
+
+float induced_speed(float thrust, float radius) {
+	const auto area = 2.0f * AIR_DENSITY * static_cast<float>(PI) * radius * radius;
+	return std::sqrt(std::max(thrust, 0.0f) / area);
+}
+
+float reach_of(const AirSource &source) {
+	switch (source.kind) {
+		case AirSource::Kind::explosion:
+			return EXPLOSION_RADII * source.radius;
+		case AirSource::Kind::fan:
+			return FAN_ENDS * FAN_SPREAD * source.radius + source.height;
+		case AirSource::Kind::wake:
+			break;
+	}
+	return std::max(
+			FLOW_RADII * source.radius, glm::length(source.velocity) * WAKE_MEMORY + WAKE_WIDTHS * source.radius);
+}
+
+bool reaches(const AirSource &source, const glm::vec3 &low, const glm::vec3 &high) {
+	const bool is_over = source.kind == AirSource::Kind::explosion &&
+			source.age > LAST_PHASE * source.duration + reach_of(source) / source.front;
+	const glm::vec3 away = (source.place - glm::clamp(source.place, low, high)) * source.scale;
+	return !is_over && glm::length(away) <= reach_of(source);
+}
+
+glm::vec3 velocity_at(const AirSource &source, const glm::vec3 &root) {
+	const glm::vec3 away = (root - source.place) * source.scale;
+	if (glm::length(away) > reach_of(source)) {
+		return { 0.0f, 0.0f, 0.0f };
+	}
+	switch (source.kind) {
+		case AirSource::Kind::explosion:
+			return explosion_at(source, away);
+		case AirSource::Kind::fan:
+			return fan_at(source, away);
+		case AirSource::Kind::wake:
+			break;
+	}
+	return wake_at(source, away);
+}
+
+bool any_reaches(const AirSources &sources, const glm::vec3 &low, const glm::vec3 &high) {
+	return std::any_of(sources.all, sources.all + sources.count,
+			[&](const AirSource &source) { return reaches(source, low, high); });
+}
+
+void add_sources(const AirSources &sources, const glm::vec3 &low, const glm::vec3 &high, const float *x, const float *y,
+		const float *z, int count, float *out_x, float *out_z) {
+	for (int k = 0; k < sources.count; k++) {
+		const AirSource &source = sources.all[k];
+		if (!reaches(source, low, high)) {
+			continue;
+		}
+		for (int i = 0; i < count; i++) {
+			const glm::vec3 added = velocity_at(source, { x[i], y[i], z[i] });
+			out_x[i] += sources.x_x * added.x + sources.z_x * added.z;
+			out_z[i] += sources.x_z * added.x + sources.z_z * added.z;
+		}
+	}
+}
+
+} // namespace undergrowth

@@ -1,0 +1,198 @@
+// The half of PlantWind that is air: in metres per second, as a weather report says it.
+
+#include "plant_wind.hpp"
+
+#include "air_tiles_cache.hpp"
+#include "as_written.hpp"
+#include "conventions.hpp"
+#include "convert.hpp"
+#include "messages.hpp"
+#include "wind/air_profile.hpp"
+#include "wind_shader.hpp"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr Range SPEED_RANGE = { 0.0, 100.0 };
+static constexpr Range TURBULENCE_RANGE = { -1.0, 2.0 };
+static constexpr Range GUSTINESS_RANGE = { 0.0, 0.3 };
+static constexpr Range ROUGHNESS_RANGE = { 1e-5, 0.5 };
+static constexpr Range STAND_HEIGHT_RANGE = { 0.0, 9.0 };
+static constexpr Range SHARE_RANGE = { 0.0, 1.0 };
+static constexpr Range BLEND_RANGE = { 0.0, 86400.0 };
+static constexpr float FORCE_HEIGHT = 1.0f; // m above the ground, where sample() tells the force.
+
+// From now on it blows so; the patterns go on from where they are.
+void PlantWind::take_air(const Air &wanted) {
+	change_air(blowing.air, wanted, time, { double(pivot.x), double(pivot.z) });
+}
+
+void PlantWind::change(const Air &wanted) {
+	blend.duration = 0.0; // What is set by hand stays.
+	take_air(wanted);
+	emit_changed();
+}
+
+void PlantWind::set_air(float Air::*part, const char *property, double value, const Range &range) {
+	if (accept_value(this, property, value, range) && float(value) != blowing.air.*part) {
+		Air wanted = blowing.air;
+		wanted.*part = float(value);
+		change(wanted);
+	}
+}
+
+void PlantWind::set_speed(double metres_per_second) {
+	set_air(&Air::speed, "speed", metres_per_second, SPEED_RANGE);
+}
+
+double PlantWind::get_speed() const {
+	return as_written(blowing.air.speed);
+}
+
+void PlantWind::set_turbulence(double share) {
+	set_air(&Air::turbulence, "turbulence", share, TURBULENCE_RANGE);
+}
+
+double PlantWind::get_turbulence() const {
+	return as_written(blowing.air.turbulence);
+}
+
+void PlantWind::set_gustiness(double gustiness) {
+	set_air(&Air::gustiness, "gustiness", gustiness, GUSTINESS_RANGE);
+}
+
+double PlantWind::get_gustiness() const {
+	return as_written(blowing.air.gustiness);
+}
+
+void PlantWind::set_roughness(double metres) {
+	set_air(&Air::roughness, "roughness", metres, ROUGHNESS_RANGE);
+}
+
+double PlantWind::get_roughness() const {
+	return as_written(blowing.air.roughness);
+}
+
+void PlantWind::set_stand_height(double metres) {
+	set_air(&Air::stand_height, "stand_height", metres, STAND_HEIGHT_RANGE);
+}
+
+double PlantWind::get_stand_height() const {
+	return as_written(blowing.air.stand_height);
+}
+
+void PlantWind::set_wave_share(double share) {
+	set_air(&Air::wave_share, "wave_share", share, SHARE_RANGE);
+}
+
+double PlantWind::get_wave_share() const {
+	return as_written(blowing.air.wave_share);
+}
+
+int64_t PlantWind::get_beaufort() const {
+	return beaufort_of(double(blowing.air.speed));
+}
+
+// Told once, as whoever asks for velocities does so in each frame.
+bool PlantWind::is_air(const char *asked) const {
+	if (blowing.wind.kind != WindKind::air && !has_told_of_newtons) {
+		report_error(this, String(asked) + " needs KIND_AIR: other kinds are forces. Set kind, or call sample().");
+		has_told_of_newtons = true;
+	}
+	return blowing.wind.kind == WindKind::air;
+}
+
+Vector3 PlantWind::sample_velocity(double at_time, const Vector3 &place) const {
+	if (!std::isfinite(at_time) || !place.is_finite()) {
+		report_error(this, "sample_velocity() needs a finite time in seconds and a finite place in metres.");
+		return Vector3();
+	}
+	if (!is_air("sample_velocity()")) {
+		return Vector3();
+	}
+	return to_godot(air_velocity(blowing.air, AirTilesCache::get().get(), at_time, to_glm(place)));
+}
+
+Vector3 PlantWind::sample_air_force(double at_time) const {
+	const Vector3 velocity = sample_velocity(at_time, Vector3(0, FORCE_HEIGHT, 0));
+	return velocity * (0.5 * AIR_DENSITY * velocity.length());
+}
+
+void PlantWind::show_in(const Ref<Material> &material) const {
+	if (material.is_null()) {
+		report_error(this, "show_in() needs a material whose shader includes undergrowth_wind.gdshaderinc.");
+	} else if (is_air("show_in()")) {
+		show_wind(travelling(), time, material);
+	}
+}
+
+void PlantWind::blend_to(const Ref<PlantWind> &wind, double seconds) {
+	if (wind.is_null() || wind->get_kind() != KIND_AIR || get_kind() != KIND_AIR) {
+		report_error(this, "blend_to() goes from one wind of KIND_AIR to another; nothing changed. Set kind of both.");
+		return;
+	}
+	if (!accept_value(this, "the blend's seconds", seconds, BLEND_RANGE)) {
+		return;
+	}
+	blend.from = blowing.air;
+	blend.to = wind->blowing.air;
+	// The shorter way around.
+	blend.to.heading = blend.from.heading + std::remainder(blend.to.heading - blend.from.heading, 2.0 * PI);
+	blend.begin = time;
+	blend.duration = std::max(seconds, 1e-9);
+	if (seconds == 0.0) {
+		go_on_to(time);
+	}
+}
+
+static Air mixed(const Air &from, const Air &to, double share) {
+	const auto part = float(share);
+	const auto turbulence = [](const Air &air) {
+		return air.turbulence < 0.0f ? float(open_ground_gusts(REFERENCE_HEIGHT, double(air.roughness)))
+									 : air.turbulence;
+	};
+	Air air = from;
+	air.speed = glm::mix(from.speed, to.speed, part);
+	air.gustiness = glm::mix(from.gustiness, to.gustiness, part);
+	air.roughness = glm::mix(from.roughness, to.roughness, part);
+	air.stand_height = glm::mix(from.stand_height, to.stand_height, part);
+	air.wave_share = glm::mix(from.wave_share, to.wave_share, part);
+	air.heading = glm::mix(from.heading, to.heading, share);
+	if (from.turbulence >= 0.0f || to.turbulence >= 0.0f) {
+		air.turbulence = glm::mix(turbulence(from), turbulence(to), part);
+	}
+	return air;
+}
+
+void PlantWind::go_on_to(double clock) {
+	if (blend.duration > 0.0) {
+		const double share = std::clamp((clock - blend.begin) / blend.duration, 0.0, 1.0);
+		const bool is_there = share >= 1.0 || clock == blend.begin;
+		take_air(is_there ? blend.to : mixed(blend.from, blend.to, share));
+		direction = blowing.air.heading;
+		blowing.wind.direction = float(direction);
+		if (is_there) {
+			blend.duration = 0.0;
+			emit_changed();
+		}
+	}
+	time = clock;
+}
+
+FieldWind PlantWind::travelling() const {
+	FieldWind now = blowing;
+	if (now.wind.kind == WindKind::air) {
+		now.speed = float(turbulence_speed(now.air));
+		now.tiles = AirTilesCache::get();
+	}
+	return now;
+}
+
+} // namespace undergrowth

@@ -1,0 +1,66 @@
+#include "wind_shader.hpp"
+
+#include "new_object.hpp"
+#include "wind/air_profile.hpp"
+
+#include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
+
+#include <cmath>
+
+using namespace godot;
+
+namespace undergrowth {
+
+// A pointer, as in shared_resources.cpp.
+static RID *turbulence = nullptr;
+
+static Ref<Image> picture_of(const AirTiles &tiles) {
+	PackedByteArray bytes;
+	bytes.resize(int64_t(AirTiles::WIDTH) * AirTiles::HEIGHT * 2 * int64_t(sizeof(float)));
+	float *texels = reinterpret_cast<float *>(bytes.ptrw());
+	for (int row = 0; row < AirTiles::HEIGHT; row++) {
+		for (int column = 0; column < AirTiles::WIDTH; column++) {
+			const uint32_t pair = tiles.turbulence[size_t(row * AirTiles::ROW + column)];
+			*texels++ = float(int16_t(pair & 0xffffu) / AirTiles::UNIT);
+			*texels++ = float(int16_t(pair >> 16) / AirTiles::UNIT);
+		}
+	}
+	Ref<Image> image = Image::create_from_data(AirTiles::WIDTH, AirTiles::HEIGHT, false, Image::FORMAT_RGF, bytes);
+	image->convert(Image::FORMAT_RGH);
+	return image;
+}
+
+static RID turbulence_texture(const AirTiles &tiles) {
+	if (!turbulence) {
+		turbulence = new RID(RenderingServer::get_singleton()->texture_2d_create(picture_of(tiles)));
+	}
+	return *turbulence;
+}
+
+void show_wind(const FieldWind &air, double time, const Ref<Material> &material) {
+	RenderingServer *server = RenderingServer::get_singleton();
+	const RID target = material->get_rid();
+	const AirNow now = air_at_time(air.air, {}, air.tiles.get(), time);
+	const PlantWinds along = winds_along(air);
+	const AirMap &map = now.turbulence;
+	const float gust = now.speed * now.gusts * float(open_ground_gusts(REFERENCE_HEIGHT, double(now.roughness)));
+	const float along_gust = gust / std::sqrt(1.0f + 2.0f * now.skew * now.skew);
+	server->material_set_param(target, "undergrowth_turbulence", turbulence_texture(*air.tiles));
+	server->material_set_param(target, "undergrowth_wind_start", Vector2(map.s, map.n));
+	server->material_set_param(target, "undergrowth_wind_texels", Vector4(map.s_x, map.n_x, map.s_z, map.n_z));
+	server->material_set_param(target, "undergrowth_wind_ways", Vector4(along.x, along.z, along.side_x, along.side_z));
+	server->material_set_param(
+			target, "undergrowth_wind_air", Vector4(now.speed, along_gust, gust * float(SIDE_GUSTS), now.skew));
+	server->material_set_param(target, "undergrowth_wind_roughness", now.roughness);
+}
+
+void free_wind_texture() {
+	if (turbulence) {
+		RenderingServer::get_singleton()->free_rid(*turbulence);
+		delete turbulence;
+		turbulence = nullptr;
+	}
+}
+
+} // namespace undergrowth

@@ -1,0 +1,79 @@
+#include "../motion/varied.hpp"
+#include "../wind/air_series.hpp"
+
+#include "field/field_simulation.hpp"
+
+#include <doctest/doctest.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+using namespace undergrowth;
+
+namespace {
+
+FieldWind fresh_breeze() {
+	FieldWind wind;
+	wind.wind.kind = WindKind::air;
+	wind.air.speed = 9.0f;
+	wind.speed = static_cast<float>(turbulence_speed(wind.air));
+	wind.tiles = std::shared_ptr<const AirTiles>(&shared_tiles(), [](const AirTiles *) {});
+	return wind;
+}
+
+/// Two pages, 500 m from each other.
+FieldSimulation two_pages(int prototypes) {
+	FieldSettings settings;
+	settings.prototypes = prototypes;
+	FieldSimulation field(settings);
+	MotionSpecies species = species_with(Law::spring, varied_joint(1));
+	species.stand_height = 0.7f;
+	const int kind = field.add_species(species);
+	for (const float place : { 0.0f, 500.0f }) {
+		std::vector<MotionPlant> plants;
+		for (int i = 0; i < 200; i++) {
+			plants.push_back(varied_plant(i));
+			plants.back().root.x += place;
+		}
+		field.add_page(kind, plants.data(), static_cast<int>(plants.size()));
+	}
+	field.set_wind(fresh_breeze());
+	return field;
+}
+
+} // namespace
+
+TEST_CASE("in air each plant of a field has a motion of its own, and those that follow have one, too") {
+	for (const int prototypes : { 0, 16 }) {
+		FieldSimulation field = two_pages(prototypes);
+		glm::vec3 before = {};
+		float farthest = 0.0f, apart = 0.0f;
+		for (int i = 0; i < 300; i++) {
+			field.step();
+			const glm::vec3 now = field.shown_direction(0, 3, 1.0f);
+			farthest = std::max(farthest, i > 60 ? glm::distance(now, before) : 0.0f);
+			apart = std::max(apart, glm::distance(now, field.shown_direction(1, 3, 1.0f)));
+			before = now;
+		}
+		CHECK(farthest > 1e-4f);
+		CHECK(farthest < 0.3f);
+		CHECK(apart > 0.01f);
+	}
+}
+
+TEST_CASE("what stirs the air at one end of a field is not felt at the other") {
+	FieldSimulation calm = two_pages(0), stirred = two_pages(0);
+	AirSource fan;
+	fan.kind = AirSource::Kind::fan;
+	fan.speed = 6.0f;
+	stirred.set_air_sources({ fan });
+	for (int i = 0; i < 120; i++) {
+		calm.step();
+		stirred.step();
+	}
+	CHECK(glm::distance(calm.shown_direction(0, 3, 1.0f), stirred.shown_direction(0, 3, 1.0f)) > 0.01f);
+	for (int i = 0; i < 200; i++) {
+		REQUIRE(same_bits(calm.state(1, i), stirred.state(1, i)));
+	}
+}

@@ -1,0 +1,130 @@
+#include "../wind/air_series.hpp"
+#include "varied.hpp"
+
+#include "wind/air_sources.hpp"
+#include "wind/travelling_wind.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace undergrowth;
+
+namespace {
+
+constexpr double BEND_TOLERANCE = 1e-3; // Of the tangent.
+
+FieldWind air_of(float turbulence) {
+	FieldWind wind;
+	wind.wind.kind = WindKind::air;
+	wind.wind.direction = 0.7f;
+	wind.air.heading = 0.7;
+	wind.air.speed = 8.0f;
+	wind.air.turbulence = turbulence;
+	wind.tiles = std::shared_ptr<const AirTiles>(&shared_tiles(), [](const AirTiles *) {});
+	return wind;
+}
+
+MotionPage one_plant(Law law, const Joint &joint, float stand_height) {
+	MotionSpecies species;
+	species.law = law;
+	species.joint = joint;
+	species.stand_height = stand_height;
+	MotionPlant plant;
+	plant.length = 0.8f;
+	return MotionPage(0, species, &plant, 1, 1.0f / 60.0f, true, MotionPage::Keeps::directions);
+}
+
+/// Tangent of the bend along the wind, when it has come to rest in a smooth wind.
+double resting_bend(Law law, const Joint &joint, float stand_height) {
+	MotionPage page = one_plant(law, joint, stand_height);
+	const FieldWind wind = air_of(0.0f);
+	for (int i = 0; i < 6000; i++) {
+		page.step(wind_at_time(wind, i / 60.0), winds_along(wind));
+	}
+	const glm::vec3 d = page.direction(0);
+	const PlantWinds along = winds_along(wind);
+	return static_cast<double>((d.x * along.x + d.z * along.z) / d.y);
+}
+
+double force_of(double area, double speed) {
+	return 0.5 * 1.225 * area * speed * speed;
+}
+
+} // namespace
+
+TEST_CASE("a plant in smooth air bends by the drag of its area at the speed of its tip") {
+	Joint joint;
+	joint.mass = 0.01f;
+	joint.wind_weight = 0.02f;
+	joint.natural_frequency = 1.5f;
+	joint.damping_ratio = 0.3f;
+	const double omega = 2.0 * 3.14159265358979 * 1.5;
+	const double stiffness = 0.01 * omega * omega * 0.8;
+	const double alone = 8.0 * open_ground_speed(0.8, 0.03), sheltered = 8.0 * stand_top_speed(0.8);
+	for (const float area : { -1.0f, 0.005f, 0.0f }) {
+		joint.drag_area = area;
+		const double felt = area < 0.0f ? 0.02 : static_cast<double>(area);
+		const double bend = resting_bend(Law::spring, joint, 0.0f);
+		CHECK(std::fabs(bend - force_of(felt, alone) / stiffness) < BEND_TOLERANCE);
+		const double in_stand = resting_bend(Law::spring, joint, 0.8f);
+		CHECK(std::fabs(in_stand - force_of(felt, sheltered) / stiffness) < BEND_TOLERANCE);
+	}
+	joint.wind_weight = 0.0f;
+	CHECK(resting_bend(Law::spring, joint, 0.0f) == 0.0);
+}
+
+TEST_CASE("under the elasticity law air pushes as hard as newtons of the same size") {
+	Joint joint;
+	joint.mass = 0.02f;
+	joint.drag_area = 0.004f;
+	joint.inner_friction = 0.05f;
+	const double bend = resting_bend(Law::elasticity, joint, 0.0f);
+	const double force = force_of(0.004, 8.0 * open_ground_speed(0.8, 0.03));
+	const double angle = std::atan(bend);
+	const double held = 0.02 * 9.81 * std::tan(angle) * (5.0 * std::cos(angle) - 1.0);
+	CHECK(std::fabs(held / force - 1.0) < BEND_TOLERANCE);
+}
+
+TEST_CASE("plants in turbulent air have the same bits at every level, however they are divided") {
+	const FieldWind wind = air_of(-1.0f);
+	for (const Law law : BOTH_LAWS) {
+		MotionPage whole = meadow(law, 0, 601), best = meadow(law, 0, 601), first = meadow(law, 0, 123);
+		for (int i = 0; i < 200; i++) {
+			const TravellingWind now = wind_at_time(wind, i / 60.0);
+			whole.step(now, winds_along(wind), SimdLevel::baseline);
+			best.step(now, winds_along(wind), SimdLevel::avx2);
+			first.step(now, winds_along(wind));
+		}
+		CHECK(hash_states(whole) == hash_states(best));
+		REQUIRE(same_bits(whole.state(17), first.state(17)));
+		CHECK(whole.direction(17) != whole.direction(18));
+	}
+}
+
+TEST_CASE("a source moves the pages that it reaches, with the same bits at every level, and no others") {
+	AirSource fan;
+	fan.kind = AirSource::Kind::fan;
+	fan.speed = 8.0f;
+	for (const bool newtons : { false, true }) {
+		FieldWind wind = air_of(-1.0f);
+		wind.wind.kind = newtons ? WindKind::waves : WindKind::air;
+		for (const Law law : BOTH_LAWS) {
+			MotionPage calm = meadow(law, 0, 601), near = meadow(law, 0, 601), best = meadow(law, 0, 601);
+			MotionPage far = meadow(law, 0, 601);
+			for (int i = 0; i < 100; i++) {
+				TravellingWind now = wind_at_time(wind, i / 60.0);
+				calm.step(now, winds_along(wind));
+				fan.place = { 1e4f, 0.0f, 0.0f };
+				now.sources = { &fan, 1 };
+				far.step(now, winds_along(wind));
+				fan.place = { 0.0f, 0.0f, 0.0f };
+				near.step(now, winds_along(wind), SimdLevel::baseline);
+				best.step(now, winds_along(wind), SimdLevel::avx2);
+			}
+			CHECK(hash_states(far) == hash_states(calm));
+			CHECK(hash_states(near) != hash_states(calm));
+			CHECK(hash_states(near) == hash_states(best));
+		}
+	}
+}

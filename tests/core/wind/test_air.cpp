@@ -1,0 +1,238 @@
+#include "air_series.hpp"
+
+#include "base/random.hpp"
+#include "conventions.hpp"
+#include "wind/travelling_wind.hpp"
+
+#include <doctest/doctest.h>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <initializer_list>
+#include <limits>
+
+using namespace undergrowth;
+
+namespace {
+
+constexpr int PLANTS = 1003;
+constexpr float STAND = 0.5f; // m.
+constexpr float TURNED = 0.7f; // rad.
+constexpr double VELOCITY_TOLERANCE = 2e-3; // m/s, of places in floats.
+constexpr double WAVES_SPEED_TOLERANCE = 0.02;
+constexpr double WAVES_SPACING_TOLERANCE = 0.1;
+
+FieldWind breeze() {
+	FieldWind wind;
+	wind.wind.kind = WindKind::air;
+	wind.wind.direction = TURNED;
+	wind.air.heading = static_cast<double>(TURNED);
+	wind.air.speed = 9.0f;
+	wind.tiles = std::shared_ptr<const AirTiles>(&shared_tiles(), [](const AirTiles *) {});
+	return wind;
+}
+
+std::vector<float> places(uint64_t which) {
+	std::vector<float> all;
+	for (int i = 0; i < PLANTS; i++) {
+		all.push_back(50.0f * signed_noise(which, static_cast<uint64_t>(i)));
+	}
+	return all;
+}
+
+struct Velocities {
+	std::vector<float> x = std::vector<float>(PLANTS);
+	std::vector<float> z = std::vector<float>(PLANTS);
+};
+
+Velocities velocities(const FieldWind &wind, double time, SimdLevel level = best_simd_level()) {
+	const TravellingWind now = wind_at_time(wind, time);
+	Velocities out;
+	sample_air(now, blow_over(now.air, STAND, winds_along(wind)), places(1).data(), places(2).data(), nullptr, PLANTS,
+			out.x.data(), out.z.data(), level);
+	return out;
+}
+
+/// Waves over the stand along a line with the wind.
+std::vector<float> wave_line(const Air &air, double time) {
+	const AirNow now = air_at_time(air, {}, &shared_tiles(), time);
+	std::vector<float> x(4000), z(4000), waves(4000);
+	for (std::size_t i = 0; i < x.size(); i++) {
+		x[i] = 0.02f * static_cast<float>(i) * std::sin(static_cast<float>(air.heading));
+		z[i] = 0.02f * static_cast<float>(i) * std::cos(static_cast<float>(air.heading));
+	}
+	baseline_wind_kernels()->add_stand_waves(now.waves, x.data(), z.data(), 4000, 0.0f, 1.0f, waves.data());
+	return waves;
+}
+
+std::size_t best_lag(const std::vector<float> &a, const std::vector<float> &b, std::size_t from, std::size_t to) {
+	std::size_t best = from;
+	for (std::size_t lag = from; lag < to; lag++) {
+		best = product(a, b, lag) > product(a, b, best) ? lag : best;
+	}
+	return best;
+}
+
+} // namespace
+
+TEST_CASE("air has the same bits at every level, however plants are divided") {
+	for (int i = 0; i < 40; i++) {
+		const Velocities whole = velocities(breeze(), 0.37 * i, SimdLevel::baseline);
+		const Velocities best = velocities(breeze(), 0.37 * i, SimdLevel::avx2);
+		REQUIRE(whole.x == best.x);
+		REQUIRE(whole.z == best.z);
+		float x = 0.0f, z = 0.0f;
+		const TravellingWind now = wind_at_time(breeze(), 0.37 * i);
+		const std::vector<float> xs = places(1), zs = places(2);
+		sample_air(now, blow_over(now.air, STAND, winds_along(breeze())), &xs[717], &zs[717], nullptr, 1, &x, &z);
+		REQUIRE(x == whole.x[717]);
+		REQUIRE(z == whole.z[717]);
+	}
+}
+
+TEST_CASE("the mean over a stand is the speed at its tops, and gusts are a share of it") {
+	FieldWind wind = breeze();
+	const double top = stand_top_speed(0.5) * static_cast<double>(wind.air.speed);
+	const glm::vec3 along = wind_direction(wind.wind);
+	double sum = 0.0, squares = 0.0, cubes = 0.0, side = 0.0;
+	std::vector<double> on;
+	for (int i = 0; i < 400; i++) {
+		const Velocities air = velocities(wind, 1.7 * i);
+		for (std::size_t k = 0; k < PLANTS; k += 5) {
+			on.push_back(static_cast<double>(air.x[k] * along.x + air.z[k] * along.z));
+			side += std::pow(static_cast<double>(air.x[k] * along.z - air.z[k] * along.x), 2.0);
+		}
+	}
+	const auto count = static_cast<double>(on.size());
+	for (const double value : on) {
+		sum += value / count;
+	}
+	for (const double value : on) {
+		squares += (value - sum) * (value - sum) / count;
+		cubes += std::pow(value - sum, 3.0) / count;
+	}
+	MESSAGE("skewness " << cubes / std::pow(squares, 1.5));
+	CHECK(sum == doctest::Approx(top).epsilon(0.05));
+	CHECK(std::sqrt(squares) == doctest::Approx(STAND_GUSTS * top).epsilon(0.05));
+	CHECK(std::sqrt(side / count) == doctest::Approx(SIDE_GUSTS * STAND_GUSTS * top).epsilon(0.05));
+	CHECK(cubes / std::pow(squares, 1.5) == doctest::Approx(0.55).epsilon(0.2));
+}
+
+TEST_CASE("waves run over a stand as fast and as far apart as a mixing layer's") {
+	const Air air = breeze().air;
+	CHECK(waves_length(air) == doctest::Approx(8.1 * 0.25));
+	CHECK(waves_speed(air) == doctest::Approx(1.8 * 9.0 * stand_top_speed(0.5)));
+	const std::vector<float> now = wave_line(air, 0.0), later = wave_line(air, 0.2);
+	const double speed = 0.02 * static_cast<double>(best_lag(now, later, 1, 60)) / 0.2;
+	const double spacing = 0.02 * static_cast<double>(best_lag(now, now, 60, 140));
+	MESSAGE("speed " << speed << " of " << waves_speed(air) << ", spacing " << spacing << " of " << waves_length(air));
+	CHECK(std::fabs(speed / waves_speed(air) - 1.0) < WAVES_SPEED_TOLERANCE);
+	CHECK(std::fabs(spacing / waves_length(air) - 1.0) < WAVES_SPACING_TOLERANCE);
+}
+
+TEST_CASE("whatever changes while it blows, the patterns at the pivot go on") {
+	FieldWind wind = breeze();
+	const glm::dvec2 pivot = { 31.0, -12.0 };
+	const auto deviates = [&](const Air &air) {
+		const AirNow now = air_at_time(air, { pivot, { 1.0, 0.0 }, { 0.0, 1.0 } }, &shared_tiles(), 77.0);
+		const float origin = 0.0f;
+		glm::vec3 all = {};
+		baseline_wind_kernels()->sample_turbulence(now.turbulence, &origin, &origin, 1, &all.x, &all.y);
+		baseline_wind_kernels()->add_stand_waves(now.waves, &origin, &origin, 1, 0.0f, 1.0f, &all.z);
+		return all;
+	};
+	const glm::vec3 before = deviates(wind.air);
+	Air wanted = wind.air;
+	for (int change = 0; change < 5; change++) {
+		wanted.speed = change == 0 ? 3.0f : wanted.speed;
+		wanted.heading = change == 1 ? 4.0 : wanted.heading;
+		wanted.stand_height = change == 2 ? 1.7f : wanted.stand_height;
+		wanted.roughness = change == 3 ? 0.2f : wanted.roughness;
+		wanted.gustiness = change == 4 ? 0.0f : wanted.gustiness;
+		change_air(wind.air, wanted, 77.0, pivot);
+		REQUIRE(glm::distance(deviates(wind.air), before) < 1e-3f);
+		CHECK(wind.air.speed == wanted.speed);
+	}
+}
+
+TEST_CASE("air is the same whatever axes its places are told in") {
+	FieldWind world = breeze();
+	const glm::dvec2 origin = { 1234.5, -87.0 };
+	const double turn = 0.6, scale = 2.0;
+	FieldWind field = breeze();
+	field.axes.origin = origin;
+	field.axes.x = scale * glm::dvec2(std::cos(turn), -std::sin(turn));
+	field.axes.z = scale * glm::dvec2(std::sin(turn), std::cos(turn));
+	world.axes.origin = origin + 3.0 * field.axes.x + 5.0 * field.axes.z;
+	const float x = 3.0f, z = 5.0f, none = 0.0f, height = 0.4f;
+	glm::vec2 told = {}, there = {};
+	const TravellingWind in_field = wind_at_time(field, 100.0), in_world = wind_at_time(world, 100.0);
+	const AirBlow blow = blow_over(in_world.air, 0.0f, winds_along(world));
+	sample_air(in_field, blow, &x, &z, &height, 1, &told.x, &told.y);
+	sample_air(in_world, blow, &none, &none, &height, 1, &there.x, &there.y);
+	CHECK(static_cast<double>(glm::distance(told, there)) < VELOCITY_TOLERANCE);
+	const glm::vec3 place = { static_cast<float>(world.axes.origin.x), height,
+		static_cast<float>(world.axes.origin.y) };
+	const glm::vec3 asked = air_velocity(world.air, world.tiles.get(), 100.0, place);
+	CHECK(static_cast<double>(glm::distance(asked, glm::vec3(there.x, 0.0f, there.y))) < VELOCITY_TOLERANCE);
+}
+
+TEST_CASE("still air samples nothing, and is none") {
+	FieldWind wind = breeze();
+	wind.air.speed = 0.0f;
+	const TravellingWind now = wind_at_time(wind, 10.0);
+	CHECK(now.air.turbulence.texels == nullptr);
+	CHECK(now.air.waves.texels == nullptr);
+	const Velocities still = velocities(wind, 10.0);
+	CHECK(still.x == std::vector<float>(PLANTS));
+	CHECK(still.z == std::vector<float>(PLANTS));
+	wind = breeze();
+	wind.air.turbulence = 0.0f;
+	CHECK(wind_at_time(wind, 10.0).air.turbulence.texels == nullptr);
+	const Velocities smooth = velocities(wind, 10.0);
+	CHECK(std::all_of(smooth.x.begin(), smooth.x.end(), [&](float x) { return x == smooth.x[0] && x > 0.5f; }));
+}
+
+TEST_CASE("a gust that is called for blows in metres per second on top of air") {
+	FieldWind wind = breeze();
+	wind.speed = 0.0f;
+	const Velocities before = velocities(wind, 2.0);
+	wind.wind.gust_triggered = true;
+	wind.wind.gust_start = 1.5;
+	wind.wind.triggered_duration = 1.0f;
+	wind.wind.triggered_strength = 4.0f;
+	const Velocities blown = velocities(wind, 2.0);
+	const glm::vec3 along = wind_direction(wind.wind);
+	for (std::size_t i = 0; i < PLANTS; i++) {
+		REQUIRE(blown.x[i] - before.x[i] == doctest::Approx(4.0f * along.x).epsilon(1e-4));
+		REQUIRE(blown.z[i] - before.z[i] == doctest::Approx(4.0f * along.z).epsilon(1e-4));
+	}
+}
+
+TEST_CASE("air of numbers that are none or out of range is finite") {
+	constexpr float NONE = std::numeric_limits<float>::quiet_NaN();
+	constexpr float INF = std::numeric_limits<float>::infinity();
+	for (const float bad : { NONE, INF, -INF, -1.0f, 1e30f, 1e-30f }) {
+		for (int which = 0; which < 8; which++) {
+			FieldWind wind = breeze();
+			Air &air = wind.air;
+			float *numbers[] = { &air.speed, &air.turbulence, &air.gustiness, &air.roughness, &air.stand_height,
+				&air.wave_share };
+			if (which < 6) {
+				*numbers[which] = bad;
+			} else {
+				air.heading = which == 6 ? static_cast<double>(bad) : air.heading;
+				wind.axes.origin.x = which == 7 ? static_cast<double>(bad) : 0.0;
+			}
+			const double times[] = { 3.0, static_cast<double>(bad) };
+			for (const double time : times) {
+				const Velocities felt = velocities(wind, time);
+				for (std::size_t i = 0; i < PLANTS; i++) {
+					REQUIRE(std::isfinite(felt.x[i]));
+					REQUIRE(std::isfinite(felt.z[i]));
+				}
+			}
+		}
+	}
+}

@@ -1,0 +1,125 @@
+#include "wind/air_profile.hpp"
+#include "wind/air_sources.hpp"
+
+#include <doctest/doctest.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+
+using namespace undergrowth;
+
+namespace {
+
+constexpr double TOLERANCE = 1e-4; // Of a speed.
+
+AirSource source_of(AirSource::Kind kind) {
+	AirSource source;
+	source.kind = kind;
+	source.place = { 2.0f, 1.0f, -3.0f };
+	source.speed = 40.0f;
+	source.radius = 2.0f;
+	source.duration = 0.2f;
+	source.front = 100.0f;
+	source.age = 0.3f;
+	source.velocity = { 0.0f, 0.0f, 9.0f };
+	return source;
+}
+
+constexpr AirSource::Kind ALL[] = { AirSource::Kind::explosion, AirSource::Kind::fan, AirSource::Kind::wake };
+
+} // namespace
+
+TEST_CASE("an explosion blows outward as its formula says, and then back") {
+	AirSource source = source_of(AirSource::Kind::explosion);
+	for (const float age : { 0.02f, 0.1f, 0.15f, 0.3f, 0.9f, 2.0f }) {
+		for (const float distance : { 0.5f, 3.0f, 8.0f, 20.0f }) {
+			source.age = age;
+			const double y = (static_cast<double>(age) - static_cast<double>(distance) / 100.0) / 0.2;
+			const double far = static_cast<double>(distance) / 2.0;
+			const double late = 1.0 + y * y;
+			const double expected = y <= 0.0 || y > 8.0 ? 0.0 : 40.0 / (1.0 + far * far) * (1.0 - y) / (late * late);
+			const glm::vec3 felt = velocity_at(source, source.place + glm::vec3(0.0f, 0.0f, distance));
+			REQUIRE(std::fabs(static_cast<double>(felt.z) - expected) < TOLERANCE * 40.0);
+			REQUIRE(felt.x == 0.0f);
+		}
+	}
+	// What it gives in all: U·T times the integral of (1 - y)/(1 + y²)², from 0 to 8.
+	double impulse = 0.0;
+	for (int i = 0; i < 20000; i++) {
+		source.age = 0.0001f * static_cast<float>(i);
+		impulse += 0.0001 * static_cast<double>(velocity_at(source, source.place + glm::vec3(1e-3f, 0.0f, 0.0f)).x);
+	}
+	CHECK(std::fabs(impulse / (40.0 * 0.2) - 0.285) < 0.01);
+}
+
+TEST_CASE("a fan's jet runs outward along the ground") {
+	AirSource source = source_of(AirSource::Kind::fan);
+	for (const float distance : { 0.5f, 2.6f, 10.0f, 20.0f }) {
+		const double x = static_cast<double>(distance) / 2.6;
+		const glm::vec3 felt = velocity_at(source, source.place + glm::vec3(-distance, -1.0f, 0.0f));
+		CHECK(std::fabs(static_cast<double>(felt.x) + 40.0 * 4.0 * x / (1.0 + x * x)) < TOLERANCE * 40.0);
+		CHECK(felt.z == 0.0f);
+	}
+	CHECK(static_cast<double>(induced_speed(15000.0f, 5.0f)) ==
+			doctest::Approx(std::sqrt(15000.0 / (2.0 * 1.225 * 3.14159265 * 25.0))));
+	const glm::vec3 place = source.place + glm::vec3(2.6f, 0.0f, 0.0f);
+	const float low = velocity_at(source, place).x;
+	source.height = 20.0f;
+	CHECK(velocity_at(source, place).x == low); // Five diameters above the ground.
+	source.height = 48.0f;
+	CHECK(velocity_at(source, place).x == doctest::Approx(0.5f * low));
+}
+
+TEST_CASE("a body pushes air aside, ahead of it on, and draws a wake along") {
+	const AirSource source = source_of(AirSource::Kind::wake);
+	const glm::vec3 ahead = velocity_at(source, source.place + glm::vec3(0.0f, 0.0f, 4.0f));
+	CHECK(ahead.z == doctest::Approx(9.0f / 8.0f)); // a³/r³·V.
+	const glm::vec3 beside = velocity_at(source, source.place + glm::vec3(4.0f, 0.0f, 0.0f));
+	CHECK(beside.z == doctest::Approx(-0.5f * 9.0f / 8.0f));
+	const glm::vec3 behind = velocity_at(source, source.place + glm::vec3(0.0f, 0.0f, -16.0f));
+	CHECK(static_cast<double>(behind.z) == doctest::Approx(0.6 * 9.0 * std::pow(1.0 + 16.0 / 8.0, -2.0 / 3.0)));
+	const double width = 2.0 * std::cbrt(3.0);
+	const glm::vec3 at_width = velocity_at(source, source.place + glm::vec3(static_cast<float>(width), 0.0f, -16.0f));
+	CHECK(at_width.z == doctest::Approx(0.25f * behind.z));
+}
+
+TEST_CASE("no source is felt beyond its reach, and pages beyond do not ask it") {
+	for (const AirSource::Kind kind : ALL) {
+		AirSource source = source_of(kind);
+		source.scale = 2.0f;
+		const float far = 0.5f * reach_of(source);
+		for (int i = 0; i < 100; i++) {
+			const float angle = 0.0628f * static_cast<float>(i);
+			const glm::vec3 way = { std::sin(angle), 0.0f, std::cos(angle) };
+			REQUIRE(velocity_at(source, source.place + 1.01f * far * way) == glm::vec3(0.0f));
+			const glm::vec3 corner = source.place + 1.01f * far * way;
+			REQUIRE(!reaches(source, corner, corner));
+		}
+		CHECK(reaches(source, source.place - glm::vec3(1.0f), source.place + glm::vec3(1.0f)));
+	}
+	AirSource over = source_of(AirSource::Kind::explosion);
+	over.age = 60.0f;
+	CHECK(!reaches(over, over.place, over.place));
+}
+
+TEST_CASE("sources at places, of sizes and within each other as they like give finite numbers") {
+	constexpr float EXTREMES[] = { 0.0f, 1e-6f, 1.0f, 300.0f, 1e6f };
+	for (const AirSource::Kind kind : ALL) {
+		for (const float a : EXTREMES) {
+			for (const float b : EXTREMES) {
+				AirSource source = source_of(kind);
+				source.radius = a > 0.0f ? a : 1e-3f;
+				source.velocity = { b, -a, 0.0f };
+				source.age = b;
+				source.height = a;
+				for (const float distance : EXTREMES) {
+					const glm::vec3 felt = velocity_at(source, source.place + glm::vec3(distance, 0.0f, 0.0f));
+					REQUIRE(std::isfinite(felt.x + felt.y + felt.z));
+				}
+			}
+		}
+	}
+}

@@ -1,0 +1,141 @@
+## PlantWindSource3D: what stirs the air at one place.
+extends "res://tests/engine/harness.gd"
+
+var _nodes: Array[Node] = []
+
+
+func after_each() -> void:
+	for node in _nodes:
+		node.free()
+	_nodes.clear()
+
+
+func test_an_explosion_bends_plants_away_and_is_over() -> void:
+	var near := _add_plant(Vector3(3, 0, 0))
+	var far := _add_plant(Vector3(0, 0, -200))
+	var field := PlantField3D.new()
+	field.density = 0.0
+	_add(field)
+	var id := field.add_plants([Transform3D(Basis.IDENTITY, Vector3(0, 0, 4))], _species())[0]
+	var blast := _add_source(PlantWindSource3D.KIND_EXPLOSION, Vector3(0, 0.5, 0))
+	await frames(20)
+	check_equal(near.get_deflection(), 0.0, "bend before it")
+	blast.explode()
+	var most := 0.0
+	var most_in_field := 0.0
+	for i in 60:
+		await frames(1)
+		most = maxf(most, near.get_tip_position().x)
+		most_in_field = maxf(most_in_field, field.get_tip_position(id).z - 4.0)
+	check(most > 0.02, "the plant near it bends away: %f m" % most)
+	check(most_in_field > 0.02, "the field's plant bends away: %f m" % most_in_field)
+	check_equal(far.get_deflection(), 0.0, "bend out of reach")
+	await frames(900)
+	check(near.get_deflection() < 0.002, "it comes to rest: %f" % near.get_deflection())
+
+
+func test_a_rotor_blows_outward_while_it_is_active() -> void:
+	var rotor := _add_source(PlantWindSource3D.KIND_FAN, Vector3(0, 5, 0))
+	rotor.thrust = 3000.0
+	var plants := [_add_plant(Vector3(5, 0, 0)), _add_plant(Vector3(-5, 0, 0))]
+	await frames(240)
+	var tips: Array[Vector3] = []
+	for plant: Plant3D in plants:
+		tips.append(plant.get_tip_position())
+	check(tips[0].x > 0.02 and tips[1].x < -0.02, "both lean outward: %s" % str(tips))
+	rotor.active = false
+	await frames(900)
+	check((plants[0] as Plant3D).get_deflection() < 0.002, "upright when it is off")
+
+
+func test_a_body_draws_a_wake_along() -> void:
+	var plant := _add_plant(Vector3(1.5, 0, 0))
+	var body := _add_source(PlantWindSource3D.KIND_WAKE, Vector3(0, 0.5, -8))
+	body.radius = 1.0
+	var most := 0.0
+	for i in 120:
+		body.position.z += 0.2
+		await frames(1)
+		most = maxf(most, plant.get_tip_position().z)
+	check(most > 0.01, "the plant leans after it: %f m" % most)
+
+
+func test_newtons_blow_on_where_a_source_reaches() -> void:
+	var wind := PlantWind.new()
+	wind.kind = PlantWind.KIND_CONSTANT
+	wind.strength = 3.0
+	var plants := [_add_plant(Vector3(3, 0, 0)), _add_plant(Vector3(3, 0, 90))]
+	for plant: Plant3D in plants:
+		plant.wind = wind
+	var rotor := _add_source(PlantWindSource3D.KIND_FAN, Vector3(3, 2, 0))
+	rotor.thrust = 0.0
+	await frames(600)
+	var near := (plants[0] as Plant3D).get_tip_position()
+	check(near.z > 0.02, "it bends: %f m" % near.z)
+	check_near(near, (plants[1] as Plant3D).get_tip_position(), 1e-4, "under newtons as air")
+
+
+func test_bad_values_give_one_error_each() -> void:
+	var source := _add_source(PlantWindSource3D.KIND_FAN, Vector3.ZERO)
+	var bad := {
+		"radius": [0.0, -1.0, INF, NAN],
+		"speed": [-1.0, 1000.0, NAN],
+		"thrust": [-1.0, 1e9, NAN],
+		"duration": [0.0, INF, NAN],
+	}
+	for property: String in bad:
+		var before: float = source.get(property)
+		for value: float in bad[property]:
+			source.set(property, value)
+			check_error(property + " cannot be ")
+			check_equal(source.get(property), before, property)
+	source.explode()
+	check_error("explode() needs KIND_EXPLOSION")
+	source.set("kind", 7)
+	check_error("kind 7 does not exist")
+
+
+func test_ten_thousand_sources_out_of_reach_leave_plants_alone() -> void:
+	var plant := _add_plant(Vector3.ZERO)
+	var crowd := Node3D.new()
+	for i in 10000:
+		var source := PlantWindSource3D.new()
+		source.kind = PlantWindSource3D.KIND_FAN
+		source.position = Vector3(1000 + i, 0, 0)
+		crowd.add_child(source)
+	_add(crowd)
+	await frames(5)
+	check_equal(plant.get_deflection(), 0.0, "bend")
+
+
+func _species() -> PlantFunction:
+	var species := GrassFunction.new()
+	species.law = PlantFunction.LAW_SPRING
+	species.lean = 0.0
+	species.mass = 0.01
+	species.wind_weight = 0.02
+	species.natural_frequency = 1.5
+	species.damping_ratio = 0.4
+	return species
+
+
+func _add_plant(place: Vector3) -> Plant3D:
+	var plant := Plant3D.new()
+	plant.species = _species()
+	plant.height = 0.8
+	plant.position = place
+	_add(plant)
+	return plant
+
+
+func _add_source(kind: PlantWindSource3D.Kind, place: Vector3) -> PlantWindSource3D:
+	var source := PlantWindSource3D.new()
+	source.kind = kind
+	source.position = place
+	_add(source)
+	return source
+
+
+func _add(node: Node) -> void:
+	_nodes.append(node)
+	root.add_child(node)

@@ -1,0 +1,83 @@
+## undergrowth_wind.gdshaderinc: the graphics card's wind is PlantWind's own.
+extends "res://tests/engine/harness.gd"
+
+const SIDE := 64
+## Metres of the world that the picture shows, and where it begins.
+const SPAN := 40.0
+const CORNER := Vector3(-213.0, 2.0, 77.0)
+## Velocities from -RANGE to RANGE are in the picture, in 16 bits.
+const RANGE := 32.0
+## Of the mean speed.
+const TOLERANCE := 0.01
+const SHADER := """shader_type canvas_item;
+#include "res://addons/undergrowth/shaders/undergrowth_wind.gdshaderinc"
+uniform vec3 corner;
+uniform float along_z;
+void fragment() {
+	vec3 velocity = undergrowth_wind(corner + vec3(UV.x, 0.0, UV.y) * 40.0);
+	float part = (mix(velocity.x, velocity.z, along_z) / 32.0 * 0.5 + 0.5) * 65535.0;
+	COLOR = vec4(floor(part / 256.0) / 255.0, floor(mod(part, 256.0)) / 255.0, 0.0, 1.0);
+}
+"""
+
+var _stage: SubViewport
+
+
+func after_each() -> void:
+	if _stage:
+		_stage.free()
+		_stage = null
+
+
+func test_the_shader_shows_the_same_wind() -> void:
+	var wind := PlantWind.new()
+	wind.kind = PlantWind.KIND_AIR
+	wind.speed = 12.0
+	wind.direction = deg_to_rad(37.0)
+	wind.advance(1234.5)
+	var material := _show(wind)
+	for component in 2:
+		material.set_shader_parameter("along_z", float(component))
+		await frames(2)
+		await RenderingServer.frame_post_draw
+		var picture := _stage.get_texture().get_image()
+		var worst := 0.0
+		for y in SIDE:
+			for x in SIDE:
+				var part := Vector2(x + 0.5, y + 0.5) / SIDE * SPAN
+				var velocity := wind.sample_velocity(
+					wind.get_time(), CORNER + Vector3(part.x, 0, part.y)
+				)
+				var own := velocity.z if component else velocity.x
+				worst = maxf(worst, absf(_read(picture.get_pixel(x, y)) - own))
+		check(worst < TOLERANCE * wind.speed, "component %d is off by %f m/s" % [component, worst])
+
+
+func test_what_it_cannot_show_is_told() -> void:
+	var wind := PlantWind.new()
+	wind.show_in(ShaderMaterial.new())
+	check_error("show_in() needs KIND_AIR")
+	wind.show_in(null)
+	check_error("show_in() needs a material")
+
+
+func _show(wind: PlantWind) -> ShaderMaterial:
+	_stage = SubViewport.new()
+	_stage.size = Vector2i(SIDE, SIDE)
+	_stage.render_target_update_mode = SubViewport.UPDATE_ALWAYS
+	root.add_child(_stage)
+	var material := ShaderMaterial.new()
+	material.shader = Shader.new()
+	material.shader.code = SHADER
+	material.set_shader_parameter("corner", CORNER)
+	var sheet := ColorRect.new()
+	sheet.size = Vector2(SIDE, SIDE)
+	sheet.material = material
+	_stage.add_child(sheet)
+	wind.show_in(material)
+	return material
+
+
+func _read(color: Color) -> float:
+	var part := roundf(color.r * 255.0) * 256.0 + roundf(color.g * 255.0)
+	return (part / 65535.0 - 0.5) * 2.0 * RANGE
