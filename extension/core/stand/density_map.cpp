@@ -153,6 +153,21 @@ void DensityMap::set_cell(int layer, int column, int row, const DensityCell &wan
 	block.height[i] = std::max(wanted.height, DensityCell::LEAST_HEIGHT);
 }
 
+void DensityMap::take(const DensityMap &from, const CellRange &cells) {
+	for (int other = 0; other < from.layer_count(); other++) {
+		need_layer(from.layer_name(other));
+	}
+	for (int layer = 0; layer < layer_count(); layer++) {
+		const int other = from.find_layer(layer_name(layer));
+		for (int row = cells.first_row; row <= cells.last_row; row++) {
+			for (int column = cells.first_column; column <= cells.last_column; column++) {
+				set_cell(layer, column, row, other < 0 ? DensityCell() : from.cell(other, column, row));
+			}
+		}
+		tidy(layer, cells);
+	}
+}
+
 void DensityMap::tidy(int layer, const CellRange &cells) {
 	Layer &there = layers[static_cast<std::size_t>(layer)];
 	const TileKey first = density_block_of(cells.first_column, cells.first_row);

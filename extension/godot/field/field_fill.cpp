@@ -83,6 +83,10 @@ void FieldFill::place() {
 		placement.place_rows(row, std::min(row + ROWS_AT_ONCE, placement.row_count()), placed);
 		done = PLACED_SHARE * float(row) / float(placement.row_count());
 	}
+	if (placed.size() > int(PlacementRequest::MOST_PLANTS)) {
+		result.fault = PlacementFault::too_many_plants;
+		placed.clear();
+	}
 	done = PLACED_SHARE;
 }
 

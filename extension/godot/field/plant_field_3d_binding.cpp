@@ -104,6 +104,7 @@ void PlantField3D::_bind_methods() {
 	LISTEN(on_levels_changed);
 	LISTEN(on_area_changed);
 	LISTEN(on_wind_changed);
+	LISTEN(on_map_painted, "rect");
 	LISTEN(on_fill_queued);
 	LISTEN(on_tree_frame);
 	LISTEN(on_physics_frame);

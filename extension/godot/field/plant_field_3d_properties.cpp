@@ -70,6 +70,7 @@ void PlantField3D::bind_properties() {
 	ADD_GROUP("Area", "");
 	SET_HERE(VECTOR2, size, "get_size", PROPERTY_HINT_NONE, "suffix:m");
 	SET_HERE(NODE_PATH, outline, "get_outline", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Path3D");
+	SET_HERE(OBJECT, map, "get_map", PROPERTY_HINT_RESOURCE_TYPE, "PlantMap");
 	SET_HERE(ARRAY, exclusions, "get_exclusions", PROPERTY_HINT_ARRAY_TYPE, "22/35:Path3D,PlantField3D");
 	ADD_GROUP("Ground", "");
 	PROPERTY(INT, ground_mode, PROPERTY_HINT_ENUM, "None,Colliders,Mesh");
@@ -107,7 +108,9 @@ void PlantField3D::_validate_property(PropertyInfo &property) const {
 	const String name = property.name;
 	const StandOptions &stand = properties;
 	const bool is_flat = stand.ground_mode == GROUND_NONE;
-	const bool is_idle = (name == "size" && !stand.outline.is_empty()) ||
+	const bool is_painted = stand.map.is_valid();
+	const bool is_idle = (name == "size" && (is_painted || !stand.outline.is_empty())) ||
+			(name == "outline" && is_painted) ||
 			(name == "ground_collision_mask" && stand.ground_mode != GROUND_COLLIDERS) ||
 			(name == "ground_mesh" && stand.ground_mode != GROUND_MESH) ||
 			(is_flat && (name == "height_limits" || name.begins_with("slope_")));
@@ -161,6 +164,26 @@ void PlantField3D::set_outline(const NodePath &path) {
 	notify_property_list_changed();
 	mark_stale(true);
 	update_gizmos();
+}
+
+void PlantField3D::set_map(const Ref<PlantMap> &painted) {
+	const Callable listener(this, "_on_map_painted");
+	if (properties.map.is_valid() && properties.map->is_connected("area_changed", listener)) {
+		properties.map->disconnect("area_changed", listener);
+	}
+	properties.map = painted;
+	if (painted.is_valid() && !painted->is_connected("area_changed", listener)) {
+		properties.map->connect("area_changed", listener);
+	}
+	notify_property_list_changed();
+	on_area_changed();
+	update_configuration_warnings();
+}
+
+void PlantField3D::on_map_painted(const Rect2 &rect) {
+	if (rect.has_area()) {
+		on_area_changed();
+	}
 }
 
 void PlantField3D::set_exclusions(const TypedArray<NodePath> &paths) {

@@ -139,3 +139,26 @@ TEST_CASE("Cells around a box are those that it touches, up to where coordinates
 	CHECK(box.low == glm::vec2(-0.5f, 0.0f));
 	CHECK(box.high == glm::vec2(1.0f, 0.5f));
 }
+
+TEST_CASE("Cells are taken from another map by the names of layers") {
+	DensityMap map;
+	DensityMap other;
+	map.need_layer("Poppy");
+	map.need_layer("Grass");
+	other.need_layer("Grass");
+	other.need_layer("Fern");
+	for (int i = 0; i < 10; i++) {
+		map.set_cell(0, i, 0, HALF);
+		map.set_cell(1, i, 0, HALF);
+		other.set_cell(0, i, 0, { 7, 64 });
+		other.set_cell(1, i, 0, { 9, 64 });
+	}
+	map.take(other, { 2, 0, 4, 0 });
+	CHECK(map.layer_count() == 3);
+	CHECK(map.cell(0, 2, 0) == DensityCell());
+	CHECK(map.cell(1, 4, 0).density == 7);
+	CHECK(map.cell(2, 3, 0).density == 9);
+	CHECK(map.cell(0, 5, 0) == HALF);
+	CHECK(map.cell(1, 1, 0) == HALF);
+	CHECK(map.cell(2, 5, 0) == DensityCell());
+}
