@@ -141,6 +141,14 @@ void FieldView::show_all_added(const FieldStyle &style, const FieldMotion &motio
 	show(style, plan_clumps(style, added));
 }
 
+void FieldView::show_newcomers(
+		const FieldStyle &style, const TileKey &tile, int number, const std::vector<ClumpPlan> &plans) {
+	for (int level = 0; level < int(levels.size()); level++) {
+		clear(ClumpPlace{ false, level, tile, number });
+	}
+	show(style, plans);
+}
+
 void FieldView::update_levels(const FieldStyle &style) {
 	levels = style.levels;
 	is_thinned = false;
