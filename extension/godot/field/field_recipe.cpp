@@ -106,9 +106,16 @@ static void add_species(const PlantFieldSpecies &listed, PlacementRequest &into)
 }
 
 // A field that is painted has no other area.
-static String read_area(const Node3D *field, const StandOptions &options, PlacementRequest &into) {
+static String read_area(
+		const Node3D *field, const StandOptions &options, const AreaBox *part, PlacementRequest &into) {
 	if (options.map.is_valid() && !options.map->problem().is_empty()) {
 		return "its map cannot be used. " + options.map->problem();
+	}
+	if (options.map.is_valid() && part) {
+		const DensityMap &map = options.map->density();
+		into.map = std::make_shared<DensityMap>(map.cut(map.cells_around(*part)));
+		into.area = rectangle(part->high - part->low, 0.5f * (part->low + part->high));
+		return String();
 	}
 	if (options.map.is_valid()) {
 		into.map = std::make_shared<DensityMap>(options.map->density().share());
@@ -121,8 +128,9 @@ static String read_area(const Node3D *field, const StandOptions &options, Placem
 	return String();
 }
 
-String read_request(const Node3D *field, const StandOptions &options, PlacementRequest &into) {
-	const String no_area = read_area(field, options, into);
+String read_request(
+		const Node3D *field, const StandOptions &options, const AreaBox *part, PlacementRequest &into) {
+	const String no_area = read_area(field, options, part, into);
 	if (!no_area.is_empty()) {
 		return no_area;
 	}

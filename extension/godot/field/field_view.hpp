@@ -81,8 +81,10 @@ public:
 	void show_all_added(const FieldStyle &style, const FieldMotion &motion, const PlantStore &store);
 
 	/// Shows the plans of a block of newcomers instead of what was shown of it.
-	void show_newcomers(
-			const FieldStyle &style, const TileKey &tile, int number, const std::vector<ClumpPlan> &plans);
+	void show_newcomers(const FieldStyle &style, const TileKey &tile, int number, const std::vector<ClumpPlan> &plans);
+
+	/// Draws nothing of a block of newcomers any more.
+	void drop_newcomers(int number);
 
 	/// Where levels begin and end changed, or what casts shadows; their number and meshes have not.
 	void update_levels(const FieldStyle &style);
@@ -119,6 +121,7 @@ private:
 	};
 
 	std::map<ClumpPlace, std::vector<Clump>> clumps;
+	std::map<int, TileKey> newcomers; ///< Tiles of their blocks that are drawn.
 	std::vector<FieldLevel> levels; ///< As they were shown.
 	godot::RID world; ///< Its scenario.
 	godot::Transform3D placed;

@@ -9,7 +9,10 @@
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 
+#include <glm/common.hpp>
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 using namespace godot;
@@ -33,12 +36,16 @@ FieldSettings Meadow::settings() const {
 String Meadow::make_recipe(FieldRecipe &recipe) {
 	recipe.places = asking->places;
 	recipe.style = std::move(asking->style);
-	String fault = recipe.places ? read_request(node, properties, recipe.request) : String();
+	String fault = recipe.places ? read_request(node, properties, nullptr, recipe.request) : String();
 	if (fault.is_empty()) {
 		fault = read_ground(node, properties, recipe.ground);
 	}
 	if (!fault.is_empty()) {
 		return fault;
+	}
+	if (recipe.places) {
+		ground = recipe.ground;
+		patches.forget_touched();
 	}
 	const Ref<PlantWind> &wind = properties.wind;
 	recipe.prepare = motion.prepare();
@@ -57,6 +64,7 @@ void Meadow::fill(bool places) {
 	}
 	rays.reset();
 	job.reset();
+	patches.interrupt();
 	is_due_again = false;
 	if (places) {
 		removed_meanwhile.clear();
@@ -101,13 +109,17 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 }
 
 // In a physics frame: only then may everybody ask physics.
-void Meadow::cast_rays(double delta) {
+template <class Job> FieldRays::State Meadow::cast_rays(Job &waiting, double delta) {
 	if (!rays) {
 		rays = std::make_unique<FieldRays>(axes_of(node), uint32_t(properties.ground_collision_mask));
 	}
 	const double usec = std::clamp(1e6 * RAY_SHARE * delta, LEAST_RAY_USEC, MOST_RAY_USEC);
 	const TypedArray<RID> excluded = collision_objects_of(node->get_tree(), properties.bodies_group);
-	const FieldRays::State state = rays->cast(node->get_world_3d(), excluded, job->plants(), usec);
+	return rays->cast(node->get_world_3d(), excluded, waiting.plants(), usec);
+}
+
+void Meadow::cast_rays_for_fill(double delta) {
+	const FieldRays::State state = cast_rays(*job, delta);
 	if (state == FieldRays::State::going_on) {
 		return;
 	}
@@ -134,12 +146,88 @@ void Meadow::tell_of_no_ground() {
 	has_missed_ground = is_missed;
 }
 
+void Meadow::touch(const AreaBox &box) {
+	if (!is_filling() || job) { // What is asked for has not read the map yet.
+		patches.touch(box, store.tile_size());
+	}
+	if (!is_filling() && (style.levels.empty() || patches.touched_tiles() > FieldPatches::MOST_TILES)) {
+		fill(true);
+	}
+}
+
+void Meadow::begin_patch() {
+	PatchRecipe recipe;
+	recipe.boxes = patches.take_boxes(store, recipe.standing);
+	if (recipe.boxes.empty()) {
+		patches.draw(style, store, motion);
+		return;
+	}
+	AreaBox around = recipe.boxes.front();
+	for (const AreaBox &box : recipe.boxes) {
+		around = { glm::min(around.low, box.low), glm::max(around.high, box.high) };
+	}
+	const bool are_known = style.listed_count == int(properties.species.size());
+	const String fault = read_request(node, properties, &around, recipe.request);
+	recipe.ground = ground;
+	recipe.spacing = store.spacing();
+	const double spacing = 1.0 / std::sqrt(double(recipe.request.density));
+	if (fault.is_empty() && are_known && spacing == recipe.spacing) { // Else it is filled anew soon.
+		patches.start(std::move(recipe));
+	}
+}
+
+void Meadow::poll_patches(double delta, bool physics) {
+	if (is_at_work() || !motion.is_ready() || !patches.is_at_work()) {
+		return;
+	}
+	if (!patches.current() && !physics) {
+		begin_patch();
+	}
+	FieldPatch *patch = patches.current();
+	if (patch && patch->wants_ground() && physics) {
+		const FieldRays::State state = cast_rays(*patch, delta);
+		if (state == FieldRays::State::done) {
+			patch->go_on(std::move(rays->heights), std::move(rays->normals));
+		} else if (state == FieldRays::State::failed) {
+			patches.finish();
+		}
+		if (state != FieldRays::State::going_on) {
+			rays.reset();
+		}
+	} else if (patch && patch->is_placed()) {
+		stand_newcomers();
+	} else if (patch && patch->is_drawn()) {
+		for (const DrawnNewcomers &one : patch->drawn()) {
+			if (patches.is_there(one.number)) {
+				view.show_newcomers(style, one.block.tile, one.number, one.plans);
+			}
+		}
+		patches.finish();
+		refresh();
+	}
+}
+
+void Meadow::stand_newcomers() {
+	StandEdit edit = patches.current()->take_edit();
+	patches.finish();
+	if (double(store.plant_count()) + double(edit.grown.size()) > PlacementRequest::MOST_PLANTS) {
+		listener.fault(undergrowth::describe(PlacementFault::too_many_plants));
+		return;
+	}
+	apply(std::move(edit));
+	skeletons.release_gone(store);
+	if (!patches.draw(style, store, motion)) {
+		refresh();
+	}
+}
+
 void Meadow::poll(double delta, bool physics) {
+	poll_patches(delta, physics);
 	if (asking && !physics && asking->frame != Engine::get_singleton()->get_process_frames()) {
 		go_on_asking();
 	}
 	if (job && job->wants_ground() && physics) {
-		cast_rays(delta);
+		cast_rays_for_fill(delta);
 	}
 	if (!job) {
 		return;
@@ -216,6 +304,7 @@ bool Meadow::adopt(FieldFill &finished) {
 	view.show(style, result.plans);
 	view.show_all_added(style, motion, store);
 	unseen.clear();
+	patches.forget_unseen();
 	remove(store.find_all(std::exchange(removed_meanwhile, {})));
 	refresh();
 	return true;

@@ -118,7 +118,7 @@ void PlantField3D::on_fill_queued() {
 	watch_nodes();
 	choose_grass();
 	meadow.fill(stand);
-	follow_frames(meadow.is_at_work());
+	follow_frames(meadow.is_at_work() || meadow.is_patching());
 }
 
 void PlantField3D::fill() {
@@ -129,7 +129,7 @@ void PlantField3D::fill() {
 }
 
 bool PlantField3D::is_filling() const {
-	return meadow.is_filling() || (stand_is_stale && fill_is_queued);
+	return meadow.is_filling() || meadow.is_patching() || (stand_is_stale && fill_is_queued);
 }
 
 bool PlantField3D::may_simulate() const {
@@ -153,8 +153,11 @@ void PlantField3D::follow_frames(bool on) {
 
 // Whoever hears that it is filled may take the field out of the tree.
 void PlantField3D::poll(double delta, bool physics) {
+	if (stand_is_stale) {
+		return; // It grows anew, from other properties than it stands by.
+	}
 	meadow.poll(delta, physics);
-	if (is_inside_tree() && !meadow.is_at_work()) {
+	if (is_inside_tree() && !meadow.is_at_work() && !meadow.is_patching()) {
 		follow_frames(false);
 	}
 }
@@ -265,7 +268,7 @@ void PlantField3D::_notification(int what) {
 				mark_stale(false);
 			}
 			look_around();
-			follow_frames(meadow.is_at_work());
+			follow_frames(meadow.is_at_work() || meadow.is_patching());
 			break;
 		case NOTIFICATION_EXIT_TREE:
 			follow_frames(false);

@@ -181,9 +181,14 @@ void PlantField3D::set_map(const Ref<PlantMap> &painted) {
 }
 
 void PlantField3D::on_map_painted(const Rect2 &rect) {
-	if (rect.has_area()) {
-		on_area_changed();
+	if (!rect.has_area() || !is_inside_tree() || stand_is_stale || !problem.is_empty()) {
+		mark_stale(true);
+		return;
 	}
+	const Vector2 end = rect.get_end();
+	meadow.touch({ { rect.position.x, rect.position.y }, { end.x, end.y } });
+	follow_frames(true);
+	update_gizmos();
 }
 
 void PlantField3D::set_exclusions(const TypedArray<NodePath> &paths) {
