@@ -196,3 +196,5 @@ func test_a_snapshot_stays_and_brings_back_what_was() -> void:
 	check_equal(map.get_density(BED - Vector3(1, 0, 0), "Grass"), 0.0, "density that went")
 	check_equal(map.get_density(BED + Vector3(1, 0, 0), "Poppy"), 0.0, "density beside it")
 	check_equal(rects.size(), 1, "signals")
+	map.restore(before, Rect2(BED.x - 4, BED.z - 4, 4, 8))
+	check_equal(rects.size(), 1, "signals where nothing changes")

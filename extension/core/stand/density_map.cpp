@@ -153,7 +153,8 @@ void DensityMap::set_cell(int layer, int column, int row, const DensityCell &wan
 	block.height[i] = std::max(wanted.height, DensityCell::LEAST_HEIGHT);
 }
 
-void DensityMap::take(const DensityMap &from, const CellRange &cells) {
+CellRange DensityMap::take(const DensityMap &from, const CellRange &cells) {
+	CellRange changed;
 	for (int other = 0; other < from.layer_count(); other++) {
 		need_layer(from.layer_name(other));
 	}
@@ -161,11 +162,16 @@ void DensityMap::take(const DensityMap &from, const CellRange &cells) {
 		const int other = from.find_layer(layer_name(layer));
 		for (int row = cells.first_row; row <= cells.last_row; row++) {
 			for (int column = cells.first_column; column <= cells.last_column; column++) {
-				set_cell(layer, column, row, other < 0 ? DensityCell() : from.cell(other, column, row));
+				const DensityCell wanted = other < 0 ? DensityCell() : from.cell(other, column, row);
+				if (wanted != cell(layer, column, row)) {
+					set_cell(layer, column, row, wanted);
+					changed.take_in({ column, row, column, row });
+				}
 			}
 		}
 		tidy(layer, cells);
 	}
+	return changed;
 }
 
 void DensityMap::tidy(int layer, const CellRange &cells) {

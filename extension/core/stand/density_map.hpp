@@ -103,8 +103,8 @@ public:
 	/// For cells that cells_around() can give.
 	void set_cell(int layer, int column, int row, const DensityCell &cell);
 	/// Sets these cells of all layers as they are in a map of cells of the same size; layers that it lacks are empty
-	/// there.
-	void take(const DensityMap &from, const CellRange &cells);
+	/// there. Tells which cells changed.
+	CellRange take(const DensityMap &from, const CellRange &cells);
 	/// Frees the blocks that meet these cells and hold nothing any more.
 	void tidy(int layer, const CellRange &cells);
 

@@ -62,7 +62,7 @@ void FieldFill::work(void *self) {
 			fill->placed = gather_plants(fill->recipe.standing, fill->recipe.species_numbers);
 			fill->result.spacing = fill->recipe.standing.spacing;
 		}
-		if (fill->recipe.places && fill->recipe.ground.needs_rays() && fill->placed.size() > 0) {
+		if (fill->recipe.places && fill->recipe.ground.needs_survey() && fill->placed.size() > 0) {
 			fill->stage = Stage::placed;
 			return;
 		}

@@ -30,6 +30,7 @@ struct StandOptions {
 	godot::NodePath outline; // Of a Path3D; empty: a rectangle of `size`.
 	godot::TypedArray<godot::NodePath> exclusions; // Of Path3Ds and PlantField3Ds.
 	godot::NodePath ground_mesh;
+	godot::NodePath ground_object; // Of a node, or of one's property, that answers get_height().
 	godot::Ref<PlantMap> map; // Null: the whole area is full.
 };
 

@@ -53,7 +53,7 @@ void FieldPatch::work(void *self) {
 	}
 	if (now == Stage::placing) {
 		patch->find_newcomers();
-		if (patch->recipe.ground.needs_rays() && patch->newcomers.size() > 0) {
+		if (patch->recipe.ground.needs_survey() && patch->newcomers.size() > 0) {
 			patch->stage = Stage::grounding;
 			return;
 		}

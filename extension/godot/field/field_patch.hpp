@@ -40,7 +40,7 @@ public:
 
 	const std::vector<AreaBox> &boxes() const { return recipe.boxes; }
 	void place();
-	/// Newcomers wait on the ground for rays.
+	/// Newcomers wait for a survey of the ground.
 	bool wants_ground() const { return stage.load() == Stage::grounding; }
 	const FieldPlants &plants() const { return newcomers; }
 	void go_on(std::vector<float> &&heights, std::vector<glm::vec3> &&normals);

@@ -3,6 +3,7 @@
 #include "base/random.hpp"
 #include "conventions.hpp"
 #include "convert.hpp"
+#include "field/ground_survey.hpp"
 #include "field/plant_field_3d.hpp"
 #include "stopwatch.hpp"
 
@@ -167,6 +168,14 @@ String read_ground(const Node3D *field, const StandOptions &options, FieldGround
 	into.limits.flattest = options.slope_limits.x;
 	into.limits.steepest = options.slope_limits.y;
 	into.limits.alignment = float(options.slope_alignment);
+	if (into.kind == FieldGround::Kind::object) {
+		const Object *ground = find_ground_object(field, options.ground_object);
+		return ground && ground->has_method("get_height")
+				? String()
+				: "ground_object '" + String(options.ground_object) +
+						"' leads to no object that answers get_height(Vector3) -> float. Set its path, with the name of "
+						"the node's property that does behind a colon, or another ground_mode.";
+	}
 	if (into.kind != FieldGround::Kind::mesh) {
 		return String();
 	}

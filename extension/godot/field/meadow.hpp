@@ -4,6 +4,7 @@
 #include "field/field_motion.hpp"
 #include "field/field_patches.hpp"
 #include "field/field_recipe.hpp"
+#include "field/ground_survey.hpp"
 #include "field/skeleton_view.hpp"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
@@ -104,7 +105,7 @@ private:
 	};
 	std::unique_ptr<Asking> asking;
 	std::unique_ptr<FieldFill> job;
-	std::unique_ptr<FieldRays> rays;
+	std::unique_ptr<GroundSurvey> survey;
 	FieldPatches patches;
 	FieldGround ground; ///< As it was read when the field was filled.
 	std::vector<PlantId> removed_meanwhile; ///< While the job goes on.
@@ -120,8 +121,8 @@ private:
 	void go_on_asking();
 	bool knows_all_looks(const FieldStyle &asked, std::vector<int> &numbers) const;
 	godot::String make_recipe(FieldRecipe &recipe);
-	template <class Job> FieldRays::State cast_rays(Job &waiting, double delta);
-	void cast_rays_for_fill(double delta);
+	template <class Job> GroundSurvey::State ask_ground(Job &waiting, double delta, bool physics);
+	void ask_ground_for_fill(double delta, bool physics);
 	void poll_patches(double delta, bool physics);
 	void begin_patch();
 	void stand_newcomers();

@@ -19,10 +19,10 @@ using namespace godot;
 
 namespace undergrowth {
 
-// Rays of one frame: at least so long, and a share of frames that take long anyway.
-static constexpr double LEAST_RAY_USEC = 3000.0;
-static constexpr double MOST_RAY_USEC = 50000.0;
-static constexpr double RAY_SHARE = 0.2;
+// The ground is asked in one frame: at least so long, and a share of frames that take long anyway.
+static constexpr double LEAST_ASKING_USEC = 3000.0;
+static constexpr double MOST_ASKING_USEC = 50000.0;
+static constexpr double ASKING_SHARE = 0.2;
 
 FieldSettings Meadow::settings() const {
 	FieldSettings made;
@@ -62,7 +62,7 @@ void Meadow::fill(bool places) {
 		is_due_again = true; // What changes in each frame is seen now and then, and not only when that ends.
 		return;
 	}
-	rays.reset();
+	survey.reset();
 	job.reset();
 	patches.interrupt();
 	is_due_again = false;
@@ -108,40 +108,39 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 	return int(style.looks.size()) - 1;
 }
 
-// In a physics frame: only then may everybody ask physics.
-template <class Job> FieldRays::State Meadow::cast_rays(Job &waiting, double delta) {
-	if (!rays) {
-		rays = std::make_unique<FieldRays>(axes_of(node), uint32_t(properties.ground_collision_mask));
+// A survey that is finished stays for its heights, until it is let go.
+template <class Job> GroundSurvey::State Meadow::ask_ground(Job &waiting, double delta, bool physics) {
+	if (!survey) {
+		survey = survey_ground(node, properties);
 	}
-	const double usec = std::clamp(1e6 * RAY_SHARE * delta, LEAST_RAY_USEC, MOST_RAY_USEC);
-	const TypedArray<RID> excluded = collision_objects_of(node->get_tree(), properties.bodies_group);
-	return rays->cast(node->get_world_3d(), excluded, waiting.plants(), usec);
+	if (!survey) {
+		return GroundSurvey::State::failed;
+	}
+	if (survey->is_of_physics() != physics) {
+		return GroundSurvey::State::going_on;
+	}
+	return survey->go_on(waiting.plants(), std::clamp(1e6 * ASKING_SHARE * delta, LEAST_ASKING_USEC, MOST_ASKING_USEC));
 }
 
-void Meadow::cast_rays_for_fill(double delta) {
-	const FieldRays::State state = cast_rays(*job, delta);
-	if (state == FieldRays::State::going_on) {
+void Meadow::ask_ground_for_fill(double delta, bool physics) {
+	const GroundSurvey::State state = ask_ground(*job, delta, physics);
+	if (state == GroundSurvey::State::going_on) {
 		return;
 	}
-	if (state == FieldRays::State::failed) {
+	if (state == GroundSurvey::State::failed) {
 		job.reset();
-		listener.fault(
-				"there is no 3D physics to cast rays at, so nothing is planted. Choose a 3D physics engine in the "
-				"project settings, or another ground_mode.");
+		listener.fault(survey ? survey->fault() : read_ground(node, properties, ground));
 	} else {
 		tell_of_no_ground();
-		job->go_on(std::move(rays->heights), std::move(rays->normals));
+		job->go_on(std::move(survey->heights), std::move(survey->normals));
 	}
-	rays.reset();
+	survey.reset();
 }
 
 void Meadow::tell_of_no_ground() {
-	const bool is_missed = !rays->has_hit() && job->plants().size() > 0;
+	const bool is_missed = !survey->has_found_any() && job->plants().size() > 0;
 	if (is_missed && !has_missed_ground) {
-		report_warning(node,
-				"no collider is below or above it, so nothing grows. Check that ground_collision_mask has a layer of "
-				"the "
-				"ground, that the ground is within 1000 m, and call fill() once it is there where it comes later.");
+		report_warning(node, survey->advice());
 	}
 	has_missed_ground = is_missed;
 }
@@ -184,15 +183,16 @@ void Meadow::poll_patches(double delta, bool physics) {
 		begin_patch();
 	}
 	FieldPatch *patch = patches.current();
-	if (patch && patch->wants_ground() && physics) {
-		const FieldRays::State state = cast_rays(*patch, delta);
-		if (state == FieldRays::State::done) {
-			patch->go_on(std::move(rays->heights), std::move(rays->normals));
-		} else if (state == FieldRays::State::failed) {
+	if (patch && patch->wants_ground()) {
+		const GroundSurvey::State state = ask_ground(*patch, delta, physics);
+		if (state == GroundSurvey::State::done) {
+			patch->go_on(std::move(survey->heights), std::move(survey->normals));
+		} else if (state == GroundSurvey::State::failed) {
+			listener.fault(survey ? survey->fault() : read_ground(node, properties, ground));
 			patches.finish();
 		}
-		if (state != FieldRays::State::going_on) {
-			rays.reset();
+		if (state != GroundSurvey::State::going_on) {
+			survey.reset();
 		}
 	} else if (patch && patch->is_placed()) {
 		stand_newcomers();
@@ -226,8 +226,8 @@ void Meadow::poll(double delta, bool physics) {
 	if (asking && !physics && asking->frame != Engine::get_singleton()->get_process_frames()) {
 		go_on_asking();
 	}
-	if (job && job->wants_ground() && physics) {
-		cast_rays_for_fill(delta);
+	if (job && job->wants_ground()) {
+		ask_ground_for_fill(delta, physics);
 	}
 	if (!job) {
 		return;

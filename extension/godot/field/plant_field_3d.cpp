@@ -223,6 +223,7 @@ void PlantField3D::watch_nodes() {
 	TypedArray<NodePath> paths = properties.exclusions.duplicate();
 	paths.push_back(properties.outline);
 	paths.push_back(properties.ground_mode == GROUND_MESH ? properties.ground_mesh : NodePath());
+	paths.push_back(properties.ground_mode == GROUND_OBJECT ? properties.ground_object : NodePath());
 	std::vector<Node3D *> nodes;
 	for (int64_t i = 0; i < paths.size(); i++) {
 		const NodePath path = paths[i];

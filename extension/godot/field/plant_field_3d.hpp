@@ -23,6 +23,7 @@ public:
 		GROUND_NONE = int(FieldGround::Kind::none),
 		GROUND_COLLIDERS = int(FieldGround::Kind::colliders),
 		GROUND_MESH = int(FieldGround::Kind::mesh),
+		GROUND_OBJECT = int(FieldGround::Kind::object),
 	};
 
 private:

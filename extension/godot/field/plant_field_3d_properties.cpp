@@ -73,9 +73,10 @@ void PlantField3D::bind_properties() {
 	SET_HERE(OBJECT, map, "get_map", PROPERTY_HINT_RESOURCE_TYPE, "PlantMap");
 	SET_HERE(ARRAY, exclusions, "get_exclusions", PROPERTY_HINT_ARRAY_TYPE, "22/35:Path3D,PlantField3D");
 	ADD_GROUP("Ground", "");
-	PROPERTY(INT, ground_mode, PROPERTY_HINT_ENUM, "None,Colliders,Mesh");
+	PROPERTY(INT, ground_mode, PROPERTY_HINT_ENUM, "None,Colliders,Mesh,Object");
 	VALUE(INT, ground_collision_mask, stand, PROPERTY_HINT_LAYERS_3D_PHYSICS);
 	VALUE(NODE_PATH, ground_mesh, stand, PROPERTY_HINT_NODE_PATH_VALID_TYPES, "MeshInstance3D");
+	VALUE(NODE_PATH, ground_object, stand);
 	NUMBER(VECTOR2, height_limits, stand, -1e6, 1e6, PROPERTY_HINT_NONE, "suffix:m");
 	NUMBER(VECTOR2, slope_limits, stand, 0.0, 3.1415928, SLIDER("0,180,0.1,radians_as_degrees"));
 	NUMBER(FLOAT, slope_alignment, stand, 0.0, 1.0, SLIDER("0,1,0.01"));
@@ -113,6 +114,7 @@ void PlantField3D::_validate_property(PropertyInfo &property) const {
 			(name == "outline" && is_painted) ||
 			(name == "ground_collision_mask" && stand.ground_mode != GROUND_COLLIDERS) ||
 			(name == "ground_mesh" && stand.ground_mode != GROUND_MESH) ||
+			(name == "ground_object" && stand.ground_mode != GROUND_OBJECT) ||
 			(is_flat && (name == "height_limits" || name.begins_with("slope_")));
 	if (is_idle || std::any_of(std::begin(of_one_mesh), std::end(of_one_mesh), [&](const char *other) {
 			return name == other;
@@ -198,7 +200,7 @@ void PlantField3D::set_exclusions(const TypedArray<NodePath> &paths) {
 }
 
 void PlantField3D::set_ground_mode(GroundMode mode) {
-	if (mode < GROUND_NONE || mode > GROUND_MESH) {
+	if (mode < GROUND_NONE || mode > GROUND_OBJECT) {
 		report_error(
 				this, "ground_mode " + String::num_int64(mode) + " does not exist. Use one of the GROUND_ constants.");
 	} else if (int(mode) != properties.ground_mode) {

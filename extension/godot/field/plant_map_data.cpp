@@ -119,8 +119,7 @@ void PlantMap::restore(const Ref<PlantMap> &from, const Rect2 &rect) {
 	if (from.is_null() || from->get_cell_size() != get_cell_size()) {
 		report_error(this, "restore() needs a map of cells of the same size.");
 	} else if (read_rect("restore", rect, cells) && may_change()) {
-		map.take(from->map, cells);
-		changed_in(cells);
+		changed_in(map.take(from->map, cells));
 	}
 }
 

@@ -153,7 +153,8 @@ TEST_CASE("Cells are taken from another map by the names of layers") {
 		other.set_cell(0, i, 0, { 7, 64 });
 		other.set_cell(1, i, 0, { 9, 64 });
 	}
-	map.take(other, { 2, 0, 4, 0 });
+	CHECK(map.take(other, { 2, -3, 4, 5 }) == CellRange{ 2, 0, 4, 0 });
+	CHECK(map.take(other, { 2, -3, 4, 5 }).is_empty());
 	CHECK(map.layer_count() == 3);
 	CHECK(map.cell(0, 2, 0) == DensityCell());
 	CHECK(map.cell(1, 4, 0).density == 7);
