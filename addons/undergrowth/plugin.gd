@@ -10,10 +10,12 @@ const DOCK_ICON := "icons/PlantFunction.svg"
 const ICON_SCALE := "editor/icon_scale.gd"
 const INSPECTOR := "editor/inspector/undergrowth_inspector.gd"
 const GIZMOS: Array[String] = ["editor/gizmo/plant_gizmos.gd", "editor/gizmo/field_gizmos.gd"]
+const BRUSH := "editor/brush/field_brush.gd"
 const THUMBNAILS := "editor/thumbnails/plant_thumbnails.gd"
 const TRANSLATIONS := "editor/translations/translations.gd"
 ## A class of the library.
 const NATIVE_CLASS := &"PlantFunction"
+const FIELD_CLASS := &"PlantField3D"
 ## Seconds of one step of the simulation; PlantSimulation reads it when the library is loaded.
 const STEP_SETTING := "undergrowth/simulation/step_length"
 const DEFAULT_STEP := 1.0 / 60.0
@@ -25,6 +27,8 @@ var _inspector: EditorInspectorPlugin
 var _gizmos: Array[EditorNode3DGizmoPlugin] = []
 # Where gizmos go whose node is no more.
 var _stand_in: Node3D
+# What paints into fields: editor/brush/field_brush.gd.
+var _brush: RefCounted
 var _thumbnails: EditorResourcePreviewGenerator
 var _translations: Script
 
@@ -54,12 +58,33 @@ func _exit_tree() -> void:
 		return
 	remove_inspector_plugin(_inspector)
 	_remove_gizmos()
+	_brush.call(&"close")
+	_brush = null
 	_stand_in.free()  # Only now: they have taken their gizmos from their nodes.
 	EditorInterface.get_resource_previewer().remove_preview_generator(_thumbnails)
 	remove_dock(_dock)
 	_dock.queue_free()
 	_dock = null
 	_translations.call(&"remove")
+
+
+func _handles(object: Object) -> bool:
+	return _brush != null and object is Node3D and object.is_class(FIELD_CLASS)
+
+
+func _edit(object: Object) -> void:
+	if _brush:
+		_brush.call(&"edit", object)
+
+
+func _make_visible(is_shown: bool) -> void:
+	if _brush and not is_shown:
+		_brush.call(&"edit", null)
+
+
+func _forward_3d_gui_input(camera: Camera3D, event: InputEvent) -> int:
+	var is_ours: bool = _brush and _brush.call(&"handle", camera, event)
+	return AFTER_GUI_INPUT_STOP if is_ours else AFTER_GUI_INPUT_PASS
 
 
 func _get_plugin_name() -> String:
@@ -114,6 +139,8 @@ func _add_helpers() -> void:
 	_inspector = (_load(INSPECTOR) as GDScript).new()
 	add_inspector_plugin(_inspector)
 	_add_gizmos()
+	_brush = (_load(BRUSH) as GDScript).new()
+	_brush.call(&"setup", self)
 	_thumbnails = (_load(THUMBNAILS) as GDScript).new()
 	EditorInterface.get_resource_previewer().add_preview_generator(_thumbnails)
 

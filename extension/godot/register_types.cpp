@@ -5,6 +5,7 @@
 #include "field/plant_field_3d.hpp"
 #include "field/plant_field_level.hpp"
 #include "field/plant_field_species.hpp"
+#include "field/plant_map.hpp"
 #include "form/plant_growth.hpp"
 #include "form/plant_part_kinds.hpp"
 #include "plant_3d.hpp"
@@ -56,6 +57,7 @@ static void register_classes() {
 	GDREGISTER_CLASS(Plant3D);
 	GDREGISTER_CLASS(PlantFieldSpecies);
 	GDREGISTER_CLASS(PlantFieldLevel);
+	GDREGISTER_CLASS(PlantMap);
 	GDREGISTER_CLASS(PlantField3D);
 	GDREGISTER_ABSTRACT_CLASS(PlantSimulation);
 }

@@ -21,6 +21,7 @@ const CLASSES: PackedStringArray = [
 	"PlantField3D",
 	"PlantFieldSpecies",
 	"PlantFieldLevel",
+	"PlantMap",
 	"PlantSimulation",
 ]
 ## Seen from the tests' project in build/test, or below the project itself.

@@ -29,10 +29,13 @@ TileKey wider_tile(const TileKey &tile, int factor);
 /// long as the block stands.
 struct PlantBlock {
 	static constexpr int MOST_PLANTS = 4096;
+	/// Of a block of newcomers: so few that it is drawn anew in no time when more come.
+	static constexpr int MOST_NEWCOMERS = 1024;
 
 	TileKey tile;
 	int species = 0;
 	bool is_added = false; ///< By code, and not by filling.
+	bool is_late = false; ///< Of newcomers among those that were filled; it grows.
 	FieldPlants plants; ///< By variant, where they were filled. A scale of 0 stands for a plant that is gone.
 	std::vector<int64_t> ids; ///< Of plants that were added; those of others follow from where they stand.
 	int gone = 0;
@@ -40,6 +43,8 @@ struct PlantBlock {
 	glm::vec3 high = { 0.0f, 0.0f, 0.0f };
 
 	int size() const { return plants.size(); }
+	/// How many it may have.
+	int room() const { return is_late ? MOST_NEWCOMERS : MOST_PLANTS; }
 	int standing() const { return plants.size() - gone; }
 	bool is_gone(int slot) const { return plants.scale[static_cast<std::size_t>(slot)] == 0.0f; }
 	glm::vec3 root(int slot) const {

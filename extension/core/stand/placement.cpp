@@ -46,6 +46,27 @@ int floor_to_int(double value) {
 	return static_cast<int>(std::floor(value));
 }
 
+/// m: wider than where plants stand by far more than coordinates are rounded by.
+constexpr double SLACK = 0.01;
+
+/// The cells that meet a span of x (m), from the first to before the last.
+AreaSpan cells_of(const AreaSpan &span, double spacing) {
+	return { std::floor((span.low - SLACK) / spacing) - 1.0, std::floor((span.high + SLACK) / spacing) + 1.0 };
+}
+
+/// What is in both of two lists of joined spans.
+std::vector<AreaSpan> common(const std::vector<AreaSpan> &some, const std::vector<AreaSpan> &others) {
+	std::vector<AreaSpan> both;
+	for (std::size_t i = 0, j = 0; i < some.size() && j < others.size();) {
+		const AreaSpan met = { std::max(some[i].low, others[j].low), std::min(some[i].high, others[j].high) };
+		if (met.low < met.high) {
+			both.push_back(met);
+		}
+		(some[i].high < others[j].high ? i : j)++;
+	}
+	return both;
+}
+
 } // namespace
 
 Placement::Placement(const PlacementRequest &wanted) : request(wanted), found(find_placement_fault(wanted)) {
@@ -60,6 +81,7 @@ Placement::Placement(const PlacementRequest &wanted) : request(wanted), found(fi
 		sum += static_cast<double>(species.share);
 		shares.push_back(sum);
 	}
+	list_painted();
 	const AreaBox box = bounding_box(request.area);
 	first_row = floor_to_int(static_cast<double>(box.low.y) / spacing);
 	rows = floor_to_int(static_cast<double>(box.high.y) / spacing) + 1 - first_row;
@@ -69,15 +91,44 @@ Placement::Placement(const PlacementRequest &wanted) : request(wanted), found(fi
 	}
 }
 
+void Placement::list_painted() {
+	for (const PlacementSpecies &species : request.species) {
+		if (!request.map || species.layer < 0) {
+			continue;
+		}
+		for (const auto &entry : request.map->blocks(species.layer)) {
+			painted[entry.first.row].push_back(entry.first.column);
+		}
+	}
+}
+
+std::vector<AreaSpan> Placement::painted_spans(int row) const {
+	const auto side = static_cast<double>(request.map->block_size());
+	const auto begin = painted.lower_bound(floor_to_int((row * spacing - SLACK) / side));
+	const auto end = painted.upper_bound(floor_to_int(((row + 1) * spacing + SLACK) / side));
+	std::vector<AreaSpan> spans;
+	for (auto blocks = begin; blocks != end; ++blocks) {
+		for (const int column : blocks->second) {
+			spans.push_back(cells_of({ column * side, (column + 1) * side }, spacing));
+		}
+	}
+	join(spans);
+	return spans;
+}
+
 AreaRow Placement::read_row(int row) const {
-	// Wider than where plants stand by far more than coordinates are rounded by.
-	constexpr double SLACK = 0.01;
+	const std::vector<AreaSpan> only = request.map ? painted_spans(row) : std::vector<AreaSpan>();
+	if (request.map && only.empty()) {
+		return AreaRow({}, {}, 0.0, 0.0);
+	}
 	AreaRow into(request.area, request.exclusions, row * spacing - SLACK, (row + 1) * spacing + SLACK);
 	for (AreaSpan &span : into.spans) {
-		span.low = std::floor((span.low - SLACK) / spacing) - 1.0;
-		span.high = std::floor((span.high + SLACK) / spacing) + 1.0;
+		span = cells_of(span, spacing);
 	}
 	join(into.spans);
+	if (request.map) {
+		into.spans = common(into.spans, only);
+	}
 	return into;
 }
 
@@ -131,7 +182,20 @@ void Placement::place_cell(int column, int row, const AreaRow &edges, FieldPlant
 	plant.turn = static_cast<float>(unit16(shape, 3) * FULL_TURN);
 	plant.species = number;
 	plant.variant = static_cast<int>(unit16(kind, 1) * species.variants);
-	plants.add(plant);
+	if (!request.map || grows(plant, mix_bits(shape))) {
+		plants.add(plant);
+	}
+}
+
+/// Whether a plant grows by the map, and then how high.
+bool Placement::grows(PlacedPlant &plant, uint64_t bits) const {
+	const int layer = request.species[static_cast<std::size_t>(plant.species)].layer;
+	if (layer < 0) {
+		return false;
+	}
+	const DensityCell cell = request.map->cell_at(layer, { plant.root.x, plant.root.z });
+	plant.height *= cell.height_factor();
+	return unit16(bits, 0) * DensityCell::MOST_DENSITY < cell.density;
 }
 
 int Placement::pick_species(uint64_t bits) const {

@@ -1,14 +1,18 @@
 #pragma once
 
 #include "stand/area.hpp"
+#include "stand/density_map.hpp"
 #include "stand/plants.hpp"
 
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <vector>
 
 namespace undergrowth {
 
 struct AreaRow;
+struct AreaSpan;
 
 /// How one species is spread.
 struct PlacementSpecies {
@@ -18,6 +22,7 @@ struct PlacementSpecies {
 	float most_scale = 1.0f;
 	float height_deviation = 0.0f; ///< 0 to 1: heights are uniform in 1 ± this.
 	float most_lean = 0.0f; ///< rad, 0 to π/2: leans are uniform up to it, to all sides.
+	int layer = -1; ///< Of the request's map; -1: it has none, and nothing grows by the map.
 };
 
 struct PlacementRequest {
@@ -33,6 +38,8 @@ struct PlacementRequest {
 	/// 0: each plant draws its species alone; 1: drifts of one species each, with frayed edges.
 	float clumping = 0.0f;
 	float drift_size = 3.0f; ///< m, from one drift's middle to the next, >= 0.01.
+	/// Of what would stand without it, in the area, each species' density in the map is left, and is so much higher.
+	std::shared_ptr<const DensityMap> map;
 };
 
 enum class PlacementFault {
@@ -89,9 +96,14 @@ private:
 	uint64_t cell_seed = 0;
 	uint64_t drift_seed = 0;
 	std::vector<double> shares; ///< Summed up to each species.
+	std::map<int, std::vector<int>> painted; ///< With a map: columns of blocks that have something, by row.
 
 	/// Its spans are cells: from the first to before the last.
 	AreaRow read_row(int row) const;
+	void list_painted();
+	/// Where in a row of cells there may be something of the map.
+	std::vector<AreaSpan> painted_spans(int row) const;
+	bool grows(PlacedPlant &plant, uint64_t bits) const;
 	void place_cell(int column, int row, const AreaRow &edges, FieldPlants &plants) const;
 	int pick_species(uint64_t bits) const;
 	uint64_t drift_bits(double x, double z) const;

@@ -53,6 +53,9 @@ PlacementFault find_all_species_fault(const std::vector<PlacementSpecies> &all) 
 }
 
 bool are_too_many(const PlacementRequest &request) {
+	if (request.map) {
+		return false; // How much of the area is painted, only Placement finds.
+	}
 	const double cells_a_metre = std::sqrt(static_cast<double>(request.density));
 	const AreaBox box = bounding_box(request.area);
 	const double longer = std::max(box.high.x - box.low.x, box.high.y - box.low.y);

@@ -24,6 +24,15 @@ ChangeSet PlantStore::apply(StandEdit &&edit) {
 			cut_added_anew(changes);
 		}
 	}
+	for (std::size_t i = 0; i < edit.grown.size(); i++) {
+		const PlantPlace place = grow(edit.grown[i], changes);
+		if (edit.grown_from[i].block >= 0) {
+			changes.moved.push_back({ edit.grown_from[i], place });
+		}
+	}
+	for (const ChangeSet::Moved &plant : changes.moved) {
+		remove(plant.from, changes);
+	}
 	for (const PlantPlace &place : edit.removed) {
 		remove(place, changes);
 	}
@@ -119,7 +128,7 @@ void PlantStore::remove(const PlantPlace &place, ChangeSet &changes) {
 	if (block.is_added) {
 		added_places.erase(block.ids[static_cast<std::size_t>(place.slot)]);
 	}
-	if (block.is_added && block.standing() == 1) {
+	if ((block.is_added || block.is_late) && block.standing() == 1) {
 		drop(place.block, changes);
 		return;
 	}
@@ -129,37 +138,52 @@ void PlantStore::remove(const PlantPlace &place, ChangeSet &changes) {
 	changes.gone.push_back(place);
 }
 
-/// The block of added plants of a species in a tile that has room, or -1.
-int PlantStore::open_block(const TileKey &tile, int species) const {
+/// The block of added plants, or of newcomers, of a species in a tile that has room, or -1.
+int PlantStore::open_block(const TileKey &tile, int species, bool is_added) const {
 	for (const int number : blocks_of(tile)) {
 		const PlantBlock &there = block(number);
-		if (there.is_added && there.species == species && there.size() < PlantBlock::MOST_PLANTS) {
+		if ((is_added ? there.is_added : there.is_late) && there.species == species && there.size() < there.room()) {
 			return number;
 		}
 	}
 	return -1;
 }
 
-void PlantStore::add(const PlacedPlant &plant, PlantId id, ChangeSet &changes) {
+/// The block that a plant is to be appended to.
+int PlantStore::need_block(const PlacedPlant &plant, bool is_added, ChangeSet &changes) {
 	const TileKey tile = tile_at(plant.root.x, plant.root.z, size);
-	int number = open_block(tile, plant.species);
+	int number = open_block(tile, plant.species, is_added);
 	if (number < 0) {
 		number = take_number();
 		PlantBlock &fresh = blocks[static_cast<std::size_t>(number)];
 		fresh.tile = tile;
 		fresh.species = plant.species;
-		fresh.is_added = true;
+		fresh.is_added = is_added;
+		fresh.is_late = !is_added;
 		tiles[tile].push_back(number);
 	}
-	PlantBlock &into = blocks[static_cast<std::size_t>(number)];
 	const auto is_known = [number](const ChangeSet::Grown &grown) { return grown.block == number; };
 	if (std::none_of(changes.grown.rbegin(), changes.grown.rend(), is_known)) {
-		changes.grown.push_back({ number, into.size() });
+		changes.grown.push_back({ number, block(number).size() });
 	}
+	return number;
+}
+
+void PlantStore::add(const PlacedPlant &plant, PlantId id, ChangeSet &changes) {
+	const int number = need_block(plant, true, changes);
+	PlantBlock &into = blocks[static_cast<std::size_t>(number)];
 	into.add(plant);
 	into.ids.push_back(id);
 	added_places[id] = { number, into.size() - 1 };
 	standing++;
+}
+
+PlantPlace PlantStore::grow(const PlacedPlant &plant, ChangeSet &changes) {
+	const int number = need_block(plant, false, changes);
+	PlantBlock &into = blocks[static_cast<std::size_t>(number)];
+	into.add(plant);
+	standing++;
+	return { number, into.size() - 1 };
 }
 
 } // namespace undergrowth

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stand/area.hpp"
 #include "stand/blocks.hpp"
 #include "stand/plant_id.hpp"
 
@@ -28,6 +29,11 @@ struct StandEdit {
 	double spacing = 1.0; ///< m, > 0: of the placement that `filled` comes from.
 	/// With `fills`: what species are from now on, by what they were. Empty: the same.
 	std::vector<int> species_numbers;
+	/// Newcomers among those that were filled, of the same placement: valid ones, of cells where nobody stands, or
+	/// where whoever does is removed. Not together with `fills`.
+	std::vector<PlacedPlant> grown;
+	/// As many: where each stood until now, otherwise high, or a block of -1. Those are removed.
+	std::vector<PlantPlace> grown_from;
 	std::vector<PlantPlace> removed; ///< Of plants that stand. Not together with `fills`.
 	std::vector<PlacedPlant> added; ///< Valid ones, of species that the owner knows.
 };
@@ -40,12 +46,26 @@ struct ChangeSet {
 		int first = 0;
 	};
 
+	/// A plant that stands elsewhere now, and goes on with its motion. Those of `from` are gone or dropped as well.
+	struct Moved {
+		PlantPlace from;
+		PlantPlace to;
+	};
+
 	std::vector<int> dropped; ///< Blocks that are no more. Their numbers may be those of new ones.
 	std::vector<Grown> grown;
 	/// Plants of blocks that still stand, even where nobody is left in one: only those that were added are dropped
 	/// then.
 	std::vector<PlantPlace> gone;
+	/// Of StandEdit::grown. Their blocks grew before any was dropped, whose numbers they do not have.
+	std::vector<Moved> moved;
 	std::vector<PlantId> added; ///< As the edit's `added`, in its order.
+};
+
+/// Plants that were filled, with the place of each.
+struct StandingPlants {
+	FieldPlants plants;
+	std::vector<PlantPlace> places;
 };
 
 /// The one place that knows what stands in a field: blocks of plants in square tiles. It changes by apply() only.
@@ -78,6 +98,9 @@ public:
 	/// Appends all plants whose roots are in the box, its faces included.
 	void find_in_box(const glm::vec3 &low, const glm::vec3 &high, std::vector<PlantPlace> &found) const;
 
+	/// All plants that were filled and have their roots in the box: on its lower sides included, on the others not.
+	StandingPlants filled_in(const AreaBox &box) const;
+
 	/// Of the heap, by capacity.
 	std::size_t bytes() const;
 
@@ -99,7 +122,9 @@ private:
 	void cut_added_anew(ChangeSet &changes);
 	void remove(const PlantPlace &place, ChangeSet &changes);
 	void add(const PlacedPlant &plant, PlantId id, ChangeSet &changes);
-	int open_block(const TileKey &tile, int species) const;
+	PlantPlace grow(const PlacedPlant &plant, ChangeSet &changes);
+	int open_block(const TileKey &tile, int species, bool is_added) const;
+	int need_block(const PlacedPlant &plant, bool is_added, ChangeSet &changes);
 	template <class Visit> void for_each_tile(const glm::vec3 &low, const glm::vec3 &high, const Visit &visit) const;
 	template <class Holds>
 	void find_in(const glm::vec3 &low, const glm::vec3 &high, const Holds &holds, std::vector<PlantPlace> &found) const;

@@ -73,6 +73,25 @@ void PlantStore::find_in_box(const glm::vec3 &low, const glm::vec3 &high, std::v
 	find_in(low, high, [&](const glm::vec3 &root) { return is_in(root, low, high); }, found);
 }
 
+StandingPlants PlantStore::filled_in(const AreaBox &box) const {
+	StandingPlants found;
+	for_each_tile({ box.low.x, 0.0f, box.low.y }, { box.high.x, 0.0f, box.high.y }, [&](const std::vector<int> &members) {
+		for (const int number : members) {
+			const PlantBlock &there = block(number);
+			for (int slot = 0; !there.is_added && slot < there.size(); slot++) {
+				const glm::vec3 root = there.root(slot);
+				const bool is_within =
+						root.x >= box.low.x && root.x < box.high.x && root.z >= box.low.y && root.z < box.high.y;
+				if (is_within && !there.is_gone(slot)) {
+					found.plants.add(there.plants.plant(slot));
+					found.places.push_back({ number, slot });
+				}
+			}
+		}
+	});
+	return found;
+}
+
 PlantPlace PlantStore::find(PlantId id) const {
 	if (id < 0) {
 		return {};

@@ -21,8 +21,12 @@ static constexpr int HALVES_COUNT_FROM = -2048;
 static constexpr float PARTS_WIDENING = 1.25f;
 
 // The square of a level that holds a root; where squares are parts of a tile, one of the block's own tile.
-static ClumpPlace place_of(const FieldStyle &style, int level, const PlantBlock &block, const glm::vec3 &root) {
+static ClumpPlace place_of(const FieldStyle &style, int level, const DrawnBlock &drawn, const glm::vec3 &root) {
 	const FieldLevel &seen = style.levels[size_t(level)];
+	const PlantBlock &block = *drawn.block;
+	if (drawn.newcomers >= 0) {
+		return { false, level, block.tile, drawn.newcomers };
+	}
 	if (seen.tile_cuts == 1) {
 		return { block.is_added, level, wider_tile(block.tile, seen.tile_factor) };
 	}
@@ -109,7 +113,7 @@ static void add_block(const FieldStyle &style, const DrawnBlock &drawn, int leve
 	for (int slot = 0; slot < block.size(); slot++) {
 		if (!block.is_gone(slot)) {
 			const int group = int(block.plants.variant[size_t(slot)] % look.variants.size()) % groups;
-			const ClumpPlace place = place_of(style, level, block, block.root(slot));
+			const ClumpPlace place = place_of(style, level, drawn, block.root(slot));
 			members[{ place, block.species, group }].push_back({ rank_of(style, block, slot), &drawn, slot });
 		}
 	}

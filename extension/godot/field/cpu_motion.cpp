@@ -108,12 +108,23 @@ void CpuMotion::take_added(const PlantStore &store, const FieldStyle &style, con
 void CpuMotion::apply(const ChangeSet &changes, const PlantStore &store, const FieldStyle &style) {
 	wait();
 	rows.resize(size_t(store.block_count()));
+	const auto grow_those = [&](bool late) {
+		for (const ChangeSet::Grown &grown : changes.grown) {
+			if (store.block(grown.block).is_late == late) {
+				grow(grown, store, style);
+			}
+		}
+	};
+	grow_those(true);
+	for (const ChangeSet::Moved &plant : changes.moved) {
+		const MotionPage &before = simulation->page(rows_of(plant.from.block).page);
+		simulation->page(rows_of(plant.to.block).page).take_motion(row_of(plant.to), before, row_of(plant.from));
+		stale_pages.push_back(rows_of(plant.to.block).page);
+	}
 	for (const int block : changes.dropped) {
 		drop_block(block);
 	}
-	for (const ChangeSet::Grown &grown : changes.grown) {
-		grow(grown, store, style);
-	}
+	grow_those(false);
 	for (const PlantPlace &place : changes.gone) {
 		drop(rows_of(place.block).page, row_of(place));
 	}
@@ -139,7 +150,7 @@ void CpuMotion::drop_block(int block) {
 	}
 }
 
-// Only a block that code added grows, and it has a page of its own.
+// Only a block that code added or of newcomers grows, and it has a page of its own. Newcomers keep their texels.
 void CpuMotion::grow(const ChangeSet::Grown &grown, const PlantStore &store, const FieldStyle &style) {
 	const PlantBlock &block = store.block(grown.block);
 	const FieldLook &look = style.looks[size_t(block.species)];
@@ -156,7 +167,7 @@ void CpuMotion::grow(const ChangeSet::Grown &grown, const PlantStore &store, con
 		simulation->add_to_page(own.page, plants.data(), int(plants.size()));
 	}
 	own.count = block.size();
-	textures->give_rows(own.page, own.count);
+	textures->give_rows(own.page, block.is_late ? block.room() : own.count);
 	for (int slot = grown.first; slot < block.size(); slot++) {
 		if (block.is_gone(slot)) {
 			drop(own.page, slot);

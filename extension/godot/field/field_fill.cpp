@@ -62,7 +62,7 @@ void FieldFill::work(void *self) {
 			fill->placed = gather_plants(fill->recipe.standing, fill->recipe.species_numbers);
 			fill->result.spacing = fill->recipe.standing.spacing;
 		}
-		if (fill->recipe.places && fill->recipe.ground.needs_rays() && fill->placed.size() > 0) {
+		if (fill->recipe.places && fill->recipe.ground.needs_survey() && fill->placed.size() > 0) {
 			fill->stage = Stage::placed;
 			return;
 		}
@@ -82,6 +82,10 @@ void FieldFill::place() {
 	for (int row = 0; row < placement.row_count() && !is_cancelled; row += ROWS_AT_ONCE) {
 		placement.place_rows(row, std::min(row + ROWS_AT_ONCE, placement.row_count()), placed);
 		done = PLACED_SHARE * float(row) / float(placement.row_count());
+	}
+	if (placed.size() > int(PlacementRequest::MOST_PLANTS)) {
+		result.fault = PlacementFault::too_many_plants;
+		placed.clear();
 	}
 	done = PLACED_SHARE;
 }

@@ -49,7 +49,7 @@ public:
 	void start();
 	/// 0 to 1.
 	float progress() const { return done.load(); }
-	/// Plants wait on the ground for rays, which the physics server answers on its own terms; go_on() goes on.
+	/// Plants wait for a survey of the ground; go_on() goes on.
 	bool wants_ground() const { return stage.load() == Stage::placed; }
 	const FieldPlants &plants() const { return placed; }
 	/// On with it: heights and normals for all plants.

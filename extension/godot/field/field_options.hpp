@@ -2,6 +2,7 @@
 
 #include "field/plant_field_level.hpp"
 #include "field/plant_field_species.hpp"
+#include "field/plant_map.hpp"
 #include "plant_wind.hpp"
 
 #include <godot_cpp/variant/node_path.hpp>
@@ -29,6 +30,8 @@ struct StandOptions {
 	godot::NodePath outline; // Of a Path3D; empty: a rectangle of `size`.
 	godot::TypedArray<godot::NodePath> exclusions; // Of Path3Ds and PlantField3Ds.
 	godot::NodePath ground_mesh;
+	godot::NodePath ground_object; // Of a node, or of one's property, that answers get_height().
+	godot::Ref<PlantMap> map; // Null: the whole area is full.
 };
 
 /// What decides how it moves.

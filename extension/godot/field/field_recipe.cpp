@@ -3,6 +3,7 @@
 #include "base/random.hpp"
 #include "conventions.hpp"
 #include "convert.hpp"
+#include "field/ground_survey.hpp"
 #include "field/plant_field_3d.hpp"
 #include "stopwatch.hpp"
 
@@ -48,7 +49,23 @@ static Polygon flatten(const Path3D *path, const Node3D *field) {
 	return flatten(path->get_curve(), axes_of(field).affine_inverse() * axes_of(path));
 }
 
+// What is painted; nothing where that is empty.
+static Polygon painted_area(const StandOptions &options) {
+	if (options.map.is_null() || options.map->density().painted().is_empty()) {
+		return {};
+	}
+	const DensityMap &map = options.map->density();
+	const AreaBox box = map.box_of(map.painted());
+	const auto near = [](float place) { return std::clamp(place, -FARTHEST_COORDINATE, FARTHEST_COORDINATE); };
+	return { { near(box.low.x), near(box.low.y) }, { near(box.high.x), near(box.low.y) },
+		{ near(box.high.x), near(box.high.y) }, { near(box.low.x), near(box.high.y) } };
+}
+
 Polygon read_outline(const Node3D *field, const StandOptions &options) {
+	const Polygon painted = painted_area(options);
+	if (!painted.empty()) {
+		return painted;
+	}
 	const Path3D *path = field->is_inside_tree() ? find_path(field, options.outline) : nullptr;
 	return path ? flatten(path, field) : rectangle({ options.size.x, options.size.y });
 }
@@ -83,15 +100,41 @@ static void add_species(const PlantFieldSpecies &listed, PlacementRequest &into)
 	kind.most_scale = listed.get_scale_range().y;
 	kind.height_deviation = float(listed.get_height_deviation());
 	kind.most_lean = float(listed.get_lean_deviation());
+	if (into.map) {
+		kind.layer = into.map->find_layer(listed.get_layer_name().utf8().get_data());
+	}
 	into.species.push_back(kind);
 }
 
-String read_request(const Node3D *field, const StandOptions &options, PlacementRequest &into) {
-	if (!options.outline.is_empty() && !find_path(field, options.outline)) {
+// A field that is painted has no other area.
+static String read_area(
+		const Node3D *field, const StandOptions &options, const AreaBox *part, PlacementRequest &into) {
+	if (options.map.is_valid() && !options.map->problem().is_empty()) {
+		return "its map cannot be used. " + options.map->problem();
+	}
+	if (options.map.is_valid() && part) {
+		const DensityMap &map = options.map->density();
+		into.map = std::make_shared<DensityMap>(map.cut(map.cells_around(*part)));
+		into.area = rectangle(part->high - part->low, 0.5f * (part->low + part->high));
+		return String();
+	}
+	if (options.map.is_valid()) {
+		into.map = std::make_shared<DensityMap>(options.map->density().share());
+	} else if (!options.outline.is_empty() && !find_path(field, options.outline)) {
 		return "outline '" + String(options.outline) +
 				"' leads to no Path3D with a curve. Set a path to one, or none for a rectangle of Size.";
 	}
-	into.area = read_outline(field, options);
+	const bool is_bare = into.map && into.map->block_count() == 0;
+	into.area = is_bare ? rectangle({ 1.0f, 1.0f }) : read_outline(field, options);
+	return String();
+}
+
+String read_request(
+		const Node3D *field, const StandOptions &options, const AreaBox *part, PlacementRequest &into) {
+	const String no_area = read_area(field, options, part, into);
+	if (!no_area.is_empty()) {
+		return no_area;
+	}
 	for (int64_t i = 0; i < options.exclusions.size(); i++) {
 		into.exclusions.emplace_back();
 		const String fault = read_exclusion(
@@ -125,6 +168,14 @@ String read_ground(const Node3D *field, const StandOptions &options, FieldGround
 	into.limits.flattest = options.slope_limits.x;
 	into.limits.steepest = options.slope_limits.y;
 	into.limits.alignment = float(options.slope_alignment);
+	if (into.kind == FieldGround::Kind::object) {
+		const Object *ground = find_ground_object(field, options.ground_object);
+		return ground && ground->has_method("get_height")
+				? String()
+				: "ground_object '" + String(options.ground_object) +
+						"' leads to no object that answers get_height(Vector3) -> float. Set its path, with the name of "
+						"the node's property that does behind a colon, or another ground_mode.";
+	}
 	if (into.kind != FieldGround::Kind::mesh) {
 		return String();
 	}

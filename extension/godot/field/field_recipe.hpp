@@ -20,8 +20,10 @@ godot::Transform3D axes_of(const godot::Node3D *node);
 /// The field's outline in its own axes. Where it is not that of a Path3D, it is the rectangle.
 Polygon read_outline(const godot::Node3D *field, const StandOptions &options);
 
-/// Where plants stand, and of which species of the list. After list_looks(), which finds entries that are empty.
-godot::String read_request(const godot::Node3D *field, const StandOptions &options, PlacementRequest &into);
+/// Where plants stand, and of which species of the list. After list_looks(), which finds entries that are empty. With
+/// `part` (m, field axes) the area is that box, and of the map is taken what meets it.
+godot::String read_request(
+		const godot::Node3D *field, const StandOptions &options, const AreaBox *part, PlacementRequest &into);
 
 /// What they stand on.
 godot::String read_ground(const godot::Node3D *field, const StandOptions &options, FieldGround &into);

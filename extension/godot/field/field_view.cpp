@@ -103,6 +103,7 @@ void FieldView::clear() {
 	while (!clumps.empty()) {
 		clear(ClumpPlace(clumps.begin()->first));
 	}
+	newcomers.clear();
 }
 
 void FieldView::show_added(
@@ -139,6 +140,23 @@ void FieldView::show_all_added(const FieldStyle &style, const FieldMotion &motio
 		}
 	}
 	show(style, plan_clumps(style, added));
+}
+
+void FieldView::drop_newcomers(int number) {
+	const auto known = newcomers.find(number);
+	if (known != newcomers.end()) {
+		for (int level = 0; level < int(levels.size()); level++) {
+			clear(ClumpPlace{ false, level, known->second, number });
+		}
+		newcomers.erase(known);
+	}
+}
+
+void FieldView::show_newcomers(
+		const FieldStyle &style, const TileKey &tile, int number, const std::vector<ClumpPlan> &plans) {
+	drop_newcomers(number);
+	newcomers[number] = tile;
+	show(style, plans);
 }
 
 void FieldView::update_levels(const FieldStyle &style) {

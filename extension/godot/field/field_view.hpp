@@ -17,14 +17,16 @@
 namespace undergrowth {
 
 /// A square of the ground at one level of detail: FieldLevel::tile_factor tiles wide, or a part of one. Plants that
-/// code added have multimeshes of their own, so that adding one does not touch what was filled.
+/// code added have multimeshes of their own, and so has each block of newcomers: what was filled is not touched.
 struct ClumpPlace {
 	bool is_added;
 	int level;
 	TileKey tile;
+	int newcomers = -1; ///< The number of their block.
 
 	bool operator<(const ClumpPlace &other) const {
-		return std::tie(is_added, level, tile) < std::tie(other.is_added, other.level, other.tile);
+		return std::tie(is_added, level, tile, newcomers) <
+				std::tie(other.is_added, other.level, other.tile, other.newcomers);
 	}
 };
 
@@ -51,6 +53,7 @@ struct ClumpPlan {
 struct DrawnBlock {
 	PoseTexels texels;
 	const PlantBlock *block;
+	int newcomers = -1; ///< Its number, where it is one of newcomers.
 };
 
 /// How all plants of some blocks are drawn. On any thread.
@@ -76,6 +79,12 @@ public:
 			const std::set<TileKey> &tiles);
 	/// All plants that were added.
 	void show_all_added(const FieldStyle &style, const FieldMotion &motion, const PlantStore &store);
+
+	/// Shows the plans of a block of newcomers instead of what was shown of it.
+	void show_newcomers(const FieldStyle &style, const TileKey &tile, int number, const std::vector<ClumpPlan> &plans);
+
+	/// Draws nothing of a block of newcomers any more.
+	void drop_newcomers(int number);
 
 	/// Where levels begin and end changed, or what casts shadows; their number and meshes have not.
 	void update_levels(const FieldStyle &style);
@@ -112,6 +121,7 @@ private:
 	};
 
 	std::map<ClumpPlace, std::vector<Clump>> clumps;
+	std::map<int, TileKey> newcomers; ///< Tiles of their blocks that are drawn.
 	std::vector<FieldLevel> levels; ///< As they were shown.
 	godot::RID world; ///< Its scenario.
 	godot::Transform3D placed;

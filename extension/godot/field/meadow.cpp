@@ -133,7 +133,7 @@ void Meadow::change_materials() {
 }
 
 ChangeSet Meadow::apply(StandEdit &&edit) {
-	if (edit.removed.empty() && edit.added.empty()) {
+	if (edit.removed.empty() && edit.added.empty() && edit.grown.empty()) {
 		return {}; // There may be no motion yet.
 	}
 	motion.wait();
@@ -144,9 +144,15 @@ ChangeSet Meadow::apply(StandEdit &&edit) {
 		}
 	}
 	ChangeSet changes = store.apply(std::move(edit));
+	for (const int block : changes.dropped) {
+		view.drop_newcomers(block);
+	}
 	motion.apply(changes, store, style);
+	patches.follow(changes, store);
 	for (const ChangeSet::Grown &grown : changes.grown) {
-		unseen.insert(store.block(grown.block).tile);
+		if (store.block(grown.block).is_added) {
+			unseen.insert(store.block(grown.block).tile);
+		}
 	}
 	if (!changes.dropped.empty()) {
 		unseen.insert(touched.begin(), touched.end());

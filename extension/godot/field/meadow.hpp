@@ -2,7 +2,9 @@
 
 #include "field/field_dress.hpp"
 #include "field/field_motion.hpp"
+#include "field/field_patches.hpp"
 #include "field/field_recipe.hpp"
+#include "field/ground_survey.hpp"
 #include "field/skeleton_view.hpp"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
@@ -34,6 +36,10 @@ public:
 	bool is_at_work() const { return asking || job; }
 	/// Whether it places plants.
 	bool is_filling() const { return asking ? asking->places : job && job->places(); }
+	/// What is painted in a box (m, field axes) changed: those who come and go there do so beside the game, while all
+	/// others stand untouched. Where nothing stands yet, or too much changed, the field is filled.
+	void touch(const AreaBox &box);
+	bool is_patching() const { return patches.is_at_work(); }
 	/// Goes on with it; at any frame (of `delta` s), paused or not. `physics`: it is one of physics, in which rays may
 	/// be cast.
 	void poll(double delta, bool physics);
@@ -99,7 +105,9 @@ private:
 	};
 	std::unique_ptr<Asking> asking;
 	std::unique_ptr<FieldFill> job;
-	std::unique_ptr<FieldRays> rays;
+	std::unique_ptr<GroundSurvey> survey;
+	FieldPatches patches;
+	FieldGround ground; ///< As it was read when the field was filled.
 	std::vector<PlantId> removed_meanwhile; ///< While the job goes on.
 	bool is_due_again = false; ///< Its look changed while it was dressed anew.
 	float told_progress = -1.0f;
@@ -113,7 +121,11 @@ private:
 	void go_on_asking();
 	bool knows_all_looks(const FieldStyle &asked, std::vector<int> &numbers) const;
 	godot::String make_recipe(FieldRecipe &recipe);
-	void cast_rays(double delta);
+	template <class Job> GroundSurvey::State ask_ground(Job &waiting, double delta, bool physics);
+	void ask_ground_for_fill(double delta, bool physics);
+	void poll_patches(double delta, bool physics);
+	void begin_patch();
+	void stand_newcomers();
 	void tell_of_no_ground();
 	/// False, with the fault told, where it cannot stand.
 	bool adopt(FieldFill &finished);

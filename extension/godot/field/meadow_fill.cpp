@@ -9,17 +9,20 @@
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 
+#include <glm/common.hpp>
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 using namespace godot;
 
 namespace undergrowth {
 
-// Rays of one frame: at least so long, and a share of frames that take long anyway.
-static constexpr double LEAST_RAY_USEC = 3000.0;
-static constexpr double MOST_RAY_USEC = 50000.0;
-static constexpr double RAY_SHARE = 0.2;
+// The ground is asked in one frame: at least so long, and a share of frames that take long anyway.
+static constexpr double LEAST_ASKING_USEC = 3000.0;
+static constexpr double MOST_ASKING_USEC = 50000.0;
+static constexpr double ASKING_SHARE = 0.2;
 
 FieldSettings Meadow::settings() const {
 	FieldSettings made;
@@ -33,12 +36,16 @@ FieldSettings Meadow::settings() const {
 String Meadow::make_recipe(FieldRecipe &recipe) {
 	recipe.places = asking->places;
 	recipe.style = std::move(asking->style);
-	String fault = recipe.places ? read_request(node, properties, recipe.request) : String();
+	String fault = recipe.places ? read_request(node, properties, nullptr, recipe.request) : String();
 	if (fault.is_empty()) {
 		fault = read_ground(node, properties, recipe.ground);
 	}
 	if (!fault.is_empty()) {
 		return fault;
+	}
+	if (recipe.places) {
+		ground = recipe.ground;
+		patches.forget_touched();
 	}
 	const Ref<PlantWind> &wind = properties.wind;
 	recipe.prepare = motion.prepare();
@@ -55,8 +62,9 @@ void Meadow::fill(bool places) {
 		is_due_again = true; // What changes in each frame is seen now and then, and not only when that ends.
 		return;
 	}
-	rays.reset();
+	survey.reset();
 	job.reset();
+	patches.interrupt();
 	is_due_again = false;
 	if (places) {
 		removed_meanwhile.clear();
@@ -100,46 +108,126 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 	return int(style.looks.size()) - 1;
 }
 
-// In a physics frame: only then may everybody ask physics.
-void Meadow::cast_rays(double delta) {
-	if (!rays) {
-		rays = std::make_unique<FieldRays>(axes_of(node), uint32_t(properties.ground_collision_mask));
+// A survey that is finished stays for its heights, until it is let go.
+template <class Job> GroundSurvey::State Meadow::ask_ground(Job &waiting, double delta, bool physics) {
+	if (!survey) {
+		survey = survey_ground(node, properties);
 	}
-	const double usec = std::clamp(1e6 * RAY_SHARE * delta, LEAST_RAY_USEC, MOST_RAY_USEC);
-	const TypedArray<RID> excluded = collision_objects_of(node->get_tree(), properties.bodies_group);
-	const FieldRays::State state = rays->cast(node->get_world_3d(), excluded, job->plants(), usec);
-	if (state == FieldRays::State::going_on) {
+	if (!survey) {
+		return GroundSurvey::State::failed;
+	}
+	if (survey->is_of_physics() != physics) {
+		return GroundSurvey::State::going_on;
+	}
+	return survey->go_on(waiting.plants(), std::clamp(1e6 * ASKING_SHARE * delta, LEAST_ASKING_USEC, MOST_ASKING_USEC));
+}
+
+void Meadow::ask_ground_for_fill(double delta, bool physics) {
+	const GroundSurvey::State state = ask_ground(*job, delta, physics);
+	if (state == GroundSurvey::State::going_on) {
 		return;
 	}
-	if (state == FieldRays::State::failed) {
+	if (state == GroundSurvey::State::failed) {
 		job.reset();
-		listener.fault(
-				"there is no 3D physics to cast rays at, so nothing is planted. Choose a 3D physics engine in the "
-				"project settings, or another ground_mode.");
+		listener.fault(survey ? survey->fault() : read_ground(node, properties, ground));
 	} else {
 		tell_of_no_ground();
-		job->go_on(std::move(rays->heights), std::move(rays->normals));
+		job->go_on(std::move(survey->heights), std::move(survey->normals));
 	}
-	rays.reset();
+	survey.reset();
 }
 
 void Meadow::tell_of_no_ground() {
-	const bool is_missed = !rays->has_hit() && job->plants().size() > 0;
+	const bool is_missed = !survey->has_found_any() && job->plants().size() > 0;
 	if (is_missed && !has_missed_ground) {
-		report_warning(node,
-				"no collider is below or above it, so nothing grows. Check that ground_collision_mask has a layer of "
-				"the "
-				"ground, that the ground is within 1000 m, and call fill() once it is there where it comes later.");
+		report_warning(node, survey->advice());
 	}
 	has_missed_ground = is_missed;
 }
 
+void Meadow::touch(const AreaBox &box) {
+	if (!is_filling() || job) { // What is asked for has not read the map yet.
+		patches.touch(box, store.tile_size());
+	}
+	if (!is_filling() && (style.levels.empty() || patches.touched_tiles() > FieldPatches::MOST_TILES)) {
+		fill(true);
+	}
+}
+
+void Meadow::begin_patch() {
+	PatchRecipe recipe;
+	recipe.boxes = patches.take_boxes(store, recipe.standing);
+	if (recipe.boxes.empty()) {
+		patches.draw(style, store, motion);
+		return;
+	}
+	AreaBox around = recipe.boxes.front();
+	for (const AreaBox &box : recipe.boxes) {
+		around = { glm::min(around.low, box.low), glm::max(around.high, box.high) };
+	}
+	const bool are_known = style.listed_count == int(properties.species.size());
+	const String fault = read_request(node, properties, &around, recipe.request);
+	recipe.ground = ground;
+	recipe.spacing = store.spacing();
+	const double spacing = 1.0 / std::sqrt(double(recipe.request.density));
+	if (fault.is_empty() && are_known && spacing == recipe.spacing) { // Else it is filled anew soon.
+		patches.start(std::move(recipe));
+	}
+}
+
+void Meadow::poll_patches(double delta, bool physics) {
+	if (is_at_work() || !motion.is_ready() || !patches.is_at_work()) {
+		return;
+	}
+	if (!patches.current() && !physics) {
+		begin_patch();
+	}
+	FieldPatch *patch = patches.current();
+	if (patch && patch->wants_ground()) {
+		const GroundSurvey::State state = ask_ground(*patch, delta, physics);
+		if (state == GroundSurvey::State::done) {
+			patch->go_on(std::move(survey->heights), std::move(survey->normals));
+		} else if (state == GroundSurvey::State::failed) {
+			listener.fault(survey ? survey->fault() : read_ground(node, properties, ground));
+			patches.finish();
+		}
+		if (state != GroundSurvey::State::going_on) {
+			survey.reset();
+		}
+	} else if (patch && patch->is_placed()) {
+		stand_newcomers();
+	} else if (patch && patch->is_drawn()) {
+		for (const DrawnNewcomers &one : patch->drawn()) {
+			if (patches.is_there(one.number)) {
+				view.show_newcomers(style, one.block.tile, one.number, one.plans);
+			}
+		}
+		patches.finish();
+		refresh();
+	}
+}
+
+void Meadow::stand_newcomers() {
+	StandEdit edit = patches.current()->take_edit();
+	patches.finish();
+	if (double(store.plant_count()) + double(edit.grown.size()) > PlacementRequest::MOST_PLANTS) {
+		listener.fault(undergrowth::describe(PlacementFault::too_many_plants));
+		return;
+	}
+	apply(std::move(edit));
+	skeletons.release_gone(store);
+	if (!patches.draw(style, store, motion)) {
+		refresh();
+	}
+}
+
 void Meadow::poll(double delta, bool physics) {
+	poll_patches(delta, physics);
 	if (asking && !physics && asking->frame != Engine::get_singleton()->get_process_frames()) {
 		go_on_asking();
 	}
-	if (job && job->wants_ground() && physics) {
-		cast_rays(delta);
+	if (job && job->wants_ground()) {
+		ask_ground_for_fill(delta, physics);
 	}
 	if (!job) {
 		return;
@@ -215,6 +303,7 @@ bool Meadow::adopt(FieldFill &finished) {
 	view.show(style, result.plans);
 	view.show_all_added(style, motion, store);
 	unseen.clear();
+	patches.forget_unseen();
 	remove(store.find_all(std::exchange(removed_meanwhile, {})));
 	refresh();
 	return true;

@@ -73,11 +73,29 @@ PackedStringArray PlantField3D::_get_configuration_warnings() const {
 		warnings.push_back("Plants that follow Prototypes do not touch each other: set Prototypes to 0, or Contact "
 						   "Enabled off.");
 	}
+	for (const String &name : forgotten_layers()) {
+		warnings.push_back("Of '" + name +
+				"' something is painted on its map, and none of its species is called so: name one, or set the Layer of "
+				"its entry.");
+	}
 	if (properties.wind.is_valid() && properties.wind->get_strength() == 0.0) {
 		warnings.push_back(
 				"The wind has a strength of 0 N, so these plants stand still: raise Strength in their Wind.");
 	}
 	return warnings;
+}
+
+// What is painted of no species of the field.
+PackedStringArray PlantField3D::forgotten_layers() const {
+	PackedStringArray names = properties.map.is_valid() ? properties.map->get_painted_species() : PackedStringArray();
+	for (int64_t i = 0; i < properties.species.size(); i++) {
+		const Ref<PlantFieldSpecies> entry = properties.species[i];
+		const int64_t at = entry.is_valid() ? names.find(entry->get_layer_name()) : -1;
+		if (at >= 0) {
+			names.remove_at(at);
+		}
+	}
+	return names;
 }
 
 // Many properties may change in one frame; the field grows once, after it.
@@ -100,7 +118,7 @@ void PlantField3D::on_fill_queued() {
 	watch_nodes();
 	choose_grass();
 	meadow.fill(stand);
-	follow_frames(meadow.is_at_work());
+	follow_frames(meadow.is_at_work() || meadow.is_patching());
 }
 
 void PlantField3D::fill() {
@@ -111,7 +129,7 @@ void PlantField3D::fill() {
 }
 
 bool PlantField3D::is_filling() const {
-	return meadow.is_filling() || (stand_is_stale && fill_is_queued);
+	return meadow.is_filling() || meadow.is_patching() || (stand_is_stale && fill_is_queued);
 }
 
 bool PlantField3D::may_simulate() const {
@@ -135,8 +153,11 @@ void PlantField3D::follow_frames(bool on) {
 
 // Whoever hears that it is filled may take the field out of the tree.
 void PlantField3D::poll(double delta, bool physics) {
+	if (stand_is_stale) {
+		return; // It grows anew, from other properties than it stands by.
+	}
 	meadow.poll(delta, physics);
-	if (is_inside_tree() && !meadow.is_at_work()) {
+	if (is_inside_tree() && !meadow.is_at_work() && !meadow.is_patching()) {
 		follow_frames(false);
 	}
 }
@@ -202,6 +223,7 @@ void PlantField3D::watch_nodes() {
 	TypedArray<NodePath> paths = properties.exclusions.duplicate();
 	paths.push_back(properties.outline);
 	paths.push_back(properties.ground_mode == GROUND_MESH ? properties.ground_mesh : NodePath());
+	paths.push_back(properties.ground_mode == GROUND_OBJECT ? properties.ground_object : NodePath());
 	std::vector<Node3D *> nodes;
 	for (int64_t i = 0; i < paths.size(); i++) {
 		const NodePath path = paths[i];
@@ -247,7 +269,7 @@ void PlantField3D::_notification(int what) {
 				mark_stale(false);
 			}
 			look_around();
-			follow_frames(meadow.is_at_work());
+			follow_frames(meadow.is_at_work() || meadow.is_patching());
 			break;
 		case NOTIFICATION_EXIT_TREE:
 			follow_frames(false);

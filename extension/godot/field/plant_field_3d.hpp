@@ -23,6 +23,7 @@ public:
 		GROUND_NONE = int(FieldGround::Kind::none),
 		GROUND_COLLIDERS = int(FieldGround::Kind::colliders),
 		GROUND_MESH = int(FieldGround::Kind::mesh),
+		GROUND_OBJECT = int(FieldGround::Kind::object),
 	};
 
 private:
@@ -83,6 +84,7 @@ private:
 	static void bind_properties();
 	void changed(About about);
 	void mark_stale(bool stand);
+	godot::PackedStringArray forgotten_layers() const;
 	void report_problem(const godot::String &what);
 	bool may_simulate() const;
 	void follow_frames(bool on);
@@ -134,6 +136,7 @@ public:
 	void on_levels_changed();
 	void on_area_changed();
 	void on_wind_changed();
+	void on_map_painted(const godot::Rect2 &rect);
 	void on_fill_queued();
 	void on_tree_frame();
 	void on_physics_frame();
@@ -147,6 +150,7 @@ public:
 	void set_size(const godot::Vector2 &metres);
 	void set_outline(const godot::NodePath &path);
 	void set_exclusions(const godot::TypedArray<godot::NodePath> &paths);
+	void set_map(const godot::Ref<PlantMap> &painted);
 	void set_ground_mode(GroundMode mode);
 	GroundMode get_ground_mode() const { return GroundMode(properties.ground_mode); }
 	void set_wind(const godot::Ref<PlantWind> &wind);

@@ -104,6 +104,7 @@ void PlantField3D::_bind_methods() {
 	LISTEN(on_levels_changed);
 	LISTEN(on_area_changed);
 	LISTEN(on_wind_changed);
+	LISTEN(on_map_painted, "rect");
 	LISTEN(on_fill_queued);
 	LISTEN(on_tree_frame);
 	LISTEN(on_physics_frame);
@@ -151,6 +152,7 @@ void PlantField3D::_bind_methods() {
 	BIND_ENUM_CONSTANT(GROUND_NONE);
 	BIND_ENUM_CONSTANT(GROUND_COLLIDERS);
 	BIND_ENUM_CONSTANT(GROUND_MESH);
+	BIND_ENUM_CONSTANT(GROUND_OBJECT);
 }
 
 } // namespace undergrowth

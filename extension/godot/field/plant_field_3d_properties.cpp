@@ -70,11 +70,13 @@ void PlantField3D::bind_properties() {
 	ADD_GROUP("Area", "");
 	SET_HERE(VECTOR2, size, "get_size", PROPERTY_HINT_NONE, "suffix:m");
 	SET_HERE(NODE_PATH, outline, "get_outline", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Path3D");
+	SET_HERE(OBJECT, map, "get_map", PROPERTY_HINT_RESOURCE_TYPE, "PlantMap");
 	SET_HERE(ARRAY, exclusions, "get_exclusions", PROPERTY_HINT_ARRAY_TYPE, "22/35:Path3D,PlantField3D");
 	ADD_GROUP("Ground", "");
-	PROPERTY(INT, ground_mode, PROPERTY_HINT_ENUM, "None,Colliders,Mesh");
+	PROPERTY(INT, ground_mode, PROPERTY_HINT_ENUM, "None,Colliders,Mesh,Object");
 	VALUE(INT, ground_collision_mask, stand, PROPERTY_HINT_LAYERS_3D_PHYSICS);
 	VALUE(NODE_PATH, ground_mesh, stand, PROPERTY_HINT_NODE_PATH_VALID_TYPES, "MeshInstance3D");
+	VALUE(NODE_PATH, ground_object, stand);
 	NUMBER(VECTOR2, height_limits, stand, -1e6, 1e6, PROPERTY_HINT_NONE, "suffix:m");
 	NUMBER(VECTOR2, slope_limits, stand, 0.0, 3.1415928, SLIDER("0,180,0.1,radians_as_degrees"));
 	NUMBER(FLOAT, slope_alignment, stand, 0.0, 1.0, SLIDER("0,1,0.01"));
@@ -107,9 +109,12 @@ void PlantField3D::_validate_property(PropertyInfo &property) const {
 	const String name = property.name;
 	const StandOptions &stand = properties;
 	const bool is_flat = stand.ground_mode == GROUND_NONE;
-	const bool is_idle = (name == "size" && !stand.outline.is_empty()) ||
+	const bool is_painted = stand.map.is_valid();
+	const bool is_idle = (name == "size" && (is_painted || !stand.outline.is_empty())) ||
+			(name == "outline" && is_painted) ||
 			(name == "ground_collision_mask" && stand.ground_mode != GROUND_COLLIDERS) ||
 			(name == "ground_mesh" && stand.ground_mode != GROUND_MESH) ||
+			(name == "ground_object" && stand.ground_mode != GROUND_OBJECT) ||
 			(is_flat && (name == "height_limits" || name.begins_with("slope_")));
 	if (is_idle || std::any_of(std::begin(of_one_mesh), std::end(of_one_mesh), [&](const char *other) {
 			return name == other;
@@ -163,6 +168,31 @@ void PlantField3D::set_outline(const NodePath &path) {
 	update_gizmos();
 }
 
+void PlantField3D::set_map(const Ref<PlantMap> &painted) {
+	const Callable listener(this, "_on_map_painted");
+	if (properties.map.is_valid() && properties.map->is_connected("area_changed", listener)) {
+		properties.map->disconnect("area_changed", listener);
+	}
+	properties.map = painted;
+	if (painted.is_valid() && !painted->is_connected("area_changed", listener)) {
+		properties.map->connect("area_changed", listener);
+	}
+	notify_property_list_changed();
+	on_area_changed();
+	update_configuration_warnings();
+}
+
+void PlantField3D::on_map_painted(const Rect2 &rect) {
+	if (!rect.has_area() || !is_inside_tree() || stand_is_stale || !problem.is_empty()) {
+		mark_stale(true);
+		return;
+	}
+	const Vector2 end = rect.get_end();
+	meadow.touch({ { rect.position.x, rect.position.y }, { end.x, end.y } });
+	follow_frames(true);
+	update_gizmos();
+}
+
 void PlantField3D::set_exclusions(const TypedArray<NodePath> &paths) {
 	properties.exclusions = paths.duplicate();
 	seen_exclusions = paths.duplicate();
@@ -170,7 +200,7 @@ void PlantField3D::set_exclusions(const TypedArray<NodePath> &paths) {
 }
 
 void PlantField3D::set_ground_mode(GroundMode mode) {
-	if (mode < GROUND_NONE || mode > GROUND_MESH) {
+	if (mode < GROUND_NONE || mode > GROUND_OBJECT) {
 		report_error(
 				this, "ground_mode " + String::num_int64(mode) + " does not exist. Use one of the GROUND_ constants.");
 	} else if (int(mode) != properties.ground_mode) {

@@ -88,6 +88,14 @@ void PlantFieldSpecies::set_variants(int count) {
 	set_number(variants, "variants", count, { 1, 64 });
 }
 
+void PlantFieldSpecies::set_layer(const String &name) {
+	set(layer, name);
+}
+
+String PlantFieldSpecies::get_layer_name() const {
+	return layer.is_empty() ? name_of_species(species) : layer;
+}
+
 void PlantFieldSpecies::_validate_property(PropertyInfo &property) const {
 	hide_given_name(this, given_name, property);
 }
@@ -98,6 +106,7 @@ void PlantFieldSpecies::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("_on_species_changed"), &PlantFieldSpecies::on_species_changed);
 	BIND(is_species_change);
 	BIND(is_motion_change);
+	BIND(get_layer_name);
 	PROPERTY(OBJECT, species, PROPERTY_HINT_RESOURCE_TYPE, "PlantFunction");
 	PROPERTY(FLOAT, share, SLIDER("0,10,0.01,or_greater"));
 	PROPERTY(FLOAT, density_factor, SLIDER("0,4,0.01,or_greater"));
@@ -105,6 +114,7 @@ void PlantFieldSpecies::_bind_methods() {
 	PROPERTY(FLOAT, height_deviation, SLIDER("0,0.9,0.01"));
 	PROPERTY(FLOAT, lean_deviation, SLIDER("0,80,0.1,radians_as_degrees"));
 	PROPERTY(INT, variants, SLIDER("1,64,1"));
+	PROPERTY(STRING, layer);
 }
 
 } // namespace undergrowth

@@ -19,6 +19,7 @@ class PlantFieldSpecies : public godot::Resource {
 	double height_deviation = 0.1;
 	double lean_deviation = 0.0; // rad.
 	int variants = 4;
+	godot::String layer;
 	godot::String given_name;
 	bool forwards = false; // While `changed` is emitted for the function inside.
 
@@ -54,6 +55,10 @@ public:
 	double get_height_deviation() const { return height_deviation; }
 	void set_lean_deviation(double radians);
 	double get_lean_deviation() const { return lean_deviation; }
+	void set_layer(const godot::String &name);
+	godot::String get_layer() const { return layer; }
+	/// Its name in a PlantMap: `layer`, or where that is empty what its species is called.
+	godot::String get_layer_name() const;
 	void set_variants(int count);
 	int get_variants() const { return variants; }
 };

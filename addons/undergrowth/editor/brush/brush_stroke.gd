@@ -1,0 +1,130 @@
+@tool
+extends RefCounted
+## One stroke of the brush on the map of a field, from press to release: one step of undo. A field
+## without a map gets one, on which its area is painted as it is full.
+
+const Translations := preload("../translations/translations.gd")
+const BrushOptions := preload("brush_options.gd")
+
+const GRASS := "res://addons/undergrowth/species/meadow_grass.tres"
+## Touches are so many radii apart.
+const SPACING := 0.35
+
+var _field: PlantField3D
+var _options: BrushOptions
+var _tool: BrushOptions.Tool
+var _smooths: bool
+var _map: PlantMap
+var _before: PlantMap
+var _is_new := false
+var _species_before: Array[PlantFieldSpecies] = []
+var _rect := Rect2()
+var _last := Vector3.INF
+
+
+func _init(
+	field: PlantField3D, options: BrushOptions, tool: BrushOptions.Tool, smooths: bool
+) -> void:
+	_field = field
+	_options = options
+	_tool = tool
+	_smooths = smooths
+	_species_before = field.species
+	if field.species.is_empty():
+		field.species = [PlantFieldSpecies.of(load(GRASS) as PlantFunction)]
+	_is_new = field.map == null
+	_map = _make_map() if _is_new else field.map
+	_before = _map.snapshot()
+	_map.area_changed.connect(_on_area_changed)
+	if _is_new:
+		field.map = _map
+
+
+## The names of what [param options] choose among the species of [param field]: all where none is.
+static func names_of(field: PlantField3D, options: BrushOptions) -> PackedStringArray:
+	var names: PackedStringArray = []
+	for entry in field.species:
+		var title := entry.get_layer_name() if entry else ""
+		if title and title in options.species:
+			names.append(title)
+	return names if names else _all_names(field)
+
+
+## The brush goes to [param place], in the world, pressed by [param pressure] (0 to 1).
+func move_to(place: Vector3, pressure: float) -> void:
+	var goal := _field.to_local(place)
+	var step := maxf(_radius() * SPACING, 0.01)
+	if _last == Vector3.INF:
+		_touch(goal, pressure)
+		_last = goal
+		return
+	while _last.distance_to(goal) >= step:
+		_last = _last.move_toward(goal, step)
+		_touch(_last, pressure)
+
+
+## Ends the stroke.
+func finish(undo: EditorUndoRedoManager) -> void:
+	_map.area_changed.disconnect(_on_area_changed)
+	if not _rect.has_area() and not _is_new:
+		return
+	undo.create_action(_title(), UndoRedo.MERGE_DISABLE, _field)
+	if _field.species != _species_before:
+		undo.add_do_property(_field, &"species", _field.species)
+		undo.add_undo_property(_field, &"species", _species_before)
+	if _is_new:
+		undo.add_do_property(_field, &"map", _map)
+		undo.add_undo_property(_field, &"map", null)
+	if _rect.has_area():
+		undo.add_do_method(_map, &"restore", _map.snapshot(), _rect)
+		undo.add_undo_method(_map, &"restore", _before, _rect)
+	undo.commit_action()
+
+
+func _touch(place: Vector3, pressure: float) -> void:
+	var strength := _options.strength * pressure
+	for title in names_of(_field, _options):
+		if _smooths:
+			_map.smooth(place, _radius(), title, strength, _options.falloff)
+		elif _tool == BrushOptions.Tool.HEIGHT:
+			var height := _options.height
+			_map.paint_height(place, _radius(), title, height, strength, _options.falloff)
+		else:
+			var density := _options.density if _tool == BrushOptions.Tool.PAINT else 0.0
+			_map.paint_towards(place, _radius(), title, density, strength, _options.falloff)
+
+
+# In the field's own axes.
+func _radius() -> float:
+	var scale := _field.global_basis.get_scale().x
+	return clampf(_options.radius / maxf(scale, 1e-6), 0.01, BrushOptions.MOST_RADIUS)
+
+
+func _make_map() -> PlantMap:
+	var map := PlantMap.new()
+	for title in _all_names(_field):
+		map.fill_polygon(_field.get_outline_points(), title)
+	return map
+
+
+static func _all_names(field: PlantField3D) -> PackedStringArray:
+	var names: PackedStringArray = []
+	for entry in field.species:
+		if entry and entry.get_layer_name():
+			names.append(entry.get_layer_name())
+	return names
+
+
+func _on_area_changed(rect: Rect2) -> void:
+	_rect = _rect.merge(rect) if _rect.has_area() else rect
+
+
+func _title() -> String:
+	if _smooths:
+		return Translations.text("Smooth Plants")
+	match _tool:
+		BrushOptions.Tool.ERASE:
+			return Translations.text("Erase Plants")
+		BrushOptions.Tool.HEIGHT:
+			return Translations.text("Paint Plant Height")
+	return Translations.text("Paint Plants")

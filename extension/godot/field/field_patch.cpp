@@ -1,0 +1,91 @@
+#include "field/field_patch.hpp"
+
+#include <godot_cpp/classes/worker_thread_pool.hpp>
+
+#include <utility>
+
+using namespace godot;
+
+namespace undergrowth {
+
+FieldPatch::FieldPatch(PatchRecipe &&with) : recipe(std::move(with)) {}
+
+FieldPatch::~FieldPatch() {
+	wait();
+}
+
+void FieldPatch::wait() {
+	if (task >= 0) {
+		WorkerThreadPool::get_singleton()->wait_for_task_completion(task);
+		task = -1;
+	}
+}
+
+void FieldPatch::launch(Stage next) {
+	wait();
+	stage = next;
+	task = WorkerThreadPool::get_singleton()->add_native_task(&FieldPatch::work, this);
+}
+
+void FieldPatch::place() {
+	launch(Stage::placing);
+}
+
+void FieldPatch::go_on(std::vector<float> &&given_heights, std::vector<glm::vec3> &&given_normals) {
+	heights = std::move(given_heights);
+	normals = std::move(given_normals);
+	launch(Stage::standing);
+}
+
+void FieldPatch::draw(FieldStyle &&with, std::vector<DrawnNewcomers> &&of) {
+	style = std::move(with);
+	blocks = std::move(of);
+	launch(Stage::drawing);
+}
+
+void FieldPatch::work(void *self) {
+	FieldPatch *patch = static_cast<FieldPatch *>(self);
+	const Stage now = patch->stage;
+	if (now == Stage::drawing) {
+		patch->plan();
+		patch->stage = Stage::drawn;
+		return;
+	}
+	if (now == Stage::placing) {
+		patch->find_newcomers();
+		if (patch->recipe.ground.needs_survey() && patch->newcomers.size() > 0) {
+			patch->stage = Stage::grounding;
+			return;
+		}
+		patch->recipe.ground.look_up(patch->newcomers, patch->heights, patch->normals);
+	}
+	patch->stand();
+	patch->stage = Stage::placed;
+}
+
+void FieldPatch::find_newcomers() {
+	FieldPlants placed;
+	for (const AreaBox &box : recipe.boxes) {
+		recipe.request.area = rectangle(box.high - box.low, 0.5f * (box.low + box.high));
+		FieldPlants some;
+		place_plants(recipe.request, some);
+		placed.append(some);
+	}
+	patch = std::make_unique<StandPatch>(std::move(recipe.standing), recipe.spacing);
+	newcomers = patch->find_newcomers(placed);
+}
+
+void FieldPatch::stand() {
+	if (heights.size() == size_t(newcomers.size()) && normals.size() == heights.size()) {
+		apply_ground(newcomers, heights.data(), normals.data(), recipe.ground.limits);
+	}
+	edit = patch->make_edit(newcomers);
+}
+
+void FieldPatch::plan() {
+	for (DrawnNewcomers &one : blocks) {
+		one.plans = plan_clumps(style, { { one.texels, &one.block, one.number } });
+	}
+}
+
+} // namespace undergrowth

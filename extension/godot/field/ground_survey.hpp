@@ -1,0 +1,48 @@
+#pragma once
+
+#include "field/field_options.hpp"
+#include "stand/plants.hpp"
+
+#include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/variant/string.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace undergrowth {
+
+/// Asks for the ground under plants, a part of them at a time, where only the main thread may ask.
+class GroundSurvey {
+public:
+	enum class State { going_on, done, failed };
+
+	virtual ~GroundSurvey() = default;
+	/// Goes on for about `usec`. Once it has failed, it stays so.
+	virtual State go_on(const FieldPlants &plants, double usec) = 0;
+	/// In physics frames only, or in other ones only.
+	virtual bool is_of_physics() const = 0;
+	/// Why it failed, and what to do.
+	virtual godot::String fault() const = 0;
+	/// What to check where there is no ground under anybody.
+	virtual godot::String advice() const = 0;
+	bool has_found_any() const { return found_count > 0; }
+
+	std::vector<float> heights; ///< m, field axes; NaN where there is no ground. As many as plants once it is done.
+	std::vector<glm::vec3> normals; ///< Of any length.
+
+protected:
+	int found_count = 0;
+
+	/// Field axes.
+	void add(float height, const glm::vec3 &normal);
+};
+
+/// What asks the ground of a field that has colliders or an object for it.
+std::unique_ptr<GroundSurvey> survey_ground(godot::Node3D *field, const FieldProperties &options);
+
+/// The object that a path leads to, which may be a property of a node ("Terrain:data"); null where it leads nowhere.
+godot::Object *find_ground_object(const godot::Node3D *field, const godot::NodePath &path);
+
+} // namespace undergrowth

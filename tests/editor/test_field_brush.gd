@@ -1,0 +1,153 @@
+@tool
+extends "viewport_test.gd"
+## The brush over the 3D view: strokes on a field's map, while they are drawn and as steps of undo.
+
+const BAR_SCRIPT := "res://addons/undergrowth/editor/brush/brush_bar.gd"
+const GRASS := "Grass"
+
+
+func test_the_toolbar_is_there_while_a_field_is_edited() -> void:
+	var field := await _open_field()
+	EditorInterface.get_selection().clear()
+	await frames(5)
+	check(not _bar().visible, "nothing is selected")
+	await _choose_only(field)
+	check(_bar().visible, "a field is selected")
+	check_equal(_species_button(GRASS).text, GRASS, "its species")
+	check(not (_bar().get_node("%Numbers") as Control).visible, "no tool is chosen")
+	await _choose_only(field.get_parent())
+	check(not _bar().visible, "another node is selected")
+
+
+func test_a_first_stroke_makes_a_map_in_one_step() -> void:
+	var field := await _edited_field()
+	await _choose_tool("Erase")
+	var version := _history().get_version()
+	var count := field.get_plant_count()
+	await drag(_view(), _place_of(field, Vector3.ZERO), _place_of(field, Vector3(0, 0, 1)))
+	await _rested(field)
+	check(field.map != null, "it has a map")
+	check_equal(_history().get_version(), version + 1, "one step")
+	check_equal(_history().get_current_action_name(), tr("Erase Plants"), "its name")
+	check(field.map.get_density(Vector3(0, 0, 0.5), GRASS) < 0.2, "density in the stroke")
+	check_equal(field.map.get_density(Vector3(0.7, 0, -1.5), GRASS), 1.0, "density beside it")
+	check(field.get_plant_count() < count, "%d of %d" % [field.get_plant_count(), count])
+	var painted := field.map.data
+	await undo()
+	check(field.map == null, "it has no map after undo")
+	await _rested(field)
+	check_equal(field.get_plant_count(), count, "plants after undo")
+	await redo()
+	check_equal(field.map.data, painted, "map after redo")
+	await _rested(field)
+	check(field.get_plant_count() < count, "plants after redo")
+
+
+func test_strokes_are_seen_while_they_are_drawn() -> void:
+	var field := await _edited_field()
+	field.map = PlantMap.new()
+	await _rested(field)
+	check_equal(field.get_plant_count(), 0, "plants of an empty map")
+	await _choose_tool("Paint")
+	var from := _in_window(_view(), _place_of(field, Vector3(0, 0, -1)))
+	await _point(_view(), from)
+	_press(_view(), from, MOUSE_BUTTON_LEFT, true)
+	check(await until(func() -> bool: return field.get_plant_count() > 0), "plants after a touch")
+	var few := field.get_plant_count()
+	var to := _in_window(_view(), _place_of(field, Vector3(0, 0, 1)))
+	_move(_view(), from, to, MOUSE_BUTTON_MASK_LEFT)
+	check(await until(func() -> bool: return field.get_plant_count() > few), "plants of the move")
+	_press(_view(), to, MOUSE_BUTTON_LEFT, false)
+	await frames(2)
+	await _rested(field)
+	check(field.map.get_density(Vector3(0, 0, 0), GRASS) > 0.3, "no gap where the mouse was quick")
+	await undo()
+	await _rested(field)
+	check_equal(field.get_plant_count(), 0, "plants after undo")
+	check_equal(field.map.get_painted_species(), PackedStringArray(), "painted after undo")
+
+
+func test_keys_and_ctrl_change_what_the_brush_does() -> void:
+	var field := await _edited_field()
+	await _choose_tool("Paint")
+	var radius := _bar().get_node("%Radius") as EditorSpinSlider
+	var before := radius.value
+	await click(_view(), _place_of(field, Vector3(0, 0, 1.5)))
+	await press_key(_view(), KEY_BRACKETRIGHT)
+	check(absf(radius.value - before * 1.2) < 0.06, "radius: %f" % radius.value)
+	await press_key(_view(), KEY_BRACKETLEFT)
+	check(absf(radius.value - before) < 0.06, "radius then: %f" % radius.value)
+	check_equal(field.map.get_density(Vector3.ZERO, GRASS), 1.0, "density")
+	await press_key(_view(), KEY_ESCAPE)
+	check(not (_bar().get_node("%Paint") as Button).button_pressed, "Escape puts it down")
+
+
+func test_height_and_pick() -> void:
+	var field := await _edited_field()
+	await _choose_tool("Height")
+	(_bar().get_node("%Strength") as EditorSpinSlider).value = 1.0
+	await click(_view(), _place_of(field, Vector3.ZERO))
+	check_equal(field.map.get_height_factor(Vector3.ZERO, GRASS), 1.5, "height")
+	check_equal(_history().get_current_action_name(), tr("Paint Plant Height"), "its name")
+	(_bar().get_node("%PlantHeight") as EditorSpinSlider).value = 0.5
+	await _choose_tool("Pick")
+	await click(_view(), _place_of(field, Vector3.ZERO))
+	check_equal((_bar().get_node("%PlantHeight") as EditorSpinSlider).value, 1.5, "picked height")
+	check((_bar().get_node("%Paint") as Button).button_pressed, "it paints then")
+	check(_species_button(GRASS).button_pressed, "what was picked")
+	(_bar().get_node("%Strength") as EditorSpinSlider).value = 0.5
+	_species_button(GRASS).button_pressed = false
+	await _choose_tool("Paint")
+
+
+func test_the_brush_is_seen() -> void:
+	var field := await _edited_field()
+	field.size = Vector2(12, 12)
+	field.species = [
+		PlantFieldSpecies.of(load("res://addons/undergrowth/species/meadow_grass.tres")),
+		PlantFieldSpecies.of(load("res://addons/undergrowth/species/poppy.tres"), 0.2),
+	]
+	await _rested(field)
+	await _choose_tool("Erase")
+	(_bar().get_node("%Radius") as EditorSpinSlider).value = 0.8
+	await drag(_view(), _place_of(field, Vector3(-3, 0, -1)), _place_of(field, Vector3(3, 0, 2)))
+	await _rested(field)
+	var at := _place_of(field, Vector3(2, 0, -1))
+	await frames(30)
+	_move(_view(), _in_window(_view(), at), _in_window(_view(), at) + Vector2(1, 1), 0)
+	await frames(3)
+	await take_picture("brush")
+	check(field.map != null, "it is painted")
+	await _choose_tool("Erase")
+
+
+func _edited_field() -> PlantField3D:
+	var field := await _open_field()
+	await _choose_only(field)
+	await _rested(field)
+	(_bar().get_node("%Radius") as EditorSpinSlider).value = 0.8
+	return field
+
+
+func _rested(field: PlantField3D) -> void:
+	await frames(3)
+	var rests := func() -> bool: return not field.is_filling()
+	check(await until(rests), "it comes to rest")
+
+
+func _bar() -> Control:
+	var found: Array[Node] = []
+	_collect(EditorInterface.get_base_control(), BAR_SCRIPT, found)
+	return found[0]
+
+
+func _species_button(title: String) -> Button:
+	for button: Button in _bar().get_node("%Species").get_children():
+		if button.text == title:
+			return button
+	return null
+
+
+# Or puts it down where it is chosen.
+func _choose_tool(title: String) -> void:
+	await click(_bar().get_node("%" + title) as Control)
