@@ -24,6 +24,9 @@ func make_stage() -> void:
 
 ## What the stage shows, two frames from now.
 func picture() -> Image:
+	if DisplayServer.get_name() == "headless":
+		printerr("There is nothing to take a picture of: run this script with a renderer.")
+		quit(1)
 	await frames(2)
 	await RenderingServer.frame_post_draw
 	return stage.get_texture().get_image()

@@ -2,9 +2,7 @@
 
 #include "field/meadow.hpp"
 
-#include "field/field_wind_clock.hpp"
 #include "messages.hpp"
-#include "plant_simulation.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/world3d.hpp>
@@ -23,38 +21,6 @@ namespace undergrowth {
 static constexpr double LEAST_ASKING_USEC = 3000.0;
 static constexpr double MOST_ASKING_USEC = 50000.0;
 static constexpr double ASKING_SHARE = 0.2;
-
-FieldSettings Meadow::settings() const {
-	FieldSettings made;
-	made.step = float(PlantSimulation::get_singleton()->get_step_length());
-	made.update_interval = properties.update_interval;
-	made.prototypes = properties.prototypes;
-	made.seed = uint64_t(properties.seed);
-	return made;
-}
-
-String Meadow::make_recipe(FieldRecipe &recipe) {
-	recipe.places = asking->places;
-	recipe.style = std::move(asking->style);
-	String fault = recipe.places ? read_request(node, properties, nullptr, recipe.request) : String();
-	if (fault.is_empty()) {
-		fault = read_ground(node, properties, recipe.ground);
-	}
-	if (!fault.is_empty()) {
-		return fault;
-	}
-	if (recipe.places) {
-		ground = recipe.ground;
-		patches.forget_touched();
-	}
-	const Ref<PlantWind> &wind = properties.wind;
-	recipe.prepare = motion.prepare();
-	recipe.settings = settings();
-	recipe.tile_size = float(properties.tile_size);
-	recipe.wind = field_wind(wind, axes_of(node), wind.is_valid() ? wind->get_time() : 0.0);
-	recipe.standing = copy_filled(store);
-	return String();
-}
 
 void Meadow::fill(bool places) {
 	const bool placed_before = is_filling();
