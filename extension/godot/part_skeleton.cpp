@@ -2,7 +2,6 @@
 
 #include "convert.hpp"
 #include "form/grown_plant.hpp"
-#include "motion/bend_encoding.hpp"
 #include "new_object.hpp"
 #include "shared_resources.hpp"
 #include "stem/stem_bones.hpp"
@@ -20,6 +19,7 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr float CALM_BEND = 1.5e-3f; // Where part_bend() says that a stem rests, and less.
+static constexpr float LEAST_HEIGHT = 1e-3f; // Of a unit direction, plus 1.
 static constexpr float CALM_RATE = 1e-4f; // 1/s: no part bends as far as a millionth by it.
 
 static Quaternion quaternion_of(const glm::vec4 &turn) {
@@ -134,7 +134,7 @@ glm::vec3 PartSkeleton::arm(const glm::vec3 &direction, float share) const {
 		return share * direction;
 	}
 	StemMotion bent = stem;
-	bent.bend = stereographic(encode_bend(direction));
+	bent.bend = glm::vec2(direction.x, direction.z) / std::max(1.0f + direction.y, LEAST_HEIGHT);
 	return StandingStem(*constants, 1.0f, bent).place_of({ 0.0f, share, 0.0f }, share);
 }
 

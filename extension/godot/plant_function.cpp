@@ -52,7 +52,7 @@ void PlantFunction::set_motion(float &slot, const char *property, double value, 
 }
 
 void PlantFunction::motion_changed() {
-	stems.clear();
+	stems.forget_stems();
 	changes_motion_only = true;
 	emit_changed();
 	changes_motion_only = false;
@@ -159,11 +159,12 @@ void PlantFunction::set_stem(const Ref<PlantStem> &new_stem) {
 		unfollow_changes(stem.ptr(), listener);
 		stem = new_stem;
 		follow_changes(stem.ptr(), listener);
-		motion_changed();
+		on_stem_changed();
 	}
 }
 
 void PlantFunction::on_stem_changed() {
+	told_of_stem = String();
 	motion_changed();
 }
 
@@ -172,8 +173,8 @@ std::shared_ptr<const StemConstants> PlantFunction::find_stem(double height) {
 	if (motion.law != Law::stem) {
 		return nullptr;
 	}
-	const bool is_news = stems.problem().is_empty();
 	if (!stems.knows_plants()) {
+		follow_changes(this, Callable(this, "_on_own_change")); // A script may answer otherwise then.
 		SampledPlant plant;
 		if (!sample(0.0, STEM_SEGMENTS, 0, plant).is_empty()) {
 			plant = SampledPlant(); // Whoever builds its mesh tells what is wrong.
@@ -182,8 +183,9 @@ std::shared_ptr<const StemConstants> PlantFunction::find_stem(double height) {
 		stems.learn(plant);
 	}
 	const std::shared_ptr<const StemConstants> found = stems.of(float(height), motion, stem);
-	if (is_news && !stems.problem().is_empty()) {
+	if (!stems.problem().is_empty() && stems.problem() != told_of_stem) {
 		report_error(this, stems.problem() + " It stands as a bare stem until then.");
+		told_of_stem = stems.problem();
 	}
 	return found;
 }
@@ -268,12 +270,13 @@ Ref<Material> PlantFunction::get_material() const {
 // How it moves and what it wears leaves what has grown as it is.
 void PlantFunction::on_own_change() {
 	if (!is_motion_change() && !is_material_change()) {
-		growth.forget();
+		on_grown_change();
 	}
 }
 
 void PlantFunction::on_grown_change() {
 	growth.forget();
+	stems.clear();
 }
 
 void PlantFunction::on_arrangement_changed() {

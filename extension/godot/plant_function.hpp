@@ -46,6 +46,7 @@ private:
 	godot::Array arrangements; // Of PlantArrangement.
 	godot::Ref<PlantStem> stem;
 	StemTable stems;
+	godot::String told_of_stem; // What keeps stems from standing, as it was told.
 	SpeciesGrowth growth;
 
 	void set_motion(float &slot, const char *property, double value, const Range &range);

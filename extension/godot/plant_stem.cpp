@@ -25,8 +25,9 @@ void PlantStem::tell(StemBeam &beam) const {
 	take(taper, beam.taper);
 	take(head_mass, beam.head_mass);
 	take(head_drag_area, beam.head_drag_area);
-	if (leaf_mass >= 0.0 || leaf_drag_area >= 0.0) {
-		beam.loads.clear();
+	for (StemBeam::Load &load : beam.loads) {
+		load.mass = leaf_mass >= 0.0 ? 0.0f : load.mass;
+		load.drag_area = leaf_drag_area >= 0.0 ? 0.0f : load.drag_area;
 	}
 	take(leaf_mass, beam.leaf_mass);
 	take(leaf_drag_area, beam.leaf_drag_area);
@@ -38,6 +39,16 @@ void PlantStem::set_number(double &slot, const char *property, double value, dou
 		slot = value;
 		emit_changed();
 	}
+}
+
+void PlantStem::set_unless_none(double &slot, const char *property, double value, double least, double most) {
+	if (value > 0.0 && value < least) {
+		report_error(this,
+				String(property) + " cannot be " + String::num(value) + ", it keeps its value. Set a number from " +
+						String::num(least) + " to " + String::num(most) + ", or 0 for none.");
+		return;
+	}
+	set_number(slot, property, value, 0.0, most);
 }
 
 void PlantStem::set_joints(int count) {
@@ -55,7 +66,7 @@ void PlantStem::set_modes(int count) {
 }
 
 void PlantStem::set_youngs_modulus(double pascal) {
-	set_number(youngs_modulus, "youngs_modulus", pascal, 0.0, 1e12);
+	set_unless_none(youngs_modulus, "youngs_modulus", pascal, 1e4, 1e12);
 }
 
 void PlantStem::set_density(double value) {
@@ -63,7 +74,7 @@ void PlantStem::set_density(double value) {
 }
 
 void PlantStem::set_diameter(double metres) {
-	set_number(diameter, "diameter", metres, 0.0, 1.0);
+	set_unless_none(diameter, "diameter", metres, 2e-5, 1.0);
 }
 
 void PlantStem::set_taper(double share) {

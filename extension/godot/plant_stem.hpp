@@ -25,6 +25,8 @@ class PlantStem : public godot::Resource {
 	double leaf_drag_area = -1.0; // m².
 	godot::PackedFloat32Array wind_weights;
 
+	/// 0 says nothing; everything else lies between `least` and `most`.
+	void set_unless_none(double &slot, const char *property, double value, double least, double most);
 	void set_number(double &slot, const char *property, double value, double least, double most);
 
 protected:

@@ -3,6 +3,7 @@
 #include "form/grown_plant.hpp"
 #include "mesh/form_stem.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace godot;
@@ -10,11 +11,18 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr double HEIGHT_RATIO = 1.1; // Of neighbouring classes.
+static constexpr float SHORTEST = 0.005f; // m; of bare stems.
+static constexpr float LONGEST = 100.0f;
 
 StemBeam StemTable::nothing() {
 	StemBeam beam;
 	beam.length = 0.0f;
 	return beam;
+}
+
+void StemTable::forget_stems() {
+	solved.clear();
+	fault = String();
 }
 
 void StemTable::learn(const SampledPlant &plant) {
@@ -29,7 +37,7 @@ void StemTable::learn(const SampledPlant &plant) {
 
 std::shared_ptr<const StemConstants> StemTable::of(float height, const Motion &motion, const Ref<PlantStem> &stem) {
 	const bool is_physical = stem.is_valid() && stem->is_physical();
-	const double ratio = double(height) / double(drawn.length);
+	const double ratio = height > 0.0f ? double(height) / double(drawn.length) : 1.0;
 	const int number = is_physical ? int(std::lround(std::log(ratio) / std::log(HEIGHT_RATIO))) : 0;
 	std::shared_ptr<const StemConstants> &found = solved[number];
 	if (!found) {
@@ -48,9 +56,9 @@ StemConstants StemTable::solve(int number, const Motion &motion, const Ref<Plant
 	}
 	StemSolution solution = solve_stem(beam);
 	if (solution.fault != StemFault::none) {
-		fault = describe(solution.fault);
+		fault = String::utf8(describe(solution.fault));
 		StemBeam bare;
-		bare.length = beam.length;
+		bare.length = std::clamp(beam.length, SHORTEST, LONGEST);
 		bare.joints = beam.joints;
 		bare.modes = beam.modes;
 		solution = solve_stem(bare);

@@ -13,14 +13,16 @@ namespace undergrowth {
 /// height, and where it follows from stiffness, for heights a tenth apart. Main thread.
 class StemTable {
 public:
-	/// Forgets everything: the species changed.
+	/// Forgets everything: the species looks different.
 	void clear() { *this = StemTable(); }
+	/// Forgets what it solved, but not what its plants look like: they move otherwise.
+	void forget_stems();
 	/// Whether it knows what its plants look like. It has to, before it is asked.
 	bool knows_plants() const { return drawn.length > 0.0f; }
 	/// Takes over what one of them, of the species' own height, says of its stem.
 	void learn(const SampledPlant &plant);
 
-	/// The stem of a plant of `height` metres; `stem` may be null. Where nothing can stand so, that of a bare stem that
+	/// The stem of a plant of `height` metres, one of the species' own where that is 0; `stem` may be null. Where nothing can stand so, that of a bare stem that
 	/// swings at about 1.5 Hz, and problem() says what is wrong.
 	std::shared_ptr<const StemConstants> of(float height, const Motion &motion, const godot::Ref<PlantStem> &stem);
 	/// In English; empty where all stems stand.

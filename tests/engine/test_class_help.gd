@@ -3,6 +3,7 @@ extends "res://tests/engine/harness.gd"
 
 const CLASSES: PackedStringArray = [
 	"PlantFunction",
+	"PlantStem",
 	"PlantPart",
 	"PlantAxis",
 	"PlantBlade",

@@ -85,8 +85,7 @@ const char *describe(StemFault fault) {
 		case StemFault::drag:
 			return "The stem's drag coefficient is out of range: use 0.01 to 10.";
 		case StemFault::frequency:
-			return "The stem's natural frequency is out of range: use 0.02 to 100 Hz, or 0 to let it follow from "
-				   "Young's "
+			return "The stem's natural frequency is out of range: use 0.02 to 100 Hz, or let it follow from Young's "
 				   "modulus.";
 		case StemFault::stiffness:
 			return "The stem's Young's modulus is out of range: use 10000 Pa to 1e12 Pa.";
