@@ -3,7 +3,7 @@ class_name AnemoneFunction
 extends PlantFunction
 ## Wood anemone, a plant of parts in one script: a stem, three leaves about it, and a flower.
 
-var stem := (
+var stalk := (
 	PlantAxis
 	. of(
 		{
@@ -47,7 +47,7 @@ var anther := PlantBead.of({length = 0.002, diameter = 0.0012, tip_color = Color
 
 
 func _grow(plant: PlantGrowth) -> void:
-	var stems := plant.scatter(stem, plant.rng.randi_range(3, 5), {radius = 0.05, tilt = 0.2})
+	var stems := plant.scatter(stalk, plant.rng.randi_range(3, 5), {radius = 0.05, tilt = 0.2})
 	plant.along(leaf, stems, 9, {from = 0.7, to = 0.7, per_node = 9, angle = 1.1})
 	plant.whorl(petal, stems, 6, {radius = 0.002, angle = 1.35})
 	plant.disc(anther, stems, 30, {radius = 0.0035, dome = 1.3})

@@ -10,11 +10,11 @@ class Daisy:
 	static var grown := 0
 	var rays := 22
 	var ray := PlantBlade.of({length = 0.016, width = 0.0045, profile = PlantBlade.PROFILE_RAY})
-	var stem := PlantAxis.of({length = Vector2(0.3, 0.6), diameter = Vector2(0.003, 0.002)})
+	var stalk := PlantAxis.of({length = Vector2(0.3, 0.6), diameter = Vector2(0.003, 0.002)})
 
 	func _grow(plant: PlantGrowth) -> void:
 		grown += 1
-		var stems := plant.scatter(stem, plant.rng.randi_range(1, 3), {radius = 0.01})
+		var stems := plant.scatter(stalk, plant.rng.randi_range(1, 3), {radius = 0.01})
 		plant.whorl(ray, stems, rays, {radius = 0.007, angle = 1.4})
 
 
@@ -74,7 +74,7 @@ func test_a_script_grows_again_when_it_has_changed() -> void:
 	Daisy.grown = 0
 	var species := Daisy.new()
 	var before := species.generate_mesh(0.0, 6, 1).get_aabb()
-	species.stem.length = Vector2(1.0, 1.2)
+	species.stalk.length = Vector2(1.0, 1.2)
 	check(species.generate_mesh(0.0, 6, 1).get_aabb().size.y > before.size.y, "a part's length")
 	check_equal(Daisy.grown, 2, "grown")
 	species.rays = 3  # A variable of the script, which tells nobody.
@@ -83,7 +83,7 @@ func test_a_script_grows_again_when_it_has_changed() -> void:
 	species.emit_changed()
 	species.generate_mesh(0.0, 6, 1)
 	check_equal(Daisy.grown, 4, "a change that is told")
-	species.stem = PlantAxis.of({length = 0.2})
+	species.stalk = PlantAxis.of({length = 0.2})
 	check(species.generate_mesh(0.0, 6, 1).get_aabb().size.y < before.size.y, "another part")
 
 

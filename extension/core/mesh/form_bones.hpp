@@ -20,7 +20,7 @@ public:
 	static constexpr int ROOT = 0;
 	static constexpr int TIP = 1;
 	static constexpr int FIRST = 2; ///< Index in the skeleton of the first of bones().
-	static constexpr int MOST = 32; ///< Root and tip included.
+	static constexpr int MOST = 32; ///< Root and tip included, joints of a stem not.
 	static constexpr float LONG = 0.25f; ///< m.
 	static constexpr int MOST_OF_TUFT = 8;
 
