@@ -46,10 +46,14 @@ struct SpringPage {
 	float most; ///< MAX_GNOMONIC.
 };
 
-/// Air (m/s) at each plant, and what it does to the tip: a force of drag·speed·velocity on a wind weight of 1.
+/// Air (m/s) at each plant, and what it does to the tip: with the speed s of the air past it, a force of drag·s times
+/// the air's velocity (on a wind weight of 1), and drag·s times the tip's own against that.
 struct PlantAir {
 	const float *x, *z;
+	const float *lengths; ///< m.
 	float drag; ///< kg/m.
+	float slowing; ///< What the second force takes of the rate in a step, over s, s/m.
+	float steps; ///< In a second.
 };
 
 /// Both laws keep t and its equilibrium within this size, so that nothing overflows: 0.06 degrees above the ground.

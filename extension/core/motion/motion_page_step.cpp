@@ -129,6 +129,7 @@ void MotionPage::step(const TravellingWind &wind, const PlantWinds &along, SimdL
 	const AirBlow blow = blow_over(wind.air, kind.stand_height, along);
 	const float *alone = kind.stand_height > 0.0f ? nullptr : lengths();
 	const float drag = air_drag(kind.joint);
+	const float slowing = step_time * drag * kind.joint.wind_weight / kind.joint.mass;
 	const bool is_stirred = any_reaches(wind.sources, box_low, box_high);
 	const bool is_air = wind.is_air || is_stirred;
 	float strengths[BLOCK]; // Of newtons; of air the velocities along x.
@@ -145,7 +146,7 @@ void MotionPage::step(const TravellingWind &wind, const PlantWinds &along, SimdL
 		if (is_stirred) {
 			stir(wind, along, begin, count, strengths, side);
 		}
-		const PlantAir breeze = { strengths, side, drag };
+		const PlantAir breeze = { strengths, side, lengths() + begin, drag, slowing, 1.0f / step_time };
 		const PlantWinds winds = { strengths, along.x, along.z };
 		Bend *block_pairs = keeps_directions ? nullptr : pairs.data() + 2 * static_cast<std::size_t>(begin);
 		if (kind.law == Law::elasticity) {
