@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 
 using namespace undergrowth;
 
@@ -168,6 +169,36 @@ TEST_CASE("a source moves the pages that it reaches, with the same bits at every
 			CHECK(hash_states(far) == hash_states(calm));
 			CHECK(hash_states(near) != hash_states(calm));
 			CHECK(hash_states(near) == hash_states(best));
+		}
+	}
+}
+
+TEST_CASE("no joint, state or air, however extreme, leads to a number that is none") {
+	constexpr float NONE = std::numeric_limits<float>::quiet_NaN();
+	constexpr float EXTREMES[] = { 0.0f, 1e-6f, 1.0f, 1e6f, 1e30f, -1.0f, NONE };
+	for (const Law law : BOTH_LAWS) {
+		for (const float a : EXTREMES) {
+			for (const float b : EXTREMES) {
+				Joint joint;
+				joint.mass = b;
+				joint.wind_weight = a;
+				joint.drag_area = b;
+				joint.natural_frequency = a;
+				joint.elasticity = b;
+				MotionPage page = one_plant(law, joint, 0.0f);
+				page.set_state(0, { { a, 1.0f, b }, { b, a, a } });
+				FieldWind wind = air_of(-1.0f);
+				AirSource blast;
+				blast.speed = 340.0f;
+				for (int i = 0; i < 200; i++) {
+					wind.air.speed = i % 50 < 25 ? 100.0f : b;
+					TravellingWind now = wind_at_time(wind, i / 60.0);
+					blast.age = static_cast<float>(i % 40) / 60.0f;
+					now.sources = { &blast, 1 };
+					page.step(now, winds_along(wind));
+				}
+				REQUIRE(is_finite(page.state(0)));
+			}
 		}
 	}
 }
