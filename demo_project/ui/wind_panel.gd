@@ -34,7 +34,6 @@ func _ready() -> void:
 	_kind.selected = wind.kind
 	for weather in WEATHER:
 		_weather.add_item(weather.capitalize())
-	_weather.selected = -1
 	_speed.value = wind.speed
 	_strength.value = wind.strength
 	_direction.value = rad_to_deg(wind.direction)
@@ -88,6 +87,15 @@ func _on_direction_turned(degrees: float) -> void:
 	_show_values()
 
 
+# Which of the offered weathers the wind is; none while another one comes up.
+func _weather_now() -> int:
+	return WEATHER.find_custom(
+		func(weather: String) -> bool:
+			var offered: PlantWind = load(WINDS + weather + ".tres")
+			return is_equal_approx(offered.speed, wind.speed)
+	)
+
+
 func _on_pause_toggled(on: bool) -> void:
 	get_tree().paused = on
 	_pause.text = "Resume" if on else "Pause"
@@ -100,6 +108,7 @@ func _show_values() -> void:
 	for row: Control in [%StrengthRow, %FrequencyRow]:
 		row.visible = not is_air
 	_speed.set_value_no_signal(wind.speed)
+	_weather.selected = _weather_now()
 	(%SpeedValue as Label).text = "%.1f m/s · %d" % [wind.speed, wind.get_beaufort()]
 	var has_frequency := wind.kind in [PlantWind.KIND_BURSTS, PlantWind.KIND_WAVES]
 	(%StrengthValue as Label).text = "%.1f N" % wind.strength

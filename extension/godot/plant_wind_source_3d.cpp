@@ -25,6 +25,8 @@ static std::vector<PlantWindSource3D *> &in_tree() {
 	return all;
 }
 
+static bool is_stale = false; // What all_now() gave last is not what stirs the air now.
+
 PlantWindSource3D::PlantWindSource3D() {
 	air.radius = 3.0f;
 }
@@ -35,6 +37,10 @@ bool PlantWindSource3D::stirs_now() const {
 
 const std::vector<AirSource> &PlantWindSource3D::all_now() {
 	static std::vector<AirSource> now;
+	if (!is_stale) {
+		return now;
+	}
+	is_stale = false;
 	now.clear();
 	for (const PlantWindSource3D *source : in_tree()) {
 		if (source->stirs_now()) {
@@ -61,6 +67,7 @@ std::vector<AirSource> PlantWindSource3D::all_in(const Transform3D &axes) {
 }
 
 void PlantWindSource3D::follow(double delta) {
+	is_stale = true;
 	const Vector3 place = get_global_position();
 	const Vector3 moved = delta > 0.0 ? (place - last_place) / real_t(delta) : Vector3();
 	last_place = place;
@@ -83,6 +90,7 @@ void PlantWindSource3D::_notification(int what) {
 			follow(0.0);
 			break;
 		case NOTIFICATION_EXIT_TREE:
+			is_stale = true;
 			in_tree().erase(std::remove(in_tree().begin(), in_tree().end(), this), in_tree().end());
 			break;
 		case NOTIFICATION_INTERNAL_PROCESS:
@@ -147,6 +155,7 @@ double PlantWindSource3D::get_duration() const {
 
 void PlantWindSource3D::set_active(bool stirs) {
 	active = stirs;
+	is_stale = true;
 }
 
 void PlantWindSource3D::explode() {

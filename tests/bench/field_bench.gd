@@ -37,6 +37,8 @@ func _run() -> void:
 		await _measure_field("field_frame", count, {})
 		await _measure_field("field_frame_interval_4", count, {"update_interval": 4})
 		await _measure_field("field_frame_prototypes_64", count, {"prototypes": 64})
+	var breeze: PlantWind = load("res://addons/undergrowth/winds/fresh.tres")
+	await _measure_field("field_frame_air", LADDER_COUNT, {"wind": breeze})
 	for count: int in [LADDER_COUNT, LADDER_COUNT * 10]:
 		await _measure_field("field_frame_far", count, {"far_distance": FAR_DISTANCE})
 	if _renderer == "headless":

@@ -50,12 +50,16 @@ struct SpringPage {
 /// Both laws keep t and its equilibrium within this size, so that nothing overflows: 0.06 degrees above the ground.
 inline constexpr float MAX_GNOMONIC = 1e3f;
 
-/// Air (m/s) at each plant, along the axes of the directions; null where there is none.
+/// Air (m/s) at each plant, along the axes of the directions; null where there is none. And what it does to a tip of the
+/// laws of one joint: with the speed s of the air past it, a force of drag·s times the air's velocity (on a wind weight of
+/// 1), and drag·s times the tip's own against that.
 struct PlantAir {
 	const float *x = nullptr;
 	const float *z = nullptr;
-	/// kg/m: what it does to a tip of the laws of one joint, a force of drag·speed·velocity on a wind weight of 1.
-	float drag = 0.0f;
+	const float *lengths = nullptr; ///< m.
+	float drag = 0.0f; ///< kg/m.
+	float slowing = 0.0f; ///< What the second force takes of the rate in a step, over s, s/m.
+	float steps = 0.0f; ///< In a second.
 };
 
 /// What the step of one mode of a stem (StemMode) multiplies by, for one step length.

@@ -212,12 +212,17 @@ void MotionPage::step(const TravellingWind &wind, const PlantWinds &along, SimdL
 		remember();
 	}
 	const float drag = air_drag(kind.joint);
+	const float slowing = step_time * drag * kind.joint.wind_weight / kind.joint.mass;
 	BlockWind block;
 	for (int begin = 0; begin < size(); begin += BLOCK) {
 		const int count = std::min(BLOCK, size() - begin);
 		sample_wind(wind, along, begin, count, level, block);
 		const PlantWinds winds = { block.has_newtons ? block.strengths : nullptr, along.x, along.z };
-		const PlantAir air = { block.has_air ? block.x : nullptr, block.has_air ? block.z : nullptr, drag };
+		PlantAir air = { nullptr, nullptr, lengths() + begin, drag, slowing, 1.0f / step_time };
+		if (block.has_air) {
+			air.x = block.x;
+			air.z = block.z;
+		}
 		step_block(set, begin, count, winds, air);
 	}
 }

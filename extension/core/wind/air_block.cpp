@@ -20,12 +20,12 @@ float unit_gust(float skew) {
 
 /// Velocities of plants alone: each has the wind of its own height above open ground.
 void blow_alone(const AirNow &air, const float *lengths, AirBlow blow, int count, float *x, float *z) {
-	const auto roughness = static_cast<double>(air.roughness);
+	const OpenGround ground(static_cast<double>(air.roughness));
 	const float gust = air.speed * air.gusts * unit_gust(air.skew);
 	for (int i = 0; i < count; i++) {
 		const auto height = static_cast<double>(lengths[i]);
-		const auto share = static_cast<float>(open_ground_gusts(height, roughness));
-		blow.mean = air.speed * static_cast<float>(open_ground_speed(height, roughness));
+		const auto share = static_cast<float>(ground.gusts(height));
+		blow.mean = air.speed * static_cast<float>(ground.speed(height));
 		blow.gust = gust * share;
 		blow.side_gust = static_cast<float>(SIDE_GUSTS) * air.speed * air.gusts * share;
 		baseline_wind_kernels()->make_velocities(blow, 1, x + i, z + i);

@@ -29,23 +29,31 @@ double safe_height(double height) {
 	return std::isfinite(height) ? std::max(height, 0.0) : 0.0;
 }
 
-/// How much of the rough layer is below a height, 1 above it.
-double share_of_layer(double height, double roughness) {
-	return std::min(safe_height(height) / (ROUGH_LAYER * roughness), 1.0);
-}
-
 } // namespace
 
-double open_ground_speed(double height, double roughness) {
-	const double rough = safe_roughness(roughness);
+OpenGround::OpenGround(double roughness) :
+		rough(safe_roughness(roughness)), over_log(1.0 / portable_log(REFERENCE_HEIGHT / rough)) {}
+
+/// How much of the rough layer is below a height, 1 above it.
+double OpenGround::share_of_layer(double height) const {
+	return std::min(safe_height(height) / (ROUGH_LAYER * rough), 1.0);
+}
+
+double OpenGround::speed(double height) const {
 	const double above = std::max(safe_height(height), ROUGH_LAYER * rough);
-	const double speed = portable_log(above / rough) / portable_log(REFERENCE_HEIGHT / rough);
-	return speed * share_of_layer(height, rough);
+	return portable_log(above / rough) * over_log * share_of_layer(height);
+}
+
+double OpenGround::gusts(double height) const {
+	return GUSTS_OF_FRICTION * KARMAN * over_log * share_of_layer(height);
+}
+
+double open_ground_speed(double height, double roughness) {
+	return OpenGround(roughness).speed(height);
 }
 
 double open_ground_gusts(double height, double roughness) {
-	const double rough = safe_roughness(roughness);
-	return share_of_layer(height, rough) * GUSTS_OF_FRICTION * KARMAN / portable_log(REFERENCE_HEIGHT / rough);
+	return OpenGround(roughness).gusts(height);
 }
 
 double stand_top_speed(double stand_height) {

@@ -14,6 +14,20 @@ double open_ground_speed(double height, double roughness);
 /// Standard deviation along the wind, as a share of the speed at 10 m: 2.185 friction velocities at all heights above
 /// ten roughness lengths (a quarter of the speed at 1 m over 0.03 m), and below in proportion to the height.
 double open_ground_gusts(double height, double roughness);
+/// Both for many heights above one ground.
+class OpenGround {
+public:
+	explicit OpenGround(double roughness);
+	double speed(double height) const;
+	double gusts(double height) const;
+
+private:
+	double rough; ///< m.
+	double over_log; ///< 1/ln(10/z0).
+
+	double share_of_layer(double height) const;
+};
+
 /// At the tops of a stand so high, by the logarithmic law with its displacement (0.7 heights) and roughness (0.1).
 double stand_top_speed(double stand_height);
 /// At a height within it: exponential below its top (extinction from 2, thin, to 4.4, dense), by the law above it.

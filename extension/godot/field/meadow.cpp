@@ -72,7 +72,8 @@ double Meadow::advance(double delta, bool simulates) {
 	FieldMotion::Frame now = frame(delta, properties.wind);
 	motion.wait();
 	const bool wants_skeletons = seen.skeleton_distance > 0.0 && !Engine::get_singleton()->is_editor_hint();
-	if (wants_skeletons || (properties.far_distance > 0.0 && motion.wants_eyes())) {
+	const bool eyes_matter = properties.far_distance > 0.0 || properties.wind.is_valid();
+	if (wants_skeletons || (eyes_matter && motion.wants_eyes())) {
 		now.eyes = find_eyes();
 	}
 	const bool is_seen = node->is_visible_in_tree();

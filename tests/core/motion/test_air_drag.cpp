@@ -1,17 +1,20 @@
 #include "../wind/air_series.hpp"
 #include "varied.hpp"
 
+#include "conventions.hpp"
 #include "wind/air_sources.hpp"
 #include "wind/travelling_wind.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 
 using namespace undergrowth;
 
 namespace {
 
+constexpr double DAMPING_TOLERANCE = 0.06;
 constexpr double BEND_TOLERANCE = 1e-3; // Of the tangent.
 
 FieldWind air_of(float turbulence) {
@@ -86,6 +89,47 @@ TEST_CASE("under the elasticity law air pushes as hard as newtons of the same si
 	CHECK(std::fabs(held / force - 1.0) < BEND_TOLERANCE);
 }
 
+TEST_CASE("air damps a swing across it by its drag, and one along it twice as much") {
+	Joint joint;
+	joint.mass = 0.01f;
+	joint.wind_weight = 0.02f;
+	joint.natural_frequency = 2.0f;
+	joint.damping_ratio = 0.0f;
+	joint.elasticity = 12.0f;
+	joint.inner_friction = 0.0f;
+	FieldWind wind = air_of(0.0f);
+	wind.wind.direction = 0.0f;
+	wind.air.heading = 0.0;
+	wind.air.speed = 1.5f;
+	const double speed = 1.5 * open_ground_speed(0.8, 0.03);
+	const double rate = 0.5 * 1.225 * 0.02 * speed / 0.01; // Of the energy of a swing across, 1/s.
+	for (const Law law : BOTH_LAWS) {
+		for (const bool is_along : { false, true }) {
+			MotionPage page = one_plant(law, joint, 0.0f), calm = one_plant(law, joint, 0.0f);
+			const glm::vec3 pushed = is_along ? glm::vec3(0.0f, 1.0f, 0.05f) : glm::vec3(0.05f, 1.0f, 0.0f);
+			page.set_state(0, { glm::normalize(pushed), {} });
+			std::vector<double> peaks;
+			double last = 0.0, before = 0.0;
+			for (int i = 0; i < 240; i++) {
+				const TravellingWind now = wind_at_time(wind, i / 60.0);
+				page.step(now, winds_along(wind));
+				calm.step(now, winds_along(wind));
+				const glm::vec3 off = page.direction(0) - calm.direction(0);
+				const auto place = static_cast<double>(is_along ? off.z : off.x);
+				if (last > before && last > place) {
+					peaks.push_back(last);
+				}
+				before = last;
+				last = place;
+			}
+			const double periods = static_cast<double>(peaks.size()) - 1.0;
+			const double frequency = law == Law::spring ? 2.0 : std::sqrt(12.0 * 9.81 / 0.8) / (2.0 * PI);
+			const double decay = std::log(peaks.front() / peaks.back()) * frequency / periods;
+			CHECK(std::fabs(decay / (0.5 * rate * (is_along ? 2.0 : 1.0)) - 1.0) < DAMPING_TOLERANCE);
+		}
+	}
+}
+
 TEST_CASE("plants in turbulent air have the same bits at every level, however they are divided") {
 	const FieldWind wind = air_of(-1.0f);
 	for (const Law law : BOTH_LAWS) {
@@ -125,6 +169,36 @@ TEST_CASE("a source moves the pages that it reaches, with the same bits at every
 			CHECK(hash_states(far) == hash_states(calm));
 			CHECK(hash_states(near) != hash_states(calm));
 			CHECK(hash_states(near) == hash_states(best));
+		}
+	}
+}
+
+TEST_CASE("no joint, state or air, however extreme, leads to a number that is none") {
+	constexpr float NONE = std::numeric_limits<float>::quiet_NaN();
+	constexpr float EXTREMES[] = { 0.0f, 1e-6f, 1.0f, 1e6f, 1e30f, -1.0f, NONE };
+	for (const Law law : BOTH_LAWS) {
+		for (const float a : EXTREMES) {
+			for (const float b : EXTREMES) {
+				Joint joint;
+				joint.mass = b;
+				joint.wind_weight = a;
+				joint.drag_area = b;
+				joint.natural_frequency = a;
+				joint.elasticity = b;
+				MotionPage page = one_plant(law, joint, 0.0f);
+				page.set_state(0, { { a, 1.0f, b }, { b, a, a } });
+				FieldWind wind = air_of(-1.0f);
+				AirSource blast;
+				blast.speed = 340.0f;
+				for (int i = 0; i < 200; i++) {
+					wind.air.speed = i % 50 < 25 ? 100.0f : b;
+					TravellingWind now = wind_at_time(wind, i / 60.0);
+					blast.age = static_cast<float>(i % 40) / 60.0f;
+					now.sources = { &blast, 1 };
+					page.step(now, winds_along(wind));
+				}
+				REQUIRE(is_finite(page.state(0)));
+			}
 		}
 	}
 }
