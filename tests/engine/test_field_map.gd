@@ -283,7 +283,9 @@ func test_a_stroke_over_all_of_a_large_field_fills_it() -> void:
 	field.map = map
 	root.add_child(field)
 	await rested()
-	var corners := PackedVector3Array([Vector3(-90, 0, -90), Vector3(90, 0, -90), Vector3(90, 0, 90)])
+	var corners := PackedVector3Array(
+		[Vector3(-90, 0, -90), Vector3(90, 0, -90), Vector3(90, 0, 90)]
+	)
 	map.fill_polygon(corners, GRASS, 0.1)
 	await rested()
 	check_near(field.get_plant_count(), 90 * 180 * 0.5, 400.0, "plants")

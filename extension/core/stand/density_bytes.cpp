@@ -116,8 +116,8 @@ float read_float(uint32_t bits) {
 }
 
 bool is_near(const DensityMap &map, const TileKey &key) {
-	const CellRange all = map.cells_around({ { -FARTHEST_COORDINATE, -FARTHEST_COORDINATE },
-			{ FARTHEST_COORDINATE, FARTHEST_COORDINATE } });
+	const CellRange all = map.cells_around(
+			{ { -FARTHEST_COORDINATE, -FARTHEST_COORDINATE }, { FARTHEST_COORDINATE, FARTHEST_COORDINATE } });
 	const TileKey first = density_block_of(all.first_column, all.first_row);
 	const TileKey last = density_block_of(all.last_column, all.last_row);
 	return key.column >= first.column && key.column <= last.column && key.row >= first.row && key.row <= last.row;

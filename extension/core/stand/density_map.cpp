@@ -98,8 +98,7 @@ CellRange DensityMap::cells_around(const AreaBox &box) const {
 	if (!is_anywhere) {
 		return {};
 	}
-	return { cell_of(box.low.x, side), cell_of(box.low.y, side), cell_of(box.high.x, side),
-		cell_of(box.high.y, side) };
+	return { cell_of(box.low.x, side), cell_of(box.low.y, side), cell_of(box.high.x, side), cell_of(box.high.y, side) };
 }
 
 AreaBox DensityMap::box_of(const CellRange &cells) const {

@@ -95,6 +95,11 @@ public:
 	std::vector<PlantId> ids() const;
 	/// Appends all plants whose roots are at most `radius` (m) from `centre`. Costs by the tiles that the sphere meets.
 	void find_in_sphere(const glm::vec3 &centre, float radius, std::vector<PlantPlace> &found) const;
+	/// The same at most `radius` (m) from the line from one point to another.
+	void find_in_capsule(
+			const glm::vec3 &from, const glm::vec3 &to, float radius, std::vector<PlantPlace> &found) const;
+	/// The same in a polygon (x, z), however high.
+	void find_in_polygon(const Polygon &polygon, std::vector<PlantPlace> &found) const;
 	/// Appends all plants whose roots are in the box, its faces included.
 	void find_in_box(const glm::vec3 &low, const glm::vec3 &high, std::vector<PlantPlace> &found) const;
 

@@ -1,12 +1,20 @@
 #include "stand/plant_store.hpp"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace undergrowth {
 
 namespace {
+
+/// Boxes around what is exact are wider by so much, of their size and of where they are.
+constexpr float ROUNDED_UP = 1.0f + 1.0e-5f;
+constexpr float ROUNDING = 1.0e-6f;
 
 bool is_in(const glm::vec3 &point, const glm::vec3 &low, const glm::vec3 &high) {
 	return point.x >= low.x && point.x <= high.x && point.y >= low.y && point.y <= high.y && point.z >= low.z &&
@@ -48,8 +56,11 @@ void PlantStore::find_in(
 	for_each_tile(low, high, [&](const std::vector<int> &members) {
 		for (const int number : members) {
 			const PlantBlock &there = block(number);
-			for (int slot = 0; meet(there, low, high) && slot < there.size(); slot++) {
-				if (!there.is_gone(slot) && holds(there.root(slot))) {
+			const int count = meet(there, low, high) ? there.size() : 0;
+			for (int slot = 0; slot < count; slot++) {
+				// Most are beside the box: the exact answer costs more.
+				const glm::vec3 root = there.root(slot);
+				if (is_in(root, low, high) && !there.is_gone(slot) && holds(root)) {
 					found.push_back({ number, slot });
 				}
 			}
@@ -66,7 +77,36 @@ void PlantStore::find_in_sphere(const glm::vec3 &centre, float radius, std::vect
 		const glm::dvec3 way = glm::dvec3(root) - glm::dvec3(centre);
 		return way.x * way.x + way.y * way.y + way.z * way.z <= most;
 	};
-	find_in(centre - radius, centre + radius, holds, found);
+	const glm::vec3 reach(ROUNDED_UP * radius + std::numeric_limits<float>::min());
+	find_in(centre - reach - ROUNDING * glm::abs(centre), centre + reach + ROUNDING * glm::abs(centre), holds, found);
+}
+
+void PlantStore::find_in_capsule(
+		const glm::vec3 &from, const glm::vec3 &to, float radius, std::vector<PlantPlace> &found) const {
+	if (!(radius >= 0.0f)) {
+		return;
+	}
+	const glm::dvec3 along = glm::dvec3(to) - glm::dvec3(from);
+	const double length = glm::dot(along, along);
+	const double most = static_cast<double>(radius) * static_cast<double>(radius);
+	const auto holds = [&](const glm::vec3 &root) {
+		const glm::dvec3 way = glm::dvec3(root) - glm::dvec3(from);
+		const double share = length > 0.0 ? std::clamp(glm::dot(way, along) / length, 0.0, 1.0) : 0.0;
+		const glm::dvec3 beside = way - share * along;
+		return glm::dot(beside, beside) <= most;
+	};
+	const glm::vec3 reach = ROUNDED_UP * radius + ROUNDING * glm::max(glm::abs(from), glm::abs(to));
+	find_in(glm::min(from, to) - reach, glm::max(from, to) + reach, holds, found);
+}
+
+void PlantStore::find_in_polygon(const Polygon &polygon, std::vector<PlantPlace> &found) const {
+	if (polygon.size() < 3) {
+		return;
+	}
+	constexpr float ANY = std::numeric_limits<float>::max();
+	const AreaBox box = bounding_box(polygon);
+	const auto holds = [&](const glm::vec3 &root) { return is_inside(polygon, { root.x, root.z }); };
+	find_in({ box.low.x, -ANY, box.low.y }, { box.high.x, ANY, box.high.y }, holds, found);
 }
 
 void PlantStore::find_in_box(const glm::vec3 &low, const glm::vec3 &high, std::vector<PlantPlace> &found) const {
@@ -75,20 +115,21 @@ void PlantStore::find_in_box(const glm::vec3 &low, const glm::vec3 &high, std::v
 
 StandingPlants PlantStore::filled_in(const AreaBox &box) const {
 	StandingPlants found;
-	for_each_tile({ box.low.x, 0.0f, box.low.y }, { box.high.x, 0.0f, box.high.y }, [&](const std::vector<int> &members) {
-		for (const int number : members) {
-			const PlantBlock &there = block(number);
-			for (int slot = 0; !there.is_added && slot < there.size(); slot++) {
-				const glm::vec3 root = there.root(slot);
-				const bool is_within =
-						root.x >= box.low.x && root.x < box.high.x && root.z >= box.low.y && root.z < box.high.y;
-				if (is_within && !there.is_gone(slot)) {
-					found.plants.add(there.plants.plant(slot));
-					found.places.push_back({ number, slot });
+	for_each_tile(
+			{ box.low.x, 0.0f, box.low.y }, { box.high.x, 0.0f, box.high.y }, [&](const std::vector<int> &members) {
+				for (const int number : members) {
+					const PlantBlock &there = block(number);
+					for (int slot = 0; !there.is_added && slot < there.size(); slot++) {
+						const glm::vec3 root = there.root(slot);
+						const bool is_within = root.x >= box.low.x && root.x < box.high.x && root.z >= box.low.y &&
+								root.z < box.high.y;
+						if (is_within && !there.is_gone(slot)) {
+							found.plants.add(there.plants.plant(slot));
+							found.places.push_back({ number, slot });
+						}
+					}
 				}
-			}
-		}
-	});
+			});
 	return found;
 }
 

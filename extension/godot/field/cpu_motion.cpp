@@ -18,11 +18,19 @@ static constexpr double USUAL_STEP = 1.0 / 60.0; // s.
 CpuMotion::CpuMotion() : clock(USUAL_STEP) {}
 
 CpuMotion::~CpuMotion() {
-	wait();
+	steps.wait();
 }
 
 void CpuMotion::wait() {
 	steps.wait();
+	if (going.empty()) {
+		return;
+	}
+	for (const PlantPlace &place : std::exchange(going, {})) {
+		drop(rows_of(place.block).page, row_of(place));
+	}
+	textures->write_history(*simulation, false);
+	fit_contact(touches);
 }
 
 FieldMotion::Prepare CpuMotion::prepare() const {
@@ -105,7 +113,12 @@ void CpuMotion::take_added(const PlantStore &store, const FieldStyle &style, con
 	}
 }
 
+// Where nobody comes, nothing waits for the step that goes on.
 void CpuMotion::apply(const ChangeSet &changes, const PlantStore &store, const FieldStyle &style) {
+	if (changes.dropped.empty() && changes.grown.empty()) {
+		going.insert(going.end(), changes.gone.begin(), changes.gone.end());
+		return;
+	}
 	wait();
 	rows.resize(size_t(store.block_count()));
 	const auto grow_those = [&](bool late) {
@@ -117,9 +130,10 @@ void CpuMotion::apply(const ChangeSet &changes, const PlantStore &store, const F
 	};
 	grow_those(true);
 	for (const ChangeSet::Moved &plant : changes.moved) {
+		const int to = rows_of(plant.to.block).page;
 		const MotionPage &before = simulation->page(rows_of(plant.from.block).page);
-		simulation->page(rows_of(plant.to.block).page).take_motion(row_of(plant.to), before, row_of(plant.from));
-		stale_pages.push_back(rows_of(plant.to.block).page);
+		simulation->page(to).take_motion(row_of(plant.to), before, row_of(plant.from));
+		stale_pages.push_back(to);
 	}
 	for (const int block : changes.dropped) {
 		drop_block(block);

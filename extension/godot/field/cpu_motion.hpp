@@ -63,6 +63,7 @@ private:
 	std::unique_ptr<FieldSimulation> simulation;
 	std::unique_ptr<PoseTexture> textures;
 	std::vector<PageRows> rows; ///< By block.
+	std::vector<PlantPlace> going; ///< Who is gone, and is yet to be taken out of the simulation.
 	std::vector<int> stale_pages; ///< Plants of which are drawn again, or follow others, and not written yet.
 	TipContact touching;
 	bool touches = false;

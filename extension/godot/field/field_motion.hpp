@@ -77,7 +77,7 @@ public:
 	/// before go on with their motion.
 	virtual void adopt(PreparedMotion &prepared, const std::vector<KeptPlant> &kept, const ChangeSet &changes,
 			const PlantStore &store, const FieldStyle &style) = 0;
-	/// Follows an edit that fills nothing.
+	/// Follows an edit that fills nothing. Who goes may be seen until the next wait().
 	virtual void apply(const ChangeSet &changes, const PlantStore &store, const FieldStyle &style) = 0;
 	virtual void add_species(const FieldLook &look) = 0;
 	/// The species' constants are others; the motion goes on. Where nothing moves (`is_still`), plants at rest take

@@ -9,8 +9,8 @@
 
 namespace undergrowth {
 
-/// Where a field that stands is no longer as it is painted, which newcomers are yet to be drawn, and the job that goes on
-/// for some of them. Main thread.
+/// Where a field that stands is no longer as it is painted, which newcomers are yet to be drawn, and the job that goes
+/// on for some of them. Main thread.
 class FieldPatches {
 public:
 	/// More tiles than this are placed sooner by filling the whole field.

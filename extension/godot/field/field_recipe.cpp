@@ -107,8 +107,7 @@ static void add_species(const PlantFieldSpecies &listed, PlacementRequest &into)
 }
 
 // A field that is painted has no other area.
-static String read_area(
-		const Node3D *field, const StandOptions &options, const AreaBox *part, PlacementRequest &into) {
+static String read_area(const Node3D *field, const StandOptions &options, const AreaBox *part, PlacementRequest &into) {
 	if (options.map.is_valid() && !options.map->problem().is_empty()) {
 		return "its map cannot be used. " + options.map->problem();
 	}
@@ -129,8 +128,7 @@ static String read_area(
 	return String();
 }
 
-String read_request(
-		const Node3D *field, const StandOptions &options, const AreaBox *part, PlacementRequest &into) {
+String read_request(const Node3D *field, const StandOptions &options, const AreaBox *part, PlacementRequest &into) {
 	const String no_area = read_area(field, options, part, into);
 	if (!no_area.is_empty()) {
 		return no_area;
@@ -170,10 +168,10 @@ String read_ground(const Node3D *field, const StandOptions &options, FieldGround
 	into.limits.alignment = float(options.slope_alignment);
 	if (into.kind == FieldGround::Kind::object) {
 		const Object *ground = find_ground_object(field, options.ground_object);
-		return ground && ground->has_method("get_height")
-				? String()
-				: "ground_object '" + String(options.ground_object) +
-						"' leads to no object that answers get_height(Vector3) -> float. Set its path, with the name of "
+		return ground && ground->has_method("get_height") ? String()
+														  : "ground_object '" + String(options.ground_object) +
+						"' leads to no object that answers get_height(Vector3) -> float. Set its path, with the name "
+						"of "
 						"the node's property that does behind a colon, or another ground_mode.";
 	}
 	if (into.kind != FieldGround::Kind::mesh) {

@@ -15,6 +15,7 @@
 #include <godot_cpp/core/object.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace godot;
@@ -24,6 +25,10 @@ namespace undergrowth {
 static constexpr float RAY_REACH = 1000.0f; // m above and below the field's plane.
 static constexpr int PATIENCE = 10; // Physics frames without a space to ask, until rays fail.
 static constexpr size_t ANSWERS_AT_ONCE = 64;
+// In one frame at least so long, and a share of frames that take long anyway.
+static constexpr double LEAST_ASKING_USEC = 3000.0;
+static constexpr double MOST_ASKING_USEC = 50000.0;
+static constexpr double ASKING_SHARE = 0.2;
 static const glm::vec3 UP = { 0.0f, 1.0f, 0.0f };
 
 void GroundSurvey::add(float height, const glm::vec3 &normal) {
@@ -58,8 +63,8 @@ glm::vec3 normal_in(const Transform3D &field, const Vector3 &normal) {
 	return to_glm(field.basis.transposed().xform(normal));
 }
 
-/// Casts a ray straight down for each plant. In physics frames: where physics has a thread of its own, nobody may ask it
-/// outside of them.
+/// Casts a ray straight down for each plant. In physics frames: where physics has a thread of its own, nobody may ask
+/// it outside of them.
 class RaySurvey : public GroundSurvey {
 public:
 	RaySurvey(Node3D *of, const FieldProperties &options) :
@@ -148,7 +153,8 @@ public:
 	bool is_of_physics() const override { return false; }
 	String fault() const override { return problem; }
 	String advice() const override {
-		return "its ground_object tells of no ground at any of its places, so nothing grows. Check that the field lies on "
+		return "its ground_object tells of no ground at any of its places, so nothing grows. Check that the field lies "
+			   "on "
 			   "it, and call fill() once it is there where it comes later.";
 	}
 
@@ -181,6 +187,33 @@ private:
 };
 
 } // namespace
+
+GroundSurvey::State GroundAsker::go_on(
+		const FieldPlants &plants, Node3D *field, const FieldProperties &options, double delta, bool physics) {
+	if (!survey) {
+		survey = survey_ground(field, options);
+	}
+	if (!survey) {
+		FieldGround ground;
+		why = read_ground(field, options, ground);
+		return GroundSurvey::State::failed;
+	}
+	if (survey->is_of_physics() != physics) {
+		return GroundSurvey::State::going_on;
+	}
+	const double usec = std::clamp(1e6 * ASKING_SHARE * delta, LEAST_ASKING_USEC, MOST_ASKING_USEC);
+	const GroundSurvey::State state = survey->go_on(plants, usec);
+	why = survey->fault();
+	return state;
+}
+
+void GroundAsker::tell_of_no_ground(const FieldPlants &plants, const Node3D *field) {
+	const bool is_missed = !survey->has_found_any() && plants.size() > 0;
+	if (is_missed && !has_missed) {
+		report_warning(field, survey->advice());
+	}
+	has_missed = is_missed;
+}
 
 Object *find_ground_object(const Node3D *field, const NodePath &path) {
 	Object *found = path.is_empty() ? nullptr : field->get_node_or_null(path);

@@ -39,6 +39,45 @@ protected:
 	void add(float height, const glm::vec3 &normal);
 };
 
+/// The survey that goes on for those who wait for the ground, one after the other.
+class GroundAsker {
+public:
+	/// Goes on with what `waiting`, a FieldFill or a FieldPatch, waits for, in a frame of `delta` s, which may be one of
+	/// physics. Once it is done, `waiting` goes on. Where no ground was found it tells where `tells`.
+	template <class Job>
+	GroundSurvey::State serve(
+			Job &waiting, godot::Node3D *field, const FieldProperties &options, double delta, bool physics, bool tells);
+	/// Why it failed.
+	const godot::String &fault() const { return why; }
+	/// Nobody waits for it any more.
+	void forget() { survey.reset(); }
+
+private:
+	std::unique_ptr<GroundSurvey> survey;
+	godot::String why;
+	bool has_missed = false;
+
+	GroundSurvey::State go_on(
+			const FieldPlants &plants, godot::Node3D *field, const FieldProperties &options, double delta, bool physics);
+	void tell_of_no_ground(const FieldPlants &plants, const godot::Node3D *field);
+};
+
+template <class Job>
+GroundSurvey::State GroundAsker::serve(
+		Job &waiting, godot::Node3D *field, const FieldProperties &options, double delta, bool physics, bool tells) {
+	const GroundSurvey::State state = go_on(waiting.plants(), field, options, delta, physics);
+	if (state == GroundSurvey::State::done) {
+		if (tells) {
+			tell_of_no_ground(waiting.plants(), field);
+		}
+		waiting.go_on(std::move(survey->heights), std::move(survey->normals));
+	}
+	if (state != GroundSurvey::State::going_on) {
+		survey.reset();
+	}
+	return state;
+}
+
 /// What asks the ground of a field that has colliders or an object for it.
 std::unique_ptr<GroundSurvey> survey_ground(godot::Node3D *field, const FieldProperties &options);
 

@@ -81,7 +81,7 @@ double Meadow::advance(double delta, bool simulates) {
 			skeletons.choose({ node, store, style, motion, now.axes, near_wear() },
 					wants_skeletons && is_seen ? now.eyes : std::vector<Vector3>(), seen.skeleton_distance,
 					seen.max_skeletons);
-	if ((simulates || has_chosen || !unseen.empty()) && is_seen) {
+	if ((simulates || has_chosen || is_unshown || !unseen.empty()) && is_seen) {
 		refresh();
 	}
 	skeletons.pose(store, motion);
@@ -103,6 +103,7 @@ void Meadow::refresh() {
 		return;
 	}
 	const Stopwatch watch;
+	is_unshown = false;
 	if (motion.upload()) {
 		dress.put_on(style, motion);
 	}
@@ -137,7 +138,6 @@ ChangeSet Meadow::apply(StandEdit &&edit) {
 	if (edit.removed.empty() && edit.added.empty() && edit.grown.empty()) {
 		return {}; // There may be no motion yet.
 	}
-	motion.wait();
 	std::vector<TileKey> touched;
 	for (const PlantPlace &place : edit.removed) {
 		if (store.block(place.block).is_added) {
@@ -145,9 +145,7 @@ ChangeSet Meadow::apply(StandEdit &&edit) {
 		}
 	}
 	ChangeSet changes = store.apply(std::move(edit));
-	for (const int block : changes.dropped) {
-		view.drop_newcomers(block);
-	}
+	std::for_each(changes.dropped.begin(), changes.dropped.end(), [this](int block) { view.drop_newcomers(block); });
 	motion.apply(changes, store, style);
 	patches.follow(changes, store);
 	for (const ChangeSet::Grown &grown : changes.grown) {
@@ -189,7 +187,10 @@ int Meadow::remove(std::vector<PlantPlace> &&places) {
 	edit.removed = std::move(places);
 	apply(std::move(edit));
 	skeletons.release_gone(store);
-	refresh();
+	is_unshown = node->can_process(); // The next frame shows it.
+	if (!is_unshown) {
+		refresh();
+	}
 	return before - store.plant_count();
 }
 

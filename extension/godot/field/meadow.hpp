@@ -97,6 +97,7 @@ private:
 	FieldView view;
 	FieldWear wear;
 	std::set<TileKey> unseen; ///< Tiles with plants that were added or dropped, and are not drawn so yet.
+	bool is_unshown = false; ///< Plants went since the last refresh().
 	/// Looks that are being asked for, a few each frame; then the job begins.
 	struct Asking {
 		bool places = true;
@@ -105,13 +106,12 @@ private:
 	};
 	std::unique_ptr<Asking> asking;
 	std::unique_ptr<FieldFill> job;
-	std::unique_ptr<GroundSurvey> survey;
+	GroundAsker asker;
 	FieldPatches patches;
 	FieldGround ground; ///< As it was read when the field was filled.
 	std::vector<PlantId> removed_meanwhile; ///< While the job goes on.
 	bool is_due_again = false; ///< Its look changed while it was dressed anew.
 	float told_progress = -1.0f;
-	bool has_missed_ground = false;
 
 	/// What skeletons wear, which are drawn at the first level.
 	FieldWear near_wear() const;
@@ -121,12 +121,9 @@ private:
 	void go_on_asking();
 	bool knows_all_looks(const FieldStyle &asked, std::vector<int> &numbers) const;
 	godot::String make_recipe(FieldRecipe &recipe);
-	template <class Job> GroundSurvey::State ask_ground(Job &waiting, double delta, bool physics);
-	void ask_ground_for_fill(double delta, bool physics);
 	void poll_patches(double delta, bool physics);
 	void begin_patch();
 	void stand_newcomers();
-	void tell_of_no_ground();
 	/// False, with the fault told, where it cannot stand.
 	bool adopt(FieldFill &finished);
 	ChangeSet apply(StandEdit &&edit);

@@ -17,18 +17,13 @@ using namespace godot;
 
 namespace undergrowth {
 
-// The ground is asked in one frame: at least so long, and a share of frames that take long anyway.
-static constexpr double LEAST_ASKING_USEC = 3000.0;
-static constexpr double MOST_ASKING_USEC = 50000.0;
-static constexpr double ASKING_SHARE = 0.2;
-
 void Meadow::fill(bool places) {
 	const bool placed_before = is_filling();
 	if (is_at_work() && !places && !placed_before) {
 		is_due_again = true; // What changes in each frame is seen now and then, and not only when that ends.
 		return;
 	}
-	survey.reset();
+	asker.forget();
 	job.reset();
 	patches.interrupt();
 	is_due_again = false;
@@ -74,43 +69,6 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 	return int(style.looks.size()) - 1;
 }
 
-// A survey that is finished stays for its heights, until it is let go.
-template <class Job> GroundSurvey::State Meadow::ask_ground(Job &waiting, double delta, bool physics) {
-	if (!survey) {
-		survey = survey_ground(node, properties);
-	}
-	if (!survey) {
-		return GroundSurvey::State::failed;
-	}
-	if (survey->is_of_physics() != physics) {
-		return GroundSurvey::State::going_on;
-	}
-	return survey->go_on(waiting.plants(), std::clamp(1e6 * ASKING_SHARE * delta, LEAST_ASKING_USEC, MOST_ASKING_USEC));
-}
-
-void Meadow::ask_ground_for_fill(double delta, bool physics) {
-	const GroundSurvey::State state = ask_ground(*job, delta, physics);
-	if (state == GroundSurvey::State::going_on) {
-		return;
-	}
-	if (state == GroundSurvey::State::failed) {
-		job.reset();
-		listener.fault(survey ? survey->fault() : read_ground(node, properties, ground));
-	} else {
-		tell_of_no_ground();
-		job->go_on(std::move(survey->heights), std::move(survey->normals));
-	}
-	survey.reset();
-}
-
-void Meadow::tell_of_no_ground() {
-	const bool is_missed = !survey->has_found_any() && job->plants().size() > 0;
-	if (is_missed && !has_missed_ground) {
-		report_warning(node, survey->advice());
-	}
-	has_missed_ground = is_missed;
-}
-
 void Meadow::touch(const AreaBox &box) {
 	if (!is_filling() || job) { // What is asked for has not read the map yet.
 		patches.touch(box, store.tile_size());
@@ -150,15 +108,9 @@ void Meadow::poll_patches(double delta, bool physics) {
 	}
 	FieldPatch *patch = patches.current();
 	if (patch && patch->wants_ground()) {
-		const GroundSurvey::State state = ask_ground(*patch, delta, physics);
-		if (state == GroundSurvey::State::done) {
-			patch->go_on(std::move(survey->heights), std::move(survey->normals));
-		} else if (state == GroundSurvey::State::failed) {
-			listener.fault(survey ? survey->fault() : read_ground(node, properties, ground));
+		if (asker.serve(*patch, node, properties, delta, physics, false) == GroundSurvey::State::failed) {
+			listener.fault(asker.fault());
 			patches.finish();
-		}
-		if (state != GroundSurvey::State::going_on) {
-			survey.reset();
 		}
 	} else if (patch && patch->is_placed()) {
 		stand_newcomers();
@@ -193,7 +145,10 @@ void Meadow::poll(double delta, bool physics) {
 		go_on_asking();
 	}
 	if (job && job->wants_ground()) {
-		ask_ground_for_fill(delta, physics);
+		if (asker.serve(*job, node, properties, delta, physics, true) == GroundSurvey::State::failed) {
+			job.reset();
+			listener.fault(asker.fault());
+		}
 	}
 	if (!job) {
 		return;

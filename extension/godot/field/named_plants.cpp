@@ -44,14 +44,6 @@ static PackedInt64Array packed(const std::vector<PlantId> &ids) {
 	return made;
 }
 
-static PackedInt64Array ids_of(const PlantStore &store, const std::vector<PlantPlace> &places) {
-	std::vector<PlantId> ids;
-	for (const PlantPlace &place : places) {
-		ids.push_back(store.id(place));
-	}
-	return packed(ids);
-}
-
 bool NamedPlants::has(int64_t id) const {
 	return meadow.store.find(id).block >= 0;
 }
@@ -121,60 +113,6 @@ void NamedPlants::set_motion_state(const PackedInt64Array &ids, const PackedFloa
 	}
 }
 
-// Plants around a place in the world; nobody outside of a tree, and told of `method` where that is no sphere.
-std::vector<PlantPlace> NamedPlants::in_sphere(const char *method, const Vector3 &center, double radius) const {
-	std::vector<PlantPlace> found;
-	if (!center.is_finite() || !std::isfinite(radius) || radius < 0.0) {
-		report_error(node, String(method) + "() needs a finite centre and a radius of 0 or more.");
-	} else if (node->is_inside_tree()) {
-		const Transform3D to_field = axes_of(node).affine_inverse();
-		const float reach = float(radius) * to_field.basis.get_column(1).length();
-		meadow.store.find_in_sphere(to_glm(to_field.xform(center)), reach, found);
-	}
-	return found;
-}
-
-PackedInt64Array NamedPlants::find_in_sphere(const Vector3 &center, double radius) const {
-	return ids_of(meadow.store, in_sphere("find_plants_in_sphere", center, radius));
-}
-
-PackedInt64Array NamedPlants::find_in_box(const AABB &box) const {
-	if (!box.is_finite()) {
-		report_error(node, "find_plants_in_box() needs a finite box.");
-		return PackedInt64Array();
-	}
-	if (!node->is_inside_tree()) {
-		return PackedInt64Array();
-	}
-	const Transform3D placed = axes_of(node);
-	const Transform3D to_field = placed.affine_inverse();
-	AABB around(to_field.xform(box.position), Vector3());
-	for (int i = 1; i < 8; i++) {
-		around.expand_to(to_field.xform(box.position + box.size * Vector3(i & 1, i >> 1 & 1, i >> 2)));
-	}
-	std::vector<PlantPlace> found;
-	meadow.store.find_in_box(to_glm(around.position), to_glm(around.get_end()), found);
-	// A field that is turned has another box around it.
-	const auto is_beside = [&](const PlantPlace &place) {
-		return !box.has_point(placed.xform(to_godot(meadow.store.block(place.block).root(place.slot))));
-	};
-	found.erase(std::remove_if(found.begin(), found.end(), is_beside), found.end());
-	return ids_of(meadow.store, found);
-}
-
-int NamedPlants::apply_impulse_in_sphere(const Vector3 &center, double radius, const Vector3 &impulse) {
-	if (!impulse.is_finite()) {
-		report_error(node, "apply_impulse_in_sphere() needs a finite impulse.");
-		return 0;
-	}
-	const std::vector<PlantPlace> places = in_sphere("apply_impulse_in_sphere", center, radius);
-	const glm::vec3 blow = places.empty() ? glm::vec3() : to_glm(axes_of(node).basis.inverse().xform(impulse));
-	for (const PlantPlace &place : places) {
-		meadow.motion.apply_impulse(place, blow);
-	}
-	return int(places.size());
-}
-
 bool NamedPlants::is_point_in(const Vector3 &point, double margin) {
 	if (!point.is_finite() || !node->is_inside_tree()) {
 		return false;
@@ -227,10 +165,6 @@ bool NamedPlants::remove(int64_t id) {
 
 int NamedPlants::remove_all(const PackedInt64Array &ids) {
 	return meadow.remove(meadow.store.find_all(std::vector<PlantId>(ids.ptr(), ids.ptr() + ids.size())));
-}
-
-int NamedPlants::remove_in_sphere(const Vector3 &center, double radius) {
-	return meadow.remove(in_sphere("remove_in_sphere", center, radius));
 }
 
 } // namespace undergrowth

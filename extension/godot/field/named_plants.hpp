@@ -34,6 +34,8 @@ public:
 	bool is_point_in(const godot::Vector3 &point, double margin);
 	/// N·s, world axes, at the tips of all plants in a sphere; tells how many they are.
 	int apply_impulse_in_sphere(const godot::Vector3 &center, double radius, const godot::Vector3 &impulse);
+	/// Blows (N·s at the centre, weaker to the radius) away from a place; tells how many they hit.
+	int apply_blast(const godot::Vector3 &center, double radius, double impulse);
 	godot::Vector3 tip_position(int64_t id);
 	godot::PackedVector3Array tip_positions(const godot::PackedInt64Array &ids);
 	/// Six numbers for each plant: its direction and its rate.
@@ -45,6 +47,11 @@ public:
 	bool remove(int64_t id);
 	int remove_all(const godot::PackedInt64Array &ids);
 	int remove_in_sphere(const godot::Vector3 &center, double radius);
+	int remove_in_box(const godot::AABB &box);
+	/// Seen from above, however high.
+	int remove_in_polygon(const godot::PackedVector3Array &points);
+	/// At most half of `width` (m) from a line through these points.
+	int remove_along(const godot::PackedVector3Array &points, double width);
 
 private:
 	/// A plant that an id names.
@@ -57,6 +64,8 @@ private:
 	Meadow &meadow;
 
 	template <class Say> auto ask(int64_t id, const Say &say) const;
+	godot::PackedInt64Array ids_of(const std::vector<PlantPlace> &places) const;
+	std::vector<PlantPlace> in_box(const char *method, const godot::AABB &box) const;
 	std::vector<PlantPlace> in_sphere(const char *method, const godot::Vector3 &center, double radius) const;
 };
 

@@ -75,7 +75,8 @@ PackedStringArray PlantField3D::_get_configuration_warnings() const {
 	}
 	for (const String &name : forgotten_layers()) {
 		warnings.push_back("Of '" + name +
-				"' something is painted on its map, and none of its species is called so: name one, or set the Layer of "
+				"' something is painted on its map, and none of its species is called so: name one, or set the Layer "
+				"of "
 				"its entry.");
 	}
 	if (properties.wind.is_valid() && properties.wind->get_strength() == 0.0) {
@@ -83,19 +84,6 @@ PackedStringArray PlantField3D::_get_configuration_warnings() const {
 				"The wind has a strength of 0 N, so these plants stand still: raise Strength in their Wind.");
 	}
 	return warnings;
-}
-
-// What is painted of no species of the field.
-PackedStringArray PlantField3D::forgotten_layers() const {
-	PackedStringArray names = properties.map.is_valid() ? properties.map->get_painted_species() : PackedStringArray();
-	for (int64_t i = 0; i < properties.species.size(); i++) {
-		const Ref<PlantFieldSpecies> entry = properties.species[i];
-		const int64_t at = entry.is_valid() ? names.find(entry->get_layer_name()) : -1;
-		if (at >= 0) {
-			names.remove_at(at);
-		}
-	}
-	return names;
 }
 
 // Many properties may change in one frame; the field grows once, after it.

@@ -1,4 +1,4 @@
-// What a PlantField3D does and tells beside its plants, and the methods that scripts call.
+// What a PlantField3D does and tells beside its plants, what is painted of it, and the methods that scripts call.
 
 #include "field/plant_field_3d.hpp"
 
@@ -50,6 +50,44 @@ PackedVector3Array PlantField3D::get_outline_points() const {
 		points.push_back(Vector3(point.x, 0.0f, point.y));
 	}
 	return points;
+}
+
+// What is painted of no species of the field.
+PackedStringArray PlantField3D::forgotten_layers() const {
+	PackedStringArray names = properties.map.is_valid() ? properties.map->get_painted_species() : PackedStringArray();
+	for (int64_t i = 0; i < properties.species.size(); i++) {
+		const Ref<PlantFieldSpecies> entry = properties.species[i];
+		const int64_t at = entry.is_valid() ? names.find(entry->get_layer_name()) : -1;
+		if (at >= 0) {
+			names.remove_at(at);
+		}
+	}
+	return names;
+}
+
+void PlantField3D::set_map(const Ref<PlantMap> &painted) {
+	const Callable listener(this, "_on_map_painted");
+	if (properties.map.is_valid() && properties.map->is_connected("area_changed", listener)) {
+		properties.map->disconnect("area_changed", listener);
+	}
+	properties.map = painted;
+	if (painted.is_valid() && !painted->is_connected("area_changed", listener)) {
+		properties.map->connect("area_changed", listener);
+	}
+	notify_property_list_changed();
+	on_area_changed();
+	update_configuration_warnings();
+}
+
+void PlantField3D::on_map_painted(const Rect2 &rect) {
+	if (!rect.has_area() || !is_inside_tree() || stand_is_stale || !problem.is_empty()) {
+		mark_stale(true);
+		return;
+	}
+	const Vector2 end = rect.get_end();
+	meadow.touch({ { rect.position.x, rect.position.y }, { end.x, end.y } });
+	follow_frames(true);
+	update_gizmos();
 }
 
 Dictionary PlantField3D::get_statistics() {
@@ -117,6 +155,9 @@ void PlantField3D::_bind_methods() {
 	OF_PLANTS(remove_plant, remove, "id");
 	OF_PLANTS(remove_plants, remove_all, "ids");
 	OF_PLANTS(remove_in_sphere, remove_in_sphere, "center", "radius");
+	OF_PLANTS(remove_in_box, remove_in_box, "box");
+	OF_PLANTS(remove_in_polygon, remove_in_polygon, "points");
+	OF_PLANTS(remove_along, remove_along, "points", "width");
 	BIND(get_plant_count);
 	OF_PLANTS(get_plant_ids, ids);
 	OF_PLANTS(has_plant, has, "id");
@@ -131,6 +172,7 @@ void PlantField3D::_bind_methods() {
 	BIND(get_outline_points);
 	BIND(is_point_in_plants, "point");
 	OF_PLANTS(apply_impulse_in_sphere, apply_impulse_in_sphere, "center", "radius", "impulse");
+	OF_PLANTS(apply_blast, apply_blast, "center", "radius", "impulse");
 	OF_PLANTS(get_tip_position, tip_position, "id");
 	OF_PLANTS(get_tip_positions, tip_positions, "ids");
 	OF_PLANTS(get_motion_state, motion_state, "ids");

@@ -3,11 +3,8 @@
 #include "field/plant_field_3d.hpp"
 
 #include "bind_properties.hpp"
+#include "field/usual_grass.hpp"
 #include "follow_changes.hpp"
-#include "new_object.hpp"
-#include "species_functions.hpp"
-
-#include <godot_cpp/classes/resource_loader.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -16,8 +13,6 @@
 using namespace godot;
 
 namespace undergrowth {
-
-static const char *const GRASS_PATH = "res://addons/undergrowth/species/meadow_grass.tres";
 
 void PlantField3D::changed(About about) {
 	const bool needs_meshes = about == About::meshes || (about == About::levels && !meadow.update_levels());
@@ -168,31 +163,6 @@ void PlantField3D::set_outline(const NodePath &path) {
 	update_gizmos();
 }
 
-void PlantField3D::set_map(const Ref<PlantMap> &painted) {
-	const Callable listener(this, "_on_map_painted");
-	if (properties.map.is_valid() && properties.map->is_connected("area_changed", listener)) {
-		properties.map->disconnect("area_changed", listener);
-	}
-	properties.map = painted;
-	if (painted.is_valid() && !painted->is_connected("area_changed", listener)) {
-		properties.map->connect("area_changed", listener);
-	}
-	notify_property_list_changed();
-	on_area_changed();
-	update_configuration_warnings();
-}
-
-void PlantField3D::on_map_painted(const Rect2 &rect) {
-	if (!rect.has_area() || !is_inside_tree() || stand_is_stale || !problem.is_empty()) {
-		mark_stale(true);
-		return;
-	}
-	const Vector2 end = rect.get_end();
-	meadow.touch({ { rect.position.x, rect.position.y }, { end.x, end.y } });
-	follow_frames(true);
-	update_gizmos();
-}
-
 void PlantField3D::set_exclusions(const TypedArray<NodePath> &paths) {
 	properties.exclusions = paths.duplicate();
 	seen_exclusions = paths.duplicate();
@@ -231,25 +201,10 @@ void PlantField3D::follow_species() {
 	properties.species = listed.duplicate();
 }
 
-// What grows where no species are listed. Not before it is planted: a resource may be loaded only once its classes are
-// known.
 void PlantField3D::choose_grass() {
-	if (!listed.is_empty() || !properties.species.is_empty()) {
-		return;
+	if (listed.is_empty() && properties.species.is_empty()) {
+		properties.species.push_back(PlantFieldSpecies::of(usual_grass(this)));
 	}
-	ResourceLoader *loader = ResourceLoader::get_singleton();
-	Ref<PlantFunction> grass;
-	if (loader->exists(GRASS_PATH)) {
-		grass = loader->load(GRASS_PATH);
-	}
-	if (grass.is_null()) {
-		report_warning(this,
-				String("its species are empty, and ") + GRASS_PATH +
-						" is missing, so single blades grow (GrassFunction). Set species, or add that file of the "
-						"add-on; an export takes it along where it exports all resources.");
-		grass = Ref<PlantFunction>(new_counted<GrassFunction>());
-	}
-	properties.species.push_back(PlantFieldSpecies::of(grass));
 }
 
 // Of a species whose function tells of a change.

@@ -43,7 +43,8 @@ bool PlantMap::read_brush(
 	if (!is_valid(into)) {
 		report_error(this,
 				String(method) +
-						"() needs a centre within 100 km of the field's origin, a radius above 0 and up to 100 m, and a "
+						"() needs a centre within 100 km of the field's origin, a radius above 0 and up to 100 m, and "
+						"a "
 						"falloff from 0 to 1.");
 		return false;
 	}
@@ -70,7 +71,8 @@ void PlantMap::stroke(const char *method, const DensityBrush &brush, const Strin
 		return;
 	}
 	// Only what adds makes a layer; else all of them are meant where none is named.
-	const bool makes = how.does != DensityStroke::Does::smooth && !(how.does == DensityStroke::Does::add && how.value < 0);
+	const bool makes =
+			how.does != DensityStroke::Does::smooth && !(how.does == DensityStroke::Does::add && how.value < 0);
 	const int first = makes ? need_layer(method, species) : species.is_empty() ? 0 : map.find_layer(text_of(species));
 	const int last = !makes && species.is_empty() ? map.layer_count() - 1 : first;
 	CellRange cells;
@@ -94,24 +96,23 @@ void PlantMap::erase(const Vector3 &center, double radius, const String &species
 	}
 }
 
-void PlantMap::paint_towards(const Vector3 &center, double radius, const String &species, double density,
-		double strength, double falloff) {
+void PlantMap::paint_towards(
+		const Vector3 &center, double radius, const String &species, double density, double strength, double falloff) {
 	DensityBrush brush;
 	if (read_brush("paint_towards", center, radius, falloff, brush)) {
 		stroke("paint_towards", brush, species, { DensityStroke::Does::approach, float(density), 1.0f }, strength);
 	}
 }
 
-void PlantMap::smooth(
-		const Vector3 &center, double radius, const String &species, double strength, double falloff) {
+void PlantMap::smooth(const Vector3 &center, double radius, const String &species, double strength, double falloff) {
 	DensityBrush brush;
 	if (read_brush("smooth", center, radius, falloff, brush)) {
 		stroke("smooth", brush, species, { DensityStroke::Does::smooth, 0.0f, 1.0f }, strength);
 	}
 }
 
-void PlantMap::paint_height(const Vector3 &center, double radius, const String &species, double height,
-		double strength, double falloff) {
+void PlantMap::paint_height(
+		const Vector3 &center, double radius, const String &species, double height, double strength, double falloff) {
 	DensityBrush brush;
 	if (read_brush("paint_height", center, radius, falloff, brush)) {
 		stroke("paint_height", brush, species, { DensityStroke::Does::set_height, float(height), 1.0f }, strength);
@@ -208,11 +209,12 @@ void PlantMap::_bind_methods() {
 	BIND_BRUSH(smooth, "strength", "falloff"), &PlantMap::smooth, DEFVAL(String()), DEFVAL(1.0), DEFVAL(0.5));
 	BIND_BRUSH(paint_height, "height", "strength", "falloff"), &PlantMap::paint_height, DEFVAL(1.0), DEFVAL(0.5));
 #undef BIND_BRUSH
-	ClassDB::bind_method(D_METHOD("fill_polygon", "points", "species", "density"), &PlantMap::fill_polygon, DEFVAL(1.0));
+	ClassDB::bind_method(
+			D_METHOD("fill_polygon", "points", "species", "density"), &PlantMap::fill_polygon, DEFVAL(1.0));
 	BIND(get_density, "point", "species");
 	BIND(get_height_factor, "point", "species");
-	ClassDB::bind_method(D_METHOD("set_from_image", "image", "rect", "species", "channel"), &PlantMap::set_from_image,
-			DEFVAL(0));
+	ClassDB::bind_method(
+			D_METHOD("set_from_image", "image", "rect", "species", "channel"), &PlantMap::set_from_image, DEFVAL(0));
 	BIND(to_image, "rect", "species");
 	BIND(get_painted_rect);
 	BIND(get_painted_species);

@@ -26,7 +26,8 @@ class PlantMap : public godot::Resource {
 	/// False, told once, where the map could not be read.
 	bool may_change();
 	/// False, with an error that names `method`, where that is no brush.
-	bool read_brush(const char *method, const godot::Vector3 &center, double radius, double falloff, DensityBrush &into);
+	bool read_brush(
+			const char *method, const godot::Vector3 &center, double radius, double falloff, DensityBrush &into);
 	/// The layer of a species, made where there is none; -1, with an error, where it cannot be.
 	int need_layer(const char *method, const godot::String &species);
 	bool read_rect(const char *method, const godot::Rect2 &rect, CellRange &into) const;
@@ -43,19 +44,21 @@ public:
 	/// Why it cannot be used; empty where it can.
 	const godot::String &problem() const { return fault; }
 
-	void paint(const godot::Vector3 &center, double radius, const godot::String &species, double amount, double falloff);
-	void erase(const godot::Vector3 &center, double radius, const godot::String &species, double amount, double falloff);
+	void paint(
+			const godot::Vector3 &center, double radius, const godot::String &species, double amount, double falloff);
+	void erase(
+			const godot::Vector3 &center, double radius, const godot::String &species, double amount, double falloff);
 	void paint_towards(const godot::Vector3 &center, double radius, const godot::String &species, double density,
 			double strength, double falloff);
-	void smooth(const godot::Vector3 &center, double radius, const godot::String &species, double strength,
-			double falloff);
+	void smooth(
+			const godot::Vector3 &center, double radius, const godot::String &species, double strength, double falloff);
 	void paint_height(const godot::Vector3 &center, double radius, const godot::String &species, double height,
 			double strength, double falloff);
 	void fill_polygon(const godot::PackedVector3Array &points, const godot::String &species, double density);
 	double get_density(const godot::Vector3 &point, const godot::String &species) const;
 	double get_height_factor(const godot::Vector3 &point, const godot::String &species) const;
-	void set_from_image(const godot::Ref<godot::Image> &image, const godot::Rect2 &rect, const godot::String &species,
-			int channel);
+	void set_from_image(
+			const godot::Ref<godot::Image> &image, const godot::Rect2 &rect, const godot::String &species, int channel);
 	godot::Ref<godot::Image> to_image(const godot::Rect2 &rect, const godot::String &species) const;
 	godot::Rect2 get_painted_rect() const;
 	godot::PackedStringArray get_painted_species() const;

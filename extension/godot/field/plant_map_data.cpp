@@ -26,9 +26,8 @@ static PackedByteArray packed(const std::vector<uint8_t> &bytes) {
 
 bool PlantMap::read_rect(const char *method, const Rect2 &rect, CellRange &into) const {
 	const Vector2 end = rect.get_end();
-	into = rect.is_finite()
-			? map.cells_around({ { rect.position.x, rect.position.y }, { end.x, end.y } })
-			: CellRange();
+	into = rect.is_finite() ? map.cells_around({ { rect.position.x, rect.position.y }, { end.x, end.y } })
+							: CellRange();
 	if (into.is_empty() || into.count() > MOST_CELLS) {
 		report_error(this,
 				String(method) +
@@ -42,8 +41,8 @@ bool PlantMap::read_rect(const char *method, const Rect2 &rect, CellRange &into)
 static CellRange middles_in(const DensityMap &map, const Rect2 &rect) {
 	const float half = 0.5f * map.cell_size();
 	const Vector2 end = rect.get_end();
-	CellRange cells = map.cells_around(
-			{ { rect.position.x + half, rect.position.y + half }, { end.x + half, end.y + half } });
+	CellRange cells =
+			map.cells_around({ { rect.position.x + half, rect.position.y + half }, { end.x + half, end.y + half } });
 	cells.last_column = std::max(cells.last_column - 1, cells.first_column);
 	cells.last_row = std::max(cells.last_row - 1, cells.first_row);
 	return cells;
@@ -95,7 +94,8 @@ Ref<Image> PlantMap::to_image(const Rect2 &rect, const String &species) const {
 	pixels.resize(int64_t(columns) * rows);
 	uint8_t *to = pixels.ptrw();
 	for (int i = 0; i < columns * rows; i++) {
-		to[i] = layer < 0 ? 0 : map.cell(layer, cells.first_column + i % columns, cells.first_row + i / columns).density;
+		to[i] = layer < 0 ? 0
+						  : map.cell(layer, cells.first_column + i % columns, cells.first_row + i / columns).density;
 	}
 	return Image::create_from_data(columns, rows, false, Image::FORMAT_L8, pixels);
 }

@@ -83,8 +83,7 @@ TEST_CASE("The bytes of a map are these on every machine") {
 	DensityMap map;
 	const int layer = map.need_layer("Poppy");
 	for (int i = 0; i < 100; i++) {
-		map.set_cell(layer, i % 40 - 20, i / 7 - 7,
-				{ static_cast<uint8_t>(37 * i), static_cast<uint8_t>(4 + i) });
+		map.set_cell(layer, i % 40 - 20, i / 7 - 7, { static_cast<uint8_t>(37 * i), static_cast<uint8_t>(4 + i) });
 	}
 	const std::vector<uint8_t> bytes = write_density(map);
 	CHECK(bytes.size() == GOLDEN_SIZE);

@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -52,6 +54,44 @@ TEST_CASE("every plant has an id of its own, by which it is found") {
 			CHECK(store.find(store.id(place)) == place);
 		}
 	}
+}
+
+TEST_CASE("plants are found in capsules and polygons, those and no others") {
+	const PlantStore store = filled_store();
+	const glm::vec3 from = { -9.0f, 0.0f, 2.0f };
+	const glm::vec3 to = { 7.0f, 1.0f, -3.0f };
+	const Polygon polygon = { { -10.0f, -10.0f }, { 12.0f, -6.0f }, { 0.0f, 15.0f } };
+	std::vector<PlantPlace> in_capsule;
+	std::vector<PlantPlace> in_polygon;
+	std::vector<PlantPlace> in_sphere;
+	std::vector<PlantPlace> in_point;
+	store.find_in_capsule(from, to, 2.5f, in_capsule);
+	store.find_in_polygon(polygon, in_polygon);
+	store.find_in_capsule(from, from, 2.5f, in_point);
+	store.find_in_sphere(from, 2.5f, in_sphere);
+	CHECK(in_point == in_sphere);
+	std::size_t capsules = 0;
+	std::size_t polygons = 0;
+	for (int number = 0; number < store.block_count(); number++) {
+		for (int slot = 0; slot < store.block(number).size(); slot++) {
+			const glm::vec3 root = store.block(number).root(slot);
+			double nearest = 1.0e9;
+			for (int i = 0; i <= 2000; i++) {
+				nearest = std::min(nearest,
+						static_cast<double>(glm::distance(root, from + (to - from) * (static_cast<float>(i) / 2000.0f))));
+			}
+			capsules += static_cast<std::size_t>(nearest <= 2.5);
+			polygons += static_cast<std::size_t>(is_inside(polygon, { root.x, root.z }));
+		}
+	}
+	CHECK(std::abs(static_cast<double>(in_capsule.size()) - static_cast<double>(capsules)) <= 1.0);
+	CHECK(capsules > 300);
+	CHECK(in_polygon.size() == polygons);
+	CHECK(polygons > 800);
+	std::vector<PlantPlace> none;
+	store.find_in_capsule(from, to, -1.0f, none);
+	store.find_in_polygon({ { 0.0f, 0.0f }, { 1.0f, 1.0f } }, none);
+	CHECK(none.empty());
 }
 
 TEST_CASE("ids stay with plants when a field is filled anew, with other tiles or another outline") {

@@ -80,8 +80,7 @@ TEST_CASE("The same plants stand after many strokes as where the field is filled
 	for (int i = 0; i < 120; i++) {
 		const auto n = static_cast<float>(i);
 		const glm::vec2 centre = { std::fmod(n * 17.3f, SIDE) - 30.0f, std::fmod(n * 7.1f, SIDE) - 30.0f };
-		const CellRange cells =
-				paint(field.map, (i / 3) % 2, { centre, 4.0f, 0.6f }, stroke_of(i));
+		const CellRange cells = paint(field.map, (i / 3) % 2, { centre, 4.0f, 0.6f }, stroke_of(i));
 		if (!cells.is_empty()) {
 			field.patch(cells);
 		}

@@ -37,8 +37,8 @@ static func find_along(world: World3D, from: Vector3, direction: Vector3) -> Vec
 	return below["position"] if not below.is_empty() else _on_plane(beside, Vector3.DOWN)
 
 
-## What a ray of [param world] meets first, or where it goes through [param plane]; null where it does
-## neither.
+## What a ray of [param world] meets first, or where it goes through [param plane]; null where it
+## does neither.
 static func find_seen(world: World3D, from: Vector3, direction: Vector3, plane: Plane) -> Variant:
 	var hit := _cast(world, from, from + direction * FARTHEST)
 	if not hit.is_empty():

@@ -1,6 +1,7 @@
 @tool
 extends HBoxContainer
-## The brush's toolbar over the 3D view: tools, numbers, and the species of the field to choose from.
+## The brush's toolbar over the 3D view: tools, numbers, and the species of the field to choose
+## from.
 
 const BrushOptions := preload("brush_options.gd")
 const Translations := preload("../translations/translations.gd")

@@ -1,0 +1,160 @@
+// Which plants stand in places of the world, and what is done to all of them at once.
+
+#include "field/named_plants.hpp"
+
+#include "convert.hpp"
+#include "messages.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static bool is_radius(double radius) {
+	return std::isfinite(radius) && radius >= 0.0;
+}
+
+PackedInt64Array NamedPlants::ids_of(const std::vector<PlantPlace> &places) const {
+	PackedInt64Array ids;
+	ids.resize(int64_t(places.size()));
+	int64_t *to = ids.ptrw();
+	for (const PlantPlace &place : places) {
+		*to++ = meadow.store.id(place);
+	}
+	return ids;
+}
+
+// Metres of the world in the field's axes.
+static float reach_in(const Transform3D &to_field, double radius) {
+	return float(radius) * to_field.basis.get_column(1).length();
+}
+
+// Plants around a place in the world; nobody outside of a tree, and told of `method` where that is no sphere.
+std::vector<PlantPlace> NamedPlants::in_sphere(const char *method, const Vector3 &center, double radius) const {
+	std::vector<PlantPlace> found;
+	if (!center.is_finite() || !is_radius(radius)) {
+		report_error(node, String(method) + "() needs a finite centre and a radius of 0 or more.");
+	} else if (node->is_inside_tree()) {
+		const Transform3D to_field = axes_of(node).affine_inverse();
+		meadow.store.find_in_sphere(to_glm(to_field.xform(center)), reach_in(to_field, radius), found);
+	}
+	return found;
+}
+
+PackedInt64Array NamedPlants::find_in_sphere(const Vector3 &center, double radius) const {
+	return ids_of(in_sphere("find_plants_in_sphere", center, radius));
+}
+
+// The same in a box.
+std::vector<PlantPlace> NamedPlants::in_box(const char *method, const AABB &box) const {
+	std::vector<PlantPlace> found;
+	if (!box.is_finite()) {
+		report_error(node, String(method) + "() needs a finite box.");
+	}
+	if (!box.is_finite() || !node->is_inside_tree()) {
+		return found;
+	}
+	const Transform3D placed = axes_of(node);
+	const Transform3D to_field = placed.affine_inverse();
+	AABB around(to_field.xform(box.position), Vector3());
+	for (int i = 1; i < 8; i++) {
+		around.expand_to(to_field.xform(box.position + box.size * Vector3(i & 1, i >> 1 & 1, i >> 2)));
+	}
+	meadow.store.find_in_box(to_glm(around.position), to_glm(around.get_end()), found);
+	// A field that is turned has another box around it.
+	const auto is_beside = [&](const PlantPlace &place) {
+		return !box.has_point(placed.xform(to_godot(meadow.store.block(place.block).root(place.slot))));
+	};
+	found.erase(std::remove_if(found.begin(), found.end(), is_beside), found.end());
+	return found;
+}
+
+PackedInt64Array NamedPlants::find_in_box(const AABB &box) const {
+	return ids_of(in_box("find_plants_in_box", box));
+}
+
+int NamedPlants::remove_in_sphere(const Vector3 &center, double radius) {
+	return meadow.remove(in_sphere("remove_in_sphere", center, radius));
+}
+
+int NamedPlants::remove_in_box(const AABB &box) {
+	return meadow.remove(in_box("remove_in_box", box));
+}
+
+int NamedPlants::remove_in_polygon(const PackedVector3Array &points) {
+	std::vector<PlantPlace> found;
+	if (!node->is_inside_tree()) {
+		return 0;
+	}
+	const Transform3D to_field = axes_of(node).affine_inverse();
+	Polygon polygon;
+	for (const Vector3 &point : points) {
+		const Vector3 place = to_field.xform(point);
+		polygon.push_back({ place.x, place.z });
+	}
+	const AreaFault fault = find_area_fault(polygon);
+	if (fault != AreaFault::none) {
+		report_error(node, String("remove_in_polygon(): ") + undergrowth::describe(fault));
+		return 0;
+	}
+	meadow.store.find_in_polygon(polygon, found);
+	return meadow.remove(std::move(found));
+}
+
+// Who stands near two of its lines is found twice.
+int NamedPlants::remove_along(const PackedVector3Array &points, double width) {
+	const bool are_finite =
+			std::all_of(points.begin(), points.end(), [](const Vector3 &point) { return point.is_finite(); });
+	if (points.is_empty() || !are_finite || !is_radius(width)) {
+		report_error(node, "remove_along() needs finite points, one at least, and a width of 0 or more.");
+		return 0;
+	}
+	if (!node->is_inside_tree()) {
+		return 0;
+	}
+	const Transform3D to_field = axes_of(node).affine_inverse();
+	std::vector<PlantPlace> found;
+	for (int64_t i = 0; i < std::max(points.size() - 1, int64_t(1)); i++) {
+		const glm::vec3 from = to_glm(to_field.xform(points[i]));
+		const glm::vec3 to = to_glm(to_field.xform(points[std::min(i + 1, points.size() - 1)]));
+		meadow.store.find_in_capsule(from, to, reach_in(to_field, 0.5 * width), found);
+	}
+	std::sort(found.begin(), found.end());
+	found.erase(std::unique(found.begin(), found.end()), found.end());
+	return meadow.remove(std::move(found));
+}
+
+int NamedPlants::apply_impulse_in_sphere(const Vector3 &center, double radius, const Vector3 &impulse) {
+	if (!impulse.is_finite()) {
+		report_error(node, "apply_impulse_in_sphere() needs a finite impulse.");
+		return 0;
+	}
+	const std::vector<PlantPlace> places = in_sphere("apply_impulse_in_sphere", center, radius);
+	const glm::vec3 blow = places.empty() ? glm::vec3() : to_glm(axes_of(node).basis.inverse().xform(impulse));
+	for (const PlantPlace &place : places) {
+		meadow.motion.apply_impulse(place, blow);
+	}
+	return int(places.size());
+}
+
+// Along the ground, away from the centre; who stands in the centre is not moved.
+int NamedPlants::apply_blast(const Vector3 &center, double radius, double impulse) {
+	if (!std::isfinite(impulse) || radius <= 0.0) {
+		report_error(node, "apply_blast() needs a radius above 0 and a finite impulse.");
+		return 0;
+	}
+	const std::vector<PlantPlace> places = in_sphere("apply_blast", center, radius);
+	const Transform3D placed = places.empty() ? Transform3D() : axes_of(node);
+	const Basis to_field = placed.basis.inverse();
+	for (const PlantPlace &place : places) {
+		const Vector3 way = placed.xform(to_godot(meadow.store.block(place.block).root(place.slot))) - center;
+		const Vector3 aside = Vector3(way.x, 0.0f, way.z).normalized();
+		const double share = 1.0 - double(way.length()) / radius;
+		meadow.motion.apply_impulse(place, to_glm(to_field.xform(aside * float(impulse * share))));
+	}
+	return int(places.size());
+}
+
+} // namespace undergrowth
