@@ -70,6 +70,22 @@ func test_a_plant_alone_bends_by_the_drag_of_its_tip() -> void:
 		check_near(tip.z / tip.y, force / _stiffness(), BEND_TOLERANCE, "drag area %f" % area)
 
 
+func test_plants_that_lie_are_blown_the_same_way() -> void:
+	_wind.turbulence = 0.0
+	var upright := _add_plant()
+	for turn: Vector3 in [Vector3(0, 0, -PI / 2.0), Vector3(0, 0, PI / 2.0), Vector3(PI, 0, 0)]:
+		var lying := _add_plant()
+		lying.rotation = turn
+		await frames(1)
+		for i in 1200:
+			lying.advance(STEP)
+			upright.advance(STEP)
+		var tip := lying.global_basis * lying.get_tip_position()
+		var along := tip.dot(lying.global_basis.y)
+		var expected := upright.get_tip_position().z / upright.get_tip_position().y
+		check_near(tip.z / along, expected, BEND_TOLERANCE, "bend with the root turned %s" % turn)
+
+
 func test_a_fields_plants_shelter_each_other() -> void:
 	_wind.turbulence = 0.0
 	var field := PlantField3D.new()
