@@ -4,21 +4,17 @@
 
 #include "convert.hpp"
 #include "field/cpu_motion.hpp"
+#include "field/eyes.hpp"
 #include "stopwatch.hpp"
 
-#include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
-#include <godot_cpp/classes/viewport.hpp>
-#include <godot_cpp/classes/world3d.hpp>
 
 #include <algorithm>
 
 using namespace godot;
 
 namespace undergrowth {
-
-static const char *const VIEWPORTS = "_viewports"; // The engine's own group.
 
 Meadow::Meadow(GeometryInstance3D *field, const FieldProperties &set_by_users, Listener &&teller) :
 		own_motion(std::make_unique<CpuMotion>()),
@@ -50,20 +46,6 @@ FieldWear Meadow::near_wear() const {
 	return near;
 }
 
-// All cameras that look into this world: that of the screen, and those of other viewports.
-std::vector<Vector3> Meadow::find_eyes() const {
-	std::vector<Vector3> eyes;
-	const TypedArray<Node> viewports = node->get_tree()->get_nodes_in_group(VIEWPORTS);
-	for (int64_t i = 0; i < viewports.size(); i++) {
-		const Viewport *viewport = Object::cast_to<Viewport>(viewports[i]);
-		const Camera3D *camera = viewport ? viewport->get_camera_3d() : nullptr;
-		if (camera && camera->get_world_3d() == node->get_world_3d()) {
-			eyes.push_back(camera->get_global_position());
-		}
-	}
-	return eyes;
-}
-
 double Meadow::advance(double delta, bool simulates) {
 	if (!motion.is_ready()) {
 		return 0.0;
@@ -74,7 +56,7 @@ double Meadow::advance(double delta, bool simulates) {
 	const bool wants_skeletons = seen.skeleton_distance > 0.0 && !Engine::get_singleton()->is_editor_hint();
 	const bool eyes_matter = properties.far_distance > 0.0 || properties.wind.is_valid();
 	if (wants_skeletons || (eyes_matter && motion.wants_eyes())) {
-		now.eyes = find_eyes();
+		now.eyes = find_eyes(node);
 	}
 	const bool is_seen = node->is_visible_in_tree();
 	const bool has_chosen = !style.levels.empty() &&
@@ -118,7 +100,7 @@ void Meadow::refresh() {
 
 void Meadow::thin() {
 	if (view.thins() && node->is_visible_in_tree()) {
-		view.thin(find_eyes());
+		view.thin(find_eyes(node));
 	}
 }
 

@@ -127,7 +127,6 @@ private:
 	/// False, with the fault told, where it cannot stand.
 	bool adopt(FieldFill &finished);
 	ChangeSet apply(StandEdit &&edit);
-	std::vector<godot::Vector3> find_eyes() const;
 };
 
 } // namespace undergrowth
