@@ -50,9 +50,9 @@ struct SpringPage {
 /// Both laws keep t and its equilibrium within this size, so that nothing overflows: 0.06 degrees above the ground.
 inline constexpr float MAX_GNOMONIC = 1e3f;
 
-/// Air (m/s) at each plant, along the axes of the directions; null where there is none. And what it does to a tip of the
-/// laws of one joint: with the speed s of the air past it, a force of drag·s times the air's velocity (on a wind weight of
-/// 1), and drag·s times the tip's own against that.
+/// Air (m/s) at each plant, along the axes of the directions; null where there is none. And what it does to a tip of
+/// the laws of one joint: with the speed s of the air past it, a force of drag·s times the air's velocity (on a wind
+/// weight of 1), and drag·s times the tip's own against that.
 struct PlantAir {
 	const float *x = nullptr;
 	const float *z = nullptr;

@@ -155,8 +155,8 @@ struct MotionPage::BlockWind {
 };
 
 /// Of the laws of one joint, newtons that sources stir become air.
-void MotionPage::sample_wind(const TravellingWind &wind, const PlantWinds &along, int begin, int count,
-		SimdLevel level, BlockWind &block) const {
+void MotionPage::sample_wind(const TravellingWind &wind, const PlantWinds &along, int begin, int count, SimdLevel level,
+		BlockWind &block) const {
 	const float *x = column(ROOT_X) + begin;
 	const float *z = column(ROOT_Z) + begin;
 	const bool is_stirred = any_reaches(wind.sources, box_low, box_high);

@@ -42,8 +42,8 @@ protected:
 /// The survey that goes on for those who wait for the ground, one after the other.
 class GroundAsker {
 public:
-	/// Goes on with what `waiting`, a FieldFill or a FieldPatch, waits for, in a frame of `delta` s, which may be one of
-	/// physics. Once it is done, `waiting` goes on. Where no ground was found it tells where `tells`.
+	/// Goes on with what `waiting`, a FieldFill or a FieldPatch, waits for, in a frame of `delta` s, which may be one
+	/// of physics. Once it is done, `waiting` goes on. Where no ground was found it tells where `tells`.
 	template <class Job>
 	GroundSurvey::State serve(
 			Job &waiting, godot::Node3D *field, const FieldProperties &options, double delta, bool physics, bool tells);
@@ -57,8 +57,8 @@ private:
 	godot::String why;
 	bool has_missed = false;
 
-	GroundSurvey::State go_on(
-			const FieldPlants &plants, godot::Node3D *field, const FieldProperties &options, double delta, bool physics);
+	GroundSurvey::State go_on(const FieldPlants &plants, godot::Node3D *field, const FieldProperties &options,
+			double delta, bool physics);
 	void tell_of_no_ground(const FieldPlants &plants, const godot::Node3D *field);
 };
 

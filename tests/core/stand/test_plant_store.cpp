@@ -78,7 +78,8 @@ TEST_CASE("plants are found in capsules and polygons, those and no others") {
 			double nearest = 1.0e9;
 			for (int i = 0; i <= 2000; i++) {
 				nearest = std::min(nearest,
-						static_cast<double>(glm::distance(root, from + (to - from) * (static_cast<float>(i) / 2000.0f))));
+						static_cast<double>(
+								glm::distance(root, from + (to - from) * (static_cast<float>(i) / 2000.0f))));
 			}
 			capsules += static_cast<std::size_t>(nearest <= 2.5);
 			polygons += static_cast<std::size_t>(is_inside(polygon, { root.x, root.z }));
