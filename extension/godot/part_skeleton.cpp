@@ -55,8 +55,8 @@ std::unique_ptr<PartSkeleton> PartSkeleton::of(const SampledPlant &sampled) {
 	}
 	for (size_t i = 0; i < made->bones.size(); i++) {
 		const PartBone &bone = made->bones[i];
-		made->add_bone(String::utf8(sampled.grown->bones.names()[i].c_str()), made->carrier_of(bone),
-				to_godot(bone.origin));
+		made->add_bone(
+				String::utf8(sampled.grown->bones.names()[i].c_str()), made->carrier_of(bone), to_godot(bone.origin));
 	}
 	made->skin = new_counted<Skin>();
 	for (size_t i = 0; i < made->origins.size(); i++) {
@@ -143,8 +143,8 @@ void PartSkeleton::update_stem(const StandingStem &standing) {
 	const glm::vec3 end = stem_links(*constants, standing.amplitudes, links);
 	const Quaternion lean = quaternion_of(stem.rest);
 	for (int i = 0; i < joints; i++) {
-		posed[size_t(FormBones::FIRST + i)] = Transform3D(Basis(lean * quaternion_of(links[i].turn)),
-				to_godot(turned(links[i].start * height, stem.rest)));
+		posed[size_t(FormBones::FIRST + i)] = Transform3D(
+				Basis(lean * quaternion_of(links[i].turn)), to_godot(turned(links[i].start * height, stem.rest)));
 	}
 	posed[FormBones::TIP] = Transform3D(Basis(quaternion_of(stem.bend)), to_godot(turned(end * height, stem.rest)));
 }

@@ -80,8 +80,8 @@ Joint PlantFunction::make_joint(float length, const Basis &frame) const {
 
 void PlantFunction::set_law(MotionLaw law) {
 	if (law != LAW_ELASTICITY && law != LAW_SPRING && law != LAW_STEM) {
-		report_error(this,
-				"law " + String::num_int64(law) + " does not exist. Use LAW_ELASTICITY, LAW_SPRING or LAW_STEM.");
+		report_error(
+				this, "law " + String::num_int64(law) + " does not exist. Use LAW_ELASTICITY, LAW_SPRING or LAW_STEM.");
 		return;
 	}
 	if (Law(law) != motion.law) {

@@ -103,7 +103,8 @@ public:
 	bool ask_to_grow(const godot::Ref<PlantGrowth> &plant, godot::String &problem);
 	/// The joint of a plant of `length` metres whose root stands in `frame` (its up axis and turn, orthonormal).
 	Joint make_joint(float length, const godot::Basis &frame) const;
-	/// The stem of a plant of `height` metres; null where another law moves it. Reports once what keeps it from standing.
+	/// The stem of a plant of `height` metres; null where another law moves it. Reports once what keeps it from
+	/// standing.
 	std::shared_ptr<const StemConstants> find_stem(double height);
 	/// True while `changed` is emitted for a property that leaves meshes as they are. Setters emit it once for each
 	/// real change, never for a value that they have already.

@@ -91,7 +91,8 @@ void PlantFunction::_bind_methods() {
 			"get_natural_frequency");
 	ADD_PROPERTY(number("damping_ratio", "0,2,0.001,or_greater"), "set_damping_ratio", "get_damping_ratio");
 	ADD_PROPERTY(number("lean", "0,80,0.1,radians_as_degrees"), "set_lean", "get_lean");
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "stem", PROPERTY_HINT_RESOURCE_TYPE, "PlantStem"), "set_stem", "get_stem");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::OBJECT, "stem", PROPERTY_HINT_RESOURCE_TYPE, "PlantStem"), "set_stem", "get_stem");
 	ADD_PROPERTY(number("mass", "0.001,10,0.001,or_greater,exp,suffix:kg"), "set_mass", "get_mass");
 	ADD_PROPERTY(number("wind_weight", "0,4,0.01,or_greater"), "set_wind_weight", "get_wind_weight");
 	ADD_PROPERTY(number("collision_radius", "0,1,0.001,or_greater,suffix:m"), "set_collision_radius",

@@ -34,8 +34,8 @@ public:
 	bool follow_stem(const std::shared_ptr<const StemConstants> &stem);
 	/// Of the stem; 0 where it is straight.
 	int joint_count() const { return parts ? parts->joint_count() : 0; }
-	/// From the root to a place on the plant whose tip points so (unit), 0 the root to 1 the tip, in lengths of the plant;
-	/// all in its own axes.
+	/// From the root to a place on the plant whose tip points so (unit), 0 the root to 1 the tip, in lengths of the
+	/// plant; all in its own axes.
 	glm::vec3 arm(const glm::vec3 &direction, float share) const;
 	/// Somebody asked for the skeleton, so its node knows its pose in every frame. False where it did before.
 	bool hold_skeleton();

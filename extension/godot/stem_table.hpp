@@ -22,8 +22,8 @@ public:
 	/// Takes over what one of them, of the species' own height, says of its stem.
 	void learn(const SampledPlant &plant);
 
-	/// The stem of a plant of `height` metres, one of the species' own where that is 0; `stem` may be null. Where nothing can stand so, that of a bare stem that
-	/// swings at about 1.5 Hz, and problem() says what is wrong.
+	/// The stem of a plant of `height` metres, one of the species' own where that is 0; `stem` may be null. Where
+	/// nothing can stand so, that of a bare stem that swings at about 1.5 Hz, and problem() says what is wrong.
 	std::shared_ptr<const StemConstants> of(float height, const Motion &motion, const godot::Ref<PlantStem> &stem);
 	/// In English; empty where all stems stand.
 	const godot::String &problem() const { return fault; }

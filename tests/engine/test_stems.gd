@@ -71,7 +71,9 @@ func test_the_chain_of_bones_keeps_its_length() -> void:
 				length += from.distance_to(pose.origin)
 				from = pose.origin
 			var height := _plant.get_plant_height()
-			check_near(length, height, CHAIN_TOLERANCE * height, "%d joints, %s N s" % [joints, push])
+			check_near(
+				length, height, CHAIN_TOLERANCE * height, "%d joints, %s N s" % [joints, push]
+			)
 
 
 func test_a_stem_swings_as_it_is_declared() -> void:
@@ -181,7 +183,9 @@ func test_a_stem_that_cannot_stand_is_told_of_once_and_stands() -> void:
 	_plant.species.resource_name = "Weak reed"
 	_plant.species.stem.youngs_modulus = 1e6
 	await frames(2)
-	check_error("'Weak reed': The stem falls under its own weight: give it a larger Young's modulus")
+	check_error(
+		"'Weak reed': The stem falls under its own weight: give it a larger Young's modulus"
+	)
 	_plant.species.wind_weight = 0.5
 	var twin := _add(_plant.species)
 	twin.height = 0.7

@@ -194,8 +194,7 @@ template <class Pages> void TipContact::count(const Pages &field, int begin, int
 		if (found > 0) {
 			touching[own.tip] = static_cast<uint8_t>(found);
 			const MotionPage &page = field.page(page_of(own.tip));
-			vectors[own.tip] =
-					stand_of(field, page_of(own.tip)).outward(page.tip_velocity(index_of(own.tip)));
+			vectors[own.tip] = stand_of(field, page_of(own.tip)).outward(page.tip_velocity(index_of(own.tip)));
 		}
 	}
 }

@@ -64,8 +64,7 @@ Carried carried_by(const Part &part, const PlacedPart &placed) {
 int stem_of(const PlantForm &form) {
 	int longest = form.stem;
 	for (size_t i = 0; form.stem == PlantForm::NO_STEM && i < form.placed.size(); i++) {
-		const bool is_longer =
-				longest < 0 || form.placed[i].length > form.placed[static_cast<size_t>(longest)].length;
+		const bool is_longer = longest < 0 || form.placed[i].length > form.placed[static_cast<size_t>(longest)].length;
 		longest = form.placed[i].carrier == ON_GROUND && is_longer ? static_cast<int>(i) : longest;
 	}
 	return longest;

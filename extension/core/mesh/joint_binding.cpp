@@ -32,7 +32,8 @@ static void bind_vertex(int joints, int32_t *bones, float *weights) {
 	for (size_t i = 0; i < 2; i++) { // Of parts; a bone without weight may be any.
 		all[KEPT + i] = { weights[2 + i] > 0.0f ? bones[2 + i] + joints : FormBones::ROOT, weights[2 + i] };
 	}
-	std::stable_sort(all.begin(), all.end(), [](const Influence &a, const Influence &b) { return a.weight > b.weight; });
+	std::stable_sort(
+			all.begin(), all.end(), [](const Influence &a, const Influence &b) { return a.weight > b.weight; });
 	float sum = 0.0f;
 	for (size_t i = 0; i < KEPT; i++) {
 		sum += all[i].weight;

@@ -3,9 +3,9 @@
 #include "motion/gnomonic.hpp"
 #include "motion/motion_page_columns.hpp"
 
-#include <glm/common.hpp>
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 namespace undergrowth {
 

@@ -32,7 +32,8 @@ namespace undergrowth {
 ///
 /// Stem law: a stem that bends along its length (stem/stem_beam.hpp, motion/stem_step.hpp). One or two oscillators a
 /// plant in the frame of its rest; what is called its direction here is where the tip points, and tip() lies where the
-/// bent stem ends. The equilibrium of an upright plant under a horizontal force F is tan φ = F·StemConstants::dead_slope.
+/// bent stem ends. The equilibrium of an upright plant under a horizontal force F is tan φ =
+/// F·StemConstants::dead_slope.
 ///
 /// Winds are horizontal in the axes of the roots. Directions may have axes of their own, in which the wind's way is
 /// given to step(). Numbers out of a species' or a state's range are brought to the nearest safe one; nothing becomes
@@ -104,10 +105,11 @@ public:
 	StemState stem_before(int index) const;
 	void set_stem_before(int index, const StemState &state);
 	glm::vec2 rest_bend(int index) const;
-	/// What the second mode adds to the tip's bend, `alpha` of the way of the last step, of a page that keeps directions:
-	/// as a vector across the rest direction, in the directions' axes.
+	/// What the second mode adds to the tip's bend, `alpha` of the way of the last step, of a page that keeps
+	/// directions: as a vector across the rest direction, in the directions' axes.
 	glm::vec3 second_bend(int index, float alpha) const;
-	/// Of the stem law: moves a tip by `way` (m), and its velocity by `faster` (m/s), as far as they go across the stem.
+	/// Of the stem law: moves a tip by `way` (m), and its velocity by `faster` (m/s), as far as they go across the
+	/// stem.
 	void move_tip(int index, const glm::vec3 &way, const glm::vec3 &faster);
 	/// A blow on a joint, 1 to StemConstants::joints, whose last one is the tip, or on the head (joints + 1).
 	void apply_impulse_at(int index, int joint, const glm::vec3 &impulse);

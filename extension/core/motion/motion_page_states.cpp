@@ -254,7 +254,8 @@ void MotionPage::move_tip(int index, const glm::vec3 &way, const glm::vec3 &fast
 
 void MotionPage::apply_impulse_at(int index, int joint, const glm::vec3 &impulse) {
 	StemState blown = stem(index);
-	const float x = joint > kind.stem.joints ? ON_HEAD : static_cast<float>(joint) / static_cast<float>(kind.stem.joints);
+	const float x =
+			joint > kind.stem.joints ? ON_HEAD : static_cast<float>(joint) / static_cast<float>(kind.stem.joints);
 	blow_on_stem(kind.stem, blown, x, turned(impulse, -rest_bend(index)), kind.stem.length / length(index));
 	set_stem(index, blown);
 }

@@ -154,7 +154,8 @@ void MotionPage::step(const TravellingWind &wind, const PlantWinds &along, SimdL
 			const StemPage block = stem_page(begin);
 			set.step_stem(block, count, winds, {});
 			if (block_pairs) {
-				Bend *seconds = second_pairs.empty() ? nullptr : second_pairs.data() + 2 * static_cast<std::size_t>(begin);
+				Bend *seconds =
+						second_pairs.empty() ? nullptr : second_pairs.data() + 2 * static_cast<std::size_t>(begin);
 				set.encode_stem(block, count, block_pairs, seconds);
 			}
 		} else {

@@ -7,8 +7,8 @@
 namespace undergrowth {
 
 // What acts on a stem at a place x, 0 at its root to 1 at its tip, or on the centre of its head (ON_HEAD). Between
-// joints, how far the modes deflect it is taken from both. All vectors are in the frame of the rest. `scale`: the length
-// that the constants are for over the plant's own; frequencies and masses are the same for both.
+// joints, how far the modes deflect it is taken from both. All vectors are in the frame of the rest. `scale`: the
+// length that the constants are for over the plant's own; frequencies and masses are the same for both.
 
 inline constexpr float ON_HEAD = 2.0f;
 

@@ -17,8 +17,8 @@ struct StemState {
 
 /// Bends are stereographic images of directions (motion/bend_encoding.hpp).
 
-/// `bend`, seen from the frame of a rest direction whose bend is `rest`, as it is in the axes around; and back. Both are
-/// turns of the sphere, so nothing is approximated.
+/// `bend`, seen from the frame of a rest direction whose bend is `rest`, as it is in the axes around; and back. Both
+/// are turns of the sphere, so nothing is approximated.
 glm::vec2 out_of_rest(const glm::vec2 &bend, const glm::vec2 &rest);
 glm::vec2 into_rest(const glm::vec2 &bend, const glm::vec2 &rest);
 
@@ -35,9 +35,9 @@ StemState stem_state(const StemConstants &stem, const TipState &tip, const glm::
 /// The nearest usable state: no mode farther or faster than it may, nothing but finite numbers.
 StemState safe_stem(const StemConstants &stem, const StemState &state);
 
-/// What a page keeps of a stem for the graphics card (motion/bend_encoding.hpp): the bend of the tip that the first mode
-/// gives, in the axes around, so that all who know of one joint read it as that joint's; and what the second one adds to
-/// the tip's bend, in the frame of the rest.
+/// What a page keeps of a stem for the graphics card (motion/bend_encoding.hpp): the bend of the tip that the first
+/// mode gives, in the axes around, so that all who know of one joint read it as that joint's; and what the second one
+/// adds to the tip's bend, in the frame of the rest.
 struct StemBends {
 	Bend first;
 	Bend second;

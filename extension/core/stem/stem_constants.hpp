@@ -48,7 +48,8 @@ struct StemConstants {
 	float deflection[MOST_STEM_JOINTS + 1][MOST_STEM_MODES] = {};
 
 	bool operator==(const StemConstants &other) const {
-		static_assert(sizeof(StemConstants) == 4 * (6 + 9 * MOST_STEM_MODES + 6 * STEM_SHAPE_TERMS) +
+		static_assert(sizeof(StemConstants) ==
+						4 * (6 + 9 * MOST_STEM_MODES + 6 * STEM_SHAPE_TERMS) +
 								4 * (MOST_STEM_JOINTS + 1) * MOST_STEM_MODES,
 				"no padding, so bytes say whether all numbers are the same");
 		return std::memcmp(this, &other, sizeof(StemConstants)) == 0;

@@ -74,8 +74,8 @@ struct FieldLook {
 	bool has_parts() const { return !nearest.empty() && nearest[0].grown; }
 	/// Of its variants (m).
 	float mean_height() const;
-	/// The farthest that the plant's mesh goes from its root, `widening` times as wide, however it bends (m): linear blend
-	/// skinning moves no vertex farther than it is at rest.
+	/// The farthest that the plant's mesh goes from its root, `widening` times as wide, however it bends (m): linear
+	/// blend skinning moves no vertex farther than it is at rest.
 	float reach_of(const PlacedPlant &plant, float widening) const;
 	const FieldVariant &variant_of(const PlacedPlant &plant) const {
 		return variants[size_t(plant.variant) % variants.size()];

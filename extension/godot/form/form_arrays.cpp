@@ -104,8 +104,7 @@ Ref<ArrayMesh> build_form_mesh(const GrownPlant &grown, const SampledPlant &samp
 	Array all = packed(arrays);
 	all[Mesh::ARRAY_CUSTOM3] = heights(sampled.height, plan.counts.vertices);
 	Ref<ArrayMesh> mesh = new_counted<ArrayMesh>();
-	mesh->add_surface_from_arrays(
-			Mesh::PRIMITIVE_TRIANGLES, all, TypedArray<Array>(), Dictionary(), CUSTOM_FORMAT);
+	mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, all, TypedArray<Array>(), Dictionary(), CUSTOM_FORMAT);
 	mesh->surface_set_material(0, sampled.material.is_valid() ? sampled.material : Ref<Material>(parts_material()));
 	return mesh;
 }

@@ -49,8 +49,8 @@ TEST_CASE("a blow changes a joint's speed by impulse over mass, across the stem,
 					const float x = std::min(static_cast<float>(joint) / static_cast<float>(stem.joints), 1.0f);
 					const glm::vec2 bend = stem_bend(stem, state.place, x);
 					const glm::vec3 direction = from_stereographic(bend);
-					const glm::vec3 expected =
-							(impulse - direction * glm::dot(impulse, direction)) / stem_mass(stem, at_joint(stem, joint));
+					const glm::vec3 expected = (impulse - direction * glm::dot(impulse, direction)) /
+							stem_mass(stem, at_joint(stem, joint));
 					CAPTURE(joint);
 					CAPTURE(bent);
 					CHECK(glm::distance(speed, expected) < SPEED_TOLERANCE * glm::length(expected));

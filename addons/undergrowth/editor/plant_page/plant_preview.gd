@@ -254,9 +254,7 @@ func _show_overlays() -> void:
 		var joints := plant.get_joint_count() if is_stem else 0
 		if _rings.button_pressed and Traits.has_stem(_state.function):
 			var height := plant.get_plant_height()
-			var rings := PreviewOverlay.make_rings(
-				_state.function, height, plant.segments, joints
-			)
+			var rings := PreviewOverlay.make_rings(_state.function, height, plant.segments, joints)
 			_add_overlay(plant, rings, RING_COLOR)
 		if _bones.button_pressed:
 			var bones := PreviewOverlay.make_bones(plant.get_plant_height(), joints)
