@@ -1,6 +1,15 @@
 ## Stems that bend along their length: their bones, how they swing, and what is wrong with them.
 extends "res://tests/engine/harness.gd"
 
+
+class Hollow:
+	extends PlantFunction
+	var width := -1.0
+
+	func _calculate_curve_point(_offset: float) -> float:
+		return width
+
+
 const STEP := 1.0 / 60.0
 const PATH := "user://saved_stem.tscn"
 ## Share of the length that the chain of bones may be longer or shorter.
@@ -200,6 +209,20 @@ func test_a_stem_that_cannot_stand_is_told_of_once_and_stands() -> void:
 	_plant.species.stem.youngs_modulus = 1e6
 	await frames(2)
 	check_error("falls under its own weight")
+
+
+func test_a_species_that_cannot_be_built_is_told_of_once() -> void:
+	var species := Hollow.new()
+	species.law = PlantFunction.LAW_STEM
+	var plant := _add(species)
+	await frames(2)
+	check_error("_calculate_curve_point")
+	species.width = 0.1
+	species.emit_changed()
+	await frames(2)
+	plant.apply_impulse(Vector3(0.01, 0, 0))
+	_run(plant, 10)
+	check(plant.get_deflection() > 1e-5, "it swings then, %f" % plant.get_deflection())
 
 
 func test_wind_weights_need_one_for_each_joint() -> void:
