@@ -59,6 +59,9 @@ class Plant3D : public godot::Node3D {
 	void drive();
 	void refuse(const godot::String &what);
 	void forget_touches();
+
+	// plant_3d_asking.cpp
+	/// Where the plant is at so much of its length, in its own axes and heights.
 	godot::Vector3 arm(float share) const;
 
 protected:

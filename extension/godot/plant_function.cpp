@@ -27,7 +27,6 @@ static constexpr Range MASS_RANGE = { 1e-6, 1e6 };
 static constexpr Range WIND_WEIGHT_RANGE = { 0.0, 1e3 };
 static constexpr Range DRAG_AREA_RANGE = { -1.0, 1e3 };
 static constexpr Range COLLISION_RANGE = { 0.0, 1e3 };
-static constexpr int STEM_SEGMENTS = 12; // How finely a lathe says where it is thick.
 static constexpr Range DEVIATION_RANGE = { 0.0, 1.0 };
 
 void PlantFunction::shape_changed() {
@@ -151,43 +150,6 @@ void PlantFunction::set_lean(double radians) {
 
 double PlantFunction::get_lean() const {
 	return lean;
-}
-
-void PlantFunction::set_stem(const Ref<PlantStem> &new_stem) {
-	if (new_stem != stem) {
-		const Callable listener(this, "_on_stem_changed");
-		unfollow_changes(stem.ptr(), listener);
-		stem = new_stem;
-		follow_changes(stem.ptr(), listener);
-		on_stem_changed();
-	}
-}
-
-void PlantFunction::on_stem_changed() {
-	told_of_stem = String();
-	motion_changed();
-}
-
-// A plant of the species' own height says what its stem is like, so that it does not matter who asks first.
-std::shared_ptr<const StemConstants> PlantFunction::find_stem(double height) {
-	if (motion.law != Law::stem) {
-		return nullptr;
-	}
-	if (!stems.knows_plants()) {
-		follow_changes(this, Callable(this, "_on_own_change")); // A script may answer otherwise then.
-		SampledPlant plant;
-		if (!sample(0.0, STEM_SEGMENTS, 0, plant).is_empty()) {
-			plant = SampledPlant(); // Whoever builds its mesh tells what is wrong.
-			plant.height = float(height);
-		}
-		stems.learn(plant);
-	}
-	const std::shared_ptr<const StemConstants> found = stems.of(float(height), motion, stem);
-	if (!stems.problem().is_empty() && stems.problem() != told_of_stem) {
-		report_error(this, stems.problem() + " It stands as a bare stem until then.");
-		told_of_stem = stems.problem();
-	}
-	return found;
 }
 
 void PlantFunction::set_mass(double kilograms) {

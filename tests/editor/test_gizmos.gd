@@ -2,6 +2,7 @@
 extends "viewport_test.gd"
 ## Gizmos come and go with their nodes, whatever the viewport still holds.
 
+const GizmoShapes := preload("res://addons/undergrowth/editor/gizmo/gizmo_shapes.gd")
 const PLUGIN := "undergrowth"
 
 
@@ -72,6 +73,24 @@ func test_a_plant_that_is_removed_while_its_handle_is_under_the_pointer() -> voi
 	await _switch(false)
 	await _switch(true)
 	check(dock() != null, "the dock is back")
+
+
+func test_a_stem_shows_its_joints() -> void:
+	var plant := await _open_plant()
+	await _choose_only(plant)
+	plant.species.law = PlantFunction.LAW_STEM
+	plant.apply_impulse(Vector3(60, 0, 0))
+	for i in 10:
+		plant.advance(1.0 / 60.0)
+	await frames(5)
+	var plugin := _gizmo_of(plant).get_plugin()
+	var joints: PackedVector3Array = plugin.get_script().joints_of(plant)
+	check_equal(joints.size(), 5, "root, joints and tip")
+	check(joints[4].is_equal_approx(plant.get_tip_position()), "the last is the tip")
+	check(joints[4].x > maxf(0.1, 2.5 * joints[2].x), "it bends: %s" % joints)
+	var lines := GizmoShapes.chain(joints)
+	check_equal(lines.size(), 5 * 6 + 4 * 2, "ends of lines")
+	await take_picture("stem_gizmo")
 
 
 func test_two_heights_in_a_moment_are_two_steps() -> void:

@@ -204,6 +204,40 @@ func test_property_changes_are_undone() -> void:
 	await undo()
 
 
+func test_a_stem_has_its_properties_and_bones() -> void:
+	await open_page("Plant")
+	await click_item(part("Plant/List/SimpleList") as ItemList, 0)
+	var grass := _state().function
+	check(not _shows("stem"), "a plant of one joint has no stem")
+	grass.law = PlantFunction.LAW_STEM
+	await frames(5)
+	check(_shows("stem") and _shows("natural_frequency"), "the stem is shown")
+	check(not _shows("mass"), "its mass is not asked for")
+	grass.stem = PlantStem.new()
+	grass.stem.joints = 3
+	for name: String in ["Rings", "Bones"]:
+		await click(part("Plant/Preview/" + name) as Control)
+	await frames(5)
+	var plant := part("Plant/Preview/Plants").get_child(0) as Plant3D
+	check_equal(plant.get_joint_count(), 3, "joints")
+	for overlay: Node in plant.get_skeleton().get_children():
+		var lines := (overlay as MeshInstance3D).mesh
+		var bones: PackedInt32Array = lines.surface_get_arrays(0)[Mesh.ARRAY_BONES]
+		check_equal(Array(bones).max(), 4, "the last link's bone")
+	await take_picture("stem")
+	for name: String in ["Rings", "Bones"]:
+		await click(part("Plant/Preview/" + name) as Control)
+	grass.stem = null
+	grass.law = PlantFunction.LAW_SPRING
+
+
+func _shows(property: String) -> bool:
+	for editor: EditorProperty in dock().find_children("*", "EditorProperty", true, false):
+		if editor.get_edited_property() == property:
+			return true
+	return false
+
+
 func _bring_into_sight(control: Control) -> void:
 	var above := control.get_parent()
 	while above is not EditorInspector:

@@ -27,7 +27,7 @@ static func make_field(function: PlantFunction) -> PlantField3D:
 	var side := sqrt(MOST_PLANTS / field.density)
 	if side < field.size.x:
 		field.size = Vector2.ONE * maxf(floorf(side), LEAST_SIDE)
-	if function.law == PlantFunction.LAW_SPRING:
+	if function.law != PlantFunction.LAW_ELASTICITY:
 		field.species[0].lean_deviation = LEAN
 	return field
 

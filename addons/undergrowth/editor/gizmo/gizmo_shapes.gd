@@ -25,6 +25,17 @@ static func loop(points: PackedVector3Array) -> PackedVector3Array:
 	return lines
 
 
+## A line through [param joints], with a small cross at each.
+static func chain(joints: PackedVector3Array) -> PackedVector3Array:
+	var lines := PackedVector3Array()
+	for i in joints.size():
+		var link := joints[maxi(i, 1)] - joints[maxi(i, 1) - 1]
+		lines.append_array(cross(joints[i], link.length() * 0.08))
+		if i > 0:
+			lines.append_array([joints[i - 1], joints[i]])
+	return lines
+
+
 ## An arrow from [param from] to [param to], with two barbs in the plane across [param up].
 static func arrow(from: Vector3, to: Vector3, up: Vector3) -> PackedVector3Array:
 	var along := to - from

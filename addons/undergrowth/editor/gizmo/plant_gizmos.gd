@@ -1,8 +1,8 @@
 @tool
 extends "kept_gizmos.gd"
 ## The gizmo of Plant3D: a click on the plant's mesh selects it. A selected plant shows a handle for
-## its height, where its tip is and how far it is bent, where its wind blows to, and the box that
-## holds it in every bend.
+## its height, where its tip is and how far it is bent, the joints of a stem that has several, where
+## its wind blows to, and the box that holds it in every bend.
 
 const GizmoShapes := preload("gizmo_shapes.gd")
 const SceneWind := preload("../wind_page/scene_wind.gd")
@@ -44,6 +44,7 @@ func _redraw(gizmo: EditorNode3DGizmo) -> void:
 		return
 	gizmo.add_lines(GizmoShapes.box(plant.get_reach()), get_material("box", gizmo))
 	_draw_bend(gizmo, plant)
+	_draw_joints(gizmo, plant)
 	_draw_wind(gizmo, plant)
 	var top := Vector3(0.0, plant.get_plant_height(), 0.0)
 	var ids := PackedInt32Array([HEIGHT_HANDLE])
@@ -105,8 +106,15 @@ func _draw_bend(gizmo: EditorNode3DGizmo, plant: Plant3D) -> void:
 	var height := plant.get_plant_height()
 	var lines := GizmoShapes.arc(Vector3.UP, tip.normalized(), height * 0.5)
 	lines.append_array(GizmoShapes.cross(tip, height * 0.04))
-	lines.append_array(PackedVector3Array([Vector3.ZERO, tip]))
+	if plant.get_joint_count() == 1:
+		lines.append_array(PackedVector3Array([Vector3.ZERO, tip]))
 	gizmo.add_lines(lines, get_material("bend", gizmo))
+
+
+# Also of a stem that stands straight: where its bones are.
+func _draw_joints(gizmo: EditorNode3DGizmo, plant: Plant3D) -> void:
+	if plant.get_joint_count() > 1:
+		gizmo.add_lines(GizmoShapes.chain(joints_of(plant)), get_material("bend", gizmo))
 
 
 func _draw_wind(gizmo: EditorNode3DGizmo, plant: Plant3D) -> void:
@@ -120,6 +128,14 @@ func _draw_wind(gizmo: EditorNode3DGizmo, plant: Plant3D) -> void:
 		from, from + blowing * plant.get_plant_height() * 0.4, axes * Vector3.UP
 	)
 	gizmo.add_lines(arrow, get_material("wind", gizmo))
+
+
+## From the root to the tip, in the plant's own axes.
+static func joints_of(plant: Plant3D) -> PackedVector3Array:
+	var joints := PackedVector3Array()
+	for joint in plant.get_joint_count() + 1:
+		joints.append(plant.get_joint_position(joint))
+	return joints
 
 
 # What blows on the plant now; null in still air.

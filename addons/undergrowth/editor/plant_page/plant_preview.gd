@@ -249,13 +249,16 @@ func _show_overlays() -> void:
 		if is_instance_valid(overlay):
 			(overlay as Node).queue_free()
 	_overlays.clear()
+	var is_stem := _state.function != null and _state.function.law == PlantFunction.LAW_STEM
 	for plant in _plants:
+		var joints := plant.get_joint_count() if is_stem else 0
 		if _rings.button_pressed and Traits.has_stem(_state.function):
 			var height := plant.get_plant_height()
-			var rings := PreviewOverlay.make_rings(_state.function, height, plant.segments)
+			var rings := PreviewOverlay.make_rings(_state.function, height, plant.segments, joints)
 			_add_overlay(plant, rings, RING_COLOR)
 		if _bones.button_pressed:
-			_add_overlay(plant, PreviewOverlay.make_bone(plant.get_plant_height()), BONE_COLOR)
+			var bones := PreviewOverlay.make_bones(plant.get_plant_height(), joints)
+			_add_overlay(plant, bones, BONE_COLOR)
 
 
 func _add_overlay(plant: Plant3D, lines: ArrayMesh, color: Color) -> void:

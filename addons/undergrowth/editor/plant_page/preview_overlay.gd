@@ -1,9 +1,11 @@
 @tool
 extends RefCounted
-## Line meshes that are skinned like a plant and so bend with it: its rings, and its two bones.
+## Line meshes that are skinned like a plant and so bend with it: its rings, and its bones. Plants
+## whose stem bends along its length have one for each of their joints, others have 0 joints.
 
 const ROOT_BONE := 0
 const TIP_BONE := 1
+const FIRST_LINK := 2
 ## Breadth and place of the thick end of a drawn bone, in shares of its length.
 const BONE_BREADTH := 0.04
 const BONE_WAIST := 0.12
@@ -11,7 +13,9 @@ const BONE_WAIST := 0.12
 
 ## The cross-sections that the plant's mesh is stretched over (thesis, figure 2.4), and lines along
 ## the stem that join them.
-static func make_rings(function: PlantFunction, height: float, segments: int) -> ArrayMesh:
+static func make_rings(
+	function: PlantFunction, height: float, segments: int, joints := 0
+) -> ArrayMesh:
 	var lines := PackedVector3Array()
 	var shape := function.get_base_shape(segments)
 	var below := PackedVector3Array()
@@ -26,20 +30,23 @@ static func make_rings(function: PlantFunction, height: float, segments: int) ->
 			if not below.is_empty():
 				lines.append_array([below[i], ring[i]])
 		below = ring
-	return _make_mesh(lines, height)
+	return _make_mesh(lines, height, joints)
 
 
-## The bone from root to tip, drawn as the engine's skeleton editor draws bones.
-static func make_bone(height: float) -> ArrayMesh:
+## The bones from root to tip, drawn as the engine's skeleton editor draws bones.
+static func make_bones(height: float, joints := 0) -> ArrayMesh:
 	var lines := PackedVector3Array()
-	var waist: Array[Vector3] = []
-	for i in 4:
-		var side := Vector3.RIGHT.rotated(Vector3.UP, i * TAU / 4.0) * BONE_BREADTH * height
-		waist.append(side + Vector3.UP * BONE_WAIST * height)
-	for i in 4:
-		lines.append_array([Vector3.ZERO, waist[i], waist[i], Vector3.UP * height])
-		lines.append_array([waist[i], waist[(i + 1) % 4]])
-	return _make_mesh(lines, height)
+	var length := height / maxi(joints, 1)
+	for link in maxi(joints, 1):
+		var base := Vector3.UP * length * link
+		var waist: Array[Vector3] = []
+		for i in 4:
+			var side := Vector3.RIGHT.rotated(Vector3.UP, i * TAU / 4.0) * BONE_BREADTH * length
+			waist.append(base + side + Vector3.UP * BONE_WAIST * length)
+		for i in 4:
+			lines.append_array([base, waist[i], waist[i], base + Vector3.UP * length])
+			lines.append_array([waist[i], waist[(i + 1) % 4]])
+	return _make_mesh(lines, height, joints)
 
 
 static func make_material(color: Color) -> StandardMaterial3D:
@@ -51,12 +58,19 @@ static func make_material(color: Color) -> StandardMaterial3D:
 	return material
 
 
-static func _make_mesh(lines: PackedVector3Array, height: float) -> ArrayMesh:
+static func _make_mesh(lines: PackedVector3Array, height: float, joints: int) -> ArrayMesh:
 	var bones := PackedInt32Array()
 	var weights := PackedFloat32Array()
 	for point in lines:
 		var share := clampf(point.y / height, 0.0, 1.0)
-		bones.append_array([ROOT_BONE, TIP_BONE, 0, 0])
+		var lower := ROOT_BONE
+		var upper := TIP_BONE
+		if joints > 0:  # From the middle of a link to the middle of the next one.
+			var place := clampf(share * joints - 0.5, 0.0, joints - 1.0)
+			lower = FIRST_LINK + floori(place)
+			upper = FIRST_LINK + ceili(place)
+			share = place - floorf(place)
+		bones.append_array([lower, upper, 0, 0])
 		weights.append_array([1.0 - share, share, 0.0, 0.0])
 	var arrays := []
 	arrays.resize(Mesh.ARRAY_MAX)
