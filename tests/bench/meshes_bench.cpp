@@ -118,7 +118,7 @@ void time_forms(Report &report) {
 	for (const int lod : { 12, 6, 3 }) {
 		FormPlan plan = plan_form(form, measure, vertex_budget(lod));
 		FormRoom room(plan.counts);
-		const auto build = [&] { build_form_mesh(form, measure, plan, {}, form.height, room.buffers()); };
+		const auto build = [&] { build_form_mesh(form, measure, plan, {}, {}, form.height, room.buffers()); };
 		const std::string vertices = member("vertices", plan.counts.vertices);
 		report.row("daisy_matched", 1, 1, median_ms(build), SimdLevel::baseline, vertices);
 		plan.is_cut = false; // What is written of it, without looking whether it shows the same.
