@@ -41,12 +41,12 @@ func _run() -> void:
 		await _measure_field("field_frame", count, {})
 		await _measure_field("field_frame_interval_4", count, {"update_interval": 4})
 		await _measure_field("field_frame_prototypes_64", count, {"prototypes": 64})
+	for count: int in [LADDER_COUNT, LADDER_COUNT * 10]:
+		await _measure_field("field_frame_far", count, {"far_distance": FAR_DISTANCE})
 	for law: PlantFunction.MotionLaw in LAWS:
 		var field := _make_field_of_parts(law)
 		field.simulation_enabled = true
 		await _measure(LAWS[law], field)
-	for count: int in [LADDER_COUNT, LADDER_COUNT * 10]:
-		await _measure_field("field_frame_far", count, {"far_distance": FAR_DISTANCE})
 	if _renderer == "headless":
 		await _measure_fill("field_fill", _make_field(LADDER_COUNT, {"simulation_enabled": false}))
 		await _measure_fill("field_fill_of_parts", _make_field_of_parts())
