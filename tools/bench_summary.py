@@ -26,7 +26,7 @@ class Rows:
 
 def lines(rows):
     found = Rows(rows)
-    told = [*kernel_lines(rows), *thread_lines(found)]
+    told = [*kernel_lines(rows), *stem_lines(found), *thread_lines(found)]
     for renderer in ("headless", "forward_plus", "gl_compatibility"):
         told += field_lines(found, renderer)
     return [*told, *peer_lines(found)]
@@ -36,6 +36,22 @@ def kernel_lines(rows):
     return [f"{row['name']}, {row['level']}, {row['plants']:,} plants: {row['g_plant_steps']:.2f} G plant-steps/s, "
             f"{percent(row['compute_share'])} of what the core can compute, {percent(row['memory_share'])} of what its "
             "memory can move" for row in rows if "g_plant_steps" in row]
+
+
+def stem_lines(found):
+    """Stems beside the spring law."""
+    told = []
+    for level in ("baseline", "avx2"):
+        for name in ("page_stem", "page_stem_upright", "page_stem_two_modes"):
+            ratio = found.ratio(found.find(name, 10000, level=level), found.find("page_spring", 10000, level=level))
+            if ratio:
+                told.append(f"{name}, {level}, 10,000 plants: {ratio:.2f} times the spring law's page")
+    for renderer in ("headless", "forward_plus", "gl_compatibility"):
+        ratio = found.ratio(found.find("field_frame_stems", PLANTS, renderer=renderer),
+                            found.find("field_frame_spring", PLANTS, renderer=renderer))
+        if ratio:
+            told.append(f"{renderer}: a frame of {PLANTS:,} stems {ratio:.2f} times that of springs")
+    return told
 
 
 def thread_lines(found):

@@ -1,7 +1,7 @@
 extends PanelContainer
 ## The bar at the lower edge: switches between the demo's scenes.
 ##
-## Its buttons do, and the keys 1 to 5.
+## Its buttons do, and the keys 1 to 6.
 
 const SCENES: Array[String] = [
 	"res://field/field.tscn",
@@ -9,6 +9,7 @@ const SCENES: Array[String] = [
 	"res://ladder/ladder.tscn",
 	"res://levels/levels.tscn",
 	"res://script_species/script_species.tscn",
+	"res://stems/stems.tscn",
 ]
 
 

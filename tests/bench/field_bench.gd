@@ -21,6 +21,10 @@ const FILLS := 5
 const PARTS: Array[String] = [
 	"meadow_grass", "garden_tulip", "oxeye_daisy", "meadow_grass", "oxeye_daisy"
 ]
+## Ready species, each plant by itself, all by one law.
+const LAWS: Dictionary = {
+	PlantFunction.LAW_SPRING: "field_frame_spring", PlantFunction.LAW_STEM: "field_frame_stems"
+}
 
 var _rows: Array[Dictionary] = []
 var _renderer := "headless"
@@ -41,6 +45,10 @@ func _run() -> void:
 	await _measure_field("field_frame_air", LADDER_COUNT, {"wind": breeze})
 	for count: int in [LADDER_COUNT, LADDER_COUNT * 10]:
 		await _measure_field("field_frame_far", count, {"far_distance": FAR_DISTANCE})
+	for law: PlantFunction.MotionLaw in LAWS:
+		var field := _make_field_of_parts(law)
+		field.simulation_enabled = true
+		await _measure(LAWS[law], field)
 	if _renderer == "headless":
 		await _measure_fill("field_fill", _make_field(LADDER_COUNT, {"simulation_enabled": false}))
 		await _measure_fill("field_fill_of_parts", _make_field_of_parts())
@@ -67,21 +75,28 @@ func _make_field(count: int, settings: Dictionary) -> PlantField3D:
 	field.density = DENSITY
 	field.size = Vector2.ONE * sqrt(count / DENSITY)
 	field.far_distance = 0.0
-	field.wind = PlantWind.new()
-	field.wind.kind = PlantWind.KIND_WAVES
-	field.wind.strength = 10.0
-	field.wind.frequency = 0.5
+	_blow_waves(field)
 	for property: String in settings:
 		field.set(property, settings[property])
 	return field
 
 
+func _blow_waves(field: PlantField3D) -> void:
+	field.wind = PlantWind.new()
+	field.wind.kind = PlantWind.KIND_WAVES
+	field.wind.strength = 10.0
+	field.wind.frequency = 0.5
+
+
 func _measure_field(title: String, count: int, settings: Dictionary) -> void:
+	await _measure(title, _make_field(count, settings))
+
+
+func _measure(title: String, field: PlantField3D) -> void:
 	var camera := Camera3D.new()
 	root.add_child(camera)
 	camera.position.y = 5.0  # Looking up: what is measured is not how plants are drawn.
 	camera.rotation.x = PI / 2.0
-	var field := _make_field(count, settings)
 	root.add_child(field)
 	await field.filled
 	field.simulation_enabled = false
@@ -142,13 +157,16 @@ func _measure_fill(title: String, field: PlantField3D) -> void:
 
 
 ## Ready species of parts, two of them twice.
-func _make_field_of_parts() -> PlantField3D:
+func _make_field_of_parts(law := PlantFunction.LAW_STEM) -> PlantField3D:
 	var kinds: Array[PlantFunction] = []
 	for name in PARTS:
 		kinds.append(load("res://addons/undergrowth/species/%s.tres" % name).duplicate())
+		kinds.back().law = law
 	var field := PlantField3D.from_species(kinds)
 	field.density = DENSITY
 	field.size = Vector2.ONE * sqrt(LADDER_COUNT / DENSITY)
+	field.far_distance = 0.0
+	_blow_waves(field)
 	field.simulation_enabled = false
 	return field
 

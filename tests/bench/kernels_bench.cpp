@@ -4,6 +4,7 @@
 #include "motion/kernel_tables.hpp"
 #include "motion/motion_page.hpp"
 #include "report.hpp"
+#include "stem/stem_beam.hpp"
 
 using namespace undergrowth;
 
@@ -81,12 +82,17 @@ struct StepCost {
 	double operations;
 	double bytes;
 	bool is_whole; ///< With its wind and its bends, as a field's page does it; else the law's kernel alone.
+	bool leans = true; ///< Its plants do, as most in a field.
+	int modes = 1; ///< Of a stem.
 };
 constexpr StepCost STEPS[] = {
 	{ "step_elasticity", Law::elasticity, 48.0, 52.0, false },
 	{ "step_spring", Law::spring, 30.0, 44.0, false },
 	{ "page_elasticity", Law::elasticity, 57.0, 76.0, true },
 	{ "page_spring", Law::spring, 43.0, 68.0, true },
+	{ "page_stem", Law::stem, 98.0, 68.0, true },
+	{ "page_stem_upright", Law::stem, 84.0, 60.0, true, false },
+	{ "page_stem_two_modes", Law::stem, 152.0, 124.0, true, true, 2 },
 };
 constexpr int PAGE_FLOATS = 13; // Of a page's table, per plant.
 constexpr int COLUMNS = 7; // Of a kernel.
@@ -122,16 +128,24 @@ double time_memory(Report &report, int plants, SimdLevel level) {
 }
 
 /// Pages of a field's size.
-std::vector<MotionPage> meadow(Law law, int plants) {
+std::vector<MotionPage> meadow(const StepCost &cost, int plants) {
+	constexpr float SLOPE_PER_NEWTON = 0.1f;
 	MotionSpecies species;
-	species.law = law;
+	species.law = cost.law;
+	if (cost.law == Law::stem) {
+		StemBeam beam;
+		beam.length = 1.0f;
+		beam.modes = cost.modes;
+		species.stem = solve_stem(beam).constants;
+		species.stem.dead_slope = SLOPE_PER_NEWTON;
+	}
 	std::vector<MotionPage> pages;
 	for (int begin = 0; begin < plants; begin += MotionPage::PAGE_PLANTS) {
 		std::vector<MotionPlant> some;
 		for (int i = begin; i < std::min(begin + MotionPage::PAGE_PLANTS, plants); i++) {
 			some.emplace_back();
 			some.back().length = 0.3f + 1.5f * static_cast<float>(i) / static_cast<float>(plants);
-			some.back().rest = { 0.1f, 1.0f, 0.0f };
+			some.back().rest = { cost.leans ? 0.1f : 0.0f, 1.0f, 0.0f };
 		}
 		pages.emplace_back(0, species, some.data(), static_cast<int>(some.size()), 1.0f / 60.0f, true);
 	}
@@ -191,8 +205,8 @@ private:
 };
 
 void time_steps(Report &report, const StepCost &cost, int plants, SimdLevel level, double compute, double memory) {
-	std::vector<MotionPage> pages = meadow(cost.law, plants);
-	Rows rows(plants, cost.law);
+	std::vector<MotionPage> pages = meadow(cost, plants);
+	Rows rows(plants, cost.is_whole ? Law::spring : cost.law);
 	TravellingWind wind = {};
 	wind.steady = 2.0f;
 	const int repeats = std::max(PLANTS_PER_RUN / plants, 1);

@@ -1,5 +1,6 @@
-"""The demo drawn by a real renderer: its picture holds plants and sky, and its plants move."""
+"""The demo drawn by a real renderer: its picture holds plants and sky, and its plants move. Its other scenes load."""
 
+import re
 import shutil
 import struct
 import zlib
@@ -13,6 +14,7 @@ from .result import LOGS, ROOT, Result
 
 OUT = LOGS / "picture"
 FRAMES = 12
+SCENE_FRAMES = 20
 TIMEOUT = 900  # s: two cores may be busy with other suites.
 STILL_SIZE = (1280, 720)
 # Shares of all pixels (of those in the upper third for the sky), well below what the demo shows.
@@ -88,8 +90,22 @@ def complaints(first, last):
             for what, value, least in found if value < least]
 
 
+def scene_complaints(godot):
+    """What is wrong with the scenes that the demo's bar switches between, each run for some frames without a picture."""
+    scenes = re.findall(r'"res://(\w+/\w+\.tscn)"', (ROOT / "demo_project/ui/scene_bar.gd").read_text())
+    wrong = [] if len(scenes) > 1 else ["scene_bar.gd names no scenes"]
+    for scene in scenes:
+        words = [godot, "--headless", "--path", ROOT / "demo_project", "--fixed-fps", "15", "--quit-after", SCENE_FRAMES,
+                 "res://" + scene]
+        output, problem = result.run("picture:scene", words, timeout=TIMEOUT, environment=private_home())
+        errors = re.findall(r"^(?:SCRIPT )?ERROR: .*", output, re.MULTILINE)
+        wrong += [f"{scene}: {what}" for what in ([problem] if problem else []) + errors[:1]]
+    return wrong
+
+
 def demo(godot):
-    """Draws the demo scene off screen and looks at its frames. Three tests: it draws, it shows a meadow, sizes hold."""
+    """Draws the demo scene off screen and looks at its frames; runs all scenes. Five tests: all scenes run without
+    errors, it draws, it shows a meadow, sizes hold."""
     shutil.rmtree(OUT, ignore_errors=True)
     prepared = result.run("picture:import", [godot, "--headless", "--path", ROOT / "demo_project", "--import"],
                           timeout=TIMEOUT, environment=private_home())[1]
@@ -103,16 +119,17 @@ def demo(godot):
         frames = sorted(OUT.glob("frames/*.png"))
         if problem or len(frames) != FRAMES:
             return Result("picture", 0, [problem or f"{len(frames)} of {FRAMES} frames were drawn"])
-        return judge(OUT / "demo.png", frames)
+        return judge(OUT / "demo.png", frames, scene_complaints(godot))
     except (Missing, OSError, ValueError) as error:
         return Result("picture", 0, [str(error).replace("\n", " ")])
 
 
-def judge(still, frames):
+def judge(still, frames, of_scenes):
     size = read_size(still)
     failures = [] if size == STILL_SIZE else [f"demo.png has {size[0]} × {size[1]} pixels"]
     wrong = complaints(read_png(frames[0]), read_png(frames[-1]))
-    return Result("picture", 4 - len(failures) - len(wrong), failures + wrong)
+    passed = 4 - len(failures) - len(wrong) + (not of_scenes)
+    return Result("picture", passed, failures + wrong + of_scenes)
 
 
 def read_size(path):

@@ -32,6 +32,15 @@ class Lines(unittest.TestCase):
         self.assertEqual(told, ["forward_plus: a frame of 100,000 plants 1.000 ms, main thread 0.250 ms (25 %)",
                                 "forward_plus: field_frame_interval_4 30 % of that"])
 
+    def test_stems_are_told_beside_springs(self):
+        told = bench_summary.lines([row("page_spring", 10000, 1.0, level="avx2"),
+                                    row("page_stem", 10000, 1.5, level="avx2"),
+                                    row("page_stem", 10000, 9.0, level="baseline"),
+                                    row("field_frame_spring", 99938, 2.0, renderer="headless"),
+                                    row("field_frame_stems", 99938, 3.0, renderer="headless")])
+        self.assertEqual(told, ["page_stem, avx2, 10,000 plants: 1.50 times the spring law's page",
+                                "headless: a frame of 100,000 stems 1.50 times that of springs"])
+
     def test_nothing_measured_is_nothing_told(self):
         self.assertEqual(bench_summary.lines([]), [])
 
