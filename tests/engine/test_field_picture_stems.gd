@@ -2,7 +2,7 @@
 extends "res://tests/engine/picture_harness.gd"
 
 const STEP := 1.0 / 60.0
-## Of an outline of some 400 pixels: bones are as near to the shader as that, a part of a pixel, at tips of 77 degrees.
+## Of an outline of some 400 pixels, of tips at 77 degrees: bones are so near to the shader.
 const MOST_OF_STEMS := 100
 
 var _field: PlantField3D
