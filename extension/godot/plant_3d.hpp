@@ -60,7 +60,7 @@ class Plant3D : public godot::Node3D {
 	void refuse(const godot::String &what);
 	void forget_touches();
 
-	// plant_3d_asking.cpp
+	// plant_3d_binding.cpp
 	/// Where the plant is at so much of its length, in its own axes and heights.
 	godot::Vector3 arm(float share) const;
 
