@@ -22,6 +22,37 @@ func make_stage() -> void:
 	_add_light()
 
 
+## A field of nothing but what is added, which steps when it is told to.
+func make_added_field(wind: PlantWind) -> PlantField3D:
+	var field := PlantField3D.new()
+	field.density = 0.0  # Only what is added.
+	field.wind = wind
+	field.simulation_enabled = false
+	stage.add_child(field)
+	field.fill()
+	while field.is_filling():
+		await process_frame
+	return field
+
+
+## A plant alone at [param place], like one of a field that has stepped so often in that wind.
+func make_twin(
+	field: PlantField3D, id: int, species: PlantFunction, place: Transform3D, steps: int
+) -> Plant3D:
+	var plant := Plant3D.new()
+	plant.species = species
+	plant.simulation_enabled = false
+	plant.height = field.get_plant_height(id)
+	plant.seed = field.get_plant_seed(id)
+	stage.add_child(plant)
+	plant.global_transform = place
+	await frames(2)  # It hears of its place at a frame's end.
+	for i in steps:
+		plant._preview(1.0 / 60.0, field.wind)
+	await frames(2)
+	return plant
+
+
 ## What the stage shows, two frames from now.
 func picture() -> Image:
 	if DisplayServer.get_name() == "headless":

@@ -1,5 +1,5 @@
 ## PlantWind.KIND_AIR: a wind in metres per second, for scripts, plants alone and fields.
-extends "res://tests/engine/harness.gd"
+extends "res://tests/engine/air_harness.gd"
 
 const WINDS := "res://addons/undergrowth/winds/"
 ## Beaufort's numbers of what ships.
@@ -13,7 +13,6 @@ const BEND_TOLERANCE := 2e-3
 const VELOCITY_TOLERANCE := 1e-3
 
 var _wind: PlantWind
-var _nodes: Array[Node] = []
 var _changes := 0
 
 
@@ -25,9 +24,7 @@ func before_each() -> void:
 
 
 func after_each() -> void:
-	for node in _nodes:
-		node.free()
-	_nodes.clear()
+	super()
 	_wind = null
 
 
@@ -222,17 +219,6 @@ func _stiffness() -> float:
 	return 0.01 * (TAU * 1.5) ** 2 * 0.8
 
 
-func _species() -> PlantFunction:
-	var species := GrassFunction.new()
-	species.law = PlantFunction.LAW_SPRING
-	species.lean = 0.0
-	species.mass = 0.01
-	species.wind_weight = 0.02
-	species.natural_frequency = 1.5
-	species.damping_ratio = 0.4
-	return species
-
-
 func _add_plant() -> Plant3D:
 	var plant := Plant3D.new()
 	plant.species = _species()
@@ -241,8 +227,3 @@ func _add_plant() -> Plant3D:
 	plant.simulation_enabled = false
 	_add(plant)
 	return plant
-
-
-func _add(node: Node) -> void:
-	_nodes.append(node)
-	root.add_child(node)

@@ -1,13 +1,5 @@
 ## PlantWindSource3D: what stirs the air at one place.
-extends "res://tests/engine/harness.gd"
-
-var _nodes: Array[Node] = []
-
-
-func after_each() -> void:
-	for node in _nodes:
-		node.free()
-	_nodes.clear()
+extends "res://tests/engine/air_harness.gd"
 
 
 func test_an_explosion_bends_plants_away_and_is_over() -> void:
@@ -108,17 +100,6 @@ func test_ten_thousand_sources_out_of_reach_leave_plants_alone() -> void:
 	check_equal(plant.get_deflection(), 0.0, "bend")
 
 
-func _species() -> PlantFunction:
-	var species := GrassFunction.new()
-	species.law = PlantFunction.LAW_SPRING
-	species.lean = 0.0
-	species.mass = 0.01
-	species.wind_weight = 0.02
-	species.natural_frequency = 1.5
-	species.damping_ratio = 0.4
-	return species
-
-
 func _add_plant(place: Vector3) -> Plant3D:
 	var plant := Plant3D.new()
 	plant.species = _species()
@@ -134,8 +115,3 @@ func _add_source(kind: PlantWindSource3D.Kind, place: Vector3) -> PlantWindSourc
 	source.position = place
 	_add(source)
 	return source
-
-
-func _add(node: Node) -> void:
-	_nodes.append(node)
-	root.add_child(node)

@@ -14,14 +14,7 @@ func before_each() -> void:
 	_wind = PlantWind.new()
 	_wind.kind = PlantWind.KIND_CONSTANT
 	_wind.direction = deg_to_rad(60.0)
-	_field = PlantField3D.new()
-	_field.density = 0.0  # Only what is added.
-	_field.wind = _wind
-	_field.simulation_enabled = false
-	stage.add_child(_field)
-	_field.fill()
-	while _field.is_filling():
-		await process_frame
+	_field = await make_added_field(_wind)
 
 
 func after_each() -> void:
@@ -98,17 +91,8 @@ func _compare(species: PlantFunction, place: Transform3D, steps: int, slope: flo
 		_field._preview(STEP, _wind)
 	var in_field := await picture()
 	_field.hide()
-	var plant := Plant3D.new()
-	plant.species = species
-	plant.simulation_enabled = false
-	plant.height = _field.get_plant_height(id)
-	plant.seed = _field.get_plant_seed(id)
-	stage.add_child(plant)
-	plant.global_transform = _field.global_transform * place
-	await frames(2)  # It hears of its place at a frame's end.
-	for i in steps:
-		plant._preview(STEP, _wind)
-	await frames(2)
+	var at := _field.global_transform * place
+	var plant := await make_twin(_field, id, species, at, steps)
 	var alone := await picture()
 	check(plant.get_deflection() > 0.2, "it is bent, %.2f" % plant.get_deflection())
 	check(count_different(in_field, empty_picture()) > LEAST_PLANT, "a plant is drawn")
