@@ -60,7 +60,11 @@ func test_what_walks_by_moves_both_alike_at_every_frame_rate() -> void:
 
 
 ## What the tips of tests/engine/driven/walk_by_plants.gd go in a process of its own (m): those of
+
+
 ## a field, and those of plants alone; and the most that one was from the other.
+
+
 func _ways_of(rate: int, moved: String) -> PackedFloat64Array:
 	var script := "res://tests/engine/driven/walk_by_plants.gd"
 	var words := [
@@ -120,70 +124,6 @@ func test_plants_that_name_no_group_or_do_not_simulate_are_not_pushed() -> void:
 	check(pushed.get_deflection() < 0.1, "and not once it names none")
 
 
-func test_bodies_are_told_of_by_each_plant() -> void:
-	var near := add_plant(make_species(PlantFunction.LAW_SPRING, 0.0))
-	var far := add_plant(near.species, Transform3D(Basis(), Vector3(3, 0, 0)))
-	var ball := add_ball(Vector3(-0.45, 1.2, 0), RADIUS)
-	var told: Array[String] = []
-	for plant: Plant3D in [near, far]:
-		var title := "near" if plant == near else "far"
-		plant.body_entered_plants.connect(func(_body: Node3D) -> void: told.append(title + " in"))
-		plant.body_exited_plants.connect(func(_body: Node3D) -> void: told.append(title + " out"))
-	await pass_time(0.2)
-	check_equal(told, [] as Array[String], "told, farther than the margin")
-	near.touch_margin = 0.2
-	await pass_time(0.2)
-	check_equal(told, ["near in"] as Array[String], "told within the margin")
-	check_near(near.get_deflection(), 0.0, 1e-6, "a margin pushes nothing")
-	paused = true
-	await frames(3)
-	paused = false
-	ball.position = Vector3(2.65, 1.2, 0)
-	await pass_time(0.2)
-	check_equal(told, ["near in", "far in", "near out"] as Array[String], "told at the other")
-	ball.remove_from_group(GROUP)
-	await pass_time(0.2)
-	check_equal(told.back(), "far out", "told of one that left the group")
-	ball.add_to_group(GROUP)
-	await pass_time(0.2)
-	far.bodies_group = &""
-	await pass_time(0.2)
-	check_equal(told.slice(4), ["far in", "far out"] as Array[String], "told of no group")
-	near.touch_margin = -1.0
-	check_error("touch_margin")
-	check_equal(near.touch_margin, 0.2, "margin")
-
-
-func test_a_point_is_in_a_plant_within_its_margin() -> void:
-	var placed := Transform3D(Basis.from_euler(Vector3(0.3, 0, 1.2)) * 2.0, Vector3(5, 1, 0))
-	var plant := add_plant(make_species(PlantFunction.LAW_SPRING, 0.05), placed)
-	plant.touch_margin = 0.15
-	var middle := plant.to_global(Vector3(0, 0.6, 0))
-	var aside := placed.basis.x.normalized()
-	check(plant.is_point_in_plants(middle + 0.19 * aside), "within margin and radius")
-	check(not plant.is_point_in_plants(middle + 0.21 * aside), "beyond them")
-	check(not plant.is_point_in_plants(Vector3(NAN, 0, 0)), "nowhere")
-
-
-func test_a_body_that_is_freed_among_plants_is_forgotten() -> void:
-	var plant := add_plant(make_species(PlantFunction.LAW_SPRING))
-	var told: Array[Node3D] = []
-	plant.body_exited_plants.connect(func(body: Node3D) -> void: told.append(body))
-	var ball := add_ball(Vector3(-0.1, 1.2, 0), RADIUS)
-	await pass_time(0.2)
-	ball.free()
-	await pass_time(3.0)
-	check(plant.get_deflection() < 0.1, "it swings freely")
-	check_equal(told, [] as Array[Node3D], "told of")
-	ball = add_ball(Vector3(-0.1, 1.2, 0), RADIUS)
-	await pass_time(0.2)
-	plant.queue_free()
-	ball.queue_free()
-	await pass_time(0.2)
-	add_plant(make_species(PlantFunction.LAW_SPRING))
-	await pass_time(0.2)
-
-
 func test_in_a_paused_tree_only_who_goes_on_is_pushed() -> void:
 	var stands := add_plant(make_species(PlantFunction.LAW_SPRING))
 	var goes_on := add_plant(stands.species)
@@ -221,32 +161,6 @@ func test_shapes_deep_below_a_body_push_but_not_those_of_areas() -> void:
 	check_near(far.get_deflection(), 0.0, 1e-6, "what feels does not")
 
 
-func test_bodies_that_cannot_push_are_told_of_once_however_many_plants_there_are() -> void:
-	var species := make_species(PlantFunction.LAW_SPRING)
-	for i in 50:
-		add_plant(species, Transform3D(Basis(), Vector3(i, 0, 0))).touch_margin = 0.01 * i
-	var walker := add_body(CapsuleShape3D.new())
-	var wall := add_body(WorldBoundaryShape3D.new())
-	wall.name = "Wall"
-	Engine.time_scale = 8.0
-	await pass_time(4.0)
-	paused = true
-	await frames(3)
-	paused = false
-	await pass_time(4.0)
-	check_error("Wall' is in the group 'walkers' but pushes no plants")
-	walker.free()
-
-
-func test_a_group_that_nobody_is_in_is_told_of_once() -> void:
-	var group := "wlakers%d" % Time.get_ticks_usec()  # An engine is told once of each.
-	for i in 3:
-		add_plant(make_species(PlantFunction.LAW_SPRING, 0.01 * i)).bodies_group = group
-	Engine.time_scale = 8.0
-	await pass_time(20.0)
-	check_error("nobody is in the group '%s'" % group)
-
-
 func test_what_is_set_down_by_a_plant_does_not_shove_it() -> void:
 	var plant := add_plant(make_species(PlantFunction.LAW_SPRING))
 	var ball := add_ball(Vector3(-500, 1.2, 0), RADIUS)
@@ -277,7 +191,11 @@ func test_a_plant_that_moves_is_not_shoved_by_a_body_that_stands_or_goes_along()
 
 
 ## How far a plant leans at most beside a ball, while it goes by metres in each frame, and the ball
+
+
 ## too: in the end both are where they are at once if neither moves.
+
+
 func _most_lean_of(plant_way: float, ball_way: float) -> float:
 	var plant := add_plant(make_species(PlantFunction.LAW_SPRING, 0.2))
 	var ball: StaticBody3D
@@ -297,8 +215,12 @@ func _most_lean_of(plant_way: float, ball_way: float) -> float:
 	return most
 
 
-## µs, the median of some frames with a step.
+
+
+
 ## A ball at the tip of a plant that stands so leaves it at its surface.
+
+
 func _check_surface(species: PlantFunction, placed: Transform3D) -> void:
 	var plant := add_plant(species, placed)
 	var rest := tip_of(plant)
@@ -313,6 +235,8 @@ func _check_surface(species: PlantFunction, placed: Transform3D) -> void:
 
 
 ## A body so far from the tip moves it as it does the tip of a field's plant.
+
+
 func _check_like_field(
 	species: PlantFunction, placed: Transform3D, shape: Shape3D, from_tip: Vector3
 ) -> void:
