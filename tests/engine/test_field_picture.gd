@@ -177,14 +177,9 @@ func _compare(function: PlantFunction, place: Transform3D, blow := Vector3.ZERO)
 	RenderingServer.render_loop_enabled = true
 	var in_field := await picture()
 	_field.hide()
-	var plant := Plant3D.new()
-	plant.species = function
-	plant.simulation_enabled = false
-	plant.height = _field.get_plant_height(id)
-	plant.seed = _field.get_plant_seed(id)
 	# Beside the field's own node, which is hidden; skewed as its parents are.
-	stage.add_child(plant)
-	plant.global_transform = _field.global_transform * _field.get_plant_transform(id)
+	var place_there := _field.global_transform * _field.get_plant_transform(id)
+	var plant := await make_twin(_field, id, function, place_there, 0)
 	var tip := plant.to_local(_field.to_global(_field.get_tip_position(id))).normalized()
 	plant.get_skeleton().set_bone_pose_rotation(1, Quaternion(Vector3.UP, tip))
 	await frames(2)
