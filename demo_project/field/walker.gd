@@ -20,6 +20,9 @@ const TURNING := 6.0  # 1/s.
 ## Farthest from the scene's middle that it goes.
 @export_range(1.0, 200.0, 1.0, "suffix:m") var roaming_radius := 34.0
 
+## Whether the keys steer it.
+var hears_keys := true
+
 var _idle_time := PATIENCE
 var _velocity := Vector2.ZERO
 
@@ -32,7 +35,7 @@ func _ready() -> void:
 
 
 func _process(delta: float) -> void:
-	var wish := Input.get_vector(&"walk_left", &"walk_right", &"walk_forward", &"walk_back")
+	var wish := _wish()
 	_idle_time = 0.0 if wish else _idle_time + delta
 	var wanted := _steered(wish) if is_steered() else _on_route(delta)
 	_velocity = _velocity.lerp(wanted, 1.0 - exp(-TURNING * delta))
@@ -46,6 +49,12 @@ func _process(delta: float) -> void:
 ## Whether somebody steers it with the keys.
 func is_steered() -> bool:
 	return _idle_time < PATIENCE
+
+
+func _wish() -> Vector2:
+	if not hears_keys:
+		return Vector2.ZERO
+	return Input.get_vector(&"walk_left", &"walk_right", &"walk_forward", &"walk_back")
 
 
 ## What the keys ask for, as the camera sees it.

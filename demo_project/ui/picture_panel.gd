@@ -9,6 +9,8 @@ extends PanelContainer
 @export var air: Node3D
 ## A node with the butterflies.
 @export var butterflies: Node3D
+## A node that flies, or not, by its property `is_flying`.
+@export var helicopter: Node3D
 
 @onready var _rows: VBoxContainer = %Rows
 
@@ -19,6 +21,8 @@ func _ready() -> void:
 	_add("Film tones", true, _set_film_tones)
 	_add("Pollen and seeds", air.visible, _show.bind(air))
 	_add("Butterflies", butterflies.visible, _show.bind(butterflies))
+	var flight := _add("Helicopter  [H]", false, _fly)
+	helicopter.connect(&"flight_changed", flight.set_pressed_no_signal)
 	_add_for_forward("Shade in corners", &"ssao_enabled")
 	_add_for_forward("Sun shafts", &"volumetric_fog_enabled")
 
@@ -52,6 +56,10 @@ func _set_film_tones(on: bool) -> void:
 	environment.tonemap_mode = (
 		Environment.TONE_MAPPER_AGX if on else Environment.TONE_MAPPER_LINEAR
 	)
+
+
+func _fly(on: bool) -> void:
+	helicopter.set(&"is_flying", on)
 
 
 func _show(on: bool, node: Node3D) -> void:
