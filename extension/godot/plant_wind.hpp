@@ -92,6 +92,8 @@ public:
 	int64_t get_beaufort() const;
 	/// Of the air at a place (world, its height above the ground as y), m/s.
 	godot::Vector3 sample_velocity(double at_time, const godot::Vector3 &place) const;
+	/// Of the air at the tops of the stand, waves with it, at horizontal places of the world (x, z), m/s.
+	godot::PackedVector2Array sample_over_stand(double at_time, const godot::PackedVector2Array &places) const;
 	/// Tells a material that includes undergrowth_wind.gdshaderinc how it blows now.
 	void show_in(const godot::Ref<godot::Material> &material) const;
 	/// Within so many seconds of its clock this air becomes what another is.

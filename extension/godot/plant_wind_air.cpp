@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace godot;
 
@@ -27,6 +28,7 @@ static constexpr Range ROUGHNESS_RANGE = { 1e-5, 0.5 };
 static constexpr Range STAND_HEIGHT_RANGE = { 0.0, 9.0 };
 static constexpr Range SHARE_RANGE = { 0.0, 1.0 };
 static constexpr Range BLEND_RANGE = { 0.0, 86400.0 };
+static constexpr float LOWEST_STAND = 0.01f; // m, of turf, where no height is given.
 static constexpr float FORCE_HEIGHT = 1.0f; // m above the ground, where sample() tells the force.
 
 // From now on it blows so; the patterns go on from where they are.
@@ -118,6 +120,33 @@ Vector3 PlantWind::sample_velocity(double at_time, const Vector3 &place) const {
 		return Vector3();
 	}
 	return to_godot(air_velocity(blowing.air, AirTilesCache::get().get(), at_time, to_glm(place)));
+}
+
+PackedVector2Array PlantWind::sample_over_stand(double at_time, const PackedVector2Array &places) const {
+	PackedVector2Array velocities;
+	std::vector<float> x, z;
+	bool is_finite = std::isfinite(at_time);
+	for (const Vector2 &place : places) {
+		is_finite = is_finite && place.is_finite();
+		x.push_back(float(place.x));
+		z.push_back(float(place.y));
+	}
+	if (!is_finite) {
+		report_error(this, "sample_over_stand() needs a finite time in seconds and finite places in metres.");
+		return velocities;
+	}
+	if (!is_air("sample_over_stand()")) {
+		return velocities;
+	}
+	const FieldWind field = travelling();
+	const TravellingWind now = wind_at_time(field, at_time);
+	const AirBlow blow = blow_over(now.air, std::max(field.air.stand_height, LOWEST_STAND), winds_along(field));
+	std::vector<float> out_x(x.size()), out_z(x.size());
+	sample_air(now, blow, x.data(), z.data(), nullptr, int(x.size()), out_x.data(), out_z.data());
+	for (size_t i = 0; i < x.size(); i++) {
+		velocities.push_back(Vector2(out_x[i], out_z[i]));
+	}
+	return velocities;
 }
 
 Vector3 PlantWind::sample_air_force(double at_time) const {

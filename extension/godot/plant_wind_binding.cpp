@@ -41,6 +41,7 @@ void PlantWind::bind_air() {
 	ClassDB::bind_method(D_METHOD("get_wave_share"), &PlantWind::get_wave_share);
 	ClassDB::bind_method(D_METHOD("get_beaufort"), &PlantWind::get_beaufort);
 	ClassDB::bind_method(D_METHOD("sample_velocity", "time", "place"), &PlantWind::sample_velocity);
+	ClassDB::bind_method(D_METHOD("sample_over_stand", "time", "places"), &PlantWind::sample_over_stand);
 	ClassDB::bind_method(D_METHOD("show_in", "material"), &PlantWind::show_in);
 	ClassDB::bind_method(D_METHOD("blend_to", "wind", "seconds"), &PlantWind::blend_to);
 

@@ -4,6 +4,8 @@ extends "wind_test.gd"
 
 const DirectionDial := preload("res://addons/undergrowth/editor/widgets/direction_dial.gd")
 const ForceGraph := preload("res://addons/undergrowth/editor/widgets/force_graph.gd")
+const WindMap := preload("res://addons/undergrowth/editor/widgets/wind_map.gd")
+const WindSpectrum := preload("res://addons/undergrowth/editor/widgets/wind_spectrum.gd")
 const WIND_FILE := "res://bura š.tres"
 
 
@@ -67,6 +69,30 @@ func test_air_has_fields_of_its_own_and_presets() -> void:
 	check(told.begins_with("8"), "Beaufort's number: " + told)
 	await _choose_kind(PlantWind.KIND_WAVES)
 	check(not (part("Wind/Speed") as Control).visible, "waves have no speed")
+
+
+func test_air_shows_its_map_and_its_spectrum() -> void:
+	await _choose_kind(PlantWind.KIND_AIR)
+	await _press_button("Fresh")
+	var map := part("Wind/Map") as WindMap
+	var spectrum := part("Wind/Spectrum") as WindSpectrum
+	check(map.is_visible_in_tree() and spectrum.is_visible_in_tree(), "both are shown")
+	var speeds := map.get_speeds()
+	check_equal(speeds.size(), WindMap.SIDE * WindMap.SIDE, "places of the map")
+	var sorted := Array(speeds)
+	sorted.sort()
+	check(sorted[-1] > 1.3 * sorted[0], "gusts: %f to %f m/s" % [sorted[0], sorted[-1]])
+	await until(func() -> bool: return spectrum.get_points().size() > 15)
+	var points := spectrum.get_points()
+	check(points.size() > 15, "%d points of the spectrum" % points.size())
+	for point in points:
+		if point.x > 0.2:
+			var share := point.y / spectrum.kaimal(point.x)
+			check(share > 0.4 and share < 2.5, "%f of Kaimal's at %f Hz" % [share, point.x])
+	_wind().speed = 4.0
+	check_equal(spectrum.get_points().size(), 0, "another wind is measured anew")
+	await _choose_kind(PlantWind.KIND_WAVES)
+	check(not map.is_visible_in_tree(), "forces have no map")
 
 
 func test_wind_is_saved() -> void:

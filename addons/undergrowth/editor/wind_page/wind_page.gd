@@ -6,6 +6,8 @@ const EditorState := preload("../editor_state.gd")
 const DirectionDial := preload("../widgets/direction_dial.gd")
 const Beaufort := preload("beaufort.gd")
 const ForceGraph := preload("../widgets/force_graph.gd")
+const WindMap := preload("../widgets/wind_map.gd")
+const WindSpectrum := preload("../widgets/wind_spectrum.gd")
 const SceneWind := preload("scene_wind.gd")
 const WindActions := preload("wind_actions.gd")
 const WindClock := preload("wind_clock.gd")
@@ -41,6 +43,8 @@ var _says_limit := false
 @onready var _heading: Label = %Heading
 @onready var _dial: DirectionDial = %Dial
 @onready var _graph: ForceGraph = %Graph
+@onready var _map: WindMap = %Map
+@onready var _spectrum: WindSpectrum = %Spectrum
 @onready var _on_scene: CheckButton = %OnScene
 @onready var _scene_wind: SceneWind = %SceneWind
 @onready var _actions: WindActions = %WindActions
@@ -127,6 +131,8 @@ func _show_wind() -> void:
 		return
 	if _graph.wind != wind:
 		_graph.wind = wind
+		_map.wind = wind
+		_spectrum.wind = wind
 	_kind.select(wind.kind)
 	for property in _sliders:
 		_sliders[property].set_value_no_signal(wind.get(property))
@@ -144,6 +150,7 @@ func _show_fields(wind: PlantWind) -> void:
 		var is_shown := is_air == AIR.has(property)
 		_sliders[property].visible = is_shown
 		(get_node("%" + _sliders[property].name + "Label") as Label).visible = is_shown
+	(%AirPictures as Control).visible = is_air
 	(%BeaufortLabel as Label).visible = is_air
 	(%Beaufort as Label).visible = is_air
 	(%Beaufort as Label).text = Beaufort.describe(wind)
