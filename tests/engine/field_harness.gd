@@ -26,6 +26,17 @@ func filled(filling: PlantField3D) -> void:
 	await process_frame
 
 
+## Begins to fill the field anew and returns in a frame in which its worker is still at it: on a busy
+## machine that one may be done before the next frame comes.
+func catch_filling() -> void:
+	for attempt in 50:
+		field.fill()
+		await frames(1)
+		if field.is_filling():
+			return
+	check(false, "it is never seen to fill")
+
+
 ## Waits until the simulation took at least [param count] steps more, by the wind's clock.
 func step(count: int) -> void:
 	if field.wind == null:

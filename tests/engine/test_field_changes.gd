@@ -80,8 +80,7 @@ func test_a_property_of_motion_that_is_set_while_a_field_fills_counts() -> void:
 	var tulip := field.species[0].species as TulipFunction
 	tulip.law = PlantFunction.LAW_SPRING
 	root.add_child(field)
-	await frames(1)
-	check(field.is_filling(), "it fills")
+	await catch_filling()
 	tulip.lean = deg_to_rad(40.0)
 	tulip.mass = 7.0
 	await filled(field)
@@ -110,19 +109,15 @@ func test_a_property_of_motion_that_is_set_while_a_field_fills_counts() -> void:
 func test_what_is_set_of_the_view_while_a_field_fills_counts() -> void:
 	field.size = Vector2(100, 100)
 	root.add_child(field)
-	await frames(1)
-	check(field.is_filling(), "it fills")
+	await catch_filling()
 	field.visibility_range_end = 5.0
 	field.levels = [PlantFieldLevel.of(7, 3.0), PlantFieldLevel.of(3)]
-	await frames(1)
-	await filled(field)
+	await rested()
 	await dressed()
 	check_equal(field.get_statistics()["drawn_by_level"].size(), 2, "levels")
-	field.fill()
-	await frames(1)
-	check(field.is_filling(), "it fills again")
+	await catch_filling()
 	field.levels = [PlantFieldLevel.of(7, 3.0), PlantFieldLevel.of(5, 4.0), PlantFieldLevel.of(3)]
-	await filled(field)
+	await rested()
 	await dressed()
 	check_equal(field.get_statistics()["drawn_by_level"].size(), 3, "levels")
 
