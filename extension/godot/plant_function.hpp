@@ -105,7 +105,7 @@ public:
 	Joint make_joint(float length, const godot::Basis &frame) const;
 	/// The stem of a plant of `height` metres; null where another law moves it. Reports once what keeps it from
 	/// standing.
-	std::shared_ptr<const StemConstants> find_stem(double height);
+	std::shared_ptr<const StemConstants> find_stem(double height, bool in_air);
 	/// True while `changed` is emitted for a property that leaves meshes as they are. Setters emit it once for each
 	/// real change, never for a value that they have already.
 	bool is_motion_change() const;

@@ -2,6 +2,7 @@
 
 #include "form/grown_plant.hpp"
 #include "mesh/form_stem.hpp"
+#include "stem/stem_shape.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,15 +36,17 @@ void StemTable::learn(const SampledPlant &plant) {
 	}
 }
 
-std::shared_ptr<const StemConstants> StemTable::of(float height, const Motion &motion, const Ref<PlantStem> &stem) {
+std::shared_ptr<const StemConstants> StemTable::of(
+		float height, bool in_air, const Motion &motion, const Ref<PlantStem> &stem) {
 	const bool is_physical = stem.is_valid() && stem->is_physical();
 	const double ratio = height > 0.0f ? double(height) / double(drawn.length) : 1.0;
 	const int number = is_physical ? int(std::lround(std::log(ratio) / std::log(HEIGHT_RATIO))) : 0;
-	std::shared_ptr<const StemConstants> &found = solved[number];
-	if (!found) {
-		found = std::make_shared<const StemConstants>(solve(number, motion, stem));
+	Stem &found = solved[number];
+	if (!found.in_newtons) {
+		found.in_newtons = std::make_shared<const StemConstants>(solve(number, motion, stem));
+		found.in_air = std::make_shared<const StemConstants>(undergrowth::in_air(*found.in_newtons));
 	}
-	return found;
+	return in_air ? found.in_air : found.in_newtons;
 }
 
 StemConstants StemTable::solve(int number, const Motion &motion, const Ref<PlantStem> &stem) {

@@ -157,6 +157,21 @@ void SkeletonView::dress(const FieldWear &wear) const {
 	}
 }
 
+void SkeletonView::follow_stems(const PlantStore &store, const FieldStyle &style, FieldMotion &motion) {
+	const auto stem_of = [&](const Shown &entry) {
+		return style.looks[size_t(store.block(entry.place.block).species)].stem;
+	};
+	release(&motion, [&](const Shown &entry) {
+		const std::shared_ptr<const StemConstants> stem = stem_of(entry);
+		return (entry.parts ? entry.parts->joint_count() : 0) != (stem ? stem->joints : 0);
+	});
+	for (const Shown &entry : shown) {
+		if (const std::shared_ptr<const StemConstants> stem = stem_of(entry)) {
+			entry.parts->set_stem(stem);
+		}
+	}
+}
+
 TypedArray<Skeleton3D> SkeletonView::skeletons() const {
 	TypedArray<Skeleton3D> found;
 	for (const Shown &entry : shown) {
