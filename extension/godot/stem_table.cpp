@@ -49,6 +49,16 @@ std::shared_ptr<const StemConstants> StemTable::of(
 	return in_air ? found.in_air : found.in_newtons;
 }
 
+// A new wind blows with newtons that suit kilograms, and most stems weigh grams. What the joints weigh counts besides.
+static float usual_weight(const StemBeam &beam, const StemSolution &solution) {
+	const StemConstants &stem = solution.constants;
+	StemBeam plain = beam;
+	plain.wind_weights.clear();
+	const float slope = beam.wind_weights.empty() ? stem.dead_slope : solve_stem(plain).constants.dead_slope;
+	const float frequency = stem.mode[0].frequency;
+	return 1.0f / (frequency * frequency * stem.length * slope);
+}
+
 StemConstants StemTable::solve(int number, const Motion &motion, const Ref<PlantStem> &stem) {
 	StemBeam beam = drawn;
 	beam.length *= float(std::pow(HEIGHT_RATIO, number));
@@ -66,7 +76,7 @@ StemConstants StemTable::solve(int number, const Motion &motion, const Ref<Plant
 		bare.modes = beam.modes;
 		solution = solve_stem(bare);
 	}
-	solution.constants.dead_slope *= motion.wind_weight;
+	solution.constants.dead_slope *= motion.wind_weight < 0.0f ? usual_weight(beam, solution) : motion.wind_weight;
 	return solution.constants;
 }
 

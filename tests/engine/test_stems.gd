@@ -357,6 +357,45 @@ func test_a_stem_goes_on_from_the_state_of_another() -> void:
 	check_near(twin.get_tip_position(), _plant.get_tip_position(), 10 * TIP_TOLERANCE, "later")
 
 
+func test_a_stem_goes_on_with_both_modes_where_its_simulation_begins_anew() -> void:
+	_plant.species.stem.modes = 2
+	var twin := _add(_plant.species)
+	await frames(1)
+	for plant: Plant3D in [_plant, twin]:
+		plant.simulation_enabled = true
+		plant.apply_impulse(Vector3(0.004, 0, 0.002), 2)
+	await frames(5)
+	twin.simulation_enabled = false
+	twin.simulation_enabled = true
+	await frames(5)
+	check(_plant.get_deflection() > 1e-3, "it swings, %f" % _plant.get_deflection())
+	check_equal(twin.get_tip_position(), _plant.get_tip_position(), "tip")
+	check_equal(twin.get_joint_position(2), _plant.get_joint_position(2), "joint")
+
+
+func test_a_new_species_is_a_stem_that_sways_in_a_new_wind_and_in_air() -> void:
+	var breeze: PlantWind = load("res://addons/undergrowth/winds/breeze.tres").duplicate()
+	for radius: float in [0.05, 0.02, 0.004]:
+		var species := CurvePlantFunction.new()
+		check_equal(species.law, PlantFunction.LAW_STEM, "law")
+		species.radius = radius
+		var plant := _add(species)
+		await frames(1)
+		for wind: PlantWind in [PlantWind.new(), breeze]:
+			plant.wind = wind
+			plant.reset_motion()
+			var farthest := 0.0
+			for i in 900:
+				plant.advance(STEP)
+				farthest = maxf(farthest, rad_to_deg(plant.get_deflection()))
+			var what := "radius %.3f sways by %.1f degrees" % [radius, farthest]
+			print(what)
+			check(farthest > 0.5 and farthest < 50.0, what)
+		plant.wind = null
+		_run(plant, 3000)
+		check_near(plant.get_deflection(), 0.0, 1e-3, "it stands upright in calm")
+
+
 func test_a_species_that_comes_to_a_standing_plant() -> void:
 	var plant := Plant3D.new()
 	root.add_child(plant)

@@ -138,9 +138,8 @@ void SkeletonView::pose(const PlantStore &store, const FieldMotion &motion) cons
 		const float d = std::sin(turn);
 		const auto to_own = [c, d](const glm::vec2 &s) { return glm::vec2(c * s.x - d * s.y, d * s.x + c * s.y); };
 		const glm::vec2 own = to_own(stem.bend);
-		const float scale = 1.0f / std::sqrt(1.0f + glm::dot(own, own));
 		if (!entry.parts || !entry.parts->has_joints()) {
-			FieldSkeletons::pose(skeleton, Quaternion(own.y * scale, 0.0f, -own.x * scale, scale));
+			FieldSkeletons::pose(skeleton, quaternion_of(own));
 		}
 		if (entry.parts) {
 			entry.parts->stem = { own, to_own(stem.rate), to_own(stem.rest), to_own(stem.second), stem.clock };
