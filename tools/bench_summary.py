@@ -51,6 +51,21 @@ def stem_lines(found):
                             found.find("field_frame_spring", PLANTS, renderer=renderer))
         if ratio:
             told.append(f"{renderer}: a frame of {PLANTS:,} stems {ratio:.2f} times that of springs")
+        told += air_lines(found, renderer)
+    ratio = found.ratio(found.find("spring_bone_4", 1000), found.find("stem_4_held", 1000))
+    if ratio:
+        told.append(f"1,000 plants of four joints: {ratio:.1f} times faster than SpringBoneSimulator3D")
+    return told
+
+
+def air_lines(found, renderer):
+    """Wind in metres per second beside waves in newtons."""
+    told = []
+    for name, what in (("field_frame", "plants"), ("field_frame_stems", "stems"), ("field_frame_spring", "springs")):
+        ratio = found.ratio(found.find(name + "_air", PLANTS, renderer=renderer),
+                            found.find(name, PLANTS, renderer=renderer))
+        if ratio:
+            told.append(f"{renderer}: a frame of {PLANTS:,} {what} in air {ratio:.2f} times that in waves")
     return told
 
 

@@ -1,10 +1,14 @@
 #pragma once
 
 #include <godot_cpp/variant/color.hpp>
+#include <godot_cpp/variant/quaternion.hpp>
 #include <godot_cpp/variant/vector3.hpp>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+
+#include <cmath>
 
 namespace undergrowth {
 
@@ -26,6 +30,12 @@ inline godot::Vector3 to_godot(const glm::vec3 &v) {
 
 inline godot::Color to_godot(const glm::vec4 &c) {
 	return godot::Color(c.r, c.g, c.b, c.a);
+}
+
+/// The shortest turn from upright to the direction whose stereographic image (motion/bend_encoding.hpp) is `bend`.
+inline godot::Quaternion quaternion_of(const glm::vec2 &bend) {
+	const float scale = 1.0f / std::sqrt(1.0f + bend.x * bend.x + bend.y * bend.y);
+	return godot::Quaternion(bend.y * scale, 0.0f, -bend.x * scale, scale);
 }
 
 } // namespace undergrowth

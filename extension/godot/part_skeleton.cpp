@@ -26,11 +26,6 @@ static Quaternion quaternion_of(const glm::vec4 &turn) {
 	return Quaternion(turn.x, turn.y, turn.z, turn.w);
 }
 
-static Quaternion quaternion_of(const glm::vec2 &bend) {
-	const float scale = 1.0f / std::sqrt(1.0f + glm::dot(bend, bend));
-	return Quaternion(bend.y * scale, 0.0f, -bend.x * scale, scale);
-}
-
 static Transform3D transform_of(const PartPose &pose) {
 	const Vector3 size(pose.size, pose.size, pose.size);
 	return Transform3D(Basis(quaternion_of(pose.turn)).scaled(size), to_godot(pose.shift));

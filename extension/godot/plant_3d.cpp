@@ -225,6 +225,7 @@ void Plant3D::advance(double delta) {
 	}
 	if (can_be_driven()) {
 		refusal = String();
+		feel(wind);
 		drive();
 		motion.advance(delta, wind);
 	}
@@ -235,6 +236,7 @@ void Plant3D::advance(double delta) {
 void Plant3D::preview(double delta, const Ref<PlantWind> &blowing) {
 	const bool is_frame = std::isfinite(delta) && delta >= 0.0 && delta <= MOST_FRAME;
 	if (is_frame && !motion.is_simulated() && species.is_valid() && get_mesh().is_valid()) {
+		feel(blowing);
 		drive();
 		motion.preview(delta, blowing);
 	}

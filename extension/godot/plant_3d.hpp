@@ -33,6 +33,7 @@ class Plant3D : public godot::Node3D {
 	bool mesh_is_stale = true;
 	bool rebuild_is_queued = false;
 	godot::String problem; // Why the last build failed; shown as configuration warning.
+	bool feels_air = false; // The last wind that it felt blows in m/s.
 	godot::String refusal; // Why the last advance() did nothing; told once, not in each frame that calls it.
 
 	// plant_3d_properties.cpp
@@ -46,6 +47,7 @@ class Plant3D : public godot::Node3D {
 	void on_rebuild_queued();
 	void on_species_changed();
 	void on_wind_changed();
+	void feel(const godot::Ref<PlantWind> &blowing);
 	void change_pushes();
 
 	// plant_3d.cpp

@@ -48,6 +48,7 @@ void Plant3D::set_wind(const Ref<PlantWind> &new_wind) {
 	wind = new_wind;
 	follow_changes(wind.ptr(), changed);
 	motion.forget_wind();
+	feel(wind);
 	if (motion.is_simulated()) {
 		update_simulation();
 	}
@@ -139,7 +140,7 @@ void Plant3D::change_pushes() {
 }
 
 std::shared_ptr<const StemConstants> Plant3D::find_stem(float metres) const {
-	return species->find_stem(stance.length_of(metres));
+	return species->find_stem(stance.length_of(metres), feels_air);
 }
 
 MotionSpecies Plant3D::kind_of_motion() const {
@@ -204,7 +205,20 @@ void Plant3D::on_species_changed() {
 	update_configuration_warnings();
 }
 
+// A wind in m/s bends a stem to another shape than one in newtons.
+void Plant3D::feel(const Ref<PlantWind> &blowing) {
+	if (PlantWind::is_air(blowing) == feels_air) {
+		return;
+	}
+	feels_air = !feels_air;
+	if (species.is_valid() && species->get_law() == PlantFunction::LAW_STEM && !mesh_is_stale) {
+		view.follow_stem(find_stem(view.height()));
+		update_motion();
+	}
+}
+
 void Plant3D::on_wind_changed() {
+	feel(wind);
 	if (Engine::get_singleton()->is_editor_hint()) {
 		update_configuration_warnings();
 		update_gizmos(); // They show the wind's direction.

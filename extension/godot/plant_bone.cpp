@@ -15,19 +15,14 @@ namespace undergrowth {
 static constexpr int TIP_BONE = 1;
 static constexpr float LEAST_HEIGHT = 1e-6f;
 
-// The shortest turn from +Y to d = (x, y, z): axis (z, 0, -x), half-angle form (1 + y, axis)/norm.
-static Quaternion turn_from_up(const glm::vec3 &d) {
-	const float w = 1.0f + d.y;
-	if (w < 1e-6f) {
-		return Quaternion(1.0f, 0.0f, 0.0f, 0.0f);
-	}
-	const float scale = 1.0f / std::sqrt(w * w + d.x * d.x + d.z * d.z);
-	return Quaternion(d.z * scale, 0.0f, -d.x * scale, w * scale);
-}
-
 static glm::vec2 bend_of(const glm::vec3 &direction) {
 	const float scale = 1.0f / std::max(1.0f + direction.y, LEAST_HEIGHT);
 	return { direction.x * scale, direction.z * scale };
+}
+
+static Quaternion turn_from_up(const glm::vec3 &direction) {
+	const bool is_down = 1.0f + direction.y < LEAST_HEIGHT;
+	return is_down ? Quaternion(1.0f, 0.0f, 0.0f, 0.0f) : quaternion_of(bend_of(direction));
 }
 
 void PlantBone::take(const glm::vec3 &local) {

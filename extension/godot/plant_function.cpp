@@ -24,7 +24,7 @@ static constexpr Range FREQUENCY_RANGE = { 0.01, 1000.0 };
 static constexpr Range DAMPING_RANGE = { 0.0, 100.0 };
 static constexpr Range LEAN_DEGREES = { 0.0, 80.0 };
 static constexpr Range MASS_RANGE = { 1e-6, 1e6 };
-static constexpr Range WIND_WEIGHT_RANGE = { 0.0, 1e3 };
+static constexpr Range WIND_WEIGHT_RANGE = { -1.0, 1e3 }; // Below 0: as usual.
 static constexpr Range DRAG_AREA_RANGE = { -1.0, 1e3 };
 static constexpr Range COLLISION_RANGE = { 0.0, 1e3 };
 static constexpr Range DEVIATION_RANGE = { 0.0, 1.0 };
@@ -32,6 +32,13 @@ static constexpr Range DEVIATION_RANGE = { 0.0, 1.0 };
 void PlantFunction::shape_changed() {
 	stems.clear();
 	emit_changed();
+}
+
+Motion PlantFunction::new_motion() {
+	Motion usual;
+	usual.law = Law::stem;
+	usual.wind_weight = -1.0f;
+	return usual;
 }
 
 void PlantFunction::adopt_motion(const Motion &species_motion) {
@@ -68,7 +75,7 @@ Joint PlantFunction::make_joint(float length, const Basis &frame) const {
 	Joint joint;
 	joint.length = length;
 	joint.mass = motion.mass;
-	joint.wind_weight = motion.wind_weight;
+	joint.wind_weight = motion.wind_weight < 0.0f ? 1.0f : motion.wind_weight;
 	joint.drag_area = motion.drag_area;
 	joint.elasticity = motion.elasticity;
 	joint.inner_friction = motion.inner_friction;

@@ -35,7 +35,7 @@ public:
 	};
 
 private:
-	Motion motion;
+	Motion motion = new_motion();
 	double lean = 0.0; // rad, as users wrote it; motion.lean has fewer digits.
 	MeshOptions look;
 	bool stays_above_ground = true;
@@ -49,6 +49,8 @@ private:
 	godot::String told_of_stem; // What keeps stems from standing, as it was told.
 	SpeciesGrowth growth;
 
+	/// Of a species that says nothing.
+	static Motion new_motion();
 	void set_motion(float &slot, const char *property, double value, const Range &range);
 	void motion_changed();
 	void set_look(float &slot, const char *property, double value);
@@ -105,7 +107,7 @@ public:
 	Joint make_joint(float length, const godot::Basis &frame) const;
 	/// The stem of a plant of `height` metres; null where another law moves it. Reports once what keeps it from
 	/// standing.
-	std::shared_ptr<const StemConstants> find_stem(double height);
+	std::shared_ptr<const StemConstants> find_stem(double height, bool in_air);
 	/// True while `changed` is emitted for a property that leaves meshes as they are. Setters emit it once for each
 	/// real change, never for a value that they have already.
 	bool is_motion_change() const;

@@ -166,7 +166,7 @@ void PlantFunction::on_stem_changed() {
 }
 
 // A plant of the species' own height says what its stem is like, so that it does not matter who asks first.
-std::shared_ptr<const StemConstants> PlantFunction::find_stem(double height) {
+std::shared_ptr<const StemConstants> PlantFunction::find_stem(double height, bool in_air) {
 	if (motion.law != Law::stem) {
 		return nullptr;
 	}
@@ -179,7 +179,7 @@ std::shared_ptr<const StemConstants> PlantFunction::find_stem(double height) {
 		}
 		stems.learn(plant);
 	}
-	const std::shared_ptr<const StemConstants> found = stems.of(float(height), motion, stem);
+	const std::shared_ptr<const StemConstants> found = stems.of(float(height), in_air, motion, stem);
 	if (!stems.problem().is_empty() && stems.problem() != told_of_stem) {
 		report_error(this, stems.problem() + " It stands as a bare stem until then.");
 		told_of_stem = stems.problem();

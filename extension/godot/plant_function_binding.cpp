@@ -96,7 +96,7 @@ void PlantFunction::_bind_methods() {
 	ADD_PROPERTY(
 			PropertyInfo(Variant::OBJECT, "stem", PROPERTY_HINT_RESOURCE_TYPE, "PlantStem"), "set_stem", "get_stem");
 	ADD_PROPERTY(number("mass", "0.001,10,0.001,or_greater,exp,suffix:kg"), "set_mass", "get_mass");
-	ADD_PROPERTY(number("wind_weight", "0,4,0.01,or_greater"), "set_wind_weight", "get_wind_weight");
+	ADD_PROPERTY(number("wind_weight", "-1,4,0.01,or_greater"), "set_wind_weight", "get_wind_weight");
 	ADD_PROPERTY(number("drag_area", "-1,1,0.0001,or_greater,suffix:m²"), "set_drag_area", "get_drag_area");
 	ADD_PROPERTY(number("collision_radius", "0,1,0.001,or_greater,suffix:m"), "set_collision_radius",
 			"get_collision_radius");

@@ -44,17 +44,29 @@ PlantBone &PlantMotion::bone() {
 
 PlantSwing PlantMotion::swing(const glm::vec3 &rest) const {
 	if (const PlantGroup *in = group()) {
-		const TipState state = in->page.state(index());
-		return { { from_frame(frame(), state.direction), from_frame(frame(), state.rate) },
-			from_frame(frame(), in->page.before(index())) };
+		const MotionPage &page = in->page;
+		const TipState state = page.state(index());
+		PlantSwing swing = { { from_frame(frame(), state.direction), from_frame(frame(), state.rate) },
+			from_frame(frame(), page.before(index())) };
+		if (page.law() == Law::stem) {
+			swing.stem = { frame(), page.stem_constants().modes, page.stem(index()), page.stem_before(index()) };
+		}
+		return swing;
 	}
 	return parked.value_or(PlantSwing::at_rest(rest));
 }
 
 void PlantMotion::set_swing(const PlantSwing &swing) {
 	if (PlantGroup *in = group()) {
-		in->page.set_state(index(), { to_frame(frame(), swing.now.direction), to_frame(frame(), swing.now.rate) });
-		in->page.set_before(index(), to_frame(frame(), swing.before));
+		MotionPage &page = in->page;
+		const PlantSwing::Stem *stem = swing.stem ? &*swing.stem : nullptr;
+		if (stem && page.law() == Law::stem && page.stem_constants().modes == stem->modes && frame() == stem->frame) {
+			page.set_stem(index(), stem->now);
+			page.set_stem_before(index(), stem->before);
+			return;
+		}
+		page.set_state(index(), { to_frame(frame(), swing.now.direction), to_frame(frame(), swing.now.rate) });
+		page.set_before(index(), to_frame(frame(), swing.before));
 	} else {
 		parked = swing;
 	}

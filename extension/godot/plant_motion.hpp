@@ -20,8 +20,16 @@ struct MovedPlant {
 
 /// What moves of a plant, in world axes: its state, and where it pointed a step before, as it is drawn.
 struct PlantSwing {
+	/// All modes of a stem, as a page of these axes has them.
+	struct Stem {
+		PlantFrame frame;
+		int modes;
+		StemState now, before;
+	};
+
 	TipState now;
 	glm::vec3 before;
+	std::optional<Stem> stem = std::nullopt; ///< Where a page like that goes on with it, it is to the bit.
 
 	static PlantSwing at_rest(const glm::vec3 &rest) { return { { rest, {} }, rest }; }
 };

@@ -2,6 +2,7 @@
 
 #include "form/grown_plant.hpp"
 #include "mesh/form_stem.hpp"
+#include "stem/stem_shape.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,15 +36,27 @@ void StemTable::learn(const SampledPlant &plant) {
 	}
 }
 
-std::shared_ptr<const StemConstants> StemTable::of(float height, const Motion &motion, const Ref<PlantStem> &stem) {
+std::shared_ptr<const StemConstants> StemTable::of(
+		float height, bool in_air, const Motion &motion, const Ref<PlantStem> &stem) {
 	const bool is_physical = stem.is_valid() && stem->is_physical();
 	const double ratio = height > 0.0f ? double(height) / double(drawn.length) : 1.0;
 	const int number = is_physical ? int(std::lround(std::log(ratio) / std::log(HEIGHT_RATIO))) : 0;
-	std::shared_ptr<const StemConstants> &found = solved[number];
-	if (!found) {
-		found = std::make_shared<const StemConstants>(solve(number, motion, stem));
+	Stem &found = solved[number];
+	if (!found.in_newtons) {
+		found.in_newtons = std::make_shared<const StemConstants>(solve(number, motion, stem));
+		found.in_air = std::make_shared<const StemConstants>(undergrowth::in_air(*found.in_newtons));
 	}
-	return found;
+	return in_air ? found.in_air : found.in_newtons;
+}
+
+// A new wind blows with newtons that suit kilograms, and most stems weigh grams. What the joints weigh counts besides.
+static float usual_weight(const StemBeam &beam, const StemSolution &solution) {
+	const StemConstants &stem = solution.constants;
+	StemBeam plain = beam;
+	plain.wind_weights.clear();
+	const float slope = beam.wind_weights.empty() ? stem.dead_slope : solve_stem(plain).constants.dead_slope;
+	const float frequency = stem.mode[0].frequency;
+	return 1.0f / (frequency * frequency * stem.length * slope);
 }
 
 StemConstants StemTable::solve(int number, const Motion &motion, const Ref<PlantStem> &stem) {
@@ -63,7 +76,7 @@ StemConstants StemTable::solve(int number, const Motion &motion, const Ref<Plant
 		bare.modes = beam.modes;
 		solution = solve_stem(bare);
 	}
-	solution.constants.dead_slope *= motion.wind_weight;
+	solution.constants.dead_slope *= motion.wind_weight < 0.0f ? usual_weight(beam, solution) : motion.wind_weight;
 	return solution.constants;
 }
 

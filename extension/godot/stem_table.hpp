@@ -24,12 +24,17 @@ public:
 
 	/// The stem of a plant of `height` metres, one of the species' own where that is 0; `stem` may be null. Where
 	/// nothing can stand so, that of a bare stem that swings at about 1.5 Hz, and problem() says what is wrong.
-	std::shared_ptr<const StemConstants> of(float height, const Motion &motion, const godot::Ref<PlantStem> &stem);
+	/// `in_air`: a wind in m/s bends it, which gives it another shape than newtons do.
+	std::shared_ptr<const StemConstants> of(
+			float height, bool in_air, const Motion &motion, const godot::Ref<PlantStem> &stem);
 	/// In English; empty where all stems stand.
 	const godot::String &problem() const { return fault; }
 
 private:
-	std::map<int, std::shared_ptr<const StemConstants>> solved; ///< By class of height; 0 is that of `drawn`.
+	struct Stem {
+		std::shared_ptr<const StemConstants> in_newtons, in_air;
+	};
+	std::map<int, Stem> solved; ///< By class of height; 0 is that of `drawn`.
 	StemBeam drawn = nothing();
 	godot::String fault;
 

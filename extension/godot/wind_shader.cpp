@@ -21,9 +21,9 @@ static Ref<Image> picture_of(const AirTiles &tiles) {
 	float *texels = reinterpret_cast<float *>(bytes.ptrw());
 	for (int row = 0; row < AirTiles::HEIGHT; row++) {
 		for (int column = 0; column < AirTiles::WIDTH; column++) {
-			const uint32_t pair = tiles.turbulence[size_t(row * AirTiles::ROW + column)];
-			*texels++ = float(int16_t(pair & 0xffffu) / AirTiles::UNIT);
-			*texels++ = float(int16_t(pair >> 16) / AirTiles::UNIT);
+			const uint64_t *cells = &tiles.turbulence[size_t(2 * (row * AirTiles::WIDTH + column))];
+			*texels++ = float(int16_t(cells[0] & 0xffffu) / AirTiles::UNIT);
+			*texels++ = float(int16_t(cells[1] & 0xffffu) / AirTiles::UNIT);
 		}
 	}
 	Ref<Image> image = Image::create_from_data(AirTiles::WIDTH, AirTiles::HEIGHT, false, Image::FORMAT_RGF, bytes);
@@ -47,8 +47,9 @@ void show_wind(const FieldWind &air, double time, const Ref<Material> &material)
 	const float gust = now.speed * now.gusts * float(open_ground_gusts(REFERENCE_HEIGHT, double(now.roughness)));
 	const float along_gust = gust / std::sqrt(1.0f + 2.0f * now.skew * now.skew);
 	server->material_set_param(target, "undergrowth_turbulence", turbulence_texture(*air.tiles));
-	server->material_set_param(target, "undergrowth_wind_start", Vector2(map.s, map.n));
-	server->material_set_param(target, "undergrowth_wind_texels", Vector4(map.s_x, map.n_x, map.s_z, map.n_z));
+	const float texel = 1.0f / AirMap::PARTS;
+	server->material_set_param(target, "undergrowth_wind_start", texel * Vector2(map.s, map.n));
+	server->material_set_param(target, "undergrowth_wind_texels", texel * Vector4(map.s_x, map.n_x, map.s_z, map.n_z));
 	server->material_set_param(target, "undergrowth_wind_ways", Vector4(along.x, along.z, along.side_x, along.side_z));
 	server->material_set_param(
 			target, "undergrowth_wind_air", Vector4(now.speed, along_gust, gust * float(SIDE_GUSTS), now.skew));

@@ -4,7 +4,8 @@
 ## skinned mesh on a skeleton of two bones; the time of the same frames with nothing moving is
 ## subtracted. bone_pose_only is what the engine's own call costs: the script's loop around it is
 ## part of what is subtracted. plant3d_held is plants whose skeletons somebody asked for: others
-## tell the renderer alone of their motion, and nobody where there is none, as here.
+## tell the renderer alone of their motion, and nobody where there is none, as here. stem_4_held is
+## such plants whose stems show four joints, spring_bone_4 the engine's simulator on their bones.
 extends SceneTree
 
 const COUNTS: Array[int] = [100, 1000, 3000, 10000]
@@ -12,6 +13,7 @@ const WARM_UP_FRAMES := 30
 const BLOCKS := 21
 const FRAMES_PER_BLOCK := 12
 const MANY := 3000  # Plants, from which on a block is one frame.
+const MOST_JOINTED := 1000
 
 var _rows: Array[Dictionary] = []
 var _moving: Array[Skeleton3D] = []
@@ -29,14 +31,27 @@ func _run() -> void:
 		await _measure("plant3d_held", count, _add_held_plants)
 		await _measure("spring_bone_2", count, _add_spring_bones)
 		await _measure("bone_pose_only", count, _add_posed)
+		if count <= MOST_JOINTED:
+			await _measure("stem_4_held", count, _add_held_plants, _jointed())
+			await _measure("spring_bone_4", count, _add_spring_bones, _jointed())
 	print(JSON.stringify(_rows))
 	quit()
 
 
-func _measure(title: String, count: int, fill: Callable) -> void:
+## A stem of four joints.
+func _jointed() -> PlantFunction:
+	var species := TulipFunction.new()
+	species.law = PlantFunction.LAW_STEM
+	species.wind_weight = -1.0
+	return species
+
+
+func _measure(
+	title: String, count: int, fill: Callable, species: PlantFunction = TulipFunction.new()
+) -> void:
 	var scene := Node3D.new()
 	root.add_child(scene)
-	var still := _make_plants(scene, count)
+	var still := _make_plants(scene, count, species)
 	if title == "bone_pose_only":
 		for plant: Plant3D in still:
 			_looping.append(plant.get_skeleton())
@@ -63,8 +78,7 @@ func _measure(title: String, count: int, fill: Callable) -> void:
 	)
 
 
-func _make_plants(scene: Node3D, count: int) -> Array[Plant3D]:
-	var species := TulipFunction.new()
+func _make_plants(scene: Node3D, count: int, species: PlantFunction) -> Array[Plant3D]:
 	var plants: Array[Plant3D] = []
 	for i: int in count:
 		var plant := Plant3D.new()
@@ -96,12 +110,14 @@ func _add_held_plants(plants: Array[Plant3D]) -> void:
 func _add_spring_bones(plants: Array[Plant3D]) -> void:
 	for plant: Plant3D in plants:
 		var skeleton := plant.get_skeleton()
-		skeleton.set_bone_rest(1, Transform3D(Basis.IDENTITY, Vector3.UP))
-		skeleton.reset_bone_poses()
+		var first := skeleton.find_bone("stem_1")
+		if first < 0:
+			skeleton.set_bone_rest(1, Transform3D(Basis.IDENTITY, Vector3.UP))
+			skeleton.reset_bone_poses()
 		var simulator := SpringBoneSimulator3D.new()
 		skeleton.add_child(simulator)
 		simulator.setting_count = 1
-		simulator.set_root_bone(0, 0)
+		simulator.set_root_bone(0, maxi(first, 0))
 		simulator.set_end_bone(0, 1)
 		simulator.set_gravity(0, 1.0)
 		simulator.set_gravity_direction(0, Vector3.RIGHT)

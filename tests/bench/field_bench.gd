@@ -49,6 +49,10 @@ func _run() -> void:
 		var field := _make_field_of_parts(law)
 		field.simulation_enabled = true
 		await _measure(LAWS[law], field)
+		field = _make_field_of_parts(law)
+		field.simulation_enabled = true
+		field.wind = breeze
+		await _measure(LAWS[law] + "_air", field)
 	if _renderer == "headless":
 		await _measure_fill("field_fill", _make_field(LADDER_COUNT, {"simulation_enabled": false}))
 		await _measure_fill("field_fill_of_parts", _make_field_of_parts())

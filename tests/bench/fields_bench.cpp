@@ -6,16 +6,21 @@
 #include "page_workers.hpp"
 #include "report.hpp"
 
+#include <cmath>
+
 using namespace undergrowth;
 
 namespace {
 
 constexpr int PLANTS_OF_TILE = 400; // Of one species, in a meadow of five.
+constexpr float PLANTS_PER_SQUARE_METRE = 10.0f;
 
 /// Half of each law, under waves.
 FieldSimulation waving_field(const FieldSettings &settings, int plants, int most_in_page = MotionPage::PAGE_PLANTS) {
 	FieldSimulation field(settings);
 	const int page_size = std::clamp(plants / 16, 256, most_in_page);
+	const float side = std::sqrt(static_cast<float>(page_size) / PLANTS_PER_SQUARE_METRE); // A page is one place.
+	constexpr int PAGES_IN_ROW = 8;
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		MotionSpecies species;
 		species.law = law;
@@ -27,7 +32,10 @@ FieldSimulation waving_field(const FieldSettings &settings, int plants, int most
 				return signed_noise(which + 100 * static_cast<uint64_t>(kind), static_cast<uint64_t>(i));
 			};
 			MotionPlant plant;
-			plant.root = { 80.0f * noise(1), 0.0f, 80.0f * noise(2) };
+			const int number = i / page_size;
+			const auto column = static_cast<float>(number % PAGES_IN_ROW);
+			const auto row = static_cast<float>(number / PAGES_IN_ROW);
+			plant.root = { side * (column + 0.5f * noise(1)), 0.0f, side * (row + 0.5f * noise(2)) };
 			plant.length = 0.75f + 0.25f * noise(3);
 			page.push_back(plant);
 			if (static_cast<int>(page.size()) == page_size || i == plants / 2 - 1) {

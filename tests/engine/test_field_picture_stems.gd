@@ -54,6 +54,37 @@ func test_a_reed_of_two_modes() -> void:
 	await _compare(species, Transform3D(Basis(Vector3.UP, 2.0)), 15, 0.8)
 
 
+func test_a_reed_in_air() -> void:
+	_wind.kind = PlantWind.KIND_AIR
+	_wind.turbulence = 0.0
+	_wind.speed = 90.0
+	var species := _reed()
+	species.damping_ratio = 0.5
+	var place := Transform3D(Basis(Vector3.UP, 0.7))
+	var id := _field.add_plants([place], species)[0]
+	for i in 400:
+		_field._preview(STEP, _wind)
+	var in_field := await picture()
+	var state := _field.get_motion_state([id])
+	_field.hide()
+	var plant := await make_twin(_field, id, species, place, 0)
+	for blowing: PlantWind in [_wind, null]:
+		plant.wind = blowing
+		plant.reset_motion()
+		var own := PackedFloat32Array()
+		for part: int in [0, 3]:
+			var v := Vector3(state[part], state[part + 1], state[part + 2]) * place.basis
+			own.append_array([v.x, v.y, v.z])
+		plant.set_motion_state(own)
+		await frames(2)
+		var different := count_different(in_field, await picture())
+		if blowing:
+			check(plant.get_deflection() > 0.7, "it is bent, %.2f" % plant.get_deflection())
+			check(different <= MOST_OF_STEMS, "%d pixels differ" % different)
+		else:
+			check(different > 2 * MOST_OF_STEMS, "%d differ from newtons' shape" % different)
+
+
 func test_a_tulip_of_parts() -> void:
 	var species: PlantFunction = load("res://addons/undergrowth/species/garden_tulip.tres")
 	species = species.duplicate()

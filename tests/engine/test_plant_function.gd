@@ -29,7 +29,7 @@ var _out_of_range := {
 	"damping_ratio": [-0.1, 101.0],
 	"lean": [-0.01, deg_to_rad(80.1), 45.0],
 	"mass": [0.0, -1.0, 1.1e6],
-	"wind_weight": [-0.1, 1001.0],
+	"wind_weight": [-1.1, 1001.0],
 	"collision_radius": [-0.1, 1001.0],
 	"shape_deviation": [-0.1, 1.1],
 	"color_deviation": [-0.1, 1.1],

@@ -17,6 +17,8 @@ const CHAIN_TOLERANCE := 1e-5
 const FREQUENCY_TOLERANCE := 0.005
 const DAMPING_TOLERANCE := 0.003
 const TIP_TOLERANCE := 1e-5
+## Of the length, beside a beam that keeps its length however far it bends.
+const ELASTICA_TOLERANCE := 0.012
 
 var _plant: Plant3D
 
@@ -168,6 +170,31 @@ func test_a_steady_wind_bends_by_its_force() -> void:
 	_plant.species.stem.wind_weights = PackedFloat32Array([1, 0, 0, 0])
 	var below := _calm_slope(1e-4)
 	check(on_tip > 3.0 * below, "at the tip %f, at the lowest joint %f" % [on_tip, below])
+
+
+func test_a_stem_in_air_has_the_shape_of_drag() -> void:
+	var stem := _plant.species.stem
+	_plant.height = 1.2
+	stem.diameter = 0.004
+	stem.taper = 0.0
+	stem.density = 1.0
+	stem.youngs_modulus = 1.5e9
+	for property: String in ["head_mass", "head_drag_area", "leaf_mass", "leaf_drag_area"]:
+		stem.set(property, 0.0)
+	var bending := 1.5e9 * PI * 0.004 ** 4 / 64.0
+	var drag := 0.5 * 1.2 * 1.1 * 0.004 * 1.2 ** 3 / bending
+	_plant.wind = PlantWind.new()
+	_plant.wind.turbulence = 0.0
+	for kind: PlantWind.Kind in [PlantWind.KIND_CONSTANT, PlantWind.KIND_AIR]:
+		_plant.wind.kind = kind
+		for load: float in [6.0, 24.0]:
+			_plant.wind.strength = load * bending / 1.2 ** 2
+			_plant.wind.speed = sqrt(load / drag) * log(10.0 / 0.03) / log(1.2 / 0.03)
+			_plant.reset_motion()
+			_run(_plant, 600)
+			var expected := _elastica_tip(load, kind == PlantWind.KIND_AIR) * 1.2
+			var tip := Vector2(_plant.get_tip_position().z, _plant.get_tip_position().y)
+			check_near(tip, expected, ELASTICA_TOLERANCE * 1.2, "load %f" % load)
 
 
 func test_tall_stems_of_one_material_are_slow() -> void:
@@ -330,6 +357,45 @@ func test_a_stem_goes_on_from_the_state_of_another() -> void:
 	check_near(twin.get_tip_position(), _plant.get_tip_position(), 10 * TIP_TOLERANCE, "later")
 
 
+func test_a_stem_goes_on_with_both_modes_where_its_simulation_begins_anew() -> void:
+	_plant.species.stem.modes = 2
+	var twin := _add(_plant.species)
+	await frames(1)
+	for plant: Plant3D in [_plant, twin]:
+		plant.simulation_enabled = true
+		plant.apply_impulse(Vector3(0.004, 0, 0.002), 2)
+	await frames(5)
+	twin.simulation_enabled = false
+	twin.simulation_enabled = true
+	await frames(5)
+	check(_plant.get_deflection() > 1e-3, "it swings, %f" % _plant.get_deflection())
+	check_equal(twin.get_tip_position(), _plant.get_tip_position(), "tip")
+	check_equal(twin.get_joint_position(2), _plant.get_joint_position(2), "joint")
+
+
+func test_a_new_species_is_a_stem_that_sways_in_a_new_wind_and_in_air() -> void:
+	var breeze: PlantWind = load("res://addons/undergrowth/winds/breeze.tres").duplicate()
+	for radius: float in [0.05, 0.02, 0.004]:
+		var species := CurvePlantFunction.new()
+		check_equal(species.law, PlantFunction.LAW_STEM, "law")
+		species.radius = radius
+		var plant := _add(species)
+		await frames(1)
+		for wind: PlantWind in [PlantWind.new(), breeze]:
+			plant.wind = wind
+			plant.reset_motion()
+			var farthest := 0.0
+			for i in 900:
+				plant.advance(STEP)
+				farthest = maxf(farthest, rad_to_deg(plant.get_deflection()))
+			var what := "radius %.3f sways by %.1f degrees" % [radius, farthest]
+			print(what)
+			check(farthest > 0.5 and farthest < 50.0, what)
+		plant.wind = null
+		_run(plant, 3000)
+		check_near(plant.get_deflection(), 0.0, 1e-3, "it stands upright in calm")
+
+
 func test_a_species_that_comes_to_a_standing_plant() -> void:
 	var plant := Plant3D.new()
 	root.add_child(plant)
@@ -398,6 +464,37 @@ func _calm_slope(newtons: float) -> float:
 	_plant.reset_motion()
 	_run(_plant, 900)
 	return tan(_plant.get_deflection())
+
+
+## Where the tip of a uniform stem of length 1 is under a wind that presses on all of it, so much in
+## all over its bending stiffness: across the stem as drag does, or as newtons.
+func _elastica_tip(load: float, drags: bool) -> Vector2:
+	var low := 0.0
+	var high := 0.5 * PI
+	for i in 50:
+		var middle := 0.5 * (low + high)
+		if _elastica_root(middle, load, drags).z < 0.0:
+			low = middle
+		else:
+			high = middle
+	var found := _elastica_root(low, load, drags)
+	return Vector2(found.x, found.y)
+
+
+## From the tip down: the way across and up, and the angle that is left at the root.
+func _elastica_root(angle: float, load: float, drags: bool) -> Vector3:
+	const PARTS := 400
+	var way := Vector3(0, 0, angle)
+	var force := Vector2.ZERO
+	var moment := 0.0
+	for i in PARTS:
+		var share := cos(way.z) ** 2 if drags else 1.0
+		var press := Vector2(cos(way.z), -sin(way.z)) if drags else Vector2.RIGHT
+		force += press * (load * share / PARTS)
+		moment += force.dot(Vector2(cos(way.z), -sin(way.z))) / PARTS
+		way += Vector3(sin(way.z), cos(way.z), 0.0) / PARTS
+		way.z -= moment / PARTS
+	return way
 
 
 ## Frequency (Hz) and damping ratio that a small blow shows: by the times where the tip goes through

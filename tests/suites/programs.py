@@ -6,7 +6,9 @@ import shutil
 import subprocess
 import sys
 
-from .result import Result, run
+import figures
+
+from .result import LOGS, Result, run
 
 DOCTEST_TOTAL = re.compile(r"test cases:\s*\d+ \|\s*(\d+) passed \|\s*(\d+) failed")
 TIMEOUT = 900  # s: sanitizers take ten times as long, more on a busy machine.
@@ -30,9 +32,22 @@ def without_address_randomisation():
 def doctest(name, program):
     """The tests of a doctest program; a sanitizer's report aborts it and is a failure."""
     prefix = without_address_randomisation() if name == "tsan" else []
+    figures_file = LOGS / f"{name}_figures.tsv"
+    figures_file.unlink(missing_ok=True)
     output, problem = run(name, [*prefix, program, "--no-colors"], timeout=TIMEOUT,
-                          environment={**os.environ, **SANITIZER_OPTIONS})
-    return read_doctest(name, output, problem)
+                          environment={**os.environ, **SANITIZER_OPTIONS, "FIGURES": str(figures_file)})
+    result = read_doctest(name, output, problem)
+    if name == "core" and not result.failures:
+        result = check_readme(result, figures_file)
+    return result
+
+
+def check_readme(result, figures_file):
+    """README's tables have what the tests measured."""
+    text = figures.README.read_text(encoding="utf-8")
+    if figures.filled(text, figures.read(figures_file)) == text:
+        return Result(result.name, result.passed + 1, [])
+    return Result(result.name, result.passed, ["README's tables are not what the tests measure: say ./run figures"])
 
 
 def read_doctest(name, output, problem):

@@ -41,6 +41,13 @@ class Lines(unittest.TestCase):
         self.assertEqual(told, ["page_stem, avx2, 10,000 plants: 1.50 times the spring law's page",
                                 "headless: a frame of 100,000 stems 1.50 times that of springs"])
 
+    def test_air_is_told_beside_waves_and_joints_beside_their_peer(self):
+        told = bench_summary.lines([row("field_frame_stems", 99938, 2.0, renderer="headless"),
+                                    row("field_frame_stems_air", 99938, 3.0, renderer="headless"),
+                                    row("stem_4_held", 1000, 1.0), row("spring_bone_4", 1000, 7.0)])
+        self.assertEqual(told, ["headless: a frame of 100,000 stems in air 1.50 times that in waves",
+                                "1,000 plants of four joints: 7.0 times faster than SpringBoneSimulator3D"])
+
     def test_nothing_measured_is_nothing_told(self):
         self.assertEqual(bench_summary.lines([]), [])
 

@@ -91,7 +91,7 @@ struct StemStep {
 	float air_along = 0.85f;
 	float most_force; ///< N: `most_load` over `dead_slope`.
 	float softness; ///< 1 over the load, as linear slope of the tip, that a step can follow.
-	float most_place = 1.5f;
+	float most_place = MOST_STEM_AMPLITUDE;
 	float most_load = 1e4f; ///< Linear slope of the tip: 0.006 degrees from along the wind.
 	float most_wind = 150.0f; ///< m/s.
 	float least_hold = 1e-3f; ///< Of 1 and the load along the stem.

@@ -44,9 +44,7 @@ struct StemBends {
 };
 StemBends bends_of(const StemConstants &stem, const StemState &state, const glm::vec2 &rest);
 
-/// No mode goes farther; 113° of a tip for one that bends most there.
-inline constexpr float MOST_STEM_AMPLITUDE = 1.5f;
-/// Nor faster, over its frequency (rad/s).
+/// No mode is faster, over its frequency (rad/s).
 inline constexpr float MOST_STEM_RATE = 6.0f;
 
 } // namespace undergrowth

@@ -6,6 +6,8 @@ namespace undergrowth {
 
 /// Oscillators of a stem at most; the first is its swing in the wind, the second what blows and pushes wake.
 constexpr int MOST_STEM_MODES = 2;
+/// No mode goes farther; 113° of a tip for one that bends most there.
+inline constexpr float MOST_STEM_AMPLITUDE = 1.5f;
 /// Joints of a stem at most.
 constexpr int MOST_STEM_JOINTS = 8;
 /// Coefficients of a shape along the stem, those of x, x², … x⁶.

@@ -47,15 +47,16 @@ double within(double value, double size) {
 }
 
 /// A map whose texels are as far apart as `texel` says (m), gone `way` by now, for places of `axes`.
-AirMap map_at(const std::vector<uint32_t> &texels, const glm::dvec2 &texel, const glm::dvec2 &size,
+AirMap map_at(const std::vector<uint64_t> &cells, const glm::dvec2 &texel, const glm::dvec2 &size,
 		const Heading &heading, const glm::dvec2 &way, const AirAxes &axes) {
-	const glm::dvec2 start = (heading.turned(axes.origin) - way) / texel;
-	const glm::dvec2 by_x = heading.turned(axes.x) / texel;
-	const glm::dvec2 by_z = heading.turned(axes.z) / texel;
+	const glm::dvec2 part = texel / static_cast<double>(AirMap::PARTS);
+	const glm::dvec2 start = (heading.turned(axes.origin) - way) / part;
+	const glm::dvec2 by_x = heading.turned(axes.x) / part;
+	const glm::dvec2 by_z = heading.turned(axes.z) / part;
 	AirMap map;
-	map.texels = texels.data();
-	map.s = static_cast<float>(within(start.x, size.x));
-	map.n = static_cast<float>(within(start.y, size.y));
+	map.cells = cells.data();
+	map.s = static_cast<float>(within(start.x, size.x * static_cast<double>(AirMap::PARTS)));
+	map.n = static_cast<float>(within(start.y, size.y * static_cast<double>(AirMap::PARTS)));
 	map.s_x = static_cast<float>(by_x.x);
 	map.n_x = static_cast<float>(by_x.y);
 	map.s_z = static_cast<float>(by_z.x);

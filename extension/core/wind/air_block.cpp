@@ -19,17 +19,17 @@ float unit_gust(float skew) {
 }
 
 /// Velocities of plants alone: each has the wind of its own height above open ground.
-void blow_alone(const AirNow &air, const float *lengths, AirBlow blow, int count, float *x, float *z) {
-	const OpenGround ground(static_cast<double>(air.roughness));
-	const float gust = air.speed * air.gusts * unit_gust(air.skew);
-	for (int i = 0; i < count; i++) {
-		const auto height = static_cast<double>(lengths[i]);
-		const auto share = static_cast<float>(ground.gusts(height));
-		blow.mean = air.speed * static_cast<float>(ground.speed(height));
-		blow.gust = gust * share;
-		blow.side_gust = static_cast<float>(SIDE_GUSTS) * air.speed * air.gusts * share;
-		baseline_wind_kernels()->make_velocities(blow, 1, x + i, z + i);
-	}
+void blow_alone(const AirNow &air, const float *lengths, AirBlow blow, int count, float *x, float *z,
+		const WindKernels &kernels) {
+	const OpenGround open(static_cast<double>(air.roughness));
+	const float gust = air.speed * air.gusts * static_cast<float>(open.gusts(REFERENCE_HEIGHT));
+	blow.mean = air.speed * static_cast<float>(open.growth());
+	blow.gust = gust * unit_gust(air.skew);
+	blow.side_gust = gust * static_cast<float>(SIDE_GUSTS);
+	const double layer = OpenGround::ROUGH_LAYER;
+	const AirGround ground = { static_cast<float>(1.0 / open.roughness()),
+		static_cast<float>(1.0 / (layer * open.roughness())), static_cast<float>(layer) };
+	kernels.make_lone_velocities(blow, ground, lengths, count, x, z);
 }
 
 /// A gust that somebody called for, in m/s.
@@ -63,18 +63,18 @@ void sample_air(const TravellingWind &wind, const AirBlow &blow, const float *x,
 		int count, float *out_x, float *out_z, SimdLevel level) {
 	const WindKernels &kernels = wind_kernels(level);
 	const AirNow &air = wind.air;
-	if (air.turbulence.texels) {
+	if (air.turbulence.cells) {
 		kernels.sample_turbulence(air.turbulence, x, z, count, out_x, out_z);
 	} else {
 		std::fill(out_x, out_x + count, 0.0f);
 		std::fill(out_z, out_z + count, 0.0f);
 	}
-	if (air.waves.texels && !lengths) {
+	if (air.waves.cells && !lengths) {
 		const float kept = std::sqrt(1.0f - air.wave_share);
 		kernels.add_stand_waves(air.waves, x, z, count, kept, std::sqrt(air.wave_share), out_x);
 	}
 	if (lengths) {
-		blow_alone(air, lengths, blow, count, out_x, out_z);
+		blow_alone(air, lengths, blow, count, out_x, out_z, kernels);
 	} else {
 		kernels.make_velocities(blow, count, out_x, out_z);
 	}

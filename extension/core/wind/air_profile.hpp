@@ -21,6 +21,11 @@ public:
 	double speed(double height) const;
 	double gusts(double height) const;
 
+	static constexpr double ROUGH_LAYER = 10.0; ///< Roughness lengths.
+	double roughness() const { return rough; }
+	/// What the speed grows by from height to height, over the logarithm of their ratio.
+	double growth() const { return over_log; }
+
 private:
 	double rough; ///< m.
 	double over_log; ///< 1/ln(10/z0).

@@ -139,39 +139,50 @@ void add_waves(ComplexGrid &grid, const Powers &powers, uint64_t stream, bool is
 	}
 }
 
-uint32_t texel_of(double deviate) {
+uint16_t texel_of(double deviate) {
 	const double bounded = std::clamp(deviate * AirTiles::UNIT, -MOST_DEVIATE, MOST_DEVIATE);
-	return static_cast<uint32_t>(static_cast<int32_t>(std::floor(bounded + 0.5))) & 0xffffu;
+	return static_cast<uint16_t>(static_cast<int32_t>(std::floor(bounded + 0.5)));
 }
 
-std::vector<uint32_t> make_turbulence(uint64_t seed) {
+std::vector<uint16_t> texels_of(const std::vector<double> &deviates) {
+	std::vector<uint16_t> texels(deviates.size());
+	std::transform(deviates.begin(), deviates.end(), texels.begin(), texel_of);
+	return texels;
+}
+
+/// The cells of a map, each `apart` numbers behind the one before.
+void write_cells(const std::vector<uint16_t> &texels, int width, int height, std::size_t apart, uint64_t *cells) {
+	for (int j = 0; j < height; j++) {
+		const uint16_t *near = &texels[at(0, j, width)];
+		const uint16_t *far = &texels[at(0, (j + 1) % height, width)];
+		for (int i = 0; i < width; i++) {
+			const int next = (i + 1) % width;
+			*cells = static_cast<uint64_t>(near[i]) | static_cast<uint64_t>(near[next]) << 16 |
+					static_cast<uint64_t>(far[i]) << 32 | static_cast<uint64_t>(far[next]) << 48;
+			cells += apart;
+		}
+	}
+}
+
+std::vector<uint64_t> make_turbulence(uint64_t seed) {
 	ComplexGrid grid(AirTiles::WIDTH, AirTiles::HEIGHT);
 	const TurbulencePowers powers = kaimal_powers();
 	add_waves(grid, powers.along, seed + 1, false);
 	add_waves(grid, powers.across, seed + 2, true);
 	sum_waves(grid);
-	std::vector<uint32_t> texels;
-	for (int j = 0; j < AirTiles::HEIGHT; j++) {
-		for (int i = 0; i < AirTiles::ROW; i++) {
-			const std::size_t place = at(i % AirTiles::WIDTH, j, AirTiles::WIDTH);
-			texels.push_back(texel_of(grid.real[place]) | texel_of(grid.imaginary[place]) << 16);
-		}
-	}
-	return texels;
+	std::vector<uint64_t> cells(2 * grid.real.size());
+	write_cells(texels_of(grid.real), AirTiles::WIDTH, AirTiles::HEIGHT, 2, &cells[0]);
+	write_cells(texels_of(grid.imaginary), AirTiles::WIDTH, AirTiles::HEIGHT, 2, &cells[1]);
+	return cells;
 }
 
-std::vector<uint32_t> make_waves(uint64_t seed) {
+std::vector<uint64_t> make_waves(uint64_t seed) {
 	ComplexGrid grid(AirTiles::WAVES_WIDTH, AirTiles::WAVES_HEIGHT);
 	add_waves(grid, wave_powers(), seed + 3, false);
 	sum_waves(grid);
-	std::vector<uint32_t> texels(grid.real.size());
-	for (int j = 0; j < grid.height; j++) {
-		for (int i = 0; i < grid.width; i++) {
-			const double next = grid.real[at((i + 1) % grid.width, j, grid.width)];
-			texels[at(i, j, grid.width)] = texel_of(grid.real[at(i, j, grid.width)]) | texel_of(next) << 16;
-		}
-	}
-	return texels;
+	std::vector<uint64_t> cells(grid.real.size());
+	write_cells(texels_of(grid.real), grid.width, grid.height, 1, cells.data());
+	return cells;
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "base/portable_math.hpp"
 #include "conventions.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -23,12 +24,13 @@ struct Twiddles {
 	std::vector<double> cosines, sines;
 };
 
-/// A line of a grid: numbers `stride` apart. `lanes` neighbours are summed together.
+constexpr std::size_t LANES = 8; // Lines that are summed together: neighbours in memory.
+
+/// Lines side by side: number `index` of the first line is at index·stride, and of the others behind it.
 struct Lines {
 	double *real;
 	double *imaginary;
 	std::size_t stride;
-	std::size_t lanes;
 
 	double *real_at(int index) const { return real + static_cast<std::size_t>(index) * stride; }
 	double *imaginary_at(int index) const { return imaginary + static_cast<std::size_t>(index) * stride; }
@@ -41,7 +43,7 @@ void reverse_bits(const Lines &lines, int count) {
 			j ^= bit;
 		}
 		j ^= bit;
-		for (std::size_t lane = 0; i < j && lane < lines.lanes; lane++) {
+		for (std::size_t lane = 0; i < j && lane < LANES; lane++) {
 			std::swap(lines.real_at(i)[lane], lines.real_at(j)[lane]);
 			std::swap(lines.imaginary_at(i)[lane], lines.imaginary_at(j)[lane]);
 		}
@@ -53,7 +55,7 @@ void butterfly(const Lines &lines, int low, int high, double cosine, double sine
 	double *low_imaginary = lines.imaginary_at(low);
 	double *high_real = lines.real_at(high);
 	double *high_imaginary = lines.imaginary_at(high);
-	for (std::size_t lane = 0; lane < lines.lanes; lane++) {
+	for (std::size_t lane = 0; lane < LANES; lane++) {
 		const double real = high_real[lane] * cosine - high_imaginary[lane] * sine;
 		const double imaginary = high_real[lane] * sine + high_imaginary[lane] * cosine;
 		high_real[lane] = low_real[lane] - real;
@@ -76,6 +78,37 @@ void sum_lines(const Lines &lines, int count, const Twiddles &twiddles) {
 	}
 }
 
+/// Lines of a grid, brought side by side: `apart` numbers lie between lines, `step` between a line's numbers.
+class SideBySide {
+public:
+	explicit SideBySide(int count) :
+			size(static_cast<std::size_t>(count)), real(size * LANES), imaginary(size * LANES), twiddles(count) {}
+
+	void sum(double *grid_real, double *grid_imaginary, std::size_t lines, std::size_t apart, std::size_t step) {
+		const auto copy = [&](const auto &one) {
+			for (std::size_t i = 0; i < size; i++) {
+				for (std::size_t lane = 0; lane < lines; lane++) {
+					one(i * LANES + lane, i * step + lane * apart);
+				}
+			}
+		};
+		copy([&](std::size_t here, std::size_t there) {
+			real[here] = grid_real[there];
+			imaginary[here] = grid_imaginary[there];
+		});
+		sum_lines({ real.data(), imaginary.data(), LANES }, static_cast<int>(size), twiddles);
+		copy([&](std::size_t here, std::size_t there) {
+			grid_real[there] = real[here];
+			grid_imaginary[there] = imaginary[here];
+		});
+	}
+
+private:
+	std::size_t size;
+	std::vector<double> real, imaginary;
+	Twiddles twiddles;
+};
+
 } // namespace
 
 ComplexGrid::ComplexGrid(int columns, int rows) :
@@ -85,16 +118,16 @@ ComplexGrid::ComplexGrid(int columns, int rows) :
 		imaginary(real.size()) {}
 
 void sum_waves(ComplexGrid &grid) {
-	constexpr std::size_t LANES = 8; // Columns that are neighbours share cache lines.
 	const auto width = static_cast<std::size_t>(grid.width);
-	const Twiddles along(grid.width);
-	for (std::size_t first = 0; first < grid.real.size(); first += width) {
-		sum_lines({ &grid.real[first], &grid.imaginary[first], 1, 1 }, grid.width, along);
+	const auto height = static_cast<std::size_t>(grid.height);
+	SideBySide rows(grid.width);
+	for (std::size_t first = 0; first < height; first += LANES) {
+		double *real = &grid.real[first * width];
+		rows.sum(real, &grid.imaginary[first * width], std::min(LANES, height - first), width, 1);
 	}
-	const Twiddles across(grid.height);
+	SideBySide columns(grid.height);
 	for (std::size_t first = 0; first < width; first += LANES) {
-		const std::size_t lanes = width - first < LANES ? width - first : LANES;
-		sum_lines({ &grid.real[first], &grid.imaginary[first], width, lanes }, grid.height, across);
+		columns.sum(&grid.real[first], &grid.imaginary[first], std::min(LANES, width - first), 1, width);
 	}
 }
 

@@ -3,6 +3,7 @@
 
 #if defined(__AVX2__)
 
+#include <immintrin.h>
 #if !defined(__GNUC__)
 #include <math.h>
 #include <string.h>
@@ -14,10 +15,12 @@ namespace undergrowth {
 namespace avx2_kernels {
 
 #include "base/kernel_basics.inc"
+#include "wind/kernel_lanes.inc"
 #include "wind/kernel_air.inc"
 #include "wind/kernel_wind.inc"
 
-static const WindKernels SET = { sample_wind, sample_turbulence, add_stand_waves, make_velocities };
+static const WindKernels SET = { sample_wind, sample_turbulence, add_stand_waves, make_velocities,
+	make_lone_velocities };
 
 } // namespace avx2_kernels
 

@@ -1,5 +1,8 @@
 #include "wind/wind_kernels.hpp"
 
+#if defined(__SSE2__) || defined(_M_X64)
+#include <emmintrin.h>
+#endif
 #if !defined(__GNUC__)
 #include <math.h>
 #include <string.h>
@@ -11,10 +14,12 @@ namespace undergrowth {
 namespace baseline_kernels {
 
 #include "base/kernel_basics.inc"
+#include "wind/kernel_lanes.inc"
 #include "wind/kernel_air.inc"
 #include "wind/kernel_wind.inc"
 
-static const WindKernels SET = { sample_wind, sample_turbulence, add_stand_waves, make_velocities };
+static const WindKernels SET = { sample_wind, sample_turbulence, add_stand_waves, make_velocities,
+	make_lone_velocities };
 
 } // namespace baseline_kernels
 

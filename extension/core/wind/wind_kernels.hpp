@@ -14,12 +14,16 @@ struct PlantWinds {
 	float side_z = 0.0f;
 };
 
-/// A periodic map (AirTiles) at one time: the texel of a place (x, z) is (s + s_x·x + s_z·z, n + n_x·x + n_z·z).
+/// A periodic map (AirTiles) at one time: the texel of a place (x, z) is (s + s_x·x + s_z·z, n + n_x·x + n_z·z), in
+/// parts of a texel.
 struct AirMap {
-	const uint32_t *texels = nullptr; ///< Null: none.
+	const uint64_t *cells = nullptr; ///< Null: none.
 	float s = 0.0f, s_x = 0.0f, s_z = 0.0f;
 	float n = 0.0f, n_x = 0.0f, n_z = 0.0f;
-	float farthest = 1e6f; ///< Texels. Always; a variable as TravellingWind::half.
+	/// Places see those so far from the map's corner where they are farther: 65 km. Always; a variable as
+	/// TravellingWind::half.
+	float farthest = 1073741824.0f;
+	static constexpr float PARTS = 4096.0f; ///< Of a texel.
 };
 
 /// Air at one time, for all who feel it.
@@ -38,6 +42,13 @@ struct AirBlow {
 	float mean, gust, side_gust; ///< m/s.
 	float skew;
 	float along_x, along_z, side_x, side_z; ///< Unit directions.
+};
+
+/// How air grows with the height above open ground, for plants that stand alone: what AirBlow says holds above the
+/// rough layer, but that its mean is for a logarithm of 1.
+struct AirGround {
+	float over_roughness, over_layer; ///< 1/m.
+	float layer; ///< Over the roughness.
 };
 
 struct AirSource;
@@ -80,6 +91,9 @@ struct WindKernels {
 			const AirMap &map, const float *x, const float *z, int count, float keep, float share, float *along);
 	/// Makes velocities of both components, in place: those along x and along z.
 	void (*make_velocities)(const AirBlow &blow, int count, float *along, float *across);
+	/// The same of plants of such lengths (m) that stand alone.
+	void (*make_lone_velocities)(const AirBlow &blow, const AirGround &ground, const float *lengths, int count,
+			float *along, float *across);
 };
 
 const WindKernels *baseline_wind_kernels();

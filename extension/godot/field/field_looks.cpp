@@ -96,7 +96,7 @@ void FieldLook::read_motion() {
 	motion.joint = function->make_joint(1.0f, Basis());
 	motion.collision_radius = float(function->get_collision_radius());
 	motion.lean = std::atan2(motion.joint.rest.z, motion.joint.rest.y);
-	stem = function->find_stem(mean_height());
+	stem = function->find_stem(mean_height(), in_air);
 	motion.stem = stem ? *stem : StemConstants();
 	motion.has_parts = motion.has_parts || (!samples.empty() && samples[0][0].grown);
 	motion.shortest = motion.longest = variants.empty() ? 1.0f : variants[0].height;

@@ -46,6 +46,7 @@ struct FieldLook {
 	std::vector<std::vector<godot::Ref<godot::ArrayMesh>>> meshes; ///< By level and group.
 	std::vector<godot::Ref<godot::ShaderMaterial>> materials; ///< By level.
 	MotionSpecies motion;
+	bool in_air = false; ///< A wind in m/s blows; stems have their shape by it.
 	std::shared_ptr<const StemConstants> stem; ///< As `motion` has it; null of another law.
 	float width = 0.0f; ///< m: the farthest that any mesh goes from its axis.
 

@@ -54,6 +54,7 @@ double Meadow::advance(double delta, bool simulates) {
 	const ViewOptions &seen = properties;
 	FieldMotion::Frame now = frame(delta, properties.wind);
 	motion.wait();
+	feel(properties.wind);
 	const bool wants_skeletons = seen.skeleton_distance > 0.0 && !Engine::get_singleton()->is_editor_hint();
 	const bool eyes_matter = properties.far_distance > 0.0 || properties.wind.is_valid();
 	if (wants_skeletons || (eyes_matter && motion.wants_eyes())) {
@@ -76,6 +77,7 @@ double Meadow::advance(double delta, bool simulates) {
 }
 
 void Meadow::preview(double delta, const Ref<PlantWind> &blowing) {
+	feel(blowing);
 	motion.preview(frame(delta, blowing), properties);
 	refresh();
 	skeletons.pose(store, motion);
@@ -182,19 +184,6 @@ void Meadow::settle() {
 		motion.settle();
 		refresh();
 		skeletons.pose(store, motion);
-	}
-}
-
-void Meadow::read_motion(const PlantFunction *function, bool is_still) {
-	for (size_t i = 0; i < style.looks.size(); i++) {
-		if (style.looks[i].function.ptr() == function && motion.is_ready()) {
-			style.looks[i].read_motion();
-			motion.set_species(int(i), style.looks[i], store, is_still);
-		}
-	}
-	dress.tell_of_stems(style);
-	if (is_still && motion.is_ready()) {
-		refresh();
 	}
 }
 

@@ -62,6 +62,8 @@ public:
 
 	/// How a species moves is another: its plants stay, and so does their motion, where they move.
 	void read_motion(const PlantFunction *function, bool is_still);
+	/// Stems have their shapes by what blows now.
+	void feel(const godot::Ref<PlantWind> &blowing);
 	/// Distances of levels, or shadows. False where other meshes are needed for them.
 	bool update_levels();
 	void update_wear(const FieldWear &wear);
@@ -115,6 +117,7 @@ private:
 
 	/// What skeletons wear, which are drawn at the first level.
 	FieldWear near_wear() const;
+	void tell_of_stems();
 	FieldMotion::Frame frame(double delta, const godot::Ref<PlantWind> &wind) const;
 	FieldSettings settings() const;
 	godot::String begin_asking(bool places);

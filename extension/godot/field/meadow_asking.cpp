@@ -1,4 +1,4 @@
-// How a field asks what its species look like, before it grows.
+// How a field asks what its species look like, before it grows, and how they move.
 
 #include "field/meadow.hpp"
 
@@ -139,6 +139,44 @@ bool Meadow::knows_all_looks(const FieldStyle &asked, std::vector<int> &numbers)
 		all = asked.looks[size_t(asked.listed_count) + i].function == others[i].function;
 	}
 	return all;
+}
+
+void Meadow::feel(const Ref<PlantWind> &blowing) {
+	const bool in_air = PlantWind::is_air(blowing);
+	bool is_news = false;
+	for (size_t i = 0; i < style.looks.size(); i++) {
+		FieldLook &look = style.looks[i];
+		if (look.in_air == in_air) {
+			continue;
+		}
+		look.in_air = in_air;
+		if (look.motion.law == Law::stem) {
+			look.read_motion();
+			motion.set_species(int(i), look, store, false);
+			is_news = true;
+		}
+	}
+	if (is_news) {
+		tell_of_stems();
+	}
+}
+
+void Meadow::tell_of_stems() {
+	dress.tell_of_stems(style);
+	skeletons.follow_stems(store, style, motion);
+}
+
+void Meadow::read_motion(const PlantFunction *function, bool is_still) {
+	for (size_t i = 0; i < style.looks.size(); i++) {
+		if (style.looks[i].function.ptr() == function && motion.is_ready()) {
+			style.looks[i].read_motion();
+			motion.set_species(int(i), style.looks[i], store, is_still);
+		}
+	}
+	tell_of_stems();
+	if (is_still && motion.is_ready()) {
+		refresh();
+	}
 }
 
 } // namespace undergrowth

@@ -138,9 +138,8 @@ void SkeletonView::pose(const PlantStore &store, const FieldMotion &motion) cons
 		const float d = std::sin(turn);
 		const auto to_own = [c, d](const glm::vec2 &s) { return glm::vec2(c * s.x - d * s.y, d * s.x + c * s.y); };
 		const glm::vec2 own = to_own(stem.bend);
-		const float scale = 1.0f / std::sqrt(1.0f + glm::dot(own, own));
 		if (!entry.parts || !entry.parts->has_joints()) {
-			FieldSkeletons::pose(skeleton, Quaternion(own.y * scale, 0.0f, -own.x * scale, scale));
+			FieldSkeletons::pose(skeleton, quaternion_of(own));
 		}
 		if (entry.parts) {
 			entry.parts->stem = { own, to_own(stem.rate), to_own(stem.rest), to_own(stem.second), stem.clock };
@@ -153,6 +152,21 @@ void SkeletonView::dress(const FieldWear &wear) const {
 	for (const Shown &entry : shown) {
 		if (Skeleton3D *skeleton = FieldSkeletons::node(entry.skeleton)) {
 			FieldSkeletons::dress(skeleton, wear);
+		}
+	}
+}
+
+void SkeletonView::follow_stems(const PlantStore &store, const FieldStyle &style, FieldMotion &motion) {
+	const auto stem_of = [&](const Shown &entry) {
+		return style.looks[size_t(store.block(entry.place.block).species)].stem;
+	};
+	release(&motion, [&](const Shown &entry) {
+		const std::shared_ptr<const StemConstants> stem = stem_of(entry);
+		return (entry.parts ? entry.parts->joint_count() : 0) != (stem ? stem->joints : 0);
+	});
+	for (const Shown &entry : shown) {
+		if (const std::shared_ptr<const StemConstants> stem = stem_of(entry)) {
+			entry.parts->set_stem(stem);
 		}
 	}
 }

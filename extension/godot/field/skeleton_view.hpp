@@ -43,6 +43,8 @@ public:
 	/// Turns all bones as the field bends its plants in this frame.
 	void pose(const PlantStore &store, const FieldMotion &motion) const;
 	void dress(const FieldWear &wear) const;
+	/// Stems of a species bend otherwise. Those that are to have other bones go, and come again.
+	void follow_stems(const PlantStore &store, const FieldStyle &style, FieldMotion &motion);
 
 	int count() const { return int(shown.size()); }
 	godot::TypedArray<godot::Skeleton3D> skeletons() const;

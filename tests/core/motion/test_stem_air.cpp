@@ -3,6 +3,8 @@
 #include "stem_plants.hpp"
 #include "swing.hpp"
 
+#include "figures.hpp"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -60,6 +62,7 @@ TEST_CASE("a wind damps a swing along itself twice as much as one across, by wha
 		CAPTURE(rate);
 		CHECK(std::fabs(across - expected) < DAMPING_TOLERANCE);
 		CHECK(along / across == doctest::Approx(2.0).epsilon(RATIO_TOLERANCE));
+		figures::tell(figures::SWINGS, "damping by the air along the wind, over that across", 2.0, along / across, 2);
 	}
 }
 

@@ -1,6 +1,7 @@
 #include "ritz_beam.hpp"
 #include "stems.hpp"
 
+#include "figures.hpp"
 #include "golden.hpp"
 
 #include <doctest/doctest.h>
@@ -36,6 +37,11 @@ TEST_CASE("frequencies of uniform stems are those of Euler and Bernoulli, with h
 		const double rate = beam_rate(beam, solution.youngs_modulus);
 		CHECK(solution.frequencies[0] / rate == Approx(first).epsilon(BEAM).scale(0.0));
 		CHECK(solution.frequencies[1] / rate == Approx(second).epsilon(BEAM).scale(0.0));
+		if (head == 0.0) {
+			figures::tell(figures::STEMS, "first frequency of a uniform stem, √(EI/mL³)", first,
+					solution.frequencies[0] / rate, 4);
+			figures::tell(figures::STEMS, "second", second, solution.frequencies[1] / rate, 4);
+		}
 	}
 }
 
@@ -52,15 +58,20 @@ TEST_CASE("frequencies of stems that taper and carry heads and leaves are those 
 			CAPTURE(head);
 			CHECK(solution.frequencies[0] == Approx(ritz.frequency).epsilon(FINE).scale(0.0));
 			CHECK(solution.frequencies[1] == Approx(ritz.second).epsilon(FINE).scale(0.0));
+			for (const double share : { solution.frequencies[0] / ritz.frequency, solution.frequencies[1] / ritz.second }) {
+				figures::tell_error(figures::STEMS, "both, of stems that taper and carry heads and leaves", BEAM, share - 1.0);
+			}
 		}
 	}
 }
 
 TEST_CASE("a stem stands up to the load that Greenhill says") {
-	CHECK(critical_load(stem_of(0.0)) == Approx(7.8374).epsilon(GREENHILL).scale(0.0));
-	CHECK(critical_load(stem_of(0.0, 0.5)) == Approx(3.0691).epsilon(GREENHILL).scale(0.0));
-	CHECK(critical_load(stem_of(0.0, 2.0)) == Approx(1.0730).epsilon(GREENHILL).scale(0.0));
-	CHECK(critical_load(stem_of(0.6)) == Approx(7.0638).epsilon(GREENHILL).scale(0.0));
+	const double expected[][3] = { { 0.0, 0.0, 7.8374 }, { 0.0, 0.5, 3.0691 }, { 0.0, 2.0, 1.0730 }, { 0.6, 0.0, 7.0638 } };
+	for (const auto &[taper, head, load] : expected) {
+		const double found = critical_load(stem_of(taper, head));
+		CHECK(found == Approx(load).epsilon(GREENHILL).scale(0.0));
+		figures::tell_error(figures::STEMS, "weight under which a stem falls (Greenhill)", GREENHILL, found / load - 1.0);
+	}
 }
 
 TEST_CASE("weight slows a swing down") {

@@ -3,6 +3,8 @@
 #include "stem/stem_bones.hpp"
 #include "stem/stem_shape.hpp"
 
+#include "figures.hpp"
+
 #include <doctest/doctest.h>
 
 #include <glm/geometric.hpp>
@@ -82,6 +84,7 @@ TEST_CASE("a chain of bones is as long as its stem, however it is bent") {
 				REQUIRE(glm::length(links[j].turn) == Approx(1.0).epsilon(1e-6).scale(0.0));
 			}
 			REQUIRE(length == Approx(1.0).epsilon(LENGTH).scale(0.0));
+			figures::tell_error(figures::STEMS, "length of a chain of bones", LENGTH, length - 1.0);
 		}
 	}
 }
@@ -121,8 +124,12 @@ TEST_CASE("four bones take a skin where the shader takes it, within half a hundr
 		for (int i = 0; i <= 64; i++) {
 			const float x = static_cast<float>(i) / 64.0f;
 			const glm::vec3 skin = skinned(stem, steady, { 0.0f, x, 0.0f });
-			CHECK(glm::distance(glm::dvec3(skin), integrated(stem, steady, x)) < FINE_LINE);
-			CHECK(glm::distance(skin, stem_place(stem, steady.amplitudes, x).centre) < SHADER);
+			const double far = glm::distance(glm::dvec3(skin), integrated(stem, steady, x));
+			const float apart = glm::distance(skin, stem_place(stem, steady.amplitudes, x).centre);
+			CHECK(far < FINE_LINE);
+			CHECK(apart < SHADER);
+			figures::tell_error(figures::STEMS, "skin of four bones, tip to 45°, of the length", FINE_LINE, far);
+			figures::tell_error(figures::STEMS, "skin beside the shader of fields, of the length", SHADER, apart);
 		}
 	}
 }

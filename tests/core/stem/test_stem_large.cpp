@@ -4,12 +4,15 @@
 #include "stem/stem_bones.hpp"
 #include "stem/stem_shape.hpp"
 
+#include "figures.hpp"
+
 #include <doctest/doctest.h>
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 using namespace undergrowth;
@@ -31,6 +34,13 @@ double distance_to(const SteadyChain &chain, const StemConstants &stem, const St
 		most = std::max(most, glm::distance(chain.place(x), glm::dvec2(place.x, place.y)));
 	}
 	return most;
+}
+
+void tell_shape(const std::string &wind, const SteadyChain &chain, double far) {
+	const bool is_slight = chain.tip_angle() < 45.0 * DEGREE;
+	CHECK(far < (is_slight ? TO_45 : TO_75));
+	const std::string what = "shape in steady wind in " + wind + ", tip to " + (is_slight ? "45" : "75") + "°, of the length";
+	figures::tell_error(figures::STEMS, what, is_slight ? TO_45 : TO_75, far);
 }
 
 std::vector<StemBeam> varied_stems() {
@@ -60,7 +70,7 @@ TEST_CASE("a stem in steady wind of so many newtons has the shape of a chain of 
 				CAPTURE(beam.taper);
 				CAPTURE(slope);
 				CHECK(chain.tip_angle() < 77.0 * DEGREE);
-				CHECK(far < (chain.tip_angle() < 45.0 * DEGREE ? TO_45 : TO_75));
+				tell_shape("newtons", chain, far);
 			}
 		}
 	}
@@ -76,7 +86,7 @@ TEST_CASE("a stem in steady air has the shape of a chain of 128 links") {
 			CAPTURE(beam.taper);
 			CAPTURE(slope);
 			const double far = distance_to(chain, stem, in_wind(stem, slope));
-			CHECK(far < (chain.tip_angle() < 45.0 * DEGREE ? TO_45 : TO_75));
+			tell_shape("m/s", chain, far);
 		}
 	}
 }
@@ -90,7 +100,9 @@ TEST_CASE("the tip under a load at the tip is where the elastica's is") {
 	for (const auto &[load, x, y] : expected) {
 		StemLink links[MOST_STEM_JOINTS];
 		const glm::vec3 tip = stem_links(stem, in_newtons(stem, 0.5 * load).amplitudes, links);
-		CHECK(glm::distance(glm::dvec2(tip.x, tip.y), glm::dvec2(x, y)) < 0.01);
+		const double far = glm::distance(glm::dvec2(tip.x, tip.y), glm::dvec2(x, y));
+		CHECK(far < 0.01);
+		figures::tell_error(figures::STEMS, "tip under a load there, of an elastica, of the length", 0.01, far);
 	}
 }
 
@@ -106,6 +118,7 @@ TEST_CASE("a blade in a wind draws the less the more it bends, as measured ones 
 			sum += std::pow((1.0 - n) / (1.0 + n), 3.0) / 400.0;
 		}
 		CHECK(sum == Approx(ratio).epsilon(DRAG_RATIO).scale(0.0));
+		figures::tell_error(figures::STEMS, "drag of a bent blade, to a Cauchy number of 100", DRAG_RATIO, sum / ratio - 1.0);
 	}
 }
 

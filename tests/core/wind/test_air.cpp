@@ -4,6 +4,8 @@
 #include "conventions.hpp"
 #include "wind/travelling_wind.hpp"
 
+#include "figures.hpp"
+
 #include <doctest/doctest.h>
 
 #include <glm/geometric.hpp>
@@ -91,6 +93,34 @@ TEST_CASE("air has the same bits at every level, however plants are divided") {
 	}
 }
 
+TEST_CASE("plants alone feel the wind of their own height above open ground") {
+	constexpr double PROFILE_TOLERANCE = 1e-4; // Of the speed at 10 m.
+	FieldWind wind = breeze();
+	std::vector<float> lengths;
+	for (int i = 0; i < PLANTS; i++) {
+		lengths.push_back(0.02f * static_cast<float>(i));
+	}
+	const std::vector<float> xs = places(1), zs = places(2);
+	for (const bool gusts : { false, true }) {
+		wind.air.turbulence = gusts ? -1.0f : 0.0f;
+		const TravellingWind now = wind_at_time(wind, 3.0);
+		const AirBlow blow = blow_over(now.air, 0.0f, winds_along(wind));
+		Velocities plain, best;
+		sample_air(now, blow, xs.data(), zs.data(), lengths.data(), PLANTS, plain.x.data(), plain.z.data(),
+				SimdLevel::baseline);
+		sample_air(now, blow, xs.data(), zs.data(), lengths.data(), PLANTS, best.x.data(), best.z.data());
+		REQUIRE(plain.x == best.x);
+		REQUIRE(plain.z == best.z);
+		for (std::size_t i = 0; !gusts && i < PLANTS; i++) {
+			const double speed = std::hypot(static_cast<double>(plain.x[i]), static_cast<double>(plain.z[i]));
+			const double off = speed / static_cast<double>(wind.air.speed) -
+					open_ground_speed(static_cast<double>(lengths[i]), static_cast<double>(wind.air.roughness));
+			REQUIRE(std::fabs(off) < PROFILE_TOLERANCE);
+			figures::tell_error(figures::WIND, "logarithmic profile, of the speed at 10 m", PROFILE_TOLERANCE, off);
+		}
+	}
+}
+
 TEST_CASE("the mean over a stand is the speed at its tops, and gusts are a share of it") {
 	FieldWind wind = breeze();
 	const double top = stand_top_speed(0.5) * static_cast<double>(wind.air.speed);
@@ -126,7 +156,8 @@ TEST_CASE("waves run over a stand as fast and as far apart as a mixing layer's")
 	const std::vector<float> now = wave_line(air, 0.0), later = wave_line(air, 0.2);
 	const double speed = 0.02 * static_cast<double>(best_lag(now, later, 1, 60)) / 0.2;
 	const double spacing = 0.02 * static_cast<double>(best_lag(now, now, 60, 140));
-	MESSAGE("speed " << speed << " of " << waves_speed(air) << ", spacing " << spacing << " of " << waves_length(air));
+	figures::tell(figures::WIND, "speed of waves over half a metre of grass, fresh breeze", waves_speed(air), speed, 2, " m/s");
+	figures::tell(figures::WIND, "their length", waves_length(air), spacing, 2, " m");
 	CHECK(std::fabs(speed / waves_speed(air) - 1.0) < WAVES_SPEED_TOLERANCE);
 	CHECK(std::fabs(spacing / waves_length(air) - 1.0) < WAVES_SPACING_TOLERANCE);
 }
@@ -182,14 +213,14 @@ TEST_CASE("still air samples nothing, and is none") {
 	FieldWind wind = breeze();
 	wind.air.speed = 0.0f;
 	const TravellingWind now = wind_at_time(wind, 10.0);
-	CHECK(now.air.turbulence.texels == nullptr);
-	CHECK(now.air.waves.texels == nullptr);
+	CHECK(now.air.turbulence.cells == nullptr);
+	CHECK(now.air.waves.cells == nullptr);
 	const Velocities still = velocities(wind, 10.0);
 	CHECK(still.x == std::vector<float>(PLANTS));
 	CHECK(still.z == std::vector<float>(PLANTS));
 	wind = breeze();
 	wind.air.turbulence = 0.0f;
-	CHECK(wind_at_time(wind, 10.0).air.turbulence.texels == nullptr);
+	CHECK(wind_at_time(wind, 10.0).air.turbulence.cells == nullptr);
 	const Velocities smooth = velocities(wind, 10.0);
 	CHECK(std::all_of(smooth.x.begin(), smooth.x.end(), [&](float x) { return x == smooth.x[0] && x > 0.5f; }));
 }

@@ -3,6 +3,8 @@
 #include "conventions.hpp"
 #include "wind/fourier.hpp"
 
+#include "figures.hpp"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -96,8 +98,8 @@ struct Line {
 
 Line read_line(float side) {
 	AirMap map;
-	map.texels = shared_tiles().turbulence.data();
-	map.s_x = map.n_z = 1.0f;
+	map.cells = shared_tiles().turbulence.data();
+	map.s_x = map.n_z = AirMap::PARTS;
 	std::vector<float> x, z;
 	for (int i = 0; i < AirTiles::WIDTH; i++) {
 		x.push_back(static_cast<float>(i) + 0.37f);
@@ -156,7 +158,8 @@ TEST_CASE("ten minutes of turbulence have the variance that they should") {
 		along += product(series.along, series.along, 0) / PLACES;
 		across += product(series.across, series.across, 0) / PLACES;
 	}
-	MESSAGE("variance " << along << ", " << across);
+	figures::tell(figures::WIND, "variance of ten minutes, along the wind", 1.0, along, 3);
+	figures::tell(figures::WIND, "across it", 1.0, across, 3);
 	CHECK(std::fabs(along - 1.0) < VARIANCE_TOLERANCE);
 	CHECK(std::fabs(across - 1.0) < VARIANCE_TOLERANCE);
 }
@@ -170,7 +173,7 @@ TEST_CASE("the spectrum falls from 0.5 to 4 Hz as Kaimal's") {
 		}
 	}
 	const double slope = slope_of(power, 0.5, 4.0);
-	MESSAGE("slope " << slope);
+	figures::tell(figures::WIND, "slope of the spectrum from 0.5 to 4 Hz (Kaimal)", SLOPE, slope, 2);
 	CHECK(std::fabs(slope - SLOPE) < SLOPE_TOLERANCE);
 }
 
@@ -179,20 +182,22 @@ TEST_CASE("the gust of three seconds is as strong as Davenport's") {
 	for (const Series &series : ten_minutes()) {
 		gust += greatest_mean(series.along, 48) / PLACES;
 	}
-	MESSAGE("gust " << gust);
+	figures::tell(figures::WIND, "gust of three seconds, standard deviations (Davenport)", THREE_SECOND_GUST, gust, 2);
 	CHECK(std::fabs(gust / THREE_SECOND_GUST - 1.0) < GUST_TOLERANCE);
 }
 
 TEST_CASE("places beside each other feel the same slow waves, and less so the farther they are") {
 	const double near = coherence(5, 1.0f), far = coherence(5, 4.0f); // f = 5/256 ≈ 0.02.
-	MESSAGE("coherence " << near << ", " << far);
+	figures::tell(figures::WIND, "coherence of slow waves a metre apart (IEC 61400-1)", 0.70, near, 2);
+	figures::tell(figures::WIND, "four metres apart", 0.25, far, 2);
 	CHECK(std::fabs(near / 0.70 - 1.0) < COHERENCE_TOLERANCE);
 	CHECK(std::fabs(far / 0.25 - 1.0) < COHERENCE_TOLERANCE);
 }
 
 TEST_CASE("gusts are as long as the integral scales say") {
 	const double along = integral_scale(&Line::along), across = integral_scale(&Line::across);
-	MESSAGE("scales " << along << ", " << across);
+	figures::tell(figures::WIND, "integral scale along the wind", 3.6, along, 1, " m");
+	figures::tell(figures::WIND, "of what blows across it", 1.5, across, 1, " m");
 	CHECK(std::fabs(along / 3.6 - 1.0) < SCALE_TOLERANCE);
 	CHECK(std::fabs(across / 1.5 - 1.0) < SCALE_TOLERANCE);
 }
@@ -204,8 +209,9 @@ TEST_CASE("turbulence comes a second later to a place three metres downwind at t
 	for (std::size_t lag = 0; lag < 150; lag++) {
 		best = product(here.along, there.along, lag) > product(here.along, there.along, best) ? lag : best;
 	}
-	MESSAGE("lag " << 0.02 * static_cast<double>(best));
-	CHECK(std::fabs(0.02 * static_cast<double>(best) - 1.0) < 0.05);
+	const double seconds = 0.02 * static_cast<double>(best);
+	CHECK(std::fabs(seconds - 1.0) < 0.05);
+	figures::tell(figures::WIND, "from a place to one 3 m downwind at 3 m/s (Taylor)", 1.0, seconds, 2, " s");
 }
 
 TEST_CASE("a place does not feel the same again within half an hour") {
@@ -215,6 +221,6 @@ TEST_CASE("a place does not feel the same again within half an hour") {
 	for (std::size_t lag = 60 * 4; lag < 1200 * 4; lag++) {
 		worst = std::max(worst, product(series.along, series.along, lag) / own);
 	}
-	MESSAGE("correlation " << worst);
+	figures::tell_error(figures::WIND, "likeness of any two times within half an hour", MOST_LIKENESS, worst);
 	CHECK(worst < MOST_LIKENESS);
 }

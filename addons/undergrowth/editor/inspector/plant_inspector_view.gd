@@ -61,7 +61,8 @@ func _on_function_changed() -> void:
 
 # A force that bends this plant visibly but not flat: a part of what its own weight would pull.
 func _breeze_strength() -> float:
-	return clampf(0.1 * function.mass * 9.81 / maxf(function.wind_weight, 0.1), 0.001, 10.0)
+	var weight := 1.0 if function.wind_weight < 0.0 else maxf(function.wind_weight, 0.1)
+	return clampf(0.1 * function.mass * 9.81 / weight, 0.001, 10.0)
 
 
 func _frame_plant() -> void:
