@@ -14,16 +14,17 @@ var _walked := 0.0
 
 
 func _ready() -> void:
+	var woolly: Array[Transform3D] = [_ball(Vector3(0.0, 0.94, 0.44), Vector3(0.11, 0.08, 0.1))]
 	for index in WOOL_BALLS:
-		_add_wool(index)
-	_add_ball(skin, Vector3(0.0, 0.83, 0.53), Vector3(0.1, 0.11, 0.17), 0.5)
-	_add_ball(wool, Vector3(0.0, 0.94, 0.44), Vector3(0.11, 0.08, 0.1))
+		woolly.append(_wool_ball(index))
+	var dark: Array[Transform3D] = [_ball(Vector3(0.0, 0.83, 0.53), Vector3(0.1, 0.11, 0.17), 0.5)]
 	for side: float in [-1.0, 1.0]:
-		_add_ball(
-			skin, Vector3(0.14 * side, 0.87, 0.44), Vector3(0.075, 0.022, 0.035), 0.0, 0.35 * side
-		)
+		var ear := Vector3(0.14 * side, 0.87, 0.44)
+		dark.append(_ball(ear, Vector3(0.075, 0.022, 0.035), 0.0, 0.35 * side))
 		for end: float in [-1.0, 1.0]:
 			_add_leg(Vector3(0.13 * side, 0.42, 0.24 * end))
+	_add_balls(wool, woolly)
+	_add_balls(skin, dark)
 	_before = global_position
 
 
@@ -38,12 +39,16 @@ func _process(delta: float) -> void:
 
 
 ## Balls of wool, evenly over an ellipsoid: after Vogel, as florets in a head.
-func _add_wool(index: int) -> void:
+func _wool_ball(index: int) -> Transform3D:
 	var up := 1.0 - 2.0 * (index + 0.5) / WOOL_BALLS
 	var turn := index * 2.39996
 	var ring := sqrt(1.0 - up * up)
 	var place := Vector3(ring * cos(turn) * 0.21, 0.66 + up * 0.19, ring * sin(turn) * 0.36)
-	_add_ball(wool, place, Vector3.ONE * (0.115 + 0.02 * sin(index * 7.0)))
+	return _ball(place, Vector3.ONE * (0.115 + 0.02 * sin(index * 7.0)))
+
+
+func _ball(place: Vector3, radii: Vector3, pitch := 0.0, roll := 0.0) -> Transform3D:
+	return Transform3D(Basis.from_euler(Vector3(pitch, 0.0, roll)).scaled_local(radii), place)
 
 
 func _add_leg(hip: Vector3) -> void:
@@ -62,18 +67,20 @@ func _add_leg(hip: Vector3) -> void:
 	leg.add_child(drawn)
 
 
-func _add_ball(
-	material: Material, place: Vector3, radii: Vector3, pitch := 0.0, roll := 0.0
-) -> void:
+## All in one draw.
+func _add_balls(material: Material, places: Array[Transform3D]) -> void:
 	var ball := SphereMesh.new()
 	ball.radius = 1.0
 	ball.height = 2.0
 	ball.radial_segments = 14
 	ball.rings = 8
-	var drawn := MeshInstance3D.new()
-	drawn.mesh = ball
+	var balls := MultiMesh.new()
+	balls.transform_format = MultiMesh.TRANSFORM_3D
+	balls.mesh = ball
+	balls.instance_count = places.size()
+	for index in places.size():
+		balls.set_instance_transform(index, places[index])
+	var drawn := MultiMeshInstance3D.new()
+	drawn.multimesh = balls
 	drawn.material_override = material
-	drawn.transform = Transform3D(
-		Basis.from_euler(Vector3(pitch, 0.0, roll)).scaled_local(radii), place
-	)
 	add_child(drawn, false, INTERNAL_MODE_BACK)

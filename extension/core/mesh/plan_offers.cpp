@@ -3,6 +3,7 @@
 #include "mesh/plan_steps.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace undergrowth {
 
@@ -22,6 +23,8 @@ constexpr float BODY_SIDE = 0.3f; // Divided by the square of the sides.
 constexpr float FLOWER_WORTH = 1.5f; // From here on its colour is one of a flower.
 constexpr float CONE = 0.05f; // For a whorl's lathe.
 constexpr int MOST_BODIES_LEFT = 2; // A body, a few parts, a body …: all other steps only ever go on.
+constexpr size_t MANY_GROUPS = 48; // More than this only scripts grow, which loop over their parts.
+constexpr float NEARLY = 1.25f; // Times the best price.
 
 float body_error(const PartGroup &group, const BodyDetail &detail) {
 	const float cone = group.layout == Layout::whorl && detail.rings == 1 ? CONE : 0.0f;
@@ -44,19 +47,14 @@ float PlanSteps::thin_error(const State &state, size_t kept) const {
 
 /// Whether a twin is drawn, too.
 bool PlanSteps::has_twin(int group) const {
-	const std::vector<size_t> &all = twins[states[static_cast<size_t>(group)].twins];
-	return std::any_of(all.begin(), all.end(),
-			[&](size_t twin) { return twin != static_cast<size_t>(group) && own_vertices(twin) > 0; });
+	const size_t own = static_cast<size_t>(group);
+	return twins[states[own].twins].drawn > (own_vertices(own) > 0 ? 1 : 0);
 }
 
 /// What goes with a group that is dropped: the last of some twins goes for all of them.
 float PlanSteps::dropped_area(const State &state) const {
 	const size_t group = static_cast<size_t>(&state - states.data());
-	float area = state.branch_area;
-	for (const size_t twin : twins[state.twins]) {
-		area += twin != group && own_vertices(twin) == 0 ? states[twin].area : 0.0f;
-	}
-	return area;
+	return state.branch_area + twins[state.twins].dropped_area - (own_vertices(group) > 0 ? 0.0f : state.area);
 }
 
 float PlanSteps::own_error(const State &state) const {
@@ -72,6 +70,7 @@ void PlanSteps::offer(Step &best, int group, size_t detail, size_t kept, size_t 
 	if (best.group < 0 || price < best.price) {
 		best.group = group;
 		best.price = price;
+		best.saved = saved;
 		best.next.detail = detail;
 		best.next.kept = kept;
 		best.next.body = body;
@@ -146,40 +145,83 @@ void PlanSteps::offer_body(Step &best, int group, int excess) const {
 	}
 }
 
-PlanSteps::Step PlanSteps::find_best(int budget) const {
+/// Of one group.
+PlanSteps::Step PlanSteps::find_best(int group, int excess) const {
 	Step best;
-	const int excess = total - budget;
-	for (int group = 0; group < static_cast<int>(states.size()); group++) {
-		if (states[static_cast<size_t>(group)].branch_vertices > 0) {
-			offer_details(best, group, excess);
-			offer_thinning(best, group, excess);
-			offer_body(best, group, excess);
-		}
+	if (states[static_cast<size_t>(group)].branch_vertices > 0) {
+		offer_details(best, group, excess);
+		offer_thinning(best, group, excess);
+		offer_body(best, group, excess);
 	}
 	return best;
 }
 
+void PlanSteps::take(const Step &step) {
+	State &state = states[static_cast<size_t>(step.group)];
+	state.bodies_left += state.body > 0 && step.next.body == 0 ? 1 : 0;
+	draw(static_cast<size_t>(step.group), step.next);
+}
+
+/// The steps that cost nearly as little as the best, too, as far as there are too many vertices; of twins at most every
+/// other is dropped, for the last that is left stands for all.
+void PlanSteps::take_many(std::vector<Step> &steps, const Step &best, int excess) {
+	std::stable_sort(steps.begin(), steps.end(), [](const Step &a, const Step &b) { return a.price < b.price; });
+	const std::vector<Drawn> before(states.begin(), states.end());
+	float left = static_cast<float>(excess) - best.saved;
+	std::vector<int> dropped(twins.size(), 0);
+	for (const Step &step : steps) {
+		const State &state = states[static_cast<size_t>(step.group)];
+		const bool drops = KEPT[step.next.kept] == 0.0f && step.next.body == 0;
+		const int drawn = twins[state.twins].drawn;
+		if (step.price > NEARLY * best.price || left <= 0.0f) {
+			break;
+		}
+		if (step.group == best.group || (drops && drawn > 1 && 2 * (dropped[state.twins] + 1) >= drawn)) {
+			continue;
+		}
+		dropped[state.twins] += drops ? 1 : 0;
+		left -= step.saved;
+		take(step);
+	}
+	recount();
+	if (total == 0) { // What is dropped at once may carry all.
+		for (size_t g = 0; g < states.size(); g++) {
+			draw(g, before[g]);
+		}
+		recount();
+	}
+}
+
 bool PlanSteps::take_best(int budget) {
+	const int excess = total - budget;
 	for (size_t tries = 0; tries <= KEPT_COUNT * states.size(); tries++) {
-		const Step best = find_best(budget);
+		Step best;
+		std::vector<Step> steps;
+		looked_at += static_cast<int64_t>(states.size());
+		for (int group = 0; group < static_cast<int>(states.size()); group++) {
+			const Step step = find_best(group, excess);
+			if (step.group >= 0 && (best.group < 0 || step.price < best.price)) {
+				best = step;
+			}
+			if (step.group >= 0 && states.size() > MANY_GROUPS) {
+				steps.push_back(step);
+			}
+		}
 		if (best.group < 0) {
 			return false;
 		}
-		State &state = states[static_cast<size_t>(best.group)];
-		const size_t before[] = { state.detail, state.kept, state.body };
-		state.bodies_left += state.body > 0 && best.next.body == 0 ? 1 : 0;
-		state.detail = best.next.detail;
-		state.kept = best.next.kept;
-		state.body = best.next.body;
+		const Drawn before = states[static_cast<size_t>(best.group)];
+		take(best);
 		recount();
 		if (total > 0) {
+			if (steps.size() > MANY_GROUPS && total > budget) {
+				take_many(steps, best, excess);
+			}
 			return true;
 		}
 		// What stands on parts of several groups may all go with one of these, too.
-		state.kept_end = best.next.kept;
-		state.detail = before[0];
-		state.kept = before[1];
-		state.body = before[2];
+		states[static_cast<size_t>(best.group)].kept_end = best.next.kept;
+		draw(static_cast<size_t>(best.group), before);
 		recount();
 	}
 	return false;

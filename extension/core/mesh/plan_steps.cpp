@@ -73,9 +73,8 @@ void PlanSteps::find_relatives() {
 			states[static_cast<size_t>(group.carrier_group)].carried.push_back(g);
 		}
 		states[g].twins = known.emplace(std::pair(group.kind, group.carrier_group), known.size()).first->second;
-		twins.resize(known.size());
-		twins[states[g].twins].push_back(g);
 	}
+	twins.resize(known.size());
 }
 
 void PlanSteps::find_contrasts() {
@@ -143,10 +142,17 @@ int PlanSteps::own_vertices(size_t group) const {
 
 void PlanSteps::add_up_branches() {
 	total = 0;
+	looked_at += static_cast<int64_t>(form.placed.size() + states.size());
+	twins.assign(twins.size(), {});
 	for (size_t g = states.size(); g-- > 0;) {
 		State &state = states[g];
 		state.branch_vertices = own_vertices(g);
 		total += state.branch_vertices;
+		twins[state.twins].drawn += state.branch_vertices > 0 ? 1 : 0;
+		twins[state.twins].dropped_area += state.branch_vertices > 0 ? 0.0f : state.area;
+	}
+	for (size_t g = states.size(); g-- > 0;) {
+		State &state = states[g];
 		state.branch_area = state.area;
 		state.branch_error = own_error(state);
 		for (const size_t other : state.carried) {
@@ -157,39 +163,59 @@ void PlanSteps::add_up_branches() {
 	}
 }
 
+/// How many parts of a group would be drawn as parts, were this share of them kept.
+int PlanSteps::count_drawn(size_t group, float share) const {
+	const PartGroup &own = form.groups[group];
+	int count = 0;
+	for (size_t i = static_cast<size_t>(own.first); i < static_cast<size_t>(own.first + own.count); i++) {
+		const PlacedPart &part = form.placed[i];
+		const bool stands = part.carrier == ON_GROUND || fates[static_cast<size_t>(part.carrier)] == FormPlan::drawn;
+		count += stands && part.rank < share ? 1 : 0;
+	}
+	return count;
+}
+
+/// Whether a step back, to `next`, may fit into as many vertices. Of what carries others only trying tells.
+bool PlanSteps::could_fit(size_t group, const Drawn &next, int room) const {
+	const State &state = states[group];
+	if (!state.carried.empty() || (state.body == 0) != (next.body == 0)) {
+		return true;
+	}
+	const int bodies_now = state.bodies * count_body(form.groups[group], BODIES[state.body]).vertices;
+	const int finer = next.body > 0 ? state.bodies * count_body(form.groups[group], BODIES[next.body]).vertices
+									: count_drawn(group, KEPT[next.kept]) * state.costs[next.detail];
+	return finer - (next.body > 0 ? bodies_now : state.parts * state.costs[state.detail]) <= room;
+}
+
 bool PlanSteps::give_back(int budget) {
-	size_t best = states.size();
-	float most = 0.0f;
-	std::vector<std::pair<int, int>> counts; // Of parts and bodies now: trying a step changes those of what it carries.
-	for (const State &state : states) {
-		counts.emplace_back(state.parts, state.bodies);
-	}
-	const auto restore = [&] {
-		for (size_t g = 0; g < states.size(); g++) {
-			states[g].parts = counts[g].first;
-			states[g].bodies = counts[g].second;
-		}
+	struct Gain {
+		float gain;
+		size_t group;
+		Drawn drawn;
 	};
+	std::vector<Gain> gains;
 	for (size_t g = 0; g < states.size(); g++) {
-		State &state = states[g];
-		const size_t before[] = { state.detail, state.kept, state.body };
-		const float error = own_error(state);
-		if (step_back(state)) {
-			recount();
-			const float gain = error - own_error(state);
-			if (total <= budget && gain > most) {
-				most = gain;
-				best = g;
-			}
+		const Drawn before = states[g];
+		const float error = own_error(states[g]);
+		const bool is_finer = step_back(states[g]);
+		const Gain gain = { error - own_error(states[g]), g, states[g] };
+		draw(g, before);
+		if (is_finer && gain.gain > 0.0f && could_fit(g, gain.drawn, budget - total)) {
+			gains.push_back(gain);
 		}
-		state.detail = before[0];
-		state.kept = before[1];
-		state.body = before[2];
-		restore();
 	}
-	const bool found = best < states.size() && step_back(states[best]);
+	std::stable_sort(gains.begin(), gains.end(), [](const Gain &a, const Gain &b) { return a.gain > b.gain; });
+	for (const Gain &best : gains) {
+		const Drawn before = states[best.group];
+		draw(best.group, best.drawn);
+		recount();
+		if (total <= budget) {
+			return true;
+		}
+		draw(best.group, before);
+	}
 	recount();
-	return found;
+	return false;
 }
 
 /// One step finer: all parts before better parts.

@@ -24,22 +24,27 @@ public:
 	PlanSteps(const PlantForm &form, const FormMeasure &measure);
 
 	int vertices() const { return total; }
-	/// Takes the step that costs least for each vertex that it saves, of those that are still too many. False where
-	/// there is none.
+	/// Takes the step that costs least for each vertex that it saves, of those that are still too many; of plants of
+	/// many groups, as scripts grow them part by part, all that cost nearly as little. False where there is none.
 	bool take_best(int budget);
 	/// Takes one step back that still fits, the one that mends most. False where there is none.
 	bool give_back(int budget);
 	FormPlan finish();
+	/// Parts and groups looked at so far: what planning costs.
+	int64_t work() const { return looked_at; }
 
 private:
-	/// A group as it is drawn now.
-	struct State {
-		std::vector<PartDetail> details;
-		std::vector<int> costs; ///< Vertices of a part at each detail.
-		std::vector<float> errors; ///< Of its area, at each detail.
+	/// How finely a group is drawn.
+	struct Drawn {
 		size_t detail = 0;
 		size_t kept = 0; ///< Index in KEPT.
 		size_t body = 0; ///< Index in BODIES; 0: no body.
+	};
+	/// A group as it is drawn now.
+	struct State : Drawn {
+		std::vector<PartDetail> details;
+		std::vector<int> costs; ///< Vertices of a part at each detail.
+		std::vector<float> errors; ///< Of its area, at each detail.
 		int parts = 0; ///< Drawn as parts.
 		int bodies = 0;
 		float area = 0.0f; ///< m² that all of its parts show.
@@ -59,20 +64,29 @@ private:
 	};
 	struct Step {
 		int group = -1;
-		State next; ///< Only detail, kept and body count.
+		Drawn next;
 		float price = 0.0f;
+		float saved = 0.0f; ///< Vertices.
+	};
+
+	/// Groups of one kind on the same carriers.
+	struct Twins {
+		int drawn = 0; ///< Groups of which something is drawn.
+		float dropped_area = 0.0f; ///< m² of the others.
 	};
 
 	const PlantForm &form;
 	const FormMeasure &measure;
 	std::vector<State> states;
-	std::vector<std::vector<size_t>> twins; ///< Groups of one kind on the same carriers.
+	std::vector<Twins> twins;
 	std::vector<FormPlan::Fate> fates;
 	std::vector<int> bodies;
 	int body_count = 0;
 	int total = 0;
+	int64_t looked_at = 0;
 
 	bool step_back(State &state) const;
+	void draw(size_t group, const Drawn &drawn) { static_cast<Drawn &>(states[group]) = drawn; }
 	void recount();
 	void count_left(size_t group);
 	void find_relatives();
@@ -85,7 +99,11 @@ private:
 	bool has_twin(int group) const;
 	void pass_on(std::vector<float> &shown) const;
 	int own_vertices(size_t group) const;
-	Step find_best(int budget) const;
+	Step find_best(int group, int excess) const;
+	void take(const Step &step);
+	void take_many(std::vector<Step> &steps, const Step &best, int excess);
+	int count_drawn(size_t group, float share) const;
+	bool could_fit(size_t group, const Drawn &next, int room) const;
 	void offer(Step &best, int group, size_t detail, size_t kept, size_t body, float saved, float harm) const;
 	void offer_details(Step &best, int group, int excess) const;
 	void offer_thinning(Step &best, int group, int excess) const;

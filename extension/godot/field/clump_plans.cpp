@@ -4,6 +4,7 @@
 
 #include "convert.hpp"
 #include "field/plant_transforms.hpp"
+#include "mesh/form_plan.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,19 +21,63 @@ static constexpr int HALVES_COUNT_FROM = -2048;
 // Of plants of parts only the parts are drawn wider, not the whole.
 static constexpr float PARTS_WIDENING = 1.25f;
 
-// The square of a level that holds a root; where squares are parts of a tile, one of the block's own tile.
-static ClumpPlace place_of(const FieldStyle &style, int level, const DrawnBlock &drawn, const glm::vec3 &root) {
+// What a draw costs in vertices: so many that nobody sees may be drawn to spare one.
+static constexpr float VERTICES_OF_DRAW = 3000.0f;
+static constexpr int MOST_SQUARE_FACTOR = 8;
+
+// How wide the squares of a species are: so many tiles, or so many squares along a tile's side; one of the two is 1.
+struct Squares {
+	int factor = 1;
+	int cuts = 1;
+};
+
+// The level's, and wider ones for sparse species, of which squares hold a few plants each. Squares of twice the side
+// are a quarter as many, and those at the level's end reach farther beyond it; of both, what saves more.
+static Squares squares_of(const FieldStyle &style, int level, const FieldLook &look, float plants_in_tile) {
 	const FieldLevel &seen = style.levels[size_t(level)];
+	Squares squares = { seen.tile_factor, seen.tile_cuts };
+	const float end = seen.end > 0.0f ? seen.end : 2.0f * seen.begin;
+	const float meshes = float(look.meshes[size_t(level)].size());
+	const float vertices = plants_in_tile / meshes * float(vertex_budget(look.segments_at(seen)));
+	while (squares.factor < MOST_SQUARE_FACTOR) {
+		const float tiles = float(squares.factor) / float(squares.cuts); // Along a side.
+		const float side = tiles * style.tile_size;
+		if (side * 2.0f > end || 2.0f * vertices * tiles * tiles * side > VERTICES_OF_DRAW * end) {
+			break;
+		}
+		squares.cuts > 1 ? squares.cuts /= 2 : squares.factor *= 2;
+	}
+	return squares;
+}
+
+// By species; of those that were filled, for the places of others are asked for by tiles.
+static std::vector<Squares> all_squares(
+		const FieldStyle &style, int level, const std::vector<DrawnBlock> &blocks) {
+	std::vector<float> plants(style.looks.size(), 0.0f), tiles(style.looks.size(), 0.0f);
+	for (const DrawnBlock &drawn : blocks) {
+		plants[size_t(drawn.block->species)] += float(drawn.block->size());
+		tiles[size_t(drawn.block->species)] += 1.0f;
+	}
+	std::vector<Squares> squares;
+	for (size_t i = 0; i < style.looks.size(); i++) {
+		squares.push_back(squares_of(style, level, style.looks[i], plants[i] / std::max(tiles[i], 1.0f)));
+	}
+	return squares;
+}
+
+// The square of a level that holds a root; where squares are parts of a tile, one of the block's own tile.
+static ClumpPlace place_of(
+		const FieldStyle &style, int level, const DrawnBlock &drawn, const Squares &squares, const glm::vec3 &root) {
 	const PlantBlock &block = *drawn.block;
 	if (drawn.newcomers >= 0) {
 		return { false, level, block.tile, drawn.newcomers };
 	}
-	if (seen.tile_cuts == 1) {
-		return { block.is_added, level, wider_tile(block.tile, seen.tile_factor) };
+	if (squares.cuts == 1) {
+		return { block.is_added, level, wider_tile(block.tile, squares.factor) };
 	}
 	const auto part = [&](float place, int tile) {
 		const float way = place / style.tile_size - float(tile);
-		return seen.tile_cuts * tile + std::clamp(int(way * float(seen.tile_cuts)), 0, seen.tile_cuts - 1);
+		return squares.cuts * tile + std::clamp(int(way * float(squares.cuts)), 0, squares.cuts - 1);
 	};
 	return { block.is_added, level, { part(root.x, block.tile.column), part(root.z, block.tile.row) } };
 }
@@ -106,14 +151,17 @@ static float rank_of(const FieldStyle &style, const PlantBlock &block, int slot)
 	return plant_rank(filled_plant_id(root.x, root.z, style.spacing));
 }
 
-static void add_block(const FieldStyle &style, const DrawnBlock &drawn, int level, MembersByMesh &members) {
+static void add_block(const FieldStyle &style, const DrawnBlock &drawn, int level, const std::vector<Squares> &squares,
+		MembersByMesh &members) {
 	const PlantBlock &block = *drawn.block;
 	const FieldLook &look = style.looks[size_t(block.species)];
 	const int groups = int(look.meshes[size_t(level)].size());
+	const FieldLevel &seen = style.levels[size_t(level)];
+	const Squares own = block.is_added ? Squares{ seen.tile_factor, seen.tile_cuts } : squares[size_t(block.species)];
 	for (int slot = 0; slot < block.size(); slot++) {
 		if (!block.is_gone(slot)) {
 			const int group = int(block.plants.variant[size_t(slot)] % look.variants.size()) % groups;
-			const ClumpPlace place = place_of(style, level, drawn, block.root(slot));
+			const ClumpPlace place = place_of(style, level, drawn, own, block.root(slot));
 			members[{ place, block.species, group }].push_back({ rank_of(style, block, slot), &drawn, slot });
 		}
 	}
@@ -121,8 +169,9 @@ static void add_block(const FieldStyle &style, const DrawnBlock &drawn, int leve
 
 std::vector<ClumpPlan> plan_level(const FieldStyle &style, const std::vector<DrawnBlock> &blocks, int level) {
 	MembersByMesh by_mesh;
+	const std::vector<Squares> squares = all_squares(style, level, blocks);
 	for (const DrawnBlock &block : blocks) {
-		add_block(style, block, level, by_mesh);
+		add_block(style, block, level, squares, by_mesh);
 	}
 	std::vector<ClumpPlan> plans;
 	for (auto &[mesh, members] : by_mesh) {

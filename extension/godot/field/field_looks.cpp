@@ -1,6 +1,7 @@
 #include "field/field_looks.hpp"
 
 #include "base/random.hpp"
+#include "plant/base_shape.hpp"
 #include "stand/plant_axes.hpp"
 
 #include <algorithm>
@@ -18,6 +19,10 @@ static int64_t variant_seed(int64_t seed, int variant) {
 	return int64_t(mix_bits(uint64_t(seed) ^ mix_bits(uint64_t(variant))) >> 1);
 }
 
+int FieldLook::segments_at(const FieldLevel &level) const {
+	return std::clamp(int(std::lround(detail * level.lod)), MIN_LOD, MAX_LOD);
+}
+
 String FieldLook::sample_next(const std::vector<FieldLevel> &levels) {
 	const int variant = int(variants.size());
 	const int64_t own_seed = variant_seed(seed, variant);
@@ -29,9 +34,9 @@ String FieldLook::sample_next(const std::vector<FieldLevel> &levels) {
 		SampledPlant sampled;
 		if (level > 0 && samples[0][size_t(variant)].grown) {
 			sampled = samples[0][size_t(variant)]; // A plant of parts is the same at all levels.
-			sampled.lod = levels[level].lod;
+			sampled.lod = segments_at(levels[level]);
 		} else {
-			const String problem = function->sample(0.0, levels[level].lod, own_seed, sampled);
+			const String problem = function->sample(0.0, segments_at(levels[level]), own_seed, sampled);
 			if (!problem.is_empty()) {
 				return problem;
 			}

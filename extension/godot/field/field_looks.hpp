@@ -40,6 +40,7 @@ struct FieldVariant {
 struct FieldLook {
 	godot::Ref<PlantFunction> function;
 	int variant_count = 4; ///< 1 to 64.
+	double detail = 1.0; ///< Times the segments of the levels.
 	std::vector<FieldVariant> variants;
 	std::vector<std::vector<SampledPlant>> samples; ///< By level and group; let go when the meshes are built.
 	std::vector<SampledPlant> nearest; ///< Of the first level, kept for plants that get a mesh of their own.
@@ -55,6 +56,8 @@ struct FieldLook {
 	/// Asks the function for one variant more, at all levels; main thread only, since scripts may answer. Tells what is
 	/// wrong and what to do, or nothing.
 	godot::String sample_next(const std::vector<FieldLevel> &levels);
+	/// Vertical segments at a level.
+	int segments_at(const FieldLevel &level) const;
 	/// Whether all variants are sampled.
 	bool is_sampled() const { return int(variants.size()) == variant_count; }
 	/// Builds the meshes of what was sampled; once, on any thread.

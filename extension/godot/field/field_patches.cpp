@@ -96,6 +96,7 @@ static FieldStyle outline_of(const FieldStyle &style) {
 	for (const FieldLook &look : style.looks) {
 		FieldLook some;
 		some.variant_count = look.variant_count;
+		some.detail = look.detail;
 		some.variants = look.variants;
 		some.meshes = look.meshes;
 		some.motion = look.motion;

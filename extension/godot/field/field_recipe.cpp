@@ -213,6 +213,7 @@ String list_looks(const StandOptions &options, const std::vector<FieldLook> &oth
 					"] is empty. Set a PlantFieldSpecies with a PlantFunction there, or remove the entry.";
 		}
 		list_look(listed->get_species(), listed->get_variants(), options, into);
+		into.looks.back().detail = listed->get_detail();
 	}
 	into.listed_count = int(into.looks.size());
 	for (const FieldLook &other : others) {

@@ -88,6 +88,10 @@ void PlantFieldSpecies::set_variants(int count) {
 	set_number(variants, "variants", count, { 1, 64 });
 }
 
+void PlantFieldSpecies::set_detail(double factor) {
+	set_number(detail, "detail", factor, { 0.1, 10.0 });
+}
+
 void PlantFieldSpecies::set_layer(const String &name) {
 	set(layer, name);
 }
@@ -114,6 +118,7 @@ void PlantFieldSpecies::_bind_methods() {
 	PROPERTY(FLOAT, height_deviation, SLIDER("0,0.9,0.01"));
 	PROPERTY(FLOAT, lean_deviation, SLIDER("0,80,0.1,radians_as_degrees"));
 	PROPERTY(INT, variants, SLIDER("1,64,1"));
+	PROPERTY(FLOAT, detail, SLIDER("0.25,4,0.05,or_less,or_greater"));
 	PROPERTY(STRING, layer);
 }
 

@@ -19,6 +19,7 @@ class PlantFieldSpecies : public godot::Resource {
 	double height_deviation = 0.1;
 	double lean_deviation = 0.0; // rad.
 	int variants = 4;
+	double detail = 1.0;
 	godot::String layer;
 	godot::String given_name;
 	bool forwards = false; // While `changed` is emitted for the function inside.
@@ -61,6 +62,8 @@ public:
 	godot::String get_layer_name() const;
 	void set_variants(int count);
 	int get_variants() const { return variants; }
+	void set_detail(double factor);
+	double get_detail() const { return detail; }
 };
 
 } // namespace undergrowth

@@ -3,6 +3,7 @@
 #include "form_mesh_fixture.hpp"
 
 #include "form/growth.hpp"
+#include "mesh/plan_steps.hpp"
 
 #include <doctest/doctest.h>
 
@@ -86,4 +87,44 @@ TEST_CASE("a plant whose script arranges each of 200 leaves by itself is within 
 	const PlantForm form = growth.finish();
 	const FormPlan plan = plan_form(form, measure_form(form), vertex_budget(6));
 	CHECK(plan.counts.vertices <= vertex_budget(6));
+}
+
+namespace {
+
+/// What it costs to plan a plant whose script arranged its leaves one by one.
+int64_t work_of(int leaves, bool is_one_kind) {
+	Growth growth(1.0f, 1);
+	const std::vector<int> stems = add(growth, axis(1.0f, 0.01f), 1, Layout::ground, { ON_GROUND });
+	int kind = 0;
+	CHECK(growth.add_kind(Part(), kind) == "");
+	for (int i = 0; i < leaves; i++) {
+		Part leaf;
+		leaf.width = 0.01f + 1e-5f * static_cast<float>(i);
+		std::vector<int> handles;
+		Arrangement arrangement;
+		arrangement.from = arrangement.to = static_cast<float>(i) / static_cast<float>(leaves);
+		CHECK((is_one_kind ? "" : growth.add_kind(leaf, kind)) == "");
+		CHECK(growth.arrange(kind, arrangement, stems, handles) == "");
+	}
+	const PlantForm form = growth.finish();
+	const FormMeasure measure = measure_form(form);
+	PlanSteps steps(form, measure);
+	while (steps.vertices() > vertex_budget(3) && steps.take_best(vertex_budget(3))) {
+	}
+	while (steps.give_back(vertex_budget(3))) {
+	}
+	CHECK(steps.vertices() > 0);
+	CHECK(steps.vertices() <= vertex_budget(3));
+	return steps.work();
+}
+
+} // namespace
+
+TEST_CASE("planning costs about as the parts are many, however a script arranged them") {
+	for (const bool is_one_kind : { true, false }) {
+		const int64_t few = work_of(150, is_one_kind);
+		const int64_t many = work_of(1500, is_one_kind);
+		INFO(few << " parts and groups looked at, and " << many);
+		CHECK(many < 30 * few);
+	}
 }
