@@ -23,6 +23,13 @@ CpuMotion::~CpuMotion() {
 
 void CpuMotion::wait() {
 	steps.wait();
+	for (const Height &one : std::exchange(heights, {})) {
+		const int page = rows_of(one.place.block).page;
+		if (!simulation->page(page).is_gone(row_of(one.place))) {
+			simulation->page(page).set_plant(row_of(one.place), one.plant);
+			textures->set_height(page, row_of(one.place), one.share);
+		}
+	}
 	if (going.empty()) {
 		return;
 	}

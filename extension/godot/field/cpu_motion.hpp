@@ -39,6 +39,8 @@ public:
 
 	bool upload() override;
 	void set_hidden(const PlantPlace &place, bool hidden) override;
+	void set_height(const PlantPlace &place, float share, const MotionPlant &plant) override;
+	bool has_heights() const override { return textures && textures->has_heights(); }
 	PoseTexels texels(int block) const override { return textures->texels(rows_of(block)); }
 	godot::RID pose_texture() const override { return textures ? textures->poses() : godot::RID(); }
 	godot::RID blend_texture() const override { return textures ? textures->blends() : godot::RID(); }
@@ -64,12 +66,19 @@ private:
 	std::unique_ptr<PoseTexture> textures;
 	std::vector<PageRows> rows; ///< By block.
 	std::vector<PlantPlace> going; ///< Who is gone, and is yet to be taken out of the simulation.
+	struct Height {
+		PlantPlace place;
+		float share;
+		MotionPlant plant;
+	};
+	std::vector<Height> heights; ///< Who is otherwise high, and is not in the simulation yet.
 	std::vector<int> stale_pages; ///< Plants of which are drawn again, or follow others, and not written yet.
 	TipContact touching;
 	bool touches = false;
 	FieldSteps steps; // After what it works on: it is destroyed first.
 	FixedStep clock;
 	FieldWindClock wind_clock;
+	bool showed_heights = false; ///< At the last upload().
 	float shown_alpha = 0.0f; ///< Of the step that is shown next.
 	SwingClock swings;
 	int frames_since_far = 0;

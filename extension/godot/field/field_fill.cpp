@@ -87,6 +87,7 @@ void FieldFill::place() {
 		result.fault = PlacementFault::too_many_plants;
 		placed.clear();
 	}
+	recipe.changes.take_out(placed);
 	done = PLACED_SHARE;
 }
 

@@ -5,6 +5,7 @@
 #include "field/field_view.hpp"
 #include "stand/kept_plants.hpp"
 #include "stand/placement.hpp"
+#include "stand/stand_changes.hpp"
 
 #include <atomic>
 #include <memory>
@@ -23,6 +24,7 @@ struct FieldRecipe {
 	FieldWind wind; ///< At the simulation's start: prototypes have felt it before.
 	std::vector<int> species_numbers; ///< What species are in `style`, by what they were.
 	float tile_size = 16.0f; ///< m.
+	StandChanges changes; ///< Whoever is gone by them does not stand.
 	/// What was filled before. Plants that stand again go on with their motion.
 	FilledBlocks standing;
 };

@@ -97,16 +97,21 @@ public:
 	/// All plants into their rest.
 	virtual void settle() = 0;
 
-	/// Sends what is new to the textures; tells whether they are other ones now.
+	/// Sends what is new to the textures; tells whether they are other ones now, or show heights for the first time.
 	virtual bool upload() = 0;
 	/// The textures show a plant, or a skeleton does instead.
 	virtual void set_hidden(const PlantPlace &place, bool hidden) = 0;
+	/// A plant is drawn so high, as a share of its own height, and moves as `plant` does from now on. It may take
+	/// effect at the next wait() only.
+	virtual void set_height(const PlantPlace &place, float share, const MotionPlant &plant) = 0;
+	/// Whether any plant is drawn in another height than its own.
+	virtual bool has_heights() const = 0;
 	/// A block of the store that stands.
 	virtual PoseTexels texels(int block) const = 0;
 	/// Bends before and after, and a blend for each row of texels. Invalid until something was uploaded.
 	virtual godot::RID pose_texture() const = 0;
 	virtual godot::RID blend_texture() const = 0;
-	/// Steps a second, and the layer of the rests or -1, for each row of texels.
+	/// Steps a second, and the layers of rests, of second modes and of heights, or -1, for each row of texels.
 	virtual godot::RID beat_texture() const = 0;
 	/// What is drawn in this frame by the clock of swings: 0 to 1, a share of SWING_PERIOD.
 	virtual float swing_clock() const = 0;

@@ -45,6 +45,7 @@ struct MotionOptions {
 	bool contact_enabled = false;
 	godot::StringName bodies_group;
 	double touch_margin = 0.1; // m.
+	double regrowth_rate = 0.0; // Of a plant's own height, a second.
 };
 
 /// What decides how it is seen.

@@ -66,11 +66,12 @@ void FieldPatch::work(void *self) {
 void FieldPatch::find_newcomers() {
 	FieldPlants placed;
 	for (const AreaBox &box : recipe.boxes) {
-		recipe.request.area = rectangle(box.high - box.low, 0.5f * (box.low + box.high));
+		recipe.request.within = box;
 		FieldPlants some;
 		place_plants(recipe.request, some);
 		placed.append(some);
 	}
+	recipe.changes.take_out(placed);
 	patch = std::make_unique<StandPatch>(std::move(recipe.standing), recipe.spacing);
 	newcomers = patch->find_newcomers(placed);
 }

@@ -3,6 +3,7 @@
 #include "field/field_ground.hpp"
 #include "field/field_view.hpp"
 #include "stand/placement.hpp"
+#include "stand/stand_changes.hpp"
 #include "stand/stand_patch.hpp"
 
 #include <atomic>
@@ -12,9 +13,10 @@ namespace undergrowth {
 
 /// All that placing plants anew in some boxes needs to know, copied, so that it may run beside the game.
 struct PatchRecipe {
-	PlacementRequest request; ///< Its area is any.
+	PlacementRequest request; ///< Of an area that holds the boxes, or what may stand of them.
 	std::vector<AreaBox> boxes; ///< m; no two of them share a place.
 	FieldGround ground;
+	StandChanges changes; ///< Whoever is gone by them does not stand.
 	StandingPlants standing; ///< In these boxes.
 	double spacing = 1.0; ///< m: of the placement.
 };

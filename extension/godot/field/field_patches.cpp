@@ -11,8 +11,7 @@ namespace undergrowth {
 static constexpr size_t MOST_STANDING = 6000; // Plants of a job: copying them takes part of a millisecond.
 
 static AreaBox common(const AreaBox &box, const TileKey &tile, float size) {
-	const glm::vec2 low = { float(tile.column) * size, float(tile.row) * size };
-	return { glm::max(box.low, low), glm::min(box.high, low + size) };
+	return common_box(box, tile_box(tile, size));
 }
 
 void FieldPatches::touch(const AreaBox &box, float tile_size) {

@@ -111,6 +111,9 @@ static String read_area(const Node3D *field, const StandOptions &options, const 
 	if (options.map.is_valid() && !options.map->problem().is_empty()) {
 		return "its map cannot be used. " + options.map->problem();
 	}
+	if (part) {
+		into.within = *part;
+	}
 	if (options.map.is_valid() && part) {
 		const DensityMap &map = options.map->density();
 		into.map = std::make_shared<DensityMap>(map.cut(map.cells_around(*part)));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field/field_changes.hpp"
 #include "field/field_dress.hpp"
 #include "field/field_motion.hpp"
 #include "field/field_patches.hpp"
@@ -55,9 +56,20 @@ public:
 
 	/// Look of a function whose plants code adds; -1, with a fault told, where it cannot be built.
 	int species_for(const godot::Ref<PlantFunction> &function);
-	std::vector<PlantId> add(std::vector<PlacedPlant> &&plants);
+	/// With `ids` they come back by their names, which nobody has; ascending.
+	std::vector<PlantId> add(std::vector<PlacedPlant> &&plants, std::vector<PlantId> &&ids = {});
 	/// Tells how many stood there.
 	int remove(std::vector<PlantPlace> &&places);
+	/// Plants are so high, each as a share of its own height.
+	void mow(std::vector<PlantPlace> &&places, const std::vector<float> &shares);
+	/// The entry of the list that a function is of, or null.
+	godot::Ref<PlantFieldSpecies> listed_entry(const godot::Ref<PlantFunction> &function) const;
+	/// The listed species that its map knows by this name, or null.
+	godot::Ref<PlantFunction> listed_species(const godot::String &name) const;
+	/// What changed of single plants is seen in the next frame, or at once where there is none.
+	void show_soon();
+	/// Whoever was gone in these boxes (m, field axes) may stand there again.
+	void grow_again(const std::vector<AreaBox> &boxes);
 	void settle();
 
 	/// How a species moves is another: its plants stay, and so does their motion, where they move.
@@ -84,6 +96,7 @@ public:
 	FieldMotion &motion;
 	FieldStyle style;
 	SkeletonView skeletons;
+	FieldChanges own_changes; ///< By code.
 	double upload_usec = 0.0; ///< What the last refresh() took of this thread.
 	/// The box (field axes) that holds whatever is drawn, at most; of no volume where nothing is.
 	godot::AABB box() const;

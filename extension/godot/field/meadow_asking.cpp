@@ -61,6 +61,26 @@ static std::vector<FieldLook> others_of(
 	return others;
 }
 
+Ref<PlantFieldSpecies> Meadow::listed_entry(const Ref<PlantFunction> &function) const {
+	for (int64_t i = 0; i < properties.species.size(); i++) {
+		const Ref<PlantFieldSpecies> entry = properties.species[i];
+		if (entry.is_valid() && entry->get_species() == function) {
+			return entry;
+		}
+	}
+	return Ref<PlantFieldSpecies>();
+}
+
+Ref<PlantFunction> Meadow::listed_species(const String &name) const {
+	for (int64_t i = 0; i < properties.species.size(); i++) {
+		const Ref<PlantFieldSpecies> entry = properties.species[i];
+		if (entry.is_valid() && entry->get_layer_name() == name) {
+			return entry->get_species();
+		}
+	}
+	return Ref<PlantFunction>();
+}
+
 FieldSettings Meadow::settings() const {
 	FieldSettings made;
 	made.step = float(PlantSimulation::get_singleton()->get_step_length());
@@ -90,6 +110,7 @@ String Meadow::make_recipe(FieldRecipe &recipe) {
 	recipe.tile_size = float(properties.tile_size);
 	recipe.wind = field_wind(wind, axes_of(node), wind.is_valid() ? wind->get_time() : 0.0);
 	recipe.standing = copy_filled(store);
+	recipe.changes = own_changes.known();
 	return String();
 }
 

@@ -78,6 +78,19 @@ void Meadow::touch(const AreaBox &box) {
 	}
 }
 
+void Meadow::grow_again(const std::vector<AreaBox> &boxes) {
+	if (is_at_work()) {
+		fill(is_filling() || !boxes.empty()); // It does not know of it.
+		return;
+	}
+	for (size_t i = 0; i < boxes.size() && patches.touched_tiles() <= FieldPatches::MOST_TILES; i++) {
+		patches.touch(boxes[i], store.tile_size());
+	}
+	if (patches.touched_tiles() > FieldPatches::MOST_TILES) {
+		fill(true);
+	}
+}
+
 void Meadow::begin_patch() {
 	PatchRecipe recipe;
 	recipe.boxes = patches.take_boxes(store, recipe.standing);
@@ -92,6 +105,7 @@ void Meadow::begin_patch() {
 	const bool are_known = style.listed_count == int(properties.species.size());
 	const String fault = read_request(node, properties, &around, recipe.request);
 	recipe.ground = ground;
+	recipe.changes = own_changes.known().cut(around);
 	recipe.spacing = store.spacing();
 	const double spacing = 1.0 / std::sqrt(double(recipe.request.density));
 	if (fault.is_empty() && are_known && spacing == recipe.spacing) { // Else it is filled anew soon.
@@ -216,6 +230,7 @@ bool Meadow::adopt(FieldFill &finished) {
 	const ChangeSet changes = store.apply(std::move(edit));
 	motion.adopt(*result.motion, result.kept, changes, store, style);
 	motion.set_update_interval(properties.update_interval);
+	own_changes.follow_all(store, style, motion);
 	for (const int i : other_leans) {
 		motion.set_species(i, style.looks[size_t(i)], store, true);
 	}

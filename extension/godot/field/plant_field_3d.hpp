@@ -118,6 +118,8 @@ public:
 	Polygon outline_polygon() const;
 	godot::PackedVector3Array get_outline_points() const;
 
+	bool apply_changes(const godot::PackedByteArray &bytes);
+
 	// How it moves.
 	bool is_point_in_plants(const godot::Vector3 &point) { return plants.is_point_in(point, properties.touch_margin); }
 	void reset_motion();

@@ -85,6 +85,7 @@ void PlantField3D::bind_properties() {
 	SET_HERE(BOOL, contact_enabled, "is_contact_enabled");
 	VALUE(STRING_NAME, bodies_group, nothing);
 	NUMBER(FLOAT, touch_margin, nothing, 0.0, 100.0, SLIDER("0,2,0.01,or_greater,suffix:m"));
+	NUMBER(FLOAT, regrowth_rate, nothing, 0.0, 1000.0, SLIDER("0,1,0.001,or_greater,suffix:1/s"));
 	ADD_GROUP("Drawing", "");
 	SET_HERE(ARRAY, levels, "get_levels", PROPERTY_HINT_ARRAY_TYPE, "24/17:PlantFieldLevel");
 	NUMBER(FLOAT, fade_margin, levels, 0.0, 1000.0, SLIDER("0,20,0.1,or_greater,suffix:m"));

@@ -80,6 +80,7 @@ void PoseTexture::give_rows(int page, int plants) {
 	}
 	own.share = own.interval = -1.0f;
 	has_new_rows = true;
+	forget_heights(own.rows);
 }
 
 void PoseTexture::take_rows(int page) {
@@ -188,8 +189,8 @@ bool PoseTexture::make_textures() {
 	blend_image = Image::create_empty(SIDE, int(layers.size()), false, Image::FORMAT_RF);
 	shares.assign(layers.size() * SIDE, 0.0f);
 	blend_texture = server->texture_2d_create(blend_image);
-	beat_image = Image::create_empty(SIDE, int(layers.size()), false, Image::FORMAT_RGBF);
-	beats_sent.assign(3 * layers.size() * SIDE, 0.0f);
+	beat_image = Image::create_empty(SIDE, int(layers.size()), false, Image::FORMAT_RGBAF);
+	beats_sent.assign(BEAT_FLOATS * layers.size() * SIDE, 0.0f);
 	beat_texture = server->texture_2d_create(beat_image);
 	std::fill(is_fresh.begin(), is_fresh.end(), uint8_t(0));
 	for (Page &page : pages) {
