@@ -20,13 +20,15 @@ public:
 	~CpuMotion() override;
 
 	Prepare prepare() const override;
+	PrepareBlock prepare_block() const override;
 	void wait() override;
 	bool is_ready() const override { return simulation != nullptr; }
 	bool wants_eyes() const override;
 	void start(const FieldSettings &settings) override;
 	void adopt(PreparedMotion &prepared, const std::vector<KeptPlant> &kept, const ChangeSet &changes,
 			const PlantStore &store, const FieldStyle &style) override;
-	void apply(const ChangeSet &changes, const PlantStore &store, const FieldStyle &style) override;
+	void apply(const ChangeSet &changes, const PlantStore &store, const FieldStyle &style,
+			PreparedBlock *prepared) override;
 	void add_species(const FieldLook &look) override;
 	void set_species(int index, const FieldLook &look, const PlantStore &store, bool is_still) override;
 	void set_update_interval(int steps) override;
@@ -89,6 +91,7 @@ private:
 	void begin_clock();
 	void write_all();
 	void grow(const ChangeSet::Grown &grown, const PlantStore &store, const FieldStyle &style);
+	void take_in(int block, PreparedCpuBlock &prepared);
 	void drop(int page, int row);
 	void drop_block(int block);
 	void keep_states(const std::vector<KeptPlant> &kept, const ChangeSet &changes, const PlantStore &store,

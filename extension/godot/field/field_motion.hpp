@@ -34,6 +34,12 @@ public:
 	virtual bool is_too_large() const = 0;
 };
 
+/// What a motion makes of a block that comes to a field that stands, on a worker thread. FieldMotion::apply() takes it.
+class PreparedBlock {
+public:
+	virtual ~PreparedBlock() = default;
+};
+
 /// How the plants of a field move, and the textures that tell the graphics card of it. This class says what a field
 /// asks of a motion; CpuMotion answers it with the core's simulation on worker threads, and another one, say on the
 /// graphics card, may stand in its place: nobody else knows pages, steps or threads.
@@ -66,6 +72,10 @@ public:
 	FieldMotion &operator=(const FieldMotion &) = delete;
 
 	virtual Prepare prepare() const = 0;
+	/// Prepares a block of a style for apply(). On any thread.
+	using PrepareBlock = std::unique_ptr<PreparedBlock> (*)(
+			const PlantBlock &block, const FieldStyle &style, const FieldSettings &settings);
+	virtual PrepareBlock prepare_block() const = 0;
 	/// Until nothing of it is at work beside this thread.
 	virtual void wait() = 0;
 	virtual bool is_ready() const = 0;
@@ -77,8 +87,10 @@ public:
 	/// before go on with their motion.
 	virtual void adopt(PreparedMotion &prepared, const std::vector<KeptPlant> &kept, const ChangeSet &changes,
 			const PlantStore &store, const FieldStyle &style) = 0;
-	/// Follows an edit that fills nothing. Who goes may be seen until the next wait().
-	virtual void apply(const ChangeSet &changes, const PlantStore &store, const FieldStyle &style) = 0;
+	/// Follows an edit that fills nothing. Who goes may be seen until the next wait(). What `prepared` was made of is
+	/// the only block that grew; null: nothing is prepared.
+	virtual void apply(
+			const ChangeSet &changes, const PlantStore &store, const FieldStyle &style, PreparedBlock *prepared) = 0;
 	virtual void add_species(const FieldLook &look) = 0;
 	/// The species' constants are others; the motion goes on. Where nothing moves (`is_still`), plants at rest take
 	/// another rest direction at once and show it.

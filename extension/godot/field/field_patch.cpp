@@ -8,6 +8,25 @@ using namespace godot;
 
 namespace undergrowth {
 
+FieldStyle outline_of(const FieldStyle &style) {
+	FieldStyle outline;
+	outline.levels = style.levels;
+	outline.tile_size = style.tile_size;
+	outline.spacing = style.spacing;
+	outline.needs_colors = style.needs_colors;
+	for (const FieldLook &look : style.looks) {
+		FieldLook some;
+		some.variant_count = look.variant_count;
+		some.variants = look.variants;
+		some.meshes = look.meshes;
+		some.motion = look.motion;
+		some.width = look.width;
+		some.nearest.assign(look.nearest.begin(), look.nearest.begin() + (look.nearest.empty() ? 0 : 1));
+		outline.looks.push_back(std::move(some));
+	}
+	return outline;
+}
+
 FieldPatch::FieldPatch(PatchRecipe &&with) : recipe(std::move(with)) {}
 
 FieldPatch::~FieldPatch() {

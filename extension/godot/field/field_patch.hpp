@@ -21,6 +21,9 @@ struct PatchRecipe {
 	double spacing = 1.0; ///< m: of the placement.
 };
 
+/// Of a style, what plans are made by and blocks are prepared by.
+FieldStyle outline_of(const FieldStyle &style);
+
 /// A block of newcomers, copied, and how it is drawn.
 struct DrawnNewcomers {
 	int number = -1;
@@ -50,6 +53,8 @@ public:
 	StandEdit take_edit() { return std::move(edit); }
 	/// Plans how blocks are drawn. `with` is a copy, too.
 	void draw(FieldStyle &&with, std::vector<DrawnNewcomers> &&blocks);
+	/// Nobody comes by it any more.
+	bool is_drawing() const { return stage.load() == Stage::drawing || is_drawn(); }
 	bool is_drawn() const { return stage.load() == Stage::drawn; }
 	const std::vector<DrawnNewcomers> &drawn() const { return blocks; }
 

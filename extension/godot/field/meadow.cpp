@@ -120,8 +120,9 @@ void Meadow::change_materials() {
 	}
 }
 
-ChangeSet Meadow::apply(StandEdit &&edit) {
-	if (edit.removed.empty() && edit.added.empty() && edit.grown.empty()) {
+ChangeSet Meadow::apply(StandEdit &&edit, PreparedBlock *prepared) {
+	if (edit.removed.empty() && edit.added.empty() && edit.grown.empty() && edit.stood.empty() &&
+			edit.left_tiles.empty()) {
 		return {}; // There may be no motion yet.
 	}
 	std::vector<TileKey> touched;
@@ -132,7 +133,7 @@ ChangeSet Meadow::apply(StandEdit &&edit) {
 	}
 	ChangeSet changes = store.apply(std::move(edit));
 	std::for_each(changes.dropped.begin(), changes.dropped.end(), [this](int block) { view.drop_newcomers(block); });
-	motion.apply(changes, store, style);
+	motion.apply(changes, store, style, prepared);
 	own_changes.follow(changes, store, style, motion);
 	patches.follow(changes, store);
 	for (const ChangeSet::Grown &grown : changes.grown) {
@@ -210,6 +211,7 @@ void Meadow::read_motion(const PlantFunction *function, bool is_still) {
 		if (style.looks[i].function.ptr() == function && motion.is_ready()) {
 			style.looks[i].read_motion();
 			motion.set_species(int(i), style.looks[i], store, is_still);
+			tiles.interrupt(tile_scene());
 		}
 	}
 	dress.tell_of_stems(style);

@@ -5,6 +5,7 @@
 #include "field/field_motion.hpp"
 #include "field/field_patches.hpp"
 #include "field/field_recipe.hpp"
+#include "field/field_tiles.hpp"
 #include "field/ground_survey.hpp"
 #include "field/skeleton_view.hpp"
 
@@ -41,6 +42,10 @@ public:
 	/// others stand untouched. Where nothing stands yet, or too much changed, the field is filled.
 	void touch(const AreaBox &box);
 	bool is_patching() const { return patches.is_at_work(); }
+	/// Whether only tiles near somebody stand.
+	bool streams() const { return properties.view_distance > 0.0; }
+	/// Whether it is to be polled.
+	bool wants_frames() const { return is_at_work() || is_patching() || streams(); }
 	/// Goes on with it; at any frame (of `delta` s), paused or not. `physics`: it is one of physics, in which rays may
 	/// be cast.
 	void poll(double delta, bool physics);
@@ -97,6 +102,8 @@ public:
 	FieldStyle style;
 	SkeletonView skeletons;
 	FieldChanges own_changes; ///< By code.
+	FieldTiles tiles; ///< That stand, where it streams.
+	double tiles_usec = 0.0; ///< What tiles took of this thread in the last frame.
 	double upload_usec = 0.0; ///< What the last refresh() took of this thread.
 	/// The box (field axes) that holds whatever is drawn, at most; of no volume where nothing is.
 	godot::AABB box() const;
@@ -139,7 +146,10 @@ private:
 	void stand_newcomers();
 	/// False, with the fault told, where it cannot stand.
 	bool adopt(FieldFill &finished);
-	ChangeSet apply(StandEdit &&edit);
+	FieldTiles::Scene tile_scene();
+	void poll_tiles(bool physics);
+	void keep_standing_patches();
+	ChangeSet apply(StandEdit &&edit, PreparedBlock *prepared = nullptr);
 };
 
 } // namespace undergrowth

@@ -111,6 +111,10 @@ String Meadow::make_recipe(FieldRecipe &recipe) {
 	recipe.wind = field_wind(wind, axes_of(node), wind.is_valid() ? wind->get_time() : 0.0);
 	recipe.standing = copy_filled(store);
 	recipe.changes = own_changes.known();
+	recipe.is_of_tiles = recipe.places && streams();
+	if (recipe.is_of_tiles) {
+		recipe.tiles = tiles.choose_all(tile_scene(), recipe.request);
+	}
 	return String();
 }
 

@@ -93,7 +93,7 @@ void PlantField3D::on_map_painted(const Rect2 &rect) {
 bool PlantField3D::apply_changes(const PackedByteArray &bytes) {
 	const bool is_sound = plants.apply_changes(bytes);
 	if (is_inside_tree()) {
-		follow_frames(meadow.is_at_work() || meadow.is_patching());
+		follow_frames(meadow.wants_frames());
 	}
 	return is_sound;
 }
@@ -111,6 +111,9 @@ Dictionary PlantField3D::get_statistics() {
 	told["simulated"] = meadow.motion.simulated_count();
 	told["drawn_by_level"] = drawn;
 	told["is_dressing"] = (meadow.is_at_work() && !meadow.is_filling()) || (look_is_stale && fill_is_queued);
+	told["tiles"] = meadow.tiles.standing_count();
+	told["tiles_waiting"] = meadow.tiles.waiting_count();
+	told["tiles_usec"] = meadow.streams() ? meadow.tiles_usec : 0.0;
 	told["skeletons"] = int64_t(meadow.skeletons.count());
 	told["step_usec"] = meadow.motion.busy_usec();
 	told["upload_usec"] = meadow.upload_usec;

@@ -176,7 +176,9 @@ bool PoseTexture::make_textures() {
 	if (texture.is_valid() && textured_layers >= layers.size()) {
 		return false;
 	}
-	for (int i = 0; i < SPARE_LAYERS; i++) {
+	// One that grew once will again.
+	const size_t spare = texture.is_valid() ? std::max(layers.size() / 8, size_t(SPARE_LAYERS)) : size_t(SPARE_LAYERS);
+	for (size_t i = 0; i < spare && layers.size() < size_t(MOST_LAYERS); i++) {
 		add_layer(true);
 	}
 	free_textures();
