@@ -69,7 +69,12 @@ int FieldSimulation::add_page(int species, const MotionPlant *plants, int count)
 	}
 	const MotionSpecies &kind = kinds[static_cast<std::size_t>(species)];
 	const float step_length = options.step * static_cast<float>(options.update_interval);
-	Entry entry = { MotionPage(species, kind, plants, count, step_length, models.empty()), {}, false, false };
+	return add_page(MotionPage(species, kind, plants, count, step_length, models.empty()), plants);
+}
+
+int FieldSimulation::add_page(MotionPage &&page, const MotionPlant *plants) {
+	const int count = page.size();
+	Entry entry = { std::move(page), {}, false, false };
 	const auto is_free = [](const Entry &one) { return one.is_free; };
 	const auto place = free_pages > 0 ? std::find_if(entries.begin(), entries.end(), is_free) : entries.end();
 	const int number = static_cast<int>(place - entries.begin());

@@ -43,6 +43,8 @@ public:
 	/// one that remove_page() freed, if any. Where a plant is not valid, the species is unknown or they are too many,
 	/// nothing is added and it tells -1.
 	int add_page(int species, const MotionPlant *plants, int count);
+	/// The same of a page that was made elsewhere, of this simulation's settings, from these plants.
+	int add_page(MotionPage &&page, const MotionPlant *plants);
 	/// Appends plants of its species to a page that has room for them; their indices follow those that are there.
 	/// Tells false, and adds nothing, where a plant is not valid or there is no room.
 	bool add_to_page(int page, const MotionPlant *plants, int count);

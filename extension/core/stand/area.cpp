@@ -96,6 +96,15 @@ double perimeter(const Polygon &polygon) {
 	return sum;
 }
 
+bool is_in_box(const AreaBox &box, const glm::vec2 &point) {
+	return point.x >= box.low.x && point.x < box.high.x && point.y >= box.low.y && point.y < box.high.y;
+}
+
+AreaBox common_box(const AreaBox &one, const AreaBox &other) {
+	return { { std::max(one.low.x, other.low.x), std::max(one.low.y, other.low.y) },
+		{ std::min(one.high.x, other.high.x), std::min(one.high.y, other.high.y) } };
+}
+
 AreaBox bounding_box(const Polygon &polygon) {
 	if (polygon.empty()) {
 		return {};

@@ -43,6 +43,12 @@ struct AreaBox {
 	glm::vec2 high = { 0.0f, 0.0f };
 };
 
+/// On its lower sides included, on the others not.
+bool is_in_box(const AreaBox &box, const glm::vec2 &point);
+
+/// What is in both of two boxes; where nothing is, some side of it is below 0.
+AreaBox common_box(const AreaBox &one, const AreaBox &other);
+
 /// Both corners (0, 0) where there are no points.
 AreaBox bounding_box(const Polygon &polygon);
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace undergrowth {
@@ -19,6 +20,22 @@ constexpr int KINDS = 65536; ///< Species times variants.
 int tile_coordinate(float place, float size) {
 	const double tile = std::floor(static_cast<double>(place) / static_cast<double>(size));
 	return static_cast<int>(std::clamp(tile, -FARTHEST_TILE, FARTHEST_TILE));
+}
+
+/// The least coordinate of a tile, to the bit: the product may be rounded to a place beside it.
+float tile_side(int tile, float size) {
+	constexpr float FAR = std::numeric_limits<float>::max();
+	auto side = static_cast<float>(static_cast<double>(tile) * static_cast<double>(size));
+	if (std::abs(static_cast<double>(tile)) >= FARTHEST_TILE) {
+		return side; // Whatever is there is in one tile.
+	}
+	while (tile_coordinate(side, size) < tile) {
+		side = std::nextafter(side, FAR);
+	}
+	while (tile_coordinate(std::nextafter(side, -FAR), size) >= tile) {
+		side = std::nextafter(side, -FAR);
+	}
+	return side;
 }
 
 int kind_of(const FieldPlants &plants, std::size_t i) {
@@ -96,6 +113,11 @@ PlantBlock make_block(const FieldPlants &plants, const std::vector<int> &order, 
 
 TileKey tile_at(float x, float z, float size) {
 	return { tile_coordinate(x, size), tile_coordinate(z, size) };
+}
+
+AreaBox tile_box(const TileKey &tile, float size) {
+	return { { tile_side(tile.column, size), tile_side(tile.row, size) },
+		{ tile_side(tile.column + 1, size), tile_side(tile.row + 1, size) } };
 }
 
 TileKey wider_tile(const TileKey &tile, int factor) {

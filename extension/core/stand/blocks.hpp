@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stand/area.hpp"
 #include "stand/plants.hpp"
 
 #include <glm/vec3.hpp>
@@ -21,6 +22,9 @@ struct TileKey {
 
 /// The tile that holds (x, z) (m), of tiles of `size` (m). Whatever is farther than 1e9 tiles is in the last one.
 TileKey tile_at(float x, float z, float size);
+
+/// Where tile_at() is this one: on the lower sides included, on the others not.
+AreaBox tile_box(const TileKey &tile, float size);
 
 /// The tile that is `factor` (>= 1) times as wide and holds this one.
 TileKey wider_tile(const TileKey &tile, int factor);

@@ -8,7 +8,7 @@
 
 namespace undergrowth {
 
-/// Why bytes are no map.
+/// Why bytes are no map: a BytesFault.
 enum class DensityFault {
 	none,
 	not_a_map,
@@ -28,8 +28,5 @@ std::vector<uint8_t> write_density(const DensityMap &map);
 
 /// Reads what write_density() wrote. Where there is a fault `map` stays as it is. No bytes at all are an empty map.
 DensityFault read_density(const uint8_t *bytes, std::size_t count, DensityMap &map);
-
-/// FNV-1a, 32 bits.
-uint32_t density_checksum(const uint8_t *bytes, std::size_t count);
 
 } // namespace undergrowth

@@ -82,7 +82,10 @@ Placement::Placement(const PlacementRequest &wanted) : request(wanted), found(fi
 		shares.push_back(sum);
 	}
 	list_painted();
-	const AreaBox box = bounding_box(request.area);
+	const AreaBox box = placed_box(request);
+	if (box.low.y > box.high.y) {
+		return;
+	}
 	first_row = floor_to_int(static_cast<double>(box.low.y) / spacing);
 	rows = floor_to_int(static_cast<double>(box.high.y) / spacing) + 1 - first_row;
 	if (candidate_count(0, rows) > MOST_CANDIDATES) {
@@ -126,6 +129,9 @@ AreaRow Placement::read_row(int row) const {
 		span = cells_of(span, spacing);
 	}
 	join(into.spans);
+	if (request.within) {
+		into.spans = common(into.spans, { cells_of({ request.within->low.x, request.within->high.x }, spacing) });
+	}
 	if (request.map) {
 		into.spans = common(into.spans, only);
 	}
@@ -159,7 +165,7 @@ void Placement::place_cell(int column, int row, const AreaRow &edges, FieldPlant
 	const double x = (column + row_middle(row) + JITTER * signed32(where, 0)) * spacing;
 	const double z = (row + 0.5 + JITTER * signed32(where, 1)) * spacing;
 	const glm::vec2 root = { static_cast<float>(x), static_cast<float>(z) };
-	if (!edges.holds(root)) {
+	if ((request.within && !is_in_box(*request.within, root)) || !edges.holds(root)) {
 		return;
 	}
 	const uint64_t kind = mix_bits(where);

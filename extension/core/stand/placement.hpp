@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace undergrowth {
@@ -31,6 +32,8 @@ struct PlacementRequest {
 	static constexpr int MOST_SPECIES = 256;
 
 	Polygon area;
+	/// Of the area's plants only those with their roots in this box: on its lower sides included, on the others not.
+	std::optional<AreaBox> within;
 	std::vector<Polygon> exclusions; ///< Those without area exclude nothing.
 	float density = 1.0f; ///< Plants/m², 0 to MOST_DENSITY.
 	std::vector<PlacementSpecies> species;
@@ -41,6 +44,9 @@ struct PlacementRequest {
 	/// Of what would stand without it, in the area, each species' density in the map is left, and is so much higher.
 	std::shared_ptr<const DensityMap> map;
 };
+
+/// Around all that may stand; where nothing may, some side of it is below 0.
+AreaBox placed_box(const PlacementRequest &request);
 
 enum class PlacementFault {
 	none,

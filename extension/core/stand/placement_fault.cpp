@@ -57,13 +57,20 @@ bool are_too_many(const PlacementRequest &request) {
 		return false; // How much of the area is painted, only Placement finds.
 	}
 	const double cells_a_metre = std::sqrt(static_cast<double>(request.density));
-	const AreaBox box = bounding_box(request.area);
-	const double longer = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
-	return std::abs(signed_area(request.area)) * request.density > PlacementRequest::MOST_PLANTS ||
-			longer * cells_a_metre > PlacementRequest::MOST_PLANTS;
+	const AreaBox box = placed_box(request);
+	const double width = std::max(box.high.x - box.low.x, 0.0f);
+	const double depth = std::max(box.high.y - box.low.y, 0.0f);
+	const double area = std::min(std::abs(signed_area(request.area)), width * depth);
+	return area * request.density > PlacementRequest::MOST_PLANTS ||
+			std::max(width, depth) * cells_a_metre > PlacementRequest::MOST_PLANTS;
 }
 
 } // namespace
+
+AreaBox placed_box(const PlacementRequest &request) {
+	const AreaBox box = bounding_box(request.area);
+	return request.within ? common_box(box, *request.within) : box;
+}
 
 PlacementFault find_placement_fault(const PlacementRequest &request) {
 	if (find_area_fault(request.area) != AreaFault::none) {

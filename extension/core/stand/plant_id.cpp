@@ -41,6 +41,10 @@ bool is_added(PlantId id) {
 	return (id & ADDED) != 0;
 }
 
+int64_t added_plant_number(PlantId id) {
+	return id & ~ADDED;
+}
+
 void filled_plant_cell(PlantId id, int &column, int &row) {
 	row = static_cast<int>(((id >> CELL_BITS) & CELL_MASK) - MIDDLE);
 	column = static_cast<int>((id & CELL_MASK) - MIDDLE);

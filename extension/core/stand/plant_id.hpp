@@ -18,6 +18,8 @@ PlantId filled_plant_id(float x, float z, double spacing);
 /// Of the plant that was added as number `number` (>= 0).
 PlantId added_plant_id(int64_t number);
 bool is_added(PlantId id);
+/// Of a plant that was added.
+int64_t added_plant_number(PlantId id);
 /// The cell of a plant that was filled.
 void filled_plant_cell(PlantId id, int &column, int &row);
 /// A place (m) within the cell of a plant that was filled: its x and z are less than the spacing away.

@@ -39,9 +39,17 @@ ChangeSet PlantStore::apply(StandEdit &&edit) {
 	// Whoever went before the last one of a block is told of with it.
 	const auto is_empty = [this](const PlantPlace &place) { return block(place.block).size() == 0; };
 	changes.gone.erase(std::remove_if(changes.gone.begin(), changes.gone.end(), is_empty), changes.gone.end());
-	for (const PlacedPlant &plant : edit.added) {
-		changes.added.push_back(added_plant_id(next_added++));
-		add(plant, changes.added.back(), changes);
+	for (const TileKey &tile : edit.left_tiles) {
+		leave(tile, changes);
+	}
+	for (PlantBlock &block : edit.stood) {
+		stand(std::move(block), changes);
+	}
+	for (std::size_t i = 0; i < edit.added.size(); i++) {
+		const PlantId id = i < edit.added_ids.size() ? edit.added_ids[i] : added_plant_id(next_added);
+		next_added = std::max(next_added, added_plant_number(id) + 1);
+		changes.added.push_back(id);
+		add(edit.added[i], id, changes);
 	}
 	return changes;
 }
@@ -85,6 +93,15 @@ void PlantStore::drop_filled(ChangeSet &changes) {
 	// From the last, so that take_number() gives the lowest first: a field that is filled as before keeps its numbers.
 	for (int number = block_count() - 1; number >= 0; number--) {
 		if (block(number).size() > 0 && !block(number).is_added) {
+			drop(number, changes);
+		}
+	}
+}
+
+void PlantStore::leave(const TileKey &tile, ChangeSet &changes) {
+	const std::vector<int> members = blocks_of(tile);
+	for (const int number : members) {
+		if (!block(number).is_added) {
 			drop(number, changes);
 		}
 	}

@@ -35,7 +35,13 @@ struct StandEdit {
 	/// As many: where each stood until now, otherwise high, or a block of -1. Those are removed.
 	std::vector<PlantPlace> grown_from;
 	std::vector<PlantPlace> removed; ///< Of plants that stand. Not together with `fills`.
+	/// All plants that were filled in these tiles go, newcomers included. Not together with `fills` or `grown`.
+	std::vector<TileKey> left_tiles;
+	/// Stands beside what was filled before: as `filled`, of the same placement, in tiles where nobody was.
+	std::vector<PlantBlock> stood;
 	std::vector<PlacedPlant> added; ///< Valid ones, of species that the owner knows.
+	/// As many, ascending: plants that were added before come back by their names, which nobody has. Empty: new names.
+	std::vector<PlantId> added_ids;
 };
 
 /// What an edit did, for those who move and draw what stands.
@@ -100,6 +106,9 @@ public:
 			const glm::vec3 &from, const glm::vec3 &to, float radius, std::vector<PlantPlace> &found) const;
 	/// The same in a polygon (x, z), however high.
 	void find_in_polygon(const Polygon &polygon, std::vector<PlantPlace> &found) const;
+	/// The plant whose root is nearest to a place, and at most `radius` (m, infinite ones too) from it; a block of -1
+	/// where there is none. Costs by the tiles around the place, as far as the nearest plant is.
+	PlantPlace find_nearest(const glm::vec3 &centre, float radius) const;
 	/// Appends all plants whose roots are in the box, its faces included.
 	void find_in_box(const glm::vec3 &low, const glm::vec3 &high, std::vector<PlantPlace> &found) const;
 
@@ -123,6 +132,7 @@ private:
 	void stand(PlantBlock &&block, ChangeSet &changes);
 	void drop(int number, ChangeSet &changes);
 	void drop_filled(ChangeSet &changes);
+	void leave(const TileKey &tile, ChangeSet &changes);
 	void rename_species(const std::vector<int> &numbers);
 	void cut_added_anew(ChangeSet &changes);
 	void remove(const PlantPlace &place, ChangeSet &changes);

@@ -109,6 +109,35 @@ void PlantStore::find_in_polygon(const Polygon &polygon, std::vector<PlantPlace>
 	find_in({ box.low.x, -ANY, box.low.y }, { box.high.x, ANY, box.high.y }, holds, found);
 }
 
+PlantPlace PlantStore::find_nearest(const glm::vec3 &centre, float radius) const {
+	PlantPlace nearest;
+	double most = static_cast<double>(radius) * static_cast<double>(radius);
+	std::size_t seen = 0;
+	// Wider and wider, until somebody is found or no tile is left.
+	for (float reach = std::min(radius, size); radius >= 0.0f && nearest.block < 0; reach = std::min(radius, 2.0f * reach)) {
+		seen = 0;
+		for_each_tile(centre - reach, centre + reach, [&](const std::vector<int> &members) {
+			seen++;
+			for (const int number : members) {
+				const PlantBlock &there = block(number);
+				for (int slot = 0; slot < there.size(); slot++) {
+					const glm::dvec3 way = glm::dvec3(there.root(slot)) - glm::dvec3(centre);
+					const double away = glm::dot(way, way);
+					if (away <= most && away <= static_cast<double>(reach) * static_cast<double>(reach) &&
+							!there.is_gone(slot)) {
+						most = away;
+						nearest = { number, slot };
+					}
+				}
+			}
+		});
+		if (reach >= radius || (seen == tiles.size() && reach > FARTHEST_COORDINATE)) {
+			break;
+		}
+	}
+	return nearest;
+}
+
 void PlantStore::find_in_box(const glm::vec3 &low, const glm::vec3 &high, std::vector<PlantPlace> &found) const {
 	find_in(low, high, [&](const glm::vec3 &root) { return is_in(root, low, high); }, found);
 }
@@ -121,9 +150,7 @@ StandingPlants PlantStore::filled_in(const AreaBox &box) const {
 					const PlantBlock &there = block(number);
 					for (int slot = 0; !there.is_added && slot < there.size(); slot++) {
 						const glm::vec3 root = there.root(slot);
-						const bool is_within = root.x >= box.low.x && root.x < box.high.x && root.z >= box.low.y &&
-								root.z < box.high.y;
-						if (is_within && !there.is_gone(slot)) {
+						if (is_in_box(box, { root.x, root.z }) && !there.is_gone(slot)) {
 							found.plants.add(there.plants.plant(slot));
 							found.places.push_back({ number, slot });
 						}

@@ -23,6 +23,13 @@ CpuMotion::~CpuMotion() {
 
 void CpuMotion::wait() {
 	steps.wait();
+	for (const Height &one : std::exchange(heights, {})) {
+		const int page = rows_of(one.place.block).page;
+		if (!simulation->page(page).is_gone(row_of(one.place))) {
+			simulation->page(page).set_plant(row_of(one.place), one.plant);
+			textures->set_height(page, row_of(one.place), one.share);
+		}
+	}
 	if (going.empty()) {
 		return;
 	}
@@ -35,6 +42,10 @@ void CpuMotion::wait() {
 
 FieldMotion::Prepare CpuMotion::prepare() const {
 	return &prepare_on_cpu;
+}
+
+FieldMotion::PrepareBlock CpuMotion::prepare_block() const {
+	return &prepare_block_on_cpu;
 }
 
 void CpuMotion::start(const FieldSettings &settings) {
@@ -114,13 +125,19 @@ void CpuMotion::take_added(const PlantStore &store, const FieldStyle &style, con
 }
 
 // Where nobody comes, nothing waits for the step that goes on.
-void CpuMotion::apply(const ChangeSet &changes, const PlantStore &store, const FieldStyle &style) {
+void CpuMotion::apply(
+		const ChangeSet &changes, const PlantStore &store, const FieldStyle &style, PreparedBlock *prepared) {
 	if (changes.dropped.empty() && changes.grown.empty()) {
 		going.insert(going.end(), changes.gone.begin(), changes.gone.end());
 		return;
 	}
 	wait();
 	rows.resize(size_t(store.block_count()));
+	if (prepared) {
+		take_in(changes.grown.front().block, static_cast<PreparedCpuBlock &>(*prepared));
+		fit_contact(touches);
+		return;
+	}
 	const auto grow_those = [&](bool late) {
 		for (const ChangeSet::Grown &grown : changes.grown) {
 			if (store.block(grown.block).is_late == late) {
@@ -154,13 +171,28 @@ void CpuMotion::drop(int page, int row) {
 // The page goes with the last of its blocks.
 void CpuMotion::drop_block(int block) {
 	const PageRows own = std::exchange(rows[size_t(block)], {});
-	for (int i = 0; own.page >= 0 && i < own.count; i++) {
-		drop(own.page, own.first + i);
-	}
 	const auto is_there = [&](const PageRows &other) { return other.page == own.page; };
 	if (own.page >= 0 && std::none_of(rows.begin(), rows.end(), is_there)) {
 		simulation->remove_page(own.page);
 		textures->take_rows(own.page);
+		return;
+	}
+	for (int i = 0; own.page >= 0 && i < own.count; i++) {
+		drop(own.page, own.first + i);
+	}
+}
+
+// It has a page of its own.
+void CpuMotion::take_in(int block, PreparedCpuBlock &prepared) {
+	PageRows &own = rows[size_t(block)];
+	own.count = prepared.page.size();
+	own.page = simulation->add_page(std::move(prepared.page), prepared.plants.data());
+	textures->give_rows(own.page, own.count);
+	simulation->set_page_phase(own.page, textures->layer_of(own.page)); // Sent together, due together.
+	textures->write_page(*simulation, own.page);
+	textures->write_beside(*simulation, own.page);
+	if (simulation->settings().prototypes > 0) {
+		textures->write_history(*simulation, false);
 	}
 }
 

@@ -20,13 +20,15 @@ public:
 	~CpuMotion() override;
 
 	Prepare prepare() const override;
+	PrepareBlock prepare_block() const override;
 	void wait() override;
 	bool is_ready() const override { return simulation != nullptr; }
 	bool wants_eyes() const override;
 	void start(const FieldSettings &settings) override;
 	void adopt(PreparedMotion &prepared, const std::vector<KeptPlant> &kept, const ChangeSet &changes,
 			const PlantStore &store, const FieldStyle &style) override;
-	void apply(const ChangeSet &changes, const PlantStore &store, const FieldStyle &style) override;
+	void apply(const ChangeSet &changes, const PlantStore &store, const FieldStyle &style,
+			PreparedBlock *prepared) override;
 	void add_species(const FieldLook &look) override;
 	void set_species(int index, const FieldLook &look, const PlantStore &store, bool is_still) override;
 	void set_update_interval(int steps) override;
@@ -39,6 +41,8 @@ public:
 
 	bool upload() override;
 	void set_hidden(const PlantPlace &place, bool hidden) override;
+	void set_height(const PlantPlace &place, float share, const MotionPlant &plant) override;
+	bool has_heights() const override { return textures && textures->has_heights(); }
 	PoseTexels texels(int block) const override { return textures->texels(rows_of(block)); }
 	godot::RID pose_texture() const override { return textures ? textures->poses() : godot::RID(); }
 	godot::RID blend_texture() const override { return textures ? textures->blends() : godot::RID(); }
@@ -64,12 +68,19 @@ private:
 	std::unique_ptr<PoseTexture> textures;
 	std::vector<PageRows> rows; ///< By block.
 	std::vector<PlantPlace> going; ///< Who is gone, and is yet to be taken out of the simulation.
+	struct Height {
+		PlantPlace place;
+		float share;
+		MotionPlant plant;
+	};
+	std::vector<Height> heights; ///< Who is otherwise high, and is not in the simulation yet.
 	std::vector<int> stale_pages; ///< Plants of which are drawn again, or follow others, and not written yet.
 	TipContact touching;
 	bool touches = false;
 	FieldSteps steps; // After what it works on: it is destroyed first.
 	FixedStep clock;
 	FieldWindClock wind_clock;
+	bool showed_heights = false; ///< At the last upload().
 	float shown_alpha = 0.0f; ///< Of the step that is shown next.
 	SwingClock swings;
 	int frames_since_far = 0;
@@ -80,6 +91,7 @@ private:
 	void begin_clock();
 	void write_all();
 	void grow(const ChangeSet::Grown &grown, const PlantStore &store, const FieldStyle &style);
+	void take_in(int block, PreparedCpuBlock &prepared);
 	void drop(int page, int row);
 	void drop_block(int block);
 	void keep_states(const std::vector<KeptPlant> &kept, const ChangeSet &changes, const PlantStore &store,

@@ -54,6 +54,10 @@ bool CpuMotion::is_point_in_plants_now(const glm::vec3 &point, float margin) {
 	return simulation && simulation->is_point_in_plants(point, margin);
 }
 
+void CpuMotion::set_height(const PlantPlace &place, float share, const MotionPlant &plant) {
+	heights.push_back({ place, share, plant });
+}
+
 void CpuMotion::set_hidden(const PlantPlace &place, bool hidden) {
 	const int page = rows_of(place.block).page;
 	if (hidden) {

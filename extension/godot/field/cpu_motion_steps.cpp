@@ -157,7 +157,9 @@ bool CpuMotion::upload() {
 	stale_pages.clear();
 	const bool are_new = textures->make_textures();
 	textures->upload(*simulation, shown_alpha);
-	return are_new;
+	const bool are_first = textures->has_heights() && !showed_heights;
+	showed_heights = textures->has_heights();
+	return are_new || are_first;
 }
 
 Vector3 CpuMotion::history_of(int species) const {

@@ -41,6 +41,7 @@ void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
 			look.materials[i]->set_shader_parameter("undergrowth_bends", motion.pose_texture());
 			look.materials[i]->set_shader_parameter("undergrowth_blends", motion.blend_texture());
 			look.materials[i]->set_shader_parameter("undergrowth_beats", motion.beat_texture());
+			look.materials[i]->set_shader_parameter("undergrowth_has_heights", motion.has_heights());
 		}
 		if (is_new && !look.materials.empty() && !bends_in_shader(look.materials[0])) {
 			report_error(look.function.ptr(),

@@ -76,18 +76,34 @@ void FieldFill::work(void *self) {
 }
 
 void FieldFill::place() {
-	const Placement placement(recipe.request);
-	result.fault = recipe.request.species.empty() ? PlacementFault::none : placement.fault();
-	result.spacing = placement.cell_size();
-	for (int row = 0; row < placement.row_count() && !is_cancelled; row += ROWS_AT_ONCE) {
-		placement.place_rows(row, std::min(row + ROWS_AT_ONCE, placement.row_count()), placed);
-		done = PLACED_SHARE * float(row) / float(placement.row_count());
+	PlacementRequest request = recipe.request;
+	if (recipe.is_of_tiles) {
+		request.within = AreaBox{ { 0.0f, 0.0f }, { 0.0f, 0.0f } }; // Only for what is wrong, and the spacing.
+	}
+	const Placement whole(request);
+	result.fault = request.species.empty() ? PlacementFault::none : whole.fault();
+	result.spacing = whole.cell_size();
+	place_rows(whole, 0.0f, PLACED_SHARE);
+	const float each = PLACED_SHARE / float(std::max(recipe.tiles.size(), size_t(1)));
+	for (size_t i = 0; i < recipe.tiles.size() && result.fault == PlacementFault::none; i++) {
+		request.within = tile_box(recipe.tiles[i], recipe.tile_size);
+		const Placement tile(request);
+		result.fault = tile.fault();
+		place_rows(tile, each * float(i), each * float(i + 1));
 	}
 	if (placed.size() > int(PlacementRequest::MOST_PLANTS)) {
 		result.fault = PlacementFault::too_many_plants;
 		placed.clear();
 	}
+	recipe.changes.take_out(placed);
 	done = PLACED_SHARE;
+}
+
+void FieldFill::place_rows(const Placement &placement, float share_before, float share_after) {
+	for (int row = 0; row < placement.row_count() && !is_cancelled; row += ROWS_AT_ONCE) {
+		placement.place_rows(row, std::min(row + ROWS_AT_ONCE, placement.row_count()), placed);
+		done = share_before + (share_after - share_before) * float(row) / float(placement.row_count());
+	}
 }
 
 void FieldFill::stand_on_ground() {

@@ -5,6 +5,7 @@
 #include "field/field_view.hpp"
 #include "stand/kept_plants.hpp"
 #include "stand/placement.hpp"
+#include "stand/stand_changes.hpp"
 
 #include <atomic>
 #include <memory>
@@ -23,6 +24,9 @@ struct FieldRecipe {
 	FieldWind wind; ///< At the simulation's start: prototypes have felt it before.
 	std::vector<int> species_numbers; ///< What species are in `style`, by what they were.
 	float tile_size = 16.0f; ///< m.
+	bool is_of_tiles = false; ///< Only these tiles are filled:
+	std::vector<TileKey> tiles;
+	StandChanges changes; ///< Whoever is gone by them does not stand.
 	/// What was filled before. Plants that stand again go on with their motion.
 	FilledBlocks standing;
 };
@@ -63,6 +67,8 @@ public:
 		return size_t(species) < recipe.species_numbers.size() && recipe.species_numbers[size_t(species)] >= 0;
 	}
 	float tile_size() const { return recipe.tile_size; }
+	const std::vector<TileKey> &tiles() const { return recipe.tiles; }
+	const PlacementRequest &request() const { return recipe.request; }
 	/// Waits for the thread.
 	FieldResult &finish();
 
@@ -83,6 +89,7 @@ private:
 	void launch(Stage next);
 	void wait();
 	void place();
+	void place_rows(const Placement &placement, float share_before, float share_after);
 	void stand_on_ground();
 	void build();
 };

@@ -85,9 +85,9 @@ static Thinning thin(const Thinning *before, float begin, float end, float share
 }
 
 // Small squares near the eye, where levels end soon and plants have many vertices; large ones far away.
-static void fit_tiles(FieldLevel &level, float tile_size) {
+static void fit_tiles(FieldLevel &level, float tile_size, bool is_wider) {
 	const float end = level.end > 0.0f ? level.end : 2.0f * level.begin;
-	while (level.tile_factor < MOST_TILE_FACTOR &&
+	while (is_wider && level.tile_factor < MOST_TILE_FACTOR &&
 			2.0f * tile_size * float(level.tile_factor) <= MOST_SQUARE_SHARE * end) {
 		level.tile_factor *= 2;
 	}
@@ -111,7 +111,7 @@ std::vector<FieldLevel> read_levels(const FieldProperties &options, float range)
 		level.end = is_last ? range : level.end;
 		level.margin = std::max(float(options.fade_margin), LEAST_MARGIN);
 		level.casts_shadows = level.begin < options.shadow_distance;
-		fit_tiles(level, float(options.tile_size));
+		fit_tiles(level, float(options.tile_size), options.view_distance <= 0.0); // Else tiles come and go alone.
 		made.push_back(level);
 		if (is_last) {
 			break; // Nothing is seen behind it.

@@ -34,6 +34,12 @@ public:
 	virtual bool is_too_large() const = 0;
 };
 
+/// What a motion makes of a block that comes to a field that stands, on a worker thread. FieldMotion::apply() takes it.
+class PreparedBlock {
+public:
+	virtual ~PreparedBlock() = default;
+};
+
 /// How the plants of a field move, and the textures that tell the graphics card of it. This class says what a field
 /// asks of a motion; CpuMotion answers it with the core's simulation on worker threads, and another one, say on the
 /// graphics card, may stand in its place: nobody else knows pages, steps or threads.
@@ -66,6 +72,10 @@ public:
 	FieldMotion &operator=(const FieldMotion &) = delete;
 
 	virtual Prepare prepare() const = 0;
+	/// Prepares a block of a style for apply(). On any thread.
+	using PrepareBlock = std::unique_ptr<PreparedBlock> (*)(
+			const PlantBlock &block, const FieldStyle &style, const FieldSettings &settings);
+	virtual PrepareBlock prepare_block() const = 0;
 	/// Until nothing of it is at work beside this thread.
 	virtual void wait() = 0;
 	virtual bool is_ready() const = 0;
@@ -77,8 +87,10 @@ public:
 	/// before go on with their motion.
 	virtual void adopt(PreparedMotion &prepared, const std::vector<KeptPlant> &kept, const ChangeSet &changes,
 			const PlantStore &store, const FieldStyle &style) = 0;
-	/// Follows an edit that fills nothing. Who goes may be seen until the next wait().
-	virtual void apply(const ChangeSet &changes, const PlantStore &store, const FieldStyle &style) = 0;
+	/// Follows an edit that fills nothing. Who goes may be seen until the next wait(). What `prepared` was made of is
+	/// the only block that grew; null: nothing is prepared.
+	virtual void apply(
+			const ChangeSet &changes, const PlantStore &store, const FieldStyle &style, PreparedBlock *prepared) = 0;
 	virtual void add_species(const FieldLook &look) = 0;
 	/// The species' constants are others; the motion goes on. Where nothing moves (`is_still`), plants at rest take
 	/// another rest direction at once and show it.
@@ -97,16 +109,21 @@ public:
 	/// All plants into their rest.
 	virtual void settle() = 0;
 
-	/// Sends what is new to the textures; tells whether they are other ones now.
+	/// Sends what is new to the textures; tells whether they are other ones now, or show heights for the first time.
 	virtual bool upload() = 0;
 	/// The textures show a plant, or a skeleton does instead.
 	virtual void set_hidden(const PlantPlace &place, bool hidden) = 0;
+	/// A plant is drawn so high, as a share of its own height, and moves as `plant` does from now on. It may take
+	/// effect at the next wait() only.
+	virtual void set_height(const PlantPlace &place, float share, const MotionPlant &plant) = 0;
+	/// Whether any plant is drawn in another height than its own.
+	virtual bool has_heights() const = 0;
 	/// A block of the store that stands.
 	virtual PoseTexels texels(int block) const = 0;
 	/// Bends before and after, and a blend for each row of texels. Invalid until something was uploaded.
 	virtual godot::RID pose_texture() const = 0;
 	virtual godot::RID blend_texture() const = 0;
-	/// Steps a second, and the layer of the rests or -1, for each row of texels.
+	/// Steps a second, and the layers of rests, of second modes and of heights, or -1, for each row of texels.
 	virtual godot::RID beat_texture() const = 0;
 	/// What is drawn in this frame by the clock of swings: 0 to 1, a share of SWING_PERIOD.
 	virtual float swing_clock() const = 0;

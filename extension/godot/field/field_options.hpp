@@ -32,6 +32,9 @@ struct StandOptions {
 	godot::NodePath ground_mesh;
 	godot::NodePath ground_object; // Of a node, or of one's property, that answers get_height().
 	godot::Ref<PlantMap> map; // Null: the whole area is full.
+	double view_distance = 0.0; // m; 0: the whole area stands.
+	bool endless = false;
+	godot::TypedArray<godot::NodePath> streaming_targets; // Of Node3Ds.
 };
 
 /// What decides how it moves.
@@ -45,6 +48,7 @@ struct MotionOptions {
 	bool contact_enabled = false;
 	godot::StringName bodies_group;
 	double touch_margin = 0.1; // m.
+	double regrowth_rate = 0.0; // Of a plant's own height, a second.
 };
 
 /// What decides how it is seen.

@@ -8,6 +8,26 @@ using namespace godot;
 
 namespace undergrowth {
 
+FieldStyle outline_of(const FieldStyle &style) {
+	FieldStyle outline;
+	outline.levels = style.levels;
+	outline.tile_size = style.tile_size;
+	outline.spacing = style.spacing;
+	outline.needs_colors = style.needs_colors;
+	for (const FieldLook &look : style.looks) {
+		FieldLook some;
+		some.variant_count = look.variant_count;
+		some.detail = look.detail;
+		some.variants = look.variants;
+		some.meshes = look.meshes;
+		some.motion = look.motion;
+		some.width = look.width;
+		some.nearest.assign(look.nearest.begin(), look.nearest.begin() + (look.nearest.empty() ? 0 : 1));
+		outline.looks.push_back(std::move(some));
+	}
+	return outline;
+}
+
 FieldPatch::FieldPatch(PatchRecipe &&with) : recipe(std::move(with)) {}
 
 FieldPatch::~FieldPatch() {
@@ -66,11 +86,12 @@ void FieldPatch::work(void *self) {
 void FieldPatch::find_newcomers() {
 	FieldPlants placed;
 	for (const AreaBox &box : recipe.boxes) {
-		recipe.request.area = rectangle(box.high - box.low, 0.5f * (box.low + box.high));
+		recipe.request.within = box;
 		FieldPlants some;
 		place_plants(recipe.request, some);
 		placed.append(some);
 	}
+	recipe.changes.take_out(placed);
 	patch = std::make_unique<StandPatch>(std::move(recipe.standing), recipe.spacing);
 	newcomers = patch->find_newcomers(placed);
 }

@@ -3,6 +3,7 @@
 #include "field/field_ground.hpp"
 #include "field/field_view.hpp"
 #include "stand/placement.hpp"
+#include "stand/stand_changes.hpp"
 #include "stand/stand_patch.hpp"
 
 #include <atomic>
@@ -12,12 +13,16 @@ namespace undergrowth {
 
 /// All that placing plants anew in some boxes needs to know, copied, so that it may run beside the game.
 struct PatchRecipe {
-	PlacementRequest request; ///< Its area is any.
+	PlacementRequest request; ///< Of an area that holds the boxes, or what may stand of them.
 	std::vector<AreaBox> boxes; ///< m; no two of them share a place.
 	FieldGround ground;
+	StandChanges changes; ///< Whoever is gone by them does not stand.
 	StandingPlants standing; ///< In these boxes.
 	double spacing = 1.0; ///< m: of the placement.
 };
+
+/// Of a style, what plans are made by and blocks are prepared by.
+FieldStyle outline_of(const FieldStyle &style);
 
 /// A block of newcomers, copied, and how it is drawn.
 struct DrawnNewcomers {
@@ -48,6 +53,8 @@ public:
 	StandEdit take_edit() { return std::move(edit); }
 	/// Plans how blocks are drawn. `with` is a copy, too.
 	void draw(FieldStyle &&with, std::vector<DrawnNewcomers> &&blocks);
+	/// Nobody comes by it any more.
+	bool is_drawing() const { return stage.load() == Stage::drawing || is_drawn(); }
 	bool is_drawn() const { return stage.load() == Stage::drawn; }
 	const std::vector<DrawnNewcomers> &drawn() const { return blocks; }
 

@@ -11,8 +11,7 @@ namespace undergrowth {
 static constexpr size_t MOST_STANDING = 6000; // Plants of a job: copying them takes part of a millisecond.
 
 static AreaBox common(const AreaBox &box, const TileKey &tile, float size) {
-	const glm::vec2 low = { float(tile.column) * size, float(tile.row) * size };
-	return { glm::max(box.low, low), glm::min(box.high, low + size) };
+	return common_box(box, tile_box(tile, size));
 }
 
 void FieldPatches::touch(const AreaBox &box, float tile_size) {
@@ -84,27 +83,6 @@ void FieldPatches::follow(const ChangeSet &changes, const PlantStore &store) {
 	if (job && job->drawn().empty()) {
 		interrupt(); // It knows others than those who stand now.
 	}
-}
-
-// Of a style, what plans are made by.
-static FieldStyle outline_of(const FieldStyle &style) {
-	FieldStyle outline;
-	outline.levels = style.levels;
-	outline.tile_size = style.tile_size;
-	outline.spacing = style.spacing;
-	outline.needs_colors = style.needs_colors;
-	for (const FieldLook &look : style.looks) {
-		FieldLook some;
-		some.variant_count = look.variant_count;
-		some.detail = look.detail;
-		some.variants = look.variants;
-		some.meshes = look.meshes;
-		some.motion = look.motion;
-		some.width = look.width;
-		some.nearest.assign(look.nearest.begin(), look.nearest.begin() + (look.nearest.empty() ? 0 : 1));
-		outline.looks.push_back(std::move(some));
-	}
-	return outline;
 }
 
 bool FieldPatches::draw(const FieldStyle &style, const PlantStore &store, const FieldMotion &motion) {

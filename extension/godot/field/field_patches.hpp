@@ -26,6 +26,12 @@ public:
 	void interrupt();
 	bool is_at_work() const { return job || !touched.empty() || !unseen.empty(); }
 	size_t touched_tiles() const { return touched.size(); }
+	/// Leaves away what is in tiles that do not stand.
+	template <class Stands> void keep_only(const Stands &stands) {
+		for (auto entry = touched.begin(); entry != touched.end();) {
+			entry = stands(entry->first) ? std::next(entry) : touched.erase(entry);
+		}
+	}
 	/// The next boxes to be placed, where there are any: so many that they hold no more than some thousand plants that
 	/// stand.
 	std::vector<AreaBox> take_boxes(const PlantStore &store, StandingPlants &standing);

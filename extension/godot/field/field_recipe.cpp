@@ -63,7 +63,7 @@ static Polygon painted_area(const StandOptions &options) {
 
 Polygon read_outline(const Node3D *field, const StandOptions &options) {
 	const Polygon painted = painted_area(options);
-	if (!painted.empty()) {
+	if (!painted.empty() || options.endless) {
 		return painted;
 	}
 	const Path3D *path = field->is_inside_tree() ? find_path(field, options.outline) : nullptr;
@@ -111,6 +111,9 @@ static String read_area(const Node3D *field, const StandOptions &options, const 
 	if (options.map.is_valid() && !options.map->problem().is_empty()) {
 		return "its map cannot be used. " + options.map->problem();
 	}
+	if (part) {
+		into.within = *part;
+	}
 	if (options.map.is_valid() && part) {
 		const DensityMap &map = options.map->density();
 		into.map = std::make_shared<DensityMap>(map.cut(map.cells_around(*part)));
@@ -122,6 +125,13 @@ static String read_area(const Node3D *field, const StandOptions &options, const 
 	} else if (!options.outline.is_empty() && !find_path(field, options.outline)) {
 		return "outline '" + String(options.outline) +
 				"' leads to no Path3D with a curve. Set a path to one, or none for a rectangle of Size.";
+	}
+	if (options.endless && options.view_distance <= 0.0 && !options.map.is_valid()) {
+		return "endless needs a view_distance above 0: only what is near somebody can stand. Set one, or endless off.";
+	}
+	if (options.endless && !options.map.is_valid()) {
+		into.area = rectangle({ 2.0f * FARTHEST_COORDINATE, 2.0f * FARTHEST_COORDINATE });
+		return String();
 	}
 	const bool is_bare = into.map && into.map->block_count() == 0;
 	into.area = is_bare ? rectangle({ 1.0f, 1.0f }) : read_outline(field, options);

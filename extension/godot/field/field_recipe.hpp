@@ -21,7 +21,7 @@ godot::Transform3D axes_of(const godot::Node3D *node);
 Polygon read_outline(const godot::Node3D *field, const StandOptions &options);
 
 /// Where plants stand, and of which species of the list. After list_looks(), which finds entries that are empty. With
-/// `part` (m, field axes) the area is that box, and of the map is taken what meets it.
+/// `part` (m, field axes) only what is in that box, and of the map what meets it.
 godot::String read_request(
 		const godot::Node3D *field, const StandOptions &options, const AreaBox *part, PlacementRequest &into);
 

@@ -152,6 +152,15 @@ void FieldView::drop_newcomers(int number) {
 	}
 }
 
+void FieldView::drop_tile(const TileKey &tile) {
+	for (int level = 0; level < int(levels.size()); level++) {
+		const int cuts = levels[size_t(level)].tile_cuts;
+		for (int i = 0; i < cuts * cuts; i++) {
+			clear(ClumpPlace{ false, level, { tile.column * cuts + i % cuts, tile.row * cuts + i / cuts } });
+		}
+	}
+}
+
 void FieldView::show_newcomers(
 		const FieldStyle &style, const TileKey &tile, int number, const std::vector<ClumpPlan> &plans) {
 	drop_newcomers(number);

@@ -83,6 +83,10 @@ public:
 	/// Shows the plans of a block of newcomers instead of what was shown of it.
 	void show_newcomers(const FieldStyle &style, const TileKey &tile, int number, const std::vector<ClumpPlan> &plans);
 
+	/// Draws nothing of a tile's plants that were filled, of a field whose squares are no wider than tiles; newcomers
+	/// stay.
+	void drop_tile(const TileKey &tile);
+
 	/// Draws nothing of a block of newcomers any more.
 	void drop_newcomers(int number);
 

@@ -188,8 +188,12 @@ private:
 
 } // namespace
 
+double GroundAsker::usual_usec(double delta) {
+	return std::clamp(1e6 * ASKING_SHARE * delta, LEAST_ASKING_USEC, MOST_ASKING_USEC);
+}
+
 GroundSurvey::State GroundAsker::go_on(
-		const FieldPlants &plants, Node3D *field, const FieldProperties &options, double delta, bool physics) {
+		const FieldPlants &plants, Node3D *field, const FieldProperties &options, double usec, bool physics) {
 	if (!survey) {
 		survey = survey_ground(field, options);
 	}
@@ -201,7 +205,6 @@ GroundSurvey::State GroundAsker::go_on(
 	if (survey->is_of_physics() != physics) {
 		return GroundSurvey::State::going_on;
 	}
-	const double usec = std::clamp(1e6 * ASKING_SHARE * delta, LEAST_ASKING_USEC, MOST_ASKING_USEC);
 	const GroundSurvey::State state = survey->go_on(plants, usec);
 	why = survey->fault();
 	return state;

@@ -42,11 +42,13 @@ protected:
 /// The survey that goes on for those who wait for the ground, one after the other.
 class GroundAsker {
 public:
-	/// Goes on with what `waiting`, a FieldFill or a FieldPatch, waits for, in a frame of `delta` s, which may be one
-	/// of physics. Once it is done, `waiting` goes on. Where no ground was found it tells where `tells`.
+	/// So long (µs) it may take in a frame of `delta` s, in which nothing else need be smooth.
+	static double usual_usec(double delta);
+	/// Goes on for about `usec` with what `waiting`, a FieldFill, a FieldPatch or a TileJob, waits for, in a frame that
+	/// may be one of physics. Once it is done, `waiting` goes on. Where no ground was found it tells where `tells`.
 	template <class Job>
 	GroundSurvey::State serve(
-			Job &waiting, godot::Node3D *field, const FieldProperties &options, double delta, bool physics, bool tells);
+			Job &waiting, godot::Node3D *field, const FieldProperties &options, double usec, bool physics, bool tells);
 	/// Why it failed.
 	const godot::String &fault() const { return why; }
 	/// Nobody waits for it any more.
@@ -58,14 +60,14 @@ private:
 	bool has_missed = false;
 
 	GroundSurvey::State go_on(const FieldPlants &plants, godot::Node3D *field, const FieldProperties &options,
-			double delta, bool physics);
+			double usec, bool physics);
 	void tell_of_no_ground(const FieldPlants &plants, const godot::Node3D *field);
 };
 
 template <class Job>
 GroundSurvey::State GroundAsker::serve(
-		Job &waiting, godot::Node3D *field, const FieldProperties &options, double delta, bool physics, bool tells) {
-	const GroundSurvey::State state = go_on(waiting.plants(), field, options, delta, physics);
+		Job &waiting, godot::Node3D *field, const FieldProperties &options, double usec, bool physics, bool tells) {
+	const GroundSurvey::State state = go_on(waiting.plants(), field, options, usec, physics);
 	if (state == GroundSurvey::State::done) {
 		if (tells) {
 			tell_of_no_ground(waiting.plants(), field);

@@ -61,8 +61,11 @@ double Meadow::advance(double delta, bool simulates) {
 		now.eyes = find_eyes(node);
 	}
 	const bool is_seen = node->is_visible_in_tree();
+	if (own_changes.grow_back(delta * properties.regrowth_rate, store, style, motion)) {
+		is_unshown = true;
+	}
 	const bool has_chosen = !style.levels.empty() &&
-			skeletons.choose({ node, store, style, motion, now.axes, near_wear() },
+			skeletons.choose({ node, store, style, motion, own_changes, now.axes, near_wear() },
 					wants_skeletons && is_seen ? now.eyes : std::vector<Vector3>(), seen.skeleton_distance,
 					seen.max_skeletons);
 	if ((simulates || has_chosen || is_unshown || !unseen.empty()) && is_seen) {
@@ -119,8 +122,9 @@ void Meadow::change_materials() {
 	}
 }
 
-ChangeSet Meadow::apply(StandEdit &&edit) {
-	if (edit.removed.empty() && edit.added.empty() && edit.grown.empty()) {
+ChangeSet Meadow::apply(StandEdit &&edit, PreparedBlock *prepared) {
+	if (edit.removed.empty() && edit.added.empty() && edit.grown.empty() && edit.stood.empty() &&
+			edit.left_tiles.empty()) {
 		return {}; // There may be no motion yet.
 	}
 	std::vector<TileKey> touched;
@@ -131,7 +135,8 @@ ChangeSet Meadow::apply(StandEdit &&edit) {
 	}
 	ChangeSet changes = store.apply(std::move(edit));
 	std::for_each(changes.dropped.begin(), changes.dropped.end(), [this](int block) { view.drop_newcomers(block); });
-	motion.apply(changes, store, style);
+	motion.apply(changes, store, style, prepared);
+	own_changes.follow(changes, store, style, motion);
 	patches.follow(changes, store);
 	for (const ChangeSet::Grown &grown : changes.grown) {
 		if (store.block(grown.block).is_added) {
@@ -144,9 +149,10 @@ ChangeSet Meadow::apply(StandEdit &&edit) {
 	return changes;
 }
 
-std::vector<PlantId> Meadow::add(std::vector<PlacedPlant> &&plants) {
+std::vector<PlantId> Meadow::add(std::vector<PlacedPlant> &&plants, std::vector<PlantId> &&ids) {
 	StandEdit edit;
 	edit.added = std::move(plants);
+	edit.added_ids = std::move(ids);
 	const ChangeSet changes = apply(std::move(edit));
 	for (const ChangeSet::Grown &grown : changes.grown) {
 		if (job && !job->knows(store.block(grown.block).species)) {
@@ -167,16 +173,31 @@ int Meadow::remove(std::vector<PlantPlace> &&places) {
 	for (size_t i = 0; is_at_work() && i < places.size(); i++) {
 		removed_meanwhile.push_back(store.id(places[i]));
 	}
+	own_changes.note_removed(store, places);
 	const int before = store.plant_count();
 	StandEdit edit;
 	edit.removed = std::move(places);
 	apply(std::move(edit));
 	skeletons.release_gone(store);
-	is_unshown = node->can_process(); // The next frame shows it.
+	show_soon();
+	return before - store.plant_count();
+}
+
+void Meadow::mow(std::vector<PlantPlace> &&places, const std::vector<float> &shares) {
+	if (places.empty()) {
+		return;
+	}
+	own_changes.mow(places, shares, store, style, motion);
+	std::sort(places.begin(), places.end());
+	skeletons.release_those(motion, places);
+	show_soon();
+}
+
+void Meadow::show_soon() {
+	is_unshown = node->is_inside_tree() && node->can_process();
 	if (!is_unshown) {
 		refresh();
 	}
-	return before - store.plant_count();
 }
 
 void Meadow::settle() {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "field/field_changes.hpp"
 #include "field/field_dress.hpp"
 #include "field/field_motion.hpp"
 #include "field/field_patches.hpp"
 #include "field/field_recipe.hpp"
+#include "field/field_tiles.hpp"
 #include "field/ground_survey.hpp"
 #include "field/skeleton_view.hpp"
 
@@ -40,6 +42,10 @@ public:
 	/// others stand untouched. Where nothing stands yet, or too much changed, the field is filled.
 	void touch(const AreaBox &box);
 	bool is_patching() const { return patches.is_at_work(); }
+	/// Whether only tiles near somebody stand.
+	bool streams() const { return properties.view_distance > 0.0; }
+	/// Whether it is to be polled.
+	bool wants_frames() const { return is_at_work() || is_patching() || streams(); }
 	/// Goes on with it; at any frame (of `delta` s), paused or not. `physics`: it is one of physics, in which rays may
 	/// be cast.
 	void poll(double delta, bool physics);
@@ -55,9 +61,20 @@ public:
 
 	/// Look of a function whose plants code adds; -1, with a fault told, where it cannot be built.
 	int species_for(const godot::Ref<PlantFunction> &function);
-	std::vector<PlantId> add(std::vector<PlacedPlant> &&plants);
+	/// With `ids` they come back by their names, which nobody has; ascending.
+	std::vector<PlantId> add(std::vector<PlacedPlant> &&plants, std::vector<PlantId> &&ids = {});
 	/// Tells how many stood there.
 	int remove(std::vector<PlantPlace> &&places);
+	/// Plants are so high, each as a share of its own height.
+	void mow(std::vector<PlantPlace> &&places, const std::vector<float> &shares);
+	/// The entry of the list that a function is of, or null.
+	godot::Ref<PlantFieldSpecies> listed_entry(const godot::Ref<PlantFunction> &function) const;
+	/// The listed species that its map knows by this name, or null.
+	godot::Ref<PlantFunction> listed_species(const godot::String &name) const;
+	/// What changed of single plants is seen in the next frame, or at once where there is none.
+	void show_soon();
+	/// Whoever was gone in these boxes (m, field axes) may stand there again.
+	void grow_again(const std::vector<AreaBox> &boxes);
 	void settle();
 
 	/// How a species moves is another: its plants stay, and so does their motion, where they move.
@@ -86,6 +103,9 @@ public:
 	FieldMotion &motion;
 	FieldStyle style;
 	SkeletonView skeletons;
+	FieldChanges own_changes; ///< By code.
+	FieldTiles tiles; ///< That stand, where it streams.
+	double tiles_usec = 0.0; ///< What tiles took of this thread in the last frame.
 	double upload_usec = 0.0; ///< What the last refresh() took of this thread.
 	/// The box (field axes) that holds whatever is drawn, at most; of no volume where nothing is.
 	godot::AABB box() const;
@@ -129,7 +149,10 @@ private:
 	void stand_newcomers();
 	/// False, with the fault told, where it cannot stand.
 	bool adopt(FieldFill &finished);
-	ChangeSet apply(StandEdit &&edit);
+	FieldTiles::Scene tile_scene();
+	void poll_tiles(bool physics);
+	void keep_standing_patches();
+	ChangeSet apply(StandEdit &&edit, PreparedBlock *prepared = nullptr);
 };
 
 } // namespace undergrowth

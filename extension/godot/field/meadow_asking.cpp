@@ -61,6 +61,26 @@ static std::vector<FieldLook> others_of(
 	return others;
 }
 
+Ref<PlantFieldSpecies> Meadow::listed_entry(const Ref<PlantFunction> &function) const {
+	for (int64_t i = 0; i < properties.species.size(); i++) {
+		const Ref<PlantFieldSpecies> entry = properties.species[i];
+		if (entry.is_valid() && entry->get_species() == function) {
+			return entry;
+		}
+	}
+	return Ref<PlantFieldSpecies>();
+}
+
+Ref<PlantFunction> Meadow::listed_species(const String &name) const {
+	for (int64_t i = 0; i < properties.species.size(); i++) {
+		const Ref<PlantFieldSpecies> entry = properties.species[i];
+		if (entry.is_valid() && entry->get_layer_name() == name) {
+			return entry->get_species();
+		}
+	}
+	return Ref<PlantFunction>();
+}
+
 FieldSettings Meadow::settings() const {
 	FieldSettings made;
 	made.step = float(PlantSimulation::get_singleton()->get_step_length());
@@ -90,6 +110,11 @@ String Meadow::make_recipe(FieldRecipe &recipe) {
 	recipe.tile_size = float(properties.tile_size);
 	recipe.wind = field_wind(wind, axes_of(node), wind.is_valid() ? wind->get_time() : 0.0);
 	recipe.standing = copy_filled(store);
+	recipe.changes = own_changes.known();
+	recipe.is_of_tiles = recipe.places && streams();
+	if (recipe.is_of_tiles) {
+		recipe.tiles = tiles.choose_all(tile_scene(), recipe.request);
+	}
 	return String();
 }
 
@@ -157,6 +182,7 @@ void Meadow::feel(const Ref<PlantWind> &blowing) {
 		}
 	}
 	if (is_news) {
+		tiles.interrupt(tile_scene());
 		tell_of_stems();
 	}
 }
@@ -171,6 +197,7 @@ void Meadow::read_motion(const PlantFunction *function, bool is_still) {
 		if (style.looks[i].function.ptr() == function && motion.is_ready()) {
 			style.looks[i].read_motion();
 			motion.set_species(int(i), style.looks[i], store, is_still);
+			tiles.interrupt(tile_scene());
 		}
 	}
 	tell_of_stems();

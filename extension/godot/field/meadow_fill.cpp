@@ -3,6 +3,7 @@
 #include "field/meadow.hpp"
 
 #include "messages.hpp"
+#include "stopwatch.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/world3d.hpp>
@@ -23,8 +24,10 @@ void Meadow::fill(bool places) {
 		is_due_again = true; // What changes in each frame is seen now and then, and not only when that ends.
 		return;
 	}
+	places = places || (streams() && float(properties.tile_size) != store.tile_size());
 	asker.forget();
 	job.reset();
+	tiles.interrupt(tile_scene());
 	patches.interrupt();
 	is_due_again = false;
 	if (places) {
@@ -72,14 +75,62 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 void Meadow::touch(const AreaBox &box) {
 	if (!is_filling() || job) { // What is asked for has not read the map yet.
 		patches.touch(box, store.tile_size());
+		tiles.interrupt(tile_scene(), box);
+		keep_standing_patches();
 	}
 	if (!is_filling() && (style.levels.empty() || patches.touched_tiles() > FieldPatches::MOST_TILES)) {
 		fill(true);
 	}
 }
 
+void Meadow::grow_again(const std::vector<AreaBox> &boxes) {
+	if (is_at_work()) {
+		fill(is_filling() || !boxes.empty()); // It does not know of it.
+		return;
+	}
+	tiles.interrupt(tile_scene());
+	for (size_t i = 0; i < boxes.size() && patches.touched_tiles() <= FieldPatches::MOST_TILES; i++) {
+		patches.touch(boxes[i], store.tile_size());
+		keep_standing_patches();
+	}
+	if (patches.touched_tiles() > FieldPatches::MOST_TILES) {
+		fill(true);
+	}
+}
+
+void Meadow::keep_standing_patches() {
+	if (streams()) {
+		patches.keep_only([this](const TileKey &tile) { return tiles.stands(tile); });
+	}
+}
+
+FieldTiles::Scene Meadow::tile_scene() {
+	const auto change = [this](StandEdit &&edit, PreparedBlock *prepared) { return apply(std::move(edit), prepared); };
+	return { node, properties, store, style, motion, ground, own_changes.known(), settings(), view, change,
+		listener.fault };
+}
+
+// What is on its way while the field is placed in boxes would be placed twice.
+void Meadow::poll_tiles(bool physics) {
+	if (!streams() || is_at_work() || !motion.is_ready()) {
+		return;
+	}
+	if (!physics) {
+		motion.wait();
+	}
+	const Stopwatch watch;
+	const int before = store.block_count() + tiles.standing_count();
+	const bool edits = !patches.current() || patches.current()->is_drawing();
+	tiles.go_on(tile_scene(), physics, edits);
+	if (before != store.block_count() + tiles.standing_count()) {
+		skeletons.release_gone(store);
+	}
+	tiles_usec = physics ? tiles_usec : watch.usec();
+}
+
 void Meadow::begin_patch() {
 	PatchRecipe recipe;
+	keep_standing_patches();
 	recipe.boxes = patches.take_boxes(store, recipe.standing);
 	if (recipe.boxes.empty()) {
 		patches.draw(style, store, motion);
@@ -92,6 +143,7 @@ void Meadow::begin_patch() {
 	const bool are_known = style.listed_count == int(properties.species.size());
 	const String fault = read_request(node, properties, &around, recipe.request);
 	recipe.ground = ground;
+	recipe.changes = own_changes.known().cut(around);
 	recipe.spacing = store.spacing();
 	const double spacing = 1.0 / std::sqrt(double(recipe.request.density));
 	if (fault.is_empty() && are_known && spacing == recipe.spacing) { // Else it is filled anew soon.
@@ -108,7 +160,7 @@ void Meadow::poll_patches(double delta, bool physics) {
 	}
 	FieldPatch *patch = patches.current();
 	if (patch && patch->wants_ground()) {
-		if (asker.serve(*patch, node, properties, delta, physics, false) == GroundSurvey::State::failed) {
+		if (asker.serve(*patch, node, properties, GroundAsker::usual_usec(delta), physics, false) == GroundSurvey::State::failed) {
 			listener.fault(asker.fault());
 			patches.finish();
 		}
@@ -140,12 +192,13 @@ void Meadow::stand_newcomers() {
 }
 
 void Meadow::poll(double delta, bool physics) {
+	poll_tiles(physics);
 	poll_patches(delta, physics);
 	if (asking && !physics && asking->frame != Engine::get_singleton()->get_process_frames()) {
 		go_on_asking();
 	}
 	if (job && job->wants_ground()) {
-		if (asker.serve(*job, node, properties, delta, physics, true) == GroundSurvey::State::failed) {
+		if (asker.serve(*job, node, properties, GroundAsker::usual_usec(delta), physics, true) == GroundSurvey::State::failed) {
 			job.reset();
 			listener.fault(asker.fault());
 		}
@@ -197,6 +250,7 @@ bool Meadow::adopt(FieldFill &finished) {
 	motion.wait();
 	skeletons.release_all(motion);
 	view.clear(); // Before the materials go that it wears.
+	tiles.forget_style();
 	style = std::move(result.style);
 	std::vector<int> other_leans;
 	for (size_t i = 0; i < style.looks.size(); i++) {
@@ -217,6 +271,7 @@ bool Meadow::adopt(FieldFill &finished) {
 	const ChangeSet changes = store.apply(std::move(edit));
 	motion.adopt(*result.motion, result.kept, changes, store, style);
 	motion.set_update_interval(properties.update_interval);
+	own_changes.follow_all(store, style, motion);
 	for (const int i : other_leans) {
 		motion.set_species(i, style.looks[size_t(i)], store, true);
 	}
@@ -226,6 +281,9 @@ bool Meadow::adopt(FieldFill &finished) {
 	view.show_all_added(style, motion, store);
 	unseen.clear();
 	patches.forget_unseen();
+	if (finished.places()) {
+		tiles.stand(finished.tiles(), finished.request());
+	}
 	remove(store.find_all(std::exchange(removed_meanwhile, {})));
 	refresh();
 	return true;

@@ -65,7 +65,9 @@ Ref<PlantFunction> NamedPlants::species(int64_t id) const {
 }
 
 double NamedPlants::height(int64_t id) const {
-	return ask(id, [](const Standing &one) { return double(one.look.height_of(one.plant)); });
+	return ask(id, [this](const Standing &one) {
+		return double(one.look.height_of(one.plant) * meadow.own_changes.share_of(meadow.store, one.place));
+	});
 }
 
 PackedFloat32Array NamedPlants::heights(const PackedInt64Array &ids) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "field/meadow.hpp"
+#include "stand/changes_bytes.hpp"
 
 #include <godot_cpp/classes/skeleton3d.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
@@ -23,6 +24,10 @@ public:
 	godot::PackedInt64Array find_in_sphere(const godot::Vector3 &center, double radius) const;
 	/// Where its mesh is drawn, before it bends.
 	godot::Transform3D transform(int64_t id) const;
+	/// NO_PLANT where nobody's root is within that distance (m) of a place in the world.
+	int64_t find_nearest(const godot::Vector3 &point, double max_distance) const;
+	/// Of that plant; null where there is none.
+	godot::Ref<PlantFunction> species_at(const godot::Vector3 &point, double max_distance) const;
 	godot::Ref<PlantFunction> species(int64_t id) const;
 	double height(int64_t id) const;
 	int64_t seed(int64_t id) const;
@@ -53,6 +58,13 @@ public:
 	/// At most half of `width` (m) from a line through these points.
 	int remove_along(const godot::PackedVector3Array &points, double width);
 
+	/// All plants in a sphere are so high (m), or as high as they grow where that is less; tells how many changed.
+	int set_height_in_sphere(const godot::Vector3 &center, double radius, double height);
+	/// What code removed, mowed and added, as write_changes() has it.
+	godot::PackedByteArray changes() const;
+	/// Makes it so, and nothing else. False, with one error, where the bytes are not sound: nothing changes then.
+	bool apply_changes(const godot::PackedByteArray &bytes);
+
 private:
 	/// A plant that an id names.
 	struct Standing {
@@ -63,6 +75,10 @@ private:
 	godot::GeometryInstance3D *node;
 	Meadow &meadow;
 
+	godot::String name_of_look(int look) const;
+	godot::Ref<PlantFunction> species_named(const godot::String &name) const;
+	bool find_species(const SavedChanges &saved, std::vector<godot::Ref<PlantFunction>> &found) const;
+	void bring_back(const SavedChanges &saved, const std::vector<godot::Ref<PlantFunction>> &species);
 	template <class Say> auto ask(int64_t id, const Say &say) const;
 	godot::PackedInt64Array ids_of(const std::vector<PlantPlace> &places) const;
 	std::vector<PlantPlace> in_box(const char *method, const godot::AABB &box) const;

@@ -75,6 +75,24 @@ PackedInt64Array NamedPlants::find_in_box(const AABB &box) const {
 	return ids_of(in_box("find_plants_in_box", box));
 }
 
+int64_t NamedPlants::find_nearest(const Vector3 &point, double max_distance) const {
+	if (!point.is_finite() || !(max_distance >= 0.0)) {
+		report_error(node, "find_nearest_plant() needs a finite point and a distance of 0 or more.");
+		return NO_PLANT;
+	}
+	if (!node->is_inside_tree()) {
+		return NO_PLANT;
+	}
+	const Transform3D to_field = axes_of(node).affine_inverse();
+	const PlantPlace found = meadow.store.find_nearest(to_glm(to_field.xform(point)), reach_in(to_field, max_distance));
+	return found.block < 0 ? NO_PLANT : meadow.store.id(found);
+}
+
+Ref<PlantFunction> NamedPlants::species_at(const Vector3 &point, double max_distance) const {
+	const int64_t nearest = find_nearest(point, max_distance);
+	return nearest == NO_PLANT ? Ref<PlantFunction>() : species(nearest);
+}
+
 int NamedPlants::remove_in_sphere(const Vector3 &center, double radius) {
 	return meadow.remove(in_sphere("remove_in_sphere", center, radius));
 }

@@ -106,7 +106,7 @@ void PlantField3D::on_fill_queued() {
 	watch_nodes();
 	choose_grass();
 	meadow.fill(stand);
-	follow_frames(meadow.is_at_work() || meadow.is_patching());
+	follow_frames(meadow.wants_frames());
 }
 
 void PlantField3D::fill() {
@@ -145,7 +145,7 @@ void PlantField3D::poll(double delta, bool physics) {
 		return; // It grows anew, from other properties than it stands by.
 	}
 	meadow.poll(delta, physics);
-	if (is_inside_tree() && !meadow.is_at_work() && !meadow.is_patching()) {
+	if (is_inside_tree() && !meadow.wants_frames()) {
 		follow_frames(false);
 	}
 }
@@ -257,7 +257,7 @@ void PlantField3D::_notification(int what) {
 				mark_stale(false);
 			}
 			look_around();
-			follow_frames(meadow.is_at_work() || meadow.is_patching());
+			follow_frames(meadow.wants_frames());
 			break;
 		case NOTIFICATION_EXIT_TREE:
 			follow_frames(false);

@@ -118,6 +118,8 @@ public:
 	Polygon outline_polygon() const;
 	godot::PackedVector3Array get_outline_points() const;
 
+	bool apply_changes(const godot::PackedByteArray &bytes);
+
 	// How it moves.
 	bool is_point_in_plants(const godot::Vector3 &point) { return plants.is_point_in(point, properties.touch_margin); }
 	void reset_motion();
@@ -148,6 +150,7 @@ public:
 	void set_species(const godot::TypedArray<PlantFieldSpecies> &entries);
 	godot::TypedArray<PlantFieldSpecies> get_species() const { return listed; }
 	void set_size(const godot::Vector2 &metres);
+	void set_view_distance(double metres);
 	void set_outline(const godot::NodePath &path);
 	void set_exclusions(const godot::TypedArray<godot::NodePath> &paths);
 	void set_map(const godot::Ref<PlantMap> &painted);

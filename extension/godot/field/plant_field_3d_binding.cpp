@@ -90,6 +90,14 @@ void PlantField3D::on_map_painted(const Rect2 &rect) {
 	update_gizmos();
 }
 
+bool PlantField3D::apply_changes(const PackedByteArray &bytes) {
+	const bool is_sound = plants.apply_changes(bytes);
+	if (is_inside_tree()) {
+		follow_frames(meadow.wants_frames());
+	}
+	return is_sound;
+}
+
 Dictionary PlantField3D::get_statistics() {
 	meadow.motion.wait();
 	const Camera3D *camera = is_inside_tree() ? get_viewport()->get_camera_3d() : nullptr;
@@ -103,6 +111,9 @@ Dictionary PlantField3D::get_statistics() {
 	told["simulated"] = meadow.motion.simulated_count();
 	told["drawn_by_level"] = drawn;
 	told["is_dressing"] = (meadow.is_at_work() && !meadow.is_filling()) || (look_is_stale && fill_is_queued);
+	told["tiles"] = meadow.tiles.standing_count();
+	told["tiles_waiting"] = meadow.tiles.waiting_count();
+	told["tiles_usec"] = meadow.streams() ? meadow.tiles_usec : 0.0;
 	told["skeletons"] = int64_t(meadow.skeletons.count());
 	told["step_usec"] = meadow.motion.busy_usec();
 	told["upload_usec"] = meadow.upload_usec;
@@ -158,11 +169,17 @@ void PlantField3D::_bind_methods() {
 	OF_PLANTS(remove_in_box, remove_in_box, "box");
 	OF_PLANTS(remove_in_polygon, remove_in_polygon, "points");
 	OF_PLANTS(remove_along, remove_along, "points", "width");
+	OF_PLANTS(set_height_in_sphere, set_height_in_sphere, "center", "radius", "height");
+	OF_PLANTS(get_changes, changes);
+	BIND(apply_changes, "changes");
 	BIND(get_plant_count);
 	OF_PLANTS(get_plant_ids, ids);
 	OF_PLANTS(has_plant, has, "id");
 	OF_PLANTS(find_plants_in_box, find_in_box, "box");
 	OF_PLANTS(find_plants_in_sphere, find_in_sphere, "center", "radius");
+	OF_PLANTS(find_nearest_plant, find_nearest, "point", "max_distance");
+	ClassDB::bind_method(D_METHOD("get_species_at", "point", "max_distance"),
+			of_plants<&NamedPlants::species_at>(&NamedPlants::species_at), DEFVAL(0.5));
 	OF_PLANTS(get_plant_transform, transform, "id");
 	OF_PLANTS(get_plant_species, species, "id");
 	OF_PLANTS(get_plant_height, height, "id");

@@ -67,6 +67,9 @@ void PlantField3D::bind_properties() {
 	SET_HERE(NODE_PATH, outline, "get_outline", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Path3D");
 	SET_HERE(OBJECT, map, "get_map", PROPERTY_HINT_RESOURCE_TYPE, "PlantMap");
 	SET_HERE(ARRAY, exclusions, "get_exclusions", PROPERTY_HINT_ARRAY_TYPE, "22/35:Path3D,PlantField3D");
+	SET_HERE(FLOAT, view_distance, "get_view_distance", SLIDER("0,500,1,or_greater,suffix:m"));
+	VALUE(BOOL, endless, stand);
+	VALUE(ARRAY, streaming_targets, nothing, PROPERTY_HINT_ARRAY_TYPE, "22/35:Node3D");
 	ADD_GROUP("Ground", "");
 	PROPERTY(INT, ground_mode, PROPERTY_HINT_ENUM, "None,Colliders,Mesh,Object");
 	VALUE(INT, ground_collision_mask, stand, PROPERTY_HINT_LAYERS_3D_PHYSICS);
@@ -85,6 +88,7 @@ void PlantField3D::bind_properties() {
 	SET_HERE(BOOL, contact_enabled, "is_contact_enabled");
 	VALUE(STRING_NAME, bodies_group, nothing);
 	NUMBER(FLOAT, touch_margin, nothing, 0.0, 100.0, SLIDER("0,2,0.01,or_greater,suffix:m"));
+	NUMBER(FLOAT, regrowth_rate, nothing, 0.0, 1000.0, SLIDER("0,1,0.001,or_greater,suffix:1/s"));
 	ADD_GROUP("Drawing", "");
 	SET_HERE(ARRAY, levels, "get_levels", PROPERTY_HINT_ARRAY_TYPE, "24/17:PlantFieldLevel");
 	NUMBER(FLOAT, fade_margin, levels, 0.0, 1000.0, SLIDER("0,20,0.1,or_greater,suffix:m"));
@@ -153,6 +157,17 @@ void PlantField3D::set_size(const Vector2 &metres) {
 		properties.size = metres;
 		mark_stale(true);
 		update_gizmos();
+	}
+}
+
+void PlantField3D::set_view_distance(double metres) {
+	if (accept_value(this, "view_distance", metres, { 0.0, 1e4 }) && metres != properties.view_distance) {
+		const bool is_other_kind = (metres > 0.0) != meadow.streams();
+		properties.view_distance = metres;
+		if (is_other_kind) {
+			mark_stale(true);
+		}
+		update_configuration_warnings();
 	}
 }
 

@@ -80,6 +80,7 @@ void PoseTexture::give_rows(int page, int plants) {
 	}
 	own.share = own.interval = -1.0f;
 	has_new_rows = true;
+	forget_heights(own.rows);
 }
 
 void PoseTexture::take_rows(int page) {
@@ -175,7 +176,9 @@ bool PoseTexture::make_textures() {
 	if (texture.is_valid() && textured_layers >= layers.size()) {
 		return false;
 	}
-	for (int i = 0; i < SPARE_LAYERS; i++) {
+	// One that grew once will again.
+	const size_t spare = texture.is_valid() ? std::max(layers.size() / 8, size_t(SPARE_LAYERS)) : size_t(SPARE_LAYERS);
+	for (size_t i = 0; i < spare && layers.size() < size_t(MOST_LAYERS); i++) {
 		add_layer(true);
 	}
 	free_textures();
@@ -188,8 +191,8 @@ bool PoseTexture::make_textures() {
 	blend_image = Image::create_empty(SIDE, int(layers.size()), false, Image::FORMAT_RF);
 	shares.assign(layers.size() * SIDE, 0.0f);
 	blend_texture = server->texture_2d_create(blend_image);
-	beat_image = Image::create_empty(SIDE, int(layers.size()), false, Image::FORMAT_RGBF);
-	beats_sent.assign(3 * layers.size() * SIDE, 0.0f);
+	beat_image = Image::create_empty(SIDE, int(layers.size()), false, Image::FORMAT_RGBAF);
+	beats_sent.assign(BEAT_FLOATS * layers.size() * SIDE, 0.0f);
 	beat_texture = server->texture_2d_create(beat_image);
 	std::fill(is_fresh.begin(), is_fresh.end(), uint8_t(0));
 	for (Page &page : pages) {

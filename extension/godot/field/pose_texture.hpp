@@ -16,8 +16,8 @@ namespace undergrowth {
 
 /// The textures that carry the plants' poses to the graphics card. A texel belongs to a plant: its bends before and
 /// after its last step, in layers of 64 by 64 texels; a page of plants has whole rows of one layer. A second texture
-/// has a blend for each row, a third one how many steps a second it takes, which layer says where its plants rest and
-/// which one the bends of their stems' second modes: plants of parts and stems have the one as soon as one of them does
+/// has a blend for each row, a third one how many steps a second it takes, which layer says where its plants rest, which
+/// one the bends of their stems' second modes, and which one how much of its height each has lost: plants of parts and stems have the one as soon as one of them does
 /// not rest upright, stems of two modes the other. Where plants follow prototypes, a texel
 /// says whom and how late instead, and each species has 16 layers for the history of its prototypes and one for plants
 /// that were pushed.
@@ -58,6 +58,11 @@ public:
 	/// whenever a species changes; on one thread.
 	void write_beside(const FieldSimulation &simulation, int page);
 
+	/// A plant is drawn so high, as a share of its own height.
+	void set_height(int page, int row, float share);
+	/// Whether any ever was.
+	bool has_heights() const { return draws_heights; }
+
 	/// Draws nothing where this plant is.
 	void hide(int page, int row);
 	/// Ends that, from the next write_page() on.
@@ -77,6 +82,7 @@ public:
 
 private:
 	static constexpr int SPARE_LAYERS = 2; ///< So that plants which are added seldom need another texture.
+	static constexpr size_t BEAT_FLOATS = 4; ///< Of a row: steps a second, layers of rests, second modes, heights.
 	static constexpr size_t TEXEL_BYTES = 2 * sizeof(Bend);
 	struct Rows {
 		int layer = -1; ///< -1: none.
@@ -104,7 +110,9 @@ private:
 	struct Beside { ///< Layers that say more of a layer's plants, or -1.
 		int rests = -1;
 		int seconds = -1;
+		int heights = -1;
 	};
+	bool draws_heights = false;
 	std::vector<Beside> besides; ///< By layer, as far as any has one.
 	godot::RID texture;
 	godot::RID blend_texture;
@@ -112,11 +120,13 @@ private:
 	size_t textured_layers = 0;
 
 	int add_layer(bool is_shared);
+	int find_layer();
 	Rows find_rows(int count);
 	void release(const Rows &rows);
 	bool has_rows(int page) const { return size_t(page) < pages.size() && pages[size_t(page)].rows.layer >= 0; }
 	uint8_t *bytes_of(const Rows &rows);
 	void write_hidden(const Page &page);
+	void forget_heights(const Rows &rows);
 	void write_followers(const FieldSimulation &simulation, int page);
 	void write_layer(int layer, const Bend *from, int pairs, int first);
 	void upload_layers();

@@ -13,11 +13,23 @@ PoseTexture::Beside PoseTexture::beside(int layer) const {
 	return size_t(layer) < besides.size() ? besides[size_t(layer)] : Beside();
 }
 
+// One that is there already needs no other texture.
+int PoseTexture::find_layer() {
+	const auto free = std::find(free_rows.rbegin(), free_rows.rend(), ~uint64_t(0));
+	if (free == free_rows.rend()) {
+		return add_layer(false);
+	}
+	*free = 0;
+	return int(free_rows.rend() - free) - 1;
+}
+
 int PoseTexture::add_beside(int layer, int Beside::*which) {
 	if (beside(layer).*which < 0 && layers.size() < size_t(MOST_LAYERS) - SPARE_LAYERS) {
 		besides.resize(std::max(besides.size(), size_t(layer) + 1));
-		besides[size_t(layer)].*which = add_layer(false);
-		std::memset(layers.back()->ptrw(), 0, PAIRS_PER_LAYER * TEXEL_BYTES);
+		const int made = find_layer();
+		besides[size_t(layer)].*which = made;
+		std::memset(layers[size_t(made)]->ptrw(), 0, PAIRS_PER_LAYER * TEXEL_BYTES);
+		is_fresh[size_t(made)] = 1;
 	}
 	return beside(layer).*which;
 }
@@ -34,6 +46,34 @@ void PoseTexture::write_beside(const FieldSimulation &simulation, int page) {
 	}
 	if (simulation.has_parts(page) || simulation.page(page).law() == Law::stem) {
 		write_rests(simulation, page);
+	}
+}
+
+// What is lost of it: 0 where nobody was mown.
+void PoseTexture::set_height(int page, int row, float share) {
+	const Rows &rows = pages[size_t(page)].rows;
+	if (share == 1.0f && beside(rows.layer).heights < 0) {
+		return;
+	}
+	if (beside(rows.layer).heights < 0) {
+		for (Page &other : pages) { // All that share the layer are told of it.
+			other.interval = other.rows.layer == rows.layer ? -1.0f : other.interval;
+		}
+		has_new_rows = draws_heights = true;
+	}
+	const int layer = add_beside(rows.layer, &Beside::heights);
+	if (layer >= 0) {
+		const Bend pair[2] = { to_half(share - 1.0f), 0 };
+		write_layer(layer, pair, 1, rows.first * SIDE + row);
+	}
+}
+
+void PoseTexture::forget_heights(const Rows &rows) {
+	const int layer = beside(rows.layer).heights;
+	if (layer >= 0) {
+		uint8_t *to = layers[size_t(layer)]->ptrw() + size_t(rows.first) * SIDE * TEXEL_BYTES;
+		std::memset(to, 0, size_t(rows.count) * SIDE * TEXEL_BYTES);
+		is_fresh[size_t(layer)] = 1;
 	}
 }
 
@@ -64,11 +104,12 @@ void PoseTexture::upload_beats(const FieldSimulation &simulation) {
 		page.interval = simulation.shown_interval(number);
 		const Beside layers_beside = beside(page.rows.layer);
 		const bool has_seconds = simulation.page(number).has_second_bends();
-		float *to = beats_sent.data() + 3 * (size_t(page.rows.layer) * SIDE + size_t(page.rows.first));
+		float *to = beats_sent.data() + BEAT_FLOATS * (size_t(page.rows.layer) * SIDE + size_t(page.rows.first));
 		for (int row = 0; row < page.rows.count; row++) {
 			*to++ = 1.0f / page.interval;
 			*to++ = float(layers_beside.rests);
 			*to++ = has_seconds ? float(layers_beside.seconds) : -1.0f;
+			*to++ = float(layers_beside.heights);
 		}
 		has_changed = true;
 	}

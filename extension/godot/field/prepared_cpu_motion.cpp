@@ -1,6 +1,7 @@
 #include "field/prepared_cpu_motion.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace undergrowth {
 
@@ -25,6 +26,23 @@ static void add_pages(const std::vector<PlantBlock> &blocks, const FieldStyle &s
 		into.textures->give_rows(page, int(plants.size()));
 		into.simulation->set_page_phase(page, into.textures->layer_of(page)); // Sent together, due together.
 	}
+}
+
+PreparedCpuBlock::PreparedCpuBlock(int species, const MotionSpecies &kind, std::vector<MotionPlant> &&placed,
+		const FieldSettings &settings) :
+		page(species, kind, placed.data(), int(placed.size()), settings.step * float(settings.update_interval),
+				settings.prototypes <= 0),
+		plants(std::move(placed)) {}
+
+std::unique_ptr<PreparedBlock> prepare_block_on_cpu(
+		const PlantBlock &block, const FieldStyle &style, const FieldSettings &settings) {
+	const FieldLook &look = style.looks[size_t(block.species)];
+	std::vector<MotionPlant> plants;
+	plants.reserve(size_t(block.size()));
+	for (int slot = 0; slot < block.size(); slot++) {
+		plants.push_back(look.to_simulate(block.plants.plant(slot)));
+	}
+	return std::make_unique<PreparedCpuBlock>(block.species, look.motion, std::move(plants), settings);
 }
 
 std::unique_ptr<PreparedMotion> prepare_on_cpu(const std::vector<PlantBlock> &blocks, const FieldStyle &style,

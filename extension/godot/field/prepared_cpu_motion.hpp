@@ -21,6 +21,20 @@ public:
 	bool is_too_large() const override { return textures->is_too_large(); }
 };
 
+/// A page of one block, at rest.
+class PreparedCpuBlock : public PreparedBlock {
+public:
+	MotionPage page;
+	std::vector<MotionPlant> plants; ///< Of the page.
+
+	PreparedCpuBlock(int species, const MotionSpecies &kind, std::vector<MotionPlant> &&placed,
+			const FieldSettings &settings);
+};
+
+/// CpuMotion's FieldMotion::PrepareBlock.
+std::unique_ptr<PreparedBlock> prepare_block_on_cpu(
+		const PlantBlock &block, const FieldStyle &style, const FieldSettings &settings);
+
 /// CpuMotion's FieldMotion::Prepare.
 std::unique_ptr<PreparedMotion> prepare_on_cpu(const std::vector<PlantBlock> &blocks, const FieldStyle &style,
 		const FieldSettings &settings, const FieldWind &wind);

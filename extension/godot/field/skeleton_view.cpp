@@ -44,7 +44,7 @@ std::vector<PlantPlace> SkeletonView::find_nearest(
 			const Thinning thinning = first.thinning_of(scene.style.looks[size_t(block.species)].has_parts());
 			const bool is_whole = !thinning.is_any() || // Nobody comes who is being left away.
 					thinning.width_of(plant_rank(scene.store.id(place)), away) == 1.0f;
-			if (counted <= distance && is_whole) {
+			if (counted <= distance && is_whole && !scene.changes.is_mown(scene.store, place)) {
 				const auto [entry, is_new] = nearest.insert({ place, counted });
 				entry->second = std::min(entry->second, counted);
 			}
@@ -87,6 +87,12 @@ void SkeletonView::release_gone(const PlantStore &store) {
 	release(nullptr, [&](const Shown &entry) {
 		const PlantBlock &block = store.block(entry.place.block);
 		return entry.place.slot >= block.size() || block.is_gone(entry.place.slot);
+	});
+}
+
+void SkeletonView::release_those(FieldMotion &motion, const std::vector<PlantPlace> &ascending) {
+	release(&motion, [&](const Shown &entry) {
+		return std::binary_search(ascending.begin(), ascending.end(), entry.place);
 	});
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field/field_changes.hpp"
 #include "field/field_motion.hpp"
 #include "field/field_skeletons.hpp"
 
@@ -19,6 +20,7 @@ public:
 		const PlantStore &store;
 		const FieldStyle &style;
 		FieldMotion &motion;
+		const FieldChanges &changes; ///< Who is mown has none.
 		godot::Transform3D axes; ///< From the field's to the world's.
 		FieldWear wear; ///< Of the first level.
 	};
@@ -36,6 +38,8 @@ public:
 	void choose_soon() { frames_since_choice = 0; }
 	/// After plants went: their skeletons go, too.
 	void release_gone(const PlantStore &store);
+	/// Those of these plants, which are drawn again.
+	void release_those(FieldMotion &motion, const std::vector<PlantPlace> &ascending);
 	/// All of them; their plants are drawn again.
 	void release_all(FieldMotion &motion);
 	/// Frees those that nobody uses.

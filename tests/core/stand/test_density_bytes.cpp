@@ -2,6 +2,7 @@
 #include "stand/density_bytes.hpp"
 
 #include "../golden.hpp"
+#include "base/byte_codec.hpp"
 #include "base/random.hpp"
 
 #include <doctest/doctest.h>
@@ -49,7 +50,7 @@ DensityFault read(const std::vector<uint8_t> &bytes, DensityMap &map) {
 
 /// Makes the checksum true again.
 void seal(std::vector<uint8_t> &bytes) {
-	const uint32_t sum = density_checksum(bytes.data(), bytes.size() - 4);
+	const uint32_t sum = checksum_of(bytes.data(), bytes.size() - 4);
 	std::memcpy(bytes.data() + bytes.size() - 4, &sum, 4);
 }
 

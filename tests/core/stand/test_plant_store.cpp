@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 using namespace undergrowth;
@@ -277,4 +278,67 @@ TEST_CASE("when all plants that were added in a place are removed at once, only 
 	CHECK(mown.dropped.size() == 1);
 	CHECK(mown.gone.empty());
 	CHECK(store.plant_count() == 2);
+}
+
+TEST_CASE("the nearest plant is found, however far, and nobody beyond the radius") {
+	const PlantStore store = filled_store();
+	const auto away = [&](const PlantPlace &place, const glm::vec3 &from) {
+		return glm::distance(store.block(place.block).root(place.slot), from);
+	};
+	for (const glm::vec3 &from : { glm::vec3(0.0f), glm::vec3(12.3f, 0.4f, -7.1f), glm::vec3(400.0f, 30.0f, 0.0f) }) {
+		std::vector<PlantPlace> all;
+		store.find_in_sphere(from, 1000.0f, all);
+		float least = 1.0e9f;
+		for (const PlantPlace &place : all) {
+			least = std::min(least, away(place, from));
+		}
+		const PlantPlace found = store.find_nearest(from, std::numeric_limits<float>::infinity());
+		REQUIRE(found.block >= 0);
+		CHECK(away(found, from) == least);
+		CHECK(store.find_nearest(from, 1.01f * least) == found);
+		CHECK(store.find_nearest(from, 0.99f * least).block < 0);
+	}
+	CHECK(store.find_nearest({ 0.0f, 0.0f, 0.0f }, -1.0f).block < 0);
+	CHECK(PlantStore().find_nearest({ 0.0f, 0.0f, 0.0f }, std::numeric_limits<float>::infinity()).block < 0);
+}
+
+TEST_CASE("plants that were added come back by their names, and later ones get others") {
+	PlantStore store = filled_store();
+	StandEdit edit;
+	edit.added = { plant_at(1.0f, 1.0f), plant_at(2.0f, 1.0f) };
+	edit.added_ids = { added_plant_id(4), added_plant_id(9) };
+	CHECK(store.apply(std::move(edit)).added == std::vector<PlantId>{ added_plant_id(4), added_plant_id(9) });
+	CHECK(store.find(added_plant_id(9)).block >= 0);
+	StandEdit later;
+	later.added = { plant_at(3.0f, 1.0f) };
+	CHECK(store.apply(std::move(later)).added[0] == added_plant_id(10));
+}
+
+TEST_CASE("a tile is left, and stands again as it was") {
+	PlantStore store = filled_store();
+	StandEdit edit;
+	edit.added = { plant_at(20.0f, 20.0f) };
+	store.apply(std::move(edit));
+	const int count = store.plant_count();
+	const TileKey tile = { 1, 1 };
+	std::vector<PlantBlock> kept;
+	int plants = 0;
+	for (const int number : store.blocks_of(tile)) {
+		if (!store.block(number).is_added) {
+			kept.push_back(store.block(number));
+			plants += kept.back().standing();
+		}
+	}
+	StandEdit leaving;
+	leaving.left_tiles = { tile, { 900, 900 } };
+	const ChangeSet left = store.apply(std::move(leaving));
+	CHECK(left.dropped.size() == kept.size());
+	CHECK(store.plant_count() == count - plants);
+	CHECK(store.blocks_of(tile).size() == 1); // Who was added stays.
+	StandEdit coming;
+	coming.stood = kept;
+	const ChangeSet back = store.apply(std::move(coming));
+	REQUIRE(back.grown.size() == kept.size());
+	CHECK(store.plant_count() == count);
+	CHECK(store.block(back.grown[0].block).plants.x == kept[0].plants.x);
 }

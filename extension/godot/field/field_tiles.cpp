@@ -1,0 +1,217 @@
+#include "field/field_tiles.hpp"
+
+#include "convert.hpp"
+#include "field/eyes.hpp"
+#include "field/field_patch.hpp"
+#include "field/field_recipe.hpp"
+#include "stand/tile_choice.hpp"
+
+#include <algorithm>
+#include <utility>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr int FRAMES_BETWEEN_CHOICES = 8;
+static constexpr size_t MOST_JOBS = 4; // At once.
+static constexpr double MOST_USEC = 400.0; // A frame, after which nothing more begins.
+static constexpr double ASKING_USEC = 500.0; // A frame, for the ground.
+
+// Whoever looks, and whatever else the field is to stand around, in its axes.
+std::vector<glm::vec2> FieldTiles::places_of(const Scene &scene) const {
+	std::vector<Vector3> eyes = find_eyes(scene.field);
+	for (int64_t i = 0; i < scene.properties.streaming_targets.size(); i++) {
+		const Node3D *target =
+				Object::cast_to<Node3D>(scene.field->get_node_or_null(scene.properties.streaming_targets[i]));
+		if (target) {
+			eyes.push_back(target->get_global_position());
+		}
+	}
+	const Transform3D to_field = axes_of(scene.field).affine_inverse();
+	std::vector<glm::vec2> places;
+	for (const Vector3 &eye : eyes) {
+		const Vector3 place = to_field.xform(eye);
+		if (place.is_finite()) {
+			places.push_back({ place.x, place.z });
+		}
+	}
+	return places;
+}
+
+// Metres of the world in the field's axes, at least as many.
+static float distance_in(const FieldTiles::Scene &scene) {
+	const Basis to_field = axes_of(scene.field).basis.inverse();
+	const float longest = std::max(to_field.get_column(0).length(), to_field.get_column(2).length());
+	return float(scene.properties.view_distance) * longest;
+}
+
+std::vector<TileKey> FieldTiles::choose_all(const Scene &scene, const PlacementRequest &request) {
+	const float size = float(scene.properties.tile_size);
+	const std::vector<glm::vec2> places = places_of(scene);
+	if (places.empty() && size == scene.store.tile_size()) {
+		return std::vector<TileKey>(standing.begin(), standing.end());
+	}
+	return choose_tiles({}, places, distance_in(scene), size, placed_box(request)).coming;
+}
+
+void FieldTiles::stand(const std::vector<TileKey> &tiles, const PlacementRequest &request) {
+	clear();
+	standing.insert(tiles.begin(), tiles.end());
+	base = request;
+	base.map.reset();
+	area = placed_box(request);
+}
+
+void FieldTiles::clear() {
+	standing.clear();
+	coming.clear();
+	going.clear();
+	jobs.clear();
+	outline.reset();
+	frames_since_choice = 0;
+}
+
+void FieldTiles::choose(const Scene &scene) {
+	if (frames_since_choice++ % FRAMES_BETWEEN_CHOICES != 0) {
+		return;
+	}
+	const PlantMap *map = scene.properties.map.ptr();
+	if (map && !map->density().painted().is_empty()) { // Something may have been painted where nothing was.
+		area = map->density().box_of(map->density().painted());
+	}
+	TileChoice choice = choose_tiles(standing, places_of(scene), distance_in(scene), scene.store.tile_size(), area);
+	coming = std::move(choice.coming);
+	going = std::move(choice.going);
+	std::reverse(coming.begin(), coming.end());
+	std::reverse(going.begin(), going.end());
+}
+
+void FieldTiles::leave(const Scene &scene, const TileKey &tile) {
+	const auto is_of_tile = [&](const std::unique_ptr<TileJob> &job) { return job->tile() == tile; };
+	jobs.erase(std::remove_if(jobs.begin(), jobs.end(), is_of_tile), jobs.end());
+	standing.erase(tile);
+	scene.view.drop_tile(tile);
+	StandEdit edit;
+	edit.left_tiles = { tile };
+	scene.apply(std::move(edit), nullptr);
+}
+
+void FieldTiles::interrupt(const Scene &scene) {
+	while (!jobs.empty()) {
+		leave(scene, TileKey(jobs.back()->tile()));
+	}
+	outline.reset();
+	coming.clear();
+	frames_since_choice = 0;
+}
+
+void FieldTiles::interrupt(const Scene &scene, const AreaBox &box) {
+	std::vector<TileKey> touched;
+	for (const std::unique_ptr<TileJob> &job : jobs) {
+		const AreaBox both = common_box(box, tile_box(job->tile(), scene.store.tile_size()));
+		if (both.low.x <= both.high.x && both.low.y <= both.high.y) {
+			touched.push_back(job->tile());
+		}
+	}
+	for (const TileKey &tile : touched) {
+		leave(scene, tile);
+		frames_since_choice = 0;
+	}
+}
+
+// False where nobody may begin.
+bool FieldTiles::begin(const Scene &scene) {
+	if (coming.empty() || jobs.size() >= MOST_JOBS) {
+		return false;
+	}
+	TileRecipe recipe;
+	recipe.tile = coming.back();
+	coming.pop_back();
+	recipe.tile_size = scene.store.tile_size();
+	const AreaBox box = tile_box(recipe.tile, recipe.tile_size);
+	recipe.request = base;
+	recipe.request.within = box;
+	if (scene.properties.map.is_valid()) { // What is painted may be another by now.
+		recipe.request = PlacementRequest();
+		const String fault = read_request(scene.field, scene.properties, &box, recipe.request);
+		if (!fault.is_empty()) {
+			return false; // The filling has told of it.
+		}
+	}
+	outline = outline ? outline : std::make_shared<const FieldStyle>(outline_of(scene.style));
+	recipe.ground = scene.ground;
+	recipe.changes = scene.changes.cut(box);
+	recipe.prepare = scene.motion.prepare_block();
+	recipe.settings = scene.settings;
+	recipe.style = outline;
+	standing.insert(recipe.tile);
+	jobs.push_back(std::make_unique<TileJob>(std::move(recipe)));
+	jobs.back()->start();
+	return true;
+}
+
+// One of them at a time.
+void FieldTiles::ask_ground(const Scene &scene, bool physics) {
+	const auto waits = [](const std::unique_ptr<TileJob> &job) { return job->wants_ground(); };
+	const auto first = std::find_if(jobs.begin(), jobs.end(), waits);
+	if (first == jobs.end() || asking != first->get()) {
+		asker.forget();
+		asking = first == jobs.end() ? nullptr : first->get();
+	}
+	if (asking &&
+			asker.serve(**first, scene.field, scene.properties, ASKING_USEC, physics, false) ==
+					GroundSurvey::State::failed) {
+		scene.fault(asker.fault());
+		leave(scene, TileKey(asking->tile()));
+	}
+}
+
+bool FieldTiles::go_on(
+		const Scene &scene, TileJob &job, bool edits, double until_usec, const Stopwatch &watch) {
+	while (job.is_placed() && job.has_more_blocks() && edits && watch.usec() < until_usec) {
+		StandEdit edit;
+		std::unique_ptr<PreparedBlock> prepared;
+		edit.stood.push_back(job.take_block(prepared));
+		const ChangeSet changes = scene.apply(std::move(edit), prepared.get());
+		job.set_texels(scene.motion.texels(changes.grown.front().block));
+	}
+	if (job.is_placed() && !job.has_more_blocks()) {
+		if (!job.has_begun()) {
+			return true; // Nobody stands there.
+		}
+		job.draw();
+	}
+	while (job.is_drawn() && watch.usec() < until_usec) {
+		const ClumpPlan *plan = job.next_plan();
+		if (!plan) {
+			return true;
+		}
+		scene.view.show(scene.style, { *plan });
+	}
+	return false;
+}
+
+void FieldTiles::go_on(const Scene &scene, bool physics, bool edits) {
+	const Stopwatch watch;
+	ask_ground(scene, physics);
+	if (physics) {
+		return;
+	}
+	choose(scene);
+	while (edits && !going.empty() && watch.usec() < MOST_USEC) {
+		leave(scene, TileKey(going.back()));
+		going.pop_back();
+	}
+	for (size_t i = 0; i < jobs.size();) {
+		if (go_on(scene, *jobs[i], edits, MOST_USEC, watch)) {
+			jobs.erase(jobs.begin() + std::ptrdiff_t(i));
+		} else {
+			i++;
+		}
+	}
+	while (watch.usec() < MOST_USEC && begin(scene)) {
+	}
+}
+
+} // namespace undergrowth

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "field/ground_survey.hpp"
+#include "field/tile_job.hpp"
+#include "stopwatch.hpp"
+
+#include <functional>
+#include <memory>
+#include <set>
+#include <vector>
+
+namespace undergrowth {
+
+/// Which tiles of a field stand that has a view distance, and the jobs for those that come, nearest first. Main thread.
+class FieldTiles {
+public:
+	/// What it needs to know, and whom it tells.
+	struct Scene {
+		godot::Node3D *field;
+		const FieldProperties &properties;
+		const PlantStore &store;
+		const FieldStyle &style;
+		const FieldMotion &motion;
+		const FieldGround &ground;
+		const StandChanges &changes;
+		FieldSettings settings;
+		FieldView &view;
+		std::function<ChangeSet(StandEdit &&, PreparedBlock *)> apply;
+		std::function<void(const godot::String &)> fault;
+	};
+
+	/// Tiles that a filling is to begin with: those around whoever looks, and those that stand and are not too far.
+	std::vector<TileKey> choose_all(const Scene &scene, const PlacementRequest &request);
+	/// They stand now, and no others; later ones are of this request.
+	void stand(const std::vector<TileKey> &tiles, const PlacementRequest &request);
+	/// None of them does.
+	void clear();
+	bool stands(const TileKey &tile) const { return standing.count(tile) > 0; }
+	int standing_count() const { return int(standing.size()); }
+	/// Tiles that are to come.
+	int waiting_count() const { return int(jobs.size() + coming.size()); }
+
+	/// Goes on in a frame of physics or another one: chooses now and then, lets tiles go and come. `edits`: the store
+	/// may be edited. Where it does something it takes a part of a millisecond, and ends in the midst of it.
+	void go_on(const Scene &scene, bool physics, bool edits);
+	/// All tiles that are on their way begin anew; what stands of them goes.
+	void interrupt(const Scene &scene);
+	/// The same of those that meet a box (m, field axes).
+	void interrupt(const Scene &scene, const AreaBox &box);
+	/// What they look like or how they move is another.
+	void forget_style() { outline.reset(); }
+
+private:
+	std::set<TileKey> standing; ///< Or begin to.
+	std::vector<TileKey> coming; ///< Nearest last.
+	std::vector<TileKey> going; ///< Farthest last.
+	std::vector<std::unique_ptr<TileJob>> jobs;
+	PlacementRequest base; ///< Of all tiles, without its map.
+	AreaBox area;
+	std::shared_ptr<const FieldStyle> outline;
+	GroundAsker asker;
+	const TileJob *asking = nullptr;
+	int frames_since_choice = 0;
+
+	std::vector<glm::vec2> places_of(const Scene &scene) const;
+	void choose(const Scene &scene);
+	void leave(const Scene &scene, const TileKey &tile);
+	bool begin(const Scene &scene);
+	void ask_ground(const Scene &scene, bool physics);
+	/// Whether the job is done.
+	bool go_on(const Scene &scene, TileJob &job, bool edits, double until_usec, const Stopwatch &watch);
+};
+
+} // namespace undergrowth

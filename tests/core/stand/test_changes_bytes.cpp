@@ -1,0 +1,128 @@
+#include "stand/changes_bytes.hpp"
+#include "test_placement_fixture.hpp"
+
+#include "../golden.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstring>
+
+using namespace undergrowth;
+
+namespace {
+
+constexpr std::size_t REMOVED_BYTES = 16;
+constexpr uint64_t GOLDEN_BYTES = 5844490441597160777ull;
+
+SavedChanges sample() {
+	SavedChanges saved;
+	std::vector<PlantId> gone;
+	std::vector<PlantId> mown;
+	std::vector<float> shares;
+	for (int i = -50; i < 50; i++) {
+		gone.push_back(filled_plant_id(0.5f * static_cast<float>(i), 3.0f, 0.25));
+		mown.push_back(filled_plant_id(0.5f * static_cast<float>(i), -90.0f, 0.25));
+		shares.push_back(0.005f * static_cast<float>(i + 60));
+	}
+	saved.changes.remove(gone, 0.25);
+	saved.changes.mow(mown, shares, 0.25);
+	saved.changes.remove({ filled_plant_id(-40000.0f, 9.0f, 1.5) }, 1.5);
+	saved.species = { "Poppy", "Mädesüß" };
+	for (int i = 0; i < 3; i++) {
+		AddedPlant one;
+		one.id = added_plant_id(10 * i);
+		one.plant.root = { 1.0f, 2.0f, static_cast<float>(i) };
+		one.plant.turn = 1.25f;
+		one.plant.species = i % 2;
+		saved.added.push_back(one);
+	}
+	saved.changes.mow({ added_plant_id(10) }, { 0.5f }, 1.0);
+	return saved;
+}
+
+BytesFault read(const std::vector<uint8_t> &bytes, SavedChanges &changes) {
+	return read_changes(bytes.data(), bytes.size(), changes);
+}
+
+void reseal(std::vector<uint8_t> &bytes) {
+	const uint32_t sum = checksum_of(bytes.data(), bytes.size() - 4);
+	std::memcpy(bytes.data() + bytes.size() - 4, &sum, 4);
+}
+
+} // namespace
+
+TEST_CASE("changes that were written are read as they were") {
+	const SavedChanges saved = sample();
+	const std::vector<uint8_t> bytes = write_changes(saved);
+	SavedChanges back;
+	REQUIRE(read(bytes, back) == BytesFault::none);
+	CHECK(back.changes.is_gone(-25.0f, 3.0f));
+	CHECK(!back.changes.is_gone(-25.0f, 4.0f));
+	CHECK(back.changes.is_gone(-40000.0f, 9.0f));
+	CHECK(back.changes.share_of(1, 0.0f, -90.0f) == doctest::Approx(0.3).epsilon(1e-4));
+	CHECK(back.changes.share_of(added_plant_id(10), 0.0f, 0.0f) == doctest::Approx(0.5).epsilon(1e-4));
+	CHECK(back.species == saved.species);
+	REQUIRE(back.added.size() == 3);
+	CHECK(back.added[2].id == added_plant_id(20));
+	CHECK(back.added[2].plant.root == saved.added[2].plant.root);
+	CHECK(write_changes(back) == bytes);
+	CHECK(GoldenHash().add(bytes).value() == GOLDEN_BYTES);
+}
+
+TEST_CASE("what has grown back is not written, and heights are those of now") {
+	SavedChanges saved = sample();
+	saved.changes.grow_back(0.9);
+	SavedChanges back;
+	REQUIRE(read(write_changes(saved), back) == BytesFault::none);
+	CHECK(back.changes.grown_back() == 0.0);
+	CHECK(back.changes.share_of(1, -25.0f, -90.0f) == doctest::Approx(0.95).epsilon(1e-4));
+	CHECK(back.changes.share_of(1, 20.0f, -90.0f) == 1.0f);
+	CHECK(back.changes.plant_count() < saved.changes.plant_count());
+}
+
+TEST_CASE("a plant that is gone takes at most 16 bytes, a swath far fewer") {
+	const PlacementRequest request = square_field(50.0f, 20.0f, 2);
+	const double spacing = Placement(request).cell_size();
+	const FieldPlants plants = placed(request);
+	SavedChanges swath;
+	SavedChanges strewn;
+	std::vector<PlantId> ids;
+	std::vector<PlantId> few;
+	for (std::size_t i = 0; i < plants.x.size(); i++) {
+		ids.push_back(filled_plant_id(plants.x[i], plants.z[i], spacing));
+		if (i % 997 == 0) {
+			few.push_back(filled_plant_id(plants.x[i], plants.z[i], spacing));
+		}
+	}
+	const std::size_t nothing = write_changes(swath).size();
+	swath.changes.remove(ids, spacing);
+	strewn.changes.remove(few, spacing);
+	CHECK(write_changes(swath).size() - nothing <= 3 * ids.size());
+	CHECK(write_changes(strewn).size() - nothing <= REMOVED_BYTES * few.size());
+}
+
+TEST_CASE("bytes that are torn, of a later release or of another kind are told, and change nothing") {
+	const std::vector<uint8_t> bytes = write_changes(sample());
+	SavedChanges kept = sample();
+	for (std::size_t length = 1; length < bytes.size(); length += 7) {
+		const std::vector<uint8_t> cut(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length));
+		CHECK(read(cut, kept) == (length < 4 ? BytesFault::other_kind : BytesFault::torn));
+	}
+	for (std::size_t at = 10; at < bytes.size(); at += 11) {
+		std::vector<uint8_t> damaged = bytes;
+		damaged[at] ^= 0x40;
+		CHECK(read(damaged, kept) == BytesFault::torn);
+		reseal(damaged); // As somebody might write them who means harm: read without a fault, or told.
+		SavedChanges other;
+		read(damaged, other);
+	}
+	std::vector<uint8_t> later = bytes;
+	later[4] = 2;
+	reseal(later);
+	CHECK(read(later, kept) == BytesFault::later_version);
+	CHECK(read({ 'U', 'G', 'D', 'M', 1, 0, 14, 0, 0, 0, 0, 0, 0, 0 }, kept) == BytesFault::other_kind);
+	CHECK(write_changes(kept) == bytes);
+	CHECK(read({}, kept) == BytesFault::none);
+	CHECK(kept.changes.is_empty());
+	CHECK(kept.added.empty());
+}

@@ -1,0 +1,143 @@
+#include "stand/plant_store.hpp"
+#include "stand/stand_changes.hpp"
+#include "test_placement_fixture.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace undergrowth;
+
+namespace {
+
+constexpr float SIDE = 40.0f; // m.
+
+/// A square of which all in a circle of 6 m are gone, and all in another one mown to half their height.
+struct Cut {
+	PlacementRequest request = square_field(SIDE, 4.0f, 2);
+	double spacing = Placement(request).cell_size();
+	FieldPlants plants = placed(request);
+	StandChanges changes;
+
+	Cut() {
+		changes.remove(named_near(5.0f), spacing);
+		const std::vector<PlantId> mown = named_near(-8.0f);
+		changes.mow(mown, std::vector<float>(mown.size(), 0.5f), spacing);
+	}
+
+	static bool is_near(float x, float z, float middle) { return std::hypot(x - middle, z - 2.0f) < 6.0f; }
+
+	std::vector<PlantId> named_near(float middle) const {
+		std::vector<PlantId> ids;
+		for (std::size_t i = 0; i < plants.x.size(); i++) {
+			if (is_near(plants.x[i], plants.z[i], middle)) {
+				ids.push_back(filled_plant_id(plants.x[i], plants.z[i], spacing));
+			}
+		}
+		return ids;
+	}
+};
+
+int count_near(const FieldPlants &plants, float middle, float less) {
+	int count = 0;
+	for (std::size_t i = 0; i < plants.x.size(); i++) {
+		count += std::hypot(plants.x[i] - middle, plants.z[i] - 2.0f) < 6.0f - less ? 1 : 0;
+	}
+	return count;
+}
+
+} // namespace
+
+TEST_CASE("who is gone stays gone when plants are placed anew, and nobody else") {
+	const Cut cut;
+	FieldPlants anew = placed(cut.request);
+	const int before = anew.size();
+	const int gone = static_cast<int>(cut.named_near(5.0f).size());
+	REQUIRE(gone > 400);
+	cut.changes.take_out(anew);
+	CHECK(anew.size() == before - gone);
+	CHECK(count_near(anew, 5.0f, 0.0f) == 0);
+}
+
+TEST_CASE("at another density nobody grows where plants are gone") {
+	const Cut cut;
+	for (const float density : { 1.0f, 11.0f, 40.0f }) {
+		PlacementRequest request = cut.request;
+		request.density = density;
+		FieldPlants anew = placed(request);
+		const int all = anew.size();
+		cut.changes.take_out(anew);
+		CHECK(count_near(anew, 5.0f, 1.0f) == 0);
+		const double area = 3.14159 * 6.0 * 6.0;
+		CHECK(all - anew.size() == doctest::Approx(area * static_cast<double>(density)).epsilon(0.15));
+	}
+}
+
+TEST_CASE("who is mown is so high, and grows back") {
+	Cut cut;
+	const std::vector<PlantId> mown = cut.named_near(-8.0f);
+	const auto share_of = [&](PlantId id) {
+		float x = 0.0f;
+		float z = 0.0f;
+		filled_plant_place(id, cut.spacing, x, z);
+		return cut.changes.share_of(id, x, z);
+	};
+	CHECK(share_of(mown[7]) == 0.5f);
+	CHECK(share_of(cut.named_near(5.0f)[0]) == 1.0f);
+	cut.changes.grow_back(0.25);
+	CHECK(share_of(mown[7]) == 0.75f);
+	cut.changes.mow({ mown[7] }, { 0.125f }, cut.spacing);
+	CHECK(share_of(mown[7]) == 0.125f);
+	CHECK(share_of(mown[8]) == 0.75f);
+	cut.changes.mow({ mown[9] }, { -3.0f }, cut.spacing);
+	CHECK(share_of(mown[9]) == StandChanges::LEAST_SHARE);
+	cut.changes.grow_back(1.0);
+	CHECK(share_of(mown[7]) == 1.0f);
+	cut.changes.remove({ mown[8] }, cut.spacing);
+	cut.changes.mow({ mown[7] }, { 1.0f }, cut.spacing);
+	const int left = static_cast<int>(mown.size() + cut.named_near(5.0f).size());
+	CHECK(cut.changes.plant_count() < left); // Whom a square is written for is forgotten once it is whole again.
+}
+
+TEST_CASE("plants that were added are mown by their names") {
+	StandChanges changes;
+	changes.mow({ added_plant_id(3) }, { 0.25f }, 1.0);
+	CHECK(changes.share_of(added_plant_id(3), 90.0f, 90.0f) == 0.25f);
+	CHECK(changes.share_of(added_plant_id(4), 90.0f, 90.0f) == 1.0f);
+	changes.forget_added(added_plant_id(3));
+	CHECK(changes.is_empty());
+}
+
+TEST_CASE("a copy does not see what changes after it, and a cut has what matters in its box") {
+	Cut cut;
+	const StandChanges copy = cut.changes;
+	const PlantId id = filled_plant_id(15.0f, 15.0f, cut.spacing);
+	cut.changes.remove({ id }, cut.spacing);
+	CHECK(cut.changes.is_gone(15.0f, 15.0f));
+	CHECK(!copy.is_gone(15.0f, 15.0f));
+	const AreaBox box = { { 3.0f, -2.0f }, { 9.0f, 4.0f } };
+	const StandChanges part = cut.changes.cut(box);
+	CHECK(part.plant_count() < cut.changes.plant_count());
+	for (float x = box.low.x; x < box.high.x; x += 0.1f) {
+		for (float z = box.low.y; z < box.high.y; z += 0.1f) {
+			REQUIRE(part.is_gone(x, z) == cut.changes.is_gone(x, z));
+		}
+	}
+	CHECK(cut.changes.has_mown({ { -9.0f, 1.0f }, { -8.0f, 2.0f } }));
+	CHECK(!cut.changes.has_mown({ { 14.0f, 12.0f }, { 18.0f, 18.0f } }));
+}
+
+TEST_CASE("what is gone here and not there is told by boxes around it") {
+	Cut cut;
+	const StandChanges before = cut.changes;
+	CHECK(cut.changes.gone_beside(before).empty());
+	const PlantId id = filled_plant_id(15.0f, -15.0f, cut.spacing);
+	cut.changes.remove({ id }, cut.spacing);
+	const std::vector<AreaBox> boxes = cut.changes.gone_beside(before);
+	REQUIRE(boxes.size() == 1);
+	CHECK(boxes[0].low.x <= 15.0f);
+	CHECK(boxes[0].high.y >= -15.0f);
+	CHECK(before.gone_beside(cut.changes).empty());
+	CHECK(before.gone_beside(StandChanges()).size() == cut.named_near(5.0f).size());
+}

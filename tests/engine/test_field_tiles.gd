@@ -1,0 +1,197 @@
+## A field whose tiles come and go around whoever looks.
+extends "res://tests/engine/field_harness.gd"
+
+const DISTANCE := 30.0
+const TILE := 8.0
+
+var _camera: Camera3D
+
+
+func before_each() -> void:
+	_camera = Camera3D.new()
+	root.add_child(_camera)
+	_camera.position = Vector3(0, 2, 0)
+	field = _make_field()
+
+
+func after_each() -> void:
+	super()
+	_camera.free()
+	await process_frame
+
+
+func test_what_is_near_stands_as_if_all_did() -> void:
+	var whole := _make_field()
+	whole.view_distance = 0.0
+	root.add_child(whole)
+	await whole.filled
+	await start()
+	await _streamed()
+	check(field.get_plant_count() < whole.get_plant_count() / 2, "not all stand")
+	_check_same_around(whole)
+	_camera.position.x = 45.0
+	await _streamed()
+	_check_same_around(whole)
+	var far := field.find_plants_in_sphere(Vector3(-5, 0, 0), 5.0)
+	check_equal(far.size(), 0, "plants that are left behind")
+	_camera.position.x = 0.0
+	await _streamed()
+	_check_same_around(whole)
+	whole.free()
+
+
+func test_who_was_removed_or_mown_is_so_when_one_comes_back() -> void:
+	await start()
+	await _streamed()
+	var cut := field.remove_in_sphere(Vector3(3, 0, 0), 3.0)
+	check(field.set_height_in_sphere(Vector3(-3, 0, 0), 2.0, 0.1) > 20, "mown")
+	var id := field.find_nearest_plant(Vector3(-3, 0, 0), 1.0)
+	check(cut > 50, "%d are cut" % cut)
+	_camera.position.x = 60.0
+	await _streamed()
+	check(not field.has_plant(id), "it is far away")
+	_camera.position.x = 0.0
+	await _streamed()
+	check_equal(field.find_plants_in_sphere(Vector3(3, 0, 0), 3.0).size(), 0, "plants that come back")
+	check(field.has_plant(id), "the mown one stands again")
+	await step(2)
+	check_near(relative_tip(id).length(), 0.1, 0.002, "as high as it was mown")
+
+
+func test_an_endless_field_stands_wherever_somebody_is() -> void:
+	field.endless = true
+	field.streaming_targets = [NodePath("Target")]
+	var target := Node3D.new()
+	target.name = "Target"
+	field.add_child(target)
+	target.position = Vector3(5000, 0, -3000)
+	await start()
+	await _streamed()
+	for place: Vector3 in [_camera.position, target.position]:
+		var near := field.find_plants_in_sphere(Vector3(place.x, 0, place.z), DISTANCE - 2.0).size()
+		var area := PI * (DISTANCE - 2.0) ** 2
+		check_near(near, area * field.density, 0.05 * area * field.density, "plants around it")
+	target.position = Vector3(-90000, 0, 90000)
+	await _streamed()
+	check(field.find_nearest_plant(target.position, 1.0) >= 0, "there, too")
+	check_equal(field.find_plants_in_sphere(Vector3(5000, 0, -3000), 20.0).size(), 0, "left behind")
+
+
+func test_endless_without_a_view_distance_is_told() -> void:
+	field.view_distance = 0.0
+	field.endless = true
+	root.add_child(field)
+	await frames(3)
+	check_error("endless needs a view_distance above 0")
+	field.view_distance = DISTANCE
+	await filled(field)
+	await _streamed()
+	check(field.get_plant_count() > 1000, "%d plants" % field.get_plant_count())
+
+
+func test_plants_of_a_changed_property_stand_around_whoever_looks() -> void:
+	await start()
+	await _streamed()
+	field.density = 4.0
+	await rested()
+	await _streamed()
+	var near := field.find_plants_in_sphere(Vector3.ZERO, DISTANCE - 2.0).size()
+	check_near(near, PI * 28.0 * 28.0 * 4.0, 500.0, "plants")
+	field.tile_size = 11.0
+	await dressed()
+	await rested()
+	await _streamed()
+	check_near(
+		field.find_plants_in_sphere(Vector3.ZERO, DISTANCE - 2.0).size(), near, 0.0, "in other tiles"
+	)
+	_camera.position.z = 50.0
+	await _streamed()
+	_camera.position.z = 0.0
+	await _streamed()
+	check_near(field.find_plants_in_sphere(Vector3.ZERO, 28.0).size(), near, 0.0, "then")
+	field.view_distance = 0.0
+	await rested()
+	check_near(field.get_plant_count(), 4.0 * 120.0 * 120.0, 1500.0, "all stand")
+
+
+func test_what_is_painted_comes_where_it_stands_and_where_it_will() -> void:
+	field.map = PlantMap.new()
+	field.map.paint(Vector2(0, 0), 100.0, field.species[0].get_layer_name(), 1.0)
+	await start()
+	await _streamed()
+	var count := field.find_plants_in_sphere(Vector3(8, 0, 8), 4.0).size()
+	check(count > 20, "%d stand" % count)
+	field.map.erase(Vector2(8, 8), 4.5)
+	field.map.erase(Vector2(60, 0), 4.5)
+	await rested()
+	await _streamed()
+	check_equal(field.find_plants_in_sphere(Vector3(8, 0, 8), 4.0).size(), 0, "erased where it stands")
+	_camera.position.x = 60.0
+	await _streamed()
+	check_equal(field.find_plants_in_sphere(Vector3(60, 0, 0), 4.0).size(), 0, "and where it comes")
+	check(field.find_plants_in_sphere(Vector3(68, 0, 0), 3.0).size() > 10, "beside it plants stand")
+
+
+func test_a_walk_over_ground_in_wind_leaves_nothing_behind() -> void:
+	var ground := StaticBody3D.new()
+	var shape := CollisionShape3D.new()
+	shape.shape = box_shape(Vector3(400, 1, 400))
+	ground.add_child(shape)
+	ground.position.y = 2.5
+	root.add_child(ground)
+	field.ground_mode = PlantField3D.GROUND_COLLIDERS
+	field.endless = true
+	field.wind.strength = 5.0
+	await frames(2)
+	await start()
+	await _streamed()
+	var most := field.get_plant_count()
+	for i in 60:
+		_camera.position.x += 2.0
+		await frames(4)
+		most = maxi(most, field.get_plant_count())
+		if i % 10 == 5:
+			field.remove_in_sphere(_camera.position, 4.0)
+		if i == 20:
+			field.species[0].species.natural_frequency *= 1.1
+	await _streamed()
+	var area := PI * (DISTANCE + 3.0 * TILE) ** 2
+	check(most < area * field.density, "%d stand at most" % most)
+	var nearest := field.find_nearest_plant(_camera.position + Vector3(9, 1, 0), 5.0)
+	check(nearest >= 0, "somebody stands there")
+	check_near(field.get_plant_transform(nearest).origin.y, 3.0, 0.01, "on the ground")
+	ground.free()
+
+
+func _check_same_around(whole: PlantField3D) -> void:
+	var middle := Vector3(_camera.position.x, 0, 0)
+	var here := field.find_plants_in_sphere(middle, DISTANCE - 0.5)
+	var there := whole.find_plants_in_sphere(middle, DISTANCE - 0.5)
+	here.sort()
+	there.sort()
+	check_equal(here, there, "names")
+	if here == there:
+		var transforms := field.get_plant_transforms(here)
+		check(transforms == whole.get_plant_transforms(there), "places")
+		check(field.get_plant_heights(here) == whole.get_plant_heights(there), "heights")
+
+
+## Waits until all tiles stand that are to.
+func _streamed() -> void:
+	await frames(20)
+	while field.is_filling() or field.get_statistics()["tiles_waiting"] > 0:
+		await process_frame
+	await frames(20)
+	while field.get_statistics()["tiles_waiting"] > 0:
+		await process_frame
+
+
+func _make_field() -> PlantField3D:
+	var made := PlantField3D.from_species([TulipFunction.new(), GrassFunction.new()])
+	made.size = Vector2(120, 120)
+	made.density = 6.0
+	made.tile_size = TILE
+	made.view_distance = DISTANCE
+	made.wind = PlantWind.new()
+	made.wind.strength = 0.0
+	return made
