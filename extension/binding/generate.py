@@ -16,15 +16,17 @@ from pathlib import Path
 from generator import builtins, classes, interface, types
 
 sys.dont_write_bytecode = True
+SOURCES = (".cpp", ".hpp", ".inc")
 
 
-def generate(api, interface_text, listed, headers):
-    """All generated files as {path relative to the output folder: text}."""
+def generate(api, interface_text, listed, folder):
+    """All generated files as {path relative to the output folder: text}; `folder` has what is written by hand."""
     names = types.Names(api, listed)
-    files = {"include/gdextension_interface.h": interface_text}
-    files.update(interface.files(interface_text))
-    files.update(builtins.files(api, names, headers))
-    files.update(classes.files(api, names, headers))
+    headers = folder / "include" / "godot_cpp"
+    files = {**builtins.files(api, names, headers), **classes.files(api, names, headers)}
+    written = [path.read_text(encoding="utf-8") for path in sorted(folder.rglob("*")) if path.suffix in SOURCES]
+    files.update(interface.files(interface_text, interface.used_names([*written, *files.values()])))
+    files["include/gdextension_interface.h"] = interface_text
     return files
 
 
@@ -43,7 +45,7 @@ def main():
         json.loads(Path(options.api).read_text(encoding="utf-8")),
         Path(options.interface).read_text(encoding="utf-8"),
         read_class_list(options.classes),
-        Path(__file__).resolve().parent / "include" / "godot_cpp",
+        Path(__file__).resolve().parent,
     )
     for name, text in sorted(files.items()):
         if options.list:

@@ -1,0 +1,34 @@
+"""What exported games are made of: Debian testing's templates of the same Godot, in .toolchain/templates."""
+
+import subprocess
+
+from . import debian, unpacked
+from .place import Missing, TOOLCHAIN, make_folder
+
+PACKAGES = ["godot-template-debug", "godot-template-release", "patchelf"]
+REMEDY = "Exports are tried with Debian's templates: elsewhere leave the suite `export` out."
+KINDS = ("debug", "release")
+
+
+def fetch():
+    """{kind: path of the template}, which start by themselves with the libraries of their folder."""
+    folder = make_folder("templates", " ".join(PACKAGES), fill)
+    return {kind: find(folder, kind) for kind in KINDS}
+
+
+def find(folder, kind):
+    found = [path for path in sorted(folder.rglob(f"*{kind}*")) if path.is_file() and path.stat().st_size > 10_000_000]
+    if not found:
+        raise Missing(f"Debian's package godot-template-{kind} has changed: it holds no template.\n{REMEDY}")
+    return found[0]
+
+
+def fill(folder):
+    debian.unpack("Godot's export templates", PACKAGES, folder, REMEDY)
+    for kind in KINDS:
+        template = find(folder, kind)
+        unpacked.give_own_loader(folder, TOOLCHAIN / "templates", str(template.relative_to(folder)))
+    unpacked.shed_weight(folder)
+
+
+__all__ = ["KINDS", "fetch", "subprocess"]
