@@ -16,7 +16,6 @@ from toolchain.place import Missing
 
 ROOT = archive.ROOT
 BUILT = "build/package/bin"
-KINDS = ("template_debug", "template_release")
 
 
 def build_all(program, jobs):
@@ -24,9 +23,8 @@ def build_all(program, jobs):
     shutil.rmtree(ROOT / BUILT, ignore_errors=True)
     text = (ROOT / archive.LIST).read_text(encoding="utf-8")
     for platform, arch in dict.fromkeys((platform, arch) for platform, _, arch in archive.listed(text).values()):
-        for kind in KINDS:
-            print(f"{platform} {arch} {kind}", flush=True)
-            zig.build(platform, arch, "build", f"target={kind}", f"into={BUILT}", program=program, jobs=jobs)
+        print(f"{platform} {arch}", flush=True)
+        zig.build(platform, arch, "build", "target=both", f"into={BUILT}", program=program, jobs=jobs)
 
 
 def pack(root, libraries, is_for_all):
@@ -43,7 +41,7 @@ def pack(root, libraries, is_for_all):
     fresh.replace(target)
     print("\n".join(f"with {path.name}" for name, path in found.items() if "/bin/" in name))
     if not any("template_release" in name for name in found):
-        print("without a library for exported games: `./run build target=template_release` first makes one")
+        print("without a library for exported games: `./run build target=both` makes it")
     print(f"{target.relative_to(root)}: {len(found)} files, {target.stat().st_size / 1e6:.1f} MB")
     return []
 

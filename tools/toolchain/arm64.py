@@ -1,7 +1,6 @@
 """Programs for Linux on arm64, started by qemu: Debian testing's Godot for that processor, in .toolchain/arm64."""
 
 import shutil
-import subprocess
 
 from . import debian, unpacked
 from .place import Missing, make_folder

@@ -1,8 +1,6 @@
 """What exported games are made of: Debian testing's templates of the same Godot, in .toolchain/templates."""
 
-import subprocess
-
-from . import debian, unpacked
+from . import debian, godot, unpacked
 from .place import Missing, TOOLCHAIN, make_folder
 
 PACKAGES = ["godot-template-debug", "godot-template-release", "patchelf"]
@@ -31,4 +29,15 @@ def fill(folder):
     unpacked.shed_weight(folder)
 
 
-__all__ = ["KINDS", "fetch", "subprocess"]
+
+def environment(surroundings):
+    """`surroundings` in which a game that was exported from a template finds the libraries of the template's folder, and
+    those that draw in the folder of Debian's Godot."""
+    godot.fetch()
+    drawing = TOOLCHAIN / "godot"
+    libraries = drawing / unpacked.libraries_of(drawing)
+    drivers = {"LIBGL_DRIVERS_PATH": libraries / "dri", "VK_DRIVER_FILES": drawing / "usr/share/vulkan/icd.d/lvp_icd.json",
+               "__EGL_VENDOR_LIBRARY_DIRS": drawing / "usr/share/glvnd/egl_vendor.d"}
+    folders = [TOOLCHAIN / "templates" / unpacked.libraries_of(TOOLCHAIN / "templates"), libraries]
+    search = ":".join(f"{folder}{below}" for folder in folders for below in unpacked.LIBRARY_FOLDERS)
+    return {**surroundings, "LD_LIBRARY_PATH": search, **{name: str(path) for name, path in drivers.items()}}

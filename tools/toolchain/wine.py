@@ -3,7 +3,7 @@
 import shutil
 
 from . import debian
-from .place import Missing, TOOLCHAIN, make_folder
+from .place import Missing, make_folder
 
 PACKAGES = ["wine64", "wine"]
 REMEDY = "The suite `windows` needs Debian on x86_64: elsewhere leave it out."
@@ -23,9 +23,10 @@ def fill(folder):
         shutil.copy(next(folder.glob("usr/x86_64-w64-mingw32/lib/zlib1.dll")), modules)
     except StopIteration:
         raise Missing(f"Debian's Wine has changed: its modules are not where they were.\n{REMEDY}") from None
+    # It is a script that looks for the program in the system's folders.
     server = folder / "usr/lib/wine/wineserver"
-    if not server.exists():
-        server.symlink_to("wineserver64")
+    server.unlink(missing_ok=True)
+    server.symlink_to("wineserver64")
     for unneeded in UNNEEDED:
         shutil.rmtree(folder / unneeded, ignore_errors=True)
 
@@ -34,7 +35,7 @@ def environment(folder, prefix, surroundings):
     """`surroundings` in which the programs of `folder` work, with their Windows in the folder `prefix`."""
     libraries = [str(path) for path in sorted(folder.glob("usr/lib/*-linux-gnu"))]
     return {**surroundings, "WINEPREFIX": str(prefix), "WINELOADER": str(folder / "usr/lib/wine/wine64"),
-            "WINESERVER": str(folder / "usr/lib/wine/wineserver"), "WINEDEBUG": "-all", "DISPLAY": "",
+            "WINESERVER": str(server(folder)), "WINEDEBUG": "-all", "DISPLAY": "",
             "LD_LIBRARY_PATH": ":".join(libraries), "WINEDLLOVERRIDES": "mscoree,mshtml="}
 
 
@@ -43,4 +44,6 @@ def program(folder):
     return folder / "usr/lib/wine/wine64"
 
 
-__all__ = ["TOOLCHAIN", "environment", "fetch", "program"]
+def server(folder):
+    """What ends with the programs, or before, where it is asked to."""
+    return folder / "usr/lib/wine/wineserver64"
