@@ -3,7 +3,7 @@
 
 SConstruct builds the programs and calls this (`scons test`). Each suite's output goes to build/test/<suite>.log. A crash,
 a timeout, a program that prints nothing and an engine that complains while it shuts down count as failures. The suites
-`soak` and `species` (suites/soak.py, suites/species.py) run only where they are named.
+`soak` and `species`, and those on the zip, `package`, `export`, `windows` and `arm64`, run only where they are named.
 """
 
 import argparse
@@ -17,7 +17,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests")]
 
-from suites import editor, engine, picture, programs, soak, species  # noqa: E402  (the path above comes first)
+from suites import arm64, editor, engine, export, package, picture, programs, soak, species, windows  # noqa: E402  (the path above comes first)
 
 LOGS = ROOT / "build/test"
 
@@ -37,7 +37,14 @@ def plan(options):
         suites += engine.suites(options.godot, options.probe, rounds_of(options), options.only)
         suites += soak.suites(options.godot, options.soak) if options.soak else []
     chosen = set(options.suites.split(",")) if options.suites else None
+    suites += of_what_is_shipped(options) if chosen else []
     return [(name, run) for name, run in suites if not chosen or name.split(":")[0] in chosen]
+
+
+def of_what_is_shipped(options):
+    """Suites on the zip, which take long and fetch much: only where they are named."""
+    suites = windows.suites() + arm64.suites()
+    return suites + (package.suites(options.godot) + export.suites(options.godot) if options.godot else [])
 
 
 def rounds_of(options):

@@ -3,10 +3,13 @@
 
 Prints a table and what it means, writes build/bench.json and build/bench.png. All measuring programs print a JSON list
 of rows {"name", "plants", "threads", "median_ms", "us_per_plant"}; rows of fields also tell their "renderer".
+
+--release measures in an exported game, with the engine's release template and the add-on's release library.
 """
 
 import argparse
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -16,7 +19,7 @@ sys.path.insert(0, str(ROOT / "tests"))
 
 import bench_plot  # noqa: E402  (the path above comes first)
 import bench_summary  # noqa: E402
-from suites import engine  # noqa: E402
+from suites import engine, exporting  # noqa: E402
 from toolchain import display  # noqa: E402
 from toolchain.place import Missing  # noqa: E402
 
@@ -25,6 +28,15 @@ RENDERERS = ("forward_plus", "gl_compatibility")
 TIMEOUT = 600
 ENGINE_SCRIPTS = {"plants": "engine_bench", "fields": "field_bench"}
 PARTS = ("core", *ENGINE_SCRIPTS, "drawn")
+STEADY = ["--fixed-fps", "60", "--disable-vsync"]
+# What makes a script of tests/bench the main loop of a game.
+GAME = """
+[application]
+
+run/main_scene="res://empty.tscn"
+run/main_loop_type="BenchMainLoop"
+"""
+MAIN_LOOP = 'class_name BenchMainLoop\nextends "res://tests/bench/{}.gd"\n'
 # The engine's better physics has to be chosen, and told how many bodies there will be.
 JOLT = """
 [physics]
@@ -52,15 +64,38 @@ def measure(name, words, environment=None):
         sys.exit(f"{name} measured nothing ({error}, exit status {answer.returncode}):\n{answer.stdout[-2000:]}")
 
 
-def drawn_rows(start):
+def editor_start(godot, folder):
+    """start(script): the words that run a script of tests/bench in the editor's engine."""
+    return lambda script: [godot, "--path", str(folder), *STEADY, "--script", f"res://tests/bench/{script}.gd"]
+
+
+def game_start(godot, folder):
+    """start(script): the same in an exported game, whose main loop the script is."""
+    (folder / "empty.tscn").write_text('[gd_scene format=3]\n\n[node name="Empty" type="Node"]\n')
+    with open(folder / "project.godot", "a", encoding="utf-8") as settings:
+        settings.write(GAME)
+    (folder / "main_loop.gd").write_text(MAIN_LOOP.format("field_bench"))
+    problem = exporting.prepare("bench:import", godot, folder)
+
+    def start(script):
+        game = folder.parent / "bench_games" / script / "game"
+        (folder / "main_loop.gd").write_text(MAIN_LOOP.format(script))
+        output, wrong = exporting.export(f"bench:{script}", godot, folder, "release", game)
+        if problem or wrong:
+            sys.exit(f"{script} could not be exported: {problem or wrong}\n{output[-2000:]}")
+        return [str(game), *STEADY]
+
+    return start
+
+
+def drawn_rows(words, surroundings):
     """Fields in each renderer, in a virtual display; nothing where there is none."""
     rows = []
     for method in RENDERERS:
-        words = [*start, "--rendering-method", method, "--audio-driver", "Dummy", "--resolution", "320x180",
-                 "--script", "res://tests/bench/field_bench.gd"]
+        drawn = [*words, "--rendering-method", method, "--audio-driver", "Dummy", "--resolution", "320x180"]
         try:
             with display.virtual(640, 360) as environment:
-                rows += measure(f"field_bench in {method}", words, engine.private_home(environment))
+                rows += measure(f"field_bench in {method}", drawn, surroundings(environment))
         except Missing as missing:
             print(f"{method} is not measured: {missing}")
     return rows
@@ -92,6 +127,7 @@ def main():
     parser.add_argument("--godot", required=True)
     parser.add_argument("--core", help="the program that measures the core")
     parser.add_argument("--parts", default=",".join(PARTS), help="what to measure: some of " + ", ".join(PARTS))
+    parser.add_argument("--release", action="store_true", help="in an exported game")
     options = parser.parse_args()
     parts = set(options.parts.split(","))
     if not parts <= set(PARTS):
@@ -100,13 +136,14 @@ def main():
     folder = engine.make_project("bench_project", {"tests/bench": "tests/bench"})
     with open(folder / "project.godot", "a", encoding="utf-8") as settings:
         settings.write(JOLT)
-    start = [options.godot, "--path", str(folder), "--fixed-fps", "60", "--disable-vsync"]
+    start = (game_start if options.release else editor_start)(options.godot, folder)
+    surroundings = exporting.surroundings if options.release else engine.private_home
     for script in (name for part, name in ENGINE_SCRIPTS.items() if part in parts):
-        words = [*start, "--headless", "--script", f"res://tests/bench/{script}.gd"]
-        rows += measure(script, words, engine.private_home())
-    rows += drawn_rows(start) if "drawn" in parts else []
+        rows += measure(script, [*start(script), "--headless"], surroundings(os.environ))
+    rows += drawn_rows(start("field_bench"), surroundings) if "drawn" in parts else []
     target = ROOT / "build/bench.json"
     target.write_text(json.dumps(rows, indent="\t") + "\n")
+    print("Measured with the release template and library" if options.release else "Measured with the debug library in an editor")
     print("\n".join([table(rows), "", *bench_summary.lines(rows), "", str(target.relative_to(ROOT))]))
     plot(rows)
     return 0

@@ -1,37 +1,67 @@
 #!/usr/bin/env python3
-"""Writes build/undergrowth.zip: the folder addons/undergrowth with the libraries built so far, to unpack in a project."""
+"""Writes build/undergrowth-VERSION.zip: the folder addons/undergrowth with the libraries for all platforms, to unpack in
+a project. What is wrong with a library is said, and no zip is left.
 
+--here takes the libraries that lie in addons/undergrowth/bin instead, for build/undergrowth-VERSION-here.zip.
+"""
+
+import argparse
+import shutil
 import sys
-import zipfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[1]
-ADDON = ROOT / "addons/undergrowth"
-# What compilers leave beside a library.
-LEFT_OUT = {".exp", ".lib", ".pdb", ".ilk"}
-FIXED_TIME = (2026, 1, 1, 0, 0, 0)
+from shipping import archive
+from toolchain import zig
+from toolchain.place import Missing
+
+ROOT = archive.ROOT
+BUILT = "build/package/bin"
 
 
-def is_shipped(path):
-    """Not the copy `~lib…` of a library either that an open editor makes to reload it."""
-    return path.is_file() and path.suffix not in LEFT_OUT and not path.name.startswith("~")
+def build_all(program, jobs):
+    """The libraries of all platforms in build/package/bin, and nothing else."""
+    shutil.rmtree(ROOT / BUILT, ignore_errors=True)
+    text = (ROOT / archive.LIST).read_text(encoding="utf-8")
+    for platform, arch in dict.fromkeys((platform, arch) for platform, _, arch in archive.listed(text).values()):
+        print(f"{platform} {arch}", flush=True)
+        zig.build(platform, arch, "build", "target=both", f"into={BUILT}", program=program, jobs=jobs)
+
+
+def pack(root, libraries, is_for_all):
+    """Writes the zip; returns what is wrong with it, and then nothing is left."""
+    target = archive.place(root, is_for_all)
+    target.unlink(missing_ok=True)
+    fresh = target.with_suffix(".new")
+    found = archive.files(root, libraries)
+    archive.write(fresh, found)
+    wrong = archive.complaints(fresh, archive.build_paths(root), is_for_all)
+    if wrong:
+        fresh.unlink()
+        return [line.replace(fresh.name, target.name) for line in wrong]
+    fresh.replace(target)
+    print("\n".join(f"with {path.name}" for name, path in found.items() if "/bin/" in name))
+    if not any("template_release" in name for name in found):
+        print("without a library for exported games: `./run build target=both` makes it")
+    print(f"{target.relative_to(root)}: {len(found)} files, {target.stat().st_size / 1e6:.1f} MB")
+    return []
 
 
 def main():
-    paths = [path for path in sorted(ADDON.rglob("*")) if is_shipped(path)]
-    target = ROOT / "build/undergrowth.zip"
-    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
-        for path in paths:
-            # A fixed time: the same files give the same archive.
-            entry = zipfile.ZipInfo(path.relative_to(ROOT).as_posix(), FIXED_TIME)
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            entry.external_attr = (0o755 if path.suffix in (".so", ".dylib") else 0o644) << 16
-            archive.writestr(entry, path.read_bytes())
-    print("\n".join(f"with {path.name}" for path in paths if path.parent.name == "bin"))
-    if not any("template_release" in path.name for path in paths):
-        print("without a library for exported games: `./run build target=template_release` first makes one")
-    print(f"{target.relative_to(ROOT)}: {len(paths)} files, {target.stat().st_size / 1e6:.1f} MB")
-    return 0
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--here", action="store_true", help="only what this machine has built")
+    parser.add_argument("--zig", help="the program; without it, it is fetched")
+    parser.add_argument("--jobs", type=int, help="how many compilers at once")
+    options = parser.parse_args()
+    try:
+        if not options.here:
+            build_all(options.zig, options.jobs)
+    except Missing as problem:
+        print(problem)
+        return 1
+    wrong = pack(ROOT, ROOT / (f"{archive.ADDON}/bin" if options.here else BUILT), not options.here)
+    for line in wrong:
+        print(f"Not packed: {line}")
+    return 1 if wrong else 0
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ const INSPECTOR := "editor/inspector/undergrowth_inspector.gd"
 const GIZMOS: Array[String] = ["editor/gizmo/plant_gizmos.gd", "editor/gizmo/field_gizmos.gd"]
 const BRUSH := "editor/brush/field_brush.gd"
 const THUMBNAILS := "editor/thumbnails/plant_thumbnails.gd"
+const EXPORT_CHECK := "editor/export/library_check.gd"
 const TRANSLATIONS := "editor/translations/translations.gd"
 ## A class of the library.
 const NATIVE_CLASS := &"PlantFunction"
@@ -30,6 +31,7 @@ var _stand_in: Node3D
 # What paints into fields: editor/brush/field_brush.gd.
 var _brush: RefCounted
 var _thumbnails: EditorResourcePreviewGenerator
+var _export_check: EditorExportPlugin
 var _translations: Script
 
 
@@ -62,6 +64,7 @@ func _exit_tree() -> void:
 	_brush = null
 	_stand_in.free()  # Only now: they have taken their gizmos from their nodes.
 	EditorInterface.get_resource_previewer().remove_preview_generator(_thumbnails)
+	remove_export_plugin(_export_check)
 	remove_dock(_dock)
 	_dock.queue_free()
 	_dock = null
@@ -143,6 +146,9 @@ func _add_helpers() -> void:
 	_brush.call(&"setup", self)
 	_thumbnails = (_load(THUMBNAILS) as GDScript).new()
 	EditorInterface.get_resource_previewer().add_preview_generator(_thumbnails)
+	_export_check = (_load(EXPORT_CHECK) as GDScript).new()
+	_export_check.call(&"setup", _folder())
+	add_export_plugin(_export_check)
 
 
 func _add_gizmos() -> void:

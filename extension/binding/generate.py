@@ -16,16 +16,32 @@ from pathlib import Path
 from generator import builtins, classes, interface, types
 
 sys.dont_write_bytecode = True
+LINES_OF_A_SOURCE = 1500
+SOURCES = (".cpp", ".hpp", ".inc")
 
 
-def generate(api, interface_text, listed, headers):
-    """All generated files as {path relative to the output folder: text}."""
+def generate(api, interface_text, listed, folder):
+    """All generated files as {path relative to the output folder: text}; `folder` has what is written by hand."""
     names = types.Names(api, listed)
-    files = {"include/gdextension_interface.h": interface_text}
-    files.update(interface.files(interface_text))
-    files.update(builtins.files(api, names, headers))
-    files.update(classes.files(api, names, headers))
-    return files
+    headers = folder / "include" / "godot_cpp"
+    files = {**builtins.files(api, names, headers), **classes.files(api, names, headers)}
+    written = [path.read_text(encoding="utf-8") for path in sorted(folder.rglob("*")) if path.suffix in SOURCES]
+    files.update(interface.files(interface_text, interface.used_names([*written, *files.values()])))
+    files["include/gdextension_interface.h"] = interface_text
+    return join_sources(files)
+
+
+def join_sources(files):
+    """The same with fewer and longer sources: most of the time that one takes goes to the headers, which all share."""
+    joined = {name: text for name, text in files.items() if not name.endswith(".cpp")}
+    number, length = 0, 0
+    for name in sorted(name for name in files if name.endswith(".cpp")):
+        part = f"src/part_{number}.cpp"
+        joined[part] = joined.get(part, "") + files[name]
+        length += files[name].count("\n")
+        if length > LINES_OF_A_SOURCE:
+            number, length = number + 1, 0
+    return joined
 
 
 def read_class_list(path):
@@ -43,7 +59,7 @@ def main():
         json.loads(Path(options.api).read_text(encoding="utf-8")),
         Path(options.interface).read_text(encoding="utf-8"),
         read_class_list(options.classes),
-        Path(__file__).resolve().parent / "include" / "godot_cpp",
+        Path(__file__).resolve().parent,
     )
     for name, text in sorted(files.items()):
         if options.list:

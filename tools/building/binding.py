@@ -55,7 +55,7 @@ def generate(root, godot):
     source = root / "extension/binding"
     folder = root / "build/binding"
     dump_api(godot, api)
-    read = [path for path in source.rglob("*") if path.suffix in (".py", ".txt", ".hpp", ".h")]
+    read = [path for path in source.rglob("*") if path.suffix in (".py", ".txt", ".hpp", ".h", ".inc", ".cpp")]
     inputs = [api / API, api / INTERFACE, *sorted(read)]
     now = digest(inputs)
     stamp = root / "build/binding.txt"

@@ -1,4 +1,7 @@
-"""Compilers, flags and names: one SCons environment for each kind of source."""
+"""Compilers, flags and names: one SCons environment for each kind of source.
+
+What is compiled for is the target's platform and processor, which `zig c++` makes different from this machine's.
+"""
 
 import os
 import platform
@@ -8,6 +11,16 @@ PLATFORMS = {"linux": "linux", "win32": "windows", "darwin": "macos"}
 ARCHITECTURES = {"x86_64": "x86_64", "amd64": "x86_64", "aarch64": "arm64", "arm64": "arm64"}
 PASSED_ON = ("PATH", "HOME", "TMPDIR", "TMP", "TEMP", "CPATH", "CPLUS_INCLUDE_PATH", "LIBRARY_PATH", "INCLUDE", "LIB",
              "SDKROOT", "PYTHONPATH", "GODOT", "DISPLAY", "WAYLAND_DISPLAY", "XAUTHORITY", "XDG_RUNTIME_DIR")
+
+# What `zig c++` compiles for: the oldest systems that Godot 4.6 itself runs on.
+ZIG_TARGETS = {
+    ("linux", "x86_64"): "x86_64-linux-gnu.2.28", ("linux", "arm64"): "aarch64-linux-gnu.2.28",
+    ("windows", "x86_64"): "x86_64-windows-gnu", ("windows", "arm64"): "aarch64-windows-gnu",
+    ("macos", "x86_64"): "x86_64-macos.10.15", ("macos", "arm64"): "aarch64-macos.11.0",
+}
+ZIG_TOOLS = ["gcc", "g++", "gnulink", "ar"]
+LIBRARY_SUFFIXES = {"linux": ".so", "windows": ".dll", "macos": ".dylib"}
+ZIG_CACHES = ("ZIG_GLOBAL_CACHE_DIR", "ZIG_LOCAL_CACHE_DIR")
 
 QUIET = {"CXX": "Compiling", "SHCXX": "Compiling", "AR": "Archiving", "RANLIB": "Indexing", "LINK": "Linking",
          "SHLINK": "Linking"}
@@ -26,43 +39,83 @@ def is_msvc(env):
     return "msvc" in env["TOOLS"] and env.get("CC") == "cl"
 
 
-def base_environment(make, arch, compiler, verbose):
-    """What all sources share: C++17 and the machine's own tools. `make` is SCons' Environment."""
-    target_arch = {"x86_64": "x86_64", "arm64": "arm64"}.get(arch)
-    env = make(ENV={name: os.environ[name] for name in PASSED_ON if name in os.environ}, TARGET_ARCH=target_arch)
+def base_environment(make, settings):
+    """What all sources share: C++17 and the machine's own tools, or zig's. `make` is SCons' Environment."""
+    arch, platform_name, zig = settings["arch"], settings["platform"], settings["zig"]
+    tools = {"tools": ZIG_TOOLS} if zig else {"TARGET_ARCH": arch}
+    env = make(ENV={name: os.environ[name] for name in PASSED_ON if name in os.environ}, TARGET_PLATFORM=platform_name,
+               ZIG=zig, **tools)
     if os.name == "nt":
         env["ENV"].update({name: os.environ[name] for name in ("SystemRoot", "PATHEXT") if name in os.environ})
-    if not verbose:
+    if not settings["verbose"]:
         for tool, word in QUIET.items():
             env[tool + "COMSTR"] = word + " $TARGET"
-    env.Replace(CXX=compiler or os.environ.get("CXX") or env["CXX"])
+    if zig:
+        use_zig(env, settings["ROOT"], platform_name, arch)
+    else:
+        env.Replace(CXX=settings["cxx"] or os.environ.get("CXX") or env["CXX"])
     if is_msvc(env):
         env.Append(CXXFLAGS=["/std:c++17", "/utf-8", "/EHsc", "/Zc:__cplusplus"], CPPDEFINES=["NOMINMAX"])
     else:
         env.Append(CXXFLAGS=["-std=c++17"], LINKFLAGS=["-pthread"])
-        if host_platform() == "macos":
-            env.Append(CCFLAGS=["-arch", arch], LINKFLAGS=["-arch", arch])
-    for folder in ("/opt/homebrew/include", "/opt/local/include"):
-        if host_platform() == "macos" and os.path.isdir(folder):
-            env.Append(CCFLAGS=["-isystem", folder])
+        if platform_name == "macos" and not zig:
+            use_apple(env, arch)
     return env
 
 
-def for_library(env, release):
+def use_apple(env, arch):
+    """The compiler of a Mac, and where its package managers put headers."""
+    env.Append(CCFLAGS=["-arch", arch], LINKFLAGS=["-arch", arch])
+    for folder in ("/opt/homebrew/include", "/opt/local/include"):
+        if os.path.isdir(folder):
+            env.Append(CCFLAGS=["-isystem", folder])
+
+
+def use_zig(env, root, platform_name, arch):
+    """`zig c++` for a platform and a processor. It knows nothing of this machine's headers and libraries."""
+    words = [env["ZIG"], "c++", "-target", ZIG_TARGETS[platform_name, arch]]
+    env.Replace(CXX=words, LINK=words, AR=[env["ZIG"], "ar"], RANLIB=[env["ZIG"], "ranlib"],
+                SHLIBSUFFIX=LIBRARY_SUFFIXES[platform_name], PROGSUFFIX=".exe" if platform_name == "windows" else "",
+                SHOBJSUFFIX=".pic.o")  # It does not take .os for an object.
+    # Without -O it would compile UBSan in; and no path of this machine goes into a library.
+    env.Append(CCFLAGS=["-fno-sanitize=undefined", f"-ffile-prefix-map={root}={os.curdir}"])
+    for folder in os.environ.get("CPLUS_INCLUDE_PATH", "").split(os.pathsep):
+        env.Append(CCFLAGS=["-isystem", folder] if folder else [])
+    for name in ZIG_CACHES:
+        env["ENV"][name] = os.path.join(root, "build", "zig", name.split("_")[1].lower())
+
+
+def uses_gcc(env):
+    return not is_msvc(env) and not env["ZIG"] and "clang" not in env["CXX"] and env["TARGET_PLATFORM"] != "macos"
+
+
+def for_library(env, with_asserts):
     """Code of the add-on's library: hidden symbols, and nothing that keeps the engine from unloading it."""
     env = env.Clone()
     if is_msvc(env):
         env.Append(CCFLAGS=["/MD"])
     else:
         env.Append(CCFLAGS=["-fPIC", "-fvisibility=hidden", "-fno-exceptions"])
-        if "clang" not in env["CXX"] and host_platform() != "macos":
-            # Unique symbols would keep the library in memory, and with it the code that a hot reload replaces.
-            env.Append(CXXFLAGS=["-fno-gnu-unique"])
-        if release and host_platform() == "linux":
-            env.Append(LINKFLAGS=["-s"])
-    if release:
+    if uses_gcc(env):
+        # Unique symbols would keep the library in memory, and with it the code that a hot reload replaces.
+        env.Append(CXXFLAGS=["-fno-gnu-unique"])
+    if not with_asserts:
         env.Append(CPPDEFINES=["NDEBUG"])
     return env
+
+
+def library_link_flags(env, name, release, import_library):
+    """How the library `name` is linked. `import_library` is where Windows' linker may leave what nobody needs."""
+    if is_msvc(env):
+        return []
+    if env["TARGET_PLATFORM"] == "linux":
+        return ["-s"] if release else []
+    if not env["ZIG"]:
+        return []
+    if env["TARGET_PLATFORM"] == "macos":
+        # Not -x: with that zig 0.17 writes indirect symbols that lead into the code.
+        return ["-Wl,-dead_strip", "-s", f"-Wl,-install_name,@rpath/{name}"]
+    return ["-s", f"-Wl,--out-implib,{import_library}"]
 
 
 def strict(env):
@@ -108,9 +161,8 @@ def use_godot_cpp(env, folder, platform, release):
         env.Append(CCFLAGS=["/I" if is_msvc(env) else "-isystem", f"{folder}/{name}"])
 
 
-def use_bundled_binding(env, release):
+def use_bundled_binding(env):
     """Compiles against extension/binding and what was generated for it in build/binding."""
-    env.Append(CPPDEFINES=[] if release else ["DEBUG_ENABLED", "HOT_RELOAD_ENABLED"])
     env.Append(CPPPATH=["#extension/binding/include", "#build/binding/include"])
 
 

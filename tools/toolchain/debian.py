@@ -2,7 +2,7 @@
 
 apt-get works on folders of its own with an empty status file, so it brings a package with all that it depends on, from
 the same mirror and checked with the same keys as the machine's own packages. The packages are those of Debian testing,
-since no stable release has Godot 4.
+since no stable release has Godot 4, or of the machine's own release for what must fit its C library.
 """
 
 import os
@@ -14,6 +14,7 @@ from pathlib import Path
 from .place import Missing, TOOLCHAIN, say
 
 SUITE = "testing"
+OWN = "own"  # The suite that this machine runs.
 KEYRING = "/usr/share/keyrings/debian-archive-keyring.gpg"
 PACKAGES_URI = re.compile(r"^'(\S+/)dists/([^/\s]+)/([^/\s]+)/binary-[^/\s]+/Packages", re.MULTILINE)
 
@@ -60,10 +61,13 @@ def configured_sources():
 
 
 class Apt:
-    """apt-get with private folders below `home`."""
+    """apt-get with private folders below `home`, for packages of a Debian `suite` and, by default, of this machine's
+    architecture."""
 
-    def __init__(self, home):
+    def __init__(self, home, suite=SUITE, architecture=None):
         self.home = Path(home)
+        self.suite = suite
+        self.architecture = architecture
         for folder in ("lists/partial", "cache/archives/partial"):
             (self.home / folder).mkdir(parents=True, exist_ok=True)
         for empty in ("status", "none"):
@@ -88,6 +92,8 @@ class Apt:
             "Acquire::Retries": "3",
             "Debug::NoLocking": "true",
         }
+        if self.architecture:
+            options.update({"APT::Architecture": self.architecture, "APT::Architectures": self.architecture})
         return ["apt-get", "-q", *(f"-o{name}={value}" for name, value in options.items()), *words]
 
     def call(self, *words):
@@ -100,7 +106,7 @@ class Apt:
         for mirror in mirrors:
             key = signing_key(configured_sources(), mirror)
             options = f"[signed-by={key}] " if key else ""
-            (self.home / "private.list").write_text(f"deb {options}{mirror} {SUITE} main\n")
+            (self.home / "private.list").write_text(f"deb {options}{mirror} {self.suite} main\n")
             for words in (("update",), ("install", "--print-uris", "--assume-yes", *packages)):
                 result = self.call(*words)
                 answer = result.stdout.strip()
@@ -121,14 +127,15 @@ def last_lines(text, count=6):
     return "\n".join("  " + line for line in text.strip().splitlines()[-count:])
 
 
-def unpack(what, packages, folder, remedy):
+def unpack(what, packages, folder, remedy, suite=SUITE, architecture=None):
     """Unpacks Debian's `packages` and their dependencies into `folder`. `what` and `remedy` are for the messages."""
     codename = release_name(Path("/etc/os-release").read_text()) if os.path.exists("/etc/os-release") else None
     if not codename or not shutil.which("apt-get") or not shutil.which("dpkg"):
         raise Missing(f"{what} is missing, and only on Debian can it be fetched here.\n{remedy}")
-    say(f"Looking for {what} in Debian {SUITE}")
+    suite = codename if suite == OWN else suite
+    say(f"Looking for {what} in Debian {suite}")
     home = Path(folder) / "apt"
-    apt = Apt(home)
+    apt = Apt(home, suite, architecture)
     uris = subprocess.run(["apt-get", "update", "--print-uris", "-oDebug::NoLocking=true"], stdout=subprocess.PIPE,
                           stderr=subprocess.DEVNULL, text=True).stdout
     offer, problem = apt.offer(choose_mirrors(uris, codename), packages)
@@ -136,7 +143,7 @@ def unpack(what, packages, folder, remedy):
         say(f"Fetching {what}: {offer[0]} packages, {offer[1] / 1e6:.1f} MB, unpacked privately in {TOOLCHAIN.name}/")
         archives, problem = apt.download(packages)
     if problem:
-        raise Missing(f"{what} is missing, and apt could not fetch it from Debian {SUITE}:\n"
+        raise Missing(f"{what} is missing, and apt could not fetch it from Debian {suite}:\n"
                       f"{last_lines(problem)}\n{remedy}")
     for package in archives:
         if subprocess.run(["dpkg", "-x", str(package), str(folder)]).returncode != 0:

@@ -24,12 +24,15 @@ def missing_packages(environment=os.environ, usual=USUAL_FOLDERS):
 
 def include_folders():
     """Folders to add to the compiler's search path; none where the machine has all headers itself."""
-    packages = missing_packages()
-    if not packages:
-        return []
+    return [private_folder()] if missing_packages() else []
+
+
+def private_folder():
+    """The folder .toolchain/headers with all of them, which holds no headers of this machine's system."""
+    packages = list(NEEDED.values())
 
     def fill(folder):
         debian.unpack(" and ".join(packages), packages, folder, REMEDY)
         shutil.rmtree(folder / "usr/share", ignore_errors=True)
 
-    return [make_folder("headers", " ".join(packages), fill) / "usr/include"]
+    return make_folder("headers", " ".join(packages), fill) / "usr/include"

@@ -15,7 +15,7 @@
 #endif
 #endif
 
-#if !defined(_MSC_VER) && !defined(UNDERGROWTH_SANITIZED)
+#if !defined(_WIN32) && !defined(UNDERGROWTH_SANITIZED)
 
 namespace {
 

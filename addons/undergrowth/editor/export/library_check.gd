@@ -1,0 +1,72 @@
+@tool
+extends EditorExportPlugin
+## Tells, when an export begins, that the add-on has no library for the game: the engine leaves out
+## one that is not there without a word.
+
+const EXTENSION := "undergrowth.gdextension"
+const SECTION := "libraries"
+const UNIVERSAL := "universal"
+const ARCHITECTURES: Array[String] = ["x86_64", "arm64", "x86_32", "arm32", "rv64", "wasm32"]
+
+var _folder := ""
+
+
+## [param folder] is the add-on's.
+func setup(folder: String) -> void:
+	_folder = folder
+
+
+func _get_name() -> String:
+	return "Undergrowth"
+
+
+func _export_begin(
+	features: PackedStringArray, _is_debug: bool, _path: String, _flags: int
+) -> void:
+	for fault in find_faults(features):
+		get_export_platform().add_message(
+			EditorExportPlatform.EXPORT_MESSAGE_ERROR, "Undergrowth", fault
+		)
+
+
+## One sentence for each library that an export with these [param features] lacks.
+func find_faults(features: PackedStringArray) -> PackedStringArray:
+	var faults: PackedStringArray = []
+	var list := ConfigFile.new()
+	if list.load(_folder.path_join(EXTENSION)) != OK:
+		return faults
+	for architecture in _architectures(features):
+		var library := _find_library(list, features, architecture)
+		if library.is_empty():
+			faults.append(
+				(
+					"There is no library for this platform (%s): the game will have no plants."
+					% ", ".join(features)
+				)
+			)
+		elif not FileAccess.file_exists(library):
+			faults.append(
+				(
+					("%s is missing: the game will have no plants. " % library)
+					+ "Install the whole release of the add-on, or build this library with "
+					+ "./run build target=%s." % library.get_file().get_slice(".", 2)
+				)
+			)
+	return faults
+
+
+# What a game for all Macs is exported for, or the one processor of any other.
+func _architectures(features: PackedStringArray) -> Array[String]:
+	if UNIVERSAL in features:
+		return ARCHITECTURES.slice(0, 2)
+	return ARCHITECTURES.filter(func(name: String) -> bool: return name in features)
+
+
+# As the engine chooses: all words of a key are features of the export.
+func _find_library(list: ConfigFile, features: PackedStringArray, architecture: String) -> String:
+	for key in list.get_section_keys(SECTION):
+		var words := Array(key.split("."))
+		var holds := func(word: String) -> bool: return word == architecture or word in features
+		if architecture in words and words.all(holds):
+			return _folder.path_join(list.get_value(SECTION, key))
+	return ""
