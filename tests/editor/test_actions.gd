@@ -216,7 +216,7 @@ func test_what_cannot_be_written_is_told_and_nothing_is_lost() -> void:
 
 
 func test_new_species_is_written_opened_and_chosen() -> void:
-	await _use("New")
+	await click(part("Plant/List/New") as Control)
 	var dialog := _dialog("ConfirmationDialog") as ConfirmationDialog
 	check(dialog.get_ok_button().disabled, "nothing to create without a name")
 	var title := dialog.get_node("%Title") as LineEdit
@@ -242,7 +242,7 @@ func test_new_species_is_written_opened_and_chosen() -> void:
 
 
 func test_a_second_species_of_that_name_is_refused() -> void:
-	await _use("New")
+	await click(part("Plant/List/New") as Control)
 	var dialog := _dialog("ConfirmationDialog") as ConfirmationDialog
 	await _type_into(dialog, dialog.get_node("%Title") as LineEdit, NEW_TITLE)
 	check(dialog.get_ok_button().disabled, "it cannot be created")

@@ -72,3 +72,8 @@ func _adapt() -> void:
 
 func _on_resource_selected(resource: Resource, _path: String) -> void:
 	EditorInterface.edit_resource(resource)
+	var above: Node = EditorInterface.get_inspector()
+	while above and above is not EditorDock:
+		above = above.get_parent()
+	if above:
+		(above as EditorDock).make_visible()
