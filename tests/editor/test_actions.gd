@@ -133,6 +133,7 @@ func test_assign_changes_all_selected_in_one_step() -> void:
 	await _use("Assign")
 	check(_message().contains("selected"), "nothing selected: " + _message())
 	_select(plants)
+	await _choose("Reed")
 	await _use("Assign")
 	for plant: Plant3D in plants:
 		check(plant.species is ReedFunction, plant.name + " is a reed")

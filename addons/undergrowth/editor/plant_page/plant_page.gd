@@ -9,6 +9,7 @@ const PlantPreview := preload("plant_preview.gd")
 const PropertyPanel := preload("property_panel.gd")
 const ViewControls := preload("view_controls.gd")
 const ActionBar := preload("../actions/action_bar.gd")
+const SceneActions := preload("../actions/scene_actions.gd")
 const SceneSpecies := preload("scene_species.gd")
 ## From this ratio of width to height on, the parts stand side by side.
 const WIDE := 1.3
@@ -38,6 +39,7 @@ func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> vo
 	_list.chosen.connect(_choose)
 	_list.refreshed.connect(_on_list_refreshed)
 	_list.new_wanted.connect(_actions.ask_for_new)
+	_list.laid_out.connect(_turn_split)
 	_list.setup(state)
 	_preview.setup(state)
 	_view_controls.setup(state)
@@ -64,15 +66,16 @@ func _turn_split() -> void:
 # What is selected in the scene: of what a list has, that entry; else the scene's own species, which
 # changes with the dock.
 func _show_species(function: PlantFunction) -> void:
-	if function == _state.function or function == _state.origin:
+	if function == _state.origin or SceneActions.are_equal(function, _state.function):
 		return
 	var entry := null if function.is_built_in() else _list.find(function.resource_path)
 	if entry:
 		_choose(entry)
+		_state.report(tr("This is selected. To change that, choose another and press Assign."))
 	else:
 		_chosen = null
-		_state.report("")
 		_state.choose(function, "", SpeciesEntry.title_of(function))
+		_state.report(tr("This is selected, and the scene's own: what you change here changes there."))
 	_list.mark(entry.key if entry else "")
 	_list.reveal_chosen()
 

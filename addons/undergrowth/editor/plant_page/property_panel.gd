@@ -11,7 +11,7 @@ const SECTION_CLASS := "EditorInspectorSection"
 const RESOURCE_SECTION := "Resource"
 ## Of a line's width: a dock is narrower than the editor's inspector, and names are longer than
 ## values.
-const NAME_SHARE := 0.61
+const NAME_SHARE := 0.66
 
 var _state: EditorState
 var _inspector: EditorInspector

@@ -7,6 +7,8 @@ extends VBoxContainer
 signal chosen(entry: SpeciesEntry)
 ## The list is current: files were looked through.
 signal refreshed
+## Rows may have another height, see [method find_height_of_rows].
+signal laid_out
 ## The user wants a species of their own.
 signal new_wanted
 
@@ -80,6 +82,7 @@ func get_first() -> SpeciesEntry:
 func find_height_of_rows() -> float:
 	var row := 0.0
 	for list: ItemList in _lists:
+		list.force_update_list_size()
 		for i in list.item_count:
 			row = maxf(row, list.get_item_rect(i).size.y)
 	var title := _groups[0].get_minimum_size().y - (%Content as Control).get_minimum_size().y
@@ -144,10 +147,23 @@ func _dress() -> void:
 # As many columns as have room, and all of the room for them.
 func _fit_columns(list: ItemList) -> void:
 	var room := floori(list.size.x - list.get_v_scroll_bar().get_combined_minimum_size().x)
-	var least := floori(list.fixed_icon_size.x * LEAST_COLUMN)
+	var least := maxi(floori(list.fixed_icon_size.x * LEAST_COLUMN), _longest_word(list) + COLUMN_SLACK)
 	list.fixed_column_width = maxi(room / maxi(room / maxi(least, 1), 1) - COLUMN_SLACK, 0)
 	for i in list.item_count:
 		list.set_item_text(i, _wrap(list, (list.get_item_metadata(i) as SpeciesEntry).title))
+	laid_out.emit.call_deferred()
+
+
+# In pixels: no column is narrower.
+func _longest_word(list: ItemList) -> int:
+	var font := list.get_theme_font(&"font")
+	var font_size := list.get_theme_font_size(&"font_size")
+	var longest := 0.0
+	for i in list.item_count:
+		for word in tr((list.get_item_metadata(i) as SpeciesEntry).title).split(" "):
+			var width := font.get_string_size(word, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
+			longest = maxf(longest, width)
+	return ceili(longest)
 
 
 # The list itself would break a long name within a word.
@@ -191,9 +207,10 @@ func _fill_list(list: ItemList, entries: Array[SpeciesEntry]) -> void:
 	list.clear()
 	for entry in entries:
 		if _matches_filter(entry):
-			var index := list.add_item(_wrap(list, entry.title), _picture_of(entry))
+			var index := list.add_item("", _picture_of(entry))
 			list.set_item_metadata(index, entry)
 			list.set_item_tooltip(index, entry.key)
+	_fit_columns(list)
 	list.visible = list.item_count > 0
 
 

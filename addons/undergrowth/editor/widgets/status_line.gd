@@ -61,7 +61,8 @@ func _keep_room() -> void:
 	var font_size := _text.get_theme_font_size(&"font_size")
 	var line := _text.get_theme_font(&"font").get_height(font_size)
 	line += _text.get_theme_constant(&"line_spacing")
-	_text.custom_minimum_size.y = ceilf(line * _text.max_lines_visible)
+	var margins := _text.get_theme_stylebox(&"normal").get_minimum_size().y
+	_text.custom_minimum_size.y = ceilf(line * _text.max_lines_visible + margins)
 
 
 func _on_work_changed() -> void:
