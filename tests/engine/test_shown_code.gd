@@ -146,6 +146,11 @@ func _furnish(shown: Node, field: PlantField3D) -> void:
 		shown.add_child(node)
 	shown.get_node("Meadow").add_child(Plant3D.new())
 	(shown.get_node("Meadow").get_child(0) as Plant3D).species = GrassFunction.new()
+	var ground := StaticBody3D.new()
+	var shape := CollisionShape3D.new()
+	shape.shape = WorldBoundaryShape3D.new()
+	ground.add_child(shape)
+	shown.add_child(ground)
 	for node: Node in [Label.new(), Camera3D.new(), AudioStreamPlayer3D.new()]:
 		node.name = node.get_class()
 		shown.add_child(node)
