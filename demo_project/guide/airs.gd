@@ -1,7 +1,7 @@
 extends "sheet.gd"
 ## What air of so many metres per second does to grass, wheat and poppies.
 
-const WINDS: Array[String] = ["calm", "breeze", "fresh", "gale", "storm"]
+const WINDS: Array[String] = ["storm", "breeze", "fresh", "gale", "calm"]
 
 
 func _fill(row: HBoxContainer) -> void:

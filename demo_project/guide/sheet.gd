@@ -4,6 +4,8 @@ extends Control
 const STAGE := preload("res://stage/stage.tscn")
 ## Thin plants stand out before it.
 const EARTH := Color(0.2, 0.17, 0.13)
+## All plants are near.
+const SEGMENTS := 20
 const FONT_SIZE := 34
 const GAP := 4
 
@@ -54,6 +56,7 @@ func make_field(files: Dictionary[String, float], density: float, extent: Vector
 	for file in files:
 		species.append(PlantFieldSpecies.of(load_species(file), files[file]))
 	field.species = species
+	field.levels = [PlantFieldLevel.of(SEGMENTS)] as Array[PlantFieldLevel]
 	field.density = density
 	field.size = extent
 	return field

@@ -97,7 +97,7 @@ func test_a_plants_height_of_0_is_by_species() -> void:
 	await _open_garden()
 	var plant := EditorInterface.get_edited_scene_root().get_node("Poppy") as Plant3D
 	EditorInterface.edit_node(plant)
-	await frames(3)
+	await open_inspector()
 	var property := _find_property("height")
 	check(property != null, "the inspector has the property")
 	var slider := property.find_children("*", "EditorSpinSlider", true, false)[0] as EditorSpinSlider
@@ -113,7 +113,7 @@ func test_a_plants_height_of_0_is_by_species() -> void:
 func test_a_new_species_of_curves_may_begin_with_a_leaf() -> void:
 	var curves := CurvePlantFunction.new()
 	EditorInterface.edit_resource(curves)
-	await frames(3)
+	await open_inspector()
 	var button: Button = null
 	for found: Button in EditorInterface.get_inspector().find_children("*", "Button", true, false):
 		if found.text == Translations.text("Begin with a leaf"):
