@@ -11,7 +11,7 @@ from toolchain.place import Missing
 ROOT = Path(__file__).resolve().parents[1]
 SCENES = ROOT / "demo_project/guide"
 PICTURES = ROOT / "docs/guide/pictures"
-SIZE = (1200, 400)
+SIZE = (1080, 360)
 QUALITY = 80
 
 

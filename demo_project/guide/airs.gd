@@ -1,7 +1,7 @@
 extends "sheet.gd"
 ## What air of so many metres per second does to grass, wheat and poppies.
 
-const WINDS: Array[String] = ["storm", "breeze", "fresh", "gale", "calm"]
+const WINDS: Array[String] = ["calm", "breeze", "fresh", "gale", "storm"]
 
 
 func _fill(row: HBoxContainer) -> void:
@@ -9,8 +9,8 @@ func _fill(row: HBoxContainer) -> void:
 		var wind := (load("res://addons/undergrowth/winds/%s.tres" % file) as PlantWind).duplicate()
 		wind.direction = PI / 2.0
 		var title := "%s, %s m/s" % [file.capitalize(), String.num(wind.speed, 1)]
-		var world := add_cell(row, title, Vector3(0.0, 1.1, 3.4), Vector3(0.0, 0.45, 0.0), 36.0)
+		var world := add_cell(row, title, Vector3(0.0, 1.0, 2.8), Vector3(0.0, 0.42, 0.0), 36.0)
 		var files: Dictionary[String, float] = {"meadow_grass": 8.0, "wheat": 2.0, "poppy": 1.0}
-		var field := make_field(files, 50.0, Vector2(5.0, 4.0))
+		var field := make_field(files, 45.0, Vector2(3.2, 2.6))
 		field.wind = wind
 		world.add_child(field)

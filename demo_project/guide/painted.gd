@@ -1,13 +1,13 @@
 extends "sheet.gd"
 ## Where plants grow: a rectangle, an outline with a trail, what is painted.
 
-const FILES: Dictionary[String, float] = {"meadow_grass": 30.0, "poppy": 1.0}
+const FILES: Dictionary[String, float] = {"meadow_grass": 20.0, "poppy": 1.0}
 const FROM := Vector3(0.0, 7.0, 9.0)
 const EXTENT := Vector2(8.0, 8.0)
 
 
 func _fill(row: HBoxContainer) -> void:
-	_add_world(row, "size").add_child(make_field(FILES, 40.0, EXTENT))
+	_add_world(row, "size").add_child(make_field(FILES, 25.0, EXTENT))
 	_fill_outline(_add_world(row, "outline and exclusions"))
 	_fill_map(_add_world(row, "map"))
 
@@ -23,7 +23,7 @@ func _fill_outline(world: Node3D) -> void:
 		var ray := Vector3.RIGHT.rotated(Vector3.UP, TAU * i / 24.0)
 		bed.append(ray * (3.6 + 0.5 * sin(TAU * i / 8.0)))
 		pond.append(ray * 1.1 + Vector3(0.8, 0.0, 0.4))
-	var field := make_field(FILES, 40.0, EXTENT)
+	var field := make_field(FILES, 25.0, EXTENT)
 	world.add_child(_make_path("Bed", bed))
 	world.add_child(_make_path("Pond", pond))
 	field.outline = ^"../Bed"
@@ -41,7 +41,7 @@ func _make_path(title: String, points: Array[Vector3]) -> Path3D:
 
 
 func _fill_map(world: Node3D) -> void:
-	var field := make_field(FILES, 40.0, EXTENT)
+	var field := make_field(FILES, 25.0, EXTENT)
 	field.species[1].density_factor = 8.0
 	var map := PlantMap.new()
 	var grass := field.species[0].get_layer_name()

@@ -17,7 +17,7 @@ func _fill(row: HBoxContainer) -> void:
 		var material := ShaderMaterial.new()
 		material.shader = SHADER
 		material.set_shader_parameter(&"season", SEASONS[season])
-		var field := make_field({"meadow_grass": 8.0, "yarrow": 1.0}, 60.0, Vector2(7.0, 6.0))
+		var field := make_field({"meadow_grass": 8.0, "yarrow": 1.0}, 40.0, Vector2(5.0, 5.0))
 		for listed in field.species:
 			listed.species = listed.species.duplicate()
 			listed.species.material = material

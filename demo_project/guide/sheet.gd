@@ -5,7 +5,7 @@ const STAGE := preload("res://stage/stage.tscn")
 ## Thin plants stand out before it.
 const EARTH := Color(0.2, 0.17, 0.13)
 ## All plants are near.
-const SEGMENTS := 20
+const SEGMENTS := 12
 const FONT_SIZE := 34
 const GAP := 4
 
@@ -32,7 +32,7 @@ func add_cell(
 	container.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 	var view := SubViewport.new()
 	view.own_world_3d = true
-	view.msaa_3d = Viewport.MSAA_4X
+	view.msaa_3d = Viewport.MSAA_2X
 	container.add_child(view)
 	var world := STAGE.instantiate() as Node3D
 	view.add_child(world)
