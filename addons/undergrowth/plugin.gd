@@ -20,8 +20,9 @@ const FIELD_CLASS := &"PlantField3D"
 ## Seconds of one step of the simulation; PlantSimulation reads it when the library is loaded.
 const STEP_SETTING := "undergrowth/simulation/step_length"
 const DEFAULT_STEP := 1.0 / 60.0
-## Width of a screen in pixels at 100 % from which on the dock has a column of its own.
-const ROOMY_SCREEN := 1500.0
+## Width of a screen in pixels at 100 % from which on the dock has a column of its own: on a narrower one it would
+## squeeze the inspector until its names are cut.
+const ROOMY_SCREEN := 2400.0
 
 var _dock: EditorDock
 var _inspector: EditorInspectorPlugin
@@ -69,6 +70,12 @@ func _exit_tree() -> void:
 	_dock.queue_free()
 	_dock = null
 	_translations.call(&"remove")
+
+
+# Switched on by hand: what is new comes to the front, once.
+func _enable_plugin() -> void:
+	if _dock:
+		_dock.make_visible()
 
 
 func _handles(object: Object) -> bool:
@@ -130,7 +137,7 @@ func _add_dock() -> void:
 	content.call(&"setup", self)
 
 
-# A column of its own beside the inspector where the screen has room for it.
+# A column of its own beside the inspector where the screen has room for it, else a tab beside its.
 func _choose_slot() -> EditorDock.DockSlot:
 	var width := DisplayServer.screen_get_usable_rect().size.x / EditorInterface.get_editor_scale()
 	if width >= ROOMY_SCREEN:

@@ -151,6 +151,15 @@ func open_page(name: String) -> void:
 	await click(bar, bar.get_tab_rect(index).get_center())
 
 
+## Brings the editor's inspector before the dock, whose tab is beside its.
+func open_inspector() -> void:
+	var above: Node = EditorInterface.get_inspector()
+	while above is not EditorDock:
+		above = above.get_parent()
+	(above as EditorDock).make_visible()
+	await frames(2)
+
+
 ## Waits for [param count] frames; not each is drawn.
 func frames(count: int) -> void:
 	for i in count:

@@ -133,6 +133,7 @@ func test_assign_changes_all_selected_in_one_step() -> void:
 	await _use("Assign")
 	check(_message().contains("selected"), "nothing selected: " + _message())
 	_select(plants)
+	await _choose("Reed")
 	await _use("Assign")
 	for plant: Plant3D in plants:
 		check(plant.species is ReedFunction, plant.name + " is a reed")
@@ -216,7 +217,7 @@ func test_what_cannot_be_written_is_told_and_nothing_is_lost() -> void:
 
 
 func test_new_species_is_written_opened_and_chosen() -> void:
-	await _use("New")
+	await click(part("Plant/List/New") as Control)
 	var dialog := _dialog("ConfirmationDialog") as ConfirmationDialog
 	check(dialog.get_ok_button().disabled, "nothing to create without a name")
 	var title := dialog.get_node("%Title") as LineEdit
@@ -242,7 +243,7 @@ func test_new_species_is_written_opened_and_chosen() -> void:
 
 
 func test_a_second_species_of_that_name_is_refused() -> void:
-	await _use("New")
+	await click(part("Plant/List/New") as Control)
 	var dialog := _dialog("ConfirmationDialog") as ConfirmationDialog
 	await _type_into(dialog, dialog.get_node("%Title") as LineEdit, NEW_TITLE)
 	check(dialog.get_ok_button().disabled, "it cannot be created")
@@ -260,9 +261,14 @@ func test_a_second_species_of_that_name_is_refused() -> void:
 func test_a_species_of_one_s_own_goes_into_the_scene() -> void:
 	EditorInterface.open_scene_from_path(SCENE)
 	await frames(5)
-	check_equal(_state().path, NEW_SCRIPT, "chosen species")
 	var root := EditorInterface.get_edited_scene_root()
 	_select([root])
+	await open_page("Plant")
+	var list := part("Plant/List/ProjectList") as ItemList
+	for i in list.item_count:
+		if list.get_item_tooltip(i) == NEW_SCRIPT:
+			await click_item(list, i)
+	check_equal(_state().path, NEW_SCRIPT, "chosen species")
 	await _use("Add")
 	var plant := root.get_child(-1) as Plant3D
 	check(plant.species.get_script() == load(NEW_SCRIPT), "its script")

@@ -8,8 +8,8 @@ const SCENE := "res://actions_field.tscn"
 func test_assign_lets_a_species_grow_in_a_field() -> void:
 	await open_page("Plant")
 	var field := await _open_field()
-	await _choose("Reed")
 	_select([field])
+	await _choose("Reed")
 	await _use("Assign")
 	check(_message().contains("Reed"), "it tells: " + _message())
 	check_equal(field.species.size(), 2, "species after assigning")
@@ -30,8 +30,8 @@ func test_assign_leaves_the_wind_of_a_field() -> void:
 	var field := await _open_field()
 	var own := PlantWind.new()
 	field.wind = own
-	await _choose("Tulip")
 	_select([field])
+	await _choose("Tulip")
 	await _use("Assign")
 	check_equal(field.species.size(), 2, "species after assigning")
 	check(field.wind == own, "it keeps its wind")

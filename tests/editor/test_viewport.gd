@@ -46,6 +46,7 @@ func test_height_handle_is_one_step() -> void:
 
 func test_inspector_shows_a_moving_plant() -> void:
 	EditorInterface.edit_resource(TulipFunction.new())
+	await open_inspector()
 	await frames(5)
 	var view := _find_in_inspector(PLANT_VIEW)
 	check(view != null, "there is a preview")
@@ -61,6 +62,7 @@ func test_inspector_says_why_there_is_no_plant() -> void:
 	var function := PlantFunction.new()
 	function.set_script(load(SCRIPT_FILE))
 	EditorInterface.edit_resource(function)
+	await open_inspector()
 	await frames(5)
 	var told := (_find_in_inspector(PLANT_VIEW).get_node("%Problem") as Label).text
 	check(told.contains("@tool"), "the preview says " + told)
@@ -72,6 +74,7 @@ func test_inspector_shows_the_force_of_a_wind() -> void:
 	var wind := PlantWind.new()
 	wind.kind = PlantWind.KIND_GUST
 	EditorInterface.edit_resource(wind)
+	await open_inspector()
 	await frames(5)
 	var view := _find_in_inspector(WIND_VIEW)
 	check(view != null, "there is a graph")

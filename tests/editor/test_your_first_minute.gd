@@ -10,7 +10,7 @@ func test_a_species_of_ones_own_sways_in_the_viewport() -> void:
 	await _open_scene(SCENE, _make_garden())
 	EditorInterface.set_main_screen_editor("3D")
 	_use_a_newcomers_wind()
-	await _choose("Curves")
+	await _choose("Own drawing")
 	await _draw_a_bulb()
 	await _save()
 	_select([])

@@ -16,20 +16,21 @@ HOME = LOGS / "editor_home"
 PICTURES = LOGS / "editor_pictures"
 # Those of the dock go there, and these must be among them.
 PICTURES_END = ROOT / "build"
-WANTED = ["dock_plant.png", "dock_wind.png", "dock_light.png", "dock_200.png"]
+WANTED = ["dock_plant.png", "dock_wind.png", "dock_light.png", "dock_1600.png", "dock_200.png"]
 SCREEN = (1600, 1000)
-DENSE_SCREEN = (3000, 1800)
+# Those of some runs: as low as screens are, and twice as many pixels an inch.
+SCREENS = {"layout": (1600, 900), "again": (3000, 1800)}
 # Seconds: a run whose log has no new line for so long hangs; while a test goes on, the driver tells so now and then.
 # How long a whole run may take, a busy machine says.
 SILENCE = 120
 TIMEOUT = 1800
-# One after the other on the same project: what hangs or crashes takes no other run with it. What begins with the word of
-# the last one sees the project that the others saved.
-RUNS = ("actions", "pages", "again")
-AGAIN = "test_again"
+# One after the other on the same project: what hangs or crashes takes no other run with it. Some scripts have a run of
+# their own; that of the last one sees the project that the others saved.
+RUNS = ("actions", "pages", "layout", "again")
+ALONE = {"test_again": "again", "test_layout": "layout"}
 ACTIONS = ("test_actions", "test_bake", "test_faulty")
-# The last run has a screen of twice as many pixels an inch: 6 is the editor's word for 200 %.
-SETTINGS = {"again": "interface/editor/display_scale = 6\n"}
+# 6 is the editor's word for 200 %, 2 for 100 %.
+SETTINGS = {"layout": "interface/editor/display_scale = 2\n", "again": "interface/editor/display_scale = 6\n"}
 PLUGINS = '"res://addons/undergrowth/plugin.cfg", "res://addons/editor_driver/plugin.cfg"'
 PROJECT = f"""config_version=5
 
@@ -84,7 +85,7 @@ def own_home(environment=os.environ, settings=""):
 def scripts_of(run):
     """Each script of tests/editor is in one run."""
     def place(name):
-        return "again" if name.startswith(AGAIN) else "actions" if name.startswith(ACTIONS) else "pages"
+        return ALONE.get(name) or ("actions" if name.startswith(ACTIONS) else "pages")
 
     names = sorted(path.stem for path in (ROOT / "tests/editor").glob("test_*.gd"))
     return [name for name in names if place(name) == run]
@@ -140,8 +141,7 @@ def keep_log(name, attempt):
 def start_editor(godot, name):
     words = [godot, "--editor", "--path", FOLDER, "--rendering-method", "gl_compatibility", "--audio-driver", "Dummy",
              "--", f"--editor-tests={','.join(scripts_of(name))}", f"--pictures={PICTURES}"]
-    screen = DENSE_SCREEN if name in SETTINGS else SCREEN
-    with display.virtual(*screen, window_manager=True) as environment:
+    with display.virtual(*SCREENS.get(name, SCREEN), window_manager=True) as environment:
         environment = own_home(environment, SETTINGS.get(name, ""))
         return result.run(f"editor:{name}", words, timeout=TIMEOUT, environment=environment, silence=SILENCE)
 

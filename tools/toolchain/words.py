@@ -11,9 +11,9 @@ from .place import Missing, ROOT, TOOLCHAIN, environment_with, say
 
 # Words that neither compile nor start Godot.
 LIGHT_WORDS = {"lint"}
-PICTURE_WORDS = {"demo"}
+PICTURE_WORDS = {"demo", "guide"}
 PLOT_WORDS = {"bench"}
-DRAWING_WORDS = {"demo", "test", "bench"}
+DRAWING_WORDS = {"demo", "guide", "test", "bench"}
 # Suites of `test` that need no engine.
 CORE_SUITES = {"tools", "core", "asan", "tsan", "species"}
 

@@ -9,7 +9,7 @@ const Translations := preload("translations/translations.gd")
 const StatusLine := preload("widgets/status_line.gd")
 
 ## In pixels at 100 %. No more, so that small screens have room for it.
-const LEAST_WIDTH := 260
+const LEAST_WIDTH := 300
 
 ## What both pages share.
 var state := EditorState.new()

@@ -1,6 +1,6 @@
 @tool
 extends HFlowContainer
-## What can be done with the chosen species: put it into the scene, save it, bake it, begin another.
+## What can be done with the chosen species: put it into the scene, save it, bake it.
 ## A mix can be put into the scene.
 
 ## The chosen species is in a file now, and that file is chosen.
@@ -33,7 +33,6 @@ var _options: BakeOptions
 @onready var _add_field: Button = %AddField
 @onready var _assign: Button = %Assign
 @onready var _save: Button = %Save
-@onready var _new: Button = %New
 @onready var _bake: Button = %Bake
 @onready var _new_dialog: NewSpeciesDialog = %NewSpeciesDialog
 @onready var _bake_dialog: BakeDialog = %BakeDialog
@@ -49,7 +48,6 @@ func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> vo
 	_add_field.pressed.connect(_on_add_field_pressed)
 	_assign.pressed.connect(_on_assign_pressed)
 	_save.pressed.connect(_on_save_pressed)
-	_new.pressed.connect(_new_dialog.ask)
 	_bake.pressed.connect(_on_bake_pressed)
 	_new_dialog.accepted.connect(_on_new_accepted)
 	_bake_dialog.accepted.connect(_on_bake_accepted)
@@ -60,6 +58,11 @@ func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> vo
 	_dress()
 
 
+## Asks for the name of a species of one's own, to be begun with a script.
+func ask_for_new() -> void:
+	_new_dialog.ask()
+
+
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and _state:
 		_dress()
@@ -68,10 +71,6 @@ func _notification(what: int) -> void:
 func _dress() -> void:
 	_add.icon = get_theme_icon(&"Add", &"EditorIcons")
 	_add_field.icon = get_theme_icon(&"MultiMeshInstance3D", &"EditorIcons")
-	_assign.icon = get_theme_icon(&"Paint", &"EditorIcons")
-	_save.icon = get_theme_icon(&"Save", &"EditorIcons")
-	_new.icon = get_theme_icon(&"ScriptCreate", &"EditorIcons")
-	_bake.icon = get_theme_icon(&"Bake", &"EditorIcons")
 
 
 func _refresh() -> void:

@@ -12,7 +12,7 @@ const SIZE := Vector2i(480, 380)
 
 @onready var _title: LineEdit = %Title
 @onready var _folder: FolderField = %Folder
-@onready var _height: SpinBox = %Height
+@onready var _height: EditorSpinSlider = %Height
 @onready var _variants: SpinBox = %Variants
 @onready var _seed: SpinBox = %Seed
 @onready var _levels: LineEdit = %Levels
@@ -27,7 +27,7 @@ func _ready() -> void:
 	for line: LineEdit in [_title, _levels]:
 		register_text_enter(line)
 		line.text_changed.connect(func(_text: String) -> void: _check())
-	for box: SpinBox in [_height, _variants, _seed]:
+	for box: Range in [_height, _variants, _seed]:
 		box.value_changed.connect(func(_value: float) -> void: _check())
 	for choice: CheckBox in [_meshes, _scene]:
 		choice.toggled.connect(func(_on: bool) -> void: _check())

@@ -113,7 +113,7 @@ static func to_scene_function(
 	if origin and _has_equal_properties(origin, function):
 		return origin
 	for known in _get_functions(root):
-		if _is_equal(known, function):
+		if are_equal(known, function):
 			return known
 	return function.duplicate(true)
 
@@ -125,6 +125,17 @@ static func to_scene_wind(fallback: PlantWind, root: Node) -> PlantWind:
 		if wind and ScenePlants.is_wind_kept(root, wind):
 			return wind
 	return fallback.duplicate() as PlantWind
+
+
+## True where both are one, or embedded and without a difference.
+static func are_equal(a: Resource, b: Resource) -> bool:
+	if a == b:
+		return true
+	if not a or not b:
+		return false
+	if a.get_class() != b.get_class() or a.get_script() != b.get_script():
+		return false
+	return a.is_built_in() and b.is_built_in() and _has_equal_properties(a, b)
 
 
 static func _get_functions(root: Node) -> Array[PlantFunction]:
@@ -168,14 +179,6 @@ static func _local_place(parent: Node3D, point: Vector3) -> Transform3D:
 	return parent.global_transform.affine_inverse() * place
 
 
-static func _is_equal(a: Resource, b: Resource) -> bool:
-	if a == b:
-		return true
-	if a.get_class() != b.get_class() or a.get_script() != b.get_script():
-		return false
-	return a.is_built_in() and b.is_built_in() and _has_equal_properties(a, b)
-
-
 static func _has_equal_properties(a: Resource, b: Resource) -> bool:
 	for property: Dictionary in a.get_property_list():
 		var name: StringName = property["name"]
@@ -188,7 +191,7 @@ static func _has_equal_properties(a: Resource, b: Resource) -> bool:
 
 static func _is_equal_value(a: Variant, b: Variant) -> bool:
 	if a is Resource and b is Resource:
-		return _is_equal(a as Resource, b as Resource)
+		return are_equal(a as Resource, b as Resource)
 	if a is Array and b is Array:
 		return _is_equal_list(a as Array, b as Array)
 	if typeof(a) != typeof(b):

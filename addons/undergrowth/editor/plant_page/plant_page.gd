@@ -9,13 +9,20 @@ const PlantPreview := preload("plant_preview.gd")
 const PropertyPanel := preload("property_panel.gd")
 const ViewControls := preload("view_controls.gd")
 const ActionBar := preload("../actions/action_bar.gd")
+const SceneActions := preload("../actions/scene_actions.gd")
+const SceneSpecies := preload("scene_species.gd")
 ## From this ratio of width to height on, the parts stand side by side.
 const WIDE := 1.3
+## Of a narrow page's height, at most so much is the list's by itself.
+const MOST_LIST := 0.42
+## A narrow page that is lower, in pixels at 100 %, leaves the properties to the editor's inspector.
+const LEAST_FOR_PROPERTIES := 400.0
 
 var _state: EditorState
 var _chosen: SpeciesEntry
 # What the user changed on a ready species is still there after a look at another.
 var _ready_functions: Dictionary[String, PlantFunction] = {}
+var _scene_species := SceneSpecies.new()
 
 @onready var _split: SplitContainer = %Split
 @onready var _list: SpeciesList = %List
@@ -29,9 +36,10 @@ var _ready_functions: Dictionary[String, PlantFunction] = {}
 func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> void:
 	_state = state
 	resized.connect(_turn_split)
-	_turn_split()
 	_list.chosen.connect(_choose)
 	_list.refreshed.connect(_on_list_refreshed)
+	_list.new_wanted.connect(_actions.ask_for_new)
+	_list.laid_out.connect(_turn_split)
 	_list.setup(state)
 	_preview.setup(state)
 	_view_controls.setup(state)
@@ -40,11 +48,36 @@ func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> vo
 	_actions.saved.connect(_on_saved)
 	_choose(_list.get_first())
 	_list.mark(_chosen.key)
+	_turn_split()
+	_scene_species.selected.connect(_show_species)
+	_scene_species.setup(self)
 
 
-# Side by side where the dock is wide, as at the editor's bottom.
+# Side by side where the dock is wide, as at the editor's bottom. Else two rows of species are seen,
+# where there is room for them.
 func _turn_split() -> void:
 	_split.vertical = size.x < size.y * WIDE
+	var wanted := minf(_list.find_height_of_rows(), size.y * MOST_LIST)
+	_list.custom_minimum_size.y = wanted if _split.vertical else 0.0
+	var least := LEAST_FOR_PROPERTIES * EditorInterface.get_editor_scale()
+	_properties.visible = not _split.vertical or size.y >= least
+
+
+# What is selected in the scene: of what a list has, that entry; else the scene's own species, which
+# changes with the dock.
+func _show_species(function: PlantFunction) -> void:
+	if function == _state.origin or SceneActions.are_equal(function, _state.function):
+		return
+	var entry := null if function.is_built_in() else _list.find(function.resource_path)
+	if entry:
+		_choose(entry)
+		_state.report(tr("This is selected. To change that, choose another and press Assign."))
+	else:
+		_chosen = null
+		_state.choose(function, "", SpeciesEntry.title_of(function))
+		_state.report(tr("This is selected, and the scene's own: what you change here changes there."))
+	_list.mark(entry.key if entry else "")
+	_list.reveal_chosen()
 
 
 func _choose(entry: SpeciesEntry) -> void:

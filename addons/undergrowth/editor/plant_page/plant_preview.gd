@@ -20,6 +20,8 @@ const BACKDROP_OPACITY := 0.8
 const SMALL_FONT := 0.85
 ## Of the view's width: where a plant begins.
 const MIDDLE := 0.45
+## In pixels at 100 %: a lower view is left to the plant.
+const LEAST_FOR_COUNTS := 120.0
 ## Room for swaying, in shares of the height.
 const SWAY_ROOM := 0.5
 ## A piece of a mix has about so many plants, and is so many metres wide.
@@ -239,7 +241,9 @@ func _show_counts() -> void:
 func _make_room() -> void:
 	var is_over := _tools.position.x + _tools.size.x > _view.size.x * MIDDLE
 	var top := _tools.get_rect().end.y if is_over else 0.0
-	var bottom := _counts_panel.size.y if _counts_panel.visible else 0.0
+	var is_low := _view.size.y < LEAST_FOR_COUNTS * EditorInterface.get_editor_scale()
+	_counts_panel.modulate.a = 0.0 if is_low else 1.0
+	var bottom := _counts_panel.size.y if _counts_panel.visible and not is_low else 0.0
 	_camera.spare(Vector2(top, bottom))
 	_camera.place()
 

@@ -11,7 +11,7 @@ const SECTION_CLASS := "EditorInspectorSection"
 const RESOURCE_SECTION := "Resource"
 ## Of a line's width: a dock is narrower than the editor's inspector, and names are longer than
 ## values.
-const NAME_SHARE := 0.61
+const NAME_SHARE := 0.66
 
 var _state: EditorState
 var _inspector: EditorInspector
@@ -72,3 +72,8 @@ func _adapt() -> void:
 
 func _on_resource_selected(resource: Resource, _path: String) -> void:
 	EditorInterface.edit_resource(resource)
+	var above: Node = EditorInterface.get_inspector()
+	while above and above is not EditorDock:
+		above = above.get_parent()
+	if above:
+		(above as EditorDock).make_visible()

@@ -5,10 +5,12 @@ extends RefCounted
 
 enum Kind { CLASS, SCRIPT, RESOURCE, MIX }
 
+const FirstDrawing := preload("first_drawing.gd")
 const CLASS_ENDING := "Function"
 const TOOL_MARK := "@tool"
 const FIELD_CLASS := &"PlantField3D"
 const CURVES_CLASS := "CurvePlantFunction"
+const CURVES_TITLE := "Own drawing"
 ## Where a text resource begins to speak of itself; above it are the resources within.
 const MAIN_PART := "\n[resource]\n"
 const NAME_LINE := '(?m)^resource_name = "(.+)"$'
@@ -29,7 +31,7 @@ static func from_class(native_class: String) -> RefCounted:
 	entry.title = native_class.trim_suffix(CLASS_ENDING).capitalize()
 	entry.is_ready = true
 	if native_class == CURVES_CLASS:
-		entry.title = "Curves"
+		entry.title = CURVES_TITLE
 	return entry
 
 
@@ -64,6 +66,20 @@ static func find_title(path: String) -> String:
 		return title_within
 	var words := _file_title(path).replace("_", " ")
 	return words.left(1).to_upper() + words.substr(1)
+
+
+## What a species is called that no list may have: by its own name, its file, its script or its class.
+static func title_of(function: PlantFunction) -> String:
+	if function.resource_name:
+		return function.resource_name
+	var script := function.get_script() as Script
+	if not function.is_built_in():
+		return find_title(function.resource_path)
+	if script and script.get_global_name():
+		return String(script.get_global_name()).trim_suffix(CLASS_ENDING).capitalize()
+	if script and script.resource_path:
+		return _file_title(script.resource_path).capitalize()
+	return from_class(function.get_class()).title
 
 
 ## The file of the project that it comes from; nothing for what ships with the add-on.
@@ -147,9 +163,9 @@ static func _name_within(path: String) -> String:
 func _instantiate_class() -> PlantFunction:
 	var function := ClassDB.instantiate(key) as PlantFunction
 	var curves := function as CurvePlantFunction
-	if curves and not curves.width_curve and not curves.color_gradient:
-		curves.width_curve = _leaf_curve()
-		curves.color_gradient = _leaf_gradient()
+	if curves and FirstDrawing.is_missing(curves):
+		curves.width_curve = FirstDrawing.make_curve()
+		curves.color_gradient = FirstDrawing.make_gradient()
 	return function
 
 
@@ -159,18 +175,3 @@ func _load_file() -> Resource:
 
 func _load_script() -> Script:
 	return _load_file() as Script
-
-
-## Something to start drawing from: a leaf.
-func _leaf_curve() -> Curve:
-	var curve := Curve.new()
-	curve.add_point(Vector2(0.0, 0.35), 0.0, 1.0)
-	curve.add_point(Vector2(0.45, 1.0))
-	curve.add_point(Vector2(1.0, 0.0), -2.5, 0.0)
-	return curve
-
-
-func _leaf_gradient() -> Gradient:
-	var gradient := Gradient.new()
-	gradient.colors = PackedColorArray([Color("3b6e22"), Color("a9c95b")])
-	return gradient

@@ -7,18 +7,26 @@ extends VBoxContainer
 signal chosen(entry: SpeciesEntry)
 ## The list is current: files were looked through.
 signal refreshed
+## Rows may have another height, see [method find_height_of_rows].
+signal laid_out
+## The user wants a species of their own.
+signal new_wanted
 
 const EditorState := preload("../editor_state.gd")
 const SpeciesEntry := preload("species_entry.gd")
 const SpeciesCatalog := preload("species_catalog.gd")
 const PlantPhoto := preload("../widgets/plant_photo.gd")
-const THUMBNAIL_SIZE := 56
+const THUMBNAIL_SIZE := 48
 ## Columns are at least so wide, in shares of the thumbnail's size: room for a name.
 const LEAST_COLUMN := 1.2
 ## Pixels that the engine's list wants beside each column. It keeps room for a scroll bar, too.
 const COLUMN_SLACK := 4
 ## Names are long.
 const TEXT_LINES := 2
+## Pixels between two rows.
+const ROW_GAP := 2
+## So many rows of a group are seen, below its title.
+const ROWS_SEEN := 2
 ## Of the editor's font size.
 const SMALL_FONT := 0.85
 ## From so many new thumbnails on, progress is shown; what ships with the add-on are fewer.
@@ -33,9 +41,11 @@ var _work_title := ""
 
 @onready var _catalog: SpeciesCatalog = %Catalog
 @onready var _photo: PlantPhoto = %Photo
+@onready var _new: Button = %New
 @onready var _filter: LineEdit = %Filter
 @onready var _groups: Array[FoldableContainer] = [%Ready, %Mixes, %Simple, %Project]
 @onready var _lists: Array[ItemList] = [%ReadyList, %MixList, %SimpleList, %ProjectList]
+@onready var _scroll: ScrollContainer = %Scroll
 @onready var _no_match: Label = %NoMatch
 @onready var _project_hint: Label = %ProjectHint
 
@@ -45,6 +55,7 @@ func setup(state: EditorState) -> void:
 	_state = state
 	_state.work_changed.connect(_on_work_changed)
 	_photo.taken.connect(_on_photo_taken)
+	_new.pressed.connect(new_wanted.emit)
 	_filter.text_changed.connect(func(_text: String) -> void: _fill())
 	for list: ItemList in _lists:
 		list.item_selected.connect(_on_item_selected.bind(list))
@@ -67,6 +78,18 @@ func get_first() -> SpeciesEntry:
 	return _entries()[0]
 
 
+## The height that shows the search field, a group's title and two rows of it.
+func find_height_of_rows() -> float:
+	var row := 0.0
+	for list: ItemList in _lists:
+		list.force_update_list_size()
+		for i in list.item_count:
+			row = maxf(row, list.get_item_rect(i).size.y)
+	var title := _groups[0].get_minimum_size().y - (%Content as Control).get_minimum_size().y
+	var gap := ROW_GAP * EditorInterface.get_editor_scale()
+	return _scroll.position.y + title + ROWS_SEEN * (row + gap) + gap
+
+
 ## Marks the entry with that key as chosen, without a signal.
 func mark(key: String) -> void:
 	_chosen_key = key
@@ -75,6 +98,23 @@ func mark(key: String) -> void:
 		for i in list.item_count:
 			if (list.get_item_metadata(i) as SpeciesEntry).key == key:
 				list.select(i)
+
+
+## Brings the chosen entry into sight, once the lists are laid out.
+func reveal_chosen() -> void:
+	await get_tree().process_frame
+	for list: ItemList in _lists:
+		for i in list.get_selected_items():
+			_unfold(list)
+			var row := list.get_item_rect(i)
+			var above := _scroll.get_global_rect().position.y
+			var top := list.get_global_rect().position.y + row.position.y - above
+			if top < 0.0 or top + row.size.y > _scroll.size.y:
+				_scroll.scroll_vertical += int(top)
+
+
+func _unfold(list: ItemList) -> void:
+	_groups[_lists.find(list)].folded = false
 
 
 func _notification(what: int) -> void:
@@ -88,11 +128,13 @@ func _dress() -> void:
 	if is_part_of_edited_scene():
 		return
 	var size := roundi(THUMBNAIL_SIZE * EditorInterface.get_editor_scale())
+	_new.icon = get_theme_icon(&"Add", &"EditorIcons")
 	_filter.right_icon = get_theme_icon(&"Search", &"EditorIcons")
 	for list: ItemList in _lists:
 		list.fixed_icon_size = Vector2i(size, size)
 		list.max_text_lines = TEXT_LINES
 		list.add_theme_constant_override(&"h_separation", 0)
+		list.add_theme_constant_override(&"v_separation", ROW_GAP)
 		var font_size := roundi(get_theme_font_size(&"font_size", &"ItemList") * SMALL_FONT)
 		list.add_theme_font_size_override(&"font_size", font_size)
 		list.add_theme_stylebox_override(&"panel", StyleBoxEmpty.new())
@@ -105,10 +147,23 @@ func _dress() -> void:
 # As many columns as have room, and all of the room for them.
 func _fit_columns(list: ItemList) -> void:
 	var room := floori(list.size.x - list.get_v_scroll_bar().get_combined_minimum_size().x)
-	var least := floori(list.fixed_icon_size.x * LEAST_COLUMN)
+	var least := maxi(floori(list.fixed_icon_size.x * LEAST_COLUMN), _longest_word(list) + COLUMN_SLACK)
 	list.fixed_column_width = maxi(room / maxi(room / maxi(least, 1), 1) - COLUMN_SLACK, 0)
 	for i in list.item_count:
 		list.set_item_text(i, _wrap(list, (list.get_item_metadata(i) as SpeciesEntry).title))
+	laid_out.emit.call_deferred()
+
+
+# In pixels: no column is narrower.
+func _longest_word(list: ItemList) -> int:
+	var font := list.get_theme_font(&"font")
+	var font_size := list.get_theme_font_size(&"font_size")
+	var longest := 0.0
+	for i in list.item_count:
+		for word in tr((list.get_item_metadata(i) as SpeciesEntry).title).split(" "):
+			var width := font.get_string_size(word, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
+			longest = maxf(longest, width)
+	return ceili(longest)
 
 
 # The list itself would break a long name within a word.
@@ -152,9 +207,10 @@ func _fill_list(list: ItemList, entries: Array[SpeciesEntry]) -> void:
 	list.clear()
 	for entry in entries:
 		if _matches_filter(entry):
-			var index := list.add_item(_wrap(list, entry.title), _picture_of(entry))
+			var index := list.add_item("", _picture_of(entry))
 			list.set_item_metadata(index, entry)
 			list.set_item_tooltip(index, entry.key)
+	_fit_columns(list)
 	list.visible = list.item_count > 0
 
 

@@ -1,6 +1,6 @@
 @tool
 extends HBoxContainer
-## One line for messages, and for the progress of long work with a button that cancels it.
+## A place of two lines for messages, and for the progress of long work with a button that cancels it.
 
 const EditorState := preload("../editor_state.gd")
 const ICONS: Dictionary[int, StringName] = {
@@ -32,6 +32,7 @@ func setup(state: EditorState) -> void:
 	_cancel.pressed.connect(_on_cancel_pressed)
 	_on_work_changed()
 	show_message("", EditorState.Severity.INFO)
+	_keep_room()
 
 
 ## Shows [param text]; an empty text clears the line.
@@ -52,6 +53,16 @@ func _dress() -> void:
 	_icon.texture = get_theme_icon(ICONS[_severity], &"EditorIcons")
 	var source := &"Label" if _severity == EditorState.Severity.INFO else &"Editor"
 	_text.add_theme_color_override(&"font_color", get_theme_color(COLORS[_severity], source))
+	_keep_room()
+
+
+# As much for no message as for the longest: what stands above stays where it is.
+func _keep_room() -> void:
+	var font_size := _text.get_theme_font_size(&"font_size")
+	var line := _text.get_theme_font(&"font").get_height(font_size)
+	line += _text.get_theme_constant(&"line_spacing")
+	var margins := _text.get_theme_stylebox(&"normal").get_minimum_size().y
+	_text.custom_minimum_size.y = ceilf(line * _text.max_lines_visible + margins)
 
 
 func _on_work_changed() -> void:

@@ -1,0 +1,39 @@
+@tool
+extends RefCounted
+## Which species is selected in the edited scene: that of a plant, or the first of a field.
+
+## Another plant or field was selected, and this grows there.
+signal selected(species: PlantFunction)
+
+var _page: Control
+var _is_late := false
+
+
+## Tells what is selected while [param page] is seen, and as soon as it is seen.
+func setup(page: Control) -> void:
+	_page = page
+	page.visibility_changed.connect(_on_visibility_changed)
+	EditorInterface.get_selection().selection_changed.connect(_on_selection_changed)
+
+
+static func find() -> PlantFunction:
+	for node in EditorInterface.get_selection().get_selected_nodes():
+		if node is Plant3D:
+			return (node as Plant3D).species
+		if node is PlantField3D:
+			for listed in (node as PlantField3D).species:
+				if listed and listed.species:
+					return listed.species
+	return null
+
+
+func _on_selection_changed() -> void:
+	_is_late = not _page.is_visible_in_tree()
+	var found := null if _is_late else find()
+	if found:
+		selected.emit(found)
+
+
+func _on_visibility_changed() -> void:
+	if _is_late and _page.is_visible_in_tree():
+		_on_selection_changed()

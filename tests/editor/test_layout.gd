@@ -1,0 +1,154 @@
+@tool
+extends "actions_test.gd"
+## The dock on a screen of 1600 × 900, where it has no column of its own.
+
+const SCENE := "res://layout.tscn"
+const READY := "res://addons/undergrowth/species/poppy.tres"
+const LONG := "res://plants/foxtail.gd: the base shape runs clockwise as seen from above; reverse it."
+
+
+func test_it_is_a_tab_beside_the_inspector() -> void:
+	await open_page("Plant")
+	var inspector: Node = EditorInterface.get_inspector()
+	while inspector is not EditorDock:
+		inspector = inspector.get_parent()
+	check(dock().get_parent().get_parent() == inspector.get_parent(), "both are tabs of one place")
+	check((inspector as Control).size.x >= 290.0, "its width is %f" % (inspector as Control).size.x)
+	var bottom := dock().get_global_rect().end.y
+	check(bottom <= EditorInterface.get_base_control().size.y, "the dock ends at %f" % bottom)
+
+
+func test_two_rows_of_species_are_seen() -> void:
+	await open_page("Plant")
+	await _choose("Barley")
+	var list := part("Plant/List/ReadyList") as ItemList
+	var scroll := part("Plant/List/Scroll") as ScrollContainer
+	scroll.scroll_vertical = 0
+	await frames(2)
+	var columns := 1
+	while list.get_item_rect(columns).position.y == list.get_item_rect(0).position.y:
+		columns += 1
+	check(columns >= 3, "%d columns" % columns)
+	var second := list.get_item_rect(2 * columns - 1)
+	var end := list.get_global_rect().position.y + second.end.y
+	check(end <= scroll.get_global_rect().end.y, "the second row ends at %f" % end)
+
+
+func test_no_name_is_cut() -> void:
+	await open_page("Plant")
+	var list := part("Plant/List/ReadyList") as ItemList
+	var font := list.get_theme_font(&"font")
+	var font_size := list.get_theme_font_size(&"font_size")
+	for i in list.item_count:
+		var lines := list.get_item_text(i).split("\n")
+		check(lines.size() <= 2, "two lines: " + item_title(list, i))
+		for line in lines:
+			var width := font.get_string_size(line, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
+			check(width <= list.get_item_rect(i).size.x, "%s is %f wide" % [line, width])
+
+
+func test_it_follows_the_selection() -> void:
+	await _open_garden()
+	var root := EditorInterface.get_edited_scene_root()
+	await open_page("Plant")
+	await _choose("Wheat")
+	_select([root.get_node("Poppy")])
+	await frames(2)
+	check_equal(_state().title, "Poppy", "of a plant with a species of the add-on")
+	var list := part("Plant/List/ReadyList") as ItemList
+	var marked := list.get_selected_items()
+	check(marked.size() == 1 and item_title(list, marked[0]) == "Poppy", "it is marked in the list")
+	_select([root.get_node("Field")])
+	await frames(2)
+	var field := root.get_node("Field") as PlantField3D
+	check(_state().function == field.species[0].species, "of a field the scene's own species")
+	check_equal(_state().title, "Reed", "its title")
+	check(list.get_selected_items().is_empty(), "nothing is marked")
+	_select([root])
+	await frames(2)
+	check_equal(_state().title, "Reed", "of what is no plant, nothing")
+
+
+func test_it_catches_up_when_it_is_shown() -> void:
+	await _open_garden()
+	await open_page("Wind")
+	_select([EditorInterface.get_edited_scene_root().get_node("Poppy")])
+	await frames(2)
+	await open_page("Plant")
+	await frames(2)
+	check_equal(_state().title, "Poppy", "selected while the page was hidden")
+
+
+func test_messages_move_no_button() -> void:
+	await open_page("Plant")
+	await _choose("Wheat")
+	_state().report("")
+	await frames(3)
+	var before := (part("Plant/Actions/Add") as Control).global_position
+	_state().report(LONG, EditorState.Severity.ERROR)
+	await frames(3)
+	check_equal((part("Plant/Actions/Add") as Control).global_position, before, "a button's place")
+	check_equal((part("Status/Text") as Label).tooltip_text, LONG, "all of it is in the tooltip")
+	await take_picture("1600")
+	_state().report("")
+
+
+func test_a_plants_height_of_0_is_by_species() -> void:
+	await _open_garden()
+	var plant := EditorInterface.get_edited_scene_root().get_node("Poppy") as Plant3D
+	EditorInterface.edit_node(plant)
+	await open_inspector()
+	var property := _find_property("height")
+	check(property != null, "the inspector has the property")
+	var slider := property.find_children("*", "EditorSpinSlider", true, false)[0] as EditorSpinSlider
+	check_equal(slider.call(&"get_shown"), "by species", "at 0")
+	slider.value = 1.5
+	await frames(2)
+	check_equal(plant.height, 1.5, "height as set")
+	check_equal(slider.call(&"get_shown"), "", "at 1.5 the number is shown")
+	await undo()
+	check_equal(plant.height, 0.0, "height after undo")
+
+
+func test_a_new_species_of_curves_may_begin_with_a_leaf() -> void:
+	var curves := CurvePlantFunction.new()
+	EditorInterface.edit_resource(curves)
+	await open_inspector()
+	var button: Button = null
+	for found: Button in EditorInterface.get_inspector().find_children("*", "Button", true, false):
+		if found.text == Translations.text("Begin with a leaf"):
+			button = found
+	check(button != null, "the inspector offers it")
+	if button:
+		button.pressed.emit()
+		await frames(2)
+	check(curves.width_curve and curves.color_gradient, "it has a curve and colors")
+	var undo_manager := EditorInterface.get_editor_undo_redo()
+	undo_manager.get_history_undo_redo(undo_manager.get_object_history_id(curves)).undo()
+	check(not curves.width_curve, "undo takes the curve away")
+	EditorInterface.edit_node(null)
+
+
+func _find_property(name: String) -> EditorProperty:
+	var inspector := EditorInterface.get_inspector()
+	for property: EditorProperty in inspector.find_children("*", "EditorProperty", true, false):
+		if property.get_edited_property() == name:
+			return property
+	return null
+
+
+func _open_garden() -> void:
+	var root := Node3D.new()
+	root.name = "Garden"
+	var poppy := Plant3D.new()
+	poppy.name = "Poppy"
+	poppy.species = load(READY)
+	var field := PlantField3D.from_species([ReedFunction.new()])
+	field.name = "Field"
+	field.size = Vector2(2, 2)
+	field.density = 2.0
+	for plant: Node in [poppy, field]:
+		root.add_child(plant)
+		plant.owner = root
+	await _open_scene(SCENE, root)
+	EditorInterface.set_main_screen_editor("3D")

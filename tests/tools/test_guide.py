@@ -1,0 +1,47 @@
+"""The guide's pages are whole: links lead somewhere, pictures are drawn by scenes and small, the index names all."""
+
+import re
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+GUIDE = ROOT / "docs/guide"
+SCENES = ROOT / "demo_project/guide"
+LINK = re.compile(r"\]\(([^)#]+)\)")
+MOST_BYTES = 1_500_000
+MOST_LINES = 130
+
+
+class Guide(unittest.TestCase):
+    pages = sorted(GUIDE.glob("*.md"))
+
+    def test_links_lead_somewhere(self):
+        for page in self.pages:
+            for target in LINK.findall(page.read_text(encoding="utf-8")):
+                if "://" not in target:
+                    self.assertTrue((page.parent / target).exists(), f"{page.name}: {target}")
+
+    def test_index_and_readme_name_all_pages(self):
+        index = (GUIDE / "README.md").read_text(encoding="utf-8")
+        for page in self.pages:
+            self.assertTrue(page.name == "README.md" or f"({page.name})" in index, page.name)
+        self.assertIn("(docs/guide/README.md)", (ROOT / "README.md").read_text(encoding="utf-8"))
+
+    def test_pages_are_short(self):
+        self.assertGreaterEqual(len(self.pages), 10)
+        for page in self.pages:
+            self.assertLess(len(page.read_text(encoding="utf-8").splitlines()), MOST_LINES, page.name)
+
+    def test_each_picture_has_a_scene_and_a_page(self):
+        text = "".join(page.read_text(encoding="utf-8") for page in self.pages)
+        pictures = {path.stem for path in (GUIDE / "pictures").glob("*.webp")}
+        self.assertEqual(pictures, {path.stem for path in SCENES.glob("*.tscn")})
+        self.assertEqual(pictures, set(re.findall(r"pictures/(\w+)\.webp", text)))
+
+    def test_pictures_are_small(self):
+        size = sum(path.stat().st_size for path in (GUIDE / "pictures").iterdir())
+        self.assertLess(size, MOST_BYTES)
+
+
+if __name__ == "__main__":
+    unittest.main()
