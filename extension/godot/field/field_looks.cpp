@@ -20,6 +20,10 @@ static int64_t variant_seed(int64_t seed, int variant) {
 
 String FieldLook::sample_next(const std::vector<FieldLevel> &levels) {
 	const int variant = int(variants.size());
+	if (variant == variant_count) {
+		read_motion();
+		return String();
+	}
 	const int64_t own_seed = variant_seed(seed, variant);
 	samples.resize(levels.size());
 	for (size_t level = 0; level < levels.size(); level++) {
@@ -40,9 +44,6 @@ String FieldLook::sample_next(const std::vector<FieldLevel> &levels) {
 			variants.push_back({ own_seed, sampled.height });
 		}
 		samples[level].push_back(std::move(sampled));
-	}
-	if (is_sampled()) {
-		read_motion();
 	}
 	return String();
 }
@@ -91,7 +92,9 @@ float FieldLook::mean_height() const {
 	return variants.empty() ? 1.0f : sum;
 }
 
+// A stem asks the function for one plant more.
 void FieldLook::read_motion() {
+	has_motion = true;
 	motion.law = Law(int(function->get_law()));
 	motion.joint = function->make_joint(1.0f, Basis());
 	motion.collision_radius = float(function->get_collision_radius());
