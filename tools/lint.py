@@ -17,7 +17,7 @@ CPP_FOLDERS = ("extension", "tests")
 GDSCRIPT_FOLDERS = ("addons", "demo_project", "tests")
 SKIPPED = {".godot", "build", "bin"}
 # C's standard headers and those of the processors.
-C_HEADERS = {"math.h", "stddef.h", "stdint.h", "string.h", "cpuid.h", "immintrin.h", "intrin.h", "arm_neon.h"}
+C_HEADERS = {"math.h", "stddef.h", "stdint.h", "string.h", "cpuid.h", "emmintrin.h", "immintrin.h", "intrin.h", "arm_neon.h"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 

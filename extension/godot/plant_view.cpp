@@ -3,6 +3,7 @@
 #include "new_object.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace godot;
 
@@ -122,14 +123,15 @@ void PlantView::set_up_bones() {
 }
 
 // Linear blend skinning moves no vertex farther from the root than it is at rest. A plant on a slope, a wall or a
-// ceiling may hang below its own root, so all directions count.
+// ceiling may hang below its own root, so all directions count. A bent stem's sides may lie along the way to its end.
 AABB PlantView::reach() const {
 	if (mesh.is_null()) {
 		return AABB();
 	}
 	const AABB rest = mesh->get_aabb();
 	const Vector3 farthest = rest.position.abs().max(rest.get_end().abs());
-	const float radius = farthest.length();
+	const float side = std::sqrt(farthest.x * farthest.x + farthest.z * farthest.z);
+	const float radius = joint_count() > 0 ? farthest.y + side : farthest.length();
 	return AABB(Vector3(-radius, -radius, -radius), Vector3(2.0f * radius, 2.0f * radius, 2.0f * radius));
 }
 

@@ -67,9 +67,7 @@ public:
 	void set_kind(Kind kind);
 	Kind get_kind() const;
 	/// Whether a wind, if there is one, blows in m/s.
-	static bool is_air(const godot::Ref<PlantWind> &wind) {
-		return wind.is_valid() && wind->get_kind() == KIND_AIR;
-	}
+	static bool is_air(const godot::Ref<PlantWind> &wind) { return wind.is_valid() && wind->get_kind() == KIND_AIR; }
 	void set_strength(double newtons);
 	double get_strength() const;
 	void set_direction(double radians);

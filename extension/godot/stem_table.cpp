@@ -12,7 +12,7 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr double HEIGHT_RATIO = 1.1; // Of neighbouring classes.
-static constexpr float SHORTEST = 0.005f; // m; of bare stems.
+static constexpr float SHORTEST = 0.005f; // m.
 static constexpr float LONGEST = 100.0f;
 
 StemBeam StemTable::nothing() {
@@ -28,7 +28,7 @@ void StemTable::forget_stems() {
 
 void StemTable::learn(const SampledPlant &plant) {
 	drawn = StemBeam();
-	drawn.length = plant.height;
+	drawn.length = std::clamp(plant.height, SHORTEST, LONGEST); // One of another length is that one, scaled.
 	if (plant.grown) {
 		carry_parts(plant.grown->form, drawn);
 	} else {

@@ -10,8 +10,8 @@ namespace figures {
 /// counts.
 void tell(const std::string &table, const std::string &what, double asked, double measured, int digits,
 		const char *unit = "");
-/// How far off something is at most, as a share; the largest of those that are told under the same name counts. Where it
-/// is far less than `most`, the figure says only that, so that it is the same on every machine.
+/// How far off something is at most, as a share; the largest of those that are told under the same name counts. Where
+/// it is far less than `most`, the figure says only that, so that it is the same on every machine.
 void tell_error(const std::string &table, const std::string &what, double most, double error);
 
 inline const char *const STEMS = "stems"; ///< That stand.

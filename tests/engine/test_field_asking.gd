@@ -55,7 +55,7 @@ func after_each() -> void:
 func test_a_frame_asks_for_one_slow_plant_at_most() -> void:
 	Slow.asked.clear()
 	await _grow_field([Slow.new(), Slow.new()])
-	check_equal(Slow.asked.size(), 8, "asks of two species with four variants")
+	check_equal(Slow.asked.size(), 10, "asks of two species with four variants and a stem")
 	check_equal(_most_in_a_frame(Slow.asked), 1, "asks in a frame")
 	check(_field.get_plant_count() > 0, "plants stand")
 
@@ -70,7 +70,7 @@ func test_a_frame_asks_for_one_slow_stem_at_most() -> void:
 func test_quick_scripts_are_asked_at_once() -> void:
 	Quick.asked.clear()
 	await _grow_field([Quick.new()])
-	check_equal(Quick.asked.size(), 4, "asks")
+	check_equal(Quick.asked.size(), 5, "asks of four variants and a stem")
 	check_equal(_field.get_plant_count() > 0, true, "plants stand")
 
 

@@ -226,7 +226,7 @@ func _reed() -> PlantFunction:
 	species.height_min = HEIGHT
 	species.height_max = HEIGHT
 	species.radius = 0.004
-	species.law = PlantFunction.LAW_STEM
+	species.wind_weight = 1.0
 	species.natural_frequency = 1.0
 	species.damping_ratio = 0.1
 	species.stem = PlantStem.new()

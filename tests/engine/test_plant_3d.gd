@@ -223,4 +223,6 @@ func _get_base_shape(_lod: int) -> PackedVector3Array:
 	return PackedVector3Array([Vector3(-1, 0, 0), Vector3(0, 0, 1), Vector3(1, 0, 0)])
 """
 	check_equal(script.reload(), OK, "compiling")
-	return script.new()
+	var function: PlantFunction = script.new()
+	function.law = PlantFunction.LAW_SPRING  # A stem asks for one plant more.
+	return function

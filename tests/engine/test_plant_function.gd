@@ -111,7 +111,7 @@ func test_constants_that_do_not_exist_give_one_error() -> void:
 		check_error("law %d does not exist" % value)
 		function.set("shading", value)
 		check_error("shading %d does not exist" % value)
-	check_equal(function.law, PlantFunction.LAW_SPRING)
+	check_equal(function.law, PlantFunction.LAW_STEM)
 	check_equal(function.shading, PlantFunction.SHADING_SMOOTH)
 
 

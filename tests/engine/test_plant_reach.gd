@@ -65,7 +65,7 @@ func _all_species() -> Array[PlantFunction]:
 
 
 func _laws() -> Array[PlantFunction.MotionLaw]:
-	return [PlantFunction.LAW_ELASTICITY, PlantFunction.LAW_SPRING]
+	return [PlantFunction.LAW_ELASTICITY, PlantFunction.LAW_SPRING, PlantFunction.LAW_STEM]
 
 
 ## Pushes the plant hard to all sides and compares its skinned vertices with its reach.
@@ -87,13 +87,19 @@ func _check_reach(label: String) -> void:
 
 func _count_outside(reach: AABB) -> int:
 	var skeleton := _plant.get_skeleton()
-	var tip := skeleton.get_bone_global_pose(1)
+	var moves: Array[Transform3D] = []
+	for bone in skeleton.get_bone_count():
+		var rest := skeleton.get_bone_global_rest(bone)
+		moves.append(skeleton.get_bone_global_pose(bone) * rest.affine_inverse())
 	var arrays := _plant.get_mesh().surface_get_arrays(0)
 	var positions: PackedVector3Array = arrays[Mesh.ARRAY_VERTEX]
+	var bones: PackedInt32Array = arrays[Mesh.ARRAY_BONES]
 	var weights: PackedFloat32Array = arrays[Mesh.ARRAY_WEIGHTS]
 	var outside := 0
 	for i in positions.size():
-		var skinned := positions[i].lerp(tip * positions[i], weights[4 * i + 1])
+		var skinned := Vector3.ZERO
+		for k in range(4 * i, 4 * i + 4):
+			skinned += weights[k] * (moves[bones[k]] * positions[i])
 		if not reach.has_point(skinned):
 			outside += 1
 	return outside

@@ -43,9 +43,11 @@ func test_ready_species_lean_in_the_winds_that_their_build_says() -> void:
 		for angle: float in [30.0, 60.0]:
 			var speed := SPEEDS[species].x if angle == 30.0 else SPEEDS[species].y
 			var needed := _speed_for(deg_to_rad(angle), speed)
-			print("%s %.0f: %.2f of %.2f, x%.3f, h %.2f" % [species, angle, needed, speed, needed / speed, _plant.get_plant_height()])
 			check_near(
-				needed / speed, 1.0, SPEED_TOLERANCE, "speed for %.0f degrees, %s" % [angle, species]
+				needed / speed,
+				1.0,
+				SPEED_TOLERANCE,
+				"speed for %.0f degrees, %s" % [angle, species]
 			)
 
 
@@ -56,8 +58,7 @@ func _speed_for(angle: float, speed: float) -> float:
 	for i in 600:
 		_plant.advance(STEP)
 	var state := _plant.get_motion_state()
-	var seen := Vector2(state[2], state[1]).angle_to_point(Vector2.ZERO)
-	seen = atan2(Vector2(state[0], state[2]).length(), state[1])
+	var seen := atan2(Vector2(state[0], state[2]).length(), state[1])
 	return speed * sqrt(_slope_of(angle) / _slope_of(seen))
 
 

@@ -84,6 +84,21 @@ void measure_stem(const Part &part, const PlacedPart &placed, StemBeam &beam) {
 	}
 }
 
+/// What is drawn may be of any size; a stem is not wider than long, nor heavier than a tree.
+void keep_sound(StemBeam &beam) {
+	constexpr float MOST_MASS = 1000.0f; // kg, as the next: describe(StemFault).
+	constexpr float MOST_AREA = 100.0f; // m².
+	beam.diameter = std::clamp(beam.diameter, std::min(LEAST_DIAMETER, beam.length), beam.length);
+	beam.thickness = std::min(beam.thickness, beam.diameter);
+	beam.head_mass = std::min(beam.head_mass, MOST_MASS);
+	beam.head_drag_area = std::min(beam.head_drag_area, MOST_AREA);
+	beam.head_centre = std::min(beam.head_centre, beam.length);
+	for (StemBeam::Load &load : beam.loads) {
+		load.mass = std::min(load.mass, MOST_MASS);
+		load.drag_area = std::min(load.drag_area, MOST_AREA);
+	}
+}
+
 } // namespace
 
 void carry_parts(const PlantForm &form, StemBeam &beam) {
@@ -123,6 +138,7 @@ void carry_parts(const PlantForm &form, StemBeam &beam) {
 			beam.loads.push_back(bins[i]);
 		}
 	}
+	keep_sound(beam);
 }
 
 void carry_lathe(float radius, const std::vector<float> &widths, StemBeam &beam) {
@@ -148,6 +164,7 @@ void carry_lathe(float radius, const std::vector<float> &widths, StemBeam &beam)
 		}
 	}
 	beam.taper = std::clamp(1.0f - narrowest / std::max(lower, 1e-6f), 0.0f, MOST_TAPER);
+	keep_sound(beam);
 }
 
 } // namespace undergrowth

@@ -17,8 +17,8 @@ struct Motion {
 	float natural_frequency = 1.0f; ///< Spring and stem laws, Hz, of a small free swing of the finished plant.
 	float damping_ratio = 0.1f; ///< Of both, 1 is critical.
 	float mass = 1.0f; ///< kg, at the tip.
-	/// Share of the wind's force that the plant catches; below 0: a tip all of it, a stem as much as bends it as far as a
-	/// kilogram at the tip that swings as fast.
+	/// Share of the wind's force that the plant catches; below 0: a tip all of it, a stem as much as bends it as far as
+	/// a kilogram at the tip that swings as fast.
 	float wind_weight = 1.0f;
 	float drag_area = -1.0f; ///< m², of air, its coefficient included; below 0: as many as wind_weight.
 	float lean = 0.0f; ///< Not of the elasticity law, rad from upright to the rest direction, below π/2.

@@ -14,7 +14,8 @@ constexpr double GUSTS_OF_FRICTION = 2.185; // σ_u/u*, of the spectrum's integr
 constexpr double DISPLACEMENT = 0.7; // Of a stand's height.
 constexpr double STAND_ROUGHNESS = 0.1;
 constexpr double SMOOTHEST = 1e-6; // m.
-constexpr double ROUGHEST = 0.5 * REFERENCE_HEIGHT / OpenGround::ROUGH_LAYER; // m: the rough layer stays below the reference.
+constexpr double ROUGHEST =
+		0.5 * REFERENCE_HEIGHT / OpenGround::ROUGH_LAYER; // m: the rough layer stays below the reference.
 constexpr double LOWEST_STAND = 1e-3; // m.
 constexpr double HIGHEST_STAND = 0.9 * REFERENCE_HEIGHT; // m.
 constexpr double BEAUFORT = 0.836; // m/s.

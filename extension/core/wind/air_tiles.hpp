@@ -26,10 +26,9 @@ struct AirTiles {
 	static constexpr int WAVE_SIDE_TEXELS = 8; ///< Across, of as many metres.
 	static constexpr double UNIT = 4096.0; ///< Of both maps: a standard deviation.
 
-
 	/// A cell is what a place between four texels needs: 16 bits of each, lowest first, of the texel, its neighbour
-	/// downwind, and both a row farther. Of the turbulence: WIDTH·HEIGHT times a cell of what is along the wind, and one
-	/// of what is across it.
+	/// downwind, and both a row farther. Of the turbulence: WIDTH·HEIGHT times a cell of what is along the wind, and
+	/// one of what is across it.
 	std::vector<uint64_t> turbulence;
 	/// WAVES_WIDTH·WAVES_HEIGHT.
 	std::vector<uint64_t> waves;

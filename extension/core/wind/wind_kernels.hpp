@@ -92,8 +92,8 @@ struct WindKernels {
 	/// Makes velocities of both components, in place: those along x and along z.
 	void (*make_velocities)(const AirBlow &blow, int count, float *along, float *across);
 	/// The same of plants of such lengths (m) that stand alone.
-	void (*make_lone_velocities)(const AirBlow &blow, const AirGround &ground, const float *lengths, int count,
-			float *along, float *across);
+	void (*make_lone_velocities)(
+			const AirBlow &blow, const AirGround &ground, const float *lengths, int count, float *along, float *across);
 };
 
 const WindKernels *baseline_wind_kernels();

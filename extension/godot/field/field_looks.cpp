@@ -25,6 +25,10 @@ int FieldLook::segments_at(const FieldLevel &level) const {
 
 String FieldLook::sample_next(const std::vector<FieldLevel> &levels) {
 	const int variant = int(variants.size());
+	if (variant == variant_count) {
+		read_motion();
+		return String();
+	}
 	const int64_t own_seed = variant_seed(seed, variant);
 	samples.resize(levels.size());
 	for (size_t level = 0; level < levels.size(); level++) {
@@ -45,9 +49,6 @@ String FieldLook::sample_next(const std::vector<FieldLevel> &levels) {
 			variants.push_back({ own_seed, sampled.height });
 		}
 		samples[level].push_back(std::move(sampled));
-	}
-	if (is_sampled()) {
-		read_motion();
 	}
 	return String();
 }
@@ -96,7 +97,9 @@ float FieldLook::mean_height() const {
 	return variants.empty() ? 1.0f : sum;
 }
 
+// A stem asks the function for one plant more.
 void FieldLook::read_motion() {
+	has_motion = true;
 	motion.law = Law(int(function->get_law()));
 	motion.joint = function->make_joint(1.0f, Basis());
 	motion.collision_radius = float(function->get_collision_radius());

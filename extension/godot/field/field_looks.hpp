@@ -47,19 +47,20 @@ struct FieldLook {
 	std::vector<std::vector<godot::Ref<godot::ArrayMesh>>> meshes; ///< By level and group.
 	std::vector<godot::Ref<godot::ShaderMaterial>> materials; ///< By level.
 	MotionSpecies motion;
+	bool has_motion = false; ///< It was read.
 	bool in_air = false; ///< A wind in m/s blows; stems have their shape by it.
 	std::shared_ptr<const StemConstants> stem; ///< As `motion` has it; null of another law.
 	float width = 0.0f; ///< m: the farthest that any mesh goes from its axis.
 
 	int64_t seed = 0; ///< Of all variants.
 
-	/// Asks the function for one variant more, at all levels; main thread only, since scripts may answer. Tells what is
-	/// wrong and what to do, or nothing.
+	/// Asks the function for one variant more, at all levels, and at last how they move; main thread only, since
+	/// scripts may answer. Tells what is wrong and what to do, or nothing.
 	godot::String sample_next(const std::vector<FieldLevel> &levels);
 	/// Vertical segments at a level.
 	int segments_at(const FieldLevel &level) const;
-	/// Whether all variants are sampled.
-	bool is_sampled() const { return int(variants.size()) == variant_count; }
+	/// Whether all variants are sampled, and how they move.
+	bool is_sampled() const { return int(variants.size()) == variant_count && has_motion; }
 	/// Builds the meshes of what was sampled; once, on any thread.
 	void build();
 	/// For the mesh of one plant alone, with its own height, to be turned and scaled by `scale`, on a skeleton.

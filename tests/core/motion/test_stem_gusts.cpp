@@ -128,7 +128,8 @@ TEST_CASE("a gust moves the tip as it moves that of a chain of 64 links") {
 				CAPTURE(which);
 				CAPTURE(modes);
 				CHECK(worst < GUST_TOLERANCE);
-				figures::tell_error(figures::SWINGS, "path of the tip in a gust to 45°, of the length", GUST_TOLERANCE, worst);
+				figures::tell_error(
+						figures::SWINGS, "path of the tip in a gust to 45°, of the length", GUST_TOLERANCE, worst);
 				CHECK(rivals.farthest * 180.0 / PI == doctest::Approx(45.0).epsilon(0.06));
 			}
 		}

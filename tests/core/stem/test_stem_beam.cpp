@@ -58,19 +58,23 @@ TEST_CASE("frequencies of stems that taper and carry heads and leaves are those 
 			CAPTURE(head);
 			CHECK(solution.frequencies[0] == Approx(ritz.frequency).epsilon(FINE).scale(0.0));
 			CHECK(solution.frequencies[1] == Approx(ritz.second).epsilon(FINE).scale(0.0));
-			for (const double share : { solution.frequencies[0] / ritz.frequency, solution.frequencies[1] / ritz.second }) {
-				figures::tell_error(figures::STEMS, "both, of stems that taper and carry heads and leaves", BEAM, share - 1.0);
+			for (const double share :
+					{ solution.frequencies[0] / ritz.frequency, solution.frequencies[1] / ritz.second }) {
+				figures::tell_error(
+						figures::STEMS, "both, of stems that taper and carry heads and leaves", BEAM, share - 1.0);
 			}
 		}
 	}
 }
 
 TEST_CASE("a stem stands up to the load that Greenhill says") {
-	const double expected[][3] = { { 0.0, 0.0, 7.8374 }, { 0.0, 0.5, 3.0691 }, { 0.0, 2.0, 1.0730 }, { 0.6, 0.0, 7.0638 } };
+	const double expected[][3] = { { 0.0, 0.0, 7.8374 }, { 0.0, 0.5, 3.0691 }, { 0.0, 2.0, 1.0730 },
+		{ 0.6, 0.0, 7.0638 } };
 	for (const auto &[taper, head, load] : expected) {
 		const double found = critical_load(stem_of(taper, head));
 		CHECK(found == Approx(load).epsilon(GREENHILL).scale(0.0));
-		figures::tell_error(figures::STEMS, "weight under which a stem falls (Greenhill)", GREENHILL, found / load - 1.0);
+		figures::tell_error(
+				figures::STEMS, "weight under which a stem falls (Greenhill)", GREENHILL, found / load - 1.0);
 	}
 }
 

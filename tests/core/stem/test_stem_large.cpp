@@ -39,7 +39,8 @@ double distance_to(const SteadyChain &chain, const StemConstants &stem, const St
 void tell_shape(const std::string &wind, const SteadyChain &chain, double far) {
 	const bool is_slight = chain.tip_angle() < 45.0 * DEGREE;
 	CHECK(far < (is_slight ? TO_45 : TO_75));
-	const std::string what = "shape in steady wind in " + wind + ", tip to " + (is_slight ? "45" : "75") + "°, of the length";
+	const std::string what =
+			"shape in steady wind in " + wind + ", tip to " + (is_slight ? "45" : "75") + "°, of the length";
 	figures::tell_error(figures::STEMS, what, is_slight ? TO_45 : TO_75, far);
 }
 
@@ -118,7 +119,8 @@ TEST_CASE("a blade in a wind draws the less the more it bends, as measured ones 
 			sum += std::pow((1.0 - n) / (1.0 + n), 3.0) / 400.0;
 		}
 		CHECK(sum == Approx(ratio).epsilon(DRAG_RATIO).scale(0.0));
-		figures::tell_error(figures::STEMS, "drag of a bent blade, to a Cauchy number of 100", DRAG_RATIO, sum / ratio - 1.0);
+		figures::tell_error(
+				figures::STEMS, "drag of a bent blade, to a Cauchy number of 100", DRAG_RATIO, sum / ratio - 1.0);
 	}
 }
 

@@ -156,7 +156,8 @@ TEST_CASE("waves run over a stand as fast and as far apart as a mixing layer's")
 	const std::vector<float> now = wave_line(air, 0.0), later = wave_line(air, 0.2);
 	const double speed = 0.02 * static_cast<double>(best_lag(now, later, 1, 60)) / 0.2;
 	const double spacing = 0.02 * static_cast<double>(best_lag(now, now, 60, 140));
-	figures::tell(figures::WIND, "speed of waves over half a metre of grass, fresh breeze", waves_speed(air), speed, 2, " m/s");
+	figures::tell(figures::WIND, "speed of waves over half a metre of grass, fresh breeze", waves_speed(air), speed, 2,
+			" m/s");
 	figures::tell(figures::WIND, "their length", waves_length(air), spacing, 2, " m");
 	CHECK(std::fabs(speed / waves_speed(air) - 1.0) < WAVES_SPEED_TOLERANCE);
 	CHECK(std::fabs(spacing / waves_length(air) - 1.0) < WAVES_SPACING_TOLERANCE);
