@@ -162,7 +162,11 @@ String read_request(const Node3D *field, const StandOptions &options, const Area
 		weighted += listed->get_share() * listed->get_density_factor();
 	}
 	into.density = float(shares > 0.0 ? options.density * weighted / shares : options.density);
-	const PlacementFault fault = into.density > 0.0f ? find_placement_fault(into) : PlacementFault::none;
+	PlacementRequest tried = into;
+	if (options.view_distance > 0.0) {
+		tried.within = AreaBox(); // Tiles are placed alone.
+	}
+	const PlacementFault fault = tried.density > 0.0f ? find_placement_fault(tried) : PlacementFault::none;
 	if (fault == PlacementFault::bad_area) {
 		return describe(find_area_fault(into.area));
 	}

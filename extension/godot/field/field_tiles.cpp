@@ -15,7 +15,7 @@ namespace undergrowth {
 
 static constexpr int FRAMES_BETWEEN_CHOICES = 8;
 static constexpr size_t MOST_JOBS = 4; // At once.
-static constexpr double MOST_USEC = 400.0; // A frame, after which nothing more begins.
+static constexpr double MOST_USEC = 300.0; // A frame, after which nothing more begins.
 static constexpr double ASKING_USEC = 500.0; // A frame, for the ground.
 
 // Whoever looks, and whatever else the field is to stand around, in its axes.
