@@ -23,7 +23,7 @@ from toolchain.place import Missing  # noqa: E402
 COLUMNS = ("name", "plants", "threads", "median_ms", "us_per_plant", "renderer")
 RENDERERS = ("forward_plus", "gl_compatibility")
 TIMEOUT = 600
-ENGINE_SCRIPTS = {"plants": "engine_bench", "fields": "field_bench"}
+ENGINE_SCRIPTS = {"plants": "engine_bench", "fields": "field_bench", "edits": "edits_bench"}
 PARTS = ("core", *ENGINE_SCRIPTS, "drawn")
 # The engine's better physics has to be chosen, and told how many bodies there will be.
 JOLT = """
