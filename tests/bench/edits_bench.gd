@@ -180,17 +180,14 @@ func _measure_walk() -> void:
 func _add_row(title: String, count: int, usec: Array[float]) -> void:
 	usec.sort()
 	var median := usec[usec.size() / 2]
-	(
-		_rows
-		. append(
-			{
-				"name": title,
-				"plants": count,
-				"threads": OS.get_processor_count(),
-				"median_ms": median / 1000.0,
-				"worst_ms": usec[-1] / 1000.0,
-				"us_per_plant": median / count,
-				"renderer": "headless"
-			}
-		)
+	_rows.append(
+		{
+			"name": title,
+			"plants": count,
+			"threads": OS.get_processor_count(),
+			"median_ms": median / 1000.0,
+			"worst_ms": usec[-1] / 1000.0,
+			"us_per_plant": median / count,
+			"renderer": "headless"
+		}
 	)

@@ -44,8 +44,8 @@ template <class Entry, class Visit>
 void for_each_square(std::vector<std::pair<TileKey, Entry>> &entries, const Visit &visit) {
 	std::sort(entries.begin(), entries.end());
 	for (auto first = entries.begin(); first != entries.end();) {
-		const auto end = std::find_if(
-				first, entries.end(), [&](const auto &entry) { return !(entry.first == first->first); });
+		const auto end =
+				std::find_if(first, entries.end(), [&](const auto &entry) { return !(entry.first == first->first); });
 		visit(first->first, first, end);
 		first = end;
 	}
@@ -188,8 +188,7 @@ std::vector<AreaBox> StandChanges::gone_beside(const StandChanges &other) const 
 				float z = 0.0f;
 				filled_plant_place(id, spacing, x, z);
 				const auto known = other.filled.find(spacing);
-				const Square *square =
-						known == other.filled.end() ? nullptr : find_square(known->second, id, spacing);
+				const Square *square = known == other.filled.end() ? nullptr : find_square(known->second, id, spacing);
 				if (square == nullptr || !holds(square->gone, id)) {
 					boxes.push_back(wider({ { x, z }, { x, z } }, spacing));
 				}

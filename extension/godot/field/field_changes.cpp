@@ -41,8 +41,8 @@ void FieldChanges::show(
 	motion.set_height(plant.place, share, moved);
 }
 
-void FieldChanges::mow(const std::vector<PlantPlace> &places, const std::vector<float> &shares,
-		const PlantStore &store, const FieldStyle &style, FieldMotion &motion) {
+void FieldChanges::mow(const std::vector<PlantPlace> &places, const std::vector<float> &shares, const PlantStore &store,
+		const FieldStyle &style, FieldMotion &motion) {
 	std::vector<PlantId> ids;
 	for (const PlantPlace &place : places) {
 		ids.push_back(store.id(place));
@@ -55,8 +55,8 @@ void FieldChanges::mow(const std::vector<PlantPlace> &places, const std::vector<
 	};
 	growing.erase(std::remove_if(growing.begin(), growing.end(), is_mown_anew), growing.end());
 	for (size_t i = 0; i < places.size(); i++) {
-		const Growing plant = { places[i], double(std::max(shares[i], StandChanges::LEAST_SHARE)) -
-			changes.grown_back() };
+		const Growing plant = { places[i],
+			double(std::max(shares[i], StandChanges::LEAST_SHARE)) - changes.grown_back() };
 		show(plant, store, style, motion);
 		if (shares[i] < 1.0f) {
 			growing.push_back(plant);

@@ -167,8 +167,7 @@ void FieldTiles::ask_ground(const Scene &scene, bool physics) {
 	}
 }
 
-bool FieldTiles::go_on(
-		const Scene &scene, TileJob &job, bool edits, double until_usec, const Stopwatch &watch) {
+bool FieldTiles::go_on(const Scene &scene, TileJob &job, bool edits, double until_usec, const Stopwatch &watch) {
 	while (job.is_placed() && job.has_more_blocks() && edits && watch.usec() < until_usec) {
 		StandEdit edit;
 		std::unique_ptr<PreparedBlock> prepared;
