@@ -29,13 +29,19 @@ def lines(rows):
     told = [*kernel_lines(rows), *stem_lines(found), *thread_lines(found)]
     for renderer in ("headless", "forward_plus", "gl_compatibility"):
         told += field_lines(found, renderer)
-    return [*told, *peer_lines(found)]
+    return [*told, *edit_lines(rows), *peer_lines(found)]
 
 
 def kernel_lines(rows):
     return [f"{row['name']}, {row['level']}, {row['plants']:,} plants: {row['g_plant_steps']:.2f} G plant-steps/s, "
             f"{percent(row['compute_share'])} of what the core can compute, {percent(row['memory_share'])} of what its "
             "memory can move" for row in rows if "g_plant_steps" in row]
+
+
+def edit_lines(rows):
+    """What changes cost while a game goes on."""
+    return [f"{row['name']}, {row['plants']:,} plants: {row['median_ms']:.2f} ms, {row['worst_ms']:.2f} ms at worst"
+            for row in rows if "worst_ms" in row]
 
 
 def stem_lines(found):

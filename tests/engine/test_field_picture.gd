@@ -96,6 +96,20 @@ func test_a_plain_material() -> void:
 	await _compare(function, Transform3D.IDENTITY)
 
 
+func test_a_mown_plant_is_one_of_its_height() -> void:
+	var function := TulipFunction.new()
+	function.law = PlantFunction.LAW_SPRING
+	function.damping_ratio = 1.0
+	_field.wind.strength = 3.0
+	await _compare(function, Transform3D(Basis(Vector3.UP, 0.7)), Vector3.ZERO, 0.6)
+
+
+func test_a_mown_plant_that_grew_back_is_whole() -> void:
+	_field.wind.strength = 0.0
+	_field.regrowth_rate = 0.1
+	await _compare(TulipFunction.new(), Transform3D.IDENTITY, Vector3.ZERO, 0.6)
+
+
 func test_followers_of_prototypes_are_drawn() -> void:
 	_field.species = [PlantFieldSpecies.of(TulipFunction.new())]
 	_field.prototypes = 4
@@ -163,8 +177,14 @@ func _check_followers_dressed(preview: bool) -> void:
 	check(different <= MOST_DIFFERENT, "%d pixels differ" % different)
 
 
-func _compare(function: PlantFunction, place: Transform3D, blow := Vector3.ZERO) -> void:
+## [param mown]: metres that it is left before.
+func _compare(
+	function: PlantFunction, place: Transform3D, blow := Vector3.ZERO, mown := 0.0
+) -> void:
 	var id := _field.add_plants([place], function)[0]
+	if mown > 0.0:
+		_field.set_height_in_sphere(_field.global_position, 1.0, mown)
+		check_near(_field.get_plant_height(id), mown, 0.01, "height of the stubble")
 	RenderingServer.render_loop_enabled = false
 	await _settle()
 	if blow != Vector3.ZERO:

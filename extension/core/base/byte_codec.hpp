@@ -54,8 +54,8 @@ enum class BytesFault {
 	torn, ///< Cut off, or not as they were written.
 };
 
-/// How all that is kept as bytes begins and ends: four letters, the version (16 bits), the length of all (32 bits), what
-/// is kept, and checksum_of() all before (32 bits).
+/// How all that is kept as bytes begins and ends: four letters, the version (16 bits), the length of all (32 bits),
+/// what is kept, and checksum_of() all before (32 bits).
 class ByteFrame {
 public:
 	static constexpr std::size_t HEADER = 10;

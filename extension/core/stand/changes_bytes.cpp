@@ -25,7 +25,9 @@ float read_share(ByteReader &from) {
 /// Names, each as the difference from the one before.
 class NameRun {
 public:
-	void put(std::vector<uint8_t> &to, PlantId id) { put_count(to, static_cast<uint64_t>(id - std::exchange(last, id))); }
+	void put(std::vector<uint8_t> &to, PlantId id) {
+		put_count(to, static_cast<uint64_t>(id - std::exchange(last, id)));
+	}
 	PlantId read(ByteReader &from, bool are_added) {
 		const uint64_t way = from.count();
 		const uint64_t most = static_cast<uint64_t>(added_plant_id(MOST_NUMBER) - last);

@@ -130,7 +130,9 @@ AreaRow Placement::read_row(int row) const {
 	}
 	join(into.spans);
 	if (request.within) {
-		into.spans = common(into.spans, { cells_of({ request.within->low.x, request.within->high.x }, spacing) });
+		// The cell behind the last one may have its plant before its side.
+		const AreaSpan span = { request.within->low.x, request.within->high.x + spacing };
+		into.spans = common(into.spans, { cells_of(span, spacing) });
 	}
 	if (request.map) {
 		into.spans = common(into.spans, only);

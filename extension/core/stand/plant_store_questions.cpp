@@ -114,7 +114,8 @@ PlantPlace PlantStore::find_nearest(const glm::vec3 &centre, float radius) const
 	double most = static_cast<double>(radius) * static_cast<double>(radius);
 	std::size_t seen = 0;
 	// Wider and wider, until somebody is found or no tile is left.
-	for (float reach = std::min(radius, size); radius >= 0.0f && nearest.block < 0; reach = std::min(radius, 2.0f * reach)) {
+	for (float reach = std::min(radius, size); radius >= 0.0f && nearest.block < 0;
+			reach = std::min(radius, 2.0f * reach)) {
 		seen = 0;
 		for_each_tile(centre - reach, centre + reach, [&](const std::vector<int> &members) {
 			seen++;

@@ -44,8 +44,8 @@ template <class Entry, class Visit>
 void for_each_square(std::vector<std::pair<TileKey, Entry>> &entries, const Visit &visit) {
 	std::sort(entries.begin(), entries.end());
 	for (auto first = entries.begin(); first != entries.end();) {
-		const auto end = std::find_if(
-				first, entries.end(), [&](const auto &entry) { return !(entry.first == first->first); });
+		const auto end =
+				std::find_if(first, entries.end(), [&](const auto &entry) { return !(entry.first == first->first); });
 		visit(first->first, first, end);
 		first = end;
 	}
@@ -147,8 +147,9 @@ bool StandChanges::has_mown(const AreaBox &box) const {
 
 void StandChanges::take_out(FieldPlants &plants) const {
 	std::vector<int> gone;
+	ChangesFinder finder(*this);
 	for (int i = 0; i < plants.size() && !filled.empty(); i++) {
-		if (is_gone(plants.x[static_cast<std::size_t>(i)], plants.z[static_cast<std::size_t>(i)])) {
+		if (finder.is_gone(plants.x[static_cast<std::size_t>(i)], plants.z[static_cast<std::size_t>(i)])) {
 			gone.push_back(i);
 		}
 	}
@@ -187,8 +188,7 @@ std::vector<AreaBox> StandChanges::gone_beside(const StandChanges &other) const 
 				float z = 0.0f;
 				filled_plant_place(id, spacing, x, z);
 				const auto known = other.filled.find(spacing);
-				const Square *square =
-						known == other.filled.end() ? nullptr : find_square(known->second, id, spacing);
+				const Square *square = known == other.filled.end() ? nullptr : find_square(known->second, id, spacing);
 				if (square == nullptr || !holds(square->gone, id)) {
 					boxes.push_back(wider({ { x, z }, { x, z } }, spacing));
 				}
@@ -196,6 +196,45 @@ std::vector<AreaBox> StandChanges::gone_beside(const StandChanges &other) const 
 		}
 	}
 	return boxes;
+}
+
+ChangesFinder::ChangesFinder(const StandChanges &changes) {
+	for (const auto &[spacing, squares] : changes.of_filled()) {
+		nearest.push_back({ spacing, &squares, {}, nullptr, false });
+	}
+}
+
+const StandChanges::Square *ChangesFinder::square_at(Near &near, PlantId id) const {
+	const TileKey key = square_of(id, near.spacing);
+	if (!near.is_known || !(key == near.key)) {
+		near.key = key;
+		near.square = find_square(*near.squares, id, near.spacing);
+		near.is_known = true;
+	}
+	return near.square;
+}
+
+bool ChangesFinder::is_gone(float x, float z) {
+	for (Near &near : nearest) {
+		const PlantId id = filled_plant_id(x, z, near.spacing);
+		const StandChanges::Square *square = square_at(near, id);
+		if (square != nullptr && holds(square->gone, id)) {
+			return true;
+		}
+	}
+	return false;
+}
+
+const double *ChangesFinder::find_mown(float x, float z) {
+	for (Near &near : nearest) {
+		const PlantId id = filled_plant_id(x, z, near.spacing);
+		const StandChanges::Square *square = square_at(near, id);
+		const double *base = square != nullptr ? find_base(square->mown, id) : nullptr;
+		if (base != nullptr) {
+			return base;
+		}
+	}
+	return nullptr;
 }
 
 int StandChanges::plant_count() const {

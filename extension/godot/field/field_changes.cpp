@@ -41,8 +41,8 @@ void FieldChanges::show(
 	motion.set_height(plant.place, share, moved);
 }
 
-void FieldChanges::mow(const std::vector<PlantPlace> &places, const std::vector<float> &shares,
-		const PlantStore &store, const FieldStyle &style, FieldMotion &motion) {
+void FieldChanges::mow(const std::vector<PlantPlace> &places, const std::vector<float> &shares, const PlantStore &store,
+		const FieldStyle &style, FieldMotion &motion) {
 	std::vector<PlantId> ids;
 	for (const PlantPlace &place : places) {
 		ids.push_back(store.id(place));
@@ -55,8 +55,8 @@ void FieldChanges::mow(const std::vector<PlantPlace> &places, const std::vector<
 	};
 	growing.erase(std::remove_if(growing.begin(), growing.end(), is_mown_anew), growing.end());
 	for (size_t i = 0; i < places.size(); i++) {
-		const Growing plant = { places[i], double(std::max(shares[i], StandChanges::LEAST_SHARE)) -
-			changes.grown_back() };
+		const Growing plant = { places[i],
+			double(std::max(shares[i], StandChanges::LEAST_SHARE)) - changes.grown_back() };
 		show(plant, store, style, motion);
 		if (shares[i] < 1.0f) {
 			growing.push_back(plant);
@@ -79,12 +79,13 @@ void FieldChanges::look_at(int number, const PlantStore &store, const FieldStyle
 	const bool may_be = block.is_added
 			? !changes.of_added().empty()
 			: changes.has_mown({ { block.low.x, block.low.z }, { block.high.x, block.high.z } });
+	ChangesFinder finder(changes);
 	for (int slot = 0; may_be && slot < block.size(); slot++) {
 		const PlantPlace place = { number, slot };
-		const double *base = block.is_gone(slot)
-				? nullptr
-				: changes.find_mown(store.id(place), block.plants.x[size_t(slot)], block.plants.z[size_t(slot)]);
-		if (base) {
+		const float x = block.plants.x[size_t(slot)];
+		const float z = block.plants.z[size_t(slot)];
+		const double *base = block.is_added ? changes.find_mown(store.id(place), x, z) : finder.find_mown(x, z);
+		if (base && !block.is_gone(slot)) {
 			growing.push_back({ place, *base });
 			show(growing.back(), store, style, motion);
 		}

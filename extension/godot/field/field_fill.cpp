@@ -78,7 +78,7 @@ void FieldFill::work(void *self) {
 void FieldFill::place() {
 	PlacementRequest request = recipe.request;
 	if (recipe.is_of_tiles) {
-		request.within = AreaBox{ { 0.0f, 0.0f }, { 0.0f, 0.0f } }; // Only for what is wrong, and the spacing.
+		request.within = AreaBox(); // Only for what is wrong, and the spacing.
 	}
 	const Placement whole(request);
 	result.fault = request.species.empty() ? PlacementFault::none : whole.fault();

@@ -12,6 +12,8 @@
 #include <godot_cpp/classes/path3d.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -106,6 +108,14 @@ static void add_species(const PlantFieldSpecies &listed, PlacementRequest &into)
 	into.species.push_back(kind);
 }
 
+// A box that is `margin` (m) wider all around.
+static Polygon area_around(const AreaBox &box, float margin) {
+	const glm::vec2 farthest(FARTHEST_COORDINATE);
+	const glm::vec2 low = glm::clamp(box.low - margin, -farthest, farthest);
+	const glm::vec2 high = glm::clamp(box.high + margin, -farthest, farthest);
+	return rectangle(high - low, 0.5f * (low + high));
+}
+
 // A field that is painted has no other area.
 static String read_area(const Node3D *field, const StandOptions &options, const AreaBox *part, PlacementRequest &into) {
 	if (options.map.is_valid() && !options.map->problem().is_empty()) {
@@ -117,7 +127,6 @@ static String read_area(const Node3D *field, const StandOptions &options, const 
 	if (options.map.is_valid() && part) {
 		const DensityMap &map = options.map->density();
 		into.map = std::make_shared<DensityMap>(map.cut(map.cells_around(*part)));
-		into.area = rectangle(part->high - part->low, 0.5f * (part->low + part->high));
 		return String();
 	}
 	if (options.map.is_valid()) {
@@ -162,7 +171,14 @@ String read_request(const Node3D *field, const StandOptions &options, const Area
 		weighted += listed->get_share() * listed->get_density_factor();
 	}
 	into.density = float(shares > 0.0 ? options.density * weighted / shares : options.density);
-	const PlacementFault fault = into.density > 0.0f ? find_placement_fault(into) : PlacementFault::none;
+	if (part && into.map) { // What is painted is the area; cells at its border are whole.
+		into.area = area_around(*part, 2.0f / std::sqrt(std::max(into.density, 1.0e-6f)));
+	}
+	PlacementRequest tried = into;
+	if (options.view_distance > 0.0) {
+		tried.within = AreaBox(); // Tiles are placed alone.
+	}
+	const PlacementFault fault = tried.density > 0.0f ? find_placement_fault(tried) : PlacementFault::none;
 	if (fault == PlacementFault::bad_area) {
 		return describe(find_area_fault(into.area));
 	}

@@ -15,7 +15,7 @@ namespace undergrowth {
 
 static constexpr int FRAMES_BETWEEN_CHOICES = 8;
 static constexpr size_t MOST_JOBS = 4; // At once.
-static constexpr double MOST_USEC = 400.0; // A frame, after which nothing more begins.
+static constexpr double MOST_USEC = 300.0; // A frame, after which nothing more begins.
 static constexpr double ASKING_USEC = 500.0; // A frame, for the ground.
 
 // Whoever looks, and whatever else the field is to stand around, in its axes.
@@ -90,6 +90,7 @@ void FieldTiles::choose(const Scene &scene) {
 void FieldTiles::leave(const Scene &scene, const TileKey &tile) {
 	const auto is_of_tile = [&](const std::unique_ptr<TileJob> &job) { return job->tile() == tile; };
 	jobs.erase(std::remove_if(jobs.begin(), jobs.end(), is_of_tile), jobs.end());
+	asking = nullptr; // Another job may come to lie where one lay.
 	standing.erase(tile);
 	scene.view.drop_tile(tile);
 	StandEdit edit;
@@ -163,12 +164,11 @@ void FieldTiles::ask_ground(const Scene &scene, bool physics) {
 			asker.serve(**first, scene.field, scene.properties, ASKING_USEC, physics, false) ==
 					GroundSurvey::State::failed) {
 		scene.fault(asker.fault());
-		leave(scene, TileKey(asking->tile()));
+		leave(scene, TileKey((*first)->tile()));
 	}
 }
 
-bool FieldTiles::go_on(
-		const Scene &scene, TileJob &job, bool edits, double until_usec, const Stopwatch &watch) {
+bool FieldTiles::go_on(const Scene &scene, TileJob &job, bool edits, double until_usec, const Stopwatch &watch) {
 	while (job.is_placed() && job.has_more_blocks() && edits && watch.usec() < until_usec) {
 		StandEdit edit;
 		std::unique_ptr<PreparedBlock> prepared;

@@ -59,8 +59,8 @@ private:
 	godot::String why;
 	bool has_missed = false;
 
-	GroundSurvey::State go_on(const FieldPlants &plants, godot::Node3D *field, const FieldProperties &options,
-			double usec, bool physics);
+	GroundSurvey::State go_on(
+			const FieldPlants &plants, godot::Node3D *field, const FieldProperties &options, double usec, bool physics);
 	void tell_of_no_ground(const FieldPlants &plants, const godot::Node3D *field);
 };
 

@@ -208,37 +208,6 @@ void Meadow::settle() {
 	}
 }
 
-bool Meadow::update_levels() {
-	if (!find_level_fault(properties).is_empty()) {
-		return false; // The next filling tells of it.
-	}
-	std::vector<FieldLevel> wanted = read_levels(properties, node->get_visibility_range_end());
-	const bool same = std::equal(wanted.begin(), wanted.end(), style.levels.begin(), style.levels.end(),
-			[](const FieldLevel &a, const FieldLevel &b) { return a.lod == b.lod; });
-	if (!same) {
-		return style.levels.empty();
-	}
-	for (size_t i = 0; i < wanted.size(); i++) { // The squares stay as they were planned.
-		wanted[i].tile_factor = style.levels[i].tile_factor;
-		wanted[i].tile_cuts = style.levels[i].tile_cuts;
-	}
-	style.levels = wanted;
-	view.update_levels(style);
-	skeletons.dress(near_wear());
-	if (motion.pose_texture().is_valid()) {
-		dress.put_on(style, motion);
-	}
-	return true;
-}
-
-void Meadow::update_wear(const FieldWear &wanted) {
-	if (!(wanted == wear)) {
-		wear = wanted;
-		view.wear(wear);
-		skeletons.dress(near_wear());
-	}
-}
-
 void Meadow::skeletons_changed() {
 	skeletons.choose_soon();
 	if (properties.skeleton_distance <= 0.0 || properties.max_skeletons <= 0) {

@@ -160,7 +160,8 @@ void Meadow::poll_patches(double delta, bool physics) {
 	}
 	FieldPatch *patch = patches.current();
 	if (patch && patch->wants_ground()) {
-		if (asker.serve(*patch, node, properties, GroundAsker::usual_usec(delta), physics, false) == GroundSurvey::State::failed) {
+		if (asker.serve(*patch, node, properties, GroundAsker::usual_usec(delta), physics, false) ==
+				GroundSurvey::State::failed) {
 			listener.fault(asker.fault());
 			patches.finish();
 		}
@@ -198,7 +199,8 @@ void Meadow::poll(double delta, bool physics) {
 		go_on_asking();
 	}
 	if (job && job->wants_ground()) {
-		if (asker.serve(*job, node, properties, GroundAsker::usual_usec(delta), physics, true) == GroundSurvey::State::failed) {
+		if (asker.serve(*job, node, properties, GroundAsker::usual_usec(delta), physics, true) ==
+				GroundSurvey::State::failed) {
 			job.reset();
 			listener.fault(asker.fault());
 		}

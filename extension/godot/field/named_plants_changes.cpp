@@ -80,24 +80,33 @@ bool NamedPlants::find_species(const SavedChanges &saved, std::vector<Ref<PlantF
 	return true;
 }
 
+// By their names, so that the same plants give the same bytes.
+static std::vector<AddedPlant> added_plants(const PlantStore &store) {
+	std::vector<AddedPlant> added;
+	for (int number = 0; number < store.block_count(); number++) {
+		const PlantBlock &block = store.block(number);
+		for (int slot = 0; block.is_added && slot < block.size(); slot++) {
+			if (!block.is_gone(slot)) {
+				added.push_back({ block.ids[size_t(slot)], block.plants.plant(slot) });
+			}
+		}
+	}
+	std::sort(added.begin(), added.end(), [](const AddedPlant &a, const AddedPlant &b) { return a.id < b.id; });
+	return added;
+}
+
 PackedByteArray NamedPlants::changes() const {
 	SavedChanges saved;
 	saved.changes = meadow.own_changes.known();
+	saved.added = added_plants(meadow.store);
 	std::vector<int> numbers(meadow.style.looks.size(), -1);
-	for (int number = 0; number < meadow.store.block_count(); number++) {
-		const PlantBlock &block = meadow.store.block(number);
-		for (int slot = 0; block.is_added && slot < block.size(); slot++) {
-			if (block.is_gone(slot)) {
-				continue;
-			}
-			int &species = numbers[size_t(block.species)];
-			if (species < 0) {
-				species = int(saved.species.size());
-				saved.species.push_back(name_of_look(block.species).utf8().get_data());
-			}
-			saved.added.push_back({ block.ids[size_t(slot)], block.plants.plant(slot) });
-			saved.added.back().plant.species = species;
+	for (AddedPlant &one : saved.added) {
+		int &species = numbers[size_t(one.plant.species)];
+		if (species < 0) {
+			species = int(saved.species.size());
+			saved.species.push_back(name_of_look(one.plant.species).utf8().get_data());
 		}
+		one.plant.species = species;
 	}
 	const std::vector<uint8_t> bytes = write_changes(saved);
 	PackedByteArray made;
@@ -149,10 +158,11 @@ bool NamedPlants::apply_changes(const PackedByteArray &bytes) {
 	meadow.own_changes.replace(std::move(saved.changes), meadow.store, meadow.style, meadow.motion);
 	const StandChanges &now = meadow.own_changes.known();
 	std::vector<PlantPlace> gone;
+	ChangesFinder finder(now);
 	for (int number = 0; number < meadow.store.block_count(); number++) {
 		const PlantBlock &block = meadow.store.block(number);
 		for (int slot = 0; !block.is_added && !now.of_filled().empty() && slot < block.size(); slot++) {
-			if (!block.is_gone(slot) && now.is_gone(block.plants.x[size_t(slot)], block.plants.z[size_t(slot)])) {
+			if (!block.is_gone(slot) && finder.is_gone(block.plants.x[size_t(slot)], block.plants.z[size_t(slot)])) {
 				gone.push_back({ number, slot });
 			}
 		}

@@ -151,6 +151,7 @@ public:
 	godot::TypedArray<PlantFieldSpecies> get_species() const { return listed; }
 	void set_size(const godot::Vector2 &metres);
 	void set_view_distance(double metres);
+	void set_endless(bool on);
 	void set_outline(const godot::NodePath &path);
 	void set_exclusions(const godot::TypedArray<godot::NodePath> &paths);
 	void set_map(const godot::Ref<PlantMap> &painted);

@@ -79,6 +79,23 @@ void PlantField3D::set_map(const Ref<PlantMap> &painted) {
 	update_configuration_warnings();
 }
 
+void PlantField3D::set_view_distance(double metres) {
+	if (accept_value(this, "view_distance", metres, { 0.0, 1e4 }) && metres != properties.view_distance) {
+		const bool is_other_kind = (metres > 0.0) != meadow.streams();
+		properties.view_distance = metres;
+		if (is_other_kind) {
+			mark_stale(true);
+		}
+		update_configuration_warnings();
+	}
+}
+
+void PlantField3D::set_endless(bool on) {
+	properties.endless = on;
+	notify_property_list_changed();
+	on_area_changed();
+}
+
 void PlantField3D::on_map_painted(const Rect2 &rect) {
 	if (!rect.has_area() || !is_inside_tree() || stand_is_stale || !problem.is_empty()) {
 		mark_stale(true);

@@ -68,7 +68,7 @@ void PlantField3D::bind_properties() {
 	SET_HERE(OBJECT, map, "get_map", PROPERTY_HINT_RESOURCE_TYPE, "PlantMap");
 	SET_HERE(ARRAY, exclusions, "get_exclusions", PROPERTY_HINT_ARRAY_TYPE, "22/35:Path3D,PlantField3D");
 	SET_HERE(FLOAT, view_distance, "get_view_distance", SLIDER("0,500,1,or_greater,suffix:m"));
-	VALUE(BOOL, endless, stand);
+	SET_HERE(BOOL, endless, "is_endless");
 	VALUE(ARRAY, streaming_targets, nothing, PROPERTY_HINT_ARRAY_TYPE, "22/35:Node3D");
 	ADD_GROUP("Ground", "");
 	PROPERTY(INT, ground_mode, PROPERTY_HINT_ENUM, "None,Colliders,Mesh,Object");
@@ -109,8 +109,9 @@ void PlantField3D::_validate_property(PropertyInfo &property) const {
 	const StandOptions &stand = properties;
 	const bool is_flat = stand.ground_mode == GROUND_NONE;
 	const bool is_painted = stand.map.is_valid();
-	const bool is_idle = (name == "size" && (is_painted || !stand.outline.is_empty())) ||
-			(name == "outline" && is_painted) ||
+	const bool has_no_area = is_painted || stand.endless;
+	const bool is_idle = (name == "size" && (has_no_area || !stand.outline.is_empty())) ||
+			(name == "outline" && has_no_area) || (name == "endless" && is_painted) ||
 			(name == "ground_collision_mask" && stand.ground_mode != GROUND_COLLIDERS) ||
 			(name == "ground_mesh" && stand.ground_mode != GROUND_MESH) ||
 			(name == "ground_object" && stand.ground_mode != GROUND_OBJECT) ||
@@ -157,17 +158,6 @@ void PlantField3D::set_size(const Vector2 &metres) {
 		properties.size = metres;
 		mark_stale(true);
 		update_gizmos();
-	}
-}
-
-void PlantField3D::set_view_distance(double metres) {
-	if (accept_value(this, "view_distance", metres, { 0.0, 1e4 }) && metres != properties.view_distance) {
-		const bool is_other_kind = (metres > 0.0) != meadow.streams();
-		properties.view_distance = metres;
-		if (is_other_kind) {
-			mark_stale(true);
-		}
-		update_configuration_warnings();
 	}
 }
 

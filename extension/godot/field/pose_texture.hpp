@@ -16,11 +16,11 @@ namespace undergrowth {
 
 /// The textures that carry the plants' poses to the graphics card. A texel belongs to a plant: its bends before and
 /// after its last step, in layers of 64 by 64 texels; a page of plants has whole rows of one layer. A second texture
-/// has a blend for each row, a third one how many steps a second it takes, which layer says where its plants rest, which
-/// one the bends of their stems' second modes, and which one how much of its height each has lost: plants of parts and stems have the one as soon as one of them does
-/// not rest upright, stems of two modes the other. Where plants follow prototypes, a texel
-/// says whom and how late instead, and each species has 16 layers for the history of its prototypes and one for plants
-/// that were pushed.
+/// has a blend for each row, a third one how many steps a second it takes, which layer says where its plants rest,
+/// which one the bends of their stems' second modes, and which one how much of its height each has lost: plants of
+/// parts and stems have the one as soon as one of them does not rest upright, stems of two modes the other. Where
+/// plants follow prototypes, a texel says whom and how late instead, and each species has 16 layers for the history of
+/// its prototypes and one for plants that were pushed.
 class PoseTexture {
 public:
 	static constexpr int SIDE = 64;

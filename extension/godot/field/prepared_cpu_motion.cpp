@@ -28,8 +28,8 @@ static void add_pages(const std::vector<PlantBlock> &blocks, const FieldStyle &s
 	}
 }
 
-PreparedCpuBlock::PreparedCpuBlock(int species, const MotionSpecies &kind, std::vector<MotionPlant> &&placed,
-		const FieldSettings &settings) :
+PreparedCpuBlock::PreparedCpuBlock(
+		int species, const MotionSpecies &kind, std::vector<MotionPlant> &&placed, const FieldSettings &settings) :
 		page(species, kind, placed.data(), int(placed.size()), settings.step * float(settings.update_interval),
 				settings.prototypes <= 0),
 		plants(std::move(placed)) {}

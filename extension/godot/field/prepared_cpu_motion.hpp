@@ -27,8 +27,8 @@ public:
 	MotionPage page;
 	std::vector<MotionPlant> plants; ///< Of the page.
 
-	PreparedCpuBlock(int species, const MotionSpecies &kind, std::vector<MotionPlant> &&placed,
-			const FieldSettings &settings);
+	PreparedCpuBlock(
+			int species, const MotionSpecies &kind, std::vector<MotionPlant> &&placed, const FieldSettings &settings);
 };
 
 /// CpuMotion's FieldMotion::PrepareBlock.

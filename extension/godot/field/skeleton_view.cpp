@@ -91,9 +91,8 @@ void SkeletonView::release_gone(const PlantStore &store) {
 }
 
 void SkeletonView::release_those(FieldMotion &motion, const std::vector<PlantPlace> &ascending) {
-	release(&motion, [&](const Shown &entry) {
-		return std::binary_search(ascending.begin(), ascending.end(), entry.place);
-	});
+	release(&motion,
+			[&](const Shown &entry) { return std::binary_search(ascending.begin(), ascending.end(), entry.place); });
 }
 
 void SkeletonView::release_all(FieldMotion &motion) {

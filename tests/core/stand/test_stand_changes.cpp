@@ -118,10 +118,12 @@ TEST_CASE("a copy does not see what changes after it, and a cut has what matters
 	CHECK(!copy.is_gone(15.0f, 15.0f));
 	const AreaBox box = { { 3.0f, -2.0f }, { 9.0f, 4.0f } };
 	const StandChanges part = cut.changes.cut(box);
+	ChangesFinder finder(part);
 	CHECK(part.plant_count() < cut.changes.plant_count());
 	for (float x = box.low.x; x < box.high.x; x += 0.1f) {
 		for (float z = box.low.y; z < box.high.y; z += 0.1f) {
 			REQUIRE(part.is_gone(x, z) == cut.changes.is_gone(x, z));
+			REQUIRE(finder.is_gone(x, z) == part.is_gone(x, z));
 		}
 	}
 	CHECK(cut.changes.has_mown({ { -9.0f, 1.0f }, { -8.0f, 2.0f } }));

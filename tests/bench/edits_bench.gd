@@ -1,0 +1,193 @@
+## Measures what changes of fields cost while a game goes on, and prints a JSON list of rows.
+##
+## Run headless with --fixed-fps 60. Frames are held to a sixtieth of a second, so that worker
+## threads have the time that they have in a game. median_ms and worst_ms are what the call took of
+## the main thread, or how much longer frames take than before the change; of rows that end in _seen
+## until it was seen, of field_tiles until all tiles stood, of field_walk what tiles took in a frame.
+extends SceneTree
+
+const COUNT := 100000
+const DENSITY := 10.0
+const CUT_COUNT := 250000
+const CUT_DENSITY := 25.0
+const ROUNDS := 20
+const FIELDS := 30
+const WALK_DENSITY := 20.0
+const WALK_DISTANCE := 100.0  # m, of view.
+const WALK_SPEED := 10.0  # m/s.
+const WALK_FRAMES := 900
+const FRAME_USEC := 16667
+
+var _rows: Array[Dictionary] = []
+var _idle := 0.0  # µs, of frames without a change.
+
+
+func _initialize() -> void:
+	_run()
+
+
+func _run() -> void:
+	await _measure_strokes()
+	await _measure_density()
+	await _measure_cuts()
+	await _measure_fields()
+	await _measure_walk()
+	print(JSON.stringify(_rows))
+	quit()
+
+
+func _make_field(count: int, density: float) -> PlantField3D:
+	var field := PlantField3D.from_species([GrassFunction.new(), TulipFunction.new()], [9, 1])
+	field.density = density
+	field.size = Vector2.ONE * sqrt(count / density)
+	field.wind = PlantWind.new()
+	return field
+
+
+## What the main thread does of a frame, in µs: of the time to the next one, all but the pause.
+func _frame() -> float:
+	var start := Time.get_ticks_usec()
+	await process_frame
+	var took := Time.get_ticks_usec() - start
+	OS.delay_usec(maxi(FRAME_USEC - took, 0))
+	return took
+
+
+func _rest(frames := 60) -> void:
+	var times: Array[float] = []
+	for i in frames:
+		times.append(await _frame())
+	times.sort()
+	_idle = times[times.size() / 2]
+
+
+func _measure_strokes() -> void:
+	var field := _make_field(COUNT, DENSITY)
+	var side := field.size.x
+	var frame := PackedVector3Array(
+		[
+			Vector3(-side, 0, -side) / 2.0,
+			Vector3(side, 0, -side) / 2.0,
+			Vector3(side, 0, side) / 2.0,
+			Vector3(-side, 0, side) / 2.0
+		]
+	)
+	field.map = PlantMap.new()
+	field.map.fill_polygon(frame, "Grass", 0.8)
+	root.add_child(field)
+	await field.filled
+	await _rest()
+	var main: Array[float] = []
+	var seen: Array[float] = []
+	for i in ROUNDS:
+		var place := Vector3(i - 0.5 * ROUNDS, 0, 3.0)
+		var start := Time.get_ticks_usec()
+		field.map.paint(place, 3.0, "Grass", 1.0 if i % 2 == 0 else 0.5)
+		var longest := float(Time.get_ticks_usec() - start)
+		while field.is_filling():
+			longest = maxf(longest, await _frame() - _idle)
+		seen.append(Time.get_ticks_usec() - start)
+		main.append(longest)
+	_add_row("field_stroke", field.get_plant_count(), main)
+	_add_row("field_stroke_seen", field.get_plant_count(), seen)
+	field.free()
+	await process_frame
+
+
+func _measure_density() -> void:
+	var field := _make_field(COUNT, DENSITY)
+	root.add_child(field)
+	await field.filled
+	await _rest()
+	var frames: Array[float] = []
+	for i in ROUNDS / 4:
+		field.density = DENSITY * (1.0 if i % 2 == 1 else 0.98)
+		await process_frame
+		while field.is_filling():
+			frames.append(await _frame() - _idle)
+		frames.append(await _frame() - _idle)
+	_add_row("field_density", field.get_plant_count(), frames)
+	field.free()
+	await process_frame
+
+
+func _measure_cuts() -> void:
+	var field := _make_field(CUT_COUNT, CUT_DENSITY)
+	root.add_child(field)
+	await field.filled
+	await _rest()
+	var count := field.get_plant_count()
+	var cut: Array[float] = []
+	var mown: Array[float] = []
+	for i in ROUNDS:
+		var place := Vector3(9.0 * (i % 10) - 45.0, 0, 12.0 * (i / 10) - 40.0)
+		var start := Time.get_ticks_usec()
+		field.remove_in_sphere(place, 2.52)  # 500 plants.
+		cut.append(Time.get_ticks_usec() - start)
+		await _frame()
+		start = Time.get_ticks_usec()
+		field.set_height_in_sphere(place + Vector3(0, 0, 6), 2.52, 0.05)
+		mown.append(Time.get_ticks_usec() - start)
+		await _frame()
+	_add_row("field_cut_500", count, cut)
+	_add_row("field_mow_500", count, mown)
+	field.free()
+	await process_frame
+
+
+func _measure_fields() -> void:
+	await _rest()
+	var frames: Array[float] = []
+	for i in FIELDS:
+		var field := _make_field(1000, DENSITY)
+		root.add_child(field)
+		for j in 30:
+			frames.append(await _frame() - _idle)
+		var start := Time.get_ticks_usec()
+		field.free()
+		frames.append(Time.get_ticks_usec() - start + await _frame() - _idle)
+	_add_row("fields_added_and_removed", 1000, frames)
+
+
+func _measure_walk() -> void:
+	var camera := Camera3D.new()
+	root.add_child(camera)
+	var field := _make_field(1, WALK_DENSITY)
+	field.endless = true
+	field.view_distance = WALK_DISTANCE
+	root.add_child(field)
+	await field.filled
+	await _rest()
+	var usec: Array[float] = []
+	for i in WALK_FRAMES:
+		camera.position.x += WALK_SPEED / 60.0
+		await _frame()
+		usec.append(field.get_statistics()["tiles_usec"])
+	_add_row("field_walk", field.get_plant_count(), usec)
+	camera.position.x += 10.0 * WALK_DISTANCE
+	await _frame()
+	var start := Time.get_ticks_usec()
+	for i in 20:
+		await _frame()
+	while field.get_statistics()["tiles_waiting"] > 0:
+		await _frame()
+	_add_row("field_tiles", field.get_plant_count(), [float(Time.get_ticks_usec() - start)])
+	field.free()
+	camera.free()
+	await process_frame
+
+
+func _add_row(title: String, count: int, usec: Array[float]) -> void:
+	usec.sort()
+	var median := usec[usec.size() / 2]
+	_rows.append(
+		{
+			"name": title,
+			"plants": count,
+			"threads": OS.get_processor_count(),
+			"median_ms": median / 1000.0,
+			"worst_ms": usec[-1] / 1000.0,
+			"us_per_plant": median / count,
+			"renderer": "headless"
+		}
+	)
