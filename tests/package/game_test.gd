@@ -13,6 +13,8 @@ var _count := 0
 
 func _ready() -> void:
 	print("start")
+	# In software a picture takes long, and one is enough.
+	RenderingServer.render_loop_enabled = false
 	_run.call_deferred()
 
 
@@ -65,7 +67,10 @@ func _sways() -> String:
 func _draw() -> void:
 	for word in OS.get_cmdline_user_args():
 		if word.begins_with("--picture="):
-			await RenderingServer.frame_post_draw
+			RenderingServer.render_loop_enabled = true
+			for _frame in 2:
+				await RenderingServer.frame_post_draw
+			RenderingServer.render_loop_enabled = false
 			get_viewport().get_texture().get_image().save_png(word.trim_prefix("--picture="))
 
 
