@@ -85,7 +85,8 @@ def play(kind, game, environment=None):
     words += ["--resolution", "{}x{}".format(*SIZE), "--", f"--picture={picture_path}"] if environment else []
     output, problem = run(f"export:{name}", [game, *words], timeout=exporting.TIMEOUT, folder=game.parent,
                           environment=exporting.surroundings(environment or os.environ))
-    read = engine.read_output(name, output, problem)
+    # A release template says nothing of itself before the game's first word.
+    read = engine.read_output(name, "\n" + output, problem)
     failures = read.failures + complaints(output)
     if environment and not failures:
         _, _, rows, size = picture.read_png(picture_path)
