@@ -85,9 +85,10 @@ def play(kind, game, environment=None):
     words += ["--resolution", "{}x{}".format(*SIZE), "--", f"--picture={picture_path}"] if environment else []
     output, problem = run(f"export:{name}", [game, *words], timeout=exporting.TIMEOUT, folder=game.parent,
                           environment=exporting.surroundings(environment or os.environ))
-    # A release template says nothing of itself before the game's first word.
-    read = engine.read_output(name, "\n" + output, problem)
-    failures = read.failures + complaints(output)
+    read = engine.read_output(name, output, problem)
+    # A release template keeps back what a game prints: what was complained of at any time seems to come before `start`.
+    failures = [failure for failure in read.failures if not failure.startswith(EXPECTED)]
+    failures += [line for line in complaints(output) if line not in failures]
     if environment and not failures:
         _, _, rows, size = picture.read_png(picture_path)
         green = picture.share(map(picture.is_green, picture.pixels(rows, size)))
