@@ -33,7 +33,8 @@ def attempt(name, godot):
 
 
 def settings(*plugins):
-    return f"\n[editor_plugins]\n\nenabled=PackedStringArray({', '.join(f'{plugin!r}' for plugin in plugins)})\n".replace("'", '"')
+    names = ", ".join(f'"{plugin}"' for plugin in plugins)
+    return f"\n[editor_plugins]\n\nenabled=PackedStringArray({names})\n"
 
 
 def make_project(name, *plugins):
