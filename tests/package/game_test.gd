@@ -13,6 +13,8 @@ var _count := 0
 
 func _ready() -> void:
 	print("start")
+	# In software a picture takes long, and one is enough.
+	RenderingServer.render_loop_enabled = false
 	_run.call_deferred()
 
 
@@ -65,7 +67,10 @@ func _sways() -> String:
 func _draw() -> void:
 	for word in OS.get_cmdline_user_args():
 		if word.begins_with("--picture="):
-			await RenderingServer.frame_post_draw
+			RenderingServer.render_loop_enabled = true
+			for _frame in 2:
+				await RenderingServer.frame_post_draw
+			RenderingServer.render_loop_enabled = false
 			get_viewport().get_texture().get_image().save_png(word.trim_prefix("--picture="))
 
 
@@ -94,13 +99,14 @@ func _is_saved() -> String:
 	for i in state.size():
 		if absf(back[i] - state[i]) > 1e-3:
 			return "number %d of the motion is %f, not %f" % [i, back[i], state[i]]
+	for part in _field.find_children("*", "", true, false):
+		part.owner = _field
 	var scene := PackedScene.new()
 	if scene.pack(_field) != OK or ResourceSaver.save(scene, SAVED) != OK:
 		return "the field is not saved"
-	var parent := _field.get_parent()
-	_field.free()
-	_field = (load(SAVED) as PackedScene).instantiate()
-	parent.add_child(_field)
-	await _field.filled
-	var count := _field.get_plant_count()
+	var again: PlantField3D = (load(SAVED) as PackedScene).instantiate()
+	_field.get_parent().add_child(again)
+	await again.filled
+	var count := again.get_plant_count()
+	again.queue_free()
 	return "" if count == _count else "%d plants came back, not %d" % [count, _count]

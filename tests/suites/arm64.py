@@ -24,7 +24,7 @@ def suites():
 
 def run_all():
     try:
-        project = shipped.make_project(FOLDER / "project")
+        project = shipped.make_test_project(FOLDER / "project")
         if not list((project / archive.ADDON / "bin").glob("*.linux.template_debug.arm64.so")):
             raise Missing(f"{shipped.newest_zip().name} has no library for arm64: say `./run package` first")
         zig.build("linux", "arm64", "core_tests")

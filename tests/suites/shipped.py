@@ -31,16 +31,20 @@ def unpack(folder):
         packed.extractall(folder)
 
 
-def make_project(folder, settings="", is_listed=True):
-    """An empty project in `folder` with the add-on from the zip and a link to the tests. One that was never opened has no
-    list of extensions."""
+def make_project(folder, settings=""):
+    """An empty project in `folder` with the add-on from the zip, which nobody opened in an editor yet."""
     shutil.rmtree(folder, ignore_errors=True)
     unpack(folder)
     (folder / "project.godot").write_text(PROJECT + settings)
+    return folder
+
+
+def make_test_project(folder):
+    """The same with the engine's tests, and with a list of extensions, without which a game finds none."""
+    make_project(folder)
     (folder / "tests").mkdir()
     project.link(ROOT / "tests/engine", folder / "tests/engine")
-    if is_listed:
-        project.list_extensions(folder)
+    project.list_extensions(folder)
     return folder
 
 

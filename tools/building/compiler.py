@@ -109,7 +109,8 @@ def library_link_flags(env, name, release, import_library):
     if is_msvc(env):
         return []
     if env["TARGET_PLATFORM"] == "linux":
-        return ["-s"] if release else []
+        # zig's own libraries come with all that a debugger could ask for, 40 MB of it.
+        return ["-s"] if release else ["-Wl,--strip-debug"] if env["ZIG"] else []
     if not env["ZIG"]:
         return []
     if env["TARGET_PLATFORM"] == "macos":

@@ -57,8 +57,8 @@ def write(target, found):
 
 
 def build_paths(root=ROOT):
-    """Paths that only the building machine has."""
-    return [str(path) + "/" for path in (root, Path.home()) if len(path.parts) > 1]
+    """Paths that only the building machine has; `/root` alone is where a game's scene tree begins, too."""
+    return [str(root)] + ([f"{Path.home()}/"] if len(Path.home().parts) > 2 else [])
 
 
 def complaints(path, paths=(), is_for_all=True):

@@ -1,4 +1,7 @@
-"""What exported games are made of: Debian testing's templates of the same Godot, in .toolchain/templates."""
+"""What exported games are made of: Debian testing's templates of the same Godot, in .toolchain/templates.
+
+A game is a copy of a template, and finds libraries in that folder and, what draws, in that of Debian's Godot.
+"""
 
 from . import debian, godot, unpacked
 from .place import Missing, TOOLCHAIN, make_folder
@@ -9,7 +12,8 @@ KINDS = ("debug", "release")
 
 
 def fetch():
-    """{kind: path of the template}, which start by themselves with the libraries of their folder."""
+    """{kind: path of the template}"""
+    godot.fetch()
     folder = make_folder("templates", " ".join(PACKAGES), fill)
     return {kind: find(folder, kind) for kind in KINDS}
 
@@ -25,19 +29,15 @@ def fill(folder):
     debian.unpack("Godot's export templates", PACKAGES, folder, REMEDY)
     for kind in KINDS:
         template = find(folder, kind)
-        unpacked.give_own_loader(folder, TOOLCHAIN / "templates", str(template.relative_to(folder)))
+        unpacked.give_own_loader(folder, TOOLCHAIN / "templates", str(template.relative_to(folder)), [TOOLCHAIN / "godot"])
     unpacked.shed_weight(folder)
 
 
 
 def environment(surroundings):
-    """`surroundings` in which a game that was exported from a template finds the libraries of the template's folder, and
-    those that draw in the folder of Debian's Godot."""
-    godot.fetch()
+    """`surroundings` in which a game that was exported from a template finds what draws."""
     drawing = TOOLCHAIN / "godot"
-    libraries = drawing / unpacked.libraries_of(drawing)
-    drivers = {"LIBGL_DRIVERS_PATH": libraries / "dri", "VK_DRIVER_FILES": drawing / "usr/share/vulkan/icd.d/lvp_icd.json",
+    drivers = {"LIBGL_DRIVERS_PATH": drawing / unpacked.libraries_of(drawing) / "dri",
+               "VK_DRIVER_FILES": drawing / "usr/share/vulkan/icd.d/lvp_icd.json",
                "__EGL_VENDOR_LIBRARY_DIRS": drawing / "usr/share/glvnd/egl_vendor.d"}
-    folders = [TOOLCHAIN / "templates" / unpacked.libraries_of(TOOLCHAIN / "templates"), libraries]
-    search = ":".join(f"{folder}{below}" for folder in folders for below in unpacked.LIBRARY_FOLDERS)
-    return {**surroundings, "LD_LIBRARY_PATH": search, **{name: str(path) for name, path in drivers.items()}}
+    return {**surroundings, **{name: str(path) for name, path in drivers.items()}}

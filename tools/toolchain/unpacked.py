@@ -56,8 +56,9 @@ def find_xkbcomp_on_path(server):
     server.write_bytes(data.replace(b"\0/usr/bin\0", b"\0\0usr/bin\0"))
 
 
-def give_own_loader(folder, home, program):
+def give_own_loader(folder, home, program, others=()):
     """Makes `program` in `folder`, which will lie at `home`, start by its own name with the folder's loader and libraries.
+    Where it names `others`, too, it can be copied to any place.
 
     Started through the loader the engine takes that for itself: the editor's play button would start the loader.
     """
@@ -69,7 +70,8 @@ def give_own_loader(folder, home, program):
                                                        stderr=subprocess.DEVNULL).stdout.strip():
             subprocess.run([*patch, "--remove-rpath", library], check=True)
     up = os.path.relpath(libraries, os.path.dirname(program))
-    search = ":".join(f"$ORIGIN/{up}{below}" for below in LIBRARY_FOLDERS)
+    places = [home / libraries, *(place / libraries for place in others)] if others else [f"$ORIGIN/{up}"]
+    search = ":".join(f"{place}{below}" for place in places for below in LIBRARY_FOLDERS)
     subprocess.run([*patch, "--set-interpreter", home / loader_of(folder), "--force-rpath", "--set-rpath", search,
                     folder / program], check=True)
     (folder / HOME).write_text(str(home))

@@ -6,10 +6,20 @@ extends RefCounted
 const SIZE := 16
 
 
-## Imports the icons of [param folder] anew where the editor's scale is another than it was then.
+## Imports the icons of [param folder] anew where the editor's scale is another than it was then, as
+## soon as the editor knows its files.
 static func adapt(folder: String) -> void:
+	# No await: in a project that is opened for the first time the editor reloads scripts, and those
+	# that wait are lost.
+	var tree := Engine.get_main_loop() as SceneTree
+	tree.process_frame.connect(_adapt_known.bind(folder), CONNECT_ONE_SHOT)
+
+
+static func _adapt_known(folder: String) -> void:
 	var files := EditorInterface.get_resource_filesystem()
-	await _wait_for(files)
+	if files.is_scanning():
+		adapt(folder)
+		return
 	var wrong: PackedStringArray = []
 	for file in ResourceLoader.list_directory(folder):
 		var icon := load(folder.path_join(file)) as Texture2D
@@ -17,10 +27,3 @@ static func adapt(folder: String) -> void:
 			wrong.append(folder.path_join(file))
 	if wrong:
 		files.reimport_files(wrong)
-
-
-static func _wait_for(files: EditorFileSystem) -> void:
-	var tree := Engine.get_main_loop() as SceneTree
-	await tree.process_frame
-	while files.is_scanning():
-		await tree.process_frame

@@ -68,6 +68,7 @@ void FieldTiles::clear() {
 	coming.clear();
 	going.clear();
 	jobs.clear();
+	asking = nullptr;
 	outline.reset();
 	frames_since_choice = 0;
 }
@@ -89,8 +90,10 @@ void FieldTiles::choose(const Scene &scene) {
 
 void FieldTiles::leave(const Scene &scene, const TileKey &tile) {
 	const auto is_of_tile = [&](const std::unique_ptr<TileJob> &job) { return job->tile() == tile; };
+	if (asking && asking->tile() == tile) {
+		asking = nullptr; // Another job may come to lie where it lay.
+	}
 	jobs.erase(std::remove_if(jobs.begin(), jobs.end(), is_of_tile), jobs.end());
-	asking = nullptr; // Another job may come to lie where one lay.
 	standing.erase(tile);
 	scene.view.drop_tile(tile);
 	StandEdit edit;
@@ -205,6 +208,7 @@ void FieldTiles::go_on(const Scene &scene, bool physics, bool edits) {
 	}
 	for (size_t i = 0; i < jobs.size();) {
 		if (go_on(scene, *jobs[i], edits, MOST_USEC, watch)) {
+			asking = asking == jobs[i].get() ? nullptr : asking;
 			jobs.erase(jobs.begin() + std::ptrdiff_t(i));
 		} else {
 			i++;

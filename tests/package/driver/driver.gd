@@ -1,34 +1,58 @@
 ## Does in a headless editor what somebody does who installs the add-on, as `--scenario=NAME` says
 ## after `--`, and prints `ok` and `not ok` as the engine tests do. `--from=DIR` has the add-on.
+##
+## A scenario is a row of steps, and each begins when the editor has been at rest for some frames.
+## Nothing waits in between: an editor that imports reloads scripts, and those that wait are lost.
 @tool
 extends EditorPlugin
 
 const ADDON := "res://addons/undergrowth"
 const PLUGIN := "undergrowth"
 const A_CLASS := &"PlantField3D"
-const MINUTE := 60000
+const FRAMES_OF_REST := 120
+const SCENARIOS: Dictionary[String, Array] = {
+	"off": [&"_look_for_classes", &"_look_for_no_dock"],
+	# The project file of a fresh clone says that the plugin is on.
+	"on": [&"_look_for_classes", &"_look_for_dock"],
+	"switched":
+	[
+		&"_switch_on",
+		&"_look_for_dock",
+		&"_switch_off",
+		&"_look_for_no_dock",
+		&"_switch_on",
+		&"_look_for_dock"
+	],
+	"copied": [&"_copy_addon", &"_look_for_classes", &"_switch_on", &"_look_for_dock"],
+	# What is said then, the log tells.
+	"missing": [&"_look_for_no_classes"],
+}
+
+var _rested := 0
+var _step := 0
 
 
-func _enter_tree() -> void:
-	_run.call_deferred()
-
-
-func _run() -> void:
-	while EditorInterface.get_resource_filesystem().is_scanning():
-		await get_tree().process_frame
-	await _wait(60)
-	print("start")
+func _process(_delta: float) -> void:
+	_rested = 0 if EditorInterface.get_resource_filesystem().is_scanning() else _rested + 1
+	if _rested < FRAMES_OF_REST:
+		return
+	_rested = 0
 	var scenario := _word("scenario")
-	var fault: String = await call("_" + scenario)
-	print("ok " + scenario if fault.is_empty() else "not ok %s: %s" % [scenario, fault])
-	print("done 1")
-	await _wait(60)
-	get_tree().quit()
-
-
-func _wait(frames: int) -> void:
-	for _frame in frames:
-		await get_tree().process_frame
+	var steps := SCENARIOS[scenario]
+	if _step == steps.size():
+		get_tree().quit()
+		return
+	if _step == 0:
+		print("start")
+	var fault: String = call(steps[_step])
+	_step += 1
+	if not fault.is_empty():
+		print("not ok %s: step %d: %s" % [scenario, _step, fault])
+		_step = steps.size()
+	elif _step == steps.size():
+		print("ok " + scenario)
+	if _step == steps.size():
+		print("done 1")
 
 
 func _word(name: String) -> String:
@@ -38,53 +62,42 @@ func _word(name: String) -> String:
 	return ""
 
 
+func _look_for_classes() -> String:
+	return "" if ClassDB.class_exists(A_CLASS) else "there is no " + A_CLASS
+
+
+func _look_for_no_classes() -> String:
+	return "the library is there" if ClassDB.class_exists(A_CLASS) else ""
+
+
 func _has_dock() -> bool:
 	var base := EditorInterface.get_base_control()
 	return not base.find_children("Undergrowth", "EditorDock", true, false).is_empty()
 
 
-## The plugin stays off: classes are there, the dock is not.
-func _off() -> String:
-	var is_there := ClassDB.class_exists(A_CLASS)
-	return "" if is_there and not _has_dock() else "class %s, dock %s" % [is_there, _has_dock()]
-
-
-## The project file of a fresh clone says that the plugin is on.
-func _on() -> String:
-	var is_there := ClassDB.class_exists(A_CLASS)
-	return "" if is_there and _has_dock() else "class %s, dock %s" % [is_there, _has_dock()]
-
-
-func _switched() -> String:
-	for is_on: bool in [true, false, true]:
-		EditorInterface.set_plugin_enabled(PLUGIN, is_on)
-		await _wait(30)
-		if _has_dock() != is_on:
-			return "switched to %s, the dock is %s" % [is_on, _has_dock()]
-	return ""
-
-
-## A newcomer copies the folder while the project is open, and switches the plugin on.
-func _copied() -> String:
-	_copy(_word("from"), ADDON)
-	EditorInterface.get_resource_filesystem().scan()
-	var deadline := Time.get_ticks_msec() + MINUTE
-	while not ClassDB.class_exists(A_CLASS) and Time.get_ticks_msec() < deadline:
-		await get_tree().process_frame
-	if not ClassDB.class_exists(A_CLASS):
-		return "its classes are not there after a minute"
-	while EditorInterface.get_resource_filesystem().is_scanning():
-		await get_tree().process_frame
-	await _wait(60)
-	EditorInterface.set_plugin_enabled(PLUGIN, true)
-	await _wait(60)
+func _look_for_dock() -> String:
 	return "" if _has_dock() else "there is no dock"
 
 
-## The library is missing: only what is said matters, which the log tells.
-func _missing() -> String:
-	await _wait(60)
-	return "" if not ClassDB.class_exists(A_CLASS) else "the library is there"
+func _look_for_no_dock() -> String:
+	return "there is a dock" if _has_dock() else ""
+
+
+func _switch_on() -> String:
+	EditorInterface.set_plugin_enabled(PLUGIN, true)
+	return ""
+
+
+func _switch_off() -> String:
+	EditorInterface.set_plugin_enabled(PLUGIN, false)
+	return ""
+
+
+## A newcomer copies the folder while the project is open.
+func _copy_addon() -> String:
+	_copy(_word("from"), ADDON)
+	EditorInterface.get_resource_filesystem().scan()
+	return ""
 
 
 func _copy(from: String, to: String) -> void:
