@@ -1,11 +1,11 @@
 extends "sheet.gd"
 ## A poppy with fewer and fewer segments, and what each has of vertices.
 
-const SEGMENTS: Array[int] = [64, 12, 6, 3, 2]
+const COUNTS: Array[int] = [64, 12, 6, 3, 2]
 
 
 func _fill(row: HBoxContainer) -> void:
-	for segments in SEGMENTS:
+	for segments in COUNTS:
 		var plant := Plant3D.new()
 		plant.species = load_species("poppy")
 		plant.segments = segments

@@ -4,7 +4,7 @@ extends "actions_test.gd"
 
 const SCENE := "res://layout.tscn"
 const READY := "res://addons/undergrowth/species/poppy.tres"
-const LONG := "res://plants/foxtail.gd: the base shape runs clockwise as seen from above; reverse it."
+const LONG := "res://foxtail.gd: its base shape runs clockwise as seen from above. Reverse it."
 
 
 func test_it_is_a_tab_beside_the_inspector() -> void:
@@ -100,7 +100,9 @@ func test_a_plants_height_of_0_is_by_species() -> void:
 	await open_inspector()
 	var property := _find_property("height")
 	check(property != null, "the inspector has the property")
-	var slider := property.find_children("*", "EditorSpinSlider", true, false)[0] as EditorSpinSlider
+	var slider := (
+		property.find_children("*", "EditorSpinSlider", true, false)[0] as EditorSpinSlider
+	)
 	check_equal(slider.call(&"get_shown"), "by species", "at 0")
 	slider.value = 1.5
 	await frames(2)

@@ -147,7 +147,9 @@ func _dress() -> void:
 # As many columns as have room, and all of the room for them.
 func _fit_columns(list: ItemList) -> void:
 	var room := floori(list.size.x - list.get_v_scroll_bar().get_combined_minimum_size().x)
-	var least := maxi(floori(list.fixed_icon_size.x * LEAST_COLUMN), _longest_word(list) + COLUMN_SLACK)
+	var least := maxi(
+		floori(list.fixed_icon_size.x * LEAST_COLUMN), _longest_word(list) + COLUMN_SLACK
+	)
 	list.fixed_column_width = maxi(room / maxi(room / maxi(least, 1), 1) - COLUMN_SLACK, 0)
 	for i in list.item_count:
 		list.set_item_text(i, _wrap(list, (list.get_item_metadata(i) as SpeciesEntry).title))
