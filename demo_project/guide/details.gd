@@ -12,5 +12,5 @@ func _fill(row: HBoxContainer) -> void:
 		plant.seed = 2
 		var count := plant.get_mesh().surface_get_array_len(0)
 		var title := "%d segments\n%d vertices" % [segments, count]
-		var from := Vector3(0.0, 0.5, 1.5)
-		add_cell(row, title, from, Vector3(0.0, 0.21, 0.0), 26.0).add_child(plant)
+		var from := Vector3(0.0, 0.55, 1.6)
+		add_cell(row, title, from, Vector3(0.0, 0.24, 0.0), 28.0).add_child(plant)
