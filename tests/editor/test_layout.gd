@@ -79,6 +79,21 @@ func test_it_catches_up_when_it_is_shown() -> void:
 	check_equal(_state().title, "Poppy", "selected while the page was hidden")
 
 
+func test_a_filter_moves_nothing() -> void:
+	await open_page("Plant")
+	var preview := part("Plant/Preview") as Control
+	var before := preview.get_global_rect()
+	var filter := part("Plant/List/Filter") as LineEdit
+	filter.text = "tul"
+	filter.text_changed.emit("tul")
+	await frames(4)
+	check_equal(preview.get_global_rect(), before, "place of the preview with one name")
+	filter.text = ""
+	filter.text_changed.emit("")
+	await frames(4)
+	check_equal(preview.get_global_rect(), before, "place of the preview with all names")
+
+
 func test_messages_move_no_button() -> void:
 	await open_page("Plant")
 	await _choose("Wheat")
