@@ -20,8 +20,8 @@ const FIELD_CLASS := &"PlantField3D"
 ## Seconds of one step of the simulation; PlantSimulation reads it when the library is loaded.
 const STEP_SETTING := "undergrowth/simulation/step_length"
 const DEFAULT_STEP := 1.0 / 60.0
-## Width of a screen in pixels at 100 % from which on the dock has a column of its own: on a narrower one it would
-## squeeze the inspector until its names are cut.
+## Width of a screen in pixels at 100 % from which on the dock has a column of its own. On another
+## one it would squeeze the inspector until its names are cut.
 const ROOMY_SCREEN := 2400.0
 
 var _dock: EditorDock

@@ -46,6 +46,6 @@ func _blow(world: Node3D) -> void:
 	var rotor := PlantWindSource3D.new()
 	rotor.kind = PlantWindSource3D.KIND_FAN
 	rotor.radius = 1.0
-	rotor.thrust = 2000.0
-	rotor.position.y = 3.0
+	rotor.thrust = 15000.0
+	rotor.position.y = 2.0
 	world.add_child(rotor)

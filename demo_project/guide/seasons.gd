@@ -5,8 +5,8 @@ const SHADER := preload("season.gdshader")
 const SEASONS: Dictionary[String, Color] = {
 	"spring": Color(0.9, 1.0, 0.75),
 	"summer": Color(1.0, 0.95, 0.7),
-	"autumn": Color(1.0, 0.68, 0.36),
-	"winter": Color(0.85, 0.8, 0.86),
+	"autumn": Color(1.0, 0.72, 0.42),
+	"winter": Color(0.95, 0.86, 0.86),
 }
 
 

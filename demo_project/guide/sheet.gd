@@ -9,6 +9,7 @@ const SEGMENTS := 12
 const FONT_SIZE := 34
 const GAP := 4
 
+
 func _ready() -> void:
 	var row := HBoxContainer.new()
 	row.set_anchors_preset(Control.PRESET_FULL_RECT)

@@ -4,7 +4,7 @@ extends "actions_test.gd"
 
 const SCENE := "res://layout.tscn"
 const READY := "res://addons/undergrowth/species/poppy.tres"
-const LONG := "res://plants/foxtail.gd: the base shape runs clockwise as seen from above; reverse it."
+const LONG := "res://foxtail.gd: its base shape runs clockwise as seen from above. Reverse it."
 
 
 func test_it_is_a_tab_beside_the_inspector() -> void:
@@ -79,6 +79,21 @@ func test_it_catches_up_when_it_is_shown() -> void:
 	check_equal(_state().title, "Poppy", "selected while the page was hidden")
 
 
+func test_a_filter_moves_nothing() -> void:
+	await open_page("Plant")
+	var preview := part("Plant/Preview") as Control
+	var before := preview.get_global_rect()
+	var filter := part("Plant/List/Filter") as LineEdit
+	filter.text = "tul"
+	filter.text_changed.emit("tul")
+	await frames(4)
+	check_equal(preview.get_global_rect(), before, "place of the preview with one name")
+	filter.text = ""
+	filter.text_changed.emit("")
+	await frames(4)
+	check_equal(preview.get_global_rect(), before, "place of the preview with all names")
+
+
 func test_messages_move_no_button() -> void:
 	await open_page("Plant")
 	await _choose("Wheat")
@@ -100,7 +115,9 @@ func test_a_plants_height_of_0_is_by_species() -> void:
 	await open_inspector()
 	var property := _find_property("height")
 	check(property != null, "the inspector has the property")
-	var slider := property.find_children("*", "EditorSpinSlider", true, false)[0] as EditorSpinSlider
+	var slider := (
+		property.find_children("*", "EditorSpinSlider", true, false)[0] as EditorSpinSlider
+	)
 	check_equal(slider.call(&"get_shown"), "by species", "at 0")
 	slider.value = 1.5
 	await frames(2)

@@ -34,6 +34,7 @@ func test_nothing_stays_when_switched_off() -> void:
 	EditorInterface.set_plugin_enabled(PLUGIN, true)
 	await frames(10)
 	check(dock() != null, "the dock is back")
+	check(dock().is_visible_in_tree(), "in front, so that it is found")
 
 
 func _switch_off_and_on() -> void:

@@ -1,5 +1,5 @@
-## The blocks of code that README, guide and class help show: taken out of the texts, and made scripts
-## that can run in a small scene of their own.
+## The blocks of code that README, guide and class help show: taken out of the texts, and made
+## scripts that can run in a small scene of their own.
 extends RefCounted
 
 
@@ -110,7 +110,7 @@ static func _source_of(block: Block) -> String:
 
 
 static func _uses(code: String, name: String) -> bool:
-	return RegEx.create_from_string("(?<![.\\w\"])%s\\b" % name).search(code) != null
+	return RegEx.create_from_string('(?<![.\\w"])%s\\b' % name).search(code) != null
 
 
 static func _declares(code: String, name: String) -> bool:

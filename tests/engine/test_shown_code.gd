@@ -16,7 +16,11 @@ const SHAPED: PackedStringArray = ["PlantFunction", "PlantPart"]
 const SHARP_CLASS := 'ClassDB\\.Instantiate\\("(\\w+)"\\)'
 const SHARP_MEMBER := '\\.(Set|Get|Call|Connect|HasMethod)\\("(\\w+)"'
 const SHARP_WAYS: Dictionary[String, String] = {
-	"Set": "property", "Get": "property", "Call": "method", "HasMethod": "method", "Connect": "signal"
+	"Set": "property",
+	"Get": "property",
+	"Call": "method",
+	"HasMethod": "method",
+	"Connect": "signal"
 }
 
 
@@ -63,7 +67,9 @@ func _try_all(blocks: Array[ShownCode.Block]) -> void:
 			"gdscript":
 				await _try(block)
 			"csharp":
-				check_equal(_find_wrong_names(block), PackedStringArray(), "names of " + block.place)
+				check_equal(
+					_find_wrong_names(block), PackedStringArray(), "names of " + block.place
+				)
 			"text", "gdshader":
 				_check_includes(block)
 		for message in _listener.take():
@@ -211,7 +217,10 @@ func _name_of(property: Dictionary) -> String:
 
 func _check_includes(block: ShownCode.Block) -> void:
 	for found in RegEx.create_from_string('#include "([^"]+)"').search_all(block.code):
-		check(ResourceLoader.exists(found.get_string(1)), "%s: %s" % [block.place, found.get_string(1)])
+		check(
+			ResourceLoader.exists(found.get_string(1)),
+			"%s: %s" % [block.place, found.get_string(1)]
+		)
 
 
 func _find(name: String) -> String:

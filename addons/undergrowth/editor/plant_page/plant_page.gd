@@ -75,7 +75,9 @@ func _show_species(function: PlantFunction) -> void:
 	else:
 		_chosen = null
 		_state.choose(function, "", SpeciesEntry.title_of(function))
-		_state.report(tr("This is selected, and the scene's own: what you change here changes there."))
+		_state.report(
+			tr("This is selected, and the scene's own: what you change here changes there.")
+		)
 	_list.mark(entry.key if entry else "")
 	_list.reveal_chosen()
 

@@ -68,7 +68,8 @@ static func find_title(path: String) -> String:
 	return words.left(1).to_upper() + words.substr(1)
 
 
-## What a species is called that no list may have: by its own name, its file, its script or its class.
+## What a species is called that no list may have: by its own name, its file, its script or its
+## class.
 static func title_of(function: PlantFunction) -> String:
 	if function.resource_name:
 		return function.resource_name

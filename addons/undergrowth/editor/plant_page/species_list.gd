@@ -36,6 +36,8 @@ var _thumbnails: Dictionary[String, Texture2D] = {}
 var _stamps: Dictionary[String, int] = {}
 var _chosen_key := ""
 var _state: EditorState
+# Of the highest row that was there yet: nothing moves while a filter is typed.
+var _row_height := 0.0
 # What the status line calls our work, while it shows it.
 var _work_title := ""
 
@@ -80,14 +82,13 @@ func get_first() -> SpeciesEntry:
 
 ## The height that shows the search field, a group's title and two rows of it.
 func find_height_of_rows() -> float:
-	var row := 0.0
 	for list: ItemList in _lists:
 		list.force_update_list_size()
 		for i in list.item_count:
-			row = maxf(row, list.get_item_rect(i).size.y)
+			_row_height = maxf(_row_height, list.get_item_rect(i).size.y)
 	var title := _groups[0].get_minimum_size().y - (%Content as Control).get_minimum_size().y
 	var gap := ROW_GAP * EditorInterface.get_editor_scale()
-	return _scroll.position.y + title + ROWS_SEEN * (row + gap) + gap
+	return _scroll.position.y + title + ROWS_SEEN * (_row_height + gap) + gap
 
 
 ## Marks the entry with that key as chosen, without a signal.
@@ -127,6 +128,7 @@ func _notification(what: int) -> void:
 func _dress() -> void:
 	if is_part_of_edited_scene():
 		return
+	_row_height = 0.0
 	var size := roundi(THUMBNAIL_SIZE * EditorInterface.get_editor_scale())
 	_new.icon = get_theme_icon(&"Add", &"EditorIcons")
 	_filter.right_icon = get_theme_icon(&"Search", &"EditorIcons")
@@ -147,7 +149,9 @@ func _dress() -> void:
 # As many columns as have room, and all of the room for them.
 func _fit_columns(list: ItemList) -> void:
 	var room := floori(list.size.x - list.get_v_scroll_bar().get_combined_minimum_size().x)
-	var least := maxi(floori(list.fixed_icon_size.x * LEAST_COLUMN), _longest_word(list) + COLUMN_SLACK)
+	var least := maxi(
+		floori(list.fixed_icon_size.x * LEAST_COLUMN), _longest_word(list) + COLUMN_SLACK
+	)
 	list.fixed_column_width = maxi(room / maxi(room / maxi(least, 1), 1) - COLUMN_SLACK, 0)
 	for i in list.item_count:
 		list.set_item_text(i, _wrap(list, (list.get_item_metadata(i) as SpeciesEntry).title))

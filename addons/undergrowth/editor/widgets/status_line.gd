@@ -1,6 +1,6 @@
 @tool
 extends HBoxContainer
-## A place of two lines for messages, and for the progress of long work with a button that cancels it.
+## Two lines for messages, and for the progress of long work with a button that cancels it.
 
 const EditorState := preload("../editor_state.gd")
 const ICONS: Dictionary[int, StringName] = {
