@@ -63,6 +63,6 @@ func _speed_for(angle: float, speed: float) -> float:
 	return speed * sqrt(_slope_of(angle) / _slope_of(seen))
 
 
-## Of a stem whose tip rests at that angle in air: what it would be if it grew with the wind's force.
+## Of a stem whose tip rests at that angle in air: what that would be if it grew with the force.
 func _slope_of(angle: float) -> float:
 	return sin(angle) / cos(angle) ** 2
