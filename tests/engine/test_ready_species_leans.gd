@@ -53,7 +53,8 @@ func test_ready_species_lean_in_the_winds_that_their_build_says() -> void:
 
 ## The wind at the tip (m/s) in which that points so far from upright, seen in one of [param speed].
 func _speed_for(angle: float, speed: float) -> float:
-	_plant.wind.speed = speed * log(HIGH / ROUGHNESS) / log(_plant.get_plant_height() / ROUGHNESS)
+	var height := _plant.get_plant_height()
+	_plant.wind.speed = speed * log(HIGH / ROUGHNESS) / log(height / ROUGHNESS)
 	_plant.reset_motion()
 	for i in 600:
 		_plant.advance(STEP)
@@ -62,6 +63,6 @@ func _speed_for(angle: float, speed: float) -> float:
 	return speed * sqrt(_slope_of(angle) / _slope_of(seen))
 
 
-## Of a stem whose tip rests at that angle in air: what it would be if it grew with the wind's force.
+## Of a stem whose tip rests at that angle in air: what that would be if it grew with the force.
 func _slope_of(angle: float) -> float:
 	return sin(angle) / cos(angle) ** 2
