@@ -20,7 +20,8 @@ constexpr int COARSE_VERTICES = 60;
 constexpr float MATCHED = 0.015f; // Of each outline.
 constexpr int COLOR_STEPS = 4;
 constexpr float MOST_GAIN = 1.8f; // Of a colour in linear light; the least is its reciprocal.
-constexpr float MOST_MORE = 0.12f; // Linear light that is added to all, or taken from it.
+constexpr float MOST_MORE = 0.15f; // Linear light that is added to all,
+constexpr float MOST_LESS = 0.06f; // or taken from it: what is white stays white.
 
 SeenMesh seen(const FormBuffers &mesh, const std::vector<WrittenUnit> &units) {
 	return { mesh.positions, units.back().vertex, mesh.indices, units.back().index };
@@ -83,7 +84,7 @@ void match_colors(const FormMeasure &measure, const std::vector<WrittenUnit> &un
 		for (size_t i = 0; i < shares.size(); i++) {
 			mean += shifted(i) * shares[i];
 		}
-		more = glm::clamp(more + measure.light - mean, -MOST_MORE, MOST_MORE);
+		more = glm::clamp(more + measure.light - mean, -MOST_LESS, MOST_MORE);
 	}
 	for (int i = 0; i < units.back().vertex; i++) {
 		const glm::vec3 own = shifted(static_cast<size_t>(i));

@@ -13,7 +13,7 @@ public:
 
 	/// One step: the outlines are `areas` and are to be `wanted`.
 	void approach(const Outlines &areas, const Outlines &wanted);
-	/// From now on widths may differ more from what was written, also those of flowers.
+	/// From now on widths may differ more from what was written, but for those of flowers.
 	void loosen() { limits = LOOSE; }
 	/// Remembers the widths of the last step.
 	void keep();
@@ -29,7 +29,7 @@ private:
 		float least_flower, most_flower, turned_flower;
 	};
 	static constexpr Limits USUAL = { 0.25f, 4.0f, 0.7f, 0.45f, 1.7f, 0.25f };
-	static constexpr Limits LOOSE = { 0.15f, 10.0f, 0.9f, 0.3f, 5.0f, 0.7f };
+	static constexpr Limits LOOSE = { 0.2f, 4.5f, 0.85f, 0.45f, 1.7f, 0.25f };
 
 	/// What a unit shows in each outline, were nothing before it, as it was written, and how its widths change that.
 	struct Unit {
