@@ -52,7 +52,9 @@ class Stem:
 
 	func _get_base_shape(lod: int) -> PackedVector3Array:
 		asked.append(lod)
-		return PackedVector3Array([Vector3(0, 0, -0.1), Vector3(-0.1, 0, 0.1), Vector3(0.1, 0, 0.1)])
+		return PackedVector3Array(
+			[Vector3(0, 0, -0.1), Vector3(-0.1, 0, 0.1), Vector3(0.1, 0, 0.1)]
+		)
 
 
 func after_each() -> void:
