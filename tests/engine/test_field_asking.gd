@@ -46,6 +46,17 @@ class Long:
 		plant.add(PlantBlade.new())
 
 
+class Stem:
+	extends PlantFunction
+	static var asked: Array[int] = []  # For how many segments.
+
+	func _get_base_shape(lod: int) -> PackedVector3Array:
+		asked.append(lod)
+		return PackedVector3Array(
+			[Vector3(0, 0, -0.1), Vector3(-0.1, 0, 0.1), Vector3(0.1, 0, 0.1)]
+		)
+
+
 func after_each() -> void:
 	if _field:
 		_field.free()
@@ -72,6 +83,19 @@ func test_quick_scripts_are_asked_at_once() -> void:
 	await _grow_field([Quick.new()])
 	check_equal(Quick.asked.size(), 5, "asks of four variants and a stem")
 	check_equal(_field.get_plant_count() > 0, true, "plants stand")
+
+
+func test_a_species_of_more_detail_has_more_segments_at_each_level() -> void:
+	Stem.asked.clear()
+	_field = _make_field([Stem.new()])
+	_field.levels = [PlantFieldLevel.of(6, 5.0), PlantFieldLevel.of(3)]
+	_field.species[0].variants = 1
+	_field.species[0].detail = 2.0
+	root.add_child(_field)
+	await _field.filled
+	await frames(1)
+	check(Stem.asked.has(12) and Stem.asked.has(6), "twice the segments: %s" % [Stem.asked])
+	check(not Stem.asked.has(3), "not those of the levels: %s" % [Stem.asked])
 
 
 func test_a_field_that_is_still_asking_is_filling() -> void:
@@ -104,6 +128,21 @@ func test_plants_added_while_it_asks_stand_afterwards() -> void:
 	await _field.filled
 	await frames(2)
 	check(_field.has_plant(added[0]), "the added plant")
+
+
+func test_a_species_that_is_listed_without_a_share_is_asked_before_it_is_added() -> void:
+	Slow.asked.clear()
+	var slow := Slow.new()
+	_field = _make_field([GrassFunction.new(), slow])
+	_field.species[1].share = 0.0
+	root.add_child(_field)
+	await _field.filled
+	await frames(1)
+	var before := Slow.asked.size()
+	check_equal(_most_in_a_frame(Slow.asked), 1, "asks in a frame")
+	var ids := _field.add_plants([Transform3D.IDENTITY], slow)
+	check_equal(ids.size(), 1, "plants that came")
+	check_equal(Slow.asked.size(), before, "asks")
 
 
 func test_a_script_that_grows_for_a_second_is_told_once() -> void:

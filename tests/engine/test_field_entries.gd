@@ -20,6 +20,7 @@ func test_numbers_out_of_range_give_one_error_and_are_not_kept() -> void:
 			"height_deviation": [-0.1, 0.91, INF],
 			"lean_deviation": [-0.1, deg_to_rad(80.1), 45.0, NAN],
 			"variants": [0, -1, 65],
+			"detail": [0.0, 11.0, NAN],
 		}
 	)
 	_refuse(PlantFieldLevel.new(), {"segments": [0, -1, 257], "end": [-0.1, 1e7, NAN, INF]})
@@ -68,6 +69,7 @@ func test_each_real_change_is_signalled_once() -> void:
 			"height_deviation": 0.25,
 			"lean_deviation": 0.125,
 			"variants": 9,
+			"detail": 2.0,
 		}
 	)
 

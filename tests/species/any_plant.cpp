@@ -54,7 +54,7 @@ std::vector<int> any_carriers(Chance &chance, bool is_spoilt, const Growth &grow
 /// As a script that loops over its parts: many arrangements of a few parts each.
 void grow_by_hand(Chance &chance, bool is_spoilt, Growth &growth) {
 	any_stem(chance, is_spoilt, growth);
-	const int steps = chance.one_in(40) ? chance.whole(100, 700) : chance.whole(1, 30);
+	const int steps = chance.one_in(300) ? chance.whole(100, 700) : chance.whole(1, chance.one_in(8) ? 30 : 8);
 	const bool is_alike = chance.one_in(2); // One kind for all.
 	int kind = -1;
 	for (int i = 0; i < steps; i++) {

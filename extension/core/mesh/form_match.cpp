@@ -14,10 +14,14 @@ namespace {
 
 constexpr int STEPS = 7;
 constexpr int FEW_STEPS = 1; // For what is so fine that it is nearly right.
+constexpr int LOOSE_STEPS = 20; // For what is so coarse that its parts are no longer seen as such.
 constexpr int FINE_VERTICES = 400;
+constexpr int COARSE_VERTICES = 60;
 constexpr float MATCHED = 0.015f; // Of each outline.
 constexpr int COLOR_STEPS = 4;
 constexpr float MOST_GAIN = 1.8f; // Of a colour in linear light; the least is its reciprocal.
+constexpr float MOST_MORE = 0.15f; // Linear light that is added to all,
+constexpr float MOST_LESS = 0.06f; // or taken from it: what is white stays white.
 
 SeenMesh seen(const FormBuffers &mesh, const std::vector<WrittenUnit> &units) {
 	return { mesh.positions, units.back().vertex, mesh.indices, units.back().index };
@@ -38,17 +42,24 @@ void match_outlines(const FormMeasure &measure, const std::vector<WrittenUnit> &
 		return;
 	}
 	OutlineFit fit(units, mesh);
-	const int steps = units.back().vertex < FINE_VERTICES ? STEPS : FEW_STEPS;
-	for (int step = 0; step < steps && best >= MATCHED; step++) {
-		fit.approach(areas, measure.outlines);
-		areas = outline_areas(seen(mesh, units), measure.box);
-		const float worst = worst_of(areas, measure.outlines);
-		if (worst < best) {
-			best = worst;
-			fit.keep();
+	const auto go = [&](int steps) {
+		for (int step = 0; step < steps && best >= MATCHED; step++) {
+			fit.approach(areas, measure.outlines);
+			areas = outline_areas(seen(mesh, units), measure.box);
+			const float worst = worst_of(areas, measure.outlines);
+			if (worst < best) {
+				best = worst;
+				fit.keep();
+			}
 		}
+		fit.finish();
+	};
+	go(units.back().vertex < FINE_VERTICES ? STEPS : FEW_STEPS);
+	if (best >= MATCHED && units.back().vertex < COARSE_VERTICES) {
+		fit.loosen();
+		areas = outline_areas(seen(mesh, units), measure.box);
+		go(LOOSE_STEPS);
 	}
-	fit.finish();
 }
 
 void match_colors(const FormMeasure &measure, const std::vector<WrittenUnit> &units, const FormBuffers &mesh) {
@@ -66,8 +77,17 @@ void match_colors(const FormMeasure &measure, const std::vector<WrittenUnit> &un
 		}
 		gains = glm::clamp(gains * (measure.light + 1e-4f) / (mean + 1e-4f), 1.0f / MOST_GAIN, MOST_GAIN);
 	}
+	glm::vec3 more(0.0f); // Where there is too little of a colour to make more of.
+	const auto shifted = [&](size_t i) { return glm::clamp(light[i] * gains + more, 0.0f, 1.0f); };
+	for (int step = 0; step < COLOR_STEPS; step++) {
+		glm::vec3 mean(0.0f);
+		for (size_t i = 0; i < shares.size(); i++) {
+			mean += shifted(i) * shares[i];
+		}
+		more = glm::clamp(more + measure.light - mean, -MOST_LESS, MOST_MORE);
+	}
 	for (int i = 0; i < units.back().vertex; i++) {
-		const glm::vec3 own = glm::min(light[static_cast<size_t>(i)] * gains, glm::vec3(1.0f));
+		const glm::vec3 own = shifted(static_cast<size_t>(i));
 		mesh.colors[i] = { from_light(own.x), from_light(own.y), from_light(own.z), mesh.colors[i].w };
 	}
 }

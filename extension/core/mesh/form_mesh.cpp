@@ -95,7 +95,8 @@ void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const Fo
 	}
 	for (const FormBody &body : make_bodies(form, measure, plan)) {
 		const FormWriter::Mark begin = writer.mark();
-		begin_unit(0.5f, true);
+		const Layout layout = form.groups[static_cast<size_t>(body.group)].layout;
+		begin_unit(0.5f, layout == Layout::whorl || layout == Layout::disc);
 		writer.add_body(body, hangs[static_cast<size_t>(body.first)]);
 		if (body.shown > 0.0f) {
 			writer.widen(begin, body.shown, 0.5f);

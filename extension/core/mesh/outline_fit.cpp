@@ -11,12 +11,6 @@ namespace {
 
 constexpr float TURNED = 0.35f; // What growing one way is worth beside growing all ways.
 constexpr float MOST_STEP = 0.5f;
-constexpr float LEAST_WIDTH = 0.25f; // Of what was written.
-constexpr float MOST_WIDTH = 4.0f;
-constexpr float LEAST_FLOWER = 0.45f;
-constexpr float MOST_FLOWER = 1.7f;
-constexpr float MOST_TURNED = 0.7f;
-constexpr float MOST_TURNED_FLOWER = 0.25f;
 constexpr float STIFFNESS = 1e-3f; // So that outlines that nothing can change apart from each other do no harm.
 
 /// Solves a·x = b for a symmetric positive matrix, by Cholesky's parts; x is left in b.
@@ -125,9 +119,9 @@ void OutlineFit::approach(const Outlines &areas, const Outlines &wanted) {
 	solve(matrix, right);
 	for (size_t u = 0; u < units.size(); u++) {
 		Unit &unit = units[u];
-		const float least = (written[u].is_flower ? LEAST_FLOWER : LEAST_WIDTH) - 1.0f;
-		const float most = (written[u].is_flower ? MOST_FLOWER : MOST_WIDTH) - 1.0f;
-		const float turned = written[u].is_flower ? MOST_TURNED_FLOWER : MOST_TURNED;
+		const float least = (written[u].is_flower ? limits.least_flower : limits.least) - 1.0f;
+		const float most = (written[u].is_flower ? limits.most_flower : limits.most) - 1.0f;
+		const float turned = written[u].is_flower ? limits.turned_flower : limits.turned;
 		for (size_t way = 0; way < WAYS; way++) {
 			float change = 0.0f;
 			for (size_t i = 0; i < OUTLINES; i++) {
@@ -149,6 +143,7 @@ void OutlineFit::keep() {
 
 void OutlineFit::finish() {
 	for (size_t u = 0; u < units.size(); u++) {
+		units[u].widths = units[u].kept;
 		apply(u, units[u].kept);
 	}
 }

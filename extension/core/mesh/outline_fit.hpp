@@ -13,6 +13,8 @@ public:
 
 	/// One step: the outlines are `areas` and are to be `wanted`.
 	void approach(const Outlines &areas, const Outlines &wanted);
+	/// From now on widths may differ more from what was written, but for those of flowers.
+	void loosen() { limits = LOOSE; }
 	/// Remembers the widths of the last step.
 	void keep();
 	/// Gives the mesh the widths that were remembered, or those that it began with.
@@ -21,6 +23,13 @@ public:
 private:
 	static constexpr int WAYS = 3; ///< Wider; wider along x than along z; along x = z than across.
 	using Ways = std::array<float, WAYS>;
+	/// Of widths, in shares of what was written.
+	struct Limits {
+		float least, most, turned;
+		float least_flower, most_flower, turned_flower;
+	};
+	static constexpr Limits USUAL = { 0.25f, 4.0f, 0.7f, 0.45f, 1.7f, 0.25f };
+	static constexpr Limits LOOSE = { 0.2f, 4.5f, 0.85f, 0.45f, 1.7f, 0.25f };
 
 	/// What a unit shows in each outline, were nothing before it, as it was written, and how its widths change that.
 	struct Unit {
@@ -35,6 +44,7 @@ private:
 	const FormBuffers &mesh;
 	std::vector<Unit> units;
 	std::vector<glm::vec3> asides; ///< As they were written.
+	Limits limits = USUAL;
 
 	void look_at(size_t number);
 	void apply(size_t number, const Ways &widths);

@@ -12,6 +12,8 @@ namespace {
 // What steps do to a picture, in shares of the area that they touch. Orders, not physics.
 constexpr float THINNED = 0.1f; // By so much for each part that one has to stand for.
 constexpr float ONE_SIDED = 0.6f; // Divided by the parts left: the fewer, the more lopsided.
+constexpr float THINNED_TUFT = 0.06f; // By so much more: few wide leaves are another plant than many narrow ones,
+constexpr float MOST_TUFT = 0.06f; // but a plant without its flowers is another, too.
 constexpr float TWIN_DROPPED = 0.2f; // Where another group of the same kind on the same carriers goes on.
 constexpr float DROPPED = 1.3f;
 constexpr float MOST_THINNED = 0.6f; // A few are better than none.
@@ -39,7 +41,9 @@ float PlanSteps::thin_error(const State &state, size_t kept) const {
 		const bool is_whorl = form.groups[group].layout == Layout::whorl;
 		const float left = static_cast<float>(state.left[kept]);
 		const float thinned = static_cast<float>(state.left[0]) / left - 1.0f;
-		const float others = std::min((is_whorl ? THINNED_WHORL : THINNED) * thinned, MOST_THINNED);
+		const bool is_tuft = form.groups[group].layout == Layout::ground;
+		const float tuft = is_tuft ? std::min(THINNED_TUFT * thinned, MOST_TUFT) : 0.0f;
+		const float others = std::min((is_whorl ? THINNED_WHORL : THINNED) * thinned + tuft, MOST_THINNED);
 		return thinned <= 0.0f ? 0.0f : others + ONE_SIDED / left;
 	}
 	return has_twin(static_cast<int>(group)) ? TWIN_DROPPED : DROPPED + COLOR_LOST * state.contrast;

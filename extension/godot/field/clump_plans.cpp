@@ -51,8 +51,7 @@ static Squares squares_of(const FieldStyle &style, int level, const FieldLook &l
 }
 
 // By species; of those that were filled, for the places of others are asked for by tiles.
-static std::vector<Squares> all_squares(
-		const FieldStyle &style, int level, const std::vector<DrawnBlock> &blocks) {
+static std::vector<Squares> all_squares(const FieldStyle &style, int level, const std::vector<DrawnBlock> &blocks) {
 	std::vector<float> plants(style.looks.size(), 0.0f), tiles(style.looks.size(), 0.0f);
 	for (const DrawnBlock &drawn : blocks) {
 		plants[size_t(drawn.block->species)] += float(drawn.block->size());

@@ -42,6 +42,14 @@ std::vector<glm::vec2> any_ring(Chance &chance) {
 	return ring;
 }
 
+/// A few, at times none or many: parts carry parts, and what a species costs grows with their product.
+int any_count(Chance &chance) {
+	if (chance.one_in(48)) {
+		return chance.whole(20, 200);
+	}
+	return chance.one_in(4) ? chance.whole(0, 8) : chance.whole(1, 3);
+}
+
 glm::vec4 any_color(Chance &chance) {
 	const float most = chance.one_in(6) ? 16.0f : 1.0f;
 	return { chance.within(0.0f, most), chance.within(0.0f, most), chance.within(0.0f, most),
@@ -101,8 +109,8 @@ Part any_part(Chance &chance) {
 Arrangement any_arrangement(Chance &chance) {
 	Arrangement a;
 	a.layout = static_cast<Layout>(chance.whole(0, 3));
-	a.count_min = chance.one_in(8) ? chance.whole(20, 200) : chance.whole(chance.one_in(4) ? 0 : 1, 8);
-	a.count_max = std::max(1, a.count_min + chance.whole(0, 4));
+	a.count_min = any_count(chance);
+	a.count_max = std::max(1, a.count_min + (chance.one_in(3) ? chance.whole(0, 4) : 0));
 	a.from = chance.within(0.0f, 1.0f);
 	a.to = chance.within(0.0f, 1.0f);
 	a.per_node = chance.whole(1, 5);

@@ -26,7 +26,7 @@ struct Tolerance {
 };
 
 constexpr Tolerance TOLERANCES[] = { { 12, 0.03, 0.05, 3.0 }, { 6, 0.03, 0.09, 3.0 }, { 3, 0.03, 0.09, 3.0 },
-	{ 2, 0.12, 0.18, 3.0 }, { 1, 0.15, 0.45, 8.0 } };
+	{ 2, 0.12, 0.27, 3.0 }, { 1, 0.1, 0.3, 3.0 } };
 
 struct Sights {
 	Sight sides[SIDES];
