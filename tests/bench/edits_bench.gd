@@ -3,7 +3,7 @@
 ## Run headless with --fixed-fps 60. Frames are held to a sixtieth of a second, so that worker
 ## threads have the time that they have in a game. median_ms and worst_ms are what the call took of
 ## the main thread, or how much longer frames take than before the change; of rows that end in _seen
-## until it was seen, of field_tiles until all tiles stood, of field_walk what tiles took in a frame.
+## until it was seen, of field_tiles until all tiles stood, of field_walk what tiles take a frame.
 extends SceneTree
 
 const COUNT := 100000

@@ -1,4 +1,4 @@
-## What code changes of a field's plants stays changed: who is removed, added and mown; saved, and brought back.
+## What code removes, adds and mows of a field stays so: it is saved, and brought back.
 extends "res://tests/engine/field_harness.gd"
 
 const REACH := 3.0
