@@ -16,7 +16,6 @@ namespace avx2_kernels {
 
 #include "base/kernel_basics.inc"
 #include "wind/kernel_air.inc"
-#include "wind/kernel_lanes.inc"
 #include "wind/kernel_wind.inc"
 
 static const WindKernels SET = { sample_wind, sample_turbulence, add_stand_waves, make_velocities,

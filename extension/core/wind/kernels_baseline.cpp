@@ -15,7 +15,6 @@ namespace baseline_kernels {
 
 #include "base/kernel_basics.inc"
 #include "wind/kernel_air.inc"
-#include "wind/kernel_lanes.inc"
 #include "wind/kernel_wind.inc"
 
 static const WindKernels SET = { sample_wind, sample_turbulence, add_stand_waves, make_velocities,
