@@ -32,6 +32,7 @@ def windows():
         folder = wine.fetch()
     except Missing as missing:
         return Result("windows", 0, [str(missing).replace("\n", " ")])
+    wine.prepare(folder, FOLDER / "prefix")
     environment = wine.environment(folder, FOLDER / "prefix", os.environ)
     start = wine.program(folder)
     run("windows:boot", [start, "wineboot", "-i"], timeout=TIMEOUT, environment=environment)

@@ -3,7 +3,7 @@
 import shutil
 
 from . import debian
-from .place import Missing, make_folder
+from .place import make_folder
 
 PACKAGES = ["wine64", "wine"]
 REMEDY = "The suite `windows` needs Debian on x86_64: elsewhere leave it out."
@@ -17,18 +17,19 @@ def fetch():
 
 def fill(folder):
     debian.unpack("Wine", PACKAGES, folder, REMEDY, suite=debian.OWN)
-    # What the packages' own scripts would do.
-    try:
-        modules = next(folder.glob("usr/lib/*/wine/x86_64-windows"))
-        shutil.copy(next(folder.glob("usr/x86_64-w64-mingw32/lib/zlib1.dll")), modules)
-    except StopIteration:
-        raise Missing(f"Debian's Wine has changed: its modules are not where they were.\n{REMEDY}") from None
     # It is a script that looks for the program in the system's folders.
     server = folder / "usr/lib/wine/wineserver"
     server.unlink(missing_ok=True)
     server.symlink_to("wineserver64")
     for unneeded in UNNEEDED:
         shutil.rmtree(folder / unneeded, ignore_errors=True)
+
+
+def prepare(folder, prefix):
+    """Makes the folder `prefix` for a Windows, with what the packages' own scripts would put there."""
+    system = prefix / "drive_c/windows/system32"
+    system.mkdir(parents=True)
+    shutil.copy(folder / "usr/x86_64-w64-mingw32/lib/zlib1.dll", system)
 
 
 def environment(folder, prefix, surroundings):
