@@ -26,8 +26,8 @@ func filled(filling: PlantField3D) -> void:
 	await process_frame
 
 
-## Begins to fill the field anew and returns in a frame in which its worker is still at it: on a busy
-## machine that one may be done before the next frame comes.
+## Begins to fill the field anew and returns in a frame in which its worker is still at it, which
+## on a busy machine may be done before the next frame comes.
 func catch_filling() -> void:
 	for attempt in 50:
 		field.fill()

@@ -1,4 +1,4 @@
-## PlantWind.sample_over_stand(): the air over the tops of a field, for maps and for crops of one's own.
+## PlantWind.sample_over_stand(): the air over the tops of a field, for maps and crops.
 extends "res://tests/engine/harness.gd"
 
 ## Metres per second.

@@ -61,7 +61,6 @@ func test_what_walks_by_moves_both_alike_at_every_frame_rate() -> void:
 
 ## What the tips of tests/engine/driven/walk_by_plants.gd go in a process of its own (m): those of
 
-
 ## a field, and those of plants alone; and the most that one was from the other.
 
 
@@ -192,7 +191,6 @@ func test_a_plant_that_moves_is_not_shoved_by_a_body_that_stands_or_goes_along()
 
 ## How far a plant leans at most beside a ball, while it goes by metres in each frame, and the ball
 
-
 ## too: in the end both are where they are at once if neither moves.
 
 
@@ -213,9 +211,6 @@ func _most_lean_of(plant_way: float, ball_way: float) -> float:
 	plant.free()
 	ball.free()
 	return most
-
-
-
 
 
 ## A ball at the tip of a plant that stands so leaves it at its surface.

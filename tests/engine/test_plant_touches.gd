@@ -1,4 +1,4 @@
-## Whom plants that stand alone tell of bodies among them, and who is told of bodies that cannot push.
+## Whom plants that stand alone tell of bodies among them, and of bodies that cannot push.
 extends "res://tests/engine/plant_harness.gd"
 
 const RADIUS := 0.3  # m, of the balls.
