@@ -92,6 +92,30 @@ func test_prototypes_do_not_move_in_unison() -> void:
 	check(same < tips.size() * 0.2, "%d of %d plants are as the first" % [same, tips.size()])
 
 
+func test_a_follower_that_was_pushed_swings_on_when_the_field_is_filled_anew() -> void:
+	var tulip := field.species[0].species as TulipFunction
+	tulip.law = PlantFunction.LAW_SPRING
+	tulip.natural_frequency = 0.5
+	tulip.damping_ratio = 20.0  # It comes back in half a minute.
+	field.prototypes = 4
+	field.wind.strength = 0.0
+	await start()
+	var own := field.get_plant_ids()[7]
+	var added := field.add_plants([Transform3D(Basis(), Vector3(40, 0, 0))], tulip)[0]
+	await step(2)
+	var places := [field.get_plant_transform(own).origin, Vector3(40, 0, 0)]
+	for place: Vector3 in places:
+		field.apply_impulse_in_sphere(place, 0.01, tulip.mass * Vector3(60, 0, 30))
+	await step(20)
+	var before := [relative_tip(own), relative_tip(added)]
+	field.fill()
+	await rested()
+	for index in 2:
+		var now := relative_tip([own, added][index])
+		check(before[index].angle_to(Vector3.UP) > 0.1, "the blow bends it: %s" % [before])
+		check(now.angle_to(Vector3.UP) > 0.7 * before[index].angle_to(Vector3.UP), "now %s" % now)
+
+
 func test_far_plants_are_stepped_less_often_and_still_move() -> void:
 	var camera := Camera3D.new()
 	camera.position = Vector3(0, 2, 500)

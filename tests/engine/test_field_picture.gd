@@ -181,6 +181,8 @@ func _check_followers_dressed(preview: bool) -> void:
 func _compare(
 	function: PlantFunction, place: Transform3D, blow := Vector3.ZERO, mown := 0.0
 ) -> void:
+	while _field.is_filling():  # It may end at any time on a busy machine.
+		await process_frame
 	var id := _field.add_plants([place], function)[0]
 	if mown > 0.0:
 		_field.set_height_in_sphere(_field.global_position, 1.0, mown)

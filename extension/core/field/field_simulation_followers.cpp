@@ -90,6 +90,16 @@ BendWay FieldSimulation::followed_way(const Entry &entry, int index, float fract
 	return { glm::mix(before.bend, after.bend, share), glm::mix(before.change, after.change, share) };
 }
 
+void FieldSimulation::take_motion(int page, int index, const FieldSimulation &from, int from_page, int from_index) {
+	Entry &entry = at(page);
+	const Entry &before = from.at(from_page);
+	entry.page.take_motion(index, before.page, from_index);
+	const bool follows = !entry.page.swings() && !before.page.swings();
+	if (follows && before.followers[static_cast<std::size_t>(from_index)].loose > 0) {
+		push_follower(entry, index, from.state(from_page, from_index));
+	}
+}
+
 /// From now on it swings by itself; where too many do, it goes on following.
 void FieldSimulation::push_follower(Entry &entry, int index, const TipState &state) {
 	LoosePlants &some = loose_of(entry);

@@ -98,8 +98,8 @@ void CpuMotion::keep_states(const std::vector<KeptPlant> &kept, const ChangeSet 
 		const glm::vec3 was = old.page(from.page).root(from.first + plant.from.slot);
 		const glm::vec3 is = store.block(to.block).root(to.slot);
 		if (was.x == is.x && was.z == is.z) {
-			MotionPage &now = simulation->page(rows_of(to.block).page);
-			now.take_motion(row_of(to), old.page(from.page), from.first + plant.from.slot);
+			simulation->take_motion(
+					rows_of(to.block).page, row_of(to), old, from.page, from.first + plant.from.slot);
 		}
 	}
 }
@@ -114,11 +114,11 @@ void CpuMotion::take_added(const PlantStore &store, const FieldStyle &style, con
 		grow({ block, 0 }, store, style);
 		const PageRows from = size_t(block) < old_rows.size() ? old_rows[size_t(block)] : PageRows();
 		const PageRows &to = rows_of(block);
-		MotionPage &now = simulation->page(to.page);
+		const MotionPage &now = simulation->page(to.page);
 		for (int slot = 0; old && from.page >= 0 && slot < std::min(from.count, to.count); slot++) {
 			const MotionPage &before = old->page(from.page);
 			if (!now.is_gone(to.first + slot) && before.root(from.first + slot) == now.root(to.first + slot)) {
-				now.take_motion(to.first + slot, before, from.first + slot);
+				simulation->take_motion(to.page, to.first + slot, *old, from.page, from.first + slot);
 			}
 		}
 	}
