@@ -126,7 +126,8 @@ public:
 	/// A blow on the tip (N·s): changes the velocity by impulse/mass.
 	void apply_impulse(int page, int index, const glm::vec3 &impulse);
 
-	/// A plant of another simulation, of the same species, goes on here; a follower that was pushed swings on by itself.
+	/// A plant of another simulation, of the same species, goes on here; a follower that was pushed swings on by
+	/// itself.
 	void take_motion(int page, int index, const FieldSimulation &from, int from_page, int from_index);
 
 	/// Puts all plants into their rest directions, without velocity, prototypes and what they did before included.

@@ -98,8 +98,7 @@ void CpuMotion::keep_states(const std::vector<KeptPlant> &kept, const ChangeSet 
 		const glm::vec3 was = old.page(from.page).root(from.first + plant.from.slot);
 		const glm::vec3 is = store.block(to.block).root(to.slot);
 		if (was.x == is.x && was.z == is.z) {
-			simulation->take_motion(
-					rows_of(to.block).page, row_of(to), old, from.page, from.first + plant.from.slot);
+			simulation->take_motion(rows_of(to.block).page, row_of(to), old, from.page, from.first + plant.from.slot);
 		}
 	}
 }
