@@ -47,6 +47,44 @@ func step(count: int) -> void:
 		await process_frame
 
 
+## Adds the field, and one beside it that is like it but for [param settings], in the same wind.
+## Both stand, at rest, and move by [method step_both] only.
+func start_with_twin(settings: Dictionary) -> PlantField3D:
+	field.simulation_enabled = false
+	var twin: PlantField3D = field.duplicate()
+	twin.wind = field.wind
+	twin.species = field.species
+	for property: String in settings:
+		twin.set(property, settings[property])
+	root.add_child(field)
+	root.add_child(twin)
+	while field.is_filling() or twin.is_filling():
+		await process_frame
+	return twin
+
+
+## A step of the field and its twin. A preview never drops steps, as a slow frame may.
+func step_both(twin: PlantField3D) -> void:
+	field.wind.advance(STEP)
+	field._preview(STEP, field.wind)
+	twin._preview(STEP, field.wind)
+
+
+## Takes [param count] steps of both. How far any tip is from its twin's at most (x), and from where
+## it was at first (y).
+func most_apart(twin: PlantField3D, count: int) -> Vector2:
+	var before := all_tips()
+	var most := Vector2.ZERO
+	for i in count:
+		step_both(twin)
+		var tips := all_tips()
+		var others := all_tips(twin)
+		for plant in tips.size():
+			most.x = maxf(most.x, tips[plant].distance_to(others[plant]))
+			most.y = maxf(most.y, tips[plant].distance_to(before[plant]))
+	return most
+
+
 ## All tips, in the axes of their field.
 func all_tips(of := field) -> PackedVector3Array:
 	return of.get_tip_positions(of.get_plant_ids())
@@ -92,6 +130,15 @@ func dressed() -> void:
 ## A capsule in the group "walkers".
 func add_walker() -> StaticBody3D:
 	return add_body(CapsuleShape3D.new())
+
+
+## A plate that colliders' ground is asked of: so many metres wide, its top at that height.
+func add_plate(side: float, top: float) -> StaticBody3D:
+	var plate := StaticBody3D.new()
+	add_shape(plate, box_shape(Vector3(side, 1.0, side)))
+	plate.position.y = top - 0.5
+	root.add_child(plate)
+	return plate
 
 
 func box_shape(size: Vector3) -> BoxShape3D:

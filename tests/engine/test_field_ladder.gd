@@ -12,22 +12,13 @@ func before_each() -> void:
 
 
 func test_the_number_of_threads_does_not_change_the_motion() -> void:
-	# Steps of a preview are never dropped, as those of a slow frame may be.
 	field.size = Vector2(80, 80)
-	field.simulation_enabled = false
 	field.max_threads = 1
 	field.wind.travel_speed = 0.0
-	var other: PlantField3D = field.duplicate()
-	other.max_threads = 4
-	root.add_child(field)
-	root.add_child(other)
-	while field.is_filling() or other.is_filling():
-		await process_frame
+	var other := await start_with_twin({"max_threads": 4})
 	var before := all_tips()
 	for i in 40:
-		field.wind.advance(STEP)
-		field._preview(STEP, field.wind)
-		other._preview(STEP, field.wind)
+		step_both(other)
 	check(count_moved(before, 0.01) > 1000, "they move")
 	check_equal(all_tips(other), all_tips(), "tips")
 	other.free()
@@ -48,30 +39,10 @@ func test_changing_the_motion_keeps_the_state() -> void:
 
 
 func test_an_interval_stays_near_the_full_rate() -> void:
-	# Steps of a preview are never dropped, and both begin at rest.
-	field.simulation_enabled = false
-	var other: PlantField3D = field.duplicate()
-	other.wind = field.wind
-	other.species = field.species
-	other.update_interval = 4
-	root.add_child(field)
-	root.add_child(other)
-	while field.is_filling() or other.is_filling():
-		await process_frame
-	var before := all_tips()
-	var largest := 0.0
-	var way := 0.0
-	for i in 200:
-		field.wind.advance(STEP)
-		field._preview(STEP, field.wind)
-		other._preview(STEP, field.wind)
-		var tips := all_tips()
-		var others := all_tips(other)
-		for plant in tips.size():
-			largest = maxf(largest, tips[plant].distance_to(others[plant]))
-			way = maxf(way, tips[plant].distance_to(before[plant]))
-	check(way > 0.1, "they move %f m" % way)
-	check(largest < 0.25 * way, "%f m away, they move %f m" % [largest, way])
+	var other := await start_with_twin({"update_interval": 4})
+	var most := most_apart(other, 200)
+	check(most.y > 0.1, "they move %f m" % most.y)
+	check(most.x < 0.25 * most.y, "%f m away, they move %f m" % [most.x, most.y])
 	other.free()
 
 

@@ -261,12 +261,7 @@ func test_strokes_while_it_is_filled_are_not_lost() -> void:
 
 
 func test_newcomers_stand_on_colliders() -> void:
-	var ground := StaticBody3D.new()
-	var shape := CollisionShape3D.new()
-	shape.shape = box_shape(Vector3(100, 2, 100))
-	ground.add_child(shape)
-	ground.position.y = 1.5
-	root.add_child(ground)
+	var ground := add_plate(100.0, 2.5)
 	field.ground_mode = PlantField3D.GROUND_COLLIDERS
 	field.map = map
 	root.add_child(field)

@@ -99,30 +99,10 @@ func test_stems_follow_prototypes() -> void:
 
 
 func test_stems_that_are_stepped_less_often_stay_near() -> void:
-	# Steps of a preview are never dropped, and both begin at rest.
-	field.simulation_enabled = false
-	var twin: PlantField3D = field.duplicate()
-	twin.wind = field.wind
-	twin.species = field.species
-	twin.update_interval = 4
-	root.add_child(field)
-	root.add_child(twin)
-	while field.is_filling() or twin.is_filling():
-		await process_frame
-	var before := all_tips()
-	var farthest := 0.0
-	var way := 0.0
-	for i in 120:
-		field.wind.advance(STEP)
-		field._preview(STEP, field.wind)
-		twin._preview(STEP, field.wind)
-		var tips := all_tips()
-		var others := all_tips(twin)
-		for plant in tips.size():
-			farthest = maxf(farthest, tips[plant].distance_to(others[plant]))
-			way = maxf(way, tips[plant].distance_to(before[plant]))
-	check(way > 0.02, "they move %f m" % way)
-	check(farthest < 0.25 * way, "%f m away, they move %f m" % [farthest, way])
+	var twin := await start_with_twin({"update_interval": 4})
+	var most := most_apart(twin, 120)
+	check(most.y > 0.02, "they move %f m" % most.y)
+	check(most.x < 0.25 * most.y, "%f m away, they move %f m" % [most.x, most.y])
 	twin.free()
 
 

@@ -140,12 +140,7 @@ func test_what_is_painted_comes_where_it_stands_and_where_it_will() -> void:
 
 
 func test_a_walk_over_ground_in_wind_leaves_nothing_behind() -> void:
-	var ground := StaticBody3D.new()
-	var shape := CollisionShape3D.new()
-	shape.shape = box_shape(Vector3(400, 1, 400))
-	ground.add_child(shape)
-	ground.position.y = 2.5
-	root.add_child(ground)
+	var ground := add_plate(400.0, 3.0)
 	field.ground_mode = PlantField3D.GROUND_COLLIDERS
 	field.endless = true
 	field.wind.strength = 5.0
