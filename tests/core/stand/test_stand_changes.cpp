@@ -155,7 +155,7 @@ TEST_CASE("a cut has what matters in its box, whichever squares beside it change
 	}
 	changes.remove(all, spacing);
 	constexpr float S = StandChanges::SQUARE;
-	const AreaBox box = { { -S, -S }, { 1.5f * S, 1.5f * S } }; // Squares lie on all of its sides.
+	const AreaBox box = { { -1.5f * S, -1.5f * S }, { 1.5f * S, SIDE } }; // Squares lie beside it and below it, none above.
 	const StandChanges part = changes.cut(box);
 	int count = 0;
 	for (std::size_t i = 0; i < plants.x.size(); i++) {
