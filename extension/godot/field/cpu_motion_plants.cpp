@@ -23,6 +23,7 @@ void CpuMotion::fit_contact(bool on) {
 
 void CpuMotion::settle() {
 	wait();
+	is_handed = false;
 	simulation->settle();
 	write_all();
 }
@@ -42,11 +43,17 @@ glm::vec3 CpuMotion::read_tip_now(const PlantPlace &place) {
 
 void CpuMotion::write_state(const PlantPlace &place, const MotionState &state) {
 	wait();
+<<<<<<< HEAD
 	simulation->set_state(rows_of(place.block).page, row_of(place), state.tip, state.second);
+=======
+	is_handed = false;
+	simulation->page(rows_of(place.block).page).set_state(row_of(place), state);
+>>>>>>> k_tiles
 }
 
 void CpuMotion::apply_impulse(const PlantPlace &place, const glm::vec3 &impulse) {
 	wait();
+	is_handed = false;
 	simulation->apply_impulse(rows_of(place.block).page, row_of(place), impulse);
 }
 

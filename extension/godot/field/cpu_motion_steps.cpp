@@ -75,6 +75,7 @@ void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
 }
 
 void CpuMotion::start_step(const MotionOptions &options, bool with_contact) {
+	is_handed = false;
 	TipContact *contact = with_contact && simulation->settings().prototypes == 0 ? &touching : nullptr;
 	steps.start(*simulation, *textures, contact, worker_count(options));
 	swings.step(clock.step());

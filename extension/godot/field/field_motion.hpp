@@ -76,13 +76,19 @@ public:
 	using PrepareBlock = std::unique_ptr<PreparedBlock> (*)(
 			const PlantBlock &block, const FieldStyle &style, const FieldSettings &settings);
 	virtual PrepareBlock prepare_block() const = 0;
-	/// Until nothing of it is at work beside this thread.
+	/// Until nothing of it is at work beside this thread, a hand-over included.
 	virtual void wait() = 0;
 	virtual bool is_ready() const = 0;
 	/// Whether the next advance() asks for Frame::eyes. It does so now and then only.
 	virtual bool wants_eyes() const = 0;
 	/// An empty field, for plants that code adds.
 	virtual void start(const FieldSettings &settings) = 0;
+	/// Begins, beside this thread, to give plants of `prepared` the motion of those that they were, for adopt(). Until
+	/// then nothing steps. Both stay where they are until forget_hand_over() or adopt().
+	virtual void hand_over(PreparedMotion &prepared, const std::vector<KeptPlant> &kept) = 0;
+	virtual bool is_handing_over() const = 0;
+	/// It is not adopted after all.
+	virtual void forget_hand_over() = 0;
 	/// Takes over what was grown: block i of `prepared` is block changes.grown[i] of the store. Plants that stood
 	/// before go on with their motion.
 	virtual void adopt(PreparedMotion &prepared, const std::vector<KeptPlant> &kept, const ChangeSet &changes,
