@@ -39,7 +39,7 @@ func test_strokes_touch_what_they_change_and_nothing_else() -> void:
 		if field.has_plant(ids[i]):
 			stayed += 1
 			var state := field.get_motion_state([ids[i]])
-			check_equal(state, states.slice(6 * i, 6 * i + 6), "motion of plant %d" % ids[i])
+			check_equal(state, states.slice(12 * i, 12 * i + 12), "motion of plant %d" % ids[i])
 	check(stayed < ids.size() - 40, "%d of %d stay" % [stayed, ids.size()])
 
 
@@ -88,8 +88,8 @@ func test_a_plant_that_becomes_higher_goes_on_with_its_motion() -> void:
 	var after := field.get_motion_state(ids)
 	var bent := 0
 	for i in ids.size():
-		var was := Vector3(before[6 * i], before[6 * i + 1], before[6 * i + 2])
-		var now := Vector3(after[6 * i], after[6 * i + 1], after[6 * i + 2])
+		var was := Vector3(before[12 * i], before[12 * i + 1], before[12 * i + 2])
+		var now := Vector3(after[12 * i], after[12 * i + 1], after[12 * i + 2])
 		check_near(now, was, 1e-3, "direction of plant %d" % i)
 		bent += 1 if was.angle_to(Vector3.UP) > 0.02 else 0
 	check(bent > 5, "%d are bent" % bent)

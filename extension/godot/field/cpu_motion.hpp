@@ -56,11 +56,11 @@ public:
 	bool follows_prototypes() const override { return textures && textures->follows(); }
 	Delays follower_delays(const godot::Transform3D &axes) const override;
 
-	TipState read_state_now(const PlantPlace &place) override;
+	MotionState read_state_now(const PlantPlace &place) override;
 	glm::vec3 read_tip_now(const PlantPlace &place) override;
 	StemMotion read_drawn_stem_now(const PlantPlace &place) const override;
 	bool is_point_in_plants_now(const glm::vec3 &point, float margin) override;
-	void write_state(const PlantPlace &place, const TipState &state) override;
+	void write_state(const PlantPlace &place, const MotionState &state) override;
 	void apply_impulse(const PlantPlace &place, const glm::vec3 &impulse) override;
 
 	int simulated_count() const override { return simulation ? simulation->simulated_count() : 0; }

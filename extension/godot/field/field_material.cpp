@@ -14,8 +14,7 @@ namespace undergrowth {
 static const char *const OWN_PREFIX = "undergrowth_"; // Of what the field sets.
 static const char *const INCLUDE_NAME = "undergrowth_bend.gdshaderinc";
 
-// A parameter that is set anew costs more than one that is asked for.
-static void set_parameter(const Ref<ShaderMaterial> &material, const StringName &name, const Variant &value) {
+void set_parameter(const Ref<ShaderMaterial> &material, const StringName &name, const Variant &value) {
 	if (material->get_shader_parameter(name) != value) {
 		material->set_shader_parameter(name, value);
 	}

@@ -139,13 +139,13 @@ public:
 	virtual bool follows_prototypes() const = 0;
 	virtual Delays follower_delays(const godot::Transform3D &axes) const = 0;
 
-	virtual TipState read_state_now(const PlantPlace &place) = 0;
+	virtual MotionState read_state_now(const PlantPlace &place) = 0;
 	/// Where its tip is (m), in the field's axes.
 	virtual glm::vec3 read_tip_now(const PlantPlace &place) = 0;
 	/// The bend that is drawn in this frame and all else that a plant's parts go by, in the field's axes.
 	virtual StemMotion read_drawn_stem_now(const PlantPlace &place) const = 0;
 	virtual bool is_point_in_plants_now(const glm::vec3 &point, float margin) = 0;
-	virtual void write_state(const PlantPlace &place, const TipState &state) = 0;
+	virtual void write_state(const PlantPlace &place, const MotionState &state) = 0;
 	virtual void apply_impulse(const PlantPlace &place, const glm::vec3 &impulse) = 0;
 
 	virtual int simulated_count() const = 0;

@@ -14,6 +14,8 @@ const THUMBNAIL := 24
 var _options: BrushOptions
 # The names of the buttons of species, in their order.
 var _names: PackedStringArray = []
+# Of what the field does not grow yet.
+var _newcomer := ""
 
 @onready var _tools: Array[Button] = [null, %Paint, %Erase, %Height, %Pick]
 @onready var _numbers: HBoxContainer = %Numbers
@@ -44,22 +46,27 @@ func setup(options: BrushOptions) -> void:
 	_show()
 
 
-## Offers what [param field] grows; null: nothing.
-func show_field(field: PlantField3D) -> void:
-	var entries: Array[PlantFieldSpecies] = []
+## Offers what [param field] grows (null: nothing), and [param newcomer], which it does not grow yet
+## and whose name in the map is to be [param title].
+func show_field(field: PlantField3D, newcomer: PlantFunction = null, title := "") -> void:
+	var functions: Array[PlantFunction] = []
 	var names: PackedStringArray = []
 	for entry in field.species if field else []:
 		if entry and entry.get_layer_name() and not entry.get_layer_name() in names:
-			entries.append(entry)
+			functions.append(entry.species)
 			names.append(entry.get_layer_name())
-	if names == _names:
+	if newcomer:
+		functions.append(newcomer)
+		names.append(title)
+	if names == _names and title == _newcomer:
 		return
 	_names = names
+	_newcomer = title
 	for button in _species.get_children():
 		button.queue_free()
 		_species.remove_child(button)
 	for i in names.size():
-		_add_species(entries[i], names[i])
+		_add_species(functions[i], names[i])
 	_show()
 
 
@@ -70,21 +77,28 @@ func _notification(what: int) -> void:
 		_translate()
 
 
-func _add_species(entry: PlantFieldSpecies, title: String) -> void:
+func _add_species(function: PlantFunction, title: String) -> void:
 	var button := Button.new()
 	button.toggle_mode = true
 	button.theme_type_variation = &"FlatButton"
-	button.text = title
+	button.text = "+ " + title if title == _newcomer else title
+	button.tooltip_text = _explain(title)
 	button.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
 	button.icon = get_theme_icon(&"Object", &"EditorIcons")
 	var width := int(THUMBNAIL * EditorInterface.get_editor_scale())
 	button.add_theme_constant_override(&"icon_max_width", width)
 	button.toggled.connect(_on_species_toggled.bind(title))
 	_species.add_child(button)
-	if entry.species:
+	if function:
 		EditorInterface.get_resource_previewer().queue_edited_resource_preview(
-			entry.species, self, &"_on_thumbnail_ready", title
+			function, self, &"_on_thumbnail_ready", title
 		)
+
+
+func _explain(title: String) -> String:
+	if title == _newcomer:
+		return tr("Picked in the dock. Painting adds it to the field.")
+	return tr("Paint %s. Where none is chosen, all are.") % title
 
 
 func _on_thumbnail_ready(
