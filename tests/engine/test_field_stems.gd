@@ -169,6 +169,50 @@ func test_tips_are_those_of_a_plant_alone_in_the_same_state() -> void:
 	alone.free()
 
 
+func test_a_blow_wakes_the_second_mode_of_a_field_and_its_state_comes_back() -> void:
+	field.species[0].species.stem.modes = 2
+	await start()
+	await step(20)
+	var id := field.get_plant_ids()[7]
+	check_equal(_second_of(id), 0.0, "second mode of a field that nobody pushes")
+	var place := field.get_plant_transform(id).origin
+	field.apply_impulse_in_sphere(place, 0.01, Vector3(0.003, 0, 0))
+	await step(4)
+	field.simulation_enabled = false
+	await frames(2)
+	check(_second_of(id) > 1e-4, "it is bent by %f" % _second_of(id))
+	var state := field.get_motion_state([id])
+	check_equal(state.size(), 12, "numbers")
+	var tip := field.get_tip_position(id)
+	field.reset_motion()
+	check_equal(_second_of(id), 0.0, "second mode at rest")
+	field.set_motion_state([id], state)
+	var back := field.get_motion_state([id])
+	for i in 12:
+		check_near(back[i], state[i], 2e-3 * maxf(1.0, absf(state[i])), "number %d" % i)
+	check_near(field.get_tip_position(id), tip, TIP_TOLERANCE, "tip")
+
+
+func test_a_camera_wakes_the_second_mode_only_where_distance_matters() -> void:
+	field.species[0].species.stem.modes = 2
+	field.far_distance = 0.0
+	_camera = Camera3D.new()
+	root.add_child(_camera)
+	_camera.position = Vector3(0, 1.7, 0)
+	await start()
+	await step(40)
+	var id := field.get_plant_ids()[7]
+	check_equal(_second_of(id), 0.0, "second mode where the distance does not matter")
+	field.far_distance = 25.0
+	await step(40)
+	check(_second_of(id) > 0.0, "second mode near a camera")
+
+
+func _second_of(id: int) -> float:
+	var state := field.get_motion_state([id])
+	return Vector3(state[6], state[7], state[8]).length()
+
+
 func test_what_stems_are_made_of_keeps_plants_and_their_motion() -> void:
 	await start()
 	await step(30)

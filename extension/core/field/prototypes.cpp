@@ -51,6 +51,7 @@ Prototypes::Prototypes(int species_index, const MotionSpecies &species, int coun
 		longest(species.longest),
 		lean(species.lean),
 		ring(2 * static_cast<std::size_t>(SLOTS * MOST)) {
+	page.set_modes(1);
 	remember_rest();
 }
 
@@ -88,10 +89,12 @@ void Prototypes::set_species(const MotionSpecies &species) {
 			species.lean != lean;
 	if (!respread) {
 		page.set_species(species);
+		page.set_modes(1);
 		return;
 	}
 	const int all = count();
 	MotionPage spread(page.species(), species, spread_plants(species, all).data(), all, page.step_length(), true);
+	spread.set_modes(1);
 	for (int i = 0; i < all; i++) {
 		spread.set_state(i, page.state(i));
 	}

@@ -18,7 +18,8 @@ struct Follower {
 };
 
 /// The few plants of a species that are simulated for all others (thesis, section 5.3.1), and what they did in the last
-/// SLOTS steps. Lengths are spread from the species' shortest to its longest, lean directions around the circle.
+/// SLOTS steps. Stems of two modes show one, in the shape of a steady wind: a second one's history would take as much
+/// again of the texture and of what the graphics card reads for each vertex. Lengths are spread from the species' shortest to its longest, lean directions around the circle.
 class Prototypes {
 public:
 	static constexpr int MOST = 64;

@@ -193,6 +193,9 @@ void MotionPage::step_block(const KernelSet &set, int begin, int count, const Pl
 	} else if (kind.law == Law::stem) {
 		const StemPage block = stem_page(begin);
 		set.step_stem(block, count, winds, air);
+		if (easing > 0.0f && modes() == 2) {
+			ease_modes(begin, count);
+		}
 		if (block_pairs) {
 			Bend *seconds = second_pairs.empty() ? nullptr : second_pairs.data() + 2 * static_cast<std::size_t>(begin);
 			set.encode_stem(block, count, block_pairs, seconds);
@@ -225,6 +228,7 @@ void MotionPage::step(const TravellingWind &wind, const PlantWinds &along, SimdL
 		}
 		step_block(set, begin, count, winds, air);
 	}
+	easing = 0.0f;
 }
 
 void MotionPage::interpolate(float alpha, glm::vec3 *out) const {
