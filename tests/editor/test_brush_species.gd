@@ -61,6 +61,35 @@ func test_what_grows_there_already_is_only_chosen() -> void:
 	_species_button(GRASS).button_pressed = false
 
 
+func test_many_species_are_chosen_in_a_menu() -> void:
+	var field := await _edited_field()
+	var entries: Array[PlantFieldSpecies] = []
+	for file: String in ["poppy", "yarrow", "wheat", "barley"]:
+		var path := "res://addons/undergrowth/species/%s.tres" % file
+		entries.append(PlantFieldSpecies.of(load(path) as PlantFunction))
+	await _choose_only(field.get_parent())
+	field.species = entries
+	field.map = PlantMap.new()
+	await _choose_only(field)
+	await _choose_tool("Paint")
+	var menu := _bar().get_node("%SpeciesMenu") as MenuButton
+	check(menu.visible, "the menu is there")
+	check(not (_bar().get_node("%Species") as Control).visible, "buttons are not")
+	check_equal(menu.get_popup().item_count, 4, "species in it")
+	check_equal(menu.text, "All Species", "none is chosen")
+	menu.get_popup().index_pressed.emit(0)
+	check_equal(menu.text, POPPY, "one is chosen")
+	menu.get_popup().index_pressed.emit(2)
+	check_equal(menu.text, "2 Species", "two are chosen")
+	await click(_view(), _place_of(field, FROM))
+	var painted := field.map.get_painted_species()
+	check_equal(painted, PackedStringArray(["Poppy", "Wheat"]), "what is painted")
+	menu.get_popup().index_pressed.emit(0)
+	menu.get_popup().index_pressed.emit(2)
+	check_equal(menu.text, "All Species", "none is chosen again")
+	await _choose_tool("Paint")
+
+
 func test_only_painting_adds_a_species() -> void:
 	var field := await _edited_field()
 	await _pick(POPPY)

@@ -4,12 +4,15 @@ extends HBoxContainer
 ## from.
 
 const BrushOptions := preload("brush_options.gd")
+const SpeciesMenu := preload("species_menu.gd")
 const Translations := preload("../translations/translations.gd")
 
 ## The editor's own icons, by tool.
 const ICONS: Array[StringName] = [&"", &"Paint", &"Eraser", &"ExpandTree", &"ColorPick"]
 ## In pixels at 100 %.
 const THUMBNAIL := 24
+## More species than these are in a menu.
+const MOST_BUTTONS := 3
 
 var _options: BrushOptions
 # The names of the buttons of species, in their order.
@@ -25,6 +28,7 @@ var _newcomer := ""
 @onready var _density: EditorSpinSlider = %Density
 @onready var _plant_height: EditorSpinSlider = %PlantHeight
 @onready var _species: HBoxContainer = %Species
+@onready var _menu: SpeciesMenu = %SpeciesMenu
 
 
 ## Shows and changes [param options].
@@ -38,6 +42,7 @@ func setup(options: BrushOptions) -> void:
 	_falloff.value_changed.connect(func(share: float) -> void: _options.falloff = share)
 	_density.value_changed.connect(func(share: float) -> void: _options.density = share)
 	_plant_height.value_changed.connect(func(factor: float) -> void: _options.height = factor)
+	_menu.chosen.connect(_choose)
 	for slider: Control in _numbers.get_children():
 		slider.custom_minimum_size.x *= EditorInterface.get_editor_scale()
 	options.changed.connect(_show)
@@ -65,6 +70,7 @@ func show_field(field: PlantField3D, newcomer: PlantFunction = null, title := ""
 	for button in _species.get_children():
 		button.queue_free()
 		_species.remove_child(button)
+	_menu.fill(names, title)
 	for i in names.size():
 		_add_species(functions[i], names[i])
 	_show()
@@ -87,7 +93,7 @@ func _add_species(function: PlantFunction, title: String) -> void:
 	button.icon = get_theme_icon(&"Object", &"EditorIcons")
 	var width := int(THUMBNAIL * EditorInterface.get_editor_scale())
 	button.add_theme_constant_override(&"icon_max_width", width)
-	button.toggled.connect(_on_species_toggled.bind(title))
+	button.toggled.connect(func(is_on: bool) -> void: _choose(title, is_on))
 	_species.add_child(button)
 	if function:
 		EditorInterface.get_resource_previewer().queue_edited_resource_preview(
@@ -107,9 +113,10 @@ func _on_thumbnail_ready(
 	var at := _names.find(title)
 	if preview and at >= 0 and at < _species.get_child_count():
 		(_species.get_child(at) as Button).icon = preview
+		_menu.show_picture(title, preview)
 
 
-func _on_species_toggled(is_on: bool, title: String) -> void:
+func _choose(title: String, is_on: bool) -> void:
 	var chosen := _options.species.duplicate()
 	if is_on and not title in chosen:
 		chosen.append(title)
@@ -128,7 +135,9 @@ func _show() -> void:
 		_tools[tool].set_pressed_no_signal(_options.tool == tool)
 	var paints := _options.tool not in [BrushOptions.Tool.NONE, BrushOptions.Tool.PICK]
 	_numbers.visible = paints
-	_species.visible = paints
+	_species.visible = paints and _names.size() <= MOST_BUTTONS
+	_menu.visible = paints and _names.size() > MOST_BUTTONS
+	_menu.show_painted(_options.species)
 	_density.visible = _options.tool == BrushOptions.Tool.PAINT
 	_plant_height.visible = _options.tool == BrushOptions.Tool.HEIGHT
 	_radius.set_value_no_signal(_options.radius)
@@ -147,6 +156,7 @@ func _translate() -> void:
 	_falloff.label = tr("Falloff")
 	_density.label = tr("Density")
 	_plant_height.label = tr("Height")
+	_menu.show_painted(_options.species)
 
 
 func _dress() -> void:
