@@ -38,7 +38,7 @@ void PoseTexture::write_beside(const FieldSimulation &simulation, int page) {
 	if (!has_rows(page)) {
 		return;
 	}
-	pages[size_t(page)].interval = -1.0f; // Sent anew.
+	pages[size_t(page)].rate_time = -1.0f; // Sent anew.
 	has_new_rows = true;
 	if (simulation.page(page).has_second_bends()) {
 		add_beside(layer_of(page), &Beside::seconds);
@@ -57,7 +57,7 @@ void PoseTexture::set_height(int page, int row, float share) {
 	}
 	if (beside(rows.layer).heights < 0) {
 		for (Page &other : pages) { // All that share the layer are told of it.
-			other.interval = other.rows.layer == rows.layer ? -1.0f : other.interval;
+			other.rate_time = other.rows.layer == rows.layer ? -1.0f : other.rate_time;
 		}
 		has_new_rows = draws_heights = true;
 	}
@@ -98,15 +98,15 @@ void PoseTexture::upload_beats(const FieldSimulation &simulation) {
 	has_new_rows = false;
 	for (int number = 0; number < int(pages.size()); number++) {
 		Page &page = pages[size_t(number)];
-		if (!has_rows(number) || simulation.shown_interval(number) == page.interval) {
+		if (!has_rows(number) || simulation.rate_time(number) == page.rate_time) {
 			continue;
 		}
-		page.interval = simulation.shown_interval(number);
+		page.rate_time = simulation.rate_time(number);
 		const Beside layers_beside = beside(page.rows.layer);
 		const bool has_seconds = simulation.page(number).has_second_bends();
 		float *to = beats_sent.data() + BEAT_FLOATS * (size_t(page.rows.layer) * SIDE + size_t(page.rows.first));
 		for (int row = 0; row < page.rows.count; row++) {
-			*to++ = 1.0f / page.interval;
+			*to++ = 1.0f / page.rate_time;
 			*to++ = float(layers_beside.rests);
 			*to++ = has_seconds ? float(layers_beside.seconds) : -1.0f;
 			*to++ = float(layers_beside.heights);
