@@ -40,6 +40,28 @@ func test_a_rotor_blows_outward_while_it_is_active() -> void:
 	check((plants[0] as Plant3D).get_deflection() < 0.002, "upright when it is off")
 
 
+func test_a_rotor_moves_plants_that_follow_prototypes() -> void:
+	var field := PlantField3D.new()
+	field.density = 0.0
+	field.prototypes = 16
+	_add(field)
+	var places: Array[Transform3D] = []
+	for x: float in [5.0, -5.0, 200.0]:
+		places.append(Transform3D(Basis.IDENTITY, Vector3(x, 0, 0)))
+	var ids := field.add_plants(places, _species())
+	var rotor := _add_source(PlantWindSource3D.KIND_FAN, Vector3(0, 5, 0))
+	rotor.thrust = 3000.0
+	await frames(240)
+	var bends: Array[float] = []
+	for i in 3:
+		bends.append(field.get_tip_position(ids[i]).x - places[i].origin.x)
+	check(bends[0] > 0.02 and bends[1] < -0.02, "both lean outward: %s" % str(bends))
+	check_near(bends[2], 0.0, 1e-4, "out of reach")
+	rotor.active = false
+	await frames(900)
+	check(absf(field.get_tip_position(ids[0]).x - 5.0) < 0.002, "upright when it is off")
+
+
 func test_a_body_draws_a_wake_along() -> void:
 	var plant := _add_plant(Vector3(1.5, 0, 0))
 	var body := _add_source(PlantWindSource3D.KIND_WAKE, Vector3(0, 0.5, -8))

@@ -5,6 +5,17 @@ using namespace undergrowth;
 namespace {
 
 constexpr int SPOILT = 4; // One species in so many has numbers that nothing should have.
+constexpr int LARGE = 24; // One in so many grows as large as it comes; the others have few parts of each kind.
+
+/// What a species costs goes with how many parts it has, what it can break with how many species are tried.
+void make_few(Arrangement &arrangement, Chance &chance) {
+	const int most = chance.whole(1, 3);
+	if (arrangement.count_min <= MAX_PARTS &&
+			arrangement.count_max <= MAX_PARTS) { // Others are refused, and are to be.
+		arrangement.count_min = std::min(arrangement.count_min, most);
+		arrangement.count_max = std::min(arrangement.count_max, most);
+	}
+}
 
 int any_stem(Chance &chance, bool is_spoilt, Growth &growth) {
 	int stem = ON_GROUND;
@@ -22,8 +33,11 @@ int any_stem(Chance &chance, bool is_spoilt, Growth &growth) {
 	return stem;
 }
 
-void grow_recipe(Chance &chance, bool is_spoilt, Growth &growth) {
+void grow_recipe(Chance &chance, bool is_spoilt, bool is_large, Growth &growth) {
 	Recipe recipe = any_recipe(chance);
+	if (!is_large) {
+		recipe.lines.resize(std::min(recipe.lines.size(), static_cast<size_t>(chance.whole(1, 3))));
+	}
 	if (is_spoilt) {
 		spoil(recipe.kinds[static_cast<size_t>(chance.whole(0, static_cast<int>(recipe.kinds.size()) - 1))], chance);
 		for (RecipeLine &line : recipe.lines) {
@@ -32,6 +46,11 @@ void grow_recipe(Chance &chance, bool is_spoilt, Growth &growth) {
 				line.on = chance.whole(-2, static_cast<int>(recipe.lines.size()));
 				line.kind = chance.whole(-1, static_cast<int>(recipe.kinds.size()));
 			}
+		}
+	}
+	for (RecipeLine &line : recipe.lines) {
+		if (!is_large) {
+			make_few(line.arrangement, chance);
 		}
 	}
 	grow(recipe, any_stem(chance, is_spoilt, growth), growth);
@@ -52,9 +71,10 @@ std::vector<int> any_carriers(Chance &chance, bool is_spoilt, const Growth &grow
 }
 
 /// As a script that loops over its parts: many arrangements of a few parts each.
-void grow_by_hand(Chance &chance, bool is_spoilt, Growth &growth) {
+void grow_by_hand(Chance &chance, bool is_spoilt, bool is_large, Growth &growth) {
 	any_stem(chance, is_spoilt, growth);
-	const int steps = chance.one_in(300) ? chance.whole(100, 700) : chance.whole(1, chance.one_in(8) ? 30 : 8);
+	const int usual = is_large ? chance.whole(1, chance.one_in(8) ? 30 : 8) : chance.whole(1, 3);
+	const int steps = is_large && chance.one_in(20) ? chance.whole(100, 700) : usual;
 	const bool is_alike = chance.one_in(2); // One kind for all.
 	int kind = -1;
 	for (int i = 0; i < steps; i++) {
@@ -72,6 +92,9 @@ void grow_by_hand(Chance &chance, bool is_spoilt, Growth &growth) {
 		if (is_spoilt && chance.one_in(6)) {
 			spoil(arrangement, chance);
 		}
+		if (!is_large) {
+			make_few(arrangement, chance);
+		}
 		std::vector<int> handles;
 		growth.arrange(kind, arrangement, any_carriers(chance, is_spoilt, growth), handles);
 	}
@@ -82,10 +105,11 @@ void grow_by_hand(Chance &chance, bool is_spoilt, Growth &growth) {
 bool grow_any_plant(Chance &chance, uint64_t seed, PlantForm &form) {
 	Growth growth(chance.spread(1e-2f, 50.0f), seed);
 	const bool is_spoilt = chance.one_in(SPOILT);
+	const bool is_large = chance.one_in(LARGE);
 	if (chance.one_in(4)) {
-		grow_by_hand(chance, is_spoilt, growth);
+		grow_by_hand(chance, is_spoilt, is_large, growth);
 	} else {
-		grow_recipe(chance, is_spoilt, growth);
+		grow_recipe(chance, is_spoilt, is_large, growth);
 	}
 	form = growth.finish();
 	return !form.placed.empty();

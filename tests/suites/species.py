@@ -1,9 +1,9 @@
 """Species of random numbers grown, measured, planned, drawn and bent under AddressSanitizer and UBSan (tests/species). Not
 among the suites of the plain test: `./run test suites=species`.
 
-SPECIES_COUNT says how many (2000: minutes; a processor tries 3 to 10 a second), SPECIES_SEED with which seed they begin (0). A seed that
-fails is told; SPECIES_SEED=it SPECIES_COUNT=1 tries it alone. Each processor has its share of the seeds. How far each is
-stands in build/test/species-N.log.
+SPECIES_COUNT says how many (2000; a processor of its own tries about 180 a second), SPECIES_SEED with which seed they
+begin (0). A seed that fails is told; SPECIES_SEED=it SPECIES_COUNT=1 tries it alone. Each processor has its share of the
+seeds. How far each is stands in build/test/species-N.log.
 """
 
 import os

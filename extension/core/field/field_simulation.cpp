@@ -43,6 +43,7 @@ int FieldSimulation::add_species(const MotionSpecies &species) {
 	if (options.prototypes > 0) {
 		models.emplace_back(species_count() - 1, species, options.prototypes, options.step);
 		loose.emplace_back(species_count() - 1, species, options.step);
+		stirred.emplace_back();
 	}
 	return species_count() - 1;
 }

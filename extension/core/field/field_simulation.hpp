@@ -4,6 +4,7 @@
 #include "field/follow_delays.hpp"
 #include "field/loose_plants.hpp"
 #include "field/prototypes.hpp"
+#include "field/speed_counts.hpp"
 #include "motion/bodies.hpp"
 #include "motion/motion_page.hpp"
 #include "motion/part_bend.hpp"
@@ -65,7 +66,8 @@ public:
 	/// go over to new delays within a second (FollowDelays).
 	void set_wind(const FieldWind &wind);
 	const FieldWind &wind() const { return blowing; }
-	/// What stirs the air in the coming steps, in the axes of the field. Followers do not feel it.
+	/// What stirs the air in the coming steps, in the axes of the field. Followers that feel it swing by themselves
+	/// meanwhile, and until they have rung down (LoosePlants); where these are too many, those that feel it most.
 	void set_air_sources(const std::vector<AirSource> &sources);
 	/// Takes effect at each page's next step.
 	void set_update_interval(int steps);
@@ -116,9 +118,12 @@ public:
 	glm::vec2 rest_bend(int page, int index) const;
 	/// Whether plants of a page are of parts.
 	bool has_parts(int page) const { return kinds[static_cast<std::size_t>(at(page).page.species())].has_parts; }
-	/// From a plant's bend before to its bend after, as they are drawn (s).
-	float shown_interval(int page) const {
-		return models.empty() ? static_cast<float>(beat(page).interval) * options.step : options.step;
+	/// What the change from a plant's bend before to its bend after is divided by to be the rate that its parts lag
+	/// behind (s): the time between both, times how many steps that is. The rate jumps from each pair of bends to the
+	/// next, the farther the more steps there are between them, and parts are to go as evenly as at every step.
+	float rate_time(int page) const {
+		const auto steps = static_cast<float>(models.empty() ? beat(page).interval : 1);
+		return steps * steps * options.step;
 	}
 	/// The same as a unit direction.
 	glm::vec3 shown_direction(int page, int index, float fraction) const {
@@ -192,6 +197,7 @@ private:
 	std::vector<MotionSpecies> kinds;
 	std::vector<Prototypes> models; ///< One for each species, or none.
 	std::vector<LoosePlants> loose; ///< As many.
+	std::vector<SpeedCounts> stirred; ///< As many; of the present step.
 	std::vector<Entry> entries;
 	std::vector<Beat> beats; ///< As many.
 	std::vector<int> changed;
@@ -233,6 +239,8 @@ private:
 	void follow_again(Entry &entry, int index);
 	void step_loose();
 	void push_followers(int page, const MovingBody &body);
+	template <class Visit> void for_each_stirred(const Visit &visit);
+	void stir_followers();
 };
 
 } // namespace undergrowth

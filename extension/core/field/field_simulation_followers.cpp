@@ -1,15 +1,19 @@
-// The plants of a FieldSimulation that follow prototypes, and those of them that were pushed.
+// The plants of a FieldSimulation that follow prototypes, and those of them that were pushed or stirred.
 
 #include "field/field_simulation.hpp"
 
 #include "base/random.hpp"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cstring>
 
 namespace undergrowth {
+
+/// Steps from one look at whom sources of air stir to the next.
+static constexpr int64_t STIRRED_EVERY = 3;
 
 /// The prototypes' lead and the delays, for the wind and the box of all plants.
 void FieldSimulation::update_delays() {
@@ -148,7 +152,9 @@ void FieldSimulation::step_loose() {
 			continue;
 		}
 		const double moment = static_cast<double>(next_step - 1) + some.page().wind_moment();
-		some.step(wind_at_time(blowing, along, moment * static_cast<double>(options.step)), along);
+		TravellingWind now = wind_at_time(blowing, along, moment * static_cast<double>(options.step));
+		now.sources = { stirring.data(), static_cast<int>(stirring.size()) };
+		some.step(now, along);
 		for (int number = some.count() - 1; number >= 0; number--) {
 			Entry &entry = at(some.page_of(number));
 			const int index = some.index_of(number);
@@ -162,6 +168,56 @@ void FieldSimulation::step_loose() {
 			push_followers(page, body);
 		}
 	}
+	stir_followers();
+}
+
+/// visit(entry, index, speed) for each follower at which sources move the air by so many m/s that it matters.
+template <class Visit> void FieldSimulation::for_each_stirred(const Visit &visit) {
+	for (Entry &entry : entries) {
+		const MotionPage &page = entry.page;
+		const auto is_near = [&](const AirSource &source) { return reaches(source, page.low(), page.high()); };
+		if (!std::any_of(stirring.begin(), stirring.end(), is_near)) {
+			continue;
+		}
+		for (int i = 0; i < page.size(); i++) {
+			const glm::vec3 root = page.root(i);
+			glm::vec2 sum(0.0f);
+			for (const AirSource &source : stirring) {
+				const glm::vec3 added = velocity_at(source, root);
+				sum += glm::vec2(added.x, added.z);
+			}
+			const float speed = glm::length(sum);
+			if (speed >= SpeedCounts::LEAST && !page.is_gone(i)) {
+				visit(entry, i, speed);
+			}
+		}
+	}
+}
+
+/// Those at which the air is stirred most swing by themselves from now on, or go on doing so.
+void FieldSimulation::stir_followers() {
+	if (stirring.empty() || models.empty() || next_step % STIRRED_EVERY != 0) {
+		return;
+	}
+	for (SpeedCounts &counts : stirred) {
+		counts.clear();
+	}
+	const auto number = [](const Entry &entry) { return static_cast<std::size_t>(entry.page.species()); };
+	for_each_stirred([&](const Entry &entry, int, float speed) { stirred[number(entry)].add(speed); });
+	for (SpeedCounts &counts : stirred) {
+		counts.choose(LoosePlants::MOST);
+	}
+	for_each_stirred([&](Entry &entry, int index, float speed) {
+		if (speed < stirred[number(entry)].chosen()) {
+			return;
+		}
+		const uint16_t own = entry.followers[static_cast<std::size_t>(index)].loose;
+		if (own > 0) {
+			loose_of(entry).hold(own - 1);
+		} else {
+			push_follower(entry, index, state(number_of(entry), index));
+		}
+	});
 }
 
 void FieldSimulation::push_followers(int page, const MovingBody &body) {

@@ -95,7 +95,7 @@ StemMotion FieldSimulation::shown_stem(int page, int index, float fraction) cons
 	const BendWay way = shown_way(page, index, fraction);
 	StemMotion stem;
 	stem.bend = way.bend;
-	stem.rate = way.change / shown_interval(page);
+	stem.rate = way.change / rate_time(page);
 	stem.rest = rest_bend(page, index);
 	const MotionPage &plants = at(page).page;
 	if (plants.has_second_bends()) {

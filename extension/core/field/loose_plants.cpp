@@ -49,6 +49,14 @@ float LoosePlants::grow_older(int number, const glm::vec3 &followed) {
 	return share;
 }
 
+void LoosePlants::hold(int number) {
+	Place &place = places[static_cast<std::size_t>(number)];
+	if (static_cast<float>(place.age) * step_time > ALONE) {
+		swinging.set_state(number, shown_state(number));
+	}
+	place.age = 0;
+}
+
 void LoosePlants::push(int number, const TipState &state) {
 	places[static_cast<std::size_t>(number)].age = 0;
 	swinging.set_state(number, state);

@@ -7,11 +7,12 @@
 
 namespace undergrowth {
 
-/// Plants of one species that follow a prototype, but were pushed: each swings by itself from what it showed, and goes
-/// back bit by bit to what its prototype shows when it has rung down. How much they cost is bounded by their number.
+/// Plants of one species that follow a prototype, but were pushed or stirred: each swings by itself from what it
+/// showed, and goes back bit by bit to what its prototype shows when it has rung down. How much they cost is bounded by
+/// their number.
 class LoosePlants {
 public:
-	/// At a time; whoever comes then is not pushed. A layer of 64 by 64 texels.
+	/// At a time; whoever comes then is not moved. A layer of 64 by 64 texels.
 	static constexpr int MOST = MotionPage::PAGE_PLANTS;
 	static constexpr float ALONE = 3.0f; ///< s after the last push until it begins to go back.
 	static constexpr float GOING_BACK = 1.5f; ///< s.
@@ -37,6 +38,8 @@ public:
 	/// A step later than at the last push. Tells how much of `followed`, the unit direction that its prototype shows,
 	/// it shows from now on (0 to 1), and shows it.
 	float grow_older(int number, const glm::vec3 &followed);
+	/// A plant that is still moved swings on by itself, from what it shows.
+	void hold(int number);
 	/// Puts a plant that was pushed into a state.
 	void push(int number, const TipState &state);
 

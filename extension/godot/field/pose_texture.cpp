@@ -78,7 +78,7 @@ void PoseTexture::give_rows(int page, int plants) {
 	} else {
 		own.rows = find_rows(count);
 	}
-	own.share = own.interval = -1.0f;
+	own.share = own.rate_time = -1.0f;
 	has_new_rows = true;
 	forget_heights(own.rows);
 }
@@ -196,7 +196,7 @@ bool PoseTexture::make_textures() {
 	beat_texture = server->texture_2d_create(beat_image);
 	std::fill(is_fresh.begin(), is_fresh.end(), uint8_t(0));
 	for (Page &page : pages) {
-		page.share = page.interval = -1.0f;
+		page.share = page.rate_time = -1.0f;
 	}
 	has_new_rows = true;
 	textured_layers = layers.size();

@@ -16,7 +16,7 @@ namespace undergrowth {
 
 /// The textures that carry the plants' poses to the graphics card. A texel belongs to a plant: its bends before and
 /// after its last step, in layers of 64 by 64 texels; a page of plants has whole rows of one layer. A second texture
-/// has a blend for each row, a third one how many steps a second it takes, which layer says where its plants rest,
+/// has a blend for each row, a third one what makes rates of changes of bends, which layer says where its plants rest,
 /// which one the bends of their stems' second modes, and which one how much of its height each has lost: plants of
 /// parts and stems have the one as soon as one of them does not rest upright, stems of two modes the other. Where
 /// plants follow prototypes, a texel says whom and how late instead, and each species has 16 layers for the history of
@@ -84,7 +84,7 @@ public:
 
 private:
 	static constexpr int SPARE_LAYERS = 2; ///< So that plants which are added seldom need another texture.
-	static constexpr size_t BEAT_FLOATS = 4; ///< Of a row: steps a second, layers of rests, second modes, heights.
+	static constexpr size_t BEAT_FLOATS = 4; ///< Of a row: 1 over rate_time(), layers of rests, second modes, heights.
 	static constexpr size_t TEXEL_BYTES = 2 * sizeof(Bend);
 	struct Rows {
 		int layer = -1; ///< -1: none.
@@ -94,7 +94,7 @@ private:
 	struct Page {
 		Rows rows;
 		float share = -1.0f; ///< The blend that was sent.
-		float interval = -1.0f; ///< s, of the steps that was sent.
+		float rate_time = -1.0f; ///< s, FieldSimulation::rate_time() that was sent.
 		bool has_seconds = false; ///< As was sent.
 		std::vector<uint16_t> hidden; ///< Plants that are gone, or that others show.
 	};
@@ -104,7 +104,7 @@ private:
 	std::vector<uint64_t> free_rows; ///< By layer: a bit for each row.
 	std::vector<uint8_t> is_fresh; ///< By layer: written and not yet sent.
 	std::vector<Page> pages; ///< By the simulation's numbers.
-	bool has_new_rows = false; ///< Pages whose interval was not sent.
+	bool has_new_rows = false; ///< Pages whose beat was not sent.
 	std::vector<int> histories; ///< By species: their first layers.
 	godot::Ref<godot::Image> blend_image;
 	std::vector<float> shares; ///< What `blend_image` holds.

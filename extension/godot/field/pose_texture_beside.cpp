@@ -38,7 +38,7 @@ void PoseTexture::write_beside(const FieldSimulation &simulation, int page) {
 	if (!has_rows(page)) {
 		return;
 	}
-	pages[size_t(page)].interval = -1.0f; // Sent anew.
+	pages[size_t(page)].rate_time = -1.0f; // Sent anew.
 	has_new_rows = true;
 	if (simulation.page(page).has_second_bends()) {
 		give_seconds(simulation, page);
@@ -63,7 +63,7 @@ void PoseTexture::set_height(int page, int row, float share) {
 	}
 	if (beside(rows.layer).heights < 0) {
 		for (Page &other : pages) { // All that share the layer are told of it.
-			other.interval = other.rows.layer == rows.layer ? -1.0f : other.interval;
+			other.rate_time = other.rows.layer == rows.layer ? -1.0f : other.rate_time;
 		}
 		has_new_rows = draws_heights = true;
 	}
@@ -105,16 +105,16 @@ void PoseTexture::upload_beats(const FieldSimulation &simulation) {
 	for (int number = 0; number < int(pages.size()); number++) {
 		Page &page = pages[size_t(number)];
 		const bool has_seconds = has_rows(number) && simulation.page(number).has_second_bends();
-		const bool are_same = has_rows(number) && simulation.shown_interval(number) == page.interval;
+		const bool are_same = has_rows(number) && simulation.rate_time(number) == page.rate_time;
 		if (!has_rows(number) || (are_same && has_seconds == page.has_seconds)) {
 			continue;
 		}
-		page.interval = simulation.shown_interval(number);
+		page.rate_time = simulation.rate_time(number);
 		page.has_seconds = has_seconds;
 		const Beside layers_beside = beside(page.rows.layer);
 		float *to = beats_sent.data() + BEAT_FLOATS * (size_t(page.rows.layer) * SIDE + size_t(page.rows.first));
 		for (int row = 0; row < page.rows.count; row++) {
-			*to++ = 1.0f / page.interval;
+			*to++ = 1.0f / page.rate_time;
 			*to++ = float(layers_beside.rests);
 			*to++ = has_seconds ? float(layers_beside.seconds) : -1.0f;
 			*to++ = float(layers_beside.heights);
