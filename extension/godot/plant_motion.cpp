@@ -68,8 +68,7 @@ void PlantMotion::set_swing(const PlantSwing &swing) {
 			return;
 		}
 		const StemSecond second = { to_frame(frame(), swing.second.bend), to_frame(frame(), swing.second.rate) };
-		page.set_state(
-				index(), { to_frame(frame(), swing.now.direction), to_frame(frame(), swing.now.rate) }, second);
+		page.set_state(index(), { to_frame(frame(), swing.now.direction), to_frame(frame(), swing.now.rate) }, second);
 		page.set_before(index(), to_frame(frame(), swing.before));
 	} else {
 		parked = swing;

@@ -129,7 +129,9 @@ func _compare(
 	_blow(species, slope)
 	var id := _field.add_plants([place], species)[0]
 	if pushed:
-		_field.apply_impulse_in_sphere(_field.global_transform * place.origin, 1.0, Vector3.UP * 1e-9)
+		_field.apply_impulse_in_sphere(
+			_field.global_transform * place.origin, 1.0, Vector3.UP * 1e-9
+		)
 	for i in steps:
 		_field._preview(STEP, _wind)
 	var in_field := await picture()

@@ -43,6 +43,20 @@ func test_strokes_touch_what_they_change_and_nothing_else() -> void:
 	check(stayed < ids.size() - 40, "%d of %d stay" % [stayed, ids.size()])
 
 
+func test_newcomers_that_are_erased_are_drawn_no_more() -> void:
+	field.map = map
+	root.add_child(field)
+	await rested()
+	map.paint(Vector3(3, 0, 3), 3.0, TULIP, 1.0, 0.0)
+	await rested()
+	check_equal(_drawn(), field.get_plant_count(), "newcomers are drawn")
+	check(field.get_plant_count() > 50, "%d newcomers" % field.get_plant_count())
+	map.erase(Vector3(3, 0, 3), 4.0, TULIP, 1.0, 0.0)
+	await rested()
+	check_equal(field.get_plant_count(), 0, "plants")
+	check_equal(_drawn(), 0, "plants that are drawn")
+
+
 func test_the_same_plants_stand_after_strokes_as_where_it_is_filled_at_once() -> void:
 	_fill_all(0.5)
 	field.map = map
@@ -174,3 +188,10 @@ func _plants() -> Dictionary:
 			field.get_plant_species(id).get_class(),
 		]
 	return found
+
+
+func _drawn() -> int:
+	var count := 0
+	for at_level: int in field.get_statistics()["drawn_by_level"]:
+		count = maxi(count, at_level)
+	return count

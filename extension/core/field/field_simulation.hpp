@@ -75,8 +75,8 @@ public:
 	int page_interval(int page) const;
 	/// Whether somebody looks at a page from near. Stems of two modes (StemConstants::modes) step both while that is
 	/// so, and while bodies, blows or contact push plants of their page, and LoosePlants::ALONE after it; then they go
-	/// back, within LoosePlants::GOING_BACK, to the one that is half the work. Who is pushed has the second at once, who
-	/// is seen from near bit by bit. Followers have one.
+	/// back, within LoosePlants::GOING_BACK, to the one that is half the work. Who is pushed has the second at once,
+	/// who is seen from near bit by bit. Followers have one.
 	void set_page_near(int page, bool is_near) { beat(page).is_near = is_near; }
 	/// In which of the steps of its interval a page is due; its number, unless this says otherwise. Pages whose poses
 	/// are sent together are best due together. Before the page's first step.

@@ -19,7 +19,8 @@ int column_count(bool swings, bool keeps_directions, const MotionSpecies &specie
 		return static_cast<int>(STILL_COLUMNS);
 	}
 	if (species.law == Law::stem) {
-		return stem_columns(species.stem.modes, keeps_directions);
+		const int modes = species.stem.modes;
+		return stem_columns(modes, keeps_directions) + (species.stem.has_grades() ? graded_columns(modes) : 0);
 	}
 	return keeps_directions ? static_cast<int>(REMEMBERING_COLUMNS) : static_cast<int>(SWINGING_COLUMNS);
 }
@@ -131,7 +132,8 @@ void MotionPage::remove(int index) {
 bool MotionPage::has_same_columns(const MotionSpecies &species) const {
 	return species.law == kind.law &&
 			(kind.law != Law::stem ||
-					(species.stem.modes == whole.modes && species.stem.mode[0].tip_slope == whole.mode[0].tip_slope));
+					(species.stem.modes == whole.modes && species.stem.has_grades() == whole.has_grades() &&
+							species.stem.mode[0].tip_slope == whole.mode[0].tip_slope));
 }
 
 void MotionPage::set_species(const MotionSpecies &species) {
@@ -212,7 +214,8 @@ void MotionPage::put_modes(int index, const StemConstants &from) {
 	divide_tip(kind.stem, tip_bend(from, was), is.place);
 	divide_tip(kind.stem, rate, is.rate);
 	put_stem(index, safe_stem(kind.stem, is));
-	for (std::size_t bend = 2 * static_cast<std::size_t>(index); bend < 2 * static_cast<std::size_t>(index) + 2; bend++) {
+	for (std::size_t bend = 2 * static_cast<std::size_t>(index); bend < 2 * static_cast<std::size_t>(index) + 2;
+			bend++) {
 		put_pair_of_modes(bend, rest_bend(index));
 	}
 }

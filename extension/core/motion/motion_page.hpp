@@ -191,7 +191,8 @@ private:
 	SpringConstants spring = {};
 	ElasticityConstants elasticity = {};
 	StemStep stems = {};
-	float most_load_scale = 1.0f; ///< Of the stem law: none of LOAD_SCALE is above it.
+	float most_load_scale = 1.0f; ///< Of the stem law: none of LOAD_SCALE is above it, eased or not.
+	float fastest = 1.0f; ///< Of graded stems, over the species'.
 	bool has_leaning = false; ///< Of the stem law: some rest direction may not be upright.
 	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
@@ -207,6 +208,9 @@ private:
 	/// Of the plants from `begin` on, or up to `end`.
 	void update_constants(int begin) { update_constants(begin, size()); }
 	void update_constants(int begin, int end);
+	bool is_graded() const { return kind.law == Law::stem && whole.has_grades(); }
+	StemGrades grades(int begin);
+	void update_stems(int begin, int end);
 	void put_place(int index, const MotionPlant &plant);
 	void put_state(int index, const TipState &state);
 	void put_stem(int index, const StemState &state);

@@ -123,8 +123,7 @@ static void move_over(const StemConstants &stem, const glm::vec3 &more, const gl
 	modes[1] += across / stem.mode[1].tip_slope;
 }
 
-StemState stem_state(
-		const StemConstants &stem, const TipState &tip, const glm::vec2 &rest, const StemSecond &second) {
+StemState stem_state(const StemConstants &stem, const TipState &tip, const glm::vec2 &rest, const StemSecond &second) {
 	const TipState safe = safe_state(tip);
 	const glm::vec3 direction = turned(safe.direction, -rest);
 	const glm::vec3 rate = turned(safe.rate, -rest);

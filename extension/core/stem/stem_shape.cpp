@@ -71,8 +71,7 @@ static StemMode mixed_mode(const StemConstants &stem, float a, float b) {
 	if (first.air_lag > 0.0f) {
 		const float first_push = first.air_drag / first.air_lag;
 		const float push = a * first_push + b * second.air_share * stem.air_slope * second.stiffness;
-		mode.air_drag =
-				a * a * first.air_drag + 2.0f * a * b * second.air_lag * first_push + b * b * second.air_drag;
+		mode.air_drag = a * a * first.air_drag + 2.0f * a * b * second.air_lag * first_push + b * b * second.air_drag;
 		mode.air_lag = push > 0.0f ? mode.air_drag / push : first.air_lag;
 	}
 	return mode;
@@ -88,11 +87,11 @@ StemConstants in_one_mode(const StemConstants &stem) {
 	one.modes = 1;
 	one.mode[0] = mixed_mode(stem, a, b);
 	one.mode[1] = StemMode();
-	for (float(&shape)[4] : one.shape) {
+	for (float (&shape)[4] : one.shape) {
 		shape[0] = a * shape[0] + b * shape[1];
 		shape[1] = 0.0f;
 	}
-	for (float(&deflection)[MOST_STEM_MODES] : one.deflection) {
+	for (float (&deflection)[MOST_STEM_MODES] : one.deflection) {
 		deflection[0] = a * deflection[0] + b * deflection[1];
 		deflection[1] = 0.0f;
 	}

@@ -43,12 +43,8 @@ glm::vec3 CpuMotion::read_tip_now(const PlantPlace &place) {
 
 void CpuMotion::write_state(const PlantPlace &place, const MotionState &state) {
 	wait();
-<<<<<<< HEAD
-	simulation->set_state(rows_of(place.block).page, row_of(place), state.tip, state.second);
-=======
 	is_handed = false;
-	simulation->page(rows_of(place.block).page).set_state(row_of(place), state);
->>>>>>> k_tiles
+	simulation->set_state(rows_of(place.block).page, row_of(place), state.tip, state.second);
 }
 
 void CpuMotion::apply_impulse(const PlantPlace &place, const glm::vec3 &impulse) {
