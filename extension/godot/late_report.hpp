@@ -14,9 +14,9 @@ class LateReport : public godot::Object {
 	GDCLASS(LateReport, godot::Object)
 
 public:
-	/// Whether `object` is a resource that nobody has a file of yet, and something is being read, as far as can be told:
-	/// no script runs, or its line loads. A script that sets a property of its own resource is told at once, where a
-	/// debugger can show its line.
+	/// Whether `object` is a resource that nobody has a file of yet, and something is being read, as far as can be
+	/// told: no script runs, or its line loads. A script that sets a property of its own resource is told at once,
+	/// where a debugger can show its line.
 	static bool suits(const godot::Object *object);
 	/// Tells `what` of `resource` late.
 	static void post(const godot::Object *resource, const godot::String &what);

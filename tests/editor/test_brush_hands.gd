@@ -32,7 +32,8 @@ func test_shift_smooths() -> void:
 	var outside := field.map.get_density(EDGE + Vector3(0, 0, 0.1), GRASS)
 	check(inside < 0.95 and outside > 0.05, "the edge is %f | %f" % [inside, outside])
 	check(inside > outside, "and denser where it was")
-	check_equal(field.map.get_density(Vector3(0, 0, -1), GRASS), 1.0, "beyond the brush nothing changes")
+	var beyond := field.map.get_density(Vector3(0, 0, -1), GRASS)
+	check_equal(beyond, 1.0, "beyond the brush")
 	await undo()
 	check_equal(field.map.data, before, "the map after undo")
 
@@ -76,6 +77,4 @@ func _dab(field: PlantField3D, place: Vector3) -> void:
 
 # All up to the line through [param edge], across.
 func _square(edge: Vector3) -> PackedVector3Array:
-	return [
-		Vector3(-8, 0, -8), Vector3(8, 0, -8), Vector3(8, 0, edge.z), Vector3(-8, 0, edge.z)
-	]
+	return [Vector3(-8, 0, -8), Vector3(8, 0, -8), Vector3(8, 0, edge.z), Vector3(-8, 0, edge.z)]

@@ -105,7 +105,9 @@ func test_only_painting_adds_a_species() -> void:
 func test_painting_from_the_list_is_seen() -> void:
 	var field := await _edited_field()
 	field.size = Vector2(12, 12)
-	field.species = [PlantFieldSpecies.of(load("res://addons/undergrowth/species/meadow_grass.tres"))]
+	field.species = [
+		PlantFieldSpecies.of(load("res://addons/undergrowth/species/meadow_grass.tres"))
+	]
 	await _rested(field)
 	await _pick(POPPY)
 	await _choose_tool("Paint")

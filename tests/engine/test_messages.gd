@@ -38,7 +38,9 @@ func test_a_fault_in_a_file_is_told_once_with_that_file() -> void:
 	var tulip: TulipFunction = load(SPECIES)
 	await frames(2)
 	check_error_count("TulipFunction '%s': natural_frequency cannot be -3.0" % SPECIES, 1)
-	check_equal(tulip.natural_frequency, TulipFunction.new().natural_frequency, "it keeps its value")
+	check_equal(
+		tulip.natural_frequency, TulipFunction.new().natural_frequency, "it keeps its value"
+	)
 	check_equal(tulip.mass, 2.0, "what stands below is read")
 
 
@@ -55,12 +57,14 @@ func test_a_fault_in_a_file_that_another_one_needs_is_told_with_that_file() -> v
 	_write(
 		SCENE,
 		(
-			'[gd_scene load_steps=2 format=3]\n[ext_resource type="Resource" path="%s" id="1"]\n'
-			% SPECIES
+			(
+				'[gd_scene load_steps=2 format=3]\n[ext_resource type="Resource" path="%s" id="1"]\n'
+				% SPECIES
+			)
 			+ '[node name="Rose" type="Plant3D"]\nspecies = ExtResource("1")\n'
 		)
 	)
-	var rose := (ResourceLoader.load(SCENE, "", ResourceLoader.CACHE_MODE_IGNORE) as PackedScene)
+	var rose := ResourceLoader.load(SCENE, "", ResourceLoader.CACHE_MODE_IGNORE) as PackedScene
 	await frames(2)
 	check_error_count("TulipFunction '%s': natural_frequency cannot be -3.0" % SPECIES, 1)
 	check(rose != null, "the scene is there")

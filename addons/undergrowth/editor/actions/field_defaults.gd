@@ -31,7 +31,8 @@ static func make_field(function: PlantFunction) -> PlantField3D:
 	return field
 
 
-## An entry of [param function] for a field: its plants lean a little, unless they lean by themselves.
+## An entry of [param function] for a field: its plants lean a little, unless they do so by
+## themselves.
 static func make_entry(function: PlantFunction) -> PlantFieldSpecies:
 	var entry := PlantFieldSpecies.of(function)
 	if function.law != PlantFunction.LAW_ELASTICITY:
