@@ -2,12 +2,13 @@
 """Measures the core and the add-on, in a headless engine and in renderers without a graphics card.
 
 Prints a table and what it means, writes build/bench.json and build/bench.png. All measuring programs print a JSON list
-of rows {"name", "plants", "threads", "median_ms", "us_per_plant"}; rows of fields also tell their "renderer".
+of rows {"name", "plants", "threads", "median_ms", "us_per_plant"}; those of the engine also tell their "renderer".
 
 --release measures in an exported game, with the engine's release template and the add-on's release library.
 """
 
 import argparse
+import itertools
 import json
 import os
 import shutil
@@ -28,6 +29,7 @@ COLUMNS = ("name", "plants", "threads", "median_ms", "us_per_plant", "renderer")
 RENDERERS = ("forward_plus", "gl_compatibility")
 TIMEOUT = 600
 ENGINE_SCRIPTS = {"plants": "engine_bench", "fields": "field_bench", "edits": "edits_bench"}
+DRAWN_SCRIPTS = ("engine_bench", "field_bench")
 PARTS = ("core", *ENGINE_SCRIPTS, "drawn")
 STEADY = ["--fixed-fps", "60", "--disable-vsync"]
 # What makes a script of tests/bench the main loop of a game.
@@ -89,16 +91,17 @@ def game_start(godot, folder):
     return start
 
 
-def drawn_rows(words, surroundings):
-    """Fields in each renderer, in a virtual display; nothing where there is none."""
+def drawn_rows(start, surroundings):
+    """Fields, and plants of four joints, in each renderer, in a virtual display; nothing where there is none."""
     rows = []
-    for method in RENDERERS:
-        drawn = [*words, "--rendering-method", method, "--audio-driver", "Dummy", "--resolution", "320x180"]
+    words = {script: start(script) for script in DRAWN_SCRIPTS}
+    for method, script in itertools.product(RENDERERS, DRAWN_SCRIPTS):
+        drawn = [*words[script], "--rendering-method", method, "--audio-driver", "Dummy", "--resolution", "320x180"]
         try:
             with display.virtual(640, 360) as environment:
-                rows += measure(f"field_bench in {method}", drawn, surroundings(environment))
+                rows += measure(f"{script} in {method}", drawn, surroundings(environment))
         except Missing as missing:
-            print(f"{method} is not measured: {missing}")
+            print(f"{script} in {method} is not measured: {missing}")
     return rows
 
 
@@ -144,7 +147,7 @@ def main():
     surroundings = exporting.surroundings if options.release else engine.private_home
     for script in (name for part, name in ENGINE_SCRIPTS.items() if part in parts):
         rows += measure(script, [*start(script), "--headless"], surroundings(os.environ))
-    rows += drawn_rows(start("field_bench"), surroundings) if "drawn" in parts else []
+    rows += drawn_rows(start, surroundings) if "drawn" in parts else []
     target = ROOT / "build/bench.json"
     target.write_text(json.dumps(rows, indent="\t") + "\n")
     print("In a game, with the release library" if options.release else "In an editor's engine, with the debug library")

@@ -53,14 +53,18 @@ def stem_lines(found):
             if ratio:
                 told.append(f"{name}, {level}, 10,000 plants: {ratio:.2f} times the spring law's page")
     for renderer in ("headless", "forward_plus", "gl_compatibility"):
-        ratio = found.ratio(found.find("field_frame_stems", PLANTS, renderer=renderer),
-                            found.find("field_frame_spring", PLANTS, renderer=renderer))
-        if ratio:
-            told.append(f"{renderer}: a frame of {PLANTS:,} stems {ratio:.2f} times that of springs")
+        for name, what in (("field_frame_stems", "stems"),
+                           ("field_frame_stems_asleep", "stems of two modes that nobody pushes"),
+                           ("field_frame_stems_two_modes", "stems of two modes that are pushed")):
+            ratio = found.ratio(found.find(name, PLANTS, renderer=renderer),
+                                found.find("field_frame_spring", PLANTS, renderer=renderer))
+            if ratio:
+                told.append(f"{renderer}: a frame of {PLANTS:,} {what} {ratio:.2f} times that of springs")
         told += air_lines(found, renderer)
-    ratio = found.ratio(found.find("spring_bone_4", 1000), found.find("stem_4_held", 1000))
-    if ratio:
-        told.append(f"1,000 plants of four joints: {ratio:.1f} times faster than SpringBoneSimulator3D")
+        ratio = found.ratio(found.find("stem_4_held", 1000, renderer=renderer),
+                            found.find("spring_bone_4", 1000, renderer=renderer))
+        if ratio:
+            told.append(f"{renderer}: 1,000 plants of four joints {ratio:.2f} times SpringBoneSimulator3D's time")
     return told
 
 

@@ -150,7 +150,7 @@ func _add_helpers() -> void:
 	add_inspector_plugin(_inspector)
 	_add_gizmos()
 	_brush = (_load(BRUSH) as GDScript).new()
-	_brush.call(&"setup", self)
+	_brush.call(&"setup", self, _dock.get_child(0).get(&"state"))
 	_thumbnails = (_load(THUMBNAILS) as GDScript).new()
 	EditorInterface.get_resource_previewer().add_preview_generator(_thumbnails)
 	_export_check = (_load(EXPORT_CHECK) as GDScript).new()

@@ -7,7 +7,8 @@ extends PlantWindSource3D
 ## Told when it starts and when it goes home.
 signal flight_changed(is_flying: bool)
 
-const PATIENCE := 6.0  # s without a key.
+const KeySteering := preload("res://steering/key_steering.gd")
+
 const SPEED := 9.0  # m/s.
 const CLIMB := 3.0  # m/s.
 const STEADINESS := 1.2  # 1/s: how fast it takes up a speed.
@@ -37,7 +38,7 @@ var is_flying := false:
 
 var _velocity := Vector3.ZERO
 var _height := 4.0
-var _idle_time := PATIENCE
+var _keys := KeySteering.new()
 var _time := 0.0
 
 
@@ -51,12 +52,11 @@ func _unhandled_input(event: InputEvent) -> void:
 
 
 func _process(delta: float) -> void:
-	var wish := Input.get_vector(&"walk_left", &"walk_right", &"walk_forward", &"walk_back")
 	var climb := Input.get_axis(&"fly_down", &"fly_up")
-	_idle_time = 0.0 if wish or climb else _idle_time + delta
+	_keys.hear(delta, climb != 0.0)
 	_time += delta
 	_height = clampf(_height + climb * CLIMB * delta, LOWEST, HIGHEST)
-	var wanted := _steered(wish) if is_steered() else _on_round()
+	var wanted := _steered() if is_steered() else _on_round()
 	_velocity = _velocity.lerp(wanted, 1.0 - exp(-STEADINESS * delta))
 	_velocity.y = 0.0
 	var place := global_position + _velocity * delta
@@ -70,12 +70,12 @@ func _process(delta: float) -> void:
 
 ## Whether somebody steers it with the keys.
 func is_steered() -> bool:
-	return is_flying and _idle_time < PATIENCE
+	return is_flying and _keys.is_on()
 
 
 # What the keys ask for, as the camera sees it.
-func _steered(wish: Vector2) -> Vector3:
-	var turned := wish.rotated(-camera.global_rotation.y) * SPEED
+func _steered() -> Vector3:
+	var turned := _keys.seen_from(self) * SPEED
 	return Vector3(turned.x, 0.0, turned.y)
 
 

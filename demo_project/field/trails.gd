@@ -2,11 +2,9 @@
 extends Node3D
 ## Trails through fields: nothing grows on them, and the ground shows where they are.
 ##
-## Each child is a Path3D, the middle of one trail. Draw it without loops: a trail's outline may not
-## cross itself.
+## Each child is a Path3D, the middle of one trail.
 
 const PIXELS := 768
-const STEP := 0.6  # m between two corners of an outline.
 const STAMP_STEP := 0.12  # m between two stamps of the picture.
 const FRINGE := 0.45  # m beside a trail where the ground turns into grass.
 
@@ -18,7 +16,7 @@ const FRINGE := 0.45  # m beside a trail where the ground turns into grass.
 @export_range(5.0, 200.0, 1.0, "suffix:m") var reach := 48.0
 ## Width of a trail.
 @export_range(0.3, 5.0, 0.05, "suffix:m") var width := 1.3
-## How much narrower and wider a trail gets on its way.
+## How much narrower and wider the worn ground gets on its way.
 @export_range(0.0, 0.5, 0.01) var raggedness := 0.22
 
 var _noise := FastNoiseLite.new()
@@ -27,53 +25,28 @@ var _noise := FastNoiseLite.new()
 func _ready() -> void:
 	_noise.seed = 21
 	_noise.frequency = 0.35
-	var outlines: Array[Path3D] = []
+	var trails: Array[Path3D] = []
 	var picture := PackedByteArray()
 	picture.resize(PIXELS * PIXELS)
 	for child in get_children():
 		var path := child as Path3D
 		if path:
-			outlines.append(_add_outline(path))
+			trails.append(path)
 			_stamp(path.curve, picture)
 	for field in fields:
 		var paths: Array[NodePath] = []
-		for outline in outlines:
-			paths.append(field.get_path_to(outline))
+		var widths := PackedFloat32Array()
+		for trail in trails:
+			paths.append(field.get_path_to(trail))
+			widths.append(width)
 		field.exclusions = paths
+		field.exclusion_widths = widths
 	if ground_material:
 		_show(picture)
 
 
-## A path around a trail, that nobody sees or saves.
-func _add_outline(trail: Path3D) -> Path3D:
-	var outline := Path3D.new()
-	outline.name = trail.name + "Outline"
-	outline.curve = _outline(trail.curve)
-	outline.transform = trail.transform
-	add_child(outline, false, Node.INTERNAL_MODE_BACK)
-	return outline
-
-
-## The closed outline of a trail along `curve`.
-func _outline(curve: Curve3D) -> Curve3D:
-	var outline := Curve3D.new()
-	outline.closed = true
-	var back: Array[Vector3] = []
-	var length := curve.get_baked_length()
-	for index in ceili(length / STEP) + 1:
-		var along := minf(index * STEP, length)
-		var frame := curve.sample_baked_with_rotation(along)
-		var side := frame.basis.x * Vector3(1.0, 0.0, 1.0)
-		side = side.normalized()
-		outline.add_point(frame.origin + side * _half_width(along, 0.0))
-		back.push_front(frame.origin - side * _half_width(along, 50.0))
-	for point in back:
-		outline.add_point(point)
-	return outline
-
-
-func _half_width(along: float, edge: float) -> float:
-	return 0.5 * width * (1.0 + 2.0 * raggedness * _noise.get_noise_2d(along, edge))
+func _half_width(along: float) -> float:
+	return 0.5 * width * (1.0 + 2.0 * raggedness * _noise.get_noise_1d(along))
 
 
 ## Draws round stamps along `curve`, bright in the middle of the trail.
@@ -82,7 +55,7 @@ func _stamp(curve: Curve3D, picture: PackedByteArray) -> void:
 	for index in ceili(length / STAMP_STEP) + 1:
 		var along := minf(index * STAMP_STEP, length)
 		var place := curve.sample_baked(along)
-		_stamp_once(Vector2(place.x, place.z), _half_width(along, 0.0), picture)
+		_stamp_once(Vector2(place.x, place.z), _half_width(along), picture)
 
 
 func _stamp_once(place: Vector2, half_width: float, picture: PackedByteArray) -> void:

@@ -4,7 +4,8 @@ extends AnimatableBody3D
 ## It goes round its route by itself. With the arrow keys or W, A, S, D it goes where you like, and
 ## some seconds after the last key back to its route.
 
-const PATIENCE := 6.0  # s without a key.
+const KeySteering := preload("res://steering/key_steering.gd")
+
 const TURNING := 6.0  # 1/s.
 
 ## The round that it goes.
@@ -23,7 +24,7 @@ const TURNING := 6.0  # 1/s.
 ## Whether the keys steer it.
 var hears_keys := true
 
-var _idle_time := PATIENCE
+var _keys := KeySteering.new()
 var _velocity := Vector2.ZERO
 
 @onready var _along := start
@@ -35,9 +36,11 @@ func _ready() -> void:
 
 
 func _process(delta: float) -> void:
-	var wish := _wish()
-	_idle_time = 0.0 if wish else _idle_time + delta
-	var wanted := _steered(wish) if is_steered() else _on_route(delta)
+	if hears_keys:
+		_keys.hear(delta)
+	else:
+		_keys.ignore(delta)
+	var wanted := _steered() if is_steered() else _on_route(delta)
 	_velocity = _velocity.lerp(wanted, 1.0 - exp(-TURNING * delta))
 	var here := Vector2(global_position.x, global_position.z) + _velocity * delta
 	_stand(here.limit_length(roaming_radius))
@@ -48,20 +51,13 @@ func _process(delta: float) -> void:
 
 ## Whether somebody steers it with the keys.
 func is_steered() -> bool:
-	return _idle_time < PATIENCE
-
-
-func _wish() -> Vector2:
-	if not hears_keys:
-		return Vector2.ZERO
-	return Input.get_vector(&"walk_left", &"walk_right", &"walk_forward", &"walk_back")
+	return _keys.is_on()
 
 
 ## What the keys ask for, as the camera sees it.
-func _steered(wish: Vector2) -> Vector2:
+func _steered() -> Vector2:
 	_along = route.curve.get_closest_offset(route.to_local(global_position))
-	var camera := get_viewport().get_camera_3d()
-	return wish.rotated(-camera.global_rotation.y if camera else 0.0) * steered_speed
+	return _keys.seen_from(self) * steered_speed
 
 
 ## Towards the next place of its route.

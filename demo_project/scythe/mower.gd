@@ -4,7 +4,8 @@ extends Node3D
 ## With W, A, S, D or the arrow keys it goes where you like, and some seconds after the last key on
 ## from there.
 
-const PATIENCE := 6.0  # s without a key.
+const KeySteering := preload("res://steering/key_steering.gd")
+
 const TURNING := 4.0  # 1/s.
 
 ## What it mows.
@@ -18,18 +19,16 @@ const TURNING := 4.0  # 1/s.
 ## How fast its rounds turn.
 @export_range(0.0, 1.0, 0.01, "suffix:1/s") var turning := 0.2
 
-var _idle_time := PATIENCE
+var _keys := KeySteering.new()
 var _velocity := Vector2(0.0, -1.0)
 
 
 func _physics_process(delta: float) -> void:
-	var wish := Input.get_vector(&"walk_left", &"walk_right", &"walk_forward", &"walk_back")
-	_idle_time = 0.0 if wish else _idle_time + delta
+	_keys.hear(delta)
 	var wanted := _velocity.normalized().rotated(turning * delta) * speed
 	if is_steered():
-		var camera := get_viewport().get_camera_3d()
-		wanted = wish.rotated(-camera.global_rotation.y if camera else 0.0) * 2.0 * speed
-		wanted = wanted if wish else _velocity.limit_length(0.01)
+		wanted = _keys.seen_from(self) * 2.0 * speed
+		wanted = wanted if _keys.wish else _velocity.limit_length(0.01)
 	_velocity = _velocity.lerp(wanted, 1.0 - exp(-TURNING * delta))
 	global_position += Vector3(_velocity.x, 0.0, _velocity.y) * delta
 	global_rotation.y = atan2(-_velocity.x, -_velocity.y)
@@ -38,4 +37,4 @@ func _physics_process(delta: float) -> void:
 
 ## Whether somebody steers it with the keys.
 func is_steered() -> bool:
-	return _idle_time < PATIENCE
+	return _keys.is_on()

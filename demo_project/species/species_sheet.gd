@@ -33,9 +33,9 @@ const VIEW_DEGREES := 20.0
 ## How much of its picture a plant fills.
 const FILLED := 0.78
 ## Wide plants are drawn smaller, by how much wider than high they are.
-const WIDEST := 1.25
+const WIDEST := 1.7
 ## How far plants stand aside, in shares of their height: the view from near is beside them.
-const ASIDE := 0.17
+const ASIDE := 0.16
 ## Pixels of the view from near.
 const INSET := Vector2(120, 120)
 const INSET_PLACE := Vector2(4, 4)

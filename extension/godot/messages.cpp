@@ -1,6 +1,7 @@
 #include "messages.hpp"
 
 #include "conventions.hpp"
+#include "late_report.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/node.hpp>
@@ -66,6 +67,10 @@ String describe(const Object *object) {
 }
 
 void report_error(const Object *object, const String &what) {
+	if (LateReport::suits(object)) {
+		LateReport::post(object, what);
+		return;
+	}
 	UtilityFunctions::push_error(describe(object) + ": " + what);
 }
 

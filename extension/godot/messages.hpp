@@ -16,7 +16,8 @@ struct Range {
 /// name and the file that it is embedded in; a node by its path in the game or in the edited scene.
 godot::String describe(const godot::Object *object);
 
-/// One error in Godot's log that names its object and says what to do.
+/// One error in Godot's log that names its object and says what to do. Of a resource that is being read from its file it
+/// comes at the end of the frame: only then is it known which file that is.
 void report_error(const godot::Object *object, const godot::String &what);
 
 /// The same for what may be meant so, as a warning.

@@ -4,7 +4,6 @@
 #include "form/grown_plant.hpp"
 #include "new_object.hpp"
 #include "shared_resources.hpp"
-#include "stem/stem_bones.hpp"
 
 #include <godot_cpp/classes/rendering_server.hpp>
 
@@ -134,21 +133,30 @@ glm::vec3 PartSkeleton::arm(const glm::vec3 &direction, float share) const {
 }
 
 void PartSkeleton::update_stem(const StandingStem &standing) {
-	StemLink links[MOST_STEM_JOINTS];
-	const glm::vec3 end = stem_links(*constants, standing.amplitudes, links);
+	end = stem_links(*constants, standing.amplitudes, links);
 	const Quaternion lean = quaternion_of(stem.rest);
 	for (int i = 0; i < joints; i++) {
-		posed[size_t(FormBones::FIRST + i)] = Transform3D(
-				Basis(lean * quaternion_of(links[i].turn)), to_godot(turned(links[i].start * height, stem.rest)));
+		turns[i] = lean * quaternion_of(links[i].turn);
 	}
-	posed[FormBones::TIP] = Transform3D(Basis(quaternion_of(stem.bend)), to_godot(turned(end * height, stem.rest)));
+	turns[joints] = quaternion_of(stem.bend);
 }
 
-void PartSkeleton::update() {
+void PartSkeleton::place_stem() {
+	for (int i = 0; i < joints; i++) {
+		posed[size_t(FormBones::FIRST + i)] =
+				Transform3D(Basis(turns[i]), to_godot(turned(links[i].start * height, stem.rest)));
+	}
+	posed[FormBones::TIP] = Transform3D(Basis(turns[joints]), to_godot(turned(end * height, stem.rest)));
+}
+
+void PartSkeleton::update(bool needs_places) {
 	std::optional<StandingStem> standing;
 	if (has_joints()) {
 		standing.emplace(*constants, height, stem);
 		update_stem(*standing);
+		if (needs_places) {
+			place_stem();
+		}
 	} else {
 		posed[FormBones::TIP] = Transform3D(Basis(quaternion_of(stem.bend)));
 	}
@@ -162,14 +170,20 @@ void PartSkeleton::pose(Skeleton3D *skeleton) {
 	if (skeleton->get_bone_count() != count(this)) {
 		return; // A script has changed it.
 	}
-	update();
-	for (int i = has_joints() ? FormBones::TIP : FormBones::FIRST; i < count(this); i++) {
+	update(!bones.empty());
+	Quaternion below;
+	for (int i = 0; i < joints + 1 && has_joints(); i++) { // A joint never leaves the end of the link below it.
+		const int bone = i < joints ? FormBones::FIRST + i : int(FormBones::TIP);
+		skeleton->set_bone_pose_rotation(bone, below.inverse() * turns[i]);
+		below = turns[i];
+	}
+	for (int i = part_index(0); i < count(this); i++) {
 		skeleton->set_bone_pose(i, posed[size_t(parents[size_t(i)])].affine_inverse() * posed[size_t(i)]);
 	}
 }
 
 void PartSkeleton::pose(const RID &drawn) {
-	update();
+	update(true);
 	RenderingServer *server = RenderingServer::get_singleton();
 	for (int i = has_joints() ? FormBones::TIP : FormBones::FIRST; i < count(this); i++) {
 		const Transform3D back(Basis(), -origins[size_t(i)]);

@@ -3,9 +3,11 @@
 #include "mesh/form_bones.hpp"
 #include "motion/part_bend.hpp"
 #include "sampled_plant.hpp"
+#include "stem/stem_bones.hpp"
 
 #include <godot_cpp/classes/skeleton3d.hpp>
 #include <godot_cpp/classes/skin.hpp>
+#include <godot_cpp/variant/quaternion.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
 
 #include <memory>
@@ -52,6 +54,9 @@ private:
 	std::vector<int> parents; ///< Of all bones, -1 of the root.
 	std::vector<godot::Vector3> origins; ///< m: where all bones are at rest, in the plant's axes.
 	std::vector<godot::Transform3D> posed; ///< Of all bones, in the plant's axes.
+	StemLink links[MOST_STEM_JOINTS]; ///< Of the stem as it is bent now, in the axes of its rest.
+	glm::vec3 end; ///< Where the last one ends, in lengths of the stem.
+	godot::Quaternion turns[MOST_STEM_JOINTS + 1]; ///< Of the links and the tip, in the plant's axes.
 	godot::Ref<godot::Skin> skin;
 
 	void add_bone(const godot::String &name, int parent, const godot::Vector3 &origin);
@@ -59,7 +64,9 @@ private:
 	int part_index(size_t part) const { return FormBones::FIRST + joints + int(part); }
 	int carrier_of(const PartBone &bone) const;
 	void update_stem(const StandingStem &standing);
-	void update();
+	void place_stem();
+	/// `needs_places`: `posed` of the stem's joints is asked for.
+	void update(bool needs_places);
 };
 
 } // namespace undergrowth

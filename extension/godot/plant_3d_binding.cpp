@@ -80,18 +80,19 @@ void Plant3D::reset_motion() {
 }
 
 PackedFloat32Array Plant3D::get_motion_state() const {
-	return stance.floats_of(motion.swing(rest()).now);
+	const PlantSwing swing = motion.swing(rest());
+	return stance.floats_of({ swing.now, swing.second });
 }
 
 void Plant3D::set_motion_state(const PackedFloat32Array &state) {
-	TipState given;
+	MotionState given;
 	if (!stance.read_state(state, given)) {
 		report_error(this,
-				"set_motion_state() needs six finite numbers: the tip's direction and its rate, as get_motion_state() "
-				"gives them. The motion stays as it is.");
+				"set_motion_state() needs twelve finite numbers, as get_motion_state() gives them, or their first six: "
+				"the tip's direction and its rate. The motion stays as it is.");
 		return;
 	}
-	motion.set_swing({ given, given.direction });
+	motion.set_swing({ given.tip, given.tip.direction, given.second });
 	motion.pose_now(rest());
 }
 

@@ -181,7 +181,7 @@ std::shared_ptr<const StemConstants> PlantFunction::find_stem(double height, boo
 	}
 	const std::shared_ptr<const StemConstants> found = stems.of(float(height), in_air, motion, stem);
 	if (!stems.problem().is_empty() && stems.problem() != told_of_stem) {
-		report_error(this, stems.problem() + " It stands as a bare stem until then.");
+		report_error(this, stems.problem() + String(" It stands as a bare stem until then."));
 		told_of_stem = stems.problem();
 	}
 	return found;

@@ -48,6 +48,8 @@ PlantSwing PlantMotion::swing(const glm::vec3 &rest) const {
 		const TipState state = page.state(index());
 		PlantSwing swing = { { from_frame(frame(), state.direction), from_frame(frame(), state.rate) },
 			from_frame(frame(), page.before(index())) };
+		const StemSecond second = page.second(index());
+		swing.second = { from_frame(frame(), second.bend), from_frame(frame(), second.rate) };
 		if (page.law() == Law::stem) {
 			swing.stem = { frame(), page.stem_constants().modes, page.stem(index()), page.stem_before(index()) };
 		}
@@ -65,7 +67,8 @@ void PlantMotion::set_swing(const PlantSwing &swing) {
 			page.set_stem_before(index(), stem->before);
 			return;
 		}
-		page.set_state(index(), { to_frame(frame(), swing.now.direction), to_frame(frame(), swing.now.rate) });
+		const StemSecond second = { to_frame(frame(), swing.second.bend), to_frame(frame(), swing.second.rate) };
+		page.set_state(index(), { to_frame(frame(), swing.now.direction), to_frame(frame(), swing.now.rate) }, second);
 		page.set_before(index(), to_frame(frame(), swing.before));
 	} else {
 		parked = swing;

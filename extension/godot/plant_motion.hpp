@@ -29,6 +29,7 @@ struct PlantSwing {
 
 	TipState now;
 	glm::vec3 before;
+	StemSecond second = {};
 	std::optional<Stem> stem = std::nullopt; ///< Where a page like that goes on with it, it is to the bit.
 
 	static PlantSwing at_rest(const glm::vec3 &rest) { return { { rest, {} }, rest }; }

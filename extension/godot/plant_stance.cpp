@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 using namespace godot;
 
 namespace undergrowth {
 
-static constexpr int64_t STATE_FLOATS = 6;
+static constexpr int64_t STATE_FLOATS = 12;
+static constexpr int64_t TIP_FLOATS = 6; // Of them.
 static constexpr float SHORTEST = 1e-3f; // m.
 static constexpr double LEAST_VOLUME = 1e-12; // Of a unit cube in the node's axes.
 
@@ -27,27 +29,31 @@ float PlantStance::length_of(float height) const {
 	return std::max(height > 0.0f ? height * scale_along : 1.0f, SHORTEST);
 }
 
-PackedFloat32Array PlantStance::floats_of(const TipState &state) const {
-	const Vector3 parts[] = { axes.xform_inv(to_godot(state.direction)), axes.xform_inv(to_godot(state.rate)) };
+PackedFloat32Array PlantStance::floats_of(const MotionState &state) const {
 	PackedFloat32Array floats;
-	for (const Vector3 &part : parts) {
+	for (const glm::vec3 &part : { state.tip.direction, state.tip.rate, state.second.bend, state.second.rate }) {
+		const Vector3 own = axes.xform_inv(to_godot(part));
 		for (int i = 0; i < 3; i++) {
-			floats.push_back(part[i]);
+			floats.push_back(own[i]);
 		}
 	}
 	return floats;
 }
 
-bool PlantStance::read_state(const PackedFloat32Array &floats, TipState &into) const {
-	if (floats.size() != STATE_FLOATS) {
+bool PlantStance::read_state(const PackedFloat32Array &floats, MotionState &into) const {
+	if (floats.size() != STATE_FLOATS && floats.size() != TIP_FLOATS) {
 		return false;
 	}
-	const Vector3 direction(floats[0], floats[1], floats[2]);
-	const Vector3 rate(floats[3], floats[4], floats[5]);
-	if (!direction.is_finite() || !rate.is_finite() || direction.is_zero_approx()) {
+	Vector3 parts[STATE_FLOATS / 3];
+	for (int64_t i = 0; i < floats.size(); i++) {
+		parts[i / 3][i % 3] = floats[i];
+	}
+	const bool are_numbers = std::all_of(parts, std::end(parts), [](const Vector3 &part) { return part.is_finite(); });
+	if (!are_numbers || parts[0].is_zero_approx()) {
 		return false;
 	}
-	into = { to_glm(axes.xform(direction.normalized())), to_glm(axes.xform(rate)) };
+	const auto outward = [this](const Vector3 &part) { return to_glm(axes.xform(part)); };
+	into = { { outward(parts[0].normalized()), outward(parts[1]) }, { outward(parts[2]), outward(parts[3]) } };
 	return true;
 }
 

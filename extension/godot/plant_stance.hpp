@@ -1,6 +1,6 @@
 #pragma once
 
-#include "motion/joint.hpp"
+#include "motion/stem_state.hpp"
 
 #include <godot_cpp/variant/basis.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>
@@ -20,11 +20,12 @@ struct PlantStance {
 	void follow(const godot::Transform3D &global);
 	/// How long a plant of `height` metres stands there (m); as long as one of 1 m without scale where 0.
 	float length_of(float height) const;
-	/// A tip's direction and its rate (world axes) as six floats in the plant's own axes.
-	godot::PackedFloat32Array floats_of(const TipState &state) const;
-	/// The way back, with a unit direction. False, and nothing is read, where these are no six finite numbers with a
-	/// direction.
-	bool read_state(const godot::PackedFloat32Array &floats, TipState &into) const;
+	/// A tip's direction and its rate, and the same of a second mode (world axes), as twelve floats in the plant's own
+	/// axes.
+	godot::PackedFloat32Array floats_of(const MotionState &state) const;
+	/// The way back, with a unit direction; six are those of the tip. False, and nothing is read, where these are no
+	/// such finite numbers with a direction.
+	bool read_state(const godot::PackedFloat32Array &floats, MotionState &into) const;
 };
 
 } // namespace undergrowth

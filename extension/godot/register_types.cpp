@@ -8,6 +8,7 @@
 #include "field/plant_map.hpp"
 #include "form/plant_growth.hpp"
 #include "form/plant_part_kinds.hpp"
+#include "late_report.hpp"
 #include "plant_3d.hpp"
 #include "plant_simulation.hpp"
 #include "plant_wind.hpp"
@@ -38,6 +39,7 @@ static void load_class_help() {
 }
 
 static void register_classes() {
+	GDREGISTER_INTERNAL_CLASS(LateReport);
 	GDREGISTER_ABSTRACT_CLASS(PlantPart);
 	GDREGISTER_CLASS(PlantAxis);
 	GDREGISTER_CLASS(PlantBlade);

@@ -3,9 +3,9 @@
 #include "new_object.hpp"
 
 #include <godot_cpp/classes/resource_loader.hpp>
-#include <godot_cpp/classes/shader.hpp>
 
 #include <mutex>
+#include <utility>
 
 using namespace godot;
 
@@ -13,9 +13,13 @@ namespace undergrowth {
 
 // Pointers: no reference may be made before the engine's interface is loaded or die after it is gone.
 static Ref<StandardMaterial3D> *material = nullptr;
-static Ref<ShaderMaterial> *of_parts = nullptr;
+static Ref<ShaderMaterial> *of_sheets = nullptr;
 static Ref<Skin> *skin = nullptr;
+static Ref<Shader> *shaders[2] = { nullptr, nullptr }; // Of lathes and of parts.
 static std::mutex making; // Meshes may be generated on several threads.
+
+static const char *const SHADER_PATHS[2] = { "res://addons/undergrowth/shaders/plant_field.gdshader",
+	"res://addons/undergrowth/shaders/plant_parts.gdshader" };
 
 static Ref<StandardMaterial3D> make_material() {
 	Ref<StandardMaterial3D> made = new_counted<StandardMaterial3D>();
@@ -45,15 +49,29 @@ Ref<StandardMaterial3D> default_material() {
 	return *material;
 }
 
+static Ref<Shader> keep_shader(bool of_parts) {
+	Ref<Shader> *&kept = shaders[int(of_parts)];
+	if (!kept || kept->is_null()) {
+		delete kept;
+		kept = new Ref<Shader>(ResourceLoader::get_singleton()->load(SHADER_PATHS[int(of_parts)], "Shader"));
+	}
+	return *kept;
+}
+
+Ref<Shader> plant_shader(bool of_parts) {
+	const std::lock_guard<std::mutex> lock(making);
+	return keep_shader(of_parts);
+}
+
 Ref<ShaderMaterial> parts_material() {
 	const std::lock_guard<std::mutex> lock(making);
-	if (!of_parts) {
+	if (!of_sheets) {
 		Ref<ShaderMaterial> made = new_counted<ShaderMaterial>();
 		made->set_name("Undergrowth plant of parts");
-		made->set_shader(ResourceLoader::get_singleton()->load(PARTS_SHADER_PATH, "Shader"));
-		of_parts = new Ref<ShaderMaterial>(made);
+		made->set_shader(keep_shader(true));
+		of_sheets = new Ref<ShaderMaterial>(made);
 	}
-	return *of_parts;
+	return *of_sheets;
 }
 
 Ref<Skin> plant_skin() {
@@ -67,10 +85,13 @@ Ref<Skin> plant_skin() {
 void free_shared_resources() {
 	const std::lock_guard<std::mutex> lock(making);
 	delete material;
-	delete of_parts;
+	delete of_sheets;
 	delete skin;
+	for (Ref<Shader> *&kept : shaders) {
+		delete std::exchange(kept, nullptr);
+	}
 	material = nullptr;
-	of_parts = nullptr;
+	of_sheets = nullptr;
 	skin = nullptr;
 }
 

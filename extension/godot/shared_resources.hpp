@@ -1,5 +1,6 @@
 #pragma once
 
+#include <godot_cpp/classes/shader.hpp>
 #include <godot_cpp/classes/shader_material.hpp>
 #include <godot_cpp/classes/skin.hpp>
 #include <godot_cpp/classes/standard_material3d.hpp>
@@ -14,13 +15,14 @@ godot::Ref<godot::StandardMaterial3D> default_material();
 /// shader that fields of such plants wear.
 godot::Ref<godot::ShaderMaterial> parts_material();
 
-/// Where that shader is.
-inline const char *const PARTS_SHADER_PATH = "res://addons/undergrowth/shaders/plant_parts.gdshader";
+/// The add-on's shaders of plants of parts and of others, kept from their first use on: whoever lets the last material
+/// of one go and makes another would read, and compile, it anew.
+godot::Ref<godot::Shader> plant_shader(bool of_parts);
 
 /// The binding of the two bones, root and tip, that all plants share.
 godot::Ref<godot::Skin> plant_skin();
 
-/// Lets both go. The library calls it before it is unloaded.
+/// Lets them go. The library calls it before it is unloaded.
 void free_shared_resources();
 
 } // namespace undergrowth

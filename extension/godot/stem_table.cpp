@@ -23,6 +23,7 @@ StemBeam StemTable::nothing() {
 
 void StemTable::forget_stems() {
 	solved.clear();
+	usual = 0.0f;
 	fault = String();
 }
 
@@ -60,6 +61,10 @@ static float usual_weight(const StemBeam &beam, const StemSolution &solution) {
 }
 
 StemConstants StemTable::solve(int number, const Motion &motion, const Ref<PlantStem> &stem) {
+	const bool is_usual = motion.wind_weight < 0.0f;
+	if (is_usual && number != 0 && usual == 0.0f) {
+		solve(0, motion, stem);
+	}
 	StemBeam beam = drawn;
 	beam.length *= float(std::pow(HEIGHT_RATIO, number));
 	beam.natural_frequency = motion.natural_frequency;
@@ -76,7 +81,10 @@ StemConstants StemTable::solve(int number, const Motion &motion, const Ref<Plant
 		bare.modes = beam.modes;
 		solution = solve_stem(bare);
 	}
-	solution.constants.dead_slope *= motion.wind_weight < 0.0f ? usual_weight(beam, solution) : motion.wind_weight;
+	if (is_usual && number == 0) {
+		usual = usual_weight(beam, solution);
+	}
+	solution.constants.dead_slope *= is_usual ? usual : motion.wind_weight;
 	return solution.constants;
 }
 

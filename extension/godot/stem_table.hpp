@@ -37,6 +37,7 @@ private:
 	std::map<int, Stem> solved; ///< By class of height; 0 is that of `drawn`.
 	StemBeam drawn = nothing();
 	godot::String fault;
+	float usual = 0.0f; ///< What the usual wind weight comes to, that of `drawn` for all heights; 0: not known yet.
 
 	static StemBeam nothing();
 	StemConstants solve(int number, const Motion &motion, const godot::Ref<PlantStem> &stem);

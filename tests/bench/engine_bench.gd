@@ -1,17 +1,20 @@
 ## Measures plants in the engine against their peers and prints a JSON list of rows.
 ##
-## Run headless with --fixed-fps 60, so that each frame is one step. All variants show the same
-## skinned mesh on a skeleton of two bones; the time of the same frames with nothing moving is
+## Run with --fixed-fps 60, so that each frame is one step; headless, or with a renderer, whose name
+## is in the rows then, and which leaves all but plants of four joints out. All variants show the
+## same skinned mesh on a skeleton of two bones; the time of the same frames with nothing moving is
 ## subtracted. bone_pose_only is what the engine's own call costs: the script's loop around it is
 ## part of what is subtracted. plant3d_held is plants whose skeletons somebody asked for: others
 ## tell the renderer alone of their motion, and nobody where there is none, as here. stem_4_held is
-## such plants whose stems show four joints, spring_bone_4 the engine's simulator on their bones.
+## such plants whose stems show four joints, spring_bone_4 the engine's simulator on the bones of
+## as many; both stand there, and they move by turns.
 extends SceneTree
 
 const COUNTS: Array[int] = [100, 1000, 3000, 10000]
 const WARM_UP_FRAMES := 30
 const BLOCKS := 21
 const FRAMES_PER_BLOCK := 12
+const FRAMES_TO_BEGIN := 4  # Until what was set moving moves as it will.
 const MANY := 3000  # Plants, from which on a block is one frame.
 const MOST_JOINTED := 1000
 
@@ -19,6 +22,7 @@ var _rows: Array[Dictionary] = []
 var _moving: Array[Skeleton3D] = []
 var _looping: Array[Skeleton3D] = []
 var _frame := 0
+var _renderer := "headless"
 
 
 func _initialize() -> void:
@@ -26,14 +30,16 @@ func _initialize() -> void:
 
 
 func _run() -> void:
+	if DisplayServer.get_name() != "headless":
+		_renderer = RenderingServer.get_current_rendering_method()
 	for count: int in COUNTS:
-		await _measure("plant3d", count, _add_plants)
-		await _measure("plant3d_held", count, _add_held_plants)
-		await _measure("spring_bone_2", count, _add_spring_bones)
-		await _measure("bone_pose_only", count, _add_posed)
+		if _renderer == "headless":
+			await _measure("plant3d", count, _add_plants)
+			await _measure("plant3d_held", count, _add_held_plants)
+			await _measure("spring_bone_2", count, _add_spring_bones)
+			await _measure("bone_pose_only", count, _add_posed)
 		if count <= MOST_JOINTED:
-			await _measure("stem_4_held", count, _add_held_plants, _jointed())
-			await _measure("spring_bone_4", count, _add_spring_bones, _jointed())
+			await _measure_joints(count)
 	print(JSON.stringify(_rows))
 	quit()
 
@@ -46,12 +52,10 @@ func _jointed() -> PlantFunction:
 	return species
 
 
-func _measure(
-	title: String, count: int, fill: Callable, species: PlantFunction = TulipFunction.new()
-) -> void:
+func _measure(title: String, count: int, fill: Callable) -> void:
 	var scene := Node3D.new()
 	root.add_child(scene)
-	var still := _make_plants(scene, count, species)
+	var still := _make_plants(scene, count, TulipFunction.new())
 	if title == "bone_pose_only":
 		for plant: Plant3D in still:
 			_looping.append(plant.get_skeleton())
@@ -63,7 +67,50 @@ func _measure(
 	_looping.clear()
 	scene.queue_free()
 	await process_frame
-	var usec := busy - idle
+	_add_row(title, count, busy - idle)
+
+
+## Stems of four joints beside spring bones on as many, in one scene and by turns, so that whatever
+## else the machine does meets both.
+func _measure_joints(count: int) -> void:
+	var scene := Node3D.new()
+	root.add_child(scene)
+	var species := _jointed()
+	var stems := _make_plants(scene, count, species)
+	_add_held_plants(stems)
+	var springs := _add_spring_bones(_make_plants(scene, count, species))
+	var by_stems: Array[float] = []
+	var by_springs: Array[float] = []
+	for block: int in BLOCKS:
+		_move(stems, "simulation_enabled", false)
+		_move(springs, "active", false)
+		var idle := await _frame_usec()
+		_move(stems, "simulation_enabled", true)
+		by_stems.append(await _frame_usec() - idle)
+		_move(stems, "simulation_enabled", false)
+		_move(springs, "active", true)
+		by_springs.append(await _frame_usec() - idle)
+	_add_row("stem_4_held", count, _median(by_stems))
+	_add_row("spring_bone_4", count, _median(by_springs))
+	scene.queue_free()
+	await process_frame
+
+
+func _move(those: Array, property: String, on: bool) -> void:
+	for one: Node in those:
+		one.set(property, on)
+
+
+func _frame_usec() -> float:
+	for i: int in FRAMES_TO_BEGIN:
+		await process_frame
+	var start := Time.get_ticks_usec()
+	for i: int in FRAMES_PER_BLOCK:
+		await process_frame
+	return float(Time.get_ticks_usec() - start) / FRAMES_PER_BLOCK
+
+
+func _add_row(title: String, count: int, usec: float) -> void:
 	(
 		_rows
 		. append(
@@ -73,6 +120,7 @@ func _measure(
 				"threads": 1,
 				"median_ms": usec / 1000.0,
 				"us_per_plant": usec / count,
+				"renderer": _renderer,
 			}
 		)
 	)
@@ -107,7 +155,8 @@ func _add_held_plants(plants: Array[Plant3D]) -> void:
 		plant.get_skeleton()
 
 
-func _add_spring_bones(plants: Array[Plant3D]) -> void:
+func _add_spring_bones(plants: Array[Plant3D]) -> Array[SpringBoneSimulator3D]:
+	var made: Array[SpringBoneSimulator3D] = []
 	for plant: Plant3D in plants:
 		var skeleton := plant.get_skeleton()
 		var first := skeleton.find_bone("stem_1")
@@ -121,6 +170,8 @@ func _add_spring_bones(plants: Array[Plant3D]) -> void:
 		simulator.set_end_bone(0, 1)
 		simulator.set_gravity(0, 1.0)
 		simulator.set_gravity_direction(0, Vector3.RIGHT)
+		made.append(simulator)
+	return made
 
 
 func _add_posed(_plants: Array[Plant3D]) -> void:
@@ -147,5 +198,9 @@ func _median_frame_usec(frames: int) -> float:
 		for i: int in frames:
 			await process_frame
 		times.append(float(Time.get_ticks_usec() - start) / frames)
-	times.sort()
-	return times[times.size() / 2]
+	return _median(times)
+
+
+func _median(values: Array[float]) -> float:
+	values.sort()
+	return values[values.size() / 2]

@@ -18,6 +18,7 @@ const WARM_UP_FRAMES := 60
 const BLOCKS := 21
 const FRAMES_PER_BLOCK := 8
 const FILLS := 5
+const FRAMES_BETWEEN_PUSHES := 90
 const PARTS: Array[String] = [
 	"meadow_grass", "garden_tulip", "oxeye_daisy", "meadow_grass", "oxeye_daisy"
 ]
@@ -28,6 +29,8 @@ const LAWS: Dictionary = {
 
 var _rows: Array[Dictionary] = []
 var _renderer := "headless"
+var _pushed: PlantField3D
+var _frame := 0
 
 
 func _initialize() -> void:
@@ -53,6 +56,16 @@ func _run() -> void:
 		field.simulation_enabled = true
 		field.wind = breeze
 		await _measure(LAWS[law] + "_air", field)
+	for title: String in ["field_frame_stems_asleep", "field_frame_stems_two_modes"]:
+		var field := _make_field_of_parts()
+		for entry in field.species:
+			var stem: PlantStem = entry.species.stem
+			entry.species.stem = stem.duplicate() if stem else PlantStem.new()
+			entry.species.stem.modes = 2
+		field.simulation_enabled = true
+		_pushed = field if title == "field_frame_stems_two_modes" else null
+		await _measure(title, field)
+	_pushed = null
 	if _renderer == "headless":
 		await _measure_fill("field_fill", _make_field(LADDER_COUNT, {"simulation_enabled": false}))
 		await _measure_fill("field_fill_of_parts", _make_field_of_parts())
@@ -63,6 +76,14 @@ func _run() -> void:
 			_measure_gdscript(count)
 	print(JSON.stringify(_rows))
 	quit()
+
+
+## Stems step a second mode for some seconds after they were pushed.
+func _process(_delta: float) -> bool:
+	_frame += 1
+	if _pushed and _frame % FRAMES_BETWEEN_PUSHES == 0:
+		_pushed.apply_impulse_in_sphere(Vector3.ZERO, 1e4, Vector3(1e-6, 0.0, 0.0))
+	return false
 
 
 func _make_field(count: int, settings: Dictionary) -> PlantField3D:

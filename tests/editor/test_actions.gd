@@ -1,18 +1,9 @@
 @tool
 extends "actions_test.gd"
-## The actions of the plant page: into the scene, into a file, and a species of one's own.
+## The actions of the plant page that change the edited scene.
 
-const Ground := preload("res://addons/undergrowth/editor/actions/ground.gd")
-const FileNames := preload("res://addons/undergrowth/editor/actions/file_names.gd")
 const SCENE := "res://actions_scene.tscn"
 const CONTROL_SCENE := "res://actions_control.tscn"
-const SAVED := "res://my species/Ševar vlažni.tres"
-const BLOCKER := "res://not_a_folder"
-const READ_ONLY := "res://read_only"
-const MAY_READ := FileAccess.UNIX_READ_OWNER | FileAccess.UNIX_EXECUTE_OWNER
-const NEW_TITLE := "Šaš uz rijeku"
-const NEW_SCRIPT := "res://sas_uz_rijeku.gd"
-const NEW_CLASS := "SasUzRijekuFunction"
 ## Height of the box that stands under the view's centre.
 const TABLE_TOP := 1.5
 
@@ -72,42 +63,6 @@ func test_add_puts_plants_on_what_the_view_looks_at() -> void:
 	check(second.get_parent() == root, "a plant is not put below a plant")
 	await undo()
 	table.free()
-
-
-func test_ground_is_whatever_a_ray_meets() -> void:
-	var root := EditorInterface.get_edited_scene_root() as Node3D
-	var away := Vector3(500.0, 0.0, 0.0)
-	var things: Dictionary[String, Node3D] = {
-		"plane": _with_mesh(PlaneMesh.new()),
-		"sphere": _with_mesh(SphereMesh.new()),
-		"geometry": CSGBox3D.new(),
-		"collider": _make_collider(),
-	}
-	var tops: Dictionary[String, float] = {
-		"plane": 3.0, "sphere": 3.5, "geometry": 3.5, "collider": 3.5
-	}
-	for kind in things:
-		root.add_child(things[kind])
-		things[kind].global_position = away + Vector3.UP * 3.0
-		await frames(10)
-		check_near_ground(away + Vector3.UP * 9.0, Vector3.DOWN, tops[kind], kind)
-		things[kind].free()
-		await frames(2)
-	check_near_ground(away + Vector3.UP * 9.0, Vector3.DOWN, 0.0, "nothing")
-	check_near_ground(away + Vector3.UP * 9.0, Vector3.UP, 0.0, "the sky")
-
-
-func test_before_a_wall_the_ground_is_at_its_foot() -> void:
-	var root := EditorInterface.get_edited_scene_root() as Node3D
-	var wall := CSGBox3D.new()
-	wall.size = Vector3(0.2, 10.0, 10.0)
-	root.add_child(wall)
-	await frames(5)
-	var point := Ground.find_along(
-		root.get_world_3d(), Vector3(-4.0, 2.0, 0.0), Vector3(1.0, -0.1, 0.0).normalized()
-	)
-	check(point.is_equal_approx(Vector3(-0.15, 0.0, 0.0)), "foot of the wall: %s" % point)
-	wall.free()
 
 
 func test_add_goes_below_the_selected_node() -> void:
@@ -170,112 +125,6 @@ func test_a_root_that_is_no_node3d_takes_plants() -> void:
 	check_equal(EditorInterface.get_edited_scene_root().get_child_count(), 0, "after undo")
 
 
-func test_save_as_keeps_edits_and_is_listed() -> void:
-	await _choose("Tulip")
-	_state().function.natural_frequency = 1.25
-	await _use("Save")
-	var dialog := _dialog("EditorFileDialog") as EditorFileDialog
-	check(dialog != null and dialog.visible, "the file dialog opens")
-	check_equal(dialog.current_file, "tulip.tres", "suggested name")
-	DirAccess.make_dir_recursive_absolute(SAVED.get_base_dir())
-	await _type_into(dialog, dialog.get_line_edit(), SAVED)
-	await click(dialog.get_ok_button())
-	await frames(3)
-	check(FileAccess.file_exists(SAVED), "the file is there: " + _message())
-	check_equal(_state().path, SAVED, "it is chosen")
-	var read := ResourceLoader.load(SAVED, "", ResourceLoader.CACHE_MODE_IGNORE) as TulipFunction
-	check_equal(read.natural_frequency, 1.25, "its frequency")
-	var list := part("Plant/List/ProjectList") as ItemList
-	check(await until(func() -> bool: return _lists(list, SAVED)), "the list finds it")
-
-
-func test_saving_over_a_species_changes_it_where_it_is_used() -> void:
-	var used := load(SAVED) as TulipFunction
-	await _choose("Tulip")
-	_state().function.natural_frequency = 2.5
-	part("Plant/Actions").call(&"save_as", SAVED)
-	check_equal(used.natural_frequency, 2.5, "frequency where it was in use")
-	check(_state().function == used, "the same is chosen")
-	var plant := Plant3D.new()
-	plant.species = used
-	check(plant.get_mesh() != null, "it can be drawn")
-	plant.free()
-
-
-func test_what_cannot_be_written_is_told_and_nothing_is_lost() -> void:
-	_write(BLOCKER, "keep me")
-	await _choose("Reed")
-	var function := _state().function
-	for path: String in [BLOCKER + "/reed.tres", "/proc/reed.tres", "user://reed.tres"]:
-		part("Plant/Actions").call(&"save_as", path)
-		check(
-			_message().length() > 20 and not FileAccess.file_exists(path), path + ": " + _message()
-		)
-	check(_state().function == function, "the species is still chosen")
-	check_equal(FileAccess.get_file_as_string(BLOCKER), "keep me", "the file in the way")
-	await _check_read_only_folder()
-
-
-func test_new_species_is_written_opened_and_chosen() -> void:
-	await click(part("Plant/List/New") as Control)
-	var dialog := _dialog("ConfirmationDialog") as ConfirmationDialog
-	check(dialog.get_ok_button().disabled, "nothing to create without a name")
-	var title := dialog.get_node("%Title") as LineEdit
-	await _type_into(dialog, title, "9 lives")
-	check(dialog.get_ok_button().disabled, "a class does not begin with a digit")
-	check(_hint(dialog).contains("letter"), "and the dialog says so: " + _hint(dialog))
-	await _type_into(dialog, title, "Grass")
-	check(dialog.get_ok_button().disabled and _hint(dialog).contains("GrassFunction"), "taken name")
-	await _type_into(dialog, title, NEW_TITLE)
-	await take_dialog_picture(dialog, "new_species")
-	await click(dialog.get_ok_button())
-	await frames(10)
-	check(not dialog.visible, "the dialog closes: " + _hint(dialog))
-	check(FileAccess.file_exists(NEW_SCRIPT), "the script is there")
-	check_equal(_state().path, NEW_SCRIPT, "it is chosen")
-	check_equal(_state().problem, "", "its problem")
-	var open := EditorInterface.get_script_editor().get_current_script()
-	check(open and open.resource_path == NEW_SCRIPT, "it is open in the script editor")
-	var source := FileAccess.get_file_as_string(NEW_SCRIPT)
-	check(source.contains("class_name " + NEW_CLASS), "its class")
-	var list := part("Plant/List/ProjectList") as ItemList
-	check(await until(func() -> bool: return _lists(list, NEW_SCRIPT)), "the list finds it")
-
-
-func test_a_second_species_of_that_name_is_refused() -> void:
-	await click(part("Plant/List/New") as Control)
-	var dialog := _dialog("ConfirmationDialog") as ConfirmationDialog
-	await _type_into(dialog, dialog.get_node("%Title") as LineEdit, NEW_TITLE)
-	check(dialog.get_ok_button().disabled, "it cannot be created")
-	check(_hint(dialog).contains("exists"), "the dialog says why: " + _hint(dialog))
-	await _type_into(dialog, dialog.get_node("%Title") as LineEdit, "Other")
-	var path := dialog.get_node("%Folder").get_node("%Path") as LineEdit
-	await _type_into(dialog, path, BLOCKER)
-	await click(dialog.get_ok_button())
-	await frames(3)
-	check(dialog.visible and _hint(dialog).contains(BLOCKER), "it stays open: " + _hint(dialog))
-	check(_message().contains(BLOCKER), "the status line says it, too: " + _message())
-	await click(dialog.get_cancel_button())
-
-
-func test_a_species_of_one_s_own_goes_into_the_scene() -> void:
-	EditorInterface.open_scene_from_path(SCENE)
-	await frames(5)
-	var root := EditorInterface.get_edited_scene_root()
-	_select([root])
-	await open_page("Plant")
-	var list := part("Plant/List/ProjectList") as ItemList
-	for i in list.item_count:
-		if list.get_item_tooltip(i) == NEW_SCRIPT:
-			await click_item(list, i)
-	check_equal(_state().path, NEW_SCRIPT, "chosen species")
-	await _use("Add")
-	var plant := root.get_child(-1) as Plant3D
-	check(plant.species.get_script() == load(NEW_SCRIPT), "its script")
-	check(plant.get_mesh() != null, "its mesh")
-	await undo()
-
-
 func test_a_species_that_fails_is_not_put_anywhere() -> void:
 	var curves := CurvePlantFunction.new()
 	curves.width_curve = Curve.new()
@@ -291,42 +140,10 @@ func test_a_species_that_fails_is_not_put_anywhere() -> void:
 	await _choose("Grass")
 
 
-func test_names_become_files_and_classes() -> void:
-	check_equal(FileNames.to_stem("  Šaš uz rijeku / no. 2 "), "sas_uz_rijeku_no_2", "stem")
-	check_equal(FileNames.to_stem('a:b*c?"<>|'), "a_b_c", "stem without illegal characters")
-	check_equal(FileNames.to_stem("..."), "", "stem of nothing")
-	check_equal(FileNames.to_stem("Straße"), "strasse", "stem of a sharp s")
-	check_equal(FileNames.to_stem("芦苇"), "芦苇", "stem of another script")
-	check_equal(FileNames.to_class_title("marsh Sedge"), "MarshSedgeFunction", "class")
-	check_equal(FileNames.to_class_title("FoxtailFunction"), "FoxtailFunction", "class as typed")
-	check_equal(FileNames.to_node_name("a.b:c/d"), "a_b_c_d", "node")
-
-
-## Fails the test unless the ground along that ray is at [param height].
-func check_near_ground(from: Vector3, along: Vector3, height: float, what: String) -> void:
-	var root := EditorInterface.get_edited_scene_root() as Node3D
-	var point := Ground.find_along(root.get_world_3d(), from, along)
-	check(absf(point.y - height) < 0.02, "%s: %s, not at %f" % [what, point, height])
-
-
 ## The edited scene as its file has it after saving.
 func _saved_text() -> String:
 	check_equal(EditorInterface.save_scene(), OK, "saving")
 	return FileAccess.get_file_as_string(SCENE)
-
-
-func _with_mesh(mesh: Mesh) -> MeshInstance3D:
-	var shown := MeshInstance3D.new()
-	shown.mesh = mesh
-	return shown
-
-
-func _make_collider() -> StaticBody3D:
-	var body := StaticBody3D.new()
-	var shape := CollisionShape3D.new()
-	shape.shape = BoxShape3D.new()
-	body.add_child(shape)
-	return body
 
 
 func _make_scene() -> Node3D:
@@ -361,17 +178,3 @@ func _add_plants(root: Node, count: int) -> Array[Node]:
 		plant.owner = root
 		plants.append(plant)
 	return plants
-
-
-## A folder whose rights forbid writing; who runs the tests as root may write there all the same.
-func _check_read_only_folder() -> void:
-	DirAccess.make_dir_recursive_absolute(READ_ONLY)
-	var real := ProjectSettings.globalize_path(READ_ONLY)
-	FileAccess.set_unix_permissions(real, MAY_READ)
-	var path := READ_ONLY.path_join("reed.tres")
-	var may_write := FileAccess.open(path, FileAccess.WRITE) != null
-	DirAccess.remove_absolute(path)
-	part("Plant/Actions").call(&"save_as", path)
-	check(_message().begins_with("Saved" if may_write else "Cannot write"), _message())
-	check(_message().contains(path), "the file is named: " + _message())
-	FileAccess.set_unix_permissions(real, MAY_READ | FileAccess.UNIX_WRITE_OWNER)

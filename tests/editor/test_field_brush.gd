@@ -1,9 +1,6 @@
 @tool
-extends "viewport_test.gd"
+extends "brush_test.gd"
 ## The brush over the 3D view: strokes on a field's map, while they are drawn and as steps of undo.
-
-const BAR_SCRIPT := "res://addons/undergrowth/editor/brush/brush_bar.gd"
-const GRASS := "Grass"
 
 
 func test_the_toolbar_is_there_while_a_field_is_edited() -> void:
@@ -67,7 +64,7 @@ func test_strokes_are_seen_while_they_are_drawn() -> void:
 	check_equal(field.map.get_painted_species(), PackedStringArray(), "painted after undo")
 
 
-func test_keys_and_ctrl_change_what_the_brush_does() -> void:
+func test_keys_change_what_the_brush_does() -> void:
 	var field := await _edited_field()
 	await _choose_tool("Paint")
 	var radius := _bar().get_node("%Radius") as EditorSpinSlider
@@ -119,35 +116,3 @@ func test_the_brush_is_seen() -> void:
 	await take_picture("brush")
 	check(field.map != null, "it is painted")
 	await _choose_tool("Erase")
-
-
-func _edited_field() -> PlantField3D:
-	var field := await _open_field()
-	await _choose_only(field)
-	await _rested(field)
-	(_bar().get_node("%Radius") as EditorSpinSlider).value = 0.8
-	return field
-
-
-func _rested(field: PlantField3D) -> void:
-	await frames(3)
-	var rests := func() -> bool: return not field.is_filling()
-	check(await until(rests), "it comes to rest")
-
-
-func _bar() -> Control:
-	var found: Array[Node] = []
-	_collect(EditorInterface.get_base_control(), BAR_SCRIPT, found)
-	return found[0]
-
-
-func _species_button(title: String) -> Button:
-	for button: Button in _bar().get_node("%Species").get_children():
-		if button.text == title:
-			return button
-	return null
-
-
-# Or puts it down where it is chosen.
-func _choose_tool(title: String) -> void:
-	await click(_bar().get_node("%" + title) as Control)

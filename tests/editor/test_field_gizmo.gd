@@ -72,6 +72,26 @@ func test_an_outline_is_the_border() -> void:
 	check_equal(field.size, Vector2(2, 4), "it has no handles")
 
 
+func test_a_bed_is_as_wide_as_its_border() -> void:
+	var field := await _open_field()
+	var path := Path3D.new()
+	path.curve = Curve3D.new()
+	path.curve.add_point(Vector3(-1, 0, 0.5))
+	path.curve.add_point(Vector3(1, 0, 0.5))
+	_put(EditorInterface.get_edited_scene_root(), path)
+	field.outline = field.get_path_to(path)
+	field.outline_width = 0.4
+	await frames(3)
+	await _click_at(field, Vector3(0.5, 0, 1.4))
+	check_equal(_selected(), PackedStringArray(), "selection beside the bed")
+	await _click_at(field, Vector3(0.5, 0, 0.6))
+	check_equal(_selected(), PackedStringArray(["Field"]), "selection in the bed")
+	field.outline_width = 2.4
+	await frames(3)
+	await _click_at(field, Vector3(0.5, 0, 1.4))
+	check_equal(_selected(), PackedStringArray(["Field"]), "selection in a wider one")
+
+
 func test_f_frames_a_field() -> void:
 	var field := await _open_field()
 	field.position = Vector3(30, 0, 0)

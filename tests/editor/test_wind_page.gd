@@ -71,6 +71,25 @@ func test_air_has_fields_of_its_own_and_presets() -> void:
 	check(not (part("Wind/Speed") as Control).visible, "waves have no speed")
 
 
+func test_turbulence_of_the_ground_is_told_in_words() -> void:
+	await _choose_kind(PlantWind.KIND_AIR)
+	var slider := part("Wind/Turbulence") as EditorSpinSlider
+	slider.value = -1.0
+	check_equal(slider.call(&"get_shown"), tr("by roughness"), "below 0")
+	slider.value = 0.2
+	check_equal(slider.call(&"get_shown"), "", "a share is shown as it is")
+	check(is_equal_approx(_wind().turbulence, 0.2), "and is the wind's")
+	slider.value = -1.0
+
+
+func test_air_does_not_make_the_dock_wider() -> void:
+	await _choose_kind(PlantWind.KIND_WAVES)
+	var before := dock().get_combined_minimum_size().x
+	await _choose_kind(PlantWind.KIND_AIR)
+	await frames(3)
+	check_equal(dock().get_combined_minimum_size().x, before, "least width")
+
+
 func test_air_shows_its_map_and_its_spectrum() -> void:
 	await _choose_kind(PlantWind.KIND_AIR)
 	await _press_button("Fresh")
@@ -83,6 +102,7 @@ func test_air_shows_its_map_and_its_spectrum() -> void:
 	sorted.sort()
 	check(sorted[-1] > 1.3 * sorted[0], "gusts: %f to %f m/s" % [sorted[0], sorted[-1]])
 	await until(func() -> bool: return spectrum.get_points().size() > 15)
+	await take_picture("air")
 	var points := spectrum.get_points()
 	check(points.size() > 15, "%d points of the spectrum" % points.size())
 	for point in points:

@@ -55,6 +55,36 @@ func test_a_hundred_thousand_plants() -> void:
 	check(told["bytes_per_plant"] <= 96.0, "at most 96 bytes a plant: %s" % told["bytes_per_plant"])
 
 
+## What is asked and told in the world's places, the wind's direction and an outline elsewhere.
+func test_a_field_under_a_parent_is_the_one_that_stands_there_alone() -> void:
+	var parent := Node3D.new()
+	parent.transform = Transform3D(Basis(Vector3.UP, 0.7), Vector3(30.0, 2.0, -7.0))
+	field.transform = Transform3D(Basis(Vector3.UP, -1.9), Vector3(5.0, 0.0, 3.0))
+	field.wind = PlantWind.new()
+	field.wind.kind = PlantWind.KIND_CONSTANT
+	field.exclusions = [add_path("Pond", [Vector3(-2, 0, -2), Vector3(1, 0, -2), Vector3(1, 0, 3)])]
+	var alone := await start_with_twin({transform = parent.transform * field.transform})
+	field.reparent(parent, false)
+	root.add_child(parent)
+	check(field.global_transform.is_equal_approx(alone.global_transform), "they stand together")
+	field.fill()
+	await filled(field)
+	check_equal(sorted_ids().size(), alone.get_plant_count(), "plants")
+	var center := field.to_global(Vector3(-3.0, 0.0, 1.0))
+	var near := field.find_plants_in_sphere(center, 1.5)
+	check(near.size() > 10, "%d are near" % near.size())
+	check_equal(near.size(), alone.find_plants_in_sphere(center, 1.5).size(), "near a place")
+	for i in 60:
+		step_both(alone)
+	for id in near:
+		var apart := field.get_tip_position(id).distance_to(alone.get_tip_position(id))
+		check_near(apart, 0.0, 1e-4, "tips apart")
+	check(relative_tip(near[0]).angle_to(Vector3.UP) > 0.05, "they bend")
+	alone.free()
+	field.reparent(root)
+	parent.free()
+
+
 func test_the_same_seed_gives_the_same_field() -> void:
 	await _fill()
 	var other := _make_field()

@@ -122,7 +122,7 @@ func test_a_state_that_was_kept_comes_back() -> void:
 	await frames(2)
 	var ids := field.get_plant_ids()
 	var state := field.get_motion_state(ids)
-	check_equal(state.size(), 6 * ids.size(), "numbers")
+	check_equal(state.size(), 12 * ids.size(), "numbers")
 	var tips := field.get_tip_positions(ids)
 	field.reset_motion()
 	check(field.get_tip_positions(ids) != tips, "they go back to rest")
@@ -131,10 +131,10 @@ func test_a_state_that_was_kept_comes_back() -> void:
 	var again := field.get_tip_positions(ids)
 	for i in ids.size():
 		check_near(again[i], tips[i], 1e-3, "tip %d" % i)
-		for j in 6:
-			check_near(back[6 * i + j], state[6 * i + j], 5e-3, "number %d of plant %d" % [j, i])
+		for j in 12:
+			check_near(back[12 * i + j], state[12 * i + j], 5e-3, "number %d of plant %d" % [j, i])
 	field.set_motion_state(ids, PackedFloat32Array([1, 2, 3]))
-	check_error("six numbers")
+	check_error("twelve numbers")
 	field.set_motion_state(ids.slice(0, 1), PackedFloat32Array([NAN, 0, 0, INF, 0, 0]))
 	check(field.get_tip_position(ids[0]).is_finite(), "no number that is none is taken")
 

@@ -100,7 +100,7 @@ func test_a_property_of_motion_that_is_set_while_a_field_fills_counts() -> void:
 	var rates := field.get_motion_state(ids)
 	for i in ids.size():
 		if field.get_plant_species(ids[i]) == tulip:
-			var rate := Vector3(rates[6 * i + 3], rates[6 * i + 4], rates[6 * i + 5])
+			var rate := Vector3(rates[12 * i + 3], rates[12 * i + 4], rates[12 * i + 5])
 			most = maxf(most, rate.length() * field.get_plant_height(ids[i]))
 	check(most < 4.0, "a blow on so heavy a plant gives %f m/s" % most)
 	check_equal(rest.size(), ids.size(), "tips")

@@ -97,7 +97,7 @@ func test_a_blast_blows_away_from_its_centre_the_more_the_nearer() -> void:
 	var far := 0.0
 	for i in ids.size():
 		var place := field.get_plant_transform(ids[i]).origin
-		var rate := Vector3(state[6 * i + 3], state[6 * i + 4], state[6 * i + 5])
+		var rate := Vector3(state[12 * i + 3], state[12 * i + 4], state[12 * i + 5])
 		outward += 1 if rate.dot(place) > 0.0 else 0
 		var speed := rate.length() * field.get_plant_height(ids[i])
 		if place.length() < 1.0:

@@ -112,6 +112,29 @@ func test_another_field_that_is_excluded_is_followed() -> void:
 	path.free()
 
 
+func test_the_outline_of_another_field_that_is_excluded_is_followed() -> void:
+	var other := PlantField3D.from_species([GrassFunction.new()])
+	other.name = "Other"
+	root.add_child(other)
+	var corners := [Vector3(-3, 0, -3), Vector3(3, 0, -3), Vector3(3, 0, 3), Vector3(-3, 0, 3)]
+	var outline := Path3D.new()
+	outline.curve = Curve3D.new()
+	for corner: Vector3 in corners:
+		outline.curve.add_point(corner)
+	other.add_child(outline)
+	other.outline = other.get_path_to(outline)
+	root.add_child(field)
+	field.exclusions = [NodePath("../Other")]
+	await filled(field)
+	check_equal(_count_near(Vector2.ZERO, 2.5), 0, "plants within the outline")
+	for i in 4:
+		outline.curve.set_point_position(i, corners[i] * 2.0)
+	await frames(LOOK)
+	await rested()
+	check_equal(_count_near(Vector2.ZERO, 5.5), 0, "plants within the larger outline")
+	other.free()
+
+
 func test_an_exclusion_of_two_points_says_what_to_do() -> void:
 	field.exclusions = [add_path("Line", [Vector3(-5, 0, 0), Vector3(5, 0, 0)])]
 	root.add_child(field)

@@ -133,6 +133,55 @@ func test_nothing_grows_on_bodies_that_push_plants() -> void:
 	ground.free()
 
 
+func test_below_roofs_plants_stand_where_the_lowest_ground_is_chosen() -> void:
+	var ground := add_plate(100.0, 0.5)
+	var roof := add_plate(4.0, 5.0)
+	var upper_roof := add_plate(2.0, 8.0)
+	await physics_frames(2)
+	field.ground_mode = PlantField3D.GROUND_COLLIDERS
+	field.density = 20.0
+	await _fill()
+	check_equal(_heights(), [0.5, 5.0, 8.0], "on the roofs")
+	field.ground_choice = PlantField3D.GROUND_LOWEST
+	await filled(field)
+	check_equal(_heights(), [0.5], "below them")
+	ground.position.y = -300.5
+	await physics_frames(2)
+	field.fill()
+	await filled(field)
+	check_equal(_heights(), [-300.0], "far below them")
+	ground.free()
+	await physics_frames(2)
+	field.fill()
+	await filled(field)
+	check_equal(_heights(), [5.0], "there is nothing but roofs")
+	roof.free()
+	upper_roof.free()
+	field.set("ground_choice", 2)
+	check_error("ground_choice is GROUND_HIGHEST or GROUND_LOWEST")
+	check_equal(field.ground_choice, PlantField3D.GROUND_LOWEST, "it stays")
+
+
+func test_of_a_mesh_with_a_roof_the_lowest_ground_may_be_chosen() -> void:
+	var surface := SurfaceTool.new()
+	surface.begin(Mesh.PRIMITIVE_TRIANGLES)
+	for height: float in [1.0, 4.0]:
+		for corner: Vector2 in [Vector2(-20, -20), Vector2(20, -20), Vector2(0, 30)]:
+			surface.add_vertex(Vector3(corner.x, height, corner.y))
+	var house := MeshInstance3D.new()
+	house.name = "House"
+	house.mesh = surface.commit()
+	root.add_child(house)
+	field.ground_mode = PlantField3D.GROUND_MESH
+	field.ground_mesh = ^"../House"
+	await _fill()
+	check_equal(_heights(), [4.0], "on it")
+	field.ground_choice = PlantField3D.GROUND_LOWEST
+	await filled(field)
+	check_equal(_heights(), [1.0], "below it")
+	house.free()
+
+
 func test_a_field_that_finds_no_ground_says_what_to_check() -> void:
 	field.ground_mode = PlantField3D.GROUND_COLLIDERS
 	await _fill()
@@ -183,3 +232,14 @@ func _field_axis(id: int) -> Vector3:
 ## The id of one of the plants.
 func _fifth() -> int:
 	return field.get_plant_ids()[5]
+
+
+## All that plants stand at, to a millimetre, ascending.
+func _heights() -> Array[float]:
+	var found: Array[float] = []
+	for transform in field.get_plant_transforms(field.get_plant_ids()):
+		var height := snappedf(transform.origin.y, 0.001)
+		if height not in found:
+			found.append(height)
+	found.sort()
+	return found

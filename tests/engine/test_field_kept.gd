@@ -37,6 +37,7 @@ func test_who_is_removed_while_it_is_filled_stays_so() -> void:
 
 
 func test_the_nearest_plant_and_its_species_are_found() -> void:
+	field.scale = Vector3.ONE * 2.0
 	await start()
 	var point := field.to_global(Vector3(1.0, 0.0, 2.0))
 	var best := INF

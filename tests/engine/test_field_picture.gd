@@ -134,6 +134,22 @@ func test_followers_of_a_preview_look_alike_in_another_material() -> void:
 	await _check_followers_dressed(true)
 
 
+## What was sent step by step is what is sent at once when time stands still.
+func test_followers_are_drawn_as_their_prototypes_moved() -> void:
+	await _start_followers(TulipFunction.new())
+	Engine.time_scale = 0.0
+	await frames(2)
+	RenderingServer.render_loop_enabled = true
+	var before := await picture()
+	_field.simulation_enabled = false
+	await frames(4)
+	var after := await picture()
+	Engine.time_scale = 1.0
+	check(count_different(before, empty_picture()) > LEAST_PLANT, "plants are drawn")
+	var different := count_different(before, after)
+	check(different <= MOST_DIFFERENT, "%d pixels differ" % different)
+
+
 func test_a_follower_that_was_pushed() -> void:
 	var function := TulipFunction.new()
 	function.law = PlantFunction.LAW_SPRING
@@ -153,16 +169,7 @@ func test_a_follower_that_was_pushed() -> void:
 func _check_followers_dressed(preview: bool) -> void:
 	var function := TulipFunction.new()
 	function.material = StandardMaterial3D.new()
-	_field.species = [PlantFieldSpecies.of(function)]
-	_field.prototypes = 1
-	_field.size = Vector2(3, 3)
-	_field.density = 10.0
-	_field.wind.strength = 4.0
-	_field.wind.kind = PlantWind.KIND_WAVES
-	_field.wind.travel_speed = 1.0
-	await _field.filled
-	RenderingServer.render_loop_enabled = false
-	await _settle()
+	await _start_followers(function)
 	_field.simulation_enabled = false
 	await frames(2)
 	RenderingServer.render_loop_enabled = true
@@ -175,6 +182,20 @@ func _check_followers_dressed(preview: bool) -> void:
 	check(count_different(before, empty_picture()) > LEAST_PLANT, "plants are drawn")
 	var different := count_different(before, after)
 	check(different <= MOST_DIFFERENT, "%d pixels differ" % different)
+
+
+## Followers in slow waves, after a while, and nothing is drawn until one asks for it.
+func _start_followers(function: PlantFunction) -> void:
+	_field.species = [PlantFieldSpecies.of(function)]
+	_field.prototypes = 1
+	_field.size = Vector2(3, 3)
+	_field.density = 10.0
+	_field.wind.strength = 4.0
+	_field.wind.kind = PlantWind.KIND_WAVES
+	_field.wind.travel_speed = 1.0
+	await _field.filled
+	RenderingServer.render_loop_enabled = false
+	await _settle()
 
 
 ## [param mown]: metres that it is left before.

@@ -40,7 +40,7 @@ func test_a_reed_of_two_modes_on_a_slope() -> void:
 	var species := _reed()
 	species.stem.modes = 2
 	var tilt := Basis(Vector3(1, 0, 0.5).normalized(), -0.3)
-	await _compare(species, Transform3D(tilt * Basis(Vector3.UP, 2.0)), 13, 0.8)
+	await _compare(species, Transform3D(tilt * Basis(Vector3.UP, 2.0)), 13, 0.8, true)
 
 
 func test_a_reed_on_a_slope() -> void:
@@ -51,7 +51,14 @@ func test_a_reed_on_a_slope() -> void:
 func test_a_reed_of_two_modes() -> void:
 	var species := _reed()
 	species.stem.modes = 2
-	await _compare(species, Transform3D(Basis(Vector3.UP, 2.0)), 15, 0.8)
+	await _compare(species, Transform3D(Basis(Vector3.UP, 2.0)), 15, 0.8, true)
+
+
+func test_a_reed_of_two_modes_that_nobody_pushes() -> void:
+	var species := _reed()
+	species.stem.modes = 2
+	species.lean = deg_to_rad(15.0)
+	await _compare(species, Transform3D(Basis(Vector3.UP, 2.0)), 300, 1.5)
 
 
 func test_a_reed_in_air() -> void:
@@ -115,9 +122,16 @@ func _blow(species: PlantFunction, slope: float) -> void:
 	plant.free()
 
 
-func _compare(species: PlantFunction, place: Transform3D, steps: int, slope: float) -> void:
+## A field's stems step their second mode where they are `pushed`.
+func _compare(
+	species: PlantFunction, place: Transform3D, steps: int, slope: float, pushed := false
+) -> void:
 	_blow(species, slope)
 	var id := _field.add_plants([place], species)[0]
+	if pushed:
+		_field.apply_impulse_in_sphere(
+			_field.global_transform * place.origin, 1.0, Vector3.UP * 1e-9
+		)
 	for i in steps:
 		_field._preview(STEP, _wind)
 	var in_field := await picture()

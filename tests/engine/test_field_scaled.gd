@@ -122,6 +122,25 @@ func test_fields_of_any_scale_draw_all_their_plants() -> void:
 			field.free()
 
 
+func test_a_field_that_is_scaled_while_it_stands_draws_all_within_its_range() -> void:
+	_make_stage()
+	field.species = [PlantFieldSpecies.of(GrassFunction.new())]
+	field.size = Vector2(24, 24)
+	field.density = 2.0
+	field.tile_size = 8.0
+	field.levels = [PlantFieldLevel.of(2)]
+	_stage.add_child(field)
+	await filled(field)
+	field.visibility_range_end = 15.0
+	await dressed()
+	field.scale = Vector3.ONE * 5.0
+	await frames(12)
+	var within := _count_within(15.0)
+	check(within > 20, "%d plants in range" % within)
+	var seen := await _primitives()
+	check(seen >= within * _primitives_of(2), "%d primitives for %d plants" % [seen, within])
+
+
 func test_no_part_of_a_deviating_plant_is_culled() -> void:
 	_make_stage()
 	var function := CurvePlantFunction.new()

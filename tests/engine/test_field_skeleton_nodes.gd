@@ -19,4 +19,8 @@ func test_a_camera_that_goes_to_and_fro_leaves_no_heap_of_skeletons() -> void:
 		counts.append(field.get_node("FieldSkeletons").get_child_count())
 	check_equal(counts[7], counts[1], "nodes, after %s" % [counts])
 	check(counts[7] <= 60, "%d nodes" % counts[7])
+	camera.position.y = 100.0
+	await frames(30)
+	for node: Node3D in field.get_node("FieldSkeletons").get_children():
+		check(not node.visible, "%s is seen, and the camera is far away" % node.name)
 	camera.free()

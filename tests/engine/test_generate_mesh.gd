@@ -117,9 +117,11 @@ func test_heights_and_lods_out_of_range_give_one_error_and_no_mesh() -> void:
 	for height: float in [-1.0, NAN, INF, -INF, 1000.1, 1e30]:
 		check(tulip.generate_mesh(height, 12) == null, "no mesh of height %f" % height)
 		check_error("cannot be built")
-	for lod: int in [0, -1, 257, 1000000]:
-		check(tulip.generate_mesh(1.0, lod) == null, "no mesh of lod %d" % lod)
-		check_error("cannot be built")
+	var grass: PlantFunction = load("res://addons/undergrowth/species/meadow_grass.tres")
+	for species: PlantFunction in [tulip, grass]:
+		for lod: int in [0, -1, 257, 1000000]:
+			check(species.generate_mesh(1.0, lod) == null, "no mesh of lod %d" % lod)
+			check_error("cannot be built")
 
 
 func test_the_highest_lod_is_built() -> void:

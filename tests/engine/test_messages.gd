@@ -33,6 +33,45 @@ func test_a_species_that_nothing_is_known_of_is_called_by_its_class() -> void:
 	check_error("PlantFunction: mass cannot be")
 
 
+func test_a_fault_in_a_file_is_told_once_with_that_file() -> void:
+	_write_faulty_file()
+	var tulip: TulipFunction = load(SPECIES)
+	await frames(2)
+	check_error_count("TulipFunction '%s': natural_frequency cannot be -3.0" % SPECIES, 1)
+	check_equal(tulip.natural_frequency, TulipFunction.new().natural_frequency, "it keeps its value")
+	check_equal(tulip.mass, 2.0, "what stands below is read")
+
+
+func test_a_fault_in_a_file_is_told_even_if_nobody_keeps_what_was_read() -> void:
+	await frames(2)  # Until the last test's resources are gone.
+	_write_faulty_file()
+	load(SPECIES)
+	await frames(2)
+	check_error_count("natural_frequency cannot be -3.0", 1)
+
+
+func test_a_fault_in_a_file_that_another_one_needs_is_told_with_that_file() -> void:
+	_write_faulty_file()
+	_write(
+		SCENE,
+		(
+			'[gd_scene load_steps=2 format=3]\n[ext_resource type="Resource" path="%s" id="1"]\n'
+			% SPECIES
+			+ '[node name="Rose" type="Plant3D"]\nspecies = ExtResource("1")\n'
+		)
+	)
+	var rose := (ResourceLoader.load(SCENE, "", ResourceLoader.CACHE_MODE_IGNORE) as PackedScene)
+	await frames(2)
+	check_error_count("TulipFunction '%s': natural_frequency cannot be -3.0" % SPECIES, 1)
+	check(rose != null, "the scene is there")
+
+
+func test_a_scripts_own_fault_is_told_at_once() -> void:
+	var tulip := TulipFunction.new()
+	tulip.natural_frequency = -3.0
+	check_error_count("TulipFunction: natural_frequency cannot be -3.0", 1)
+
+
 func test_a_species_embedded_in_a_scene_is_called_by_its_script() -> void:
 	var spike := _embedded(_scripted("extends PlantFunction\n"))
 	spike.mass = NAN
@@ -95,10 +134,25 @@ func _plant_below(parent: Node) -> Plant3D:
 	return plant
 
 
-func _scripted(code: String) -> PlantFunction:
-	var file := FileAccess.open(SCRIPT, FileAccess.WRITE)
-	file.store_string(code)
+# As somebody types it.
+func _write_faulty_file() -> void:
+	_write(
+		SPECIES,
+		(
+			'[gd_resource type="TulipFunction" format=3]\n\n'
+			+ "[resource]\nnatural_frequency = -3.0\nmass = 2.0\n"
+		)
+	)
+
+
+func _write(path: String, text: String) -> void:
+	var file := FileAccess.open(path, FileAccess.WRITE)
+	file.store_string(text)
 	file.close()
+
+
+func _scripted(code: String) -> PlantFunction:
+	_write(SCRIPT, code)
 	return (load(SCRIPT) as GDScript).new()
 
 

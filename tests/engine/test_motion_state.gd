@@ -50,7 +50,7 @@ func test_a_state_is_in_the_plants_own_axes() -> void:
 	_run(_plant, 10)
 	var tip := _plant.get_tip_position()
 	var state := _plant.get_motion_state()
-	check_equal(state.size(), 6, "floats")
+	check_equal(state.size(), 12, "floats")
 	var direction := Vector3(state[0], state[1], state[2])
 	check_near(direction, tip.normalized(), TIP_TOLERANCE, "direction")
 	var twin := _add()
@@ -94,7 +94,7 @@ func test_a_state_that_is_none_is_refused_with_one_error() -> void:
 		[], [0, 1, 0], [0, 1, 0, 0, 0, NAN], [0, INF, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0]
 	]:
 		_plant.set_motion_state(PackedFloat32Array(bad))
-		check_error("set_motion_state() needs six finite numbers")
+		check_error("set_motion_state() needs twelve finite numbers")
 		check_equal(_plant.get_motion_state(), before, "state")
 
 

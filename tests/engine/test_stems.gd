@@ -179,6 +179,27 @@ func test_a_stem_goes_on_with_both_modes_where_its_simulation_begins_anew() -> v
 	check_equal(twin.get_joint_position(2), reed.get_joint_position(2), "joint")
 
 
+func test_a_state_holds_both_modes() -> void:
+	reed.species.stem.modes = 2
+	await frames(1)
+	reed.apply_impulse(Vector3(0.004, 0, 0.002), 2)
+	swing(reed, 7)
+	var state := reed.get_motion_state()
+	check_equal(state.size(), 12, "numbers")
+	check(Vector3(state[6], state[7], state[8]).length() > 1e-3, "the second mode is bent")
+	check(Vector3(state[9], state[10], state[11]).length() > 0.1, "and moves")
+	var twins: Array[Plant3D] = [add_stem(reed.species), add_stem(reed.species)]
+	twins[0].set_motion_state(state)
+	twins[1].set_motion_state(state.slice(0, 6))
+	for i in 12:
+		check_near(twins[0].get_motion_state()[i], state[i], 1e-4, "number %d" % i)
+	for plant: Plant3D in [reed, twins[0], twins[1]]:
+		swing(plant, 5)
+	check_near(twins[0].get_joint_position(2), reed.get_joint_position(2), 2e-4, "joint")
+	var away := twins[1].get_joint_position(2).distance_to(reed.get_joint_position(2))
+	check(away > 1e-3, "the tip alone does not say it: %f m" % away)
+
+
 func test_a_species_that_comes_to_a_standing_plant() -> void:
 	var plant := Plant3D.new()
 	root.add_child(plant)

@@ -5,6 +5,8 @@ extends RefCounted
 
 ## Another species or mix was chosen, or none.
 signal function_chosen
+## The user chose it in the list, to do something with it.
+signal picked
 ## The chosen species' properties changed. Its meshes may look different now.
 signal function_edited
 ## [member height], [member seed_value] or [member segments] changed.

@@ -52,7 +52,9 @@ void FieldSimulation::set_species(int index, const MotionSpecies &species) {
 	kinds[static_cast<std::size_t>(index)] = species;
 	for (Entry &entry : entries) {
 		if (entry.page.species() == index) {
+			const bool had_two = entry.page.modes() == 2;
 			entry.page.set_species(species);
+			entry.page.set_modes(had_two ? 2 : 1);
 		}
 	}
 	if (!models.empty()) {
@@ -79,6 +81,7 @@ int FieldSimulation::add_page(MotionPage &&page, const MotionPlant *plants) {
 	const auto is_free = [](const Entry &one) { return one.is_free; };
 	const auto place = free_pages > 0 ? std::find_if(entries.begin(), entries.end(), is_free) : entries.end();
 	const int number = static_cast<int>(place - entries.begin());
+	entry.page.set_modes(1);
 	if (place == entries.end()) {
 		entries.push_back(std::move(entry));
 		beats.emplace_back();
@@ -88,7 +91,9 @@ int FieldSimulation::add_page(MotionPage &&page, const MotionPlant *plants) {
 		entry.is_changed = place->is_changed;
 		*place = std::move(entry);
 	}
-	beat(number) = { -1, options.update_interval, 1, number };
+	beat(number) = Beat();
+	beat(number).interval = options.update_interval;
+	beat(number).phase = number;
 	take_in(at(number), plants, count);
 	return number;
 }
@@ -228,6 +233,7 @@ void FieldSimulation::begin_step() {
 		step_prototypes(number);
 	}
 	step_prototypes(next_step);
+	choose_modes();
 	for (int page = 0; page < page_count() && models.empty(); page++) { // Followers have no steps of their own.
 		if (is_due(page, next_step)) {
 			beat(page).interval = page_interval(page);
@@ -265,9 +271,14 @@ void FieldSimulation::step_page(int page) {
 	const double moment = static_cast<double>(beat(page).last_step) + entry.page.wind_moment() * interval;
 	TravellingWind now = wind_at_time(blowing, along, moment * static_cast<double>(options.step));
 	now.sources = { stirring.data(), static_cast<int>(stirring.size()) };
+	if (entry.page.modes() == 2) {
+		entry.page.ease_second(ease_of(page));
+	}
 	entry.page.step(now, along);
 	for (const MovingBody &body : pushing) {
-		push_plants(entry.page, body);
+		if (push_plants(entry.page, body) > 0) {
+			beat(page).last_push = beat(page).last_step;
+		}
 	}
 }
 

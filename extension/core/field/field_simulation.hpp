@@ -75,6 +75,11 @@ public:
 	/// that it has done is over.
 	void set_page_multiple(int page, int multiple);
 	int page_interval(int page) const;
+	/// Whether somebody looks at a page from near. Stems of two modes (StemConstants::modes) step both while that is
+	/// so, and while bodies, blows or contact push plants of their page, and LoosePlants::ALONE after it; then they go
+	/// back, within LoosePlants::GOING_BACK, to the one that is half the work. Who is pushed has the second at once,
+	/// who is seen from near bit by bit. Followers have one.
+	void set_page_near(int page, bool is_near) { beat(page).is_near = is_near; }
 	/// In which of the steps of its interval a page is due; its number, unless this says otherwise. Pages whose poses
 	/// are sent together are best due together. Before the page's first step.
 	void set_page_phase(int page, int phase) { beat(page).phase = phase; }
@@ -128,6 +133,10 @@ public:
 	glm::vec3 shown_point(int page, int index, float share, float fraction) const;
 	/// At the end of its page's last step. Of a follower: what it shows at the end of the present one.
 	TipState state(int page, int index) const;
+	/// Of its stem; zeros where that steps one mode.
+	StemSecond second(int page, int index) const { return at(page).page.second(index); }
+	/// As MotionPage::set_state(), of plants that swing; with a second mode that moves, their page steps it.
+	void set_state(int page, int index, const TipState &state, const StemSecond &second);
 	/// A blow on the tip (N·s): changes the velocity by impulse/mass.
 	void apply_impulse(int page, int index, const glm::vec3 &impulse);
 
@@ -145,8 +154,8 @@ public:
 	const Follower &follower(int page, int index) const { return at(page).followers[static_cast<std::size_t>(index)]; }
 	/// Followers of a species that were pushed and swing by themselves, for a while; null where every plant does.
 	const LoosePlants *loose_plants(int species) const;
-	/// Pages of which followers began or ended to swing by themselves, or follow others, since forget_changed_pages();
-	/// each once.
+	/// Pages of which followers began or ended to swing by themselves, or follow others, or whose stems show more modes
+	/// or fewer, since forget_changed_pages(); each once.
 	const std::vector<int> &changed_pages() const { return changed; }
 	void forget_changed_pages();
 	/// How long before their own time prototypes feel the wind (s), so that plants upwind of the origin have a delay,
@@ -175,7 +184,12 @@ private:
 		int interval = 1; ///< Of the last step, in steps.
 		int multiple = 1;
 		int phase = 0;
+		bool is_near = false;
+		int64_t last_push = NEVER; ///< The step when plants were pushed last.
+		int64_t last_near = NEVER; ///< The same of somebody who was near.
+		int64_t two_since = NEVER; ///< When they began to step two modes.
 	};
+	static constexpr int64_t NEVER = -(int64_t(1) << 40);
 
 	FieldSettings options;
 	FieldWind blowing;
@@ -208,6 +222,11 @@ private:
 	void step_prototypes(int64_t number);
 	bool is_due(int page, int64_t number) const;
 	void step_page(int page);
+	int64_t steps_in(float seconds) const { return static_cast<int64_t>(seconds / options.step); }
+	void choose_modes();
+	float ease_of(int page) const;
+	void show_modes(int page, int count);
+	void wake(int page);
 	void update_delays();
 	Follower pick(const MotionPlant &plant, int species) const;
 	LoosePlants &loose_of(const Entry &entry);

@@ -97,6 +97,9 @@ BendWay FieldSimulation::followed_way(const Entry &entry, int index, float fract
 void FieldSimulation::take_motion(int page, int index, const FieldSimulation &from, int from_page, int from_index) {
 	Entry &entry = at(page);
 	const Entry &before = from.at(from_page);
+	if (before.page.modes() == 2) {
+		wake(page);
+	}
 	entry.page.take_motion(index, before.page, from_index);
 	const bool follows = !entry.page.swings() && !before.page.swings();
 	if (follows && before.followers[static_cast<std::size_t>(from_index)].loose > 0) {

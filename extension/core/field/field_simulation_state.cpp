@@ -1,8 +1,9 @@
-// What a FieldSimulation is asked, and blows between steps.
+// What a FieldSimulation is asked, blows between steps, and how many modes of stems it steps.
 
 #include "field/field_simulation.hpp"
 #include "motion/gnomonic.hpp"
 #include "stem/stem_bones.hpp"
+#include "stem/stem_shape.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -96,8 +97,11 @@ StemMotion FieldSimulation::shown_stem(int page, int index, float fraction) cons
 	stem.bend = way.bend;
 	stem.rate = way.change / rate_time(page);
 	stem.rest = rest_bend(page, index);
-	if (at(page).page.has_second_bends()) {
-		stem.second = bend_way(at(page).page.second_bends() + 2 * index, alpha(page, fraction)).bend;
+	const MotionPage &plants = at(page).page;
+	if (plants.has_second_bends()) {
+		stem.second = bend_way(plants.second_bends() + 2 * index, alpha(page, fraction)).bend;
+	} else if (plants.most_modes() == 2) {
+		stem.second = (1.0f - first_share(plants.whole_stem())) * into_rest(stem.bend, stem.rest);
 	}
 	return stem;
 }
@@ -132,6 +136,7 @@ void FieldSimulation::apply_impulse(int page, int index, const glm::vec3 &impuls
 		return;
 	}
 	if (plants.swings()) {
+		wake(page);
 		plants.apply_impulse(index, impulse);
 		return;
 	}
@@ -148,6 +153,59 @@ void FieldSimulation::apply_impulse(int page, int index, const glm::vec3 &impuls
 	push_follower(at(page), index, pushed);
 }
 
+/// How many modes stems step from now on, all of a page alike.
+void FieldSimulation::choose_modes() {
+	for (int page = 0; page < page_count() && models.empty(); page++) {
+		MotionPage &plants = at(page).page;
+		if (plants.most_modes() < 2 || !is_due(page, next_step)) {
+			continue; // Between its steps, what is shown of both ends of the last one would lie elsewhere.
+		}
+		Beat &own = beat(page);
+		own.last_push = plants.take_moved() ? next_step : own.last_push;
+		own.last_near = own.is_near ? next_step : own.last_near;
+		const int64_t alone = next_step - std::max(own.last_push, own.last_near);
+		if (alone <= steps_in(LoosePlants::ALONE)) {
+			show_modes(page, 2);
+		} else if (alone > steps_in(LoosePlants::ALONE + LoosePlants::GOING_BACK)) {
+			show_modes(page, 1);
+		}
+	}
+}
+
+/// How much of a second mode the page's step leaves away, so that none of it is left where its stems go over to one.
+float FieldSimulation::ease_of(int page) const {
+	const Beat &own = beat(page);
+	const auto back = static_cast<float>(steps_in(LoosePlants::GOING_BACK));
+	const int64_t alone = own.last_step - std::max(own.last_push, own.last_near) - steps_in(LoosePlants::ALONE);
+	const float leaving = static_cast<float>(alone + own.interval - 1) / back;
+	const float here = static_cast<float>(own.last_step - own.two_since) / back;
+	const float coming = own.last_push < own.two_since ? 1.0f - here : 0.0f;
+	return std::clamp(std::max(leaving, coming), 0.0f, 1.0f);
+}
+
+void FieldSimulation::show_modes(int page, int count) {
+	if (at(page).page.modes() != count && at(page).page.most_modes() >= count) {
+		at(page).page.set_modes(count);
+		beat(page).two_since = next_step;
+		follower_changed(at(page));
+	}
+}
+
+/// Before somebody pushes a plant of it between two steps.
+void FieldSimulation::wake(int page) {
+	if (at(page).page.swings() && at(page).page.most_modes() == 2) {
+		beat(page).last_push = next_step;
+		show_modes(page, 2);
+	}
+}
+
+void FieldSimulation::set_state(int page, int index, const TipState &state, const StemSecond &second) {
+	if (second.bend != glm::vec3(0.0f) || second.rate != glm::vec3(0.0f)) {
+		wake(page);
+	}
+	at(page).page.set_state(index, state, second);
+}
+
 const Prototypes *FieldSimulation::prototypes(int species) const {
 	return models.empty() ? nullptr : &models[static_cast<std::size_t>(species)];
 }
@@ -162,7 +220,7 @@ glm::vec3 FieldSimulation::shown_point(int page, int index, float share, float f
 	if (plants.law() != Law::stem) {
 		return plants.root(index) + share * reach * shown_direction(page, index, fraction);
 	}
-	const StemConstants &stem = plants.stem_constants();
+	const StemConstants &stem = plants.whole_stem();
 	const StemMotion now = shown_stem(page, index, fraction);
 	return plants.root(index) + StandingStem(stem, reach, now).place_of({ 0.0f, share * reach, 0.0f }, share);
 }

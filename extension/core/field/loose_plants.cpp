@@ -11,7 +11,9 @@
 namespace undergrowth {
 
 LoosePlants::LoosePlants(int species_index, const MotionSpecies &species, float step) :
-		swinging(species_index, species, nullptr, 0, step, true), step_time(step) {}
+		swinging(species_index, species, nullptr, 0, step, true), step_time(step) {
+	swinging.set_modes(1);
+}
 
 void LoosePlants::reserve(int plants) {
 	room = std::max(room, std::min(plants, MOST));

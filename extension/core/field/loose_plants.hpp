@@ -23,7 +23,10 @@ public:
 	void reserve(int plants);
 	bool is_full() const { return count() == room; }
 	int count() const { return swinging.size(); }
-	void set_species(const MotionSpecies &species) { swinging.set_species(species); }
+	void set_species(const MotionSpecies &species) {
+		swinging.set_species(species);
+		swinging.set_modes(1);
+	}
 	/// Plant `index` of page `page`, in `state`, which came from the direction `before`; tells its number, which is
 	/// the former count(). Only where it is not full.
 	int add(const MotionPlant &plant, int page, int index, const TipState &state, const glm::vec3 &before);

@@ -16,6 +16,7 @@ namespace {
 constexpr float OWN_DELAY = 1.0f; // s; about a swing, so that followers of one prototype are anywhere in it.
 /// A plant that leans follows one of the prototypes within this share of the circle.
 constexpr int LEAN_SECTORS = 8;
+constexpr int TALL_SECTORS = 8;
 
 /// Where `rest` leans to, as a share of the circle from +z towards +x: by its octant and the tangent within it, which
 /// is even enough and needs no arc tangent.
@@ -51,6 +52,7 @@ Prototypes::Prototypes(int species_index, const MotionSpecies &species, int coun
 		longest(species.longest),
 		lean(species.lean),
 		ring(2 * static_cast<std::size_t>(SLOTS * MOST)) {
+	page.set_modes(1);
 	remember_rest();
 }
 
@@ -65,6 +67,23 @@ void Prototypes::remember_rest() {
 	}
 }
 
+/// One of those whose lengths are within this share of all.
+int Prototypes::pick_tall(float length, uint64_t chance) const {
+	const int all = count();
+	const int near = std::max(all / TALL_SECTORS, 1);
+	const float part = std::clamp((length - shortest) / (longest - shortest), 0.0f, 1.0f);
+	const int wanted = static_cast<int>(part * static_cast<float>(all - 1) + 0.5f) - near / 2 +
+			static_cast<int>(chance % static_cast<uint64_t>(near));
+	const float best = shortest +
+			(longest - shortest) * static_cast<float>(std::clamp(wanted, 0, all - 1)) /
+					static_cast<float>(std::max(all - 1, 1));
+	int nearest = 0;
+	for (int i = 1; i < all; i++) {
+		nearest = std::fabs(page.length(i) - best) < std::fabs(page.length(nearest) - best) ? i : nearest;
+	}
+	return nearest;
+}
+
 Follower Prototypes::pick(const MotionPlant &plant, uint64_t hash) const {
 	const uint64_t mixed = mix_bits(hash);
 	const uint64_t low = mixed & 0xffffffffull;
@@ -75,6 +94,8 @@ Follower Prototypes::pick(const MotionPlant &plant, uint64_t hash) const {
 		const int first = static_cast<int>(lean_share(plant.rest) * static_cast<float>(all)) - sector / 2 + all;
 		follower.prototype =
 				static_cast<uint16_t>((first + static_cast<int>(low % static_cast<uint64_t>(sector))) % all);
+	} else if (page.law() == Law::stem && page.stem_constants().has_grades() && longest > shortest) {
+		follower.prototype = static_cast<uint16_t>(pick_tall(plant.length, low));
 	} else {
 		follower.prototype = static_cast<uint16_t>(low % static_cast<uint64_t>(all));
 	}
@@ -88,10 +109,12 @@ void Prototypes::set_species(const MotionSpecies &species) {
 			species.lean != lean;
 	if (!respread) {
 		page.set_species(species);
+		page.set_modes(1);
 		return;
 	}
 	const int all = count();
 	MotionPage spread(page.species(), species, spread_plants(species, all).data(), all, page.step_length(), true);
+	spread.set_modes(1);
 	for (int i = 0; i < all; i++) {
 		spread.set_state(i, page.state(i));
 	}

@@ -18,7 +18,9 @@ struct Follower {
 };
 
 /// The few plants of a species that are simulated for all others (thesis, section 5.3.1), and what they did in the last
-/// SLOTS steps. Lengths are spread from the species' shortest to its longest, lean directions around the circle.
+/// SLOTS steps. Stems of two modes show one, in the shape of a steady wind: a second one's history would take as much
+/// again of the texture and of what the graphics card reads for each vertex. Lengths are spread from the species'
+/// shortest to its longest, lean directions around the circle.
 class Prototypes {
 public:
 	static constexpr int MOST = 64;
@@ -29,9 +31,12 @@ public:
 	Prototypes(int species_index, const MotionSpecies &species, int count, float step);
 
 	int count() const { return page.size(); }
+	/// m.
+	float length(int prototype) const { return page.length(prototype); }
 	/// The direction of a prototype in calm air.
 	glm::vec3 rest(int prototype) const { return page.rest(prototype); }
-	/// Picks a prototype that leans as `plant` does and a delay of up to a second, both by `hash`.
+	/// Picks a prototype that leans as `plant` does, or is about as tall where stems swing by their height, and a delay
+	/// of up to a second, both by `hash`.
 	Follower pick(const MotionPlant &plant, uint64_t hash) const;
 	/// The motion goes on, about other rest directions where those change.
 	void set_species(const MotionSpecies &species);
@@ -63,6 +68,7 @@ private:
 	std::vector<Bend> ring;
 
 	void remember_rest();
+	int pick_tall(float length, uint64_t chance) const;
 };
 
 } // namespace undergrowth

@@ -104,7 +104,11 @@ struct StemPage {
 	float *rate_x[MOST_STEM_MODES], *rate_z[MOST_STEM_MODES]; ///< 1/s.
 	const float *rest_x, *rest_z; ///< Stereographic image of the rest direction (motion/bend_encoding.hpp).
 	const float *scale; ///< The length that the species' constants are for, over the plant's own.
-	float most_scale; ///< None of `scale` is above this; the nearer, the sooner steps are quick.
+	/// Of stems whose frequencies follow from their height, null of others: what multiplies `scale` for the loads of
+	/// either kind, and the first four of StemModeStep of each mode, in place of the species'.
+	const float *dead_ease, *air_ease;
+	const float *by_height[MOST_STEM_MODES][4];
+	float most_scale; ///< None of `scale`, eased or not, is above this; the nearer, the sooner steps are quick.
 	bool leans; ///< Whether any rest direction may not be upright. Without, steps are quicker to the same bits.
 	StemStep step;
 };

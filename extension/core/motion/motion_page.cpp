@@ -2,6 +2,7 @@
 
 #include "motion/gnomonic.hpp"
 #include "motion/motion_page_columns.hpp"
+#include "stem/stem_shape.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,8 @@ int column_count(bool swings, bool keeps_directions, const MotionSpecies &specie
 		return static_cast<int>(STILL_COLUMNS);
 	}
 	if (species.law == Law::stem) {
-		return stem_columns(species.stem.modes, keeps_directions);
+		const int modes = species.stem.modes;
+		return stem_columns(modes, keeps_directions) + (species.stem.has_grades() ? graded_columns(modes) : 0);
 	}
 	return keeps_directions ? static_cast<int>(REMEMBERING_COLUMNS) : static_cast<int>(SWINGING_COLUMNS);
 }
@@ -32,6 +34,7 @@ MotionPage::MotionPage(int species_index, const MotionSpecies &species, const Mo
 		keeps_directions(swings && keeps == Keeps::directions),
 		step_time(step),
 		kind(species),
+		whole(species.stem),
 		rows(column_count(swings, keeps_directions, species)) {
 	kind.joint = safe_joint(species.joint);
 	add(plants, count);
@@ -40,14 +43,14 @@ MotionPage::MotionPage(int species_index, const MotionSpecies &species, const Mo
 void MotionPage::reserve(int plants) {
 	rows.reserve(plants);
 	pairs.reserve(has_bends() ? 2 * static_cast<std::size_t>(std::max(plants, 0)) : 0);
-	second_pairs.reserve(has_second_bends() ? pairs.capacity() : 0);
+	second_pairs.reserve(has_room_for_second() ? pairs.capacity() : 0);
 }
 
 void MotionPage::add(const MotionPlant *plants, int count) {
 	const int before = size();
 	rows.reserve(before + count);
 	pairs.resize(has_bends() ? 2 * static_cast<std::size_t>(before + count) : 0);
-	second_pairs.resize(has_second_bends() ? pairs.size() : 0);
+	second_pairs.resize(has_room_for_second() ? pairs.size() : 0);
 	for (int i = before; i < before + count; i++) {
 		rows.add_row();
 		put_place(i, plants[i - before]);
@@ -126,22 +129,27 @@ void MotionPage::remove(int index) {
 }
 
 /// Whether what columns hold means the same for both.
-static bool has_same_columns(const MotionSpecies &a, const MotionSpecies &b) {
-	return a.law == b.law &&
-			(a.law != Law::stem ||
-					(a.stem.modes == b.stem.modes && a.stem.mode[0].tip_slope == b.stem.mode[0].tip_slope));
+bool MotionPage::has_same_columns(const MotionSpecies &species) const {
+	return species.law == kind.law &&
+			(kind.law != Law::stem ||
+					(species.stem.modes == whole.modes && species.stem.has_grades() == whole.has_grades() &&
+							species.stem.mode[0].tip_slope == whole.mode[0].tip_slope));
 }
 
 void MotionPage::set_species(const MotionSpecies &species) {
 	const bool has_other_radius = species.collision_radius != kind.collision_radius;
-	if (is_swinging && !has_same_columns(species, kind)) {
+	const bool has_one_of_two = modes() < most_modes();
+	set_modes(most_modes());
+	if (is_swinging && !has_same_columns(species)) {
 		change_columns(species);
 	}
 	kind = species;
 	kind.joint = safe_joint(species.joint);
+	whole = species.stem;
 	if (is_swinging) {
 		update_constants(0);
 	}
+	set_modes(has_one_of_two ? 1 : most_modes());
 	if (has_other_radius) {
 		update_box();
 	}
@@ -167,12 +175,73 @@ void MotionPage::change_columns(const MotionSpecies &species) {
 	}
 	rows = std::move(others);
 	kind = species;
-	second_pairs.assign(has_second_bends() ? pairs.size() : 0, 0);
+	whole = species.stem;
+	second_pairs.assign(has_room_for_second() ? pairs.size() : 0, 0);
 	for (int i = 0; i < size(); i++) {
 		put_rest(i, rests[static_cast<std::size_t>(i)]);
 		put_state(i, states[static_cast<std::size_t>(i)]);
 		if (keeps_directions) {
 			set_before(i, last[static_cast<std::size_t>(i)]);
+		}
+	}
+}
+
+void MotionPage::set_modes(int count) {
+	if (kind.law != Law::stem || keeps_directions || count == kind.stem.modes || count < 1 || count > whole.modes) {
+		return;
+	}
+	const StemConstants from = kind.stem;
+	kind.stem = count == whole.modes ? whole : in_one_mode(whole);
+	for (int i = 0; i < size() && is_swinging; i++) {
+		put_modes(i, from);
+	}
+	if (is_swinging) {
+		update_constants(0);
+	}
+}
+
+void MotionPage::put_modes(int index, const StemConstants &from) {
+	StemState was, is;
+	for (int k = 0; k < from.modes; k++) {
+		const int first = first_of_mode(k);
+		was.place[k] = { column(first)[index], column(first + 1)[index] };
+		was.rate[k] = { column(first + 2)[index], column(first + 3)[index] };
+	}
+	glm::vec2 rate(0.0f);
+	for (int k = 0; k < from.modes; k++) {
+		rate += was.rate[k] * from.mode[k].tip_slope;
+	}
+	divide_tip(kind.stem, tip_bend(from, was), is.place);
+	divide_tip(kind.stem, rate, is.rate);
+	put_stem(index, safe_stem(kind.stem, is));
+	for (std::size_t bend = 2 * static_cast<std::size_t>(index); bend < 2 * static_cast<std::size_t>(index) + 2;
+			bend++) {
+		put_pair_of_modes(bend, rest_bend(index));
+	}
+}
+
+/// Of one bend as it is drawn; the modes are those that it goes over to.
+void MotionPage::put_pair_of_modes(std::size_t bend, const glm::vec2 &rest) {
+	const glm::vec2 first = into_rest(stereographic(pairs[bend]), rest);
+	StemState whole_tip;
+	if (modes() == 1) {
+		whole_tip.place[0] = (first + stereographic(second_pairs[bend])) / kind.stem.mode[0].tip_slope;
+	} else {
+		divide_tip(kind.stem, first, whole_tip.place);
+	}
+	const StemBends now = bends_of(kind.stem, whole_tip, rest);
+	pairs[bend] = now.first;
+	second_pairs[bend] = modes() == 1 ? Bend(0) : now.second;
+}
+
+/// The first goes on as it does: what followed both would feed itself.
+void MotionPage::ease_modes(int begin, int count) {
+	const float share = kind.stem.mode[1].dead_share / kind.stem.mode[0].dead_share;
+	for (int part = 0; part < 4; part++) { // Both places and both rates.
+		const float *first = column(first_of_mode(0) + part) + begin;
+		float *second = column(first_of_mode(1) + part) + begin;
+		for (int i = 0; i < count; i++) {
+			second[i] += easing * (share * first[i] - second[i]);
 		}
 	}
 }

@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace undergrowth {
@@ -63,7 +64,20 @@ public:
 	/// Whether it keeps bends for a texture: it swings and does not keep directions.
 	bool has_bends() const { return is_swinging && !keeps_directions; }
 	/// Whether a second mode of its stems has bends of its own.
-	bool has_second_bends() const { return has_bends() && kind.law == Law::stem && kind.stem.modes == 2; }
+	bool has_second_bends() const { return has_bends() && modes() == 2; }
+	/// How many modes of each stem are stepped, as many as the species' stem has unless set_modes() said less; 0 under
+	/// another law.
+	int modes() const { return kind.law == Law::stem ? kind.stem.modes : 0; }
+	int most_modes() const { return kind.law == Law::stem ? whole.modes : 0; }
+	/// Of a page that does not keep directions: steps one mode of stems that have two, with the shape of a steady wind
+	/// (in_one_mode()), for half the time, or both again. Who goes over to one keeps its tip, and its stem takes that
+	/// shape; who goes over to two keeps all that is seen, what was drawn as the last bend included. Allocates nothing.
+	void set_modes(int count);
+	/// Of a page that steps two: its next step leaves second modes nearer by `share` of the way to where, beside the
+	/// first, a steady wind would bend them.
+	void ease_second(float share) { easing = share; }
+	/// Whether move_tip() moved anybody since this was asked last.
+	bool take_moved() { return std::exchange(was_moved, false); }
 	Law law() const { return kind.law; }
 	/// Seconds of the step that the constants are for.
 	float step_length() const { return step_time; }
@@ -89,8 +103,9 @@ public:
 	/// m/s, of a tip.
 	glm::vec3 tip_velocity(int index) const;
 	TipState state(int index) const;
+	StemSecond second(int index) const;
 	/// Puts a plant into a state; what is drawn as the last one is this state's.
-	void set_state(int index, const TipState &state);
+	void set_state(int index, const TipState &state, const StemSecond &second = {});
 	/// Plant `from` of another page, of any law, goes on as plant `index`, and is drawn where it was; about another
 	/// rest direction, as far from it.
 	void take_motion(int index, const MotionPage &other, int from);
@@ -99,6 +114,8 @@ public:
 	void set_before(int index, const glm::vec3 &direction);
 	/// Of the stem law only, in the frame of the rest, whose bend in the axes of directions is rest_bend().
 	const StemConstants &stem_constants() const { return kind.stem; }
+	/// The same of all modes that its stems have.
+	const StemConstants &whole_stem() const { return whole; }
 	StemState stem(int index) const;
 	void set_stem(int index, const StemState &state);
 	/// Amplitudes before the last step, of a page that keeps directions.
@@ -167,11 +184,15 @@ private:
 	bool keeps_directions;
 	float step_time; ///< s.
 	int gone = 0;
+	bool was_moved = false;
+	float easing = 0.0f; ///< Of the next step.
 	MotionSpecies kind;
+	StemConstants whole; ///< Of the stem law: with all modes. The kind's has those that are stepped.
 	SpringConstants spring = {};
 	ElasticityConstants elasticity = {};
 	StemStep stems = {};
-	float most_load_scale = 1.0f; ///< Of the stem law: none of LOAD_SCALE is above it.
+	float most_load_scale = 1.0f; ///< Of the stem law: none of LOAD_SCALE is above it, eased or not.
+	float fastest = 1.0f; ///< Of graded stems, over the species'.
 	bool has_leaning = false; ///< Of the stem law: some rest direction may not be upright.
 	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
@@ -187,10 +208,18 @@ private:
 	/// Of the plants from `begin` on, or up to `end`.
 	void update_constants(int begin) { update_constants(begin, size()); }
 	void update_constants(int begin, int end);
+	bool is_graded() const { return kind.law == Law::stem && whole.has_grades(); }
+	StemGrades grades(int begin);
+	void update_stems(int begin, int end);
 	void put_place(int index, const MotionPlant &plant);
 	void put_state(int index, const TipState &state);
 	void put_stem(int index, const StemState &state);
 	void change_columns(const MotionSpecies &species);
+	bool has_same_columns(const MotionSpecies &species) const;
+	bool has_room_for_second() const { return has_bends() && most_modes() == 2; }
+	void ease_modes(int begin, int count);
+	void put_modes(int index, const StemConstants &from);
+	void put_pair_of_modes(std::size_t bend, const glm::vec2 &rest);
 	void put_rest(int index, const glm::vec3 &rest);
 	void remember();
 	struct BlockWind;

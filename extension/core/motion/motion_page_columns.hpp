@@ -74,6 +74,11 @@ constexpr int stem_columns(int modes, bool keeps_directions) {
 	return last_of_mode(modes, keeps_directions ? modes : 0);
 }
 
+/// Behind these, where frequencies follow from each plant's height: the eases of both loads, and four of each mode.
+constexpr int graded_columns(int modes) {
+	return 2 + 4 * modes;
+}
+
 } // namespace motion_page_columns
 
 } // namespace undergrowth

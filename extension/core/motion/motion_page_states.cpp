@@ -137,12 +137,16 @@ void MotionPage::put_state(int index, const TipState &state) {
 	column(FLAT_RATE_Z)[index] = flat.rate_z;
 }
 
-void MotionPage::set_state(int index, const TipState &state) {
+StemSecond MotionPage::second(int index) const {
+	return is_swinging && modes() == 2 ? second_of(kind.stem, stem(index), rest_bend(index)) : StemSecond();
+}
+
+void MotionPage::set_state(int index, const TipState &state, const StemSecond &second) {
 	if (!is_swinging) {
 		return;
 	}
 	if (kind.law == Law::stem) {
-		set_stem(index, stem_state(kind.stem, state, rest_bend(index)));
+		set_stem(index, stem_state(kind.stem, state, rest_bend(index), second));
 		return;
 	}
 	put_state(index, state);
@@ -163,7 +167,7 @@ void MotionPage::take_motion(int index, const MotionPage &other, int from) {
 		set_state(index, moved_rest(other.state(from), was, is));
 	}
 	set_before(index, moved_rest({ other.before(from), {} }, was, is).direction);
-	if (was == is && has_bends() && other.has_bends()) { // To the bit.
+	if (was == is && has_bends() && other.has_bends() && modes() == other.modes()) { // To the bit.
 		std::copy_n(other.pairs.begin() + 2 * from, 2, pairs.begin() + 2 * index);
 		if (has_second_bends() && other.has_second_bends()) {
 			std::copy_n(other.second_pairs.begin() + 2 * from, 2, second_pairs.begin() + 2 * index);
@@ -244,6 +248,7 @@ glm::vec3 MotionPage::tip_velocity(int index) const {
 }
 
 void MotionPage::move_tip(int index, const glm::vec3 &way, const glm::vec3 &faster) {
+	was_moved = true;
 	const glm::vec2 back = -rest_bend(index);
 	const float scale = kind.stem.length / length(index);
 	StemState moved = stem(index);

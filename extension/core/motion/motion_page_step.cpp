@@ -48,17 +48,46 @@ void MotionPage::set_step_length(float step) {
 	}
 }
 
+StemGrades MotionPage::grades(int begin) {
+	int next = stem_columns(whole.modes, keeps_directions);
+	const auto take = [&] { return column(next++) + begin; };
+	StemGrades to = {};
+	to.dead_ease = take();
+	to.air_ease = take();
+	for (int k = 0; k < kind.stem.modes; k++) {
+		for (float *&one : to.by_height[k]) {
+			one = take();
+		}
+	}
+	return to;
+}
+
+void MotionPage::update_stems(int begin, int end) {
+	const bool is_all = begin == 0 && end == size();
+	stems = stem_step_constants(kind.stem, step_time);
+	stem_scales(kind.stem, lengths() + begin, end - begin, column(LOAD_SCALE) + begin);
+	const float *scales = column(LOAD_SCALE);
+	most_load_scale = is_all ? 0.0f : most_load_scale;
+	if (is_graded()) {
+		const StemGrades own = grades(begin);
+		const float quick = stem_grades(kind.stem, step_time, lengths() + begin, end - begin, own);
+		fastest = is_all ? quick : std::max(fastest, quick);
+		stems.softness *= fastest * fastest;
+		for (int i = begin; i < end; i++) {
+			const float ease = std::max(own.dead_ease[i - begin], own.air_ease[i - begin]);
+			most_load_scale = std::max(most_load_scale, scales[i] * std::max(ease, 1.0f));
+		}
+	}
+	most_load_scale = std::accumulate(scales + begin, scales + end, most_load_scale,
+			[](float most, float scale) { return std::max(most, scale); });
+}
+
 void MotionPage::update_constants(int begin, int end) {
 	if (kind.law == Law::elasticity) {
 		elasticity = elasticity_constants(kind.joint, step_time);
 		elasticity_weights(kind.joint, step_time, lengths() + begin, end - begin, column(WEIGHT) + begin);
 	} else if (kind.law == Law::stem) {
-		stems = stem_step_constants(kind.stem, step_time);
-		stem_scales(kind.stem, lengths() + begin, end - begin, column(LOAD_SCALE) + begin);
-		const bool is_all = begin == 0 && end == size();
-		const float *scales = column(LOAD_SCALE);
-		most_load_scale = std::accumulate(scales + begin, scales + end, is_all ? 0.0f : most_load_scale,
-				[](float most, float scale) { return std::max(most, scale); });
+		update_stems(begin, end);
 	} else {
 		spring = spring_constants(kind.joint, step_time);
 		spring_gains(spring, lengths() + begin, end - begin, column(WIND_GAIN) + begin);
@@ -110,6 +139,14 @@ StemPage MotionPage::stem_page(int begin) {
 	page.rest_x = column(STEM_REST_X) + begin;
 	page.rest_z = column(STEM_REST_Z) + begin;
 	page.scale = column(LOAD_SCALE) + begin;
+	if (is_graded()) {
+		const StemGrades own = grades(begin);
+		page.dead_ease = own.dead_ease;
+		page.air_ease = own.air_ease;
+		for (int k = 0; k < kind.stem.modes; k++) {
+			std::copy_n(own.by_height[k], 4, page.by_height[k]);
+		}
+	}
 	page.most_scale = most_load_scale > 0.0f ? most_load_scale : 1.0f;
 	page.leans = has_leaning;
 	page.step = stems;
@@ -193,6 +230,9 @@ void MotionPage::step_block(const KernelSet &set, int begin, int count, const Pl
 	} else if (kind.law == Law::stem) {
 		const StemPage block = stem_page(begin);
 		set.step_stem(block, count, winds, air);
+		if (easing > 0.0f && modes() == 2) {
+			ease_modes(begin, count);
+		}
 		if (block_pairs) {
 			Bend *seconds = second_pairs.empty() ? nullptr : second_pairs.data() + 2 * static_cast<std::size_t>(begin);
 			set.encode_stem(block, count, block_pairs, seconds);
@@ -225,6 +265,7 @@ void MotionPage::step(const TravellingWind &wind, const PlantWinds &along, SimdL
 		}
 		step_block(set, begin, count, winds, air);
 	}
+	easing = 0.0f;
 }
 
 void MotionPage::interpolate(float alpha, glm::vec3 *out) const {

@@ -2,6 +2,7 @@
 
 #include "motion/gnomonic.hpp"
 #include "motion/part_bend.hpp"
+#include "stem/stem_shape.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -93,16 +94,52 @@ StemBends bends_of(const StemConstants &stem, const StemState &state, const glm:
 		packed(state.place[1] * stem.mode[1].tip_slope) };
 }
 
-StemState stem_state(const StemConstants &stem, const TipState &tip, const glm::vec2 &rest) {
+void divide_tip(const StemConstants &stem, const glm::vec2 &tip, glm::vec2 *modes) {
+	for (int k = 0; k < stem.modes; k++) {
+		modes[k] = stem.modes == 1 ? tip / stem.mode[k].tip_slope : tip * stem.mode[k].dead_share;
+	}
+}
+
+/// Of what both modes give the tip, what the second one has beyond its share.
+static glm::vec2 beyond_share(const StemConstants &stem, const glm::vec2 *modes) {
+	const glm::vec2 second = modes[1] * stem.mode[1].tip_slope;
+	return second - (1.0f - first_share(stem)) * (modes[0] * stem.mode[0].tip_slope + second);
+}
+
+StemSecond second_of(const StemConstants &stem, const StemState &state, const glm::vec2 &rest) {
+	if (stem.modes == 1) {
+		return {};
+	}
+	const glm::vec2 bend = beyond_share(stem, state.place);
+	const glm::vec2 rate = beyond_share(stem, state.rate);
+	return { turned({ bend.x, 0.0f, bend.y }, rest), turned({ rate.x, 0.0f, rate.y }, rest) };
+}
+
+/// Gives the second mode more of the tip's bend, or of its rate, and the first less.
+static void move_over(const StemConstants &stem, const glm::vec3 &more, const glm::vec2 &rest, glm::vec2 *modes) {
+	const glm::vec3 here = turned(more, -rest);
+	const glm::vec2 across(here.x, here.z);
+	modes[0] -= across / stem.mode[0].tip_slope;
+	modes[1] += across / stem.mode[1].tip_slope;
+}
+
+StemState stem_state(const StemConstants &stem, const TipState &tip, const glm::vec2 &rest, const StemSecond &second) {
 	const TipState safe = safe_state(tip);
 	const glm::vec3 direction = turned(safe.direction, -rest);
 	const glm::vec3 rate = turned(safe.rate, -rest);
-	const StemMode &mode = stem.mode[0];
+	const float height = std::max(1.0f + direction.y, LEAST);
 	StemState state;
-	const float scale = 1.0f / (std::max(1.0f + direction.y, LEAST) * mode.tip_slope);
-	state.place[0] = no_longer(glm::vec2(direction.x, direction.z) * scale, MOST_STEM_AMPLITUDE);
-	state.rate[0] = no_longer(rate_of_bend(direction, rate) / mode.tip_slope, MOST_STEM_RATE * mode.frequency);
-	return state;
+	for (int k = 0; k < stem.modes; k++) {
+		const StemMode &mode = stem.mode[k];
+		const float scale = stem.modes == 1 ? 1.0f / (height * mode.tip_slope) : mode.dead_share / height;
+		state.place[k] = glm::vec2(direction.x, direction.z) * scale;
+	}
+	divide_tip(stem, rate_of_bend(direction, rate), state.rate);
+	if (stem.modes == 2) {
+		move_over(stem, second.bend, rest, state.place);
+		move_over(stem, second.rate, rest, state.rate);
+	}
+	return safe_stem(stem, state);
 }
 
 } // namespace undergrowth

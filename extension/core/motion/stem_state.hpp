@@ -28,9 +28,28 @@ glm::vec2 tip_bend(const StemConstants &stem, const StemState &state);
 /// Where the tip points and how fast that changes, in the axes around.
 TipState tip_state(const StemConstants &stem, const StemState &state, const glm::vec2 &rest);
 
-/// A stem whose tip points and turns so: all of it in the first mode, the second one is still. A tip beyond what a mode
-/// may do (MOST_STEM_AMPLITUDE) comes back to it.
-StemState stem_state(const StemConstants &stem, const TipState &tip, const glm::vec2 &rest);
+/// What the second mode adds to the tip's bend beyond its share in a steady wind (first_share()): across the rest
+/// direction, in the axes around. Zeros of a stem of one mode.
+struct StemSecond {
+	glm::vec3 bend = { 0.0f, 0.0f, 0.0f };
+	glm::vec3 rate = { 0.0f, 0.0f, 0.0f }; ///< 1/s.
+};
+
+/// All that moves of a plant.
+struct MotionState {
+	TipState tip;
+	StemSecond second;
+};
+
+StemSecond second_of(const StemConstants &stem, const StemState &state, const glm::vec2 &rest);
+
+/// A stem whose tip points and turns so, as much of it in the second mode as in a steady wind, and `second` besides. A
+/// tip beyond what a mode may do (MOST_STEM_AMPLITUDE) comes back to it.
+StemState stem_state(
+		const StemConstants &stem, const TipState &tip, const glm::vec2 &rest, const StemSecond &second = {});
+
+/// The bend, or its rate, of a tip in each mode, in the frame of the rest, if all keep the shape of a steady wind.
+void divide_tip(const StemConstants &stem, const glm::vec2 &tip, glm::vec2 *modes);
 
 /// The nearest usable state: no mode farther or faster than it may, nothing but finite numbers.
 StemState safe_stem(const StemConstants &stem, const StemState &state);

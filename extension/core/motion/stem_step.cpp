@@ -11,6 +11,8 @@ namespace undergrowth {
 namespace {
 
 constexpr float MIN_LENGTH = 1e-4f; // m.
+constexpr float MOST_RATIO = 4.0f; // Of heights: a species' own plants do not come near it.
+constexpr float LEAST_GRADE = 0.05f;
 constexpr float LEAST_SHARE = 1e-3f;
 constexpr float LEAST_SLOPE = 1e-30f; // 1/N.
 /// rad a step, a quarter of a swing. Faster modes would only show what a step makes of them.
@@ -68,6 +70,26 @@ StemStep stem_step_constants(const StemConstants &stem, float step) {
 	made.most_force = made.most_load / std::max(made.dead_slope, LEAST_SLOPE);
 	made.softness = phase * phase / FOLLOWED;
 	return made;
+}
+
+float stem_grades(const StemConstants &stem, float step, const float *lengths, int count, const StemGrades &to) {
+	float fastest = 1.0f;
+	for (int i = 0; i < count; i++) {
+		const float ratio = lengths[i] > MIN_LENGTH ? std::min(lengths[i] / stem.length, MOST_RATIO) : 1.0f;
+		to.dead_ease[i] = ratio * std::max(stem.dead_grade.at(ratio), LEAST_GRADE);
+		to.air_ease[i] = ratio * std::max(stem.air_grade.at(ratio), LEAST_GRADE);
+		for (int k = 0; k < stem.modes; k++) {
+			StemMode own = stem.mode[k];
+			own.frequency /= std::max(own.period.at(ratio), LEAST_GRADE);
+			fastest = std::max(fastest, own.frequency / stem.mode[k].frequency);
+			const StemModeStep made = mode_step(own, step);
+			to.by_height[k][0][i] = made.place_from_place;
+			to.by_height[k][1][i] = made.place_from_rate;
+			to.by_height[k][2][i] = made.rate_from_place;
+			to.by_height[k][3][i] = made.rate_from_rate;
+		}
+	}
+	return fastest;
 }
 
 void stem_scales(const StemConstants &stem, const float *lengths, int count, float *scales) {

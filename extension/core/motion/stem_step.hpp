@@ -11,6 +11,16 @@ namespace undergrowth {
 /// length. A mode with less than four steps to a swing does not swing: it stands where its load leads.
 StemStep stem_step_constants(const StemConstants &stem, float step);
 
+/// Columns of StemPage for stems whose frequencies follow from their height.
+struct StemGrades {
+	float *dead_ease, *air_ease;
+	float *by_height[MOST_STEM_MODES][4];
+};
+
+/// Fills them in for plants with each of `count` lengths (m). Returns how much faster than the species' the fastest of
+/// them swings, 1 at least.
+float stem_grades(const StemConstants &stem, float step, const float *lengths, int count, const StemGrades &to);
+
 /// StemPage::scale of plants with each of `count` lengths (m); 1 for those without one, who are gone.
 void stem_scales(const StemConstants &stem, const float *lengths, int count, float *scales);
 

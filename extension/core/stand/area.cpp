@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <tuple>
 
 namespace undergrowth {
 
@@ -103,6 +105,31 @@ bool is_in_box(const AreaBox &box, const glm::vec2 &point) {
 AreaBox common_box(const AreaBox &one, const AreaBox &other) {
 	return { { std::max(one.low.x, other.low.x), std::max(one.low.y, other.low.y) },
 		{ std::min(one.high.x, other.high.x), std::min(one.high.y, other.high.y) } };
+}
+
+AreaBox changed_box(const Polygon &one, const Polygon &other) {
+	const auto places = [](const AreaEdge &edge) {
+		return std::make_tuple(edge.low_x, edge.low_z, edge.high_x, edge.high_z);
+	};
+	const auto is_before = [&](const AreaEdge &a, const AreaEdge &b) { return places(a) < places(b); };
+	std::vector<AreaEdge> edges[2];
+	for (int i = 0; i < 2; i++) {
+		for_each_edge(i == 0 ? one : other, [&](const AreaEdge &edge) {
+			if (edge.low_z < edge.high_z) { // No point is on this side or that of the others.
+				edges[i].push_back(edge);
+			}
+		});
+		std::sort(edges[i].begin(), edges[i].end(), is_before);
+	}
+	std::vector<AreaEdge> differing;
+	std::set_symmetric_difference(edges[0].begin(), edges[0].end(), edges[1].begin(), edges[1].end(),
+			std::back_inserter(differing), is_before);
+	Polygon ends;
+	for (const AreaEdge &edge : differing) {
+		ends.emplace_back(edge.low_x, edge.low_z);
+		ends.emplace_back(edge.high_x, edge.high_z);
+	}
+	return ends.empty() ? AreaBox{ { 0.0f, 0.0f }, { -1.0f, -1.0f } } : bounding_box(ends);
 }
 
 AreaBox bounding_box(const Polygon &polygon) {

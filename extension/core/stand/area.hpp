@@ -49,6 +49,10 @@ bool is_in_box(const AreaBox &box, const glm::vec2 &point);
 /// What is in both of two boxes; where nothing is, some side of it is below 0.
 AreaBox common_box(const AreaBox &one, const AreaBox &other);
 
+/// Around all places that are in one of two polygons and not in the other: around the edges that only one of them has,
+/// but for those along x, which no place is beside. Some side of it is below 0 where they have the same ones.
+AreaBox changed_box(const Polygon &one, const Polygon &other);
+
 /// Both corners (0, 0) where there are no points.
 AreaBox bounding_box(const Polygon &polygon);
 

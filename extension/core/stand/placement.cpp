@@ -86,6 +86,12 @@ Placement::Placement(const PlacementRequest &wanted) : request(wanted), found(fi
 	if (box.low.y > box.high.y) {
 		return;
 	}
+	const auto is_elsewhere = [&](const Polygon &exclusion) {
+		const AreaBox both = common_box(bounding_box(exclusion), box);
+		return both.low.x > both.high.x || both.low.y > both.high.y;
+	};
+	const auto begin = request.exclusions.begin();
+	request.exclusions.erase(std::remove_if(begin, request.exclusions.end(), is_elsewhere), request.exclusions.end());
 	first_row = floor_to_int(static_cast<double>(box.low.y) / spacing);
 	rows = floor_to_int(static_cast<double>(box.high.y) / spacing) + 1 - first_row;
 	if (candidate_count(0, rows) > MOST_CANDIDATES) {

@@ -16,18 +16,9 @@ TileKey square_of(PlantId id, double spacing) {
 	return tile_at(x, z, StandChanges::SQUARE);
 }
 
-/// Of a map of squares, to be written to: no copy sees it.
-StandChanges::Square &own_square(StandChanges::Squares &squares, const TileKey &key) {
-	std::shared_ptr<const StandChanges::Square> &there = squares[key];
-	if (!there || there.use_count() > 1) {
-		there = there ? std::make_shared<StandChanges::Square>(*there) : std::make_shared<StandChanges::Square>();
-	}
-	return const_cast<StandChanges::Square &>(*there); // It was made above, or by a call before, and not as const.
-}
-
 const StandChanges::Square *find_square(const StandChanges::Squares &squares, PlantId id, double spacing) {
 	const auto found = squares.find(square_of(id, spacing));
-	return found == squares.end() ? nullptr : found->second.get();
+	return found == squares.end() ? nullptr : &*found->second;
 }
 
 bool holds(const std::vector<PlantId> &ascending, PlantId id) {
@@ -68,7 +59,7 @@ void StandChanges::remove(const std::vector<PlantId> &ids, double spacing) {
 		}
 	}
 	for_each_square(entries, [&](const TileKey &key, auto first, auto end) {
-		Square &square = own_square(filled[spacing], key);
+		Square &square = filled[spacing][key].own();
 		const auto before = static_cast<std::ptrdiff_t>(square.gone.size());
 		std::transform(first, end, std::back_inserter(square.gone), [](const auto &entry) { return entry.second; });
 		std::inplace_merge(square.gone.begin(), square.gone.begin() + before, square.gone.end());
@@ -91,7 +82,7 @@ void StandChanges::mow(const std::vector<PlantId> &ids, const std::vector<float>
 		}
 	}
 	for_each_square(entries, [&](const TileKey &key, auto first, auto end) {
-		Square &square = own_square(filled[spacing], key);
+		Square &square = filled[spacing][key].own();
 		std::vector<MownPlant> mown; // Those who are mown now come first, so that they are the ones that stay.
 		std::transform(first, end, std::back_inserter(mown), [](const auto &entry) { return entry.second; });
 		mown.insert(mown.end(), square.mown.begin(), square.mown.end());

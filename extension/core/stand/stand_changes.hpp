@@ -1,11 +1,11 @@
 #pragma once
 
+#include "base/shared_until_written.hpp"
 #include "stand/area.hpp"
 #include "stand/blocks.hpp"
 #include "stand/plant_id.hpp"
 
 #include <map>
-#include <memory>
 #include <vector>
 
 namespace undergrowth {
@@ -22,6 +22,7 @@ struct MownPlant {
 /// What was done to the plants that a field was filled with, so that it stays done when they are placed anew: who is
 /// gone, and who is mown. Plants are known by their cells: at another density, whoever has its root in the cell of one
 /// that is gone is gone, too. Kept in squares that copies share until one of them writes: copying costs by squares.
+/// Copies may go to other threads; one object is for one thread at a time.
 class StandChanges {
 public:
 	static constexpr float SQUARE = 8.0f; ///< m.
@@ -32,7 +33,7 @@ public:
 		std::vector<PlantId> gone; ///< Ascending, as `mown`. Nobody is in both.
 		std::vector<MownPlant> mown;
 	};
-	using Squares = std::map<TileKey, std::shared_ptr<const Square>>;
+	using Squares = std::map<TileKey, SharedUntilWritten<Square>>;
 
 	bool is_empty() const { return filled.empty() && added.empty(); }
 

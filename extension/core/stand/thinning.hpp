@@ -2,6 +2,8 @@
 
 #include "stand/plant_id.hpp"
 
+#include <algorithm>
+
 namespace undergrowth {
 
 /// A plant's place in the order in which far plants are left away, 0 to below 1: those with a rank below a share are
@@ -19,6 +21,9 @@ struct Thinning {
 	float distances[3] = { 0.0f, 0.0f, 1.0f }; ///< m; ascending.
 	float shares[3] = { 1.0f, 1.0f, 1.0f }; ///< 0 to 1: kept at these; linear between them, even beyond them.
 
+	bool operator==(const Thinning &other) const {
+		return std::equal(distances, distances + 3, other.distances) && std::equal(shares, shares + 3, other.shares);
+	}
 	/// Whether anybody is ever left away.
 	bool is_any() const { return shares[0] < 1.0f || shares[1] < 1.0f || shares[2] < 1.0f; }
 	float share_at(float distance) const;

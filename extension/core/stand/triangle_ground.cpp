@@ -15,8 +15,8 @@ namespace {
 class TriangleGrid {
 public:
 	TriangleGrid(const glm::vec3 *triangles, int count);
-	/// The highest point over (x, z); false beside all triangles.
-	bool find(float x, float z, float &height, glm::vec3 &normal) const;
+	/// The highest or lowest point over (x, z); false beside all triangles.
+	bool find(float x, float z, GroundChoice choice, float &height, glm::vec3 &normal) const;
 
 private:
 	const glm::vec3 *corners;
@@ -71,7 +71,7 @@ template <class Act> void TriangleGrid::for_each_cell(int triangle, Act &&act) c
 	}
 }
 
-bool TriangleGrid::find(float x, float z, float &height, glm::vec3 &normal) const {
+bool TriangleGrid::find(float x, float z, GroundChoice choice, float &height, glm::vec3 &normal) const {
 	bool found = false;
 	if (members.empty() || x < low_x || z < low_z || x > low_x + cell * static_cast<float>(columns) ||
 			z > low_z + cell * static_cast<float>(rows)) {
@@ -91,7 +91,7 @@ bool TriangleGrid::find(float x, float z, float &height, glm::vec3 &normal) cons
 			continue;
 		}
 		const float y = t[0].y + u * (t[1].y - t[0].y) + v * (t[2].y - t[0].y);
-		if (!found || y > height) {
+		if (!found || (choice == GroundChoice::highest ? y > height : y < height)) {
 			found = true;
 			height = y;
 			const glm::vec3 across = glm::cross(t[1] - t[0], t[2] - t[0]);
@@ -103,14 +103,14 @@ bool TriangleGrid::find(float x, float z, float &height, glm::vec3 &normal) cons
 
 } // namespace
 
-void find_ground(const glm::vec3 *corners, int triangle_count, const FieldPlants &plants, std::vector<float> &heights,
-		std::vector<glm::vec3> &normals) {
+void find_ground(const glm::vec3 *corners, int triangle_count, GroundChoice choice, const FieldPlants &plants,
+		std::vector<float> &heights, std::vector<glm::vec3> &normals) {
 	const TriangleGrid grid(corners, triangle_count);
 	const auto count = static_cast<std::size_t>(plants.size());
 	heights.assign(count, std::numeric_limits<float>::quiet_NaN());
 	normals.assign(count, glm::vec3(0.0f, 1.0f, 0.0f));
 	for (std::size_t i = 0; i < count; i++) {
-		grid.find(plants.x[i], plants.z[i], heights[i], normals[i]);
+		grid.find(plants.x[i], plants.z[i], choice, heights[i], normals[i]);
 	}
 }
 

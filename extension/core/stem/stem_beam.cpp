@@ -2,6 +2,7 @@
 
 #include "conventions.hpp"
 #include "stem/stem_elements.hpp"
+#include "stem/stem_grade.hpp"
 #include "stem/stem_large.hpp"
 #include "stem/stem_products.hpp"
 
@@ -221,6 +222,8 @@ StemSolution solve_stem(const StemBeam &beam) {
 	}
 	if (solution.fault != StemFault::none) {
 		solution.constants = StemConstants();
+	} else if (beam.natural_frequency == 0.0f) {
+		grade_by_height(beam, solution.constants);
 	}
 	return solution;
 }

@@ -13,6 +13,15 @@ constexpr int MOST_STEM_JOINTS = 8;
 /// Coefficients of a shape along the stem, those of x, x², … x⁶.
 constexpr int STEM_SHAPE_TERMS = 6;
 
+/// How something goes by a plant's height, over what it is at StemConstants::length: 1 + (r - 1)·(slope + curve·(r -
+/// 1)) at r times that. Where a stem's frequency is declared, nothing does.
+struct StemGrade {
+	float slope = 0.0f;
+	float curve = 0.0f;
+
+	float at(float ratio) const { return 1.0f + (ratio - 1.0f) * (slope + curve * (ratio - 1.0f)); }
+};
+
 /// One oscillator of a stem: half its deflection (m) is q·φ(s), its bend along the stem q·ψ(x), ψ = dφ/ds with a
 /// largest size of 1 and above 0 at the tip. Energies are 2·mass·|v|² and 2·stiffness·|q|².
 struct StemMode {
@@ -25,18 +34,21 @@ struct StemMode {
 	float air_share = 1.0f; ///< Of a wind in m/s: the same.
 	float air_drag = 0.0f; ///< kg·m/s over m/s: ∫c φ² with the head's, D of the mode.
 	float air_lag = 0.0f; ///< m: ∫c φ_1 φ/∫c φ_1, how far the mode moves away from the wind.
+	StemGrade period; ///< Of 1/frequency.
 };
 
 /// All that a step and a picture know of a species' stem of `length`; of other lengths, see `length`.
 struct StemConstants {
-	/// m, the stem that this is computed for. A plant of another length L has the same frequencies; its loads count
-	/// length/L times as much.
+	/// m, the stem that this is computed for. A plant of another length L has the same frequencies, and its loads count
+	/// length/L times as much, where those are declared; where they follow from stiffness, grades say both.
 	float length = 1.0f;
 	int modes = 1;
 	int joints = 4;
 	StemMode mode[MOST_STEM_MODES];
 	float dead_slope = 1.0f; ///< 1/N: linear slope of the tip under the wind's newtons, weights of joints included.
 	float air_slope = 0.0f; ///< s²/m²: the same over the wind's speed squared.
+	StemGrade dead_grade; ///< Of either slope.
+	StemGrade air_grade;
 	float axial_share = 1.0f; ///< What a load along the stem counts beside one across it.
 	/// ψ_1, ψ_2 and the shapes of large bends X3, X5: u(x) = Σ_k q_k ψ_k + t·(n·X3 + n²·X5), t = Σ_k q_k·tip_slope and
 	/// n = min(|t|², 1), for no steady wind bends a tip farther than level; shape[j] has the four coefficients of
@@ -49,9 +61,12 @@ struct StemConstants {
 	/// deflection[joints].
 	float deflection[MOST_STEM_JOINTS + 1][MOST_STEM_MODES] = {};
 
+	/// Whether frequencies follow from each plant's own height.
+	bool has_grades() const { return mode[0].period.slope != 0.0f; }
+
 	bool operator==(const StemConstants &other) const {
 		static_assert(sizeof(StemConstants) ==
-						4 * (6 + 9 * MOST_STEM_MODES + 6 * STEM_SHAPE_TERMS) +
+						4 * (10 + 11 * MOST_STEM_MODES + 6 * STEM_SHAPE_TERMS) +
 								4 * (MOST_STEM_JOINTS + 1) * MOST_STEM_MODES,
 				"no padding, so bytes say whether all numbers are the same");
 		return std::memcmp(this, &other, sizeof(StemConstants)) == 0;

@@ -55,6 +55,49 @@ StemTerms fit_shape(const StemSamples &samples) {
 	return solved(normal);
 }
 
+float first_share(const StemConstants &stem) {
+	return stem.modes == 1 ? 1.0f : stem.mode[0].dead_share * stem.mode[0].tip_slope;
+}
+
+/// Of a mode that is so much of two. They share no stiffness. Of what the air does, the products of both are known from
+/// the lags, ∫c φ_1 φ_k = air_lag_k·∫c φ_1, and ∫c φ_2 from what moves that mode.
+static StemMode mixed_mode(const StemConstants &stem, float a, float b) {
+	const StemMode &first = stem.mode[0];
+	const StemMode &second = stem.mode[1];
+	StemMode mode = first;
+	mode.stiffness = a * a * first.stiffness + b * b * second.stiffness;
+	mode.mass = mode.stiffness / (mode.frequency * mode.frequency);
+	mode.tip_slope = mode.dead_share = mode.air_share = 1.0f;
+	if (first.air_lag > 0.0f) {
+		const float first_push = first.air_drag / first.air_lag;
+		const float push = a * first_push + b * second.air_share * stem.air_slope * second.stiffness;
+		mode.air_drag = a * a * first.air_drag + 2.0f * a * b * second.air_lag * first_push + b * b * second.air_drag;
+		mode.air_lag = push > 0.0f ? mode.air_drag / push : first.air_lag;
+	}
+	return mode;
+}
+
+StemConstants in_one_mode(const StemConstants &stem) {
+	if (stem.modes == 1) {
+		return stem;
+	}
+	const float a = stem.mode[0].dead_share;
+	const float b = stem.mode[1].dead_share;
+	StemConstants one = stem;
+	one.modes = 1;
+	one.mode[0] = mixed_mode(stem, a, b);
+	one.mode[1] = StemMode();
+	for (float (&shape)[4] : one.shape) {
+		shape[0] = a * shape[0] + b * shape[1];
+		shape[1] = 0.0f;
+	}
+	for (float (&deflection)[MOST_STEM_MODES] : one.deflection) {
+		deflection[0] = a * deflection[0] + b * deflection[1];
+		deflection[1] = 0.0f;
+	}
+	return one;
+}
+
 StemConstants in_air(const StemConstants &stem) {
 	StemConstants result = stem;
 	for (int j = 0; j < STEM_SHAPE_TERMS; j++) {

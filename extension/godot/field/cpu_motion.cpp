@@ -23,6 +23,7 @@ CpuMotion::~CpuMotion() {
 
 void CpuMotion::wait() {
 	steps.wait();
+	handing.wait();
 	for (const Height &one : std::exchange(heights, {})) {
 		const int page = rows_of(one.place.block).page;
 		if (!simulation->page(page).is_gone(row_of(one.place))) {
@@ -50,6 +51,7 @@ FieldMotion::PrepareBlock CpuMotion::prepare_block() const {
 
 void CpuMotion::start(const FieldSettings &settings) {
 	wait();
+	is_handed = false;
 	simulation = std::make_unique<FieldSimulation>(settings);
 	textures = std::make_unique<PoseTexture>(settings.prototypes > 0);
 	rows.clear();
@@ -62,10 +64,30 @@ void CpuMotion::begin_clock() {
 	stale_pages.clear();
 }
 
+void CpuMotion::hand_over(PreparedMotion &prepared, const std::vector<KeptPlant> &kept) {
+	static constexpr size_t FEW = 2000; // They take less than waking a thread.
+	wait();
+	is_handed = true;
+	auto &own = static_cast<PreparedCpuMotion &>(prepared);
+	if (kept.size() < FEW) {
+		own.keep_motion(simulation.get(), rows, kept);
+	} else {
+		handing.start([this, &own, &kept] { own.keep_motion(simulation.get(), rows, kept); });
+	}
+}
+
+void CpuMotion::forget_hand_over() {
+	handing.wait();
+	is_handed = false;
+}
+
 void CpuMotion::adopt(PreparedMotion &prepared, const std::vector<KeptPlant> &kept, const ChangeSet &changes,
 		const PlantStore &store, const FieldStyle &style) {
 	wait();
 	auto &own = static_cast<PreparedCpuMotion &>(prepared);
+	if (!std::exchange(is_handed, false)) {
+		own.keep_motion(simulation.get(), rows, kept);
+	}
 	const std::unique_ptr<FieldSimulation> old = std::exchange(simulation, std::move(own.simulation));
 	const std::vector<PageRows> old_rows = std::move(rows);
 	textures = std::move(own.textures);
@@ -76,31 +98,10 @@ void CpuMotion::adopt(PreparedMotion &prepared, const std::vector<KeptPlant> &ke
 	for (int i = 0; i < int(style.looks.size()); i++) {
 		simulation->set_species(i, style.looks[size_t(i)].motion);
 	}
-	if (old) {
-		keep_states(kept, changes, store, *old, old_rows);
-	}
 	take_added(store, style, old.get(), old_rows);
 	begin_clock();
 	write_all();
 	fit_contact(touches);
-}
-
-void CpuMotion::keep_states(const std::vector<KeptPlant> &kept, const ChangeSet &changes, const PlantStore &store,
-		const FieldSimulation &old, const std::vector<PageRows> &old_rows) {
-	for (const KeptPlant &plant : kept) {
-		const size_t before = size_t(plant.from.block);
-		const PageRows from = before < old_rows.size() ? old_rows[before] : PageRows();
-		if (from.page < 0 || plant.from.slot >= from.count) {
-			continue;
-		}
-		const PlantPlace to = { changes.grown[size_t(plant.to.block)].block, plant.to.slot };
-		// The number of a block may have gone to another one meanwhile: a plant is known by where it stands.
-		const glm::vec3 was = old.page(from.page).root(from.first + plant.from.slot);
-		const glm::vec3 is = store.block(to.block).root(to.slot);
-		if (was.x == is.x && was.z == is.z) {
-			simulation->take_motion(rows_of(to.block).page, row_of(to), old, from.page, from.first + plant.from.slot);
-		}
-	}
 }
 
 // Plants that code added outlive a new filling, and so does their motion.

@@ -6,6 +6,7 @@
 #include "field/prepared_cpu_motion.hpp"
 #include "motion/fixed_step.hpp"
 #include "motion/swing_clock.hpp"
+#include "worker_task.hpp"
 
 #include <memory>
 #include <vector>
@@ -25,6 +26,9 @@ public:
 	bool is_ready() const override { return simulation != nullptr; }
 	bool wants_eyes() const override;
 	void start(const FieldSettings &settings) override;
+	void hand_over(PreparedMotion &prepared, const std::vector<KeptPlant> &kept) override;
+	bool is_handing_over() const override { return handing.is_running(); }
+	void forget_hand_over() override;
 	void adopt(PreparedMotion &prepared, const std::vector<KeptPlant> &kept, const ChangeSet &changes,
 			const PlantStore &store, const FieldStyle &style) override;
 	void apply(const ChangeSet &changes, const PlantStore &store, const FieldStyle &style,
@@ -52,11 +56,11 @@ public:
 	bool follows_prototypes() const override { return textures && textures->follows(); }
 	Delays follower_delays(const godot::Transform3D &axes) const override;
 
-	TipState read_state_now(const PlantPlace &place) override;
+	MotionState read_state_now(const PlantPlace &place) override;
 	glm::vec3 read_tip_now(const PlantPlace &place) override;
 	StemMotion read_drawn_stem_now(const PlantPlace &place) const override;
 	bool is_point_in_plants_now(const glm::vec3 &point, float margin) override;
-	void write_state(const PlantPlace &place, const TipState &state) override;
+	void write_state(const PlantPlace &place, const MotionState &state) override;
 	void apply_impulse(const PlantPlace &place, const glm::vec3 &impulse) override;
 
 	int simulated_count() const override { return simulation ? simulation->simulated_count() : 0; }
@@ -78,6 +82,8 @@ private:
 	TipContact touching;
 	bool touches = false;
 	FieldSteps steps; // After what it works on: it is destroyed first.
+	WorkerTask handing; // Alike.
+	bool is_handed = false; ///< Who is kept has its motion in what is to be adopted, and has not moved since.
 	FixedStep clock;
 	FieldWindClock wind_clock;
 	bool showed_heights = false; ///< At the last upload().
@@ -94,8 +100,6 @@ private:
 	void take_in(int block, PreparedCpuBlock &prepared);
 	void drop(int page, int row);
 	void drop_block(int block);
-	void keep_states(const std::vector<KeptPlant> &kept, const ChangeSet &changes, const PlantStore &store,
-			const FieldSimulation &old, const std::vector<PageRows> &old_rows);
 	void take_added(const PlantStore &store, const FieldStyle &style, const FieldSimulation *old,
 			const std::vector<PageRows> &old_rows);
 	void set_rests(const PageRows &plants, const std::vector<glm::vec3> &rests, bool is_still);

@@ -23,13 +23,15 @@ void CpuMotion::fit_contact(bool on) {
 
 void CpuMotion::settle() {
 	wait();
+	is_handed = false;
 	simulation->settle();
 	write_all();
 }
 
-TipState CpuMotion::read_state_now(const PlantPlace &place) {
+MotionState CpuMotion::read_state_now(const PlantPlace &place) {
 	wait();
-	return simulation->state(rows_of(place.block).page, row_of(place));
+	const int page = rows_of(place.block).page;
+	return { simulation->state(page, row_of(place)), simulation->second(page, row_of(place)) };
 }
 
 glm::vec3 CpuMotion::read_tip_now(const PlantPlace &place) {
@@ -39,13 +41,15 @@ glm::vec3 CpuMotion::read_tip_now(const PlantPlace &place) {
 	return page.swings() ? page.tip(row_of(place)) : simulation->shown_point(own.page, row_of(place), 1.0f, 1.0f);
 }
 
-void CpuMotion::write_state(const PlantPlace &place, const TipState &state) {
+void CpuMotion::write_state(const PlantPlace &place, const MotionState &state) {
 	wait();
-	simulation->page(rows_of(place.block).page).set_state(row_of(place), state);
+	is_handed = false;
+	simulation->set_state(rows_of(place.block).page, row_of(place), state.tip, state.second);
 }
 
 void CpuMotion::apply_impulse(const PlantPlace &place, const glm::vec3 &impulse) {
 	wait();
+	is_handed = false;
 	simulation->apply_impulse(rows_of(place.block).page, row_of(place), impulse);
 }
 

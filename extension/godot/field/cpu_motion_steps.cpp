@@ -20,6 +20,7 @@ namespace undergrowth {
 
 static constexpr int FRAMES_BETWEEN_FAR_UPDATES = 15;
 static constexpr int MOST_FAR_MULTIPLE = 32;
+static constexpr double NEAR = 10.0; // m: where a stem's second mode can be seen.
 static constexpr double FARTHER = 1.4142135623730951; // So much farther is stepped half as often again.
 
 static int worker_count(const MotionOptions &options) {
@@ -34,7 +35,8 @@ bool CpuMotion::wants_eyes() const {
 // Pages farther than far_distance are stepped half as often, those FARTHER yet a quarter as often, and so on: as fast
 // as the ground at a distance grows, so that all far rings cost about the same. A page's middle counts, but no plant of
 // it is taken to be more than far_distance farther than it is: where somebody looks, all are stepped in full. Bodies
-// that push count as eyes.
+// that push count as eyes. Where somebody looks from near, stems of two modes step both; where the distance does not
+// matter, whoever looks changes nothing.
 void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
 	const bool is_due = wants_eyes();
 	frames_since_far++;
@@ -55,11 +57,14 @@ void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
 	for (int page = 0; page < simulation->page_count(); page++) {
 		const MotionPage &plants = simulation->page(page);
 		double away = applies ? 1e30 : 0.0;
+		bool is_near = false;
 		for (const glm::vec3 &eye : eyes) {
 			const double nearest = metres(eye - glm::clamp(eye, plants.low(), plants.high()));
 			const double middle = metres(eye - 0.5f * (plants.low() + plants.high()));
 			away = std::min(away, std::min(middle, nearest + options.far_distance));
+			is_near = is_near || nearest < NEAR;
 		}
+		simulation->set_page_near(page, applies && is_near);
 		int multiple = 1;
 		for (double limit = options.far_distance; multiple < MOST_FAR_MULTIPLE && applies && away > limit;
 				limit *= FARTHER) {
@@ -70,6 +75,7 @@ void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
 }
 
 void CpuMotion::start_step(const MotionOptions &options, bool with_contact) {
+	is_handed = false;
 	TipContact *contact = with_contact && simulation->settings().prototypes == 0 ? &touching : nullptr;
 	steps.start(*simulation, *textures, contact, worker_count(options));
 	swings.step(clock.step());
@@ -152,6 +158,7 @@ bool CpuMotion::upload() {
 	std::sort(stale_pages.begin(), stale_pages.end());
 	stale_pages.erase(std::unique(stale_pages.begin(), stale_pages.end()), stale_pages.end());
 	for (const int page : stale_pages) {
+		textures->give_seconds(*simulation, page);
 		textures->write_page(*simulation, page);
 	}
 	stale_pages.clear();

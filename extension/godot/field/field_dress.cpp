@@ -3,6 +3,7 @@
 #include "field/field_material.hpp"
 #include "field/field_recipe.hpp"
 #include "messages.hpp"
+#include "stem/stem_shape.hpp"
 
 using namespace godot;
 
@@ -67,9 +68,10 @@ void FieldDress::tell_of_stems(const FieldStyle &style) const {
 	for (const FieldLook &look : style.looks) {
 		const bool is_stem = look.motion.law == Law::stem;
 		for (const Ref<ShaderMaterial> &material : look.materials) {
-			material->set_shader_parameter("undergrowth_stem_modes", is_stem ? look.motion.stem.modes : 0);
+			set_parameter(material, "undergrowth_stem_modes", is_stem ? look.motion.stem.modes : 0);
 			if (is_stem) {
-				material->set_shader_parameter("undergrowth_stem_shapes", shapes_of(look.motion.stem));
+				set_parameter(material, "undergrowth_stem_shapes", shapes_of(look.motion.stem));
+				set_parameter(material, "undergrowth_stem_share", first_share(look.motion.stem));
 			}
 		}
 	}

@@ -53,6 +53,24 @@ FieldResult &FieldFill::finish() {
 	return result;
 }
 
+std::unique_ptr<ClumpPlan> FieldFill::take_plan() {
+	if (result.plans.empty()) {
+		return nullptr;
+	}
+	auto plan = std::make_unique<ClumpPlan>(std::move(result.plans.back()));
+	result.plans.pop_back();
+	return plan;
+}
+
+std::function<void()> FieldFill::take_rubbish() {
+	auto blocks = std::make_shared<FilledBlocks>(std::move(recipe.standing));
+	auto kept = std::make_shared<std::vector<KeptPlant>>(std::move(result.kept));
+	return [blocks = std::move(blocks), kept = std::move(kept)]() mutable {
+		blocks.reset();
+		kept.reset();
+	};
+}
+
 void FieldFill::work(void *self) {
 	FieldFill *fill = static_cast<FieldFill *>(self);
 	if (fill->stage == Stage::placing) {

@@ -8,6 +8,7 @@
 #include "stand/stand_changes.hpp"
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -71,6 +72,11 @@ public:
 	const PlacementRequest &request() const { return recipe.request; }
 	/// Waits for the thread.
 	FieldResult &finish();
+	/// The next one of the result, or null.
+	std::unique_ptr<ClumpPlan> take_plan();
+	/// Frees, wherever it is called, what was copied for the filling, and what nobody needs of the result.
+	std::function<void()> take_rubbish();
+	bool is_handed_over = false; ///< The motion of those who are kept is, or is on its way.
 
 private:
 	enum class Stage { fresh, placing, placed, building, done };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stand/plants.hpp"
+#include "stand/triangle_ground.hpp"
 
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 
@@ -15,6 +16,7 @@ struct FieldGround {
 	enum class Kind { none, colliders, mesh, object };
 
 	Kind kind = Kind::none;
+	GroundChoice choice = GroundChoice::highest;
 	GroundLimits limits;
 	godot::PackedVector3Array triangles; ///< Of a mesh: three corners each, field axes.
 

@@ -2,6 +2,7 @@
 
 #include "base/random.hpp"
 #include "plant/base_shape.hpp"
+#include "shared_resources.hpp"
 #include "stand/plant_axes.hpp"
 
 #include <algorithm>
@@ -73,6 +74,7 @@ void FieldLook::build() {
 	}
 	nearest = std::move(samples[0]);
 	samples.clear();
+	plant_shader(has_parts()); // Read here, where it holds nobody up, and not when it is worn first.
 }
 
 SampledPlant FieldLook::sample_alone(const PlacedPlant &plant) const {

@@ -7,6 +7,7 @@
 
 #include <godot_cpp/classes/shader_material.hpp>
 
+#include <tuple>
 #include <vector>
 
 namespace undergrowth {
@@ -23,6 +24,12 @@ struct FieldLevel {
 	bool thins_lathes = false; ///< Or only plants of parts.
 	bool casts_shadows = true;
 
+	bool operator==(const FieldLevel &other) const {
+		return std::tie(lod, begin, end, margin, tile_factor, tile_cuts, thins_lathes, casts_shadows) ==
+				std::tie(other.lod, other.begin, other.end, other.margin, other.tile_factor, other.tile_cuts,
+						other.thins_lathes, other.casts_shadows) &&
+				thinning == other.thinning;
+	}
 	/// How many meshes it draws for a species of `variants` plants: half as many in each further level.
 	static int groups(int level, int variants);
 	/// Of plants of parts, or of those without.

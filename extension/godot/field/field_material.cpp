@@ -4,7 +4,6 @@
 #include "shared_resources.hpp"
 
 #include <godot_cpp/classes/base_material3d.hpp>
-#include <godot_cpp/classes/resource_loader.hpp>
 #include <godot_cpp/classes/shader.hpp>
 #include <godot_cpp/classes/texture2d.hpp>
 
@@ -12,12 +11,10 @@ using namespace godot;
 
 namespace undergrowth {
 
-static const char *const SHADER_PATH = "res://addons/undergrowth/shaders/plant_field.gdshader";
 static const char *const OWN_PREFIX = "undergrowth_"; // Of what the field sets.
 static const char *const INCLUDE_NAME = "undergrowth_bend.gdshaderinc";
 
-// A parameter that is set anew costs more than one that is asked for.
-static void set_parameter(const Ref<ShaderMaterial> &material, const StringName &name, const Variant &value) {
+void set_parameter(const Ref<ShaderMaterial> &material, const StringName &name, const Variant &value) {
 	if (material->get_shader_parameter(name) != value) {
 		material->set_shader_parameter(name, value);
 	}
@@ -66,7 +63,7 @@ Ref<ShaderMaterial> make_field_material(const Ref<Material> &worn, bool of_parts
 		return own->duplicate();
 	}
 	Ref<ShaderMaterial> made = new_counted<ShaderMaterial>();
-	made->set_shader(ResourceLoader::get_singleton()->load(of_parts ? PARTS_SHADER_PATH : SHADER_PATH, "Shader"));
+	made->set_shader(plant_shader(of_parts));
 	const Ref<BaseMaterial3D> plain = worn;
 	if (plain.is_valid()) {
 		take_over(plain, made);

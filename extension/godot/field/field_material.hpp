@@ -14,6 +14,10 @@ godot::Ref<godot::ShaderMaterial> make_field_material(const godot::Ref<godot::Ma
 /// shader.
 void follow_material(const godot::Ref<godot::Material> &worn, const godot::Ref<godot::ShaderMaterial> &made);
 
+/// Sets a parameter unless it is that already: one that is set anew costs more than one that is asked for.
+void set_parameter(
+		const godot::Ref<godot::ShaderMaterial> &material, const godot::StringName &name, const godot::Variant &value);
+
 /// Whether its shader includes undergrowth_bend.gdshaderinc.
 bool bends_in_shader(const godot::Ref<godot::ShaderMaterial> &material);
 

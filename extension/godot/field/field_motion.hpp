@@ -76,13 +76,19 @@ public:
 	using PrepareBlock = std::unique_ptr<PreparedBlock> (*)(
 			const PlantBlock &block, const FieldStyle &style, const FieldSettings &settings);
 	virtual PrepareBlock prepare_block() const = 0;
-	/// Until nothing of it is at work beside this thread.
+	/// Until nothing of it is at work beside this thread, a hand-over included.
 	virtual void wait() = 0;
 	virtual bool is_ready() const = 0;
 	/// Whether the next advance() asks for Frame::eyes. It does so now and then only.
 	virtual bool wants_eyes() const = 0;
 	/// An empty field, for plants that code adds.
 	virtual void start(const FieldSettings &settings) = 0;
+	/// Begins, beside this thread, to give plants of `prepared` the motion of those that they were, for adopt(). Until
+	/// then nothing steps. Both stay where they are until forget_hand_over() or adopt().
+	virtual void hand_over(PreparedMotion &prepared, const std::vector<KeptPlant> &kept) = 0;
+	virtual bool is_handing_over() const = 0;
+	/// It is not adopted after all.
+	virtual void forget_hand_over() = 0;
 	/// Takes over what was grown: block i of `prepared` is block changes.grown[i] of the store. Plants that stood
 	/// before go on with their motion.
 	virtual void adopt(PreparedMotion &prepared, const std::vector<KeptPlant> &kept, const ChangeSet &changes,
@@ -133,13 +139,13 @@ public:
 	virtual bool follows_prototypes() const = 0;
 	virtual Delays follower_delays(const godot::Transform3D &axes) const = 0;
 
-	virtual TipState read_state_now(const PlantPlace &place) = 0;
+	virtual MotionState read_state_now(const PlantPlace &place) = 0;
 	/// Where its tip is (m), in the field's axes.
 	virtual glm::vec3 read_tip_now(const PlantPlace &place) = 0;
 	/// The bend that is drawn in this frame and all else that a plant's parts go by, in the field's axes.
 	virtual StemMotion read_drawn_stem_now(const PlantPlace &place) const = 0;
 	virtual bool is_point_in_plants_now(const glm::vec3 &point, float margin) = 0;
-	virtual void write_state(const PlantPlace &place, const TipState &state) = 0;
+	virtual void write_state(const PlantPlace &place, const MotionState &state) = 0;
 	virtual void apply_impulse(const PlantPlace &place, const glm::vec3 &impulse) = 0;
 
 	virtual int simulated_count() const = 0;

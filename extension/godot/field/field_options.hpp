@@ -6,6 +6,7 @@
 #include "plant_wind.hpp"
 
 #include <godot_cpp/variant/node_path.hpp>
+#include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/string_name.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 #include <godot_cpp/variant/vector2.hpp>
@@ -23,12 +24,15 @@ struct StandOptions {
 	double clumping = 0.0;
 	double clump_size = 3.0; // m.
 	int ground_mode = 0;
+	int ground_choice = 0;
 	int64_t ground_collision_mask = 1;
 	godot::Vector2 height_limits = { -1000.0f, 1000.0f }; // m.
 	godot::Vector2 slope_limits = { 0.0f, 1.5707963f }; // rad.
 	double slope_alignment = 0.0;
 	godot::NodePath outline; // Of a Path3D; empty: a rectangle of `size`.
+	double outline_width = 0.0; // m; 0: what the path goes around.
 	godot::TypedArray<godot::NodePath> exclusions; // Of Path3Ds and PlantField3Ds.
+	godot::PackedFloat32Array exclusion_widths; // m, by entry, as outline_width; missing ones are 0.
 	godot::NodePath ground_mesh;
 	godot::NodePath ground_object; // Of a node, or of one's property, that answers get_height().
 	godot::Ref<PlantMap> map; // Null: the whole area is full.

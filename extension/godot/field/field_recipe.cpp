@@ -2,14 +2,12 @@
 
 #include "base/random.hpp"
 #include "conventions.hpp"
-#include "convert.hpp"
+#include "field/field_areas.hpp"
 #include "field/ground_survey.hpp"
 #include "field/plant_field_3d.hpp"
 #include "stopwatch.hpp"
 
-#include <godot_cpp/classes/curve3d.hpp>
 #include <godot_cpp/classes/mesh_instance3d.hpp>
-#include <godot_cpp/classes/path3d.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 
 #include <glm/common.hpp>
@@ -21,76 +19,10 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr float OUTLINE_TOLERANCE_DEGREES = 4.0f;
-static constexpr int OUTLINE_STAGES = 5;
-
 Transform3D axes_of(const Node3D *node) {
 	const Transform3D placed = node->get_global_transform();
 	const float volume = placed.basis.determinant();
 	return placed.is_finite() && std::isfinite(volume) && volume != 0.0f ? placed : Transform3D();
-}
-
-static Polygon flatten(const Ref<Curve3D> &curve, const Transform3D &to_field) {
-	Polygon polygon;
-	for (const Vector3 &point : curve->tessellate(OUTLINE_STAGES, OUTLINE_TOLERANCE_DEGREES)) {
-		const Vector3 placed = to_field.xform(point);
-		polygon.push_back({ placed.x, placed.z });
-	}
-	if (polygon.size() > 1 && polygon.front() == polygon.back()) {
-		polygon.pop_back(); // Closed curves repeat their first point.
-	}
-	return polygon;
-}
-
-static const Path3D *find_path(const Node3D *field, const NodePath &path) {
-	const Path3D *found = path.is_empty() ? nullptr : Object::cast_to<Path3D>(field->get_node_or_null(path));
-	return found && found->get_curve().is_valid() ? found : nullptr;
-}
-
-static Polygon flatten(const Path3D *path, const Node3D *field) {
-	return flatten(path->get_curve(), axes_of(field).affine_inverse() * axes_of(path));
-}
-
-// What is painted; nothing where that is empty.
-static Polygon painted_area(const StandOptions &options) {
-	if (options.map.is_null() || options.map->density().painted().is_empty()) {
-		return {};
-	}
-	const DensityMap &map = options.map->density();
-	const AreaBox box = map.box_of(map.painted());
-	const auto near = [](float place) { return std::clamp(place, -FARTHEST_COORDINATE, FARTHEST_COORDINATE); };
-	return { { near(box.low.x), near(box.low.y) }, { near(box.high.x), near(box.low.y) },
-		{ near(box.high.x), near(box.high.y) }, { near(box.low.x), near(box.high.y) } };
-}
-
-Polygon read_outline(const Node3D *field, const StandOptions &options) {
-	const Polygon painted = painted_area(options);
-	if (!painted.empty() || options.endless) {
-		return painted;
-	}
-	const Path3D *path = field->is_inside_tree() ? find_path(field, options.outline) : nullptr;
-	return path ? flatten(path, field) : rectangle({ options.size.x, options.size.y });
-}
-
-static String read_exclusion(const Node3D *field, const NodePath &path, const String &name, Polygon &into) {
-	if (const Path3D *line = find_path(field, path)) {
-		into = flatten(line, field);
-		return into.size() > 2
-				? String()
-				: name + String(" has a curve of two points or fewer, which goes around nothing. Add points.");
-	}
-	const PlantField3D *other = Object::cast_to<PlantField3D>(field->get_node_or_null(path));
-	if (!other || other == field) {
-		return name + String(" '") + String(path) +
-				"' leads to no Path3D with a curve, and to no other PlantField3D. Set a path to one.";
-	}
-	const Transform3D to_field = axes_of(field).affine_inverse() * axes_of(other);
-	into = other->outline_polygon();
-	for (glm::vec2 &point : into) {
-		const Vector3 placed = to_field.xform(Vector3(point.x, 0.0f, point.y));
-		point = { placed.x, placed.z };
-	}
-	return String();
 }
 
 // A species' density is its share of the field's, times its own factor.
@@ -131,9 +63,11 @@ static String read_area(const Node3D *field, const StandOptions &options, const 
 	}
 	if (options.map.is_valid()) {
 		into.map = std::make_shared<DensityMap>(options.map->density().share());
-	} else if (!options.outline.is_empty() && !find_path(field, options.outline)) {
-		return "outline '" + String(options.outline) +
-				"' leads to no Path3D with a curve. Set a path to one, or none for a rectangle of Size.";
+	} else if (!options.outline.is_empty()) {
+		const String fault = find_outline_fault(field, options);
+		if (!fault.is_empty()) {
+			return fault;
+		}
 	}
 	if (options.endless && options.view_distance <= 0.0 && !options.map.is_valid()) {
 		return "endless needs a view_distance above 0: only what is near somebody can stand. Set one, or endless off.";
@@ -154,8 +88,7 @@ String read_request(const Node3D *field, const StandOptions &options, const Area
 	}
 	for (int64_t i = 0; i < options.exclusions.size(); i++) {
 		into.exclusions.emplace_back();
-		const String fault = read_exclusion(
-				field, options.exclusions[i], "exclusions[" + String::num_int64(i) + "]", into.exclusions.back());
+		const String fault = read_exclusion(field, options, int(i), into.exclusions.back());
 		if (!fault.is_empty()) {
 			return fault;
 		}
@@ -187,6 +120,7 @@ String read_request(const Node3D *field, const StandOptions &options, const Area
 
 String read_ground(const Node3D *field, const StandOptions &options, FieldGround &into) {
 	into.kind = FieldGround::Kind(options.ground_mode);
+	into.choice = GroundChoice(options.ground_choice);
 	into.limits.lowest = options.height_limits.x;
 	into.limits.highest = options.height_limits.y;
 	into.limits.flattest = options.slope_limits.x;

@@ -17,9 +17,6 @@ namespace undergrowth {
 /// that everything can be brought back into its axes.
 godot::Transform3D axes_of(const godot::Node3D *node);
 
-/// The field's outline in its own axes. Where it is not that of a Path3D, it is the rectangle.
-Polygon read_outline(const godot::Node3D *field, const StandOptions &options);
-
 /// Where plants stand, and of which species of the list. After list_looks(), which finds entries that are empty. With
 /// `part` (m, field axes) only what is in that box, and of the map what meets it.
 godot::String read_request(

@@ -27,6 +27,9 @@ int FieldSteps::divide() {
 		return stepped->due_count();
 	}
 	stepped->begin_step(); // Prototypes step in it: those go to the workers.
+	for (const int page : stepped->changed_pages()) {
+		written->give_seconds(*stepped, page);
+	}
 	int due = 0;
 	for (int page = 0; page < stepped->page_count(); page++) {
 		if (in_run >= PLANTS_PER_PART) {

@@ -15,19 +15,21 @@ static constexpr float RANK_ERROR = 1e-3f; // Of half floats, in which ranks com
 
 template <class Act> void FieldView::for_each(Act &&act) const {
 	RenderingServer *server = RenderingServer::get_singleton();
-	for (const auto &[place, group] : clumps) {
-		for (const Clump &clump : group) {
-			act(server, place, clump);
+	for (const bool is_shown : { true, false }) {
+		const std::vector<FieldLevel> &own = is_shown ? levels : prepared_levels;
+		for (const auto &[place, group] : is_shown ? clumps : prepared) {
+			for (const Clump &clump : group) {
+				act(server, own[size_t(place.level)], clump);
+			}
 		}
 	}
 }
 
 FieldView::~FieldView() {
 	if (RenderingServer::get_singleton()) {
-		for_each([](RenderingServer *server, const ClumpPlace &, const Clump &clump) {
-			server->free_rid(clump.instance);
-			server->free_rid(clump.multimesh);
-		});
+		move_all(clumps, gone);
+		move_all(prepared, gone);
+		std::for_each(gone.begin(), gone.end(), &FieldView::let_go);
 	}
 }
 
@@ -70,40 +72,35 @@ FieldView::Clump FieldView::make(const FieldStyle &style, const ClumpPlan &plan)
 	clump.instance = server->instance_create2(clump.multimesh, world);
 	server->instance_attach_object_instance_id(clump.instance, owner);
 	server->instance_set_transform(clump.instance, placed);
-	server->instance_set_visible(clump.instance, is_visible);
-	server->instance_geometry_set_material_override(
-			clump.instance, look.materials[size_t(plan.place.level)]->get_rid());
+	server->instance_set_visible(clump.instance, false);
 	set_wear(clump, level);
 	set_range(clump, level);
 	return clump;
+}
+
+void FieldView::put_on(const FieldStyle &style, const ClumpPlace &place, const Clump &clump) const {
+	RenderingServer *server = RenderingServer::get_singleton();
+	const FieldLook &look = style.looks[size_t(clump.species)];
+	server->instance_geometry_set_material_override(clump.instance, look.materials[size_t(place.level)]->get_rid());
+	server->instance_set_visible(clump.instance, is_visible);
 }
 
 void FieldView::show(const FieldStyle &style, const std::vector<ClumpPlan> &plans) {
 	levels = style.levels;
 	is_thinned = false;
 	for (const ClumpPlan &plan : plans) {
-		clumps[plan.place].push_back(make(style, plan));
+		std::vector<Clump> &there = clumps[plan.place];
+		there.push_back(make(style, plan));
+		put_on(style, plan.place, there.back());
 	}
 }
 
 void FieldView::clear(const ClumpPlace &place) {
 	const auto found = clumps.find(place);
-	if (found == clumps.end()) {
-		return;
+	if (found != clumps.end()) {
+		std::for_each(found->second.begin(), found->second.end(), &FieldView::let_go);
+		clumps.erase(found);
 	}
-	RenderingServer *server = RenderingServer::get_singleton();
-	for (const Clump &clump : found->second) {
-		server->free_rid(clump.instance);
-		server->free_rid(clump.multimesh);
-	}
-	clumps.erase(found);
-}
-
-void FieldView::clear() {
-	while (!clumps.empty()) {
-		clear(ClumpPlace(clumps.begin()->first));
-	}
-	newcomers.clear();
 }
 
 void FieldView::show_added(
@@ -171,15 +168,17 @@ void FieldView::show_newcomers(
 void FieldView::update_levels(const FieldStyle &style) {
 	levels = style.levels;
 	is_thinned = false;
-	for_each([&](RenderingServer *, const ClumpPlace &place, const Clump &clump) {
-		set_range(clump, levels[size_t(place.level)]);
-		set_wear(clump, levels[size_t(place.level)]);
-	});
+	for (const auto &[place, group] : clumps) {
+		for (const Clump &clump : group) {
+			set_range(clump, levels[size_t(place.level)]);
+			set_wear(clump, levels[size_t(place.level)]);
+		}
+	}
 }
 
 void FieldView::set_scenario(const RID &scenario) {
 	world = scenario;
-	for_each([&](RenderingServer *server, const ClumpPlace &, const Clump &clump) {
+	for_each([&](RenderingServer *server, const FieldLevel &, const Clump &clump) {
 		server->instance_set_scenario(clump.instance, world);
 	});
 }
@@ -194,33 +193,35 @@ void FieldView::set_transform(const Transform3D &transform) {
 	const float largest = std::max({ scale.x, scale.y, scale.z });
 	const bool is_scaled_anew = largest != largest_scale;
 	largest_scale = largest;
-	for_each([&](RenderingServer *server, const ClumpPlace &place, const Clump &clump) {
+	for_each([&](RenderingServer *server, const FieldLevel &level, const Clump &clump) {
 		server->instance_set_transform(clump.instance, placed);
 		if (is_scaled_anew) {
-			set_range(clump, levels[size_t(place.level)]);
+			set_range(clump, level);
 		}
 	});
 }
 
 void FieldView::set_visible(bool visible) {
 	is_visible = visible;
-	for_each([&](RenderingServer *server, const ClumpPlace &, const Clump &clump) {
-		server->instance_set_visible(clump.instance, visible);
-	});
+	RenderingServer *server = RenderingServer::get_singleton();
+	for (const auto &[place, group] : clumps) {
+		for (const Clump &clump : group) {
+			server->instance_set_visible(clump.instance, visible);
+		}
+	}
 }
 
 void FieldView::wear(const FieldWear &wear) {
 	worn = wear;
-	for_each([&](RenderingServer *, const ClumpPlace &place, const Clump &clump) {
-		set_wear(clump, levels[size_t(place.level)]);
-	});
+	for_each([&](RenderingServer *, const FieldLevel &level, const Clump &clump) { set_wear(clump, level); });
 }
 
 void FieldView::wear_materials(const FieldStyle &style) {
-	for_each([&](RenderingServer *server, const ClumpPlace &place, const Clump &clump) {
-		const FieldLook &look = style.looks[size_t(clump.species)];
-		server->instance_geometry_set_material_override(clump.instance, look.materials[size_t(place.level)]->get_rid());
-	});
+	for (const auto &[place, group] : clumps) {
+		for (const Clump &clump : group) {
+			put_on(style, place, clump);
+		}
+	}
 }
 
 static AABB box_around(const Transform3D &axes, const AABB &box) {

@@ -70,8 +70,15 @@ public:
 	FieldView(const FieldView &) = delete;
 	FieldView &operator=(const FieldView &) = delete;
 
-	/// Draws nothing.
-	void clear();
+	/// Makes a plan ready to be shown by exchange(), of a style whose materials are yet to be made.
+	void prepare(const FieldStyle &style, const ClumpPlan &plan);
+	/// It is not shown after all.
+	void forget_prepared();
+	/// Shows what was prepared, of this style, instead of all else.
+	void exchange(const FieldStyle &style);
+	/// Frees what is shown no more, for about `usec`. False: there is nothing left.
+	bool free_some(double usec);
+
 	/// Shows these plans, beside what is shown.
 	void show(const FieldStyle &style, const std::vector<ClumpPlan> &plans);
 	/// Draws the plants that were added anew in all places with a block that grew or was dropped.
@@ -124,9 +131,14 @@ private:
 		int shown = RANK_STEPS; ///< Up to which rank, times RANK_STEPS.
 	};
 
-	std::map<ClumpPlace, std::vector<Clump>> clumps;
+	using Clumps = std::map<ClumpPlace, std::vector<Clump>>;
+
+	Clumps clumps;
+	Clumps prepared; ///< Not drawn yet.
+	std::vector<Clump> gone; ///< Not drawn any more, and yet to be freed.
 	std::map<int, TileKey> newcomers; ///< Tiles of their blocks that are drawn.
 	std::vector<FieldLevel> levels; ///< As they were shown.
+	std::vector<FieldLevel> prepared_levels;
 	godot::RID world; ///< Its scenario.
 	godot::Transform3D placed;
 	float largest_scale = 1.0f; ///< Of the field's axes.
@@ -137,10 +149,14 @@ private:
 	bool is_thinned = false; ///< For these; else something changed.
 
 	Clump make(const FieldStyle &style, const ClumpPlan &plan) const;
+	void put_on(const FieldStyle &style, const ClumpPlace &place, const Clump &clump) const;
+	static void let_go(const Clump &clump);
+	static void move_all(Clumps &from, std::vector<Clump> &into);
 	void clear(const ClumpPlace &place);
 	void set_range(const Clump &clump, const FieldLevel &level) const;
 	void set_wear(const Clump &clump, const FieldLevel &level) const;
 	int steps_for(const FieldLevel &level, const Clump &clump, const std::vector<godot::Vector3> &eyes) const;
+	/// Calls act(server, level, clump) for all, those that are prepared included.
 	template <class Act> void for_each(Act &&act) const;
 };
 

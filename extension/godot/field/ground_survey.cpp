@@ -23,6 +23,8 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr float RAY_REACH = 1000.0f; // m above and below the field's plane.
+static constexpr float BELOW_HIT = 0.001f; // m below what a ray hit the next one begins.
+static constexpr int MOST_HITS = 16; // Of rays through what is above the lowest ground.
 static constexpr int PATIENCE = 10; // Physics frames without a space to ask, until rays fail.
 static constexpr size_t ANSWERS_AT_ONCE = 64;
 // In one frame at least so long, and a share of frames that take long anyway.
@@ -72,7 +74,8 @@ public:
 			field(axes_of(of)),
 			to_field(axes_of(of).affine_inverse()),
 			group(options.bodies_group),
-			mask(uint32_t(options.ground_collision_mask)) {}
+			mask(uint32_t(options.ground_collision_mask)),
+			most_hits(GroundChoice(options.ground_choice) == GroundChoice::lowest ? MOST_HITS : 1) {}
 
 	State go_on(const FieldPlants &plants, double usec) override {
 		const Stopwatch watch;
@@ -112,17 +115,25 @@ private:
 	Transform3D field, to_field;
 	StringName group;
 	uint32_t mask;
+	int most_hits; ///< Of one ray after the other, each of which begins below the hit of the one before.
 	int frames_without_space = 0;
 
 	void cast(PhysicsDirectSpaceState3D *space, PhysicsRayQueryParameters3D *ray, float x, float z) {
-		ray->set_from(field.xform(Vector3(x, RAY_REACH, z)));
+		float height = NAN;
+		glm::vec3 normal = UP;
+		float from = RAY_REACH;
 		ray->set_to(field.xform(Vector3(x, -RAY_REACH, z)));
-		const Dictionary hit = space->intersect_ray(ray);
-		if (hit.is_empty()) {
-			add(NAN, UP);
-		} else {
-			add(to_field.xform(Vector3(hit["position"])).y, normal_in(field, Vector3(hit["normal"])));
+		for (int hits = 0; hits < most_hits && from > -RAY_REACH; hits++) {
+			ray->set_from(field.xform(Vector3(x, from, z)));
+			const Dictionary hit = space->intersect_ray(ray);
+			if (hit.is_empty()) {
+				break;
+			}
+			height = to_field.xform(Vector3(hit["position"])).y;
+			normal = normal_in(field, Vector3(hit["normal"]));
+			from = std::min(from, height) - BELOW_HIT;
 		}
+		add(height, normal);
 	}
 };
 

@@ -110,6 +110,14 @@ void Meadow::thin() {
 	}
 }
 
+void Meadow::update_wear(const FieldWear &wanted) {
+	if (!(wanted == wear)) {
+		wear = wanted;
+		view.wear(wear);
+		skeletons.dress(near_wear());
+	}
+}
+
 void Meadow::change_materials() {
 	motion.wait();
 	std::vector<std::vector<Ref<ShaderMaterial>>> old; // They go once nobody wears them.
@@ -157,7 +165,7 @@ std::vector<PlantId> Meadow::add(std::vector<PlacedPlant> &&plants, std::vector<
 	for (const ChangeSet::Grown &grown : changes.grown) {
 		if (job && !job->knows(store.block(grown.block).species)) {
 			const bool places = job->places();
-			job.reset(); // Its field would have no look for them.
+			drop_job(); // Its field would have no look for them.
 			const std::vector<PlantId> removed = removed_meanwhile;
 			fill(places);
 			removed_meanwhile = removed;
@@ -191,6 +199,21 @@ void Meadow::mow(std::vector<PlantPlace> &&places, const std::vector<float> &sha
 	std::sort(places.begin(), places.end());
 	skeletons.release_those(motion, places);
 	show_soon();
+}
+
+void Meadow::grow_again(const std::vector<AreaBox> &boxes) {
+	if (is_at_work()) {
+		fill(is_filling() || !boxes.empty()); // It does not know of it.
+		return;
+	}
+	tiles.interrupt(tile_scene());
+	for (size_t i = 0; i < boxes.size() && patches.touched_tiles() <= FieldPatches::MOST_TILES; i++) {
+		patches.touch(boxes[i], store.tile_size());
+		keep_standing_patches();
+	}
+	if (patches.touched_tiles() > FieldPatches::MOST_TILES) {
+		fill(true);
+	}
 }
 
 void Meadow::show_soon() {

@@ -8,6 +8,8 @@
 #include "field/field_tiles.hpp"
 #include "field/ground_survey.hpp"
 #include "field/skeleton_view.hpp"
+#include "frame_cost.hpp"
+#include "worker_task.hpp"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
 
@@ -42,10 +44,17 @@ public:
 	/// others stand untouched. Where nothing stands yet, or too much changed, the field is filled.
 	void touch(const AreaBox &box);
 	bool is_patching() const { return patches.is_at_work(); }
+	/// Paths that give the field room, or keep places free, are others: grows anew what is between those that it stands
+	/// by and these.
+	void follow_area();
 	/// Whether only tiles near somebody stand.
 	bool streams() const { return properties.view_distance > 0.0; }
 	/// Whether it is to be polled.
-	bool wants_frames() const { return is_at_work() || is_patching() || streams(); }
+	bool wants_frames() const {
+		return is_at_work() || is_patching() || streams() || !retired.empty() || tells_of_patches;
+	}
+	/// Whether what is filled takes its motion over: nothing of it is to be waited for in this frame.
+	bool is_handing_over() const { return job && job->is_handed_over; }
 	/// Goes on with it; at any frame (of `delta` s), paused or not. `physics`: it is one of physics, in which rays may
 	/// be cast.
 	void poll(double delta, bool physics);
@@ -105,6 +114,7 @@ public:
 	SkeletonView skeletons;
 	FieldChanges own_changes; ///< By code.
 	FieldTiles tiles; ///< That stand, where it streams.
+	FrameCost filling; ///< What filling took of this thread.
 	double tiles_usec = 0.0; ///< What tiles took of this thread in the last frame.
 	double upload_usec = 0.0; ///< What the last refresh() took of this thread.
 	/// The box (field axes) that holds whatever is drawn, at most; of no volume where nothing is.
@@ -116,6 +126,7 @@ private:
 	const FieldProperties &properties;
 	Listener listener;
 	FieldDress dress;
+	std::vector<FieldStyle> retired; ///< What is drawn no more wears them, until all of it is freed.
 	FieldView view;
 	FieldWear wear;
 	std::set<TileKey> unseen; ///< Tiles with plants that were added or dropped, and are not drawn so yet.
@@ -128,10 +139,14 @@ private:
 	};
 	std::unique_ptr<Asking> asking;
 	std::unique_ptr<FieldFill> job;
+	WorkerTask clearing; ///< Of what the last one leaves.
 	GroundAsker asker;
 	FieldPatches patches;
 	FieldGround ground; ///< As it was read when the field was filled.
 	std::vector<PlantId> removed_meanwhile; ///< While the job goes on.
+	Polygon known_area; ///< What stands does by these.
+	std::vector<Polygon> known_exclusions;
+	bool tells_of_patches = false; ///< It is filled once they are done.
 	bool is_due_again = false; ///< Its look changed while it was dressed anew.
 	float told_progress = -1.0f;
 
@@ -147,6 +162,10 @@ private:
 	void poll_patches(double delta, bool physics);
 	void begin_patch();
 	void stand_newcomers();
+	void drop_job();
+	/// False: there is more to be made ready.
+	bool make_ready();
+	void poll_job(bool physics);
 	/// False, with the fault told, where it cannot stand.
 	bool adopt(FieldFill &finished);
 	FieldTiles::Scene tile_scene();

@@ -3,6 +3,7 @@
 #include "field/meadow.hpp"
 
 #include "field/field_wind_clock.hpp"
+#include "messages.hpp"
 #include "plant_simulation.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -15,7 +16,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr double ASKING_USEC = 4000.0; // A frame, of scripts.
+static constexpr double ASKING_USEC = 2000.0; // A frame, of scripts.
 
 // Which species of the list a look is of, or -1. Of a function that is listed twice each entry stays its own.
 static int listed_number(const FieldStyle &style, int look, const StandOptions &options) {
@@ -157,6 +158,34 @@ void Meadow::go_on_asking() {
 	job->start();
 }
 
+void Meadow::follow_area() {
+	static constexpr float MARGIN = 0.01f; // m.
+	PlacementRequest now;
+	const String fault = read_request(node, properties, nullptr, now);
+	if (!fault.is_empty() || known_area.empty() || now.exclusions.size() != known_exclusions.size() || is_at_work() ||
+			streams()) {
+		fill(true);
+		return;
+	}
+	listener.fault(String());
+	Polygon corners; // Of boxes around what is otherwise.
+	for (size_t i = 0; i <= now.exclusions.size(); i++) {
+		const bool is_area = i == now.exclusions.size();
+		const AreaBox box =
+				is_area ? changed_box(known_area, now.area) : changed_box(known_exclusions[i], now.exclusions[i]);
+		if (box.low.x <= box.high.x && !(is_area && now.map)) { // What is painted tells of itself.
+			corners.push_back(box.low - MARGIN);
+			corners.push_back(box.high + MARGIN);
+		}
+	}
+	known_area = std::move(now.area);
+	known_exclusions = std::move(now.exclusions);
+	tells_of_patches = true;
+	if (!corners.empty()) {
+		touch(bounding_box(corners));
+	}
+}
+
 bool Meadow::update_levels() {
 	if (!find_level_fault(properties).is_empty()) {
 		return false; // The next filling tells of it.
@@ -171,6 +200,9 @@ bool Meadow::update_levels() {
 		wanted[i].tile_factor = style.levels[i].tile_factor;
 		wanted[i].tile_cuts = style.levels[i].tile_cuts;
 	}
+	if (wanted == style.levels) {
+		return true;
+	}
 	style.levels = wanted;
 	view.update_levels(style);
 	skeletons.dress(near_wear());
@@ -180,12 +212,33 @@ bool Meadow::update_levels() {
 	return true;
 }
 
-void Meadow::update_wear(const FieldWear &wanted) {
-	if (!(wanted == wear)) {
-		wear = wanted;
-		view.wear(wear);
-		skeletons.dress(near_wear());
+int Meadow::species_for(const Ref<PlantFunction> &function) {
+	for (size_t i = 0; i < style.looks.size(); i++) {
+		if (style.looks[i].function == function) {
+			return int(i);
+		}
 	}
+	if (style.levels.empty()) {
+		style.levels = read_levels(properties, node->get_visibility_range_end());
+		style.tile_size = store.tile_size();
+		style.spacing = store.spacing();
+		list_looks(StandOptions(), {}, style);
+	}
+	FieldLook look;
+	const String fault = read_other_look(function, properties, style, look);
+	if (!fault.is_empty()) {
+		report_error(node, "cannot add plants of " + fault);
+		return -1;
+	}
+	if (!motion.is_ready()) {
+		motion.start(settings());
+	}
+	motion.add_species(look);
+	style.looks.push_back(std::move(look));
+	if (motion.pose_texture().is_valid()) {
+		dress.put_on(style, motion);
+	}
+	return int(style.looks.size()) - 1;
 }
 
 bool Meadow::knows_all_looks(const FieldStyle &asked, std::vector<int> &numbers) const {

@@ -2,7 +2,6 @@
 
 #include "field/meadow.hpp"
 
-#include "messages.hpp"
 #include "stopwatch.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -18,7 +17,11 @@ using namespace godot;
 
 namespace undergrowth {
 
+static constexpr double READYING_USEC = 1000.0; // A frame.
+static constexpr double FREEING_USEC = 500.0;
+
 void Meadow::fill(bool places) {
+	const FrameCost::Share share(filling);
 	const bool placed_before = is_filling();
 	if (is_at_work() && !places && !placed_before) {
 		is_due_again = true; // What changes in each frame is seen now and then, and not only when that ends.
@@ -26,12 +29,13 @@ void Meadow::fill(bool places) {
 	}
 	places = places || (streams() && float(properties.tile_size) != store.tile_size());
 	asker.forget();
-	job.reset();
+	drop_job();
 	tiles.interrupt(tile_scene());
 	patches.interrupt();
 	is_due_again = false;
 	if (places) {
 		removed_meanwhile.clear();
+		tells_of_patches = false; // The filling does.
 	}
 	const String fault = begin_asking(places || placed_before);
 	if (fault.is_empty()) {
@@ -43,35 +47,6 @@ void Meadow::fill(bool places) {
 	removed_meanwhile.clear();
 }
 
-int Meadow::species_for(const Ref<PlantFunction> &function) {
-	for (size_t i = 0; i < style.looks.size(); i++) {
-		if (style.looks[i].function == function) {
-			return int(i);
-		}
-	}
-	if (style.levels.empty()) {
-		style.levels = read_levels(properties, node->get_visibility_range_end());
-		style.tile_size = store.tile_size();
-		style.spacing = store.spacing();
-		list_looks(StandOptions(), {}, style);
-	}
-	FieldLook look;
-	const String fault = read_other_look(function, properties, style, look);
-	if (!fault.is_empty()) {
-		report_error(node, "cannot add plants of " + fault);
-		return -1;
-	}
-	if (!motion.is_ready()) {
-		motion.start(settings());
-	}
-	motion.add_species(look);
-	style.looks.push_back(std::move(look));
-	if (motion.pose_texture().is_valid()) {
-		dress.put_on(style, motion);
-	}
-	return int(style.looks.size()) - 1;
-}
-
 void Meadow::touch(const AreaBox &box) {
 	if (!is_filling() || job) { // What is asked for has not read the map yet.
 		patches.touch(box, store.tile_size());
@@ -79,21 +54,6 @@ void Meadow::touch(const AreaBox &box) {
 		keep_standing_patches();
 	}
 	if (!is_filling() && (style.levels.empty() || patches.touched_tiles() > FieldPatches::MOST_TILES)) {
-		fill(true);
-	}
-}
-
-void Meadow::grow_again(const std::vector<AreaBox> &boxes) {
-	if (is_at_work()) {
-		fill(is_filling() || !boxes.empty()); // It does not know of it.
-		return;
-	}
-	tiles.interrupt(tile_scene());
-	for (size_t i = 0; i < boxes.size() && patches.touched_tiles() <= FieldPatches::MOST_TILES; i++) {
-		patches.touch(boxes[i], store.tile_size());
-		keep_standing_patches();
-	}
-	if (patches.touched_tiles() > FieldPatches::MOST_TILES) {
 		fill(true);
 	}
 }
@@ -192,7 +152,48 @@ void Meadow::stand_newcomers() {
 	}
 }
 
+// What only shows when everything is placed.
+static String fault_of(const FieldResult &result) {
+	if (result.fault != PlacementFault::none) {
+		return describe(result.fault);
+	}
+	if (result.motion->is_too_large()) {
+		return "needs more texture layers than graphics cards have. Set a lower density, fewer species where there are "
+			   "prototypes, or divide it among several fields.";
+	}
+	return String();
+}
+
+void Meadow::drop_job() {
+	motion.forget_hand_over();
+	view.forget_prepared();
+	job.reset();
+}
+
+// What is filled is made ready to be drawn over some frames, unseen, and takes the motion over of whoever is kept: then
+// all of it takes the place of what stood, at once.
+bool Meadow::make_ready() {
+	const FieldResult &result = job->finish();
+	if (job->is_handed_over || !fault_of(result).is_empty()) {
+		return !motion.is_handing_over();
+	}
+	const Stopwatch watch;
+	while (const std::unique_ptr<ClumpPlan> plan = job->take_plan()) {
+		view.prepare(result.style, *plan);
+		if (watch.usec() > READYING_USEC) {
+			return false;
+		}
+	}
+	job->is_handed_over = true;
+	motion.hand_over(*result.motion, result.kept);
+	return !motion.is_handing_over();
+}
+
 void Meadow::poll(double delta, bool physics) {
+	const FrameCost::Share share(filling);
+	if (!physics && !retired.empty() && !view.free_some(FREEING_USEC)) {
+		retired.clear();
+	}
 	poll_tiles(physics);
 	poll_patches(delta, physics);
 	if (asking && !physics && asking->frame != Engine::get_singleton()->get_process_frames()) {
@@ -201,19 +202,27 @@ void Meadow::poll(double delta, bool physics) {
 	if (job && job->wants_ground()) {
 		if (asker.serve(*job, node, properties, GroundAsker::usual_usec(delta), physics, true) ==
 				GroundSurvey::State::failed) {
-			job.reset();
+			drop_job();
 			listener.fault(asker.fault());
 		}
 	}
-	if (!job) {
-		return;
+	if (job) {
+		poll_job(physics);
 	}
-	const bool is_done = job->is_done();
+	if (tells_of_patches && !is_at_work() && !is_patching()) {
+		tells_of_patches = false;
+		listener.filled();
+	}
+}
+
+void Meadow::poll_job(bool physics) {
+	const bool is_done = !physics && job->is_done() && make_ready();
 	const float progress = is_done ? 1.0f : job->progress();
 	const bool tells = job->places();
 	if (is_done) {
 		const std::unique_ptr<FieldFill> finished = std::move(job);
 		const bool stands = adopt(*finished);
+		clearing.start(finished->take_rubbish());
 		if (is_due_again || (stands && !update_levels())) {
 			fill(false);
 		}
@@ -230,18 +239,6 @@ void Meadow::poll(double delta, bool physics) {
 	}
 }
 
-// What only shows when everything is placed.
-static String fault_of(const FieldResult &result) {
-	if (result.fault != PlacementFault::none) {
-		return describe(result.fault);
-	}
-	if (result.motion->is_too_large()) {
-		return "needs more texture layers than graphics cards have. Set a lower density, fewer species where there are "
-			   "prototypes, or divide it among several fields.";
-	}
-	return String();
-}
-
 bool Meadow::adopt(FieldFill &finished) {
 	FieldResult &result = finished.finish();
 	const String fault = fault_of(result);
@@ -251,9 +248,8 @@ bool Meadow::adopt(FieldFill &finished) {
 	}
 	motion.wait();
 	skeletons.release_all(motion);
-	view.clear(); // Before the materials go that it wears.
 	tiles.forget_style();
-	style = std::move(result.style);
+	retired.push_back(std::exchange(style, std::move(result.style))); // What is drawn wears it.
 	std::vector<int> other_leans;
 	for (size_t i = 0; i < style.looks.size(); i++) {
 		const float lean = style.looks[i].motion.lean;
@@ -279,11 +275,13 @@ bool Meadow::adopt(FieldFill &finished) {
 	}
 	motion.upload();
 	dress.put_on(style, motion);
-	view.show(style, result.plans);
+	view.exchange(style);
 	view.show_all_added(style, motion, store);
 	unseen.clear();
 	patches.forget_unseen();
 	if (finished.places()) {
+		known_area = finished.request().area;
+		known_exclusions = finished.request().exclusions;
 		tiles.stand(finished.tiles(), finished.request());
 	}
 	remove(store.find_all(std::exchange(removed_meanwhile, {})));

@@ -14,7 +14,8 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr int FLOATS_PER_STATE = 6; // Direction and rate.
+static constexpr int FLOATS_PER_STATE = 12; // Direction and rate, and the same of a stem's second mode.
+static constexpr int FLOATS_OF_TIP = 6;
 
 // What `say` returns of the plant that an id names; told, and empty, where it does not stand.
 template <class Say> auto NamedPlants::ask(int64_t id, const Say &say) const {
@@ -93,8 +94,9 @@ PackedVector3Array NamedPlants::tip_positions(const PackedInt64Array &ids) {
 PackedFloat32Array NamedPlants::motion_state(const PackedInt64Array &ids) {
 	PackedFloat32Array found;
 	for (const int64_t id : ids) {
-		const TipState state = ask(id, [this](const Standing &one) { return meadow.motion.read_state_now(one.place); });
-		for (const glm::vec3 &part : { state.direction, state.rate }) {
+		const MotionState state =
+				ask(id, [this](const Standing &one) { return meadow.motion.read_state_now(one.place); });
+		for (const glm::vec3 &part : { state.tip.direction, state.tip.rate, state.second.bend, state.second.rate }) {
 			found.push_back(part.x);
 			found.push_back(part.y);
 			found.push_back(part.z);
@@ -104,13 +106,19 @@ PackedFloat32Array NamedPlants::motion_state(const PackedInt64Array &ids) {
 }
 
 void NamedPlants::set_motion_state(const PackedInt64Array &ids, const PackedFloat32Array &state) {
-	if (state.size() != ids.size() * FLOATS_PER_STATE) {
-		report_error(node, "set_motion_state() needs six numbers for each id, as get_motion_state() gives them.");
+	const bool is_whole = state.size() == ids.size() * FLOATS_PER_STATE;
+	if (!is_whole && state.size() != ids.size() * FLOATS_OF_TIP) {
+		report_error(node,
+				"set_motion_state() needs twelve numbers for each id, as get_motion_state() gives them, or their first "
+				"six.");
 		return;
 	}
 	const float *from = state.ptr();
-	for (int64_t i = 0; i < ids.size(); i++, from += FLOATS_PER_STATE) {
-		const TipState given = { { from[0], from[1], from[2] }, { from[3], from[4], from[5] } };
+	for (int64_t i = 0; i < ids.size(); i++, from += is_whole ? FLOATS_PER_STATE : FLOATS_OF_TIP) {
+		MotionState given = { { { from[0], from[1], from[2] }, { from[3], from[4], from[5] } }, {} };
+		if (is_whole) {
+			given.second = { { from[6], from[7], from[8] }, { from[9], from[10], from[11] } };
+		}
 		ask(ids[i], [&](const Standing &one) { meadow.motion.write_state(one.place, given); });
 	}
 }

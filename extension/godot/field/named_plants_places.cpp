@@ -123,8 +123,9 @@ int NamedPlants::remove_in_polygon(const PackedVector3Array &points) {
 
 // Who stands near two of its lines is found twice.
 int NamedPlants::remove_along(const PackedVector3Array &points, double width) {
+	const Vector3 *all = points.ptr();
 	const bool are_finite =
-			std::all_of(points.begin(), points.end(), [](const Vector3 &point) { return point.is_finite(); });
+			std::all_of(all, all + points.size(), [](const Vector3 &point) { return point.is_finite(); });
 	if (points.is_empty() || !are_finite || !is_radius(width)) {
 		report_error(node, "remove_along() needs finite points, one at least, and a width of 0 or more.");
 		return 0;

@@ -3,10 +3,13 @@
 
 #include "field/plant_field_3d.hpp"
 
+#include "field/field_areas.hpp"
 #include "stopwatch.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
+
+#include <utility>
 
 using namespace godot;
 
@@ -90,6 +93,10 @@ PackedStringArray PlantField3D::_get_configuration_warnings() const {
 void PlantField3D::mark_stale(bool stand) {
 	stand_is_stale = stand_is_stale || stand;
 	look_is_stale = true;
+	queue_fill();
+}
+
+void PlantField3D::queue_fill() {
 	if (is_inside_tree() && !fill_is_queued) {
 		fill_is_queued = true;
 		call_deferred("_on_fill_queued");
@@ -98,14 +105,20 @@ void PlantField3D::mark_stale(bool stand) {
 
 void PlantField3D::on_fill_queued() {
 	fill_is_queued = false;
-	if (!is_inside_tree() || (!stand_is_stale && !look_is_stale)) {
+	const bool stand = stand_is_stale;
+	const bool look = stand || look_is_stale;
+	if (!is_inside_tree() || (!look && !area_is_stale)) {
 		return;
 	}
-	const bool stand = stand_is_stale;
 	stand_is_stale = look_is_stale = false;
 	watch_nodes();
 	choose_grass();
-	meadow.fill(stand);
+	if (std::exchange(area_is_stale, false) && !stand) {
+		meadow.follow_area();
+	}
+	if (look) {
+		meadow.fill(stand);
+	}
 	follow_frames(meadow.wants_frames());
 }
 
@@ -117,7 +130,7 @@ void PlantField3D::fill() {
 }
 
 bool PlantField3D::is_filling() const {
-	return meadow.is_filling() || meadow.is_patching() || (stand_is_stale && fill_is_queued);
+	return meadow.is_filling() || meadow.is_patching() || ((stand_is_stale || area_is_stale) && fill_is_queued);
 }
 
 bool PlantField3D::may_simulate() const {
@@ -141,8 +154,8 @@ void PlantField3D::follow_frames(bool on) {
 
 // Whoever hears that it is filled may take the field out of the tree.
 void PlantField3D::poll(double delta, bool physics) {
-	if (stand_is_stale) {
-		return; // It grows anew, from other properties than it stands by.
+	if (!is_inside_tree() || stand_is_stale || area_is_stale) {
+		return; // It was taken out in this very frame, or grows anew, from other properties than it stands by.
 	}
 	meadow.poll(delta, physics);
 	if (is_inside_tree() && !meadow.wants_frames()) {
@@ -160,6 +173,10 @@ void PlantField3D::on_physics_frame() {
 
 void PlantField3D::process_frame() {
 	const Stopwatch watch;
+	if (meadow.is_handing_over()) {
+		main_usec = wait_usec = 0.0;
+		return;
+	}
 	meadow.motion.wait();
 	wait_usec = watch.usec();
 	if (frames_since_look++ % FRAMES_BETWEEN_LOOKS == 0) {
@@ -202,47 +219,21 @@ void PlantField3D::look_around() {
 		set_levels(properties.levels);
 	}
 	if (watched.has_moved(this)) {
-		mark_stale(true);
+		on_area_changed();
+	}
+	if (watched_ground.has_moved(this)) {
+		on_ground_changed();
 	}
 }
 
 // Outline and exclusions are live: a point that is dragged, a path that is moved, another field that grows.
 void PlantField3D::watch_nodes() {
-	TypedArray<NodePath> paths = properties.exclusions.duplicate();
-	paths.push_back(properties.outline);
-	paths.push_back(properties.ground_mode == GROUND_MESH ? properties.ground_mesh : NodePath());
-	paths.push_back(properties.ground_mode == GROUND_OBJECT ? properties.ground_object : NodePath());
-	std::vector<Node3D *> nodes;
-	for (int64_t i = 0; i < paths.size(); i++) {
-		const NodePath path = paths[i];
-		nodes.push_back(path.is_empty() ? nullptr : Object::cast_to<Node3D>(get_node_or_null(path)));
-		const PlantField3D *field = Object::cast_to<PlantField3D>(nodes.back());
-		if (field && !field->properties.outline.is_empty()) {
-			nodes.push_back(Object::cast_to<Node3D>(field->get_node_or_null(field->properties.outline)));
-		}
-	}
-	watched.watch(this, nodes, Callable(this, "_on_area_changed"));
-}
-
-void PlantField3D::tell_of_bodies() {
-	if (meadow.motion.is_crowded() && !has_told_of_crowd) {
-		has_told_of_crowd = true;
-		report_warning(this,
-				"too many tips are near each other for all of them to touch: some pairs are left out. Set a smaller "
-				"collision_radius in its species, or a smaller density.");
-	}
-	for (const String &warning : meadow.motion.bodies.take_warnings()) {
-		report_warning(this, warning);
-	}
-	for (const GroupBodies::Event &event : meadow.motion.take_events()) {
-		if (Object *body = ObjectDB::get_instance(event.body)) {
-			call_deferred("emit_signal", event.has_entered ? "body_entered_plants" : "body_exited_plants", body);
-		}
-	}
-}
-
-void PlantField3D::tell_of_skeleton(Skeleton3D *skeleton, bool is_shown) {
-	call_deferred("emit_signal", is_shown ? "skeleton_shown" : "skeleton_hidden", skeleton);
+	watched.watch(this, find_area_nodes(this, properties), Callable(this, "_on_area_changed"));
+	const NodePath ground = properties.ground_mode == GROUND_MESH ? properties.ground_mesh
+			: properties.ground_mode == GROUND_OBJECT			  ? properties.ground_object
+																  : NodePath();
+	Node3D *node = ground.is_empty() ? nullptr : Object::cast_to<Node3D>(get_node_or_null(ground));
+	watched_ground.watch(this, { node }, Callable(this, "_on_ground_changed"));
 }
 
 void PlantField3D::_notification(int what) {
@@ -255,6 +246,8 @@ void PlantField3D::_notification(int what) {
 			follow_drawing(true);
 			if (stand_is_stale || look_is_stale) {
 				mark_stale(false);
+			} else if (area_is_stale) {
+				queue_fill();
 			}
 			look_around();
 			follow_frames(meadow.wants_frames());

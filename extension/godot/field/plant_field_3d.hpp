@@ -26,10 +26,16 @@ public:
 		GROUND_OBJECT = int(FieldGround::Kind::object),
 	};
 
+	enum GroundHeight : int64_t {
+		GROUND_HIGHEST = int(GroundChoice::highest),
+		GROUND_LOWEST = int(GroundChoice::lowest),
+	};
+
 private:
 	/// What a change of a property is about.
 	enum class About {
 		stand, ///< Plants grow anew.
+		area, ///< They do where they may stand now and might not before, or the other way.
 		meshes, ///< What stands is dressed anew.
 		levels, ///< Distances, and other meshes only where those need them.
 		skeletons, ///< They are chosen anew.
@@ -47,7 +53,8 @@ private:
 	godot::TypedArray<PlantFieldSpecies> listed; ///< By users. Where it is empty, grass grows.
 	Meadow meadow;
 	NamedPlants plants{ this, meadow };
-	NodeWatch watched;
+	NodeWatch watched; ///< What the area hangs on.
+	NodeWatch watched_ground;
 	std::vector<uint64_t> seen_species; ///< Of the list, as it was read: scripts may append to it.
 	godot::TypedArray<godot::NodePath> seen_exclusions;
 	godot::TypedArray<PlantFieldLevel> seen_levels;
@@ -56,6 +63,7 @@ private:
 	godot::String problem;
 	bool stand_is_stale = true;
 	bool look_is_stale = true;
+	bool area_is_stale = false; ///< Paths that keep places free, or give room, are others.
 	bool fill_is_queued = false;
 	bool has_told_of_crowd = false;
 	double main_usec = 0.0; ///< Of the last frame, without wait_usec.
@@ -84,6 +92,7 @@ private:
 	static void bind_properties();
 	void changed(About about);
 	void mark_stale(bool stand);
+	void queue_fill();
 	godot::PackedStringArray forgotten_layers() const;
 	void report_problem(const godot::String &what);
 	bool may_simulate() const;
@@ -117,6 +126,7 @@ public:
 	/// The field's outline in its own axes.
 	Polygon outline_polygon() const;
 	godot::PackedVector3Array get_outline_points() const;
+	godot::PackedVector3Array get_exclusion_points(int index) const;
 
 	bool apply_changes(const godot::PackedByteArray &bytes);
 
@@ -137,6 +147,7 @@ public:
 	void on_added_species_changed();
 	void on_levels_changed();
 	void on_area_changed();
+	void on_ground_changed() { mark_stale(true); }
 	void on_wind_changed();
 	void on_map_painted(const godot::Rect2 &rect);
 	void on_fill_queued();
@@ -154,9 +165,12 @@ public:
 	void set_endless(bool on);
 	void set_outline(const godot::NodePath &path);
 	void set_exclusions(const godot::TypedArray<godot::NodePath> &paths);
+	void set_exclusion_widths(const godot::PackedFloat32Array &metres);
 	void set_map(const godot::Ref<PlantMap> &painted);
 	void set_ground_mode(GroundMode mode);
 	GroundMode get_ground_mode() const { return GroundMode(properties.ground_mode); }
+	void set_ground_choice(GroundHeight choice);
+	GroundHeight get_ground_choice() const { return GroundHeight(properties.ground_choice); }
 	void set_wind(const godot::Ref<PlantWind> &wind);
 	void set_simulation_enabled(bool on);
 	void set_update_interval(int step_count);
@@ -167,3 +181,4 @@ public:
 } // namespace undergrowth
 
 VARIANT_ENUM_CAST(undergrowth::PlantField3D::GroundMode);
+VARIANT_ENUM_CAST(undergrowth::PlantField3D::GroundHeight);

@@ -3,6 +3,7 @@
 #include "field/plant_field_3d.hpp"
 
 #include "bind_properties.hpp"
+#include "field/field_areas.hpp"
 
 #include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
@@ -31,6 +32,27 @@ void PlantField3D::preview(double delta, const Ref<PlantWind> &blowing) {
 	}
 }
 
+void PlantField3D::tell_of_bodies() {
+	if (meadow.motion.is_crowded() && !has_told_of_crowd) {
+		has_told_of_crowd = true;
+		report_warning(this,
+				"too many tips are near each other for all of them to touch: some pairs are left out. Set a smaller "
+				"collision_radius in its species, or a smaller density.");
+	}
+	for (const String &warning : meadow.motion.bodies.take_warnings()) {
+		report_warning(this, warning);
+	}
+	for (const GroupBodies::Event &event : meadow.motion.take_events()) {
+		if (Object *body = ObjectDB::get_instance(event.body)) {
+			call_deferred("emit_signal", event.has_entered ? "body_entered_plants" : "body_exited_plants", body);
+		}
+	}
+}
+
+void PlantField3D::tell_of_skeleton(Skeleton3D *skeleton, bool is_shown) {
+	call_deferred("emit_signal", is_shown ? "skeleton_shown" : "skeleton_hidden", skeleton);
+}
+
 int64_t PlantField3D::get_skeleton_plant(const Skeleton3D *skeleton) const {
 	const PlantPlace place = meadow.skeletons.find(skeleton);
 	return place.block < 0 ? NO_PLANT : meadow.store.id(place);
@@ -44,12 +66,47 @@ Polygon PlantField3D::outline_polygon() const {
 	return read_outline(this, properties);
 }
 
-PackedVector3Array PlantField3D::get_outline_points() const {
+static PackedVector3Array points_of(const Polygon &polygon) {
 	PackedVector3Array points;
-	for (const glm::vec2 &point : outline_polygon()) {
+	for (const glm::vec2 &point : polygon) {
 		points.push_back(Vector3(point.x, 0.0f, point.y));
 	}
 	return points;
+}
+
+PackedVector3Array PlantField3D::get_outline_points() const {
+	return points_of(outline_polygon());
+}
+
+PackedVector3Array PlantField3D::get_exclusion_points(int index) const {
+	Polygon polygon;
+	if (index >= 0 && index < properties.exclusions.size() && is_inside_tree()) {
+		read_exclusion(this, properties, index, polygon);
+	}
+	return points_of(polygon);
+}
+
+bool PlantField3D::lists(const Ref<PlantFunction> &function) const {
+	for (int64_t i = 0; i < properties.species.size(); i++) {
+		const Ref<PlantFieldSpecies> entry = properties.species[i];
+		if (entry.is_valid() && entry->get_species() == function) {
+			return true;
+		}
+	}
+	return false;
+}
+
+// Of a species whose plants code added. What is on the list as well is heard of there.
+void PlantField3D::on_added_species_changed() {
+	for (const FieldLook &look : meadow.style.looks) {
+		if (look.function.is_valid() && (look.function->is_motion_change() || look.function->is_material_change())) {
+			if (!lists(look.function)) {
+				follow_look(look.function);
+			}
+			return;
+		}
+	}
+	mark_stale(false);
 }
 
 // What is painted of no species of the field.
@@ -75,7 +132,8 @@ void PlantField3D::set_map(const Ref<PlantMap> &painted) {
 		properties.map->connect("area_changed", listener);
 	}
 	notify_property_list_changed();
-	on_area_changed();
+	mark_stale(true);
+	update_gizmos();
 	update_configuration_warnings();
 }
 
@@ -93,7 +151,8 @@ void PlantField3D::set_view_distance(double metres) {
 void PlantField3D::set_endless(bool on) {
 	properties.endless = on;
 	notify_property_list_changed();
-	on_area_changed();
+	mark_stale(true);
+	update_gizmos();
 }
 
 void PlantField3D::on_map_painted(const Rect2 &rect) {
@@ -131,6 +190,7 @@ Dictionary PlantField3D::get_statistics() {
 	told["tiles"] = meadow.tiles.standing_count();
 	told["tiles_waiting"] = meadow.tiles.waiting_count();
 	told["tiles_usec"] = meadow.streams() ? meadow.tiles_usec : 0.0;
+	told["filling_usec"] = meadow.filling.usec();
 	told["skeletons"] = int64_t(meadow.skeletons.count());
 	told["step_usec"] = meadow.motion.busy_usec();
 	told["upload_usec"] = meadow.upload_usec;
@@ -169,6 +229,7 @@ void PlantField3D::_bind_methods() {
 	LISTEN(on_added_species_changed);
 	LISTEN(on_levels_changed);
 	LISTEN(on_area_changed);
+	LISTEN(on_ground_changed);
 	LISTEN(on_wind_changed);
 	LISTEN(on_map_painted, "rect");
 	LISTEN(on_fill_queued);
@@ -204,6 +265,7 @@ void PlantField3D::_bind_methods() {
 	OF_PLANTS(get_plant_transforms, transforms, "ids");
 	OF_PLANTS(get_plant_heights, heights, "ids");
 	BIND(get_outline_points);
+	BIND(get_exclusion_points, "index");
 	BIND(is_point_in_plants, "point");
 	OF_PLANTS(apply_impulse_in_sphere, apply_impulse_in_sphere, "center", "radius", "impulse");
 	OF_PLANTS(apply_blast, apply_blast, "center", "radius", "impulse");
@@ -229,6 +291,8 @@ void PlantField3D::_bind_methods() {
 	BIND_ENUM_CONSTANT(GROUND_COLLIDERS);
 	BIND_ENUM_CONSTANT(GROUND_MESH);
 	BIND_ENUM_CONSTANT(GROUND_OBJECT);
+	BIND_ENUM_CONSTANT(GROUND_HIGHEST);
+	BIND_ENUM_CONSTANT(GROUND_LOWEST);
 }
 
 } // namespace undergrowth

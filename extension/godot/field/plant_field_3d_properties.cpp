@@ -19,6 +19,9 @@ void PlantField3D::changed(About about) {
 	if (about == About::stand || needs_meshes) {
 		mark_stale(about == About::stand);
 	}
+	if (about == About::area) {
+		on_area_changed();
+	}
 	if (about == About::skeletons) {
 		meadow.skeletons_changed();
 	}
@@ -65,13 +68,16 @@ void PlantField3D::bind_properties() {
 	ADD_GROUP("Area", "");
 	SET_HERE(VECTOR2, size, "get_size", PROPERTY_HINT_NONE, "suffix:m");
 	SET_HERE(NODE_PATH, outline, "get_outline", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Path3D");
+	NUMBER(FLOAT, outline_width, area, 0.0, 1000.0, SLIDER("0,20,0.01,or_greater,suffix:m"));
 	SET_HERE(OBJECT, map, "get_map", PROPERTY_HINT_RESOURCE_TYPE, "PlantMap");
 	SET_HERE(ARRAY, exclusions, "get_exclusions", PROPERTY_HINT_ARRAY_TYPE, "22/35:Path3D,PlantField3D");
+	SET_HERE(PACKED_FLOAT32_ARRAY, exclusion_widths, "get_exclusion_widths", PROPERTY_HINT_NONE, "suffix:m");
 	SET_HERE(FLOAT, view_distance, "get_view_distance", SLIDER("0,500,1,or_greater,suffix:m"));
 	SET_HERE(BOOL, endless, "is_endless");
 	VALUE(ARRAY, streaming_targets, nothing, PROPERTY_HINT_ARRAY_TYPE, "22/35:Node3D");
 	ADD_GROUP("Ground", "");
 	PROPERTY(INT, ground_mode, PROPERTY_HINT_ENUM, "None,Colliders,Mesh,Object");
+	PROPERTY(INT, ground_choice, PROPERTY_HINT_ENUM, "Highest,Lowest");
 	VALUE(INT, ground_collision_mask, stand, PROPERTY_HINT_LAYERS_3D_PHYSICS);
 	VALUE(NODE_PATH, ground_mesh, stand, PROPERTY_HINT_NODE_PATH_VALID_TYPES, "MeshInstance3D");
 	VALUE(NODE_PATH, ground_object, stand);
@@ -111,8 +117,11 @@ void PlantField3D::_validate_property(PropertyInfo &property) const {
 	const bool is_painted = stand.map.is_valid();
 	const bool has_no_area = is_painted || stand.endless;
 	const bool is_idle = (name == "size" && (has_no_area || !stand.outline.is_empty())) ||
-			(name == "outline" && has_no_area) || (name == "endless" && is_painted) ||
+			(name == "outline" && has_no_area) ||
+			(name == "outline_width" && (has_no_area || stand.outline.is_empty())) ||
+			(name == "endless" && is_painted) ||
 			(name == "ground_collision_mask" && stand.ground_mode != GROUND_COLLIDERS) ||
+			(name == "ground_choice" && (is_flat || stand.ground_mode == GROUND_OBJECT)) ||
 			(name == "ground_mesh" && stand.ground_mode != GROUND_MESH) ||
 			(name == "ground_object" && stand.ground_mode != GROUND_OBJECT) ||
 			(is_flat && (name == "height_limits" || name.begins_with("slope_")));
@@ -174,6 +183,18 @@ void PlantField3D::set_exclusions(const TypedArray<NodePath> &paths) {
 	mark_stale(true);
 }
 
+void PlantField3D::set_exclusion_widths(const PackedFloat32Array &metres) {
+	static constexpr Range WIDTH_RANGE = { 0.0, 1000.0 };
+	bool are_accepted = true;
+	for (int64_t i = 0; i < metres.size() && are_accepted; i++) {
+		are_accepted = accept_value(this, "exclusion_widths", metres[i], WIDTH_RANGE);
+	}
+	if (are_accepted && metres != properties.exclusion_widths) {
+		properties.exclusion_widths = metres;
+		on_area_changed();
+	}
+}
+
 void PlantField3D::set_ground_mode(GroundMode mode) {
 	if (mode < GROUND_NONE || mode > GROUND_OBJECT) {
 		report_error(
@@ -181,6 +202,15 @@ void PlantField3D::set_ground_mode(GroundMode mode) {
 	} else if (int(mode) != properties.ground_mode) {
 		properties.ground_mode = int(mode);
 		notify_property_list_changed();
+		mark_stale(true);
+	}
+}
+
+void PlantField3D::set_ground_choice(GroundHeight choice) {
+	if (choice != GROUND_HIGHEST && choice != GROUND_LOWEST) {
+		report_error(this, "ground_choice is GROUND_HIGHEST or GROUND_LOWEST; it keeps its value.");
+	} else if (int(choice) != properties.ground_choice) {
+		properties.ground_choice = int(choice);
 		mark_stale(true);
 	}
 }
@@ -238,29 +268,6 @@ void PlantField3D::on_species_changed() {
 	mark_stale(true);
 }
 
-bool PlantField3D::lists(const Ref<PlantFunction> &function) const {
-	for (int64_t i = 0; i < properties.species.size(); i++) {
-		const Ref<PlantFieldSpecies> entry = properties.species[i];
-		if (entry.is_valid() && entry->get_species() == function) {
-			return true;
-		}
-	}
-	return false;
-}
-
-// Of a species whose plants code added. What is on the list as well is heard of there.
-void PlantField3D::on_added_species_changed() {
-	for (const FieldLook &look : meadow.style.looks) {
-		if (look.function.is_valid() && (look.function->is_motion_change() || look.function->is_material_change())) {
-			if (!lists(look.function)) {
-				follow_look(look.function);
-			}
-			return;
-		}
-	}
-	mark_stale(false);
-}
-
 void PlantField3D::set_levels(const TypedArray<PlantFieldLevel> &entries) {
 	const Callable listener(this, "_on_levels_changed");
 	for (int64_t i = 0; i < seen_levels.size(); i++) {
@@ -279,7 +286,8 @@ void PlantField3D::on_levels_changed() {
 }
 
 void PlantField3D::on_area_changed() {
-	mark_stale(true);
+	area_is_stale = true;
+	queue_fill();
 	update_gizmos();
 }
 

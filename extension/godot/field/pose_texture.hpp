@@ -57,6 +57,8 @@ public:
 	/// Takes over where the plants of a page rest, and gives it room for second modes. Before they are drawn first, and
 	/// whenever a species changes; on one thread.
 	void write_beside(const FieldSimulation &simulation, int page);
+	/// Room for second modes alone, where the page steps them now, before they are written.
+	void give_seconds(const FieldSimulation &simulation, int page);
 
 	/// A plant is drawn so high, as a share of its own height.
 	void set_height(int page, int row, float share);
@@ -93,6 +95,7 @@ private:
 		Rows rows;
 		float share = -1.0f; ///< The blend that was sent.
 		float rate_time = -1.0f; ///< s, FieldSimulation::rate_time() that was sent.
+		bool has_seconds = false; ///< As was sent.
 		std::vector<uint16_t> hidden; ///< Plants that are gone, or that others show.
 	};
 

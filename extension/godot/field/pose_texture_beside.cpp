@@ -41,11 +41,17 @@ void PoseTexture::write_beside(const FieldSimulation &simulation, int page) {
 	pages[size_t(page)].rate_time = -1.0f; // Sent anew.
 	has_new_rows = true;
 	if (simulation.page(page).has_second_bends()) {
-		add_beside(layer_of(page), &Beside::seconds);
+		give_seconds(simulation, page);
 		write_page(simulation, page);
 	}
 	if (simulation.has_parts(page) || simulation.page(page).law() == Law::stem) {
 		write_rests(simulation, page);
+	}
+}
+
+void PoseTexture::give_seconds(const FieldSimulation &simulation, int page) {
+	if (has_rows(page) && simulation.page(page).has_second_bends()) {
+		add_beside(layer_of(page), &Beside::seconds);
 	}
 }
 
@@ -98,12 +104,14 @@ void PoseTexture::upload_beats(const FieldSimulation &simulation) {
 	has_new_rows = false;
 	for (int number = 0; number < int(pages.size()); number++) {
 		Page &page = pages[size_t(number)];
-		if (!has_rows(number) || simulation.rate_time(number) == page.rate_time) {
+		const bool has_seconds = has_rows(number) && simulation.page(number).has_second_bends();
+		const bool are_same = has_rows(number) && simulation.rate_time(number) == page.rate_time;
+		if (!has_rows(number) || (are_same && has_seconds == page.has_seconds)) {
 			continue;
 		}
 		page.rate_time = simulation.rate_time(number);
+		page.has_seconds = has_seconds;
 		const Beside layers_beside = beside(page.rows.layer);
-		const bool has_seconds = simulation.page(number).has_second_bends();
 		float *to = beats_sent.data() + BEAT_FLOATS * (size_t(page.rows.layer) * SIDE + size_t(page.rows.first));
 		for (int row = 0; row < page.rows.count; row++) {
 			*to++ = 1.0f / page.rate_time;

@@ -28,6 +28,25 @@ static void add_pages(const std::vector<PlantBlock> &blocks, const FieldStyle &s
 	}
 }
 
+void PreparedCpuMotion::keep_motion(
+		const FieldSimulation *old, const std::vector<PageRows> &old_rows, const std::vector<KeptPlant> &kept) {
+	for (size_t i = 0; old && i < kept.size(); i++) {
+		const PlantPlace &was = kept[i].from;
+		const PageRows from = size_t(was.block) < old_rows.size() ? old_rows[size_t(was.block)] : PageRows();
+		if (from.page < 0 || was.slot >= from.count) {
+			continue;
+		}
+		const PageRows &into = rows[size_t(kept[i].to.block)];
+		const int row = into.first + kept[i].to.slot;
+		// The number of a block may have gone to another one meanwhile: a plant is known by where it stands.
+		const glm::vec3 before = old->page(from.page).root(from.first + was.slot);
+		const glm::vec3 now = simulation->page(into.page).root(row);
+		if (before.x == now.x && before.z == now.z) {
+			simulation->take_motion(into.page, row, *old, from.page, from.first + was.slot);
+		}
+	}
+}
+
 PreparedCpuBlock::PreparedCpuBlock(
 		int species, const MotionSpecies &kind, std::vector<MotionPlant> &&placed, const FieldSettings &settings) :
 		page(species, kind, placed.data(), int(placed.size()), settings.step * float(settings.update_interval),

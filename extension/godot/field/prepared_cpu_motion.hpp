@@ -17,6 +17,11 @@ public:
 	std::unique_ptr<PoseTexture> textures;
 	std::vector<PageRows> rows; ///< By block.
 
+	/// Whoever is kept goes on with the motion that it has in `old`, where its block has these rows. Null: nobody has
+	/// any. On any thread, while nobody changes either simulation.
+	void keep_motion(
+			const FieldSimulation *old, const std::vector<PageRows> &old_rows, const std::vector<KeptPlant> &kept);
+
 	PoseTexels texels(int block) const override { return textures->texels(rows[size_t(block)]); }
 	bool is_too_large() const override { return textures->is_too_large(); }
 };

@@ -1,4 +1,5 @@
 #include "prototype_fixture.hpp"
+#include "stem/stem_beam.hpp"
 
 #include <doctest/doctest.h>
 
@@ -179,4 +180,27 @@ TEST_CASE("a gust that is let go goes through plants that follow prototypes, fro
 			REQUIRE(felt[static_cast<size_t>(k)] < way + own + 0.5f);
 		}
 	}
+}
+
+TEST_CASE("stems whose frequency goes by their height follow prototypes about as tall") {
+	StemBeam beam;
+	beam.natural_frequency = 0.0f;
+	MotionSpecies species;
+	species.law = Law::stem;
+	species.stem = solve_stem(beam).constants;
+	species.shortest = 0.7f * beam.length;
+	species.longest = 1.3f * beam.length;
+	const Prototypes models(0, species, 64, FIELD_STEP);
+	std::vector<int> picked;
+	for (const float length : { 0.7f, 1.0f, 1.3f }) {
+		MotionPlant plant;
+		plant.length = length * beam.length;
+		for (uint64_t chance = 0; chance < 50; chance++) {
+			const int number = models.pick(plant, chance).prototype;
+			CHECK(models.length(number) == doctest::Approx(plant.length).epsilon(0.1));
+			picked.push_back(number);
+		}
+	}
+	std::sort(picked.begin(), picked.end());
+	CHECK(std::unique(picked.begin(), picked.end()) - picked.begin() > 12);
 }

@@ -110,3 +110,21 @@ TEST_CASE("a row of an area tells the same of its points as the whole area") {
 		CHECK(row.spans.size() <= 2);
 	}
 }
+
+TEST_CASE("what differs between two polygons is in the box around what changed of them") {
+	const Polygon one = { { 0, 0 }, { 10, 0 }, { 10, 10 }, { 0, 10 } };
+	Polygon other = one;
+	other[2] = { 12, 13 };
+	const AreaBox box = changed_box(one, other);
+	CHECK(box.low == glm::vec2(0, 0));
+	CHECK(box.high == glm::vec2(12, 13));
+	other = { { 0, 10 }, { 0, 0 }, { 10, 0 }, { 10, 4 }, { 9, 5 }, { 10, 6 }, { 10, 10 } };
+	const AreaBox notch = changed_box(one, other);
+	CHECK(notch.low == glm::vec2(9, 0)); // Of the side that has it.
+	CHECK(notch.high == glm::vec2(10, 10));
+	const Polygon turned = { one[2], one[1], one[0], one[3] };
+	const AreaBox none = changed_box(one, turned);
+	CHECK(none.low.x > none.high.x);
+	CHECK(changed_box(one, {}).high == glm::vec2(10, 10));
+	CHECK(changed_box({}, {}).low.x > changed_box({}, {}).high.x);
+}

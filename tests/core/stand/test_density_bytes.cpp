@@ -71,6 +71,21 @@ TEST_CASE("A map that was written is read as it was") {
 	}
 }
 
+TEST_CASE("What is painted at the end of all coordinates is read as it was") {
+	DensityMap map;
+	const int layer = map.need_layer("Grass");
+	const float end = FARTHEST_COORDINATE;
+	const CellRange all = map.cells_around({ { -end, -end }, { end, end } });
+	for (const int column : { all.first_column, all.last_column }) {
+		for (const int row : { all.first_row, all.last_row }) {
+			map.set_cell(layer, column, row, { 9, 64 });
+		}
+	}
+	DensityMap found;
+	REQUIRE(read(write_density(map), found) == DensityFault::none);
+	CHECK(are_the_same(map, found));
+}
+
 TEST_CASE("Equal cells are equal bytes, whatever was painted and erased before") {
 	DensityMap map = sample();
 	const std::vector<uint8_t> before = write_density(map);

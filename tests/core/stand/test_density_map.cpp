@@ -163,3 +163,22 @@ TEST_CASE("Cells are taken from another map by the names of layers") {
 	CHECK(map.cell(1, 1, 0) == HALF);
 	CHECK(map.cell(2, 5, 0) == DensityCell());
 }
+
+TEST_CASE("Cells are taken from all of a range, its last row and column too, and from nowhere else") {
+	DensityMap map;
+	DensityMap other;
+	other.need_layer("Grass");
+	for (int row = -4; row < 4; row++) {
+		for (int column = -4; column < 4; column++) {
+			other.set_cell(0, column, row, HALF);
+		}
+	}
+	const CellRange taken = { -2, -3, 1, 2 };
+	CHECK(map.take(other, taken) == taken);
+	for (int row = -4; row < 4; row++) {
+		for (int column = -4; column < 4; column++) {
+			const bool is_inside = column >= -2 && column <= 1 && row >= -3 && row <= 2;
+			CHECK(map.cell(0, column, row) == (is_inside ? HALF : DensityCell()));
+		}
+	}
+}

@@ -37,6 +37,8 @@ TEST_CASE("faults of area and exclusions are found") {
 	CHECK(fault_with([](Request &r) { r.area[2].x = NOT_A_NUMBER; }) == PlacementFault::bad_area);
 	const Polygon broken = { { 0, 0 }, { 1, 0 }, { 1, NOT_A_NUMBER } };
 	CHECK(fault_with([&](Request &r) { r.exclusions = { broken }; }) == PlacementFault::bad_exclusion);
+	const Polygon far = { { 0, 0 }, { 1, 0 }, { 1, 2.0f * FARTHEST_COORDINATE } };
+	CHECK(fault_with([&](Request &r) { r.exclusions = { far }; }) == PlacementFault::bad_exclusion);
 	CHECK(fault_with([](Request &r) { r.exclusions = { {}, rectangle({ 1, 0 }) }; }) == PlacementFault::none);
 }
 

@@ -79,3 +79,15 @@ TEST_CASE("a box beside the area has nobody, and an area of any size may be plac
 	CHECK(find_placement_fault(request) == PlacementFault::none);
 	CHECK(placed(request).size() == doctest::Approx(20 * 256).epsilon(0.05));
 }
+
+TEST_CASE("exclusions that are elsewhere change nothing, and those that reach in do") {
+	PlacementRequest request = square_field(40.0f, 5.0f, 2);
+	request.within = AreaBox{ { -4.0f, -4.0f }, { 4.0f, 4.0f } };
+	const uint64_t alone = hash_of(placed(request));
+	for (int i = 0; i < 50; i++) {
+		request.exclusions.push_back(rectangle({ 2.0f, 2.0f }, { 8.0f + static_cast<float>(i), 0.0f }));
+	}
+	CHECK(hash_of(placed(request)) == alone);
+	request.exclusions.push_back(rectangle({ 2.0f, 2.0f }, { 4.5f, 0.0f }));
+	CHECK(hash_of(placed(request)) != alone);
+}

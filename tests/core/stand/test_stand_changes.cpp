@@ -143,3 +143,27 @@ TEST_CASE("what is gone here and not there is told by boxes around it") {
 	CHECK(before.gone_beside(cut.changes).empty());
 	CHECK(before.gone_beside(StandChanges()).size() == cut.named_near(5.0f).size());
 }
+
+TEST_CASE("a cut has what matters in its box, whichever squares beside it changed, too") {
+	PlacementRequest request = square_field(SIDE, 4.0f, 2);
+	const double spacing = Placement(request).cell_size();
+	const FieldPlants plants = placed(request);
+	StandChanges changes;
+	std::vector<PlantId> all;
+	for (std::size_t i = 0; i < plants.x.size(); i++) {
+		all.push_back(filled_plant_id(plants.x[i], plants.z[i], spacing));
+	}
+	changes.remove(all, spacing);
+	constexpr float S = StandChanges::SQUARE;
+	const AreaBox box = { { -1.5f * S, -1.5f * S }, { 1.5f * S, SIDE } }; // Squares lie beside it and below it, none above.
+	const StandChanges part = changes.cut(box);
+	int count = 0;
+	for (std::size_t i = 0; i < plants.x.size(); i++) {
+		if (box.low.x < plants.x[i] && plants.x[i] < box.high.x && box.low.y < plants.z[i] && plants.z[i] < box.high.y) {
+			CHECK(part.is_gone(plants.x[i], plants.z[i]));
+			count++;
+		}
+	}
+	CHECK(count > 1000);
+	CHECK(part.plant_count() < changes.plant_count());
+}

@@ -16,7 +16,8 @@ struct Found {
 	std::vector<glm::vec3> normals;
 };
 
-Found ground_at(const std::vector<glm::vec3> &corners, const std::vector<glm::vec2> &places) {
+Found ground_at(const std::vector<glm::vec3> &corners, const std::vector<glm::vec2> &places,
+		GroundChoice choice = GroundChoice::highest) {
 	FieldPlants plants;
 	for (const glm::vec2 &place : places) {
 		PlacedPlant plant;
@@ -24,7 +25,7 @@ Found ground_at(const std::vector<glm::vec3> &corners, const std::vector<glm::ve
 		plants.add(plant);
 	}
 	Found found;
-	find_ground(corners.data(), static_cast<int>(corners.size() / 3), plants, found.heights, found.normals);
+	find_ground(corners.data(), static_cast<int>(corners.size() / 3), choice, plants, found.heights, found.normals);
 	return found;
 }
 
@@ -58,15 +59,17 @@ TEST_CASE("plants stand on the slope of a mesh of many triangles, wherever they 
 	}
 }
 
-TEST_CASE("of two floors plants stand on the upper one") {
+TEST_CASE("of two floors plants stand on the one that is chosen") {
 	const std::vector<glm::vec3> lower = { { -1, 0, -1 }, { 1, 0, -1 }, { 0, 0, 1 } };
 	const std::vector<glm::vec3> upper = { { -1, 2, -1 }, { 1, 2, -1 }, { 0, 2, 1 } };
 	std::vector<glm::vec3> both = upper;
 	both.insert(both.end(), lower.begin(), lower.end());
 	CHECK(ground_at(both, { { 0.0f, 0.0f } }).heights[0] == 2.0f);
+	CHECK(ground_at(both, { { 0.0f, 0.0f } }, GroundChoice::lowest).heights[0] == 0.0f);
 	both = lower;
 	both.insert(both.end(), upper.begin(), upper.end());
 	CHECK(ground_at(both, { { 0.0f, 0.0f } }).heights[0] == 2.0f);
+	CHECK(ground_at(both, { { 0.0f, 0.0f } }, GroundChoice::lowest).heights[0] == 0.0f);
 }
 
 TEST_CASE("beside a mesh, in its holes, on its walls and without one there is no ground") {

@@ -27,9 +27,16 @@ static func make_field(function: PlantFunction) -> PlantField3D:
 	var side := sqrt(MOST_PLANTS / field.density)
 	if side < field.size.x:
 		field.size = Vector2.ONE * maxf(floorf(side), LEAST_SIDE)
-	if function.law != PlantFunction.LAW_ELASTICITY:
-		field.species[0].lean_deviation = LEAN
+	field.species = [make_entry(function)]
 	return field
+
+
+## An entry of [param function] for a field: its plants lean a little, unless they lean by themselves.
+static func make_entry(function: PlantFunction) -> PlantFieldSpecies:
+	var entry := PlantFieldSpecies.of(function)
+	if function.law != PlantFunction.LAW_ELASTICITY:
+		entry.lean_deviation = LEAN
+	return entry
 
 
 ## Plants per square metre that cover the ground: many of a lawn, few reeds, fewer broad ferns.

@@ -4,16 +4,21 @@ extends HBoxContainer
 ## from.
 
 const BrushOptions := preload("brush_options.gd")
+const SpeciesMenu := preload("species_menu.gd")
 const Translations := preload("../translations/translations.gd")
 
 ## The editor's own icons, by tool.
 const ICONS: Array[StringName] = [&"", &"Paint", &"Eraser", &"ExpandTree", &"ColorPick"]
 ## In pixels at 100 %.
 const THUMBNAIL := 24
+## More species than these are in a menu.
+const MOST_BUTTONS := 3
 
 var _options: BrushOptions
 # The names of the buttons of species, in their order.
 var _names: PackedStringArray = []
+# Of what the field does not grow yet.
+var _newcomer := ""
 
 @onready var _tools: Array[Button] = [null, %Paint, %Erase, %Height, %Pick]
 @onready var _numbers: HBoxContainer = %Numbers
@@ -23,6 +28,7 @@ var _names: PackedStringArray = []
 @onready var _density: EditorSpinSlider = %Density
 @onready var _plant_height: EditorSpinSlider = %PlantHeight
 @onready var _species: HBoxContainer = %Species
+@onready var _menu: SpeciesMenu = %SpeciesMenu
 
 
 ## Shows and changes [param options].
@@ -36,6 +42,7 @@ func setup(options: BrushOptions) -> void:
 	_falloff.value_changed.connect(func(share: float) -> void: _options.falloff = share)
 	_density.value_changed.connect(func(share: float) -> void: _options.density = share)
 	_plant_height.value_changed.connect(func(factor: float) -> void: _options.height = factor)
+	_menu.chosen.connect(_choose)
 	for slider: Control in _numbers.get_children():
 		slider.custom_minimum_size.x *= EditorInterface.get_editor_scale()
 	options.changed.connect(_show)
@@ -44,22 +51,28 @@ func setup(options: BrushOptions) -> void:
 	_show()
 
 
-## Offers what [param field] grows; null: nothing.
-func show_field(field: PlantField3D) -> void:
-	var entries: Array[PlantFieldSpecies] = []
+## Offers what [param field] grows (null: nothing), and [param newcomer], which it does not grow yet
+## and whose name in the map is to be [param title].
+func show_field(field: PlantField3D, newcomer: PlantFunction = null, title := "") -> void:
+	var functions: Array[PlantFunction] = []
 	var names: PackedStringArray = []
 	for entry in field.species if field else []:
 		if entry and entry.get_layer_name() and not entry.get_layer_name() in names:
-			entries.append(entry)
+			functions.append(entry.species)
 			names.append(entry.get_layer_name())
-	if names == _names:
+	if newcomer:
+		functions.append(newcomer)
+		names.append(title)
+	if names == _names and title == _newcomer:
 		return
 	_names = names
+	_newcomer = title
 	for button in _species.get_children():
 		button.queue_free()
 		_species.remove_child(button)
+	_menu.fill(names, title)
 	for i in names.size():
-		_add_species(entries[i], names[i])
+		_add_species(functions[i], names[i])
 	_show()
 
 
@@ -70,21 +83,28 @@ func _notification(what: int) -> void:
 		_translate()
 
 
-func _add_species(entry: PlantFieldSpecies, title: String) -> void:
+func _add_species(function: PlantFunction, title: String) -> void:
 	var button := Button.new()
 	button.toggle_mode = true
 	button.theme_type_variation = &"FlatButton"
-	button.text = title
+	button.text = "+ " + title if title == _newcomer else title
+	button.tooltip_text = _explain(title)
 	button.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
 	button.icon = get_theme_icon(&"Object", &"EditorIcons")
 	var width := int(THUMBNAIL * EditorInterface.get_editor_scale())
 	button.add_theme_constant_override(&"icon_max_width", width)
-	button.toggled.connect(_on_species_toggled.bind(title))
+	button.toggled.connect(func(is_on: bool) -> void: _choose(title, is_on))
 	_species.add_child(button)
-	if entry.species:
+	if function:
 		EditorInterface.get_resource_previewer().queue_edited_resource_preview(
-			entry.species, self, &"_on_thumbnail_ready", title
+			function, self, &"_on_thumbnail_ready", title
 		)
+
+
+func _explain(title: String) -> String:
+	if title == _newcomer:
+		return tr("Picked in the dock. Painting adds it to the field.")
+	return tr("Paint %s. Where none is chosen, all are.") % title
 
 
 func _on_thumbnail_ready(
@@ -93,9 +113,10 @@ func _on_thumbnail_ready(
 	var at := _names.find(title)
 	if preview and at >= 0 and at < _species.get_child_count():
 		(_species.get_child(at) as Button).icon = preview
+		_menu.show_picture(title, preview)
 
 
-func _on_species_toggled(is_on: bool, title: String) -> void:
+func _choose(title: String, is_on: bool) -> void:
 	var chosen := _options.species.duplicate()
 	if is_on and not title in chosen:
 		chosen.append(title)
@@ -114,7 +135,9 @@ func _show() -> void:
 		_tools[tool].set_pressed_no_signal(_options.tool == tool)
 	var paints := _options.tool not in [BrushOptions.Tool.NONE, BrushOptions.Tool.PICK]
 	_numbers.visible = paints
-	_species.visible = paints
+	_species.visible = paints and _names.size() <= MOST_BUTTONS
+	_menu.visible = paints and _names.size() > MOST_BUTTONS
+	_menu.show_painted(_options.species)
 	_density.visible = _options.tool == BrushOptions.Tool.PAINT
 	_plant_height.visible = _options.tool == BrushOptions.Tool.HEIGHT
 	_radius.set_value_no_signal(_options.radius)
@@ -133,6 +156,7 @@ func _translate() -> void:
 	_falloff.label = tr("Falloff")
 	_density.label = tr("Density")
 	_plant_height.label = tr("Height")
+	_menu.show_painted(_options.species)
 
 
 func _dress() -> void:

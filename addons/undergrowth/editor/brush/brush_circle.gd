@@ -2,7 +2,7 @@
 extends RefCounted
 ## The circle of the brush on the ground. It belongs to no scene.
 
-const Ground := preload("../actions/ground.gd")
+const BrushGround := preload("brush_ground.gd")
 
 const POINTS := 40
 ## Over and under the field's plane ground is looked for, in radii and at least in metres.
@@ -42,27 +42,29 @@ func hide() -> void:
 	RenderingServer.instance_set_visible(_instance, false)
 
 
-## Lies around [param middle] in [param world], in the colour of [param tool]: the outer circle is
-## the radius, the inner one where the falloff begins.
-func show_at(world: World3D, middle: Vector3, radius: float, falloff: float, tool: int) -> void:
-	RenderingServer.instance_set_scenario(_instance, world.scenario)
+## Lies around [param middle] on the ground of [param field], in the colour of [param tool]: the
+## outer circle is the radius, the inner one where the falloff begins.
+func show_at(
+	field: PlantField3D, middle: Vector3, radius: float, falloff: float, tool: int
+) -> void:
+	RenderingServer.instance_set_scenario(_instance, field.get_world_3d().scenario)
 	RenderingServer.instance_set_visible(_instance, true)
 	_material.albedo_color = COLORS[tool]
 	_mesh.clear_surfaces()
-	_add_ring(world, middle, radius, BREADTH * radius)
+	_add_ring(field, middle, radius, BREADTH * radius)
 	var inner := radius * (1.0 - falloff)
 	if inner > 0.05 * radius and falloff > 0.02:
-		_add_ring(world, middle, inner, 0.5 * BREADTH * radius)
+		_add_ring(field, middle, inner, 0.5 * BREADTH * radius)
 
 
-func _add_ring(world: World3D, middle: Vector3, radius: float, breadth: float) -> void:
+func _add_ring(field: PlantField3D, middle: Vector3, radius: float, breadth: float) -> void:
 	var reach := maxf(radius * REACH, LEAST_REACH)
 	var plane := Plane(Vector3.UP, middle.y)
 	_mesh.surface_begin(Mesh.PRIMITIVE_TRIANGLE_STRIP, _material)
 	for i in POINTS + 1:
 		var out := Vector3.RIGHT.rotated(Vector3.UP, TAU * i / POINTS) * radius
 		var above := middle + out + Vector3.UP * reach
-		var met: Variant = Ground.find_seen(world, above, Vector3.DOWN, plane)
+		var met: Variant = BrushGround.find(field, above, Vector3.DOWN, plane)
 		var place: Vector3 = met if met is Vector3 else middle + out
 		if place.y < middle.y - reach:
 			place.y = middle.y  # Over an edge.

@@ -41,7 +41,7 @@ var height := 1.5:
 	set(value):
 		height = clampf(value, 0.1, 3.9)
 		changed.emit()
-## Names of layers that are painted.
+## Names of layers that are painted; none: all of the field.
 var species: PackedStringArray = []:
 	set(value):
 		species = value

@@ -1,8 +1,10 @@
 @tool
 extends RefCounted
 ## One stroke of the brush on the map of a field, from press to release: one step of undo. A field
-## without a map gets one, on which its area is painted as it is full.
+## without a map gets one, on which its area is painted as it is full. A newcomer among its species
+## comes with the stroke, too.
 
+const FieldNewcomer := preload("../actions/field_newcomer.gd")
 const Translations := preload("../translations/translations.gd")
 const BrushOptions := preload("brush_options.gd")
 
@@ -18,36 +20,34 @@ var _map: PlantMap
 var _before: PlantMap
 var _is_new := false
 var _species_before: Array[PlantFieldSpecies] = []
+var _density_before := 0.0
 var _rect := Rect2()
 var _last := Vector3.INF
 
 
 func _init(
-	field: PlantField3D, options: BrushOptions, tool: BrushOptions.Tool, smooths: bool
+	field: PlantField3D,
+	options: BrushOptions,
+	tool: BrushOptions.Tool,
+	smooths: bool,
+	newcomer: PlantFieldSpecies = null
 ) -> void:
 	_field = field
 	_options = options
 	_tool = tool
 	_smooths = smooths
 	_species_before = field.species
+	_density_before = field.density
 	if field.species.is_empty():
 		field.species = [PlantFieldSpecies.of(load(GRASS) as PlantFunction)]
 	_is_new = field.map == null
 	_map = _make_map() if _is_new else field.map
 	_before = _map.snapshot()
 	_map.area_changed.connect(_on_area_changed)
+	if newcomer:
+		FieldNewcomer.add(field, newcomer)
 	if _is_new:
 		field.map = _map
-
-
-## The names of what [param options] choose among the species of [param field]: all where none is.
-static func names_of(field: PlantField3D, options: BrushOptions) -> PackedStringArray:
-	var names: PackedStringArray = []
-	for entry in field.species:
-		var title := entry.get_layer_name() if entry else ""
-		if title and title in options.species:
-			names.append(title)
-	return names if names else _all_names(field)
 
 
 ## The brush goes to [param place], in the world, pressed by [param pressure] (0 to 1).
@@ -66,12 +66,16 @@ func move_to(place: Vector3, pressure: float) -> void:
 ## Ends the stroke.
 func finish(undo: EditorUndoRedoManager) -> void:
 	_map.area_changed.disconnect(_on_area_changed)
-	if not _rect.has_area() and not _is_new:
+	if not _rect.has_area() and _field.species == _species_before:
+		_field.map = null if _is_new else _map
 		return
 	undo.create_action(_title(), UndoRedo.MERGE_DISABLE, _field)
 	if _field.species != _species_before:
 		undo.add_do_property(_field, &"species", _field.species)
 		undo.add_undo_property(_field, &"species", _species_before)
+	if _field.density != _density_before:
+		undo.add_do_property(_field, &"density", _field.density)
+		undo.add_undo_property(_field, &"density", _density_before)
 	if _is_new:
 		undo.add_do_property(_field, &"map", _map)
 		undo.add_undo_property(_field, &"map", null)
@@ -83,7 +87,7 @@ func finish(undo: EditorUndoRedoManager) -> void:
 
 func _touch(place: Vector3, pressure: float) -> void:
 	var strength := _options.strength * pressure
-	for title in names_of(_field, _options):
+	for title in _names():
 		if _smooths:
 			_map.smooth(place, _radius(), title, strength, _options.falloff)
 		elif _tool == BrushOptions.Tool.HEIGHT:
@@ -102,17 +106,21 @@ func _radius() -> float:
 
 func _make_map() -> PlantMap:
 	var map := PlantMap.new()
-	for title in _all_names(_field):
+	for title in FieldNewcomer.layers_of(_field):
 		map.fill_polygon(_field.get_outline_points(), title)
 	return map
 
 
-static func _all_names(field: PlantField3D) -> PackedStringArray:
-	var names: PackedStringArray = []
-	for entry in field.species:
-		if entry and entry.get_layer_name():
-			names.append(entry.get_layer_name())
-	return names
+# What is chosen of what the field grows: all where nothing is.
+func _names() -> PackedStringArray:
+	var names := FieldNewcomer.layers_of(_field)
+	if _options.species.is_empty():
+		return names
+	var chosen: PackedStringArray = []
+	for title in names:
+		if title in _options.species:
+			chosen.append(title)
+	return chosen
 
 
 func _on_area_changed(rect: Rect2) -> void:

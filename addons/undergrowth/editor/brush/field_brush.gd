@@ -2,11 +2,14 @@
 extends RefCounted
 ## The brush in the 3D view: what the mouse, the pen and the keys do while a field is edited.
 
-const Ground := preload("../actions/ground.gd")
+const EditorState := preload("../editor_state.gd")
 const BrushBar := preload("brush_bar.gd")
+const BrushChoice := preload("brush_choice.gd")
 const BrushCircle := preload("brush_circle.gd")
+const BrushGround := preload("brush_ground.gd")
 const BrushOptions := preload("brush_options.gd")
 const BrushStroke := preload("brush_stroke.gd")
+const PenPressure := preload("pen_pressure.gd")
 
 const BAR_SCENE := "brush_bar.tscn"
 
@@ -17,16 +20,23 @@ var _bar: BrushBar
 var _circle: BrushCircle
 var _field: PlantField3D
 var _stroke: BrushStroke
+var _pen := PenPressure.new()
+# The stroke has not touched the ground yet.
+var _waits_for: Variant
+var _choice := BrushChoice.new()
 
 
-## Adds the toolbar to the 3D editor of [param plugin].
-func setup(plugin: EditorPlugin) -> void:
+## Adds the toolbar to the 3D editor of [param plugin]. What is picked in the dock of [param state]
+## is painted.
+func setup(plugin: EditorPlugin, state: EditorState) -> void:
 	_plugin = plugin
+	plugin.get_undo_redo().version_changed.connect(_on_version_changed)
 	var folder := (get_script() as Script).resource_path.get_base_dir()
 	_bar = (load(folder.path_join(BAR_SCENE)) as PackedScene).instantiate()
 	plugin.add_control_to_container(EditorPlugin.CONTAINER_SPATIAL_EDITOR_MENU, _bar)
 	_bar.setup(options)
 	_bar.hide()
+	_choice.setup(state, options, _bar)
 	_circle = BrushCircle.new()
 	options.changed.connect(_on_options_changed)
 
@@ -34,6 +44,8 @@ func setup(plugin: EditorPlugin) -> void:
 ## Takes it away again.
 func close() -> void:
 	_end_stroke()
+	_choice.close()
+	_plugin.get_undo_redo().version_changed.disconnect(_on_version_changed)
 	_plugin.remove_control_from_container(EditorPlugin.CONTAINER_SPATIAL_EDITOR_MENU, _bar)
 	_bar.queue_free()
 	_circle = null
@@ -52,7 +64,7 @@ func edit(field: PlantField3D) -> void:
 	else:
 		options.tool = BrushOptions.Tool.NONE
 	_bar.visible = field != null
-	_bar.show_field(field)
+	_choice.edit(field)
 	_circle.hide()
 
 
@@ -70,10 +82,12 @@ func handle(camera: Camera3D, event: InputEvent) -> bool:
 		return false
 	var place: Variant = _find(camera, motion.position)
 	_show_circle(place, motion.ctrl_pressed)
+	var pressure := _pen.read(motion)
 	if not _stroke:
 		return false
-	if place is Vector3:
-		_stroke.move_to(place, _pressure_of(motion))
+	if place is Vector3 and pressure > 0.0:
+		_touch_first(pressure)
+		_stroke.move_to(place, pressure)
 	return true
 
 
@@ -106,10 +120,25 @@ func _handle_button(camera: Camera3D, button: InputEventMouseButton) -> bool:
 	if tool == BrushOptions.Tool.PICK:
 		_pick(place)
 		return true
-	_stroke = BrushStroke.new(_field, options, tool, button.shift_pressed)
-	_stroke.move_to(place, 1.0)
-	_bar.show_field(_field)
+	_begin_stroke(place, tool, button.shift_pressed)
 	return true
+
+
+func _begin_stroke(place: Vector3, tool: BrushOptions.Tool, smooths: bool) -> void:
+	var paints := tool == BrushOptions.Tool.PAINT and not smooths
+	var newcomer := _choice.bring_newcomer() if paints else null
+	_stroke = BrushStroke.new(_field, options, tool, smooths, newcomer)
+	_waits_for = place
+	if not _pen.begin():
+		_touch_first(1.0)
+	_choice.refresh()
+
+
+# Where the stroke began, once it is known how strongly.
+func _touch_first(pressure: float) -> void:
+	if _waits_for is Vector3:
+		_stroke.move_to(_waits_for, pressure)
+		_waits_for = null
 
 
 # What grows there is what is painted from now on, as densely and as high.
@@ -131,31 +160,29 @@ func _pick(place: Vector3) -> void:
 
 func _end_stroke() -> void:
 	if _stroke:
+		_touch_first(1.0)
 		_stroke.finish(_plugin.get_undo_redo())
 		_stroke = null
 
 
-# A mouse tells of no pressure.
-func _pressure_of(motion: InputEventMouseMotion) -> float:
-	return motion.pressure if motion.pressure > 0.0 else 1.0
+# Undo takes species away, and the inspector may do so, too.
+func _on_version_changed() -> void:
+	if _field and not _stroke:
+		_choice.refresh()
 
 
 # On the ground under the pointer; null in the sky.
 func _find(camera: Camera3D, point: Vector2) -> Variant:
 	var plane := Plane(_field.global_basis.y.normalized(), _field.global_position)
-	return Ground.find_seen(
-		_field.get_world_3d(),
-		camera.project_ray_origin(point),
-		camera.project_ray_normal(point),
-		plane
+	return BrushGround.find(
+		_field, camera.project_ray_origin(point), camera.project_ray_normal(point), plane
 	)
 
 
 func _show_circle(place: Variant, ctrl: bool) -> void:
 	if place is Vector3:
 		var tool := options.tool_with(ctrl)
-		var world := _field.get_world_3d()
-		_circle.show_at(world, place, options.radius, options.falloff, tool)
+		_circle.show_at(_field, place, options.radius, options.falloff, tool)
 	else:
 		_circle.hide()
 	_plugin.update_overlays()
@@ -169,4 +196,5 @@ func _on_options_changed() -> void:
 
 func _on_field_leaves() -> void:
 	_stroke = null
+	_waits_for = null
 	edit(null)

@@ -1,7 +1,8 @@
 @tool
 extends "kept_gizmos.gd"
 ## The gizmo of PlantField3D: a click into its area selects it. Its border is always drawn, and
-## while it is selected the box that holds its plants, and a handle on each side of a rectangle.
+## while it is selected the box that holds its plants, what its exclusions keep free, roads as wide
+## as they are, and a handle on each side of a rectangle.
 
 const GizmoShapes := preload("gizmo_shapes.gd")
 
@@ -23,6 +24,7 @@ func _init() -> void:
 	super()
 	add_material("border", _line_material(Color(0.45, 0.85, 0.4, 0.5), false))
 	add_material("chosen", _line_material(Color(0.55, 1.0, 0.45, 1.0), true))
+	add_material("free", _line_material(Color(0.9, 0.6, 0.3, 0.8), true))
 	add_material("box", _line_material(Color(0.6, 0.8, 0.6, 0.2), false))
 	create_handle_material("side")
 
@@ -47,6 +49,8 @@ func _redraw(gizmo: EditorNode3DGizmo) -> void:
 	_add_area(gizmo, corners)
 	var is_selected := _is_selected(field)
 	gizmo.add_lines(border, get_material("chosen" if is_selected else "border", gizmo))
+	if is_selected or _is_path_selected(field):
+		_add_free_places(gizmo, field)
 	if not is_selected:
 		return
 	gizmo.add_lines(GizmoShapes.box(_box_of(field, corners)), get_material("box", gizmo))
@@ -126,6 +130,13 @@ func _add_area(gizmo: EditorNode3DGizmo, corners: PackedVector3Array) -> void:
 		gizmo.add_collision_triangles(triangles)
 
 
+func _add_free_places(gizmo: EditorNode3DGizmo, field: PlantField3D) -> void:
+	for i in field.exclusions.size():
+		var free := field.get_exclusion_points(i)
+		if free.size() > 2:
+			gizmo.add_lines(GizmoShapes.loop(free), get_material("free", gizmo))
+
+
 func _add_handles(gizmo: EditorNode3DGizmo, field: PlantField3D) -> void:
 	var places := PackedVector3Array()
 	for side in SIDES:
@@ -145,13 +156,23 @@ static func _box_of(field: PlantField3D, corners: PackedVector3Array) -> AABB:
 	return box.expand(box.position + Vector3.UP * LEAST_BOX)
 
 
-# Also those whose outline is selected.
+# Whether one works on its outline or on one of its exclusions.
+func _is_path_selected(field: PlantField3D) -> bool:
+	var paths: Array[NodePath] = field.exclusions.duplicate()
+	paths.append(field.outline)
+	for path in paths:
+		var node := field.get_node_or_null(path) as Node3D if path else null
+		if node and _is_selected(node):
+			return true
+	return false
+
+
+# Also those whose paths are selected.
 func _worked_on() -> Array[Node3D]:
 	var fields: Array[Node3D] = []
 	for id in _made:
 		var field := instance_from_id(id) as PlantField3D
-		var path := field.get_node_or_null(field.outline) if field.outline else null
-		if _is_selected(field) or (path and _is_selected(path)):
+		if _is_selected(field) or _is_path_selected(field):
 			fields.append(field)
 	return fields
 
@@ -160,4 +181,7 @@ func _worked_on() -> Array[Node3D]:
 # the box of its plants.
 func _look_of(node: Node3D) -> Array:
 	var field := node as PlantField3D
-	return [field.get_outline_points(), field.get_aabb()]
+	var look := [field.get_outline_points(), field.get_aabb()]
+	for i in field.exclusions.size():
+		look.append(field.get_exclusion_points(i))
+	return look

@@ -36,7 +36,7 @@ var _scene_species := SceneSpecies.new()
 func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> void:
 	_state = state
 	resized.connect(_turn_split)
-	_list.chosen.connect(_choose)
+	_list.chosen.connect(_on_list_chosen)
 	_list.refreshed.connect(_on_list_refreshed)
 	_list.new_wanted.connect(_actions.ask_for_new)
 	_list.laid_out.connect(_turn_split)
@@ -80,6 +80,12 @@ func _show_species(function: PlantFunction) -> void:
 		)
 	_list.mark(entry.key if entry else "")
 	_list.reveal_chosen()
+
+
+func _on_list_chosen(entry: SpeciesEntry) -> void:
+	_choose(entry)
+	if _chosen and _chosen.key == entry.key:
+		_state.picked.emit()
 
 
 func _choose(entry: SpeciesEntry) -> void:

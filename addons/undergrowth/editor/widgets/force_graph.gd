@@ -1,8 +1,8 @@
 @tool
-extends Control
+extends "wind_view.gd"
 ## The force of a wind over the next seconds (thesis, figures 4.3 to 4.6): newtons over the wind's
-## own time, with a mark that moves along at "now". Of air, its speed in the last minute. The owner
-## lets the wind's clock go on.
+## own time, with a mark that moves along at "now". Of air, its speed in the last minute; of no wind
+## the axes. The owner lets the wind's clock go on.
 
 ## Seconds that the graph spans, and of air.
 const SPAN := 8.0
@@ -13,18 +13,8 @@ const AIR_PLACE := Vector3(0, 10, 0)
 const PAGE_START := 0.15
 const PAGE_END := 0.7
 const SAMPLES := 480
-
-## The wind that is drawn; null draws empty axes.
-var wind: PlantWind:
-	set(value):
-		if wind and wind.changed.is_connected(queue_redraw):
-			wind.changed.disconnect(queue_redraw)
-		wind = value
-		_start = -PAGE_START * SPAN
-		if wind:
-			wind.changed.connect(queue_redraw)
-			_start += wind.get_time()
-		queue_redraw()
+## Of a minute of air no more can be told apart, and its line is thinner.
+const AIR_SAMPLES := 160
 
 var _start := 0.0
 var _drawn_at := -1.0
@@ -39,9 +29,9 @@ func _get_minimum_size() -> Vector2:
 	return Vector2(180, 120) * EditorInterface.get_editor_scale()
 
 
-func _notification(what: int) -> void:
-	if what == NOTIFICATION_PREDELETE:
-		wind = null
+func _on_wind_taken() -> void:
+	_start = -PAGE_START * SPAN + (wind.get_time() if wind else 0.0)
+	queue_redraw()
 
 
 func _process(_delta: float) -> void:
@@ -58,10 +48,6 @@ func _turn_page() -> void:
 		_start = now - (AIR_SPAN - 1.0)
 	elif now < _start or now > _start + PAGE_END * SPAN:
 		_start = now - PAGE_START * SPAN
-
-
-func _is_air() -> bool:
-	return wind and wind.kind == PlantWind.KIND_AIR
 
 
 func _span() -> float:
@@ -105,10 +91,11 @@ func _frame(font: Font, font_size: int) -> Rect2:
 
 func _sample() -> PackedFloat32Array:
 	var forces := PackedFloat32Array()
-	forces.resize(SAMPLES + 1)
+	var count := AIR_SAMPLES if _is_air() else SAMPLES
+	forces.resize(count + 1)
 	if wind:
-		for i in SAMPLES + 1:
-			forces[i] = _value(_start + _span() * i / SAMPLES)
+		for i in count + 1:
+			forces[i] = _value(_start + _span() * i / count)
 	return forces
 
 
@@ -156,9 +143,10 @@ func _draw_curve(frame: Rect2, forces: PackedFloat32Array, top: float) -> void:
 	var accent := get_theme_color("accent_color", "Editor")
 	var points := PackedVector2Array()
 	for i in forces.size():
-		var share := Vector2(float(i) / SAMPLES, 1.0 - forces[i] / top)
+		var share := Vector2(float(i) / (forces.size() - 1), 1.0 - forces[i] / top)
 		points.append(frame.position + share * frame.size)
-	draw_polyline(points, accent, 1.5 * EditorInterface.get_editor_scale(), true)
+	var width := 1.0 if _is_air() else 1.5
+	draw_polyline(points, accent, width * EditorInterface.get_editor_scale(), true)
 
 
 func _draw_now(frame: Rect2, top: float, font: Font, font_size: int) -> void:

@@ -1,45 +1,17 @@
 @tool
-extends EditorSpinSlider
+extends "worded_slider.gd"
 ## A height in metres, where 0 means the one that the species gives each plant, and reads so.
 
 const Translations := preload("../translations/translations.gd")
-## Of the control's height: between its edge and a text.
-const INDENT := 0.25
-## As pale as the engine's own label beside a number.
-const LABEL_OPACITY := 0.5
 
 
 func _init() -> void:
+	super()
 	max_value = 5.0
 	step = 0.01
 	allow_greater = true
 	suffix = "m"
-	value_changed.connect(func(_metres: float) -> void: queue_redraw())
 
 
-## What is read instead of the number, or nothing.
 func get_shown() -> String:
 	return Translations.text("by species") if is_zero_approx(value) else ""
-
-
-# After the engine's own drawing, over it.
-func _draw() -> void:
-	var shown := get_shown()
-	if shown.is_empty():
-		return
-	var box := get_theme_stylebox(&"normal", &"LineEdit")
-	draw_style_box(box, Rect2(Vector2.ZERO, size))
-	var font := get_theme_font(&"font", &"LineEdit")
-	var font_size := get_theme_font_size(&"font_size", &"LineEdit")
-	var line := size.y * 0.5 + (font.get_ascent(font_size) - font.get_descent(font_size)) * 0.5
-	var at := Vector2(maxf(box.get_margin(SIDE_LEFT), size.y * INDENT), line)
-	if label:
-		var pale := Color(get_theme_color(&"font_color", &"LineEdit"), LABEL_OPACITY)
-		_write(label, font, font_size, at, pale)
-		at.x += font.get_string_size(label + "  ", HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
-	_write(shown, font, font_size, at, get_theme_color(&"font_color", &"LineEdit"))
-
-
-func _write(text: String, font: Font, font_size: int, at: Vector2, color: Color) -> void:
-	var room := size.x - at.x
-	draw_string(font, at, text, HORIZONTAL_ALIGNMENT_LEFT, room, font_size, color)

@@ -1,29 +1,36 @@
 @tool
-extends Control
+extends "wind_view.gd"
 ## How fast a wind of air is over the tops of a field at this moment, seen from above: bright where
-## gusts and waves run. Up is -z. The owner lets the wind's clock go on.
+## gusts and waves run. Up is -z. Of winds that are forces nothing is drawn. The owner lets the
+## wind's clock go on.
 
 ## Metres of the field from side to side, and places that are asked along each.
 const SPAN := 40.0
 const SIDE := 56
 ## Frames between two pictures.
 const EVERY := 3
-
-## The wind that is drawn; nothing is drawn of null and of winds that are forces.
-var wind: PlantWind:
-	set(value):
-		wind = value
-		queue_redraw()
+## Of the editor's font size.
+const FONT_SHARE := 0.8
+## How bright the mean speed is, and by how much of it brightness grows with the speed: gusts of air
+## differ by less than the mean.
+const MEAN_BRIGHTNESS := 0.45
+const CONTRAST := 1.2
+## Of the ground below them, of the accent's colour.
+const DARKNESS := 0.8
 
 var _places := _grid()
-var _image := Image.create_empty(SIDE, SIDE, false, Image.FORMAT_L8)
+var _image := Image.create_empty(SIDE / 2, SIDE / 2, false, Image.FORMAT_LA8)
 var _texture := ImageTexture.create_from_image(_image)
 var _drawn_at := -1.0
 var _frame := 0
 
 
+func _init() -> void:
+	texture_filter = CanvasItem.TEXTURE_FILTER_LINEAR
+
+
 func _get_minimum_size() -> Vector2:
-	return Vector2(120, 120) * EditorInterface.get_editor_scale()
+	return Vector2(104, 124) * EditorInterface.get_editor_scale()
 
 
 func _process(_delta: float) -> void:
@@ -44,10 +51,6 @@ func get_speeds() -> PackedFloat32Array:
 	return speeds
 
 
-func _is_air() -> bool:
-	return wind and wind.kind == PlantWind.KIND_AIR
-
-
 func _take_picture() -> void:
 	_drawn_at = wind.get_time()
 	var speeds := get_speeds()
@@ -55,25 +58,32 @@ func _take_picture() -> void:
 	for speed in speeds:
 		mean += speed / speeds.size()
 	var bytes := PackedByteArray()
-	bytes.resize(speeds.size())
+	bytes.resize(2 * speeds.size())
+	bytes.fill(255)
 	for i in speeds.size():
-		bytes[i] = clampi(roundi(255.0 * 0.5 * speeds[i] / maxf(mean, 0.01)), 0, 255)
-	_image.set_data(SIDE, SIDE, false, Image.FORMAT_L8, bytes)
+		var more := speeds[i] / maxf(mean, 0.01) - 1.0
+		bytes[2 * i + 1] = clampi(roundi(255.0 * (MEAN_BRIGHTNESS + CONTRAST * more)), 0, 255)
+	_image.set_data(SIDE, SIDE, false, Image.FORMAT_LA8, bytes)
+	_image.shrink_x2()  # Eddies smaller than that are but noise to the eye.
 	_texture.update(_image)
 
 
 func _draw() -> void:
 	if not _is_air():
 		return
-	var side := minf(size.x, size.y)
-	var accent := get_theme_color("accent_color", "Editor")
-	draw_texture_rect(_texture, Rect2(0, 0, side, side), false, accent.lerp(Color.WHITE, 0.3))
-	var font_size := roundi(get_theme_font_size("font_size", "Label") * 0.8)
+	var font_size := roundi(get_theme_font_size("font_size", "Label") * FONT_SHARE)
 	var font := get_theme_font("font", "Label")
-	var told := tr("Over the field, %d m") % roundi(SPAN)
-	var at := Vector2(4.0, side - font.get_descent(font_size) - 2.0)
-	draw_string_outline(font, at, told, HORIZONTAL_ALIGNMENT_LEFT, side, font_size, 4, Color.BLACK)
-	draw_string(font, at, told, HORIZONTAL_ALIGNMENT_LEFT, side, font_size, Color.WHITE)
+	var text := Color(get_theme_color("font_color", "Label"), 0.75)
+	var top := font_size * 1.5
+	var side := minf(size.x, size.y - top)
+	var accent := get_theme_color("accent_color", "Editor")
+	var place := Rect2(0, top, side, side)
+	draw_rect(place, accent.darkened(DARKNESS))
+	draw_texture_rect(_texture, place, false, accent.lightened(0.3))
+	draw_rect(place, Color(text, 0.15), false)
+	var at := Vector2(0.0, top - font.get_descent(font_size) - 2.0)
+	var told := tr("Field, %d m") % roundi(SPAN)
+	draw_string(font, at, told, HORIZONTAL_ALIGNMENT_LEFT, size.x, font_size, text)
 
 
 static func _grid() -> PackedVector2Array:

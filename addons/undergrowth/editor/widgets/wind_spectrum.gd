@@ -1,7 +1,8 @@
 @tool
-extends Control
+extends "wind_view.gd"
 ## How a wind of air shares its turbulence among slow and fast gusts, measured a metre above the
-## ground, beside the line that Kaimal and others measured over a field in Kansas (1972).
+## ground, beside the line that Kaimal and others measured over a field in Kansas (1972). Of winds
+## that are forces only the axes are drawn.
 
 const PowerSpectrum := preload("power_spectrum.gd")
 
@@ -17,16 +18,6 @@ const LEAST := 0.01
 const MOST := 1.0
 const PER_DECADE := 8
 
-## The wind that is drawn; nothing is drawn of null and of winds that are forces.
-var wind: PlantWind:
-	set(value):
-		if wind and wind.changed.is_connected(_begin):
-			wind.changed.disconnect(_begin)
-		wind = value
-		if wind:
-			wind.changed.connect(_begin)
-		_begin()
-
 # Of the records so far: how many, their powers' sum (m²/s), sums of speeds and of their squares.
 var _count := 0
 var _sum := PackedFloat64Array()
@@ -35,12 +26,7 @@ var _squares := 0.0
 
 
 func _get_minimum_size() -> Vector2:
-	return Vector2(180, 120) * EditorInterface.get_editor_scale()
-
-
-func _notification(what: int) -> void:
-	if what == NOTIFICATION_PREDELETE:
-		wind = null
+	return Vector2(136, 120) * EditorInterface.get_editor_scale()
 
 
 func _process(_delta: float) -> void:
@@ -83,11 +69,8 @@ func kaimal(hertz: float) -> float:
 	return 105.0 * f / pow(1.0 + 33.0 * f, 5.0 / 3.0) / (2.185 * 2.185)
 
 
-func _is_air() -> bool:
-	return wind and wind.kind == PlantWind.KIND_AIR
-
-
-func _begin() -> void:
+# All records are measured anew.
+func _on_wind_changed() -> void:
 	_sum.resize(COUNT / 2)
 	_sum.fill(0.0)
 	_count = 0
@@ -135,7 +118,7 @@ func _draw() -> void:
 		var place := _place(frame, point.x, point.y)
 		draw_circle(place, 2.5 * EditorInterface.get_editor_scale(), accent, true, -1.0, true)
 	var at := Vector2(frame.position.x, frame.position.y - font.get_descent(font_size) - 2.0)
-	var told := tr("Slow and fast gusts; line: Kaimal")
+	var told := tr("Gusts, beside Kaimal's line")
 	draw_string(font, at, told, HORIZONTAL_ALIGNMENT_LEFT, frame.size.x, font_size, text)
 
 

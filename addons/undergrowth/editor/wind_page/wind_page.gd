@@ -139,7 +139,7 @@ func _show_wind() -> void:
 	var degrees := snappedf(rad_to_deg(wind.direction), DEGREE_STEP)
 	_direction.set_value_no_signal(degrees)
 	_dial.degrees = degrees
-	_heading.text = _dial.describe()
+	_heading.text = _dial.describe().replace("° ", "°\n")
 	_show_fields(wind)
 
 

@@ -1,5 +1,5 @@
 @tool
-extends HFlowContainer
+extends GridContainer
 ## The winds that ship with the add-on, as buttons: one press makes a wind such weather.
 
 const FOLDER := "res://addons/undergrowth/winds/"
@@ -26,6 +26,7 @@ func _add(file: String, title: String) -> void:
 	var button := Button.new()
 	button.name = file.to_pascal_case()
 	button.text = title
+	button.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 	button.tooltip_text = tr("Lets such air blow.")
 	button.pressed.connect(func() -> void: _chosen.call(load(FOLDER + file + ".tres")))
 	add_child(button)

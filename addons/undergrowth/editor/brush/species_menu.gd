@@ -1,0 +1,58 @@
+@tool
+extends MenuButton
+## The species of a field that has more of them than a toolbar has room for: a menu in which several
+## can be chosen, with their pictures.
+
+## The user chose [param title], or chose it no more.
+signal chosen(title: String, is_on: bool)
+
+## Of a picture, in pixels at 100 %.
+const PICTURE := 32
+
+var _names: PackedStringArray = []
+
+
+func _ready() -> void:
+	get_popup().hide_on_checkable_item_selection = false
+	get_popup().index_pressed.connect(_on_index_pressed)
+
+
+## Offers [param names]; [param newcomer] among them is not the field's yet.
+func fill(names: PackedStringArray, newcomer: String) -> void:
+	_names = names
+	var popup := get_popup()
+	popup.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
+	popup.clear()
+	for title in names:
+		popup.add_check_item("+ " + title if title == newcomer else title)
+
+
+## [param picture] is of the species called [param title].
+func show_picture(title: String, picture: Texture2D) -> void:
+	var at := _names.find(title)
+	if at >= 0:
+		get_popup().set_item_icon(at, picture)
+		var width := roundi(PICTURE * EditorInterface.get_editor_scale())
+		get_popup().set_item_icon_max_width(at, width)
+
+
+## Tells which of them are [param painted]; none: all.
+func show_painted(painted: PackedStringArray) -> void:
+	var count := 0
+	var last := ""
+	for i in _names.size():
+		var is_on := _names[i] in painted
+		get_popup().set_item_checked(i, is_on)
+		last = _names[i] if is_on else last
+		count += int(is_on)
+	match count:
+		0:
+			text = tr("All Species")
+		1:
+			text = last
+		_:
+			text = tr("%d Species") % count
+
+
+func _on_index_pressed(index: int) -> void:
+	chosen.emit(_names[index], not get_popup().is_item_checked(index))

@@ -1,0 +1,173 @@
+#include "../stem/stems.hpp"
+#include "motion/motion_page.hpp"
+#include "wind/travelling_wind.hpp"
+
+#include <doctest/doctest.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+using namespace undergrowth;
+
+namespace {
+
+constexpr float STEP = 1.0f / 60.0f; // s.
+constexpr double WITHIN = 0.01; // Of what a stem solved for the height says.
+
+StemBeam straw(double head) {
+	StemBeam beam = stem_of(0.4, head, 0.0);
+	beam.youngs_modulus = 4e9f;
+	beam.head_drag_area = 0.001f;
+	return beam;
+}
+
+StemConstants solved_at(const StemBeam &beam, float ratio) {
+	StemBeam other = beam;
+	other.length *= ratio;
+	return solve_stem(other).constants;
+}
+
+MotionPage page_of(const StemBeam &beam, const std::vector<float> &ratios, float step = STEP) {
+	MotionSpecies species;
+	species.law = Law::stem;
+	species.stem = solve_stem(beam).constants;
+	std::vector<MotionPlant> plants(ratios.size());
+	for (std::size_t i = 0; i < ratios.size(); i++) {
+		plants[i].length = ratios[i] * beam.length;
+	}
+	return MotionPage(0, species, plants.data(), static_cast<int>(plants.size()), step, true);
+}
+
+void blow(MotionPage &page, const FieldWind &wind, int steps, SimdLevel level = best_simd_level()) {
+	for (int i = 0; i < steps; i++) {
+		page.step(wind_at_time(wind, i * static_cast<double>(page.step_length())), winds_along(wind), level);
+	}
+}
+
+FieldWind still() {
+	FieldWind wind;
+	wind.wind.strength = 0.0f;
+	return wind;
+}
+
+/// rad/s: by the time of whole swings of a tip that is let go.
+double frequency_of(MotionPage &page, int index) {
+	page.set_state(index, { glm::normalize(glm::vec3(0.02f, 1.0f, 0.0f)), {} });
+	double first = 0.0, last = 0.0;
+	int falls = 0;
+	float before = page.direction(index).x;
+	for (int i = 1; i < 1200; i++) {
+		blow(page, still(), 1);
+		const float now = page.direction(index).x;
+		if (before > 0.0f && now <= 0.0f) {
+			last = (i - static_cast<double>(now / (now - before))) * static_cast<double>(page.step_length());
+			first = falls == 0 ? last : first;
+			falls++;
+		}
+		before = now;
+	}
+	return 2.0 * PI * (falls - 1) / (last - first);
+}
+
+} // namespace
+
+TEST_CASE("stems whose stiffness is given swing by their own height") {
+	const std::vector<float> ratios = { 0.7f, 0.85f, 1.0f, 1.15f, 1.3f };
+	for (const double head : { 0.0, 0.5 }) {
+		StemBeam beam = straw(head);
+		beam.damping_ratio = 0.01f;
+		MotionPage page = page_of(beam, ratios);
+		for (int i = 0; i < page.size(); i++) {
+			CAPTURE(head);
+			CAPTURE(ratios[i]);
+			const double expected = static_cast<double>(solved_at(beam, ratios[i]).mode[0].frequency);
+			CHECK(frequency_of(page, i) == doctest::Approx(expected).epsilon(WITHIN));
+		}
+	}
+}
+
+TEST_CASE("stems whose stiffness is given bend by their own height in both winds") {
+	const std::vector<float> ratios = { 0.7f, 1.0f, 1.3f };
+	const StemBeam beam = straw(0.5);
+	for (const WindKind kind : { WindKind::constant, WindKind::air }) {
+		FieldWind wind;
+		wind.wind.kind = kind;
+		wind.wind.strength = 0.3f / solve_stem(beam).constants.dead_slope;
+		wind.air.speed = 6.0f;
+		MotionPage page = page_of(beam, ratios);
+		blow(page, wind, 3000);
+		for (int i = 0; i < page.size(); i++) {
+			CAPTURE(ratios[i]);
+			StemBeam own = beam;
+			own.length *= ratios[i];
+			MotionPage alone = page_of(own, { 1.0f });
+			blow(alone, wind, 3000);
+			const glm::vec3 is = page.direction(i);
+			const glm::vec3 expected = alone.direction(0);
+			const auto slope = [](const glm::vec3 &tip) { return glm::length(glm::vec2(tip.x, tip.z)) / tip.y; };
+			CHECK(slope(expected) > 0.01f);
+			CHECK(slope(is) == doctest::Approx(slope(expected)).epsilon(WITHIN));
+		}
+	}
+}
+
+TEST_CASE("stems whose stiffness is given keep their frequency at other steps, and where plants come and go") {
+	StemBeam beam = straw(0.0);
+	beam.youngs_modulus = 1e9f;
+	MotionPage page = page_of(beam, { 1.0f, 1.3f });
+	MotionPlant low;
+	low.length = 0.7f * beam.length;
+	page.add(&low, 1);
+	page.remove(0); // The low one takes its row.
+	page.set_step_length(2.0f * STEP);
+	for (const auto &[index, ratio] : { std::pair(0, 0.7f), std::pair(1, 1.3f) }) {
+		CAPTURE(ratio);
+		const double expected = static_cast<double>(solved_at(beam, ratio).mode[0].frequency);
+		CHECK(frequency_of(page, index) == doctest::Approx(expected).epsilon(WITHIN));
+	}
+}
+
+TEST_CASE("heights make no difference where a frequency is declared") {
+	const StemBeam beam = stem_of(0.4, 0.5, 1.2);
+	CHECK(!solve_stem(beam).constants.has_grades());
+	MotionPage page = page_of(beam, { 0.7f, 1.3f });
+	CHECK(frequency_of(page, 0) == doctest::Approx(frequency_of(page, 1)).epsilon(1e-4));
+}
+
+TEST_CASE("stems of any height stay finite and calm down") {
+	StemBeam beam = straw(2.0);
+	beam.youngs_modulus = 3e8f; // It hardly stands.
+	beam.modes = 2;
+	MotionPage page = page_of(beam, { 0.01f, 0.3f, 1.0f, 1.3f, 2.0f, 50.0f }, 1.0f / 15.0f);
+	FieldWind wind;
+	wind.wind.strength = 1e6f;
+	blow(page, wind, 300);
+	blow(page, still(), 6000);
+	for (int i = 0; i < page.size(); i++) {
+		CAPTURE(i);
+		CHECK(page.direction(i).y > 0.999f);
+	}
+}
+
+TEST_CASE("graded stems have the same bits at every level of SIMD") {
+	StemBeam beam = straw(0.5);
+	beam.modes = 2;
+	std::vector<float> ratios;
+	for (int i = 0; i < 37; i++) {
+		ratios.push_back(0.7f + 0.017f * static_cast<float>(i));
+	}
+	MotionPage one = page_of(beam, ratios);
+	MotionPage other = page_of(beam, ratios);
+	FieldWind wind;
+	wind.wind.kind = WindKind::waves;
+	wind.wind.strength = 0.1f;
+	wind.wind.direction = 0.7f;
+	blow(one, wind, 200, SimdLevel::baseline);
+	blow(other, wind, 200);
+	for (int i = 0; i < one.size(); i++) {
+		CHECK(one.direction(i) == other.direction(i));
+	}
+}

@@ -1,0 +1,111 @@
+#include "stand/test_plant_store_fixture.hpp"
+
+#include <doctest/doctest.h>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using namespace undergrowth;
+
+TEST_CASE("plants are found in capsules and polygons, those and no others") {
+	const PlantStore store = filled_store();
+	const glm::vec3 from = { -9.0f, 0.0f, 2.0f };
+	const glm::vec3 to = { 7.0f, 1.0f, -3.0f };
+	const Polygon polygon = { { -10.0f, -10.0f }, { 12.0f, -6.0f }, { 0.0f, 15.0f } };
+	std::vector<PlantPlace> in_capsule;
+	std::vector<PlantPlace> in_polygon;
+	std::vector<PlantPlace> in_sphere;
+	std::vector<PlantPlace> in_point;
+	store.find_in_capsule(from, to, 2.5f, in_capsule);
+	store.find_in_polygon(polygon, in_polygon);
+	store.find_in_capsule(from, from, 2.5f, in_point);
+	store.find_in_sphere(from, 2.5f, in_sphere);
+	CHECK(in_point == in_sphere);
+	std::size_t capsules = 0;
+	std::size_t polygons = 0;
+	for (int number = 0; number < store.block_count(); number++) {
+		for (int slot = 0; slot < store.block(number).size(); slot++) {
+			const glm::vec3 root = store.block(number).root(slot);
+			double nearest = 1.0e9;
+			for (int i = 0; i <= 2000; i++) {
+				nearest = std::min(nearest,
+						static_cast<double>(
+								glm::distance(root, from + (to - from) * (static_cast<float>(i) / 2000.0f))));
+			}
+			capsules += static_cast<std::size_t>(nearest <= 2.5);
+			polygons += static_cast<std::size_t>(is_inside(polygon, { root.x, root.z }));
+		}
+	}
+	CHECK(std::abs(static_cast<double>(in_capsule.size()) - static_cast<double>(capsules)) <= 1.0);
+	CHECK(capsules > 300);
+	CHECK(in_polygon.size() == polygons);
+	CHECK(polygons > 800);
+	std::vector<PlantPlace> none;
+	store.find_in_capsule(from, to, -1.0f, none);
+	store.find_in_polygon({ { 0.0f, 0.0f }, { 1.0f, 1.0f } }, none);
+	CHECK(none.empty());
+}
+
+TEST_CASE("what a sphere or a box holds is what stands there") {
+	const PlantStore store = filled_store(100.0f);
+	for (const glm::vec3 &centre : { glm::vec3(0.0f), glm::vec3(31.0f, 0.0f, -16.0f), glm::vec3(300.0f, 0.0f, 0.0f) }) {
+		for (const float radius : { 0.0f, 1.5f, 20.0f, 1.0e4f }) {
+			std::vector<PlantPlace> found;
+			store.find_in_sphere(centre, radius, found);
+			std::vector<PlantPlace> boxed;
+			store.find_in_box(centre - radius, centre + radius, boxed);
+			std::size_t in_sphere = 0;
+			std::size_t in_box = 0;
+			for (int number = 0; number < store.block_count(); number++) {
+				for (int slot = 0; slot < store.block(number).size(); slot++) {
+					const glm::vec3 way = store.block(number).root(slot) - centre;
+					const glm::dvec3 exact = glm::dvec3(way);
+					in_sphere += exact.x * exact.x + exact.y * exact.y + exact.z * exact.z <=
+									static_cast<double>(radius) * static_cast<double>(radius)
+							? 1
+							: 0;
+					in_box += std::fabs(way.x) <= radius && std::fabs(way.y) <= radius && std::fabs(way.z) <= radius;
+				}
+			}
+			CHECK(found.size() == in_sphere);
+			CHECK(boxed.size() == in_box);
+		}
+	}
+	std::vector<PlantPlace> none;
+	store.find_in_sphere({ 0.0f, 0.0f, 0.0f }, -1.0f, none);
+	store.find_in_sphere({ 0.0f, 0.0f, 0.0f }, std::nanf(""), none);
+	CHECK(none.empty());
+}
+
+TEST_CASE("names of nobody are nobody's") {
+	const PlantStore store = filled_store(10.0f);
+	for (const PlantId id : { PlantId(-1), PlantId(0), added_plant_id(0), filled_plant_id(1e5f, 1e5f, SPACING) }) {
+		CHECK(store.find(id).block == -1);
+	}
+}
+
+TEST_CASE("the nearest plant is found, however far, and nobody beyond the radius") {
+	const PlantStore store = filled_store();
+	const auto away = [&](const PlantPlace &place, const glm::vec3 &from) {
+		return glm::distance(store.block(place.block).root(place.slot), from);
+	};
+	for (const glm::vec3 &from : { glm::vec3(0.0f), glm::vec3(12.3f, 0.4f, -7.1f), glm::vec3(400.0f, 30.0f, 0.0f) }) {
+		std::vector<PlantPlace> all;
+		store.find_in_sphere(from, 1000.0f, all);
+		float least = 1.0e9f;
+		for (const PlantPlace &place : all) {
+			least = std::min(least, away(place, from));
+		}
+		const PlantPlace found = store.find_nearest(from, std::numeric_limits<float>::infinity());
+		REQUIRE(found.block >= 0);
+		CHECK(away(found, from) == least);
+		CHECK(store.find_nearest(from, 1.01f * least) == found);
+		CHECK(store.find_nearest(from, 0.99f * least).block < 0);
+	}
+	CHECK(store.find_nearest({ 0.0f, 0.0f, 0.0f }, -1.0f).block < 0);
+	CHECK(PlantStore().find_nearest({ 0.0f, 0.0f, 0.0f }, std::numeric_limits<float>::infinity()).block < 0);
+}

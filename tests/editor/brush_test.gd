@@ -1,0 +1,47 @@
+@tool
+extends "viewport_test.gd"
+## What the tests of the brush share: a field under it, its toolbar.
+
+const BAR_SCRIPT := "res://addons/undergrowth/editor/brush/brush_bar.gd"
+const GRASS := "Grass"
+
+
+func _edited_field() -> PlantField3D:
+	var field := await _open_field()
+	await _choose_only(field)
+	await _rested(field)
+	(_bar().get_node("%Strength") as EditorSpinSlider).value = 0.5
+	(_bar().get_node("%Falloff") as EditorSpinSlider).value = 0.5
+	(_bar().get_node("%Radius") as EditorSpinSlider).value = 0.8
+	return field
+
+
+func _rested(field: PlantField3D) -> void:
+	await frames(3)
+	var rests := func() -> bool: return not field.is_filling()
+	check(await until(rests), "it comes to rest")
+
+
+func _bar() -> Control:
+	var found: Array[Node] = []
+	_collect(EditorInterface.get_base_control(), BAR_SCRIPT, found)
+	return found[0]
+
+
+func _species_button(title: String) -> Button:
+	for button: Button in _bar().get_node("%Species").get_children():
+		if button.text == title:
+			return button
+	return null
+
+
+# Or puts it down where it is chosen.
+func _choose_tool(title: String) -> void:
+	await click(_bar().get_node("%" + title) as Control)
+
+
+# One touch does all that it can, within [param radius] metres.
+func _sharpen(radius: float) -> void:
+	(_bar().get_node("%Strength") as EditorSpinSlider).value = 1.0
+	(_bar().get_node("%Falloff") as EditorSpinSlider).value = 0.0
+	(_bar().get_node("%Radius") as EditorSpinSlider).value = radius

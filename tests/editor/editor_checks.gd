@@ -1,0 +1,158 @@
+@tool
+extends RefCounted
+## What every editor test can do: check, wait, take pictures. What the engine reports meanwhile is
+## wrong unless the test claims it.
+
+
+## Collects what the engine reports, from whichever thread.
+class Listener:
+	extends Logger
+	## The suite leaves the engine without an input method: it crashes in its thread for them.
+	const EXPECTED := "XCreateIC couldn't create"
+	var _mutex := Mutex.new()
+	var _messages: PackedStringArray = []
+
+	func _log_error(
+		_function: String,
+		file: String,
+		line: int,
+		code: String,
+		rationale: String,
+		_editor_notify: bool,
+		_error_type: int,
+		_script_backtraces: Array[ScriptBacktrace]
+	) -> void:
+		var text := code if rationale.is_empty() else rationale
+		if text.begins_with(EXPECTED):
+			return
+		_mutex.lock()
+		_messages.append("%s (%s:%d)" % [text, file.get_file(), line])
+		_mutex.unlock()
+
+	func take() -> PackedStringArray:
+		_mutex.lock()
+		var taken := _messages
+		_messages = []
+		_mutex.unlock()
+		return taken
+
+
+## [method until] waits at least so many frames and so many seconds.
+const PATIENCE := 600
+const PATIENCE_SECONDS := 15.0
+## Colours that a picture must have at least to count as more than empty.
+const LEAST_COLORS := 40
+
+## Where [method take_picture] writes; nothing: nowhere.
+var pictures_folder := ""
+
+## What is wrong with the test that ran last, or nothing.
+var problems: PackedStringArray = []
+## The test came to its end, or was given up.
+var is_done := true
+
+var _listener := Listener.new()
+var _errors: PackedStringArray = []
+var _check_count := 0
+
+
+## Runs the method called [param test], and tells the end with [member is_done].
+func run(test: String) -> void:
+	is_done = false
+	problems = []
+	_errors = []
+	_check_count = 0
+	OS.add_logger(_listener)
+	await call(test)
+	if is_done:
+		return  # It was given up.
+	if _check_count == 0:
+		problems.append("nothing was checked")
+	await _end(test)
+
+
+## Lets a test that hangs go: [param why] is what is wrong with it.
+func give_up(why: String) -> void:
+	problems.append(why)
+	_take_errors()
+	is_done = true
+
+
+func _end(test: String) -> void:
+	_take_errors()
+	if not problems.is_empty():
+		await _photograph("failed_" + test)
+	is_done = true
+
+
+func _take_errors() -> void:
+	OS.remove_logger(_listener)
+	_errors.append_array(_listener.take())
+	for message in _errors:
+		problems.append("unexpected: " + message)
+
+
+## Fails the test unless [param condition] holds; [param what] says what was expected.
+func check(condition: bool, what: String) -> void:
+	_check_count += 1
+	if not condition:
+		problems.append(what)
+
+
+## Fails the test unless both are of one type and equal.
+func check_equal(actual: Variant, expected: Variant, what := "value") -> void:
+	var same: bool = typeof(actual) == typeof(expected) and actual == expected
+	check(same, "%s is %s, not %s" % [what, var_to_str(actual), var_to_str(expected)])
+
+
+## Claims all errors and warnings since the test began that contain [param text]; at least one.
+func check_error(text: String) -> void:
+	_errors.append_array(_listener.take())
+	var others: PackedStringArray = []
+	for message in _errors:
+		if not message.contains(text):
+			others.append(message)
+	check(others.size() < _errors.size(), 'no error contains "%s"' % text)
+	_errors = others
+
+
+## Waits for [param count] frames; not each is drawn.
+func frames(count: int) -> void:
+	for i in count:
+		await (Engine.get_main_loop() as SceneTree).process_frame
+
+
+## Waits until [param condition] is true; false if it never is.
+func until(condition: Callable) -> bool:
+	var begin := Time.get_ticks_msec()
+	var count := 0
+	while count < PATIENCE or Time.get_ticks_msec() - begin < PATIENCE_SECONDS * 1000.0:
+		if condition.call():
+			return true
+		await frames(1)
+		count += 1
+	return false
+
+
+## Writes the editor's window as dock_[param name].png and checks that it is more than empty;
+## [param of] cuts out one control.
+func take_picture(name: String, of: Control = null) -> void:
+	await frames(3)
+	var picture := await _photograph("dock_" + name, of)
+	var colors: Dictionary[Color, bool] = {}
+	for x in range(0, picture.get_width(), 7):
+		for y in range(0, picture.get_height(), 7):
+			colors[picture.get_pixel(x, y)] = true
+	check(colors.size() >= LEAST_COLORS, "dock_%s.png has %d colours" % [name, colors.size()])
+
+
+func _photograph(name: String, of: Control = null) -> Image:
+	EditorInterface.get_base_control().queue_redraw()  # Where nothing moves, no frame is drawn.
+	await RenderingServer.frame_post_draw
+	var window := EditorInterface.get_base_control().get_window()
+	var picture := window.get_texture().get_image()
+	if of:
+		picture = picture.get_region(Rect2i(of.get_global_rect()))
+	if not pictures_folder.is_empty():
+		picture.save_png(pictures_folder.path_join(name + ".png"))
+	return picture

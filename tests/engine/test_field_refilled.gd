@@ -1,0 +1,144 @@
+## A field that stands is filled anew: who stands again goes on as it was, and nothing shows on the
+## way.
+extends "res://tests/engine/field_harness.gd"
+
+const MANY := 5000
+const BLOW := Vector3(0.004, 0.0, 0.001)
+const ROUNDING := 1e-4
+const HALF_A_BLOW := 0.05  # m/s, of what one makes of a tip, and more than rounding does of many.
+
+
+func before_each() -> void:
+	field = _make_field()
+
+
+## However it came to stand, it is the same to the bit.
+func test_a_field_that_was_refilled_is_as_one_that_is_filled_at_once() -> void:
+	await start()
+	field.density = 40.0
+	await filled(field)
+	field.clumping = 0.6
+	field.size = Vector2(14, 12)
+	await filled(field)
+	var refilled := _described(field)
+	var other := _make_field()
+	other.density = 40.0
+	other.clumping = 0.6
+	other.size = Vector2(14, 12)
+	root.add_child(other)
+	await filled(other)
+	check_equal(refilled, _described(other), "plants")
+	field.density = 50.0
+	field.clumping = 0.0
+	field.size = Vector2(11, 11)
+	await filled(field)
+	other.density = 50.0
+	other.clumping = 0.0
+	other.size = Vector2(11, 11)
+	await filled(other)
+	check_equal(_described(field), _described(other), "plants then")
+	other.free()
+
+
+func test_what_is_done_to_plants_while_they_are_refilled_stays_done() -> void:
+	field.simulation_enabled = false
+	await start()
+	check(field.get_plant_count() > MANY, "%d plants" % field.get_plant_count())
+	var ids := field.get_plant_ids()
+	var pushed := ids[MANY / 2]
+	field.apply_impulse_in_sphere(Vector3.ZERO, 3.0, BLOW)
+	var others := ids.duplicate()
+	others.remove_at(others.find(pushed))
+	var before := field.get_motion_state(others)
+	for attempt in 4:
+		field.clump_size += 0.5  # All of them stand again.
+		var blows := 0
+		var state := field.get_motion_state([pushed])
+		var at := field.get_plant_transform(pushed).origin
+		await frames(1)
+		while field.is_filling():
+			field.apply_impulse_in_sphere(at, 0.001, BLOW)
+			blows += 1
+			await process_frame
+		check(blows > 1, "it takes %d frames" % blows)
+		check(field.has_plant(pushed), "it stands again")
+		check_near(_most_apart(field.get_motion_state(others), before), 0.0, ROUNDING, "others")
+		var now := field.get_motion_state([pushed])
+		field.set_motion_state([pushed], state)
+		for i in blows:
+			field.apply_impulse_in_sphere(at, 0.001, BLOW)
+		var wanted := field.get_motion_state([pushed])
+		check_near(_most_apart(now, wanted), 0.0, HALF_A_BLOW, "it has got all %d blows" % blows)
+		check(_most_apart(now, state) > 0.01 * blows, "which it feels")
+
+
+func test_who_is_removed_or_added_while_it_is_refilled_is_so_then() -> void:
+	await start()
+	var function := field.species[0].species
+	for attempt in 3:
+		field.clump_size += 0.5
+		await frames(1)
+		var gone := PackedInt64Array()
+		var added := PackedInt64Array()
+		while field.is_filling():
+			var ids := field.get_plant_ids()
+			gone.append(ids[ids.size() / 3])
+			field.remove_plant(ids[ids.size() / 3])
+			added.append_array(field.add_plants([Transform3D()], function))
+			await process_frame
+		for id in gone:
+			check(not field.has_plant(id), "%d is gone" % id)
+		for id in added:
+			check(field.has_plant(id), "%d was added" % id)
+		field.remove_plants(added)
+
+
+func test_a_filling_that_is_overtaken_leaves_nothing_behind() -> void:
+	await start()
+	for i in 40:
+		field.density = 40.0 + i % 7
+		await frames(i % 5)
+	field.density = 44.0
+	await rested()
+	var drawn: PackedInt32Array = field.get_statistics()["drawn_by_level"]
+	var other := _make_field()
+	other.density = 44.0
+	root.add_child(other)
+	await filled(other)
+	await frames(2)
+	check_equal(drawn, other.get_statistics()["drawn_by_level"], "what is drawn")
+	check_equal(_described(field), _described(other), "plants")
+	other.free()
+
+
+func test_out_of_the_tree_in_the_midst_of_it() -> void:
+	await start()
+	for i in 12:
+		field.clump_size += 0.25
+		await frames(i % 4)
+		root.remove_child(field)
+		field.get_tip_positions(field.get_plant_ids())
+		await frames(1)
+		root.add_child(field)
+		await frames(i % 3)
+	await rested()
+	check(field.get_plant_count() > MANY, "%d plants" % field.get_plant_count())
+
+
+func _most_apart(some: PackedFloat32Array, others: PackedFloat32Array) -> float:
+	var most := 0.0 if some.size() == others.size() else INF
+	for i in mini(some.size(), others.size()):
+		most = maxf(most, absf(some[i] - others[i]))
+	return most
+
+
+func _described(of: PlantField3D) -> Array:
+	var ids := of.get_plant_ids()
+	return [ids, of.get_plant_transforms(ids), of.get_plant_heights(ids)]
+
+
+func _make_field() -> PlantField3D:
+	var made := PlantField3D.from_species([GrassFunction.new(), TulipFunction.new()], [4, 1])
+	made.size = Vector2(12, 12)
+	made.density = 50.0
+	return made
