@@ -1,16 +1,16 @@
 extends Node3D
 ## What the air carries round the camera: pollen always, seeds in a gust, both with the wind.
 
-const REST := Vector3(0.0, -0.12, 0.0)  # m/s², of what floats in calm air.
 const CALM := 0.08  # Share of the seeds that fly without a gust.
-const PUSH := 0.16  # m/s² for each newton of the wind.
-const AIR_PUSH := 0.3  # m/s² for each metre per second of air.
-const HEIGHT := 1.5  # m above the ground, where they float.
+const SPEED_OF_NEWTONS := 0.6  # m/s for each newton of a wind that is a force.
+const STRONG := 0.8  # Of the wind's speed at 10 m: a gust, so low above the ground.
 
 ## The wind that carries them.
 @export var wind: PlantWind
 @export var pollen: GPUParticles3D
 @export var seeds: GPUParticles3D
+## What lies under them: a node with a `height_at(x, z)` method.
+@export var ground: Node3D
 
 
 func _process(_delta: float) -> void:
@@ -19,22 +19,28 @@ func _process(_delta: float) -> void:
 		return
 	var ahead := -camera.global_basis.z * Vector3(1.0, 0.0, 1.0)
 	global_position = camera.global_position + ahead.normalized() * 6.0
-	var push := _push()
+	var low := float(ground.call(&"height_at", global_position.x, global_position.z))
 	for floating: GPUParticles3D in [pollen, seeds]:
-		(floating.process_material as ParticleProcessMaterial).gravity = REST + push
-	seeds.amount_ratio = lerpf(CALM, 1.0, clampf(push.length() / _strong_push(), 0.0, 1.0))
+		_carry(floating.process_material as ShaderMaterial, low)
+	seeds.amount_ratio = lerpf(CALM, 1.0, clampf(_gust(low), 0.0, 1.0))
 
 
-# What the wind does to what floats near the camera (m/s²).
-func _push() -> Vector3:
+# Tells the particles how it blows: on the graphics card the air is the plants' own, place by place.
+func _carry(motion: ShaderMaterial, low: float) -> void:
+	var is_air := wind.kind == PlantWind.KIND_AIR
+	var even := Vector3.ZERO if is_air else wind.sample(wind.get_time()) * SPEED_OF_NEWTONS
+	motion.set_shader_parameter(&"even_wind", even)
+	motion.set_shader_parameter(&"ground", low)
+	if is_air:
+		wind.show_in(motion)
+	else:
+		motion.set_shader_parameter(&"undergrowth_wind_air", Vector4.ZERO)
+
+
+# 1 in a strong gust of this wind, 0 in a lull.
+func _gust(low: float) -> float:
 	if wind.kind != PlantWind.KIND_AIR:
-		return wind.sample(wind.get_time()) * PUSH
-	var place := Vector3(global_position.x, HEIGHT, global_position.z)
-	return wind.sample_velocity(wind.get_time(), place) * AIR_PUSH
-
-
-# What a strong gust of it does.
-func _strong_push() -> float:
-	if wind.kind != PlantWind.KIND_AIR:
-		return maxf(2.5 * wind.strength, 0.1) * PUSH
-	return maxf(wind.speed, 0.1) * AIR_PUSH
+		return wind.sample(wind.get_time()).length() / maxf(2.5 * wind.strength, 0.1)
+	var place := global_position - Vector3(0.0, low, 0.0)
+	var share := wind.sample_velocity(wind.get_time(), place).length() / maxf(wind.speed, 1.0)
+	return inverse_lerp(0.5 * STRONG, STRONG, share)

@@ -7,6 +7,7 @@
 #include <godot_cpp/classes/rendering_server.hpp>
 
 #include <cmath>
+#include <unordered_set>
 
 using namespace godot;
 
@@ -31,11 +32,23 @@ static Ref<Image> picture_of(const AirTiles &tiles) {
 	return image;
 }
 
-static RID turbulence_texture(const AirTiles &tiles) {
+// Materials that know the texture, bounded; a pointer as above. A texture that is set, the same or not, makes the
+// renderer throw a material's uniforms away: in each frame that costs, and keeps frames from being left out.
+static std::unordered_set<int64_t> *knowing = nullptr;
+static constexpr size_t MOST_KNOWING = 1024;
+
+static void show_turbulence(const AirTiles &tiles, const RID &material) {
+	RenderingServer *server = RenderingServer::get_singleton();
 	if (!turbulence) {
-		turbulence = new RID(RenderingServer::get_singleton()->texture_2d_create(picture_of(tiles)));
+		turbulence = new RID(server->texture_2d_create(picture_of(tiles)));
+		knowing = new std::unordered_set<int64_t>;
 	}
-	return *turbulence;
+	if (knowing->size() >= MOST_KNOWING) {
+		knowing->clear();
+	}
+	if (knowing->insert(material.get_id()).second) {
+		server->material_set_param(material, "undergrowth_turbulence", *turbulence);
+	}
 }
 
 void show_wind(const FieldWind &air, double time, const Ref<Material> &material) {
@@ -46,7 +59,7 @@ void show_wind(const FieldWind &air, double time, const Ref<Material> &material)
 	const AirMap &map = now.turbulence;
 	const float gust = now.speed * now.gusts * float(open_ground_gusts(REFERENCE_HEIGHT, double(now.roughness)));
 	const float along_gust = gust / std::sqrt(1.0f + 2.0f * now.skew * now.skew);
-	server->material_set_param(target, "undergrowth_turbulence", turbulence_texture(*air.tiles));
+	show_turbulence(*air.tiles, target);
 	const float texel = 1.0f / AirMap::PARTS;
 	server->material_set_param(target, "undergrowth_wind_start", texel * Vector2(map.s, map.n));
 	server->material_set_param(target, "undergrowth_wind_texels", texel * Vector4(map.s_x, map.n_x, map.s_z, map.n_z));
@@ -60,7 +73,9 @@ void free_wind_texture() {
 	if (turbulence) {
 		RenderingServer::get_singleton()->free_rid(*turbulence);
 		delete turbulence;
+		delete knowing;
 		turbulence = nullptr;
+		knowing = nullptr;
 	}
 }
 

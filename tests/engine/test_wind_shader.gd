@@ -20,6 +20,13 @@ void fragment() {
 }
 """
 
+const PARTICLES := """shader_type particles;
+#include "res://addons/undergrowth/shaders/undergrowth_wind.gdshaderinc"
+void process() {
+	VELOCITY = undergrowth_wind(TRANSFORM[3].xyz);
+}
+"""
+
 var _stage: SubViewport
 
 
@@ -53,6 +60,25 @@ func test_the_shader_shows_the_same_wind() -> void:
 		check(worst < TOLERANCE * wind.speed, "component %d is off by %f m/s" % [component, worst])
 
 
+func test_telling_it_in_each_frame_gives_the_renderer_nothing_to_draw() -> void:
+	var wind := PlantWind.new()
+	wind.kind = PlantWind.KIND_AIR
+	var material := _float_in(wind)
+	var drawn: Array[int] = [0]
+	var count := func() -> void: drawn[0] += 1
+	RenderingServer.frame_post_draw.connect(count)
+	for i in 24:
+		wind.advance(0.1)
+		wind.show_in(material)
+		await frames(1)
+		RenderingServer.render_loop_enabled = i < 4
+		if i == 16:  # What was thrown away while it was drawn is gone.
+			drawn[0] = 0
+	RenderingServer.frame_post_draw.disconnect(count)
+	RenderingServer.render_loop_enabled = true
+	check_equal(drawn[0], 0, "frames drawn although none was asked for")
+
+
 func test_what_it_cannot_show_is_told() -> void:
 	var wind := PlantWind.new()
 	wind.show_in(ShaderMaterial.new())
@@ -74,6 +100,25 @@ func _show(wind: PlantWind) -> ShaderMaterial:
 	sheet.size = Vector2(SIDE, SIDE)
 	sheet.material = material
 	_stage.add_child(sheet)
+	wind.show_in(material)
+	return material
+
+
+func _float_in(wind: PlantWind) -> ShaderMaterial:
+	_stage = SubViewport.new()
+	_stage.size = Vector2i(SIDE, SIDE)
+	_stage.render_target_update_mode = SubViewport.UPDATE_ALWAYS
+	root.add_child(_stage)
+	var camera := Camera3D.new()
+	camera.position.z = 3.0
+	_stage.add_child(camera)
+	var material := ShaderMaterial.new()
+	material.shader = Shader.new()
+	material.shader.code = PARTICLES
+	var particles := GPUParticles3D.new()
+	particles.process_material = material
+	particles.draw_pass_1 = QuadMesh.new()
+	_stage.add_child(particles)
 	wind.show_in(material)
 	return material
 

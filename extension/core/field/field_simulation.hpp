@@ -197,7 +197,8 @@ private:
 	std::vector<MotionSpecies> kinds;
 	std::vector<Prototypes> models; ///< One for each species, or none.
 	std::vector<LoosePlants> loose; ///< As many.
-	std::vector<SpeedCounts> stirred; ///< As many; of the present step.
+	std::vector<SpeedCounts> stirred; ///< As many; of the present round of steps.
+	int stir_turn = -1; ///< Of the round, the next step's; -1: none was counted since sources came.
 	std::vector<Entry> entries;
 	std::vector<Beat> beats; ///< As many.
 	std::vector<int> changed;
@@ -239,7 +240,8 @@ private:
 	void follow_again(Entry &entry, int index);
 	void step_loose();
 	void push_followers(int page, const MovingBody &body);
-	template <class Visit> void for_each_stirred(const Visit &visit);
+	template <class Visit> void for_each_stirred(int first, int stride, const Visit &visit);
+	void choose_stirred();
 	void stir_followers();
 };
 

@@ -12,8 +12,8 @@
 
 namespace undergrowth {
 
-/// Steps from one look at whom sources of air stir to the next.
-static constexpr int64_t STIRRED_EVERY = 3;
+/// Steps in which all pages are looked at once for whom sources of air stir.
+static constexpr int STIR_TURNS = 3;
 
 /// The prototypes' lead and the delays, for the wind and the box of all plants.
 void FieldSimulation::update_delays() {
@@ -158,7 +158,8 @@ void FieldSimulation::step_loose() {
 		for (int number = some.count() - 1; number >= 0; number--) {
 			Entry &entry = at(some.page_of(number));
 			const int index = some.index_of(number);
-			if (some.grow_older(number, from_stereographic(followed_way(entry, index, 1.0f).bend)) >= 1.0f) {
+			const glm::vec2 followed = some.goes_back(number) ? followed_way(entry, index, 1.0f).bend : glm::vec2(0.0f);
+			if (some.grow_older(number, from_stereographic(followed)) >= 1.0f) {
 				follow_again(entry, index);
 			}
 		}
@@ -171,9 +172,11 @@ void FieldSimulation::step_loose() {
 	stir_followers();
 }
 
-/// visit(entry, index, speed) for each follower at which sources move the air by so many m/s that it matters.
-template <class Visit> void FieldSimulation::for_each_stirred(const Visit &visit) {
-	for (Entry &entry : entries) {
+/// visit(entry, index, speed) for each follower of every `stride`th page from `first` on at which sources move the air
+/// by so many m/s that it matters.
+template <class Visit> void FieldSimulation::for_each_stirred(int first, int stride, const Visit &visit) {
+	for (int number = first; number < page_count(); number += stride) {
+		Entry &entry = at(number);
 		const MotionPage &page = entry.page;
 		const auto is_near = [&](const AirSource &source) { return reaches(source, page.low(), page.high()); };
 		if (!std::any_of(stirring.begin(), stirring.end(), is_near)) {
@@ -194,30 +197,44 @@ template <class Visit> void FieldSimulation::for_each_stirred(const Visit &visit
 	}
 }
 
-/// Those at which the air is stirred most swing by themselves from now on, or go on doing so.
-void FieldSimulation::stir_followers() {
-	if (stirring.empty() || models.empty() || next_step % STIRRED_EVERY != 0) {
-		return;
-	}
-	for (SpeedCounts &counts : stirred) {
-		counts.clear();
-	}
-	const auto number = [](const Entry &entry) { return static_cast<std::size_t>(entry.page.species()); };
-	for_each_stirred([&](const Entry &entry, int, float speed) { stirred[number(entry)].add(speed); });
+void FieldSimulation::choose_stirred() {
 	for (SpeedCounts &counts : stirred) {
 		counts.choose(LoosePlants::MOST);
+		counts.clear();
 	}
-	for_each_stirred([&](Entry &entry, int index, float speed) {
-		if (speed < stirred[number(entry)].chosen()) {
+}
+
+/// Those at which the air is stirred most swing by themselves from now on, or go on doing so. Each step looks at some
+/// of the pages; who is to swing is chosen by what the last round has counted.
+void FieldSimulation::stir_followers() {
+	if (stirring.empty() || models.empty()) {
+		stir_turn = -1;
+		return;
+	}
+	const auto counts_of = [&](const Entry &entry) -> SpeedCounts & {
+		return stirred[static_cast<std::size_t>(entry.page.species())];
+	};
+	if (stir_turn < 0) {
+		for_each_stirred(0, 1, [&](const Entry &entry, int, float speed) { counts_of(entry).add(speed); });
+		choose_stirred();
+		stir_turn = 0;
+	}
+	for_each_stirred(stir_turn, STIR_TURNS, [&](Entry &entry, int index, float speed) {
+		counts_of(entry).add(speed);
+		const uint16_t own = entry.followers[static_cast<std::size_t>(index)].loose;
+		if (speed < counts_of(entry).chosen()) {
 			return;
 		}
-		const uint16_t own = entry.followers[static_cast<std::size_t>(index)].loose;
 		if (own > 0) {
 			loose_of(entry).hold(own - 1);
 		} else {
 			push_follower(entry, index, state(number_of(entry), index));
 		}
 	});
+	stir_turn = (stir_turn + 1) % STIR_TURNS;
+	if (stir_turn == 0) {
+		choose_stirred();
+	}
 }
 
 void FieldSimulation::push_followers(int page, const MovingBody &body) {

@@ -35,6 +35,10 @@ public:
 
 	/// One step of all under `wind`.
 	void step(const TravellingWind &wind, const PlantWinds &along) { swinging.step(wind, along); }
+	/// Whether it will, at the next grow_older(), no longer swing alone.
+	bool goes_back(int number) const {
+		return static_cast<float>(places[static_cast<std::size_t>(number)].age + 1) * step_time > ALONE;
+	}
 	/// A step later than at the last push. Tells how much of `followed`, the unit direction that its prototype shows,
 	/// it shows from now on (0 to 1), and shows it.
 	float grow_older(int number, const glm::vec3 &followed);

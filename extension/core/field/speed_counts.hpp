@@ -10,6 +10,7 @@ public:
 	/// m/s: what less than that adds to a plant's wind, nobody sees.
 	static constexpr float LEAST = 0.5f;
 
+	/// Forgets who was added, not what was chosen.
 	void clear() { counts.fill(0); }
 	/// A plant at which sources move the air by `speed` (m/s), LEAST or more.
 	void add(float speed);
