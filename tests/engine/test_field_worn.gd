@@ -83,9 +83,11 @@ func test_a_material_that_is_chosen_while_a_field_is_refilled_is_worn_then() -> 
 		await frames(1)
 		var colour := Color.BLACK
 		while _field.is_filling():
-			var material := _own_material()
 			colour = Color.RED if colour != Color.RED else Color.BLUE
-			material.set_shader_parameter("tint", colour)
+			var material: Material = _plain(colour)
+			if colour == Color.RED:
+				material = _own_material()
+				(material as ShaderMaterial).set_shader_parameter("tint", colour)
 			_field.species[0].species.material = material
 			await process_frame
 		await _looked()
@@ -121,6 +123,12 @@ func _looked() -> void:
 	while _field.get_statistics()["is_dressing"]:
 		await process_frame
 	await frames(2)
+
+
+func _plain(colour: Color) -> StandardMaterial3D:
+	var material := StandardMaterial3D.new()
+	material.albedo_color = colour
+	return material
 
 
 func _own_material() -> ShaderMaterial:
