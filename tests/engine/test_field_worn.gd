@@ -74,6 +74,26 @@ func test_materials_of_skeletons_are_those_of_now() -> void:
 	_check_colour(await picture(), Color.BLUE, "blue")
 
 
+func test_a_material_that_is_chosen_while_a_field_is_refilled_is_worn_then() -> void:
+	_field.size = Vector2(40, 40)
+	_field.tile_size = 2.0  # So that it is made ready in several frames.
+	await _field.filled
+	for attempt in 2:
+		_field.seed += 1
+		await frames(1)
+		var colour := Color.BLACK
+		while _field.is_filling():
+			colour = Color.RED if colour != Color.RED else Color.BLUE
+			var material: Material = _plain(colour)
+			if colour == Color.RED:
+				material = _own_material()
+				(material as ShaderMaterial).set_shader_parameter("tint", colour)
+			_field.species[0].species.material = material
+			await process_frame
+		await _looked()
+		_check_colour(await picture(), colour, "the last one")
+
+
 func test_species_that_change_in_every_frame_while_a_field_fills() -> void:
 	_field.size = Vector2(24, 24)
 	_field.species.append(PlantFieldSpecies.of(TulipFunction.new()))
@@ -103,6 +123,12 @@ func _looked() -> void:
 	while _field.get_statistics()["is_dressing"]:
 		await process_frame
 	await frames(2)
+
+
+func _plain(colour: Color) -> StandardMaterial3D:
+	var material := StandardMaterial3D.new()
+	material.albedo_color = colour
+	return material
 
 
 func _own_material() -> ShaderMaterial:

@@ -22,14 +22,25 @@ Ref<Material> FieldDress::worn(const FieldLook &look) const {
 	return instead.is_valid() ? instead : look.function->get_material();
 }
 
-void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
-	has_sent = false;
-	sent_clock = -1.0f;
+void FieldDress::make(FieldStyle &style) const {
 	for (FieldLook &look : style.looks) {
 		const bool is_new = look.materials.empty();
 		for (size_t i = look.materials.size(); i < style.levels.size(); i++) {
 			look.materials.push_back(make_field_material(worn(look), look.has_parts()));
 		}
+		if (is_new && !look.materials.empty() && !bends_in_shader(look.materials[0])) {
+			report_error(look.function.ptr(),
+					"its material has a shader that does not bend in a PlantField3D. Include "
+					"undergrowth_bend.gdshaderinc, which says how.");
+		}
+	}
+}
+
+void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
+	has_sent = false;
+	sent_clock = -1.0f;
+	make(style);
+	for (FieldLook &look : style.looks) {
 		for (size_t i = 0; i < look.materials.size(); i++) {
 			const FieldLevel &level = style.levels[i];
 			const float begin = level.begin > 0.0f ? level.begin : -FARTHEST;
@@ -43,11 +54,6 @@ void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
 			look.materials[i]->set_shader_parameter("undergrowth_blends", motion.blend_texture());
 			look.materials[i]->set_shader_parameter("undergrowth_beats", motion.beat_texture());
 			look.materials[i]->set_shader_parameter("undergrowth_has_heights", motion.has_heights());
-		}
-		if (is_new && !look.materials.empty() && !bends_in_shader(look.materials[0])) {
-			report_error(look.function.ptr(),
-					"its material has a shader that does not bend in a PlantField3D. Include "
-					"undergrowth_bend.gdshaderinc, which says how.");
 		}
 	}
 	tell_of_axes(style);

@@ -76,6 +76,7 @@ public:
 	std::unique_ptr<ClumpPlan> take_plan();
 	/// Frees, wherever it is called, what was copied for the filling, and what nobody needs of the result.
 	std::function<void()> take_rubbish();
+	bool is_dressed = false; ///< Its style has materials.
 	bool is_handed_over = false; ///< The motion of those who are kept is, or is on its way.
 
 private:

@@ -73,16 +73,15 @@ FieldView::Clump FieldView::make(const FieldStyle &style, const ClumpPlan &plan)
 	server->instance_attach_object_instance_id(clump.instance, owner);
 	server->instance_set_transform(clump.instance, placed);
 	server->instance_set_visible(clump.instance, false);
+	server->instance_geometry_set_material_override(
+			clump.instance, look.materials[size_t(plan.place.level)]->get_rid());
 	set_wear(clump, level);
 	set_range(clump, level);
 	return clump;
 }
 
-void FieldView::put_on(const FieldStyle &style, const ClumpPlace &place, const Clump &clump) const {
-	RenderingServer *server = RenderingServer::get_singleton();
-	const FieldLook &look = style.looks[size_t(clump.species)];
-	server->instance_geometry_set_material_override(clump.instance, look.materials[size_t(place.level)]->get_rid());
-	server->instance_set_visible(clump.instance, is_visible);
+void FieldView::set_visible(const Clump &clump, bool visible) {
+	RenderingServer::get_singleton()->instance_set_visible(clump.instance, visible);
 }
 
 void FieldView::show(const FieldStyle &style, const std::vector<ClumpPlan> &plans) {
@@ -91,7 +90,7 @@ void FieldView::show(const FieldStyle &style, const std::vector<ClumpPlan> &plan
 	for (const ClumpPlan &plan : plans) {
 		std::vector<Clump> &there = clumps[plan.place];
 		there.push_back(make(style, plan));
-		put_on(style, plan.place, there.back());
+		set_visible(there.back(), is_visible);
 	}
 }
 
@@ -203,10 +202,9 @@ void FieldView::set_transform(const Transform3D &transform) {
 
 void FieldView::set_visible(bool visible) {
 	is_visible = visible;
-	RenderingServer *server = RenderingServer::get_singleton();
 	for (const auto &[place, group] : clumps) {
 		for (const Clump &clump : group) {
-			server->instance_set_visible(clump.instance, visible);
+			set_visible(clump, visible);
 		}
 	}
 }
@@ -217,9 +215,12 @@ void FieldView::wear(const FieldWear &wear) {
 }
 
 void FieldView::wear_materials(const FieldStyle &style) {
+	RenderingServer *server = RenderingServer::get_singleton();
 	for (const auto &[place, group] : clumps) {
 		for (const Clump &clump : group) {
-			put_on(style, place, clump);
+			const FieldLook &look = style.looks[size_t(clump.species)];
+			server->instance_geometry_set_material_override(
+					clump.instance, look.materials[size_t(place.level)]->get_rid());
 		}
 	}
 }

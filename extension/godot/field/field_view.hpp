@@ -70,7 +70,7 @@ public:
 	FieldView(const FieldView &) = delete;
 	FieldView &operator=(const FieldView &) = delete;
 
-	/// Makes a plan ready to be shown by exchange(), of a style whose materials are yet to be made.
+	/// Makes a plan ready to be shown by exchange(), of the same style.
 	void prepare(const FieldStyle &style, const ClumpPlan &plan);
 	/// It is not shown after all.
 	void forget_prepared();
@@ -149,7 +149,7 @@ private:
 	bool is_thinned = false; ///< For these; else something changed.
 
 	Clump make(const FieldStyle &style, const ClumpPlan &plan) const;
-	void put_on(const FieldStyle &style, const ClumpPlace &place, const Clump &clump) const;
+	static void set_visible(const Clump &clump, bool visible);
 	static void let_go(const Clump &clump);
 	static void move_all(Clumps &from, std::vector<Clump> &into);
 	void clear(const ClumpPlace &place);

@@ -35,21 +35,14 @@ void FieldView::forget_prepared() {
 }
 
 void FieldView::exchange(const FieldStyle &style) {
-	RenderingServer *server = RenderingServer::get_singleton();
-	const size_t before = gone.size();
+	const bool was_visible = is_visible;
+	set_visible(false);
 	move_all(clumps, gone);
-	for (size_t i = before; i < gone.size(); i++) {
-		server->instance_set_visible(gone[i].instance, false);
-	}
 	newcomers.clear();
 	clumps = std::exchange(prepared, {});
 	levels = style.levels;
 	is_thinned = false;
-	for (const auto &[place, group] : clumps) {
-		for (const Clump &clump : group) {
-			put_on(style, place, clump);
-		}
-	}
+	set_visible(was_visible);
 }
 
 bool FieldView::free_some(double usec) {

@@ -30,6 +30,7 @@ Meadow::Meadow(GeometryInstance3D *field, const FieldProperties &set_by_users, L
 
 Meadow::~Meadow() {
 	motion.wait();
+	drop_job(); // What it has made ready goes before what that wears.
 }
 
 FieldMotion::Frame Meadow::frame(double delta, const Ref<PlantWind> &wind) const {
@@ -120,6 +121,7 @@ void Meadow::update_wear(const FieldWear &wanted) {
 
 void Meadow::change_materials() {
 	motion.wait();
+	has_other_materials = job != nullptr;
 	std::vector<std::vector<Ref<ShaderMaterial>>> old; // They go once nobody wears them.
 	dress.take_off(style, old);
 	if (motion.pose_texture().is_valid()) {

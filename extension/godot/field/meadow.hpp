@@ -148,6 +148,7 @@ private:
 	std::vector<Polygon> known_exclusions;
 	bool tells_of_patches = false; ///< It is filled once they are done.
 	bool is_due_again = false; ///< Its look changed while it was dressed anew.
+	bool has_other_materials = false; ///< Users chose others than the job has made.
 	float told_progress = -1.0f;
 
 	/// What skeletons wear, which are drawn at the first level.

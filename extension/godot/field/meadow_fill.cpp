@@ -5,7 +5,6 @@
 #include "stopwatch.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
-#include <godot_cpp/classes/world3d.hpp>
 
 #include <glm/common.hpp>
 
@@ -17,8 +16,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr double READYING_USEC = 1000.0; // A frame.
-static constexpr double FREEING_USEC = 500.0;
+static constexpr double READYING_USEC = 1000.0, FREEING_USEC = 500.0; // A frame.
 
 void Meadow::fill(bool places) {
 	const FrameCost::Share share(filling);
@@ -167,17 +165,24 @@ static String fault_of(const FieldResult &result) {
 void Meadow::drop_job() {
 	motion.forget_hand_over();
 	view.forget_prepared();
+	if (job && job->is_dressed) {
+		retired.push_back(std::move(job->finish().style));
+	}
 	job.reset();
 }
 
 // What is filled is made ready to be drawn over some frames, unseen, and takes the motion over of whoever is kept: then
 // all of it takes the place of what stood, at once.
 bool Meadow::make_ready() {
-	const FieldResult &result = job->finish();
+	FieldResult &result = job->finish();
 	if (job->is_handed_over || !fault_of(result).is_empty()) {
 		return !motion.is_handing_over();
 	}
 	const Stopwatch watch;
+	if (!std::exchange(job->is_dressed, true)) {
+		has_other_materials = false;
+		dress.make(result.style);
+	}
 	while (const std::unique_ptr<ClumpPlan> plan = job->take_plan()) {
 		view.prepare(result.style, *plan);
 		if (watch.usec() > READYING_USEC) {
@@ -285,6 +290,9 @@ bool Meadow::adopt(FieldFill &finished) {
 		tiles.stand(finished.tiles(), finished.request());
 	}
 	remove(store.find_all(std::exchange(removed_meanwhile, {})));
+	if (has_other_materials) {
+		change_materials();
+	}
 	refresh();
 	return true;
 }
