@@ -32,6 +32,7 @@ const INDENT := "    "
 ## What blocks may take for granted, by name. A block that declares one itself gets its own.
 const MEMBERS: Dictionary[String, String] = {
 	"field": "PlantField3D",
+	"hedge": "PlantField3D",
 	"plant": "Plant3D",
 	"map": "PlantMap",
 	"wind": "PlantWind",

@@ -152,6 +152,16 @@ func _furnish(shown: Node, field: PlantField3D) -> void:
 		shown.add_child(node)
 	shown.get_node("Meadow").add_child(Plant3D.new())
 	(shown.get_node("Meadow").get_child(0) as Plant3D).species = GrassFunction.new()
+	for name: String in ["Pond", "Road"]:
+		var path := Path3D.new()
+		path.name = name
+		path.curve = Curve3D.new()
+		for point: Vector3 in [Vector3(-1, 0, 0), Vector3(1, 0, 0), Vector3(0, 0, 1)]:
+			path.curve.add_point(point)
+		shown.add_child(path)
+	var hedge := _make_field()
+	hedge.name = "Hedge"
+	shown.add_child(hedge)
 	var ground := StaticBody3D.new()
 	var shape := CollisionShape3D.new()
 	shape.shape = WorldBoundaryShape3D.new()
@@ -166,6 +176,7 @@ func _furnish(shown: Node, field: PlantField3D) -> void:
 func _lend(shown: Node, field: PlantField3D) -> void:
 	var things := {
 		"field": field,
+		"hedge": shown.get_node("Hedge"),
 		"plant": shown.get_node("Plant3D"),
 		"map": field.map,
 		"wind": field.wind,

@@ -155,11 +155,13 @@ TEST_CASE("a cut has what matters in its box, whichever squares beside it change
 	}
 	changes.remove(all, spacing);
 	constexpr float S = StandChanges::SQUARE;
-	const AreaBox box = { { -1.5f * S, -1.5f * S }, { 1.5f * S, SIDE } }; // Squares lie beside it and below it, none above.
+	const AreaBox box = { { -1.5f * S, -1.5f * S },
+		{ 1.5f * S, SIDE } }; // Squares lie beside it and below it, none above.
 	const StandChanges part = changes.cut(box);
 	int count = 0;
 	for (std::size_t i = 0; i < plants.x.size(); i++) {
-		if (box.low.x < plants.x[i] && plants.x[i] < box.high.x && box.low.y < plants.z[i] && plants.z[i] < box.high.y) {
+		if (box.low.x < plants.x[i] && plants.x[i] < box.high.x && box.low.y < plants.z[i] &&
+				plants.z[i] < box.high.y) {
 			CHECK(part.is_gone(plants.x[i], plants.z[i]));
 			count++;
 		}
