@@ -2,13 +2,18 @@
 extends "res://tests/engine/harness.gd"
 
 const SCENE := "user://messages_scene.tscn"
-const SPECIES := "user://messages_species.tres"
 const SCRIPT := "user://messages_spike.gd"
 
+static var _files := 0
+
+## Another file for each test: what was read from one is kept as long as anybody has it.
+var _species := ""
 var _world: Node
 
 
 func before_each() -> void:
+	_files += 1
+	_species = "user://messages_species_%d.tres" % _files
 	_world = Node.new()
 	_world.name = "World"
 	root.add_child(_world)
@@ -17,15 +22,15 @@ func before_each() -> void:
 func after_each() -> void:
 	edited_scene_root = null
 	_world.free()
-	for path: String in [SCENE, SPECIES, SCRIPT]:
+	for path: String in [SCENE, _species, SCRIPT]:
 		DirAccess.remove_absolute(path)
 
 
 func test_a_species_of_its_own_file_is_called_by_it() -> void:
-	ResourceSaver.save(GrassFunction.new(), SPECIES)
-	var grass: PlantFunction = load(SPECIES)
+	ResourceSaver.save(GrassFunction.new(), _species)
+	var grass: PlantFunction = load(_species)
 	grass.mass = NAN
-	check_error("GrassFunction '%s': mass cannot be" % SPECIES)
+	check_error("GrassFunction '%s': mass cannot be" % _species)
 
 
 func test_a_species_that_nothing_is_known_of_is_called_by_its_class() -> void:
@@ -35,9 +40,9 @@ func test_a_species_that_nothing_is_known_of_is_called_by_its_class() -> void:
 
 func test_a_fault_in_a_file_is_told_once_with_that_file() -> void:
 	_write_faulty_file()
-	var tulip: TulipFunction = load(SPECIES)
+	var tulip: TulipFunction = load(_species)
 	await frames(2)
-	check_error_count("TulipFunction '%s': natural_frequency cannot be -3.0" % SPECIES, 1)
+	check_error_count("TulipFunction '%s': natural_frequency cannot be -3.0" % _species, 1)
 	check_equal(
 		tulip.natural_frequency, TulipFunction.new().natural_frequency, "it keeps its value"
 	)
@@ -47,7 +52,7 @@ func test_a_fault_in_a_file_is_told_once_with_that_file() -> void:
 func test_a_fault_in_a_file_is_told_even_if_nobody_keeps_what_was_read() -> void:
 	await frames(2)  # Until the last test's resources are gone.
 	_write_faulty_file()
-	load(SPECIES)
+	load(_species)
 	await frames(2)
 	check_error_count("natural_frequency cannot be -3.0", 1)
 
@@ -59,14 +64,14 @@ func test_a_fault_in_a_file_that_another_one_needs_is_told_with_that_file() -> v
 		(
 			(
 				'[gd_scene load_steps=2 format=3]\n[ext_resource type="Resource" path="%s" id="1"]\n'
-				% SPECIES
+				% _species
 			)
 			+ '[node name="Rose" type="Plant3D"]\nspecies = ExtResource("1")\n'
 		)
 	)
 	var rose := ResourceLoader.load(SCENE, "", ResourceLoader.CACHE_MODE_IGNORE) as PackedScene
 	await frames(2)
-	check_error_count("TulipFunction '%s': natural_frequency cannot be -3.0" % SPECIES, 1)
+	check_error_count("TulipFunction '%s': natural_frequency cannot be -3.0" % _species, 1)
 	check(rose != null, "the scene is there")
 
 
@@ -141,7 +146,7 @@ func _plant_below(parent: Node) -> Plant3D:
 # As somebody types it.
 func _write_faulty_file() -> void:
 	_write(
-		SPECIES,
+		_species,
 		(
 			'[gd_resource type="TulipFunction" format=3]\n\n'
 			+ "[resource]\nnatural_frequency = -3.0\nmass = 2.0\n"

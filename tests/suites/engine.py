@@ -135,9 +135,10 @@ def make_project(name="project", links=(("tests/engine", "tests/engine"),), sett
     return folder
 
 
-def private_home(environment=os.environ):
-    """`environment`, changed so that the engine keeps its settings and caches below build/test."""
-    home = LOGS / "home"
+def private_home(environment=os.environ, part=0):
+    """`environment`, changed so that the engine keeps its settings, caches and user's files below build/test, those of
+    several processes of one script apart."""
+    home = LOGS / (f"home_{part}" if part else "home")
     home.mkdir(parents=True, exist_ok=True)
     names = ("XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME")
     # In a container one is often root; that is no fault of the add-on.
@@ -153,14 +154,14 @@ def run_script(godot, folder, script, method=None, rounds=None, part=0):
     # Tests that start an engine of their own, as for a frame rate, take this one.
     surroundings = {**os.environ, "GODOT": str(godot)}
     if not method:
-        environment = private_home(surroundings)
+        environment = private_home(surroundings, part)
         words += ["--headless", *rounds.words()]
         return read_output(name, *run(name, words, timeout=TIMEOUT * rounds.times, silence=TIMEOUT,
                                       environment=environment))
     words += ["--rendering-method", method, "--audio-driver", "Dummy", *rounds.words()]
     try:
         with display.virtual(640, 360) as environment:
-            environment = private_home({**environment, "GODOT": str(godot)})
+            environment = private_home({**environment, "GODOT": str(godot)}, part)
             return read_output(name, *run(name, words, timeout=TIMEOUT * rounds.times, silence=TIMEOUT,
                                           environment=environment))
     except Missing as missing:
