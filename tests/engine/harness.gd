@@ -113,6 +113,14 @@ func check_error_count(text: String, count: int) -> void:
 	_errors = others
 
 
+## Whether the inspector shows the property [param title] of [param object].
+func is_shown(object: Object, title: String) -> bool:
+	for property in object.get_property_list():
+		if property["name"] == title:
+			return property["usage"] & PROPERTY_USAGE_EDITOR != 0
+	return false
+
+
 ## Waits for [param count] frames: `await frames(2)`.
 func frames(count: int) -> void:
 	for i in count:

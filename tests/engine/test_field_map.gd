@@ -1,30 +1,18 @@
 ## A field that grows by a map, and what stays as it was when the map changes.
-extends "res://tests/engine/field_harness.gd"
-
-const TULIP := "Tulip"
-const GRASS := "Grass"
-
-var map: PlantMap
-
-
-func before_each() -> void:
-	field = PlantField3D.from_species([TulipFunction.new(), GrassFunction.new()])
-	field.size = Vector2(20, 20)
-	field.density = 10.0
-	map = PlantMap.new()
+extends "res://tests/engine/field_map_harness.gd"
 
 
 func test_a_field_that_is_painted_all_over_is_the_one_without_a_map() -> void:
 	await start()
-	var plain := _plants()
+	var plain := all_plants()
 	for title: String in [TULIP, GRASS]:
 		map.fill_polygon(field.get_outline_points(), title)
 	field.map = map
 	await filled(field)
-	check_equal(_plants(), plain, "its plants")
+	check_equal(all_plants(), plain, "its plants")
 	field.map = null
 	await filled(field)
-	check_equal(_plants(), plain, "its plants without a map")
+	check_equal(all_plants(), plain, "its plants without a map")
 
 
 func test_an_empty_map_grows_nothing_and_its_strokes_do() -> void:
@@ -95,12 +83,12 @@ func test_a_scene_brings_back_what_was_painted() -> void:
 	var loaded: PackedScene = ResourceLoader.load(
 		"user://painted.tscn", "", ResourceLoader.CACHE_MODE_IGNORE
 	)
-	var plants := _plants()
+	var plants := all_plants()
 	check(plants.size() > 300, "%d plants" % plants.size())
 	field.free()
 	field = loaded.instantiate()
 	await start()
-	check_equal(_plants(), plants, "its plants")
+	check_equal(all_plants(), plants, "its plants")
 
 
 func test_exclusions_count_on_a_map() -> void:
@@ -117,13 +105,13 @@ func test_exclusions_count_on_a_map() -> void:
 
 func test_a_map_that_cannot_be_read_is_told_and_what_stands_stays() -> void:
 	await start()
-	var plants := _plants()
+	var plants := all_plants()
 	map.data = PackedByteArray([1, 2, 3])
 	check_error("not those of a map")
 	field.map = map
 	await frames(3)
 	check_error("its map cannot be used")
-	check_equal(_plants(), plants, "its plants")
+	check_equal(all_plants(), plants, "its plants")
 
 
 func test_fields_that_share_a_map_both_grow_by_it() -> void:
@@ -140,16 +128,3 @@ func test_fields_that_share_a_map_both_grow_by_it() -> void:
 	check(field.get_plant_count() > 300, "%d plants" % field.get_plant_count())
 	check(other.get_plant_count() > 1500, "%d plants of the other" % other.get_plant_count())
 	other.free()
-
-
-## All that a plant is, by its id.
-func _plants() -> Dictionary:
-	var found := {}
-	for id in field.get_plant_ids():
-		found[id] = [
-			field.get_plant_transform(id),
-			field.get_plant_height(id),
-			field.get_plant_seed(id),
-			field.get_plant_species(id).get_class(),
-		]
-	return found

@@ -3,6 +3,9 @@ extends "res://tests/engine/field_harness.gd"
 
 const LOOK := 10  # Frames between two looks at what tells nobody that it moved.
 const WIDTH := 2.4
+const RING: Array[Vector3] = [
+	Vector3(-8, 0, -8), Vector3(8, 0, -8), Vector3(8, 0, 8), Vector3(-8, 0, 8), Vector3(-8, 0, -8)
+]
 
 
 func before_each() -> void:
@@ -39,18 +42,11 @@ func test_a_road_that_crosses_itself_is_free_at_the_crossing() -> void:
 
 
 func test_a_road_around_a_place_leaves_that_place_to_plants() -> void:
-	var points: Array[Vector3] = [
-		Vector3(-8, 0, -8),
-		Vector3(8, 0, -8),
-		Vector3(8, 0, 8),
-		Vector3(-8, 0, 8),
-		Vector3(-8, 0, -8)
-	]
-	field.exclusions = [add_path("Ring", points)]
+	field.exclusions = [add_path("Ring", RING)]
 	field.exclusion_widths = [WIDTH]
 	await start()
 	for place in _places():
-		check(_away(place, points) > 0.5 * WIDTH - 1e-3, "%s is on the road" % place)
+		check(_away(place, RING) > 0.5 * WIDTH - 1e-3, "%s is on the road" % place)
 	check_near(_count_near(Vector3.ZERO, 5.0), PI * 25.0 * 10.0, 100.0, "plants within it")
 	check(_count_near(Vector3(12, 0, 12), 2.0) > 80, "plants outside of it")
 
@@ -77,14 +73,7 @@ func test_a_bed_grows_along_its_path() -> void:
 
 
 func test_a_bed_around_a_place_is_a_ring() -> void:
-	var points: Array[Vector3] = [
-		Vector3(-8, 0, -8),
-		Vector3(8, 0, -8),
-		Vector3(8, 0, 8),
-		Vector3(-8, 0, 8),
-		Vector3(-8, 0, -8)
-	]
-	field.outline = add_path("Bed", points)
+	field.outline = add_path("Bed", RING)
 	field.outline_width = 2.0
 	await start()
 	check_near(field.get_plant_count(), (18.0 * 18.0 - 14.0 * 14.0) * 10.0, 120.0, "plants")

@@ -1,17 +1,5 @@
 ## Strokes on the map of a field that stands.
-extends "res://tests/engine/field_harness.gd"
-
-const TULIP := "Tulip"
-const GRASS := "Grass"
-
-var map: PlantMap
-
-
-func before_each() -> void:
-	field = PlantField3D.from_species([TulipFunction.new(), GrassFunction.new()])
-	field.size = Vector2(20, 20)
-	field.density = 10.0
-	map = PlantMap.new()
+extends "res://tests/engine/field_map_harness.gd"
 
 
 func test_strokes_touch_what_they_change_and_nothing_else() -> void:
@@ -75,11 +63,11 @@ func test_the_same_plants_stand_after_strokes_as_where_it_is_filled_at_once() ->
 				map.paint_height(place, rng.randf_range(1, 4), title, 1.4)
 		await frames(i % 3)
 	await rested()
-	var edited := _plants()
+	var edited := all_plants()
 	field.fill()
 	await filled(field)
-	check_equal(_plants().size(), edited.size(), "number of plants")
-	check_equal(_plants(), edited, "its plants")
+	check_equal(all_plants().size(), edited.size(), "number of plants")
+	check_equal(all_plants(), edited, "its plants")
 
 
 func test_a_plant_that_becomes_higher_goes_on_with_its_motion() -> void:
@@ -137,11 +125,11 @@ func test_strokes_while_it_is_filled_are_not_lost() -> void:
 	await rested()
 	while field.get_statistics()["is_dressing"] or field.is_filling():
 		await process_frame
-	var edited := _plants()
+	var edited := all_plants()
 	field.fill()
 	await filled(field)
-	check(_plants().size() - edited.size() <= 3 * 6, "only what was removed is missing")
-	var plants := _plants()
+	check(all_plants().size() - edited.size() <= 3 * 6, "only what was removed is missing")
+	var plants := all_plants()
 	for id: int in edited:
 		check_equal(plants.get(id), edited[id], "plant %d" % id)
 
@@ -175,19 +163,6 @@ func test_a_stroke_over_all_of_a_large_field_fills_it() -> void:
 func _fill_all(density: float) -> void:
 	for title: String in [TULIP, GRASS]:
 		map.fill_polygon(field.get_outline_points(), title, density)
-
-
-## All that a plant is, by its id.
-func _plants() -> Dictionary:
-	var found := {}
-	for id in field.get_plant_ids():
-		found[id] = [
-			field.get_plant_transform(id),
-			field.get_plant_height(id),
-			field.get_plant_seed(id),
-			field.get_plant_species(id).get_class(),
-		]
-	return found
 
 
 func _drawn() -> int:

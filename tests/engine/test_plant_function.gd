@@ -159,11 +159,11 @@ func test_defaults_are_not_saved() -> void:
 
 func test_only_the_chosen_laws_numbers_are_shown() -> void:
 	var function := PlantFunction.new()
-	check(_is_shown(function, "natural_frequency"), "the spring's frequency")
-	check(not _is_shown(function, "elasticity"), "no elasticity")
+	check(is_shown(function, "natural_frequency"), "the spring's frequency")
+	check(not is_shown(function, "elasticity"), "no elasticity")
 	function.law = PlantFunction.LAW_ELASTICITY
-	check(not _is_shown(function, "natural_frequency"), "no frequency")
-	check(_is_shown(function, "elasticity"), "the elasticity")
+	check(not is_shown(function, "natural_frequency"), "no frequency")
+	check(is_shown(function, "elasticity"), "the elasticity")
 
 
 func test_meshes_wear_the_functions_material() -> void:
@@ -259,10 +259,3 @@ func _count_change() -> void:
 
 func _bytes(species: PlantFunction) -> PackedByteArray:
 	return var_to_bytes(species.generate_mesh(1.0, 8, 3).surface_get_arrays(0))
-
-
-func _is_shown(object: Object, name: String) -> bool:
-	for property in object.get_property_list():
-		if property["name"] == name:
-			return property["usage"] & PROPERTY_USAGE_EDITOR != 0
-	return false

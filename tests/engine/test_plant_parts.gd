@@ -58,11 +58,11 @@ func test_the_inspector_shows_what_matters_of_a_blade() -> void:
 	var blade := PlantBlade.new()
 	blade.teeth = 0
 	blade.wave = 0.0
-	check(not _is_shown(blade, "tooth_depth") and not _is_shown(blade, "wave_count"), "it is plain")
+	check(not is_shown(blade, "tooth_depth") and not is_shown(blade, "wave_count"), "it is plain")
 	blade.teeth = 5
-	check(_is_shown(blade, "tooth_depth") and not _is_shown(blade, "wave_count"), "it has teeth")
+	check(is_shown(blade, "tooth_depth") and not is_shown(blade, "wave_count"), "it has teeth")
 	blade.wave = 0.3
-	check(_is_shown(blade, "wave_count"), "it waves")
+	check(is_shown(blade, "wave_count"), "it waves")
 
 
 func test_a_script_grows_once_for_all_levels_and_heights() -> void:
@@ -289,10 +289,3 @@ func test_the_last_good_plant_stays() -> void:
 	check_error("has no part")
 	check_equal(plant.get_mesh(), good, "the mesh")
 	plant.free()
-
-
-func _is_shown(of: Object, title: String) -> bool:
-	for property in of.get_property_list():
-		if property["name"] == title:
-			return property["usage"] & PROPERTY_USAGE_EDITOR != 0
-	return false
