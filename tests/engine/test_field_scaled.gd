@@ -101,7 +101,7 @@ func test_fields_of_any_scale_draw_all_their_plants() -> void:
 			# All levels reach so far that every plant is in one of them.
 			var drawn := await _primitives()
 			field.levels = [PlantFieldLevel.of(2)]
-			await dressed()
+			await rested()
 			await frames(3)
 			var coarse := await _primitives()
 			var fewest := _primitives_of(2) * field.get_plant_count()
@@ -109,7 +109,7 @@ func test_fields_of_any_scale_draw_all_their_plants() -> void:
 			check(drawn >= coarse, "%d primitives of levels, scale %f" % [drawn, scale])
 			field.visibility_range_end = 15.0
 			await frames(12)
-			await dressed()
+			await rested()
 			var within := _count_within(15.0)
 			var seen := await _primitives()
 			check(
@@ -132,7 +132,7 @@ func test_a_field_that_is_scaled_while_it_stands_draws_all_within_its_range() ->
 	_stage.add_child(field)
 	await filled(field)
 	field.visibility_range_end = 15.0
-	await dressed()
+	await rested()
 	field.scale = Vector3.ONE * 5.0
 	await frames(12)
 	var within := _count_within(15.0)
