@@ -185,8 +185,7 @@ float MotionPage::quickest_swing() const {
 	return kind.law == Law::spring ? 1.0f / kind.joint.natural_frequency : swing_of(kind.joint, kind.shortest);
 }
 
-void MotionPage::look_ahead(
-		const FieldWind &wind, const PlantWinds &along, double moment, int turn, SimdLevel level) {
+void MotionPage::look_ahead(const FieldWind &wind, const PlantWinds &along, double moment, int turn, SimdLevel level) {
 	const AirAhead::Plants plants = { column(ROOT_X), column(ROOT_Z), lengths(), size(), kind.stand_height,
 		quickest_swing() };
 	ahead.look(wind, along, moment, step_time, turn, plants, level);

@@ -1,6 +1,5 @@
 #include "motion/page_wind.hpp"
 
-
 #include <algorithm>
 #include <cmath>
 

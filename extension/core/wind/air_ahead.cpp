@@ -86,8 +86,7 @@ void AirAhead::look(const FieldWind &wind, const PlantWinds &along, double momen
 	}
 }
 
-void AirAhead::tell(
-		const AirBlow &blow, int begin, int count, float *out_x, float *out_z, SimdLevel level) const {
+void AirAhead::tell(const AirBlow &blow, int begin, int count, float *out_x, float *out_z, SimdLevel level) const {
 	AirWeights weights = weights_at(static_cast<double>(age) / static_cast<double>(stride));
 	weights.x = has_stand ? blow.mean * blow.along_x : 0.0f;
 	weights.z = has_stand ? blow.mean * blow.along_z : 0.0f;

@@ -121,3 +121,31 @@ TEST_CASE("tips in air that is sampled ahead go where those do that sample it in
 		CHECK(error_of_sampling_ahead(Law::elasticity, frequency) < WITHIN);
 	}
 }
+
+TEST_CASE("plants that are put elsewhere feel the air that blows there") {
+	MotionSpecies species = species_with(Law::spring, varied_joint(1));
+	species.stand_height = 0.7f;
+	const FieldWind wind = fresh_breeze();
+	const PlantWinds along = winds_along(wind);
+	MotionPlant plant = varied_plant(1);
+	MotionPage moved(0, species, &plant, 1, 1.0f / 60.0f, true);
+	moved.make_room_ahead();
+	const auto step = [&](MotionPage &page, int number) {
+		const double moment = (number + page.wind_moment()) / 60.0;
+		page.look_ahead(wind, along, moment, 0);
+		page.step(wind_at_time(wind, moment), along);
+	};
+	for (int i = 0; i < 10; i++) {
+		step(moved, i);
+	}
+	const TipState before = moved.state(0);
+	plant.root.x += 300.0f;
+	moved.set_plant(0, plant);
+	MotionPage there(0, species, &plant, 1, 1.0f / 60.0f, true);
+	there.make_room_ahead();
+	moved.set_state(0, before);
+	there.set_state(0, before);
+	step(moved, 10);
+	step(there, 10);
+	CHECK(same_bits(moved.state(0), there.state(0)));
+}
