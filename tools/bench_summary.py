@@ -48,7 +48,8 @@ def stem_lines(found):
     """Stems beside the spring law."""
     told = []
     for level in ("baseline", "avx2"):
-        for name in ("page_stem", "page_stem_upright", "page_stem_two_modes"):
+        for name in ("page_stem", "page_stem_upright", "page_stem_two_modes", "page_stem_gale",
+                     "page_stem_two_modes_gale"):
             ratio = found.ratio(found.find(name, 10000, level=level), found.find("page_spring", 10000, level=level))
             if ratio:
                 told.append(f"{name}, {level}, 10,000 plants: {ratio:.2f} times the spring law's page")

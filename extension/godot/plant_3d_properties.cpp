@@ -146,7 +146,7 @@ std::shared_ptr<const StemConstants> Plant3D::find_stem(float metres) const {
 MotionSpecies Plant3D::kind_of_motion() const {
 	MotionSpecies kind;
 	kind.law = Law(int(species->get_law()));
-	kind.joint = species->make_joint(1.0f, Basis());
+	kind.joint = species->make_joint(Basis());
 	if (const std::shared_ptr<const StemConstants> stem = find_stem(view.height())) {
 		kind.stem = *stem;
 	}
@@ -170,7 +170,7 @@ glm::vec3 Plant3D::rest() const {
 	if (species.is_null() || species->get_law() == PlantFunction::LAW_ELASTICITY) {
 		return { 0.0f, 1.0f, 0.0f };
 	}
-	return species->make_joint(1.0f, stance.axes).rest;
+	return species->make_joint(stance.axes).rest;
 }
 
 MovedPlant Plant3D::moved() const {

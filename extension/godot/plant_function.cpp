@@ -71,9 +71,8 @@ void PlantFunction::set_look(float &slot, const char *property, double value) {
 	}
 }
 
-Joint PlantFunction::make_joint(float length, const Basis &frame) const {
+Joint PlantFunction::make_joint(const Basis &frame) const {
 	Joint joint;
-	joint.length = length;
 	joint.mass = motion.mass;
 	joint.wind_weight = motion.wind_weight < 0.0f ? 1.0f : motion.wind_weight;
 	joint.drag_area = motion.drag_area;

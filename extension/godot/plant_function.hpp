@@ -103,8 +103,8 @@ public:
 	godot::Color ask_color(double offset, godot::String &problem);
 	/// Grows `plant`. Tells whether a script does.
 	bool ask_to_grow(const godot::Ref<PlantGrowth> &plant, godot::String &problem);
-	/// The joint of a plant of `length` metres whose root stands in `frame` (its up axis and turn, orthonormal).
-	Joint make_joint(float length, const godot::Basis &frame) const;
+	/// The joint of a plant whose root stands in `frame` (its up axis and turn, orthonormal), of no length of its own.
+	Joint make_joint(const godot::Basis &frame) const;
 	/// The stem of a plant of `height` metres; null where another law moves it. Reports once what keeps it from
 	/// standing.
 	std::shared_ptr<const StemConstants> find_stem(double height, bool in_air);

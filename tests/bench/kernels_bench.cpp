@@ -84,7 +84,10 @@ struct StepCost {
 	bool is_whole; ///< With its wind and its bends, as a field's page does it; else the law's kernel alone.
 	bool leans = true; ///< Its plants do, as most in a field.
 	int modes = 1; ///< Of a stem.
+	float newtons = 2.0f; ///< So strong a wind; in a gale, stems go the long way through their step.
+	bool by_height = false; ///< Stems whose frequencies follow from their height.
 };
+constexpr float GALE = 200.0f; // N: twenty times what bends a tip to 45°.
 constexpr StepCost STEPS[] = {
 	{ "step_elasticity", Law::elasticity, 48.0, 52.0, false },
 	{ "step_spring", Law::spring, 30.0, 44.0, false },
@@ -93,6 +96,8 @@ constexpr StepCost STEPS[] = {
 	{ "page_stem", Law::stem, 98.0, 68.0, true },
 	{ "page_stem_upright", Law::stem, 84.0, 60.0, true, false },
 	{ "page_stem_two_modes", Law::stem, 152.0, 124.0, true, true, 2 },
+	{ "page_stem_gale", Law::stem, 136.0, 92.0, true, true, 1, GALE, true },
+	{ "page_stem_two_modes_gale", Law::stem, 190.0, 164.0, true, true, 2, GALE, true },
 };
 constexpr int PAGE_FLOATS = 13; // Of a page's table, per plant.
 constexpr int COLUMNS = 7; // Of a kernel.
@@ -136,6 +141,8 @@ std::vector<MotionPage> meadow(const StepCost &cost, int plants) {
 		StemBeam beam;
 		beam.length = 1.0f;
 		beam.modes = cost.modes;
+		beam.natural_frequency = cost.by_height ? 0.0f : beam.natural_frequency;
+		beam.diameter = 0.005f; // Stands by its own stiffness.
 		species.stem = solve_stem(beam).constants;
 		species.stem.dead_slope = SLOPE_PER_NEWTON;
 	}
@@ -208,7 +215,7 @@ void time_steps(Report &report, const StepCost &cost, int plants, SimdLevel leve
 	std::vector<MotionPage> pages = meadow(cost, plants);
 	Rows rows(plants, cost.is_whole ? Law::spring : cost.law);
 	TravellingWind wind = {};
-	wind.steady = 2.0f;
+	wind.steady = cost.newtons;
 	const int repeats = std::max(PLANTS_PER_RUN / plants, 1);
 	const auto step = [&] {
 		if (!cost.is_whole) {

@@ -234,7 +234,11 @@ void FieldSimulation::begin_step() {
 	}
 	step_prototypes(next_step);
 	choose_modes();
+	const bool is_air = blowing.wind.kind == WindKind::air;
 	for (int page = 0; page < page_count() && models.empty(); page++) { // Followers have no steps of their own.
+		if (is_air) {
+			at(page).page.make_room_ahead();
+		}
 		if (is_due(page, next_step)) {
 			beat(page).interval = page_interval(page);
 			beat(page).last_step = next_step;
@@ -271,6 +275,7 @@ void FieldSimulation::step_page(int page) {
 	const double moment = static_cast<double>(beat(page).last_step) + entry.page.wind_moment() * interval;
 	TravellingWind now = wind_at_time(blowing, along, moment * static_cast<double>(options.step));
 	now.sources = { stirring.data(), static_cast<int>(stirring.size()) };
+	entry.page.look_ahead(blowing, along, moment * static_cast<double>(options.step), page);
 	if (entry.page.modes() == 2) {
 		entry.page.ease_second(ease_of(page));
 	}

@@ -48,6 +48,7 @@ void MotionPage::reserve(int plants) {
 
 void MotionPage::add(const MotionPlant *plants, int count) {
 	const int before = size();
+	ahead.forget();
 	rows.reserve(before + count);
 	pairs.resize(has_bends() ? 2 * static_cast<std::size_t>(before + count) : 0);
 	second_pairs.resize(has_room_for_second() ? pairs.size() : 0);
@@ -83,6 +84,9 @@ void MotionPage::put_rest(int index, const glm::vec3 &rest) {
 }
 
 void MotionPage::set_plant(int index, const MotionPlant &plant) {
+	if (plant.root != root(index) || kind.stand_height <= 0.0f) { // Plants alone feel the wind at their tops.
+		ahead.forget();
+	}
 	put_place(index, plant);
 	if (is_swinging) {
 		update_constants(index, index + 1);
@@ -119,6 +123,7 @@ void MotionPage::drop(int index) {
 void MotionPage::remove(int index) {
 	gone -= is_gone(index) ? 1 : 0;
 	const std::size_t last = static_cast<std::size_t>(size()) - 1;
+	ahead.forget();
 	rows.remove_row(index);
 	for (std::vector<Bend> *some : { &pairs, &second_pairs }) {
 		if (!some->empty()) {
@@ -146,6 +151,7 @@ void MotionPage::set_species(const MotionSpecies &species) {
 	kind = species;
 	kind.joint = safe_joint(species.joint);
 	whole = species.stem;
+	ahead.forget();
 	if (is_swinging) {
 		update_constants(0);
 	}
@@ -260,7 +266,8 @@ void MotionPage::update_box() {
 }
 
 std::size_t MotionPage::bytes() const {
-	return rows.bytes() + (pairs.capacity() + second_pairs.capacity()) * sizeof(Bend) + sizeof(MotionPage);
+	return rows.bytes() + (pairs.capacity() + second_pairs.capacity()) * sizeof(Bend) + ahead.bytes() +
+			sizeof(MotionPage);
 }
 
 } // namespace undergrowth

@@ -7,6 +7,7 @@
 #include "motion/motion_species.hpp"
 #include "motion/stem_blows.hpp"
 #include "motion/stem_step.hpp"
+#include "wind/air_ahead.hpp"
 
 #include <glm/vec3.hpp>
 
@@ -161,6 +162,13 @@ public:
 	/// not the result.
 	void step(const TravellingWind &wind, const PlantWinds &along, SimdLevel level = best_simd_level());
 
+	/// For a page of many steps, before each: its air may be sampled ahead (AirAhead) of its step at `moment` (s), in
+	/// turn with other pages. Without it, all of it is sampled in each step.
+	void look_ahead(const FieldWind &wind, const PlantWinds &along, double moment, int turn,
+			SimdLevel level = best_simd_level());
+	/// Room for what is sampled ahead. Allocates where there are more plants than before.
+	void make_room_ahead() { ahead.make_room(is_swinging ? size() : 0); }
+
 	/// Of a page that keeps directions: unit directions of all plants, `alpha` of the way from before the last step (0)
 	/// to after it (1), to out[0 .. size()).
 	void interpolate(float alpha, glm::vec3 *out) const;
@@ -199,6 +207,7 @@ private:
 	Columns rows;
 	std::vector<Bend> pairs;
 	std::vector<Bend> second_pairs;
+	AirAhead ahead;
 
 	float *column(int which) { return rows.column(which); }
 	const float *column(int which) const { return rows.column(which); }
@@ -222,9 +231,7 @@ private:
 	void put_pair_of_modes(std::size_t bend, const glm::vec2 &rest);
 	void put_rest(int index, const glm::vec3 &rest);
 	void remember();
-	struct BlockWind;
-	void sample_wind(const TravellingWind &wind, const PlantWinds &along, int begin, int count, SimdLevel level,
-			BlockWind &block) const;
+	float quickest_swing() const;
 	void step_block(const KernelSet &set, int begin, int count, const PlantWinds &winds, const PlantAir &air);
 	void settle(int index);
 	void grow_box(int index, bool is_first);

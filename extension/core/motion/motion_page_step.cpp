@@ -1,10 +1,11 @@
 // How a MotionPage moves: constants for its step's length, and steps.
 
 #include "motion/motion_page.hpp"
+
+#include "conventions.hpp"
 #include "motion/motion_page_columns.hpp"
+#include "motion/page_wind.hpp"
 #include "motion/part_bend.hpp"
-#include "wind/air.hpp"
-#include "wind/air_sources.hpp"
 
 #include <glm/common.hpp>
 
@@ -18,17 +19,10 @@ using namespace motion_page_columns;
 
 namespace {
 
-/// Plants whose winds are sampled together: the strengths stay in the first-level cache.
-constexpr int BLOCK = 512;
-
-/// A wind of newtons as the air that pushes as hard: strengths in, velocities out along both axes.
-void make_air(const PlantWinds &along, float drag, int count, float *strengths, float *side) {
-	const float over_drag = drag > 0.0f ? 1.0f / drag : 0.0f;
-	for (int i = 0; i < count; i++) {
-		const float speed = std::sqrt(strengths[i] * over_drag);
-		strengths[i] = speed * along.x;
-		side[i] = speed * along.z;
-	}
+/// Seconds of a small swing of the elasticity law.
+float swing_of(const Joint &joint, float length) {
+	const float stiffness = std::max(joint.elasticity, 1e-3f) * STANDARD_GRAVITY;
+	return static_cast<float>(2.0 * PI) * std::sqrt(length / stiffness);
 }
 
 } // namespace
@@ -182,41 +176,19 @@ void MotionPage::remember() {
 	}
 }
 
-/// What blows over the plants of a block, in the first-level cache.
-struct MotionPage::BlockWind {
-	float strengths[BLOCK]; ///< N.
-	float x[BLOCK]; ///< m/s.
-	float z[BLOCK];
-	bool has_newtons = true;
-	bool has_air = false;
-};
+/// Seconds, of the quickest plant and of the quickest of its modes.
+float MotionPage::quickest_swing() const {
+	if (kind.law == Law::stem) {
+		const float frequency = kind.stem.mode[kind.stem.modes - 1].frequency * fastest;
+		return static_cast<float>(2.0 * PI) / frequency;
+	}
+	return kind.law == Law::spring ? 1.0f / kind.joint.natural_frequency : swing_of(kind.joint, kind.shortest);
+}
 
-/// Of the laws of one joint, newtons that sources stir become air.
-void MotionPage::sample_wind(const TravellingWind &wind, const PlantWinds &along, int begin, int count, SimdLevel level,
-		BlockWind &block) const {
-	const float *x = column(ROOT_X) + begin;
-	const float *z = column(ROOT_Z) + begin;
-	const bool is_stirred = any_reaches(wind.sources, box_low, box_high);
-	block.has_air = wind.is_air || is_stirred;
-	block.has_newtons = !wind.is_air && (kind.law == Law::stem || !is_stirred);
-	if (wind.is_air) {
-		const float *alone = kind.stand_height > 0.0f ? nullptr : lengths() + begin;
-		const AirBlow blow = blow_over(wind.air, kind.stand_height, along);
-		sample_air(wind, blow, x, z, alone, count, block.x, block.z, level);
-	} else {
-		wind_kernels(level).sample(wind, x, z, count, block.strengths);
-	}
-	if (!is_stirred) {
-		return;
-	}
-	if (block.has_newtons) {
-		std::fill(block.x, block.x + count, 0.0f);
-		std::fill(block.z, block.z + count, 0.0f);
-	} else if (!wind.is_air) {
-		std::copy(block.strengths, block.strengths + count, block.x);
-		make_air(along, air_drag(kind.joint), count, block.x, block.z);
-	}
-	add_sources(wind.sources, box_low, box_high, x, column(ROOT_Y) + begin, z, count, block.x, block.z);
+void MotionPage::look_ahead(const FieldWind &wind, const PlantWinds &along, double moment, int turn, SimdLevel level) {
+	const AirAhead::Plants plants = { column(ROOT_X), column(ROOT_Z), lengths(), size(), kind.stand_height,
+		quickest_swing() };
+	ahead.look(wind, along, moment, step_time, turn, plants, level);
 }
 
 void MotionPage::step_block(const KernelSet &set, int begin, int count, const PlantWinds &winds, const PlantAir &air) {
@@ -253,10 +225,13 @@ void MotionPage::step(const TravellingWind &wind, const PlantWinds &along, SimdL
 	}
 	const float drag = air_drag(kind.joint);
 	const float slowing = step_time * drag * kind.joint.wind_weight / kind.joint.mass;
+	const bool has_stems = kind.law == Law::stem;
+	const PageWind over = { wind, along, ahead, column(ROOT_X), column(ROOT_Y), column(ROOT_Z), lengths(), box_low,
+		box_high, kind.stand_height, drag, has_stems, level };
 	BlockWind block;
-	for (int begin = 0; begin < size(); begin += BLOCK) {
-		const int count = std::min(BLOCK, size() - begin);
-		sample_wind(wind, along, begin, count, level, block);
+	for (int begin = 0; begin < size(); begin += BlockWind::PLANTS) {
+		const int count = std::min(BlockWind::PLANTS, size() - begin);
+		over.sample(begin, count, block);
 		const PlantWinds winds = { block.has_newtons ? block.strengths : nullptr, along.x, along.z };
 		PlantAir air = { nullptr, nullptr, lengths() + begin, drag, slowing, 1.0f / step_time };
 		if (block.has_air) {

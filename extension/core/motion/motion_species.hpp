@@ -15,7 +15,7 @@ struct MotionSpecies {
 	float collision_radius = 0.05f; ///< m, of the sphere at a tip.
 	float stand_height = 0.0f; ///< m, of the stand that shelters its plants; 0: each stands alone.
 	// Of the prototypes only, which stand for all plants of the species.
-	float shortest = 0.5f; ///< m.
+	float shortest = 0.5f; ///< m; of all, where air is sampled ahead.
 	float longest = 1.0f; ///< m.
 	float lean = 0.0f; ///< rad, from upright to the rest direction (not of the elasticity law).
 	bool has_parts = false; ///< Which swing by themselves; it does not matter to the motion.

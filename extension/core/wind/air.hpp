@@ -62,4 +62,8 @@ AirBlow blow_over(const AirNow &air, float stand_height, const PlantWinds &axes)
 void sample_air(const TravellingWind &wind, const AirBlow &blow, const float *x, const float *z, const float *lengths,
 		int count, float *out_x, float *out_z, SimdLevel level = best_simd_level());
 
+/// Adds a gust that somebody called for, in m/s, to velocities of air.
+void add_gust(const TravellingWind &wind, const AirBlow &blow, const float *x, const float *z, int count, float *out_x,
+		float *out_z, SimdLevel level = best_simd_level());
+
 } // namespace undergrowth

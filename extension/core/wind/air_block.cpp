@@ -32,20 +32,6 @@ void blow_alone(const AirNow &air, const float *lengths, AirBlow blow, int count
 	kernels.make_lone_velocities(blow, ground, lengths, count, x, z);
 }
 
-/// A gust that somebody called for, in m/s.
-void add_gust(const TravellingWind &wind, const AirBlow &blow, const float *x, const float *z, int count, float *out_x,
-		float *out_z, const WindKernels &kernels) {
-	float strengths[GUST_BLOCK];
-	for (int begin = 0; begin < count; begin += GUST_BLOCK) {
-		const int some = std::min(GUST_BLOCK, count - begin);
-		kernels.sample(wind, x + begin, z + begin, some, strengths);
-		for (int i = 0; i < some; i++) {
-			out_x[begin + i] += strengths[i] * blow.along_x;
-			out_z[begin + i] += strengths[i] * blow.along_z;
-		}
-	}
-}
-
 } // namespace
 
 AirBlow blow_over(const AirNow &air, float stand_height, const PlantWinds &axes) {
@@ -57,6 +43,22 @@ AirBlow blow_over(const AirNow &air, float stand_height, const PlantWinds &axes)
 		blow.side_gust = gust * static_cast<float>(SIDE_GUSTS);
 	}
 	return blow;
+}
+
+void add_gust(const TravellingWind &wind, const AirBlow &blow, const float *x, const float *z, int count, float *out_x,
+		float *out_z, SimdLevel level) {
+	if (wind.gust == 0.0f) {
+		return;
+	}
+	float strengths[GUST_BLOCK];
+	for (int begin = 0; begin < count; begin += GUST_BLOCK) {
+		const int some = std::min(GUST_BLOCK, count - begin);
+		wind_kernels(level).sample(wind, x + begin, z + begin, some, strengths);
+		for (int i = 0; i < some; i++) {
+			out_x[begin + i] += strengths[i] * blow.along_x;
+			out_z[begin + i] += strengths[i] * blow.along_z;
+		}
+	}
 }
 
 void sample_air(const TravellingWind &wind, const AirBlow &blow, const float *x, const float *z, const float *lengths,
@@ -78,9 +80,7 @@ void sample_air(const TravellingWind &wind, const AirBlow &blow, const float *x,
 	} else {
 		kernels.make_velocities(blow, count, out_x, out_z);
 	}
-	if (wind.gust != 0.0f) {
-		add_gust(wind, blow, x, z, count, out_x, out_z, kernels);
-	}
+	add_gust(wind, blow, x, z, count, out_x, out_z, level);
 }
 
 } // namespace undergrowth

@@ -16,10 +16,11 @@ namespace avx2_kernels {
 
 #include "base/kernel_basics.inc"
 #include "wind/kernel_air.inc"
+#include "wind/kernel_air_ahead.inc"
 #include "wind/kernel_wind.inc"
 
-static const WindKernels SET = { sample_wind, sample_turbulence, add_stand_waves, make_velocities,
-	make_lone_velocities };
+static const WindKernels SET = { sample_wind, sample_turbulence, add_stand_waves, make_velocities, keep_samples,
+	between_samples, make_lone_velocities };
 
 } // namespace avx2_kernels
 

@@ -51,6 +51,18 @@ struct AirGround {
 	float layer; ///< Over the roughness.
 };
 
+/// Four samples of each plant of what blows there along x and z, in the order of their times: 16 bits each, in 1/256 of
+/// a metre a second, two in a word, the earlier one in the low bits. Side by side, AIR_GROUP words each: the first two
+/// of x of as many plants, the last two of x, and the same of z.
+inline constexpr int AIR_GROUP = 8;
+inline constexpr int AIR_GROUP_WORDS = 4 * AIR_GROUP;
+
+/// What each of four samples counts, in 1/4096, in words likewise; and what is added (m/s).
+struct AirWeights {
+	uint32_t early, late;
+	float x, z;
+};
+
 struct AirSource;
 
 /// What stirs the air at single places (air_sources.hpp), for plants whose directions have axes of their own: there, a
@@ -91,7 +103,11 @@ struct WindKernels {
 			const AirMap &map, const float *x, const float *z, int count, float keep, float share, float *along);
 	/// Makes velocities of both components, in place: those along x and along z.
 	void (*make_velocities)(const AirBlow &blow, int count, float *along, float *across);
-	/// The same of plants of such lengths (m) that stand alone.
+	/// The oldest of four samples goes, velocities (m/s) along x and z come.
+	void (*keep_samples)(const float *x, const float *z, int count, uint32_t *groups);
+	/// What the four make (m/s).
+	void (*between_samples)(const uint32_t *groups, const AirWeights &weights, int count, float *x, float *z);
+	/// make_velocities() for plants of such lengths (m) that stand alone.
 	void (*make_lone_velocities)(
 			const AirBlow &blow, const AirGround &ground, const float *lengths, int count, float *along, float *across);
 };

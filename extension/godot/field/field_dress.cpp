@@ -46,14 +46,15 @@ void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
 			const float begin = level.begin > 0.0f ? level.begin : -FARTHEST;
 			const float end = level.end > 0.0f ? level.end : FARTHEST;
 			const Thinning thinning = level.thinning_of(look.has_parts());
-			look.materials[i]->set_shader_parameter("undergrowth_level", Vector3(begin, end, level.margin));
-			look.materials[i]->set_shader_parameter("undergrowth_share_ends", vector_of(thinning.distances));
-			look.materials[i]->set_shader_parameter("undergrowth_shares", vector_of(thinning.shares));
-			look.materials[i]->set_shader_parameter("undergrowth_has_parts", look.has_parts());
-			look.materials[i]->set_shader_parameter("undergrowth_bends", motion.pose_texture());
-			look.materials[i]->set_shader_parameter("undergrowth_blends", motion.blend_texture());
-			look.materials[i]->set_shader_parameter("undergrowth_beats", motion.beat_texture());
-			look.materials[i]->set_shader_parameter("undergrowth_has_heights", motion.has_heights());
+			const Ref<ShaderMaterial> &material = look.materials[i];
+			set_parameter(material, "undergrowth_level", Vector3(begin, end, level.margin));
+			set_parameter(material, "undergrowth_share_ends", vector_of(thinning.distances));
+			set_parameter(material, "undergrowth_shares", vector_of(thinning.shares));
+			set_parameter(material, "undergrowth_has_parts", look.has_parts());
+			set_parameter(material, "undergrowth_bends", motion.pose_texture());
+			set_parameter(material, "undergrowth_blends", motion.blend_texture());
+			set_parameter(material, "undergrowth_beats", motion.beat_texture());
+			set_parameter(material, "undergrowth_has_heights", motion.has_heights());
 		}
 	}
 	tell_of_axes(style);
@@ -87,7 +88,7 @@ void FieldDress::tell_of_axes(const FieldStyle &style) const {
 	const Basis to_field = axes_of(node).basis.inverse();
 	for (const FieldLook &look : style.looks) {
 		for (const Ref<ShaderMaterial> &material : look.materials) {
-			material->set_shader_parameter("undergrowth_axes", to_field);
+			set_parameter(material, "undergrowth_axes", to_field);
 		}
 	}
 }

@@ -103,7 +103,7 @@ float FieldLook::mean_height() const {
 void FieldLook::read_motion() {
 	has_motion = true;
 	motion.law = Law(int(function->get_law()));
-	motion.joint = function->make_joint(1.0f, Basis());
+	motion.joint = function->make_joint(Basis());
 	motion.collision_radius = float(function->get_collision_radius());
 	motion.lean = std::atan2(motion.joint.rest.z, motion.joint.rest.y);
 	stem = function->find_stem(mean_height(), in_air);

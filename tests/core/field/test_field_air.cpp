@@ -77,3 +77,75 @@ TEST_CASE("what stirs the air at one end of a field is not felt at the other") {
 		REQUIRE(same_bits(calm.state(1, i), stirred.state(1, i)));
 	}
 }
+
+/// How far tips are from those of plants that sample their air in each step, over how far they move (both as root of
+/// the mean square).
+static double error_of_sampling_ahead(Law law, float frequency) {
+	constexpr int STEPS = 1200;
+	constexpr int SETTLED = 300;
+	FieldSimulation field = FieldSimulation(FieldSettings());
+	Joint joint = varied_joint(1);
+	joint.natural_frequency = frequency;
+	MotionSpecies species = species_with(law, joint);
+	species.stand_height = 0.7f;
+	std::vector<MotionPlant> plants;
+	for (int i = 0; i < 64; i++) {
+		plants.push_back(varied_plant(i));
+	}
+	field.add_page(field.add_species(species), plants.data(), static_cast<int>(plants.size()));
+	const FieldWind wind = fresh_breeze();
+	field.set_wind(wind);
+	MotionPage page(0, species, plants.data(), static_cast<int>(plants.size()), field.settings().step, true);
+	double errors = 0.0, squares = 0.0;
+	glm::dvec3 sum(0.0);
+	for (int step = 0; step < STEPS; step++) {
+		field.step();
+		const double moment = (step + page.wind_moment()) * static_cast<double>(page.step_length());
+		page.step(wind_at_time(wind, moment), winds_along(wind));
+		for (int i = 0; i < page.size() && step >= SETTLED; i++) {
+			const glm::dvec3 is = page.direction(i) - page.rest(i);
+			const glm::dvec3 off = glm::dvec3(field.page(0).direction(i) - page.rest(i)) - is;
+			errors += glm::dot(off, off);
+			squares += glm::dot(is, is);
+			sum += is;
+		}
+	}
+	const double count = static_cast<double>(page.size()) * (STEPS - SETTLED);
+	return std::sqrt(errors / (squares - glm::dot(sum, sum) / count));
+}
+
+TEST_CASE("tips in air that is sampled ahead go where those do that sample it in each step") {
+	constexpr double WITHIN = 0.08; // Of how far they move.
+	for (const float frequency : { 0.7f, 1.5f, 3.0f }) {
+		CHECK(error_of_sampling_ahead(Law::spring, frequency) < WITHIN);
+		CHECK(error_of_sampling_ahead(Law::elasticity, frequency) < WITHIN);
+	}
+}
+
+TEST_CASE("plants that are put elsewhere feel the air that blows there") {
+	MotionSpecies species = species_with(Law::spring, varied_joint(1));
+	species.stand_height = 0.7f;
+	const FieldWind wind = fresh_breeze();
+	const PlantWinds along = winds_along(wind);
+	MotionPlant plant = varied_plant(1);
+	MotionPage moved(0, species, &plant, 1, 1.0f / 60.0f, true);
+	moved.make_room_ahead();
+	const auto step = [&](MotionPage &page, int number) {
+		const double moment = (number + page.wind_moment()) / 60.0;
+		page.look_ahead(wind, along, moment, 0);
+		page.step(wind_at_time(wind, moment), along);
+	};
+	for (int i = 0; i < 10; i++) {
+		step(moved, i);
+	}
+	const TipState before = moved.state(0);
+	plant.root.x += 300.0f;
+	moved.set_plant(0, plant);
+	MotionPage there(0, species, &plant, 1, 1.0f / 60.0f, true);
+	there.make_room_ahead();
+	moved.set_state(0, before);
+	there.set_state(0, before);
+	step(moved, 10);
+	step(there, 10);
+	CHECK(same_bits(moved.state(0), there.state(0)));
+}

@@ -1,0 +1,51 @@
+#include "motion/page_wind.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+/// A wind of newtons as the air that pushes as hard: strengths in, velocities out along both axes.
+void make_air(const PlantWinds &along, float drag, int count, float *strengths, float *side) {
+	const float over_drag = drag > 0.0f ? 1.0f / drag : 0.0f;
+	for (int i = 0; i < count; i++) {
+		const float speed = std::sqrt(strengths[i] * over_drag);
+		strengths[i] = speed * along.x;
+		side[i] = speed * along.z;
+	}
+}
+
+} // namespace
+
+void PageWind::sample(int begin, int count, BlockWind &block) const {
+	const float *root_x = x + begin;
+	const float *root_z = z + begin;
+	block.has_air = wind.is_air || is_stirred;
+	block.has_newtons = !wind.is_air && (has_stems || !is_stirred);
+	if (wind.is_air) {
+		const float *alone = stand_height > 0.0f ? nullptr : lengths + begin;
+		if (ahead.is_ready()) {
+			ahead.tell(blow, begin, count, block.x, block.z, level);
+			add_gust(wind, blow, root_x, root_z, count, block.x, block.z, level);
+		} else {
+			sample_air(wind, blow, root_x, root_z, alone, count, block.x, block.z, level);
+		}
+	} else {
+		wind_kernels(level).sample(wind, root_x, root_z, count, block.strengths);
+	}
+	if (!is_stirred) {
+		return;
+	}
+	if (block.has_newtons) {
+		std::fill(block.x, block.x + count, 0.0f);
+		std::fill(block.z, block.z + count, 0.0f);
+	} else if (!wind.is_air) {
+		std::copy(block.strengths, block.strengths + count, block.x);
+		make_air(along, drag, count, block.x, block.z);
+	}
+	add_sources(wind.sources, low, high, root_x, y + begin, root_z, count, block.x, block.z);
+}
+
+} // namespace undergrowth

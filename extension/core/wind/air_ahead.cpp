@@ -1,0 +1,100 @@
+#include "wind/air_ahead.hpp"
+
+#include "wind/travelling_wind.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+/// Plants that are sampled together.
+constexpr int BLOCK = 512;
+/// Of a step: a moment that is not nearer than this to where the last step led is another time.
+constexpr double SAME_MOMENT = 0.25;
+
+uint32_t in_word(double low, double high) {
+	const auto part = [](double weight) { return static_cast<uint32_t>(std::lround(4096.0 * weight)) & 0xffffu; };
+	return part(low) | (part(high) << 16);
+}
+
+/// Keys' cubic at the share t from the second sample to the third.
+AirWeights weights_at(double t) {
+	const double first = t * (-0.5 + t * (1.0 - 0.5 * t));
+	const double second = 1.0 + t * t * (1.5 * t - 2.5);
+	const double third = t * (0.5 + t * (2.0 - 1.5 * t));
+	return { in_word(first, second), in_word(third, 1.0 - first - second - third), 0.0f, 0.0f };
+}
+
+} // namespace
+
+int AirAhead::stride_in(const Air &air, float step, float swing) {
+	constexpr double STILL = 1e-6; // m/s.
+	constexpr double ROUNDING = 1e-3; // Of a step.
+	double spacing = std::min(SPACING, SWING_SHARE * static_cast<double>(swing));
+	if (air.wave_share > 0.0f && air.stand_height > 0.0f) {
+		spacing = std::min(spacing, WAVES_SHARE * waves_length(air) / std::max(waves_speed(air), STILL));
+	}
+	const double steps = spacing / static_cast<double>(step) + ROUNDING;
+	return static_cast<int>(std::clamp(steps, 1.0, static_cast<double>(MOST_STEPS)));
+}
+
+void AirAhead::make_room(int plants) {
+	const int wanted = (plants + AIR_GROUP - 1) / AIR_GROUP;
+	if (wanted > room) {
+		// Nothing is written to it yet, so that the time is the sampling threads'.
+		groups.reset(new uint32_t[AIR_GROUP_WORDS * static_cast<std::size_t>(wanted)]);
+		room = wanted;
+		forget();
+	}
+}
+
+void AirAhead::look(const FieldWind &wind, const PlantWinds &along, double moment, float step, int turn,
+		const Plants &plants, SimdLevel level) {
+	const auto length = static_cast<double>(step);
+	const bool blows = wind.wind.kind == WindKind::air && wind.tiles && wind.air.speed > 0.0f;
+	const int steps = blows ? stride_in(wind.air, step, plants.swing) : 1;
+	is_told = steps > 1 && plants.count <= AIR_GROUP * room;
+	if (!is_told) {
+		is_known = false;
+		return;
+	}
+	const bool goes_on = std::fabs(moment - last_moment - length) < SAME_MOMENT * length;
+	is_known = is_known && goes_on && steps == stride && step == step_time;
+	age = is_known ? age + 1 : turn % steps;
+	const int first = is_known ? 2 : -1; // Of the samples that are yet to be taken.
+	const int last = is_known && age < steps ? 1 : 2;
+	age = age < steps ? age : 0;
+	stride = steps;
+	step_time = step;
+	last_moment = moment;
+	has_stand = plants.stand_height > 0.0f;
+	is_known = true;
+	float x[BLOCK], z[BLOCK];
+	for (int sample = first; sample <= last; sample++) {
+		TravellingWind then = {};
+		then.air = air_at_time(wind.air, wind.axes, wind.tiles.get(), moment + length * (sample * stride - age));
+		AirBlow blow = blow_over(then.air, plants.stand_height, along);
+		blow.mean = 0.0f; // Over a stand tell() adds it; of plants alone this is not where it is.
+		for (int begin = 0; begin < plants.count; begin += BLOCK) {
+			const int some = std::min(BLOCK, plants.count - begin);
+			const float *alone = has_stand ? nullptr : plants.lengths + begin;
+			sample_air(then, blow, plants.x + begin, plants.z + begin, alone, some, x, z, level);
+			wind_kernels(level).keep_samples(x, z, some, groups.get() + 4 * begin);
+		}
+	}
+}
+
+void AirAhead::tell(const AirBlow &blow, int begin, int count, float *out_x, float *out_z, SimdLevel level) const {
+	AirWeights weights = weights_at(static_cast<double>(age) / static_cast<double>(stride));
+	weights.x = has_stand ? blow.mean * blow.along_x : 0.0f;
+	weights.z = has_stand ? blow.mean * blow.along_z : 0.0f;
+	wind_kernels(level).between_samples(groups.get() + 4 * begin, weights, count, out_x, out_z);
+}
+
+std::size_t AirAhead::bytes() const {
+	return AIR_GROUP_WORDS * sizeof(uint32_t) * static_cast<std::size_t>(room);
+}
+
+} // namespace undergrowth
