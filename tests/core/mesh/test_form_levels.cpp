@@ -163,6 +163,20 @@ TEST_CASE("colours come back from linear light, and are near the exact curve") {
 	}
 }
 
+TEST_CASE("many colours come back from light with the bits of one, and no others are touched") {
+	for (const int count : { 0, 1, 15, 16, 17, 40 }) {
+		std::vector<float> lights(48);
+		for (size_t i = 0; i < lights.size(); i++) {
+			lights[i] = 0.03f * static_cast<float>(i) - 0.1f;
+		}
+		const std::vector<float> before = lights;
+		from_light(lights.data(), count);
+		for (size_t i = 0; i < lights.size(); i++) {
+			CHECK(lights[i] == (i < static_cast<size_t>(count) ? from_light(before[i]) : before[i]));
+		}
+	}
+}
+
 TEST_CASE("plans drop what is small first: florets before leaves, leaves before the stem") {
 	const PlantForm form = grow_daisy(1);
 	const FormMeasure measure = measure_form(form);
