@@ -201,17 +201,16 @@ func _main_thread_of_fills(field: PlantField3D) -> Dictionary:
 	var usual_rate := Engine.max_fps
 	Engine.max_fps = FILL_FRAME_RATE
 	var idle := await _main_thread_usec(func(frame: int) -> bool: return frame < WARM_UP_FRAMES)
+	var usual := _median(idle)
 	var sums: Array[float] = []
 	var longest: Array[float] = []
 	for i in FILLS:
 		field.seed += 1
 		var goes_on := func(_frame: int) -> bool: return field.is_filling()
 		var frames := await _main_thread_usec(goes_on)
-		sums.append(
-			frames.reduce(func(sum: float, usec: float) -> float: return sum + usec, 0.0)
-			- frames.size() * _median(idle)
-		)
-		longest.append(frames.max() - _median(idle))
+		var more := func(sum: float, usec: float) -> float: return sum + maxf(usec - usual, 0.0)
+		sums.append(frames.reduce(more, 0.0))
+		longest.append(frames.max() - usual)
 	Engine.max_fps = usual_rate
 	return {"main_ms": _median(sums) / 1000.0, "main_frame_ms": _median(longest) / 1000.0}
 

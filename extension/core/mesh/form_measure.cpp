@@ -90,6 +90,16 @@ struct Whole {
 	}
 };
 
+float mean_translucency(const PlantForm &form, const std::vector<float> &shown) {
+	float sum = 0.0f;
+	float whole = 1e-12f;
+	for (size_t g = 0; g < shown.size(); g++) {
+		sum += shown[g] * form.parts[static_cast<size_t>(form.groups[g].kind)].translucency;
+		whole += shown[g];
+	}
+	return sum / whole;
+}
+
 void measure_whole(const Whole &whole, FormMeasure &measure) {
 	for (const glm::vec3 &point : whole.points) {
 		measure.box.take_in(point);
@@ -98,6 +108,7 @@ void measure_whole(const Whole &whole, FormMeasure &measure) {
 		const SeenMesh seen = { whole.points.data(), static_cast<int>(whole.points.size()), whole.indices.data(),
 			static_cast<int>(whole.indices.size()) };
 		measure.outlines = outline_areas(seen, measure.box);
+		measure.from_above = area_from_above(seen);
 		const std::vector<float> shares = seen_shares(seen, measure.box);
 		for (size_t i = 0; i < shares.size(); i++) {
 			measure.light += whole.light[i] * shares[i];
@@ -153,6 +164,7 @@ FormMeasure measure_form(const PlantForm &form) {
 		measure.shown[static_cast<size_t>(placed.group)] +=
 				near_share(part.kind) * whole.add(placed, shape, fills[kind]);
 	}
+	measure.translucency = mean_translucency(form, measure.shown);
 	measure_whole(whole, measure);
 	return measure;
 }

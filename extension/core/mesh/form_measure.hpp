@@ -19,7 +19,9 @@ struct FormMeasure {
 	std::vector<float> shown;
 	Outlines outlines = {}; ///< m² of the whole plant from each side, what lies behind other parts once.
 	glm::vec3 light = glm::vec3(0.0f); ///< Its mean colour from all sides, linear.
-	SightBox box; ///< What both are measured in.
+	float from_above = 0.0f; ///< m² of the whole plant from straight above.
+	float translucency = 0.0f; ///< Of its parts, on the mean, by what each group shows.
+	SightBox box; ///< What outlines and light are measured in.
 	std::vector<glm::vec4> colors; ///< The mean colour of each kind of part.
 	std::vector<float> mean_widths; ///< Of each kind, in shares of its width.
 	std::vector<PartHang> hangs; ///< Of each placed part.

@@ -8,6 +8,7 @@ namespace {
 
 constexpr int COLUMNS = 512; // Of a box.
 constexpr int ROWS = 160;
+constexpr int ABOVE = 192; // Columns and rows of what is seen from above.
 
 /// Dots in rows of bits.
 class Outline {
@@ -38,6 +39,20 @@ private:
 	const int words;
 	std::vector<uint64_t> bits;
 };
+
+float area_of_side(SightLens &lens, size_t side, Outline &outline) {
+	lens.look_from(side);
+	outline.clear();
+	for (const SightLens::Triangle &triangle : lens.triangles()) {
+		const TriangleEdges edges(lens, triangle);
+		for (int row = triangle.begin; row < triangle.end; row++) {
+			int first, end;
+			edges.columns(row, lens.columns(), first, end);
+			outline.fill(row, first, end);
+		}
+	}
+	return static_cast<float>(outline.count()) * lens.dot_area();
+}
 
 } // namespace
 
@@ -105,19 +120,28 @@ Outlines outline_areas(const SeenMesh &mesh, const SightBox &box) {
 	Outline outline(lens.columns(), lens.rows());
 	Outlines areas = {};
 	for (size_t side = 0; side < OUTLINES; side++) {
-		lens.look_from(side);
-		outline.clear();
-		for (const SightLens::Triangle &triangle : lens.triangles()) {
-			const TriangleEdges edges(lens, triangle);
-			for (int row = triangle.begin; row < triangle.end; row++) {
-				int first, end;
-				edges.columns(row, lens.columns(), first, end);
-				outline.fill(row, first, end);
-			}
-		}
-		areas[side] = static_cast<float>(outline.count()) * lens.dot_area();
+		areas[side] = area_of_side(lens, side, outline);
 	}
 	return areas;
+}
+
+float area_from_above(const SeenMesh &mesh) {
+	std::vector<glm::vec3> lying; // What was deep is high.
+	SightBox box;
+	for (int i = 0; i < mesh.vertex_count; i++) {
+		const glm::vec3 &point = mesh.positions[i];
+		lying.emplace_back(point.x, point.z, point.y);
+		box.take_in(point);
+	}
+	if (!(box.reach > 0.0f)) {
+		return 0.0f;
+	}
+	box.low = -box.reach;
+	box.top = box.reach;
+	const SeenMesh seen = { lying.data(), mesh.vertex_count, mesh.indices, mesh.index_count };
+	SightLens lens(seen, box, ABOVE, ABOVE);
+	Outline outline(lens.columns(), lens.rows());
+	return area_of_side(lens, 0, outline);
 }
 
 } // namespace undergrowth

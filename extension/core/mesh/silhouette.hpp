@@ -39,6 +39,9 @@ struct SeenMesh {
 /// m² that a mesh covers in each outline; what lies behind other parts counts once.
 Outlines outline_areas(const SeenMesh &mesh, const SightBox &box);
 
+/// m² that it covers seen from straight above.
+float area_from_above(const SeenMesh &mesh);
+
 /// By how much each vertex's colour counts in the mean colour that a camera far away sees, over all eight sides,
 /// nearer triangles before others, all lit the same. They sum to 1, or are all 0 where nothing is seen.
 std::vector<float> seen_shares(const SeenMesh &mesh, const SightBox &box);

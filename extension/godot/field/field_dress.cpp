@@ -17,6 +17,11 @@ static Vector3 vector_of(const float (&numbers)[3]) {
 	return Vector3(numbers[0], numbers[1], numbers[2]);
 }
 
+// What has no parts has the same width from everywhere.
+static Vector2 above_at(const FieldLook &look, size_t level) {
+	return look.has_parts() && level < look.from_above.size() ? look.from_above[level] : Vector2();
+}
+
 Ref<Material> FieldDress::worn(const FieldLook &look) const {
 	const Ref<Material> instead = node->get_material_override();
 	return instead.is_valid() ? instead : look.function->get_material();
@@ -50,6 +55,8 @@ void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
 			look.materials[i]->set_shader_parameter("undergrowth_share_ends", vector_of(thinning.distances));
 			look.materials[i]->set_shader_parameter("undergrowth_shares", vector_of(thinning.shares));
 			look.materials[i]->set_shader_parameter("undergrowth_has_parts", look.has_parts());
+			look.materials[i]->set_shader_parameter("undergrowth_mean", look.mean);
+			look.materials[i]->set_shader_parameter("undergrowth_from_above", above_at(look, i));
 			look.materials[i]->set_shader_parameter("undergrowth_bends", motion.pose_texture());
 			look.materials[i]->set_shader_parameter("undergrowth_blends", motion.blend_texture());
 			look.materials[i]->set_shader_parameter("undergrowth_beats", motion.beat_texture());
