@@ -6,10 +6,10 @@
 ## main thread's part of it (without waiting for the others), step_ms the rest and frame_ms how much
 ## longer frames take; rows of field_frame_main are the main thread's part and its share of the
 ## whole. For field_fill median_ms is the time from fill() to the signal while frames follow each
-## other, workers_ms what processors do meanwhile but for the main thread, main_ms what that one does
-## for it at 60 frames a second, and the longest time that one of these frames takes main_frame_ms
-## (Linux tells such times, other systems don't). For jolt and gdscript it is how much longer frames
-## or steps take.
+## other, workers_ms what processors do meanwhile but for the main thread, main_ms what that one
+## does for it at 60 frames a second, main_frame_ms the most that it does in one of these frames
+## (Linux tells such times, other systems don't; without a screen it builds the meshes, too). For
+## jolt and gdscript it is how much longer frames or steps take.
 extends SceneTree
 
 const FIELD_COUNTS: Array[int] = [1000, 10000, 100000, 1000000]
@@ -27,9 +27,7 @@ const PARTS: Array[String] = [
 	"meadow_grass", "garden_tulip", "oxeye_daisy", "meadow_grass", "oxeye_daisy"
 ]
 ## Five ready species, all tufts of leaves.
-const TUFTS: Array[String] = [
-	"meadow_grass", "oxeye_daisy", "red_clover", "buttercup", "male_fern"
-]
+const TUFTS: Array[String] = ["meadow_grass", "oxeye_daisy", "red_clover", "buttercup", "male_fern"]
 ## Ready species, each plant by itself, all by one law.
 const LAWS: Dictionary = {
 	PlantFunction.LAW_SPRING: "field_frame_spring", PlantFunction.LAW_STEM: "field_frame_stems"

@@ -47,7 +47,8 @@ private:
 	std::array<Node, STEPS + 1> nodes;
 	bool is_straight = true;
 
-	/// The last node at or below an offset, never the very last; `beyond`: how far on, in shares of the way to the next.
+	/// The last node at or below an offset, never the very last; `beyond`: how far on, in shares of the way to the
+	/// next.
 	const Node &node_below(float s, float &beyond) const;
 	static glm::vec3 between(const Node &a, const Node &b, float t);
 };

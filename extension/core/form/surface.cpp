@@ -75,7 +75,8 @@ BladeRow make_blade_row(const Part &part, const Midrib &midrib, float offset, bo
 	const float edge = edge_share(blade, offset, with_teeth);
 	const float width = part.widths.at(offset);
 	row.half_width = 0.5f * edge * width;
-	row.half_width_slope = 0.5f * edge * part.widths.slope(offset, width); // Teeth are too small to be lit each by itself.
+	row.half_width_slope =
+			0.5f * edge * part.widths.slope(offset, width); // Teeth are too small to be lit each by itself.
 	const double way = 2.0 * PI * blade.wave_count;
 	row.wave = blade.wave * static_cast<float>(portable_sin(way * offset));
 	row.wave_slope = blade.wave * static_cast<float>(way * portable_cos(way * offset));

@@ -158,8 +158,8 @@ FormMeasure measure_form(const PlantForm &form) {
 					part, form.midrib_of(placed), measured_detail(part, form.height), measure.colors[kind]);
 		}
 		if (is_first) {
-			fills[kind] = fill_of(part, form.midrib_of(placed), shape, form.height, measure.mean_widths[kind],
-					measure.colors[kind]);
+			fills[kind] = fill_of(
+					part, form.midrib_of(placed), shape, form.height, measure.mean_widths[kind], measure.colors[kind]);
 		}
 		measure.shown[static_cast<size_t>(placed.group)] +=
 				near_share(part.kind) * whole.add(placed, shape, fills[kind]);

@@ -12,7 +12,8 @@
 
 namespace undergrowth {
 
-/// What all levels of a form share, once a seed: how its parts hang, and what it shows when every part of it is drawn as finely as parts are drawn: what its levels are held to.
+/// What all levels of a form share, once a seed: how its parts hang, and what it shows when every part of it is drawn
+/// as finely as parts are drawn: what its levels are held to.
 struct FormMeasure {
 	/// m² of each group's silhouette from the side: the mean over all directions along the ground, were no part
 	/// before another.

@@ -71,8 +71,7 @@ void FieldLook::build() {
 	for (size_t level = 0; level < samples.size(); level++) {
 		for (const SampledPlant &sampled : samples[level]) {
 			Vector2 above;
-			meshes[level].push_back(
-					sampled.grown ? build_form_mesh(*sampled.grown, sampled, above) : sampled.build());
+			meshes[level].push_back(sampled.grown ? build_form_mesh(*sampled.grown, sampled, above) : sampled.build());
 			from_above[level] += above / float(samples[level].size());
 			width = std::max(width, width_of(meshes[level].back()));
 		}

@@ -121,7 +121,8 @@ TEST_CASE("samples stand for a profile") {
 }
 
 TEST_CASE("a midrib's point alone has the bits of its place") {
-	for (const MidribCurve &curve : { MidribCurve{}, MidribCurve{ 1.2f, 2.0f, 0.0f }, MidribCurve{ -2.0f, 0.5f, 0.4f } }) {
+	for (const MidribCurve &curve :
+			{ MidribCurve{}, MidribCurve{ 1.2f, 2.0f, 0.0f }, MidribCurve{ -2.0f, 0.5f, 0.4f } }) {
 		const Midrib midrib(curve, 7);
 		for (int i = -1; i <= 101; i++) {
 			const float s = static_cast<float>(i) / 100.0f;
