@@ -117,9 +117,9 @@ def fill_lines(found):
                        ("field_fill_of_tufts", "tufts of five species")):
         row = found.find(name, PLANTS)
         if row and "workers_ms" in row:
-            told.append(f"{PLANTS:,} {what} are there after {row['median_ms']:.0f} ms, {row['workers_ms']:.0f} ms of "
-                        f"workers' time and {row['main_ms']:.0f} ms of the main thread's, {row['bytes_per_plant']:.0f} "
-                        "bytes a plant")
+            told.append(f"{PLANTS:,} {what} are there after {row['median_ms']:.0f} ms, {row['processor_ms']:.0f} ms of "
+                        f"processors' time, of which workers have {row['workers_ms']:.0f} ms; "
+                        f"{row['bytes_per_plant']:.0f} bytes a plant")
     return told
 
 

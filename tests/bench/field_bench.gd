@@ -6,10 +6,11 @@
 ## main thread's part of it (without waiting for the others), step_ms the rest and frame_ms how much
 ## longer frames take; rows of field_frame_main are the main thread's part and its share of the
 ## whole. For field_fill median_ms is the time from fill() to the signal while frames follow each
-## other, workers_ms what processors do meanwhile but for the main thread, main_ms what that one
-## does for it at 60 frames a second, main_frame_ms the most that it does in one of these frames
-## (Linux tells such times, other systems don't; without a screen it builds the meshes, too). For
-## jolt and gdscript it is how much longer frames or steps take.
+## other, processor_ms the time that processors work meanwhile, all these frames included: without
+## others on the machine it takes no longer. workers_ms is what all threads but the main one do of
+## that, main_ms what that one does for it at 60 frames a second, main_frame_ms the most that it
+## does in one of these frames (Linux tells such times, other systems don't; without a screen it
+## builds the meshes, too). For jolt and gdscript it is how much longer frames or steps take.
 extends SceneTree
 
 const FIELD_COUNTS: Array[int] = [1000, 10000, 100000, 1000000]
@@ -177,17 +178,21 @@ func _measure_fill(title: String, field: PlantField3D) -> void:
 	await field.filled
 	var times: Array[float] = []
 	var workers: Array[float] = []
+	var processors: Array[float] = []
 	for i in FILLS:
 		var before := _processor_usec()
 		var start := Time.get_ticks_usec()
 		field.seed += 1  # Of other seeds: nothing has grown before.
 		await field.filled
 		times.append(Time.get_ticks_usec() - start)
-		workers.append(_processor_usec().y - before.y)
+		var spent := _processor_usec() - before
+		workers.append(spent.y)
+		processors.append(spent.x + spent.y)
 		await process_frame
 	var more := {"threads": 1, "bytes_per_plant": field.get_statistics()["bytes_per_plant"]}
 	if _processor_usec() != Vector2.ZERO:
 		more["workers_ms"] = _median(workers) / 1000.0
+		more["processor_ms"] = _median(processors) / 1000.0
 		more.merge(await _main_thread_of_fills(field))
 	_add_row(title, field.get_plant_count(), _median(times), more)
 	field.free()
