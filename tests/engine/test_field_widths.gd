@@ -52,7 +52,6 @@ func test_a_plant_that_is_left_away_draws_nothing() -> void:
 	_field.add_plants([Transform3D.IDENTITY], load(MEADOW_GRASS))
 	_field.add_plants([Transform3D(Basis.IDENTITY, Vector3(0.3, 0, 0))], TulipFunction.new())
 	_field.levels = [PlantFieldLevel.of(6, 0.0, 0.0)]
-	await _filled()
 	check_equal(_count_covered(await picture()), 0, "pixels of plants that are left away")
 	_field.levels[0].share = 1.0
 	check(_count_covered(await picture()) > LEAST_PLANT, "they are drawn again")
@@ -64,10 +63,8 @@ func test_few_wide_leaves_cover_no_more_than_many_from_above() -> void:
 	var camera := stage.get_camera_3d()
 	camera.look_at_from_position(Vector3(0, 4.0, 0.0), Vector3.ZERO, Vector3.FORWARD)
 	_field.levels = [PlantFieldLevel.of(24)]
-	await _filled()
 	var fine := _count_covered(await picture())
 	_field.levels = [PlantFieldLevel.of(24, 0.5), PlantFieldLevel.of(3)]
-	await _filled()
 	var coarse := _count_covered(await picture())
 	check(fine > LEAST_PLANT, "%d pixels of the finest level" % fine)
 	check_near(float(coarse), float(fine), 0.35 * fine, "pixels of few leaves from above")
@@ -78,10 +75,8 @@ func test_plants_that_stand_for_others_are_no_brighter_dots() -> void:
 	_field.density = 40.0
 	_field.size = Vector2(1.5, 1.5)
 	_field.levels = [PlantFieldLevel.of(6)]
-	await _filled()
 	var whole := _brightest(await picture())
 	_field.levels[0].share = 0.4
-	await _filled()
 	var thinned := _brightest(await picture())
 	check(whole > 0.5, "flowers are seen")
 	check(thinned < 0.95 * whole, "%.2f after %.2f" % [thinned, whole])
@@ -93,10 +88,8 @@ func test_what_shines_least_is_not_darker_for_others() -> void:
 	_field.density = 60.0
 	_field.size = Vector2(1.2, 1.2)
 	_field.levels = [PlantFieldLevel.of(6)]
-	await _filled()
 	var whole := _mean_light(await picture())
 	_field.levels[0].share = 0.4
-	await _filled()
 	var thinned := _mean_light(await picture())
 	check_near(thinned, whole, 0.15 * whole, "light of a covered pixel")
 
