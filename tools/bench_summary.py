@@ -29,7 +29,7 @@ def lines(rows):
     told = [*kernel_lines(rows), *stem_lines(found), *thread_lines(found)]
     for renderer in ("headless", "forward_plus", "gl_compatibility"):
         told += field_lines(found, renderer)
-    return [*told, *edit_lines(rows), *peer_lines(found)]
+    return [*told, *fill_lines(found), *edit_lines(rows), *peer_lines(found)]
 
 
 def kernel_lines(rows):
@@ -108,6 +108,19 @@ def field_lines(found, renderer):
                             found.find(name, plants, renderer=renderer))
         if ratio:
             told.append(f"{renderer}: {name} of {10 * PLANTS:,} plants {ratio:.2f} times {plants:,}")
+    return told
+
+
+def fill_lines(found):
+    """What filling a field costs, and what its plants hold of memory."""
+    told = []
+    for name, what in (("field_fill", "lathes"), ("field_fill_of_parts", "ready plants"),
+                       ("field_fill_of_tufts", "tufts of five species")):
+        row = found.find(name, PLANTS)
+        if row and "workers_ms" in row:
+            told.append(f"{PLANTS:,} {what} are there after {row['median_ms']:.0f} ms, {row['processor_ms']:.0f} ms of "
+                        f"processors' time, of which workers have {row['workers_ms']:.0f} ms; "
+                        f"{row['bytes_per_plant']:.0f} bytes a plant")
     return told
 
 

@@ -5,8 +5,12 @@
 ## what a frame costs on the processor, simulating and uploading, all threads together, main_ms the
 ## main thread's part of it (without waiting for the others), step_ms the rest and frame_ms how much
 ## longer frames take; rows of field_frame_main are the main thread's part and its share of the
-## whole. For field_fill median_ms is the time from fill() to the signal, for jolt and gdscript how
-## much longer frames or steps take.
+## whole. For field_fill median_ms is the time from fill() to the signal while frames follow each
+## other, processor_ms the time that processors work meanwhile, all these frames included: without
+## others on the machine it takes no longer. workers_ms is what all threads but the main one do of
+## that, main_ms what that one does for it at 60 frames a second, main_frame_ms the most that it
+## does in one of these frames (Linux tells such times, other systems don't; without a screen it
+## builds the meshes, too). For jolt and gdscript it is how much longer frames or steps take.
 extends SceneTree
 
 const FIELD_COUNTS: Array[int] = [1000, 10000, 100000, 1000000]
@@ -18,10 +22,13 @@ const WARM_UP_FRAMES := 60
 const BLOCKS := 21
 const FRAMES_PER_BLOCK := 8
 const FILLS := 5
+const FILL_FRAME_RATE := 60
 const FRAMES_BETWEEN_PUSHES := 90
 const PARTS: Array[String] = [
 	"meadow_grass", "garden_tulip", "oxeye_daisy", "meadow_grass", "oxeye_daisy"
 ]
+## Five ready species, all tufts of leaves.
+const TUFTS: Array[String] = ["meadow_grass", "oxeye_daisy", "red_clover", "buttercup", "male_fern"]
 ## Ready species, each plant by itself, all by one law.
 const LAWS: Dictionary = {
 	PlantFunction.LAW_SPRING: "field_frame_spring", PlantFunction.LAW_STEM: "field_frame_stems"
@@ -69,6 +76,9 @@ func _run() -> void:
 	if _renderer == "headless":
 		await _measure_fill("field_fill", _make_field(LADDER_COUNT, {"simulation_enabled": false}))
 		await _measure_fill("field_fill_of_parts", _make_field_of_parts())
+		await _measure_fill(
+			"field_fill_of_tufts", _make_field_of_parts(PlantFunction.LAW_STEM, TUFTS)
+		)
 		_measure_meshes_of_parts()
 		for count: int in PEER_COUNTS:
 			await _measure_jolt(count)
@@ -167,24 +177,76 @@ func _measure_fill(title: String, field: PlantField3D) -> void:
 	root.add_child(field)
 	await field.filled
 	var times: Array[float] = []
+	var workers: Array[float] = []
+	var processors: Array[float] = []
 	for i in FILLS:
+		var before := _processor_usec()
 		var start := Time.get_ticks_usec()
 		field.seed += 1  # Of other seeds: nothing has grown before.
 		await field.filled
 		times.append(Time.get_ticks_usec() - start)
+		var spent := _processor_usec() - before
+		workers.append(spent.y)
+		processors.append(spent.x + spent.y)
 		await process_frame
-	var bytes: float = field.get_statistics()["bytes_per_plant"]
-	_add_row(
-		title, field.get_plant_count(), _median(times), {"threads": 1, "bytes_per_plant": bytes}
-	)
+	var more := {"threads": 1, "bytes_per_plant": field.get_statistics()["bytes_per_plant"]}
+	if _processor_usec() != Vector2.ZERO:
+		more["workers_ms"] = _median(workers) / 1000.0
+		more["processor_ms"] = _median(processors) / 1000.0
+		more.merge(await _main_thread_of_fills(field))
+	_add_row(title, field.get_plant_count(), _median(times), more)
 	field.free()
 	await process_frame
 
 
-## Ready species of parts, two of them twice.
-func _make_field_of_parts(law := PlantFunction.LAW_STEM) -> PlantField3D:
+## What the main thread does to fill a field, beside what it does in each frame of a game.
+func _main_thread_of_fills(field: PlantField3D) -> Dictionary:
+	var usual_rate := Engine.max_fps
+	Engine.max_fps = FILL_FRAME_RATE
+	var idle := await _main_thread_usec(func(frame: int) -> bool: return frame < WARM_UP_FRAMES)
+	var usual := _median(idle)
+	var sums: Array[float] = []
+	var longest: Array[float] = []
+	for i in FILLS:
+		field.seed += 1
+		var goes_on := func(_frame: int) -> bool: return field.is_filling()
+		var frames := await _main_thread_usec(goes_on)
+		var more := func(sum: float, usec: float) -> float: return sum + maxf(usec - usual, 0.0)
+		sums.append(frames.reduce(more, 0.0))
+		longest.append(frames.max() - usual)
+	Engine.max_fps = usual_rate
+	return {"main_ms": _median(sums) / 1000.0, "main_frame_ms": _median(longest) / 1000.0}
+
+
+## What the main thread does in each frame, as long as `goes_on`.
+func _main_thread_usec(goes_on: Callable) -> Array[float]:
+	var spent: Array[float] = []
+	while spent.is_empty() or goes_on.call(spent.size()):
+		var before := _processor_usec().x
+		await process_frame
+		spent.append(_processor_usec().x - before)
+	return spent
+
+
+## Time that processors have worked for this process: on its main thread (x), on all others (y).
+func _processor_usec() -> Vector2:
+	var spent := Vector2.ZERO
+	for thread in DirAccess.get_directories_at("/proc/self/task"):
+		var file := FileAccess.open("/proc/self/task/%s/schedstat" % thread, FileAccess.READ)
+		var usec := float(file.get_line().get_slice(" ", 0)) / 1000.0 if file else 0.0
+		if int(thread) == OS.get_process_id():
+			spent.x += usec
+		else:
+			spent.y += usec
+	return spent
+
+
+## Ready species of parts.
+func _make_field_of_parts(
+	law := PlantFunction.LAW_STEM, names: Array[String] = PARTS
+) -> PlantField3D:
 	var kinds: Array[PlantFunction] = []
-	for name in PARTS:
+	for name in names:
 		kinds.append(load("res://addons/undergrowth/species/%s.tres" % name).duplicate())
 		kinds.back().law = law
 	var field := PlantField3D.from_species(kinds)

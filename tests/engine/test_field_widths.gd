@@ -3,6 +3,7 @@
 extends "res://tests/engine/picture_harness.gd"
 
 const MEADOW_GRASS := "res://addons/undergrowth/species/meadow_grass.tres"
+const OXEYE_DAISY := "res://addons/undergrowth/species/oxeye_daisy.tres"
 const MARGIN := 1.0
 
 var _field: PlantField3D
@@ -54,6 +55,43 @@ func test_a_plant_that_is_left_away_draws_nothing() -> void:
 	check_equal(_count_covered(await picture()), 0, "pixels of plants that are left away")
 	_field.levels[0].share = 1.0
 	check(_count_covered(await picture()) > LEAST_PLANT, "they are drawn again")
+
+
+func test_few_wide_leaves_cover_no_more_than_many_from_above() -> void:
+	var scaled := Basis.from_scale(Vector3.ONE * 3.0)
+	_field.add_plants([Transform3D(scaled)], load(MEADOW_GRASS))
+	var camera := stage.get_camera_3d()
+	camera.look_at_from_position(Vector3(0, 4.0, 0.0), Vector3.ZERO, Vector3.FORWARD)
+	_field.levels = [PlantFieldLevel.of(24)]
+	var fine := _count_covered(await picture())
+	_field.levels = [PlantFieldLevel.of(24, 0.5), PlantFieldLevel.of(3)]
+	var coarse := _count_covered(await picture())
+	check(fine > LEAST_PLANT, "%d pixels of the finest level" % fine)
+	check_near(float(coarse), float(fine), 0.35 * fine, "pixels of few leaves from above")
+
+
+func test_plants_that_stand_for_others_are_no_brighter_dots() -> void:
+	_field.species = [PlantFieldSpecies.of(load(OXEYE_DAISY))]
+	_field.density = 40.0
+	_field.size = Vector2(1.5, 1.5)
+	_field.levels = [PlantFieldLevel.of(6)]
+	var whole := _brightest(await picture())
+	_field.levels[0].share = 0.4
+	var thinned := _brightest(await picture())
+	check(whole > 0.5, "flowers are seen")
+	check(thinned < 0.95 * whole, "%.2f after %.2f" % [thinned, whole])
+
+
+func test_what_shines_least_is_not_darker_for_others() -> void:
+	# The mean that colours go to is the plant's own, not black.
+	_field.species = [PlantFieldSpecies.of(load(MEADOW_GRASS))]
+	_field.density = 60.0
+	_field.size = Vector2(1.2, 1.2)
+	_field.levels = [PlantFieldLevel.of(6)]
+	var whole := _mean_light(await picture())
+	_field.levels[0].share = 0.4
+	var thinned := _mean_light(await picture())
+	check_near(thinned, whole, 0.15 * whole, "light of a covered pixel")
 
 
 func test_what_is_left_away_costs_no_vertices() -> void:
@@ -114,6 +152,28 @@ func _check_transition(tolerance: float, ragged: float) -> void:
 
 func _count_covered(image: Image) -> int:
 	return count_different(image, empty_picture())
+
+
+## Of blue, which daisies have and grass has not: what a few pixels have at least.
+func _brightest(image: Image) -> float:
+	var blues: Array[float] = []
+	for y in PICTURE_SIZE.y:
+		for x in PICTURE_SIZE.x:
+			blues.append(image.get_pixel(x, y).b)
+	blues.sort()
+	return blues[-10]
+
+
+## Of covered pixels, on the mean.
+func _mean_light(image: Image) -> float:
+	var sum := 0.0
+	var count := 0
+	for y in PICTURE_SIZE.y:
+		for x in PICTURE_SIZE.x:
+			if _is_covered(image, x, y):
+				sum += image.get_pixel(x, y).srgb_to_linear().get_luminance()
+				count += 1
+	return sum / maxi(count, 1)
 
 
 ## Neighbours in a row of which one is covered and one is not.

@@ -49,6 +49,13 @@ class Lines(unittest.TestCase):
         self.assertEqual(told, ["headless: a frame of 100,000 stems in air 1.50 times that in waves",
                                 "headless: 1,000 plants of four joints 0.70 times SpringBoneSimulator3D's time"])
 
+    def test_fills_are_told_with_whose_time_they_take_and_their_memory(self):
+        times = {"workers_ms": 200.4, "processor_ms": 540.2, "bytes_per_plant": 80.6}
+        told = bench_summary.lines([row("field_fill_of_tufts", 99959, 500.1, **times),
+                                    row("field_fill", 99959, 300.0)])
+        self.assertEqual(told, ["100,000 tufts of five species are there after 500 ms, 540 ms of processors' time, of "
+                                "which workers have 200 ms; 81 bytes a plant"])
+
     def test_nothing_measured_is_nothing_told(self):
         self.assertEqual(bench_summary.lines([]), [])
 

@@ -71,21 +71,40 @@ Midrib::Midrib(const MidribCurve &curve, uint64_t seed) {
 	}
 }
 
+/// Hermite's cubic from both points and directions.
+glm::vec3 Midrib::between(const Node &a, const Node &b, float t) {
+	const float r = 1.0f - t;
+	const glm::vec3 ways = (a.along * (r * r * t) - b.along * (t * t * r)) * (1.0f / STEPS);
+	return a.point * (r * r * (1.0f + 2.0f * t)) + b.point * (t * t * (1.0f + 2.0f * r)) + ways;
+}
+
+const Midrib::Node &Midrib::node_below(float s, float &beyond) const {
+	const float place = std::clamp(s, 0.0f, 1.0f) * STEPS;
+	const size_t i = std::min(static_cast<size_t>(place), nodes.size() - 2);
+	beyond = place - static_cast<float>(i);
+	return nodes[i];
+}
+
+glm::vec3 Midrib::point_at(float s) const {
+	if (is_straight) {
+		return { 0.0f, s, 0.0f };
+	}
+	float t;
+	const Node &below = node_below(s, t);
+	return between(below, *(&below + 1), t);
+}
+
 Midrib::Place Midrib::at(float s) const {
 	if (is_straight) {
 		return { { 0.0f, s, 0.0f }, { 0.0f, 1.0f, 0.0f }, { 1.0f, 0.0f, 0.0f }, { 0.0f, 0.0f, -1.0f },
 			glm::vec3(0.0f) };
 	}
-	const float place = std::clamp(s, 0.0f, 1.0f) * STEPS;
-	const size_t i = std::min(static_cast<size_t>(place), nodes.size() - 2);
-	const float t = place - static_cast<float>(i);
-	const Node &a = nodes[i];
-	const Node &b = nodes[i + 1];
-	// Hermite's cubic from both points and directions.
+	float t;
+	const Node &a = node_below(s, t);
+	const Node &b = *(&a + 1);
 	const float r = 1.0f - t;
-	const glm::vec3 ways = (a.along * (r * r * t) - b.along * (t * t * r)) * (1.0f / STEPS);
 	Place result;
-	result.point = a.point * (r * r * (1.0f + 2.0f * t)) + b.point * (t * t * (1.0f + 2.0f * r)) + ways;
+	result.point = between(a, b, t);
 	result.along = glm::normalize(a.along * r + b.along * t);
 	const glm::vec3 across = a.across * r + b.across * t;
 	result.across = glm::normalize(across - result.along * glm::dot(across, result.along));

@@ -34,6 +34,8 @@ public:
 
 	/// The place at the offset `s` from 0 to 1. Points lie within 1e-4 of the exact curve.
 	Place at(float s) const;
+	/// Only its point.
+	glm::vec3 point_at(float s) const;
 
 private:
 	static constexpr int STEPS = 48;
@@ -44,6 +46,11 @@ private:
 	};
 	std::array<Node, STEPS + 1> nodes;
 	bool is_straight = true;
+
+	/// The last node at or below an offset, never the very last; `beyond`: how far on, in shares of the way to the
+	/// next.
+	const Node &node_below(float s, float &beyond) const;
+	static glm::vec3 between(const Node &a, const Node &b, float t);
 };
 
 } // namespace undergrowth

@@ -3,7 +3,7 @@
 namespace undergrowth {
 
 glm::vec3 PlantForm::point_of(const PlacedPart &part, float offset) const {
-	return part.base + turned(part.axes, midrib_of(part).at(offset).point * part.length);
+	return part.base + turned(part.axes, midrib_of(part).point_at(offset) * part.length);
 }
 
 PartAxes PlantForm::axes_of(const PlacedPart &part, float offset) const {

@@ -55,9 +55,13 @@ float WidthFunction::at(float s) const {
 }
 
 float WidthFunction::slope(float s) const {
+	return slope(s, samples.empty() ? at(s) : 0.0f);
+}
+
+float WidthFunction::slope(float s, float width_there) const {
 	const float inside = std::clamp(s, INSIDE, 1.0f - INSIDE);
 	if (samples.empty()) {
-		const float width = at(inside);
+		const float width = inside == s ? width_there : at(inside);
 		const bool is_held = (inside < widest() && width == base_width) || (is_blunt() && inside > BLUNT_END);
 		return is_held ? 0.0f : width * (profile.rise / inside - profile.fall / (1.0f - inside));
 	}

@@ -40,6 +40,8 @@ struct WidthFunction {
 	/// How fast the width changes per unit of offset. Next to both ends it is that of 1 % inside, for roots have no
 	/// finite slope at 0.
 	float slope(float s) const;
+	/// The same where the width at `s` is known.
+	float slope(float s, float width) const;
 	/// The mean width: the area of a flat part in shares of its length times its width. Within 1e-3.
 	float mean() const;
 };

@@ -73,8 +73,10 @@ BladeRow make_blade_row(const Part &part, const Midrib &midrib, float offset, bo
 	row.place = midrib.at(offset);
 	twist(row, blade.twist * offset, blade.twist);
 	const float edge = edge_share(blade, offset, with_teeth);
-	row.half_width = 0.5f * edge * part.widths.at(offset);
-	row.half_width_slope = 0.5f * edge * part.widths.slope(offset); // Teeth are too small to be lit each by itself.
+	const float width = part.widths.at(offset);
+	row.half_width = 0.5f * edge * width;
+	row.half_width_slope =
+			0.5f * edge * part.widths.slope(offset, width); // Teeth are too small to be lit each by itself.
 	const double way = 2.0 * PI * blade.wave_count;
 	row.wave = blade.wave * static_cast<float>(portable_sin(way * offset));
 	row.wave_slope = blade.wave * static_cast<float>(way * portable_cos(way * offset));
@@ -121,8 +123,9 @@ TubeRing make_tube_ring(const Part &part, const Midrib &midrib, float offset) {
 	TubeRing ring;
 	ring.offset = offset;
 	ring.place = midrib.at(offset);
-	ring.radius = 0.5f * part.width_at(offset);
-	ring.radius_slope = 0.5f * (part.widths.slope(offset) * even + part.widths.at(offset) * (taper - 1.0f));
+	const float width = part.widths.at(offset);
+	ring.radius = 0.5f * (width * even);
+	ring.radius_slope = 0.5f * (part.widths.slope(offset, width) * even + width * (taper - 1.0f));
 	return ring;
 }
 

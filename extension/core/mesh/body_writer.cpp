@@ -28,7 +28,7 @@ glm::vec3 slope_normal(const FormBody &body, size_t ring, const glm::vec3 &outwa
 
 void FormWriter::add_body(const FormBody &body, const PartHang &hang) {
 	const PartHang held = hang.of_body();
-	const Common common = { held, encode_swing(held.swing), body.translucency, 1.0f };
+	const Common common = { held, held.code, body.translucency, 1.0f };
 	const int first = vertices;
 	const size_t poles_before = body.has_base ? 1 : 0;
 	const size_t rings = body.rings.size() - (body.has_tip ? 1 : 0);

@@ -65,6 +65,7 @@ void match_outlines(const FormMeasure &measure, const std::vector<WrittenUnit> &
 void match_colors(const FormMeasure &measure, const std::vector<WrittenUnit> &units, const FormBuffers &mesh) {
 	const std::vector<float> shares = seen_shares(seen(mesh, units), measure.box);
 	std::vector<glm::vec3> light;
+	light.reserve(static_cast<size_t>(units.back().vertex));
 	for (int i = 0; i < units.back().vertex; i++) {
 		const glm::vec4 &color = mesh.colors[i];
 		light.emplace_back(to_light(color.x), to_light(color.y), to_light(color.z));
@@ -86,9 +87,12 @@ void match_colors(const FormMeasure &measure, const std::vector<WrittenUnit> &un
 		}
 		more = glm::clamp(more + measure.light - mean, -MOST_LESS, MOST_MORE);
 	}
-	for (int i = 0; i < units.back().vertex; i++) {
-		const glm::vec3 own = shifted(static_cast<size_t>(i));
-		mesh.colors[i] = { from_light(own.x), from_light(own.y), from_light(own.z), mesh.colors[i].w };
+	for (size_t i = 0; i < light.size(); i++) {
+		light[i] = shifted(i);
+	}
+	from_light(reinterpret_cast<float *>(light.data()), 3 * units.back().vertex);
+	for (size_t i = 0; i < light.size(); i++) {
+		mesh.colors[i] = { light[i].x, light[i].y, light[i].z, mesh.colors[i].w };
 	}
 }
 

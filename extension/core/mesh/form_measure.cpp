@@ -50,12 +50,13 @@ float area_of(const Part &part, const PartTemplate &shape) {
 
 /// From the side, on the mean, a circle is so much wider than the polygon in it; a bead larger than its two cones; and
 /// a small leaf's outline rounder than it is measured with.
-float fill_of(const Part &part, const Midrib &midrib, const PartTemplate &shape, float height, float mean_width) {
+float fill_of(const Part &part, const Midrib &midrib, const PartTemplate &shape, float height, float mean_width,
+		const glm::vec4 &color) {
 	const PartDetail detail = measured_detail(part, height);
 	if (part.kind == PartKind::blade) {
 		const PartDetail fine = details_of(part).front();
 		const float area = detail == fine ? 0.0f : area_of(part, shape);
-		return area > 0.0f ? area_of(part, make_part_template(part, midrib, fine)) / area : 1.0f;
+		return area > 0.0f ? area_of(part, make_part_template(part, midrib, fine, color)) / area : 1.0f;
 	}
 	const double half_turn = PI / detail.columns;
 	const double round = half_turn / portable_sin(half_turn);
@@ -89,6 +90,16 @@ struct Whole {
 	}
 };
 
+float mean_translucency(const PlantForm &form, const std::vector<float> &shown) {
+	float sum = 0.0f;
+	float whole = 1e-12f;
+	for (size_t g = 0; g < shown.size(); g++) {
+		sum += shown[g] * form.parts[static_cast<size_t>(form.groups[g].kind)].translucency;
+		whole += shown[g];
+	}
+	return sum / whole;
+}
+
 void measure_whole(const Whole &whole, FormMeasure &measure) {
 	for (const glm::vec3 &point : whole.points) {
 		measure.box.take_in(point);
@@ -97,6 +108,7 @@ void measure_whole(const Whole &whole, FormMeasure &measure) {
 		const SeenMesh seen = { whole.points.data(), static_cast<int>(whole.points.size()), whole.indices.data(),
 			static_cast<int>(whole.indices.size()) };
 		measure.outlines = outline_areas(seen, measure.box);
+		measure.from_above = area_from_above(seen);
 		const std::vector<float> shares = seen_shares(seen, measure.box);
 		for (size_t i = 0; i < shares.size(); i++) {
 			measure.light += whole.light[i] * shares[i];
@@ -105,11 +117,6 @@ void measure_whole(const Whole &whole, FormMeasure &measure) {
 }
 
 } // namespace
-
-float twice_shown(const glm::vec3 &a, const glm::vec3 &b, const glm::vec3 &c) {
-	const glm::vec3 twice_area = glm::cross(b - a, c - a);
-	return std::sqrt(twice_area.x * twice_area.x + twice_area.z * twice_area.z) * static_cast<float>(2.0 / PI);
-}
 
 float near_share(PartKind kind) {
 	return kind == PartKind::blade ? 1.0f : 0.5f;
@@ -132,6 +139,7 @@ glm::vec4 mean_color(const Part &part) {
 
 FormMeasure measure_form(const PlantForm &form) {
 	FormMeasure measure;
+	measure.hangs = hang_parts(form);
 	std::vector<PartTemplate> shapes(form.parts.size());
 	std::vector<float> fills(form.parts.size());
 	Whole whole;
@@ -146,14 +154,17 @@ FormMeasure measure_form(const PlantForm &form) {
 		PartTemplate &shape = shapes[kind];
 		const bool is_first = shape.vertices.empty();
 		if (is_first || placed.own_midrib >= 0) {
-			shape = make_part_template(part, form.midrib_of(placed), measured_detail(part, form.height));
+			shape = make_part_template(
+					part, form.midrib_of(placed), measured_detail(part, form.height), measure.colors[kind]);
 		}
 		if (is_first) {
-			fills[kind] = fill_of(part, form.midrib_of(placed), shape, form.height, measure.mean_widths[kind]);
+			fills[kind] = fill_of(
+					part, form.midrib_of(placed), shape, form.height, measure.mean_widths[kind], measure.colors[kind]);
 		}
 		measure.shown[static_cast<size_t>(placed.group)] +=
 				near_share(part.kind) * whole.add(placed, shape, fills[kind]);
 	}
+	measure.translucency = mean_translucency(form, measure.shown);
 	measure_whole(whole, measure);
 	return measure;
 }

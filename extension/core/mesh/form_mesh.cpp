@@ -15,33 +15,67 @@ namespace {
 /// Shapes that parts of a kind share, made when the first is drawn. Groups of one kind may be drawn differently.
 class Shapes {
 public:
-	Shapes(const PlantForm &p_form, const FormPlan &p_plan) :
-			form(p_form), plan(p_plan), shared(p_form.groups.size()) {}
+	Shapes(const PlantForm &p_form, const FormMeasure &p_measure, const FormPlan &p_plan) :
+			form(p_form), measure(p_measure), plan(p_plan), shared(p_form.groups.size()) {}
 
 	const PartTemplate &of(const PlacedPart &placed) {
 		const Part &part = form.parts[static_cast<size_t>(placed.kind)];
 		const PartDetail &detail = plan.groups[static_cast<size_t>(placed.group)].detail;
 		if (placed.own_midrib >= 0) {
-			own = make_part_template(part, form.midrib_of(placed), detail);
+			own = make(placed, part, detail);
 			return own;
 		}
 		PartTemplate &shape = shared[static_cast<size_t>(placed.group)];
 		if (shape.vertices.empty()) {
-			shape = make_part_template(part, form.midrib_of(placed), detail);
+			shape = make(placed, part, detail);
 		}
 		return shape;
 	}
 
 private:
 	const PlantForm &form;
+	const FormMeasure &measure;
 	const FormPlan &plan;
 	std::vector<PartTemplate> shared;
 	PartTemplate own;
+
+	PartTemplate make(const PlacedPart &placed, const Part &part, const PartDetail &detail) const {
+		return make_part_template(
+				part, form.midrib_of(placed), detail, measure.colors[static_cast<size_t>(placed.kind)]);
+	}
 };
 
 /// Between two rows a stem is drawn straight, beside the curve on which it bends: what it carries there hangs so far
 /// along the bend that it stays on the stem that is drawn.
+class DrawnStem {
+public:
+	DrawnStem(const PlantForm &p_form, const FormPlan &plan, int carrier) :
+			form(p_form),
+			stem(p_form.placed[static_cast<size_t>(carrier)]),
+			rows(row_offsets(p_form.parts[static_cast<size_t>(stem.kind)],
+					plan.groups[static_cast<size_t>(stem.group)].detail)) {}
+
+	float stem_offset(float offset) const {
+		const auto above = std::upper_bound(rows.begin() + 1, rows.end() - 1, offset);
+		const glm::vec3 low = form.point_of(stem, *(above - 1));
+		const glm::vec3 high = form.point_of(stem, *above);
+		const float t = (offset - *(above - 1)) / (*above - *(above - 1));
+		const glm::vec3 moved =
+				low * (stem_offset_of(form, low) * (1.0f - t)) + high * (stem_offset_of(form, high) * t);
+		const glm::vec3 place = form.point_of(stem, offset);
+		const float square = glm::dot(place, place);
+		return square > 0.0f ? std::clamp(glm::dot(moved, place) / square, 0.0f, 1.0f) : 0.0f;
+	}
+
+private:
+	const PlantForm &form;
+	const PlacedPart &stem;
+	const std::vector<float> rows;
+};
+
 void hold_to_stems(const PlantForm &form, const FormPlan &plan, std::vector<PartHang> &hangs) {
+	const PlacedPart *before = nullptr; // Parts of a whorl or a disc stand at one place and follow each other.
+	float held = 0.0f;
 	for (size_t i = 0; i < form.placed.size(); i++) {
 		const PlacedPart &part = form.placed[i];
 		const size_t carrier = static_cast<size_t>(std::max(part.carrier, 0));
@@ -52,18 +86,11 @@ void hold_to_stems(const PlantForm &form, const FormPlan &plan, std::vector<Part
 			hangs[i].stem_offset = hangs[carrier].stem_offset;
 			continue;
 		}
-		const PlacedPart &stem = form.placed[carrier];
-		const std::vector<float> rows = row_offsets(
-				form.parts[static_cast<size_t>(stem.kind)], plan.groups[static_cast<size_t>(stem.group)].detail);
-		const auto above = std::upper_bound(rows.begin() + 1, rows.end() - 1, part.offset);
-		const glm::vec3 low = form.point_of(stem, *(above - 1));
-		const glm::vec3 high = form.point_of(stem, *above);
-		const float t = (part.offset - *(above - 1)) / (*above - *(above - 1));
-		const glm::vec3 moved =
-				low * (stem_offset_of(form, low) * (1.0f - t)) + high * (stem_offset_of(form, high) * t);
-		const glm::vec3 place = form.point_of(stem, part.offset);
-		const float square = glm::dot(place, place);
-		hangs[i].stem_offset = square > 0.0f ? std::clamp(glm::dot(moved, place) / square, 0.0f, 1.0f) : 0.0f;
+		if (before == nullptr || before->carrier != part.carrier || before->offset != part.offset) {
+			held = DrawnStem(form, plan, part.carrier).stem_offset(part.offset);
+			before = &part;
+		}
+		hangs[i].stem_offset = held;
 	}
 }
 
@@ -71,10 +98,10 @@ void hold_to_stems(const PlantForm &form, const FormPlan &plan, std::vector<Part
 
 void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const FormPlan &plan, const FormBones &bones,
 		const MeshOptions &options, float height, const FormBuffers &buffers) {
-	std::vector<PartHang> hangs = hang_parts(form);
+	std::vector<PartHang> hangs = measure.hangs;
 	hold_to_stems(form, plan, hangs);
 	FormWriter writer(form, bones, options, buffers);
-	Shapes shapes(form, plan);
+	Shapes shapes(form, measure, plan);
 	std::vector<WrittenUnit> units;
 	const auto begin_unit = [&](float near, bool is_flower) {
 		units.push_back({ writer.mark().vertex, writer.mark().index, near, is_flower });

@@ -65,8 +65,7 @@ void FormWriter::put(const Common &common, const glm::vec3 &middle, const glm::v
 
 void FormWriter::add_part(const PlacedPart &part, const PartHang &hang, const PartTemplate &shape) {
 	const float leafiness = form.parts[static_cast<size_t>(part.kind)].translucency;
-	const Common common = { hang, encode_swing(hang.swing), leafiness,
-		1.0f + BRIGHTNESS_SHARE * color_deviation * part.tint };
+	const Common common = { hang, hang.code, leafiness, 1.0f + BRIGHTNESS_SHARE * color_deviation * part.tint };
 	const float width = part.width;
 	for (const int32_t index : shape.indices) {
 		put_index(vertices + index);

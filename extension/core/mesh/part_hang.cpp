@@ -41,7 +41,7 @@ float room_of(const PlantForm &form, const PlacedPart &part) {
 	return room;
 }
 
-PartSwing swing_of(const PlantForm &form, const PlacedPart &part, const glm::vec2 &side) {
+void set_swing(const PlantForm &form, const PlacedPart &part, const glm::vec2 &side, PartHang &hang) {
 	const Part &kind = form.parts[static_cast<size_t>(part.kind)];
 	PartSwing swing;
 	swing.frequency = kind.frequency;
@@ -49,7 +49,8 @@ PartSwing swing_of(const PlantForm &form, const PlacedPart &part, const glm::vec
 	swing.phase = part.rank + GROUP_PHASE * static_cast<float>(part.group);
 	swing.side = side;
 	swing.room = swing.is_head() ? 1.0f : room_of(form, part);
-	return decode_swing(encode_swing(swing));
+	hang.code = encode_swing(swing);
+	hang.swing = decode_swing(hang.code);
 }
 
 /// Whether a part belongs to a head, where nothing swings that carries it.
@@ -64,7 +65,7 @@ void let_swing(const PlantForm &form, int index, PartHang &hang) {
 	hang.swings = hang.has_swing = true;
 	hang.swinger = index;
 	hang.pivot = part.base;
-	hang.swing = swing_of(form, part, side_of(form, part));
+	set_swing(form, part, side_of(form, part), hang);
 }
 
 PartHang hang_on(const PlantForm &form, const PlacedPart &part, const PartHang &carrier) {
@@ -102,7 +103,7 @@ void join_head(const PlantForm &form, int softest, PartHang &hang) {
 	hang.swinger = softest;
 	hang.weight = 1.0f;
 	hang.pivot = form.point_of(form.placed[static_cast<size_t>(part.carrier)], 1.0f);
-	hang.swing = swing_of(form, part, glm::vec2(0.0f));
+	set_swing(form, part, glm::vec2(0.0f), hang);
 }
 
 } // namespace
@@ -123,6 +124,7 @@ float stem_offset_of(const PlantForm &form, const glm::vec3 &point) {
 
 std::vector<PartHang> hang_parts(const PlantForm &form) {
 	const std::vector<int> heads = find_heads(form);
+	const SwingCode still = encode_swing(PartSwing());
 	std::vector<PartHang> hangs;
 	hangs.reserve(form.placed.size());
 	for (const PlacedPart &part : form.placed) {
@@ -130,6 +132,7 @@ std::vector<PartHang> hang_parts(const PlantForm &form) {
 		PartHang hang;
 		if (on_ground) {
 			hang.is_root = true;
+			hang.code = still;
 			hang.rank = part.rank;
 		} else {
 			hang = hang_on(form, part, hangs[static_cast<size_t>(part.carrier)]);

@@ -16,7 +16,8 @@ struct PartHang {
 	int swinger = -1; ///< Index of the placed part whose swing that is; of a head its first part.
 	float weight = 0.0f; ///< Of all its vertices, unless it swings.
 	glm::vec3 pivot = glm::vec3(0.0f); ///< m.
-	PartSwing swing; ///< As vertices say it.
+	PartSwing swing; ///< As vertices say it,
+	SwingCode code; ///< in these words.
 	float rank = 0.0f; ///< At least that of what carries it.
 
 	/// The own weight at a part's offset.

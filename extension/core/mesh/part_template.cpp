@@ -1,6 +1,5 @@
 #include "mesh/part_template.hpp"
 
-#include "mesh/form_measure.hpp"
 #include "mesh/template_parts.hpp"
 
 #include <glm/common.hpp>
@@ -51,8 +50,7 @@ glm::vec3 drawn_squares(const PartTemplate &shape, const Part &part) {
 }
 
 /// Few vertices weigh base and tip more than a part has of them.
-void keep_mean_color(PartTemplate &shape, const Part &part) {
-	const glm::vec3 mean(mean_color(part));
+void keep_mean_color(PartTemplate &shape, const Part &part, const glm::vec3 &mean) {
 	const glm::vec3 more = mean * mean - drawn_squares(shape, part);
 	for (TemplateVertex &vertex : shape.vertices) {
 		const glm::vec3 color(vertex.color);
@@ -62,7 +60,8 @@ void keep_mean_color(PartTemplate &shape, const Part &part) {
 
 } // namespace
 
-PartTemplate make_part_template(const Part &part, const Midrib &midrib, const PartDetail &detail) {
+PartTemplate make_part_template(
+		const Part &part, const Midrib &midrib, const PartDetail &detail, const glm::vec4 &mean_color) {
 	PartTemplate out;
 	if (part.kind == PartKind::bead) {
 		out = make_bead_template(part, midrib, detail);
@@ -73,7 +72,7 @@ PartTemplate make_part_template(const Part &part, const Midrib &midrib, const Pa
 	} else {
 		out = make_tube_template(part, midrib, detail);
 	}
-	keep_mean_color(out, part);
+	keep_mean_color(out, part, glm::vec3(mean_color));
 	return out;
 }
 

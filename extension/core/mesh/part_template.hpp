@@ -25,8 +25,9 @@ struct PartTemplate {
 	std::vector<int32_t> indices;
 };
 
-/// Works it out in the part's own mean colour, however coarse it is; as many vertices and indices as count_part()
-/// tells.
-PartTemplate make_part_template(const Part &part, const Midrib &midrib, const PartDetail &detail);
+/// Works it out in the part's own mean colour (mean_color()), however coarse it is; as many vertices and indices as
+/// count_part() tells.
+PartTemplate make_part_template(
+		const Part &part, const Midrib &midrib, const PartDetail &detail, const glm::vec4 &mean_color);
 
 } // namespace undergrowth

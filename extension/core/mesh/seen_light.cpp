@@ -2,6 +2,8 @@
 
 #include "mesh/sight_lens.hpp"
 
+#include <memory>
+
 namespace undergrowth {
 
 namespace {
@@ -12,10 +14,20 @@ constexpr int ROWS = 128;
 /// What is nearest and farthest at each dot: nearest from the other side.
 class Sight {
 public:
-	Sight(int p_columns, int rows) : columns(p_columns), dots(static_cast<size_t>(p_columns * rows)) {}
+	Sight(int columns, int p_rows) : width(columns), rows(static_cast<size_t>(p_rows)), dots(new Dot[size()]) {}
 
+	/// Dots of a row are going to be put: nothing is there yet where none was so far.
+	void reach(int row, int first, int end) {
+		Row &own = rows[static_cast<size_t>(row)];
+		if (own.first >= own.end) {
+			own = { first, first };
+		}
+		clear(row, first, own.first);
+		clear(row, own.end, end);
+		own = { std::min(first, own.first), std::max(end, own.end) };
+	}
 	void put(int row, int column, float depth, int triangle) {
-		Dot &dot = dots[static_cast<size_t>(row * columns + column)];
+		Dot &dot = dots[place(row, column)];
 		if (depth < dot.nearest) {
 			dot.nearest = depth;
 			dot.front = triangle;
@@ -27,26 +39,43 @@ public:
 	}
 	/// Calls `look(triangle, x, y)` for what is seen from both sides, and forgets it.
 	template <class Look> void take(const Look &look) {
-		for (size_t i = 0; i < dots.size(); i++) {
-			if (dots[i].front >= 0) {
-				const float x = static_cast<float>(i % static_cast<size_t>(columns)) + 0.5f;
-				const float y = static_cast<float>(i / static_cast<size_t>(columns)) + 0.5f;
-				look(dots[i].front, x, y);
-				look(dots[i].back, x, y);
-				dots[i] = Dot();
+		for (size_t row = 0; row < rows.size(); row++) {
+			const float y = static_cast<float>(row) + 0.5f;
+			for (int column = rows[row].first; column < rows[row].end; column++) {
+				const Dot &dot = dots[place(static_cast<int>(row), column)];
+				if (dot.front >= 0) {
+					const float x = static_cast<float>(column) + 0.5f;
+					look(dot.front, x, y);
+					look(dot.back, x, y);
+				}
 			}
+			rows[row] = Row();
 		}
 	}
 
 private:
 	struct Dot {
-		float nearest = 1e30f;
-		float farthest = -1e30f;
-		int front = -1; ///< Their first indices.
-		int back = -1;
+		float nearest;
+		float farthest;
+		int front; ///< Number of a triangle.
+		int back;
 	};
-	const int columns;
-	std::vector<Dot> dots;
+	/// Columns that were reached.
+	struct Row {
+		int first = 0;
+		int end = 0;
+	};
+	const int width;
+	std::vector<Row> rows;
+	const std::unique_ptr<Dot[]> dots; ///< Of what was never reached they say nothing.
+
+	size_t size() const { return static_cast<size_t>(width) * rows.size(); }
+	size_t place(int row, int column) const { return static_cast<size_t>(row * width + column); }
+	void clear(int row, int first, int end) {
+		for (int column = first; column < end; column++) {
+			dots[place(row, column)] = { 1e30f, -1e30f, -1, -1 };
+		}
+	}
 };
 
 /// Shares of a triangle's corners at places in its plane.
@@ -54,6 +83,7 @@ struct Shares {
 	float x, y; ///< Of the first corner, in dots.
 	float b_x, b_y, c_x, c_y; ///< Of the others, a dot.
 
+	Shares() = default;
 	Shares(const SightLens::Corner &a, const SightLens::Corner &b, const SightLens::Corner &c) : x(a.x), y(a.y) {
 		const float twice = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
 		const float scale = twice != 0.0f ? 1.0f / twice : 0.0f;
@@ -69,22 +99,25 @@ struct Shares {
 	}
 };
 
-void draw(Sight &sight, const SightLens &lens, const int32_t *at, int triangle) {
-	const SightLens::Corner &a = lens.corner(at[0]);
-	const SightLens::Corner &b = lens.corner(at[1]);
-	const SightLens::Corner &c = lens.corner(at[2]);
-	const TriangleRows rows(a, b, c, lens.rows());
-	if (rows.begin >= rows.end) {
-		return;
-	}
-	const Shares shares(a, b, c);
-	for (int row = rows.begin; row < rows.end; row++) {
+/// What each triangle's corners have of its places, as they are seen now.
+Shares shares_of(const SightLens &lens, const int32_t *at) {
+	return Shares(lens.corner(at[0]), lens.corner(at[1]), lens.corner(at[2]));
+}
+
+void draw(Sight &sight, const SightLens &lens, const SightLens::Triangle &triangle, const int32_t *at,
+		const Shares &shares, int number) {
+	const float depths[3] = { lens.corner(at[0]).depth, lens.corner(at[1]).depth, lens.corner(at[2]).depth };
+	const TriangleEdges edges(lens, triangle);
+	for (int row = triangle.begin; row < triangle.end; row++) {
 		int first, end;
-		rows.columns(row, lens.columns(), first, end);
+		edges.columns(row, lens.columns(), first, end);
+		if (first < end) {
+			sight.reach(row, first, end);
+		}
 		for (int column = first; column < end; column++) {
 			float share[3];
 			shares.at(static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f, share);
-			sight.put(row, column, share[0] * a.depth + share[1] * b.depth + share[2] * c.depth, triangle);
+			sight.put(row, column, share[0] * depths[0] + share[1] * depths[1] + share[2] * depths[2], number);
 		}
 	}
 }
@@ -94,17 +127,21 @@ void draw(Sight &sight, const SightLens &lens, const int32_t *at, int triangle) 
 std::vector<float> seen_shares(const SeenMesh &mesh, const SightBox &box) {
 	SightLens lens(mesh, box, COLUMNS, ROWS);
 	Sight sight(lens.columns(), lens.rows());
+	const std::vector<SightLens::Triangle> &triangles = lens.triangles();
+	std::vector<Shares> planes(triangles.size());
 	std::vector<float> shares(static_cast<size_t>(mesh.vertex_count), 0.0f);
 	int count = 0;
 	for (size_t side = 0; side < OUTLINES; side++) {
 		lens.look_from(side);
-		for (int i = 0; i < mesh.index_count; i += 3) {
-			draw(sight, lens, mesh.indices + i, i);
+		for (size_t i = 0; i < triangles.size(); i++) {
+			const int32_t *at = mesh.indices + triangles[i].first;
+			planes[i] = shares_of(lens, at);
+			draw(sight, lens, triangles[i], at, planes[i], static_cast<int>(i));
 		}
-		sight.take([&](int triangle, float x, float y) {
-			const int32_t *at = mesh.indices + triangle;
+		sight.take([&](int number, float x, float y) {
+			const int32_t *at = mesh.indices + triangles[static_cast<size_t>(number)].first;
 			float share[3];
-			Shares(lens.corner(at[0]), lens.corner(at[1]), lens.corner(at[2])).at(x, y, share);
+			planes[static_cast<size_t>(number)].at(x, y, share);
 			for (int k = 0; k < 3; k++) {
 				shares[static_cast<size_t>(at[k])] += share[k];
 			}
@@ -115,19 +152,6 @@ std::vector<float> seen_shares(const SeenMesh &mesh, const SightBox &box) {
 		share /= static_cast<float>(std::max(count, 1));
 	}
 	return shares;
-}
-
-float to_light(float component) {
-	return component * (component * (component * 0.305306011f + 0.682171111f) + 0.012522878f);
-}
-
-float from_light(float light) {
-	float component = std::sqrt(std::max(light, 0.0f));
-	for (int i = 0; i < 4; i++) { // Newton's.
-		const float slope = component * (component * 0.915918033f + 1.364342222f) + 0.012522878f;
-		component = std::max(component - (to_light(component) - light) / slope, 0.0f);
-	}
-	return component;
 }
 
 } // namespace undergrowth

@@ -28,7 +28,7 @@ void add_sheet_row(PartTemplate &out, const Part &part, const BladeRow &row, con
 } // namespace
 
 PartTemplate make_sheet_template(const Part &part, const Midrib &midrib, const PartDetail &detail) {
-	PartTemplate out;
+	PartTemplate out = room_for(part, detail);
 	const std::vector<float> offsets = row_offsets(part, detail);
 	const std::vector<BladeColumn> columns = blade_columns(part.blade, detail.columns);
 	const bool pointed = ends_in_point(part) && !part.axis.open_tip;

@@ -23,6 +23,14 @@ public:
 	struct Corner {
 		float x, y, depth;
 	};
+	/// A triangle that covers middles of rows. How high it stands is the same from all sides.
+	struct Triangle {
+		int32_t corners[3]; ///< From the lowest to the highest.
+		int begin, end; ///< Rows.
+		int first; ///< Index of its first corner in the mesh's indices.
+	};
+	/// In the order of the mesh; all others are never seen.
+	const std::vector<Triangle> &triangles() const { return standing; }
 	/// All points as one outline's picture shows them.
 	void look_from(size_t side);
 	const Corner &corner(int32_t vertex) const { return corners[static_cast<size_t>(vertex)]; }
@@ -36,52 +44,42 @@ private:
 	float ground; ///< m, the box's low.
 	int half, height;
 	std::vector<Corner> corners;
+	std::vector<Triangle> standing;
+
+	void find_triangles();
 };
 
-/// Rows of a picture whose middles a triangle covers: edge(row) of each are its left and right ends in dots.
-class TriangleRows {
-public:
-	TriangleRows(const SightLens::Corner &a, const SightLens::Corner &b, const SightLens::Corner &c, int rows) :
-			corners{ &a, &b, &c } {
-		begin = first_beyond(std::min(std::min(a.y, b.y), c.y));
-		end = std::min(rows, first_beyond(std::max(std::max(a.y, b.y), c.y)));
-		if (begin < end) { // Of small triangles most lie between two rows.
-			sort(0, 1);
-			sort(1, 2);
-			sort(0, 1);
-			whole = slope(0, 2);
-			lower = slope(0, 1);
-			upper = slope(1, 2);
-		}
-	}
+/// The first dot whose middle is beyond a place.
+inline int first_beyond(float place) {
+	return static_cast<int>(std::clamp(place, 0.0f, 1e6f) + 0.5f);
+}
 
-	int begin, end;
+/// The edges of a triangle as a lens shows it from one side.
+class TriangleEdges {
+public:
+	TriangleEdges(const SightLens &lens, const SightLens::Triangle &triangle) :
+			low(lens.corner(triangle.corners[0])),
+			middle(lens.corner(triangle.corners[1])),
+			whole(slope(low, lens.corner(triangle.corners[2]))),
+			lower(slope(low, middle)),
+			upper(slope(middle, lens.corner(triangle.corners[2]))) {}
 
 	/// The columns whose middles it covers in a row.
 	void columns(int row, int count, int &first, int &beyond) const {
 		const float level = static_cast<float>(row) + 0.5f;
-		const SightLens::Corner &middle = *corners[1];
-		const float a = corners[0]->x + whole * (level - corners[0]->y);
-		const float b = level < middle.y ? corners[0]->x + lower * (level - corners[0]->y)
-										 : middle.x + upper * (level - middle.y);
+		const float a = low.x + whole * (level - low.y);
+		const float b = level < middle.y ? low.x + lower * (level - low.y) : middle.x + upper * (level - middle.y);
 		first = first_beyond(std::min(a, b));
 		beyond = std::min(first_beyond(std::max(a, b)), count);
 	}
 
 private:
-	const SightLens::Corner *corners[3];
-	float whole = 0.0f, lower = 0.0f, upper = 0.0f;
+	const SightLens::Corner &low, &middle;
+	const float whole, lower, upper;
 
-	/// The first dot whose middle is beyond a place.
-	static int first_beyond(float place) { return static_cast<int>(std::clamp(place, 0.0f, 1e6f) + 0.5f); }
-	void sort(int i, int k) {
-		if (corners[k]->y < corners[i]->y) {
-			std::swap(corners[i], corners[k]);
-		}
-	}
-	float slope(int i, int k) const {
-		const float rise = corners[k]->y - corners[i]->y;
-		return rise > 0.0f ? (corners[k]->x - corners[i]->x) / rise : 0.0f;
+	static float slope(const SightLens::Corner &from, const SightLens::Corner &to) {
+		const float rise = to.y - from.y;
+		return rise > 0.0f ? (to.x - from.x) / rise : 0.0f;
 	}
 };
 

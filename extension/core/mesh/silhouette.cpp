@@ -8,6 +8,7 @@ namespace {
 
 constexpr int COLUMNS = 512; // Of a box.
 constexpr int ROWS = 160;
+constexpr int ABOVE = 192; // Columns and rows of what is seen from above.
 
 /// Dots in rows of bits.
 class Outline {
@@ -39,6 +40,20 @@ private:
 	std::vector<uint64_t> bits;
 };
 
+float area_of_side(SightLens &lens, size_t side, Outline &outline) {
+	lens.look_from(side);
+	outline.clear();
+	for (const SightLens::Triangle &triangle : lens.triangles()) {
+		const TriangleEdges edges(lens, triangle);
+		for (int row = triangle.begin; row < triangle.end; row++) {
+			int first, end;
+			edges.columns(row, lens.columns(), first, end);
+			outline.fill(row, first, end);
+		}
+	}
+	return static_cast<float>(outline.count()) * lens.dot_area();
+}
+
 } // namespace
 
 void SightBox::take_in(const glm::vec3 &point) {
@@ -63,6 +78,31 @@ SightLens::SightLens(const SeenMesh &p_mesh, const SightBox &box, int columns, i
 	half = static_cast<int>(dots(own.reach, across, columns / 2));
 	low = dots(box.low - own.low, up, rows);
 	height = static_cast<int>(low + dots(own.top - box.low, up, rows));
+	find_triangles();
+}
+
+void SightLens::find_triangles() {
+	for (size_t i = 0; i < corners.size(); i++) {
+		corners[i].y = (mesh.positions[i].y - ground) * up + low;
+	}
+	standing.reserve(static_cast<size_t>(mesh.index_count / 3));
+	for (int i = 0; i < mesh.index_count; i += 3) {
+		const int32_t *at = mesh.indices + i;
+		Triangle triangle = { { at[0], at[1], at[2] }, 0, 0, i };
+		const auto sort = [&](int lower, int upper) {
+			if (corner(triangle.corners[upper]).y < corner(triangle.corners[lower]).y) {
+				std::swap(triangle.corners[lower], triangle.corners[upper]);
+			}
+		};
+		sort(0, 1);
+		sort(1, 2);
+		sort(0, 1);
+		triangle.begin = first_beyond(corner(triangle.corners[0]).y);
+		triangle.end = std::min(height, first_beyond(corner(triangle.corners[2]).y));
+		if (triangle.begin < triangle.end) { // Of small triangles most lie between two rows.
+			standing.push_back(triangle);
+		}
+	}
 }
 
 void SightLens::look_from(size_t side) {
@@ -70,8 +110,8 @@ void SightLens::look_from(size_t side) {
 	const float sine = OUTLINE_SINES[side];
 	for (size_t i = 0; i < corners.size(); i++) {
 		const glm::vec3 &point = mesh.positions[i];
-		corners[i] = { (point.x * cosine + point.z * sine) * across + static_cast<float>(half),
-			(point.y - ground) * up + low, point.z * cosine - point.x * sine };
+		corners[i].x = (point.x * cosine + point.z * sine) * across + static_cast<float>(half);
+		corners[i].depth = point.z * cosine - point.x * sine;
 	}
 }
 
@@ -80,20 +120,28 @@ Outlines outline_areas(const SeenMesh &mesh, const SightBox &box) {
 	Outline outline(lens.columns(), lens.rows());
 	Outlines areas = {};
 	for (size_t side = 0; side < OUTLINES; side++) {
-		lens.look_from(side);
-		outline.clear();
-		for (int i = 0; i < mesh.index_count; i += 3) {
-			const int32_t *at = mesh.indices + i;
-			const TriangleRows rows(lens.corner(at[0]), lens.corner(at[1]), lens.corner(at[2]), lens.rows());
-			for (int row = rows.begin; row < rows.end; row++) {
-				int first, end;
-				rows.columns(row, lens.columns(), first, end);
-				outline.fill(row, first, end);
-			}
-		}
-		areas[side] = static_cast<float>(outline.count()) * lens.dot_area();
+		areas[side] = area_of_side(lens, side, outline);
 	}
 	return areas;
+}
+
+float area_from_above(const SeenMesh &mesh) {
+	std::vector<glm::vec3> lying; // What was deep is high.
+	SightBox box;
+	for (int i = 0; i < mesh.vertex_count; i++) {
+		const glm::vec3 &point = mesh.positions[i];
+		lying.emplace_back(point.x, point.z, point.y);
+		box.take_in(point);
+	}
+	if (!(box.reach > 0.0f)) {
+		return 0.0f;
+	}
+	box.low = -box.reach;
+	box.top = box.reach;
+	const SeenMesh seen = { lying.data(), mesh.vertex_count, mesh.indices, mesh.index_count };
+	SightLens lens(seen, box, ABOVE, ABOVE);
+	Outline outline(lens.columns(), lens.rows());
+	return area_of_side(lens, 0, outline);
 }
 
 } // namespace undergrowth

@@ -39,13 +39,20 @@ struct SeenMesh {
 /// m² that a mesh covers in each outline; what lies behind other parts counts once.
 Outlines outline_areas(const SeenMesh &mesh, const SightBox &box);
 
+/// m² that it covers seen from straight above.
+float area_from_above(const SeenMesh &mesh);
+
 /// By how much each vertex's colour counts in the mean colour that a camera far away sees, over all eight sides,
 /// nearer triangles before others, all lit the same. They sum to 1, or are all 0 where nothing is seen.
 std::vector<float> seen_shares(const SeenMesh &mesh, const SightBox &box);
 
 /// A colour's component, as authors write it, in linear light and back, within 2e-3. Polynomials, for the exact curve
 /// has powers.
-float to_light(float component);
+inline float to_light(float component) {
+	return component * (component * (component * 0.305306011f + 0.682171111f) + 0.012522878f);
+}
 float from_light(float light);
+/// The same for many at once, in their place.
+void from_light(float *lights, int count);
 
 } // namespace undergrowth

@@ -31,12 +31,25 @@ public:
 	}
 
 private:
-	void add(int a, int b, int c) { out.indices.insert(out.indices.end(), { a, b, c }); }
+	void add(int a, int b, int c) {
+		out.indices.push_back(a);
+		out.indices.push_back(b);
+		out.indices.push_back(c);
+	}
 
 	PartTemplate &out;
 	const int columns;
 	const int spans;
 };
+
+/// An empty one that grows to its size without moving.
+inline PartTemplate room_for(const Part &part, const PartDetail &detail) {
+	const MeshCounts counts = count_part(part, detail);
+	PartTemplate out;
+	out.vertices.reserve(static_cast<size_t>(counts.vertices));
+	out.indices.reserve(static_cast<size_t>(counts.indices));
+	return out;
+}
 
 /// Parts of make_part_template().
 PartTemplate make_sheet_template(const Part &part, const Midrib &midrib, const PartDetail &detail);

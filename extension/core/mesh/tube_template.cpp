@@ -25,7 +25,7 @@ void add_ring(PartTemplate &out, const Part &part, const TubeRing &ring, const s
 } // namespace
 
 PartTemplate make_bead_template(const Part &part, const Midrib &midrib, const PartDetail &detail) {
-	PartTemplate out;
+	PartTemplate out = room_for(part, detail);
 	const std::vector<float> offsets = row_offsets(part, detail);
 	const std::vector<TubeColumn> columns = make_tube_columns(AxisShape(), detail.columns);
 	const int sides = detail.columns;
@@ -49,7 +49,7 @@ PartTemplate make_bead_template(const Part &part, const Midrib &midrib, const Pa
 }
 
 PartTemplate make_tube_template(const Part &part, const Midrib &midrib, const PartDetail &detail) {
-	PartTemplate out;
+	PartTemplate out = room_for(part, detail);
 	const std::vector<float> offsets = row_offsets(part, detail);
 	const std::vector<TubeColumn> columns = make_tube_columns(part.axis, detail.columns);
 	const bool pointed = ends_in_point(part) && !part.axis.open_tip;

@@ -17,6 +17,11 @@ static Vector3 vector_of(const float (&numbers)[3]) {
 	return Vector3(numbers[0], numbers[1], numbers[2]);
 }
 
+// What has no parts has the same width from everywhere.
+static Vector2 above_at(const FieldLook &look, size_t level) {
+	return look.has_parts() && level < look.from_above.size() ? look.from_above[level] : Vector2();
+}
+
 Ref<Material> FieldDress::worn(const FieldLook &look) const {
 	const Ref<Material> instead = node->get_material_override();
 	return instead.is_valid() ? instead : look.function->get_material();
@@ -51,6 +56,8 @@ void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
 			set_parameter(material, "undergrowth_share_ends", vector_of(thinning.distances));
 			set_parameter(material, "undergrowth_shares", vector_of(thinning.shares));
 			set_parameter(material, "undergrowth_has_parts", look.has_parts());
+			set_parameter(material, "undergrowth_mean", look.mean);
+			set_parameter(material, "undergrowth_from_above", above_at(look, i));
 			set_parameter(material, "undergrowth_bends", motion.pose_texture());
 			set_parameter(material, "undergrowth_blends", motion.blend_texture());
 			set_parameter(material, "undergrowth_beats", motion.beat_texture());

@@ -1,6 +1,7 @@
 #include "field/field_looks.hpp"
 
 #include "base/random.hpp"
+#include "form/form_arrays.hpp"
 #include "plant/base_shape.hpp"
 #include "shared_resources.hpp"
 #include "stand/plant_axes.hpp"
@@ -66,15 +67,30 @@ void FieldLook::build() {
 		return;
 	}
 	meshes.assign(samples.size(), {});
+	from_above.assign(samples.size(), Vector2());
 	for (size_t level = 0; level < samples.size(); level++) {
 		for (const SampledPlant &sampled : samples[level]) {
-			meshes[level].push_back(sampled.build());
+			Vector2 above;
+			meshes[level].push_back(sampled.grown ? build_form_mesh(*sampled.grown, sampled, above) : sampled.build());
+			from_above[level] += above / float(samples[level].size());
 			width = std::max(width, width_of(meshes[level].back()));
 		}
 	}
 	nearest = std::move(samples[0]);
 	samples.clear();
+	find_mean();
 	plant_shader(has_parts()); // Read here, where it holds nobody up, and not when it is worn first.
+}
+
+void FieldLook::find_mean() {
+	glm::vec4 sum(0.0f);
+	for (const SampledPlant &sampled : nearest) {
+		if (sampled.grown) {
+			const FormMeasure &measure = sampled.grown->measure();
+			sum += glm::vec4(measure.light, measure.translucency) / float(nearest.size());
+		}
+	}
+	mean = Color(from_light(sum.x), from_light(sum.y), from_light(sum.z), sum.w);
 }
 
 SampledPlant FieldLook::sample_alone(const PlacedPlant &plant) const {

@@ -58,6 +58,9 @@ struct FieldLook {
 	bool in_air = false; ///< A wind in m/s blows; stems have their shape by it.
 	std::shared_ptr<const StemConstants> stem; ///< As `motion` has it; null of another law.
 	float width = 0.0f; ///< m: the farthest that any mesh goes from its axis.
+	/// By level: what plants of parts and their meshes show from above, in shares of what they show from the side.
+	std::vector<godot::Vector2> from_above;
+	godot::Color mean; ///< Of its plants of parts, as they are seen; a: their translucency.
 
 	int64_t seed = 0; ///< Of all variants.
 
@@ -92,6 +95,9 @@ struct FieldLook {
 	const FieldVariant &variant_of(const PlacedPlant &plant) const {
 		return variants[size_t(plant.variant) % variants.size()];
 	}
+
+private:
+	void find_mean();
 };
 
 } // namespace undergrowth

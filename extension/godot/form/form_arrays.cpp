@@ -92,12 +92,26 @@ static PackedFloat32Array heights(float height, int vertices) {
 	return all;
 }
 
-Ref<ArrayMesh> build_form_mesh(const GrownPlant &grown, const SampledPlant &sampled) {
+// Both are held to the same outlines from the side.
+static Vector2 from_above(const FormMeasure &measure, const FormArrays &arrays) {
+	float side = 0.0f;
+	for (const float outline : measure.outlines) {
+		side += outline / float(OUTLINES);
+	}
+	const float own = area_from_above({ reinterpret_cast<const glm::vec3 *>(arrays.positions.ptr()),
+			int(arrays.positions.size()), arrays.indices.ptr(), int(arrays.indices.size()) });
+	return side > 0.0f ? Vector2(measure.from_above, own) / side : Vector2();
+}
+
+static Ref<ArrayMesh> build(const GrownPlant &grown, const SampledPlant &sampled, Vector2 *above) {
 	const FormPlan plan = plan_form(grown.form, grown.measure(), vertex_budget(sampled.lod));
 	FormArrays arrays(plan.counts);
 	const FormBones none;
 	build_form_mesh(grown.form, grown.measure(), plan, sampled.has_part_bones ? grown.bones : none, sampled.options,
 			sampled.height, arrays.buffers());
+	if (above) {
+		*above = from_above(grown.measure(), arrays);
+	}
 	if (sampled.stem) {
 		bind_to_joints(sampled.stem->joints, plan.counts.vertices, arrays.bones.ptrw(), arrays.weights.ptrw());
 	}
@@ -107,6 +121,14 @@ Ref<ArrayMesh> build_form_mesh(const GrownPlant &grown, const SampledPlant &samp
 	mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, all, TypedArray<Array>(), Dictionary(), CUSTOM_FORMAT);
 	mesh->surface_set_material(0, sampled.material.is_valid() ? sampled.material : Ref<Material>(parts_material()));
 	return mesh;
+}
+
+Ref<ArrayMesh> build_form_mesh(const GrownPlant &grown, const SampledPlant &sampled) {
+	return build(grown, sampled, nullptr);
+}
+
+Ref<ArrayMesh> build_form_mesh(const GrownPlant &grown, const SampledPlant &sampled, Vector2 &above) {
+	return build(grown, sampled, &above);
 }
 
 } // namespace undergrowth

@@ -98,6 +98,19 @@ TEST_CASE("a width function's slope is its difference") {
 	}
 }
 
+TEST_CASE("a width function's slope is the same whether its width is known or not") {
+	for (const Profile &profile : { GRASS_PROFILE, OVATE_PROFILE, SPATULATE_PROFILE, ELLIPTIC_PROFILE }) {
+		WidthFunction widths;
+		widths.profile = profile;
+		widths.base_width = 0.4f;
+		for (float s = 0.0f; s <= 1.0f; s += 0.0625f) {
+			CHECK(widths.slope(s, widths.at(s)) == widths.slope(s));
+		}
+		// Next to the ends it is that of 1 % inside, whatever the width is at the end itself.
+		CHECK(widths.slope(1.0f, widths.at(1.0f)) == widths.slope(0.99f));
+	}
+}
+
 TEST_CASE("samples stand for a profile") {
 	WidthFunction widths;
 	widths.samples = { 0.5f, 1.0f, 0.0f };
@@ -105,4 +118,15 @@ TEST_CASE("samples stand for a profile") {
 	CHECK(widths.at(1.0f) == 0.0f);
 	CHECK(widths.widest() == 0.5f);
 	CHECK(std::abs(widths.slope(0.25f) - 1.0f) < 1e-4f);
+}
+
+TEST_CASE("a midrib's point alone has the bits of its place") {
+	for (const MidribCurve &curve :
+			{ MidribCurve{}, MidribCurve{ 1.2f, 2.0f, 0.0f }, MidribCurve{ -2.0f, 0.5f, 0.4f } }) {
+		const Midrib midrib(curve, 7);
+		for (int i = -1; i <= 101; i++) {
+			const float s = static_cast<float>(i) / 100.0f;
+			CHECK(midrib.point_at(s) == midrib.at(s).point);
+		}
+	}
 }

@@ -36,6 +36,12 @@ std::vector<Grown> all_plants() {
 	return plants;
 }
 
+/// Whether two hang alike, in numbers and in the words of vertices.
+bool hang_alike(const PartHang &a, const PartHang &b) {
+	return a.swinger == b.swinger && a.stem_offset == b.stem_offset && a.weight == b.weight && a.pivot == b.pivot &&
+			a.code.pace == b.code.pace && a.code.place == b.code.place;
+}
+
 /// Where the shaders of fields draw a vertex.
 glm::vec3 shaded(const BuiltForm &mesh, size_t i, const StemMotion &stem) {
 	glm::vec3 vertex = mesh.positions[i];
@@ -204,5 +210,18 @@ TEST_CASE("bones go along with a plant that is stretched") {
 	for (size_t i = 0; i < tall.size(); i++) {
 		CHECK(tall[i].origin == plant.bones.bones()[i].origin * glm::vec3(1.0f, 1.5f, 1.0f));
 		CHECK(tall[i].pivot == plant.bones.bones()[i].pivot * glm::vec3(1.0f, 1.5f, 1.0f));
+	}
+}
+
+TEST_CASE("what is measured of a form knows how its parts hang, in the words that vertices say") {
+	for (const Grown &plant : all_plants()) {
+		const std::vector<PartHang> measured = measure_form(plant.form).hangs;
+		REQUIRE(measured.size() == plant.hangs.size());
+		for (size_t i = 0; i < measured.size(); i++) {
+			const SwingCode code = encode_swing(measured[i].swing);
+			CHECK(hang_alike(measured[i], plant.hangs[i]));
+			CHECK(measured[i].code.pace == code.pace);
+			CHECK(measured[i].code.place == code.place);
+		}
 	}
 }

@@ -134,6 +134,33 @@ TEST_CASE("a level is measured as the plant is: larger pictures show what goes b
 	}
 }
 
+TEST_CASE("what lies flat is seen from above, once where it lies over each other, and what stands is not") {
+	const glm::vec3 corners[] = { { -1.0f, 0.0f, -0.5f }, { 1.0f, 0.0f, -0.5f }, { 1.0f, 0.0f, 0.5f },
+		{ -1.0f, 0.0f, 0.5f }, { 0.0f, 1.0f, -0.5f }, { 1.0f, 1.0f, -0.5f }, { 1.0f, 1.0f, 0.5f }, { 0.0f, 0.0f, 0.0f },
+		{ 0.0f, 2.0f, 0.0f }, { 0.5f, 1.0f, 0.0f } };
+	const int32_t indices[] = { 0, 1, 2, 0, 2, 3, 4, 5, 6, 7, 8, 9 };
+	CHECK(std::abs(area_from_above({ corners, 10, indices, 6 }) - 2.0f) < 0.03f);
+	CHECK(std::abs(area_from_above({ corners, 10, indices, 9 }) - 2.0f) < 0.03f);
+	CHECK(area_from_above({ corners, 10, indices + 9, 3 }) < 0.03f);
+	CHECK(area_from_above({}) == 0.0f);
+}
+
+TEST_CASE("a form's measure knows what it shows from above and how leafy it is") {
+	const PlantForm form = grow_daisy(1);
+	const FormMeasure measure = measure_form(form);
+	const BuiltForm mesh = build(form, plan_form(form, measure, 100000));
+	const SeenMesh seen = { mesh.positions.data(), static_cast<int>(mesh.positions.size()), mesh.indices.data(),
+		static_cast<int>(mesh.indices.size()) };
+	CHECK(std::abs(measure.from_above / area_from_above(seen) - 1.0f) < 0.1f);
+	float least = 1.0f, most = 0.0f;
+	for (const Part &part : form.parts) {
+		least = std::min(least, part.translucency);
+		most = std::max(most, part.translucency);
+	}
+	CHECK(measure.translucency > least);
+	CHECK(measure.translucency < most);
+}
+
 TEST_CASE("what is nearer from some side counts in the colour that is seen, what is inside does not") {
 	// Two large walls and a small one between them, seen along z.
 	std::vector<glm::vec3> points;
@@ -160,6 +187,20 @@ TEST_CASE("colours come back from linear light, and are near the exact curve") {
 		const double exact = color <= 0.04045f ? color / 12.92 : std::pow((color + 0.055) / 1.055, 2.4);
 		CHECK(std::abs(to_light(color) - exact) < 2e-3);
 		CHECK(std::abs(from_light(to_light(color)) - color) < 1e-4);
+	}
+}
+
+TEST_CASE("many colours come back from light with the bits of one, and no others are touched") {
+	for (const int count : { 0, 1, 15, 16, 17, 40 }) {
+		std::vector<float> lights(48);
+		for (size_t i = 0; i < lights.size(); i++) {
+			lights[i] = 0.03f * static_cast<float>(i) - 0.1f;
+		}
+		const std::vector<float> before = lights;
+		from_light(lights.data(), count);
+		for (size_t i = 0; i < lights.size(); i++) {
+			CHECK(lights[i] == (i < static_cast<size_t>(count) ? from_light(before[i]) : before[i]));
+		}
 	}
 }
 

@@ -97,7 +97,7 @@ TEST_CASE("counts of a part are those of its template, at every detail") {
 			part.axis.tip_diameter = 0.02f;
 			part.axis.open_tip = fall > 0.0f;
 			for (const PartDetail &detail : details_of(part)) {
-				const PartTemplate shape = make_part_template(part, Midrib({}), detail);
+				const PartTemplate shape = make_part_template(part, Midrib({}), detail, mean_color(part));
 				const MeshCounts counts = count_part(part, detail);
 				CHECK(static_cast<int>(shape.vertices.size()) == counts.vertices);
 				CHECK(static_cast<int>(shape.indices.size()) == counts.indices);
