@@ -52,6 +52,22 @@ func _check_near_first(density: float) -> void:
 	check(_count(NEAR) != near and _count(FAR) != far, "both have come")
 
 
+func test_progress_goes_up_to_the_end() -> void:
+	for distance: float in [0.0, 400.0]:
+		field.free()
+		field = _make_field()
+		field.view_distance = distance
+		await start()
+		var told: Array[float] = []
+		field.fill_progressed.connect(func(ratio: float) -> void: told.append(ratio))
+		field.density = 1.2 * DENSITY
+		await filled(field)
+		check(told.size() > 5, "%d are told" % told.size())
+		for i in range(1, told.size()):
+			check(told[i] > told[i - 1], "%f after %f" % [told[i], told[i - 1]])
+		check_equal(told[-1], 1.0, "the last one")
+
+
 func test_ids_are_of_one_plant_each_while_two_densities_stand() -> void:
 	await start()
 	field.density = 1.1 * DENSITY

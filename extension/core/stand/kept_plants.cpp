@@ -27,11 +27,10 @@ FilledBlocks copy_of(const PlantStore &store, const std::vector<int> &numbers) {
 /// Whether the same plants stand as before, as after most changes: no names need be compared then.
 bool are_the_same(const FilledBlocks &before, const std::vector<PlantBlock> &now, double spacing) {
 	return std::equal(now.begin(), now.end(), before.blocks.begin(), before.blocks.end(),
-					[spacing](const PlantBlock &block, const std::pair<int, PlantBlock> &was) {
-						return was.second.spacing == spacing && was.second.gone == 0 &&
-								block.plants.x == was.second.plants.x &&
-								block.plants.z == was.second.plants.z;
-					});
+			[spacing](const PlantBlock &block, const std::pair<int, PlantBlock> &was) {
+				return was.second.spacing == spacing && was.second.gone == 0 && block.plants.x == was.second.plants.x &&
+						block.plants.z == was.second.plants.z;
+			});
 }
 
 } // namespace

@@ -24,8 +24,7 @@ static double spacing_of(const PlacementRequest &request) {
 	return Placement(nothing).cell_size();
 }
 
-std::vector<TileKey> FieldRenewal::list(
-		const Scene &scene, const PlacementRequest &request, const FieldTiles &tiles) {
+std::vector<TileKey> FieldRenewal::list(const Scene &scene, const PlacementRequest &request, const FieldTiles &tiles) {
 	const float size = scene.store.tile_size();
 	const double each = double(request.density) * double(size) * double(size);
 	std::vector<TileKey> all = scene.store.filled_tiles();

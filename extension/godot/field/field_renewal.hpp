@@ -8,8 +8,8 @@
 
 namespace undergrowth {
 
-/// Grows all tiles of a field anew that stands, one after the other, while the others go on standing as they did. A tile
-/// is exchanged in one frame, when all of it is ready to be drawn. Main thread.
+/// Grows all tiles of a field anew that stands, one after the other, while the others go on standing as they did. A
+/// tile is exchanged in one frame, when all of it is ready to be drawn. Main thread.
 class FieldRenewal {
 public:
 	using Scene = FieldTiles::Scene;
@@ -21,8 +21,9 @@ public:
 		bool joins = false; ///< What is drawn wider than a tile stays for now.
 	};
 
-	/// Tiles that are to be grown anew by a request, those near whoever looks last: all that stand, and those that will.
-	/// None where tiles are too many or too empty for it to be worth while, plants too many, or two would have one name.
+	/// Tiles that are to be grown anew by a request, those near whoever looks last: all that stand, and those that
+	/// will. None where tiles are too many or too empty for it to be worth while, plants too many, or two would have
+	/// one name.
 	static std::vector<TileKey> list(const Scene &scene, const PlacementRequest &request, const FieldTiles &tiles);
 	/// These are to stand by a request from now on, the last one first.
 	void begin(std::vector<TileKey> &&tiles, const PlacementRequest &request);

@@ -17,8 +17,7 @@ std::vector<FieldLook> others_of(
 bool is_listed_so(const FieldStyle &style, const StandOptions &options);
 
 /// The entry of the list that a function is of, or null.
-godot::Ref<PlantFieldSpecies> listed_entry(
-		const StandOptions &options, const godot::Ref<PlantFunction> &function);
+godot::Ref<PlantFieldSpecies> listed_entry(const StandOptions &options, const godot::Ref<PlantFunction> &function);
 /// The listed species that its map knows by this name, or null.
 godot::Ref<PlantFunction> listed_species(const StandOptions &options, const godot::String &name);
 

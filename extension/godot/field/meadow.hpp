@@ -173,6 +173,11 @@ private:
 		known_area = request.area;
 		known_exclusions = request.exclusions;
 	}
+	/// Of the whole filling, of which tiles are the first part where they are joined then.
+	float progress() const {
+		const float first = streams() ? 1.0f : 0.8f;
+		return joins ? first + (1.0f - first) * job->progress() : job ? job->progress() : first * renewal.progress();
+	}
 	bool renew();
 	void poll_renewal(bool physics);
 	void join_tiles();

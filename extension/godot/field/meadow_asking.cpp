@@ -65,10 +65,9 @@ void Meadow::poll_renewal(bool physics) {
 		motion.wait();
 	}
 	renewal.go_on(tile_scene(), { motion, skeletons, !streams() }, physics);
-	const float progress = renewal.progress();
-	if (progress != told_progress) {
-		told_progress = progress;
-		listener.progressed(progress);
+	if (progress() != told_progress) {
+		told_progress = progress();
+		listener.progressed(told_progress);
 	}
 	if (!renewal.is_at_work() && streams()) {
 		listener.filled();

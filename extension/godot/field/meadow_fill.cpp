@@ -220,7 +220,7 @@ void Meadow::poll(double delta, bool physics) {
 
 void Meadow::poll_job(bool physics) {
 	const bool is_done = !physics && job->is_done() && make_ready();
-	const float progress = is_done ? 1.0f : job->progress();
+	const float ratio = is_done ? 1.0f : progress();
 	const bool tells = job->places() || joins;
 	if (is_done) {
 		joins = false;
@@ -234,9 +234,9 @@ void Meadow::poll_job(bool physics) {
 			return;
 		}
 	}
-	if (tells && progress != told_progress) {
-		told_progress = progress;
-		listener.progressed(progress);
+	if (tells && ratio != told_progress) {
+		told_progress = ratio;
+		listener.progressed(ratio);
 	}
 	if (tells && is_done) {
 		listener.filled();

@@ -27,9 +27,9 @@ struct TileRecipe {
 	std::shared_ptr<const FieldStyle> style; ///< What plans are made by.
 };
 
-/// Grows one tile of a field that stands, on one of the engine's worker threads. Where nobody stood its blocks then stand
-/// one by one, and once all of them do, a thread plans how they are drawn; where somebody did, that is planned first,
-/// and all of them come at once.
+/// Grows one tile of a field that stands, on one of the engine's worker threads. Where nobody stood its blocks then
+/// stand one by one, and once all of them do, a thread plans how they are drawn; where somebody did, that is planned
+/// first, and all of them come at once.
 class TileJob {
 public:
 	explicit TileJob(TileRecipe &&with);
