@@ -8,6 +8,7 @@ const SCENE := "res://actions_field.tscn"
 func test_assign_lets_a_species_grow_in_a_field() -> void:
 	await open_page("Plant")
 	var field := await _open_field()
+	var density := field.density
 	_select([field])
 	await _choose("Reed")
 	await _use("Assign")
@@ -15,10 +16,14 @@ func test_assign_lets_a_species_grow_in_a_field() -> void:
 	check_equal(field.species.size(), 2, "species after assigning")
 	check(field.species[1].species is ReedFunction, "the second is the chosen one")
 	check_equal(field.species[0].share, 3.0, "share of the first")
+	var stays := field.density * 3.0 / (3.0 + field.species[1].share)
+	check(absf(stays - density) < 1e-3, "the first stays as dense, not %f" % stays)
+	check(field.density - density >= 0.5, "reeds stand beside it, as many as suit them")
 	check(field.wind and field.wind != _state().wind, "it has a wind of its own now")
 	await undo()
 	check(not field.wind, "no wind after undo")
 	check_equal(field.species.size(), 1, "species after undo")
+	check_equal(field.density, density, "density after undo")
 	await redo()
 	check_equal(field.species.size(), 2, "species after redo")
 	await _use("Assign")

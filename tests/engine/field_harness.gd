@@ -111,20 +111,9 @@ func count_moved(from: PackedVector3Array, distance: float) -> int:
 	return count
 
 
-## Waits until the field, which was changed just now, is not being filled.
+## Waits until what was changed just now of the field is seen, or refused.
 func rested() -> void:
-	await frames(2)
-	while field.is_filling():
-		await process_frame
-	await frames(2)
-
-
-## Waits until what was changed just now of its look is seen.
-func dressed() -> void:
-	await frames(1)
-	while field.get_statistics()["is_dressing"]:
-		await process_frame
-	await frames(2)
+	await settled(field)
 
 
 ## A capsule in the group "walkers".

@@ -53,11 +53,13 @@ func make_twin(
 	return plant
 
 
-## What the stage shows, two frames from now.
+## What the stage shows, two frames after all fields there are seen as they were told to be.
 func picture() -> Image:
 	if DisplayServer.get_name() == "headless":
 		printerr("There is nothing to take a picture of: run this script with a renderer.")
 		quit(1)
+	for field: PlantField3D in stage.find_children("*", "PlantField3D", true, false):
+		await settled(field)
 	await frames(2)
 	await RenderingServer.frame_post_draw
 	return stage.get_texture().get_image()

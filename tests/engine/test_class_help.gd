@@ -28,7 +28,9 @@ const CLASSES: PackedStringArray = [
 	"PlantSimulation",
 ]
 ## Seen from the tests' project in build/test, or below the project itself.
-const FOLDERS: PackedStringArray = ["../../../extension/doc_classes", "extension/doc_classes"]
+const FOLDERS: PackedStringArray = [
+	"../../../extension/doc_classes", "../../../../extension/doc_classes", "extension/doc_classes"
+]
 const SHORTEST_TEXT := 15
 ## Elements of the help whose text describes something, by the element that names that thing.
 const NAMED: PackedStringArray = ["method", "member", "signal", "constant"]

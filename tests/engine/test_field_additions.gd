@@ -20,7 +20,6 @@ func test_plants_that_are_added_after_variants_were_raised() -> void:
 	check_equal(ids.size(), 300, "ids")
 	_check_sound(ids)
 	await rested()
-	await dressed()
 	check_equal(field.get_plant_count(), count + 300, "plants")
 	_check_sound(ids)
 	var heights := {}
@@ -88,7 +87,7 @@ func test_plants_that_are_mown_while_a_field_is_dressed_stay_away() -> void:
 	check(field.remove_in_sphere(Vector3.ZERO, 3.0) > 10, "plants are mown")
 	var count := field.get_plant_count()
 	field.tile_size = 8.0
-	await dressed()
+	await rested()
 	check_equal(field.get_plant_count(), count, "plants")
 	check_equal(field.find_plants_in_sphere(Vector3.ZERO, 3.0).size(), 0, "plants in the middle")
 

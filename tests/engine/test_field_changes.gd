@@ -70,7 +70,7 @@ func test_prototypes_keep_plants_and_mown_places() -> void:
 	var ids := sorted_ids()
 	for count: int in [8, 3, 0]:
 		field.prototypes = count
-		await dressed()
+		await rested()
 		check_equal(sorted_ids(), ids, "plants with %d prototypes" % count)
 
 
@@ -113,12 +113,10 @@ func test_what_is_set_of_the_view_while_a_field_fills_counts() -> void:
 	field.visibility_range_end = 5.0
 	field.levels = [PlantFieldLevel.of(7, 3.0), PlantFieldLevel.of(3)]
 	await rested()
-	await dressed()
 	check_equal(field.get_statistics()["drawn_by_level"].size(), 2, "levels")
 	await catch_filling()
 	field.levels = [PlantFieldLevel.of(7, 3.0), PlantFieldLevel.of(5, 4.0), PlantFieldLevel.of(3)]
 	await rested()
-	await dressed()
 	check_equal(field.get_statistics()["drawn_by_level"].size(), 3, "levels")
 
 
@@ -130,7 +128,7 @@ func test_a_look_that_changes_in_every_frame_is_worn_now_and_then() -> void:
 		grass.tip_color = Color(0.01 * i, 0.5, 0)
 		await process_frame
 		states[field.get_statistics()["is_dressing"]] = true
-	await dressed()
+	await rested()
 	check(not field.is_filling(), "it grows nothing anew")
 	check(states.has(true), "it was dressed")
 
@@ -215,7 +213,7 @@ func _check_kept(changes: Dictionary) -> void:
 		check(not field.is_filling(), "%s fills nothing" % what)
 		await frames(10)  # The engine's own properties are looked at now and then.
 		check(not field.is_filling(), "%s fills nothing" % what)
-		await dressed()
+		await rested()
 		check_equal(sorted_ids(), ids, "plants after %s" % what)
 		var now := field.get_tip_positions(ids)
 		var most := 0.0

@@ -31,7 +31,7 @@ func test_a_level_that_is_appended_is_drawn() -> void:
 	await start()
 	field.levels.append(PlantFieldLevel.of(3))
 	await frames(LOOK)
-	await dressed()
+	await rested()
 	check_equal(field.get_statistics()["drawn_by_level"].size(), 2, "levels")
 	check(not field.is_filling(), "nothing grows anew")
 
@@ -138,7 +138,7 @@ func test_the_outline_of_another_field_that_is_excluded_is_followed() -> void:
 func test_an_exclusion_of_two_points_says_what_to_do() -> void:
 	field.exclusions = [add_path("Line", [Vector3(-5, 0, 0), Vector3(5, 0, 0)])]
 	root.add_child(field)
-	await frames(3)
+	await rested()
 	check_error("curve of two points or fewer, which goes around nothing. Add points")
 	check_equal(field.get_plant_count(), 0, "plants")
 	(field.get_node("Line") as Path3D).curve.add_point(Vector3(0, 0, 5))

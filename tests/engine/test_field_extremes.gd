@@ -43,7 +43,7 @@ func test_more_plants_than_there_may_be_are_refused() -> void:
 	await _fill()
 	var count := _field.get_plant_count()
 	_field.size = Vector2(50000, 50000)
-	await frames(2)
+	await settled(_field)
 	check_error("plants")
 	check_equal(_field.get_plant_count(), count)
 
@@ -154,24 +154,24 @@ func test_a_fault_is_told_once_and_not_in_each_frame() -> void:
 	_field.size = Vector2(4, 4)
 	_field.species[0].share = 0.0
 	root.add_child(_field)
-	await frames(20)
+	await settled(_field)
 	check_error("share")
 	for i in 3:
 		_field.fill()
-		await frames(5)
+		await settled(_field)
 	check_error_count("share", 0)
 	_field.species[0].share = 1.0
 	await _field.filled
 	check(_field.get_plant_count() > 0, "it fills")
 	_field.ground_mode = PlantField3D.GROUND_MESH
-	await frames(20)
+	await settled(_field)
 	check_error("ground_mesh")
 	_field.ground_mesh = NodePath("../Nobody")
-	await frames(20)
+	await settled(_field)
 	check_error_count("ground_mesh", 0)
 	_field.ground_mode = PlantField3D.GROUND_NONE
 	_field.exclusions = [NodePath(".")]
-	await frames(20)
+	await settled(_field)
 	check_error("exclusions[0]")
 
 

@@ -20,11 +20,11 @@ func test_an_empty_species_is_one_error_and_the_field_stays() -> void:
 	await _fill()
 	var before := _described(field)
 	field.species = [PlantFieldSpecies.of(GrassFunction.new()), null]
-	await frames(3)
+	await rested()
 	check_error("species[1]")
 	check_equal(_described(field), before, "the field")
 	field.species = [PlantFieldSpecies.new(), PlantFieldSpecies.of(GrassFunction.new())]
-	await frames(3)
+	await rested()
 	check_error("species[0]")
 	check_equal(_described(field), before, "the field")
 
@@ -33,7 +33,7 @@ func test_shares_of_0_are_one_error() -> void:
 	await _fill()
 	for entry in field.species:
 		entry.share = 0.0
-	await frames(3)
+	await rested()
 	check_error("share")
 	check(field.get_plant_count() > 0, "the field stays")
 
@@ -41,12 +41,12 @@ func test_shares_of_0_are_one_error() -> void:
 func test_an_area_of_nothing_is_one_error() -> void:
 	await _fill()
 	field.outline = add_path("Area", [Vector3.ZERO, Vector3.RIGHT])
-	await frames(3)
+	await rested()
 	check_error("PlantField3D")
 	check(field.get_plant_count() > 0, "the field stays")
 	field.outline = NodePath()
 	field.size = Vector2.ZERO
-	await frames(3)
+	await rested()
 	check_error("PlantField3D")
 
 
@@ -54,13 +54,13 @@ func test_an_outline_that_is_no_path_is_one_error() -> void:
 	await _fill()
 	for path: NodePath in [NodePath("../Nobody"), NodePath("..")]:
 		field.outline = path
-		await frames(3)
+		await rested()
 		check_error("outline")
 		check(field.get_plant_count() > 0, "the field stays")
 		field.outline = NodePath()
 		await rested()
 	field.exclusions = [NodePath("../Nobody")]
-	await frames(3)
+	await rested()
 	check_error("exclusions[0]")
 
 
@@ -69,16 +69,16 @@ func test_levels_that_do_not_go_outwards_are_one_error() -> void:
 	var ids := sorted_ids()
 	var usual := (field.get_statistics()["drawn_by_level"] as PackedInt32Array).size()
 	field.levels = [PlantFieldLevel.of(8, 20.0), PlantFieldLevel.of(4, 10.0), PlantFieldLevel.of(2)]
-	await dressed()
+	await rested()
 	check_error("levels[1] ends at 10.0 m")
 	field.levels = [null, PlantFieldLevel.of(3)]
-	await dressed()
+	await rested()
 	check_error("levels[0] is empty")
 	var drawn := (field.get_statistics()["drawn_by_level"] as PackedInt32Array).size()
 	check_equal(drawn, usual, "levels that are drawn")
 	check_equal(sorted_ids(), ids, "plants stay")
 	field.levels = [PlantFieldLevel.of(8, 20.0), PlantFieldLevel.of(4)]
-	await dressed()
+	await rested()
 	drawn = (field.get_statistics()["drawn_by_level"] as PackedInt32Array).size()
 	check_equal(drawn, 2, "levels that are drawn")
 
@@ -93,7 +93,7 @@ func test_absurd_densities_are_refused() -> void:
 	check_error("density")
 	check_equal(field.density, 5.0)
 	field.size = Vector2(1000, 1000)
-	await frames(3)
+	await rested()
 	check_error("plants")
 	check_near(field.get_plant_count(), 2000, 100.0, "plants that stay")
 

@@ -89,10 +89,10 @@ func test_newcomers_stand_on_it() -> void:
 func test_an_object_that_answers_nothing_is_told_once() -> void:
 	field.ground_object = NodePath("../Terrain")
 	root.add_child(field)
-	await frames(5)
+	await rested()
 	check_error("leads to no object that answers get_height(Vector3) -> float")
 	field.fill()
-	await frames(5)
+	await rested()
 	check_equal(field.get_plant_count(), 0, "plants")
 	field.ground_object = NodePath("../Terrain:data")
 	await rested()

@@ -59,10 +59,6 @@ func test_plants_cast_shadows_within_the_shadow_distance_only() -> void:
 	await frames(5)
 	var with_shadow := await picture()
 	_field.shadow_distance = 0.0
-	await frames(2)
-	while _field.get_statistics()["is_dressing"]:
-		await process_frame
-	await frames(2)
 	var without_shadow := await picture()
 	_field.hide()
 	var bare := await picture()

@@ -47,9 +47,7 @@ func test_removing_nothing_from_a_field_that_never_stood() -> void:
 func test_all_plants_that_code_added_in_a_place_are_removed_at_once() -> void:
 	for prototypes: int in [0, 4]:
 		_field.prototypes = prototypes
-		await frames(2)
-		while _field.is_filling() or _field.get_statistics()["is_dressing"]:
-			await process_frame
+		await settled(_field)
 		var count := _field.get_plant_count()
 		var places: Array[Transform3D] = []
 		for i in 5:
@@ -279,10 +277,7 @@ func test_a_species_of_a_material_that_does_not_bend_is_told_once() -> void:
 	var material := ShaderMaterial.new()
 	material.shader = shader
 	_field.species[0].species.material = material
-	await frames(2)
-	while _field.get_statistics()["is_dressing"]:
-		await process_frame
-	await frames(10)
+	await settled(_field)
 	check_error("does not bend")
 
 

@@ -140,7 +140,7 @@ func _check_recoloured() -> void:
 	for color: Color in [Color.BLUE, Color.RED]:
 		_tulip.flower_color = color
 		check(not field.is_filling(), "it is not filled anew")
-		await dressed()
+		await rested()
 		await frames(30)
 		var colors := _colors_of(field.get_skeleton(_added[0]))
 		check(color in colors, "%s is not among %s" % [color, colors])

@@ -109,7 +109,7 @@ func test_a_map_that_cannot_be_read_is_told_and_what_stands_stays() -> void:
 	map.data = PackedByteArray([1, 2, 3])
 	check_error("not those of a map")
 	field.map = map
-	await frames(3)
+	await rested()
 	check_error("its map cannot be used")
 	check_equal(all_plants(), plants, "its plants")
 

@@ -126,6 +126,18 @@ func test_followers_of_prototypes_are_drawn() -> void:
 	check(count_different(first, later) > 50, "they move")
 
 
+## What it shows is in the history that the graphics card was given, up to the last step.
+func test_a_follower_in_waves() -> void:
+	var function := TulipFunction.new()
+	function.law = PlantFunction.LAW_SPRING
+	function.damping_ratio = 1.0
+	_field.prototypes = 1
+	_field.wind.kind = PlantWind.KIND_WAVES
+	_field.wind.strength = 10.0
+	_field.wind.frequency = 0.02  # A part of a step more or less is not seen.
+	await _compare(function, Transform3D(Basis(Vector3.UP, 0.7), Vector3(0.1, 0, 0.2)))
+
+
 func test_followers_that_stand_still_look_alike_in_another_material() -> void:
 	await _check_followers_dressed(false)
 

@@ -155,14 +155,14 @@ func test_widths_that_are_none_are_refused() -> void:
 	field.exclusions = [add_path("Spot", [Vector3.ONE])]
 	field.exclusion_widths = [1.0]
 	root.add_child(field)
-	await frames(3)
+	await rested()
 	check_error("exclusions[0] has a curve of one point or none")
 	field.exclusions = []
 	field.outline = ^"Spot"
-	await frames(3)
+	await rested()
 	check_error("outline 'Spot' has a curve of two points or fewer")
 	field.outline_width = 2.0
-	await frames(3)
+	await rested()
 	check_error("outline 'Spot' has a curve of one point or none")
 
 

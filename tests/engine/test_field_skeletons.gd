@@ -107,7 +107,7 @@ func test_nobody_sees_a_skeleton_come_or_go() -> void:
 func test_nobody_sees_skeletons_of_plants_that_follow_prototypes() -> void:
 	var count := _field.get_plant_count()
 	_field.prototypes = 4
-	await _rested()
+	await settled(_field)
 	check_equal(_field.get_plant_count(), count, "plants stay")
 	await frames(20)
 	_field.apply_impulse_in_sphere(Vector3.ZERO, 1.0, Vector3(2, 0, 0))
@@ -155,7 +155,7 @@ func test_a_shader_of_fields_fits_skeletons_and_single_plants() -> void:
 	"""
 	for entry in _field.species:
 		entry.species.material = material
-	await _rested()
+	await settled(_field)
 	_field.simulation_enabled = false
 	await frames(3)
 	var before := await picture()
@@ -237,14 +237,6 @@ func test_skeletons_are_neither_saved_nor_copied() -> void:
 	check_equal(copy.get_child_count(true), 0, "children of a copy")
 	check_equal(_field.get_child_count(), 0, "children that others see")
 	copy.free()
-
-
-## Waits until meshes that are being built anew are worn.
-func _rested() -> void:
-	await frames(2)
-	while _field.get_statistics()["is_dressing"]:
-		await process_frame
-	await frames(2)
 
 
 func _check_same(before: Image, during: Image) -> void:

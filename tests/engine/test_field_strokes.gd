@@ -123,8 +123,6 @@ func test_strokes_while_it_is_filled_are_not_lost() -> void:
 			field.remove_plants(field.get_plant_ids().slice(0, 3))
 		await frames(1)
 	await rested()
-	while field.get_statistics()["is_dressing"] or field.is_filling():
-		await process_frame
 	var edited := all_plants()
 	field.fill()
 	await filled(field)

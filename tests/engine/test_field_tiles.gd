@@ -83,7 +83,7 @@ func test_endless_without_a_view_distance_is_told() -> void:
 	field.view_distance = 0.0
 	field.endless = true
 	root.add_child(field)
-	await frames(3)
+	await rested()
 	check_error("endless needs a view_distance above 0")
 	field.view_distance = DISTANCE
 	await filled(field)
@@ -100,7 +100,6 @@ func test_plants_of_a_changed_property_stand_around_whoever_looks() -> void:
 	var near := field.find_plants_in_sphere(Vector3.ZERO, DISTANCE - 2.0).size()
 	check_near(near, PI * 28.0 * 28.0 * 4.0, 500.0, "plants")
 	field.tile_size = 11.0
-	await dressed()
 	await rested()
 	await _streamed()
 	check_near(

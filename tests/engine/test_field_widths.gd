@@ -39,7 +39,7 @@ func test_a_thinned_field_covers_as_much_as_the_whole() -> void:
 		_field.density = 60.0
 		_field.size = Vector2(1.2, 1.2)
 		_field.levels = [PlantFieldLevel.of(6)]
-		await _filled()
+		await settled(_field)
 		var whole := _count_covered(await picture())
 		_field.levels[0].share = 0.4
 		var thinned := _count_covered(await picture())
@@ -61,7 +61,7 @@ func test_what_is_left_away_costs_no_vertices() -> void:
 	_field.density = 60.0
 	_field.size = Vector2(2, 2)
 	_field.levels = [PlantFieldLevel.of(3, 20.0, 0.1)]
-	await _filled()
+	await settled(_field)
 	var near := await _primitives_from(1.0)
 	var far := await _primitives_from(20.0)
 	check(near > 1000, "%d triangles" % near)
@@ -81,13 +81,6 @@ func _primitives_from(away: float) -> int:
 		RenderingServer.VIEWPORT_RENDER_INFO_TYPE_VISIBLE,
 		RenderingServer.VIEWPORT_RENDER_INFO_PRIMITIVES_IN_FRAME
 	)
-
-
-func _filled() -> void:
-	await frames(2)
-	while _field.is_filling() or _field.get_statistics()["is_dressing"]:
-		await process_frame
-	await frames(2)
 
 
 ## A lathe that is not thinner than pixels.

@@ -111,18 +111,14 @@ func test_species_that_change_in_every_frame_while_a_field_fills() -> void:
 		if i % 8 == 0:
 			_field.fill()
 		await process_frame
-	await frames(1)
-	while _field.is_filling() or _field.get_statistics()["is_dressing"]:
-		await process_frame
+	await settled(_field)
 	check_near(_field.get_plant_count(), 30 * 576, 1000.0, "plants")
 
 
 ## Until a field has looked at what its species wear.
 func _looked() -> void:
 	await frames(20)
-	while _field.get_statistics()["is_dressing"]:
-		await process_frame
-	await frames(2)
+	await settled(_field)
 
 
 func _plain(colour: Color) -> StandardMaterial3D:

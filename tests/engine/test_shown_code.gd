@@ -146,7 +146,7 @@ func _furnish(shown: Node, field: PlantField3D) -> void:
 	plant.name = "Plant3D"
 	plant.species = TulipFunction.new()
 	shown.add_child(plant)
-	for name: String in ["Meadow", "Player", "Mower", "Grenade", "Smoke"]:
+	for name: String in ["Meadow", "Mower", "Grenade", "Smoke"]:
 		var node := Node3D.new()
 		node.name = name
 		shown.add_child(node)
@@ -159,6 +159,7 @@ func _furnish(shown: Node, field: PlantField3D) -> void:
 		for point: Vector3 in [Vector3(-1, 0, 0), Vector3(1, 0, 0), Vector3(0, 0, 1)]:
 			path.curve.add_point(point)
 		shown.add_child(path)
+	shown.add_child(_make_player())
 	var hedge := _make_field()
 	hedge.name = "Hedge"
 	shown.add_child(hedge)
@@ -170,6 +171,16 @@ func _furnish(shown: Node, field: PlantField3D) -> void:
 	for node: Node in [Label.new(), Camera3D.new(), AudioStreamPlayer3D.new()]:
 		node.name = node.get_class()
 		shown.add_child(node)
+
+
+## A body that pushes plants, on request.
+func _make_player() -> CharacterBody3D:
+	var player := CharacterBody3D.new()
+	player.name = "Player"
+	var shape := CollisionShape3D.new()
+	shape.shape = CapsuleShape3D.new()
+	player.add_child(shape)
+	return player
 
 
 ## What blocks name without declaring it.

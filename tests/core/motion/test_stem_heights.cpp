@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
-#include <utility>
 #include <vector>
 
 using namespace undergrowth;
@@ -123,7 +122,8 @@ TEST_CASE("stems whose stiffness is given keep their frequency at other steps, a
 	page.add(&low, 1);
 	page.remove(0); // The low one takes its row.
 	page.set_step_length(2.0f * STEP);
-	for (const auto &[index, ratio] : { std::pair(0, 0.7f), std::pair(1, 1.3f) }) {
+	for (const int index : { 0, 1 }) {
+		const float ratio = index == 0 ? 0.7f : 1.3f;
 		CAPTURE(ratio);
 		const double expected = static_cast<double>(solved_at(beam, ratio).mode[0].frequency);
 		CHECK(frequency_of(page, index) == doctest::Approx(expected).epsilon(WITHIN));

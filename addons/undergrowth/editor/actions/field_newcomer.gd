@@ -4,7 +4,7 @@ extends RefCounted
 ## nothing of the others is thinned out for it: the field's density grows by as much.
 
 const FieldDefaults := preload("field_defaults.gd")
-const SceneActions := preload("scene_actions.gd")
+const SameResource := preload("same_resource.gd")
 
 ## What a field has room for without waiting long, and without being refused.
 const MOST_PLANTS := 2.0e6
@@ -13,7 +13,7 @@ const MOST_PLANTS := 2.0e6
 ## The entry of [param field] that grows [param function] already, or what equals it; else null.
 static func find(field: PlantField3D, function: PlantFunction) -> PlantFieldSpecies:
 	for entry in field.species:
-		if entry and entry.species and SceneActions.are_equal(entry.species, function):
+		if entry and entry.species and SameResource.are_equal(entry.species, function):
 			return entry
 	return null
 
@@ -32,16 +32,23 @@ static func make(field: PlantField3D, function: PlantFunction) -> PlantFieldSpec
 
 ## Adds [param entry]; its share follows from the density that suits it.
 static func add(field: PlantField3D, entry: PlantFieldSpecies) -> void:
+	field.density = suit(field, entry)
+	field.species = field.species + ([entry] as Array[PlantFieldSpecies])
+
+
+## Gives [param entry] the share that suits its plants beside those of [param field]. The density
+## that the field then needs, so that the others stay as dense as they are.
+static func suit(field: PlantField3D, entry: PlantFieldSpecies) -> float:
 	var wanted := minf(FieldDefaults.find_density(entry.species), _room_of(field))
 	var shares := 0.0
 	for other in field.species:
 		shares += other.share if other and other.species else 0.0
-	if shares > 0.0 and field.density > 0.0:
-		entry.share = shares * wanted / field.density
-		field.density += wanted
-	elif field.density <= 0.0:
-		field.density = wanted
-	field.species = field.species + ([entry] as Array[PlantFieldSpecies])
+	if field.density <= 0.0:
+		return wanted
+	if shares <= 0.0:
+		return field.density
+	entry.share = shares * wanted / field.density
+	return field.density + wanted
 
 
 ## The names by which a map knows what [param field] grows.

@@ -4,12 +4,10 @@ extends RefCounted
 
 const Translations := preload("../translations/translations.gd")
 const FieldDefaults := preload("field_defaults.gd")
+const FieldNewcomer := preload("field_newcomer.gd")
 const FileNames := preload("file_names.gd")
+const SameResource := preload("same_resource.gd")
 const ScenePlants := preload("../wind_page/scene_plants.gd")
-## They say where a resource is, not what it is.
-const NOT_COMPARED: Array[StringName] = [
-	&"script", &"resource_path", &"resource_name", &"resource_scene_unique_id"
-]
 
 
 ## Adds [param plant], a single one or a field, below [param parent] in the scene of [param root],
@@ -62,8 +60,8 @@ static func make_mix(mix: PackedScene, wind: PlantWind) -> PlantField3D:
 
 
 ## Gives all [param plants] of the scene of [param root] the same function: single plants become
-## that species, and in fields it grows beside those that they have. Fields in still air get
-## [param wind].
+## that species, and in fields it grows beside those that they have, which stay as dense as they
+## are. Fields in still air get [param wind].
 static func assign(
 	undo: EditorUndoRedoManager,
 	root: Node,
@@ -110,10 +108,10 @@ static func to_scene_function(
 ) -> PlantFunction:
 	if not function.is_built_in():
 		return function
-	if origin and _has_equal_properties(origin, function):
+	if origin and SameResource.has_equal_properties(origin, function):
 		return origin
 	for known in _get_functions(root):
-		if are_equal(known, function):
+		if SameResource.are_equal(known, function):
 			return known
 	return function.duplicate(true)
 
@@ -125,17 +123,6 @@ static func to_scene_wind(fallback: PlantWind, root: Node) -> PlantWind:
 		if wind and ScenePlants.is_wind_kept(root, wind):
 			return wind
 	return fallback.duplicate() as PlantWind
-
-
-## True where both are one, or embedded and without a difference.
-static func are_equal(a: Resource, b: Resource) -> bool:
-	if a == b:
-		return true
-	if not a or not b:
-		return false
-	if a.get_class() != b.get_class() or a.get_script() != b.get_script():
-		return false
-	return a.is_built_in() and b.is_built_in() and _has_equal_properties(a, b)
 
 
 static func _get_functions(root: Node) -> Array[PlantFunction]:
@@ -152,12 +139,15 @@ static func _get_functions(root: Node) -> Array[PlantFunction]:
 static func _add_species(
 	undo: EditorUndoRedoManager, field: PlantField3D, function: PlantFunction
 ) -> void:
-	for listed in field.species:
-		if listed and listed.species == function:
-			return
-	var species := field.species.duplicate()
-	species.append(PlantFieldSpecies.of(function))
-	undo.add_do_property(field, &"species", species)
+	if FieldNewcomer.find(field, function):
+		return
+	var newcomer := FieldNewcomer.make(field, function)
+	var density := FieldNewcomer.suit(field, newcomer)
+	undo.add_do_property(field, &"density", density)
+	undo.add_undo_property(field, &"density", field.density)
+	undo.add_do_property(
+		field, &"species", field.species + ([newcomer] as Array[PlantFieldSpecies])
+	)
 	undo.add_undo_property(field, &"species", field.species)
 
 
@@ -177,35 +167,3 @@ static func _local_place(parent: Node3D, point: Vector3) -> Transform3D:
 	if not parent or is_zero_approx(parent.global_basis.determinant()):
 		return place
 	return parent.global_transform.affine_inverse() * place
-
-
-static func _has_equal_properties(a: Resource, b: Resource) -> bool:
-	for property: Dictionary in a.get_property_list():
-		var name: StringName = property["name"]
-		if not property["usage"] & PROPERTY_USAGE_STORAGE or name in NOT_COMPARED:
-			continue
-		if not _is_equal_value(a.get(name), b.get(name)):
-			return false
-	return true
-
-
-static func _is_equal_value(a: Variant, b: Variant) -> bool:
-	if a is Resource and b is Resource:
-		return are_equal(a as Resource, b as Resource)
-	if a is Array and b is Array:
-		return _is_equal_list(a as Array, b as Array)
-	if typeof(a) != typeof(b):
-		return false
-	# An angle is not the same to the last bit after a setter took it.
-	if a is float:
-		return is_equal_approx(a as float, b as float)
-	return a == b or (a is Vector2 and (a as Vector2).is_equal_approx(b as Vector2))
-
-
-static func _is_equal_list(a: Array, b: Array) -> bool:
-	if a.size() != b.size():
-		return false
-	for i in a.size():
-		if not _is_equal_value(a[i], b[i]):
-			return false
-	return true

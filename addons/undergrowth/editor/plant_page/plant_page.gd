@@ -9,7 +9,7 @@ const PlantPreview := preload("plant_preview.gd")
 const PropertyPanel := preload("property_panel.gd")
 const ViewControls := preload("view_controls.gd")
 const ActionBar := preload("../actions/action_bar.gd")
-const SceneActions := preload("../actions/scene_actions.gd")
+const SameResource := preload("../actions/same_resource.gd")
 const SceneSpecies := preload("scene_species.gd")
 ## From this ratio of width to height on, the parts stand side by side.
 const WIDE := 1.3
@@ -66,7 +66,7 @@ func _turn_split() -> void:
 # What is selected in the scene: of what a list has, that entry; else the scene's own species, which
 # changes with the dock.
 func _show_species(function: PlantFunction) -> void:
-	if function == _state.origin or SceneActions.are_equal(function, _state.function):
+	if function == _state.origin or SameResource.are_equal(function, _state.function):
 		return
 	var entry := null if function.is_built_in() else _list.find(function.resource_path)
 	if entry:
