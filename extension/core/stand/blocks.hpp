@@ -40,6 +40,7 @@ struct PlantBlock {
 	int species = 0;
 	bool is_added = false; ///< By code, and not by filling.
 	bool is_late = false; ///< Of newcomers among those that were filled; it grows.
+	double spacing = 0.0; ///< m, of the placement that names its plants; of those that were added 0.
 	FieldPlants plants; ///< By variant, where they were filled. A scale of 0 stands for a plant that is gone.
 	std::vector<int64_t> ids; ///< Of plants that were added; those of others follow from where they stand.
 	int gone = 0;

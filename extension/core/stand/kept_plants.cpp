@@ -1,6 +1,7 @@
 #include "stand/kept_plants.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace undergrowth {
 
@@ -11,28 +12,37 @@ PlantId name_of(const PlantBlock &block, int slot, double spacing) {
 	return filled_plant_id(root.x, root.z, spacing);
 }
 
-/// Whether the same plants stand as before, as after most changes: no names need be compared then.
-bool are_the_same(const FilledBlocks &before, const std::vector<PlantBlock> &now, double spacing) {
-	return spacing == before.spacing &&
-			std::equal(now.begin(), now.end(), before.blocks.begin(), before.blocks.end(),
-					[](const PlantBlock &block, const std::pair<int, PlantBlock> &was) {
-						return was.second.gone == 0 && block.plants.x == was.second.plants.x &&
-								block.plants.z == was.second.plants.z;
-					});
-}
-
-} // namespace
-
-FilledBlocks copy_filled(const PlantStore &store) {
+FilledBlocks copy_of(const PlantStore &store, const std::vector<int> &numbers) {
 	FilledBlocks filled;
 	filled.spacing = store.spacing();
-	for (int number = 0; number < store.block_count(); number++) {
+	for (const int number : numbers) {
 		const PlantBlock &block = store.block(number);
 		if (!block.is_added && block.standing() > 0) {
 			filled.blocks.emplace_back(number, block);
 		}
 	}
 	return filled;
+}
+
+/// Whether the same plants stand as before, as after most changes: no names need be compared then.
+bool are_the_same(const FilledBlocks &before, const std::vector<PlantBlock> &now, double spacing) {
+	return std::equal(now.begin(), now.end(), before.blocks.begin(), before.blocks.end(),
+			[spacing](const PlantBlock &block, const std::pair<int, PlantBlock> &was) {
+				return was.second.spacing == spacing && was.second.gone == 0 && block.plants.x == was.second.plants.x &&
+						block.plants.z == was.second.plants.z;
+			});
+}
+
+} // namespace
+
+FilledBlocks copy_filled(const PlantStore &store) {
+	std::vector<int> numbers(static_cast<std::size_t>(store.block_count()));
+	std::iota(numbers.begin(), numbers.end(), 0);
+	return copy_of(store, numbers);
+}
+
+FilledBlocks copy_filled_in(const PlantStore &store, const TileKey &tile) {
+	return copy_of(store, store.blocks_of(tile));
 }
 
 FieldPlants gather_plants(const FilledBlocks &filled, const std::vector<int> &species_numbers) {
@@ -62,9 +72,9 @@ std::vector<KeptPlant> find_kept(const FilledBlocks &before, const std::vector<P
 	}
 	std::vector<std::pair<PlantId, PlantPlace>> named;
 	for (const auto &[number, block] : before.blocks) {
-		for (int slot = 0; slot < block.size(); slot++) {
+		for (int slot = 0; block.spacing == spacing && slot < block.size(); slot++) {
 			if (!block.is_gone(slot)) {
-				named.push_back({ name_of(block, slot, before.spacing), { number, slot } });
+				named.push_back({ name_of(block, slot, spacing), { number, slot } });
 			}
 		}
 	}

@@ -1,13 +1,17 @@
 #include "stand/plant_id.hpp"
 
+#include "base/random.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace undergrowth {
 
 namespace {
 
-constexpr int CELL_BITS = 31;
+constexpr int CELL_BITS = 25; ///< As far as plants stand, on square centimetres, of both signs.
+constexpr int SPACING_BITS = 12;
 constexpr int64_t MIDDLE = int64_t(1) << (CELL_BITS - 1);
 constexpr int64_t CELL_MASK = (int64_t(1) << CELL_BITS) - 1;
 constexpr int64_t ADDED = int64_t(1) << 62;
@@ -20,6 +24,13 @@ double side_of(int64_t row) {
 	return (row & 1) == 0 ? EVEN_SIDE : ODD_SIDE;
 }
 
+/// What tells apart the names of different spacings.
+int64_t mark_of(double spacing) {
+	uint64_t bits = 0;
+	std::memcpy(&bits, &spacing, sizeof(bits));
+	return static_cast<int64_t>(mix_bits(bits) >> (64 - SPACING_BITS)) << (2 * CELL_BITS);
+}
+
 int64_t cell(double place) {
 	const auto most = static_cast<double>(MIDDLE - 1);
 	return static_cast<int64_t>(std::clamp(std::floor(place), -most, most));
@@ -30,7 +41,15 @@ int64_t cell(double place) {
 PlantId filled_plant_id(float x, float z, double spacing) {
 	const int64_t row = cell(static_cast<double>(z) / spacing);
 	const int64_t column = cell(static_cast<double>(x) / spacing - side_of(row));
-	return ((row + MIDDLE) << CELL_BITS) | (column + MIDDLE);
+	return mark_of(spacing) | ((row + MIDDLE) << CELL_BITS) | (column + MIDDLE);
+}
+
+bool is_named_at(PlantId id, double spacing) {
+	return (id >> (2 * CELL_BITS)) << (2 * CELL_BITS) == mark_of(spacing);
+}
+
+bool share_names(double spacing, double other) {
+	return mark_of(spacing) == mark_of(other);
 }
 
 PlantId added_plant_id(int64_t number) {

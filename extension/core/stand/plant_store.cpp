@@ -11,12 +11,12 @@ namespace undergrowth {
 
 ChangeSet PlantStore::apply(StandEdit &&edit) {
 	ChangeSet changes;
+	cell_size = edit.spacing > 0.0 ? edit.spacing : cell_size;
 	if (edit.fills) {
 		drop_filled(changes);
 		rename_species(edit.species_numbers);
 		const bool is_cut_anew = edit.tile_size != size;
 		size = edit.tile_size;
-		cell_size = edit.spacing;
 		for (PlantBlock &block : edit.filled) {
 			stand(std::move(block), changes);
 		}
@@ -67,6 +67,8 @@ int PlantStore::take_number() {
 void PlantStore::stand(PlantBlock &&block, ChangeSet &changes) {
 	const int number = take_number();
 	standing += block.standing();
+	block.spacing = cell_size;
+	spacings[cell_size]++;
 	tiles[block.tile].push_back(number);
 	blocks[static_cast<std::size_t>(number)] = std::move(block);
 	changes.grown.push_back({ number, 0 });
@@ -84,6 +86,10 @@ void PlantStore::drop(int number, ChangeSet &changes) {
 		added_places.erase(id);
 	}
 	standing -= block.standing();
+	const auto same = spacings.find(block.spacing);
+	if (same != spacings.end() && --same->second == 0) {
+		spacings.erase(same);
+	}
 	block = PlantBlock();
 	free_numbers.push_back(number);
 	changes.dropped.push_back(number);
@@ -159,7 +165,8 @@ void PlantStore::remove(const PlantPlace &place, ChangeSet &changes) {
 int PlantStore::open_block(const TileKey &tile, int species, bool is_added) const {
 	for (const int number : blocks_of(tile)) {
 		const PlantBlock &there = block(number);
-		if ((is_added ? there.is_added : there.is_late) && there.species == species && there.size() < there.room()) {
+		const bool is_such = is_added ? there.is_added : there.is_late && there.spacing == cell_size;
+		if (is_such && there.species == species && there.size() < there.room()) {
 			return number;
 		}
 	}
@@ -177,6 +184,10 @@ int PlantStore::need_block(const PlacedPlant &plant, bool is_added, ChangeSet &c
 		fresh.species = plant.species;
 		fresh.is_added = is_added;
 		fresh.is_late = !is_added;
+		if (!is_added) {
+			fresh.spacing = cell_size;
+			spacings[cell_size]++;
+		}
 		tiles[tile].push_back(number);
 	}
 	const auto is_known = [number](const ChangeSet::Grown &grown) { return grown.block == number; };

@@ -26,7 +26,7 @@ struct StandEdit {
 	bool fills = false; ///< Whether `filled` replaces all plants that were filled before.
 	std::vector<PlantBlock> filled; ///< As cut_into_blocks() makes them, of tiles of `tile_size`.
 	float tile_size = 16.0f; ///< m, > 0. Another one than before cuts what was added anew, too.
-	double spacing = 1.0; ///< m, > 0: of the placement that `filled` comes from.
+	double spacing = 0.0; ///< m: of the placement that `filled` or `stood` comes from; 0: as before.
 	/// With `fills`: what species are from now on, by what they were. Empty: the same.
 	std::vector<int> species_numbers;
 	/// Newcomers among those that were filled, of the same placement: valid ones, of cells where nobody stands, or
@@ -37,7 +37,7 @@ struct StandEdit {
 	std::vector<PlantPlace> removed; ///< Of plants that stand. Not together with `fills`.
 	/// All plants that were filled in these tiles go, newcomers included. Not together with `fills` or `grown`.
 	std::vector<TileKey> left_tiles;
-	/// Stands beside what was filled before: as `filled`, of the same placement, in tiles where nobody was.
+	/// Stands beside what was filled before: as `filled`, in tiles where nobody is, those that were left included.
 	std::vector<PlantBlock> stood;
 	std::vector<PlacedPlant> added; ///< Valid ones, of species that the owner knows.
 	/// As many, ascending: plants that were added before come back by their names, which nobody has. Empty: new names.
@@ -87,12 +87,18 @@ public:
 	/// Ascending.
 	const std::vector<int> &blocks_of(const TileKey &tile) const;
 	float tile_size() const { return size; }
-	/// m, of the placement that plants were filled by.
+	/// m, of the placement that plants were filled by last. PlantBlock::spacing says it of each: tiles that are yet to
+	/// be grown anew may have another one.
 	double spacing() const { return cell_size; }
 	int plant_count() const { return standing; }
 
+	/// Whether plants that are filled at another spacing (m) have other names than all who stand.
+	bool has_names_left(double other_spacing) const;
+
 	/// The block is -1 where no such plant stands. Costs by the plants of a tile.
 	PlantPlace find(PlantId id) const;
+	/// Tiles where somebody who was filled may stand.
+	std::vector<TileKey> filled_tiles() const;
 	/// Where those of them stand that do, in their order.
 	std::vector<PlantPlace> find_all(const std::vector<PlantId> &ids) const;
 	/// Of a plant that stands.
@@ -121,6 +127,7 @@ public:
 private:
 	float size = 16.0f; ///< m.
 	double cell_size = 1.0; ///< m.
+	std::map<double, int> spacings; ///< How many blocks that were filled have each.
 	std::vector<PlantBlock> blocks;
 	std::vector<int> free_numbers;
 	std::map<TileKey, std::vector<int>> tiles;
@@ -138,6 +145,7 @@ private:
 	void remove(const PlantPlace &place, ChangeSet &changes);
 	void add(const PlacedPlant &plant, PlantId id, ChangeSet &changes);
 	PlantPlace grow(const PlacedPlant &plant, ChangeSet &changes);
+	PlantPlace find_filled(PlantId id, double at_spacing) const;
 	int open_block(const TileKey &tile, int species, bool is_added) const;
 	int need_block(const PlacedPlant &plant, bool is_added, ChangeSet &changes);
 	template <class Visit> void for_each_tile(const glm::vec3 &low, const glm::vec3 &high, const Visit &visit) const;

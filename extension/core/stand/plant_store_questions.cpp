@@ -169,14 +169,26 @@ PlantPlace PlantStore::find(PlantId id) const {
 		const auto found = added_places.find(id);
 		return found == added_places.end() ? PlantPlace() : found->second;
 	}
+	const auto is_its = [id](const auto &entry) { return is_named_at(id, entry.first); };
+	const auto own = std::find_if(spacings.begin(), spacings.end(), is_its);
+	return own == spacings.end() ? PlantPlace() : find_filled(id, own->first);
+}
+
+bool PlantStore::has_names_left(double other_spacing) const {
+	return std::none_of(spacings.begin(), spacings.end(), [other_spacing](const auto &entry) {
+		return entry.first != other_spacing && share_names(entry.first, other_spacing);
+	});
+}
+
+PlantPlace PlantStore::find_filled(PlantId id, double at_spacing) const {
 	glm::vec3 place(0.0f);
-	filled_plant_place(id, cell_size, place.x, place.z);
-	const float reach = static_cast<float>(cell_size);
+	filled_plant_place(id, at_spacing, place.x, place.z);
+	const auto reach = static_cast<float>(at_spacing);
 	PlantPlace found;
 	for_each_tile(place - reach, place + reach, [&](const std::vector<int> &members) {
 		for (const int number : members) {
 			const PlantBlock &there = block(number);
-			if (found.block >= 0 || there.is_added || !is_near(there, place, reach)) {
+			if (found.block >= 0 || there.spacing != at_spacing || !is_near(there, place, reach)) {
 				continue;
 			}
 			const float *x = there.plants.x.data();
@@ -184,13 +196,23 @@ PlantPlace PlantStore::find(PlantId id) const {
 			for (int slot = 0; slot < there.size(); slot++) {
 				// Most are too far: the exact answer costs a division.
 				if (std::fabs(x[slot] - place.x) < reach && std::fabs(z[slot] - place.z) < reach &&
-						!there.is_gone(slot) && filled_plant_id(x[slot], z[slot], cell_size) == id) {
+						!there.is_gone(slot) && filled_plant_id(x[slot], z[slot], at_spacing) == id) {
 					found = { number, slot };
 					break;
 				}
 			}
 		}
 	});
+	return found;
+}
+
+std::vector<TileKey> PlantStore::filled_tiles() const {
+	std::vector<TileKey> found;
+	for (const auto &[tile, members] : tiles) {
+		if (std::any_of(members.begin(), members.end(), [this](int number) { return !block(number).is_added; })) {
+			found.push_back(tile);
+		}
+	}
 	return found;
 }
 
@@ -211,7 +233,7 @@ PlantId PlantStore::id(const PlantPlace &place) const {
 		return there.ids[static_cast<std::size_t>(place.slot)];
 	}
 	const glm::vec3 root = there.root(place.slot);
-	return filled_plant_id(root.x, root.z, cell_size);
+	return filled_plant_id(root.x, root.z, there.spacing);
 }
 
 std::vector<PlantId> PlantStore::ids() const {

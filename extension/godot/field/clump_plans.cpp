@@ -35,11 +35,11 @@ struct Squares {
 // are a quarter as many, and those at the level's end reach farther beyond it; of both, what saves more.
 static Squares squares_of(const FieldStyle &style, int level, const FieldLook &look, float plants_in_tile) {
 	const FieldLevel &seen = style.levels[size_t(level)];
-	Squares squares = { seen.tile_factor, seen.tile_cuts };
+	Squares squares = { style.is_of_tiles ? 1 : seen.tile_factor, seen.tile_cuts };
 	const float end = seen.end > 0.0f ? seen.end : 2.0f * seen.begin;
 	const float meshes = float(look.meshes[size_t(level)].size());
 	const float vertices = plants_in_tile / meshes * float(vertex_budget(look.segments_at(seen)));
-	while (squares.factor < MOST_SQUARE_FACTOR) {
+	while (squares.cuts > 1 || (squares.factor < MOST_SQUARE_FACTOR && !style.is_of_tiles)) {
 		const float tiles = float(squares.factor) / float(squares.cuts); // Along a side.
 		const float side = tiles * style.tile_size;
 		if (side * 2.0f > end || 2.0f * vertices * tiles * tiles * side > VERTICES_OF_DRAW * end) {
@@ -69,16 +69,17 @@ static ClumpPlace place_of(
 		const FieldStyle &style, int level, const DrawnBlock &drawn, const Squares &squares, const glm::vec3 &root) {
 	const PlantBlock &block = *drawn.block;
 	if (drawn.newcomers >= 0) {
-		return { false, level, block.tile, drawn.newcomers };
+		return { false, level, 1, block.tile, drawn.newcomers };
 	}
 	if (squares.cuts == 1) {
-		return { block.is_added, level, wider_tile(block.tile, squares.factor) };
+		return { block.is_added, level, squares.factor, wider_tile(block.tile, squares.factor) };
 	}
 	const auto part = [&](float place, int tile) {
 		const float way = place / style.tile_size - float(tile);
-		return squares.cuts * tile + std::clamp(int(way * float(squares.cuts)), 0, squares.cuts - 1);
+		return std::clamp(int(way * float(squares.cuts)), 0, squares.cuts - 1);
 	};
-	return { block.is_added, level, { part(root.x, block.tile.column), part(root.z, block.tile.row) } };
+	const int number = part(root.z, block.tile.row) * squares.cuts + part(root.x, block.tile.column);
+	return { block.is_added, level, 1, block.tile, -1, number };
 }
 
 static void write_transform(float *to, const Transform3D &transform) {
@@ -142,12 +143,12 @@ static ClumpPlan make_plan(const FieldStyle &style, const MembersByMesh::key_typ
 	return plan;
 }
 
-static float rank_of(const FieldStyle &style, const PlantBlock &block, int slot) {
+static float rank_of(const PlantBlock &block, int slot) {
 	if (block.is_added) {
 		return plant_rank(block.ids[size_t(slot)]);
 	}
 	const glm::vec3 root = block.root(slot);
-	return plant_rank(filled_plant_id(root.x, root.z, style.spacing));
+	return plant_rank(filled_plant_id(root.x, root.z, block.spacing));
 }
 
 static void add_block(const FieldStyle &style, const DrawnBlock &drawn, int level, const std::vector<Squares> &squares,
@@ -161,7 +162,7 @@ static void add_block(const FieldStyle &style, const DrawnBlock &drawn, int leve
 		if (!block.is_gone(slot)) {
 			const int group = int(block.plants.variant[size_t(slot)] % look.variants.size()) % groups;
 			const ClumpPlace place = place_of(style, level, drawn, own, block.root(slot));
-			members[{ place, block.species, group }].push_back({ rank_of(style, block, slot), &drawn, slot });
+			members[{ place, block.species, group }].push_back({ rank_of(block, slot), &drawn, slot });
 		}
 	}
 }

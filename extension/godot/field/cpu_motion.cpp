@@ -126,15 +126,15 @@ void CpuMotion::take_added(const PlantStore &store, const FieldStyle &style, con
 
 // Where nobody comes, nothing waits for the step that goes on.
 void CpuMotion::apply(
-		const ChangeSet &changes, const PlantStore &store, const FieldStyle &style, PreparedBlock *prepared) {
+		const ChangeSet &changes, const PlantStore &store, const FieldStyle &style, ArrivingBlocks *arriving) {
 	if (changes.dropped.empty() && changes.grown.empty()) {
 		going.insert(going.end(), changes.gone.begin(), changes.gone.end());
 		return;
 	}
 	wait();
 	rows.resize(size_t(store.block_count()));
-	if (prepared) {
-		take_in(changes.grown.front().block, static_cast<PreparedCpuBlock &>(*prepared));
+	if (arriving) {
+		exchange_blocks(changes, *arriving);
 		fit_contact(touches);
 		return;
 	}
@@ -153,7 +153,7 @@ void CpuMotion::apply(
 		stale_pages.push_back(to);
 	}
 	for (const int block : changes.dropped) {
-		drop_block(block);
+		drop_rows(std::exchange(rows[size_t(block)], {}), false);
 	}
 	grow_those(false);
 	for (const PlantPlace &place : changes.gone) {
@@ -166,34 +166,6 @@ void CpuMotion::apply(
 void CpuMotion::drop(int page, int row) {
 	simulation->drop(page, row);
 	textures->hide(page, row);
-}
-
-// The page goes with the last of its blocks.
-void CpuMotion::drop_block(int block) {
-	const PageRows own = std::exchange(rows[size_t(block)], {});
-	const auto is_there = [&](const PageRows &other) { return other.page == own.page; };
-	if (own.page >= 0 && std::none_of(rows.begin(), rows.end(), is_there)) {
-		simulation->remove_page(own.page);
-		textures->take_rows(own.page);
-		return;
-	}
-	for (int i = 0; own.page >= 0 && i < own.count; i++) {
-		drop(own.page, own.first + i);
-	}
-}
-
-// It has a page of its own.
-void CpuMotion::take_in(int block, PreparedCpuBlock &prepared) {
-	PageRows &own = rows[size_t(block)];
-	own.count = prepared.page.size();
-	own.page = simulation->add_page(std::move(prepared.page), prepared.plants.data());
-	textures->give_rows(own.page, own.count);
-	simulation->set_page_phase(own.page, textures->layer_of(own.page)); // Sent together, due together.
-	textures->write_page(*simulation, own.page);
-	textures->write_beside(*simulation, own.page);
-	if (simulation->settings().prototypes > 0) {
-		textures->write_history(*simulation, false);
-	}
 }
 
 // Only a block that code added or of newcomers grows, and it has a page of its own. Newcomers keep their texels.

@@ -32,7 +32,9 @@ public:
 	void adopt(PreparedMotion &prepared, const std::vector<KeptPlant> &kept, const ChangeSet &changes,
 			const PlantStore &store, const FieldStyle &style) override;
 	void apply(const ChangeSet &changes, const PlantStore &store, const FieldStyle &style,
-			PreparedBlock *prepared) override;
+			ArrivingBlocks *arriving) override;
+	PoseTexels reserve(PreparedBlock &prepared) override;
+	void give_up(PreparedBlock &prepared) override;
 	void add_species(const FieldLook &look) override;
 	void set_species(int index, const FieldLook &look, const PlantStore &store, bool is_still) override;
 	void set_update_interval(int steps) override;
@@ -99,7 +101,8 @@ private:
 	void grow(const ChangeSet::Grown &grown, const PlantStore &store, const FieldStyle &style);
 	void take_in(int block, PreparedCpuBlock &prepared);
 	void drop(int page, int row);
-	void drop_block(int block);
+	void exchange_blocks(const ChangeSet &changes, ArrivingBlocks &arriving);
+	void drop_rows(const PageRows &own, bool leaves_texels);
 	void take_added(const PlantStore &store, const FieldStyle &style, const FieldSimulation *old,
 			const std::vector<PageRows> &old_rows);
 	void set_rests(const PageRows &plants, const std::vector<glm::vec3> &rests, bool is_still);

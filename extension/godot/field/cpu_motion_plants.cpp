@@ -1,6 +1,10 @@
-// What CpuMotion is asked of single plants and of all, and what is done to them.
+// What CpuMotion is asked of single plants and of all, and what is done to them; blocks that come and go.
 
 #include "field/cpu_motion.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
 
 using namespace godot;
 
@@ -70,6 +74,82 @@ void CpuMotion::set_hidden(const PlantPlace &place, bool hidden) {
 		textures->show(page, row_of(place));
 		stale_pages.push_back(page);
 	}
+}
+
+// The page goes with the last of its blocks.
+void CpuMotion::drop_rows(const PageRows &own, bool leaves_texels) {
+	const auto is_there = [&](const PageRows &other) { return other.page == own.page; };
+	if (own.page >= 0 && std::none_of(rows.begin(), rows.end(), is_there)) {
+		simulation->remove_page(own.page);
+		leaves_texels ? textures->leave_rows(own.page) : textures->take_rows(own.page);
+		return;
+	}
+	for (int i = 0; own.page >= 0 && i < own.count; i++) {
+		drop(own.page, own.first + i);
+	}
+}
+
+// Blocks that come may have the numbers of those that go.
+void CpuMotion::exchange_blocks(const ChangeSet &changes, ArrivingBlocks &arriving) {
+	std::map<int, PageRows> left;
+	for (const int block : changes.dropped) {
+		left[block] = std::exchange(rows[size_t(block)], {});
+	}
+	for (size_t i = 0; i < arriving.prepared.size(); i++) {
+		take_in(changes.grown[i].block, static_cast<PreparedCpuBlock &>(*arriving.prepared[i]));
+	}
+	for (const KeptPlant &kept : arriving.kept) {
+		const auto was = left.find(kept.from.block);
+		const PageRows from = was == left.end() ? PageRows() : was->second;
+		const PageRows &to = rows_of(changes.grown[size_t(kept.to.block)].block);
+		if (from.page < 0 || kept.from.slot >= from.count) {
+			continue;
+		}
+		const int row = to.first + kept.to.slot;
+		const int row_before = from.first + kept.from.slot;
+		const glm::vec3 before = simulation->page(from.page).root(row_before);
+		const glm::vec3 now = simulation->page(to.page).root(row);
+		if (before.x == now.x && before.z == now.z) {
+			simulation->take_motion(to.page, row, *simulation, from.page, row_before);
+		}
+	}
+	for (const ChangeSet::Grown &grown : changes.grown) {
+		stale_pages.push_back(rows_of(grown.block).page);
+	}
+	for (const auto &entry : left) {
+		drop_rows(entry.second, arriving.leaves_texels);
+	}
+	if (simulation->settings().prototypes > 0) {
+		textures->write_history(*simulation, false);
+	}
+}
+
+PoseTexels CpuMotion::reserve(PreparedBlock &prepared) {
+	auto &own = static_cast<PreparedCpuBlock &>(prepared);
+	wait();
+	own.texels = textures->reserve(int(own.plants.size()));
+	return own.texels.texels();
+}
+
+void CpuMotion::give_up(PreparedBlock &prepared) {
+	auto &own = static_cast<PreparedCpuBlock &>(prepared);
+	wait();
+	textures->release(std::exchange(own.texels, {}));
+}
+
+// It has a page of its own.
+void CpuMotion::take_in(int block, PreparedCpuBlock &prepared) {
+	PageRows &own = rows[size_t(block)];
+	own.count = prepared.page.size();
+	own.page = simulation->add_page(std::move(prepared.page), prepared.plants.data());
+	if (prepared.texels.layer >= 0) {
+		textures->give_reserved(own.page, std::exchange(prepared.texels, {}));
+	} else {
+		textures->give_rows(own.page, own.count);
+	}
+	simulation->set_page_phase(own.page, textures->layer_of(own.page)); // Sent together, due together.
+	textures->write_page(*simulation, own.page);
+	textures->write_beside(*simulation, own.page);
 }
 
 } // namespace undergrowth

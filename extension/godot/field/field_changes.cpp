@@ -1,6 +1,7 @@
 #include "field/field_changes.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace undergrowth {
@@ -13,15 +14,18 @@ static bool is_there(const PlantStore &store, const PlantPlace &place) {
 }
 
 void FieldChanges::note_removed(const PlantStore &store, const std::vector<PlantPlace> &places) {
-	std::vector<PlantId> ids;
-	ids.reserve(places.size());
+	std::map<double, std::vector<PlantId>> gone; // By spacing.
 	for (const PlantPlace &place : places) {
-		ids.push_back(store.id(place));
-		if (is_added(ids.back())) {
-			changes.forget_added(ids.back());
+		const PlantId id = store.id(place);
+		if (is_added(id)) {
+			changes.forget_added(id);
+		} else {
+			gone[store.block(place.block).spacing].push_back(id);
 		}
 	}
-	changes.remove(ids, store.spacing());
+	for (const auto &[spacing, ids] : gone) {
+		changes.remove(ids, spacing);
+	}
 }
 
 float FieldChanges::share_of(const PlantStore &store, const PlantPlace &place) const {
@@ -43,11 +47,15 @@ void FieldChanges::show(
 
 void FieldChanges::mow(const std::vector<PlantPlace> &places, const std::vector<float> &shares, const PlantStore &store,
 		const FieldStyle &style, FieldMotion &motion) {
-	std::vector<PlantId> ids;
-	for (const PlantPlace &place : places) {
-		ids.push_back(store.id(place));
+	std::map<double, std::pair<std::vector<PlantId>, std::vector<float>>> by_spacing;
+	for (size_t i = 0; i < places.size(); i++) {
+		auto &[ids, of_them] = by_spacing[store.block(places[i].block).spacing];
+		ids.push_back(store.id(places[i]));
+		of_them.push_back(shares[i]);
 	}
-	changes.mow(ids, shares, store.spacing());
+	for (const auto &[spacing, those] : by_spacing) {
+		changes.mow(those.first, those.second, spacing);
+	}
 	std::vector<PlantPlace> mown = places;
 	std::sort(mown.begin(), mown.end());
 	const auto is_mown_anew = [&](const Growing &plant) {

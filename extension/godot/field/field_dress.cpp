@@ -10,6 +10,7 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr float FARTHEST = 1e9f; // m.
+static constexpr float LEAST_MARGIN = 1.0f; // m.
 static constexpr float SWINGS_TO = 60.0f; // Heights of a plant away: a leaf sways by less than a pixel there.
 static constexpr float SWINGS_WHOLE = 0.75f; // Of that: up to there all of it.
 
@@ -37,6 +38,14 @@ void FieldDress::make(FieldStyle &style) const {
 			report_error(look.function.ptr(),
 					"its material has a shader that does not bend in a PlantField3D. Include "
 					"undergrowth_bend.gdshaderinc, which says how.");
+		}
+	}
+}
+
+void FieldDress::take_away(const FieldStyle &style) const {
+	for (const FieldLook &look : style.looks) {
+		for (const Ref<ShaderMaterial> &material : look.materials) {
+			material->set_shader_parameter("undergrowth_level", Vector3(FARTHEST, FARTHEST, LEAST_MARGIN));
 		}
 	}
 }

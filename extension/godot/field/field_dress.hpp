@@ -15,7 +15,9 @@ public:
 
 	/// Makes the materials that are missing. A shader that does not bend is told of, once for each look.
 	void make(FieldStyle &style) const;
-	/// The same, and tells all of levels and textures.
+	/// What wears its materials is not drawn, until put_on().
+	void take_away(const FieldStyle &style) const;
+	/// Makes the materials that are missing, and tells all of levels and textures.
 	void put_on(FieldStyle &style, const FieldMotion &motion);
 	/// Forgets the materials; what was worn goes on with whoever holds `old`.
 	void take_off(FieldStyle &style, std::vector<std::vector<godot::Ref<godot::ShaderMaterial>>> &old) const;

@@ -16,6 +16,17 @@ static constexpr float STANDING_SHARE = 0.5f;
 static constexpr float MESHES_SHARE = 0.6f;
 static constexpr float SIMULATED_SHARE = 0.8f;
 
+String FieldResult::describe_fault() const {
+	if (fault != PlacementFault::none) {
+		return undergrowth::describe(fault);
+	}
+	if (motion->is_too_large()) {
+		return "needs more texture layers than graphics cards have. Set a lower density, fewer species where there are "
+			   "prototypes, or divide it among several fields.";
+	}
+	return String();
+}
+
 FieldFill::FieldFill(FieldRecipe &&with) : recipe(std::move(with)) {
 	result.style = std::move(recipe.style);
 }
@@ -142,11 +153,14 @@ void FieldFill::build() {
 	}
 	done = MESHES_SHARE;
 	result.blocks = cut_into_blocks(placed, recipe.tile_size);
+	for (PlantBlock &block : result.blocks) {
+		block.spacing = result.spacing;
+	}
 	placed = FieldPlants();
 	result.motion = recipe.prepare(result.blocks, result.style, recipe.settings, recipe.wind);
 	done = SIMULATED_SHARE;
 	result.style.tile_size = recipe.tile_size;
-	result.style.spacing = result.spacing;
+	result.style.is_of_tiles = recipe.is_of_tiles;
 	std::vector<DrawnBlock> drawn;
 	for (size_t i = 0; i < result.blocks.size() && !is_cancelled; i++) {
 		drawn.push_back({ result.motion->texels(int(i)), &result.blocks[i] });

@@ -41,6 +41,9 @@ struct FieldResult {
 	std::vector<ClumpPlan> plans;
 	std::vector<KeptPlant> kept;
 	PlacementFault fault = PlacementFault::none;
+
+	/// What only shows when everything is placed.
+	godot::String describe_fault() const;
 };
 
 /// Grows a field on one of the engine's worker threads, from a recipe and nothing else.
@@ -68,6 +71,7 @@ public:
 		return size_t(species) < recipe.species_numbers.size() && recipe.species_numbers[size_t(species)] >= 0;
 	}
 	float tile_size() const { return recipe.tile_size; }
+	bool is_of_tiles() const { return recipe.is_of_tiles; }
 	const std::vector<TileKey> &tiles() const { return recipe.tiles; }
 	const PlacementRequest &request() const { return recipe.request; }
 	/// Waits for the thread.

@@ -40,6 +40,14 @@ public:
 	virtual ~PreparedBlock() = default;
 };
 
+/// Blocks that come to a field that stands.
+struct ArrivingBlocks {
+	std::vector<std::unique_ptr<PreparedBlock>> prepared; ///< As the edit's `stood`.
+	/// Who goes on with its motion, from blocks that the same edit drops.
+	std::vector<KeptPlant> kept;
+	bool leaves_texels = false; ///< Some of what draws who goes stays. It shall find nobody there, whoever comes.
+};
+
 /// How the plants of a field move, and the textures that tell the graphics card of it. This class says what a field
 /// asks of a motion; CpuMotion answers it with the core's simulation on worker threads, and another one, say on the
 /// graphics card, may stand in its place: nobody else knows pages, steps or threads.
@@ -93,10 +101,14 @@ public:
 	/// before go on with their motion.
 	virtual void adopt(PreparedMotion &prepared, const std::vector<KeptPlant> &kept, const ChangeSet &changes,
 			const PlantStore &store, const FieldStyle &style) = 0;
-	/// Follows an edit that fills nothing. Who goes may be seen until the next wait(). What `prepared` was made of is
-	/// the only block that grew; null: nothing is prepared.
+	/// Follows an edit that fills nothing. Who goes may be seen until the next wait(). With `arriving` only its blocks
+	/// grew; null: nothing is prepared.
 	virtual void apply(
-			const ChangeSet &changes, const PlantStore &store, const FieldStyle &style, PreparedBlock *prepared) = 0;
+			const ChangeSet &changes, const PlantStore &store, const FieldStyle &style, ArrivingBlocks *arriving) = 0;
+	/// Where the shader will find a prepared block, before it is one of the store; until apply() takes it, or it is
+	/// given up. Between two steps.
+	virtual PoseTexels reserve(PreparedBlock &prepared) = 0;
+	virtual void give_up(PreparedBlock &prepared) = 0;
 	virtual void add_species(const FieldLook &look) = 0;
 	/// The species' constants are others; the motion goes on. Where nothing moves (`is_still`), plants at rest take
 	/// another rest direction at once and show it.

@@ -12,7 +12,7 @@ FieldStyle outline_of(const FieldStyle &style) {
 	FieldStyle outline;
 	outline.levels = style.levels;
 	outline.tile_size = style.tile_size;
-	outline.spacing = style.spacing;
+	outline.is_of_tiles = style.is_of_tiles;
 	outline.needs_colors = style.needs_colors;
 	for (const FieldLook &look : style.looks) {
 		FieldLook some;

@@ -11,7 +11,7 @@ struct FieldStyle {
 	std::vector<FieldLook> looks; ///< By species.
 	std::vector<FieldLevel> levels; ///< At least one, nearest first.
 	float tile_size = 16.0f; ///< m, of the stand's blocks.
-	double spacing = 1.0; ///< m, of the placement, by which plants that were filled have their names.
+	bool is_of_tiles = false; ///< No multimesh is wider than a tile, which comes and goes alone.
 	bool needs_colors = false; ///< Compatibility takes custom data for colours where instances have no colours.
 	int listed_count =
 			0; ///< So many looks are of the field's list of species; the others came with plants that were added.

@@ -18,8 +18,7 @@ static constexpr size_t MOST_JOBS = 4; // At once.
 static constexpr double MOST_USEC = 300.0; // A frame, after which nothing more begins.
 static constexpr double ASKING_USEC = 500.0; // A frame, for the ground.
 
-// Whoever looks, and whatever else the field is to stand around, in its axes.
-std::vector<glm::vec2> FieldTiles::places_of(const Scene &scene) const {
+std::vector<glm::vec2> FieldTiles::places_of(const Scene &scene) {
 	std::vector<Vector3> eyes = find_eyes(scene.field);
 	for (int64_t i = 0; i < scene.properties.streaming_targets.size(); i++) {
 		const Node3D *target =
@@ -46,7 +45,7 @@ static float distance_in(const FieldTiles::Scene &scene) {
 	return float(scene.properties.view_distance) * longest;
 }
 
-std::vector<TileKey> FieldTiles::choose_all(const Scene &scene, const PlacementRequest &request) {
+std::vector<TileKey> FieldTiles::choose_all(const Scene &scene, const PlacementRequest &request) const {
 	const float size = float(scene.properties.tile_size);
 	const std::vector<glm::vec2> places = places_of(scene);
 	if (places.empty() && size == scene.store.tile_size()) {
@@ -148,6 +147,7 @@ bool FieldTiles::begin(const Scene &scene) {
 	recipe.changes = scene.changes.cut(box);
 	recipe.prepare = scene.motion.prepare_block();
 	recipe.settings = scene.settings;
+	recipe.spacing = scene.store.spacing();
 	recipe.style = outline;
 	standing.insert(recipe.tile);
 	jobs.push_back(std::make_unique<TileJob>(std::move(recipe)));
@@ -174,9 +174,9 @@ void FieldTiles::ask_ground(const Scene &scene, bool physics) {
 bool FieldTiles::go_on(const Scene &scene, TileJob &job, bool edits, double until_usec, const Stopwatch &watch) {
 	while (job.is_placed() && job.has_more_blocks() && edits && watch.usec() < until_usec) {
 		StandEdit edit;
-		std::unique_ptr<PreparedBlock> prepared;
-		edit.stood.push_back(job.take_block(prepared));
-		const ChangeSet changes = scene.apply(std::move(edit), prepared.get());
+		ArrivingBlocks arriving;
+		edit.stood.push_back(job.take_block(arriving.prepared.emplace_back()));
+		const ChangeSet changes = scene.apply(std::move(edit), &arriving);
 		job.set_texels(scene.motion.texels(changes.grown.front().block));
 	}
 	if (job.is_placed() && !job.has_more_blocks()) {

@@ -25,12 +25,12 @@ public:
 		const StandChanges &changes;
 		FieldSettings settings;
 		FieldView &view;
-		std::function<ChangeSet(StandEdit &&, PreparedBlock *)> apply;
+		std::function<ChangeSet(StandEdit &&, ArrivingBlocks *)> apply;
 		std::function<void(const godot::String &)> fault;
 	};
 
 	/// Tiles that a filling is to begin with: those around whoever looks, and those that stand and are not too far.
-	std::vector<TileKey> choose_all(const Scene &scene, const PlacementRequest &request);
+	std::vector<TileKey> choose_all(const Scene &scene, const PlacementRequest &request) const;
 	/// They stand now, and no others; later ones are of this request.
 	void stand(const std::vector<TileKey> &tiles, const PlacementRequest &request);
 	/// None of them does.
@@ -39,6 +39,9 @@ public:
 	int standing_count() const { return int(standing.size()); }
 	/// Tiles that are to come.
 	int waiting_count() const { return int(jobs.size() + coming.size()); }
+
+	/// Whoever looks, and whatever else the field is to stand around, in its axes (m).
+	static std::vector<glm::vec2> places_of(const Scene &scene);
 
 	/// Goes on in a frame of physics or another one: chooses now and then, lets tiles go and come. `edits`: the store
 	/// may be edited. Where it does something it takes a part of a millisecond, and ends in the midst of it.
@@ -62,7 +65,6 @@ private:
 	const TileJob *asking = nullptr;
 	int frames_since_choice = 0;
 
-	std::vector<glm::vec2> places_of(const Scene &scene) const;
 	void choose(const Scene &scene);
 	void leave(const Scene &scene, const TileKey &tile);
 	bool begin(const Scene &scene);

@@ -29,6 +29,7 @@ FieldView::~FieldView() {
 	if (RenderingServer::get_singleton()) {
 		move_all(clumps, gone);
 		move_all(prepared, gone);
+		std::for_each(leaving.begin(), leaving.end(), &FieldView::let_go);
 		std::for_each(gone.begin(), gone.end(), &FieldView::let_go);
 	}
 }
@@ -90,15 +91,7 @@ void FieldView::show(const FieldStyle &style, const std::vector<ClumpPlan> &plan
 	for (const ClumpPlan &plan : plans) {
 		std::vector<Clump> &there = clumps[plan.place];
 		there.push_back(make(style, plan));
-		set_visible(there.back(), is_visible);
-	}
-}
-
-void FieldView::clear(const ClumpPlace &place) {
-	const auto found = clumps.find(place);
-	if (found != clumps.end()) {
-		std::for_each(found->second.begin(), found->second.end(), &FieldView::let_go);
-		clumps.erase(found);
+		reveal(there.back());
 	}
 }
 
@@ -106,16 +99,13 @@ void FieldView::show_added(
 		const FieldStyle &style, const FieldMotion &motion, const PlantStore &store, const std::set<TileKey> &tiles) {
 	for (int level = 0; level < int(style.levels.size()); level++) {
 		const int factor = style.levels[size_t(level)].tile_factor;
-		const int cuts = style.levels[size_t(level)].tile_cuts;
 		std::set<TileKey> places;
 		for (const TileKey &tile : tiles) {
 			places.insert(wider_tile(tile, factor));
 		}
 		std::vector<DrawnBlock> members;
 		for (const auto &[column, row] : places) {
-			for (int i = 0; i < cuts * cuts; i++) {
-				clear(ClumpPlace{ true, level, { column * cuts + i % cuts, row * cuts + i / cuts } });
-			}
+			clear(ClumpPlace{ true, level, factor, { column, row } });
 			for (int i = 0; i < factor * factor; i++) {
 				for (const int number : store.blocks_of({ column * factor + i % factor, row * factor + i / factor })) {
 					if (store.block(number).is_added) {
@@ -142,18 +132,9 @@ void FieldView::drop_newcomers(int number) {
 	const auto known = newcomers.find(number);
 	if (known != newcomers.end()) {
 		for (int level = 0; level < int(levels.size()); level++) {
-			clear(ClumpPlace{ false, level, known->second, number });
+			clear(ClumpPlace{ false, level, 1, known->second, number });
 		}
 		newcomers.erase(known);
-	}
-}
-
-void FieldView::drop_tile(const TileKey &tile) {
-	for (int level = 0; level < int(levels.size()); level++) {
-		const int cuts = levels[size_t(level)].tile_cuts;
-		for (int i = 0; i < cuts * cuts; i++) {
-			clear(ClumpPlace{ false, level, { tile.column * cuts + i % cuts, tile.row * cuts + i / cuts } });
-		}
 	}
 }
 
@@ -177,6 +158,7 @@ void FieldView::update_levels(const FieldStyle &style) {
 
 void FieldView::set_scenario(const RID &scenario) {
 	world = scenario;
+	free_some(0.0, true);
 	for_each([&](RenderingServer *server, const FieldLevel &, const Clump &clump) {
 		server->instance_set_scenario(clump.instance, world);
 	});
@@ -202,11 +184,11 @@ void FieldView::set_transform(const Transform3D &transform) {
 
 void FieldView::set_visible(bool visible) {
 	is_visible = visible;
-	for (const auto &[place, group] : clumps) {
-		for (const Clump &clump : group) {
+	for_each([visible](RenderingServer *, const FieldLevel &, const Clump &clump) {
+		if (clump.is_revealed) {
 			set_visible(clump, visible);
 		}
-	}
+	});
 }
 
 void FieldView::wear(const FieldWear &wear) {

@@ -16,17 +16,24 @@
 
 namespace undergrowth {
 
-/// A square of the ground at one level of detail: FieldLevel::tile_factor tiles wide, or a part of one. Plants that
-/// code added have multimeshes of their own, and so has each block of newcomers: what was filled is not touched.
+/// A square of the ground at one level of detail: some tiles wide, or a part of one. Plants that code added have
+/// multimeshes of their own, and so has each block of newcomers: what was filled is not touched.
 struct ClumpPlace {
 	bool is_added;
 	int level;
-	TileKey tile;
+	int factor; ///< So many tiles wide.
+	TileKey tile; ///< As wider_tile() has it for that factor.
 	int newcomers = -1; ///< The number of their block.
+	int part = -1; ///< Which part of a tile that is cut.
 
 	bool operator<(const ClumpPlace &other) const {
-		return std::tie(is_added, level, tile, newcomers) <
-				std::tie(other.is_added, other.level, other.tile, other.newcomers);
+		return std::tie(is_added, level, factor, tile, newcomers, part) <
+				std::tie(other.is_added, other.level, other.factor, other.tile, other.newcomers, other.part);
+	}
+	/// Whether it is the same but for the part.
+	bool is_beside(const ClumpPlace &other) const {
+		return std::tie(is_added, level, factor, tile, newcomers) ==
+				std::tie(other.is_added, other.level, other.factor, other.tile, other.newcomers);
 	}
 };
 
@@ -70,14 +77,18 @@ public:
 	FieldView(const FieldView &) = delete;
 	FieldView &operator=(const FieldView &) = delete;
 
-	/// Makes a plan ready to be shown by exchange(), of the same style.
+	/// Makes a plan ready to be shown by exchange() or exchange_tile(), of the same style.
 	void prepare(const FieldStyle &style, const ClumpPlan &plan);
 	/// It is not shown after all.
 	void forget_prepared();
-	/// Shows what was prepared, of this style, instead of all else.
+	/// Hands what was prepared to the renderer, for about `usec`, where its materials draw nothing yet. Telling it of
+	/// all in one frame would take longer than all else in it. False: there is nothing left.
+	bool reveal_some(double usec);
+	/// Shows what was prepared, of this style, instead of all else, whose materials draw nothing from now on.
 	void exchange(const FieldStyle &style);
-	/// Frees what is shown no more, for about `usec`. False: there is nothing left.
-	bool free_some(double usec);
+	/// Frees what is shown no more, for about `usec`; before that it hears of it, at once where `hides_all`. False:
+	/// there is nothing left.
+	bool free_some(double usec, bool hides_all = false);
 
 	/// Shows these plans, beside what is shown.
 	void show(const FieldStyle &style, const std::vector<ClumpPlan> &plans);
@@ -90,9 +101,13 @@ public:
 	/// Shows the plans of a block of newcomers instead of what was shown of it.
 	void show_newcomers(const FieldStyle &style, const TileKey &tile, int number, const std::vector<ClumpPlan> &plans);
 
-	/// Draws nothing of a tile's plants that were filled, of a field whose squares are no wider than tiles; newcomers
-	/// stay.
+	/// Draws nothing of a tile's plants that were filled, but for those in wider squares; newcomers stay.
 	void drop_tile(const TileKey &tile);
+	/// After that: shows what was prepared of this tile, as `style` has it by now. What it needs beside what was shown
+	/// is as much as before.
+	void show_tile(const FieldStyle &style, const TileKey &tile);
+	/// What was prepared of it is not shown after all.
+	void forget_tile(const TileKey &tile);
 
 	/// Draws nothing of a block of newcomers any more.
 	void drop_newcomers(int number);
@@ -129,12 +144,14 @@ private:
 		godot::Vector3 middle; ///< Of what is drawn, which the engine measures to.
 		float radius = 0.0f; ///< m, about that: the farthest that a root is.
 		int shown = RANK_STEPS; ///< Up to which rank, times RANK_STEPS.
+		bool is_revealed = false; ///< The renderer has it, whatever its materials draw.
 	};
 
 	using Clumps = std::map<ClumpPlace, std::vector<Clump>>;
 
 	Clumps clumps;
 	Clumps prepared; ///< Not drawn yet.
+	std::vector<Clump> leaving; ///< Materials draw nothing of it, and the renderer is yet to hear of it.
 	std::vector<Clump> gone; ///< Not drawn any more, and yet to be freed.
 	std::map<int, TileKey> newcomers; ///< Tiles of their blocks that are drawn.
 	std::vector<FieldLevel> levels; ///< As they were shown.
@@ -149,10 +166,12 @@ private:
 	bool is_thinned = false; ///< For these; else something changed.
 
 	Clump make(const FieldStyle &style, const ClumpPlan &plan) const;
+	void reveal(Clump &clump) const;
 	static void set_visible(const Clump &clump, bool visible);
 	static void let_go(const Clump &clump);
 	static void move_all(Clumps &from, std::vector<Clump> &into);
 	void clear(const ClumpPlace &place);
+	template <class Act> static void take_parts(Clumps &from, const ClumpPlace &place, const Act &act);
 	void set_range(const Clump &clump, const FieldLevel &level) const;
 	void set_wear(const Clump &clump, const FieldLevel &level) const;
 	int steps_for(const FieldLevel &level, const Clump &clump, const std::vector<godot::Vector3> &eyes) const;

@@ -31,27 +31,102 @@ void FieldView::prepare(const FieldStyle &style, const ClumpPlan &plan) {
 }
 
 void FieldView::forget_prepared() {
-	move_all(prepared, gone);
+	move_all(prepared, leaving);
+}
+
+void FieldView::reveal(Clump &clump) const {
+	clump.is_revealed = true;
+	set_visible(clump, is_visible);
+}
+
+bool FieldView::reveal_some(double usec) {
+	const Stopwatch watch;
+	for (auto &[place, group] : prepared) {
+		for (Clump &clump : group) {
+			if (!clump.is_revealed) {
+				reveal(clump);
+				if (watch.usec() > usec) {
+					return true;
+				}
+			}
+		}
+	}
+	return false;
+}
+
+// Calls act(place, group) for what is at a place, in parts or whole, and takes it out.
+template <class Act> void FieldView::take_parts(Clumps &from, const ClumpPlace &place, const Act &act) {
+	auto group = from.lower_bound(place);
+	while (group != from.end() && group->first.is_beside(place)) {
+		act(group->first, group->second);
+		group = from.erase(group);
+	}
+}
+
+void FieldView::clear(const ClumpPlace &place) {
+	take_parts(clumps, place, [](const ClumpPlace &, std::vector<Clump> &group) {
+		std::for_each(group.begin(), group.end(), &FieldView::let_go);
+	});
+}
+
+void FieldView::drop_tile(const TileKey &tile) {
+	for (int level = 0; level < int(levels.size()); level++) {
+		take_parts(clumps, { false, level, 1, tile }, [this](const ClumpPlace &, std::vector<Clump> &group) {
+			for (const Clump &clump : group) {
+				set_visible(clump, false);
+				gone.push_back(clump);
+			}
+		});
+	}
+}
+
+void FieldView::show_tile(const FieldStyle &style, const TileKey &tile) {
+	RenderingServer *server = RenderingServer::get_singleton();
+	is_thinned = false;
+	for (int level = 0; level < int(style.levels.size()); level++) {
+		const FieldLevel &seen = style.levels[size_t(level)];
+		take_parts(prepared, { false, level, 1, tile }, [&](const ClumpPlace &place, std::vector<Clump> &group) {
+			for (Clump &clump : group) {
+				const FieldLook &look = style.looks[size_t(clump.species)];
+				server->instance_geometry_set_material_override(
+						clump.instance, look.materials[size_t(level)]->get_rid());
+				set_range(clump, seen);
+				set_wear(clump, seen);
+				reveal(clump);
+				clumps[place].push_back(std::move(clump));
+			}
+		});
+	}
+}
+
+void FieldView::forget_tile(const TileKey &tile) {
+	for (int level = 0; level < int(prepared_levels.size()); level++) {
+		take_parts(prepared, { false, level, 1, tile }, [this](const ClumpPlace &, std::vector<Clump> &group) {
+			std::move(group.begin(), group.end(), std::back_inserter(gone));
+		});
+	}
 }
 
 void FieldView::exchange(const FieldStyle &style) {
-	const bool was_visible = is_visible;
-	set_visible(false);
-	move_all(clumps, gone);
+	move_all(clumps, leaving);
 	newcomers.clear();
 	clumps = std::exchange(prepared, {});
 	levels = style.levels;
 	is_thinned = false;
-	set_visible(was_visible);
 }
 
-bool FieldView::free_some(double usec) {
+bool FieldView::free_some(double usec, bool hides_all) {
 	const Stopwatch watch;
+	while (!leaving.empty() && (hides_all || watch.usec() < usec)) {
+		set_visible(leaving.back(), false);
+		gone.push_back(std::move(leaving.back()));
+		leaving.pop_back();
+	}
 	while (!gone.empty() && watch.usec() < usec) {
 		let_go(gone.back());
 		gone.pop_back();
 	}
-	return !gone.empty();
+	return !gone.empty() || !leaving.empty();
 }
 
 } // namespace undergrowth

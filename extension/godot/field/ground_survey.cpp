@@ -229,6 +229,21 @@ void GroundAsker::tell_of_no_ground(const FieldPlants &plants, const Node3D *fie
 	has_missed = is_missed;
 }
 
+void GroundAsker::note_ground(const FieldPlants &plants) {
+	has_found_some = has_found_some || survey->has_found_any();
+	if (plants.size() > 0) {
+		untold = survey->advice();
+	}
+}
+
+void GroundAsker::tell_of_all(const Node3D *field) {
+	if (!untold.is_empty() && !has_found_some) {
+		report_warning(field, untold);
+	}
+	untold = String();
+	has_found_some = false;
+}
+
 Object *find_ground_object(const Node3D *field, const NodePath &path) {
 	Object *found = path.is_empty() ? nullptr : field->get_node_or_null(path);
 	const String property = path.get_concatenated_subnames();

@@ -49,6 +49,8 @@ public:
 	template <class Job>
 	GroundSurvey::State serve(
 			Job &waiting, godot::Node3D *field, const FieldProperties &options, double usec, bool physics, bool tells);
+	/// Of what did not tell since the last time: tells where no ground was found under any of them.
+	void tell_of_all(const godot::Node3D *field);
 	/// Why it failed.
 	const godot::String &fault() const { return why; }
 	/// Nobody waits for it any more.
@@ -58,10 +60,13 @@ private:
 	std::unique_ptr<GroundSurvey> survey;
 	godot::String why;
 	bool has_missed = false;
+	godot::String untold; ///< The advice for what did not tell, where it found no ground.
+	bool has_found_some = false; ///< Under what did not tell.
 
 	GroundSurvey::State go_on(
 			const FieldPlants &plants, godot::Node3D *field, const FieldProperties &options, double usec, bool physics);
 	void tell_of_no_ground(const FieldPlants &plants, const godot::Node3D *field);
+	void note_ground(const FieldPlants &plants);
 };
 
 template <class Job>
@@ -71,6 +76,8 @@ GroundSurvey::State GroundAsker::serve(
 	if (state == GroundSurvey::State::done) {
 		if (tells) {
 			tell_of_no_ground(waiting.plants(), field);
+		} else {
+			note_ground(waiting.plants());
 		}
 		waiting.go_on(std::move(survey->heights), std::move(survey->normals));
 	}

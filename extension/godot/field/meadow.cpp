@@ -12,6 +12,7 @@
 #include <godot_cpp/classes/world3d.hpp>
 
 #include <algorithm>
+#include <limits>
 
 using namespace godot;
 
@@ -121,6 +122,8 @@ void Meadow::update_wear(const FieldWear &wanted) {
 
 void Meadow::change_materials() {
 	motion.wait();
+	renewal.interrupt(tile_scene(), motion);
+	view.free_some(std::numeric_limits<double>::infinity());
 	has_other_materials = job != nullptr;
 	std::vector<std::vector<Ref<ShaderMaterial>>> old; // They go once nobody wears them.
 	dress.take_off(style, old);
@@ -132,7 +135,7 @@ void Meadow::change_materials() {
 	}
 }
 
-ChangeSet Meadow::apply(StandEdit &&edit, PreparedBlock *prepared) {
+ChangeSet Meadow::apply(StandEdit &&edit, ArrivingBlocks *arriving) {
 	if (edit.removed.empty() && edit.added.empty() && edit.grown.empty() && edit.stood.empty() &&
 			edit.left_tiles.empty()) {
 		return {}; // There may be no motion yet.
@@ -145,7 +148,7 @@ ChangeSet Meadow::apply(StandEdit &&edit, PreparedBlock *prepared) {
 	}
 	ChangeSet changes = store.apply(std::move(edit));
 	std::for_each(changes.dropped.begin(), changes.dropped.end(), [this](int block) { view.drop_newcomers(block); });
-	motion.apply(changes, store, style, prepared);
+	motion.apply(changes, store, style, arriving);
 	own_changes.follow(changes, store, style, motion);
 	patches.follow(changes, store);
 	for (const ChangeSet::Grown &grown : changes.grown) {
@@ -166,7 +169,7 @@ std::vector<PlantId> Meadow::add(std::vector<PlacedPlant> &&plants, std::vector<
 	const ChangeSet changes = apply(std::move(edit));
 	for (const ChangeSet::Grown &grown : changes.grown) {
 		if (job && !job->knows(store.block(grown.block).species)) {
-			const bool places = job->places();
+			const bool places = is_filling();
 			drop_job(); // Its field would have no look for them.
 			const std::vector<PlantId> removed = removed_meanwhile;
 			fill(places);
@@ -184,6 +187,9 @@ int Meadow::remove(std::vector<PlantPlace> &&places) {
 		removed_meanwhile.push_back(store.id(places[i]));
 	}
 	own_changes.note_removed(store, places);
+	for (size_t i = 0; renewal.is_at_work() && i < places.size(); i++) {
+		renewal.note_removed(store.block(places[i].block).tile);
+	}
 	const int before = store.plant_count();
 	StandEdit edit;
 	edit.removed = std::move(places);
@@ -209,6 +215,7 @@ void Meadow::grow_again(const std::vector<AreaBox> &boxes) {
 		return;
 	}
 	tiles.interrupt(tile_scene());
+	renewal.interrupt(tile_scene(), motion);
 	for (size_t i = 0; i < boxes.size() && patches.touched_tiles() <= FieldPatches::MOST_TILES; i++) {
 		patches.touch(boxes[i], store.tile_size());
 		keep_standing_patches();

@@ -5,8 +5,10 @@
 #include "field/field_motion.hpp"
 #include "field/field_patches.hpp"
 #include "field/field_recipe.hpp"
+#include "field/field_renewal.hpp"
 #include "field/field_tiles.hpp"
 #include "field/ground_survey.hpp"
+#include "field/listed_looks.hpp"
 #include "field/skeleton_view.hpp"
 #include "frame_cost.hpp"
 #include "worker_task.hpp"
@@ -35,11 +37,15 @@ public:
 	Meadow(godot::GeometryInstance3D *node, const FieldProperties &set_by_users, Listener &&teller);
 	~Meadow();
 
-	/// Grows anew what stands (`places`), or only what it looks like and how finely it moves.
-	void fill(bool places);
+	/// Grows anew what stands (`places`), or only what it looks like and how finely it moves. Where species look as
+	/// they do (not `looks`) that goes tile by tile.
+	void fill(bool places, bool looks = true);
+	/// Whether all of it is exchanged at once.
 	bool is_at_work() const { return asking || job; }
-	/// Whether it places plants.
-	bool is_filling() const { return asking ? asking->places : job && job->places(); }
+	/// Whether it places plants, or joins tiles that were placed one by one.
+	bool is_filling() const {
+		return renewal.is_at_work() || joins || (asking ? asking->places : job && job->places());
+	}
 	/// What is painted in a box (m, field axes) changed: those who come and go there do so beside the game, while all
 	/// others stand untouched. Where nothing stands yet, or too much changed, the field is filled.
 	void touch(const AreaBox &box);
@@ -51,7 +57,7 @@ public:
 	bool streams() const { return properties.view_distance > 0.0; }
 	/// Whether it is to be polled.
 	bool wants_frames() const {
-		return is_at_work() || is_patching() || streams() || !retired.empty() || tells_of_patches;
+		return is_at_work() || is_filling() || is_patching() || streams() || !retired.empty() || tells_of_patches;
 	}
 	/// Whether what is filled takes its motion over: nothing of it is to be waited for in this frame.
 	bool is_handing_over() const { return job && job->is_handed_over; }
@@ -77,9 +83,13 @@ public:
 	/// Plants are so high, each as a share of its own height.
 	void mow(std::vector<PlantPlace> &&places, const std::vector<float> &shares);
 	/// The entry of the list that a function is of, or null.
-	godot::Ref<PlantFieldSpecies> listed_entry(const godot::Ref<PlantFunction> &function) const;
+	godot::Ref<PlantFieldSpecies> listed_entry(const godot::Ref<PlantFunction> &function) const {
+		return undergrowth::listed_entry(properties, function);
+	}
 	/// The listed species that its map knows by this name, or null.
-	godot::Ref<PlantFunction> listed_species(const godot::String &name) const;
+	godot::Ref<PlantFunction> listed_species(const godot::String &name) const {
+		return undergrowth::listed_species(properties, name);
+	}
 	/// What changed of single plants is seen in the next frame, or at once where there is none.
 	void show_soon();
 	/// Whoever was gone in these boxes (m, field axes) may stand there again.
@@ -142,6 +152,9 @@ private:
 	WorkerTask clearing; ///< Of what the last one leaves.
 	GroundAsker asker;
 	FieldPatches patches;
+	FieldRenewal renewal;
+	bool is_of_tiles = false; ///< It was filled so.
+	bool joins = false; ///< What was grown tile by tile is joined by the job that goes on.
 	FieldGround ground; ///< As it was read when the field was filled.
 	std::vector<PlantId> removed_meanwhile; ///< While the job goes on.
 	Polygon known_area; ///< What stands does by these.
@@ -156,9 +169,22 @@ private:
 	void tell_of_stems();
 	FieldMotion::Frame frame(double delta, const godot::Ref<PlantWind> &wind) const;
 	FieldSettings settings() const;
+	void stand_by(const PlacementRequest &request) {
+		known_area = request.area;
+		known_exclusions = request.exclusions;
+	}
+	/// Of the whole filling, of which tiles are the first part where they are joined then.
+	float progress() const {
+		const float first = streams() ? 1.0f : 0.8f;
+		return joins ? first + (1.0f - first) * job->progress() : job ? job->progress() : first * renewal.progress();
+	}
+	bool renew();
+	void poll_renewal(bool physics);
+	void join_tiles();
 	godot::String begin_asking(bool places);
 	void go_on_asking();
 	bool knows_all_looks(const FieldStyle &asked, std::vector<int> &numbers) const;
+	void tell_what_stands(FieldRecipe &recipe) const;
 	godot::String make_recipe(FieldRecipe &recipe);
 	void poll_patches(double delta, bool physics);
 	void begin_patch();
@@ -172,7 +198,7 @@ private:
 	FieldTiles::Scene tile_scene();
 	void poll_tiles(bool physics);
 	void keep_standing_patches();
-	ChangeSet apply(StandEdit &&edit, PreparedBlock *prepared = nullptr);
+	ChangeSet apply(StandEdit &&edit, ArrivingBlocks *arriving = nullptr);
 };
 
 } // namespace undergrowth

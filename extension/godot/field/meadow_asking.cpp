@@ -3,13 +3,13 @@
 #include "field/meadow.hpp"
 
 #include "field/field_wind_clock.hpp"
+#include "field/listed_looks.hpp"
 #include "messages.hpp"
 #include "plant_simulation.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 using namespace godot;
@@ -18,70 +18,6 @@ namespace undergrowth {
 
 static constexpr double ASKING_USEC = 2000.0; // A frame, of scripts.
 
-// Which species of the list a look is of, or -1. Of a function that is listed twice each entry stays its own.
-static int listed_number(const FieldStyle &style, int look, const StandOptions &options) {
-	const int count = int(options.species.size());
-	const auto is_it = [&](int number) {
-		const Ref<PlantFieldSpecies> entry = options.species[number];
-		return entry.is_valid() && entry->get_species() == style.looks[size_t(look)].function;
-	};
-	if (look < std::min(count, style.listed_count) && is_it(look)) {
-		return look;
-	}
-	for (int number = 0; number < count; number++) {
-		if (is_it(number)) {
-			return number;
-		}
-	}
-	return -1;
-}
-
-// Species of the list have its numbers; those of plants that code added come after them.
-static std::vector<FieldLook> others_of(
-		const FieldStyle &style, const PlantStore &store, const StandOptions &options, std::vector<int> &numbers) {
-	numbers.clear();
-	for (int look = 0; look < int(style.looks.size()); look++) {
-		numbers.push_back(listed_number(style, look, options));
-	}
-	std::set<int> used;
-	for (int number = 0; number < store.block_count(); number++) {
-		const PlantBlock &block = store.block(number);
-		if (block.is_added && block.size() > 0) {
-			used.insert(block.species);
-		}
-	}
-	std::vector<FieldLook> others;
-	for (const int look : used) {
-		if (numbers[size_t(look)] < 0) {
-			numbers[size_t(look)] = int(options.species.size()) + int(others.size());
-			others.emplace_back();
-			others.back().function = style.looks[size_t(look)].function;
-			others.back().variant_count = style.looks[size_t(look)].variant_count;
-		}
-	}
-	return others;
-}
-
-Ref<PlantFieldSpecies> Meadow::listed_entry(const Ref<PlantFunction> &function) const {
-	for (int64_t i = 0; i < properties.species.size(); i++) {
-		const Ref<PlantFieldSpecies> entry = properties.species[i];
-		if (entry.is_valid() && entry->get_species() == function) {
-			return entry;
-		}
-	}
-	return Ref<PlantFieldSpecies>();
-}
-
-Ref<PlantFunction> Meadow::listed_species(const String &name) const {
-	for (int64_t i = 0; i < properties.species.size(); i++) {
-		const Ref<PlantFieldSpecies> entry = properties.species[i];
-		if (entry.is_valid() && entry->get_layer_name() == name) {
-			return entry->get_species();
-		}
-	}
-	return Ref<PlantFunction>();
-}
-
 FieldSettings Meadow::settings() const {
 	FieldSettings made;
 	made.step = float(PlantSimulation::get_singleton()->get_step_length());
@@ -89,6 +25,81 @@ FieldSettings Meadow::settings() const {
 	made.prototypes = properties.prototypes;
 	made.seed = uint64_t(properties.seed);
 	return made;
+}
+
+// Goes tile by tile, where nothing but places and heights of plants is otherwise than what stands.
+bool Meadow::renew() {
+	PlacementRequest request;
+	FieldGround read;
+	const bool is_possible = motion.is_ready() && (!is_at_work() || joins) && streams() == is_of_tiles &&
+			float(properties.tile_size) == store.tile_size() && is_listed_so(style, properties) && update_levels() &&
+			read_request(node, properties, nullptr, request).is_empty() &&
+			read_ground(node, properties, read).is_empty();
+	std::vector<TileKey> list = is_possible ? FieldRenewal::list(tile_scene(), request, tiles) : std::vector<TileKey>();
+	if (list.empty()) {
+		return false;
+	}
+	asker.forget();
+	drop_job();
+	renewal.stop(tile_scene(), motion);
+	tiles.interrupt(tile_scene());
+	patches.interrupt();
+	patches.forget_touched();
+	tells_of_patches = is_due_again = false; // This tells of itself.
+	told_progress = -1.0f;
+	ground = std::move(read);
+	stand_by(request);
+	listener.fault(String());
+	if (streams()) {
+		tiles.stand(list, request);
+	}
+	renewal.begin(std::move(list), request);
+	return true;
+}
+
+void Meadow::poll_renewal(bool physics) {
+	if (!renewal.is_at_work() || is_at_work()) {
+		return;
+	}
+	if (!physics) {
+		motion.wait();
+	}
+	renewal.go_on(tile_scene(), { motion, skeletons, !streams() }, physics);
+	if (progress() != told_progress) {
+		told_progress = progress();
+		listener.progressed(told_progress);
+	}
+	if (!renewal.is_at_work() && streams()) {
+		listener.filled();
+	} else if (!renewal.is_at_work()) {
+		join_tiles();
+	}
+}
+
+// What was exchanged tile by tile becomes as if it had been filled at once: pages and multimeshes are shared by tiles.
+void Meadow::join_tiles() {
+	FieldRecipe recipe;
+	recipe.places = false;
+	recipe.style = style;
+	for (size_t i = 0; i < style.looks.size(); i++) {
+		recipe.style.looks[i].materials.clear();
+		recipe.species_numbers.push_back(int(i));
+	}
+	tell_what_stands(recipe);
+	removed_meanwhile.clear();
+	job = std::make_unique<FieldFill>(std::move(recipe));
+	joins = true;
+	job->start();
+}
+
+void Meadow::tell_what_stands(FieldRecipe &recipe) const {
+	const Ref<PlantWind> &wind = properties.wind;
+	recipe.prepare = motion.prepare();
+	recipe.settings = settings();
+	recipe.tile_size = float(properties.tile_size);
+	recipe.wind = field_wind(wind, axes_of(node), wind.is_valid() ? wind->get_time() : 0.0);
+	recipe.standing = copy_filled(store);
+	recipe.changes = own_changes.known();
 }
 
 String Meadow::make_recipe(FieldRecipe &recipe) {
@@ -105,13 +116,7 @@ String Meadow::make_recipe(FieldRecipe &recipe) {
 		ground = recipe.ground;
 		patches.forget_touched();
 	}
-	const Ref<PlantWind> &wind = properties.wind;
-	recipe.prepare = motion.prepare();
-	recipe.settings = settings();
-	recipe.tile_size = float(properties.tile_size);
-	recipe.wind = field_wind(wind, axes_of(node), wind.is_valid() ? wind->get_time() : 0.0);
-	recipe.standing = copy_filled(store);
-	recipe.changes = own_changes.known();
+	tell_what_stands(recipe);
 	recipe.is_of_tiles = recipe.places && streams();
 	if (recipe.is_of_tiles) {
 		recipe.tiles = tiles.choose_all(tile_scene(), recipe.request);
@@ -163,8 +168,8 @@ void Meadow::follow_area() {
 	PlacementRequest now;
 	const String fault = read_request(node, properties, nullptr, now);
 	if (!fault.is_empty() || known_area.empty() || now.exclusions.size() != known_exclusions.size() || is_at_work() ||
-			streams()) {
-		fill(true);
+			is_filling() || streams()) {
+		fill(true, false);
 		return;
 	}
 	listener.fault(String());
@@ -221,7 +226,6 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 	if (style.levels.empty()) {
 		style.levels = read_levels(properties, node->get_visibility_range_end());
 		style.tile_size = store.tile_size();
-		style.spacing = store.spacing();
 		list_looks(StandOptions(), {}, style);
 	}
 	FieldLook look;
@@ -267,6 +271,7 @@ void Meadow::feel(const Ref<PlantWind> &blowing) {
 	}
 	if (is_news) {
 		tiles.interrupt(tile_scene());
+		renewal.interrupt(tile_scene(), motion);
 		tell_of_stems();
 	}
 }
@@ -282,6 +287,7 @@ void Meadow::read_motion(const PlantFunction *function, bool is_still) {
 			style.looks[i].read_motion();
 			motion.set_species(int(i), style.looks[i], store, is_still);
 			tiles.interrupt(tile_scene());
+			renewal.interrupt(tile_scene(), motion);
 		}
 	}
 	tell_of_stems();

@@ -18,9 +18,12 @@ namespace undergrowth {
 
 static constexpr double READYING_USEC = 1000.0, FREEING_USEC = 500.0; // A frame.
 
-void Meadow::fill(bool places) {
+void Meadow::fill(bool places, bool looks) {
 	const FrameCost::Share share(filling);
 	const bool placed_before = is_filling();
+	if (places && !looks && renew()) {
+		return;
+	}
 	if (is_at_work() && !places && !placed_before) {
 		is_due_again = true; // What changes in each frame is seen now and then, and not only when that ends.
 		return;
@@ -28,6 +31,7 @@ void Meadow::fill(bool places) {
 	places = places || (streams() && float(properties.tile_size) != store.tile_size());
 	asker.forget();
 	drop_job();
+	renewal.stop(tile_scene(), motion);
 	tiles.interrupt(tile_scene());
 	patches.interrupt();
 	is_due_again = false;
@@ -46,13 +50,14 @@ void Meadow::fill(bool places) {
 }
 
 void Meadow::touch(const AreaBox &box) {
-	if (!is_filling() || job) { // What is asked for has not read the map yet.
+	if (!asking || !asking->places) { // What is asked for has not read the map yet.
 		patches.touch(box, store.tile_size());
 		tiles.interrupt(tile_scene(), box);
+		renewal.interrupt(tile_scene(), motion, box);
 		keep_standing_patches();
 	}
-	if (!is_filling() && (style.levels.empty() || patches.touched_tiles() > FieldPatches::MOST_TILES)) {
-		fill(true);
+	if ((!is_filling() && style.levels.empty()) || patches.touched_tiles() > FieldPatches::MOST_TILES) {
+		fill(true, false);
 	}
 }
 
@@ -63,14 +68,14 @@ void Meadow::keep_standing_patches() {
 }
 
 FieldTiles::Scene Meadow::tile_scene() {
-	const auto change = [this](StandEdit &&edit, PreparedBlock *prepared) { return apply(std::move(edit), prepared); };
+	const auto change = [this](StandEdit &&edit, ArrivingBlocks *blocks) { return apply(std::move(edit), blocks); };
 	return { node, properties, store, style, motion, ground, own_changes.known(), settings(), view, change,
 		listener.fault };
 }
 
 // What is on its way while the field is placed in boxes would be placed twice.
 void Meadow::poll_tiles(bool physics) {
-	if (!streams() || is_at_work() || !motion.is_ready()) {
+	if (!streams() || is_at_work() || renewal.is_at_work() || !motion.is_ready()) {
 		return;
 	}
 	if (!physics) {
@@ -110,7 +115,7 @@ void Meadow::begin_patch() {
 }
 
 void Meadow::poll_patches(double delta, bool physics) {
-	if (is_at_work() || !motion.is_ready() || !patches.is_at_work()) {
+	if (is_at_work() || is_filling() || !motion.is_ready() || !patches.is_at_work()) {
 		return;
 	}
 	if (!patches.current() && !physics) {
@@ -150,44 +155,36 @@ void Meadow::stand_newcomers() {
 	}
 }
 
-// What only shows when everything is placed.
-static String fault_of(const FieldResult &result) {
-	if (result.fault != PlacementFault::none) {
-		return describe(result.fault);
-	}
-	if (result.motion->is_too_large()) {
-		return "needs more texture layers than graphics cards have. Set a lower density, fewer species where there are "
-			   "prototypes, or divide it among several fields.";
-	}
-	return String();
-}
-
 void Meadow::drop_job() {
 	motion.forget_hand_over();
 	view.forget_prepared();
+	joins = false;
 	if (job && job->is_dressed) {
 		retired.push_back(std::move(job->finish().style));
 	}
 	job.reset();
 }
 
-// What is filled is made ready to be drawn over some frames, unseen, and takes the motion over of whoever is kept: then
-// all of it takes the place of what stood, at once.
+// It is made ready over some frames, unseen, with the motion of whoever is kept; then it takes the place of what stood.
 bool Meadow::make_ready() {
 	FieldResult &result = job->finish();
-	if (job->is_handed_over || !fault_of(result).is_empty()) {
+	if (job->is_handed_over || !result.describe_fault().is_empty()) {
 		return !motion.is_handing_over();
 	}
 	const Stopwatch watch;
 	if (!std::exchange(job->is_dressed, true)) {
 		has_other_materials = false;
 		dress.make(result.style);
+		dress.take_away(result.style);
 	}
 	while (const std::unique_ptr<ClumpPlan> plan = job->take_plan()) {
 		view.prepare(result.style, *plan);
 		if (watch.usec() > READYING_USEC) {
 			return false;
 		}
+	}
+	if (view.reveal_some(READYING_USEC)) {
+		return false;
 	}
 	job->is_handed_over = true;
 	motion.hand_over(*result.motion, result.kept);
@@ -196,10 +193,11 @@ bool Meadow::make_ready() {
 
 void Meadow::poll(double delta, bool physics) {
 	const FrameCost::Share share(filling);
-	if (!physics && !retired.empty() && !view.free_some(FREEING_USEC)) {
+	if (!physics && !view.free_some(FREEING_USEC)) {
 		retired.clear();
 	}
 	poll_tiles(physics);
+	poll_renewal(physics);
 	poll_patches(delta, physics);
 	if (asking && !physics && asking->frame != Engine::get_singleton()->get_process_frames()) {
 		go_on_asking();
@@ -214,7 +212,7 @@ void Meadow::poll(double delta, bool physics) {
 	if (job) {
 		poll_job(physics);
 	}
-	if (tells_of_patches && !is_at_work() && !is_patching()) {
+	if (tells_of_patches && !is_at_work() && !is_filling() && !is_patching()) {
 		tells_of_patches = false;
 		listener.filled();
 	}
@@ -222,9 +220,10 @@ void Meadow::poll(double delta, bool physics) {
 
 void Meadow::poll_job(bool physics) {
 	const bool is_done = !physics && job->is_done() && make_ready();
-	const float progress = is_done ? 1.0f : job->progress();
-	const bool tells = job->places();
+	const float ratio = is_done ? 1.0f : progress();
+	const bool tells = job->places() || joins;
 	if (is_done) {
+		joins = false;
 		const std::unique_ptr<FieldFill> finished = std::move(job);
 		const bool stands = adopt(*finished);
 		clearing.start(finished->take_rubbish());
@@ -235,9 +234,9 @@ void Meadow::poll_job(bool physics) {
 			return;
 		}
 	}
-	if (tells && progress != told_progress) {
-		told_progress = progress;
-		listener.progressed(progress);
+	if (tells && ratio != told_progress) {
+		told_progress = ratio;
+		listener.progressed(ratio);
 	}
 	if (tells && is_done) {
 		listener.filled();
@@ -246,7 +245,7 @@ void Meadow::poll_job(bool physics) {
 
 bool Meadow::adopt(FieldFill &finished) {
 	FieldResult &result = finished.finish();
-	const String fault = fault_of(result);
+	const String fault = result.describe_fault();
 	if (!fault.is_empty()) {
 		listener.fault(fault); // What stood before stays.
 		return false;
@@ -280,13 +279,14 @@ bool Meadow::adopt(FieldFill &finished) {
 	}
 	motion.upload();
 	dress.put_on(style, motion);
+	dress.take_away(retired.back());
 	view.exchange(style);
 	view.show_all_added(style, motion, store);
 	unseen.clear();
 	patches.forget_unseen();
 	if (finished.places()) {
-		known_area = finished.request().area;
-		known_exclusions = finished.request().exclusions;
+		is_of_tiles = finished.is_of_tiles();
+		stand_by(finished.request());
 		tiles.stand(finished.tiles(), finished.request());
 	}
 	remove(store.find_all(std::exchange(removed_meanwhile, {})));

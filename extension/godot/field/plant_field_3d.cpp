@@ -91,8 +91,7 @@ PackedStringArray PlantField3D::_get_configuration_warnings() const {
 
 // Many properties may change in one frame; the field grows once, after it.
 void PlantField3D::mark_stale(bool stand) {
-	stand_is_stale = stand_is_stale || stand;
-	look_is_stale = true;
+	(stand ? stand_is_stale : look_is_stale) = true;
 	queue_fill();
 }
 
@@ -106,8 +105,8 @@ void PlantField3D::queue_fill() {
 void PlantField3D::on_fill_queued() {
 	fill_is_queued = false;
 	const bool stand = stand_is_stale;
-	const bool look = stand || look_is_stale;
-	if (!is_inside_tree() || (!look && !area_is_stale)) {
+	const bool look = look_is_stale;
+	if (!is_inside_tree() || (!stand && !look && !area_is_stale)) {
 		return;
 	}
 	stand_is_stale = look_is_stale = false;
@@ -116,14 +115,14 @@ void PlantField3D::on_fill_queued() {
 	if (std::exchange(area_is_stale, false) && !stand) {
 		meadow.follow_area();
 	}
-	if (look) {
-		meadow.fill(stand);
+	if (stand || look) {
+		meadow.fill(stand, look);
 	}
 	follow_frames(meadow.wants_frames());
 }
 
 void PlantField3D::fill() {
-	stand_is_stale = true;
+	stand_is_stale = look_is_stale = true;
 	if (is_inside_tree()) { // Else it grows when it enters the tree.
 		on_fill_queued();
 	}
@@ -244,9 +243,7 @@ void PlantField3D::_notification(int what) {
 			FieldMonitors::enter(&meadow, this);
 			meadow.enter_tree();
 			follow_drawing(true);
-			if (stand_is_stale || look_is_stale) {
-				mark_stale(false);
-			} else if (area_is_stale) {
+			if (stand_is_stale || look_is_stale || area_is_stale) {
 				queue_fill();
 			}
 			look_around();
@@ -260,6 +257,7 @@ void PlantField3D::_notification(int what) {
 			break;
 		case NOTIFICATION_EXTENSION_RELOADED:
 			follow_species();
+			look_is_stale = true;
 			mark_stale(true);
 			break;
 		case NOTIFICATION_INTERNAL_PROCESS:

@@ -59,7 +59,14 @@ PoseTexture::Rows PoseTexture::find_rows(int count) {
 	return find_rows(count);
 }
 
-void PoseTexture::release(const Rows &rows) {
+PoseTexels TexelRows::texels() const {
+	return { layer, first * PoseTexture::SIDE };
+}
+
+void PoseTexture::release(const TexelRows &rows) {
+	if (rows.layer < 0) {
+		return;
+	}
 	const uint64_t taken = rows.count >= SIDE ? ALL_ROWS : (uint64_t(1) << rows.count) - 1;
 	free_rows[size_t(rows.layer)] |= taken << rows.first;
 }
@@ -74,13 +81,35 @@ void PoseTexture::give_rows(int page, int plants) {
 	if (own.rows.layer >= 0) {
 		// It grows, and will again.
 		release(own.rows);
-		own.rows = find_rows(std::min(std::max(count, 2 * own.rows.count), SIDE));
+		take_as_new(own, find_rows(std::min(std::max(count, 2 * own.rows.count), SIDE)));
 	} else {
-		own.rows = find_rows(count);
+		take_as_new(own, find_rows(count));
 	}
-	own.share = own.rate_time = -1.0f;
+}
+
+void PoseTexture::take_as_new(Page &page, const Rows &rows) {
+	page.rows = rows;
+	page.share = page.rate_time = -1.0f;
 	has_new_rows = true;
-	forget_heights(own.rows);
+	forget_heights(rows);
+}
+
+void PoseTexture::give_reserved(int page, const TexelRows &rows) {
+	pages.resize(std::max(pages.size(), size_t(page) + 1));
+	take_as_new(pages[size_t(page)], rows);
+}
+
+void PoseTexture::leave_rows(int page) {
+	if (has_rows(page)) {
+		Page &own = pages[size_t(page)];
+		own.hidden.clear();
+		for (int row = 0; row < own.rows.count * SIDE; row++) {
+			own.hidden.push_back(uint16_t(row));
+		}
+		write_hidden(own);
+		will_write(page);
+		own = Page();
+	}
 }
 
 void PoseTexture::take_rows(int page) {

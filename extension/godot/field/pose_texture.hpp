@@ -14,6 +14,14 @@
 
 namespace undergrowth {
 
+/// Rows of texels of one layer.
+struct TexelRows {
+	int layer = -1; ///< -1: none.
+	int first = 0;
+	int count = 0;
+	PoseTexels texels() const;
+};
+
 /// The textures that carry the plants' poses to the graphics card. A texel belongs to a plant: its bends before and
 /// after its last step, in layers of 64 by 64 texels; a page of plants has whole rows of one layer. A second texture
 /// has a blend for each row, a third one what makes rates of changes of bends, which layer says where its plants rest,
@@ -36,6 +44,13 @@ public:
 	/// Gives a page rows for `plants` plants, those that it has or other ones. On any thread, but for no two at once.
 	void give_rows(int page, int plants);
 	void take_rows(int page);
+	/// The page goes, and its rows stay nobody's: whatever is drawn there is not seen.
+	void leave_rows(int page);
+	/// Rows for `plants` plants of a page that is yet to come, until release(). None: nothing happens.
+	TexelRows reserve(int plants) { return find_rows((plants + SIDE - 1) / SIDE); }
+	void release(const TexelRows &rows);
+	/// The page has come.
+	void give_reserved(int page, const TexelRows &rows);
 	/// Makes room for the history of all species of a simulation.
 	void give_history(int species_count);
 	/// Whether the layers are more than a graphics card has.
@@ -86,11 +101,7 @@ private:
 	static constexpr int SPARE_LAYERS = 2; ///< So that plants which are added seldom need another texture.
 	static constexpr size_t BEAT_FLOATS = 4; ///< Of a row: 1 over rate_time(), layers of rests, second modes, heights.
 	static constexpr size_t TEXEL_BYTES = 2 * sizeof(Bend);
-	struct Rows {
-		int layer = -1; ///< -1: none.
-		int first = 0;
-		int count = 0;
-	};
+	using Rows = TexelRows;
 	struct Page {
 		Rows rows;
 		float share = -1.0f; ///< The blend that was sent.
@@ -125,7 +136,7 @@ private:
 	int add_layer(bool is_shared);
 	int find_layer();
 	Rows find_rows(int count);
-	void release(const Rows &rows);
+	void take_as_new(Page &page, const Rows &rows);
 	bool has_rows(int page) const { return size_t(page) < pages.size() && pages[size_t(page)].rows.layer >= 0; }
 	uint8_t *bytes_of(const Rows &rows);
 	void write_hidden(const Page &page);

@@ -31,6 +31,7 @@ class PreparedCpuBlock : public PreparedBlock {
 public:
 	MotionPage page;
 	std::vector<MotionPlant> plants; ///< Of the page.
+	TexelRows texels; ///< That are reserved for it, if any.
 
 	PreparedCpuBlock(
 			int species, const MotionSpecies &kind, std::vector<MotionPlant> &&placed, const FieldSettings &settings);

@@ -95,6 +95,15 @@ void SkeletonView::release_those(FieldMotion &motion, const std::vector<PlantPla
 			[&](const Shown &entry) { return std::binary_search(ascending.begin(), ascending.end(), entry.place); });
 }
 
+void SkeletonView::release_in(const std::vector<int> &blocks) {
+	const auto goes = [&](const Shown &entry) {
+		return std::find(blocks.begin(), blocks.end(), entry.place.block) != blocks.end();
+	};
+	if (!shown.empty() && release(nullptr, goes)) {
+		frames_since_choice = 0;
+	}
+}
+
 void SkeletonView::release_all(FieldMotion &motion) {
 	release(motion.is_ready() ? &motion : nullptr, [](const Shown &) { return true; });
 	frames_since_choice = 0;

@@ -40,6 +40,8 @@ public:
 	void release_gone(const PlantStore &store);
 	/// Those of these plants, which are drawn again.
 	void release_those(FieldMotion &motion, const std::vector<PlantPlace> &ascending);
+	/// Those of all plants of these blocks, which go.
+	void release_in(const std::vector<int> &blocks);
 	/// All of them; their plants are drawn again.
 	void release_all(FieldMotion &motion);
 	/// Frees those that nobody uses.

@@ -46,6 +46,26 @@ PlantBlock TileJob::take_block(std::unique_ptr<PreparedBlock> &made) {
 	return std::move(blocks[taken++]);
 }
 
+void TileJob::reserve(FieldMotion &motion) {
+	for (const std::unique_ptr<PreparedBlock> &block : prepared) {
+		places.push_back(motion.reserve(*block));
+	}
+}
+
+void TileJob::give_up(FieldMotion &motion) {
+	wait();
+	for (size_t i = 0; i < places.size() && i < prepared.size(); i++) {
+		motion.give_up(*prepared[i]);
+	}
+}
+
+void TileJob::take_all(StandEdit &edit, ArrivingBlocks &arriving) {
+	edit.stood = std::move(blocks);
+	arriving.prepared = std::move(prepared);
+	arriving.kept = std::move(kept);
+	prepared.clear();
+}
+
 void TileJob::work(void *self) {
 	TileJob *job = static_cast<TileJob *>(self);
 	const Stage now = job->stage;
@@ -73,10 +93,12 @@ void TileJob::stand() {
 	}
 	blocks = cut_into_blocks(placed, recipe.tile_size);
 	placed.clear();
-	for (const PlantBlock &block : blocks) {
+	for (PlantBlock &block : blocks) {
+		block.spacing = recipe.spacing;
 		prepared.push_back(recipe.prepare(block, *recipe.style, recipe.settings));
 	}
 	copies = blocks;
+	kept = find_kept(recipe.standing, blocks, recipe.spacing);
 }
 
 void TileJob::plan() {

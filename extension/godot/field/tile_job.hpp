@@ -3,6 +3,7 @@
 #include "field/field_ground.hpp"
 #include "field/field_motion.hpp"
 #include "field/field_view.hpp"
+#include "stand/kept_plants.hpp"
 #include "stand/placement.hpp"
 #include "stand/stand_changes.hpp"
 
@@ -18,14 +19,17 @@ struct TileRecipe {
 	float tile_size = 16.0f; ///< m.
 	PlacementRequest request; ///< Within the tile.
 	FieldGround ground;
+	double spacing = 1.0; ///< m, of the placement.
 	StandChanges changes; ///< Whoever is gone by them does not stand.
+	FilledBlocks standing; ///< What stands there until then. Plants that stand again go on with their motion.
 	FieldMotion::PrepareBlock prepare = nullptr;
 	FieldSettings settings;
 	std::shared_ptr<const FieldStyle> style; ///< What plans are made by.
 };
 
-/// Grows one tile of a field that stands, on one of the engine's worker threads; its blocks then stand one by one, and
-/// once all of them do, a thread plans how they are drawn.
+/// Grows one tile of a field that stands, on one of the engine's worker threads. Where nobody stood its blocks then
+/// stand one by one, and once all of them do, a thread plans how they are drawn; where somebody did, that is planned
+/// first, and all of them come at once.
 class TileJob {
 public:
 	explicit TileJob(TileRecipe &&with);
@@ -49,7 +53,11 @@ public:
 	PlantBlock take_block(std::unique_ptr<PreparedBlock> &prepared);
 	/// Of the block that was taken last.
 	void set_texels(const PoseTexels &texels) { places.push_back(texels); }
-	/// All of them stand: plans how they are drawn.
+	/// Instead of that: texels for all of them, which the motion keeps for what is planned, and then all that comes.
+	void reserve(FieldMotion &motion);
+	void give_up(FieldMotion &motion);
+	void take_all(StandEdit &edit, ArrivingBlocks &arriving);
+	/// All of them stand, or have texels: plans how they are drawn.
 	void draw();
 	bool is_drawn() const { return stage.load() == Stage::drawn; }
 	/// The next plan, or null.
@@ -65,6 +73,7 @@ private:
 	std::vector<PlantBlock> blocks;
 	std::vector<PlantBlock> copies; ///< Of them, to be drawn.
 	std::vector<std::unique_ptr<PreparedBlock>> prepared;
+	std::vector<KeptPlant> kept;
 	size_t taken = 0;
 	std::vector<PoseTexels> places;
 	std::vector<ClumpPlan> plans;

@@ -12,7 +12,7 @@ using namespace undergrowth;
 namespace {
 
 constexpr std::size_t REMOVED_BYTES = 16;
-constexpr uint64_t GOLDEN_BYTES = 5844490441597160777ull;
+constexpr uint64_t GOLDEN_BYTES = 6967560059459596380ull;
 
 SavedChanges sample() {
 	SavedChanges saved;

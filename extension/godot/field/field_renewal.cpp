@@ -1,0 +1,242 @@
+#include "field/field_renewal.hpp"
+
+#include "field/field_patch.hpp"
+#include "field/field_recipe.hpp"
+#include "stand/tile_choice.hpp"
+
+#include <algorithm>
+#include <utility>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr size_t MOST_JOBS = 4; // At once.
+static constexpr double MOST_USEC = 500.0; // A frame, after which nothing more begins.
+static constexpr double ASKING_USEC = 1000.0; // A frame, for the ground.
+static constexpr double MOST_TILES = 4096.0;
+static constexpr double LEAST_PLANTS = 32.0; // Of a full tile.
+static constexpr double MOST_PLANTS = 2.0e6; // Beside as many that go, graphics cards have texels for them.
+
+static double spacing_of(const PlacementRequest &request) {
+	PlacementRequest nothing = request;
+	nothing.within = AreaBox();
+	return Placement(nothing).cell_size();
+}
+
+std::vector<TileKey> FieldRenewal::list(const Scene &scene, const PlacementRequest &request, const FieldTiles &tiles) {
+	const float size = scene.store.tile_size();
+	const double each = double(request.density) * double(size) * double(size);
+	std::vector<TileKey> all = scene.store.filled_tiles();
+	if (all.empty() || each < LEAST_PLANTS || !scene.store.has_names_left(spacing_of(request))) {
+		return {};
+	}
+	if (scene.properties.view_distance > 0.0) {
+		const std::vector<TileKey> near = tiles.choose_all(scene, request);
+		all.insert(all.end(), near.begin(), near.end());
+	} else {
+		const AreaBox box = placed_box(request);
+		const TileKey first = tile_at(box.low.x, box.low.y, size);
+		const TileKey last = tile_at(box.high.x, box.high.y, size);
+		if (double(last.column - first.column + 1) * double(last.row - first.row + 1) > MOST_TILES) {
+			return {};
+		}
+		for (int column = first.column; column <= last.column; column++) {
+			for (int row = first.row; row <= last.row; row++) {
+				all.push_back({ column, row });
+			}
+		}
+	}
+	std::sort(all.begin(), all.end());
+	all.erase(std::unique(all.begin(), all.end()), all.end());
+	if (double(all.size()) > MOST_TILES || each * double(all.size()) > MOST_PLANTS) {
+		return {};
+	}
+	std::vector<glm::vec2> places = FieldTiles::places_of(scene);
+	places.resize(std::max(places.size(), size_t(1)), glm::vec2(0.0f));
+	const auto is_farther = [&](const TileKey &one, const TileKey &other) {
+		return distance_to_tile(one, size, places) > distance_to_tile(other, size, places);
+	};
+	std::stable_sort(all.begin(), all.end(), is_farther);
+	return all;
+}
+
+void FieldRenewal::begin(std::vector<TileKey> &&tiles, const PlacementRequest &request) {
+	waiting = std::move(tiles);
+	tile_count = waiting.size();
+	placed_at = spacing_of(request);
+	base = request;
+	base.map.reset();
+}
+
+float FieldRenewal::progress() const {
+	const size_t left = waiting.size() + jobs.size();
+	return tile_count > 0 ? float(tile_count - std::min(left, tile_count)) / float(tile_count) : 1.0f;
+}
+
+void FieldRenewal::give_up(const Scene &scene, FieldMotion &motion, size_t number, bool again) {
+	const std::unique_ptr<TileJob> job = std::move(jobs[number].job);
+	jobs.erase(jobs.begin() + std::ptrdiff_t(number));
+	asking = asking == job.get() ? nullptr : asking; // Another job may come to lie where it lay.
+	job->give_up(motion);
+	scene.view.forget_tile(job->tile());
+	if (again) {
+		waiting.push_back(job->tile());
+	}
+}
+
+void FieldRenewal::interrupt(const Scene &scene, FieldMotion &motion) {
+	while (!jobs.empty()) {
+		give_up(scene, motion, jobs.size() - 1, true);
+	}
+	outline.reset();
+}
+
+void FieldRenewal::interrupt(const Scene &scene, FieldMotion &motion, const AreaBox &box) {
+	for (size_t i = jobs.size(); i-- > 0;) {
+		const AreaBox both = common_box(box, tile_box(jobs[i].job->tile(), scene.store.tile_size()));
+		if (both.low.x <= both.high.x && both.low.y <= both.high.y) {
+			give_up(scene, motion, i, true);
+		}
+	}
+}
+
+void FieldRenewal::stop(const Scene &scene, FieldMotion &motion) {
+	interrupt(scene, motion);
+	waiting.clear();
+}
+
+void FieldRenewal::note_removed(const TileKey &tile) {
+	for (Coming &coming : jobs) {
+		coming.lost_some = coming.lost_some || coming.job->tile() == tile;
+	}
+}
+
+// False where nobody may begin.
+bool FieldRenewal::begin_one(const Scene &scene) {
+	if (waiting.empty() || jobs.size() >= MOST_JOBS) {
+		return false;
+	}
+	TileRecipe recipe;
+	recipe.tile = waiting.back();
+	waiting.pop_back();
+	recipe.tile_size = scene.store.tile_size();
+	const AreaBox box = tile_box(recipe.tile, recipe.tile_size);
+	recipe.request = base;
+	recipe.request.within = box;
+	if (scene.properties.map.is_valid()) { // What is painted may be another by now.
+		recipe.request = PlacementRequest();
+		const String fault = read_request(scene.field, scene.properties, &box, recipe.request);
+		if (!fault.is_empty()) {
+			return true; // Whoever asked for all of it was told, and this tile stays.
+		}
+	}
+	if (!outline) {
+		FieldStyle some = outline_of(scene.style);
+		some.is_of_tiles = true;
+		outline = std::make_shared<const FieldStyle>(std::move(some));
+	}
+	recipe.ground = scene.ground;
+	recipe.spacing = placed_at;
+	recipe.changes = scene.changes.cut(box);
+	recipe.standing = copy_filled_in(scene.store, recipe.tile);
+	recipe.prepare = scene.motion.prepare_block();
+	recipe.settings = scene.settings;
+	recipe.style = outline;
+	jobs.push_back({ std::make_unique<TileJob>(std::move(recipe)) });
+	jobs.back().job->start();
+	return true;
+}
+
+// One of them at a time.
+void FieldRenewal::ask_ground(const Scene &scene, bool physics) {
+	const auto waits = [](const Coming &coming) { return coming.job->wants_ground(); };
+	const auto first = std::find_if(jobs.begin(), jobs.end(), waits);
+	const TileJob *wanted = first == jobs.end() ? nullptr : first->job.get();
+	if (asking != wanted) {
+		asker.forget();
+		asking = wanted;
+	}
+	if (asking &&
+			asker.serve(*first->job, scene.field, scene.properties, ASKING_USEC, physics, false) ==
+					GroundSurvey::State::failed) {
+		scene.fault(asker.fault());
+		waiting.clear();
+		asking = nullptr;
+		jobs.erase(first); // It has no texels yet. What it would have grown anew stays.
+	}
+}
+
+void FieldRenewal::exchange(const Scene &scene, const Way &way, Coming &coming) {
+	const TileKey tile = coming.job->tile();
+	std::vector<int> going = scene.store.blocks_of(tile);
+	const auto stays = [&](int number) { return scene.store.block(number).is_added; };
+	going.erase(std::remove_if(going.begin(), going.end(), stays), going.end());
+	way.skeletons.release_in(going);
+	StandEdit edit;
+	ArrivingBlocks arriving;
+	edit.left_tiles = { tile };
+	edit.spacing = placed_at;
+	coming.job->take_all(edit, arriving);
+	arriving.leaves_texels = way.joins;
+	const ChangeSet changes = scene.apply(std::move(edit), &arriving);
+	scene.view.drop_tile(tile);
+	scene.view.show_tile(scene.style, tile);
+	std::vector<PlantPlace> gone;
+	ChangesFinder finder(scene.changes);
+	for (size_t i = 0; i < changes.grown.size() && coming.lost_some; i++) {
+		const PlantBlock &block = scene.store.block(changes.grown[i].block);
+		for (int slot = 0; slot < block.size(); slot++) {
+			if (finder.is_gone(block.plants.x[size_t(slot)], block.plants.z[size_t(slot)])) {
+				gone.push_back({ changes.grown[i].block, slot });
+			}
+		}
+	}
+	if (!gone.empty()) {
+		StandEdit removing;
+		removing.removed = std::move(gone);
+		scene.apply(std::move(removing), nullptr);
+	}
+}
+
+bool FieldRenewal::go_on(
+		const Scene &scene, const Way &way, Coming &coming, double until_usec, const Stopwatch &watch) {
+	TileJob &job = *coming.job;
+	if (job.is_placed() && !coming.is_planned) {
+		coming.is_planned = true;
+		job.reserve(way.motion);
+		job.draw();
+	}
+	while (job.is_drawn() && watch.usec() < until_usec) {
+		if (const ClumpPlan *plan = job.next_plan()) {
+			scene.view.prepare(scene.style, *plan);
+			continue;
+		}
+		exchange(scene, way, coming);
+		return true;
+	}
+	return false;
+}
+
+void FieldRenewal::go_on(const Scene &scene, const Way &way, bool physics) {
+	const Stopwatch watch;
+	ask_ground(scene, physics);
+	if (physics) {
+		return;
+	}
+	for (size_t i = 0; i < jobs.size();) {
+		if (go_on(scene, way, jobs[i], MOST_USEC, watch)) {
+			asking = asking == jobs[i].job.get() ? nullptr : asking;
+			jobs.erase(jobs.begin() + std::ptrdiff_t(i));
+		} else {
+			i++;
+		}
+	}
+	while (watch.usec() < MOST_USEC && begin_one(scene)) {
+	}
+	if (!is_at_work()) {
+		asker.tell_of_all(scene.field);
+	}
+}
+
+} // namespace undergrowth
