@@ -17,6 +17,8 @@ namespace {
 
 constexpr int PLACES = 3; // Of a part that are measured: base, middle, tip.
 constexpr float MOST_LARGER = 2.0f; // In area.
+constexpr float FEW = 3.5f; // Bodies that one stands for: those of so few are as long as each was.
+constexpr float MOST_LONGER = 2.5f; // Times as long.
 constexpr float MOST_RISE = 0.6f; // Of a flat whorl's radius.
 constexpr float LEAST_THIN = 0.4f; // Of a lathe's radius.
 constexpr float MOST_STOUT = 0.4f; // Of a spindle: its silhouette in shares of its length's square.
@@ -179,6 +181,21 @@ void shape(FormBody &body, const PlantForm &form, const Measure &m) {
 	body.translucency = m.shine / area;
 }
 
+/// A spindle that stands for those on other carriers, too, whose tips are at other heights: longer towards the base of
+/// its carrier, not a plate.
+void stretch_down(FormBody &body, const PlantForm &form, float longer) {
+	const PlacedPart &part = form.placed[static_cast<size_t>(body.first)];
+	const glm::vec3 base = form.point_of(form.placed[static_cast<size_t>(part.carrier)], 0.0f);
+	const float high = body.rings.back().along;
+	const float low = body.rings.front().along;
+	const float lowest = std::min(low, glm::dot(base - body.origin, body.axes.along));
+	const float factor = std::clamp((high - lowest) / std::max(high - low, LEAST_RADIUS), 1.0f, longer);
+	for (FormBody::Ring &ring : body.rings) {
+		ring.along = high - (high - ring.along) * factor;
+		ring.radius /= factor;
+	}
+}
+
 /// Its axes: those of its carrier, at the mean place of what stands there.
 FormBody begin_body(const PlantForm &form, const FormPlan &plan, size_t first) {
 	const PlacedPart &part = form.placed[first];
@@ -213,6 +230,10 @@ std::vector<FormBody> make_bodies(const PlantForm &form, const FormMeasure &meas
 		}
 		add(measures[number], bodies[number], form, measure, form.placed[i]);
 	}
+	std::vector<int> parts(form.groups.size(), 0); // In bodies.
+	for (size_t i = 0; i < bodies.size(); i++) {
+		parts[static_cast<size_t>(bodies[i].group)] += measures[i].count;
+	}
 	for (size_t i = 0; i < bodies.size(); i++) {
 		shape(bodies[i], form, measures[i]);
 		// Of carriers that are dropped the others' bodies show the parts, too.
@@ -220,6 +241,10 @@ std::vector<FormBody> make_bodies(const PlantForm &form, const FormMeasure &meas
 		const float own = measure.shown[group] * static_cast<float>(measures[i].count) /
 				static_cast<float>(form.groups[group].count);
 		const float more = own > 0.0f ? plan.shown[group] / static_cast<float>(counts[group]) / own : 1.0f;
+		if (bodies[i].shown > 0.0f) {
+			const float all = static_cast<float>(form.groups[group].count) / static_cast<float>(parts[group]);
+			stretch_down(bodies[i], form, all > FEW ? std::min(std::sqrt(all), MOST_LONGER) : 1.0f);
+		}
 		const float length = bodies[i].rings.back().along - bodies[i].rings.front().along;
 		if (bodies[i].shown > 0.0f) {
 			const float with_others = bodies[i].shown + std::max(own * (more - 1.0f), 0.0f);

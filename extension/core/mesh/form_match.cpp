@@ -18,6 +18,7 @@ constexpr int LOOSE_STEPS = 20; // For what is so coarse that its parts are no l
 constexpr int FINE_VERTICES = 400;
 constexpr int COARSE_VERTICES = 60;
 constexpr float MATCHED = 0.015f; // Of each outline.
+constexpr float TOLERATED = 0.03f; // What is farther off is looked for.
 constexpr int COLOR_STEPS = 4;
 constexpr float MOST_GAIN = 1.8f; // Of a colour in linear light; the least is its reciprocal.
 constexpr float MOST_MORE = 0.15f; // Linear light that is added to all,
@@ -59,6 +60,9 @@ void match_outlines(const FormMeasure &measure, const std::vector<WrittenUnit> &
 		fit.loosen();
 		areas = outline_areas(seen(mesh, units), measure.box);
 		go(LOOSE_STEPS);
+	}
+	if (best >= TOLERATED) {
+		fit.search(measure.box, measure.outlines, MATCHED, best);
 	}
 }
 

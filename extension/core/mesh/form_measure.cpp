@@ -23,15 +23,21 @@ bool is_small(const Part &part, float height) {
 	return std::max(part.mean_length(), part.width) < SMALL * height;
 }
 
+bool is_curled(const BladeShape &blade) {
+	return blade.fold != 0.0f || blade.roll != 0.0f || blade.wave != 0.0f;
+}
+
 /// Fine enough that what is measured is the true surface's, but for what fill_of() makes good.
 PartDetail measured_detail(const Part &part, float height) {
 	if (part.kind == PartKind::bead) {
 		return { 4, 2 };
 	}
 	if (part.kind == PartKind::blade) {
-		return is_small(part, height) ? PartDetail{ 2, 3 } : details_of(part).front();
+		const PartDetail small = is_curled(part.blade) ? PartDetail{ 3, 4 } : PartDetail{ 2, 3 };
+		return is_small(part, height) ? small : details_of(part).front();
 	}
-	return is_small(part, height) ? PartDetail{ 3, 2 } : PartDetail{ part.axis.lobes > 0 ? 10 : 5, 6 };
+	const PartDetail small = is_even(part) ? PartDetail{ 3, 2 } : PartDetail{ 4, 4 };
+	return is_small(part, height) ? small : PartDetail{ part.axis.lobes > 0 ? 10 : 5, 6 };
 }
 
 /// Of a part of its mean size, both sides as one.

@@ -12,6 +12,8 @@ namespace undergrowth {
 
 namespace {
 
+constexpr float MOST_STOUT = 0.65f; // Of a spindle, twice it: width by length.
+
 /// Shapes that parts of a kind share, made when the first is drawn. Groups of one kind may be drawn differently.
 class Shapes {
 public:
@@ -104,7 +106,7 @@ void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const Fo
 	Shapes shapes(form, measure, plan);
 	std::vector<WrittenUnit> units;
 	const auto begin_unit = [&](float near, bool is_flower) {
-		units.push_back({ writer.mark().vertex, writer.mark().index, near, is_flower });
+		units.push_back({ writer.mark().vertex, writer.mark().index, near, is_flower, 1e9f });
 	};
 	for (size_t g = 0; g < form.groups.size(); g++) {
 		const PartGroup &group = form.groups[g];
@@ -127,6 +129,8 @@ void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const Fo
 		writer.add_body(body, hangs[static_cast<size_t>(body.first)]);
 		if (body.shown > 0.0f) {
 			writer.widen(begin, body.shown, 0.5f);
+			const float length = body.rings.back().along - body.rings.front().along;
+			units.back().most = std::max(MOST_STOUT * length * length / body.shown, 1.0f);
 		}
 	}
 	if (plan.is_cut) {

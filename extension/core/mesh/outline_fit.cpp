@@ -10,11 +10,13 @@ namespace undergrowth {
 namespace {
 
 constexpr float TURNED = 0.35f; // What growing one way is worth beside growing all ways.
+constexpr float MOST_TURN = 0.5f; // Tangent of half the angle.
 constexpr float MOST_STEP = 0.5f;
 constexpr float STIFFNESS = 1e-3f; // So that outlines that nothing can change apart from each other do no harm.
 
-/// Solves a·x = b for a symmetric positive matrix, by Cholesky's parts; x is left in b.
-void solve(float (&a)[OUTLINES][OUTLINES], float (&b)[OUTLINES]) {
+} // namespace
+
+void solve_outlines(float (&a)[OUTLINES][OUTLINES], float (&b)[OUTLINES]) {
 	for (size_t i = 0; i < OUTLINES; i++) {
 		for (size_t k = 0; k <= i; k++) {
 			float rest = a[i][k];
@@ -38,8 +40,6 @@ void solve(float (&a)[OUTLINES][OUTLINES], float (&b)[OUTLINES]) {
 	}
 }
 
-} // namespace
-
 OutlineFit::OutlineFit(const std::vector<WrittenUnit> &p_written, const FormBuffers &p_mesh) :
 		written(p_written), mesh(p_mesh), units(p_written.size() - 1) {
 	for (int i = 0; i < written.back().vertex; i++) {
@@ -61,7 +61,7 @@ void OutlineFit::look_at(size_t number) {
 			const float s = OUTLINE_SINES[side];
 			float x[3];
 			float y[3];
-			Ways dx[3];
+			float dx[3][STRETCHES];
 			float dy[3];
 			for (int k = 0; k < 3; k++) {
 				const glm::vec3 &point = mesh.positions[corner[k]];
@@ -76,7 +76,7 @@ void OutlineFit::look_at(size_t number) {
 			const float twice = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
 			const float sign = twice < 0.0f ? -share : share;
 			unit.area[side] += twice * sign;
-			for (size_t way = 0; way < WAYS; way++) {
+			for (size_t way = 0; way < STRETCHES; way++) {
 				float change = (dx[1][way] - dx[0][way]) * (y[2] - y[0]) - (dx[2][way] - dx[0][way]) * (y[1] - y[0]);
 				if (way == 0) {
 					change += (x[1] - x[0]) * (dy[2] - dy[0]) - (x[2] - x[0]) * (dy[1] - dy[0]);
@@ -102,7 +102,7 @@ void OutlineFit::approach(const Outlines &areas, const Outlines &wanted) {
 		float whole = 0.0f;
 		for (const Unit &unit : units) {
 			whole += unit.area[i];
-			for (size_t way = 0; way < WAYS; way++) {
+			for (size_t way = 0; way < STRETCHES; way++) {
 				whole += unit.change[i][way] * unit.widths[way];
 				for (size_t k = 0; k < OUTLINES; k++) {
 					matrix[i][k] += unit.change[i][way] * unit.weight[way] * unit.change[k][way];
@@ -116,23 +116,39 @@ void OutlineFit::approach(const Outlines &areas, const Outlines &wanted) {
 	for (size_t i = 0; i < OUTLINES; i++) {
 		matrix[i][i] += STIFFNESS * std::max(all, 1e-12f);
 	}
-	solve(matrix, right);
+	solve_outlines(matrix, right);
 	for (size_t u = 0; u < units.size(); u++) {
 		Unit &unit = units[u];
-		const float least = (written[u].is_flower ? limits.least_flower : limits.least) - 1.0f;
-		const float most = (written[u].is_flower ? limits.most_flower : limits.most) - 1.0f;
-		const float turned = written[u].is_flower ? limits.turned_flower : limits.turned;
-		for (size_t way = 0; way < WAYS; way++) {
+		for (size_t way = 0; way < STRETCHES; way++) {
 			float change = 0.0f;
 			for (size_t i = 0; i < OUTLINES; i++) {
 				change += unit.weight[way] * unit.change[i][way] * right[i];
 			}
 			change = std::clamp(change, -MOST_STEP, MOST_STEP);
-			unit.widths[way] = way == 0 ? std::clamp(unit.widths[way] + change, least, most)
-										: std::clamp(unit.widths[way] + change, -turned, turned);
+			unit.widths[way] += change;
 		}
+		limit(u, unit.widths);
 		apply(u, unit.widths);
 	}
+}
+
+void OutlineFit::limit(size_t number, Ways &widths) const {
+	const bool is_flower = written[number].is_flower;
+	const float least = (is_flower ? limits.least_flower : limits.least) - 1.0f;
+	const float most = std::min(is_flower ? limits.most_flower : limits.most, written[number].most) - 1.0f;
+	widths[0] = std::clamp(widths[0], least, most);
+	widths[TURN] = std::clamp(widths[TURN], -MOST_TURN, MOST_TURN);
+	float turned = is_flower ? limits.turned_flower : limits.turned;
+	if (limits.by_width) { // Together they never turn a sheet over.
+		turned *= 1.0f + widths[0];
+		const float both = std::sqrt(widths[1] * widths[1] + widths[2] * widths[2]);
+		const float share = both > turned ? turned / both : 1.0f;
+		widths[1] *= share;
+		widths[2] *= share;
+		return;
+	}
+	widths[1] = std::clamp(widths[1], -turned, turned);
+	widths[2] = std::clamp(widths[2], -turned, turned);
 }
 
 void OutlineFit::keep() {
@@ -150,10 +166,12 @@ void OutlineFit::finish() {
 
 void OutlineFit::apply(size_t number, const Ways &widths) {
 	const float width = 1.0f + widths[0];
+	const HalfTurn turn(widths[TURN]);
 	for (int i = written[number].vertex; i < written[number + 1].vertex; i++) {
 		const glm::vec3 &was = asides[static_cast<size_t>(i)];
-		const glm::vec3 now = { (width + widths[1]) * was.x + widths[2] * was.z, was.y * width,
+		const glm::vec3 wide = { (width + widths[1]) * was.x + widths[2] * was.z, was.y * width,
 			(width - widths[1]) * was.z + widths[2] * was.x };
+		const glm::vec3 now = widths[TURN] == 0.0f ? wide : turn.of(wide);
 		mesh.positions[i] += now - glm::vec3(mesh.custom2[i]);
 		mesh.custom2[i] = glm::vec4(now, mesh.custom2[i].w);
 	}

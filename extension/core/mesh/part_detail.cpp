@@ -17,10 +17,6 @@ const std::vector<PartDetail> BLADE_DETAILS = { { 5, 8 }, { 5, 6 }, { 3, 6 }, { 
 const std::vector<PartDetail> AXIS_DETAILS = { { 10, 10 }, { 8, 8 }, { 6, 8 }, { 6, 6 }, { 5, 5 }, { 5, 4 }, { 4, 3 },
 	{ 3, 3 }, { 3, 2 }, { 3, 1 }, { 2, 2 }, { 2, 1 } };
 
-bool is_even(const Part &part) {
-	return part.widths.samples.empty() && part.widths.profile.rise == 0.0f && part.widths.profile.fall == 0.0f;
-}
-
 float square(float value) {
 	return value * value;
 }
@@ -55,6 +51,10 @@ std::vector<float> blade_offsets(const Part &part, const PartDetail &detail) {
 }
 
 } // namespace
+
+bool is_even(const Part &part) {
+	return part.widths.samples.empty() && part.widths.profile.rise == 0.0f && part.widths.profile.fall == 0.0f;
+}
 
 bool ends_in_point(const Part &part) {
 	return part.kind == PartKind::bead || part.width_at(1.0f) <= POINT;

@@ -25,6 +25,8 @@ MeshCounts count_part(const Part &part, const PartDetail &detail);
 /// straight edges for round ones. An estimate that orders what is to be left away.
 float error_of(const Part &part, const PartDetail &detail);
 
+/// Whether it is as wide all along as its ends say.
+bool is_even(const Part &part);
 /// Whether the part ends in one vertex: a point, or the middle of the lid that closes it.
 bool ends_in_point(const Part &part);
 /// Whether a closed tube has a lid at its tip, since it is still wide there.
