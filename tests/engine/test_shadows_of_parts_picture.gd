@@ -4,7 +4,7 @@ extends "res://tests/engine/picture_harness.gd"
 
 const GARDEN_TULIP := "res://addons/undergrowth/species/garden_tulip.tres"
 ## Of the pixels of a flower: so many neighbours may differ in whether they are in shadow.
-const MOST_BORDERS := 0.04
+const MOST_BORDERS := 0.06
 
 var _sun: DirectionalLight3D
 var _plant: Plant3D
