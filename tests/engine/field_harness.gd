@@ -1,5 +1,5 @@
 ## Base of the engine tests of fields: a field to try, and what most of them do with it.
-extends "res://tests/engine/harness.gd"
+extends "res://tests/engine/settling_harness.gd"
 
 const STEP := 1.0 / 60.0
 

@@ -141,18 +141,6 @@ func until(holds: Callable, what: String) -> void:
 	check(holds.call(), what)
 
 
-## Waits until all that was told to [param field] just now is seen, or refused.
-func settled(field: PlantField3D) -> void:
-	await frames(2)
-	await until(is_settled.bind(field), "the field is seen")
-	await frames(2)
-
-
-## Whether nothing of the field is being filled or made ready to be drawn.
-func is_settled(field: PlantField3D) -> bool:
-	return not field.is_filling() and not field.get_statistics()["is_dressing"]
-
-
 ## What starts this engine once more. A script may have started it by its loader, which has no other
 ## name for itself.
 func engine_path() -> String:

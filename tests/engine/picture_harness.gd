@@ -1,5 +1,5 @@
 ## Base of the engine tests that look at pictures: a stage with a camera and a light.
-extends "res://tests/engine/harness.gd"
+extends "res://tests/engine/settling_harness.gd"
 
 const PICTURE_SIZE := Vector2i(200, 240)
 ## A pixel differs where a channel does by more than this.

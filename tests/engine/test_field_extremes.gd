@@ -1,5 +1,5 @@
 ## Fields that are as large, as small, as long or as odd as can be.
-extends "res://tests/engine/harness.gd"
+extends "res://tests/engine/settling_harness.gd"
 
 const QUARTER := 900.0
 ## What lists of the engine may grow by while nothing happens.

@@ -1,5 +1,5 @@
 ## Fields that come, go and change while worker threads step them, and plants that do.
-extends "res://tests/engine/harness.gd"
+extends "res://tests/engine/settling_harness.gd"
 
 var _field: PlantField3D
 
