@@ -36,10 +36,7 @@ func test_a_plant_of_parts_covers_as_much_while_its_level_changes() -> void:
 func test_a_thinned_field_covers_as_much_as_the_whole() -> void:
 	# A third of the plants, so many times as wide.
 	for function: PlantFunction in [load(MEADOW_GRASS), _blade()]:
-		_field.species = [PlantFieldSpecies.of(function)]
-		_field.density = 60.0
-		_field.size = Vector2(1.2, 1.2)
-		_field.levels = [PlantFieldLevel.of(6)]
+		_sow(function, 60.0, 1.2)
 		await settled(_field)
 		var whole := _count_covered(await picture())
 		_field.levels[0].share = 0.4
@@ -71,10 +68,7 @@ func test_few_wide_leaves_cover_no_more_than_many_from_above() -> void:
 
 
 func test_plants_that_stand_for_others_are_no_brighter_dots() -> void:
-	_field.species = [PlantFieldSpecies.of(load(OXEYE_DAISY))]
-	_field.density = 40.0
-	_field.size = Vector2(1.5, 1.5)
-	_field.levels = [PlantFieldLevel.of(6)]
+	_sow(load(OXEYE_DAISY), 40.0, 1.5)
 	var whole := _brightest(await picture())
 	_field.levels[0].share = 0.4
 	var thinned := _brightest(await picture())
@@ -84,10 +78,7 @@ func test_plants_that_stand_for_others_are_no_brighter_dots() -> void:
 
 func test_what_shines_least_is_not_darker_for_others() -> void:
 	# The mean that colours go to is the plant's own, not black.
-	_field.species = [PlantFieldSpecies.of(load(MEADOW_GRASS))]
-	_field.density = 60.0
-	_field.size = Vector2(1.2, 1.2)
-	_field.levels = [PlantFieldLevel.of(6)]
+	_sow(load(MEADOW_GRASS), 60.0, 1.2)
 	var whole := _mean_light(await picture())
 	_field.levels[0].share = 0.4
 	var thinned := _mean_light(await picture())
@@ -119,6 +110,14 @@ func _primitives_from(away: float) -> int:
 		RenderingServer.VIEWPORT_RENDER_INFO_TYPE_VISIBLE,
 		RenderingServer.VIEWPORT_RENDER_INFO_PRIMITIVES_IN_FRAME
 	)
+
+
+## Fills a square of so many metres, all of it of one level.
+func _sow(function: PlantFunction, density: float, side: float) -> void:
+	_field.species = [PlantFieldSpecies.of(function)]
+	_field.density = density
+	_field.size = Vector2(side, side)
+	_field.levels = [PlantFieldLevel.of(6)]
 
 
 ## A lathe that is not thinner than pixels.

@@ -120,28 +120,16 @@ bool FieldRenewal::begin_one(const Scene &scene) {
 	TileRecipe recipe;
 	recipe.tile = waiting.back();
 	waiting.pop_back();
-	recipe.tile_size = scene.store.tile_size();
-	const AreaBox box = tile_box(recipe.tile, recipe.tile_size);
-	recipe.request = base;
-	recipe.request.within = box;
-	if (scene.properties.map.is_valid()) { // What is painted may be another by now.
-		recipe.request = PlacementRequest();
-		const String fault = read_request(scene.field, scene.properties, &box, recipe.request);
-		if (!fault.is_empty()) {
-			return true; // Whoever asked for all of it was told, and this tile stays.
-		}
+	if (!FieldTiles::describe(scene, base, recipe)) {
+		return true; // Whoever asked for all of it was told, and this tile stays.
 	}
 	if (!outline) {
 		FieldStyle some = outline_of(scene.style);
 		some.is_of_tiles = true;
 		outline = std::make_shared<const FieldStyle>(std::move(some));
 	}
-	recipe.ground = scene.ground;
 	recipe.spacing = placed_at;
-	recipe.changes = scene.changes.cut(box);
 	recipe.standing = copy_filled_in(scene.store, recipe.tile);
-	recipe.prepare = scene.motion.prepare_block();
-	recipe.settings = scene.settings;
 	recipe.style = outline;
 	jobs.push_back({ std::make_unique<TileJob>(std::move(recipe)) });
 	jobs.back().job->start();

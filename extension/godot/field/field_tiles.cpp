@@ -123,14 +123,7 @@ void FieldTiles::interrupt(const Scene &scene, const AreaBox &box) {
 	}
 }
 
-// False where nobody may begin.
-bool FieldTiles::begin(const Scene &scene) {
-	if (coming.empty() || jobs.size() >= MOST_JOBS) {
-		return false;
-	}
-	TileRecipe recipe;
-	recipe.tile = coming.back();
-	coming.pop_back();
+bool FieldTiles::describe(const Scene &scene, const PlacementRequest &base, TileRecipe &recipe) {
 	recipe.tile_size = scene.store.tile_size();
 	const AreaBox box = tile_box(recipe.tile, recipe.tile_size);
 	recipe.request = base;
@@ -139,14 +132,28 @@ bool FieldTiles::begin(const Scene &scene) {
 		recipe.request = PlacementRequest();
 		const String fault = read_request(scene.field, scene.properties, &box, recipe.request);
 		if (!fault.is_empty()) {
-			return false; // The filling has told of it.
+			return false;
 		}
 	}
-	outline = outline ? outline : std::make_shared<const FieldStyle>(outline_of(scene.style));
 	recipe.ground = scene.ground;
 	recipe.changes = scene.changes.cut(box);
 	recipe.prepare = scene.motion.prepare_block();
 	recipe.settings = scene.settings;
+	return true;
+}
+
+// False where nobody may begin.
+bool FieldTiles::begin(const Scene &scene) {
+	if (coming.empty() || jobs.size() >= MOST_JOBS) {
+		return false;
+	}
+	TileRecipe recipe;
+	recipe.tile = coming.back();
+	coming.pop_back();
+	if (!describe(scene, base, recipe)) {
+		return false; // The filling has told of it.
+	}
+	outline = outline ? outline : std::make_shared<const FieldStyle>(outline_of(scene.style));
 	recipe.spacing = scene.store.spacing();
 	recipe.style = outline;
 	standing.insert(recipe.tile);

@@ -42,6 +42,9 @@ public:
 
 	/// Whoever looks, and whatever else the field is to stand around, in its axes (m).
 	static std::vector<glm::vec2> places_of(const Scene &scene);
+	/// Fills in how the tile of a recipe is to grow by a request without its map, but for spacing and style. False
+	/// where it cannot, by a fault of which whoever asks for the whole field is told.
+	static bool describe(const Scene &scene, const PlacementRequest &base, TileRecipe &recipe);
 
 	/// Goes on in a frame of physics or another one: chooses now and then, lets tiles go and come. `edits`: the store
 	/// may be edited. Where it does something it takes a part of a millisecond, and ends in the midst of it.
