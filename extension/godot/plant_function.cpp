@@ -281,7 +281,7 @@ void PlantFunction::_validate_property(PropertyInfo &property) const {
 	static const std::vector<std::pair<const char *, std::vector<Law>>> laws_of = {
 		{ "elasticity", { Law::elasticity } },
 		{ "inner_friction", { Law::elasticity } },
-		{ "stays_above_ground", { Law::elasticity } },
+		{ "stays_above_ground", { Law::elasticity, Law::stem } },
 		{ "natural_frequency", { Law::spring, Law::stem } },
 		{ "damping_ratio", { Law::spring, Law::stem } },
 		{ "lean", { Law::spring, Law::stem } },

@@ -51,12 +51,14 @@ def check_readme(result, figures_file):
 
 
 def read_doctest(name, output, problem):
-    """Counts test cases. The name of a failed one stands above its first message."""
+    """Counts test cases. The name of a failed one stands above its first message; others have some to tell, too."""
     total = DOCTEST_TOTAL.search(output)
     if not total:
         return Result(name, 0, [f"{problem or 'no summary'}: {first_alarm(output)}"])
     passed, failed = int(total.group(1)), int(total.group(2))
-    failures = [text.strip() for text in dict.fromkeys(re.findall(r"^TEST CASE:\s*(.*)$", output, re.MULTILINE))]
+    told = [part.partition("\n")[0].strip() for part in re.split(r"^TEST CASE:", output, flags=re.MULTILINE)[1:]
+            if " ERROR: " in part]
+    failures = list(dict.fromkeys(told))
     failures = failures[:failed] + ["(see the log)"] * (failed - len(failures))
     if problem and not failures:
         failures = [f"{problem}: {first_alarm(output)}"]

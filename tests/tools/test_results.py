@@ -73,7 +73,8 @@ class DoctestOutput(unittest.TestCase):
         self.assertEqual((read.passed, read.failures), (3, []))
 
     def test_failures_by_name(self):
-        text = "TEST CASE:  a stem bends\n\nx.cpp:1: ERROR: CHECK( a )\n" + self.TOTAL.format(3, 2, 1)
+        text = "TEST CASE:  a map is small\n\ny.cpp:1: MESSAGE: strokes: 3\n\n"
+        text += "TEST CASE:  a stem bends\n\nx.cpp:1: ERROR: CHECK( a )\n" + self.TOTAL.format(3, 2, 1)
         self.assertEqual(programs.read_doctest("core", text, "exit status 1").failures, ["a stem bends"])
 
     def test_a_sanitizer_that_ends_the_program(self):

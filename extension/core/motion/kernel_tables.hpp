@@ -84,6 +84,8 @@ struct StemStep {
 	int modes;
 	StemModeStep mode[MOST_STEM_MODES];
 	float tip_slope[MOST_STEM_MODES]; ///< As in StemMode.
+	float chord[MOST_STEM_MODES]; ///< The same; 0 where there is no ground.
+	float second_share; ///< In a steady wind, the second mode's amplitude over that of the first.
 	StemTip dead_tip, air_tip; ///< Under a load of either kind.
 	float dead_slope, air_slope, axial_share; ///< As in StemConstants.
 	/// The axial share of a wind in m/s: most of the stem is bent less than its tip, and feels less of what blows along
@@ -121,6 +123,8 @@ struct KernelSet {
 	void (*step_spring_in_air)(const SpringPage &page, int count, const PlantAir &air);
 	/// `winds` in newtons and `air` in m/s blow together. Either one's numbers may be null.
 	void (*step_stem)(const StemPage &page, int count, const PlantWinds &winds, const PlantAir &air);
+	/// Brings stems whose tips are below the ground up to it; step_stem() does it as well.
+	void (*lift_stems)(const StemPage &page, int count);
 	/// Moves each pair of bends (motion/bend_encoding.hpp) on: the second becomes the first, the present one the
 	/// second.
 	void (*encode_elasticity)(const float *x, const float *y, const float *z, int count, uint32_t *pairs);

@@ -14,11 +14,12 @@ namespace baseline_kernels {
 #include "motion/kernel_bends.inc"
 #include "motion/kernel_elasticity.inc"
 #include "motion/kernel_loads.inc"
+#include "motion/kernel_ground.inc"
 #include "motion/kernel_spring.inc"
 #include "motion/kernel_stem.inc"
 
 static const KernelSet SET = { step_elasticity, step_spring, step_elasticity_in_air, step_spring_in_air, step_stem,
-	encode_elasticity, encode_spring, encode_stem, interpolate_elasticity, interpolate_spring };
+	lift_stems, encode_elasticity, encode_spring, encode_stem, interpolate_elasticity, interpolate_spring };
 
 } // namespace baseline_kernels
 

@@ -92,6 +92,7 @@ void MotionPage::put_stem(int index, const StemState &state) {
 
 void MotionPage::set_stem(int index, const StemState &state) {
 	put_stem(index, safe_stem(kind.stem, state));
+	kernels(best_simd_level()).lift_stems(stem_page(index), 1);
 	if (has_bends()) {
 		const StemBends now = bends_of(kind.stem, stem(index), rest_bend(index));
 		pairs[2 * static_cast<std::size_t>(index) + 1] = now.first;
@@ -118,6 +119,7 @@ TipState MotionPage::state(int index) const {
 void MotionPage::put_state(int index, const TipState &state) {
 	if (kind.law == Law::stem) {
 		put_stem(index, stem_state(kind.stem, state, rest_bend(index)));
+		kernels(best_simd_level()).lift_stems(stem_page(index), 1);
 		return;
 	}
 	if (kind.law == Law::elasticity) {

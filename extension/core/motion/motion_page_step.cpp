@@ -58,7 +58,7 @@ StemGrades MotionPage::grades(int begin) {
 
 void MotionPage::update_stems(int begin, int end) {
 	const bool is_all = begin == 0 && end == size();
-	stems = stem_step_constants(kind.stem, step_time);
+	stems = stem_step_constants(kind.stem, step_time, kind.joint.above_ground);
 	stem_scales(kind.stem, lengths() + begin, end - begin, column(LOAD_SCALE) + begin);
 	const float *scales = column(LOAD_SCALE);
 	most_load_scale = is_all ? 0.0f : most_load_scale;

@@ -10,7 +10,7 @@ namespace undergrowth {
 /// What all plants of one species share.
 struct MotionSpecies {
 	Law law = Law::elasticity;
-	Joint joint; ///< Without `length` and `rest`, which each plant has of its own. Of the laws of one joint.
+	Joint joint; ///< Without `length` and `rest`, which each plant has of its own. Of stems, only `above_ground`.
 	StemConstants stem; ///< Of the stem law.
 	float collision_radius = 0.05f; ///< m, of the sphere at a tip.
 	float stand_height = 0.0f; ///< m, of the stand that shelters its plants; 0: each stands alone.

@@ -54,13 +54,15 @@ StemTip tip_of(float share, float step) {
 
 } // namespace
 
-StemStep stem_step_constants(const StemConstants &stem, float step) {
+StemStep stem_step_constants(const StemConstants &stem, float step, bool above_ground) {
 	StemStep made = {};
 	made.modes = std::clamp(stem.modes, 1, MOST_STEM_MODES);
 	for (int k = 0; k < made.modes; k++) {
 		made.mode[k] = mode_step(stem.mode[k], step);
 		made.tip_slope[k] = stem.mode[k].tip_slope;
+		made.chord[k] = above_ground ? stem.mode[k].chord : 0.0f;
 	}
+	made.second_share = made.modes == 2 ? stem.mode[1].dead_share / stem.mode[0].dead_share : 0.0f;
 	const float phase = stem.mode[0].frequency * step;
 	made.dead_slope = stem.dead_slope;
 	made.air_slope = stem.air_slope;

@@ -9,7 +9,8 @@ namespace undergrowth {
 ///
 /// The modes' steps are the closed form of a damped oscillator, so frequency and damping are as they say at any step
 /// length. A mode with less than four steps to a swing does not swing: it stands where its load leads.
-StemStep stem_step_constants(const StemConstants &stem, float step);
+/// `above_ground`: whether the ground stops tips.
+StemStep stem_step_constants(const StemConstants &stem, float step, bool above_ground = true);
 
 /// Columns of StemPage for stems whose frequencies follow from their height.
 struct StemGrades {

@@ -3,8 +3,10 @@
 #include "conventions.hpp"
 #include "stem/stem_elements.hpp"
 #include "stem/stem_grade.hpp"
+#include "stem/stem_ground.hpp"
 #include "stem/stem_large.hpp"
 #include "stem/stem_products.hpp"
+#include "stem/stem_shape.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,6 +63,7 @@ private:
 	void write_mode(int k);
 	void write_deflections();
 	void write_shapes();
+	void write_chords();
 	StemSamples slopes_of(const StemCurve &curve) const;
 };
 
@@ -98,6 +101,7 @@ StemFault Solver::solve() {
 	}
 	write_deflections();
 	write_shapes();
+	write_chords();
 	return StemFault::none;
 }
 
@@ -210,6 +214,14 @@ void Solver::write_shapes() {
 	const LargeBends air = large_bends_of_air(chain, air_shape, 1.0 / air_slope);
 	write_terms(air.x3, constants.air_shape[0], 2);
 	write_terms(air.x5, constants.air_shape[0] + 1, 2);
+}
+
+void Solver::write_chords() {
+	StemConstants &constants = solution.constants;
+	const StemChords dead = chords_of(constants);
+	const StemChords air = chords_of(in_air(constants));
+	constants.mode[0].chord = std::max(dead.first, air.first);
+	constants.mode[1].chord = std::max(dead.second, air.second);
 }
 
 } // namespace

@@ -34,6 +34,10 @@ struct StemMode {
 	float air_share = 1.0f; ///< Of a wind in m/s: the same.
 	float air_drag = 0.0f; ///< kg·m/s over m/s: ∫c φ² with the head's, D of the mode.
 	float air_lag = 0.0f; ///< m: ∫c φ_1 φ/∫c φ_1, how far the mode moves away from the wind.
+	/// The first mode's: about the bend of the straight way from root to tip, over the amplitude, where the second one has
+	/// its share of a steady wind; 1 where that brings the tip of an upright stem to the ground. The second one's: what
+	/// it takes of that 1 at most with what it has besides. 0: no ground stops it.
+	float chord = 0.0f;
 	StemGrade period; ///< Of 1/frequency.
 };
 
@@ -66,7 +70,7 @@ struct StemConstants {
 
 	bool operator==(const StemConstants &other) const {
 		static_assert(sizeof(StemConstants) ==
-						4 * (10 + 11 * MOST_STEM_MODES + 6 * STEM_SHAPE_TERMS) +
+						4 * (10 + 12 * MOST_STEM_MODES + 6 * STEM_SHAPE_TERMS) +
 								4 * (MOST_STEM_JOINTS + 1) * MOST_STEM_MODES,
 				"no padding, so bytes say whether all numbers are the same");
 		return std::memcmp(this, &other, sizeof(StemConstants)) == 0;

@@ -68,6 +68,7 @@ static StemMode mixed_mode(const StemConstants &stem, float a, float b) {
 	mode.stiffness = a * a * first.stiffness + b * b * second.stiffness;
 	mode.mass = mode.stiffness / (mode.frequency * mode.frequency);
 	mode.tip_slope = mode.dead_share = mode.air_share = 1.0f;
+	mode.chord = a * first.chord;
 	if (first.air_lag > 0.0f) {
 		const float first_push = first.air_drag / first.air_lag;
 		const float push = a * first_push + b * second.air_share * stem.air_slope * second.stiffness;
