@@ -93,11 +93,11 @@ constexpr StepCost STEPS[] = {
 	{ "step_spring", Law::spring, 30.0, 44.0, false },
 	{ "page_elasticity", Law::elasticity, 57.0, 76.0, true },
 	{ "page_spring", Law::spring, 43.0, 68.0, true },
-	{ "page_stem", Law::stem, 98.0, 68.0, true },
-	{ "page_stem_upright", Law::stem, 84.0, 60.0, true, false },
-	{ "page_stem_two_modes", Law::stem, 152.0, 124.0, true, true, 2 },
-	{ "page_stem_gale", Law::stem, 136.0, 92.0, true, true, 1, GALE, true },
-	{ "page_stem_two_modes_gale", Law::stem, 190.0, 164.0, true, true, 2, GALE, true },
+	{ "page_stem", Law::stem, 102.0, 68.0, true },
+	{ "page_stem_upright", Law::stem, 88.0, 60.0, true, false },
+	{ "page_stem_two_modes", Law::stem, 165.0, 124.0, true, true, 2 },
+	{ "page_stem_gale", Law::stem, 140.0, 92.0, true, true, 1, GALE, true },
+	{ "page_stem_two_modes_gale", Law::stem, 203.0, 164.0, true, true, 2, GALE, true },
 };
 constexpr int PAGE_FLOATS = 13; // Of a page's table, per plant.
 constexpr int COLUMNS = 7; // Of a kernel.

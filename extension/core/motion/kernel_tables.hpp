@@ -111,7 +111,7 @@ struct StemPage {
 	const float *dead_ease, *air_ease;
 	const float *by_height[MOST_STEM_MODES][4];
 	float most_scale; ///< None of `scale`, eased or not, is above this; the nearer, the sooner steps are quick.
-	bool leans; ///< Whether any rest direction may not be upright. Without, steps are quicker to the same bits.
+	float most_lean; ///< None of the rest's bends is larger; 0: steps are quicker to the same bits.
 	StemStep step;
 };
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace undergrowth {
 
@@ -79,7 +80,7 @@ void MotionPage::put_rest(int index, const glm::vec3 &rest) {
 		const glm::vec2 bend = stereographic(encode_bend(rest));
 		column(STEM_REST_X)[index] = bend.x;
 		column(STEM_REST_Z)[index] = bend.y;
-		has_leaning = has_leaning || bend != glm::vec2(0.0f);
+		most_lean = std::max(most_lean, glm::length(bend));
 	}
 }
 

@@ -201,7 +201,7 @@ private:
 	StemStep stems = {};
 	float most_load_scale = 1.0f; ///< Of the stem law: none of LOAD_SCALE is above it, eased or not.
 	float fastest = 1.0f; ///< Of graded stems, over the species'.
-	bool has_leaning = false; ///< Of the stem law: some rest direction may not be upright.
+	float most_lean = 0.0f; ///< Of the stem law: no rest's bend is larger.
 	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
 	Columns rows;

@@ -142,7 +142,7 @@ StemPage MotionPage::stem_page(int begin) {
 		}
 	}
 	page.most_scale = most_load_scale > 0.0f ? most_load_scale : 1.0f;
-	page.leans = has_leaning;
+	page.most_lean = most_lean;
 	page.step = stems;
 	return page;
 }

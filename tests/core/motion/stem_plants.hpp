@@ -6,6 +6,7 @@
 #include "motion/kernel_tables.hpp"
 #include "motion/stem_step.hpp"
 
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
 #include <algorithm>
@@ -141,7 +142,9 @@ public:
 		made_page.rest_z = column(REST + 1) + begin;
 		made_page.scale = column(SCALE) + begin;
 		made_page.most_scale = *std::max_element(column(SCALE), column(SCALE) + count);
-		made_page.leans = std::any_of(column(REST), column(SCALE), [](float value) { return value != 0.0f; });
+		for (int i = 0; i < count; i++) {
+			made_page.most_lean = std::max(made_page.most_lean, glm::length(pair(REST, i)));
+		}
 		made_page.step = made;
 		return made_page;
 	}
