@@ -14,7 +14,7 @@ DOCTEST_TOTAL = re.compile(r"test cases:\s*\d+ \|\s*(\d+) passed \|\s*(\d+) fail
 TIMEOUT = 900  # s: sanitizers take ten times as long, more on a busy machine.
 SANITIZER_OPTIONS = {
     "ASAN_OPTIONS": "abort_on_error=1:detect_stack_use_after_return=1",
-    "UBSAN_OPTIONS": "print_stacktrace=1:halt_on_error=1",
+    "UBSAN_OPTIONS": "print_stacktrace=1:halt_on_error=1:abort_on_error=1",
     "TSAN_OPTIONS": "halt_on_error=1",
 }
 

@@ -13,6 +13,7 @@ constexpr float TURNED = 0.35f; // What growing one way is worth beside growing 
 constexpr float MOST_TURN = 0.5f; // Tangent of half the angle.
 constexpr float MOST_STEP = 0.5f;
 constexpr float STIFFNESS = 1e-3f; // So that outlines that nothing can change apart from each other do no harm.
+constexpr float ROUNDING = 1e-5f; // The same where widths left nothing of all areas, by what floats hold of the matrix.
 
 } // namespace
 
@@ -113,8 +114,9 @@ void OutlineFit::approach(const Outlines &areas, const Outlines &wanted) {
 		// What hides behind other units goes on hiding behind them in the same share.
 		right[i] = (wanted[i] / std::max(areas[i], 0.05f * wanted[i]) - 1.0f) * whole;
 	}
+	const float trace = matrix[0][0] + matrix[1][1] + matrix[2][2] + matrix[3][3];
 	for (size_t i = 0; i < OUTLINES; i++) {
-		matrix[i][i] += STIFFNESS * std::max(all, 1e-12f);
+		matrix[i][i] += std::max({ STIFFNESS * all, ROUNDING * trace, 1e-15f });
 	}
 	solve_outlines(matrix, right);
 	for (size_t u = 0; u < units.size(); u++) {

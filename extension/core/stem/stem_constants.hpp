@@ -34,9 +34,9 @@ struct StemMode {
 	float air_share = 1.0f; ///< Of a wind in m/s: the same.
 	float air_drag = 0.0f; ///< kg·m/s over m/s: ∫c φ² with the head's, D of the mode.
 	float air_lag = 0.0f; ///< m: ∫c φ_1 φ/∫c φ_1, how far the mode moves away from the wind.
-	/// The first mode's: about the bend of the straight way from root to tip, over the amplitude, where the second one has
-	/// its share of a steady wind; 1 where that brings the tip of an upright stem to the ground. The second one's: what
-	/// it takes of that 1 at most with what it has besides. 0: no ground stops it.
+	/// The first mode's: about the bend of the straight way from root to tip, over the amplitude, where the second one
+	/// has its share of a steady wind; 1 where that brings the tip of an upright stem to the ground. The second one's:
+	/// what it takes of that 1 at most with what it has besides. 0: no ground stops it.
 	float chord = 0.0f;
 	StemGrade period; ///< Of 1/frequency.
 };

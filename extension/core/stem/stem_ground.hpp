@@ -7,8 +7,8 @@ namespace undergrowth {
 /// Where the ground stops a tip, as a share of the stem's length.
 inline constexpr float GROUND_HEIGHT = 0.02f;
 
-/// StemMode::chord of both modes, 0 for one that is not there. Small bends of the way to the tip are two thirds of that, so
-/// stems that lean stop a little above the ground.
+/// StemMode::chord of both modes, 0 for one that is not there. Small bends of the way to the tip are two thirds of
+/// that, so stems that lean stop a little above the ground.
 struct StemChords {
 	float first = 0.0f;
 	float second = 0.0f;

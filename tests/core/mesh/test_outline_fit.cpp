@@ -1,3 +1,4 @@
+#include "base/random.hpp"
 #include "mesh/outline_fit.hpp"
 
 #include <doctest/doctest.h>
@@ -34,6 +35,14 @@ struct Sheets {
 			}
 		}
 		indices.insert(indices.end(), { first, first + 2, first + 1, first + 2, first + 3, first + 1 });
+	}
+	/// One that grows as high as wide, as a bead does.
+	void add_bead(const glm::vec3 &aside, float height) {
+		add({ 0.0f, 0.0f, 0.0f }, aside);
+		for (size_t i = positions.size() - 4; i < positions.size(); i++) {
+			asides[i].y = height * (positions[i].y - 0.5f);
+			positions[i].y = height * positions[i].y;
+		}
 	}
 	void end() { units.push_back({ static_cast<int>(positions.size()), static_cast<int>(indices.size()) }); }
 	FormBuffers buffers() {
@@ -89,6 +98,30 @@ TEST_CASE("sheets that all face one way are turned and widened until every side 
 	for (size_t i = 0; i < sheets.normals.size(); i++) { // Turned, they are lit as turned.
 		CHECK(std::abs(glm::length(sheets.normals[i]) - 1.0f) < 1e-6f);
 	}
+}
+
+TEST_CASE("a sheet that is asked for outlines which it cannot have keeps numbers for its places") {
+	bool are_numbers = true;
+	for (int i = 0; i < 300; i++) {
+		const auto chance = [i](uint64_t which) { return 0.5f + 0.5f * signed_noise(which, static_cast<uint64_t>(i)); };
+		Sheets sheets;
+		sheets.add_bead(facing(500.0f, 3.0f * chance(0)), 700.0f);
+		sheets.end();
+		const FormBuffers mesh = sheets.buffers();
+		OutlineFit fit(sheets.units, mesh);
+		Outlines areas, wanted;
+		for (size_t side = 0; side < OUTLINES; side++) {
+			areas[side] = 1e5f * (0.2f + chance(2 + side));
+			wanted[side] = areas[side] * (0.05f + 0.3f * chance(6 + side));
+		}
+		for (int step = 0; step < 50; step++) {
+			fit.approach(areas, wanted);
+			for (const glm::vec3 &place : sheets.positions) {
+				are_numbers = are_numbers && std::isfinite(place.x + place.y + place.z);
+			}
+		}
+	}
+	CHECK(are_numbers);
 }
 
 TEST_CASE("flowers keep their size and no sheet is turned over while outlines are looked for") {

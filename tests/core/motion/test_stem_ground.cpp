@@ -22,7 +22,8 @@ using doctest::Approx;
 namespace {
 
 constexpr int PLANTS = 96;
-/// Of the length: where a second mode is far off, its share of the way is told roughly. One mode alone does not get there.
+/// Of the length: where a second mode is far off, its share of the way is told roughly. One mode alone does not get
+/// there.
 constexpr float MOST_BELOW = 0.03f;
 
 StemConstants real_stem(int modes, double taper, double head, int joints = 4) {
@@ -51,7 +52,8 @@ StemPlants meadow(const StemConstants &stem) {
 float tip_height(StemPlants &plants, int index) {
 	const StemPage page = plants.page();
 	const glm::vec2 amplitudes[] = { plants.place(index), plants.place(index, 1) };
-	return turned(stem_place(plants.constants(), amplitudes, 1.0f).centre, { page.rest_x[index], page.rest_z[index] }).y;
+	return turned(stem_place(plants.constants(), amplitudes, 1.0f).centre, { page.rest_x[index], page.rest_z[index] })
+			.y;
 }
 
 float lowest_tip(StemPlants &plants) {
@@ -66,8 +68,8 @@ void blow_away(StemPlants &plants, float strength) {
 	for (int i = 0; i < PLANTS; i++) {
 		StemState state;
 		const float impulse = strength * plants.constants().mode[0].mass * plants.constants().mode[0].frequency;
-		blow_on_stem(plants.constants(), state, 1.0f, { impulse * noise(i, 3), impulse * noise(i, 4), impulse * noise(i, 5) },
-				1.0f);
+		blow_on_stem(plants.constants(), state, 1.0f,
+				{ impulse * noise(i, 3), impulse * noise(i, 4), impulse * noise(i, 5) }, 1.0f);
 		for (int k = 0; k < plants.constants().modes; k++) {
 			plants.set_rate(i, state.rate[k], k);
 		}
@@ -143,7 +145,7 @@ TEST_CASE("a tip that meets the ground loses what moves it down, and goes on alo
 	CHECK(plants.rate(0).x == -5.0f);
 }
 
-TEST_CASE("no steady wind bends a stem so far that the ground stops it")  {
+TEST_CASE("no steady wind bends a stem so far that the ground stops it") {
 	for (const double taper : { 0.0, 0.5, 0.8 }) {
 		for (const double head : { 0.0, 1.0, 2.0 }) {
 			for (const bool is_in_air : { false, true }) {
@@ -202,7 +204,8 @@ TEST_CASE("stems that the ground stops have the same bits at every level, divide
 	}
 }
 
-TEST_CASE("a species without ground lets the tips of its stems go below it, and all others are stopped by whatever moves them") {
+TEST_CASE("a species without ground lets the tips of its stems go below it, and all others are stopped by whatever "
+		  "moves them") {
 	MotionSpecies species;
 	species.law = Law::stem;
 	species.stem = real_stem(1, 0.5, 0.5);
