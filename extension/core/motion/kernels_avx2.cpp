@@ -20,8 +20,8 @@ namespace avx2_kernels {
 #include "base/kernel_basics.inc"
 #include "motion/kernel_bends.inc"
 #include "motion/kernel_elasticity.inc"
-#include "motion/kernel_ground.inc"
 #include "motion/kernel_loads.inc"
+#include "motion/kernel_over_ground.inc"
 #include "motion/kernel_spring.inc"
 #include "motion/kernel_stem.inc"
 
