@@ -141,6 +141,9 @@ bool Meadow::make_ready() {
 
 void Meadow::poll(double delta, bool physics) {
 	const FrameCost::Share share(filling);
+	if (!physics) {
+		view.tell_if_undrawn();
+	}
 	if (!physics && !view.free_some(FREEING_USEC)) {
 		retired.clear();
 	}
