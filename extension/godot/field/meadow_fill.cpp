@@ -120,6 +120,11 @@ bool Meadow::make_ready() {
 		return !motion.is_handing_over();
 	}
 	const Stopwatch watch;
+	for (FieldLook &look : result.style.looks) {
+		if (!look.make_meshes(READYING_USEC - watch.usec())) {
+			return false;
+		}
+	}
 	if (!std::exchange(job->is_dressed, true)) {
 		has_other_materials = false;
 		dress.make(result.style);
