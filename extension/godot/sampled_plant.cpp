@@ -9,6 +9,7 @@
 #include "shared_resources.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace godot;
 
@@ -34,9 +35,26 @@ static PackedFloat32Array tip_weights(const PackedFloat32Array &weights) {
 	return of_tip;
 }
 
-Ref<ArrayMesh> SampledPlant::build() const {
+float MeshArrays::width() const {
+	const PackedVector3Array positions = arrays[Mesh::ARRAY_VERTEX];
+	Vector3 farthest;
+	for (const Vector3 &position : positions) {
+		farthest = farthest.max(position.abs());
+	}
+	return std::sqrt(farthest.x * farthest.x + farthest.z * farthest.z);
+}
+
+Ref<ArrayMesh> MeshArrays::make() const {
+	Ref<ArrayMesh> mesh = new_counted<ArrayMesh>();
+	mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays, TypedArray<Array>(), Dictionary(), format);
+	const Ref<Material> own = has_parts ? Ref<Material>(parts_material()) : Ref<Material>(default_material());
+	mesh->surface_set_material(0, material.is_valid() ? material : own);
+	return mesh;
+}
+
+MeshArrays SampledPlant::build_arrays(Vector2 *from_above) const {
 	if (grown) {
-		return build_form_mesh(*grown, *this);
+		return build_form_arrays(*grown, *this, from_above);
 	}
 	const MeshCounts counts = count_mesh(int(cross_section.points.size()), lod, options.shading);
 	PackedVector3Array positions, normals;
@@ -66,7 +84,8 @@ Ref<ArrayMesh> SampledPlant::build() const {
 	if (stem) {
 		bind_to_joints(stem->joints, counts.vertices, bones.ptrw(), weights.ptrw());
 	}
-	Array arrays;
+	MeshArrays made = { Array(), CUSTOM_FORMAT, material, false };
+	Array &arrays = made.arrays;
 	arrays.resize(Mesh::ARRAY_MAX);
 	arrays[Mesh::ARRAY_VERTEX] = positions;
 	arrays[Mesh::ARRAY_NORMAL] = normals;
@@ -76,10 +95,7 @@ Ref<ArrayMesh> SampledPlant::build() const {
 	arrays[Mesh::ARRAY_WEIGHTS] = weights;
 	arrays[Mesh::ARRAY_INDEX] = indices;
 	arrays[Mesh::ARRAY_CUSTOM0] = offsets;
-	Ref<ArrayMesh> mesh = new_counted<ArrayMesh>();
-	mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays, TypedArray<Array>(), Dictionary(), CUSTOM_FORMAT);
-	mesh->surface_set_material(0, material.is_valid() ? material : Ref<Material>(default_material()));
-	return mesh;
+	return made;
 }
 
 } // namespace undergrowth

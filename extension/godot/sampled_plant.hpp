@@ -16,6 +16,19 @@ namespace undergrowth {
 
 class GrownPlant;
 
+/// All that the engine's mesh of a plant is made of.
+struct MeshArrays {
+	godot::Array arrays;
+	int64_t format = 0; ///< Of the custom ones.
+	godot::Ref<godot::Material> material; ///< Null: the add-on's own.
+	bool has_parts = false;
+
+	/// How far it goes from its axis (m), deviations included.
+	float width() const;
+	/// On any thread, but for the headless engine's stand-in for a renderer: the main one.
+	godot::Ref<godot::ArrayMesh> make() const;
+};
+
 /// A plant function, asked at one height and level of detail: all that its mesh needs, copied, so that a worker thread
 /// may build it while the function changes.
 struct SampledPlant {
@@ -32,8 +45,11 @@ struct SampledPlant {
 
 	/// The largest distance of a side point from the plant's axis (m).
 	float widest() const;
-	/// On any thread, but for the headless engine's stand-in for a renderer: the main one.
-	godot::Ref<godot::ArrayMesh> build() const;
+	/// On any thread. Of plants of parts it also tells what the plant (x) and this mesh of it (y) show from straight
+	/// above, in shares of what they show from the side, where that is wanted.
+	MeshArrays build_arrays(godot::Vector2 *from_above = nullptr) const;
+	/// The mesh of these, on a thread that may make it.
+	godot::Ref<godot::ArrayMesh> build() const { return build_arrays().make(); }
 };
 
 } // namespace undergrowth

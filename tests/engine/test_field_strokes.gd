@@ -31,6 +31,32 @@ func test_strokes_touch_what_they_change_and_nothing_else() -> void:
 	check(stayed < ids.size() - 40, "%d of %d stay" % [stayed, ids.size()])
 
 
+## What a game does in a frame.
+class Game:
+	extends Node
+
+	func _process(_delta: float) -> void:
+		OS.delay_msec(2)
+
+
+## Of many strokes one at least meets threads that are free, however busy the machine is.
+func test_a_stroke_is_placed_stands_and_is_shown_in_one_frame() -> void:
+	var game := Game.new()
+	root.add_child(game)
+	_fill_all(0.6)
+	field.map = map
+	await start()
+	var seen_at_once := 0
+	for i in 30:
+		map.erase(Vector3(3, 0, 3), 2.0, TULIP, 1.0, 0.0)
+		await rested()
+		map.paint(Vector3(3, 0, 3), 2.0, TULIP, 1.0, 0.0)
+		await physics_frame
+		seen_at_once += 0 if field.is_filling() else 1
+	check(seen_at_once > 0, "some of the strokes are seen in the frame in which they are painted")
+	game.free()
+
+
 func test_newcomers_that_are_erased_are_drawn_no_more() -> void:
 	field.map = map
 	root.add_child(field)

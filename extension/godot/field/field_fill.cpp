@@ -3,6 +3,7 @@
 #include <godot_cpp/classes/worker_thread_pool.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 using namespace godot;
@@ -150,6 +151,9 @@ void FieldFill::build() {
 			return;
 		}
 		look.build();
+		if (recipe.makes_meshes) {
+			look.make_meshes(std::numeric_limits<double>::infinity());
+		}
 	}
 	done = MESHES_SHARE;
 	result.blocks = cut_into_blocks(placed, recipe.tile_size);

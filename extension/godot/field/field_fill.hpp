@@ -22,6 +22,7 @@ struct FieldRecipe {
 	FieldMotion::Prepare prepare = nullptr;
 	FieldSettings settings;
 	FieldStyle style; ///< Sampled, but without meshes.
+	bool makes_meshes = true; ///< Else their owner does, on the main thread.
 	FieldWind wind; ///< At the simulation's start: prototypes have felt it before.
 	std::vector<int> species_numbers; ///< What species are in `style`, by what they were.
 	float tile_size = 16.0f; ///< m.

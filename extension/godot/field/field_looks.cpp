@@ -1,10 +1,11 @@
 #include "field/field_looks.hpp"
 
 #include "base/random.hpp"
-#include "form/form_arrays.hpp"
+#include "form/grown_plant.hpp"
 #include "plant/base_shape.hpp"
 #include "shared_resources.hpp"
 #include "stand/plant_axes.hpp"
+#include "stopwatch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -55,31 +56,45 @@ String FieldLook::sample_next(const std::vector<FieldLevel> &levels) {
 	return String();
 }
 
-// How far a mesh goes from its axis, deviations included.
-static float width_of(const Ref<ArrayMesh> &mesh) {
-	const AABB box = mesh->get_aabb();
-	const Vector3 farthest = box.position.abs().max(box.get_end().abs());
-	return std::sqrt(farthest.x * farthest.x + farthest.z * farthest.z);
-}
-
 void FieldLook::build() {
 	if (samples.empty()) {
 		return;
 	}
+	built.assign(samples.size(), {});
 	meshes.assign(samples.size(), {});
 	from_above.assign(samples.size(), Vector2());
 	for (size_t level = 0; level < samples.size(); level++) {
+		meshes[level].resize(samples[level].size());
 		for (const SampledPlant &sampled : samples[level]) {
 			Vector2 above;
-			meshes[level].push_back(sampled.grown ? build_form_mesh(*sampled.grown, sampled, above) : sampled.build());
+			built[level].push_back(sampled.build_arrays(&above));
 			from_above[level] += above / float(samples[level].size());
-			width = std::max(width, width_of(meshes[level].back()));
+			width = std::max(width, built[level].back().width());
 		}
 	}
 	nearest = std::move(samples[0]);
 	samples.clear();
 	find_mean();
-	plant_shader(has_parts()); // Read here, where it holds nobody up, and not when it is worn first.
+}
+
+bool FieldLook::make_meshes(double usec) {
+	const Stopwatch watch;
+	for (size_t level = 0; level < built.size(); level++) {
+		for (size_t group = 0; group < built[level].size(); group++) {
+			if (meshes[level][group].is_null()) {
+				if (watch.usec() > usec) {
+					return false;
+				}
+				meshes[level][group] = built[level][group].make();
+				built[level][group] = MeshArrays();
+			}
+		}
+	}
+	if (!built.empty()) {
+		built.clear();
+		plant_shader(has_parts()); // Read here, where it holds nobody up, and not when it is worn first.
+	}
+	return true;
 }
 
 void FieldLook::find_mean() {

@@ -50,8 +50,9 @@ struct FieldLook {
 	double detail = 1.0; ///< Times the segments of the levels.
 	std::vector<FieldVariant> variants;
 	std::vector<std::vector<SampledPlant>> samples; ///< By level and group; let go when the meshes are built.
+	std::vector<std::vector<MeshArrays>> built; ///< Alike, until meshes are made of them.
 	std::vector<SampledPlant> nearest; ///< Of the first level, kept for plants that get a mesh of their own.
-	std::vector<std::vector<godot::Ref<godot::ArrayMesh>>> meshes; ///< By level and group.
+	std::vector<std::vector<godot::Ref<godot::ArrayMesh>>> meshes; ///< By level and group; null until they are made.
 	std::vector<godot::Ref<godot::ShaderMaterial>> materials; ///< By level.
 	MotionSpecies motion;
 	bool has_motion = false; ///< It was read.
@@ -71,8 +72,10 @@ struct FieldLook {
 	int segments_at(const FieldLevel &level) const;
 	/// Whether all variants are sampled, and how they move.
 	bool is_sampled() const { return int(variants.size()) == variant_count && has_motion; }
-	/// Builds the meshes of what was sampled; once, on any thread.
+	/// Builds what meshes of what was sampled are made of; once, on any thread.
 	void build();
+	/// Makes them, for about `usec`, on a thread that may (renders_on_threads()). False: there are more.
+	bool make_meshes(double usec);
 	/// For the mesh of one plant alone, with its own height, to be turned and scaled by `scale`, on a skeleton.
 	SampledPlant sample_alone(const PlacedPlant &plant) const;
 	/// The function's motion as it is now.

@@ -2,6 +2,7 @@
 
 #include <godot_cpp/classes/worker_thread_pool.hpp>
 
+#include <chrono>
 #include <utility>
 
 using namespace godot;
@@ -65,22 +66,34 @@ void FieldPatch::draw(FieldStyle &&with, std::vector<DrawnNewcomers> &&of) {
 
 void FieldPatch::work(void *self) {
 	FieldPatch *patch = static_cast<FieldPatch *>(self);
-	const Stage now = patch->stage;
-	if (now == Stage::drawing) {
-		patch->plan();
-		patch->stage = Stage::drawn;
-		return;
+	const Stage next = patch->do_stage();
+	const std::lock_guard<std::mutex> lock(patch->telling);
+	patch->stage = next;
+	patch->told.notify_all();
+}
+
+FieldPatch::Stage FieldPatch::do_stage() {
+	if (stage == Stage::drawing) {
+		plan();
+		return Stage::drawn;
 	}
-	if (now == Stage::placing) {
-		patch->find_newcomers();
-		if (patch->recipe.ground.needs_survey() && patch->newcomers.size() > 0) {
-			patch->stage = Stage::grounding;
-			return;
+	if (stage == Stage::placing) {
+		find_newcomers();
+		if (recipe.ground.needs_survey() && newcomers.size() > 0) {
+			return Stage::grounding;
 		}
-		patch->recipe.ground.look_up(patch->newcomers, patch->heights, patch->normals);
+		recipe.ground.look_up(newcomers, heights, normals);
 	}
-	patch->stand();
-	patch->stage = Stage::placed;
+	stand();
+	return Stage::placed;
+}
+
+void FieldPatch::wait_a_little(double usec) {
+	const Stage now = stage;
+	if (now == Stage::placing || now == Stage::standing || now == Stage::drawing) {
+		std::unique_lock<std::mutex> lock(telling);
+		told.wait_for(lock, std::chrono::duration<double, std::micro>(usec), [&] { return stage.load() != now; });
+	}
 }
 
 void FieldPatch::find_newcomers() {

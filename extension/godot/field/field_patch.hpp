@@ -7,6 +7,8 @@
 #include "stand/stand_patch.hpp"
 
 #include <atomic>
+#include <condition_variable>
+#include <mutex>
 #include <vector>
 
 namespace undergrowth {
@@ -57,6 +59,8 @@ public:
 	bool is_drawing() const { return stage.load() == Stage::drawing || is_drawn(); }
 	bool is_drawn() const { return stage.load() == Stage::drawn; }
 	const std::vector<DrawnNewcomers> &drawn() const { return blocks; }
+	/// Waits until the stage that goes on is over, but no longer than so many µs.
+	void wait_a_little(double usec);
 
 private:
 	enum class Stage { fresh, placing, grounding, standing, placed, drawing, drawn };
@@ -70,9 +74,12 @@ private:
 	FieldStyle style;
 	std::vector<DrawnNewcomers> blocks;
 	std::atomic<Stage> stage{ Stage::fresh };
+	std::mutex telling;
+	std::condition_variable told; ///< That a stage is over.
 	int64_t task = -1;
 
 	static void work(void *self);
+	Stage do_stage();
 	void launch(Stage next);
 	void wait();
 	void find_newcomers();

@@ -1,13 +1,17 @@
 #include "field/field_patches.hpp"
 
+#include "field/field_recipe.hpp"
+
 #include <glm/common.hpp>
 
+#include <cmath>
 #include <utility>
 
 using namespace godot;
 
 namespace undergrowth {
 
+static constexpr double MOST_WAITING_USEC = 500.0; // A frame, so that what was just painted is seen in it.
 static constexpr size_t MOST_STANDING = 6000; // Plants of a job: copying them takes part of a millisecond.
 
 static AreaBox common(const AreaBox &box, const TileKey &tile, float size) {
@@ -45,11 +49,12 @@ void FieldPatches::interrupt() {
 		touch(box, tile);
 	}
 	for (const DrawnNewcomers &one : job->drawn()) {
-		if (is_there(one.number)) {
+		if (dropped.count(one.number) == 0) {
 			unseen.insert(one.number);
 		}
 	}
 	job.reset();
+	asker.forget();
 }
 
 std::vector<AreaBox> FieldPatches::take_boxes(const PlantStore &store, StandingPlants &standing) {
@@ -65,9 +70,90 @@ std::vector<AreaBox> FieldPatches::take_boxes(const PlantStore &store, StandingP
 	return boxes;
 }
 
-void FieldPatches::start(PatchRecipe &&recipe) {
-	job = std::make_unique<FieldPatch>(std::move(recipe));
-	job->place();
+void FieldPatches::begin(const FieldTiles::Scene &scene) {
+	PatchRecipe recipe;
+	recipe.boxes = take_boxes(scene.store, recipe.standing);
+	if (recipe.boxes.empty()) {
+		draw(scene);
+		return;
+	}
+	AreaBox around = recipe.boxes.front();
+	for (const AreaBox &box : recipe.boxes) {
+		around = { glm::min(around.low, box.low), glm::max(around.high, box.high) };
+	}
+	const bool are_known = scene.style.listed_count == int(scene.properties.species.size());
+	const String fault = read_request(scene.field, scene.properties, &around, recipe.request);
+	recipe.ground = scene.ground;
+	recipe.changes = scene.changes.cut(around);
+	recipe.spacing = scene.store.spacing();
+	const double spacing = 1.0 / std::sqrt(double(recipe.request.density));
+	if (fault.is_empty() && are_known && spacing == recipe.spacing) { // Else it is filled anew soon.
+		job = std::make_unique<FieldPatch>(std::move(recipe));
+		job->place();
+	}
+}
+
+void FieldPatches::ask_ground(const FieldTiles::Scene &scene, bool physics, double usec) {
+	if (asker.serve(*job, scene.field, scene.properties, usec, physics, false) == GroundSurvey::State::failed) {
+		scene.fault(asker.fault());
+		job.reset();
+	}
+}
+
+void FieldPatches::stand(const FieldTiles::Scene &scene) {
+	StandEdit edit = job->take_edit();
+	job.reset();
+	if (double(scene.store.plant_count()) + double(edit.grown.size()) > PlacementRequest::MOST_PLANTS) {
+		scene.fault(undergrowth::describe(PlacementFault::too_many_plants));
+		return;
+	}
+	scene.apply(std::move(edit), nullptr);
+	draw(scene);
+}
+
+// Of whoever stood first, all are drawn, in a job that is for that only.
+void FieldPatches::draw(const FieldTiles::Scene &scene) {
+	if (unseen.empty()) {
+		return;
+	}
+	std::vector<DrawnNewcomers> blocks;
+	for (const int number : unseen) {
+		blocks.push_back({ number, scene.store.block(number), scene.motion.texels(number), {} });
+	}
+	unseen.clear();
+	dropped.clear();
+	job = std::make_unique<FieldPatch>();
+	job->draw(outline_of(scene.style), std::move(blocks));
+}
+
+void FieldPatches::show(const FieldTiles::Scene &scene) {
+	for (const DrawnNewcomers &one : job->drawn()) {
+		if (dropped.count(one.number) == 0) {
+			scene.view.show_newcomers(scene.style, one.block.tile, one.number, one.plans);
+		}
+	}
+	job.reset();
+}
+
+bool FieldPatches::go_on(const FieldTiles::Scene &scene, Moment moment, double ground_usec) {
+	const bool may_show = moment != Moment::physics;
+	if (job && job->is_drawing() && moment == Moment::ending) {
+		job->wait_a_little(MOST_WAITING_USEC);
+	}
+	if (job && job->wants_ground() && moment != Moment::ending) {
+		ask_ground(scene, moment == Moment::physics, ground_usec);
+	}
+	const bool stands = moment == Moment::begun && job && job->is_placed();
+	if (stands) {
+		stand(scene);
+	}
+	if (may_show && job && job->is_drawn()) {
+		show(scene);
+	}
+	if (may_show && !job) {
+		begin(scene);
+	}
+	return stands;
 }
 
 void FieldPatches::follow(const ChangeSet &changes, const PlantStore &store) {
@@ -80,26 +166,9 @@ void FieldPatches::follow(const ChangeSet &changes, const PlantStore &store) {
 			unseen.insert(grown.block);
 		}
 	}
-	if (job && job->drawn().empty()) {
+	if (job && !job->is_drawing()) {
 		interrupt(); // It knows others than those who stand now.
 	}
-}
-
-bool FieldPatches::draw(const FieldStyle &style, const PlantStore &store, const FieldMotion &motion) {
-	if (unseen.empty()) {
-		return false;
-	}
-	std::vector<DrawnNewcomers> blocks;
-	for (const int number : unseen) {
-		blocks.push_back({ number, store.block(number), motion.texels(number), {} });
-	}
-	unseen.clear();
-	dropped.clear();
-	if (!job) {
-		job = std::make_unique<FieldPatch>();
-	}
-	job->draw(outline_of(style), std::move(blocks));
-	return true;
 }
 
 } // namespace undergrowth

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace godot;
 
@@ -152,7 +153,7 @@ String read_ground(const Node3D *field, const StandOptions &options, FieldGround
 }
 
 // The headless engine's stand-in for a renderer may not be used by two threads at once. It has no adapter.
-static bool renders_on_threads() {
+bool renders_on_threads() {
 	return !RenderingServer::get_singleton()->get_video_adapter_name().is_empty();
 }
 
@@ -194,9 +195,6 @@ String sample_looks(FieldStyle &style, double usec, bool &is_done) {
 			if (!fault.is_empty()) {
 				return describe(look.function.ptr()) + ": " + fault;
 			}
-			if (look.is_sampled() && !renders_on_threads()) {
-				look.build();
-			}
 		}
 	}
 	is_done = true;
@@ -217,6 +215,7 @@ String read_other_look(
 		}
 	}
 	into.build();
+	into.make_meshes(std::numeric_limits<double>::infinity());
 	return String();
 }
 

@@ -34,6 +34,9 @@ std::vector<FieldLevel> read_levels(const FieldProperties &options, float range)
 /// A look for each species of the list, not sampled yet; then for each of `others`.
 godot::String list_looks(const StandOptions &options, const std::vector<FieldLook> &others, FieldStyle &into);
 
+/// Whether worker threads may make meshes, too. What they are made of is built there anyway.
+bool renders_on_threads();
+
 /// Asks for what looks have not been asked for yet, until `usec` have gone by: one that asks a script cannot be cut
 /// short. `is_done` tells whether all are sampled.
 godot::String sample_looks(FieldStyle &style, double usec, bool &is_done);

@@ -122,6 +122,11 @@ public:
 	/// Before a frame is drawn: draws no more of each multimesh than the nearest of `eyes` (world axes) sees of it. No
 	/// eyes: everything. Costs by the multimeshes, and only where an eye has moved.
 	void thin(const std::vector<godot::Vector3> &eyes);
+	/// A frame is about to be drawn.
+	void note_drawing() { has_untold = false; }
+	/// Once a frame, where nobody may have drawn the one before, as in a headless process: lets the renderer take in
+	/// what it was told. Else it would do that for all that was ever shown as soon as anything is freed.
+	void tell_if_undrawn();
 	/// Whether thin() has anything to do.
 	bool thins() const;
 	/// The materials of `style` are other ones.
@@ -160,13 +165,14 @@ private:
 	godot::Transform3D placed;
 	float largest_scale = 1.0f; ///< Of the field's axes.
 	bool is_visible = true;
+	bool has_untold = false; ///< Something was shown since a frame was drawn.
 	FieldWear worn;
 	uint64_t owner = 0;
 	std::vector<godot::Vector3> thinned_for; ///< Eyes.
 	bool is_thinned = false; ///< For these; else something changed.
 
 	Clump make(const FieldStyle &style, const ClumpPlan &plan) const;
-	void reveal(Clump &clump) const;
+	void reveal(Clump &clump);
 	static void set_visible(const Clump &clump, bool visible);
 	static void let_go(const Clump &clump);
 	static void move_all(Clumps &from, std::vector<Clump> &into);

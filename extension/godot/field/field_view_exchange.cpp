@@ -34,9 +34,17 @@ void FieldView::forget_prepared() {
 	move_all(prepared, leaving);
 }
 
-void FieldView::reveal(Clump &clump) const {
-	clump.is_revealed = true;
+void FieldView::reveal(Clump &clump) {
+	clump.is_revealed = has_untold = true;
 	set_visible(clump, is_visible);
+}
+
+// The renderer takes in all that is new before it frees an instance.
+void FieldView::tell_if_undrawn() {
+	if (std::exchange(has_untold, false)) {
+		RenderingServer *server = RenderingServer::get_singleton();
+		server->free_rid(server->instance_create());
+	}
 }
 
 bool FieldView::reveal_some(double usec) {

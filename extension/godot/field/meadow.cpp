@@ -107,6 +107,7 @@ void Meadow::refresh() {
 }
 
 void Meadow::thin() {
+	view.note_drawing();
 	if (view.thins() && node->is_visible_in_tree()) {
 		view.thin(find_eyes(node));
 	}

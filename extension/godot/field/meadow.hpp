@@ -65,6 +65,9 @@ public:
 	/// be cast.
 	void poll(double delta, bool physics);
 
+	/// Between two polls: so strokes are seen in the frame in which they are ready.
+	void follow_strokes(FieldPatches::Moment moment, double delta);
+
 	/// Once a frame (of `delta` s) that is not paused. Tells how many µs of this thread steps took.
 	double advance(double delta, bool simulates);
 	void preview(double delta, const godot::Ref<PlantWind> &blowing);
@@ -186,9 +189,7 @@ private:
 	bool knows_all_looks(const FieldStyle &asked, std::vector<int> &numbers) const;
 	void tell_what_stands(FieldRecipe &recipe) const;
 	godot::String make_recipe(FieldRecipe &recipe);
-	void poll_patches(double delta, bool physics);
-	void begin_patch();
-	void stand_newcomers();
+	void poll_patches(FieldPatches::Moment moment, double delta);
 	void drop_job();
 	/// False: there is more to be made ready.
 	bool make_ready();

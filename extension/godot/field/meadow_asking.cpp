@@ -96,6 +96,7 @@ void Meadow::tell_what_stands(FieldRecipe &recipe) const {
 	const Ref<PlantWind> &wind = properties.wind;
 	recipe.prepare = motion.prepare();
 	recipe.settings = settings();
+	recipe.makes_meshes = renders_on_threads();
 	recipe.tile_size = float(properties.tile_size);
 	recipe.wind = field_wind(wind, axes_of(node), wind.is_valid() ? wind->get_time() : 0.0);
 	recipe.standing = copy_filled(store);

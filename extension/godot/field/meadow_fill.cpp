@@ -6,10 +6,7 @@
 
 #include <godot_cpp/classes/engine.hpp>
 
-#include <glm/common.hpp>
-
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 using namespace godot;
@@ -83,76 +80,27 @@ void Meadow::poll_tiles(bool physics) {
 	}
 	const Stopwatch watch;
 	const int before = store.block_count() + tiles.standing_count();
-	const bool edits = !patches.current() || patches.current()->is_drawing();
-	tiles.go_on(tile_scene(), physics, edits);
+	tiles.go_on(tile_scene(), physics, patches.lets_others_edit());
 	if (before != store.block_count() + tiles.standing_count()) {
 		skeletons.release_gone(store);
 	}
 	tiles_usec = physics ? tiles_usec : watch.usec();
 }
 
-void Meadow::begin_patch() {
-	PatchRecipe recipe;
-	keep_standing_patches();
-	recipe.boxes = patches.take_boxes(store, recipe.standing);
-	if (recipe.boxes.empty()) {
-		patches.draw(style, store, motion);
-		return;
-	}
-	AreaBox around = recipe.boxes.front();
-	for (const AreaBox &box : recipe.boxes) {
-		around = { glm::min(around.low, box.low), glm::max(around.high, box.high) };
-	}
-	const bool are_known = style.listed_count == int(properties.species.size());
-	const String fault = read_request(node, properties, &around, recipe.request);
-	recipe.ground = ground;
-	recipe.changes = own_changes.known().cut(around);
-	recipe.spacing = store.spacing();
-	const double spacing = 1.0 / std::sqrt(double(recipe.request.density));
-	if (fault.is_empty() && are_known && spacing == recipe.spacing) { // Else it is filled anew soon.
-		patches.start(std::move(recipe));
-	}
-}
-
-void Meadow::poll_patches(double delta, bool physics) {
+void Meadow::poll_patches(FieldPatches::Moment moment, double delta) {
 	if (is_at_work() || is_filling() || !motion.is_ready() || !patches.is_at_work()) {
 		return;
 	}
-	if (!patches.current() && !physics) {
-		begin_patch();
-	}
-	FieldPatch *patch = patches.current();
-	if (patch && patch->wants_ground()) {
-		if (asker.serve(*patch, node, properties, GroundAsker::usual_usec(delta), physics, false) ==
-				GroundSurvey::State::failed) {
-			listener.fault(asker.fault());
-			patches.finish();
-		}
-	} else if (patch && patch->is_placed()) {
-		stand_newcomers();
-	} else if (patch && patch->is_drawn()) {
-		for (const DrawnNewcomers &one : patch->drawn()) {
-			if (patches.is_there(one.number)) {
-				view.show_newcomers(style, one.block.tile, one.number, one.plans);
-			}
-		}
-		patches.finish();
-		refresh();
+	keep_standing_patches();
+	if (patches.go_on(tile_scene(), moment, GroundAsker::usual_usec(delta))) {
+		skeletons.release_gone(store);
+		show_soon();
 	}
 }
 
-void Meadow::stand_newcomers() {
-	StandEdit edit = patches.current()->take_edit();
-	patches.finish();
-	if (double(store.plant_count()) + double(edit.grown.size()) > PlacementRequest::MOST_PLANTS) {
-		listener.fault(undergrowth::describe(PlacementFault::too_many_plants));
-		return;
-	}
-	apply(std::move(edit));
-	skeletons.release_gone(store);
-	if (!patches.draw(style, store, motion)) {
-		refresh();
-	}
+void Meadow::follow_strokes(FieldPatches::Moment moment, double delta) {
+	const FrameCost::Share share(filling);
+	poll_patches(moment, delta);
 }
 
 void Meadow::drop_job() {
@@ -172,6 +120,11 @@ bool Meadow::make_ready() {
 		return !motion.is_handing_over();
 	}
 	const Stopwatch watch;
+	for (FieldLook &look : result.style.looks) {
+		if (!look.make_meshes(READYING_USEC - watch.usec())) {
+			return false;
+		}
+	}
 	if (!std::exchange(job->is_dressed, true)) {
 		has_other_materials = false;
 		dress.make(result.style);
@@ -193,12 +146,15 @@ bool Meadow::make_ready() {
 
 void Meadow::poll(double delta, bool physics) {
 	const FrameCost::Share share(filling);
+	if (!physics) {
+		view.tell_if_undrawn();
+	}
 	if (!physics && !view.free_some(FREEING_USEC)) {
 		retired.clear();
 	}
 	poll_tiles(physics);
 	poll_renewal(physics);
-	poll_patches(delta, physics);
+	poll_patches(physics ? FieldPatches::Moment::physics : FieldPatches::Moment::begun, delta);
 	if (asking && !physics && asking->frame != Engine::get_singleton()->get_process_frames()) {
 		go_on_asking();
 	}

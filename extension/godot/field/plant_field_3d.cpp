@@ -153,12 +153,27 @@ void PlantField3D::follow_frames(bool on) {
 
 // Whoever hears that it is filled may take the field out of the tree.
 void PlantField3D::poll(double delta, bool physics) {
-	if (!is_inside_tree() || stand_is_stale || area_is_stale) {
+	if (!is_fresh()) {
 		return; // It was taken out in this very frame, or grows anew, from other properties than it stands by.
 	}
 	meadow.poll(delta, physics);
 	if (is_inside_tree() && !meadow.wants_frames()) {
 		follow_frames(false);
+	}
+}
+
+// After all nodes had their frame, before it is drawn.
+void PlantField3D::queue_end() {
+	if (meadow.is_patching() && !end_is_queued) {
+		end_is_queued = true;
+		call_deferred("_on_frame_ending");
+	}
+}
+
+void PlantField3D::on_frame_ending() {
+	end_is_queued = false;
+	if (is_fresh()) {
+		meadow.follow_strokes(FieldPatches::Moment::ending, 0.0);
 	}
 }
 
@@ -178,6 +193,10 @@ void PlantField3D::process_frame() {
 	}
 	meadow.motion.wait();
 	wait_usec = watch.usec();
+	if (meadow.is_patching() && is_fresh()) {
+		meadow.follow_strokes(FieldPatches::Moment::begun, get_process_delta_time());
+		queue_end();
+	}
 	if (frames_since_look++ % FRAMES_BETWEEN_LOOKS == 0) {
 		look_around();
 	}

@@ -65,6 +65,7 @@ private:
 	bool look_is_stale = true;
 	bool area_is_stale = false; ///< Paths that keep places free, or give room, are others.
 	bool fill_is_queued = false;
+	bool end_is_queued = false; ///< Of the frame.
 	bool has_told_of_crowd = false;
 	double main_usec = 0.0; ///< Of the last frame, without wait_usec.
 	double wait_usec = 0.0; ///< For the worker threads, where they took longer than the frame.
@@ -97,7 +98,10 @@ private:
 	void report_problem(const godot::String &what);
 	bool may_simulate() const;
 	void follow_frames(bool on);
+	/// Whether it stands by its properties. Else it grows anew soon.
+	bool is_fresh() const { return is_inside_tree() && !stand_is_stale && !area_is_stale; }
 	void poll(double delta, bool physics);
+	void queue_end();
 	void process_frame();
 	void look_around();
 	void follow_species();
@@ -152,6 +156,7 @@ public:
 	void on_map_painted(const godot::Rect2 &rect);
 	void on_fill_queued();
 	void on_tree_frame();
+	void on_frame_ending();
 	void on_physics_frame();
 	void on_frame_drawn();
 	void follow_drawing(bool on);

@@ -160,9 +160,9 @@ void PlantField3D::on_map_painted(const Rect2 &rect) {
 		mark_stale(true);
 		return;
 	}
-	const Vector2 end = rect.get_end();
-	meadow.touch({ { rect.position.x, rect.position.y }, { end.x, end.y } });
+	meadow.touch({ { rect.position.x, rect.position.y }, { rect.get_end().x, rect.get_end().y } });
 	follow_frames(true);
+	queue_end();
 	update_gizmos();
 }
 
@@ -212,6 +212,7 @@ void PlantField3D::follow_drawing(bool on) {
 }
 
 void PlantField3D::on_frame_drawn() {
+	on_frame_ending(); // In a paused tree nothing else calls it.
 	meadow.thin();
 }
 
@@ -234,6 +235,7 @@ void PlantField3D::_bind_methods() {
 	LISTEN(on_map_painted, "rect");
 	LISTEN(on_fill_queued);
 	LISTEN(on_tree_frame);
+	LISTEN(on_frame_ending);
 	LISTEN(on_physics_frame);
 	LISTEN(on_frame_drawn);
 	ClassDB::bind_method(D_METHOD("_on_monitor_asked", "which"), &PlantField3D::monitor);

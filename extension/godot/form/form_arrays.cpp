@@ -3,8 +3,6 @@
 #include "mesh/form_mesh.hpp"
 #include "mesh/joint_binding.hpp"
 #include "motion/bend_encoding.hpp"
-#include "new_object.hpp"
-#include "shared_resources.hpp"
 
 #include <godot_cpp/variant/packed_byte_array.hpp>
 
@@ -103,7 +101,7 @@ static Vector2 from_above(const FormMeasure &measure, const FormArrays &arrays) 
 	return side > 0.0f ? Vector2(measure.from_above, own) / side : Vector2();
 }
 
-static Ref<ArrayMesh> build(const GrownPlant &grown, const SampledPlant &sampled, Vector2 *above) {
+MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sampled, Vector2 *above) {
 	const FormPlan plan = plan_form(grown.form, grown.measure(), vertex_budget(sampled.lod));
 	FormArrays arrays(plan.counts);
 	const FormBones none;
@@ -117,18 +115,7 @@ static Ref<ArrayMesh> build(const GrownPlant &grown, const SampledPlant &sampled
 	}
 	Array all = packed(arrays);
 	all[Mesh::ARRAY_CUSTOM3] = heights(sampled.height, plan.counts.vertices);
-	Ref<ArrayMesh> mesh = new_counted<ArrayMesh>();
-	mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, all, TypedArray<Array>(), Dictionary(), CUSTOM_FORMAT);
-	mesh->surface_set_material(0, sampled.material.is_valid() ? sampled.material : Ref<Material>(parts_material()));
-	return mesh;
-}
-
-Ref<ArrayMesh> build_form_mesh(const GrownPlant &grown, const SampledPlant &sampled) {
-	return build(grown, sampled, nullptr);
-}
-
-Ref<ArrayMesh> build_form_mesh(const GrownPlant &grown, const SampledPlant &sampled, Vector2 &above) {
-	return build(grown, sampled, &above);
+	return { all, CUSTOM_FORMAT, sampled.material, true };
 }
 
 } // namespace undergrowth
