@@ -1,5 +1,5 @@
 @tool
-extends HFlowContainer
+extends MarginContainer
 ## What the brush is set to, below the 3D view: numbers, and the species of the field to choose
 ## from. The toolbar above it stays as it is when a tool is chosen.
 
@@ -7,6 +7,8 @@ const BrushOptions := preload("brush_options.gd")
 const SpeciesMenu := preload("species_menu.gd")
 const Translations := preload("../translations/translations.gd")
 
+## Beside the row, in pixels at 100 %.
+const MARGIN := 8
 ## In pixels at 100 %.
 const THUMBNAIL := 24
 ## More species than these are in a menu.
@@ -40,6 +42,8 @@ func setup(options: BrushOptions) -> void:
 	_menu.chosen.connect(_choose)
 	for slider: Control in _numbers.get_children():
 		slider.custom_minimum_size.x *= EditorInterface.get_editor_scale()
+	for side: StringName in [&"margin_left", &"margin_right"]:
+		add_theme_constant_override(side, int(MARGIN * EditorInterface.get_editor_scale()))
 	options.changed.connect(_show)
 	_translate()
 	_show()
