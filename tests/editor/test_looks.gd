@@ -16,6 +16,8 @@ func test_the_pages_for_species() -> void:
 	check(await until(_has_pictures), "each species has its picture")
 	for shown: Array in [["Wheat", "species"], ["Meadow", "mix"], ["Own drawing", "curves"]]:
 		await _choose(shown[0])
+		var counts := part("Plant/Preview/CountsPanel") as Control
+		check(await until(counts.is_visible_in_tree), "%s is there" % shown[0])
 		await frames(10)
 		check_nothing_is_cut(dock(), shown[1])
 		await take_look(shown[1])
