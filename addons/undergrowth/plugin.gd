@@ -11,6 +11,7 @@ const ICON_SCALE := "editor/icon_scale.gd"
 const INSPECTOR := "editor/inspector/undergrowth_inspector.gd"
 const GIZMOS: Array[String] = ["editor/gizmo/plant_gizmos.gd", "editor/gizmo/field_gizmos.gd"]
 const BRUSH := "editor/brush/field_brush.gd"
+const GROUND_WATCH := "editor/field/ground_watch.gd"
 const THUMBNAILS := "editor/thumbnails/plant_thumbnails.gd"
 const EXPORT_CHECK := "editor/export/library_check.gd"
 const TRANSLATIONS := "editor/translations/translations.gd"
@@ -31,6 +32,8 @@ var _gizmos: Array[EditorNode3DGizmoPlugin] = []
 var _stand_in: Node3D
 # What paints into fields: editor/brush/field_brush.gd.
 var _brush: RefCounted
+# Fills fields again whose ground was moved: editor/field/ground_watch.gd.
+var _ground_watch: RefCounted
 var _thumbnails: EditorResourcePreviewGenerator
 var _export_check: EditorExportPlugin
 var _translations: Script
@@ -63,6 +66,8 @@ func _exit_tree() -> void:
 	_remove_gizmos()
 	_brush.call(&"close")
 	_brush = null
+	_ground_watch.call(&"close")
+	_ground_watch = null
 	_stand_in.free()  # Only now: they have taken their gizmos from their nodes.
 	EditorInterface.get_resource_previewer().remove_preview_generator(_thumbnails)
 	remove_export_plugin(_export_check)
@@ -151,6 +156,8 @@ func _add_helpers() -> void:
 	_add_gizmos()
 	_brush = (_load(BRUSH) as GDScript).new()
 	_brush.call(&"setup", self, _dock.get_child(0).get(&"state"))
+	_ground_watch = (_load(GROUND_WATCH) as GDScript).new()
+	_ground_watch.call(&"setup", self)
 	_thumbnails = (_load(THUMBNAILS) as GDScript).new()
 	EditorInterface.get_resource_previewer().add_preview_generator(_thumbnails)
 	_export_check = (_load(EXPORT_CHECK) as GDScript).new()

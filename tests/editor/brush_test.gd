@@ -3,6 +3,7 @@ extends "viewport_test.gd"
 ## What the tests of the brush share: a field under it, its toolbar.
 
 const BAR_SCRIPT := "res://addons/undergrowth/editor/brush/brush_bar.gd"
+const SETTINGS_SCRIPT := "res://addons/undergrowth/editor/brush/brush_settings.gd"
 const GRASS := "Grass"
 
 
@@ -10,9 +11,9 @@ func _edited_field() -> PlantField3D:
 	var field := await _open_field()
 	await _choose_only(field)
 	await _rested(field)
-	(_bar().get_node("%Strength") as EditorSpinSlider).value = 0.5
-	(_bar().get_node("%Falloff") as EditorSpinSlider).value = 0.5
-	(_bar().get_node("%Radius") as EditorSpinSlider).value = 0.8
+	(_settings().get_node("%Strength") as EditorSpinSlider).value = 0.5
+	(_settings().get_node("%Falloff") as EditorSpinSlider).value = 0.5
+	(_settings().get_node("%Radius") as EditorSpinSlider).value = 0.8
 	return field
 
 
@@ -23,13 +24,15 @@ func _rested(field: PlantField3D) -> void:
 
 
 func _bar() -> Control:
-	var found: Array[Node] = []
-	_collect(EditorInterface.get_base_control(), BAR_SCRIPT, found)
-	return found[0]
+	return find_by_script(BAR_SCRIPT)
+
+
+func _settings() -> Control:
+	return find_by_script(SETTINGS_SCRIPT)
 
 
 func _species_button(title: String) -> Button:
-	for button: Button in _bar().get_node("%Species").get_children():
+	for button: Button in _settings().get_node("%Species").get_children():
 		if button.text == title:
 			return button
 	return null
@@ -42,6 +45,6 @@ func _choose_tool(title: String) -> void:
 
 # One touch does all that it can, within [param radius] metres.
 func _sharpen(radius: float) -> void:
-	(_bar().get_node("%Strength") as EditorSpinSlider).value = 1.0
-	(_bar().get_node("%Falloff") as EditorSpinSlider).value = 0.0
-	(_bar().get_node("%Radius") as EditorSpinSlider).value = radius
+	(_settings().get_node("%Strength") as EditorSpinSlider).value = 1.0
+	(_settings().get_node("%Falloff") as EditorSpinSlider).value = 0.0
+	(_settings().get_node("%Radius") as EditorSpinSlider).value = radius

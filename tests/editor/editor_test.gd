@@ -9,8 +9,13 @@ const DOCK_SCRIPT := "res://addons/undergrowth/editor/dock.gd"
 
 ## The dock's content, or null where the plugin is off.
 func dock() -> Control:
+	return find_by_script(DOCK_SCRIPT)
+
+
+## The control of the editor that has this script, or null.
+func find_by_script(path: String) -> Control:
 	var found: Array[Node] = []
-	_collect(EditorInterface.get_base_control(), DOCK_SCRIPT, found)
+	_collect(EditorInterface.get_base_control(), path, found)
 	return found[0] if found else null
 
 

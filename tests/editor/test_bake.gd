@@ -169,7 +169,7 @@ func test_long_work_can_be_cancelled() -> void:
 	await _use("Bake")
 	var dialog := _dialog("ConfirmationDialog") as ConfirmationDialog
 	await _fill(dialog, "Many", FOLDER)
-	(dialog.get_node("%Variants") as SpinBox).value = 200
+	(dialog.get_node("%Variants") as EditorSpinSlider).value = 200
 	await click(dialog.get_ok_button())
 	await frames(3)
 	check((part("Status/Work") as Control).visible, "progress is shown")

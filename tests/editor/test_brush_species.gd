@@ -72,9 +72,9 @@ func test_many_species_are_chosen_in_a_menu() -> void:
 	field.map = PlantMap.new()
 	await _choose_only(field)
 	await _choose_tool("Paint")
-	var menu := _bar().get_node("%SpeciesMenu") as MenuButton
+	var menu := _settings().get_node("%SpeciesMenu") as MenuButton
 	check(menu.visible, "the menu is there")
-	check(not (_bar().get_node("%Species") as Control).visible, "buttons are not")
+	check(not (_settings().get_node("%Species") as Control).visible, "buttons are not")
 	check_equal(menu.get_popup().item_count, 4, "species in it")
 	check_equal(menu.text, "All Species", "none is chosen")
 	menu.get_popup().index_pressed.emit(0)

@@ -11,9 +11,21 @@ func test_the_toolbar_is_there_while_a_field_is_edited() -> void:
 	await _choose_only(field)
 	check(_bar().visible, "a field is selected")
 	check_equal(_species_button(GRASS).text, GRASS, "its species")
-	check(not (_bar().get_node("%Numbers") as Control).visible, "no tool is chosen")
+	check(not _settings().visible, "no tool is chosen")
 	await _choose_only(field.get_parent())
 	check(not _bar().visible, "another node is selected")
+
+
+func test_choosing_a_tool_moves_no_button() -> void:
+	var field := await _open_field()
+	await _choose_only(field)
+	var button := _bar().get_node("%Paint") as Button
+	var before := button.get_global_rect()
+	await _choose_tool("Paint")
+	await frames(5)
+	check(_settings().visible, "what it is set to is there")
+	check_equal(button.get_global_rect(), before, "the button's place")
+	await _choose_tool("Paint")
 
 
 func test_a_first_stroke_makes_a_map_in_one_step() -> void:
@@ -67,7 +79,7 @@ func test_strokes_are_seen_while_they_are_drawn() -> void:
 func test_keys_change_what_the_brush_does() -> void:
 	var field := await _edited_field()
 	await _choose_tool("Paint")
-	var radius := _bar().get_node("%Radius") as EditorSpinSlider
+	var radius := _settings().get_node("%Radius") as EditorSpinSlider
 	var before := radius.value
 	await click(_view(), _place_of(field, Vector3(0, 0, 1.5)))
 	await press_key(_view(), KEY_BRACKETRIGHT)
@@ -82,17 +94,19 @@ func test_keys_change_what_the_brush_does() -> void:
 func test_height_and_pick() -> void:
 	var field := await _edited_field()
 	await _choose_tool("Height")
-	(_bar().get_node("%Strength") as EditorSpinSlider).value = 1.0
+	(_settings().get_node("%Strength") as EditorSpinSlider).value = 1.0
 	await click(_view(), _place_of(field, Vector3.ZERO))
 	check_equal(field.map.get_height_factor(Vector3.ZERO, GRASS), 1.5, "height")
 	check_equal(_history().get_current_action_name(), tr("Paint Plant Height"), "its name")
-	(_bar().get_node("%PlantHeight") as EditorSpinSlider).value = 0.5
+	(_settings().get_node("%PlantHeight") as EditorSpinSlider).value = 0.5
 	await _choose_tool("Pick")
 	await click(_view(), _place_of(field, Vector3.ZERO))
-	check_equal((_bar().get_node("%PlantHeight") as EditorSpinSlider).value, 1.5, "picked height")
+	check_equal(
+		(_settings().get_node("%PlantHeight") as EditorSpinSlider).value, 1.5, "picked height"
+	)
 	check((_bar().get_node("%Paint") as Button).button_pressed, "it paints then")
 	check(_species_button(GRASS).button_pressed, "what was picked")
-	(_bar().get_node("%Strength") as EditorSpinSlider).value = 0.5
+	(_settings().get_node("%Strength") as EditorSpinSlider).value = 0.5
 	_species_button(GRASS).button_pressed = false
 	await _choose_tool("Paint")
 
@@ -106,7 +120,7 @@ func test_the_brush_is_seen() -> void:
 	]
 	await _rested(field)
 	await _choose_tool("Erase")
-	(_bar().get_node("%Radius") as EditorSpinSlider).value = 0.8
+	(_settings().get_node("%Radius") as EditorSpinSlider).value = 0.8
 	await drag(_view(), _place_of(field, Vector3(-3, 0, -1)), _place_of(field, Vector3(3, 0, 2)))
 	await _rested(field)
 	var at := _place_of(field, Vector3(2, 0, -1))

@@ -1,6 +1,6 @@
 @tool
 extends "actions_test.gd"
-## The dock on a screen of 1600 × 900, where it has no column of its own.
+## The dock on screens of 1600 × 900 and 1920 × 1080, where it has no column of its own.
 
 const SCENE := "res://layout.tscn"
 const READY := "res://addons/undergrowth/species/poppy.tres"
@@ -18,6 +18,22 @@ func test_it_is_a_tab_beside_the_inspector() -> void:
 	check(bottom <= EditorInterface.get_base_control().size.y, "the dock ends at %f" % bottom)
 
 
+func test_it_takes_nothing_from_the_inspector() -> void:
+	await open_page("Plant")
+	var inspector := EditorInterface.get_inspector()
+	await open_inspector()
+	var beside := inspector.size
+	var tab := dock().get_parent() as EditorDock
+	tab.close()
+	await frames(5)
+	var alone := inspector.size
+	check(beside.x >= alone.x and beside.y >= alone.y, "%s, %s without" % [beside, alone])
+	var least := inspector.get_combined_minimum_size()
+	check(beside.x >= least.x and beside.y >= least.y, "%s is less than %s" % [beside, least])
+	tab.open()
+	await frames(5)
+
+
 func test_two_rows_of_species_are_seen() -> void:
 	await open_page("Plant")
 	await _choose("Barley")
@@ -31,7 +47,18 @@ func test_two_rows_of_species_are_seen() -> void:
 	check(columns >= 3, "%d columns" % columns)
 	var second := list.get_item_rect(2 * columns - 1)
 	var end := list.get_global_rect().position.y + second.end.y
-	check(end <= scroll.get_global_rect().end.y, "the second row ends at %f" % end)
+	check(
+		end <= scroll.get_global_rect().end.y,
+		"the second row ends at %f of %f" % [end, scroll.get_global_rect().end.y]
+	)
+
+
+func test_all_that_ships_is_in_columns_as_wide() -> void:
+	await open_page("Plant")
+	var widths: Array[int] = []
+	for name: String in ["ReadyList", "MixList", "SimpleList"]:
+		widths.append((part("Plant/List/" + name) as ItemList).fixed_column_width)
+	check(widths.min() == widths.max(), "pixels: %s" % [widths])
 
 
 func test_no_name_is_cut() -> void:
@@ -104,7 +131,9 @@ func test_messages_move_no_button() -> void:
 	await frames(3)
 	check_equal((part("Plant/Actions/Add") as Control).global_position, before, "a button's place")
 	check_equal((part("Status/Text") as Label).tooltip_text, LONG, "all of it is in the tooltip")
-	await take_picture("1600")
+	var text := part("Status/Text") as Label
+	check_equal(text.get_visible_line_count(), text.get_line_count(), "lines of it that are seen")
+	await take_picture(str(int(EditorInterface.get_base_control().size.x)))
 	_state().report("")
 
 
@@ -133,7 +162,7 @@ func test_a_new_species_of_curves_may_begin_with_a_leaf() -> void:
 	await open_inspector()
 	var button: Button = null
 	for found: Button in EditorInterface.get_inspector().find_children("*", "Button", true, false):
-		if found.text == Translations.text("Begin with a leaf"):
+		if found.text == Translations.text("Begin with a Leaf"):
 			button = found
 	check(button != null, "the inspector offers it")
 	if button:

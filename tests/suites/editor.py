@@ -16,21 +16,26 @@ HOME = LOGS / "editor_home"
 PICTURES = LOGS / "editor_pictures"
 # Those of the dock go there, and these must be among them.
 PICTURES_END = ROOT / "build"
-WANTED = ["dock_plant.png", "dock_wind.png", "dock_air.png", "dock_painted.png", "dock_light.png", "dock_1600.png", "dock_200.png"]
+WANTED = ["dock_plant.png", "dock_wind.png", "dock_air.png", "dock_painted.png", "dock_light.png", "dock_1600.png", "dock_1920.png",
+          "dock_200.png"]
 SCREEN = (1600, 1000)
-# Those of some runs: as low as screens are, and twice as many pixels an inch.
-SCREENS = {"layout": (1600, 900), "again": (3000, 1800)}
+# Those of some runs: as low as screens are, as most are, and twice as many pixels an inch.
+SCREENS = {"layout": (1600, 900), "layout_1920": (1920, 1080), "again": (3000, 1800)}
 # Seconds: a run whose log has no new line for so long hangs; while a test goes on, the driver tells so now and then.
 # How long a whole run may take, a busy machine says.
 SILENCE = 120
 TIMEOUT = 1800
-# One after the other on the same project: what hangs or crashes takes no other run with it. Some scripts have a run of
+# One after the other on the same project: what hangs or crashes takes no other run with it. Some scripts have runs of
 # their own; that of the last one sees the project that the others saved.
-RUNS = ("actions", "pages", "layout", "again")
-ALONE = {"test_again": "again", "test_layout": "layout"}
+RUNS = ("actions", "pages", "layout", "layout_1920", "again")
+LAYOUTS = ("layout", "layout_1920")
+ALONE = {"test_again": ("again",), "test_layout": LAYOUTS, "test_looks": LAYOUTS}
 ACTIONS = ("test_actions", "test_bake", "test_faulty")
 # 6 is the editor's word for 200 %, 2 for 100 %.
-SETTINGS = {"layout": "interface/editor/display_scale = 2\n", "again": "interface/editor/display_scale = 6\n"}
+USUAL_SCALE = "interface/editor/display_scale = 2\n"
+SETTINGS = {"layout": USUAL_SCALE,
+            "layout_1920": USUAL_SCALE + 'interface/theme/color_preset = "Light"\n',
+            "again": "interface/editor/display_scale = 6\n"}
 PLUGINS = '"res://addons/undergrowth/plugin.cfg", "res://addons/editor_driver/plugin.cfg"'
 PROJECT = f"""config_version=5
 
@@ -83,12 +88,12 @@ def own_home(environment=os.environ, settings=""):
 
 
 def scripts_of(run):
-    """Each script of tests/editor is in one run."""
-    def place(name):
-        return ALONE.get(name) or ("actions" if name.startswith(ACTIONS) else "pages")
+    """Each script of tests/editor is in one run, or in those of several screens."""
+    def places(name):
+        return ALONE.get(name) or ("actions" if name.startswith(ACTIONS) else "pages",)
 
     names = sorted(path.stem for path in (ROOT / "tests/editor").glob("test_*.gd"))
-    return [name for name in names if place(name) == run]
+    return [name for name in names if run in places(name)]
 
 
 def run(godot):

@@ -7,12 +7,12 @@ const EditorState := preload("../editor_state.gd")
 const FieldNewcomer := preload("../actions/field_newcomer.gd")
 const SceneActions := preload("../actions/scene_actions.gd")
 const Translations := preload("../translations/translations.gd")
-const BrushBar := preload("brush_bar.gd")
 const BrushOptions := preload("brush_options.gd")
+const BrushSettings := preload("brush_settings.gd")
 
 var _state: EditorState
 var _options: BrushOptions
-var _bar: BrushBar
+var _settings: BrushSettings
 var _field: PlantField3D
 # The dock's species is painted, whether the field has it yet or not.
 var _has_picked := false
@@ -20,11 +20,12 @@ var _has_picked := false
 var _newcomer := ""
 
 
-## Changes [param options] and shows in [param bar] what is picked in the dock of [param state].
-func setup(state: EditorState, options: BrushOptions, bar: BrushBar) -> void:
+## Changes [param options] and shows in [param settings] what is picked in the dock of
+## [param state].
+func setup(state: EditorState, options: BrushOptions, settings: BrushSettings) -> void:
 	_state = state
 	_options = options
-	_bar = bar
+	_settings = settings
 	state.picked.connect(_on_picked)
 
 
@@ -46,7 +47,7 @@ func refresh() -> void:
 	if _has_picked and _state.function and not FieldNewcomer.find(_field, _get_picked()):
 		_newcomer = _make_entry().get_layer_name()
 		names.append(_newcomer)
-	_bar.show_field(_field, _state.function if _newcomer else null, _newcomer)
+	_settings.show_field(_field, _state.function if _newcomer else null, _newcomer)
 	_keep_only(names)
 
 

@@ -8,15 +8,18 @@ const BrushChoice := preload("brush_choice.gd")
 const BrushCircle := preload("brush_circle.gd")
 const BrushGround := preload("brush_ground.gd")
 const BrushOptions := preload("brush_options.gd")
+const BrushSettings := preload("brush_settings.gd")
 const BrushStroke := preload("brush_stroke.gd")
 const PenPressure := preload("pen_pressure.gd")
 
 const BAR_SCENE := "brush_bar.tscn"
+const SETTINGS_SCENE := "brush_settings.tscn"
 
 var options := BrushOptions.new()
 
 var _plugin: EditorPlugin
 var _bar: BrushBar
+var _settings: BrushSettings
 var _circle: BrushCircle
 var _field: PlantField3D
 var _stroke: BrushStroke
@@ -26,17 +29,22 @@ var _waits_for: Variant
 var _choice := BrushChoice.new()
 
 
-## Adds the toolbar to the 3D editor of [param plugin]. What is picked in the dock of [param state]
-## is painted.
+## Adds the toolbar and the settings to the 3D editor of [param plugin]. What is picked in the dock
+## of [param state] is painted.
 func setup(plugin: EditorPlugin, state: EditorState) -> void:
 	_plugin = plugin
-	plugin.get_undo_redo().version_changed.connect(_on_version_changed)
+	plugin.get_undo_redo().history_changed.connect(_on_history_changed)
+	plugin.get_undo_redo().version_changed.connect(_on_history_changed)
 	var folder := (get_script() as Script).resource_path.get_base_dir()
 	_bar = (load(folder.path_join(BAR_SCENE)) as PackedScene).instantiate()
 	plugin.add_control_to_container(EditorPlugin.CONTAINER_SPATIAL_EDITOR_MENU, _bar)
 	_bar.setup(options)
+	_bar.fill_wanted.connect(_on_fill_wanted)
 	_bar.hide()
-	_choice.setup(state, options, _bar)
+	_settings = (load(folder.path_join(SETTINGS_SCENE)) as PackedScene).instantiate()
+	plugin.add_control_to_container(EditorPlugin.CONTAINER_SPATIAL_EDITOR_BOTTOM, _settings)
+	_settings.setup(options)
+	_choice.setup(state, options, _settings)
 	_circle = BrushCircle.new()
 	options.changed.connect(_on_options_changed)
 
@@ -45,9 +53,12 @@ func setup(plugin: EditorPlugin, state: EditorState) -> void:
 func close() -> void:
 	_end_stroke()
 	_choice.close()
-	_plugin.get_undo_redo().version_changed.disconnect(_on_version_changed)
+	_plugin.get_undo_redo().history_changed.disconnect(_on_history_changed)
+	_plugin.get_undo_redo().version_changed.disconnect(_on_history_changed)
 	_plugin.remove_control_from_container(EditorPlugin.CONTAINER_SPATIAL_EDITOR_MENU, _bar)
 	_bar.queue_free()
+	_plugin.remove_control_from_container(EditorPlugin.CONTAINER_SPATIAL_EDITOR_BOTTOM, _settings)
+	_settings.queue_free()
 	_circle = null
 
 
@@ -165,8 +176,13 @@ func _end_stroke() -> void:
 		_stroke = null
 
 
+func _on_fill_wanted() -> void:
+	if _field:
+		_field.fill()
+
+
 # Undo takes species away, and the inspector may do so, too.
-func _on_version_changed() -> void:
+func _on_history_changed() -> void:
 	if _field and not _stroke:
 		_choice.refresh()
 

@@ -49,7 +49,7 @@ func _parse_property(
 # A new species of curves is a bare cone.
 func _offer_drawing(curves: CurvePlantFunction) -> void:
 	var button := Button.new()
-	button.text = Translations.text("Begin with a leaf")
+	button.text = Translations.text("Begin with a Leaf")
 	button.tooltip_text = Translations.text("Gives it a width curve and colours, to be changed.")
 	button.pressed.connect(_draw_leaf.bind(curves))
 	add_custom_control(button)

@@ -14,7 +14,7 @@ const SceneSpecies := preload("scene_species.gd")
 ## From this ratio of width to height on, the parts stand side by side.
 const WIDE := 1.3
 ## Of a narrow page's height, at most so much is the list's by itself.
-const MOST_LIST := 0.42
+const MOST_LIST := 0.44
 ## A narrow page that is lower, in pixels at 100 %, leaves the properties to the editor's inspector.
 const LEAST_FOR_PROPERTIES := 400.0
 

@@ -86,9 +86,8 @@ func find_height_of_rows() -> float:
 		list.force_update_list_size()
 		for i in list.item_count:
 			_row_height = maxf(_row_height, list.get_item_rect(i).size.y)
-	var title := _groups[0].get_minimum_size().y - (%Content as Control).get_minimum_size().y
 	var gap := ROW_GAP * EditorInterface.get_editor_scale()
-	return _scroll.position.y + title + ROWS_SEEN * (_row_height + gap) + gap
+	return _scroll.position.y + _find_title_height() + ROWS_SEEN * (_row_height + gap) + gap
 
 
 ## Marks the entry with that key as chosen, without a signal.
@@ -146,6 +145,17 @@ func _dress() -> void:
 		hint.add_theme_color_override(&"font_color", pale)
 
 
+# From the theme: what the group and its content need is not always as new as each other.
+func _find_title_height() -> float:
+	var group := _groups[0]
+	var font_size := group.get_theme_font_size(&"font_size")
+	var line := group.get_theme_font(&"font").get_height(font_size)
+	line = maxf(line, group.get_theme_icon(&"expanded_arrow").get_height())
+	for panel: StringName in [&"title_panel", &"panel"]:
+		line += group.get_theme_stylebox(panel).get_minimum_size().y
+	return line
+
+
 # As many columns as have room, and all of the room for them.
 func _fit_columns(list: ItemList) -> void:
 	var room := floori(list.size.x - list.get_v_scroll_bar().get_combined_minimum_size().x)
@@ -158,15 +168,20 @@ func _fit_columns(list: ItemList) -> void:
 	laid_out.emit.call_deferred()
 
 
-# In pixels: no column is narrower.
+# In pixels: no column is narrower. All that ships with the add-on is in columns as wide, whatever
+# the filter hides; the project's own may need wider ones.
 func _longest_word(list: ItemList) -> int:
 	var font := list.get_theme_font(&"font")
 	var font_size := list.get_theme_font_size(&"font_size")
 	var longest := 0.0
-	for i in list.item_count:
-		for word in tr((list.get_item_metadata(i) as SpeciesEntry).title).split(" "):
-			var width := font.get_string_size(word, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
-			longest = maxf(longest, width)
+	var groups := _catalog.list_groups()
+	if list != _lists[-1]:
+		groups.pop_back()
+	for group in groups:
+		for entry: SpeciesEntry in group:
+			for word in tr(entry.title).split(" "):
+				var width := font.get_string_size(word, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
+				longest = maxf(longest, width)
 	return ceili(longest)
 
 

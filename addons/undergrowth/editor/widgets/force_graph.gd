@@ -133,10 +133,11 @@ func _draw_axes(frame: Rect2, top: float, font: Font, font_size: int) -> void:
 			continue
 		var x := frame.position.x + (second - _start) / span * frame.size.x
 		draw_line(Vector2(x, frame.position.y), Vector2(x, frame.end.y), grid)
-		var at := Vector2(x - font_size * 2.0, frame.end.y + font.get_ascent(font_size) + 2.0)
-		draw_string(
-			font, at, "%d s" % second, HORIZONTAL_ALIGNMENT_CENTER, font_size * 4.0, font_size, text
-		)
+		var label := "%d s" % second
+		var wide := font.get_string_size(label, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
+		var left := clampf(x - wide / 2.0, 0.0, size.x - wide)
+		var at := Vector2(left, frame.end.y + font.get_ascent(font_size) + 2.0)
+		draw_string(font, at, label, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size, text)
 
 
 func _draw_curve(frame: Rect2, forces: PackedFloat32Array, top: float) -> void:

@@ -1,6 +1,6 @@
 @tool
 extends HBoxContainer
-## Two lines for messages, and for the progress of long work with a button that cancels it.
+## Three small lines for messages, and for the progress of long work with a button that cancels it.
 
 const EditorState := preload("../editor_state.gd")
 const ICONS: Dictionary[int, StringName] = {
@@ -13,6 +13,9 @@ const COLORS: Dictionary[int, StringName] = {
 	EditorState.Severity.WARNING: &"warning_color",
 	EditorState.Severity.ERROR: &"error_color",
 }
+
+## Of the editor's font size.
+const SMALL_FONT := 0.85
 
 var _state: EditorState
 var _severity := EditorState.Severity.INFO
@@ -32,6 +35,7 @@ func setup(state: EditorState) -> void:
 	_cancel.pressed.connect(_on_cancel_pressed)
 	_on_work_changed()
 	show_message("", EditorState.Severity.INFO)
+	_progress.custom_minimum_size.x *= EditorInterface.get_editor_scale()
 	_keep_room()
 
 
@@ -52,6 +56,8 @@ func _notification(what: int) -> void:
 func _dress() -> void:
 	_icon.texture = get_theme_icon(ICONS[_severity], &"EditorIcons")
 	var source := &"Label" if _severity == EditorState.Severity.INFO else &"Editor"
+	var font_size := roundi(get_theme_font_size(&"font_size", &"Label") * SMALL_FONT)
+	_text.add_theme_font_size_override(&"font_size", font_size)
 	_text.add_theme_color_override(&"font_color", get_theme_color(COLORS[_severity], source))
 	_keep_room()
 

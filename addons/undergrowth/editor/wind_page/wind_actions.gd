@@ -83,7 +83,7 @@ func ask_where_to_save() -> void:
 		_dialog.title = tr("Save Wind")
 		_dialog.file_mode = EditorFileDialog.FILE_MODE_SAVE_FILE
 		_dialog.access = EditorFileDialog.ACCESS_RESOURCES
-		_dialog.add_filter("*.tres", tr("Text Resource"))
+		_dialog.add_filter("*.tres", tr("Plant Wind"))
 		_dialog.file_selected.connect(save)
 		add_child(_dialog)
 	_dialog.current_file = "wind.tres"

@@ -15,9 +15,9 @@ var _chosen: Callable
 func setup(chosen: Callable) -> void:
 	_chosen = chosen
 	_add("calm", tr("Calm"))
-	_add("light_air", tr("Light air"))
+	_add("light_air", tr("Light Air"))
 	_add("breeze", tr("Breeze"))
-	_add("fresh", tr("Fresh breeze"))
+	_add("fresh", tr("Fresh Breeze"))
 	_add("gale", tr("Gale"))
 	_add("storm", tr("Storm"))
 

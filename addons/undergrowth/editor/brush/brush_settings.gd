@@ -1,0 +1,147 @@
+@tool
+extends MarginContainer
+## What the brush is set to, below the 3D view: numbers, and the species of the field to choose
+## from. The toolbar above it stays as it is when a tool is chosen.
+
+const BrushOptions := preload("brush_options.gd")
+const SpeciesMenu := preload("species_menu.gd")
+const Translations := preload("../translations/translations.gd")
+
+## Beside the row, in pixels at 100 %.
+const MARGIN := 8
+## In pixels at 100 %.
+const THUMBNAIL := 24
+## More species than these are in a menu.
+const MOST_BUTTONS := 3
+
+var _options: BrushOptions
+# The names of the buttons of species, in their order.
+var _names: PackedStringArray = []
+# Of what the field does not grow yet.
+var _newcomer := ""
+
+@onready var _numbers: HBoxContainer = %Numbers
+@onready var _radius: EditorSpinSlider = %Radius
+@onready var _strength: EditorSpinSlider = %Strength
+@onready var _falloff: EditorSpinSlider = %Falloff
+@onready var _density: EditorSpinSlider = %Density
+@onready var _plant_height: EditorSpinSlider = %PlantHeight
+@onready var _species: HBoxContainer = %Species
+@onready var _menu: SpeciesMenu = %SpeciesMenu
+
+
+## Shows and changes [param options].
+func setup(options: BrushOptions) -> void:
+	_options = options
+	set_translation_domain(Translations.DOMAIN)
+	_radius.value_changed.connect(func(metres: float) -> void: _options.radius = metres)
+	_strength.value_changed.connect(func(share: float) -> void: _options.strength = share)
+	_falloff.value_changed.connect(func(share: float) -> void: _options.falloff = share)
+	_density.value_changed.connect(func(share: float) -> void: _options.density = share)
+	_plant_height.value_changed.connect(func(factor: float) -> void: _options.height = factor)
+	_menu.chosen.connect(_choose)
+	for slider: Control in _numbers.get_children():
+		slider.custom_minimum_size.x *= EditorInterface.get_editor_scale()
+	for side: StringName in [&"margin_left", &"margin_right"]:
+		add_theme_constant_override(side, int(MARGIN * EditorInterface.get_editor_scale()))
+	options.changed.connect(_show)
+	_translate()
+	_show()
+
+
+## Offers what [param field] grows (null: nothing), and [param newcomer], which it does not grow yet
+## and whose name in the map is to be [param title].
+func show_field(field: PlantField3D, newcomer: PlantFunction = null, title := "") -> void:
+	var functions: Array[PlantFunction] = []
+	var names: PackedStringArray = []
+	for entry in field.species if field else []:
+		if entry and entry.get_layer_name() and not entry.get_layer_name() in names:
+			functions.append(entry.species)
+			names.append(entry.get_layer_name())
+	if newcomer:
+		functions.append(newcomer)
+		names.append(title)
+	if names == _names and title == _newcomer:
+		return
+	_names = names
+	_newcomer = title
+	for button in _species.get_children():
+		button.queue_free()
+		_species.remove_child(button)
+	_menu.fill(names, title)
+	for i in names.size():
+		_add_species(functions[i], names[i])
+	_show()
+
+
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_TRANSLATION_CHANGED and _options:
+		_translate()
+
+
+func _add_species(function: PlantFunction, title: String) -> void:
+	var button := Button.new()
+	button.toggle_mode = true
+	button.theme_type_variation = &"FlatButton"
+	button.text = "+ " + title if title == _newcomer else title
+	button.tooltip_text = _explain(title)
+	button.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
+	button.icon = get_theme_icon(&"Object", &"EditorIcons")
+	var width := int(THUMBNAIL * EditorInterface.get_editor_scale())
+	button.add_theme_constant_override(&"icon_max_width", width)
+	button.toggled.connect(func(is_on: bool) -> void: _choose(title, is_on))
+	_species.add_child(button)
+	if function:
+		EditorInterface.get_resource_previewer().queue_edited_resource_preview(
+			function, self, &"_on_thumbnail_ready", title
+		)
+
+
+func _explain(title: String) -> String:
+	if title == _newcomer:
+		return tr("Picked in the dock. Painting adds it to the field.")
+	return tr("Paint %s. Where none is chosen, all are.") % title
+
+
+func _on_thumbnail_ready(
+	_path: String, preview: Texture2D, _small: Texture2D, title: String
+) -> void:
+	var at := _names.find(title)
+	if preview and at >= 0 and at < _species.get_child_count():
+		(_species.get_child(at) as Button).icon = preview
+		_menu.show_picture(title, preview)
+
+
+func _choose(title: String, is_on: bool) -> void:
+	var chosen := _options.species.duplicate()
+	if is_on and not title in chosen:
+		chosen.append(title)
+	elif not is_on and title in chosen:
+		chosen.remove_at(chosen.find(title))
+	_options.species = chosen
+
+
+func _show() -> void:
+	visible = _options.tool not in [BrushOptions.Tool.NONE, BrushOptions.Tool.PICK]
+	_species.visible = _names.size() <= MOST_BUTTONS
+	_menu.visible = _names.size() > MOST_BUTTONS
+	_menu.show_painted(_options.species)
+	_density.visible = _options.tool == BrushOptions.Tool.PAINT
+	_plant_height.visible = _options.tool == BrushOptions.Tool.HEIGHT
+	_radius.set_value_no_signal(_options.radius)
+	_strength.set_value_no_signal(_options.strength)
+	_falloff.set_value_no_signal(_options.falloff)
+	_density.set_value_no_signal(_options.density)
+	_plant_height.set_value_no_signal(_options.height)
+	for i in _species.get_child_count():
+		(_species.get_child(i) as Button).set_pressed_no_signal(_names[i] in _options.species)
+
+
+# These sliders do not translate their labels themselves.
+func _translate() -> void:
+	_radius.label = tr("Radius")
+	_strength.label = tr("Strength")
+	_falloff.label = tr("Falloff")
+	_density.label = tr("Density")
+	_plant_height.label = tr("Height")
+	_menu.show_painted(_options.species)

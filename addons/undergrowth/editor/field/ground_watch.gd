@@ -1,0 +1,138 @@
+@tool
+extends RefCounted
+## Fields that stand on colliders are filled again once a step of the edited scene moved the ground
+## below them, or took it away: when a drag has ended, not in the midst of it.
+##
+## The engine tells nobody that a collider was moved. So each step of undo is followed by a look at
+## the shapes of the scene, where it has such a field.
+
+const GroundShapes := preload("ground_shapes.gd")
+
+var _plugin: EditorPlugin
+var _shapes := GroundShapes.new()
+# What was solid when somebody looked last, and in which scene; 0: in none that counts.
+var _seen: Dictionary[int, GroundShapes.Shape] = {}
+var _scene_id := 0
+var _waits := false
+
+
+## Looks at the edited scene after each step of undo.
+func setup(plugin: EditorPlugin) -> void:
+	_plugin = plugin
+	plugin.get_undo_redo().history_changed.connect(_look_soon)  # A step was made,
+	plugin.get_undo_redo().version_changed.connect(_look_soon)  # was undone or redone.
+	plugin.scene_changed.connect(_on_scene_changed)
+	_look_soon()
+
+
+func close() -> void:
+	_plugin.get_undo_redo().history_changed.disconnect(_look_soon)
+	_plugin.get_undo_redo().version_changed.disconnect(_look_soon)
+	_plugin.scene_changed.disconnect(_on_scene_changed)
+	if _waits:
+		_tree().process_frame.disconnect(_on_frame)
+	_shapes.close()
+	_forget()
+
+
+func _on_scene_changed(_root: Node) -> void:
+	_forget()
+	_look_soon()
+
+
+func _look_soon() -> void:
+	if not _waits:
+		_waits = true
+		_tree().process_frame.connect(_on_frame)
+
+
+# Sliders of the inspector make steps while they are dragged.
+func _on_frame() -> void:
+	if Input.is_mouse_button_pressed(MOUSE_BUTTON_LEFT):
+		return
+	_waits = false
+	_tree().process_frame.disconnect(_on_frame)
+	_look()
+
+
+func _look() -> void:
+	var root := EditorInterface.get_edited_scene_root()
+	var fields := _find_fields(root)
+	if fields.is_empty():
+		_forget()
+		return
+	var mask := 0
+	for field in fields:
+		mask |= field.ground_collision_mask
+	var now := _shapes.survey(root, mask)
+	var before := _seen if _scene_id == root.get_instance_id() else now
+	var moved := _compare(before, now)
+	_seen = now
+	_scene_id = root.get_instance_id()
+	for field in fields:
+		if moved.any(_is_under.bind(field)):
+			field.fill()
+
+
+func _forget() -> void:
+	_seen = {}
+	_scene_id = 0
+
+
+func _find_fields(root: Node) -> Array[PlantField3D]:
+	var found: Array[PlantField3D] = []
+	if not root:
+		return found
+	for node: Node in [root] + root.find_children("*", "PlantField3D", true, false):
+		var field := node as PlantField3D
+		if field and field.ground_mode == PlantField3D.GROUND_COLLIDERS:
+			found.append(field)
+	return found
+
+
+# Where something was and is no more, and where it is now.
+func _compare(
+	before: Dictionary[int, GroundShapes.Shape], now: Dictionary[int, GroundShapes.Shape]
+) -> Array[GroundShapes.Shape]:
+	var differing: Array[GroundShapes.Shape] = []
+	for id in before:
+		if not now.has(id) or now[id].state != before[id].state:
+			differing.append(before[id])
+	for id in now:
+		if not before.has(id) or now[id].state != before[id].state:
+			differing.append(now[id])
+	return differing
+
+
+# From above, wherever it is in height.
+func _is_under(shape: GroundShapes.Shape, field: PlantField3D) -> bool:
+	var node := instance_from_id(shape.node_id) as Node
+	if node and _pushes(node, field.bodies_group):
+		return false
+	var box := field.global_transform.affine_inverse() * shape.box
+	var area := AABB()
+	for point in field.get_outline_points():
+		area = area.expand(point) if area else AABB(point, Vector3.ZERO)
+	if field.map:
+		var painted := field.map.get_painted_rect()
+		area = area.expand(Vector3(painted.position.x, 0.0, painted.position.y))
+		area = area.expand(Vector3(painted.end.x, 0.0, painted.end.y))
+	return _flat(area).intersects(_flat(box), true)
+
+
+func _flat(box: AABB) -> Rect2:
+	return Rect2(box.position.x, box.position.z, box.size.x, box.size.z)
+
+
+# What pushes plants is not what they stand on.
+func _pushes(node: Node, group: StringName) -> bool:
+	var above := node
+	while above and not group.is_empty():
+		if above.is_in_group(group):
+			return true
+		above = above.get_parent()
+	return false
+
+
+func _tree() -> SceneTree:
+	return Engine.get_main_loop() as SceneTree

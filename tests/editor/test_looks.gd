@@ -1,0 +1,204 @@
+@tool
+extends "look_checks.gd"
+## A walk through all that the add-on shows in the editor: nothing of it is cut, on any of the
+## screens on which this runs, and each step is in a picture (look_*.png) for whoever wants to look.
+
+const SCENE := "res://looks.tscn"
+const BAR_SCRIPT := "res://addons/undergrowth/editor/brush/brush_bar.gd"
+const SETTINGS_SCRIPT := "res://addons/undergrowth/editor/brush/brush_settings.gd"
+const LONG := "res://foxtail.gd: its base shape runs clockwise as seen from above. Reverse it."
+
+
+func test_the_pages_for_species() -> void:
+	await _open_garden()
+	_select([])
+	await open_page("Plant")
+	check(await until(_has_pictures), "each species has its picture")
+	for shown: Array in [["Wheat", "species"], ["Meadow", "mix"], ["Own drawing", "curves"]]:
+		await _choose(shown[0])
+		var counts := part("Plant/Preview/CountsPanel") as Control
+		check(await until(counts.is_visible_in_tree), "%s is there" % shown[0])
+		await frames(10)
+		check_nothing_is_cut(dock(), shown[1])
+		await take_look(shown[1])
+
+
+func test_levels_rings_and_bones() -> void:
+	await _choose("Poppy")
+	for tool: String in ["Levels", "Rings", "Bones"]:
+		var button := part("Plant/Preview/" + tool) as Button
+		await click(button)
+		await frames(10)
+		check_nothing_is_cut(dock(), tool)
+		await take_look(tool.to_lower())
+		await click(button)
+
+
+func test_the_dock_by_itself() -> void:
+	await _choose("Poppy")
+	var list := part("Plant/List/Scroll") as ScrollContainer
+	list.scroll_vertical = int(list.get_v_scroll_bar().max_value)
+	_state().report(LONG, EditorState.Severity.ERROR)
+	await frames(5)
+	check_nothing_is_cut(dock(), "an error")
+	await take_look("error")
+	_state().report("Nothing is selected.", EditorState.Severity.WARNING)
+	_state().begin_work("Baking Poppy…", 10)
+	_state().advance_work()
+	await frames(5)
+	check_nothing_is_cut(dock(), "work")
+	await take_look("work")
+	_state().end_work()
+	_state().report("")
+
+
+func test_the_page_for_wind() -> void:
+	await open_page("Wind")
+	for kind: Array in [[PlantWind.KIND_WAVES, "waves"], [PlantWind.KIND_AIR, "air"]]:
+		_state().wind.kind = kind[0]
+		_state().wind.speed = 6.0
+		await frames(60)
+		check_nothing_is_cut(dock(), kind[1])
+		await take_look(kind[1])
+	var scroll := part("Wind") as ScrollContainer
+	scroll.scroll_vertical = int(scroll.get_v_scroll_bar().max_value)
+	await frames(10)
+	await take_look("air_below")
+	_state().wind.kind = PlantWind.KIND_WAVES
+
+
+func test_the_brush() -> void:
+	var root := EditorInterface.get_edited_scene_root()
+	for name: String in ["Field", "Full"]:
+		_select([root.get_node(name)])
+		await frames(20)
+		for tool: String in ["Paint", "Height"]:
+			await click(_bar().get_node("%" + tool) as Control)
+			await frames(10)
+			check_nothing_is_cut(_bar(), tool)
+			check_nothing_is_cut(find_by_script(SETTINGS_SCRIPT), tool)
+			await take_look("brush_%s_%s" % [name, tool])
+		await click(_bar().get_node("%Height") as Control)
+
+
+func test_the_inspector() -> void:
+	var root := EditorInterface.get_edited_scene_root()
+	var field := root.get_node("Field") as PlantField3D
+	for name: String in ["Field", "Poppy", "Source"]:
+		_select([root.get_node(name)])
+		await open_inspector()
+		await frames(20)
+		await take_look("inspector_" + name)
+	var resources: Dictionary[String, Resource] = {
+		"wind": field.wind,
+		"map": field.map,
+		"species": field.species[0].species,
+		"entry": field.species[0],
+		"curves": CurvePlantFunction.new()
+	}
+	for name in resources:
+		EditorInterface.edit_resource(resources[name])
+		await open_inspector()
+		await frames(20)
+		check_nothing_is_cut(EditorInterface.get_inspector(), name)
+		await take_look("inspector_" + name)
+	EditorInterface.edit_node(null)
+
+
+func test_the_dialogs_for_species() -> void:
+	await _choose("Poppy")
+	await click(part("Plant/List/New") as Control)
+	await _look_at("ConfirmationDialog", "new_empty")
+	var dialog := _dialog("ConfirmationDialog") as ConfirmationDialog
+	for typed: Array in [["Marsh Sedge", "new"], ["9 lives", "new_refused"]]:
+		await _type_into(dialog, dialog.get_node("%Title") as LineEdit, typed[0])
+		await _look_at("ConfirmationDialog", typed[1])
+	var browse := dialog.get_node("%Folder").get_node("%Browse") as Button
+	await click(browse)
+	for child in dialog.get_node("%Folder").get_children(true):
+		if child is EditorFileDialog:
+			await take_dialog_look(child as Window, "folder")
+			(child as Window).hide()
+	await frames(3)
+	dialog.hide()
+	await frames(3)
+	await _use("Save")
+	await _look_at("EditorFileDialog", "save")
+	_dialog("EditorFileDialog").hide()
+	await frames(3)
+
+
+func test_the_dialogs_for_baking() -> void:
+	for level in 4:  # Of a run on another screen.
+		DirAccess.remove_absolute("res://poppy_lod%d.res" % level)
+	await _choose("Poppy")
+	await _use("Bake")
+	await _look_at("ConfirmationDialog", "bake")
+	var dialog := _dialog("ConfirmationDialog") as ConfirmationDialog
+	await _type_into(dialog, dialog.get_node("%Levels") as LineEdit, "many")
+	await _look_at("ConfirmationDialog", "bake_refused")
+	await _type_into(dialog, dialog.get_node("%Levels") as LineEdit, "6, 3, 2, 1")
+	await click(dialog.get_ok_button())
+	check(await until(func() -> bool: return _message().begins_with("Baked")), _message())
+	await _use("Bake")
+	await click(_dialog("ConfirmationDialog").call(&"get_ok_button") as Control)
+	await frames(3)
+	await _look_at("ConfirmationDialog", "replace")
+	_dialog("ConfirmationDialog").hide()
+
+
+func test_the_dialog_for_a_wind() -> void:
+	await open_page("Wind")
+	await click(part("Wind/Save") as Control)
+	await frames(5)
+	for child: Node in part("Wind/WindActions").get_children(true):
+		if child is EditorFileDialog:
+			await take_dialog_look(child as Window, "wind")
+			(child as Window).hide()
+	check(true, "seen")
+
+
+func _has_pictures() -> bool:
+	var missing := dock().get_theme_icon(&"FileThumbnail", &"EditorIcons")
+	for name: String in LISTS:
+		var list := part("Plant/List/" + name) as ItemList
+		for i in list.item_count:
+			if list.get_item_icon(i) == missing:
+				return false
+	return true
+
+
+func _look_at(kind: String, name: String) -> void:
+	var dialog := _dialog(kind)
+	check(dialog != null, "the dialog %s is open" % name)
+	if dialog:
+		await take_dialog_look(dialog, name)
+
+
+func _bar() -> Control:
+	return find_by_script(BAR_SCRIPT)
+
+
+func _open_garden() -> void:
+	var root := Node3D.new()
+	root.name = "Garden"
+	var poppy := Plant3D.new()
+	poppy.species = load("res://addons/undergrowth/species/poppy.tres")
+	var few := PlantField3D.from_species([GrassFunction.new(), TulipFunction.new()])
+	few.map = PlantMap.new()
+	var many := PlantField3D.from_species(
+		[GrassFunction.new(), TulipFunction.new(), ReedFunction.new(), BellflowerFunction.new()]
+	)
+	var nodes: Dictionary[String, Node3D] = {
+		"Poppy": poppy, "Field": few, "Full": many, "Source": PlantWindSource3D.new()
+	}
+	for name in nodes:
+		nodes[name].name = name
+		root.add_child(nodes[name])
+		nodes[name].owner = root
+	for field: PlantField3D in [few, many]:
+		field.size = Vector2(3, 3)
+		field.density = 4.0
+		field.wind = PlantWind.new()
+	await _open_scene(SCENE, root)
+	EditorInterface.set_main_screen_editor("3D")
