@@ -68,3 +68,29 @@ func _make_collider() -> StaticBody3D:
 	shape.shape = BoxShape3D.new()
 	body.add_child(shape)
 	return body
+
+
+func test_a_field_that_finds_no_ground_warns_in_the_scene_dock() -> void:
+	var root := await _open_garden()
+	var told: Array[Node] = []
+	var listener := func(node: Node) -> void: told.append(node)
+	root.get_tree().node_configuration_warning_changed.connect(listener)
+	var field := PlantField3D.new()
+	field.size = Vector2(4, 4)
+	field.ground_mode = PlantField3D.GROUND_COLLIDERS
+	field.position = Vector3(900, 0, 0)
+	root.add_child(field)
+	field.owner = root
+	told.clear()
+	check(await until(func() -> bool: return told.has(field)), "it warns where there is no ground")
+	check_error("no collider is below or above it")
+	var ground := _make_collider()
+	root.add_child(ground)
+	ground.global_position = field.global_position
+	await frames(3)
+	told.clear()
+	field.fill()
+	check(await until(func() -> bool: return told.has(field)), "and no more where there is one")
+	root.get_tree().node_configuration_warning_changed.disconnect(listener)
+	ground.free()
+	field.free()

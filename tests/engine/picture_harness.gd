@@ -42,7 +42,8 @@ func make_twin(
 	var plant := Plant3D.new()
 	plant.species = species
 	plant.simulation_enabled = false
-	plant.height = field.get_plant_height(id)
+	var axes := (field.global_transform * field.get_plant_transform(id)).basis
+	plant.height = field.get_plant_height(id) / axes.y.length()
 	plant.seed = field.get_plant_seed(id)
 	stage.add_child(plant)
 	plant.global_transform = place

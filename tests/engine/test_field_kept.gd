@@ -64,8 +64,7 @@ func test_who_is_mown_is_so_high_and_grows_back() -> void:
 	check_equal(mown, ids.size(), "mown")
 	await step(3)
 	for i in ids.size():
-		var scale := field.get_plant_transform(ids[i]).basis.get_scale().y
-		check_near(field.get_plant_height(ids[i]) * scale, 0.1, 0.001, "height")
+		check_near(field.get_plant_height(ids[i]), 0.1, 0.001, "height")
 		if i % 20 == 0:
 			check_near(relative_tip(ids[i]).length(), 0.1, 0.002, "from root to tip")
 	check_equal(field.set_height_in_sphere(field.global_position, REACH, 0.1), 0, "mown again")
@@ -80,7 +79,9 @@ func test_who_is_mown_is_so_high_and_grows_back() -> void:
 	var now := field.get_plant_heights(ids)
 	for i in ids.size():
 		check_near(now[i], whole[i], 1e-4, "height then")
-	check_near(relative_tip(ids[7]).length(), _length(ids[7]), 0.01, "from root to tip then")
+	check_near(
+		relative_tip(ids[7]).length(), field.get_plant_height(ids[7]), 0.01, "from root to tip then"
+	)
 
 
 func test_a_height_above_their_own_makes_plants_whole_again() -> void:
@@ -162,6 +163,38 @@ func test_bytes_that_are_not_sound_are_one_error_and_change_nothing() -> void:
 	check_error("plants of 'Nobody's' were added, and the field knows no such species")
 
 
+func test_changes_of_a_field_of_another_seed_are_told_of() -> void:
+	await start()
+	field.remove_in_sphere(field.global_position, REACH)
+	var bytes := field.get_changes()
+	for other in [false, true]:
+		field.free()
+		field = _make_field()
+		field.size = Vector2(30, 20)
+		field.seed = 7 if other else 0
+		await start()
+		check(field.apply_changes(bytes), "applied")
+		check_error_count("these are changes of a field of seed 0, and this one has 7", int(other))
+		check_equal(
+			field.find_plants_in_sphere(field.global_position, REACH - 0.5).size(), 0, "there"
+		)
+
+
+func test_heights_are_those_of_the_world() -> void:
+	field.scale = Vector3.ONE * 2.0
+	await start()
+	var ids := field.add_plants(
+		[Transform3D(Basis().scaled(Vector3.ONE * 0.5), Vector3.ZERO)], field.species[0].species
+	)
+	await frames(3)
+	var tip := field.to_global(field.get_tip_position(ids[0]))
+	var height := tip.distance_to(field.global_position)
+	check_near(field.get_plant_height(ids[0]), height, 1e-3, "height")
+	check_near(field.get_plant_heights(ids)[0], height, 1e-3, "one of heights")
+	field.set_height_in_sphere(field.global_position, 0.5, 0.1)
+	check_near(field.get_plant_height(ids[0]), 0.1, 1e-3, "height of what is mown")
+
+
 func _check_as_left(ids: PackedInt64Array, heights: PackedFloat32Array) -> void:
 	check_equal(sorted_ids(), ids, "plants")
 	if field.get_plant_count() == ids.size():
@@ -183,7 +216,3 @@ func _make_field() -> PlantField3D:
 
 func _count_near(radius := REACH) -> int:
 	return field.find_plants_in_sphere(field.global_position, radius).size()
-
-
-func _length(id: int) -> float:
-	return field.get_plant_height(id) * field.get_plant_transform(id).basis.get_scale().y

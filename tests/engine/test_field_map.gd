@@ -67,6 +67,7 @@ func test_another_species_grows_where_its_layer_is_painted() -> void:
 	field.map = map
 	await start()
 	check_equal(field.get_plant_count(), 0, "plants")
+	check_error("'Tulip' is no species of the fields that grow by it")
 	field.species[0].layer = TULIP
 	await filled(field)
 	check(field.get_plant_count() > 500, "%d plants" % field.get_plant_count())
@@ -128,3 +129,36 @@ func test_fields_that_share_a_map_both_grow_by_it() -> void:
 	check(field.get_plant_count() > 300, "%d plants" % field.get_plant_count())
 	check(other.get_plant_count() > 1500, "%d plants of the other" % other.get_plant_count())
 	other.free()
+
+
+func test_a_name_that_no_field_reads_is_told_of_once() -> void:
+	field.map = map
+	var other := PlantField3D.from_species([ReedFunction.new()])
+	other.map = map
+	root.add_child(other)
+	root.add_child(field)
+	await settled(field)
+	await settled(other)
+	for title: String in [GRASS, TULIP, "Reed"]:
+		map.paint(Vector3.ZERO, 2.0, title, 1.0)
+	map.erase(Vector3.ZERO, 2.0, "", 1.0)
+	check_error_count("is no species", 0)
+	map.erase(Vector3.ZERO, 2.0, "Tulpe", 1.0)
+	check_error("'Tulpe' is no species of the fields that grow by it")
+	map.paint(Vector3.ZERO, 2.0, "Tulpe", 1.0)
+	check_error_count("Tulpe", 0)
+	map.set_from_image(Image.create_empty(4, 4, false, Image.FORMAT_L8), Rect2(0, 0, 4, 4), "Gras")
+	check_error("'Gras' is no species of the fields that grow by it")
+	other.free()
+
+
+func test_a_map_that_was_painted_for_others_is_told_of_once_it_grows() -> void:
+	map.paint(Vector3.ZERO, 2.0, "Tulpe", 1.0)
+	map.paint(Vector3.ZERO, 2.0, TULIP, 1.0)
+	field.map = map
+	root.add_child(field)
+	await settled(field)
+	check_error("'Tulpe' is no species of the fields that grow by it")
+	field.fill()
+	await filled(field)
+	check_error_count("Tulpe", 0)

@@ -68,7 +68,7 @@ func test_a_skeleton_bends_as_its_plant() -> void:
 	check(_field.get_skeletons().size() > 100, "there are skeletons")
 	for skeleton: Skeleton3D in _field.get_skeletons():
 		var id := _field.get_skeleton_plant(skeleton)
-		var length := _field.get_plant_height(id)
+		var length := _field.get_plant_height(id) / skeleton.global_basis.y.length()
 		var tip := skeleton.transform * (skeleton.get_bone_global_pose(1) * Vector3(0, length, 0))
 		# Half a step of a tip at 2 m/s, since pictures lie between two steps.
 		check_near(tip, _field.get_tip_position(id), 0.02, "tip of plant %d" % id)
@@ -256,5 +256,6 @@ func _tell_shown(skeleton: Skeleton3D) -> void:
 	lamp.bone_name = "tip"
 	skeleton.add_child(lamp)
 	var light := Node3D.new()
-	light.position.y = _field.get_plant_height(_field.get_skeleton_plant(skeleton))
+	var height := _field.get_plant_height(_field.get_skeleton_plant(skeleton))
+	light.position.y = height / skeleton.global_basis.y.length()
 	lamp.add_child(light)

@@ -121,7 +121,7 @@ func test_tips_are_those_of_a_plant_alone_in_the_same_state() -> void:
 	var alone := Plant3D.new()
 	alone.species = field.species[0].species
 	alone.simulation_enabled = false
-	alone.height = field.get_plant_height(id)
+	alone.height = field.get_plant_height(id) / field.get_plant_transform(id).basis.y.length()
 	root.add_child(alone)
 	alone.global_transform = field.get_plant_transform(id)
 	await frames(1)

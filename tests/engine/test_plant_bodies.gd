@@ -242,7 +242,8 @@ func _check_like_field(
 	await field.filled
 	await process_frame
 	var id := field.add_plants([placed], species)[0]
-	var plant := add_plant(species, field.get_plant_transform(id), field.get_plant_height(id))
+	var stands := field.get_plant_transform(id)
+	var plant := add_plant(species, stands, field.get_plant_height(id) / stands.basis.y.length())
 	var body := add_body(shape, tip_of(plant) + from_tip)
 	await pass_time(1.5)
 	var tip := tip_of(plant)

@@ -9,7 +9,9 @@ namespace undergrowth {
 namespace {
 
 constexpr char LETTERS[] = "UGSC";
-constexpr uint32_t VERSION = 1;
+constexpr uint32_t VERSION = 2;
+constexpr uint32_t WITHOUT_SEED = 1;
+constexpr int SEED_BYTES = 8;
 constexpr float SHARE_CODES = 65535.0f;
 constexpr double LEAST_SPACING = 1.0e-3; ///< m.
 constexpr double MOST_SPACING = 1.0e6;
@@ -159,7 +161,10 @@ const char *describe_changes_fault(BytesFault fault) {
 }
 
 std::vector<uint8_t> write_changes(const SavedChanges &saved) {
-	std::vector<uint8_t> bytes = ByteFrame::begin(LETTERS, VERSION);
+	std::vector<uint8_t> bytes = ByteFrame::begin(LETTERS, saved.seed ? VERSION : WITHOUT_SEED);
+	if (saved.seed) {
+		put_number(bytes, static_cast<uint64_t>(*saved.seed), SEED_BYTES);
+	}
 	put_count(bytes, saved.changes.of_filled().size());
 	for (const auto &[spacing, squares] : saved.changes.of_filled()) {
 		put_double(bytes, spacing);
@@ -175,13 +180,18 @@ std::vector<uint8_t> write_changes(const SavedChanges &saved) {
 }
 
 BytesFault read_changes(const uint8_t *bytes, std::size_t count, SavedChanges &changes) {
-	const BytesFault fault = count == 0 ? BytesFault::none : ByteFrame::check(LETTERS, VERSION, bytes, count);
+	const bool has_seed = ByteFrame::check(LETTERS, WITHOUT_SEED, bytes, count) == BytesFault::later_version;
+	const BytesFault fault =
+			count == 0 ? BytesFault::none : ByteFrame::check(LETTERS, has_seed ? VERSION : WITHOUT_SEED, bytes, count);
 	if (fault != BytesFault::none) {
 		return fault;
 	}
 	SavedChanges made;
 	if (count > 0) {
 		ByteReader from = ByteFrame::inside(bytes, count);
+		if (has_seed) {
+			made.seed = static_cast<int64_t>(from.number(SEED_BYTES));
+		}
 		for (uint64_t left = from.count(); left > 0 && from.is_sound(); left--) {
 			read_squares(from, made);
 		}

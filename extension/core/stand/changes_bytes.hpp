@@ -3,6 +3,8 @@
 #include "base/byte_codec.hpp"
 #include "stand/stand_changes.hpp"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,7 @@ struct AddedPlant {
 /// All that code changed of a field, as it is saved.
 struct SavedChanges {
 	StandChanges changes;
+	std::optional<int64_t> seed; ///< Of the field. Bytes of version 1 do not tell it.
 	std::vector<std::string> species; ///< Names of those that plants were added of, 255 bytes each at most.
 	std::vector<AddedPlant> added;
 };
@@ -24,7 +27,8 @@ struct SavedChanges {
 /// One sentence for whoever opens such bytes.
 const char *describe_changes_fault(BytesFault fault);
 
-/// Changes in a ByteFrame of "UGSC", the same for the same changes on every machine. Then the number of spacings; for
+/// Changes in a ByteFrame of "UGSC", the same for the same changes on every machine. Then the seed (64 bits), which
+/// version 1 lacked; the number of spacings; for
 /// each the spacing (a double), those who are gone, and those who are mown, with their heights (65535ths of their own,
 /// 16 bits); the number of species, and their names; the number of plants that were added; for each its number, its
 /// species (8 bits), its root and scale (floats), turn, height, lean and side as FieldPlants keeps them (16 bits each),
@@ -33,7 +37,8 @@ const char *describe_changes_fault(BytesFault fault);
 /// swath and never more than 10.
 std::vector<uint8_t> write_changes(const SavedChanges &changes);
 
-/// Reads what write_changes() wrote. Where there is a fault `changes` stays as it is. No bytes at all are no changes.
+/// Reads what write_changes() wrote, of version 1, too. Where there is a fault `changes` stays as it is. No bytes at
+/// all are no changes.
 BytesFault read_changes(const uint8_t *bytes, std::size_t count, SavedChanges &changes);
 
 } // namespace undergrowth

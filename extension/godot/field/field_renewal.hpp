@@ -32,6 +32,8 @@ public:
 	float progress() const;
 	/// Goes on in a frame of physics or another one, as FieldTiles does.
 	void go_on(const Scene &scene, const Way &way, bool physics);
+	/// As GroundAsker has it, of all tiles.
+	const godot::String &missing_ground() const { return asker.missing_ground(); }
 	/// What is on its way begins anew.
 	void interrupt(const Scene &scene, FieldMotion &motion);
 	/// The same of what meets a box (m, field axes).

@@ -223,10 +223,10 @@ GroundSurvey::State GroundAsker::go_on(
 
 void GroundAsker::tell_of_no_ground(const FieldPlants &plants, const Node3D *field) {
 	const bool is_missed = !survey->has_found_any() && plants.size() > 0;
-	if (is_missed && !has_missed) {
+	if (is_missed && missing.is_empty()) {
 		report_warning(field, survey->advice());
 	}
-	has_missed = is_missed;
+	missing = is_missed ? survey->advice() : String();
 }
 
 void GroundAsker::note_ground(const FieldPlants &plants) {
@@ -237,8 +237,9 @@ void GroundAsker::note_ground(const FieldPlants &plants) {
 }
 
 void GroundAsker::tell_of_all(const Node3D *field) {
-	if (!untold.is_empty() && !has_found_some) {
-		report_warning(field, untold);
+	missing = has_found_some ? String() : untold;
+	if (!missing.is_empty()) {
+		report_warning(field, missing);
 	}
 	untold = String();
 	has_found_some = false;

@@ -51,6 +51,8 @@ public:
 			Job &waiting, godot::Node3D *field, const FieldProperties &options, double usec, bool physics, bool tells);
 	/// Of what did not tell since the last time: tells where no ground was found under any of them.
 	void tell_of_all(const godot::Node3D *field);
+	/// What to check, where no ground was found under any of those of whom was told last; else empty.
+	const godot::String &missing_ground() const { return missing; }
 	/// Why it failed.
 	const godot::String &fault() const { return why; }
 	/// Nobody waits for it any more.
@@ -59,7 +61,7 @@ public:
 private:
 	std::unique_ptr<GroundSurvey> survey;
 	godot::String why;
-	bool has_missed = false;
+	godot::String missing;
 	godot::String untold; ///< The advice for what did not tell, where it found no ground.
 	bool has_found_some = false; ///< Under what did not tell.
 

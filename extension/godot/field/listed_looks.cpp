@@ -84,4 +84,25 @@ Ref<PlantFunction> listed_species(const StandOptions &options, const String &nam
 	return Ref<PlantFunction>();
 }
 
+PackedStringArray layers_of(const StandOptions &options) {
+	PackedStringArray names;
+	for (int64_t i = 0; i < options.species.size(); i++) {
+		const Ref<PlantFieldSpecies> entry = options.species[i];
+		names.push_back(entry.is_valid() ? entry->get_layer_name() : String());
+	}
+	return names;
+}
+
+PackedStringArray forgotten_layers(const StandOptions &options) {
+	const PackedStringArray painted = options.map.is_valid() ? options.map->get_painted_species() : PackedStringArray();
+	const PackedStringArray read = layers_of(options);
+	PackedStringArray names;
+	for (const String &name : painted) {
+		if (!read.has(name)) {
+			names.push_back(name);
+		}
+	}
+	return names;
+}
+
 } // namespace undergrowth

@@ -20,5 +20,9 @@ bool is_listed_so(const FieldStyle &style, const StandOptions &options);
 godot::Ref<PlantFieldSpecies> listed_entry(const StandOptions &options, const godot::Ref<PlantFunction> &function);
 /// The listed species that its map knows by this name, or null.
 godot::Ref<PlantFunction> listed_species(const StandOptions &options, const godot::String &name);
+/// What its map calls the listed species.
+godot::PackedStringArray layers_of(const StandOptions &options);
+/// What is painted of none of them.
+godot::PackedStringArray forgotten_layers(const StandOptions &options);
 
 } // namespace undergrowth

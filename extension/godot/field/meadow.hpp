@@ -29,6 +29,8 @@ public:
 	/// What the node hears of.
 	struct Listener {
 		std::function<void(const godot::String &)> fault; ///< Empty: there is none any more.
+		std::function<void(const godot::String &)>
+				no_ground; ///< What to check; empty: some was found, or none is asked.
 		std::function<void(float)> progressed; ///< 0 to 1.
 		std::function<void()> filled;
 		SkeletonView::Tell skeleton;
@@ -126,6 +128,7 @@ public:
 	FieldStyle style;
 	SkeletonView skeletons;
 	FieldChanges own_changes; ///< By code.
+	int64_t seed() const { return properties.seed; }
 	FieldTiles tiles; ///< That stand, where it streams.
 	FrameCost filling; ///< What filling took of this thread.
 	double tiles_usec = 0.0; ///< What tiles took of this thread in the last frame.

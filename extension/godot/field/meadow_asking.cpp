@@ -57,25 +57,6 @@ bool Meadow::renew() {
 	return true;
 }
 
-void Meadow::poll_renewal(bool physics) {
-	if (!renewal.is_at_work() || is_at_work()) {
-		return;
-	}
-	if (!physics) {
-		motion.wait();
-	}
-	renewal.go_on(tile_scene(), { motion, skeletons, !streams() }, physics);
-	if (progress() != told_progress) {
-		told_progress = progress();
-		listener.progressed(told_progress);
-	}
-	if (!renewal.is_at_work() && streams()) {
-		listener.filled();
-	} else if (!renewal.is_at_work()) {
-		join_tiles();
-	}
-}
-
 // What was exchanged tile by tile becomes as if it had been filled at once: pages and multimeshes are shared by tiles.
 void Meadow::join_tiles() {
 	FieldRecipe recipe;

@@ -87,6 +87,28 @@ void Meadow::poll_tiles(bool physics) {
 	tiles_usec = physics ? tiles_usec : watch.usec();
 }
 
+void Meadow::poll_renewal(bool physics) {
+	if (!renewal.is_at_work() || is_at_work()) {
+		return;
+	}
+	if (!physics) {
+		motion.wait();
+	}
+	renewal.go_on(tile_scene(), { motion, skeletons, !streams() }, physics);
+	if (progress() != told_progress) {
+		told_progress = progress();
+		listener.progressed(told_progress);
+	}
+	if (!renewal.is_at_work()) {
+		listener.no_ground(renewal.missing_ground());
+	}
+	if (!renewal.is_at_work() && streams()) {
+		listener.filled();
+	} else if (!renewal.is_at_work()) {
+		join_tiles();
+	}
+}
+
 void Meadow::poll_patches(FieldPatches::Moment moment, double delta) {
 	if (is_at_work() || is_filling() || !motion.is_ready() || !patches.is_at_work()) {
 		return;
@@ -159,10 +181,13 @@ void Meadow::poll(double delta, bool physics) {
 		go_on_asking();
 	}
 	if (job && job->wants_ground()) {
-		if (asker.serve(*job, node, properties, GroundAsker::usual_usec(delta), physics, true) ==
-				GroundSurvey::State::failed) {
+		const GroundSurvey::State state =
+				asker.serve(*job, node, properties, GroundAsker::usual_usec(delta), physics, true);
+		if (state == GroundSurvey::State::failed) {
 			drop_job();
 			listener.fault(asker.fault());
+		} else if (state == GroundSurvey::State::done) {
+			listener.no_ground(asker.missing_ground());
 		}
 	}
 	if (job) {
@@ -240,6 +265,9 @@ bool Meadow::adopt(FieldFill &finished) {
 	view.show_all_added(style, motion, store);
 	unseen.clear();
 	patches.forget_unseen();
+	if (finished.places() && !ground.needs_survey()) {
+		listener.no_ground(String());
+	}
 	if (finished.places()) {
 		is_of_tiles = finished.is_of_tiles();
 		stand_by(finished.request());

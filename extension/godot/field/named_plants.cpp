@@ -67,7 +67,9 @@ Ref<PlantFunction> NamedPlants::species(int64_t id) const {
 
 double NamedPlants::height(int64_t id) const {
 	return ask(id, [this](const Standing &one) {
-		return double(one.look.height_of(one.plant) * meadow.own_changes.share_of(meadow.store, one.place));
+		const Transform3D axes = node->is_inside_tree() ? axes_of(node) : node->get_transform();
+		const float share = meadow.own_changes.share_of(meadow.store, one.place);
+		return double(one.look.length_of(one.plant) * share * axes.basis.get_column(1).length());
 	});
 }
 

@@ -29,6 +29,7 @@ public:
 	/// Of that plant; null where there is none.
 	godot::Ref<PlantFunction> species_at(const godot::Vector3 &point, double max_distance) const;
 	godot::Ref<PlantFunction> species(int64_t id) const;
+	/// As it stands in the world (m).
 	double height(int64_t id) const;
 	int64_t seed(int64_t id) const;
 	godot::TypedArray<godot::Transform3D> transforms(const godot::PackedInt64Array &ids) const;

@@ -98,6 +98,7 @@ static std::vector<AddedPlant> added_plants(const PlantStore &store) {
 PackedByteArray NamedPlants::changes() const {
 	SavedChanges saved;
 	saved.changes = meadow.own_changes.known();
+	saved.seed = meadow.seed();
 	saved.added = added_plants(meadow.store);
 	std::vector<int> numbers(meadow.style.looks.size(), -1);
 	for (AddedPlant &one : saved.added) {
@@ -152,6 +153,13 @@ bool NamedPlants::apply_changes(const PackedByteArray &bytes) {
 	std::vector<Ref<PlantFunction>> species;
 	if (!find_species(saved, species)) {
 		return false;
+	}
+	if (saved.seed.value_or(meadow.seed()) != meadow.seed() && !saved.changes.of_filled().empty()) {
+		report_warning(node,
+				"apply_changes(): these are changes of a field of seed " + String::num_int64(*saved.seed) +
+						", and this one has " + String::num_int64(meadow.seed()) +
+						": other plants stand here, and whoever stands where one was removed or mown is so, too. Apply "
+						"what get_changes() of this field gave, or set the seed.");
 	}
 	bring_back(saved, species);
 	const StandChanges before = meadow.own_changes.known();

@@ -22,6 +22,11 @@ static const char *const PHYSICS_METHOD = "_on_physics_frame";
 PlantField3D::PlantField3D() :
 		meadow(this, properties,
 				{ [this](const String &fault) { report_problem(fault); },
+						[this](const String &advice) {
+							if (std::exchange(no_ground, advice) != advice) {
+								update_configuration_warnings();
+							}
+						},
 						[this](float ratio) { emit_signal("fill_progressed", ratio); },
 						[this] { emit_signal("filled"); },
 						[this](Skeleton3D *skeleton, bool is_shown) { tell_of_skeleton(skeleton, is_shown); } }) {
@@ -57,26 +62,18 @@ AABB PlantField3D::_get_aabb() const {
 			Vector3(area.low.x, 0.0f, area.low.y), Vector3(area.high.x - area.low.x, 1.0f, area.high.y - area.low.y));
 }
 
-void PlantField3D::report_problem(const String &what) {
-	if (what != problem) { // The same fault is told once, however often the field is filled.
-		problem = what;
-		if (!problem.is_empty()) {
-			report_error(this, problem);
-		}
-		update_configuration_warnings();
-	}
-}
-
 PackedStringArray PlantField3D::_get_configuration_warnings() const {
 	PackedStringArray warnings;
-	if (!problem.is_empty()) {
-		warnings.push_back(problem);
+	for (const String &fault : { problem, no_ground }) {
+		if (!fault.is_empty()) {
+			warnings.push_back(fault);
+		}
 	}
 	if (properties.prototypes > 0 && properties.contact_enabled) {
 		warnings.push_back("Plants that follow Prototypes do not touch each other: set Prototypes to 0, or Contact "
 						   "Enabled off.");
 	}
-	for (const String &name : forgotten_layers()) {
+	for (const String &name : forgotten_layers(properties)) {
 		warnings.push_back("Of '" + name +
 				"' something is painted on its map, and none of its species is called so: name one, or set the Layer "
 				"of "
@@ -117,6 +114,9 @@ void PlantField3D::on_fill_queued() {
 	}
 	if (stand || look) {
 		meadow.fill(stand, look);
+	}
+	for (const String &name : forgotten_layers(properties)) {
+		properties.map->tell_if_unread(name);
 	}
 	follow_frames(meadow.wants_frames());
 }

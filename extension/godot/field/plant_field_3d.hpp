@@ -61,6 +61,7 @@ private:
 	float seen_range = 0.0f;
 	uint64_t seen_material = 0;
 	godot::String problem;
+	godot::String no_ground; ///< What to check.
 	bool stand_is_stale = true;
 	bool look_is_stale = true;
 	bool area_is_stale = false; ///< Paths that keep places free, or give room, are others.
@@ -94,7 +95,6 @@ private:
 	void changed(About about);
 	void mark_stale(bool stand);
 	void queue_fill();
-	godot::PackedStringArray forgotten_layers() const;
 	void report_problem(const godot::String &what);
 	bool may_simulate() const;
 	void follow_frames(bool on);
@@ -127,6 +127,10 @@ public:
 	void fill();
 	bool is_filling() const;
 	int get_plant_count() const { return meadow.store.plant_count(); }
+	/// What its species are called in its map; none where others may be by the time that it has grown anew.
+	godot::PackedStringArray read_layers() const {
+		return is_fresh() ? layers_of(properties) : godot::PackedStringArray();
+	}
 	/// The field's outline in its own axes.
 	Polygon outline_polygon() const;
 	godot::PackedVector3Array get_outline_points() const;

@@ -109,17 +109,14 @@ void PlantField3D::on_added_species_changed() {
 	mark_stale(false);
 }
 
-// What is painted of no species of the field.
-PackedStringArray PlantField3D::forgotten_layers() const {
-	PackedStringArray names = properties.map.is_valid() ? properties.map->get_painted_species() : PackedStringArray();
-	for (int64_t i = 0; i < properties.species.size(); i++) {
-		const Ref<PlantFieldSpecies> entry = properties.species[i];
-		const int64_t at = entry.is_valid() ? names.find(entry->get_layer_name()) : -1;
-		if (at >= 0) {
-			names.remove_at(at);
+void PlantField3D::report_problem(const String &what) {
+	if (what != problem) { // The same fault is told once, however often the field is filled.
+		problem = what;
+		if (!problem.is_empty()) {
+			report_error(this, problem);
 		}
+		update_configuration_warnings();
 	}
-	return names;
 }
 
 void PlantField3D::set_map(const Ref<PlantMap> &painted) {

@@ -73,6 +73,7 @@ void PlantMap::stroke(const char *method, const DensityBrush &brush, const Strin
 	// Only what adds makes a layer; else all of them are meant where none is named.
 	const bool makes =
 			how.does != DensityStroke::Does::smooth && !(how.does == DensityStroke::Does::add && how.value < 0);
+	tell_if_unread(species);
 	const int first = makes ? need_layer(method, species) : species.is_empty() ? 0 : map.find_layer(text_of(species));
 	const int last = !makes && species.is_empty() ? map.layer_count() - 1 : first;
 	CellRange cells;
@@ -135,6 +136,7 @@ void PlantMap::fill_polygon(const PackedVector3Array &points, const String &spec
 	if (!read_rect("fill_polygon", rect, cells) || !may_change()) {
 		return;
 	}
+	tell_if_unread(species);
 	const int layer = need_layer("fill_polygon", species);
 	if (layer >= 0 && accept_value(this, "density", density, { 0.0, 1.0 })) {
 		changed_in(undergrowth::fill_polygon(map, layer, polygon, float(density)));

@@ -21,6 +21,7 @@ class PlantMap : public godot::Resource {
 	godot::PackedByteArray unread; ///< Bytes that are no map: they stay as they are.
 	godot::String fault; ///< Why.
 	bool has_told = false; ///< That nothing can be painted on it.
+	godot::PackedStringArray told_layers; ///< That nobody reads.
 
 	void changed_in(const CellRange &cells);
 	/// False, told once, where the map could not be read.
@@ -43,6 +44,10 @@ public:
 	const DensityMap &density() const { return map; }
 	/// Why it cannot be used; empty where it can.
 	const godot::String &problem() const { return fault; }
+
+	/// A name that none of the fields reads that grow by this map: told once, in a game. In the editor species may come
+	/// after what is painted of them.
+	void tell_if_unread(const godot::String &species);
 
 	void paint(
 			const godot::Vector3 &center, double radius, const godot::String &species, double amount, double falloff);

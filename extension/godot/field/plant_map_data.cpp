@@ -2,9 +2,12 @@
 
 #include "field/plant_map.hpp"
 
+#include "field/plant_field_3d.hpp"
 #include "messages.hpp"
 #include "new_object.hpp"
 #include "stand/density_bytes.hpp"
+
+#include <godot_cpp/classes/engine.hpp>
 
 #include <algorithm>
 #include <string>
@@ -57,6 +60,7 @@ void PlantMap::set_from_image(const Ref<Image> &image, const Rect2 &rect, const 
 	if (!read_rect("set_from_image", rect, cells) || !may_change()) {
 		return;
 	}
+	tell_if_unread(species);
 	const int layer = need_layer("set_from_image", species);
 	if (layer < 0) {
 		return;
@@ -79,6 +83,31 @@ void PlantMap::set_from_image(const Ref<Image> &image, const Rect2 &rect, const 
 	}
 	map.tidy(layer, cells);
 	changed_in(cells);
+}
+
+void PlantMap::tell_if_unread(const String &species) {
+	if (species.is_empty() || told_layers.has(species) || Engine::get_singleton()->is_editor_hint()) {
+		return;
+	}
+	PackedStringArray read;
+	const TypedArray<Dictionary> listeners = get_signal_connection_list("area_changed");
+	for (int64_t i = 0; i < listeners.size(); i++) {
+		const Callable listener = Dictionary(listeners[i])["callable"];
+		const PlantField3D *field = Object::cast_to<PlantField3D>(listener.get_object());
+		const PackedStringArray own = field ? field->read_layers() : PackedStringArray();
+		if (field && own.is_empty()) {
+			return; // It tells of it once it has grown.
+		}
+		read.append_array(own);
+	}
+	if (!read.is_empty() && !read.has(species)) {
+		told_layers.push_back(species);
+		report_warning(this,
+				"'" + species +
+						"' is no species of the fields that grow by it, so what is painted of it is not seen. Use one "
+						"of '" +
+						String("', '").join(read) + "', or set the Layer of an entry of a field's species.");
+	}
 }
 
 Ref<Image> PlantMap::to_image(const Rect2 &rect, const String &species) const {

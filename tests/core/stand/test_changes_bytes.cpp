@@ -12,10 +12,11 @@ using namespace undergrowth;
 namespace {
 
 constexpr std::size_t REMOVED_BYTES = 16;
-constexpr uint64_t GOLDEN_BYTES = 6967560059459596380ull;
+constexpr uint64_t GOLDEN_BYTES = 11769555693119934671ull;
 
 SavedChanges sample() {
 	SavedChanges saved;
+	saved.seed = -12;
 	std::vector<PlantId> gone;
 	std::vector<PlantId> mown;
 	std::vector<float> shares;
@@ -61,12 +62,25 @@ TEST_CASE("changes that were written are read as they were") {
 	CHECK(back.changes.is_gone(-40000.0f, 9.0f));
 	CHECK(back.changes.share_of(1, 0.0f, -90.0f) == doctest::Approx(0.3).epsilon(1e-4));
 	CHECK(back.changes.share_of(added_plant_id(10), 0.0f, 0.0f) == doctest::Approx(0.5).epsilon(1e-4));
+	CHECK(back.seed == saved.seed);
 	CHECK(back.species == saved.species);
 	REQUIRE(back.added.size() == 3);
 	CHECK(back.added[2].id == added_plant_id(20));
 	CHECK(back.added[2].plant.root == saved.added[2].plant.root);
 	CHECK(write_changes(back) == bytes);
 	CHECK(GoldenHash().add(bytes).value() == GOLDEN_BYTES);
+}
+
+TEST_CASE("changes of the first version, which told no seed, are read") {
+	SavedChanges saved = sample();
+	saved.seed.reset();
+	const std::vector<uint8_t> bytes = write_changes(saved);
+	CHECK(bytes[4] == 1);
+	SavedChanges back = sample();
+	REQUIRE(read(bytes, back) == BytesFault::none);
+	CHECK(!back.seed);
+	CHECK(back.changes.is_gone(-25.0f, 3.0f));
+	CHECK(write_changes(back) == bytes);
 }
 
 TEST_CASE("what has grown back is not written, and heights are those of now") {
@@ -117,7 +131,7 @@ TEST_CASE("bytes that are torn, of a later release or of another kind are told, 
 		read(damaged, other);
 	}
 	std::vector<uint8_t> later = bytes;
-	later[4] = 2;
+	later[4] = 3;
 	reseal(later);
 	CHECK(read(later, kept) == BytesFault::later_version);
 	CHECK(read({ 'U', 'G', 'D', 'M', 1, 0, 14, 0, 0, 0, 0, 0, 0, 0 }, kept) == BytesFault::other_kind);
