@@ -16,7 +16,7 @@ static constexpr int64_t CUSTOM_FORMAT =
 		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT)) |
 		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_HALF) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM1_SHIFT)) |
 		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_HALF) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM2_SHIFT)) |
-		(int64_t(Mesh::ARRAY_CUSTOM_R_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM3_SHIFT));
+		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_HALF) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM3_SHIFT));
 
 // The engine's arrays of a mesh, sized, and where the core writes them.
 struct FormArrays {
@@ -84,12 +84,14 @@ static Array packed(const FormArrays &from) {
 	return arrays;
 }
 
-// Of the plant that the mesh shows, at every vertex: where a stem bends, shaders ask for it.
-static PackedFloat32Array heights(float height, int vertices) {
-	PackedFloat32Array all;
-	all.resize(vertices);
-	all.fill(height);
-	return all;
+// Of the plant that the mesh shows, its height at every vertex, and where that stands at rest: shaders of what bends ask.
+static PackedByteArray at_rest(float height, const PackedVector3Array &positions) {
+	std::vector<glm::vec4> all;
+	all.reserve(size_t(positions.size()));
+	for (const Vector3 &position : positions) {
+		all.emplace_back(height, float(position.x), float(position.z), 0.0f);
+	}
+	return halves(all);
 }
 
 // Both are held to the same outlines from the side.
@@ -116,7 +118,7 @@ static Ref<ArrayMesh> build(const GrownPlant &grown, const SampledPlant &sampled
 		bind_to_joints(sampled.stem->joints, plan.counts.vertices, arrays.bones.ptrw(), arrays.weights.ptrw());
 	}
 	Array all = packed(arrays);
-	all[Mesh::ARRAY_CUSTOM3] = heights(sampled.height, plan.counts.vertices);
+	all[Mesh::ARRAY_CUSTOM3] = at_rest(sampled.height, arrays.positions);
 	Ref<ArrayMesh> mesh = new_counted<ArrayMesh>();
 	mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, all, TypedArray<Array>(), Dictionary(), CUSTOM_FORMAT);
 	mesh->surface_set_material(0, sampled.material.is_valid() ? sampled.material : Ref<Material>(parts_material()));
