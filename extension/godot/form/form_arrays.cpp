@@ -71,7 +71,7 @@ static Array packed(const FormArrays &from) {
 	return arrays;
 }
 
-// Of the plant that the mesh shows, its height at every vertex, and where that stands at rest: shaders of what bends ask.
+// At every vertex the height of the plant that the mesh shows, and where the vertex stands at rest: shaders ask for both.
 static PackedFloat32Array at_rest(float height, const PackedVector3Array &positions) {
 	PackedFloat32Array all;
 	all.resize(3 * positions.size());
