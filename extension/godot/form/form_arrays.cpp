@@ -71,7 +71,7 @@ static Array packed(const FormArrays &from) {
 	return arrays;
 }
 
-// At every vertex the height of the plant that the mesh shows, and where the vertex stands at rest: shaders ask for both.
+// At every vertex the height of the plant that the mesh shows, and where the vertex is at rest: shaders ask for both.
 static PackedFloat32Array at_rest(float height, const PackedVector3Array &positions) {
 	PackedFloat32Array all;
 	all.resize(3 * positions.size());
