@@ -90,6 +90,43 @@ func test_far_plants_do_not_swing() -> void:
 	check_equal(count_different(before, await picture()), 0, "pixels that changed")
 
 
+func test_what_the_wind_lays_down_is_lighter() -> void:
+	var plant := Plant3D.new()
+	plant.species = _tulip()
+	plant.species.material = ShaderMaterial.new()
+	plant.species.material.shader = load("res://addons/undergrowth/shaders/plant_parts.gdshader")
+	plant.simulation_enabled = false
+	plant.height = 0.5
+	plant.scale = Vector3.ONE * 2.5
+	stage.add_child(plant)
+	var calm := await _pictures_by_light(plant)
+	check(count_different(calm[0], empty_picture()) > LEAST_PLANT, "a plant is drawn")
+	check_equal(count_different(calm[0], calm[1]), 0, "pixels of a calm plant that are lighter")
+	_wind.strength = 150.0
+	for i in 13:
+		plant._preview(STEP, _wind)
+	var laid := await _pictures_by_light(plant)
+	check(_light_of(laid[1]) > 1.05 * _light_of(laid[0]), "what leans is lighter")
+
+
+## With no light of what is laid down, and with much.
+func _pictures_by_light(plant: Plant3D) -> Array[Image]:
+	var material: ShaderMaterial = plant.species.material
+	var pictures: Array[Image] = []
+	for light: float in [0.0, 2.2]:
+		material.set_shader_parameter(&"laid_light", light)
+		pictures.append(await picture())
+	return pictures
+
+
+func _light_of(image: Image) -> float:
+	var sum := 0.0
+	for y in PICTURE_SIZE.y:
+		for x in PICTURE_SIZE.x:
+			sum += image.get_pixel(x, y).get_luminance()
+	return sum
+
+
 ## Its stem is stiff: how stems bend has pictures of its own.
 func _tulip() -> PlantFunction:
 	var species: PlantFunction = load("res://addons/undergrowth/species/garden_tulip.tres")

@@ -2,30 +2,27 @@
 
 #include "mesh/form_mesh.hpp"
 #include "mesh/joint_binding.hpp"
-#include "motion/bend_encoding.hpp"
-
-#include <godot_cpp/variant/packed_byte_array.hpp>
 
 using namespace godot;
 
 namespace undergrowth {
 
+// Floats all: of four halves the Compatibility renderer reads two.
 static constexpr int64_t CUSTOM_FORMAT =
 		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT)) |
-		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_HALF) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM1_SHIFT)) |
-		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_HALF) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM2_SHIFT)) |
-		(int64_t(Mesh::ARRAY_CUSTOM_R_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM3_SHIFT));
+		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM1_SHIFT)) |
+		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM2_SHIFT)) |
+		(int64_t(Mesh::ARRAY_CUSTOM_RGB_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM3_SHIFT));
 
 // The engine's arrays of a mesh, sized, and where the core writes them.
 struct FormArrays {
 	PackedVector3Array positions, normals;
 	PackedColorArray colors;
 	PackedVector2Array uvs;
-	PackedFloat32Array tangents, weights, custom0;
+	PackedFloat32Array tangents, weights, custom0, custom1, custom2;
 	PackedInt32Array bones, indices;
-	std::vector<glm::vec4> custom1, custom2;
 
-	explicit FormArrays(const MeshCounts &counts) : custom1(size_t(counts.vertices)), custom2(size_t(counts.vertices)) {
+	explicit FormArrays(const MeshCounts &counts) {
 		positions.resize(counts.vertices);
 		normals.resize(counts.vertices);
 		colors.resize(counts.vertices);
@@ -33,6 +30,8 @@ struct FormArrays {
 		tangents.resize(4 * counts.vertices);
 		weights.resize(4 * counts.vertices);
 		custom0.resize(4 * counts.vertices);
+		custom1.resize(4 * counts.vertices);
+		custom2.resize(4 * counts.vertices);
 		bones.resize(4 * counts.vertices);
 		indices.resize(counts.indices);
 	}
@@ -44,26 +43,14 @@ struct FormArrays {
 		to.colors = reinterpret_cast<glm::vec4 *>(colors.ptrw());
 		to.uvs = reinterpret_cast<glm::vec2 *>(uvs.ptrw());
 		to.custom0 = reinterpret_cast<glm::vec4 *>(custom0.ptrw());
-		to.custom1 = custom1.data();
-		to.custom2 = custom2.data();
+		to.custom1 = reinterpret_cast<glm::vec4 *>(custom1.ptrw());
+		to.custom2 = reinterpret_cast<glm::vec4 *>(custom2.ptrw());
 		to.bones = bones.ptrw();
 		to.weights = weights.ptrw();
 		to.indices = indices.ptrw();
 		return to;
 	}
 };
-
-static PackedByteArray halves(const std::vector<glm::vec4> &values) {
-	PackedByteArray bytes;
-	bytes.resize(int64_t(values.size() * 4 * sizeof(uint16_t)));
-	uint16_t *to = reinterpret_cast<uint16_t *>(bytes.ptrw());
-	for (const glm::vec4 &value : values) {
-		for (int i = 0; i < 4; i++) {
-			*to++ = to_half(value[i]);
-		}
-	}
-	return bytes;
-}
 
 static Array packed(const FormArrays &from) {
 	Array arrays;
@@ -74,19 +61,24 @@ static Array packed(const FormArrays &from) {
 	arrays[Mesh::ARRAY_COLOR] = from.colors;
 	arrays[Mesh::ARRAY_TEX_UV] = from.uvs;
 	arrays[Mesh::ARRAY_CUSTOM0] = from.custom0;
-	arrays[Mesh::ARRAY_CUSTOM1] = halves(from.custom1);
-	arrays[Mesh::ARRAY_CUSTOM2] = halves(from.custom2);
+	arrays[Mesh::ARRAY_CUSTOM1] = from.custom1;
+	arrays[Mesh::ARRAY_CUSTOM2] = from.custom2;
 	arrays[Mesh::ARRAY_BONES] = from.bones;
 	arrays[Mesh::ARRAY_WEIGHTS] = from.weights;
 	arrays[Mesh::ARRAY_INDEX] = from.indices;
 	return arrays;
 }
 
-// Of the plant that the mesh shows, at every vertex: where a stem bends, shaders ask for it.
-static PackedFloat32Array heights(float height, int vertices) {
+// At every vertex the height of the plant that the mesh shows, and where the vertex is at rest: shaders ask for both.
+static PackedFloat32Array at_rest(float height, const PackedVector3Array &positions) {
 	PackedFloat32Array all;
-	all.resize(vertices);
-	all.fill(height);
+	all.resize(3 * positions.size());
+	float *to = all.ptrw();
+	for (const Vector3 &position : positions) {
+		*to++ = height;
+		*to++ = float(position.x);
+		*to++ = float(position.z);
+	}
 	return all;
 }
 
@@ -114,7 +106,7 @@ MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sample
 		bind_to_joints(sampled.stem->joints, plan.counts.vertices, arrays.bones.ptrw(), arrays.weights.ptrw());
 	}
 	Array all = packed(arrays);
-	all[Mesh::ARRAY_CUSTOM3] = heights(sampled.height, plan.counts.vertices);
+	all[Mesh::ARRAY_CUSTOM3] = at_rest(sampled.height, arrays.positions);
 	return { all, CUSTOM_FORMAT, sampled.material, true };
 }
 
