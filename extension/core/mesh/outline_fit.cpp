@@ -13,6 +13,7 @@ constexpr float TURNED = 0.35f; // What growing one way is worth beside growing 
 constexpr float MOST_TURN = 0.5f; // Tangent of half the angle.
 constexpr float MOST_STEP = 0.5f;
 constexpr float STIFFNESS = 1e-3f; // So that outlines that nothing can change apart from each other do no harm.
+constexpr float LEAST_AREA = 1e-20f; // m²; whatever shows less changes nothing.
 constexpr float ROUNDING = 1e-5f; // The same where widths left nothing of all areas, by what floats hold of the matrix.
 
 } // namespace
@@ -91,7 +92,7 @@ void OutlineFit::look_at(size_t number) {
 		mean += area / OUTLINES;
 	}
 	for (size_t way = 0; way < WAYS; way++) {
-		unit.weight[way] = mean > 0.0f ? (way == 0 ? 1.0f : TURNED) / mean : 0.0f;
+		unit.weight[way] = mean > LEAST_AREA ? (way == 0 ? 1.0f : TURNED) / mean : 0.0f;
 	}
 }
 

@@ -124,6 +124,24 @@ TEST_CASE("a sheet that is asked for outlines which it cannot have keeps numbers
 	CHECK(are_numbers);
 }
 
+TEST_CASE("a sheet of hardly any size changes nothing beside others") {
+	Sheets sheets;
+	sheets.add_bead(facing(1e-21f, 0.3f), 1e-20f);
+	sheets.add({ 0.3f, 0.0f, 0.0f }, facing(0.2f, 0.5f));
+	sheets.end();
+	const FormBuffers mesh = sheets.buffers();
+	OutlineFit fit(sheets.units, mesh);
+	const Outlines wanted = { 0.1f, 0.1f, 0.1f, 0.1f };
+	const float before = worst_of(sheets.outlines(BOX), wanted);
+	for (int step = 0; step < 5; step++) {
+		fit.approach(sheets.outlines(BOX), wanted);
+	}
+	for (const glm::vec3 &place : sheets.positions) {
+		REQUIRE(std::isfinite(place.x + place.y + place.z));
+	}
+	CHECK(worst_of(sheets.outlines(BOX), wanted) < 0.5f * before);
+}
+
 TEST_CASE("flowers keep their size and no sheet is turned over while outlines are looked for") {
 	Sheets sheets;
 	sheets.add({ 0.0f, 0.0f, 0.0f }, facing(0.1f, 0.3f), true);
