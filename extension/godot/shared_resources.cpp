@@ -49,26 +49,30 @@ Ref<StandardMaterial3D> default_material() {
 	return *material;
 }
 
-static Ref<Shader> keep_shader(bool of_parts) {
-	Ref<Shader> *&kept = shaders[int(of_parts)];
-	if (!kept || kept->is_null()) {
-		delete kept;
-		kept = new Ref<Shader>(ResourceLoader::get_singleton()->load(SHADER_PATHS[int(of_parts)], "Shader"));
-	}
-	return *kept;
-}
-
+// A thread of the pool that loads something works on other tasks until that is there, and those may ask for the same: so
+// nothing is loaded under the lock.
 Ref<Shader> plant_shader(bool of_parts) {
+	Ref<Shader> *&kept = shaders[int(of_parts)];
+	{
+		const std::lock_guard<std::mutex> lock(making);
+		if (kept && kept->is_valid()) {
+			return *kept;
+		}
+	}
+	const Ref<Shader> loaded = ResourceLoader::get_singleton()->load(SHADER_PATHS[int(of_parts)], "Shader");
 	const std::lock_guard<std::mutex> lock(making);
-	return keep_shader(of_parts);
+	delete kept;
+	kept = new Ref<Shader>(loaded);
+	return loaded;
 }
 
 Ref<ShaderMaterial> parts_material() {
+	const Ref<Shader> shader = plant_shader(true);
 	const std::lock_guard<std::mutex> lock(making);
 	if (!of_sheets) {
 		Ref<ShaderMaterial> made = new_counted<ShaderMaterial>();
 		made->set_name("Undergrowth plant of parts");
-		made->set_shader(keep_shader(true));
+		made->set_shader(shader);
 		of_sheets = new Ref<ShaderMaterial>(made);
 	}
 	return *of_sheets;

@@ -35,6 +35,7 @@ DRAWN = {"threads": ["gl_compatibility"], "plant_bones": ["gl_compatibility"],
          "field_levels": ["gl_compatibility", "forward_plus"],
          "field_widths": ["gl_compatibility", "forward_plus"],
          "field_scaled": ["gl_compatibility"], "field_worn": ["gl_compatibility"],
+         "fields_together": ["gl_compatibility"],
          "shadows_of_parts_picture": ["gl_compatibility", "forward_plus"],
          "ready_species_picture": ["gl_compatibility"]}
 # What the projects of some scripts say besides.

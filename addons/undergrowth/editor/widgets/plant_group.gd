@@ -20,8 +20,8 @@ const MOST_WIDENING := 3.5
 ## So are thin parts, up to this half-width in shares of the plant's size.
 const LEAST_HALF_WIDTH := 0.008
 const MOST_PART_WIDENING := 5.0
-## CUSTOM2 is four numbers of two bytes.
-const BYTES_PER_WAY := 8
+## CUSTOM2 is four numbers.
+const WAY_SIZE := 4
 const CUSTOM_FORMATS := 0xfff << Mesh.ARRAY_FORMAT_CUSTOM0_SHIFT
 
 
@@ -142,13 +142,12 @@ static func build(function: PlantFunction, segments: int, plant_seed: int) -> Me
 static func _widen_parts(mesh: ArrayMesh) -> ArrayMesh:
 	var arrays := mesh.surface_get_arrays(0)
 	var points: PackedVector3Array = arrays[Mesh.ARRAY_VERTEX]
-	var ways: PackedByteArray = arrays[Mesh.ARRAY_CUSTOM2]
+	var ways: PackedFloat32Array = arrays[Mesh.ARRAY_CUSTOM2]
 	var size := mesh.get_aabb().size
 	var least := LEAST_HALF_WIDTH * maxf(maxf(size.x, size.z), size.y)
 	for i in points.size():
-		var way := Vector3.ZERO
-		for axis in 3:
-			way[axis] = ways.decode_half(BYTES_PER_WAY * i + 2 * axis)
+		var at := WAY_SIZE * i
+		var way := Vector3(ways[at], ways[at + 1], ways[at + 2])
 		var wider := clampf(least / maxf(way.length(), 1e-6), 1.0, MOST_PART_WIDENING)
 		points[i] += way * (wider - 1.0)
 	arrays[Mesh.ARRAY_VERTEX] = points
