@@ -49,8 +49,8 @@ Ref<StandardMaterial3D> default_material() {
 	return *material;
 }
 
-// A thread of the pool that loads something works on other tasks until that is there, and those may ask for the same: so
-// nothing is loaded under the lock.
+// A thread of the pool that loads something works on other tasks until that is there, and those may ask for the same:
+// so nothing is loaded under the lock.
 Ref<Shader> plant_shader(bool of_parts) {
 	Ref<Shader> *&kept = shaders[int(of_parts)];
 	{

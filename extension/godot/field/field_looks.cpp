@@ -56,6 +56,10 @@ String FieldLook::sample_next(const std::vector<FieldLevel> &levels) {
 	return String();
 }
 
+void FieldLook::load_shader() const {
+	plant_shader(!samples.empty() && samples[0][0].grown);
+}
+
 void FieldLook::build() {
 	if (samples.empty()) {
 		return;
@@ -90,10 +94,7 @@ bool FieldLook::make_meshes(double usec) {
 			}
 		}
 	}
-	if (!built.empty()) {
-		built.clear();
-		plant_shader(has_parts()); // Read here, where it holds nobody up, and not when it is worn first.
-	}
+	built.clear();
 	return true;
 }
 

@@ -72,6 +72,9 @@ struct FieldLook {
 	int segments_at(const FieldLevel &level) const;
 	/// Whether all variants are sampled, and how they move.
 	bool is_sampled() const { return int(variants.size()) == variant_count && has_motion; }
+	/// Of what was sampled, on the main thread: a thread of the pool that loads something works on other tasks
+	/// meanwhile, and so could come to wait for itself.
+	void load_shader() const;
 	/// Builds what meshes of what was sampled are made of; once, on any thread.
 	void build();
 	/// Makes them, for about `usec`, on a thread that may (renders_on_threads()). False: there are more.

@@ -195,6 +195,9 @@ String sample_looks(FieldStyle &style, double usec, bool &is_done) {
 			if (!fault.is_empty()) {
 				return describe(look.function.ptr()) + ": " + fault;
 			}
+			if (look.is_sampled()) {
+				look.load_shader();
+			}
 		}
 	}
 	is_done = true;
