@@ -57,7 +57,7 @@ String FieldLook::sample_next(const std::vector<FieldLevel> &levels) {
 }
 
 void FieldLook::load_shader() const {
-	plant_shader(!samples.empty() && samples[0][0].grown);
+	plant_shader(motion.has_parts);
 }
 
 void FieldLook::build() {

@@ -1,7 +1,7 @@
 #include "../stem/stems.hpp"
-#include "base/random.hpp"
 #include "stem_plants.hpp"
 #include "swing.hpp"
+#include "varied.hpp"
 
 #include "figures.hpp"
 
@@ -18,10 +18,6 @@ namespace {
 constexpr double RATIO_TOLERANCE = 0.03;
 constexpr double DAMPING_TOLERANCE = 0.003;
 constexpr double ENERGY_GROWTH = 1e-6; // Relative, by rounding.
-
-float noise(int index, int which) {
-	return signed_noise(static_cast<uint64_t>(which), static_cast<uint64_t>(index));
-}
 
 /// A stem without friction of its own, light enough to feel the air.
 StemConstants airy_stem(double frequency) {

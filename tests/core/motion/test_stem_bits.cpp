@@ -1,8 +1,8 @@
 #include "../field/allocations.hpp"
 #include "../stem/stems.hpp"
-#include "base/random.hpp"
 #include "stem_plants.hpp"
 #include "swing.hpp"
+#include "varied.hpp"
 
 #include <doctest/doctest.h>
 
@@ -18,12 +18,8 @@ namespace {
 constexpr float NONE = std::numeric_limits<float>::quiet_NaN();
 constexpr float INF = std::numeric_limits<float>::infinity();
 
-enum class Wind { newtons, air, both };
-constexpr Wind WINDS[] = { Wind::newtons, Wind::air, Wind::both };
-
-float noise(int index, int which) {
-	return signed_noise(static_cast<uint64_t>(which), static_cast<uint64_t>(index));
-}
+enum class Blowing { newtons, air, both };
+constexpr Blowing WINDS[] = { Blowing::newtons, Blowing::air, Blowing::both };
 
 /// Stems that all differ. `leans`: or all are upright.
 StemPlants meadow(int modes, int count, bool leans, double frequency = 1.5) {
@@ -43,14 +39,14 @@ StemPlants meadow(int modes, int count, bool leans, double frequency = 1.5) {
 }
 
 /// Loads from none to 40 times the slope that lays a stem half down.
-void blow(StemPlants &plants, int step, Wind wind) {
+void blow(StemPlants &plants, int step, Blowing wind) {
 	const float swell = step % 200 < 100 ? 1.0f : 30.0f;
 	for (int i = 0; i < plants.size(); i++) {
 		plants.set_strength(i, swell * (1.0f + noise(i, 100 + step)) / plants.constants().dead_slope);
 		plants.set_air(i, { 2.0f * swell * noise(i, 1000 + step), 2.0f * noise(i, 2000 + step) });
 	}
-	plants.use_newtons(wind != Wind::air);
-	plants.use_air(wind != Wind::newtons);
+	plants.use_newtons(wind != Blowing::air);
+	plants.use_air(wind != Blowing::newtons);
 }
 
 bool is_fine(const StemPlants &plants) {
@@ -70,7 +66,7 @@ bool is_fine(const StemPlants &plants) {
 TEST_CASE("stems divided anyhow, at every level, give the same bits") {
 	for (const int modes : { 1, 2 }) {
 		for (const bool leans : { false, true }) {
-			for (const Wind wind : WINDS) {
+			for (const Blowing wind : WINDS) {
 				StemPlants whole = meadow(modes, 601, leans);
 				StemPlants best = meadow(modes, 601, leans);
 				StemPlants parts = meadow(modes, 601, leans);
@@ -92,7 +88,7 @@ TEST_CASE("stems divided anyhow, at every level, give the same bits") {
 }
 
 TEST_CASE("an upright stem among leaning ones has the bits that it has among upright ones") {
-	for (const Wind wind : WINDS) {
+	for (const Blowing wind : WINDS) {
 		StemPlants upright = meadow(1, 40, false);
 		StemPlants mixed = meadow(1, 40, false);
 		mixed.set_rest(39, { 0.2f, 0.1f });
@@ -112,7 +108,7 @@ TEST_CASE("an upright stem among leaning ones has the bits that it has among upr
 
 TEST_CASE("a step of stems allocates nothing") {
 	StemPlants plants = meadow(2, 1000, true);
-	blow(plants, 0, Wind::both);
+	blow(plants, 0, Blowing::both);
 	const StemPage page = plants.page();
 	std::vector<float> numbers(1000, 1.0f);
 	const long before = allocation_count();
@@ -191,15 +187,15 @@ TEST_CASE("stems settle in steady winds of any strength, at any step, leaning or
 			for (const float step : { 1.0f / 15.0f, 1.0f / 30.0f, FRAME_STEP }) {
 				for (const float lean : { -0.41f, 0.0f, 0.41f }) {
 					for (const double load : { 0.3, 2.0, 10.0, 100.0, 1e4 }) {
-						for (const Wind wind : WINDS) {
+						for (const Blowing wind : WINDS) {
 							const StemConstants stem =
 									modes == 1 ? simple_stem(frequency, 0.05) : stem_of_two_modes(frequency, 0.05);
 							StemPlants plants(stem, 1, step);
 							plants.set_rest(0, { lean, 0.3f * lean });
 							const glm::vec2 speed = { 0.0f, std::sqrt(static_cast<float>(load) / stem.air_slope) };
 							plants.blow(static_cast<float>(load) / stem.dead_slope, &speed);
-							plants.use_newtons(wind != Wind::air);
-							plants.use_air(wind != Wind::newtons);
+							plants.use_newtons(wind != Blowing::air);
+							plants.use_air(wind != Blowing::newtons);
 							plants.run(60.0 / frequency + 100.0 * static_cast<double>(step));
 							const glm::vec2 before = plants.place(0);
 							plants.step();

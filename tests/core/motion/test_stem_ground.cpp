@@ -1,5 +1,4 @@
 #include "../stem/stems.hpp"
-#include "base/random.hpp"
 #include "motion/motion_page.hpp"
 #include "motion/part_bend.hpp"
 #include "motion/stem_blows.hpp"
@@ -8,6 +7,7 @@
 #include "stem/stem_shape.hpp"
 #include "stem_plants.hpp"
 #include "swing.hpp"
+#include "varied.hpp"
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -25,17 +25,6 @@ constexpr int PLANTS = 96;
 /// Of the length: where a second mode is far off, its share of the way is told roughly. One mode alone does not get
 /// there.
 constexpr float MOST_BELOW = 0.03f;
-
-StemConstants real_stem(int modes, double taper, double head, int joints = 4) {
-	StemBeam beam = stem_of(taper, head);
-	beam.modes = modes;
-	beam.joints = joints;
-	return solve_stem(beam).constants;
-}
-
-float noise(int index, int which) {
-	return signed_noise(static_cast<uint64_t>(which), static_cast<uint64_t>(index));
-}
 
 /// Stems that lean up to 45°, every third one upright.
 StemPlants meadow(const StemConstants &stem) {
@@ -82,7 +71,7 @@ TEST_CASE("no blow takes the tip of a stem below the ground") {
 	for (const int modes : { 1, 2 }) {
 		for (const double taper : { 0.0, 0.5, 0.8 }) {
 			for (const double head : { 0.0, 1.0 }) {
-				StemPlants plants = meadow(real_stem(modes, taper, head));
+				StemPlants plants = meadow(jointed(4, taper, head, modes));
 				float lowest = 1.0f;
 				for (const float strength : { 3.0f, 30.0f, 1000.0f }) {
 					blow_away(plants, strength);
@@ -103,7 +92,7 @@ TEST_CASE("no blow takes the tip of a stem below the ground") {
 TEST_CASE("no gale takes the tip of a stem below the ground") {
 	for (const int modes : { 1, 2 }) {
 		for (const float speed : { 20.0f, 60.0f, 150.0f }) {
-			StemPlants plants = meadow(real_stem(modes, 0.5, 0.5));
+			StemPlants plants = meadow(jointed(4, 0.5, 0.5, modes));
 			float lowest = 1.0f;
 			for (int n = 0; n < 200; n++) {
 				const float angle = 0.05f * static_cast<float>(n);
@@ -120,7 +109,7 @@ TEST_CASE("no gale takes the tip of a stem below the ground") {
 }
 
 TEST_CASE("the ground stops an upright stem in the shape of a steady wind where its tip meets it") {
-	const StemConstants stem = real_stem(1, 0.5, 0.5);
+	const StemConstants stem = jointed(4, 0.5, 0.5, 1);
 	StemPlants plants(stem, 1, FRAME_STEP);
 	plants.set_place(0, glm::vec2(0.8f, 0.6f) * (MOST_STEM_AMPLITUDE / stem.mode[0].tip_slope));
 	const StemPage page = plants.page();
@@ -132,7 +121,7 @@ TEST_CASE("the ground stops an upright stem in the shape of a steady wind where 
 }
 
 TEST_CASE("a tip that meets the ground loses what moves it down, and goes on along it") {
-	const StemConstants stem = real_stem(1, 0.0, 0.0);
+	const StemConstants stem = jointed(4, 0.0, 0.0, 1);
 	StemPlants plants(stem, 1, FRAME_STEP);
 	plants.set_place(0, { 1.4f, 0.0f });
 	plants.set_rate(0, { 5.0f, 2.0f });
@@ -149,7 +138,7 @@ TEST_CASE("no steady wind bends a stem so far that the ground stops it") {
 	for (const double taper : { 0.0, 0.5, 0.8 }) {
 		for (const double head : { 0.0, 1.0, 2.0 }) {
 			for (const bool is_in_air : { false, true }) {
-				const StemConstants stem = real_stem(2, taper, head);
+				const StemConstants stem = jointed(4, taper, head, 2);
 				const SteadyStem steady = is_in_air ? in_wind(stem, 1e4) : in_newtons(stem, 1e4);
 				StemPlants plants(stem, 1, FRAME_STEP);
 				plants.set_place(0, steady.amplitudes[0]);
@@ -168,7 +157,7 @@ TEST_CASE("no steady wind bends a stem so far that the ground stops it") {
 
 TEST_CASE("the ground gives no stem energy") {
 	for (const int modes : { 1, 2 }) {
-		StemPlants plants = meadow(real_stem(modes, 0.5, 0.5));
+		StemPlants plants = meadow(jointed(4, 0.5, 0.5, modes));
 		for (int i = 0; i < PLANTS; i++) {
 			for (int k = 0; k < modes; k++) {
 				plants.set_place(i, { 1.5f * noise(i, 10 + k), 1.5f * noise(i, 12 + k) }, k);
@@ -192,7 +181,7 @@ TEST_CASE("the ground gives no stem energy") {
 
 TEST_CASE("stems that the ground stops have the same bits at every level, divided anyhow") {
 	for (const int modes : { 1, 2 }) {
-		StemPlants whole = meadow(real_stem(modes, 0.5, 0.5));
+		StemPlants whole = meadow(jointed(4, 0.5, 0.5, modes));
 		StemPlants parts = whole;
 		blow_away(whole, 100.0f);
 		blow_away(parts, 100.0f);
@@ -208,7 +197,7 @@ TEST_CASE("a species without ground lets the tips of its stems go below it, and 
 		  "moves them") {
 	MotionSpecies species;
 	species.law = Law::stem;
-	species.stem = real_stem(1, 0.5, 0.5);
+	species.stem = jointed(4, 0.5, 0.5, 1);
 	const MotionPlant plant = { { 0.0f, 0.0f, 0.0f }, species.stem.length };
 	for (const bool above_ground : { true, false }) {
 		species.joint.above_ground = above_ground;

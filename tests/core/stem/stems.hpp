@@ -28,7 +28,15 @@ inline undergrowth::StemBeam stem_of(double taper = 0.0, double head = 0.0, doub
 	return beam;
 }
 
-/// The same, so stiff that its weight counts for nothing.
+/// Solved, with so many joints and modes.
+inline undergrowth::StemConstants jointed(int joints, double taper, double head, int modes = 2) {
+	undergrowth::StemBeam beam = stem_of(taper, head);
+	beam.joints = joints;
+	beam.modes = modes;
+	return solve_stem(beam).constants;
+}
+
+/// The same as stem_of(), so stiff that its weight counts for nothing.
 inline undergrowth::StemBeam stiff_stem(double taper = 0.0, double head = 0.0) {
 	undergrowth::StemBeam beam = stem_of(taper, head, 0.0);
 	beam.length = 1.0f;

@@ -24,13 +24,6 @@ constexpr double LENGTH = 1e-5; // Of the stem, as the next.
 constexpr double FINE_LINE = 0.005;
 constexpr double SHADER = 0.01;
 
-StemConstants jointed(int joints, double taper, double head, int modes = 2) {
-	StemBeam beam = stem_of(taper, head);
-	beam.joints = joints;
-	beam.modes = modes;
-	return solve_stem(beam).constants;
-}
-
 /// The centre line by very many short ways.
 glm::dvec3 integrated(const StemConstants &stem, const SteadyStem &steady, double x) {
 	glm::dvec3 sum(0.0);
