@@ -20,8 +20,9 @@ class Rows:
         return None
 
     def ratio(self, above, below):
-        """Of the times of two rows, or None where one was not measured."""
-        return above["median_ms"] / below["median_ms"] if above and below and below["median_ms"] > 0.0 else None
+        """Of the times of two rows, or None where one was not measured, or is less than what varies."""
+        are_times = above and below and min(above["median_ms"], below["median_ms"]) > 0.0  # Differences may be noise.
+        return above["median_ms"] / below["median_ms"] if are_times else None
 
 
 def lines(rows):

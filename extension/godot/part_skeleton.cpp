@@ -118,6 +118,14 @@ void PartSkeleton::set_up(Skeleton3D *skeleton, const PartSkeleton *parts) {
 	}
 }
 
+glm::vec3 PartSkeleton::second_bend(const TipState &tip, const StemSecond &second) const {
+	if (!constants || constants->modes < 2) {
+		return glm::vec3(0.0f);
+	}
+	const glm::vec2 bend = stem_state(*constants, tip, stem.rest, second).place[1] * constants->mode[1].tip_slope;
+	return turned({ bend.x, 0.0f, bend.y }, stem.rest);
+}
+
 bool PartSkeleton::is_calm() const {
 	return glm::distance(stem.bend, stem.rest) < CALM_BEND && glm::length(stem.rate) < CALM_RATE &&
 			glm::length(stem.second) < CALM_RATE;

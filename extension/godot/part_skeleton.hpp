@@ -2,6 +2,7 @@
 
 #include "mesh/form_bones.hpp"
 #include "motion/part_bend.hpp"
+#include "motion/stem_state.hpp"
 #include "sampled_plant.hpp"
 #include "stem/stem_bones.hpp"
 
@@ -39,6 +40,10 @@ public:
 	glm::vec3 arm(const glm::vec3 &direction, float share) const;
 	/// Other constants for as many joints.
 	void set_stem(const std::shared_ptr<const StemConstants> &stem_constants) { constants = stem_constants; }
+
+	/// What of a stem that points and moves so is its second mode, as MotionPage::second_bend(); all in the plant's
+	/// axes.
+	glm::vec3 second_bend(const TipState &tip, const StemSecond &second) const;
 
 	/// Tells the node.
 	void pose(godot::Skeleton3D *skeleton);

@@ -44,6 +44,13 @@ void PlantBone::follow(const Step &step) {
 	parts->stem.second = { second.x, second.z };
 }
 
+glm::vec3 PlantBone::second_bend(const TipState &tip, const StemSecond &second) const {
+	const auto own = [this](const glm::vec3 &v) { return to_glm(to_local.xform(to_godot(v))); };
+	const glm::vec3 bend =
+			parts->second_bend({ own(tip.direction), own(tip.rate) }, { own(second.bend), own(second.rate) });
+	return to_glm(to_local.xform_inv(to_godot(bend)));
+}
+
 void PlantBone::show_local(const glm::vec3 &local) {
 	if (way == Way::NODE && !may_leave_node()) {
 		turn_to_local(local);

@@ -47,6 +47,8 @@ struct PlantBone {
 		glm::vec3 second; ///< MotionPage::second_bend().
 	};
 	void follow(const Step &step);
+	/// Of a plant with parts that is on no page: MotionPage::second_bend() of a stem that moves so.
+	glm::vec3 second_bend(const TipState &tip, const StemSecond &second) const;
 	/// Turns the bone to `direction` (unit), in every frame. Nothing where it points there already, within what can be
 	/// seen, and no part swings. `step()` tells the last step and is asked where parts need it.
 	template <typename AskStep> void show(const glm::vec3 &direction, const AskStep &step) {

@@ -193,7 +193,7 @@ void PlantMotion::pose_now(const glm::vec3 &rest) {
 	if (shown.parts) {
 		const float step = float(PlantSimulation::get_singleton()->get_step_length());
 		const PlantGroup *in = group();
-		const glm::vec3 second = in ? in->page.second_bend(index(), 1.0f) : glm::vec3(0.0f);
+		const glm::vec3 second = in ? in->page.second_bend(index(), 1.0f) : shown.second_bend(now.now, now.second);
 		shown.follow({ to_frame(frame(), now.before), direction, step, shown.parts->stem.clock, second });
 		shown.posed = glm::vec3(NAN);
 	}

@@ -4,6 +4,8 @@ extends "res://tests/engine/picture_harness.gd"
 const STEP := 1.0 / 60.0
 ## Of an outline of some 400 pixels, of tips at 77 degrees: bones are so near to the shader.
 const MOST_OF_STEMS := 100
+const LEAST_OF_SECOND := 40
+const STEPS_OF_BLOW := 9
 
 var _field: PlantField3D
 var _wind: PlantWind
@@ -92,11 +94,83 @@ func test_a_reed_in_air() -> void:
 			check(different > 2 * MOST_OF_STEMS, "%d differ from newtons' shape" % different)
 
 
+## Waves as quick as its second mode.
+func test_a_follower_of_two_modes() -> void:
+	var id := await _add_follower()
+	_wind.kind = PlantWind.KIND_WAVES
+	_wind.strength = 3.0
+	_wind.frequency = 3.4
+	for i in 240:
+		_field._preview(STEP, _wind)
+	var in_field := await picture()
+	var state := _field.get_motion_state([id])
+	var plant := await _hide_for_twin(id)
+	plant.set_motion_state(_in_axes_of(plant, state))
+	await _check_modes(plant, in_field, await picture())
+
+
+func test_a_follower_of_two_modes_that_was_pushed() -> void:
+	var id := await _add_follower()
+	_wind.strength = 0.0
+	_field._preview(STEP, _wind)
+	var blow := Vector3(0.12, 0.0, -0.08)
+	check_equal(_field.apply_impulse_in_sphere(_field.global_position, 1.0, blow), 1, "blown")
+	for i in STEPS_OF_BLOW:
+		_field._preview(STEP, _wind)
+	var in_field := await picture()
+	var plant := await _hide_for_twin(id)
+	plant._preview(STEP, _wind)
+	plant.apply_impulse(blow)
+	for i in STEPS_OF_BLOW:
+		plant._preview(STEP, _wind)
+	await frames(2)
+	await _check_modes(plant, in_field, await picture())
+
+
 func test_a_tulip_of_parts() -> void:
 	var species: PlantFunction = load("res://addons/undergrowth/species/garden_tulip.tres")
 	species = species.duplicate()
 	species.law = PlantFunction.LAW_STEM
 	await _compare(species, Transform3D(Basis(Vector3.UP, 0.7).scaled(Vector3.ONE * 2.5)), 25, 0.8)
+
+
+func _add_follower() -> int:
+	_field.prototypes = 1
+	await settled(_field)
+	var species := _reed()
+	species.lean = 0.0  # Else it would rest as its prototype does.
+	species.natural_frequency = 0.6
+	species.damping_ratio = 0.02
+	species.stem.modes = 2
+	return _field.add_plants([Transform3D(Basis(Vector3.UP, 0.7))], species)[0]
+
+
+func _hide_for_twin(id: int) -> Plant3D:
+	_field.hide()
+	var place := _field.global_transform * _field.get_plant_transform(id)
+	return await make_twin(_field, id, _field.get_plant_species(id), place, 0)
+
+
+func _in_axes_of(plant: Plant3D, state: PackedFloat32Array) -> PackedFloat32Array:
+	var own := PackedFloat32Array()
+	for part in range(0, 12, 3):
+		var v := Vector3(state[part], state[part + 1], state[part + 2]) * plant.global_basis
+		own.append_array([v.x, v.y, v.z])
+	return own
+
+
+## It shows both modes, and what it would show of the tip's bend in a steady wind is not that.
+func _check_modes(plant: Plant3D, in_field: Image, alone: Image) -> void:
+	check(count_different(in_field, empty_picture()) > LEAST_PLANT, "a plant is drawn")
+	var different := count_different(in_field, alone)
+	check(different <= MOST_OF_STEMS, "%d pixels differ" % different)
+	plant.set_motion_state(plant.get_motion_state().slice(0, 6))
+	await frames(2)
+	var of_one := count_different(alone, await picture())
+	check(
+		of_one > 3 * maxi(different, LEAST_OF_SECOND),
+		"%d differ from one mode, %d from both" % [of_one, different]
+	)
 
 
 func _reed() -> PlantFunction:

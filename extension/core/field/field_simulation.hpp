@@ -78,7 +78,7 @@ public:
 	/// Whether somebody looks at a page from near. Stems of two modes (StemConstants::modes) step both while that is
 	/// so, and while bodies, blows or contact push plants of their page, and LoosePlants::ALONE after it; then they go
 	/// back, within LoosePlants::GOING_BACK, to the one that is half the work. Who is pushed has the second at once,
-	/// who is seen from near bit by bit. Followers have one.
+	/// who is seen from near bit by bit. Followers show as many as their stems have.
 	void set_page_near(int page, bool is_near) { beat(page).is_near = is_near; }
 	/// In which of the steps of its interval a page is due; its number, unless this says otherwise. Pages whose poses
 	/// are sent together are best due together. Before the page's first step.
@@ -132,9 +132,8 @@ public:
 	/// A place on a plant as it is drawn (m), from its root (share 0) to its tip (1).
 	glm::vec3 shown_point(int page, int index, float share, float fraction) const;
 	/// At the end of its page's last step. Of a follower: what it shows at the end of the present one.
-	TipState state(int page, int index) const;
-	/// Of its stem; zeros where that steps one mode.
-	StemSecond second(int page, int index) const { return at(page).page.second(index); }
+	MotionState motion(int page, int index) const;
+	TipState state(int page, int index) const { return motion(page, index).tip; }
 	/// As MotionPage::set_state(), of plants that swing; with a second mode that moves, their page steps it.
 	void set_state(int page, int index, const TipState &state, const StemSecond &second);
 	/// A blow on the tip (N·s): changes the velocity by impulse/mass.
@@ -234,9 +233,14 @@ private:
 	void follower_changed(Entry &entry);
 	int count_of_species(int species) const;
 	glm::vec3 nearest_on_plant(int page, int index, const glm::vec3 &point) const;
+	/// Whether a second mode of its stems has bends of its own.
+	bool shows_seconds(const Entry &entry) const;
 	BendWay shown_way(int page, int index, float fraction) const;
-	BendWay followed_way(const Entry &entry, int index, float fraction) const;
-	void push_follower(Entry &entry, int index, const TipState &state);
+	BendWay mode_way(int mode, int page, int index, float fraction) const;
+	BendWay followed_way(int mode, const Entry &entry, int index, float fraction) const;
+	ModeBends shown_modes(int page, int index, float fraction) const;
+	ModeBends followed_modes(const Entry &entry, int index) const;
+	void push_follower(Entry &entry, int index, const MotionState &state);
 	void follow_again(Entry &entry, int index);
 	void step_loose();
 	void push_followers(int page, const MovingBody &body);

@@ -79,19 +79,28 @@ int FieldSimulation::count_of_species(int species) const {
 	return plants;
 }
 
-/// What a plant shows that does not swing by itself.
-BendWay FieldSimulation::followed_way(const Entry &entry, int index, float fraction) const {
+/// What a plant shows of a mode that does not swing by itself.
+BendWay FieldSimulation::followed_way(int mode, const Entry &entry, int index, float fraction) const {
 	const Follower &follower = entry.followers[static_cast<std::size_t>(index)];
 	const Prototypes &model = models[static_cast<std::size_t>(entry.page.species())];
 	const glm::vec3 root = entry.page.root(index);
 	const auto own = static_cast<float>(follower.own_delay);
-	const BendWay after = model.way(follower.prototype, own + delays.after().at(root.x, root.z), fraction);
+	const BendWay after = model.way(mode, follower.prototype, own + delays.after().at(root.x, root.z), fraction);
 	const float share = delays.share(fraction);
 	if (share >= 1.0f) {
 		return after;
 	}
-	const BendWay before = model.way(follower.prototype, own + delays.before().at(root.x, root.z), fraction);
+	const BendWay before = model.way(mode, follower.prototype, own + delays.before().at(root.x, root.z), fraction);
 	return { glm::mix(before.bend, after.bend, share), glm::mix(before.change, after.change, share) };
+}
+
+/// What it would show now, if it did not swing by itself.
+ModeBends FieldSimulation::followed_modes(const Entry &entry, int index) const {
+	ModeBends bends = { followed_way(0, entry, index, 1.0f).bend, {} };
+	if (shows_seconds(entry)) {
+		bends.second = followed_way(1, entry, index, 1.0f).bend;
+	}
+	return bends;
 }
 
 void FieldSimulation::take_motion(int page, int index, const FieldSimulation &from, int from_page, int from_index) {
@@ -103,12 +112,12 @@ void FieldSimulation::take_motion(int page, int index, const FieldSimulation &fr
 	entry.page.take_motion(index, before.page, from_index);
 	const bool follows = !entry.page.swings() && !before.page.swings();
 	if (follows && before.followers[static_cast<std::size_t>(from_index)].loose > 0) {
-		push_follower(entry, index, from.state(from_page, from_index));
+		push_follower(entry, index, from.motion(from_page, from_index));
 	}
 }
 
 /// From now on it swings by itself; where too many do, it goes on following.
-void FieldSimulation::push_follower(Entry &entry, int index, const TipState &state) {
+void FieldSimulation::push_follower(Entry &entry, int index, const MotionState &state) {
 	LoosePlants &some = loose_of(entry);
 	Follower &follower = entry.followers[static_cast<std::size_t>(index)];
 	if (follower.loose > 0) {
@@ -123,7 +132,7 @@ void FieldSimulation::push_follower(Entry &entry, int index, const TipState &sta
 	plant.length = entry.page.length(index);
 	plant.rest = models[static_cast<std::size_t>(entry.page.species())].rest(follower.prototype);
 	const int page = number_of(entry);
-	const int number = some.add(plant, page, index, state, shown_direction(page, index, 0.0f));
+	const int number = some.add(plant, page, index, state, shown_modes(page, index, 0.0f));
 	follower.loose = static_cast<uint16_t>(number + 1);
 	follower_changed(entry);
 }
@@ -158,8 +167,8 @@ void FieldSimulation::step_loose() {
 		for (int number = some.count() - 1; number >= 0; number--) {
 			Entry &entry = at(some.page_of(number));
 			const int index = some.index_of(number);
-			const glm::vec2 followed = some.goes_back(number) ? followed_way(entry, index, 1.0f).bend : glm::vec2(0.0f);
-			if (some.grow_older(number, from_stereographic(followed)) >= 1.0f) {
+			const ModeBends followed = some.goes_back(number) ? followed_modes(entry, index) : ModeBends();
+			if (some.grow_older(number, followed) >= 1.0f) {
 				follow_again(entry, index);
 			}
 		}
@@ -228,7 +237,7 @@ void FieldSimulation::stir_followers() {
 		if (own > 0) {
 			loose_of(entry).hold(own - 1);
 		} else {
-			push_follower(entry, index, state(number_of(entry), index));
+			push_follower(entry, index, motion(number_of(entry), index));
 		}
 	});
 	stir_turn = (stir_turn + 1) % STIR_TURNS;
@@ -241,17 +250,17 @@ void FieldSimulation::push_followers(int page, const MovingBody &body) {
 	Entry &entry = at(page);
 	const float thickness = std::max(entry.page.collision_radius(), 0.0f);
 	for_each_in_reach(entry.page, body, [&](int index) {
-		TipState pushed = state(page, index);
+		MotionState pushed = motion(page, index);
 		if (entry.page.law() == Law::stem) {
-			const StemConstants &stem = entry.page.stem_constants();
+			const StemConstants &stem = models[static_cast<std::size_t>(entry.page.species())].stem_constants();
 			const glm::vec2 calm = rest_bend(page, index);
-			StemState bent = stem_state(stem, pushed, calm);
+			StemState bent = stem_state(stem, pushed.tip, calm, pushed.second);
 			if (push_plant(stem, bent, calm, entry.page.root(index), entry.page.length(index), thickness, body)) {
-				push_follower(entry, index, tip_state(stem, bent, calm));
+				push_follower(entry, index, { tip_state(stem, bent, calm), second_of(stem, bent, calm) });
 			}
 			return;
 		}
-		if (push_plant(pushed, entry.page.root(index), entry.page.length(index), thickness, body)) {
+		if (push_plant(pushed.tip, entry.page.root(index), entry.page.length(index), thickness, body)) {
 			push_follower(entry, index, pushed);
 		}
 	});

@@ -67,7 +67,12 @@ float FieldSimulation::alpha(int page, float fraction) const {
 	return std::clamp(steps / static_cast<float>(own.interval), 0.0f, 1.0f);
 }
 
-BendWay FieldSimulation::shown_way(int page, int index, float fraction) const {
+bool FieldSimulation::shows_seconds(const Entry &entry) const {
+	return entry.page.swings() ? entry.page.has_second_bends()
+							   : models[static_cast<std::size_t>(entry.page.species())].modes() == 2;
+}
+
+BendWay FieldSimulation::mode_way(int mode, int page, int index, float fraction) const {
 	const Entry &entry = at(page);
 	const MotionPage *swinging = &entry.page;
 	int row = index;
@@ -77,14 +82,24 @@ BendWay FieldSimulation::shown_way(int page, int index, float fraction) const {
 	} else {
 		row = entry.followers[static_cast<std::size_t>(index)].loose - 1;
 		if (row < 0) {
-			return followed_way(entry, index, fraction);
+			return followed_way(mode, entry, index, fraction);
 		}
 		swinging = &loose[static_cast<std::size_t>(entry.page.species())].page();
 	}
-	BendWay way = bend_way(swinging->bends() + 2 * row, share);
-	if (swinging->has_second_bends()) { // The tip's bend is that of both modes.
-		const BendWay second = bend_way(swinging->second_bends() + 2 * row, share);
-		const glm::vec2 calm = swinging->rest_bend(row);
+	return bend_way((mode == 0 ? swinging->bends() : swinging->second_bends()) + 2 * row, share);
+}
+
+ModeBends FieldSimulation::shown_modes(int page, int index, float fraction) const {
+	const bool has_second = shows_seconds(at(page));
+	return { mode_way(0, page, index, fraction).bend,
+		has_second ? mode_way(1, page, index, fraction).bend : glm::vec2(0.0f) };
+}
+
+BendWay FieldSimulation::shown_way(int page, int index, float fraction) const {
+	BendWay way = mode_way(0, page, index, fraction);
+	if (shows_seconds(at(page))) { // The tip's bend is that of both modes.
+		const BendWay second = mode_way(1, page, index, fraction);
+		const glm::vec2 calm = rest_bend(page, index);
 		way.bend = out_of_rest(into_rest(way.bend, calm) + second.bend, calm);
 		way.change += second.change;
 	}
@@ -98,8 +113,8 @@ StemMotion FieldSimulation::shown_stem(int page, int index, float fraction) cons
 	stem.rate = way.change / rate_time(page);
 	stem.rest = rest_bend(page, index);
 	const MotionPage &plants = at(page).page;
-	if (plants.has_second_bends()) {
-		stem.second = bend_way(plants.second_bends() + 2 * index, alpha(page, fraction)).bend;
+	if (shows_seconds(at(page))) {
+		stem.second = mode_way(1, page, index, fraction).bend;
 	} else if (plants.most_modes() == 2) {
 		stem.second = (1.0f - first_share(plants.whole_stem())) * into_rest(stem.bend, stem.rest);
 	}
@@ -117,17 +132,22 @@ glm::vec2 FieldSimulation::rest_bend(int page, int index) const {
 	return stereographic(encode_bend(rest(page, index)));
 }
 
-TipState FieldSimulation::state(int page, int index) const {
+MotionState FieldSimulation::motion(int page, int index) const {
 	const Entry &entry = at(page);
 	if (entry.page.swings()) {
-		return entry.page.state(index);
+		return { entry.page.state(index), entry.page.second(index) };
 	}
+	const auto species = static_cast<std::size_t>(entry.page.species());
 	const Follower &shown = entry.followers[static_cast<std::size_t>(index)];
 	if (shown.loose > 0) {
-		return loose[static_cast<std::size_t>(entry.page.species())].shown_state(shown.loose - 1);
+		return loose[species].shown_state(shown.loose - 1);
+	}
+	if (shows_seconds(entry)) {
+		return motion_between(models[species].stem_constants(), shown_modes(page, index, 0.0f),
+				shown_modes(page, index, 1.0f), rest_bend(page, index), options.step);
 	}
 	const glm::vec3 now = shown_direction(page, index, 1.0f);
-	return safe_state({ now, (now - shown_direction(page, index, 0.0f)) / options.step });
+	return { safe_state({ now, (now - shown_direction(page, index, 0.0f)) / options.step }), {} };
 }
 
 void FieldSimulation::apply_impulse(int page, int index, const glm::vec3 &impulse) {
@@ -140,15 +160,15 @@ void FieldSimulation::apply_impulse(int page, int index, const glm::vec3 &impuls
 		plants.apply_impulse(index, impulse);
 		return;
 	}
-	TipState pushed = state(page, index);
+	MotionState pushed = motion(page, index);
 	if (plants.law() == Law::stem) {
+		const StemConstants &stem = models[static_cast<std::size_t>(plants.species())].stem_constants();
 		const glm::vec2 calm = rest_bend(page, index);
-		StemState blown = stem_state(plants.stem_constants(), pushed, calm);
-		blow_on_stem(plants.stem_constants(), blown, 1.0f, turned(impulse, -calm),
-				plants.stem_constants().length / plants.length(index));
-		pushed = tip_state(plants.stem_constants(), blown, calm);
+		StemState blown = stem_state(stem, pushed.tip, calm, pushed.second);
+		blow_on_stem(stem, blown, 1.0f, turned(impulse, -calm), stem.length / plants.length(index));
+		pushed = { tip_state(stem, blown, calm), second_of(stem, blown, calm) };
 	} else {
-		pushed.rate += impulse / (plants.mass() * plants.length(index));
+		pushed.tip.rate += impulse / (plants.mass() * plants.length(index));
 	}
 	push_follower(at(page), index, pushed);
 }

@@ -23,13 +23,10 @@ public:
 	void reserve(int plants);
 	bool is_full() const { return count() == room; }
 	int count() const { return swinging.size(); }
-	void set_species(const MotionSpecies &species) {
-		swinging.set_species(species);
-		swinging.set_modes(1);
-	}
-	/// Plant `index` of page `page`, in `state`, which came from the direction `before`; tells its number, which is
+	void set_species(const MotionSpecies &species) { swinging.set_species(species); }
+	/// Plant `index` of page `page`, in `state`, which showed the bends `before` a step ago; tells its number, which is
 	/// the former count(). Only where it is not full.
-	int add(const MotionPlant &plant, int page, int index, const TipState &state, const glm::vec3 &before);
+	int add(const MotionPlant &plant, int page, int index, const MotionState &state, const ModeBends &before);
 	/// The last one takes its number.
 	void remove(int number);
 
@@ -39,16 +36,16 @@ public:
 	bool goes_back(int number) const {
 		return static_cast<float>(places[static_cast<std::size_t>(number)].age + 1) * step_time > ALONE;
 	}
-	/// A step later than at the last push. Tells how much of `followed`, the unit direction that its prototype shows,
-	/// it shows from now on (0 to 1), and shows it.
-	float grow_older(int number, const glm::vec3 &followed);
+	/// A step later than at the last push. Tells how much of `followed`, which its prototype shows, it shows from now
+	/// on (0 to 1), and shows it.
+	float grow_older(int number, const ModeBends &followed);
 	/// A plant that is still moved swings on by itself, from what it shows.
 	void hold(int number);
 	/// Puts a plant that was pushed into a state.
-	void push(int number, const TipState &state);
+	void push(int number, const MotionState &state);
 
 	/// What it shows, which is not its own motion alone while it goes back.
-	TipState shown_state(int number) const;
+	MotionState shown_state(int number) const;
 	int page_of(int number) const { return places[static_cast<std::size_t>(number)].page; }
 	int index_of(int number) const { return places[static_cast<std::size_t>(number)].index; }
 	/// Swinging plants with their pairs of bends as they are shown.

@@ -50,9 +50,8 @@ Prototypes::Prototypes(int species_index, const MotionSpecies &species, int coun
 		page(species_index, species, spread_plants(species, count).data(), count, step, true),
 		shortest(species.shortest),
 		longest(species.longest),
-		lean(species.lean),
-		ring(2 * static_cast<std::size_t>(SLOTS * MOST)) {
-	page.set_modes(1);
+		lean(species.lean) {
+	divide_history();
 	remember_rest();
 }
 
@@ -61,9 +60,39 @@ void Prototypes::settle() {
 	remember_rest();
 }
 
+void Prototypes::remember(int slot) {
+	for (int mode = 0; mode < modes(); mode++) {
+		std::copy(newest_bends(mode), newest_bends(mode) + 2 * count(), rings[mode].begin() + 2 * slot * MOST);
+	}
+}
+
 void Prototypes::remember_rest() {
 	for (int slot = 0; slot < SLOTS; slot++) {
-		std::copy(page.bends(), page.bends() + 2 * count(), ring.begin() + 2 * slot * MOST);
+		remember(slot);
+	}
+}
+
+/// Rings for as many modes as there are. What one mode did is shared by both, as in a steady wind, or the other way
+/// about, so that nobody who shows it jumps.
+void Prototypes::divide_history() {
+	constexpr std::size_t BENDS = 2 * static_cast<std::size_t>(SLOTS * MOST);
+	const bool had_two = !rings[1].empty();
+	rings[0].resize(BENDS);
+	if (had_two == (modes() == 2)) {
+		return;
+	}
+	rings[1].resize(BENDS);
+	for (std::size_t i = 0; i < BENDS && page.law() == Law::stem; i++) {
+		const int prototype = static_cast<int>(i / 2) % MOST;
+		if (prototype < count()) {
+			const StemBends divided =
+					bends_in_modes(page.stem_constants(), { rings[0][i], rings[1][i] }, page.rest_bend(prototype));
+			rings[0][i] = divided.first;
+			rings[1][i] = divided.second;
+		}
+	}
+	if (had_two) {
+		rings[1] = {};
 	}
 }
 
@@ -109,26 +138,26 @@ void Prototypes::set_species(const MotionSpecies &species) {
 			species.lean != lean;
 	if (!respread) {
 		page.set_species(species);
-		page.set_modes(1);
+		divide_history();
 		return;
 	}
 	const int all = count();
 	MotionPage spread(page.species(), species, spread_plants(species, all).data(), all, page.step_length(), true);
-	spread.set_modes(1);
 	for (int i = 0; i < all; i++) {
-		spread.set_state(i, page.state(i));
+		spread.set_state(i, page.state(i), page.second(i));
 	}
 	page = std::move(spread);
+	divide_history();
 	shortest = species.shortest;
 	longest = species.longest;
 	lean = species.lean;
 }
 
-BendWay Prototypes::way(int prototype, float late, float fraction) const {
+BendWay Prototypes::way(int mode, int prototype, float late, float fraction) const {
 	const float ago = late + 1.0f - fraction; // Since the step after which it looked so.
 	const float whole = std::floor(ago);
 	const int slot = (newest - static_cast<int>(whole)) & (SLOTS - 1);
-	const Bend *pair = &ring[2 * static_cast<std::size_t>(slot * MOST + prototype)];
+	const Bend *pair = &rings[mode][2 * static_cast<std::size_t>(slot * MOST + prototype)];
 	return bend_way(pair, 1.0f - (ago - whole));
 }
 
@@ -140,7 +169,7 @@ void Prototypes::step(const TravellingWind &wind, const PlantWinds &along) {
 	}
 	page.step(here, along);
 	newest = (newest + 1) & (SLOTS - 1);
-	std::copy(page.bends(), page.bends() + 2 * page.size(), ring.begin() + 2 * newest * MOST);
+	remember(newest);
 }
 
 } // namespace undergrowth

@@ -60,7 +60,11 @@ Bend encode_bend(const glm::vec3 &direction) {
 	const float scale = 1.0f / std::max(1.0f + direction.y, LEAST_HEIGHT);
 	const float x = std::clamp(direction.x * scale, -MOST, MOST);
 	const float z = std::clamp(direction.z * scale, -MOST, MOST);
-	return static_cast<Bend>(to_half(x)) | static_cast<Bend>(to_half(z)) << 16;
+	return pack_bend({ x, z });
+}
+
+Bend pack_bend(const glm::vec2 &s) {
+	return static_cast<Bend>(to_half(s.x)) | static_cast<Bend>(to_half(s.y)) << 16;
 }
 
 glm::vec2 stereographic(Bend bend) {

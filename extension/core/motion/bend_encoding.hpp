@@ -26,6 +26,8 @@ float from_half(uint16_t half);
 /// `direction`: unit; straight down becomes the largest code.
 Bend encode_bend(const glm::vec3 &direction);
 glm::vec2 stereographic(Bend bend);
+/// The code of a stereographic image.
+Bend pack_bend(const glm::vec2 &s);
 /// The unit direction whose stereographic image is `s`.
 glm::vec3 from_stereographic(const glm::vec2 &s);
 /// Unit.

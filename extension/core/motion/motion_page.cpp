@@ -183,6 +183,7 @@ void MotionPage::change_columns(const MotionSpecies &species) {
 	rows = std::move(others);
 	kind = species;
 	whole = species.stem;
+	stems = {}; // Those of other columns: the ground is known again with update_constants().
 	second_pairs.assign(has_room_for_second() ? pairs.size() : 0, 0);
 	for (int i = 0; i < size(); i++) {
 		put_rest(i, rests[static_cast<std::size_t>(i)]);
@@ -229,16 +230,9 @@ void MotionPage::put_modes(int index, const StemConstants &from) {
 
 /// Of one bend as it is drawn; the modes are those that it goes over to.
 void MotionPage::put_pair_of_modes(std::size_t bend, const glm::vec2 &rest) {
-	const glm::vec2 first = into_rest(stereographic(pairs[bend]), rest);
-	StemState whole_tip;
-	if (modes() == 1) {
-		whole_tip.place[0] = (first + stereographic(second_pairs[bend])) / kind.stem.mode[0].tip_slope;
-	} else {
-		divide_tip(kind.stem, first, whole_tip.place);
-	}
-	const StemBends now = bends_of(kind.stem, whole_tip, rest);
+	const StemBends now = bends_in_modes(kind.stem, { pairs[bend], second_pairs[bend] }, rest);
 	pairs[bend] = now.first;
-	second_pairs[bend] = modes() == 1 ? Bend(0) : now.second;
+	second_pairs[bend] = now.second;
 }
 
 /// The first goes on as it does: what followed both would feed itself.

@@ -177,6 +177,7 @@ public:
 	Bend *bends() { return pairs.data(); }
 	/// Of the second mode: its part of the tip's bend in the frame of the rest, as many.
 	const Bend *second_bends() const { return second_pairs.data(); }
+	Bend *second_bends() { return second_pairs.data(); }
 
 	/// The box (m) that holds all roots and every place that a tip can reach.
 	const glm::vec3 &low() const { return box_low; }

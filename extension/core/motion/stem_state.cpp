@@ -87,11 +87,14 @@ StemState safe_stem(const StemConstants &stem, const StemState &state) {
 }
 
 StemBends bends_of(const StemConstants &stem, const StemState &state, const glm::vec2 &rest) {
-	const auto packed = [](const glm::vec2 &bend) {
-		return static_cast<Bend>(to_half(bend.x)) | static_cast<Bend>(to_half(bend.y)) << 16;
-	};
-	return { packed(out_of_rest(state.place[0] * stem.mode[0].tip_slope, rest)),
-		packed(state.place[1] * stem.mode[1].tip_slope) };
+	return { pack_bend(out_of_rest(state.place[0] * stem.mode[0].tip_slope, rest)),
+		pack_bend(state.place[1] * stem.mode[1].tip_slope) };
+}
+
+StemBends bends_in_modes(const StemConstants &stem, const StemBends &bends, const glm::vec2 &rest) {
+	StemState state;
+	divide_tip(stem, into_rest(stereographic(bends.first), rest) + stereographic(bends.second), state.place);
+	return bends_of(stem, state, rest);
 }
 
 void divide_tip(const StemConstants &stem, const glm::vec2 &tip, glm::vec2 *modes) {
@@ -113,6 +116,19 @@ StemSecond second_of(const StemConstants &stem, const StemState &state, const gl
 	const glm::vec2 bend = beyond_share(stem, state.place);
 	const glm::vec2 rate = beyond_share(stem, state.rate);
 	return { turned({ bend.x, 0.0f, bend.y }, rest), turned({ rate.x, 0.0f, rate.y }, rest) };
+}
+
+MotionState motion_between(
+		const StemConstants &stem, const ModeBends &before, const ModeBends &now, const glm::vec2 &rest, float step) {
+	const glm::vec2 was[] = { into_rest(before.first, rest), before.second };
+	const glm::vec2 is[] = { into_rest(now.first, rest), now.second };
+	StemState state;
+	for (int k = 0; k < stem.modes; k++) {
+		state.place[k] = is[k] / stem.mode[k].tip_slope;
+		state.rate[k] = (is[k] - was[k]) / (step * stem.mode[k].tip_slope);
+	}
+	state = safe_stem(stem, state);
+	return { tip_state(stem, state, rest), second_of(stem, state, rest) };
 }
 
 /// Gives the second mode more of the tip's bend, or of its rate, and the first less.

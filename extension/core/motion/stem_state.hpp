@@ -63,6 +63,21 @@ struct StemBends {
 };
 StemBends bends_of(const StemConstants &stem, const StemState &state, const glm::vec2 &rest);
 
+/// Bends of one mode (`second` is 0) or two, as `stem` shows them: whose modes are both have those that a steady wind
+/// gives the same tip, whose is one has the tip.
+StemBends bends_in_modes(const StemConstants &stem, const StemBends &bends, const glm::vec2 &rest);
+
+/// What bends of all modes are of the tip's bend: the first one's in the axes around, the second one's in the frame of
+/// the rest, as StemBends has them.
+struct ModeBends {
+	glm::vec2 first = { 0.0f, 0.0f };
+	glm::vec2 second = { 0.0f, 0.0f };
+};
+
+/// How a stem moves that went from `before` to `now` in `step` seconds.
+MotionState motion_between(
+		const StemConstants &stem, const ModeBends &before, const ModeBends &now, const glm::vec2 &rest, float step);
+
 /// No mode is faster, over its frequency (rad/s).
 inline constexpr float MOST_STEM_RATE = 6.0f;
 

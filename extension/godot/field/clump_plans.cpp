@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 using namespace godot;
 
@@ -125,9 +126,7 @@ static void add_plant(const FieldStyle &style, const Member &member, ClumpPlan &
 	plan.box = plan.count == 0 ? box : plan.box.merge(box);
 	plan.roots = plan.count == 0 ? root : plan.roots.merge(root);
 	plan.count++;
-	for (size_t i = size_t(std::ceil(member.rank * RANK_STEPS)); i < plan.kept.size(); i++) {
-		plan.kept[i]++;
-	}
+	plan.kept[size_t(std::ceil(member.rank * RANK_STEPS))]++;
 }
 
 // By rank, so that whoever is left away far from the eye is at the end.
@@ -140,6 +139,7 @@ static ClumpPlan make_plan(const FieldStyle &style, const MembersByMesh::key_typ
 	for (const Member &member : members) {
 		add_plant(style, member, plan);
 	}
+	std::partial_sum(plan.kept.begin(), plan.kept.end(), plan.kept.begin());
 	return plan;
 }
 
@@ -151,27 +151,54 @@ static float rank_of(const PlantBlock &block, int slot) {
 	return plant_rank(filled_plant_id(root.x, root.z, block.spacing));
 }
 
-static void add_block(const FieldStyle &style, const DrawnBlock &drawn, int level, const std::vector<Squares> &squares,
-		MembersByMesh &members) {
+// Of all plants of a block, the same at all levels.
+static std::vector<float> all_ranks(const PlantBlock &block) {
+	std::vector<float> ranks(size_t(block.size()));
+	for (int slot = 0; slot < block.size(); slot++) {
+		ranks[size_t(slot)] = rank_of(block, slot);
+	}
+	return ranks;
+}
+
+// A block's squares are few: each is looked up once.
+static void add_block(const FieldStyle &style, const DrawnBlock &drawn, const std::vector<float> &ranks, int level,
+		const std::vector<Squares> &squares, MembersByMesh &members) {
 	const PlantBlock &block = *drawn.block;
 	const FieldLook &look = style.looks[size_t(block.species)];
 	const int groups = int(look.meshes[size_t(level)].size());
 	const FieldLevel &seen = style.levels[size_t(level)];
 	const Squares own = block.is_added ? Squares{ seen.tile_factor, seen.tile_cuts } : squares[size_t(block.species)];
+	std::vector<std::vector<Member> *> found(size_t(own.cuts * own.cuts * groups), nullptr);
 	for (int slot = 0; slot < block.size(); slot++) {
-		if (!block.is_gone(slot)) {
-			const int group = int(block.plants.variant[size_t(slot)] % look.variants.size()) % groups;
-			const ClumpPlace place = place_of(style, level, drawn, own, block.root(slot));
-			members[{ place, block.species, group }].push_back({ rank_of(block, slot), &drawn, slot });
+		if (block.is_gone(slot)) {
+			continue;
 		}
+		const int group = int(block.plants.variant[size_t(slot)] % look.variants.size()) % groups;
+		const ClumpPlace place = place_of(style, level, drawn, own, block.root(slot));
+		std::vector<Member> *&there = found[size_t(std::max(place.part, 0) * groups + group)];
+		if (!there) {
+			there = &members[{ place, block.species, group }];
+		}
+		there->push_back({ ranks[size_t(slot)], &drawn, slot });
 	}
 }
 
-std::vector<ClumpPlan> plan_level(const FieldStyle &style, const std::vector<DrawnBlock> &blocks, int level) {
+using Ranks = std::vector<std::vector<float>>; // By block.
+
+static Ranks ranks_of(const std::vector<DrawnBlock> &blocks) {
+	Ranks ranks;
+	for (const DrawnBlock &block : blocks) {
+		ranks.push_back(all_ranks(*block.block));
+	}
+	return ranks;
+}
+
+static std::vector<ClumpPlan> plan_level(
+		const FieldStyle &style, const std::vector<DrawnBlock> &blocks, const Ranks &ranks, int level) {
 	MembersByMesh by_mesh;
 	const std::vector<Squares> squares = all_squares(style, level, blocks);
-	for (const DrawnBlock &block : blocks) {
-		add_block(style, block, level, squares, by_mesh);
+	for (size_t i = 0; i < blocks.size(); i++) {
+		add_block(style, blocks[i], ranks[i], level, squares, by_mesh);
 	}
 	std::vector<ClumpPlan> plans;
 	for (auto &[mesh, members] : by_mesh) {
@@ -180,10 +207,15 @@ std::vector<ClumpPlan> plan_level(const FieldStyle &style, const std::vector<Dra
 	return plans;
 }
 
+std::vector<ClumpPlan> plan_level(const FieldStyle &style, const std::vector<DrawnBlock> &blocks, int level) {
+	return plan_level(style, blocks, ranks_of(blocks), level);
+}
+
 std::vector<ClumpPlan> plan_clumps(const FieldStyle &style, const std::vector<DrawnBlock> &blocks) {
 	std::vector<ClumpPlan> plans;
+	const Ranks ranks = ranks_of(blocks);
 	for (int level = 0; level < int(style.levels.size()); level++) {
-		for (ClumpPlan &plan : plan_level(style, blocks, level)) {
+		for (ClumpPlan &plan : plan_level(style, blocks, ranks, level)) {
 			plans.push_back(std::move(plan));
 		}
 	}

@@ -207,15 +207,25 @@ void CpuMotion::write_all() {
 void CpuMotion::add_species(const FieldLook &look) {
 	wait();
 	simulation->add_species(look.motion);
-	textures->give_history(simulation->species_count());
+	textures->give_history(*simulation);
 	if (simulation->time() > 0.0) {
 		textures->write_history(*simulation, true);
 	}
 }
 
+int CpuMotion::modes_of_prototypes(int species) const {
+	const Prototypes *models = simulation->prototypes(species);
+	return models ? models->modes() : 0;
+}
+
 void CpuMotion::set_species(int index, const FieldLook &look, const PlantStore &store, bool is_still) {
 	wait();
+	const int modes_before = modes_of_prototypes(index);
 	simulation->set_species(index, look.motion);
+	if (modes_of_prototypes(index) != modes_before) {
+		textures->give_history(*simulation);
+		textures->write_history(*simulation, true);
+	}
 	for (int number = 0; number < store.block_count(); number++) {
 		const PlantBlock &block = store.block(number);
 		if (block.size() == 0 || block.species != index) {

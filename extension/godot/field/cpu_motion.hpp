@@ -54,7 +54,7 @@ public:
 	godot::RID blend_texture() const override { return textures ? textures->blends() : godot::RID(); }
 	godot::RID beat_texture() const override { return textures ? textures->beats() : godot::RID(); }
 	float swing_clock() const override { return swings.now(shown_alpha); }
-	godot::Vector3 history_of(int species) const override;
+	godot::Vector4 history_of(int species) const override;
 	bool follows_prototypes() const override { return textures && textures->follows(); }
 	Delays follower_delays(const godot::Transform3D &axes) const override;
 
@@ -98,6 +98,7 @@ private:
 	int row_of(const PlantPlace &place) const { return rows_of(place.block).first + place.slot; }
 	void begin_clock();
 	void write_all();
+	int modes_of_prototypes(int species) const; ///< 0: it has none.
 	void grow(const ChangeSet::Grown &grown, const PlantStore &store, const FieldStyle &style);
 	void take_in(int block, PreparedCpuBlock &prepared);
 	void drop(int page, int row);

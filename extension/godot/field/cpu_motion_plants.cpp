@@ -35,7 +35,7 @@ void CpuMotion::settle() {
 MotionState CpuMotion::read_state_now(const PlantPlace &place) {
 	wait();
 	const int page = rows_of(place.block).page;
-	return { simulation->state(page, row_of(place)), simulation->second(page, row_of(place)) };
+	return simulation->motion(page, row_of(place));
 }
 
 glm::vec3 CpuMotion::read_tip_now(const PlantPlace &place) {

@@ -169,10 +169,14 @@ bool CpuMotion::upload() {
 	return are_new || are_first;
 }
 
-Vector3 CpuMotion::history_of(int species) const {
+Vector4 CpuMotion::history_of(int species) const {
 	const Prototypes *models = simulation->prototypes(species);
-	return models ? Vector3(float(textures->history_layer(species)), float(models->newest_slot()), shown_alpha)
-				  : Vector3(-1.0f, 0.0f, 0.0f);
+	if (!models) {
+		return Vector4(-1.0f, 0.0f, 0.0f, -1.0f);
+	}
+	const int second = models->modes() == 2 ? textures->history_layer(species, 1) : -1;
+	return Vector4(
+			float(textures->history_layer(species, 0)), float(models->newest_slot()), shown_alpha, float(second));
 }
 
 // A plane of delays in the field's axes as the shader takes it, by metre of the world.

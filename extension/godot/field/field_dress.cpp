@@ -154,7 +154,7 @@ void FieldDress::tell_of_followers(const FieldStyle &style, const FieldMotion &m
 	sent = delays;
 	has_sent = true;
 	for (size_t i = 0; i < style.looks.size(); i++) {
-		const Vector3 history = motion.history_of(int(i));
+		const Vector4 history = motion.history_of(int(i));
 		for (const Ref<ShaderMaterial> &material : style.looks[i].materials) {
 			material->set_shader_parameter("undergrowth_history", history);
 			if (are_same) {

@@ -147,7 +147,7 @@ public:
 	virtual float swing_clock() const = 0;
 	/// Where the shader finds the history of a species' prototypes: first layer, newest slot, blend; x is -1 where
 	/// plants swing by themselves.
-	virtual godot::Vector3 history_of(int species) const = 0;
+	virtual godot::Vector4 history_of(int species) const = 0;
 	virtual bool follows_prototypes() const = 0;
 	virtual Delays follower_delays(const godot::Transform3D &axes) const = 0;
 

@@ -8,6 +8,7 @@
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/variant/rid.hpp>
 
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -28,7 +29,7 @@ struct TexelRows {
 /// which one the bends of their stems' second modes, and which one how much of its height each has lost: plants of
 /// parts and stems have the one as soon as one of them does not rest upright, stems of two modes the other. Where
 /// plants follow prototypes, a texel says whom and how late instead, and each species has 16 layers for the history of
-/// its prototypes and one for plants that were pushed.
+/// its prototypes and one for plants that were pushed, and as many of second modes where its stems have two.
 class PoseTexture {
 public:
 	static constexpr int SIDE = 64;
@@ -51,8 +52,8 @@ public:
 	void release(const TexelRows &rows);
 	/// The page has come.
 	void give_reserved(int page, const TexelRows &rows);
-	/// Makes room for the history of all species of a simulation.
-	void give_history(int species_count);
+	/// Makes room for the history of all species of a simulation, in as many modes as they have now.
+	void give_history(const FieldSimulation &simulation);
 	/// Whether the layers are more than a graphics card has.
 	bool is_too_large() const;
 	/// Where the shader finds plants of a page.
@@ -93,8 +94,8 @@ public:
 	godot::RID poses() const { return texture; }
 	godot::RID blends() const { return blend_texture; }
 	godot::RID beats() const { return beat_texture; }
-	/// First layer of a species' history, or -1.
-	int history_layer(int species) const;
+	/// First layer of a species' history in a mode, or -1.
+	int history_layer(int species, int mode) const;
 	bool follows() const { return follows_prototypes; }
 
 private:
@@ -116,7 +117,8 @@ private:
 	std::vector<uint8_t> is_fresh; ///< By layer: written and not yet sent.
 	std::vector<Page> pages; ///< By the simulation's numbers.
 	bool has_new_rows = false; ///< Pages whose beat was not sent.
-	std::vector<int> histories; ///< By species: their first layers.
+	using History = std::array<int, MOST_STEM_MODES>; ///< By mode: its first layer, or -1.
+	std::vector<History> histories; ///< By species.
 	godot::Ref<godot::Image> blend_image;
 	std::vector<float> shares; ///< What `blend_image` holds.
 	godot::Ref<godot::Image> beat_image;
@@ -142,6 +144,7 @@ private:
 	void write_hidden(const Page &page);
 	void forget_heights(const Rows &rows);
 	void write_followers(const FieldSimulation &simulation, int page);
+	void write_models(const Prototypes &models, int mode, int first, bool all);
 	void write_layer(int layer, const Bend *from, int pairs, int first);
 	void upload_layers();
 	void upload_blends(const FieldSimulation &simulation, float fraction);

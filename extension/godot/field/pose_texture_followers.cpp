@@ -15,17 +15,25 @@ static constexpr int SPECIES_LAYERS = HISTORY_LAYERS + 1; // And one of loose pl
 static_assert(LoosePlants::MOST <= PAIRS_PER_LAYER, "loose plants of a species have one layer");
 static_assert(Prototypes::MOST == PoseTexture::SIDE, "a row of a layer is a slot");
 
-void PoseTexture::give_history(int species_count) {
-	while (follows_prototypes && int(histories.size()) < species_count) {
-		histories.push_back(int(layers.size()));
-		for (int i = 0; i < SPECIES_LAYERS; i++) {
-			add_layer(false);
+void PoseTexture::give_history(const FieldSimulation &simulation) {
+	const int species_count = follows_prototypes ? simulation.species_count() : 0;
+	histories.resize(size_t(species_count), History{ -1, -1 });
+	for (int species = 0; species < species_count; species++) {
+		for (int mode = 0; mode < simulation.prototypes(species)->modes(); mode++) {
+			int &first = histories[size_t(species)][size_t(mode)];
+			if (first >= 0) {
+				continue;
+			}
+			first = int(layers.size());
+			for (int i = 0; i < SPECIES_LAYERS; i++) {
+				add_layer(false);
+			}
 		}
 	}
 }
 
-int PoseTexture::history_layer(int species) const {
-	return size_t(species) < histories.size() ? histories[size_t(species)] : -1;
+int PoseTexture::history_layer(int species, int mode) const {
+	return size_t(species) < histories.size() ? histories[size_t(species)][size_t(mode)] : -1;
 }
 
 static const std::array<uint32_t, Prototypes::SLOTS> &small_halves() {
@@ -53,19 +61,26 @@ void PoseTexture::write_followers(const FieldSimulation &simulation, int page) {
 	}
 }
 
+void PoseTexture::write_models(const Prototypes &models, int mode, int first, bool all) {
+	const Bend *history = models.history(mode);
+	for (int layer = 0; all && layer < HISTORY_LAYERS; layer++) {
+		write_layer(first + layer, history + size_t(layer) * 2 * PAIRS_PER_LAYER, PAIRS_PER_LAYER, 0);
+	}
+	const int slot = models.newest_slot();
+	write_layer(first + slot / SIDE, history + size_t(slot) * 2 * Prototypes::MOST, SIDE, slot % SIDE * SIDE);
+}
+
 void PoseTexture::write_history(const FieldSimulation &simulation, bool all) {
 	for (int species = 0; follows_prototypes && species < simulation.species_count(); species++) {
 		const Prototypes &models = *simulation.prototypes(species);
-		const int first = histories[size_t(species)];
-		for (int layer = 0; all && layer < HISTORY_LAYERS; layer++) {
-			write_layer(first + layer, models.history() + size_t(layer) * 2 * PAIRS_PER_LAYER, PAIRS_PER_LAYER, 0);
-		}
-		const int slot = models.newest_slot();
-		write_layer(
-				first + slot / SIDE, models.history() + size_t(slot) * 2 * Prototypes::MOST, SIDE, slot % SIDE * SIDE);
 		const MotionPage &loose = simulation.loose_plants(species)->page();
-		if (loose.size() > 0) {
-			write_layer(first + HISTORY_LAYERS, loose.bends(), loose.size(), 0);
+		for (int mode = 0; mode < models.modes(); mode++) {
+			const int first = history_layer(species, mode);
+			write_models(models, mode, first, all);
+			if (loose.size() > 0) {
+				const Bend *bends = mode == 0 ? loose.bends() : loose.second_bends();
+				write_layer(first + HISTORY_LAYERS, bends, loose.size(), 0);
+			}
 		}
 	}
 }

@@ -75,7 +75,7 @@ std::unique_ptr<PreparedMotion> prepare_on_cpu(const std::vector<PlantBlock> &bl
 	made->textures = std::make_unique<PoseTexture>(settings.prototypes > 0);
 	made->rows = join_into_pages(blocks);
 	add_pages(blocks, style, *made);
-	made->textures->give_history(made->simulation->species_count());
+	made->textures->give_history(*made->simulation);
 	if (settings.prototypes > 0) {
 		made->simulation->step(); // It fills the prototypes' history.
 		made->textures->write_history(*made->simulation, true);

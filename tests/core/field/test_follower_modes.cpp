@@ -1,87 +1,169 @@
-// What followers of prototypes leave away: they show one mode of stems that have two.
+// Followers of prototypes whose stems have two modes.
 
-#include "../motion/varied.hpp"
-#include "../wind/air_series.hpp"
-
-#include "motion/motion_page.hpp"
-#include "stem/stem_beam.hpp"
+#include "../stem/stems.hpp"
+#include "field_fixture.hpp"
 
 #include <doctest/doctest.h>
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <vector>
 
 using namespace undergrowth;
 
 namespace {
 
-constexpr float STEP = 1.0f / 60.0f; // s.
-constexpr double NEAR = 10.0; // m: from there on fields step one mode of stems that nobody pushes.
-/// m: a pixel at that distance, of 1080 rows that see 75 degrees.
-const double PIXEL = 2.0 * NEAR * std::tan(0.5 * 75.0 * 3.14159265358979 / 180.0) / 1080.0;
+constexpr float CLOSE = 0.01f; // m, of plants of 0.8 m: what halves leave of two modes and their way.
+constexpr int PLANTS = 20;
+constexpr float PLACES[] = { 0.3f, 0.6f, 1.0f };
 
-FieldWind wind_of(WindKind kind) {
-	FieldWind wind;
-	wind.wind.kind = kind;
-	wind.wind.strength = 1.0f;
-	wind.wind.frequency = 0.5f;
-	wind.air.speed = 9.0f;
-	wind.tiles = std::shared_ptr<const AirTiles>(&shared_tiles(), [](const AirTiles *) {});
-	return wind;
-}
-
-/// m, of places on stems of both modes and of one.
-struct Apart {
-	double most = 0.0;
-	double squares = 0.0; ///< m².
-	int count = 0;
-};
-
-/// Of stems of `length` over a minute of wind.
-Apart apart_in(WindKind kind, float length) {
-	StemBeam beam;
-	beam.length = length;
-	beam.modes = 2;
+MotionSpecies reed(int modes) {
 	MotionSpecies species;
 	species.law = Law::stem;
-	species.stem = solve_stem(beam).constants;
-	species.stem.dead_slope = 0.3f; // A newton bends a tip by 17 degrees.
-	species.stand_height = length;
+	species.stem = jointed(4, 0.3, 0.5, modes);
+	species.stem.dead_slope = 0.3f;
+	species.shortest = species.longest = 0.8f;
+	return species;
+}
+
+std::vector<MotionPlant> some_reeds() {
 	std::vector<MotionPlant> plants;
-	for (int i = 0; i < 40; i++) {
-		plants.push_back(varied_plant(i));
-		plants.back().length = length;
+	for (int i = 0; i < PLANTS; i++) {
+		plants.push_back({ chance_plant(i).root, 0.8f, { 0.0f, 1.0f, 0.0f } });
 	}
-	MotionPage both(0, species, plants.data(), 40, STEP, true), one = both;
-	one.set_modes(1);
-	const FieldWind wind = wind_of(kind);
-	Apart apart;
-	for (int step = 0; step < 3600; step++) {
-		const TravellingWind now = wind_at_time(wind, (step + 0.5) * static_cast<double>(STEP));
-		both.step(now, winds_along(wind));
-		one.step(now, winds_along(wind));
-		for (int i = 0; i < both.size() && step > 300; i++) {
-			for (const float share : { 0.25f, 0.5f, 0.75f, 1.0f }) {
-				const auto off = static_cast<double>(glm::distance(both.arm(i, share), one.arm(i, share)));
-				apart.most = std::max(apart.most, off);
-				apart.squares += off * off;
-				apart.count++;
-			}
+	return plants;
+}
+
+FieldSimulation field_of(int prototypes, int modes = 2) {
+	FieldSettings settings;
+	settings.prototypes = prototypes;
+	FieldSimulation field(settings);
+	const std::vector<MotionPlant> plants = some_reeds();
+	field.add_page(field.add_species(reed(modes)), plants.data(), PLANTS);
+	FieldWind wind = wave_wind();
+	wind.speed = 15.0f;
+	field.set_wind(wind);
+	return field;
+}
+
+std::vector<glm::vec3> places_of(const FieldSimulation &field, float fraction) {
+	std::vector<glm::vec3> places;
+	for (int i = 0; i < PLANTS; i++) {
+		for (const float share : PLACES) {
+			places.push_back(field.shown_point(0, i, share, fraction));
 		}
 	}
-	return apart;
+	return places;
+}
+
+float most_apart(const std::vector<glm::vec3> &some, const std::vector<glm::vec3> &others) {
+	float most = 0.0f;
+	for (std::size_t i = 0; i < some.size(); i++) {
+		most = std::max(most, glm::distance(some[i], others[i]));
+	}
+	return most;
+}
+
+/// Around the lower half of plant 0.
+MovingBody body_at(const FieldSimulation &field) {
+	MovingBody body;
+	body.from = body.to = field.page(0).root(0) + glm::vec3(0.05f, 0.3f, 0.0f);
+	body.radius = 0.2f;
+	return body;
+}
+
+float second_of(const FieldSimulation &field, int plant) {
+	return glm::length(field.motion(0, plant).second.bend);
 }
 
 } // namespace
 
-TEST_CASE("stems of one mode are where those of two are in a wind, within what is seen from where fields step one") {
-	for (const WindKind kind : { WindKind::air, WindKind::waves, WindKind::bursts }) {
-		for (const float length : { 0.3f, 0.6f, 1.0f }) {
-			const Apart apart = apart_in(kind, length);
-			CHECK(std::sqrt(apart.squares / apart.count) < 0.25 * PIXEL);
-			CHECK(apart.most < 1.25 * PIXEL); // Once in a minute of 40 plants.
+TEST_CASE("a follower's stem bends in both modes as one that is simulated, later by its own delay") {
+	FieldSimulation simulated = field_of(0);
+	FieldSimulation following = field_of(1);
+	simulated.set_page_near(0, true);
+	std::vector<std::vector<glm::vec3>> did;
+	float most_second = 0.0f;
+	for (int i = 0; i < 2400; i++) {
+		simulated.step();
+		following.step();
+		did.push_back(places_of(simulated, 1.0f));
+		if (i <= 2000) {
+			continue;
+		}
+		const std::vector<glm::vec3> now = places_of(following, 1.0f);
+		for (int k = 0; k < PLANTS; k++) {
+			const auto then = static_cast<std::size_t>(i - following.follower(0, k).own_delay);
+			for (std::size_t at = 3 * static_cast<std::size_t>(k); at < 3 * static_cast<std::size_t>(k) + 3; at++) {
+				REQUIRE(glm::distance(now[at], did[then][at]) < CLOSE);
+			}
+			most_second = std::max(most_second, second_of(following, k));
+		}
+	}
+	CHECK(following.prototypes(0)->modes() == 2);
+	CHECK(most_second > 0.003f);
+}
+
+TEST_CASE("a follower whose stem is pushed swings in both modes, and goes back to those of its prototype without a "
+		  "jump") {
+	FieldSimulation field = field_of(64);
+	for (int i = 0; i < 300; i++) {
+		field.step();
+	}
+	const MovingBody body = body_at(field);
+	float most_second = 0.0f;
+	const float calm_second = second_of(field, 0);
+	for (int i = 0; i < 400; i++) {
+		field.set_bodies(&body, i < 30 ? 1 : 0);
+		const std::vector<glm::vec3> before = places_of(field, 1.0f);
+		field.step();
+		most_second = std::max(most_second, second_of(field, 0));
+		if (i == 60) {
+			CHECK(field.follower(0, 0).loose > 0);
+		}
+		if (i > 30) { // Not while the body shoves.
+			REQUIRE(most_apart(places_of(field, 0.0f), before) < 3e-3f);
+		}
+	}
+	CHECK(most_second > 5.0f * calm_second);
+	CHECK(field.follower(0, 0).loose == 0);
+}
+
+TEST_CASE("a blow on a follower is one on its stem in both modes") {
+	FieldSimulation simulated = field_of(0);
+	FieldSimulation following = field_of(1);
+	FieldWind calm;
+	calm.wind.strength = 0.0f;
+	for (FieldSimulation *field : { &simulated, &following }) {
+		field->set_wind(calm);
+		field->step();
+		field->apply_impulse(0, 3, { 0.01f, 0.0f, 0.004f });
+	}
+	float most_second = 0.0f;
+	for (int i = 0; i < 90; i++) {
+		simulated.step();
+		following.step();
+		REQUIRE(most_apart(places_of(following, 1.0f), places_of(simulated, 1.0f)) < CLOSE);
+		most_second = std::max(most_second, second_of(following, 3));
+	}
+	CHECK(most_second > 0.01f);
+}
+
+TEST_CASE("followers whose stems get a second mode, or lose it, stay where they were drawn") {
+	for (const int modes : { 1, 2 }) {
+		FieldSimulation field = field_of(8, modes);
+		for (int i = 0; i < 400; i++) {
+			field.step();
+		}
+		const std::vector<glm::vec3> before = places_of(field, 1.0f);
+		field.set_species(0, reed(3 - modes));
+		CHECK(field.prototypes(0)->modes() == 3 - modes);
+		CHECK(most_apart(places_of(field, 1.0f), before) < (modes == 1 ? 2e-3f : 0.02f));
+		for (int i = 0; i < 100; i++) {
+			const std::vector<glm::vec3> last = places_of(field, 1.0f);
+			field.step();
+			REQUIRE(most_apart(places_of(field, 0.0f), last) < 3e-3f);
 		}
 	}
 }

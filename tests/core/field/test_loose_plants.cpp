@@ -59,12 +59,12 @@ TEST_CASE("a plant that was pushed goes back slowly, fast and slowly, and only o
 	LoosePlants some(0, species_of(Law::spring), FIELD_STEP);
 	some.reserve(1);
 	const glm::vec3 up = { 0.0f, 1.0f, 0.0f };
-	REQUIRE(some.add(chance_plant(1), 0, 0, { up, {} }, up) == 0);
+	REQUIRE(some.add(chance_plant(1), 0, 0, { { up, {} }, {} }, {}) == 0);
 	const int alone = static_cast<int>(LoosePlants::ALONE / FIELD_STEP + 0.5f);
 	const int back = static_cast<int>(LoosePlants::GOING_BACK / FIELD_STEP + 0.5f);
 	std::vector<float> shares;
 	for (int i = 0; i < alone + back + 5; i++) {
-		shares.push_back(some.grow_older(0, up));
+		shares.push_back(some.grow_older(0, {}));
 	}
 	for (int i = 0; i < alone - 1; i++) {
 		REQUIRE(shares[static_cast<std::size_t>(i)] == 0.0f);

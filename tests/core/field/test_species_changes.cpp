@@ -1,3 +1,4 @@
+#include "../stem/stems.hpp"
 #include "field_fixture.hpp"
 
 #include <doctest/doctest.h>
@@ -116,6 +117,26 @@ TEST_CASE("plants whose species changes its law while they move go on, and come 
 		CHECK(glm::distance(field.state(0, 0).rate, before.rate) < 1e-4f);
 		step(field, 4000);
 		CHECK(glm::distance(field.state(0, 0).direction, glm::vec3(0.0f, 1.0f, 0.0f)) < 1e-3f);
+	}
+}
+
+TEST_CASE("stems that get another number of modes while they move go on") {
+	for (const int modes : { 1, 2 }) {
+		MotionSpecies before = species_of(Law::stem), after = before;
+		before.stem = jointed(4, 0.3, 0.5, modes);
+		after.stem = jointed(4, 0.3, 0.5, 3 - modes);
+		FieldSimulation field(FieldSettings{});
+		add_plants(field, field.add_species(before), 40);
+		field.set_wind(wave_wind());
+		field.set_page_near(0, true); // All modes are stepped.
+		step(field, 120);
+		const TipState was = field.state(0, 3);
+		REQUIRE(glm::length(was.rate) > 0.1f);
+		field.set_species(0, after);
+		CHECK(glm::distance(field.state(0, 3).direction, was.direction) < 1e-4f);
+		CHECK(glm::distance(field.state(0, 3).rate, was.rate) < 1e-3f * glm::length(was.rate));
+		step(field, 1);
+		CHECK(glm::distance(field.state(0, 3).direction, was.direction) < 0.2f);
 	}
 }
 

@@ -135,12 +135,12 @@ TEST_CASE("a state with a second mode wakes it, and comes back") {
 	const StemSecond second = { turned({ 0.02f, 0.0f, -0.01f }, rest), turned({ 0.3f, 0.0f, 0.2f }, rest) };
 	field.set_state(0, 5, tip, second);
 	CHECK(field.page(0).modes() == 2);
-	CHECK(glm::distance(field.second(0, 5).bend, second.bend) < 1e-6f);
-	CHECK(glm::distance(field.second(0, 5).rate, second.rate) < 1e-5f);
+	CHECK(glm::distance(field.motion(0, 5).second.bend, second.bend) < 1e-6f);
+	CHECK(glm::distance(field.motion(0, 5).second.rate, second.rate) < 1e-5f);
 	CHECK(glm::distance(field.state(0, 5).direction, tip.direction) < 1e-5f);
 	const glm::vec3 along_sphere = tip.rate - glm::dot(tip.rate, tip.direction) * tip.direction;
 	CHECK(glm::distance(field.state(0, 5).rate, along_sphere) < 1e-5f);
-	CHECK(glm::length(field.second(0, 6).bend) < 1e-6f);
+	CHECK(glm::length(field.motion(0, 6).second.bend) < 1e-6f);
 }
 
 TEST_CASE("nothing that is seen jumps where a second mode begins or ends") {
@@ -177,7 +177,7 @@ TEST_CASE("stems that somebody comes near to take up their second mode bit by bi
 	const auto second = [](const FieldSimulation &one) {
 		float sum = 0.0f;
 		for (int i = 0; i < PAGE; i++) {
-			sum += glm::length(one.second(0, i).bend);
+			sum += glm::length(one.motion(0, i).second.bend);
 		}
 		return sum;
 	};
