@@ -41,8 +41,10 @@ def kernel_lines(rows):
 
 def edit_lines(rows):
     """What changes cost while a game goes on."""
-    return [f"{row['name']}, {row['plants']:,} plants: {row['median_ms']:.2f} ms, {row['worst_ms']:.2f} ms at worst"
+    told = [f"{row['name']}, {row['plants']:,} plants: {row['median_ms']:.2f} ms, {row['worst_ms']:.2f} ms at worst"
             for row in rows if "worst_ms" in row]
+    return told + [f"{row['name']}: {row['workers_us_per_plant']:.2f} µs of a core place and build a plant"
+                   for row in rows if "workers_us_per_plant" in row]
 
 
 def stem_lines(found):

@@ -5,11 +5,13 @@
 ## a field is done between two frames, as by the mouse. median_ms and worst_ms are what the call
 ## took of the main thread, or what is filled took of it in a frame, by the processor's time; of
 ## strokes the larger one; of rows that end in _seen until the frame that shows it is over, of
-## field_tiles until all tiles stood.
+## field_tiles until all tiles stood, where workers_us_per_plant is what placing and building them
+## took of processors.
 extends SceneTree
 
 signal frame_over
 
+const ProcessorTime := preload("res://tests/bench/processor_time.gd")
 const COUNT := 100000
 const DENSITY := 10.0
 const CUT_COUNT := 250000
@@ -180,14 +182,19 @@ func _measure_walk() -> void:
 		await frame_over
 		usec.append(field.get_statistics()["filling_usec"])
 	_add_row("field_walk", field.get_plant_count(), usec)
+	field.simulation_enabled = false  # What workers do from now on is to place and build tiles.
 	camera.position.x += 10.0 * WALK_DISTANCE
 	await frame_over
 	var start := Time.get_ticks_usec()
+	var before := ProcessorTime.spent().y
 	for i in 20:
 		await frame_over
 	while field.get_statistics()["tiles_waiting"] > 0:
 		await frame_over
+	var workers := ProcessorTime.spent().y - before
 	_add_row("field_tiles", field.get_plant_count(), [float(Time.get_ticks_usec() - start)])
+	if workers > 0.0:
+		_rows[-1]["workers_us_per_plant"] = workers / field.get_plant_count()
 	field.free()
 	camera.free()
 	await frame_over

@@ -14,6 +14,7 @@
 ## it is how much longer frames or steps take.
 extends "res://tests/bench/field_peers.gd"
 
+const ProcessorTime := preload("res://tests/bench/processor_time.gd")
 const FIELD_COUNTS: Array[int] = [1000, 10000, 100000, 1000000]
 const LADDER_COUNT := 100000
 const DENSITY := 10.0
@@ -178,17 +179,17 @@ func _measure_fill(title: String, field: PlantField3D) -> void:
 	var workers: Array[float] = []
 	var processors: Array[float] = []
 	for i in FILLS:
-		var before := _processor_usec()
+		var before := ProcessorTime.spent()
 		var start := Time.get_ticks_usec()
 		field.seed += 1  # Of other seeds: nothing has grown before.
 		await field.filled
 		times.append(Time.get_ticks_usec() - start)
-		var spent := _processor_usec() - before
+		var spent := ProcessorTime.spent() - before
 		workers.append(spent.y)
 		processors.append(spent.x + spent.y)
 		await process_frame
 	var more := {"threads": 1, "bytes_per_plant": field.get_statistics()["bytes_per_plant"]}
-	if _processor_usec() != Vector2.ZERO:
+	if ProcessorTime.spent() != Vector2.ZERO:
 		more["workers_ms"] = _median(workers) / 1000.0
 		more["processor_ms"] = _median(processors) / 1000.0
 		more.merge(await _main_thread_of_fills(field))
@@ -220,22 +221,9 @@ func _main_thread_of_fills(field: PlantField3D) -> Dictionary:
 func _main_thread_usec(goes_on: Callable) -> Array[float]:
 	var spent: Array[float] = []
 	while spent.is_empty() or goes_on.call(spent.size()):
-		var before := _processor_usec().x
+		var before := ProcessorTime.spent().x
 		await process_frame
-		spent.append(_processor_usec().x - before)
-	return spent
-
-
-## Time that processors have worked for this process: on its main thread (x), on all others (y).
-func _processor_usec() -> Vector2:
-	var spent := Vector2.ZERO
-	for thread in DirAccess.get_directories_at("/proc/self/task"):
-		var file := FileAccess.open("/proc/self/task/%s/schedstat" % thread, FileAccess.READ)
-		var usec := float(file.get_line().get_slice(" ", 0)) / 1000.0 if file else 0.0
-		if int(thread) == OS.get_process_id():
-			spent.x += usec
-		else:
-			spent.y += usec
+		spent.append(ProcessorTime.spent().x - before)
 	return spent
 
 

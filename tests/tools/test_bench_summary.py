@@ -25,6 +25,15 @@ class Lines(unittest.TestCase):
                                     row("field_frame", 1009, 1.0, renderer="forward_plus")])
         self.assertEqual(told, ["1,000 plants: a field is 200 times faster than Jolt body and pin joint"])
 
+    def test_a_difference_below_nothing_is_no_time(self):
+        told = bench_summary.lines([row("plant3d", 10000, -0.1), row("field_frame", 10001, 0.01, renderer="headless")])
+        self.assertEqual(told, [])
+
+    def test_changes_are_told_with_their_worst(self):
+        told = bench_summary.lines([row("field_tiles", 1000, 2.0, worst_ms=3.0, workers_us_per_plant=0.75)])
+        self.assertEqual(told, ["field_tiles, 1,000 plants: 2.00 ms, 3.00 ms at worst",
+                                "field_tiles: 0.75 µs of a core place and build a plant"])
+
     def test_the_ladder_is_told_for_each_renderer(self):
         told = bench_summary.lines([row("field_frame", 99938, 1.0, renderer="forward_plus"),
                                     row("field_frame_main", 99938, 0.25, renderer="forward_plus", share=0.25),
