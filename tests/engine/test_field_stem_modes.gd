@@ -41,6 +41,21 @@ func test_a_camera_wakes_the_second_mode_only_where_distance_matters() -> void:
 	check(_second_of(id) > 0.0, "second mode near a camera")
 
 
+func test_followers_get_a_second_mode_and_lose_it_again() -> void:
+	field.prototypes = 8
+	await start()
+	await step(60)
+	var id := field.get_plant_ids()[7]
+	check_equal(_second_of(id), 0.0, "second mode of stems that have one")
+	for modes: int in [2, 1, 2]:
+		var tip := field.get_tip_position(id)
+		field.species[0].species.stem.modes = modes
+		await step(1)
+		check_near(field.get_tip_position(id), tip, 0.05, "tip with %d modes" % modes)
+		await step(60)
+		check_equal(_second_of(id) > 0.0, modes == 2, "second mode of %d" % modes)
+
+
 func test_stems_of_one_material_swing_by_their_own_height_as_plants_alone_do() -> void:
 	var species := field.species[0].species
 	species.height_min = 1.0
