@@ -70,7 +70,8 @@ static Array packed(const FormArrays &from) {
 	return arrays;
 }
 
-// At every vertex the height of the plant that the mesh shows, and where the vertex is in calm air: shaders ask for both.
+// At every vertex the height of the plant that the mesh shows, and where the vertex is in calm air: shaders ask for
+// both.
 static PackedFloat32Array at_rest(const SampledPlant &sampled, const FormArrays &arrays) {
 	PackedFloat32Array all;
 	all.resize(3 * arrays.positions.size());
