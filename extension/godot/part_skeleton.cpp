@@ -60,6 +60,21 @@ std::unique_ptr<PartSkeleton> PartSkeleton::of(const SampledPlant &sampled) {
 	return made;
 }
 
+std::vector<Transform3D> PartSkeleton::at_rest(const SampledPlant &sampled) {
+	const std::unique_ptr<PartSkeleton> parts = of(sampled);
+	if (!parts) {
+		return { Transform3D(), Transform3D(Basis(quaternion_of(sampled.rest))) };
+	}
+	parts->stem.bend = sampled.rest;
+	parts->stem.rest = sampled.rest;
+	parts->update(true);
+	std::vector<Transform3D> all;
+	for (size_t i = 0; i < parts->posed.size(); i++) {
+		all.push_back(parts->posed[i] * Transform3D(Basis(), -parts->origins[i]));
+	}
+	return all;
+}
+
 void PartSkeleton::add_bone(const String &name, int parent, const Vector3 &origin) {
 	names.push_back(name);
 	parents.push_back(parent);

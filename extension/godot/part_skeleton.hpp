@@ -21,6 +21,8 @@ class PartSkeleton {
 public:
 	/// Of a plant as it was sampled for a skeleton; null where it has no such bones.
 	static std::unique_ptr<PartSkeleton> of(const SampledPlant &sampled);
+	/// What each bone of a plant, root and tip included, does in calm air to what is bound to it.
+	static std::vector<godot::Transform3D> at_rest(const SampledPlant &sampled);
 
 	/// Gives a skeleton root and tip and, where there are `parts`, their bones; those that it has already stay.
 	static void set_up(godot::Skeleton3D *skeleton, const PartSkeleton *parts);

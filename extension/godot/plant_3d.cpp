@@ -93,6 +93,7 @@ bool Plant3D::build_mesh() {
 	const String fault = species->sample(height, segments, seed, sampled);
 	sampled.has_part_bones = true;
 	sampled.stem = fault.is_empty() ? find_stem(sampled.height) : nullptr;
+	sampled.rest = species->resting_bend();
 	if (!fault.is_empty()) {
 		report_problem(describe(species.ptr()) + ": " + fault);
 		return false;

@@ -197,7 +197,8 @@ void Plant3D::on_species_changed() {
 	if (species.is_null()) {
 		return; // The library was reloaded, and the engine has not set it again yet.
 	}
-	if (species->is_motion_change() && view.follow_stem(find_stem(view.height()))) {
+	const bool is_drawn_so = species->is_motion_change() && !view.rests_elsewhere(species->resting_bend());
+	if (is_drawn_so && view.follow_stem(find_stem(view.height()))) {
 		update_motion();
 	} else {
 		mark_stale();

@@ -105,6 +105,8 @@ public:
 	bool ask_to_grow(const godot::Ref<PlantGrowth> &plant, godot::String &problem);
 	/// The joint of a plant whose root stands in `frame` (its up axis and turn, orthonormal), of no length of its own.
 	Joint make_joint(const godot::Basis &frame) const;
+	/// Of a plant that stands along its node, in its own axes (motion/bend_encoding.hpp).
+	glm::vec2 resting_bend() const;
 	/// The stem of a plant of `height` metres; null where another law moves it. Reports once what keeps it from
 	/// standing.
 	std::shared_ptr<const StemConstants> find_stem(double height, bool in_air);

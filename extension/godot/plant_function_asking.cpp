@@ -10,6 +10,7 @@
 #include "species_sampling.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace godot;
 
@@ -136,6 +137,10 @@ String PlantFunction::sample(double height, int segments, int64_t seed, SampledP
 String PlantFunction::find_problem(double height, int segments, int64_t seed) {
 	SampledPlant sampled;
 	return sample(height, segments, seed, sampled);
+}
+
+glm::vec2 PlantFunction::resting_bend() const {
+	return { 0.0f, motion.law == Law::elasticity ? 0.0f : std::tan(0.5f * motion.lean) };
 }
 
 Ref<ArrayMesh> PlantFunction::generate_mesh(double height, int segments, int64_t seed) {

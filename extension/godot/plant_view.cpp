@@ -18,6 +18,8 @@ void PlantView::show(const SampledPlant &sampled) {
 	motion.bone().parts = nullptr;
 	parts = PartSkeleton::of(sampled);
 	built_height = sampled.height;
+	built_rest = sampled.rest;
+	has_parts = sampled.grown != nullptr;
 	if (!skeleton) {
 		find_children();
 	}

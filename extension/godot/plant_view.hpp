@@ -32,6 +32,8 @@ public:
 	void follow_drawn(bool is_seen, const glm::vec3 &calm);
 	/// The stem's constants are others. False where its bones have to be built anew.
 	bool follow_stem(const std::shared_ptr<const StemConstants> &stem);
+	/// Whether the mesh says of a plant of parts that it rests elsewhere.
+	bool rests_elsewhere(const glm::vec2 &rest) const { return has_parts && rest != built_rest; }
 	/// Of the stem; 0 where it is straight.
 	int joint_count() const { return parts ? parts->joint_count() : 0; }
 	/// From the root to a place on the plant whose tip points so (unit), 0 the root to 1 the tip, in lengths of the
@@ -58,6 +60,8 @@ private:
 	godot::Ref<godot::ArrayMesh> mesh;
 	std::unique_ptr<PartSkeleton> parts; // Of a plant of parts that swing.
 	float built_height = 0.0f; // m.
+	glm::vec2 built_rest = { 0.0f, 0.0f };
+	bool has_parts = false;
 
 	void make_children();
 	void make_mesh_instance();

@@ -7,6 +7,7 @@
 #include <godot_cpp/classes/array_mesh.hpp>
 #include <godot_cpp/classes/material.hpp>
 
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
 #include <memory>
@@ -41,6 +42,8 @@ struct SampledPlant {
 	godot::Ref<godot::Material> material; ///< Null: the add-on's own.
 	bool has_part_bones = false; ///< It is for a skeleton that has the bones of its parts, beside root and tip.
 	std::shared_ptr<const StemConstants> stem; ///< Of one that bends along its length, on a skeleton; else null.
+	/// Of a plant of parts on a skeleton: its bend in calm air, in its own axes (motion/bend_encoding.hpp).
+	glm::vec2 rest = { 0.0f, 0.0f };
 	std::shared_ptr<const GrownPlant> grown; ///< A plant of parts: then cross-section, widths and colours are empty.
 
 	/// The largest distance of a side point from the plant's axis (m).

@@ -4,6 +4,9 @@ extends "res://tests/engine/picture_harness.gd"
 const STEP := 1.0 / 60.0
 ## Of the outline of a plant with leaves that swing: linear blend skinning is as near as that.
 const MOST_OF_PARTS := 50
+## No light of what is laid down, and much.
+const LIGHTS: Array[float] = [0.0, 3.0]
+const LEAN := deg_to_rad(20.0)
 
 var _field: PlantField3D
 var _wind: PlantWind
@@ -91,29 +94,64 @@ func test_far_plants_do_not_swing() -> void:
 
 
 func test_what_the_wind_lays_down_is_lighter() -> void:
-	var plant := Plant3D.new()
-	plant.species = _tulip()
-	plant.species.material = ShaderMaterial.new()
-	plant.species.material.shader = load("res://addons/undergrowth/shaders/plant_parts.gdshader")
-	plant.simulation_enabled = false
+	var plant := await _plant_alone(PlantFunction.LAW_SPRING)
 	plant.height = 0.5
-	plant.scale = Vector3.ONE * 2.5
-	stage.add_child(plant)
-	var calm := await _pictures_by_light(plant)
+	var calm := await _pictures_by_light(plant.species)
 	check(count_different(calm[0], empty_picture()) > LEAST_PLANT, "a plant is drawn")
 	check_equal(count_different(calm[0], calm[1]), 0, "pixels of a calm plant that are lighter")
 	_wind.strength = 150.0
 	for i in 13:
 		plant._preview(STEP, _wind)
-	var laid := await _pictures_by_light(plant)
+	var laid := await _pictures_by_light(plant.species)
 	check(_light_of(laid[1]) > 1.05 * _light_of(laid[0]), "what leans is lighter")
 
 
-## With no light of what is laid down, and with much.
-func _pictures_by_light(plant: Plant3D) -> Array[Image]:
-	var material: ShaderMaterial = plant.species.material
+func test_who_rests_leaning_alone_is_not_lighter() -> void:
+	for law: PlantFunction.MotionLaw in [PlantFunction.LAW_SPRING, PlantFunction.LAW_STEM]:
+		var plant := await _plant_alone(law)
+		plant.species.lean = LEAN  # It is drawn already.
+		_check_unlit(await _pictures_by_light(plant.species), law)
+		plant.free()
+
+
+func test_who_rests_leaning_in_a_field_is_not_lighter() -> void:
+	_wind.strength = 0.0
+	var tilt := Basis(Vector3(1, 0, 0.5).normalized(), -0.4).scaled(Vector3.ONE * 2.5)
+	for law: PlantFunction.MotionLaw in [PlantFunction.LAW_SPRING, PlantFunction.LAW_STEM]:
+		var pictures: Array[Image] = []
+		for light: float in LIGHTS:
+			var species := _lit_tulip(law)
+			species.lean = LEAN
+			species.material.set_shader_parameter(&"laid_light", light)
+			_field.free()
+			_field = await make_added_field(_wind)  # The first plant is the same in all.
+			_field.add_plants([Transform3D(tilt)], species)
+			_step_field(2)
+			pictures.append(await picture())
+		_check_unlit(pictures, law)
+
+
+## Upright, and drawn.
+func _plant_alone(law: PlantFunction.MotionLaw) -> Plant3D:
+	var plant := Plant3D.new()
+	plant.species = _lit_tulip(law)
+	plant.simulation_enabled = false
+	plant.scale = Vector3.ONE * 2.5
+	stage.add_child(plant)
+	await picture()
+	return plant
+
+
+func _check_unlit(pictures: Array[Image], law: PlantFunction.MotionLaw) -> void:
+	check(count_different(pictures[0], empty_picture()) > LEAST_PLANT, "law %d is drawn" % law)
+	var lighter := count_different(pictures[0], pictures[1])
+	check_equal(lighter, 0, "law %d: pixels that are lighter" % law)
+
+
+func _pictures_by_light(species: PlantFunction) -> Array[Image]:
+	var material: ShaderMaterial = species.material
 	var pictures: Array[Image] = []
-	for light: float in [0.0, 2.2]:
+	for light: float in LIGHTS:
 		material.set_shader_parameter(&"laid_light", light)
 		pictures.append(await picture())
 	return pictures
@@ -135,6 +173,14 @@ func _tulip() -> PlantFunction:
 	species.natural_frequency = 1.8
 	species.damping_ratio = 0.08
 	species.wind_weight = 1.0
+	return species
+
+
+func _lit_tulip(law: PlantFunction.MotionLaw) -> PlantFunction:
+	var species := _tulip()
+	species.law = law
+	species.material = ShaderMaterial.new()
+	species.material.shader = load("res://addons/undergrowth/shaders/plant_parts.gdshader")
 	return species
 
 

@@ -33,15 +33,22 @@ const LEAST_SEEN := 60
 ## Nothing of it is green any more.
 const RIPE := "wheat"
 const LEAST_WHITE := 0.5
-const MOST_CREAMY := 0.3
+const MOST_CREAMY := 0.4
 ## As in a field to 12 m, and to 25 m.
 const LEVELS: PackedInt32Array = [12, 6]
+## Colours are as dark as their authors wrote them: in less light, white is grey.
+const SUN := 2.5
+const AMBIENT := 2.0
 ## Metres: as high as the stage shows.
 const HEIGHT := 1.3
 
 
 func before_each() -> void:
 	make_stage()
+	for sun: DirectionalLight3D in stage.find_children("*", "DirectionalLight3D", true, false):
+		sun.light_energy = SUN
+	for around: WorldEnvironment in stage.find_children("*", "WorldEnvironment", true, false):
+		around.environment.ambient_light_energy = AMBIENT
 
 
 func after_each() -> void:

@@ -36,7 +36,8 @@ namespace undergrowth {
 //           w: phase and side of its swing, SwingCode::place; no two neighbours have the same.
 // CUSTOM3   x: height of the plant that the mesh shows (m), the same at all vertices: a stem that bends along its
 //              length wants to know how far up its offset is. A lathe has none, its offset says it.
-//           y, z: x and z of VERTEX (m), which skeletons change: what leans is lit by how far it leans.
+//           y, z: x and z (m) of where the vertex is in calm air, in the mesh of a plant on a skeleton: what the wind
+//              lays down is lit by how far from there it is. Elsewhere x and z of VERTEX.
 // BONES, WEIGHTS  root and tip: (1 - x, x, 0, 0) with the stem offset x. Where a skeleton has bones of parts, these
 //           take the share of the own bend weight (mesh/form_bones.hpp), and where stems have joints, those of the stem
 //           that of root and tip (mesh/joint_binding.hpp).

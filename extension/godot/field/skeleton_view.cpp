@@ -18,6 +18,13 @@ static constexpr int FRAMES_BETWEEN_CHOICES = 6;
 static constexpr int MOST_NEW = 8; // A frame; each takes a mesh of its own.
 static constexpr float KEPT_FARTHER = 1.1f; // What is shown stays until it is so much too far: nothing flickers.
 
+// From the field's axes to those of a plant that was turned so.
+static glm::vec2 own_bend(const glm::vec2 &bend, float turn) {
+	const float c = std::cos(turn);
+	const float d = std::sin(turn);
+	return { c * bend.x - d * bend.y, d * bend.x + c * bend.y };
+}
+
 const SkeletonView::Shown *SkeletonView::find_shown(const PlantPlace &place) const {
 	const auto found =
 			std::find_if(shown.begin(), shown.end(), [&](const Shown &entry) { return entry.place == place; });
@@ -112,7 +119,8 @@ void SkeletonView::release_all(FieldMotion &motion) {
 void SkeletonView::show(const Scene &scene, const PlantPlace &place) {
 	const PlacedPlant plant = scene.store.block(place.block).plants.plant(place.slot);
 	const FieldLook &look = scene.style.looks[size_t(plant.species)];
-	const SampledPlant sampled = look.sample_alone(plant);
+	SampledPlant sampled = look.sample_alone(plant);
+	sampled.rest = own_bend(scene.motion.read_drawn_stem_now(place).rest, plant.turn);
 	std::shared_ptr<PartSkeleton> parts = PartSkeleton::of(sampled);
 	Skeleton3D *skeleton = nodes.take(scene.field, drawn_transform(plant), sampled.build(), parts.get(), scene.wear);
 	shown.push_back({ place, uint64_t(skeleton->get_instance_id()), std::move(parts) });
@@ -148,9 +156,7 @@ void SkeletonView::pose(const PlantStore &store, const FieldMotion &motion) cons
 		}
 		const StemMotion stem = motion.read_drawn_stem_now(entry.place);
 		const float turn = store.block(entry.place.block).plants.plant(entry.place.slot).turn;
-		const float c = std::cos(turn);
-		const float d = std::sin(turn);
-		const auto to_own = [c, d](const glm::vec2 &s) { return glm::vec2(c * s.x - d * s.y, d * s.x + c * s.y); };
+		const auto to_own = [turn](const glm::vec2 &s) { return own_bend(s, turn); };
 		const glm::vec2 own = to_own(stem.bend);
 		if (!entry.parts || !entry.parts->has_joints()) {
 			FieldSkeletons::pose(skeleton, quaternion_of(own));

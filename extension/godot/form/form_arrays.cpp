@@ -2,6 +2,7 @@
 
 #include "mesh/form_mesh.hpp"
 #include "mesh/joint_binding.hpp"
+#include "part_skeleton.hpp"
 
 using namespace godot;
 
@@ -69,15 +70,24 @@ static Array packed(const FormArrays &from) {
 	return arrays;
 }
 
-// At every vertex the height of the plant that the mesh shows, and where the vertex is at rest: shaders ask for both.
-static PackedFloat32Array at_rest(float height, const PackedVector3Array &positions) {
+// At every vertex the height of the plant that the mesh shows, and where the vertex is in calm air: shaders ask for
+// both.
+static PackedFloat32Array at_rest(const SampledPlant &sampled, const FormArrays &arrays) {
 	PackedFloat32Array all;
-	all.resize(3 * positions.size());
+	all.resize(3 * arrays.positions.size());
 	float *to = all.ptrw();
-	for (const Vector3 &position : positions) {
-		*to++ = height;
-		*to++ = float(position.x);
-		*to++ = float(position.z);
+	std::vector<Transform3D> bones;
+	if (sampled.rest != glm::vec2(0.0f)) {
+		bones = PartSkeleton::at_rest(sampled);
+	}
+	for (int64_t i = 0; i < arrays.positions.size(); i++) {
+		Vector3 place = bones.empty() ? arrays.positions[i] : Vector3();
+		for (int64_t k = 4 * i; k < 4 * i + 4 && !bones.empty(); k++) {
+			place += bones[size_t(arrays.bones[k])].xform(arrays.positions[i]) * arrays.weights[k];
+		}
+		*to++ = sampled.height;
+		*to++ = float(place.x);
+		*to++ = float(place.z);
 	}
 	return all;
 }
@@ -106,7 +116,7 @@ MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sample
 		bind_to_joints(sampled.stem->joints, plan.counts.vertices, arrays.bones.ptrw(), arrays.weights.ptrw());
 	}
 	Array all = packed(arrays);
-	all[Mesh::ARRAY_CUSTOM3] = at_rest(sampled.height, arrays.positions);
+	all[Mesh::ARRAY_CUSTOM3] = at_rest(sampled, arrays);
 	return { all, CUSTOM_FORMAT, sampled.material, true };
 }
 
