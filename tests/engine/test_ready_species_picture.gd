@@ -33,22 +33,29 @@ const LEAST_SEEN := 60
 ## Nothing of it is green any more.
 const RIPE := "wheat"
 const LEAST_WHITE := 0.5
-const MOST_CREAMY := 0.4
+const MOST_CREAMY := 0.3
 ## As in a field to 12 m, and to 25 m.
 const LEVELS: PackedInt32Array = [12, 6]
-## Colours are as dark as their authors wrote them: in less light, white is grey.
-const SUN := 2.5
-const AMBIENT := 2.0
 ## Metres: as high as the stage shows.
 const HEIGHT := 1.3
 
 
+const PAINT := Color(0.25, 0.4, 0.12)
+
+
+## Broad leaves of one colour.
+class Painted:
+	extends PlantFunction
+	var leaf := PlantBlade.of(
+		{length = 1.0, width = 0.25, base_color = PAINT, tip_color = PAINT, translucency = 0.0}
+	)
+
+	func _grow(plant: PlantGrowth) -> void:
+		plant.scatter(leaf, 5, {radius = 0.1})
+
+
 func before_each() -> void:
 	make_stage()
-	for sun: DirectionalLight3D in stage.find_children("*", "DirectionalLight3D", true, false):
-		sun.light_energy = SUN
-	for around: WorldEnvironment in stage.find_children("*", "WorldEnvironment", true, false):
-		around.environment.ambient_light_energy = AMBIENT
 
 
 func after_each() -> void:
@@ -65,6 +72,28 @@ func test_leaves_and_flowers_are_seen_in_their_colours() -> void:
 			check(flower >= LEAST_FLOWER, "%s: %d pixels of its own colour" % [what, flower])
 			var green := _count_hue(shown, GREEN)
 			check(green >= LEAST_FLOWER or file == RIPE, "%s: %d green pixels" % [what, green])
+
+
+## The engine converts a material's colour to linear light; vertices have to be converted alike.
+func test_a_colour_of_vertices_is_that_colour_in_a_material() -> void:
+	var pictures: Array[Image] = []
+	for by_vertices: bool in [true, false]:
+		var species := Painted.new()
+		var material := ShaderMaterial.new()
+		material.shader = load("res://addons/undergrowth/shaders/plant_parts.gdshader")
+		material.set_shader_parameter("patchiness", 0.0)
+		material.set_shader_parameter("vertex_colors", by_vertices)
+		material.set_shader_parameter("albedo", Color.WHITE if by_vertices else PAINT)
+		species.material = material
+		var plant := Plant3D.new()
+		plant.species = species
+		plant.simulation_enabled = false
+		stage.add_child(plant)
+		pictures.append(await picture())
+		plant.free()
+	check(count_different(pictures[0], empty_picture()) > 200, "leaves are seen")
+	var different := count_different(pictures[0], pictures[1])
+	check(different <= MOST_DIFFERENT, "%d pixels differ" % different)
 
 
 func _picture_of(file: String, segments: int) -> Image:
