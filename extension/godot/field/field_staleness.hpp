@@ -27,7 +27,7 @@ public:
 	void mark_stand() { mark(parts.stand); }
 	void mark_look() { mark(parts.look); }
 	void mark_area() { mark(parts.area); }
-	/// The node has.
+	/// The node has entered it.
 	void enter_tree() { queue_if_any(); }
 	/// What is to be done now, and is stale no more; nothing outside of a tree.
 	Parts take() {

@@ -13,8 +13,6 @@
 #include <godot_cpp/classes/geometry_instance3d.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
-#include <vector>
-
 namespace undergrowth {
 
 /// Thousands of plants, each with its own motion, drawn as multimeshes that bend in the vertex shader. The node holds

@@ -4,7 +4,6 @@
 
 #include "bind_properties.hpp"
 #include "field/field_areas.hpp"
-#include "follow_changes.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 
