@@ -4,6 +4,7 @@
 #include "plant_motion.hpp"
 #include "plant_stance.hpp"
 #include "plant_view.hpp"
+#include "queued_call.hpp"
 
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>
@@ -31,7 +32,7 @@ class Plant3D : public godot::Node3D {
 	PlantMotion motion{ this };
 	PlantView view{ this, motion };
 	bool mesh_is_stale = true;
-	bool rebuild_is_queued = false;
+	QueuedCall rebuild_call{ this, "_on_rebuild_queued" };
 	godot::String problem; // Why the last build failed; shown as configuration warning.
 	bool feels_air = false; // The last wind that it felt blows in m/s.
 	godot::String refusal; // Why the last advance() did nothing; told once, not in each frame that calls it.

@@ -180,14 +180,13 @@ MovedPlant Plant3D::moved() const {
 // Many properties may change in one frame; the mesh is built once, at its end.
 void Plant3D::mark_stale() {
 	mesh_is_stale = true;
-	if (is_inside_tree() && !rebuild_is_queued) {
-		rebuild_is_queued = true;
-		call_deferred("_on_rebuild_queued");
+	if (is_inside_tree()) {
+		rebuild_call.queue();
 	}
 }
 
 void Plant3D::on_rebuild_queued() {
-	rebuild_is_queued = false;
+	rebuild_call.begin();
 	if (mesh_is_stale && species.is_valid()) {
 		build_mesh();
 	}

@@ -1,6 +1,7 @@
 #include "plant_simulation.hpp"
 
 #include "convert.hpp"
+#include "follow_changes.hpp"
 #include "messages.hpp"
 #include "plant_3d.hpp"
 
@@ -167,10 +168,7 @@ void PlantSimulation::follow(SceneTree *tree) {
 	}
 	connected_tree = tree->get_instance_id();
 	// By name and not by pointer: the connection must survive a reload of the library.
-	const Callable frame(this, FRAME_METHOD);
-	if (!tree->is_connected("process_frame", frame)) {
-		tree->connect("process_frame", frame);
-	}
+	follow_signal(tree, "process_frame", Callable(this, FRAME_METHOD));
 }
 
 int PlantSimulation::get_plant_count() const {

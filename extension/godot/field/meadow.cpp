@@ -172,9 +172,7 @@ std::vector<PlantId> Meadow::add(std::vector<PlacedPlant> &&plants, std::vector<
 		if (job && !job->knows(store.block(grown.block).species)) {
 			const bool places = is_filling();
 			drop_job(); // Its field would have no look for them.
-			const std::vector<PlantId> removed = removed_meanwhile;
-			fill(places);
-			removed_meanwhile = removed;
+			fill_again(places);
 		}
 	}
 	return changes.added;

@@ -9,14 +9,17 @@
 #include "field/field_tiles.hpp"
 #include "field/ground_survey.hpp"
 #include "field/listed_looks.hpp"
+#include "field/look_asking.hpp"
 #include "field/skeleton_view.hpp"
 #include "frame_cost.hpp"
+#include "stand/standing_area.hpp"
 #include "worker_task.hpp"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
 
 #include <memory>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace undergrowth {
@@ -147,13 +150,7 @@ private:
 	FieldWear wear;
 	std::set<TileKey> unseen; ///< Tiles with plants that were added or dropped, and are not drawn so yet.
 	bool is_unshown = false; ///< Plants went since the last refresh().
-	/// Looks that are being asked for, a few each frame; then the job begins.
-	struct Asking {
-		bool places = true;
-		FieldStyle style;
-		uint64_t frame = 0; ///< In which some were asked.
-	};
-	std::unique_ptr<Asking> asking;
+	std::unique_ptr<LookAsking> asking; ///< Then the job begins.
 	std::unique_ptr<FieldFill> job;
 	WorkerTask clearing; ///< Of what the last one leaves.
 	GroundAsker asker;
@@ -163,8 +160,7 @@ private:
 	bool joins = false; ///< What was grown tile by tile is joined by the job that goes on.
 	FieldGround ground; ///< As it was read when the field was filled.
 	std::vector<PlantId> removed_meanwhile; ///< While the job goes on.
-	Polygon known_area; ///< What stands does by these.
-	std::vector<Polygon> known_exclusions;
+	StandingArea standing_area;
 	bool tells_of_patches = false; ///< It is filled once they are done.
 	bool is_due_again = false; ///< Its look changed while it was dressed anew.
 	bool has_other_materials = false; ///< Users chose others than the job has made.
@@ -175,21 +171,24 @@ private:
 	void tell_of_stems();
 	FieldMotion::Frame frame(double delta, const godot::Ref<PlantWind> &wind) const;
 	FieldSettings settings() const;
-	void stand_by(const PlacementRequest &request) {
-		known_area = request.area;
-		known_exclusions = request.exclusions;
-	}
 	/// Of the whole filling, of which tiles are the first part where they are joined then.
 	float progress() const {
 		const float first = streams() ? 1.0f : 0.8f;
 		return joins ? first + (1.0f - first) * job->progress() : job ? job->progress() : first * renewal.progress();
+	}
+	/// Once of each progress.
+	void tell_of(float progress) {
+		if (std::exchange(told_progress, progress) != progress) {
+			listener.progressed(progress);
+		}
 	}
 	bool renew();
 	void poll_renewal(bool physics);
 	void join_tiles();
 	godot::String begin_asking(bool places);
 	void go_on_asking();
-	bool knows_all_looks(const FieldStyle &asked, std::vector<int> &numbers) const;
+	/// fill(), while those who went meanwhile are to be gone from it, too.
+	void fill_again(bool places);
 	void tell_what_stands(FieldRecipe &recipe) const;
 	godot::String make_recipe(FieldRecipe &recipe);
 	void poll_patches(FieldPatches::Moment moment, double delta);

@@ -7,16 +7,12 @@
 #include "messages.hpp"
 #include "plant_simulation.hpp"
 
-#include <godot_cpp/classes/engine.hpp>
-
 #include <algorithm>
 #include <utility>
 
 using namespace godot;
 
 namespace undergrowth {
-
-static constexpr double ASKING_USEC = 2000.0; // A frame, of scripts.
 
 FieldSettings Meadow::settings() const {
 	FieldSettings made;
@@ -48,7 +44,7 @@ bool Meadow::renew() {
 	tells_of_patches = is_due_again = false; // This tells of itself.
 	told_progress = -1.0f;
 	ground = std::move(read);
-	stand_by(request);
+	standing_area.stand_by(request);
 	listener.fault(String());
 	if (streams()) {
 		tiles.stand(list, request);
@@ -108,29 +104,21 @@ String Meadow::make_recipe(FieldRecipe &recipe) {
 
 String Meadow::begin_asking(bool places) {
 	std::vector<int> numbers;
-	asking = std::make_unique<Asking>();
-	asking->places = places;
-	asking->style.levels = read_levels(properties, node->get_visibility_range_end());
-	const String fault = find_level_fault(properties);
-	return fault.is_empty() ? list_looks(properties, others_of(style, store, properties, numbers), asking->style)
-							: fault;
+	asking = std::make_unique<LookAsking>(places);
+	return asking->begin(properties, node->get_visibility_range_end(), others_of(style, store, properties, numbers));
 }
 
-// Scripts say what plants look like, on this thread. Those that take long are asked over some frames.
 void Meadow::go_on_asking() {
 	bool is_done = false;
-	asking->frame = Engine::get_singleton()->get_process_frames();
-	String fault = sample_looks(asking->style, ASKING_USEC, is_done);
+	String fault = asking->go_on(is_done);
 	if (fault.is_empty() && !is_done) {
 		return;
 	}
 	const bool places = asking->places;
 	FieldRecipe recipe;
 	motion.wait();
-	if (fault.is_empty() && !knows_all_looks(asking->style, recipe.species_numbers)) {
-		const std::vector<PlantId> removed = removed_meanwhile;
-		fill(places); // Code added plants meanwhile of which there were none before.
-		removed_meanwhile = removed;
+	if (fault.is_empty() && !asking->knows(others_of(style, store, properties, recipe.species_numbers))) {
+		fill_again(places); // Code added plants meanwhile of which there were none before.
 		return;
 	}
 	fault = fault.is_empty() ? make_recipe(recipe) : fault;
@@ -146,30 +134,16 @@ void Meadow::go_on_asking() {
 }
 
 void Meadow::follow_area() {
-	static constexpr float MARGIN = 0.01f; // m.
 	PlacementRequest now;
 	const String fault = read_request(node, properties, nullptr, now);
-	if (!fault.is_empty() || known_area.empty() || now.exclusions.size() != known_exclusions.size() || is_at_work() ||
-			is_filling() || streams()) {
+	if (!fault.is_empty() || !standing_area.can_follow(now) || is_at_work() || is_filling() || streams()) {
 		fill(true, false);
 		return;
 	}
 	listener.fault(String());
-	Polygon corners; // Of boxes around what is otherwise.
-	for (size_t i = 0; i <= now.exclusions.size(); i++) {
-		const bool is_area = i == now.exclusions.size();
-		const AreaBox box =
-				is_area ? changed_box(known_area, now.area) : changed_box(known_exclusions[i], now.exclusions[i]);
-		if (box.low.x <= box.high.x && !(is_area && now.map)) { // What is painted tells of itself.
-			corners.push_back(box.low - MARGIN);
-			corners.push_back(box.high + MARGIN);
-		}
-	}
-	known_area = std::move(now.area);
-	known_exclusions = std::move(now.exclusions);
 	tells_of_patches = true;
-	if (!corners.empty()) {
-		touch(bounding_box(corners));
+	if (const std::optional<AreaBox> changed = standing_area.follow(now)) {
+		touch(*changed);
 	}
 }
 
@@ -225,15 +199,6 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 		dress.put_on(style, motion);
 	}
 	return int(style.looks.size()) - 1;
-}
-
-bool Meadow::knows_all_looks(const FieldStyle &asked, std::vector<int> &numbers) const {
-	const std::vector<FieldLook> others = others_of(style, store, properties, numbers);
-	bool all = asked.looks.size() == size_t(asked.listed_count) + others.size();
-	for (size_t i = 0; all && i < others.size(); i++) {
-		all = asked.looks[size_t(asked.listed_count) + i].function == others[i].function;
-	}
-	return all;
 }
 
 void Meadow::feel(const Ref<PlantWind> &blowing) {

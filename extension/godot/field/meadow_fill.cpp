@@ -4,8 +4,6 @@
 
 #include "stopwatch.hpp"
 
-#include <godot_cpp/classes/engine.hpp>
-
 #include <algorithm>
 #include <utility>
 
@@ -44,6 +42,12 @@ void Meadow::fill(bool places, bool looks) {
 	asking.reset();
 	listener.fault(fault);
 	removed_meanwhile.clear();
+}
+
+void Meadow::fill_again(bool places) {
+	const std::vector<PlantId> removed = removed_meanwhile;
+	fill(places);
+	removed_meanwhile = removed;
 }
 
 void Meadow::touch(const AreaBox &box) {
@@ -95,10 +99,7 @@ void Meadow::poll_renewal(bool physics) {
 		motion.wait();
 	}
 	renewal.go_on(tile_scene(), { motion, skeletons, !streams() }, physics);
-	if (progress() != told_progress) {
-		told_progress = progress();
-		listener.progressed(told_progress);
-	}
+	tell_of(progress());
 	if (!renewal.is_at_work()) {
 		listener.no_ground(renewal.missing_ground());
 	}
@@ -177,7 +178,7 @@ void Meadow::poll(double delta, bool physics) {
 	poll_tiles(physics);
 	poll_renewal(physics);
 	poll_patches(physics ? FieldPatches::Moment::physics : FieldPatches::Moment::begun, delta);
-	if (asking && !physics && asking->frame != Engine::get_singleton()->get_process_frames()) {
+	if (asking && !physics && asking->is_due()) {
 		go_on_asking();
 	}
 	if (job && job->wants_ground()) {
@@ -215,9 +216,8 @@ void Meadow::poll_job(bool physics) {
 			return;
 		}
 	}
-	if (tells && ratio != told_progress) {
-		told_progress = ratio;
-		listener.progressed(ratio);
+	if (tells) {
+		tell_of(ratio);
 	}
 	if (tells && is_done) {
 		listener.filled();
@@ -270,7 +270,7 @@ bool Meadow::adopt(FieldFill &finished) {
 	}
 	if (finished.places()) {
 		is_of_tiles = finished.is_of_tiles();
-		stand_by(finished.request());
+		standing_area.stand_by(finished.request());
 		tiles.stand(finished.tiles(), finished.request());
 	}
 	remove(store.find_all(std::exchange(removed_meanwhile, {})));

@@ -1,5 +1,7 @@
 #include "field/node_watch.hpp"
 
+#include "follow_changes.hpp"
+
 #include <godot_cpp/core/object.hpp>
 
 using namespace godot;
@@ -17,8 +19,8 @@ static Transform3D place_in(const Node3D *field, const Node3D *node) {
 void NodeWatch::watch(const Node3D *field, const std::vector<Node3D *> &wanted, const Callable &changed) {
 	for (const Watched &old : nodes) {
 		Object *node = ObjectDB::get_instance(old.node);
-		if (node && node->has_signal(CURVE_CHANGED) && node->is_connected(CURVE_CHANGED, changed)) {
-			node->disconnect(CURVE_CHANGED, changed);
+		if (node && node->has_signal(CURVE_CHANGED)) {
+			follow_signal(node, CURVE_CHANGED, changed, false);
 		}
 	}
 	nodes.clear();
@@ -27,8 +29,8 @@ void NodeWatch::watch(const Node3D *field, const std::vector<Node3D *> &wanted, 
 			continue;
 		}
 		nodes.push_back({ uint64_t(node->get_instance_id()), place_in(field, node), node->get(SIZE) });
-		if (node->has_signal(CURVE_CHANGED) && !node->is_connected(CURVE_CHANGED, changed)) {
-			node->connect(CURVE_CHANGED, changed);
+		if (node->has_signal(CURVE_CHANGED)) {
+			follow_signal(node, CURVE_CHANGED, changed);
 		}
 	}
 }

@@ -1,14 +1,17 @@
 #pragma once
 
+#include "field/field_frames.hpp"
 #include "field/field_monitors.hpp"
+#include "field/field_problems.hpp"
+#include "field/field_staleness.hpp"
+#include "field/field_statistics.hpp"
 #include "field/named_plants.hpp"
-#include "field/node_watch.hpp"
+#include "field/species_list.hpp"
+#include "field/untold_changes.hpp"
 #include "messages.hpp"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
-
-#include <vector>
 
 namespace undergrowth {
 
@@ -50,27 +53,15 @@ private:
 	template <class Part, class Value> static Value value_of(Value Part::*); // For decltype.
 
 	FieldProperties properties;
-	godot::TypedArray<PlantFieldSpecies> listed; ///< By users. Where it is empty, grass grows.
+	SpeciesList species{ this, properties };
+	FollowedEntries followed_levels;
+	UntoldChanges untold;
+	FieldStaleness staleness{ this };
+	FieldFrames frames{ this };
+	FieldStatistics statistics;
+	FieldProblems problems{ this, properties };
 	Meadow meadow;
 	NamedPlants plants{ this, meadow };
-	NodeWatch watched; ///< What the area hangs on.
-	NodeWatch watched_ground;
-	std::vector<uint64_t> seen_species; ///< Of the list, as it was read: scripts may append to it.
-	godot::TypedArray<godot::NodePath> seen_exclusions;
-	godot::TypedArray<PlantFieldLevel> seen_levels;
-	float seen_range = 0.0f;
-	uint64_t seen_material = 0;
-	godot::String problem;
-	godot::String no_ground; ///< What to check.
-	bool stand_is_stale = true;
-	bool look_is_stale = true;
-	bool area_is_stale = false; ///< Paths that keep places free, or give room, are others.
-	bool fill_is_queued = false;
-	bool end_is_queued = false; ///< Of the frame.
-	bool has_told_of_crowd = false;
-	double main_usec = 0.0; ///< Of the last frame, without wait_usec.
-	double wait_usec = 0.0; ///< For the worker threads, where they took longer than the frame.
-	int frames_since_look = 0;
 
 	/// The getter and the setter of a Setting that scripts call. The setter refuses, with an error, what is out of
 	/// range, and tells `about` of a real change.
@@ -93,21 +84,11 @@ private:
 	}
 	static void bind_properties();
 	void changed(About about);
-	void mark_stale(bool stand);
-	void queue_fill();
-	void report_problem(const godot::String &what);
 	bool may_simulate() const;
-	void follow_frames(bool on);
-	/// Whether it stands by its properties. Else it grows anew soon.
-	bool is_fresh() const { return is_inside_tree() && !stand_is_stale && !area_is_stale; }
 	void poll(double delta, bool physics);
-	void queue_end();
 	void process_frame();
 	void look_around();
-	void follow_species();
-	void choose_grass();
 	void follow_look(const godot::Ref<PlantFunction> &function);
-	void watch_nodes();
 	void tell_of_bodies();
 	void tell_of_skeleton(godot::Skeleton3D *skeleton, bool is_shown);
 
@@ -129,7 +110,7 @@ public:
 	int get_plant_count() const { return meadow.store.plant_count(); }
 	/// What its species are called in its map; none where others may be by the time that it has grown anew.
 	godot::PackedStringArray read_layers() const {
-		return is_fresh() ? layers_of(properties) : godot::PackedStringArray();
+		return staleness.is_fresh() ? layers_of(properties) : godot::PackedStringArray();
 	}
 	/// The field's outline in its own axes.
 	Polygon outline_polygon() const;
@@ -151,11 +132,10 @@ public:
 
 	// Called by the engine.
 	void on_species_changed();
-	bool lists(const godot::Ref<PlantFunction> &function) const;
 	void on_added_species_changed();
 	void on_levels_changed();
 	void on_area_changed();
-	void on_ground_changed() { mark_stale(true); }
+	void on_ground_changed() { staleness.mark_stand(); }
 	void on_wind_changed();
 	void on_map_painted(const godot::Rect2 &rect);
 	void on_fill_queued();
@@ -163,12 +143,11 @@ public:
 	void on_frame_ending();
 	void on_physics_frame();
 	void on_frame_drawn();
-	void follow_drawing(bool on);
 	double monitor(int which) const { return FieldMonitors::sum(which); }
 
 	// What users set, where that is more than a Setting.
 	void set_species(const godot::TypedArray<PlantFieldSpecies> &entries);
-	godot::TypedArray<PlantFieldSpecies> get_species() const { return listed; }
+	godot::TypedArray<PlantFieldSpecies> get_species() const { return species.get(); }
 	void set_size(const godot::Vector2 &metres);
 	void set_view_distance(double metres);
 	void set_endless(bool on);

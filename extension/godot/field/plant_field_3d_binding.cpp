@@ -1,13 +1,10 @@
-// What a PlantField3D does and tells beside its plants, what is painted of it, and the methods that scripts call.
+// What a PlantField3D does and tells beside its plants, what it is told of, and the methods that scripts call.
 
 #include "field/plant_field_3d.hpp"
 
 #include "bind_properties.hpp"
 #include "field/field_areas.hpp"
 
-#include <godot_cpp/classes/camera3d.hpp>
-#include <godot_cpp/classes/rendering_server.hpp>
-#include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
 #include <cmath>
@@ -15,9 +12,6 @@
 using namespace godot;
 
 namespace undergrowth {
-
-static const char *const DRAW_METHOD = "_on_frame_drawn";
-static const char *const DRAW_SIGNAL = "frame_pre_draw"; // After all that moves cameras, in a paused tree, too.
 
 void PlantField3D::reset_motion() {
 	meadow.settle();
@@ -33,15 +27,6 @@ void PlantField3D::preview(double delta, const Ref<PlantWind> &blowing) {
 }
 
 void PlantField3D::tell_of_bodies() {
-	if (meadow.motion.is_crowded() && !has_told_of_crowd) {
-		has_told_of_crowd = true;
-		report_warning(this,
-				"too many tips are near each other for all of them to touch: some pairs are left out. Set a smaller "
-				"collision_radius in its species, or a smaller density.");
-	}
-	for (const String &warning : meadow.motion.bodies.take_warnings()) {
-		report_warning(this, warning);
-	}
 	for (const GroupBodies::Event &event : meadow.motion.take_events()) {
 		if (Object *body = ObjectDB::get_instance(event.body)) {
 			call_deferred("emit_signal", event.has_entered ? "body_entered_plants" : "body_exited_plants", body);
@@ -86,126 +71,79 @@ PackedVector3Array PlantField3D::get_exclusion_points(int index) const {
 	return points_of(polygon);
 }
 
-bool PlantField3D::lists(const Ref<PlantFunction> &function) const {
-	for (int64_t i = 0; i < properties.species.size(); i++) {
-		const Ref<PlantFieldSpecies> entry = properties.species[i];
-		if (entry.is_valid() && entry->get_species() == function) {
-			return true;
-		}
+// Of a species whose function tells of a change.
+void PlantField3D::follow_look(const Ref<PlantFunction> &function) {
+	if (function->is_motion_change()) {
+		meadow.read_motion(function.ptr(), !may_simulate());
+	} else if (function->is_material_change()) {
+		meadow.change_materials();
+	} else {
+		staleness.mark_look();
 	}
-	return false;
+}
+
+// One of them tells; which one, and of what, is asked.
+void PlantField3D::on_species_changed() {
+	Ref<PlantFunction> function;
+	if (!species.find_teller(function)) {
+		return;
+	}
+	if (function.is_valid()) {
+		follow_look(function);
+	} else {
+		staleness.mark_stand();
+	}
 }
 
 // Of a species whose plants code added. What is on the list as well is heard of there.
 void PlantField3D::on_added_species_changed() {
 	for (const FieldLook &look : meadow.style.looks) {
 		if (look.function.is_valid() && (look.function->is_motion_change() || look.function->is_material_change())) {
-			if (!lists(look.function)) {
+			if (meadow.listed_entry(look.function).is_null()) {
 				follow_look(look.function);
 			}
 			return;
 		}
 	}
-	mark_stale(false);
+	staleness.mark_look();
 }
 
-void PlantField3D::report_problem(const String &what) {
-	if (what != problem) { // The same fault is told once, however often the field is filled.
-		problem = what;
-		if (!problem.is_empty()) {
-			report_error(this, problem);
-		}
-		update_configuration_warnings();
-	}
+void PlantField3D::on_levels_changed() {
+	changed(About::levels);
 }
 
-void PlantField3D::set_map(const Ref<PlantMap> &painted) {
-	const Callable listener(this, "_on_map_painted");
-	if (properties.map.is_valid() && properties.map->is_connected("area_changed", listener)) {
-		properties.map->disconnect("area_changed", listener);
-	}
-	properties.map = painted;
-	if (painted.is_valid() && !painted->is_connected("area_changed", listener)) {
-		properties.map->connect("area_changed", listener);
-	}
-	notify_property_list_changed();
-	mark_stale(true);
+void PlantField3D::on_area_changed() {
+	staleness.mark_area();
 	update_gizmos();
+}
+
+void PlantField3D::on_wind_changed() {
 	update_configuration_warnings();
 }
 
-void PlantField3D::set_view_distance(double metres) {
-	if (accept_value(this, "view_distance", metres, { 0.0, 1e4 }) && metres != properties.view_distance) {
-		const bool is_other_kind = (metres > 0.0) != meadow.streams();
-		properties.view_distance = metres;
-		if (is_other_kind) {
-			mark_stale(true);
-		}
-		update_configuration_warnings();
-	}
-}
-
-void PlantField3D::set_endless(bool on) {
-	properties.endless = on;
-	notify_property_list_changed();
-	mark_stale(true);
-	update_gizmos();
-}
-
 void PlantField3D::on_map_painted(const Rect2 &rect) {
-	if (!rect.has_area() || !is_inside_tree() || stand_is_stale || !problem.is_empty()) {
-		mark_stale(true);
+	if (!rect.has_area() || !is_inside_tree() || staleness.is_stand_stale() || problems.has_fault()) {
+		staleness.mark_stand();
 		return;
 	}
 	meadow.touch({ { rect.position.x, rect.position.y }, { rect.get_end().x, rect.get_end().y } });
-	follow_frames(true);
-	queue_end();
+	frames.follow(true);
+	if (meadow.is_patching()) {
+		frames.queue_end();
+	}
 	update_gizmos();
 }
 
 bool PlantField3D::apply_changes(const PackedByteArray &bytes) {
 	const bool is_sound = plants.apply_changes(bytes);
 	if (is_inside_tree()) {
-		follow_frames(meadow.wants_frames());
+		frames.follow(meadow.wants_frames());
 	}
 	return is_sound;
 }
 
 Dictionary PlantField3D::get_statistics() {
-	meadow.motion.wait();
-	const Camera3D *camera = is_inside_tree() ? get_viewport()->get_camera_3d() : nullptr;
-	PackedInt32Array drawn;
-	for (const int count : meadow.count_drawn(camera ? camera->get_global_position() : get_position())) {
-		drawn.push_back(count);
-	}
-	const int count = get_plant_count();
-	Dictionary told;
-	told["plants"] = count;
-	told["simulated"] = meadow.motion.simulated_count();
-	told["drawn_by_level"] = drawn;
-	told["is_dressing"] = (meadow.is_at_work() && !meadow.is_filling()) || (look_is_stale && fill_is_queued);
-	told["tiles"] = meadow.tiles.standing_count();
-	told["tiles_waiting"] = meadow.tiles.waiting_count();
-	told["tiles_usec"] = meadow.streams() ? meadow.tiles_usec : 0.0;
-	told["filling_usec"] = meadow.filling.usec();
-	told["skeletons"] = int64_t(meadow.skeletons.count());
-	told["step_usec"] = meadow.motion.busy_usec();
-	told["upload_usec"] = meadow.upload_usec;
-	told["main_usec"] = main_usec;
-	told["wait_usec"] = wait_usec;
-	told["bytes_per_plant"] = count > 0 ? double(meadow.store.bytes()) / count + meadow.motion.bytes_per_plant() : 0.0;
-	return told;
-}
-
-void PlantField3D::follow_drawing(bool on) {
-	RenderingServer *server = RenderingServer::get_singleton();
-	const Callable listener(this, DRAW_METHOD);
-	const bool follows = server->is_connected(DRAW_SIGNAL, listener);
-	if (on && !follows) {
-		server->connect(DRAW_SIGNAL, listener);
-	} else if (!on && follows) {
-		server->disconnect(DRAW_SIGNAL, listener);
-	}
+	return statistics.tell(this, meadow, staleness.is_dressed_soon());
 }
 
 void PlantField3D::on_frame_drawn() {

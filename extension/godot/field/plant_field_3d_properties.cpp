@@ -3,10 +3,9 @@
 #include "field/plant_field_3d.hpp"
 
 #include "bind_properties.hpp"
-#include "field/usual_grass.hpp"
+#include "field/field_inspector.hpp"
 #include "follow_changes.hpp"
 
-#include <algorithm>
 #include <limits>
 #include <type_traits>
 
@@ -16,8 +15,11 @@ namespace undergrowth {
 
 void PlantField3D::changed(About about) {
 	const bool needs_meshes = about == About::meshes || (about == About::levels && !meadow.update_levels());
-	if (about == About::stand || needs_meshes) {
-		mark_stale(about == About::stand);
+	if (about == About::stand) {
+		staleness.mark_stand();
+	}
+	if (needs_meshes) {
+		staleness.mark_look();
 	}
 	if (about == About::area) {
 		on_area_changed();
@@ -104,30 +106,8 @@ void PlantField3D::bind_properties() {
 	NUMBER(FLOAT, tile_size, meshes, 1.0, 1000.0, SLIDER("4,100,0.1,or_greater,suffix:m"));
 }
 
-// The inspector shows what counts for this ground and area, and hides what the engine's base classes say of one mesh.
-// (Properties with a slider stay: a new list would end the dragging of it.)
 void PlantField3D::_validate_property(PropertyInfo &property) const {
-	static const char *const of_one_mesh[] = { "gi_mode", "gi_lightmap_texel_density", "gi_lightmap_texel_scale",
-		"gi_lightmap_scale", "lod_bias", "material_overlay", "extra_cull_margin", "custom_aabb",
-		"ignore_occlusion_culling", "visibility_range_begin", "visibility_range_begin_margin",
-		"visibility_range_end_margin", "visibility_range_fade_mode", "sorting_offset", "sorting_use_aabb_center" };
-	const String name = property.name;
-	const StandOptions &stand = properties;
-	const bool is_flat = stand.ground_mode == GROUND_NONE;
-	const bool is_painted = stand.map.is_valid();
-	const bool has_no_area = is_painted || stand.endless;
-	const bool is_idle = (name == "size" && (has_no_area || !stand.outline.is_empty())) ||
-			(name == "outline" && has_no_area) ||
-			(name == "outline_width" && (has_no_area || stand.outline.is_empty())) ||
-			(name == "endless" && is_painted) ||
-			(name == "ground_collision_mask" && stand.ground_mode != GROUND_COLLIDERS) ||
-			(name == "ground_choice" && (is_flat || stand.ground_mode == GROUND_OBJECT)) ||
-			(name == "ground_mesh" && stand.ground_mode != GROUND_MESH) ||
-			(name == "ground_object" && stand.ground_mode != GROUND_OBJECT) ||
-			(is_flat && (name == "height_limits" || name.begins_with("slope_")));
-	if (is_idle || std::any_of(std::begin(of_one_mesh), std::end(of_one_mesh), [&](const char *other) {
-			return name == other;
-		})) {
+	if (!shows_in_inspector(property.name, properties)) {
 		property.usage &= ~uint32_t(PROPERTY_USAGE_EDITOR);
 	}
 }
@@ -165,7 +145,7 @@ void PlantField3D::set_size(const Vector2 &metres) {
 	if (accept_value(this, "size", metres.x, SIZE_RANGE) && accept_value(this, "size", metres.y, SIZE_RANGE) &&
 			metres != properties.size) {
 		properties.size = metres;
-		mark_stale(true);
+		staleness.mark_stand();
 		update_gizmos();
 	}
 }
@@ -173,14 +153,47 @@ void PlantField3D::set_size(const Vector2 &metres) {
 void PlantField3D::set_outline(const NodePath &path) {
 	properties.outline = path;
 	notify_property_list_changed();
-	mark_stale(true);
+	staleness.mark_stand();
+	update_gizmos();
+}
+
+void PlantField3D::set_map(const Ref<PlantMap> &painted) {
+	const Callable listener(this, "_on_map_painted");
+	if (properties.map.is_valid()) {
+		follow_signal(properties.map.ptr(), "area_changed", listener, false);
+	}
+	properties.map = painted;
+	if (painted.is_valid()) {
+		follow_signal(properties.map.ptr(), "area_changed", listener);
+	}
+	notify_property_list_changed();
+	staleness.mark_stand();
+	update_gizmos();
+	update_configuration_warnings();
+}
+
+void PlantField3D::set_view_distance(double metres) {
+	if (accept_value(this, "view_distance", metres, { 0.0, 1e4 }) && metres != properties.view_distance) {
+		const bool is_other_kind = (metres > 0.0) != meadow.streams();
+		properties.view_distance = metres;
+		if (is_other_kind) {
+			staleness.mark_stand();
+		}
+		update_configuration_warnings();
+	}
+}
+
+void PlantField3D::set_endless(bool on) {
+	properties.endless = on;
+	notify_property_list_changed();
+	staleness.mark_stand();
 	update_gizmos();
 }
 
 void PlantField3D::set_exclusions(const TypedArray<NodePath> &paths) {
 	properties.exclusions = paths.duplicate();
-	seen_exclusions = paths.duplicate();
-	mark_stale(true);
+	untold.see_exclusions(properties);
+	staleness.mark_stand();
 }
 
 void PlantField3D::set_exclusion_widths(const PackedFloat32Array &metres) {
@@ -202,7 +215,7 @@ void PlantField3D::set_ground_mode(GroundMode mode) {
 	} else if (int(mode) != properties.ground_mode) {
 		properties.ground_mode = int(mode);
 		notify_property_list_changed();
-		mark_stale(true);
+		staleness.mark_stand();
 	}
 }
 
@@ -211,88 +224,20 @@ void PlantField3D::set_ground_choice(GroundHeight choice) {
 		report_error(this, "ground_choice is GROUND_HIGHEST or GROUND_LOWEST; it keeps its value.");
 	} else if (int(choice) != properties.ground_choice) {
 		properties.ground_choice = int(choice);
-		mark_stale(true);
+		staleness.mark_stand();
 	}
 }
 
 void PlantField3D::set_species(const TypedArray<PlantFieldSpecies> &entries) {
-	listed = entries.duplicate();
-	follow_species();
-	mark_stale(true);
+	species.set(entries);
+	staleness.mark_stand();
 	update_configuration_warnings();
-}
-
-void PlantField3D::follow_species() {
-	const Callable listener(this, "_on_species_changed");
-	for (const uint64_t old : seen_species) {
-		unfollow_changes(Object::cast_to<Resource>(ObjectDB::get_instance(old)), listener);
-	}
-	seen_species.clear();
-	for (int64_t i = 0; i < listed.size(); i++) {
-		Resource *entry = Object::cast_to<Resource>(listed[i]);
-		seen_species.push_back(entry ? uint64_t(entry->get_instance_id()) : 0);
-		follow_changes(entry, listener);
-	}
-	properties.species = listed.duplicate();
-}
-
-void PlantField3D::choose_grass() {
-	if (listed.is_empty() && properties.species.is_empty()) {
-		properties.species.push_back(PlantFieldSpecies::of(usual_grass(this)));
-	}
-}
-
-// Of a species whose function tells of a change.
-void PlantField3D::follow_look(const Ref<PlantFunction> &function) {
-	if (function->is_motion_change()) {
-		meadow.read_motion(function.ptr(), !may_simulate());
-	} else if (function->is_material_change()) {
-		meadow.change_materials();
-	} else {
-		mark_stale(false);
-	}
-}
-
-// One of them tells; which one, and of what, is asked.
-void PlantField3D::on_species_changed() {
-	for (int64_t i = 0; i < properties.species.size(); i++) {
-		const Ref<PlantFieldSpecies> entry = properties.species[i];
-		if (entry.is_null()) {
-			return; // The library was reloaded, and the engine has not set it again yet.
-		}
-		if (entry->is_species_change()) {
-			follow_look(entry->get_species());
-			return;
-		}
-	}
-	mark_stale(true);
 }
 
 void PlantField3D::set_levels(const TypedArray<PlantFieldLevel> &entries) {
-	const Callable listener(this, "_on_levels_changed");
-	for (int64_t i = 0; i < seen_levels.size(); i++) {
-		unfollow_changes(Object::cast_to<Resource>(seen_levels[i]), listener);
-	}
 	properties.levels = entries.duplicate();
-	seen_levels = entries.duplicate();
-	for (int64_t i = 0; i < properties.levels.size(); i++) {
-		follow_changes(Object::cast_to<Resource>(properties.levels[i]), listener);
-	}
+	followed_levels.follow(properties.levels, Callable(this, "_on_levels_changed"));
 	on_levels_changed();
-}
-
-void PlantField3D::on_levels_changed() {
-	changed(About::levels);
-}
-
-void PlantField3D::on_area_changed() {
-	area_is_stale = true;
-	queue_fill();
-	update_gizmos();
-}
-
-void PlantField3D::on_wind_changed() {
-	update_configuration_warnings();
 }
 
 } // namespace undergrowth

@@ -1,0 +1,35 @@
+#include "stand/standing_area.hpp"
+
+namespace undergrowth {
+
+static constexpr float MARGIN = 0.01f; // m.
+
+static void add_corners(const AreaBox &changed, Polygon &corners) {
+	if (changed.low.x <= changed.high.x) {
+		corners.push_back(changed.low - MARGIN);
+		corners.push_back(changed.high + MARGIN);
+	}
+}
+
+void StandingArea::stand_by(const PlacementRequest &request) {
+	area = request.area;
+	exclusions = request.exclusions;
+}
+
+bool StandingArea::can_follow(const PlacementRequest &now) const {
+	return !area.empty() && now.exclusions.size() == exclusions.size();
+}
+
+std::optional<AreaBox> StandingArea::follow(const PlacementRequest &now) {
+	Polygon corners; // Of boxes around what is otherwise.
+	for (size_t i = 0; i < exclusions.size(); i++) {
+		add_corners(changed_box(exclusions[i], now.exclusions[i]), corners);
+	}
+	if (!now.map) {
+		add_corners(changed_box(area, now.area), corners);
+	}
+	stand_by(now);
+	return corners.empty() ? std::nullopt : std::optional(bounding_box(corners));
+}
+
+} // namespace undergrowth

@@ -1,0 +1,39 @@
+#include "field/species_list.hpp"
+
+#include "field/usual_grass.hpp"
+
+using namespace godot;
+
+namespace undergrowth {
+
+void SpeciesList::set(const TypedArray<PlantFieldSpecies> &entries) {
+	listed = entries.duplicate();
+	follow();
+}
+
+void SpeciesList::follow() {
+	followed.follow(listed, Callable(node, "_on_species_changed"));
+	options.species = listed.duplicate();
+}
+
+void SpeciesList::choose_grass() {
+	if (listed.is_empty() && options.species.is_empty()) {
+		options.species.push_back(PlantFieldSpecies::of(usual_grass(node)));
+	}
+}
+
+bool SpeciesList::find_teller(Ref<PlantFunction> &function) const {
+	for (int64_t i = 0; i < options.species.size(); i++) {
+		const Ref<PlantFieldSpecies> entry = options.species[i];
+		if (entry.is_null()) {
+			return false;
+		}
+		if (entry->is_species_change()) {
+			function = entry->get_species();
+			return true;
+		}
+	}
+	return true;
+}
+
+} // namespace undergrowth
