@@ -39,7 +39,6 @@ const LEVELS: PackedInt32Array = [12, 6]
 ## Metres: as high as the stage shows.
 const HEIGHT := 1.3
 
-
 const PAINT := Color(0.25, 0.4, 0.12)
 
 
