@@ -248,7 +248,7 @@ void GroundAsker::tell_of_all(const Node3D *field) {
 Object *find_ground_object(const Node3D *field, const NodePath &path) {
 	Object *found = path.is_empty() ? nullptr : field->get_node_or_null(path);
 	const String property = path.get_concatenated_subnames();
-	return found && !property.is_empty() ? (Object *)(found->get_indexed(NodePath(":" + property))) : found;
+	return found && !property.is_empty() ? found->get_indexed(NodePath(":" + property)).get_validated_object() : found;
 }
 
 std::unique_ptr<GroundSurvey> survey_ground(Node3D *field, const FieldProperties &options) {
