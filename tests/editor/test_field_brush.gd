@@ -28,6 +28,31 @@ func test_choosing_a_tool_moves_no_button() -> void:
 	await _choose_tool("Paint")
 
 
+func test_what_is_removed_of_a_painted_field_is_saved_with_its_scene() -> void:
+	var field := await _open_field()
+	await _rested(field)
+	check_equal(field.remove_in_sphere(field.global_position, 0.3) > 0, true, "plants are removed")
+	check(field.kept_changes.is_empty(), "nothing is kept of a field without a map")
+	field.map = PlantMap.new()
+	field.map.paint(Vector3.ZERO, 1.5, GRASS, 1.0)
+	await _rested(field)
+	field.remove_in_sphere(field.global_position, 0.6)
+	await _rested(field)
+	var scene := PackedScene.new()
+	check_equal(scene.pack(EditorInterface.get_edited_scene_root()), OK, "the scene is packed")
+	var copy := scene.instantiate() as Node3D
+	field.get_viewport().add_child(copy)
+	var again := copy.get_node("Field") as PlantField3D
+	await _rested(again)
+	check_equal(again.get_plant_count(), field.get_plant_count(), "plants of the scene")
+	check(again.find_plants_in_sphere(again.global_position, 0.5).is_empty(), "they stay away")
+	copy.free()
+	var own := field.kept_changes
+	check(not own.is_empty(), "the field keeps its changes")
+	field.apply_changes(PackedByteArray())
+	check(field.kept_changes.is_empty(), "nothing is kept where nothing is changed")
+
+
 func test_a_first_stroke_makes_a_map_in_one_step() -> void:
 	var field := await _edited_field()
 	await _choose_tool("Erase")

@@ -65,6 +65,8 @@ public:
 	godot::PackedByteArray changes() const;
 	/// Makes it so, and nothing else. False, with one error, where the bytes are not sound: nothing changes then.
 	bool apply_changes(const godot::PackedByteArray &bytes);
+	/// Whether changes() tells of any.
+	bool has_changes() const;
 
 private:
 	/// A plant that an id names.

@@ -116,6 +116,15 @@ PackedByteArray NamedPlants::changes() const {
 	return made;
 }
 
+bool NamedPlants::has_changes() const {
+	bool has_added = false;
+	for (int number = 0; number < meadow.store.block_count() && !has_added; number++) {
+		const PlantBlock &block = meadow.store.block(number);
+		has_added = block.is_added && block.size() > 0;
+	}
+	return has_added || !meadow.own_changes.known().is_empty();
+}
+
 // Plants that were added, as they were.
 void NamedPlants::bring_back(const SavedChanges &saved, const std::vector<Ref<PlantFunction>> &species) {
 	std::vector<PlantPlace> others;

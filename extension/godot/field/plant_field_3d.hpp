@@ -60,6 +60,7 @@ private:
 	FieldFrames frames{ this };
 	FieldStatistics statistics;
 	FieldProblems problems{ this, properties };
+	godot::PackedByteArray loaded_changes;
 	Meadow meadow;
 	NamedPlants plants{ this, meadow };
 
@@ -118,6 +119,9 @@ public:
 	godot::PackedVector3Array get_exclusion_points(int index) const;
 
 	bool apply_changes(const godot::PackedByteArray &bytes);
+	/// What the scene keeps of them.
+	void set_kept_changes(const godot::PackedByteArray &bytes);
+	godot::PackedByteArray get_kept_changes() const;
 
 	// How it moves.
 	bool is_point_in_plants(const godot::Vector3 &point) { return plants.is_point_in(point, properties.touch_margin); }

@@ -5,6 +5,7 @@
 #include "bind_properties.hpp"
 #include "field/field_areas.hpp"
 
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
 #include <cmath>
@@ -140,6 +141,20 @@ bool PlantField3D::apply_changes(const PackedByteArray &bytes) {
 		frames.follow(meadow.wants_frames());
 	}
 	return is_sound;
+}
+
+void PlantField3D::set_kept_changes(const PackedByteArray &bytes) {
+	loaded_changes = bytes;
+	if (!bytes.is_empty()) {
+		apply_changes(bytes);
+	}
+}
+
+PackedByteArray PlantField3D::get_kept_changes() const {
+	if (!Engine::get_singleton()->is_editor_hint() || properties.map.is_null()) {
+		return loaded_changes;
+	}
+	return plants.has_changes() ? plants.changes() : PackedByteArray();
 }
 
 Dictionary PlantField3D::get_statistics() {

@@ -104,6 +104,8 @@ void PlantField3D::bind_properties() {
 	NUMBER(FLOAT, skeleton_distance, skeletons, 0.0, 1e6, SLIDER("0,20,0.1,or_greater,suffix:m"));
 	NUMBER(INT, max_skeletons, skeletons, 0.0, 1024.0, SLIDER("0,1024,1"));
 	NUMBER(FLOAT, tile_size, meshes, 1.0, 1000.0, SLIDER("4,100,0.1,or_greater,suffix:m"));
+	// After what its plants are named by.
+	PROPERTY(PACKED_BYTE_ARRAY, kept_changes, PROPERTY_HINT_NONE, "", PROPERTY_USAGE_STORAGE);
 }
 
 void PlantField3D::_validate_property(PropertyInfo &property) const {
