@@ -101,6 +101,7 @@ func _remove(path: String) -> void:
 
 func _scan() -> void:
 	var files := EditorInterface.get_resource_filesystem()
+	await until(func() -> bool: return not files.is_scanning())  # Else it would not begin anew.
 	files.scan()
 	await frames(2)
 	await until(func() -> bool: return not files.is_scanning())
