@@ -117,12 +117,7 @@ PackedByteArray NamedPlants::changes() const {
 }
 
 bool NamedPlants::has_changes() const {
-	bool has_added = false;
-	for (int number = 0; number < meadow.store.block_count() && !has_added; number++) {
-		const PlantBlock &block = meadow.store.block(number);
-		has_added = block.is_added && block.size() > 0;
-	}
-	return has_added || !meadow.own_changes.known().is_empty();
+	return !meadow.own_changes.known().is_empty() || !added_plants(meadow.store).empty();
 }
 
 // Plants that were added, as they were.

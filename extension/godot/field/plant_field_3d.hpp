@@ -61,6 +61,7 @@ private:
 	FieldStatistics statistics;
 	FieldProblems problems{ this, properties };
 	godot::PackedByteArray loaded_changes;
+	bool is_unread = false; ///< They could not be applied: the scene keeps them as they are.
 	Meadow meadow;
 	NamedPlants plants{ this, meadow };
 

@@ -145,13 +145,11 @@ bool PlantField3D::apply_changes(const PackedByteArray &bytes) {
 
 void PlantField3D::set_kept_changes(const PackedByteArray &bytes) {
 	loaded_changes = bytes;
-	if (!bytes.is_empty()) {
-		apply_changes(bytes);
-	}
+	is_unread = !bytes.is_empty() && !apply_changes(bytes);
 }
 
 PackedByteArray PlantField3D::get_kept_changes() const {
-	if (!Engine::get_singleton()->is_editor_hint() || properties.map.is_null()) {
+	if (is_unread || !Engine::get_singleton()->is_editor_hint() || properties.map.is_null()) {
 		return loaded_changes;
 	}
 	return plants.has_changes() ? plants.changes() : PackedByteArray();
