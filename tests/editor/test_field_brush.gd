@@ -53,7 +53,9 @@ func test_what_is_removed_of_a_painted_field_is_saved_with_its_scene() -> void:
 	check(field.kept_changes.is_empty(), "nothing is kept where nothing is changed")
 	field.kept_changes = own.slice(0, own.size() - 1)
 	check_error("cut off")
-	check_equal(field.kept_changes.size(), own.size() - 1, "what is torn is not lost with the next save")
+	check_equal(
+		field.kept_changes.size(), own.size() - 1, "what is torn is not lost with the next save"
+	)
 
 
 func test_a_first_stroke_makes_a_map_in_one_step() -> void:
