@@ -16,6 +16,8 @@
 #include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/core/gdvirtual.gen.inc>
 
+#include <optional>
+
 namespace undergrowth {
 
 /// What a species is: four functions of a plant (thesis, section 2.5) and how it moves.
@@ -57,6 +59,7 @@ private:
 	/// Calls a script's override; tells in `problem` where it returned something else than `wanted`.
 	godot::Variant call_override(const godot::StringName &method, const godot::Variant &argument,
 			godot::Variant::Type wanted, godot::String &problem);
+	void learn_stem(double height);
 	void report_fault(const godot::String &problem) const;
 
 protected:
@@ -110,6 +113,10 @@ public:
 	/// The stem of a plant of `height` metres; null where another law moves it. Reports once what keeps it from
 	/// standing.
 	std::shared_ptr<const StemConstants> find_stem(double height, bool in_air);
+	/// Where it has to be solved first, what to solve: whoever does that elsewhere hands it back by take_stem(), before
+	/// somebody asks for it here.
+	std::optional<AskedStem> ask_stem(double height);
+	void take_stem(const AskedStem &asked, const SolvedStem &found);
 	/// True while `changed` is emitted for a property that leaves meshes as they are. Setters emit it once for each
 	/// real change, never for a value that they have already.
 	bool is_motion_change() const;

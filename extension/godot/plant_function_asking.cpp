@@ -171,25 +171,47 @@ void PlantFunction::on_stem_changed() {
 }
 
 // A plant of the species' own height says what its stem is like, so that it does not matter who asks first.
-std::shared_ptr<const StemConstants> PlantFunction::find_stem(double height, bool in_air) {
+void PlantFunction::learn_stem(double height) {
+	if (stems.knows_plants()) {
+		return;
+	}
+	follow_changes(this, Callable(this, "_on_own_change")); // A script may answer otherwise then.
+	SampledPlant plant;
+	if (!sample(0.0, STEM_SEGMENTS, 0, plant).is_empty()) {
+		plant = SampledPlant(); // Whoever builds its mesh tells what is wrong.
+		plant.height = height > 0.0 ? float(height) : 1.0f;
+	}
+	stems.learn(plant);
+}
+
+std::optional<AskedStem> PlantFunction::ask_stem(double height) {
 	if (motion.law != Law::stem) {
-		return nullptr;
+		return std::nullopt;
 	}
-	if (!stems.knows_plants()) {
-		follow_changes(this, Callable(this, "_on_own_change")); // A script may answer otherwise then.
-		SampledPlant plant;
-		if (!sample(0.0, STEM_SEGMENTS, 0, plant).is_empty()) {
-			plant = SampledPlant(); // Whoever builds its mesh tells what is wrong.
-			plant.height = height > 0.0 ? float(height) : 1.0f;
-		}
-		stems.learn(plant);
-	}
-	const std::shared_ptr<const StemConstants> found = stems.of(float(height), in_air, motion, stem);
+	learn_stem(height);
+	const AskedStem asked = stems.ask(float(height), motion, stem);
+	return stems.find(asked) ? std::nullopt : std::optional(asked);
+}
+
+void PlantFunction::take_stem(const AskedStem &asked, const SolvedStem &found) {
+	stems.take(asked, found);
 	if (!stems.problem().is_empty() && stems.problem() != told_of_stem) {
 		report_error(this, stems.problem() + String(" It stands as a bare stem until then."));
 		told_of_stem = stems.problem();
 	}
-	return found;
+}
+
+std::shared_ptr<const StemConstants> PlantFunction::find_stem(double height, bool in_air) {
+	if (motion.law != Law::stem) {
+		return nullptr;
+	}
+	learn_stem(height);
+	const AskedStem asked = stems.ask(float(height), motion, stem);
+	if (!stems.find(asked)) {
+		take_stem(asked, solve_recipe(asked.recipe));
+	}
+	const SolvedStem &found = *stems.find(asked);
+	return in_air ? found.in_air : found.in_newtons;
 }
 
 } // namespace undergrowth

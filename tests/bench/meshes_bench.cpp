@@ -5,6 +5,7 @@
 #include "mesh/plant_mesh.hpp"
 #include "plant/base_shape.hpp"
 #include "report.hpp"
+#include "stem/stem_recipe.hpp"
 
 using namespace undergrowth;
 
@@ -128,10 +129,19 @@ void time_forms(Report &report) {
 	}
 }
 
+/// What a species' stem comes to, once for all its plants.
+void time_stems(Report &report) {
+	StemRecipe recipe;
+	recipe.beam.modes = MOST_STEM_MODES;
+	SolvedStem solved;
+	report.row("stem_constants", 1, 1, median_ms([&] { solved = solve_recipe(recipe); }), SimdLevel::baseline);
+}
+
 } // namespace
 
 void undergrowth::time_meshes(Report &report) {
 	time_forms(report);
+	time_stems(report);
 	const CrossSection section = make_cross_section(circle_ring(RING_POINTS));
 	const std::vector<float> widths(LOD + 1, 0.5f);
 	const std::vector<glm::vec4> colors(LOD + 1, glm::vec4(0.2f, 0.8f, 0.2f, 1.0f));

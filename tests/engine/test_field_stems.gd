@@ -176,3 +176,23 @@ func test_a_field_of_stems_that_cannot_stand_is_told_of_once() -> void:
 	for tip in all_tips():
 		if not tip.is_finite():
 			check(false, "a tip is finite")
+
+
+func test_stems_that_change_while_a_field_fills_move_as_they_are_then() -> void:
+	var stiff := _reed()
+	stiff.natural_frequency = 3.0
+	var twin := await start_with_twin({"species": [PlantFieldSpecies.of(stiff)]})
+	for attempt in 50:
+		var changing := _reed()
+		field.species = [PlantFieldSpecies.of(changing)]
+		await frames(1)
+		if field.is_filling():
+			changing.natural_frequency = 3.0
+			break
+	check(field.is_filling(), "it is seen to fill")
+	while field.is_filling():
+		await process_frame
+	var apart := await most_apart(twin, 30)
+	check(apart.x < 1e-5, "tips are %f m from those that were stiff before" % apart.x)
+	check(apart.y > 1e-3, "they go %f m" % apart.y)
+	twin.free()

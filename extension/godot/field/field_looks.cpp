@@ -29,7 +29,9 @@ int FieldLook::segments_at(const FieldLevel &level) const {
 String FieldLook::sample_next(const std::vector<FieldLevel> &levels) {
 	const int variant = int(variants.size());
 	if (variant == variant_count) {
-		read_motion();
+		read_traits();
+		asked_stem = function->ask_stem(mean_height());
+		take_stem(asked_stem ? nullptr : function->find_stem(mean_height(), in_air));
 		return String();
 	}
 	const int64_t own_seed = variant_seed(seed, variant);
@@ -61,6 +63,7 @@ void FieldLook::load_shader() const {
 }
 
 void FieldLook::build() {
+	solve_stem();
 	if (samples.empty()) {
 		return;
 	}
@@ -131,15 +134,12 @@ float FieldLook::mean_height() const {
 	return variants.empty() ? 1.0f : sum;
 }
 
-// A stem asks the function for one plant more.
-void FieldLook::read_motion() {
+void FieldLook::read_traits() {
 	has_motion = true;
 	motion.law = Law(int(function->get_law()));
 	motion.joint = function->make_joint(Basis());
 	motion.collision_radius = float(function->get_collision_radius());
 	motion.lean = std::atan2(motion.joint.rest.z, motion.joint.rest.y);
-	stem = function->find_stem(mean_height(), in_air);
-	motion.stem = stem ? *stem : StemConstants();
 	motion.has_parts = motion.has_parts || (!samples.empty() && samples[0][0].grown);
 	motion.shortest = motion.longest = variants.empty() ? 1.0f : variants[0].height;
 	for (const FieldVariant &variant : variants) {
@@ -147,6 +147,31 @@ void FieldLook::read_motion() {
 		motion.longest = std::max(motion.longest, variant.height);
 	}
 	motion.stand_height = 0.5f * (motion.shortest + motion.longest);
+}
+
+void FieldLook::take_stem(const std::shared_ptr<const StemConstants> &found) {
+	stem = found;
+	motion.stem = stem ? *stem : StemConstants();
+}
+
+void FieldLook::read_motion() {
+	read_traits();
+	take_stem(function->find_stem(mean_height(), in_air));
+}
+
+void FieldLook::solve_stem() {
+	if (asked_stem && !solved_stem.in_newtons) {
+		solved_stem = solve_recipe(asked_stem->recipe);
+		take_stem(in_air ? solved_stem.in_air : solved_stem.in_newtons);
+	}
+}
+
+void FieldLook::tell_of_stem() {
+	if (asked_stem && solved_stem.in_newtons) {
+		function->take_stem(*asked_stem, solved_stem);
+	}
+	asked_stem.reset();
+	solved_stem = SolvedStem();
 }
 
 float FieldLook::reach_of(const PlacedPlant &plant, float widening) const {

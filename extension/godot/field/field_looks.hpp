@@ -7,6 +7,7 @@
 
 #include <godot_cpp/classes/shader_material.hpp>
 
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -58,6 +59,8 @@ struct FieldLook {
 	bool has_motion = false; ///< It was read.
 	bool in_air = false; ///< A wind in m/s blows; stems have their shape by it.
 	std::shared_ptr<const StemConstants> stem; ///< As `motion` has it; null of another law.
+	std::optional<AskedStem> asked_stem; ///< What the function did not know of it when it was sampled,
+	SolvedStem solved_stem; ///< and what that came to when meshes were built.
 	float width = 0.0f; ///< m: the farthest that any mesh goes from its axis.
 	/// By level: what plants of parts and their meshes show from above, in shares of what they show from the side.
 	std::vector<godot::Vector2> from_above;
@@ -66,7 +69,8 @@ struct FieldLook {
 	int64_t seed = 0; ///< Of all variants.
 
 	/// Asks the function for one variant more, at all levels, and at last how they move; main thread only, since
-	/// scripts may answer. Tells what is wrong and what to do, or nothing.
+	/// scripts may answer. A stem that the function does not know is left to build(). Tells what is wrong and what to
+	/// do, or nothing.
 	godot::String sample_next(const std::vector<FieldLevel> &levels);
 	/// Vertical segments at a level.
 	int segments_at(const FieldLevel &level) const;
@@ -75,14 +79,16 @@ struct FieldLook {
 	/// Of what was sampled, on the main thread: a thread of the pool that loads something works on other tasks
 	/// meanwhile, and so could come to wait for itself.
 	void load_shader() const;
-	/// Builds what meshes of what was sampled are made of; once, on any thread.
+	/// Solves the stem and builds what meshes of what was sampled are made of; once, on any thread.
 	void build();
 	/// Makes them, for about `usec`, on a thread that may (renders_on_threads()). False: there are more.
 	bool make_meshes(double usec);
 	/// For the mesh of one plant alone, with its own height, to be turned and scaled by `scale`, on a skeleton.
 	SampledPlant sample_alone(const PlacedPlant &plant) const;
-	/// The function's motion as it is now.
+	/// The function's motion as it is now. A stem that it does not know yet is solved at once.
 	void read_motion();
+	/// Tells the function what building has found of its stem.
+	void tell_of_stem();
 	/// Its material, for plants that get a mesh of their own.
 	void take_material();
 	/// The root of a plant, its length and rest direction, for the simulation.
@@ -104,6 +110,10 @@ struct FieldLook {
 
 private:
 	void find_mean();
+	/// All of the motion but the stem.
+	void read_traits();
+	void solve_stem();
+	void take_stem(const std::shared_ptr<const StemConstants> &found);
 };
 
 } // namespace undergrowth

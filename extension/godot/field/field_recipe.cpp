@@ -218,6 +218,7 @@ String read_other_look(
 		}
 	}
 	into.build();
+	into.tell_of_stem();
 	into.make_meshes(std::numeric_limits<double>::infinity());
 	return String();
 }

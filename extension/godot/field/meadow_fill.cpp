@@ -239,6 +239,7 @@ bool Meadow::adopt(FieldFill &finished) {
 	for (size_t i = 0; i < style.looks.size(); i++) {
 		const float lean = style.looks[i].motion.lean;
 		style.looks[i].in_air = PlantWind::is_air(properties.wind);
+		style.looks[i].tell_of_stem();
 		style.looks[i].read_motion(); // It may have changed meanwhile.
 		if (style.looks[i].motion.lean != lean) {
 			other_leans.push_back(int(i));
