@@ -110,6 +110,23 @@ TEST_CASE("plants that stand too close to be apart in calm air stay at rest") {
 	}
 }
 
+TEST_CASE("who is gone pushes nobody, whichever of the two it is") {
+	for (const Law law : BOTH_LAWS) {
+		for (const int gone : { 0, 1 }) {
+			FieldSimulation field = row_of(tips_of(law), 2, 0.3f);
+			field.page(0).set_state(0, { { 0.1f, 1.0f, 0.0f }, glm::vec3(0.0f) });
+			field.page(0).set_state(1, { { -0.1f, 1.0f, 0.0f }, glm::vec3(0.0f) });
+			const glm::vec3 before = field.page(0).tip(1 - gone);
+			REQUIRE(tip_distance(field, 0, 1) < 2.0f * RADIUS);
+			field.page(0).remove(gone);
+			TipContact contact;
+			contact.fit(field);
+			contact.resolve(field);
+			CHECK(field.page(0).tip(1 - gone) == before);
+		}
+	}
+}
+
 TEST_CASE("the grid finds the contacts that comparing every pair finds") {
 	FieldSimulation field((FieldSettings()));
 	MotionSpecies species = tips_of(Law::elasticity);

@@ -64,6 +64,35 @@ TEST_CASE("the axes along a midrib stay upright on each other, and never turn ab
 	}
 }
 
+TEST_CASE("from node to node the axes turn by the smallest turn that there is") {
+	constexpr int NODES = 48;
+	const Midrib midrib({ 1.0f, 1.0f, 1.5f }, 3);
+	Midrib::Place before = midrib.at(0.0f);
+	for (int i = 1; i <= NODES; i++) {
+		const Midrib::Place place = midrib.at(static_cast<float>(i) / NODES);
+		const glm::dvec3 axis = glm::normalize(glm::cross(glm::dvec3(before.along), glm::dvec3(place.along)));
+		CHECK(std::abs(glm::dot(axis, glm::dvec3(place.across)) - glm::dot(axis, glm::dvec3(before.across))) < 2e-5);
+		before = place;
+	}
+}
+
+TEST_CASE("a midrib wanders aside by other noise than along") {
+	constexpr int SEEDS = 400;
+	for (const float later : { 0.0f, 0.25f, 0.5f }) {
+		double sum = 0.0;
+		double squares = 0.0;
+		for (uint64_t seed = 0; seed < SEEDS; seed++) {
+			const Midrib midrib({ 0.0f, 1.0f, 0.2f }, seed);
+			const double aside = static_cast<double>(midrib.at(0.4f).along.x) / 0.4;
+			const double along =
+					static_cast<double>(midrib.at(0.4f + later).along.z) / (0.4 + static_cast<double>(later));
+			sum += aside * along;
+			squares += 0.5 * (aside * aside + along * along);
+		}
+		CHECK(std::abs(sum) < 0.15 * squares); // Three deviations of what 400 pairs of independent noise come to.
+	}
+}
+
 TEST_CASE("a midrib wanders by its seed, and not at its base") {
 	const Midrib one({ 0.0f, 1.0f, 0.8f }, 1);
 	const Midrib other({ 0.0f, 1.0f, 0.8f }, 2);

@@ -199,6 +199,31 @@ TEST_CASE("a tip in the middle of a crate leaves it by its side, not by its leng
 	}
 }
 
+TEST_CASE("a tip in the core of a rounded box leaves its rounded edges, too") {
+	MovingBody body; // 0.1 m and 0.2 m to each side of its middle line, and rounded by 0.1 m.
+	body.from = { 0.05f, 0.9f, -1.0f };
+	body.to = { 0.05f, 0.9f, 1.0f };
+	body.half_width = { 0.1f, 0.0f, 0.0f };
+	body.half_depth = { 0.0f, 0.2f, 0.0f };
+	body.radius = 0.1f;
+	TipState state;
+	CHECK(push_plant(state, glm::vec3(0.0f), 1.0f, 0.0f, body));
+	CHECK(state.direction.x < -0.14f); // The nearest side is at -0.15 m.
+}
+
+TEST_CASE("no body pushes a tip into the ground") {
+	MovingBody body; // Comes down on a plant that leans.
+	body.from = body.to = { 0.4f, 1.2f, 0.0f };
+	body.radius = 1.4f;
+	TipState state;
+	state.direction = glm::normalize(glm::vec3(0.9f, 0.3f, 0.0f));
+	for (int i = 0; i < 20; i++) {
+		push_plant(state, glm::vec3(0.0f), 1.0f, 0.0f, body);
+		CHECK(state.direction.y > 0.5f * LEAST_PUSHED_HEIGHT);
+	}
+	CHECK(state.direction.y < 0.1f); // It was pushed there.
+}
+
 TEST_CASE("a crate pushes nothing that it only passes by") {
 	FieldSimulation field = calm_plant(Law::elasticity);
 	CHECK(push_plants(field.page(0), crate({ 0.0f, 1.0f, 0.48f }, 0.0f)) == 0);

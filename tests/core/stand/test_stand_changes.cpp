@@ -100,12 +100,32 @@ TEST_CASE("who is mown is so high, and grows back") {
 	CHECK(cut.changes.plant_count() < left); // Whom a square is written for is forgotten once it is whole again.
 }
 
+TEST_CASE("nobody who is gone is kept as mown, too") {
+	Cut cut;
+	const int known = cut.changes.plant_count();
+	cut.changes.remove(cut.named_near(-8.0f), cut.spacing);
+	CHECK(cut.changes.plant_count() == known);
+	for (const auto &[spacing, squares] : cut.changes.of_filled()) {
+		for (const auto &[key, square] : squares) {
+			CHECK(square->mown.empty());
+		}
+	}
+}
+
 TEST_CASE("plants that were added are mown by their names") {
 	StandChanges changes;
 	changes.mow({ added_plant_id(3) }, { 0.25f }, 1.0);
 	CHECK(changes.share_of(added_plant_id(3), 90.0f, 90.0f) == 0.25f);
 	CHECK(changes.share_of(added_plant_id(4), 90.0f, 90.0f) == 1.0f);
 	changes.forget_added(added_plant_id(3));
+	CHECK(changes.is_empty());
+}
+
+TEST_CASE("an added plant that is as high as it grew is as if it had never been mown") {
+	StandChanges changes;
+	changes.mow({ added_plant_id(3), added_plant_id(4) }, { 0.25f, 1.0f }, 1.0);
+	CHECK(changes.plant_count() == 1);
+	changes.mow({ added_plant_id(3) }, { 1.0f }, 1.0);
 	CHECK(changes.is_empty());
 }
 
@@ -168,4 +188,14 @@ TEST_CASE("a cut has what matters in its box, whichever squares beside it change
 	}
 	CHECK(count > 1000);
 	CHECK(part.plant_count() < changes.plant_count());
+}
+
+TEST_CASE("a cut around a plant's root knows whether it is gone, wherever in its cell it stands") {
+	const Cut cut;
+	for (std::size_t i = 0; i < cut.plants.x.size(); i++) {
+		const float x = cut.plants.x[i];
+		const float z = cut.plants.z[i];
+		const AreaBox root = { { x, z }, { x, z } };
+		CHECK(cut.changes.cut(root).is_gone(x, z) == cut.changes.is_gone(x, z));
+	}
 }

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -71,6 +72,22 @@ TEST_CASE("a fan's jet runs outward along the ground") {
 	CHECK(velocity_at(source, place).x == low); // Five diameters above the ground.
 	source.height = 48.0f;
 	CHECK(velocity_at(source, place).x == doctest::Approx(0.5f * low));
+}
+
+TEST_CASE("a fan's jet ends smoothly sixteen of its radii away, however high it hangs") {
+	AirSource source = source_of(AirSource::Kind::fan);
+	const double spread = 1.3 * 2.0; // m.
+	for (const float height : { 0.0f, 40.0f }) {
+		source.height = height;
+		const double arrived = std::min(24.0 / std::max(static_cast<double>(height), 1e-9), 1.0);
+		for (const double x : { 7.9, 9.0, 12.0, 15.5 }) {
+			const double faded = std::max(x - 8.0, 0.0) / 8.0;
+			const double kept = (1.0 - faded * faded) * (1.0 - faded * faded);
+			const double expected = 4.0 * 40.0 * x / (1.0 + x * x) * kept * arrived;
+			const glm::vec3 on_ground = source.place + glm::vec3(static_cast<float>(x * spread), -height, 0.0f);
+			REQUIRE(std::fabs(static_cast<double>(velocity_at(source, on_ground).x) - expected) < TOLERANCE * 40.0);
+		}
+	}
 }
 
 TEST_CASE("a body pushes air aside, ahead of it on, and draws a wake along") {
