@@ -49,6 +49,32 @@ func test_plants_near_every_camera_are_stepped_in_full() -> void:
 	check(moves[2] < 10, "steps far from both of 16: %s" % [moves])
 
 
+func test_nobody_near_a_camera_above_the_field_is_stepped_less_often() -> void:
+	field.far_distance = 12.0
+	field.wind = PlantWind.new()
+	for viewport in root.get_children():
+		if viewport is SubViewport:
+			viewport.get_child(0).position.y = 3.5
+	await start()
+	await step(40)
+	var ids := field.find_plants_in_sphere(Vector3(-140, 0, 0), 4.0)
+	check(ids.size() > 20, "%d plants near it" % ids.size())
+	var moves := PackedInt32Array()
+	moves.resize(ids.size())
+	for i in 16:
+		var before := field.get_motion_state(ids)
+		await step(1)
+		var now := field.get_motion_state(ids)
+		var floats := now.size() / ids.size()
+		for plant in ids.size():
+			var own := plant * floats
+			moves[plant] += (
+				1 if now.slice(own, own + floats) != before.slice(own, own + floats) else 0
+			)
+	for plant in ids.size():
+		check(moves[plant] >= 15, "plant %d is stepped in %d of 16" % [plant, moves[plant]])
+
+
 func test_a_body_far_from_all_cameras_pushes_all_plants_in_its_way() -> void:
 	field.wind = null
 	field.bodies_group = &"walkers"

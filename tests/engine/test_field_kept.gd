@@ -125,6 +125,22 @@ func test_a_field_is_found_as_it_was_left() -> void:
 	check(field.get_changes() == bytes, "its changes are the same bytes")
 
 
+func test_the_usual_grass_that_was_added_is_known_before_a_field_stands() -> void:
+	field.species = []
+	field.size = Vector2(6, 6)
+	await start()
+	var grass: PlantFunction = load("res://addons/undergrowth/species/meadow_grass.tres")
+	field.add_plants([Transform3D.IDENTITY], grass)
+	var bytes := field.get_changes()
+	var count := field.get_plant_count()
+	field.free()
+	field = PlantField3D.new()
+	field.size = Vector2(6, 6)
+	check(field.apply_changes(bytes), "before it stands")
+	await start()
+	check_equal(field.get_plant_count(), count, "plants")
+
+
 func test_no_bytes_are_no_changes() -> void:
 	await start()
 	var ids := sorted_ids()

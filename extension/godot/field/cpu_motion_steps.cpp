@@ -21,6 +21,7 @@ namespace undergrowth {
 static constexpr int FRAMES_BETWEEN_FAR_UPDATES = 15;
 static constexpr int MOST_FAR_MULTIPLE = 32;
 static constexpr double NEAR = 10.0; // m: where a stem's second mode can be seen.
+static constexpr double NEVER_FAR = 0.5; // Of far_distance: whoever is nearer is stepped in full.
 static constexpr double FARTHER = 1.4142135623730951; // So much farther is stepped half as often again.
 
 static int worker_count(const MotionOptions &options) {
@@ -34,9 +35,9 @@ bool CpuMotion::wants_eyes() const {
 
 // Pages farther than far_distance are stepped half as often, those FARTHER yet a quarter as often, and so on: as fast
 // as the ground at a distance grows, so that all far rings cost about the same. A page's middle counts, but no plant of
-// it is taken to be more than far_distance farther than it is: where somebody looks, all are stepped in full. Bodies
-// that push count as eyes. Where somebody looks from near, stems of two modes step both; where the distance does not
-// matter, whoever looks changes nothing.
+// it is taken to be more than half of far_distance farther than it is: around whoever looks, also from above, all are
+// stepped in full. Bodies that push count as eyes. Where somebody looks from near, stems of two modes step both; where
+// the distance does not matter, whoever looks changes nothing.
 void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
 	const bool is_due = wants_eyes();
 	frames_since_far++;
@@ -61,7 +62,7 @@ void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
 		for (const glm::vec3 &eye : eyes) {
 			const double nearest = metres(eye - glm::clamp(eye, plants.low(), plants.high()));
 			const double middle = metres(eye - 0.5f * (plants.low() + plants.high()));
-			away = std::min(away, std::min(middle, nearest + options.far_distance));
+			away = std::min(away, std::min(middle, nearest + NEVER_FAR * options.far_distance));
 			is_near = is_near || nearest < NEAR;
 		}
 		simulation->set_page_near(page, applies && is_near);

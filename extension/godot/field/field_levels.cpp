@@ -24,10 +24,12 @@ String find_level_fault(const ViewOptions &options) {
 			return name + String(" is empty. Set a PlantFieldLevel there, or remove the entry.");
 		}
 		const float end = float(level->get_end());
-		if (i + 1 < options.levels.size() && end <= before) {
+		const bool has_end = end > 0.0f || i + 1 < options.levels.size();
+		if (has_end && end <= before) {
 			return name + String(" ends at ") + String::num(end) +
-					" m, not beyond the one before it. Let each level but the last "
-					"end farther away than the one before.";
+					" m, not beyond the one before it. Let each level end farther away than the one before; the last "
+					"may "
+					"have an end of 0, and goes on.";
 		}
 		before = end;
 	}

@@ -136,6 +136,7 @@ void PlantField3D::on_map_painted(const Rect2 &rect) {
 }
 
 bool PlantField3D::apply_changes(const PackedByteArray &bytes) {
+	species.choose_grass(); // Whose plants may be among those that were added.
 	const bool is_sound = plants.apply_changes(bytes);
 	if (is_inside_tree()) {
 		frames.follow(meadow.wants_frames());
