@@ -79,9 +79,10 @@ func _open_scene(path: String, root: Node) -> void:
 	var scene := PackedScene.new()
 	scene.pack(root)
 	root.free()
+	await files_are_known()
 	check_equal(ResourceSaver.save(scene, path), OK, "saving a scene for the test")
 	EditorInterface.get_resource_filesystem().scan()
-	await until(func() -> bool: return not EditorInterface.get_resource_filesystem().is_scanning())
+	await files_are_known()
 	EditorInterface.open_scene_from_path(path)
 	await frames(5)
 
