@@ -135,7 +135,7 @@ func _draw_axes(frame: Rect2, top: float, font: Font, font_size: int) -> void:
 		draw_line(Vector2(x, frame.position.y), Vector2(x, frame.end.y), grid)
 		var label := "%d s" % second
 		var wide := font.get_string_size(label, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
-		var left := clampf(x - wide / 2.0, 0.0, size.x - wide)
+		var left := clampf(x - wide / 2.0, frame.position.x, size.x - wide)
 		var at := Vector2(left, frame.end.y + font.get_ascent(font_size) + 2.0)
 		draw_string(font, at, label, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size, text)
 
@@ -147,7 +147,20 @@ func _draw_curve(frame: Rect2, forces: PackedFloat32Array, top: float) -> void:
 		var share := Vector2(float(i) / (forces.size() - 1), 1.0 - forces[i] / top)
 		points.append(frame.position + share * frame.size)
 	var width := 1.0 if _is_air() else 1.5
-	draw_polyline(points, accent, width * EditorInterface.get_editor_scale(), true)
+	width *= EditorInterface.get_editor_scale()
+	if _is_air():
+		draw_multiline(_pieces(points), accent, width, true)
+	else:
+		draw_polyline(points, accent, width, true)
+
+
+# One by one: at corners as sharp as those of gusts a line all of a piece has gaps.
+func _pieces(points: PackedVector2Array) -> PackedVector2Array:
+	var pieces := PackedVector2Array()
+	for i in points.size() - 1:
+		pieces.append(points[i])
+		pieces.append(points[i + 1])
+	return pieces
 
 
 func _draw_now(frame: Rect2, top: float, font: Font, font_size: int) -> void:
