@@ -15,6 +15,8 @@ const PAGE_END := 0.7
 const SAMPLES := 480
 ## Of a minute of air no more can be told apart, and its line is thinner.
 const AIR_SAMPLES := 160
+## Between a number and the axis, in pixels at 100 %.
+const GAP := 4.0
 
 var _start := 0.0
 var _drawn_at := -1.0
@@ -82,11 +84,11 @@ func _draw() -> void:
 
 # Where the curve is drawn: newtons stand on its left, seconds below, what the mark says above.
 func _frame(font: Font, font_size: int) -> Rect2:
-	var left := (
-		font.get_string_size("100.0 " + _unit(), HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x + 4.0
-	)
+	var widest := "100.0 " + _unit()
+	var gap := GAP * EditorInterface.get_editor_scale()
+	var left := gap + font.get_string_size(widest, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
 	var top := font_size * 1.5
-	return Rect2(left, top, size.x - left - 8.0, size.y - top - font_size * 1.5)
+	return Rect2(left, top, size.x - left - 2.0 * gap, size.y - top - font_size * 1.5)
 
 
 func _sample() -> PackedFloat32Array:
@@ -124,7 +126,7 @@ func _draw_axes(frame: Rect2, top: float, font: Font, font_size: int) -> void:
 		draw_line(Vector2(frame.position.x, y), Vector2(frame.end.x, y), grid)
 		var label := "%s %s" % [String.num(top * step / 2.0, 3), _unit()]
 		var at := Vector2(0, y + font.get_ascent(font_size) / 2.5)
-		var width := frame.position.x - 4.0
+		var width := frame.position.x - GAP * EditorInterface.get_editor_scale()
 		draw_string(font, at, label, HORIZONTAL_ALIGNMENT_RIGHT, width, font_size, text)
 	var span := _span()
 	var every := 2 if frame.size.x / span > font_size * 1.6 else (10 if _is_air() else 4)
