@@ -4,6 +4,8 @@ extends "editor_test.gd"
 
 const Translations := preload("res://addons/undergrowth/editor/translations/translations.gd")
 const EditorState := preload("res://addons/undergrowth/editor/editor_state.gd")
+const THEME := "interface/theme/color_preset"
+const LIGHT := "Light"
 
 
 ## In English, whatever the system speaks: the tests read messages.
@@ -18,6 +20,18 @@ func take_dialog_picture(dialog: Window, name: String) -> void:
 	await RenderingServer.frame_post_draw
 	if not pictures_folder.is_empty():
 		dialog.get_texture().get_image().save_png(pictures_folder.path_join("dialog_%s.png" % name))
+
+
+## The editor's theme, as [method wear_theme] takes it.
+func worn_theme() -> String:
+	return EditorInterface.get_editor_settings().get_setting(THEME)
+
+
+func wear_theme(preset: String) -> void:
+	EditorInterface.get_editor_settings().set_setting(THEME, preset)
+	var root := EditorInterface.get_base_control().get_tree().root
+	root.propagate_notification(EditorSettings.NOTIFICATION_EDITOR_SETTINGS_CHANGED)
+	await frames(10)
 
 
 func _state() -> EditorState:
@@ -79,9 +93,10 @@ func _open_scene(path: String, root: Node) -> void:
 	var scene := PackedScene.new()
 	scene.pack(root)
 	root.free()
+	await files_are_known()
 	check_equal(ResourceSaver.save(scene, path), OK, "saving a scene for the test")
 	EditorInterface.get_resource_filesystem().scan()
-	await until(func() -> bool: return not EditorInterface.get_resource_filesystem().is_scanning())
+	await files_are_known()
 	EditorInterface.open_scene_from_path(path)
 	await frames(5)
 

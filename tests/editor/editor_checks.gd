@@ -40,6 +40,8 @@ class Listener:
 ## [method until] waits at least so many frames and so many seconds.
 const PATIENCE := 600
 const PATIENCE_SECONDS := 15.0
+## For so many frames no scan goes on: the editor has taken over what its thread found.
+const CALM_FRAMES := 3
 ## Colours that a picture must have at least to count as more than empty.
 const LEAST_COLORS := 40
 
@@ -63,6 +65,9 @@ func run(test: String) -> void:
 	_errors = []
 	_check_count = 0
 	OS.add_logger(_listener)
+	await files_are_known()
+	if is_done:
+		return  # It was given up.
 	await call(test)
 	if is_done:
 		return  # It was given up.
@@ -132,6 +137,16 @@ func until(condition: Callable) -> bool:
 		await frames(1)
 		count += 1
 	return false
+
+
+## Waits until the editor has looked through the files, be it for the test before: meanwhile it
+## knows no id of what is saved, and begins no other scan.
+func files_are_known() -> void:
+	var files := EditorInterface.get_resource_filesystem()
+	var calm := 0
+	while calm < CALM_FRAMES:
+		await frames(1)
+		calm = 0 if files.is_scanning() else calm + 1
 
 
 ## Writes the editor's window as dock_[param name].png and checks that it is more than empty;

@@ -1,5 +1,5 @@
 @tool
-extends "actions_test.gd"
+extends "look_checks.gd"
 ## The project that the other tests saved, opened again with an editor at 200 %.
 
 const SCENE := "res://actions_scene.tscn"
@@ -35,6 +35,20 @@ func test_the_saved_scene_opens_with_its_plants() -> void:
 func test_picture_at_200_percent() -> void:
 	await _choose("Bellflower")
 	check(dock().size.x <= EditorInterface.get_base_control().size.x * 0.5, "the dock leaves room")
-	await take_picture("200")
+	await _take_both("200")
+
+
+func test_picture_at_200_percent_in_light() -> void:
+	var before := worn_theme()
+	await wear_theme(LIGHT)
+	await _take_both("200_light")
+	await wear_theme(before)
+
+
+func _take_both(name: String) -> void:
+	await _choose("Bellflower")
+	check_nothing_is_cut(dock(), "Plant")
+	await take_picture(name)
 	await open_page("Wind")
-	await take_picture("200_wind")
+	check_nothing_is_cut(dock(), "Wind")
+	await take_picture(name + "_wind")

@@ -110,15 +110,29 @@ func test_a_filter_moves_nothing() -> void:
 	await open_page("Plant")
 	var preview := part("Plant/Preview") as Control
 	var before := preview.get_global_rect()
+	var list := part("Plant/List/ReadyList") as ItemList
+	var width := list.size.x
 	var filter := part("Plant/List/Filter") as LineEdit
 	filter.text = "tul"
 	filter.text_changed.emit("tul")
 	await frames(4)
+	var bar := (part("Plant/List/Scroll") as ScrollContainer).get_v_scroll_bar()
+	check(not bar.visible, "one name needs no scroll bar")
+	# Else a list that is shorter in fewer, wider columns gets one and loses it without end.
+	check_equal(list.size.x, width, "width of the list without a scroll bar")
 	check_equal(preview.get_global_rect(), before, "place of the preview with one name")
 	filter.text = ""
 	filter.text_changed.emit("")
 	await frames(4)
 	check_equal(preview.get_global_rect(), before, "place of the preview with all names")
+
+
+func test_messages_stand_below_the_pages() -> void:
+	await open_page("Plant")
+	var page := (part("Plant") as Control).get_global_rect()
+	var line := (part("Status") as Control).get_global_rect()
+	check_equal(line.position.x, page.position.x, "its left end")
+	check_equal(line.end.x, page.end.x, "its right end")
 
 
 func test_messages_move_no_button() -> void:

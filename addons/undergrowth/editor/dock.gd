@@ -18,6 +18,7 @@ var state := EditorState.new()
 @onready var _plant_page: PlantPage = %Plant
 @onready var _wind_page: WindPage = %Wind
 @onready var _status: StatusLine = %Status
+@onready var _status_frame: MarginContainer = %StatusFrame
 
 
 ## Brings the dock to life. A dock that is only opened as a scene stays still.
@@ -27,6 +28,7 @@ func setup(plugin: EditorPlugin) -> void:
 	_pages.set_tab_title(_pages.get_tab_idx_from_control(_wind_page), tr("Wind"))
 	custom_minimum_size.x = LEAST_WIDTH * EditorInterface.get_editor_scale()
 	_status.setup(state)
+	_align_status()
 	_plant_page.setup(state, plugin.get_undo_redo(), self)
 	_wind_page.setup(state, plugin.get_undo_redo())
 
@@ -34,3 +36,14 @@ func setup(plugin: EditorPlugin) -> void:
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_PREDELETE and state:
 		state.close()
+	elif what == NOTIFICATION_THEME_CHANGED and is_node_ready():
+		_align_status()
+
+
+# Below the pages' content, which the theme keeps off their edges.
+func _align_status() -> void:
+	var panel := _pages.get_theme_stylebox(&"panel")
+	var left := roundi(panel.get_margin(SIDE_LEFT))
+	var right := roundi(panel.get_margin(SIDE_RIGHT))
+	_status_frame.add_theme_constant_override(&"margin_left", left)
+	_status_frame.add_theme_constant_override(&"margin_right", right)

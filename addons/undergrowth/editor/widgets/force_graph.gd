@@ -15,6 +15,8 @@ const PAGE_END := 0.7
 const SAMPLES := 480
 ## Of a minute of air no more can be told apart, and its line is thinner.
 const AIR_SAMPLES := 160
+## Between a number and the axis, in pixels at 100 %.
+const GAP := 4.0
 
 var _start := 0.0
 var _drawn_at := -1.0
@@ -82,11 +84,11 @@ func _draw() -> void:
 
 # Where the curve is drawn: newtons stand on its left, seconds below, what the mark says above.
 func _frame(font: Font, font_size: int) -> Rect2:
-	var left := (
-		font.get_string_size("100.0 " + _unit(), HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x + 4.0
-	)
+	var widest := "100.0 " + _unit()
+	var gap := GAP * EditorInterface.get_editor_scale()
+	var left := gap + font.get_string_size(widest, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
 	var top := font_size * 1.5
-	return Rect2(left, top, size.x - left - 8.0, size.y - top - font_size * 1.5)
+	return Rect2(left, top, size.x - left - 2.0 * gap, size.y - top - font_size * 1.5)
 
 
 func _sample() -> PackedFloat32Array:
@@ -124,7 +126,7 @@ func _draw_axes(frame: Rect2, top: float, font: Font, font_size: int) -> void:
 		draw_line(Vector2(frame.position.x, y), Vector2(frame.end.x, y), grid)
 		var label := "%s %s" % [String.num(top * step / 2.0, 3), _unit()]
 		var at := Vector2(0, y + font.get_ascent(font_size) / 2.5)
-		var width := frame.position.x - 4.0
+		var width := frame.position.x - GAP * EditorInterface.get_editor_scale()
 		draw_string(font, at, label, HORIZONTAL_ALIGNMENT_RIGHT, width, font_size, text)
 	var span := _span()
 	var every := 2 if frame.size.x / span > font_size * 1.6 else (10 if _is_air() else 4)
@@ -135,7 +137,7 @@ func _draw_axes(frame: Rect2, top: float, font: Font, font_size: int) -> void:
 		draw_line(Vector2(x, frame.position.y), Vector2(x, frame.end.y), grid)
 		var label := "%d s" % second
 		var wide := font.get_string_size(label, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
-		var left := clampf(x - wide / 2.0, 0.0, size.x - wide)
+		var left := clampf(x - wide / 2.0, frame.position.x, size.x - wide)
 		var at := Vector2(left, frame.end.y + font.get_ascent(font_size) + 2.0)
 		draw_string(font, at, label, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size, text)
 
@@ -147,7 +149,20 @@ func _draw_curve(frame: Rect2, forces: PackedFloat32Array, top: float) -> void:
 		var share := Vector2(float(i) / (forces.size() - 1), 1.0 - forces[i] / top)
 		points.append(frame.position + share * frame.size)
 	var width := 1.0 if _is_air() else 1.5
-	draw_polyline(points, accent, width * EditorInterface.get_editor_scale(), true)
+	width *= EditorInterface.get_editor_scale()
+	if _is_air():
+		draw_multiline(_pieces(points), accent, width, true)
+	else:
+		draw_polyline(points, accent, width, true)
+
+
+# One by one: at corners as sharp as those of gusts a line all of a piece has gaps.
+func _pieces(points: PackedVector2Array) -> PackedVector2Array:
+	var pieces := PackedVector2Array()
+	for i in points.size() - 1:
+		pieces.append(points[i])
+		pieces.append(points[i + 1])
+	return pieces
 
 
 func _draw_now(frame: Rect2, top: float, font: Font, font_size: int) -> void:

@@ -2,8 +2,9 @@
 extends EditorSpinSlider
 ## A number of which some values read as words: those that let something else decide.
 
-## Of the control's height: between its edge and a text.
-const INDENT := 0.25
+## What the engine keeps between a label and its number, in pixels at 100 %, beside the margin that
+## it keeps on the left as well.
+const SEPARATION := 4.0
 ## As pale as the engine's own label beside a number.
 const LABEL_OPACITY := 0.5
 
@@ -27,11 +28,12 @@ func _draw() -> void:
 	var font := get_theme_font(&"font", &"LineEdit")
 	var font_size := get_theme_font_size(&"font_size", &"LineEdit")
 	var line := size.y * 0.5 + (font.get_ascent(font_size) - font.get_descent(font_size)) * 0.5
-	var at := Vector2(maxf(box.get_margin(SIDE_LEFT), size.y * INDENT), line)
+	var margin := box.get_offset().x
+	var at := Vector2(margin, line)
 	var color := get_theme_color(&"font_color", &"LineEdit")
-	if label:
-		_write(label, font, font_size, at, color * Color(1, 1, 1, LABEL_OPACITY))
-		at.x += font.get_string_size(label + "  ", HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
+	_write(label, font, font_size, at, color * Color(1, 1, 1, LABEL_OPACITY))
+	at.x += font.get_string_size(label, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
+	at.x += margin + SEPARATION * EditorInterface.get_editor_scale()
 	_write(shown, font, font_size, at, color)
 
 
