@@ -71,8 +71,10 @@ func test_nobody_near_a_camera_above_the_field_is_stepped_less_often() -> void:
 			moves[plant] += (
 				1 if now.slice(own, own + floats) != before.slice(own, own + floats) else 0
 			)
-	for plant in ids.size():
-		check(moves[plant] >= 15, "plant %d is stepped in %d of 16" % [plant, moves[plant]])
+	var least := moves[0]
+	for steps in moves:
+		least = mini(least, steps)
+	check(least >= 15, "somebody is stepped in %d of 16" % least)
 
 
 func test_a_body_far_from_all_cameras_pushes_all_plants_in_its_way() -> void:

@@ -71,9 +71,9 @@ func test_levels_that_do_not_go_outwards_are_one_error() -> void:
 	field.levels = [PlantFieldLevel.of(8, 20.0), PlantFieldLevel.of(4, 10.0), PlantFieldLevel.of(2)]
 	await rested()
 	check_error("levels[1] ends at 10.0 m")
-	field.levels = [PlantFieldLevel.of(8, 20.0), PlantFieldLevel.of(4, 10.0)]
+	field.levels = [PlantFieldLevel.of(8, 20.0), PlantFieldLevel.of(4, 9.0)]
 	await rested()
-	check_error("levels[1] ends at 10.0 m")
+	check_error("levels[1] ends at 9.0 m")
 	field.levels = [null, PlantFieldLevel.of(3)]
 	await rested()
 	check_error("levels[0] is empty")

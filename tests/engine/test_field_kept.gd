@@ -126,7 +126,8 @@ func test_a_field_is_found_as_it_was_left() -> void:
 
 
 func test_the_usual_grass_that_was_added_is_known_before_a_field_stands() -> void:
-	field.species = []
+	field.free()
+	field = PlantField3D.new()
 	field.size = Vector2(6, 6)
 	await start()
 	var grass: PlantFunction = load("res://addons/undergrowth/species/meadow_grass.tres")

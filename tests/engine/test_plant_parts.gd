@@ -231,6 +231,13 @@ func test_values_out_of_range_keep_the_last() -> void:
 	check_equal(arrangement.count, Vector2i(1, 1), "count")
 	PlantBlade.of({colour = Color.RED})
 	check_error("PlantBlade: has no 'colour'")
+	var usual := PlantBlade.new().length
+	check_equal(PlantBlade.of({length = "long"}).length, usual, "its length")
+	check_error("PlantBlade: 'length' cannot be of type String. Give it a Vector2.")
+	var at_once := PlantArrangement.of(
+		{part = PlantBlade.new(), carries = [arrangement], count = 2}
+	)
+	check_equal(at_once.carries, [arrangement], "what it carries, in an array that is not typed")
 
 
 func test_what_carries_itself_or_has_no_part_is_told() -> void:

@@ -12,36 +12,49 @@ static bool is_number(const Variant &value) {
 	return value.get_type() == Variant::FLOAT || value.get_type() == Variant::INT;
 }
 
-// The properties of its own, without those of every resource.
-static PackedStringArray names_of(Resource *resource) {
-	PackedStringArray names;
+// The types of the properties of its own, by their names, without those of every resource.
+static Dictionary types_of(Resource *resource) {
+	Dictionary types;
 	const Array all = resource->get_property_list();
 	for (int64_t i = 0; i < all.size(); i++) {
 		const Dictionary property = all[i];
 		const String name = property["name"];
 		const int64_t usage = property["usage"];
 		if ((usage & int64_t(PROPERTY_USAGE_STORAGE)) != 0 && !name.begins_with("resource_") && name != "script") {
-			names.push_back(name);
+			types[name] = property["type"];
 		}
 	}
-	return names;
+	return types;
+}
+
+// A number stands for a range that begins and ends with it.
+static Variant as_range(const Variant &value, Variant::Type type) {
+	if (type == Variant::VECTOR2 && is_number(value)) {
+		return Vector2(float(double(value)), float(double(value)));
+	}
+	if (type == Variant::VECTOR2I && value.get_type() == Variant::INT) {
+		return Vector2i(int32_t(int64_t(value)), int32_t(int64_t(value)));
+	}
+	return value;
 }
 
 void set_by_names(Resource *resource, const Dictionary &values) {
-	const PackedStringArray known = names_of(resource);
+	const Dictionary types = types_of(resource);
 	const Array names = values.keys();
 	for (int64_t i = 0; i < names.size(); i++) {
 		const String name = names[i];
-		if (!known.has(name)) {
+		if (!types.has(name)) {
+			const PackedStringArray known = types.keys();
 			report_error(resource, "has no '" + name + "'. Use " + String(", ").join(known) + ".");
 			continue;
 		}
-		Variant value = values[names[i]];
-		const Variant now = resource->get(name);
-		if (now.get_type() == Variant::VECTOR2 && is_number(value)) {
-			value = Vector2(float(double(value)), float(double(value)));
-		} else if (now.get_type() == Variant::VECTOR2I && value.get_type() == Variant::INT) {
-			value = Vector2i(int32_t(int64_t(value)), int32_t(int64_t(value)));
+		const auto type = Variant::Type(int64_t(types[name]));
+		const Variant value = as_range(values[names[i]], type);
+		if (value.get_type() != type && !Variant::can_convert_strict(value.get_type(), type)) {
+			report_error(resource,
+					"'" + name + "' cannot be of type " + Variant::get_type_name(value.get_type()) + ". Give it a " +
+							Variant::get_type_name(type) + ".");
+			continue;
 		}
 		resource->set(name, value);
 	}
