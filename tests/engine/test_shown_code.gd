@@ -13,15 +13,23 @@ const SHOWN_FRAMES := 8
 const PATIENCE := 20000
 const SHAPED: PackedStringArray = ["PlantFunction", "PlantPart"]
 ## Names that C# gives as words: of classes, and of what they have.
-const SHARP_CLASS := 'ClassDB\\.Instantiate\\("(\\w+)"\\)'
-const SHARP_MEMBER := '\\.(Set|Get|Call|Connect|HasMethod)\\("(\\w+)"'
+const SHARP_CLASS := 'ClassDB\\.\\w+\\("(\\w+)"'
+const SHARP_MEMBER := (
+	"(?:\\.(Set|Get|Call|Connect|HasMethod)\\(|(ToSignal)\\(\\w+, "
+	+ '|(ClassCallStatic|ClassGetIntegerConstant)\\("\\w+", )"(\\w+)"'
+)
 const SHARP_WAYS: Dictionary[String, String] = {
 	"Set": "property",
 	"Get": "property",
 	"Call": "method",
 	"HasMethod": "method",
-	"Connect": "signal"
+	"Connect": "signal",
+	"ToSignal": "signal",
+	"ClassCallStatic": "method",
+	"ClassGetIntegerConstant": "constant",
 }
+## Where a species that is shown as a file is put.
+const SHOWN_FILE := "user://shown_species.tres"
 
 
 func test_code_of_readme_runs() -> void:
@@ -55,6 +63,16 @@ func test_what_is_wrong_in_a_block_is_found() -> void:
 	block.language = "csharp"
 	block.code = 'field.Call("remove_in_spheer"); field.Set("density", 4);'
 	check_equal(_find_wrong_names(block), PackedStringArray(["remove_in_spheer"]), "wrong names")
+	block.code = (
+		'ClassDB.ClassGetIntegerConstant("PlantWind", "KIND_AER");'
+		+ 'await ToSignal(field, "fild");'
+		+ 'ClassDB.ClassCallStatic("PlantFeild3D", "of_species", list);'
+	)
+	var wrong := PackedStringArray(["PlantFeild3D", "KIND_AER", "fild", "of_species"])
+	check_equal(_find_wrong_names(block), wrong, "other wrong names")
+	block.language = "ini"
+	block.code = '[gd_resource type="PlantFunction" format=3]\n\n[resource]\nmas = 2.0\n'
+	check_equal(_find_unset(block), PackedStringArray(["mas"]), "what a file does not set")
 	block.language = "gdscript"
 	block.code = "add_child(PlantFeild3D.new())\n"
 	check(ShownCode.make_script(block).reload() != OK, "a misspelt class does not compile")
@@ -70,6 +88,8 @@ func _try_all(blocks: Array[ShownCode.Block]) -> void:
 				check_equal(
 					_find_wrong_names(block), PackedStringArray(), "names of " + block.place
 				)
+			"ini":
+				_load_species(block)
 			"text", "gdshader":
 				_check_includes(block)
 		for message in _listener.take():
@@ -177,8 +197,11 @@ func _furnish(shown: Node, field: PlantField3D) -> void:
 func _make_player() -> CharacterBody3D:
 	var player := CharacterBody3D.new()
 	player.name = "Player"
+	player.position.y = 0.9  # It stands on the ground.
 	var shape := CollisionShape3D.new()
-	shape.shape = CapsuleShape3D.new()
+	var capsule := CapsuleShape3D.new()
+	capsule.height = 1.8
+	shape.shape = capsule
 	player.add_child(shape)
 	return player
 
@@ -207,6 +230,29 @@ func _lend(shown: Node, field: PlantField3D) -> void:
 			shown.set(name, things[name])
 
 
+## A species that is shown as a file: it is loaded, and takes all that the file says.
+func _load_species(block: ShownCode.Block) -> void:
+	check_equal(_find_unset(block), PackedStringArray(), "what is not set, " + block.place)
+	var species := load(SHOWN_FILE) as PlantFunction
+	check_equal(species.find_problem(0.0, 12, 1), "", "problem of " + block.place)
+
+
+## Properties that a species' file names and that stay at their defaults; Godot tells nothing.
+func _find_unset(block: ShownCode.Block) -> PackedStringArray:
+	var file := FileAccess.open(SHOWN_FILE, FileAccess.WRITE)
+	file.store_string(block.code)
+	file.close()
+	var species := ResourceLoader.load(SHOWN_FILE, "", ResourceLoader.CACHE_MODE_REPLACE)
+	ResourceSaver.save(species, SHOWN_FILE)
+	var saved := FileAccess.get_file_as_string(SHOWN_FILE)
+	var unset: PackedStringArray = []
+	for line in block.code.split("\n"):
+		var name := line.get_slice(" = ", 0)
+		if name != line and not saved.contains("\n%s = " % name):
+			unset.append(name)
+	return unset
+
+
 ## Words of C# that no class of the add-on or of the engine has.
 func _find_wrong_names(block: ShownCode.Block) -> PackedStringArray:
 	var wrong: PackedStringArray = []
@@ -214,8 +260,9 @@ func _find_wrong_names(block: ShownCode.Block) -> PackedStringArray:
 		if not ClassDB.class_exists(found.get_string(1)):
 			wrong.append(found.get_string(1))
 	for found in RegEx.create_from_string(SHARP_MEMBER).search_all(block.code):
-		if not _is_known(found.get_string(2), SHARP_WAYS[found.get_string(1)]):
-			wrong.append(found.get_string(2))
+		var way := found.get_string(1) + found.get_string(2) + found.get_string(3)
+		if not _is_known(found.get_string(4), SHARP_WAYS[way]):
+			wrong.append(found.get_string(4))
 	return wrong
 
 
@@ -227,6 +274,7 @@ func _is_known(name: String, way: String) -> bool:
 			"property": name in ClassDB.class_get_property_list(type).map(_name_of),
 			"method": ClassDB.class_has_method(type, name),
 			"signal": ClassDB.class_has_signal(type, name),
+			"constant": ClassDB.class_has_integer_constant(type, name),
 		}[way]
 		if is_there:
 			return true
