@@ -28,8 +28,7 @@ String find_level_fault(const ViewOptions &options) {
 		if (has_end && end <= before) {
 			return name + String(" ends at ") + String::num(end) +
 					" m, not beyond the one before it. Let each level end farther away than the one before; the last "
-					"may "
-					"have an end of 0, and goes on.";
+					"alone may end at 0, which is never.";
 		}
 		before = end;
 	}
