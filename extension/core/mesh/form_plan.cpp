@@ -18,7 +18,7 @@ MeshCounts count_body(const PartGroup &group, const BodyDetail &detail) {
 }
 
 FormPlan plan_form(const PlantForm &form, const FormMeasure &measure, int budget) {
-	PlanSteps steps(form, measure);
+	PlanSteps steps(form, measure, budget > vertex_budget(FINEST_USUAL_LOD));
 	bool is_cut = false;
 	while (steps.vertices() > budget && steps.take_best(budget)) {
 		is_cut = true;

@@ -11,6 +11,9 @@ namespace undergrowth {
 /// The most vertices of a plant of parts at a level: 792, 198, 50, 22, 12 for 12, 6, 3, 2, 1 vertical segments.
 int vertex_budget(int lod);
 
+/// Finer levels draw petals, leaves and bells as rounded as what fills the picture should be.
+inline constexpr int FINEST_USUAL_LOD = 12;
+
 /// How finely a body is drawn (mesh/form_body.hpp).
 struct BodyDetail {
 	int sides = 0;

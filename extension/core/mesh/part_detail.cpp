@@ -17,8 +17,29 @@ const std::vector<PartDetail> BLADE_DETAILS = { { 5, 8 }, { 5, 6 }, { 3, 6 }, { 
 const std::vector<PartDetail> AXIS_DETAILS = { { 10, 10 }, { 8, 8 }, { 6, 8 }, { 6, 6 }, { 5, 5 }, { 5, 4 }, { 4, 3 },
 	{ 3, 3 }, { 3, 2 }, { 3, 1 }, { 2, 2 }, { 2, 1 } };
 
+const std::vector<PartDetail> CLOSE_BLADE_DETAILS = { { 9, 18 }, { 7, 14 }, { 3, 12 } };
+constexpr float TO_THE_ENDS = 0.8f; // 1: their rows' distances go to 0 there.
+constexpr int CLOSE_ROWS[] = { 12, 8, 6 }; // Of what has a wide mouth.
+constexpr int MOUTH_SIDES = 20;
+constexpr int LOBE_SIDES = 4;
+
 float square(float value) {
 	return value * value;
+}
+
+/// Of what fills a picture: petals and leaves as sheets, bells and cups as tubes.
+std::vector<PartDetail> close_details(const Part &part) {
+	if (part.kind == PartKind::blade) {
+		return CLOSE_BLADE_DETAILS;
+	}
+	std::vector<PartDetail> details;
+	if (part.kind == PartKind::axis && (part.axis.open_tip || part.axis.lobes > 0)) {
+		const int sides = part.axis.lobes > 0 ? LOBE_SIDES * part.axis.lobes : MOUTH_SIDES;
+		for (const int rows : CLOSE_ROWS) {
+			details.push_back({ sides, rows });
+		}
+	}
+	return details;
 }
 
 float blade_error(const Part &part, const PartDetail &detail) {
@@ -46,6 +67,12 @@ std::vector<float> blade_offsets(const Part &part, const PartDetail &detail) {
 		offsets.push_back(1.0f);
 	} else if (detail.rows == 2) {
 		offsets = { 0.0f, std::clamp(part.widths.widest(), 0.35f, 0.75f), 1.0f };
+	} else if (detail.rows >= CLOSE_BLADE_DETAILS.back().rows) { // Closer together where an edge is round.
+		for (int i = 0; i <= detail.rows; i++) {
+			const float share = static_cast<float>(i) / static_cast<float>(detail.rows);
+			const float ended = share * share * (3.0f - 2.0f * share);
+			offsets.push_back(share + TO_THE_ENDS * (ended - share));
+		}
 	}
 	return offsets;
 }
@@ -69,11 +96,13 @@ bool shows_teeth(const Part &part, const PartDetail &detail) {
 	return part.kind == PartKind::blade && part.blade.teeth > 0 && detail.rows == 2 * part.blade.teeth;
 }
 
-std::vector<PartDetail> details_of(const Part &part) {
+std::vector<PartDetail> details_of(const Part &part, bool is_close) {
 	if (part.kind == PartKind::bead) {
 		return BEAD_DETAILS;
 	}
-	std::vector<PartDetail> details = part.kind == PartKind::axis ? AXIS_DETAILS : BLADE_DETAILS;
+	std::vector<PartDetail> details = is_close ? close_details(part) : std::vector<PartDetail>();
+	const std::vector<PartDetail> &usual = part.kind == PartKind::axis ? AXIS_DETAILS : BLADE_DETAILS;
+	details.insert(details.end(), usual.begin(), usual.end());
 	if (part.kind == PartKind::blade && part.blade.teeth > 0) {
 		details.insert(details.begin(), { 3, 2 * part.blade.teeth });
 	}

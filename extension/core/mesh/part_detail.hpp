@@ -15,8 +15,8 @@ struct PartDetail {
 	bool operator==(const PartDetail &other) const { return columns == other.columns && rows == other.rows; }
 };
 
-/// From the finest to the coarsest.
-std::vector<PartDetail> details_of(const Part &part);
+/// From the finest to the coarsest; `is_close`: with those of a plant that fills the picture before the usual ones.
+std::vector<PartDetail> details_of(const Part &part, bool is_close = false);
 
 /// What it costs: vertices, and three indices a triangle.
 MeshCounts count_part(const Part &part, const PartDetail &detail);

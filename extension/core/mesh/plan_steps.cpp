@@ -29,12 +29,12 @@ float cover_of(const PartGroup &group, const Part &part) {
 
 } // namespace
 
-PlanSteps::PlanSteps(const PlantForm &p_form, const FormMeasure &p_measure) :
+PlanSteps::PlanSteps(const PlantForm &p_form, const FormMeasure &p_measure, bool is_close) :
 		form(p_form), measure(p_measure), states(p_form.groups.size()) {
 	for (size_t g = 0; g < states.size(); g++) {
 		const Part &part = form.parts[static_cast<size_t>(form.groups[g].kind)];
 		State &state = states[g];
-		state.details = details_of(part);
+		state.details = details_of(part, is_close);
 		for (const PartDetail &detail : state.details) {
 			state.costs.push_back(count_part(part, detail).vertices);
 			state.errors.push_back(error_of(part, detail));

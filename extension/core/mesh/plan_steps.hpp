@@ -21,7 +21,8 @@ inline constexpr float FLAT_STEM = 0.1f; ///< A stem as a ribbon is thinner from
 /// Takes a form's full detail back step by step (plan_form).
 class PlanSteps {
 public:
-	PlanSteps(const PlantForm &form, const FormMeasure &measure);
+	/// `is_close`: from the details of a plant that fills the picture.
+	PlanSteps(const PlantForm &form, const FormMeasure &measure, bool is_close = false);
 
 	int vertices() const { return total; }
 	/// Takes the step that costs least for each vertex that it saves, of those that are still too many; of plants of

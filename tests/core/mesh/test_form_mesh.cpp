@@ -21,6 +21,30 @@ BuiltForm build_level(const PlantForm &form, int lod) {
 	return build(form, plan_form(form, measure_form(form), vertex_budget(lod)));
 }
 
+/// One edge (m) of the blades of a form's group, at a detail.
+std::vector<glm::vec3> edge_of(const PlantForm &form, size_t group, const PartDetail &detail) {
+	const size_t kind = static_cast<size_t>(form.groups[group].kind);
+	const Part &part = form.parts[kind];
+	const PartTemplate shape = make_part_template(part, form.midribs[kind], detail, mean_color(part));
+	std::vector<glm::vec3> edge;
+	for (int row = 0; row <= detail.rows; row++) {
+		const SurfacePoint &point = shape.vertices[static_cast<size_t>(row * detail.columns)].point;
+		edge.push_back(point.middle * part.mean_length() + point.aside * part.width);
+	}
+	return edge;
+}
+
+/// m.
+float distance_to_edge(const std::vector<glm::vec3> &edge, const glm::vec3 &place) {
+	float least = 1e30f;
+	for (size_t i = 1; i < edge.size(); i++) {
+		const glm::vec3 way = edge[i] - edge[i - 1];
+		const float share = glm::clamp(glm::dot(place - edge[i - 1], way) / glm::dot(way, way), 0.0f, 1.0f);
+		least = std::min(least, glm::distance(place, edge[i - 1] + share * way));
+	}
+	return least;
+}
+
 /// The whole of what a mesh promises to be.
 void check_sound(const BuiltForm &mesh) {
 	for (const int32_t index : mesh.indices) {
@@ -96,7 +120,7 @@ TEST_CASE("counts of a part are those of its template, at every detail") {
 			part.blade.teeth = fall > 0.0f ? 5 : 0;
 			part.axis.tip_diameter = 0.02f;
 			part.axis.open_tip = fall > 0.0f;
-			for (const PartDetail &detail : details_of(part)) {
+			for (const PartDetail &detail : details_of(part, true)) { // The usual ones are among them.
 				const PartTemplate shape = make_part_template(part, Midrib({}), detail, mean_color(part));
 				const MeshCounts counts = count_part(part, detail);
 				CHECK(static_cast<int>(shape.vertices.size()) == counts.vertices);
@@ -108,13 +132,48 @@ TEST_CASE("counts of a part are those of its template, at every detail") {
 
 TEST_CASE("details cost less and less") {
 	for (const PartKind kind : { PartKind::axis, PartKind::blade, PartKind::bead }) {
-		Part part;
-		part.kind = kind;
-		const std::vector<PartDetail> details = details_of(part);
-		for (size_t i = 1; i < details.size(); i++) {
-			CHECK(count_part(part, details[i]).vertices < count_part(part, details[i - 1]).vertices);
+		for (const bool is_close : { false, true }) {
+			Part part;
+			part.kind = kind;
+			part.axis.lobes = is_close ? 5 : 0;
+			part.blade.roll = is_close ? 0.6f : 0.0f;
+			const std::vector<PartDetail> details = details_of(part, is_close);
+			for (size_t i = 1; i < details.size(); i++) {
+				CHECK(count_part(part, details[i]).vertices < count_part(part, details[i - 1]).vertices);
+			}
 		}
 	}
+}
+
+TEST_CASE("edges of petals that fill the picture are round, and of others cost no more than before") {
+	const PlantForm form = grow_tulip(1);
+	const FormMeasure measure = measure_form(form);
+	constexpr size_t PETALS = 2;
+	const std::vector<glm::vec3> true_edge = edge_of(form, PETALS, { 9, 200 });
+	const auto farthest = [&](int lod) {
+		const PartDetail detail = plan_form(form, measure, vertex_budget(lod)).groups[PETALS].detail;
+		const std::vector<glm::vec3> edge = edge_of(form, PETALS, detail);
+		float most = 0.0f;
+		for (const glm::vec3 &place : true_edge) {
+			most = std::max(most, distance_to_edge(edge, place));
+		}
+		return most;
+	};
+	constexpr float SEEN = 0.0003f; // m: a pixel where a flower of 8 cm fills 270 of them.
+	CHECK(farthest(24) < SEEN);
+	CHECK(farthest(12) > SEEN);
+	CHECK(plan_form(form, measure, vertex_budget(12)).groups[PETALS].detail.rows <= 8);
+}
+
+TEST_CASE("mouths of bells follow each of their lobes where they fill the picture") {
+	Part bell;
+	bell.kind = PartKind::axis;
+	bell.axis.lobes = 7;
+	CHECK(details_of(bell, true).front().columns == 28);
+	bell.axis.lobes = 0;
+	CHECK(details_of(bell, true).front() == details_of(bell).front()); // A stem is round enough.
+	bell.axis.open_tip = true;
+	CHECK(details_of(bell, true).front().columns == 20);
 }
 
 TEST_CASE("leaves hang on their stem by its offset, swing about where they are attached, and rank as it does") {
