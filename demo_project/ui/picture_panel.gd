@@ -1,7 +1,10 @@
 extends PanelContainer
 ## The panel of what the picture is made of beside plants: each thing can be switched off.
 ##
-## What the renderer cannot do is off, and says why.
+## What the renderer cannot do is off, and says why. Where a processor draws in a graphics card's
+## place, plants are coarser from half as far away on.
+
+const COARSE := 0.5
 
 ## The picture's light, haze, glow and tones.
 @export var environment: Environment
@@ -12,10 +15,16 @@ extends PanelContainer
 ## A node that flies, or not, by its property `is_flying`.
 @export var helicopter: Node3D
 
+## What is drawn coarser where a processor draws.
+@export var fields: Array[PlantField3D] = []
+
 @onready var _rows: VBoxContainer = %Rows
 
 
 func _ready() -> void:
+	var is_fine := not _is_drawn_by_processor()
+	_set_fine(is_fine)
+	_add("Fine plants", is_fine, _set_fine)
 	_add("Haze", environment.fog_enabled, func(on: bool) -> void: environment.fog_enabled = on)
 	_add("Glow", environment.glow_enabled, func(on: bool) -> void: environment.glow_enabled = on)
 	_add("Film tones", true, _set_film_tones)
@@ -50,6 +59,16 @@ func _add_for_forward(text: String, property: StringName) -> void:
 	button.disabled = not can_do
 	if not can_do:
 		button.tooltip_text = "Only the Forward+ renderer has this."
+
+
+func _is_drawn_by_processor() -> bool:
+	var is_told := RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU
+	return is_told or "llvmpipe" in RenderingServer.get_video_adapter_name()
+
+
+func _set_fine(on: bool) -> void:
+	for field in fields:
+		field.lod_bias = 1.0 if on else COARSE
 
 
 func _set_film_tones(on: bool) -> void:

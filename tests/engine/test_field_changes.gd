@@ -21,6 +21,7 @@ func test_graphics_settings_keep_plants_mown_places_and_motion() -> void:
 		"fade_margin": func() -> void: field.fade_margin = 0.5,
 		"visibility_range_end": func() -> void: field.visibility_range_end = 20.0,
 		"no visibility_range_end": func() -> void: field.visibility_range_end = 0.0,
+		"lod_bias": func() -> void: field.lod_bias = 0.4,
 		"levels":
 		func() -> void: field.levels = [PlantFieldLevel.of(8, 9.0), PlantFieldLevel.of(2)],
 		"end of a level": func() -> void: field.levels[0].end = 7.0,

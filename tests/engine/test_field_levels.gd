@@ -86,6 +86,22 @@ func test_turning_the_camera_changes_no_level() -> void:
 	check_equal(count_different(before, await picture()), 0, "pixels after turning back")
 
 
+func test_lod_bias_multiplies_the_distances_of_all_levels() -> void:
+	const UNTIL_SEEN := 12  # Frames: what the engine does not tell of is looked at now and then.
+	_field.levels = [PlantFieldLevel.of(12, 20.0), PlantFieldLevel.of(2)]
+	_field.add_plants([Transform3D.IDENTITY], TulipFunction.new())
+	await frames(5)
+	var fine := await picture()
+	_field.lod_bias = 0.1
+	await frames(UNTIL_SEEN)
+	var coarse := await picture()
+	check(count_different(fine, coarse) > 50, "it is coarser")
+	_field.lod_bias = 1.0
+	_field.levels = [PlantFieldLevel.of(12, 2.0), PlantFieldLevel.of(2)]
+	await frames(UNTIL_SEEN)
+	check_equal(count_different(coarse, await picture()), 0, "pixels beside levels that end there")
+
+
 func test_a_bent_plant_is_not_culled_where_only_its_tip_is_seen() -> void:
 	var function := TulipFunction.new()
 	function.law = PlantFunction.LAW_SPRING

@@ -14,6 +14,11 @@ static constexpr int MOST_TILE_CUTS = 4;
 static constexpr float MOST_TILE_SHARE = 0.75f;
 static constexpr float MOST_SQUARE_SHARE = 0.6f;
 static constexpr float LEAST_MARGIN = 1e-3f; // m.
+static constexpr float LEAST_BIAS = 0.01f;
+
+SightRange sight_range_of(const GeometryInstance3D *node) {
+	return { float(node->get_visibility_range_end()), std::max(float(node->get_lod_bias()), LEAST_BIAS) };
+}
 
 String find_level_fault(const ViewOptions &options) {
 	float before = 0.0f;
@@ -98,18 +103,19 @@ static void fit_tiles(FieldLevel &level, float tile_size, bool is_wider) {
 	}
 }
 
-std::vector<FieldLevel> read_levels(const FieldProperties &options, float range) {
+std::vector<FieldLevel> read_levels(const FieldProperties &options, const SightRange &range) {
 	const std::vector<ListedLevel> listed = list_levels(options);
 	std::vector<FieldLevel> made;
 	for (size_t i = 0; i < listed.size(); i++) {
 		FieldLevel level;
 		level.lod = listed[i].segments;
 		level.begin = i > 0 ? made.back().end : 0.0f;
-		level.end = listed[i].end;
-		const bool is_last = i + 1 == listed.size() || level.end <= level.begin || (range > 0.0f && level.end >= range);
+		level.end = listed[i].end * range.lod_bias;
+		const bool is_last =
+				i + 1 == listed.size() || level.end <= level.begin || (range.end > 0.0f && level.end >= range.end);
 		level.thinning = thin(i > 0 ? &made.back().thinning : nullptr, level.begin, level.end, listed[i].share);
 		level.thins_lathes = !options.levels.is_empty();
-		level.end = is_last ? range : level.end;
+		level.end = is_last ? range.end : level.end;
 		level.margin = std::max(float(options.fade_margin), LEAST_MARGIN);
 		level.casts_shadows = level.begin < options.shadow_distance;
 		fit_tiles(level, float(options.tile_size), options.view_distance <= 0.0); // Else tiles come and go alone.

@@ -4,6 +4,7 @@
 #include "field/field_options.hpp"
 #include "stand/area.hpp"
 
+#include <godot_cpp/classes/geometry_instance3d.hpp>
 #include <godot_cpp/classes/node3d.hpp>
 
 #include <vector>
@@ -28,8 +29,18 @@ godot::String read_ground(const godot::Node3D *field, const StandOptions &option
 /// What is wrong with the levels that users set.
 godot::String find_level_fault(const ViewOptions &options);
 
-/// Levels up to `range` (m; 0: without end), at least one. Where none are set they hang on the species.
-std::vector<FieldLevel> read_levels(const FieldProperties &options, float range);
+/// How far a field is seen, and how finely: what the engine's own properties say.
+struct SightRange {
+	float end = 0.0f; ///< m; 0: without end.
+	float lod_bias = 1.0f; ///< By what all levels end farther away.
+
+	bool operator!=(const SightRange &other) const { return end != other.end || lod_bias != other.lod_bias; }
+};
+
+SightRange sight_range_of(const godot::GeometryInstance3D *node);
+
+/// Levels up to the range's end, at least one. Where none are set they hang on the species.
+std::vector<FieldLevel> read_levels(const FieldProperties &options, const SightRange &range);
 
 /// A look for each species of the list, not sampled yet; then for each of `others`.
 godot::String list_looks(const StandOptions &options, const std::vector<FieldLook> &others, FieldStyle &into);

@@ -12,7 +12,7 @@ static uint64_t this_frame() {
 	return Engine::get_singleton()->get_process_frames();
 }
 
-String LookAsking::begin(const FieldProperties &properties, float range, std::vector<FieldLook> &&others) {
+String LookAsking::begin(const FieldProperties &properties, const SightRange &range, std::vector<FieldLook> &&others) {
 	style.levels = read_levels(properties, range);
 	const String fault = find_level_fault(properties);
 	return fault.is_empty() ? list_looks(properties, others, style) : fault;

@@ -17,9 +17,9 @@ public:
 	/// What is known by now: all of it once go_on() is done. Without meshes.
 	FieldStyle style;
 
-	/// Lists what is to be asked: species that are listed, and others, whose plants code added. `range`: up to which
-	/// the node is seen (m). Tells what is wrong and what to do about it, or nothing; so does go_on().
-	godot::String begin(const FieldProperties &properties, float range, std::vector<FieldLook> &&others);
+	/// Lists what is to be asked: species that are listed, and others, whose plants code added. `range`: how far
+	/// the node is seen, and how finely. Tells what is wrong and what to do about it, or nothing; so does go_on().
+	godot::String begin(const FieldProperties &properties, const SightRange &range, std::vector<FieldLook> &&others);
 	/// Whether nothing was asked in this frame yet.
 	bool is_due() const;
 	godot::String go_on(bool &is_done);

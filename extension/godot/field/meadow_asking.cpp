@@ -105,7 +105,7 @@ String Meadow::make_recipe(FieldRecipe &recipe) {
 String Meadow::begin_asking(bool places) {
 	std::vector<int> numbers;
 	asking = std::make_unique<LookAsking>(places);
-	return asking->begin(properties, node->get_visibility_range_end(), others_of(style, store, properties, numbers));
+	return asking->begin(properties, sight_range_of(node), others_of(style, store, properties, numbers));
 }
 
 void Meadow::go_on_asking() {
@@ -151,7 +151,7 @@ bool Meadow::update_levels() {
 	if (!find_level_fault(properties).is_empty()) {
 		return false; // The next filling tells of it.
 	}
-	std::vector<FieldLevel> wanted = read_levels(properties, node->get_visibility_range_end());
+	std::vector<FieldLevel> wanted = read_levels(properties, sight_range_of(node));
 	const bool same = std::equal(wanted.begin(), wanted.end(), style.levels.begin(), style.levels.end(),
 			[](const FieldLevel &a, const FieldLevel &b) { return a.lod == b.lod; });
 	if (!same) {
@@ -180,7 +180,7 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 		}
 	}
 	if (style.levels.empty()) {
-		style.levels = read_levels(properties, node->get_visibility_range_end());
+		style.levels = read_levels(properties, sight_range_of(node));
 		style.tile_size = store.tile_size();
 		list_looks(StandOptions(), {}, style);
 	}

@@ -20,11 +20,11 @@ static Node3D *find_ground_node(const Node3D *node, const StandOptions &options)
 }
 
 UntoldChanges::Found UntoldChanges::look(const GeometryInstance3D *node, const FieldProperties &properties) {
-	const float range = node->get_visibility_range_end();
+	const SightRange range = sight_range_of(node);
 	const Ref<Material> worn = node->get_material_override();
 	const uint64_t material = worn.is_valid() ? uint64_t(worn->get_instance_id()) : 0;
 	Found found;
-	found.range = std::exchange(seen_range, range) != range;
+	found.range = range != std::exchange(seen_range, range);
 	found.material = std::exchange(seen_material, material) != material;
 	found.exclusions = seen_exclusions != properties.exclusions;
 	found.area = area.has_moved(node);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/field_options.hpp"
+#include "field/field_recipe.hpp"
 #include "field/node_watch.hpp"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
@@ -13,7 +13,7 @@ class UntoldChanges {
 public:
 	/// What is otherwise than it was seen last.
 	struct Found {
-		bool range = false; ///< Up to which the node is seen.
+		bool range = false; ///< How far the node is seen, or how finely.
 		bool material = false; ///< That overrides those of its species.
 		bool exclusions = false;
 		bool area = false; ///< A node that gives room, or keeps places free.
@@ -32,7 +32,7 @@ public:
 private:
 	static constexpr int FRAMES_BETWEEN_LOOKS = 8;
 
-	float seen_range = 0.0f;
+	SightRange seen_range;
 	uint64_t seen_material = 0; ///< Instance id.
 	godot::TypedArray<godot::NodePath> seen_exclusions;
 	NodeWatch area;
