@@ -20,6 +20,9 @@ const RIDGE_END := 70.0
 ## How much the ground rolls.
 @export_range(0.0, 3.0, 0.01, "suffix:m") var roll_height := 0.3
 
+## The wind that runs over what grows here, seen where plants are too far to be seen one by one.
+@export var wind: PlantWind
+
 var _noise := FastNoiseLite.new()
 
 
@@ -31,6 +34,16 @@ func _init() -> void:
 
 func _ready() -> void:
 	mesh = _make_mesh()
+
+
+func _process(_delta: float) -> void:
+	var material := material_override as ShaderMaterial
+	if wind == null or material == null or Engine.is_editor_hint():
+		return
+	if wind.kind == PlantWind.KIND_AIR:
+		wind.show_in(material)
+	else:
+		material.set_shader_parameter(&"undergrowth_stand_air", Vector4.ZERO)
 
 
 # The mesh follows from the other properties: a scene that was saved in the editor does without it.

@@ -28,7 +28,6 @@ static constexpr Range ROUGHNESS_RANGE = { 1e-5, 0.5 };
 static constexpr Range STAND_HEIGHT_RANGE = { 0.0, 9.0 };
 static constexpr Range SHARE_RANGE = { 0.0, 1.0 };
 static constexpr Range BLEND_RANGE = { 0.0, 86400.0 };
-static constexpr float LOWEST_STAND = 0.01f; // m, of turf, where no height is given.
 static constexpr float FORCE_HEIGHT = 1.0f; // m above the ground, where sample() tells the force.
 
 // From now on it blows so; the patterns go on from where they are.
@@ -140,7 +139,7 @@ PackedVector2Array PlantWind::sample_over_stand(double at_time, const PackedVect
 	}
 	const FieldWind field = travelling();
 	const TravellingWind now = wind_at_time(field, at_time);
-	const AirBlow blow = blow_over(now.air, std::max(field.air.stand_height, LOWEST_STAND), winds_along(field));
+	const AirBlow blow = blow_over(now.air, std::max(field.air.stand_height, TURF_HEIGHT), winds_along(field));
 	std::vector<float> out_x(x.size()), out_z(x.size());
 	sample_air(now, blow, x.data(), z.data(), nullptr, int(x.size()), out_x.data(), out_z.data());
 	for (size_t i = 0; i < x.size(); i++) {

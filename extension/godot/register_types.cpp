@@ -78,7 +78,7 @@ static void uninitialize(ModuleInitializationLevel level) {
 		Engine::get_singleton()->unregister_singleton(SIMULATION_NAME);
 		memdelete(PlantSimulation::get_singleton());
 		free_shared_resources();
-		free_wind_texture();
+		free_wind_textures();
 	}
 }
 

@@ -6,6 +6,7 @@
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_set>
 
@@ -13,42 +14,60 @@ using namespace godot;
 
 namespace undergrowth {
 
-// A pointer, as in shared_resources.cpp.
-static RID *turbulence = nullptr;
+// What air is carried along, as pictures. A pointer, as in shared_resources.cpp.
+struct WindTextures {
+	RID turbulence;
+	RID waves;
+};
+static WindTextures *textures = nullptr;
 
-static Ref<Image> picture_of(const AirTiles &tiles) {
+static float first_of(uint64_t cell) {
+	return float(int16_t(cell & 0xffffu) / AirTiles::UNIT);
+}
+
+static Ref<Image> picture_of(int width, int height, Image::Format format, Image::Format half, const uint64_t *cells) {
 	PackedByteArray bytes;
-	bytes.resize(int64_t(AirTiles::WIDTH) * AirTiles::HEIGHT * 2 * int64_t(sizeof(float)));
-	float *texels = reinterpret_cast<float *>(bytes.ptrw());
-	for (int row = 0; row < AirTiles::HEIGHT; row++) {
-		for (int column = 0; column < AirTiles::WIDTH; column++) {
-			const uint64_t *cells = &tiles.turbulence[size_t(2 * (row * AirTiles::WIDTH + column))];
-			*texels++ = float(int16_t(cells[0] & 0xffffu) / AirTiles::UNIT);
-			*texels++ = float(int16_t(cells[1] & 0xffffu) / AirTiles::UNIT);
-		}
-	}
-	Ref<Image> image = Image::create_from_data(AirTiles::WIDTH, AirTiles::HEIGHT, false, Image::FORMAT_RGF, bytes);
-	image->convert(Image::FORMAT_RGH);
+	const int64_t count = int64_t(width) * height * (format == Image::FORMAT_RGF ? 2 : 1);
+	bytes.resize(count * int64_t(sizeof(float)));
+	std::transform(cells, cells + count, reinterpret_cast<float *>(bytes.ptrw()), first_of);
+	Ref<Image> image = Image::create_from_data(width, height, false, format, bytes);
+	image->convert(half);
 	return image;
 }
 
-// Materials that know the texture, bounded; a pointer as above. A texture that is set, the same or not, makes the
+static WindTextures make_textures(const AirTiles &tiles) {
+	RenderingServer *server = RenderingServer::get_singleton();
+	return { server->texture_2d_create(picture_of(
+					 AirTiles::WIDTH, AirTiles::HEIGHT, Image::FORMAT_RGF, Image::FORMAT_RGH, tiles.turbulence.data())),
+		server->texture_2d_create(picture_of(AirTiles::WAVES_WIDTH, AirTiles::WAVES_HEIGHT, Image::FORMAT_RF,
+				Image::FORMAT_RH, tiles.waves.data())) };
+}
+
+// Materials that know the textures, bounded; a pointer as above. A texture that is set, the same or not, makes the
 // renderer throw a material's uniforms away: in each frame that costs, and keeps frames from being left out.
 static std::unordered_set<int64_t> *knowing = nullptr;
 static constexpr size_t MOST_KNOWING = 1024;
 
-static void show_turbulence(const AirTiles &tiles, const RID &material) {
+static void show_textures(const AirTiles &tiles, const RID &material) {
 	RenderingServer *server = RenderingServer::get_singleton();
-	if (!turbulence) {
-		turbulence = new RID(server->texture_2d_create(picture_of(tiles)));
+	if (!textures) {
+		textures = new WindTextures(make_textures(tiles));
 		knowing = new std::unordered_set<int64_t>;
 	}
 	if (knowing->size() >= MOST_KNOWING) {
 		knowing->clear();
 	}
 	if (knowing->insert(material.get_id()).second) {
-		server->material_set_param(material, "undergrowth_turbulence", *turbulence);
+		server->material_set_param(material, "undergrowth_turbulence", textures->turbulence);
+		server->material_set_param(material, "undergrowth_waves", textures->waves);
 	}
+}
+
+static void show_map(const AirMap &map, const RID &material, const StringName &start, const StringName &texels) {
+	constexpr float TEXEL = 1.0f / AirMap::PARTS;
+	RenderingServer *server = RenderingServer::get_singleton();
+	server->material_set_param(material, start, TEXEL * Vector2(map.s, map.n));
+	server->material_set_param(material, texels, TEXEL * Vector4(map.s_x, map.n_x, map.s_z, map.n_z));
 }
 
 void show_wind(const FieldWind &air, double time, const Ref<Material> &material) {
@@ -56,25 +75,28 @@ void show_wind(const FieldWind &air, double time, const Ref<Material> &material)
 	const RID target = material->get_rid();
 	const AirNow now = air_at_time(air.air, {}, air.tiles.get(), time);
 	const PlantWinds along = winds_along(air);
-	const AirMap &map = now.turbulence;
+	const AirBlow stand = blow_over(now, std::max(air.air.stand_height, TURF_HEIGHT), along);
 	const float gust = now.speed * now.gusts * float(open_ground_gusts(REFERENCE_HEIGHT, double(now.roughness)));
 	const float along_gust = gust / std::sqrt(1.0f + 2.0f * now.skew * now.skew);
-	show_turbulence(*air.tiles, target);
-	const float texel = 1.0f / AirMap::PARTS;
-	server->material_set_param(target, "undergrowth_wind_start", texel * Vector2(map.s, map.n));
-	server->material_set_param(target, "undergrowth_wind_texels", texel * Vector4(map.s_x, map.n_x, map.s_z, map.n_z));
+	const float waves = now.waves.cells ? now.wave_share : 0.0f;
+	show_textures(*air.tiles, target);
+	show_map(now.turbulence, target, "undergrowth_wind_start", "undergrowth_wind_texels");
+	show_map(now.waves, target, "undergrowth_waves_start", "undergrowth_waves_texels");
 	server->material_set_param(target, "undergrowth_wind_ways", Vector4(along.x, along.z, along.side_x, along.side_z));
 	server->material_set_param(
 			target, "undergrowth_wind_air", Vector4(now.speed, along_gust, gust * float(SIDE_GUSTS), now.skew));
+	server->material_set_param(
+			target, "undergrowth_stand_air", Vector4(stand.mean, stand.gust, stand.side_gust, waves));
 	server->material_set_param(target, "undergrowth_wind_roughness", now.roughness);
 }
 
-void free_wind_texture() {
-	if (turbulence) {
-		RenderingServer::get_singleton()->free_rid(*turbulence);
-		delete turbulence;
+void free_wind_textures() {
+	if (textures) {
+		RenderingServer::get_singleton()->free_rid(textures->turbulence);
+		RenderingServer::get_singleton()->free_rid(textures->waves);
+		delete textures;
 		delete knowing;
-		turbulence = nullptr;
+		textures = nullptr;
 		knowing = nullptr;
 	}
 }

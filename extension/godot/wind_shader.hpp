@@ -9,7 +9,7 @@ namespace undergrowth {
 /// Tells a material whose shader includes undergrowth_wind.gdshaderinc how air blows at a time of its clock.
 void show_wind(const FieldWind &air, double time, const godot::Ref<godot::Material> &material);
 
-/// Lets the texture go that they share. The library calls it before it is unloaded.
-void free_wind_texture();
+/// Lets the textures go that they share. The library calls it before it is unloaded.
+void free_wind_textures();
 
 } // namespace undergrowth

@@ -13,8 +13,10 @@ const SHADER := """shader_type canvas_item;
 #include "res://addons/undergrowth/shaders/undergrowth_wind.gdshaderinc"
 uniform vec3 corner;
 uniform float along_z;
+uniform bool over_stand;
 void fragment() {
-	vec3 velocity = undergrowth_wind(corner + vec3(UV.x, 0.0, UV.y) * 40.0);
+	vec3 place = corner + vec3(UV.x, 0.0, UV.y) * 40.0;
+	vec3 velocity = over_stand ? undergrowth_wind_over_stand(place.xz).xyy : undergrowth_wind(place);
 	float part = (mix(velocity.x, velocity.z, along_z) / 32.0 * 0.5 + 0.5) * 65535.0;
 	COLOR = vec4(floor(part / 256.0) / 255.0, floor(mod(part, 256.0)) / 255.0, 0.0, 1.0);
 }
@@ -37,27 +39,27 @@ func after_each() -> void:
 
 
 func test_the_shader_shows_the_same_wind() -> void:
-	var wind := PlantWind.new()
-	wind.kind = PlantWind.KIND_AIR
-	wind.speed = 12.0
-	wind.direction = deg_to_rad(37.0)
-	wind.advance(1234.5)
+	var wind := _blow()
 	var material := _show(wind)
-	for component in 2:
-		material.set_shader_parameter("along_z", float(component))
-		await frames(2)
-		await RenderingServer.frame_post_draw
-		var picture := _stage.get_texture().get_image()
-		var worst := 0.0
-		for y in SIDE:
-			for x in SIDE:
-				var part := Vector2(x + 0.5, y + 0.5) / SIDE * SPAN
-				var velocity := wind.sample_velocity(
-					wind.get_time(), CORNER + Vector3(part.x, 0, part.y)
-				)
-				var own := velocity.z if component else velocity.x
-				worst = maxf(worst, absf(_read(picture.get_pixel(x, y)) - own))
-		check(worst < TOLERANCE * wind.speed, "component %d is off by %f m/s" % [component, worst])
+	var sample := func(place: Vector3) -> Vector3:
+		return wind.sample_velocity(wind.get_time(), place)
+	await _check_shown(material, sample, wind.speed)
+
+
+func test_the_shader_shows_the_same_wind_over_a_stand() -> void:
+	var wind := _blow()
+	wind.gustiness = 0.3
+	var material := _show(wind)
+	material.set_shader_parameter("over_stand", true)
+	var sample := func(place: Vector3) -> Vector3:
+		var flat := PackedVector2Array([Vector2(place.x, place.z)])
+		var velocity := wind.sample_over_stand(wind.get_time(), flat)[0]
+		return Vector3(velocity.x, 0.0, velocity.y)
+	for wave_share: float in [0.0, 0.7]:
+		wind.wave_share = wave_share
+		wind.show_in(material)
+		var mean := wind.sample_over_stand(0.0, PackedVector2Array([Vector2.ZERO]))[0].length()
+		await _check_shown(material, sample, mean)
 
 
 func test_telling_it_in_each_frame_gives_the_renderer_nothing_to_draw() -> void:
@@ -85,6 +87,31 @@ func test_what_it_cannot_show_is_told() -> void:
 	check_error("show_in() needs KIND_AIR")
 	wind.show_in(null)
 	check_error("show_in() needs a material")
+
+
+func _blow() -> PlantWind:
+	var wind := PlantWind.new()
+	wind.kind = PlantWind.KIND_AIR
+	wind.speed = 12.0
+	wind.direction = deg_to_rad(37.0)
+	wind.advance(1234.5)
+	return wind
+
+
+func _check_shown(material: ShaderMaterial, sample: Callable, mean: float) -> void:
+	for component in 2:
+		material.set_shader_parameter("along_z", float(component))
+		await frames(2)
+		await RenderingServer.frame_post_draw
+		var picture := _stage.get_texture().get_image()
+		var worst := 0.0
+		for y in SIDE:
+			for x in SIDE:
+				var part := Vector2(x + 0.5, y + 0.5) / SIDE * SPAN
+				var velocity: Vector3 = sample.call(CORNER + Vector3(part.x, 0, part.y))
+				var own := velocity.z if component else velocity.x
+				worst = maxf(worst, absf(_read(picture.get_pixel(x, y)) - own))
+		check(worst < TOLERANCE * mean, "component %d is off by %f m/s" % [component, worst])
 
 
 func _show(wind: PlantWind) -> ShaderMaterial:

@@ -33,6 +33,8 @@ private:
 	double share_of_layer(double height) const;
 };
 
+inline constexpr float TURF_HEIGHT = 0.01f; ///< m, of a stand of which no height is given.
+
 /// At the tops of a stand so high, by the logarithmic law with its displacement (0.7 heights) and roughness (0.1).
 double stand_top_speed(double stand_height);
 /// At a height within it: exponential below its top (extinction from 2, thin, to 4.4, dense), by the law above it.
