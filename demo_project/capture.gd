@@ -83,8 +83,8 @@ func _sway() -> void:
 	await RenderingServer.frame_post_draw
 	RenderingServer.render_loop_enabled = false
 	var fields := current_scene.find_children("*", "PlantField3D", true, false)
-	for field: PlantField3D in fields:
-		field.lod_bias = 1.0  # As a graphics card would show it.
+	for panel in current_scene.find_children("PicturePanel", "PanelContainer", true, false):
+		panel.call(&"draw_fine_plants")  # As a graphics card would show them.
 	while fields.any(func(field: PlantField3D) -> bool: return field.is_filling()):
 		await process_frame
 	for _frame in WARM_UP_FRAMES:

@@ -18,13 +18,14 @@ const COARSE := 0.5
 ## What is drawn coarser where a processor draws.
 @export var fields: Array[PlantField3D] = []
 
+var _fine: CheckButton
+
 @onready var _rows: VBoxContainer = %Rows
 
 
 func _ready() -> void:
-	var is_fine := not _is_drawn_by_processor()
-	_set_fine(is_fine)
-	_add("Fine plants", is_fine, _set_fine)
+	_fine = _add("Fine plants", true, _set_fine)
+	_fine.button_pressed = not _is_drawn_by_processor()
 	_add("Haze", environment.fog_enabled, func(on: bool) -> void: environment.fog_enabled = on)
 	_add("Glow", environment.glow_enabled, func(on: bool) -> void: environment.glow_enabled = on)
 	_add("Film tones", true, _set_film_tones)
@@ -34,6 +35,11 @@ func _ready() -> void:
 	helicopter.connect(&"flight_changed", flight.set_pressed_no_signal)
 	_add_for_forward("Shade in corners", &"ssao_enabled")
 	_add_for_forward("Sun shafts", &"volumetric_fog_enabled")
+
+
+## Whatever draws: for pictures of what a graphics card shows.
+func draw_fine_plants() -> void:
+	_fine.button_pressed = true
 
 
 func _add(text: String, is_on: bool, act: Callable) -> CheckButton:
