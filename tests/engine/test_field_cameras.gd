@@ -49,6 +49,17 @@ func test_plants_near_every_camera_are_stepped_in_full() -> void:
 	check(moves[2] < 10, "steps far from both of 16: %s" % [moves])
 
 
+func test_cameras_of_other_worlds_see_no_plants() -> void:
+	var elsewhere := _add_camera(0.0)
+	elsewhere.own_world_3d = true
+	field.skeleton_distance = 8.0
+	await start()
+	await frames(60)
+	for skeleton in field.get_skeletons():
+		check(absf(skeleton.global_position.x) > 100.0, "%s is near one" % skeleton.global_position)
+	check(field.get_skeletons().size() > 10, "skeletons near cameras of its own world")
+
+
 func test_nobody_near_a_camera_above_the_field_is_stepped_less_often() -> void:
 	field.far_distance = 12.0
 	field.wind = PlantWind.new()
@@ -112,10 +123,11 @@ func _ids_near(x: float) -> PackedInt64Array:
 	return field.find_plants_in_sphere(Vector3(x, 0, 0), 3.0)
 
 
-func _add_camera(x: float) -> void:
+func _add_camera(x: float) -> SubViewport:
 	var viewport := SubViewport.new()
 	var camera := Camera3D.new()
 	camera.position = Vector3(x, 1, 0)
 	viewport.add_child(camera)
 	root.add_child(viewport)
 	camera.make_current()
+	return viewport
