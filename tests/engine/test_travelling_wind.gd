@@ -45,6 +45,38 @@ func test_a_plant_and_a_fields_plant_at_one_place_move_as_one() -> void:
 		field.free()
 
 
+func test_a_field_that_comes_later_feels_the_air_of_its_wind() -> void:
+	var wind := PlantWind.new()
+	wind.kind = PlantWind.KIND_AIR
+	wind.speed = 6.0
+	var species := _species(PlantFunction.LAW_SPRING)
+	species.damping_ratio = 0.7
+	var fields: Array[PlantField3D] = []
+	var ids: PackedInt64Array = []
+	for begin: float in [0.0, 3.0]:
+		while wind.get_time() < begin:
+			await frames(1)
+		var field := PlantField3D.new()
+		field.density = 0.0
+		field.wind = wind
+		root.add_child(field)
+		fields.append(field)
+		ids.append(field.add_plants([Transform3D.IDENTITY], species)[0])
+	while wind.get_time() < 6.0:
+		await frames(1)
+	var times: PackedFloat64Array = []
+	var tips: Array[PackedVector3Array] = [PackedVector3Array(), PackedVector3Array()]
+	while wind.get_time() < 9.0:
+		await frames(1)
+		times.append(wind.get_time())
+		for i in 2:
+			tips[i].append(fields[i].get_tip_position(ids[i]))
+	check(_least_apart(times, tips[0], tips[0], 1.0) > 5.0 * SAME_TIP, "they sway")
+	check_near(_least_apart(times, tips[0], tips[1], 0.0), 0.0, SAME_TIP, "tips apart")
+	for field in fields:
+		field.free()
+
+
 func test_the_wind_of_a_step_is_that_of_its_middle() -> void:
 	var wind := _waves()
 	wind.frequency = 8.0
