@@ -24,3 +24,51 @@ func test_a_camera_that_goes_to_and_fro_leaves_no_heap_of_skeletons() -> void:
 	for node: Node3D in field.get_node("FieldSkeletons").get_children():
 		check(not node.visible, "%s is seen, and the camera is far away" % node.name)
 	camera.free()
+
+
+func test_what_was_hung_on_a_plant_goes_with_its_skeleton_to_no_other_plant() -> void:
+	var camera := Camera3D.new()
+	root.add_child(camera)
+	field = PlantField3D.from_species([GrassFunction.new()])
+	field.size = Vector2(60, 6)
+	field.density = 4.0
+	field.skeleton_distance = 4.0
+	field.max_skeletons = 10
+	camera.position = Vector3(-20, 1, 0)
+	await start()
+	await frames(30)
+	var lanterns: Array[Node3D] = []
+	for skeleton in field.get_skeletons():
+		lanterns.append(Node3D.new())
+		skeleton.add_child(lanterns[-1])
+	check_equal(lanterns.size(), 10, "lanterns")
+	camera.position.x = 20.0
+	await frames(30)
+	for skeleton in field.get_skeletons():
+		check_equal(skeleton.get_child_count(), 0, "what hangs on %s" % skeleton.name)
+	for lantern in lanterns:
+		check(not is_instance_valid(lantern), "a lantern is gone with its skeleton")
+	camera.free()
+
+
+func test_a_bent_plant_that_is_a_skeleton_has_room_for_its_tip_where_it_is_culled() -> void:
+	var camera := Camera3D.new()
+	root.add_child(camera)
+	var species := GrassFunction.new()
+	species.law = PlantFunction.LAW_SPRING
+	species.lean = deg_to_rad(75.0)
+	field = PlantField3D.from_species([species])
+	field.size = Vector2(6, 6)
+	field.density = 4.0
+	field.skeleton_distance = 4.0
+	field.max_skeletons = 10
+	await start()
+	await frames(30)
+	check_equal(field.get_skeletons().size(), 10, "skeletons")
+	for skeleton in field.get_skeletons():
+		var drawn := skeleton.get_child(0, true) as MeshInstance3D
+		var tip := field.get_tip_position(field.get_skeleton_plant(skeleton))
+		var own := skeleton.global_transform.affine_inverse() * field.to_global(tip)
+		var room := drawn.custom_aabb if drawn.custom_aabb.has_volume() else drawn.get_aabb()
+		check(room.grow(1e-3).has_point(own), "%s is in %s" % [own, room])
+	camera.free()
