@@ -210,6 +210,23 @@ func test_plants_that_are_added_in_every_frame() -> void:
 	check_equal(_field.get_plant_count(), count + 35)
 
 
+func test_plants_that_come_and_go_take_no_more_room_each_time() -> void:
+	const ROOM := 1_000_000.0  # Bytes; the poses of as many plants again and again would take 6 MB.
+	var rows := PackedFloat32Array()
+	for i in 4000:
+		rows.append_array([1, 0, 0, 300 + i % 60, 0, 1, 0, 0, 0, 0, 1, floori(i / 60.0)])
+	var grass := GrassFunction.new()
+	var taken := 0.0
+	for round in 220:
+		if round == 20:  # What is kept from then on is not for the first of them.
+			taken = Performance.get_monitor(Performance.MEMORY_STATIC)
+		var ids := _field.add_plants(rows, grass)
+		await frames(1)
+		_field.remove_plants(ids)
+		await frames(1)
+	check_near(Performance.get_monitor(Performance.MEMORY_STATIC), taken, ROOM, "bytes")
+
+
 func test_added_plants_outlive_a_new_fill() -> void:
 	var place := Transform3D(Basis.IDENTITY, Vector3(200, 0, 0))
 	var id := _field.add_plants([place], TulipFunction.new())[0]
