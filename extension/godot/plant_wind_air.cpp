@@ -10,6 +10,9 @@
 #include "wind/air_profile.hpp"
 #include "wind_shader.hpp"
 
+#include <godot_cpp/classes/shader.hpp>
+#include <godot_cpp/classes/shader_material.hpp>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -154,7 +157,8 @@ Vector3 PlantWind::sample_air_force(double at_time) const {
 }
 
 void PlantWind::show_in(const Ref<Material> &material) const {
-	if (material.is_null()) {
+	const ShaderMaterial *shaded = Object::cast_to<ShaderMaterial>(material.ptr());
+	if (!shaded || shaded->get_shader().is_null()) {
 		report_error(this, "show_in() needs a material whose shader includes undergrowth_wind.gdshaderinc.");
 	} else if (is_air("show_in()")) {
 		show_wind(travelling(), time, material);

@@ -38,13 +38,15 @@ func test_a_polygon_is_cut_however_high() -> void:
 	check(_inside(is_inside) <= 1, "left")
 
 
-func test_a_way_is_cut_once_where_it_bends() -> void:
+func test_a_way_is_cut_once_where_it_bends_however_high() -> void:
 	await start()
-	var way := PackedVector3Array([Vector3(0, 1, -3), Vector3(6, 1, -3), Vector3(6, 1, 3)])
+	var way := PackedVector3Array([Vector3(0, 1, -3), Vector3(6, 9, -3), Vector3(6, -5, 3)])
 	var is_near := func(place: Vector3) -> bool:
+		var seen := Vector2(place.x, place.z)
 		for i in 2:
-			var near := Geometry3D.get_closest_point_to_segment(place, way[i], way[i + 1])
-			if near.distance_to(place) <= 0.75:
+			var ends := [Vector2(way[i].x, way[i].z), Vector2(way[i + 1].x, way[i + 1].z)]
+			var near := Geometry2D.get_closest_point_to_segment(seen, ends[0], ends[1])
+			if near.distance_to(seen) <= 0.75:
 				return true
 		return false
 	var inside := _inside(is_near)

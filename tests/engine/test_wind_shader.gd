@@ -83,10 +83,14 @@ func test_telling_it_in_each_frame_gives_the_renderer_nothing_to_draw() -> void:
 
 func test_what_it_cannot_show_is_told() -> void:
 	var wind := PlantWind.new()
-	wind.show_in(ShaderMaterial.new())
+	var material := ShaderMaterial.new()
+	material.shader = Shader.new()
+	wind.show_in(material)
 	check_error("show_in() needs KIND_AIR")
-	wind.show_in(null)
-	check_error("show_in() needs a material")
+	wind.kind = PlantWind.KIND_AIR
+	for without: Material in [null, ShaderMaterial.new(), StandardMaterial3D.new()]:
+		wind.show_in(without)
+		check_error("show_in() needs a material")
 
 
 func _blow() -> PlantWind:

@@ -107,9 +107,8 @@ public:
 	std::vector<PlantId> ids() const;
 	/// Appends all plants whose roots are at most `radius` (m) from `centre`. Costs by the tiles that the sphere meets.
 	void find_in_sphere(const glm::vec3 &centre, float radius, std::vector<PlantPlace> &found) const;
-	/// The same at most `radius` (m) from the line from one point to another.
-	void find_in_capsule(
-			const glm::vec3 &from, const glm::vec3 &to, float radius, std::vector<PlantPlace> &found) const;
+	/// The same at most `radius` (m) beside the line from one place (x, z) to another, seen from above, however high.
+	void find_along(const glm::vec2 &from, const glm::vec2 &to, float radius, std::vector<PlantPlace> &found) const;
 	/// The same in a polygon (x, z), however high.
 	void find_in_polygon(const Polygon &polygon, std::vector<PlantPlace> &found) const;
 	/// The plant whose root is nearest to a place, and at most `radius` (m, infinite ones too) from it; a block of -1

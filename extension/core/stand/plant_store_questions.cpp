@@ -15,6 +15,7 @@ namespace {
 /// Boxes around what is exact are wider by so much, of their size and of where they are.
 constexpr float ROUNDED_UP = 1.0f + 1.0e-5f;
 constexpr float ROUNDING = 1.0e-6f;
+constexpr float ANY_HEIGHT = std::numeric_limits<float>::max();
 
 bool is_in(const glm::vec3 &point, const glm::vec3 &low, const glm::vec3 &high) {
 	return point.x >= low.x && point.x <= high.x && point.y >= low.y && point.y <= high.y && point.z >= low.z &&
@@ -81,32 +82,33 @@ void PlantStore::find_in_sphere(const glm::vec3 &centre, float radius, std::vect
 	find_in(centre - reach - ROUNDING * glm::abs(centre), centre + reach + ROUNDING * glm::abs(centre), holds, found);
 }
 
-void PlantStore::find_in_capsule(
-		const glm::vec3 &from, const glm::vec3 &to, float radius, std::vector<PlantPlace> &found) const {
+void PlantStore::find_along(
+		const glm::vec2 &from, const glm::vec2 &to, float radius, std::vector<PlantPlace> &found) const {
 	if (!(radius >= 0.0f)) {
 		return;
 	}
-	const glm::dvec3 along = glm::dvec3(to) - glm::dvec3(from);
+	const glm::dvec2 along = glm::dvec2(to) - glm::dvec2(from);
 	const double length = glm::dot(along, along);
 	const double most = static_cast<double>(radius) * static_cast<double>(radius);
 	const auto holds = [&](const glm::vec3 &root) {
-		const glm::dvec3 way = glm::dvec3(root) - glm::dvec3(from);
+		const glm::dvec2 way = glm::dvec2(root.x, root.z) - glm::dvec2(from);
 		const double share = length > 0.0 ? std::clamp(glm::dot(way, along) / length, 0.0, 1.0) : 0.0;
-		const glm::dvec3 beside = way - share * along;
+		const glm::dvec2 beside = way - share * along;
 		return glm::dot(beside, beside) <= most;
 	};
-	const glm::vec3 reach = ROUNDED_UP * radius + ROUNDING * glm::max(glm::abs(from), glm::abs(to));
-	find_in(glm::min(from, to) - reach, glm::max(from, to) + reach, holds, found);
+	const glm::vec2 reach = ROUNDED_UP * radius + ROUNDING * glm::max(glm::abs(from), glm::abs(to));
+	const glm::vec2 low = glm::min(from, to) - reach;
+	const glm::vec2 high = glm::max(from, to) + reach;
+	find_in({ low.x, -ANY_HEIGHT, low.y }, { high.x, ANY_HEIGHT, high.y }, holds, found);
 }
 
 void PlantStore::find_in_polygon(const Polygon &polygon, std::vector<PlantPlace> &found) const {
 	if (polygon.size() < 3) {
 		return;
 	}
-	constexpr float ANY = std::numeric_limits<float>::max();
 	const AreaBox box = bounding_box(polygon);
 	const auto holds = [&](const glm::vec3 &root) { return is_inside(polygon, { root.x, root.z }); };
-	find_in({ box.low.x, -ANY, box.low.y }, { box.high.x, ANY, box.high.y }, holds, found);
+	find_in({ box.low.x, -ANY_HEIGHT, box.low.y }, { box.high.x, ANY_HEIGHT, box.high.y }, holds, found);
 }
 
 PlantPlace PlantStore::find_nearest(const glm::vec3 &centre, float radius) const {

@@ -117,7 +117,7 @@ std::vector<FieldLevel> read_levels(const FieldProperties &options, const SightR
 		level.thins_lathes = !options.levels.is_empty();
 		level.end = is_last ? range.end : level.end;
 		level.margin = std::max(float(options.fade_margin), LEAST_MARGIN);
-		level.casts_shadows = level.begin < options.shadow_distance;
+		level.casts_shadows = level.begin < options.shadow_distance * double(range.lod_bias);
 		fit_tiles(level, float(options.tile_size), options.view_distance <= 0.0); // Else tiles come and go alone.
 		made.push_back(level);
 		if (is_last) {

@@ -138,7 +138,7 @@ int NamedPlants::remove_along(const PackedVector3Array &points, double width) {
 	for (int64_t i = 0; i < std::max(points.size() - 1, int64_t(1)); i++) {
 		const glm::vec3 from = to_glm(to_field.xform(points[i]));
 		const glm::vec3 to = to_glm(to_field.xform(points[std::min(i + 1, points.size() - 1)]));
-		meadow.store.find_in_capsule(from, to, reach_in(to_field, 0.5 * width), found);
+		meadow.store.find_along({ from.x, from.z }, { to.x, to.z }, reach_in(to_field, 0.5 * width), found);
 	}
 	std::sort(found.begin(), found.end());
 	found.erase(std::unique(found.begin(), found.end()), found.end());

@@ -11,41 +11,42 @@
 
 using namespace undergrowth;
 
-TEST_CASE("plants are found in capsules and polygons, those and no others") {
+TEST_CASE("plants are found along lines and in polygons, however high, those and no others") {
 	const PlantStore store = filled_store();
-	const glm::vec3 from = { -9.0f, 0.0f, 2.0f };
-	const glm::vec3 to = { 7.0f, 1.0f, -3.0f };
+	const glm::vec2 from = { -9.0f, 2.0f };
+	const glm::vec2 to = { 7.0f, -3.0f };
 	const Polygon polygon = { { -10.0f, -10.0f }, { 12.0f, -6.0f }, { 0.0f, 15.0f } };
-	std::vector<PlantPlace> in_capsule;
+	std::vector<PlantPlace> along;
 	std::vector<PlantPlace> in_polygon;
-	std::vector<PlantPlace> in_sphere;
-	std::vector<PlantPlace> in_point;
-	store.find_in_capsule(from, to, 2.5f, in_capsule);
+	std::vector<PlantPlace> at_point;
+	store.find_along(from, to, 2.5f, along);
 	store.find_in_polygon(polygon, in_polygon);
-	store.find_in_capsule(from, from, 2.5f, in_point);
-	store.find_in_sphere(from, 2.5f, in_sphere);
-	CHECK(in_point == in_sphere);
-	std::size_t capsules = 0;
+	store.find_along(from, from, 2.5f, at_point);
+	std::size_t beside_line = 0;
+	std::size_t beside_point = 0;
 	std::size_t polygons = 0;
 	for (int number = 0; number < store.block_count(); number++) {
 		for (int slot = 0; slot < store.block(number).size(); slot++) {
 			const glm::vec3 root = store.block(number).root(slot);
+			const glm::vec2 place = { root.x, root.z };
 			double nearest = 1.0e9;
 			for (int i = 0; i <= 2000; i++) {
 				nearest = std::min(nearest,
 						static_cast<double>(
-								glm::distance(root, from + (to - from) * (static_cast<float>(i) / 2000.0f))));
+								glm::distance(place, from + (to - from) * (static_cast<float>(i) / 2000.0f))));
 			}
-			capsules += static_cast<std::size_t>(nearest <= 2.5);
-			polygons += static_cast<std::size_t>(is_inside(polygon, { root.x, root.z }));
+			beside_line += static_cast<std::size_t>(nearest <= 2.5);
+			beside_point += static_cast<std::size_t>(glm::distance(place, from) <= 2.5f);
+			polygons += static_cast<std::size_t>(is_inside(polygon, place));
 		}
 	}
-	CHECK(std::abs(static_cast<double>(in_capsule.size()) - static_cast<double>(capsules)) <= 1.0);
-	CHECK(capsules > 300);
+	CHECK(std::abs(static_cast<double>(along.size()) - static_cast<double>(beside_line)) <= 1.0);
+	CHECK(beside_line > 300);
+	CHECK(at_point.size() == beside_point);
 	CHECK(in_polygon.size() == polygons);
 	CHECK(polygons > 800);
 	std::vector<PlantPlace> none;
-	store.find_in_capsule(from, to, -1.0f, none);
+	store.find_along(from, to, -1.0f, none);
 	store.find_in_polygon({ { 0.0f, 0.0f }, { 1.0f, 1.0f } }, none);
 	CHECK(none.empty());
 }
