@@ -97,6 +97,22 @@ func test_a_plant_at_rest_has_still_leaves_and_comes_back_to_rest() -> void:
 	check_near(_turn_of(skeleton, "leaf_1"), 0.0, 1e-4, "later")
 
 
+func test_leaves_flutter_on_in_a_steady_wind() -> void:
+	for i in 1200:
+		_plant.advance(STEP)
+	var skeleton := _plant.get_skeleton()
+	var tip := _plant.get_tip_position()
+	var least := INF
+	var most := 0.0
+	for i in 90:
+		_plant.advance(STEP)
+		var turn := _turn_of(skeleton, "leaf_1")
+		least = minf(least, turn)
+		most = maxf(most, turn)
+	check_near(_plant.get_tip_position(), tip, 1e-3, "the stem stands still")
+	check(most - least > 0.01, "a leaf turns by %f rad" % (most - least))
+
+
 func test_reset_motion_puts_leaves_into_their_rest() -> void:
 	for i in 12:
 		_plant.advance(STEP)

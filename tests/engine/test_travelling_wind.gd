@@ -109,6 +109,33 @@ func test_the_wind_comes_later_to_a_plant_that_stands_downwind() -> void:
 			check_near(aside.get_tip_position(), tips[i], LATE_TIP, "at once across the wind")
 
 
+func test_a_scaled_field_has_the_winds_way_in_metres_of_the_world() -> void:
+	var wind := _waves()
+	wind.strength = 3.0
+	wind.travel_speed = 4.0
+	var species := _species(PlantFunction.LAW_SPRING)
+	species.damping_ratio = 0.7
+	var field := PlantField3D.new()
+	field.density = 0.0
+	field.wind = wind
+	field.scale = Vector3.ONE * 2.0
+	root.add_child(field)
+	var places := [Vector3.ZERO, Vector3(2.0, 0, 0)]  # Four metres, and a second, from each other.
+	var ids: PackedInt64Array = []
+	for place: Vector3 in places:
+		ids.append(field.add_plants([Transform3D(Basis.IDENTITY, place)], species)[0])
+	var times: PackedFloat64Array = []
+	var tips: Array[PackedVector3Array] = [PackedVector3Array(), PackedVector3Array()]
+	while wind.get_time() < 8.0:
+		await frames(1)
+		times.append(wind.get_time())
+		for i in 2:
+			tips[i].append((field.get_tip_position(ids[i]) - places[i]).normalized())
+	check(_least_apart(times, tips[0], tips[1], 0.5) > 5.0 * SAME_TIP, "they sway")
+	check_near(_least_apart(times, tips[0], tips[1], 1.0), 0.0, SAME_TIP, "apart a second later")
+	field.free()
+
+
 func test_a_wind_without_a_travel_speed_blows_everywhere_at_once() -> void:
 	var wind := _waves()
 	wind.travel_speed = 0.0
