@@ -48,12 +48,7 @@ func test_nothing_is_drawn_beyond_the_visibility_range() -> void:
 
 
 func test_plants_cast_shadows_within_the_shadow_distance_only() -> void:
-	var ground := MeshInstance3D.new()
-	ground.mesh = PlaneMesh.new()
-	(ground.mesh as PlaneMesh).size = Vector2(6, 6)
-	stage.add_child(ground)
-	for light in stage.find_children("*", "DirectionalLight3D", true, false):
-		(light as DirectionalLight3D).shadow_enabled = true
+	_cast_shadows()
 	_field.shadow_distance = 30.0
 	_field.add_plants([Transform3D.IDENTITY], TulipFunction.new())
 	await frames(5)
@@ -66,6 +61,22 @@ func test_plants_cast_shadows_within_the_shadow_distance_only() -> void:
 	check(plant > LEAST_PLANT, "the plant is drawn: %d pixels" % plant)
 	var shadow := count_different(with_shadow, without_shadow)
 	check(shadow > 50, "its shadow is: %d pixels" % shadow)
+
+
+func test_lod_bias_keeps_the_levels_that_cast_shadows() -> void:
+	_cast_shadows()
+	_field.levels = [PlantFieldLevel.of(12, 0.2), PlantFieldLevel.of(6)]
+	_field.add_plants([Transform3D.IDENTITY], TulipFunction.new())
+	_field.lod_bias = 5.0  # The second level, in which the plant is, begins at 1 m.
+	for distance: float in [0.15, 0.3]:
+		_field.shadow_distance = distance
+		await frames(12)
+		var now := await picture()
+		_field.shadow_distance = 0.0
+		var shadow := count_different(now, await picture())
+		check(
+			shadow > 50 if distance > 0.2 else shadow == 0, "%d pixels at %f" % [shadow, distance]
+		)
 
 
 func test_turning_the_camera_changes_no_level() -> void:
@@ -109,3 +120,12 @@ func test_a_bent_plant_is_not_culled_where_only_its_tip_is_seen() -> void:
 	_field.add_plants([Transform3D(Basis(Vector3.UP, PI / 2), Vector3(-2.2, 1.0, 0))], function)
 	await frames(5)
 	check(count_different(await picture(), empty_picture()) > LEAST_PLANT, "the tip of it is drawn")
+
+
+func _cast_shadows() -> void:
+	var ground := MeshInstance3D.new()
+	ground.mesh = PlaneMesh.new()
+	(ground.mesh as PlaneMesh).size = Vector2(6, 6)
+	stage.add_child(ground)
+	for light in stage.find_children("*", "DirectionalLight3D", true, false):
+		(light as DirectionalLight3D).shadow_enabled = true
