@@ -40,7 +40,7 @@ TEST_CASE("species of any numbers within their limits are finite and within thei
 		grown++;
 		const PlantForm form = growth.finish();
 		const FormMeasure measure = measure_form(form);
-		for (const int lod : { 12, 3, 1 }) {
+		for (const int lod : { 24, 12, 3, 1 }) {
 			const FormPlan plan = plan_form(form, measure, vertex_budget(lod));
 			const BuiltForm mesh = build(form, plan);
 			INFO("seed " << seed << ", " << lod << " segments");
