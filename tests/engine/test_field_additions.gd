@@ -45,6 +45,26 @@ func test_preview_after_a_species_came_that_follows_prototypes() -> void:
 	_check_sound(field.get_plant_ids())
 
 
+func test_plants_that_are_added_before_the_first_filling_stay_as_high_as_they_are() -> void:
+	field.species.append(PlantFieldSpecies.of(ReedFunction.new()))
+	field.species[1].variants = 3
+	var places: Array[Transform3D] = []
+	for i in 20:
+		places.append(Transform3D(Basis.IDENTITY, Vector3(i, 0, 30)))
+	root.add_child(field)
+	var ids: Array[PackedInt64Array] = []
+	var heights: Array[PackedFloat32Array] = []
+	for species: PlantFunction in [
+		field.species[1].species, BellflowerFunction.new(), field.species[0].species
+	]:
+		ids.append(field.add_plants(places, species))
+		heights.append(field.get_plant_heights(ids[-1]))
+	await field.filled
+	await frames(3)
+	for kind in ids.size():
+		check_equal(field.get_plant_heights(ids[kind]), heights[kind], "heights of kind %d" % kind)
+
+
 func test_a_species_that_comes_while_a_field_fills() -> void:
 	field.size = Vector2(100, 100)
 	await start()

@@ -157,12 +157,31 @@ bool renders_on_threads() {
 	return !RenderingServer::get_singleton()->get_video_adapter_name().is_empty();
 }
 
-static void list_look(const Ref<PlantFunction> &function, int variants, const StandOptions &options, FieldStyle &into) {
+// Its seed goes by its number: in the list, or after it where only code plants it, so that who is listed later stays as
+// it is. The list is that of the properties, whatever of it stands yet.
+static FieldLook look_of(const Ref<PlantFunction> &function, int variants, const StandOptions &options, size_t number) {
 	FieldLook look;
 	look.function = function;
 	look.variant_count = variants;
-	look.seed = int64_t(mix_bits(uint64_t(options.seed) ^ mix_bits(uint64_t(into.looks.size()))));
-	into.looks.push_back(std::move(look));
+	look.seed = int64_t(mix_bits(uint64_t(options.seed) ^ mix_bits(uint64_t(number))));
+	return look;
+}
+
+static FieldLook listed_look(const PlantFieldSpecies &listed, const StandOptions &options, size_t number) {
+	FieldLook look = look_of(listed.get_species(), listed.get_variants(), options, number);
+	look.detail = listed.get_detail();
+	return look;
+}
+
+// The first entry that is of it, or -1.
+static int64_t number_in_list(const StandOptions &options, const Ref<PlantFunction> &function) {
+	for (int64_t i = 0; i < options.species.size(); i++) {
+		const Ref<PlantFieldSpecies> listed = options.species[i];
+		if (listed.is_valid() && listed->get_species() == function) {
+			return i;
+		}
+	}
+	return -1;
 }
 
 String list_looks(const StandOptions &options, const std::vector<FieldLook> &others, FieldStyle &into) {
@@ -173,12 +192,11 @@ String list_looks(const StandOptions &options, const std::vector<FieldLook> &oth
 			return "species[" + String::num_int64(i) +
 					"] is empty. Set a PlantFieldSpecies with a PlantFunction there, or remove the entry.";
 		}
-		list_look(listed->get_species(), listed->get_variants(), options, into);
-		into.looks.back().detail = listed->get_detail();
+		into.looks.push_back(listed_look(*listed.ptr(), options, size_t(i)));
 	}
 	into.listed_count = int(into.looks.size());
-	for (const FieldLook &other : others) {
-		list_look(other.function, other.variant_count, options, into);
+	for (size_t i = 0; i < others.size(); i++) {
+		into.looks.push_back(look_of(others[i].function, others[i].variant_count, options, into.looks.size()));
 	}
 	return String();
 }
@@ -206,11 +224,13 @@ String sample_looks(FieldStyle &style, double usec, bool &is_done) {
 
 String read_other_look(
 		const Ref<PlantFunction> &function, const StandOptions &options, const FieldStyle &style, FieldLook &into) {
-	FieldStyle alone;
-	alone.levels = style.levels;
-	alone.looks.resize(style.looks.size()); // Seeds go by the number of the look.
-	list_look(function, FieldLook().variant_count, options, alone);
-	into = std::move(alone.looks.back());
+	const int64_t listed = number_in_list(options, function);
+	const auto is_other = [&](const FieldLook &look) { return number_in_list(options, look.function) < 0; };
+	const auto first_other = style.looks.begin() + style.listed_count;
+	const auto others = std::count_if(first_other, style.looks.end(), is_other);
+	// Before the first filling nobody is listed yet.
+	into = listed < 0 ? look_of(function, FieldLook().variant_count, options, size_t(options.species.size() + others))
+					  : listed_look(*Ref<PlantFieldSpecies>(options.species[listed]).ptr(), options, size_t(listed));
 	while (!into.is_sampled()) {
 		const String fault = into.sample_next(style.levels);
 		if (!fault.is_empty()) {
