@@ -3,13 +3,7 @@ extends "res://tests/engine/field_harness.gd"
 
 
 func test_a_camera_that_goes_to_and_fro_leaves_no_heap_of_skeletons() -> void:
-	var camera := Camera3D.new()
-	root.add_child(camera)
-	field = PlantField3D.from_species([GrassFunction.new()])
-	field.size = Vector2(60, 6)
-	field.density = 4.0
-	field.skeleton_distance = 4.0
-	field.max_skeletons = 30
+	var camera := _watch(GrassFunction.new(), Vector2(60, 6), 30)
 	await start()
 	var counts: Array[int] = []
 	for round in 8:
@@ -27,13 +21,7 @@ func test_a_camera_that_goes_to_and_fro_leaves_no_heap_of_skeletons() -> void:
 
 
 func test_what_was_hung_on_a_plant_goes_with_its_skeleton_to_no_other_plant() -> void:
-	var camera := Camera3D.new()
-	root.add_child(camera)
-	field = PlantField3D.from_species([GrassFunction.new()])
-	field.size = Vector2(60, 6)
-	field.density = 4.0
-	field.skeleton_distance = 4.0
-	field.max_skeletons = 10
+	var camera := _watch(GrassFunction.new(), Vector2(60, 6), 10)
 	camera.position = Vector3(-20, 1, 0)
 	await start()
 	await frames(30)
@@ -52,16 +40,10 @@ func test_what_was_hung_on_a_plant_goes_with_its_skeleton_to_no_other_plant() ->
 
 
 func test_a_bent_plant_that_is_a_skeleton_has_room_for_its_tip_where_it_is_culled() -> void:
-	var camera := Camera3D.new()
-	root.add_child(camera)
 	var species := GrassFunction.new()
 	species.law = PlantFunction.LAW_SPRING
 	species.lean = deg_to_rad(75.0)
-	field = PlantField3D.from_species([species])
-	field.size = Vector2(6, 6)
-	field.density = 4.0
-	field.skeleton_distance = 4.0
-	field.max_skeletons = 10
+	var camera := _watch(species, Vector2(6, 6), 10)
 	await start()
 	await frames(30)
 	check_equal(field.get_skeletons().size(), 10, "skeletons")
@@ -72,3 +54,15 @@ func test_a_bent_plant_that_is_a_skeleton_has_room_for_its_tip_where_it_is_culle
 		var room := drawn.custom_aabb if drawn.custom_aabb.has_volume() else drawn.get_aabb()
 		check(room.grow(1e-3).has_point(own), "%s is in %s" % [own, room])
 	camera.free()
+
+
+## A field of one species and a camera at its middle, near which plants become skeletons.
+func _watch(species: PlantFunction, size: Vector2, most: int) -> Camera3D:
+	field = PlantField3D.from_species([species])
+	field.size = size
+	field.density = 4.0
+	field.skeleton_distance = 4.0
+	field.max_skeletons = most
+	var camera := Camera3D.new()
+	root.add_child(camera)
+	return camera

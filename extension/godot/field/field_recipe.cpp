@@ -173,8 +173,7 @@ static FieldLook listed_look(const PlantFieldSpecies &listed, const StandOptions
 	return look;
 }
 
-// The first entry that is of it, or -1.
-static int64_t number_in_list(const StandOptions &options, const Ref<PlantFunction> &function) {
+int64_t number_in_list(const StandOptions &options, const Ref<PlantFunction> &function) {
 	for (int64_t i = 0; i < options.species.size(); i++) {
 		const Ref<PlantFieldSpecies> listed = options.species[i];
 		if (listed.is_valid() && listed->get_species() == function) {

@@ -42,6 +42,9 @@ SightRange sight_range_of(const godot::GeometryInstance3D *node);
 /// Levels up to the range's end, at least one. Where none are set they hang on the species.
 std::vector<FieldLevel> read_levels(const FieldProperties &options, const SightRange &range);
 
+/// The first species of the list that is this function, or -1.
+int64_t number_in_list(const StandOptions &options, const godot::Ref<PlantFunction> &function);
+
 /// A look for each species of the list, not sampled yet; then for each of `others`.
 godot::String list_looks(const StandOptions &options, const std::vector<FieldLook> &others, FieldStyle &into);
 

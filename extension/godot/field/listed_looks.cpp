@@ -19,12 +19,7 @@ static int listed_number(const FieldStyle &style, int look, const StandOptions &
 	if (look < std::min(count, style.listed_count) && is_it(look)) {
 		return look;
 	}
-	for (int number = 0; number < count; number++) {
-		if (is_it(number)) {
-			return number;
-		}
-	}
-	return -1;
+	return int(number_in_list(options, style.looks[size_t(look)].function));
 }
 
 std::vector<FieldLook> others_of(
@@ -65,13 +60,8 @@ bool is_listed_so(const FieldStyle &style, const StandOptions &options) {
 }
 
 Ref<PlantFieldSpecies> listed_entry(const StandOptions &options, const Ref<PlantFunction> &function) {
-	for (int64_t i = 0; i < options.species.size(); i++) {
-		const Ref<PlantFieldSpecies> entry = options.species[i];
-		if (entry.is_valid() && entry->get_species() == function) {
-			return entry;
-		}
-	}
-	return Ref<PlantFieldSpecies>();
+	const int64_t number = number_in_list(options, function);
+	return number < 0 ? Ref<PlantFieldSpecies>() : Ref<PlantFieldSpecies>(options.species[number]);
 }
 
 Ref<PlantFunction> listed_species(const StandOptions &options, const String &name) {
