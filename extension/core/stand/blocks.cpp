@@ -1,5 +1,6 @@
 #include "stand/blocks.hpp"
 
+#include "base/counting_sort.hpp"
 #include "stand/curve_key.hpp"
 
 #include <glm/common.hpp>
@@ -75,22 +76,6 @@ std::vector<TileKey> find_tiles(const FieldPlants &plants, float size, std::vect
 		tiles.push_back(entry.second);
 	}
 	return tiles;
-}
-
-/// Stable: the entries of `order` by key(entry), which is in [0, keys).
-template <class Key> std::vector<int> counting_sort(const std::vector<int> &order, int keys, Key key) {
-	std::vector<int> starts(static_cast<std::size_t>(keys) + 1, 0);
-	for (const int entry : order) {
-		starts[static_cast<std::size_t>(key(entry)) + 1]++;
-	}
-	for (std::size_t i = 1; i < starts.size(); i++) {
-		starts[i] += starts[i - 1];
-	}
-	std::vector<int> sorted(order.size());
-	for (const int entry : order) {
-		sorted[static_cast<std::size_t>(starts[static_cast<std::size_t>(key(entry))]++)] = entry;
-	}
-	return sorted;
 }
 
 /// The plants order[begin] to order[end - 1], which are of one tile and species.

@@ -1,5 +1,7 @@
 #include "stand/kept_plants.hpp"
 
+#include "base/random.hpp"
+
 #include <algorithm>
 #include <numeric>
 
@@ -32,6 +34,38 @@ bool are_the_same(const FilledBlocks &before, const std::vector<PlantBlock> &now
 						block.plants.z == was.second.plants.z;
 			});
 }
+
+/// Where plants of different names stand: a hash table with open addressing, at most half full.
+class PlacesByName {
+public:
+	explicit PlacesByName(std::size_t count) {
+		while (last < 2 * count) {
+			last = 2 * last + 1;
+		}
+		entries.resize(last + 1, { NOBODY, {} });
+	}
+
+	void add(PlantId name, const PlantPlace &place) { entries[slot_of(name)] = { name, place }; }
+
+	const PlantPlace *find(PlantId name) const {
+		const auto &entry = entries[slot_of(name)];
+		return entry.first == name ? &entry.second : nullptr;
+	}
+
+private:
+	static constexpr PlantId NOBODY = -1;
+	std::size_t last = 1; ///< All bits below a power of two.
+	std::vector<std::pair<PlantId, PlantPlace>> entries;
+
+	/// Where a name stands, or would.
+	std::size_t slot_of(PlantId name) const {
+		std::size_t slot = mix_bits(static_cast<uint64_t>(name)) & last;
+		while (entries[slot].first != name && entries[slot].first != NOBODY) {
+			slot = (slot + 1) & last;
+		}
+		return slot;
+	}
+};
 
 } // namespace
 
@@ -70,22 +104,22 @@ std::vector<KeptPlant> find_kept(const FilledBlocks &before, const std::vector<P
 		}
 		return kept;
 	}
-	std::vector<std::pair<PlantId, PlantPlace>> named;
+	std::size_t count = 0;
+	for (const auto &[number, block] : before.blocks) {
+		count += block.spacing == spacing ? static_cast<std::size_t>(block.size()) : 0;
+	}
+	PlacesByName named(count);
 	for (const auto &[number, block] : before.blocks) {
 		for (int slot = 0; block.spacing == spacing && slot < block.size(); slot++) {
 			if (!block.is_gone(slot)) {
-				named.push_back({ name_of(block, slot, spacing), { number, slot } });
+				named.add(name_of(block, slot, spacing), { number, slot });
 			}
 		}
 	}
-	const auto is_less = [](const auto &a, const auto &b) { return a.first < b.first; };
-	std::sort(named.begin(), named.end(), is_less);
-	for (std::size_t i = 0; i < now.size() && !named.empty(); i++) {
+	for (std::size_t i = 0; i < now.size() && count > 0; i++) {
 		for (int slot = 0; slot < now[i].size(); slot++) {
-			const std::pair<PlantId, PlantPlace> wanted = { name_of(now[i], slot, spacing), {} };
-			const auto found = std::lower_bound(named.begin(), named.end(), wanted, is_less);
-			if (found != named.end() && found->first == wanted.first) {
-				kept.push_back({ found->second, { static_cast<int>(i), slot } });
+			if (const PlantPlace *from = named.find(name_of(now[i], slot, spacing))) {
+				kept.push_back({ *from, { static_cast<int>(i), slot } });
 			}
 		}
 	}

@@ -6,9 +6,13 @@
 
 namespace undergrowth {
 
+/// How many different ranks there are: as many as a float holds.
+constexpr int RANK_COUNT = 1 << 24;
+
 /// A plant's place in the order in which far plants are left away, 0 to below 1: those with a rank below a share are
 /// kept. It hangs on the plant's id alone. Plants that were filled have theirs by the golden ratio along Hilbert's
 /// curve through their cells, so that of any share what is left stays spread; those that were added by their number.
+/// A multiple of 1 / RANK_COUNT.
 float plant_rank(PlantId id);
 
 /// How many of a field's plants are kept at which distance from the eye, over one level of detail and the one before

@@ -3,7 +3,7 @@
 #include "field/field_view.hpp"
 
 #include "convert.hpp"
-#include "field/plant_transforms.hpp"
+#include "field/ranked_plants.hpp"
 #include "mesh/form_plan.hpp"
 
 #include <algorithm>
@@ -17,10 +17,6 @@ namespace undergrowth {
 static constexpr int TRANSFORM_FLOATS = 12; // 3x4, row by row.
 static constexpr int COLOR_FLOATS = 4;
 static constexpr int CUSTOM_FLOATS = 4;
-// Compatibility keeps custom data in half floats, which count exactly from -2048 to 2048.
-static constexpr int HALVES_COUNT_FROM = -2048;
-// Of plants of parts only the parts are drawn wider, not the whole.
-static constexpr float PARTS_WIDENING = 1.25f;
 
 // What a draw costs in vertices: so many that nobody sees may be drawn to spare one.
 static constexpr float VERTICES_OF_DRAW = 3000.0f;
@@ -83,139 +79,113 @@ static ClumpPlace place_of(
 	return { block.is_added, level, 1, block.tile, -1, number };
 }
 
-static void write_transform(float *to, const Transform3D &transform) {
+// Which multimeshes a level has, and which of them each plant is in.
+struct Division {
+	std::map<std::tuple<ClumpPlace, int, int>, int> numbers; // By place, species, group.
+	std::vector<int> counts;
+	std::vector<int> of_plants;
+};
+
+static Division divide(const FieldStyle &style, const std::vector<DrawnBlock> &blocks,
+		const std::vector<RankedPlant> &plants, int level) {
+	const FieldLevel &seen = style.levels[size_t(level)];
+	const std::vector<Squares> squares = all_squares(style, level, blocks);
+	std::vector<std::vector<int>> found(blocks.size()); // A block's squares are few: each is looked up once.
+	Division division;
+	division.of_plants.reserve(plants.size());
+	for (const RankedPlant &plant : plants) {
+		const DrawnBlock &drawn = blocks[size_t(plant.block)];
+		const int species = drawn.block->species;
+		const int groups = int(style.looks[size_t(species)].meshes[size_t(level)].size());
+		const Squares own =
+				drawn.block->is_added ? Squares{ seen.tile_factor, seen.tile_cuts } : squares[size_t(species)];
+		const ClumpPlace place = place_of(style, level, drawn, own, to_glm(plant.transform.origin));
+		std::vector<int> &of_block = found[size_t(plant.block)];
+		of_block.resize(size_t(own.cuts * own.cuts * groups), -1);
+		const int group = plant.variant % groups;
+		int &number = of_block[size_t(std::max(place.part, 0) * groups + group)];
+		if (number < 0) {
+			const int next = int(division.numbers.size());
+			number = division.numbers.try_emplace({ place, species, group }, next).first->second;
+			division.counts.resize(division.numbers.size(), 0);
+		}
+		division.counts[size_t(number)]++;
+		division.of_plants.push_back(number);
+	}
+	return division;
+}
+
+static float *write_transform(float *to, const Transform3D &transform) {
 	for (int row = 0; row < 3; row++) {
 		const Vector3 &axes = transform.basis.rows[row];
 		for (const float number : { axes.x, axes.y, axes.z, transform.origin[row] }) {
 			*to++ = number;
 		}
 	}
+	return to;
 }
 
-static AABB reach(const FieldLook &look, const PlacedPlant &plant, float widening) {
-	const float radius = look.reach_of(plant, widening);
-	const Vector3 root = to_godot(plant.root);
-	return AABB(root - Vector3(radius, radius, radius), 2.0f * Vector3(radius, radius, radius));
+// Until the plan is done, its boxes have their highest corners in place of their sizes.
+static void widen(ClumpPlan &plan, const Vector3 &root, float reach) {
+	const Vector3 around(reach, reach, reach);
+	const bool is_first = plan.count++ == 0;
+	plan.roots.position = is_first ? root : plan.roots.position.min(root);
+	plan.roots.size = is_first ? root : plan.roots.size.max(root);
+	plan.box.position = is_first ? root - around : plan.box.position.min(root - around);
+	plan.box.size = is_first ? root + around : plan.box.size.max(root + around);
 }
 
-// A plant in the making of a plan.
-struct Member {
-	float rank;
-	const DrawnBlock *block;
-	int slot;
-
-	bool operator<(const Member &other) const { return rank < other.rank; }
-};
-
-using MembersByMesh = std::map<std::tuple<ClumpPlace, int, int>, std::vector<Member>>; // Place, species, group.
-
-// Appends a plant to a plan whose buffer has room for it.
-static void add_plant(const FieldStyle &style, const Member &member, ClumpPlan &plan) {
-	const FieldLook &look = style.looks[size_t(plan.species)];
-	const PlacedPlant plant = member.block->block->plants.plant(member.slot);
-	float *to = plan.buffer.ptrw() + int64_t(plan.count) * plan.stride;
-	write_transform(to, drawn_transform(plant));
-	std::fill(to + TRANSFORM_FLOATS, to + plan.stride, 1.0f); // White, where there is a colour.
-	float *custom = to + plan.stride - CUSTOM_FLOATS;
-	custom[0] = float(member.block->texels.first + member.slot + HALVES_COUNT_FROM);
-	custom[1] = float(member.block->texels.layer + HALVES_COUNT_FROM);
-	custom[2] = member.rank;
-	custom[3] = look.height_of(plant) / look.variants[size_t(plan.group)].height;
-	const AABB box = reach(look, plant, look.has_parts() ? PARTS_WIDENING : MOST_WIDENING);
-	const AABB root(to_godot(plant.root), Vector3());
-	plan.box = plan.count == 0 ? box : plan.box.merge(box);
-	plan.roots = plan.count == 0 ? root : plan.roots.merge(root);
-	plan.count++;
-	plan.kept[size_t(std::ceil(member.rank * RANK_STEPS))]++;
-}
-
-// By rank, so that whoever is left away far from the eye is at the end.
-static ClumpPlan make_plan(const FieldStyle &style, const MembersByMesh::key_type &key, std::vector<Member> &members) {
-	ClumpPlan plan;
-	std::tie(plan.place, plan.species, plan.group) = key;
-	plan.stride = TRANSFORM_FLOATS + CUSTOM_FLOATS + (style.needs_colors ? COLOR_FLOATS : 0);
-	plan.buffer.resize(int64_t(members.size()) * plan.stride);
-	std::stable_sort(members.begin(), members.end());
-	for (const Member &member : members) {
-		add_plant(style, member, plan);
+// Appends a plant to a plan, of which `to` is the buffer's end so far.
+static void add_plant(const FieldStyle &style, const RankedPlant &plant, ClumpPlan &plan, float *&to) {
+	to = write_transform(to, plant.transform);
+	if (style.needs_colors) {
+		to = std::fill_n(to, COLOR_FLOATS, 1.0f); // White.
 	}
-	std::partial_sum(plan.kept.begin(), plan.kept.end(), plan.kept.begin());
-	return plan;
+	*to++ = plant.texel;
+	*to++ = plant.layer;
+	*to++ = plant.rank;
+	*to++ = plant.height / style.looks[size_t(plan.species)].variants[size_t(plan.group)].height;
+	widen(plan, plant.transform.origin, plant.reach);
+	plan.kept[size_t(std::ceil(plant.rank * RANK_STEPS))]++;
 }
 
-static float rank_of(const PlantBlock &block, int slot) {
-	if (block.is_added) {
-		return plant_rank(block.ids[size_t(slot)]);
+// Plants come by rank, so that whoever is left away far from the eye is at the end.
+static std::vector<ClumpPlan> plan_level(const FieldStyle &style, const std::vector<DrawnBlock> &blocks,
+		const std::vector<RankedPlant> &plants, int level) {
+	const Division division = divide(style, blocks, plants, level);
+	std::vector<ClumpPlan> plans(division.counts.size());
+	std::vector<float *> ends(plans.size());
+	std::vector<size_t> places(plans.size());
+	size_t next = 0;
+	for (const auto &[key, number] : division.numbers) {
+		ClumpPlan &plan = plans[next];
+		std::tie(plan.place, plan.species, plan.group) = key;
+		plan.stride = TRANSFORM_FLOATS + CUSTOM_FLOATS + (style.needs_colors ? COLOR_FLOATS : 0);
+		plan.buffer.resize(int64_t(division.counts[size_t(number)]) * plan.stride);
+		ends[next] = plan.buffer.ptrw();
+		places[size_t(number)] = next++;
 	}
-	const glm::vec3 root = block.root(slot);
-	return plant_rank(filled_plant_id(root.x, root.z, block.spacing));
-}
-
-// Of all plants of a block, the same at all levels.
-static std::vector<float> all_ranks(const PlantBlock &block) {
-	std::vector<float> ranks(size_t(block.size()));
-	for (int slot = 0; slot < block.size(); slot++) {
-		ranks[size_t(slot)] = rank_of(block, slot);
+	for (size_t i = 0; i < plants.size(); i++) {
+		const size_t place = places[size_t(division.of_plants[i])];
+		add_plant(style, plants[i], plans[place], ends[place]);
 	}
-	return ranks;
-}
-
-// A block's squares are few: each is looked up once.
-static void add_block(const FieldStyle &style, const DrawnBlock &drawn, const std::vector<float> &ranks, int level,
-		const std::vector<Squares> &squares, MembersByMesh &members) {
-	const PlantBlock &block = *drawn.block;
-	const FieldLook &look = style.looks[size_t(block.species)];
-	const int groups = int(look.meshes[size_t(level)].size());
-	const FieldLevel &seen = style.levels[size_t(level)];
-	const Squares own = block.is_added ? Squares{ seen.tile_factor, seen.tile_cuts } : squares[size_t(block.species)];
-	std::vector<std::vector<Member> *> found(size_t(own.cuts * own.cuts * groups), nullptr);
-	for (int slot = 0; slot < block.size(); slot++) {
-		if (block.is_gone(slot)) {
-			continue;
-		}
-		const int group = int(block.plants.variant[size_t(slot)] % look.variants.size()) % groups;
-		const ClumpPlace place = place_of(style, level, drawn, own, block.root(slot));
-		std::vector<Member> *&there = found[size_t(std::max(place.part, 0) * groups + group)];
-		if (!there) {
-			there = &members[{ place, block.species, group }];
-		}
-		there->push_back({ ranks[size_t(slot)], &drawn, slot });
-	}
-}
-
-using Ranks = std::vector<std::vector<float>>; // By block.
-
-static Ranks ranks_of(const std::vector<DrawnBlock> &blocks) {
-	Ranks ranks;
-	for (const DrawnBlock &block : blocks) {
-		ranks.push_back(all_ranks(*block.block));
-	}
-	return ranks;
-}
-
-static std::vector<ClumpPlan> plan_level(
-		const FieldStyle &style, const std::vector<DrawnBlock> &blocks, const Ranks &ranks, int level) {
-	MembersByMesh by_mesh;
-	const std::vector<Squares> squares = all_squares(style, level, blocks);
-	for (size_t i = 0; i < blocks.size(); i++) {
-		add_block(style, blocks[i], ranks[i], level, squares, by_mesh);
-	}
-	std::vector<ClumpPlan> plans;
-	for (auto &[mesh, members] : by_mesh) {
-		plans.push_back(make_plan(style, mesh, members));
+	for (ClumpPlan &plan : plans) {
+		plan.roots.size -= plan.roots.position;
+		plan.box.size -= plan.box.position;
+		std::partial_sum(plan.kept.begin(), plan.kept.end(), plan.kept.begin());
 	}
 	return plans;
 }
 
 std::vector<ClumpPlan> plan_level(const FieldStyle &style, const std::vector<DrawnBlock> &blocks, int level) {
-	return plan_level(style, blocks, ranks_of(blocks), level);
+	return plan_level(style, blocks, rank_plants(style, blocks), level);
 }
 
 std::vector<ClumpPlan> plan_clumps(const FieldStyle &style, const std::vector<DrawnBlock> &blocks) {
 	std::vector<ClumpPlan> plans;
-	const Ranks ranks = ranks_of(blocks);
+	const std::vector<RankedPlant> plants = rank_plants(style, blocks);
 	for (int level = 0; level < int(style.levels.size()); level++) {
-		for (ClumpPlan &plan : plan_level(style, blocks, ranks, level)) {
+		for (ClumpPlan &plan : plan_level(style, blocks, plants, level)) {
 			plans.push_back(std::move(plan));
 		}
 	}
