@@ -65,6 +65,23 @@ func test_plants_that_are_added_before_the_first_filling_stay_as_high_as_they_ar
 		check_equal(field.get_plant_heights(ids[kind]), heights[kind], "heights of kind %d" % kind)
 
 
+func test_plants_that_are_added_before_the_usual_grass_grows_stay_as_high_as_they_are() -> void:
+	field.species = []
+	root.add_child(field)
+	var ids := PackedInt64Array()
+	var species := TulipFunction.new()
+	for i in 8:
+		ids.append_array(
+			field.add_plants([Transform3D(Basis.IDENTITY, Vector3(i, 0, 30))], species)
+		)
+	var heights := field.get_plant_heights(ids)
+	await field.filled
+	await frames(3)
+	check_equal(field.get_plant_heights(ids), heights, "heights")
+	var later := field.add_plants([Transform3D(Basis.IDENTITY, Vector3(0, 0, 31))], species)
+	check(field.get_plant_height(later[0]) > 0.0, "more of them can be added")
+
+
 func test_a_species_that_comes_while_a_field_fills() -> void:
 	field.size = Vector2(100, 100)
 	await start()

@@ -7,6 +7,7 @@ const STEP := 1.0 / 60.0
 const SAME_TIP := 0.01
 const STEPS_LATE := 4.5
 const HEIGHT := 1.0
+const VARIANTS := 4  # Of a species that code adds.
 ## Metres, of tips of one metre: what the wind's way between steps leaves.
 const LATE_TIP := 2e-3
 
@@ -121,9 +122,12 @@ func test_a_scaled_field_has_the_winds_way_in_metres_of_the_world() -> void:
 	field.scale = Vector3.ONE * 2.0
 	root.add_child(field)
 	var places := [Vector3.ZERO, Vector3(2.0, 0, 0)]  # Four metres, and a second, from each other.
-	var ids: PackedInt64Array = []
-	for place: Vector3 in places:
-		ids.append(field.add_plants([Transform3D(Basis.IDENTITY, place)], species)[0])
+	var transforms: Array[Transform3D] = []
+	for i in VARIANTS + 1:  # The first and the last are alike.
+		transforms.append(Transform3D(Basis.IDENTITY, places[i / VARIANTS]))
+	var ids := field.add_plants(transforms, species)
+	ids = [ids[0], ids[-1]]
+	check_equal(field.get_plant_height(ids[1]), field.get_plant_height(ids[0]), "height")
 	var times: PackedFloat64Array = []
 	var tips: Array[PackedVector3Array] = [PackedVector3Array(), PackedVector3Array()]
 	while wind.get_time() < 8.0:

@@ -227,8 +227,9 @@ String read_other_look(
 	const auto is_other = [&](const FieldLook &look) { return number_in_list(options, look.function) < 0; };
 	const auto first_other = style.looks.begin() + style.listed_count;
 	const auto others = std::count_if(first_other, style.looks.end(), is_other);
-	// Before the first filling nobody is listed yet.
-	into = listed < 0 ? look_of(function, FieldLook().variant_count, options, size_t(options.species.size() + others))
+	// Before the first filling nobody is listed yet, and for an empty list there will be the usual grass.
+	const int64_t list_size = std::max(options.species.size(), int64_t(1));
+	into = listed < 0 ? look_of(function, FieldLook().variant_count, options, size_t(list_size + others))
 					  : listed_look(*Ref<PlantFieldSpecies>(options.species[listed]).ptr(), options, size_t(listed));
 	while (!into.is_sampled()) {
 		const String fault = into.sample_next(style.levels);
