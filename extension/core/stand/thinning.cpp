@@ -20,8 +20,7 @@ float plant_rank(PlantId id) {
 		filled_plant_cell(id, column, row);
 		number = curve_key(column, row);
 	}
-	const uint64_t dropped = (uint64_t(1) << 63) / (RANK_COUNT / 2); // What a rank does not tell apart.
-	return static_cast<float>((number * GOLDEN_RATIO) / dropped) / static_cast<float>(RANK_COUNT);
+	return static_cast<float>((number * GOLDEN_RATIO) >> (64 - RANK_BITS)) / static_cast<float>(RANK_COUNT);
 }
 
 float Thinning::share_at(float distance) const {

@@ -7,7 +7,8 @@
 namespace undergrowth {
 
 /// How many different ranks there are: as many as a float holds.
-constexpr int RANK_COUNT = 1 << 24;
+constexpr int RANK_BITS = 24;
+constexpr int RANK_COUNT = 1 << RANK_BITS;
 
 /// A plant's place in the order in which far plants are left away, 0 to below 1: those with a rank below a share are
 /// kept. It hangs on the plant's id alone. Plants that were filled have theirs by the golden ratio along Hilbert's

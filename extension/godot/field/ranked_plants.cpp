@@ -15,8 +15,8 @@ namespace undergrowth {
 static constexpr int HALVES_COUNT_FROM = -2048;
 // Of plants of parts only the parts are drawn wider, not the whole.
 static constexpr float PARTS_WIDENING = 1.25f;
-static constexpr int HALF_RANKS = 4096; // Ranks are sorted by one half of their bits, then by the other.
-static_assert(HALF_RANKS * HALF_RANKS == RANK_COUNT);
+static constexpr int HALF_RANKS =
+		1 << (RANK_BITS / 2); // Ranks are sorted by one half of their bits, then by the other.
 
 static int rank_of(const PlantBlock &block, int slot) {
 	const glm::vec3 root = block.root(slot);
