@@ -63,6 +63,14 @@ func test_a_seed_decides_the_order_and_no_name_is_lost() -> void:
 	check(orders.size() > 15, "other seeds have other orders")
 
 
+## Without what the harness does before it quits, this script never ends.
+func test_tasks_in_a_queue_do_not_hold_the_engine_at_its_exit() -> void:
+	var last := 0
+	for i in 2 * OS.get_processor_count():
+		last = WorkerThreadPool.add_task(OS.delay_msec.bind(100))
+	check(not WorkerThreadPool.is_task_completed(last), "the last task still stands in the queue")
+
+
 ## Checks that [param checks] fails exactly once, and forgets that failure.
 func _expect_failure(checks: Callable) -> void:
 	var before := _problems.size()
