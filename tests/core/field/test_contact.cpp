@@ -31,6 +31,19 @@ TEST_CASE("two plants that swing into each other part, and lose energy, never ga
 	}
 }
 
+TEST_CASE("tips that stand farther away than cells are counted touch nothing and hold nothing up") {
+	FieldSimulation field((FieldSettings()));
+	std::vector<MotionPlant> plants(3);
+	plants[1].root.x = 1e12f;
+	plants[2].root.z = -1e20f;
+	field.add_page(field.add_species(tips_of(Law::spring)), plants.data(), 3);
+	TipContact contact;
+	contact.fit(field);
+	contact.resolve(field);
+	CHECK(field.state(0, 1).direction == glm::vec3(0.0f, 1.0f, 0.0f));
+	CHECK(field.state(0, 2).direction == glm::vec3(0.0f, 1.0f, 0.0f));
+}
+
 TEST_CASE("a contact by itself never adds energy of motion, however many tips meet") {
 	for (const Law law : BOTH_LAWS) {
 		for (int trial = 0; trial < 50; trial++) {

@@ -86,6 +86,8 @@ static double error_of_sampling_ahead(Law law, float frequency) {
 	FieldSimulation field = FieldSimulation(FieldSettings());
 	Joint joint = varied_joint(1);
 	joint.natural_frequency = frequency;
+	const float rate = static_cast<float>(2.0 * PI) * frequency;
+	joint.elasticity = rate * rate / STANDARD_GRAVITY; // Of a plant of a metre.
 	MotionSpecies species = species_with(law, joint);
 	species.stand_height = 0.7f;
 	std::vector<MotionPlant> plants;

@@ -73,7 +73,7 @@ TEST_CASE("a leaf is finite whose width rises over nearly all or falls over near
 	}
 }
 
-TEST_CASE("a plant whose script arranges each of 200 leaves by itself is within its budget") {
+static PlantForm leaves_one_by_one() {
 	Growth growth(0.3f, 1);
 	int stem = 0, kind = 0;
 	CHECK(growth.add_stem(axis(0.3f, 0.01f), stem) == "");
@@ -84,9 +84,27 @@ TEST_CASE("a plant whose script arranges each of 200 leaves by itself is within 
 		std::vector<int> handles;
 		CHECK(growth.arrange(kind, alone, { stem }, handles) == "");
 	}
-	const PlantForm form = growth.finish();
+	return growth.finish();
+}
+
+TEST_CASE("a plant whose script arranges each of 200 leaves by itself is within its budget") {
+	const PlantForm form = leaves_one_by_one();
 	const FormPlan plan = plan_form(form, measure_form(form), vertex_budget(6));
 	CHECK(plan.counts.vertices <= vertex_budget(6));
+}
+
+TEST_CASE("of 200 leaves that became coarser at once no more did than there are vertices too many") {
+	const PlantForm form = leaves_one_by_one();
+	const FormMeasure measure = measure_form(form);
+	const int half_a_leaf = count_part(form.parts[1], details_of(form.parts[1])[0]).vertices / 2;
+	for (const int percent : { 95, 85, 75 }) {
+		PlanSteps steps(form, measure);
+		const int budget = steps.vertices() * percent / 100;
+		while (steps.vertices() > budget && steps.take_best(budget)) {
+		}
+		CHECK(steps.vertices() <= budget);
+		CHECK(steps.vertices() > budget - half_a_leaf);
+	}
 }
 
 namespace {

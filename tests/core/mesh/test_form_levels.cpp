@@ -1,5 +1,6 @@
 #include "../form/form_species.hpp"
 #include "form_mesh_fixture.hpp"
+#include "mesh/plan_steps.hpp"
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -216,6 +217,21 @@ TEST_CASE("plans drop what is small first: florets before leaves, leaves before 
 	const FormPlan far = plan_form(form, measure, vertex_budget(1));
 	CHECK(far.counts.vertices > 0);
 	CHECK(far.fates[static_cast<size_t>(form.groups[1].first)] == FormPlan::drawn);
+}
+
+TEST_CASE("blades that a plan took away it gives back where there is room again") {
+	const PlantForm form = grow_grass(1);
+	const FormMeasure measure = measure_form(form);
+	for (const int part : { 2, 10 }) {
+		PlanSteps steps(form, measure);
+		const int whole = steps.vertices();
+		while (steps.vertices() > whole / part && steps.take_best(whole / part)) {
+		}
+		REQUIRE(steps.vertices() <= whole / part);
+		while (steps.give_back(whole)) {
+		}
+		CHECK(steps.vertices() == whole);
+	}
 }
 
 TEST_CASE("a plan within its budget draws all parts as finely as they are") {

@@ -173,6 +173,30 @@ TEST_CASE("a source moves the pages that it reaches, with the same bits at every
 	}
 }
 
+TEST_CASE("a wind of newtons keeps its way and its force while a source stirs the air") {
+	AirSource still;
+	still.kind = AirSource::Kind::fan;
+	still.speed = 0.0f;
+	Joint joint;
+	joint.natural_frequency = 1.5f;
+	joint.damping_ratio = 0.3f;
+	for (const float direction : { 0.0f, 0.7f, 0.5f * static_cast<float>(PI), 4.0f }) {
+		FieldWind wind;
+		wind.wind.kind = WindKind::constant;
+		wind.wind.strength = 10.0f;
+		wind.wind.direction = direction;
+		MotionPage calm = one_plant(Law::spring, joint, 0.0f), stirred = one_plant(Law::spring, joint, 0.0f);
+		for (int i = 0; i < 3000; i++) {
+			TravellingWind now = wind_at_time(wind, i / 60.0);
+			calm.step(now, winds_along(wind));
+			now.sources = { &still, 1 };
+			stirred.step(now, winds_along(wind));
+		}
+		CHECK(glm::length(calm.direction(0) - glm::vec3(0.0f, 1.0f, 0.0f)) > 0.05f);
+		CHECK(glm::length(calm.direction(0) - stirred.direction(0)) < static_cast<float>(BEND_TOLERANCE));
+	}
+}
+
 TEST_CASE("no joint, state or air, however extreme, leads to a number that is none") {
 	constexpr float NONE = std::numeric_limits<float>::quiet_NaN();
 	constexpr float EXTREMES[] = { 0.0f, 1e-6f, 1.0f, 1e6f, 1e30f, -1.0f, NONE };

@@ -55,6 +55,12 @@ TEST_CASE("a frame of ten seconds costs a bounded number of steps and leaves no 
 	CHECK(clock.advance(1e300) == 8);
 }
 
+TEST_CASE("a frame of as many steps as it may do owes nothing, and keeps what is left of it") {
+	FixedStep clock(STEP, 8);
+	CHECK(clock.advance(8.5 * STEP) == 8);
+	CHECK(clock.alpha() == doctest::Approx(0.5f).epsilon(ALPHA_TOLERANCE));
+}
+
 TEST_CASE("after a hitch a frame catches up an eighth of a second, whatever the step, and no more") {
 	FixedStep usual(STEP);
 	CHECK(usual.advance(3.0) == 8);
