@@ -40,6 +40,19 @@ func test_what_is_near_stands_as_if_all_did() -> void:
 	whole.free()
 
 
+func test_what_is_left_behind_is_in_nobodys_way() -> void:
+	await start()
+	await _streamed()
+	var middles: PackedVector3Array = []
+	for id in field.find_plants_in_sphere(Vector3(-8, 0, 0), 5.0):
+		var height := field.get_plant_height(id)
+		middles.append(field.get_plant_transform(id).origin + 0.5 * height * Vector3.UP)
+	check_equal(_count_in_the_way(middles), middles.size(), "plants in the way")
+	_camera.position.x = 45.0
+	await _streamed()
+	check_equal(_count_in_the_way(middles), 0, "of %d plants" % middles.size())
+
+
 func test_who_was_removed_or_mown_is_so_when_one_comes_back() -> void:
 	await start()
 	await _streamed()
@@ -58,6 +71,13 @@ func test_who_was_removed_or_mown_is_so_when_one_comes_back() -> void:
 	check(field.has_plant(id), "the mown one stands again")
 	await step(2)
 	check_near(relative_tip(id).length(), 0.1, 0.002, "as high as it was mown")
+
+
+func _count_in_the_way(places: PackedVector3Array) -> int:
+	var count := 0
+	for place in places:
+		count += 1 if field.is_point_in_plants(place) else 0
+	return count
 
 
 func test_an_endless_field_stands_wherever_somebody_is() -> void:

@@ -275,6 +275,18 @@ func test_a_script_that_errs_is_told_what_to_do() -> void:
 		check(problem.contains(words), "'%s' says: %s" % [words, problem])
 
 
+func test_parts_are_added_on_the_ground_and_on_others_at_once() -> void:
+	var counts: PackedInt32Array = []
+	var species := Faulty.new()
+	species.deed = func(plant: PlantGrowth) -> void:
+		var stems := plant.scatter(PlantAxis.new(), 2)
+		counts.append(plant.add(PlantBlade.new(), plant.ground + stems).size())
+		counts.append(plant.add(PlantBlade.new(), plant.ground).size())
+		counts.append(plant.add(PlantBlade.new()).size())
+	check_equal(species.find_problem(0.0, 6), "", "its problem")
+	check_equal(counts.slice(0, 3), PackedInt32Array([3, 1, 1]), "parts")
+
+
 func test_a_plant_that_has_grown_takes_no_more_parts() -> void:
 	var species := Faulty.new()
 	var kept: Array[PlantGrowth] = []
