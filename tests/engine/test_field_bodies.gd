@@ -63,6 +63,34 @@ func test_bodies_push_plants_and_are_told_of() -> void:
 	walker.free()
 
 
+func test_each_of_several_bodies_is_told_of_by_its_own_place() -> void:
+	field.wind = null
+	field.bodies_group = &"walkers"
+	await start()
+	var walkers: Array[Node3D] = []
+	for i in 3:
+		walkers.append(add_walker())
+		walkers[i].position = Vector3(0, 0.5, 50 + 5 * i)
+	var told: PackedStringArray = []
+	var tell := func(body: Node3D, what: String) -> void:
+		told.append("%d %s" % [walkers.find(body), what])
+	field.body_entered_plants.connect(tell.bind("in"))
+	field.body_exited_plants.connect(tell.bind("out"))
+	for walker in [walkers[2], walkers[0], walkers[1]]:
+		walker.position.z -= 50
+		await step(3)
+		walker.position.z += 50
+		await step(3)
+	walkers[2].position.z -= 50
+	await step(3)
+	walkers[2].remove_from_group(&"walkers")
+	await step(3)
+	var expected: PackedStringArray = [
+		"2 in", "2 out", "0 in", "0 out", "1 in", "1 out", "2 in", "2 out"
+	]
+	check_equal(told, expected, "told")
+
+
 func test_bodies_push_plants_that_follow_prototypes_for_a_while() -> void:
 	field.prototypes = 8
 	field.wind = null
