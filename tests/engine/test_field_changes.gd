@@ -1,6 +1,20 @@
 ## What a change of a property touches in a field that stands: nothing but what it is about.
 extends "res://tests/engine/field_harness.gd"
 
+
+class Painted:
+	extends PlantFunction
+	var asked_for: Array[Color] = []
+	var paint := Color.GREEN:
+		set(value):
+			paint = value
+			emit_changed()
+
+	func _calculate_color_at_point(_offset: float) -> Color:
+		asked_for.append(paint)
+		return paint
+
+
 ## Tips may differ by as much as poses are rounded to when they are taken over (m).
 const SAME := 2e-3
 
@@ -132,6 +146,24 @@ func test_a_look_that_changes_in_every_frame_is_worn_now_and_then() -> void:
 	await rested()
 	check(not field.is_filling(), "it grows nothing anew")
 	check(states.has(true), "it was dressed")
+
+
+func test_a_look_that_changes_while_it_is_dressed_is_worn_in_the_end() -> void:
+	var painted := Painted.new()
+	field.species = [PlantFieldSpecies.of(painted)]
+	field.size = Vector2(100, 100)
+	await start()
+	var once := painted.asked_for.size()
+	for attempt in 50:
+		painted.paint = Color.RED
+		await process_frame
+		if field.get_statistics()["is_dressing"]:
+			break
+	check(field.get_statistics()["is_dressing"], "it is dressed in the first colour")
+	painted.paint = Color.BLUE
+	await rested()
+	var blues := painted.asked_for.count(Color.BLUE)
+	check(blues >= once, "asked for the last colour %d times, of %d for a look" % [blues, once])
 
 
 func test_a_species_leans_otherwise_while_its_field_runs() -> void:
