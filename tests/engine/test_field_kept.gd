@@ -93,8 +93,9 @@ func test_a_height_above_their_own_makes_plants_whole_again() -> void:
 	check(field.get_plant_height(id) > 0.0, "it stands")
 	check(field.set_height_in_sphere(field.global_position, REACH, 50.0) > 100, "raised")
 	check_near(field.get_plant_height(id), whole, 1e-5, "height")
-	field.set_height_in_sphere(field.global_position, REACH, NAN)
-	check_error("set_height_in_sphere() needs a height")
+	for height: float in [NAN, -0.1]:
+		check_equal(field.set_height_in_sphere(field.global_position, REACH, height), 0)
+		check_error("set_height_in_sphere() needs a height")
 
 
 func test_a_field_is_found_as_it_was_left() -> void:

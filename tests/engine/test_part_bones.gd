@@ -69,6 +69,35 @@ func test_weights_of_a_vertex_are_of_bones_that_there_are() -> void:
 		check_near(worst, 0.0, 1e-4, species + ": sums of weights")
 
 
+## Where shaders take each vertex in calm air is where the bones do.
+func test_the_calm_plant_of_a_mesh_is_that_of_its_bones() -> void:
+	var leaning := _load("garden_tulip").duplicate() as PlantFunction
+	leaning.lean = deg_to_rad(25.0)
+	_plant.species = leaning
+	_plant.wind.strength = 0.0
+	_plant.reset_motion()
+	await frames(2)
+	var skeleton := _plant.get_skeleton()
+	var arrays := _plant.get_mesh().surface_get_arrays(0)
+	var places: PackedVector3Array = arrays[Mesh.ARRAY_VERTEX]
+	var bones: PackedInt32Array = arrays[Mesh.ARRAY_BONES]
+	var weights: PackedFloat32Array = arrays[Mesh.ARRAY_WEIGHTS]
+	var calm: PackedFloat32Array = arrays[Mesh.ARRAY_CUSTOM3]
+	var farthest := 0.0
+	var leant := 0.0
+	for i in places.size():
+		var place := Vector3.ZERO
+		for k in range(4 * i, 4 * i + 4):
+			var bone := bones[k]
+			var from_rest := skeleton.get_bone_global_rest(bone).affine_inverse()
+			place += weights[k] * (skeleton.get_bone_global_pose(bone) * from_rest * places[i])
+		var told := Vector2(calm[3 * i + 1], calm[3 * i + 2])
+		farthest = maxf(farthest, told.distance_to(Vector2(place.x, place.z)))
+		leant = maxf(leant, told.distance_to(Vector2(places[i].x, places[i].z)))
+	check(leant > 0.05, "it leans by %f m" % leant)
+	check_near(farthest, 0.0, 2e-3, "m between the two")
+
+
 func test_leaves_lag_behind_their_stem_and_each_in_its_own_way() -> void:
 	var skeleton := _plant.get_skeleton()
 	for i in 12:
