@@ -76,7 +76,7 @@ func test_each_of_several_bodies_is_told_of_by_its_own_place() -> void:
 		told.append("%d %s" % [walkers.find(body), what])
 	field.body_entered_plants.connect(tell.bind("in"))
 	field.body_exited_plants.connect(tell.bind("out"))
-	for walker in [walkers[2], walkers[0], walkers[1]]:
+	for walker: Node3D in [walkers[2], walkers[0], walkers[1]]:
 		walker.position.z -= 50
 		await step(3)
 		walker.position.z += 50
@@ -89,6 +89,8 @@ func test_each_of_several_bodies_is_told_of_by_its_own_place() -> void:
 		"2 in", "2 out", "0 in", "0 out", "1 in", "1 out", "2 in", "2 out"
 	]
 	check_equal(told, expected, "told")
+	for walker in walkers:
+		walker.free()
 
 
 func test_bodies_push_plants_that_follow_prototypes_for_a_while() -> void:

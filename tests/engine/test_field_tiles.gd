@@ -73,13 +73,6 @@ func test_who_was_removed_or_mown_is_so_when_one_comes_back() -> void:
 	check_near(relative_tip(id).length(), 0.1, 0.002, "as high as it was mown")
 
 
-func _count_in_the_way(places: PackedVector3Array) -> int:
-	var count := 0
-	for place in places:
-		count += 1 if field.is_point_in_plants(place) else 0
-	return count
-
-
 func test_an_endless_field_stands_wherever_somebody_is() -> void:
 	field.endless = true
 	field.streaming_targets = [NodePath("Target")]
@@ -205,6 +198,13 @@ func _streamed() -> void:
 	await frames(20)
 	while field.get_statistics()["tiles_waiting"] > 0:
 		await process_frame
+
+
+func _count_in_the_way(places: PackedVector3Array) -> int:
+	var count := 0
+	for place in places:
+		count += 1 if field.is_point_in_plants(place) else 0
+	return count
 
 
 func _make_field() -> PlantField3D:
