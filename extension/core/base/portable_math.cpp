@@ -92,6 +92,14 @@ double portable_cos(double angle) {
 	return sin_of(reduced.quadrant + 1, reduced.rest);
 }
 
+SineAndCosine portable_sine_and_cosine(double angle) {
+	if (!std::isfinite(angle)) {
+		return { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN() };
+	}
+	const Reduced reduced = reduce_angle(angle);
+	return { sin_of(reduced.quadrant, reduced.rest), sin_of(reduced.quadrant + 1, reduced.rest) };
+}
+
 double portable_tan(double angle) {
 	if (!std::isfinite(angle)) {
 		return std::numeric_limits<double>::quiet_NaN();

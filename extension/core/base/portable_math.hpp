@@ -9,6 +9,12 @@ namespace undergrowth {
 double portable_sin(double angle);
 double portable_cos(double angle);
 double portable_tan(double angle);
+/// Both of an angle, to the bit as the two above tell them, in little more than the time of one.
+struct SineAndCosine {
+	double sine;
+	double cosine;
+};
+SineAndCosine portable_sine_and_cosine(double angle);
 double portable_exp(double exponent);
 /// The natural logarithm of a number above 0, within 1e-14 relative to it or to 1; of others not a number.
 double portable_log(double value);

@@ -19,12 +19,12 @@ double length_aside(const glm::dvec3 &vector) {
 
 /// By `angle` (rad) about a unit axis.
 glm::dvec3 turned(const glm::dvec3 &vector, const glm::dvec3 &axis, double angle) {
-	const double c = portable_cos(angle);
-	return c * vector + portable_sin(angle) * glm::cross(axis, vector) + (1.0 - c) * glm::dot(axis, vector) * axis;
+	const auto [s, c] = portable_sine_and_cosine(angle);
+	return c * vector + s * glm::cross(axis, vector) + (1.0 - c) * glm::dot(axis, vector) * axis;
 }
 
 glm::dvec3 above_ground(const glm::dvec3 &rest) {
-	const double least = portable_cos(MOST_LEAN);
+	static const double least = portable_cos(MOST_LEAN);
 	const double aside = length_aside(rest);
 	if (rest.y >= least) {
 		return rest;
@@ -54,9 +54,10 @@ PlacedPlant plant_of_axes(const glm::vec3 &root, const glm::vec3 &up, const glm:
 }
 
 glm::vec3 rest_direction(const PlacedPlant &plant, float species_lean) {
-	const glm::dvec3 own(0.0, portable_cos(species_lean), portable_sin(species_lean));
-	const glm::dvec3 across(-portable_sin(plant.side), 0.0, -portable_cos(plant.side));
-	const glm::dvec3 leaned = above_ground(turned(own, across, plant.lean));
+	const SineAndCosine own = portable_sine_and_cosine(species_lean);
+	const SineAndCosine side = portable_sine_and_cosine(plant.side);
+	const glm::dvec3 across(-side.sine, 0.0, -side.cosine);
+	const glm::dvec3 leaned = above_ground(turned({ 0.0, own.cosine, own.sine }, across, plant.lean));
 	return glm::vec3(turned(leaned, { 0.0, 1.0, 0.0 }, plant.turn));
 }
 

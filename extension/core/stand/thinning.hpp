@@ -6,8 +6,8 @@
 
 namespace undergrowth {
 
-/// How many different ranks there are: as many as a float holds.
 constexpr int RANK_BITS = 24;
+/// How many different ranks there are: as many as a float holds.
 constexpr int RANK_COUNT = 1 << RANK_BITS;
 
 /// A plant's place in the order in which far plants are left away, 0 to below 1: those with a rank below a share are

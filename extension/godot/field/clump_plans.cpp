@@ -2,19 +2,22 @@
 
 #include "field/field_view.hpp"
 
+#include "base/counting_sort.hpp"
 #include "convert.hpp"
 #include "field/ranked_plants.hpp"
 #include "mesh/form_plan.hpp"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <numeric>
 
 using namespace godot;
 
 namespace undergrowth {
 
-static constexpr int TRANSFORM_FLOATS = 12; // 3x4, row by row.
+static constexpr int TRANSFORM_FLOATS = 12;
 static constexpr int COLOR_FLOATS = 4;
 static constexpr int CUSTOM_FLOATS = 4;
 
@@ -86,24 +89,15 @@ struct Division {
 	std::vector<int> of_plants;
 };
 
-static Division divide(const FieldStyle &style, const std::vector<DrawnBlock> &blocks,
-		const std::vector<RankedPlant> &plants, int level) {
-	const FieldLevel &seen = style.levels[size_t(level)];
-	const std::vector<Squares> squares = all_squares(style, level, blocks);
-	std::vector<std::vector<int>> found(blocks.size()); // A block's squares are few: each is looked up once.
-	Division division;
-	division.of_plants.reserve(plants.size());
-	for (const RankedPlant &plant : plants) {
-		const DrawnBlock &drawn = blocks[size_t(plant.block)];
-		const int species = drawn.block->species;
-		const int groups = int(style.looks[size_t(species)].meshes[size_t(level)].size());
-		const Squares own =
-				drawn.block->is_added ? Squares{ seen.tile_factor, seen.tile_cuts } : squares[size_t(species)];
-		const ClumpPlace place = place_of(style, level, drawn, own, to_glm(plant.transform.origin));
-		std::vector<int> &of_block = found[size_t(plant.block)];
-		of_block.resize(size_t(own.cuts * own.cuts * groups), -1);
-		const int group = plant.variant % groups;
-		int &number = of_block[size_t(std::max(place.part, 0) * groups + group)];
+static void divide_block(const FieldStyle &style, const DrawnBlock &drawn, const Squares &squares, int level,
+		const DrawnPlant *begin, const DrawnPlant *end, Division &division) {
+	const int species = drawn.block->species;
+	const int groups = int(style.looks[size_t(species)].meshes[size_t(level)].size());
+	std::vector<int> found(size_t(squares.cuts * squares.cuts * groups), -1); // Few: each is looked up once.
+	for (const DrawnPlant *plant = begin; plant < end; plant++) {
+		const ClumpPlace place = place_of(style, level, drawn, squares, plant->root());
+		const int group = plant->variant % groups;
+		int &number = found[size_t(std::max(place.part, 0) * groups + group)];
 		if (number < 0) {
 			const int next = int(division.numbers.size());
 			number = division.numbers.try_emplace({ place, species, group }, next).first->second;
@@ -112,82 +106,88 @@ static Division divide(const FieldStyle &style, const std::vector<DrawnBlock> &b
 		division.counts[size_t(number)]++;
 		division.of_plants.push_back(number);
 	}
+}
+
+static Division divide(
+		const FieldStyle &style, const std::vector<DrawnBlock> &blocks, const RankedPlants &ranked, int level) {
+	const FieldLevel &seen = style.levels[size_t(level)];
+	const std::vector<Squares> squares = all_squares(style, level, blocks);
+	Division division;
+	division.of_plants.reserve(ranked.plants.size());
+	for (size_t i = 0; i < blocks.size(); i++) {
+		const PlantBlock &block = *blocks[i].block;
+		const Squares own = block.is_added ? Squares{ seen.tile_factor, seen.tile_cuts } : squares[size_t(block.species)];
+		const DrawnPlant *plants = ranked.plants.data();
+		divide_block(style, blocks[i], own, level, plants + ranked.begins[i], plants + ranked.begins[i + 1], division);
+	}
 	return division;
 }
 
-static float *write_transform(float *to, const Transform3D &transform) {
-	for (int row = 0; row < 3; row++) {
-		const Vector3 &axes = transform.basis.rows[row];
-		for (const float number : { axes.x, axes.y, axes.z, transform.origin[row] }) {
-			*to++ = number;
-		}
+// Writes a plant to a plan's buffer and tells where the next one comes.
+static float *write_plant(const FieldStyle &style, const DrawnPlant &plant, float mesh_height, float *to) {
+	to = std::copy(plant.transform.begin(), plant.transform.end(), to);
+	if (style.needs_colors) {
+		to = std::fill_n(to, COLOR_FLOATS, 1.0f); // White.
+	}
+	for (const float number : { plant.texel, plant.layer, plant.rank, plant.height / mesh_height }) {
+		*to++ = number;
 	}
 	return to;
 }
 
-// Until the plan is done, its boxes have their highest corners in place of their sizes.
-static void widen(ClumpPlan &plan, const Vector3 &root, float reach) {
-	const Vector3 around(reach, reach, reach);
-	const bool is_first = plan.count++ == 0;
-	plan.roots.position = is_first ? root : plan.roots.position.min(root);
-	plan.roots.size = is_first ? root : plan.roots.size.max(root);
-	plan.box.position = is_first ? root - around : plan.box.position.min(root - around);
-	plan.box.size = is_first ? root + around : plan.box.size.max(root + around);
-}
-
-// Appends a plant to a plan, of which `to` is the buffer's end so far.
-static void add_plant(const FieldStyle &style, const RankedPlant &plant, ClumpPlan &plan, float *&to) {
-	to = write_transform(to, plant.transform);
-	if (style.needs_colors) {
-		to = std::fill_n(to, COLOR_FLOATS, 1.0f); // White.
+// The plants `order` .. `order + plan.count`, by rank, so that whoever is left away far from the eye is at the end.
+static void fill_plan(const FieldStyle &style, const RankedPlants &ranked, const int *order, ClumpPlan &plan) {
+	constexpr float FAR = std::numeric_limits<float>::max();
+	const float mesh_height = style.looks[size_t(plan.species)].variants[size_t(plan.group)].height;
+	glm::vec3 low(FAR), high(-FAR), lowest(FAR), highest(-FAR);
+	plan.stride = TRANSFORM_FLOATS + CUSTOM_FLOATS + (style.needs_colors ? COLOR_FLOATS : 0);
+	plan.buffer.resize(int64_t(plan.count) * plan.stride);
+	float *to = plan.buffer.ptrw();
+	for (int i = 0; i < plan.count; i++) {
+		const DrawnPlant &plant = ranked.plants[size_t(order[i])];
+		const glm::vec3 root = plant.root();
+		to = write_plant(style, plant, mesh_height, to);
+		low = glm::min(low, root);
+		high = glm::max(high, root);
+		lowest = glm::min(lowest, root - plant.reach);
+		highest = glm::max(highest, root + plant.reach);
+		plan.kept[size_t(plant.step)]++;
 	}
-	*to++ = plant.texel;
-	*to++ = plant.layer;
-	*to++ = plant.rank;
-	*to++ = plant.height / style.looks[size_t(plan.species)].variants[size_t(plan.group)].height;
-	widen(plan, plant.transform.origin, plant.reach);
-	plan.kept[size_t(std::ceil(plant.rank * RANK_STEPS))]++;
+	std::partial_sum(plan.kept.begin(), plan.kept.end(), plan.kept.begin());
+	plan.roots = AABB(to_godot(low), to_godot(high - low));
+	plan.box = AABB(to_godot(lowest), to_godot(highest - lowest));
 }
 
-// Plants come by rank, so that whoever is left away far from the eye is at the end.
-static std::vector<ClumpPlan> plan_level(const FieldStyle &style, const std::vector<DrawnBlock> &blocks,
-		const std::vector<RankedPlant> &plants, int level) {
-	const Division division = divide(style, blocks, plants, level);
-	std::vector<ClumpPlan> plans(division.counts.size());
-	std::vector<float *> ends(plans.size());
-	std::vector<size_t> places(plans.size());
-	size_t next = 0;
+static void plan_level(const FieldStyle &style, const std::vector<DrawnBlock> &blocks, const RankedPlants &ranked,
+		int level, std::vector<ClumpPlan> &plans) {
+	const Division division = divide(style, blocks, ranked, level);
+	const int count = int(division.counts.size());
+	const std::vector<int> order =
+			counting_sort(ranked.by_rank, count, [&](int plant) { return division.of_plants[size_t(plant)]; });
+	std::vector<int> begins(division.counts.size(), 0);
+	for (int i = 1; i < count; i++) {
+		begins[size_t(i)] = begins[size_t(i) - 1] + division.counts[size_t(i) - 1];
+	}
 	for (const auto &[key, number] : division.numbers) {
-		ClumpPlan &plan = plans[next];
+		plans.emplace_back();
+		ClumpPlan &plan = plans.back();
 		std::tie(plan.place, plan.species, plan.group) = key;
-		plan.stride = TRANSFORM_FLOATS + CUSTOM_FLOATS + (style.needs_colors ? COLOR_FLOATS : 0);
-		plan.buffer.resize(int64_t(division.counts[size_t(number)]) * plan.stride);
-		ends[next] = plan.buffer.ptrw();
-		places[size_t(number)] = next++;
+		plan.count = division.counts[size_t(number)];
+		fill_plan(style, ranked, order.data() + begins[size_t(number)], plan);
 	}
-	for (size_t i = 0; i < plants.size(); i++) {
-		const size_t place = places[size_t(division.of_plants[i])];
-		add_plant(style, plants[i], plans[place], ends[place]);
-	}
-	for (ClumpPlan &plan : plans) {
-		plan.roots.size -= plan.roots.position;
-		plan.box.size -= plan.box.position;
-		std::partial_sum(plan.kept.begin(), plan.kept.end(), plan.kept.begin());
-	}
-	return plans;
 }
 
 std::vector<ClumpPlan> plan_level(const FieldStyle &style, const std::vector<DrawnBlock> &blocks, int level) {
-	return plan_level(style, blocks, rank_plants(style, blocks), level);
+	std::vector<ClumpPlan> plans;
+	plan_level(style, blocks, rank_plants(style, blocks), level, plans);
+	return plans;
 }
 
 std::vector<ClumpPlan> plan_clumps(const FieldStyle &style, const std::vector<DrawnBlock> &blocks) {
 	std::vector<ClumpPlan> plans;
-	const std::vector<RankedPlant> plants = rank_plants(style, blocks);
+	const RankedPlants ranked = rank_plants(style, blocks);
 	for (int level = 0; level < int(style.levels.size()); level++) {
-		for (ClumpPlan &plan : plan_level(style, blocks, plants, level)) {
-			plans.push_back(std::move(plan));
-		}
+		plan_level(style, blocks, ranked, level, plans);
 	}
 	return plans;
 }

@@ -4,8 +4,8 @@
 #include "field/plant_transforms.hpp"
 #include "stand/thinning.hpp"
 
+#include <cmath>
 #include <numeric>
-#include <utility>
 
 using namespace godot;
 
@@ -15,8 +15,8 @@ namespace undergrowth {
 static constexpr int HALVES_COUNT_FROM = -2048;
 // Of plants of parts only the parts are drawn wider, not the whole.
 static constexpr float PARTS_WIDENING = 1.25f;
-static constexpr int HALF_RANKS =
-		1 << (RANK_BITS / 2); // Ranks are sorted by one half of their bits, then by the other.
+// Ranks are sorted by one half of their bits, then by the other.
+static constexpr int HALF_RANKS = 1 << (RANK_BITS / 2);
 
 static int rank_of(const PlantBlock &block, int slot) {
 	const glm::vec3 root = block.root(slot);
@@ -24,44 +24,47 @@ static int rank_of(const PlantBlock &block, int slot) {
 	return int(plant_rank(id) * float(RANK_COUNT));
 }
 
-static RankedPlant ranked_plant(const FieldStyle &style, const DrawnBlock &drawn, int slot) {
+static DrawnPlant drawn_plant(const FieldStyle &style, const DrawnBlock &drawn, int slot) {
 	const FieldLook &look = style.looks[size_t(drawn.block->species)];
 	const PlacedPlant plant = drawn.block->plants.plant(slot);
-	RankedPlant ranked;
-	ranked.transform = drawn_transform(plant);
-	ranked.height = look.height_of(plant);
-	ranked.reach = look.reach_of(plant, look.has_parts() ? PARTS_WIDENING : MOST_WIDENING);
-	ranked.texel = float(drawn.texels.first + slot + HALVES_COUNT_FROM);
-	ranked.layer = float(drawn.texels.layer + HALVES_COUNT_FROM);
-	ranked.variant = int(size_t(plant.variant) % look.variants.size());
-	return ranked;
+	const Transform3D transform = drawn_transform(plant);
+	DrawnPlant made;
+	float *to = made.transform.data();
+	for (int row = 0; row < 3; row++) {
+		const Vector3 &axes = transform.basis.rows[row];
+		for (const float number : { axes.x, axes.y, axes.z, transform.origin[row] }) {
+			*to++ = number;
+		}
+	}
+	made.texel = float(drawn.texels.first + slot + HALVES_COUNT_FROM);
+	made.layer = float(drawn.texels.layer + HALVES_COUNT_FROM);
+	made.height = look.height_of(plant);
+	made.reach = look.reach_of(plant, look.has_parts() ? PARTS_WIDENING : MOST_WIDENING);
+	made.variant = int(size_t(plant.variant) % look.variants.size());
+	return made;
 }
 
-std::vector<RankedPlant> rank_plants(const FieldStyle &style, const std::vector<DrawnBlock> &blocks) {
+RankedPlants rank_plants(const FieldStyle &style, const std::vector<DrawnBlock> &blocks) {
+	RankedPlants ranked;
 	std::vector<int> ranks;
-	std::vector<std::pair<int, int>> places; // Block and slot.
-	for (size_t i = 0; i < blocks.size(); i++) {
-		const PlantBlock &block = *blocks[i].block;
-		for (int slot = 0; slot < block.size(); slot++) {
-			if (!block.is_gone(slot)) {
-				ranks.push_back(rank_of(block, slot));
-				places.push_back({ int(i), slot });
+	for (const DrawnBlock &drawn : blocks) {
+		ranked.begins.push_back(int(ranks.size()));
+		for (int slot = 0; slot < drawn.block->size(); slot++) {
+			if (!drawn.block->is_gone(slot)) {
+				ranks.push_back(rank_of(*drawn.block, slot));
+				ranked.plants.push_back(drawn_plant(style, drawn, slot));
+				DrawnPlant &plant = ranked.plants.back();
+				plant.rank = float(ranks.back()) / float(RANK_COUNT);
+				plant.step = int(std::ceil(plant.rank * RANK_STEPS));
 			}
 		}
 	}
-	std::vector<int> order(ranks.size());
-	std::iota(order.begin(), order.end(), 0);
-	order = counting_sort(order, HALF_RANKS, [&](int i) { return ranks[size_t(i)] % HALF_RANKS; });
-	order = counting_sort(order, HALF_RANKS, [&](int i) { return ranks[size_t(i)] / HALF_RANKS; });
-	std::vector<RankedPlant> plants;
-	plants.reserve(order.size());
-	for (const int i : order) {
-		const auto [block, slot] = places[size_t(i)];
-		plants.push_back(ranked_plant(style, blocks[size_t(block)], slot));
-		plants.back().block = block;
-		plants.back().rank = float(ranks[size_t(i)]) / float(RANK_COUNT);
-	}
-	return plants;
+	ranked.begins.push_back(int(ranks.size()));
+	ranked.by_rank.resize(ranks.size());
+	std::iota(ranked.by_rank.begin(), ranked.by_rank.end(), 0);
+	ranked.by_rank = counting_sort(ranked.by_rank, HALF_RANKS, [&](int i) { return ranks[size_t(i)] % HALF_RANKS; });
+	ranked.by_rank = counting_sort(ranked.by_rank, HALF_RANKS, [&](int i) { return ranks[size_t(i)] / HALF_RANKS; });
+	return ranked;
 }
 
 } // namespace undergrowth

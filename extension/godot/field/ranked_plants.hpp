@@ -2,25 +2,33 @@
 
 #include "field/field_view.hpp"
 
-#include <godot_cpp/variant/transform3d.hpp>
-
+#include <array>
 #include <vector>
 
 namespace undergrowth {
 
 /// A plant as it is drawn at all levels of detail.
-struct RankedPlant {
-	godot::Transform3D transform;
+struct DrawnPlant {
+	std::array<float, 12> transform; ///< 3x4, row by row.
+	/// Where its pose is, as instances say it.
+	float texel = 0.0f, layer = 0.0f;
 	float rank = 0.0f;
+	int step = 0; ///< Of the rank, rounded up: 0 to RANK_STEPS.
 	float height = 0.0f; ///< m.
 	float reach = 0.0f; ///< m: as far from its root as its largest deflection takes it.
-	float texel = 0.0f; ///< Where its pose is, as instances say it.
-	float layer = 0.0f;
-	int block = 0; ///< By its number in the list.
 	int variant = 0;
+
+	glm::vec3 root() const { return { transform[3], transform[7], transform[11] }; }
 };
 
-/// All plants of some blocks that are not gone, by rank; equal ones in the order of their blocks. On any thread.
-std::vector<RankedPlant> rank_plants(const FieldStyle &style, const std::vector<DrawnBlock> &blocks);
+/// All plants of some blocks that are not gone.
+struct RankedPlants {
+	std::vector<DrawnPlant> plants; ///< Block by block, so that those of one place are side by side.
+	std::vector<int> begins; ///< Of each block, and the end of the last.
+	std::vector<int> by_rank; ///< Their numbers; of equal ranks in the order of their blocks.
+};
+
+/// On any thread.
+RankedPlants rank_plants(const FieldStyle &style, const std::vector<DrawnBlock> &blocks);
 
 } // namespace undergrowth
