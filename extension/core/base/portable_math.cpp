@@ -1,6 +1,7 @@
 #include "base/portable_math.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 // Argument reductions and coefficients are those of fdlibm (Sun Microsystems 1993: e_rem_pio2.c, k_sin.c, k_cos.c,
@@ -34,12 +35,15 @@ struct Reduced {
 Reduced reduce_angle(double angle) {
 	// Beyond the exact range an angle is still brought back, so that the results stay within [-1, 1].
 	const double within = std::fabs(angle) <= LARGEST_EXACT_ANGLE ? angle : std::fmod(angle, TWO_PI);
-	const double count = std::floor(within * TWO_OVER_PI + 0.5);
+	const double turns = within * TWO_OVER_PI + 0.5;
+	auto whole = static_cast<int64_t>(turns); // std::floor() is a call where processors may be old.
+	whole -= static_cast<int64_t>(static_cast<double>(whole) > turns);
+	const auto count = static_cast<double>(whole);
 	const double high = within - count * HALF_PI_HIGH;
 	const double middle = count * HALF_PI_MIDDLE;
 	const double rest = high - middle;
 	const double lost = (high - rest) - middle;
-	return { static_cast<int>(count - 4.0 * std::floor(count * 0.25)), rest + (lost - count * HALF_PI_LOW) };
+	return { static_cast<int>(whole & 3), rest + (lost - count * HALF_PI_LOW) };
 }
 
 double sin_kernel(double x) {
@@ -96,8 +100,12 @@ SineAndCosine portable_sine_and_cosine(double angle) {
 	if (!std::isfinite(angle)) {
 		return { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN() };
 	}
+	// Which quadrant it is cannot be foreseen: looked up, not branched by.
+	constexpr double SIGNS[] = { 1.0, 1.0, -1.0, -1.0, 1.0 };
 	const Reduced reduced = reduce_angle(angle);
-	return { sin_of(reduced.quadrant, reduced.rest), sin_of(reduced.quadrant + 1, reduced.rest) };
+	const double sizes[] = { sin_kernel(reduced.rest), cos_kernel(reduced.rest) };
+	const int quadrant = reduced.quadrant;
+	return { SIGNS[quadrant] * sizes[quadrant & 1], SIGNS[quadrant + 1] * sizes[(quadrant + 1) & 1] };
 }
 
 double portable_tan(double angle) {

@@ -2,7 +2,11 @@
 
 #include "base/random.hpp"
 
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace undergrowth {
@@ -35,32 +39,102 @@ bool are_the_same(const FilledBlocks &before, const std::vector<PlantBlock> &now
 			});
 }
 
-/// Where plants of different names stand: a hash table with open addressing, at most half full.
+/// Where the list is the same.
+std::vector<KeptPlant> keep_all(const FilledBlocks &blocks) {
+	std::vector<KeptPlant> kept;
+	for (std::size_t i = 0; i < blocks.blocks.size(); i++) {
+		const auto &[number, block] = blocks.blocks[i];
+		for (int slot = 0; slot < block.size(); slot++) {
+			kept.push_back({ { number, slot }, { static_cast<int>(i), slot } });
+		}
+	}
+	return kept;
+}
+
+/// A grid around the cells of some plants, of as many columns and rows as powers of two.
+struct CellGrid {
+	int first_column = 0;
+	int first_row = 0;
+	int column_bits = 0;
+	int row_bits = 0;
+
+	/// Row by row, or -1 outside.
+	int64_t place_of(PlantId name) const {
+		int column = 0;
+		int row = 0;
+		filled_plant_cell(name, column, row);
+		column -= first_column;
+		row -= first_row;
+		const bool is_inside = column >= 0 && row >= 0 && column >> column_bits == 0 && row >> row_bits == 0;
+		return is_inside ? (static_cast<int64_t>(row) << column_bits) + column : -1;
+	}
+};
+
+int bits_for(int64_t count) {
+	int bits = 0;
+	while ((int64_t(1) << bits) < count) {
+		bits++;
+	}
+	return bits;
+}
+
+/// Around all cells of a spacing.
+CellGrid grid_around(const FilledBlocks &filled, double spacing) {
+	glm::ivec2 low(std::numeric_limits<int>::max());
+	glm::ivec2 high(std::numeric_limits<int>::min());
+	for (const auto &[number, block] : filled.blocks) {
+		for (const glm::vec3 &corner : { block.low, block.high }) {
+			glm::ivec2 cell;
+			filled_plant_cell(filled_plant_id(corner.x, corner.z, spacing), cell.x, cell.y);
+			low = block.spacing == spacing ? glm::min(low, cell) : low;
+			high = block.spacing == spacing ? glm::max(high, cell) : high;
+		}
+	}
+	low.x--; // Rows are out of step.
+	high.x++;
+	return { low.x, low.y, bits_for(int64_t(high.x) - low.x + 1), bits_for(int64_t(high.y) - low.y + 1) };
+}
+
+/// Where plants of different names stand: a hash table with open addressing, at most half full. Where their cells fill
+/// a rectangle it is that: names need not be kept, and whoever stands side by side is found side by side.
 class PlacesByName {
 public:
-	explicit PlacesByName(std::size_t count) {
-		while (last < 2 * count) {
-			last = 2 * last + 1;
-		}
-		entries.resize(last + 1, { NOBODY, {} });
+	PlacesByName(const CellGrid &around, std::size_t count) : grid(around) {
+		const int bits = bits_for(2 * static_cast<int64_t>(count));
+		is_grid = grid.column_bits + grid.row_bits <= bits;
+		last = (std::size_t(1) << bits) - 1;
+		places.resize(last + 1, { NOWHERE, 0 });
+		names.resize(is_grid ? 0 : last + 1, NO_PLANT);
 	}
 
-	void add(PlantId name, const PlantPlace &place) { entries[slot_of(name)] = { name, place }; }
+	void add(PlantId name, const PlantPlace &place) {
+		const std::size_t slot = is_grid ? static_cast<std::size_t>(grid.place_of(name)) : slot_of(name);
+		places[slot] = place;
+		if (!is_grid) {
+			names[slot] = name;
+		}
+	}
 
 	const PlantPlace *find(PlantId name) const {
-		const auto &entry = entries[slot_of(name)];
-		return entry.first == name ? &entry.second : nullptr;
+		if (is_grid && grid.place_of(name) < 0) {
+			return nullptr;
+		}
+		const std::size_t slot = is_grid ? static_cast<std::size_t>(grid.place_of(name)) : slot_of(name);
+		return places[slot].block == NOWHERE ? nullptr : &places[slot];
 	}
 
 private:
-	static constexpr PlantId NOBODY = -1;
-	std::size_t last = 1; ///< All bits below a power of two.
-	std::vector<std::pair<PlantId, PlantPlace>> entries;
+	static constexpr int NOWHERE = -1;
+	CellGrid grid;
+	bool is_grid = false;
+	std::size_t last = 0; ///< All bits below a power of two.
+	std::vector<PlantPlace> places;
+	std::vector<PlantId> names; ///< Of no grid.
 
 	/// Where a name stands, or would.
 	std::size_t slot_of(PlantId name) const {
 		std::size_t slot = mix_bits(static_cast<uint64_t>(name)) & last;
-		while (entries[slot].first != name && entries[slot].first != NOBODY) {
+		while (names[slot] != name && names[slot] != NO_PLANT) {
 			slot = (slot + 1) & last;
 		}
 		return slot;
@@ -95,20 +169,17 @@ FieldPlants gather_plants(const FilledBlocks &filled, const std::vector<int> &sp
 }
 
 std::vector<KeptPlant> find_kept(const FilledBlocks &before, const std::vector<PlantBlock> &now, double spacing) {
-	std::vector<KeptPlant> kept;
 	if (are_the_same(before, now, spacing)) {
-		for (std::size_t i = 0; i < now.size(); i++) {
-			for (int slot = 0; slot < now[i].size(); slot++) {
-				kept.push_back({ { before.blocks[i].first, slot }, { static_cast<int>(i), slot } });
-			}
-		}
-		return kept;
+		return keep_all(before);
 	}
 	std::size_t count = 0;
 	for (const auto &[number, block] : before.blocks) {
 		count += block.spacing == spacing ? static_cast<std::size_t>(block.size()) : 0;
 	}
-	PlacesByName named(count);
+	if (count == 0) {
+		return {};
+	}
+	PlacesByName named(grid_around(before, spacing), count);
 	for (const auto &[number, block] : before.blocks) {
 		for (int slot = 0; block.spacing == spacing && slot < block.size(); slot++) {
 			if (!block.is_gone(slot)) {
@@ -116,7 +187,8 @@ std::vector<KeptPlant> find_kept(const FilledBlocks &before, const std::vector<P
 			}
 		}
 	}
-	for (std::size_t i = 0; i < now.size() && count > 0; i++) {
+	std::vector<KeptPlant> kept;
+	for (std::size_t i = 0; i < now.size(); i++) {
 		for (int slot = 0; slot < now[i].size(); slot++) {
 			if (const PlantPlace *from = named.find(name_of(now[i], slot, spacing))) {
 				kept.push_back({ *from, { static_cast<int>(i), slot } });

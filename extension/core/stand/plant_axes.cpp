@@ -53,12 +53,20 @@ PlacedPlant plant_of_axes(const glm::vec3 &root, const glm::vec3 &up, const glm:
 	return plant;
 }
 
-glm::vec3 rest_direction(const PlacedPlant &plant, float species_lean) {
-	const SineAndCosine own = portable_sine_and_cosine(species_lean);
+RestDirections::RestDirections(float species_lean) {
+	const SineAndCosine lean = portable_sine_and_cosine(species_lean);
+	own = { 0.0, lean.cosine, lean.sine };
+}
+
+glm::vec3 RestDirections::of(const PlacedPlant &plant) const {
 	const SineAndCosine side = portable_sine_and_cosine(plant.side);
 	const glm::dvec3 across(-side.sine, 0.0, -side.cosine);
-	const glm::dvec3 leaned = above_ground(turned({ 0.0, own.cosine, own.sine }, across, plant.lean));
+	const glm::dvec3 leaned = above_ground(turned(own, across, plant.lean));
 	return glm::vec3(turned(leaned, { 0.0, 1.0, 0.0 }, plant.turn));
+}
+
+glm::vec3 rest_direction(const PlacedPlant &plant, float species_lean) {
+	return RestDirections(species_lean).of(plant);
 }
 
 } // namespace undergrowth

@@ -11,8 +11,18 @@ namespace undergrowth {
 /// not finite or `up` is of no length.
 PlacedPlant plant_of_axes(const glm::vec3 &root, const glm::vec3 &up, const glm::vec3 &front);
 
-/// Where a plant points in calm air (unit, field axes): `species_lean` (rad) towards its own +z, and from there as it
-/// was placed. Never more than 1.4 rad from upright, since the spring law rests above the ground.
+/// Where plants of a species point in calm air (unit, field axes): `species_lean` (rad) towards their own +z, and from
+/// there as they were placed. Never more than 1.4 rad from upright, since the spring law rests above the ground.
+class RestDirections {
+public:
+	explicit RestDirections(float species_lean);
+	glm::vec3 of(const PlacedPlant &plant) const;
+
+private:
+	glm::dvec3 own; ///< Of a plant that was placed upright and not turned.
+};
+
+/// Of one plant.
 glm::vec3 rest_direction(const PlacedPlant &plant, float species_lean);
 
 } // namespace undergrowth

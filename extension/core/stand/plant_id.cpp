@@ -33,7 +33,9 @@ int64_t mark_of(double spacing) {
 
 int64_t cell(double place) {
 	const auto most = static_cast<double>(MIDDLE - 1);
-	return static_cast<int64_t>(std::clamp(std::floor(place), -most, most));
+	const double within = std::clamp(place, -most, most);
+	const auto towards_zero = static_cast<int64_t>(within); // std::floor() is a call where processors may be old.
+	return towards_zero - static_cast<int64_t>(static_cast<double>(towards_zero) > within);
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -17,7 +18,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr int TRANSFORM_FLOATS = 12;
+static constexpr int TRANSFORM_FLOATS = 12; // 3x4, row by row.
 static constexpr int COLOR_FLOATS = 4;
 static constexpr int CUSTOM_FLOATS = 4;
 
@@ -95,7 +96,7 @@ static void divide_block(const FieldStyle &style, const DrawnBlock &drawn, const
 	const int groups = int(style.looks[size_t(species)].meshes[size_t(level)].size());
 	std::vector<int> found(size_t(squares.cuts * squares.cuts * groups), -1); // Few: each is looked up once.
 	for (const DrawnPlant *plant = begin; plant < end; plant++) {
-		const ClumpPlace place = place_of(style, level, drawn, squares, plant->root());
+		const ClumpPlace place = place_of(style, level, drawn, squares, plant->root);
 		const int group = plant->variant % groups;
 		int &number = found[size_t(std::max(place.part, 0) * groups + group)];
 		if (number < 0) {
@@ -116,7 +117,8 @@ static Division divide(
 	division.of_plants.reserve(ranked.plants.size());
 	for (size_t i = 0; i < blocks.size(); i++) {
 		const PlantBlock &block = *blocks[i].block;
-		const Squares own = block.is_added ? Squares{ seen.tile_factor, seen.tile_cuts } : squares[size_t(block.species)];
+		const Squares own =
+				block.is_added ? Squares{ seen.tile_factor, seen.tile_cuts } : squares[size_t(block.species)];
 		const DrawnPlant *plants = ranked.plants.data();
 		divide_block(style, blocks[i], own, level, plants + ranked.begins[i], plants + ranked.begins[i + 1], division);
 	}
@@ -125,7 +127,10 @@ static Division divide(
 
 // Writes a plant to a plan's buffer and tells where the next one comes.
 static float *write_plant(const FieldStyle &style, const DrawnPlant &plant, float mesh_height, float *to) {
-	to = std::copy(plant.transform.begin(), plant.transform.end(), to);
+	const float transform[TRANSFORM_FLOATS] = { plant.cosine, 0.0f, plant.sine, plant.root.x, //
+		0.0f, plant.scale, 0.0f, plant.root.y, //
+		-plant.sine, 0.0f, plant.cosine, plant.root.z };
+	to = std::copy(std::begin(transform), std::end(transform), to);
 	if (style.needs_colors) {
 		to = std::fill_n(to, COLOR_FLOATS, 1.0f); // White.
 	}
@@ -145,7 +150,7 @@ static void fill_plan(const FieldStyle &style, const RankedPlants &ranked, const
 	float *to = plan.buffer.ptrw();
 	for (int i = 0; i < plan.count; i++) {
 		const DrawnPlant &plant = ranked.plants[size_t(order[i])];
-		const glm::vec3 root = plant.root();
+		const glm::vec3 &root = plant.root;
 		to = write_plant(style, plant, mesh_height, to);
 		low = glm::min(low, root);
 		high = glm::max(high, root);
@@ -168,6 +173,7 @@ static void plan_level(const FieldStyle &style, const std::vector<DrawnBlock> &b
 	for (int i = 1; i < count; i++) {
 		begins[size_t(i)] = begins[size_t(i) - 1] + division.counts[size_t(i) - 1];
 	}
+	plans.reserve(std::max(plans.capacity(), 2 * (plans.size() + size_t(count)))); // Farther levels have fewer.
 	for (const auto &[key, number] : division.numbers) {
 		plans.emplace_back();
 		ClumpPlan &plan = plans.back();

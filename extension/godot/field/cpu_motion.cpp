@@ -231,9 +231,11 @@ void CpuMotion::set_species(int index, const FieldLook &look, const PlantStore &
 		if (block.size() == 0 || block.species != index) {
 			continue;
 		}
+		std::vector<MotionPlant> plants;
+		look.to_simulate(block.plants, plants);
 		std::vector<glm::vec3> rests;
-		for (int slot = 0; slot < block.size(); slot++) {
-			rests.push_back(look.to_simulate(block.plants.plant(slot)).rest);
+		for (const MotionPlant &plant : plants) {
+			rests.push_back(plant.rest);
 		}
 		set_rests(rows_of(number), rests, is_still);
 	}

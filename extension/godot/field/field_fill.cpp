@@ -15,7 +15,7 @@ static constexpr int ROWS_AT_ONCE = 16;
 static constexpr float PLACED_SHARE = 0.3f;
 static constexpr float STANDING_SHARE = 0.5f;
 static constexpr float MESHES_SHARE = 0.6f;
-static constexpr float SIMULATED_SHARE = 0.8f;
+static constexpr float PLANNED_SHARE = 0.8f;
 
 String FieldResult::describe_fault() const {
 	if (fault != PlacementFault::none) {
@@ -33,7 +33,7 @@ FieldFill::FieldFill(FieldRecipe &&with) : recipe(std::move(with)) {
 }
 
 FieldFill::~FieldFill() {
-	is_cancelled = true;
+	cancel();
 	wait();
 }
 
@@ -113,6 +113,7 @@ void FieldFill::place() {
 	const Placement whole(request);
 	result.fault = request.species.empty() ? PlacementFault::none : whole.fault();
 	result.spacing = whole.cell_size();
+	placed.reserve(whole.candidate_count(0, whole.row_count()));
 	place_rows(whole, 0.0f, PLACED_SHARE);
 	const float each = PLACED_SHARE / float(std::max(recipe.tiles.size(), size_t(1)));
 	for (size_t i = 0; i < recipe.tiles.size() && result.fault == PlacementFault::none; i++) {
@@ -162,7 +163,6 @@ void FieldFill::build() {
 	}
 	placed = FieldPlants();
 	result.motion = recipe.prepare(result.blocks, result.style, recipe.settings, recipe.wind);
-	done = SIMULATED_SHARE;
 	result.style.tile_size = recipe.tile_size;
 	result.style.is_of_tiles = recipe.is_of_tiles;
 	std::vector<DrawnBlock> drawn;
@@ -170,6 +170,12 @@ void FieldFill::build() {
 		drawn.push_back({ result.motion->texels(int(i)), &result.blocks[i] });
 	}
 	result.plans = plan_clumps(result.style, drawn);
+	done = PLANNED_SHARE;
+	stage = Stage::planned;
+	if (is_cancelled) {
+		return;
+	}
+	result.motion->fill(result.blocks, result.style);
 	result.kept = find_kept(recipe.standing, result.blocks, result.spacing);
 	done = 1.0f;
 }

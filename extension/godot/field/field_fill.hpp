@@ -63,6 +63,8 @@ public:
 	const FieldPlants &plants() const { return placed; }
 	/// On with it: heights and normals for all plants.
 	void go_on(std::vector<float> &&heights, std::vector<glm::vec3> &&normals);
+	/// Whether plans can be taken, and its style dressed, while the thread goes on with how plants move.
+	bool is_planned() const { return stage.load() >= Stage::planned; }
 	bool is_done() const { return stage.load() == Stage::done; }
 	/// Whether what stands is placed anew.
 	bool places() const { return recipe.places; }
@@ -75,17 +77,22 @@ public:
 	bool is_of_tiles() const { return recipe.is_of_tiles; }
 	const std::vector<TileKey> &tiles() const { return recipe.tiles; }
 	const PlacementRequest &request() const { return recipe.request; }
+	/// Where it is planned: the result's, which the thread changes no more.
+	FieldStyle &style() { return result.style; }
+	PlacementFault fault() const { return result.fault; }
+	/// The next plan of the result, or null.
+	std::unique_ptr<ClumpPlan> take_plan();
+	/// Its result is not wanted any more.
+	void cancel() { is_cancelled = true; }
 	/// Waits for the thread.
 	FieldResult &finish();
-	/// The next one of the result, or null.
-	std::unique_ptr<ClumpPlan> take_plan();
 	/// Frees, wherever it is called, what was copied for the filling, and what nobody needs of the result.
 	std::function<void()> take_rubbish();
 	bool is_dressed = false; ///< Its style has materials.
 	bool is_handed_over = false; ///< The motion of those who are kept is, or is on its way.
 
 private:
-	enum class Stage { fresh, placing, placed, building, done };
+	enum class Stage { fresh, placing, placed, building, planned, done };
 
 	FieldRecipe recipe;
 	FieldResult result;

@@ -182,11 +182,16 @@ float FieldLook::reach_of(const PlacedPlant &plant, float widening) const {
 }
 
 MotionPlant FieldLook::to_simulate(const PlacedPlant &plant) const {
-	MotionPlant simulated;
-	simulated.root = plant.root;
-	simulated.length = length_of(plant);
-	simulated.rest = rest_direction(plant, motion.lean);
-	return simulated;
+	return { plant.root, length_of(plant), rest_direction(plant, motion.lean) };
+}
+
+void FieldLook::to_simulate(const FieldPlants &plants, std::vector<MotionPlant> &into) const {
+	const RestDirections rests(motion.lean);
+	into.reserve(into.size() + size_t(plants.size()));
+	for (int i = 0; i < plants.size(); i++) {
+		const PlacedPlant plant = plants.plant(i);
+		into.push_back({ plant.root, length_of(plant), rests.of(plant) });
+	}
 }
 
 } // namespace undergrowth

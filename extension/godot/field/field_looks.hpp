@@ -93,6 +93,8 @@ struct FieldLook {
 	void take_material();
 	/// The root of a plant, its length and rest direction, for the simulation.
 	MotionPlant to_simulate(const PlacedPlant &plant) const;
+	/// The same of many, which come after what is there.
+	void to_simulate(const FieldPlants &plants, std::vector<MotionPlant> &into) const;
 	/// Without its scale (m).
 	float height_of(const PlacedPlant &plant) const { return variant_of(plant).height * plant.height; }
 	/// As it stands (m).

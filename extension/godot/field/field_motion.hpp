@@ -28,8 +28,10 @@ struct PoseTexels {
 class PreparedMotion {
 public:
 	virtual ~PreparedMotion() = default;
-	/// Of block i of the list that it was prepared from.
+	/// Of block i of the list that it was prepared for.
 	virtual PoseTexels texels(int block) const = 0;
+	/// Has all plants of this list at rest. Once, on any thread, beside whoever dresses the style and makes its meshes.
+	virtual void fill(const std::vector<PlantBlock> &blocks, const FieldStyle &style) = 0;
 	/// Whether it needs more than a graphics card has.
 	virtual bool is_too_large() const = 0;
 };
@@ -70,7 +72,8 @@ public:
 		godot::Vector4 after, before;
 		float share = 1.0f; ///< Of `after`, while they go over to it.
 	};
-	/// Prepares blocks of a style for adopt(), under a wind at its start. On any thread.
+	/// Has room for blocks of a style, for PreparedMotion::fill() and then adopt(), under a wind at its start. On any
+	/// thread.
 	using Prepare = std::unique_ptr<PreparedMotion> (*)(const std::vector<PlantBlock> &blocks, const FieldStyle &style,
 			const FieldSettings &settings, const FieldWind &wind);
 

@@ -76,7 +76,9 @@ FieldView::Clump FieldView::make(const FieldStyle &style, const ClumpPlan &plan)
 	server->instance_set_visible(clump.instance, false);
 	server->instance_geometry_set_material_override(
 			clump.instance, look.materials[size_t(plan.place.level)]->get_rid());
-	set_wear(clump, level);
+	if (!level.casts_shadows || !(worn == FieldWear())) { // As an instance is made.
+		set_wear(clump, level);
+	}
 	set_range(clump, level);
 	return clump;
 }

@@ -131,6 +131,7 @@ void Meadow::drop_job() {
 	view.forget_prepared();
 	joins = false;
 	if (job && job->is_dressed) {
+		job->cancel();
 		retired.push_back(std::move(job->finish().style));
 	}
 	job.reset();
@@ -138,29 +139,36 @@ void Meadow::drop_job() {
 
 // It is made ready over some frames, unseen, with the motion of whoever is kept; then it takes the place of what stood.
 bool Meadow::make_ready() {
-	FieldResult &result = job->finish();
-	if (job->is_handed_over || !result.describe_fault().is_empty()) {
+	if (job->is_handed_over) {
 		return !motion.is_handing_over();
 	}
+	if (job->fault() != PlacementFault::none) {
+		return job->is_done();
+	}
 	const Stopwatch watch;
-	for (FieldLook &look : result.style.looks) {
+	FieldStyle &coming = job->style();
+	for (FieldLook &look : coming.looks) {
 		if (!look.make_meshes(READYING_USEC - watch.usec())) {
 			return false;
 		}
 	}
 	if (!std::exchange(job->is_dressed, true)) {
 		has_other_materials = false;
-		dress.make(result.style);
-		dress.take_away(result.style);
+		dress.make(coming);
+		dress.take_away(coming);
 	}
 	while (const std::unique_ptr<ClumpPlan> plan = job->take_plan()) {
-		view.prepare(result.style, *plan);
+		view.prepare(coming, *plan);
 		if (watch.usec() > READYING_USEC) {
 			return false;
 		}
 	}
-	if (view.reveal_some(READYING_USEC)) {
+	if (view.reveal_some(READYING_USEC) || !job->is_done()) {
 		return false;
+	}
+	FieldResult &result = job->finish();
+	if (!result.describe_fault().is_empty()) {
+		return true;
 	}
 	job->is_handed_over = true;
 	motion.hand_over(*result.motion, result.kept);
@@ -201,7 +209,7 @@ void Meadow::poll(double delta, bool physics) {
 }
 
 void Meadow::poll_job(bool physics) {
-	const bool is_done = !physics && job->is_done() && make_ready();
+	const bool is_done = !physics && job->is_planned() && make_ready();
 	const float ratio = is_done ? 1.0f : progress();
 	const bool tells = job->places() || joins;
 	if (is_done) {
@@ -229,6 +237,8 @@ bool Meadow::adopt(FieldFill &finished) {
 	const String fault = result.describe_fault();
 	if (!fault.is_empty()) {
 		listener.fault(fault); // What stood before stays.
+		view.forget_prepared();
+		retired.push_back(std::move(result.style));
 		return false;
 	}
 	motion.wait();

@@ -16,14 +16,10 @@ static void add_pages(const std::vector<PlantBlock> &blocks, const FieldStyle &s
 	for (const std::vector<size_t> &of_page : members) {
 		plants.clear();
 		for (const size_t i : of_page) {
-			const FieldLook &look = style.looks[size_t(blocks[i].species)];
-			for (int slot = 0; slot < blocks[i].size(); slot++) {
-				plants.push_back(look.to_simulate(blocks[i].plants.plant(slot)));
-			}
+			style.looks[size_t(blocks[i].species)].to_simulate(blocks[i].plants, plants);
 		}
 		const int species = blocks[of_page.front()].species;
 		const int page = into.simulation->add_page(species, plants.data(), int(plants.size()));
-		into.textures->give_rows(page, int(plants.size()));
 		into.simulation->set_page_phase(page, into.textures->layer_of(page)); // Sent together, due together.
 	}
 }
@@ -47,6 +43,19 @@ void PreparedCpuMotion::keep_motion(
 	}
 }
 
+void PreparedCpuMotion::fill(const std::vector<PlantBlock> &blocks, const FieldStyle &style) {
+	add_pages(blocks, style, *this);
+	textures->give_history(*simulation);
+	if (textures->follows()) {
+		simulation->step(); // It fills the prototypes' history.
+		textures->write_history(*simulation, true);
+	}
+	textures->write_pages(*simulation);
+	for (int page = 0; page < simulation->page_count(); page++) {
+		textures->write_beside(*simulation, page);
+	}
+}
+
 PreparedCpuBlock::PreparedCpuBlock(
 		int species, const MotionSpecies &kind, std::vector<MotionPlant> &&placed, const FieldSettings &settings) :
 		page(species, kind, placed.data(), int(placed.size()), settings.step * float(settings.update_interval),
@@ -57,10 +66,7 @@ std::unique_ptr<PreparedBlock> prepare_block_on_cpu(
 		const PlantBlock &block, const FieldStyle &style, const FieldSettings &settings) {
 	const FieldLook &look = style.looks[size_t(block.species)];
 	std::vector<MotionPlant> plants;
-	plants.reserve(size_t(block.size()));
-	for (int slot = 0; slot < block.size(); slot++) {
-		plants.push_back(look.to_simulate(block.plants.plant(slot)));
-	}
+	look.to_simulate(block.plants, plants);
 	return std::make_unique<PreparedCpuBlock>(block.species, look.motion, std::move(plants), settings);
 }
 
@@ -74,15 +80,13 @@ std::unique_ptr<PreparedMotion> prepare_on_cpu(const std::vector<PlantBlock> &bl
 	}
 	made->textures = std::make_unique<PoseTexture>(settings.prototypes > 0);
 	made->rows = join_into_pages(blocks);
-	add_pages(blocks, style, *made);
-	made->textures->give_history(*made->simulation);
-	if (settings.prototypes > 0) {
-		made->simulation->step(); // It fills the prototypes' history.
-		made->textures->write_history(*made->simulation, true);
+	std::vector<int> plants;
+	for (const PageRows &own : made->rows) {
+		plants.resize(std::max(plants.size(), size_t(own.page) + 1));
+		plants[size_t(own.page)] += own.count;
 	}
-	made->textures->write_pages(*made->simulation);
-	for (int page = 0; page < made->simulation->page_count(); page++) {
-		made->textures->write_beside(*made->simulation, page);
+	for (size_t page = 0; page < plants.size(); page++) {
+		made->textures->give_rows(int(page), plants[page]);
 	}
 	return made;
 }

@@ -10,7 +10,8 @@
 
 namespace undergrowth {
 
-/// What CpuMotion takes over of a field that is grown: a simulation at rest, and textures that hold its poses.
+/// What CpuMotion takes over of a field that is grown: a simulation, at rest once it is filled, and textures that hold
+/// its poses.
 class PreparedCpuMotion : public PreparedMotion {
 public:
 	std::unique_ptr<FieldSimulation> simulation;
@@ -22,6 +23,7 @@ public:
 	void keep_motion(
 			const FieldSimulation *old, const std::vector<PageRows> &old_rows, const std::vector<KeptPlant> &kept);
 
+	void fill(const std::vector<PlantBlock> &blocks, const FieldStyle &style) override;
 	PoseTexels texels(int block) const override { return textures->texels(rows[size_t(block)]); }
 	bool is_too_large() const override { return textures->is_too_large(); }
 };

@@ -27,15 +27,12 @@ static int rank_of(const PlantBlock &block, int slot) {
 static DrawnPlant drawn_plant(const FieldStyle &style, const DrawnBlock &drawn, int slot) {
 	const FieldLook &look = style.looks[size_t(drawn.block->species)];
 	const PlacedPlant plant = drawn.block->plants.plant(slot);
-	const Transform3D transform = drawn_transform(plant);
+	const Basis axes = drawn_transform(plant).basis;
 	DrawnPlant made;
-	float *to = made.transform.data();
-	for (int row = 0; row < 3; row++) {
-		const Vector3 &axes = transform.basis.rows[row];
-		for (const float number : { axes.x, axes.y, axes.z, transform.origin[row] }) {
-			*to++ = number;
-		}
-	}
+	made.root = plant.root;
+	made.scale = axes.rows[1].y;
+	made.cosine = axes.rows[0].x;
+	made.sine = axes.rows[0].z;
 	made.texel = float(drawn.texels.first + slot + HALVES_COUNT_FROM);
 	made.layer = float(drawn.texels.layer + HALVES_COUNT_FROM);
 	made.height = look.height_of(plant);
@@ -45,8 +42,14 @@ static DrawnPlant drawn_plant(const FieldStyle &style, const DrawnBlock &drawn, 
 }
 
 RankedPlants rank_plants(const FieldStyle &style, const std::vector<DrawnBlock> &blocks) {
+	size_t count = 0;
+	for (const DrawnBlock &drawn : blocks) {
+		count += size_t(drawn.block->size());
+	}
 	RankedPlants ranked;
+	ranked.plants.reserve(count);
 	std::vector<int> ranks;
+	ranks.reserve(count);
 	for (const DrawnBlock &drawn : blocks) {
 		ranked.begins.push_back(int(ranks.size()));
 		for (int slot = 0; slot < drawn.block->size(); slot++) {

@@ -2,14 +2,17 @@
 
 #include "field/field_view.hpp"
 
-#include <array>
+#include <glm/vec3.hpp>
+
 #include <vector>
 
 namespace undergrowth {
 
 /// A plant as it is drawn at all levels of detail.
 struct DrawnPlant {
-	std::array<float, 12> transform; ///< 3x4, row by row.
+	glm::vec3 root = glm::vec3(0.0f); ///< m.
+	float scale = 1.0f;
+	float cosine = 1.0f, sine = 0.0f; ///< Of its turn, times its scale.
 	/// Where its pose is, as instances say it.
 	float texel = 0.0f, layer = 0.0f;
 	float rank = 0.0f;
@@ -17,8 +20,6 @@ struct DrawnPlant {
 	float height = 0.0f; ///< m.
 	float reach = 0.0f; ///< m: as far from its root as its largest deflection takes it.
 	int variant = 0;
-
-	glm::vec3 root() const { return { transform[3], transform[7], transform[11] }; }
 };
 
 /// All plants of some blocks that are not gone.
