@@ -63,10 +63,10 @@ struct CellGrid {
 		int column = 0;
 		int row = 0;
 		filled_plant_cell(name, column, row);
-		column -= first_column;
-		row -= first_row;
-		const bool is_inside = column >= 0 && row >= 0 && column >> column_bits == 0 && row >> row_bits == 0;
-		return is_inside ? (static_cast<int64_t>(row) << column_bits) + column : -1;
+		const uint32_t x = static_cast<uint32_t>(column) - static_cast<uint32_t>(first_column);
+		const uint32_t y = static_cast<uint32_t>(row) - static_cast<uint32_t>(first_row);
+		const bool is_inside = x >> column_bits == 0 && y >> row_bits == 0;
+		return is_inside ? (static_cast<int64_t>(y) << column_bits) + x : -1;
 	}
 };
 

@@ -173,7 +173,9 @@ static void plan_level(const FieldStyle &style, const std::vector<DrawnBlock> &b
 	for (int i = 1; i < count; i++) {
 		begins[size_t(i)] = begins[size_t(i) - 1] + division.counts[size_t(i) - 1];
 	}
-	plans.reserve(std::max(plans.capacity(), 2 * (plans.size() + size_t(count)))); // Farther levels have fewer.
+	if (plans.capacity() < plans.size() + size_t(count)) {
+		plans.reserve(2 * (plans.size() + size_t(count))); // Farther levels have fewer.
+	}
 	for (const auto &[key, number] : division.numbers) {
 		plans.emplace_back();
 		ClumpPlan &plan = plans.back();

@@ -36,6 +36,23 @@ TEST_CASE("portable sine and cosine agree with the C library's up to a million r
 	CHECK(worst < TOLERANCE);
 }
 
+TEST_CASE("sine and cosine that are found together are those that are found alone, to the bit") {
+	const double infinite = std::numeric_limits<double>::infinity();
+	int others = 0;
+	for (int i = 0; i < POINTS; i++) {
+		for (const double angle : { sample(i, 8.0), sample(i, 3e6), (i - POINTS / 2) * 0.78539816339744830962 }) {
+			const SineAndCosine both = portable_sine_and_cosine(angle);
+			const bool is_same = both.sine == portable_sin(angle) && both.cosine == portable_cos(angle) &&
+					std::signbit(both.sine) == std::signbit(portable_sin(angle)) &&
+					std::signbit(both.cosine) == std::signbit(portable_cos(angle));
+			others += is_same ? 0 : 1;
+		}
+	}
+	CHECK(others == 0);
+	CHECK(std::isnan(portable_sine_and_cosine(infinite).sine));
+	CHECK(std::isnan(portable_sine_and_cosine(infinite).cosine));
+}
+
 TEST_CASE("portable functions have the same bits on every platform") {
 	constexpr uint64_t GOLDEN = 0x469fc7b457f927afull;
 	GoldenHash hash;

@@ -112,6 +112,34 @@ TEST_CASE("plants are kept by their cells when tiles, sizes, seeds and species a
 	CHECK(check_kept(smaller.numbered(), before) == plants_of(smaller));
 }
 
+TEST_CASE("who stands beside all that stood is not kept") {
+	for (const float side : { 15.5f, 16.0f, 31.0f, 64.0f }) { // Cells of 0.5 m: as many as powers of two, about.
+		const Stand before = stand_of(square_field(side, DENSITY, 3));
+		for (const float more : { 1.0f, 2.0f * side }) {
+			const Stand now = stand_of(square_field(side + more, DENSITY, 3));
+			CHECK(check_kept(before.numbered(), now) == plants_of(before));
+			CHECK(check_kept(now.numbered(), before) == plants_of(before));
+		}
+	}
+}
+
+TEST_CASE("plants are kept in narrow stands, in slanting ones and in such as lie far apart") {
+	constexpr float FAR = 3000.0f;
+	const Polygon narrow = { { -400.0f, 0.0f }, { 400.0f, 0.0f }, { 400.0f, 1.5f }, { -400.0f, 1.5f } };
+	const Polygon slanting = { { 0.0f, 0.0f }, { 300.0f, 300.0f }, { 300.0f, 302.0f }, { 0.0f, 2.0f } };
+	const Polygon two = { { 0.0f, 0.0f }, { 9.0f, 0.0f }, { 9.0f, 8.9f }, { FAR, FAR }, { FAR, FAR + 9.0f },
+		{ FAR - 9.0f, FAR }, { 8.9f, 9.0f }, { 0.0f, 9.0f } };
+	for (const Polygon &area : { narrow, slanting, two }) {
+		PlacementRequest request = square_field(1.0f, DENSITY, 3);
+		request.area = area;
+		const Stand before = stand_of(request, 16.0f);
+		CHECK(plants_of(before) > 300);
+		CHECK(check_kept(before.numbered(), stand_of(request, 11.0f)) == plants_of(before));
+		request.seed++;
+		CHECK(check_kept(before.numbered(), stand_of(request)) > plants_of(before) * 2 / 3);
+	}
+}
+
 TEST_CASE("who is gone is not kept, though it grows again where it stood") {
 	const Stand stand = stand_of(square_field(20.0f, 3.0f, 5));
 	FilledBlocks before = stand.numbered();
