@@ -126,6 +126,30 @@ func test_followers_of_prototypes_are_drawn() -> void:
 	check(count_different(first, later) > 50, "they move")
 
 
+## Its plants were made ready while their motion turned out to be too large.
+func test_a_filling_that_is_refused_draws_nothing() -> void:
+	_field.wind = null
+	_field.species = [PlantFieldSpecies.of(TulipFunction.new())]
+	_field.size = Vector2(3, 3)
+	_field.density = 4.0
+	await _field.filled
+	var before := await picture()
+	var many: Array[PlantFieldSpecies] = []
+	for i in 130:
+		many.append(PlantFieldSpecies.of(GrassFunction.new()))
+		many[i].variants = 1
+	_field.species = many
+	_field.density = 100.0
+	_field.prototypes = 1
+	await frames(2)
+	while _field.is_filling():
+		await process_frame
+	check_error("texture layers")
+	await frames(5)
+	check(count_different(before, empty_picture()) > LEAST_PLANT, "plants are drawn")
+	check_equal(count_different(before, await picture()), 0, "pixels that are others")
+
+
 ## What it shows is in the history that the graphics card was given, up to the last step.
 func test_a_follower_in_waves() -> void:
 	var function := TulipFunction.new()

@@ -111,6 +111,26 @@ func test_a_filling_that_is_overtaken_leaves_nothing_behind() -> void:
 	other.free()
 
 
+## At any moment: while it is placed, planned, made ready or gets its motion.
+func test_a_filling_of_other_seeds_that_is_overtaken_leaves_nothing_behind() -> void:
+	await start()
+	for i in 80:
+		field.seed += 1
+		var until := Time.get_ticks_usec() + 150 * i
+		while field.is_filling() and Time.get_ticks_usec() < until:
+			await process_frame
+	await rested()
+	var drawn: PackedInt32Array = field.get_statistics()["drawn_by_level"]
+	var other := _make_field()
+	other.seed = field.seed
+	root.add_child(other)
+	await filled(other)
+	await frames(2)
+	check_equal(drawn, other.get_statistics()["drawn_by_level"], "what is drawn")
+	check_equal(_described(field), _described(other), "plants")
+	other.free()
+
+
 func test_out_of_the_tree_in_the_midst_of_it() -> void:
 	await start()
 	for i in 12:
