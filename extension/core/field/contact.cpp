@@ -22,11 +22,6 @@ const PageStand &stand_of(const LonePages &pages, int page) {
 	return pages.stand(page);
 }
 
-template <class Pages> glm::vec3 tip_of(const Pages &field, int number, int index) {
-	const MotionPage &page = field.page(number);
-	return page.root(index) + stand_of(field, number).outward(page.arm(index, 1.0f));
-}
-
 template <class Pages> glm::vec3 rest_tip(const Pages &field, int number, int index) {
 	const MotionPage &page = field.page(number);
 	return page.root(index) + page.length(index) * stand_of(field, number).outward(page.rest(index));
@@ -75,9 +70,10 @@ template <class Pages> void TipContact::gather(const Pages &field, int begin, in
 		const MotionPage &page = field.page(number);
 		std::fill(touching.begin() + page_begin(number), touching.begin() + page_begin(number + 1),
 				static_cast<uint8_t>(0));
+		const PageStand stand = stand_of(field, number);
 		for (int i = 0; page.swings() && i < page.size(); i++) {
 			const std::size_t tip = first(number) + static_cast<std::size_t>(i);
-			vectors[tip] = tip_of(field, number, i);
+			vectors[tip] = page.root(i) + stand.outward(page.arm(i, 1.0f));
 			buckets[tip] = bucket(cell(vectors[tip].x), cell(vectors[tip].z));
 		}
 	}
@@ -127,11 +123,8 @@ void TipContact::for_each_contact(const Pages &field, const SortedTip &own, Visi
 			}
 			const MotionPage &own_page = field.page(page_of(own.tip));
 			const MotionPage &page = field.page(page_of(other.tip));
-			if (own_page.is_gone(index_of(own.tip)) || page.is_gone(index_of(other.tip))) {
-				continue;
-			}
 			const float sum = own_page.collision_radius() + page.collision_radius();
-			if (squared >= sum * sum) {
+			if (squared >= sum * sum || own_page.is_gone(index_of(own.tip)) || page.is_gone(index_of(other.tip))) {
 				continue;
 			}
 			const float at_rest = glm::distance(rest_tip(field, page_of(own.tip), index_of(own.tip)),
@@ -152,14 +145,16 @@ template <class Visit> void TipContact::for_each_run(const SortedTip &own, Visit
 	const auto bucket_count = static_cast<uint32_t>(bucket_ends.size() - 1);
 	const int cell_x = cell(own.place.x);
 	const int cell_z = cell(own.place.z);
-	const auto place = static_cast<uint32_t>(&own - sorted.data());
-	const uint32_t rank = place - bucket_ends[bucket(cell_x, cell_z)];
+	if (leaves_out()) {
+		const auto place = static_cast<uint32_t>(&own - sorted.data());
+		const uint32_t rank = place - bucket_ends[bucket(cell_x, cell_z)];
+		for (int row = cell_z - 1; row <= cell_z + 1; row++) {
+			for_each_run_near(rank, bucket(cell_x - 1, row), row, visit);
+		}
+		return;
+	}
 	for (int row = cell_z - 1; row <= cell_z + 1; row++) {
 		const uint32_t start = bucket(cell_x - 1, row);
-		if (leaves_out()) {
-			for_each_run_near(rank, start, row, visit);
-			continue;
-		}
 		const uint32_t end = start + 3;
 		visit(bucket_ends[start], bucket_ends[std::min(end, bucket_count)], row);
 		if (end > bucket_count) {
