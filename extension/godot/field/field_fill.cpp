@@ -113,7 +113,6 @@ void FieldFill::place() {
 	const Placement whole(request);
 	result.fault = request.species.empty() ? PlacementFault::none : whole.fault();
 	result.spacing = whole.cell_size();
-	placed.reserve(whole.candidate_count(0, whole.row_count()));
 	place_rows(whole, 0.0f, PLACED_SHARE);
 	const float each = PLACED_SHARE / float(std::max(recipe.tiles.size(), size_t(1)));
 	for (size_t i = 0; i < recipe.tiles.size() && result.fault == PlacementFault::none; i++) {
@@ -176,6 +175,9 @@ void FieldFill::build() {
 		return;
 	}
 	result.motion->fill(result.blocks, result.style);
+	if (is_cancelled) {
+		return;
+	}
 	result.kept = find_kept(recipe.standing, result.blocks, result.spacing);
 	done = 1.0f;
 }

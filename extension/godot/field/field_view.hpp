@@ -166,7 +166,6 @@ private:
 	float largest_scale = 1.0f; ///< Of the field's axes.
 	bool is_visible = true;
 	bool has_untold = false; ///< Something was shown since a frame was drawn.
-	bool has_unrevealed = false; ///< Something was prepared since all of it was revealed.
 	FieldWear worn;
 	uint64_t owner = 0;
 	std::vector<godot::Vector3> thinned_for; ///< Eyes.

@@ -28,7 +28,6 @@ void FieldView::move_all(Clumps &from, std::vector<Clump> &into) {
 void FieldView::prepare(const FieldStyle &style, const ClumpPlan &plan) {
 	prepared_levels = style.levels;
 	prepared[plan.place].push_back(make(style, plan));
-	has_unrevealed = true;
 }
 
 void FieldView::forget_prepared() {
@@ -49,9 +48,6 @@ void FieldView::tell_if_undrawn() {
 }
 
 bool FieldView::reveal_some(double usec) {
-	if (!has_unrevealed) {
-		return false;
-	}
 	const Stopwatch watch;
 	for (auto &[place, group] : prepared) {
 		for (Clump &clump : group) {
@@ -63,7 +59,6 @@ bool FieldView::reveal_some(double usec) {
 			}
 		}
 	}
-	has_unrevealed = false;
 	return false;
 }
 

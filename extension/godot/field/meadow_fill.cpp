@@ -163,7 +163,7 @@ bool Meadow::make_ready() {
 			return false;
 		}
 	}
-	if (view.reveal_some(READYING_USEC) || !job->is_done()) {
+	if (!job->is_done() || view.reveal_some(READYING_USEC)) {
 		return false;
 	}
 	FieldResult &result = job->finish();
