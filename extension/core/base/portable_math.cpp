@@ -109,11 +109,8 @@ SineAndCosine portable_sine_and_cosine(double angle) {
 }
 
 double portable_tan(double angle) {
-	if (!std::isfinite(angle)) {
-		return std::numeric_limits<double>::quiet_NaN();
-	}
-	const Reduced reduced = reduce_angle(angle);
-	return sin_of(reduced.quadrant, reduced.rest) / sin_of(reduced.quadrant + 1, reduced.rest);
+	const SineAndCosine both = portable_sine_and_cosine(angle);
+	return both.sine / both.cosine;
 }
 
 double portable_exp(double exponent) {

@@ -108,7 +108,7 @@ public:
 	}
 
 	void add(PlantId name, const PlantPlace &place) {
-		const std::size_t slot = is_grid ? static_cast<std::size_t>(grid.place_of(name)) : slot_of(name);
+		const std::size_t slot = slot_of(name);
 		places[slot] = place;
 		if (!is_grid) {
 			names[slot] = name;
@@ -119,7 +119,7 @@ public:
 		if (is_grid && grid.place_of(name) < 0) {
 			return nullptr;
 		}
-		const std::size_t slot = is_grid ? static_cast<std::size_t>(grid.place_of(name)) : slot_of(name);
+		const std::size_t slot = slot_of(name);
 		return places[slot].block == NOWHERE ? nullptr : &places[slot];
 	}
 
@@ -131,8 +131,11 @@ private:
 	std::vector<PlantPlace> places;
 	std::vector<PlantId> names; ///< Of no grid.
 
-	/// Where a name stands, or would.
+	/// Where a name stands, or would; in a grid, of a name within it.
 	std::size_t slot_of(PlantId name) const {
+		if (is_grid) {
+			return static_cast<std::size_t>(grid.place_of(name));
+		}
 		std::size_t slot = mix_bits(static_cast<uint64_t>(name)) & last;
 		while (names[slot] != name && names[slot] != NO_PLANT) {
 			slot = (slot + 1) & last;

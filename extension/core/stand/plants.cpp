@@ -67,9 +67,10 @@ glm::dvec3 unit(const glm::dvec3 &v) {
 void align(PlacedPlant &plant, const glm::vec3 &normal, double share) {
 	const glm::dvec3 up(0.0, 1.0, 0.0);
 	const glm::dvec3 towards = unit(up + share * (unit(glm::dvec3(normal)) - up));
-	const double around = static_cast<double>(plant.turn) + static_cast<double>(plant.side);
-	const double aside = portable_sin(plant.lean);
-	const glm::dvec3 was(aside * portable_cos(around), portable_cos(plant.lean), -aside * portable_sin(around));
+	const SineAndCosine around =
+			portable_sine_and_cosine(static_cast<double>(plant.turn) + static_cast<double>(plant.side));
+	const SineAndCosine lean = portable_sine_and_cosine(plant.lean);
+	const glm::dvec3 was(lean.sine * around.cosine, lean.cosine, -lean.sine * around.sine);
 	// The shortest turn from `up` to `towards`.
 	const glm::dvec3 sum = up + towards;
 	const double along = sum.x * was.x + sum.y * was.y + sum.z * was.z;
