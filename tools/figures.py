@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes what the core's tests measured into README's tables, between <!-- figures: NAME --> and <!-- end -->."""
+"""Writes what the core's tests measure into the tables of docs/validation.md, between <!-- figures: NAME --> and <!-- end -->."""
 
 import argparse
 import os
@@ -10,7 +10,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-README = ROOT / "README.md"
+TABLES = ROOT / "docs/validation.md"
 TABLE = re.compile(r"(<!-- figures: (\w+) -->\n).*?(<!-- end -->)", re.DOTALL)
 HEADS = {"stems": "Stems beside beams and chains", "swings": "Stems that swing, beside chains",
          "wind": "Wind beside measured winds"}
@@ -18,7 +18,7 @@ TIMEOUT = 900
 
 
 def read(path):
-    """The lines that the tests wrote: table, what, asked, measured."""
+    """The lines of the tests' output: table, quantity, asked, measured."""
     return [tuple(line.split("\t")) for line in Path(path).read_text(encoding="utf-8").splitlines()]
 
 
@@ -29,7 +29,7 @@ def table(name, lines):
 
 
 def filled(text, lines):
-    """`text` with its tables as `lines` say."""
+    """`text` with its tables replaced by `lines`."""
     return TABLE.sub(lambda found: found[1] + table(found[2], lines) + found[3], text)
 
 
@@ -42,12 +42,12 @@ def main():
         words = [options.core, "--no-colors", "--minimal"]
         answer = subprocess.run(words, env={**os.environ, "FIGURES": str(path)}, timeout=TIMEOUT)
         if answer.returncode != 0 or not path.exists():
-            sys.exit("The core's tests fail, so README keeps its figures: see ./run test suites=core")
+            sys.exit("The core's tests fail, so docs/validation.md keeps its figures: see ./run test suites=core")
         lines = read(path)
-    before = README.read_text(encoding="utf-8")
+    before = TABLES.read_text(encoding="utf-8")
     after = filled(before, lines)
-    README.write_text(after, encoding="utf-8")
-    print("README.md has its figures" + (" already" if after == before else ""))
+    TABLES.write_text(after, encoding="utf-8")
+    print("docs/validation.md is up to date" + (" (no change)" if after == before else ""))
     return 0
 
 

@@ -38,16 +38,16 @@ def doctest(name, program):
                           environment={**os.environ, **SANITIZER_OPTIONS, "FIGURES": str(figures_file)})
     result = read_doctest(name, output, problem)
     if name == "core" and not result.failures:
-        result = check_readme(result, figures_file)
+        result = check_tables(result, figures_file)
     return result
 
 
-def check_readme(result, figures_file):
-    """README's tables have what the tests measured."""
-    text = figures.README.read_text(encoding="utf-8")
+def check_tables(result, figures_file):
+    """The tables of docs/validation.md hold what the tests measure."""
+    text = figures.TABLES.read_text(encoding="utf-8")
     if figures.filled(text, figures.read(figures_file)) == text:
         return Result(result.name, result.passed + 1, [])
-    return Result(result.name, result.passed, ["README's tables are not what the tests measure: say ./run figures"])
+    return Result(result.name, result.passed, ["docs/validation.md is out of date: run ./run figures"])
 
 
 def read_doctest(name, output, problem):

@@ -1,4 +1,4 @@
-"""README's tables of what the core's tests measure."""
+"""The tables of docs/validation.md, which the core's tests fill."""
 
 import sys
 import unittest
@@ -18,8 +18,8 @@ class Tables(unittest.TestCase):
                                  "|---|---|---|\n| gust | 2.12 | 1.96 |\n<!-- end -->\nafter\n")
         self.assertEqual(figures.filled(filled, lines), filled)
 
-    def test_readme_has_all_tables_filled(self):
-        text = figures.README.read_text(encoding="utf-8")
+    def test_validation_has_all_tables_filled(self):
+        text = figures.TABLES.read_text(encoding="utf-8")
         found = {name: whole for whole, name in ((match[0], match[2]) for match in figures.TABLE.finditer(text))}
         self.assertEqual(set(found), set(figures.HEADS))
         for name, whole in found.items():
