@@ -1,0 +1,61 @@
+## The recipes of CONTRIBUTING.md are true: the code of the species recipe makes a species that
+## passes the checks of the ready ones, and each file that a recipe names exists.
+extends "res://tests/engine/test_ready_species.gd"
+
+const ShownCode := preload("res://tests/engine/shown_code.gd")
+## Seen from the tests' project in build/test, or below the project itself.
+const ROOTS: PackedStringArray = ["../../..", "."]
+const SAVED := "user://moor_grass.tres"
+## A species that each table of step 3 contains.
+const LISTED := "poppy"
+
+
+func test_the_species_recipe_makes_a_species_that_passes_all_checks() -> void:
+	DirAccess.remove_absolute(SAVED)
+	var block := ShownCode.in_markdown(_place("CONTRIBUTING.md"), "CONTRIBUTING.md").filter(
+		func(one: ShownCode.Block) -> bool: return one.language == "gdscript"
+	)
+	check_equal(block.size(), 1, "blocks of GDScript")
+	var script := ShownCode.make_script(block[0])
+	check_equal(script.reload(), OK, "the recipe compiles")
+	var node: Node3D = script.new()
+	node.call(&"show_it")
+	node.free()
+	var species := load(SAVED) as PlantFunction
+	check(species != null, "the recipe saves a species")
+	for segments: int in BUDGETS:
+		check_equal(species.find_problem(0.0, segments, 1), "", "problem at %d" % segments)
+		var count := species.generate_mesh(0.0, segments, 1).surface_get_array_len(0)
+		check(count > 0 and count <= BUDGETS[segments], "%d vertices at %d" % [count, segments])
+	for arrangement: PlantArrangement in species.arrangements:
+		_check_names(arrangement, "the recipe")
+
+
+func test_tables_of_the_species_recipe_list_the_ready_species() -> void:
+	var recipe := _text("CONTRIBUTING.md").get_slice("### A new species", 1).get_slice("###", 0)
+	var tables := RegEx.create_from_string("(?m)^   - `([^`]+)`").search_all(recipe)
+	check_equal(tables.size(), 4, "tables")
+	for table in tables:
+		check(_text(table.get_string(1)).to_lower().contains(LISTED), table.get_string(1))
+
+
+func test_files_that_recipes_name_exist() -> void:
+	var named := RegEx.create_from_string("`((?:extension|addons|tests|demo_project)/[\\w/.]+)`")
+	var found := named.search_all(_text("CONTRIBUTING.md"))
+	check(found.size() > 12, "%d files are named" % found.size())
+	for file in found:
+		var path := _place(file.get_string(1))
+		check(FileAccess.file_exists(path) or DirAccess.dir_exists_absolute(path), path)
+
+
+func _text(name: String) -> String:
+	return FileAccess.get_file_as_string(_place(name))
+
+
+## The path of a file of the checkout.
+func _place(name: String) -> String:
+	for folder in ROOTS:
+		var base := ProjectSettings.globalize_path("res://").path_join(folder)
+		if FileAccess.file_exists(base.path_join("CONTRIBUTING.md")):
+			return base.path_join(name)
+	return name
