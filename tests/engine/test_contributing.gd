@@ -1,7 +1,8 @@
 ## The recipes of CONTRIBUTING.md are true: the code of the species recipe makes a species that
 ## passes the checks of the ready ones, and each file that a recipe names exists.
-extends "res://tests/engine/test_ready_species.gd"
+extends "res://tests/engine/harness.gd"
 
+const Ready := preload("res://tests/engine/test_ready_species.gd")
 const ShownCode := preload("res://tests/engine/shown_code.gd")
 ## Seen from the tests' project in build/test, or below the project itself.
 const ROOTS: PackedStringArray = ["../../..", "."]
@@ -23,12 +24,13 @@ func test_the_species_recipe_makes_a_species_that_passes_all_checks() -> void:
 	node.free()
 	var species := load(SAVED) as PlantFunction
 	check(species != null, "the recipe saves a species")
-	for segments: int in BUDGETS:
+	for segments: int in Ready.BUDGETS:
 		check_equal(species.find_problem(0.0, segments, 1), "", "problem at %d" % segments)
 		var count := species.generate_mesh(0.0, segments, 1).surface_get_array_len(0)
-		check(count > 0 and count <= BUDGETS[segments], "%d vertices at %d" % [count, segments])
+		check(count > 0 and count <= Ready.BUDGETS[segments], "%d vertices at %d" % [count, segments])
 	for arrangement: PlantArrangement in species.arrangements:
-		_check_names(arrangement, "the recipe")
+		check(arrangement.resource_name != "", "the arrangement has a name")
+		check(arrangement.part.resource_name != "", "its part has a name")
 
 
 func test_tables_of_the_species_recipe_list_the_ready_species() -> void:
