@@ -2,7 +2,7 @@
 """Measures the core and the add-on, in a headless engine and in renderers without a graphics card.
 
 Prints a table and what it means, writes build/bench.json and build/bench.png. All measuring programs print a JSON list
-of rows {"name", "plants", "threads", "median_ms", "us_per_plant"}; those of the engine also tell their "renderer".
+of rows {"name", "plants", "threads", "median_ms", "us_per_plant"}; rows of the engine also have a "renderer".
 
 --release measures in an exported game, with the engine's release template and the add-on's release library.
 """
@@ -40,7 +40,7 @@ run/main_scene="res://empty.tscn"
 run/main_loop_type="BenchMainLoop"
 """
 MAIN_LOOP = 'class_name BenchMainLoop\nextends "res://tests/bench/{}.gd"\n'
-# The engine's better physics has to be chosen, and told how many bodies there will be.
+# The project must select Jolt and set its maximum number of bodies.
 JOLT = """
 [physics]
 
@@ -73,7 +73,7 @@ def editor_start(godot, folder):
 
 
 def game_start(godot, folder):
-    """start(script): the same in an exported game, whose main loop the script is."""
+    """start(script): the same in an exported game, with the script as its main loop."""
     (folder / "empty.tscn").write_text('[gd_scene format=3]\n\n[node name="Empty" type="Node"]\n')
     with open(folder / "project.godot", "a", encoding="utf-8") as settings:
         settings.write(GAME)

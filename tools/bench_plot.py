@@ -38,7 +38,7 @@ def series_in(rows):
 def spread(wanted, gap):
     """Places as near to `wanted` as they can be at least `gap` apart, in the same order of values."""
     order = sorted(range(len(wanted)), key=lambda i: wanted[i])
-    groups = []  # Labels that touch stand together around the middle of what they wanted: [indices, sum of middles].
+    groups = []  # Labels that touch form a group around the mean of their positions: [indices, sum of middles].
     for i in order:
         groups.append([[i], wanted[i]])
         while len(groups) > 1 and _low(groups[-1], gap) < _high(groups[-2], gap) + gap:
@@ -73,7 +73,7 @@ def count_text(plants):
 
 
 def draw(rows, target):
-    """Writes the plot of `rows` to `target`; tells whether there was anything to draw. Raises ImportError."""
+    """Writes the plot of `rows` to `target`; returns False if there is nothing to draw. Raises ImportError."""
     import matplotlib
     matplotlib.use("Agg")
     from matplotlib import pyplot
@@ -122,7 +122,7 @@ def label_ends(axes, measured, looks):
 
 
 def columns_of(measured):
-    """Names of series whose last points are at about the same number of plants, in groups."""
+    """Groups of series whose last points are at about the same number of plants."""
     columns = {}
     for name, points in measured:
         columns.setdefault(round(math.log10(points[-1][0])), []).append(name)

@@ -2,7 +2,7 @@
 
 PEERS = (("jolt", "Jolt body and pin joint"), ("spring_bone_2", "SpringBoneSimulator3D"),
          ("gdscript", "GDScript arrays"), ("plant3d", "Plant3D"))
-PLANTS = 100000  # That most figures are told of.
+PLANTS = 100000  # The reference size of most figures.
 
 
 class Rows:
@@ -12,7 +12,7 @@ class Rows:
         self.rows = rows
 
     def find(self, name, plants, **members):
-        """The first that has all of it, or None. A field has not exactly as many plants as were asked for."""
+        """The first row that matches, or None. A field's number of plants differs slightly from the requested one."""
         for row in self.rows:
             if (row["name"] == name and abs(row["plants"] - plants) <= 0.05 * plants
                     and all(row.get(member, value) == value for member, value in members.items())):
@@ -27,9 +27,9 @@ class Rows:
 
 def lines(rows):
     found = Rows(rows)
-    told = [*kernel_lines(rows), *stem_lines(found), *thread_lines(found)]
+    lines = [*kernel_lines(rows), *stem_lines(found), *thread_lines(found)]
     for renderer in ("headless", "forward_plus", "gl_compatibility"):
-        told += field_lines(found, renderer)
+        lines += field_lines(found, renderer)
     return [*told, *fill_lines(found), *edit_lines(rows), *peer_lines(found)]
 
 
@@ -40,22 +40,22 @@ def kernel_lines(rows):
 
 
 def edit_lines(rows):
-    """What changes cost while a game goes on."""
-    told = [f"{row['name']}, {row['plants']:,} plants: {row['median_ms']:.2f} ms, {row['worst_ms']:.2f} ms at worst"
+    """The cost of changes in a running game."""
+    lines = [f"{row['name']}, {row['plants']:,} plants: {row['median_ms']:.2f} ms, {row['worst_ms']:.2f} ms at worst"
             for row in rows if "worst_ms" in row]
-    return told + [f"{row['name']}: {row['workers_us_per_plant']:.2f} µs of a core place and build a plant"
+    return lines + [f"{row['name']}: {row['workers_us_per_plant']:.2f} µs of a core place and build a plant"
                    for row in rows if "workers_us_per_plant" in row]
 
 
 def stem_lines(found):
     """Stems beside the spring law."""
-    told = []
+    lines = []
     for level in ("baseline", "avx2"):
         for name in ("page_stem", "page_stem_upright", "page_stem_two_modes", "page_stem_gale",
                      "page_stem_two_modes_gale"):
             ratio = found.ratio(found.find(name, 10000, level=level), found.find("page_spring", 10000, level=level))
             if ratio:
-                told.append(f"{name}, {level}, 10,000 plants: {ratio:.2f} times the spring law's page")
+                lines.append(f"{name}, {level}, 10,000 plants: {ratio:.2f} times the spring law's page")
     for renderer in ("headless", "forward_plus", "gl_compatibility"):
         for name, what in (("field_frame_stems", "stems"),
                            ("field_frame_stems_asleep", "stems of two modes that nobody pushes"),
@@ -63,33 +63,33 @@ def stem_lines(found):
             ratio = found.ratio(found.find(name, PLANTS, renderer=renderer),
                                 found.find("field_frame_spring", PLANTS, renderer=renderer))
             if ratio:
-                told.append(f"{renderer}: a frame of {PLANTS:,} {what} {ratio:.2f} times that of springs")
-        told += air_lines(found, renderer)
+                lines.append(f"{renderer}: a frame of {PLANTS:,} {what} {ratio:.2f} times that of springs")
+        lines += air_lines(found, renderer)
         ratio = found.ratio(found.find("stem_4_held", 1000, renderer=renderer),
                             found.find("spring_bone_4", 1000, renderer=renderer))
         if ratio:
-            told.append(f"{renderer}: 1,000 plants of four joints {ratio:.2f} times SpringBoneSimulator3D's time")
-    return told
+            lines.append(f"{renderer}: 1,000 plants of four joints {ratio:.2f} times SpringBoneSimulator3D's time")
+    return lines
 
 
 def air_lines(found, renderer):
     """Wind in metres per second beside waves in newtons."""
-    told = []
+    lines = []
     for name, what in (("field_frame", "plants"), ("field_frame_stems", "stems"), ("field_frame_spring", "springs")):
         ratio = found.ratio(found.find(name + "_air", PLANTS, renderer=renderer),
                             found.find(name, PLANTS, renderer=renderer))
         if ratio:
-            told.append(f"{renderer}: a frame of {PLANTS:,} {what} in air {ratio:.2f} times that in waves")
-    return told
+            lines.append(f"{renderer}: a frame of {PLANTS:,} {what} in air {ratio:.2f} times that in waves")
+    return lines
 
 
 def thread_lines(found):
-    told = []
+    lines = []
     for name in ("field_step", "field_contact"):
         ratio = found.ratio(found.find(name, PLANTS, threads=1), found.find(name, PLANTS, threads=4))
         if ratio:
-            told.append(f"{name}, {PLANTS:,} plants: four threads {ratio:.2f} times one")
-    return told
+            lines.append(f"{name}, {PLANTS:,} plants: four threads {ratio:.2f} times one")
+    return lines
 
 
 def field_lines(found, renderer):
@@ -97,45 +97,45 @@ def field_lines(found, renderer):
     main = found.find("field_frame_main", PLANTS, renderer=renderer)
     if not frame or not main:
         return []
-    told = [f"{renderer}: a frame of {PLANTS:,} plants {frame['median_ms']:.3f} ms, main thread "
+    lines = [f"{renderer}: a frame of {PLANTS:,} plants {frame['median_ms']:.3f} ms, main thread "
             f"{main['median_ms']:.3f} ms ({percent(main['share'])})"]
     for name in ("field_frame_interval_4", "field_frame_prototypes_64", "field_frame_far"):
         ratio = found.ratio(found.find(name, PLANTS, renderer=renderer), frame)
         if ratio:
-            told.append(f"{renderer}: {name} {percent(ratio)} of that")
+            lines.append(f"{renderer}: {name} {percent(ratio)} of that")
     ratio = found.ratio(found.find("field_frame_far", 10 * PLANTS, renderer=renderer), frame)
     if ratio:
-        told.append(f"{renderer}: field_frame_far of {10 * PLANTS:,} plants {ratio:.2f} times every one of {PLANTS:,}")
+        lines.append(f"{renderer}: field_frame_far of {10 * PLANTS:,} plants {ratio:.2f} times every one of {PLANTS:,}")
     for name, plants in (("field_frame", 1000), ("field_frame_far", PLANTS)):
         ratio = found.ratio(found.find(name, 10 * PLANTS, renderer=renderer),
                             found.find(name, plants, renderer=renderer))
         if ratio:
-            told.append(f"{renderer}: {name} of {10 * PLANTS:,} plants {ratio:.2f} times {plants:,}")
-    return told
+            lines.append(f"{renderer}: {name} of {10 * PLANTS:,} plants {ratio:.2f} times {plants:,}")
+    return lines
 
 
 def fill_lines(found):
     """What filling a field costs, and what its plants hold of memory."""
-    told = []
+    lines = []
     for name, what in (("field_fill", "lathes"), ("field_fill_of_parts", "ready plants"),
                        ("field_fill_of_tufts", "tufts of five species")):
         row = found.find(name, PLANTS)
         if row and "workers_ms" in row:
-            told.append(f"{PLANTS:,} {what} are there after {row['median_ms']:.0f} ms, {row['processor_ms']:.0f} ms of "
+            lines.append(f"{PLANTS:,} {what} are there after {row['median_ms']:.0f} ms, {row['processor_ms']:.0f} ms of "
                         f"processors' time, of which workers have {row['workers_ms']:.0f} ms; "
                         f"{row['bytes_per_plant']:.0f} bytes a plant")
-    return told
+    return lines
 
 
 def peer_lines(found):
-    told = []
+    lines = []
     for plants in (1000, 10000):
         frame = found.find("field_frame", plants, renderer="headless")
         for name, title in PEERS:
             ratio = found.ratio(found.find(name, plants), frame)
             if ratio:
-                told.append(f"{plants:,} plants: a field is {ratio:.0f} times faster than {title}")
-    return told
+                lines.append(f"{plants:,} plants: a field is {ratio:.0f} times faster than {title}")
+    return lines
 
 
 def percent(share):

@@ -15,7 +15,7 @@ WORDS = (r"who|whoever|whom|whose|nobody|somebody|anybody", r"tells?|told|tellin
          r"so (?:many|much|far|high|long|wide|often)", r"yet to|no more|any more", r"others|otherwise",
          r"go(?:es|ing)? on", r"kept|keeps?", r"hears?|heard|knows?|known")
 PATTERN = re.compile(r"\b(?:" + "|".join(WORDS) + r")\b", re.IGNORECASE)
-# Group, folder, endings. The documentation leaves out what others wrote.
+# Group, folder, endings. FOREIGN texts are left out of the documentation.
 GROUPS = (
     ("C++ comments", "extension", (".cpp", ".hpp", ".inc")),
     ("shader comments", "addons", (".gdshader", ".gdshaderinc")),

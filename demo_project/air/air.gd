@@ -25,7 +25,7 @@ func _process(_delta: float) -> void:
 	seeds.amount_ratio = lerpf(CALM, 1.0, clampf(_gust(low), 0.0, 1.0))
 
 
-# Tells the particles how it blows: on the graphics card the air is the plants' own, place by place.
+# Sends the air to the particles' shader, which uses the same air as the plants.
 func _carry(motion: ShaderMaterial, low: float) -> void:
 	var is_air := wind.kind == PlantWind.KIND_AIR
 	var even := Vector3.ZERO if is_air else wind.sample(wind.get_time()) * SPEED_OF_NEWTONS

@@ -4,7 +4,7 @@ extends PlantWindSource3D
 ## It goes round by itself. With the arrow keys or W, A, S, D, E up and Q down, it goes where you
 ## like, and some seconds after the last key back to its round.
 
-## Told when it starts and when it goes home.
+## Emitted when it starts and when it flies home.
 signal flight_changed(is_flying: bool)
 
 const KeySteering := preload("res://steering/key_steering.gd")
@@ -20,9 +20,9 @@ const SPIN := 34.0  # rad/s of the rotor.
 
 ## What it flies over: a node with a `height_at(x, z)` method.
 @export var ground: Node3D
-## Who hears the keys while it does not fly.
+## The node that the keys steer while it does not fly.
 @export var walker: Node3D
-## What looks at whom the keys steer.
+## The camera that follows the steered node.
 @export var camera: Camera3D
 @export var rotor: Node3D
 @export var tail_rotor: Node3D
@@ -68,12 +68,12 @@ func _process(delta: float) -> void:
 	tail_rotor.rotate_x(2.0 * SPIN * delta)
 
 
-## Whether somebody steers it with the keys.
+## Whether the keys steer it.
 func is_steered() -> bool:
 	return is_flying and _keys.is_on()
 
 
-# What the keys ask for, as the camera sees it.
+# The direction of the keys, relative to the camera.
 func _steered() -> Vector3:
 	var turned := _keys.seen_from(self) * SPEED
 	return Vector3(turned.x, 0.0, turned.y)

@@ -22,9 +22,9 @@ const SMOOTHING := 10.0  # 1/s.
 @export_range(1.0, 50.0, 0.5, "suffix:m") var roaming_radius := 14.0
 ## What the camera stays above: a node with a `height_at(x, z)` method. None: the plane y = 0.
 @export var ground: Node3D
-## Metres that the camera keeps above the ground.
+## Minimum height of the camera above the ground, in metres.
 @export_range(0.0, 2.0, 0.05, "suffix:m") var clearance := 0.35
-## Whom the camera comes along with while the keys steer it: a node with an `is_steered()` method.
+## The node that the camera follows while the keys steer it; it has an `is_steered()` method.
 @export var companion: Node3D
 ## How far above the companion's feet the camera looks.
 @export_range(0.0, 3.0, 0.05, "suffix:m") var companion_height := 1.0

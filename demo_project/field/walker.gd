@@ -1,5 +1,5 @@
 extends AnimatableBody3D
-## Somebody who goes for a walk and pushes plants aside.
+## A walker that pushes plants aside.
 ##
 ## It goes round its route by itself. With the arrow keys or W, A, S, D it goes where you like, and
 ## some seconds after the last key back to its route.
@@ -49,12 +49,12 @@ func _process(delta: float) -> void:
 		global_rotation.y = lerp_angle(global_rotation.y, yaw, 1.0 - exp(-TURNING * delta))
 
 
-## Whether somebody steers it with the keys.
+## Whether the keys steer it.
 func is_steered() -> bool:
 	return _keys.is_on()
 
 
-## What the keys ask for, as the camera sees it.
+## The direction of the keys, relative to the camera.
 func _steered() -> Vector2:
 	_along = route.curve.get_closest_offset(route.to_local(global_position))
 	return _keys.seen_from(self) * steered_speed

@@ -1,5 +1,5 @@
 extends "sheet.gd"
-## What air of so many metres per second does to grass, wheat and poppies, without its gusts.
+## What air of several speeds does to grass, wheat and poppies, without its gusts.
 
 const WINDS: Array[String] = ["calm", "breeze", "fresh", "gale", "storm"]
 

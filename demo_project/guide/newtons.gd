@@ -1,5 +1,5 @@
 extends "sheet.gd"
-## What winds of so many newtons do, at their mean.
+## What winds of several strengths do, at their mean.
 
 const FORCES: Array[float] = [0.0, 1.0, 5.0, 20.0]
 

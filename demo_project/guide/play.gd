@@ -1,5 +1,5 @@
 extends "sheet.gd"
-## What a game does with a field: somebody walks in it, it is mown, a rotor blows on it.
+## What a game does with a field: a body walks through it, it is mown, a rotor blows on it.
 
 const FILES: Dictionary[String, float] = {"meadow_grass": 30.0, "oxeye_daisy": 1.0}
 const FROM := Vector3(0.0, 3.4, 4.4)

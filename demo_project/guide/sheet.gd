@@ -2,7 +2,7 @@ extends Control
 ## Base of the guide's pictures: cells beside one another, each a small world under the same sun.
 
 const STAGE := preload("res://stage/stage.tscn")
-## Thin plants stand out before it.
+## Thin plants are visible in front of it.
 const EARTH := Color(0.2, 0.17, 0.13)
 ## All plants are near.
 const SEGMENTS := 12

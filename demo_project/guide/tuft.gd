@@ -1,6 +1,6 @@
 @tool
 extends PlantFunction
-## The guide's plant of parts, as far as so many steps bring it.
+## The guide's plant of parts, after a number of steps.
 
 @export_range(1, 3) var steps := 3
 

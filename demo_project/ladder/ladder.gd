@@ -1,6 +1,6 @@
 extends Node3D
 ## Three fields side by side: every plant moves by itself, each fourth of them does in a frame, or
-## 64 of each species do and the others follow them. What that costs is written in front of them.
+## 64 of each species do and all other plants follow them. A label in front shows the cost.
 
 const Figures := preload("res://ui/figures.gd")
 const PERIOD := 0.25  # s between two looks.

@@ -35,6 +35,6 @@ func _physics_process(delta: float) -> void:
 	field.set_height_in_sphere(global_position, 0.5 * width, stubble)
 
 
-## Whether somebody steers it with the keys.
+## Whether the keys steer it.
 func is_steered() -> bool:
 	return _keys.is_on()

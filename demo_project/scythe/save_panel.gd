@@ -1,14 +1,14 @@
 extends PanelContainer
 ## Saves what was mown of a field, and brings it back: by its buttons, or the keys F5 and F9.
 ##
-## With C the scythe cuts what stands around the mower to the root, which does not grow back.
+## C cuts the plants around the mower at the root; they do not grow back.
 
 const FILE := "user://field.save"
 const SWING := 2.5  # m.
 
 ## The field that is saved.
 @export var field: PlantField3D
-## Who mows it.
+## The mower.
 @export var mower: Node3D
 
 @onready var _told: Label = %Told

@@ -3,7 +3,7 @@ extends Control
 ## without a line of code.
 
 const FOLDER := "res://addons/undergrowth/species/"
-## What botanists call each, the seed of the plant that stands for it, and what is shown from near:
+## The botanical name of each, the seed of the plant that is shown, and the view from near:
 ## below which share of its height, and how many metres of it.
 const SPECIES := {
 	"meadow_grass": ["Poa pratensis", 4, 1.0, 0.09],
@@ -34,7 +34,7 @@ const VIEW_DEGREES := 20.0
 const FILLED := 0.78
 ## Wide plants are drawn smaller, by how much wider than high they are.
 const WIDEST := 1.7
-## How far plants stand aside, in shares of their height: the view from near is beside them.
+## How far plants are moved aside, in shares of their height: the view from near is beside them.
 const ASIDE := 0.16
 ## Pixels of the view from near.
 const INSET := Vector2(120, 120)
@@ -88,7 +88,7 @@ func _make_view(camera: Camera3D) -> SubViewportContainer:
 
 func _camera_of_all(plant: Plant3D) -> Camera3D:
 	var box := plant.get_mesh().get_aabb()
-	# The name stands below the plant, and the near view beside its upper half.
+	# The name is below the plant, the near view beside its upper half.
 	var aside := Vector3(ASIDE, 0.05, 0.0) / plant.scale
 	var center := Vector3(box.get_center().x, 0.5 / plant.scale.y, 0.0) - aside
 	return _look(plant, center, 1.0 / FILLED, Vector3(0.0, 0.16, 1.0))

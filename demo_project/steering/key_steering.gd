@@ -1,29 +1,29 @@
 extends RefCounted
-## Steering by W, A, S, D or the arrow keys, for whoever goes its own way else: some seconds after
-## the last key nobody steers.
+## Steering by W, A, S, D or the arrow keys, for nodes that otherwise move by
+## themselves. Steering ends some seconds after the last key.
 
 const PATIENCE := 6.0  # s without a key.
 
-## What the keys ask for: x to the right, y back, up to a length of 1.
+## The direction of the keys: x to the right, y back, up to a length of 1.
 var wish := Vector2.ZERO
 
 var _idle_time := PATIENCE
 
 
-## Hears the keys for a frame of [param delta] seconds; [param is_busy]: others of its keys are
+## Reads the keys for a frame of [param delta] seconds; [param is_busy]: others of its keys are
 ## held.
 func hear(delta: float, is_busy := false) -> void:
 	wish = Input.get_vector(&"walk_left", &"walk_right", &"walk_forward", &"walk_back")
 	_idle_time = 0.0 if wish or is_busy else _idle_time + delta
 
 
-## A frame in which the keys steer somebody else.
+## A frame in which the keys steer another node.
 func ignore(delta: float) -> void:
 	wish = Vector2.ZERO
 	_idle_time += delta
 
 
-## Whether somebody steers.
+## Whether the keys steer.
 func is_on() -> bool:
 	return _idle_time < PATIENCE
 

@@ -1,6 +1,6 @@
 extends Plant3D
 ## A stem on whose tip alone a load presses that grows and goes again, so slowly that the stem
-## always rests. It bends as the elastica does; what it carries is told in units of its stiffness.
+## always rests. It bends as the elastica does; the load is given in units of its stiffness.
 
 const PERIOD := 30.0  # s.
 const HEAVIEST := 6.0

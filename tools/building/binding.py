@@ -12,11 +12,11 @@ INTERFACE = "gdextension_interface.h"
 
 
 class BindingError(Exception):
-    """The binding could not be made. The text tells why and what to do."""
+    """The binding could not be generated. The text has the reason and the remedy."""
 
 
 def find_godot(root):
-    """The Godot to ask: GODOT, `godot` on PATH, or the private one; None where there is none."""
+    """The Godot that dumps the API: GODOT, `godot` on PATH, or the private one; None where there is none."""
     private = Path(root) / ".toolchain/bin/godot"
     named = os.environ.get("GODOT")
     return shutil.which(named) if named else shutil.which("godot") or (str(private) if private.exists() else None)
@@ -48,7 +48,7 @@ def digest(paths):
 def generate(root, godot):
     """Brings build/binding up to date with the generator, the class list and the engine; returns that folder.
 
-    Only files whose text changed are written, so a regeneration recompiles no more than it must.
+    Only files whose text changed are written, so a regeneration recompiles only what depends on them.
     """
     root = Path(root)
     api = root / "build/api"

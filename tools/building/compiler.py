@@ -72,7 +72,7 @@ def use_apple(env, arch):
 
 
 def use_zig(env, root, platform_name, arch):
-    """`zig c++` for a platform and a processor. It knows nothing of this machine's headers and libraries."""
+    """`zig c++` for a platform and a processor. It does not use this machine's headers and libraries."""
     words = [env["ZIG"], "c++", "-target", ZIG_TARGETS[platform_name, arch]]
     env.Replace(CXX=words, LINK=words, AR=[env["ZIG"], "ar"], RANLIB=[env["ZIG"], "ranlib"],
                 SHLIBSUFFIX=LIBRARY_SUFFIXES[platform_name], PROGSUFFIX=".exe" if platform_name == "windows" else "",
@@ -90,14 +90,14 @@ def uses_gcc(env):
 
 
 def for_library(env, with_asserts):
-    """Code of the add-on's library: hidden symbols, and nothing that keeps the engine from unloading it."""
+    """Code of the add-on's library: hidden symbols, and nothing that prevents the engine from unloading it."""
     env = env.Clone()
     if is_msvc(env):
         env.Append(CCFLAGS=["/MD"])
     else:
         env.Append(CCFLAGS=["-fPIC", "-fvisibility=hidden", "-fno-exceptions"])
     if uses_gcc(env):
-        # Unique symbols would keep the library in memory, and with it the code that a hot reload replaces.
+        # Unique symbols prevent unloading, so a hot reload would continue to run the old code.
         env.Append(CXXFLAGS=["-fno-gnu-unique"])
     if not with_asserts:
         env.Append(CPPDEFINES=["NDEBUG"])
@@ -105,11 +105,11 @@ def for_library(env, with_asserts):
 
 
 def library_link_flags(env, name, release, import_library):
-    """How the library `name` is linked. `import_library` is where Windows' linker may leave what nobody needs."""
+    """How the library `name` is linked. `import_library` is the unused import library of Windows' linker."""
     if is_msvc(env):
         return []
     if env["TARGET_PLATFORM"] == "linux":
-        # zig's own libraries come with all that a debugger could ask for, 40 MB of it.
+        # zig's own libraries contain 40 MB of debug information.
         return ["-s"] if release else ["-Wl,--strip-debug"] if env["ZIG"] else []
     if not env["ZIG"]:
         return []

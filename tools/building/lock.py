@@ -22,7 +22,7 @@ class BuildLock:
             fcntl.flock(self.file, fcntl.LOCK_EX)
 
     def release(self):
-        """Lets others build: before a program starts that may run for long."""
+        """Releases the lock before a program starts that may run for long."""
         if self.file:
             self.file.close()
             self.file = None

@@ -5,7 +5,7 @@ import os
 
 
 def print_at_exit(path):
-    """Prints the line that the tests leave at `path`; where a failed build kept them from running, one failure."""
+    """Prints the line that the tests leave at `path`; one failure if a failed build prevented them from running."""
     if os.path.exists(path):
         os.remove(path)
 

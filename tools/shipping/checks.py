@@ -1,4 +1,4 @@
-"""What must hold of each library that is shipped. Each function tells what is wrong in clear sentences."""
+"""Checks of each shipped library. Each function returns its complaints as sentences."""
 
 import re
 import struct

@@ -1,4 +1,4 @@
-"""What a shared library tells of itself, whatever system it is for."""
+"""Reads the headers of a shared library of any platform."""
 
 import dataclasses
 import struct

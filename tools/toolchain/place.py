@@ -13,7 +13,7 @@ STAMP = "complete.txt"
 
 
 class Missing(Exception):
-    """Something that the machine lacks and that could not be fetched. The text tells what it is and how to give it."""
+    """Something that the machine lacks and that could not be fetched. The text names it and the remedy."""
 
 
 def say(text):
@@ -56,7 +56,7 @@ def make_folder(name, content, fill):
 
 @contextlib.contextmanager
 def only_one_at_a_time():
-    """Keeps two runs at the same time from fetching the same thing. Windows has no fcntl and goes without."""
+    """Prevents two runs from fetching the same thing at the same time. Windows has no fcntl, so there is no lock."""
     try:
         import fcntl
     except ImportError:
@@ -64,7 +64,7 @@ def only_one_at_a_time():
         return
     with open(TOOLCHAIN / "lock", "w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
-        for leftover in TOOLCHAIN.glob("partial-*"):  # of a run that was killed; nobody else holds the lock
+        for leftover in TOOLCHAIN.glob("partial-*"):  # of a run that was killed; this run holds the lock
             shutil.rmtree(leftover, ignore_errors=True)
         yield
 

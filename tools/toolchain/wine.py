@@ -46,5 +46,5 @@ def program(folder):
 
 
 def server(folder):
-    """What ends with the programs, or before, where it is asked to."""
+    """Wine's server; ends with its programs, or on request."""
     return folder / "usr/lib/wine/wineserver64"

@@ -24,7 +24,7 @@ def targets_of(words):
 
 
 def needs_godot(words):
-    """False for words that neither start the engine nor ask it for its API."""
+    """False for words that neither start the engine nor need its API."""
     targets = set(targets_of(words)) or {"build"}
     suites = [word[len("suites="):] for word in words if word.startswith("suites=")]
     core_only = targets == {"test"} and bool(suites) and set(suites[-1].split(",")) <= CORE_SUITES

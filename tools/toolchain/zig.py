@@ -15,7 +15,7 @@ def fetch():
 
 
 def build(platform, arch, *words, program=None, jobs=None):
-    """`scons WORDS` for another system; raises Missing where that fails. Beside a scons that goes on already."""
+    """`scons WORDS` for another system; raises Missing on failure. Another scons may be running."""
     command, folders = python_tools.scons_command()
     changes = {"PYTHONPATH": folders} if folders else {}
     environment = environment_with(PYTHONDONTWRITEBYTECODE="1", CPLUS_INCLUDE_PATH=str(headers.private_folder()), **changes)
