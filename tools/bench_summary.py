@@ -30,7 +30,7 @@ def lines(rows):
     lines = [*kernel_lines(rows), *stem_lines(found), *thread_lines(found)]
     for renderer in ("headless", "forward_plus", "gl_compatibility"):
         lines += field_lines(found, renderer)
-    return [*told, *fill_lines(found), *edit_lines(rows), *peer_lines(found)]
+    return [*lines, *fill_lines(found), *edit_lines(rows), *peer_lines(found)]
 
 
 def kernel_lines(rows):
