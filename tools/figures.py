@@ -18,12 +18,12 @@ TIMEOUT = 900
 
 
 def read(path):
-    """The lines of the tests' output: table, quantity, asked, measured."""
+    """The lines of the tests' output: table, quantity, expected, measured."""
     return [tuple(line.split("\t")) for line in Path(path).read_text(encoding="utf-8").splitlines()]
 
 
 def table(name, lines):
-    rows = [f"| {HEADS[name]} | asked | measured |", "|---|---|---|"]
+    rows = [f"| {HEADS[name]} | expected | measured |", "|---|---|---|"]
     rows += [f"| {what} | {asked} | {measured} |" for of, what, asked, measured in lines if of == name]
     return "\n".join(rows) + "\n"
 

@@ -14,7 +14,7 @@ class Tables(unittest.TestCase):
         text = "before\n<!-- figures: wind -->\nold\n<!-- end -->\nafter\n"
         lines = [("wind", "gust", "2.12", "1.96"), ("stems", "second", "1", "1")]
         filled = figures.filled(text, lines)
-        self.assertEqual(filled, "before\n<!-- figures: wind -->\n| Wind beside measured winds | asked | measured |\n"
+        self.assertEqual(filled, "before\n<!-- figures: wind -->\n| Wind beside measured winds | expected | measured |\n"
                                  "|---|---|---|\n| gust | 2.12 | 1.96 |\n<!-- end -->\nafter\n")
         self.assertEqual(figures.filled(filled, lines), filled)
 
