@@ -17,7 +17,7 @@ constexpr double CARRIED_AT = 1.0; // m above the ground: what the maps of turbu
 constexpr double DRIFT = 0.0683; // Across, of the way along: places see other rows of the maps each time.
 constexpr double WAVES_OVER_TOP = 1.8;
 constexpr double WAVES_PER_SHEAR = 8.1; // Their length over the shear length,
-constexpr double SHEAR_LENGTH = 0.5; // which is so much of a stand's height.
+constexpr double SHEAR_LENGTH = 0.5; // relative to the canopy's height.
 constexpr float FASTEST = 150.0f; // m/s.
 constexpr float MOST_GUSTS = 10.0f;
 constexpr float MOST_SKEW = 0.5f;
@@ -46,7 +46,7 @@ double within(double value, double size) {
 	return std::isfinite(rest) && rest < size ? rest : 0.0;
 }
 
-/// A map whose texels are as far apart as `texel` says (m), gone `way` by now, for places of `axes`.
+/// A map with texels `texel` metres apart and the offset `way`, for positions in `axes`.
 AirMap map_at(const std::vector<uint64_t> &cells, const glm::dvec2 &texel, const glm::dvec2 &size,
 		const Heading &heading, const glm::dvec2 &way, const AirAxes &axes) {
 	const glm::dvec2 part = texel / static_cast<double>(AirMap::PARTS);
@@ -90,7 +90,7 @@ double waves_speed(const Air &air) {
 }
 
 double waves_length(const Air &air) {
-	constexpr float SHORTEST = 1e-3f; // m, of a stand.
+	constexpr float SHORTEST = 1e-3f; // m, of a canopy.
 	return WAVES_PER_SHEAR * SHEAR_LENGTH * static_cast<double>(std::max(safe(air.stand_height, 1e3f), SHORTEST));
 }
 

@@ -63,7 +63,7 @@ void AirAhead::look(const FieldWind &wind, const PlantWinds &along, double momen
 	const bool goes_on = std::fabs(moment - last_moment - length) < SAME_MOMENT * length;
 	is_known = is_known && goes_on && steps == stride && step == step_time;
 	age = is_known ? age + 1 : turn % steps;
-	const int first = is_known ? 2 : -1; // Of the samples that are yet to be taken.
+	const int first = is_known ? 2 : -1; // The first sample to take.
 	const int last = is_known && age < steps ? 1 : 2;
 	age = age < steps ? age : 0;
 	stride = steps;
@@ -76,7 +76,7 @@ void AirAhead::look(const FieldWind &wind, const PlantWinds &along, double momen
 		TravellingWind then = {};
 		then.air = air_at_time(wind.air, wind.axes, wind.tiles.get(), moment + length * (sample * stride - age));
 		AirBlow blow = blow_over(then.air, plants.stand_height, along);
-		blow.mean = 0.0f; // Over a stand tell() adds it; of plants alone this is not where it is.
+		blow.mean = 0.0f; // Above a canopy tell() adds it; isolated plants use another member.
 		for (int begin = 0; begin < plants.count; begin += BLOCK) {
 			const int some = std::min(BLOCK, plants.count - begin);
 			const float *alone = has_stand ? nullptr : plants.lengths + begin;

@@ -11,58 +11,57 @@ namespace undergrowth {
 struct Air;
 struct FieldWind;
 
-/// Air at the plants of a page, sampled now and then and ahead of the steps: between samples it goes along the cubic of
-/// Keys (1981, a = -1/2) through four of them, as smoothly as plants follow.
+/// Samples the air at the plants of a page ahead of the steps, and interpolates between four samples with the cubic of
+/// Keys (1981, a = -1/2).
 ///
-/// Over a stand, the mean wind is that of each step. What blows otherwise changes, when the wind does, within the time
-/// of two samples.
+/// Above a canopy the mean wind is that of each step. All other parts of a changed wind arrive within two samples.
 class AirAhead {
 public:
-	/// Samples are no farther apart than such a share of a plant's swing, of whose amplitude 97 % are left then; beyond
-	/// it plants answer to less and less.
+	/// Maximum sample spacing as a fraction of a plant's period. Interpolation preserves 97 % of the amplitude at that
+	/// period; the response of plants to shorter periods is small.
 	static constexpr double SWING_SHARE = 0.2;
-	/// Of the time in which one wave goes over a plant: 95 % of the waves' amplitude are left.
+	/// The same as a fraction of the period of waves; preserves 95 % of their amplitude.
 	static constexpr double WAVES_SHARE = 0.25;
-	static constexpr double SPACING = 4.0 / 60.0; ///< s, at most: tips are within some hundredths of how far they move.
-	static constexpr int MOST_STEPS = 4; ///< Between samples.
+	static constexpr double SPACING = 4.0 / 60.0; ///< s, maximum; the error of tips is a few hundredths of their travel.
+	static constexpr int MOST_STEPS = 4; ///< Maximum number of steps between samples.
 
-	/// Who feels it.
+	/// The plants to sample for.
 	struct Plants {
 		const float *x, *z; ///< m.
 		const float *lengths; ///< m.
 		int count;
-		float stand_height; ///< m; 0: they stand alone.
-		float swing; ///< s, of the quickest.
+		float stand_height; ///< m; 0: isolated plants.
+		float swing; ///< s, period of the fastest plant.
 	};
 
 	AirAhead() = default;
 	AirAhead(AirAhead &&) = default;
 	AirAhead &operator=(AirAhead &&) = default;
-	/// A copy samples anew.
+	/// A copy starts without samples.
 	AirAhead(const AirAhead &) {}
 	AirAhead &operator=(const AirAhead &) { return *this = AirAhead(); }
 
-	/// For so many plants. Allocates where they are more than ever before; without room nothing is ready.
+	/// Reserves room for `plants`. Allocates only when the number exceeds all earlier ones.
 	void make_room(int plants);
-	/// Plants came, went or moved, or stand otherwise: what is known is not of them.
+	/// Discards the samples: the plants changed.
 	void forget() { is_known = is_told = false; }
 
-	/// Before a step of `step` seconds whose air is that of `moment` (s), in the axes of `along`. Samples what is due:
-	/// in one of so many steps, which of them by `turn`.
+	/// Prepares a step of `step` seconds at the time `moment` (s), in the axes of `along`. Takes a sample in one of
+	/// stride_in() steps; `turn` selects which one.
 	void look(const FieldWind &wind, const PlantWinds &along, double moment, float step, int turn, const Plants &plants,
 			SimdLevel level = best_simd_level());
-	/// Whether tell() knows the air of the moment that was looked at last. Not where each step is to sample by itself.
+	/// True if tell() can interpolate the air of the last look(). False if each step must sample.
 	bool is_ready() const { return is_told; }
-	/// As sample_air() of plants from `begin` on, a multiple of AIR_GROUP, without a gust that was called for.
+	/// Like sample_air() for plants from `begin` on, a multiple of AIR_GROUP, without triggered gusts.
 	void tell(const AirBlow &blow, int begin, int count, float *out_x, float *out_z,
 			SimdLevel level = best_simd_level()) const;
-	/// Steps from one sample to the next, in such air; 1: each step's is sampled.
+	/// Steps from one sample to the next in `air`; 1: each step samples.
 	static int stride_in(const Air &air, float step, float swing);
 
 	std::size_t bytes() const;
 
 private:
-	std::unique_ptr<uint32_t[]> groups; ///< As WindKernels has them.
+	std::unique_ptr<uint32_t[]> groups; ///< In the layout of WindKernels.
 	int room = 0; ///< In groups.
 	bool is_known = false;
 	bool is_told = false;

@@ -10,7 +10,7 @@ namespace undergrowth {
 
 namespace {
 
-/// Plants whose gusts are sampled together.
+/// Number of plants whose gusts are sampled together.
 constexpr int GUST_BLOCK = 64;
 
 /// How gusts and lulls weigh so that their variance stays 1.

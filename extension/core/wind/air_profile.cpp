@@ -11,7 +11,7 @@ namespace {
 
 constexpr double KARMAN = 0.4;
 constexpr double GUSTS_OF_FRICTION = 2.185; // σ_u/u*, of the spectrum's integral.
-constexpr double DISPLACEMENT = 0.7; // Of a stand's height.
+constexpr double DISPLACEMENT = 0.7; // Of the canopy's height.
 constexpr double STAND_ROUGHNESS = 0.1;
 constexpr double SMOOTHEST = 1e-6; // m.
 constexpr double ROUGHEST =

@@ -2,19 +2,19 @@
 
 namespace undergrowth {
 
-/// How fast the wind is at a height, for a speed at 10 m, and how much it varies. Heights and roughness in metres,
-/// speeds as shares of the speed at 10 m. All are finite and not below 0 for any finite arguments.
+/// Wind speed and its variation by height. Heights and roughness are metres, speeds are relative to the speed at 10 m.
+/// All results are finite and at least 0 for finite arguments.
 
 inline constexpr float AIR_DENSITY = 1.225f; ///< kg/m³, at 15 °C.
-inline constexpr double REFERENCE_HEIGHT = 10.0; ///< m, of a weather report's speed.
+inline constexpr double REFERENCE_HEIGHT = 10.0; ///< m, height of a weather report's speed.
 
-/// Above open ground of a roughness length: ln(z/z0)/ln(10/z0), the logarithmic law. Below ten roughness lengths, among
-/// what makes the ground rough, it falls to 0 in proportion to the height.
+/// Above open ground: ln(z/z0)/ln(10/z0), the logarithmic law. Below ten roughness lengths the speed falls to 0 in
+/// proportion to the height.
 double open_ground_speed(double height, double roughness);
 /// Standard deviation along the wind, as a share of the speed at 10 m: 2.185 friction velocities at all heights above
 /// ten roughness lengths (a quarter of the speed at 1 m over 0.03 m), and below in proportion to the height.
 double open_ground_gusts(double height, double roughness);
-/// Both for many heights above one ground.
+/// Both functions for many heights above one ground.
 class OpenGround {
 public:
 	explicit OpenGround(double roughness);
@@ -23,7 +23,7 @@ public:
 
 	static constexpr double ROUGH_LAYER = 10.0; ///< Roughness lengths.
 	double roughness() const { return rough; }
-	/// What the speed grows by from height to height, over the logarithm of their ratio.
+	/// Difference of the speed at two heights, divided by the logarithm of their ratio.
 	double growth() const { return over_log; }
 
 private:
@@ -33,15 +33,16 @@ private:
 	double share_of_layer(double height) const;
 };
 
-inline constexpr float TURF_HEIGHT = 0.01f; ///< m, of a stand of which no height is given.
+inline constexpr float TURF_HEIGHT = 0.01f; ///< m, of a canopy without a given height.
 
-/// At the tops of a stand so high, by the logarithmic law with its displacement (0.7 heights) and roughness (0.1).
+/// Speed at the top of a canopy, by the logarithmic law with a displacement of 0.7 and a roughness of 0.1 heights.
 double stand_top_speed(double stand_height);
-/// At a height within it: exponential below its top (extinction from 2, thin, to 4.4, dense), by the law above it.
+/// Speed at a height within a canopy: exponential below its top (extinction from 2, thin, to 4.4, dense), the
+/// logarithmic law above.
 double stand_speed(double height, double stand_height, double extinction = 2.5);
-/// Standard deviation along the wind at the tops of a stand, as a share of the speed there: 1.9 friction velocities.
+/// Standard deviation along the wind at the canopy's top, relative to the speed there: 1.9 friction velocities.
 inline constexpr double STAND_GUSTS = 1.9 * 0.364;
-/// Across the wind, as a share of that along it.
+/// Standard deviation across the wind, relative to that along it.
 inline constexpr double SIDE_GUSTS = 0.75;
 
 /// Beaufort's number from 0 to 12 of a speed at 10 m (m/s): nearest to U = 0.836·B^1.5.

@@ -6,17 +6,16 @@
 
 namespace undergrowth {
 
-/// What stirs the air at one place: an explosion, a fan or a rotor above, a body that moves. Ready for plants whose
-/// roots are told in axes of their own, `scale` metres of the world to one of theirs; velocities are in metres per
-/// second, along those axes. Only the horizontal part moves plants.
+/// A local source of wind: an explosion, a fan or rotor above the ground, or the wake of a moving body. Positions are
+/// in the local axes of the plants, of which one unit is `scale` metres of the world. Velocities are metres per second
+/// along those axes. Only their horizontal part moves plants.
 struct AirSource {
 	enum class Kind {
-		/// Outward, U·(1 - y)/((1 + (r/radius)²)·(1 + y²)²) with y = (age - r/front)/duration above 0: out and, weaker,
-		/// back again (Friedlander's wave without exponentials).
+		/// Outward, U·(1 - y)/((1 + (r/radius)²)·(1 + y²)²) with y = (age - r/front)/duration above 0: outward, then
+		/// weaker inward (Friedlander's wave without exponentials).
 		explosion,
-		/// Outward along the ground, 2·U·2x/(1 + x²) with x = r/(1.3·radius) (a jet on a wall); from six diameters
-		/// above
-		/// the ground on, in inverse proportion to the height.
+		/// Outward along the ground, 2·U·2x/(1 + x²) with x = r/(1.3·radius) (a jet on a wall); inversely
+		/// proportional to the height above six diameters.
 		fan,
 		/// Potential flow about a sphere, and behind it a wake that spreads as r^(1/3) and slows as r^(-2/3).
 		wake,
@@ -37,18 +36,17 @@ struct AirSource {
 /// The speed that a disc of `radius` (m) induces to push with `thrust` (N): √(F/2ρπR²).
 float induced_speed(float thrust, float radius);
 
-/// How far from its place a source is felt at all (m of the world).
+/// Radius outside of which a source has no effect (m of the world).
 float reach_of(const AirSource &source);
-/// Whether it is felt anywhere in a box of roots.
+/// True if the source has an effect anywhere in a box of roots.
 bool reaches(const AirSource &source, const glm::vec3 &low, const glm::vec3 &high);
 
-/// What it adds to the velocity at a root.
+/// Velocity that the source adds at a root.
 glm::vec3 velocity_at(const AirSource &source, const glm::vec3 &root);
 
-/// Adds what those do that reach a box of roots to velocities out_x and out_z of `count` plants. Tells whether any
-/// does.
+/// True if any source reaches the box of roots.
 bool any_reaches(const AirSources &sources, const glm::vec3 &low, const glm::vec3 &high);
-/// Adds what those do that reach it to velocities out_x and out_z of `count` plants whose roots are in it.
+/// Adds the velocities of all sources that reach the box to out_x and out_z of `count` plants with roots in it.
 void add_sources(const AirSources &sources, const glm::vec3 &low, const glm::vec3 &high, const float *x, const float *y,
 		const float *z, int count, float *out_x, float *out_z);
 

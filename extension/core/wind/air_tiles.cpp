@@ -15,7 +15,7 @@ namespace {
 
 constexpr double MOST_DEVIATE = 32767.0;
 
-/// Variances of the waves of a map, one half of them: the others are their mirrors.
+/// Variances of the waves of one half of a map; the other half mirrors it.
 using Powers = std::vector<double>;
 
 std::size_t at(int i, int j, int width) {

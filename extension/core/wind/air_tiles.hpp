@@ -6,15 +6,15 @@
 
 namespace undergrowth {
 
-/// Wind that was frozen, to be carried along: two periodic maps of normal deviates, whatever the wind's speed. Read
-/// between their texels with weights by distance, both have a variance of 1.
+/// Frozen wind: two periodic maps of normal deviates, independent of the wind's speed. With bilinear interpolation both
+/// have a variance of 1.
 ///
 /// Turbulence, along the wind and across it: the spectra of Kaimal et al. (1972) by the wave's length over the height
-/// (1 m here), coherent across the wind by IEC 61400-1's exponential law. The rows that a place sees go across, so that
-/// it does not see the same ones again for long.
+/// (1 m here), coherent across the wind by IEC 61400-1's exponential law. The rows are
+/// read obliquely, so that a position repeats only after a long time.
 ///
-/// Waves over a stand (honami) by the analogy with a mixing layer (Raupach, Finnigan and Brunet 1996): a band of waves
-/// about one length.
+/// Waves over a canopy (honami) by the analogy with a mixing layer (Raupach, Finnigan and Brunet 1996): a narrow band of
+/// wavelengths.
 struct AirTiles {
 	static constexpr int WIDTH = 1024; ///< Texels along the wind.
 	static constexpr int HEIGHT = 256; ///< Across.
@@ -26,18 +26,17 @@ struct AirTiles {
 	static constexpr int WAVE_SIDE_TEXELS = 8; ///< Across, of as many metres.
 	static constexpr double UNIT = 4096.0; ///< Of both maps: a standard deviation.
 
-	/// A cell is what a place between four texels needs: 16 bits of each, lowest first, of the texel, its neighbour
-	/// downwind, and both a row farther. Of the turbulence: WIDTH·HEIGHT times a cell of what is along the wind, and
-	/// one of what is across it.
+	/// A cell has the four texels of one interpolation, 16 bits each, lowest first: the texel, its neighbour downwind,
+	/// and the same two of the next row. Turbulence: WIDTH·HEIGHT pairs of a cell along the wind and one across it.
 	std::vector<uint64_t> turbulence;
 	/// WAVES_WIDTH·WAVES_HEIGHT.
 	std::vector<uint64_t> waves;
 };
 
-/// The same bytes for a seed on every platform. Takes about 100 ms; 4.3 MB.
+/// Returns the same bytes for a seed on every platform. Takes about 100 ms; 4.3 MB.
 std::shared_ptr<const AirTiles> make_air_tiles(uint64_t seed);
 
-/// How much of the variance reading between texels loses of a wave with so many waves per texel.
+/// Fraction of a wave's variance that interpolation loses at `waves_per_texel`.
 double reading_loss(double waves_per_texel);
 
 } // namespace undergrowth

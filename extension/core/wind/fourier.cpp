@@ -26,7 +26,7 @@ struct Twiddles {
 
 constexpr std::size_t LANES = 8; // Lines that are summed together: neighbours in memory.
 
-/// Lines side by side: number `index` of the first line is at index·stride, and of the others behind it.
+/// Lines side by side: number `index` of the first line is at index·stride, and the following lines come after it.
 struct Lines {
 	double *real;
 	double *imaginary;

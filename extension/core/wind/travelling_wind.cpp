@@ -10,7 +10,7 @@ namespace {
 constexpr float MAX_STRENGTH = 1e9f; // N.
 constexpr float MAX_FREQUENCY = 1e4f; // Hz.
 constexpr double LONG_AGO = 1e9; // s.
-constexpr float SLOWEST = 1e-3f; // m/s; slower winds would put too many cycles between neighbours to tell them apart.
+constexpr float SLOWEST = 1e-3f; // m/s; slower winds alias between neighbouring plants.
 
 float safe(float value, float most) {
 	return std::isfinite(value) ? std::clamp(value, 0.0f, most) : 0.0f;
