@@ -3,7 +3,7 @@
 /// Conventions of the whole core. Other headers refer to this page instead of repeating it.
 ///
 /// - Units: SI. Metres, kilograms, seconds, newtons; angles in radians, frequencies in hertz (cycles per second).
-/// - Axes: Godot's. x right, y up, z towards the viewer. The ground is the plane y = 0, a root stands at the origin.
+/// - Axes: Godot's. x right, y up, z towards the viewer. The ground is the plane y = 0, a root is at the origin.
 /// - Offset: place along a plant's height, 0 at the ground, 1 at the tip.
 /// - Ring: a closed, simple polygon in the plane y = 0, stored as (x, z) pairs. It runs counter-clockwise as seen from
 ///   above with x to the right and z towards the viewer: (-1, 0), (0, 1), (1, 0), (0, -1).

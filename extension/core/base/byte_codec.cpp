@@ -106,7 +106,7 @@ std::string ByteReader::text() {
 std::vector<uint8_t> ByteFrame::begin(const char (&letters)[5], uint32_t version) {
 	std::vector<uint8_t> bytes(letters, letters + LETTERS);
 	put_number(bytes, version, VERSION_BYTES);
-	put_number(bytes, 0, LENGTH_BYTES); // The length, once it is known.
+	put_number(bytes, 0, LENGTH_BYTES); // The length; seal() writes it.
 	return bytes;
 }
 

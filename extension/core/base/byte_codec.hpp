@@ -23,7 +23,7 @@ void put_text(std::vector<uint8_t> &to, const std::string &text);
 /// FNV-1a, 32 bits.
 uint32_t checksum_of(const uint8_t *bytes, std::size_t count);
 
-/// Reads numbers one after the other; whatever is missing makes it fail from there on, and is 0.
+/// Reads numbers in sequence. A missing number is 0 and makes is_sound() false from there on.
 class ByteReader {
 public:
 	ByteReader(const uint8_t *from, std::size_t count) : next(from), left(count) {}
@@ -34,10 +34,10 @@ public:
 	uint64_t count();
 	std::string text();
 
-	/// Whether all was there that was asked for.
+	/// True if no number was missing.
 	bool is_sound() const { return has_all; }
 	std::size_t rest() const { return left; }
-	/// Whoever reads found something that cannot be.
+	/// Marks the bytes as invalid.
 	void fail() { has_all = false; }
 
 private:
@@ -46,28 +46,28 @@ private:
 	bool has_all = true;
 };
 
-/// Why bytes of a kind are not what they should be.
+/// Why bytes are not valid.
 enum class BytesFault {
 	none,
-	other_kind, ///< Or nothing of ours.
+	other_kind, ///< Bytes of another kind, or foreign bytes.
 	later_version, ///< Written by a later release.
-	torn, ///< Cut off, or not as they were written.
+	torn, ///< Cut off or changed.
 };
 
-/// How all that is kept as bytes begins and ends: four letters, the version (16 bits), the length of all (32 bits),
-/// what is kept, and checksum_of() all before (32 bits).
+/// The frame of all saved bytes: four letters, the version (16 bits), the total length (32 bits), the content, and
+/// checksum_of() everything before it (32 bits).
 class ByteFrame {
 public:
 	static constexpr std::size_t HEADER = 10;
 	static constexpr std::size_t CHECKSUM = 4;
 
-	/// The beginning, to be appended to.
+	/// Returns the beginning; the caller appends the content.
 	static std::vector<uint8_t> begin(const char (&letters)[5], uint32_t version);
-	/// The end.
+	/// Writes length and checksum.
 	static void seal(std::vector<uint8_t> &bytes);
-	/// Whether whole bytes of these letters, of this version, are between beginning and end.
+	/// Checks letters, version, length and checksum.
 	static BytesFault check(const char (&letters)[5], uint32_t version, const uint8_t *bytes, std::size_t count);
-	/// What is between; check() has found no fault.
+	/// Reads the content. Precondition: check() found no fault.
 	static ByteReader inside(const uint8_t *bytes, std::size_t count) {
 		return ByteReader(bytes + HEADER, count - HEADER - CHECKSUM);
 	}

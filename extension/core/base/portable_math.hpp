@@ -9,14 +9,14 @@ namespace undergrowth {
 double portable_sin(double angle);
 double portable_cos(double angle);
 double portable_tan(double angle);
-/// Both of an angle, to the bit as the two above tell them, in little more than the time of one.
+/// Both functions of an angle, bit for bit as above, in little more than the time of one.
 struct SineAndCosine {
 	double sine;
 	double cosine;
 };
 SineAndCosine portable_sine_and_cosine(double angle);
 double portable_exp(double exponent);
-/// The natural logarithm of a number above 0, within 1e-14 relative to it or to 1; of others not a number.
+/// The natural logarithm of a number above 0, within 1e-14 relative to it or to 1; NaN for all other values.
 double portable_log(double value);
 /// `base` to the power `exponent`, for bases from 0 on. 0 to the power 0 is 1; 0 to a negative one is infinite.
 double portable_pow(double base, double exponent);

@@ -4,10 +4,9 @@
 
 namespace undergrowth {
 
-/// A value that copies share until one of them is written to, which then has one of its own. Copies may go to other
-/// threads and die there: whether a value is shared is noted when it is copied, and never asked of how many still hold
-/// it, since another thread may not have seen the last of what it read by then. Copying writes that note into what is
-/// copied from, so one object is for one thread at a time, as long as any is copied.
+/// Copy-on-write value. Copies may be destroyed on other threads. Sharing is recorded when a copy is made, in both
+/// objects, and does not depend on the reference count: another thread may still read when the count falls. Copying
+/// therefore writes to its source, so one object belongs to one thread at a time.
 template <class Value> class SharedUntilWritten {
 public:
 	SharedUntilWritten() : value(std::make_shared<Value>()) {}
@@ -19,7 +18,7 @@ public:
 		is_shared = other.is_shared = true;
 		return *this;
 	}
-	/// What is moved from may only be assigned to or die.
+	/// A moved-from object may only be assigned to or destroyed.
 	SharedUntilWritten(SharedUntilWritten &&) noexcept = default;
 	SharedUntilWritten &operator=(SharedUntilWritten &&) noexcept = default;
 	~SharedUntilWritten() = default;
@@ -27,7 +26,7 @@ public:
 	const Value &operator*() const { return *value; }
 	const Value *operator->() const { return value.get(); }
 
-	/// To be written to: no copy sees it.
+	/// Returns the value for writing; copies do not change.
 	Value &own() {
 		if (is_shared) {
 			value = std::make_shared<Value>(*value);

@@ -20,7 +20,7 @@ struct Registers {
 	unsigned int a, b, c, d;
 };
 
-// Asked of the processor itself: __builtin_cpu_supports needs a table that not every compiler's runtime has.
+// CPUID directly: __builtin_cpu_supports needs a table that some compilers' runtimes lack.
 Registers cpuid(unsigned int leaf) {
 #if defined(_MSC_VER)
 	int values[4];

@@ -10,7 +10,7 @@ namespace undergrowth {
 namespace {
 
 constexpr double GOLDEN_SHARE = 0.61803398874989484820;
-constexpr int HEIGHT_PLACES = 8; // Of a midrib that are asked how high they are.
+constexpr int HEIGHT_PLACES = 8; // Of a midrib whose heights are evaluated.
 enum Draw : uint64_t { DRAW_LENGTH = 4, DRAW_TINT = 5, DRAW_WANDER = 6 };
 
 uint64_t seed_of(uint64_t seed, int group, int carrier, int i) {

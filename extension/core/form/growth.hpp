@@ -7,24 +7,24 @@
 
 namespace undergrowth {
 
-/// Grows one plant, part by part. Once per seed, never per level of detail. Every answer that begins with a String
-/// tells what is wrong and what to do; then nothing has grown. Empty: it has grown.
+/// Grows one plant, part by part: once per seed, not per level of detail. Functions that return a string return the
+/// error and its remedy, and then add nothing. An empty string is success.
 class Growth {
 public:
 	/// `height`: m, of the stem that add_stem() grows, > 0.
 	Growth(float height, uint64_t seed);
 
-	/// The upright stem of a plant's four functions; of a form at most one. `kind` says how it moves; its own sizes and
-	/// colours are those of the functions.
+	/// Adds the upright stem of a plant's four functions; at most one per form. `part` says how it moves; sizes and
+	/// colours come from the functions.
 	std::string add_stem(const Part &part, int &handle);
-	/// Makes a kind of part known; any number of arrangements may use it.
+	/// Registers a kind of part, for any number of arrangements.
 	std::string add_kind(const Part &part, int &kind);
-	/// Parts of a kind on each of the carriers, which are handles or ON_GROUND; adds their handles to `handles`.
+	/// Adds parts of a kind on each of the carriers (handles, or ON_GROUND), and their handles to `handles`.
 	std::string arrange(
 			int kind, const Arrangement &arrangement, const std::vector<int> &carriers, std::vector<int> &handles);
 
 	const PlantForm &form() const { return grown; }
-	/// The grown plant: the height of one without a stem is that of its highest part.
+	/// Returns the grown plant. Without a stem its height is that of its highest part.
 	PlantForm finish();
 
 private:
@@ -43,17 +43,17 @@ private:
 struct RecipeLine {
 	int kind = 0; ///< Index in Recipe::kinds.
 	Arrangement arrangement;
-	int on = ON_GROUND; ///< The line whose parts carry these, before this line; ON_GROUND: the stem, if there is one,
-						///< or the ground.
+	int on = ON_GROUND; ///< Earlier line whose parts carry these; ON_GROUND: the stem if there is one, else
+						///< the ground.
 };
 
-/// A species without code: what its `arrangements` say.
+/// A species without code, from its `arrangements`.
 struct Recipe {
 	std::vector<Part> kinds;
 	std::vector<RecipeLine> lines;
 };
 
-/// What keeps a recipe from growing on any seed, found beforehand; empty where it grows.
+/// Why a recipe cannot grow with any seed; empty if it can.
 std::string find_recipe_fault(const Recipe &recipe, bool has_stem);
 
 /// Grows it. `stem`: a handle, or ON_GROUND.

@@ -7,7 +7,7 @@
 
 namespace undergrowth {
 
-/// A number that an author wrote, and where it may lie.
+/// A number from a user, and its valid range.
 struct Limit {
 	const char *name;
 	double value;
@@ -15,8 +15,7 @@ struct Limit {
 	double most;
 };
 
-/// What is wrong with the first number that is not finite or not within its limits, and what to do; empty where all
-/// are sound.
+/// Error and remedy for the first number that is not finite or out of range; empty if all are valid.
 inline std::string find_limit_fault(const std::vector<Limit> &limits) {
 	for (const Limit &limit : limits) {
 		if (!std::isfinite(limit.value) || limit.value < limit.least || limit.value > limit.most) {

@@ -7,19 +7,19 @@
 
 namespace undergrowth {
 
-/// How a midrib runs from its base on.
+/// Shape of a midrib from its base.
 struct MidribCurve {
 	float bend =
-			0.0f; ///< rad: how far the tip has turned from the direction at the base. Negative: back to the parent.
-	float power = 1.0f; ///< 0.5 to 4. The turn at offset s is bend·s^power: above 1 it gathers at the tip.
-	float wander = 0.0f; ///< rad, 0 to 1.5: how far noise turns the tip from that, aside and along.
+			0.0f; ///< rad: turn of the tip relative to the base. Negative: towards the parent.
+	float power = 1.0f; ///< 0.5 to 4. The turn at offset s is bend·s^power: above 1 the turn concentrates at the tip.
+	float wander = 0.0f; ///< rad, 0 to 1.5: maximum random turn of the tip, sideways and along.
 };
 
 /// The line along which a part runs, of length 1: by arc length, so that bending never makes it longer (a Bézier's
 /// length changes as it bends). Its own axes: it begins at the origin along +y and bends towards +z.
 class Midrib {
 public:
-	/// A place on the line and the axes that go along with it: across = (1, 0, 0) at the base, along × across = up.
+	/// A point on the line and its axes: across = (1, 0, 0) at the base, along × across = up.
 	/// They never turn about the line (rotation-minimising: Wang, Jüttler, Zheng and Liu 2008).
 	struct Place {
 		glm::vec3 point;
@@ -34,7 +34,7 @@ public:
 
 	/// The place at the offset `s` from 0 to 1. Points lie within 1e-4 of the exact curve.
 	Place at(float s) const;
-	/// Only its point.
+	/// Only the point.
 	glm::vec3 point_at(float s) const;
 
 private:
@@ -47,8 +47,8 @@ private:
 	std::array<Node, STEPS + 1> nodes;
 	bool is_straight = true;
 
-	/// The last node at or below an offset, never the very last; `beyond`: how far on, in shares of the way to the
-	/// next.
+	/// The last node at or below an offset, never the very last; `beyond`: the fraction of the way to the
+	/// next node.
 	const Node &node_below(float s, float &beyond) const;
 	static glm::vec3 between(const Node &a, const Node &b, float t);
 };

@@ -11,8 +11,8 @@
 
 namespace undergrowth {
 
-// What parts plants are made of, as a species describes them: three shapes. Everything a part may have is here and of
-// plain data; where parts stand says form/arrangement.hpp, their surfaces form/surface.hpp.
+// What parts plants are made of, as a species describes them: three shapes. This is plain
+// data; form/arrangement.hpp places parts, form/surface.hpp evaluates their surfaces.
 
 enum class PartKind {
 	axis, ///< Round and long: stem, twig, petiole, rachis, awn; with an open tip a bell or a trumpet.
@@ -49,7 +49,7 @@ struct PartColors {
 
 	glm::vec4 base = glm::vec4(0.25f, 0.4f, 0.15f, 1.0f);
 	glm::vec4 tip = glm::vec4(0.55f, 0.65f, 0.3f, 1.0f);
-	std::vector<glm::vec4> samples; ///< Empty, or ROWS · COLUMNS that stand for base and tip, row by row.
+	std::vector<glm::vec4> samples; ///< Replaces base and tip: ROWS · COLUMNS colours, row by row; or empty.
 
 	/// At the offset `s` from 0 to 1 and `across` from 0 (midrib) to 1 (edge).
 	glm::vec4 at(float s, float across) const;
@@ -57,7 +57,7 @@ struct PartColors {
 
 struct Part {
 	PartKind kind = PartKind::blade;
-	float length_min = 0.1f; ///< m, 1e-4 to 100; each seed has its own length between the two.
+	float length_min = 0.1f; ///< m, 1e-4 to 100; each seed draws its length from this range.
 	float length_max = 0.1f; ///< m, from length_min on.
 	float width = 0.02f; ///< m, 1e-5 to 10: of a blade from edge to edge, of an axis at its base, else the diameter.
 	WidthFunction widths;
@@ -65,18 +65,18 @@ struct Part {
 	AxisShape axis;
 	BladeShape blade;
 	PartColors colors;
-	float translucency = 0.0f; ///< 0 to 1: the share of the light from behind that shines through.
-	float frequency = 3.0f; ///< Hz, 0 to 100: of its own small swing on what carries it; 0: it is stiff.
+	float translucency = 0.0f; ///< 0 to 1: fraction of the light from behind that passes through.
+	float frequency = 3.0f; ///< Hz, 0 to 100: of its small swing on its carrier; 0: rigid.
 	float damping_ratio = 0.12f; ///< 0 to 100, 1 is critical.
 
 	float mean_length() const { return 0.5f * (length_min + length_max); }
-	/// Tip diameter in shares of `width`; 1 for what is no axis.
+	/// Tip diameter relative to `width`; 1 for blades and beads.
 	float taper() const { return kind == PartKind::axis ? axis.tip_diameter / width : 1.0f; }
-	/// Diameter or width at the offset, in shares of `width`.
+	/// Diameter or width at the offset, relative to `width`.
 	float width_at(float s) const { return widths.at(s) * (1.0f + (taper() - 1.0f) * s); }
 };
 
-/// What keeps a part from growing and what to do, in one sentence that begins with the property; empty where it grows.
+/// Why a part cannot grow and the remedy, in one sentence that begins with the property; empty if it can.
 std::string find_part_fault(const Part &part);
 
 } // namespace undergrowth

@@ -15,10 +15,10 @@ inline constexpr int MAX_PARTS = 4096; ///< Of one plant.
 inline constexpr int MAX_DEPTH = 4; ///< Parts that carry parts that carry parts …: stem, twig, stalk, floret.
 inline constexpr int ON_GROUND = -1;
 
-/// One part of one plant, where it stands.
+/// One placed part of one plant.
 struct PlacedPart {
 	int kind = 0; ///< Index of its PartKind in PlantForm::parts.
-	int group = 0; ///< Those that one arrangement placed (PlantForm::groups).
+	int group = 0; ///< Parts that one arrangement placed (PlantForm::groups).
 	int carrier = ON_GROUND; ///< Index of the placed part that carries it, always below its own.
 	int own_midrib = -1; ///< Index in PlantForm::wanderers; -1: that of its kind.
 	PartAxes axes;
@@ -26,14 +26,14 @@ struct PlacedPart {
 	float length; ///< m.
 	float width; ///< m.
 	float offset; ///< Of its base on the carrier.
-	float rank; ///< 0 to 1, in golden-ratio order within its group: of those below any share the rest stays spread.
-	float tint; ///< -1 to 1, the part's own share of a colour deviation.
+	float rank; ///< 0 to 1, in golden-ratio order within its group: any prefix by rank is spread evenly.
+	float tint; ///< -1 to 1, the part's colour deviation.
 };
 
-/// What one arrangement placed on all of its carriers.
+/// All parts that one arrangement placed.
 struct PartGroup {
-	int kind = 0; ///< Of the parts: all are of one.
-	int carrier_group = ON_GROUND; ///< Group of the carriers; ON_GROUND too where they are of several.
+	int kind = 0; ///< Kind of all its parts.
+	int carrier_group = ON_GROUND; ///< Group of the carriers; ON_GROUND also if they belong to several groups.
 	Layout layout = Layout::along;
 	float radius = 0.0f; ///< m, as arranged.
 	float dome = 0.0f;
@@ -42,7 +42,7 @@ struct PartGroup {
 	int count = 0;
 };
 
-/// What one plant of one seed is: the same at every level of detail. A flat list; carriers stand before what they
+/// One plant of one seed, independent of the level of detail. A flat list; carriers precede the parts that they
 /// carry.
 struct PlantForm {
 	static constexpr int NO_STEM = -1;

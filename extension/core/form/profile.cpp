@@ -8,7 +8,7 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float INSIDE = 0.01f; // Of the length: as near to the ends as slopes are asked for.
+constexpr float INSIDE = 0.01f; // Of the length: minimum distance from the ends at which slopes are evaluated.
 // Leaves that narrow only at their very end are blunt there, not pointed.
 constexpr float BLUNT_FALL = 0.4f;
 constexpr float BLUNT_END = 0.97f; // Of the length: from there on the width stays.

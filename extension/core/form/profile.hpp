@@ -28,7 +28,7 @@ inline constexpr Profile EVEN_PROFILE = { 0.0f, 0.0f }; ///< [1], stems.
 struct WidthFunction {
 	Profile profile;
 	float base_width = 0.0f; ///< 0 to 1: below the widest place never narrower than this share.
-	/// Samples at equal offsets from 0 to 1 that stand for the profile; each finite, 0 to 100. Empty or at least 2.
+	/// Replaces the profile: samples at equal offsets from 0 to 1, each finite, 0 to 100. Empty, or at least 2.
 	std::vector<float> samples;
 
 	/// Offset of the widest place, 0 to 1.
@@ -40,7 +40,7 @@ struct WidthFunction {
 	/// How fast the width changes per unit of offset. Next to both ends it is that of 1 % inside, for roots have no
 	/// finite slope at 0.
 	float slope(float s) const;
-	/// The same where the width at `s` is known.
+	/// The same with a given width at `s`.
 	float slope(float s, float width) const;
 	/// The mean width: the area of a flat part in shares of its length times its width. Within 1e-3.
 	float mean() const;

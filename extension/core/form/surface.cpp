@@ -29,7 +29,7 @@ float edge_share(const BladeShape &blade, float offset, bool with_teeth) {
 	return 1.0f - blade.tooth_depth * depth;
 }
 
-/// Turns across and up by `angle` about along, and tells how fast they change with the offset.
+/// Rotates across and up by `angle` about along, and returns their derivatives by the offset.
 void twist(BladeRow &row, float angle, float rate) {
 	const float c = static_cast<float>(portable_cos(angle));
 	const float s = static_cast<float>(portable_sin(angle));

@@ -14,19 +14,19 @@ inline constexpr int MIN_LOD = 1;
 inline constexpr int MAX_LOD = 256;
 
 /// The thesis's circle (snippet 2.7): max(4, lod) points, point i at (-cos a, sin a)·radius with a = 2πi/n.
-/// Never more than MAX_RING_POINTS.
+/// At most MAX_RING_POINTS.
 std::vector<glm::vec2> circle_ring(int lod, double radius = 0.3);
 
 /// A parallelogram, the thesis's cross-section of grass (section 2.2): `width` along x, `depth` along z, the far side
-/// shifted by `skew` along x. Four points whatever the level of detail.
+/// shifted by `skew` along x. Always four points.
 std::vector<glm::vec2> parallelogram_ring(float width, float depth, float skew);
 
 /// A circle with `lobes` bulges (petals, stem ridges): radius·(1 + bulge·cos(lobes·a)). It has at least two points for
-/// each half lobe, so that coarse levels keep the count of lobes, and never more than MAX_RING_POINTS.
+/// each half lobe, so that coarse levels have the same number of lobes, and at most MAX_RING_POINTS.
 /// `lobes` in [1, 200], `bulge` in [0, 0.9]; without a bulge it is circle_ring().
 std::vector<glm::vec2> lobed_ring(int lod, double radius, int lobes, double bulge);
 
-/// What is wrong with a ring that somebody else made.
+/// Faults of a ring.
 enum class RingFault {
 	none,
 	too_few_points,

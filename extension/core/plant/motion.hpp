@@ -9,7 +9,7 @@ enum class Law {
 	stem, ///< An elastic stem that bends along its length (stem/stem_beam.hpp).
 };
 
-/// What a species says about its motion. Each law uses its own part.
+/// Motion parameters of a species. Each law uses some of them.
 struct Motion {
 	Law law = Law::spring;
 	float elasticity = 4.0f; ///< Elasticity law; above 0 upright is stable, ω² = e·g/L.
@@ -17,11 +17,11 @@ struct Motion {
 	float natural_frequency = 1.0f; ///< Spring and stem laws, Hz, of a small free swing of the finished plant.
 	float damping_ratio = 0.1f; ///< Of both, 1 is critical.
 	float mass = 1.0f; ///< kg, at the tip.
-	/// Share of the wind's force that the plant catches; below 0: a tip all of it, a stem as much as bends it as far as
-	/// a kilogram at the tip that swings as fast.
+	/// Fraction of the wind force that acts on the plant. Below 0: 1 for a tip; for a stem the value with which it bends as
+	/// far as a kilogram at the tip of the same frequency.
 	float wind_weight = 1.0f;
-	float drag_area = -1.0f; ///< m², of air, its coefficient included; below 0: as many as wind_weight.
-	float lean = 0.0f; ///< Not of the elasticity law, rad from upright to the rest direction, below π/2.
+	float drag_area = -1.0f; ///< m², drag coefficient included; below 0: from wind_weight.
+	float lean = 0.0f; ///< Spring and stem laws: rad from upright to the rest direction, below π/2.
 	float collision_radius = 0.05f; ///< m, of the sphere at the tip.
 };
 

@@ -5,11 +5,11 @@
 
 namespace undergrowth {
 
-/// How one part of a plant swings by itself on what carries it (motion/part_bend.hpp has the law).
+/// How one part of a plant swings on its carrier (motion/part_bend.hpp has the law).
 struct PartSwing {
 	float frequency = 3.0f; ///< Hz, above 0.
 	float damping_ratio = 0.12f; ///< 1 is critical.
-	float phase = 0.0f; ///< 0 to 1: where in its swing it is when others begin theirs.
+	float phase = 0.0f; ///< 0 to 1: phase of its swing at the clock's start.
 	/// Unit, x and z of the plant's axes: the side of its carrier on which it hangs. (0, 0): on none, as a flower's
 	/// head.
 	glm::vec2 side = { 0.0f, 0.0f };
@@ -19,12 +19,12 @@ struct PartSwing {
 	bool is_head() const { return side.x == 0.0f && side.y == 0.0f; }
 };
 
-/// Clocks of swings run in shares of so many seconds. Frequencies are whole numbers of swings in it, so that nothing
-/// jumps where a clock begins anew.
+/// Period of the clock of swings (s). Frequencies are multiples of 1/SWING_PERIOD, so that swings are continuous when
+/// the clock wraps.
 inline constexpr double SWING_PERIOD = 128.0;
 
-/// A swing as vertices say it: two whole numbers from -2048 to 2047, which half floats hold exactly. Shaders and
-/// skeletons both go by them, so both show the same.
+/// A swing in vertex data: two integers from -2048 to 2047, which half floats represent exactly. Shaders and skeletons
+/// both read them.
 struct SwingCode {
 	/// 32 · pace + damping - 2048. Pace p from 0 to 127: (16 + p mod 16) · 2^⌊p/16⌋ swings in SWING_PERIOD, that is
 	/// 0.125 to 31 Hz within 3 %. Damping d from 0 to 31: the ratio 2 · (d/31)².
@@ -37,13 +37,13 @@ struct SwingCode {
 SwingCode encode_swing(const PartSwing &swing);
 PartSwing decode_swing(const SwingCode &code);
 
-/// A bone that shows the swing of a part, a head or a few parts side by side.
+/// A bone for the swing of a part, a head, or a few neighbouring parts.
 struct PartBone {
 	glm::vec3 origin; ///< m, at rest, in the plant's axes; its own axes are the plant's.
 	glm::vec3 pivot; ///< m, about which the swing turns it.
-	float stem_offset; ///< How far along the stem's bend it goes: what it is bound to hangs there.
-	float weight; ///< How much of its part's swing it shows, 0 to 1.
-	int outer_of = -1; ///< Index of the bone that shows the inner half of the same part; -1: it is a whole one.
+	float stem_offset; ///< Offset on the stem to which it is attached.
+	float weight; ///< Fraction of its part's swing, 0 to 1.
+	int outer_of = -1; ///< Index of the bone of the inner half of the same part; -1: the bone has the whole part.
 	PartSwing swing;
 };
 

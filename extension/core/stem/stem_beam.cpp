@@ -23,7 +23,7 @@ struct Shape {
 	StemCurve curve;
 	double frequency = 0.0;
 	double stiffness = 0.0;
-	double dead = 0.0; ///< φᵀf/κ; in the end its share of a bend whose tip has the slope 1.
+	double dead = 0.0; ///< φᵀf/κ; finally its fraction of a bend with tip slope 1.
 	double air = 0.0;
 };
 

@@ -6,14 +6,14 @@
 
 namespace undergrowth {
 
-/// What a species says about its stem: a slender beam, fixed in the ground, that tapers and carries a head and leaves.
+/// Stem of a species: a slender, tapered beam, fixed in the ground, with a head and leaves.
 /// SI units; lengths are those of a plant of mean height. Ranges: describe(StemFault).
 struct StemBeam {
 	enum class Section {
 		round, ///< Diameter, taper and how hollow.
 		blade ///< Flat; its width is the diameter, tapers, and bends across its thickness, which is the same all along.
 	};
-	/// Something that hangs on the stem.
+	/// A load on the stem.
 	struct Load {
 		float place = 1.0f; ///< 0 at the root, 1 at the tip.
 		float mass = 0.0f; ///< kg.
@@ -21,7 +21,7 @@ struct StemBeam {
 	};
 
 	float length = 0.6f; ///< m.
-	int joints = 4; ///< Of the picture only: no frequency and no bend depends on it.
+	int joints = 4; ///< For drawing only; frequencies and bends do not depend on it.
 	int modes = 1;
 	Section section = Section::round;
 	float diameter = 0.004f; ///< m, at the root.
@@ -44,8 +44,8 @@ struct StemBeam {
 	float leaf_drag_area = 0.0f; ///< m², spread evenly, drag coefficient included.
 	std::vector<Load> loads; ///< Besides, each at its place.
 
-	/// What share of a wind in newtons presses on each joint: at s_j = j·length/joints, j = 1 … joints, and the last on
-	/// the head. Empty: all of it, spread as the drag area is. Otherwise one for each joint.
+	/// Fractions of a wind force that act on the joints at s_j = j·length/joints, j = 1 … joints; the last acts on the
+	/// head. Empty: the force is distributed like the drag area. Not empty: one value per joint.
 	std::vector<float> wind_weights;
 };
 
@@ -70,13 +70,13 @@ enum class StemFault {
 	falls,
 };
 
-/// In English, what is wrong and what to do.
+/// Error and remedy, in English.
 const char *describe(StemFault fault);
 
-/// The first fault of what is given, falls excepted.
+/// The first invalid parameter; does not check `falls`.
 StemFault find_fault(const StemBeam &beam);
 
-/// What one stem comes to.
+/// Solution for one stem.
 struct StemSolution {
 	StemFault fault = StemFault::none;
 	StemConstants constants; ///< With a fault: the default ones.

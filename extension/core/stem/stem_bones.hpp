@@ -17,7 +17,7 @@ struct StemPlace {
 /// How far the stem is bent at x, 0 at the root to 1 at the tip. `amplitudes`: one of each mode.
 glm::vec2 stem_bend(const StemConstants &stem, const glm::vec2 *amplitudes, float x);
 /// Where x is: the stem's direction integrated from the root at three places (Gauss), within 0.3 % of the length up to
-/// a tip angle of 70°. x beyond the ends counts as the end. The vertex shader says the same.
+/// a tip angle of 70°. x beyond the ends counts as the end. The vertex shader computes the same.
 StemPlace stem_place(const StemConstants &stem, const glm::vec2 *amplitudes, float x);
 
 /// A link between two joints, which the bone at its lower end turns.
@@ -38,8 +38,8 @@ struct StemBinding {
 	float weights[4];
 };
 
-/// Of a vertex that stands at x along the stem: a cubic B-spline over the links, so that a skin bends as smoothly as
-/// the stem. Above the tip: the last link alone; at and below the ground nothing leaves its place.
+/// Binding of a vertex at x along the stem: a cubic B-spline over the links, so that the skin bends as smoothly as the
+/// stem. Above the tip: the last link alone. At and below the ground: the root alone.
 StemBinding bind_to_stem(int joints, float x);
 
 } // namespace undergrowth

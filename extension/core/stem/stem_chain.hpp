@@ -15,10 +15,9 @@ public:
 
 	StemChain(const StemLine &line, double youngs_modulus);
 
-	/// Brings `angles` to the balance under so many newtons, from one under less.
+	/// Solves the equilibrium under `newtons`, starting from `angles` of a smaller load.
 	void settle_dead(double newtons, Angles &angles) const;
-	/// The same in air of such a speed squared (m²/s²), which presses across each link with the square of what blows
-	/// across it.
+	/// The same in air of `speed_squared` (m²/s²). The pressure on each link is the square of the velocity across it.
 	void settle_air(double speed_squared, Angles &angles) const;
 
 private:

@@ -4,17 +4,17 @@
 
 namespace undergrowth {
 
-/// Oscillators of a stem at most; the first is its swing in the wind, the second what blows and pushes wake.
+/// Maximum number of oscillators of a stem: the swing in the wind, and a second mode excited by gusts and pushes.
 constexpr int MOST_STEM_MODES = 2;
-/// No mode goes farther; 113° of a tip for one that bends most there.
+/// Maximum amplitude of a mode; 113° at the tip for a mode that bends most there.
 inline constexpr float MOST_STEM_AMPLITUDE = 1.5f;
-/// Joints of a stem at most.
+/// Maximum number of joints of a stem.
 constexpr int MOST_STEM_JOINTS = 8;
 /// Coefficients of a shape along the stem, those of x, x², … x⁶.
 constexpr int STEM_SHAPE_TERMS = 6;
 
-/// How something goes by a plant's height, over what it is at StemConstants::length: 1 + (r - 1)·(slope + curve·(r -
-/// 1)) at r times that. Where a stem's frequency is declared, nothing does.
+/// Dependence of a value on a plant's height, relative to the value at StemConstants::length: 1 + (r - 1)·(slope + curve·(r -
+/// 1)) at r times that. 0 and 0 if the frequency is declared.
 struct StemGrade {
 	float slope = 0.0f;
 	float curve = 0.0f;
@@ -41,7 +41,7 @@ struct StemMode {
 	StemGrade period; ///< Of 1/frequency.
 };
 
-/// All that a step and a picture know of a species' stem of `length`; of other lengths, see `length`.
+/// Constants of a species' stem of `length`, for stepping and drawing. For other lengths see `length`.
 struct StemConstants {
 	/// m, the stem that this is computed for. A plant of another length L has the same frequencies, and its loads count
 	/// length/L times as much, where those are declared; where they follow from stiffness, grades say both.
@@ -58,8 +58,8 @@ struct StemConstants {
 	/// n = min(|t|², 1), for no steady wind bends a tip farther than level; shape[j] has the four coefficients of
 	/// x^(j+1), x from 0 at the root to 1 at the tip.
 	float shape[STEM_SHAPE_TERMS][4] = {};
-	/// X3 and X5 of a wind in m/s, which presses on a stem across it and so bends it otherwise than one in newtons
-	/// does; they take the place of the last two where such a wind blows (in_air()).
+	/// X3 and X5 of a wind in m/s, which acts across the stem and therefore bends it differently from a force;
+	/// they replace the last two in such a wind (in_air()).
 	float air_shape[STEM_SHAPE_TERMS][2] = {};
 	/// φ_k (m) at the joints s_j = j·length/joints, j = 1 … joints, in deflection[j - 1], and at the head's centre in
 	/// deflection[joints].

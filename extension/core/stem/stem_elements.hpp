@@ -27,7 +27,7 @@ public:
 	double slope(double x) const;
 };
 
-/// Symmetric; only neighbouring elements know each other: three diagonals on both sides of the middle one.
+/// Symmetric band matrix: only neighbouring elements couple, so three diagonals on each side of the main one.
 class StemMatrix {
 public:
 	static constexpr int BAND = 3;
@@ -66,7 +66,7 @@ struct StemElements {
 	StemMatrix gravity; ///< N/m: what the weight takes from the stiffness.
 };
 
-/// What a load of one unit does to each value of a curve.
+/// Generalised load of one unit, for each value of a curve.
 StemCurve load_of(const StemLine &line, const StemSpread &spread, double head);
 
 /// value · right · curve = left · curve, with the smallest value that is not `before`'s.

@@ -15,7 +15,7 @@ constexpr int HALVINGS = 16;
 /// Of the second mode beyond a steady wind's: as much as blows and pushes wake.
 constexpr float SECONDS[] = { -0.5f, -0.25f, 0.25f, 0.5f };
 
-/// The tip's bend in the shape of a steady wind that brings it to the ground, with so much more of the second mode.
+/// Bend of the tip, in the shape of a steady wind, at which it reaches the ground; `second` is the additional second mode.
 float bend_on_ground(const StemConstants &stem, float more) {
 	const auto is_above = [&](float bend) {
 		const float first = stem.mode[0].dead_share * bend;

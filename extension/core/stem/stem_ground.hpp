@@ -4,7 +4,7 @@
 
 namespace undergrowth {
 
-/// Where the ground stops a tip, as a share of the stem's length.
+/// Height at which the ground stops a tip, relative to the stem's length.
 inline constexpr float GROUND_HEIGHT = 0.02f;
 
 /// StemMode::chord of both modes, 0 for one that is not there. Small bends of the way to the tip are two thirds of
@@ -13,7 +13,7 @@ struct StemChords {
 	float first = 0.0f;
 	float second = 0.0f;
 };
-/// In the shape of large bends that `stem` has, that of newtons or in_air().
+/// Uses the shape of large bends in `stem`: that of newtons, or of in_air().
 StemChords chords_of(const StemConstants &stem);
 
 } // namespace undergrowth

@@ -59,7 +59,7 @@ float first_share(const StemConstants &stem) {
 	return stem.modes == 1 ? 1.0f : stem.mode[0].dead_share * stem.mode[0].tip_slope;
 }
 
-/// Of a mode that is so much of two. They share no stiffness. Of what the air does, the products of both are known from
+/// For a mode that is a mix of two. They share no stiffness. The products of both with the air follow from
 /// the lags, ∫c φ_1 φ_k = air_lag_k·∫c φ_1, and ∫c φ_2 from what moves that mode.
 static StemMode mixed_mode(const StemConstants &stem, float a, float b) {
 	const StemMode &first = stem.mode[0];

@@ -15,13 +15,13 @@ using StemTerms = std::array<double, STEM_SHAPE_TERMS>;
 /// The terms nearest to the samples (least squares).
 StemTerms fit_shape(const StemSamples &samples);
 
-/// The constants of a stem that stands in air of so many m/s: shape[j] has the large bends of that wind.
+/// The constants for a wind in m/s: shape[j] has the large bends of air.
 StemConstants in_air(const StemConstants &stem);
 
-/// The same stem with one mode, whose shape is that of a steady wind in newtons: at that wind, and at all bends that
-/// keep its shape, all that is seen of both is the same. Its amplitude is the tip's bend. One of one mode stays.
+/// The same stem with one mode that has the shape of a steady wind force. Under that wind both look the same. The
+/// amplitude is the tip's bend. A stem with one mode is returned unchanged.
 StemConstants in_one_mode(const StemConstants &stem);
-/// How much of the tip's bend the first mode has at such a bend; 1 where it is alone.
+/// Fraction of the tip's bend that belongs to the first mode in that shape; 1 for a single mode.
 float first_share(const StemConstants &stem);
 
 } // namespace undergrowth
