@@ -6,8 +6,8 @@
 
 namespace undergrowth {
 
-/// How many steps after the prototypes the wind comes to a place: `base` at the origin, and more by metre of x and z.
-/// Beyond LONGEST_WAY, and before 0, the way ends: plants there show what those at the end do.
+/// Delay of the wind at a position relative to the prototypes, in steps: `base` at the origin plus a slope per metre of x
+/// and z, clamped to [0, LONGEST_WAY].
 struct DelayPlane {
 	static constexpr int LONGEST_WAY = 896; ///< Steps.
 
@@ -22,31 +22,30 @@ struct DelayPlane {
 	bool operator!=(const DelayPlane &other) const { return !(*this == other); }
 };
 
-/// The delays that followers have now. Where the wind turns or gets faster, or far plants come, all delays become
-/// others; what followers show then goes over from the old delays to the new ones within a second, so that none jumps.
-/// What changes meanwhile waits for the next second.
+/// Present delays of followers. When the wind turns or changes its speed, or distant plants are added, all delays change.
+/// Followers then blend from the old delays to the new ones within a second. Further changes wait for the next second.
 class FollowDelays {
 public:
 	static constexpr float GOING_OVER = 1.0f; ///< s.
 
 	explicit FollowDelays(float step);
 
-	/// Without going over: nobody has seen the old ones.
+	/// Sets the delays without blending.
 	void set(const DelayPlane &plane);
-	/// Where to go from the next step on.
+	/// Starts blending to `plane` at the next step.
 	void want(const DelayPlane &plane) { wanted = plane; }
-	/// To the present step.
+	/// Advances by one step.
 	void step();
 
 	const DelayPlane &before() const { return old_plane; }
 	const DelayPlane &after() const { return new_plane; }
-	/// How much of after() followers show, `fraction` of a step after the present one began; the rest is of before().
+	/// Weight of after(), `fraction` of a step after the present one started; before() has the rest.
 	float share(float fraction) const;
 
 private:
 	DelayPlane old_plane, new_plane, wanted;
 	int most_steps;
-	int steps; ///< Since it began to go over; one more than most_steps where it is there.
+	int steps; ///< Steps since blending started; most_steps + 1 when complete.
 };
 
 } // namespace undergrowth

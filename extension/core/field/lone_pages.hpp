@@ -6,12 +6,12 @@
 
 namespace undergrowth {
 
-/// Pages of plants that stand on nodes of their own, for TipContact, which knows them by the names that a
-/// FieldSimulation has for its pages. It owns none of them.
+/// Pages of single plants (Plant3D), with the page interface of FieldSimulation that TipContact needs. Does not own the
+/// pages.
 class LonePages {
 public:
 	void clear() { pages.clear(); }
-	/// `axes` as PageStand::axes. Both must outlive their stay here.
+	/// `axes`: see PageStand::axes. Page and axes must outlive their entry.
 	void add(MotionPage &page, const glm::mat3 *axes) { pages.push_back({ &page, { axes, nullptr } }); }
 
 	int page_count() const { return static_cast<int>(pages.size()); }

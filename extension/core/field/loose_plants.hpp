@@ -7,48 +7,46 @@
 
 namespace undergrowth {
 
-/// Plants of one species that follow a prototype, but were pushed or stirred: each swings by itself from what it
-/// showed, and goes back bit by bit to what its prototype shows when it has rung down. How much they cost is bounded by
-/// their number.
+/// Followers of one species that were pushed or stirred. Each is simulated from the pose that it had, and blends back to
+/// its prototype when it has come to rest. Their number bounds the cost.
 class LoosePlants {
 public:
-	/// At a time; whoever comes then is not moved. A layer of 64 by 64 texels.
+	/// Maximum number; further plants are not moved. A layer of 64 by 64 texels.
 	static constexpr int MOST = MotionPage::PAGE_PLANTS;
-	static constexpr float ALONE = 3.0f; ///< s after the last push until it begins to go back.
+	static constexpr float ALONE = 3.0f; ///< s from the last push until blending back starts.
 	static constexpr float GOING_BACK = 1.5f; ///< s.
 
 	LoosePlants(int species_index, const MotionSpecies &species, float step);
 
-	/// Makes room for that many, MOST at most, so that add() does not allocate.
+	/// Reserves room for `plants`, at most MOST, so that add() does not allocate.
 	void reserve(int plants);
 	bool is_full() const { return count() == room; }
 	int count() const { return swinging.size(); }
 	void set_species(const MotionSpecies &species) { swinging.set_species(species); }
-	/// Plant `index` of page `page`, in `state`, which showed the bends `before` a step ago; tells its number, which is
-	/// the former count(). Only where it is not full.
+	/// Plant `index` of page `page`, in `state`, with the bends `before` of the last step. Returns its number,
+	/// the former count(). Precondition: not is_full().
 	int add(const MotionPlant &plant, int page, int index, const MotionState &state, const ModeBends &before);
-	/// The last one takes its number.
+	/// Removes a plant; the last plant gets its number.
 	void remove(int number);
 
 	/// One step of all under `wind`.
 	void step(const TravellingWind &wind, const PlantWinds &along) { swinging.step(wind, along); }
-	/// Whether it will, at the next grow_older(), no longer swing alone.
+	/// True if the plant starts to blend back at the next grow_older().
 	bool goes_back(int number) const {
 		return static_cast<float>(places[static_cast<std::size_t>(number)].age + 1) * step_time > ALONE;
 	}
-	/// A step later than at the last push. Tells how much of `followed`, which its prototype shows, it shows from now
-	/// on (0 to 1), and shows it.
+	/// Ages a plant by one step. Returns the weight (0 to 1) of its prototype's bends `followed`, and blends them in.
 	float grow_older(int number, const ModeBends &followed);
-	/// A plant that is still moved swings on by itself, from what it shows.
+	/// Restarts the time of a plant that is still pushed, from its drawn pose.
 	void hold(int number);
-	/// Puts a plant that was pushed into a state.
+	/// Sets the state of a pushed plant.
 	void push(int number, const MotionState &state);
 
-	/// What it shows, which is not its own motion alone while it goes back.
+	/// The drawn state, which includes the blend to the prototype.
 	MotionState shown_state(int number) const;
 	int page_of(int number) const { return places[static_cast<std::size_t>(number)].page; }
 	int index_of(int number) const { return places[static_cast<std::size_t>(number)].index; }
-	/// Swinging plants with their pairs of bends as they are shown.
+	/// The simulated plants with their drawn bends.
 	const MotionPage &page() const { return swinging; }
 	std::size_t bytes() const { return swinging.bytes() + places.capacity() * sizeof(Place); }
 

@@ -6,19 +6,19 @@
 
 namespace undergrowth {
 
-/// Where the plants of a block are in a simulation: plant `slot` is row first + slot of the page.
+/// Rows of a block's plants in a simulation: plant `slot` is row first + slot of the page.
 struct PageRows {
 	int page = -1; ///< -1: none.
 	int first = 0;
 	int count = 0;
 };
 
-/// m: how wide blocks may lie that share a page, so that far pages can be stepped less often than near ones.
+/// m: maximum extent of the blocks of a page, so that far pages can be stepped less often than near ones.
 inline constexpr float WIDEST_PAGE = 64.0f;
 
-/// Rows for each block, in pages of one species, MotionPage::PAGE_PLANTS and WIDEST_PAGE at most: neighbours in the
-/// list share a page, since many small pages cost more than few large ones. Pages are numbered from 0, in the order of
-/// their first blocks; blocks follow each other within a page without gaps.
+/// Assigns rows to each block, in pages of one species with at most MotionPage::PAGE_PLANTS plants and WIDEST_PAGE extent.
+/// Neighbours in the list share a page, since many small pages cost more than few large ones. Pages are numbered from 0, in the order of
+/// their first blocks; blocks are contiguous within a page.
 std::vector<PageRows> join_into_pages(const std::vector<PlantBlock> &blocks);
 
 } // namespace undergrowth

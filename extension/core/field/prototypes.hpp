@@ -10,15 +10,15 @@
 
 namespace undergrowth {
 
-/// Whose motion a plant shows, and how much later.
+/// Prototype of a plant, and its delay.
 struct Follower {
 	uint16_t prototype = 0;
-	uint16_t own_delay = 0; ///< Steps; the wind's way to the plant comes on top.
-	uint16_t loose = 0; ///< One more than its number among the LoosePlants while it swings by itself, or 0.
+	uint16_t own_delay = 0; ///< Steps, in addition to the delay of the wind.
+	uint16_t loose = 0; ///< 1 + its number in LoosePlants while it swings by itself, else 0.
 };
 
-/// The few plants of a species that are simulated for all others (thesis, section 5.3.1), and what they did in the last
-/// SLOTS steps, all modes of their stems. Lengths are spread from the species' shortest to its longest, lean directions
+/// The simulated plants of a species that all other plants follow (thesis, section 5.3.1), and the history of their last
+/// SLOTS steps, for all modes. Lengths are spread from the species' shortest to its longest, lean directions
 /// around the circle.
 class Prototypes {
 public:
@@ -34,30 +34,30 @@ public:
 	float length(int prototype) const { return page.length(prototype); }
 	/// The direction of a prototype in calm air.
 	glm::vec3 rest(int prototype) const { return page.rest(prototype); }
-	/// Picks a prototype that leans as `plant` does, or is about as tall where stems swing by their height, and a delay
+	/// Picks a prototype with the lean of `plant`, or with about its height if frequencies depend on the height, and a delay
 	/// of up to a second, both by `hash`.
 	Follower pick(const MotionPlant &plant, uint64_t hash) const;
-	/// The motion goes on, about other rest directions where those change.
+	/// Does not interrupt the motion; rest directions may change.
 	void set_species(const MotionSpecies &species);
 
-	/// All at rest, now and in all that is remembered.
+	/// Sets all prototypes and their history to rest.
 	void settle();
 
-	/// One step of all prototypes; what they do is written into the next slot.
+	/// Steps all prototypes and writes their bends into the next slot.
 	void step(const TravellingWind &wind, const PlantWinds &along);
-	/// What a plant that is `late` steps late shows of a mode of a prototype (StemBends), `fraction` of a step after
-	/// the newest one began: the same as undergrowth_late() in the shader. `late`: from 0 to the longest way and own
-	/// delay together, whose slots are clear of the one that is written next. `mode`: below modes().
+	/// Bend of a mode of a prototype (StemBends) `late` steps ago, `fraction` of a step after the newest one started: the
+	/// same as undergrowth_late() in the shader. `late`: 0 to LONGEST_WAY + LONGEST_OWN_DELAY; these slots do not overlap the
+	/// one that is written next. `mode`: below modes().
 	BendWay way(int mode, int prototype, float late, float fraction) const;
-	/// Of the first mode, as a stereographic image.
+	/// The same for the first mode, as a stereographic image.
 	glm::vec2 bend(int prototype, float late, float fraction) const { return way(0, prototype, late, fraction).bend; }
-	/// 2 where a second mode of their stems has a history of its own, else 1.
+	/// 2 if the second mode has a history of its own, else 1.
 	int modes() const { return page.has_second_bends() ? 2 : 1; }
-	/// Of the modes that are shown.
+	/// Constants of the drawn modes.
 	const StemConstants &stem_constants() const { return page.stem_constants(); }
 
-	/// All slots of a mode, MOST pairs of bends (before and after that step) each: 16 layers of 64 by 64 texels of four
-	/// halves, a row for each slot. One slot changes with each step.
+	/// All slots of a mode, each with MOST pairs of bends (before and after the step): 16 layers of 64 by 64 texels of four
+	/// halves, one row per slot. Each step changes one slot.
 	const Bend *history(int mode) const { return rings[mode].data(); }
 	int newest_slot() const { return newest; }
 	double wind_moment() const { return page.wind_moment(); }
@@ -67,9 +67,9 @@ public:
 
 private:
 	MotionPage page;
-	float shortest, longest, lean; ///< As they were spread.
+	float shortest, longest, lean; ///< Values that were used to distribute the prototypes.
 	int newest = 0;
-	std::vector<Bend> rings[MOST_STEM_MODES]; ///< Of one mode: the other is empty.
+	std::vector<Bend> rings[MOST_STEM_MODES]; ///< With one mode the second is empty.
 
 	const Bend *newest_bends(int mode) const { return mode == 0 ? page.bends() : page.second_bends(); }
 	void remember(int slot);

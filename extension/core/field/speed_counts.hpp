@@ -4,23 +4,23 @@
 
 namespace undergrowth {
 
-/// How many plants are stirred how strongly, so that the strongest are known without sorting.
+/// Histogram of source speeds at plants; finds the strongest without sorting.
 class SpeedCounts {
 public:
-	/// m/s: what less than that adds to a plant's wind, nobody sees.
+	/// m/s: minimum speed; less is not visible.
 	static constexpr float LEAST = 0.5f;
 
-	/// Forgets who was added, not what was chosen.
+	/// Clears the counts; chosen() does not change.
 	void clear() { counts.fill(0); }
-	/// A plant at which sources move the air by `speed` (m/s), LEAST or more.
+	/// Adds a plant with a source speed of `speed` (m/s), at least LEAST.
 	void add(float speed);
-	/// Chooses the strongest, at most `room` of them, where the fastest class alone is not more.
+	/// Chooses the threshold for the strongest, at most `room` of them unless the fastest class alone has more.
 	void choose(int room);
-	/// m/s: who is stirred so fast was chosen.
+	/// m/s: plants with at least this speed were chosen.
 	float chosen() const { return least; }
 
 private:
-	static constexpr int CLASSES = 16; ///< From each to the next a factor of √2: to 90 m/s.
+	static constexpr int CLASSES = 16; ///< Each class is faster by √2, up to 90 m/s.
 
 	std::array<int, CLASSES> counts = {};
 	float least = LEAST;
