@@ -85,7 +85,7 @@ int TipContact::cell(float place) const {
 	return towards_0 - static_cast<int>(cells < static_cast<float>(towards_0)); // A branch here would be a coin's toss.
 }
 
-/// Neighbours along x stand in neighbouring buckets, so that three cells are one run of `sorted`.
+/// Neighbours along x have neighbouring buckets, so that three cells are one run of `sorted`.
 uint32_t TipContact::bucket(int cell_x, int cell_z) const {
 	const uint32_t row = static_cast<uint32_t>(cell_z) * 0x9e3779b1u;
 	const uint32_t mask = static_cast<uint32_t>(bucket_ends.size()) - 2u;

@@ -107,7 +107,7 @@ bool FieldSimulation::add_to_page(int page, const MotionPlant *plants, int count
 	return true;
 }
 
-/// What plants that a page has just got mean for the field: its box, and whom they follow.
+/// Updates the field's box and assigns prototypes for the new plants of a page.
 void FieldSimulation::take_in(Entry &entry, const MotionPlant *plants, int count) {
 	if (count > 0) {
 		grow_box(entry.page, plant_rows == 0);
@@ -206,7 +206,7 @@ int FieldSimulation::page_interval(int page) const {
 
 bool FieldSimulation::is_due(int page, int64_t number) const {
 	const int interval = page_interval(page);
-	// A page whose interval became shorter first comes to the end of the step that it has done: nothing jumps.
+	// A page with a shorter interval first finishes the time of its last step, so that no pose jumps.
 	const Beat &own = beat(page);
 	const bool is_free = own.last_step < 0 || number >= own.last_step + own.interval;
 	return is_free && (interval == 1 || number % interval == own.phase % interval);
@@ -220,7 +220,7 @@ void FieldSimulation::set_bodies(const MovingBody *bodies, int count) {
 
 void FieldSimulation::step_prototypes(int64_t number) {
 	FieldWind wind = blowing;
-	wind.wind.gust_start += static_cast<double>(lead); // Nobody knows of a gust before: it comes in at the upwind edge.
+	wind.wind.gust_start += static_cast<double>(lead); // A new gust starts at the upwind edge.
 	for (Prototypes &model : models) {
 		const double moment = static_cast<double>(number) + model.wind_moment();
 		const double moment_time = moment * static_cast<double>(options.step) + static_cast<double>(lead);

@@ -12,7 +12,7 @@
 
 namespace undergrowth {
 
-/// Steps in which all pages are looked at once for whom sources of air stir.
+/// Steps in which all pages are checked once for plants that sources stir.
 static constexpr int STIR_TURNS = 3;
 
 /// The prototypes' lead and the delays, for the wind and the box of all plants.
@@ -44,7 +44,7 @@ void FieldSimulation::set_rests(int page, int first, const glm::vec3 *rests, int
 	follower_changed(entry);
 }
 
-/// Whom a plant follows: by its place, so that it does not depend on the order in which plants came.
+/// Prototype of a plant: by its position, so that it does not depend on the order of plants.
 Follower FieldSimulation::pick(const MotionPlant &plant, int species) const {
 	uint32_t place[2];
 	std::memcpy(&place[0], &plant.root.x, sizeof place[0]);
@@ -116,7 +116,7 @@ void FieldSimulation::take_motion(int page, int index, const FieldSimulation &fr
 	}
 }
 
-/// From now on it swings by itself; where too many do, it goes on following.
+/// Makes a follower swing by itself; if there are too many, it remains a follower.
 void FieldSimulation::push_follower(Entry &entry, int index, const MotionState &state) {
 	LoosePlants &some = loose_of(entry);
 	Follower &follower = entry.followers[static_cast<std::size_t>(index)];
@@ -181,8 +181,8 @@ void FieldSimulation::step_loose() {
 	stir_followers();
 }
 
-/// visit(entry, index, speed) for each follower of every `stride`th page from `first` on at which sources move the air
-/// by so many m/s that it matters.
+/// Calls visit(entry, index, speed) for each follower of every `stride`th page from `first` on where sources add at least
+/// SpeedCounts::LEAST to the wind.
 template <class Visit> void FieldSimulation::for_each_stirred(int first, int stride, const Visit &visit) {
 	for (int number = first; number < page_count(); number += stride) {
 		Entry &entry = at(number);
@@ -213,8 +213,8 @@ void FieldSimulation::choose_stirred() {
 	}
 }
 
-/// Those at which the air is stirred most swing by themselves from now on, or go on doing so. Each step looks at some
-/// of the pages; who is to swing is chosen by what the last round has counted.
+/// Makes the followers with the strongest source wind swing by themselves. Each step checks some of the pages; the counts
+/// of the last round determine the threshold.
 void FieldSimulation::stir_followers() {
 	if (stirring.empty() || models.empty()) {
 		stir_turn = -1;

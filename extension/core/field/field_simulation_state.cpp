@@ -1,4 +1,4 @@
-// What a FieldSimulation is asked, blows between steps, and how many modes of stems it steps.
+// Queries of FieldSimulation, blows between steps, and the number of modes.
 
 #include "field/field_simulation.hpp"
 #include "motion/gnomonic.hpp"
@@ -211,7 +211,7 @@ void FieldSimulation::show_modes(int page, int count) {
 	}
 }
 
-/// Before somebody pushes a plant of it between two steps.
+/// Call before a plant of the page is pushed between two steps.
 void FieldSimulation::wake(int page) {
 	if (at(page).page.swings() && at(page).page.most_modes() == 2) {
 		beat(page).last_push = next_step;

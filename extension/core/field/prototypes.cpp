@@ -73,7 +73,7 @@ void Prototypes::remember_rest() {
 }
 
 /// Rings for as many modes as there are. What one mode did is shared by both, as in a steady wind, or the other way
-/// about, so that nobody who shows it jumps.
+/// about, so that no follower jumps.
 void Prototypes::divide_history() {
 	constexpr std::size_t BENDS = 2 * static_cast<std::size_t>(SLOTS * MOST);
 	const bool had_two = !rings[1].empty();
@@ -96,7 +96,7 @@ void Prototypes::divide_history() {
 	}
 }
 
-/// One of those whose lengths are within this share of all.
+/// Picks among the prototypes with a length within this fraction of the range.
 int Prototypes::pick_tall(float length, uint64_t chance) const {
 	const int all = count();
 	const int near = std::max(all / TALL_SECTORS, 1);

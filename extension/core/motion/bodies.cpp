@@ -16,7 +16,7 @@ namespace {
 
 constexpr float TIP = 1.0f; // Share of the length.
 constexpr float UPPER_STEM = 0.6f;
-/// A push almost along the stem turns it no more than one this far from it would.
+/// Minimum angle between push and stem; smaller angles count as this one.
 constexpr float LEAST_TANGENT = 0.3f;
 constexpr float TINY = 1e-6f;
 constexpr int PUSHED_PLACES = 8; // Of a stem that bends along its length, none of them its root.
@@ -84,7 +84,7 @@ glm::vec3 nearest_along(const glm::vec3 &moved, const glm::vec3 &half, const glm
 	return moved + part * half;
 }
 
-/// Turns `state` so that the point at `share` of the stem leaves the body; tells whether it was inside.
+/// Turns `state` so that the point at `share` of the stem leaves the body. Returns true if it was inside.
 bool push_point(
 		TipState &state, const glm::vec3 &root, float length, float share, float thickness, const MovingBody &body) {
 	const float arm = share * length;

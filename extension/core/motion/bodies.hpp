@@ -10,7 +10,7 @@
 
 namespace undergrowth {
 
-/// Of a direction's y: where the ground stops a plant that is pushed.
+/// Minimum y of the direction of a pushed plant: the ground stops it.
 inline constexpr float LEAST_PUSHED_HEIGHT = 0.02f;
 
 /// A moving capsule, sphere or box that pushes plants out of its way: all points nearer than `radius` to its core. A
@@ -33,13 +33,13 @@ struct BodyBox {
 };
 BodyBox box_of(const MovingBody &body);
 
-/// Whether all numbers are finite and the radius is above 0.
+/// True if all numbers are finite and the radius is above 0.
 bool is_valid(const MovingBody &body);
 
-/// What pages have whose plants stand on nodes of their own; those of a field have neither.
+/// Axes and velocities of a page of single plants; pages of a field have neither.
 struct PageStand {
-	const glm::mat3 *axes = nullptr; ///< Of the page's directions, in those of its roots; null: the same.
-	const glm::vec3 *velocities = nullptr; ///< m/s, of the roots, MotionPage::size() of them; null: they stay.
+	const glm::mat3 *axes = nullptr; ///< Axes of the page's directions in those of its roots; null: identity.
+	const glm::vec3 *velocities = nullptr; ///< m/s, of the roots, MotionPage::size() values; null: at rest.
 
 	/// From the axes of the page's directions to those of its roots.
 	glm::vec3 outward(const glm::vec3 &vector) const { return axes ? *axes * vector : vector; }
@@ -47,31 +47,30 @@ struct PageStand {
 	glm::vec3 inward(const glm::vec3 &vector) const { return axes ? vector * *axes : vector; }
 };
 
-/// Turns one plant of `length` (m) that is in `state` out of the body as push_plants() does; tells whether it was in
-/// it.
+/// Turns one plant of `length` (m) out of the body as push_plants() does. Returns true if it was inside.
 bool push_plant(TipState &state, const glm::vec3 &root, float length, float thickness, const MovingBody &body);
 
-/// The same with a stem that bends along its length: at each of eight places from the ground up, so that a body pushes
-/// where it touches. `rest`: the bend of its rest.
+/// The same for a stem that bends along its length: at eight points from the ground up, so that a body pushes where it
+/// touches. `rest`: the bend of its rest.
 bool push_plant(const StemConstants &stem, StemState &state, const glm::vec2 &rest, const glm::vec3 &root, float length,
 		float thickness, const MovingBody &body);
 
-/// Calls visit(index) for each plant of a page that the body may touch, in rising order; never for one that is gone.
+/// Calls visit(index) for each plant of a page that the body may touch, in ascending order. Skips removed plants.
 /// `body`: valid.
 template <class Visit> void for_each_in_reach(const MotionPage &page, const MovingBody &body, const Visit &visit);
 
 /// Pushes the plants of a swinging page out of a body: the tip, which is a sphere of the collision radius, and a point
-/// of the upper stem, along their spheres, by as much as they are inside. What they move towards the body, seen from
-/// it, they lose; nothing springs back from it. A root that moves past a body, or together with one, does not push by
-/// that: of the body's velocity and that seen from the root the lesser counts. Tells how many plants were touched.
+/// of the upper stem, along their spheres, by as much as they are inside. The contact is inelastic:
+/// it removes the velocity towards the body. A root that moves past a body, or together with it, does not push by that:
+/// the smaller of the body's velocity and its velocity relative to the root counts. Returns the number of touched plants.
 int push_plants(MotionPage &page, const MovingBody &body, const PageStand &stand = {});
 
-/// Whether a plant of the page comes nearer to a valid body than `margin` (m), its tip thickened by the collision
-/// radius. Points along its straight stem count, a quarter of its length apart.
+/// True if a plant of the page is within `margin` (m) of a valid body, its tip thickened by the collision radius. Checks
+/// points along its straight stem, a quarter of its length apart.
 bool touches_plant(
 		const MotionPage &page, int index, const MovingBody &body, float margin, const PageStand &stand = {});
 
-/// Whether any of them does.
+/// True if any plant of the page is.
 bool touches_plants(const MotionPage &page, const MovingBody &body, float margin);
 
 /// The point of a body's core that is nearest to `point`: `point` itself where it lies in the core.
@@ -80,7 +79,7 @@ glm::vec3 nearest_in_core(const MovingBody &body, const glm::vec3 &point);
 /// The point of a segment that is nearest to `point`.
 glm::vec3 nearest_on_segment(const glm::vec3 &from, const glm::vec3 &to, const glm::vec3 &point);
 
-/// Whether a plant of the page could be touched.
+/// True if the boxes of page and body overlap.
 bool boxes_overlap(const MotionPage &page, const MovingBody &body);
 
 template <class Visit> void for_each_in_reach(const MotionPage &page, const MovingBody &body, const Visit &visit) {

@@ -6,16 +6,16 @@
 namespace undergrowth {
 
 /// A table of floats, one column after the other, each column at the start of a cache line: the struct-of-arrays that
-/// the kernels read. Rows are dense; growing moves the table, so columns are looked up anew before each use.
+/// the kernels read. Rows are dense. Growing moves the table and invalidates column pointers.
 class Columns {
 public:
 	explicit Columns(int column_count);
 
 	int size() const { return row_count; }
-	/// Makes room for `rows` rows, no more than that and a cache line.
+	/// Reserves room for `rows` rows, rounded up to a cache line.
 	void reserve(int rows);
 	std::size_t bytes() const { return lines.capacity() * sizeof(CacheLine); }
-	/// Appends a row of zeros and tells its index. Allocates where the room is used up.
+	/// Appends a row of zeros and returns its index. Allocates when the room is used up.
 	int add_row();
 	/// Removes row `index` by moving the last one into its place.
 	void remove_row(int index);

@@ -12,7 +12,7 @@ struct Joint {
 	float length = 1.0f; ///< m, > 0.
 	float mass = 1.0f; ///< kg, > 0.
 	float wind_weight = 1.0f;
-	float drag_area = -1.0f; ///< m², of air, its coefficient included; below 0: as many as wind_weight.
+	float drag_area = -1.0f; ///< m², of air, its coefficient included; below 0: from wind_weight.
 	// Elasticity law.
 	float elasticity = 4.0f; ///< > -1.
 	float inner_friction = 0.3f; ///< N·s/m, >= 0.
@@ -23,7 +23,7 @@ struct Joint {
 	glm::vec3 rest = { 0.0f, 1.0f, 0.0f }; ///< Unit, in world axes, y > 0.
 };
 
-/// A tip's motion, the same for both laws, in world axes.
+/// Motion of a tip, in world axes.
 struct TipState {
 	glm::vec3 direction = { 0.0f, 1.0f, 0.0f }; ///< Unit, root to tip.
 	glm::vec3 rate = { 0.0f, 0.0f, 0.0f }; ///< 1/s, tangent to the sphere; times length it is the tip's velocity.

@@ -4,7 +4,7 @@
 
 namespace undergrowth {
 
-/// What the elasticity kernel needs of one species for one step length; units as in ElasticityPage.
+/// Constants of the elasticity kernel for one species and step length; units as in ElasticityPage.
 struct ElasticityConstants {
 	float lift_share;
 	float wind_share;
@@ -12,8 +12,8 @@ struct ElasticityConstants {
 	float lowest_y;
 };
 
-/// What the spring kernel needs of one species for one step length; units as in SpringPage, but `wind_gain` is for a
-/// plant of one metre: over the length it is a plant's own.
+/// Constants of the spring kernel for one species and step length; units as in SpringPage. `wind_gain` is for a plant of
+/// one metre; divide it by the length.
 struct SpringConstants {
 	float wind_gain;
 	float place_from_place;
@@ -22,10 +22,10 @@ struct SpringConstants {
 	float rate_from_rate;
 };
 
-/// The joint with every number brought into the range that the steps are safe in (not a number becomes the default).
+/// The joint with all values clamped to the safe range of the steps. NaN becomes the default.
 Joint safe_joint(const Joint &joint);
 
-/// These take a safe joint and do not ask for its length.
+/// Both take a safe joint and ignore its length.
 ElasticityConstants elasticity_constants(const Joint &joint, float step);
 SpringConstants spring_constants(const Joint &joint, float step);
 /// ElasticityPage::weight of plants with each of `count` lengths (m).

@@ -24,13 +24,12 @@ struct GnomonicView {
 /// own: one array entry per plant, and one number for all.
 struct ElasticityPage {
 	float *x, *y, *z; ///< Direction.
-	/// What the last step turned the direction by, stretched by sqrt(1 + its square); on the tangent plane it is the
-	/// rate times the step.
+	/// Rotation of the last step, scaled by sqrt(1 + its square); on the tangent plane it is the rate times the step.
 	float *turn_x, *turn_y, *turn_z;
 	const float *weight; ///< g/L·gain·step.
 	float lift_share; ///< 1 + e: lift over weight.
 	float wind_share; ///< w/(m·g): the wind's gain, w/(m·L)·gain·step, over weight, 1/N.
-	float keep; ///< Share of the rate that friction leaves in one step.
+	float keep; ///< Fraction of the rate that remains after friction in one step.
 	float lowest_y; ///< Where the ground stops the tip; far below -1 for no ground.
 };
 
@@ -47,27 +46,26 @@ struct SpringPage {
 	float most; ///< MAX_GNOMONIC.
 };
 
-/// Both laws keep t and its equilibrium within this size, so that nothing overflows: 0.06 degrees above the ground.
+/// Both laws clamp t and its equilibrium to this size, so that nothing overflows: 0.06 degrees above the ground.
 inline constexpr float MAX_GNOMONIC = 1e3f;
 
-/// Air (m/s) at each plant, along the axes of the directions; null where there is none. And what it does to a tip of
-/// the laws of one joint: with the speed s of the air past it, a force of drag·s times the air's velocity (on a wind
-/// weight of 1), and drag·s times the tip's own against that.
+/// Air (m/s) at each plant, in the axes of the directions, or null; and its drag on a tip of the laws of one joint. At the
+/// relative speed s the force is drag·s times the air's velocity (for a wind weight of 1), minus drag·s times the tip's.
 struct PlantAir {
 	const float *x = nullptr;
 	const float *z = nullptr;
 	const float *lengths = nullptr; ///< m.
 	float drag = 0.0f; ///< kg/m.
-	float slowing = 0.0f; ///< What the second force takes of the rate in a step, over s, s/m.
-	float steps = 0.0f; ///< In a second.
+	float slowing = 0.0f; ///< Fraction of the rate that the second force removes in a step, over s, s/m.
+	float steps = 0.0f; ///< Per second.
 };
 
-/// What the step of one mode of a stem (StemMode) multiplies by, for one step length.
+/// Coefficients of the step of one mode of a stem (StemMode), for one step length.
 struct StemModeStep {
-	/// The closed-form step as in SpringPage; one that puts the mode where it would stand at last if it is too fast.
+	/// The closed-form step as in SpringPage; for a mode that is too fast, a step to its equilibrium.
 	float place_from_place, place_from_rate, rate_from_place, rate_from_rate;
 	float dead_share, air_share; ///< Half of StemMode's.
-	float air_drag; ///< s/m: share of the rate that the air takes in a step at 1 m/s of wind.
+	float air_drag; ///< s/m: fraction of the rate that the air removes in a step at 1 m/s of wind.
 	float air_lag; ///< m, as in StemMode.
 };
 
@@ -78,8 +76,7 @@ struct StemTip {
 	float most = 1.0f; ///< The horizon.
 };
 
-/// What the steps of a species' stems share, for one step length. Some are variables for the same reason as in
-/// bounded().
+/// Constants of a species' stems for one step length. Some are variables for the same reason as in bounded().
 struct StemStep {
 	int modes;
 	StemModeStep mode[MOST_STEM_MODES];
@@ -88,8 +85,8 @@ struct StemStep {
 	float second_share; ///< In a steady wind, the second mode's amplitude over that of the first.
 	StemTip dead_tip, air_tip; ///< Under a load of either kind.
 	float dead_slope, air_slope, axial_share; ///< As in StemConstants.
-	/// The axial share of a wind in m/s: most of the stem is bent less than its tip, and feels less of what blows along
-	/// that. A chain of links says 0.85 to 0.95 by taper and head, less the farther stems bend.
+	/// The axial share of a wind in m/s: most of the stem is bent less than its tip, so less of the wind along it acts. A
+	/// chain of links gives 0.85 to 0.95 by taper and head, less for larger bends.
 	float air_along = 0.85f;
 	float most_force; ///< N: `most_load` over `dead_slope`.
 	float softness; ///< 1 over the load, as linear slope of the tip, that a step can follow.
@@ -106,12 +103,12 @@ struct StemPage {
 	float *rate_x[MOST_STEM_MODES], *rate_z[MOST_STEM_MODES]; ///< 1/s.
 	const float *rest_x, *rest_z; ///< Stereographic image of the rest direction (motion/bend_encoding.hpp).
 	const float *scale; ///< The length that the species' constants are for, over the plant's own.
-	/// Of stems whose frequencies follow from their height, null of others: what multiplies `scale` for the loads of
-	/// either kind, and the first four of StemModeStep of each mode, in place of the species'.
+	/// Only for stems with height-dependent frequencies, else null: factors of `scale` for both kinds of load, and per
+	/// plant the first four members of StemModeStep of each mode.
 	const float *dead_ease, *air_ease;
 	const float *by_height[MOST_STEM_MODES][4];
-	float most_scale; ///< None of `scale`, eased or not, is above this; the nearer, the sooner steps are quick.
-	float most_lean; ///< None of the rest's bends is larger; 0: steps are quicker to the same bits.
+	float most_scale; ///< Upper bound of `scale`, graded or not; a tight bound makes steps faster.
+	float most_lean; ///< Upper bound of the rest's bends; 0 selects a faster step with the same bits.
 	StemStep step;
 };
 
@@ -121,15 +118,14 @@ struct KernelSet {
 	void (*step_spring)(const SpringPage &page, int count, const PlantWinds &winds);
 	void (*step_elasticity_in_air)(const ElasticityPage &page, int count, const PlantAir &air);
 	void (*step_spring_in_air)(const SpringPage &page, int count, const PlantAir &air);
-	/// `winds` in newtons and `air` in m/s blow together. Either one's numbers may be null.
+	/// `winds` (N) and `air` (m/s) act together. Either one's arrays may be null.
 	void (*step_stem)(const StemPage &page, int count, const PlantWinds &winds, const PlantAir &air);
 	/// Brings stems whose tips are below the ground up to it; step_stem() does it as well.
 	void (*lift_stems)(const StemPage &page, int count);
-	/// Moves each pair of bends (motion/bend_encoding.hpp) on: the second becomes the first, the present one the
-	/// second.
+	/// Shifts each pair of bends (motion/bend_encoding.hpp): the second becomes the first, the present one the second.
 	void (*encode_elasticity)(const float *x, const float *y, const float *z, int count, uint32_t *pairs);
 	void (*encode_spring)(const float *x, const float *z, int count, uint32_t *pairs);
-	/// The tip's bends (motion/stem_state.hpp, StemBends); `second_pairs` is not asked for where there is one mode.
+	/// The tip's bends (motion/stem_state.hpp, StemBends); `second_pairs` is unused with one mode.
 	void (*encode_stem)(const StemPage &page, int count, uint32_t *pairs, uint32_t *second_pairs);
 	/// Unit directions to out[0 .. 3·count), three floats each.
 	void (*interpolate_elasticity)(const DirectionView &view, int count, float alpha, float *out);
@@ -137,10 +133,10 @@ struct KernelSet {
 };
 
 const KernelSet *baseline_kernel_set();
-/// Null where this build has none.
+/// Null if this build has none.
 const KernelSet *avx2_kernel_set();
 
-/// The kernels of `level`, or the baseline where this processor or build has no such level.
+/// The kernels of `level`, or the baseline if this processor or build lacks that level.
 const KernelSet &kernels(SimdLevel level);
 
 } // namespace undergrowth

@@ -162,7 +162,7 @@ void MotionPage::set_species(const MotionSpecies &species) {
 	}
 }
 
-/// Plants go on with the motion of their tips in columns that mean something else.
+/// Converts the columns to another law; the motion of tips continues.
 void MotionPage::change_columns(const MotionSpecies &species) {
 	const bool keeps_rests = species.law == kind.law;
 	std::vector<TipState> states;
@@ -183,7 +183,7 @@ void MotionPage::change_columns(const MotionSpecies &species) {
 	rows = std::move(others);
 	kind = species;
 	whole = species.stem;
-	stems = {}; // Those of other columns: the ground is known again with update_constants().
+	stems = {}; // Constants of other columns: update_constants() restores the ground.
 	second_pairs.assign(has_room_for_second() ? pairs.size() : 0, 0);
 	for (int i = 0; i < size(); i++) {
 		put_rest(i, rests[static_cast<std::size_t>(i)]);
@@ -235,7 +235,7 @@ void MotionPage::put_pair_of_modes(std::size_t bend, const glm::vec2 &rest) {
 	second_pairs[bend] = now.second;
 }
 
-/// The first goes on as it does: what followed both would feed itself.
+/// The first mode is not changed: a correction by both would amplify itself.
 void MotionPage::ease_modes(int begin, int count) {
 	const float share = kind.stem.mode[1].dead_share / kind.stem.mode[0].dead_share;
 	for (int part = 0; part < 4; part++) { // Both places and both rates.

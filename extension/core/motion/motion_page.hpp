@@ -17,13 +17,13 @@
 
 namespace undergrowth {
 
-/// Plants of one species in struct-of-arrays, stepped together, by any whole number of steps at once; the page's
-/// constants belong to that interval. All that moves in this add-on moves here: a field has many pages, whose bends are
-/// textures' layers, and plants with skeletons of their own share pages that keep directions.
+/// A batch of plants of one species in struct-of-arrays layout, stepped together by a whole number of base steps. All
+/// simulated plants are in pages: a field has many pages with bends for textures, and `Plant3D`s share pages with
+/// directions.
 ///
-/// Elasticity law (thesis, formulas 3.1 and 3.2): the tip feels (1 + e)·m·g·|y| upwards, m·g downwards, the wind and
+/// Elasticity law (thesis, formulas 3.1 and 3.2): the forces on the tip are (1 + e)·m·g·|y| upwards, m·g downwards, the wind and
 /// -friction·velocity, held on the sphere: equilibrium under a horizontal force F is F·w = m·g·tan φ·((1 + e)·cos φ -
-/// 1). Both norms are kept by an exact rotation; kicks are scaled (by sinc²(ω·step/2) without friction) so that a small
+/// 1). An exact rotation preserves both norms; kicks are scaled (by sinc²(ω·step/2) without friction) so that a small
 /// swing has exactly ω² = e·g/L and friction's decay at any step length up to a third of its period; stiffer joints
 /// swing at about that period and stay stable. The rate is that of the middle of the last step (kick, then drift).
 ///
@@ -32,52 +32,50 @@ namespace undergrowth {
 /// during it, so there is no step-length error, nothing can become unstable, and the tip never reaches the ground.
 /// The equilibrium of an upright plant under a horizontal force F is tan φ = F·w/(m·ω²·L).
 ///
-/// Stem law: a stem that bends along its length (stem/stem_beam.hpp, motion/stem_step.hpp). One or two oscillators a
-/// plant in the frame of its rest; what is called its direction here is where the tip points, and tip() lies where the
-/// bent stem ends. The equilibrium of an upright plant under a horizontal force F is tan φ =
+/// Stem law: a stem that bends along its length (stem/stem_beam.hpp, motion/stem_step.hpp). One or two oscillators per
+/// plant in the frame of its rest. Its direction is that of the tip, and tip() is the end of the bent stem. The equilibrium of an upright plant under a horizontal force F is tan φ =
 /// F·StemConstants::dead_slope.
 ///
-/// Winds are horizontal in the axes of the roots. Directions may have axes of their own, in which the wind's way is
-/// given to step(). Numbers out of a species' or a state's range are brought to the nearest safe one; nothing becomes
-/// NaN. Only adding allocates; a page has the same bits at every SimdLevel, however plants are divided among pages.
+/// Winds are horizontal in the axes of the roots. Directions may have other axes; step() takes the wind's direction in
+/// those. Values out of range are clamped to the nearest safe one; nothing becomes NaN. Only adding allocates. Results have
+/// the same bits at every SimdLevel and for any division of plants into pages.
 class MotionPage {
 public:
 	static constexpr int PAGE_PLANTS = 4096; ///< Of a page of a field: a layer of 64 by 64 texels.
-	/// What a page keeps of each plant before its last step and after it, for those who draw it.
+	/// What a page stores of each plant before and after its last step, for drawing.
 	enum class Keeps {
 		bends, ///< Half floats, ready for the graphics card.
 		directions, ///< Floats, for skeletons; such a page has no bends.
 	};
 
-	/// At rest, upright (elasticity law) or along `rest` (spring law), for steps of `step` seconds.
-	/// Of `plants`, `count` valid ones; a page that does not swing holds places only: its plants stand upright.
+	/// Creates `count` valid plants at rest, upright (elasticity law) or along `rest`, for steps of `step` seconds. A page
+	/// that does not swing stores positions only, and its plants are upright.
 	MotionPage(int species_index, const MotionSpecies &species, const MotionPlant *plants, int count, float step,
 			bool swings, Keeps keeps = Keeps::bends);
 
 	int species() const { return species_number; }
-	/// Rows, those of plants that are gone included.
+	/// Number of rows, removed plants included.
 	int size() const { return rows.size(); }
-	/// Plants that are not gone.
+	/// Number of plants that are not removed.
 	int standing() const { return size() - gone; }
-	/// Whether a plant was dropped: its row keeps its index, and its length is 0.
+	/// True if a plant was removed with drop(): its row remains, with length 0.
 	bool is_gone(int index) const { return lengths()[index] <= 0.0f; }
 	bool swings() const { return is_swinging; }
-	/// Whether it keeps bends for a texture: it swings and does not keep directions.
+	/// True if it stores bends for a texture: it swings and does not store directions.
 	bool has_bends() const { return is_swinging && !keeps_directions; }
-	/// Whether a second mode of its stems has bends of its own.
+	/// True if the second mode has bends of its own.
 	bool has_second_bends() const { return has_bends() && modes() == 2; }
-	/// How many modes of each stem are stepped, as many as the species' stem has unless set_modes() said less; 0 under
-	/// another law.
+	/// Number of stepped modes per stem: that of the species, or less after set_modes(). 0 under another law.
 	int modes() const { return kind.law == Law::stem ? kind.stem.modes : 0; }
 	int most_modes() const { return kind.law == Law::stem ? whole.modes : 0; }
-	/// Of a page that does not keep directions: steps one mode of stems that have two, with the shape of a steady wind
-	/// (in_one_mode()), for half the time, or both again. Who goes over to one keeps its tip, and its stem takes that
-	/// shape; who goes over to two keeps all that is seen, what was drawn as the last bend included. Allocates nothing.
+	/// For pages without directions: steps only one of two modes, with the shape of a steady wind (in_one_mode()), in half the
+	/// time, or both again. A change to one mode preserves the tip; a change to two preserves the drawn pose, the last bend
+	/// included. Allocates nothing.
 	void set_modes(int count);
-	/// Of a page that steps two: its next step leaves second modes nearer by `share` of the way to where, beside the
-	/// first, a steady wind would bend them.
+	/// For pages with two stepped modes: the next step moves second modes by `share` towards the value that a steady wind gives
+	/// them.
 	void ease_second(float share) { easing = share; }
-	/// Whether move_tip() moved anybody since this was asked last.
+	/// True if move_tip() moved a plant since the last call.
 	bool take_moved() { return std::exchange(was_moved, false); }
 	Law law() const { return kind.law; }
 	/// Seconds of the step that the constants are for.
@@ -89,15 +87,15 @@ public:
 	const float *roots_z() const { return rows.column(2); }
 	const float *lengths() const { return rows.column(3); }
 	float collision_radius() const { return kind.collision_radius; }
-	/// What a blow on the tip moves (kg).
+	/// Mass that a blow on the tip moves (kg).
 	float mass() const { return kind.law == Law::stem ? stem_mass(kind.stem, 1.0f) : kind.joint.mass; }
 	glm::vec3 root(int index) const;
 	float length(int index) const;
-	/// The direction of a plant in calm air.
+	/// Rest direction of a plant.
 	glm::vec3 rest(int index) const;
-	/// Where a plant points: unit, root to tip.
+	/// Direction of a plant: unit, root to tip.
 	glm::vec3 direction(int index) const;
-	/// From the root to a place on the plant (m), the root itself (share 0) to the tip (1), in the directions' axes: on
+	/// Vector from the root to a point on the plant (m), from the root (share 0) to the tip (1), in the directions' axes: on
 	/// the straight line along the direction, or on the bent stem.
 	glm::vec3 arm(int index, float share) const;
 	glm::vec3 tip(int index) const { return root(index) + arm(index, 1.0f); }
@@ -105,86 +103,85 @@ public:
 	glm::vec3 tip_velocity(int index) const;
 	TipState state(int index) const;
 	StemSecond second(int index) const;
-	/// Puts a plant into a state; what is drawn as the last one is this state's.
+	/// Sets the state of a plant; its last drawn pose becomes the same.
 	void set_state(int index, const TipState &state, const StemSecond &second = {});
-	/// Plant `from` of another page, of any law, goes on as plant `index`, and is drawn where it was; about another
-	/// rest direction, as far from it.
+	/// Transfers the motion of plant `from` of another page, of any law, to plant `index`, with the same drawn pose. With
+	/// another rest direction, the deflection from it is preserved.
 	void take_motion(int index, const MotionPage &other, int from);
-	/// Where a plant pointed before its last step, as it is drawn.
+	/// Drawn direction of a plant before its last step.
 	glm::vec3 before(int index) const;
 	void set_before(int index, const glm::vec3 &direction);
-	/// Of the stem law only, in the frame of the rest, whose bend in the axes of directions is rest_bend().
+	/// Stem law only, in the frame of the rest; rest_bend() is the rest's bend in the axes of directions.
 	const StemConstants &stem_constants() const { return kind.stem; }
-	/// The same of all modes that its stems have.
+	/// The same with all modes of its stems.
 	const StemConstants &whole_stem() const { return whole; }
 	StemState stem(int index) const;
 	void set_stem(int index, const StemState &state);
-	/// Amplitudes before the last step, of a page that keeps directions.
+	/// Amplitudes before the last step, for pages with directions.
 	StemState stem_before(int index) const;
 	void set_stem_before(int index, const StemState &state);
 	glm::vec2 rest_bend(int index) const;
-	/// What the second mode adds to the tip's bend, `alpha` of the way of the last step, of a page that keeps
-	/// directions: as a vector across the rest direction, in the directions' axes.
+	/// The second mode's part of the tip's bend at `alpha` of the last step, for pages with directions: a vector across the
+	/// rest direction, in the directions' axes.
 	glm::vec3 second_bend(int index, float alpha) const;
-	/// Of the stem law: moves a tip by `way` (m), and its velocity by `faster` (m/s), as far as they go across the
-	/// stem.
+	/// Stem law: moves a tip by `way` (m) and changes its velocity by `faster` (m/s), as far as they are across the stem.
 	void move_tip(int index, const glm::vec3 &way, const glm::vec3 &faster);
-	/// A blow on a joint, 1 to StemConstants::joints, whose last one is the tip, or on the head (joints + 1).
+	/// A blow on a joint: 1 to StemConstants::joints (the tip), or joints + 1 (the head).
 	void apply_impulse_at(int index, int joint, const glm::vec3 &impulse);
-	/// A blow on the tip (N·s): changes the velocity by impulse/mass, along the sphere. What goes along the stem is
-	/// held by the root, so a blow upwards straightens a bent plant and does nothing to an upright one.
+	/// A blow on the tip (N·s): changes the velocity by impulse/mass, along the sphere. The root resists
+	/// the part along the stem, so a blow upwards straightens a bent plant and does not move an upright one.
 	void apply_impulse(int index, const glm::vec3 &impulse);
-	/// Puts all plants into their rest directions, without velocity; both bends of each are those.
+	/// Sets all plants to rest, including their last drawn pose.
 	void settle();
-	/// Makes room for `plants` in all, so that add() does not allocate until there are more.
+	/// Reserves room for `plants` in total; add() does not allocate up to that number.
 	void reserve(int plants);
 	/// Appends `count` valid plants, at rest.
 	void add(const MotionPlant *plants, int count);
-	/// Takes plant `index` away and leaves its row, upright and without length. Nothing where it is gone.
+	/// Removes plant `index`; its row remains, upright, with length 0. Does nothing for removed plants.
 	void drop(int index);
-	/// Another place, length and rest direction of plant `index`; its motion goes on.
+	/// Changes position, length and rest direction of plant `index` without interrupting its motion.
 	void set_plant(int index, const MotionPlant &plant);
-	/// Removes plant `index`; the last one takes its index.
+	/// Removes plant `index`; the last plant gets its index.
 	void remove(int index);
 
-	/// Other constants; the motion goes on. A page of the elasticity law keeps no rest directions: where the law
-	/// changes, plants rest upright until set_rests().
+	/// Changes constants without interrupting the motion. The elasticity law has no rest directions: after a change of law
+	/// plants rest upright until set_rests().
 	void set_species(const MotionSpecies &species);
-	/// Other rest directions (unit, as MotionPlant::rest) of `count` plants from `first` on; plants swing there.
-	/// Without effect where the law has none.
+	/// Changes the rest directions (unit, as MotionPlant::rest) of `count` plants from `first` on; plants swing there. No
+	/// effect under the elasticity law.
 	void set_rests(int first, const glm::vec3 *rests, int count);
-	/// Constants for steps of another length (s); the motion goes on. Allocates nothing.
+	/// Changes the step length (s) without interrupting the motion. Allocates nothing.
 	void set_step_length(float step);
-	/// When in a step its wind is to be taken, as a share of it: the elasticity law's kick stands at the start of the
-	/// drift (its rate is that of the middle), the closed forms of the others hold the force of the middle.
+	/// Time within a step at which to sample the wind, as a fraction: the elasticity law kicks at the start of the drift (its
+	/// rate is that of the middle); the closed forms of the other laws use the force of the middle.
 	double wind_moment() const { return kind.law == Law::elasticity ? 0.0 : 0.5; }
-	/// One step under `wind`, which blows along (along.x, along.z) of the directions' axes. `level` chooses the code,
+	/// Runs one step under `wind`, with the direction (along.x, along.z) in the directions' axes. `level` selects the code,
 	/// not the result.
 	void step(const TravellingWind &wind, const PlantWinds &along, SimdLevel level = best_simd_level());
 
-	/// For a page of many steps, before each: its air may be sampled ahead (AirAhead) of its step at `moment` (s), in
-	/// turn with other pages. Without it, all of it is sampled in each step.
+	/// Call before each step to let the page sample its air ahead (AirAhead) of the step at `moment` (s), in turn with other
+	/// pages. Without it each step samples all air.
 	void look_ahead(const FieldWind &wind, const PlantWinds &along, double moment, int turn,
 			SimdLevel level = best_simd_level());
-	/// Room for what is sampled ahead. Allocates where there are more plants than before.
+	/// Reserves room for samples ahead. Allocates only for more plants than before.
 	void make_room_ahead() { ahead.make_room(is_swinging ? size() : 0); }
 
-	/// Of a page that keeps directions: unit directions of all plants, `alpha` of the way from before the last step (0)
-	/// to after it (1), to out[0 .. size()).
+	/// For pages with directions: writes the unit directions of all plants at `alpha`, from before the last step (0) to after
+	/// it (1), to out[0 .. size()).
 	void interpolate(float alpha, glm::vec3 *out) const;
-	/// Of the others that swing: pairs of bends, 2·size(), each plant's before its last step and after it.
+	/// For pages with bends: 2·size() bends, for each plant before and after its last step.
 	const Bend *bends() const { return pairs.data(); }
 	Bend *bends() { return pairs.data(); }
-	/// Of the second mode: its part of the tip's bend in the frame of the rest, as many.
+	/// The same for the second mode: its part of the tip's bend in the frame of the rest.
 	const Bend *second_bends() const { return second_pairs.data(); }
 	Bend *second_bends() { return second_pairs.data(); }
 
-	/// The box (m) that holds all roots and every place that a tip can reach.
+	/// Bounding box (m) of all roots and all positions that tips can reach.
 	const glm::vec3 &low() const { return box_low; }
 	const glm::vec3 &high() const { return box_high; }
-	/// Of the heap.
+	/// Heap bytes.
 	std::size_t bytes() const;
-	/// It is stepped soon: the beginnings of its columns come into the cache.
+	/// Prefetches the beginnings of its columns into the cache.
 	void prefetch() const;
 
 private:
@@ -194,15 +191,15 @@ private:
 	float step_time; ///< s.
 	int gone = 0;
 	bool was_moved = false;
-	float easing = 0.0f; ///< Of the next step.
+	float easing = 0.0f; ///< For the next step.
 	MotionSpecies kind;
-	StemConstants whole; ///< Of the stem law: with all modes. The kind's has those that are stepped.
+	StemConstants whole; ///< Stem law: constants of all modes. `kind` has those of the stepped modes.
 	SpringConstants spring = {};
 	ElasticityConstants elasticity = {};
 	StemStep stems = {};
-	float most_load_scale = 1.0f; ///< Of the stem law: none of LOAD_SCALE is above it, eased or not.
-	float fastest = 1.0f; ///< Of graded stems, over the species'.
-	float most_lean = 0.0f; ///< Of the stem law: no rest's bend is larger.
+	float most_load_scale = 1.0f; ///< Stem law: upper bound of LOAD_SCALE, graded or not.
+	float fastest = 1.0f; ///< Graded stems: highest frequency relative to the species'.
+	float most_lean = 0.0f; ///< Stem law: upper bound of the rest's bends.
 	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
 	Columns rows;
@@ -215,7 +212,7 @@ private:
 	ElasticityPage elasticity_page(int begin);
 	SpringPage spring_page(int begin);
 	StemPage stem_page(int begin);
-	/// Of the plants from `begin` on, or up to `end`.
+	/// For the plants from `begin` on, or up to `end`.
 	void update_constants(int begin) { update_constants(begin, size()); }
 	void update_constants(int begin, int end);
 	bool is_graded() const { return kind.law == Law::stem && whole.has_grades(); }

@@ -2,7 +2,7 @@
 
 namespace undergrowth {
 
-/// What the columns of a MotionPage hold; private to its own files.
+/// Columns of a MotionPage; private to its own files.
 namespace motion_page_columns {
 
 /// Columns of every page.
@@ -14,7 +14,7 @@ enum Column : int {
 	STILL_COLUMNS,
 };
 
-/// Further columns of a page of the elasticity law; the last ones only where it keeps directions.
+/// Further columns of a page of the elasticity law; the last ones only in pages with directions.
 enum ElasticityColumn : int {
 	X = STILL_COLUMNS,
 	Y,
@@ -43,8 +43,8 @@ enum SpringColumn : int {
 	FLAT_LAST_Z,
 };
 
-/// Further columns of a page of the stem law: of mode 0, as many; of mode 1, where there is one; and the amplitudes
-/// before the last step of each where it keeps directions.
+/// Further columns of a page of the stem law: those of mode 0, those of mode 1 if there is one, and in pages with
+/// directions the amplitudes of each before the last step.
 enum StemColumn : int {
 	PLACE_X = STILL_COLUMNS,
 	PLACE_Z,
@@ -60,12 +60,12 @@ enum StemColumn : int {
 	TWO_MODES_COLUMNS,
 };
 
-/// Where the amplitudes of a mode stand: x, z and their rates, side by side.
+/// First of the four consecutive columns of a mode: amplitudes x and z, and their rates.
 constexpr int first_of_mode(int mode) {
 	return mode == 0 ? static_cast<int>(PLACE_X) : static_cast<int>(SECOND_PLACE_X);
 }
 
-/// Where those before the last step stand, of a page of so many modes.
+/// First column of the amplitudes before the last step, in a page of `modes`.
 constexpr int last_of_mode(int modes, int mode) {
 	return (modes == 1 ? static_cast<int>(SWINGING_COLUMNS) : static_cast<int>(TWO_MODES_COLUMNS)) + 2 * mode;
 }
@@ -74,7 +74,7 @@ constexpr int stem_columns(int modes, bool keeps_directions) {
 	return last_of_mode(modes, keeps_directions ? modes : 0);
 }
 
-/// Behind these, where frequencies follow from each plant's height: the eases of both loads, and four of each mode.
+/// Number of columns after these for height-dependent frequencies: the factors of both loads, and four per mode.
 constexpr int graded_columns(int modes) {
 	return 2 + 4 * modes;
 }

@@ -159,7 +159,7 @@ void MotionPage::set_state(int index, const TipState &state, const StemSecond &s
 
 void MotionPage::take_motion(int index, const MotionPage &other, int from) {
 	if (!is_swinging || !other.is_swinging) {
-		return; // Who follows a prototype has no motion of its own.
+		return; // A follower has no motion of its own.
 	}
 	const glm::vec3 was = other.rest(from);
 	const glm::vec3 is = rest(index);

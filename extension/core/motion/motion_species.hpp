@@ -7,14 +7,14 @@
 
 namespace undergrowth {
 
-/// What all plants of one species share.
+/// Parameters that all plants of one species share.
 struct MotionSpecies {
 	Law law = Law::elasticity;
-	Joint joint; ///< Without `length` and `rest`, which each plant has of its own. Of stems, only `above_ground`.
-	StemConstants stem; ///< Of the stem law.
+	Joint joint; ///< `length` and `rest` are per plant and unused here. Stems use only `above_ground`.
+	StemConstants stem; ///< Stem law.
 	float collision_radius = 0.05f; ///< m, of the sphere at a tip.
-	float stand_height = 0.0f; ///< m, of the stand that shelters its plants; 0: each stands alone.
-	// Of the prototypes only, which stand for all plants of the species.
+	float stand_height = 0.0f; ///< m, canopy that shelters its plants; 0: isolated plants.
+	// For prototypes only, which represent all plants of the species.
 	float shortest = 0.5f; ///< m; of all, where air is sampled ahead.
 	float longest = 1.0f; ///< m.
 	float lean = 0.0f; ///< rad, from upright to the rest direction (not of the elasticity law).

@@ -9,9 +9,9 @@
 
 namespace undergrowth {
 
-/// What blows over the plants of a block, in the first-level cache.
+/// Wind at the plants of a block, sized for the first-level cache.
 struct BlockWind {
-	static constexpr int PLANTS = 512; ///< Whose winds are sampled together.
+	static constexpr int PLANTS = 512; ///< Plants that are sampled together.
 
 	float strengths[PLANTS]; ///< N.
 	float x[PLANTS]; ///< m/s.
@@ -20,7 +20,7 @@ struct BlockWind {
 	bool has_air = false;
 };
 
-/// The wind of one step as the plants of a page feel it.
+/// The wind of one step at the plants of a page.
 struct PageWind {
 	const TravellingWind &wind;
 	const PlantWinds &along;
@@ -28,15 +28,14 @@ struct PageWind {
 	const float *x, *y, *z; ///< m, roots.
 	const float *lengths; ///< m.
 	glm::vec3 low, high; ///< m, of the page's box.
-	float stand_height; ///< m; 0: plants stand alone.
+	float stand_height; ///< m; 0: isolated plants.
 	float drag; ///< kg/m, of a tip of the laws of one joint.
-	bool has_stems; ///< Under which newtons and air blow together; under the other laws, newtons that sources stir
-					///< become air.
+	bool has_stems; ///< Stems take forces and air together. Under the other laws, forces near sources become air.
 	SimdLevel level;
 	AirBlow blow = wind.is_air ? blow_over(wind.air, stand_height, along) : AirBlow{};
 	bool is_stirred = any_reaches(wind.sources, low, high);
 
-	/// Of `count` plants from `begin` on.
+	/// Samples `count` plants from `begin` on.
 	void sample(int begin, int count, BlockWind &block) const;
 };
 

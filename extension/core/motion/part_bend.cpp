@@ -15,7 +15,7 @@ namespace undergrowth {
 
 namespace {
 
-// The same numbers stand in undergrowth_swing.gdshaderinc.
+// undergrowth_swing.gdshaderinc has the same numbers.
 constexpr float STIFF = 6.0f; // Hz: such parts give way half as much as soft ones.
 constexpr float PRESS = 0.45f; // Of the stem's own bend, from the side.
 constexpr float PRESS_OF_LEE = 0.4f; // More from outside, less on the lee side, as a share of it.
@@ -26,7 +26,7 @@ constexpr float CALMED = 4.0f; // Per damping ratio.
 constexpr float ASIDE = 0.4f; // Of the flutter.
 constexpr float INWARD = 0.12f; // About 14°: no part goes farther in to its stem.
 constexpr float HEAD = 0.6f; // Heads turn as a whole.
-constexpr float CALM = 2e-3f; // Below, a stem rests: half floats say no more.
+constexpr float CALM = 2e-3f; // Below this a stem is at rest: the resolution of half floats.
 constexpr float LEAST = 1e-6f;
 constexpr float LEANS = 3.0f; // A third of the way up a plant leans as its stem does; undergrowth_stem.gdshaderinc.
 
@@ -118,7 +118,7 @@ StandingStem::StandingStem(const StemConstants &stem, float plant_height, const 
 	amplitudes[1] = stem.modes == 2 ? motion.second / stem.mode[1].tip_slope : glm::vec2(0.0f);
 }
 
-// A stem that leans is straight from its root on; what stands on the ground around the root stays there.
+// A leaning stem is straight from its root on; parts on the ground around the root do not move.
 glm::vec2 StandingStem::lean_at(float x) const {
 	return rest * std::clamp(LEANS * x, 0.0f, 1.0f);
 }

@@ -51,7 +51,7 @@ glm::vec3 stem_velocity(const StemConstants &stem, const StemState &state, float
 	}
 	const glm::vec2 bend = bend_at(stem, state, x);
 	const float inverse = 1.0f / (1.0f + glm::dot(bend, bend));
-	// As a direction moves whose bend changes so.
+	// Velocity of a direction from the rate of its bend.
 	const float growth = 2.0f * inverse * glm::dot(bend, rate);
 	const glm::vec2 level = inverse * (rate - growth * bend);
 	return { level.x, -inverse * growth, level.y };

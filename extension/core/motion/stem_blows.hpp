@@ -18,12 +18,12 @@ glm::vec3 stem_velocity(const StemConstants &stem, const StemState &state, float
 /// kg: what moves with a place as a blow feels it, 1/Σ φ²/m; much at the root.
 float stem_mass(const StemConstants &stem, float x);
 
-/// A blow (N·s): the place's velocity changes by impulse over stem_mass() across the stem; what goes along the stem
-/// is held by the root.
+/// A blow (N·s): the place's velocity changes by impulse over stem_mass() across the stem; the root
+/// resists the part along the stem.
 void blow_on_stem(const StemConstants &stem, StemState &state, float x, const glm::vec3 &impulse, float scale);
 
-/// Moves a place by `way` (m), as far as it goes across the stem, with the least energy of bending: as something that
-/// pushes it there slowly would. For ways that are small beside the stem.
+/// Moves a point by `way` (m) across the stem with minimum bending energy, like a slow push. For moves that are small
+/// relative to the stem.
 void push_stem(const StemConstants &stem, StemState &state, float x, const glm::vec3 &way, float scale);
 
 } // namespace undergrowth

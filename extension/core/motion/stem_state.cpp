@@ -25,7 +25,7 @@ glm::vec2 multiplied(const glm::vec2 &a, const glm::vec2 &b) {
 	return { a.x * b.x + a.y * b.y, a.x * b.y - a.y * b.x };
 }
 
-/// How fast the direction changes whose bend changes so.
+/// Rate of a direction from the rate of its bend.
 glm::vec3 rate_of_direction(const glm::vec2 &bend, const glm::vec2 &rate) {
 	const float scale = 1.0f / (1.0f + glm::dot(bend, bend));
 	const float growth = 2.0f * glm::dot(bend, rate) * scale;

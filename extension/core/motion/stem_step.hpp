@@ -5,11 +5,11 @@
 
 namespace undergrowth {
 
-/// What the stem kernel needs of a species for steps of one length (s).
+/// Constants of the stem kernel for a species and a step length (s).
 ///
-/// The modes' steps are the closed form of a damped oscillator, so frequency and damping are as they say at any step
-/// length. A mode with less than four steps to a swing does not swing: it stands where its load leads.
-/// `above_ground`: whether the ground stops tips.
+/// The modes' steps are the closed form of a damped oscillator, so frequency and damping are exact at any step
+/// length. A mode with less than four steps per period does not swing: it takes its equilibrium. `above_ground`: the
+/// ground stops tips.
 StemStep stem_step_constants(const StemConstants &stem, float step, bool above_ground = true);
 
 /// Columns of StemPage for stems whose frequencies follow from their height.
@@ -18,11 +18,11 @@ struct StemGrades {
 	float *by_height[MOST_STEM_MODES][4];
 };
 
-/// Fills them in for plants with each of `count` lengths (m). Returns how much faster than the species' the fastest of
-/// them swings, 1 at least.
+/// Fills in the columns for plants with `count` lengths (m). Returns the highest frequency relative to the species', at
+/// least 1.
 float stem_grades(const StemConstants &stem, float step, const float *lengths, int count, const StemGrades &to);
 
-/// StemPage::scale of plants with each of `count` lengths (m); 1 for those without one, who are gone.
+/// StemPage::scale of plants with each of `count` lengths (m); 1 for removed plants (length 0).
 void stem_scales(const StemConstants &stem, const float *lengths, int count, float *scales);
 
 } // namespace undergrowth

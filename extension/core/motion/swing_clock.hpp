@@ -6,7 +6,7 @@
 
 namespace undergrowth {
 
-/// The clock that parts swing by. It goes on with the steps of the motion, so that what does not step stands still.
+/// Clock of swinging parts. It advances with the steps of the motion, so parts of plants that do not step are still.
 class SwingClock {
 public:
 	void step(double seconds) {
