@@ -115,7 +115,7 @@ AreaBox changed_box(const Polygon &one, const Polygon &other) {
 	std::vector<AreaEdge> edges[2];
 	for (int i = 0; i < 2; i++) {
 		for_each_edge(i == 0 ? one : other, [&](const AreaEdge &edge) {
-			if (edge.low_z < edge.high_z) { // No point is on this side or that of the others.
+			if (edge.low_z < edge.high_z) { // Edges along x have no inner side.
 				edges[i].push_back(edge);
 			}
 		});

@@ -8,7 +8,7 @@
 
 namespace undergrowth {
 
-/// An edge of a polygon, from its end of smaller z to the other, so that two areas on either side of it agree on it.
+/// An edge of a polygon, directed towards larger z, so that two adjacent areas compute it equally.
 struct AreaEdge {
 	double low_x;
 	double low_z;
@@ -18,7 +18,7 @@ struct AreaEdge {
 	/// Within the edge's z.
 	double x_at(double z) const { return low_x + (z - low_z) * (high_x - low_x) / (high_z - low_z); }
 
-	/// Whether the ray from the point towards +x crosses the edge.
+	/// True if the ray from the point towards +x crosses the edge.
 	bool is_right_of(const glm::vec2 &point) const {
 		const double z = point.y;
 		return low_z <= z && z < high_z && static_cast<double>(point.x) < x_at(z);

@@ -12,18 +12,18 @@ struct AreaSpan {
 	double high;
 };
 
-/// What matters of an area and its exclusions in a strip along x: with it a point costs a few edges only.
+/// The edges of an area and its exclusions within a strip along x, so that a point test visits few edges.
 struct AreaRow {
 	double low; ///< m, z.
 	double high;
 	std::vector<AreaEdge> edges;
 	std::vector<AreaEdge> exclusion_edges;
-	std::vector<std::size_t> exclusion_ends; ///< In `exclusion_edges`, one for each exclusion.
-	std::vector<AreaSpan> spans; ///< m, x: nothing of the area is elsewhere. In no order, they may overlap.
+	std::vector<std::size_t> exclusion_ends; ///< End of each exclusion in `exclusion_edges`.
+	std::vector<AreaSpan> spans; ///< m, x: the spans contain the whole area. Unordered; may overlap.
 
 	AreaRow(const Polygon &area, const std::vector<Polygon> &exclusions, double low_z, double high_z);
 
-	/// For points of the strip: is_inside() of the area and of no exclusion.
+	/// For points of the strip: inside of the area and outside of all exclusions.
 	bool holds(const glm::vec2 &point) const;
 
 private:

@@ -20,35 +20,35 @@ struct TileKey {
 	bool operator==(const TileKey &other) const { return column == other.column && row == other.row; }
 };
 
-/// The tile that holds (x, z) (m), of tiles of `size` (m). Whatever is farther than 1e9 tiles is in the last one.
+/// The tile of `size` (m) that contains (x, z) (m). Positions beyond 1e9 tiles belong to the last one.
 TileKey tile_at(float x, float z, float size);
 
-/// Where tile_at() is this one: on the lower sides included, on the others not.
+/// The box of a tile: includes the lower sides, excludes the upper ones.
 AreaBox tile_box(const TileKey &tile, float size);
 
-/// The tile that is `factor` (>= 1) times as wide and holds this one.
+/// The tile that is `factor` (>= 1) times as wide and contains this one.
 TileKey wider_tile(const TileKey &tile, int factor);
 
-/// Plants of one species in one tile: what is built, stepped, drawn and dropped as a whole. Each keeps its slot for as
-/// long as the block stands.
+/// Plants of one species in one tile: the unit of building, stepping, drawing and removal. The slot of a plant does not
+/// change while the block exists.
 struct PlantBlock {
 	static constexpr int MOST_PLANTS = 4096;
-	/// Of a block of newcomers: so few that it is drawn anew in no time when more come.
+	/// Maximum of a block of late plants: small, because it is redrawn when plants are added.
 	static constexpr int MOST_NEWCOMERS = 1024;
 
 	TileKey tile;
 	int species = 0;
-	bool is_added = false; ///< By code, and not by filling.
-	bool is_late = false; ///< Of newcomers among those that were filled; it grows.
-	double spacing = 0.0; ///< m, of the placement that names its plants; of those that were added 0.
-	FieldPlants plants; ///< By variant, where they were filled. A scale of 0 stands for a plant that is gone.
-	std::vector<int64_t> ids; ///< Of plants that were added; those of others follow from where they stand.
+	bool is_added = false; ///< Plants that code added.
+	bool is_late = false; ///< Plants that a stroke or a path added to a built field; it grows.
+	double spacing = 0.0; ///< m, of the placement that gives the ids; 0 for added plants.
+	FieldPlants plants; ///< Generated plants are ordered by variant. A scale of 0 marks a removed plant.
+	std::vector<int64_t> ids; ///< Ids of added plants; ids of generated plants follow from their position.
 	int gone = 0;
-	glm::vec3 low = { 0.0f, 0.0f, 0.0f }; ///< m, the box around all roots.
+	glm::vec3 low = { 0.0f, 0.0f, 0.0f }; ///< m, bounding box of all roots.
 	glm::vec3 high = { 0.0f, 0.0f, 0.0f };
 
 	int size() const { return plants.size(); }
-	/// How many it may have.
+	/// Maximum number of plants.
 	int room() const { return is_late ? MOST_NEWCOMERS : MOST_PLANTS; }
 	int standing() const { return plants.size() - gone; }
 	bool is_gone(int slot) const { return plants.scale[static_cast<std::size_t>(slot)] == 0.0f; }
@@ -56,13 +56,13 @@ struct PlantBlock {
 		const auto at = static_cast<std::size_t>(slot);
 		return { plants.x[at], plants.y[at], plants.z[at] };
 	}
-	/// Appends a valid plant. Its place widens the box.
+	/// Appends a valid plant and extends the box.
 	void add(const PlacedPlant &plant);
 };
 
 /// Cuts plants into blocks of tiles of `tile_size` (m; not above 0 acts as 16): along Hilbert's curve, so that
-/// neighbours on the ground are neighbours in the list, then by species; within a block by variant. Equal ones stay in
-/// their order.
+/// neighbours on the ground are neighbours in the list, then by species; within a block by variant. The sort is
+/// stable.
 std::vector<PlantBlock> cut_into_blocks(const FieldPlants &plants, float tile_size);
 
 } // namespace undergrowth

@@ -6,7 +6,7 @@ namespace undergrowth {
 
 namespace {
 
-constexpr uint32_t STEP_BITS = 4; ///< Of either coordinate: so many halvings are looked up at once.
+constexpr uint32_t STEP_BITS = 4; ///< Bits per coordinate that one table lookup resolves.
 constexpr uint32_t STEP_PLACES = 1u << STEP_BITS;
 
 /// How the curve runs within a square, against how it runs within the whole.

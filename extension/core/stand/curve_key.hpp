@@ -4,7 +4,7 @@
 
 namespace undergrowth {
 
-/// Place along Hilbert's curve (Hilbert 1891), which goes from each square of a grid to one beside it.
+/// Index of a grid cell along Hilbert's curve (Hilbert 1891), which connects neighbouring cells.
 uint64_t curve_key(int column, int row);
 
 } // namespace undergrowth

@@ -30,7 +30,7 @@ FilledBlocks copy_of(const PlantStore &store, const std::vector<int> &numbers) {
 	return filled;
 }
 
-/// Whether the same plants stand as before, as after most changes: no names need be compared then.
+/// True if the plants are the same as before, as after most changes; ids need not be compared then.
 bool are_the_same(const FilledBlocks &before, const std::vector<PlantBlock> &now, double spacing) {
 	return std::equal(now.begin(), now.end(), before.blocks.begin(), before.blocks.end(),
 			[spacing](const PlantBlock &block, const std::pair<int, PlantBlock> &was) {
@@ -95,8 +95,8 @@ CellGrid grid_around(const FilledBlocks &filled, double spacing) {
 	return { low.x, low.y, bits_for(int64_t(high.x) - low.x + 1), bits_for(int64_t(high.y) - low.y + 1) };
 }
 
-/// Where plants of different names stand: a hash table with open addressing, at most half full. Where their cells fill
-/// a rectangle it is that: names need not be kept, and whoever stands side by side is found side by side.
+/// Maps ids to plants: a hash table with open addressing, at most half full. If the cells fill a rectangle it is a grid
+/// without stored ids, in which neighbours are adjacent.
 class PlacesByName {
 public:
 	PlacesByName(const CellGrid &around, std::size_t count) : grid(around) {
@@ -131,7 +131,7 @@ private:
 	std::vector<PlantPlace> places;
 	std::vector<PlantId> names; ///< Of no grid.
 
-	/// Where a name stands, or would; in a grid, of a name within it.
+	/// Slot of an id, or the slot where it would be inserted; in a grid only for ids within it.
 	std::size_t slot_of(PlantId name) const {
 		if (is_grid) {
 			return static_cast<std::size_t>(grid.place_of(name));

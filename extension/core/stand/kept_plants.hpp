@@ -7,29 +7,27 @@
 
 namespace undergrowth {
 
-/// Plants that were filled: their blocks, and the spacing (m) of the placement that they were filled by last.
+/// Generated plants: their blocks, and the spacing (m) of their last placement.
 struct FilledBlocks {
-	std::vector<std::pair<int, PlantBlock>> blocks; ///< With the number of each in a store.
+	std::vector<std::pair<int, PlantBlock>> blocks; ///< Each with its number in the store.
 	double spacing = 1.0;
 };
 
-/// A copy of all that is filled in a store.
+/// Copies all generated plants of a store.
 FilledBlocks copy_filled(const PlantStore &store);
-/// The same of a tile.
+/// The same for one tile.
 FilledBlocks copy_filled_in(const PlantStore &store, const TileKey &tile);
 
-/// Those of them that stand, of species that go on: `species_numbers` says what species are now (-1: no more), by what
-/// they were.
+/// Collects the existing plants of species that remain. `species_numbers` maps old species to new ones (-1: removed).
 FieldPlants gather_plants(const FilledBlocks &filled, const std::vector<int> &species_numbers);
 
-/// A plant that stood before and stands again.
+/// A plant that exists before and after a build.
 struct KeptPlant {
-	PlantPlace from; ///< As it was.
-	PlantPlace to; ///< Its block by its index in `now`.
+	PlantPlace from; ///< In the old store.
+	PlantPlace to; ///< Block as an index in `now`.
 };
 
-/// Who of `before` stands again in `now`, which was filled at `spacing` (m): those of the same names at the same
-/// spacing.
+/// Matches plants of `before` that also exist in `now`, which was placed at `spacing` (m), by id and spacing.
 std::vector<KeptPlant> find_kept(const FilledBlocks &before, const std::vector<PlantBlock> &now, double spacing);
 
 } // namespace undergrowth

@@ -46,7 +46,7 @@ int floor_to_int(double value) {
 	return static_cast<int>(std::floor(value));
 }
 
-/// m: wider than where plants stand by far more than coordinates are rounded by.
+/// m: a margin around positions, much larger than the rounding of coordinates.
 constexpr double SLACK = 0.01;
 
 /// The cells that meet a span of x (m), from the first to before the last.

@@ -10,7 +10,7 @@ namespace undergrowth {
 
 namespace {
 
-constexpr int CELL_BITS = 25; ///< As far as plants stand, on square centimetres, of both signs.
+constexpr int CELL_BITS = 25; ///< The whole range of positions in cells of a square centimetre, both signs.
 constexpr int SPACING_BITS = 12;
 constexpr int64_t MIDDLE = int64_t(1) << (CELL_BITS - 1);
 constexpr int64_t CELL_MASK = (int64_t(1) << CELL_BITS) - 1;
@@ -24,7 +24,7 @@ double side_of(int64_t row) {
 	return (row & 1) == 0 ? EVEN_SIDE : ODD_SIDE;
 }
 
-/// What tells apart the names of different spacings.
+/// Hash that separates the ids of different spacings.
 int64_t mark_of(double spacing) {
 	uint64_t bits = 0;
 	std::memcpy(&bits, &spacing, sizeof(bits));

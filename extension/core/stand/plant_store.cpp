@@ -36,7 +36,7 @@ ChangeSet PlantStore::apply(StandEdit &&edit) {
 	for (const PlantPlace &place : edit.removed) {
 		remove(place, changes);
 	}
-	// Whoever went before the last one of a block is told of with it.
+	// Plants that were removed before the last one of a block are reported with it.
 	const auto is_empty = [this](const PlantPlace &place) { return block(place.block).size() == 0; };
 	changes.gone.erase(std::remove_if(changes.gone.begin(), changes.gone.end(), is_empty), changes.gone.end());
 	for (const TileKey &tile : edit.left_tiles) {
@@ -96,7 +96,7 @@ void PlantStore::drop(int number, ChangeSet &changes) {
 }
 
 void PlantStore::drop_filled(ChangeSet &changes) {
-	// From the last, so that take_number() gives the lowest first: a field that is filled as before keeps its numbers.
+	// From the last, so that take_number() returns the lowest first and an equal rebuild has equal numbers.
 	for (int number = block_count() - 1; number >= 0; number--) {
 		if (block(number).size() > 0 && !block(number).is_added) {
 			drop(number, changes);
@@ -123,7 +123,7 @@ void PlantStore::rename_species(const std::vector<int> &numbers) {
 	}
 }
 
-/// Their tiles are others now. Names stay.
+/// Moves added plants to their new tiles. Ids do not change.
 void PlantStore::cut_added_anew(ChangeSet &changes) {
 	std::vector<std::pair<PlantId, PlacedPlant>> kept;
 	for (int number = 0; number < block_count(); number++) {

@@ -12,7 +12,7 @@
 
 namespace undergrowth {
 
-/// Where a plant stands in a store: stable as long as its block stands.
+/// Location of a plant in a store: stable while its block exists.
 struct PlantPlace {
 	int block = -1;
 	int slot = -1;
@@ -21,66 +21,66 @@ struct PlantPlace {
 	bool operator<(const PlantPlace &other) const { return std::tie(block, slot) < std::tie(other.block, other.slot); }
 };
 
-/// What is to happen to a stand, in this order.
+/// A change of a store. Its parts are applied in this order.
 struct StandEdit {
-	bool fills = false; ///< Whether `filled` replaces all plants that were filled before.
-	std::vector<PlantBlock> filled; ///< As cut_into_blocks() makes them, of tiles of `tile_size`.
-	float tile_size = 16.0f; ///< m, > 0. Another one than before cuts what was added anew, too.
-	double spacing = 0.0; ///< m: of the placement that `filled` or `stood` comes from; 0: as before.
-	/// With `fills`: what species are from now on, by what they were. Empty: the same.
+	bool fills = false; ///< True: `filled` replaces all generated plants.
+	std::vector<PlantBlock> filled; ///< Blocks from cut_into_blocks(), in tiles of `tile_size`.
+	float tile_size = 16.0f; ///< m, > 0. A new size also re-divides added plants.
+	double spacing = 0.0; ///< m, of the placement of `filled` or `stood`; 0: no change.
+	/// With `fills`: new species by old species. Empty: no change.
 	std::vector<int> species_numbers;
-	/// Newcomers among those that were filled, of the same placement: valid ones, of cells where nobody stands, or
-	/// where whoever does is removed. Not together with `fills`.
+	/// New generated plants of the same placement: valid, in cells that are free or whose plant is removed. Not together
+	/// with `fills`.
 	std::vector<PlacedPlant> grown;
-	/// As many: where each stood until now, otherwise high, or a block of -1. Those are removed.
+	/// The same size: previous location of each plant that only changes its height, or a block of -1. Those are removed.
 	std::vector<PlantPlace> grown_from;
-	std::vector<PlantPlace> removed; ///< Of plants that stand. Not together with `fills`.
-	/// All plants that were filled in these tiles go, newcomers included. Not together with `fills` or `grown`.
+	std::vector<PlantPlace> removed; ///< Existing plants. Not together with `fills`.
+	/// Tiles whose generated plants are removed. Not together with `fills` or `grown`.
 	std::vector<TileKey> left_tiles;
-	/// Stands beside what was filled before: as `filled`, in tiles where nobody is, those that were left included.
+	/// New blocks in tiles without plants, including `left_tiles`.
 	std::vector<PlantBlock> stood;
-	std::vector<PlacedPlant> added; ///< Valid ones, of species that the owner knows.
-	/// As many, ascending: plants that were added before come back by their names, which nobody has. Empty: new names.
+	std::vector<PlacedPlant> added; ///< Valid plants of species that the owner has.
+	/// The same size, ascending: old, unused ids under which added plants are restored. Empty: new ids.
 	std::vector<PlantId> added_ids;
 };
 
-/// What an edit did, for those who move and draw what stands.
+/// Result of an edit, for simulation and rendering.
 struct ChangeSet {
-	/// Plants [first, size) of a block are new. Of a block that is new, first is 0.
+	/// Plants [first, size) of a block are new. In a new block first is 0.
 	struct Grown {
 		int block = 0;
 		int first = 0;
 	};
 
-	/// A plant that stands elsewhere now, and goes on with its motion. Those of `from` are gone or dropped as well.
+	/// A plant with a new location that continues its motion. `from` is also in `gone`, or its block in `dropped`.
 	struct Moved {
 		PlantPlace from;
 		PlantPlace to;
 	};
 
-	std::vector<int> dropped; ///< Blocks that are no more. Their numbers may be those of new ones.
+	std::vector<int> dropped; ///< Removed blocks. New blocks may reuse their numbers.
 	std::vector<Grown> grown;
-	/// Plants of blocks that still stand, even where nobody is left in one: only those that were added are dropped
-	/// then.
+	/// Removed plants of blocks that still exist. A block of generated plants remains when it is empty; one of added plants
+	/// is dropped.
 	std::vector<PlantPlace> gone;
-	/// Of StandEdit::grown. Their blocks grew before any was dropped, whose numbers they do not have.
+	/// Of StandEdit::grown. Their blocks grew before any block was dropped and do not reuse its number.
 	std::vector<Moved> moved;
-	std::vector<PlantId> added; ///< As the edit's `added`, in its order.
+	std::vector<PlantId> added; ///< Ids in the order of StandEdit::added.
 };
 
-/// Plants that were filled, with the place of each.
+/// Generated plants with their locations.
 struct StandingPlants {
 	FieldPlants plants;
 	std::vector<PlantPlace> places;
 };
 
-/// The one place that knows what stands in a field: blocks of plants in square tiles. It changes by apply() only.
-/// Plants never move within it: who was told a place may keep it until a ChangeSet names the block or the plant.
+/// The plants of a field, in blocks by tile and species. Only apply() changes it. Locations are stable: a PlantPlace is
+/// valid until a ChangeSet lists its block or plant.
 class PlantStore {
 public:
 	ChangeSet apply(StandEdit &&edit);
 
-	/// One more than the largest number of a block.
+	/// Upper bound of block numbers.
 	int block_count() const { return static_cast<int>(blocks.size()); }
 	/// Where a number has no block, its block is empty.
 	const PlantBlock &block(int number) const { return blocks[static_cast<std::size_t>(number)]; }
@@ -105,28 +105,28 @@ public:
 	PlantId id(const PlantPlace &place) const;
 	/// Ids of all plants, in the order of blocks and slots.
 	std::vector<PlantId> ids() const;
-	/// Appends all plants whose roots are at most `radius` (m) from `centre`. Costs by the tiles that the sphere meets.
+	/// Appends all plants whose roots are at most `radius` (m) from `centre`. The cost depends on the tiles that the sphere meets.
 	void find_in_sphere(const glm::vec3 &centre, float radius, std::vector<PlantPlace> &found) const;
-	/// The same at most `radius` (m) beside the line from one place (x, z) to another, seen from above, however high.
+	/// The same within `radius` (m) of the line between two positions (x, z), seen from above, at any height.
 	void find_along(const glm::vec2 &from, const glm::vec2 &to, float radius, std::vector<PlantPlace> &found) const;
-	/// The same in a polygon (x, z), however high.
+	/// The same in a polygon (x, z), at any height.
 	void find_in_polygon(const Polygon &polygon, std::vector<PlantPlace> &found) const;
-	/// The plant whose root is nearest to a place, and at most `radius` (m, infinite ones too) from it; a block of -1
-	/// where there is none. Costs by the tiles around the place, as far as the nearest plant is.
+	/// The plant with the root nearest to a position, within `radius` (m; may be infinite); a block of -1 if there is none.
+	/// The cost depends on the tiles up to the nearest plant.
 	PlantPlace find_nearest(const glm::vec3 &centre, float radius) const;
 	/// Appends all plants whose roots are in the box, its faces included.
 	void find_in_box(const glm::vec3 &low, const glm::vec3 &high, std::vector<PlantPlace> &found) const;
 
-	/// All plants that were filled and have their roots in the box: on its lower sides included, on the others not.
+	/// All generated plants with roots in the box, its lower sides included, its upper sides excluded.
 	StandingPlants filled_in(const AreaBox &box) const;
 
-	/// Of the heap, by capacity.
+	/// Heap bytes, by capacity.
 	std::size_t bytes() const;
 
 private:
 	float size = 16.0f; ///< m.
 	double cell_size = 1.0; ///< m.
-	std::map<double, int> spacings; ///< How many blocks that were filled have each.
+	std::map<double, int> spacings; ///< Number of generated blocks by spacing.
 	std::vector<PlantBlock> blocks;
 	std::vector<int> free_numbers;
 	std::map<TileKey, std::vector<int>> tiles;

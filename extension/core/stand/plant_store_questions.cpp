@@ -12,7 +12,7 @@ namespace undergrowth {
 
 namespace {
 
-/// Boxes around what is exact are wider by so much, of their size and of where they are.
+/// Relative margin of search boxes, of their size and position.
 constexpr float ROUNDED_UP = 1.0f + 1.0e-5f;
 constexpr float ROUNDING = 1.0e-6f;
 constexpr float ANY_HEIGHT = std::numeric_limits<float>::max();
@@ -115,7 +115,7 @@ PlantPlace PlantStore::find_nearest(const glm::vec3 &centre, float radius) const
 	PlantPlace nearest;
 	double most = static_cast<double>(radius) * static_cast<double>(radius);
 	std::size_t seen = 0;
-	// Wider and wider, until somebody is found or no tile is left.
+	// Widens the search until a plant is found or no tile is left.
 	for (float reach = std::min(radius, size); radius >= 0.0f && nearest.block < 0;
 			reach = std::min(radius, 2.0f * reach)) {
 		seen = 0;

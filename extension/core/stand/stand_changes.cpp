@@ -83,7 +83,7 @@ void StandChanges::mow(const std::vector<PlantId> &ids, const std::vector<float>
 	}
 	for_each_square(entries, [&](const TileKey &key, auto first, auto end) {
 		Square &square = filled[spacing][key].own();
-		std::vector<MownPlant> mown; // Those who are mown now come first, so that they are the ones that stay.
+		std::vector<MownPlant> mown; // Newly mown plants come first, so that they win over old records.
 		std::transform(first, end, std::back_inserter(mown), [](const auto &entry) { return entry.second; });
 		mown.insert(mown.end(), square.mown.begin(), square.mown.end());
 		std::stable_sort(mown.begin(), mown.end());

@@ -13,63 +13,63 @@ namespace undergrowth {
 /// A plant that was mown and grows back.
 struct MownPlant {
 	PlantId id = NO_PLANT;
-	/// How high it is, as a share of its own height, less StandChanges::grown_back().
+	/// Its height as a fraction of its own, minus StandChanges::grown_back().
 	double base = 0.0;
 
 	bool operator<(const MownPlant &other) const { return id < other.id; }
 };
 
-/// What was done to the plants that a field was filled with, so that it stays done when they are placed anew: who is
-/// gone, and who is mown. Plants are known by their cells: at another density, whoever has its root in the cell of one
-/// that is gone is gone, too. Kept in squares that copies share until one of them writes: copying costs by squares.
-/// Copies may go to other threads; one object is for one thread at a time.
+/// Removed and mown plants of a field, for every later placement. Generated plants are identified by their cells: at
+/// another density a plant with its root in the cell of a removed one is removed, too. Stored in squares with
+/// copy-on-write: a copy costs by the number of squares. Copies may go to other threads; one object belongs to one thread
+/// at a time.
 class StandChanges {
 public:
 	static constexpr float SQUARE = 8.0f; ///< m.
-	/// Of a plant's own height: nobody is mown lower.
+	/// Minimum mown height, as a fraction of a plant's own.
 	static constexpr float LEAST_SHARE = 0.02f;
 
 	struct Square {
-		std::vector<PlantId> gone; ///< Ascending, as `mown`. Nobody is in both.
+		std::vector<PlantId> gone; ///< Ascending, like `mown`. The two lists are disjoint.
 		std::vector<MownPlant> mown;
 	};
 	using Squares = std::map<TileKey, SharedUntilWritten<Square>>;
 
 	bool is_empty() const { return filled.empty() && added.empty(); }
 
-	/// Plants that were filled at `spacing` (m) are gone.
+	/// Records plants placed at `spacing` (m) as removed.
 	void remove(const std::vector<PlantId> &ids, double spacing);
-	/// Plants, filled ones at `spacing` (m), are so high, as a share of their own height: at least LEAST_SHARE, and of
-	/// 1 and more they are as if they had never been mown.
+	/// Records the heights of plants (generated ones placed at `spacing`, m) as fractions of their own height: at least
+	/// LEAST_SHARE; 1 and more removes the record.
 	void mow(const std::vector<PlantId> &ids, const std::vector<float> &shares, double spacing);
-	/// Nobody knows of a plant that was added any more.
+	/// Drops the record of an added plant.
 	void forget_added(PlantId id) { added.erase(id); }
 
-	/// All that is mown grows by this share of its own height.
+	/// Grows all mown plants by this fraction of their own height.
 	void grow_back(double share) { grown += share; }
 	double grown_back() const { return grown; }
-	/// How high a plant whose base is that is now, as a share of its own height, at most 1.
+	/// Present height for a base, as a fraction of the plant's own height, at most 1.
 	float share_of(double base) const;
 
-	/// Whether a plant that is filled with this root (m) is gone.
+	/// True if a generated plant with this root (m) is removed.
 	bool is_gone(float x, float z) const;
-	/// How high a plant of this name and root (m) is, as a share of its own height.
+	/// Present height of a plant with this id and root (m), as a fraction of its own height.
 	float share_of(PlantId id, float x, float z) const;
-	/// Whether any that was filled is mown in a box.
+	/// True if a generated plant is mown in the box.
 	bool has_mown(const AreaBox &box) const;
-	/// The base of a plant that is mown, or null.
+	/// The base of a mown plant, or null.
 	const double *find_mown(PlantId id, float x, float z) const;
 
-	/// Takes those who are gone out of plants that were placed.
+	/// Removes recorded plants from a placement.
 	void take_out(FieldPlants &plants) const;
-	/// What matters in a box.
+	/// A copy of the records within a box.
 	StandChanges cut(const AreaBox &box) const;
-	/// Boxes around the cells of whom is gone here and not in `other`.
+	/// Boxes of the cells of plants that are removed here and not in `other`.
 	std::vector<AreaBox> gone_beside(const StandChanges &other) const;
 
-	/// By the spacing (m) that plants were filled at.
+	/// Records of generated plants by the spacing (m) of their placement.
 	const std::map<double, Squares> &of_filled() const { return filled; }
-	/// Of plants that were added: their bases.
+	/// Bases of added plants.
 	const std::map<PlantId, double> &of_added() const { return added; }
 	/// Heap, of what no copy shares.
 	int plant_count() const;
@@ -80,13 +80,13 @@ private:
 	double grown = 0.0;
 };
 
-/// Asks for plants that were filled, neighbours one after the other: much faster than one by one.
+/// Looks up generated plants in the order of neighbours: much faster than single lookups.
 class ChangesFinder {
 public:
-	/// Of changes that stay as they are.
+	/// `changes` must not change while this object is used.
 	explicit ChangesFinder(const StandChanges &changes);
 
-	/// As StandChanges has them.
+	/// Equal to the functions of StandChanges.
 	bool is_gone(float x, float z);
 	const double *find_mown(float x, float z);
 
@@ -95,13 +95,13 @@ private:
 		double spacing; ///< m.
 		const StandChanges::Squares *squares;
 		TileKey key;
-		const StandChanges::Square *square = nullptr; ///< Of that key, where there is one.
+		const StandChanges::Square *square = nullptr; ///< Square of that key, or null.
 		bool is_known = false;
 	};
 
 	std::vector<Near> nearest; ///< By spacing.
 
-	/// The square that a cell is in, or null.
+	/// Square that contains the cell, or null.
 	const StandChanges::Square *square_at(Near &near, PlantId id) const;
 };
 

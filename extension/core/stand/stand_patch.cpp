@@ -38,7 +38,7 @@ FieldPlants StandPatch::find_newcomers(const FieldPlants &placed) {
 		}
 		if (stands) {
 			changed[name] = before.places[found->second];
-			stays[found->second] = 1; // Until make_edit() knows whether the ground holds it.
+			stays[found->second] = 1; // make_edit() decides after the ground query.
 		}
 		newcomers.add(placed.plant(static_cast<int>(i)));
 	}

@@ -7,22 +7,22 @@
 
 namespace undergrowth {
 
-/// What has to happen in a rectangle so that those stand there whom a placement has there now. On any thread.
+/// Computes the edit that changes the plants of a rectangle to those of a new placement. Any thread.
 class StandPatch {
 public:
-	/// `standing`: who was filled and stands in the rectangle, at `spacing` (m).
+	/// `standing`: the generated plants in the rectangle, placed at `spacing` (m).
 	StandPatch(StandingPlants &&standing, double spacing);
 
-	/// Of all who are to stand in it, those who do not stand so yet: new ones, and those who are otherwise high or of
-	/// another kind. Whoever else stands there goes. They are yet to be put onto the ground.
+	/// Returns the plants of `placed` that are new or have another height or species; the caller puts them onto the ground.
+	/// Existing plants that are not in `placed` are removed by the edit.
 	FieldPlants find_newcomers(const FieldPlants &placed);
-	/// After that: with those of them whom the ground holds.
+	/// Call after that, with the plants that have ground.
 	StandEdit make_edit(const FieldPlants &newcomers) const;
 
 private:
 	StandingPlants before;
 	double spacing; ///< m.
-	std::unordered_map<PlantId, std::size_t> named; ///< Of `before`.
+	std::unordered_map<PlantId, std::size_t> named; ///< Index in `before`.
 	std::vector<PlantPlace> gone;
 	std::unordered_map<PlantId, PlantPlace> changed;
 

@@ -21,7 +21,7 @@ bool StandingArea::can_follow(const PlacementRequest &now) const {
 }
 
 std::optional<AreaBox> StandingArea::follow(const PlacementRequest &now) {
-	Polygon corners; // Of boxes around what is otherwise.
+	Polygon corners; // Corners of boxes around differences.
 	for (size_t i = 0; i < exclusions.size(); i++) {
 		add_corners(changed_box(exclusions[i], now.exclusions[i]), corners);
 	}

@@ -7,20 +7,20 @@
 
 namespace undergrowth {
 
-/// The shapes that plants stand by: what gives them room, and what is kept free of them.
+/// The shapes of the current placement: its area and its exclusions.
 class StandingArea {
 public:
-	/// They were placed by it.
+	/// Stores the shapes of a placement.
 	void stand_by(const PlacementRequest &request);
-	/// Whether nothing but these shapes need be compared to know where others stand by `now`: plants stand by some
-	/// already, and no shape came or went. (All else in a request is its caller's to compare.)
+	/// True if follow() can compare the shapes: there is a placement, and no shape was added or removed. The caller compares
+	/// all other parts of the request.
 	bool can_follow(const PlacementRequest &now) const;
-	/// Where that is so: around all places that may be otherwise by `now`, which they stand by from now on, with a
-	/// margin; nothing where none is. An area that is painted is not compared: the map tells of itself.
+	/// Precondition: can_follow(). Stores the shapes of `now` and returns a box, with a margin, around everything that may
+	/// differ; nothing if they are equal. Ignores painted areas; the map reports its changes itself.
 	std::optional<AreaBox> follow(const PlacementRequest &now);
 
 private:
-	Polygon area; ///< Empty: nothing was placed yet.
+	Polygon area; ///< Empty: no placement.
 	std::vector<Polygon> exclusions;
 };
 
