@@ -18,7 +18,7 @@ std::vector<Vector3> find_eyes(const Node3D *node) {
 	for (int64_t i = 0; i < viewports.size(); i++) {
 		const Viewport *viewport = Object::cast_to<Viewport>(viewports[i]);
 		const Camera3D *camera = viewport ? viewport->get_camera_3d() : nullptr;
-		if (camera && camera->get_world_3d() == node->get_world_3d()) {
+		if (camera && camera->get_world_3d() == node->get_world_3d() && camera->get_global_position().is_finite()) {
 			eyes.push_back(camera->get_global_position());
 		}
 	}
