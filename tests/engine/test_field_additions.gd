@@ -30,6 +30,35 @@ func test_plants_that_are_added_after_variants_were_raised() -> void:
 	check_equal(field.get_plant_count(), count + 600, "plants")
 
 
+func test_plants_of_extreme_size_are_refused_and_those_far_away_exist() -> void:
+	await start()
+	var places: Array[Transform3D] = []
+	for size: float in [1e-30, 1e-20, 1e-7, 1.0, 1e7, 1e18, 3e38]:
+		places.append(Transform3D(Basis.from_scale(Vector3.ONE * size), Vector3(0, 0, 30)))
+	var ids := field.add_plants(places, field.species[0].species)
+	check_error("6 transforms of add_plants() are not finite, or of a scale below 1e-6")
+	check_equal(ids.size(), 1, "ids")
+	_check_sound(ids)
+	var far := Vector3(1e31, 0, -1e31)
+	ids = field.add_plants([Transform3D(Basis.IDENTITY, far)], field.species[0].species)
+	await frames(5)
+	check(field.get_plant_transform(ids[0]).origin.is_equal_approx(far), "it exists there")
+
+
+func test_a_camera_that_is_nowhere_harms_nothing() -> void:
+	var camera := Camera3D.new()
+	root.add_child(camera)
+	camera.position = Vector3(NAN, NAN, NAN)
+	field.skeleton_distance = 10.0
+	await start()
+	await frames(10)
+	_check_sound(field.get_plant_ids())
+	camera.position = Vector3(1e31, 0, 1e31)
+	await frames(10)
+	_check_sound(field.get_plant_ids())
+	camera.free()
+
+
 func test_preview_after_a_species_came_that_follows_prototypes() -> void:
 	field.prototypes = 8
 	field.simulation_enabled = false

@@ -181,8 +181,15 @@ float FieldLook::reach_of(const PlacedPlant &plant, float widening) const {
 	return motion.law == Law::stem ? height + side : std::sqrt(height * height + side * side);
 }
 
+// A page takes only lengths above 0 that are finite, which a product of extreme heights may not be.
+static float simulated_length(float length) {
+	static constexpr float MIN_LENGTH = 1e-9f; // m.
+	static constexpr float MAX_LENGTH = 1e9f;
+	return length >= MIN_LENGTH ? std::min(length, MAX_LENGTH) : MIN_LENGTH;
+}
+
 MotionPlant FieldLook::to_simulate(const PlacedPlant &plant) const {
-	return { plant.root, length_of(plant), rest_direction(plant, motion.lean) };
+	return { plant.root, simulated_length(length_of(plant)), rest_direction(plant, motion.lean) };
 }
 
 void FieldLook::to_simulate(const FieldPlants &plants, std::vector<MotionPlant> &into) const {
@@ -190,7 +197,7 @@ void FieldLook::to_simulate(const FieldPlants &plants, std::vector<MotionPlant> 
 	into.reserve(into.size() + size_t(plants.size()));
 	for (int i = 0; i < plants.size(); i++) {
 		const PlacedPlant plant = plants.plant(i);
-		into.push_back({ plant.root, length_of(plant), rests.of(plant) });
+		into.push_back({ plant.root, simulated_length(length_of(plant)), rests.of(plant) });
 	}
 }
 
