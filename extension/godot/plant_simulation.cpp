@@ -4,6 +4,7 @@
 #include "follow_changes.hpp"
 #include "messages.hpp"
 #include "plant_3d.hpp"
+#include "shared_resources.hpp"
 
 #include <godot_cpp/classes/project_settings.hpp>
 #include <godot_cpp/classes/window.hpp>
@@ -210,8 +211,13 @@ void PlantSimulation::set_step_length(double seconds) {
 	}
 }
 
+void PlantSimulation::on_parts_shader_wanted() {
+	load_parts_shader();
+}
+
 void PlantSimulation::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("_on_process_frame"), &PlantSimulation::on_process_frame);
+	ClassDB::bind_method(D_METHOD("_load_parts_shader"), &PlantSimulation::on_parts_shader_wanted);
 	ClassDB::bind_method(D_METHOD("get_plant_count"), &PlantSimulation::get_plant_count);
 	ClassDB::bind_method(D_METHOD("get_step_time_usec"), &PlantSimulation::get_step_time_usec);
 	ClassDB::bind_method(D_METHOD("get_pose_time_usec"), &PlantSimulation::get_pose_time_usec);

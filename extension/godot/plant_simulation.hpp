@@ -64,6 +64,7 @@ public:
 	/// Simulates `delta` seconds; the scene tree's frames call it.
 	void advance(double delta);
 	void on_process_frame();
+	void on_parts_shader_wanted();
 	void follow(godot::SceneTree *tree);
 
 	int get_plant_count() const;

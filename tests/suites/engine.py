@@ -26,7 +26,8 @@ TEST_LINE = re.compile(r"^(ok|not ok) (.*)$", re.MULTILINE)
 START = "\nstart\n"
 # The headless engine's stand-in for a renderer may not be used by two threads at once; the real ones may.
 # By which rendering methods a script is run in a virtual display.
-DRAWN = {"threads": ["gl_compatibility"], "plant_bones": ["gl_compatibility"],
+DRAWN = {"threads": ["gl_compatibility"], "threads_first_mesh": ["gl_compatibility"],
+         "plant_bones": ["gl_compatibility"],
          "wind_shader": ["gl_compatibility", "forward_plus"],
          "field_picture": ["gl_compatibility", "forward_plus"],
          "field_picture_parts": ["gl_compatibility", "forward_plus"],
