@@ -245,14 +245,15 @@ bool Meadow::adopt(FieldFill &finished) {
 	skeletons.release_all(motion);
 	tiles.forget_style();
 	retired.push_back(std::exchange(style, std::move(result.style))); // What is drawn wears it.
-	std::vector<int> other_leans;
+	std::vector<int> other_rests; // Species whose rest directions, or the texels that hold them, differ from the build's.
 	for (size_t i = 0; i < style.looks.size(); i++) {
 		const float lean = style.looks[i].motion.lean;
+		const Law law = style.looks[i].motion.law;
 		style.looks[i].in_air = PlantWind::is_air(properties.wind);
 		style.looks[i].tell_of_stem();
 		style.looks[i].read_motion(); // It may have changed meanwhile.
-		if (style.looks[i].motion.lean != lean) {
-			other_leans.push_back(int(i));
+		if (style.looks[i].motion.lean != lean || style.looks[i].motion.law != law) {
+			other_rests.push_back(int(i));
 		}
 		style.looks[i].take_material();
 	}
@@ -266,7 +267,7 @@ bool Meadow::adopt(FieldFill &finished) {
 	motion.adopt(*result.motion, result.kept, changes, store, style);
 	motion.set_update_interval(properties.update_interval);
 	own_changes.follow_all(store, style, motion);
-	for (const int i : other_leans) {
+	for (const int i : other_rests) {
 		motion.set_species(i, style.looks[size_t(i)], store, true);
 	}
 	motion.upload();
