@@ -263,3 +263,35 @@ func _check_sound(ids: PackedInt64Array) -> void:
 		var height := field.get_plant_height(id)
 		check(height > 0.05 and height < 20.0, "plant %d is %f m high" % [id, height])
 		check(field.get_tip_position(id).is_finite(), "its tip is somewhere")
+
+
+func test_the_257th_species_is_one_error_that_names_the_limit() -> void:
+	field = PlantField3D.from_species([GrassFunction.new()])
+	field.density = 1.0
+	field.size = Vector2(3, 3)
+	field.levels = [PlantFieldLevel.of(1)]
+	await start()
+	var place: Array[Transform3D] = [Transform3D()]
+	for i in 255:
+		var added := field.add_plants(place, GrassFunction.new())
+		if added.size() != 1:
+			check(false, "species %d is added" % (i + 2))
+			return
+	check_equal(field.add_plants(place, GrassFunction.new()).size(), 0, "plants of the 257th")
+	check_error("256 species")
+
+
+func test_a_species_that_finds_no_room_beside_prototypes_is_one_error_that_says_so() -> void:
+	field = PlantField3D.from_species([GrassFunction.new()])
+	field.density = 1.0
+	field.size = Vector2(3, 3)
+	field.prototypes = 4
+	field.levels = [PlantFieldLevel.of(1)]
+	await start()
+	var place: Array[Transform3D] = [Transform3D()]
+	var count := 1
+	while count < 256 and field.add_plants(place, GrassFunction.new()).size() == 1:
+		count += 1
+	check_error("prototypes")
+	check(count > 40 and count < 256, "%d species have room" % count)
+	check_equal(field.get_plant_ids().size(), field.get_plant_count(), "what stands")

@@ -80,29 +80,4 @@ private:
 	double grown = 0.0;
 };
 
-/// Asks for plants that were filled, neighbours one after the other: much faster than one by one.
-class ChangesFinder {
-public:
-	/// Of changes that stay as they are.
-	explicit ChangesFinder(const StandChanges &changes);
-
-	/// As StandChanges has them.
-	bool is_gone(float x, float z);
-	const double *find_mown(float x, float z);
-
-private:
-	struct Near {
-		double spacing; ///< m.
-		const StandChanges::Squares *squares;
-		TileKey key;
-		const StandChanges::Square *square = nullptr; ///< Of that key, where there is one.
-		bool is_known = false;
-	};
-
-	std::vector<Near> nearest; ///< By spacing.
-
-	/// The square that a cell is in, or null.
-	const StandChanges::Square *square_at(Near &near, PlantId id) const;
-};
-
 } // namespace undergrowth

@@ -211,7 +211,7 @@ void CpuMotion::add_species(const FieldLook &look) {
 	simulation->add_species(look.motion);
 	textures->give_history(*simulation);
 	if (simulation->time() > 0.0) {
-		textures->write_history(*simulation, true);
+		textures->write_history_of(*simulation, simulation->species_count() - 1);
 	}
 }
 

@@ -36,6 +36,7 @@ public:
 	PoseTexels reserve(PreparedBlock &prepared) override;
 	void give_up(PreparedBlock &prepared) override;
 	void add_species(const FieldLook &look) override;
+	bool has_room_for_species() const override { return textures->has_room_for_species(); }
 	void set_species(int index, const FieldLook &look, const PlantStore &store, bool is_still) override;
 	void set_update_interval(int steps) override;
 	void fit_contact(bool on) override;

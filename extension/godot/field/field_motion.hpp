@@ -113,6 +113,8 @@ public:
 	virtual PoseTexels reserve(PreparedBlock &prepared) = 0;
 	virtual void give_up(PreparedBlock &prepared) = 0;
 	virtual void add_species(const FieldLook &look) = 0;
+	/// Whether the textures have layers left for another species. Once it is ready.
+	virtual bool has_room_for_species() const = 0;
 	/// The species' constants are others; the motion goes on. Where nothing moves (`is_still`), plants at rest take
 	/// another rest direction at once and show it.
 	virtual void set_species(int index, const FieldLook &look, const PlantStore &store, bool is_still) = 0;

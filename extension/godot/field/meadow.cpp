@@ -88,6 +88,16 @@ void Meadow::preview(double delta, const Ref<PlantWind> &blowing) {
 	skeletons.pose(store, motion);
 }
 
+// Plants that came since the box was found are drawn by its margin.
+SeenDistances Meadow::seen_distances() {
+	static constexpr int FRAMES_BETWEEN_BOXES = 16;
+	static constexpr float MARGIN = 4.0f; // m.
+	if (frames_since_box++ % FRAMES_BETWEEN_BOXES == 0) {
+		seen_box = box();
+	}
+	return find_seen_distances(node, axes_of(node).xform(seen_box).grow(MARGIN));
+}
+
 void Meadow::refresh() {
 	if (!motion.is_ready() || !node->is_inside_tree()) {
 		return;
@@ -102,14 +112,14 @@ void Meadow::refresh() {
 		unseen.clear();
 	}
 	dress.tell_of_followers(style, motion, axes_of(node));
-	dress.tell_of_swings(style, motion);
+	dress.tell_of_swings(style, motion, seen_distances());
 	upload_usec = watch.usec();
 }
 
 void Meadow::thin() {
 	view.note_drawing();
 	if (view.thins() && node->is_visible_in_tree()) {
-		view.thin(find_eyes(node));
+		view.thin(find_drawn_eyes(node));
 	}
 }
 
