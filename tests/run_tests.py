@@ -34,7 +34,7 @@ def plan(options):
             suites.append((name, lambda name=name, program=program: programs.doctest(name, program)))
     suites += species.suites(options.species) if options.species else []
     if options.godot:
-        suites += engine.suites(options.godot, options.probe, rounds_of(options), options.only)
+        suites += engine.suites(options.godot, options.probe, options.recorder, rounds_of(options), options.only)
         suites += soak.suites(options.godot, options.soak) if options.soak else []
     chosen = set(options.suites.split(",")) if options.suites else None
     suites += of_what_is_shipped(options) if chosen else []
@@ -72,7 +72,7 @@ def run_all(suites, jobs):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("godot", "core", "asan", "tsan", "species", "probe"):
+    for name in ("godot", "core", "asan", "tsan", "species", "probe", "recorder"):
         parser.add_argument(f"--{name}", help=f"the program for {name}; without it those suites are left out")
     parser.add_argument("--soak", help="the folder of the library with sanitizers; without it the soak is left out")
     parser.add_argument("--suites", help="only these, separated by commas")
