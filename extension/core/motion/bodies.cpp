@@ -3,6 +3,7 @@
 #include "motion/part_bend.hpp"
 #include "motion/stem_blows.hpp"
 #include "stem/stem_bones.hpp"
+#include "stem/stem_points.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -20,6 +21,8 @@ constexpr float UPPER_STEM = 0.6f;
 constexpr float LEAST_TANGENT = 0.3f;
 constexpr float TINY = 1e-6f;
 constexpr int PUSHED_PLACES = 8; // Of a stem that bends along its length, none of them its root.
+constexpr int PUSHED_HALF = PUSHED_PLACES / 2;
+constexpr float SLACK = 1.02f; // Of a length: points of a stem are found by quadrature.
 constexpr int STEM_PARTS = 4; // Between the points of a stem that may touch a body.
 
 bool is_finite(const glm::vec3 &vector) {
@@ -139,6 +142,36 @@ bool push_place(const StemConstants &stem, StemState &state, const glm::vec2 &re
 	return true;
 }
 
+/// How far a point is from the body's core (m).
+float distance_to_core(const MovingBody &body, const glm::vec3 &point) {
+	return glm::distance(nearest_in_core(body, point), point);
+}
+
+/// The first place of a stem that is in the body; beyond PUSHED_PLACES where none is. A point of a piece of the stem is
+/// no nearer to the body than half of what the distances of the piece's ends are more than its length.
+int first_place_inside(const StemConstants &stem, const StemState &state, const glm::vec2 &rest, const glm::vec3 &root,
+		float length, float thickness, const MovingBody &body) {
+	glm::vec3 points[PUSHED_PLACES];
+	stem_points(stem, state.place, 2, points);
+	const float half = 0.5f * SLACK * length;
+	const float reach = 2.0f * (body.radius + thickness) + half;
+	const float at_root = distance_to_core(body, root);
+	const float at_middle = distance_to_core(body, root + length * turned(points[0], rest));
+	const float at_tip = distance_to_core(body, root + length * turned(points[1], rest));
+	const bool may_be_low = at_root + at_middle <= reach;
+	if (!may_be_low && at_middle + at_tip > reach) {
+		return PUSHED_PLACES + 1;
+	}
+	stem_points(stem, state.place, PUSHED_PLACES, points);
+	for (int part = may_be_low ? 1 : PUSHED_HALF; part <= PUSHED_PLACES; part++) {
+		const float own = part == PUSHED_PLACES ? thickness : 0.0f;
+		if (distance_to_core(body, root + length * turned(points[part - 1], rest)) < body.radius + own) {
+			return part;
+		}
+	}
+	return PUSHED_PLACES + 1;
+}
+
 /// In the axes of the page's directions.
 MovingBody turned_inward(const MovingBody &body, const PageStand &stand) {
 	MovingBody turned = body;
@@ -191,8 +224,12 @@ bool push_plant(TipState &state, const glm::vec3 &root, float length, float thic
 
 bool push_plant(const StemConstants &stem, StemState &state, const glm::vec2 &rest, const glm::vec3 &root, float length,
 		float thickness, const MovingBody &body) {
+	if (distance_to_core(body, root) > body.radius + thickness + SLACK * length) {
+		return false;
+	}
 	bool inside = false;
-	for (int part = 1; part <= PUSHED_PLACES; part++) {
+	for (int part = first_place_inside(stem, state, rest, root, length, thickness, body); part <= PUSHED_PLACES;
+			part++) {
 		const float x = static_cast<float>(part) / PUSHED_PLACES;
 		inside |= push_place(stem, state, rest, root, length, x, part == PUSHED_PLACES ? thickness : 0.0f, body);
 	}

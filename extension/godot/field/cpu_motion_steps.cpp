@@ -92,6 +92,15 @@ void CpuMotion::push(double ago) {
 	}
 }
 
+// What moves the air, and how the field moves through it, `ago` seconds before this frame.
+void CpuMotion::stir(const Frame &frame, const MotionOptions &options, double ago) {
+	PlantWindSource3D::gather_in(frame.world, frame.axes, ago, stirring);
+	simulation->set_air_sources(stirring);
+	AirDrift own = drift.step(ago);
+	own.share = float(options.apparent_wind);
+	simulation->set_drift(own);
+}
+
 void CpuMotion::find_events(double margin) {
 	const auto is_among_plants = [&](const MovingBody &body) {
 		for (int page = 0; page < simulation->page_count(); page++) {
@@ -108,6 +117,7 @@ void CpuMotion::find_events(double margin) {
 // The last step of a frame runs beside it and is shown in the next one. Where frames take longer than a step, those
 // before it are done at once.
 double CpuMotion::advance(const Frame &frame, const MotionOptions &options) {
+	drift.watch(frame.axes, frame.delta);
 	const int step_count = clock.advance(frame.delta);
 	shown_alpha = clock.alpha();
 	if (step_count == 0) {
@@ -115,7 +125,6 @@ double CpuMotion::advance(const Frame &frame, const MotionOptions &options) {
 	}
 	wind_clock.follow(frame.wind, step_count, clock.step(), simulation->time());
 	simulation->set_wind(field_wind(frame.wind, frame.axes, wind_clock.ahead()));
-	simulation->set_air_sources(PlantWindSource3D::all_in(frame.axes));
 	update_far(frame, options);
 	const Stopwatch watch;
 	double stepping_usec = 0.0;
@@ -124,7 +133,9 @@ double CpuMotion::advance(const Frame &frame, const MotionOptions &options) {
 		if (i > 0 && watch.usec() > 1e6 * FixedStep::MOST_STEPPING) {
 			break; // The rest is dropped, so that a slow frame does not make the next one slower yet.
 		}
-		push(clock.step() * (double(shown_alpha) + step_count - 1 - i));
+		const double ago = clock.step() * (double(shown_alpha) + step_count - 1 - i);
+		stir(frame, options, ago);
+		push(ago);
 		if (i == 0) {
 			find_events(options.touch_margin);
 		}
@@ -143,12 +154,18 @@ void CpuMotion::preview(const Frame &frame, const MotionOptions &options) {
 		const double ahead = now - step_count * clock.step() - simulation->time();
 		simulation->set_wind(field_wind(frame.wind, frame.axes, ahead));
 		simulation->set_bodies(nullptr, 0);
-		simulation->set_air_sources(PlantWindSource3D::all_in(frame.axes));
+		PlantWindSource3D::gather_in(frame.world, frame.axes, 0.0, stirring);
+		simulation->set_air_sources(stirring);
+		simulation->set_drift({});
 	}
 	for (int i = 0; i < step_count; i++) {
 		start_step(options, false);
 	}
 	wait();
+}
+
+double CpuMotion::motion_time() const {
+	return simulation ? simulation->time() + wind_clock.ahead() : 0.0;
 }
 
 bool CpuMotion::upload() {

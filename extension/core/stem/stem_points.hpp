@@ -1,0 +1,14 @@
+#pragma once
+
+#include "stem/stem_constants.hpp"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace undergrowth {
+
+/// The centres of `count` places along a stem, evenly spaced from the first above the root to the tip: to the bit what
+/// stem_place() finds for each, at a fraction of the cost.
+void stem_points(const StemConstants &stem, const glm::vec2 *amplitudes, int count, glm::vec3 *centres);
+
+} // namespace undergrowth
