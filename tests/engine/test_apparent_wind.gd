@@ -40,9 +40,11 @@ func test_a_field_on_a_ship_leans_as_a_plant_that_is_carried() -> void:
 	await _carry(ship, SETTLING)
 	var expected := ship.basis * _lean(plant.get_tip_position())
 	check(expected.x < -0.05, "the plant leans back: %s" % expected)
-	for tip: Vector3 in [field.get_tip_position(id), followers.get_tip_position(other)]:
-		var lean := ship.basis * _lean(tip)
-		check_near(lean, expected, 0.05, "direction of the field's plant")
+	var of_field := ship.basis * _lean(field.get_tip_position(id))
+	check_near(of_field, expected, TOLERANCE, "direction of the field's plant")
+	# Prototypes differ in height from the plants that follow them.
+	var of_follower := ship.basis * _lean(followers.get_tip_position(other))
+	check_near(of_follower, expected, 0.1, "direction of the follower")
 	field.apparent_wind = 0.0
 	plant.apparent_wind = 0.0
 	await _carry(ship, 900)

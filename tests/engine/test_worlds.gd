@@ -19,6 +19,7 @@ func test_a_rotor_bends_plants_of_its_own_world_only() -> void:
 	check(_bends(inside).x > 0.02, "the plant inside bends: %s" % _bends(inside))
 	check(_bends(inside).y > 0.02, "the field inside bends: %s" % _bends(inside))
 	rotor.reparent(root)
+	_nodes.append(rotor)
 	await frames(900)
 	check(_bends(outside).x > 0.02, "the plant bends where the rotor is: %s" % _bends(outside))
 	check(_bends(outside).y > 0.02, "the field bends where the rotor is: %s" % _bends(outside))
@@ -27,8 +28,8 @@ func test_a_rotor_bends_plants_of_its_own_world_only() -> void:
 
 func test_a_body_pushes_plants_of_its_own_world_only() -> void:
 	var other := _add_world()
-	var outside := _add_both(root)
-	var inside := _add_both(other)
+	var outside := _add_both(root, &"walkers")
+	var inside := _add_both(other, &"walkers")
 	await frames(5)
 	var body := StaticBody3D.new()
 	var ball := SphereShape3D.new()
@@ -42,6 +43,7 @@ func test_a_body_pushes_plants_of_its_own_world_only() -> void:
 	check(_bends(inside).x > 0.05, "the plant inside is pushed: %s" % _bends(inside))
 	check(_bends(inside).y > 0.05, "the field inside is pushed: %s" % _bends(inside))
 	body.reparent(root)
+	_nodes.append(body)
 	await frames(20)
 	check(_bends(outside).x > 0.05, "the plant is pushed where the body is: %s" % _bends(outside))
 	check(_bends(outside).y > 0.05, "the field is pushed where the body is: %s" % _bends(outside))
@@ -55,14 +57,14 @@ func _add_world() -> SubViewport:
 
 
 ## A plant and a field of one plant, at the same place: [plant, field, id].
-func _add_both(to: Node) -> Array:
+func _add_both(to: Node, group := &"") -> Array:
 	var plant := Plant3D.new()
 	plant.species = _species()
 	plant.height = 0.8
-	plant.bodies_group = &"walkers"
+	plant.bodies_group = group
 	var field := PlantField3D.new()
 	field.density = 0.0
-	field.bodies_group = &"walkers"
+	field.bodies_group = group
 	for node: Node in [field, plant]:
 		if to == root:
 			_add(node)
