@@ -155,9 +155,10 @@ func test_steps_of_one_frame_push_at_places_of_their_own() -> void:
 	for i in 40:
 		places.append(Transform3D(Basis.IDENTITY, Vector3(0.1 * i, 0, 0)))
 	var ids := field.add_plants(places, TulipFunction.new())
-	var shape := SphereShape3D.new()
+	var shape := CapsuleShape3D.new()
 	shape.radius = 0.12
-	var ball := add_body(shape, Vector3(-2.0, 0.2, 0.06))
+	shape.height = 1.2
+	var ball := add_body(shape, Vector3(-2.0, 0.6, 0.06))
 	Engine.time_scale = 6.0  # Frames of six steps.
 	var most: Array[float] = []
 	most.resize(ids.size())

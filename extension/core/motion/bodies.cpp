@@ -152,20 +152,23 @@ float distance_to_core(const MovingBody &body, const glm::vec3 &point) {
 int first_place_inside(const StemConstants &stem, const StemState &state, const glm::vec2 &rest, const glm::vec3 &root,
 		float length, float thickness, const MovingBody &body) {
 	glm::vec3 points[PUSHED_PLACES];
-	stem_points(stem, state.place, 2, points);
+	stem_points(stem, state.place, 2, 1, 2, points);
 	const float half = 0.5f * SLACK * length;
 	const float reach = 2.0f * (body.radius + thickness) + half;
 	const float at_root = distance_to_core(body, root);
 	const float at_middle = distance_to_core(body, root + length * turned(points[0], rest));
 	const float at_tip = distance_to_core(body, root + length * turned(points[1], rest));
 	const bool may_be_low = at_root + at_middle <= reach;
-	if (!may_be_low && at_middle + at_tip > reach) {
+	const bool may_be_high = at_middle + at_tip <= reach;
+	if (!may_be_low && !may_be_high) {
 		return PUSHED_PLACES + 1;
 	}
-	stem_points(stem, state.place, PUSHED_PLACES, points);
-	for (int part = may_be_low ? 1 : PUSHED_HALF; part <= PUSHED_PLACES; part++) {
+	const int first = may_be_low ? 1 : PUSHED_HALF;
+	const int last = may_be_high ? PUSHED_PLACES : PUSHED_HALF;
+	stem_points(stem, state.place, PUSHED_PLACES, first, last, points);
+	for (int part = first; part <= last; part++) {
 		const float own = part == PUSHED_PLACES ? thickness : 0.0f;
-		if (distance_to_core(body, root + length * turned(points[part - 1], rest)) < body.radius + own) {
+		if (distance_to_core(body, root + length * turned(points[part - first], rest)) < body.radius + own) {
 			return part;
 		}
 	}
@@ -217,6 +220,41 @@ glm::vec3 nearest_on_segment(const glm::vec3 &from, const glm::vec3 &to, const g
 	return from + part * way;
 }
 
+bool is_root_in_reach(const MovingBody &body, const glm::vec3 &root, float reach) {
+	return distance_to_core(body, root) <= body.radius + SLACK * reach;
+}
+
+// Most rows are far away: a first pass without branches, which compilers vectorise, finds the groups that have any.
+int rows_in_reach(const MotionPage &page, const BodyReach &reach, int begin, int end, int *indices) {
+	constexpr int GROUP = 16;
+	const float middle_x = 0.5f * (reach.low_x + reach.high_x);
+	const float middle_z = 0.5f * (reach.low_z + reach.high_z);
+	const float half_x = reach.high_x - middle_x;
+	const float half_z = reach.high_z - middle_z;
+	const float *x = page.roots_x();
+	const float *z = page.roots_z();
+	const float *lengths = page.lengths();
+	int count = 0;
+	for (int first = begin; first < end; first += GROUP) {
+		float beyond[GROUP]; // m, of the body's box along the farther axis, less the plant's length.
+		for (int i = 0; i < GROUP; i++) { // Columns have room for whole groups.
+			const float beyond_x = std::fabs(x[first + i] - middle_x) - half_x;
+			const float beyond_z = std::fabs(z[first + i] - middle_z) - half_z;
+			beyond[i] = (beyond_x > beyond_z ? beyond_x : beyond_z) - lengths[first + i];
+		}
+		int is_any_near = 0;
+		for (int i = 0; i < GROUP; i++) {
+			is_any_near |= beyond[i] <= 0.0f ? 1 : 0;
+		}
+		for (int i = first; is_any_near && i < std::min(first + GROUP, end); i++) {
+			if (beyond[i - first] <= 0.0f && lengths[i] > 0.0f) {
+				indices[count++] = i;
+			}
+		}
+	}
+	return count;
+}
+
 bool push_plant(TipState &state, const glm::vec3 &root, float length, float thickness, const MovingBody &body) {
 	const bool inside = push_point(state, root, length, UPPER_STEM, 0.0f, body);
 	return push_point(state, root, length, TIP, thickness, body) || inside;
@@ -224,9 +262,6 @@ bool push_plant(TipState &state, const glm::vec3 &root, float length, float thic
 
 bool push_plant(const StemConstants &stem, StemState &state, const glm::vec2 &rest, const glm::vec3 &root, float length,
 		float thickness, const MovingBody &body) {
-	if (distance_to_core(body, root) > body.radius + thickness + SLACK * length) {
-		return false;
-	}
 	bool inside = false;
 	for (int part = first_place_inside(stem, state, rest, root, length, thickness, body); part <= PUSHED_PLACES;
 			part++) {

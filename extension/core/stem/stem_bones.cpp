@@ -85,10 +85,11 @@ StemPlace stem_place(const StemConstants &stem, const glm::vec2 *amplitudes, flo
 	return { centre_at(curve, place), curve.at(place) };
 }
 
-void stem_points(const StemConstants &stem, const glm::vec2 *amplitudes, int count, glm::vec3 *centres) {
+void stem_points(
+		const StemConstants &stem, const glm::vec2 *amplitudes, int count, int first, int last, glm::vec3 *centres) {
 	const BendCurve curve(stem, amplitudes);
-	for (int i = 0; i < count; i++) {
-		centres[i] = centre_at(curve, static_cast<float>(i + 1) / static_cast<float>(count));
+	for (int part = first; part <= last; part++) {
+		centres[part - first] = centre_at(curve, static_cast<float>(part) / static_cast<float>(count));
 	}
 }
 

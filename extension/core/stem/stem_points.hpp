@@ -7,8 +7,9 @@
 
 namespace undergrowth {
 
-/// The centres of `count` places along a stem, evenly spaced from the first above the root to the tip: to the bit what
-/// stem_place() finds for each, at a fraction of the cost.
-void stem_points(const StemConstants &stem, const glm::vec2 *amplitudes, int count, glm::vec3 *centres);
+/// The centres of places `first` to `last` of `count` along a stem, evenly spaced from 1 above the root to the tip: to
+/// the bit what stem_place() finds for each, at a fraction of the cost.
+void stem_points(
+		const StemConstants &stem, const glm::vec2 *amplitudes, int count, int first, int last, glm::vec3 *centres);
 
 } // namespace undergrowth
