@@ -8,6 +8,7 @@
 #include "motion/bodies.hpp"
 #include "motion/motion_page.hpp"
 #include "motion/part_bend.hpp"
+#include "wind/air_drift.hpp"
 #include "wind/air_sources.hpp"
 #include "wind/travelling_wind.hpp"
 
@@ -69,6 +70,8 @@ public:
 	/// What stirs the air in the coming steps, in the axes of the field. Followers that feel it swing by themselves
 	/// meanwhile, and until they have rung down (LoosePlants); where these are too many, those that feel it most.
 	void set_air_sources(const std::vector<AirSource> &sources);
+	/// How the field moves through the air in the coming steps, in its own axes. Prototypes move as its origin does.
+	void set_drift(const AirDrift &of_field) { drift = of_field; }
 	/// Takes effect at each page's next step.
 	void set_update_interval(int steps);
 	/// The page's interval becomes `multiple` (1, 2, 4 ... 32) times the field's, 64 steps at most, as soon as the step
@@ -205,6 +208,7 @@ private:
 	int plant_rows = 0; ///< Of all pages: the box is that of so many.
 	std::vector<MovingBody> pushing;
 	std::vector<AirSource> stirring;
+	AirDrift drift;
 	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
 	float lead = 0.0f; ///< s.

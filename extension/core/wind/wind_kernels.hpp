@@ -64,6 +64,7 @@ struct AirWeights {
 };
 
 struct AirSource;
+struct AirDrift;
 
 /// What stirs the air at single places (air_sources.hpp), for plants whose directions have axes of their own: there, a
 /// metre along x of the roots' axes is (x_x, x_z), one along z is (z_x, z_z).
@@ -89,6 +90,7 @@ struct TravellingWind {
 	bool is_air = false; ///< Then `air` blows, and of the others the gust only, in m/s.
 	AirNow air = {};
 	AirSources sources = {}; ///< Felt whatever else blows.
+	const AirDrift *drift = nullptr; ///< Null: no root moves. Felt whatever else blows.
 };
 
 /// One build of the kernels of wind. All builds give the same bits.

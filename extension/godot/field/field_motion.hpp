@@ -65,6 +65,7 @@ public:
 		godot::Ref<PlantWind> wind; ///< Null: still air.
 		std::vector<godot::Vector3> eyes; ///< World axes: whoever looks.
 		godot::SceneTree *tree = nullptr;
+		uint64_t world = 0; ///< Instance id of the field's World3D.
 	};
 	/// How late followers of prototypes are, as the shader takes it: steps by metre of world x, y and z, and at the
 	/// world's origin.
@@ -129,6 +130,8 @@ public:
 	virtual double advance(const Frame &frame, const MotionOptions &options) = 0;
 	/// Steps for a tool, at the wind's own clock and without bodies; done when it returns.
 	virtual void preview(const Frame &frame, const MotionOptions &options) = 0;
+	/// s of the wind's clock: the moment that the states of plants belong to.
+	virtual double motion_time() const = 0;
 	/// All plants into their rest.
 	virtual void settle() = 0;
 

@@ -56,6 +56,7 @@ struct MotionOptions {
 	bool contact_enabled = false;
 	godot::StringName bodies_group;
 	double touch_margin = 0.1; // m.
+	double apparent_wind = 1.0; // How much of the node's own motion is felt as wind.
 	double regrowth_rate = 0.0; // Of a plant's own height, a second.
 };
 

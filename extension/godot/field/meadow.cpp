@@ -6,6 +6,7 @@
 #include "field/cpu_motion.hpp"
 #include "field/eyes.hpp"
 #include "stopwatch.hpp"
+#include "world_of.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
@@ -40,6 +41,7 @@ FieldMotion::Frame Meadow::frame(double delta, const Ref<PlantWind> &wind) const
 	now.axes = axes_of(node);
 	now.wind = wind;
 	now.tree = node->get_tree();
+	now.world = world_of(node);
 	return now;
 }
 
@@ -77,7 +79,7 @@ double Meadow::advance(double delta, bool simulates) {
 	if (!simulates || store.plant_count() == 0) {
 		return 0.0;
 	}
-	motion.bodies.watch(now.tree, properties.bodies_group, now.axes, delta);
+	motion.bodies.watch({ now.tree, now.world, now.axes }, properties.bodies_group, delta);
 	return motion.advance(now, properties);
 }
 

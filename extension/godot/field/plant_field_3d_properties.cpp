@@ -88,6 +88,7 @@ void PlantField3D::bind_properties() {
 	NUMBER(FLOAT, slope_alignment, stand, 0.0, 1.0, SLIDER("0,1,0.01"));
 	ADD_GROUP("Motion", "");
 	SET_HERE(OBJECT, wind, "get_wind", PROPERTY_HINT_RESOURCE_TYPE, "PlantWind");
+	NUMBER(FLOAT, apparent_wind, nothing, 0.0, 10.0, SLIDER("0,1,0.01,or_greater"));
 	SET_HERE(BOOL, simulation_enabled, "is_simulation_enabled");
 	NUMBER(INT, max_threads, nothing, 0.0, 256.0, SLIDER("0,16,1,or_greater"));
 	SET_HERE(INT, update_interval, "get_update_interval", SLIDER("1,64,1"));
