@@ -67,7 +67,10 @@ func test_the_bar_says_where_the_field_has_no_room() -> void:
 	_species_button(POPPY).button_pressed = true
 	_density().value = 5.0
 	await click(_view(), _place_of(field, Vector3.ZERO))
-	check(_told().contains("15 plants/m²") or _told().contains("14.99"), "it says how many: " + _told())
+	check(
+		_told().contains("15 plants/m²") or _told().contains("14.99"),
+		"it says how many: " + _told()
+	)
 	check(_told().contains("12 at most"), "and what there is room for: " + _told())
 	await _put_down("Paint")
 

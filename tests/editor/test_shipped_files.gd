@@ -97,5 +97,7 @@ func _read_all(folder: String) -> Dictionary[String, PackedByteArray]:
 func _check_same(before: Dictionary[String, PackedByteArray]) -> void:
 	var now := _read_all(FOLDER)
 	for path in before:
-		check(now.get(path) == before[path], path + " is not as it was. Commit what the editor saves")
+		check(
+			now.get(path) == before[path], path + " is not as it was. Commit what the editor saves"
+		)
 	check_equal(now.size(), before.size(), "files")

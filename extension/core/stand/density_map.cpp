@@ -203,8 +203,7 @@ int DensityMap::block_count() const {
 
 bool DensityMap::may_have_plants(int layer) const {
 	const Blocks &there = at(layer).blocks;
-	return std::any_of(
-			there.begin(), there.end(), [](const auto &entry) { return entry.second->may_have_plants; });
+	return std::any_of(there.begin(), there.end(), [](const auto &entry) { return entry.second->may_have_plants; });
 }
 
 CellRange DensityMap::painted() const {

@@ -39,7 +39,8 @@ PaintedMix::PaintedMix(const PlacementRequest &request) {
 			continue;
 		}
 		const double shared = layer_shares[static_cast<std::size_t>(species.layer)];
-		const double part = shared > 0.0 ? share / shared : 1.0 / layer_species[static_cast<std::size_t>(species.layer)];
+		const double part =
+				shared > 0.0 ? share / shared : 1.0 / layer_species[static_cast<std::size_t>(species.layer)];
 		counted.push_back({ static_cast<int>(i), part });
 	}
 }
@@ -102,8 +103,8 @@ int PaintedMix::choose(
 	}
 	const double wanted = std::min(plants / static_cast<double>(request.density), 1.0);
 	const double bare = 1.0 - filled;
-	const double chance = species < 0 ? (wanted < bare ? wanted / bare : 1.0)
-									  : (wanted > bare ? (wanted - bare) / filled : 0.0);
+	const double chance =
+			species < 0 ? (wanted < bare ? wanted / bare : 1.0) : (wanted > bare ? (wanted - bare) / filled : 0.0);
 	if (unit16(bits, 3) >= chance) {
 		return species;
 	}

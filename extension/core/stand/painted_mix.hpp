@@ -11,8 +11,9 @@ struct PlacementRequest;
 
 /// Which species grows at each place of a painted field. At every place each layer with plants/m² is chosen with the
 /// chance that gives these. The rest goes to the mix, where each species grows with the chance that its density says.
-/// Painted plants take the places that the mix leaves bare first, then those of its plants. Without plants/m² at a place
-/// the mix alone decides, with the same bits. If all plants/m² are more than the field's density, all are reduced alike.
+/// Painted plants take the places that the mix leaves bare first, then those of its plants. Without plants/m² at a
+/// place the mix alone decides, with the same bits. If all plants/m² are more than the field's density, all are reduced
+/// alike.
 class PaintedMix {
 public:
 	/// What the mix has at a place.

@@ -248,7 +248,8 @@ void PlantMap::_bind_methods() {
 #undef BIND_BRUSH
 	ClassDB::bind_method(
 			D_METHOD("fill_polygon", "points", "species", "density"), &PlantMap::fill_polygon, DEFVAL(1.0));
-	ClassDB::bind_method(D_METHOD("fill_polygon_plants", "points", "species", "density"), &PlantMap::fill_polygon_plants);
+	ClassDB::bind_method(
+			D_METHOD("fill_polygon_plants", "points", "species", "density"), &PlantMap::fill_polygon_plants);
 	BIND(get_density, "point", "species");
 	BIND(get_plant_density, "point", "species");
 	BIND(get_height_factor, "point", "species");

@@ -68,9 +68,8 @@ public:
 	double get_plant_density(const godot::Vector3 &point, const godot::String &species) const;
 	double get_density(const godot::Vector3 &point, const godot::String &species) const;
 	double get_height_factor(const godot::Vector3 &point, const godot::String &species) const;
-	void set_from_image(
-			const godot::Ref<godot::Image> &image, const godot::Rect2 &rect, const godot::String &species, int channel,
-			double white);
+	void set_from_image(const godot::Ref<godot::Image> &image, const godot::Rect2 &rect, const godot::String &species,
+			int channel, double white);
 	godot::Ref<godot::Image> to_image(const godot::Rect2 &rect, const godot::String &species, double white) const;
 	godot::Rect2 get_painted_rect() const;
 	godot::PackedStringArray get_painted_species() const;

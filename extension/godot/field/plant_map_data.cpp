@@ -52,8 +52,8 @@ static CellRange middles_in(const DensityMap &map, const Rect2 &rect) {
 	return cells;
 }
 
-void PlantMap::set_from_image(const Ref<Image> &image, const Rect2 &rect, const String &species, int channel,
-		double white) {
+void PlantMap::set_from_image(
+		const Ref<Image> &image, const Rect2 &rect, const String &species, int channel, double white) {
 	CellRange cells;
 	if (image.is_null() || image->is_empty() || channel < 0 || channel >= CHANNELS) {
 		report_error(this, "set_from_image() needs an image with pixels, and a channel from 0 (red) to 3 (alpha).");

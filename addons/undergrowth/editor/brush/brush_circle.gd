@@ -60,9 +60,7 @@ func show_at(
 
 
 # Of the outer circle, on the ground.
-static func _find_places(
-	field: PlantField3D, middle: Vector3, radius: float
-) -> PackedVector3Array:
+static func _find_places(field: PlantField3D, middle: Vector3, radius: float) -> PackedVector3Array:
 	var reach := maxf(radius * REACH, LEAST_REACH)
 	var plane := Plane(Vector3.UP, middle.y)
 	var places := PackedVector3Array()

@@ -11,7 +11,6 @@ const LEAST_STEP := 0.25
 ## Then the place is looked for between two steps.
 const HALVINGS := 14
 
-
 ## Rays since the add-on was loaded: all that the brush costs while the pointer moves.
 static var ray_count := 0
 
