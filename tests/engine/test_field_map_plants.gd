@@ -9,7 +9,7 @@ const COUNTED := RADIUS - 0.5
 ## Plants of half a metre beside the stroke may be in cells that it touches.
 const EDGE := RADIUS + 0.5
 ## 0.2.0 wrote it: tulips as mixed, and 0.2 of grass, in the square of 4 m around the origin.
-const MAP_OF_0_2 := ""
+const MAP_OF_0_2 := "VUdETQEA2AEAAAAAAD8CAAVUdWxpcAQAAAD///////////8A/wD/AP8A/wD/AP8AiwCB/5kAgf+ZAIH/mQCB//9A/0D/QP9A/0D/QP9A70D/////AAAAAJkAgf+ZAIH/mQCB/5kAgf//AP8A/wD/AP8A/wDxAP9A/0D/QP9A/0D/QP9A70AAAAAA//////8A/wD/AP8A/wD/APEAgf+ZAIH/mQCB/5kAgf+ZAP9A/0D/QP9A/0D/QP9A70AAAAAAAAAAAIH/mQCB/5kAgf+ZAIH//wD/AP8A/wD/AP8A/wCLAP9A/0D/QP9A/0D/QP9A70AFR3Jhc3MEAAAA////////////AP8A/wD/AP8A/wD/AIsAgTOZAIEzmQCBM5kAgTP/QP9A/0D/QP9A/0D/QO9A/////wAAAACZAIEzmQCBM5kAgTOZAIEz/wD/AP8A/wD/AP8A8QD/QP9A/0D/QP9A/0D/QO9AAAAAAP//////AP8A/wD/AP8A/wDxAIEzmQCBM5kAgTOZAIEzmQD/QP9A/0D/QP9A/0D/QO9AAAAAAAAAAACBM5kAgTOZAIEzmQCBM/8A/wD/AP8A/wD/AP8AiwD/QP9A/0D/QP9A/0D/QO9AOTKyOQ=="
 
 
 func before_each() -> void:
@@ -86,7 +86,7 @@ func test_a_file_keeps_painted_plants() -> void:
 	)
 	check_equal(loaded.data, map.data, "data")
 	check_near(loaded.get_plant_density(Vector3.ZERO, TULIP), 5000.0, 1.0, "dense")
-	check_near(loaded.get_plant_density(Vector3(4, 0, 0), GRASS), 0.01, 1e-4, "sparse")
+	check_near(loaded.get_plant_density(Vector3(4, 0, 0), GRASS), 0.01, 2e-4, "sparse")
 
 
 func test_a_map_of_0_2_0_is_as_it_was() -> void:
