@@ -91,6 +91,15 @@ TEST_CASE("Drifts of a species do not change how densely it is painted") {
 	}
 }
 
+TEST_CASE("A drift of a species that is painted sparsely is filled with the others") {
+	PlacementRequest request = meadow([](DensityMap &map) { paint_bed(map, 1.0f); });
+	request.species[POPPY].share = 60.0f;
+	request.clumping = 1.0f;
+	const FieldPlants plants = placed(request);
+	CHECK(density_in_bed(plants, POPPY) == doctest::Approx(1.0).epsilon(0.1));
+	CHECK(density_in_bed(plants, GRASS) > 8.0);
+}
+
 TEST_CASE("Painted plants take bare places first") {
 	const FieldPlants plants = placed(meadow([](DensityMap &map) {
 		fill_polygon(map, GRASS, BED, 0.5f);

@@ -154,6 +154,7 @@ func _show_density() -> void:
 	_as_mixed.set_pressed_no_signal(_options.is_as_mixed)
 	if not is_instance_valid(_field):
 		return
+	_density.set_value_no_signal(0.0)  # Else a lower maximum would count as a value that was set.
 	_density.max_value = maxf(BrushDensity.sum_of_mix(_field, _names), _density.step)
 	var mixed := BrushDensity.sum_of_mix(_field, _painted_names())
 	_density.set_value_no_signal(mixed if _options.is_as_mixed else _options.density)
