@@ -29,6 +29,7 @@ START = "\nstart\n"
 DRAWN = {"threads": ["gl_compatibility"], "plant_bones": ["gl_compatibility"],
          "wind_shader": ["gl_compatibility", "forward_plus"],
          "field_picture": ["gl_compatibility", "forward_plus"],
+         "field_picture_msaa": ["forward_plus"],
          "field_picture_parts": ["gl_compatibility", "forward_plus"],
          "field_picture_stems": ["gl_compatibility", "forward_plus"],
          "field_skeletons": ["gl_compatibility", "forward_plus"],
