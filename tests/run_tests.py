@@ -27,14 +27,14 @@ def plan(options):
     # The longest first.
     suites = []
     if options.godot:
-        suites += [("picture", lambda: picture.demo(options.godot)), ("editor", lambda: editor.run(options.godot))]
+        suites += [("picture", lambda: picture.demo(options.godot)), ("editor", lambda: editor.run(options.godot, options.only))]
     suites += [("tools", lambda: programs.unittest("tools", ROOT / "tests/tools"))]
     for name, program in (("core", options.core), ("asan", options.asan), ("tsan", options.tsan)):
         if program:
             suites.append((name, lambda name=name, program=program: programs.doctest(name, program)))
     suites += species.suites(options.species) if options.species else []
     if options.godot:
-        suites += engine.suites(options.godot, options.probe, rounds_of(options), options.only)
+        suites += engine.suites(options.godot, options.probe, options.recorder, rounds_of(options), options.only)
         suites += soak.suites(options.godot, options.soak) if options.soak else []
     chosen = set(options.suites.split(",")) if options.suites else None
     suites += of_what_is_shipped(options) if chosen else []
@@ -72,11 +72,11 @@ def run_all(suites, jobs):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("godot", "core", "asan", "tsan", "species", "probe"):
+    for name in ("godot", "core", "asan", "tsan", "species", "probe", "recorder"):
         parser.add_argument(f"--{name}", help=f"the program for {name}; without it those suites are left out")
     parser.add_argument("--soak", help="the folder of the library with sanitizers; without it the soak is left out")
     parser.add_argument("--suites", help="only these, separated by commas")
-    parser.add_argument("--only", help="of the engine's suites only these, separated by commas: field_*,motion")
+    parser.add_argument("--only", help="of the engine's and the editor's suites only these, separated by commas: field_*,motion")
     parser.add_argument("--times", type=int, default=1, help="how often each engine suite runs")
     parser.add_argument("--order", choices=["written", "random"], default="written", help="of an engine suite's tests")
     parser.add_argument("--seed", type=int, help="of the random order; by chance where it is left out")

@@ -102,6 +102,13 @@ func _forward_3d_gui_input(camera: Camera3D, event: InputEvent) -> int:
 	return AFTER_GUI_INPUT_STOP if is_ours else AFTER_GUI_INPUT_PASS
 
 
+# The editor calls this before it shows another scene, and before it saves.
+func _get_state() -> Dictionary:
+	if _brush:
+		_brush.call(&"end_stroke")
+	return {}
+
+
 func _get_plugin_name() -> String:
 	return "Undergrowth"
 

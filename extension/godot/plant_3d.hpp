@@ -26,6 +26,7 @@ class Plant3D : public godot::Node3D {
 	bool contact_enabled = false;
 	godot::StringName bodies_group;
 	double touch_margin = 0.1; // m.
+	double apparent_wind = 1.0;
 
 	// What it is made of.
 	PlantStance stance;
@@ -93,6 +94,8 @@ public:
 	godot::StringName get_bodies_group() const;
 	void set_touch_margin(double metres);
 	double get_touch_margin() const;
+	void set_apparent_wind(double share);
+	double get_apparent_wind() const;
 
 	bool rebuild();
 	godot::Ref<godot::ArrayMesh> get_mesh();

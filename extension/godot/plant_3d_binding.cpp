@@ -134,6 +134,8 @@ void Plant3D::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("is_contact_enabled"), &Plant3D::is_contact_enabled);
 	ClassDB::bind_method(D_METHOD("set_bodies_group", "bodies_group"), &Plant3D::set_bodies_group);
 	ClassDB::bind_method(D_METHOD("get_bodies_group"), &Plant3D::get_bodies_group);
+	ClassDB::bind_method(D_METHOD("set_apparent_wind", "share"), &Plant3D::set_apparent_wind);
+	ClassDB::bind_method(D_METHOD("get_apparent_wind"), &Plant3D::get_apparent_wind);
 	ClassDB::bind_method(D_METHOD("set_touch_margin", "metres"), &Plant3D::set_touch_margin);
 	ClassDB::bind_method(D_METHOD("get_touch_margin"), &Plant3D::get_touch_margin);
 	ClassDB::bind_method(D_METHOD("rebuild"), &Plant3D::rebuild);
@@ -167,6 +169,8 @@ void Plant3D::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "bodies_group"), "set_bodies_group", "get_bodies_group");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "touch_margin", PROPERTY_HINT_RANGE, "0,2,0.01,or_greater,suffix:m"),
 			"set_touch_margin", "get_touch_margin");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "apparent_wind", PROPERTY_HINT_RANGE, "0,1,0.01,or_greater"),
+			"set_apparent_wind", "get_apparent_wind");
 	ADD_GROUP("Drawing", "");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "segments", PROPERTY_HINT_RANGE, "1,64,1,or_greater"), "set_segments",
 			"get_segments");

@@ -5,9 +5,9 @@
 #include "convert.hpp"
 #include "follow_changes.hpp"
 #include "plant/base_shape.hpp"
+#include "world_of.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
-#include <godot_cpp/classes/world3d.hpp>
 
 using namespace godot;
 
@@ -16,6 +16,7 @@ namespace undergrowth {
 static constexpr Range SEGMENTS_RANGE = { MIN_LOD, MAX_LOD };
 static constexpr Range HEIGHT_RANGE = { 0.0, 1000.0 };
 static constexpr Range MARGIN_RANGE = { 0.0, 100.0 };
+static constexpr Range APPARENT_RANGE = { 0.0, 10.0 };
 
 void Plant3D::set_species(const Ref<PlantFunction> &new_species) {
 	if (new_species == species) {
@@ -132,7 +133,18 @@ double Plant3D::get_touch_margin() const {
 	return touch_margin;
 }
 
-// Plants that the same pushes share a page.
+void Plant3D::set_apparent_wind(double share) {
+	if (accept_value(this, "apparent_wind", share, APPARENT_RANGE)) {
+		apparent_wind = share;
+		change_pushes();
+	}
+}
+
+double Plant3D::get_apparent_wind() const {
+	return apparent_wind;
+}
+
+// Plants that the same pushes move share a page.
 void Plant3D::change_pushes() {
 	if (motion.has_other_push(what_pushes())) {
 		update_simulation();
@@ -152,7 +164,7 @@ MotionSpecies Plant3D::kind_of_motion() const {
 	}
 	// Plants of species that differ in it alone move alike, where nothing comes to their tips.
 	const PlantPush push = what_pushes();
-	kind.collision_radius = push.has_bodies() || push.has_contact() ? float(species->get_collision_radius()) : 0.0f;
+	kind.collision_radius = push.has_bodies() || push.has_contact ? float(species->get_collision_radius()) : 0.0f;
 	return kind;
 }
 
@@ -160,8 +172,9 @@ PlantPush Plant3D::what_pushes() const {
 	PlantPush push;
 	push.bodies_group = bodies_group;
 	push.touch_margin = push.has_bodies() ? float(touch_margin) : 0.0f;
-	const Ref<World3D> world = contact_enabled && is_inside_tree() ? get_world_3d() : Ref<World3D>();
-	push.contact_world = world.is_valid() ? uint64_t(world->get_instance_id()) : 0;
+	push.world = world_of(this);
+	push.has_contact = contact_enabled && push.world != 0;
+	push.apparent_wind = float(apparent_wind);
 	return push;
 }
 

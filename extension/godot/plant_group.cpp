@@ -2,7 +2,7 @@
 
 #include "convert.hpp"
 #include "plant_3d.hpp"
-#include "plant_wind_source_3d.hpp"
+#include "wind/air_drift.hpp"
 
 using namespace godot;
 
@@ -14,7 +14,7 @@ static glm::mat3 matrix_of(const Basis &basis) {
 
 bool PlantPush::operator==(const PlantPush &other) const {
 	return bodies_group == other.bodies_group && touch_margin == other.touch_margin &&
-			contact_world == other.contact_world;
+			world == other.world && has_contact == other.has_contact && apparent_wind == other.apparent_wind;
 }
 
 bool PlantKind::operator==(const PlantKind &other) const {
@@ -30,9 +30,7 @@ void PlantGroup::add(Plant3D *plant, const MotionPlant &description, const Plant
 	plants.push_back(plant);
 	bones.push_back(bone);
 	page.add(&description, 1);
-	if (kind.push.has_bodies()) {
-		roots.add(description.root);
-	}
+	roots.add(description.root);
 }
 
 void PlantGroup::remove(int index) {
@@ -45,21 +43,22 @@ void PlantGroup::remove(int index) {
 	}
 	plants.pop_back();
 	bones.pop_back();
-	if (kind.push.has_bodies()) {
-		roots.remove(index);
-	}
+	roots.remove(index);
 }
 
-void PlantGroup::step(const FieldWind &air, double start) {
+void PlantGroup::step(const FieldWind &air, double start, const std::vector<AirSource> &stirring) {
 	const double moment = start + page.wind_moment() * double(page.step_length());
 	const PlantWinds along = winds_along(air);
 	const Vector3 way = axes_of(kind.frame).xform_inv(Vector3(along.x, 0.0f, along.z));
 	const Vector3 side = axes_of(kind.frame).xform_inv(Vector3(along.side_x, 0.0f, along.side_z));
 	TravellingWind now = wind_at_time(air, moment);
-	const std::vector<AirSource> &stirring = PlantWindSource3D::all_now();
 	const Vector3 x = axes_of(kind.frame).xform_inv(Vector3(1.0f, 0.0f, 0.0f));
 	const Vector3 z = axes_of(kind.frame).xform_inv(Vector3(0.0f, 0.0f, 1.0f));
 	now.sources = { stirring.data(), int(stirring.size()), x.x, x.z, z.x, z.z };
+	AirDrift drift;
+	drift.of_roots = roots.mean_velocities();
+	drift.share = kind.push.apparent_wind;
+	now.drift = &drift;
 	page.step(now, { nullptr, way.x, way.z, side.x, side.z });
 }
 

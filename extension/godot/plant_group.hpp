@@ -5,6 +5,7 @@
 #include "plant_bone.hpp"
 #include "plant_frame.hpp"
 #include "plant_wind.hpp"
+#include "wind/air_sources.hpp"
 
 #include <godot_cpp/variant/string_name.hpp>
 
@@ -19,10 +20,11 @@ class Plant3D;
 struct PlantPush {
 	godot::StringName bodies_group; ///< Whose bodies push it; empty: nobody's.
 	float touch_margin = 0.0f; ///< m; 0 without bodies.
-	uint64_t contact_world = 0; ///< Instance id of the World3D whose tips it touches; 0: it touches none.
+	uint64_t world = 0; ///< Instance id of the World3D that it is in; 0: none.
+	bool has_contact = false; ///< It touches the tips of its world.
+	float apparent_wind = 1.0f; ///< How much of its own motion it feels as wind.
 
 	bool has_bodies() const { return !bodies_group.is_empty(); }
-	bool has_contact() const { return contact_world != 0; }
 	bool operator==(const PlantPush &other) const;
 };
 
@@ -45,14 +47,14 @@ struct PlantGroup {
 	std::vector<Plant3D *> plants; ///< plants[i] is the page's plant i; touched only where plants come and go.
 	std::vector<PlantBone> bones; ///< As many.
 	std::vector<glm::vec3> directions; ///< As many, for drawing.
-	RootWays roots; ///< As many, of a kind that bodies push.
+	RootWays roots; ///< As many.
 	glm::mat3 axes; ///< Of the kind's frame.
 
 	void add(Plant3D *plant, const MotionPlant &description, const PlantBone &bone);
 	/// The last plant takes its index.
 	void remove(int index);
-	/// One step that begins when the wind's clock shows `start` (s).
-	void step(const FieldWind &air, double start);
+	/// One step that begins when the wind's clock shows `start` (s), with what stirs the air of its world.
+	void step(const FieldWind &air, double start, const std::vector<AirSource> &stirring);
 	/// Null where directions have the world's axes.
 	const glm::mat3 *turned_axes() const { return kind.frame == PlantFrame::WORLD ? nullptr : &axes; }
 	/// Turns all bones to where their plants point, `alpha` of the way of the last step.

@@ -112,8 +112,10 @@ void PlantMotion::drive(const MovedPlant &moved) {
 	park();
 	const PlantSwing before = swing(moved.rest);
 	const PlantFrame axes = frame_of(moved);
+	PlantPush push;
+	push.world = moved.push.world;
 	driven = std::make_unique<DrivenPlant>(
-			PlantKind{ moved.species, {}, axes, {} }, PlantSimulation::get_singleton()->get_step_length());
+			PlantKind{ moved.species, {}, axes, push }, PlantSimulation::get_singleton()->get_step_length());
 	driven->group.add(plant, row_of(moved, axes), own_bone);
 	set_swing(before);
 }
@@ -138,6 +140,9 @@ bool PlantMotion::follow(const MovedPlant &moved) {
 	const bool stays = frame_of(moved) == in->kind.frame;
 	const bool is_same = is_same_motion(moved.species, in->kind.species);
 	if (stays && (is_same || driven)) {
+		if (driven) {
+			in->kind.push.world = moved.push.world;
+		}
 		if (!is_same) {
 			in->kind.species = moved.species;
 			in->page.set_species(moved.species);

@@ -4,6 +4,7 @@
 #include "follow_changes.hpp"
 #include "messages.hpp"
 #include "plant_3d.hpp"
+#include "shared_resources.hpp"
 
 #include <godot_cpp/classes/project_settings.hpp>
 #include <godot_cpp/classes/window.hpp>
@@ -58,13 +59,13 @@ PlantSimulation::Place PlantSimulation::enter(
 		Plant3D *plant, const PlantKind &kind, const MotionPlant &description, const PlantBone &bone) {
 	PlantGroup *group = find_group(kind);
 	group->add(plant, description, bone);
-	is_contact_stale = is_contact_stale || kind.push.has_contact();
+	is_contact_stale = is_contact_stale || kind.push.has_contact;
 	return { group, group->page.size() - 1 };
 }
 
 void PlantSimulation::leave(const Place &place) {
 	place.group->remove(place.index);
-	is_contact_stale = is_contact_stale || place.group->kind.push.has_contact();
+	is_contact_stale = is_contact_stale || place.group->kind.push.has_contact;
 }
 
 void PlantSimulation::drop_empty_groups() {
@@ -84,13 +85,16 @@ void PlantSimulation::follow_groups() {
 	are_groups_new = is_contact_stale = false;
 }
 
-void PlantSimulation::step_groups() {
+void PlantSimulation::step_groups(double ago) {
 	step_number++;
+	stirred.begin(ago);
 	swings.step(clock.step());
 	const FieldWind calm = { { WindKind::constant, 0.0f }, 0.0f };
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
 		PlantWind *wind = group->kind.wind.ptr();
-		group->step(wind ? wind->travelling() : calm, wind ? wind->begin_step(step_number, clock.step()) : 0.0);
+		group->roots.step(ago);
+		group->step(wind ? wind->travelling() : calm, wind ? wind->begin_step(step_number, clock.step()) : 0.0,
+				stirred.in(group->kind.push.world));
 	}
 }
 
@@ -103,7 +107,7 @@ void PlantSimulation::step(double ago, bool is_first) {
 	if (is_pushed && is_first) {
 		bodies.tell_of_touches();
 	}
-	step_groups();
+	step_groups(ago);
 	if (is_pushed) {
 		bodies.push();
 	}
@@ -138,6 +142,9 @@ void PlantSimulation::advance(double delta) {
 	SceneTree *tree = Object::cast_to<SceneTree>(ObjectDB::get_instance(connected_tree));
 	if (tree && bodies.are_needed()) {
 		bodies.watch(tree, delta);
+	}
+	for (const std::unique_ptr<PlantGroup> &group : groups) {
+		group->roots.watch(group->page, delta);
 	}
 	const int step_count = clock.advance(delta);
 	for (int i = 0; i < step_count; i++) {
@@ -210,8 +217,13 @@ void PlantSimulation::set_step_length(double seconds) {
 	}
 }
 
+void PlantSimulation::on_parts_shader_wanted() {
+	load_parts_shader();
+}
+
 void PlantSimulation::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("_on_process_frame"), &PlantSimulation::on_process_frame);
+	ClassDB::bind_method(D_METHOD("_load_parts_shader"), &PlantSimulation::on_parts_shader_wanted);
 	ClassDB::bind_method(D_METHOD("get_plant_count"), &PlantSimulation::get_plant_count);
 	ClassDB::bind_method(D_METHOD("get_step_time_usec"), &PlantSimulation::get_step_time_usec);
 	ClassDB::bind_method(D_METHOD("get_pose_time_usec"), &PlantSimulation::get_pose_time_usec);

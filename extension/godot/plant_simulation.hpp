@@ -5,6 +5,7 @@
 #include "motion/swing_clock.hpp"
 #include "plant_contact.hpp"
 #include "plant_group.hpp"
+#include "stirred_worlds.hpp"
 
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/core/object.hpp>
@@ -22,6 +23,7 @@ class PlantSimulation : public godot::Object {
 	std::vector<std::unique_ptr<PlantGroup>> groups;
 	PlantBodies bodies;
 	PlantContact contact;
+	StirredWorlds stirred;
 	bool are_groups_new = false; ///< Groups came or went since bodies and contact were told.
 	bool is_contact_stale = false; ///< Plants that touch did.
 	bool has_told_of_crowd = false;
@@ -35,7 +37,7 @@ class PlantSimulation : public godot::Object {
 	PlantGroup *find_group(const PlantKind &kind);
 	void drop_empty_groups();
 	void follow_groups();
-	void step_groups();
+	void step_groups(double ago);
 	void step(double ago, bool is_first);
 	void tell_of_pushes();
 	void pose_plants();
@@ -64,6 +66,7 @@ public:
 	/// Simulates `delta` seconds; the scene tree's frames call it.
 	void advance(double delta);
 	void on_process_frame();
+	void on_parts_shader_wanted();
 	void follow(godot::SceneTree *tree);
 
 	int get_plant_count() const;

@@ -8,6 +8,8 @@
 #include "convert.hpp"
 #include "messages.hpp"
 
+#include <godot_cpp/classes/engine.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -147,7 +149,16 @@ void PlantWind::advance(double step) {
 				this, "advance(" + String::num(step) + ") is impossible; its time stays. Pass seconds of 0 or more.");
 		return;
 	}
-	go_on_to(time + step);
+	advance_to(time + step);
+}
+
+void PlantWind::advance_to(double clock) {
+	advanced_in = Engine::get_singleton()->get_process_frames();
+	go_on_to(clock);
+}
+
+bool PlantWind::has_advanced_in_frame() const {
+	return advanced_in == Engine::get_singleton()->get_process_frames();
 }
 
 void PlantWind::keep_up_with(double clock) {
@@ -172,7 +183,7 @@ double PlantWind::begin_step(uint64_t number, double step) {
 	if (number != begun_step) {
 		begun_step = number;
 		step_start = time;
-		go_on_to(time + step);
+		advance_to(time + step);
 	}
 	return step_start;
 }

@@ -45,10 +45,12 @@ private:
 	double time = 0.0;
 	uint64_t gusts = 0; ///< That were called for.
 	uint64_t begun_step = 0;
+	uint64_t advanced_in = UINT64_MAX; ///< Number of the frame in which the clock was advanced last.
 	double step_start = 0.0; ///< s, of that step.
 
 	void begin_gust();
 	void go_on_to(double clock);
+	void advance_to(double clock);
 	void take_air(const Air &wanted);
 	void change(const Air &wanted);
 	void set_air(float Air::*part, const char *property, double value, const Range &range);
@@ -108,6 +110,8 @@ public:
 
 	/// The wind's clock goes on: by a step in the simulation, by a frame where someone drives plants by hand.
 	void advance(double step);
+	/// Whether anything advanced the clock in this frame.
+	bool has_advanced_in_frame() const;
 	/// The clock of a plant that is driven by hand: this wind's never stands behind it.
 	void keep_up_with(double clock);
 	/// Somebody looks from there (world).

@@ -2,8 +2,12 @@
 
 #include "as_written.hpp"
 #include "convert.hpp"
+#include "world_of.hpp"
 
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/class_db.hpp>
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +20,7 @@ static constexpr Range SPEED_RANGE = { 0.0, 340.0 };
 static constexpr Range THRUST_RANGE = { 0.0, 1e7 };
 static constexpr Range RADIUS_RANGE = { 0.01, 1000.0 };
 static constexpr Range DURATION_RANGE = { 0.01, 10.0 };
-static constexpr float FASTEST = 150.0f; // m/s; what goes farther in a frame was set down elsewhere.
+static constexpr float FASTEST = 150.0f; // m/s; a node that moves faster was set down elsewhere.
 static constexpr float EXPLOSION_ENDS = 10.0f; // Durations, the front's way aside.
 
 // Those in a tree; main thread.
@@ -24,8 +28,6 @@ static std::vector<PlantWindSource3D *> &in_tree() {
 	static std::vector<PlantWindSource3D *> all;
 	return all;
 }
-
-static bool is_stale = false; // What all_now() gave last is not what stirs the air now.
 
 PlantWindSource3D::PlantWindSource3D() {
 	air.radius = 3.0f;
@@ -35,46 +37,69 @@ bool PlantWindSource3D::stirs_now() const {
 	return active && (air.kind != AirSource::Kind::explosion || is_exploding);
 }
 
-const std::vector<AirSource> &PlantWindSource3D::all_now() {
-	static std::vector<AirSource> now;
-	if (!is_stale) {
-		return now;
+AirSource PlantWindSource3D::at(double ago) const {
+	AirSource then = air;
+	then.place = way.place(ago);
+	then.velocity = way.velocity(ago);
+	if (glm::length(then.velocity) >= FASTEST) {
+		then.velocity = glm::vec3(0.0f);
 	}
-	is_stale = false;
-	now.clear();
-	for (const PlantWindSource3D *source : in_tree()) {
-		if (source->stirs_now()) {
-			now.push_back(source->air);
-		}
-	}
-	return now;
+	then.height = std::max(then.place.y, 0.0f);
+	then.speed = air.kind == AirSource::Kind::fan ? induced_speed(thrust, air.radius) : speed;
+	then.age -= float(ago);
+	return then;
 }
 
-std::vector<AirSource> PlantWindSource3D::all_in(const Transform3D &axes) {
-	std::vector<AirSource> there = all_now();
-	if (there.empty()) {
-		return there;
+void PlantWindSource3D::gather(uint64_t world, double ago, std::vector<AirSource> &into) {
+	follow_all();
+	into.clear();
+	for (const PlantWindSource3D *source : in_tree()) {
+		if (source->world == world && source->stirs_now()) {
+			into.push_back(source->at(ago));
+		}
+	}
+}
+
+void PlantWindSource3D::gather_in(
+		uint64_t world, const Transform3D &axes, double ago, std::vector<AirSource> &into) {
+	gather(world, ago, into);
+	if (into.empty()) {
+		return;
 	}
 	const Transform3D to_field = axes.affine_inverse();
 	const Basis turn = axes.basis.orthonormalized().transposed();
 	const float scale = float(std::cbrt(std::fabs(double(axes.basis.determinant()))));
-	for (AirSource &source : there) {
+	for (AirSource &source : into) {
 		source.place = to_glm(to_field.xform(to_godot(source.place)));
 		source.velocity = to_glm(turn.xform(to_godot(source.velocity)));
 		source.scale = scale;
 	}
-	return there;
+}
+
+// Once in each frame, by the first consumer or source that comes to it, so that all consumers see the same places.
+void PlantWindSource3D::follow_all() {
+	static uint64_t followed = 0;
+	const uint64_t frame = Engine::get_singleton()->get_process_frames();
+	if (frame == followed) {
+		return;
+	}
+	followed = frame;
+	for (PlantWindSource3D *source : in_tree()) {
+		if (source->can_process()) {
+			source->follow(source->get_process_delta_time());
+		}
+	}
 }
 
 void PlantWindSource3D::follow(double delta) {
-	is_stale = true;
-	const Vector3 place = get_global_position();
-	const Vector3 moved = delta > 0.0 ? (place - last_place) / real_t(delta) : Vector3();
-	last_place = place;
-	air.place = to_glm(place);
-	air.velocity = moved.is_finite() && moved.length() < FASTEST ? to_glm(moved) : glm::vec3(0.0f);
-	air.height = std::max(float(place.y), 0.0f);
-	air.speed = air.kind == AirSource::Kind::fan ? induced_speed(thrust, air.radius) : speed;
+	const glm::vec3 place = to_glm(get_global_position());
+	const double tick = 1.0 / std::max(Engine::get_singleton()->get_physics_ticks_per_second(), 1);
+	const bool is_jump = !(glm::distance(place, way.last()) < FASTEST * float(std::max(delta, tick)));
+	if (is_jump) {
+		way.begin(place);
+	} else {
+		way.add(delta, place);
+	}
 	if (is_exploding) {
 		air.age += float(delta);
 		is_exploding = air.age < EXPLOSION_ENDS * air.duration + reach_of(air) / air.front;
@@ -86,15 +111,16 @@ void PlantWindSource3D::_notification(int what) {
 		case NOTIFICATION_ENTER_TREE:
 			in_tree().push_back(this);
 			set_process_internal(true);
-			last_place = get_global_position();
-			follow(0.0);
+			way.begin(to_glm(get_global_position()));
 			break;
 		case NOTIFICATION_EXIT_TREE:
-			is_stale = true;
 			in_tree().erase(std::remove(in_tree().begin(), in_tree().end(), this), in_tree().end());
 			break;
+		case NOTIFICATION_ENTER_WORLD:
+			world = world_of(this);
+			break;
 		case NOTIFICATION_INTERNAL_PROCESS:
-			follow(get_process_delta_time());
+			follow_all();
 			break;
 		default:
 			break;
@@ -155,7 +181,6 @@ double PlantWindSource3D::get_duration() const {
 
 void PlantWindSource3D::set_active(bool stirs) {
 	active = stirs;
-	is_stale = true;
 }
 
 void PlantWindSource3D::explode() {

@@ -2,6 +2,7 @@
 
 #include "messages.hpp"
 #include "wind/air_sources.hpp"
+#include "wind/source_way.hpp"
 
 #include <godot_cpp/classes/node3d.hpp>
 
@@ -22,10 +23,12 @@ public:
 
 	PlantWindSource3D();
 
-	/// All that stir the air in this frame, in world axes. Main thread.
-	static const std::vector<AirSource> &all_now();
+	/// All that stir the air of a World3D (`world`: its instance id) `ago` seconds before this frame, in world axes.
+	/// Main thread.
+	static void gather(uint64_t world, double ago, std::vector<AirSource> &into);
 	/// The same in the axes of a field (`axes`: from those to the world's).
-	static std::vector<AirSource> all_in(const godot::Transform3D &axes);
+	static void gather_in(
+			uint64_t world, const godot::Transform3D &axes, double ago, std::vector<AirSource> &into);
 
 	void set_kind(Kind new_kind);
 	Kind get_kind() const;
@@ -52,11 +55,14 @@ private:
 	float thrust = 12000.0f; ///< N, of a fan.
 	bool active = true;
 	bool is_exploding = false;
-	godot::Vector3 last_place;
+	uint64_t world = 0; ///< Instance id of its World3D.
+	SourceWay way; ///< In the world.
 
 	void set_number(float &slot, const char *property, double value, const Range &range);
 	void follow(double delta);
+	static void follow_all();
 	bool stirs_now() const;
+	AirSource at(double ago) const;
 };
 
 } // namespace undergrowth

@@ -1,7 +1,9 @@
 #include "shared_resources.hpp"
 
 #include "new_object.hpp"
+#include "plant_simulation.hpp"
 
+#include <godot_cpp/classes/os.hpp>
 #include <godot_cpp/classes/resource_loader.hpp>
 
 #include <mutex>
@@ -16,6 +18,7 @@ static Ref<StandardMaterial3D> *material = nullptr;
 static Ref<ShaderMaterial> *of_sheets = nullptr;
 static Ref<Skin> *skin = nullptr;
 static Ref<Shader> *shaders[2] = { nullptr, nullptr }; // Of lathes and of parts.
+static bool parts_have_shader = false;
 static std::mutex making; // Meshes may be generated on several threads.
 
 static const char *const SHADER_PATHS[2] = { "res://addons/undergrowth/shaders/plant_field.gdshader",
@@ -66,16 +69,35 @@ Ref<Shader> plant_shader(bool of_parts) {
 	return loaded;
 }
 
+static bool is_main_thread() {
+	const OS *system = OS::get_singleton();
+	return system->get_thread_caller_id() == system->get_main_thread_id();
+}
+
+// A thread that loads a shader waits for the main thread, which may wait for that thread: it leaves this to the main
+// thread, at the end of the frame.
 Ref<ShaderMaterial> parts_material() {
-	const Ref<Shader> shader = plant_shader(true);
+	const bool loads = is_main_thread();
+	const Ref<Shader> shader = loads ? plant_shader(true) : Ref<Shader>();
 	const std::lock_guard<std::mutex> lock(making);
 	if (!of_sheets) {
 		Ref<ShaderMaterial> made = new_counted<ShaderMaterial>();
 		made->set_name("Undergrowth plant of parts");
-		made->set_shader(shader);
 		of_sheets = new Ref<ShaderMaterial>(made);
 	}
+	if (!parts_have_shader && loads) {
+		(*of_sheets)->set_shader(shader);
+		parts_have_shader = true;
+	} else if (!parts_have_shader) {
+		PlantSimulation::get_singleton()->call_deferred("_load_parts_shader");
+	}
 	return *of_sheets;
+}
+
+void load_parts_shader() {
+	if (is_main_thread()) { // A thread that loads resources has deferred calls of its own.
+		parts_material();
+	}
 }
 
 Ref<Skin> plant_skin() {
@@ -96,6 +118,7 @@ void free_shared_resources() {
 	}
 	material = nullptr;
 	of_sheets = nullptr;
+	parts_have_shader = false;
 	skin = nullptr;
 }
 

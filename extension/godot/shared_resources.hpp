@@ -12,8 +12,12 @@ namespace undergrowth {
 godot::Ref<godot::StandardMaterial3D> default_material();
 
 /// The same for plants of parts: open sheets, lit from both sides and from behind, dark at their base. Made of the
-/// shader that fields of such plants wear.
+/// shader that fields of such plants wear. On any thread: the first one that another thread than the main one takes
+/// has no shader before the end of the frame.
 godot::Ref<godot::ShaderMaterial> parts_material();
+
+/// Gives parts_material() its shader. The simulation calls it at the end of a frame, for threads.
+void load_parts_shader();
 
 /// The add-on's shaders of plants of parts and of others, kept from their first use on: whoever lets the last material
 /// of one go and makes another would read, and compile, it anew.

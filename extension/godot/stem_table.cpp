@@ -6,12 +6,37 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
+#include <tuple>
 
 using namespace godot;
 
 namespace undergrowth {
 
 static constexpr double HEIGHT_RATIO = 1.1; // Of neighbouring classes.
+
+// An era has one recipe for each height class and usual weight.
+std::shared_ptr<SharedStem> SharedStem::of(const AskedStem &asked) {
+	using Key = std::tuple<uint64_t, int, float>;
+	static std::mutex mutex;
+	static auto *const known = new std::map<Key, std::weak_ptr<SharedStem>>; // Worker threads may outlive statics.
+	const std::lock_guard<std::mutex> lock(mutex);
+	for (auto entry = known->begin(); entry != known->end();) {
+		entry = entry->second.expired() ? known->erase(entry) : std::next(entry);
+	}
+	std::weak_ptr<SharedStem> &slot = (*known)[Key(asked.era, asked.height_class, asked.recipe.usual_weight)];
+	std::shared_ptr<SharedStem> stem = slot.lock();
+	if (!stem) {
+		stem = std::make_shared<SharedStem>();
+		slot = stem;
+	}
+	return stem;
+}
+
+const SolvedStem &SharedStem::solve(const AskedStem &asked) {
+	std::call_once(is_solved, [&] { solved = solve_recipe(asked.recipe); });
+	return solved;
+}
 
 StemBeam StemTable::nothing() {
 	StemBeam beam;

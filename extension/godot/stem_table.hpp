@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <mutex>
 
 namespace undergrowth {
 
@@ -16,6 +17,19 @@ struct AskedStem {
 	StemRecipe recipe;
 	int height_class = 0;
 	uint64_t era = 0; ///< Of the species that asks; another one since then has other stems.
+};
+
+/// A stem that is being solved. Fields that need the same one at the same time share it: the first solves it, on any
+/// thread, and the others wait.
+class SharedStem {
+public:
+	/// The one that others use already, or a new one.
+	static std::shared_ptr<SharedStem> of(const AskedStem &asked);
+	const SolvedStem &solve(const AskedStem &asked);
+
+private:
+	std::once_flag is_solved;
+	SolvedStem solved;
 };
 
 /// The stems of one species, solved once for each height that needs its own: where frequency is declared, for one

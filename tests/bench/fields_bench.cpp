@@ -5,6 +5,7 @@
 #include "field/field_simulation.hpp"
 #include "page_workers.hpp"
 #include "report.hpp"
+#include "stem/stem_beam.hpp"
 
 #include <cmath>
 
@@ -122,11 +123,85 @@ void time_contact(Report &report, int threads) {
 	report.row("field_contact", PLANTS, threads, median_ms(resolve, FEW_RUNS), best_simd_level());
 }
 
+constexpr int WALKERS = 60;
+constexpr float GRASS_PER_SQUARE_METRE = 40.0f;
+constexpr int GRASS_PAGES_IN_ROW = 5;
+constexpr float GRASS_PAGE_SIDE = 10.0f; // m.
+
+/// A page of grass, square metre by square metre, so that rows that follow each other are near each other.
+std::vector<MotionPlant> grass_page(int page) {
+	const auto side = static_cast<int>(GRASS_PAGE_SIDE);
+	std::vector<MotionPlant> plants;
+	for (int i = 0; i < side * side * static_cast<int>(GRASS_PER_SQUARE_METRE); i++) {
+		const int square = i / static_cast<int>(GRASS_PER_SQUARE_METRE);
+		const auto noise = [i, page](uint64_t which) {
+			return 0.5f + 0.5f * signed_noise(which, static_cast<uint64_t>(i + 10000 * page));
+		};
+		MotionPlant plant;
+		plant.root.x = GRASS_PAGE_SIDE * static_cast<float>(page % GRASS_PAGES_IN_ROW) +
+				static_cast<float>(square % side) + noise(1);
+		plant.root.z = GRASS_PAGE_SIDE * static_cast<float>(page / GRASS_PAGES_IN_ROW) +
+				static_cast<float>(square / side) + noise(2);
+		plant.length = 0.4f + 0.3f * noise(3);
+		plants.push_back(plant);
+	}
+	return plants;
+}
+
+FieldSimulation grass_field() {
+	FieldSimulation field({});
+	MotionSpecies species;
+	species.law = Law::stem;
+	StemBeam beam;
+	beam.length = 0.55f;
+	beam.diameter = 0.005f; // Stands by its own stiffness.
+	species.stem = solve_stem(beam).constants;
+	field.add_species(species);
+	for (int page = 0; page < GRASS_PAGES_IN_ROW * GRASS_PAGES_IN_ROW; page++) {
+		const std::vector<MotionPlant> plants = grass_page(page);
+		field.add_page(0, plants.data(), static_cast<int>(plants.size()));
+	}
+	return field;
+}
+
+/// As high as people, all on ways of their own.
+std::vector<MovingBody> walkers_at(float time) {
+	constexpr float SPEED = 1.4f; // m/s.
+	std::vector<MovingBody> walkers;
+	for (int i = 0; i < WALKERS; i++) {
+		MovingBody body;
+		const float x = 3.0f + 5.0f * static_cast<float>(i % 10);
+		const float z = 3.0f + 8.0f * static_cast<float>(i / 10);
+		body.from = { x + SPEED * time, 0.4f, z };
+		body.to = body.from + glm::vec3(0.0f, 1.0f, 0.0f);
+		body.radius = 0.4f;
+		body.velocity = { SPEED, 0.0f, 0.0f };
+		walkers.push_back(body);
+	}
+	return walkers;
+}
+
+/// What 60 bodies in grass of 40 plants/m² add to a step; us_per_plant is the time per body.
+void time_bodies(Report &report) {
+	FieldSimulation field = grass_field();
+	float time = 0.0f;
+	const auto step = [&](bool is_pushed) {
+		time = time < 1.0f ? time + field.settings().step : 0.0f;
+		const std::vector<MovingBody> walkers = walkers_at(time);
+		field.set_bodies(walkers.data(), is_pushed ? WALKERS : 0);
+		field.step();
+	};
+	const double calm = median_ms([&] { step(false); });
+	const double pushed = median_ms([&] { step(true); });
+	report.row("field_bodies", WALKERS, 1, pushed - calm, best_simd_level());
+}
+
 } // namespace
 
 void undergrowth::time_fields(Report &report) {
 	time_ladder(report);
 	time_air_fields(report);
+	time_bodies(report);
 	time_contact(report, 1);
 	if (std::thread::hardware_concurrency() >= 4) {
 		time_contact(report, 4);

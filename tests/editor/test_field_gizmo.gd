@@ -119,3 +119,20 @@ func _selected() -> PackedStringArray:
 	for node in EditorInterface.get_selection().get_selected_nodes():
 		names.append(node.name)
 	return names
+
+
+func test_a_painted_field_has_no_handles_for_its_size() -> void:
+	var field := await _open_field()
+	await _choose_only(field)
+	field.map = PlantMap.new()
+	field.map.fill_polygon(field.get_outline_points(), "Grass")
+	await frames(5)
+	var from := _place_of(field, Vector3(1, 0, 0))
+	await drag(_view(), from, _place_of(field, Vector3(2, 0, 0)))
+	check_equal(field.size, Vector2(2, 4), "size after a drag")
+	check_equal(field.position, Vector3.ZERO, "place after a drag")
+	await _choose_only(field)
+	field.map = null
+	await frames(5)
+	await drag(_view(), from, _place_of(field, Vector3(2, 0, 0)))
+	check(field.size.x > 2.5, "size after a drag without a map: %s" % field.size)

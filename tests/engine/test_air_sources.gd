@@ -74,6 +74,32 @@ func test_a_body_draws_a_wake_along() -> void:
 	check(most > 0.01, "the plant leans after it: %f m" % most)
 
 
+func test_a_wake_goes_the_way_of_its_body_in_a_field_that_is_turned() -> void:
+	var ids: PackedInt64Array = []
+	var fields: Array[PlantField3D] = []
+	for turn: float in [0.0, 1.2]:
+		var field := PlantField3D.new()
+		field.density = 0.0
+		field.rotation.y = turn
+		_add(field)
+		await frames(2)
+		var at := field.transform.affine_inverse() * Vector3(1.5, 0, 0)
+		ids.append(field.add_plants([Transform3D(Basis.IDENTITY, at)], _species())[0])
+		fields.append(field)
+	var body := _add_source(PlantWindSource3D.KIND_WAKE, Vector3(0, 0.5, -8))
+	body.radius = 1.0
+	var most := 0.0
+	for i in 120:
+		body.position.z += 0.2
+		await frames(1)
+		var tips: Array[Vector3] = []
+		for k in 2:
+			tips.append(fields[k].to_global(fields[k].get_tip_position(ids[k])))
+		most = maxf(most, tips[0].z)
+		check_near(tips[1], tips[0], 1e-3, "tip in frame %d" % i)
+	check(most > 0.01, "it leans after the body: %f m" % most)
+
+
 func test_newtons_blow_on_where_a_source_reaches() -> void:
 	var wind := PlantWind.new()
 	wind.kind = PlantWind.KIND_CONSTANT

@@ -30,6 +30,35 @@ func test_plants_that_are_added_after_variants_were_raised() -> void:
 	check_equal(field.get_plant_count(), count + 600, "plants")
 
 
+func test_plants_of_extreme_size_are_refused_and_those_far_away_exist() -> void:
+	await start()
+	var places: Array[Transform3D] = []
+	for size: float in [1e-30, 1e-20, 1e-7, 1.0, 1e7, 1e18, 3e38]:
+		places.append(Transform3D(Basis.from_scale(Vector3.ONE * size), Vector3(0, 0, 30)))
+	var ids := field.add_plants(places, field.species[0].species)
+	check_error("6 transforms of add_plants() are not finite, or of a scale below 1e-6")
+	check_equal(ids.size(), 1, "ids")
+	_check_sound(ids)
+	var far := Vector3(1e31, 0, -1e31)
+	ids = field.add_plants([Transform3D(Basis.IDENTITY, far)], field.species[0].species)
+	await frames(5)
+	check(field.get_plant_transform(ids[0]).origin.is_equal_approx(far), "it exists there")
+
+
+func test_a_camera_that_is_nowhere_harms_nothing() -> void:
+	var camera := Camera3D.new()
+	root.add_child(camera)
+	camera.position = Vector3(NAN, NAN, NAN)
+	field.skeleton_distance = 10.0
+	await start()
+	await frames(10)
+	_check_sound(field.get_plant_ids())
+	camera.position = Vector3(1e31, 0, 1e31)
+	await frames(10)
+	_check_sound(field.get_plant_ids())
+	camera.free()
+
+
 func test_preview_after_a_species_came_that_follows_prototypes() -> void:
 	field.prototypes = 8
 	field.simulation_enabled = false
@@ -234,3 +263,35 @@ func _check_sound(ids: PackedInt64Array) -> void:
 		var height := field.get_plant_height(id)
 		check(height > 0.05 and height < 20.0, "plant %d is %f m high" % [id, height])
 		check(field.get_tip_position(id).is_finite(), "its tip is somewhere")
+
+
+func test_the_257th_species_is_one_error_that_names_the_limit() -> void:
+	field = PlantField3D.from_species([GrassFunction.new()])
+	field.density = 1.0
+	field.size = Vector2(3, 3)
+	field.levels = [PlantFieldLevel.of(1)]
+	await start()
+	var place: Array[Transform3D] = [Transform3D()]
+	for i in 255:
+		var added := field.add_plants(place, GrassFunction.new())
+		if added.size() != 1:
+			check(false, "species %d is added" % (i + 2))
+			return
+	check_equal(field.add_plants(place, GrassFunction.new()).size(), 0, "plants of the 257th")
+	check_error("256 species")
+
+
+func test_a_species_that_finds_no_room_beside_prototypes_is_one_error_that_says_so() -> void:
+	field = PlantField3D.from_species([GrassFunction.new()])
+	field.density = 1.0
+	field.size = Vector2(3, 3)
+	field.prototypes = 4
+	field.levels = [PlantFieldLevel.of(1)]
+	await start()
+	var place: Array[Transform3D] = [Transform3D()]
+	var count := 1
+	while count < 256 and field.add_plants(place, GrassFunction.new()).size() == 1:
+		count += 1
+	check_error("prototypes")
+	check(count > 40 and count < 256, "%d species have room" % count)
+	check_equal(field.get_plant_ids().size(), field.get_plant_count(), "what stands")

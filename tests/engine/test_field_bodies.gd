@@ -146,6 +146,51 @@ func _way_of_tips(rate: int, moved: String) -> float:
 	return said.to_float()
 
 
+func test_steps_of_one_frame_push_at_places_of_their_own() -> void:
+	field.wind = null
+	field.bodies_group = &"walkers"
+	field.density = 0.0
+	await start()
+	var places: Array[Transform3D] = []
+	for i in 40:
+		places.append(Transform3D(Basis.IDENTITY, Vector3(0.1 * i, 0, 0)))
+	var ids := field.add_plants(places, TulipFunction.new())
+	var shape := CapsuleShape3D.new()
+	shape.radius = 0.12
+	shape.height = 1.2
+	var ball := add_body(shape, Vector3(-2.0, 0.6, 0.06))
+	Engine.time_scale = 6.0  # Frames of six steps.
+	var most: Array[float] = []
+	most.resize(ids.size())
+	for i in 12:
+		ball.position.x += 0.6
+		await frames(1)
+		for k in ids.size():
+			most[k] = maxf(most[k], absf(relative_tip(ids[k]).normalized().z))
+	await frames(2)
+	for k in ids.size():
+		check(most[k] > 0.02, "plant %d is pushed aside: %f" % [k, most[k]])
+	ball.free()
+
+
+func test_a_body_that_a_field_carries_along_does_not_shove_its_plants() -> void:
+	field.wind = null
+	field.apparent_wind = 0.0
+	field.bodies_group = &"walkers"
+	await start()
+	var shape := SphereShape3D.new()
+	shape.radius = 0.5
+	var ball := add_body(shape, Vector3(0, 0.3, 0))
+	ball.reparent(field)
+	await step(300)
+	var rest := all_tips()
+	for i in 120:
+		field.position.x += 0.05
+		await frames(1)
+	check_equal(count_moved(rest, 0.005), 0, "plants that the ride moved")
+	ball.free()
+
+
 func test_a_crate_pushes_by_its_own_size_and_turn() -> void:
 	field.wind = null
 	field.bodies_group = &"walkers"
@@ -218,7 +263,7 @@ func test_a_group_that_nobody_is_in_is_told_of_once() -> void:
 	Engine.time_scale = 8.0
 	await start()
 	await step(900)
-	check_error("nobody is in the group 'wlakers'")
+	check_error("no body of its world is in the group 'wlakers'")
 
 
 func test_what_is_set_down_among_plants_does_not_shove_them() -> void:

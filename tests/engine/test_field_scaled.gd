@@ -49,6 +49,21 @@ func test_a_sphere_of_the_world_holds_the_plants_that_stand_in_it() -> void:
 	check_equal(field.apply_impulse_in_sphere(center, 5.0, Vector3.ONE), 0, "hit then")
 
 
+func test_a_sphere_of_the_world_is_one_in_an_unevenly_scaled_field() -> void:
+	field.rotation = TURNED
+	field.scale = Vector3(1.8, 1.0, 0.6)
+	await start()
+	var center := field.to_global(Vector3(1.0, 0.0, -2.0))
+	var expected := PackedInt64Array()
+	for id in sorted_ids():
+		if center.distance_to(field.to_global(field.get_plant_transform(id).origin)) <= 5.0:
+			expected.append(id)
+	var found := field.find_plants_in_sphere(center, 5.0)
+	found.sort()
+	check(found.size() > 20 and found.size() < field.get_plant_count(), "%d found" % found.size())
+	check_equal(found, expected, "plants in the sphere")
+
+
 func test_a_blow_bends_plants_its_way_in_a_turned_field() -> void:
 	field.density = 0.0
 	field.simulation_enabled = true

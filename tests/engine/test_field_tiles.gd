@@ -92,6 +92,22 @@ func test_an_endless_field_stands_wherever_somebody_is() -> void:
 	check_equal(field.find_plants_in_sphere(Vector3(5000, 0, -3000), 20.0).size(), 0, "left behind")
 
 
+func test_a_scaled_field_has_its_plants_as_far_as_the_world_says() -> void:
+	field.endless = true
+	for scale_of_field: Vector3 in [Vector3.ONE * 0.5, Vector3(2.0, 1.0, 0.4)]:
+		field.rotation.y = 0.7
+		field.scale = scale_of_field
+		if not field.is_inside_tree():
+			await start()
+		field.fill()
+		await filled(field)
+		await _streamed()
+		var radius := DISTANCE - 2.0
+		var near := field.find_plants_in_sphere(Vector3.ZERO, radius).size()
+		var area := PI * radius * radius / (scale_of_field.x * scale_of_field.z)
+		check_near(near, area * field.density, 0.05 * area * field.density, "plants around it")
+
+
 func test_endless_without_a_view_distance_is_told() -> void:
 	field.view_distance = 0.0
 	field.endless = true

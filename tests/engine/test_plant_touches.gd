@@ -91,4 +91,4 @@ func test_a_group_that_nobody_is_in_is_told_of_once() -> void:
 		add_plant(make_species(PlantFunction.LAW_SPRING, 0.01 * i)).bodies_group = group
 	Engine.time_scale = 8.0
 	await pass_time(20.0)
-	check_error("nobody is in the group '%s'" % group)
+	check_error("no body of its world is in the group '%s'" % group)

@@ -108,6 +108,17 @@ func test_a_gust_of_its_own_strength_and_length() -> void:
 		check_near(_wind.sample(0.4), NORTH_TO_SOUTH * 11.0, FORCE_TOLERANCE, "as before")
 
 
+func test_a_plant_driven_by_hand_feels_only_what_is_left_of_a_gust() -> void:
+	_wind.kind = PlantWind.KIND_GUST
+	_wind.gust_duration = 0.5
+	_run(0.5)
+	_wind.trigger_gust(20.0)
+	_wind.advance(0.6)
+	var before := _plant.get_deflection()
+	_run(0.3)
+	check(_plant.get_deflection() < before + 0.01, "the gust is over: %f" % _plant.get_deflection())
+
+
 func test_a_gust_reaches_plants_driven_by_hand_whatever_their_clocks_show() -> void:
 	for ahead: float in [0.0, 10.0]:
 		for behind: float in [0.0, 3.0]:

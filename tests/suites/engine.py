@@ -19,6 +19,17 @@ PROJECT = """config_version=5
 
 config/name="Undergrowth's tests"
 """
+# The add-on's description where the recorder starts it.
+RECORDED = """[configuration]
+
+entry_symbol = "recorded_init"
+compatibility_minimum = "4.6"
+
+[libraries]
+
+linux.x86_64 = "res://recorder/librecorder.so"
+linux.arm64 = "res://recorder/librecorder.so"
+"""
 # What the engine says when objects, resources or memory outlive it; all of it is somebody's mistake.
 LEAK = re.compile(r"leaked|still in use at exit|Leaked instance|Orphan StringName|RID allocations", re.IGNORECASE)
 TEST_LINE = re.compile(r"^(ok|not ok) (.*)$", re.MULTILINE)
@@ -26,9 +37,11 @@ TEST_LINE = re.compile(r"^(ok|not ok) (.*)$", re.MULTILINE)
 START = "\nstart\n"
 # The headless engine's stand-in for a renderer may not be used by two threads at once; the real ones may.
 # By which rendering methods a script is run in a virtual display.
-DRAWN = {"threads": ["gl_compatibility"], "plant_bones": ["gl_compatibility"],
+DRAWN = {"threads": ["gl_compatibility"], "threads_first_mesh": ["gl_compatibility"],
+         "plant_bones": ["gl_compatibility"],
          "wind_shader": ["gl_compatibility", "forward_plus"],
          "field_picture": ["gl_compatibility", "forward_plus"],
+         "field_picture_msaa": ["forward_plus"],
          "field_picture_parts": ["gl_compatibility", "forward_plus"],
          "field_picture_stems": ["gl_compatibility", "forward_plus"],
          "field_skeletons": ["gl_compatibility", "forward_plus"],
@@ -77,8 +90,9 @@ class Rounds:
         return ["--", *words] if words else []
 
 
-def suites(godot, probe=None, rounds=None, only=None):
-    """One suite for each tests/engine/**/test_*.gd; those of the binding need its `probe` library. `only` names some,
+def suites(godot, probe=None, recorder=None, rounds=None, only=None):
+    """One suite for each tests/engine/**/test_*.gd; those of the binding need its `probe` library, those of drawing the
+    `recorder`. `only` names some,
     as in `field_*,motion`. With many `rounds` there are several suites for a script, one for each process."""
     scripts = sorted((ROOT / "tests/engine").glob("test_*.gd"))
     folder = make_project()
@@ -88,6 +102,9 @@ def suites(godot, probe=None, rounds=None, only=None):
     if probe:
         folder = make_probe_project(Path(probe))
         found += [(script, folder, None) for script in sorted((ROOT / "tests/engine/binding").glob("test_*.gd"))]
+    if recorder:
+        folder = make_recorder_project(Path(recorder))
+        found += [(script, folder, None) for script in sorted((ROOT / "tests/engine/drawing").glob("test_*.gd"))]
     chosen = [one for one in found if is_wanted(one[0], only)]
     parts = (rounds or Rounds()).cut()
     return [(name_of(script, method) + (f":{part + 1}" if part else ""),
@@ -118,6 +135,28 @@ def make_probe_project(probe):
     shutil.copy(ROOT / "tests/engine/binding/probe.gdextension", folder / "probe")
     shutil.copy(probe, folder / "probe")
     project.list_extensions(folder, ["res://probe/probe.gdextension"])
+    (folder / "tests").mkdir()
+    project.link(ROOT / "tests/engine", folder / "tests/engine")
+    return folder
+
+
+def make_recorder_project(recorder):
+    """A project in which the recorder starts the add-on (tests/engine/drawing/README.md)."""
+    folder = LOGS / "recorder_project"
+    shutil.rmtree(folder, ignore_errors=True)
+    add_on, place = ROOT / "addons/undergrowth", folder / "addons/undergrowth"
+    place.mkdir(parents=True)
+    for entry in add_on.iterdir():
+        if entry.name != "undergrowth.gdextension":
+            (place / entry.name).symlink_to(entry)
+    (place / "undergrowth.gdextension").write_text(RECORDED)
+    (folder / "recorder").mkdir()
+    (folder / "project.godot").write_text(PROJECT)
+    for name in ("recorder.gdextension", recorder):
+        shutil.copy(ROOT / "tests/engine/drawing" / name, folder / "recorder")
+    library = next((add_on / "bin").glob("libundergrowth.linux.template_debug.*.so"))
+    (folder / "recorder/librecorded.so").symlink_to(library)
+    project.list_extensions(folder, ["res://recorder/recorder.gdextension", project.EXTENSION])
     (folder / "tests").mkdir()
     project.link(ROOT / "tests/engine", folder / "tests/engine")
     return folder

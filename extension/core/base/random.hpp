@@ -12,6 +12,11 @@ constexpr uint64_t mix_bits(uint64_t value) {
 	return value ^ (value >> 31);
 }
 
+/// Bits [16·part, 16·part + 16) as a number in [0, 1).
+constexpr double unit16(uint64_t bits, int part) {
+	return static_cast<double>((bits >> (16 * part)) & 0xffff) * (1.0 / 65536.0);
+}
+
 /// The number `index` of the stream `seed`, uniform in [-1, 1).
 constexpr float signed_noise(uint64_t seed, uint64_t index) {
 	const uint64_t bits = mix_bits(mix_bits(seed) ^ index) >> 40;

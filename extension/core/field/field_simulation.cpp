@@ -224,7 +224,9 @@ void FieldSimulation::step_prototypes(int64_t number) {
 	for (Prototypes &model : models) {
 		const double moment = static_cast<double>(number) + model.wind_moment();
 		const double moment_time = moment * static_cast<double>(options.step) + static_cast<double>(lead);
-		model.step(wind_at_time(wind, along, moment_time), along);
+		TravellingWind now = wind_at_time(wind, along, moment_time);
+		now.drift = &drift;
+		model.step(now, along);
 	}
 }
 
@@ -275,6 +277,7 @@ void FieldSimulation::step_page(int page) {
 	const double moment = static_cast<double>(beat(page).last_step) + entry.page.wind_moment() * interval;
 	TravellingWind now = wind_at_time(blowing, along, moment * static_cast<double>(options.step));
 	now.sources = { stirring.data(), static_cast<int>(stirring.size()) };
+	now.drift = &drift;
 	entry.page.look_ahead(blowing, along, moment * static_cast<double>(options.step), page);
 	if (entry.page.modes() == 2) {
 		entry.page.ease_second(ease_of(page));

@@ -8,6 +8,7 @@
 #include "motion/bodies.hpp"
 #include "motion/motion_page.hpp"
 #include "motion/part_bend.hpp"
+#include "wind/air_drift.hpp"
 #include "wind/air_sources.hpp"
 #include "wind/travelling_wind.hpp"
 
@@ -68,6 +69,8 @@ public:
 	/// Sources of wind for the next steps, in the axes of the field. Followers within reach swing by themselves until they
 	/// come to rest (LoosePlants); if there are too many, those with the strongest wind.
 	void set_air_sources(const std::vector<AirSource> &sources);
+	/// How the field moves through the air in the coming steps, in its own axes. Prototypes move as its origin does.
+	void set_drift(const AirDrift &of_field) { drift = of_field; }
 	/// Takes effect at each page's next step.
 	void set_update_interval(int steps);
 	/// The page's interval becomes `multiple` (1, 2, 4 ... 32) times the field's, 64 steps at most, when the time
@@ -201,6 +204,7 @@ private:
 	int plant_rows = 0; ///< Rows of all pages when the box was computed.
 	std::vector<MovingBody> pushing;
 	std::vector<AirSource> stirring;
+	AirDrift drift;
 	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
 	float lead = 0.0f; ///< s.

@@ -163,6 +163,7 @@ void FieldSimulation::step_loose() {
 		const double moment = static_cast<double>(next_step - 1) + some.page().wind_moment();
 		TravellingWind now = wind_at_time(blowing, along, moment * static_cast<double>(options.step));
 		now.sources = { stirring.data(), static_cast<int>(stirring.size()) };
+		now.drift = &drift;
 		some.step(now, along);
 		for (int number = some.count() - 1; number >= 0; number--) {
 			Entry &entry = at(some.page_of(number));

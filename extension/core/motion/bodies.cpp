@@ -3,6 +3,7 @@
 #include "motion/part_bend.hpp"
 #include "motion/stem_blows.hpp"
 #include "stem/stem_bones.hpp"
+#include "stem/stem_points.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -20,6 +21,8 @@ constexpr float UPPER_STEM = 0.6f;
 constexpr float LEAST_TANGENT = 0.3f;
 constexpr float TINY = 1e-6f;
 constexpr int PUSHED_PLACES = 8; // Of a stem that bends along its length, none of them its root.
+constexpr int PUSHED_HALF = PUSHED_PLACES / 2;
+constexpr float SLACK = 1.02f; // Of a length: points of a stem are found by quadrature.
 constexpr int STEM_PARTS = 4; // Between the points of a stem that may touch a body.
 
 bool is_finite(const glm::vec3 &vector) {
@@ -139,6 +142,39 @@ bool push_place(const StemConstants &stem, StemState &state, const glm::vec2 &re
 	return true;
 }
 
+/// How far a point is from the body's core (m).
+float distance_to_core(const MovingBody &body, const glm::vec3 &point) {
+	return glm::distance(nearest_in_core(body, point), point);
+}
+
+/// The first place of a stem that is in the body; beyond PUSHED_PLACES where none is. A point of a piece of the stem is
+/// no nearer to the body than half of what the distances of the piece's ends are more than its length.
+int first_place_inside(const StemConstants &stem, const StemState &state, const glm::vec2 &rest, const glm::vec3 &root,
+		float length, float thickness, const MovingBody &body) {
+	glm::vec3 points[PUSHED_PLACES];
+	stem_points(stem, state.place, 2, 1, 2, points);
+	const float half = 0.5f * SLACK * length;
+	const float reach = 2.0f * (body.radius + thickness) + half;
+	const float at_root = distance_to_core(body, root);
+	const float at_middle = distance_to_core(body, root + length * turned(points[0], rest));
+	const float at_tip = distance_to_core(body, root + length * turned(points[1], rest));
+	const bool may_be_low = at_root + at_middle <= reach;
+	const bool may_be_high = at_middle + at_tip <= reach;
+	if (!may_be_low && !may_be_high) {
+		return PUSHED_PLACES + 1;
+	}
+	const int first = may_be_low ? 1 : PUSHED_HALF;
+	const int last = may_be_high ? PUSHED_PLACES : PUSHED_HALF;
+	stem_points(stem, state.place, PUSHED_PLACES, first, last, points);
+	for (int part = first; part <= last; part++) {
+		const float own = part == PUSHED_PLACES ? thickness : 0.0f;
+		if (distance_to_core(body, root + length * turned(points[part - first], rest)) < body.radius + own) {
+			return part;
+		}
+	}
+	return PUSHED_PLACES + 1;
+}
+
 /// In the axes of the page's directions.
 MovingBody turned_inward(const MovingBody &body, const PageStand &stand) {
 	MovingBody turned = body;
@@ -184,6 +220,41 @@ glm::vec3 nearest_on_segment(const glm::vec3 &from, const glm::vec3 &to, const g
 	return from + part * way;
 }
 
+bool is_root_in_reach(const MovingBody &body, const glm::vec3 &root, float reach) {
+	return distance_to_core(body, root) <= body.radius + SLACK * reach;
+}
+
+// Most rows are far away: a first pass without branches, which compilers vectorise, finds the groups that have any.
+int rows_in_reach(const MotionPage &page, const BodyReach &reach, int begin, int end, int *indices) {
+	constexpr int GROUP = 16;
+	const float middle_x = 0.5f * (reach.low_x + reach.high_x);
+	const float middle_z = 0.5f * (reach.low_z + reach.high_z);
+	const float half_x = reach.high_x - middle_x;
+	const float half_z = reach.high_z - middle_z;
+	const float *x = page.roots_x();
+	const float *z = page.roots_z();
+	const float *lengths = page.lengths();
+	int count = 0;
+	for (int first = begin; first < end; first += GROUP) {
+		float beyond[GROUP]; // m, of the body's box along the farther axis, less the plant's length.
+		for (int i = 0; i < GROUP; i++) { // Columns have room for whole groups.
+			const float beyond_x = std::fabs(x[first + i] - middle_x) - half_x;
+			const float beyond_z = std::fabs(z[first + i] - middle_z) - half_z;
+			beyond[i] = (beyond_x > beyond_z ? beyond_x : beyond_z) - lengths[first + i];
+		}
+		int is_any_near = 0;
+		for (int i = 0; i < GROUP; i++) {
+			is_any_near |= beyond[i] <= 0.0f ? 1 : 0;
+		}
+		for (int i = first; is_any_near && i < std::min(first + GROUP, end); i++) {
+			if (beyond[i - first] <= 0.0f && lengths[i] > 0.0f) {
+				indices[count++] = i;
+			}
+		}
+	}
+	return count;
+}
+
 bool push_plant(TipState &state, const glm::vec3 &root, float length, float thickness, const MovingBody &body) {
 	const bool inside = push_point(state, root, length, UPPER_STEM, 0.0f, body);
 	return push_point(state, root, length, TIP, thickness, body) || inside;
@@ -192,7 +263,8 @@ bool push_plant(TipState &state, const glm::vec3 &root, float length, float thic
 bool push_plant(const StemConstants &stem, StemState &state, const glm::vec2 &rest, const glm::vec3 &root, float length,
 		float thickness, const MovingBody &body) {
 	bool inside = false;
-	for (int part = 1; part <= PUSHED_PLACES; part++) {
+	for (int part = first_place_inside(stem, state, rest, root, length, thickness, body); part <= PUSHED_PLACES;
+			part++) {
 		const float x = static_cast<float>(part) / PUSHED_PLACES;
 		inside |= push_place(stem, state, rest, root, length, x, part == PUSHED_PLACES ? thickness : 0.0f, body);
 	}

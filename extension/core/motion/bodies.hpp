@@ -76,8 +76,21 @@ bool touches_plants(const MotionPage &page, const MovingBody &body, float margin
 /// The point of a body's core that is nearest to `point`: `point` itself where it lies in the core.
 glm::vec3 nearest_in_core(const MovingBody &body, const glm::vec3 &point);
 
+/// Whether a body is not farther from a root than `reach` (m). 2 % more, for the rounding of what a stem's points are.
+bool is_root_in_reach(const MovingBody &body, const glm::vec3 &root, float reach);
+
 /// The point of a segment that is nearest to `point`.
 glm::vec3 nearest_on_segment(const glm::vec3 &from, const glm::vec3 &to, const glm::vec3 &point);
+
+/// Box in which a body can touch plants of a page, seen from above.
+struct BodyReach {
+	float low_x, high_x, low_z, high_z; ///< m.
+};
+/// Maximum number of rows of one call of rows_in_reach().
+inline constexpr int REACH_ROWS = 64;
+/// Writes the indices of the plants of rows [begin, end), REACH_ROWS at most, that may be in reach, in ascending order;
+/// returns their number. Skips removed plants.
+int rows_in_reach(const MotionPage &page, const BodyReach &reach, int begin, int end, int *indices);
 
 /// True if the boxes of page and body overlap.
 bool boxes_overlap(const MotionPage &page, const MovingBody &body);
@@ -88,17 +101,16 @@ template <class Visit> void for_each_in_reach(const MotionPage &page, const Movi
 	}
 	const float thickness = std::max(page.collision_radius(), 0.0f);
 	const BodyBox box = box_of(body);
-	const glm::vec3 low = box.low - thickness;
-	const glm::vec3 high = box.high + thickness;
-	const float *x = page.roots_x();
-	const float *z = page.roots_z();
-	const float *lengths = page.lengths();
-	for (int i = 0; i < page.size(); i++) {
-		const float reach = lengths[i];
-		const bool is_near =
-				x[i] + reach >= low.x && x[i] - reach <= high.x && z[i] + reach >= low.z && z[i] - reach <= high.z;
-		if (is_near && reach > 0.0f) {
-			visit(i);
+	const BodyReach reach = { box.low.x - thickness, box.high.x + thickness, box.low.z - thickness,
+		box.high.z + thickness };
+	int indices[REACH_ROWS];
+	for (int begin = 0; begin < page.size(); begin += REACH_ROWS) {
+		const int end = std::min(begin + REACH_ROWS, page.size());
+		const int count = rows_in_reach(page, reach, begin, end, indices);
+		for (int i = 0; i < count; i++) {
+			if (is_root_in_reach(body, page.root(indices[i]), page.length(indices[i]) + thickness)) {
+				visit(indices[i]);
+			}
 		}
 	}
 }

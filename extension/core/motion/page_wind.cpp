@@ -46,6 +46,19 @@ void PageWind::sample(int begin, int count, BlockWind &block) const {
 		make_air(along, drag, count, block.x, block.z);
 	}
 	add_sources(wind.sources, low, high, root_x, y + begin, root_z, count, block.x, block.z);
+	if (is_carried) {
+		subtract_drift(begin, count, block);
+	}
+}
+
+void PageWind::subtract_drift(int begin, int count, BlockWind &block) const {
+	const AirSources &axes = wind.sources;
+	for (int i = 0; i < count; i++) {
+		const int row = begin + i;
+		const glm::vec3 own = wind.drift->velocity(row, { x[row], y[row], z[row] });
+		block.x[i] -= axes.x_x * own.x + axes.z_x * own.z;
+		block.z[i] -= axes.x_z * own.x + axes.z_z * own.z;
+	}
 }
 
 } // namespace undergrowth

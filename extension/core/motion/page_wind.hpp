@@ -3,6 +3,7 @@
 #include "motion/joint.hpp"
 #include "wind/air.hpp"
 #include "wind/air_ahead.hpp"
+#include "wind/air_drift.hpp"
 #include "wind/air_sources.hpp"
 
 #include <glm/vec3.hpp>
@@ -33,10 +34,14 @@ struct PageWind {
 	bool has_stems; ///< Stems take forces and air together. Under the other laws, forces near sources become air.
 	SimdLevel level;
 	AirBlow blow = wind.is_air ? blow_over(wind.air, stand_height, along) : AirBlow{};
-	bool is_stirred = any_reaches(wind.sources, low, high);
+	bool is_carried = wind.drift && wind.drift->is_felt();
+	bool is_stirred = is_carried || any_reaches(wind.sources, low, high);
 
 	/// Samples `count` plants from `begin` on.
 	void sample(int begin, int count, BlockWind &block) const;
+
+private:
+	void subtract_drift(int begin, int count, BlockWind &block) const;
 };
 
 } // namespace undergrowth

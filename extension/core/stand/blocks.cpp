@@ -1,5 +1,6 @@
 #include "stand/blocks.hpp"
 
+#include "base/bounded_whole.hpp"
 #include "base/counting_sort.hpp"
 #include "stand/curve_key.hpp"
 
@@ -15,19 +16,19 @@ namespace undergrowth {
 namespace {
 
 constexpr float USUAL_SIZE = 16.0f; ///< m.
-constexpr double FARTHEST_TILE = 1.0e9;
+constexpr int FARTHEST_TILE = 1000000000;
 constexpr int KINDS = 65536; ///< Species times variants.
 
 int tile_coordinate(float place, float size) {
 	const double tile = std::floor(static_cast<double>(place) / static_cast<double>(size));
-	return static_cast<int>(std::clamp(tile, -FARTHEST_TILE, FARTHEST_TILE));
+	return bounded_whole(tile, -FARTHEST_TILE, FARTHEST_TILE);
 }
 
 /// The least coordinate of a tile, to the bit: the product may be rounded to a place beside it.
 float tile_side(int tile, float size) {
 	constexpr float FAR = std::numeric_limits<float>::max();
 	auto side = static_cast<float>(static_cast<double>(tile) * static_cast<double>(size));
-	if (std::abs(static_cast<double>(tile)) >= FARTHEST_TILE) {
+	if (std::abs(tile) >= FARTHEST_TILE) {
 		return side; // Whatever is there is in one tile.
 	}
 	while (tile_coordinate(side, size) < tile) {

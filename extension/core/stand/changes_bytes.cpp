@@ -134,7 +134,8 @@ void read_added(ByteReader &from, SavedChanges &saved) {
 		codes.variant[0] = static_cast<uint8_t>(from.number(1));
 		shares.push_back(read_share(from));
 		const PlacedPlant plant = codes.plant(0);
-		if (!is_valid(plant) || static_cast<std::size_t>(plant.species) >= saved.species.size()) {
+		if (!is_valid(plant) || codes.height[0] == 0 ||
+				static_cast<std::size_t>(plant.species) >= saved.species.size()) {
 			from.fail();
 		}
 		saved.added.push_back({ ids.back(), plant });

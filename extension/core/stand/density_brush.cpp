@@ -12,6 +12,8 @@ namespace {
 /// A step that is smaller than this part of a code is none.
 constexpr float LEAST_STEP = 0.1f;
 constexpr float MOST_CODE = 255.0f;
+/// Plants/m²: one on a hectare. Fewer become none.
+constexpr float MIN_PLANTS = 1.0e-4f;
 
 /// `code`, moved by `step` codes: by one at least, and not beyond `end`.
 uint8_t moved(uint8_t code, float step, float end) {
@@ -27,16 +29,41 @@ uint8_t approached(uint8_t code, float end, float share) {
 	return moved(code, (end - static_cast<float>(code)) * share, end);
 }
 
+/// Before it is rounded.
+float exact_plants_code(float plants) {
+	const float share = std::clamp(plants / DensityCell::MAX_PLANT_DENSITY, 0.0f, 1.0f);
+	return std::sqrt(share) * static_cast<float>(DensityCell::MAX_PLANTS);
+}
+
+/// The cell's plants/m² after `share` of the way to `end`.
+uint16_t approached_plants(const DensityCell &cell, float end, float share) {
+	const uint16_t end_code = plants_code(end);
+	const float plants = cell.plant_density();
+	const float to = plants + (end - plants) * share;
+	if (cell.plants == end_code || (to < MIN_PLANTS && end < MIN_PLANTS)) {
+		return end_code;
+	}
+	const float step = exact_plants_code(to) - static_cast<float>(cell.plants);
+	if (std::abs(step) < LEAST_STEP) {
+		return cell.plants;
+	}
+	const float whole = std::copysign(std::max(std::floor(std::abs(step) + 0.5f), 1.0f), step);
+	return static_cast<uint16_t>(static_cast<float>(cell.plants) + whole);
+}
+
 /// The mean of a cell and the eight around it.
 DensityCell mean_around(const DensityMap &map, int layer, int column, int row) {
 	int density = 0;
 	int height = 0;
+	float plants = 0.0f;
 	for (int i = 0; i < 9; i++) {
 		const DensityCell cell = map.cell(layer, column + i % 3 - 1, row + i / 3 - 1);
 		density += cell.density;
 		height += cell.height;
+		plants += cell.plant_density();
 	}
-	return { static_cast<uint8_t>((density + 4) / 9), static_cast<uint8_t>((height + 4) / 9) };
+	return { static_cast<uint8_t>((density + 4) / 9), static_cast<uint8_t>((height + 4) / 9),
+		plants_code(plants / 9.0f) };
 }
 
 DensityCell changed(DensityCell cell, const DensityStroke &stroke, float weight) {
@@ -44,8 +71,13 @@ DensityCell changed(DensityCell cell, const DensityStroke &stroke, float weight)
 	if (stroke.does == DensityStroke::Does::add) {
 		const float end = stroke.value > 0.0f ? MOST_CODE : 0.0f;
 		cell.density = moved(cell.density, stroke.value * weight * MOST_CODE, end);
+		cell.plants = stroke.value > 0.0f ? cell.plants : approached_plants(cell, 0.0f, -stroke.value * weight);
 	} else if (stroke.does == DensityStroke::Does::approach) {
 		cell.density = approached(cell.density, static_cast<float>(density_code(stroke.value)), share);
+		cell.plants = approached_plants(cell, 0.0f, share);
+	} else if (stroke.does == DensityStroke::Does::approach_plants) {
+		cell.density = approached(cell.density, 0.0f, share);
+		cell.plants = approached_plants(cell, stroke.value, share);
 	} else {
 		cell.height = approached(cell.height, static_cast<float>(height_code(stroke.value)), share);
 	}
@@ -74,6 +106,23 @@ private:
 	int layer;
 	CellRange cells;
 };
+
+/// Sets all of the cells in a polygon but their heights.
+CellRange fill_cells(DensityMap &map, int layer, const Polygon &polygon, DensityCell wanted) {
+	const CellRange cells = map.cells_around(bounding_box(polygon));
+	Changes changes(map, layer);
+	for (int row = cells.first_row; row <= cells.last_row; row++) {
+		const double z = static_cast<double>(map.middle_of(0, row).y);
+		const AreaRow edges(polygon, {}, z, z);
+		for (int column = cells.first_column; column <= cells.last_column; column++) {
+			if (edges.holds(map.middle_of(column, row))) {
+				wanted.height = map.cell(layer, column, row).height;
+				changes.set(column, row, wanted);
+			}
+		}
+	}
+	return changes.finish();
+}
 
 template <class Act> void for_each_cell(const CellRange &cells, const Act &act) {
 	for (int row = cells.first_row; row <= cells.last_row; row++) {
@@ -109,6 +158,10 @@ uint8_t height_code(float factor) {
 	return static_cast<uint8_t>(std::clamp(code, static_cast<float>(DensityCell::LEAST_HEIGHT), MOST_CODE));
 }
 
+uint16_t plants_code(float plants) {
+	return static_cast<uint16_t>(std::floor(exact_plants_code(plants) + 0.5f));
+}
+
 CellRange paint(DensityMap &map, int layer, const DensityBrush &brush, const DensityStroke &stroke) {
 	const CellRange cells = map.cells_around({ brush.centre - brush.radius, brush.centre + brush.radius });
 	// Means are those of the cells before.
@@ -126,7 +179,8 @@ CellRange paint(DensityMap &map, int layer, const DensityBrush &brush, const Den
 			const DensityCell mean = mean_around(before, layer, column, row);
 			const float share = weight * stroke.strength;
 			changes.set(column, row,
-					{ approached(cell.density, mean.density, share), approached(cell.height, mean.height, share) });
+					{ approached(cell.density, mean.density, share), approached(cell.height, mean.height, share),
+							approached_plants(cell, mean.plant_density(), share) });
 		} else {
 			changes.set(column, row, changed(cell, stroke, weight));
 		}
@@ -135,19 +189,11 @@ CellRange paint(DensityMap &map, int layer, const DensityBrush &brush, const Den
 }
 
 CellRange fill_polygon(DensityMap &map, int layer, const Polygon &polygon, float density) {
-	const CellRange cells = map.cells_around(bounding_box(polygon));
-	Changes changes(map, layer);
-	const uint8_t code = density_code(density);
-	for (int row = cells.first_row; row <= cells.last_row; row++) {
-		const double z = static_cast<double>(map.middle_of(0, row).y);
-		const AreaRow edges(polygon, {}, z, z);
-		for (int column = cells.first_column; column <= cells.last_column; column++) {
-			if (edges.holds(map.middle_of(column, row))) {
-				changes.set(column, row, { code, map.cell(layer, column, row).height });
-			}
-		}
-	}
-	return changes.finish();
+	return fill_cells(map, layer, polygon, { density_code(density), DensityCell::USUAL_HEIGHT, 0 });
+}
+
+CellRange fill_polygon_plants(DensityMap &map, int layer, const Polygon &polygon, float plants) {
+	return fill_cells(map, layer, polygon, { 0, DensityCell::USUAL_HEIGHT, plants_code(plants) });
 }
 
 } // namespace undergrowth

@@ -9,7 +9,9 @@ namespace undergrowth {
 namespace {
 
 constexpr char LETTERS[] = "UGDM";
-constexpr uint32_t VERSION = 1;
+constexpr uint32_t WITHOUT_PLANTS = 1;
+constexpr uint32_t WITH_PLANTS = 2;
+constexpr int BYTE = 8;
 constexpr std::size_t MOST_LITERALS = 128;
 constexpr std::size_t LEAST_RUN = 3;
 constexpr std::size_t MOST_RUN = 130;
@@ -69,12 +71,46 @@ bool is_near(const DensityMap &map, const TileKey &key) {
 	return key.column >= first.column && key.column <= last.column && key.row >= first.row && key.row <= last.row;
 }
 
-bool read_block(ByteReader &from, int layer, DensityMap &map) {
+bool has_plants(const DensityMap &map) {
+	for (int layer = 0; layer < map.layer_count(); layer++) {
+		for (const auto &[key, block] : map.blocks(layer)) {
+			const auto is_some = [](uint16_t code) { return code != 0; };
+			if (std::any_of(block->plants.begin(), block->plants.end(), is_some)) {
+				return true;
+			}
+		}
+	}
+	return false;
+}
+
+void put_plants(std::vector<uint8_t> &to, const DensityBlock &block) {
+	for (const int shift : { 0, BYTE }) {
+		Plane plane;
+		std::transform(block.plants.begin(), block.plants.end(), plane.begin(),
+				[shift](uint16_t code) { return static_cast<uint8_t>(code >> shift); });
+		put_plane(to, plane);
+	}
+}
+
+void read_plants(ByteReader &from, DensityBlock &block) {
+	Plane low = {};
+	Plane high = {};
+	read_plane(from, low);
+	read_plane(from, high);
+	for (std::size_t i = 0; i < DensityBlock::CELLS; i++) {
+		block.plants[i] = static_cast<uint16_t>(low[i] | (high[i] << BYTE));
+	}
+}
+
+bool read_block(ByteReader &from, uint32_t version, int layer, DensityMap &map) {
 	const auto column = static_cast<int32_t>(from.number(4));
 	const auto row = static_cast<int32_t>(from.number(4));
 	DensityBlock block;
 	read_plane(from, block.density);
 	read_plane(from, block.height);
+	if (version == WITH_PLANTS) {
+		read_plants(from, block);
+	}
 	if (!from.is_sound() || !is_near(map, { column, row })) {
 		return false;
 	}
@@ -82,17 +118,17 @@ bool read_block(ByteReader &from, int layer, DensityMap &map) {
 		const auto x = static_cast<int>(i % DensityBlock::SIDE);
 		const auto z = static_cast<int>(i / DensityBlock::SIDE);
 		map.set_cell(layer, column * DensityBlock::SIDE + x, row * DensityBlock::SIDE + z,
-				{ block.density[i], block.height[i] });
+				{ block.density[i], block.height[i], block.plants[i] });
 	}
 	return true;
 }
 
-bool read_layer(ByteReader &from, DensityMap &map) {
+bool read_layer(ByteReader &from, uint32_t version, DensityMap &map) {
 	const std::string name = from.text();
 	const auto blocks = static_cast<uint32_t>(from.number(4));
 	const int layer = from.is_sound() && map.find_layer(name) < 0 ? map.need_layer(name) : -1;
 	for (uint32_t i = 0; layer >= 0 && i < blocks; i++) {
-		if (!read_block(from, layer, map)) {
+		if (!read_block(from, version, layer, map)) {
 			return false;
 		}
 	}
@@ -116,7 +152,8 @@ const char *describe(DensityFault fault) {
 }
 
 std::vector<uint8_t> write_density(const DensityMap &map) {
-	std::vector<uint8_t> bytes = ByteFrame::begin(LETTERS, VERSION);
+	const uint32_t version = has_plants(map) ? WITH_PLANTS : WITHOUT_PLANTS;
+	std::vector<uint8_t> bytes = ByteFrame::begin(LETTERS, version);
 	put_float(bytes, map.cell_size());
 	put_number(bytes, static_cast<uint64_t>(map.layer_count()), 2);
 	for (int layer = 0; layer < map.layer_count(); layer++) {
@@ -127,6 +164,9 @@ std::vector<uint8_t> write_density(const DensityMap &map) {
 			put_number(bytes, static_cast<uint32_t>(key.row), 4);
 			put_plane(bytes, block->density);
 			put_plane(bytes, block->height);
+			if (version == WITH_PLANTS) {
+				put_plants(bytes, *block);
+			}
 		}
 	}
 	ByteFrame::seal(bytes);
@@ -138,7 +178,12 @@ DensityFault read_density(const uint8_t *bytes, std::size_t count, DensityMap &m
 		map.clear();
 		return DensityFault::none;
 	}
-	const BytesFault fault = ByteFrame::check(LETTERS, VERSION, bytes, count);
+	uint32_t version = WITHOUT_PLANTS;
+	BytesFault fault = ByteFrame::check(LETTERS, version, bytes, count);
+	if (fault == BytesFault::later_version) {
+		version = WITH_PLANTS;
+		fault = ByteFrame::check(LETTERS, version, bytes, count);
+	}
 	if (fault != BytesFault::none) {
 		return static_cast<DensityFault>(fault);
 	}
@@ -150,7 +195,7 @@ DensityFault read_density(const uint8_t *bytes, std::size_t count, DensityMap &m
 	}
 	const auto layers = static_cast<uint32_t>(from.number(2));
 	for (uint32_t i = 0; i < layers; i++) {
-		if (!read_layer(from, made)) {
+		if (!read_layer(from, version, made)) {
 			return DensityFault::torn;
 		}
 	}

@@ -28,11 +28,13 @@ int cell_of(double place, double size) {
 DensityBlock::DensityBlock() {
 	density.fill(0);
 	height.fill(DensityCell::USUAL_HEIGHT);
+	plants.fill(0);
 }
 
 bool DensityBlock::is_empty() const {
 	const auto is_usual = [](uint8_t code) { return code == DensityCell::USUAL_HEIGHT; };
-	return std::all_of(density.begin(), density.end(), [](uint8_t code) { return code == 0; }) &&
+	const auto is_zero = [](int code) { return code == 0; };
+	return std::all_of(density.begin(), density.end(), is_zero) && std::all_of(plants.begin(), plants.end(), is_zero) &&
 			std::all_of(height.begin(), height.end(), is_usual);
 }
 
@@ -120,7 +122,7 @@ DensityCell DensityMap::cell(int layer, int column, int row) const {
 		return {};
 	}
 	const std::size_t i = index_of(column, row, key);
-	return { found->second->density[i], found->second->height[i] };
+	return { found->second->density[i], found->second->height[i], found->second->plants[i] };
 }
 
 DensityCell DensityMap::cell_at(int layer, const glm::vec2 &place) const {
@@ -150,6 +152,8 @@ void DensityMap::set_cell(int layer, int column, int row, const DensityCell &wan
 	const std::size_t i = index_of(column, row, key);
 	block.density[i] = wanted.density;
 	block.height[i] = std::max(wanted.height, DensityCell::LEAST_HEIGHT);
+	block.plants[i] = wanted.plants;
+	block.may_have_plants = block.may_have_plants || wanted.plants > 0;
 }
 
 CellRange DensityMap::take(const DensityMap &from, const CellRange &cells) {
@@ -195,6 +199,11 @@ int DensityMap::block_count() const {
 		count += layer.blocks.size();
 	}
 	return static_cast<int>(count);
+}
+
+bool DensityMap::may_have_plants(int layer) const {
+	const Blocks &there = at(layer).blocks;
+	return std::any_of(there.begin(), there.end(), [](const auto &entry) { return entry.second->may_have_plants; });
 }
 
 CellRange DensityMap::painted() const {

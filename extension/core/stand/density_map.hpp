@@ -13,21 +13,33 @@
 
 namespace undergrowth {
 
-/// What is painted in one cell for one species.
+/// What is painted in one cell for one species. The species grows there as the sum of two: a share of what the field's
+/// mix gives it, and a number of plants/m² that no mix changes.
 struct DensityCell {
 	static constexpr uint8_t MOST_DENSITY = 255; ///< Stands for 1; 0 for nothing.
 	static constexpr uint8_t USUAL_HEIGHT = 64; ///< Stands for 1.
 	static constexpr uint8_t LEAST_HEIGHT = 4; ///< 1/16.
 
-	uint8_t density = 0;
-	uint8_t height = USUAL_HEIGHT;
+	static constexpr uint16_t MAX_PLANTS = 65535; ///< Stands for MAX_PLANT_DENSITY.
+	static constexpr float MAX_PLANT_DENSITY = 1.0e4f; ///< Plants/m².
 
-	bool operator==(const DensityCell &other) const { return density == other.density && height == other.height; }
+	uint8_t density = 0; ///< The share of the mix.
+	uint8_t height = USUAL_HEIGHT;
+	uint16_t plants = 0; ///< The square root of the plants/m², so that sparse and dense ones are equally exact.
+
+	bool operator==(const DensityCell &other) const {
+		return density == other.density && height == other.height && plants == other.plants;
+	}
 	bool operator!=(const DensityCell &other) const { return !(*this == other); }
 	/// 0 to 1.
 	float share() const { return static_cast<float>(density) / static_cast<float>(MOST_DENSITY); }
 	/// 1/16 to 255/64.
 	float height_factor() const { return static_cast<float>(height) / static_cast<float>(USUAL_HEIGHT); }
+	/// Plants/m², beside the share.
+	float plant_density() const {
+		const float root = static_cast<float>(plants) / static_cast<float>(MAX_PLANTS);
+		return root * root * MAX_PLANT_DENSITY;
+	}
 };
 
 /// A square of SIDE by SIDE cells: what is allocated at once.
@@ -37,6 +49,9 @@ struct DensityBlock {
 
 	std::array<uint8_t, CELLS> density; ///< Row by row, by increasing x.
 	std::array<uint8_t, CELLS> height; ///< Alike.
+	std::array<uint16_t, CELLS> plants; ///< Alike.
+	/// False: all of `plants` are 0. They may be 0 where it is true.
+	bool may_have_plants = false;
 
 	DensityBlock();
 	/// Whether nothing is painted in it.
@@ -111,6 +126,8 @@ public:
 	/// Those of a layer, by their place among blocks.
 	const Blocks &blocks(int layer) const { return at(layer).blocks; }
 	int block_count() const;
+	/// False: the layer has no cell with plants/m². True says nothing.
+	bool may_have_plants(int layer) const;
 	/// All cells of all blocks; empty where nothing is painted.
 	CellRange painted() const;
 

@@ -23,11 +23,6 @@ constexpr double FULL_TURN = 2.0 * PI;
 /// More cells than this hold plants only where an area crosses itself many times.
 constexpr std::size_t MOST_CANDIDATES = 4 * static_cast<std::size_t>(PlacementRequest::MOST_PLANTS);
 
-/// Bits [16·part, 16·part + 16) as a number in [0, 1).
-double unit16(uint64_t bits, int part) {
-	return static_cast<double>((bits >> (16 * part)) & 0xffff) * (1.0 / 65536.0);
-}
-
 /// The upper or the lower 32 bits as a number in [-1, 1).
 double signed32(uint64_t bits, int half) {
 	return static_cast<double>((bits >> (32 * half)) & 0xffffffff) * (2.0 / 4294967296.0) - 1.0;
@@ -81,6 +76,7 @@ Placement::Placement(const PlacementRequest &wanted) : request(wanted), found(fi
 		sum += static_cast<double>(species.share);
 		shares.push_back(sum);
 	}
+	mix = PaintedMix(request);
 	list_painted();
 	const AreaBox box = placed_box(request);
 	if (box.low.y > box.high.y) {
@@ -178,14 +174,19 @@ void Placement::place_cell(int column, int row, const AreaRow &edges, FieldPlant
 	}
 	const uint64_t kind = mix_bits(where);
 	uint64_t species_bits = kind >> 32;
-	if (unit16(kind, 0) < static_cast<double>(request.clumping)) {
+	const bool is_in_drift = unit16(kind, 0) < static_cast<double>(request.clumping);
+	if (is_in_drift) {
 		const uint64_t fray = mix_bits(kind ^ drift_seed);
 		species_bits = drift_bits(x / static_cast<double>(request.drift_size) + DRIFT_FRAY * signed32(fray, 0),
 				z / static_cast<double>(request.drift_size) + DRIFT_FRAY * signed32(fray, 1));
 	}
-	const int number = pick_species(species_bits & 0xffffffff);
-	const PlacementSpecies &species = request.species[static_cast<std::size_t>(number)];
+	int number = pick_species(species_bits & 0xffffffff);
 	const uint64_t shape = mix_bits(kind);
+	number = request.map ? mix.choose(request, { number, is_in_drift }, root, mix_bits(shape)) : number;
+	if (number < 0) {
+		return;
+	}
+	const PlacementSpecies &species = request.species[static_cast<std::size_t>(number)];
 	const double scale_way = static_cast<double>(species.most_scale) - static_cast<double>(species.least_scale);
 	const double height = 1.0 + static_cast<double>(species.height_deviation) * (2.0 * unit16(shape, 1) - 1.0);
 	PlacedPlant plant;
@@ -196,20 +197,10 @@ void Placement::place_cell(int column, int row, const AreaRow &edges, FieldPlant
 	plant.turn = static_cast<float>(unit16(shape, 3) * FULL_TURN);
 	plant.species = number;
 	plant.variant = static_cast<int>(unit16(kind, 1) * species.variants);
-	if (!request.map || grows(plant, mix_bits(shape))) {
-		plants.add(plant);
+	if (request.map) {
+		plant.height *= request.map->cell_at(species.layer, root).height_factor();
 	}
-}
-
-/// Whether a plant grows by the map, and then how high.
-bool Placement::grows(PlacedPlant &plant, uint64_t bits) const {
-	const int layer = request.species[static_cast<std::size_t>(plant.species)].layer;
-	if (layer < 0) {
-		return false;
-	}
-	const DensityCell cell = request.map->cell_at(layer, { plant.root.x, plant.root.z });
-	plant.height *= cell.height_factor();
-	return unit16(bits, 0) * DensityCell::MOST_DENSITY < cell.density;
+	plants.add(plant);
 }
 
 int Placement::pick_species(uint64_t bits) const {

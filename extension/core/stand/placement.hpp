@@ -2,6 +2,7 @@
 
 #include "stand/area.hpp"
 #include "stand/density_map.hpp"
+#include "stand/painted_mix.hpp"
 #include "stand/plants.hpp"
 
 #include <cstdint>
@@ -41,7 +42,7 @@ struct PlacementRequest {
 	/// 0: each plant draws its species alone; 1: drifts of one species each, with frayed edges.
 	float clumping = 0.0f;
 	float drift_size = 3.0f; ///< m, from one drift's middle to the next, >= 0.01.
-	/// Of what would stand without it, in the area, each species' density in the map is left, and is so much higher.
+	/// With it each species grows as its layer says (PaintedMix), and as high. Their sum is at most `density`.
 	std::shared_ptr<const DensityMap> map;
 };
 
@@ -102,6 +103,7 @@ private:
 	uint64_t cell_seed = 0;
 	uint64_t drift_seed = 0;
 	std::vector<double> shares; ///< Summed up to each species.
+	PaintedMix mix; ///< With a map.
 	std::map<int, std::vector<int>> painted; ///< With a map: columns of blocks that have something, by row.
 
 	/// Its spans are cells: from the first to before the last.
@@ -109,7 +111,6 @@ private:
 	void list_painted();
 	/// Where in a row of cells there may be something of the map.
 	std::vector<AreaSpan> painted_spans(int row) const;
-	bool grows(PlacedPlant &plant, uint64_t bits) const;
 	void place_cell(int column, int row, const AreaRow &edges, FieldPlants &plants) const;
 	int pick_species(uint64_t bits) const;
 	uint64_t drift_bits(double x, double z) const;

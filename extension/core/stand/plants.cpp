@@ -1,5 +1,6 @@
 #include "stand/plants.hpp"
 
+#include "base/bounded_whole.hpp"
 #include "base/portable_math.hpp"
 #include "conventions.hpp"
 
@@ -15,14 +16,24 @@ constexpr double HEIGHT_CODES = 65536.0 / FieldPlants::MOST_HEIGHT;
 constexpr double LEAN_CODES = 65535.0 / (PI / 2.0);
 constexpr double COSINE_SLACK = 1.0e-7; ///< What a float normal's own rounding costs.
 
-uint16_t nearest_code(double value) {
-	return static_cast<uint16_t>(std::clamp(std::floor(value + 0.5), 0.0, 65535.0));
+constexpr int MAX_CODE = 65535;
+/// What a plant can be scaled by: lengths stay numbers above 0 that are finite.
+constexpr float MIN_SCALE = 1.0e-6f;
+constexpr float MAX_SCALE = 1.0e6f;
+
+/// What is not a number has the code `min`.
+uint16_t nearest_code(double value, int min = 0) {
+	return static_cast<uint16_t>(bounded_whole(std::floor(value + 0.5), min, MAX_CODE));
+}
+
+uint16_t height_code(float height) {
+	return nearest_code(height * HEIGHT_CODES, 1); // A plant without height could not be simulated.
 }
 
 uint16_t turn_code(double turn) {
 	const double share = turn / (2.0 * PI);
-	const int code = static_cast<int>(std::floor((share - std::floor(share)) * TURN_CODES + 0.5));
-	return static_cast<uint16_t>(code & 0xffff);
+	const int code = bounded_whole(std::floor((share - std::floor(share)) * TURN_CODES + 0.5), 0, MAX_CODE + 1);
+	return static_cast<uint16_t>(code & MAX_CODE);
 }
 
 template <class T> void append_column(std::vector<T> &column, const std::vector<T> &more) {
@@ -85,7 +96,7 @@ bool is_valid(const PlacedPlant &plant) {
 	const bool finite = std::isfinite(plant.root.x) && std::isfinite(plant.root.y) && std::isfinite(plant.root.z) &&
 			std::isfinite(plant.scale) && std::isfinite(plant.turn) && std::isfinite(plant.height) &&
 			std::isfinite(plant.lean) && std::isfinite(plant.side);
-	return finite && plant.scale > 0.0f && plant.species >= 0 && plant.species <= 255 && plant.variant >= 0 &&
+	return finite && plant.scale >= MIN_SCALE && plant.scale <= MAX_SCALE && plant.species >= 0 && plant.species <= 255 && plant.variant >= 0 &&
 			plant.variant <= 255;
 }
 
@@ -124,7 +135,7 @@ bool FieldPlants::add(const PlacedPlant &plant) {
 	z.push_back(plant.root.z);
 	scale.push_back(plant.scale);
 	turn.push_back(turn_code(plant.turn));
-	height.push_back(nearest_code(plant.height * HEIGHT_CODES));
+	height.push_back(height_code(plant.height));
 	lean.push_back(nearest_code(plant.lean * LEAN_CODES));
 	side.push_back(turn_code(plant.side));
 	species.push_back(static_cast<uint8_t>(plant.species));

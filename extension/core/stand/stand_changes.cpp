@@ -1,5 +1,7 @@
 #include "stand/stand_changes.hpp"
 
+#include "stand/changes_finder.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -187,45 +189,6 @@ std::vector<AreaBox> StandChanges::gone_beside(const StandChanges &other) const 
 		}
 	}
 	return boxes;
-}
-
-ChangesFinder::ChangesFinder(const StandChanges &changes) {
-	for (const auto &[spacing, squares] : changes.of_filled()) {
-		nearest.push_back({ spacing, &squares, {}, nullptr, false });
-	}
-}
-
-const StandChanges::Square *ChangesFinder::square_at(Near &near, PlantId id) const {
-	const TileKey key = square_of(id, near.spacing);
-	if (!near.is_known || !(key == near.key)) {
-		near.key = key;
-		near.square = find_square(*near.squares, id, near.spacing);
-		near.is_known = true;
-	}
-	return near.square;
-}
-
-bool ChangesFinder::is_gone(float x, float z) {
-	for (Near &near : nearest) {
-		const PlantId id = filled_plant_id(x, z, near.spacing);
-		const StandChanges::Square *square = square_at(near, id);
-		if (square != nullptr && holds(square->gone, id)) {
-			return true;
-		}
-	}
-	return false;
-}
-
-const double *ChangesFinder::find_mown(float x, float z) {
-	for (Near &near : nearest) {
-		const PlantId id = filled_plant_id(x, z, near.spacing);
-		const StandChanges::Square *square = square_at(near, id);
-		const double *base = square != nullptr ? find_base(square->mown, id) : nullptr;
-		if (base != nullptr) {
-			return base;
-		}
-	}
-	return nullptr;
 }
 
 int StandChanges::plant_count() const {

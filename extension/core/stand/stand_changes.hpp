@@ -80,29 +80,4 @@ private:
 	double grown = 0.0;
 };
 
-/// Looks up generated plants in the order of neighbours: much faster than single lookups.
-class ChangesFinder {
-public:
-	/// `changes` must not change while this object is used.
-	explicit ChangesFinder(const StandChanges &changes);
-
-	/// Equal to the functions of StandChanges.
-	bool is_gone(float x, float z);
-	const double *find_mown(float x, float z);
-
-private:
-	struct Near {
-		double spacing; ///< m.
-		const StandChanges::Squares *squares;
-		TileKey key;
-		const StandChanges::Square *square = nullptr; ///< Square of that key, or null.
-		bool is_known = false;
-	};
-
-	std::vector<Near> nearest; ///< By spacing.
-
-	/// Square that contains the cell, or null.
-	const StandChanges::Square *square_at(Near &near, PlantId id) const;
-};
-
 } // namespace undergrowth

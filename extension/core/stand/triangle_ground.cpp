@@ -1,5 +1,7 @@
 #include "stand/triangle_ground.hpp"
 
+#include "base/bounded_whole.hpp"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -26,8 +28,8 @@ private:
 	std::vector<int> firsts; ///< Of each cell, and the end.
 	std::vector<int> members; ///< Triangles by cell.
 
-	int column_of(float x) const { return std::clamp(static_cast<int>((x - low_x) / cell), 0, columns - 1); }
-	int row_of(float z) const { return std::clamp(static_cast<int>((z - low_z) / cell), 0, rows - 1); }
+	int column_of(float x) const { return bounded_whole((x - low_x) / cell, 0, columns - 1); }
+	int row_of(float z) const { return bounded_whole((z - low_z) / cell, 0, rows - 1); }
 	template <class Act> void for_each_cell(int triangle, Act &&act) const;
 };
 
@@ -44,8 +46,8 @@ TriangleGrid::TriangleGrid(const glm::vec3 *triangles, int count) : corners(tria
 	const float extent = std::max({ high_x - low_x, high_z - low_z, 1e-3f });
 	const int side = std::clamp(static_cast<int>(std::sqrt(static_cast<float>(count))), 1, MOST_CELLS_A_SIDE);
 	cell = extent / static_cast<float>(side);
-	columns = std::clamp(static_cast<int>((high_x - low_x) / cell) + 1, 1, MOST_CELLS_A_SIDE + 1);
-	rows = std::clamp(static_cast<int>((high_z - low_z) / cell) + 1, 1, MOST_CELLS_A_SIDE + 1);
+	columns = bounded_whole((high_x - low_x) / cell, 0, MOST_CELLS_A_SIDE) + 1;
+	rows = bounded_whole((high_z - low_z) / cell, 0, MOST_CELLS_A_SIDE) + 1;
 	firsts.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) + 1, 0);
 	for (int i = 0; i < count; i++) {
 		for_each_cell(i, [&](std::size_t at) { firsts[at + 1]++; });

@@ -1,5 +1,7 @@
 #include "stem/stem_bones.hpp"
 
+#include "stem/stem_points.hpp"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -71,12 +73,24 @@ glm::vec2 stem_bend(const StemConstants &stem, const glm::vec2 *amplitudes, floa
 	return BendCurve(stem, amplitudes).at(std::clamp(x, 0.0f, 1.0f));
 }
 
+static glm::vec3 centre_at(const BendCurve &curve, float place) {
+	const glm::vec3 sides = direction_of(curve.at(GAUSS_LOW * place)) + direction_of(curve.at(GAUSS_HIGH * place));
+	const glm::vec3 middle = direction_of(curve.at(0.5f * place));
+	return place * (0.27777778f * sides + 0.44444444f * middle);
+}
+
 StemPlace stem_place(const StemConstants &stem, const glm::vec2 *amplitudes, float x) {
 	const BendCurve curve(stem, amplitudes);
 	const float place = std::clamp(x, 0.0f, 1.0f);
-	const glm::vec3 sides = direction_of(curve.at(GAUSS_LOW * place)) + direction_of(curve.at(GAUSS_HIGH * place));
-	const glm::vec3 middle = direction_of(curve.at(0.5f * place));
-	return { place * (0.27777778f * sides + 0.44444444f * middle), curve.at(place) };
+	return { centre_at(curve, place), curve.at(place) };
+}
+
+void stem_points(
+		const StemConstants &stem, const glm::vec2 *amplitudes, int count, int first, int last, glm::vec3 *centres) {
+	const BendCurve curve(stem, amplitudes);
+	for (int part = first; part <= last; part++) {
+		centres[part - first] = centre_at(curve, static_cast<float>(part) / static_cast<float>(count));
+	}
 }
 
 glm::vec3 stem_links(const StemConstants &stem, const glm::vec2 *amplitudes, StemLink *links) {

@@ -64,6 +64,7 @@ struct AirWeights {
 };
 
 struct AirSource;
+struct AirDrift;
 
 /// Local sources of wind (air_sources.hpp). One metre along x of the roots' axes is (x_x, x_z) in the axes of the
 /// velocities, one along z is (z_x, z_z).
@@ -89,6 +90,7 @@ struct TravellingWind {
 	bool is_air = false; ///< True: uses `air` and the gust, in m/s, and nothing else.
 	AirNow air = {};
 	AirSources sources = {}; ///< Added to every kind of wind.
+	const AirDrift *drift = nullptr; ///< Velocities of moving roots, subtracted from every kind of wind; null: none.
 };
 
 /// One build of the kernels of wind. All builds give the same bits.

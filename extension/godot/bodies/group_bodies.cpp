@@ -3,6 +3,7 @@
 #include "bodies/body_shapes.hpp"
 #include "convert.hpp"
 #include "messages.hpp"
+#include "world_of.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 
@@ -29,11 +30,11 @@ static glm::vec3 middle(const MovingBody &body) {
 	return 0.5f * (body.from + body.to);
 }
 
-void GroupBodies::watch(SceneTree *tree, const StringName &group, const Transform3D &field_axes, double delta) {
+void GroupBodies::watch(const Place &here, const StringName &group, double delta) {
 	time += delta;
 	frame = delta;
-	axes = field_axes;
-	to_field = field_axes.affine_inverse();
+	axes = here.axes;
+	to_field = axes.affine_inverse();
 	if (group != watched_group) {
 		watched_group = group;
 		empty_for = 0.0;
@@ -43,7 +44,7 @@ void GroupBodies::watch(SceneTree *tree, const StringName &group, const Transfor
 		body.is_here = false;
 	}
 	if (!group.is_empty()) {
-		note_members(tree->get_nodes_in_group(group), delta);
+		note_members(here.tree->get_nodes_in_group(group), here.world, delta);
 	}
 	for (Body &body : bodies) {
 		for (Shape &shape : body.shapes) {
@@ -52,16 +53,21 @@ void GroupBodies::watch(SceneTree *tree, const StringName &group, const Transfor
 	}
 }
 
-void GroupBodies::note_members(const TypedArray<Node> &nodes, double delta) {
-	warn_of_group(nodes.size(), delta);
+void GroupBodies::note_members(const TypedArray<Node> &nodes, uint64_t world, double delta) {
+	int64_t members = 0;
 	for (int64_t i = 0; i < nodes.size(); i++) {
 		const Node3D *node = Object::cast_to<Node3D>(nodes[i]);
-		if (node) {
+		const bool is_here = !node || world_of(node) == world;
+		members += is_here ? 1 : 0;
+		if (node && is_here) {
 			note(node, delta);
+		} else if (node) {
+			continue;
 		} else if (const Node *other = Object::cast_to<Node>(nodes[i])) {
 			warn_of({ other->get_instance_id(), {}, BODY_PATIENCE }, other);
 		}
 	}
+	warn_of_group(members, delta);
 }
 
 void GroupBodies::note(const Node3D *node, double delta) {
@@ -118,7 +124,7 @@ float GroupBodies::farthest_way(double delta) {
 	return float(FASTEST * std::max(delta, tick));
 }
 
-bool GroupBodies::is_jump(const Place &from, const Place &to) const {
+bool GroupBodies::is_jump(const Spot &from, const Spot &to) const {
 	const float farthest = farthest_way(frame);
 	const Vector3 in_field = axes.basis.xform(to_godot(middle(to.shape) - middle(from.shape)));
 	return glm::distance(from.in_world, to.in_world) > farthest || in_field.length() > farthest;
@@ -133,7 +139,7 @@ const std::vector<MovingBody> &GroupBodies::gather(double ago) {
 			if (!body.is_here || !shape.is_here) {
 				continue;
 			}
-			const Place place = { mix(shape.before.shape, shape.now.shape, part),
+			const Spot place = { mix(shape.before.shape, shape.now.shape, part),
 				glm::mix(shape.before.in_world, shape.now.in_world, part) };
 			gathered.push_back(place.shape);
 			if (shape.stepped_at >= 0.0) {
@@ -148,7 +154,7 @@ const std::vector<MovingBody> &GroupBodies::gather(double ago) {
 }
 
 // In field axes.
-glm::vec3 GroupBodies::velocity(const Place &from, const Place &to, double seconds) const {
+glm::vec3 GroupBodies::velocity(const Spot &from, const Spot &to, double seconds) const {
 	if (seconds <= 0.0) {
 		return { 0.0f, 0.0f, 0.0f };
 	}
@@ -207,8 +213,8 @@ void GroupBodies::warn_of_group(int64_t members, double delta) {
 		return;
 	}
 	is_group_known = true;
-	warnings.push_back(String("nobody is in the group '") + String(watched_group) +
-			"', so nothing pushes its plants. Add bodies to that group, or mend its name in bodies_group.");
+	warnings.push_back(String("no body of its world is in the group '") + String(watched_group) +
+			"', so nothing pushes its plants. Add bodies to that group, or correct its name in bodies_group.");
 }
 
 std::vector<String> GroupBodies::take_warnings() {

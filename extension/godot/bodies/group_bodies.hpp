@@ -38,10 +38,15 @@ public:
 		bool has_entered;
 	};
 
-	/// Once in every frame, of `delta` seconds: notes where the bodies of `group` are. `field_axes`: from the field's
-	/// axes to the world's, invertible. An empty group has no bodies.
-	void watch(
-			godot::SceneTree *tree, const godot::StringName &group, const godot::Transform3D &field_axes, double delta);
+	/// Where bodies are looked for.
+	struct Place {
+		godot::SceneTree *tree = nullptr;
+		uint64_t world = 0; ///< Instance id of the World3D; bodies in others do not push.
+		godot::Transform3D axes; ///< From the field's to the world's, invertible.
+	};
+
+	/// Once in every frame, of `delta` seconds: notes where the bodies of `group` are. An empty group has no bodies.
+	void watch(const Place &here, const godot::StringName &group, double delta);
 	/// What pushes in a step whose time is `ago` seconds before this frame (0 to its delta), in field axes. Steps are
 	/// asked for in their order. It holds until the next call.
 	const std::vector<MovingBody> &gather(double ago);
@@ -59,15 +64,15 @@ public:
 
 private:
 	/// Where a shape is.
-	struct Place {
+	struct Spot {
 		MovingBody shape; ///< Field axes, without velocity.
 		glm::vec3 in_world; ///< m, its middle.
 	};
 	struct Shape {
 		uint64_t holder;
-		Place before; ///< In the frame before.
-		Place now;
-		Place stepped; ///< In the last step.
+		Spot before; ///< In the frame before.
+		Spot now;
+		Spot stepped; ///< In the last step.
 		double stepped_at = -1.0; ///< s of `time`; below 0: in none.
 		bool is_here = false; ///< It can push in this frame.
 		bool was_here = false;
@@ -93,12 +98,12 @@ private:
 	std::set<uint64_t> warned_of;
 	std::vector<godot::String> warnings;
 
-	void note_members(const godot::TypedArray<godot::Node> &nodes, double delta);
+	void note_members(const godot::TypedArray<godot::Node> &nodes, uint64_t world, double delta);
 	void note(const godot::Node3D *node, double delta);
 	void find_shapes(Body &body, const godot::Node3D *node);
 	void note_shape(Shape &shape);
-	bool is_jump(const Place &from, const Place &to) const;
-	glm::vec3 velocity(const Place &from, const Place &to, double seconds) const;
+	bool is_jump(const Spot &from, const Spot &to) const;
+	glm::vec3 velocity(const Spot &from, const Spot &to, double seconds) const;
 	void warn_of(const Body &body, const godot::Node *node);
 	void warn_of_group(int64_t members, double delta);
 };

@@ -20,7 +20,7 @@ void PlantBodies::follow(const std::vector<std::unique_ptr<PlantGroup>> &groups)
 	are_named = false;
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
 		if (group->kind.push.has_bodies()) {
-			reading_of(group->kind.push.bodies_group).groups.push_back(group.get());
+			reading_of(group->kind.push).groups.push_back(group.get());
 			are_named = true;
 		}
 	}
@@ -31,30 +31,29 @@ void PlantBodies::follow(const std::vector<std::unique_ptr<PlantGroup>> &groups)
 	}
 }
 
-PlantBodies::Reading &PlantBodies::reading_of(const StringName &name) {
-	const auto has_name = [&name](const Reading &reading) { return reading.name == name; };
-	const auto known = std::find_if(readings.begin(), readings.end(), has_name);
+PlantBodies::Reading &PlantBodies::reading_of(const PlantPush &push) {
+	const auto is_its = [&push](const Reading &reading) {
+		return reading.name == push.bodies_group && reading.world == push.world;
+	};
+	const auto known = std::find_if(readings.begin(), readings.end(), is_its);
 	if (known != readings.end()) {
 		return *known;
 	}
 	readings.emplace_back();
-	readings.back().name = name;
+	readings.back().name = push.bodies_group;
+	readings.back().world = push.world;
 	return readings.back();
 }
 
 void PlantBodies::watch(SceneTree *tree, double delta) {
 	for (Reading &reading : readings) {
 		if (!reading.groups.empty()) {
-			reading.bodies.watch(tree, reading.name, Transform3D(), delta);
-		}
-		for (PlantGroup *group : reading.groups) {
-			group->roots.watch(group->page, delta);
+			reading.bodies.watch({ tree, reading.world, Transform3D() }, reading.name, delta);
 		}
 	}
 }
 
-void PlantBodies::gather(double step_ago) {
-	ago = step_ago;
+void PlantBodies::gather(double ago) {
 	for (Reading &reading : readings) {
 		reading.shapes = &reading.bodies.gather(ago);
 	}
@@ -63,7 +62,7 @@ void PlantBodies::gather(double step_ago) {
 void PlantBodies::push() {
 	for (Reading &reading : readings) {
 		for (PlantGroup *group : reading.groups) {
-			const PageStand stand = { group->turned_axes(), group->roots.velocities(ago) };
+			const PageStand stand = { group->turned_axes(), group->roots.velocities() };
 			for (const MovingBody &shape : *reading.shapes) {
 				push_plants(group->page, shape, stand);
 			}

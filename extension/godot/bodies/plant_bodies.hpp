@@ -16,7 +16,7 @@ public:
 	void follow(const std::vector<std::unique_ptr<PlantGroup>> &groups);
 	/// Whether there is anything to do: plants that name a group, or plants that were touched.
 	bool are_needed() const { return are_named || !touches.empty(); }
-	/// Once in every frame, of `delta` seconds: notes where bodies and roots are.
+	/// Once in every frame, of `delta` seconds: notes where bodies are.
 	void watch(godot::SceneTree *tree, double delta);
 	/// Before a step whose time is `ago` seconds before this frame: what pushes in it.
 	void gather(double ago);
@@ -30,9 +30,10 @@ public:
 	std::vector<godot::String> take_warnings();
 
 private:
-	/// The bodies of a group, and the plants that name it.
+	/// The bodies of a group in one world, and the plants there that name it.
 	struct Reading {
 		godot::StringName name;
+		uint64_t world = 0; ///< Instance id.
 		GroupBodies bodies;
 		std::vector<PlantGroup *> groups;
 		const std::vector<MovingBody> *shapes = nullptr; ///< Of the present step.
@@ -47,10 +48,9 @@ private:
 	std::vector<Reading> readings;
 	std::vector<Touch> touches; ///< In rising order.
 	std::vector<Touch> found; ///< In this frame; kept for its memory.
-	double ago = 0.0; ///< s, of the present step.
 	bool are_named = false;
 
-	Reading &reading_of(const godot::StringName &name);
+	Reading &reading_of(const PlantPush &push);
 	void find(const Reading &reading, const PlantGroup &group);
 	void tell_of_end(const Touch &touch);
 };

@@ -5,16 +5,25 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <iterator>
 
 namespace undergrowth {
 
+RootWays::Way RootWays::at_rest(const glm::vec3 &root) {
+	Way way = { root, root, {} };
+	std::fill(std::begin(way.stepped), std::end(way.stepped), root);
+	return way;
+}
+
 void RootWays::add(const glm::vec3 &root) {
-	ways.push_back({ root, root, root });
+	ways.push_back(at_rest(root));
+	is_known = false;
 }
 
 void RootWays::remove(int index) {
 	ways[size_t(index)] = ways.back();
 	ways.pop_back();
+	is_known = false;
 }
 
 void RootWays::watch(const MotionPage &page, double delta) {
@@ -27,29 +36,35 @@ void RootWays::watch(const MotionPage &page, double delta) {
 		is_moving = is_moving || way.now != root;
 		way.before = way.now;
 		way.now = root;
-		if (glm::distance(way.before, way.now) > farthest) {
-			way = { root, root, root };
+		if (!(glm::distance(way.before, way.now) <= farthest)) {
+			way = at_rest(root);
 		}
 	}
 }
 
-const glm::vec3 *RootWays::velocities(double ago) {
-	const double seconds = time - ago - stepped_at;
-	stepped_at = time - ago;
-	if (!is_moving || seconds <= 0.0) {
-		return nullptr;
+void RootWays::step(double ago) {
+	const int oldest = (newest + 1) % STEPS;
+	const double since_last = time - ago - stepped_at[newest];
+	const double since_oldest = time - ago - stepped_at[oldest];
+	newest = oldest;
+	stepped_at[newest] = time - ago;
+	is_known = is_moving && since_last > 0.0;
+	if (!is_known) {
+		return;
 	}
 	const float part = frame > 0.0 ? float(std::clamp(1.0 - ago / frame, 0.0, 1.0)) : 1.0f;
 	speeds.resize(ways.size());
+	means.resize(ways.size());
 	is_moving = false;
 	for (size_t i = 0; i < ways.size(); i++) {
 		Way &way = ways[i];
-		const glm::vec3 place = way.before + part * (way.now - way.before); // To the bit where it stands.
-		speeds[i] = (place - way.stepped) / float(seconds);
-		way.stepped = place;
-		is_moving = is_moving || place != way.now || speeds[i] != glm::vec3(0.0f);
+		const glm::vec3 place = way.before + part * (way.now - way.before); // To the bit where it does not move.
+		speeds[i] = (place - way.stepped[(newest + STEPS - 1) % STEPS]) / float(since_last);
+		means[i] = (place - way.stepped[newest]) / float(since_oldest);
+		way.stepped[newest] = place;
+		const auto is_elsewhere = [&](const glm::vec3 &step) { return step != way.now; };
+		is_moving = is_moving || std::any_of(std::begin(way.stepped), std::end(way.stepped), is_elsewhere);
 	}
-	return speeds.data();
 }
 
 } // namespace undergrowth

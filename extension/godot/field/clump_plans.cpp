@@ -2,6 +2,7 @@
 
 #include "field/field_view.hpp"
 
+#include "base/bounded_whole.hpp"
 #include "base/counting_sort.hpp"
 #include "convert.hpp"
 #include "field/ranked_plants.hpp"
@@ -77,7 +78,7 @@ static ClumpPlace place_of(
 	}
 	const auto part = [&](float place, int tile) {
 		const float way = place / style.tile_size - float(tile);
-		return std::clamp(int(way * float(squares.cuts)), 0, squares.cuts - 1);
+		return bounded_whole(way * float(squares.cuts), 0, squares.cuts - 1);
 	};
 	const int number = part(root.z, block.tile.row) * squares.cuts + part(root.x, block.tile.column);
 	return { block.is_added, level, 1, block.tile, -1, number };

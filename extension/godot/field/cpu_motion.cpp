@@ -98,6 +98,7 @@ void CpuMotion::adopt(PreparedMotion &prepared, const std::vector<KeptPlant> &ke
 	for (int i = 0; i < int(style.looks.size()); i++) {
 		simulation->set_species(i, style.looks[size_t(i)].motion);
 	}
+	textures->give_history(*simulation); // Stems may have more modes than when the build began.
 	take_added(store, style, old.get(), old_rows);
 	begin_clock();
 	write_all();
@@ -168,7 +169,8 @@ void CpuMotion::drop(int page, int row) {
 	textures->hide(page, row);
 }
 
-// Only a block that code added or of newcomers grows, and it has a page of its own. Newcomers keep their texels.
+// Only a block that code added or of newcomers grows, and it has a page of its own. Newcomers keep their texels. All
+// plants of to_simulate() are valid, so the page takes them.
 void CpuMotion::grow(const ChangeSet::Grown &grown, const PlantStore &store, const FieldStyle &style) {
 	const PlantBlock &block = store.block(grown.block);
 	const FieldLook &look = style.looks[size_t(block.species)];
@@ -209,7 +211,7 @@ void CpuMotion::add_species(const FieldLook &look) {
 	simulation->add_species(look.motion);
 	textures->give_history(*simulation);
 	if (simulation->time() > 0.0) {
-		textures->write_history(*simulation, true);
+		textures->write_history_of(*simulation, simulation->species_count() - 1);
 	}
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "field/contact.hpp"
+#include "field/field_drift.hpp"
 #include "field/field_steps.hpp"
 #include "field/field_wind_clock.hpp"
 #include "field/prepared_cpu_motion.hpp"
@@ -36,6 +37,7 @@ public:
 	PoseTexels reserve(PreparedBlock &prepared) override;
 	void give_up(PreparedBlock &prepared) override;
 	void add_species(const FieldLook &look) override;
+	bool has_room_for_species() const override { return textures->has_room_for_species(); }
 	void set_species(int index, const FieldLook &look, const PlantStore &store, bool is_still) override;
 	void set_update_interval(int steps) override;
 	void fit_contact(bool on) override;
@@ -43,6 +45,7 @@ public:
 
 	double advance(const Frame &frame, const MotionOptions &options) override;
 	void preview(const Frame &frame, const MotionOptions &options) override;
+	double motion_time() const override;
 	void settle() override;
 
 	bool upload() override;
@@ -88,6 +91,8 @@ private:
 	bool is_handed = false; ///< Who is kept has its motion in what is to be adopted, and has not moved since.
 	FixedStep clock;
 	FieldWindClock wind_clock;
+	FieldDrift drift;
+	std::vector<AirSource> stirring; ///< In the present step.
 	bool showed_heights = false; ///< At the last upload().
 	float shown_alpha = 0.0f; ///< Of the step that is shown next.
 	SwingClock swings;
@@ -109,6 +114,7 @@ private:
 	void set_rests(const PageRows &plants, const std::vector<glm::vec3> &rests, bool is_still);
 	void update_far(const Frame &frame, const MotionOptions &options);
 	void push(double ago);
+	void stir(const Frame &frame, const MotionOptions &options, double ago);
 	void find_events(double margin);
 	void start_step(const MotionOptions &options, bool with_contact);
 };

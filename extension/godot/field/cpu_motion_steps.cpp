@@ -20,6 +20,7 @@ namespace undergrowth {
 
 static constexpr int FRAMES_BETWEEN_FAR_UPDATES = 15;
 static constexpr int MOST_FAR_MULTIPLE = 32;
+static constexpr int MOST_PUSHED_MULTIPLE = 4; // Where bodies push, so that they miss no plants at a walk.
 static constexpr double NEAR = 10.0; // m: where a stem's second mode can be seen.
 static constexpr double NEVER_FAR = 0.5; // Of far_distance: whoever is nearer is stepped in full.
 static constexpr double FARTHER = 1.4142135623730951; // So much farther is stepped half as often again.
@@ -36,8 +37,9 @@ bool CpuMotion::wants_eyes() const {
 // Pages farther than far_distance are stepped half as often, those FARTHER yet a quarter as often, and so on: as fast
 // as the ground at a distance grows, so that all far rings cost about the same. A page's middle counts, but no plant of
 // it is taken to be more than half of far_distance farther than it is: around whoever looks, also from above, all are
-// stepped in full. Bodies that push count as eyes. Where somebody looks from near, stems of two modes step both; where
-// the distance does not matter, whoever looks changes nothing.
+// stepped in full. Pages near a body that pushes are stepped at least in every MOST_PUSHED_MULTIPLE-th step, so bodies
+// far from all cameras cost a quarter. Near a camera or a body, stems of two modes step both; where the distance does not
+// matter, cameras change nothing.
 void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
 	const bool is_due = wants_eyes();
 	frames_since_far++;
@@ -53,21 +55,26 @@ void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
 		eyes.push_back(to_glm(to_field.xform(eye)));
 	}
 	const bool applies = options.far_distance > 0.0 && !eyes.empty();
+	const size_t cameras = eyes.size();
 	eyes.insert(eyes.end(), pushed_at.begin(), pushed_at.end());
 	const auto metres = [&](const glm::vec3 &way) { return double(frame.axes.basis.xform(to_godot(way)).length()); };
 	for (int page = 0; page < simulation->page_count(); page++) {
 		const MotionPage &plants = simulation->page(page);
 		double away = applies ? 1e30 : 0.0;
 		bool is_near = false;
-		for (const glm::vec3 &eye : eyes) {
+		int most = MOST_FAR_MULTIPLE;
+		for (size_t i = 0; i < eyes.size(); i++) {
+			const glm::vec3 &eye = eyes[i];
 			const double nearest = metres(eye - glm::clamp(eye, plants.low(), plants.high()));
 			const double middle = metres(eye - 0.5f * (plants.low() + plants.high()));
-			away = std::min(away, std::min(middle, nearest + NEVER_FAR * options.far_distance));
+			const double own = std::min(middle, nearest + NEVER_FAR * options.far_distance);
+			away = i < cameras ? std::min(away, own) : away;
+			most = i >= cameras && own <= options.far_distance ? MOST_PUSHED_MULTIPLE : most;
 			is_near = is_near || nearest < NEAR;
 		}
 		simulation->set_page_near(page, applies && is_near);
 		int multiple = 1;
-		for (double limit = options.far_distance; multiple < MOST_FAR_MULTIPLE && applies && away > limit;
+		for (double limit = options.far_distance; multiple < most && applies && away > limit;
 				limit *= FARTHER) {
 			multiple *= 2;
 		}
@@ -92,6 +99,15 @@ void CpuMotion::push(double ago) {
 	}
 }
 
+// What moves the air, and how the field moves through it, `ago` seconds before this frame.
+void CpuMotion::stir(const Frame &frame, const MotionOptions &options, double ago) {
+	PlantWindSource3D::gather_in(frame.world, frame.axes, ago, stirring);
+	simulation->set_air_sources(stirring);
+	AirDrift own = drift.step(ago);
+	own.share = float(options.apparent_wind);
+	simulation->set_drift(own);
+}
+
 void CpuMotion::find_events(double margin) {
 	const auto is_among_plants = [&](const MovingBody &body) {
 		for (int page = 0; page < simulation->page_count(); page++) {
@@ -108,6 +124,7 @@ void CpuMotion::find_events(double margin) {
 // The last step of a frame runs beside it and is shown in the next one. Where frames take longer than a step, those
 // before it are done at once.
 double CpuMotion::advance(const Frame &frame, const MotionOptions &options) {
+	drift.watch(frame.axes, frame.delta);
 	const int step_count = clock.advance(frame.delta);
 	shown_alpha = clock.alpha();
 	if (step_count == 0) {
@@ -115,7 +132,6 @@ double CpuMotion::advance(const Frame &frame, const MotionOptions &options) {
 	}
 	wind_clock.follow(frame.wind, step_count, clock.step(), simulation->time());
 	simulation->set_wind(field_wind(frame.wind, frame.axes, wind_clock.ahead()));
-	simulation->set_air_sources(PlantWindSource3D::all_in(frame.axes));
 	update_far(frame, options);
 	const Stopwatch watch;
 	double stepping_usec = 0.0;
@@ -124,7 +140,9 @@ double CpuMotion::advance(const Frame &frame, const MotionOptions &options) {
 		if (i > 0 && watch.usec() > 1e6 * FixedStep::MOST_STEPPING) {
 			break; // The rest is dropped, so that a slow frame does not make the next one slower yet.
 		}
-		push(clock.step() * (double(shown_alpha) + step_count - 1 - i));
+		const double ago = clock.step() * (double(shown_alpha) + step_count - 1 - i);
+		stir(frame, options, ago);
+		push(ago);
 		if (i == 0) {
 			find_events(options.touch_margin);
 		}
@@ -143,12 +161,18 @@ void CpuMotion::preview(const Frame &frame, const MotionOptions &options) {
 		const double ahead = now - step_count * clock.step() - simulation->time();
 		simulation->set_wind(field_wind(frame.wind, frame.axes, ahead));
 		simulation->set_bodies(nullptr, 0);
-		simulation->set_air_sources(PlantWindSource3D::all_in(frame.axes));
+		PlantWindSource3D::gather_in(frame.world, frame.axes, 0.0, stirring);
+		simulation->set_air_sources(stirring);
+		simulation->set_drift({});
 	}
 	for (int i = 0; i < step_count; i++) {
 		start_step(options, false);
 	}
 	wait();
+}
+
+double CpuMotion::motion_time() const {
+	return simulation ? simulation->time() + wind_clock.ahead() : 0.0;
 }
 
 bool CpuMotion::upload() {

@@ -1,5 +1,7 @@
 #include "field/field_changes.hpp"
 
+#include "stand/changes_finder.hpp"
+
 #include <algorithm>
 #include <map>
 #include <utility>

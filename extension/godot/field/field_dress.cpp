@@ -5,6 +5,8 @@
 #include "messages.hpp"
 #include "stem/stem_shape.hpp"
 
+#include <algorithm>
+
 using namespace godot;
 
 namespace undergrowth {
@@ -55,26 +57,37 @@ void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
 	sent_clock = -1.0f;
 	make(style);
 	for (FieldLook &look : style.looks) {
-		for (size_t i = 0; i < look.materials.size(); i++) {
-			const FieldLevel &level = style.levels[i];
-			const float begin = level.begin > 0.0f ? level.begin : -FARTHEST;
-			const float end = level.end > 0.0f ? level.end : FARTHEST;
-			const Thinning thinning = level.thinning_of(look.has_parts());
-			const Ref<ShaderMaterial> &material = look.materials[i];
-			set_parameter(material, "undergrowth_level", Vector3(begin, end, level.margin));
-			set_parameter(material, "undergrowth_share_ends", vector_of(thinning.distances));
-			set_parameter(material, "undergrowth_shares", vector_of(thinning.shares));
-			set_parameter(material, "undergrowth_has_parts", look.has_parts());
-			set_parameter(material, "undergrowth_mean", look.mean);
-			set_parameter(material, "undergrowth_from_above", above_at(look, i));
-			set_parameter(material, "undergrowth_bends", motion.pose_texture());
-			set_parameter(material, "undergrowth_blends", motion.blend_texture());
-			set_parameter(material, "undergrowth_beats", motion.beat_texture());
-			set_parameter(material, "undergrowth_has_heights", motion.has_heights());
-		}
+		put_on_look(style, look, motion);
 	}
-	tell_of_axes(style);
-	tell_of_stems(style);
+}
+
+void FieldDress::put_on_last(FieldStyle &style, const FieldMotion &motion) {
+	has_sent = false;
+	sent_clock = -1.0f;
+	make(style);
+	put_on_look(style, style.looks.back(), motion);
+}
+
+void FieldDress::put_on_look(const FieldStyle &style, const FieldLook &look, const FieldMotion &motion) const {
+	for (size_t i = 0; i < look.materials.size(); i++) {
+		const FieldLevel &level = style.levels[i];
+		const float begin = level.begin > 0.0f ? level.begin : -FARTHEST;
+		const float end = level.end > 0.0f ? level.end : FARTHEST;
+		const Thinning thinning = level.thinning_of(look.has_parts());
+		const Ref<ShaderMaterial> &material = look.materials[i];
+		set_parameter(material, "undergrowth_level", Vector3(begin, end, level.margin));
+		set_parameter(material, "undergrowth_share_ends", vector_of(thinning.distances));
+		set_parameter(material, "undergrowth_shares", vector_of(thinning.shares));
+		set_parameter(material, "undergrowth_has_parts", look.has_parts());
+		set_parameter(material, "undergrowth_mean", look.mean);
+		set_parameter(material, "undergrowth_from_above", above_at(look, i));
+		set_parameter(material, "undergrowth_bends", motion.pose_texture());
+		set_parameter(material, "undergrowth_blends", motion.blend_texture());
+		set_parameter(material, "undergrowth_beats", motion.beat_texture());
+		set_parameter(material, "undergrowth_has_heights", motion.has_heights());
+		set_parameter(material, "undergrowth_axes", axes_of(node).basis.inverse());
+	}
+	tell_of_stem(look);
 }
 
 // Of bends of the tip and not of amplitudes: that is what textures hold.
@@ -87,16 +100,20 @@ static Array shapes_of(const StemConstants &stem) {
 	return shapes;
 }
 
+void FieldDress::tell_of_stem(const FieldLook &look) const {
+	const bool is_stem = look.motion.law == Law::stem;
+	for (const Ref<ShaderMaterial> &material : look.materials) {
+		set_parameter(material, "undergrowth_stem_modes", is_stem ? look.motion.stem.modes : 0);
+		if (is_stem) {
+			set_parameter(material, "undergrowth_stem_shapes", shapes_of(look.motion.stem));
+			set_parameter(material, "undergrowth_stem_share", first_share(look.motion.stem));
+		}
+	}
+}
+
 void FieldDress::tell_of_stems(const FieldStyle &style) const {
 	for (const FieldLook &look : style.looks) {
-		const bool is_stem = look.motion.law == Law::stem;
-		for (const Ref<ShaderMaterial> &material : look.materials) {
-			set_parameter(material, "undergrowth_stem_modes", is_stem ? look.motion.stem.modes : 0);
-			if (is_stem) {
-				set_parameter(material, "undergrowth_stem_shapes", shapes_of(look.motion.stem));
-				set_parameter(material, "undergrowth_stem_share", first_share(look.motion.stem));
-			}
-		}
+		tell_of_stem(look);
 	}
 }
 
@@ -128,17 +145,21 @@ void FieldDress::follow(const FieldStyle &style) {
 	}
 }
 
-void FieldDress::tell_of_swings(const FieldStyle &style, const FieldMotion &motion) {
+void FieldDress::tell_of_swings(const FieldStyle &style, const FieldMotion &motion, const SeenDistances &seen) {
 	const float clock = motion.swing_clock();
-	if (clock == sent_clock) {
+	if (clock == sent_clock && seen.nearest == sent_seen.nearest && seen.farthest == sent_seen.farthest) {
 		return;
 	}
 	sent_clock = clock;
+	sent_seen = seen;
+	static const StringName &swing = *new StringName("undergrowth_swing"); // Set for each material in each frame.
 	for (const FieldLook &look : style.looks) {
 		const float end = look.motion.longest * SWINGS_TO;
 		for (size_t i = 0; look.motion.has_parts && i < look.materials.size(); i++) {
-			if (style.levels[i].begin - style.levels[i].margin < end) {
-				look.materials[i]->set_shader_parameter("undergrowth_swing", Vector3(clock, end * SWINGS_WHOLE, end));
+			if (std::max(style.levels[i].begin - style.levels[i].margin, seen.nearest) < end &&
+					style.levels[i].begin - style.levels[i].margin <= seen.farthest &&
+					(style.levels[i].end <= 0.0f || style.levels[i].end + style.levels[i].margin >= seen.nearest)) {
+				look.materials[i]->set_shader_parameter(swing, Vector3(clock, end * SWINGS_WHOLE, end));
 			}
 		}
 	}

@@ -31,6 +31,7 @@ String FieldLook::sample_next(const std::vector<FieldLevel> &levels) {
 	if (variant == variant_count) {
 		read_traits();
 		asked_stem = function->ask_stem(mean_height());
+		shared_stem = asked_stem ? SharedStem::of(*asked_stem) : nullptr;
 		take_stem(asked_stem ? nullptr : function->find_stem(mean_height(), in_air));
 		return String();
 	}
@@ -67,16 +68,14 @@ void FieldLook::build() {
 	if (samples.empty()) {
 		return;
 	}
-	built.assign(samples.size(), {});
+	build_meshes();
 	meshes.assign(samples.size(), {});
 	from_above.assign(samples.size(), Vector2());
 	for (size_t level = 0; level < samples.size(); level++) {
 		meshes[level].resize(samples[level].size());
-		for (const SampledPlant &sampled : samples[level]) {
-			Vector2 above;
-			built[level].push_back(sampled.build_arrays(&above));
-			from_above[level] += above / float(samples[level].size());
-			width = std::max(width, built[level].back().width());
+		for (const std::shared_ptr<SharedMesh> &one : built[level]) {
+			from_above[level] += one->from_above() / float(samples[level].size());
+			width = std::max(width, one->width());
 		}
 	}
 	nearest = std::move(samples[0]);
@@ -84,20 +83,35 @@ void FieldLook::build() {
 	find_mean();
 }
 
+// Fields that build together divide the meshes that they share: each builds those that no other thread builds first.
+void FieldLook::build_meshes() {
+	built.assign(samples.size(), {});
+	std::vector<SharedMesh *> others;
+	for (size_t level = 0; level < samples.size(); level++) {
+		for (const SampledPlant &sampled : samples[level]) {
+			built[level].push_back(SharedMesh::of(sampled));
+			if (!built[level].back()->try_build()) {
+				others.push_back(built[level].back().get());
+			}
+		}
+	}
+	for (SharedMesh *const one : others) {
+		one->build();
+	}
+}
+
 bool FieldLook::make_meshes(double usec) {
 	const Stopwatch watch;
-	for (size_t level = 0; level < built.size(); level++) {
-		for (size_t group = 0; group < built[level].size(); group++) {
+	for (size_t level = 0; level < meshes.size(); level++) {
+		for (size_t group = 0; group < meshes[level].size(); group++) {
 			if (meshes[level][group].is_null()) {
 				if (watch.usec() > usec) {
 					return false;
 				}
-				meshes[level][group] = built[level][group].make();
-				built[level][group] = MeshArrays();
+				meshes[level][group] = built[level][group]->make();
 			}
 		}
 	}
-	built.clear();
 	return true;
 }
 
@@ -161,7 +175,7 @@ void FieldLook::read_motion() {
 
 void FieldLook::solve_stem() {
 	if (asked_stem && !solved_stem.in_newtons) {
-		solved_stem = solve_recipe(asked_stem->recipe);
+		solved_stem = shared_stem->solve(*asked_stem);
 		take_stem(in_air ? solved_stem.in_air : solved_stem.in_newtons);
 	}
 }
@@ -171,6 +185,7 @@ void FieldLook::tell_of_stem() {
 		function->take_stem(*asked_stem, solved_stem);
 	}
 	asked_stem.reset();
+	shared_stem.reset();
 	solved_stem = SolvedStem();
 }
 
@@ -181,8 +196,15 @@ float FieldLook::reach_of(const PlacedPlant &plant, float widening) const {
 	return motion.law == Law::stem ? height + side : std::sqrt(height * height + side * side);
 }
 
+// A page takes only lengths above 0 that are finite, which a product of extreme heights may not be.
+static float simulated_length(float length) {
+	static constexpr float MIN_LENGTH = 1e-9f; // m.
+	static constexpr float MAX_LENGTH = 1e9f;
+	return length >= MIN_LENGTH ? std::min(length, MAX_LENGTH) : MIN_LENGTH;
+}
+
 MotionPlant FieldLook::to_simulate(const PlacedPlant &plant) const {
-	return { plant.root, length_of(plant), rest_direction(plant, motion.lean) };
+	return { plant.root, simulated_length(length_of(plant)), rest_direction(plant, motion.lean) };
 }
 
 void FieldLook::to_simulate(const FieldPlants &plants, std::vector<MotionPlant> &into) const {
@@ -190,7 +212,7 @@ void FieldLook::to_simulate(const FieldPlants &plants, std::vector<MotionPlant> 
 	into.reserve(into.size() + size_t(plants.size()));
 	for (int i = 0; i < plants.size(); i++) {
 		const PlacedPlant plant = plants.plant(i);
-		into.push_back({ plant.root, length_of(plant), rests.of(plant) });
+		into.push_back({ plant.root, simulated_length(length_of(plant)), rests.of(plant) });
 	}
 }
 

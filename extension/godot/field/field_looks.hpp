@@ -2,6 +2,7 @@
 
 #include "motion/motion_page.hpp"
 #include "plant_function.hpp"
+#include "shared_mesh.hpp"
 #include "stand/plants.hpp"
 #include "stand/thinning.hpp"
 
@@ -51,7 +52,7 @@ struct FieldLook {
 	double detail = 1.0; ///< Times the segments of the levels.
 	std::vector<FieldVariant> variants;
 	std::vector<std::vector<SampledPlant>> samples; ///< By level and group; let go when the meshes are built.
-	std::vector<std::vector<MeshArrays>> built; ///< Alike, until meshes are made of them.
+	std::vector<std::vector<std::shared_ptr<SharedMesh>>> built; ///< By level and group; other fields share them.
 	std::vector<SampledPlant> nearest; ///< Of the first level, kept for plants that get a mesh of their own.
 	std::vector<std::vector<godot::Ref<godot::ArrayMesh>>> meshes; ///< By level and group; null until they are made.
 	std::vector<godot::Ref<godot::ShaderMaterial>> materials; ///< By level.
@@ -60,6 +61,7 @@ struct FieldLook {
 	bool in_air = false; ///< A wind in m/s blows; stems have their shape by it.
 	std::shared_ptr<const StemConstants> stem; ///< As `motion` has it; null of another law.
 	std::optional<AskedStem> asked_stem; ///< What the function did not know of it when it was sampled,
+	std::shared_ptr<SharedStem> shared_stem; ///< Fields that ask for the same stem solve it once.
 	SolvedStem solved_stem; ///< and what that came to when meshes were built.
 	float width = 0.0f; ///< m: the farthest that any mesh goes from its axis.
 	/// By level: what plants of parts and their meshes show from above, in shares of what they show from the side.
@@ -111,6 +113,7 @@ struct FieldLook {
 	}
 
 private:
+	void build_meshes();
 	void find_mean();
 	/// All of the motion but the stem.
 	void read_traits();

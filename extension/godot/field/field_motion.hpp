@@ -65,6 +65,7 @@ public:
 		godot::Ref<PlantWind> wind; ///< Null: still air.
 		std::vector<godot::Vector3> eyes; ///< World axes: whoever looks.
 		godot::SceneTree *tree = nullptr;
+		uint64_t world = 0; ///< Instance id of the field's World3D.
 	};
 	/// How late followers of prototypes are, as the shader takes it: steps by metre of world x, y and z, and at the
 	/// world's origin.
@@ -113,6 +114,8 @@ public:
 	virtual PoseTexels reserve(PreparedBlock &prepared) = 0;
 	virtual void give_up(PreparedBlock &prepared) = 0;
 	virtual void add_species(const FieldLook &look) = 0;
+	/// Whether the textures have layers left for another species. Once it is ready.
+	virtual bool has_room_for_species() const = 0;
 	/// The species' constants are others; the motion goes on. Where nothing moves (`is_still`), plants at rest take
 	/// another rest direction at once and show it.
 	virtual void set_species(int index, const FieldLook &look, const PlantStore &store, bool is_still) = 0;
@@ -127,6 +130,8 @@ public:
 	virtual double advance(const Frame &frame, const MotionOptions &options) = 0;
 	/// Steps for a tool, at the wind's own clock and without bodies; done when it returns.
 	virtual void preview(const Frame &frame, const MotionOptions &options) = 0;
+	/// s of the wind's clock: the moment that the states of plants belong to.
+	virtual double motion_time() const = 0;
 	/// All plants into their rest.
 	virtual void settle() = 0;
 

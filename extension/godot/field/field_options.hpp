@@ -15,12 +15,16 @@
 
 namespace undergrowth {
 
+/// The `seed` of fields that take one from their place.
+inline constexpr int64_t PLACE_SEED = -1;
+
 /// What users set of a PlantField3D that decides what stands: a change of it grows the field anew.
 struct StandOptions {
 	godot::TypedArray<PlantFieldSpecies> species;
 	double density = 40.0; // Plants/m².
 	godot::Vector2 size = { 20.0f, 20.0f }; // m.
-	int64_t seed = 0;
+	int64_t seed = 0; // PLACE_SEED: one of the node's place, for where plants grow.
+	int64_t place_seed = 0; // Of `seed`, chosen when the field is built. Not set by users.
 	double clumping = 0.0;
 	double clump_size = 3.0; // m.
 	int ground_mode = 0;
@@ -52,6 +56,7 @@ struct MotionOptions {
 	bool contact_enabled = false;
 	godot::StringName bodies_group;
 	double touch_margin = 0.1; // m.
+	double apparent_wind = 1.0; // How much of the node's own motion is felt as wind.
 	double regrowth_rate = 0.0; // Of a plant's own height, a second.
 };
 

@@ -26,6 +26,21 @@ Transform3D axes_of(const Node3D *node) {
 	return placed.is_finite() && std::isfinite(volume) && volume != 0.0f ? placed : Transform3D();
 }
 
+// Centimetres, so that the last bits of a place do not matter.
+int64_t seed_at(const Node3D *node, int64_t seed) {
+	static constexpr double STEPS_PER_METRE = 100.0;
+	if (seed != PLACE_SEED) {
+		return seed;
+	}
+	const Vector3 place = node->get_global_position();
+	uint64_t bits = 0;
+	for (const double metres : { double(place.x), double(place.y), double(place.z) }) {
+		const double steps = std::clamp(std::round(metres * STEPS_PER_METRE), -1e15, 1e15);
+		bits = mix_bits(bits ^ uint64_t(int64_t(std::isfinite(steps) ? steps : 0.0)));
+	}
+	return int64_t(bits >> 1);
+}
+
 // A species' density is its share of the field's, times its own factor.
 static void add_species(const PlantFieldSpecies &listed, PlacementRequest &into) {
 	PlacementSpecies kind;
@@ -94,7 +109,7 @@ String read_request(const Node3D *field, const StandOptions &options, const Area
 			return fault;
 		}
 	}
-	into.seed = uint64_t(options.seed);
+	into.seed = uint64_t(options.place_seed);
 	into.clumping = float(options.clumping);
 	into.drift_size = float(options.clump_size);
 	double shares = 0.0, weighted = 0.0;

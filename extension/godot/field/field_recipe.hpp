@@ -18,6 +18,9 @@ namespace undergrowth {
 /// that everything can be brought back into its axes.
 godot::Transform3D axes_of(const godot::Node3D *node);
 
+/// The seed for the places of plants in a field of this `seed`; for PLACE_SEED one of the node's place in the world.
+int64_t seed_at(const godot::Node3D *node, int64_t seed);
+
 /// Where plants stand, and of which species of the list. After list_looks(), which finds entries that are empty. With
 /// `part` (m, field axes) only what is in that box, and of the map what meets it.
 godot::String read_request(

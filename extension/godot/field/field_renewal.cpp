@@ -2,6 +2,7 @@
 
 #include "field/field_patch.hpp"
 #include "field/field_recipe.hpp"
+#include "stand/changes_finder.hpp"
 #include "stand/tile_choice.hpp"
 
 #include <algorithm>

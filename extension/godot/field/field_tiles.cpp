@@ -40,9 +40,8 @@ std::vector<glm::vec2> FieldTiles::places_of(const Scene &scene) {
 
 // Metres of the world in the field's axes, at least as many.
 static float distance_in(const FieldTiles::Scene &scene) {
-	const Basis to_field = axes_of(scene.field).basis.inverse();
-	const float longest = std::max(to_field.get_column(0).length(), to_field.get_column(2).length());
-	return float(scene.properties.view_distance) * longest;
+	const Vector3 scale = axes_of(scene.field).basis.get_scale().abs();
+	return float(scene.properties.view_distance) / std::min(scale.x, scale.z);
 }
 
 std::vector<TileKey> FieldTiles::choose_all(const Scene &scene, const PlacementRequest &request) const {

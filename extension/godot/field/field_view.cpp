@@ -1,5 +1,7 @@
 #include "field/field_view.hpp"
 
+#include "base/bounded_whole.hpp"
+
 #include <godot_cpp/classes/rendering_server.hpp>
 
 #include <algorithm>
@@ -230,7 +232,7 @@ int FieldView::steps_for(const FieldLevel &level, const Clump &clump, const std:
 		nearest = std::min(nearest, float(eye.distance_to(eye.clamp(box.position, box.get_end()))));
 	}
 	const float cut = thinning.cut_at(std::max(nearest - EYE_STEP, level.begin - level.margin));
-	return std::clamp(int(std::ceil((cut + RANK_ERROR) * RANK_STEPS)), 0, RANK_STEPS);
+	return bounded_whole(std::ceil((cut + RANK_ERROR) * RANK_STEPS), 0, RANK_STEPS);
 }
 
 bool FieldView::thins() const {

@@ -47,12 +47,13 @@ void FieldWindClock::follow(const Ref<PlantWind> &wind, int steps, double step, 
 		return;
 	}
 	const double advance = steps * step;
-	if (wind->get_time() == seen_time) {
+	const bool is_first = seen_time < 0.0;
+	if (is_first ? !wind->has_advanced_in_frame() : wind->get_time() == seen_time) {
 		wind->advance(advance);
 	}
 	seen_time = wind->get_time();
 	const double ahead_now = seen_time - advance - motion_time;
-	if (std::fabs(ahead_now - offset) > LARGEST_DRIFT * step) {
+	if (is_first || std::fabs(ahead_now - offset) > LARGEST_DRIFT * step) {
 		offset = ahead_now;
 	}
 }

@@ -6,6 +6,7 @@
 #include "field/cpu_motion.hpp"
 #include "field/eyes.hpp"
 #include "stopwatch.hpp"
+#include "world_of.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
@@ -40,6 +41,7 @@ FieldMotion::Frame Meadow::frame(double delta, const Ref<PlantWind> &wind) const
 	now.axes = axes_of(node);
 	now.wind = wind;
 	now.tree = node->get_tree();
+	now.world = world_of(node);
 	return now;
 }
 
@@ -77,7 +79,7 @@ double Meadow::advance(double delta, bool simulates) {
 	if (!simulates || store.plant_count() == 0) {
 		return 0.0;
 	}
-	motion.bodies.watch(now.tree, properties.bodies_group, now.axes, delta);
+	motion.bodies.watch({ now.tree, now.world, now.axes }, properties.bodies_group, delta);
 	return motion.advance(now, properties);
 }
 
@@ -86,6 +88,16 @@ void Meadow::preview(double delta, const Ref<PlantWind> &blowing) {
 	motion.preview(frame(delta, blowing), properties);
 	refresh();
 	skeletons.pose(store, motion);
+}
+
+// Plants that came since the box was found are drawn by its margin.
+SeenDistances Meadow::seen_distances() {
+	static constexpr int FRAMES_BETWEEN_BOXES = 16;
+	static constexpr float MARGIN = 4.0f; // m.
+	if (frames_since_box++ % FRAMES_BETWEEN_BOXES == 0) {
+		seen_box = box();
+	}
+	return find_seen_distances(node, axes_of(node).xform(seen_box).grow(MARGIN));
 }
 
 void Meadow::refresh() {
@@ -102,14 +114,14 @@ void Meadow::refresh() {
 		unseen.clear();
 	}
 	dress.tell_of_followers(style, motion, axes_of(node));
-	dress.tell_of_swings(style, motion);
+	dress.tell_of_swings(style, motion, seen_distances());
 	upload_usec = watch.usec();
 }
 
 void Meadow::thin() {
 	view.note_drawing();
 	if (view.thins() && node->is_visible_in_tree()) {
-		view.thin(find_eyes(node));
+		view.thin(find_drawn_eyes(node));
 	}
 }
 

@@ -165,6 +165,10 @@ private:
 	bool is_due_again = false; ///< Its look changed while it was dressed anew.
 	bool has_other_materials = false; ///< Users chose others than the job has made.
 	float told_progress = -1.0f;
+	godot::AABB seen_box; ///< All plants, in the field's axes, as they were some frames ago.
+	unsigned frames_since_box = 0;
+
+	SeenDistances seen_distances();
 
 	/// What skeletons wear, which are drawn at the first level.
 	FieldWear near_wear() const;

@@ -4,6 +4,7 @@
 
 #include "field/field_wind_clock.hpp"
 #include "field/listed_looks.hpp"
+#include "frame_budget.hpp"
 #include "messages.hpp"
 #include "plant_simulation.hpp"
 
@@ -109,6 +110,7 @@ String Meadow::begin_asking(bool places) {
 }
 
 void Meadow::go_on_asking() {
+	const FrameBudget::Share share(FrameBudget::of_fields());
 	bool is_done = false;
 	String fault = asking->go_on(is_done);
 	if (fault.is_empty() && !is_done) {
@@ -179,6 +181,18 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 			return int(i);
 		}
 	}
+	if (style.looks.size() >= size_t(PlacementRequest::MOST_SPECIES)) {
+		report_error(node,
+				"cannot hold more than 256 species, and it has them: no plants of " + describe(function.ptr()) +
+						" are added. Add them to another field.");
+		return -1;
+	}
+	if (motion.is_ready() && !motion.has_room_for_species()) {
+		report_error(node,
+				"cannot hold more species with prototypes than its textures have layers for: no plants of " +
+						describe(function.ptr()) + " are added. Add them to another field, or set prototypes to 0.");
+		return -1;
+	}
 	if (style.levels.empty()) {
 		style.levels = read_levels(properties, sight_range_of(node));
 		style.tile_size = store.tile_size();
@@ -196,7 +210,7 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 	motion.add_species(look);
 	style.looks.push_back(std::move(look));
 	if (motion.pose_texture().is_valid()) {
-		dress.put_on(style, motion);
+		dress.put_on_last(style, motion);
 	}
 	return int(style.looks.size()) - 1;
 }

@@ -2,6 +2,7 @@
 
 #include "field/meadow.hpp"
 
+#include "frame_budget.hpp"
 #include "stopwatch.hpp"
 
 #include <algorithm>
@@ -36,7 +37,9 @@ void Meadow::fill(bool places, bool looks) {
 	}
 	const String fault = begin_asking(places || placed_before);
 	if (fault.is_empty()) {
-		go_on_asking();
+		if (FrameBudget::of_fields().is_left()) {
+			go_on_asking();
+		}
 		return;
 	}
 	asking.reset();
@@ -186,7 +189,7 @@ void Meadow::poll(double delta, bool physics) {
 	poll_tiles(physics);
 	poll_renewal(physics);
 	poll_patches(physics ? FieldPatches::Moment::physics : FieldPatches::Moment::begun, delta);
-	if (asking && !physics && asking->is_due()) {
+	if (asking && !physics && asking->is_due() && FrameBudget::of_fields().is_left()) {
 		go_on_asking();
 	}
 	if (job && job->wants_ground()) {
@@ -199,7 +202,7 @@ void Meadow::poll(double delta, bool physics) {
 			listener.no_ground(asker.missing_ground());
 		}
 	}
-	if (job) {
+	if (job && (physics || FrameBudget::of_fields().is_left())) {
 		poll_job(physics);
 	}
 	if (tells_of_patches && !is_at_work() && !is_filling() && !is_patching()) {
@@ -209,6 +212,7 @@ void Meadow::poll(double delta, bool physics) {
 }
 
 void Meadow::poll_job(bool physics) {
+	const FrameBudget::Share share(FrameBudget::of_fields());
 	const bool is_done = !physics && job->is_planned() && make_ready();
 	const float ratio = is_done ? 1.0f : progress();
 	const bool tells = job->places() || joins;
@@ -245,14 +249,15 @@ bool Meadow::adopt(FieldFill &finished) {
 	skeletons.release_all(motion);
 	tiles.forget_style();
 	retired.push_back(std::exchange(style, std::move(result.style))); // What is drawn wears it.
-	std::vector<int> other_leans;
+	std::vector<int> other_rests; // Species whose rest directions, or the texels that hold them, differ from the build's.
 	for (size_t i = 0; i < style.looks.size(); i++) {
 		const float lean = style.looks[i].motion.lean;
+		const Law law = style.looks[i].motion.law;
 		style.looks[i].in_air = PlantWind::is_air(properties.wind);
 		style.looks[i].tell_of_stem();
 		style.looks[i].read_motion(); // It may have changed meanwhile.
-		if (style.looks[i].motion.lean != lean) {
-			other_leans.push_back(int(i));
+		if (style.looks[i].motion.lean != lean || style.looks[i].motion.law != law) {
+			other_rests.push_back(int(i));
 		}
 		style.looks[i].take_material();
 	}
@@ -266,7 +271,7 @@ bool Meadow::adopt(FieldFill &finished) {
 	motion.adopt(*result.motion, result.kept, changes, store, style);
 	motion.set_update_interval(properties.update_interval);
 	own_changes.follow_all(store, style, motion);
-	for (const int i : other_leans) {
+	for (const int i : other_rests) {
 		motion.set_species(i, style.looks[size_t(i)], store, true);
 	}
 	motion.upload();
@@ -275,6 +280,7 @@ bool Meadow::adopt(FieldFill &finished) {
 	view.exchange(style);
 	view.show_all_added(style, motion, store);
 	unseen.clear();
+	frames_since_box = 0;
 	patches.forget_unseen();
 	if (finished.places() && !ground.needs_survey()) {
 		listener.no_ground(String());

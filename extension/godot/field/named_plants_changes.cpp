@@ -6,6 +6,7 @@
 #include "follow_changes.hpp"
 #include "given_name.hpp"
 #include "messages.hpp"
+#include "stand/changes_finder.hpp"
 
 #include <godot_cpp/classes/resource_loader.hpp>
 

@@ -26,6 +26,16 @@ PackedInt64Array NamedPlants::ids_of(const std::vector<PlantPlace> &places) cons
 	return ids;
 }
 
+// Removes plants whose root in the world `is_beside`.
+template <class IsBeside>
+static void remove_beside(
+		const PlantStore &store, const Transform3D &placed, std::vector<PlantPlace> &found, const IsBeside &is_beside) {
+	const auto goes = [&](const PlantPlace &place) {
+		return is_beside(placed.xform(to_godot(store.block(place.block).root(place.slot))));
+	};
+	found.erase(std::remove_if(found.begin(), found.end(), goes), found.end());
+}
+
 // Metres of the world in the field's axes.
 static float reach_in(const Transform3D &to_field, double radius) {
 	return float(radius) * to_field.basis.get_column(1).length();
@@ -37,8 +47,15 @@ std::vector<PlantPlace> NamedPlants::in_sphere(const char *method, const Vector3
 	if (!center.is_finite() || !is_radius(radius)) {
 		report_error(node, String(method) + "() needs a finite centre and a radius of 0 or more.");
 	} else if (node->is_inside_tree()) {
-		const Transform3D to_field = axes_of(node).affine_inverse();
-		meadow.store.find_in_sphere(to_glm(to_field.xform(center)), reach_in(to_field, radius), found);
+		const Transform3D placed = axes_of(node);
+		const Vector3 scale = placed.basis.get_scale().abs();
+		const float least = std::min({ scale.x, scale.y, scale.z });
+		const glm::vec3 middle = to_glm(placed.affine_inverse().xform(center));
+		meadow.store.find_in_sphere(middle, float(radius) / least, found);
+		if (!scale.is_equal_approx(Vector3(least, least, least))) { // In the field's axes it is an ellipsoid.
+			remove_beside(meadow.store, placed, found,
+					[&](const Vector3 &root) { return root.distance_to(center) > float(radius); });
+		}
 	}
 	return found;
 }
@@ -64,10 +81,7 @@ std::vector<PlantPlace> NamedPlants::in_box(const char *method, const AABB &box)
 	}
 	meadow.store.find_in_box(to_glm(around.position), to_glm(around.get_end()), found);
 	// A field that is turned has another box around it.
-	const auto is_beside = [&](const PlantPlace &place) {
-		return !box.has_point(placed.xform(to_godot(meadow.store.block(place.block).root(place.slot))));
-	};
-	found.erase(std::remove_if(found.begin(), found.end(), is_beside), found.end());
+	remove_beside(meadow.store, placed, found, [&](const Vector3 &root) { return !box.has_point(root); });
 	return found;
 }
 

@@ -9,6 +9,8 @@
 
 #include <godot_cpp/classes/engine.hpp>
 
+#include <utility>
+
 using namespace godot;
 
 namespace undergrowth {
@@ -55,9 +57,13 @@ PackedStringArray PlantField3D::_get_configuration_warnings() const {
 }
 
 void PlantField3D::on_fill_queued() {
-	const FieldStaleness::Parts stale = staleness.take();
+	FieldStaleness::Parts stale = staleness.take();
 	if (!stale.any()) {
 		return;
+	}
+	if (stale.stand) {
+		const int64_t seed = seed_at(this, properties.seed);
+		stale.look = std::exchange(properties.place_seed, seed) != seed || stale.look; // Tiles of two seeds do not mix.
 	}
 	untold.watch(this, properties);
 	species.choose_grass();

@@ -127,6 +127,8 @@ public:
 	// How it moves.
 	bool is_point_in_plants(const godot::Vector3 &point) { return plants.is_point_in(point, properties.touch_margin); }
 	void reset_motion();
+	/// s of the wind's clock: the moment that the states and tips of plants belong to.
+	double get_motion_time() const { return meadow.motion.motion_time(); }
 	/// Moves the field by `delta` seconds under `blowing` where it does not move by itself, as in the editor.
 	void preview(double delta, const godot::Ref<PlantWind> &blowing);
 

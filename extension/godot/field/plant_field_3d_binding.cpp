@@ -225,6 +225,7 @@ void PlantField3D::_bind_methods() {
 	OF_PLANTS(get_motion_state, motion_state, "ids");
 	OF_PLANTS(set_motion_state, set_motion_state, "ids", "state");
 	BIND(reset_motion);
+	BIND(get_motion_time);
 	OF_PLANTS(get_skeleton, skeleton, "id");
 	BIND(get_skeleton_plant, "skeleton");
 	BIND(get_skeletons);

@@ -88,6 +88,7 @@ void PlantField3D::bind_properties() {
 	NUMBER(FLOAT, slope_alignment, stand, 0.0, 1.0, SLIDER("0,1,0.01"));
 	ADD_GROUP("Motion", "");
 	SET_HERE(OBJECT, wind, "get_wind", PROPERTY_HINT_RESOURCE_TYPE, "PlantWind");
+	NUMBER(FLOAT, apparent_wind, nothing, 0.0, 10.0, SLIDER("0,1,0.01,or_greater"));
 	SET_HERE(BOOL, simulation_enabled, "is_simulation_enabled");
 	NUMBER(INT, max_threads, nothing, 0.0, 256.0, SLIDER("0,16,1,or_greater"));
 	SET_HERE(INT, update_interval, "get_update_interval", SLIDER("1,64,1"));
@@ -153,6 +154,9 @@ void PlantField3D::set_size(const Vector2 &metres) {
 }
 
 void PlantField3D::set_outline(const NodePath &path) {
+	if (path == properties.outline) {
+		return;
+	}
 	properties.outline = path;
 	notify_property_list_changed();
 	staleness.mark_stand();
@@ -160,6 +164,9 @@ void PlantField3D::set_outline(const NodePath &path) {
 }
 
 void PlantField3D::set_map(const Ref<PlantMap> &painted) {
+	if (painted == properties.map) {
+		return;
+	}
 	const Callable listener(this, "_on_map_painted");
 	if (properties.map.is_valid()) {
 		follow_signal(properties.map.ptr(), "area_changed", listener, false);
@@ -186,16 +193,22 @@ void PlantField3D::set_view_distance(double metres) {
 }
 
 void PlantField3D::set_endless(bool on) {
+	if (on == properties.endless) {
+		return;
+	}
 	properties.endless = on;
 	notify_property_list_changed();
 	staleness.mark_stand();
 	update_gizmos();
 }
 
+// Scripts may also have appended to the array, which then differs from the one that was seen.
 void PlantField3D::set_exclusions(const TypedArray<NodePath> &paths) {
 	properties.exclusions = paths.duplicate();
-	untold.see_exclusions(properties);
-	staleness.mark_stand();
+	if (untold.sees_other_exclusions(properties)) {
+		untold.see_exclusions(properties);
+		staleness.mark_stand();
+	}
 }
 
 void PlantField3D::set_exclusion_widths(const PackedFloat32Array &metres) {
@@ -231,9 +244,10 @@ void PlantField3D::set_ground_choice(GroundHeight choice) {
 }
 
 void PlantField3D::set_species(const TypedArray<PlantFieldSpecies> &entries) {
-	species.set(entries);
-	staleness.mark_stand();
-	update_configuration_warnings();
+	if (species.set(entries)) {
+		staleness.mark_stand();
+		update_configuration_warnings();
+	}
 }
 
 void PlantField3D::set_levels(const TypedArray<PlantFieldLevel> &entries) {

@@ -12,6 +12,8 @@ using namespace godot;
 
 namespace undergrowth {
 
+static constexpr Range PLANTS_RANGE = { 0.0, DensityCell::MAX_PLANT_DENSITY };
+
 static std::string text_of(const String &name) {
 	return std::string(name.utf8().get_data());
 }
@@ -105,6 +107,16 @@ void PlantMap::paint_towards(
 	}
 }
 
+void PlantMap::paint_plants(
+		const Vector3 &center, double radius, const String &species, double density, double strength, double falloff) {
+	DensityBrush brush;
+	if (read_brush("paint_plants", center, radius, falloff, brush) &&
+			accept_value(this, "density", density, PLANTS_RANGE)) {
+		const DensityStroke how = { DensityStroke::Does::approach_plants, float(density), 1.0f };
+		stroke("paint_plants", brush, species, how, strength);
+	}
+}
+
 void PlantMap::smooth(const Vector3 &center, double radius, const String &species, double strength, double falloff) {
 	DensityBrush brush;
 	if (read_brush("smooth", center, radius, falloff, brush)) {
@@ -120,27 +132,49 @@ void PlantMap::paint_height(
 	}
 }
 
+bool PlantMap::read_polygon(const char *method, const PackedVector3Array &points, Polygon &into) {
+	for (const Vector3 &point : points) {
+		into.push_back(place_of(point));
+	}
+	const AreaFault area = find_area_fault(into);
+	if (area != AreaFault::none) {
+		report_error(this, String(method) + "(): " + undergrowth::describe(area));
+		return false;
+	}
+	const AreaBox box = bounding_box(into);
+	const Rect2 rect(box.low.x, box.low.y, box.high.x - box.low.x, box.high.y - box.low.y);
+	CellRange cells;
+	return read_rect(method, rect, cells) && may_change();
+}
+
 void PlantMap::fill_polygon(const PackedVector3Array &points, const String &species, double density) {
 	Polygon polygon;
-	for (const Vector3 &point : points) {
-		polygon.push_back(place_of(point));
-	}
-	const AreaFault area = find_area_fault(polygon);
-	CellRange cells;
-	if (area != AreaFault::none) {
-		report_error(this, String("fill_polygon(): ") + undergrowth::describe(area));
-		return;
-	}
-	const AreaBox box = bounding_box(polygon);
-	const Rect2 rect(box.low.x, box.low.y, box.high.x - box.low.x, box.high.y - box.low.y);
-	if (!read_rect("fill_polygon", rect, cells) || !may_change()) {
+	if (!read_polygon("fill_polygon", points, polygon) || !accept_value(this, "density", density, { 0.0, 1.0 })) {
 		return;
 	}
 	tell_if_unread(species);
 	const int layer = need_layer("fill_polygon", species);
-	if (layer >= 0 && accept_value(this, "density", density, { 0.0, 1.0 })) {
+	if (layer >= 0) {
 		changed_in(undergrowth::fill_polygon(map, layer, polygon, float(density)));
 	}
+}
+
+void PlantMap::fill_polygon_plants(const PackedVector3Array &points, const String &species, double density) {
+	Polygon polygon;
+	if (!read_polygon("fill_polygon_plants", points, polygon) ||
+			!accept_value(this, "density", density, PLANTS_RANGE)) {
+		return;
+	}
+	tell_if_unread(species);
+	const int layer = need_layer("fill_polygon_plants", species);
+	if (layer >= 0) {
+		changed_in(undergrowth::fill_polygon_plants(map, layer, polygon, float(density)));
+	}
+}
+
+double PlantMap::get_plant_density(const Vector3 &point, const String &species) const {
+	const int layer = map.find_layer(text_of(species));
+	return layer < 0 || !point.is_finite() ? 0.0 : double(map.cell_at(layer, place_of(point)).plant_density());
 }
 
 double PlantMap::get_density(const Vector3 &point, const String &species) const {
@@ -208,16 +242,20 @@ void PlantMap::_bind_methods() {
 	BIND_BRUSH(paint, "amount", "falloff"), &PlantMap::paint, DEFVAL(1.0), DEFVAL(0.5));
 	BIND_BRUSH(erase, "amount", "falloff"), &PlantMap::erase, DEFVAL(String()), DEFVAL(1.0), DEFVAL(0.5));
 	BIND_BRUSH(paint_towards, "density", "strength", "falloff"), &PlantMap::paint_towards, DEFVAL(1.0), DEFVAL(0.5));
+	BIND_BRUSH(paint_plants, "density", "strength", "falloff"), &PlantMap::paint_plants, DEFVAL(1.0), DEFVAL(0.5));
 	BIND_BRUSH(smooth, "strength", "falloff"), &PlantMap::smooth, DEFVAL(String()), DEFVAL(1.0), DEFVAL(0.5));
 	BIND_BRUSH(paint_height, "height", "strength", "falloff"), &PlantMap::paint_height, DEFVAL(1.0), DEFVAL(0.5));
 #undef BIND_BRUSH
 	ClassDB::bind_method(
 			D_METHOD("fill_polygon", "points", "species", "density"), &PlantMap::fill_polygon, DEFVAL(1.0));
-	BIND(get_density, "point", "species");
-	BIND(get_height_factor, "point", "species");
 	ClassDB::bind_method(
-			D_METHOD("set_from_image", "image", "rect", "species", "channel"), &PlantMap::set_from_image, DEFVAL(0));
-	BIND(to_image, "rect", "species");
+			D_METHOD("fill_polygon_plants", "points", "species", "density"), &PlantMap::fill_polygon_plants);
+	BIND(get_density, "point", "species");
+	BIND(get_plant_density, "point", "species");
+	BIND(get_height_factor, "point", "species");
+	ClassDB::bind_method(D_METHOD("set_from_image", "image", "rect", "species", "channel", "white"),
+			&PlantMap::set_from_image, DEFVAL(0), DEFVAL(0.0));
+	ClassDB::bind_method(D_METHOD("to_image", "rect", "species", "white"), &PlantMap::to_image, DEFVAL(0.0));
 	BIND(get_painted_rect);
 	BIND(get_painted_species);
 	BIND(remove_species, "species");

@@ -32,6 +32,8 @@ class PlantMap : public godot::Resource {
 	/// The layer of a species, made where there is none; -1, with an error, where it cannot be.
 	int need_layer(const char *method, const godot::String &species);
 	bool read_rect(const char *method, const godot::Rect2 &rect, CellRange &into) const;
+	/// False, with an error, where nothing can be painted in it.
+	bool read_polygon(const char *method, const godot::PackedVector3Array &points, Polygon &into);
 	void stroke(const char *method, const DensityBrush &brush, const godot::String &species,
 			const DensityStroke &stroke, double strength);
 
@@ -55,16 +57,20 @@ public:
 			const godot::Vector3 &center, double radius, const godot::String &species, double amount, double falloff);
 	void paint_towards(const godot::Vector3 &center, double radius, const godot::String &species, double density,
 			double strength, double falloff);
+	void paint_plants(const godot::Vector3 &center, double radius, const godot::String &species, double density,
+			double strength, double falloff);
 	void smooth(
 			const godot::Vector3 &center, double radius, const godot::String &species, double strength, double falloff);
 	void paint_height(const godot::Vector3 &center, double radius, const godot::String &species, double height,
 			double strength, double falloff);
 	void fill_polygon(const godot::PackedVector3Array &points, const godot::String &species, double density);
+	void fill_polygon_plants(const godot::PackedVector3Array &points, const godot::String &species, double density);
+	double get_plant_density(const godot::Vector3 &point, const godot::String &species) const;
 	double get_density(const godot::Vector3 &point, const godot::String &species) const;
 	double get_height_factor(const godot::Vector3 &point, const godot::String &species) const;
-	void set_from_image(
-			const godot::Ref<godot::Image> &image, const godot::Rect2 &rect, const godot::String &species, int channel);
-	godot::Ref<godot::Image> to_image(const godot::Rect2 &rect, const godot::String &species) const;
+	void set_from_image(const godot::Ref<godot::Image> &image, const godot::Rect2 &rect, const godot::String &species,
+			int channel, double white);
+	godot::Ref<godot::Image> to_image(const godot::Rect2 &rect, const godot::String &species, double white) const;
 	godot::Rect2 get_painted_rect() const;
 	godot::PackedStringArray get_painted_species() const;
 	void remove_species(const godot::String &species);

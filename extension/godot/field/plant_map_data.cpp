@@ -19,6 +19,7 @@ namespace undergrowth {
 
 static constexpr double MOST_CELLS = 16.0e6; // Of one call.
 static constexpr int CHANNELS = 4;
+static constexpr Range WHITE_RANGE = { 0.0, DensityCell::MAX_PLANT_DENSITY };
 
 static PackedByteArray packed(const std::vector<uint8_t> &bytes) {
 	PackedByteArray made;
@@ -51,13 +52,15 @@ static CellRange middles_in(const DensityMap &map, const Rect2 &rect) {
 	return cells;
 }
 
-void PlantMap::set_from_image(const Ref<Image> &image, const Rect2 &rect, const String &species, int channel) {
+void PlantMap::set_from_image(
+		const Ref<Image> &image, const Rect2 &rect, const String &species, int channel, double white) {
 	CellRange cells;
 	if (image.is_null() || image->is_empty() || channel < 0 || channel >= CHANNELS) {
 		report_error(this, "set_from_image() needs an image with pixels, and a channel from 0 (red) to 3 (alpha).");
 		return;
 	}
-	if (!read_rect("set_from_image", rect, cells) || !may_change()) {
+	if (!read_rect("set_from_image", rect, cells) || !accept_value(this, "white", white, WHITE_RANGE) ||
+			!may_change()) {
 		return;
 	}
 	tell_if_unread(species);
@@ -79,7 +82,12 @@ void PlantMap::set_from_image(const Ref<Image> &image, const Rect2 &rect, const 
 	for (int i = 0; i < columns * rows; i++) {
 		const int column = cells.first_column + i % columns;
 		const int row = cells.first_row + i / columns;
-		map.set_cell(layer, column, row, { from[int64_t(i) * CHANNELS], map.cell(layer, column, row).height });
+		DensityCell cell = { from[int64_t(i) * CHANNELS], map.cell(layer, column, row).height, 0 };
+		if (white > 0.0) {
+			cell.plants = plants_code(float(white) * cell.share());
+			cell.density = 0;
+		}
+		map.set_cell(layer, column, row, cell);
 	}
 	map.tidy(layer, cells);
 	changed_in(cells);
@@ -110,9 +118,9 @@ void PlantMap::tell_if_unread(const String &species) {
 	}
 }
 
-Ref<Image> PlantMap::to_image(const Rect2 &rect, const String &species) const {
+Ref<Image> PlantMap::to_image(const Rect2 &rect, const String &species, double white) const {
 	CellRange cells;
-	if (!read_rect("to_image", rect, cells)) {
+	if (!read_rect("to_image", rect, cells) || !accept_value(this, "white", white, WHITE_RANGE)) {
 		return Ref<Image>();
 	}
 	cells = middles_in(map, rect);
@@ -123,8 +131,10 @@ Ref<Image> PlantMap::to_image(const Rect2 &rect, const String &species) const {
 	pixels.resize(int64_t(columns) * rows);
 	uint8_t *to = pixels.ptrw();
 	for (int i = 0; i < columns * rows; i++) {
-		to[i] = layer < 0 ? 0
-						  : map.cell(layer, cells.first_column + i % columns, cells.first_row + i / columns).density;
+		const DensityCell cell = layer < 0
+				? DensityCell()
+				: map.cell(layer, cells.first_column + i % columns, cells.first_row + i / columns);
+		to[i] = white > 0.0 ? density_code(cell.plant_density() / float(white)) : cell.density;
 	}
 	return Image::create_from_data(columns, rows, false, Image::FORMAT_L8, pixels);
 }

@@ -54,6 +54,8 @@ public:
 	void give_reserved(int page, const TexelRows &rows);
 	/// Makes room for the history of all species of a simulation, in as many modes as they have now.
 	void give_history(const FieldSimulation &simulation);
+	/// Whether layers are left for the history of another species.
+	bool has_room_for_species() const;
 	/// Whether the layers are more than a graphics card has.
 	bool is_too_large() const;
 	/// Where the shader finds plants of a page.
@@ -69,6 +71,8 @@ public:
 	void write_bends(const FieldSimulation &simulation, int page);
 	/// Takes over the newest slot of each species' history, or all of them, and what its pushed plants do.
 	void write_history(const FieldSimulation &simulation, bool all);
+	/// All slots of one species.
+	void write_history_of(const FieldSimulation &simulation, int species);
 
 	/// Takes over where the plants of a page rest, and gives it room for second modes. Before they are drawn first, and
 	/// whenever a species changes; on one thread.
@@ -144,6 +148,7 @@ private:
 	void write_hidden(const Page &page);
 	void forget_heights(const Rows &rows);
 	void write_followers(const FieldSimulation &simulation, int page);
+	void write_species(const FieldSimulation &simulation, int species, bool all);
 	void write_models(const Prototypes &models, int mode, int first, bool all);
 	void write_layer(int layer, const Bend *from, int pairs, int first);
 	void upload_layers();

@@ -3,6 +3,7 @@
 #include "field/pose_texture.hpp"
 
 #include <array>
+#include <tuple>
 
 using namespace godot;
 
@@ -70,17 +71,32 @@ void PoseTexture::write_models(const Prototypes &models, int mode, int first, bo
 	write_layer(first + slot / SIDE, history + size_t(slot) * 2 * Prototypes::MOST, SIDE, slot % SIDE * SIDE);
 }
 
+bool PoseTexture::has_room_for_species() const {
+	static constexpr size_t MAX_MODES = std::tuple_size_v<History>;
+	return !follows_prototypes || layers.size() + MAX_MODES * SPECIES_LAYERS + SPARE_LAYERS <= size_t(MOST_LAYERS);
+}
+
 void PoseTexture::write_history(const FieldSimulation &simulation, bool all) {
 	for (int species = 0; follows_prototypes && species < simulation.species_count(); species++) {
-		const Prototypes &models = *simulation.prototypes(species);
-		const MotionPage &loose = simulation.loose_plants(species)->page();
-		for (int mode = 0; mode < models.modes(); mode++) {
-			const int first = history_layer(species, mode);
-			write_models(models, mode, first, all);
-			if (loose.size() > 0) {
-				const Bend *bends = mode == 0 ? loose.bends() : loose.second_bends();
-				write_layer(first + HISTORY_LAYERS, bends, loose.size(), 0);
-			}
+		write_species(simulation, species, all);
+	}
+}
+
+void PoseTexture::write_history_of(const FieldSimulation &simulation, int species) {
+	if (follows_prototypes) {
+		write_species(simulation, species, true);
+	}
+}
+
+void PoseTexture::write_species(const FieldSimulation &simulation, int species, bool all) {
+	const Prototypes &models = *simulation.prototypes(species);
+	const MotionPage &loose = simulation.loose_plants(species)->page();
+	for (int mode = 0; mode < models.modes(); mode++) {
+		const int first = history_layer(species, mode);
+		write_models(models, mode, first, all);
+		if (loose.size() > 0) {
+			const Bend *bends = mode == 0 ? loose.bends() : loose.second_bends();
+			write_layer(first + HISTORY_LAYERS, bends, loose.size(), 0);
 		}
 	}
 }

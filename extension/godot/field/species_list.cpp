@@ -6,9 +6,13 @@ using namespace godot;
 
 namespace undergrowth {
 
-void SpeciesList::set(const TypedArray<PlantFieldSpecies> &entries) {
+bool SpeciesList::set(const TypedArray<PlantFieldSpecies> &entries) {
+	const bool are_others = followed.differ(entries);
 	listed = entries.duplicate();
-	follow();
+	if (are_others) {
+		follow();
+	}
+	return are_others;
 }
 
 void SpeciesList::follow() {

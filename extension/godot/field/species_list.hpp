@@ -11,7 +11,8 @@ public:
 	/// `into` gets the copy. The node's _on_species_changed() hears of what changes in an entry.
 	SpeciesList(godot::Object *of, StandOptions &into) : node(of), options(into) {}
 
-	void set(const godot::TypedArray<PlantFieldSpecies> &entries);
+	/// Returns whether these entries are other ones.
+	bool set(const godot::TypedArray<PlantFieldSpecies> &entries);
 	/// Scripts may append to it.
 	const godot::TypedArray<PlantFieldSpecies> &get() const { return listed; }
 	/// Whether any have, so that it is to be followed anew.

@@ -26,7 +26,7 @@ UntoldChanges::Found UntoldChanges::look(const GeometryInstance3D *node, const F
 	Found found;
 	found.range = range != std::exchange(seen_range, range);
 	found.material = std::exchange(seen_material, material) != material;
-	found.exclusions = seen_exclusions != properties.exclusions;
+	found.exclusions = sees_other_exclusions(properties);
 	found.area = area.has_moved(node);
 	found.ground = ground.has_moved(node);
 	return found;

@@ -23,6 +23,7 @@ public:
 	/// Once a frame: whether to look in this one.
 	bool is_time() { return frames_since_look++ % FRAMES_BETWEEN_LOOKS == 0; }
 	Found look(const godot::GeometryInstance3D *node, const FieldProperties &properties);
+	bool sees_other_exclusions(const StandOptions &options) const { return seen_exclusions != options.exclusions; }
 	void see_exclusions(const StandOptions &options) { seen_exclusions = options.exclusions.duplicate(); }
 	/// The nodes that `options` name, and no others. Outline and exclusions are live: a point that is dragged, a path
 	/// that is moved, another field that grows. Curves tell of themselves, by _on_area_changed() and

@@ -182,6 +182,24 @@ TEST_CASE("a recipe grows what a script grows of it") {
 	CHECK(form.groups[1].depth == 2);
 }
 
+TEST_CASE("a group on carriers of several depths is deeper than the deepest of them, in any order") {
+	for (const bool is_deepest_first : { true, false }) {
+		Growth growth(1.0f, 4);
+		int kind = -1;
+		REQUIRE(growth.add_kind(Part(), kind) == "");
+		std::vector<int> low, middle, high, on_both, deepest;
+		REQUIRE(growth.arrange(kind, counted(1, 1), { ON_GROUND }, low) == "");
+		REQUIRE(growth.arrange(kind, counted(1, 1), low, middle) == "");
+		REQUIRE(growth.arrange(kind, counted(1, 1), middle, high) == "");
+		const std::vector<int> carriers =
+				is_deepest_first ? std::vector<int>{ high[0], low[0] } : std::vector<int>{ low[0], high[0] };
+		REQUIRE(growth.arrange(kind, counted(1, 1), carriers, on_both) == "");
+		CHECK(growth.form().groups.back().depth == 4);
+		CHECK(mentions(growth.arrange(kind, counted(1, 1), { on_both[0] }, deepest), "4 deep"));
+		CHECK(mentions(growth.arrange(kind, counted(1, 1), { on_both[0], low[0] }, deepest), "4 deep"));
+	}
+}
+
 TEST_CASE("with a least count of 0 some seeds have what others lack, and whatever it carries") {
 	Recipe recipe = chain(2, 3);
 	recipe.lines[0].arrangement = counted(0, 1);

@@ -234,6 +234,21 @@ TEST_CASE("blades that a plan took away it gives back where there is room again"
 	}
 }
 
+TEST_CASE("the mean colour of a part is that half way between midrib and edge") {
+	Part part;
+	const glm::vec4 midrib(1.0f, 0.0f, 0.0f, 1.0f);
+	const glm::vec4 half_way(0.2f, 0.6f, 0.1f, 0.5f);
+	const glm::vec4 edge(0.0f, 0.0f, 1.0f, 0.0f);
+	for (int row = 0; row < PartColors::ROWS; row++) {
+		part.colors.samples.insert(part.colors.samples.end(), { midrib, half_way, edge });
+	}
+	const FormMeasure measure = measure_form(grow_alone(part));
+	REQUIRE(measure.colors.size() == 1);
+	for (int channel = 0; channel < 4; channel++) {
+		CHECK(measure.colors[0][channel] == doctest::Approx(half_way[channel]));
+	}
+}
+
 TEST_CASE("a plan within its budget draws all parts as finely as they are") {
 	const PlantForm form = grow_tulip(1);
 	const FormPlan plan = plan_form(form, measure_form(form), 100000);

@@ -134,6 +134,30 @@ TEST_CASE("a tip that meets the ground loses what moves it down, and goes on alo
 	CHECK(plants.rate(0).x == -5.0f);
 }
 
+TEST_CASE("the ground holds a second mode alike along both axes") {
+	const StemConstants stem = jointed(4, 0.5, 0.5, 2);
+	StemPlants plants(stem, 2, FRAME_STEP);
+	const glm::vec2 along[] = { { 1.0f, 0.25f }, { 0.25f, 1.0f } };
+	for (int i = 0; i < 2; i++) {
+		plants.set_place(i, 0.3f * along[i]);
+		plants.set_place(i, -2.0f * along[i], 1);
+		plants.set_rate(i, 0.5f * along[i]);
+		plants.set_rate(i, -20.0f * along[i], 1);
+	}
+	kernels(best_simd_level()).lift_stems(plants.page(), 2);
+	for (int k = 0; k < 2; k++) {
+		CAPTURE(k);
+		const glm::vec2 place = plants.place(1, k);
+		const glm::vec2 rate = plants.rate(1, k);
+		CHECK(plants.place(0, k).x == Approx(place.y));
+		CHECK(plants.place(0, k).y == Approx(place.x));
+		CHECK(plants.rate(0, k).x == Approx(rate.y));
+		CHECK(plants.rate(0, k).y == Approx(rate.x));
+	}
+	CHECK(std::abs(plants.rate(1, 1).y) < 15.0f); // It loses rate along both.
+	CHECK(std::abs(plants.rate(1, 1).x) < 3.75f);
+}
+
 TEST_CASE("no steady wind bends a stem so far that the ground stops it") {
 	for (const double taper : { 0.0, 0.5, 0.8 }) {
 		for (const double head : { 0.0, 1.0, 2.0 }) {

@@ -152,6 +152,18 @@ TEST_CASE("stems of any height stay finite and calm down") {
 	}
 }
 
+TEST_CASE("loads on a stem of another height bend it as a stem solved for that height") {
+	StemBeam beam = straw(0.0); // Its weight is spread along it, the drag of its head acts on the tip.
+	beam.head_drag_area = 0.01f;
+	const StemConstants own = solve_stem(beam).constants;
+	for (const float ratio : { 0.7f, 0.85f, 1.15f, 1.3f }) {
+		CAPTURE(ratio);
+		const StemConstants other = solved_at(beam, ratio);
+		CHECK(own.dead_slope * own.dead_grade.at(ratio) == doctest::Approx(other.dead_slope).epsilon(WITHIN));
+		CHECK(own.air_slope * own.air_grade.at(ratio) == doctest::Approx(other.air_slope).epsilon(WITHIN));
+	}
+}
+
 TEST_CASE("graded stems have the same bits at every level of SIMD") {
 	StemBeam beam = straw(0.5);
 	beam.modes = 2;

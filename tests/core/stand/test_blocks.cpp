@@ -44,6 +44,23 @@ Key key_of(const FieldPlants &plants, std::size_t i, double size) {
 
 } // namespace
 
+TEST_CASE("plants that are farther than all tiles, and places that are no numbers, have a tile") {
+	const TileKey farthest = tile_at(1e31f, -3e38f, 0.5f);
+	CHECK(farthest.column == 1000000000);
+	CHECK(farthest.row == -1000000000);
+	const float infinite = std::numeric_limits<float>::infinity();
+	CHECK(tile_at(infinite, -infinite, 16.0f) == farthest);
+	const float nothing = std::numeric_limits<float>::quiet_NaN();
+	CHECK(tile_at(nothing, nothing, 16.0f) == TileKey{ -1000000000, -1000000000 });
+	FieldPlants plants;
+	for (const float x : { 0.0f, 1e31f, 1.1e31f, -1e38f }) {
+		PlacedPlant plant;
+		plant.root = { x, 0.0f, x };
+		REQUIRE(plants.add(plant));
+	}
+	CHECK(cut_into_blocks(plants, 16.0f).size() == 3);
+}
+
 TEST_CASE("blocks hold all plants exactly once, each of one tile and species") {
 	const FieldPlants plants = hilly_field(100.0f, 4.0f, 3);
 	const std::vector<PlantBlock> blocks = cut_into_blocks(plants, 10.0f);

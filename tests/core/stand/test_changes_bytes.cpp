@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstring>
 
 using namespace undergrowth;
@@ -113,6 +114,31 @@ TEST_CASE("a plant that is gone takes at most 16 bytes, a swath far fewer") {
 	strewn.changes.remove(few, spacing);
 	CHECK(write_changes(swath).size() - nothing <= 3 * ids.size());
 	CHECK(write_changes(strewn).size() - nothing <= REMOVED_BYTES * few.size());
+}
+
+TEST_CASE("saved plants without height, or of a scale that no plant can be added with, are refused") {
+	SavedChanges saved;
+	saved.species = { "Poppy" };
+	saved.added.push_back({ added_plant_id(0), PlacedPlant() });
+	const std::vector<uint8_t> whole = write_changes(saved);
+	// Before the checksum: the share of height, the variant, side, lean, height and turn, then the scale.
+	const std::size_t height_at = whole.size() - 4 - 2 - 1 - 6;
+	const std::size_t scale_at = height_at - 2 - 4;
+	SavedChanges read_back;
+	REQUIRE(read(whole, read_back) == BytesFault::none);
+	std::vector<uint8_t> flat = whole;
+	flat[height_at] = flat[height_at + 1] = 0;
+	reseal(flat);
+	CHECK(read(flat, read_back) == BytesFault::torn);
+	flat[height_at] = 1;
+	reseal(flat);
+	CHECK(read(flat, read_back) == BytesFault::none);
+	for (const float scale : { 0.0f, -1.0f, 1e-44f, 1e-7f, 1e7f, 3e38f, std::nanf("") }) {
+		std::vector<uint8_t> scaled = whole;
+		std::memcpy(scaled.data() + scale_at, &scale, sizeof(scale));
+		reseal(scaled);
+		CHECK(read(scaled, read_back) == BytesFault::torn);
+	}
 }
 
 TEST_CASE("bytes that are torn, of a later release or of another kind are told, and change nothing") {

@@ -144,7 +144,7 @@ TEST_CASE("Bytes that are no map are told by name, and change nothing") {
 	CHECK(read({ 1, 2, 3 }, map) == DensityFault::not_a_map);
 	CHECK(read(std::vector<uint8_t>(100, 7), map) == DensityFault::not_a_map);
 	std::vector<uint8_t> later = whole;
-	later[4] = 2;
+	later[4] = 3;
 	CHECK(read(later, map) == DensityFault::later_version);
 	std::vector<uint8_t> none = whole;
 	none[4] = 0;

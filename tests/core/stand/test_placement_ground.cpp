@@ -105,6 +105,20 @@ TEST_CASE("half an alignment leans plants half as far, and none on level ground"
 	CHECK(flat.plant(0).side == doctest::Approx(1.0).epsilon(1e-3));
 }
 
+TEST_CASE("plants that are aligned with a ceiling stay valid") {
+	for (const float alignment : { 0.5f, 1.0f }) {
+		PlacedPlant plant;
+		FieldPlants plants;
+		plants.add(plant);
+		GroundLimits limits;
+		limits.alignment = alignment;
+		const float height = 0.0f;
+		const glm::vec3 down = { 0.0f, -1.0f, 0.0f };
+		REQUIRE(apply_ground(plants, &height, &down, limits) == 1);
+		CHECK(is_valid(plants.plant(0)));
+	}
+}
+
 TEST_CASE("limits of height and slope are included, beyond them nothing grows") {
 	GroundLimits limits;
 	limits.lowest = -1.0f;

@@ -1,3 +1,4 @@
+#include "stand/changes_finder.hpp"
 #include "stand/plant_store.hpp"
 #include "stand/stand_changes.hpp"
 #include "test_placement_fixture.hpp"
@@ -198,4 +199,58 @@ TEST_CASE("a cut around a plant's root knows whether it is gone, wherever in its
 		const AreaBox root = { { x, z }, { x, z } };
 		CHECK(cut.changes.cut(root).is_gone(x, z) == cut.changes.is_gone(x, z));
 	}
+}
+
+namespace {
+
+/// Plants around 25 places are removed and others mown, the places a different one for each of `count` densities.
+StandChanges changes_of_densities(int count) {
+	StandChanges changes;
+	for (int i = 0; i < count; i++) {
+		const double spacing = 0.5 + 0.003 * i;
+		for (int place = 0; place < 25; place++) {
+			const float x = 8.0f * static_cast<float>(place % 5) - 18.0f + 0.037f * static_cast<float>(i);
+			const float z = 8.0f * static_cast<float>(place / 5) - 18.0f + 0.029f * static_cast<float>(i);
+			changes.remove({ filled_plant_id(x, z, spacing) }, spacing);
+			changes.mow({ filled_plant_id(x + 1.0f, z, spacing) }, { 0.5f }, spacing);
+		}
+	}
+	return changes;
+}
+
+/// Cells that a finder compares for all plants of a square field.
+int64_t compared_for(const StandChanges &changes) {
+	ChangesFinder finder(changes);
+	const FieldPlants plants = placed(square_field(SIDE, 4.0f, 2));
+	for (std::size_t i = 0; i < plants.x.size(); i++) {
+		finder.is_gone(plants.x[i], plants.z[i]);
+	}
+	return finder.compared_cells();
+}
+
+} // namespace
+
+TEST_CASE("a finder tells what the changes tell, of many densities") {
+	const StandChanges changes = changes_of_densities(40);
+	ChangesFinder finder(changes);
+	int gone = 0;
+	int mown = 0;
+	for (float x = -21.0f; x < 21.0f; x += 0.13f) {
+		for (float z = -21.0f; z < 21.0f; z += 0.17f) {
+			REQUIRE(finder.is_gone(x, z) == changes.is_gone(x, z));
+			REQUIRE(finder.find_mown(x, z) == changes.find_mown(filled_plant_id(x, z, 0.5), x, z));
+			gone += finder.is_gone(x, z) ? 1 : 0;
+			mown += finder.find_mown(x, z) != nullptr ? 1 : 0;
+		}
+	}
+	CHECK(gone > 100);
+	CHECK(mown > 100);
+}
+
+TEST_CASE("a finder compares as few cells for many densities as lie around the plants") {
+	const FieldPlants plants = placed(square_field(SIDE, 4.0f, 2));
+	const int64_t of_ten = compared_for(changes_of_densities(10));
+	const int64_t of_hundred = compared_for(changes_of_densities(100));
+	CHECK(of_ten > 0);
+	CHECK(of_hundred < 3 * plants.size()); // One comparison per density would be 100 per plant.
 }

@@ -72,6 +72,18 @@ TEST_CASE("of two floors plants stand on the one that is chosen") {
 	CHECK(ground_at(both, { { 0.0f, 0.0f } }, GroundChoice::lowest).heights[0] == 0.0f);
 }
 
+TEST_CASE("a mesh or a place that is as far as numbers go has no ground, and harms nothing") {
+	const float far = 3e38f;
+	const std::vector<glm::vec3> near = { { 0, 1, 0 }, { 4, 1, 0 }, { 0, 1, 4 } };
+	CHECK(std::isnan(ground_at(near, { { 1e31f, -1e31f } }).heights[0]));
+	std::vector<glm::vec3> wide = near;
+	wide.insert(wide.end(), { { -far, 0, -far }, { far, 0, -far }, { 0, 0, far } });
+	CHECK(ground_at(wide, { { 1.0f, 1.0f } }).heights.size() == 1);
+	wide.push_back({ std::nanf(""), 0, 0 });
+	wide.insert(wide.end(), { { 1, 0, 1 }, { 2, 0, 2 } });
+	CHECK(ground_at(wide, { { 1.0f, 1.0f } }).heights.size() == 1);
+}
+
 TEST_CASE("beside a mesh, in its holes, on its walls and without one there is no ground") {
 	const std::vector<glm::vec3> one = { { 0, 1, 0 }, { 4, 1, 0 }, { 0, 1, 4 } };
 	for (const glm::vec2 &place : { glm::vec2(3.0f, 3.0f), glm::vec2(-1.0f, 1.0f), glm::vec2(1.0f, 100.0f) }) {

@@ -51,6 +51,17 @@ TEST_CASE("a triggered gust blows on top of the other kinds") {
 	CHECK(wind_strength(wind, 2.6) == 10.0f);
 }
 
+TEST_CASE("strength and length of a triggered gust end with its flag") {
+	Wind wind = wind_of(WindKind::gust);
+	wind.strength = 8.0f;
+	wind.gust_duration = 0.5f;
+	wind.triggered_strength = 3.0f;
+	wind.triggered_duration = 2.0f;
+	wind.gust_triggered = false;
+	CHECK(gust_strength(wind) == 8.0f);
+	CHECK(gust_duration(wind) == 0.5f);
+}
+
 TEST_CASE("a gust that was called for may have a strength and a length of its own") {
 	for (const WindKind kind : { WindKind::constant, WindKind::gust }) {
 		Wind wind = wind_of(kind);

@@ -4,7 +4,8 @@ extends RefCounted
 
 const BrushGround := preload("brush_ground.gd")
 
-const POINTS := 40
+## Of the outer circle. Each takes one ray.
+const POINTS := 24
 ## Over and under the field's plane ground is looked for, in radii and at least in metres.
 const REACH := 1.0
 const LEAST_REACH := 2.0
@@ -51,23 +52,37 @@ func show_at(
 	RenderingServer.instance_set_visible(_instance, true)
 	_material.albedo_color = COLORS[tool]
 	_mesh.clear_surfaces()
-	_add_ring(field, middle, radius, BREADTH * radius)
-	var inner := radius * (1.0 - falloff)
-	if inner > 0.05 * radius and falloff > 0.02:
-		_add_ring(field, middle, inner, 0.5 * BREADTH * radius)
+	var places := _find_places(field, middle, radius)
+	_add_ring(places, middle, 1.0, BREADTH)
+	var inner := 1.0 - falloff
+	if inner > 0.05 and falloff > 0.02:
+		_add_ring(places, middle, inner, 0.5 * BREADTH)
 
 
-func _add_ring(field: PlantField3D, middle: Vector3, radius: float, breadth: float) -> void:
+# Of the outer circle, on the ground.
+static func _find_places(field: PlantField3D, middle: Vector3, radius: float) -> PackedVector3Array:
 	var reach := maxf(radius * REACH, LEAST_REACH)
 	var plane := Plane(Vector3.UP, middle.y)
-	_mesh.surface_begin(Mesh.PRIMITIVE_TRIANGLE_STRIP, _material)
-	for i in POINTS + 1:
+	var places := PackedVector3Array()
+	for i in POINTS:
 		var out := Vector3.RIGHT.rotated(Vector3.UP, TAU * i / POINTS) * radius
 		var above := middle + out + Vector3.UP * reach
 		var met: Variant = BrushGround.find(field, above, Vector3.DOWN, plane)
 		var place: Vector3 = met if met is Vector3 else middle + out
 		if place.y < middle.y - reach:
 			place.y = middle.y  # Over an edge.
-		_mesh.surface_add_vertex(place + Vector3.UP * LIFT)
-		_mesh.surface_add_vertex(place + Vector3.UP * LIFT - out * (breadth / radius))
+		places.append(place)
+	return places
+
+
+# At [param part] of the way from the middle to [param places], as broad as [param breadth] of it.
+# Inner circles take no rays of their own.
+func _add_ring(places: PackedVector3Array, middle: Vector3, part: float, breadth: float) -> void:
+	_mesh.surface_begin(Mesh.PRIMITIVE_TRIANGLE_STRIP, _material)
+	for i in POINTS + 1:
+		var out := places[i % POINTS] - middle
+		var place := middle + out * part + Vector3.UP * LIFT
+		out.y = 0.0
+		_mesh.surface_add_vertex(place)
+		_mesh.surface_add_vertex(place - out * breadth)
 	_mesh.surface_end()

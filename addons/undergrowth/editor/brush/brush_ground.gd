@@ -11,9 +11,13 @@ const LEAST_STEP := 0.25
 ## Then the place is looked for between two steps.
 const HALVINGS := 14
 
+## Rays since the add-on was loaded: all that the brush costs while the pointer moves.
+static var ray_count := 0
+
 
 ## Where the ground of [param field] is met from [param from] on; null where it is not.
 static func find(field: PlantField3D, from: Vector3, direction: Vector3, plane: Plane) -> Variant:
+	ray_count += 1
 	var terrain := find_object(field)
 	var met: Variant = _find_on(terrain, from, direction) if terrain else null
 	return met if met is Vector3 else Ground.find_seen(field.get_world_3d(), from, direction, plane)

@@ -9,6 +9,8 @@ enum Tool { NONE, PAINT, ERASE, HEIGHT, PICK }
 
 const LEAST_RADIUS := 0.1
 const MOST_RADIUS := 100.0
+## In plants/m².
+const MAX_DENSITY := 10000.0
 ## What a press of [ or ] does to the radius.
 const RADIUS_FACTOR := 1.2
 
@@ -31,11 +33,17 @@ var falloff := 0.5:
 	set(value):
 		falloff = clampf(value, 0.0, 1.0)
 		changed.emit()
-## What painting goes to.
+## Painting goes to the density that the field's mix gives the species, and not to [member density].
+var is_as_mixed := true:
+	set(value):
+		is_as_mixed = value
+		changed.emit()
+## The density to which painting goes, in plants/m² of all painted species together. Setting it sets
+## [member is_as_mixed] to false.
 var density := 1.0:
 	set(value):
-		density = clampf(value, 0.0, 1.0)
-		changed.emit()
+		density = clampf(value, 0.0, MAX_DENSITY)
+		is_as_mixed = false
 ## What the height goes to, times the usual one.
 var height := 1.5:
 	set(value):

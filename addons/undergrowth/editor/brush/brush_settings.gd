@@ -3,6 +3,7 @@ extends MarginContainer
 ## What the brush is set to, below the 3D view: numbers, and the species of the field to choose
 ## from. The toolbar above it stays as it is when a tool is chosen.
 
+const BrushDensity := preload("brush_density.gd")
 const BrushOptions := preload("brush_options.gd")
 const SpeciesMenu := preload("species_menu.gd")
 const Translations := preload("../translations/translations.gd")
@@ -15,6 +16,7 @@ const THUMBNAIL := 24
 const MOST_BUTTONS := 3
 
 var _options: BrushOptions
+var _field: PlantField3D
 # The names of the buttons of species, in their order.
 var _names: PackedStringArray = []
 # Of what the field does not grow yet.
@@ -25,7 +27,9 @@ var _newcomer := ""
 @onready var _strength: EditorSpinSlider = %Strength
 @onready var _falloff: EditorSpinSlider = %Falloff
 @onready var _density: EditorSpinSlider = %Density
+@onready var _as_mixed: Button = %AsMixed
 @onready var _plant_height: EditorSpinSlider = %PlantHeight
+@onready var _told: Label = %Told
 @onready var _species: HBoxContainer = %Species
 @onready var _menu: SpeciesMenu = %SpeciesMenu
 
@@ -37,7 +41,8 @@ func setup(options: BrushOptions) -> void:
 	_radius.value_changed.connect(func(metres: float) -> void: _options.radius = metres)
 	_strength.value_changed.connect(func(share: float) -> void: _options.strength = share)
 	_falloff.value_changed.connect(func(share: float) -> void: _options.falloff = share)
-	_density.value_changed.connect(func(share: float) -> void: _options.density = share)
+	_density.value_changed.connect(func(plants: float) -> void: _options.density = plants)
+	_as_mixed.toggled.connect(_on_as_mixed_toggled)
 	_plant_height.value_changed.connect(func(factor: float) -> void: _options.height = factor)
 	_menu.chosen.connect(_choose)
 	for slider: Control in _numbers.get_children():
@@ -52,6 +57,7 @@ func setup(options: BrushOptions) -> void:
 ## Offers what [param field] grows (null: nothing), and [param newcomer], which it does not grow yet
 ## and whose name in the map is to be [param title].
 func show_field(field: PlantField3D, newcomer: PlantFunction = null, title := "") -> void:
+	_field = field
 	var functions: Array[PlantFunction] = []
 	var names: PackedStringArray = []
 	for entry in field.species if field else []:
@@ -62,6 +68,7 @@ func show_field(field: PlantField3D, newcomer: PlantFunction = null, title := ""
 		functions.append(newcomer)
 		names.append(title)
 	if names == _names and title == _newcomer:
+		_show()
 		return
 	_names = names
 	_newcomer = title
@@ -72,6 +79,12 @@ func show_field(field: PlantField3D, newcomer: PlantFunction = null, title := ""
 	for i in names.size():
 		_add_species(functions[i], names[i])
 	_show()
+
+
+## Shows [param text] beside the settings until something of them changes.
+func tell(text: String) -> void:
+	_told.text = text
+	_told.visible = not text.is_empty()
 
 
 func _notification(what: int) -> void:
@@ -112,6 +125,13 @@ func _on_thumbnail_ready(
 		_menu.show_picture(title, preview)
 
 
+func _on_as_mixed_toggled(is_on: bool) -> void:
+	if is_on:
+		_options.is_as_mixed = true
+	else:
+		_options.density = _density.value
+
+
 func _choose(title: String, is_on: bool) -> void:
 	var chosen := _options.species.duplicate()
 	if is_on and not title in chosen:
@@ -121,17 +141,39 @@ func _choose(title: String, is_on: bool) -> void:
 	_options.species = chosen
 
 
+# What is painted with these settings, of what the field grows.
+func _painted_names() -> PackedStringArray:
+	return _options.species if _options.species else _names
+
+
+# The slider ends at the density of all species together: a field has room for no more plants.
+func _show_density() -> void:
+	var is_shown := _options.tool == BrushOptions.Tool.PAINT
+	_density.visible = is_shown
+	_as_mixed.visible = is_shown
+	_as_mixed.set_pressed_no_signal(_options.is_as_mixed)
+	if not is_instance_valid(_field):
+		return
+	_density.set_value_no_signal(0.0)  # Else a lower maximum would count as a value that was set.
+	_density.max_value = maxf(BrushDensity.sum_of_mix(_field, _names), _density.step)
+	var mixed := BrushDensity.sum_of_mix(_field, _painted_names())
+	_density.set_value_no_signal(mixed if _options.is_as_mixed else _options.density)
+	_as_mixed.tooltip_text = (
+		tr("Paint as the field's mix says: %s plants/m².") % String.num(mixed, 2)
+	)
+
+
 func _show() -> void:
+	tell("")
 	visible = _options.tool not in [BrushOptions.Tool.NONE, BrushOptions.Tool.PICK]
 	_species.visible = _names.size() <= MOST_BUTTONS
 	_menu.visible = _names.size() > MOST_BUTTONS
 	_menu.show_painted(_options.species)
-	_density.visible = _options.tool == BrushOptions.Tool.PAINT
+	_show_density()
 	_plant_height.visible = _options.tool == BrushOptions.Tool.HEIGHT
 	_radius.set_value_no_signal(_options.radius)
 	_strength.set_value_no_signal(_options.strength)
 	_falloff.set_value_no_signal(_options.falloff)
-	_density.set_value_no_signal(_options.density)
 	_plant_height.set_value_no_signal(_options.height)
 	for i in _species.get_child_count():
 		(_species.get_child(i) as Button).set_pressed_no_signal(_names[i] in _options.species)

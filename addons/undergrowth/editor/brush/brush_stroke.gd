@@ -6,6 +6,7 @@ extends RefCounted
 
 const FieldNewcomer := preload("../actions/field_newcomer.gd")
 const Translations := preload("../translations/translations.gd")
+const BrushDensity := preload("brush_density.gd")
 const BrushOptions := preload("brush_options.gd")
 
 const GRASS := "res://addons/undergrowth/species/meadow_grass.tres"
@@ -23,6 +24,9 @@ var _species_before: Array[PlantFieldSpecies] = []
 var _density_before := 0.0
 var _rect := Rect2()
 var _last := Vector3.INF
+# The painted species, and the density of each in plants/m².
+var _names: PackedStringArray = []
+var _densities: PackedFloat64Array = []
 
 
 func _init(
@@ -48,6 +52,8 @@ func _init(
 		FieldNewcomer.add(field, newcomer)
 	if _is_new:
 		field.map = _map
+	_names = _choose_names()
+	_densities = BrushDensity.divide(field, _names, options.density)
 
 
 ## The brush goes to [param place], in the world, pressed by [param pressure] (0 to 1).
@@ -61,6 +67,22 @@ func move_to(place: Vector3, pressure: float) -> void:
 	while _last.distance_to(goal) >= step:
 		_last = _last.move_toward(goal, step)
 		_touch(_last, pressure)
+
+
+## Why the stroke changed nothing, or nothing that can be seen. Empty where there is no such reason.
+func explain() -> String:
+	if _last == Vector3.INF:
+		return ""
+	var names := Translations.text("All species")
+	if _options.species and _names:
+		names = ", ".join(_names)
+	if not _rect.has_area():
+		return _explain_nothing(names)
+	if _tool != BrushOptions.Tool.PAINT or _smooths:
+		return ""
+	if _options.is_as_mixed and is_zero_approx(BrushDensity.sum_of_mix(_field, _names)):
+		return Translations.text("%s: the mix has none of it. Set a density.") % names
+	return _explain_room()
 
 
 ## Ends the stroke.
@@ -87,15 +109,19 @@ func finish(undo: EditorUndoRedoManager) -> void:
 
 func _touch(place: Vector3, pressure: float) -> void:
 	var strength := _options.strength * pressure
-	for title in _names():
+	for i in _names.size():
+		var title := _names[i]
 		if _smooths:
 			_map.smooth(place, _radius(), title, strength, _options.falloff)
 		elif _tool == BrushOptions.Tool.HEIGHT:
 			var height := _options.height
 			_map.paint_height(place, _radius(), title, height, strength, _options.falloff)
+		elif _tool == BrushOptions.Tool.PAINT and not _options.is_as_mixed:
+			var density := _densities[i]
+			_map.paint_plants(place, _radius(), title, density, strength, _options.falloff)
 		else:
-			var density := _options.density if _tool == BrushOptions.Tool.PAINT else 0.0
-			_map.paint_towards(place, _radius(), title, density, strength, _options.falloff)
+			var share := 1.0 if _tool == BrushOptions.Tool.PAINT else 0.0
+			_map.paint_towards(place, _radius(), title, share, strength, _options.falloff)
 
 
 # In the field's own axes.
@@ -112,7 +138,7 @@ func _make_map() -> PlantMap:
 
 
 # What is chosen of what the field grows: all where nothing is.
-func _names() -> PackedStringArray:
+func _choose_names() -> PackedStringArray:
 	var names := FieldNewcomer.layers_of(_field)
 	if _options.species.is_empty():
 		return names
@@ -125,6 +151,40 @@ func _names() -> PackedStringArray:
 
 func _on_area_changed(rect: Rect2) -> void:
 	_rect = _rect.merge(rect) if _rect.has_area() else rect
+
+
+func _explain_nothing(names: String) -> String:
+	if _options.strength <= 0.0:
+		return Translations.text("Strength is 0.")
+	if _smooths:
+		return Translations.text("%s: all is smooth here already.") % names
+	match _tool:
+		BrushOptions.Tool.ERASE:
+			return Translations.text("%s: there is nothing to erase here.") % names
+		BrushOptions.Tool.HEIGHT:
+			return Translations.text("%s: the height is reached here already.") % names
+	var density := _options.density
+	var told := Translations.text("%s: %s plants/m² grow here already.")
+	if _options.is_as_mixed:
+		density = BrushDensity.sum_of_mix(_field, _names)
+		told = Translations.text(
+			"%s: already as dense here as the mix says, %s plants/m². Set a higher density."
+		)
+	return told % [names, String.num(density, 2)]
+
+
+# Where more is painted than the field has room for, less of each species grows.
+func _explain_room() -> String:
+	var room := BrushDensity.sum_of_mix(_field, FieldNewcomer.layers_of(_field))
+	var painted := 0.0
+	for title in FieldNewcomer.layers_of(_field):
+		painted += _map.get_plant_density(_last, title)
+	if painted <= room * 1.01:
+		return ""
+	var told := Translations.text(
+		"%s plants/m² are painted here, but the field grows %s at most. Raise the field's density."
+	)
+	return told % [String.num(painted, 2), String.num(room, 2)]
 
 
 func _title() -> String:

@@ -5,11 +5,12 @@ extends RefCounted
 const EditorState := preload("../editor_state.gd")
 const BrushBar := preload("brush_bar.gd")
 const BrushChoice := preload("brush_choice.gd")
+const BrushDensity := preload("brush_density.gd")
 const BrushCircle := preload("brush_circle.gd")
-const BrushGround := preload("brush_ground.gd")
 const BrushOptions := preload("brush_options.gd")
 const BrushSettings := preload("brush_settings.gd")
 const BrushStroke := preload("brush_stroke.gd")
+const BrushPointer := preload("brush_pointer.gd")
 const PenPressure := preload("pen_pressure.gd")
 
 const BAR_SCENE := "brush_bar.tscn"
@@ -21,6 +22,10 @@ var _plugin: EditorPlugin
 var _bar: BrushBar
 var _settings: BrushSettings
 var _circle: BrushCircle
+var _pointer := BrushPointer.new()
+var _is_circle_due := false
+# All that the circle was last shown by.
+var _circle_look: Array = []
 var _field: PlantField3D
 var _stroke: BrushStroke
 var _pen := PenPressure.new()
@@ -51,7 +56,7 @@ func setup(plugin: EditorPlugin, state: EditorState) -> void:
 
 ## Takes it away again.
 func close() -> void:
-	_end_stroke()
+	end_stroke()
 	_choice.close()
 	_plugin.get_undo_redo().history_changed.disconnect(_on_history_changed)
 	_plugin.get_undo_redo().version_changed.disconnect(_on_history_changed)
@@ -66,7 +71,7 @@ func close() -> void:
 func edit(field: PlantField3D) -> void:
 	if field == _field:
 		return
-	_end_stroke()
+	end_stroke()
 	if _field and is_instance_valid(_field):
 		_field.tree_exiting.disconnect(_on_field_leaves)
 	_field = field
@@ -76,7 +81,7 @@ func edit(field: PlantField3D) -> void:
 		options.tool = BrushOptions.Tool.NONE
 	_bar.visible = field != null
 	_choice.edit(field)
-	_circle.hide()
+	_hide_circle()
 
 
 ## What happened over a 3D view. Whether nobody else is to hear of it.
@@ -91,11 +96,12 @@ func handle(camera: Camera3D, event: InputEvent) -> bool:
 	var motion := event as InputEventMouseMotion
 	if not motion:
 		return false
-	var place: Variant = _find(camera, motion.position)
-	_show_circle(place, motion.ctrl_pressed)
+	_pointer.move_to(camera, motion)
+	_show_circle_soon()
 	var pressure := _pen.read(motion)
 	if not _stroke:
 		return false
+	var place: Variant = _pointer.find_place(_field)
 	if place is Vector3 and pressure > 0.0:
 		_touch_first(pressure)
 		_stroke.move_to(place, pressure)
@@ -122,9 +128,10 @@ func _handle_button(camera: Camera3D, button: InputEventMouseButton) -> bool:
 		return false
 	if not button.pressed:
 		var had_one := _stroke != null
-		_end_stroke()
+		end_stroke()
 		return had_one
-	var place: Variant = _find(camera, button.position)
+	_pointer.move_to(camera, button)
+	var place: Variant = _pointer.find_place(_field)
 	if not place is Vector3:
 		return true
 	var tool := options.tool_with(button.ctrl_pressed)
@@ -138,6 +145,7 @@ func _handle_button(camera: Camera3D, button: InputEventMouseButton) -> bool:
 func _begin_stroke(place: Vector3, tool: BrushOptions.Tool, smooths: bool) -> void:
 	var paints := tool == BrushOptions.Tool.PAINT and not smooths
 	var newcomer := _choice.bring_newcomer() if paints else null
+	_settings.tell("")
 	_stroke = BrushStroke.new(_field, options, tool, smooths, newcomer)
 	_waits_for = place
 	if not _pen.begin():
@@ -159,21 +167,35 @@ func _pick(place: Vector3) -> void:
 		return
 	var point := _field.to_local(place)
 	var names: PackedStringArray = []
+	var density := 0.0
+	var is_as_mixed := true
 	for title in map.get_painted_species():
-		if map.get_density(point, title) > 0.0:
+		var share := map.get_density(point, title)
+		var plants := map.get_plant_density(point, title)
+		if share > 0.0 or plants > 0.0:
 			names.append(title)
-			options.density = map.get_density(point, title)
+			density += BrushDensity.at(_field, title, point)
+			is_as_mixed = is_as_mixed and share == 1.0 and plants == 0.0
 			options.height = map.get_height_factor(point, title)
 	if names:
 		options.species = names
+		options.density = density
+		options.is_as_mixed = is_as_mixed
 	options.tool = BrushOptions.Tool.PAINT
 
 
-func _end_stroke() -> void:
-	if _stroke:
-		_touch_first(1.0)
-		_stroke.finish(_plugin.get_undo_redo())
-		_stroke = null
+## Finishes a stroke that is being drawn, while the scene is still the edited one: the step of undo
+## belongs to that scene.
+func end_stroke() -> void:
+	if not _stroke:
+		return
+	var stroke := _stroke
+	_touch_first(1.0)
+	_stroke = null
+	var told := stroke.explain()
+	stroke.finish(_plugin.get_undo_redo())
+	_choice.refresh()
+	_settings.tell(told)
 
 
 func _on_fill_wanted() -> void:
@@ -187,30 +209,41 @@ func _on_history_changed() -> void:
 		_choice.refresh()
 
 
-# On the ground under the pointer; null in the sky.
-func _find(camera: Camera3D, point: Vector2) -> Variant:
-	var plane := Plane(_field.global_basis.y.normalized(), _field.global_position)
-	return BrushGround.find(
-		_field, camera.project_ray_origin(point), camera.project_ray_normal(point), plane
-	)
+# Once a frame, however often the pointer moves in it.
+func _show_circle_soon() -> void:
+	if not _is_circle_due:
+		_is_circle_due = true
+		_plugin.get_tree().process_frame.connect(_show_circle, CONNECT_ONE_SHOT)
 
 
-func _show_circle(place: Variant, ctrl: bool) -> void:
+func _show_circle() -> void:
+	_is_circle_due = false
+	if not _circle or not _field or options.tool == BrushOptions.Tool.NONE:
+		return
+	var tool := options.tool_with(_pointer.is_ctrl_pressed)
+	var look := [_pointer.get_sight(), _field.global_transform]
+	look.append_array([options.radius, options.falloff, tool])
+	if look == _circle_look:
+		return
+	_circle_look = look
+	var place: Variant = _pointer.find_place(_field)
 	if place is Vector3:
-		var tool := options.tool_with(ctrl)
 		_circle.show_at(_field, place, options.radius, options.falloff, tool)
 	else:
 		_circle.hide()
 	_plugin.update_overlays()
 
 
+func _hide_circle() -> void:
+	_circle_look = []
+	_circle.hide()
+
+
 func _on_options_changed() -> void:
 	if options.tool == BrushOptions.Tool.NONE and _circle:
-		_end_stroke()
-		_circle.hide()
+		end_stroke()
+		_hide_circle()
 
 
 func _on_field_leaves() -> void:
-	_stroke = null
-	_waits_for = null
 	edit(null)

@@ -54,7 +54,7 @@ func _redraw(gizmo: EditorNode3DGizmo) -> void:
 	if not is_selected:
 		return
 	gizmo.add_lines(GizmoShapes.box(_box_of(field, corners)), get_material("box", gizmo))
-	if field.outline.is_empty():
+	if field.outline.is_empty() and not field.map:  # The size of a painted field means nothing.
 		_add_handles(gizmo, field)
 
 
@@ -181,7 +181,7 @@ func _worked_on() -> Array[Node3D]:
 # the box of its plants.
 func _look_of(node: Node3D) -> Array:
 	var field := node as PlantField3D
-	var look := [field.get_outline_points(), field.get_aabb()]
+	var look := [field.get_outline_points(), field.get_aabb(), field.map != null]
 	for i in field.exclusions.size():
 		look.append(field.get_exclusion_points(i))
 	return look

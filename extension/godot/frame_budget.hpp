@@ -1,0 +1,48 @@
+#pragma once
+
+#include "stopwatch.hpp"
+
+#include <godot_cpp/classes/engine.hpp>
+
+#include <cstdint>
+
+namespace undergrowth {
+
+/// The time of the main thread that all fields together may take in a frame to be built. Fields that come after it is
+/// spent continue in the next frame. Main thread.
+class FrameBudget {
+public:
+	static FrameBudget &of_fields() {
+		static FrameBudget budget;
+		return budget;
+	}
+
+	/// A piece of it: from construction to destruction.
+	class Share {
+	public:
+		explicit Share(FrameBudget &of) : budget(of) {}
+		~Share() { budget.spend(watch.usec()); }
+		Share(const Share &) = delete;
+		Share &operator=(const Share &) = delete;
+
+	private:
+		FrameBudget &budget;
+		Stopwatch watch;
+	};
+
+	bool is_left() const { return frame != this_frame() || spent < USEC_PER_FRAME; }
+
+private:
+	static constexpr double USEC_PER_FRAME = 4000.0;
+
+	uint64_t frame = 0;
+	double spent = 0.0; ///< µs, in that frame.
+
+	static uint64_t this_frame() { return godot::Engine::get_singleton()->get_process_frames(); }
+	void spend(double usec) {
+		spent = frame == this_frame() ? spent + usec : usec;
+		frame = this_frame();
+	}
+};
+
+} // namespace undergrowth

@@ -1,0 +1,141 @@
+@tool
+extends "brush_test.gd"
+## How densely the brush paints a species that the field grows already, and what the bar says of it.
+
+const POPPY := "Poppy"
+const SPECIES := "res://addons/undergrowth/species/%s.tres"
+const DENSITY := 12.0
+const SIDE := 16.0
+const RADIUS := 4.0
+## Inside the hard edge of the brush, whatever its cells are.
+const COUNTED := RADIUS - 0.5
+
+
+func test_a_density_is_painted_in_plants_per_square_metre() -> void:
+	var field := await _meadow()
+	var before := _count_beside(field)
+	await _choose_tool("Paint")
+	_sharpen(RADIUS)
+	_species_button(POPPY).button_pressed = true
+	check(absf(_density().value - DENSITY * 3.0 / 63.0) < 0.01, "as mixed: %f" % _density().value)
+	check_equal(_density().max_value, DENSITY, "the slider's end")
+	_density().value = 5.0
+	check(not _as_mixed().button_pressed, "no longer as mixed")
+	await click(_view(), _place_of(field, Vector3.ZERO))
+	await _rested(field)
+	var poppies := _density_in_stroke(field, true)
+	check(absf(poppies - 5.0) < 0.6, "%f poppies/m²" % poppies)
+	var all := poppies + _density_in_stroke(field, false)
+	check(absf(all - DENSITY) < 1.0, "%f plants/m²" % all)
+	check_equal(_count_beside(field), before, "plants beside the stroke")
+	check_equal(_told(), "", "what the bar says")
+	_as_mixed().button_pressed = true
+	await click(_view(), _place_of(field, Vector3.ZERO))
+	check_equal(field.map.get_plant_density(Vector3.ZERO, POPPY), 0.0, "plants/m² as mixed")
+	check_equal(field.map.get_density(Vector3.ZERO, POPPY), 1.0, "density as mixed")
+	await _put_down("Paint")
+
+
+func test_the_bar_says_why_a_stroke_changes_nothing() -> void:
+	var field := await _meadow()
+	await _choose_tool("Paint")
+	_sharpen(1.0)
+	_species_button(POPPY).button_pressed = true
+	await click(_view(), _place_of(field, Vector3.ZERO))
+	check(field.map == null, "there is nothing to change")
+	check(_told().contains("as dense here as the mix says, 0.57"), "as mixed: " + _told())
+	_density().value = 5.0
+	check_equal(_told(), "", "after another density")
+	await click(_view(), _place_of(field, Vector3.ZERO))
+	check_equal(_told(), "", "after a stroke that changes something")
+	await click(_view(), _place_of(field, Vector3.ZERO))
+	check(_told().contains("5.0 plants/m² grow here already"), "once more: " + _told())
+	await _put_down("Paint")
+	await _choose_tool("Erase")
+	await click(_view(), _place_of(field, Vector3.ZERO))
+	await click(_view(), _place_of(field, Vector3.ZERO))
+	check(_told().contains("nothing to erase"), "erased twice: " + _told())
+	await _put_down("Erase")
+
+
+func test_the_bar_says_where_the_field_has_no_room() -> void:
+	var field := await _meadow()
+	field.map = PlantMap.new()
+	field.map.fill_polygon_plants(field.get_outline_points(), GRASS_LAYER, 10.0)
+	await _choose_tool("Paint")
+	_sharpen(1.0)
+	_species_button(POPPY).button_pressed = true
+	_density().value = 5.0
+	await click(_view(), _place_of(field, Vector3.ZERO))
+	check(_told().contains("14.99 plants/m² are painted"), "it says how many: " + _told())
+	check(_told().contains("12.0 at most"), "and what there is room for: " + _told())
+	await _put_down("Paint")
+
+
+func test_pick_takes_the_painted_density() -> void:
+	var field := await _meadow()
+	field.map = PlantMap.new()
+	field.map.fill_polygon_plants(field.get_outline_points(), POPPY, 2.0)
+	await _choose_tool("Pick")
+	await click(_view(), _place_of(field, Vector3.ZERO))
+	check(absf(_density().value - 2.0) < 0.02, "density: %f" % _density().value)
+	check(not _as_mixed().button_pressed, "not as mixed")
+	field.map.fill_polygon(field.get_outline_points(), POPPY)
+	await _put_down("Paint")
+	await _choose_tool("Pick")
+	await click(_view(), _place_of(field, Vector3.ZERO))
+	check(_as_mixed().button_pressed, "as mixed")
+	(_settings().get_node("%PlantHeight") as EditorSpinSlider).value = 1.5  # Picked, too.
+	await _put_down("Paint")
+
+
+const GRASS_LAYER := "Meadow Grass"
+
+
+func _meadow() -> PlantField3D:
+	var field := await _edited_field()
+	field.size = Vector2(SIDE, SIDE)
+	field.density = DENSITY
+	await _choose_only(field.get_parent())
+	field.species = [
+		PlantFieldSpecies.of(load(SPECIES % "meadow_grass") as PlantFunction, 60.0),
+		PlantFieldSpecies.of(load(SPECIES % "poppy") as PlantFunction, 3.0),
+	]
+	await _choose_only(field)
+	await _rested(field)
+	return field
+
+
+func _put_down(tool: String) -> void:
+	_species_button(POPPY).button_pressed = false
+	_as_mixed().button_pressed = true
+	await _choose_tool(tool)
+
+
+func _density() -> EditorSpinSlider:
+	return _settings().get_node("%Density")
+
+
+func _as_mixed() -> Button:
+	return _settings().get_node("%AsMixed")
+
+
+func _told() -> String:
+	return (_settings().get_node("%Told") as Label).text
+
+
+func _density_in_stroke(field: PlantField3D, poppies: bool) -> float:
+	var count := 0
+	for id in field.get_plant_ids():
+		var is_poppy := field.get_plant_species(id) == field.species[1].species
+		var distance := field.get_plant_transform(id).origin.length()
+		count += int(is_poppy == poppies and distance < COUNTED)
+	return count / (PI * COUNTED * COUNTED)
+
+
+func _count_beside(field: PlantField3D) -> Array[int]:
+	var counts: Array[int] = [0, 0]
+	for id in field.get_plant_ids():
+		if field.get_plant_transform(id).origin.length() > RADIUS + 0.5:
+			counts[int(field.get_plant_species(id) == field.species[1].species)] += 1
+	return counts

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <godot_cpp/classes/ref_counted.hpp>
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/variant/array.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+
+namespace recorder {
+
+/// The record, for test scripts.
+class DrawingRecord : public godot::RefCounted {
+	GDCLASS(DrawingRecord, godot::RefCounted)
+
+protected:
+	static void _bind_methods();
+
+public:
+	/// All instances of multimeshes that exist: `visible`, `begin`, `end`, `box`, `shown` (-1: all), `buffer`.
+	static godot::Array get_instances();
+	/// All textures that exist, by the id of their RID: an Array of the bytes of each layer.
+	static godot::Dictionary get_textures();
+};
+
+} // namespace recorder

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <godot_cpp/variant/aabb.hpp>
+
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <vector>
+
+namespace recorder {
+
+struct Multimesh {
+	int64_t shown = -1; ///< Instances; -1: all.
+	godot::AABB box; ///< Field axes, m.
+	std::vector<float> buffer;
+};
+
+struct Instance {
+	uint64_t multimesh = 0; ///< A RID, as all keys below.
+	bool is_visible = true;
+	double begin = 0.0; ///< m, of the visibility range.
+	double end = 0.0; ///< m; 0: without end.
+};
+
+/// What the add-on told the renderer, as of its last call. Holds nothing of the engine.
+struct Record {
+	std::mutex mutex;
+	std::map<uint64_t, Multimesh> multimeshes;
+	std::map<uint64_t, Instance> instances;
+	std::map<uint64_t, std::vector<std::vector<uint8_t>>> textures; ///< Bytes of each layer.
+};
+
+Record &record();
+
+} // namespace recorder

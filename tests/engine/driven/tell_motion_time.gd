@@ -1,0 +1,36 @@
+## Run by a test with --fixed-fps: a field in a wind. What its plants do at each step is printed as
+## `step NUMBER HASH DIFFERENCE`: the motion time in steps, a hash of all motion states, and how far
+## the wind's clock is from the motion time (s). With `air` among the arguments air blows, else waves
+## of newtons.
+extends SceneTree
+
+const FIRST := 200
+const LAST := 320
+
+var _field := PlantField3D.from_species([TulipFunction.new()])
+var _ids := PackedInt64Array()
+var _told := -1
+
+
+func _initialize() -> void:
+	_field.size = Vector2(5, 5)
+	_field.density = 12.0
+	_field.far_distance = 0.0
+	_field.wind = PlantWind.new()
+	if "air" in OS.get_cmdline_user_args():
+		_field.wind.kind = PlantWind.KIND_AIR
+		_field.wind.speed = 6.0
+	root.add_child(_field)
+	_field.filled.connect(func() -> void: _ids = _field.get_plant_ids())
+
+
+func _process(_delta: float) -> bool:
+	if _ids.is_empty():
+		return false
+	var time := _field.get_motion_time()
+	var step := roundi(time / PlantSimulation.step_length)
+	if step >= FIRST and step != _told:
+		_told = step
+		var states := _field.get_motion_state(_ids)
+		print("step %d %d %f" % [step, hash(states), absf(_field.wind.get_time() - time)])
+	return step >= LAST

@@ -1,0 +1,150 @@
+## Fields of the same species: the meshes that they share, and seeds of their places.
+extends "res://tests/engine/settling_harness.gd"
+
+## Two variants in the first level, one in the second.
+const MESHES := 3
+
+var _fields: Array[PlantField3D] = []
+
+
+func after_each() -> void:
+	for field in _fields:
+		field.free()
+	_fields.clear()
+
+
+func test_fields_of_one_species_and_seed_share_their_meshes() -> void:
+	var species := TulipFunction.new()
+	await _count_added(_make(species))  # Shared shaders and the like exist from now on.
+	var same := await _count_added(_make(species))
+	var other := _make(species)
+	other.seed = 5
+	var another := await _count_added(other)
+	check_equal(another - same, MESHES, "meshes that a field of another seed adds")
+
+
+func test_fields_that_begin_in_one_frame_share_their_meshes() -> void:
+	var species := TulipFunction.new()
+	await _count_added(_make(species))
+	var own := await _count_added(_make(species))  # Materials; the meshes exist.
+	var three: Array[PlantField3D] = []
+	for i in 3:
+		three.append(_make(species))
+		three.back().seed = 5
+	var before := _resources()
+	for field in three:
+		_add(field)
+	await _all_built()
+	check_equal(_resources() - before, 3 * own + MESHES, "resources that three fields add")
+
+
+func test_a_changed_species_changes_all_of_its_fields_and_frees_the_old_meshes() -> void:
+	var species := TulipFunction.new()
+	_add(_make(species))
+	_add(_make(species))
+	await _all_built()
+	await frames(20)
+	var before := _resources()
+	species.shape_deviation = 0.4
+	await frames(2)
+	await _all_built()
+	await frames(60)
+	check_equal(_resources(), before, "resources after both have other meshes")
+
+
+func test_meshes_are_freed_with_the_last_field() -> void:
+	var species := TulipFunction.new()
+	_add(_make(species))
+	await _all_built()
+	_drop_all()
+	await frames(5)
+	var before := _resources()
+	for i in 3:
+		_add(_make(species))
+	await _all_built()
+	_drop_all()
+	await frames(5)
+	check_equal(_resources(), before, "resources without a field")
+
+
+func test_a_seed_of_the_place_gives_each_place_a_layout_of_its_own() -> void:
+	for x: float in [0.0, 20.0, 20.0, 0.0]:
+		var field := _make(GrassFunction.new())
+		field.seed = -1
+		field.position.x = x
+		_add(field)
+	_fields[3].seed = 0
+	await _all_built()
+	var layouts: Array[PackedVector3Array] = []
+	for field in _fields:
+		layouts.append(_roots(field))
+	check(layouts[0] != layouts[1], "two places differ")
+	check_equal(layouts[1], layouts[2], "one place, one layout")
+	check(layouts[0] != layouts[3], "it is not seed 0")
+
+
+func test_a_moved_field_keeps_its_layout_until_it_is_built_again() -> void:
+	var field := _make(GrassFunction.new())
+	field.seed = -1
+	_add(field)
+	await _all_built()
+	var before := _roots(field)
+	field.position = Vector3(7, 0, 3)
+	await frames(20)
+	check_equal(_roots(field), before, "the layout after a move")
+	field.fill()
+	await _all_built()
+	check(_roots(field) != before, "built again it is that of the new place")
+	var moved := _roots(field)
+	field.clumping = 0.5
+	await _all_built()
+	field.clumping = 0.0
+	await _all_built()
+	check_equal(_roots(field), moved, "the same place, the same layout")
+
+
+func _make(species: PlantFunction) -> PlantField3D:
+	var field := PlantField3D.from_species([species])
+	field.species[0].variants = 2
+	field.density = 5.0
+	field.size = Vector2(5, 5)
+	field.levels = [PlantFieldLevel.of(6, 9.0), PlantFieldLevel.of(2)]
+	return field
+
+
+func _add(field: PlantField3D) -> void:
+	_fields.append(field)
+	root.add_child(field)
+
+
+func _drop_all() -> void:
+	for field in _fields:
+		field.free()
+	_fields.clear()
+
+
+## How many resources there are more once it is built.
+func _count_added(field: PlantField3D) -> int:
+	var before := _resources()
+	_add(field)
+	await _all_built()
+	return _resources() - before
+
+
+func _all_built() -> void:
+	await process_frame
+	while _fields.any(func(field: PlantField3D) -> bool: return field.is_filling()):
+		await process_frame
+	await frames(10)
+
+
+func _resources() -> int:
+	return int(Performance.get_monitor(Performance.OBJECT_RESOURCE_COUNT))
+
+
+func _roots(field: PlantField3D) -> PackedVector3Array:
+	var roots := PackedVector3Array()
+	for id in field.get_plant_ids():
+		roots.append(field.get_plant_transform(id).origin)
+	roots.sort()
+	return roots

@@ -1,0 +1,60 @@
+## The time that tips belong to: PlantField3D.get_motion_time().
+extends "res://tests/engine/field_harness.gd"
+
+
+func before_each() -> void:
+	field = PlantField3D.from_species([TulipFunction.new()])
+	field.size = Vector2(5, 5)
+	field.density = 3.0
+	field.wind = PlantWind.new()
+
+
+func test_it_is_the_clock_of_the_wind_from_the_first_step_on() -> void:
+	await start()
+	for i in 10:
+		await frames(1)
+		check_near(field.get_motion_time(), field.wind.get_time(), 1e-6, "motion time")
+	check(field.get_motion_time() > 0.1, "it advances")
+
+
+func test_a_field_that_comes_late_belongs_to_the_clock_at_once() -> void:
+	field.wind.advance(20.0)
+	await start()
+	await frames(5)
+	check(field.get_motion_time() > 20.0, "motion time is %f" % field.get_motion_time())
+	check_near(field.get_motion_time(), field.wind.get_time(), 1e-6, "motion time")
+	field.wind.advance(5.0)
+	await frames(2)
+	check_near(field.get_motion_time(), field.wind.get_time(), 1e-6, "after a correction")
+
+
+func test_equal_motion_time_is_equal_motion_to_the_bit_at_every_frame_rate() -> void:
+	for kind: String in ["waves", "air"]:
+		var expected := _steps_at(60, kind)
+		check(expected.size() > 100, "%d steps at 60" % expected.size())
+		for rate: int in [37, 144]:
+			var steps := _steps_at(rate, kind)
+			var compared := 0
+			for number: String in steps:
+				if expected.has(number):
+					compared += 1
+					check_equal(steps[number], expected[number], "step %s, %s" % [number, kind])
+			check(compared > 50, "%d steps at %d frames, %s" % [compared, rate, kind])
+
+
+## What tests/engine/driven/tell_motion_time.gd prints in a process of its own: a hash by step.
+func _steps_at(rate: int, kind: String) -> Dictionary:
+	var script := "res://tests/engine/driven/tell_motion_time.gd"
+	var words := [
+		"--headless", "--path", ProjectSettings.globalize_path("res://"), "--script", script
+	]
+	words += ["--fixed-fps", str(rate), "--", kind]
+	var output := []
+	OS.execute(engine_path(), words, output, true)
+	var steps := {}
+	for line in (output[0] as String).split("\n"):
+		var told := line.split(" ")
+		if told.size() == 4 and told[0] == "step":
+			steps[told[1]] = told[2]
+			check(told[3].to_float() < 1e-6, "the wind's clock is %s s off at %d" % [told[3], rate])
+	return steps
