@@ -14,6 +14,10 @@ namespace undergrowth {
 static constexpr double READYING_USEC = 1000.0, FREEING_USEC = 500.0; // A frame.
 
 void Meadow::fill(bool places, bool looks) {
+	if (!node->is_inside_tree()) {
+		node->call("fill"); // There are no axes and no cameras: the field is built when it enters the tree.
+		return;
+	}
 	const FrameCost::Share share(filling);
 	const bool placed_before = is_filling();
 	if (places && !looks && renew()) {
