@@ -88,6 +88,27 @@ func test_tiles_wait_for_a_build_where_the_last_one_failed() -> void:
 	check(field.get_plant_count() > 0, "plants exist again")
 
 
+func test_tiles_suit_the_motion_where_a_build_with_other_prototypes_failed() -> void:
+	for prototypes: int in [16, 0]:
+		field.free()
+		field = _make_field()
+		field.prototypes = 16 - prototypes
+		await start()
+		await _streamed()
+		field.levels = [PlantFieldLevel.of(4, 9.0), PlantFieldLevel.of(4, 3.0)]
+		field.prototypes = prototypes
+		await frames(3)
+		check_error("levels[1] ends at 3.0 m")
+		_camera.position.x = 45.0
+		await frames(60)
+		check(all_tips().size() > 0, "plants exist")
+		field.levels = [PlantFieldLevel.of(4, 0.0)]
+		await rested()
+		_camera.position.x = 0.0
+		await _streamed()
+		check(all_tips().size() > 0, "plants exist again")
+
+
 func test_what_is_left_behind_is_in_nobodys_way() -> void:
 	await start()
 	await _streamed()

@@ -74,7 +74,11 @@ void Meadow::keep_standing_patches() {
 
 FieldTiles::Scene Meadow::tile_scene() {
 	const auto change = [this](StandEdit &&edit, ArrivingBlocks *blocks) { return apply(std::move(edit), blocks); };
-	return { node, properties, store, style, motion, ground, own_changes.known(), settings(), view, change,
+	FieldSettings built = settings();
+	if (motion.is_ready()) { // The last build may have failed: tiles are for the simulation that exists.
+		built.prototypes = motion.follows_prototypes() ? std::max(built.prototypes, 1) : 0;
+	}
+	return { node, properties, store, style, motion, ground, own_changes.known(), built, view, change,
 		listener.fault };
 }
 
