@@ -6,7 +6,8 @@
 
 namespace undergrowth {
 
-/// All cameras that look into the world of a node in the tree: that of the screen, and those of other viewports.
+/// The positions of all cameras of the world of a node in the tree: that of the screen, and those of other viewports.
+/// Cameras whose position is not finite are left out.
 std::vector<godot::Vector3> find_eyes(const godot::Node3D *node);
 
 } // namespace undergrowth
