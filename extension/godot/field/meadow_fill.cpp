@@ -78,8 +78,7 @@ FieldTiles::Scene Meadow::tile_scene() {
 	if (motion.is_ready()) { // The last build may have failed: tiles are for the simulation that exists.
 		built.prototypes = motion.follows_prototypes() ? std::max(built.prototypes, 1) : 0;
 	}
-	return { node, properties, store, style, motion, ground, own_changes.known(), built, view, change,
-		listener.fault };
+	return { node, properties, store, style, motion, ground, own_changes.known(), built, view, change, listener.fault };
 }
 
 // What is on its way while the field is placed in boxes would be placed twice.
@@ -253,7 +252,8 @@ bool Meadow::adopt(FieldFill &finished) {
 	skeletons.release_all(motion);
 	tiles.forget_style();
 	retired.push_back(std::exchange(style, std::move(result.style))); // What is drawn wears it.
-	std::vector<int> other_rests; // Species whose rest directions, or the texels that hold them, differ from the build's.
+	std::vector<int>
+			other_rests; // Species whose rest directions, or the texels that hold them, differ from the build's.
 	for (size_t i = 0; i < style.looks.size(); i++) {
 		const float lean = style.looks[i].motion.lean;
 		const Law law = style.looks[i].motion.law;
