@@ -40,6 +40,75 @@ func test_what_is_near_stands_as_if_all_did() -> void:
 	whole.free()
 
 
+func test_changes_are_applied_outside_the_tree_while_the_field_is_built() -> void:
+	await start()
+	await _streamed()
+	var cut := field.remove_in_sphere(Vector3.ZERO, 3.0)
+	var changes := field.get_changes()
+	field.apply_changes(PackedByteArray())
+	field.fill()
+	await frames(1)
+	root.remove_child(field)
+	check(field.apply_changes(changes), "applied")
+	await frames(3)
+	root.add_child(field)
+	await rested()
+	await _streamed()
+	check(cut > 50, "%d plants are removed" % cut)
+	check_equal(field.find_plants_in_sphere(Vector3.ZERO, 3.0).size(), 0, "plants there")
+
+
+func test_tiles_wait_for_a_build_where_the_last_one_failed() -> void:
+	var map := PlantMap.new()
+	field.map = map
+	var title := field.species[0].get_layer_name()
+	map.fill_polygon(
+		PackedVector3Array(
+			[Vector3(-80, 0, -9), Vector3(80, 0, -9), Vector3(80, 0, 9), Vector3(-80, 0, 9)]
+		),
+		title
+	)
+	await start()
+	await _streamed()
+	var count := field.get_plant_count()
+	check(count > 0, "plants exist")
+	field.levels = [PlantFieldLevel.of(4, 9.0), PlantFieldLevel.of(4, 3.0)]
+	var others: Array[PlantFieldSpecies] = []
+	for i in 7:
+		others.append(PlantFieldSpecies.of(GrassFunction.new()))
+		others[i].layer = title
+	field.species = others
+	await frames(3)
+	check_error("levels[1] ends at 3.0 m")
+	_camera.position.x = 45.0
+	await frames(60)
+	field.levels = [PlantFieldLevel.of(4, 0.0)]
+	await rested()
+	await _streamed()
+	check(field.get_plant_count() > 0, "plants exist again")
+
+
+func test_tiles_suit_the_motion_where_a_build_with_other_prototypes_failed() -> void:
+	for prototypes: int in [16, 0]:
+		field.free()
+		field = _make_field()
+		field.prototypes = 16 - prototypes
+		await start()
+		await _streamed()
+		field.levels = [PlantFieldLevel.of(4, 9.0), PlantFieldLevel.of(4, 3.0)]
+		field.prototypes = prototypes
+		await frames(3)
+		check_error("levels[1] ends at 3.0 m")
+		_camera.position.x = 45.0
+		await frames(60)
+		check(all_tips().size() > 0, "plants exist")
+		field.levels = [PlantFieldLevel.of(4, 0.0)]
+		await rested()
+		_camera.position.x = 0.0
+		await _streamed()
+		check(all_tips().size() > 0, "plants exist again")
+
+
 func test_what_is_left_behind_is_in_nobodys_way() -> void:
 	await start()
 	await _streamed()

@@ -18,14 +18,10 @@ func test_the_first_mesh_of_a_ready_species_may_be_a_threads() -> void:
 	var group := WorkerThreadPool.add_group_task(_generate, _species.size())
 	# The main thread waits, and does nothing else: no frame passes. It gives up in the end.
 	var deadline := Time.get_ticks_msec() + PATIENCE
-	while (
-		not WorkerThreadPool.is_group_task_completed(group) and Time.get_ticks_msec() < deadline
-	):
+	while not WorkerThreadPool.is_group_task_completed(group) and Time.get_ticks_msec() < deadline:
 		OS.delay_msec(1)
 	check(WorkerThreadPool.is_group_task_completed(group), "all meshes are generated")
-	await until(
-		func() -> bool: return WorkerThreadPool.is_group_task_completed(group), "tasks end"
-	)
+	await until(func() -> bool: return WorkerThreadPool.is_group_task_completed(group), "tasks end")
 	WorkerThreadPool.wait_for_group_task_completion(group)
 	await frames(2)
 	for i in _species.size():

@@ -96,8 +96,8 @@ bool is_valid(const PlacedPlant &plant) {
 	const bool finite = std::isfinite(plant.root.x) && std::isfinite(plant.root.y) && std::isfinite(plant.root.z) &&
 			std::isfinite(plant.scale) && std::isfinite(plant.turn) && std::isfinite(plant.height) &&
 			std::isfinite(plant.lean) && std::isfinite(plant.side);
-	return finite && plant.scale >= MIN_SCALE && plant.scale <= MAX_SCALE && plant.species >= 0 && plant.species <= 255 && plant.variant >= 0 &&
-			plant.variant <= 255;
+	return finite && plant.scale >= MIN_SCALE && plant.scale <= MAX_SCALE && plant.species >= 0 &&
+			plant.species <= 255 && plant.variant >= 0 && plant.variant <= 255;
 }
 
 void FieldPlants::reserve(std::size_t count) {

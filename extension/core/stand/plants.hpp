@@ -11,16 +11,16 @@ namespace undergrowth {
 /// One placed plant of a field.
 struct PlacedPlant {
 	glm::vec3 root = { 0.0f, 0.0f, 0.0f }; ///< m, field axes.
-	float scale = 1.0f; ///< Of the whole plant, > 0.
+	float scale = 1.0f; ///< Of the whole plant, 1e-6 to 1e6.
 	float turn = 0.0f; ///< rad, around +y; any, stored from 0 to 2π.
-	float height = 1.0f; ///< Times the species' height, beside `scale`; 0 to FieldPlants::MOST_HEIGHT.
+	float height = 1.0f; ///< Times the species' height, beside `scale`; above 0, to FieldPlants::MOST_HEIGHT.
 	float lean = 0.0f; ///< rad, from upright; 0 to π/2.
 	float side = 0.0f; ///< rad, side of the lean: around +y from the plant's own +x; any, stored from 0 to 2π.
 	int species = 0; ///< 0 to 255.
 	int variant = 0; ///< 0 to 255, in the species' pool of meshes.
 };
 
-/// True if all numbers are finite, the scale > 0, and species and variant in range.
+/// True if all numbers are finite, and scale, species and variant are in range.
 bool is_valid(const PlacedPlant &plant);
 
 /// Placed plants in struct-of-arrays: 26 bytes a plant. Columns have equal lengths.

@@ -8,7 +8,8 @@
 
 namespace undergrowth {
 
-/// All cameras that look into the world of a node in the tree: that of the screen, and those of other viewports.
+/// The positions of all cameras of the world of a node in the tree: that of the screen, and those of other viewports.
+/// Cameras whose position is not finite are left out.
 std::vector<godot::Vector3> find_eyes(const godot::Node3D *node);
 
 /// The same as they are drawn: after all nodes had the frame. All fields share one look-up per frame.

@@ -4,6 +4,7 @@
 #include "field/eyes.hpp"
 #include "field/field_patch.hpp"
 #include "field/field_recipe.hpp"
+#include "field/listed_looks.hpp"
 #include "stand/tile_choice.hpp"
 
 #include <algorithm>
@@ -128,6 +129,9 @@ bool FieldTiles::describe(const Scene &scene, const PlacementRequest &base, Tile
 	recipe.request = base;
 	recipe.request.within = box;
 	if (scene.properties.map.is_valid()) { // What is painted may be another by now.
+		if (!is_listed_so(scene.style, scene.properties)) {
+			return false; // A build with the present species failed, and the request would number those.
+		}
 		recipe.request = PlacementRequest();
 		const String fault = read_request(scene.field, scene.properties, &box, recipe.request);
 		if (!fault.is_empty()) {

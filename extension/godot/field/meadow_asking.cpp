@@ -29,6 +29,7 @@ bool Meadow::renew() {
 	PlacementRequest request;
 	FieldGround read;
 	const bool is_possible = motion.is_ready() && (!is_at_work() || joins) && streams() == is_of_tiles &&
+			(properties.prototypes > 0) == motion.follows_prototypes() &&
 			float(properties.tile_size) == store.tile_size() && is_listed_so(style, properties) && update_levels() &&
 			read_request(node, properties, nullptr, request).is_empty() &&
 			read_ground(node, properties, read).is_empty();

@@ -15,6 +15,10 @@ namespace undergrowth {
 static constexpr double READYING_USEC = 1000.0, FREEING_USEC = 500.0; // A frame.
 
 void Meadow::fill(bool places, bool looks) {
+	if (!node->is_inside_tree()) {
+		node->call("fill"); // There are no axes and no cameras: the field is built when it enters the tree.
+		return;
+	}
 	const FrameCost::Share share(filling);
 	const bool placed_before = is_filling();
 	if (places && !looks && renew()) {
@@ -73,8 +77,11 @@ void Meadow::keep_standing_patches() {
 
 FieldTiles::Scene Meadow::tile_scene() {
 	const auto change = [this](StandEdit &&edit, ArrivingBlocks *blocks) { return apply(std::move(edit), blocks); };
-	return { node, properties, store, style, motion, ground, own_changes.known(), settings(), view, change,
-		listener.fault };
+	FieldSettings built = settings();
+	if (motion.is_ready()) { // The last build may have failed: tiles are for the simulation that exists.
+		built.prototypes = motion.follows_prototypes() ? std::max(built.prototypes, 1) : 0;
+	}
+	return { node, properties, store, style, motion, ground, own_changes.known(), built, view, change, listener.fault };
 }
 
 // What is on its way while the field is placed in boxes would be placed twice.
@@ -249,7 +256,8 @@ bool Meadow::adopt(FieldFill &finished) {
 	skeletons.release_all(motion);
 	tiles.forget_style();
 	retired.push_back(std::exchange(style, std::move(result.style))); // What is drawn wears it.
-	std::vector<int> other_rests; // Species whose rest directions, or the texels that hold them, differ from the build's.
+	std::vector<int>
+			other_rests; // Species whose rest directions, or the texels that hold them, differ from the build's.
 	for (size_t i = 0; i < style.looks.size(); i++) {
 		const float lean = style.looks[i].motion.lean;
 		const Law law = style.looks[i].motion.law;

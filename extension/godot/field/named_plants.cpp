@@ -166,7 +166,8 @@ PackedInt64Array NamedPlants::add(const Variant &transforms, const Ref<PlantFunc
 	if (placed.size() < places.size()) {
 		report_error(node,
 				String::num_int64(int64_t(places.size() - placed.size())) +
-						" transforms of add_plants() are not finite, or of a scale below 1e-6 or above 1e6; the others are added.");
+						" transforms of add_plants() are not finite, or of a scale below 1e-6 or above 1e6; the others "
+						"are added.");
 	}
 	return packed(meadow.add(std::move(placed)));
 }

@@ -23,7 +23,8 @@ String SpeciesGrowth::sample(PlantFunction &species, double height, int segments
 	if (!problem.is_empty()) {
 		return problem;
 	}
-	parts_material(); // Has its shader from here on where this is the main thread: a field's meshes are built on others.
+	parts_material(); // Has its shader from here on where this is the main thread: a field's meshes are built on
+					  // others.
 	result.height = height == 0.0 ? result.grown->form.height : float(height);
 	return height == 0.0 ? String() : find_height_problem(height);
 }

@@ -43,8 +43,8 @@ void mutate(Bytes &bytes, Chance &chance) {
 	const std::size_t first = ByteFrame::HEADER;
 	const std::size_t size = bytes.size() - ByteFrame::CHECKSUM;
 	const auto at = static_cast<std::ptrdiff_t>(first + chance.below(size - first));
-	const auto length = static_cast<std::ptrdiff_t>(
-			std::min<uint64_t>(1 + chance.below(12), size - static_cast<std::size_t>(at)));
+	const auto length =
+			static_cast<std::ptrdiff_t>(std::min<uint64_t>(1 + chance.below(12), size - static_cast<std::size_t>(at)));
 	const auto begin = bytes.begin() + at;
 	switch (chance.below(6)) {
 		case 0:

@@ -17,6 +17,18 @@ const MOST: Dictionary[String, float] = {
 const WIDEST_FIELD := 14.0
 ## Of values with a hint, these are without regard to it.
 const ODD_SHARE := 0.12
+const MAX_LIST := 8
+## Saved bytes begin with four letters, a version and their length, and end with a checksum.
+const HEADER_BYTES := 10
+const LENGTH_AT := 6
+const CHECKSUM_BYTES := 4
+const ODD_WORDS: Array[int] = [0, 1, 0x7F, 0x80, 0xFFFF, 0x7FFFFFFF, 0xFFFFFFFF, 0x7F800000]
+
+const FIELD_LETTERS := "UGSC"
+const MAP_LETTERS := "UGDM"
+
+## Bytes that fields and maps gave.
+var saved_bytes: Array[PackedByteArray] = [PackedByteArray()]
 
 var rng := RandomNumberGenerator.new()
 
@@ -54,6 +66,23 @@ func value(info: Dictionary) -> Variant:
 			made = transform()
 		TYPE_STRING_NAME:
 			made = pick([&"walkers", &"", &"nobody"])
+		TYPE_STRING:
+			made = pick(["", "Grass", "Poppy", "x".repeat(300), "Mädesüß"])
+		TYPE_RECT2:
+			var corner := place()
+			made = Rect2(corner.x, corner.z, rng.randf() * 6.0, rng.randf() * 6.0)
+		TYPE_VECTOR2I:
+			made = Vector2i(rng.randi_range(0, 4), rng.randi_range(0, 4))
+		TYPE_PACKED_BYTE_ARRAY:
+			made = damaged_save(MAP_LETTERS if info["name"] == "data" else FIELD_LETTERS)
+		TYPE_PACKED_FLOAT32_ARRAY:
+			made = _numbers(info)
+		TYPE_PACKED_VECTOR3_ARRAY:
+			made = PackedVector3Array(_points())
+		TYPE_PACKED_VECTOR2_ARRAY:
+			made = PackedVector2Array(
+				_points().map(func(at: Vector3) -> Vector2: return Vector2(at.x, at.z))
+			)
 	return made
 
 
@@ -88,6 +117,69 @@ func odd_transform() -> Transform3D:
 		)
 	odd.origin = point()
 	return odd
+
+
+## Saved bytes that begin with [param letters], mutated; now and then others.
+func damaged_save(letters: String) -> PackedByteArray:
+	var begin := letters.to_ascii_buffer()
+	var fitting := saved_bytes.filter(
+		func(bytes: PackedByteArray) -> bool: return bytes.slice(0, begin.size()) == begin
+	)
+	return mutated(pick(saved_bytes if fitting.is_empty() or chance(0.05) else fitting))
+
+
+## [param bytes] that a save may be damaged to, mostly with a true length and checksum.
+func mutated(bytes: PackedByteArray) -> PackedByteArray:
+	var made := bytes.duplicate()
+	if chance(0.2) or made.size() <= HEADER_BYTES + CHECKSUM_BYTES:
+		return made
+	for i in rng.randi_range(1, 4):
+		_mutate_once(made)
+	if chance(0.9):
+		_seal(made)
+	return made
+
+
+func _mutate_once(bytes: PackedByteArray) -> void:
+	var end := bytes.size() - CHECKSUM_BYTES
+	if end <= HEADER_BYTES:
+		return
+	var at := rng.randi_range(HEADER_BYTES, end - 1)
+	match rng.randi_range(0, 4):
+		0:
+			bytes[at] = rng.randi_range(0, 255)
+		1:
+			bytes[at] ^= 1 << rng.randi_range(0, 7)
+		2:
+			bytes.remove_at(at)
+		3:
+			bytes.insert(at, bytes[rng.randi_range(HEADER_BYTES, end - 1)])
+		_:
+			if at + 4 <= end:
+				bytes.encode_u32(at, pick(ODD_WORDS))
+
+
+## Makes length and checksum true: FNV-1a of all bytes before it.
+func _seal(bytes: PackedByteArray) -> void:
+	bytes.encode_u32(LENGTH_AT, bytes.size())
+	var checksum := 0x811C9DC5
+	for i in bytes.size() - CHECKSUM_BYTES:
+		checksum = ((checksum ^ bytes[i]) * 0x01000193) & 0xFFFFFFFF
+	bytes.encode_u32(bytes.size() - CHECKSUM_BYTES, checksum)
+
+
+func _numbers(info: Dictionary) -> PackedFloat32Array:
+	var made := PackedFloat32Array()
+	for i in rng.randi_range(0, MAX_LIST):
+		made.append(_number(info))
+	return made
+
+
+func _points() -> Array[Vector3]:
+	var made: Array[Vector3] = []
+	for i in rng.randi_range(0, MAX_LIST):
+		made.append(point())
+	return made
 
 
 func _number(info: Dictionary) -> float:

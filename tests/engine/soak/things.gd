@@ -19,13 +19,23 @@ const SHAPES: Array[StringName] = [
 	&"ConvexPolygonShape3D",
 ]
 const ScriptSpecies := preload("res://tests/engine/soak/script_species.gd")
+const GrowingSpecies := preload("res://tests/engine/soak/growing_species.gd")
+const READY_SPECIES := "res://addons/undergrowth/species/"
+## So many of the ready species play in a round: sanitizers make them slow to grow.
+const READY_COUNT := 3
+const MAX_SAVED_BYTES := 8
+const THREAD_TASKS := 4
 const MOST_IDS := 60
 
 var winds: Array[PlantWind] = [PlantWind.new(), PlantWind.new()]
+var maps: Array[PlantMap] = [PlantMap.new(), PlantMap.new()]
 
 var _fields: Array[PlantField3D]
 var _others: Array[Node3D]
-var _functions: Array[PlantFunction] = [ScriptSpecies.new()]
+var _functions: Array[PlantFunction] = [ScriptSpecies.new(), GrowingSpecies.new()]
+## Arrangements of species and the parts that they place.
+var _parts: Array[Resource] = []
+var _stems: Array[PlantStem] = [PlantStem.new(), PlantStem.new()]
 var _entries: Array[PlantFieldSpecies] = []
 var _levels: Array[PlantFieldLevel] = []
 var _materials: Array[Material] = [StandardMaterial3D.new(), ShaderMaterial.new()]
@@ -39,6 +49,9 @@ func _init(seed: int, fields: Array[PlantField3D], others: Array[Node3D]) -> voi
 	_others = others
 	for title in FUNCTIONS:
 		_functions.append(ClassDB.instantiate(title))
+	_add_ready_species()
+	_add_stems()
+	winds[1].kind = PlantWind.KIND_AIR
 	for function in _functions:
 		_entries.append(PlantFieldSpecies.of(function, rng.randf()))
 	for i in 4:
@@ -56,6 +69,8 @@ func new_field() -> PlantField3D:
 	field.density = rng.randf_range(1.0, 40.0)
 	field.bodies_group = &"walkers"
 	field.wind = pick(winds)
+	field.prototypes = pick([0, 0, 16])
+	field.map = pick(maps) if chance(0.3) else null
 	return field
 
 
@@ -69,7 +84,7 @@ func new_plant() -> Plant3D:
 
 ## A path, a body, a mesh for the ground, a camera, or a node that others hang from.
 func new_other() -> Node3D:
-	match rng.randi_range(0, 6):
+	match rng.randi_range(0, 8):
 		0:
 			var path := Path3D.new()
 			edit_path(path)
@@ -86,6 +101,8 @@ func new_other() -> Node3D:
 			return camera
 		3:
 			return Node3D.new()
+		4, 5:
+			return _new_wind_source()
 	return _new_body()
 
 
@@ -98,7 +115,98 @@ func edit_path(path: Path3D) -> void:
 
 
 func any_resource() -> Resource:
-	return pick(pick([_functions, _functions, _entries, _levels, _materials]))
+	return pick(pick([_functions, _functions, _entries, _levels, _materials, _stems, _parts, maps]))
+
+
+## Calls a method of a map, or keeps its bytes, for others to be made of.
+func play_with_map() -> void:
+	var map: PlantMap = pick(maps)
+	if chance(0.2):
+		keep_bytes(map.data)
+	elif map.data.is_empty() and chance(0.3):
+		maps[maps.find(map)] = PlantMap.new()  # Its bytes may have been no map.
+	elif chance(0.1):
+		maps[rng.randi_range(0, maps.size() - 1)] = map.snapshot()
+	elif chance(0.05):
+		map.data = value({"name": "data", "type": TYPE_PACKED_BYTE_ARRAY})
+	else:
+		var methods := ClassDB.class_get_method_list(&"PlantMap", true)
+		ask(map, pick(methods.filter(_is_no_setter)))
+
+
+## [param bytes] were saved: they may be damaged and read from now on.
+func keep_bytes(bytes: PackedByteArray) -> void:
+	saved_bytes.append(bytes)
+	if saved_bytes.size() > MAX_SAVED_BYTES:
+		saved_bytes.remove_at(0)
+
+
+## Generates meshes and plants, and samples winds, on threads, which the main thread waits for. The
+## headless renderer is for one thread at a time.
+func work_on_threads() -> void:
+	var chosen: Array = []
+	for i in 1 if DisplayServer.get_name() == "headless" else THREAD_TASKS:
+		chosen.append([pick(_functions), pick(winds), rng.randi_range(0, 12), rng.randi()])
+	var group := WorkerThreadPool.add_group_task(
+		func(index: int) -> void:
+			_work(chosen[index][0], chosen[index][1], chosen[index][2], index),
+		chosen.size()
+	)
+	WorkerThreadPool.wait_for_group_task_completion(group)
+
+
+func _work(function: PlantFunction, wind: PlantWind, segments: int, seed: int) -> void:
+	function.generate_mesh(0.0, segments, seed)
+	function.find_problem(1.0, segments, seed)
+	wind.sample_velocity(seed, Vector3.UP)
+	var plant := Plant3D.new()
+	plant.species = function
+	plant.get_mesh()
+	plant.free()
+
+
+func _is_no_setter(method: Dictionary) -> bool:
+	var title: String = method["name"]
+	return (
+		not title.begins_with("_") and (not title.begins_with("set_") or title.ends_with("image"))
+	)
+
+
+func _add_ready_species() -> void:
+	var files := ResourceLoader.list_directory(READY_SPECIES)
+	for i in READY_COUNT:
+		var ready: PlantFunction = load(READY_SPECIES + files[rng.randi_range(0, files.size() - 1)])
+		var own: PlantFunction = ready.duplicate_deep(Resource.DEEP_DUPLICATE_INTERNAL)
+		_functions.append(own)
+		_add_parts(own.arrangements)
+		if own.stem != null:
+			_stems.append(own.stem)
+
+
+func _add_parts(arrangements: Array) -> void:
+	for arrangement: PlantArrangement in arrangements:
+		if arrangement != null and not _parts.has(arrangement):
+			_parts.append(arrangement)
+			if arrangement.part != null:
+				_parts.append(arrangement.part)
+			_add_parts(arrangement.carries)
+
+
+## Stems of all kinds of stiffness, and species that bend by them.
+func _add_stems() -> void:
+	_stems[1].modes = 2
+	for stem in _stems.slice(0, 2):
+		var reed := CurvePlantFunction.new()
+		reed.law = PlantFunction.LAW_STEM
+		reed.stem = stem
+		_functions.append(reed)
+
+
+func _new_wind_source() -> Node3D:
+	var source := PlantWindSource3D.new()
+	source.kind = rng.randi_range(0, 2) as PlantWindSource3D.Kind
+	source.position = place()
+	return source
 
 
 ## Sets one property of [param object], which [param info] describes, by chance.
@@ -113,6 +221,14 @@ func change(object: Object, info: Dictionary) -> void:
 			object.set(title, _level_list())
 		"wind":
 			object.set(title, null if chance(0.1) else pick(winds))
+		"stem":
+			object.set(title, null if chance(0.2) else pick(_stems))
+		"map":
+			object.set(title, null if chance(0.3) else pick(maps))
+		"part":
+			object.set(
+				title, pick(_parts.filter(func(one: Resource) -> bool: return one is PlantPart))
+			)
 		"material", "material_override", "material_overlay":
 			object.set(title, null if chance(0.4) else pick(_materials))
 		"outline", "ground_mesh":
@@ -132,6 +248,8 @@ func ask(object: Object, info: Dictionary) -> void:
 	for argument: Dictionary in info["args"]:
 		arguments.append(_argument(object, argument))
 	var answer: Variant = object.callv(info["name"], arguments)
+	if answer is PackedByteArray:
+		keep_bytes(answer)
 	if answer is PackedInt64Array and not answer.is_empty():
 		_known_ids = answer.slice(0, MOST_IDS)
 	if answer is Node and not answer.is_inside_tree() and answer != object:
@@ -155,8 +273,16 @@ func _argument(object: Object, info: Dictionary) -> Variant:
 			made = PackedFloat32Array([rng.randf(), -rng.randf(), NAN])
 		"species":
 			made = null if chance(0.05) else pick(_functions)
+			if int(info["type"]) == TYPE_STRING:
+				made = pick(_entries).get_layer_name() if chance(0.7) else value(info)
 		"wind":
 			made = pick(winds)
+		"from":
+			made = pick(maps)
+		"image":
+			made = Image.create_empty(rng.randi_range(1, 9), 5, false, Image.FORMAT_RGBA8)
+		"rng":
+			made = RandomNumberGenerator.new()
 		"skeleton":
 			var field := object as PlantField3D
 			made = pick(field.get_skeletons()) if field != null and chance(0.8) else null

@@ -13,10 +13,11 @@ var root: Node
 var things: Things
 var fields: Array[PlantField3D] = []
 var plants: Array[Plant3D] = []
-## Paths, bodies, meshes, cameras and groups that fields look at or stand below.
+## Paths, bodies, meshes, cameras, wind sources and groups that fields look at or stand below.
 var others: Array[Node3D] = []
 
 var _actions: Array[Callable] = []
+var _second_world: SubViewport
 
 
 func _init(new_root: Node, seed: int) -> void:
@@ -24,6 +25,7 @@ func _init(new_root: Node, seed: int) -> void:
 	rng.seed = seed
 	things = Things.new(seed, fields, others)
 	_add(Camera3D.new(), others)
+	_add_second_world()
 	_add_field()
 	var often: Array[Callable] = [
 		_change_field, _change_field, _ask_field, _ask_field, _change_resource
@@ -33,6 +35,8 @@ func _init(new_root: Node, seed: int) -> void:
 		_free_field, _free_plant, _move, _move, _reparent, _pause, _change_wind, _edit_path
 	]
 	_actions += often + often
+	_actions += [_change_other, _change_other, _ask_other, _save_field, _apply_saved]
+	_actions += [things.play_with_map, things.play_with_map, things.work_on_threads]
 
 
 func act() -> void:
@@ -52,6 +56,7 @@ func end() -> void:
 		if is_instance_id_valid(ids[index]):
 			instance_from_id(ids[index]).free()
 		ids.remove_at(index)
+	_second_world.free()
 
 
 func _forget_freed() -> void:
@@ -68,6 +73,19 @@ func _add(node: Node3D, list: Array) -> void:
 		parent.add_child(node)
 	else:
 		root.add_child(node)
+
+
+## A world of its own, with a camera, below which nodes may come.
+func _add_second_world() -> void:
+	_second_world = SubViewport.new()
+	_second_world.own_world_3d = true
+	_second_world.size = Vector2i(32, 32)
+	_second_world.render_target_update_mode = SubViewport.UPDATE_ALWAYS
+	root.add_child(_second_world)
+	var center := Node3D.new()
+	_second_world.add_child(center)
+	others.append(center)
+	center.add_child(Camera3D.new())
 
 
 func _add_field() -> void:
@@ -124,6 +142,38 @@ func _change(node: Node3D) -> void:
 			shown[0] if chance(0.8) else pick(shown), true
 		)
 		things.change(node, pick(properties))
+
+
+func _change_other() -> void:
+	var sources := others.filter(func(node: Node3D) -> bool: return node is PlantWindSource3D)
+	var source: Node3D = pick(sources if chance(0.8) else others)
+	if source is PlantWindSource3D:
+		things.change(source, pick(ClassDB.class_get_property_list(&"PlantWindSource3D", true)))
+	elif source is Camera3D and chance(0.1):
+		source.position = point()
+
+
+func _ask_other() -> void:
+	var source: Node3D = pick(others)
+	if source is PlantWindSource3D:
+		source.explode()
+
+
+func _save_field() -> void:
+	var field: PlantField3D = pick(fields)
+	if field != null:
+		things.keep_bytes(field.get_changes())
+
+
+func _apply_saved() -> void:
+	var field: PlantField3D = pick(fields)
+	if field == null:
+		return
+	var bytes: PackedByteArray = things.damaged_save(FIELD_LETTERS)
+	if chance(0.5):
+		field.apply_changes(bytes)
+	else:
+		field.kept_changes = bytes
 
 
 func _ask_field() -> void:
