@@ -3,6 +3,7 @@ extends "brush_test.gd"
 ## How densely the brush paints a species that the field grows already, and what the bar says of it.
 
 const POPPY := "Poppy"
+const GRASS_LAYER := "Meadow Grass"
 const SPECIES := "res://addons/undergrowth/species/%s.tres"
 const DENSITY := 12.0
 const SIDE := 16.0
@@ -87,9 +88,6 @@ func test_pick_takes_the_painted_density() -> void:
 	check(_as_mixed().button_pressed, "as mixed")
 	(_settings().get_node("%PlantHeight") as EditorSpinSlider).value = 1.5  # Picked, too.
 	await _put_down("Paint")
-
-
-const GRASS_LAYER := "Meadow Grass"
 
 
 func _meadow() -> PlantField3D:

@@ -25,15 +25,15 @@ func test_saving_a_scene_that_uses_all_of_them_changes_none() -> void:
 	_check_same(before)
 	var text := FileAccess.get_file_as_string(SCENE)
 	for path: String in _files_of("species") + _files_of("winds") + _files_of("mixes"):
-		check(text.contains(path), "the scene uses " + path)
+		var reference := 'uid="%s" path="%s"' % [_id_of(path), path]
+		check(text.contains(reference), "the scene uses %s by its id" % path)
 
 
 func test_each_of_them_has_an_id_of_its_own() -> void:
 	var ids: Dictionary[String, String] = {}
 	for kind in KINDS:
 		for path: String in _files_of(kind):
-			var head := FileAccess.get_file_as_string(path).get_slice("\n", 0)
-			var id := head.get_slice('uid="', 1).get_slice('"', 0)
+			var id := _id_of(path)
 			check(id.begins_with("uid://"), path + " has an id")
 			check(not ids.has(id), "%s and %s have the same id" % [path, ids.get(id, "")])
 			ids[id] = path
@@ -71,6 +71,11 @@ func _files_of(kind: String) -> PackedStringArray:
 		if file.get_extension() in ["tres", "tscn"]:
 			paths.append(FOLDER.path_join(kind).path_join(file))
 	return paths
+
+
+func _id_of(path: String) -> String:
+	var head := FileAccess.get_file_as_string(path).get_slice("\n", 0)
+	return head.get_slice('uid="', 1).get_slice('"', 0)
 
 
 func _read_all(folder: String) -> Dictionary[String, PackedByteArray]:
