@@ -51,7 +51,8 @@ DrawnForm::DrawnForm(const PlantForm &form, const FormMeasure &measure, const Fo
 	indices.resize(static_cast<size_t>(plan.counts.indices), -1);
 	build_form_mesh(form, measure, plan, bones, options, height,
 			{ positions.data(), normals.data(), tangents.data(), colors.data(), uvs.data(), custom0.data(),
-					custom1.data(), custom2.data(), bone_indices.data(), weights.data(), indices.data(), stem_places.data() });
+					custom1.data(), custom2.data(), bone_indices.data(), weights.data(), indices.data(),
+					stem_places.data() });
 }
 
 std::string DrawnForm::problem() const {

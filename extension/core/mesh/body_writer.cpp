@@ -52,8 +52,8 @@ void FormWriter::add_body(const FormBody &body) {
 		}
 	}
 	const auto pole = [&](const FormBody::Ring &ring, float facing) {
-		put(common_of(ring), ring.middle, glm::vec3(0.0f), ring.axes.along * facing, ring.axes.x,
-				body.color, { 0.5f, 0.5f - 0.5f * facing }, 0.5f + 0.5f * facing);
+		put(common_of(ring), ring.middle, glm::vec3(0.0f), ring.axes.along * facing, ring.axes.x, body.color,
+				{ 0.5f, 0.5f - 0.5f * facing }, 0.5f + 0.5f * facing);
 		return vertices - first - 1;
 	};
 	const int last_ring = vertices - first - body.detail.sides;

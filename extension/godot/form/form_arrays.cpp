@@ -116,7 +116,8 @@ MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sample
 		*above = from_above(grown.measure(), arrays);
 	}
 	if (sampled.stem) {
-		bind_to_joints(sampled.stem->joints, plan.counts.vertices, arrays.stem_places.ptr(), arrays.bones.ptrw(), arrays.weights.ptrw());
+		bind_to_joints(sampled.stem->joints, plan.counts.vertices, arrays.stem_places.ptr(), arrays.bones.ptrw(),
+				arrays.weights.ptrw());
 	}
 	Array all = packed(arrays);
 	all[Mesh::ARRAY_CUSTOM3] = at_rest(sampled, arrays);

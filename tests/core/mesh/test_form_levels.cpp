@@ -140,8 +140,8 @@ TEST_CASE("every level attaches what it draws to what carries it, as that is dra
 				const float most = (is_bead ? part.length : 1e-5f) + (part.carrier == ON_GROUND ? 0.0f : group.radius);
 				const glm::vec3 &base = midribs[i].front();
 				CHECK((part.carrier == ON_GROUND
-								? glm::length(base - part.base)
-								: distance_to(midribs[static_cast<size_t>(part.carrier)], base)) <= most);
+									  ? glm::length(base - part.base)
+									  : distance_to(midribs[static_cast<size_t>(part.carrier)], base)) <= most);
 			}
 		}
 	}
