@@ -82,7 +82,7 @@ MeshArrays SampledPlant::build_arrays(Vector2 *from_above) const {
 
 	const PackedFloat32Array offsets = tip_weights(weights);
 	if (stem) {
-		bind_to_joints(stem->joints, counts.vertices, bones.ptrw(), weights.ptrw());
+		bind_to_joints(stem->joints, counts.vertices, nullptr, bones.ptrw(), weights.ptrw());
 	}
 	MeshArrays made = { Array(), CUSTOM_FORMAT, material, false };
 	Array &arrays = made.arrays;

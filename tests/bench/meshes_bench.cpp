@@ -90,7 +90,7 @@ struct FormRoom {
 	std::vector<glm::vec4> tangents, colors, custom0, custom1, custom2;
 	std::vector<glm::vec2> uvs;
 	std::vector<int32_t> bones, indices;
-	std::vector<float> weights;
+	std::vector<float> weights, stem_places;
 
 	explicit FormRoom(const MeshCounts &counts) {
 		const std::size_t n = static_cast<std::size_t>(counts.vertices);
@@ -103,11 +103,12 @@ struct FormRoom {
 		uvs.resize(n);
 		bones.resize(4 * n);
 		weights.resize(4 * n);
+		stem_places.resize(n);
 		indices.resize(static_cast<std::size_t>(counts.indices));
 	}
 	FormBuffers buffers() {
 		return { positions.data(), normals.data(), tangents.data(), colors.data(), uvs.data(), custom0.data(),
-			custom1.data(), custom2.data(), bones.data(), weights.data(), indices.data() };
+			custom1.data(), custom2.data(), bones.data(), weights.data(), indices.data(), stem_places.data() };
 	}
 };
 

@@ -47,10 +47,12 @@ DrawnForm::DrawnForm(const PlantForm &form, const FormMeasure &measure, const Fo
 	uvs.resize(n, glm::vec2(UNWRITTEN));
 	bone_indices.resize(4 * n, -1);
 	weights.resize(4 * n, UNWRITTEN);
+	stem_places.resize(n);
 	indices.resize(static_cast<size_t>(plan.counts.indices), -1);
 	build_form_mesh(form, measure, plan, bones, options, height,
 			{ positions.data(), normals.data(), tangents.data(), colors.data(), uvs.data(), custom0.data(),
-					custom1.data(), custom2.data(), bone_indices.data(), weights.data(), indices.data() });
+					custom1.data(), custom2.data(), bone_indices.data(), weights.data(), indices.data(),
+					stem_places.data() });
 }
 
 std::string DrawnForm::problem() const {

@@ -20,7 +20,7 @@ private:
 	std::vector<glm::vec4> tangents, colors, custom0, custom1, custom2;
 	std::vector<glm::vec2> uvs;
 	std::vector<int32_t> bone_indices, indices;
-	std::vector<float> weights;
+	std::vector<float> weights, stem_places;
 	int bone_count;
 
 	std::string problem_of(size_t vertex) const;

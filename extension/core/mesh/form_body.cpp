@@ -46,10 +46,33 @@ struct OwnPlace {
 	float away;
 };
 
-OwnPlace place_in(const FormBody &body, const glm::vec3 &point) {
-	const glm::vec3 way = point - body.origin;
-	const float along = glm::dot(way, body.axes.along);
-	return { along, glm::length(way - body.axes.along * along) };
+/// Where parts of a body are measured from.
+struct Origin {
+	glm::vec3 place; ///< m.
+	glm::vec3 along;
+	float before; ///< m along the carrier, from the body's own.
+};
+
+/// Of a part that attaches to the body's carrier, or that such a part carries: the place where that one attaches. The
+/// carrier curves.
+Origin origin_of(const FormBody &body, const PlantForm &form, const PlacedPart &placed) {
+	const PlacedPart *own = &placed;
+	while (own->group != body.group) {
+		own = &form.placed[static_cast<size_t>(own->carrier)];
+	}
+	const float first = form.placed[static_cast<size_t>(body.first)].offset;
+	if (own->carrier == ON_GROUND || own->offset == first) {
+		return { body.origin, body.axes.along, 0.0f };
+	}
+	const PlacedPart &carrier = form.placed[static_cast<size_t>(own->carrier)];
+	return { form.point_of(carrier, own->offset), form.axes_of(carrier, own->offset).along,
+		(own->offset - first) * carrier.length };
+}
+
+OwnPlace place_from(const Origin &origin, const glm::vec3 &point) {
+	const glm::vec3 way = point - origin.place;
+	const float along = glm::dot(way, origin.along);
+	return { origin.before + along, glm::length(way - origin.along * along) };
 }
 
 void add(
@@ -58,8 +81,9 @@ void add(
 	const glm::vec4 &color = measure.colors[static_cast<size_t>(placed.kind)];
 	const size_t group = static_cast<size_t>(placed.group);
 	const bool is_own = placed.group == body.group;
+	const Origin origin = origin_of(body, form, placed);
 	for (int i = 0; i < PLACES; i++) {
-		const OwnPlace own = place_in(body, form.point_of(placed, 0.5f * static_cast<float>(i)));
+		const OwnPlace own = place_from(origin, form.point_of(placed, 0.5f * static_cast<float>(i)));
 		m.low = std::min(m.low, own.along);
 		m.high = std::max(m.high, own.along);
 		m.farthest = std::max(m.farthest, own.away);
@@ -127,10 +151,10 @@ void thicken(FormBody &body, const Measure &m) {
 /// The lathe of the mean midrib. Where it is flat and the parts leave gaps, it is drawn in until it is as large as
 /// they.
 void shape_lathe(FormBody &body, const Measure &m) {
-	FormBody::Ring ways[PLACES];
-	for (int i = 0; i < PLACES; i++) {
-		ways[i] = { m.along[i] / static_cast<float>(m.count), m.away[i] / static_cast<float>(m.count) };
-	}
+	const auto mean = [&m](int i) {
+		return FormBody::Ring(m.along[i] / static_cast<float>(m.count), m.away[i] / static_cast<float>(m.count));
+	};
+	FormBody::Ring ways[PLACES] = { mean(0), mean(1), mean(2) };
 	const float rise = std::abs(ways[2].along - ways[0].along);
 	const float most = std::sqrt(ways[0].radius * ways[0].radius + m.lid / static_cast<float>(PI));
 	if (rise < ways[2].radius - ways[0].radius && most < ways[2].radius) {
@@ -185,10 +209,9 @@ void shape(FormBody &body, const PlantForm &form, const Measure &m) {
 /// its carrier, not a plate.
 void stretch_down(FormBody &body, const PlantForm &form, float longer) {
 	const PlacedPart &part = form.placed[static_cast<size_t>(body.first)];
-	const glm::vec3 base = form.point_of(form.placed[static_cast<size_t>(part.carrier)], 0.0f);
 	const float high = body.rings.back().along;
 	const float low = body.rings.front().along;
-	const float lowest = std::min(low, glm::dot(base - body.origin, body.axes.along));
+	const float lowest = std::min(low, -part.offset * form.placed[static_cast<size_t>(part.carrier)].length);
 	const float factor = std::clamp((high - lowest) / std::max(high - low, LEAST_RADIUS), 1.0f, longer);
 	for (FormBody::Ring &ring : body.rings) {
 		ring.along = high - (high - ring.along) * factor;

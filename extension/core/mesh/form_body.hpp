@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mesh/form_plan.hpp"
+#include "mesh/part_hang.hpp"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -14,8 +15,14 @@ namespace undergrowth {
 /// mean colour and as large as they look from the side.
 struct FormBody {
 	struct Ring {
-		float along; ///< m along the axis from the origin.
-		float radius; ///< m.
+		float along = 0.0f; ///< m along the axis from the origin; of what is along a carrier, along that.
+		float radius = 0.0f; ///< m.
+		// Where Attachments place it:
+		glm::vec3 middle = glm::vec3(0.0f); ///< m.
+		PartAxes axes = {};
+		PartHang hang = {};
+
+		Ring(float p_along, float p_radius) : along(p_along), radius(p_radius) {}
 	};
 	int group = 0;
 	BodyDetail detail;

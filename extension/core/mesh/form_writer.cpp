@@ -56,6 +56,7 @@ void FormWriter::put(const Common &common, const glm::vec3 &middle, const glm::v
 		openness(middle + aside) };
 	out.uvs[i] = uv;
 	const float x = hang.is_root ? stem_offset_of(form, middle) : hang.stem_offset;
+	out.stem_places[i] = hang.is_root ? x : hang.stem_place;
 	const float weight = hang.weight_at(offset);
 	out.custom0[i] = { x, weight, hang.rank, common.leafiness };
 	out.custom1[i] = glm::vec4(hang.pivot, common.swing.pace);

@@ -16,7 +16,8 @@ public:
 	FormWriter(const PlantForm &form, const FormBones &bones, const MeshOptions &options, const FormBuffers &buffers);
 
 	void add_part(const PlacedPart &part, const PartHang &hang, const PartTemplate &shape);
-	void add_body(const FormBody &body, const PartHang &hang);
+	/// Its rings have their places (Attachments).
+	void add_body(const FormBody &body);
 
 	/// How far the mesh has grown.
 	struct Mark {

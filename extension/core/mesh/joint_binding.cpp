@@ -20,9 +20,10 @@ constexpr int MOST = KEPT + 2;
 
 } // namespace
 
-static void bind_vertex(int joints, int32_t *bones, float *weights) {
+static void bind_vertex(int joints, const float *place, int32_t *bones, float *weights) {
 	const float of_stem = weights[0] + weights[1];
-	const float x = of_stem > 0.0f ? weights[1] / of_stem : 0.0f;
+	const float by_tip = of_stem > 0.0f ? weights[1] / of_stem : 0.0f;
+	const float x = place != nullptr ? *place : by_tip;
 	const StemBinding stem = bind_to_stem(joints, x);
 	std::array<Influence, MOST> all;
 	for (size_t i = 0; i < KEPT; i++) {
@@ -44,9 +45,9 @@ static void bind_vertex(int joints, int32_t *bones, float *weights) {
 	}
 }
 
-void bind_to_joints(int joints, int vertices, int32_t *bones, float *weights) {
+void bind_to_joints(int joints, int vertices, const float *places, int32_t *bones, float *weights) {
 	for (int i = 0; i < vertices; i++) {
-		bind_vertex(joints, bones + 4 * i, weights + 4 * i);
+		bind_vertex(joints, places != nullptr ? places + i : nullptr, bones + 4 * i, weights + 4 * i);
 	}
 }
 

@@ -75,6 +75,7 @@ PartHang hang_on(const PlantForm &form, const PlacedPart &part, const PartHang &
 	hang.swings = false;
 	hang.stem_offset =
 			carrier.is_root ? stem_offset_of(form, form.point_of(carries, part.offset)) : carrier.stem_offset;
+	hang.stem_place = carrier.is_root ? hang.stem_offset : carrier.stem_place;
 	hang.weight = carrier.weight_at(part.offset);
 	hang.rank = std::max(part.rank, carrier.rank);
 	return hang;

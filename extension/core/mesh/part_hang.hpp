@@ -11,6 +11,7 @@ namespace undergrowth {
 struct PartHang {
 	bool is_root = false; ///< It stands on the ground: the stem offset of its vertices is their own height's.
 	float stem_offset = 0.0f; ///< Of all its vertices, unless it is a root.
+	float stem_place = 0.0f; ///< Where on the stem it is attached, unless it is a root.
 	bool swings = false; ///< By itself: the own weight of its vertices is their offset.
 	bool has_swing = false; ///< Its own, its head's, or that of what carries it.
 	int swinger = -1; ///< Index of the placed part whose swing that is; of a head its first part.

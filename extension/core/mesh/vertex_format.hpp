@@ -38,6 +38,10 @@ namespace undergrowth {
 //              length wants to know how far up its offset is. A lathe has none, its offset says it.
 //           y, z: x and z (m) of where the vertex is in calm air, in the mesh of a plant on a skeleton: what the wind
 //              lays down is lit by how far from there it is. Elsewhere x and z of VERTEX.
+//           w: stem place: where on the plant's stem the vertex is attached, 0 root to 1 tip. The stem offset is
+//           larger,
+//              by (w - a)(b - w)/w between two rows a and b of the stem, since the mesh draws the stem straight there.
+//              A stem that bends along its length takes w, and its curvature for the difference.
 // BONES, WEIGHTS  root and tip: (1 - x, x, 0, 0) with the stem offset x. Where a skeleton has bones of parts, these
 //           take the share of the own bend weight (mesh/form_bones.hpp), and where stems have joints, those of the stem
 //           that of root and tip (mesh/joint_binding.hpp).
@@ -63,6 +67,7 @@ struct FormBuffers {
 	int32_t *bones = nullptr; ///< Four a vertex.
 	float *weights = nullptr; ///< Four a vertex; they sum to 1 exactly.
 	int32_t *indices = nullptr;
+	float *stem_places = nullptr; ///< w of CUSTOM3.
 };
 
 } // namespace undergrowth

@@ -13,14 +13,14 @@ static constexpr int64_t CUSTOM_FORMAT =
 		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT)) |
 		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM1_SHIFT)) |
 		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM2_SHIFT)) |
-		(int64_t(Mesh::ARRAY_CUSTOM_RGB_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM3_SHIFT));
+		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM3_SHIFT));
 
 // The engine's arrays of a mesh, sized, and where the core writes them.
 struct FormArrays {
 	PackedVector3Array positions, normals;
 	PackedColorArray colors;
 	PackedVector2Array uvs;
-	PackedFloat32Array tangents, weights, custom0, custom1, custom2;
+	PackedFloat32Array tangents, weights, custom0, custom1, custom2, stem_places;
 	PackedInt32Array bones, indices;
 
 	explicit FormArrays(const MeshCounts &counts) {
@@ -33,6 +33,7 @@ struct FormArrays {
 		custom0.resize(4 * counts.vertices);
 		custom1.resize(4 * counts.vertices);
 		custom2.resize(4 * counts.vertices);
+		stem_places.resize(counts.vertices);
 		bones.resize(4 * counts.vertices);
 		indices.resize(counts.indices);
 	}
@@ -46,6 +47,7 @@ struct FormArrays {
 		to.custom0 = reinterpret_cast<glm::vec4 *>(custom0.ptrw());
 		to.custom1 = reinterpret_cast<glm::vec4 *>(custom1.ptrw());
 		to.custom2 = reinterpret_cast<glm::vec4 *>(custom2.ptrw());
+		to.stem_places = stem_places.ptrw();
 		to.bones = bones.ptrw();
 		to.weights = weights.ptrw();
 		to.indices = indices.ptrw();
@@ -70,11 +72,11 @@ static Array packed(const FormArrays &from) {
 	return arrays;
 }
 
-// At every vertex the height of the plant that the mesh shows, and where the vertex is in calm air: shaders ask for
-// both.
+// CUSTOM3 of every vertex: the height of the plant that the mesh shows, x and z of the vertex in calm air, and where on
+// the stem it is attached.
 static PackedFloat32Array at_rest(const SampledPlant &sampled, const FormArrays &arrays) {
 	PackedFloat32Array all;
-	all.resize(3 * arrays.positions.size());
+	all.resize(4 * arrays.positions.size());
 	float *to = all.ptrw();
 	std::vector<Transform3D> bones;
 	if (sampled.rest != glm::vec2(0.0f)) {
@@ -88,6 +90,7 @@ static PackedFloat32Array at_rest(const SampledPlant &sampled, const FormArrays 
 		*to++ = sampled.height;
 		*to++ = float(place.x);
 		*to++ = float(place.z);
+		*to++ = arrays.stem_places[i];
 	}
 	return all;
 }
@@ -113,7 +116,8 @@ MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sample
 		*above = from_above(grown.measure(), arrays);
 	}
 	if (sampled.stem) {
-		bind_to_joints(sampled.stem->joints, plan.counts.vertices, arrays.bones.ptrw(), arrays.weights.ptrw());
+		bind_to_joints(sampled.stem->joints, plan.counts.vertices, arrays.stem_places.ptr(), arrays.bones.ptrw(),
+				arrays.weights.ptrw());
 	}
 	Array all = packed(arrays);
 	all[Mesh::ARRAY_CUSTOM3] = at_rest(sampled, arrays);

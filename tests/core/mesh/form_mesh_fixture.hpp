@@ -19,6 +19,7 @@ struct BuiltForm {
 	std::vector<int32_t> bones;
 	std::vector<float> weights;
 	std::vector<int32_t> indices;
+	std::vector<float> stem_places;
 
 	int size() const { return static_cast<int>(positions.size()); }
 	uint64_t hash() const {
@@ -34,6 +35,7 @@ struct BuiltForm {
 				.add(bones)
 				.add(weights)
 				.add(indices)
+				.add(stem_places)
 				.value();
 	}
 };
@@ -52,12 +54,13 @@ inline BuiltForm build(const undergrowth::PlantForm &form, const undergrowth::Fo
 	mesh.custom2.resize(n);
 	mesh.bones.resize(4 * n);
 	mesh.weights.resize(4 * n);
+	mesh.stem_places.resize(n);
 	mesh.indices.resize(static_cast<size_t>(plan.counts.indices), -1);
 	undergrowth::build_form_mesh(form, undergrowth::measure_form(form), plan, bones, options,
 			height > 0.0f ? height : form.height,
 			{ mesh.positions.data(), mesh.normals.data(), mesh.tangents.data(), mesh.colors.data(), mesh.uvs.data(),
 					mesh.custom0.data(), mesh.custom1.data(), mesh.custom2.data(), mesh.bones.data(),
-					mesh.weights.data(), mesh.indices.data() });
+					mesh.weights.data(), mesh.indices.data(), mesh.stem_places.data() });
 	return mesh;
 }
 
