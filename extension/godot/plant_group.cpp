@@ -13,8 +13,8 @@ static glm::mat3 matrix_of(const Basis &basis) {
 }
 
 bool PlantPush::operator==(const PlantPush &other) const {
-	return bodies_group == other.bodies_group && touch_margin == other.touch_margin &&
-			world == other.world && has_contact == other.has_contact && apparent_wind == other.apparent_wind;
+	return bodies_group == other.bodies_group && touch_margin == other.touch_margin && world == other.world &&
+			has_contact == other.has_contact && apparent_wind == other.apparent_wind;
 }
 
 bool PlantKind::operator==(const PlantKind &other) const {

@@ -60,8 +60,7 @@ void PlantWindSource3D::gather(uint64_t world, double ago, std::vector<AirSource
 	}
 }
 
-void PlantWindSource3D::gather_in(
-		uint64_t world, const Transform3D &axes, double ago, std::vector<AirSource> &into) {
+void PlantWindSource3D::gather_in(uint64_t world, const Transform3D &axes, double ago, std::vector<AirSource> &into) {
 	gather(world, ago, into);
 	if (into.empty()) {
 		return;

@@ -27,8 +27,7 @@ public:
 	/// Main thread.
 	static void gather(uint64_t world, double ago, std::vector<AirSource> &into);
 	/// The same in the axes of a field (`axes`: from those to the world's).
-	static void gather_in(
-			uint64_t world, const godot::Transform3D &axes, double ago, std::vector<AirSource> &into);
+	static void gather_in(uint64_t world, const godot::Transform3D &axes, double ago, std::vector<AirSource> &into);
 
 	void set_kind(Kind new_kind);
 	Kind get_kind() const;

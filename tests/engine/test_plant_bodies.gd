@@ -196,6 +196,7 @@ func test_a_plant_that_moves_is_not_shoved_by_a_body_that_stands_or_goes_along()
 
 func _most_lean_of(plant_way: float, ball_way: float) -> float:
 	var plant := add_plant(make_species(PlantFunction.LAW_SPRING, 0.2))
+	plant.apparent_wind = 0.0
 	var ball: StaticBody3D
 	var most := 0.0
 	for i in 60:

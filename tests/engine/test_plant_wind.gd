@@ -108,6 +108,15 @@ func test_a_gust_of_its_own_strength_and_length() -> void:
 		check_near(_wind.sample(0.4), NORTH_TO_SOUTH * 11.0, FORCE_TOLERANCE, "as before")
 
 
+func test_a_gust_of_its_own_length_does_not_outlive_a_change_of_kind() -> void:
+	_wind.kind = PlantWind.KIND_CONSTANT
+	_wind.gust_duration = 0.5
+	_wind.trigger_gust(3.0, 2.0)
+	_wind.kind = PlantWind.KIND_GUST
+	check_near(_wind.sample(0.4), NORTH_TO_SOUTH * 8.0, FORCE_TOLERANCE, "while it blows")
+	check_equal(_wind.sample(1.0), Vector3.ZERO, "after it")
+
+
 func test_a_plant_driven_by_hand_feels_only_what_is_left_of_a_gust() -> void:
 	_wind.kind = PlantWind.KIND_GUST
 	_wind.gust_duration = 0.5

@@ -38,8 +38,8 @@ bool CpuMotion::wants_eyes() const {
 // as the ground at a distance grows, so that all far rings cost about the same. A page's middle counts, but no plant of
 // it is taken to be more than half of far_distance farther than it is: around whoever looks, also from above, all are
 // stepped in full. Pages near a body that pushes are stepped at least in every MOST_PUSHED_MULTIPLE-th step, so bodies
-// far from all cameras cost a quarter. Near a camera or a body, stems of two modes step both; where the distance does not
-// matter, cameras change nothing.
+// far from all cameras cost a quarter. Near a camera or a body, stems of two modes step both; where the distance does
+// not matter, cameras change nothing.
 void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
 	const bool is_due = wants_eyes();
 	frames_since_far++;
@@ -74,8 +74,7 @@ void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
 		}
 		simulation->set_page_near(page, applies && is_near);
 		int multiple = 1;
-		for (double limit = options.far_distance; multiple < most && applies && away > limit;
-				limit *= FARTHER) {
+		for (double limit = options.far_distance; multiple < most && applies && away > limit; limit *= FARTHER) {
 			multiple *= 2;
 		}
 		simulation->set_page_multiple(page, multiple);

@@ -64,8 +64,8 @@ AirDrift FieldDrift::step(double ago) {
 	drift.by_x = speed(was.basis.get_column(0), is.basis.get_column(0));
 	drift.by_y = speed(was.basis.get_column(1), is.basis.get_column(1));
 	drift.by_z = speed(was.basis.get_column(2), is.basis.get_column(2));
-	is_moving = std::any_of(
-			std::begin(stepped), std::end(stepped), [&](const Transform3D &step) { return step != now; });
+	is_moving =
+			std::any_of(std::begin(stepped), std::end(stepped), [&](const Transform3D &step) { return step != now; });
 	return drift;
 }
 

@@ -1,7 +1,7 @@
-## Run by a test with --fixed-fps: a wake passes a field, and a plant and a field are carried through
-## still air. How far tips are from their rest on average over time is printed as
-## `bends METRES METRES METRES`: of the field by the wake, of the carried plant, of the carried field.
-## With `physics` among the arguments nodes move in physics frames, else in drawn ones.
+## Run by a test with --fixed-fps: a wake passes a field, and a plant and a field are carried
+## through still air. How far tips are from their rest on average over time is printed as
+## `bends METRES METRES METRES`: of the field by the wake, of the carried plant, of the carried
+## field. With `physics` among the arguments nodes move in physics frames, else in drawn ones.
 extends SceneTree
 
 const WAKE_SPEED := 8.0  # m/s

@@ -1,7 +1,7 @@
 ## Run by a test with --fixed-fps: a field in a wind. What its plants do at each step is printed as
-## `step NUMBER HASH DIFFERENCE`: the motion time in steps, a hash of all motion states, and how far
-## the wind's clock is from the motion time (s). With `air` among the arguments air blows, else waves
-## of newtons.
+## `step NUMBER HASH DIFFERENCE`: the motion time in steps, a hash of all motion states, and how
+## far the wind's clock is from the motion time (s). With `air` among the arguments air blows, else
+## waves of newtons.
 extends SceneTree
 
 const FIRST := 200
