@@ -28,7 +28,7 @@ from toolchain.place import Missing  # noqa: E402
 COLUMNS = ("name", "plants", "threads", "median_ms", "us_per_plant", "renderer")
 RENDERERS = ("forward_plus", "gl_compatibility")
 TIMEOUT = 600
-ENGINE_SCRIPTS = {"plants": "engine_bench", "fields": "field_bench", "edits": "edits_bench"}
+ENGINE_SCRIPTS = {"plants": "engine_bench", "fields": "field_bench", "edits": "edits_bench", "ground": "ground_bench"}
 DRAWN_SCRIPTS = ("engine_bench", "field_bench")
 PARTS = ("core", *ENGINE_SCRIPTS, "drawn")
 STEADY = ["--fixed-fps", "60", "--disable-vsync"]
