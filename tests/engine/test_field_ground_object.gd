@@ -210,7 +210,7 @@ func test_slope_limits_hold_on_an_object_without_normals() -> void:
 			field.ground_sample_spacing = spacing
 			field.density = density
 			field.slope_limits = Vector2(0.0, deg_to_rad(20.0))
-			await (start() if not field.is_inside_tree() else filled(field))
+			await _grown()
 			check_equal(field.get_plant_count(), 0, "plants on 45° at %.0f/m²" % density)
 			field.slope_limits = Vector2(deg_to_rad(40.0), deg_to_rad(50.0))
 			await filled(field)
@@ -289,7 +289,7 @@ func test_heights_of_many_places_are_read_at_once() -> void:
 		ramp.places = 0
 		field.density = 12.0
 		field.ground_sample_spacing = spacing
-		await (start() if not field.is_inside_tree() else filled(field))
+		await _grown()
 		check_equal(ramp.single, 0, "calls of get_height()")
 		check(ramp.calls > 0, "get_heights() is called")
 		check(ramp.places > 50 * ramp.calls, "%d places in %d calls" % [ramp.places, ramp.calls])
@@ -322,3 +322,11 @@ func test_a_hole_in_the_ground_has_an_exact_edge() -> void:
 		nearest = minf(nearest, Vector2(place.x, place.z).length())
 	check(nearest >= Pond.RADIUS, "nothing grows in the hole")
 	check(nearest < Pond.RADIUS + 0.1, "plants grow up to its edge, %.2f m" % nearest)
+
+
+## Waits until the field has grown by its properties; puts it into the tree at first.
+func _grown() -> void:
+	if field.is_inside_tree():
+		await filled(field)
+	else:
+		await start()
