@@ -9,6 +9,8 @@
 
 namespace undergrowth {
 
+// Of a step. Edges of ground often lie at whole metres, and heights exactly at an edge are of no use.
+static constexpr float OFFSET = 0.382f;
 static constexpr int MARGIN = 1; // Points around a cell's corners, which show whether the ground is even.
 static constexpr double MAX_CELLS_PER_PLANT = 4.0;
 
@@ -20,10 +22,10 @@ bool GroundGrid::prepare(const FieldPlants &plants, float spacing) {
 	}
 	const auto [low_x, high_x] = std::minmax_element(plants.x.begin(), plants.x.end());
 	const auto [low_z, high_z] = std::minmax_element(plants.z.begin(), plants.z.end());
-	const double column = std::floor(*low_x / step) - MARGIN;
-	const double row = std::floor(*low_z / step) - MARGIN;
-	const double width = std::floor(*high_x / step) - column + 2 + MARGIN;
-	const double depth = std::floor(*high_z / step) - row + 2 + MARGIN;
+	const double column = std::floor(*low_x / step - OFFSET) - MARGIN;
+	const double row = std::floor(*low_z / step - OFFSET) - MARGIN;
+	const double width = std::floor(*high_x / step - OFFSET) - column + 2 + MARGIN;
+	const double depth = std::floor(*high_z / step - OFFSET) - row + 2 + MARGIN;
 	const double spare = 256.0; // Points, of a small field's margin.
 	if (!(width * depth <= MAX_CELLS_PER_PLANT * plants.size() + spare)) {
 		return false;
@@ -41,8 +43,8 @@ bool GroundGrid::prepare(const FieldPlants &plants, float spacing) {
 
 void GroundGrid::mark(const FieldPlants &plants, int begin, int end) {
 	for (std::size_t i = std::size_t(begin); i < std::size_t(end); i++) {
-		const auto column = static_cast<int64_t>(std::floor(plants.x[i] / step)) - first_column;
-		const auto row = static_cast<int64_t>(std::floor(plants.z[i] / step)) - first_row;
+		const auto column = static_cast<int64_t>(std::floor(plants.x[i] / step - OFFSET)) - first_column;
+		const auto row = static_cast<int64_t>(std::floor(plants.z[i] / step - OFFSET)) - first_row;
 		marks[static_cast<std::size_t>(row * columns + column)] = 1;
 	}
 }
@@ -78,8 +80,8 @@ int GroundGrid::list_points() {
 
 glm::vec2 GroundGrid::point(int number) const {
 	const int place = points[static_cast<std::size_t>(number)];
-	return { static_cast<float>(static_cast<double>(first_column + place % columns) * step),
-		static_cast<float>(static_cast<double>(first_row + place / columns) * step) };
+	return { static_cast<float>((static_cast<double>(first_column + place % columns) + OFFSET) * step),
+		static_cast<float>((static_cast<double>(first_row + place / columns) + OFFSET) * step) };
 }
 
 // Whether heights go on evenly from each corner of a cell to both sides. Beyond an edge of the ground nothing counts.
@@ -100,8 +102,8 @@ bool GroundGrid::is_even(std::size_t corner) const {
 }
 
 bool GroundGrid::find(float x, float z, float &height, glm::vec3 &normal) const {
-	const float column = std::floor(x / step);
-	const float row = std::floor(z / step);
+	const float column = std::floor(x / step - OFFSET);
+	const float row = std::floor(z / step - OFFSET);
 	const auto width = static_cast<std::size_t>(columns);
 	const std::size_t corner = static_cast<std::size_t>(static_cast<int64_t>(row) - first_row) * width +
 			static_cast<std::size_t>(static_cast<int64_t>(column) - first_column);
@@ -117,8 +119,8 @@ bool GroundGrid::find(float x, float z, float &height, glm::vec3 &normal) const 
 	if (found < 4 || std::abs(twist) > MAX_BEND || !is_even(corner)) {
 		return false;
 	}
-	const float right = x / step - column;
-	const float front = z / step - row;
+	const float right = x / step - OFFSET - column;
+	const float front = z / step - OFFSET - row;
 	const float near = glm::mix(at[0], at[1], right);
 	const float far = glm::mix(at[2], at[3], right);
 	height = glm::mix(near, far, front);

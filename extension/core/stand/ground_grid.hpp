@@ -11,7 +11,7 @@
 namespace undergrowth {
 
 /// Heights of the ground at the points of a square grid, and the ground between them, for plants of which each would
-/// need a query of its own otherwise. Points are multiples of the spacing, so two grids of one field share theirs.
+/// need a query of its own otherwise. Points lie a spacing apart, in places that do not depend on the plants.
 ///
 /// Use: prepare(), mark() for all plants, list_points(), set_height() for each point, find() for each plant.
 class GroundGrid {
