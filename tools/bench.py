@@ -33,6 +33,7 @@ ENGINE_SCRIPTS = {
     "fields": "field_bench",
     "edits": "edits_bench",
     "many": "many_fields_bench",
+    "ground": "ground_bench",
 }
 DRAWN_SCRIPTS = ("engine_bench", "field_bench")
 PARTS = ("core", *ENGINE_SCRIPTS, "drawn")

@@ -17,6 +17,7 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr double RADIANS_PER_DEGREE = PI / 180.0;
+static constexpr int SPAN_DECIMALS = 5; // What single precision has of most spans.
 static constexpr double ANGLE_TOLERANCE = 1e-5; // Degrees; what single precision leaves of them.
 
 // The file of a resource, or the one that it is embedded in.
@@ -94,25 +95,50 @@ bool accept_angle(const Object *object, const char *property, double radians, co
 			turned <= degrees.most + ANGLE_TOLERANCE) {
 		return true;
 	}
+	const bool looks_like_degrees = std::isfinite(radians) && radians >= degrees.least && radians <= degrees.most;
+	const double meant = looks_like_degrees ? radians : degrees.most;
 	report_error(object,
 			String(property) + " cannot be " + String::num(radians) + " rad, which is " + String::num(turned, 1) +
 					String::utf8("°, it keeps its value. Set an angle from ") + String::num(degrees.least) + " to " +
-					String::num(degrees.most) + String::utf8("°, in radians: deg_to_rad(") + String::num(degrees.most) +
-					") is the largest.");
+					String::num(degrees.most) + String::utf8("°, in radians: deg_to_rad(") + String::num(meant) +
+					(looks_like_degrees ? String::utf8(") is ") + String::num(meant) + String::utf8("°.")
+										: String(") is the largest.")));
 	return false;
 }
 
-bool accept_span(const Object *object, const char *property, const Vector2 &value, const Range &range) {
-	if (!accept_value(object, property, value.x, range) || !accept_value(object, property, value.y, range)) {
+// Moves the end that stays along with the one that passed it. False where both are new.
+static bool order_span(const Vector2 &before, Vector2 &value) {
+	if (value.y >= value.x) {
+		return true;
+	}
+	if (value.x != before.x && value.y != before.y) {
 		return false;
 	}
-	if (value.y < value.x) {
-		report_error(object,
-				String(property) + " goes from " + String::num(value.x) + " down to " + String::num(value.y) +
-						", it keeps its value. Set the smaller number first.");
-		return false;
-	}
+	value = value.x != before.x ? Vector2(value.x, value.x) : Vector2(value.y, value.y);
 	return true;
+}
+
+static bool accept_order(const Object *object, const char *property, const Vector2 &before, Vector2 &value) {
+	const Vector2 given = value;
+	if (order_span(before, value)) {
+		return true;
+	}
+	report_error(object,
+			String(property) + " goes from " + String::num(given.x, SPAN_DECIMALS) + " down to " +
+					String::num(given.y, SPAN_DECIMALS) + ", it keeps its value. Set the smaller number first.");
+	return false;
+}
+
+bool accept_span(
+		const Object *object, const char *property, const Vector2 &before, Vector2 &value, const Range &range) {
+	return accept_value(object, property, value.x, range) && accept_value(object, property, value.y, range) &&
+			accept_order(object, property, before, value);
+}
+
+bool accept_angle_span(
+		const Object *object, const char *property, const Vector2 &before, Vector2 &radians, const Range &degrees) {
+	return accept_angle(object, property, radians.x, degrees) && accept_angle(object, property, radians.y, degrees) &&
+			accept_order(object, property, before, radians);
 }
 
 } // namespace undergrowth

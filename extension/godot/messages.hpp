@@ -29,7 +29,13 @@ bool accept_value(const godot::Object *object, const char *property, double valu
 /// The same of an angle: `radians` within `degrees`. The message speaks of both, as one is easily taken for the other.
 bool accept_angle(const godot::Object *object, const char *property, double radians, const Range &degrees);
 
-/// The same of a range that goes from x up to y.
-bool accept_span(const godot::Object *object, const char *property, const godot::Vector2 &value, const Range &range);
+/// The same of a span from x up to y, which is `before` until then. Where one end passes the other, `value` becomes a
+/// span of no width there; where both ends are new and in the wrong order, that is an error.
+bool accept_span(const godot::Object *object, const char *property, const godot::Vector2 &before, godot::Vector2 &value,
+		const Range &range);
+
+/// The same of angles in radians, within `degrees`.
+bool accept_angle_span(const godot::Object *object, const char *property, const godot::Vector2 &before,
+		godot::Vector2 &radians, const Range &degrees);
 
 } // namespace undergrowth

@@ -16,6 +16,61 @@ class Ramp:
 		return Vector3(-slope, 1.0, 0.1)
 
 
+## The same ramp for many places at once; it counts its calls and the places of each.
+class BatchRamp:
+	extends Ramp
+	var calls := 0
+	var places := 0
+	var single := 0
+
+	func get_height(place: Vector3) -> float:
+		single += 1
+		return super(place)
+
+	func get_heights(world: PackedVector3Array) -> PackedFloat32Array:
+		calls += 1
+		places += world.size()
+		var heights := PackedFloat32Array()
+		for place in world:
+			heights.append(super.get_height(place))
+		return heights
+
+
+## Hills without normals.
+class Hills:
+	extends RefCounted
+	var places := 0
+
+	func get_height(place: Vector3) -> float:
+		places += 1
+		return 1.5 * sin(0.2 * place.x) * cos(0.15 * place.z)
+
+
+## A slope of 45° without normals.
+class Slope:
+	extends RefCounted
+
+	func get_height(place: Vector3) -> float:
+		return place.x
+
+
+## Level ground around a round hole.
+class Pond:
+	extends RefCounted
+	const RADIUS := 3.3
+
+	func get_height(place: Vector3) -> float:
+		return NAN if Vector2(place.x, place.z).length() < RADIUS else 0.5
+
+
+class WrongBatch:
+	extends Ramp
+	var answer: Variant
+
+	func get_heights(_places: PackedVector3Array) -> Variant:
+		return answer
+
+
 class Terrain:
 	extends Node3D
 	var data: Object
@@ -111,6 +166,7 @@ func test_answers_of_the_wrong_type_are_one_message_and_what_stands_stays() -> v
 	check_error("get_height() of")
 	faulty.height = 1.0
 	faulty.normal = 7
+	field.slope_alignment = 1.0
 	field.fill()
 	await rested()
 	check_error("get_normal() of")
@@ -144,3 +200,135 @@ func test_an_object_that_is_freed_while_it_is_asked_is_one_message() -> void:
 	await rested()
 	check_error("ground_object")
 	check_equal(field.get_plant_count(), 0, "plants")
+
+
+func test_slope_limits_hold_on_an_object_without_normals() -> void:
+	terrain.data = Slope.new()
+	field.ground_object = NodePath("../Terrain:data")
+	for spacing: float in [0.0, 0.5]:
+		for density: float in [2.0, 20.0]:
+			field.ground_sample_spacing = spacing
+			field.density = density
+			field.slope_limits = Vector2(0.0, deg_to_rad(20.0))
+			await _grown()
+			check_equal(field.get_plant_count(), 0, "plants on 45° at %.0f/m²" % density)
+			field.slope_limits = Vector2(deg_to_rad(40.0), deg_to_rad(50.0))
+			await filled(field)
+			check(field.get_plant_count() > 300.0 * density, "they grow on 45° where it is allowed")
+
+
+func test_plants_lean_with_an_object_without_normals() -> void:
+	terrain.data = Slope.new()
+	field.species[0].species.law = PlantFunction.LAW_SPRING
+	field.species[0].species.lean = 0.0
+	field.species[0].lean_deviation = 0.0
+	field.simulation_enabled = false
+	field.ground_object = NodePath("../Terrain:data")
+	field.slope_alignment = 1.0
+	await start()
+	var up := Vector3(-1, 1, 0).normalized()
+	var worst := 0.0
+	for id in field.get_plant_ids():
+		worst = maxf(worst, relative_tip(id).angle_to(up))
+	check(worst < 5e-3, "a plant is %.3f rad off the slope's normal" % worst)
+
+
+func test_a_field_reads_a_tenth_as_many_heights_as_it_has_plants() -> void:
+	var hills := Hills.new()
+	terrain.data = hills
+	field.density = 60.0
+	field.ground_object = NodePath("../Terrain:data")
+	await start()
+	var count := field.get_plant_count()
+	check_near(count, 60 * 20 * 20, 600.0, "plants")
+	check(hills.places * 10 < count, "%d heights are read for %d plants" % [hills.places, count])
+	var worst := 0.0
+	for id in field.get_plant_ids():
+		var place := field.get_plant_transform(id).origin
+		worst = maxf(worst, absf(place.y - 1.5 * sin(0.2 * place.x) * cos(0.15 * place.z)))
+	check(worst < 0.005, "plants are off by at most %.4f m" % worst)
+	hills.places = 0
+	field.ground_sample_spacing = 0.0
+	await filled(field)
+	check_equal(hills.places, count, "heights that are read for each plant")
+
+
+func test_tiles_that_come_read_half_as_many_heights_as_they_have_plants() -> void:
+	var hills := Hills.new()
+	terrain.data = hills
+	field.density = 12.0
+	field.endless = true
+	field.view_distance = 30.0
+	field.ground_object = NodePath("../Terrain:data")
+	var camera := Camera3D.new()
+	root.add_child(camera)
+	await start()
+	hills.places = 0
+	camera.position.x = 1000.0
+	await until(_stands_around.bind(camera), "tiles stand around the camera")
+	var count := field.get_plant_count()
+	check(count > 12 * 30 * 30 * 3, "%d plants" % count)
+	check(hills.places > 0, "heights are read")
+	check(hills.places * 2 < count, "%d heights are read for %d plants" % [hills.places, count])
+	camera.free()
+
+
+func _stands_around(camera: Camera3D) -> bool:
+	var told := field.get_statistics()
+	return (
+		told["tiles_waiting"] == 0
+		and field.find_nearest_plant(camera.position, 10.0) >= 0
+		and field.find_plants_in_sphere(Vector3.ZERO, 20.0).is_empty()
+	)
+
+
+func test_heights_of_many_places_are_read_at_once() -> void:
+	var ramp := BatchRamp.new()
+	terrain.data = ramp
+	field.ground_object = NodePath("../Terrain:data")
+	for spacing: float in [0.5, 0.0]:
+		ramp.calls = 0
+		ramp.places = 0
+		field.density = 12.0
+		field.ground_sample_spacing = spacing
+		await _grown()
+		check_equal(ramp.single, 0, "calls of get_height()")
+		check(ramp.calls > 0, "get_heights() is called")
+		check(ramp.places > 50 * ramp.calls, "%d places in %d calls" % [ramp.places, ramp.calls])
+		for id in field.get_plant_ids():
+			var place := field.get_plant_transform(id).origin
+			check_near(place.y, place.x * 0.25 - place.z * 0.1, 1e-3, "height")
+			check(place.x > LEFT_END, "nothing grows beside the ground")
+
+
+func test_wrong_answers_for_many_places_are_one_error() -> void:
+	var wrong := WrongBatch.new()
+	terrain.data = wrong
+	field.ground_object = NodePath("../Terrain:data")
+	wrong.answer = PackedFloat32Array([1.0])
+	root.add_child(field)
+	await rested()
+	check_error("get_heights() of")
+	check_equal(field.get_plant_count(), 0, "plants")
+
+
+func test_a_hole_in_the_ground_has_an_exact_edge() -> void:
+	terrain.data = Pond.new()
+	field.density = 30.0
+	field.ground_object = NodePath("../Terrain:data")
+	await start()
+	check(field.get_plant_count() > 10000, "%d plants" % field.get_plant_count())
+	var nearest := INF
+	for id in field.get_plant_ids():
+		var place := field.get_plant_transform(id).origin
+		nearest = minf(nearest, Vector2(place.x, place.z).length())
+	check(nearest >= Pond.RADIUS, "nothing grows in the hole")
+	check(nearest < Pond.RADIUS + 0.1, "plants grow up to its edge, %.2f m" % nearest)
+
+
+## Waits until the field has grown by its properties; puts it into the tree at first.
+func _grown() -> void:
+	if field.is_inside_tree():
+		await filled(field)
+	else:
+		await start()

@@ -187,6 +187,9 @@ void Placement::place_cell(int column, int row, const AreaRow &edges, FieldPlant
 		return;
 	}
 	const PlacementSpecies &species = request.species[static_cast<std::size_t>(number)];
+	if (species.is_absent) {
+		return;
+	}
 	const double scale_way = static_cast<double>(species.most_scale) - static_cast<double>(species.least_scale);
 	const double height = 1.0 + static_cast<double>(species.height_deviation) * (2.0 * unit16(shape, 1) - 1.0);
 	PlacedPlant plant;

@@ -25,6 +25,7 @@ struct PlacementSpecies {
 	float height_deviation = 0.0f; ///< 0 to 1: heights are uniform in 1 ± this.
 	float most_lean = 0.0f; ///< rad, 0 to π/2: leans are uniform up to it, to all sides.
 	int layer = -1; ///< Of the request's map; -1: it has none, and nothing grows by the map.
+	bool is_absent = false; ///< Its places stay empty, and all others have the plants that they have beside it.
 };
 
 struct PlacementRequest {

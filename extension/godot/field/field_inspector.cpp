@@ -30,6 +30,7 @@ static bool is_idle_on_ground(const String &name, const StandOptions &options) {
 	const auto kind = Kind(options.ground_mode);
 	const bool is_flat = kind == Kind::none;
 	return (name == "ground_collision_mask" && kind != Kind::colliders) ||
+			(name == "ground_sample_spacing" && kind != Kind::colliders && kind != Kind::object) ||
 			(name == "ground_choice" && (is_flat || kind == Kind::object)) ||
 			(name == "ground_mesh" && kind != Kind::mesh) || (name == "ground_object" && kind != Kind::object) ||
 			(is_flat && (name == "height_limits" || name.begins_with("slope_")));

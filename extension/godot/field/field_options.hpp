@@ -30,6 +30,7 @@ struct StandOptions {
 	int ground_mode = 0;
 	int ground_choice = 0;
 	int64_t ground_collision_mask = 1;
+	double ground_sample_spacing = 0.5; // m; 0: a query for each plant.
 	godot::Vector2 height_limits = { -1000.0f, 1000.0f }; // m.
 	godot::Vector2 slope_limits = { 0.0f, 1.5707963f }; // rad.
 	double slope_alignment = 0.0;

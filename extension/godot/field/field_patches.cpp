@@ -82,7 +82,7 @@ void FieldPatches::begin(const FieldTiles::Scene &scene) {
 		around = { glm::min(around.low, box.low), glm::max(around.high, box.high) };
 	}
 	const bool are_known = scene.style.listed_count == int(scene.properties.species.size());
-	const String fault = read_request(scene.field, scene.properties, &around, recipe.request);
+	const String fault = read_request(scene.field, scene.properties, scene.style, &around, recipe.request);
 	recipe.ground = scene.ground;
 	recipe.changes = scene.changes.cut(around);
 	recipe.spacing = scene.store.spacing();

@@ -2,9 +2,12 @@
 
 #include "base/random.hpp"
 #include "conventions.hpp"
+#include "field/empty_entry.hpp"
 #include "field/field_areas.hpp"
 #include "field/ground_survey.hpp"
 #include "field/plant_field_3d.hpp"
+#include "new_object.hpp"
+#include "species_functions.hpp"
 #include "stopwatch.hpp"
 
 #include <godot_cpp/classes/mesh_instance3d.hpp>
@@ -97,7 +100,8 @@ static String read_area(const Node3D *field, const StandOptions &options, const 
 	return String();
 }
 
-String read_request(const Node3D *field, const StandOptions &options, const AreaBox *part, PlacementRequest &into) {
+String read_request(const Node3D *field, const StandOptions &options, const FieldStyle &style, const AreaBox *part,
+		PlacementRequest &into) {
 	const String no_area = read_area(field, options, part, into);
 	if (!no_area.is_empty()) {
 		return no_area;
@@ -115,7 +119,13 @@ String read_request(const Node3D *field, const StandOptions &options, const Area
 	double shares = 0.0, weighted = 0.0;
 	for (int64_t i = 0; i < options.species.size(); i++) {
 		const Ref<PlantFieldSpecies> listed = options.species[i];
+		if (listed.is_null()) {
+			into.species.emplace_back();
+			into.species.back().share = 0.0f;
+			continue;
+		}
 		add_species(**listed, into);
+		into.species.back().is_absent = style.is_absent(int(i));
 		shares += listed->get_share();
 		weighted += listed->get_share() * listed->get_density_factor();
 	}
@@ -198,34 +208,79 @@ int64_t number_in_list(const StandOptions &options, const Ref<PlantFunction> &fu
 	return -1;
 }
 
-String list_looks(const StandOptions &options, const std::vector<FieldLook> &others, FieldStyle &into) {
+// Nothing grows of it, but all that is made for each species can be made of it.
+static FieldLook substitute_look(int64_t seed) {
+	FieldLook look;
+	look.function = Ref<PlantFunction>(new_counted<GrassFunction>());
+	look.variant_count = 1;
+	look.seed = seed;
+	look.is_absent = true;
+	return look;
+}
+
+static void leave_out(const String &what, FieldStyle &style) {
+	style.left_out += (style.left_out.is_empty() ? String() : String(" ")) + what;
+}
+
+// Else there is nothing to grow.
+static bool has_any_listed(const FieldStyle &style) {
+	const auto end = style.looks.begin() + style.listed_count;
+	return style.listed_count == 0 ||
+			std::any_of(style.looks.begin(), end, [](const FieldLook &look) { return !look.is_absent; });
+}
+
+String list_looks(const Node *field, const StandOptions &options, const std::vector<FieldLook> &others,
+		FieldStyle &into) {
 	into.needs_colors = RenderingServer::get_singleton()->get_current_rendering_method() == String("gl_compatibility");
 	for (int64_t i = 0; i < options.species.size(); i++) {
 		const Ref<PlantFieldSpecies> listed = options.species[i];
 		if (listed.is_null() || listed->get_species().is_null()) {
-			return "species[" + String::num_int64(i) +
-					"] is empty. Set a PlantFieldSpecies with a PlantFunction there, or remove the entry.";
+			into.looks.push_back(substitute_look(int64_t(i)));
+			leave_out(describe_empty_entry(field, int(i), listed), into);
+		} else {
+			into.looks.push_back(listed_look(*listed.ptr(), options, size_t(i)));
 		}
-		into.looks.push_back(listed_look(*listed.ptr(), options, size_t(i)));
 	}
 	into.listed_count = int(into.looks.size());
+	if (!has_any_listed(into)) {
+		return into.left_out;
+	}
 	for (size_t i = 0; i < others.size(); i++) {
 		into.looks.push_back(look_of(others[i].function, others[i].variant_count, options, into.looks.size()));
 	}
 	return String();
 }
 
-String sample_looks(FieldStyle &style, double usec, bool &is_done) {
+// Returns the fault where the species is needed all the same.
+static String leave_out_faulty(
+		FieldStyle &style, size_t number, const String &fault, const std::vector<Ref<PlantFunction>> &standing) {
+	FieldLook &look = style.looks[number];
+	const bool is_listed = int(number) < style.listed_count;
+	const String what = describe(look.function.ptr()) + ": " + fault;
+	if (!is_listed || std::find(standing.begin(), standing.end(), look.function) != standing.end()) {
+		return what;
+	}
+	leave_out("species[" + String::num_uint64(number) + "] does not grow. " + what, style);
+	look = substitute_look(look.seed);
+	return has_any_listed(style) ? String() : style.left_out;
+}
+
+String sample_looks(
+		FieldStyle &style, const std::vector<Ref<PlantFunction>> &standing, double usec, bool &is_done) {
 	const Stopwatch watch;
 	is_done = false;
-	for (FieldLook &look : style.looks) {
+	for (size_t i = 0; i < style.looks.size(); i++) {
+		FieldLook &look = style.looks[i];
 		while (!look.is_sampled()) {
 			if (watch.usec() > usec) {
 				return String();
 			}
-			const String fault = look.sample_next(style.levels);
+			String fault = look.sample_next(style.levels);
 			if (!fault.is_empty()) {
-				return describe(look.function.ptr()) + ": " + fault;
+				fault = leave_out_faulty(style, i, fault, standing);
+			}
+			if (!fault.is_empty()) {
+				return fault;
 			}
 			if (look.is_sampled()) {
 				look.load_shader();

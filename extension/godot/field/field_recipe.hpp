@@ -18,13 +18,13 @@ namespace undergrowth {
 /// that everything can be brought back into its axes.
 godot::Transform3D axes_of(const godot::Node3D *node);
 
-/// The seed for the places of plants in a field of this `seed`; for PLACE_SEED one of the node's place in the world.
+/// The seed for the positions of plants in a field of this `seed`; for PLACE_SEED one from the node's global position.
 int64_t seed_at(const godot::Node3D *node, int64_t seed);
 
-/// Where plants stand, and of which species of the list. After list_looks(), which finds entries that are empty. With
-/// `part` (m, field axes) only what is in that box, and of the map what meets it.
-godot::String read_request(
-		const godot::Node3D *field, const StandOptions &options, const AreaBox *part, PlacementRequest &into);
+/// Where plants stand, and of which species of the list. `style` has those that are absent. With `part` (m, field axes)
+/// only what is in that box, and of the map what meets it.
+godot::String read_request(const godot::Node3D *field, const StandOptions &options, const FieldStyle &style,
+		const AreaBox *part, PlacementRequest &into);
 
 /// What they stand on.
 godot::String read_ground(const godot::Node3D *field, const StandOptions &options, FieldGround &into);
@@ -48,15 +48,19 @@ std::vector<FieldLevel> read_levels(const FieldProperties &options, const SightR
 /// The first species of the list that is this function, or -1.
 int64_t number_in_list(const StandOptions &options, const godot::Ref<PlantFunction> &function);
 
-/// A look for each species of the list, not sampled yet; then for each of `others`.
-godot::String list_looks(const StandOptions &options, const std::vector<FieldLook> &others, FieldStyle &into);
+/// A look for each species of the list, not sampled yet; then for each of `others`. Entries without a species are
+/// absent; where all are, that is the fault.
+/// `field`, which may be null, helps to name a missing file.
+godot::String list_looks(const godot::Node *field, const StandOptions &options, const std::vector<FieldLook> &others,
+		FieldStyle &into);
 
 /// Whether worker threads may make meshes, too. What they are made of is built there anyway.
 bool renders_on_threads();
 
-/// Asks for what looks have not been asked for yet, until `usec` have gone by: one that asks a script cannot be cut
-/// short. `is_done` tells whether all are sampled.
-godot::String sample_looks(FieldStyle &style, double usec, bool &is_done);
+/// Samples what looks have not sampled yet, until `usec` have gone by: a script's answer cannot be cut short. `is_done`:
+/// all are sampled. A species with a fault becomes absent, unless it is one of `standing`, or the last that is left.
+godot::String sample_looks(FieldStyle &style, const std::vector<godot::Ref<PlantFunction>> &standing, double usec,
+		bool &is_done);
 
 /// A look of a function that code adds plants of, sampled and built.
 godot::String read_other_look(const godot::Ref<PlantFunction> &function, const StandOptions &options,

@@ -15,6 +15,12 @@ struct FieldStyle {
 	bool needs_colors = false; ///< Compatibility takes custom data for colours where instances have no colours.
 	int listed_count =
 			0; ///< So many looks are of the field's list of species; the others came with plants that were added.
+	godot::String left_out; ///< What is wrong with entries of the list that do not grow; empty: nothing.
+
+	/// Whether plants of an entry of the list can grow.
+	bool is_absent(int listed) const {
+		return listed < listed_count && size_t(listed) < looks.size() && looks[size_t(listed)].is_absent;
+	}
 };
 
 /// What an instance of the field wears beside its mesh: the engine's own properties of the node.

@@ -17,7 +17,8 @@ namespace undergrowth {
 static constexpr int FRAMES_BETWEEN_CHOICES = 8;
 static constexpr size_t MOST_JOBS = 4; // At once.
 static constexpr double MOST_USEC = 300.0; // A frame, after which nothing more begins.
-static constexpr double ASKING_USEC = 500.0; // A frame, for the ground.
+// A frame, for the ground: by how many tiles wait for it.
+static constexpr double ASKING_USEC_PER_TILE = 250.0, LEAST_ASKING_USEC = 500.0, MAX_ASKING_USEC = 2000.0;
 
 std::vector<glm::vec2> FieldTiles::places_of(const Scene &scene) {
 	std::vector<Vector3> eyes = find_eyes(scene.field);
@@ -133,7 +134,7 @@ bool FieldTiles::describe(const Scene &scene, const PlacementRequest &base, Tile
 			return false; // A build with the present species failed, and the request would number those.
 		}
 		recipe.request = PlacementRequest();
-		const String fault = read_request(scene.field, scene.properties, &box, recipe.request);
+		const String fault = read_request(scene.field, scene.properties, scene.style, &box, recipe.request);
 		if (!fault.is_empty()) {
 			return false;
 		}
@@ -173,9 +174,9 @@ void FieldTiles::ask_ground(const Scene &scene, bool physics) {
 		asker.forget();
 		asking = first == jobs.end() ? nullptr : first->get();
 	}
+	const double usec = std::clamp(ASKING_USEC_PER_TILE * waiting_count(), LEAST_ASKING_USEC, MAX_ASKING_USEC);
 	if (asking &&
-			asker.serve(**first, scene.field, scene.properties, ASKING_USEC, physics, false) ==
-					GroundSurvey::State::failed) {
+			asker.serve(**first, scene.field, scene.properties, usec, physics, false) == GroundSurvey::State::failed) {
 		scene.fault(asker.fault());
 		leave(scene, TileKey((*first)->tile()));
 	}

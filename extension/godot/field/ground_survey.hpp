@@ -1,6 +1,8 @@
 #pragma once
 
 #include "field/field_options.hpp"
+#include "field/ground_query.hpp"
+#include "stand/ground_grid.hpp"
 #include "stand/plants.hpp"
 
 #include <godot_cpp/classes/node3d.hpp>
@@ -9,34 +11,53 @@
 #include <glm/vec3.hpp>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace undergrowth {
 
-/// Asks for the ground under plants, a part of them at a time, where only the main thread may ask.
+/// Finds the ground under plants, a part of them at a time: from a grid of heights where the ground is even between its
+/// points, else by a query for each plant.
 class GroundSurvey {
 public:
 	enum class State { going_on, done, failed };
 
-	virtual ~GroundSurvey() = default;
+	/// `spacing`: m between heights of the grid; 0: a query for each plant.
+	GroundSurvey(std::unique_ptr<GroundQuery> &&of, float spacing) : query(std::move(of)), grid_spacing(spacing) {}
+
 	/// Goes on for about `usec`. Once it has failed, it stays so.
-	virtual State go_on(const FieldPlants &plants, double usec) = 0;
-	/// In physics frames only, or in other ones only.
-	virtual bool is_of_physics() const = 0;
+	State go_on(const FieldPlants &plants, double usec);
+	bool is_of_physics() const { return query->is_of_physics(); }
 	/// Why it failed, and what to do.
-	virtual godot::String fault() const = 0;
-	/// What to check where there is no ground under anybody.
-	virtual godot::String advice() const = 0;
+	godot::String fault() const { return query->fault(); }
+	/// What to check where none of the plants has ground.
+	godot::String advice() const { return query->advice(); }
 	bool has_found_any() const { return found_count > 0; }
 
 	std::vector<float> heights; ///< m, field axes; NaN where there is no ground. As many as plants once it is done.
 	std::vector<glm::vec3> normals; ///< Of any length.
 
-protected:
+private:
+	enum class Phase { fresh, marking, sampling, finding, querying, done };
+
+	std::unique_ptr<GroundQuery> query;
+	float grid_spacing;
+	GroundGrid grid;
+	bool uses_grid = false;
+	int point_count = 0;
+	Phase phase = Phase::fresh;
+	int next = 0; ///< Of the phase: a plant, a point, or an entry of `single`.
+	std::vector<int> single; ///< Plants that need a query of their own.
 	int found_count = 0;
 
-	/// Field axes.
-	void add(float height, const glm::vec3 &normal);
+	void enter(Phase into);
+	/// One part of a phase. False: it has failed.
+	bool go_on_a_little(const FieldPlants &plants);
+	void begin(const FieldPlants &plants);
+	void mark(const FieldPlants &plants);
+	bool sample();
+	void find(const FieldPlants &plants);
+	bool query_some(const FieldPlants &plants);
 };
 
 /// The survey that goes on for those who wait for the ground, one after the other.
@@ -88,11 +109,5 @@ GroundSurvey::State GroundAsker::serve(
 	}
 	return state;
 }
-
-/// What asks the ground of a field that has colliders or an object for it.
-std::unique_ptr<GroundSurvey> survey_ground(godot::Node3D *field, const FieldProperties &options);
-
-/// The object that a path leads to, which may be a property of a node ("Terrain:data"); null where it leads nowhere.
-godot::Object *find_ground_object(const godot::Node3D *field, const godot::NodePath &path);
 
 } // namespace undergrowth

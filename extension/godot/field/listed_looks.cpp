@@ -49,13 +49,14 @@ std::vector<FieldLook> others_of(
 
 bool is_listed_so(const FieldStyle &style, const StandOptions &options) {
 	FieldStyle wanted;
-	if (!list_looks(options, {}, wanted).is_empty() || wanted.listed_count != style.listed_count) {
+	if (!list_looks(nullptr, options, {}, wanted).is_empty() || wanted.listed_count != style.listed_count) {
 		return false;
 	}
 	return std::equal(wanted.looks.begin(), wanted.looks.end(), style.looks.begin(),
 			[](const FieldLook &one, const FieldLook &other) {
-				return one.function == other.function && one.variant_count == other.variant_count &&
-						one.seed == other.seed && one.detail == other.detail;
+				return (one.is_absent && other.is_absent) ||
+						(one.function == other.function && one.variant_count == other.variant_count &&
+								one.seed == other.seed && one.detail == other.detail);
 			});
 }
 

@@ -12,10 +12,11 @@ static uint64_t this_frame() {
 	return Engine::get_singleton()->get_process_frames();
 }
 
-String LookAsking::begin(const FieldProperties &properties, const SightRange &range, std::vector<FieldLook> &&others) {
+String LookAsking::begin(const Node *field, const FieldProperties &properties, const SightRange &range,
+		std::vector<FieldLook> &&others) {
 	style.levels = read_levels(properties, range);
 	const String fault = find_level_fault(properties);
-	return fault.is_empty() ? list_looks(properties, others, style) : fault;
+	return fault.is_empty() ? list_looks(field, properties, others, style) : fault;
 }
 
 bool LookAsking::is_due() const {
@@ -24,7 +25,7 @@ bool LookAsking::is_due() const {
 
 String LookAsking::go_on(bool &is_done) {
 	frame = this_frame();
-	return sample_looks(style, ASKING_USEC, is_done);
+	return sample_looks(style, standing, ASKING_USEC, is_done);
 }
 
 bool LookAsking::knows(const std::vector<FieldLook> &others) const {

@@ -3,6 +3,7 @@
 #include "field/field_recipe.hpp"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace undergrowth {
@@ -10,8 +11,9 @@ namespace undergrowth {
 /// Asks scripts what plants of a field look like, on the main thread. Those that take long are asked over some frames.
 class LookAsking {
 public:
-	/// `fills`: plants are placed once it is known.
-	explicit LookAsking(bool fills) : places(fills) {}
+	/// `fills`: plants are placed once it is known. `with_plants`: species that must not become absent by a fault.
+	LookAsking(bool fills, std::vector<godot::Ref<PlantFunction>> &&with_plants) :
+			places(fills), standing(std::move(with_plants)) {}
 
 	const bool places;
 	/// What is known by now: all of it once go_on() is done. Without meshes.
@@ -19,7 +21,8 @@ public:
 
 	/// Lists what is to be asked: species that are listed, and others, whose plants code added. `range`: how far
 	/// the node is seen, and how finely. Tells what is wrong and what to do about it, or nothing; so does go_on().
-	godot::String begin(const FieldProperties &properties, const SightRange &range, std::vector<FieldLook> &&others);
+	godot::String begin(const godot::Node *field, const FieldProperties &properties, const SightRange &range,
+			std::vector<FieldLook> &&others);
 	/// Whether nothing was asked in this frame yet.
 	bool is_due() const;
 	godot::String go_on(bool &is_done);
@@ -27,6 +30,7 @@ public:
 	bool knows(const std::vector<FieldLook> &others) const;
 
 private:
+	std::vector<godot::Ref<PlantFunction>> standing;
 	uint64_t frame = 0; ///< In which some were asked.
 };
 

@@ -31,7 +31,7 @@ bool Meadow::renew() {
 	const bool is_possible = motion.is_ready() && (!is_at_work() || joins) && streams() == is_of_tiles &&
 			(properties.prototypes > 0) == motion.follows_prototypes() &&
 			float(properties.tile_size) == store.tile_size() && is_listed_so(style, properties) && update_levels() &&
-			read_request(node, properties, nullptr, request).is_empty() &&
+			read_request(node, properties, style, nullptr, request).is_empty() &&
 			read_ground(node, properties, read).is_empty();
 	std::vector<TileKey> list = is_possible ? FieldRenewal::list(tile_scene(), request, tiles) : std::vector<TileKey>();
 	if (list.empty()) {
@@ -47,7 +47,7 @@ bool Meadow::renew() {
 	told_progress = -1.0f;
 	ground = std::move(read);
 	standing_area.stand_by(request);
-	listener.fault(String());
+	listener.fault(style.left_out);
 	if (streams()) {
 		tiles.stand(list, request);
 	}
@@ -85,7 +85,7 @@ void Meadow::tell_what_stands(FieldRecipe &recipe) const {
 String Meadow::make_recipe(FieldRecipe &recipe) {
 	recipe.places = asking->places;
 	recipe.style = std::move(asking->style);
-	String fault = recipe.places ? read_request(node, properties, nullptr, recipe.request) : String();
+	String fault = recipe.places ? read_request(node, properties, recipe.style, nullptr, recipe.request) : String();
 	if (fault.is_empty()) {
 		fault = read_ground(node, properties, recipe.ground);
 	}
@@ -106,8 +106,12 @@ String Meadow::make_recipe(FieldRecipe &recipe) {
 
 String Meadow::begin_asking(bool places) {
 	std::vector<int> numbers;
-	asking = std::make_unique<LookAsking>(places);
-	return asking->begin(properties, sight_range_of(node), others_of(style, store, properties, numbers));
+	std::vector<Ref<PlantFunction>> standing;
+	for (const FieldLook &look : style.looks) {
+		standing.push_back(look.function);
+	}
+	asking = std::make_unique<LookAsking>(places, std::move(standing));
+	return asking->begin(node, properties, sight_range_of(node), others_of(style, store, properties, numbers));
 }
 
 void Meadow::go_on_asking() {
@@ -126,7 +130,7 @@ void Meadow::go_on_asking() {
 	}
 	fault = fault.is_empty() ? make_recipe(recipe) : fault;
 	asking.reset();
-	listener.fault(fault);
+	listener.fault(fault.is_empty() ? recipe.style.left_out : fault);
 	if (!fault.is_empty()) {
 		removed_meanwhile.clear();
 		return;
@@ -138,12 +142,12 @@ void Meadow::go_on_asking() {
 
 void Meadow::follow_area() {
 	PlacementRequest now;
-	const String fault = read_request(node, properties, nullptr, now);
+	const String fault = read_request(node, properties, style, nullptr, now);
 	if (!fault.is_empty() || !standing_area.can_follow(now) || is_at_work() || is_filling() || streams()) {
 		fill(true, false);
 		return;
 	}
-	listener.fault(String());
+	listener.fault(style.left_out);
 	tells_of_patches = true;
 	if (const std::optional<AreaBox> changed = standing_area.follow(now)) {
 		touch(*changed);
@@ -197,7 +201,7 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 	if (style.levels.empty()) {
 		style.levels = read_levels(properties, sight_range_of(node));
 		style.tile_size = store.tile_size();
-		list_looks(StandOptions(), {}, style);
+		list_looks(nullptr, StandOptions(), {}, style);
 	}
 	FieldLook look;
 	const String fault = read_other_look(function, properties, style, look);

@@ -48,7 +48,8 @@ private:
 	struct Setting {
 		const char *name;
 		About about;
-		Range range; ///< Of numbers; of both in a Vector2, which is a span from x up to y.
+		Range range; ///< Of numbers; of both in a Vector2, which is a span from x up to y. Of angles in degrees.
+		bool is_angle = false; ///< In radians.
 	};
 	template <class Part, class Value> static Value value_of(Value Part::*); // For decltype.
 

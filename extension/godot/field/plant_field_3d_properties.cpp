@@ -36,7 +36,8 @@ template <auto slot, const PlantField3D::Setting &setting> void PlantField3D::se
 	if constexpr (std::is_arithmetic_v<Value>) {
 		is_accepted = accept_value(this, setting.name, double(value), setting.range);
 	} else if constexpr (std::is_same_v<Value, Vector2>) {
-		is_accepted = accept_span(this, setting.name, value, setting.range);
+		const auto accept = setting.is_angle ? accept_angle_span : accept_span;
+		is_accepted = accept(this, setting.name, properties.*slot, value, setting.range);
 	}
 	if (is_accepted && value != properties.*slot) {
 		properties.*slot = value;
@@ -49,6 +50,13 @@ template <auto slot, const PlantField3D::Setting &setting> void PlantField3D::se
 	{                                                                                                                  \
 		static constexpr Setting setting = { #m_name, About::m_about, { m_least, m_most } };                           \
 		BIND_PROPERTY(m_type, m_name, "get_" #m_name, (&self_type::set<&FieldProperties::m_name, setting>),            \
+				&self_type::get<&FieldProperties::m_name>, ##__VA_ARGS__);                                             \
+	}
+// The same of a span of angles, with bounds in degrees.
+#define ANGLES(m_name, m_about, m_least, m_most, ...)                                                                  \
+	{                                                                                                                  \
+		static constexpr Setting setting = { #m_name, About::m_about, { m_least, m_most }, true };                     \
+		BIND_PROPERTY(VECTOR2, m_name, "get_" #m_name, (&self_type::set<&FieldProperties::m_name, setting>),           \
 				&self_type::get<&FieldProperties::m_name>, ##__VA_ARGS__);                                             \
 	}
 // The same of one that has no bounds.
@@ -83,8 +91,9 @@ void PlantField3D::bind_properties() {
 	VALUE(INT, ground_collision_mask, stand, PROPERTY_HINT_LAYERS_3D_PHYSICS);
 	VALUE(NODE_PATH, ground_mesh, stand, PROPERTY_HINT_NODE_PATH_VALID_TYPES, "MeshInstance3D");
 	VALUE(NODE_PATH, ground_object, stand);
+	NUMBER(FLOAT, ground_sample_spacing, stand, 0.0, 100.0, SLIDER("0,4,0.01,or_greater,suffix:m"));
 	NUMBER(VECTOR2, height_limits, stand, -1e6, 1e6, PROPERTY_HINT_NONE, "suffix:m");
-	NUMBER(VECTOR2, slope_limits, stand, 0.0, 3.1415928, SLIDER("0,180,0.1,radians_as_degrees"));
+	ANGLES(slope_limits, stand, 0.0, 180.0, SLIDER("0,180,0.1,radians_as_degrees"));
 	NUMBER(FLOAT, slope_alignment, stand, 0.0, 1.0, SLIDER("0,1,0.01"));
 	ADD_GROUP("Motion", "");
 	SET_HERE(OBJECT, wind, "get_wind", PROPERTY_HINT_RESOURCE_TYPE, "PlantWind");

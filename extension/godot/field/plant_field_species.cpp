@@ -69,8 +69,9 @@ void PlantFieldSpecies::set_density_factor(double factor) {
 }
 
 void PlantFieldSpecies::set_scale_range(const Vector2 &range) {
-	if (accept_span(this, "scale_range", range, { 0.001, 1000.0 })) {
-		set(scale_range, range);
+	Vector2 ordered = range;
+	if (accept_span(this, "scale_range", scale_range, ordered, { 0.001, 1000.0 })) {
+		set(scale_range, ordered);
 	}
 }
 

@@ -141,19 +141,23 @@ void PlantArrangement::set_part(const Ref<PlantPart> &kind) {
 }
 
 void PlantArrangement::set_count(const Vector2i &range) {
-	if (range == get_count()) {
-		return;
-	}
-	if (range.x < 0 || range.y < 1 || range.y < range.x || range.y > MAX_PARTS) {
+	if (range.x < 0 || range.x > MAX_PARTS || range.y < 1 || range.y > MAX_PARTS) {
 		report_error(this,
 				"count cannot be " + String::num_int64(range.x) + " to " + String::num_int64(range.y) +
 						", it keeps its value. Set 0 to " + String::num_int64(MAX_PARTS) +
 						", the smaller number first, the larger 1 or more.");
 		return;
 	}
-	arrangement.count_min = range.x;
-	arrangement.count_max = range.y;
-	tell();
+	Vector2 ordered(float(range.x), float(range.y));
+	if (!accept_span(this, "count", get_count(), ordered, { 0.0, double(MAX_PARTS) })) {
+		return;
+	}
+	const Vector2i count(int(ordered.x), int(ordered.y));
+	if (count != get_count()) {
+		arrangement.count_min = count.x;
+		arrangement.count_max = count.y;
+		tell();
+	}
 }
 
 void PlantArrangement::set_per_node(int count) {

@@ -118,8 +118,8 @@ void PlantPart::on_function_changed() {
 }
 
 void PlantPart::set_length(const Vector2 &metres) {
-	const Vector2 range = metres.y == 0.0f ? Vector2(metres.x, metres.x) : metres;
-	if (accept_span(this, "length", range, LENGTH_RANGE) &&
+	Vector2 range = metres.y == 0.0f ? Vector2(metres.x, metres.x) : metres;
+	if (accept_span(this, "length", get_length(), range, LENGTH_RANGE) &&
 			(range.x != part.length_min || range.y != part.length_max)) {
 		part.length_min = range.x;
 		part.length_max = range.y;

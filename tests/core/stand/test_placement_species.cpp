@@ -97,3 +97,19 @@ TEST_CASE("scales, heights, leans, turns and variants fill their ranges evenly")
 		CHECK(std::abs(count - plants.size() / 8) < 500);
 	}
 }
+
+TEST_CASE("the places of an absent species stay empty, and all others keep their plants") {
+	PlacementRequest request = square_field(20.0f, 5.0f, 3);
+	const FieldPlants all = placed(request);
+	request.species[1].is_absent = true;
+	const FieldPlants some = placed(request);
+	CHECK(species_counts(some)[1] == 0);
+	std::vector<int> others;
+	for (int i = 0; i < all.size(); i++) {
+		if (all.species[static_cast<std::size_t>(i)] != 1) {
+			others.push_back(i);
+		}
+	}
+	CHECK(others.size() < all.x.size());
+	CHECK(some.x == all.reordered(others).x);
+}
