@@ -126,17 +126,6 @@ func test_a_field_is_found_as_it_was_left() -> void:
 	check(field.get_changes() == bytes, "its changes are the same bytes")
 
 
-func test_a_mown_plant_that_code_added_leaves_no_change_when_it_is_removed() -> void:
-	field.density = 0.0
-	await start()
-	var ids := field.add_plants([Transform3D.IDENTITY], field.species[0].species)
-	await frames(2)
-	check_equal(field.set_height_in_sphere(field.global_position, 1.0, 0.1), 1, "mown")
-	check(not _saved_changes().is_empty(), "changes are saved with the scene")
-	field.remove_plant(ids[0])
-	check_equal(_saved_changes().size(), 0, "bytes that are saved then")
-
-
 func test_the_usual_grass_that_was_added_is_known_before_a_field_stands() -> void:
 	field.free()
 	field = PlantField3D.new()
@@ -245,8 +234,3 @@ func _make_field() -> PlantField3D:
 
 func _count_near(radius := REACH) -> int:
 	return field.find_plants_in_sphere(field.global_position, radius).size()
-
-
-## What a scene has of the field's changes.
-func _saved_changes() -> PackedByteArray:
-	return field.get("kept_changes")
