@@ -8,8 +8,9 @@
 
 namespace undergrowth {
 
-/// Looks up many filled plants in StandChanges that stay as they are. Indexes the recorded cells by place, one square at
-/// a time, so a look-up costs by the cells around the plant, however many densities the changes were made at. One thread.
+/// Looks up many filled plants in StandChanges that stay as they are. Indexes the recorded cells by place, one square
+/// at a time, so a look-up costs by the cells around the plant, however many densities the changes were made at. One
+/// thread.
 class ChangesFinder {
 public:
 	explicit ChangesFinder(const StandChanges &changes) : all(changes) {}

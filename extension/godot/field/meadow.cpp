@@ -97,7 +97,11 @@ SeenDistances Meadow::seen_distances() {
 	if (frames_since_box++ % FRAMES_BETWEEN_BOXES == 0) {
 		seen_box = box();
 	}
-	return find_seen_distances(node, axes_of(node).xform(seen_box).grow(MARGIN));
+	const Transform3D axes = axes_of(node);
+	const Vector3 scale = axes.basis.get_scale().abs();
+	const float radius = MARGIN + 0.5f * seen_box.size.length() * std::max({ scale.x, scale.y, scale.z });
+	const Vector3 reach(radius, radius, radius);
+	return find_seen_distances(node, AABB(axes.xform(seen_box.get_center()) - reach, 2.0f * reach));
 }
 
 void Meadow::refresh() {
