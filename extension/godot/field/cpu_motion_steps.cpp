@@ -20,7 +20,6 @@ namespace undergrowth {
 
 static constexpr int FRAMES_BETWEEN_FAR_UPDATES = 15;
 static constexpr int MOST_FAR_MULTIPLE = 32;
-static constexpr int MOST_PUSHED_MULTIPLE = 4; // Where bodies push, so that they miss no plants at a walk.
 static constexpr double NEAR = 10.0; // m: where a stem's second mode can be seen.
 static constexpr double NEVER_FAR = 0.5; // Of far_distance: whoever is nearer is stepped in full.
 static constexpr double FARTHER = 1.4142135623730951; // So much farther is stepped half as often again.
@@ -37,9 +36,8 @@ bool CpuMotion::wants_eyes() const {
 // Pages farther than far_distance are stepped half as often, those FARTHER yet a quarter as often, and so on: as fast
 // as the ground at a distance grows, so that all far rings cost about the same. A page's middle counts, but no plant of
 // it is taken to be more than half of far_distance farther than it is: around whoever looks, also from above, all are
-// stepped in full. Pages near a body that pushes are stepped at least in every MOST_PUSHED_MULTIPLE-th step, so bodies
-// far from all cameras cost a quarter. Near a camera or a body, stems of two modes step both; where the distance does
-// not matter, cameras change nothing.
+// stepped in full. Bodies that push count as eyes. Where somebody looks from near, stems of two modes step both; where
+// the distance does not matter, whoever looks changes nothing.
 void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
 	const bool is_due = wants_eyes();
 	frames_since_far++;
@@ -55,26 +53,22 @@ void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
 		eyes.push_back(to_glm(to_field.xform(eye)));
 	}
 	const bool applies = options.far_distance > 0.0 && !eyes.empty();
-	const size_t cameras = eyes.size();
 	eyes.insert(eyes.end(), pushed_at.begin(), pushed_at.end());
 	const auto metres = [&](const glm::vec3 &way) { return double(frame.axes.basis.xform(to_godot(way)).length()); };
 	for (int page = 0; page < simulation->page_count(); page++) {
 		const MotionPage &plants = simulation->page(page);
 		double away = applies ? 1e30 : 0.0;
 		bool is_near = false;
-		int most = MOST_FAR_MULTIPLE;
-		for (size_t i = 0; i < eyes.size(); i++) {
-			const glm::vec3 &eye = eyes[i];
+		for (const glm::vec3 &eye : eyes) {
 			const double nearest = metres(eye - glm::clamp(eye, plants.low(), plants.high()));
 			const double middle = metres(eye - 0.5f * (plants.low() + plants.high()));
-			const double own = std::min(middle, nearest + NEVER_FAR * options.far_distance);
-			away = i < cameras ? std::min(away, own) : away;
-			most = i >= cameras && own <= options.far_distance ? MOST_PUSHED_MULTIPLE : most;
+			away = std::min(away, std::min(middle, nearest + NEVER_FAR * options.far_distance));
 			is_near = is_near || nearest < NEAR;
 		}
 		simulation->set_page_near(page, applies && is_near);
 		int multiple = 1;
-		for (double limit = options.far_distance; multiple < most && applies && away > limit; limit *= FARTHER) {
+		for (double limit = options.far_distance; multiple < MOST_FAR_MULTIPLE && applies && away > limit;
+				limit *= FARTHER) {
 			multiple *= 2;
 		}
 		simulation->set_page_multiple(page, multiple);
