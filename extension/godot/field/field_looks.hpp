@@ -69,7 +69,8 @@ struct FieldLook {
 	godot::Color mean; ///< Of its plants of parts, as they are seen; a: their translucency.
 
 	int64_t seed = 0; ///< Of all variants.
-	bool is_absent = false; ///< A substitute for an entry of the list without a species that can grow: no plant is of it.
+	bool is_absent =
+			false; ///< A substitute for an entry of the list without a species that can grow: no plant is of it.
 
 	/// Asks the function for one variant more, at all levels, and at last how they move; main thread only, since
 	/// scripts may answer. A stem that the function does not know is left to build(). Tells what is wrong and what to

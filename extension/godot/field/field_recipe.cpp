@@ -229,8 +229,8 @@ static bool has_any_listed(const FieldStyle &style) {
 			std::any_of(style.looks.begin(), end, [](const FieldLook &look) { return !look.is_absent; });
 }
 
-String list_looks(const Node *field, const StandOptions &options, const std::vector<FieldLook> &others,
-		FieldStyle &into) {
+String list_looks(
+		const Node *field, const StandOptions &options, const std::vector<FieldLook> &others, FieldStyle &into) {
 	into.needs_colors = RenderingServer::get_singleton()->get_current_rendering_method() == String("gl_compatibility");
 	for (int64_t i = 0; i < options.species.size(); i++) {
 		const Ref<PlantFieldSpecies> listed = options.species[i];
@@ -265,8 +265,7 @@ static String leave_out_faulty(
 	return has_any_listed(style) ? String() : style.left_out;
 }
 
-String sample_looks(
-		FieldStyle &style, const std::vector<Ref<PlantFunction>> &standing, double usec, bool &is_done) {
+String sample_looks(FieldStyle &style, const std::vector<Ref<PlantFunction>> &standing, double usec, bool &is_done) {
 	const Stopwatch watch;
 	is_done = false;
 	for (size_t i = 0; i < style.looks.size(); i++) {

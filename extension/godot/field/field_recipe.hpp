@@ -51,16 +51,17 @@ int64_t number_in_list(const StandOptions &options, const godot::Ref<PlantFuncti
 /// A look for each species of the list, not sampled yet; then for each of `others`. Entries without a species are
 /// absent; where all are, that is the fault.
 /// `field`, which may be null, helps to name a missing file.
-godot::String list_looks(const godot::Node *field, const StandOptions &options, const std::vector<FieldLook> &others,
-		FieldStyle &into);
+godot::String list_looks(
+		const godot::Node *field, const StandOptions &options, const std::vector<FieldLook> &others, FieldStyle &into);
 
 /// Whether worker threads may make meshes, too. What they are made of is built there anyway.
 bool renders_on_threads();
 
-/// Samples what looks have not sampled yet, until `usec` have gone by: a script's answer cannot be cut short. `is_done`:
-/// all are sampled. A species with a fault becomes absent, unless it is one of `standing`, or the last that is left.
-godot::String sample_looks(FieldStyle &style, const std::vector<godot::Ref<PlantFunction>> &standing, double usec,
-		bool &is_done);
+/// Samples what looks have not sampled yet, until `usec` have gone by: a script's answer cannot be cut short.
+/// `is_done`: all are sampled. A species with a fault becomes absent, unless it is one of `standing`, or the last that
+/// is left.
+godot::String sample_looks(
+		FieldStyle &style, const std::vector<godot::Ref<PlantFunction>> &standing, double usec, bool &is_done);
 
 /// A look of a function that code adds plants of, sampled and built.
 godot::String read_other_look(const godot::Ref<PlantFunction> &function, const StandOptions &options,
