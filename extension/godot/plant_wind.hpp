@@ -61,6 +61,7 @@ private:
 
 protected:
 	static void _bind_methods();
+	bool _set(const godot::StringName &name, const godot::Variant &value);
 	void _validate_property(godot::PropertyInfo &property) const;
 
 public:
@@ -89,17 +90,17 @@ public:
 	double get_gustiness() const;
 	void set_roughness(double metres);
 	double get_roughness() const;
-	void set_stand_height(double metres);
-	double get_stand_height() const;
-	void set_wave_share(double share);
-	double get_wave_share() const;
+	void set_canopy_height(double metres);
+	double get_canopy_height() const;
+	void set_canopy_wave_amount(double share);
+	double get_canopy_wave_amount() const;
 	int64_t get_beaufort() const;
 	/// Of the air at a place (world, its height above the ground as y), m/s.
 	godot::Vector3 sample_velocity(double at_time, const godot::Vector3 &place) const;
 	/// Of the air at the tops of the stand, waves with it, at horizontal places of the world (x, z), m/s.
-	godot::PackedVector2Array sample_over_stand(double at_time, const godot::PackedVector2Array &places) const;
+	godot::PackedVector2Array sample_over_canopy(double at_time, const godot::PackedVector2Array &places) const;
 	/// Tells a material that includes undergrowth_wind.gdshaderinc how it blows now.
-	void show_in(const godot::Ref<godot::Material> &material) const;
+	void apply_to_material(const godot::Ref<godot::Material> &material) const;
 	/// Within so many seconds of its clock this air becomes what another is.
 	void blend_to(const godot::Ref<PlantWind> &wind, double seconds);
 

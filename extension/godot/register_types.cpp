@@ -13,6 +13,7 @@
 #include "plant_simulation.hpp"
 #include "plant_wind.hpp"
 #include "plant_wind_source_3d.hpp"
+#include "renamed_properties.hpp"
 #include "shared_resources.hpp"
 #include "species_functions.hpp"
 #include "wind_shader.hpp"
@@ -40,6 +41,7 @@ static void load_class_help() {
 
 static void register_classes() {
 	GDREGISTER_INTERNAL_CLASS(LateReport);
+	GDREGISTER_INTERNAL_CLASS(OldNameWarning);
 	GDREGISTER_ABSTRACT_CLASS(PlantPart);
 	GDREGISTER_CLASS(PlantAxis);
 	GDREGISTER_CLASS(PlantBlade);

@@ -75,10 +75,10 @@ void show_wind(const FieldWind &air, double time, const Ref<Material> &material)
 	const RID target = material->get_rid();
 	const AirNow now = air_at_time(air.air, {}, air.tiles.get(), time);
 	const PlantWinds along = winds_along(air);
-	const AirBlow stand = blow_over(now, std::max(air.air.stand_height, TURF_HEIGHT), along);
+	const AirBlow stand = blow_over(now, std::max(air.air.canopy_height, TURF_HEIGHT), along);
 	const float gust = now.speed * now.gusts * float(open_ground_gusts(REFERENCE_HEIGHT, double(now.roughness)));
 	const float along_gust = gust / std::sqrt(1.0f + 2.0f * now.skew * now.skew);
-	const float waves = now.waves.cells ? now.wave_share : 0.0f;
+	const float waves = now.waves.cells ? now.canopy_wave_amount : 0.0f;
 	show_textures(*air.tiles, target);
 	show_map(now.turbulence, target, "undergrowth_wind_start", "undergrowth_wind_texels");
 	show_map(now.waves, target, "undergrowth_waves_start", "undergrowth_waves_texels");

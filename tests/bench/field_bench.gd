@@ -137,7 +137,7 @@ func _measure(title: String, field: PlantField3D) -> void:
 	camera.position.y = 5.0  # Looking up: what is measured is not how plants are drawn.
 	camera.rotation.x = PI / 2.0
 	root.add_child(field)
-	await field.filled
+	await field.build_finished
 	field.simulation_enabled = false
 	var idle := await _median_frame_usec()
 	field.simulation_enabled = true
@@ -179,7 +179,7 @@ func _measure(title: String, field: PlantField3D) -> void:
 
 func _measure_fill(title: String, field: PlantField3D) -> void:
 	root.add_child(field)
-	await field.filled
+	await field.build_finished
 	var times: Array[float] = []
 	var workers: Array[float] = []
 	var processors: Array[float] = []
@@ -187,7 +187,7 @@ func _measure_fill(title: String, field: PlantField3D) -> void:
 		var before := ProcessorTime.spent()
 		var start := Time.get_ticks_usec()
 		field.seed += 1  # Of other seeds: nothing has grown before.
-		await field.filled
+		await field.build_finished
 		times.append(Time.get_ticks_usec() - start)
 		var spent := ProcessorTime.spent() - before
 		workers.append(spent.y)
@@ -232,7 +232,7 @@ func _measure_build(streams: bool) -> void:
 		if first.is_empty() and field.get_plant_count() > 0:
 			first["first_frames"] = frame
 			first["first_ms"] = (Time.get_ticks_usec() - start) / 1000.0
-		return field.is_filling()
+		return field.is_building()
 	var spent := await _main_thread_usec(goes_on)
 	var total := Time.get_ticks_usec() - start
 	var usual := _median(
@@ -265,7 +265,7 @@ func _main_thread_of_fills(field: PlantField3D) -> Dictionary:
 	var longest: Array[float] = []
 	for i in FILLS:
 		field.seed += 1
-		var goes_on := func(_frame: int) -> bool: return field.is_filling()
+		var goes_on := func(_frame: int) -> bool: return field.is_building()
 		var frames := await _main_thread_usec(goes_on)
 		var more := func(sum: float, usec: float) -> float: return sum + maxf(usec - usual, 0.0)
 		sums.append(frames.reduce(more, 0.0))

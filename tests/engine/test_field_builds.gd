@@ -39,7 +39,7 @@ func test_plants_near_the_camera_come_first() -> void:
 			_stream(field)
 		root.add_child(field)
 		await until(_has_plants, "the first plants come")
-		check(field.is_filling(), "others follow")
+		check(field.is_building(), "others follow")
 		var first := field.get_plant_count()
 		check(first < PLANTS_OF_FIRST_PART, "%d plants come first" % first)
 		var near := field.find_plants_in_sphere(_middle(), 6.0).size()
@@ -54,7 +54,7 @@ func test_a_build_in_parts_gives_the_same_plants_as_one_in_one_part() -> void:
 	var whole := _make_field()
 	whole.density = 0.5
 	root.add_child(whole)
-	await whole.filled
+	await whole.build_finished
 	var others := _make_field()  # With other species all tiles are built together.
 	whole.species = others.species
 	whole.density = field.density
@@ -71,8 +71,8 @@ func test_progress_rises_to_1_and_the_end_is_reported_once() -> void:
 			_stream(field)
 		_ratios = []
 		_ends = []
-		field.fill_progressed.connect(func(ratio: float) -> void: _ratios.append(ratio))
-		field.filled.connect(func() -> void: _ends.append("filled %s" % field.is_filling()))
+		field.build_progressed.connect(func(ratio: float) -> void: _ratios.append(ratio))
+		field.build_finished.connect(func() -> void: _ends.append("filled %s" % field.is_building()))
 		root.add_child(field)
 		await filled(field)
 		await frames(30)
@@ -95,7 +95,7 @@ func test_a_larger_budget_takes_fewer_frames() -> void:
 		root.add_child(field)
 		await until(_has_plants, "the first plants come")
 		var count := 0
-		while field.is_filling():
+		while field.is_building():
 			OS.delay_usec(10000)  # Workers are ahead of this thread.
 			await process_frame
 			count += 1
@@ -113,9 +113,9 @@ func test_build_now_returns_when_all_is_there() -> void:
 	root.add_child(twin)
 	await filled(twin)
 	root.add_child(field)
-	field.filled.connect(func() -> void: _ends.append("filled"))
+	field.build_finished.connect(func() -> void: _ends.append("filled"))
 	check(field.build_now(), "it can be built")
-	check(not field.is_filling(), "nothing is missing")
+	check(not field.is_building(), "nothing is missing")
 	check_equal(_ends, PackedStringArray(["filled"]), "signals")
 	check_equal(_places_of(field), _places_of(twin), "plants and places")
 	twin.free()
@@ -166,7 +166,7 @@ func test_build_now_is_false_where_nothing_can_be_built() -> void:
 	check_error("species[0] is empty")
 	check_equal(_ends.size(), 1, "signals")
 	check(_ends[0].contains("species[0] is empty"), "it says why: %s" % _ends)
-	check_equal(field.is_filling(), false, "nothing is on its way")
+	check_equal(field.is_building(), false, "nothing is on its way")
 	field.species[0].species = GrassFunction.new()
 	_camera.free()
 	_camera = Camera3D.new()
@@ -179,19 +179,19 @@ func test_a_build_that_cannot_begin_or_end_is_reported() -> void:
 	field.ground_mode = PlantField3D.GROUND_OBJECT
 	field.ground_object = NodePath("../Slope")
 	root.add_child(field)
-	check(field.is_filling(), "it is queued")
+	check(field.is_building(), "it is queued")
 	await field.build_failed
 	check_error("ground_object")
-	check_equal(field.is_filling(), false, "then")
+	check_equal(field.is_building(), false, "then")
 	var terrain := Node3D.new()
 	terrain.name = "Slope"
 	terrain.set_script(_script_of_bad_ground())
 	root.add_child(terrain)
-	field.fill()
+	field.rebuild()
 	await field.build_failed
 	check_error("answers with no float")
 	await process_frame
-	check_equal(field.is_filling(), false, "in the end")
+	check_equal(field.is_building(), false, "in the end")
 	check_equal(_ends.size(), 2, "signals")
 	terrain.free()
 
@@ -217,7 +217,7 @@ func test_edits_before_the_first_build_ends_hold() -> void:
 			twin.find_plants_in_sphere(far, 4.0).size(),
 			"plants beside them"
 		)
-		field.fill()
+		field.rebuild()
 		await filled(field)
 		check_equal(field.get_plant_count(), count, "plants that are built again")
 		_check_edited(twin)
@@ -262,9 +262,9 @@ func test_a_streaming_field_of_other_tiles_is_filling_at_once() -> void:
 	field.density = 1.0
 	await start()
 	field.tile_size = 11.0
-	check(field.is_filling(), "right after it was set")
+	check(field.is_building(), "right after it was set")
 	await filled(field)
-	check_equal(field.is_filling(), false, "then")
+	check_equal(field.is_building(), false, "then")
 
 
 func test_a_material_that_changes_while_a_field_is_built_again_is_drawn() -> void:

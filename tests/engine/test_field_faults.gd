@@ -95,7 +95,7 @@ func test_a_species_with_errors_is_named_once_and_the_rest_grows() -> void:
 	await _fill()
 	check_error("species[1] does not grow. ")
 	check_near(field.get_plant_count(), 0.5 * 5 * 20 * 20, 100.0, "plants of the other species")
-	field.fill()
+	field.rebuild()
 	await rested()
 	check_near(field.get_plant_count(), 0.5 * 5 * 20 * 20, 100.0, "plants of the other species")
 	field.species[1].species = TulipFunction.new()
@@ -141,9 +141,9 @@ func test_degrees_as_slope_limits_are_one_error_that_says_radians() -> void:
 func test_shares_of_0_are_one_error() -> void:
 	await _fill()
 	for entry in field.species:
-		entry.share = 0.0
+		entry.weight = 0.0
 	await rested()
-	check_error("share")
+	check_error("weight")
 	check(field.get_plant_count() > 0, "the field stays")
 
 

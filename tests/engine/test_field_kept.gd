@@ -13,7 +13,7 @@ func test_who_was_removed_stays_so_when_the_field_is_filled_anew() -> void:
 	var count := field.get_plant_count()
 	var cut := field.remove_in_sphere(field.global_position, REACH)
 	check(cut > 100, "%d are cut" % cut)
-	field.fill()
+	field.rebuild()
 	await filled(field)
 	check_equal(field.get_plant_count(), count - cut, "plants")
 	field.slope_limits = Vector2(0.0, 1.0)
@@ -27,11 +27,11 @@ func test_who_was_removed_stays_so_when_the_field_is_filled_anew() -> void:
 
 func test_who_is_removed_while_it_is_filled_stays_so() -> void:
 	await start()
-	field.fill()
+	field.rebuild()
 	var cut := field.remove_in_sphere(field.global_position, REACH)
 	await filled(field)
 	check_equal(_count_near(), 0, "plants there, %d are cut" % cut)
-	field.fill()
+	field.rebuild()
 	await filled(field)
 	check_equal(_count_near(), 0, "plants there then")
 
@@ -68,7 +68,7 @@ func test_who_is_mown_is_so_high_and_grows_back() -> void:
 		if i % 20 == 0:
 			check_near(relative_tip(ids[i]).length(), 0.1, 0.002, "from root to tip")
 	check_equal(field.set_height_in_sphere(field.global_position, REACH, 0.1), 0, "mown again")
-	field.fill()
+	field.rebuild()
 	await filled(field)
 	await step(3)
 	check_near(relative_tip(ids[7]).length(), 0.1, 0.002, "after a filling")

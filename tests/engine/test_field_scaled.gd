@@ -111,7 +111,7 @@ func test_a_field_that_moves_takes_its_plants_and_their_motion_along() -> void:
 	var tips := field.get_tip_positions(ids)
 	_place_askew()
 	await frames(12)
-	check(not field.is_filling(), "nothing grows anew")
+	check(not field.is_building(), "nothing grows anew")
 	check_equal(field.get_plant_ids(), ids, "plants")
 	check_equal(field.get_tip_positions(ids), tips, "tips in the field's axes")
 

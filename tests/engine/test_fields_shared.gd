@@ -94,7 +94,7 @@ func test_a_moved_field_keeps_its_layout_until_it_is_built_again() -> void:
 	field.position = Vector3(7, 0, 3)
 	await frames(20)
 	check_equal(_roots(field), before, "the layout after a move")
-	field.fill()
+	field.rebuild()
 	await _all_built()
 	check(_roots(field) != before, "built again it is that of the new place")
 	var moved := _roots(field)
@@ -135,7 +135,7 @@ func _count_added(field: PlantField3D) -> int:
 
 func _all_built() -> void:
 	await process_frame
-	while _fields.any(func(field: PlantField3D) -> bool: return field.is_filling()):
+	while _fields.any(func(field: PlantField3D) -> bool: return field.is_building()):
 		await process_frame
 	await frames(10)
 

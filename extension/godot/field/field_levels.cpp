@@ -62,7 +62,7 @@ static std::vector<ListedLevel> list_levels(const FieldProperties &options) {
 	for (int64_t i = 0; i < options.levels.size(); i++) {
 		const Ref<PlantFieldLevel> level = options.levels[i];
 		if (level.is_valid()) {
-			listed.push_back({ level->get_segments(), float(level->get_end()), float(level->get_share()) });
+			listed.push_back({ level->get_segments(), float(level->get_end()), float(level->get_density()) });
 		}
 	}
 	if (!listed.empty()) {

@@ -160,7 +160,7 @@ void FieldLook::read_traits() {
 		motion.shortest = std::min(motion.shortest, variant.height);
 		motion.longest = std::max(motion.longest, variant.height);
 	}
-	motion.stand_height = 0.5f * (motion.shortest + motion.longest);
+	motion.canopy_height = 0.5f * (motion.shortest + motion.longest);
 }
 
 void FieldLook::take_stem(const std::shared_ptr<const StemConstants> &found) {

@@ -47,7 +47,7 @@ int64_t seed_at(const Node3D *node, int64_t seed) {
 // A species' density is its share of the field's, times its own factor.
 static void add_species(const PlantFieldSpecies &listed, PlacementRequest &into) {
 	PlacementSpecies kind;
-	kind.share = float(listed.get_share() * listed.get_density_factor());
+	kind.share = float(listed.get_weight() * listed.get_density_factor());
 	kind.variants = listed.get_variants();
 	kind.least_scale = listed.get_scale_range().x;
 	kind.most_scale = listed.get_scale_range().y;
@@ -126,8 +126,8 @@ String read_request(const Node3D *field, const StandOptions &options, const Fiel
 		}
 		add_species(**listed, into);
 		into.species.back().is_absent = style.is_absent(int(i));
-		shares += listed->get_share();
-		weighted += listed->get_share() * listed->get_density_factor();
+		shares += listed->get_weight();
+		weighted += listed->get_weight() * listed->get_density_factor();
 	}
 	into.density = float(shares > 0.0 ? options.density * weighted / shares : options.density);
 	if (part && into.map) { // What is painted is the area; cells at its border are whole.
@@ -194,7 +194,7 @@ static FieldLook look_of(const Ref<PlantFunction> &function, int variants, const
 
 static FieldLook listed_look(const PlantFieldSpecies &listed, const StandOptions &options, size_t number) {
 	FieldLook look = look_of(listed.get_species(), listed.get_variants(), options, number);
-	look.detail = listed.get_detail();
+	look.detail = listed.get_lod_bias();
 	return look;
 }
 

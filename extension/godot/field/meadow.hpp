@@ -49,7 +49,7 @@ public:
 	/// Whether all of it is exchanged at once.
 	bool is_at_work() const { return asking || job; }
 	/// Whether it places plants, or joins tiles that were placed one by one.
-	bool is_filling() const { return is_placing() || tiles.is_building(); }
+	bool is_building() const { return is_placing() || tiles.is_building(); }
 	/// Builds all that is missing before it returns. False where that is not possible.
 	bool build_now();
 	/// Whether tiles of another size are wanted than those that stand.
@@ -68,7 +68,7 @@ public:
 	bool streams() const { return properties.view_distance > 0.0; }
 	/// Whether it is to be polled.
 	bool wants_frames() const {
-		return is_at_work() || is_filling() || is_patching() || streams() || !retired.empty() ||
+		return is_at_work() || is_building() || is_patching() || streams() || !retired.empty() ||
 				!retired_materials.empty() || tells_of_patches;
 	}
 	/// Whether what is filled takes its motion over: nothing of it is to be waited for in this frame.

@@ -152,7 +152,7 @@ void Meadow::go_on_asking() {
 void Meadow::follow_area() {
 	PlacementRequest now;
 	const String fault = read_request(node, properties, style, nullptr, now);
-	if (!fault.is_empty() || !standing_area.can_follow(now) || is_at_work() || is_filling() || streams()) {
+	if (!fault.is_empty() || !standing_area.can_follow(now) || is_at_work() || is_building() || streams()) {
 		fill(true, false);
 		return;
 	}

@@ -158,7 +158,7 @@ bool Meadow::build_now() {
 		return false;
 	}
 	is_urgent = true;
-	while (node->is_inside_tree() && (is_filling() || is_patching())) {
+	while (node->is_inside_tree() && (is_building() || is_patching())) {
 		poll(0.0, true);
 		if (node->is_inside_tree()) {
 			poll(0.0, false);

@@ -16,7 +16,7 @@ static constexpr double FREEING_SHARE = 0.5; // Of the budget of a frame.
 
 void Meadow::fill(bool places, bool looks) {
 	if (!node->is_inside_tree()) {
-		node->call("fill"); // There are no axes and no cameras: the field is built when it enters the tree.
+		node->call("rebuild"); // The field is built when it enters the tree: there are no axes and no cameras.
 		return;
 	}
 	const FrameCost::Share share(filling);
@@ -65,7 +65,7 @@ void Meadow::touch(const AreaBox &box) {
 		renewal.interrupt(tile_scene(), motion, box);
 		keep_standing_patches();
 	}
-	if ((!is_filling() && style.levels.empty()) || patches.touched_tiles() > FieldPatches::MOST_TILES) {
+	if ((!is_building() && style.levels.empty()) || patches.touched_tiles() > FieldPatches::MOST_TILES) {
 		fill(true, false);
 	}
 }
@@ -237,7 +237,7 @@ void Meadow::poll_parts(double delta, bool physics) {
 	if (job && (physics || is_urgent || FrameBudget::of_fields().is_left())) {
 		poll_job(physics);
 	}
-	if (tells_of_patches && !is_at_work() && !is_filling() && !is_patching()) {
+	if (tells_of_patches && !is_at_work() && !is_building() && !is_patching()) {
 		tells_of_patches = false;
 		finish_build();
 	}

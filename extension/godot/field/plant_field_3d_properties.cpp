@@ -120,7 +120,7 @@ void PlantField3D::bind_properties() {
 	ADD_GROUP("Building", "");
 	NUMBER(FLOAT, build_budget_msec, nothing, 0.1, 1000.0, SLIDER("0.1,16,0.1,or_greater,suffix:ms"));
 	// After what its plants are named by.
-	PROPERTY(PACKED_BYTE_ARRAY, kept_changes, PROPERTY_HINT_NONE, "", PROPERTY_USAGE_STORAGE);
+	PROPERTY(PACKED_BYTE_ARRAY, saved_changes, PROPERTY_HINT_NONE, "", PROPERTY_USAGE_STORAGE);
 }
 
 void PlantField3D::_validate_property(PropertyInfo &property) const {

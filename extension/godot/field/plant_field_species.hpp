@@ -13,13 +13,13 @@ class PlantFieldSpecies : public godot::Resource {
 	GDCLASS(PlantFieldSpecies, godot::Resource)
 
 	godot::Ref<PlantFunction> species;
-	double share = 1.0;
+	double weight = 1.0;
 	double density_factor = 1.0;
 	godot::Vector2 scale_range = { 0.8f, 1.2f };
 	double height_deviation = 0.1;
 	double lean_deviation = 0.0; // rad.
 	int variants = 4;
-	double detail = 1.0;
+	double lod_bias = 1.0;
 	godot::String layer;
 	godot::String given_name;
 	bool forwards = false; // While `changed` is emitted for the function inside.
@@ -31,11 +31,12 @@ class PlantFieldSpecies : public godot::Resource {
 
 protected:
 	static void _bind_methods();
+	bool _set(const godot::StringName &name, const godot::Variant &value);
 	void _validate_property(godot::PropertyInfo &property) const;
 
 public:
-	/// `function` with `share` of the field, and all else as it is by default.
-	static godot::Ref<PlantFieldSpecies> of(const godot::Ref<PlantFunction> &function, double share = 1.0);
+	/// `function` with `weight`, and all else as it is by default.
+	static godot::Ref<PlantFieldSpecies> of(const godot::Ref<PlantFunction> &function, double weight = 1.0);
 
 	/// True while `changed` is emitted for a property of the PlantFunction inside, false for all that is set here.
 	bool is_species_change() const { return forwards; }
@@ -46,8 +47,8 @@ public:
 
 	void set_species(const godot::Ref<PlantFunction> &function);
 	godot::Ref<PlantFunction> get_species() const { return species; }
-	void set_share(double weight);
-	double get_share() const { return share; }
+	void set_weight(double value);
+	double get_weight() const { return weight; }
 	void set_density_factor(double factor);
 	double get_density_factor() const { return density_factor; }
 	void set_scale_range(const godot::Vector2 &range);
@@ -62,8 +63,8 @@ public:
 	godot::String get_layer_name() const;
 	void set_variants(int count);
 	int get_variants() const { return variants; }
-	void set_detail(double factor);
-	double get_detail() const { return detail; }
+	void set_lod_bias(double factor);
+	double get_lod_bias() const { return lod_bias; }
 };
 
 } // namespace undergrowth
