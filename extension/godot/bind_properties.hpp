@@ -2,7 +2,7 @@
 
 #include <godot_cpp/core/class_db.hpp>
 
-// For _bind_methods(): one line for each method and property. The class needs a type `self_type`.
+// For _bind_methods() of a class with GDCLASS: one line for each method and property.
 
 /// Binds the method `m_name`. The remaining arguments are the names of its parameters.
 #define BIND(m_name, ...) ClassDB::bind_method(D_METHOD(#m_name, ##__VA_ARGS__), &self_type::m_name)

@@ -66,7 +66,7 @@ class Plant3D : public godot::Node3D {
 	void forget_touches();
 
 	// plant_3d_binding.cpp
-	/// Returns the position at `share` of the plant's length, in its own axes and heights.
+	/// Returns the position at `share` of the plant's length, in its own axes. The unit is its height.
 	godot::Vector3 arm(float share) const;
 
 protected:

@@ -48,7 +48,7 @@ private:
 	godot::Array arrangements; // Of PlantArrangement.
 	godot::Ref<PlantStem> stem;
 	StemTable stems;
-	godot::String told_of_stem; // Last reported reason why stems cannot carry their load.
+	godot::String told_of_stem; // Last reported fault of a stem.
 	SpeciesGrowth growth;
 
 	/// Returns the default motion.
@@ -110,8 +110,8 @@ public:
 	Joint make_joint(const godot::Basis &frame) const;
 	/// Returns the rest bend of a plant along its node, in its own axes (motion/bend_encoding.hpp).
 	glm::vec2 resting_bend() const;
-	/// Returns the stem of a plant of `height` metres; null under other laws than the stem law. Reports once why a stem
-	/// cannot carry its load.
+	/// Returns the stem of a plant of `height` metres; null under other laws than the stem law. Reports the fault of a
+	/// stem once.
 	std::shared_ptr<const StemConstants> find_stem(double height, bool in_air);
 	/// Returns the recipe if the stem is not solved. To solve it on another thread, pass the result to take_stem()
 	/// before the next use of the stem.

@@ -73,8 +73,8 @@ public:
 	/// Returns the motion. `rest` (unit, world axes) is its direction until something moves it.
 	PlantSwing swing(const glm::vec3 &rest) const;
 	void set_swing(const PlantSwing &swing);
-	/// Sets `arm` to the vector from the root to a point on the plant, from the root (share 0) to the tip (1). Unit:
-	/// lengths of the plant, in world axes. Returns false for a parked plant.
+	/// Sets `arm` to the vector from the root to a point on the plant: from the root (share 0) to the tip (1). The unit
+	/// is the length of the plant, in world axes. Returns false for a parked plant.
 	bool find_arm(float share, glm::vec3 &arm) const;
 	/// Puts the plant at rest along `rest`. A driven plant starts again.
 	void reset(const glm::vec3 &rest);

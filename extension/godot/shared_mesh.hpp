@@ -30,7 +30,7 @@ public:
 
 	/// Largest distance from the axis (m). Call after build().
 	float width() const { return built_width; }
-	/// Areas of the plant (x) and of this mesh (y) as seen from above, relative to those as seen from the side. Call
+	/// Areas of the plant (x) and of this mesh (y) as seen from above, relative to the area as seen from the side. Call
 	/// after build().
 	godot::Vector2 from_above() const { return built_from_above; }
 

@@ -40,7 +40,7 @@ public:
 	void clear() { *this = StemTable(); }
 	/// Removes the solved stems and retains the look of the plants. Call when their motion changes.
 	void forget_stems();
-	/// True after learn(), which ask() requires.
+	/// True after learn(). Call ask() only if true.
 	bool knows_plants() const { return drawn.length > 0.0f; }
 	/// Reads the shape of the stem from a plant of the species' own height.
 	void learn(const SampledPlant &plant);
@@ -50,10 +50,10 @@ public:
 	AskedStem ask(float height, const Motion &motion, const godot::Ref<PlantStem> &stem) const;
 	/// Returns the solved stem, or null.
 	const SolvedStem *find(const AskedStem &asked) const;
-	/// Stores the result, unless the species has changed since the request. If a stem cannot carry its load, problem()
-	/// says what is wrong.
+	/// Stores the result, unless the species has changed since the request. If the stem has a fault, problem()
+	/// describes it.
 	void take(const AskedStem &asked, const SolvedStem &found);
-	/// In English; empty if all stems can carry their load.
+	/// In English; empty if no stem has a fault.
 	const godot::String &problem() const { return fault; }
 
 private:

@@ -22,7 +22,7 @@ public:
 	/// Velocities of all roots since the step before (m/s). Null if none moves.
 	const glm::vec3 *velocities() const { return is_known ? speeds.data() : nullptr; }
 	/// Means of velocities() over the last STEPS steps; null if none moved in them. A node that moves in physics frames
-	/// advances in some drawn frames by two of these and in others by none.
+	/// advances by two of these in some drawn frames and by none in the next.
 	const glm::vec3 *mean_velocities() const { return is_known ? means.data() : nullptr; }
 
 private:

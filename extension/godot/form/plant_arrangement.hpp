@@ -46,8 +46,8 @@ protected:
 
 public:
 	static godot::Ref<PlantArrangement> of(const godot::Dictionary &values);
-	/// Appends this arrangement and all that it carries to a recipe, as lines on line `on`. The list `known` contains the
-	/// instance ids of the recipe's parts. Main thread. Returns what is wrong and what to do, or an empty string.
+	/// Appends this arrangement and all that it carries to a recipe, as lines on line `on`. The ids of the recipe's
+	/// parts are in `known`. Main thread. Returns what is wrong and what to do, or an empty string.
 	godot::String read(Recipe &recipe, int on, int depth, std::vector<uint64_t> &known);
 	/// Returns the arrangement for the core.
 	Arrangement described() const;
