@@ -14,9 +14,9 @@ class LateReport : public godot::Object {
 	GDCLASS(LateReport, godot::Object)
 
 public:
-	/// True if `object` is a resource without a path that is probably being read: no script runs, or the current line
-	/// of the script loads something. An error by a script that sets a property of its own resource is immediate, so
-	/// that a debugger shows the line.
+	/// True if `object` is a resource without a path that is probably being read. If a script runs, its current line
+	/// must load something. An error by a script that sets a property of its own resource is immediate, so that a
+	/// debugger shows the line.
 	static bool suits(const godot::Object *object);
 	/// Prints `what` about `resource` at the end of the frame.
 	static void post(const godot::Object *resource, const godot::String &what);

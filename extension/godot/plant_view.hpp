@@ -36,8 +36,8 @@ public:
 	bool rests_elsewhere(const glm::vec2 &rest) const { return has_parts && rest != built_rest; }
 	/// Number of joints of the stem; 0 if it is straight.
 	int joint_count() const { return parts ? parts->joint_count() : 0; }
-	/// Returns the vector from the root to a point on the plant with this tip direction (unit): from the root (share 0)
-	/// to the tip (1). The unit is the length of the plant, in its own axes.
+	/// Returns the vector from the root to a point on the plant with this tip direction (unit). `share` is 0 at the
+	/// root and 1 at the tip. The unit is the length of the plant, in its own axes.
 	glm::vec3 arm(const glm::vec3 &direction, float share) const;
 	/// Call when a script requests the skeleton: the node then has its pose in every frame. Returns false if it was
 	/// held.

@@ -48,8 +48,9 @@ struct SampledPlant {
 
 	/// The largest distance of a side point from the plant's axis (m).
 	float widest() const;
-	/// Builds the arrays on any thread. If `from_above` is not null, a plant of parts sets it to two areas as seen from
-	/// above: that of the plant (x) and of this mesh (y). Both are relative to the area as seen from the side.
+	/// Builds the arrays on any thread. For a plant of parts, also sets `from_above`, unless it is null, to two areas
+	/// as seen from above. These are the area of the plant (x) and of this mesh (y), relative to the area as seen from
+	/// the side.
 	MeshArrays build_arrays(godot::Vector2 *from_above = nullptr) const;
 	/// Builds the mesh. For threads that may call MeshArrays::make().
 	godot::Ref<godot::ArrayMesh> build() const { return build_arrays().make(); }

@@ -40,7 +40,7 @@ public:
 	void clear() { *this = StemTable(); }
 	/// Removes the solved stems and retains the look of the plants. Call when their motion changes.
 	void forget_stems();
-	/// True after learn(). Call ask() only if true.
+	/// True after learn(). ask() needs it.
 	bool knows_plants() const { return drawn.length > 0.0f; }
 	/// Reads the shape of the stem from a plant of the species' own height.
 	void learn(const SampledPlant &plant);

@@ -72,8 +72,8 @@ static Array packed(const FormArrays &from) {
 	return arrays;
 }
 
-// Returns CUSTOM3 of every vertex: the height of the shown plant, x and z of the vertex in calm air, and its position
-// of attachment on the stem.
+// Returns CUSTOM3 of every vertex: the height of the shown plant, x and z in calm air, and the position of attachment
+// on the stem.
 static PackedFloat32Array at_rest(const SampledPlant &sampled, const FormArrays &arrays) {
 	PackedFloat32Array all;
 	all.resize(4 * arrays.positions.size());
