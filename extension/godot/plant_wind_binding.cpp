@@ -1,4 +1,4 @@
-// What scripts and the inspector see of PlantWind.
+// PlantWind: bindings.
 
 #include "plant_wind.hpp"
 
