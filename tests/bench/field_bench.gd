@@ -20,6 +20,9 @@ const LADDER_COUNT := 100000
 const DENSITY := 10.0
 const FAR_DISTANCE := 25.0  # What a new field has.
 const FILLS := 5
+const BUILD_COUNT := 1_000_000
+const BUILD_DENSITY := 13.0
+const BUILD_DISTANCE := 150.0  # m: about a million plants, too.
 const FILL_FRAME_RATE := 60
 const FRAMES_BETWEEN_PUSHES := 90
 const PARTS: Array[String] = [
@@ -76,6 +79,8 @@ func _run() -> void:
 		await _measure_fill(
 			"field_fill_of_tufts", _make_field_of_parts(PlantFunction.LAW_STEM, TUFTS)
 		)
+		for streams: bool in [true, false]:
+			await _measure_build(streams)
 		_measure_meshes_of_parts()
 		await _measure_peers()
 	print(JSON.stringify(_rows))
@@ -195,6 +200,58 @@ func _measure_fill(title: String, field: PlantField3D) -> void:
 		more.merge(await _main_thread_of_fills(field))
 	_add_row(title, field.get_plant_count(), _median(times), more)
 	field.free()
+	await process_frame
+
+
+## The first build of a million plants of six species in tiles of 16 m, at 60 frames a second: how
+## long until some and until all exist, and what the main thread does more than in later frames.
+func _measure_build(streams: bool) -> void:
+	var camera := Camera3D.new()
+	root.add_child(camera)
+	var kinds: Array[PlantFunction] = [
+		GrassFunction.new(),
+		ReedFunction.new(),
+		CattailFunction.new(),
+		TulipFunction.new(),
+		BellflowerFunction.new(),
+		GrassFunction.new()
+	]
+	var field := PlantField3D.from_species(kinds)
+	field.density = BUILD_DENSITY
+	field.size = Vector2.ONE * sqrt(BUILD_COUNT / BUILD_DENSITY)
+	field.view_distance = BUILD_DISTANCE if streams else 0.0
+	field.endless = streams
+	field.simulation_enabled = false
+	var usual_rate := Engine.max_fps
+	Engine.max_fps = FILL_FRAME_RATE
+	await _main_thread_usec(func(frame: int) -> bool: return frame < WARM_UP_FRAMES)
+	var start := Time.get_ticks_usec()
+	var first := {}
+	root.add_child(field)
+	var goes_on := func(frame: int) -> bool:
+		if first.is_empty() and field.get_plant_count() > 0:
+			first["first_frames"] = frame
+			first["first_ms"] = (Time.get_ticks_usec() - start) / 1000.0
+		return field.is_filling()
+	var spent := await _main_thread_usec(goes_on)
+	var total := Time.get_ticks_usec() - start
+	var usual := _median(
+		await _main_thread_usec(func(frame: int) -> bool: return frame < WARM_UP_FRAMES)
+	)
+	Engine.max_fps = usual_rate
+	var more := func(sum: float, usec: float) -> float: return sum + maxf(usec - usual, 0.0)
+	first.merge(
+		{
+			"threads": OS.get_processor_count(),
+			"all_frames": spent.size(),
+			"main_ms": spent.reduce(more, 0.0) / 1000.0,
+			"main_frame_ms": (spent.max() - usual) / 1000.0
+		}
+	)
+	var title := "field_build_streaming" if streams else "field_build"
+	_add_row(title, field.get_plant_count(), total, first)
+	field.free()
+	camera.free()
 	await process_frame
 
 

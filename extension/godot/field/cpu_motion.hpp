@@ -35,6 +35,7 @@ public:
 			ArrivingBlocks *arriving) override;
 	PoseTexels reserve(PreparedBlock &prepared) override;
 	void give_up(PreparedBlock &prepared) override;
+	void make_room(double plants, int blocks) override;
 	void add_species(const FieldLook &look) override;
 	void set_species(int index, const FieldLook &look, const PlantStore &store, bool is_still) override;
 	void set_update_interval(int steps) override;

@@ -112,6 +112,9 @@ public:
 	/// given up. Between two steps.
 	virtual PoseTexels reserve(PreparedBlock &prepared) = 0;
 	virtual void give_up(PreparedBlock &prepared) = 0;
+	/// Makes room in the textures for about as many plants, in so many blocks, that come later. Without it the textures
+	/// are made again and again as the field grows.
+	virtual void make_room(double plants, int blocks) = 0;
 	virtual void add_species(const FieldLook &look) = 0;
 	/// The species' constants are others; the motion goes on. Where nothing moves (`is_still`), plants at rest take
 	/// another rest direction at once and show it.

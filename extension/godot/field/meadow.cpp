@@ -12,7 +12,6 @@
 #include <godot_cpp/classes/world3d.hpp>
 
 #include <algorithm>
-#include <limits>
 
 using namespace godot;
 
@@ -124,15 +123,16 @@ void Meadow::update_wear(const FieldWear &wanted) {
 void Meadow::change_materials() {
 	motion.wait();
 	renewal.interrupt(tile_scene(), motion);
-	view.free_some(std::numeric_limits<double>::infinity());
 	has_other_materials = job != nullptr;
-	std::vector<std::vector<Ref<ShaderMaterial>>> old; // They go once nobody wears them.
-	dress.take_off(style, old);
+	dress.take_off(style, retired_materials); // What is not freed yet is still drawn with them.
 	if (motion.pose_texture().is_valid()) {
 		dress.put_on(style, motion);
 		view.wear_materials(style);
 		skeletons.release_all(motion);
 		refresh(); // A field that stands still has no frame that would tell them of its followers.
+	}
+	if (!view.free_some(0.0)) {
+		retired_materials.clear();
 	}
 }
 
@@ -146,6 +146,9 @@ ChangeSet Meadow::apply(StandEdit &&edit, ArrivingBlocks *arriving) {
 		if (store.block(place.block).is_added) {
 			touched.push_back(store.block(place.block).tile);
 		}
+	}
+	for (size_t i = 0; i < edit.stood.size() && !repeated.empty(); i++) {
+		arrived.push_back(edit.stood[i].tile);
 	}
 	ChangeSet changes = store.apply(std::move(edit));
 	std::for_each(changes.dropped.begin(), changes.dropped.end(), [this](int block) { view.drop_newcomers(block); });
@@ -170,7 +173,7 @@ std::vector<PlantId> Meadow::add(std::vector<PlacedPlant> &&plants, std::vector<
 	const ChangeSet changes = apply(std::move(edit));
 	for (const ChangeSet::Grown &grown : changes.grown) {
 		if (job && !job->knows(store.block(grown.block).species)) {
-			const bool places = is_filling();
+			const bool places = is_placing();
 			drop_job(); // Its field would have no look for them.
 			fill_again(places);
 		}
@@ -210,7 +213,7 @@ void Meadow::mow(std::vector<PlantPlace> &&places, const std::vector<float> &sha
 
 void Meadow::grow_again(const std::vector<AreaBox> &boxes) {
 	if (is_at_work()) {
-		fill(is_filling() || !boxes.empty()); // It does not know of it.
+		fill(is_placing() || !boxes.empty()); // It does not know of it.
 		return;
 	}
 	tiles.interrupt(tile_scene());
@@ -258,6 +261,7 @@ void Meadow::enter_tree() {
 
 void Meadow::exit_tree() {
 	motion.wait();
+	wait_for_jobs();
 	motion.bodies.forget();
 	view.set_scenario(RID());
 }

@@ -14,6 +14,8 @@ using namespace godot;
 
 namespace undergrowth {
 
+static constexpr double ASKING_USEC = 2000.0; // A frame, for the scripts of species.
+
 FieldSettings Meadow::settings() const {
 	FieldSettings made;
 	made.step = float(PlantSimulation::get_singleton()->get_step_length());
@@ -36,6 +38,9 @@ bool Meadow::renew() {
 		return false;
 	}
 	asker.forget();
+	GroundAsker().take_findings(asker);
+	has_failed = false;
+	built_before = 0.0f;
 	drop_job();
 	renewal.stop(tile_scene(), motion);
 	tiles.interrupt(tile_scene());
@@ -96,8 +101,12 @@ String Meadow::make_recipe(FieldRecipe &recipe) {
 	}
 	tell_what_stands(recipe);
 	recipe.is_of_tiles = recipe.places && streams();
+	recipe.draws_tiles = streams();
 	if (recipe.is_of_tiles) {
 		recipe.tiles = tiles.choose_all(tile_scene(), recipe.request);
+	}
+	if (recipe.places) {
+		split_first_build(recipe);
 	}
 	return String();
 }
@@ -110,7 +119,7 @@ String Meadow::begin_asking(bool places) {
 
 void Meadow::go_on_asking() {
 	bool is_done = false;
-	String fault = asking->go_on(is_done);
+	String fault = asking->go_on(is_urgent ? budget_usec() : ASKING_USEC, is_done);
 	if (fault.is_empty() && !is_done) {
 		return;
 	}
@@ -122,12 +131,12 @@ void Meadow::go_on_asking() {
 		return;
 	}
 	fault = fault.is_empty() ? make_recipe(recipe) : fault;
-	asking.reset();
-	listener.fault(fault);
 	if (!fault.is_empty()) {
-		removed_meanwhile.clear();
+		fail(fault);
 		return;
 	}
+	asking.reset();
+	listener.fault(String());
 	job = std::make_unique<FieldFill>(std::move(recipe));
 	told_progress = -1.0f;
 	job->start();

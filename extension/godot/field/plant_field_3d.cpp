@@ -16,6 +16,7 @@ namespace undergrowth {
 PlantField3D::PlantField3D() :
 		meadow(this, properties,
 				{ [this](const String &fault) { problems.report(fault); },
+						[this](const String &fault) { emit_signal("build_failed", fault); },
 						[this](const String &advice) { problems.advise(advice); },
 						[this](float ratio) { emit_signal("fill_progressed", ratio); },
 						[this] { emit_signal("filled"); },
@@ -83,6 +84,19 @@ void PlantField3D::fill() {
 
 bool PlantField3D::is_filling() const {
 	return meadow.is_filling() || meadow.is_patching() || staleness.grows_soon();
+}
+
+bool PlantField3D::build_now() {
+	if (!is_inside_tree()) {
+		report_error(this, "build_now() needs the field in the tree. Add it first.");
+		return false;
+	}
+	on_fill_queued();
+	const bool is_built = meadow.build_now() && !problems.has_fault();
+	if (is_inside_tree()) {
+		frames.follow(meadow.wants_frames());
+	}
+	return is_built;
 }
 
 bool PlantField3D::may_simulate() const {

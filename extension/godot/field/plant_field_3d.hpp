@@ -109,6 +109,8 @@ public:
 	// What stands; of single plants `plants` tells.
 	void fill();
 	bool is_filling() const;
+	/// Returns when all of it is built. False where it cannot be.
+	bool build_now();
 	int get_plant_count() const { return meadow.store.plant_count(); }
 	/// What its species are called in its map; none where others may be by the time that it has grown anew.
 	godot::PackedStringArray read_layers() const {

@@ -191,6 +191,7 @@ void PlantField3D::_bind_methods() {
 	LISTEN(preview, "delta", "wind");
 	BIND(fill);
 	BIND(is_filling);
+	BIND(build_now);
 	OF_PLANTS(add_plants, add, "transforms", "species");
 	OF_PLANTS(remove_plant, remove, "id");
 	OF_PLANTS(remove_plants, remove_all, "ids");
@@ -232,6 +233,7 @@ void PlantField3D::_bind_methods() {
 	bind_properties();
 	ADD_SIGNAL(MethodInfo("fill_progressed", PropertyInfo(Variant::FLOAT, "ratio")));
 	ADD_SIGNAL(MethodInfo("filled"));
+	ADD_SIGNAL(MethodInfo("build_failed", PropertyInfo(Variant::STRING, "message")));
 	const PropertyInfo body(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D");
 	ADD_SIGNAL(MethodInfo("body_entered_plants", body));
 	ADD_SIGNAL(MethodInfo("body_exited_plants", body));
