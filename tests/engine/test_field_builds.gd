@@ -29,7 +29,6 @@ func before_each() -> void:
 
 func after_each() -> void:
 	super()
-	Engine.max_fps = 0
 	_camera.free()
 	await process_frame
 
@@ -56,9 +55,11 @@ func test_a_build_in_parts_gives_the_same_plants_as_one_in_one_part() -> void:
 	whole.density = 0.5
 	root.add_child(whole)
 	await whole.filled
-	whole.species = _make_field().species  # Other species are built all at once.
+	var others := _make_field()  # With other species all tiles are built together.
+	whole.species = others.species
 	whole.density = field.density
-	await whole.filled
+	await filled(whole)
+	others.free()
 	await start()
 	check_equal(_places_of(field), _places_of(whole), "plants and places")
 	whole.free()
@@ -87,29 +88,30 @@ func test_progress_rises_to_1_and_the_end_is_reported_once() -> void:
 
 func test_a_larger_budget_takes_fewer_frames() -> void:
 	var counts: Array[int] = []
-	Engine.max_fps = 60
 	for budget: float in [0.1, 200.0]:
-		field = _make_field()
 		field.build_budget_msec = budget
 		_stream(field)
+		field.view_distance = 35.0
 		root.add_child(field)
+		await until(_has_plants, "the first plants come")
 		var count := 0
-		while field.get_plant_count() == 0 or field.is_filling():
+		while field.is_filling():
+			OS.delay_usec(10000)  # Workers are ahead of this thread.
 			await process_frame
 			count += 1
 		counts.append(count)
 		field.free()
-	check(counts[1] < 0.6 * counts[0], "%d frames, then %d" % counts)
-	field = _make_field()
+		field = _make_field()
+	check(counts[1] < 0.7 * counts[0], "%d frames, then %d" % counts)
 	field.build_budget_msec = 0.0
 	check_error("build_budget_msec")
-	check_equal(field.build_budget_msec, 1.0, "the budget stays")
+	check_equal(field.build_budget_msec, 1.5, "the budget stays")
 
 
 func test_build_now_returns_when_all_is_there() -> void:
 	var twin := _make_field()
 	root.add_child(twin)
-	await twin.filled
+	await filled(twin)
 	root.add_child(field)
 	field.filled.connect(func() -> void: _ends.append("filled"))
 	check(field.build_now(), "it can be built")
@@ -197,7 +199,7 @@ func test_a_build_that_cannot_begin_or_end_is_reported() -> void:
 func test_edits_before_the_first_build_ends_hold() -> void:
 	var twin := _make_field()
 	root.add_child(twin)
-	await twin.filled
+	await filled(twin)
 	for streams: bool in [false, true]:
 		if streams:
 			_stream(field)
@@ -312,7 +314,7 @@ func _check_edited(twin: PlantField3D) -> void:
 
 func _script_of_bad_ground() -> GDScript:
 	var made := GDScript.new()
-	made.source_code = "extends Node3D\nfunc get_height(_place: Vector3) -> Variant: return \"\""
+	made.source_code = 'extends Node3D\nfunc get_height(_place: Vector3) -> Variant: return ""'
 	made.reload()
 	return made
 

@@ -67,7 +67,7 @@ struct ViewOptions {
 
 /// How fast it is built.
 struct BuildOptions {
-	double build_budget_msec = 1.0; // Of the main thread, a frame.
+	double build_budget_msec = 1.5; // Of the main thread, a frame.
 };
 
 /// All that users set of a PlantField3D, but for what it inherits.

@@ -103,6 +103,7 @@ void Meadow::poll_tiles(bool physics) {
 	tiles.ground_asker().take_findings(asker);
 	tiles.ground_asker().tell_of_all(node);
 	listener.no_ground(tiles.ground_asker().missing_ground());
+	tell_of(1.0f);
 	finish_build();
 }
 

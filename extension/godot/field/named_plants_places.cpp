@@ -129,9 +129,8 @@ int NamedPlants::remove_in_sphere(const Vector3 &center, double radius) {
 	}
 	const glm::vec2 middle = { sphere->center.x, sphere->center.z };
 	return remove_found({ middle - sphere->radius, middle + sphere->radius },
-			[this, one = *sphere](std::vector<PlantPlace> &found) {
-				meadow.store.find_in_sphere(one.center, one.radius, found);
-			});
+			[this, one = *sphere](
+					std::vector<PlantPlace> &found) { meadow.store.find_in_sphere(one.center, one.radius, found); });
 }
 
 int NamedPlants::remove_in_box(const AABB &box) {
@@ -142,9 +141,8 @@ int NamedPlants::remove_in_box(const AABB &box) {
 	const AABB around = box_in_field(placed, box);
 	const Vector3 end = around.get_end();
 	return remove_found({ { around.position.x, around.position.z }, { end.x, end.z } },
-			[this, placed, box](std::vector<PlantPlace> &found) {
-				find_in_world_box(meadow.store, placed, box, found);
-			});
+			[this, placed, box](
+					std::vector<PlantPlace> &found) { find_in_world_box(meadow.store, placed, box, found); });
 }
 
 int NamedPlants::remove_in_polygon(const PackedVector3Array &points) {
@@ -162,9 +160,8 @@ int NamedPlants::remove_in_polygon(const PackedVector3Array &points) {
 		report_error(node, String("remove_in_polygon(): ") + undergrowth::describe(fault));
 		return 0;
 	}
-	return remove_found(bounding_box(polygon), [this, polygon](std::vector<PlantPlace> &found) {
-		meadow.store.find_in_polygon(polygon, found);
-	});
+	return remove_found(bounding_box(polygon),
+			[this, polygon](std::vector<PlantPlace> &found) { meadow.store.find_in_polygon(polygon, found); });
 }
 
 int NamedPlants::remove_along(const PackedVector3Array &points, double width) {
