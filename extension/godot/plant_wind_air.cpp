@@ -1,4 +1,4 @@
-// The half of PlantWind that is air: in metres per second, as a weather report says it.
+// PlantWind: the part for air, in metres per second, as in a weather report.
 
 #include "plant_wind.hpp"
 
@@ -31,15 +31,15 @@ static constexpr Range ROUGHNESS_RANGE = { 1e-5, 0.5 };
 static constexpr Range STAND_HEIGHT_RANGE = { 0.0, 9.0 };
 static constexpr Range SHARE_RANGE = { 0.0, 1.0 };
 static constexpr Range BLEND_RANGE = { 0.0, 86400.0 };
-static constexpr float FORCE_HEIGHT = 1.0f; // m above the ground, where sample() tells the force.
+static constexpr float FORCE_HEIGHT = 1.0f; // m above the ground: height of the force that sample() returns.
 
-// From now on it blows so; the patterns go on from where they are.
+// Changes the air from now on. The patterns continue from their present position.
 void PlantWind::take_air(const Air &wanted) {
 	change_air(blowing.air, wanted, time, { double(pivot.x), double(pivot.z) });
 }
 
 void PlantWind::change(const Air &wanted) {
-	blend.duration = 0.0; // What is set by hand stays.
+	blend.duration = 0.0; // A property that is set ends the blend.
 	take_air(wanted);
 	emit_changed();
 }
@@ -104,7 +104,7 @@ int64_t PlantWind::get_beaufort() const {
 	return beaufort_of(double(blowing.air.speed));
 }
 
-// Told once, as whoever asks for velocities does so in each frame.
+// Reports the error once, because velocities may be requested in every frame.
 bool PlantWind::is_air(const char *asked) const {
 	if (blowing.wind.kind != WindKind::air && !has_told_of_newtons) {
 		report_error(this, String(asked) + " needs KIND_AIR: other kinds are forces. Set kind, or call sample().");
@@ -175,7 +175,7 @@ void PlantWind::blend_to(const Ref<PlantWind> &wind, double seconds) {
 	}
 	blend.from = blowing.air;
 	blend.to = wind->blowing.air;
-	// The shorter way around.
+	// Turns by the smaller angle.
 	blend.to.heading = blend.from.heading + std::remainder(blend.to.heading - blend.from.heading, 2.0 * PI);
 	blend.begin = time;
 	blend.duration = std::max(seconds, 1e-9);

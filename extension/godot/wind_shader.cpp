@@ -14,7 +14,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-// What air is carried along, as pictures. A pointer, as in shared_resources.cpp.
+// The maps of turbulence and waves as textures. A pointer, as in shared_resources.cpp.
 struct WindTextures {
 	RID turbulence;
 	RID waves;
@@ -43,8 +43,8 @@ static WindTextures make_textures(const AirTiles &tiles) {
 				Image::FORMAT_RH, tiles.waves.data())) };
 }
 
-// Materials that know the textures, bounded; a pointer as above. A texture that is set, the same or not, makes the
-// renderer throw a material's uniforms away: in each frame that costs, and keeps frames from being left out.
+// Materials that have the textures, up to a limit. A pointer as above. Setting a texture, even the same one, makes the
+// renderer rebuild a material's uniforms. In each frame that costs time, and unchanged frames are not skipped.
 static std::unordered_set<int64_t> *knowing = nullptr;
 static constexpr size_t MOST_KNOWING = 1024;
 
