@@ -53,7 +53,7 @@ namespace undergrowth {
 // swing, drawn at all distances, full leafiness, which is correct for a lathe. CUSTOM1 and CUSTOM2 only have an effect
 // if CUSTOM0.y is not 0 or parts are widened. A shader that only uses CUSTOM0.x bends every plant correctly.
 
-/// Where the mesh of a form goes: arrays as long as its counts, none of them null.
+/// Output arrays of a form's mesh, with the sizes of its counts; none is null.
 struct FormBuffers {
 	glm::vec3 *positions = nullptr;
 	glm::vec3 *normals = nullptr;
@@ -63,8 +63,8 @@ struct FormBuffers {
 	glm::vec4 *custom0 = nullptr;
 	glm::vec4 *custom1 = nullptr;
 	glm::vec4 *custom2 = nullptr;
-	int32_t *bones = nullptr; ///< Four a vertex.
-	float *weights = nullptr; ///< Four a vertex; they sum to 1 exactly.
+	int32_t *bones = nullptr; ///< Four per vertex.
+	float *weights = nullptr; ///< Four per vertex; they sum to 1 exactly.
 	int32_t *indices = nullptr;
 	float *stem_places = nullptr; ///< w of CUSTOM3.
 };
