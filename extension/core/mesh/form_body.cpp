@@ -202,8 +202,8 @@ void shape(FormBody &body, const PlantForm &form, const Measure &m) {
 	body.translucency = m.shine / area;
 }
 
-/// Lengthens a spindle that also replaces bodies on other carriers, with tips at other heights, towards the base of its
-/// carrier, so that it is not a plate.
+/// Lengthens a spindle towards the base of its carrier, so that it is not a plate. Such a spindle also replaces bodies
+/// on other carriers, with tips at other heights.
 void stretch_down(FormBody &body, const PlantForm &form, float longer) {
 	const PlacedPart &part = form.placed[static_cast<size_t>(body.first)];
 	const float high = body.rings.back().along;

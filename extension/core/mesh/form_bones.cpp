@@ -11,7 +11,7 @@ namespace undergrowth {
 namespace {
 
 constexpr int SECTORS = 8;
-constexpr float MORE_THAN_OWN = 0.05f; // Of the stem's bend.
+constexpr float MORE_THAN_OWN = 0.05f; // Fraction of the stem's bend.
 constexpr float LYING = 0.1f; // Bend: a part with less room than this cannot move as far as the parts beside it.
 constexpr float EXACT = 65536.0f; // Sums of multiples of 1 / EXACT are exact.
 

@@ -20,7 +20,7 @@ constexpr int COARSE_VERTICES = 60;
 constexpr float MATCHED = 0.015f; // Error of each outline.
 constexpr float TOLERATED = 0.03f; // A larger error starts a search.
 constexpr int COLOR_STEPS = 4;
-constexpr float MOST_GAIN = 1.8f; // Of a colour in linear light; the minimum is its reciprocal.
+constexpr float MOST_GAIN = 1.8f; // Maximum factor of a colour in linear light; the minimum is its reciprocal.
 constexpr float MOST_MORE = 0.15f; // Maximum of linear light that is added to all colours.
 constexpr float MOST_LESS = 0.06f; // Maximum that is subtracted: white stays white.
 

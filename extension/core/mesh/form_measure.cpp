@@ -54,8 +54,8 @@ float area_of(const Part &part, const PartTemplate &shape) {
 	return 0.5f * twice;
 }
 
-/// Correction of the mean area from the side: a circle is wider than the polygon in it, a bead larger than its two
-/// cones, and the outline of a small leaf rounder than its mesh.
+/// Correction of the mean area from the side. A circle is wider than the polygon in it, and a bead is larger than its
+/// two cones. The outline of a small leaf is rounder than its mesh.
 float fill_of(const Part &part, const Midrib &midrib, const PartTemplate &shape, float height, float mean_width,
 		const glm::vec4 &color) {
 	const PartDetail detail = measured_detail(part, height);

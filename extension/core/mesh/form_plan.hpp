@@ -51,8 +51,8 @@ struct FormPlan {
 MeshCounts count_body(const PartGroup &group, const BodyDetail &detail);
 
 /// Reduces detail until the mesh has at most `budget` vertices, 12 or more. Each step has the smallest change of the
-/// silhouette per saved vertex. The usual order: details of many small parts (first pyramids, then one dome or spindle
-/// in their mean colour), columns, rows, parts by rank, and the stem's roundness last.
+/// silhouette per saved vertex. Usually the details of many small parts are first: they become pyramids, then one dome
+/// or spindle in their mean colour. Columns, rows, parts by rank and the stem's roundness follow.
 FormPlan plan_form(const PlantForm &form, const FormMeasure &measure, int budget);
 
 } // namespace undergrowth

@@ -19,7 +19,7 @@ constexpr float MOST_TAPER = 0.9f;
 constexpr float LEAST_DIAMETER = 2e-4f; // m.
 constexpr float HEAD_FROM = 0.95f; // Stem offset from which parts belong to the head.
 
-// Of fresh plants.
+// Values for fresh plants.
 constexpr float SHEET_MASS = 0.2f; // kg/m²: a leaf 0.25 mm thick.
 constexpr float AXIS_DENSITY = 800.0f; // kg/m³.
 constexpr float BEAD_DENSITY = 500.0f;

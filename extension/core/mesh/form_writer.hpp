@@ -27,8 +27,8 @@ public:
 	Mark mark() const { return { vertices, indices }; }
 	/// Scales everything along y. Call it last.
 	void stretch(float factor);
-	/// Widens everything written since `begin` to a mean area of `shown` m² from the side. `near_share`: visible fraction
-	/// of its triangles.
+	/// Widens everything written since `begin` to a mean area of `shown` m² from the side. `near_share`: visible
+	/// fraction of its triangles.
 	void widen(const Mark &begin, float shown, float near_share);
 
 private:

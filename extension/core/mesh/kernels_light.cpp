@@ -10,7 +10,7 @@ namespace undergrowth {
 namespace {
 
 constexpr int LANES = 16;
-constexpr int STEPS = 4; // Of Newton's method.
+constexpr int STEPS = 4; // Steps of Newton's method.
 
 void from_lanes(float *lights) {
 	float component[LANES];

@@ -54,7 +54,7 @@ private:
 	const std::vector<WrittenUnit> &written;
 	const FormBuffers &mesh;
 	std::vector<Unit> units;
-	std::vector<glm::vec3> asides; ///< As they were written.
+	std::vector<glm::vec3> asides; ///< Their initial values.
 	Limits limits = USUAL;
 
 	void look_at(size_t number);

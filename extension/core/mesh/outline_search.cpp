@@ -118,8 +118,8 @@ Outlines OutlineFit::look(Sought &sought) const {
 	return errors;
 }
 
-/// Sets the units to the state at the beginning of the round plus `changes`, and writes the changes within the limits,
-/// averaged over each bundle, back to `changes`.
+/// Sets the units to the state at the beginning of the round plus `changes`. Limits reduce the changes; `changes` then
+/// has the reduced ones, averaged over each bundle.
 void OutlineFit::place(const Sought &sought, std::vector<float> &changes) {
 	std::vector<float> sums(changes.size(), 0.0f);
 	std::vector<float> counts(sought.bundles, 0.0f);

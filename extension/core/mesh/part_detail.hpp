@@ -21,8 +21,8 @@ std::vector<PartDetail> details_of(const Part &part, bool is_close = false);
 /// Returns its vertices, and three indices per triangle.
 MeshCounts count_part(const Part &part, const PartDetail &detail);
 
-/// Returns the difference of the drawn part to the true one as a fraction of its area: chords for arcs, polygons for
-/// circles, straight edges for round ones. An estimate, for ordering the steps of a plan.
+/// Returns the estimated difference of the drawn part to the true one, as a fraction of its area. It includes chords
+/// for arcs, polygons for circles and straight edges for round ones. Plans order their steps by it.
 float error_of(const Part &part, const PartDetail &detail);
 
 /// True if the width is linear between its ends.

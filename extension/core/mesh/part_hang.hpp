@@ -11,12 +11,12 @@ namespace undergrowth {
 struct PartHang {
 	/// True if it grows from the ground: the stem offset of its vertices comes from their own heights.
 	bool is_root = false;
-	float stem_offset = 0.0f; ///< Of all its vertices, if it is not a root.
+	float stem_offset = 0.0f; ///< Stem offset of all its vertices, if it is not a root.
 	float stem_place = 0.0f; ///< Position of its attachment on the stem, if it is not a root.
 	bool swings = false; ///< True if it swings by itself: the own weight of its vertices is their offset.
 	bool has_swing = false; ///< True if it has a swing of its own, of its head or of its carrier.
 	int swinger = -1; ///< Index of the placed part with that swing; for a head, its first part.
-	float weight = 0.0f; ///< Of all its vertices, if it does not swing.
+	float weight = 0.0f; ///< Own weight of all its vertices, if it does not swing.
 	glm::vec3 pivot = glm::vec3(0.0f); ///< m.
 	PartSwing swing; ///< The swing, from which `code` is made.
 	SwingCode code; ///< The encoded swing of its vertices.

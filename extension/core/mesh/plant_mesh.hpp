@@ -57,9 +57,9 @@ MeshCounts count_mesh(int points, int lod, Shading shading);
 /// at height·k/lod and is the cross-section times widths[k]. Order of indices: sides by band, then the bottom, then the
 /// top. Allocates nothing.
 ///
-/// Side quads are the triangles (0, 1, 2) and (1, 3, 2) with 0 = lower i, 1 = upper i, 2 = lower next, 3 = upper next:
-/// clockwise from outside. (The thesis lists each as (0, 2, 1) and (1, 2, 3). With its ring and right-handed axes that
-/// is WebGL's front face, counter-clockwise; Godot's is clockwise.)
+/// Side quads are the triangles (0, 1, 2) and (1, 3, 2), clockwise from outside. 0 is lower i, 1 upper i, 2 lower next,
+/// 3 upper next. (The thesis lists each as (0, 2, 1) and (1, 2, 3). With its ring and right-handed axes that is WebGL's
+/// front face, counter-clockwise; Godot's is clockwise.)
 ///
 /// Guarantees: indices in range, normals outward and of length 1 within 1e-6, weights that sum to 1 exactly, a closed
 /// surface after welding, the same bytes for the same arguments.

@@ -8,19 +8,19 @@
 
 namespace undergrowth {
 
-// The vertex format of plants, for shaders and the engine: appearance and bending in one format. Names of the engine are
-// in capitals.
+// The vertex format of plants, for shaders and the engine: appearance and bending in one format. Names of the engine
+// are in capitals.
 //
 // VERTEX    m, in the plant's axes, at rest.
-// NORMAL    of the true surface; for open sheets (blades, open tubes) of the upper or outer side. The engine reverses it
-//           on back faces, so that both sides are lit. Blades lean it towards their edges (BladeShape::roundness).
+// NORMAL    of the true surface; for open sheets (blades, open tubes) of the upper or outer side. The engine reverses
+//           it on back faces, so that both sides are lit. Blades lean it to their edges (BladeShape::roundness).
 // TANGENT   along the part, from its base to its tip: the grain for anisotropic reflections. w is 1.
 // COLOR     rgb: the author's colour. a: visible fraction of the sky, 0 to 1 (less at the base and inside a tuft).
 //           Materials use it for ambient occlusion, not for transparency.
 // UV        x from 0 to 1 across a blade, or around a tube and back. y from 1 at a part's base to 0 at its tip.
-// CUSTOM0   x: stem offset: position on the plant's stem that moves the vertex, 0 root to 1 tip. For parts on the ground
-//              it is the vertex's own height over the plant's. For parts on a stem it is that of their attachment, so
-//              that the part moves without bending. It is larger by the amount that leaves the part on the drawn stem,
+// CUSTOM0   x: stem offset: position on the plant's stem that moves the vertex, 0 root to 1 tip. For parts on the
+//              ground it is the vertex's own height over the plant's. For parts on a stem it is that of their
+//              attachment, so that the part moves without bending. It is larger by the amount that leaves the part on the drawn stem,
 //              which is straight between rows. With one joint it is the tip's weight (thesis, formula 4.1). With more
 //              joints it is x on the line of joints (u(x) of the stem's bend, and its centre).
 //           y: own bend weight: fraction of its part's swing that turns the vertex about its pivot. 0 at the
@@ -39,11 +39,11 @@ namespace undergrowth {
 //           y, z: for a plant on a skeleton, x and z (m) of the vertex in calm air: the light on bent plants depends on
 //              the distance from there. For all other plants, x and z of VERTEX.
 //           w: stem place: position of the attachment on the plant's stem, 0 root to 1 tip. The stem offset is larger,
-//              by (w - a)(b - w)/w between two rows a and b of the stem, because the mesh draws the stem straight there.
-//              A stem that bends along its length uses w, and its curvature for the difference.
+//              by (w - a)(b - w)/w between two rows a and b of the stem, because the mesh draws the stem straight
+//              there. A stem that bends along its length uses w, and its curvature for the difference.
 // BONES, WEIGHTS  root and tip: (1 - x, x, 0, 0) with the stem offset x. In skeletons with bones of parts, those get
-//           the fraction of the own bend weight (mesh/form_bones.hpp). If stems have joints, their bones get the weights
-//           of root and tip (mesh/joint_binding.hpp).
+//           the fraction of the own bend weight (mesh/form_bones.hpp). If stems have joints, their bones get the
+//           weights of root and tip (mesh/joint_binding.hpp).
 //
 // A swing precedes the stem's bend. A point of weight y turns about the pivot by y times the tip's angle. It also moves
 // nearer to the pivot, by the amount that turns a straight blade into an arc of its own length. The tangent turns twice

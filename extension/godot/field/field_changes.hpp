@@ -37,7 +37,7 @@ private:
 	/// An existing plant with a drawn height that still changes.
 	struct Growing {
 		PlantPlace place;
-		double base = 0.0; ///< As MownPlant::base.
+		double base = 0.0; ///< See MownPlant::base.
 	};
 
 	StandChanges changes;

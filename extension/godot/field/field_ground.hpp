@@ -18,7 +18,7 @@ struct FieldGround {
 	Kind kind = Kind::none;
 	GroundChoice choice = GroundChoice::highest;
 	GroundLimits limits;
-	godot::PackedVector3Array triangles; ///< Of a mesh: three corners each, in the field's axes.
+	godot::PackedVector3Array triangles; ///< Triangles of a mesh: three corners each, in the field's axes.
 
 	/// True if a GroundSurvey queries the ground on the main thread.
 	bool needs_survey() const { return kind == Kind::colliders || kind == Kind::object; }

@@ -6,7 +6,7 @@
 
 namespace undergrowth {
 
-/// How all plants of a field are drawn.
+/// Looks and levels of detail of all plants of a field.
 struct FieldStyle {
 	std::vector<FieldLook> looks; ///< By species.
 	std::vector<FieldLevel> levels; ///< At least one, nearest first.
