@@ -20,9 +20,9 @@ namespace undergrowth {
 // UV        x from 0 to 1 across a blade, or around a tube and back. y from 1 at a part's base to 0 at its tip.
 // CUSTOM0   x: stem offset: position on the plant's stem that moves the vertex, 0 root to 1 tip. For parts on the
 //              ground it is the vertex's own height over the plant's. For parts on a stem it is that of their
-//              attachment, so that the part moves without bending. It is larger by the amount that leaves the part on the drawn stem,
-//              which is straight between rows. With one joint it is the tip's weight (thesis, formula 4.1). With more
-//              joints it is x on the line of joints (u(x) of the stem's bend, and its centre).
+//              attachment, so that the part moves without bending. It is larger by the amount that leaves the part on
+//              the drawn stem, which is straight between rows. With one joint it is the tip's weight (thesis,
+//              formula 4.1). With more joints it is x on the line of joints (u(x) of the stem's bend, and its centre).
 //           y: own bend weight: fraction of its part's swing that turns the vertex about its pivot. 0 at the
 //              attachment, 1 at the tip. 0 on stems and on bodies of many parts. Parts on a swinging part have the
 //              weight of their attachment. A head (all short parts on and around a stem's tip) has 1 everywhere.
