@@ -8,27 +8,28 @@
 
 namespace undergrowth {
 
-/// The most vertices of a plant of parts at a level: 792, 198, 50, 22, 12 for 12, 6, 3, 2, 1 vertical segments.
+/// Returns the maximum number of vertices of a plant of parts at a level: 792, 198, 50, 22, 12 for 12, 6, 3, 2, 1
+/// vertical segments.
 int vertex_budget(int lod);
 
-/// Finer levels draw petals, leaves and bells as rounded as what fills the picture should be.
+/// Levels finer than this draw petals, leaves and bells with the roundness that a close-up needs.
 inline constexpr int FINEST_USUAL_LOD = 12;
 
-/// How finely a body is drawn (mesh/form_body.hpp).
+/// Detail of a body (mesh/form_body.hpp).
 struct BodyDetail {
 	int sides = 0;
-	int rings = 1; ///< Of a whorl, 1 or 2; others have one.
+	int rings = 1; ///< 1 or 2 for a whorl, 1 for all other bodies.
 };
 
-/// How the parts of one group are drawn at one level.
+/// Detail of one group at one level.
 struct GroupPlan {
 	PartDetail detail;
-	float kept = 1.0f; ///< Share of its parts, by rank; 0: none.
-	/// Of the one body that stands for all parts on a carrier and whatever they carry; without sides parts are parts.
+	float kept = 1.0f; ///< Fraction of its parts, by rank; 0: none.
+	/// The body that replaces all parts on a carrier and everything on them. Without sides, parts are drawn.
 	BodyDetail body;
 };
 
-/// What is drawn of a form at one level.
+/// The drawn parts and bodies of a form at one level.
 struct FormPlan {
 	enum Fate : uint8_t {
 		drawn, ///< As a part.
@@ -36,22 +37,22 @@ struct FormPlan {
 		dropped,
 	};
 	std::vector<GroupPlan> groups;
-	std::vector<Fate> fates; ///< Of each placed part.
-	std::vector<int> bodies; ///< Of each placed part that is merged the number of its body, from 0; else -1.
+	std::vector<Fate> fates; ///< By placed part.
+	std::vector<int> bodies; ///< By placed part: number of the body for a merged part, from 0; else -1.
 	int body_count = 0;
-	/// m² that each group is to show from the side, on the mean, as all of its parts do (FormMeasure); of what is
-	/// dropped altogether those who look most like it show the rest. 0: nothing of it is drawn.
+	/// Target area of each group from the side (m², mean): that of all its parts (FormMeasure). The area of a dropped
+	/// group is added to those of similar groups. 0: not drawn.
 	std::vector<float> shown;
-	bool is_cut = false; ///< Something is drawn coarser than parts are.
+	bool is_cut = false; ///< True if anything is drawn with less than its full detail.
 	MeshCounts counts;
 };
 
-/// What the body costs that stands for a group on one carrier.
+/// Returns the size of the body of a group on one carrier.
 MeshCounts count_body(const PartGroup &group, const BodyDetail &detail);
 
-/// Decides what is left away so that the mesh has at most `budget` vertices, 12 or more. Step by step it takes what
-/// changes the silhouette least for each vertex saved: details of many small parts first (they become pyramids, then
-/// one dome or spindle in their mean colour), then columns, rows, parts by rank, and the stem's roundness last.
+/// Reduces detail until the mesh has at most `budget` vertices, 12 or more. Each step has the smallest change of the
+/// silhouette per saved vertex. Usually the details of many small parts are first: they become pyramids, then one dome
+/// or spindle in their mean colour. Columns, rows, parts by rank and the stem's roundness follow.
 FormPlan plan_form(const PlantForm &form, const FormMeasure &measure, int budget);
 
 } // namespace undergrowth

@@ -7,16 +7,16 @@
 
 namespace undergrowth {
 
-// What a plant as it is drawn says about its stem as a beam: how thick it is, and what mass and drag area hang on it.
-// Mass of what is drawn follows from usual densities and thicknesses of plants, drag from usual coefficients; a species
-// that knows better says so (PlantStem). Lengths are those of a plant of `beam.length` metres.
+// Derives the beam of a stem from the drawn plant: its thickness, and the mass and drag area attached to it. Masses use
+// common densities and thicknesses of plants; drag uses common coefficients. A species with better values sets them
+// (PlantStem). Lengths are for a plant of `beam.length` metres.
 
-/// Of a plant of parts, the stem is that of the four functions, or else what stands longest on the ground. Everything
-/// that it carries loads it where it is attached; what is on its tip is the head.
+/// For a plant of parts. The stem is that of the four functions, or else the longest part on the ground. Each carried
+/// part is a load at its attachment; parts at the tip are the head.
 void carry_parts(const PlantForm &form, StemBeam &beam);
 
-/// Of a lathe with so many rings of a radius (m) times `widths`, from bottom to top: what is much wider than its lower
-/// half is the head, at the tip.
+/// For a lathe with rings of `radius` (m) times `widths`, from bottom to top. Rings much wider than its lower half are
+/// the head, at the tip.
 void carry_lathe(float radius, const std::vector<float> &widths, StemBeam &beam);
 
 } // namespace undergrowth

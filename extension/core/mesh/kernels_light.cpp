@@ -1,4 +1,4 @@
-// Colours of light, many at once: a kernel, since compilers turn only these files' roots into those of many numbers.
+// Converts many colours of light at once. A kernel file, because only there compilers vectorize roots.
 
 #include "mesh/silhouette.hpp"
 
@@ -10,7 +10,7 @@ namespace undergrowth {
 namespace {
 
 constexpr int LANES = 16;
-constexpr int STEPS = 4; // Newton's.
+constexpr int STEPS = 4; // Steps of Newton's method.
 
 void from_lanes(float *lights) {
 	float component[LANES];

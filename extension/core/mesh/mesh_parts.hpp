@@ -8,7 +8,7 @@
 
 namespace undergrowth {
 
-/// The parts of build_mesh(), see there. Both write everything but the bones.
+/// The parts of build_mesh(), see there. Both write everything except bones.
 void build_smooth_mesh(const PlantSample &sample, const RingPlacer &placer, const MeshBuffers &buffers);
 void build_flat_mesh(const PlantSample &sample, const RingPlacer &placer, const MeshBuffers &buffers);
 
@@ -18,10 +18,10 @@ void write_bones(int vertices, int32_t *bones);
 /// Writes (1 - w, w, 0, 0) for `vertices` vertices of one height.
 void write_weights(int vertices, float w, float *weights);
 
-/// The unit normal of a surface that faces `outward` on the level and leans back by `rise`: how far the surface moves
-/// outward per metre of height.
+/// Returns the unit normal of a surface that faces `outward` horizontally and leans back by `rise`: outward motion of
+/// the surface per metre of height.
 inline glm::vec3 leaning_normal(glm::vec2 outward, float rise) {
-	// A surface that is level to all purposes: keeps the square finite.
+	// Practically horizontal; the limit prevents an infinite square.
 	const float y = std::clamp(-rise, -1e9f, 1e9f);
 	const float shrink = 1.0f / std::sqrt(1.0f + y * y);
 	return { outward.x * shrink, y * shrink, outward.y * shrink };

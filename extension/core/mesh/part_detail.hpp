@@ -7,34 +7,34 @@
 
 namespace undergrowth {
 
-/// How finely one part is drawn.
+/// Detail of one part.
 struct PartDetail {
-	int columns = 2; ///< Of a blade: vertices across it. Of an axis or bead: sides; 2 draws it as a flat ribbon.
-	int rows = 1; ///< Spans along it.
+	int columns = 2; ///< Blade: vertices across it. Axis or bead: sides; 2 draws it as a flat ribbon.
+	int rows = 1; ///< Segments along it.
 
 	bool operator==(const PartDetail &other) const { return columns == other.columns && rows == other.rows; }
 };
 
-/// From the finest to the coarsest; `is_close`: with those of a plant that fills the picture before the usual ones.
+/// Returns all details from finest to coarsest. `is_close`: close-up details first.
 std::vector<PartDetail> details_of(const Part &part, bool is_close = false);
 
-/// What it costs: vertices, and three indices a triangle.
+/// Returns its vertices, and three indices per triangle.
 MeshCounts count_part(const Part &part, const PartDetail &detail);
 
-/// How far the drawn part is from the true one, as a share of its area: chords for arcs, polygons for circles and
-/// straight edges for round ones. An estimate that orders what is to be left away.
+/// Returns the estimated difference of the drawn part to the true one, as a fraction of its area. It includes chords
+/// for arcs, polygons for circles and straight edges for round ones. Plans order their steps by it.
 float error_of(const Part &part, const PartDetail &detail);
 
-/// Whether it is as wide all along as its ends say.
+/// True if the width is linear between its ends.
 bool is_even(const Part &part);
-/// Whether the part ends in one vertex: a point, or the middle of the lid that closes it.
+/// True if the part ends in one vertex: a point, or the middle of its lid.
 bool ends_in_point(const Part &part);
-/// Whether a closed tube has a lid at its tip, since it is still wide there.
+/// True if a closed tube has a lid, because its tip is still wide.
 bool has_lid(const Part &part, const PartDetail &detail);
-/// Whether the detail follows each tooth of a blade's edge.
+/// True if the detail follows each tooth of a blade's edge.
 bool shows_teeth(const Part &part, const PartDetail &detail);
 
-/// The offsets of the rows + 1 rows of a part; of a bead those between its two poles are less.
+/// Returns the offsets of the rows + 1 rows of a part. For a bead, those between its poles are fewer.
 std::vector<float> row_offsets(const Part &part, const PartDetail &detail);
 
 } // namespace undergrowth

@@ -7,31 +7,32 @@
 
 namespace undergrowth {
 
-/// How a part hangs on the plant that bends (mesh/vertex_format.hpp).
+/// Attachment of a part to the bending plant (mesh/vertex_format.hpp).
 struct PartHang {
-	bool is_root = false; ///< It stands on the ground: the stem offset of its vertices is their own height's.
-	float stem_offset = 0.0f; ///< Of all its vertices, unless it is a root.
-	float stem_place = 0.0f; ///< Where on the stem it is attached, unless it is a root.
-	bool swings = false; ///< By itself: the own weight of its vertices is their offset.
-	bool has_swing = false; ///< Its own, its head's, or that of what carries it.
-	int swinger = -1; ///< Index of the placed part whose swing that is; of a head its first part.
-	float weight = 0.0f; ///< Of all its vertices, unless it swings.
+	/// True if it grows from the ground: the stem offset of its vertices comes from their own heights.
+	bool is_root = false;
+	float stem_offset = 0.0f; ///< Stem offset of all its vertices, if it is not a root.
+	float stem_place = 0.0f; ///< Position of its attachment on the stem, if it is not a root.
+	bool swings = false; ///< True if it swings by itself: the own weight of its vertices is their offset.
+	bool has_swing = false; ///< True if it has a swing of its own, of its head or of its carrier.
+	int swinger = -1; ///< Index of the placed part with that swing; for a head, its first part.
+	float weight = 0.0f; ///< Own weight of all its vertices, if it does not swing.
 	glm::vec3 pivot = glm::vec3(0.0f); ///< m.
-	PartSwing swing; ///< As vertices say it,
-	SwingCode code; ///< in these words.
-	float rank = 0.0f; ///< At least that of what carries it.
+	PartSwing swing; ///< The swing, from which `code` is made.
+	SwingCode code; ///< The encoded swing of its vertices.
+	float rank = 0.0f; ///< At least the rank of its carrier.
 
-	/// The own weight at a part's offset.
+	/// Own weight at a part's offset.
 	float weight_at(float offset) const { return swings ? offset : weight; }
-	/// As a body of many parts hangs, of which this is the first: those swing each by itself, their body not at all.
+	/// Returns the attachment of a body of many parts of which this is the first. Such a body has no swing of its own.
 	PartHang of_body() const;
 };
 
-/// Of all placed parts. Parts swing that have a frequency, where nothing swings that carries them. Of a head, that is
-/// of all short parts around and on the tip of a stem, one swing turns the whole: that of its softest part.
+/// Returns the attachments of all placed parts. A part swings if it has a frequency and no carrier of it swings. All
+/// short parts around and on the tip of a stem are a head: they share one swing, that of the softest part.
 std::vector<PartHang> hang_parts(const PlantForm &form);
 
-/// The stem offset of a point of what stands on the ground.
+/// Returns the stem offset of a point of a part on the ground.
 float stem_offset_of(const PlantForm &form, const glm::vec3 &point);
 
 } // namespace undergrowth

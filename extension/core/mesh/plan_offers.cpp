@@ -1,4 +1,4 @@
-// The half of PlanSteps that weighs what each step saves against what it harms.
+// PlanSteps: the savings and the harm of each step.
 
 #include "mesh/plan_steps.hpp"
 
@@ -9,23 +9,23 @@ namespace undergrowth {
 
 namespace {
 
-// What steps do to a picture, in shares of the area that they touch. Orders, not physics.
-constexpr float THINNED = 0.1f; // By so much for each part that one has to stand for.
-constexpr float ONE_SIDED = 0.6f; // Divided by the parts left: the fewer, the more lopsided.
-constexpr float THINNED_TUFT = 0.06f; // By so much more: few wide leaves are another plant than many narrow ones,
-constexpr float MOST_TUFT = 0.06f; // but a plant without its flowers is another, too.
-constexpr float TWIN_DROPPED = 0.2f; // Where another group of the same kind on the same carriers goes on.
+// Harm of steps to a picture, as fractions of the affected area: estimates for ordering the steps, not physics.
+constexpr float THINNED = 0.1f; // Times the number of replaced parts per remaining part.
+constexpr float ONE_SIDED = 0.6f; // Divided by the number of remaining parts: fewer are more asymmetric.
+constexpr float THINNED_TUFT = 0.06f; // Additional harm: a few wide leaves do not look like many narrow ones.
+constexpr float MOST_TUFT = 0.06f; // Its limit, because a plant without flowers also looks different.
+constexpr float TWIN_DROPPED = 0.2f; // If another group of the same kind remains on the same carriers.
 constexpr float DROPPED = 1.3f;
-constexpr float MOST_THINNED = 0.6f; // A few are better than none.
-constexpr float COLOR_LOST = 30.0f; // Times the square of the distance to the nearest colour that stays.
-constexpr float THINNED_WHORL = 0.3f; // One side of a flower is no flower.
+constexpr float MOST_THINNED = 0.6f; // A few parts are better than none.
+constexpr float COLOR_LOST = 30.0f; // Times the squared distance to the nearest remaining colour.
+constexpr float THINNED_WHORL = 0.3f; // One side of a flower does not look like a flower.
 constexpr float MERGED = 0.08f;
-constexpr float UNCOVERED = 0.35f; // For the share of a body that its parts left open.
-constexpr float BODY_SIDE = 0.3f; // Divided by the square of the sides.
-constexpr float FLOWER_WORTH = 1.5f; // From here on its colour is one of a flower.
-constexpr float CONE = 0.05f; // For a whorl's lathe.
-constexpr int MOST_BODIES_LEFT = 2; // A body, a few parts, a body …: all other steps only ever go on.
-constexpr size_t MANY_GROUPS = 48; // More than this only scripts grow, which loop over their parts.
+constexpr float UNCOVERED = 0.35f; // For the fraction of a body that its parts leave open.
+constexpr float BODY_SIDE = 0.3f; // Divided by the squared number of sides.
+constexpr float FLOWER_WORTH = 1.5f; // From here on, the colour is that of a flower.
+constexpr float CONE = 0.05f; // For the lathe of a whorl.
+constexpr int MOST_BODIES_LEFT = 2; // Limits cycles of bodies and few parts; all other steps only reduce detail.
+constexpr size_t MANY_GROUPS = 48; // Only scripts that add parts in loops have more.
 constexpr float NEARLY = 1.25f; // Times the best price.
 
 float body_error(const PartGroup &group, const BodyDetail &detail) {
@@ -49,13 +49,13 @@ float PlanSteps::thin_error(const State &state, size_t kept) const {
 	return has_twin(static_cast<int>(group)) ? TWIN_DROPPED : DROPPED + COLOR_LOST * state.contrast;
 }
 
-/// Whether a twin is drawn, too.
+/// True if another twin is drawn.
 bool PlanSteps::has_twin(int group) const {
 	const size_t own = static_cast<size_t>(group);
 	return twins[states[own].twins].drawn > (own_vertices(own) > 0 ? 1 : 0);
 }
 
-/// What goes with a group that is dropped: the last of some twins goes for all of them.
+/// Returns the area that disappears with a group. The last drawn twin counts for all its twins.
 float PlanSteps::dropped_area(const State &state) const {
 	const size_t group = static_cast<size_t>(&state - states.data());
 	return state.branch_area + twins[state.twins].dropped_area - (own_vertices(group) > 0 ? 0.0f : state.area);
@@ -97,11 +97,11 @@ void PlanSteps::offer_thinning(Step &best, int group, int excess) const {
 	const State &state = states[static_cast<size_t>(group)];
 	for (size_t kept = state.kept + 1; kept < state.kept_end && KEPT[state.kept] > 0.0f; kept++) {
 		if (state.body > 0 && KEPT[kept] > 0.0f) {
-			offer_few(best, group, kept, excess); // A body stands for all of its parts.
+			offer_few(best, group, kept, excess); // A body replaces all of its parts.
 			continue;
 		}
 		if (KEPT[kept] == 0.0f && state.branch_vertices == total) {
-			continue; // Something is to be seen of every plant.
+			continue; // Every plant needs something visible.
 		}
 		const float left = static_cast<float>(state.left[kept]) / static_cast<float>(state.left[state.kept]);
 		const float saved = static_cast<float>(state.branch_vertices) * (1.0f - left);
@@ -111,7 +111,7 @@ void PlanSteps::offer_thinning(Step &best, int group, int excess) const {
 	}
 }
 
-/// A few parts, as coarse as they may be, instead of a body.
+/// Offers a few parts of the lowest detail instead of a body.
 void PlanSteps::offer_few(Step &best, int group, size_t kept, int excess) const {
 	const State &state = states[static_cast<size_t>(group)];
 	const PartGroup &own = form.groups[static_cast<size_t>(group)];
@@ -121,7 +121,7 @@ void PlanSteps::offer_few(Step &best, int group, size_t kept, int excess) const 
 		return;
 	}
 	if (carries || is_flower || own.layout == Layout::disc || own.layout == Layout::whorl || state.bodies == 0) {
-		return; // What carries others is more than its parts; and flowers are whole.
+		return; // A carrier is more than its parts, and flowers stay whole.
 	}
 	const int saved = state.branch_vertices - state.left[kept] * state.costs.back();
 	const float harm = state.area *
@@ -135,7 +135,7 @@ void PlanSteps::offer_body(Step &best, int group, int excess) const {
 	const State &state = states[static_cast<size_t>(group)];
 	const PartGroup &own = form.groups[static_cast<size_t>(group)];
 	if (own.carrier_group == ON_GROUND || own.count < 2) {
-		return; // A tuft is no lump, and what stands alone is a part.
+		return; // A tuft is not a lump, and a single part stays a part.
 	}
 	const int carriers =
 			state.body > 0 ? state.bodies : std::max(1, states[static_cast<size_t>(own.carrier_group)].parts);
@@ -149,7 +149,7 @@ void PlanSteps::offer_body(Step &best, int group, int excess) const {
 	}
 }
 
-/// Of one group.
+/// Returns the best step of one group.
 PlanSteps::Step PlanSteps::find_best(int group, int excess) const {
 	Step best;
 	if (states[static_cast<size_t>(group)].branch_vertices > 0) {
@@ -166,8 +166,8 @@ void PlanSteps::take(const Step &step) {
 	draw(static_cast<size_t>(step.group), step.next);
 }
 
-/// The steps that cost nearly as little as the best, too, as far as there are too many vertices; of twins at most every
-/// other is dropped, for the last that is left stands for all.
+/// Also takes the steps that cost nearly as little as the best one, until the budget is met. Drops at most every second
+/// twin, because the last one counts for all.
 void PlanSteps::take_many(std::vector<Step> &steps, const Step &best, int excess) {
 	std::stable_sort(steps.begin(), steps.end(), [](const Step &a, const Step &b) { return a.price < b.price; });
 	const std::vector<Drawn> before(states.begin(), states.end());
@@ -188,7 +188,7 @@ void PlanSteps::take_many(std::vector<Step> &steps, const Step &best, int excess
 		take(step);
 	}
 	recount();
-	if (total == 0) { // What is dropped at once may carry all.
+	if (total == 0) { // The dropped groups may carry everything.
 		for (size_t g = 0; g < states.size(); g++) {
 			draw(g, before[g]);
 		}
@@ -223,7 +223,7 @@ bool PlanSteps::take_best(int budget) {
 			}
 			return true;
 		}
-		// What stands on parts of several groups may all go with one of these, too.
+		// Parts of several groups may carry other parts together; dropping one group may then remove everything.
 		states[static_cast<size_t>(best.group)].kept_end = best.next.kept;
 		draw(static_cast<size_t>(best.group), before);
 		recount();

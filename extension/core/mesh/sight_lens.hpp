@@ -8,30 +8,30 @@
 
 namespace undergrowth {
 
-/// How a mesh's points come to the dots of a picture, and how many there are.
+/// Projects the points of a mesh to the dots of a picture.
 class SightLens {
 public:
-	/// Pictures whose dots are so large that `columns` by `rows` show the box.
+	/// Pictures with dots of a size at which `columns` by `rows` of them cover the box.
 	SightLens(const SeenMesh &p_mesh, const SightBox &box, int columns, int rows);
 
 	int columns() const { return 2 * half; }
 	int rows() const { return height; }
-	/// m² that a dot covers.
+	/// Area of a dot (m²).
 	float dot_area() const { return 1.0f / (across * up); }
 
-	/// A corner in dots, and how far away it is (m).
+	/// A corner in dots, and its distance (m).
 	struct Corner {
 		float x, y, depth;
 	};
-	/// A triangle that covers middles of rows. How high it stands is the same from all sides.
+	/// A triangle that covers row centres. Its rows are the same from all sides.
 	struct Triangle {
-		int32_t corners[3]; ///< From the lowest to the highest.
+		int32_t corners[3]; ///< From lowest to highest.
 		int begin, end; ///< Rows.
 		int first; ///< Index of its first corner in the mesh's indices.
 	};
-	/// In the order of the mesh; all others are never seen.
+	/// In the order of the mesh; all other triangles are never visible.
 	const std::vector<Triangle> &triangles() const { return standing; }
-	/// All points as one outline's picture shows them.
+	/// Projects all points for one outline.
 	void look_from(size_t side);
 	const Corner &corner(int32_t vertex) const { return corners[static_cast<size_t>(vertex)]; }
 
@@ -39,9 +39,9 @@ private:
 	static constexpr float MOST_LARGER = 3.0f;
 
 	const SeenMesh &mesh;
-	float across, up; ///< Dots a metre.
-	float low = 0.0f; ///< Dots: what lies below the box.
-	float ground; ///< m, the box's low.
+	float across, up; ///< Dots per metre.
+	float low = 0.0f; ///< Dots below the box.
+	float ground; ///< Lower end of the box (m).
 	int half, height;
 	std::vector<Corner> corners;
 	std::vector<Triangle> standing;
@@ -49,7 +49,7 @@ private:
 	void find_triangles();
 };
 
-/// The first dot whose middle is beyond a place.
+/// Returns the first dot with its centre beyond a position.
 inline int first_beyond(float place) {
 	return static_cast<int>(std::clamp(place, 0.0f, 1e6f) + 0.5f);
 }
@@ -64,7 +64,7 @@ public:
 			lower(slope(low, middle)),
 			upper(slope(middle, lens.corner(triangle.corners[2]))) {}
 
-	/// The columns whose middles it covers in a row.
+	/// Returns the columns of a row with centres inside the triangle.
 	void columns(int row, int count, int &first, int &beyond) const {
 		const float level = static_cast<float>(row) + 0.5f;
 		const float a = low.x + whole * (level - low.y);

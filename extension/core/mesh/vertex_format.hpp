@@ -8,53 +8,52 @@
 
 namespace undergrowth {
 
-// What a vertex of a plant says, to shaders and to the engine. One format for how plants look and how they bend; the
-// engine's names in capitals.
+// The vertex format of plants, for shaders and the engine: appearance and bending in one format. Names of the engine
+// are in capitals.
 //
 // VERTEX    m, in the plant's axes, at rest.
-// NORMAL    of the true surface; of open sheets (blades, open tubes) the upper or outer side. The engine turns it round
-//           on back faces, so both sides are lit. Blades lean it out towards their edges (BladeShape::roundness).
-// TANGENT   along the part, from its base to its tip: the grain that anisotropic shine follows. w is 1.
-// COLOR     rgb as the author wrote it; a: how much sky the place sees, 0 to 1 (less at the base and inside a tuft).
-//           Materials take it for ambient occlusion, not for transparency.
-// UV        x from 0 to 1 across a blade, or around a tube and back; y from 1 at a part's base to 0 at its tip.
-// CUSTOM0   x: stem offset: where on the plant's stem the vertex hangs, 0 root to 1 tip. Of what stands on the ground
-//              its own height over the plant's; of parts on a stem that of their attachment, so that they go along with
-//              it unbent, and so much more that they stay on the stem that is drawn straight from row to row. With
-//              one joint it is the tip's weight (thesis, formula 4.1); with more, the place x on the line of joints
-//              (u(x) of the stem's bend, and its centre).
-//           y: own bend weight: what share of its part's swing turns the vertex about its pivot. 0 at the attachment, 1
-//              at the tip; 0 on stems and on bodies that stand for many parts. What a swinging part carries has the
-//              weight of where it is attached, a head (all short parts on and around a stem's tip) 1 all over.
-//           z: rank, 0 to 1: the part is drawn while its rank is below the share of parts that a distance keeps. In
-//              golden-ratio order, so that what is left stays spread; of what is carried at least its carrier's.
-//           w: leafiness, 0 to 1: the share of the light from behind that shines through.
-// CUSTOM1   xyz: pivot (m): where the part is attached, about which its own swing turns it; w: frequency and damping
+// NORMAL    of the true surface; for open sheets (blades, open tubes) of the upper or outer side. The engine reverses
+//           it on back faces, so that both sides are lit. Blades lean it to their edges (BladeShape::roundness).
+// TANGENT   along the part, from its base to its tip: the grain for anisotropic reflections. w is 1.
+// COLOR     rgb: the author's colour. a: visible fraction of the sky, 0 to 1 (less at the base and inside a tuft).
+//           Materials use it for ambient occlusion, not for transparency.
+// UV        x from 0 to 1 across a blade, or around a tube and back. y from 1 at a part's base to 0 at its tip.
+// CUSTOM0   x: stem offset: position on the plant's stem that moves the vertex, 0 root to 1 tip. For parts on the
+//              ground it is the vertex's own height over the plant's. For parts on a stem it is that of their
+//              attachment, so that the part moves without bending. It is larger by the amount that leaves the part on
+//              the drawn stem, which is straight between rows. With one joint it is the tip's weight (thesis,
+//              formula 4.1). With more joints it is x on the line of joints (u(x) of the stem's bend, and its centre).
+//           y: own bend weight: fraction of its part's swing that turns the vertex about its pivot. 0 at the
+//              attachment, 1 at the tip. 0 on stems and on bodies of many parts. Parts on a swinging part have the
+//              weight of their attachment. A head (all short parts on and around a stem's tip) has 1 everywhere.
+//           z: rank, 0 to 1: the part is drawn if its rank is below the fraction of parts at a distance. Ranks are in
+//              golden-ratio order, so that the remaining parts are spread evenly. At least the rank of the carrier.
+//           w: leafiness, 0 to 1: transmitted fraction of the light from behind.
+// CUSTOM1   xyz: pivot (m): the attachment of the part, about which its own swing turns it. w: frequency and damping
 //           of that swing, SwingCode::pace (plant/part_swing.hpp).
-// CUSTOM2   xyz: from the part's midrib to the vertex (m): what grows when a part is drawn wider, because others of its
-//              kind are left away or a pixel is wider than the part. VERTEX minus it lies on the midrib.
-//           w: phase and side of its swing, SwingCode::place; no two neighbours have the same.
-// CUSTOM3   x: height of the plant that the mesh shows (m), the same at all vertices: a stem that bends along its
-//              length wants to know how far up its offset is. A lathe has none, its offset says it.
-//           y, z: x and z (m) of where the vertex is in calm air, in the mesh of a plant on a skeleton: what the wind
-//              lays down is lit by how far from there it is. Elsewhere x and z of VERTEX.
-//           w: stem place: where on the plant's stem the vertex is attached, 0 root to 1 tip. The stem offset is
-//           larger,
-//              by (w - a)(b - w)/w between two rows a and b of the stem, since the mesh draws the stem straight there.
-//              A stem that bends along its length takes w, and its curvature for the difference.
-// BONES, WEIGHTS  root and tip: (1 - x, x, 0, 0) with the stem offset x. Where a skeleton has bones of parts, these
-//           take the share of the own bend weight (mesh/form_bones.hpp), and where stems have joints, those of the stem
-//           that of root and tip (mesh/joint_binding.hpp).
+// CUSTOM2   xyz: from the part's midrib to the vertex (m): scaled to draw a part wider, if parts of its kind are left
+//              out or if a pixel is wider than the part. VERTEX minus it is on the midrib.
+//           w: phase and side of the swing, SwingCode::place; different for neighbours.
+// CUSTOM3   x: height of the plant in the mesh (m), equal at all vertices: a stem that bends along its length needs it
+//              for the height of an offset. A lathe has none; its offset contains it.
+//           y, z: for a plant on a skeleton, x and z (m) of the vertex in calm air: the light on bent plants depends on
+//              the distance from there. For all other plants, x and z of VERTEX.
+//           w: stem place: position of the attachment on the plant's stem, 0 root to 1 tip. The stem offset is larger,
+//              by (w - a)(b - w)/w between two rows a and b of the stem, because the mesh draws the stem straight
+//              there. A stem that bends along its length uses w, and its curvature for the difference.
+// BONES, WEIGHTS  root and tip: (1 - x, x, 0, 0) with the stem offset x. In skeletons with bones of parts, those get
+//           the fraction of the own bend weight (mesh/form_bones.hpp). If stems have joints, their bones get the
+//           weights of root and tip (mesh/joint_binding.hpp).
 //
-// A swing comes before the stem's bend. A place of weight y turns about the pivot by y times the tip's angle and comes
-// so much nearer to it that a straight blade becomes an arc of its own length; the tangent turns twice as far. A head
-// turns as a whole. How far says motion/part_bend.hpp.
+// A swing precedes the stem's bend. A point of weight y turns about the pivot by y times the tip's angle. It also moves
+// nearer to the pivot, by the amount that turns a straight blade into an arc of its own length. The tangent turns twice
+// as far. A head turns as a whole. motion/part_bend.hpp has the amounts.
 //
-// A lathe without parts (mesh/plant_mesh.hpp) has CUSTOM0.x alone. Then the renderers give (x, 0, 0, 1) for CUSTOM0:
-// no swing of its own, kept at all distances, leafy all over; that is what a lathe is. CUSTOM1 and CUSTOM2 count only
-// where CUSTOM0.y or a widening says so. A shader that knows CUSTOM0.x alone bends every plant right.
+// A lathe without parts (mesh/plant_mesh.hpp) has only CUSTOM0.x. Renderers then read (x, 0, 0, 1) for CUSTOM0: no own
+// swing, drawn at all distances, full leafiness, which is correct for a lathe. CUSTOM1 and CUSTOM2 only have an effect
+// if CUSTOM0.y is not 0 or parts are widened. A shader that only uses CUSTOM0.x bends every plant correctly.
 
-/// Where the mesh of a form goes: arrays as long as its counts, none of them null.
+/// Output arrays of a form's mesh, with the sizes of its counts; none is null.
 struct FormBuffers {
 	glm::vec3 *positions = nullptr;
 	glm::vec3 *normals = nullptr;
@@ -64,8 +63,8 @@ struct FormBuffers {
 	glm::vec4 *custom0 = nullptr;
 	glm::vec4 *custom1 = nullptr;
 	glm::vec4 *custom2 = nullptr;
-	int32_t *bones = nullptr; ///< Four a vertex.
-	float *weights = nullptr; ///< Four a vertex; they sum to 1 exactly.
+	int32_t *bones = nullptr; ///< Four per vertex.
+	float *weights = nullptr; ///< Four per vertex; they sum to 1 exactly.
 	int32_t *indices = nullptr;
 	float *stem_places = nullptr; ///< w of CUSTOM3.
 };

@@ -5,8 +5,8 @@
 
 namespace undergrowth {
 
-/// One level of detail of a PlantField3D: how finely plants are drawn, and up to which distance.
-/// Emits `changed` for each real change.
+/// One level of detail of a PlantField3D: the segments of its plants and the distance at which it ends. Emits `changed`
+/// for each real change.
 class PlantFieldLevel : public godot::Resource {
 	GDCLASS(PlantFieldLevel, godot::Resource)
 
@@ -23,7 +23,7 @@ protected:
 	void _validate_property(godot::PropertyInfo &property) const;
 
 public:
-	/// Plants of `segments` up to `end` metres; 0: without end. At its end a `density` of them is left.
+	/// Returns a level with `segments` up to `end` metres (0: no end). At its end, a `density` of the plants remains.
 	static godot::Ref<PlantFieldLevel> of(int segments, double end = 0.0, double density = 1.0);
 
 	void set_segments(int count);

@@ -19,7 +19,7 @@ Ref<PlantFieldSpecies> PlantFieldSpecies::of(const Ref<PlantFunction> &function,
 }
 
 void PlantFieldSpecies::tell(bool from_species) {
-	const bool before = forwards; // A listener may set something: an emission within an emission.
+	const bool before = forwards; // A listener may set a property, which emits again inside this emission.
 	forwards = from_species;
 	emit_changed();
 	forwards = before;
@@ -30,7 +30,7 @@ bool PlantFieldSpecies::is_motion_change() const {
 }
 
 void PlantFieldSpecies::on_species_changed() {
-	const Ref<PlantFieldSpecies> alive(this); // Listeners may drop it.
+	const Ref<PlantFieldSpecies> alive(this); // Listeners may release the last reference.
 	give_name(this, given_name, name_of_species(species));
 	tell(true);
 }
