@@ -42,7 +42,7 @@ float DrawnPart::stem_offset_at(float offset) const {
 
 Attachments::Attachments(const PlantForm &p_form, const FormPlan &p_plan, const std::vector<PartHang> &grown) :
 		form(p_form), plan(p_plan), hangs(grown), shifts(p_form.placed.size(), glm::vec3(0.0f)) {
-	std::optional<DrawnPart> drawn; // Parts of one carrier follow each other.
+	std::optional<DrawnPart> drawn; // Parts of one carrier are consecutive.
 	int carrier = ON_GROUND;
 	for (size_t i = 0; i < form.placed.size(); i++) {
 		const PlacedPart &part = form.placed[i];
@@ -75,7 +75,7 @@ void Attachments::attach(size_t i, const DrawnPart &drawn) {
 	}
 }
 
-/// Of what does not swing by itself.
+/// For a part that does not swing by itself.
 PartHang Attachments::hang_at(const PartHang &carrier, const DrawnPart &drawn, float offset) const {
 	PartHang hang = carrier;
 	hang.is_root = false;

@@ -10,15 +10,16 @@
 
 namespace undergrowth {
 
-/// A part as a plan draws it: straight between its rows, beside the curve on which it grew and bends.
+/// A part as a plan draws it: straight between its rows. The curve on which the part grew and bends runs beside these
+/// lines.
 class DrawnPart {
 public:
-	/// `shift`: m, from where the part grew to where it is drawn. The arguments outlive it.
+	/// `shift` (m) leads from where the part grew to where it is drawn. The arguments must outlive the object.
 	DrawnPart(const PlantForm &form, const FormPlan &plan, int part, const glm::vec3 &shift);
 
-	/// A place on the drawn midrib, m. Beyond the ends it goes straight on.
+	/// Position on the drawn midrib (m). The lines at the ends continue straight beyond them.
 	glm::vec3 point_at(float offset) const;
-	/// Of a part on the ground: the stem offset with which a bent place stays between the rows beside it.
+	/// For a part on the ground: the stem offset with which a bent position stays between the rows beside it.
 	float stem_offset_at(float offset) const;
 
 private:
@@ -32,14 +33,14 @@ private:
 	const Row &row_below(float offset) const;
 };
 
-/// Attaches all that a plan draws to what carries it as that is drawn.
+/// Attaches everything that a plan draws to its carriers as they are drawn.
 class Attachments {
 public:
-	/// The arguments outlive it.
+	/// The arguments must outlive the object.
 	Attachments(const PlantForm &form, const FormPlan &plan, const std::vector<PartHang> &grown);
 
 	const PartHang &hang_of(size_t part) const { return hangs[part]; }
-	/// m, from where a part grew to where it is drawn.
+	/// Vector (m) from where a part grew to where it is drawn.
 	const glm::vec3 &shift_of(size_t part) const { return shifts[part]; }
 	/// Places the rings of a body on its carrier.
 	void place_rings(FormBody &body) const;

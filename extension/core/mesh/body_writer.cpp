@@ -1,4 +1,4 @@
-// The half of FormWriter that writes bodies.
+// FormWriter: bodies.
 
 #include "base/portable_math.hpp"
 #include "conventions.hpp"
@@ -13,7 +13,7 @@ namespace undergrowth {
 
 namespace {
 
-/// How fast the radius grows along the axis at a ring: between its neighbours.
+/// Normal from the growth of the radius along the axis at a ring, between its neighbours.
 glm::vec3 slope_normal(const FormBody &body, size_t ring, const glm::vec3 &outward) {
 	const glm::vec3 &along = body.rings[ring].axes.along;
 	const FormBody::Ring &before = body.rings[ring > 0 ? ring - 1 : 0];

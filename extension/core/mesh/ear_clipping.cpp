@@ -7,13 +7,13 @@ namespace undergrowth {
 
 namespace {
 
-/// Twice the area of abc, positive when it runs counter-clockwise from above. In double: float coordinates lose
-/// nothing.
+/// Twice the area of abc, positive if it runs counter-clockwise from above. Double precision makes float coordinates
+/// exact.
 double area(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
 	return (b.y - a.y) * (c.x - a.x) - (b.x - a.x) * (c.y - a.y);
 }
 
-/// The part of the ring that is not filled yet.
+/// The part of the ring without triangles.
 class Remainder {
 public:
 	explicit Remainder(const std::vector<glm::vec2> &p_ring) : ring(p_ring), left(p_ring.size()) {
@@ -26,7 +26,7 @@ public:
 	int32_t after(int i) const { return left[(i + 1) % size()]; }
 	void remove(int i) { left.erase(left.begin() + i); }
 
-	/// Whether the triangle at place `i` is part of the inside and holds no other point, not even on its rim.
+	/// True if the triangle at index `i` is inside the ring and contains no other point, not even on its border.
 	bool is_ear(int i) const {
 		const glm::vec2 a = ring[before(i)];
 		const glm::vec2 b = ring[here(i)];
@@ -46,7 +46,7 @@ private:
 	std::vector<int32_t> left;
 };
 
-/// The first ear from `start` on. What has none is a line, of which any point will do.
+/// The first ear from `start` on. A ring without ears is a line, and any point of it works.
 int find_ear(const Remainder &rest, int start) {
 	for (int i = 0; i < rest.size(); i++) {
 		const int place = (start + i) % rest.size();
@@ -68,7 +68,7 @@ std::vector<int32_t> clip_ears(const std::vector<glm::vec2> &ring) {
 		place = find_ear(rest, place);
 		triangles.insert(triangles.end(), { rest.before(place), rest.here(place), rest.after(place) });
 		rest.remove(place);
-		// Going on one point further keeps the triangles of a round ring from becoming slivers.
+		// The next search starts one point further, so the triangles of a round ring do not become slivers.
 		place++;
 	}
 	return triangles;

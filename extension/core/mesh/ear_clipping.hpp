@@ -7,9 +7,9 @@
 
 namespace undergrowth {
 
-/// Fills a simple ring, convex or not, with ring.size() - 2 triangles: three indices each, counter-clockwise from
-/// above. Uses every point and every edge of the ring. Points that lie on a line give triangles without area. O(n²) for
-/// usual rings, O(n³) for the worst.
+/// Triangulates a simple ring, convex or not, into ring.size() - 2 triangles: three indices each, counter-clockwise
+/// from above. Uses every point and every edge of the ring. Points on a line give triangles without area. O(n²) for
+/// usual rings, O(n³) at worst.
 std::vector<int32_t> clip_ears(const std::vector<glm::vec2> &ring);
 
 } // namespace undergrowth

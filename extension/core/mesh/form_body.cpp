@@ -15,29 +15,29 @@ namespace undergrowth {
 
 namespace {
 
-constexpr int PLACES = 3; // Of a part that are measured: base, middle, tip.
+constexpr int PLACES = 3; // Measured points of a part: base, middle, tip.
 constexpr float MOST_LARGER = 2.0f; // In area.
-constexpr float FEW = 3.5f; // Bodies that one stands for: those of so few are as long as each was.
-constexpr float MOST_LONGER = 2.5f; // Times as long.
+constexpr float FEW = 3.5f; // Number of bodies that one replaces; up to it the spindle has the length of each.
+constexpr float MOST_LONGER = 2.5f; // Factor of the length.
 constexpr float MOST_RISE = 0.6f; // Of a flat whorl's radius.
 constexpr float LEAST_THIN = 0.4f; // Of a lathe's radius.
-constexpr float MOST_STOUT = 0.4f; // Of a spindle: its silhouette in shares of its length's square.
+constexpr float MOST_STOUT = 0.4f; // Of a spindle: its silhouette as a fraction of its squared length.
 constexpr float LEAST_RADIUS = 1e-4f; // m.
 
-/// What a body's parts measure in its own axes.
+/// Measurements of a body's parts in its own axes.
 struct Measure {
 	float low = 1e9f;
 	float high = -1e9f;
 	float farthest = 0.0f;
 	float area = 0.0f; ///< m², of parts.
-	float shown = 0.0f; ///< m² of the silhouette, were none before another.
+	float shown = 0.0f; ///< m² of the silhouette, as if no part hid another.
 	glm::vec3 squares = glm::vec3(0.0f);
 	float alpha = 0.0f;
 	float shine = 0.0f;
-	// Means over the parts that stand on the carrier itself:
+	// Means over the parts that are on the carrier itself:
 	float along[PLACES] = {};
 	float away[PLACES] = {};
-	float lid = 0.0f; ///< m², of those.
+	float lid = 0.0f; ///< m² of those parts.
 	int count = 0;
 };
 
@@ -46,15 +46,15 @@ struct OwnPlace {
 	float away;
 };
 
-/// Where parts of a body are measured from.
+/// Origin of the measurements of a part.
 struct Origin {
 	glm::vec3 place; ///< m.
 	glm::vec3 along;
-	float before; ///< m along the carrier, from the body's own.
+	float before; ///< m along the carrier, from the body's own origin.
 };
 
-/// Of a part that attaches to the body's carrier, or that such a part carries: the place where that one attaches. The
-/// carrier curves.
+/// Origin for a part of the body: the attachment, to the body's carrier, of the part or of the part that carries it. It
+/// differs by part because the carrier curves.
 Origin origin_of(const FormBody &body, const PlantForm &form, const PlacedPart &placed) {
 	const PlacedPart *own = &placed;
 	while (own->group != body.group) {
@@ -100,8 +100,8 @@ void add(
 	m.shine += part.translucency * area;
 }
 
-/// As many parts as there are lie before each other: of an envelope H they cover H·(1 - exp(-A/H)), here by its series'
-/// rational neighbour.
+/// Area that parts cover when they hide each other. Parts of area A cover H·(1 - exp(-A/H)) of an envelope H; this is a
+/// rational approximation of that.
 float covered(float area, float envelope) {
 	return envelope > 0.0f ? area / (1.0f + area / envelope) : area;
 }
@@ -109,7 +109,7 @@ float covered(float area, float envelope) {
 void shape_dome(FormBody &body, const Measure &m, float dome) {
 	if (dome > HALF_SPHERE) {
 		const float middle = 0.5f * (m.low + m.high);
-		// Two cones as large from the side as the sphere: π/2 of its radius.
+		// Two cones with the same area from the side as the sphere: π/2 of its radius.
 		body.rings = { { m.low, 0.0f }, { middle, 1.57f * m.farthest }, { m.high, 0.0f } };
 		body.has_base = true;
 	} else {
@@ -118,8 +118,8 @@ void shape_dome(FormBody &body, const Measure &m, float dome) {
 	body.has_tip = true;
 }
 
-/// As much as its parts show, a lathe shows from the side. A whorl that lies flat is not seen from the side as a lathe
-/// of midribs, but its parts are, for they lean, fold and curl: it rises until it shows as much.
+/// Makes a lathe show the same area from the side as its parts. A flat whorl's lathe of midribs is invisible from the
+/// side, but its parts lean, fold and curl. Such a lathe rises until it shows as much.
 void thicken(FormBody &body, const Measure &m) {
 	float widest = 0.0f;
 	float low = body.rings.front().along;
@@ -129,9 +129,9 @@ void thicken(FormBody &body, const Measure &m) {
 		low = std::min(low, ring.along);
 		high = std::max(high, ring.along);
 	}
-	const float wanted = 0.5f * m.shown; // The farther half of the parts lies behind the nearer.
+	const float wanted = 0.5f * m.shown; // The nearer half of the parts hides the farther one.
 	const float shows = widest * (high - low);
-	if (shows > 1.3f * wanted) { // Thin parts that stand up hide less than their lathe of what they stand around.
+	if (shows > 1.3f * wanted) { // Thin upright parts hide less than their lathe does.
 		for (FormBody::Ring &ring : body.rings) {
 			ring.radius *= std::max(wanted / shows, LEAST_THIN);
 		}
@@ -148,8 +148,8 @@ void thicken(FormBody &body, const Measure &m) {
 	}
 }
 
-/// The lathe of the mean midrib. Where it is flat and the parts leave gaps, it is drawn in until it is as large as
-/// they.
+/// The lathe of the mean midrib. If it is flat and the parts leave gaps, it becomes narrower until it has the area of
+/// the parts.
 void shape_lathe(FormBody &body, const Measure &m) {
 	const auto mean = [&m](int i) {
 		return FormBody::Ring(m.along[i] / static_cast<float>(m.count), m.away[i] / static_cast<float>(m.count));
@@ -166,7 +166,7 @@ void shape_lathe(FormBody &body, const Measure &m) {
 		body.rings.push_back(ways[1]);
 	}
 	body.rings.push_back(ways[2]);
-	if (body.detail.rings == 1) { // A cone is as wide as the lathe is on the mean.
+	if (body.detail.rings == 1) { // A cone has the mean width of the lathe.
 		body.rings.back().radius =
 				std::max(ways[2].radius, 0.25f * ways[0].radius + ways[1].radius + 0.25f * ways[2].radius);
 	}
@@ -182,7 +182,7 @@ void shape_spindle(FormBody &body, const Measure &m) {
 	body.has_base = body.has_tip = true;
 }
 
-/// A circle is so much wider from the side, on the mean, than the polygon in it.
+/// Factor by which a circle is wider from the side, on average, than its inscribed polygon.
 float polygon_fill(int sides) {
 	const double half_turn = PI / sides;
 	return static_cast<float>(half_turn / portable_sin(half_turn));
@@ -205,8 +205,8 @@ void shape(FormBody &body, const PlantForm &form, const Measure &m) {
 	body.translucency = m.shine / area;
 }
 
-/// A spindle that stands for those on other carriers, too, whose tips are at other heights: longer towards the base of
-/// its carrier, not a plate.
+/// Lengthens a spindle towards the base of its carrier. It also replaces spindles of other carriers, with tips at other
+/// heights, so it must not become a plate.
 void stretch_down(FormBody &body, const PlantForm &form, float longer) {
 	const PlacedPart &part = form.placed[static_cast<size_t>(body.first)];
 	const float high = body.rings.back().along;
@@ -219,7 +219,7 @@ void stretch_down(FormBody &body, const PlantForm &form, float longer) {
 	}
 }
 
-/// Its axes: those of its carrier, at the mean place of what stands there.
+/// Its axes are those of its carrier at the attachment of the first part.
 FormBody begin_body(const PlantForm &form, const FormPlan &plan, size_t first) {
 	const PlacedPart &part = form.placed[first];
 	FormBody body;
@@ -259,7 +259,7 @@ std::vector<FormBody> make_bodies(const PlantForm &form, const FormMeasure &meas
 	}
 	for (size_t i = 0; i < bodies.size(); i++) {
 		shape(bodies[i], form, measures[i]);
-		// Of carriers that are dropped the others' bodies show the parts, too.
+		// If carriers are dropped, the remaining bodies show their parts, too.
 		const size_t group = static_cast<size_t>(bodies[i].group);
 		const float own = measure.shown[group] * static_cast<float>(measures[i].count) /
 				static_cast<float>(form.groups[group].count);
@@ -274,7 +274,8 @@ std::vector<FormBody> make_bodies(const PlantForm &form, const FormMeasure &meas
 			bodies[i].shown = std::min(with_others, std::max(MOST_STOUT * length * length, bodies[i].shown));
 		}
 		const Layout layout = form.groups[group].layout;
-		const bool is_spindle = layout == Layout::along || layout == Layout::ground; // As long as what it stands on.
+		// A spindle is as long as its carrier.
+		const bool is_spindle = layout == Layout::along || layout == Layout::ground;
 		for (FormBody::Ring &ring : bodies[i].rings) {
 			ring.radius *= std::sqrt(std::min(more, MOST_LARGER));
 			ring.along *= is_spindle ? 1.0f : std::sqrt(std::min(more, MOST_LARGER));

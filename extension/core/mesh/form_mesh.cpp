@@ -11,9 +11,9 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float MOST_STOUT = 0.65f; // Of a spindle, twice it: width by length.
+constexpr float MOST_STOUT = 0.65f; // Of a spindle, twice this: width by length.
 
-/// Shapes that parts of a kind share, made when the first is drawn. Groups of one kind may be drawn differently.
+/// Templates that parts of a kind share, built for the first part drawn. Groups of one kind can have different details.
 class Shapes {
 public:
 	Shapes(const PlantForm &p_form, const FormMeasure &p_measure, const FormPlan &p_plan) :

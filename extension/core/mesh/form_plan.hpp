@@ -8,27 +8,28 @@
 
 namespace undergrowth {
 
-/// The most vertices of a plant of parts at a level: 792, 198, 50, 22, 12 for 12, 6, 3, 2, 1 vertical segments.
+/// Max vertices of a plant of parts at a level: 792, 198, 50, 22, 12 for 12, 6, 3, 2, 1 vertical segments.
 int vertex_budget(int lod);
 
-/// Finer levels draw petals, leaves and bells as rounded as what fills the picture should be.
+/// Levels above this draw petals, leaves and bells with the roundness of a plant that fills the picture.
 inline constexpr int FINEST_USUAL_LOD = 12;
 
-/// How finely a body is drawn (mesh/form_body.hpp).
+/// Level of detail of a body (mesh/form_body.hpp).
 struct BodyDetail {
 	int sides = 0;
-	int rings = 1; ///< Of a whorl, 1 or 2; others have one.
+	int rings = 1; ///< 1 or 2 for a whorl; 1 for all other layouts.
 };
 
-/// How the parts of one group are drawn at one level.
+/// Level of detail of the parts of one group.
 struct GroupPlan {
 	PartDetail detail;
-	float kept = 1.0f; ///< Share of its parts, by rank; 0: none.
-	/// Of the one body that stands for all parts on a carrier and whatever they carry; without sides parts are parts.
+	float kept = 1.0f; ///< Fraction of its parts that is drawn, by rank; 0: none.
+	/// Of the body that replaces all parts on a carrier and everything that they carry. Without sides, the parts are
+	/// drawn as parts.
 	BodyDetail body;
 };
 
-/// What is drawn of a form at one level.
+/// The units that one level draws of a form.
 struct FormPlan {
 	enum Fate : uint8_t {
 		drawn, ///< As a part.
@@ -37,21 +38,22 @@ struct FormPlan {
 	};
 	std::vector<GroupPlan> groups;
 	std::vector<Fate> fates; ///< Of each placed part.
-	std::vector<int> bodies; ///< Of each placed part that is merged the number of its body, from 0; else -1.
+	std::vector<int> bodies; ///< By placed part: number of its body, from 0, or -1 if it is not merged.
 	int body_count = 0;
-	/// m² that each group is to show from the side, on the mean, as all of its parts do (FormMeasure); of what is
-	/// dropped altogether those who look most like it show the rest. 0: nothing of it is drawn.
+	/// Area (m²) that each group must show from the side, on average: that of all its parts (FormMeasure). Dropped
+	/// groups add theirs to the group that looks most like them. 0: nothing of the group is drawn.
 	std::vector<float> shown;
-	bool is_cut = false; ///< Something is drawn coarser than parts are.
+	bool is_cut = false; ///< True if something is drawn coarser than as parts.
 	MeshCounts counts;
 };
 
-/// What the body costs that stands for a group on one carrier.
+/// Vertices and indices of the body that replaces a group on one carrier.
 MeshCounts count_body(const PartGroup &group, const BodyDetail &detail);
 
-/// Decides what is left away so that the mesh has at most `budget` vertices, 12 or more. Step by step it takes what
-/// changes the silhouette least for each vertex saved: details of many small parts first (they become pyramids, then
-/// one dome or spindle in their mean colour), then columns, rows, parts by rank, and the stem's roundness last.
+/// Decides what to leave out so that the mesh has at most `budget` vertices, 12 or more. Each step changes the
+/// silhouette least for each vertex that it saves. First the details of many small parts are reduced: they become
+/// pyramids, then one dome or spindle in their mean colour. Columns, rows and parts by rank follow; the roundness of
+/// the stem is last.
 FormPlan plan_form(const PlantForm &form, const FormMeasure &measure, int budget);
 
 } // namespace undergrowth

@@ -7,16 +7,16 @@
 
 namespace undergrowth {
 
-// What a plant as it is drawn says about its stem as a beam: how thick it is, and what mass and drag area hang on it.
-// Mass of what is drawn follows from usual densities and thicknesses of plants, drag from usual coefficients; a species
-// that knows better says so (PlantStem). Lengths are those of a plant of `beam.length` metres.
+// Derives the stem of a plant as a beam from its drawn form: thickness, mass and drag area. Mass follows from usual
+// densities and thicknesses of plants, drag from usual coefficients. A species can state its own values (PlantStem).
+// Lengths are those of a plant of `beam.length` metres.
 
-/// Of a plant of parts, the stem is that of the four functions, or else what stands longest on the ground. Everything
-/// that it carries loads it where it is attached; what is on its tip is the head.
+/// For a plant of parts: the stem is that of the four functions, or the longest part on the ground. Everything that it
+/// carries loads it at the attachment; the load on its tip is the head.
 void carry_parts(const PlantForm &form, StemBeam &beam);
 
-/// Of a lathe with so many rings of a radius (m) times `widths`, from bottom to top: what is much wider than its lower
-/// half is the head, at the tip.
+/// For a lathe with rings of `radius` (m) times `widths`, from bottom to top: rings much wider than its lower half are
+/// the head, at the tip.
 void carry_lathe(float radius, const std::vector<float> &widths, StemBeam &beam);
 
 } // namespace undergrowth

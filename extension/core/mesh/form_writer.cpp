@@ -12,11 +12,11 @@ namespace undergrowth {
 
 namespace {
 
-// Light that falls into a stand dies away exponentially with the leaves above (Beer-Lambert; extinction in a canopy).
-constexpr double EXTINCTION = 1.6; // From the top of a plant to the ground: there a fifth is left.
+// Light in a canopy decays exponentially with the leaves above (Beer-Lambert).
+constexpr double EXTINCTION = 1.6; // From the top of a plant to the ground, where a fifth remains.
 constexpr float INNER_SHADE = 0.4f; // Of the light, in the middle of a clump.
 constexpr float MOST_WIDENING = 12.0f;
-constexpr float BRIGHTNESS_SHARE = 0.25f; // The most that a full colour deviation does, as mesh/deviation.cpp.
+constexpr float BRIGHTNESS_SHARE = 0.25f; // Max at a full colour deviation, as in mesh/deviation.cpp.
 
 } // namespace
 

@@ -12,29 +12,29 @@ namespace undergrowth {
 /// Writes parts and bodies into the buffers of a mesh, one behind the other.
 class FormWriter {
 public:
-	/// All of these outlive it. `bones`: what vertices are bound to beside root and tip.
+	/// The arguments must outlive the writer. `bones`: bones besides root and tip that vertices are bound to.
 	FormWriter(const PlantForm &form, const FormBones &bones, const MeshOptions &options, const FormBuffers &buffers);
 
 	void add_part(const PlacedPart &part, const PartHang &hang, const PartTemplate &shape);
-	/// Its rings have their places (Attachments).
+	/// Attachments must have placed its rings.
 	void add_body(const FormBody &body);
 
-	/// How far the mesh has grown.
+	/// Size of the mesh at a moment.
 	struct Mark {
 		int vertex;
 		int index;
 	};
 	Mark mark() const { return { vertices, indices }; }
-	/// Makes all that was written since `begin` so much wider that it shows `shown` m² from the side, on the mean.
-	/// `near_share`: the share of its triangles that are seen.
-	/// Stretches what was written along y. The last thing to do.
+	/// Stretches all written vertices along y. Call it last.
 	void stretch(float factor);
+	/// Widens everything written since `begin` until it shows `shown` m² from the side, on average. `near_share`:
+	/// fraction of its triangles that is visible.
 	void widen(const Mark &begin, float shown, float near_share);
 
 private:
 	static constexpr int HEIGHTS = 32;
 
-	/// What all vertices of one part or body share.
+	/// Data that all vertices of one part or body share.
 	struct Common {
 		PartHang hang;
 		SwingCode swing;
@@ -46,7 +46,7 @@ private:
 	const FormBones &skeleton;
 	const FormBuffers &out;
 	const float color_deviation;
-	float light[HEIGHTS + 2]; ///< That falls to each height of the plant.
+	float light[HEIGHTS + 2]; ///< Light that reaches each height of the plant.
 	int vertices = 0;
 	int indices = 0;
 

@@ -1,4 +1,5 @@
-// Colours of light, many at once: a kernel, since compilers turn only these files' roots into those of many numbers.
+// Conversion of many colours from linear light. It is a kernel, since compilers vectorize square roots only in such
+// files.
 
 #include "mesh/silhouette.hpp"
 
@@ -10,7 +11,7 @@ namespace undergrowth {
 namespace {
 
 constexpr int LANES = 16;
-constexpr int STEPS = 4; // Newton's.
+constexpr int STEPS = 4; // Newton iterations.
 
 void from_lanes(float *lights) {
 	float component[LANES];

@@ -4,58 +4,59 @@
 
 namespace undergrowth {
 
-/// Changes the widths of units step by step so that a mesh's outlines become others. Each unit may grow wider, along
-/// the ground wider one way than across, and turn about its midrib: four numbers a unit, four outlines to meet. Of all
-/// ways to meet them it takes the one that changes least (the least norm, weighed by the units' areas).
+/// Changes the widths of units step by step until a mesh's outlines match given areas. Each unit can grow wider, grow
+/// wider along the ground in one direction than across it, and turn about its midrib: four numbers per unit for four
+/// outlines. Of all solutions it uses the one with the least change (the least norm, weighted by the units' areas).
 class OutlineFit {
 public:
 	OutlineFit(const std::vector<WrittenUnit> &units, const FormBuffers &mesh);
 
-	/// One step: the outlines are `areas` and are to be `wanted`. As if what hides behind other units went on hiding
-	/// behind them; nothing turns.
+	/// Runs one step from outlines of `areas` towards those of `wanted`. It assumes that the hidden part of each unit
+	/// stays hidden. Nothing turns.
 	void approach(const Outlines &areas, const Outlines &wanted);
-	/// From now on widths may differ more from what was written, but for those of flowers.
+	/// Allows larger changes of widths from now on, except for flowers.
 	void loosen() { limits = LOOSE; }
-	/// Remembers the widths of the last step.
+	/// Stores the widths of the last step.
 	void keep();
-	/// Gives the mesh the widths that were remembered, or those that it began with.
+	/// Restores the stored widths, or the initial ones, in the mesh.
 	void finish();
 
-	/// Looks at what each number does to the outlines and goes the best way (Levenberg 1944), round by round, from the
-	/// widths that were remembered, until no outline is off by more than `goal` or nothing mends more; ends as finish()
-	/// does. `worst`: how far the worst outline is off, in and out. Looks at the mesh 5 to 32 times a round and as
-	/// often as its size allows, 120 to 1200 times.
+	/// Measures the effect of each number on the outlines and steps in the best direction (Levenberg 1944), round by
+	/// round. It starts from the stored widths and stops when no outline is off by more than `goal` or nothing
+	/// improves. It ends like finish(). `worst`: error of the worst outline, in and out. It measures the mesh 5 to 32
+	/// times per round and, by the size of the mesh, 120 to 1200 times in total.
 	void search(const SightBox &box, const Outlines &wanted, float goal, float &worst);
 
 private:
-	static constexpr size_t WAYS = 4; ///< Wider; wider along x than along z; along x = z than across; turned.
-	static constexpr size_t STRETCHES = 3; ///< Of these.
-	static constexpr size_t TURN = 3; ///< The tangent of half the angle.
+	static constexpr size_t WAYS = 4; ///< Wider; wider along x than along z; wider along x = z than across; turned.
+	static constexpr size_t STRETCHES = 3; ///< The first three.
+	static constexpr size_t TURN = 3; ///< Tangent of half the angle.
 	static constexpr size_t MOST_BUNDLES = 8;
 	using Ways = std::array<float, WAYS>;
-	/// Of widths, in shares of what was written.
+	/// Limits of widths, as fractions of the written width.
 	struct Limits {
 		float least, most, turned;
 		float least_flower, most_flower, turned_flower;
-		bool by_width; ///< What is turned counts in shares of the width that it has come to.
+		bool by_width; ///< True: the limit of a turn is a fraction of the current width.
 	};
 	static constexpr Limits USUAL = { 0.25f, 4.0f, 0.7f, 0.45f, 1.7f, 0.25f, false };
 	static constexpr Limits LOOSE = { 0.2f, 6.0f, 0.85f, 0.45f, 1.7f, 0.25f, true };
 
-	/// What a unit shows in each outline, were nothing before it, as it was written, and how its widths change that.
+	/// Area that a unit shows in each outline as written, as if nothing hid it, and the change of this area with its
+	/// widths.
 	struct Unit {
 		Outlines area = {};
 		std::array<std::array<float, STRETCHES>, OUTLINES> change = {};
-		Ways weight = {}; ///< How willingly it changes.
-		Ways widths = {}; ///< So far, beyond what was written.
+		Ways weight = {}; ///< Larger: changes more readily.
+		Ways widths = {}; ///< Current changes of the written widths.
 		Ways kept = {};
-		size_t bundle = 0; ///< Units that a search changes together.
+		size_t bundle = 0; ///< Bundle of units that a search changes together.
 	};
 
 	const std::vector<WrittenUnit> &written;
 	const FormBuffers &mesh;
 	std::vector<Unit> units;
-	std::vector<glm::vec3> asides; ///< As they were written.
+	std::vector<glm::vec3> asides; ///< As written.
 	Limits limits = USUAL;
 
 	void look_at(size_t number);
@@ -73,7 +74,7 @@ private:
 	void place(const Sought &sought, std::vector<float> &changes);
 };
 
-/// A turn about the upright axis by the tangent of half its angle, which takes no sine.
+/// A turn about the upright axis by the tangent of half its angle; it needs no sine.
 struct HalfTurn {
 	float cosine, sine;
 
@@ -84,7 +85,7 @@ struct HalfTurn {
 	}
 };
 
-/// Solves a·x = b for a symmetric positive matrix, by Cholesky's parts; x is left in b.
+/// Solves a·x = b for a symmetric positive matrix by Cholesky decomposition; b becomes x.
 void solve_outlines(float (&a)[OUTLINES][OUTLINES], float (&b)[OUTLINES]);
 
 } // namespace undergrowth

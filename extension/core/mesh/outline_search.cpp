@@ -1,4 +1,4 @@
-// The half of OutlineFit that looks at what each number does.
+// OutlineFit: search with the measured effect of each number.
 
 #include "mesh/outline_fit.hpp"
 
@@ -12,14 +12,14 @@ namespace undergrowth {
 namespace {
 
 constexpr int ROUNDS = 8;
-constexpr int LOOKED_AT = 40000; // Vertices in all looks together, but
+constexpr int LOOKED_AT = 40000; // Vertices in all measurements together, limited by
 constexpr int LEAST_LOOKS = 120;
 constexpr int MOST_LOOKS = 1200;
-constexpr int TRIES = 4; // Of one round's direction, each shorter.
-constexpr int PASSES = 3; // What stands at its limit leaves the rest to the others.
-constexpr float ALLOWED = 0.04f; // What is farther off begins elsewhere, too:
+constexpr int TRIES = 4; // Steps of one round's direction, each shorter than the last.
+constexpr int PASSES = 3; // Numbers at their limit leave the rest to all other numbers.
+constexpr float ALLOWED = 0.04f; // Larger errors also start from other turns:
 constexpr float TURNS[] = { 0.0f, 0.2f, -0.2f, 0.4f, -0.4f };
-constexpr float FLOWER = 0.2f; // As willingly as others flowers change: the plant's colour hangs on them.
+constexpr float FLOWER = 0.2f; // Flowers change less readily than other units, since they determine the plant's colour.
 constexpr float PROBE = 0.06f;
 constexpr float MOST_SHIFT = 0.6f; // Of a number in a round.
 constexpr float FIRST_DAMPING = 0.03f;
@@ -43,8 +43,8 @@ float worst_of(const Outlines &errors) {
 	return worst;
 }
 
-/// The least changes of the numbers that are not `fixed` that mend the errors; of the others `changes` are what they
-/// did. All as far as the damping lets them.
+/// Finds the least changes of the numbers that are not `fixed` that correct the errors. For fixed numbers `changes` are
+/// input. `damping` limits all changes.
 void mend(const std::vector<Outlines> &slopes, const std::vector<float> &weights, const std::vector<bool> &fixed,
 		const Outlines &errors, float damping, std::vector<float> &changes) {
 	float matrix[OUTLINES][OUTLINES] = {};
@@ -79,19 +79,19 @@ void mend(const std::vector<Outlines> &slopes, const std::vector<float> &weights
 
 } // namespace
 
-/// What is looked for and what was seen so far.
+/// State of a search.
 struct OutlineFit::Sought {
 	const SightBox &box;
 	const Outlines &wanted;
 	size_t bundles;
-	int looks; ///< That are left.
+	int looks; ///< Remaining number.
 	float damping = FIRST_DAMPING;
 	std::vector<Ways> from; ///< Widths of units at the beginning of a round.
-	std::vector<float> weights; ///< Of numbers, the ways of each bundle: how willingly it changes.
-	std::vector<Outlines> slopes; ///< Of numbers: change of the errors.
+	std::vector<float> weights; ///< By number, the ways of each bundle: larger changes more readily.
+	std::vector<Outlines> slopes; ///< By number: change of the errors.
 };
 
-/// Few units go each its own way, many together with those that are seen best from the same side.
+/// A few units change separately. Many units share a bundle with those that are best visible from the same side.
 size_t OutlineFit::bundle() {
 	if (units.size() <= MOST_BUNDLES) {
 		for (size_t u = 0; u < units.size(); u++) {
@@ -107,7 +107,7 @@ size_t OutlineFit::bundle() {
 	return MOST_BUNDLES;
 }
 
-/// How far each outline is off.
+/// Relative error of each outline.
 Outlines OutlineFit::look(Sought &sought) const {
 	sought.looks--;
 	const SeenMesh seen = { mesh.positions, written.back().vertex, mesh.indices, written.back().index };
@@ -118,8 +118,8 @@ Outlines OutlineFit::look(Sought &sought) const {
 	return errors;
 }
 
-/// Gives the units what they had at the beginning of the round and `changes`, which become what the limits left of
-/// them, on the mean over a bundle.
+/// Sets the units to their widths at the beginning of the round plus `changes`. Writes to `changes` what remains after
+/// the limits, on average over a bundle.
 void OutlineFit::place(const Sought &sought, std::vector<float> &changes) {
 	std::vector<float> sums(changes.size(), 0.0f);
 	std::vector<float> counts(sought.bundles, 0.0f);
@@ -146,7 +146,7 @@ void OutlineFit::probe(Sought &sought, const Outlines &errors) {
 	const size_t numbers = sought.bundles * WAYS;
 	sought.slopes.assign(numbers, {});
 	for (size_t n = 0; n < numbers; n++) {
-		for (const float shift : { PROBE, -PROBE }) { // Back, where it is at its limit.
+		for (const float shift : { PROBE, -PROBE }) { // The opposite direction, if it is at its limit.
 			std::vector<float> changes(numbers, 0.0f);
 			changes[n] = shift;
 			place(sought, changes);
@@ -161,8 +161,8 @@ void OutlineFit::probe(Sought &sought, const Outlines &errors) {
 	}
 }
 
-/// One step to where the slopes say that the outlines are right; shorter ones, where that is not so. False where none
-/// mends anything.
+/// Takes one step to where the slopes predict the wanted outlines, or shorter ones if the prediction fails. Returns
+/// false if none improves the errors.
 bool OutlineFit::step(Sought &sought, Outlines &errors) {
 	for (int tries = 0; tries < TRIES; tries++) {
 		std::vector<bool> fixed(sought.slopes.size(), false);
@@ -186,7 +186,7 @@ bool OutlineFit::step(Sought &sought, Outlines &errors) {
 	return false;
 }
 
-/// Of a bundle it is that of units side by side.
+/// In a bundle the reciprocals of the units' weights add up.
 std::vector<float> OutlineFit::bundle_weights(size_t bundles) const {
 	std::vector<float> weights(bundles * WAYS, 0.0f);
 	for (size_t u = 0; u < units.size(); u++) {
@@ -200,7 +200,7 @@ std::vector<float> OutlineFit::bundle_weights(size_t bundles) const {
 	return weights;
 }
 
-/// From the widths that the units have.
+/// Continues from the current widths of the units.
 void OutlineFit::go_on(Sought &sought, float goal, float &worst) {
 	Outlines errors = look(sought);
 	sought.damping = FIRST_DAMPING;
@@ -226,7 +226,7 @@ void OutlineFit::search(const SightBox &box, const Outlines &wanted, float goal,
 	Sought sought = { box, wanted, bundles, looks, FIRST_DAMPING, {}, bundle_weights(bundles), {} };
 	finish();
 	go_on(sought, goal, worst);
-	for (const float turn : TURNS) { // Some hollows of the error have no way out.
+	for (const float turn : TURNS) { // Some local minima of the error have no way out.
 		if (worst < ALLOWED || sought.looks <= 0) {
 			break;
 		}
@@ -240,7 +240,7 @@ void OutlineFit::search(const SightBox &box, const Outlines &wanted, float goal,
 	turn_normals();
 }
 
-/// As the sheets were turned, so are they lit.
+/// Turns the normals with their sheets.
 void OutlineFit::turn_normals() {
 	for (size_t u = 0; u < units.size(); u++) {
 		const HalfTurn turn(units[u].kept[TURN]);

@@ -9,12 +9,12 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float GROUP_PHASE = 0.38196601f; // So that neighbours of two groups are apart, too.
+constexpr float GROUP_PHASE = 0.38196601f; // Separates neighbours of two groups, too.
 constexpr float MOST_OF_HEAD = 0.25f; // Of the plant's height: longer parts at a stem's tip are leaves of a crown.
 constexpr float TIP = 0.999f; // Offset.
 constexpr int ROOM_PLACES = 4;
 constexpr float LEAST_AWAY = 1e-4f; // m.
-constexpr float LEAST_ASIDE = 1e-5f; // Of the length: upright parts hang on the side that their back turns to.
+constexpr float LEAST_ASIDE = 1e-5f; // Of the length: an upright part hangs towards the side of its back.
 
 float frequency_of(const PlantForm &form, const PlacedPart &part) {
 	return form.parts[static_cast<size_t>(part.kind)].frequency;
@@ -29,14 +29,16 @@ glm::vec2 side_of(const PlantForm &form, const PlacedPart &part) {
 	return { part.axes.outward.x, part.axes.outward.z };
 }
 
-/// How far a part may turn outward before its midrib meets the ground: to the first order, each place by its weight.
+/// Room of a part before its midrib meets the ground when it turns outward: to first order, for each position by its
+/// weight.
 float room_of(const PlantForm &form, const PlacedPart &part) {
 	float room = 1.0f;
 	for (int i = 1; i <= ROOM_PLACES; i++) {
 		const float offset = static_cast<float>(i) / ROOM_PLACES;
 		const glm::vec3 point = form.point_of(part, offset);
 		const float away = std::max(glm::length(glm::vec2(point.x - part.base.x, point.z - part.base.z)), LEAST_AWAY);
-		room = std::min(room, 0.5f * std::max(point.y, 0.0f) / (away * offset)); // Half: a bend is half a turn.
+		// Half: the bend angle is half the turn.
+		room = std::min(room, 0.5f * std::max(point.y, 0.0f) / (away * offset));
 	}
 	return room;
 }
@@ -53,7 +55,7 @@ void set_swing(const PlantForm &form, const PlacedPart &part, const glm::vec2 &s
 	hang.swing = decode_swing(hang.code);
 }
 
-/// Whether a part belongs to a head, where nothing swings that carries it.
+/// True if a part belongs to a head, given that none of its carriers swings.
 bool is_of_head(const PlantForm &form, const PlacedPart &part) {
 	const Layout layout = form.groups[static_cast<size_t>(part.group)].layout;
 	return (layout == Layout::whorl || layout == Layout::disc) && part.offset > TIP &&
@@ -81,7 +83,7 @@ PartHang hang_on(const PlantForm &form, const PlacedPart &part, const PartHang &
 	return hang;
 }
 
-/// Of each placed part the one of a head on it that is softest, or -1.
+/// By placed part: the softest part of a head on it, or -1.
 std::vector<int> find_heads(const PlantForm &form) {
 	std::vector<int> softest(form.placed.size(), -1);
 	for (size_t i = 0; i < form.placed.size(); i++) {
@@ -97,7 +99,7 @@ std::vector<int> find_heads(const PlantForm &form) {
 	return softest;
 }
 
-/// All of it goes with what it hangs on, and turns about that one's tip.
+/// The part moves with its attachment as a whole and turns about the tip of its carrier.
 void join_head(const PlantForm &form, int softest, PartHang &hang) {
 	const PlacedPart &part = form.placed[static_cast<size_t>(softest)];
 	hang.has_swing = true;
@@ -138,7 +140,7 @@ std::vector<PartHang> hang_parts(const PlantForm &form) {
 		} else {
 			hang = hang_on(form, part, hangs[static_cast<size_t>(part.carrier)]);
 		}
-		// Stems bend by the plant's own bend alone; what lies on the ground as a leaf swings besides.
+		// Stems bend only with the plant; leaves that lie on the ground also swing.
 		const bool is_stem = on_ground && form.parts[static_cast<size_t>(part.kind)].kind != PartKind::blade;
 		const int head = on_ground || !is_of_head(form, part) ? -1 : heads[static_cast<size_t>(part.carrier)];
 		if (!hang.has_swing && head >= 0) {

@@ -16,7 +16,7 @@ struct TemplateVertex {
 	glm::vec4 color;
 	glm::vec2 uv;
 	float offset; ///< Along the part, 0 to 1.
-	float lean; ///< How far its normal leans across: the tangent of the angle. 0 on tubes.
+	float lean; ///< Lean of its normal across the part: the tangent of the angle. 0 on tubes.
 };
 
 /// The surface of a kind of part at one detail, for a length and a width of 1.
@@ -25,8 +25,8 @@ struct PartTemplate {
 	std::vector<int32_t> indices;
 };
 
-/// Works it out in the part's own mean colour (mean_color()), however coarse it is; as many vertices and indices as
-/// count_part() tells.
+/// Builds the template with the part's mean colour (mean_color()) at any detail. It has as many vertices and indices as
+/// count_part() returns.
 PartTemplate make_part_template(
 		const Part &part, const Midrib &midrib, const PartDetail &detail, const glm::vec4 &mean_color);
 

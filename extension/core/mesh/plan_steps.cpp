@@ -13,9 +13,9 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float STANDS_OUT = 6.0f; // Times the square of a colour's distance to the plant's mean.
+constexpr float STANDS_OUT = 6.0f; // Times the squared distance of a colour from the plant's mean.
 
-/// How much of the body of a group its parts fill.
+/// Share of a group's body that its parts fill.
 float cover_of(const PartGroup &group, const Part &part) {
 	if (group.layout == Layout::disc) {
 		return 1.0f;
@@ -53,7 +53,7 @@ PlanSteps::PlanSteps(const PlantForm &p_form, const FormMeasure &p_measure, bool
 	recount();
 }
 
-/// How many parts of a group each share keeps.
+/// Counts the parts of a group that remain at each entry of KEPT.
 void PlanSteps::count_left(size_t group) {
 	const PartGroup &own = form.groups[group];
 	states[group].left.assign(KEPT_COUNT, 0);
@@ -64,7 +64,7 @@ void PlanSteps::count_left(size_t group) {
 	}
 }
 
-/// Once, for plants may have as many groups as parts.
+/// Called once, since plants can have as many groups as parts.
 void PlanSteps::find_relatives() {
 	std::map<std::pair<int, int>, size_t> known;
 	for (size_t g = 0; g < states.size(); g++) {
@@ -121,7 +121,7 @@ void PlanSteps::recount() {
 			fates[i] = FormPlan::merged;
 			bodies[i] = bodies[carrier];
 		} else if (state.body > 0) {
-			// Those of one carrier follow each other.
+			// Parts of one carrier are consecutive.
 			const bool goes_on = i > 0 && form.placed[i - 1].group == part.group &&
 					form.placed[i - 1].carrier == part.carrier && bodies[i - 1] >= 0;
 			fates[i] = FormPlan::merged;
@@ -163,7 +163,7 @@ void PlanSteps::add_up_branches() {
 	}
 }
 
-/// How many parts of a group would be drawn as parts, were this share of them kept.
+/// Number of parts of a group that would be drawn as parts if this share of them remained.
 int PlanSteps::count_drawn(size_t group, float share) const {
 	const PartGroup &own = form.groups[group];
 	int count = 0;
@@ -175,7 +175,8 @@ int PlanSteps::count_drawn(size_t group, float share) const {
 	return count;
 }
 
-/// Whether a step back, to `next`, may fit into as many vertices. Of what carries others only trying tells.
+/// True if a step back, to `next`, may fit into `room` more vertices. Groups that carry other parts always may; only a
+/// trial shows their cost.
 bool PlanSteps::could_fit(size_t group, const Drawn &next, int room) const {
 	const State &state = states[group];
 	if (!state.carried.empty() || (state.body == 0) != (next.body == 0)) {
@@ -218,16 +219,16 @@ bool PlanSteps::give_back(int budget) {
 	return false;
 }
 
-/// One step finer: all parts before better parts.
+/// One step finer: all parts come before better parts.
 bool PlanSteps::step_back(State &state) const {
-	if (KEPT[state.kept] == 0.0f) { // A body stands for all.
+	if (KEPT[state.kept] == 0.0f) { // A body replaces all parts.
 		state.kept = state.body > 0 ? 0 : state.kept - 1;
 	} else if (state.body == 0 && state.parts == 0) {
 		return false;
 	} else if (state.body > 1) {
 		state.body--;
 	} else if (state.body == 1) {
-		return false; // Parts again would be too many.
+		return false; // Separate parts would be too many again.
 	} else if (state.kept > 0) {
 		state.kept--;
 	} else if (state.detail > 0) {
@@ -238,8 +239,8 @@ bool PlanSteps::step_back(State &state) const {
 	return true;
 }
 
-/// What nothing is drawn of, others show: of the same kind, else of the nearest colour, and rather leaves than stems,
-/// which would become posts.
+/// Adds the area of groups that are not drawn to another group: of the same kind, or else of the nearest colour. It
+/// prefers leaves to stems, which would become posts.
 void PlanSteps::pass_on(std::vector<float> &shown) const {
 	for (size_t g = 0; g < states.size(); g++) {
 		const int kind = form.groups[g].kind;

@@ -8,7 +8,7 @@ namespace undergrowth {
 
 inline constexpr float HALF_SPHERE = 1.75f; // rad: domes above this are drawn as whole spheres.
 
-/// Shares of the parts that are kept; the last keeps none.
+/// Fractions of the parts that are drawn; the last draws none.
 inline constexpr float KEPT[] = { 1.0f, 0.8f, 0.65f, 0.5f, 0.42f, 0.34f, 0.25f, 0.18f, 0.12f, 0.07f, 0.04f, 0.02f,
 	0.01f, 0.005f, 0.001f, 0.0002f, 0.0f };
 inline constexpr size_t KEPT_COUNT = sizeof(KEPT) / sizeof(KEPT[0]);
@@ -16,49 +16,50 @@ inline constexpr BodyDetail BODIES[] = { { 0, 0 }, { 8, 2 }, { 6, 2 }, { 5, 2 },
 	{ 3, 1 } };
 inline constexpr size_t BODY_COUNT = sizeof(BODIES) / sizeof(BODIES[0]);
 
-inline constexpr float FLAT_STEM = 0.1f; ///< A stem as a ribbon is thinner from some sides.
+inline constexpr float FLAT_STEM = 0.1f; ///< Error of a stem as a ribbon, which is thinner from some sides.
 
-/// Takes a form's full detail back step by step (plan_form).
+/// Reduces a form's full detail step by step (plan_form).
 class PlanSteps {
 public:
-	/// `is_close`: from the details of a plant that fills the picture.
+	/// `is_close`: starts from the details of a plant that fills the picture.
 	PlanSteps(const PlantForm &form, const FormMeasure &measure, bool is_close = false);
 
 	int vertices() const { return total; }
-	/// Takes the step that costs least for each vertex that it saves, of those that are still too many; of plants of
-	/// many groups, as scripts grow them part by part, all that cost nearly as little. False where there is none.
+	/// Takes the step with the least harm for each vertex that it saves, counting only vertices over the budget. For
+	/// plants of many groups, which scripts grow part by part, it takes all steps of nearly that price. Returns false
+	/// if there is no step.
 	bool take_best(int budget);
-	/// Takes one step back that still fits, the one that mends most. False where there is none.
+	/// Undoes the step that still fits and improves the picture most. Returns false if there is none.
 	bool give_back(int budget);
 	FormPlan finish();
-	/// Parts and groups looked at so far: what planning costs.
+	/// Number of parts and groups examined: the cost of planning.
 	int64_t work() const { return looked_at; }
 
 private:
-	/// How finely a group is drawn.
+	/// Level of detail of a group.
 	struct Drawn {
 		size_t detail = 0;
 		size_t kept = 0; ///< Index in KEPT.
 		size_t body = 0; ///< Index in BODIES; 0: no body.
 	};
-	/// A group as it is drawn now.
+	/// Current state of a group.
 	struct State : Drawn {
 		std::vector<PartDetail> details;
 		std::vector<int> costs; ///< Vertices of a part at each detail.
-		std::vector<float> errors; ///< Of its area, at each detail.
-		int parts = 0; ///< Drawn as parts.
+		std::vector<float> errors; ///< As a fraction of its area, at each detail.
+		int parts = 0; ///< Number drawn as parts.
 		int bodies = 0;
-		float area = 0.0f; ///< m² that all of its parts show.
-		bool is_stem = false; ///< It stands on the ground and carries others.
-		std::vector<int> left; ///< Parts that each share keeps.
-		float contrast = 0.0f; ///< Square of the distance of its colour to the nearest other part's.
-		float worth = 1.0f; ///< What its area counts: the more, the more its colour stands out, as flowers' does.
-		float cover = 1.0f; ///< Share of a body's silhouette that its parts fill.
-		size_t kept_end = KEPT_COUNT; ///< From here on nothing would be seen of the plant.
-		int bodies_left = 0; ///< How often a few parts took the place of its bodies.
-		std::vector<size_t> carried; ///< Groups that stand on it alone.
+		float area = 0.0f; ///< m² that all its parts show.
+		bool is_stem = false; ///< True if it is on the ground and carries other parts.
+		std::vector<int> left; ///< Number of parts for each entry of KEPT.
+		float contrast = 0.0f; ///< Squared distance of its colour from the nearest other part's.
+		float worth = 1.0f; ///< Weight of its area: larger for colours that stand out, as those of flowers.
+		float cover = 1.0f; ///< Fraction of a body's silhouette that its parts fill.
+		size_t kept_end = KEPT_COUNT; ///< From this index on nothing of the plant would be visible.
+		int bodies_left = 0; ///< Number of times that a few parts replaced its bodies.
+		std::vector<size_t> carried; ///< Groups that only this group carries.
 		size_t twins = 0; ///< Index in `twins`.
-		// With all that its parts carry:
+		// Including everything that its parts carry:
 		int branch_vertices = 0;
 		float branch_area = 0.0f;
 		float branch_error = 0.0f;
@@ -72,8 +73,8 @@ private:
 
 	/// Groups of one kind on the same carriers.
 	struct Twins {
-		int drawn = 0; ///< Groups of which something is drawn.
-		float dropped_area = 0.0f; ///< m² of the others.
+		int drawn = 0; ///< Number of groups of which something is drawn.
+		float dropped_area = 0.0f; ///< m² of all other groups.
 	};
 
 	const PlantForm &form;

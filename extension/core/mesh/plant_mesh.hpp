@@ -12,7 +12,7 @@ namespace undergrowth {
 
 enum class Shading {
 	smooth, ///< One normal per point of a ring (Gouraud; thesis, section 5.1.1).
-	flat, ///< One normal per triangle, as the thesis draws; triangles share no vertices.
+	flat, ///< One normal per triangle, as in the thesis; triangles share no vertices.
 };
 
 /// A plant sampled at lod + 1 equal heights.
@@ -26,9 +26,10 @@ struct PlantSample {
 
 struct MeshOptions {
 	Shading shading = Shading::smooth;
-	float shape_deviation = 0.0f; ///< 0 to 1: how far rings leave the symmetry (thesis, section 5.1.1; deviation.hpp).
-	float color_deviation = 0.0f; ///< 0 to 1: how far colours vary.
-	uint64_t seed = 0; ///< Chooses the deviations; unused where both are 0.
+	/// 0 to 1: deviation of rings from the symmetry (thesis, section 5.1.1; deviation.hpp).
+	float shape_deviation = 0.0f;
+	float color_deviation = 0.0f; ///< 0 to 1: variation of colours.
+	uint64_t seed = 0; ///< Seed of the deviations; unused if both are 0.
 };
 
 struct MeshCounts {
@@ -36,7 +37,7 @@ struct MeshCounts {
 	int indices = 0; ///< Three per triangle.
 };
 
-/// Where a mesh goes: arrays of the sizes that count_mesh() tells, none of them null. Bones and weights have four
+/// Output of a mesh: arrays of the sizes that count_mesh() returns, none of them null. Bones and weights have four
 /// entries per vertex.
 struct MeshBuffers {
 	glm::vec3 *positions = nullptr;
@@ -48,19 +49,18 @@ struct MeshBuffers {
 	int32_t *indices = nullptr;
 };
 
-/// Sizes for a ring of `points` points and `lod` segments, shape and colours apart.
-/// Smooth: (lod + 1)·(points + 1) side vertices (the last column repeats the first for the uv seam) and points for each
-/// of the two ends. Flat: three vertices per triangle. Both: 2·points·lod side triangles and points - 2 for each end.
+/// Sizes for a ring of `points` points and `lod` segments, independent of shape and colours. Smooth: (lod + 1)·(points
+/// + 1) side vertices (the last column repeats the first for the uv seam) and `points` vertices for each of the two
+/// ends. Flat: three vertices per triangle. Both: 2·points·lod side triangles and points - 2 for each end.
 MeshCounts count_mesh(int points, int lod, Shading shading);
 
-/// Builds rings, sides and both ends (thesis, section 2.2, snippets 2.1 and 2.2, with `lod` bands).
-/// Ring k stands at height·k/lod exactly and is the cross-section times widths[k]. Side quads are the triangles
-/// (0, 1, 2) and (1, 3, 2) with 0 = lower i, 1 = upper i, 2 = lower next, 3 = upper next: clockwise from outside. (The
-/// thesis lists each as (0, 2, 1) and (1, 2, 3), which with its ring and right-handed axes is WebGL's front face,
-/// counter-clockwise. Godot's is the other one.)
-/// Order of indices: sides by band, then the bottom, then the top. Guarantees: indices in range, normals outward and of
-/// length 1 within 1e-6, weights that sum to 1 exactly, a closed surface after welding, the same bytes for the same
-/// arguments. Allocates nothing.
+/// Builds rings, sides and both ends (thesis, section 2.2, snippets 2.1 and 2.2, with `lod` bands). Ring k is at
+/// height·k/lod exactly and is the cross-section times widths[k]. Side quads are the triangles (0, 1, 2) and (1, 3, 2)
+/// with 0 = lower i, 1 = upper i, 2 = lower next, 3 = upper next: clockwise from outside. (The thesis lists them as (0,
+/// 2, 1) and (1, 2, 3), which with its ring and right-handed axes is WebGL's front face, counter-clockwise. Godot's
+/// front face is clockwise.) Order of indices: sides by band, then the bottom, then the top. Guarantees: indices in
+/// range, normals outward and of length 1 within 1e-6, weights that sum to 1 exactly, a closed surface after welding,
+/// the same bytes for the same arguments. Allocates nothing.
 void build_mesh(const PlantSample &sample, const MeshOptions &options, const MeshBuffers &buffers);
 
 } // namespace undergrowth

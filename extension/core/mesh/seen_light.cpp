@@ -11,12 +11,12 @@ namespace {
 constexpr int COLUMNS = 96; // Of a box.
 constexpr int ROWS = 128;
 
-/// What is nearest and farthest at each dot: nearest from the other side.
+/// The nearest and the farthest triangle at each dot; the farthest is the nearest from the opposite side.
 class Sight {
 public:
 	Sight(int columns, int p_rows) : width(columns), rows(static_cast<size_t>(p_rows)), dots(new Dot[size()]) {}
 
-	/// Dots of a row are going to be put: nothing is there yet where none was so far.
+	/// Prepares dots of a row: clears those that were not reached before.
 	void reach(int row, int first, int end) {
 		Row &own = rows[static_cast<size_t>(row)];
 		if (own.first >= own.end) {
@@ -37,7 +37,7 @@ public:
 			dot.back = triangle;
 		}
 	}
-	/// Calls `look(triangle, x, y)` for what is seen from both sides, and forgets it.
+	/// Calls `look(triangle, x, y)` for the triangles visible from both sides, and clears the rows.
 	template <class Look> void take(const Look &look) {
 		for (size_t row = 0; row < rows.size(); row++) {
 			const float y = static_cast<float>(row) + 0.5f;
@@ -67,7 +67,7 @@ private:
 	};
 	const int width;
 	std::vector<Row> rows;
-	const std::unique_ptr<Dot[]> dots; ///< Of what was never reached they say nothing.
+	const std::unique_ptr<Dot[]> dots; ///< Undefined where never reached.
 
 	size_t size() const { return static_cast<size_t>(width) * rows.size(); }
 	size_t place(int row, int column) const { return static_cast<size_t>(row * width + column); }
@@ -78,10 +78,10 @@ private:
 	}
 };
 
-/// Shares of a triangle's corners at places in its plane.
+/// Shares of a triangle's corners at positions in its plane.
 struct Shares {
 	float x, y; ///< Of the first corner, in dots.
-	float b_x, b_y, c_x, c_y; ///< Of the others, a dot.
+	float b_x, b_y, c_x, c_y; ///< Of the second and third corner, per dot.
 
 	Shares() = default;
 	Shares(const SightLens::Corner &a, const SightLens::Corner &b, const SightLens::Corner &c) : x(a.x), y(a.y) {
@@ -99,7 +99,7 @@ struct Shares {
 	}
 };
 
-/// What each triangle's corners have of its places, as they are seen now.
+/// Shares of each triangle's corners, as currently projected.
 Shares shares_of(const SightLens &lens, const int32_t *at) {
 	return Shares(lens.corner(at[0]), lens.corner(at[1]), lens.corner(at[2]));
 }

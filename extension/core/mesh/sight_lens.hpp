@@ -8,10 +8,10 @@
 
 namespace undergrowth {
 
-/// How a mesh's points come to the dots of a picture, and how many there are.
+/// Projects the points of a mesh to the dots (pixels) of a picture, and determines the size of the picture.
 class SightLens {
 public:
-	/// Pictures whose dots are so large that `columns` by `rows` show the box.
+	/// For pictures whose dots are so large that `columns` by `rows` of them cover the box.
 	SightLens(const SeenMesh &p_mesh, const SightBox &box, int columns, int rows);
 
 	int columns() const { return 2 * half; }
@@ -19,19 +19,19 @@ public:
 	/// m² that a dot covers.
 	float dot_area() const { return 1.0f / (across * up); }
 
-	/// A corner in dots, and how far away it is (m).
+	/// A corner in dots, and its depth (m).
 	struct Corner {
 		float x, y, depth;
 	};
-	/// A triangle that covers middles of rows. How high it stands is the same from all sides.
+	/// A triangle that covers centres of rows. Its height is the same from all sides.
 	struct Triangle {
 		int32_t corners[3]; ///< From the lowest to the highest.
 		int begin, end; ///< Rows.
 		int first; ///< Index of its first corner in the mesh's indices.
 	};
-	/// In the order of the mesh; all others are never seen.
+	/// In the order of the mesh. All other triangles are invisible.
 	const std::vector<Triangle> &triangles() const { return standing; }
-	/// All points as one outline's picture shows them.
+	/// Projects all points as in the picture of one outline.
 	void look_from(size_t side);
 	const Corner &corner(int32_t vertex) const { return corners[static_cast<size_t>(vertex)]; }
 
@@ -39,9 +39,9 @@ private:
 	static constexpr float MOST_LARGER = 3.0f;
 
 	const SeenMesh &mesh;
-	float across, up; ///< Dots a metre.
-	float low = 0.0f; ///< Dots: what lies below the box.
-	float ground; ///< m, the box's low.
+	float across, up; ///< Dots per metre.
+	float low = 0.0f; ///< Dots below the box.
+	float ground; ///< m, the bottom of the box.
 	int half, height;
 	std::vector<Corner> corners;
 	std::vector<Triangle> standing;
@@ -49,12 +49,12 @@ private:
 	void find_triangles();
 };
 
-/// The first dot whose middle is beyond a place.
+/// The first dot with its centre beyond a position.
 inline int first_beyond(float place) {
 	return static_cast<int>(std::clamp(place, 0.0f, 1e6f) + 0.5f);
 }
 
-/// The edges of a triangle as a lens shows it from one side.
+/// The edges of a triangle as a lens projects them from one side.
 class TriangleEdges {
 public:
 	TriangleEdges(const SightLens &lens, const SightLens::Triangle &triangle) :
@@ -64,7 +64,7 @@ public:
 			lower(slope(low, middle)),
 			upper(slope(middle, lens.corner(triangle.corners[2]))) {}
 
-	/// The columns whose middles it covers in a row.
+	/// The columns whose centres the triangle covers in a row.
 	void columns(int row, int count, int &first, int &beyond) const {
 		const float level = static_cast<float>(row) + 0.5f;
 		const float a = low.x + whole * (level - low.y);

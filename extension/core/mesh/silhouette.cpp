@@ -8,9 +8,9 @@ namespace {
 
 constexpr int COLUMNS = 512; // Of a box.
 constexpr int ROWS = 160;
-constexpr int ABOVE = 192; // Columns and rows of what is seen from above.
+constexpr int ABOVE = 192; // Columns and rows of the picture from above.
 
-/// Dots in rows of bits.
+/// Dots as rows of bits.
 class Outline {
 public:
 	Outline(int columns, int rows) : words((columns + 63) / 64), bits(static_cast<size_t>(words * rows)) {}
@@ -26,7 +26,7 @@ public:
 	}
 	int count() const {
 		int sum = 0;
-		for (uint64_t word : bits) { // Sums of neighbours: of bits, pairs, fours; then all bytes at once.
+		for (uint64_t word : bits) { // Counts bits by sums of neighbours: bits, pairs, fours; then all bytes at once.
 			word -= (word >> 1) & 0x5555555555555555u;
 			word = (word & 0x3333333333333333u) + ((word >> 2) & 0x3333333333333333u);
 			word = (word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fu;
@@ -99,7 +99,7 @@ void SightLens::find_triangles() {
 		sort(0, 1);
 		triangle.begin = first_beyond(corner(triangle.corners[0]).y);
 		triangle.end = std::min(height, first_beyond(corner(triangle.corners[2]).y));
-		if (triangle.begin < triangle.end) { // Of small triangles most lie between two rows.
+		if (triangle.begin < triangle.end) { // Most small triangles lie between two rows.
 			standing.push_back(triangle);
 		}
 	}
@@ -126,7 +126,7 @@ Outlines outline_areas(const SeenMesh &mesh, const SightBox &box) {
 }
 
 float area_from_above(const SeenMesh &mesh) {
-	std::vector<glm::vec3> lying; // What was deep is high.
+	std::vector<glm::vec3> lying; // Depth becomes height.
 	SightBox box;
 	for (int i = 0; i < mesh.vertex_count; i++) {
 		const glm::vec3 &point = mesh.positions[i];

@@ -8,17 +8,18 @@
 
 namespace undergrowth {
 
-/// Plants are looked at level from eight sides; opposite ones see the same outline.
+/// Plants are viewed level from eight sides; opposite sides see the same outline.
 inline constexpr size_t OUTLINES = 4;
 /// One number for each outline.
 using Outlines = std::array<float, OUTLINES>;
 
-/// The directions along the ground that run across each outline's picture; it is seen along (-sine, 0, cosine).
+/// Directions along the ground that run across the picture of each outline. Its viewing direction is (-sine, 0,
+/// cosine).
 inline constexpr Outlines OUTLINE_COSINES = { 1.0f, 0.70710678f, 0.0f, -0.70710678f };
 inline constexpr Outlines OUTLINE_SINES = { 0.0f, 0.70710678f, 1.0f, 0.70710678f };
 
-/// Where a plant is: a cylinder about its axis. Pictures of it and of its levels have dots of one size, so many to a
-/// box; levels that go farther are seen on larger pictures, up to three times as large.
+/// Bounds of a plant: a cylinder about its axis. Pictures of the plant and of its levels have dots of one size, a fixed
+/// number per box. Levels that extend beyond the box use larger pictures, up to three times as large.
 struct SightBox {
 	float reach = 0.0f; ///< m from the axis.
 	float low = 0.0f; ///< m, heights.
@@ -28,7 +29,7 @@ struct SightBox {
 	bool is_empty() const { return !(reach > 0.0f) || !(top > low); }
 };
 
-/// A mesh to be looked at.
+/// A mesh to view.
 struct SeenMesh {
 	const glm::vec3 *positions = nullptr;
 	int vertex_count = 0;
@@ -36,23 +37,23 @@ struct SeenMesh {
 	int index_count = 0;
 };
 
-/// m² that a mesh covers in each outline; what lies behind other parts counts once.
+/// m² that a mesh covers in each outline; parts behind other parts do not count again.
 Outlines outline_areas(const SeenMesh &mesh, const SightBox &box);
 
-/// m² that it covers seen from straight above.
+/// m² that a mesh covers from straight above.
 float area_from_above(const SeenMesh &mesh);
 
-/// By how much each vertex's colour counts in the mean colour that a camera far away sees, over all eight sides,
-/// nearer triangles before others, all lit the same. They sum to 1, or are all 0 where nothing is seen.
+/// Weight of each vertex's colour in the mean colour that a distant camera sees, over all eight sides. Nearer triangles
+/// hide farther ones; all have the same light. The weights sum to 1, or are all 0 if nothing is visible.
 std::vector<float> seen_shares(const SeenMesh &mesh, const SightBox &box);
 
-/// A colour's component, as authors write it, in linear light and back, within 2e-3. Polynomials, for the exact curve
-/// has powers.
+/// Converts a component of an authored colour to linear light and back, within 2e-3. These are polynomials because the
+/// exact curve has powers.
 inline float to_light(float component) {
 	return component * (component * (component * 0.305306011f + 0.682171111f) + 0.012522878f);
 }
 float from_light(float light);
-/// The same for many at once, in their place.
+/// The same for `count` values, in place.
 void from_light(float *lights, int count);
 
 } // namespace undergrowth

@@ -28,7 +28,7 @@ void write_sides(const PlantSample &sample, const RingPlacer &placer, const Mesh
 	}
 }
 
-/// Regular rings: the surface moves outward with the width alone, by `reach` per unit of width.
+/// For regular rings: the surface moves outward with the width alone, by `reach` per unit of width.
 void write_regular_normals(const PlantSample &sample, const RingPlacer &placer, glm::vec3 *out) {
 	const int n = placer.points();
 	const glm::vec2 *outward = sample.cross_section->normals.data();
@@ -42,7 +42,7 @@ void write_regular_normals(const PlantSample &sample, const RingPlacer &placer, 
 	}
 }
 
-/// Rings that wander: how fast the surface moves outward is measured between the rings below and above.
+/// For rings that deviate: the outward movement of the surface is measured between the rings below and above.
 void write_deviating_normals(const RingPlacer &placer, const glm::vec3 *positions, glm::vec3 *out) {
 	const int n = placer.points();
 	glm::vec2 outward[MAX_RING_POINTS];
@@ -62,7 +62,7 @@ void write_deviating_normals(const RingPlacer &placer, const glm::vec3 *position
 	}
 }
 
-/// Repeats ring `level` from `first` on, facing straight up or down.
+/// Repeats ring `level` from `first` on, with normals straight up or down.
 void write_end(const PlantSample &sample, int n, int level, int first, float facing, const MeshBuffers &out) {
 	const int ring = level * (n + 1);
 	std::copy_n(out.positions + ring, n, out.positions + first);

@@ -42,7 +42,7 @@ private:
 	const int spans;
 };
 
-/// An empty one that grows to its size without moving.
+/// An empty template with reserved room for its final size.
 inline PartTemplate room_for(const Part &part, const PartDetail &detail) {
 	const MeshCounts counts = count_part(part, detail);
 	PartTemplate out;

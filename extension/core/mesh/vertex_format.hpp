@@ -8,53 +8,54 @@
 
 namespace undergrowth {
 
-// What a vertex of a plant says, to shaders and to the engine. One format for how plants look and how they bend; the
-// engine's names in capitals.
+// Vertex attributes of a plant, for shaders and for the engine. One format describes both look and bending. Names of
+// the engine are in capitals.
 //
-// VERTEX    m, in the plant's axes, at rest.
-// NORMAL    of the true surface; of open sheets (blades, open tubes) the upper or outer side. The engine turns it round
-//           on back faces, so both sides are lit. Blades lean it out towards their edges (BladeShape::roundness).
-// TANGENT   along the part, from its base to its tip: the grain that anisotropic shine follows. w is 1.
-// COLOR     rgb as the author wrote it; a: how much sky the place sees, 0 to 1 (less at the base and inside a tuft).
-//           Materials take it for ambient occlusion, not for transparency.
-// UV        x from 0 to 1 across a blade, or around a tube and back; y from 1 at a part's base to 0 at its tip.
-// CUSTOM0   x: stem offset: where on the plant's stem the vertex hangs, 0 root to 1 tip. Of what stands on the ground
-//              its own height over the plant's; of parts on a stem that of their attachment, so that they go along with
-//              it unbent, and so much more that they stay on the stem that is drawn straight from row to row. With
-//              one joint it is the tip's weight (thesis, formula 4.1); with more, the place x on the line of joints
-//              (u(x) of the stem's bend, and its centre).
-//           y: own bend weight: what share of its part's swing turns the vertex about its pivot. 0 at the attachment, 1
-//              at the tip; 0 on stems and on bodies that stand for many parts. What a swinging part carries has the
-//              weight of where it is attached, a head (all short parts on and around a stem's tip) 1 all over.
-//           z: rank, 0 to 1: the part is drawn while its rank is below the share of parts that a distance keeps. In
-//              golden-ratio order, so that what is left stays spread; of what is carried at least its carrier's.
+// VERTEX    Position at rest (m), in the plant's axes.
+// NORMAL    Normal of the true surface; on open sheets (blades, open tubes) that of the upper or outer side. The engine
+//           flips it on back faces, so both sides are lit. On blades it leans outward towards the edges
+//           (BladeShape::roundness).
+// TANGENT   Direction along the part, from base to tip: the grain for anisotropic shine. w is 1.
+// COLOR     rgb: colour as authored. a: visible fraction of the sky, 0 to 1 (less at the base and inside a tuft).
+//           Materials use it as ambient occlusion, not as transparency.
+// UV        x: 0 to 1 across a blade, or around a tube and back. y: 1 at a part's base to 0 at its tip.
+// CUSTOM0   x: stem offset, from 0 (root) to 1 (tip) of the plant's stem. For parts on the ground it is their own
+//              height over the plant's. For parts on a stem it is that of their attachment, so they follow the stem
+//              without bending, plus a correction that leaves them on the stem, which is drawn straight between rows.
+//              With one joint it is the tip's weight (thesis, formula 4.1). With more joints it is the position x on
+//              the line of joints (u(x) of the stem's bend, and its centre).
+//           y: own bend weight: the share of its part's swing that turns the vertex about its pivot. 0 at the
+//              attachment, 1 at the tip; 0 on stems and on bodies that replace many parts. Parts on a swinging part
+//              have the weight of their attachment. A head (all short parts on and around a stem's tip) has 1
+//              everywhere.
+//           z: rank, 0 to 1. The part is drawn while its rank is below the density of parts at a distance. Ranks are
+//              in golden-ratio order, so the remaining parts stay spread. A carried part has at least its carrier's.
 //           w: leafiness, 0 to 1: the share of the light from behind that shines through.
-// CUSTOM1   xyz: pivot (m): where the part is attached, about which its own swing turns it; w: frequency and damping
+// CUSTOM1   xyz: pivot (m): the attachment of the part, about which its own swing turns it. w: frequency and damping
 //           of that swing, SwingCode::pace (plant/part_swing.hpp).
-// CUSTOM2   xyz: from the part's midrib to the vertex (m): what grows when a part is drawn wider, because others of its
-//              kind are left away or a pixel is wider than the part. VERTEX minus it lies on the midrib.
+// CUSTOM2   xyz: vector (m) from the part's midrib to the vertex. It grows when a part is drawn wider, because other
+//              parts of its kind are left out or a pixel is wider than the part. VERTEX minus it is on the midrib.
 //           w: phase and side of its swing, SwingCode::place; no two neighbours have the same.
-// CUSTOM3   x: height of the plant that the mesh shows (m), the same at all vertices: a stem that bends along its
-//              length wants to know how far up its offset is. A lathe has none, its offset says it.
-//           y, z: x and z (m) of where the vertex is in calm air, in the mesh of a plant on a skeleton: what the wind
-//              lays down is lit by how far from there it is. Elsewhere x and z of VERTEX.
-//           w: stem place: where on the plant's stem the vertex is attached, 0 root to 1 tip. The stem offset is
-//           larger,
-//              by (w - a)(b - w)/w between two rows a and b of the stem, since the mesh draws the stem straight there.
-//              A stem that bends along its length takes w, and its curvature for the difference.
-// BONES, WEIGHTS  root and tip: (1 - x, x, 0, 0) with the stem offset x. Where a skeleton has bones of parts, these
-//           take the share of the own bend weight (mesh/form_bones.hpp), and where stems have joints, those of the stem
-//           that of root and tip (mesh/joint_binding.hpp).
+// CUSTOM3   x: height of the plant that the mesh shows (m), the same at all vertices. A stem that bends along its
+//              length needs the height of its offset. A lathe has none; its offset is enough.
+//           y, z: x and z (m) of the vertex in calm air, in the mesh of a plant on a skeleton. The distance from there
+//              changes the light on plants that the wind flattens. In all other meshes x and z of VERTEX.
+//           w: stem place: position of the vertex's attachment on the plant's stem, 0 root to 1 tip. The stem offset is
+//              larger by (w - a)(b - w)/w between two rows a and b of the stem, since the mesh draws the stem straight
+//              there. A stem that bends along its length uses w, and its curvature for the difference.
+// BONES, WEIGHTS  Root and tip: (1 - x, x, 0, 0) with the stem offset x. Bones of parts in a skeleton have the share of
+//           the own bend weight (mesh/form_bones.hpp). If the stem has joints, its bones replace root and tip
+//           (mesh/joint_binding.hpp).
 //
-// A swing comes before the stem's bend. A place of weight y turns about the pivot by y times the tip's angle and comes
-// so much nearer to it that a straight blade becomes an arc of its own length; the tangent turns twice as far. A head
-// turns as a whole. How far says motion/part_bend.hpp.
+// A swing is applied before the stem's bend. A point of weight y turns about the pivot by y times the tip's angle. It
+// also moves nearer to the pivot, so that a straight blade becomes an arc of its own length; the tangent turns twice as
+// far. A head turns as a whole. motion/part_bend.hpp defines the angle.
 //
-// A lathe without parts (mesh/plant_mesh.hpp) has CUSTOM0.x alone. Then the renderers give (x, 0, 0, 1) for CUSTOM0:
-// no swing of its own, kept at all distances, leafy all over; that is what a lathe is. CUSTOM1 and CUSTOM2 count only
-// where CUSTOM0.y or a widening says so. A shader that knows CUSTOM0.x alone bends every plant right.
+// A lathe without parts (mesh/plant_mesh.hpp) has CUSTOM0.x alone. For it the renderers set CUSTOM0 to (x, 0, 0, 1): no
+// own swing, drawn at all distances, leafy everywhere. CUSTOM1 and CUSTOM2 have an effect only with a CUSTOM0.y above 0
+// or a widening. A shader that reads only CUSTOM0.x bends every plant correctly.
 
-/// Where the mesh of a form goes: arrays as long as its counts, none of them null.
+/// Output of the mesh of a form: arrays as long as its counts, none of them null.
 struct FormBuffers {
 	glm::vec3 *positions = nullptr;
 	glm::vec3 *normals = nullptr;
@@ -64,8 +65,8 @@ struct FormBuffers {
 	glm::vec4 *custom0 = nullptr;
 	glm::vec4 *custom1 = nullptr;
 	glm::vec4 *custom2 = nullptr;
-	int32_t *bones = nullptr; ///< Four a vertex.
-	float *weights = nullptr; ///< Four a vertex; they sum to 1 exactly.
+	int32_t *bones = nullptr; ///< Four per vertex.
+	float *weights = nullptr; ///< Four per vertex; they sum to 1 exactly.
 	int32_t *indices = nullptr;
 	float *stem_places = nullptr; ///< w of CUSTOM3.
 };
