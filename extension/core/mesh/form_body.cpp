@@ -101,7 +101,7 @@ void add(
 }
 
 /// Area that parts cover when they hide each other. Parts of area A cover H·(1 - exp(-A/H)) of an envelope H; this is a
-/// rational approximation of that.
+/// rational approximation.
 float covered(float area, float envelope) {
 	return envelope > 0.0f ? area / (1.0f + area / envelope) : area;
 }

@@ -82,26 +82,26 @@ public:
 
 	/// Upper bound of block numbers.
 	int block_count() const { return static_cast<int>(blocks.size()); }
-	/// Where a number has no block, its block is empty.
+	/// An unused number has an empty block.
 	const PlantBlock &block(int number) const { return blocks[static_cast<std::size_t>(number)]; }
 	/// Ascending.
 	const std::vector<int> &blocks_of(const TileKey &tile) const;
 	float tile_size() const { return size; }
-	/// m, of the placement that plants were filled by last. PlantBlock::spacing says it of each: tiles that are yet to
-	/// be grown anew may have another one.
+	/// m, of the placement of the latest generated plants. PlantBlock::spacing is that of each block: tiles without a
+	/// rebuild can have another one.
 	double spacing() const { return cell_size; }
 	int plant_count() const { return standing; }
 
-	/// Whether plants that are filled at another spacing (m) have other names than all who stand.
+	/// True if generated plants at another spacing (m) have ids that differ from those of all existing plants.
 	bool has_names_left(double other_spacing) const;
 
-	/// The block is -1 where no such plant stands. Costs by the plants of a tile.
+	/// Returns a block of -1 if there is no such plant. The cost depends on the plants of a tile.
 	PlantPlace find(PlantId id) const;
-	/// Tiles where somebody who was filled may stand.
+	/// Tiles that may have generated plants.
 	std::vector<TileKey> filled_tiles() const;
-	/// Where those of them stand that do, in their order.
+	/// Locations of those of the plants that exist, in the same order.
 	std::vector<PlantPlace> find_all(const std::vector<PlantId> &ids) const;
-	/// Of a plant that stands.
+	/// Id of an existing plant.
 	PlantId id(const PlantPlace &place) const;
 	/// Ids of all plants, in the order of blocks and slots.
 	std::vector<PlantId> ids() const;
