@@ -29,10 +29,11 @@ struct StandEdit {
 	double spacing = 0.0; ///< m, of the placement of `filled` or `stood`; 0: no change.
 	/// With `fills`: new species by old species. Empty: no change.
 	std::vector<int> species_numbers;
-	/// New generated plants of the same placement: valid, in cells that are free or whose plant is removed. Not together
-	/// with `fills`.
+	/// New generated plants of the same placement: valid, in cells that are free or with a removed plant. Not
+	/// together with `fills`.
 	std::vector<PlacedPlant> grown;
-	/// The same size: previous location of each plant that only changes its height, or a block of -1. Those are removed.
+	/// The same size: previous location of each plant that only changes its height, or a block of -1. Those are
+	/// removed.
 	std::vector<PlantPlace> grown_from;
 	std::vector<PlantPlace> removed; ///< Existing plants. Not together with `fills`.
 	/// Tiles whose generated plants are removed. Not together with `fills` or `grown`.
@@ -60,8 +61,8 @@ struct ChangeSet {
 
 	std::vector<int> dropped; ///< Removed blocks. New blocks may reuse their numbers.
 	std::vector<Grown> grown;
-	/// Removed plants of blocks that still exist. A block of generated plants remains when it is empty; one of added plants
-	/// is dropped.
+	/// Removed plants of blocks that still exist. A block of generated plants remains when it is empty; one of added
+	/// plants is dropped.
 	std::vector<PlantPlace> gone;
 	/// Of StandEdit::grown. Their blocks grew before any block was dropped and do not reuse its number.
 	std::vector<Moved> moved;
@@ -105,16 +106,17 @@ public:
 	PlantId id(const PlantPlace &place) const;
 	/// Ids of all plants, in the order of blocks and slots.
 	std::vector<PlantId> ids() const;
-	/// Appends all plants whose roots are at most `radius` (m) from `centre`. The cost depends on the tiles that the sphere meets.
+	/// Appends all plants with roots at most `radius` (m) from `centre`. The cost depends on the tiles that the
+	/// sphere meets.
 	void find_in_sphere(const glm::vec3 &centre, float radius, std::vector<PlantPlace> &found) const;
 	/// The same within `radius` (m) of the line between two positions (x, z), seen from above, at any height.
 	void find_along(const glm::vec2 &from, const glm::vec2 &to, float radius, std::vector<PlantPlace> &found) const;
 	/// The same in a polygon (x, z), at any height.
 	void find_in_polygon(const Polygon &polygon, std::vector<PlantPlace> &found) const;
-	/// The plant with the root nearest to a position, within `radius` (m; may be infinite); a block of -1 if there is none.
-	/// The cost depends on the tiles up to the nearest plant.
+	/// The plant with the root nearest to a position, within `radius` (m; may be infinite); a block of -1 if there is
+	/// none. The cost depends on the tiles up to the nearest plant.
 	PlantPlace find_nearest(const glm::vec3 &centre, float radius) const;
-	/// Appends all plants whose roots are in the box, its faces included.
+	/// Appends all plants with roots in the box, its faces included.
 	void find_in_box(const glm::vec3 &low, const glm::vec3 &high, std::vector<PlantPlace> &found) const;
 
 	/// All generated plants with roots in the box, its lower sides included, its upper sides excluded.
