@@ -19,7 +19,7 @@ TEST_CASE("whoever writes has a value of its own from then on") {
 	one.own().push_back(1);
 	const std::vector<int> *first = &*one;
 	one.own().push_back(2);
-	CHECK(&*one == first); // Nobody shares it: it is not copied.
+	CHECK(&*one == first); // It is not shared, so it is not copied.
 	Numbers copy = one;
 	CHECK(&*copy == first);
 	one.own().push_back(3);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr float ABSURD_RADIUS = 50.0f; // m.
 
-/// `count` chance plants on 30 x 30 m, as many as fields have, with tips of `radius`.
+/// `count` random plants on 30 x 30 m, as dense as in fields, with tips of `radius`.
 FieldSimulation lawn_of(Law law, int count, float radius) {
 	MotionSpecies species = tips_of(law);
 	species.collision_radius = radius;
@@ -32,7 +32,7 @@ void find_contacts(TipContact &contact, FieldSimulation &field) {
 	contact.count(field, 0, field.page_count());
 }
 
-/// Two plants 1 m high, each of a species of its own, 0.4 m apart.
+/// Two plants 1 m high, of different species, 0.4 m apart.
 FieldSimulation pair_of(const MotionSpecies &left, const MotionSpecies &right) {
 	FieldSimulation field((FieldSettings()));
 	MotionPlant plant;
@@ -56,7 +56,7 @@ TEST_CASE("contact costs as much as there are plants, whatever their radius") {
 			find_contacts(contact, field);
 			CAPTURE(radius);
 			CHECK(contact.candidate_count() <= static_cast<std::size_t>(count * TipContact::MOST_CONTACTS));
-			if (radius != 1.0f) { // In between, it depends on who stands where.
+			if (radius != 1.0f) { // In between, it depends on the positions.
 				CHECK(contact.is_crowded() == (radius == ABSURD_RADIUS));
 			}
 			int most = 0;

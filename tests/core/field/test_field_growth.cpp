@@ -1,4 +1,4 @@
-// Plants that come to pages which are there already.
+// Plants that are added to existing pages.
 
 #include "field_fixture.hpp"
 

@@ -12,11 +12,11 @@ using namespace undergrowth;
 namespace {
 
 constexpr Law BOTH_LAWS[] = { Law::elasticity, Law::spring };
-/// Of directions at interval 4 beside interval 1, under waves of half a hertz on plants of about one: the wind is
+/// For directions at interval 4 compared with interval 1, under waves of 0.5 Hz on plants of about 1 Hz: the wind is
 /// constant for 1/15 s instead of 1/60 s.
 constexpr float INTERVAL_TOLERANCE = 0.01f;
-/// While they still swing from the start: the rate is that of the middle of a step, so a start from rest is a different
-/// one for steps of another length.
+/// While they still swing from the start. The rate is that of the middle of a step, so a start from rest differs
+/// between steps of different lengths.
 constexpr float START_TOLERANCE = 0.04f;
 constexpr int SETTLED = 900; // Steps.
 constexpr float BEND_TOLERANCE = 1.1e-3f;
@@ -98,8 +98,8 @@ TEST_CASE("at interval 4 a plant moves as at the full rate, within the tolerance
 		full.step();
 		reduced.step();
 		for (int page = 0; page < full.page_count(); page++) {
-			// A page that steps at n shows the state of n + 4 when the full rate has come to it, at n + 3.
-			// Pages whose turn comes later start later; by SETTLED that is damped away.
+			// A page that steps at n shows the state of n + 4 when the full rate reaches it, at n + 3. Pages with a
+			// later turn start later; by SETTLED damping has removed that.
 			if (reduced.alpha(page, 1.0f) != 1.0f || (i < SETTLED && page % 4 != 0)) {
 				continue;
 			}
@@ -171,7 +171,8 @@ TEST_CASE("an hour of wind leads to no drift and no number that is none") {
 	constexpr float SAME_PHASE_TOLERANCE = 2e-3f;
 	for (const Law law : BOTH_LAWS) {
 		FieldSettings settings;
-		settings.step = 1.0f / 64.0f; // Whole steps in the wind's period, so that the same phase comes back exactly.
+		// A whole number of steps per period of the wind, so the same phase recurs exactly.
+		settings.step = 1.0f / 64.0f;
 		FieldSimulation field(settings);
 		add_plants(field, field.add_species(species_of(law)), 16);
 		field.set_wind(wave_wind());

@@ -14,7 +14,7 @@ using namespace undergrowth;
 
 namespace {
 
-constexpr float CLOSE = 0.01f; // m, of plants of 0.8 m: what halves leave of two modes and their way.
+constexpr float CLOSE = 0.01f; // m, for plants of 0.8 m: rounding by half floats of two modes and of their motion.
 constexpr int PLANTS = 20;
 constexpr float PLACES[] = { 0.3f, 0.6f, 1.0f };
 
@@ -122,7 +122,7 @@ TEST_CASE("a follower whose stem is pushed swings in both modes, and goes back t
 		if (i == 60) {
 			CHECK(field.follower(0, 0).loose > 0);
 		}
-		if (i > 30) { // Not while the body shoves.
+		if (i > 30) { // Not while the body pushes.
 			REQUIRE(most_apart(places_of(field, 0.0f), before) < 3e-3f);
 		}
 	}

@@ -14,10 +14,10 @@ using namespace undergrowth;
 
 namespace {
 
-constexpr float SAME = 1e-3f; // Of what halves and a mix of stereographic images leave.
+constexpr float SAME = 1e-3f; // Rounding by half floats and by the mix of stereographic images.
 constexpr float CLOSE = 0.01f;
 
-/// Of any plant's direction in one step, in the ten seconds after a wind of waves turns, or slows down.
+/// Largest change of any plant's direction in one step, in the ten seconds after waves of wind turn or slow down.
 float most_change(FieldSimulation &field, float turn) {
 	float most = 0.0f;
 	std::vector<glm::vec3> before(FOLLOWERS);
@@ -163,7 +163,7 @@ TEST_CASE("a gust that is let go goes through plants that follow prototypes, fro
 		}
 		wind.wind.gust_start = field.time();
 		field.set_wind(wind);
-		std::vector<float> felt(FOLLOWERS, -1.0f); // When (s).
+		std::vector<float> felt(FOLLOWERS, -1.0f); // Time (s).
 		for (int i = 0; i < 1200; i++) {
 			field.step();
 			for (int k = 0; k < FOLLOWERS; k++) {

@@ -13,7 +13,7 @@ namespace {
 constexpr int FRAMES_A_STEP = 4;
 constexpr int PLANTS = 40;
 
-/// How far leaves go at most from one frame to the next, four frames a step, at such an interval.
+/// Max movement of leaves from one frame to the next, with four frames per step, at this interval.
 float farthest_of_leaves(Law law, int interval) {
 	FieldSettings settings;
 	settings.update_interval = interval;

@@ -12,7 +12,7 @@ using namespace undergrowth;
 
 namespace {
 
-constexpr float JUMP = 0.12f; // Between two steps: what waves and ringing down make of a direction, and some.
+constexpr float JUMP = 0.12f; // Between two steps: the change of a direction by waves and decay, with a margin.
 constexpr int RUNG_DOWN = static_cast<int>((LoosePlants::ALONE + LoosePlants::GOING_BACK) / FIELD_STEP) + 2; // Steps.
 
 FieldSimulation following_field(Law law, int count = 200) {
@@ -37,7 +37,7 @@ FieldSimulation following_field(Law law, int count = 200) {
 	return field;
 }
 
-/// A capsule that stands at `x` and walks along +x.
+/// A capsule at `x` that moves along +x.
 MovingBody walker(float x) {
 	MovingBody body;
 	body.from = { x, 0.3f, 0.2f };

@@ -24,7 +24,7 @@ TEST_CASE("a page is due in the step of its interval that its phase says, whatev
 			CHECK(field.has_stepped(page) == (i % 4 == phases[page] % 4));
 		}
 	}
-	field.set_update_interval(1); // Then phases count for nothing.
+	field.set_update_interval(1); // Phases have no effect then.
 	for (int i = 0; i < 8; i++) {
 		field.step();
 	}

@@ -39,7 +39,7 @@ TEST_CASE("a point lies in plants where they are drawn, not where they stand in 
 		CHECK(field.is_point_in_plants(tip, 0.0f));
 		CHECK_FALSE(field.is_point_in_plants({ 0.0f, 1.0f, 0.0f }, 0.0f));
 	}
-	// A plant that steps seldom is asked where it is drawn now, on its way to the end of its long step.
+	// A plant with rare steps is tested at its current drawn pose, on the way to the end of its long step.
 	FieldSimulation seldom = single_plant(Law::spring, {});
 	seldom.set_page_multiple(0, 32);
 	seldom.apply_impulse(0, 0, { 0.1f, 0.0f, 0.0f });

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int STEPS = 1500;
 constexpr int SETTLED = 300;
-/// Of the motions of two plants, each less its mean: the mean over pairs of the correlation.
+/// Mean over pairs of plants of the correlation of their motions, each without its mean.
 constexpr double UNISON_BOUND = 0.5;
 
 std::vector<double> motion_of(const std::vector<std::vector<double>> &series, size_t plant) {
@@ -104,7 +104,7 @@ TEST_CASE("plants that lean follow prototypes that lean their way") {
 		const glm::vec3 rest = plants[static_cast<size_t>(i)].rest;
 		const glm::vec3 shown = field.state(0, i).direction;
 		CHECK(shown.y == doctest::Approx(std::cos(0.3)).epsilon(0.002));
-		// Within a sector of an eighth of the circle, and what the even shares differ from angles.
+		// Within a sector of an eighth of the circle, plus the difference of even shares from angles.
 		CHECK(shown.x * rest.x + shown.z * rest.z > 0.75f * std::sin(0.3f) * std::sin(0.3f));
 	}
 }
@@ -178,7 +178,7 @@ TEST_CASE("plants in a row along either axis follow different prototypes, each w
 		}
 		CHECK(prototypes.size() > 60);
 		CHECK(delays.size() > 55);
-		CHECK(*delays.rbegin() < 60); // A second.
+		CHECK(*delays.rbegin() < 60); // One second.
 	}
 }
 

@@ -8,7 +8,7 @@ using namespace undergrowth;
 
 namespace {
 
-constexpr float REST_TOLERANCE = 1e-6f; // Rounding of a state that is stored in another way.
+constexpr float REST_TOLERANCE = 1e-6f; // Rounding of a state in another representation.
 
 } // namespace
 
@@ -55,7 +55,7 @@ TEST_CASE("followers of prototypes settle, too, and those that were pushed follo
 	for (int round = 0; round < 3; round++) {
 		for (int i = 0; i < 300; i++) {
 			const glm::vec3 rest = field.prototypes(0)->rest(field.follower(0, i).prototype);
-			CHECK(glm::distance(field.shown_direction(0, i, 0.5f), rest) < 1e-3f); // A half float's step.
+			CHECK(glm::distance(field.shown_direction(0, i, 0.5f), rest) < 1e-3f); // One step of half floats.
 		}
 		field.step();
 	}

@@ -19,7 +19,7 @@ struct Change {
 	std::function<void(MotionSpecies &)> make;
 };
 
-/// Each property of a species that moves its plants otherwise.
+/// Each property of a species that changes the motion of its plants.
 std::vector<Change> changes() {
 	return {
 		{ Law::elasticity, [](MotionSpecies &kind) { kind.joint.mass *= 2.0f; } },
@@ -179,7 +179,7 @@ TEST_CASE("a plant whose page steps at another interval swings at the same frequ
 			step(*field, 30);
 		}
 		seldom.set_page_multiple(0, 4);
-		// Step 32 is the first of interval 4, and shows the end of step 35 then; a step of the elasticity law begins
+		// Step 32 is the first of interval 4, and its result is that of step 35. A step of the elasticity law begins
 		// with the rate of the middle of the last one, which was shorter.
 		step(often, 6);
 		step(seldom, 3);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int PLANTS = 300;
 constexpr int PAGE = 100;
-constexpr float HALVES = 1e-3f; // Of a plant's length: what half floats leave of a bend.
+constexpr float HALVES = 1e-3f; // Of a plant's length: rounding of a bend by half floats.
 
 MotionSpecies reed() {
 	StemBeam beam = stem_of(0.3, 0.5);
@@ -35,7 +35,7 @@ FieldSimulation reeds(const FieldSettings &settings = {}) {
 	return field;
 }
 
-/// Around the lower half of plant 0 and those beside it.
+/// Around the lower half of plant 0 and its neighbours.
 MovingBody body_at(const FieldSimulation &field, int page) {
 	MovingBody body;
 	body.from = body.to = field.page(page).root(0) + glm::vec3(0.05f, 0.3f, 0.0f);
@@ -49,7 +49,7 @@ void step(FieldSimulation &field, float seconds) {
 	}
 }
 
-/// The farthest way (in lengths) that a place on a plant goes between the end of a step and the start of the next.
+/// Max distance (in lengths) between a point on a plant at the end of a step and at the start of the next.
 float largest_jump(FieldSimulation &field) {
 	std::vector<glm::vec3> before;
 	const auto each_place = [&](float fraction, auto visit) {
@@ -79,7 +79,7 @@ TEST_CASE("a stem of two modes in one is the stem of one mode") {
 		const StemConstants alone = solve_stem(beam).constants;
 		beam.modes = 2;
 		const StemConstants made = in_one_mode(solve_stem(beam).constants);
-		const float size = alone.mode[0].dead_share; // Of its amplitude, where the tip's bend is 1.
+		const float size = alone.mode[0].dead_share; // Of its amplitude, at a tip bend of 1.
 		CHECK(made.modes == 1);
 		CHECK(made.mode[0].frequency == alone.mode[0].frequency);
 		CHECK(made.mode[0].stiffness == doctest::Approx(size * size * alone.mode[0].stiffness).epsilon(1e-4));
@@ -155,7 +155,7 @@ TEST_CASE("nothing that is seen jumps where a second mode begins or ends") {
 		for (int i = 0; i < 400; i++) {
 			field.set_bodies(&body, i < 40 ? 1 : 0);
 			if (i == 60) {
-				field.apply_impulse(1, 7, { 0.001f, 0.0f, 0.0f }); // Where it is half way between two steps.
+				field.apply_impulse(1, 7, { 0.001f, 0.0f, 0.0f }); // Half way between two steps.
 			}
 			CAPTURE(i);
 			REQUIRE(largest_jump(field) < HALVES);

@@ -15,9 +15,9 @@ namespace {
 
 constexpr int RUNG_DOWN = static_cast<int>((LoosePlants::ALONE + LoosePlants::GOING_BACK) / FIELD_STEP) + 2; // Steps.
 constexpr int STIRRED = 180; // Steps.
-constexpr int CALM = STIRRED + 120; // Of what the fan did hardly anything is left.
+constexpr int CALM = STIRRED + 120; // The effect of the fan has nearly vanished.
 constexpr float FAR = 500.0f; // m, to the second page.
-constexpr float JUMP = 0.12f; // Between two steps, as other pushed followers have it.
+constexpr float JUMP = 0.12f; // Between two steps, as for other pushed followers.
 
 AirSource fan() {
 	AirSource source;
@@ -26,7 +26,7 @@ AirSource fan() {
 	return source;
 }
 
-/// Plants that follow, `apart` (m) from each other around the origin, and as many far away.
+/// Plants that follow, `apart` (m) from each other around the origin, and the same number far away.
 FieldSimulation two_lawns(Law law, int side, float apart) {
 	FieldSettings settings;
 	settings.prototypes = 16;

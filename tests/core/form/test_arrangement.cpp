@@ -22,7 +22,7 @@ double around(double angle) {
 	return angle - 2.0 * PI * std::floor(angle / (2.0 * PI) + 0.5);
 }
 
-/// Distance of the closest two seats of a flat disc from the `first` on, in its radius.
+/// Distance of the closest two seats of a flat disc from `first` on, in units of its radius.
 double closest(const Arrangement &a, int count, int first) {
 	double least = 1e9;
 	for (int i = first; i < count; i++) {

@@ -139,7 +139,7 @@ TEST_CASE("numbers that are none, or far off, are named") {
 	part.curve.bend = NOT_A_NUMBER;
 	CHECK(mentions(find_part_fault(part), "bend"));
 	part = Part();
-	part.length_max = 0.05f; // Below the least.
+	part.length_max = 0.05f; // Below the min.
 	CHECK(mentions(find_part_fault(part), "length"));
 	part = Part();
 	part.blade.teeth = -1;

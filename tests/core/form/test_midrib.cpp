@@ -57,7 +57,7 @@ TEST_CASE("the axes along a midrib stay upright on each other, and never turn ab
 			CHECK(std::abs(glm::dot(place.along, place.across)) < 1e-6);
 			CHECK(std::abs(glm::length(place.up) - 1.0f) < 1e-6);
 			CHECK(glm::dot(glm::cross(place.along, place.across), place.up) > 0.999999f);
-			// What turned `across` is no turn about `along`: its change has no share along `up`.
+			// The change of `across` has no part along `up`, so it is not a turn about `along`.
 			CHECK(std::abs(glm::dot(place.across - before, place.up)) < 4e-4f);
 			before = place.across;
 		}
@@ -89,7 +89,7 @@ TEST_CASE("a midrib wanders aside by other noise than along") {
 			sum += aside * along;
 			squares += 0.5 * (aside * aside + along * along);
 		}
-		CHECK(std::abs(sum) < 0.15 * squares); // Three deviations of what 400 pairs of independent noise come to.
+		CHECK(std::abs(sum) < 0.15 * squares); // Three deviations of the sum of 400 pairs of independent noise.
 	}
 }
 
@@ -135,7 +135,7 @@ TEST_CASE("a width function's slope is the same whether its width is known or no
 		for (float s = 0.0f; s <= 1.0f; s += 0.0625f) {
 			CHECK(widths.slope(s, widths.at(s)) == widths.slope(s));
 		}
-		// Next to the ends it is that of 1 % inside, whatever the width is at the end itself.
+		// Near the ends it is that of 1 % inside, independent of the width at the end itself.
 		CHECK(widths.slope(1.0f, widths.at(1.0f)) == widths.slope(0.99f));
 	}
 }

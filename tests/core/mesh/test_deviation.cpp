@@ -46,7 +46,7 @@ TEST_CASE("shape and colour deviate on their own") {
 }
 
 TEST_CASE("all levels of detail of one seed show the same plant") {
-	// A constant width, so that the rings which two levels share are regular in the same way.
+	// A constant width makes the rings that two levels share equally regular.
 	const MeshOptions options = deviating(0.6f, 0.6f, 8);
 	const BuiltMesh coarse = build(make_plant(circle_ring(16), std::vector<float>(9, 0.2f)), options);
 	const BuiltMesh fine = build(make_plant(circle_ring(16), std::vector<float>(33, 0.2f)), options);
@@ -56,7 +56,7 @@ TEST_CASE("all levels of detail of one seed show the same plant") {
 			CHECK(coarse.colors[coarse.side(k, i)] == fine.colors[fine.side(4 * k, i)]);
 		}
 	}
-	// Points at the same angle of a coarser ring, too. Its own angles are rounded, hence the tolerance.
+	// Also points at the same angle of a coarser ring. The tolerance covers the rounding of its own angles.
 	const BuiltMesh square = build(make_plant(circle_ring(4), std::vector<float>(9, 0.2f)), options);
 	for (int k = 0; k <= square.lod; k++) {
 		for (int i = 0; i < 4; i++) {

@@ -36,13 +36,13 @@ std::vector<Grown> all_plants() {
 	return plants;
 }
 
-/// Whether two hang alike, in numbers and in the words of vertices.
+/// True if two hangs are equal, in numbers and in the codes of vertices.
 bool hang_alike(const PartHang &a, const PartHang &b) {
 	return a.swinger == b.swinger && a.stem_offset == b.stem_offset && a.weight == b.weight && a.pivot == b.pivot &&
 			a.code.pace == b.code.pace && a.code.place == b.code.place;
 }
 
-/// Where the shaders of fields draw a vertex.
+/// Position of a vertex in the shaders of fields.
 glm::vec3 shaded(const BuiltForm &mesh, size_t i, const StemMotion &stem) {
 	glm::vec3 vertex = mesh.positions[i];
 	if (mesh.custom0[i].y > 0.0f) {
@@ -56,7 +56,7 @@ glm::vec3 shaded(const BuiltForm &mesh, size_t i, const StemMotion &stem) {
 	return glm::mix(vertex, turned(vertex, stem.bend), mesh.custom0[i].x);
 }
 
-/// Where a skeleton draws it.
+/// Position of a vertex on a skeleton.
 glm::vec3 skinned(const Grown &plant, size_t i, const StemMotion &stem) {
 	const glm::vec3 &vertex = plant.mesh.positions[i];
 	glm::vec3 sum(0.0f);
@@ -180,7 +180,7 @@ TEST_CASE("leaves stay on a stem that is drawn of few rows, however far it bends
 		const BuiltForm mesh = build(form, plan_form(form, measure_form(form), budget));
 		StemMotion stem;
 		stem.bend = stem.rest = { 0.4f, 0.1f };
-		// The drawn middle of the stem at each of its rows.
+		// The drawn centre of the stem at each of its rows.
 		std::vector<std::pair<float, glm::vec3>> rows;
 		for (size_t i = 0; i < mesh.positions.size() && mesh.custom0[i].y == 0.0f; i++) {
 			const glm::vec3 middle = mesh.positions[i] - glm::vec3(mesh.custom2[i]);

@@ -1,4 +1,4 @@
-// Plants that random species found (tests/species).
+// Plants that tests with random species have found (tests/species).
 
 #include "form_mesh_fixture.hpp"
 
@@ -109,7 +109,7 @@ TEST_CASE("of 200 leaves that became coarser at once no more did than there are 
 
 namespace {
 
-/// What it costs to plan a plant whose script arranged its leaves one by one.
+/// Cost of a plan for a plant with leaves that a script arranged one by one.
 int64_t work_of(int leaves, bool is_one_kind) {
 	Growth growth(1.0f, 1);
 	const std::vector<int> stems = add(growth, axis(1.0f, 0.01f), 1, Layout::ground, { ON_GROUND });

@@ -10,16 +10,16 @@
 
 using namespace undergrowth;
 
-// What a level may change of the silhouette from eight sides, as the mean over them and at the worst of them, and of
-// the mean colour (ΔE). What is beyond 5 % is so beside these pictures: those that levels are matched to
-// have dots as high as a daisy's head is seen from the side.
+// Max change of a level's silhouette from eight sides, as the mean over them and at the worst of them, and of its mean
+// colour (ΔE). Values above 5 % come from these pictures. The pictures for the match of levels have dots as high as a
+// daisy's head from the side.
 
 namespace {
 
 using Grow = PlantForm (*)(uint64_t);
 constexpr Grow SPECIES[] = { grow_grass, grow_tulip, grow_daisy };
 constexpr int SIDES = 8;
-constexpr int PIXELS = 1000; // Of half the size stems' widths are off by 8 %.
+constexpr int PIXELS = 1000; // With half of this, stems' widths are off by 8 %.
 
 struct Tolerance {
 	int lod;
@@ -73,7 +73,7 @@ namespace {
 
 constexpr int LODS[] = { 24, 12, 6, 3, 2, 1 };
 
-/// The midrib that a mesh draws from `first` on, row by row.
+/// The midrib in a mesh from `first` on, row by row.
 std::vector<glm::vec3> midrib_of(const BuiltForm &mesh, int first, int count) {
 	std::vector<glm::vec3> rows;
 	for (int i = first; i < first + count; i++) {
@@ -96,7 +96,7 @@ float distance_to(const std::vector<glm::vec3> &line, const glm::vec3 &point) {
 	return least;
 }
 
-/// The midribs of all drawn parts, by placed part, and behind them those of bodies.
+/// The midribs of all drawn parts, by placed part, followed by those of bodies.
 std::vector<std::vector<glm::vec3>> drawn_midribs(const PlantForm &form, const FormPlan &plan, const BuiltForm &mesh) {
 	std::vector<std::vector<glm::vec3>> midribs(form.placed.size());
 	int first = 0;
@@ -134,7 +134,7 @@ TEST_CASE("every level attaches what it draws to what carries it, as that is dra
 				if (plan.fates[i] != FormPlan::drawn) {
 					continue;
 				}
-				// The first vertex of a part lies across its base; of beads within them, of whorls around the midrib.
+				// A part begins across its base: beads within themselves, whorls around the midrib of the carrier.
 				const PartGroup &group = form.groups[static_cast<size_t>(part.group)];
 				const bool is_bead = form.parts[static_cast<size_t>(part.kind)].kind == PartKind::bead;
 				const float most = (is_bead ? part.length : 1e-5f) + (part.carrier == ON_GROUND ? 0.0f : group.radius);
@@ -175,7 +175,7 @@ TEST_CASE("a body of parts along a stem follows the stem as it is drawn") {
 	CHECK(bodies > 10);
 }
 
-/// The share of a tulip's or a daisy's mesh (by area) whose colours are those of its flower.
+/// Fraction (by area) of a tulip's or a daisy's mesh with colours of its flower.
 double flower_share(const PlantForm &form, int lod, bool (*is_flower)(const glm::vec4 &)) {
 	const BuiltForm mesh = build(form, plan_form(form, measure_form(form), vertex_budget(lod)));
 	double flower = 0.0;
@@ -247,7 +247,7 @@ TEST_CASE("a form's measure knows what it shows from above and how leafy it is")
 }
 
 TEST_CASE("what is nearer from some side counts in the colour that is seen, what is inside does not") {
-	// Two large walls and a small one between them, seen along z.
+	// Two large walls and a small one between them, viewed along z.
 	std::vector<glm::vec3> points;
 	std::vector<int32_t> indices;
 	for (const glm::vec2 &wall : { glm::vec2(1.0f, -0.5f), glm::vec2(0.5f, 0.0f), glm::vec2(1.0f, 0.5f) }) {
@@ -262,7 +262,7 @@ TEST_CASE("what is nearer from some side counts in the colour that is seen, what
 	const float inner = shares[3] + shares[4] + shares[5];
 	const float outer = shares[0] + shares[1] + shares[2];
 	CHECK(std::abs(shares[6] + shares[7] + shares[8] - outer) < 0.02f);
-	CHECK(inner < 0.15f); // From aslant it is seen between them.
+	CHECK(inner < 0.15f); // Oblique views see between them.
 	CHECK(std::abs(inner + 2.0f * outer - 1.0f) < 0.02f);
 }
 

@@ -45,7 +45,7 @@ float distance_to_edge(const std::vector<glm::vec3> &edge, const glm::vec3 &plac
 	return least;
 }
 
-/// The whole of what a mesh promises to be.
+/// Checks all guarantees of a mesh.
 void check_sound(const BuiltForm &mesh) {
 	for (const int32_t index : mesh.indices) {
 		CHECK((index >= 0 && index < mesh.size()));
@@ -63,7 +63,7 @@ void check_sound(const BuiltForm &mesh) {
 	}
 }
 
-/// The share of the triangles (by area) whose corners' normals lie on the side from which they are clockwise.
+/// Fraction of the triangles (by area) with corner normals on their clockwise side.
 double share_facing_front(const BuiltForm &mesh) {
 	double facing = 0.0;
 	double whole = 0.0;
@@ -120,7 +120,7 @@ TEST_CASE("counts of a part are those of its template, at every detail") {
 			part.blade.teeth = fall > 0.0f ? 5 : 0;
 			part.axis.tip_diameter = 0.02f;
 			part.axis.open_tip = fall > 0.0f;
-			for (const PartDetail &detail : details_of(part, true)) { // The usual ones are among them.
+			for (const PartDetail &detail : details_of(part, true)) { // The usual details are among them.
 				const PartTemplate shape = make_part_template(part, Midrib({}), detail, mean_color(part));
 				const MeshCounts counts = count_part(part, detail);
 				CHECK(static_cast<int>(shape.vertices.size()) == counts.vertices);
@@ -159,7 +159,7 @@ TEST_CASE("edges of petals that fill the picture are round, and of others cost n
 		}
 		return most;
 	};
-	constexpr float SEEN = 0.0003f; // m: a pixel where a flower of 8 cm fills 270 of them.
+	constexpr float SEEN = 0.0003f; // m: a pixel when a flower of 8 cm fills 270 pixels.
 	CHECK(farthest(24) < SEEN);
 	CHECK(farthest(12) > SEEN);
 	CHECK(plan_form(form, measure, vertex_budget(12)).groups[PETALS].detail.rows <= 8);
@@ -171,7 +171,7 @@ TEST_CASE("mouths of bells follow each of their lobes where they fill the pictur
 	bell.axis.lobes = 7;
 	CHECK(details_of(bell, true).front().columns == 28);
 	bell.axis.lobes = 0;
-	CHECK(details_of(bell, true).front() == details_of(bell).front()); // A stem is round enough.
+	CHECK(details_of(bell, true).front() == details_of(bell).front()); // A stem is already round enough.
 	bell.axis.open_tip = true;
 	CHECK(details_of(bell, true).front().columns == 20);
 }
@@ -183,7 +183,7 @@ TEST_CASE("leaves hang on their stem by its offset, swing about where they are a
 	const float expected = form.point_of(form.placed[0], leaf.offset).y / form.height;
 	int found = 0;
 	for (size_t i = 0; i < mesh.positions.size(); i++) {
-		const glm::vec3 shift = glm::vec3(mesh.custom1[i]) - leaf.base; // To the stem as it is drawn.
+		const glm::vec3 shift = glm::vec3(mesh.custom1[i]) - leaf.base; // Relative to the stem as drawn.
 		if (glm::length(shift) < 1e-3f) {
 			found++;
 			CHECK((mesh.custom0[i].x >= expected && mesh.custom0[i].x < expected + 0.03f)); // Between rows of the stem.

@@ -10,11 +10,11 @@
 
 using namespace undergrowth;
 
-// Upright sheets of which is known how far each was widened and turned.
+// Upright sheets with given widening and turns.
 
 namespace {
 
-constexpr float GOAL = 0.015f; // Dots of the pictures are as large as this.
+constexpr float GOAL = 0.015f; // The size of the dots of the pictures.
 
 struct Sheets {
 	std::vector<glm::vec3> positions;
@@ -23,7 +23,7 @@ struct Sheets {
 	std::vector<int32_t> indices;
 	std::vector<WrittenUnit> units;
 
-	/// On a midrib that stands at `place` and is as high as 1 m.
+	/// On an upright midrib at `place`, 1 m high.
 	void add(const glm::vec3 &place, const glm::vec3 &aside, bool is_flower = false) {
 		const int32_t first = static_cast<int32_t>(positions.size());
 		units.push_back({ first, static_cast<int>(indices.size()), 1.0f, is_flower, 1e9f });
@@ -36,7 +36,7 @@ struct Sheets {
 		}
 		indices.insert(indices.end(), { first, first + 2, first + 1, first + 2, first + 3, first + 1 });
 	}
-	/// One that grows as high as wide, as a bead does.
+	/// A sheet that grows in height as in width, as a bead does.
 	void add_bead(const glm::vec3 &aside, float height) {
 		add({ 0.0f, 0.0f, 0.0f }, aside);
 		for (size_t i = positions.size() - 4; i < positions.size(); i++) {
@@ -95,7 +95,7 @@ TEST_CASE("sheets that all face one way are turned and widened until every side 
 	fit.search(BOX, areas, GOAL, worst);
 	CHECK(worst <= GOAL);
 	CHECK(worst_of(sheets.outlines(BOX), areas) == doctest::Approx(worst).epsilon(1e-3));
-	for (size_t i = 0; i < sheets.normals.size(); i++) { // Turned, they are lit as turned.
+	for (size_t i = 0; i < sheets.normals.size(); i++) { // The normals turn with the sheets.
 		CHECK(std::abs(glm::length(sheets.normals[i]) - 1.0f) < 1e-6f);
 	}
 }

@@ -38,7 +38,7 @@ MotionPage one_plant(Law law, const Joint &joint, float stand_height) {
 	return MotionPage(0, species, &plant, 1, 1.0f / 60.0f, true, MotionPage::Keeps::directions);
 }
 
-/// Tangent of the bend along the wind, when it has come to rest in a smooth wind.
+/// Tangent of the bend along the wind, at rest in a smooth wind.
 double resting_bend(Law law, const Joint &joint, float stand_height) {
 	MotionPage page = one_plant(law, joint, stand_height);
 	const FieldWind wind = air_of(0.0f);

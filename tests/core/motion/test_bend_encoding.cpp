@@ -67,7 +67,7 @@ TEST_CASE("a bend is the direction it was made of") {
 
 TEST_CASE("a page's kernels encode what one direction encodes to") {
 	for (const SimdLevel level : { SimdLevel::baseline, SimdLevel::avx2 }) {
-		constexpr int COUNT = 515; // More than one block, and a rest.
+		constexpr int COUNT = 515; // More than one block, and a remainder.
 		std::vector<float> x, y, z, flat_x, flat_z;
 		std::vector<Bend> expected;
 		for (int i = 0; i < COUNT; i++) {

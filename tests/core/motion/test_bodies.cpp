@@ -12,7 +12,7 @@ using namespace undergrowth;
 namespace {
 
 constexpr Law BOTH_LAWS[] = { Law::elasticity, Law::spring };
-constexpr float CLEAR_TOLERANCE = 0.02f; // m, of a tip against a body that it is pushed out of once a step.
+constexpr float CLEAR_TOLERANCE = 0.02f; // m, between a tip and a body that pushes it out once per step.
 
 MovingBody walker(float x) {
 	MovingBody body;
@@ -113,7 +113,7 @@ TEST_CASE("a body on top of a stem, or with its axis in the tip, parts them with
 
 namespace {
 
-/// A crate of 2 x 1 x 0.6 m that is turned about the vertical, its edges rounded by 2 cm.
+/// A crate of 2 x 1 x 0.6 m turned about the vertical, with edges rounded by 2 cm.
 MovingBody crate(const glm::vec3 &middle, float turn) {
 	const glm::vec3 along = { std::cos(turn), 0.0f, -std::sin(turn) };
 	const glm::vec3 across = { std::sin(turn), 0.0f, std::cos(turn) };
@@ -126,7 +126,7 @@ MovingBody crate(const glm::vec3 &middle, float turn) {
 	return body;
 }
 
-/// m, of a point from the crate's faces; below 0 inside of it.
+/// m, distance of a point from the crate's faces; below 0 inside.
 float crate_distance(const glm::vec3 &middle, float turn, const glm::vec3 &point) {
 	const glm::vec3 offset = point - middle;
 	const float along = std::fabs(std::cos(turn) * offset.x - std::sin(turn) * offset.z) - 1.0f;
@@ -200,7 +200,7 @@ TEST_CASE("a tip in the middle of a crate leaves it by its side, not by its leng
 }
 
 TEST_CASE("a tip in the core of a rounded box leaves its rounded edges, too") {
-	MovingBody body; // 0.1 m and 0.2 m to each side of its middle line, and rounded by 0.1 m.
+	MovingBody body; // 0.1 m and 0.2 m to each side of its centre line, rounded by 0.1 m.
 	body.from = { 0.05f, 0.9f, -1.0f };
 	body.to = { 0.05f, 0.9f, 1.0f };
 	body.half_width = { 0.1f, 0.0f, 0.0f };
@@ -212,7 +212,7 @@ TEST_CASE("a tip in the core of a rounded box leaves its rounded edges, too") {
 }
 
 TEST_CASE("no body pushes a tip into the ground") {
-	MovingBody body; // Comes down on a plant that leans.
+	MovingBody body; // Comes down on a leaning plant.
 	body.from = body.to = { 0.4f, 1.2f, 0.0f };
 	body.radius = 1.4f;
 	TipState state;
@@ -221,7 +221,7 @@ TEST_CASE("no body pushes a tip into the ground") {
 		push_plant(state, glm::vec3(0.0f), 1.0f, 0.0f, body);
 		CHECK(state.direction.y > 0.5f * LEAST_PUSHED_HEIGHT);
 	}
-	CHECK(state.direction.y < 0.1f); // It was pushed there.
+	CHECK(state.direction.y < 0.1f); // The pushes moved it down to there.
 }
 
 TEST_CASE("a crate pushes nothing that it only passes by") {
@@ -244,7 +244,7 @@ TEST_CASE("a body touches a plant from its root to its tip, within the margin") 
 	CHECK(touches_plants(field.page(0), ball, 0.11f)); // The tip is a sphere.
 	ball.from = { -3.0f, 0.5f, 0.2f };
 	ball.to = { 3.0f, 0.5f, 0.2f };
-	CHECK(touches_plants(field.page(0), ball, 0.05f)); // A long log touches with its middle, too.
+	CHECK(touches_plants(field.page(0), ball, 0.05f)); // A long log also touches with its middle.
 	CHECK(touches_plants(field.page(0), crate({ 0.9f, 0.5f, 0.1f }, 0.0f), 0.0f));
 	CHECK(!touches_plants(field.page(0), crate({ 1.1f, 0.5f, 0.1f }, 0.0f), 0.05f));
 }

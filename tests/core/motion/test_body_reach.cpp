@@ -46,7 +46,7 @@ TEST_CASE("a ball pushes a tip from every side that its collision sphere reaches
 			page.set_state(0, { glm::normalize(lean + glm::vec3(0.0f, 0.1f, 0.0f)), {} });
 			const glm::vec3 way = page.state(0).direction;
 			MovingBody body = ball(page.tip(0) + apart * way, RADIUS);
-			// Aside a little, so that there is a way to turn.
+			// Slightly aside, so that there is a direction to turn.
 			body.from += 0.002f * glm::vec3(way.z, 0.0f, -way.x);
 			body.to = body.from;
 			body.velocity = 0.5f * glm::vec3(-way.z, 0.0f, way.x);

@@ -14,8 +14,8 @@ using namespace undergrowth;
 namespace {
 
 constexpr double GRAVITY = 9.81;
-constexpr double FREQUENCY_TOLERANCE = 2e-4; // Relative; what zero crossings of a few dozen swings resolve.
-constexpr double DECAY_TOLERANCE = 0.01; // Relative; what peaks between samples resolve.
+constexpr double FREQUENCY_TOLERANCE = 2e-4; // Relative; resolution of zero crossings of a few dozen swings.
+constexpr double DECAY_TOLERANCE = 0.01; // Relative; resolution of peaks between samples.
 constexpr double ANGLE_TOLERANCE = 2e-5; // rad.
 constexpr double LENGTH_TOLERANCE = 1e-6; // Of 1; floats near 1 are 6e-8 apart.
 constexpr double SMALL = 2e-3; // rad; the law's own amplitude term is below 1e-5 here.
@@ -51,7 +51,7 @@ double equilibrium_angle(double force, double mass, double elasticity) {
 	return low;
 }
 
-/// Per m·L²: half the rate squared and the potential of gravity and the upward force.
+/// Per m·L²: half the squared rate plus the potential of gravity and the upward force.
 double energy(const TipState &state, double elasticity, double length) {
 	const double y = static_cast<double>(state.direction.y);
 	const double x = static_cast<double>(state.rate.x);
@@ -110,7 +110,7 @@ TEST_CASE("just inside acos(1/(1 + e)) a plant rises, just outside it falls to t
 			CAPTURE(elasticity);
 			CHECK(deflection(inside.state(0)) < 1e-3);
 			const double height = static_cast<double>(outside.state(0).direction.y);
-			// Without ground the upward force grows again below it, and holds the tip at y = -1/(1 + e).
+			// Without ground the upward force increases again below it, and supports the tip at y = -1/(1 + e).
 			CHECK(height == doctest::Approx(above_ground ? 0.02 : -1.0 / (1.0 + elasticity)).epsilon(1e-3));
 		}
 	}
@@ -141,7 +141,7 @@ TEST_CASE("a tip that lies on the ground gathers no rate downwards") {
 }
 
 TEST_CASE("a joint that would swing a whole cycle in a step still rises, and bends in wind as it should") {
-	// Without a limit of the swing per step, sin²(ω·step/2) would leave no force at all here.
+	// Without a limit of the swing per step, sin²(ω·step/2) would leave no force here.
 	const double omega = 2.0 * PI / static_cast<double>(FRAME_STEP);
 	const double elasticity = omega * omega * 0.01 / GRAVITY;
 	MotionPage stiff = one_plant(joint_of(elasticity, 0.01), leaning(SMALL));
@@ -211,7 +211,7 @@ TEST_CASE("a large swing in wind follows a finely stepped reference, closer with
 		const glm::vec3 tip = page.state(0).direction;
 		return std::fabs(std::atan2(static_cast<double>(tip.x), static_cast<double>(tip.y)) - angle);
 	};
-	CHECK(error(FRAME_STEP) < 0.08); // Half a step of delay at the greatest rate, and the same from the large angle.
+	CHECK(error(FRAME_STEP) < 0.08); // Half a step of delay at the highest rate, and the same from the large angle.
 	CHECK(error(1.0f / 960.0f) < 0.005);
 }
 

@@ -129,7 +129,7 @@ TEST_CASE("plants swing to the rest directions that they are given, also after t
 	page.set_species(species_with(Law::elasticity, joint));
 	page.set_rests(0, &lean, 1);
 	CHECK(page.rest(0) == glm::vec3(0.0f, 1.0f, 0.0f));
-	page.apply_impulse(0, { 0.5f, 0.0f, 0.7f }); // What swings must not be taken for a rest.
+	page.apply_impulse(0, { 0.5f, 0.0f, 0.7f }); // A swinging plant must not be mistaken for one at rest.
 	record_x(page, 10);
 	page.set_species(species_with(Law::spring, joint));
 	CHECK(page.rest(0) == glm::vec3(0.0f, 1.0f, 0.0f));

@@ -33,7 +33,7 @@ TEST_CASE("plants along the wind move alike, later by distance over speed") {
 			first.push_back(page.direction(0));
 			second.push_back(page.direction(1));
 		}
-		// After 30 s of damping the start is forgotten.
+		// After 30 s of damping the start has no effect.
 		for (size_t i = 2000; i < 3000; i++) {
 			REQUIRE(glm::distance(second[i], first[i - LATE]) < SHIFT_TOLERANCE);
 		}

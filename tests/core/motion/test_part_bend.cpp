@@ -27,7 +27,7 @@ StemMotion blown(const glm::vec2 &bend, float clock = 0.0f) {
 	return stem;
 }
 
-/// The mean over one of a clock's seconds.
+/// The mean over one second of a clock.
 glm::vec2 mean_bend(const PartSwing &part, const glm::vec2 &bend) {
 	glm::vec2 sum(0.0f);
 	for (int i = 0; i < 2048; i++) {
@@ -36,7 +36,7 @@ glm::vec2 mean_bend(const PartSwing &part, const glm::vec2 &bend) {
 	return sum;
 }
 
-/// The largest distance from that mean.
+/// Max distance from that mean.
 float flutter(const PartSwing &part, const glm::vec2 &bend) {
 	const glm::vec2 mean = mean_bend(part, bend);
 	float most = 0.0f;
@@ -172,7 +172,7 @@ TEST_CASE("nothing jumps where the clock begins anew") {
 TEST_CASE("a bent blade keeps its length") {
 	for (const float size : { 0.05f, 0.2f, MOST_PART_BEND }) {
 		const glm::vec2 bend = size * glm::vec2(0.6f, -0.8f);
-		// Of a blade that lies in the plane of its bend.
+		// For a blade in the plane of its bend.
 		const glm::vec3 along = 0.4f * glm::normalize(glm::vec3(0.6f * 0.3f, 1.0f, -0.8f * 0.3f));
 		float length = 0.0f;
 		glm::vec3 before(0.0f);

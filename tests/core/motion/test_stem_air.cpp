@@ -19,7 +19,7 @@ constexpr double RATIO_TOLERANCE = 0.03;
 constexpr double DAMPING_TOLERANCE = 0.003;
 constexpr double ENERGY_GROWTH = 1e-6; // Relative, by rounding.
 
-/// A stem without friction of its own, light enough to feel the air.
+/// A stem without friction of its own, light enough for damping by air.
 StemConstants airy_stem(double frequency) {
 	StemBeam beam = stem_of(0.5, 0.0, frequency);
 	beam.damping_ratio = 0.0f;
@@ -27,7 +27,7 @@ StemConstants airy_stem(double frequency) {
 	return solve_stem(beam).constants;
 }
 
-/// Damping ratio of a very small swing about where a wind along x holds the stem, along it or across.
+/// Damping ratio of a very small swing about the equilibrium in a wind along x, along it or across.
 double damping_in_wind(const StemConstants &stem, float speed, bool is_along, double rate) {
 	StemPlants plants(stem, 1, static_cast<float>(1.0 / rate));
 	const glm::vec2 wind = { speed, 0.0f };

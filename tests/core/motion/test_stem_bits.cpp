@@ -21,7 +21,7 @@ constexpr float INF = std::numeric_limits<float>::infinity();
 enum class Blowing { newtons, air, both };
 constexpr Blowing WINDS[] = { Blowing::newtons, Blowing::air, Blowing::both };
 
-/// Stems that all differ. `leans`: or all are upright.
+/// Stems that are all different. If `leans` is false, all are upright.
 StemPlants meadow(int modes, int count, bool leans, double frequency = 1.5) {
 	const StemConstants stem = modes == 1 ? simple_stem(frequency, 0.08) : stem_of_two_modes(frequency, 0.08);
 	StemPlants plants(stem, count, FRAME_STEP);
@@ -181,7 +181,7 @@ TEST_CASE("no wind, however strong or wrong, leads a stem out of the limits, and
 }
 
 TEST_CASE("stems settle in steady winds of any strength, at any step, leaning or not") {
-	constexpr float STILL = 2e-4f; // Of an amplitude, a step, after 60 swings.
+	constexpr float STILL = 2e-4f; // Of an amplitude, per step, after 60 swings.
 	for (const int modes : { 1, 2 }) {
 		for (const double frequency : { 0.7, 1.5, 5.0, 15.0 }) {
 			for (const float step : { 1.0f / 15.0f, 1.0f / 30.0f, FRAME_STEP }) {

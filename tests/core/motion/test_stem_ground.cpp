@@ -22,8 +22,8 @@ using doctest::Approx;
 namespace {
 
 constexpr int PLANTS = 96;
-/// Of the length: where a second mode is far off, its share of the way is told roughly. One mode alone does not get
-/// there.
+/// Of the length: if a second mode is far off, its part of the motion is approximate. One mode alone does not reach the
+/// ground.
 constexpr float MOST_BELOW = 0.03f;
 
 /// Stems that lean up to 45°, every third one upright.
@@ -37,7 +37,7 @@ StemPlants meadow(const StemConstants &stem) {
 	return plants;
 }
 
-/// Over the length.
+/// Relative to the length.
 float tip_height(StemPlants &plants, int index) {
 	const StemPage page = plants.page();
 	const glm::vec2 amplitudes[] = { plants.place(index), plants.place(index, 1) };
@@ -115,7 +115,7 @@ TEST_CASE("the ground stops an upright stem in the shape of a steady wind where 
 	const StemPage page = plants.page();
 	kernels(best_simd_level()).lift_stems(page, 1);
 	CHECK(plants.tip(0).x / plants.tip(0).y == Approx(4.0f / 3.0f));
-	// The other wind's shape is on the ground a little sooner or later.
+	// The other wind's shape reaches the ground slightly earlier or later.
 	CHECK(tip_height(plants, 0) >= GROUND_HEIGHT - 1e-4f);
 	CHECK(tip_height(plants, 0) <= GROUND_HEIGHT + 0.06f);
 }

@@ -14,7 +14,7 @@ using namespace undergrowth;
 namespace {
 
 constexpr float STEP = 1.0f / 60.0f; // s.
-constexpr double WITHIN = 0.01; // Of what a stem solved for the height says.
+constexpr double WITHIN = 0.01; // Of the values of a stem solved for the height.
 
 StemBeam straw(double head) {
 	StemBeam beam = stem_of(0.4, head, 0.0);
@@ -52,7 +52,7 @@ FieldWind still() {
 	return wind;
 }
 
-/// rad/s: by the time of whole swings of a tip that is let go.
+/// rad/s: from the time of whole swings of a released tip.
 double frequency_of(MotionPage &page, int index) {
 	page.set_state(index, { glm::normalize(glm::vec3(0.02f, 1.0f, 0.0f)), {} });
 	double first = 0.0, last = 0.0;
@@ -120,7 +120,7 @@ TEST_CASE("stems whose stiffness is given keep their frequency at other steps, a
 	MotionPlant low;
 	low.length = 0.7f * beam.length;
 	page.add(&low, 1);
-	page.remove(0); // The low one takes its row.
+	page.remove(0); // The low one gets its row.
 	page.set_step_length(2.0f * STEP);
 	for (const int index : { 0, 1 }) {
 		const float ratio = index == 0 ? 0.7f : 1.3f;
@@ -139,7 +139,7 @@ TEST_CASE("heights make no difference where a frequency is declared") {
 
 TEST_CASE("stems of any height stay finite and calm down") {
 	StemBeam beam = straw(2.0);
-	beam.youngs_modulus = 3e8f; // It hardly stands.
+	beam.youngs_modulus = 3e8f; // It is close to buckling.
 	beam.modes = 2;
 	MotionPage page = page_of(beam, { 0.01f, 0.3f, 1.0f, 1.3f, 2.0f, 50.0f }, 1.0f / 15.0f);
 	FieldWind wind;
@@ -153,7 +153,7 @@ TEST_CASE("stems of any height stay finite and calm down") {
 }
 
 TEST_CASE("loads on a stem of another height bend it as a stem solved for that height") {
-	StemBeam beam = straw(0.0); // Its weight is spread along it, the drag of its head acts on the tip.
+	StemBeam beam = straw(0.0); // Its weight is distributed along it; the drag of its head acts on the tip.
 	beam.head_drag_area = 0.01f;
 	const StemConstants own = solve_stem(beam).constants;
 	for (const float ratio : { 0.7f, 0.85f, 1.15f, 1.3f }) {

@@ -37,7 +37,7 @@ Points square_with(glm::vec3 first) {
 
 TEST_CASE("sound rings have no fault") {
 	CHECK(fault_of(SQUARE) == RingFault::none);
-	// Concave, with a point in the middle of a side, off the root, and very small.
+	// Concave, with a point in the middle of a side, away from the root, and very small.
 	CHECK(fault_of(flat({ { 0.0f, 2.0f }, { 1.0f, 2.0f }, { 2.0f, 2.0f }, { 1.0f, 1.5f }, { 2.0f, 0.0f },
 				  { 0.0f, 0.0f } })) == RingFault::none);
 	CHECK(fault_of(flat({ { -1e-6f, 0.0f }, { 0.0f, 1e-6f }, { 1e-6f, 0.0f } })) == RingFault::none);
@@ -81,7 +81,7 @@ TEST_CASE("a ring that runs clockwise as seen from above") {
 TEST_CASE("edges that cross") {
 	CHECK(fault_of(flat({ { -1.0f, 1.0f }, { 1.0f, 1.0f }, { -0.5f, -1.0f }, { 0.5f, -2.0f }, { 0.5f, -1.0f } })) ==
 			RingFault::self_crossing);
-	// A pentagram goes round twice: its area has the right sign.
+	// A pentagram winds twice: its area has the right sign.
 	CHECK(fault_of(flat({ { -1.0f, 0.0f }, { 0.81f, 0.59f }, { -0.31f, -0.95f }, { -0.31f, 0.95f },
 				  { 0.81f, -0.59f } })) == RingFault::self_crossing);
 }

@@ -81,7 +81,7 @@ TEST_CASE("each fault of an area is found and said in a sentence") {
 	CHECK(find_area_fault({ { 0, 0 }, { 1, 1 }, { 3, 3 } }) == AreaFault::no_area);
 	CHECK(find_area_fault(rectangle({ 0.1f, 1000 })) == AreaFault::none);
 	CHECK(find_area_fault(rectangle({ 1.0e-3f, 1.0e-3f }, { 1, 1 })) == AreaFault::none);
-	// On a line to a millionth of its length.
+	// On a line, to a millionth of its length.
 	for (const float length : { 1.0f, 1000.0f }) {
 		CHECK(find_area_fault({ { 0, 0 }, { length, 0 }, { 0, 1.2e-6f * length } }) == AreaFault::none);
 		CHECK(find_area_fault({ { 0, 0 }, { length, 0 }, { 0, 0.8e-6f * length } }) == AreaFault::no_area);
@@ -120,7 +120,7 @@ TEST_CASE("what differs between two polygons is in the box around what changed o
 	CHECK(box.high == glm::vec2(12, 13));
 	other = { { 0, 10 }, { 0, 0 }, { 10, 0 }, { 10, 4 }, { 9, 5 }, { 10, 6 }, { 10, 10 } };
 	const AreaBox notch = changed_box(one, other);
-	CHECK(notch.low == glm::vec2(9, 0)); // Of the side that has it.
+	CHECK(notch.low == glm::vec2(9, 0)); // Of the side that has the notch.
 	CHECK(notch.high == glm::vec2(10, 10));
 	const Polygon turned = { one[2], one[1], one[0], one[3] };
 	const AreaBox none = changed_box(one, turned);

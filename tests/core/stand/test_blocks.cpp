@@ -15,7 +15,7 @@ using namespace undergrowth;
 
 namespace {
 
-/// Plants on hills, mixed by `order_seed`; 0 leaves them as they were placed.
+/// Plants on hills, shuffled by `order_seed`; 0 leaves them in the order of placement.
 FieldPlants hilly_field(float side, float density, uint64_t order_seed = 0) {
 	PlacementRequest request = square_field(side, density, 5);
 	request.clumping = 0.5f;
@@ -36,7 +36,7 @@ FieldPlants hilly_field(float side, float density, uint64_t order_seed = 0) {
 
 using Key = std::tuple<int, int, int>;
 
-/// The tile and species of a plant, by their definition.
+/// The tile and species of a plant, by definition.
 Key key_of(const FieldPlants &plants, std::size_t i, double size) {
 	return { static_cast<int>(std::floor(plants.z[i] / size)), static_cast<int>(std::floor(plants.x[i] / size)),
 		plants.species[i] };

@@ -152,7 +152,7 @@ TEST_CASE("bytes that are torn, of a later release or of another kind are told, 
 		std::vector<uint8_t> damaged = bytes;
 		damaged[at] ^= 0x40;
 		CHECK(read(damaged, kept) == BytesFault::torn);
-		reseal(damaged); // As somebody might write them who means harm: read without a fault, or told.
+		reseal(damaged); // As in a hostile file: it is read without a fault, or refused.
 		SavedChanges other;
 		read(damaged, other);
 	}

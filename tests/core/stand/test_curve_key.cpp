@@ -30,7 +30,7 @@ std::vector<Cell> along_curve(int column, int row, int side) {
 	return cells;
 }
 
-/// Whether each cell but the first is one further and beside the one before it.
+/// True if each cell but the first has the next key and is beside the one before it.
 bool goes_through(const std::vector<Cell> &cells) {
 	const auto is_next = [](const Cell &a, const Cell &b) {
 		return b.key == a.key + 1 && std::abs(b.column - a.column) + std::abs(b.row - a.row) == 1;

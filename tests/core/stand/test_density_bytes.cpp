@@ -17,7 +17,7 @@ constexpr std::size_t HECTARE_BYTES = 100 * 1024;
 constexpr std::size_t GOLDEN_SIZE = 482;
 constexpr uint64_t GOLDEN_BYTES = 16987235884191265994ull;
 
-/// Some strokes with soft edges all over a square around (`at`, `at`).
+/// Some strokes with soft edges over a square around (`at`, `at`).
 void paint_square(DensityMap &map, const char *layer_name, float side, float at, int strokes, uint64_t seed) {
 	const int layer = map.need_layer(layer_name);
 	for (int i = 0; i < strokes; i++) {
@@ -48,7 +48,7 @@ DensityFault read(const std::vector<uint8_t> &bytes, DensityMap &map) {
 	return read_density(bytes.data(), bytes.size(), map);
 }
 
-/// Makes the checksum true again.
+/// Corrects the checksum.
 void seal(std::vector<uint8_t> &bytes) {
 	const uint32_t sum = checksum_of(bytes.data(), bytes.size() - 4);
 	std::memcpy(bytes.data() + bytes.size() - 4, &sum, 4);
@@ -112,7 +112,7 @@ TEST_CASE("A painted hectare of a species takes no more than 100 KiB") {
 	const std::size_t strokes = write_density(map).size();
 	MESSAGE("strokes: " << strokes);
 	CHECK(strokes <= HECTARE_BYTES);
-	// Even where no two neighbours are alike.
+	// Even if no two neighbours are equal.
 	for (int row = 0; row < 200; row++) {
 		for (int column = 0; column < 200; column++) {
 			const uint64_t bits = mix_bits(static_cast<uint64_t>(200 * row + column));

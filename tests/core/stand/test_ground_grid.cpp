@@ -13,7 +13,7 @@ namespace {
 
 using Ground = std::function<float(float, float)>;
 
-/// Plants all over a square around the origin, `density` of them in each square metre.
+/// Plants over a square around the origin, `density` per square metre.
 FieldPlants plants_in(float side, float density) {
 	FieldPlants plants;
 	const float gap = 1.0f / std::sqrt(density);
@@ -29,8 +29,8 @@ FieldPlants plants_in(float side, float density) {
 
 struct Found {
 	int points = 0;
-	int single = 0; ///< Plants that need a query of their own.
-	float max_error = 0.0f; ///< m, of the others.
+	int single = 0; ///< Plants that need a separate query.
+	float max_error = 0.0f; ///< m, of all other plants.
 	float max_turn = 0.0f; ///< rad, of their normals.
 };
 

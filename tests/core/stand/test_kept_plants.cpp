@@ -29,7 +29,7 @@ struct Stand {
 	double spacing;
 	std::vector<PlantBlock> blocks;
 
-	/// Numbers in a store that has no others: 7, 10, 13 ...
+	/// Block numbers of a store without other blocks: 7, 10, 13 ...
 	FilledBlocks numbered() const {
 		FilledBlocks all;
 		all.spacing = spacing;
@@ -61,7 +61,7 @@ std::map<PlantId, PlantPlace> names_of(const FilledBlocks &filled) {
 	return names;
 }
 
-/// Checks that those are kept, from where and to where, whose names both have, and no other; tells their number.
+/// Checks that exactly the plants with ids in both lists are transferred, with their locations. Returns their number.
 int check_kept(const FilledBlocks &before, const Stand &now) {
 	std::map<PlantId, PlantPlace> names = names_of(before);
 	const std::vector<KeptPlant> kept = find_kept(before, now.blocks, now.spacing);
@@ -113,7 +113,7 @@ TEST_CASE("plants are kept by their cells when tiles, sizes, seeds and species a
 }
 
 TEST_CASE("who stands beside all that stood is not kept") {
-	for (const float side : { 15.5f, 16.0f, 31.0f, 64.0f }) { // Cells of 0.5 m: as many as powers of two, about.
+	for (const float side : { 15.5f, 16.0f, 31.0f, 64.0f }) { // Cells of 0.5 m: around powers of two.
 		const Stand before = stand_of(square_field(side, DENSITY, 3));
 		for (const float more : { 1.0f, 2.0f * side }) {
 			const Stand now = stand_of(square_field(side + more, DENSITY, 3));

@@ -16,7 +16,7 @@ namespace {
 
 using Root = std::array<float, 2>;
 
-/// A plant's place and all else about it.
+/// Position of a plant, with a hash of all its other values.
 std::map<Root, uint64_t> by_root(const FieldPlants &plants) {
 	std::map<Root, uint64_t> found;
 	for (int i = 0; i < plants.size(); i++) {
@@ -27,7 +27,7 @@ std::map<Root, uint64_t> by_root(const FieldPlants &plants) {
 	return found;
 }
 
-/// The least distance between any two plants (m) that are closer than `spacing`.
+/// Min distance of any two plants (m) that are closer than `spacing`.
 double least_distance(const FieldPlants &plants, double spacing) {
 	std::map<std::pair<int, int>, std::vector<int>> cells;
 	const auto cell = [&](float place) { return static_cast<int>(std::floor(static_cast<double>(place) / spacing)); };
@@ -52,7 +52,7 @@ double least_distance(const FieldPlants &plants, double spacing) {
 } // namespace
 
 TEST_CASE("the count is density times area, but for chance in the cells on the border") {
-	// A cell on the border holds a plant or not: a variance of 1/4 at most each. Four standard deviations.
+	// A cell on the border has a plant or not, with a variance of at most 1/4. Four standard deviations.
 	constexpr double DEVIATIONS = 4.0;
 	const Polygon triangle = { { -20, -30 }, { 45, 3 }, { 1, 28 } };
 	const Polygon u_shape = { { 0, 0 }, { 50, 0 }, { 50, 50 }, { 40, 50 }, { 40, 10 }, { 10, 10 }, { 10, 50 },
@@ -195,7 +195,7 @@ TEST_CASE("candidates are at least the plants and few more") {
 	placement.place_rows(3, 60, plants);
 	const std::size_t candidates = placement.candidate_count(3, 60);
 	CHECK(candidates >= plants.x.size());
-	// Two arms, two or three cells of border on each side.
+	// Two arms, with two or three cells of border on each side.
 	CHECK(candidates <= plants.x.size() + 57 * 12);
 }
 
@@ -203,7 +203,7 @@ TEST_CASE("an area can hold one plant, none, or a million") {
 	CHECK(placed(square_field(40.0f, 0.0f, 1)).size() == 0);
 	CHECK(placed(square_field(1.0e-3f, 1.0f, 1)).size() == 0);
 	CHECK(placed(square_field(10.0f, 1.0e-30f, 1)).size() <= 1);
-	// A cell of the grid and what its neighbours' jitter lets in.
+	// A cell of the grid and the range of its neighbours' jitter.
 	int single = 0;
 	for (uint64_t seed = 0; seed < 50; seed++) {
 		PlacementRequest request = square_field(1.0f, 1.0f, 1);

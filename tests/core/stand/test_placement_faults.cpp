@@ -11,7 +11,7 @@ namespace {
 
 const float NOT_A_NUMBER = std::numeric_limits<float>::quiet_NaN();
 
-/// The fault of a sound request with one change; nothing must be placed where there is one.
+/// The fault of a sound request with one change. With a fault nothing may be placed.
 template <class Change> PlacementFault fault_with(Change change) {
 	PlacementRequest request = square_field(10.0f, 2.0f, 2);
 	change(request);
@@ -78,7 +78,7 @@ TEST_CASE("a field of too many plants is refused before anything is placed") {
 	CHECK(fault_with(too_many) == PlacementFault::too_many_plants);
 	const auto too_long = [](PlacementRequest &r) { r.area = rectangle({ 1.0f, 1.0e5f }), r.density = 1.0e4f; };
 	CHECK(fault_with(too_long) == PlacementFault::too_many_plants);
-	// Goes around nothing by its signed area, but is full of plants.
+	// Its signed area is 0, but it has many plants.
 	const Polygon crossed = { { -1.0e4f, -1.0e4f }, { 1.0e4f, 1.0e4f }, { 1.0e4f, -1.0e4f }, { -1.0e4f, 1.0e4f } };
 	const auto bow_tie = [&](PlacementRequest &r) { r.area = crossed, r.density = 1.0f; };
 	PlacementRequest request = square_field(10.0f, 1.0f, 1);

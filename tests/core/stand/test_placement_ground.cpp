@@ -15,7 +15,7 @@ glm::vec3 normal_of(double slope) {
 	return { static_cast<float>(-std::sin(slope)), static_cast<float>(std::cos(slope)), 0.0f };
 }
 
-/// Whether a plant on ground of this height and slope (rad) stays.
+/// True if a plant on ground of this height and slope (rad) stays.
 bool stays(float height, double slope, const GroundLimits &limits) {
 	FieldPlants plants;
 	plants.add({});
@@ -56,7 +56,7 @@ TEST_CASE("plants take the ground's height and keep their order") {
 
 TEST_CASE("plants lean with the ground as far as they are told") {
 	constexpr double SLOPE = 0.5;
-	constexpr double TOLERANCE = 2e-4; // rad: the codes' and the normal's rounding.
+	constexpr double TOLERANCE = 2e-4; // rad: rounding of the codes and of the normal.
 	const float height = 1.0f;
 	const glm::vec3 normal = 3.0f * normal_of(SLOPE);
 	for (const float turn : { 0.0f, 1.0f, 4.0f }) {
@@ -74,7 +74,7 @@ TEST_CASE("plants lean with the ground as far as they are told") {
 		CHECK(std::abs(aligned.lean - SLOPE) < TOLERANCE);
 		// The normal leans to -x: half a turn from the field's +x.
 		CHECK(std::abs(std::cos(aligned.turn + aligned.side) + 1.0) < TOLERANCE);
-		// What leaned uphill by as much stands upright.
+		// A plant with the same lean uphill becomes upright.
 		PlacedPlant uphill = upright;
 		uphill.lean = static_cast<float>(SLOPE);
 		uphill.side = -turn;

@@ -16,7 +16,7 @@ namespace {
 constexpr float SIDE = 40.0f;
 constexpr float DENSITY = 20.0f;
 
-/// A square field of two species with a map of a layer for each.
+/// A square field of two species with a map that has a layer for each.
 PlacementRequest painted_field(const std::function<void(DensityMap &)> &paint_it) {
 	PlacementRequest request = square_field(SIDE, DENSITY, 2);
 	DensityMap map;

@@ -1,4 +1,4 @@
-// Fields in which plants/m² of a species are painted.
+// Fields with painted plants/m².
 
 #include "stand/density_brush.hpp"
 #include "stand/placement.hpp"
@@ -23,7 +23,7 @@ constexpr int POPPY = 1;
 const Polygon BED = rectangle({ 30.0f, 30.0f });
 constexpr double BED_AREA = 30.0 * 30.0;
 
-/// Grass 60 : poppy 3, with a map on which all of it is as mixed before `paint_it`.
+/// Grass 60 : poppy 3. Before `paint_it` the map gives the mix everywhere.
 PlacementRequest meadow(const std::function<void(DensityMap &)> &paint_it) {
 	PlacementRequest request = square_field(SIDE, DENSITY, 2);
 	request.species[GRASS].share = 60.0f;

@@ -18,7 +18,7 @@ glm::vec3 leaning(double lean, double around) {
 		static_cast<float>(portable_sin(lean) * portable_cos(around)) };
 }
 
-/// At right angles to `up`, as near to `wanted` as can be.
+/// The vector nearest to `wanted` at right angles to `up`.
 glm::vec3 squared(const glm::vec3 &wanted, const glm::vec3 &up) {
 	return glm::normalize(wanted - glm::dot(wanted, up) * up);
 }
@@ -52,7 +52,7 @@ TEST_CASE("a tilt takes nothing from a plant's turn about its stem") {
 		const glm::vec3 up = leaning(0.6, around);
 		const glm::vec3 across = leaning(0.5 * PI, around + 0.5 * PI);
 		const glm::vec3 level_front = leaning(0.5 * PI, 1.2);
-		// Turned by 0.6 rad about `across`, as `up` was.
+		// Turned by 0.6 rad about `across`, like `up`.
 		const glm::vec3 front = static_cast<float>(portable_cos(0.6)) * level_front +
 				static_cast<float>(portable_sin(0.6)) * glm::cross(across, level_front) +
 				static_cast<float>(1.0 - portable_cos(0.6)) * glm::dot(across, level_front) * across;

@@ -160,7 +160,7 @@ TEST_CASE("when all plants that were added in a place are removed at once, only 
 	for (int i = 0; i < 3; i++) {
 		mowing.removed.push_back(store.find(planted.added[static_cast<std::size_t>(i)]));
 	}
-	mowing.added = { plant_at(50.0f, 50.0f) }; // It may take the block's number.
+	mowing.added = { plant_at(50.0f, 50.0f) }; // It can get the block's number.
 	const ChangeSet mown = store.apply(std::move(mowing));
 	CHECK(mown.dropped.size() == 1);
 	CHECK(mown.gone.empty());
@@ -199,7 +199,7 @@ TEST_CASE("a tile is left, and stands again as it was") {
 	const ChangeSet left = store.apply(std::move(leaving));
 	CHECK(left.dropped.size() == kept.size());
 	CHECK(store.plant_count() == count - plants);
-	CHECK(store.blocks_of(tile).size() == 1); // Who was added stays.
+	CHECK(store.blocks_of(tile).size() == 1); // Added plants stay.
 	StandEdit coming;
 	coming.stood = kept;
 	const ChangeSet back = store.apply(std::move(coming));

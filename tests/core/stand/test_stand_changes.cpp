@@ -14,7 +14,7 @@ namespace {
 
 constexpr float SIDE = 40.0f; // m.
 
-/// A square of which all in a circle of 6 m are gone, and all in another one mown to half their height.
+/// A square with removed plants in a circle of 6 m, and plants mown to half their height in another.
 struct Cut {
 	PlacementRequest request = square_field(SIDE, 4.0f, 2);
 	double spacing = Placement(request).cell_size();
@@ -98,7 +98,7 @@ TEST_CASE("who is mown is so high, and grows back") {
 	cut.changes.remove({ mown[8] }, cut.spacing);
 	cut.changes.mow({ mown[7] }, { 1.0f }, cut.spacing);
 	const int left = static_cast<int>(mown.size() + cut.named_near(5.0f).size());
-	CHECK(cut.changes.plant_count() < left); // Whom a square is written for is forgotten once it is whole again.
+	CHECK(cut.changes.plant_count() < left); // An edit of a square also drops its plants that are whole again.
 }
 
 TEST_CASE("nobody who is gone is kept as mown, too") {
@@ -177,7 +177,7 @@ TEST_CASE("a cut has what matters in its box, whichever squares beside it change
 	changes.remove(all, spacing);
 	constexpr float S = StandChanges::SQUARE;
 	const AreaBox box = { { -1.5f * S, -1.5f * S },
-		{ 1.5f * S, SIDE } }; // Squares lie beside it and below it, none above.
+		{ 1.5f * S, SIDE } }; // There are squares beside it and below it, none above.
 	const StandChanges part = changes.cut(box);
 	int count = 0;
 	for (std::size_t i = 0; i < plants.x.size(); i++) {
@@ -203,7 +203,7 @@ TEST_CASE("a cut around a plant's root knows whether it is gone, wherever in its
 
 namespace {
 
-/// Plants around 25 places are removed and others mown, the places a different one for each of `count` densities.
+/// Plants around 25 positions are removed and others mown, at different positions for each of `count` densities.
 StandChanges changes_of_densities(int count) {
 	StandChanges changes;
 	for (int i = 0; i < count; i++) {

@@ -42,7 +42,7 @@ struct Painted {
 		store.apply(std::move(edit));
 	}
 
-	/// Brings what stands in the cells to what is painted there, on ground that ends at `edge` (m, x).
+	/// Updates the plants in the cells to the painted map, on ground that ends at `edge` (m, x).
 	ChangeSet patch(const CellRange &cells, float edge = 1.0e9f) {
 		const AreaBox box = map.box_of(cells);
 		StandPatch patch(store.filled_in(box), store.spacing());

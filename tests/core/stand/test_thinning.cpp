@@ -12,12 +12,12 @@ namespace {
 
 constexpr int SIDE = 64; // Cells.
 
-// By rows, of the cells of a grid.
+// Ranks of the cells of a grid, row by row.
 std::vector<float> ranks_of_cells() {
 	std::vector<float> ranks;
 	for (int row = 0; row < SIDE; row++) {
 		for (int column = 0; column < SIDE; column++) {
-			// Not near a cell's side, where rows are out of step.
+			// Away from a cell's side, since rows are shifted.
 			const float shift = row % 2 == 0 ? 0.25f : 0.75f;
 			ranks.push_back(plant_rank(
 					filled_plant_id(static_cast<float>(column) + shift, static_cast<float>(row) + 0.5f, 1.0)));
@@ -26,7 +26,7 @@ std::vector<float> ranks_of_cells() {
 	return ranks;
 }
 
-// Of a square of cells those with ranks below a share.
+// Number of cells of a square with ranks below a density.
 int count_kept(const std::vector<float> &ranks, int column, int row, int side, float share) {
 	int count = 0;
 	for (int i = 0; i < side * side; i++) {
@@ -58,7 +58,7 @@ TEST_CASE("of any share of plants what is left stays spread") {
 				squares += off * off;
 			}
 		}
-		// By chance alone it would be share·(1 - share)·64 in each square: 5.8 to 16.
+		// Independent ranks would give share·(1 - share)·64 in each square: 5.8 to 16.
 		CHECK(squares / 64.0 < 2.0);
 	}
 }

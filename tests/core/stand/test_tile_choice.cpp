@@ -53,7 +53,7 @@ TEST_CASE("on a walk no tile comes and goes at once, and those far behind go") {
 		standing = next;
 		most = std::max(most, standing.size());
 	}
-	CHECK(most < 240); // A circle of 116 m and its edge, of 256 m² each.
+	CHECK(most < 240); // A circle of 116 m and its edge, with 256 m² per tile.
 	CHECK(standing.count({ 0, 0 }) == 0);
 }
 

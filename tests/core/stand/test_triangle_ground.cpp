@@ -43,7 +43,7 @@ TEST_CASE("plants stand on the slope of a mesh of many triangles, wherever they 
 			const auto z = static_cast<float>(row);
 			const glm::vec3 a(x, hill(x, z), z), b(x + 1.0f, hill(x + 1.0f, z), z);
 			const glm::vec3 c(x, hill(x, z + 1.0f), z + 1.0f), d(x + 1.0f, hill(x + 1.0f, z + 1.0f), z + 1.0f);
-			corners.insert(corners.end(), { a, b, c, b, c, d }); // One of each two goes round the other way.
+			corners.insert(corners.end(), { a, b, c, b, c, d }); // One of each two has the opposite winding.
 		}
 	}
 	std::vector<glm::vec2> places;

@@ -1,4 +1,4 @@
-// Tiles of two densities side by side, as while a field is grown anew tile by tile.
+// Tiles of two densities side by side, as while a field is rebuilt tile by tile.
 #include "stand/kept_plants.hpp"
 #include "stand/stand_changes.hpp"
 #include "stand/test_plant_store_fixture.hpp"
@@ -16,7 +16,7 @@ namespace {
 constexpr float TILE = 10.0f;
 const TileKey EXCHANGED = { 0, 0 };
 
-/// What a tile of a field is to be.
+/// Edit that gives a tile of a field its plants.
 StandEdit exchange(const PlacementRequest &request, const TileKey &tile) {
 	PlacementRequest part = request;
 	part.within = tile_box(tile, TILE);

@@ -13,9 +13,9 @@ using doctest::Approx;
 
 namespace {
 
-constexpr double BEAM = 1e-3; // Beside closed forms that are told with four figures.
-constexpr double FINE = 2e-4; // Of frequencies, beside Ritz: the most is where the tip is all but a thread.
-constexpr double DECLARED = 1e-6; // Of a declared frequency: of the beam's own rounding.
+constexpr double BEAM = 1e-3; // Relative to closed forms with four digits.
+constexpr double FINE = 2e-4; // Of frequencies, relative to Ritz; the largest error is that of a nearly pointed tip.
+constexpr double DECLARED = 1e-6; // Of a declared frequency: rounding of the beam.
 constexpr double GREENHILL = 2e-3;
 
 /// The load under which a stem would fall: m·g·L²/(EI).
@@ -114,7 +114,7 @@ TEST_CASE("a declared frequency is the stem's, weight included, and its modulus 
 				CHECK(solution.constants.mode[0].frequency == Approx(wanted).epsilon(DECLARED).scale(0.0));
 				beam.natural_frequency = 0.0f;
 				beam.youngs_modulus = static_cast<float>(solution.youngs_modulus);
-				if (solution.buckling_share < 0.9) { // Nearer, the digits of a float decide.
+				if (solution.buckling_share < 0.9) { // Nearer, the precision of a float decides.
 					CHECK(solve_stem(beam).frequencies[0] == Approx(wanted).epsilon(10.0 * DECLARED).scale(0.0));
 				}
 			}
@@ -212,7 +212,7 @@ TEST_CASE("neither frequencies nor bends depend on the number of joints") {
 TEST_CASE("a hollow stem swings faster than one of the same material without its hole") {
 	StemBeam beam = stiff_stem();
 	const double solid = solve_stem(beam).frequencies[0];
-	beam.hollow = 0.8f; // Stiffness falls by 0.8⁴, mass by 0.8².
+	beam.hollow = 0.8f; // Stiffness decreases by 0.8⁴, mass by 0.8².
 	CHECK(solve_stem(beam).frequencies[0] / solid == Approx(std::sqrt(1.0 + 0.64)).epsilon(BEAM).scale(0.0));
 }
 

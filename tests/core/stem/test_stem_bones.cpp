@@ -20,11 +20,11 @@ using doctest::Approx;
 
 namespace {
 
-constexpr double LENGTH = 1e-5; // Of the stem, as the next.
+constexpr double LENGTH = 1e-5; // Of the stem; so is the next.
 constexpr double FINE_LINE = 0.005;
 constexpr double SHADER = 0.01;
 
-/// The centre line by very many short ways.
+/// The centre line, integrated in very many short steps.
 glm::dvec3 integrated(const StemConstants &stem, const SteadyStem &steady, double x) {
 	glm::dvec3 sum(0.0);
 	constexpr int STEPS = 500;
@@ -41,7 +41,7 @@ glm::vec3 turned(const glm::vec4 &turn, const glm::vec3 &v) {
 	return glm::quat(turn.w, turn.x, turn.y, turn.z) * v;
 }
 
-/// Where linear blend skinning takes a vertex at rest, in stem lengths.
+/// Position of a vertex by linear blend skinning, at rest, in stem lengths.
 glm::vec3 skinned(const StemConstants &stem, const SteadyStem &steady, const glm::vec3 &vertex) {
 	StemLink links[MOST_STEM_JOINTS];
 	stem_links(stem, steady.amplitudes, links);

@@ -35,7 +35,7 @@ bool is_finite(const StemConstants &stem) {
 			std::isfinite(stem.air_slope) && stem.axial_share > 0.0f && stem.axial_share <= 1.0f;
 }
 
-/// No place is bent far beyond the tip or against the wind, however far that bends the tip.
+/// True if no point bends far beyond the tip or against the wind, for any bend of the tip.
 bool is_tame(const StemConstants &stem, bool is_in_air) {
 	for (const double slope : { 0.5, 2.0, 10.0, 1e4 }) {
 		const SteadyStem steady = is_in_air ? in_wind(stem, slope) : in_newtons(stem, slope);

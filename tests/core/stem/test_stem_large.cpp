@@ -21,11 +21,11 @@ using doctest::Approx;
 namespace {
 
 constexpr double DEGREE = PI / 180.0;
-constexpr double TO_45 = 0.01; // Of the length, as the next.
+constexpr double TO_45 = 0.01; // Of the length; so is the next.
 constexpr double TO_75 = 0.025;
 constexpr double DRAG_RATIO = 0.02;
 
-/// The farthest that a drawn stem is from a chain, in stem lengths.
+/// Max distance of a drawn stem from a chain, in stem lengths.
 double distance_to(const SteadyChain &chain, const StemConstants &stem, const SteadyStem &steady) {
 	double most = 0.0;
 	for (int i = 1; i <= 32; i++) {
@@ -130,7 +130,7 @@ TEST_CASE("six terms are enough for the shape of a stem that tapers") {
 		StemBeam beam = stiff_stem(taper);
 		beam.wind_weights = { 0.0f, 0.0f, 0.0f, 1.0f };
 		const StemConstants stem = solve_stem(beam).constants;
-		// ψ' = (1 - x)/(1 - taper·x)⁴ but for a factor.
+		// ψ' = (1 - x)/(1 - taper·x)⁴, up to a factor.
 		constexpr int STEPS = 6400;
 		std::vector<double> exact = { 0.0 };
 		for (int i = 0; i < STEPS; i++) {
@@ -148,7 +148,7 @@ TEST_CASE("six terms are enough for the shape of a stem that tapers") {
 		for (int i = 0; i < STEPS; i++) {
 			const float x = (static_cast<float>(i) + 0.5f) / STEPS;
 			const double drawn = stem_bend(linear, &one, x).x / stem.mode[0].tip_slope;
-			// At a tip of 45°, where a bend of 0.414 turns by twice its change.
+			// For a tip of 45°, where a bend of 0.414 turns by twice its change.
 			path += 2.0 * 0.414 * (drawn - 0.5 * (exact[i] + exact[i + 1]) / exact[STEPS]) / STEPS;
 			most = std::max(most, std::abs(path));
 		}

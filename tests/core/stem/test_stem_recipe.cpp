@@ -10,7 +10,7 @@ using doctest::Approx;
 
 namespace {
 
-/// rad, of its tip in 1 N, over the angle to which a mass of 1 kg on the tip is drawn: about 1 for usual weights.
+/// rad, tip angle in 1 N, over the tip angle of a mass of 1 kg: about 1 for usual weights.
 float usual_lean(const StemConstants &stem) {
 	const float frequency = stem.mode[0].frequency;
 	return stem.dead_slope * frequency * frequency * stem.length;

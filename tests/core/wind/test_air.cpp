@@ -21,7 +21,7 @@ namespace {
 constexpr int PLANTS = 1003;
 constexpr float STAND = 0.5f; // m.
 constexpr float TURNED = 0.7f; // rad.
-constexpr double VELOCITY_TOLERANCE = 2e-3; // m/s, of places in floats.
+constexpr double VELOCITY_TOLERANCE = 2e-3; // m/s, for positions in floats.
 constexpr double WAVES_SPEED_TOLERANCE = 0.02;
 constexpr double WAVES_SPACING_TOLERANCE = 0.1;
 
@@ -56,7 +56,7 @@ Velocities velocities(const FieldWind &wind, double time, SimdLevel level = best
 	return out;
 }
 
-/// Waves over the stand along a line with the wind.
+/// Waves over the canopy along a line with the wind.
 std::vector<float> wave_line(const Air &air, double time) {
 	const AirNow now = air_at_time(air, {}, &shared_tiles(), time);
 	std::vector<float> x(4000), z(4000), waves(4000);

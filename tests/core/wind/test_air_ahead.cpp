@@ -18,7 +18,7 @@ namespace {
 constexpr float STEP = 1.0f / 60.0f; // s.
 constexpr float STAND = 0.6f; // m.
 constexpr float SWING = 0.6f; // s.
-constexpr int PLANTS = 203; // No whole number of groups.
+constexpr int PLANTS = 203; // Not a whole number of groups.
 constexpr double SAMPLED_WITHIN = 1.0 / 256.0; // m/s: half a unit, and half a unit of each weight.
 
 FieldWind fresh_breeze() {
@@ -29,7 +29,7 @@ FieldWind fresh_breeze() {
 	return wind;
 }
 
-/// Plants, and air over them that was sampled ahead.
+/// Plants with air over them that was sampled ahead.
 struct Stand {
 	std::vector<float> x, z, lengths;
 	float stand_height = STAND;
@@ -47,7 +47,7 @@ struct Stand {
 		ahead.make_room(PLANTS);
 	}
 
-	/// Looks and, where it is ready, tells; and samples what is there by itself.
+	/// Looks ahead, uses the samples if they are complete, and also samples the current air directly.
 	bool step(const FieldWind &wind, int number, int turn = 0, SimdLevel level = best_simd_level()) {
 		const PlantWinds along = winds_along(wind);
 		const double moment = (number + 0.5) * static_cast<double>(STEP);
@@ -63,7 +63,7 @@ struct Stand {
 		return ahead.is_ready();
 	}
 
-	/// m/s, of the plant where it is most.
+	/// m/s, the largest over all plants.
 	double error() const {
 		double most = 0.0;
 		for (std::size_t i = 0; i < PLANTS; i++) {
@@ -156,7 +156,7 @@ TEST_CASE("plants that move or come, and another time, have the air of where the
 	}
 	stand.ahead.forget();
 	stand.step(wind, 10);
-	CHECK(stand.error() < SAMPLED_WITHIN); // Of turn 0: a sample is this step's.
+	CHECK(stand.error() < SAMPLED_WITHIN); // For turn 0, a sample is exactly at this step.
 	stand.step(wind, 9000);
 	CHECK(stand.error() < SAMPLED_WITHIN);
 }

@@ -47,7 +47,7 @@ TEST_CASE("an explosion blows outward as its formula says, and then back") {
 			REQUIRE(felt.x == 0.0f);
 		}
 	}
-	// What it gives in all: U·T times the integral of (1 - y)/(1 + y²)², from 0 to 8.
+	// Total impulse: U·T times the integral of (1 - y)/(1 + y²)², from 0 to 8.
 	double impulse = 0.0;
 	for (int i = 0; i < 20000; i++) {
 		source.age = 0.0001f * static_cast<float>(i);

@@ -14,7 +14,7 @@ namespace {
 constexpr float SPEED = 8.0f; // m/s, along x.
 constexpr double TICK = 1.0 / 60.0; // s, of physics frames.
 
-/// A node that moves in physics frames, as drawn frames of 1/rate s find it after `seconds`.
+/// A node that moves in physics frames, as drawn frames of 1/rate s observe it after `seconds`.
 SourceWay moved_in_ticks(int rate, double seconds) {
 	SourceWay way;
 	way.begin({ 0.0f, 0.0f, 0.0f });

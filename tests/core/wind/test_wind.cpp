@@ -10,7 +10,7 @@ using namespace undergrowth;
 
 namespace {
 
-constexpr double STRENGTH_TOLERANCE = 1e-5; // Of the strength; floats hold 6e-8.
+constexpr double STRENGTH_TOLERANCE = 1e-5; // Of the strength; floats resolve 6e-8.
 constexpr float UNIT_TOLERANCE = 1e-6f;
 
 Wind wind_of(WindKind kind) {
@@ -69,7 +69,7 @@ TEST_CASE("a gust that was called for may have a strength and a length of its ow
 		wind.triggered_strength = 3.0f;
 		wind.triggered_duration = 1.5f;
 		const float calm = kind == WindKind::constant ? 10.0f : 0.0f;
-		CHECK(wind_strength(wind, 2.2) == 10.0f); // Nobody called.
+		CHECK(wind_strength(wind, 2.2) == 10.0f); // No gust was triggered.
 		wind.gust_triggered = true;
 		CHECK(wind_strength(wind, 1.9) == calm);
 		CHECK(wind_strength(wind, 3.4) == calm + 3.0f);
