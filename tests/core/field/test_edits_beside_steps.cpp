@@ -175,7 +175,7 @@ uint64_t run(int prototypes, int threads) {
 
 } // namespace
 
-TEST_CASE("plants are planted, mown and grown anew beside the steps with the same bits on any number of threads") {
+TEST_CASE("adding, mowing and rebuilding plants beside the steps gives the same bits on any number of threads") {
 	for (const int prototypes : { 0, 16 }) {
 		const uint64_t single = run(prototypes, 1);
 		CHECK(run(prototypes, 4) == single);

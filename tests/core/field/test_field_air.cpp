@@ -44,7 +44,7 @@ FieldSimulation two_pages(int prototypes) {
 
 } // namespace
 
-TEST_CASE("in air each plant of a field has a motion of its own, and those that follow have one, too") {
+TEST_CASE("in air each plant of a field has its own motion, and so does each follower") {
 	for (const int prototypes : { 0, 16 }) {
 		FieldSimulation field = two_pages(prototypes);
 		glm::vec3 before = {};
@@ -62,7 +62,7 @@ TEST_CASE("in air each plant of a field has a motion of its own, and those that 
 	}
 }
 
-TEST_CASE("what stirs the air at one end of a field is not felt at the other") {
+TEST_CASE("a source that stirs the air at one end of a field has no effect at the other") {
 	FieldSimulation calm = two_pages(0), stirred = two_pages(0);
 	AirSource fan;
 	fan.kind = AirSource::Kind::fan;
@@ -116,7 +116,7 @@ static double error_of_sampling_ahead(Law law, float frequency) {
 	return std::sqrt(errors / (squares - glm::dot(sum, sum) / count));
 }
 
-TEST_CASE("tips in air that is sampled ahead go where those do that sample it in each step") {
+TEST_CASE("tips in air that is sampled ahead move like tips that sample it in each step") {
 	constexpr double WITHIN = 0.08; // Fraction of their motion.
 	for (const float frequency : { 0.7f, 1.5f, 3.0f }) {
 		CHECK(error_of_sampling_ahead(Law::spring, frequency) < WITHIN);
@@ -124,7 +124,7 @@ TEST_CASE("tips in air that is sampled ahead go where those do that sample it in
 	}
 }
 
-TEST_CASE("plants that are put elsewhere feel the air that blows there") {
+TEST_CASE("plants that are moved have the wind of their new position") {
 	MotionSpecies species = species_with(Law::spring, varied_joint(1));
 	species.stand_height = 0.7f;
 	const FieldWind wind = fresh_breeze();

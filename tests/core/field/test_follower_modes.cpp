@@ -79,7 +79,7 @@ float second_of(const FieldSimulation &field, int plant) {
 
 } // namespace
 
-TEST_CASE("a follower's stem bends in both modes as one that is simulated, later by its own delay") {
+TEST_CASE("a follower's stem bends in both modes like a simulated one, after its own delay") {
 	FieldSimulation simulated = field_of(0);
 	FieldSimulation following = field_of(1);
 	simulated.set_page_near(0, true);
@@ -130,7 +130,7 @@ TEST_CASE("a follower whose stem is pushed swings in both modes, and goes back t
 	CHECK(field.follower(0, 0).loose == 0);
 }
 
-TEST_CASE("a blow on a follower is one on its stem in both modes") {
+TEST_CASE("a blow on a follower acts on both modes of its stem") {
 	FieldSimulation simulated = field_of(0);
 	FieldSimulation following = field_of(1);
 	FieldWind calm;
@@ -150,7 +150,7 @@ TEST_CASE("a blow on a follower is one on its stem in both modes") {
 	CHECK(most_second > 0.01f);
 }
 
-TEST_CASE("followers whose stems get a second mode, or lose it, stay where they were drawn") {
+TEST_CASE("followers stay in place when their stems gain or lose a second mode") {
 	for (const int modes : { 1, 2 }) {
 		FieldSimulation field = field_of(8, modes);
 		for (int i = 0; i < 400; i++) {

@@ -47,7 +47,7 @@ float farthest_of_leaves(Law law, int interval) {
 
 } // namespace
 
-TEST_CASE("leaves go as evenly at long intervals as at every step") {
+TEST_CASE("leaves move as evenly at long intervals as at every step") {
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		const float each_step = farthest_of_leaves(law, 1);
 		CHECK(each_step > 1e-3f);

@@ -40,7 +40,7 @@ glm::vec3 tip(const MotionPage &page, const PageStand &stand) {
 
 } // namespace
 
-TEST_CASE("a plant on a wall is pushed out of a ball as one on the ground is, turned with all else") {
+TEST_CASE("a ball pushes a plant on a wall as one on the ground, with everything turned") {
 	const PageStand walled = { &WALL, nullptr };
 	const glm::vec3 root = { 3.0f, 2.0f, -1.0f };
 	MotionPage ground = page_of(Law::spring, root);
@@ -59,7 +59,7 @@ TEST_CASE("a plant on a wall is pushed out of a ball as one on the ground is, tu
 	CHECK(!touches_plant(wall, 0, turned, 0.01f));
 }
 
-TEST_CASE("what a body and a root have in common does not push") {
+TEST_CASE("a common velocity of body and root does not push") {
 	const glm::vec3 root_velocity = { 2.0f, 0.0f, 0.0f };
 	const PageStand moving = { nullptr, &root_velocity };
 	MovingBody body = ball({ -0.35f, 1.0f, 0.0f }, 0.3f);
@@ -80,7 +80,7 @@ TEST_CASE("what a body and a root have in common does not push") {
 	CHECK(page.state(0).rate.x == doctest::Approx(3.0f).epsilon(0.02));
 }
 
-TEST_CASE("lone pages touch as the pages of a field do, to the bit") {
+TEST_CASE("lone pages touch like the pages of a field, to the bit") {
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		FieldSimulation field((FieldSettings()));
 		MotionSpecies species = species_of(law);
@@ -121,7 +121,7 @@ TEST_CASE("lone pages touch as the pages of a field do, to the bit") {
 	}
 }
 
-TEST_CASE("the tips of a plant on a wall and of one on the ground part, and lose what they approach by") {
+TEST_CASE("the tips of a plant on a wall and of one on the ground separate and lose their approach") {
 	MotionPage ground = page_of(Law::elasticity, {});
 	MotionPage wall = page_of(Law::spring, { -1.3f, 1.0f, 0.0f });
 	LonePages lone;
@@ -151,7 +151,7 @@ TEST_CASE("the tips of a plant on a wall and of one on the ground part, and lose
 	CHECK(wall.state(0).direction.y > 0.99f);
 }
 
-TEST_CASE("plants on a wall or a ceiling touch as those on the ground do, turned with all else") {
+TEST_CASE("plants on a wall or a ceiling touch like those on the ground, with everything turned") {
 	const glm::mat3 ceiling = { { 1.0f, 0.0f, 0.0f }, { 0.0f, -1.0f, 0.0f }, { 0.0f, 0.0f, -1.0f } };
 	const glm::vec3 roots[] = { { 0.0f, 0.0f, 0.0f }, { 0.25f, 0.0f, 0.05f } };
 	const TipState states[] = { { glm::normalize(glm::vec3(0.1f, 1.0f, 0.02f)), { 0.6f, -0.062f, 0.1f } },

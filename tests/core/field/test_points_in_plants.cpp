@@ -8,7 +8,7 @@
 
 using namespace undergrowth;
 
-TEST_CASE("a point near a stem or a tip lies in plants, one between plants does not") {
+TEST_CASE("a point near a stem or a tip is in plants, one between plants is not") {
 	MotionPlant plant;
 	plant.root = { 3.0f, 0.0f, -2.0f };
 	const FieldSimulation field = single_plant(Law::spring, plant);
@@ -20,7 +20,7 @@ TEST_CASE("a point near a stem or a tip lies in plants, one between plants does 
 	CHECK_FALSE(field.is_point_in_plants({ std::numeric_limits<float>::quiet_NaN(), 0.5f, -2.0f }, 0.0f));
 }
 
-TEST_CASE("a point lies in plants where they are drawn, not where they stand in calm air") {
+TEST_CASE("points are tested against drawn plants, not against plants in calm air") {
 	for (const int prototypes : { 0, 8 }) {
 		FieldSettings settings;
 		settings.prototypes = prototypes;

@@ -12,7 +12,7 @@ constexpr float REST_TOLERANCE = 1e-6f; // Rounding of a state in another repres
 
 } // namespace
 
-TEST_CASE("a field that settles is at rest, and stays there in still air") {
+TEST_CASE("a settled field is at rest and stays at rest in still air") {
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		FieldSimulation field((FieldSettings()));
 		add_plants(field, field.add_species(species_of(law)), 300);
@@ -36,7 +36,7 @@ TEST_CASE("a field that settles is at rest, and stays there in still air") {
 	}
 }
 
-TEST_CASE("followers of prototypes settle, too, and those that were pushed follow again") {
+TEST_CASE("followers of prototypes settle, too, and pushed ones follow again") {
 	FieldSettings settings;
 	settings.prototypes = 8;
 	FieldSimulation field(settings);

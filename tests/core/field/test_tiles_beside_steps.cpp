@@ -165,7 +165,7 @@ private:
 
 } // namespace
 
-TEST_CASE("tiles that come and go while others step: the same bits on any number of threads") {
+TEST_CASE("adding and removing tiles beside steps gives the same bits on any number of threads") {
 	for (const int prototypes : { 0, 8 }) {
 		Walk single(prototypes);
 		single.go(ROUNDS, 1);
@@ -177,7 +177,7 @@ TEST_CASE("tiles that come and go while others step: the same bits on any number
 	}
 }
 
-TEST_CASE("after a walk there and back those stand who stood before, less those who were cut") {
+TEST_CASE("after a walk and back the same plants exist, except for the cut ones") {
 	Walk walk(0);
 	walk.go(ROUNDS, 2);
 	PlacementRequest request = square_field(10.0f, 9.0f, 2);

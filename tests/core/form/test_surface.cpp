@@ -106,7 +106,7 @@ TEST_CASE("a rolled blade is as wide along its arc as a flat one") {
 	CHECK(std::abs(length - part.width) < 1e-3f * part.width);
 }
 
-TEST_CASE("a ring that is not round goes round the same way, and as wide as its farthest point") {
+TEST_CASE("a non-round ring has the same direction, and the width of its farthest point") {
 	AxisShape axis;
 	axis.ring = { { -2.0f, 0.0f }, { 0.0f, 1.0f }, { 2.0f, 0.0f }, { 0.0f, -1.0f } };
 	const std::vector<TubeColumn> columns = make_tube_columns(axis, 4);

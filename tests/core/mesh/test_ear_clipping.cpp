@@ -74,7 +74,7 @@ TEST_CASE("ear clipping fills the largest ring") {
 	check_filled(circle_ring(MAX_RING_POINTS));
 }
 
-TEST_CASE("ear clipping of points on a line ends and keeps to the ring's points") {
+TEST_CASE("ear clipping of points on a line ends and uses only the ring's points") {
 	const std::vector<int32_t> triangles =
 			clip_ears({ { 0.0f, 0.0f }, { 1.0f, 0.0f }, { 2.0f, 0.0f }, { 3.0f, 0.0f } });
 	CHECK(triangles.size() == 6);

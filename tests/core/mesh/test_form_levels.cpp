@@ -51,7 +51,7 @@ Sights look_around(const PlantForm &form, int budget) {
 
 } // namespace
 
-TEST_CASE("levels keep the silhouette and the mean colour of all parts") {
+TEST_CASE("levels preserve the silhouette and the mean colour of all parts") {
 	for (const Grow grow : SPECIES) {
 		for (const uint64_t seed : { 2, 4 }) {
 			const PlantForm form = grow(seed);
@@ -122,7 +122,7 @@ std::vector<std::vector<glm::vec3>> drawn_midribs(const PlantForm &form, const F
 
 } // namespace
 
-TEST_CASE("every level attaches what it draws to what carries it, as that is drawn") {
+TEST_CASE("every level attaches parts to their carriers as drawn") {
 	for (const Grow grow : SPECIES) {
 		const PlantForm form = grow(3);
 		const FormMeasure measure = measure_form(form);
@@ -204,7 +204,7 @@ TEST_CASE("a tulip is red and a daisy white at every level") {
 	}
 }
 
-TEST_CASE("a level is measured as the plant is: larger pictures show what goes beyond it") {
+TEST_CASE("a level is measured like its plant: larger pictures show parts beyond the box") {
 	const glm::vec3 square[] = { { -1.0f, 0.0f, 0.0f }, { 1.0f, 0.0f, 0.0f }, { 1.0f, 1.0f, 0.0f },
 		{ -1.0f, 1.0f, 0.0f } };
 	const int32_t indices[] = { 0, 1, 2, 0, 2, 3 };
@@ -219,7 +219,7 @@ TEST_CASE("a level is measured as the plant is: larger pictures show what goes b
 	}
 }
 
-TEST_CASE("what lies flat is seen from above, once where it lies over each other, and what stands is not") {
+TEST_CASE("flat parts are visible from above, once where they overlap, and upright parts are not") {
 	const glm::vec3 corners[] = { { -1.0f, 0.0f, -0.5f }, { 1.0f, 0.0f, -0.5f }, { 1.0f, 0.0f, 0.5f },
 		{ -1.0f, 0.0f, 0.5f }, { 0.0f, 1.0f, -0.5f }, { 1.0f, 1.0f, -0.5f }, { 1.0f, 1.0f, 0.5f }, { 0.0f, 0.0f, 0.0f },
 		{ 0.0f, 2.0f, 0.0f }, { 0.5f, 1.0f, 0.0f } };
@@ -230,7 +230,7 @@ TEST_CASE("what lies flat is seen from above, once where it lies over each other
 	CHECK(area_from_above({}) == 0.0f);
 }
 
-TEST_CASE("a form's measure knows what it shows from above and how leafy it is") {
+TEST_CASE("a form's measure has its area from above and its translucency") {
 	const PlantForm form = grow_daisy(1);
 	const FormMeasure measure = measure_form(form);
 	const BuiltForm mesh = build(form, plan_form(form, measure, 100000));
@@ -246,7 +246,7 @@ TEST_CASE("a form's measure knows what it shows from above and how leafy it is")
 	CHECK(measure.translucency < most);
 }
 
-TEST_CASE("what is nearer from some side counts in the colour that is seen, what is inside does not") {
+TEST_CASE("near surfaces count in the visible colour, hidden ones do not") {
 	// Two large walls and a small one between them, viewed along z.
 	std::vector<glm::vec3> points;
 	std::vector<int32_t> indices;
@@ -266,7 +266,7 @@ TEST_CASE("what is nearer from some side counts in the colour that is seen, what
 	CHECK(std::abs(inner + 2.0f * outer - 1.0f) < 0.02f);
 }
 
-TEST_CASE("colours come back from linear light, and are near the exact curve") {
+TEST_CASE("colours survive linear light and back, and are near the exact curve") {
 	for (int i = 0; i <= 100; i++) {
 		const float color = static_cast<float>(i) / 100.0f;
 		const double exact = color <= 0.04045f ? color / 12.92 : std::pow((color + 0.055) / 1.055, 2.4);
@@ -275,7 +275,7 @@ TEST_CASE("colours come back from linear light, and are near the exact curve") {
 	}
 }
 
-TEST_CASE("many colours come back from light with the bits of one, and no others are touched") {
+TEST_CASE("many colours convert from light with the bits of one, and nothing else changes") {
 	for (const int count : { 0, 1, 15, 16, 17, 40 }) {
 		std::vector<float> lights(48);
 		for (size_t i = 0; i < lights.size(); i++) {
@@ -289,7 +289,7 @@ TEST_CASE("many colours come back from light with the bits of one, and no others
 	}
 }
 
-TEST_CASE("plans drop what is small first: florets before leaves, leaves before the stem") {
+TEST_CASE("plans drop small parts first: florets before leaves, leaves before the stem") {
 	const PlantForm form = grow_daisy(1);
 	const FormMeasure measure = measure_form(form);
 	const FormPlan plan = plan_form(form, measure, vertex_budget(6));
@@ -301,7 +301,7 @@ TEST_CASE("plans drop what is small first: florets before leaves, leaves before 
 	CHECK(far.fates[static_cast<size_t>(form.groups[1].first)] == FormPlan::drawn);
 }
 
-TEST_CASE("blades that a plan took away it gives back where there is room again") {
+TEST_CASE("a plan restores removed blades when there is room") {
 	const PlantForm form = grow_grass(1);
 	const FormMeasure measure = measure_form(form);
 	for (const int part : { 2, 10 }) {
@@ -316,7 +316,7 @@ TEST_CASE("blades that a plan took away it gives back where there is room again"
 	}
 }
 
-TEST_CASE("the mean colour of a part is that half way between midrib and edge") {
+TEST_CASE("the mean colour of a part is half way between midrib and edge") {
 	Part part;
 	const glm::vec4 midrib(1.0f, 0.0f, 0.0f, 1.0f);
 	const glm::vec4 half_way(0.2f, 0.6f, 0.1f, 0.5f);
@@ -331,7 +331,7 @@ TEST_CASE("the mean colour of a part is that half way between midrib and edge") 
 	}
 }
 
-TEST_CASE("a plan within its budget draws all parts as finely as they are") {
+TEST_CASE("a plan within its budget draws all parts at full detail") {
 	const PlantForm form = grow_tulip(1);
 	const FormPlan plan = plan_form(form, measure_form(form), 100000);
 	CHECK(!plan.is_cut);

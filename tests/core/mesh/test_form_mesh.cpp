@@ -82,7 +82,7 @@ double share_facing_front(const BuiltForm &mesh) {
 
 } // namespace
 
-TEST_CASE("budgets of vertices are 5.5 times the segments squared, and 12 at least") {
+TEST_CASE("budgets of vertices are 5.5 times the squared segments, and at least 12") {
 	CHECK(vertex_budget(12) == 792);
 	CHECK(vertex_budget(6) == 198);
 	CHECK(vertex_budget(3) == 50);
@@ -145,7 +145,7 @@ TEST_CASE("details cost less and less") {
 	}
 }
 
-TEST_CASE("edges of petals that fill the picture are round, and of others cost no more than before") {
+TEST_CASE("petals that fill the picture have round edges, and all other details have the same cost") {
 	const PlantForm form = grow_tulip(1);
 	const FormMeasure measure = measure_form(form);
 	constexpr size_t PETALS = 2;
@@ -165,7 +165,7 @@ TEST_CASE("edges of petals that fill the picture are round, and of others cost n
 	CHECK(plan_form(form, measure, vertex_budget(12)).groups[PETALS].detail.rows <= 8);
 }
 
-TEST_CASE("mouths of bells follow each of their lobes where they fill the picture") {
+TEST_CASE("mouths of bells that fill the picture follow each of their lobes") {
 	Part bell;
 	bell.kind = PartKind::axis;
 	bell.axis.lobes = 7;
@@ -176,7 +176,7 @@ TEST_CASE("mouths of bells follow each of their lobes where they fill the pictur
 	CHECK(details_of(bell, true).front().columns == 20);
 }
 
-TEST_CASE("leaves hang on their stem by its offset, swing about where they are attached, and rank as it does") {
+TEST_CASE("leaves have the stem offset, pivot and rank of their attachment") {
 	const PlantForm form = grow_tulip(1);
 	const BuiltForm mesh = build_level(form, 40);
 	const PlacedPart &leaf = form.placed[static_cast<size_t>(form.groups[1].first)];
@@ -197,7 +197,7 @@ TEST_CASE("leaves hang on their stem by its offset, swing about where they are a
 	CHECK(found > 20);
 }
 
-TEST_CASE("a stem's vertices hang by their own height, and do not swing") {
+TEST_CASE("a stem's vertices have the offset of their own height and do not swing") {
 	Part part;
 	part.kind = PartKind::axis;
 	part.length_min = part.length_max = 0.5f;
@@ -224,7 +224,7 @@ TEST_CASE("the base and the inside of a tuft are darker than its tips") {
 	CHECK(lightest > 0.9f);
 }
 
-TEST_CASE("a mesh that is stretched is the grown one, moved up, with upright normals") {
+TEST_CASE("a stretched mesh is the grown one, moved up, with correct normals") {
 	const PlantForm form = grow_tulip(1);
 	const FormPlan plan = plan_form(form, measure_form(form), vertex_budget(40));
 	const BuiltForm grown = build(form, plan);
@@ -237,7 +237,7 @@ TEST_CASE("a mesh that is stretched is the grown one, moved up, with upright nor
 	check_sound(tall);
 }
 
-TEST_CASE("a colour deviation tints each part by itself") {
+TEST_CASE("a colour deviation tints each part separately") {
 	const PlantForm form = grow_grass(1);
 	const FormPlan plan = plan_form(form, measure_form(form), vertex_budget(40));
 	MeshOptions options;

@@ -76,7 +76,7 @@ constexpr SightBox BOX = { 1.0f, 0.0f, 1.0f };
 
 } // namespace
 
-TEST_CASE("sheets that all face one way are turned and widened until every side shows what it is to show") {
+TEST_CASE("sheets with one orientation are turned and widened until every side shows its area") {
 	Sheets wanted;
 	wanted.add({ -0.5f, 0.0f, 0.1f }, facing(0.12f, 0.9f));
 	wanted.add({ 0.3f, 0.0f, 0.4f }, facing(0.07f, -0.6f));
@@ -100,7 +100,7 @@ TEST_CASE("sheets that all face one way are turned and widened until every side 
 	}
 }
 
-TEST_CASE("a sheet that is asked for outlines which it cannot have keeps numbers for its places") {
+TEST_CASE("a sheet stays finite when its wanted outlines are impossible") {
 	bool are_numbers = true;
 	for (int i = 0; i < 300; i++) {
 		const auto chance = [i](uint64_t which) { return 0.5f + 0.5f * signed_noise(which, static_cast<uint64_t>(i)); };
@@ -124,7 +124,7 @@ TEST_CASE("a sheet that is asked for outlines which it cannot have keeps numbers
 	CHECK(are_numbers);
 }
 
-TEST_CASE("a sheet of hardly any size changes nothing beside others") {
+TEST_CASE("a sheet of nearly no size does not affect other sheets") {
 	Sheets sheets;
 	sheets.add_bead(facing(1e-21f, 0.3f), 1e-20f);
 	sheets.add({ 0.3f, 0.0f, 0.0f }, facing(0.2f, 0.5f));
@@ -142,7 +142,7 @@ TEST_CASE("a sheet of hardly any size changes nothing beside others") {
 	CHECK(worst_of(sheets.outlines(BOX), wanted) < 0.5f * before);
 }
 
-TEST_CASE("flowers keep their size and no sheet is turned over while outlines are looked for") {
+TEST_CASE("a search preserves the size of flowers and turns no sheet over") {
 	Sheets sheets;
 	sheets.add({ 0.0f, 0.0f, 0.0f }, facing(0.1f, 0.3f), true);
 	sheets.end();
@@ -161,7 +161,7 @@ TEST_CASE("flowers keep their size and no sheet is turned over while outlines ar
 			0.0f);
 }
 
-TEST_CASE("what may not grow wider than so leaves the rest to others") {
+TEST_CASE("sheets at their max width leave the rest to all other sheets") {
 	Sheets sheets;
 	sheets.add({ -0.4f, 0.0f, 0.0f }, facing(0.05f, 0.0f));
 	sheets.add({ 0.4f, 0.0f, 0.0f }, facing(0.05f, 1.5f));

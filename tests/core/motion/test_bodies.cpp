@@ -33,7 +33,7 @@ FieldSimulation calm_plant(Law law) {
 
 } // namespace
 
-TEST_CASE("a tip stays outside of a capsule that walks into it, and rings down after") {
+TEST_CASE("a tip stays outside of a capsule that moves into it, and swings out afterwards") {
 	for (const Law law : BOTH_LAWS) {
 		FieldSimulation field = calm_plant(law);
 		float most = 0.0f;
@@ -62,7 +62,7 @@ TEST_CASE("a tip stays outside of a capsule that walks into it, and rings down a
 	}
 }
 
-TEST_CASE("a sphere pushes by its velocity, a body that stands still takes only what comes at it") {
+TEST_CASE("a sphere pushes with its velocity, and a body at rest only stops approaching tips") {
 	for (const Law law : BOTH_LAWS) {
 		FieldSimulation field = calm_plant(law);
 		MovingBody ball;
@@ -80,7 +80,7 @@ TEST_CASE("a sphere pushes by its velocity, a body that stands still takes only 
 	}
 }
 
-TEST_CASE("bodies far away, below another page's plants, or of numbers that are none touch nothing") {
+TEST_CASE("distant bodies, bodies below another page's plants and invalid ones touch nothing") {
 	FieldSimulation field = calm_plant(Law::spring);
 	const uint64_t before = hash_field(field);
 	MovingBody body = walker(30.0f);
@@ -94,7 +94,7 @@ TEST_CASE("bodies far away, below another page's plants, or of numbers that are 
 	CHECK(hash_field(field) == before);
 }
 
-TEST_CASE("a body on top of a stem, or with its axis in the tip, parts them without a number that is none") {
+TEST_CASE("a body on top of a stem, or with its axis in the tip, separates from it without an invalid number") {
 	for (const Law law : BOTH_LAWS) {
 		for (const float height : { 0.6f, 1.0f, 1.3f }) {
 			FieldSimulation field = calm_plant(law);
@@ -136,7 +136,7 @@ float crate_distance(const glm::vec3 &middle, float turn, const glm::vec3 &point
 
 } // namespace
 
-TEST_CASE("a tip deep in a crate leaves it by the nearest side, on either side of its middle") {
+TEST_CASE("a tip deep in a crate exits by the nearest side, on either side of its centre") {
 	for (const Law law : BOTH_LAWS) {
 		for (const float side : { 0.1f, -0.1f }) {
 			for (const bool is_turned : { false, true }) {
@@ -153,7 +153,7 @@ TEST_CASE("a tip deep in a crate leaves it by the nearest side, on either side o
 	}
 }
 
-TEST_CASE("tips stay outside of a crate that is pushed through them, to its corners") {
+TEST_CASE("tips stay outside of a moving crate, up to its corners") {
 	for (const Law law : BOTH_LAWS) {
 		for (const float turn : { 0.0f, 0.5f, 1.5707964f }) {
 			FieldSimulation field((FieldSettings()));
@@ -186,7 +186,7 @@ TEST_CASE("tips stay outside of a crate that is pushed through them, to its corn
 	}
 }
 
-TEST_CASE("a tip in the middle of a crate leaves it by its side, not by its length") {
+TEST_CASE("a tip at the centre of a crate exits by its side, not by its length") {
 	for (const Law law : BOTH_LAWS) {
 		FieldSimulation field = calm_plant(law);
 		const MovingBody body = crate({ 0.3f, 1.0f, 0.0f }, 0.0f);
@@ -199,7 +199,7 @@ TEST_CASE("a tip in the middle of a crate leaves it by its side, not by its leng
 	}
 }
 
-TEST_CASE("a tip in the core of a rounded box leaves its rounded edges, too") {
+TEST_CASE("a tip in the core of a rounded box also exits beyond its rounded edges") {
 	MovingBody body; // 0.1 m and 0.2 m to each side of its centre line, rounded by 0.1 m.
 	body.from = { 0.05f, 0.9f, -1.0f };
 	body.to = { 0.05f, 0.9f, 1.0f };
@@ -224,7 +224,7 @@ TEST_CASE("no body pushes a tip into the ground") {
 	CHECK(state.direction.y < 0.1f); // The pushes moved it down to there.
 }
 
-TEST_CASE("a crate pushes nothing that it only passes by") {
+TEST_CASE("a crate does not push plants that it only passes") {
 	FieldSimulation field = calm_plant(Law::elasticity);
 	CHECK(push_plants(field.page(0), crate({ 0.0f, 1.0f, 0.48f }, 0.0f)) == 0);
 	CHECK(push_plants(field.page(0), crate({ 0.0f, 1.0f, 0.4f }, 0.0f)) == 1);

@@ -64,7 +64,7 @@ double energy(const TipState &state, double elasticity, double length) {
 
 } // namespace
 
-TEST_CASE("a small swing has the square of its angular frequency at e·g/L, whatever the step") {
+TEST_CASE("a small swing has the square of its angular frequency at e·g/L, at any step") {
 	for (const float step : { FRAME_STEP, LONG_STEP, 1.0f / 144.0f }) {
 		for (const double elasticity : { 0.25, 1.0, 4.0, 20.0 }) {
 			for (const double length : { 0.3, 1.0, 2.5 }) {
@@ -81,7 +81,7 @@ TEST_CASE("a small swing has the square of its angular frequency at e·g/L, what
 	}
 }
 
-TEST_CASE("friction slows a small swing and shrinks it at c/(2m), whatever the step") {
+TEST_CASE("friction slows a small swing and shrinks it at c/(2m), at any step") {
 	constexpr double FRICTION = 0.8;
 	constexpr double MASS = 0.5;
 	const double beta = FRICTION / (2.0 * MASS);
@@ -116,7 +116,7 @@ TEST_CASE("just inside acos(1/(1 + e)) a plant rises, just outside it falls to t
 	}
 }
 
-TEST_CASE("with ground a tip never goes below it, however it is thrown") {
+TEST_CASE("with ground a tip is never below it, at any velocity") {
 	Joint joint = joint_of(2.0, 0.5, 0.1);
 	MotionPage page = one_plant(joint, leaning(0.3));
 	float lowest = 1.0f;
@@ -130,7 +130,7 @@ TEST_CASE("with ground a tip never goes below it, however it is thrown") {
 	CHECK(lowest > 0.0f);
 }
 
-TEST_CASE("a tip that lies on the ground gathers no rate downwards") {
+TEST_CASE("a tip on the ground gains no rate downwards") {
 	MotionPage page = one_plant(joint_of(1.0, 1.0, 0.0), leaning(1.5));
 	run(page, 30.0);
 	CHECK(page.state(0).direction.y < 0.03f);
@@ -140,7 +140,7 @@ TEST_CASE("a tip that lies on the ground gathers no rate downwards") {
 	CHECK(page.state(0).direction.y > 0.1f);
 }
 
-TEST_CASE("a joint that would swing a whole cycle in a step still rises, and bends in wind as it should") {
+TEST_CASE("a joint faster than one cycle per step still rises, and bends correctly in wind") {
 	// Without a limit of the swing per step, sin²(ω·step/2) would leave no force here.
 	const double omega = 2.0 * PI / static_cast<double>(FRAME_STEP);
 	const double elasticity = omega * omega * 0.01 / GRAVITY;
@@ -153,7 +153,7 @@ TEST_CASE("a joint that would swing a whole cycle in a step still rises, and ben
 	CHECK(std::fabs(deflection(page.state(0)) - equilibrium_angle(200.0, 1.0, elasticity)) < ANGLE_TOLERANCE);
 }
 
-TEST_CASE("a stiff joint without ground comes to rest hanging, too, where its law is stiffer than upright") {
+TEST_CASE("a stiff joint without ground also comes to rest hanging, where its law is stiffer than upright") {
 	Joint joint = joint_of(0.3, 1.42e-4, 5.0);
 	joint.above_ground = false;
 	MotionPage page = one_plant(joint, leaning(2.0));
@@ -162,7 +162,7 @@ TEST_CASE("a stiff joint without ground comes to rest hanging, too, where its la
 	CHECK(glm::length(page.state(0).rate) < 0.1f);
 }
 
-TEST_CASE("a storm lays a light plant down with the wind instead of shaking it") {
+TEST_CASE("a storm flattens a light plant with the wind and does not shake it") {
 	for (const float force : { 30.0f, 1e3f, 1e6f }) {
 		Joint joint = joint_of(5.0, 0.1, 1e-3);
 		joint.mass = 1e-3f;
@@ -215,7 +215,7 @@ TEST_CASE("a large swing in wind follows a finely stepped reference, closer with
 	CHECK(error(1.0f / 960.0f) < 0.005);
 }
 
-TEST_CASE("the tip keeps its distance from the root over an hour") {
+TEST_CASE("the tip preserves its distance from the root over an hour") {
 	MotionPage page = one_plant(joint_of(4.0, 1.0), leaning(0.7));
 	page.apply_impulse(0, { 0.0f, 0.0f, 1.5f });
 	double worst = 0.0;
@@ -231,7 +231,7 @@ TEST_CASE("the tip keeps its distance from the root over an hour") {
 	CHECK(slope < 1e-5); // 1/s: the rate stays in the tangent plane.
 }
 
-TEST_CASE("without friction the energy neither grows nor fades over an hour") {
+TEST_CASE("without friction the energy is constant over an hour") {
 	MotionPage page = one_plant(joint_of(4.0, 1.0), leaning(0.5));
 	page.apply_impulse(0, { 0.0f, 0.0f, 1.0f });
 	constexpr int MINUTE = 3600;
@@ -265,7 +265,7 @@ TEST_CASE("tall plants swing slower and wider and, being heavier, lose energy mo
 	CHECK(decay_rate_of(tall, step) < 0.5 * decay_rate_of(low, step));
 }
 
-TEST_CASE("waves keep a tall plant steadier than a low one") {
+TEST_CASE("waves move a tall plant less than a low one") {
 	const auto share = [](double length) {
 		MotionPage page = one_plant(joint_of(4.0, length, 0.5), leaning(0.0));
 		double least = 10.0;
@@ -283,7 +283,7 @@ TEST_CASE("waves keep a tall plant steadier than a low one") {
 	CHECK(share(3.0) < 0.5 * share(0.3));
 }
 
-TEST_CASE("weights of many lengths have the bits of each length by itself") {
+TEST_CASE("weights of many lengths have the bits of those of single lengths") {
 	const float lengths[] = { 0.05f, 0.3f, 1.0f, 2.5f, 1e-9f, 1e9f };
 	for (const float step : { FRAME_STEP, LONG_STEP, 8.0f * FRAME_STEP }) {
 		float weights[6];

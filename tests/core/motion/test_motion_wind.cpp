@@ -10,7 +10,7 @@
 
 using namespace undergrowth;
 
-TEST_CASE("plants along the wind move alike, later by distance over speed") {
+TEST_CASE("plants along the wind move equally, later by distance over speed") {
 	constexpr int LATE = 30; // Steps.
 	constexpr float STEP = 1.0f / 60.0f; // s.
 	constexpr float SHIFT_TOLERANCE = 2e-4f;

@@ -150,7 +150,7 @@ TEST_CASE("30, 60 and 144 frames a second draw the same motion") {
 	CHECK(worst < SAME_MOTION);
 }
 
-TEST_CASE("an undamped swing keeps its size for an hour") {
+TEST_CASE("an undamped swing preserves its size for an hour") {
 	MotionPage page = one_plant(joint_of(0.4, 0.0), leaning(0.2));
 	record_x(page, 3600 * 60 - 600);
 	const std::vector<double> peaks = peaks_of(record_x(page, 600));

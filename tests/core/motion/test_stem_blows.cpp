@@ -65,7 +65,7 @@ TEST_CASE("a blow changes a joint's speed by impulse over mass, across the stem,
 	}
 }
 
-TEST_CASE("the mass at the head of a light stem is the head's") {
+TEST_CASE("the mass at the head of a light stem is that of the head") {
 	StemBeam beam = stem_of(0.0, 20.0);
 	const StemConstants stem = solve_stem(beam).constants;
 	// The effective mass at a cantilever's tip includes 33/140 of the stem's.
@@ -73,7 +73,7 @@ TEST_CASE("the mass at the head of a light stem is the head's") {
 	CHECK(static_cast<double>(stem_mass(stem, ON_HEAD)) == doctest::Approx(expected).epsilon(0.06));
 }
 
-TEST_CASE("a blow along the stem is held by the root") {
+TEST_CASE("the root resists a blow along the stem") {
 	const StemConstants stem = sample(2);
 	StemState state = standing({ 0.4f, -0.1f }, { 0.0f, 0.0f });
 	blow_on_stem(stem, state, 1.0f, 1e-3f * from_stereographic(stem_bend(stem, state.place, 1.0f)), 1.0f);
@@ -81,7 +81,7 @@ TEST_CASE("a blow along the stem is held by the root") {
 	CHECK(glm::length(state.rate[1]) < 1e-3f);
 }
 
-TEST_CASE("a push moves a joint as far as it says, the easiest way") {
+TEST_CASE("a push moves a joint by its length, with the least energy") {
 	for (const int modes : { 1, 2 }) {
 		const StemConstants stem = sample(modes);
 		for (int joint = 1; joint <= stem.joints; joint++) {
@@ -106,7 +106,7 @@ TEST_CASE("a push moves a joint as far as it says, the easiest way") {
 	}
 }
 
-TEST_CASE("no blow and no push, however strong, leads out of the limits") {
+TEST_CASE("no blow and no push, however strong, exceeds the limits") {
 	const StemConstants stem = sample(2);
 	for (const float size : { 1e3f, 1e30f, std::nanf("") }) {
 		StemState state = standing({ 0.4f, -0.1f }, { 0.0f, 0.0f });

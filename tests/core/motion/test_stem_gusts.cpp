@@ -120,7 +120,7 @@ std::function<double(double)> gust(double slope) {
 
 } // namespace
 
-TEST_CASE("a gust moves the tip as it moves that of a chain of 64 links") {
+TEST_CASE("a gust moves the tip like that of a chain of 64 links") {
 	for (const int which : { 0, 1, 2 }) {
 		for (const int modes : { 1, 2 }) {
 			for (const Wind kind : { Wind::newtons, Wind::air }) {
@@ -137,7 +137,7 @@ TEST_CASE("a gust moves the tip as it moves that of a chain of 64 links") {
 	}
 }
 
-TEST_CASE("a stem that is let go swings as the chain does") {
+TEST_CASE("a released stem swings like the chain") {
 	for (const int which : { 0, 1, 2 }) {
 		Rivals rivals(sample(which, 1), Wind::newtons);
 		rivals.load(1.0);
@@ -150,7 +150,7 @@ TEST_CASE("a stem that is let go swings as the chain does") {
 	}
 }
 
-TEST_CASE("a load that comes at once throws the tip as the chain's") {
+TEST_CASE("a sudden load moves the tip like the chain's") {
 	for (const int which : { 0, 1, 2 }) {
 		for (const Wind kind : { Wind::newtons, Wind::air }) {
 			Rivals rivals(sample(which, 1), kind);
@@ -161,7 +161,7 @@ TEST_CASE("a load that comes at once throws the tip as the chain's") {
 	}
 }
 
-TEST_CASE("leaning stems come to rest in the wind where the chain does, slow ones and ones too fast for the steps") {
+TEST_CASE("leaning stems come to rest in the wind like the chain, slow ones and ones too fast for the steps") {
 	for (const double lean : { -42.0, -20.0, 20.0, 42.0 }) {
 		for (const double slope : { 0.25, 0.5, 1.0 }) {
 			for (const Wind kind : { Wind::newtons, Wind::air }) {

@@ -73,7 +73,7 @@ double frequency_of(MotionPage &page, int index) {
 
 } // namespace
 
-TEST_CASE("stems whose stiffness is given swing by their own height") {
+TEST_CASE("stems with a given stiffness swing by their own height") {
 	const std::vector<float> ratios = { 0.7f, 0.85f, 1.0f, 1.15f, 1.3f };
 	for (const double head : { 0.0, 0.5 }) {
 		StemBeam beam = straw(head);
@@ -88,7 +88,7 @@ TEST_CASE("stems whose stiffness is given swing by their own height") {
 	}
 }
 
-TEST_CASE("stems whose stiffness is given bend by their own height in both winds") {
+TEST_CASE("stems with a given stiffness bend by their own height in both winds") {
 	const std::vector<float> ratios = { 0.7f, 1.0f, 1.3f };
 	const StemBeam beam = straw(0.5);
 	for (const WindKind kind : { WindKind::constant, WindKind::air }) {
@@ -113,7 +113,7 @@ TEST_CASE("stems whose stiffness is given bend by their own height in both winds
 	}
 }
 
-TEST_CASE("stems whose stiffness is given keep their frequency at other steps, and where plants come and go") {
+TEST_CASE("stems with a given stiffness have the same frequency at other steps, and when plants are added or removed") {
 	StemBeam beam = straw(0.0);
 	beam.youngs_modulus = 1e9f;
 	MotionPage page = page_of(beam, { 1.0f, 1.3f });
@@ -130,7 +130,7 @@ TEST_CASE("stems whose stiffness is given keep their frequency at other steps, a
 	}
 }
 
-TEST_CASE("heights make no difference where a frequency is declared") {
+TEST_CASE("heights have no effect with a declared frequency") {
 	const StemBeam beam = stem_of(0.4, 0.5, 1.2);
 	CHECK(!solve_stem(beam).constants.has_grades());
 	MotionPage page = page_of(beam, { 0.7f, 1.3f });
@@ -152,7 +152,7 @@ TEST_CASE("stems of any height stay finite and calm down") {
 	}
 }
 
-TEST_CASE("loads on a stem of another height bend it as a stem solved for that height") {
+TEST_CASE("loads on a stem of another height bend it like a stem solved for that height") {
 	StemBeam beam = straw(0.0); // Its weight is distributed along it; the drag of its head acts on the tip.
 	beam.head_drag_area = 0.01f;
 	const StemConstants own = solve_stem(beam).constants;

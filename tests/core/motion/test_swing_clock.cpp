@@ -5,7 +5,7 @@
 using namespace undergrowth;
 using doctest::Approx;
 
-TEST_CASE("the clock of swings goes from the step before to the last one, and begins anew after its period") {
+TEST_CASE("the clock of swings runs from the previous step to the last one, and restarts after its period") {
 	SwingClock clock;
 	clock.step(0.5 * SWING_PERIOD);
 	clock.step(0.125 * SWING_PERIOD);

@@ -97,7 +97,7 @@ TEST_CASE("edges that touch") {
 			RingFault::self_crossing);
 }
 
-TEST_CASE("points that are there twice") {
+TEST_CASE("duplicate points") {
 	Points repeated = SQUARE;
 	repeated.insert(repeated.begin() + 1, SQUARE[1]);
 	CHECK(fault_of(repeated) == RingFault::self_crossing);
@@ -109,7 +109,7 @@ TEST_CASE("points that are there twice") {
 				  { 0.0f, -1.0f }, { 0.0f, 0.0f }, { -1.0f, 0.0f } })) == RingFault::self_crossing);
 }
 
-TEST_CASE("each fault has a sentence of its own") {
+TEST_CASE("each fault has its own sentence") {
 	std::set<std::string> sentences;
 	for (int fault = 0; fault <= static_cast<int>(RingFault::self_crossing); fault++) {
 		sentences.insert(describe(static_cast<RingFault>(fault)));

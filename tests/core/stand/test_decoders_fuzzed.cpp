@@ -155,7 +155,7 @@ DensityMap sample_map() {
 
 } // namespace
 
-TEST_CASE("mutated changes with a true checksum are refused, or can be used and written again") {
+TEST_CASE("mutated edits with a correct checksum are rejected, or can be used and written again") {
 	const Bytes whole = write_changes(sample_changes());
 	int sound = 0;
 	for (uint64_t seed = 0; seed < ROUNDS; seed++) {
@@ -173,7 +173,7 @@ TEST_CASE("mutated changes with a true checksum are refused, or can be used and 
 	CHECK(sound < static_cast<int>(ROUNDS) - 100);
 }
 
-TEST_CASE("a mutated map with a true checksum is refused, or can be used and written again") {
+TEST_CASE("a mutated map with a correct checksum is rejected, or can be used and written again") {
 	const Bytes whole = write_density(sample_map());
 	const DensityMap other = sample_map();
 	int sound = 0;

@@ -25,7 +25,7 @@ glm::vec3 squared(const glm::vec3 &wanted, const glm::vec3 &up) {
 
 } // namespace
 
-TEST_CASE("a plant that is placed by a transform stands along its y axis, as long as that") {
+TEST_CASE("a plant placed by a transform points along its y axis and has its length") {
 	for (const double lean : { 0.0, 0.002, 0.3, 1.2 }) {
 		for (const double around : { 0.0, 0.7, 2.0, -2.5 }) {
 			const glm::vec3 up = leaning(lean, around);
@@ -38,7 +38,7 @@ TEST_CASE("a plant that is placed by a transform stands along its y axis, as lon
 	}
 }
 
-TEST_CASE("a plant that is placed upright is turned as its transform is, and leans to no side") {
+TEST_CASE("a plant placed upright has the turn of its transform and no lean") {
 	for (const double turn : { 0.0, 1.0, -3.0 }) {
 		const PlacedPlant plant = plant_of_axes({}, { 0.0f, 1.0f, 0.0f }, leaning(0.5 * PI, turn));
 		CHECK(plant.turn == doctest::Approx(turn));
@@ -47,7 +47,7 @@ TEST_CASE("a plant that is placed upright is turned as its transform is, and lea
 	}
 }
 
-TEST_CASE("a tilt takes nothing from a plant's turn about its stem") {
+TEST_CASE("a tilt does not change a plant's turn about its stem") {
 	for (const double around : { 0.0, 0.7, -2.5 }) {
 		const glm::vec3 up = leaning(0.6, around);
 		const glm::vec3 across = leaning(0.5 * PI, around + 0.5 * PI);
@@ -60,13 +60,13 @@ TEST_CASE("a tilt takes nothing from a plant's turn about its stem") {
 	}
 }
 
-TEST_CASE("a species' own lean goes to the side that its plants are turned to") {
+TEST_CASE("a species' own lean is towards the front of its plants") {
 	PlacedPlant plant;
 	plant.turn = 1.1f;
 	CHECK(glm::distance(rest_direction(plant, 0.4f), leaning(0.4, 1.1)) < 1e-6f);
 }
 
-TEST_CASE("no plant rests below the ground, however it is placed") {
+TEST_CASE("no plant rests below the ground, for any placement") {
 	PlacedPlant plant;
 	plant.lean = static_cast<float>(0.5 * PI);
 	for (float side = 0.0f; side < 6.0f; side += 0.5f) {
@@ -79,7 +79,7 @@ TEST_CASE("no plant rests below the ground, however it is placed") {
 	}
 }
 
-TEST_CASE("a transform without a size, or that is not finite, stands for no plant") {
+TEST_CASE("a transform without a size, or that is not finite, gives no plant") {
 	CHECK(!is_valid(plant_of_axes({}, glm::vec3(0.0f), { 0.0f, 0.0f, 1.0f })));
 	CHECK(!is_valid(plant_of_axes({}, { 0.0f, std::numeric_limits<float>::infinity(), 0.0f }, { 0.0f, 0.0f, 1.0f })));
 	CHECK(!is_valid(plant_of_axes({ NAN, 0.0f, 0.0f }, { 0.0f, 1.0f, 0.0f }, { 0.0f, 0.0f, 1.0f })));

@@ -58,7 +58,7 @@ std::vector<StemBeam> varied_stems() {
 
 } // namespace
 
-TEST_CASE("a stem in steady wind of so many newtons has the shape of a chain of 128 links") {
+TEST_CASE("a stem in a steady wind in newtons has the shape of a chain of 128 links") {
 	for (StemBeam beam : varied_stems()) {
 		for (const int modes : { 1, 2 }) {
 			beam.modes = modes;
@@ -92,7 +92,7 @@ TEST_CASE("a stem in steady air has the shape of a chain of 128 links") {
 	}
 }
 
-TEST_CASE("the tip under a load at the tip is where the elastica's is") {
+TEST_CASE("the tip under a load at the tip matches the elastica") {
 	const double expected[][3] = { { 1.0, 0.302, 0.944 }, { 2.0, 0.494, 0.839 }, { 5.0, 0.714, 0.612 } };
 	StemBeam beam = stiff_stem();
 	beam.joints = 8;
@@ -107,7 +107,7 @@ TEST_CASE("the tip under a load at the tip is where the elastica's is") {
 	}
 }
 
-TEST_CASE("a blade in a wind draws the less the more it bends, as measured ones do") {
+TEST_CASE("the drag of a blade decreases with its bend, as measured") {
 	const double expected[][2] = { { 1.0, 0.9748 }, { 10.0, 0.5236 }, { 50.0, 0.2484 }, { 100.0, 0.1918 } };
 	const StemConstants stem = in_air(solve_stem(stiff_stem()).constants);
 	for (const auto &[cauchy, ratio] : expected) {
@@ -124,7 +124,7 @@ TEST_CASE("a blade in a wind draws the less the more it bends, as measured ones 
 	}
 }
 
-TEST_CASE("six terms are enough for the shape of a stem that tapers") {
+TEST_CASE("six terms are enough for the shape of a tapered stem") {
 	constexpr double PATH = 5e-4; // Of the length.
 	for (const float taper : { 0.0f, 0.6f, 0.9f }) {
 		StemBeam beam = stiff_stem(taper);

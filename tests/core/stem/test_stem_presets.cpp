@@ -73,7 +73,7 @@ double wind_for(const StemConstants &stem, double angle) {
 
 } // namespace
 
-TEST_CASE("stems that declare how fast they swing need the moduli, and bend in the winds, that the table says") {
+TEST_CASE("stems with declared frequencies have the moduli and the bends in wind of the table") {
 	constexpr double RATIO = 0.02;
 	constexpr double WIND = 0.03;
 	constexpr double DAMPING = 0.06; // Its column has two digits.

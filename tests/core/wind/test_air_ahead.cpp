@@ -75,7 +75,7 @@ struct Stand {
 
 } // namespace
 
-TEST_CASE("air that was sampled ahead is the air that blows, but for what plants do not answer to") {
+TEST_CASE("air sampled ahead matches the current air, except for frequencies without effect on plants") {
 	for (const float stand_height : { STAND, 0.0f }) {
 		Stand stand;
 		stand.stand_height = stand_height;
@@ -97,7 +97,7 @@ TEST_CASE("air that was sampled ahead is the air that blows, but for what plants
 	}
 }
 
-TEST_CASE("air is sampled in one of so many steps, other pages' in others") {
+TEST_CASE("air is sampled in one of several steps, for other pages in others") {
 	const FieldWind wind = fresh_breeze();
 	const int stride = AirAhead::stride_in(wind.air, STEP, SWING);
 	REQUIRE(stride > 2);
@@ -117,7 +117,7 @@ TEST_CASE("air is sampled in one of so many steps, other pages' in others") {
 	}
 }
 
-TEST_CASE("quick plants, and those over which waves run fast, have air sampled more often") {
+TEST_CASE("fast plants, and those with fast waves over them, have more frequent samples") {
 	Air air = fresh_breeze().air;
 	CHECK(AirAhead::stride_in(air, STEP, 1.0f / 10.5f) == 1);
 	CHECK(AirAhead::stride_in(air, STEP, 0.25f) == 3);
@@ -130,7 +130,7 @@ TEST_CASE("quick plants, and those over which waves run fast, have air sampled m
 	CHECK(AirAhead::stride_in(air, STEP, 10.0f) == 1);
 }
 
-TEST_CASE("where nothing blows, or each step is to sample by itself, nothing is sampled ahead") {
+TEST_CASE("nothing is sampled ahead without wind, or if each step samples its own air") {
 	Stand stand;
 	FieldWind wind = fresh_breeze();
 	CHECK(stand.step(wind, 0));
@@ -145,7 +145,7 @@ TEST_CASE("where nothing blows, or each step is to sample by itself, nothing is 
 	CHECK_FALSE(stand.step(fresh_breeze(), 4));
 }
 
-TEST_CASE("plants that move or come, and another time, have the air of where they are at once") {
+TEST_CASE("moved or added plants, and a jump in time, have the correct air at once") {
 	Stand stand;
 	const FieldWind wind = fresh_breeze();
 	for (int i = 0; i < 10; i++) {
@@ -161,7 +161,7 @@ TEST_CASE("plants that move or come, and another time, have the air of where the
 	CHECK(stand.error() < SAMPLED_WITHIN);
 }
 
-TEST_CASE("the mean wind over a stand is that of the step") {
+TEST_CASE("the mean wind over a canopy is that of the step") {
 	Stand stand;
 	FieldWind wind = fresh_breeze();
 	wind.air.turbulence = 0.0f;
@@ -174,7 +174,7 @@ TEST_CASE("the mean wind over a stand is that of the step") {
 	CHECK(stand.error() < SAMPLED_WITHIN);
 }
 
-TEST_CASE("air that was sampled ahead has the same bits at all levels, whatever it is") {
+TEST_CASE("air sampled ahead has the same bits at all levels, for any air") {
 	Stand plain, best;
 	FieldWind wind = fresh_breeze();
 	for (int i = 0; i < 40; i++) {

@@ -152,7 +152,7 @@ double integral_scale(std::vector<float> Line::*component) {
 
 } // namespace
 
-TEST_CASE("ten minutes of turbulence have the variance that they should") {
+TEST_CASE("ten minutes of turbulence have the expected variance") {
 	double along = 0.0, across = 0.0;
 	for (const Series &series : ten_minutes()) {
 		along += product(series.along, series.along, 0) / PLACES;
@@ -186,7 +186,7 @@ TEST_CASE("the gust of three seconds is as strong as Davenport's") {
 	CHECK(std::fabs(gust / THREE_SECOND_GUST - 1.0) < GUST_TOLERANCE);
 }
 
-TEST_CASE("places beside each other feel the same slow waves, and less so the farther they are") {
+TEST_CASE("neighbouring positions have the same slow waves, with less coherence at larger distances") {
 	const double near = coherence(5, 1.0f), far = coherence(5, 4.0f); // f = 5/256 ≈ 0.02.
 	figures::tell(figures::WIND, "coherence of slow waves a metre apart (IEC 61400-1)", 0.70, near, 2);
 	figures::tell(figures::WIND, "four metres apart", 0.25, far, 2);
@@ -194,7 +194,7 @@ TEST_CASE("places beside each other feel the same slow waves, and less so the fa
 	CHECK(std::fabs(far / 0.25 - 1.0) < COHERENCE_TOLERANCE);
 }
 
-TEST_CASE("gusts are as long as the integral scales say") {
+TEST_CASE("gusts have the lengths of the integral scales") {
 	const double along = integral_scale(&Line::along), across = integral_scale(&Line::across);
 	figures::tell(figures::WIND, "integral scale along the wind", 3.6, along, 1, " m");
 	figures::tell(figures::WIND, "of what blows across it", 1.5, across, 1, " m");
@@ -202,7 +202,7 @@ TEST_CASE("gusts are as long as the integral scales say") {
 	CHECK(std::fabs(across / 1.5 - 1.0) < SCALE_TOLERANCE);
 }
 
-TEST_CASE("turbulence comes a second later to a place three metres downwind at three metres a second") {
+TEST_CASE("at three metres per second turbulence arrives a second later three metres downwind") {
 	const Air air = plain_air(CARRIED);
 	const Series here = turbulence_at(air, 0.0f, 0.0f, 4000, 0.02), there = turbulence_at(air, 0.0f, 3.0f, 4000, 0.02);
 	std::size_t best = 0;
@@ -214,7 +214,7 @@ TEST_CASE("turbulence comes a second later to a place three metres downwind at t
 	figures::tell(figures::WIND, "from a place to one 3 m downwind at 3 m/s (Taylor)", 1.0, seconds, 2, " s");
 }
 
-TEST_CASE("a place does not feel the same again within half an hour") {
+TEST_CASE("turbulence at a position does not repeat within half an hour") {
 	const Series series = turbulence_at(plain_air(CARRIED), 0.0f, 0.0f, 1800 * 4, 0.25);
 	const double own = product(series.along, series.along, 0);
 	double worst = 0.0;

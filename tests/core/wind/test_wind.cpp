@@ -62,7 +62,7 @@ TEST_CASE("strength and length of a triggered gust end with its flag") {
 	CHECK(gust_duration(wind) == 0.5f);
 }
 
-TEST_CASE("a gust that was called for may have a strength and a length of its own") {
+TEST_CASE("a triggered gust can have its own strength and length") {
 	for (const WindKind kind : { WindKind::constant, WindKind::gust }) {
 		Wind wind = wind_of(kind);
 		wind.gust_start = 2.0;
@@ -107,7 +107,7 @@ TEST_CASE("waves are a sine about the strength with the strength as amplitude") 
 	CHECK(worst < 10.0 * STRENGTH_TOLERANCE);
 }
 
-TEST_CASE("waves go from nothing to twice the strength") {
+TEST_CASE("waves range from zero to twice the strength") {
 	Wind wind = wind_of(WindKind::waves);
 	wind.frequency = 1.0f;
 	CHECK(wind_strength(wind, 0.25) == doctest::Approx(20.0).epsilon(STRENGTH_TOLERANCE));
@@ -142,7 +142,7 @@ TEST_CASE("the force is the direction times the strength") {
 	CHECK(force.z == doctest::Approx(10.0 * std::cos(0.4)).epsilon(STRENGTH_TOLERANCE));
 }
 
-TEST_CASE("changing the frequency leaves the wave where it is") {
+TEST_CASE("changing the frequency preserves the phase of the wave") {
 	Wind wind = wind_of(WindKind::waves);
 	for (int i = 0; i < 100; i++) {
 		const double time = 1000.0 + i * 17.3;
