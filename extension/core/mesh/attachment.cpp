@@ -75,7 +75,7 @@ void Attachments::attach(size_t i, const DrawnPart &drawn) {
 	}
 }
 
-/// For a part that does not swing by itself.
+/// For a carrier without a swing of its own.
 PartHang Attachments::hang_at(const PartHang &carrier, const DrawnPart &drawn, float offset) const {
 	PartHang hang = carrier;
 	hang.is_root = false;

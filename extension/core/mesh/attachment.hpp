@@ -10,16 +10,15 @@
 
 namespace undergrowth {
 
-/// A part as a plan draws it: straight between its rows. The curve on which the part grew and bends runs beside these
-/// lines.
+/// A part as a plan draws it: straight between its rows, which are on the curve of the grown part.
 class DrawnPart {
 public:
-	/// `shift` (m) leads from where the part grew to where it is drawn. The arguments must outlive the object.
+	/// `shift`: from the grown position to the drawn one (m). The arguments must outlive the object.
 	DrawnPart(const PlantForm &form, const FormPlan &plan, int part, const glm::vec3 &shift);
 
-	/// Position on the drawn midrib (m). The lines at the ends continue straight beyond them.
+	/// Returns a point on the drawn midrib (m), extended straight beyond the ends.
 	glm::vec3 point_at(float offset) const;
-	/// For a part on the ground: the stem offset with which a bent position stays between the rows beside it.
+	/// For parts on the ground: returns the stem offset that leaves a bent point between the rows beside it.
 	float stem_offset_at(float offset) const;
 
 private:
@@ -33,14 +32,14 @@ private:
 	const Row &row_below(float offset) const;
 };
 
-/// Attaches everything that a plan draws to its carriers as they are drawn.
+/// Attaches everything that a plan draws to its carrier as the plan draws that.
 class Attachments {
 public:
 	/// The arguments must outlive the object.
 	Attachments(const PlantForm &form, const FormPlan &plan, const std::vector<PartHang> &grown);
 
 	const PartHang &hang_of(size_t part) const { return hangs[part]; }
-	/// Vector (m) from where a part grew to where it is drawn.
+	/// From a part's grown position to its drawn one (m).
 	const glm::vec3 &shift_of(size_t part) const { return shifts[part]; }
 	/// Places the rings of a body on its carrier.
 	void place_rings(FormBody &body) const;

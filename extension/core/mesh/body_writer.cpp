@@ -1,4 +1,4 @@
-// FormWriter: bodies.
+// FormWriter: writing of bodies.
 
 #include "base/portable_math.hpp"
 #include "conventions.hpp"
@@ -13,7 +13,7 @@ namespace undergrowth {
 
 namespace {
 
-/// Normal from the growth of the radius along the axis at a ring, between its neighbours.
+/// Normal from the growth of the radius along the axis, measured between the neighbours of a ring.
 glm::vec3 slope_normal(const FormBody &body, size_t ring, const glm::vec3 &outward) {
 	const glm::vec3 &along = body.rings[ring].axes.along;
 	const FormBody::Ring &before = body.rings[ring > 0 ? ring - 1 : 0];

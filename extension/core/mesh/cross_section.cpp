@@ -27,7 +27,7 @@ void ring_normals(const glm::vec2 *points, int count, glm::vec2 *normals) {
 	for (int i = 0; i < count; i++) {
 		const glm::vec2 after = edge_normal(points[i], points[i + 1 < count ? i + 1 : 0]);
 		const glm::vec2 sum = before + after;
-		// The edges of a needle's point face away from each other, so outward is along the needle.
+		// The edges at a needle's point face in opposite directions; outward is the direction of the needle.
 		const bool needle = glm::dot(sum, sum) < 1e-8f;
 		normals[i] = needle ? glm::vec2(before.y, -before.x) : unit_or_zero(sum);
 		before = after;

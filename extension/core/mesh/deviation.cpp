@@ -11,15 +11,15 @@ namespace undergrowth {
 
 namespace {
 
-// Max values, at a full deviation. The shape's sum stays below 1, so no ring turns inside out.
-constexpr float CENTER_SHARE = 0.06f; // Of the height.
+// Maxima of a full deviation. The sum for the shape stays below 1, so that no ring turns inside out.
+constexpr float CENTER_SHARE = 0.06f; // Fraction of the height.
 constexpr float SCALE_SHARE = 0.22f;
 constexpr float TWICE_SHARE = 0.16f;
 constexpr float THRICE_SHARE = 0.12f;
 constexpr float BRIGHTNESS_SHARE = 0.25f;
 constexpr float HUE_SHARE = 0.18f;
 constexpr float SHADE_SHARE = 0.15f;
-// Fraction of brightness and hue that the whole plant shares. A meadow shows it more than spots on one plant.
+// Fraction of brightness and hue that is common to the whole plant. A meadow shows it more than spots on one plant.
 constexpr float WHOLE_PLANT_SHARE = 0.6f;
 
 } // namespace
@@ -47,7 +47,7 @@ glm::vec4 Deviation::Ring::tint(const glm::vec4 &untinted, const Bearing &bearin
 
 Deviation::Deviation(float p_shape, float p_color, uint64_t seed) : shape(p_shape), color(p_color) {
 	if (shape <= 0.0f && color <= 0.0f) {
-		return; // Most meshes are regular, and at() is not called then.
+		return; // at() is not called, and most meshes are regular.
 	}
 	uint64_t index = 0;
 	for (auto &row : knots) {

@@ -7,13 +7,12 @@ namespace undergrowth {
 
 namespace {
 
-/// Twice the area of abc, positive if it runs counter-clockwise from above. Double precision makes float coordinates
-/// exact.
+/// Twice the area of abc, positive if it is counter-clockwise from above. Doubles represent float coordinates exactly.
 double area(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
 	return (b.y - a.y) * (c.x - a.x) - (b.x - a.x) * (c.y - a.y);
 }
 
-/// The part of the ring without triangles.
+/// The part of the ring that has no triangles yet.
 class Remainder {
 public:
 	explicit Remainder(const std::vector<glm::vec2> &p_ring) : ring(p_ring), left(p_ring.size()) {
@@ -26,7 +25,7 @@ public:
 	int32_t after(int i) const { return left[(i + 1) % size()]; }
 	void remove(int i) { left.erase(left.begin() + i); }
 
-	/// True if the triangle at index `i` is inside the ring and contains no other point, not even on its border.
+	/// True if the triangle at position `i` is inside and contains no other point, not even on its border.
 	bool is_ear(int i) const {
 		const glm::vec2 a = ring[before(i)];
 		const glm::vec2 b = ring[here(i)];
@@ -46,7 +45,7 @@ private:
 	std::vector<int32_t> left;
 };
 
-/// The first ear from `start` on. A ring without ears is a line, and any point of it works.
+/// Returns the first ear from `start` on. Without an ear the rest is a line, and any point will do.
 int find_ear(const Remainder &rest, int start) {
 	for (int i = 0; i < rest.size(); i++) {
 		const int place = (start + i) % rest.size();
@@ -68,7 +67,7 @@ std::vector<int32_t> clip_ears(const std::vector<glm::vec2> &ring) {
 		place = find_ear(rest, place);
 		triangles.insert(triangles.end(), { rest.before(place), rest.here(place), rest.after(place) });
 		rest.remove(place);
-		// The next search starts one point further, so the triangles of a round ring do not become slivers.
+		// Advancing by one point prevents slivers in round rings.
 		place++;
 	}
 	return triangles;

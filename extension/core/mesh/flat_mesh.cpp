@@ -8,7 +8,7 @@ namespace undergrowth {
 
 namespace {
 
-/// One ring with all data for triangles.
+/// One ring, before its triangles are cut.
 struct Ring {
 	glm::vec3 positions[MAX_RING_POINTS];
 	glm::vec4 colors[MAX_RING_POINTS];
@@ -23,7 +23,7 @@ void fill(Ring &ring, const PlantSample &sample, const RingPlacer &placer, int l
 	ring.weight = ring.positions[0].y / sample.height;
 }
 
-/// A corner of a triangle: point `index` of a ring, with column `column` of the texture.
+/// A corner of a triangle: point `index` of a ring, at `column` of the texture.
 struct Corner {
 	const Ring &ring;
 	int index;
@@ -56,7 +56,7 @@ private:
 	int next = 0;
 };
 
-/// Normal of a triangle that is clockwise from outside, or `otherwise` if its area is too small.
+/// Returns the normal of a triangle that is clockwise from outside, or `otherwise` if its area is too small.
 glm::vec3 triangle_normal(const glm::vec3 &a, const glm::vec3 &b, const glm::vec3 &c, const glm::vec3 &otherwise) {
 	const glm::dvec3 first = glm::dvec3(b) - glm::dvec3(a);
 	const glm::dvec3 second = glm::dvec3(c) - glm::dvec3(a);
@@ -81,7 +81,7 @@ void add_band(Writer &writer, const PlantSample &sample, const Ring &lower, cons
 	const int n = static_cast<int>(points.size());
 	for (int i = 0; i < n; i++) {
 		const int next = i + 1 < n ? i + 1 : 0;
-		// The regular quad's normal points outward even if the band has no width.
+		// If the band has no width, the normal of the regular quad still points outward.
 		const glm::vec2 outward = edge_normal(points[i], points[next]);
 		add_quad(writer, lower, upper, i, next, leaning_normal(outward, slope * glm::dot(outward, points[i])));
 	}
@@ -109,7 +109,7 @@ void build_flat_mesh(const PlantSample &sample, const RingPlacer &placer, const 
 		const float slope = (sample.widths[k + 1] - sample.widths[k]) / placer.rise_between(k, k + 1);
 		add_band(writer, sample, lower, upper, slope);
 	}
-	// The ends come last; other rings have replaced the bottom ring by then.
+	// The ends are written last, when the bottom ring is no longer available.
 	const std::vector<int32_t> &cap = sample.cross_section->cap;
 	Ring &bottom = rings[(sample.lod + 1) % 2];
 	fill(bottom, sample, placer, 0);

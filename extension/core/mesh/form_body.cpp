@@ -15,29 +15,29 @@ namespace undergrowth {
 
 namespace {
 
-constexpr int PLACES = 3; // Measured points of a part: base, middle, tip.
-constexpr float MOST_LARGER = 2.0f; // In area.
-constexpr float FEW = 3.5f; // Number of bodies that one replaces; up to it the spindle has the length of each.
-constexpr float MOST_LONGER = 2.5f; // Factor of the length.
-constexpr float MOST_RISE = 0.6f; // Of a flat whorl's radius.
-constexpr float LEAST_THIN = 0.4f; // Of a lathe's radius.
-constexpr float MOST_STOUT = 0.4f; // Of a spindle: its silhouette as a fraction of its squared length.
+constexpr int PLACES = 3; // Measured positions of a part: base, middle, tip.
+constexpr float MOST_LARGER = 2.0f; // Limit of an area factor.
+constexpr float FEW = 3.5f; // More replaced bodies than this lengthen a spindle.
+constexpr float MOST_LONGER = 2.5f; // Limit of a length factor.
+constexpr float MOST_RISE = 0.6f; // Fraction of a flat whorl's radius.
+constexpr float LEAST_THIN = 0.4f; // Fraction of a lathe's radius.
+constexpr float MOST_STOUT = 0.4f; // Silhouette of a spindle, as a fraction of its squared length.
 constexpr float LEAST_RADIUS = 1e-4f; // m.
 
-/// Measurements of a body's parts in its own axes.
+/// Measures of a body's parts in its own axes.
 struct Measure {
 	float low = 1e9f;
 	float high = -1e9f;
 	float farthest = 0.0f;
-	float area = 0.0f; ///< m², of parts.
-	float shown = 0.0f; ///< m² of the silhouette, as if no part hid another.
+	float area = 0.0f; ///< Area of parts (m²).
+	float shown = 0.0f; ///< Silhouette without occlusion (m²).
 	glm::vec3 squares = glm::vec3(0.0f);
 	float alpha = 0.0f;
 	float shine = 0.0f;
-	// Means over the parts that are on the carrier itself:
+	// Means over the parts that are attached to the carrier itself:
 	float along[PLACES] = {};
 	float away[PLACES] = {};
-	float lid = 0.0f; ///< m² of those parts.
+	float lid = 0.0f; ///< m², of those parts.
 	int count = 0;
 };
 
@@ -46,15 +46,14 @@ struct OwnPlace {
 	float away;
 };
 
-/// Origin of the measurements of a part.
+/// Origin of the measures of parts of a body.
 struct Origin {
 	glm::vec3 place; ///< m.
 	glm::vec3 along;
-	float before; ///< m along the carrier, from the body's own origin.
+	float before; ///< m along the carrier, from the body's origin.
 };
 
-/// Origin for a part of the body: the attachment, to the body's carrier, of the part or of the part that carries it. It
-/// differs by part because the carrier curves.
+/// Returns the attachment on the body's carrier, of a part or of the part that carries it. The carrier is curved.
 Origin origin_of(const FormBody &body, const PlantForm &form, const PlacedPart &placed) {
 	const PlacedPart *own = &placed;
 	while (own->group != body.group) {
@@ -100,8 +99,7 @@ void add(
 	m.shine += part.translucency * area;
 }
 
-/// Area that parts cover when they hide each other. Parts of area A cover H·(1 - exp(-A/H)) of an envelope H; this is a
-/// rational approximation.
+/// Overlapping parts of area A cover H·(1 - exp(-A/H)) of an envelope H; here as a rational approximation.
 float covered(float area, float envelope) {
 	return envelope > 0.0f ? area / (1.0f + area / envelope) : area;
 }
@@ -109,7 +107,7 @@ float covered(float area, float envelope) {
 void shape_dome(FormBody &body, const Measure &m, float dome) {
 	if (dome > HALF_SPHERE) {
 		const float middle = 0.5f * (m.low + m.high);
-		// Two cones with the same area from the side as the sphere: π/2 of its radius.
+		// Two cones with the area of the sphere from the side: π/2 of its radius.
 		body.rings = { { m.low, 0.0f }, { middle, 1.57f * m.farthest }, { m.high, 0.0f } };
 		body.has_base = true;
 	} else {
@@ -118,8 +116,8 @@ void shape_dome(FormBody &body, const Measure &m, float dome) {
 	body.has_tip = true;
 }
 
-/// Makes a lathe show the same area from the side as its parts. A flat whorl's lathe of midribs is invisible from the
-/// side, but its parts lean, fold and curl. Such a lathe rises until it shows as much.
+/// Matches the area of a lathe from the side to that of its parts. A flat whorl is not visible from the side as a lathe
+/// of midribs. Its parts are, because they lean, fold and curl. So the lathe rises until its area matches.
 void thicken(FormBody &body, const Measure &m) {
 	float widest = 0.0f;
 	float low = body.rings.front().along;
@@ -129,9 +127,9 @@ void thicken(FormBody &body, const Measure &m) {
 		low = std::min(low, ring.along);
 		high = std::max(high, ring.along);
 	}
-	const float wanted = 0.5f * m.shown; // The nearer half of the parts hides the farther one.
+	const float wanted = 0.5f * m.shown; // The nearer half of the parts hides the farther half.
 	const float shows = widest * (high - low);
-	if (shows > 1.3f * wanted) { // Thin upright parts hide less than their lathe does.
+	if (shows > 1.3f * wanted) { // Thin upright parts hide less of what is inside them than their lathe.
 		for (FormBody::Ring &ring : body.rings) {
 			ring.radius *= std::max(wanted / shows, LEAST_THIN);
 		}
@@ -148,8 +146,7 @@ void thicken(FormBody &body, const Measure &m) {
 	}
 }
 
-/// The lathe of the mean midrib. If it is flat and the parts leave gaps, it becomes narrower until it has the area of
-/// the parts.
+/// Makes the lathe of the mean midrib. If it is flat and the parts leave gaps, its radius is reduced to their area.
 void shape_lathe(FormBody &body, const Measure &m) {
 	const auto mean = [&m](int i) {
 		return FormBody::Ring(m.along[i] / static_cast<float>(m.count), m.away[i] / static_cast<float>(m.count));
@@ -166,7 +163,7 @@ void shape_lathe(FormBody &body, const Measure &m) {
 		body.rings.push_back(ways[1]);
 	}
 	body.rings.push_back(ways[2]);
-	if (body.detail.rings == 1) { // A cone has the mean width of the lathe.
+	if (body.detail.rings == 1) { // A cone has the lathe's mean width.
 		body.rings.back().radius =
 				std::max(ways[2].radius, 0.25f * ways[0].radius + ways[1].radius + 0.25f * ways[2].radius);
 	}
@@ -182,7 +179,7 @@ void shape_spindle(FormBody &body, const Measure &m) {
 	body.has_base = body.has_tip = true;
 }
 
-/// Factor by which a circle is wider from the side, on average, than its inscribed polygon.
+/// Mean width of a circle from the side, relative to that of the polygon in it.
 float polygon_fill(int sides) {
 	const double half_turn = PI / sides;
 	return static_cast<float>(half_turn / portable_sin(half_turn));
@@ -205,8 +202,8 @@ void shape(FormBody &body, const PlantForm &form, const Measure &m) {
 	body.translucency = m.shine / area;
 }
 
-/// Lengthens a spindle towards the base of its carrier. It also replaces spindles of other carriers, with tips at other
-/// heights, so it must not become a plate.
+/// Lengthens a spindle towards the base of its carrier, so that it is not a plate. Such a spindle also replaces bodies
+/// on other carriers, with tips at other heights.
 void stretch_down(FormBody &body, const PlantForm &form, float longer) {
 	const PlacedPart &part = form.placed[static_cast<size_t>(body.first)];
 	const float high = body.rings.back().along;
@@ -219,7 +216,7 @@ void stretch_down(FormBody &body, const PlantForm &form, float longer) {
 	}
 }
 
-/// Its axes are those of its carrier at the attachment of the first part.
+/// Sets its axes: those of its carrier, at the mean position of the parts there.
 FormBody begin_body(const PlantForm &form, const FormPlan &plan, size_t first) {
 	const PlacedPart &part = form.placed[first];
 	FormBody body;
@@ -253,13 +250,13 @@ std::vector<FormBody> make_bodies(const PlantForm &form, const FormMeasure &meas
 		}
 		add(measures[number], bodies[number], form, measure, form.placed[i]);
 	}
-	std::vector<int> parts(form.groups.size(), 0); // In bodies.
+	std::vector<int> parts(form.groups.size(), 0); // Parts in bodies.
 	for (size_t i = 0; i < bodies.size(); i++) {
 		parts[static_cast<size_t>(bodies[i].group)] += measures[i].count;
 	}
 	for (size_t i = 0; i < bodies.size(); i++) {
 		shape(bodies[i], form, measures[i]);
-		// If carriers are dropped, the remaining bodies show their parts, too.
+		// If carriers are dropped, the remaining bodies of the group also show their parts.
 		const size_t group = static_cast<size_t>(bodies[i].group);
 		const float own = measure.shown[group] * static_cast<float>(measures[i].count) /
 				static_cast<float>(form.groups[group].count);
@@ -274,8 +271,7 @@ std::vector<FormBody> make_bodies(const PlantForm &form, const FormMeasure &meas
 			bodies[i].shown = std::min(with_others, std::max(MOST_STOUT * length * length, bodies[i].shown));
 		}
 		const Layout layout = form.groups[group].layout;
-		// A spindle is as long as its carrier.
-		const bool is_spindle = layout == Layout::along || layout == Layout::ground;
+		const bool is_spindle = layout == Layout::along || layout == Layout::ground; // As long as its carrier.
 		for (FormBody::Ring &ring : bodies[i].rings) {
 			ring.radius *= std::sqrt(std::min(more, MOST_LARGER));
 			ring.along *= is_spindle ? 1.0f : std::sqrt(std::min(more, MOST_LARGER));

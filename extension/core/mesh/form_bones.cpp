@@ -11,8 +11,8 @@ namespace undergrowth {
 namespace {
 
 constexpr int SECTORS = 8;
-constexpr float MORE_THAN_OWN = 0.05f; // Of the stem's bend.
-constexpr float LYING = 0.1f; // Bend: parts with less room cannot swing as far as the parts around them.
+constexpr float MORE_THAN_OWN = 0.05f; // Fraction of the stem's bend.
+constexpr float LYING = 0.1f; // Bend: a part with less room than this cannot move as far as the parts beside it.
 constexpr float EXACT = 65536.0f; // Sums of multiples of 1 / EXACT are exact.
 
 float exact(float weight) {
@@ -72,7 +72,7 @@ void FormBones::add_leaves(const PlantForm &form, const std::vector<PartHang> &h
 	}
 }
 
-/// Parts in one sector share the bones of the largest of them.
+/// The parts in one sector share the bones of the largest part.
 void FormBones::add_tuft(const std::string &name, const PlantForm &form, const std::vector<PartHang> &hangs,
 		const std::vector<int> &blades) {
 	std::array<int, SECTORS> largest;
@@ -135,8 +135,7 @@ bool FormBones::has_outer(int bone) const {
 	return next < all.size() && all[next].outer_of == bone;
 }
 
-// The tip has the part of the stem's bend that the part bones do not cover. So a plant without swing bends as without
-// part bones.
+// The tip bone adds the stem's bend that part bones do not, so that a plant without swing bends as without bones.
 void FormBones::bind(int swinger, float stem_offset, float weight, int32_t *bones, float *weights) const {
 	const int first = swinger < 0 || first_of.empty() ? -1 : first_of[static_cast<size_t>(swinger)];
 	std::fill(bones, bones + 4, ROOT);
@@ -152,7 +151,7 @@ void FormBones::bind(int swinger, float stem_offset, float weight, int32_t *bone
 	const float inner = is_pair ? std::min(2.0f * weight, 2.0f - 2.0f * weight) : weight;
 	const float of_inner = all[static_cast<size_t>(first)].stem_offset;
 	const float of_outer = all[static_cast<size_t>(first + (is_pair ? 1 : 0))].stem_offset;
-	// Low vertices share bones of higher parts only as far as the stem moves these vertices.
+	// A low vertex uses bones of higher parts only as far as the stem moves it.
 	const float most = (stem_offset + MORE_THAN_OWN) / std::max(inner * of_inner + outer * of_outer, MORE_THAN_OWN);
 	weights[2] = exact(inner * std::min(most, 1.0f));
 	weights[3] = std::min(exact(outer * std::min(most, 1.0f)), 1.0f - weights[2]);

@@ -8,35 +8,36 @@
 
 namespace undergrowth {
 
-/// The bones of a plant of parts besides root and tip, and the binding of vertices to them. A part that swings has one
-/// bone. Its vertices are bound to it by their own weight and to root and tip by the rest. A part longer than LONG has
-/// two bones: the weight moves to the first one up to the middle, and from there to the second. A head has one. If more
-/// than MOST_OF_TUFT parts swing on the ground, the parts in each eighth of the circle share bones; parts that lie on
-/// the ground share bones among themselves.
+/// The bones of a plant of parts besides root and tip, and the binding of vertices. The same for all levels of detail
+/// of a form.
 ///
-/// The bones are the same for all levels of detail of a form. If bones run out, the smallest parts have none.
+/// A swinging part has one bone. It gets the fraction of a vertex that is the vertex's own weight; root and tip get the
+/// rest. A part longer than LONG has two bones: weights grow towards the first up to its middle and shift to the second
+/// from there. A head has one bone. If more than MOST_OF_TUFT parts swing on the ground, the parts in each eighth of
+/// the circle share bones. Parts that lie on the ground share their own. If there are too many bones, the smallest
+/// parts have none.
 class FormBones {
 public:
 	static constexpr int ROOT = 0;
 	static constexpr int TIP = 1;
-	static constexpr int FIRST = 2; ///< Index of the first of bones() in the skeleton.
-	static constexpr int MOST = 32; ///< Max bones, root and tip included, joints of a stem excluded.
+	static constexpr int FIRST = 2; ///< Skeleton index of bones()[0].
+	static constexpr int MOST = 32; ///< Includes root and tip, excludes joints of a stem.
 	static constexpr float LONG = 0.25f; ///< m.
 	static constexpr int MOST_OF_TUFT = 8;
 
-	/// Without bones of parts: everything is bound to root and tip.
+	/// No bones: all vertices are bound to root and tip.
 	FormBones() = default;
-	/// For all parts of a form.
+	/// Bones for all parts of a form.
 	FormBones(const PlantForm &form, const std::vector<PartHang> &hangs);
 
 	const std::vector<PartBone> &bones() const { return all; }
-	/// "leaf_1", "leaf_1_outer", "head", "tuft_1", "lying_1" …, in the order of bones().
+	/// "leaf_1", "leaf_1_outer", "head", "tuft_1", "lying_1" …, as many as bones().
 	const std::vector<std::string> &names() const { return all_names; }
-	/// The bones of a plant that is stretched along y by `factor`.
+	/// Returns the bones of a plant that is stretched along y by `factor`.
 	std::vector<PartBone> stretched(float factor) const;
 
 	/// Writes four bones and weights of a vertex; the weights sum to 1 exactly. `stem_offset` and `weight` are the
-	/// vertex's own. `swinger` is PartHang::swinger, or -1 for none.
+	/// vertex's own. `swinger`: PartHang::swinger, -1 for none.
 	void bind(int swinger, float stem_offset, float weight, int32_t *bones, float *weights) const;
 
 private:

@@ -13,16 +13,16 @@ namespace undergrowth {
 namespace {
 
 constexpr int STEPS = 7;
-constexpr int FEW_STEPS = 1; // For meshes that are so fine that they nearly match.
-constexpr int LOOSE_STEPS = 20; // For meshes that are so coarse that single parts are no longer visible.
+constexpr int FEW_STEPS = 1; // From FINE_VERTICES on, where meshes are nearly exact.
+constexpr int LOOSE_STEPS = 20; // Below COARSE_VERTICES, where parts are not recognizable.
 constexpr int FINE_VERTICES = 400;
 constexpr int COARSE_VERTICES = 60;
-constexpr float MATCHED = 0.015f; // Of each outline.
-constexpr float TOLERATED = 0.03f; // Larger errors start a search.
+constexpr float MATCHED = 0.015f; // Error of each outline.
+constexpr float TOLERATED = 0.03f; // A larger error starts a search.
 constexpr int COLOR_STEPS = 4;
-constexpr float MOST_GAIN = 1.8f; // Of a colour in linear light; the min is its reciprocal.
-constexpr float MOST_MORE = 0.15f; // Max linear light added to all,
-constexpr float MOST_LESS = 0.06f; // or subtracted: white stays white.
+constexpr float MOST_GAIN = 1.8f; // Maximum factor of a colour in linear light; the minimum is its reciprocal.
+constexpr float MOST_MORE = 0.15f; // Maximum of linear light that is added to all colours.
+constexpr float MOST_LESS = 0.06f; // Maximum that is subtracted: white stays white.
 
 SeenMesh seen(const FormBuffers &mesh, const std::vector<WrittenUnit> &units) {
 	return { mesh.positions, units.back().vertex, mesh.indices, units.back().index };
@@ -75,14 +75,14 @@ void match_colors(const FormMeasure &measure, const std::vector<WrittenUnit> &un
 		light.emplace_back(to_light(color.x), to_light(color.y), to_light(color.z));
 	}
 	glm::vec3 gains(1.0f);
-	for (int step = 0; step < COLOR_STEPS; step++) { // Several steps, since no colour becomes lighter than white.
+	for (int step = 0; step < COLOR_STEPS; step++) { // Several steps, because no colour can exceed white.
 		glm::vec3 mean(0.0f);
 		for (size_t i = 0; i < shares.size(); i++) {
 			mean += glm::min(light[i] * gains, glm::vec3(1.0f)) * shares[i];
 		}
 		gains = glm::clamp(gains * (measure.light + 1e-4f) / (mean + 1e-4f), 1.0f / MOST_GAIN, MOST_GAIN);
 	}
-	glm::vec3 more(0.0f); // For a component that is too small to scale.
+	glm::vec3 more(0.0f); // If a component is too dark to be scaled.
 	const auto shifted = [&](size_t i) { return glm::clamp(light[i] * gains + more, 0.0f, 1.0f); };
 	for (int step = 0; step < COLOR_STEPS; step++) {
 		glm::vec3 mean(0.0f);

@@ -16,9 +16,9 @@ namespace undergrowth {
 namespace {
 
 constexpr int COLOR_SAMPLES = 12;
-constexpr float SMALL = 0.07f; // Of a plant's height.
+constexpr float SMALL = 0.07f; // Fraction of a plant's height.
 
-/// True if a part is so small relative to its plant that the shape of its edges is invisible.
+/// True if a part is so small that the shape of its edges is not visible.
 bool is_small(const Part &part, float height) {
 	return std::max(part.mean_length(), part.width) < SMALL * height;
 }
@@ -27,7 +27,7 @@ bool is_curled(const BladeShape &blade) {
 	return blade.fold != 0.0f || blade.roll != 0.0f || blade.wave != 0.0f;
 }
 
-/// Fine enough to measure the true surface, except for what fill_of() corrects.
+/// Fine enough to measure the true surface, except for the factors in fill_of().
 PartDetail measured_detail(const Part &part, float height) {
 	if (part.kind == PartKind::bead) {
 		return { 4, 2 };
@@ -40,7 +40,7 @@ PartDetail measured_detail(const Part &part, float height) {
 	return is_small(part, height) ? small : PartDetail{ part.axis.lobes > 0 ? 10 : 5, 6 };
 }
 
-/// Of a part of its mean size, both sides counted once.
+/// Area of a part of mean size; both sides count as one.
 float area_of(const Part &part, const PartTemplate &shape) {
 	float twice = 0.0f;
 	for (size_t i = 0; i < shape.indices.size(); i += 3) {
@@ -54,8 +54,8 @@ float area_of(const Part &part, const PartTemplate &shape) {
 	return 0.5f * twice;
 }
 
-/// Factor of the width that corrects the measured shape. From the side, on average, a circle is wider than its
-/// inscribed polygon, a bead is larger than its two cones, and a small leaf has a rounder outline.
+/// Correction of the mean area from the side. A circle is wider than the polygon in it, and a bead is larger than its
+/// two cones. The outline of a small leaf is rounder than its mesh.
 float fill_of(const Part &part, const Midrib &midrib, const PartTemplate &shape, float height, float mean_width,
 		const glm::vec4 &color) {
 	const PartDetail detail = measured_detail(part, height);
@@ -66,7 +66,7 @@ float fill_of(const Part &part, const Midrib &midrib, const PartTemplate &shape,
 	}
 	const double half_turn = PI / detail.columns;
 	const double round = half_turn / portable_sin(half_turn);
-	const float cones = std::max(part.widths.at(0.5f), 0.1f); // Cones are widest in the middle.
+	const float cones = std::max(part.widths.at(0.5f), 0.1f); // Their widest position is in the middle.
 	return static_cast<float>(round) * (part.kind == PartKind::bead ? 2.0f * mean_width / cones : 1.0f);
 }
 
@@ -76,7 +76,7 @@ struct Whole {
 	std::vector<glm::vec3> light;
 	std::vector<int32_t> indices;
 
-	/// Adds a part. Returns the area that it shows (m²), both sides counted.
+	/// Adds a part; returns its shown area (m²), of both sides.
 	float add(const PlacedPart &part, const PartTemplate &shape, float fill) {
 		const int32_t first = static_cast<int32_t>(points.size());
 		for (const TemplateVertex &vertex : shape.vertices) {

@@ -12,35 +12,34 @@
 
 namespace undergrowth {
 
-/// Data that all levels of a form share, measured once per seed: the hang of its parts, and the areas and colours of
-/// the form with every part drawn at the finest detail. Levels must match these.
+/// Data of a form that all its levels share, computed once per seed: attachments of parts, and the reference outlines
+/// and colours that levels are fitted to. The reference draws all parts at their finest detail.
 struct FormMeasure {
-	/// m² of each group's silhouette from the side: the mean over all directions along the ground, as if no part hid
-	/// another.
+	/// m² of each group's silhouette from the side: the mean over all horizontal directions, without occlusion.
 	std::vector<float> shown;
-	Outlines outlines = {}; ///< m² of the whole plant from each side; parts behind other parts do not count again.
+	Outlines outlines = {}; ///< Silhouette of the whole plant from each side (m²), with occlusion.
 	glm::vec3 light = glm::vec3(0.0f); ///< Mean colour from all sides, linear.
-	float from_above = 0.0f; ///< m² of the whole plant from straight above.
-	float translucency = 0.0f; ///< Mean of its parts, weighted by the area that each group shows.
-	SightBox box; ///< Box for measuring outlines and light.
+	float from_above = 0.0f; ///< Area of the whole plant from straight above (m²).
+	float translucency = 0.0f; ///< Mean over its parts, weighted by each group's shown area.
+	SightBox box; ///< The box for measuring outlines and light.
 	std::vector<glm::vec4> colors; ///< Mean colour of each kind of part.
-	std::vector<float> mean_widths; ///< Of each kind, as a fraction of its width.
-	std::vector<PartHang> hangs; ///< Of each placed part.
+	std::vector<float> mean_widths; ///< By kind, as fractions of its width.
+	std::vector<PartHang> hangs; ///< By placed part.
 };
 
 FormMeasure measure_form(const PlantForm &form);
 
-/// Mean colour of a part, as light adds up: by the squares of its components, weighted by its width.
+/// Returns the mean colour of a part in linear light: means of squared components, weighted by width.
 glm::vec4 mean_color(const Part &part);
 
-/// Twice a triangle's mean silhouette along the ground (m²). A plane with normal n and area A shows A·|n·v| from v. The
-/// mean of |n·v| over the directions v along the ground is 2/π times the horizontal part of n.
+/// Returns twice a triangle's mean silhouette over horizontal directions (m²). A plane with normal n and area A has the
+/// silhouette A·|n·v| from direction v. The mean of |n·v| over horizontal v is 2/π of n's horizontal part.
 inline float twice_shown(const glm::vec3 &a, const glm::vec3 &b, const glm::vec3 &c) {
 	const glm::vec3 twice_area = glm::cross(b - a, c - a);
 	return std::sqrt(twice_area.x * twice_area.x + twice_area.z * twice_area.z) * static_cast<float>(2.0 / PI);
 }
 
-/// Fraction of a part's triangles that is visible: of a closed part the nearer half.
+/// Returns the visible fraction of a part's triangles: half for a closed part.
 float near_share(PartKind kind);
 
 } // namespace undergrowth

@@ -11,9 +11,9 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float MOST_STOUT = 0.65f; // Of a spindle, twice this: width by length.
+constexpr float MOST_STOUT = 0.65f; // Silhouette of a spindle over its squared length: half of width over length.
 
-/// Templates that parts of a kind share, built for the first part drawn. Groups of one kind can have different details.
+/// Shapes that parts of a kind share, created for the first such part. Groups of one kind may have different details.
 class Shapes {
 public:
 	Shapes(const PlantForm &p_form, const FormMeasure &p_measure, const FormPlan &p_plan) :

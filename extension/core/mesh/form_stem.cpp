@@ -13,25 +13,25 @@ namespace undergrowth {
 
 namespace {
 
-constexpr int BINS = 8; // Along the stem: loads within an eighth of it are merged.
-constexpr int SAMPLES = 8; // Of a part's width.
+constexpr int BINS = 8; // Bins along the stem: loads within one bin are combined.
+constexpr int SAMPLES = 8; // Samples of a part's width.
 constexpr float MOST_TAPER = 0.9f;
 constexpr float LEAST_DIAMETER = 2e-4f; // m.
-constexpr float HEAD_FROM = 0.95f; // Stem offset.
+constexpr float HEAD_FROM = 0.95f; // Stem offset from which parts belong to the head.
 
-// Of fresh plants.
+// Values for fresh plants.
 constexpr float SHEET_MASS = 0.2f; // kg/m²: a leaf 0.25 mm thick.
 constexpr float AXIS_DENSITY = 800.0f; // kg/m³.
 constexpr float BEAD_DENSITY = 500.0f;
-constexpr float LATHE_DENSITY = 300.0f; // Of a head that is drawn as one body: petals and air.
+constexpr float LATHE_DENSITY = 300.0f; // kg/m³: of a head drawn as one body, with petals and air.
 constexpr float THINNEST_SHEET = 2.5e-4f; // m.
-constexpr float SHEET_SLENDERNESS = 20.0f; // Width over thickness.
-// Drag coefficients over the drawn area; leaves have any angle to the wind.
+constexpr float SHEET_SLENDERNESS = 20.0f; // Width divided by thickness.
+// Drag coefficients for the drawn area; leaves have any angle to the wind.
 constexpr float SHEET_DRAG = 0.7f;
 constexpr float AXIS_DRAG = 1.1f;
 constexpr float BEAD_DRAG = 0.6f;
 constexpr float BLADE_STEM_DRAG = 1.5f;
-constexpr float WIDER = 1.5f; // Relative to the stem: a wider ring of a lathe belongs to its head.
+constexpr float WIDER = 1.5f; // Ratio of the stem's width at which a ring of a lathe belongs to the head.
 
 struct Carried {
 	float mass; // kg.
@@ -60,7 +60,7 @@ Carried carried_by(const Part &part, const PlacedPart &placed) {
 	}
 }
 
-/// Index of the placed part that is the stem; -1 if there is none on the ground.
+/// Returns the index of the placed part that is the stem; -1 if no part is on the ground.
 int stem_of(const PlantForm &form) {
 	int longest = form.stem;
 	for (size_t i = 0; form.stem == PlantForm::NO_STEM && i < form.placed.size(); i++) {
@@ -71,7 +71,7 @@ int stem_of(const PlantForm &form) {
 }
 
 void measure_stem(const Part &part, const PlacedPart &placed, StemBeam &beam) {
-	const float base = std::max(part.width_at(0.1f), part.width_at(0.0f)); // Some parts begin with a point.
+	const float base = std::max(part.width_at(0.1f), part.width_at(0.0f)); // Some stems begin with a point.
 	const float tip = part.width_at(0.9f);
 	const bool is_sheet = part.kind == PartKind::blade;
 	const float widest = is_sheet ? std::max(base, part.width_at(0.4f)) : base;
@@ -84,9 +84,9 @@ void measure_stem(const Part &part, const PlacedPart &placed, StemBeam &beam) {
 	}
 }
 
-/// Limits drawn sizes: a stem is not wider than long, nor heavier than a tree.
+/// Limits sizes, because drawn plants may have any: a stem is not wider than long and not heavier than a tree.
 void keep_sound(StemBeam &beam) {
-	constexpr float MOST_MASS = 1000.0f; // kg; this and the next as in describe(StemFault).
+	constexpr float MOST_MASS = 1000.0f; // kg, also for the next one: describe(StemFault).
 	constexpr float MOST_AREA = 100.0f; // m².
 	beam.diameter = std::clamp(beam.diameter, std::min(LEAST_DIAMETER, beam.length), beam.length);
 	beam.thickness = std::min(beam.thickness, beam.diameter);
@@ -112,7 +112,7 @@ void carry_parts(const PlantForm &form, StemBeam &beam) {
 	std::vector<bool> is_on_stem(form.placed.size(), false);
 	is_on_stem[static_cast<size_t>(stem)] = true;
 	std::array<StemBeam::Load, BINS> bins = {};
-	float head_height = 0.0f; // kg·m above the tip.
+	float head_height = 0.0f; // kg·m, above the tip.
 	for (size_t i = 0; i < form.placed.size(); i++) {
 		const PlacedPart &placed = form.placed[i];
 		if (placed.carrier == ON_GROUND || !is_on_stem[static_cast<size_t>(placed.carrier)]) {

@@ -12,11 +12,11 @@ namespace undergrowth {
 
 namespace {
 
-// Light in a canopy decays exponentially with the leaves above (Beer-Lambert).
+// Light in a canopy decreases exponentially with the leaf area above (Beer-Lambert).
 constexpr double EXTINCTION = 1.6; // From the top of a plant to the ground, where a fifth remains.
-constexpr float INNER_SHADE = 0.4f; // Of the light, in the middle of a clump.
+constexpr float INNER_SHADE = 0.4f; // Fraction of the light in the middle of a clump.
 constexpr float MOST_WIDENING = 12.0f;
-constexpr float BRIGHTNESS_SHARE = 0.25f; // Max at a full colour deviation, as in mesh/deviation.cpp.
+constexpr float BRIGHTNESS_SHARE = 0.25f; // Maxima of a full colour deviation, as in mesh/deviation.cpp.
 
 } // namespace
 

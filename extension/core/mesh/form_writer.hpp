@@ -9,26 +9,26 @@
 
 namespace undergrowth {
 
-/// Writes parts and bodies into the buffers of a mesh, one behind the other.
+/// Writes parts and bodies into the buffers of a mesh, in the order of the calls.
 class FormWriter {
 public:
-	/// The arguments must outlive the writer. `bones`: bones besides root and tip that vertices are bound to.
+	/// All arguments must outlive the object. `bones`: bones of vertices besides root and tip.
 	FormWriter(const PlantForm &form, const FormBones &bones, const MeshOptions &options, const FormBuffers &buffers);
 
 	void add_part(const PlacedPart &part, const PartHang &hang, const PartTemplate &shape);
-	/// Attachments must have placed its rings.
+	/// The rings must have positions from Attachments.
 	void add_body(const FormBody &body);
 
-	/// Size of the mesh at a moment.
+	/// Present size of the mesh.
 	struct Mark {
 		int vertex;
 		int index;
 	};
 	Mark mark() const { return { vertices, indices }; }
-	/// Stretches all written vertices along y. Call it last.
+	/// Scales everything along y. Call it last.
 	void stretch(float factor);
-	/// Widens everything written since `begin` until it shows `shown` m² from the side, on average. `near_share`:
-	/// fraction of its triangles that is visible.
+	/// Widens everything written since `begin` to a mean area of `shown` m² from the side. `near_share`: visible
+	/// fraction of its triangles.
 	void widen(const Mark &begin, float shown, float near_share);
 
 private:
@@ -46,7 +46,7 @@ private:
 	const FormBones &skeleton;
 	const FormBuffers &out;
 	const float color_deviation;
-	float light[HEIGHTS + 2]; ///< Light that reaches each height of the plant.
+	float light[HEIGHTS + 2]; ///< Light at each height of the plant.
 	int vertices = 0;
 	int indices = 0;
 

@@ -30,7 +30,7 @@ static void bind_vertex(int joints, const float *place, int32_t *bones, float *w
 		const int link = stem.bones[i];
 		all[i] = { link == 0 ? FormBones::ROOT : FormBones::TIP + link, stem.weights[i] * of_stem };
 	}
-	for (size_t i = 0; i < 2; i++) { // Bones of parts; a bone without weight can have any index.
+	for (size_t i = 0; i < 2; i++) { // Bones of parts; a bone without weight may be any.
 		all[KEPT + i] = { weights[2 + i] > 0.0f ? bones[2 + i] + joints : FormBones::ROOT, weights[2 + i] };
 	}
 	std::stable_sort(

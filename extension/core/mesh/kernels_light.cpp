@@ -1,5 +1,4 @@
-// Conversion of many colours from linear light. It is a kernel, since compilers vectorize square roots only in such
-// files.
+// Converts many colours of light at once. A kernel file, because only there compilers vectorize roots.
 
 #include "mesh/silhouette.hpp"
 
@@ -11,7 +10,7 @@ namespace undergrowth {
 namespace {
 
 constexpr int LANES = 16;
-constexpr int STEPS = 4; // Newton iterations.
+constexpr int STEPS = 4; // Steps of Newton's method.
 
 void from_lanes(float *lights) {
 	float component[LANES];

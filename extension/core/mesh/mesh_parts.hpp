@@ -8,7 +8,7 @@
 
 namespace undergrowth {
 
-/// Parts of build_mesh(). Both write everything except the bones.
+/// The parts of build_mesh(), see there. Both write everything except bones.
 void build_smooth_mesh(const PlantSample &sample, const RingPlacer &placer, const MeshBuffers &buffers);
 void build_flat_mesh(const PlantSample &sample, const RingPlacer &placer, const MeshBuffers &buffers);
 
@@ -18,10 +18,10 @@ void write_bones(int vertices, int32_t *bones);
 /// Writes (1 - w, w, 0, 0) for `vertices` vertices of one height.
 void write_weights(int vertices, float w, float *weights);
 
-/// Unit normal of a surface that faces `outward` on the level and leans back by `rise`: the outward movement of the
-/// surface per metre of height.
+/// Returns the unit normal of a surface that faces `outward` horizontally and leans back by `rise`: outward motion of
+/// the surface per metre of height.
 inline glm::vec3 leaning_normal(glm::vec2 outward, float rise) {
-	// The limit makes the square finite; such a surface is practically level.
+	// Practically horizontal; the limit prevents an infinite square.
 	const float y = std::clamp(-rise, -1e9f, 1e9f);
 	const float shrink = 1.0f / std::sqrt(1.0f + y * y);
 	return { outward.x * shrink, y * shrink, outward.y * shrink };

@@ -9,12 +9,13 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float TURNED = 0.35f; // Weight of growth in one direction relative to growth in all.
+constexpr float TURNED = 0.35f; // Weight of growing in one direction relative to growing in all.
 constexpr float MOST_TURN = 0.5f; // Tangent of half the angle.
 constexpr float MOST_STEP = 0.5f;
-constexpr float STIFFNESS = 1e-3f; // Makes outlines harmless that nothing can change separately.
-constexpr float LEAST_AREA = 1e-20f; // m²; units that show less change nothing.
-constexpr float ROUNDING = 1e-5f; // The same if the widths left no area, relative to the float precision of the matrix.
+constexpr float STIFFNESS = 1e-3f; // Stabilizes outlines that the numbers cannot change independently.
+constexpr float LEAST_AREA = 1e-20f; // m²; smaller areas have no effect.
+// The same if the widths reduced all areas to 0, by the float precision of the matrix.
+constexpr float ROUNDING = 1e-5f;
 
 } // namespace
 
@@ -52,7 +53,7 @@ OutlineFit::OutlineFit(const std::vector<WrittenUnit> &p_written, const FormBuff
 	}
 }
 
-/// A triangle's area in a picture is half the cross product of two of its edges; it changes with the edges.
+/// A triangle's area in a picture is half the cross product of two edges; its change is that of the edges.
 void OutlineFit::look_at(size_t number) {
 	Unit &unit = units[number];
 	const float share = 0.5f * written[number].near_share;
@@ -112,7 +113,7 @@ void OutlineFit::approach(const Outlines &areas, const Outlines &wanted) {
 			}
 		}
 		all += whole;
-		// The fraction of each unit that is hidden behind other units stays the same.
+		// Assumes that the hidden fraction does not change.
 		right[i] = (wanted[i] / std::max(areas[i], 0.05f * wanted[i]) - 1.0f) * whole;
 	}
 	const float trace = matrix[0][0] + matrix[1][1] + matrix[2][2] + matrix[3][3];
@@ -142,7 +143,7 @@ void OutlineFit::limit(size_t number, Ways &widths) const {
 	widths[0] = std::clamp(widths[0], least, most);
 	widths[TURN] = std::clamp(widths[TURN], -MOST_TURN, MOST_TURN);
 	float turned = is_flower ? limits.turned_flower : limits.turned;
-	if (limits.by_width) { // Together these never turn a sheet over.
+	if (limits.by_width) { // In combination they never turn a sheet over.
 		turned *= 1.0f + widths[0];
 		const float both = std::sqrt(widths[1] * widths[1] + widths[2] * widths[2]);
 		const float share = both > turned ? turned / both : 1.0f;

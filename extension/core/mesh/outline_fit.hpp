@@ -4,59 +4,57 @@
 
 namespace undergrowth {
 
-/// Changes the widths of units step by step until a mesh's outlines match given areas. Each unit can grow wider, grow
-/// wider along the ground in one direction than across it, and turn about its midrib: four numbers per unit for four
-/// outlines. Of all solutions it uses the one with the least change (the least norm, weighted by the units' areas).
+/// Fits the outlines of a mesh to given ones, step by step, by changing the widths of units. Each unit can grow wider,
+/// grow more along than across one of two horizontal directions, and turn about its midrib: four numbers per unit for
+/// four outlines. Selects the smallest change (the least norm, weighted by the units' areas).
 class OutlineFit {
 public:
 	OutlineFit(const std::vector<WrittenUnit> &units, const FormBuffers &mesh);
 
-	/// Runs one step from outlines of `areas` towards those of `wanted`. It assumes that the hidden part of each unit
-	/// stays hidden. Nothing turns.
+	/// One step from outlines `areas` to `wanted`. Assumes that occlusion does not change; does not turn units.
 	void approach(const Outlines &areas, const Outlines &wanted);
-	/// Allows larger changes of widths from now on, except for flowers.
+	/// Permits larger changes of widths, except for flowers.
 	void loosen() { limits = LOOSE; }
-	/// Stores the widths of the last step.
+	/// Saves the widths of the last step.
 	void keep();
-	/// Restores the stored widths, or the initial ones, in the mesh.
+	/// Sets the mesh to the saved widths, or to the initial ones if none were saved.
 	void finish();
 
-	/// Measures the effect of each number on the outlines and steps in the best direction (Levenberg 1944), round by
-	/// round. It starts from the stored widths and stops when no outline is off by more than `goal` or nothing
-	/// improves. It ends like finish(). `worst`: error of the worst outline, in and out. It measures the mesh 5 to 32
-	/// times per round and, by the size of the mesh, 120 to 1200 times in total.
+	/// Measures the effect of each number on the outlines and takes the best direction (Levenberg 1944), round by
+	/// round, from the saved widths. Stops when no outline is off by more than `goal` or nothing improves; then does
+	/// the same as finish(). `worst`: error of the worst outline, in and out. Measures the mesh 5 to 32 times per round
+	/// and 120 to 1200 times in total, by its size.
 	void search(const SightBox &box, const Outlines &wanted, float goal, float &worst);
 
 private:
-	static constexpr size_t WAYS = 4; ///< Wider; wider along x than along z; wider along x = z than across; turned.
-	static constexpr size_t STRETCHES = 3; ///< The first three.
-	static constexpr size_t TURN = 3; ///< Tangent of half the angle.
+	static constexpr size_t WAYS = 4; ///< Wider; wider along x than z; wider along x = z than across; turned.
+	static constexpr size_t STRETCHES = 3; ///< The first three of them.
+	static constexpr size_t TURN = 3; ///< Index of the turn: the tangent of half its angle.
 	static constexpr size_t MOST_BUNDLES = 8;
 	using Ways = std::array<float, WAYS>;
-	/// Limits of widths, as fractions of the written width.
+	/// Limits of widths, relative to the written ones.
 	struct Limits {
 		float least, most, turned;
 		float least_flower, most_flower, turned_flower;
-		bool by_width; ///< True: the limit of a turn is a fraction of the current width.
+		bool by_width; ///< True: turns count relative to the present width.
 	};
 	static constexpr Limits USUAL = { 0.25f, 4.0f, 0.7f, 0.45f, 1.7f, 0.25f, false };
 	static constexpr Limits LOOSE = { 0.2f, 6.0f, 0.85f, 0.45f, 1.7f, 0.25f, true };
 
-	/// Area that a unit shows in each outline as written, as if nothing hid it, and the change of this area with its
-	/// widths.
+	/// Area of a unit in each outline as written, without occlusion, and its change by the unit's widths.
 	struct Unit {
 		Outlines area = {};
 		std::array<std::array<float, STRETCHES>, OUTLINES> change = {};
-		Ways weight = {}; ///< Larger: changes more readily.
-		Ways widths = {}; ///< Current changes of the written widths.
+		Ways weight = {}; ///< Weight of a change: larger changes more.
+		Ways widths = {}; ///< Present changes, relative to what was written.
 		Ways kept = {};
-		size_t bundle = 0; ///< Bundle of units that a search changes together.
+		size_t bundle = 0; ///< Number of the group of units that a search changes together.
 	};
 
 	const std::vector<WrittenUnit> &written;
 	const FormBuffers &mesh;
 	std::vector<Unit> units;
-	std::vector<glm::vec3> asides; ///< As written.
+	std::vector<glm::vec3> asides; ///< Their initial values.
 	Limits limits = USUAL;
 
 	void look_at(size_t number);
@@ -74,7 +72,7 @@ private:
 	void place(const Sought &sought, std::vector<float> &changes);
 };
 
-/// A turn about the upright axis by the tangent of half its angle; it needs no sine.
+/// A rotation about the vertical axis by the tangent of half its angle; needs no sine.
 struct HalfTurn {
 	float cosine, sine;
 
@@ -85,7 +83,7 @@ struct HalfTurn {
 	}
 };
 
-/// Solves a·x = b for a symmetric positive matrix by Cholesky decomposition; b becomes x.
+/// Solves a·x = b for a symmetric positive matrix by Cholesky decomposition; x replaces b.
 void solve_outlines(float (&a)[OUTLINES][OUTLINES], float (&b)[OUTLINES]);
 
 } // namespace undergrowth

@@ -1,4 +1,4 @@
-// OutlineFit: search with the measured effect of each number.
+// OutlineFit: measuring the effect of each number.
 
 #include "mesh/outline_fit.hpp"
 
@@ -12,16 +12,16 @@ namespace undergrowth {
 namespace {
 
 constexpr int ROUNDS = 8;
-constexpr int LOOKED_AT = 40000; // Vertices in all measurements together, limited by
+constexpr int LOOKED_AT = 40000; // Number of vertices in all measurements together.
 constexpr int LEAST_LOOKS = 120;
 constexpr int MOST_LOOKS = 1200;
-constexpr int TRIES = 4; // Steps of one round's direction, each shorter than the last.
-constexpr int PASSES = 3; // Numbers at their limit leave the rest to all other numbers.
-constexpr float ALLOWED = 0.04f; // Larger errors also start from other turns:
+constexpr int TRIES = 4; // Attempts along one round's direction, each shorter.
+constexpr int PASSES = 3; // Numbers at their limits leave the rest to the remaining ones.
+constexpr float ALLOWED = 0.04f; // A larger error causes further starting points.
 constexpr float TURNS[] = { 0.0f, 0.2f, -0.2f, 0.4f, -0.4f };
-constexpr float FLOWER = 0.2f; // Flowers change less readily than other units, since they determine the plant's colour.
+constexpr float FLOWER = 0.2f; // Weight of flowers relative to other units: they determine the plant's colour.
 constexpr float PROBE = 0.06f;
-constexpr float MOST_SHIFT = 0.6f; // Of a number in a round.
+constexpr float MOST_SHIFT = 0.6f; // Maximum change of a number per round.
 constexpr float FIRST_DAMPING = 0.03f;
 constexpr float LEAST_DAMPING = 1e-4f;
 constexpr float LESS_DAMPING = 0.3f;
@@ -43,8 +43,8 @@ float worst_of(const Outlines &errors) {
 	return worst;
 }
 
-/// Finds the least changes of the numbers that are not `fixed` that correct the errors. For fixed numbers `changes` are
-/// input. `damping` limits all changes.
+/// Finds the smallest changes of the numbers that are not `fixed` that correct the errors. For fixed numbers, `changes`
+/// has what they did. Damping limits all changes.
 void mend(const std::vector<Outlines> &slopes, const std::vector<float> &weights, const std::vector<bool> &fixed,
 		const Outlines &errors, float damping, std::vector<float> &changes) {
 	float matrix[OUTLINES][OUTLINES] = {};
@@ -79,19 +79,19 @@ void mend(const std::vector<Outlines> &slopes, const std::vector<float> &weights
 
 } // namespace
 
-/// State of a search.
+/// Goal and state of a search.
 struct OutlineFit::Sought {
 	const SightBox &box;
 	const Outlines &wanted;
 	size_t bundles;
-	int looks; ///< Remaining number.
+	int looks; ///< Remaining measurements.
 	float damping = FIRST_DAMPING;
 	std::vector<Ways> from; ///< Widths of units at the beginning of a round.
-	std::vector<float> weights; ///< By number, the ways of each bundle: larger changes more readily.
+	std::vector<float> weights; ///< By number (the ways of each bundle): larger weights change more.
 	std::vector<Outlines> slopes; ///< By number: change of the errors.
 };
 
-/// A few units change separately. Many units share a bundle with those that are best visible from the same side.
+/// A few units change independently. Many units are bundled by the side from which they are best visible.
 size_t OutlineFit::bundle() {
 	if (units.size() <= MOST_BUNDLES) {
 		for (size_t u = 0; u < units.size(); u++) {
@@ -107,7 +107,7 @@ size_t OutlineFit::bundle() {
 	return MOST_BUNDLES;
 }
 
-/// Relative error of each outline.
+/// Returns the error of each outline.
 Outlines OutlineFit::look(Sought &sought) const {
 	sought.looks--;
 	const SeenMesh seen = { mesh.positions, written.back().vertex, mesh.indices, written.back().index };
@@ -118,8 +118,8 @@ Outlines OutlineFit::look(Sought &sought) const {
 	return errors;
 }
 
-/// Sets the units to their widths at the beginning of the round plus `changes`. Writes to `changes` what remains after
-/// the limits, on average over a bundle.
+/// Sets the units to the state at the beginning of the round plus `changes`. Limits reduce the changes; `changes` then
+/// has the reduced ones, averaged over each bundle.
 void OutlineFit::place(const Sought &sought, std::vector<float> &changes) {
 	std::vector<float> sums(changes.size(), 0.0f);
 	std::vector<float> counts(sought.bundles, 0.0f);
@@ -146,7 +146,7 @@ void OutlineFit::probe(Sought &sought, const Outlines &errors) {
 	const size_t numbers = sought.bundles * WAYS;
 	sought.slopes.assign(numbers, {});
 	for (size_t n = 0; n < numbers; n++) {
-		for (const float shift : { PROBE, -PROBE }) { // The opposite direction, if it is at its limit.
+		for (const float shift : { PROBE, -PROBE }) { // Backwards if the number is at its limit.
 			std::vector<float> changes(numbers, 0.0f);
 			changes[n] = shift;
 			place(sought, changes);
@@ -161,8 +161,8 @@ void OutlineFit::probe(Sought &sought, const Outlines &errors) {
 	}
 }
 
-/// Takes one step to where the slopes predict the wanted outlines, or shorter ones if the prediction fails. Returns
-/// false if none improves the errors.
+/// Takes a step to where the slopes predict correct outlines, or shorter ones if that fails. Returns false if no step
+/// improves.
 bool OutlineFit::step(Sought &sought, Outlines &errors) {
 	for (int tries = 0; tries < TRIES; tries++) {
 		std::vector<bool> fixed(sought.slopes.size(), false);
@@ -186,7 +186,7 @@ bool OutlineFit::step(Sought &sought, Outlines &errors) {
 	return false;
 }
 
-/// In a bundle the reciprocals of the units' weights add up.
+/// The weight of a bundle is that of its units together.
 std::vector<float> OutlineFit::bundle_weights(size_t bundles) const {
 	std::vector<float> weights(bundles * WAYS, 0.0f);
 	for (size_t u = 0; u < units.size(); u++) {
@@ -200,7 +200,7 @@ std::vector<float> OutlineFit::bundle_weights(size_t bundles) const {
 	return weights;
 }
 
-/// Continues from the current widths of the units.
+/// Starts from the present widths of the units.
 void OutlineFit::go_on(Sought &sought, float goal, float &worst) {
 	Outlines errors = look(sought);
 	sought.damping = FIRST_DAMPING;
@@ -240,7 +240,7 @@ void OutlineFit::search(const SightBox &box, const Outlines &wanted, float goal,
 	turn_normals();
 }
 
-/// Turns the normals with their sheets.
+/// Normals turn with the sheets.
 void OutlineFit::turn_normals() {
 	for (size_t u = 0; u < units.size(); u++) {
 		const HalfTurn turn(units[u].kept[TURN]);

@@ -7,8 +7,8 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float POINT = 0.02f; // Of the width: narrower tips are points.
-constexpr float LID = 0.0015f; // m: narrower tips are left open.
+constexpr float POINT = 0.02f; // Fraction of the width: narrower tips are points.
+constexpr float LID = 0.0015f; // m: narrower tips stay open.
 constexpr int PYRAMID_ROWS = 1;
 
 const std::vector<PartDetail> BEAD_DETAILS = { { 4, 3 }, { 4, 2 }, { 3, PYRAMID_ROWS } };
@@ -18,7 +18,7 @@ const std::vector<PartDetail> AXIS_DETAILS = { { 10, 10 }, { 8, 8 }, { 6, 8 }, {
 	{ 3, 3 }, { 3, 2 }, { 3, 1 }, { 2, 2 }, { 2, 1 } };
 
 const std::vector<PartDetail> CLOSE_BLADE_DETAILS = { { 9, 18 }, { 7, 14 }, { 3, 12 } };
-constexpr float TO_THE_ENDS = 0.8f; // 1: the distances between rows go to 0 there.
+constexpr float TO_THE_ENDS = 0.8f; // 1: the row distances go to 0 at the ends.
 constexpr int CLOSE_ROWS[] = { 12, 8, 6 }; // For parts with a wide mouth.
 constexpr int MOUTH_SIDES = 20;
 constexpr int LOBE_SIDES = 4;
@@ -27,7 +27,7 @@ float square(float value) {
 	return value * value;
 }
 
-/// Details of a plant that fills a picture: petals and leaves as sheets, bells and cups as tubes.
+/// For close-ups: petals and leaves as sheets, bells and cups as tubes.
 std::vector<PartDetail> close_details(const Part &part) {
 	if (part.kind == PartKind::blade) {
 		return CLOSE_BLADE_DETAILS;
@@ -59,7 +59,7 @@ float round_error(const PartDetail &detail) {
 std::vector<float> blade_offsets(const Part &part, const PartDetail &detail) {
 	std::vector<float> offsets;
 	if (shows_teeth(part, detail)) {
-		for (int i = 0; i < part.blade.teeth; i++) { // At the corners of the saw teeth (form/surface.cpp).
+		for (int i = 0; i < part.blade.teeth; i++) { // At the corners of the teeth (form/surface.cpp).
 			const float teeth = static_cast<float>(part.blade.teeth);
 			offsets.push_back(static_cast<float>(i) / teeth);
 			offsets.push_back((static_cast<float>(i) + 0.75f) / teeth);
@@ -107,11 +107,11 @@ std::vector<PartDetail> details_of(const Part &part, bool is_close) {
 		details.insert(details.begin(), { 3, 2 * part.blade.teeth });
 	}
 	if (part.kind == PartKind::blade && part.blade.roll == 0.0f &&
-			part.blade.wave == 0.0f) { // Five columns look like three.
+			part.blade.wave == 0.0f) { // Five columns look the same as three.
 		const auto is_fine = [](const PartDetail &detail) { return detail.columns > 3; };
 		details.erase(std::remove_if(details.begin(), details.end(), is_fine), details.end());
 	}
-	// Removes details that cost no less than a finer one.
+	// Removes details that do not cost less than a finer one.
 	for (size_t i = 1; i < details.size();) {
 		if (count_part(part, details[i]).vertices < count_part(part, details[i - 1]).vertices) {
 			i++;
@@ -142,7 +142,7 @@ float error_of(const Part &part, const PartDetail &detail) {
 		return detail.rows == PYRAMID_ROWS ? 0.06f : 0.02f * static_cast<float>(3 - detail.rows);
 	}
 	const float span = 1.0f / static_cast<float>(detail.rows);
-	// A single row runs from the base's width to the tip's and has no widest point in between.
+	// A single row runs from the base's width to the tip's and omits a wider middle.
 	const bool is_one = detail.rows == 1 && part.kind == PartKind::blade;
 	const float inside = is_one ? 0.6f * std::max(part.widths.widest() - 0.2f, 0.0f) : 0.0f;
 	const float edge = is_even(part) ? 0.0f : 0.06f * square(span) + inside;

@@ -9,12 +9,13 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float GROUP_PHASE = 0.38196601f; // Separates neighbours of two groups, too.
-constexpr float MOST_OF_HEAD = 0.25f; // Of the plant's height: longer parts at a stem's tip are leaves of a crown.
+constexpr float GROUP_PHASE = 0.38196601f; // Separates the phases of neighbours in two groups.
+// Fraction of the plant's height: longer parts at a stem's tip are leaves of a crown.
+constexpr float MOST_OF_HEAD = 0.25f;
 constexpr float TIP = 0.999f; // Offset.
 constexpr int ROOM_PLACES = 4;
 constexpr float LEAST_AWAY = 1e-4f; // m.
-constexpr float LEAST_ASIDE = 1e-5f; // Of the length: an upright part hangs towards the side of its back.
+constexpr float LEAST_ASIDE = 1e-5f; // Fraction of the length: upright parts hang on the side of their back.
 
 float frequency_of(const PlantForm &form, const PlacedPart &part) {
 	return form.parts[static_cast<size_t>(part.kind)].frequency;
@@ -29,16 +30,15 @@ glm::vec2 side_of(const PlantForm &form, const PlacedPart &part) {
 	return { part.axes.outward.x, part.axes.outward.z };
 }
 
-/// Room of a part before its midrib meets the ground when it turns outward: to first order, for each position by its
-/// weight.
+/// Returns the angle by which a part can turn outward before its midrib meets the ground, to first order, with each
+/// point at its weight.
 float room_of(const PlantForm &form, const PlacedPart &part) {
 	float room = 1.0f;
 	for (int i = 1; i <= ROOM_PLACES; i++) {
 		const float offset = static_cast<float>(i) / ROOM_PLACES;
 		const glm::vec3 point = form.point_of(part, offset);
 		const float away = std::max(glm::length(glm::vec2(point.x - part.base.x, point.z - part.base.z)), LEAST_AWAY);
-		// Half: the bend angle is half the turn.
-		room = std::min(room, 0.5f * std::max(point.y, 0.0f) / (away * offset));
+		room = std::min(room, 0.5f * std::max(point.y, 0.0f) / (away * offset)); // Half, because a bend is half a turn.
 	}
 	return room;
 }
@@ -55,7 +55,7 @@ void set_swing(const PlantForm &form, const PlacedPart &part, const glm::vec2 &s
 	hang.swing = decode_swing(hang.code);
 }
 
-/// True if a part belongs to a head, given that none of its carriers swings.
+/// True if a part belongs to a head and no carrier of it swings.
 bool is_of_head(const PlantForm &form, const PlacedPart &part) {
 	const Layout layout = form.groups[static_cast<size_t>(part.group)].layout;
 	return (layout == Layout::whorl || layout == Layout::disc) && part.offset > TIP &&
@@ -83,7 +83,7 @@ PartHang hang_on(const PlantForm &form, const PlacedPart &part, const PartHang &
 	return hang;
 }
 
-/// By placed part: the softest part of a head on it, or -1.
+/// Returns for each placed part the softest part of a head on it, or -1.
 std::vector<int> find_heads(const PlantForm &form) {
 	std::vector<int> softest(form.placed.size(), -1);
 	for (size_t i = 0; i < form.placed.size(); i++) {
@@ -99,7 +99,7 @@ std::vector<int> find_heads(const PlantForm &form) {
 	return softest;
 }
 
-/// The part moves with its attachment as a whole and turns about the tip of its carrier.
+/// All of the head moves with its carrier and turns about the carrier's tip.
 void join_head(const PlantForm &form, int softest, PartHang &hang) {
 	const PlacedPart &part = form.placed[static_cast<size_t>(softest)];
 	hang.has_swing = true;
@@ -140,7 +140,7 @@ std::vector<PartHang> hang_parts(const PlantForm &form) {
 		} else {
 			hang = hang_on(form, part, hangs[static_cast<size_t>(part.carrier)]);
 		}
-		// Stems bend only with the plant; leaves that lie on the ground also swing.
+		// Stems have only the plant's own bend; leaves on the ground also swing.
 		const bool is_stem = on_ground && form.parts[static_cast<size_t>(part.kind)].kind != PartKind::blade;
 		const int head = on_ground || !is_of_head(form, part) ? -1 : heads[static_cast<size_t>(part.carrier)];
 		if (!hang.has_swing && head >= 0) {

@@ -9,30 +9,30 @@ namespace undergrowth {
 
 /// Attachment of a part to the bending plant (mesh/vertex_format.hpp).
 struct PartHang {
-	/// True if the part is on the ground: the stem offset of its vertices follows from their own height.
+	/// True if it grows from the ground: the stem offset of its vertices comes from their own heights.
 	bool is_root = false;
-	float stem_offset = 0.0f; ///< Of all vertices, except for a root.
-	float stem_place = 0.0f; ///< Position of the attachment on the stem, except for a root.
+	float stem_offset = 0.0f; ///< Stem offset of all its vertices, if it is not a root.
+	float stem_place = 0.0f; ///< Position of its attachment on the stem, if it is not a root.
 	bool swings = false; ///< True if it swings by itself: the own weight of its vertices is their offset.
-	bool has_swing = false; ///< True if it has its own swing, that of its head or that of its carrier.
-	int swinger = -1; ///< Index of the placed part with that swing; for a head its first part.
-	float weight = 0.0f; ///< Of all vertices, except if it swings.
+	bool has_swing = false; ///< True if it has a swing of its own, of its head or of its carrier.
+	int swinger = -1; ///< Index of the placed part with that swing; for a head, its first part.
+	float weight = 0.0f; ///< Own weight of all its vertices, if it does not swing.
 	glm::vec3 pivot = glm::vec3(0.0f); ///< m.
-	PartSwing swing; ///< The swing,
-	SwingCode code; ///< encoded for vertices.
+	PartSwing swing; ///< The swing, from which `code` is made.
+	SwingCode code; ///< The encoded swing of its vertices.
 	float rank = 0.0f; ///< At least the rank of its carrier.
 
-	/// Own weight at an offset of the part.
+	/// Own weight at a part's offset.
 	float weight_at(float offset) const { return swings ? offset : weight; }
-	/// Hang of a body of many parts that begins with this one. The parts swing separately; the body does not swing.
+	/// Returns the attachment of a body of many parts of which this is the first. Such a body has no swing of its own.
 	PartHang of_body() const;
 };
 
-/// Returns the hang of all placed parts. A part with a frequency swings unless one of its carriers does. A head
-/// consists of all short parts around and on the tip of a stem. It swings as a whole, like its softest part.
+/// Returns the attachments of all placed parts. A part swings if it has a frequency and no carrier of it swings. All
+/// short parts around and on the tip of a stem are a head: they share one swing, that of the softest part.
 std::vector<PartHang> hang_parts(const PlantForm &form);
 
-/// Stem offset of a point of a part on the ground.
+/// Returns the stem offset of a point of a part on the ground.
 float stem_offset_of(const PlantForm &form, const glm::vec3 &point);
 
 } // namespace undergrowth

@@ -10,11 +10,11 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float RIBBON_ROUNDNESS = 0.9f; // rad: a ribbon has the shading of the round stem that it replaces.
+constexpr float RIBBON_ROUNDNESS = 0.9f; // rad: a ribbon is lit like the round stem that it replaces.
 
-constexpr float RIBBON_TWIST = 1.75f; // rad: it is never edge-on along its whole length.
+constexpr float RIBBON_TWIST = 1.75f; // rad: so that no view shows it edge-on everywhere.
 
-/// A distant stem: a twisted ribbon. Its widths are samples, since blades do not taper by themselves.
+/// A distant stem: a twisted ribbon. Its widths are samples, because blades do not taper by themselves.
 PartTemplate make_ribbon_template(const Part &part, const Midrib &midrib, const PartDetail &detail) {
 	constexpr int SAMPLES = 9;
 	Part flat = part;
@@ -29,7 +29,7 @@ PartTemplate make_ribbon_template(const Part &part, const Midrib &midrib, const 
 	return make_sheet_template(flat, midrib, detail);
 }
 
-/// Squares of the mean colour of a template's triangles, weighted by their areas on a part of its length and width.
+/// Returns the squared mean colour of a template's triangles, weighted by area for the part's length and width.
 glm::vec3 drawn_squares(const PartTemplate &shape, const Part &part) {
 	glm::vec3 sum(0.0f);
 	float whole = 0.0f;
@@ -49,7 +49,7 @@ glm::vec3 drawn_squares(const PartTemplate &shape, const Part &part) {
 	return whole > 0.0f ? sum / whole : glm::vec3(0.0f);
 }
 
-/// Corrects the mean colour: with few vertices, base and tip have too much weight.
+/// With few vertices, base and tip would have too much weight.
 void keep_mean_color(PartTemplate &shape, const Part &part, const glm::vec3 &mean) {
 	const glm::vec3 more = mean * mean - drawn_squares(shape, part);
 	for (TemplateVertex &vertex : shape.vertices) {

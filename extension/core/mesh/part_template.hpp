@@ -19,14 +19,14 @@ struct TemplateVertex {
 	float lean; ///< Lean of its normal across the part: the tangent of the angle. 0 on tubes.
 };
 
-/// The surface of a kind of part at one detail, for a length and a width of 1.
+/// Surface of a kind of part at one detail, for length and width 1.
 struct PartTemplate {
 	std::vector<TemplateVertex> vertices;
 	std::vector<int32_t> indices;
 };
 
-/// Builds the template with the part's mean colour (mean_color()) at any detail. It has as many vertices and indices as
-/// count_part() returns.
+/// Computes it in the part's own mean colour (mean_color()), at any detail. Vertex and index counts are those of
+/// count_part().
 PartTemplate make_part_template(
 		const Part &part, const Midrib &midrib, const PartDetail &detail, const glm::vec4 &mean_color);
 

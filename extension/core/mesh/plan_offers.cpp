@@ -1,4 +1,4 @@
-// PlanSteps: the saving and the harm of each step.
+// PlanSteps: the savings and the harm of each step.
 
 #include "mesh/plan_steps.hpp"
 
@@ -9,23 +9,23 @@ namespace undergrowth {
 
 namespace {
 
-// Harm of steps to a picture, as fractions of the area that they affect. They define an order, not physics.
-constexpr float THINNED = 0.1f; // For each part that one drawn part replaces.
-constexpr float ONE_SIDED = 0.6f; // Divided by the number of remaining parts: few parts look lopsided.
-constexpr float THINNED_TUFT = 0.06f; // Added for tufts: a few wide leaves look unlike many narrow ones,
-constexpr float MOST_TUFT = 0.06f; // but losing the flowers changes the plant more.
-constexpr float TWIN_DROPPED = 0.2f; // If another group of the same kind on the same carriers is still drawn.
+// Harm of steps to a picture, as fractions of the affected area: estimates for ordering the steps, not physics.
+constexpr float THINNED = 0.1f; // Times the number of replaced parts per remaining part.
+constexpr float ONE_SIDED = 0.6f; // Divided by the number of remaining parts: fewer are more asymmetric.
+constexpr float THINNED_TUFT = 0.06f; // Additional harm: a few wide leaves do not look like many narrow ones.
+constexpr float MOST_TUFT = 0.06f; // Its limit, because a plant without flowers also looks different.
+constexpr float TWIN_DROPPED = 0.2f; // If another group of the same kind remains on the same carriers.
 constexpr float DROPPED = 1.3f;
 constexpr float MOST_THINNED = 0.6f; // A few parts are better than none.
 constexpr float COLOR_LOST = 30.0f; // Times the squared distance to the nearest remaining colour.
 constexpr float THINNED_WHORL = 0.3f; // One side of a flower does not look like a flower.
 constexpr float MERGED = 0.08f;
-constexpr float UNCOVERED = 0.35f; // For the share of a body that its parts leave open.
-constexpr float BODY_SIDE = 0.3f; // Divided by the square of the sides.
-constexpr float FLOWER_WORTH = 1.5f; // From here on its colour is that of a flower.
-constexpr float CONE = 0.05f; // For a whorl's lathe.
-constexpr int MOST_BODIES_LEFT = 2; // Alternations of a body and a few parts. All other steps only reduce the detail.
-constexpr size_t MANY_GROUPS = 48; // Only scripts that loop over their parts grow more.
+constexpr float UNCOVERED = 0.35f; // For the fraction of a body that its parts leave open.
+constexpr float BODY_SIDE = 0.3f; // Divided by the squared number of sides.
+constexpr float FLOWER_WORTH = 1.5f; // From here on, the colour is that of a flower.
+constexpr float CONE = 0.05f; // For the lathe of a whorl.
+constexpr int MOST_BODIES_LEFT = 2; // Limits cycles of bodies and few parts; all other steps only reduce detail.
+constexpr size_t MANY_GROUPS = 48; // Only scripts that add parts in loops have more.
 constexpr float NEARLY = 1.25f; // Times the best price.
 
 float body_error(const PartGroup &group, const BodyDetail &detail) {
@@ -49,13 +49,13 @@ float PlanSteps::thin_error(const State &state, size_t kept) const {
 	return has_twin(static_cast<int>(group)) ? TWIN_DROPPED : DROPPED + COLOR_LOST * state.contrast;
 }
 
-/// True if a twin is drawn, too.
+/// True if another twin is drawn.
 bool PlanSteps::has_twin(int group) const {
 	const size_t own = static_cast<size_t>(group);
 	return twins[states[own].twins].drawn > (own_vertices(own) > 0 ? 1 : 0);
 }
 
-/// Area that disappears with a dropped group: the last drawn twin counts for all twins.
+/// Returns the area that disappears with a group. The last drawn twin counts for all its twins.
 float PlanSteps::dropped_area(const State &state) const {
 	const size_t group = static_cast<size_t>(&state - states.data());
 	return state.branch_area + twins[state.twins].dropped_area - (own_vertices(group) > 0 ? 0.0f : state.area);
@@ -101,7 +101,7 @@ void PlanSteps::offer_thinning(Step &best, int group, int excess) const {
 			continue;
 		}
 		if (KEPT[kept] == 0.0f && state.branch_vertices == total) {
-			continue; // Some part of every plant must stay visible.
+			continue; // Every plant needs something visible.
 		}
 		const float left = static_cast<float>(state.left[kept]) / static_cast<float>(state.left[state.kept]);
 		const float saved = static_cast<float>(state.branch_vertices) * (1.0f - left);
@@ -111,7 +111,7 @@ void PlanSteps::offer_thinning(Step &best, int group, int excess) const {
 	}
 }
 
-/// Offers a few parts at the coarsest detail instead of a body.
+/// Offers a few parts of the lowest detail instead of a body.
 void PlanSteps::offer_few(Step &best, int group, size_t kept, int excess) const {
 	const State &state = states[static_cast<size_t>(group)];
 	const PartGroup &own = form.groups[static_cast<size_t>(group)];
@@ -121,7 +121,7 @@ void PlanSteps::offer_few(Step &best, int group, size_t kept, int excess) const 
 		return;
 	}
 	if (carries || is_flower || own.layout == Layout::disc || own.layout == Layout::whorl || state.bodies == 0) {
-		return; // A group that carries other parts is more than its own parts, and flowers stay whole.
+		return; // A carrier is more than its parts, and flowers stay whole.
 	}
 	const int saved = state.branch_vertices - state.left[kept] * state.costs.back();
 	const float harm = state.area *
@@ -135,7 +135,7 @@ void PlanSteps::offer_body(Step &best, int group, int excess) const {
 	const State &state = states[static_cast<size_t>(group)];
 	const PartGroup &own = form.groups[static_cast<size_t>(group)];
 	if (own.carrier_group == ON_GROUND || own.count < 2) {
-		return; // A tuft is not compact, and a single part stays a part.
+		return; // A tuft is not a lump, and a single part stays a part.
 	}
 	const int carriers =
 			state.body > 0 ? state.bodies : std::max(1, states[static_cast<size_t>(own.carrier_group)].parts);
@@ -149,7 +149,7 @@ void PlanSteps::offer_body(Step &best, int group, int excess) const {
 	}
 }
 
-/// The best step of one group.
+/// Returns the best step of one group.
 PlanSteps::Step PlanSteps::find_best(int group, int excess) const {
 	Step best;
 	if (states[static_cast<size_t>(group)].branch_vertices > 0) {
@@ -166,8 +166,8 @@ void PlanSteps::take(const Step &step) {
 	draw(static_cast<size_t>(step.group), step.next);
 }
 
-/// Also takes the steps that cost nearly as little as the best, while there are too many vertices. Of twins it drops at
-/// most half, since the last twin counts for all.
+/// Also takes the steps that cost nearly as little as the best one, until the budget is met. Drops at most every second
+/// twin, because the last one counts for all.
 void PlanSteps::take_many(std::vector<Step> &steps, const Step &best, int excess) {
 	std::stable_sort(steps.begin(), steps.end(), [](const Step &a, const Step &b) { return a.price < b.price; });
 	const std::vector<Drawn> before(states.begin(), states.end());
@@ -188,7 +188,7 @@ void PlanSteps::take_many(std::vector<Step> &steps, const Step &best, int excess
 		take(step);
 	}
 	recount();
-	if (total == 0) { // Steps that drop groups at once can remove the whole plant.
+	if (total == 0) { // The dropped groups may carry everything.
 		for (size_t g = 0; g < states.size(); g++) {
 			draw(g, before[g]);
 		}
@@ -223,7 +223,7 @@ bool PlanSteps::take_best(int budget) {
 			}
 			return true;
 		}
-		// Parts on parts of several groups can all disappear with one of these, too.
+		// Parts of several groups may carry other parts together; dropping one group may then remove everything.
 		states[static_cast<size_t>(best.group)].kept_end = best.next.kept;
 		draw(static_cast<size_t>(best.group), before);
 		recount();

@@ -13,9 +13,9 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float STANDS_OUT = 6.0f; // Times the squared distance of a colour from the plant's mean.
+constexpr float STANDS_OUT = 6.0f; // Times the squared distance of a colour to the plant's mean.
 
-/// Share of a group's body that its parts fill.
+/// Returns the fraction of a group's body that its parts fill.
 float cover_of(const PartGroup &group, const Part &part) {
 	if (group.layout == Layout::disc) {
 		return 1.0f;
@@ -53,7 +53,7 @@ PlanSteps::PlanSteps(const PlantForm &p_form, const FormMeasure &p_measure, bool
 	recount();
 }
 
-/// Counts the parts of a group that remain at each entry of KEPT.
+/// Counts the parts of a group that each entry of KEPT leaves.
 void PlanSteps::count_left(size_t group) {
 	const PartGroup &own = form.groups[group];
 	states[group].left.assign(KEPT_COUNT, 0);
@@ -64,7 +64,7 @@ void PlanSteps::count_left(size_t group) {
 	}
 }
 
-/// Called once, since plants can have as many groups as parts.
+/// Computed once, because plants may have as many groups as parts.
 void PlanSteps::find_relatives() {
 	std::map<std::pair<int, int>, size_t> known;
 	for (size_t g = 0; g < states.size(); g++) {
@@ -163,7 +163,7 @@ void PlanSteps::add_up_branches() {
 	}
 }
 
-/// Number of parts of a group that would be drawn as parts if this share of them remained.
+/// Returns the number of parts of a group that would be drawn as parts with this fraction.
 int PlanSteps::count_drawn(size_t group, float share) const {
 	const PartGroup &own = form.groups[group];
 	int count = 0;
@@ -175,8 +175,7 @@ int PlanSteps::count_drawn(size_t group, float share) const {
 	return count;
 }
 
-/// True if a step back, to `next`, may fit into `room` more vertices. Groups that carry other parts always may; only a
-/// trial shows their cost.
+/// True if undoing a step, to `next`, may fit into this many vertices. For carriers only a trial shows it.
 bool PlanSteps::could_fit(size_t group, const Drawn &next, int room) const {
 	const State &state = states[group];
 	if (!state.carried.empty() || (state.body == 0) != (next.body == 0)) {
@@ -219,7 +218,7 @@ bool PlanSteps::give_back(int budget) {
 	return false;
 }
 
-/// One step finer: all parts come before better parts.
+/// One step finer: all parts before finer parts.
 bool PlanSteps::step_back(State &state) const {
 	if (KEPT[state.kept] == 0.0f) { // A body replaces all parts.
 		state.kept = state.body > 0 ? 0 : state.kept - 1;
@@ -228,7 +227,7 @@ bool PlanSteps::step_back(State &state) const {
 	} else if (state.body > 1) {
 		state.body--;
 	} else if (state.body == 1) {
-		return false; // Separate parts would be too many again.
+		return false; // Drawing parts again would exceed the budget.
 	} else if (state.kept > 0) {
 		state.kept--;
 	} else if (state.detail > 0) {
@@ -239,8 +238,8 @@ bool PlanSteps::step_back(State &state) const {
 	return true;
 }
 
-/// Adds the area of groups that are not drawn to another group: of the same kind, or else of the nearest colour. It
-/// prefers leaves to stems, which would become posts.
+/// Distributes the area of groups that are not drawn: to groups of the same kind, else of the nearest colour. Leaves
+/// are preferred to stems, which would become posts.
 void PlanSteps::pass_on(std::vector<float> &shown) const {
 	for (size_t g = 0; g < states.size(); g++) {
 		const int kind = form.groups[g].kind;

@@ -8,7 +8,7 @@ namespace undergrowth {
 
 inline constexpr float HALF_SPHERE = 1.75f; // rad: domes above this are drawn as whole spheres.
 
-/// Fractions of the parts that are drawn; the last draws none.
+/// Fractions of the parts that remain; the last is none.
 inline constexpr float KEPT[] = { 1.0f, 0.8f, 0.65f, 0.5f, 0.42f, 0.34f, 0.25f, 0.18f, 0.12f, 0.07f, 0.04f, 0.02f,
 	0.01f, 0.005f, 0.001f, 0.0002f, 0.0f };
 inline constexpr size_t KEPT_COUNT = sizeof(KEPT) / sizeof(KEPT[0]);
@@ -16,48 +16,48 @@ inline constexpr BodyDetail BODIES[] = { { 0, 0 }, { 8, 2 }, { 6, 2 }, { 5, 2 },
 	{ 3, 1 } };
 inline constexpr size_t BODY_COUNT = sizeof(BODIES) / sizeof(BODIES[0]);
 
-inline constexpr float FLAT_STEM = 0.1f; ///< Error of a stem as a ribbon, which is thinner from some sides.
+inline constexpr float FLAT_STEM = 0.1f; ///< A ribbon as a stem is thinner from some sides.
 
-/// Reduces a form's full detail step by step (plan_form).
+/// Reduces a form from full detail step by step (plan_form).
 class PlanSteps {
 public:
-	/// `is_close`: starts from the details of a plant that fills the picture.
+	/// `is_close`: starts with close-up details.
 	PlanSteps(const PlantForm &form, const FormMeasure &measure, bool is_close = false);
 
 	int vertices() const { return total; }
-	/// Takes the step with the least harm for each vertex that it saves, counting only vertices over the budget. For
-	/// plants of many groups, which scripts grow part by part, it takes all steps of nearly that price. Returns false
-	/// if there is no step.
+	/// Takes the step with the lowest cost per saved vertex; vertices below the budget do not count as saved. For
+	/// plants with many groups, as from scripts that add part by part, takes all steps of similar cost. Returns false
+	/// if there is none.
 	bool take_best(int budget);
-	/// Undoes the step that still fits and improves the picture most. Returns false if there is none.
+	/// Undoes the one step that fits the budget and improves most. Returns false if there is none.
 	bool give_back(int budget);
 	FormPlan finish();
-	/// Number of parts and groups examined: the cost of planning.
+	/// Number of visited parts and groups, which is the cost of planning.
 	int64_t work() const { return looked_at; }
 
 private:
-	/// Level of detail of a group.
+	/// Detail of a group.
 	struct Drawn {
 		size_t detail = 0;
 		size_t kept = 0; ///< Index in KEPT.
 		size_t body = 0; ///< Index in BODIES; 0: no body.
 	};
-	/// Current state of a group.
+	/// Present detail of a group.
 	struct State : Drawn {
 		std::vector<PartDetail> details;
 		std::vector<int> costs; ///< Vertices of a part at each detail.
-		std::vector<float> errors; ///< As a fraction of its area, at each detail.
-		int parts = 0; ///< Number drawn as parts.
+		std::vector<float> errors; ///< As fractions of its area, at each detail.
+		int parts = 0; ///< Number of drawn parts.
 		int bodies = 0;
-		float area = 0.0f; ///< m² that all its parts show.
-		bool is_stem = false; ///< True if it is on the ground and carries other parts.
-		std::vector<int> left; ///< Number of parts for each entry of KEPT.
-		float contrast = 0.0f; ///< Squared distance of its colour from the nearest other part's.
-		float worth = 1.0f; ///< Weight of its area: larger for colours that stand out, as those of flowers.
-		float cover = 1.0f; ///< Fraction of a body's silhouette that its parts fill.
-		size_t kept_end = KEPT_COUNT; ///< From this index on nothing of the plant would be visible.
-		int bodies_left = 0; ///< Number of times that a few parts replaced its bodies.
-		std::vector<size_t> carried; ///< Groups that only this group carries.
+		float area = 0.0f; ///< Shown area of all its parts (m²).
+		bool is_stem = false; ///< True if it grows from the ground and carries parts.
+		std::vector<int> left; ///< Remaining parts for each entry of KEPT.
+		float contrast = 0.0f; ///< Squared distance of its colour to the nearest colour of another part.
+		float worth = 1.0f; ///< Weight of its area: larger for a conspicuous colour, as of flowers.
+		float cover = 1.0f; ///< Fraction of a body's silhouette that its parts cover.
+		size_t kept_end = KEPT_COUNT; ///< From this index on, nothing of the plant would be visible.
+		int bodies_left = 0; ///< Number of times a few parts replaced its bodies.
+		std::vector<size_t> carried; ///< Groups carried by this group only.
 		size_t twins = 0; ///< Index in `twins`.
 		// Including everything that its parts carry:
 		int branch_vertices = 0;
@@ -73,8 +73,8 @@ private:
 
 	/// Groups of one kind on the same carriers.
 	struct Twins {
-		int drawn = 0; ///< Number of groups of which something is drawn.
-		float dropped_area = 0.0f; ///< m² of all other groups.
+		int drawn = 0; ///< Groups that are not dropped.
+		float dropped_area = 0.0f; ///< m² of dropped groups.
 	};
 
 	const PlantForm &form;

@@ -15,16 +15,16 @@ public:
 	int lod() const { return sample.lod; }
 	bool has_shape_deviation() const { return bends; }
 
-	/// height·level/lod, rounded once: the last ring is at the height itself.
+	/// height·level/lod, rounded once: the last ring is exactly at the height.
 	float level_height(int level) const;
-	/// Metres between two levels; above 0 even if rounding leaves nothing between them.
+	/// Metres between two levels; above 0 even if rounding makes their heights equal.
 	float rise_between(int below, int above) const;
 	/// Change of the width around a ring per metre of height.
 	float width_slope(int level) const;
-	/// Writes the ring's points, one for each point of the cross-section.
+	/// Writes the ring's points, as many as the cross-section has.
 	void place(int level, glm::vec3 *out) const;
 	void paint(int level, glm::vec4 *out) const;
-	/// Writes the outward unit normals of the ring itself: level, and independent of its width.
+	/// Writes the ring's outward unit normals, horizontal, for any width.
 	void level_normals(int level, glm::vec2 *out) const;
 
 private:

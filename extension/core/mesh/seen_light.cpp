@@ -8,15 +8,15 @@ namespace undergrowth {
 
 namespace {
 
-constexpr int COLUMNS = 96; // Of a box.
+constexpr int COLUMNS = 96; // Per box.
 constexpr int ROWS = 128;
 
-/// The nearest and the farthest triangle at each dot; the farthest is the nearest from the opposite side.
+/// The nearest and farthest triangle at each dot; the farthest is the nearest from the other side.
 class Sight {
 public:
 	Sight(int columns, int p_rows) : width(columns), rows(static_cast<size_t>(p_rows)), dots(new Dot[size()]) {}
 
-	/// Prepares dots of a row: clears those that were not reached before.
+	/// Prepares dots of a row for writing: clears those that were not used before.
 	void reach(int row, int first, int end) {
 		Row &own = rows[static_cast<size_t>(row)];
 		if (own.first >= own.end) {
@@ -37,7 +37,7 @@ public:
 			dot.back = triangle;
 		}
 	}
-	/// Calls `look(triangle, x, y)` for the triangles visible from both sides, and clears the rows.
+	/// Calls `look(triangle, x, y)` for what is visible from both sides, and clears it.
 	template <class Look> void take(const Look &look) {
 		for (size_t row = 0; row < rows.size(); row++) {
 			const float y = static_cast<float>(row) + 0.5f;
@@ -57,17 +57,17 @@ private:
 	struct Dot {
 		float nearest;
 		float farthest;
-		int front; ///< Number of a triangle.
+		int front; ///< Index of a triangle.
 		int back;
 	};
-	/// Columns that were reached.
+	/// Used columns.
 	struct Row {
 		int first = 0;
 		int end = 0;
 	};
 	const int width;
 	std::vector<Row> rows;
-	const std::unique_ptr<Dot[]> dots; ///< Undefined where never reached.
+	const std::unique_ptr<Dot[]> dots; ///< Undefined where nothing was written.
 
 	size_t size() const { return static_cast<size_t>(width) * rows.size(); }
 	size_t place(int row, int column) const { return static_cast<size_t>(row * width + column); }
@@ -78,10 +78,10 @@ private:
 	}
 };
 
-/// Shares of a triangle's corners at positions in its plane.
+/// Barycentric weights of a triangle's corners at positions in its plane.
 struct Shares {
 	float x, y; ///< Of the first corner, in dots.
-	float b_x, b_y, c_x, c_y; ///< Of the second and third corner, per dot.
+	float b_x, b_y, c_x, c_y; ///< Of the remaining corners, per dot.
 
 	Shares() = default;
 	Shares(const SightLens::Corner &a, const SightLens::Corner &b, const SightLens::Corner &c) : x(a.x), y(a.y) {
@@ -99,7 +99,7 @@ struct Shares {
 	}
 };
 
-/// Shares of each triangle's corners, as currently projected.
+/// Computes the weights of a triangle's corners in the present view.
 Shares shares_of(const SightLens &lens, const int32_t *at) {
 	return Shares(lens.corner(at[0]), lens.corner(at[1]), lens.corner(at[2]));
 }

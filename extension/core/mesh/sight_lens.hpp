@@ -8,30 +8,30 @@
 
 namespace undergrowth {
 
-/// Projects the points of a mesh to the dots (pixels) of a picture, and determines the size of the picture.
+/// Projects the points of a mesh to the dots of a picture.
 class SightLens {
 public:
-	/// For pictures whose dots are so large that `columns` by `rows` of them cover the box.
+	/// Pictures with dots of a size at which `columns` by `rows` of them cover the box.
 	SightLens(const SeenMesh &p_mesh, const SightBox &box, int columns, int rows);
 
 	int columns() const { return 2 * half; }
 	int rows() const { return height; }
-	/// m² that a dot covers.
+	/// Area of a dot (m²).
 	float dot_area() const { return 1.0f / (across * up); }
 
-	/// A corner in dots, and its depth (m).
+	/// A corner in dots, and its distance (m).
 	struct Corner {
 		float x, y, depth;
 	};
-	/// A triangle that covers centres of rows. Its height is the same from all sides.
+	/// A triangle that covers row centres. Its rows are the same from all sides.
 	struct Triangle {
-		int32_t corners[3]; ///< From the lowest to the highest.
+		int32_t corners[3]; ///< From lowest to highest.
 		int begin, end; ///< Rows.
 		int first; ///< Index of its first corner in the mesh's indices.
 	};
-	/// In the order of the mesh. All other triangles are invisible.
+	/// In the order of the mesh; all other triangles are never visible.
 	const std::vector<Triangle> &triangles() const { return standing; }
-	/// Projects all points as in the picture of one outline.
+	/// Projects all points for one outline.
 	void look_from(size_t side);
 	const Corner &corner(int32_t vertex) const { return corners[static_cast<size_t>(vertex)]; }
 
@@ -41,7 +41,7 @@ private:
 	const SeenMesh &mesh;
 	float across, up; ///< Dots per metre.
 	float low = 0.0f; ///< Dots below the box.
-	float ground; ///< m, the bottom of the box.
+	float ground; ///< Lower end of the box (m).
 	int half, height;
 	std::vector<Corner> corners;
 	std::vector<Triangle> standing;
@@ -49,12 +49,12 @@ private:
 	void find_triangles();
 };
 
-/// The first dot with its centre beyond a position.
+/// Returns the first dot with its centre beyond a position.
 inline int first_beyond(float place) {
 	return static_cast<int>(std::clamp(place, 0.0f, 1e6f) + 0.5f);
 }
 
-/// The edges of a triangle as a lens projects them from one side.
+/// The edges of a triangle as a lens shows it from one side.
 class TriangleEdges {
 public:
 	TriangleEdges(const SightLens &lens, const SightLens::Triangle &triangle) :
@@ -64,7 +64,7 @@ public:
 			lower(slope(low, middle)),
 			upper(slope(middle, lens.corner(triangle.corners[2]))) {}
 
-	/// The columns whose centres the triangle covers in a row.
+	/// Returns the columns of a row with centres inside the triangle.
 	void columns(int row, int count, int &first, int &beyond) const {
 		const float level = static_cast<float>(row) + 0.5f;
 		const float a = low.x + whole * (level - low.y);

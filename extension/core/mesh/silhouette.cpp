@@ -6,11 +6,11 @@ namespace undergrowth {
 
 namespace {
 
-constexpr int COLUMNS = 512; // Of a box.
+constexpr int COLUMNS = 512; // Per box.
 constexpr int ROWS = 160;
-constexpr int ABOVE = 192; // Columns and rows of the picture from above.
+constexpr int ABOVE = 192; // Columns and rows of the view from above.
 
-/// Dots as rows of bits.
+/// Dots in rows of bits.
 class Outline {
 public:
 	Outline(int columns, int rows) : words((columns + 63) / 64), bits(static_cast<size_t>(words * rows)) {}
@@ -26,7 +26,7 @@ public:
 	}
 	int count() const {
 		int sum = 0;
-		for (uint64_t word : bits) { // Counts bits by sums of neighbours: bits, pairs, fours; then all bytes at once.
+		for (uint64_t word : bits) { // Sums neighbours: bits, pairs, fours; then all bytes at once.
 			word -= (word >> 1) & 0x5555555555555555u;
 			word = (word & 0x3333333333333333u) + ((word >> 2) & 0x3333333333333333u);
 			word = (word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fu;

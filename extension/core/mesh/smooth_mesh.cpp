@@ -28,7 +28,7 @@ void write_sides(const PlantSample &sample, const RingPlacer &placer, const Mesh
 	}
 }
 
-/// For regular rings: the surface moves outward with the width alone, by `reach` per unit of width.
+/// For regular rings: the surface moves outward only with the width, by `reach` per unit of width.
 void write_regular_normals(const PlantSample &sample, const RingPlacer &placer, glm::vec3 *out) {
 	const int n = placer.points();
 	const glm::vec2 *outward = sample.cross_section->normals.data();
@@ -42,7 +42,7 @@ void write_regular_normals(const PlantSample &sample, const RingPlacer &placer, 
 	}
 }
 
-/// For rings that deviate: the outward movement of the surface is measured between the rings below and above.
+/// For irregular rings: measures the outward motion of the surface between the rings below and above.
 void write_deviating_normals(const RingPlacer &placer, const glm::vec3 *positions, glm::vec3 *out) {
 	const int n = placer.points();
 	glm::vec2 outward[MAX_RING_POINTS];
@@ -83,7 +83,7 @@ int32_t *write_side_indices(int n, int lod, int32_t *indices) {
 		out[4] = above + 1;
 		out[5] = i + 1;
 	}
-	// Every further band is the first one, moved up.
+	// Every further band is the first one, shifted.
 	const int rest = 6 * n * (lod - 1);
 	for (int i = 0; i < rest; i++) {
 		indices[6 * n + i] = indices[i] + n + 1;

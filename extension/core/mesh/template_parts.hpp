@@ -6,7 +6,7 @@
 
 namespace undergrowth {
 
-/// Writes triangles between rows of equal length that lie one behind the other, clockwise from the front.
+/// Writes triangles between consecutive rows of equal length, clockwise from the front.
 class Weaver {
 public:
 	Weaver(PartTemplate &p_out, int p_columns, bool p_closed) :
@@ -42,7 +42,7 @@ private:
 	const int spans;
 };
 
-/// An empty template with reserved room for its final size.
+/// Returns an empty template with reserved capacity.
 inline PartTemplate room_for(const Part &part, const PartDetail &detail) {
 	const MeshCounts counts = count_part(part, detail);
 	PartTemplate out;

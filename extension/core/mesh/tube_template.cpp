@@ -8,7 +8,7 @@ namespace undergrowth {
 namespace {
 
 TemplateVertex pole(const Midrib::Place &place, const glm::vec4 &color, float offset, bool at_base) {
-	// The normal points along the part: across × up = along.
+	// Its normal is along the part: across × up = along.
 	const SurfacePoint point = { place.point, place.across, glm::vec3(0.0f), glm::vec3(0.0f),
 		at_base ? place.up * -1.0f : place.up };
 	return { point, color, { 0.5f, 1.0f - offset }, offset, 0.0f };
@@ -29,7 +29,7 @@ PartTemplate make_bead_template(const Part &part, const Midrib &midrib, const Pa
 	const std::vector<float> offsets = row_offsets(part, detail);
 	const std::vector<TubeColumn> columns = make_tube_columns(AxisShape(), detail.columns);
 	const int sides = detail.columns;
-	const bool has_base = detail.rows > 1; // One row: a pyramid, open below.
+	const bool has_base = detail.rows > 1; // Otherwise it is a pyramid, open below.
 	Weaver weaver(out, sides, true);
 	for (size_t i = has_base ? 1 : 0; i + 1 < offsets.size(); i++) {
 		const int first = static_cast<int>(out.vertices.size());
