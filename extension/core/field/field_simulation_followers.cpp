@@ -182,8 +182,8 @@ void FieldSimulation::step_loose() {
 	stir_followers();
 }
 
-/// Calls visit(entry, index, speed) for each follower of every `stride`th page from `first` on where sources add at
-/// least SpeedCounts::LEAST to the wind.
+/// Visits every `stride`th page from `first` on. Calls visit(entry, index, speed) for each follower where sources add
+/// at least SpeedCounts::LEAST to the wind.
 template <class Visit> void FieldSimulation::for_each_stirred(int first, int stride, const Visit &visit) {
 	for (int number = first; number < page_count(); number += stride) {
 		Entry &entry = at(number);

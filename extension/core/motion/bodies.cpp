@@ -147,8 +147,8 @@ float distance_to_core(const MovingBody &body, const glm::vec3 &point) {
 	return glm::distance(nearest_in_core(body, point), point);
 }
 
-/// The first point of a stem that is in the body; above PUSHED_PLACES if none is. For a piece of the stem: its points
-/// are at least (a + b - length) / 2 away from the body, with the distances a and b of its ends.
+/// The first point of a stem that is in the body; above PUSHED_PLACES if none is. With the distances a and b of its
+/// ends from the body, a piece of the stem is at least (a + b - length) / 2 away.
 int first_place_inside(const StemConstants &stem, const StemState &state, const glm::vec2 &rest, const glm::vec3 &root,
 		float length, float thickness, const MovingBody &body) {
 	glm::vec3 points[PUSHED_PLACES];

@@ -18,7 +18,7 @@ struct DensityBrush {
 	float weight(float distance) const;
 };
 
-/// Effect of a brush on the cells whose centres are in it.
+/// Effect of a brush on the cells with centres in it.
 struct DensityStroke {
 	enum class Does {
 		add, ///< Adds `value`, -1 to 1, to the density. A value below 0 also reduces plants/m² by that fraction.
@@ -40,7 +40,7 @@ bool is_valid(const DensityBrush &brush);
 /// smallest step, so repeated strokes reach their value.
 CellRange paint(DensityMap &map, int layer, const DensityBrush &brush, const DensityStroke &stroke);
 
-/// Sets the density (0 to 1) of all cells whose centres are in a polygon, and their plants/m² to 0. Returns a range
+/// Sets the density (0 to 1) of all cells with centres in a polygon, and their plants/m² to 0. Returns a range
 /// that contains the changed cells. The polygon must have no fault.
 CellRange fill_polygon(DensityMap &map, int layer, const Polygon &polygon, float density);
 

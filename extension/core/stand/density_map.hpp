@@ -13,7 +13,7 @@
 
 namespace undergrowth {
 
-/// Painted values of one cell for one species. The species grows there as the sum of two: a fraction of its part in the
+/// Painted values of one cell for one species. Two densities add up there: a fraction of the species' part in the
 /// field's mix, and a number of plants/m² that is independent of the mix.
 struct DensityCell {
 	static constexpr uint8_t MOST_DENSITY = 255; ///< Means 1; 0 means nothing.
@@ -72,12 +72,12 @@ struct CellRange {
 	void take_in(const CellRange &other);
 };
 
-/// The painted density map of a field. For each species it has a layer with that species' name: density, plants/m²
-/// and height by position. Cells are squares in the field's axes (x, z), up to FARTHEST_COORDINATE on all sides.
-/// Only painted blocks exist. Unpainted cells have a density of 0.
+/// The painted density map of a field. For each species it has a layer with that species' name: density, plants/m² and
+/// height by position. Cells are squares in the field's axes (x, z), up to FARTHEST_COORDINATE on all sides. Only
+/// painted blocks exist. Unpainted cells have a density of 0.
 ///
-/// Only one thread may change a map. The results of share() and cut() have the same cells at low cost, can be read
-/// on any thread, and do not change with the map.
+/// Only one thread may change a map. The results of share() and cut() have the same cells at low cost. They can be read
+/// on any thread and do not change with the map.
 class DensityMap {
 public:
 	static constexpr float LEAST_CELL = 0.25f; ///< m.

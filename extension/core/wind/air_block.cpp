@@ -10,7 +10,7 @@ namespace undergrowth {
 
 namespace {
 
-/// Number of plants whose gusts are sampled together.
+/// Number of plants in one sampling of gusts.
 constexpr int GUST_BLOCK = 64;
 
 /// Scale of gusts and lulls that gives a variance of 1.

@@ -105,8 +105,7 @@ TEST_CASE("a follower's stem bends in both modes like a simulated one, after its
 	CHECK(most_second > 0.003f);
 }
 
-TEST_CASE("a follower whose stem is pushed swings in both modes, and goes back to those of its prototype without a "
-		  "jump") {
+TEST_CASE("a follower with a pushed stem swings in both modes and returns to its prototype without a jump") {
 	FieldSimulation field = field_of(64);
 	for (int i = 0; i < 300; i++) {
 		field.step();

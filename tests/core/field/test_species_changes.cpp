@@ -102,7 +102,7 @@ TEST_CASE("a pushed follower swings by the current properties of its species") {
 	}
 }
 
-TEST_CASE("moving plants whose species changes its law continue and come to rest upright") {
+TEST_CASE("moving plants of a species with a changed law continue and come to rest upright") {
 	for (const Law law : BOTH_LAWS) {
 		const Law other = law == Law::elasticity ? Law::spring : Law::elasticity;
 		MotionPlant plant;

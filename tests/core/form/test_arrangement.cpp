@@ -76,7 +76,7 @@ TEST_CASE("a whorl is evenly distributed around the circle") {
 	}
 }
 
-TEST_CASE("a flat disc is Vogel's: equal areas, innermost seats 1.55 R/sqrt(N) apart, all others 1.67 or more") {
+TEST_CASE("a flat disc is Vogel's: equal areas, innermost seats 1.55 R/sqrt(N) apart, all other seats 1.67 or more") {
 	Arrangement a = layout(Layout::disc);
 	a.radius = 0.02f;
 	for (const int count : { 100, 400 }) {

@@ -10,9 +10,9 @@
 
 using namespace undergrowth;
 
-// Max change of a level's silhouette from eight sides, as the mean over them and at the worst of them, and of its mean
-// colour (ΔE). Values above 5 % come from these pictures. The pictures for the match of levels have dots as high as a
-// daisy's head from the side.
+// Max change of a level's silhouette, as the mean over eight sides and at the worst of them, and of its mean colour
+// (ΔE). Values above 5 % come from these pictures. The pictures for the match of levels have dots as high as a daisy's
+// head from the side.
 
 namespace {
 

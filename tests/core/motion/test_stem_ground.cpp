@@ -217,8 +217,7 @@ TEST_CASE("stems on the ground have the same bits at every level, for any divisi
 	}
 }
 
-TEST_CASE("a species without ground lets the tips of its stems go below it, and all others are stopped by whatever "
-		  "moves them") {
+TEST_CASE("without ground the tips of stems may be below it, and with ground every motion stops there") {
 	MotionSpecies species;
 	species.law = Law::stem;
 	species.stem = jointed(4, 0.5, 0.5, 1);

@@ -109,7 +109,7 @@ TEST_CASE("smoothing makes neighbours equal and preserves the total") {
 	CHECK(painted_area(map, layer) == doctest::Approx(before).epsilon(0.02));
 }
 
-TEST_CASE("a polygon fills the cells whose centres are in it") {
+TEST_CASE("a polygon fills the cells with centres in it") {
 	DensityMap map;
 	const int layer = map.need_layer("Poppy");
 	const CellRange changed = fill_polygon(map, layer, rectangle({ 4.0f, 2.0f }), 0.5f);

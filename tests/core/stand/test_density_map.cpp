@@ -164,7 +164,7 @@ TEST_CASE("cells are copied from another map by layer names") {
 	CHECK(map.cell(2, 5, 0) == DensityCell());
 }
 
-TEST_CASE("all cells of a range are copied, the last row and column included, and no others") {
+TEST_CASE("all cells of a range are copied, the last row and column included, and no other cells") {
 	DensityMap map;
 	DensityMap other;
 	other.need_layer("Grass");

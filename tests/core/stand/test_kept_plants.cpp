@@ -155,7 +155,7 @@ TEST_CASE("another density has other ids, even for plants at the same position")
 	CHECK(check_kept(stand.numbered(), other) == 0);
 }
 
-TEST_CASE("adding or removing a tile does not affect the others") {
+TEST_CASE("adding or removing a tile does not affect other tiles") {
 	const Stand stand = stand_of(square_field(20.0f, 3.0f, 5));
 	Stand fewer = stand;
 	fewer.blocks.pop_back();
@@ -180,7 +180,7 @@ TEST_CASE("a plant that moved along one axis only is also matched by its cell") 
 	}
 }
 
-TEST_CASE("a rebuild of styles preserves all plants except those of dropped species and removed ones") {
+TEST_CASE("a rebuild of styles gathers all plants except added ones, removed ones and those of dropped species") {
 	PlantStore store = filled_store(square_field(20.0f, DENSITY, 3), 8.0f);
 	store.apply([] {
 		StandEdit edit;

@@ -60,7 +60,7 @@ TEST_CASE("a tilt does not change a plant's turn about its stem") {
 	}
 }
 
-TEST_CASE("a species' own lean is towards the front of its plants") {
+TEST_CASE("a species' own lean follows the turn of its plants") {
 	PlacedPlant plant;
 	plant.turn = 1.1f;
 	CHECK(glm::distance(rest_direction(plant, 0.4f), leaning(0.4, 1.1)) < 1e-6f);

@@ -27,7 +27,7 @@ void check_box(const std::optional<AreaBox> &box, const glm::vec2 &low, const gl
 
 } // namespace
 
-TEST_CASE("changes of shapes are tracked while plants use them and none is added or removed") {
+TEST_CASE("shapes can be tracked after a placement while their number is unchanged") {
 	StandingArea standing;
 	const PlacementRequest request = request_of(rectangle({ 20, 20 }), { rectangle({ 2, 2 }) });
 	CHECK_FALSE(standing.can_follow(request));
@@ -44,7 +44,7 @@ TEST_CASE("a moved path changes its old and its new position, once") {
 	CHECK_FALSE(standing.follow(moved).has_value());
 }
 
-TEST_CASE("an outline that grows changes the added area, except in a painted area") {
+TEST_CASE("a wider outline changes its box, except with a map") {
 	StandingArea standing;
 	standing.stand_by(request_of(rectangle({ 20, 20 }), {}));
 	PlacementRequest wider = request_of(rectangle({ 24, 20 }), {});

@@ -97,7 +97,7 @@ TEST_CASE("air sampled ahead matches the current air, except for frequencies wit
 	}
 }
 
-TEST_CASE("air is sampled in one of several steps, for other pages in others") {
+TEST_CASE("air is sampled in one of several steps, which differs between pages") {
 	const FieldWind wind = fresh_breeze();
 	const int stride = AirAhead::stride_in(wind.air, STEP, SWING);
 	REQUIRE(stride > 2);

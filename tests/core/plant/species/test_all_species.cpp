@@ -69,7 +69,7 @@ TEST_CASE_TEMPLATE("widths and colours are in range", Species, Grass, Reed, Catt
 	}
 }
 
-TEST_CASE_TEMPLATE("a coarse level keeps the fine one's girth", Species, Grass, Reed, Cattail, Tulip, Bellflower) {
+TEST_CASE_TEMPLATE("a coarse level has the girth of the fine one", Species, Grass, Reed, Cattail, Tulip, Bellflower) {
 	const float fine = widest(Species(), 96);
 	CHECK(widest(Species(), 8) > 0.6f * fine);
 	CHECK(widest(Species(), 24) > 0.85f * fine);
