@@ -85,7 +85,7 @@ func _sway() -> void:
 	var fields := current_scene.find_children("*", "PlantField3D", true, false)
 	for panel in current_scene.find_children("PicturePanel", "PanelContainer", true, false):
 		panel.call(&"draw_fine_plants")  # As a graphics card would show them.
-	while fields.any(func(field: PlantField3D) -> bool: return field.is_filling()):
+	while fields.any(func(field: PlantField3D) -> bool: return field.is_building()):
 		await process_frame
 	for _frame in WARM_UP_FRAMES:
 		await process_frame

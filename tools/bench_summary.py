@@ -124,6 +124,12 @@ def fill_lines(found):
             lines.append(f"{PLANTS:,} {what} are there after {row['median_ms']:.0f} ms, {row['processor_ms']:.0f} ms of "
                         f"processors' time, of which workers have {row['workers_ms']:.0f} ms; "
                         f"{row['bytes_per_plant']:.0f} bytes a plant")
+    for name, what in (("field_build", "first build"), ("field_build_streaming", "first build with a view distance")):
+        row = next((row for row in found.rows if row["name"] == name), None)
+        if row:
+            lines.append(f"{what} of {row['plants']:,} plants: the first after {row['first_frames']} frames, all after "
+                        f"{row['all_frames']}, main thread {row['main_ms']:.0f} ms, at most "
+                        f"{row['main_frame_ms']:.1f} ms a frame")
     return lines
 
 

@@ -32,7 +32,7 @@ func _carry(motion: ShaderMaterial, low: float) -> void:
 	motion.set_shader_parameter(&"even_wind", even)
 	motion.set_shader_parameter(&"ground", low)
 	if is_air:
-		wind.show_in(motion)
+		wind.apply_to_material(motion)
 	else:
 		motion.set_shader_parameter(&"undergrowth_wind_air", Vector4.ZERO)
 

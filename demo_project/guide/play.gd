@@ -12,7 +12,7 @@ func _fill(row: HBoxContainer) -> void:
 	_walk(add_cell(row, "bodies_group", FROM, Vector3.ZERO, 44.0))
 	_mown = make_field(FILES, 40.0, Vector2(5.5, 5.5))
 	add_cell(row, "remove_along", FROM, Vector3.ZERO, 44.0).add_child(_mown)
-	_mown.filled.connect(_mow)
+	_mown.build_finished.connect(_mow)
 	_blow(add_cell(row, "PlantWindSource3D", FROM, Vector3.ZERO, 44.0))
 
 

@@ -41,7 +41,7 @@ func _process(_delta: float) -> void:
 	if wind == null or material == null or Engine.is_editor_hint():
 		return
 	if wind.kind == PlantWind.KIND_AIR:
-		wind.show_in(material)
+		wind.apply_to_material(material)
 	else:
 		material.set_shader_parameter(&"undergrowth_stand_air", Vector4.ZERO)
 

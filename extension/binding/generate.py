@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Writes the generated part of the binding from what the engine itself dumps.
+"""Writes the generated part of the binding from the dumps of the engine.
 
     generate.py --api extension_api.json --interface gdextension_interface.h --classes classes.txt --out DIR
-    generate.py ... --list          names the outputs (relative to DIR), writes nothing
+    generate.py ... --list          lists the outputs (relative to DIR), writes nothing
 
-The inputs come from `godot --headless --dump-extension-api --dump-gdextension-interface`. Files whose text did not
-change are not touched, so that a build that looks at times compiles nothing anew.
+The inputs come from `godot --headless --dump-extension-api --dump-gdextension-interface`. Files with
+unchanged text are not written, so that a build by modification times does not compile them again.
 """
 
 import argparse
@@ -21,7 +21,7 @@ SOURCES = (".cpp", ".hpp", ".inc")
 
 
 def generate(api, interface_text, listed, folder):
-    """All generated files as {path relative to the output folder: text}; `folder` has what is written by hand."""
+    """Returns all generated files as {path relative to the output folder: text}; `folder` has the manual part."""
     names = types.Names(api, listed)
     headers = folder / "include" / "godot_cpp"
     files = {**builtins.files(api, names, headers), **classes.files(api, names, headers)}
@@ -32,7 +32,7 @@ def generate(api, interface_text, listed, folder):
 
 
 def join_sources(files):
-    """The same with fewer and longer sources: most of the time that one takes goes to the headers, which all share."""
+    """Joins the sources into fewer and longer ones: headers, which all share, take most of the compile time."""
     joined = {name: text for name, text in files.items() if not name.endswith(".cpp")}
     number, length = 0, 0
     for name in sorted(name for name in files if name.endswith(".cpp")):

@@ -9,7 +9,7 @@ static constexpr uint64_t SEED = 0;
 
 using Tiles = std::shared_ptr<const AirTiles>;
 
-// Its last owner, who goes with the library, waits for the thread.
+// The destructor of the static object waits for the thread when the library is unloaded.
 static std::shared_future<Tiles> &making() {
 	static std::shared_future<Tiles> one;
 	return one;
@@ -19,7 +19,7 @@ void AirTilesCache::begin() {
 	static std::mutex only_once;
 	const std::lock_guard<std::mutex> lock(only_once);
 	if (!making().valid()) {
-		// Where there are no threads, whoever needs them makes them.
+		// On systems without threads the first get() builds them.
 		making() = std::async(std::launch::async | std::launch::deferred, make_air_tiles, SEED).share();
 	}
 }

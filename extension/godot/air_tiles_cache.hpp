@@ -6,12 +6,12 @@
 
 namespace undergrowth {
 
-/// The maps of turbulence, which all winds share: made once, beside the game.
+/// The maps of turbulence, which all winds share. A worker thread builds them once, while the game runs.
 class AirTilesCache {
 public:
-	/// Begins to make them, where nobody has.
+	/// Starts the build, unless it has started.
 	static void begin();
-	/// Waits for them where they are not done.
+	/// Waits for the end of the build.
 	static std::shared_ptr<const AirTiles> get();
 };
 

@@ -8,9 +8,9 @@
 
 namespace undergrowth {
 
-static constexpr int FEWEST_DIGITS = 6; // All decimals of six digits survive a float,
-static constexpr int MOST_DIGITS = 9; // and all floats survive nine.
-static constexpr double LOST_BY_FILES = 1e-14; // Of a number: a resource's text has 16 digits.
+static constexpr int FEWEST_DIGITS = 6; // A float preserves all decimals of six digits,
+static constexpr int MOST_DIGITS = 9; // and nine digits preserve all floats.
+static constexpr double LOST_BY_FILES = 1e-14; // Relative error: a resource file stores 16 digits.
 
 double as_written(float value) {
 	if (!std::isfinite(value)) {
@@ -27,7 +27,7 @@ double as_written(float value) {
 }
 
 double angle_as_written(double radians) {
-	// As the engine's deg_to_rad() multiplies.
+	// The same product as in the engine's deg_to_rad().
 	const double written = as_written(float(radians * (180.0 / PI))) * (PI / 180.0);
 	return std::fabs(written - radians) <= LOST_BY_FILES * std::fabs(radians) ? written : radians;
 }

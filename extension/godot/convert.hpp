@@ -12,7 +12,7 @@
 
 namespace undergrowth {
 
-// The core's arrays are the engine's arrays: a mesh is written straight into them.
+// Meshes are written directly to the engine's arrays, so the core's vectors have the same layout.
 static_assert(sizeof(godot::Vector3) == sizeof(glm::vec3), "build the engine and the add-on with single precision");
 static_assert(sizeof(godot::Color) == sizeof(glm::vec4), "a colour is four floats on both sides");
 
@@ -32,7 +32,8 @@ inline godot::Color to_godot(const glm::vec4 &c) {
 	return godot::Color(c.r, c.g, c.b, c.a);
 }
 
-/// The shortest turn from upright to the direction whose stereographic image (motion/bend_encoding.hpp) is `bend`.
+/// Returns the shortest rotation from upright to the direction with the stereographic image `bend`
+/// (motion/bend_encoding.hpp).
 inline godot::Quaternion quaternion_of(const glm::vec2 &bend) {
 	const float scale = 1.0f / std::sqrt(1.0f + bend.x * bend.x + bend.y * bend.y);
 	return godot::Quaternion(bend.y * scale, 0.0f, -bend.x * scale, scale);

@@ -16,7 +16,7 @@ static constexpr Range RADIUS_RANGE = { 0.0001, 100.0 };
 static constexpr Range LOBES_RANGE = { 2, 64 };
 static constexpr Range LOBE_DEPTH_RANGE = { 0.0, 0.9 };
 static constexpr Range HEIGHT_RANGE = { 0.001, 1000.0 };
-// A blade of grass is about eight times as wide as it is thick.
+// A blade of grass is about eight times wider than thick.
 static constexpr float BLADE_THICKNESS = 0.25f;
 static constexpr float BLADE_SKEW = 0.5f;
 

@@ -7,7 +7,8 @@
 
 namespace undergrowth {
 
-/// A species without code: a cross-section to choose, a curve for the width, a gradient for the colour, a height range.
+/// A species without code: a selected cross-section, a curve for the width, a gradient for the color and a height
+/// range.
 class CurvePlantFunction : public PlantFunction {
 	GDCLASS(CurvePlantFunction, PlantFunction)
 
@@ -29,7 +30,7 @@ private:
 	float height_max = 1.0f; // m.
 
 	void set_size(float &slot, const char *property, double value, const Range &range);
-	/// Swaps `slot` for `part` and follows its changes.
+	/// Replaces `slot` with `part` and connects to its changes.
 	template <typename Part> void follow(godot::Ref<Part> &slot, const godot::Ref<Part> &part);
 	void on_part_changed();
 

@@ -1,5 +1,5 @@
 #pragma once
 
-/// The class help of doc_classes/, made into one array by the build.
+/// The class reference of doc_classes/. The build writes it as one array.
 extern const char undergrowth_doc_xml[];
 extern const unsigned long undergrowth_doc_xml_size;

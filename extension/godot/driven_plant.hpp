@@ -6,15 +6,15 @@
 
 namespace undergrowth {
 
-/// A plant that is driven by hand: a page of its own, and its own fixed steps.
+/// A plant that code moves with advance(). It has a page and fixed steps of its own.
 class DrivenPlant {
 public:
-	/// `step`: s.
+	/// `step` in seconds.
 	DrivenPlant(const PlantKind &kind, double step) : group(kind, float(step)), clock(step, MOST_STEPS_OF_CALL) {}
 
-	PlantGroup group; ///< Of this plant alone.
+	PlantGroup group; ///< Contains this plant only.
 	double step_length() const { return clock.step(); }
-	/// Goes on by `delta` seconds in `air` and poses the bones. `time` is the wind's clock (s), which goes on with the
+	/// Steps by `delta` seconds in `air` and poses the bones. Advances `time`, the clock of the wind (s), by the same
 	/// steps.
 	void advance(double delta, const FieldWind &air, double &time);
 

@@ -1,5 +1,6 @@
-// What compilers put into every library of Linux to run its destructors when it is unloaded. zig's linker leaves it out
-// (ziglang/zig#17908): the engine would run them at its end, when the library is gone. Running them twice does nothing.
+// Compilers add this code to every library of Linux, to run its destructors when it is unloaded. zig's linker omits it
+// (ziglang/zig#17908). Without it the engine runs the destructors at its end, after the library is unloaded. A second
+// run has no effect.
 
 #if defined(__linux__)
 

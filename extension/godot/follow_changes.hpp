@@ -5,8 +5,8 @@
 
 namespace undergrowth {
 
-/// Calls `listener` whenever `object` emits `signal`, or no more. Once, however often this is asked for: when the
-/// library is reloaded, connections outlive what its former self knew of them.
+/// Connects `listener` to `signal` of `object`, or disconnects it. Repeated calls connect it once. The engine is the
+/// source for existing connections, because they outlive a reload of the library.
 inline void follow_signal(godot::Object *object, const char *signal, const godot::Callable &listener, bool on = true) {
 	const bool follows = object->is_connected(signal, listener);
 	if (on && !follows) {
@@ -16,14 +16,14 @@ inline void follow_signal(godot::Object *object, const char *signal, const godot
 	}
 }
 
-/// The same of whatever changes in `resource`, which may be null.
+/// Connects `listener` to the signal `changed` of `resource`, which may be null.
 inline void follow_changes(godot::Resource *resource, const godot::Callable &listener) {
 	if (resource) {
 		follow_signal(resource, "changed", listener);
 	}
 }
 
-/// Ends that.
+/// Disconnects `listener` from the signal `changed` of `resource`, which may be null.
 inline void unfollow_changes(godot::Resource *resource, const godot::Callable &listener) {
 	if (resource) {
 		follow_signal(resource, "changed", listener, false);

@@ -8,8 +8,8 @@
 
 namespace undergrowth {
 
-/// The time of the main thread that all fields together may take in a frame to be built. Fields that come after it is
-/// spent continue in the next frame. Main thread.
+/// Limit of the main-thread time that the builds of all fields use in one frame. When it is spent, the remaining fields
+/// continue in the next frame. Main thread.
 class FrameBudget {
 public:
 	static FrameBudget &of_fields() {
@@ -17,7 +17,7 @@ public:
 		return budget;
 	}
 
-	/// A piece of it: from construction to destruction.
+	/// Adds the time from its construction to its destruction.
 	class Share {
 	public:
 		explicit Share(FrameBudget &of) : budget(of) {}
@@ -36,7 +36,7 @@ private:
 	static constexpr double USEC_PER_FRAME = 4000.0;
 
 	uint64_t frame = 0;
-	double spent = 0.0; ///< µs, in that frame.
+	double spent = 0.0; ///< µs in that frame.
 
 	static uint64_t this_frame() { return godot::Engine::get_singleton()->get_process_frames(); }
 	void spend(double usec) {

@@ -9,11 +9,11 @@
 
 namespace undergrowth {
 
-/// What something took of the main thread in the last frame that it took any of: by the processor's time of the thread,
-/// where the system tells it, so that it does not hang on who else is at work.
+/// Measures main-thread time in the last frame that used any. It is CPU time of the thread if the system supplies it,
+/// so that the load of other programs has no effect.
 class FrameCost {
 public:
-	/// A piece of it: from when it is made until it goes.
+	/// Adds the time from its construction to its destruction.
 	class Share {
 	public:
 		explicit Share(FrameCost &of) : cost(of), start(now()) {}
@@ -26,7 +26,7 @@ public:
 		double start;
 	};
 
-	/// µs; 0 where the last frame took nothing.
+	/// Returns µs; 0 if the last frame used none.
 	double usec() const { return this_frame() - frame <= 1 ? spent : 0.0; }
 
 private:

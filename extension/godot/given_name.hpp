@@ -4,16 +4,16 @@
 
 namespace undergrowth {
 
-// The inspector shows entries of a list by their names. What a user has not named is named for what it holds; such a
+// The inspector shows list entries by their names. An entry without a name gets one that describes its content. Such a
 // name is never saved.
 
-/// Names `resource`, without a signal, where it has no name or still the one that was `given` before.
+/// Names `resource`, without a signal, if it has no name or still has the previous name `given`.
 void give_name(godot::Resource *resource, godot::String &given, const godot::String &name);
 
-/// Keeps a name that was `given` out of files. For `_validate_property`.
+/// Excludes the name `given` from files. For `_validate_property`.
 void hide_given_name(const godot::Resource *resource, const godot::String &given, godot::PropertyInfo &property);
 
-/// A few words for a species, such as "Tulip"; nothing where there is none.
+/// Returns a short name for a species, such as "Tulip", or an empty string if there is none.
 godot::String name_of_species(const godot::Ref<PlantFunction> &species);
 
 } // namespace undergrowth

@@ -13,12 +13,12 @@ using namespace godot;
 
 namespace undergrowth {
 
-// load(), preload(), load_threaded_get(), reload_current_scene(), change_scene_to_file()
+// Covers load(), preload(), load_threaded_get(), reload_current_scene() and change_scene_to_file().
 static bool is_loading(const String &line) {
 	return line.contains("load") || line.contains("scene");
 }
 
-// The line where a script stands: the innermost frame.
+// Returns the current line of a script, from the innermost frame.
 static String running_line(Object *trace) {
 	const Ref<Script> script = ResourceLoader::get_singleton()->load(trace->call("get_frame_file", 0));
 	const PackedStringArray lines = script.is_valid() ? script->get_source_code().split("\n") : PackedStringArray();

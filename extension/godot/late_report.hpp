@@ -8,17 +8,17 @@
 
 namespace undergrowth {
 
-/// An error about a resource that is being read from its file. Only when all of it is read does the resource know
-/// that file, so it is told at the end of the frame, when it names it. Nobody sees this class from outside.
+/// A deferred error about a resource that is being read from its file. The resource has no path until it is read
+/// completely. So the error is printed at the end of the frame, with the path. Internal: scripts do not see this class.
 class LateReport : public godot::Object {
 	GDCLASS(LateReport, godot::Object)
 
 public:
-	/// Whether `object` is a resource that nobody has a file of yet, and something is being read, as far as can be
-	/// told: no script runs, or its line loads. A script that sets a property of its own resource is told at once,
-	/// where a debugger can show its line.
+	/// True if `object` is a resource without a path that is probably being read. If a script runs, its current line
+	/// must load something. An error by a script that sets a property of its own resource is immediate, so that a
+	/// debugger shows the line.
 	static bool suits(const godot::Object *object);
-	/// Tells `what` of `resource` late.
+	/// Prints `what` about `resource` at the end of the frame.
 	static void post(const godot::Object *resource, const godot::String &what);
 
 protected:

@@ -17,15 +17,15 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr double RADIANS_PER_DEGREE = PI / 180.0;
-static constexpr int SPAN_DECIMALS = 5; // What single precision has of most spans.
-static constexpr double ANGLE_TOLERANCE = 1e-5; // Degrees; what single precision leaves of them.
+static constexpr int SPAN_DECIMALS = 5; // Precision of most spans in floats.
+static constexpr double ANGLE_TOLERANCE = 1e-5; // Degrees: precision of angles in floats.
 
-// The file of a resource, or the one that it is embedded in.
+// Returns the file of a resource, or the file that embeds it.
 static String file_of(const Resource *resource) {
 	return resource->get_path().get_slice("::", 0);
 }
 
-// What a user calls a resource: its file; else its script, where its faults are mended; else its name.
+// Returns the resource's file, or else its script, because its faults are fixed there, or else its name.
 static String describe_resource(const Resource *resource) {
 	const String file = file_of(resource);
 	const bool is_embedded = resource->get_path() != file;
@@ -40,7 +40,8 @@ static String describe_resource(const Resource *resource) {
 	return (label.is_empty() ? String() : " '" + label + "'") + (is_embedded ? " in '" + file + "'" : String());
 }
 
-// A game's nodes are below the root, a scene's below the editor's own: those are called from their scene's root.
+// In a game, paths start at the root. In the editor the edited scene is below the editor's own nodes, so paths start at
+// the root of the scene.
 static String describe_node(Node *node) {
 	if (!node->is_inside_tree()) {
 		return node->get_name();
@@ -62,7 +63,7 @@ String describe(const Object *object) {
 	if (const Resource *resource = Object::cast_to<Resource>(object)) {
 		return object->get_class() + describe_resource(resource);
 	}
-	Node *node = Object::cast_to<Node>(const_cast<Object *>(object)); // The engine's questions take no const ones.
+	Node *node = Object::cast_to<Node>(const_cast<Object *>(object)); // The engine's getters are not const.
 	const String label = node ? describe_node(node) : String();
 	return label.is_empty() ? object->get_class() : object->get_class() + " '" + label + "'";
 }
@@ -106,7 +107,7 @@ bool accept_angle(const Object *object, const char *property, double radians, co
 	return false;
 }
 
-// Moves the end that stays along with the one that passed it. False where both are new.
+// If one end passes the other, moves the other with it. Returns false if both are new.
 static bool order_span(const Vector2 &before, Vector2 &value) {
 	if (value.y >= value.x) {
 		return true;

@@ -6,35 +6,36 @@
 
 namespace undergrowth {
 
-/// Inclusive bounds of a number that users set.
+/// Inclusive range of a number that users set.
 struct Range {
 	double least;
 	double most;
 };
 
-/// How messages call an object: its class, and where a user finds it. A resource by its file, else by its script or
-/// name and the file that it is embedded in; a node by its path in the game or in the edited scene.
+/// Returns the text for an object in messages: its class and its location. For a resource: its file, or else its script
+/// or name and the file that contains it. For a node: its path in the game or in the edited scene.
 godot::String describe(const godot::Object *object);
 
-/// One error in Godot's log that names its object and says what to do. Of a resource that is being read from its file
-/// it comes at the end of the frame: only then is it known which file that is.
+/// Prints one error that contains the location of `object`. `what` says what is wrong and what to do. For a resource
+/// that is being read from its file, the error is deferred to the end of the frame, when the path exists.
 void report_error(const godot::Object *object, const godot::String &what);
 
-/// The same for what may be meant so, as a warning.
+/// Prints a warning, for values that may be intended.
 void report_warning(const godot::Object *object, const godot::String &what);
 
-/// True where `value` is finite and within `range`; else reports that `property` keeps its value, and why.
+/// True if `value` is finite and within `range`, else reports that `property` retains its value, and why.
 bool accept_value(const godot::Object *object, const char *property, double value, const Range &range);
 
-/// The same of an angle: `radians` within `degrees`. The message speaks of both, as one is easily taken for the other.
+/// accept_value() for an angle: `radians` is accepted within the range `degrees`. The message contains both units,
+/// because they are easily confused.
 bool accept_angle(const godot::Object *object, const char *property, double radians, const Range &degrees);
 
-/// The same of a span from x up to y, which is `before` until then. Where one end passes the other, `value` becomes a
-/// span of no width there; where both ends are new and in the wrong order, that is an error.
+/// accept_value() for both ends of a span from x to y; `before` is the present span. If one new end passes the other,
+/// both become that end. Two new ends in the wrong order are an error.
 bool accept_span(const godot::Object *object, const char *property, const godot::Vector2 &before, godot::Vector2 &value,
 		const Range &range);
 
-/// The same of angles in radians, within `degrees`.
+/// accept_span() for angles in radians, with a range in degrees.
 bool accept_angle_span(const godot::Object *object, const char *property, const godot::Vector2 &before,
 		godot::Vector2 &radians, const Range &degrees);
 

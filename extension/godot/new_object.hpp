@@ -7,16 +7,16 @@
 
 namespace undergrowth {
 
-// Objects of the engine's own classes that may outlive a reload of the library. The engine makes them, and so forgets
-// our wrappers of them at a reload; what memnew() or Ref::instantiate() made keeps a wrapper whose code is gone.
+// Creates objects of engine classes that may outlive a reload of the library. The engine creates them, so a reload
+// discards their wrappers. Objects made by memnew() or Ref::instantiate() retain a wrapper with unloaded code.
 
-/// A node of class `Kind`.
+/// Creates a node of class `Kind`.
 template <class Kind> Kind *new_node() {
 	godot::Object *made = godot::ClassDBSingleton::get_singleton()->instantiate(Kind::get_class_static());
 	return godot::Object::cast_to<Kind>(made);
 }
 
-/// A resource, or another counted object, of class `Kind`.
+/// Creates a resource, or another reference-counted object, of class `Kind`.
 template <class Kind> godot::Ref<Kind> new_counted() {
 	return godot::Ref<Kind>(godot::ClassDBSingleton::get_singleton()->instantiate(Kind::get_class_static()));
 }

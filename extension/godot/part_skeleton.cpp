@@ -17,9 +17,9 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr float CALM_BEND = 1.5e-3f; // Where part_bend() says that a stem rests, and less.
+static constexpr float CALM_BEND = 1.5e-3f; // At or below the limit where part_bend() treats a stem as resting.
 static constexpr float LEAST_HEIGHT = 1e-3f; // Of a unit direction, plus 1.
-static constexpr float CALM_RATE = 1e-4f; // 1/s: no part bends as far as a millionth by it.
+static constexpr float CALM_RATE = 1e-4f; // 1/s: bends a part by less than a millionth.
 
 static Quaternion quaternion_of(const glm::vec4 &turn) {
 	return Quaternion(turn.x, turn.y, turn.z, turn.w);
@@ -191,11 +191,11 @@ void PartSkeleton::update(bool needs_places) {
 
 void PartSkeleton::pose(Skeleton3D *skeleton) {
 	if (skeleton->get_bone_count() != count(this)) {
-		return; // A script has changed it.
+		return; // A script has changed the bones.
 	}
 	update(!bones.empty());
 	Quaternion below;
-	for (int i = 0; i < joints + 1 && has_joints(); i++) { // A joint never leaves the end of the link below it.
+	for (int i = 0; i < joints + 1 && has_joints(); i++) { // A joint remains at the end of the link below it.
 		const int bone = i < joints ? FormBones::FIRST + i : int(FormBones::TIP);
 		skeleton->set_bone_pose_rotation(bone, below.inverse() * turns[i]);
 		below = turns[i];

@@ -16,53 +16,53 @@
 
 namespace undergrowth {
 
-/// The bones of one plant beside root and tip, those of its stem's joints and of its parts, and how they stand now.
+/// The bones of one plant after root and tip: those of its stem's joints and of its parts, with their present pose.
 class PartSkeleton {
 public:
-	/// Of a plant as it was sampled for a skeleton; null where it has no such bones.
+	/// Creates the bones of a plant that was sampled for a skeleton. Returns null if it has no such bones.
 	static std::unique_ptr<PartSkeleton> of(const SampledPlant &sampled);
-	/// What each bone of a plant, root and tip included, does in calm air to what is bound to it.
+	/// Returns the pose of each bone in calm air, root and tip included, relative to the bind pose.
 	static std::vector<godot::Transform3D> at_rest(const SampledPlant &sampled);
 
-	/// Gives a skeleton root and tip and, where there are `parts`, their bones; those that it has already stay.
+	/// Adds root and tip and, if `parts` is not null, its bones to a skeleton. Existing bones remain.
 	static void set_up(godot::Skeleton3D *skeleton, const PartSkeleton *parts);
-	/// What binds a mesh to them.
+	/// Returns the skin that binds a mesh to the bones.
 	static godot::Ref<godot::Skin> skin_of(const PartSkeleton *parts);
-	/// How many bones a skeleton has.
+	/// Returns the number of bones of a skeleton.
 	static int count(const PartSkeleton *parts);
 
-	/// What the stem does, in the plant's own axes.
+	/// Motion of the stem, in the plant's own axes.
 	StemMotion stem;
-	/// Whether everything stands still at this bend, so that it needs no further pose while the stem does not move.
+	/// True if all parts are at rest at this bend. No further pose is necessary until the stem moves.
 	bool is_calm() const;
-	/// Whether the stem has joints: then the tip is posed here, too.
+	/// True if the stem has joints. If so, this class also poses the tip.
 	bool has_joints() const { return joints > 0; }
 	int joint_count() const { return joints; }
-	/// As PlantView::arm().
+	/// See PlantView::arm().
 	glm::vec3 arm(const glm::vec3 &direction, float share) const;
-	/// Other constants for as many joints.
+	/// Replaces the constants, for the same number of joints.
 	void set_stem(const std::shared_ptr<const StemConstants> &stem_constants) { constants = stem_constants; }
 
-	/// What of a stem that points and moves so is its second mode, as MotionPage::second_bend(); all in the plant's
-	/// axes.
+	/// Returns the second mode's part of the bend of a stem in this state, as MotionPage::second_bend(). All vectors
+	/// are in the plant's axes.
 	glm::vec3 second_bend(const TipState &tip, const StemSecond &second) const;
 
-	/// Tells the node.
+	/// Sets the pose of the node.
 	void pose(godot::Skeleton3D *skeleton);
-	/// Tells the renderer alone; `drawn` is what it has of the skeleton.
+	/// Sets the pose in the renderer only. `drawn` is the renderer's skeleton.
 	void pose(const godot::RID &drawn);
 
 private:
 	int joints = 0;
-	std::shared_ptr<const StemConstants> constants; ///< Of a stem with joints.
+	std::shared_ptr<const StemConstants> constants; ///< Null if the stem has no joints.
 	float height = 1.0f; ///< m.
 	std::vector<PartBone> bones;
 	std::vector<godot::String> names; ///< Of all bones.
-	std::vector<int> parents; ///< Of all bones, -1 of the root.
-	std::vector<godot::Vector3> origins; ///< m: where all bones are at rest, in the plant's axes.
+	std::vector<int> parents; ///< Of all bones; -1 for the root.
+	std::vector<godot::Vector3> origins; ///< Rest positions of all bones (m), in the plant's axes.
 	std::vector<godot::Transform3D> posed; ///< Of all bones, in the plant's axes.
-	StemLink links[MOST_STEM_JOINTS]; ///< Of the stem as it is bent now, in the axes of its rest.
-	glm::vec3 end; ///< Where the last one ends, in lengths of the stem.
+	StemLink links[MOST_STEM_JOINTS]; ///< Of the bent stem, in the axes of its rest.
+	glm::vec3 end; ///< End of the last link, in lengths of the stem.
 	godot::Quaternion turns[MOST_STEM_JOINTS + 1]; ///< Of the links and the tip, in the plant's axes.
 	godot::Ref<godot::Skin> skin;
 
@@ -72,7 +72,7 @@ private:
 	int carrier_of(const PartBone &bone) const;
 	void update_stem(const StandingStem &standing);
 	void place_stem();
-	/// `needs_places`: `posed` of the stem's joints is asked for.
+	/// `needs_places`: also updates the positions of the stem's joints in `posed`.
 	void update(bool needs_places);
 };
 

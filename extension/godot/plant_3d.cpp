@@ -1,4 +1,4 @@
-// A Plant3D's life in the tree, and who moves it.
+// Plant3D: notifications of the tree, and the source of its motion.
 
 #include "plant_3d.hpp"
 
@@ -30,7 +30,7 @@ void Plant3D::_notification(int what) {
 		case NOTIFICATION_POST_ENTER_TREE:
 			view.find_drawn();
 			update_bone();
-			motion.bone().node_is_behind = true; // Outside of the tree a skeleton keeps its pose to itself.
+			motion.bone().node_is_behind = true; // Outside of the tree a skeleton does not update the renderer.
 			motion.pose_now(rest());
 			break;
 		case NOTIFICATION_EXIT_TREE:
@@ -47,7 +47,7 @@ void Plant3D::_notification(int what) {
 			update_simulation();
 			break;
 		case NOTIFICATION_CHILD_ORDER_CHANGED:
-			if (view.lose_skeleton()) { // The plant grows anew at the end of the frame.
+			if (view.lose_skeleton()) { // The plant is built again at the end of the frame.
 				update_bone();
 				mark_stale();
 			}
@@ -72,7 +72,7 @@ void Plant3D::_notification(int what) {
 }
 
 void Plant3D::report_problem(const String &what) {
-	if (what != problem) { // The same fault is told once, however often the plant is built.
+	if (what != problem) { // Reports each fault once for any number of builds.
 		problem = what;
 		report_error(this, problem);
 		update_configuration_warnings();
@@ -104,7 +104,7 @@ bool Plant3D::build_mesh() {
 	}
 	view.show(sampled);
 	if (Engine::get_singleton()->is_editor_hint()) {
-		update_gizmos(); // They show the height, and a click is tested against the mesh.
+		update_gizmos(); // They show the height and use the mesh for clicks.
 	}
 	update_motion();
 	emit_signal("mesh_changed");
@@ -190,7 +190,7 @@ void Plant3D::tell_of_body(uint64_t body, bool has_entered) {
 	}
 }
 
-// Told once, and not at all to those who know already why there is no plant.
+// Reports the error once, and only if there is no report why the plant is missing.
 bool Plant3D::can_be_driven() {
 	if (species.is_valid() && get_mesh().is_valid()) {
 		return true;
@@ -232,8 +232,8 @@ void Plant3D::advance(double delta) {
 	}
 }
 
-// Called for every plant of a scene and every frame. What cannot move stays still without a word: its configuration
-// warning tells why.
+// Called for every plant of a scene in every frame. It reports nothing if the plant cannot move: its configuration
+// warning says why.
 void Plant3D::preview(double delta, const Ref<PlantWind> &blowing) {
 	const bool is_frame = std::isfinite(delta) && delta >= 0.0 && delta <= MOST_FRAME;
 	if (is_frame && !motion.is_simulated() && species.is_valid() && get_mesh().is_valid()) {

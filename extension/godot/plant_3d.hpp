@@ -11,16 +11,17 @@
 
 namespace undergrowth {
 
-/// One plant: a generated mesh on a skeleton of two bones (thesis, section 4.1) and those of its parts, moved by the
-/// simulation or by advance(). PlantStance says where it stands, PlantMotion moves it, PlantView draws it.
+/// One plant: a generated mesh on a skeleton of two bones (thesis, section 4.1) and the bones of its parts. The
+/// simulation or advance() moves it. It owns its position (PlantStance), its motion (PlantMotion) and its drawing
+/// (PlantView).
 class Plant3D : public godot::Node3D {
 	GDCLASS(Plant3D, godot::Node3D)
 
-	// What users set.
+	// Properties that users set.
 	godot::Ref<PlantFunction> species;
 	godot::Ref<PlantWind> wind;
 	int segments = 12;
-	double height = 0.0; // m; 0: the species' own.
+	double height = 0.0; // m; 0: the height that the species generates.
 	int64_t seed = 0;
 	bool simulation_enabled = true;
 	bool contact_enabled = false;
@@ -28,18 +29,18 @@ class Plant3D : public godot::Node3D {
 	double touch_margin = 0.1; // m.
 	double apparent_wind = 1.0;
 
-	// What it is made of.
+	// Components and state.
 	PlantStance stance;
 	PlantMotion motion{ this };
 	PlantView view{ this, motion };
 	bool mesh_is_stale = true;
 	QueuedCall rebuild_call{ this, "_on_rebuild_queued" };
-	godot::String problem; // Why the last build failed; shown as configuration warning.
-	bool feels_air = false; // The last wind that it felt blows in m/s.
-	godot::String refusal; // Why the last advance() did nothing; told once, not in each frame that calls it.
+	godot::String problem; // Why the last build failed. Shown as a configuration warning.
+	bool feels_air = false; // The last wind was in m/s.
+	godot::String refusal; // Why the last advance() had no effect. Reported once, not in each frame.
 
 	// plant_3d_properties.cpp
-	/// Of a plant of so many metres that stands here; null where another law moves it.
+	/// Returns the stem of a plant of `metres` here; null under other laws than the stem law.
 	std::shared_ptr<const StemConstants> find_stem(float metres) const;
 	MotionSpecies kind_of_motion() const;
 	PlantPush what_pushes() const;
@@ -65,7 +66,7 @@ class Plant3D : public godot::Node3D {
 	void forget_touches();
 
 	// plant_3d_binding.cpp
-	/// Where the plant is at so much of its length, in its own axes and heights.
+	/// Returns the position at `share` of the plant's length, in its own axes. The unit is its height.
 	godot::Vector3 arm(float share) const;
 
 protected:
@@ -114,7 +115,7 @@ public:
 	godot::PackedFloat32Array get_motion_state() const;
 	void set_motion_state(const godot::PackedFloat32Array &state);
 	void advance(double delta);
-	/// Moves the plant as if `blowing` were its wind, at that wind's own clock. Properties stay as they are.
+	/// Moves the plant as if `blowing` were its wind, at that wind's clock. Properties do not change.
 	void preview(double delta, const godot::Ref<PlantWind> &blowing);
 
 	// For PlantSimulation.
@@ -122,7 +123,7 @@ public:
 	bool is_in_simulation() const { return motion.is_simulated(); }
 	void leave_simulation() { motion.leave_simulation(); }
 	void update_simulation();
-	/// A body, by its instance id, came among the plant or left it.
+	/// Reports that a body, given by its instance id, came among the plant or left it.
 	void tell_of_body(uint64_t body, bool has_entered);
 };
 

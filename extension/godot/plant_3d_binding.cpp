@@ -1,4 +1,4 @@
-// What scripts ask of a Plant3D, and how they and the inspector see it.
+// Plant3D: queries of scripts, and bindings.
 
 #include "plant_3d.hpp"
 

@@ -1,4 +1,4 @@
-// What users set of a Plant3D, and what its parts learn of it.
+// Plant3D: properties, and their effect on its components.
 
 #include "plant_3d.hpp"
 
@@ -144,7 +144,7 @@ double Plant3D::get_apparent_wind() const {
 	return apparent_wind;
 }
 
-// Plants that the same pushes move share a page.
+// Plants with the same pushes share a page.
 void Plant3D::change_pushes() {
 	if (motion.has_other_push(what_pushes())) {
 		update_simulation();
@@ -162,7 +162,8 @@ MotionSpecies Plant3D::kind_of_motion() const {
 	if (const std::shared_ptr<const StemConstants> stem = find_stem(view.height())) {
 		kind.stem = *stem;
 	}
-	// Plants of species that differ in it alone move alike, where nothing comes to their tips.
+	// The radius has an effect on tips with contact only. Without contact, plants of species with different radii share
+	// a page.
 	const PlantPush push = what_pushes();
 	kind.collision_radius = push.has_bodies() || push.has_contact ? float(species->get_collision_radius()) : 0.0f;
 	return kind;
@@ -178,7 +179,7 @@ PlantPush Plant3D::what_pushes() const {
 	return push;
 }
 
-// In world axes.
+// Returns the rest direction in world axes.
 glm::vec3 Plant3D::rest() const {
 	if (species.is_null() || species->get_law() == PlantFunction::LAW_ELASTICITY) {
 		return { 0.0f, 1.0f, 0.0f };
@@ -190,7 +191,7 @@ MovedPlant Plant3D::moved() const {
 	return { kind_of_motion(), wind, what_pushes(), stance.root, rest(), stance.length_of(view.height()) };
 }
 
-// Many properties may change in one frame; the mesh is built once, at its end.
+// Many properties may change in one frame. The mesh is built once, at the end of the frame.
 void Plant3D::mark_stale() {
 	mesh_is_stale = true;
 	if (is_inside_tree()) {
@@ -207,7 +208,7 @@ void Plant3D::on_rebuild_queued() {
 
 void Plant3D::on_species_changed() {
 	if (species.is_null()) {
-		return; // The library was reloaded, and the engine has not set it again yet.
+		return; // After a reload of the library, before the engine has set the species again.
 	}
 	const bool is_drawn_so = species->is_motion_change() && !view.rests_elsewhere(species->resting_bend());
 	if (is_drawn_so && view.follow_stem(find_stem(view.height()))) {
@@ -218,7 +219,7 @@ void Plant3D::on_species_changed() {
 	update_configuration_warnings();
 }
 
-// A wind in m/s bends a stem to another shape than one in newtons.
+// A wind in m/s bends a stem to another shape than a force in newtons.
 void Plant3D::feel(const Ref<PlantWind> &blowing) {
 	if (PlantWind::is_air(blowing) == feels_air) {
 		return;
@@ -234,7 +235,7 @@ void Plant3D::on_wind_changed() {
 	feel(wind);
 	if (Engine::get_singleton()->is_editor_hint()) {
 		update_configuration_warnings();
-		update_gizmos(); // They show the wind's direction.
+		update_gizmos(); // They show the direction of the wind.
 	}
 }
 

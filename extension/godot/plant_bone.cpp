@@ -69,8 +69,8 @@ void PlantBone::show_local(const glm::vec3 &local) {
 	}
 }
 
-// The renderer has the skeleton's bones from its first update on, and hears what the node was told when its frame ends:
-// from then on nothing comes after what it is told here.
+// The renderer has the bones after the first update of the skeleton. A change of the node reaches it at the end of that
+// frame and overwrites the pose. So the renderer alone is used from the next frame on.
 bool PlantBone::may_leave_node() const {
 	return !is_held && drawn.is_valid() && told_node_in != Engine::get_singleton()->get_process_frames() &&
 			RenderingServer::get_singleton()->skeleton_get_bone_count(drawn) == PartSkeleton::count(parts);

@@ -14,31 +14,32 @@
 
 namespace undergrowth {
 
-/// The bone that shows where one plant points, and the way to those of its parts: all that posing needs, so that the
-/// simulation's rows of these are read one after the other and no plant is touched.
+/// The bone that shows the direction of one plant, and access to the bones of its parts. It contains all data for
+/// posing. So the simulation reads a contiguous array of these and no plant.
 ///
-/// A skeleton that is told of a turn updates itself at the end of the frame: messages, signals, all bones, for three
-/// times what the turn costs. Nobody sees that but who holds the skeleton, so the renderer is told instead until then,
-/// and the node hears of its pose only when something happens to the plant.
+/// An update of a Skeleton3D node costs three times as much as the rotation: notifications, signals and all bones, at
+/// the end of the frame. Only code that holds the skeleton can observe it. Until then the pose is written to the
+/// renderer only, and the node gets it when something happens to the plant.
 struct PlantBone {
 	enum class Way : uint8_t {
-		NODE, ///< Somebody holds the skeleton, or the renderer does not have it yet.
+		NODE, ///< A script holds the skeleton, or the renderer does not have it yet.
 		RENDERER,
 		UNSEEN, ///< There is no renderer.
 	};
 
-	godot::Skeleton3D *skeleton = nullptr; ///< Null where there is nothing to show: no skeleton, or hidden.
-	PartSkeleton *parts = nullptr; ///< Of a plant of parts: how its further bones stand.
-	godot::RID drawn; ///< What the renderer has of it; invalid where nobody knows.
+	godot::Skeleton3D *skeleton = nullptr; ///< Null if nothing is shown: no skeleton, or hidden.
+	PartSkeleton *parts = nullptr; ///< Further bones, for a plant of parts.
+	godot::RID drawn; ///< The renderer's skeleton; invalid if not available.
 	godot::Basis to_local; ///< From the axes of the plant's directions to the plant's own.
-	glm::vec3 posed = { 0.0f, 1.0f, 0.0f }; ///< What is shown now, in the plant's own axes.
+	glm::vec3 posed = { 0.0f, 1.0f, 0.0f }; ///< Shown direction, in the plant's own axes.
 	Way way = Way::NODE;
-	bool is_held = false; ///< Somebody asked for the skeleton.
+	bool is_held = false; ///< A script requested the skeleton.
 	bool is_calm = true; ///< No part swings.
-	bool node_is_behind = false; ///< The node does not know what is shown.
-	uint64_t told_node_in = 0; ///< The frame in which it was told.
+	bool node_is_behind = false; ///< The pose of the node is older than the shown one.
+	uint64_t told_node_in = 0; ///< Frame of the node's last update.
 
-	/// What parts go by besides the bend: the stem's last step, from and to directions (unit), and the clock of swings.
+	/// Input of the parts besides the bend: the stem's last step, from and to directions (unit), and the clock of
+	/// swings.
 	struct Step {
 		glm::vec3 before;
 		glm::vec3 after;
@@ -47,10 +48,10 @@ struct PlantBone {
 		glm::vec3 second; ///< MotionPage::second_bend().
 	};
 	void follow(const Step &step);
-	/// Of a plant with parts that is on no page: MotionPage::second_bend() of a stem that moves so.
+	/// Returns MotionPage::second_bend() of a stem in this state, for a plant of parts that is on no page.
 	glm::vec3 second_bend(const TipState &tip, const StemSecond &second) const;
-	/// Turns the bone to `direction` (unit), in every frame. Nothing where it points there already, within what can be
-	/// seen, and no part swings. `step()` tells the last step and is asked where parts need it.
+	/// Turns the bone to `direction` (unit), in every frame. Returns early if the direction is visibly the same and no
+	/// part swings. `step()` returns the last step; it is called only if parts need it.
 	template <typename AskStep> void show(const glm::vec3 &direction, const AskStep &step) {
 		if (!skeleton) {
 			return;
@@ -64,9 +65,9 @@ struct PlantBone {
 		}
 		show_local(local);
 	}
-	/// The same by the node, whatever shows it otherwise.
+	/// Turns the bone of the node, even if the pose is written to the renderer only.
 	void turn_to(const glm::vec3 &direction);
-	/// Tells the node what is shown.
+	/// Writes the shown pose to the node.
 	void catch_up();
 
 private:
@@ -74,7 +75,7 @@ private:
 		const glm::vec3 change = glm::abs(a - b);
 		return !(change.x < SMALLEST_TURN && change.y < SMALLEST_TURN && change.z < SMALLEST_TURN);
 	}
-	/// Below this (radians, about) a change of the pose cannot be seen and is not worth an update of the skeleton.
+	/// A smaller change of the pose (about radians) is not visible and not worth an update of the skeleton.
 	static constexpr float SMALLEST_TURN = 1e-6f;
 	bool may_leave_node() const;
 	void show_local(const glm::vec3 &local);

@@ -8,16 +8,15 @@
 
 namespace undergrowth {
 
-/// Contact of plants that stand alone: the tips of those in one world push each other away, whatever their species and
-/// winds are. Main thread.
+/// Contact between `Plant3D`s: the tips of one world push each other away, across species and winds. Main thread.
 class PlantContact {
 public:
-	/// Whenever plants that touch came or went: which they are.
+	/// Rebuilds the list of plants in contact. Call when such plants are added or removed.
 	void follow(const std::vector<std::unique_ptr<PlantGroup>> &groups);
 	bool is_needed() const { return !worlds.empty(); }
-	/// Once after each step.
+	/// Call once after each step.
 	void resolve();
-	/// Whether so many tips touch that some pairs are left out.
+	/// True if the number of touching tips is above the limit, so that some pairs are skipped.
 	bool is_crowded() const;
 
 private:

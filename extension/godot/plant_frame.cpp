@@ -6,8 +6,8 @@ using namespace godot;
 
 namespace undergrowth {
 
-// The world's axes serve plants up to this height of their rest direction: 81 degrees from upright, so that the species
-// that lean most (80 degrees) stand in them as they do in fields.
+// The world's axes are used for rest directions above this height: up to 81 degrees from upright. So they include the
+// species with the largest lean (80 degrees), as in fields.
 static constexpr float LOWEST_REST = 0.15f;
 
 PlantFrame frame_for(Law law, const Vector3 &rest) {

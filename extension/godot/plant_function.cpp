@@ -1,4 +1,4 @@
-// What users set of a species. plant_function_asking.cpp asks for what it grows.
+// PlantFunction: properties. plant_function_asking.cpp samples the functions.
 
 #include "plant_function.hpp"
 
@@ -24,7 +24,7 @@ static constexpr Range FREQUENCY_RANGE = { 0.01, 1000.0 };
 static constexpr Range DAMPING_RANGE = { 0.0, 100.0 };
 static constexpr Range LEAN_DEGREES = { 0.0, 80.0 };
 static constexpr Range MASS_RANGE = { 1e-6, 1e6 };
-static constexpr Range WIND_WEIGHT_RANGE = { -1.0, 1e3 }; // Below 0: as usual.
+static constexpr Range WIND_WEIGHT_RANGE = { -1.0, 1e3 }; // Below 0: the default weight.
 static constexpr Range DRAG_AREA_RANGE = { -1.0, 1e3 };
 static constexpr Range COLLISION_RANGE = { 0.0, 1e3 };
 static constexpr Range DEVIATION_RANGE = { 0.0, 1.0 };
@@ -235,7 +235,7 @@ Ref<Material> PlantFunction::get_material() const {
 	return material;
 }
 
-// How it moves and what it wears leaves what has grown as it is.
+// Grown plants do not depend on the motion or the material.
 void PlantFunction::on_own_change() {
 	if (!is_motion_change() && !is_material_change()) {
 		on_grown_change();

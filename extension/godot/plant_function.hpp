@@ -20,8 +20,8 @@
 
 namespace undergrowth {
 
-/// What a species is: four functions of a plant (thesis, section 2.5) and how it moves.
-/// A script overrides the methods with an underscore; a native species overrides the four `own_…` methods.
+/// A species: four functions of a plant (thesis, section 2.5) and its motion. A script overrides the methods with an
+/// underscore. A native species overrides the four `own_…` methods.
 class PlantFunction : public godot::Resource {
 	GDCLASS(PlantFunction, godot::Resource)
 
@@ -38,7 +38,7 @@ public:
 
 private:
 	Motion motion = new_motion();
-	double lean = 0.0; // rad, as users wrote it; motion.lean has fewer digits.
+	double lean = 0.0; // rad, as the user set it; motion.lean has fewer digits.
 	MeshOptions look;
 	bool stays_above_ground = true;
 	bool changes_motion_only = false;
@@ -48,15 +48,15 @@ private:
 	godot::Array arrangements; // Of PlantArrangement.
 	godot::Ref<PlantStem> stem;
 	StemTable stems;
-	godot::String told_of_stem; // What keeps stems from standing, as it was told.
+	godot::String told_of_stem; // Last reported fault of a stem.
 	SpeciesGrowth growth;
 
-	/// Of a species that says nothing.
+	/// Returns the default motion.
 	static Motion new_motion();
 	void set_motion(float &slot, const char *property, double value, const Range &range);
 	void motion_changed();
 	void set_look(float &slot, const char *property, double value);
-	/// Calls a script's override; tells in `problem` where it returned something else than `wanted`.
+	/// Calls a script's override. Sets `problem` if the result is not of type `wanted`.
 	godot::Variant call_override(const godot::StringName &method, const godot::Variant &argument,
 			godot::Variant::Type wanted, godot::String &problem);
 	void learn_stem(double height);
@@ -66,9 +66,9 @@ protected:
 	static void _bind_methods();
 	void _validate_property(godot::PropertyInfo &property) const;
 
-	/// Takes over a species' motion, without a signal. For constructors.
+	/// Copies a species' motion, without a signal. For constructors.
 	void adopt_motion(const Motion &species_motion);
-	/// Tells users of this function that its meshes look different now.
+	/// Reports to users of this function that its meshes changed.
 	void shape_changed();
 
 	virtual godot::PackedVector3Array own_base_shape(int lod) const;
@@ -83,7 +83,7 @@ protected:
 	GDVIRTUAL1(_grow, godot::Ref<PlantGrowth>)
 
 public:
-	/// Whether its plants are of parts: grown, and not the one lathe of the four functions.
+	/// True if the plants consist of parts and not of the one lathe of the four functions.
 	bool has_parts() const;
 	// The four functions, as callers see them. A fault in a script is reported and gives an empty or zero result.
 	godot::PackedVector3Array get_base_shape(int lod);
@@ -92,35 +92,35 @@ public:
 	godot::Color calculate_color_at_point(double offset);
 	godot::Ref<godot::ArrayMesh> generate_mesh(double height, int segments, int64_t seed = 0);
 
-	/// What keeps generate_mesh() from building this plant and what to do about it; nothing where it builds. Reports
-	/// nothing.
+	/// Returns why generate_mesh() cannot build this plant and what to do; empty if it can. Reports nothing.
 	godot::String find_problem(double height, int segments, int64_t seed = 0);
 
-	/// Samples the plant for a mesh. Height 0 asks the function. Returns what is wrong and what to do, or nothing.
+	/// Samples the plant for a mesh. If `height` is 0, the function generates it. Returns what is wrong and what to do,
+	/// or an empty string.
 	godot::String sample(double height, int segments, int64_t seed, SampledPlant &result);
-	// What sampling asks: a script's answers, else the species' own. A fault tells in `problem` what is wrong and what
-	// to do, and gives an empty or zero answer.
+	// The functions for sampling: results of a script, or else of the native species. On a fault they set `problem`
+	// (what is wrong and what to do) and return an empty or zero result.
 	godot::PackedVector3Array ask_base_shape(int lod, godot::String &problem);
 	double ask_height(const godot::Ref<godot::RandomNumberGenerator> &rng, godot::String &problem);
 	double ask_curve_point(double offset, godot::String &problem);
 	godot::Color ask_color(double offset, godot::String &problem);
-	/// Grows `plant`. Tells whether a script does.
+	/// Grows `plant`. Returns true if a script grows it.
 	bool ask_to_grow(const godot::Ref<PlantGrowth> &plant, godot::String &problem);
-	/// The joint of a plant whose root stands in `frame` (its up axis and turn, orthonormal), of no length of its own.
+	/// Returns the joint of a plant with the root axes `frame` (up axis and turn, orthonormal). Its length is not set.
 	Joint make_joint(const godot::Basis &frame) const;
-	/// Of a plant that stands along its node, in its own axes (motion/bend_encoding.hpp).
+	/// Returns the rest bend of a plant along its node, in its own axes (motion/bend_encoding.hpp).
 	glm::vec2 resting_bend() const;
-	/// The stem of a plant of `height` metres; null where another law moves it. Reports once what keeps it from
-	/// standing.
+	/// Returns the stem of a plant of `height` metres; null under other laws than the stem law. Reports the fault of a
+	/// stem once.
 	std::shared_ptr<const StemConstants> find_stem(double height, bool in_air);
-	/// Where it has to be solved first, what to solve: whoever does that elsewhere hands it back by take_stem(), before
-	/// somebody asks for it here.
+	/// Returns the recipe if the stem is not solved. To solve it on another thread, pass the result to take_stem()
+	/// before the next use of the stem.
 	std::optional<AskedStem> ask_stem(double height);
 	void take_stem(const AskedStem &asked, const SolvedStem &found);
-	/// True while `changed` is emitted for a property that leaves meshes as they are. Setters emit it once for each
-	/// real change, never for a value that they have already.
+	/// True while `changed` is emitted for a property that does not affect meshes. Setters emit it once for each real
+	/// change, never for the present value.
 	bool is_motion_change() const;
-	/// True while `changed` is emitted for another material, which leaves meshes as they are, too.
+	/// True while `changed` is emitted for another material, which does not affect meshes either.
 	bool is_material_change() const { return changes_material_only; }
 
 	// Called by the engine.

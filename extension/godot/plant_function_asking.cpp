@@ -1,4 +1,4 @@
-// What a species is asked for: the answers of its script, else its own; and its stem.
+// PlantFunction: samples the functions of its script or of the native species, and solves its stems.
 
 #include "plant_function.hpp"
 
@@ -153,7 +153,7 @@ Ref<ArrayMesh> PlantFunction::generate_mesh(double height, int segments, int64_t
 	return sampled.build();
 }
 
-static constexpr int STEM_SEGMENTS = 12; // How finely a lathe says where it is thick.
+static constexpr int STEM_SEGMENTS = 12; // Samples of a lathe's thickness along the stem.
 
 void PlantFunction::set_stem(const Ref<PlantStem> &new_stem) {
 	if (new_stem != stem) {
@@ -170,15 +170,15 @@ void PlantFunction::on_stem_changed() {
 	motion_changed();
 }
 
-// A plant of the species' own height says what its stem is like, so that it does not matter who asks first.
+// Samples a plant of the species' own height, so that the stem does not depend on the first request.
 void PlantFunction::learn_stem(double height) {
 	if (stems.knows_plants()) {
 		return;
 	}
-	follow_changes(this, Callable(this, "_on_own_change")); // A script may answer otherwise then.
+	follow_changes(this, Callable(this, "_on_own_change")); // A script may have other results then.
 	SampledPlant plant;
 	if (!sample(0.0, STEM_SEGMENTS, 0, plant).is_empty()) {
-		plant = SampledPlant(); // Whoever builds its mesh tells what is wrong.
+		plant = SampledPlant(); // The build of its mesh reports the fault.
 		plant.height = height > 0.0 ? float(height) : 1.0f;
 	}
 	stems.learn(plant);

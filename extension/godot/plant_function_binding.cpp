@@ -1,4 +1,4 @@
-// What scripts and the inspector see of PlantFunction.
+// PlantFunction: bindings.
 
 #include "plant_function.hpp"
 
@@ -66,7 +66,7 @@ static void bind_look_methods() {
 }
 
 static PropertyInfo number(const char *name, const char *range) {
-	return PropertyInfo(Variant::FLOAT, name, PROPERTY_HINT_RANGE, String::utf8(range)); // Units such as N·s/m.
+	return PropertyInfo(Variant::FLOAT, name, PROPERTY_HINT_RANGE, String::utf8(range)); // For units such as N·s/m.
 }
 
 void PlantFunction::_bind_methods() {

@@ -16,49 +16,49 @@ namespace undergrowth {
 
 class Plant3D;
 
-/// What else than the wind moves a plant that stands alone.
+/// Forces on a `Plant3D` other than the wind.
 struct PlantPush {
-	godot::StringName bodies_group; ///< Whose bodies push it; empty: nobody's.
+	godot::StringName bodies_group; ///< Group of the bodies that push it; empty: none.
 	float touch_margin = 0.0f; ///< m; 0 without bodies.
-	uint64_t world = 0; ///< Instance id of the World3D that it is in; 0: none.
-	bool has_contact = false; ///< It touches the tips of its world.
-	float apparent_wind = 1.0f; ///< How much of its own motion it feels as wind.
+	uint64_t world = 0; ///< Instance id of its World3D; 0: none.
+	bool has_contact = false; ///< Its tip touches the tips of its world.
+	float apparent_wind = 1.0f; ///< Share of its own motion that acts as wind.
 
 	bool has_bodies() const { return !bodies_group.is_empty(); }
 	bool operator==(const PlantPush &other) const;
 };
 
-/// What plants have in common that share a page.
+/// Properties that all plants of a page share.
 struct PlantKind {
 	MotionSpecies species;
 	godot::Ref<PlantWind> wind; ///< Null: still air.
-	PlantFrame frame = PlantFrame::WORLD; ///< Axes of the page's directions; its roots are in the world's.
+	PlantFrame frame = PlantFrame::WORLD; ///< Axes of the page's directions; roots are in world axes.
 	PlantPush push;
 
 	bool operator==(const PlantKind &other) const;
 };
 
-/// Plants of one kind: a page that is stepped together, and the bones that show it.
+/// Plants of one kind: a page that steps together, and the bones that show it.
 struct PlantGroup {
 	PlantGroup(const PlantKind &of, float step);
 
 	PlantKind kind;
 	MotionPage page;
-	std::vector<Plant3D *> plants; ///< plants[i] is the page's plant i; touched only where plants come and go.
-	std::vector<PlantBone> bones; ///< As many.
-	std::vector<glm::vec3> directions; ///< As many, for drawing.
-	RootWays roots; ///< As many.
+	std::vector<Plant3D *> plants; ///< plants[i] is row i of the page; read only when plants are added or removed.
+	std::vector<PlantBone> bones; ///< One for each row.
+	std::vector<glm::vec3> directions; ///< One for each row, for drawing.
+	RootWays roots; ///< One for each row.
 	glm::mat3 axes; ///< Of the kind's frame.
 
 	void add(Plant3D *plant, const MotionPlant &description, const PlantBone &bone);
-	/// The last plant takes its index.
+	/// Removes a row; the last plant gets its index.
 	void remove(int index);
-	/// One step that begins when the wind's clock shows `start` (s), with what stirs the air of its world.
+	/// Runs one step that begins at `start` (s) of the wind's clock. `stirring`: sources that stir the air of its
+	/// world.
 	void step(const FieldWind &air, double start, const std::vector<AirSource> &stirring);
-	/// Null where directions have the world's axes.
+	/// Null if directions are in world axes.
 	const glm::mat3 *turned_axes() const { return kind.frame == PlantFrame::WORLD ? nullptr : &axes; }
-	/// Turns all bones to where their plants point, `alpha` of the way of the last step.
-	/// `swing_clock`: as StemMotion::clock.
+	/// Turns all bones to the directions at `alpha` of the last step. `swing_clock`: as StemMotion::clock.
 	void pose(float alpha, float swing_clock);
 };
 

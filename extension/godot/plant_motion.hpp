@@ -8,19 +8,19 @@
 
 namespace undergrowth {
 
-/// What is moved: all that a page needs of a plant, in world axes.
+/// The input of a page for one plant, in world axes.
 struct MovedPlant {
 	MotionSpecies species;
 	godot::Ref<PlantWind> wind; ///< Null: still air.
 	PlantPush push;
 	glm::vec3 root; ///< m.
-	glm::vec3 rest; ///< Where it points at rest, unit.
+	glm::vec3 rest; ///< Rest direction, unit.
 	float length; ///< m.
 };
 
-/// What moves of a plant, in world axes: its state, and where it pointed a step before, as it is drawn.
+/// The motion of a plant, in world axes: its state, and its drawn direction one step before.
 struct PlantSwing {
-	/// All modes of a stem, as a page of these axes has them.
+	/// All modes of a stem, as stored by a page with these axes.
 	struct Stem {
 		PlantFrame frame;
 		int modes;
@@ -30,13 +30,13 @@ struct PlantSwing {
 	TipState now;
 	glm::vec3 before;
 	StemSecond second = {};
-	std::optional<Stem> stem = std::nullopt; ///< Where a page like that goes on with it, it is to the bit.
+	std::optional<Stem> stem = std::nullopt; ///< A page of the same kind continues from it, equal to the bit.
 
 	static PlantSwing at_rest(const glm::vec3 &rest) { return { { rest, {} }, rest }; }
 };
 
-/// How a plant that stands alone moves: on a page of the simulation, on a page of its own that is driven by hand, or
-/// not at all (parked). It goes on from one to the other as it moved. Main thread.
+/// The motion of a `Plant3D`: on a page of the simulation, on a page of its own that code advances, or parked (without
+/// a page). Every change of these transfers the motion. Main thread.
 class PlantMotion {
 public:
 	explicit PlantMotion(Plant3D *of) : plant(of) {}
@@ -45,49 +45,49 @@ public:
 	PlantMotion &operator=(const PlantMotion &) = delete;
 
 	bool is_simulated() const { return place.group != nullptr; }
-	/// The simulation moves it from the next frame on.
+	/// Enters the simulation, which moves the plant from the next frame on.
 	void simulate(PlantSimulation *simulation, const MovedPlant &moved);
-	/// The simulation gave it another row.
+	/// Sets another row of the simulation.
 	void moved_to(int index) { place.index = index; }
-	/// Takes its motion out of the page that has it.
+	/// Takes the motion out of its page.
 	void park();
 	void leave_simulation();
 
-	/// Whether it has a page of its own, for steps as long as the simulation's.
+	/// True if it has a page of its own, with steps as long as those of the simulation.
 	bool is_driven() const;
-	/// Gives it one. Wind and pushes do not count: who drives it says what blows.
+	/// Creates a page of its own. Wind and pushes of `moved` have no effect: the caller of advance() passes the wind.
 	void drive(const MovedPlant &moved);
-	/// A driven plant goes on by `delta` seconds of its own clock.
+	/// Advances a driven plant by `delta` seconds of its own clock.
 	void advance(double delta, const godot::Ref<PlantWind> &wind);
-	/// The same by `blowing`'s clock.
+	/// Advances a driven plant by `delta` seconds of the clock of `blowing`.
 	void preview(double delta, const godot::Ref<PlantWind> &blowing);
-	/// It has another wind.
+	/// Resets the gusts. Call when the plant gets another wind.
 	void forget_wind() { ear = PlantWind::Listener(); }
 
-	/// Constants, axes, length or place changed; the motion goes on. False where it needs another page of the
-	/// simulation, which only simulate() gives.
+	/// Applies changed constants, axes, length or position and preserves the motion. Returns false if this needs
+	/// another page of the simulation; call simulate() then.
 	bool follow(const MovedPlant &moved);
-	/// Whether it is on a page of the simulation for other pushes.
+	/// True if it is on a page of the simulation with other pushes.
 	bool has_other_push(const PlantPush &push) const { return place.group && !(place.group->kind.push == push); }
 
-	/// What moves. `rest` (unit, world axes) is where it points as long as nothing moved it.
+	/// Returns the motion. `rest` (unit, world axes) is its direction until something moves it.
 	PlantSwing swing(const glm::vec3 &rest) const;
 	void set_swing(const PlantSwing &swing);
-	/// From the root to a place on a plant that has a page, 0 the root to 1 the tip, in lengths of the plant and world
-	/// axes. False of one that is parked.
+	/// Sets `arm` to the vector from the root to a point on the plant: from the root (share 0) to the tip (1). The unit
+	/// is the length of the plant, in world axes. Returns false for a parked plant.
 	bool find_arm(float share, glm::vec3 &arm) const;
-	/// Calms it down at `rest`; one that is driven begins anew.
+	/// Puts the plant at rest along `rest`. A driven plant starts again.
 	void reset(const glm::vec3 &rest);
-	/// Once: `impulse` in newton seconds, world axes, on one that is simulated or driven.
+	/// Applies `impulse` (N·s, world axes) to the tip of a simulated or driven plant.
 	void apply_impulse(const glm::vec3 &impulse);
-	/// The same on one of its stem's joints, 1 to as many as there are.
+	/// Applies `impulse` to a joint of the stem, 1 to its number of joints.
 	void apply_impulse_at(int joint, const glm::vec3 &impulse);
 
-	/// What shows it: a row of its page, or its own.
+	/// Returns the bone: a row of its page, or its own.
 	PlantBone &bone();
-	/// Its bone turns in these axes of the plant (global, without scale).
+	/// Sets the plant's axes for its bone (global, without scale).
 	void follow_axes(const godot::Basis &axes);
-	/// Poses its bone now, between frames.
+	/// Poses the bone now, between frames.
 	void pose_now(const glm::vec3 &rest);
 
 private:
@@ -95,8 +95,8 @@ private:
 	PlantSimulation::Place place;
 	std::unique_ptr<DrivenPlant> driven;
 	std::optional<PlantSwing> parked;
-	PlantBone own_bone; // While in no page.
-	double own_time = 0.0; // s, the wind's clock while driven by hand.
+	PlantBone own_bone; // While on no page.
+	double own_time = 0.0; // s, clock of the wind for a driven plant.
 	PlantWind::Listener ear; // For gusts, by that clock.
 
 	PlantGroup *group() const;

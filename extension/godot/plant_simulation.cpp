@@ -98,7 +98,7 @@ void PlantSimulation::step_groups(double ago) {
 	}
 }
 
-// Bodies and contact cost nothing where no plant asks for them.
+// Bodies and contact have no cost if no plant uses them.
 void PlantSimulation::step(double ago, bool is_first) {
 	const bool is_pushed = bodies.are_needed();
 	if (is_pushed) {
@@ -149,7 +149,7 @@ void PlantSimulation::advance(double delta) {
 	const int step_count = clock.advance(delta);
 	for (int i = 0; i < step_count; i++) {
 		if (i > 0 && microseconds_since(start) > 1e6 * FixedStep::MOST_STEPPING) {
-			break; // The rest is dropped, so that a slow frame does not make the next one slower yet.
+			break; // Drops the remaining steps, so that a slow frame does not slow down the next one.
 		}
 		step(clock.step() * (double(clock.alpha()) + step_count - 1 - i), i == 0);
 	}
@@ -161,7 +161,8 @@ void PlantSimulation::advance(double delta) {
 	pose_time_usec = microseconds_since(start) - step_time_usec;
 }
 
-// The signal comes once a frame before any node's _process, paused or not: plants that pause leave by themselves.
+// The signal is emitted once a frame, before any node's _process and also during a pause. Paused plants leave the
+// simulation themselves.
 void PlantSimulation::on_process_frame() {
 	SceneTree *tree = Object::cast_to<SceneTree>(ObjectDB::get_instance(connected_tree));
 	if (tree) {
@@ -174,7 +175,7 @@ void PlantSimulation::follow(SceneTree *tree) {
 		return;
 	}
 	connected_tree = tree->get_instance_id();
-	// By name and not by pointer: the connection must survive a reload of the library.
+	// Connects by name and not by pointer, because the connection must survive a reload of the library.
 	follow_signal(tree, "process_frame", Callable(this, FRAME_METHOD));
 }
 
@@ -203,7 +204,7 @@ void PlantSimulation::set_step_length(double seconds) {
 		return;
 	}
 	clock = FixedStep(seconds);
-	// Constants hold for one step length: all plants move to pages of the new one, in their present state.
+	// Constants are for one step length, so all plants move to pages of the new one, with their present state.
 	std::vector<Plant3D *> everyone;
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
 		everyone.insert(everyone.end(), group->plants.begin(), group->plants.end());

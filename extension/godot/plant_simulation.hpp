@@ -15,8 +15,8 @@
 
 namespace undergrowth {
 
-/// Steps all simulating plants of the running scene together, once a frame and in fixed steps, and poses their bones.
-/// An engine singleton. Main thread only.
+/// Steps all simulated `Plant3D`s of the running scene together, in fixed steps, and poses their bones once a frame. An
+/// engine singleton. Main thread.
 class PlantSimulation : public godot::Object {
 	GDCLASS(PlantSimulation, godot::Object)
 
@@ -24,13 +24,13 @@ class PlantSimulation : public godot::Object {
 	PlantBodies bodies;
 	PlantContact contact;
 	StirredWorlds stirred;
-	bool are_groups_new = false; ///< Groups came or went since bodies and contact were told.
-	bool is_contact_stale = false; ///< Plants that touch did.
+	bool are_groups_new = false; ///< Groups were added or removed since the last update of bodies and contact.
+	bool is_contact_stale = false; ///< Plants with contact were added or removed.
 	bool has_told_of_crowd = false;
 	FixedStep clock;
 	SwingClock swings;
 	uint64_t step_number = 0; ///< Of the present step; the first is 1.
-	uint64_t connected_tree = 0; ///< Instance id of the scene tree whose frames we follow.
+	uint64_t connected_tree = 0; ///< Instance id of the scene tree that sends frames.
 	double step_time_usec = 0.0;
 	double pose_time_usec = 0.0;
 
@@ -50,20 +50,20 @@ public:
 	~PlantSimulation() override;
 	static PlantSimulation *get_singleton();
 
-	/// Where a plant stands in the simulation.
+	/// Row of a plant in the simulation.
 	struct Place {
 		PlantGroup *group = nullptr;
 		int index = -1;
 	};
 
-	/// Takes a plant in, from the next frame on, at rest. It must leave before it is freed.
+	/// Adds a plant at rest, from the next frame on. It must leave before it is freed.
 	Place enter(Plant3D *plant, const PlantKind &kind, const MotionPlant &description, const PlantBone &bone);
-	/// Lets a plant go.
+	/// Removes a plant.
 	void leave(const Place &place);
-	/// A plant that leaves the tree is touched by nobody, without a word.
+	/// Ends the touches of a plant that leaves the tree, without a signal.
 	void forget_touches(const Plant3D *plant) { bodies.forget(plant); }
 
-	/// Simulates `delta` seconds; the scene tree's frames call it.
+	/// Simulates `delta` seconds. Called in each frame of the scene tree.
 	void advance(double delta);
 	void on_process_frame();
 	void on_parts_shader_wanted();

@@ -11,9 +11,9 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr int64_t STATE_FLOATS = 12;
-static constexpr int64_t TIP_FLOATS = 6; // Of them.
+static constexpr int64_t TIP_FLOATS = 6; // Number of floats of the tip.
 static constexpr float SHORTEST = 1e-3f; // m.
-static constexpr double LEAST_VOLUME = 1e-12; // Of a unit cube in the node's axes.
+static constexpr double LEAST_VOLUME = 1e-12; // Volume of a unit cube in the node's axes.
 
 void PlantStance::follow(const Transform3D &global) {
 	const float along = global.basis.get_column(1).length();

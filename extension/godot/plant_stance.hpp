@@ -10,21 +10,21 @@
 
 namespace undergrowth {
 
-/// Where a plant that stands alone stands, and how it is turned and scaled.
+/// Position, rotation and scale of a `Plant3D`.
 struct PlantStance {
-	godot::Basis axes; ///< Its global axes, without scale.
+	godot::Basis axes; ///< Global axes of the plant, without scale.
 	glm::vec3 root = { 0.0f, 0.0f, 0.0f }; ///< m, world axes.
-	float scale_along = 1.0f; ///< Its scale along itself.
+	float scale_along = 1.0f; ///< Scale along the plant.
 
-	/// Takes over where its node stands. One that is scaled to nothing keeps its last axes.
+	/// Copies the transform of the node. If its scale is zero, the axes do not change.
 	void follow(const godot::Transform3D &global);
-	/// How long a plant of `height` metres stands there (m); as long as one of 1 m without scale where 0.
+	/// Returns the length (m) of a plant of `height` metres here; 0 returns that of a plant of 1 m without scale.
 	float length_of(float height) const;
-	/// A tip's direction and its rate, and the same of a second mode (world axes), as twelve floats in the plant's own
-	/// axes.
+	/// Returns direction and rate of the tip and of a second mode (given in world axes) as twelve floats, in the
+	/// plant's own axes.
 	godot::PackedFloat32Array floats_of(const MotionState &state) const;
-	/// The way back, with a unit direction; six are those of the tip. False, and nothing is read, where these are no
-	/// such finite numbers with a direction.
+	/// Reads what floats_of() returns, with a unit direction. Six floats are those of the tip. Returns false and reads
+	/// nothing if the number of floats is wrong, one is not finite, or there is no direction.
 	bool read_state(const godot::PackedFloat32Array &floats, MotionState &into) const;
 };
 

@@ -8,8 +8,8 @@
 
 namespace undergrowth {
 
-/// What a species says about its stem beyond how it swings: of what it is made, what it carries, and how its bend is
-/// shown. What is not said is as the plant is drawn. Emits `changed` for each real change.
+/// The stem of a species: its material, its load and the display of its bend. Properties without a value follow the
+/// drawn shape. Emits `changed` once for each real change.
 class PlantStem : public godot::Resource {
 	GDCLASS(PlantStem, godot::Resource)
 
@@ -25,7 +25,7 @@ class PlantStem : public godot::Resource {
 	double leaf_drag_area = -1.0; // m².
 	godot::PackedFloat32Array wind_weights;
 
-	/// 0 says nothing; everything else lies between `least` and `most`.
+	/// Sets a number from `least` to `most`, or 0 for none.
 	void set_unless_none(double &slot, const char *property, double value, double least, double most);
 	void set_number(double &slot, const char *property, double value, double least, double most);
 
@@ -33,9 +33,9 @@ protected:
 	static void _bind_methods();
 
 public:
-	/// What is said here, over what `beam` says already.
+	/// Overwrites `beam` with the values that are set.
 	void tell(StemBeam &beam) const;
-	/// Whether stems swing as fast as their stiffness says and not as declared.
+	/// True if the stiffness determines the frequency of stems, not the declared frequency.
 	bool is_physical() const { return youngs_modulus > 0.0; }
 
 	void set_joints(int count);

@@ -11,7 +11,7 @@ namespace undergrowth {
 
 static const char *const SKELETON_NAME = "PlantSkeleton";
 static const char *const MESH_NAME = "PlantMesh";
-static constexpr float LEAST_HEIGHT = 1e-3f; // Of a unit direction at rest, plus 1.
+static constexpr float LEAST_HEIGHT = 1e-3f; // Of a unit rest direction, plus 1.
 
 void PlantView::show(const SampledPlant &sampled) {
 	mesh = sampled.build();
@@ -36,8 +36,8 @@ void PlantView::show(const SampledPlant &sampled) {
 
 void PlantView::find_children() {
 	skeleton = Object::cast_to<Skeleton3D>(node->get_node_or_null(SKELETON_NAME));
-	motion.bone().posed = glm::vec3(NAN); // Whatever the bone shows now, the next pose is set.
-	is_held = true; // Perhaps.
+	motion.bone().posed = glm::vec3(NAN); // Forces an update by the next pose.
+	is_held = true; // A script may hold it.
 	const Node *found = skeleton ? skeleton->get_node_or_null(MESH_NAME) : nullptr;
 	mesh_instance = found ? uint64_t(found->get_instance_id()) : 0;
 }
@@ -64,13 +64,13 @@ void PlantView::follow_drawn(bool is_seen, const glm::vec3 &calm) {
 	bone.drawn = drawn.is_valid() ? drawn->get_skeleton() : RID();
 	bone.is_held = is_held;
 	bone.parts = parts.get();
-	bone.is_calm = !parts; // Until it was posed.
+	bone.is_calm = !parts; // Until the first pose.
 	if (parts) {
 		parts->stem.rest = glm::vec2(calm.x, calm.z) / std::max(1.0f + calm.y, LEAST_HEIGHT);
 	}
 	if (bone.skeleton != before.skeleton || bone.drawn != before.drawn || bone.is_held != before.is_held) {
 		const bool is_unseen = drawn.is_valid() && !bone.drawn.is_valid() && !is_held;
-		bone.way = is_unseen ? PlantBone::Way::UNSEEN : PlantBone::Way::NODE; // Until the renderer has it.
+		bone.way = is_unseen ? PlantBone::Way::UNSEEN : PlantBone::Way::NODE; // Until the renderer has the skeleton.
 	}
 }
 
@@ -78,7 +78,7 @@ bool PlantView::follow_stem(const std::shared_ptr<const StemConstants> &stem) {
 	const bool is_same = (stem ? stem->joints : 0) == joint_count();
 	if (is_same && stem) {
 		parts->set_stem(stem);
-		motion.bone().is_calm = false; // It may bend otherwise.
+		motion.bone().is_calm = false; // Its bend may be different.
 	}
 	return is_same || mesh.is_null();
 }
@@ -114,7 +114,7 @@ void PlantView::make_mesh_instance() {
 	mesh_instance = made->get_instance_id();
 }
 
-// The skeleton is bound anew, and stands anew as it did.
+// Binds the skeleton again. The next pose restores its bend.
 void PlantView::set_up_bones() {
 	const bool is_other = parts || skeleton->get_bone_count() != PartSkeleton::count(nullptr);
 	PartSkeleton::set_up(skeleton, parts.get());
@@ -124,8 +124,9 @@ void PlantView::set_up_bones() {
 	}
 }
 
-// Linear blend skinning moves no vertex farther from the root than it is at rest. A plant on a slope, a wall or a
-// ceiling may hang below its own root, so all directions count. A bent stem's sides may lie along the way to its end.
+// Linear blend skinning moves no vertex farther from the root than its distance at rest. A plant on a slope, a wall or
+// a ceiling may hang below its root, so the box includes all directions. The sides of a bent stem may extend beyond its
+// end.
 AABB PlantView::reach() const {
 	if (mesh.is_null()) {
 		return AABB();

@@ -1,4 +1,4 @@
-// The half of PlantWind that all kinds have. plant_wind_air.cpp has air's own.
+// PlantWind: the part for all kinds. plant_wind_air.cpp has the part for air.
 
 #include "plant_wind.hpp"
 
@@ -23,7 +23,7 @@ static constexpr Range FREQUENCY_RANGE = { 0.0, 1000.0 };
 static constexpr Range GUST_DURATION_RANGE = { 0.0, 3600.0 };
 static constexpr Range TRAVEL_SPEED_RANGE = { 0.0, 1e4 };
 
-// A wind that never comes to rest, and no gale: what it moves shows that it blows.
+// By default a moderate wind that never stops, so that its effect is visible.
 PlantWind::PlantWind() {
 	blowing.wind.kind = WindKind::waves;
 	blowing.wind.strength = 5.0f;
@@ -44,7 +44,7 @@ void PlantWind::set_kind(Kind kind) {
 	if (kind == KIND_AIR) {
 		AirTilesCache::begin();
 	}
-	begin_gust(); // A gust that is chosen while the simulation runs blows now.
+	begin_gust(); // A gust that is selected during the simulation starts now.
 	notify_property_list_changed();
 	emit_changed();
 }

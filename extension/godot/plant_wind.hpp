@@ -8,8 +8,8 @@
 
 namespace undergrowth {
 
-/// A wind that any number of plants share: a force (thesis, section 4.3), or air that moves. Bridge to core/wind.
-/// The simulation advances its clock once a step, whatever the number of plants.
+/// A wind that any number of plants share: a force (thesis, section 4.3) or moving air. Bridge to core/wind. The
+/// simulation advances its clock once a step, for any number of plants.
 class PlantWind : public godot::Resource {
 	GDCLASS(PlantWind, godot::Resource)
 
@@ -22,30 +22,30 @@ public:
 		KIND_AIR = int(WindKind::air),
 	};
 
-	/// One that feels this wind by a clock of its own: a gust that is called for begins for it when it hears of it,
-	/// however far its clock is ahead of the wind's or behind.
+	/// A user of this wind with its own clock. A triggered gust begins for it when it next reads the wind, for any
+	/// difference between the clocks.
 	struct Listener {
-		uint64_t heard = 0; ///< Gusts that were called for.
+		uint64_t heard = 0; ///< Number of triggered gusts that it received.
 		double gust_start = 0.0; ///< s, of the last of them, by its own clock.
 	};
 
 private:
-	/// Air on its way to be another.
+	/// A change from one air to another over time.
 	struct Blend {
 		Air from, to;
 		double begin = 0.0; ///< s, of the wind's clock.
 		double duration = 0.0; ///< s; 0: none.
 	};
 
-	FieldWind blowing; ///< Direction as a float; what was set is in `direction`.
+	FieldWind blowing; ///< Its direction is a float; `direction` is the value that was set.
 	Blend blend;
-	godot::Vector3 pivot; ///< Where somebody looks from: patterns go on there when the air changes.
+	godot::Vector3 pivot; ///< Position of a camera: patterns are continuous there when the air changes.
 	mutable bool has_told_of_newtons = false;
 	double direction = 0.0; ///< rad.
 	double time = 0.0;
-	uint64_t gusts = 0; ///< That were called for.
+	uint64_t gusts = 0; ///< Number of triggered gusts.
 	uint64_t begun_step = 0;
-	uint64_t advanced_in = UINT64_MAX; ///< Number of the frame in which the clock was advanced last.
+	uint64_t advanced_in = UINT64_MAX; ///< Frame number of the last advance of the clock.
 	double step_start = 0.0; ///< s, of that step.
 
 	void begin_gust();
@@ -61,6 +61,7 @@ private:
 
 protected:
 	static void _bind_methods();
+	bool _set(const godot::StringName &name, const godot::Variant &value);
 	void _validate_property(godot::PropertyInfo &property) const;
 
 public:
@@ -68,7 +69,7 @@ public:
 
 	void set_kind(Kind kind);
 	Kind get_kind() const;
-	/// Whether a wind, if there is one, blows in m/s.
+	/// True if there is a wind and it is in m/s.
 	static bool is_air(const godot::Ref<PlantWind> &wind) { return wind.is_valid() && wind->get_kind() == KIND_AIR; }
 	void set_strength(double newtons);
 	double get_strength() const;
@@ -89,40 +90,40 @@ public:
 	double get_gustiness() const;
 	void set_roughness(double metres);
 	double get_roughness() const;
-	void set_stand_height(double metres);
-	double get_stand_height() const;
-	void set_wave_share(double share);
-	double get_wave_share() const;
+	void set_canopy_height(double metres);
+	double get_canopy_height() const;
+	void set_canopy_wave_amount(double share);
+	double get_canopy_wave_amount() const;
 	int64_t get_beaufort() const;
-	/// Of the air at a place (world, its height above the ground as y), m/s.
+	/// Returns the velocity of the air (m/s) at a position (world axes; y is the height above the ground).
 	godot::Vector3 sample_velocity(double at_time, const godot::Vector3 &place) const;
-	/// Of the air at the tops of the stand, waves with it, at horizontal places of the world (x, z), m/s.
-	godot::PackedVector2Array sample_over_stand(double at_time, const godot::PackedVector2Array &places) const;
-	/// Tells a material that includes undergrowth_wind.gdshaderinc how it blows now.
-	void show_in(const godot::Ref<godot::Material> &material) const;
-	/// Within so many seconds of its clock this air becomes what another is.
+	/// Returns the velocities of the air (m/s) at the tops of the canopy, with its waves, at horizontal world positions
+	/// (x, z).
+	godot::PackedVector2Array sample_over_canopy(double at_time, const godot::PackedVector2Array &places) const;
+	/// Sets the present wind in a material that includes undergrowth_wind.gdshaderinc.
+	void apply_to_material(const godot::Ref<godot::Material> &material) const;
+	/// Changes this air to that of another wind within `seconds` of its clock.
 	void blend_to(const godot::Ref<PlantWind> &wind, double seconds);
 
 	godot::Vector3 sample(double at_time) const;
-	/// A gust of `strength` (N) for `duration` (s), from now on; below 0: the wind's own.
+	/// Starts a gust of `strength` (N) for `duration` (s) now. A value below 0 uses that of the wind.
 	void trigger_gust(double strength, double duration);
 	double get_time() const;
 
-	/// The wind's clock goes on: by a step in the simulation, by a frame where someone drives plants by hand.
+	/// Advances the clock: by a step in the simulation, or by a frame if code advances plants.
 	void advance(double step);
-	/// Whether anything advanced the clock in this frame.
+	/// True if the clock advanced in this frame.
 	bool has_advanced_in_frame() const;
-	/// The clock of a plant that is driven by hand: this wind's never stands behind it.
+	/// Advances the clock to `clock`, the clock of a plant that code advances, if it is behind it.
 	void keep_up_with(double clock);
-	/// Somebody looks from there (world).
+	/// Sets the position of a camera (world axes).
 	void look_from(const godot::Vector3 &place) { pivot = place; }
-	/// What blows, for those who ask at a place and time of their own, with the speed at which it travels over the
-	/// ground.
+	/// Returns the wind for sampling at any position and time, with the speed at which it travels over the ground.
 	FieldWind travelling() const;
-	/// The same for `listener`, whose clock shows `clock`.
+	/// Returns the wind for `listener` at `clock` of its clock.
 	FieldWind heard_by(Listener &listener, double clock) const;
-	/// This wind's clock (s) at the start of step number `number` of the simulation. The first that asks moves it on to
-	/// the step's end.
+	/// Returns the clock (s) at the start of step number `number` of the simulation. The first call for a step advances
+	/// the clock to its end.
 	double begin_step(uint64_t number, double step);
 };
 

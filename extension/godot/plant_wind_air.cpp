@@ -1,4 +1,4 @@
-// The half of PlantWind that is air: in metres per second, as a weather report says it.
+// PlantWind: the part for air, in metres per second, as in a weather report.
 
 #include "plant_wind.hpp"
 
@@ -31,15 +31,15 @@ static constexpr Range ROUGHNESS_RANGE = { 1e-5, 0.5 };
 static constexpr Range STAND_HEIGHT_RANGE = { 0.0, 9.0 };
 static constexpr Range SHARE_RANGE = { 0.0, 1.0 };
 static constexpr Range BLEND_RANGE = { 0.0, 86400.0 };
-static constexpr float FORCE_HEIGHT = 1.0f; // m above the ground, where sample() tells the force.
+static constexpr float FORCE_HEIGHT = 1.0f; // m above the ground: height of the force that sample() returns.
 
-// From now on it blows so; the patterns go on from where they are.
+// Changes the air from now on. The patterns continue from their present position.
 void PlantWind::take_air(const Air &wanted) {
 	change_air(blowing.air, wanted, time, { double(pivot.x), double(pivot.z) });
 }
 
 void PlantWind::change(const Air &wanted) {
-	blend.duration = 0.0; // What is set by hand stays.
+	blend.duration = 0.0; // A property that is set ends the blend.
 	take_air(wanted);
 	emit_changed();
 }
@@ -84,27 +84,27 @@ double PlantWind::get_roughness() const {
 	return as_written(blowing.air.roughness);
 }
 
-void PlantWind::set_stand_height(double metres) {
-	set_air(&Air::stand_height, "stand_height", metres, STAND_HEIGHT_RANGE);
+void PlantWind::set_canopy_height(double metres) {
+	set_air(&Air::canopy_height, "canopy_height", metres, STAND_HEIGHT_RANGE);
 }
 
-double PlantWind::get_stand_height() const {
-	return as_written(blowing.air.stand_height);
+double PlantWind::get_canopy_height() const {
+	return as_written(blowing.air.canopy_height);
 }
 
-void PlantWind::set_wave_share(double share) {
-	set_air(&Air::wave_share, "wave_share", share, SHARE_RANGE);
+void PlantWind::set_canopy_wave_amount(double share) {
+	set_air(&Air::canopy_wave_amount, "canopy_wave_amount", share, SHARE_RANGE);
 }
 
-double PlantWind::get_wave_share() const {
-	return as_written(blowing.air.wave_share);
+double PlantWind::get_canopy_wave_amount() const {
+	return as_written(blowing.air.canopy_wave_amount);
 }
 
 int64_t PlantWind::get_beaufort() const {
 	return beaufort_of(double(blowing.air.speed));
 }
 
-// Told once, as whoever asks for velocities does so in each frame.
+// Reports the error once, because velocities may be requested in every frame.
 bool PlantWind::is_air(const char *asked) const {
 	if (blowing.wind.kind != WindKind::air && !has_told_of_newtons) {
 		report_error(this, String(asked) + " needs KIND_AIR: other kinds are forces. Set kind, or call sample().");
@@ -124,7 +124,7 @@ Vector3 PlantWind::sample_velocity(double at_time, const Vector3 &place) const {
 	return to_godot(air_velocity(blowing.air, AirTilesCache::get().get(), at_time, to_glm(place)));
 }
 
-PackedVector2Array PlantWind::sample_over_stand(double at_time, const PackedVector2Array &places) const {
+PackedVector2Array PlantWind::sample_over_canopy(double at_time, const PackedVector2Array &places) const {
 	PackedVector2Array velocities;
 	std::vector<float> x, z;
 	bool is_finite = std::isfinite(at_time);
@@ -134,15 +134,15 @@ PackedVector2Array PlantWind::sample_over_stand(double at_time, const PackedVect
 		z.push_back(float(place.y));
 	}
 	if (!is_finite) {
-		report_error(this, "sample_over_stand() needs a finite time in seconds and finite places in metres.");
+		report_error(this, "sample_over_canopy() needs a finite time in seconds and finite places in metres.");
 		return velocities;
 	}
-	if (!is_air("sample_over_stand()")) {
+	if (!is_air("sample_over_canopy()")) {
 		return velocities;
 	}
 	const FieldWind field = travelling();
 	const TravellingWind now = wind_at_time(field, at_time);
-	const AirBlow blow = blow_over(now.air, std::max(field.air.stand_height, TURF_HEIGHT), winds_along(field));
+	const AirBlow blow = blow_over(now.air, std::max(field.air.canopy_height, TURF_HEIGHT), winds_along(field));
 	std::vector<float> out_x(x.size()), out_z(x.size());
 	sample_air(now, blow, x.data(), z.data(), nullptr, int(x.size()), out_x.data(), out_z.data());
 	for (size_t i = 0; i < x.size(); i++) {
@@ -156,11 +156,11 @@ Vector3 PlantWind::sample_air_force(double at_time) const {
 	return velocity * (0.5 * AIR_DENSITY * velocity.length());
 }
 
-void PlantWind::show_in(const Ref<Material> &material) const {
+void PlantWind::apply_to_material(const Ref<Material> &material) const {
 	const ShaderMaterial *shaded = Object::cast_to<ShaderMaterial>(material.ptr());
 	if (!shaded || shaded->get_shader().is_null()) {
-		report_error(this, "show_in() needs a material whose shader includes undergrowth_wind.gdshaderinc.");
-	} else if (is_air("show_in()")) {
+		report_error(this, "apply_to_material() needs a material whose shader includes undergrowth_wind.gdshaderinc.");
+	} else if (is_air("apply_to_material()")) {
 		show_wind(travelling(), time, material);
 	}
 }
@@ -175,7 +175,7 @@ void PlantWind::blend_to(const Ref<PlantWind> &wind, double seconds) {
 	}
 	blend.from = blowing.air;
 	blend.to = wind->blowing.air;
-	// The shorter way around.
+	// Turns by the smaller angle.
 	blend.to.heading = blend.from.heading + std::remainder(blend.to.heading - blend.from.heading, 2.0 * PI);
 	blend.begin = time;
 	blend.duration = std::max(seconds, 1e-9);
@@ -194,8 +194,8 @@ static Air mixed(const Air &from, const Air &to, double share) {
 	air.speed = glm::mix(from.speed, to.speed, part);
 	air.gustiness = glm::mix(from.gustiness, to.gustiness, part);
 	air.roughness = glm::mix(from.roughness, to.roughness, part);
-	air.stand_height = glm::mix(from.stand_height, to.stand_height, part);
-	air.wave_share = glm::mix(from.wave_share, to.wave_share, part);
+	air.canopy_height = glm::mix(from.canopy_height, to.canopy_height, part);
+	air.canopy_wave_amount = glm::mix(from.canopy_wave_amount, to.canopy_wave_amount, part);
 	air.heading = glm::mix(from.heading, to.heading, share);
 	if (from.turbulence >= 0.0f || to.turbulence >= 0.0f) {
 		air.turbulence = glm::mix(turbulence(from), turbulence(to), part);

@@ -1,6 +1,7 @@
-// What scripts and the inspector see of PlantWind.
+// PlantWind: bindings.
 
 #include "plant_wind.hpp"
+#include "renamed_properties.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 
@@ -12,8 +13,8 @@ using namespace godot;
 namespace undergrowth {
 
 void PlantWind::_validate_property(PropertyInfo &property) const {
-	static const char *const air_only[] = { "speed", "turbulence", "gustiness", "roughness", "stand_height",
-		"wave_share" };
+	static const char *const air_only[] = { "speed", "turbulence", "gustiness", "roughness", "canopy_height",
+		"canopy_wave_amount" };
 	static const char *const newtons_only[] = { "strength", "frequency", "travel_speed" };
 	const String name = property.name;
 	const auto is_in = [&](const auto &names) {
@@ -35,14 +36,14 @@ void PlantWind::bind_air() {
 	ClassDB::bind_method(D_METHOD("get_gustiness"), &PlantWind::get_gustiness);
 	ClassDB::bind_method(D_METHOD("set_roughness", "metres"), &PlantWind::set_roughness);
 	ClassDB::bind_method(D_METHOD("get_roughness"), &PlantWind::get_roughness);
-	ClassDB::bind_method(D_METHOD("set_stand_height", "metres"), &PlantWind::set_stand_height);
-	ClassDB::bind_method(D_METHOD("get_stand_height"), &PlantWind::get_stand_height);
-	ClassDB::bind_method(D_METHOD("set_wave_share", "share"), &PlantWind::set_wave_share);
-	ClassDB::bind_method(D_METHOD("get_wave_share"), &PlantWind::get_wave_share);
+	ClassDB::bind_method(D_METHOD("set_canopy_height", "metres"), &PlantWind::set_canopy_height);
+	ClassDB::bind_method(D_METHOD("get_canopy_height"), &PlantWind::get_canopy_height);
+	ClassDB::bind_method(D_METHOD("set_canopy_wave_amount", "share"), &PlantWind::set_canopy_wave_amount);
+	ClassDB::bind_method(D_METHOD("get_canopy_wave_amount"), &PlantWind::get_canopy_wave_amount);
 	ClassDB::bind_method(D_METHOD("get_beaufort"), &PlantWind::get_beaufort);
 	ClassDB::bind_method(D_METHOD("sample_velocity", "time", "place"), &PlantWind::sample_velocity);
-	ClassDB::bind_method(D_METHOD("sample_over_stand", "time", "places"), &PlantWind::sample_over_stand);
-	ClassDB::bind_method(D_METHOD("show_in", "material"), &PlantWind::show_in);
+	ClassDB::bind_method(D_METHOD("sample_over_canopy", "time", "places"), &PlantWind::sample_over_canopy);
+	ClassDB::bind_method(D_METHOD("apply_to_material", "material"), &PlantWind::apply_to_material);
 	ClassDB::bind_method(D_METHOD("blend_to", "wind", "seconds"), &PlantWind::blend_to);
 
 	const auto add = [](const char *name, const char *range) {
@@ -53,8 +54,12 @@ void PlantWind::bind_air() {
 	add("turbulence", "-1,1,0.01,or_greater");
 	add("gustiness", "0,0.15,0.01,or_greater");
 	add("roughness", "0.001,0.5,0.001,exp,or_less,suffix:m");
-	add("stand_height", "0,3,0.01,or_greater,suffix:m");
-	add("wave_share", "0,1,0.01");
+	add("canopy_height", "0,3,0.01,or_greater,suffix:m");
+	add("canopy_wave_amount", "0,1,0.01");
+}
+
+bool PlantWind::_set(const StringName &name, const Variant &value) {
+	return set_renamed_property(this, name, value, { { "canopy_height", "canopy_height" }, { "canopy_wave_amount", "canopy_wave_amount" } });
 }
 
 void PlantWind::_bind_methods() {

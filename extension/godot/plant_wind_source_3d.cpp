@@ -20,10 +20,10 @@ static constexpr Range SPEED_RANGE = { 0.0, 340.0 };
 static constexpr Range THRUST_RANGE = { 0.0, 1e7 };
 static constexpr Range RADIUS_RANGE = { 0.01, 1000.0 };
 static constexpr Range DURATION_RANGE = { 0.01, 10.0 };
-static constexpr float FASTEST = 150.0f; // m/s; a node that moves faster was set down elsewhere.
-static constexpr float EXPLOSION_ENDS = 10.0f; // Durations, the front's way aside.
+static constexpr float FASTEST = 150.0f; // m/s; a faster node was moved to another position.
+static constexpr float EXPLOSION_ENDS = 10.0f; // In durations, without the travel time of the front.
 
-// Those in a tree; main thread.
+// All sources in a tree. Main thread.
 static std::vector<PlantWindSource3D *> &in_tree() {
 	static std::vector<PlantWindSource3D *> all;
 	return all;
@@ -75,7 +75,7 @@ void PlantWindSource3D::gather_in(uint64_t world, const Transform3D &axes, doubl
 	}
 }
 
-// Once in each frame, by the first consumer or source that comes to it, so that all consumers see the same places.
+// Runs once in each frame, at its first use, so that all consumers get the same positions.
 void PlantWindSource3D::follow_all() {
 	static uint64_t followed = 0;
 	const uint64_t frame = Engine::get_singleton()->get_process_frames();

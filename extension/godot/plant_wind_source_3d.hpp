@@ -10,7 +10,7 @@
 
 namespace undergrowth {
 
-/// What stirs the air at one place, for all fields and plants near it. Bridge to core/wind/air_sources.hpp.
+/// A node that stirs the air around it, for all fields and plants nearby. Bridge to core/wind/air_sources.hpp.
 class PlantWindSource3D : public godot::Node3D {
 	GDCLASS(PlantWindSource3D, godot::Node3D)
 
@@ -23,10 +23,10 @@ public:
 
 	PlantWindSource3D();
 
-	/// All that stir the air of a World3D (`world`: its instance id) `ago` seconds before this frame, in world axes.
-	/// Main thread.
+	/// Appends all sources that stir the air of a World3D (`world`: its instance id) `ago` seconds before this frame,
+	/// in world axes. Main thread.
 	static void gather(uint64_t world, double ago, std::vector<AirSource> &into);
-	/// The same in the axes of a field (`axes`: from those to the world's).
+	/// gather() in the axes of a field (`axes`: from those to the world's).
 	static void gather_in(uint64_t world, const godot::Transform3D &axes, double ago, std::vector<AirSource> &into);
 
 	void set_kind(Kind new_kind);
@@ -55,7 +55,7 @@ private:
 	bool active = true;
 	bool is_exploding = false;
 	uint64_t world = 0; ///< Instance id of its World3D.
-	SourceWay way; ///< In the world.
+	SourceWay way; ///< In world axes.
 
 	void set_number(float &slot, const char *property, double value, const Range &range);
 	void follow(double delta);

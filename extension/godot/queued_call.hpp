@@ -6,7 +6,7 @@
 
 namespace undergrowth {
 
-/// A method that an object calls once at the end of a frame, however often that is asked for before.
+/// Calls a method of an object once at the end of the frame, for any number of requests before.
 class QueuedCall {
 public:
 	QueuedCall(godot::Object *of, const char *named) : object(of), method(named) {}
@@ -17,7 +17,7 @@ public:
 		}
 	}
 	bool is_queued() const { return is_on_its_way; }
-	/// It is called now, so who asks from now on asks for the next one.
+	/// Call at the start of the method: later requests queue the next call.
 	void begin() { is_on_its_way = false; }
 
 private:

@@ -1,4 +1,4 @@
-// The library's entry: registers its classes with the engine, and takes them back.
+// Entry of the library: registers and unregisters its classes.
 
 #include "curve_plant_function.hpp"
 #include "doc_data.hpp"
@@ -13,6 +13,7 @@
 #include "plant_simulation.hpp"
 #include "plant_wind.hpp"
 #include "plant_wind_source_3d.hpp"
+#include "renamed_properties.hpp"
 #include "shared_resources.hpp"
 #include "species_functions.hpp"
 #include "wind_shader.hpp"
@@ -29,7 +30,7 @@ namespace undergrowth {
 static const char *const SIMULATION_NAME = "PlantSimulation";
 static GDExtensionInterfaceGetProcAddress engine_function = nullptr;
 
-// Straight from the engine's interface, which is the same with any binding.
+// Uses the engine's interface directly, which is the same with any binding.
 static void load_class_help() {
 	using LoadHelp = void (*)(const char *, GDExtensionInt); // Its name differs between versions of the header.
 	const auto load = reinterpret_cast<LoadHelp>(engine_function("editor_help_load_xml_from_utf8_chars_and_len"));
@@ -40,6 +41,7 @@ static void load_class_help() {
 
 static void register_classes() {
 	GDREGISTER_INTERNAL_CLASS(LateReport);
+	GDREGISTER_INTERNAL_CLASS(OldNameWarning);
 	GDREGISTER_ABSTRACT_CLASS(PlantPart);
 	GDREGISTER_CLASS(PlantAxis);
 	GDREGISTER_CLASS(PlantBlade);

@@ -34,7 +34,7 @@ void OldNameWarning::post(const Object *object, const RenamedProperty &property)
 	warning->call_deferred("free");
 }
 
-// The file that contains the object: the resource's own, or that of the scene of a node.
+// Returns the file that contains the object: the resource's own, or that of the scene of a node.
 static String find_file(Object *object) {
 	if (const Resource *resource = Object::cast_to<Resource>(object)) {
 		return resource->get_path().get_slice("::", 0);

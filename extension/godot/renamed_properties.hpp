@@ -10,15 +10,14 @@
 
 namespace undergrowth {
 
-/// A property's name in version 0.2, and its name today.
+/// A property's name in version 0.2 and its present name.
 struct RenamedProperty {
 	const char *old_name;
 	const char *name;
 };
 
-/// Sets the property that `old_name` is called today, so that scenes and resources of version 0.2 load. Warns once for
-/// each file, at the end of the frame, when the file of `object` is known. Returns false if `old_name` is not in
-/// `renamed`. For `_set()`.
+/// Sets a property by its old name, so that scenes and resources of version 0.2 load. Warns once for each file, at the
+/// end of the frame, when the path of `object` exists. Returns false if `old_name` is not in `renamed`. For `_set()`.
 bool set_renamed_property(godot::Object *object, const godot::StringName &old_name, const godot::Variant &value,
 		const std::vector<RenamedProperty> &renamed);
 

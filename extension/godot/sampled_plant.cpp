@@ -1,4 +1,4 @@
-// Turns what was asked of a plant function into a mesh of the engine's.
+// SampledPlant and MeshArrays: from a sampled plant function to a mesh of the engine.
 
 #include "sampled_plant.hpp"
 
@@ -20,7 +20,8 @@ float SampledPlant::widest() const {
 	return width * cross_section.radius;
 }
 
-// Where there is no skeleton, shaders do not get the bones' weights: a field's reads that of the tip from here.
+// Without a skeleton, shaders do not get the bones' weights. The shader of fields reads the weight of the tip from
+// here.
 static constexpr int64_t CUSTOM_FORMAT = int64_t(Mesh::ARRAY_CUSTOM_R_FLOAT)
 		<< int64_t(Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT);
 

@@ -17,21 +17,21 @@ namespace undergrowth {
 
 class GrownPlant;
 
-/// All that the engine's mesh of a plant is made of.
+/// All data of a plant's mesh in the engine.
 struct MeshArrays {
 	godot::Array arrays;
-	int64_t format = 0; ///< Of the custom ones.
-	godot::Ref<godot::Material> material; ///< Null: the add-on's own.
+	int64_t format = 0; ///< Of the custom arrays.
+	godot::Ref<godot::Material> material; ///< Null: the add-on's material.
 	bool has_parts = false;
 
-	/// How far it goes from its axis (m), deviations included.
+	/// Largest distance from the axis (m), deviations included.
 	float width() const;
-	/// On any thread, but for the headless engine's stand-in for a renderer: the main one.
+	/// Creates the mesh on any thread. With the dummy renderer of a headless engine: on the main thread only.
 	godot::Ref<godot::ArrayMesh> make() const;
 };
 
-/// A plant function, asked at one height and level of detail: all that its mesh needs, copied, so that a worker thread
-/// may build it while the function changes.
+/// A plant function, sampled at one height and level of detail. It is a copy of all input of the mesh, so that a worker
+/// thread may build it while the function changes.
 struct SampledPlant {
 	CrossSection cross_section;
 	std::vector<float> widths; ///< lod + 1.
@@ -39,19 +39,20 @@ struct SampledPlant {
 	float height = 0.0f; ///< m.
 	int lod = 0;
 	MeshOptions options; ///< With the seed.
-	godot::Ref<godot::Material> material; ///< Null: the add-on's own.
-	bool has_part_bones = false; ///< It is for a skeleton that has the bones of its parts, beside root and tip.
-	std::shared_ptr<const StemConstants> stem; ///< Of one that bends along its length, on a skeleton; else null.
-	/// Of a plant of parts on a skeleton: its bend in calm air, in its own axes (motion/bend_encoding.hpp).
+	godot::Ref<godot::Material> material; ///< Null: the add-on's material.
+	bool has_part_bones = false; ///< It is for a skeleton with bones of its parts, besides root and tip.
+	std::shared_ptr<const StemConstants> stem; ///< Of a stem with bones along its length; null for a straight one.
+	/// Rest bend of a plant of parts on a skeleton, in its own axes (motion/bend_encoding.hpp).
 	glm::vec2 rest = { 0.0f, 0.0f };
-	std::shared_ptr<const GrownPlant> grown; ///< A plant of parts: then cross-section, widths and colours are empty.
+	std::shared_ptr<const GrownPlant> grown; ///< For a plant of parts; cross-section, widths and colors are empty then.
 
 	/// The largest distance of a side point from the plant's axis (m).
 	float widest() const;
-	/// On any thread. Of plants of parts it also tells what the plant (x) and this mesh of it (y) show from straight
-	/// above, in shares of what they show from the side, where that is wanted.
+	/// Builds the arrays on any thread. For a plant of parts, also sets `from_above`, unless it is null, to two areas
+	/// as seen from above. These are the area of the plant (x) and of this mesh (y), relative to the area as seen from
+	/// the side.
 	MeshArrays build_arrays(godot::Vector2 *from_above = nullptr) const;
-	/// The mesh of these, on a thread that may make it.
+	/// Builds the mesh. For threads that may call MeshArrays::make().
 	godot::Ref<godot::ArrayMesh> build() const { return build_arrays().make(); }
 };
 

@@ -5,8 +5,8 @@
 
 namespace undergrowth {
 
-/// Calls a script's override on the main thread; tells in `problem` where it cannot run or returned something else than
-/// `wanted` (NIL: nothing is wanted). A whole number passes for a float.
+/// Calls a script's override on the main thread. Sets `problem` if it cannot run or its result is not of type `wanted`
+/// (NIL: no result). An integer is accepted for a float.
 godot::Variant call_script_override(godot::Resource *resource, const godot::StringName &method,
 		const godot::Array &arguments, godot::Variant::Type wanted, godot::String &problem);
 

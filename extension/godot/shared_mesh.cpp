@@ -18,7 +18,7 @@ struct SharedMeshes {
 	std::unordered_multimap<size_t, std::weak_ptr<SharedMesh>> entries;
 	size_t next_sweep = 64;
 
-	/// Forgets freed meshes whenever the number of entries has doubled.
+	/// Removes freed meshes when the number of entries has doubled.
 	void sweep() {
 		if (entries.size() < next_sweep) {
 			return;
@@ -100,8 +100,8 @@ void SharedMesh::build_locked() {
 	}
 }
 
-// The engine may wait for the main thread while it makes a mesh, so the lock is free meanwhile. Of two threads that
-// make it at once, one drops its own.
+// The engine may wait for the main thread while it creates a mesh, so this does not hold the lock. If two threads
+// create it at the same time, one drops its own.
 Ref<ArrayMesh> SharedMesh::make() {
 	MeshArrays from;
 	{

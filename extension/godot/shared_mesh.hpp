@@ -9,11 +9,11 @@
 
 namespace undergrowth {
 
-/// The mesh of one sampled plant. All fields that draw an equal sample share it; it is freed with the last of them.
-/// Its samples are compared by value, so a changed species gets other meshes. Any thread.
+/// The mesh of one sampled plant. All fields that draw an equal sample share it; the last one frees it. Samples are
+/// compared by value, so a changed species gets other meshes. Any thread.
 class SharedMesh {
 public:
-	/// The mesh of an equal sample, or a new one that is not built.
+	/// Returns the mesh of an equal sample, or a new one that is not built.
 	static std::shared_ptr<SharedMesh> of(const SampledPlant &plant);
 
 	explicit SharedMesh(const SampledPlant &of_plant) : plant(of_plant) {}
@@ -22,19 +22,21 @@ public:
 
 	/// Builds the arrays, or waits until another thread has built them.
 	void build();
-	/// The same without waiting. Returns false while another thread builds them.
+	/// build() without waiting. Returns false while another thread builds them.
 	bool try_build();
-	/// The engine's mesh of the arrays. Needs a thread that may make meshes (renders_on_threads()), after build().
+	/// Returns the engine's mesh of the arrays. Call after build(), on a thread that may create meshes
+	/// (renders_on_threads()).
 	godot::Ref<godot::ArrayMesh> make();
 
-	/// How far it reaches from the axis (m). After build().
+	/// Largest distance from the axis (m). Call after build().
 	float width() const { return built_width; }
-	/// What the plant (x) and this mesh (y) show from above, as shares of what they show from the side. After build().
+	/// Areas of the plant (x) and of this mesh (y) as seen from above, relative to the area as seen from the side. Call
+	/// after build().
 	godot::Vector2 from_above() const { return built_from_above; }
 
 private:
 	const SampledPlant plant;
-	std::mutex building; ///< Guards all below.
+	std::mutex building; ///< Guards all members below.
 	bool is_built = false;
 	MeshArrays arrays; ///< Freed when the mesh exists.
 	godot::Ref<godot::ArrayMesh> mesh;

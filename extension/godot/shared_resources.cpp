@@ -13,11 +13,11 @@ using namespace godot;
 
 namespace undergrowth {
 
-// Pointers: no reference may be made before the engine's interface is loaded or die after it is gone.
+// Pointers, because references cannot exist before the engine's interface is loaded or after it is unloaded.
 static Ref<StandardMaterial3D> *material = nullptr;
 static Ref<ShaderMaterial> *of_sheets = nullptr;
 static Ref<Skin> *skin = nullptr;
-static Ref<Shader> *shaders[2] = { nullptr, nullptr }; // Of lathes and of parts.
+static Ref<Shader> *shaders[2] = { nullptr, nullptr }; // For lathes and for parts.
 static bool parts_have_shader = false;
 static std::mutex making; // Meshes may be generated on several threads.
 
@@ -52,8 +52,8 @@ Ref<StandardMaterial3D> default_material() {
 	return *material;
 }
 
-// A thread of the pool that loads something works on other tasks until that is there, and those may ask for the same:
-// so nothing is loaded under the lock.
+// A pool thread that loads a resource runs other tasks meanwhile. These may request the same resource, so nothing is
+// loaded under the lock.
 Ref<Shader> plant_shader(bool of_parts) {
 	Ref<Shader> *&kept = shaders[int(of_parts)];
 	{
@@ -74,8 +74,8 @@ static bool is_main_thread() {
 	return system->get_thread_caller_id() == system->get_main_thread_id();
 }
 
-// A thread that loads a shader waits for the main thread, which may wait for that thread: it leaves this to the main
-// thread, at the end of the frame.
+// A thread that loads a shader waits for the main thread, which may wait for that thread. So the main thread loads it,
+// at the end of the frame.
 Ref<ShaderMaterial> parts_material() {
 	const bool loads = is_main_thread();
 	const Ref<Shader> shader = loads ? plant_shader(true) : Ref<Shader>();
@@ -95,7 +95,7 @@ Ref<ShaderMaterial> parts_material() {
 }
 
 void load_parts_shader() {
-	if (is_main_thread()) { // A thread that loads resources has deferred calls of its own.
+	if (is_main_thread()) { // Threads that load resources have deferred calls of their own.
 		parts_material();
 	}
 }

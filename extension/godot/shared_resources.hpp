@@ -7,26 +7,27 @@
 
 namespace undergrowth {
 
-/// What plants wear that have no material of their own: vertex colours, Lambert light, a little light through the
-/// leaf (thesis, section 2.4). One for all plants; made at first use.
+/// Returns the material of plants without one: vertex colors, Lambert light and some light through the leaf (thesis,
+/// section 2.4). All plants share it. Created at first use.
 godot::Ref<godot::StandardMaterial3D> default_material();
 
-/// The same for plants of parts: open sheets, lit from both sides and from behind, dark at their base. Made of the
-/// shader that fields of such plants wear. On any thread: the first one that another thread than the main one takes
-/// has no shader before the end of the frame.
+/// Returns the material of plants of parts without one: open sheets, lit from both sides and from behind, dark at their
+/// base. Uses the shader of fields with such plants. Any thread. If a worker thread creates it, it has no shader before
+/// the end of the frame.
 godot::Ref<godot::ShaderMaterial> parts_material();
 
-/// Gives parts_material() its shader. The simulation calls it at the end of a frame, for threads.
+/// Sets the shader of parts_material(). The simulation calls it at the end of a frame, after a request of a worker
+/// thread.
 void load_parts_shader();
 
-/// The add-on's shaders of plants of parts and of others, kept from their first use on: whoever lets the last material
-/// of one go and makes another would read, and compile, it anew.
+/// Returns the add-on's shader of plants of parts or of other plants. It stays loaded after its first use. So a
+/// new material after the last one was freed does not read and compile it again.
 godot::Ref<godot::Shader> plant_shader(bool of_parts);
 
-/// The binding of the two bones, root and tip, that all plants share.
+/// Returns the skin of the two bones, root and tip. All plants share it.
 godot::Ref<godot::Skin> plant_skin();
 
-/// Lets them go. The library calls it before it is unloaded.
+/// Frees these resources. The library calls it before it is unloaded.
 void free_shared_resources();
 
 } // namespace undergrowth

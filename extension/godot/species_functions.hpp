@@ -11,7 +11,7 @@
 
 namespace undergrowth {
 
-/// A plant function whose four methods are those of a species of the core. Not a class of the engine's.
+/// A plant function with the four functions of a species of the core. It is not a class of the engine.
 template <typename Species> class SpeciesFunction : public PlantFunction {
 protected:
 	Species species;

@@ -11,10 +11,10 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr double MAX_HEIGHT = 1000.0; // m. Beyond that a float's millimetres are gone.
+static constexpr double MAX_HEIGHT = 1000.0; // m. Above it floats do not resolve millimetres.
 static constexpr double MAX_WIDTH = 1e6;
 static constexpr double MAX_RING_EXTENT = 1e6; // m.
-static constexpr int STEM_SEGMENTS = PartColors::ROWS - 1; // Its functions are asked at so many offsets and one more.
+static constexpr int STEM_SEGMENTS = PartColors::ROWS - 1; // The functions are sampled at one more offset.
 
 String find_level_problem(int segments) {
 	if (segments >= MIN_LOD && segments <= MAX_LOD) {
@@ -111,7 +111,7 @@ static String sample_profile(PlantFunction &species, SampledPlant &result) {
 		result.widths[ring] = float(width);
 		result.colors[ring] = to_glm(color);
 	}
-	if (!(result.widest() > 0.0f)) { // Which a typed override returns that fails, too.
+	if (!(result.widest() > 0.0f)) { // A typed override that fails returns 0, too.
 		return "_calculate_curve_point() gave 0 at every height. Return a factor of the base shape above 0 somewhere.";
 	}
 	return String();

@@ -9,17 +9,18 @@ namespace undergrowth {
 
 class PlantFunction;
 
-// Main thread: a species may be a script. What returns a text tells what is wrong and what to do, or nothing.
+// Main thread: a species may be a script. Functions that return a text return what is wrong and what to do, or an empty
+// string.
 
-/// Of a number of segments along a plant.
+/// Checks a number of segments along a plant.
 godot::String find_level_problem(int segments);
-/// Of a height in metres; 0 is the species' own.
+/// Checks a height in metres; 0 is the height that the species generates.
 godot::String find_height_problem(double height);
-/// Asks the species for its height where `height` is 0.
+/// Sets the height; 0 uses the height that the species generates.
 godot::String sample_height(PlantFunction &species, double height, int64_t seed, SampledPlant &result);
-/// Asks the four functions for height, base shape, widths and colours.
+/// Samples height, base shape, widths and colors with the four functions.
 godot::String sample_lathe(PlantFunction &species, double height, int segments, int64_t seed, SampledPlant &result);
-/// The stem of the four functions as a part.
+/// Samples the stem of the four functions as a part.
 godot::String sample_stem(PlantFunction &species, Part &into);
 
 } // namespace undergrowth

@@ -13,7 +13,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr double HEIGHT_RATIO = 1.1; // Of neighbouring classes.
+static constexpr double HEIGHT_RATIO = 1.1; // Of neighbouring height classes.
 
 // An era has one recipe for each height class and usual weight.
 std::shared_ptr<SharedStem> SharedStem::of(const AskedStem &asked) {
@@ -58,7 +58,7 @@ void StemTable::forget_stems() {
 
 void StemTable::learn(const SampledPlant &plant) {
 	drawn = StemBeam();
-	drawn.length = std::clamp(plant.height, SHORTEST_STEM, LONGEST_STEM); // One of another length is that one, scaled.
+	drawn.length = std::clamp(plant.height, SHORTEST_STEM, LONGEST_STEM); // Other lengths are scaled from it.
 	if (plant.grown) {
 		carry_parts(plant.grown->form, drawn);
 	} else {

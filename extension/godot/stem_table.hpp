@@ -12,18 +12,18 @@
 
 namespace undergrowth {
 
-/// A stem that a species does not know yet, to be solved on any thread (solve_recipe()).
+/// A stem that its species has not solved. solve_recipe() solves it on any thread.
 struct AskedStem {
 	StemRecipe recipe;
 	int height_class = 0;
-	uint64_t era = 0; ///< Of the species that asks; another one since then has other stems.
+	uint64_t era = 0; ///< Of the species; a species with another one has other stems.
 };
 
-/// A stem that is being solved. Fields that need the same one at the same time share it: the first solves it, on any
-/// thread, and the others wait.
+/// A stem that is being solved. Fields that need the same stem at the same time share it. The first thread solves it
+/// and the other ones wait.
 class SharedStem {
 public:
-	/// The one that others use already, or a new one.
+	/// Returns the existing one for an equal request, or a new one.
 	static std::shared_ptr<SharedStem> of(const AskedStem &asked);
 	const SolvedStem &solve(const AskedStem &asked);
 
@@ -32,34 +32,35 @@ private:
 	SolvedStem solved;
 };
 
-/// The stems of one species, solved once for each height that needs its own: where frequency is declared, for one
-/// height, and where it follows from stiffness, for heights a tenth apart. Main thread.
+/// The stems of one species, solved once for each height class. There is one class if the frequency is declared. If
+/// stiffness determines it, classes are heights that differ by a tenth. Main thread.
 class StemTable {
 public:
-	/// Forgets everything: the species looks different.
+	/// Removes everything. Call when the look of the species changes.
 	void clear() { *this = StemTable(); }
-	/// Forgets what was solved, but not what its plants look like: they move otherwise.
+	/// Removes the solved stems and retains the look of the plants. Call when their motion changes.
 	void forget_stems();
-	/// Whether it knows what its plants look like. It has to, before it is asked.
+	/// True after learn(). ask() needs it.
 	bool knows_plants() const { return drawn.length > 0.0f; }
-	/// Takes over what one of them, of the species' own height, says of its stem.
+	/// Reads the shape of the stem from a plant of the species' own height.
 	void learn(const SampledPlant &plant);
 
-	/// Asks for the stem of a plant of `height` metres, one of the species' own where that is 0; `stem` may be null.
+	/// Returns the request for the stem of a plant of `height` metres; 0 is the species' own height. `stem` may be
+	/// null.
 	AskedStem ask(float height, const Motion &motion, const godot::Ref<PlantStem> &stem) const;
-	/// What is known of it; null before it is solved.
+	/// Returns the solved stem, or null.
 	const SolvedStem *find(const AskedStem &asked) const;
-	/// Takes over what it came to, unless the species has changed meanwhile. Where nothing can stand so, problem() says
-	/// what is wrong.
+	/// Stores the result, unless the species has changed since the request. If the stem has a fault, problem()
+	/// describes it.
 	void take(const AskedStem &asked, const SolvedStem &found);
-	/// In English; empty where all stems stand.
+	/// In English; empty if no stem has a fault.
 	const godot::String &problem() const { return fault; }
 
 private:
-	std::map<int, SolvedStem> solved; ///< By class of height; 0 is that of `drawn`.
+	std::map<int, SolvedStem> solved; ///< By height class; 0 is that of `drawn`.
 	StemBeam drawn = nothing();
 	godot::String fault;
-	float usual = 0.0f; ///< What the usual wind weight comes to, that of `drawn` for all heights; 0: not known yet.
+	float usual = 0.0f; ///< Result of the usual wind weight for `drawn`, used for all heights; 0: not solved.
 	uint64_t era = next_era();
 
 	static StemBeam nothing();

@@ -8,7 +8,7 @@ namespace undergrowth {
 
 void StirredWorlds::begin(double ago) {
 	step_ago = ago;
-	// Worlds that the last step did not use may not exist any more.
+	// Worlds without a use in the last step may be freed.
 	const auto is_unused = [](const World &world) { return !world.is_read; };
 	worlds.erase(std::remove_if(worlds.begin(), worlds.end(), is_unused), worlds.end());
 	for (World &world : worlds) {

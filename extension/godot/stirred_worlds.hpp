@@ -7,12 +7,12 @@
 
 namespace undergrowth {
 
-/// What stirs the air of each world in one step, read when it is first needed. Main thread.
+/// The sources that stir the air of each world in one step. A world is read at its first use in the step. Main thread.
 class StirredWorlds {
 public:
-	/// A step whose time is `ago` seconds before this frame.
+	/// Begins a step at `ago` seconds before this frame.
 	void begin(double ago);
-	/// In world axes. It holds until the next call.
+	/// Returns the sources in world axes. Valid until the next call.
 	const std::vector<AirSource> &in(uint64_t world);
 
 private:

@@ -4,12 +4,12 @@
 
 namespace undergrowth {
 
-/// Runs from when it is made.
+/// Measures the time since its construction.
 class Stopwatch {
 	std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 
 public:
-	/// µs.
+	/// Returns µs.
 	double usec() const {
 		return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
 	}

@@ -14,7 +14,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-// What air is carried along, as pictures. A pointer, as in shared_resources.cpp.
+// The maps of turbulence and waves as textures. A pointer, as in shared_resources.cpp.
 struct WindTextures {
 	RID turbulence;
 	RID waves;
@@ -43,8 +43,8 @@ static WindTextures make_textures(const AirTiles &tiles) {
 				Image::FORMAT_RH, tiles.waves.data())) };
 }
 
-// Materials that know the textures, bounded; a pointer as above. A texture that is set, the same or not, makes the
-// renderer throw a material's uniforms away: in each frame that costs, and keeps frames from being left out.
+// Materials that have the textures, up to a limit. A pointer as above. Setting a texture, even the same one, makes the
+// renderer rebuild a material's uniforms. In each frame that costs time, and unchanged frames are not skipped.
 static std::unordered_set<int64_t> *knowing = nullptr;
 static constexpr size_t MOST_KNOWING = 1024;
 
@@ -75,10 +75,10 @@ void show_wind(const FieldWind &air, double time, const Ref<Material> &material)
 	const RID target = material->get_rid();
 	const AirNow now = air_at_time(air.air, {}, air.tiles.get(), time);
 	const PlantWinds along = winds_along(air);
-	const AirBlow stand = blow_over(now, std::max(air.air.stand_height, TURF_HEIGHT), along);
+	const AirBlow stand = blow_over(now, std::max(air.air.canopy_height, TURF_HEIGHT), along);
 	const float gust = now.speed * now.gusts * float(open_ground_gusts(REFERENCE_HEIGHT, double(now.roughness)));
 	const float along_gust = gust / std::sqrt(1.0f + 2.0f * now.skew * now.skew);
-	const float waves = now.waves.cells ? now.wave_share : 0.0f;
+	const float waves = now.waves.cells ? now.canopy_wave_amount : 0.0f;
 	show_textures(*air.tiles, target);
 	show_map(now.turbulence, target, "undergrowth_wind_start", "undergrowth_wind_texels");
 	show_map(now.waves, target, "undergrowth_waves_start", "undergrowth_waves_texels");

@@ -6,10 +6,10 @@
 
 namespace undergrowth {
 
-/// Tells a material whose shader includes undergrowth_wind.gdshaderinc how air blows at a time of its clock.
+/// Sets `air` at `time` of its clock in a material that includes undergrowth_wind.gdshaderinc.
 void show_wind(const FieldWind &air, double time, const godot::Ref<godot::Material> &material);
 
-/// Lets the textures go that they share. The library calls it before it is unloaded.
+/// Frees the textures that the materials share. The library calls it before it is unloaded.
 void free_wind_textures();
 
 } // namespace undergrowth

@@ -27,7 +27,7 @@ void WorkerTask::run(void *self) {
 	{
 		std::function<void()> work = std::move(own->work);
 		work();
-	} // What it holds is freed here, too.
+	} // Frees the captured data before the task is over.
 	own->is_over = true;
 }
 

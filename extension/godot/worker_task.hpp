@@ -6,8 +6,8 @@
 
 namespace undergrowth {
 
-/// A piece of work on one of the engine's worker threads, one at a time. What it works on outlives it: the destructor
-/// waits. Its owner's thread calls everything here.
+/// Work on one of the engine's worker threads, one task at a time. The destructor waits, so the data of the task must
+/// outlive this object. The owner's thread makes all calls.
 class WorkerTask {
 public:
 	WorkerTask() = default;
@@ -15,7 +15,7 @@ public:
 	WorkerTask(const WorkerTask &) = delete;
 	WorkerTask &operator=(const WorkerTask &) = delete;
 
-	/// Waits for the one before.
+	/// Starts `what` after the present task has ended.
 	void start(std::function<void()> &&what);
 	bool is_running() const { return task >= 0 && !is_over.load(); }
 	void wait();

@@ -7,7 +7,7 @@
 
 namespace undergrowth {
 
-/// The instance id of the World3D that a node is in; 0 outside of the tree.
+/// Returns the instance id of the World3D of a node; 0 outside of the tree.
 inline uint64_t world_of(const godot::Node3D *node) {
 	const godot::Ref<godot::World3D> world =
 			node->is_inside_tree() ? node->get_world_3d() : godot::Ref<godot::World3D>();

@@ -54,9 +54,9 @@ void undergrowth::time_air(Report &report) {
 	wind.tiles = make_air_tiles(0);
 	for (const SimdLevel level : { SimdLevel::baseline, SimdLevel::avx2 }) {
 		if (level <= best_simd_level()) {
-			wind.air.wave_share = 0.0f;
+			wind.air.canopy_wave_amount = 0.0f;
 			time_samples(report, "air_sample", wind, level);
-			wind.air.wave_share = 0.3f;
+			wind.air.canopy_wave_amount = 0.3f;
 			time_samples(report, "air_sample_waves", wind, level);
 		}
 	}

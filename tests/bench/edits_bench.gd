@@ -76,7 +76,7 @@ func _measure_strokes() -> void:
 	field.map = PlantMap.new()
 	field.map.fill_polygon(frame, "Grass", 0.8)
 	root.add_child(field)
-	await field.filled
+	await field.build_finished
 	await _rest()
 	var main: Array[float] = []
 	var seen: Array[float] = []
@@ -85,9 +85,9 @@ func _measure_strokes() -> void:
 		var start := Time.get_ticks_usec()
 		field.map.paint(place, 3.0, "Grass", 1.0 if i % 2 == 0 else 0.5)
 		var longest := float(Time.get_ticks_usec() - start)
-		while field.is_filling():
+		while field.is_building():
 			await frame_over
-			longest = maxf(longest, field.get_statistics()["filling_usec"])
+			longest = maxf(longest, field.get_statistics()["build_usec"])
 		seen.append(Time.get_ticks_usec() - start)
 		main.append(longest)
 	_add_row("field_stroke", field.get_plant_count(), main)
@@ -100,7 +100,7 @@ func _measure_strokes() -> void:
 func _measure_density() -> void:
 	var field := _make_field(COUNT, DENSITY)
 	root.add_child(field)
-	await field.filled
+	await field.build_finished
 	await _rest()
 	var others: Array[float] = []
 	var same: Array[float] = []
@@ -119,11 +119,11 @@ func _measure_density() -> void:
 func _filling(field: PlantField3D) -> Array[float]:
 	var usec: Array[float] = []
 	await frame_over
-	while field.is_filling():
-		usec.append(field.get_statistics()["filling_usec"])
+	while field.is_building():
+		usec.append(field.get_statistics()["build_usec"])
 		await frame_over
 	for i in 30:
-		usec.append(field.get_statistics()["filling_usec"])
+		usec.append(field.get_statistics()["build_usec"])
 		await frame_over
 	return usec
 
@@ -131,7 +131,7 @@ func _filling(field: PlantField3D) -> Array[float]:
 func _measure_cuts() -> void:
 	var field := _make_field(CUT_COUNT, CUT_DENSITY)
 	root.add_child(field)
-	await field.filled
+	await field.build_finished
 	await _rest()
 	var count := field.get_plant_count()
 	var cut: Array[float] = []
@@ -159,7 +159,7 @@ func _measure_fields() -> void:
 		root.add_child(field)
 		for j in 30:
 			await frame_over
-			usec.append(field.get_statistics()["filling_usec"])
+			usec.append(field.get_statistics()["build_usec"])
 		var start := Time.get_ticks_usec()
 		field.free()
 		usec.append(Time.get_ticks_usec() - start)
@@ -174,13 +174,13 @@ func _measure_walk() -> void:
 	field.endless = true
 	field.view_distance = WALK_DISTANCE
 	root.add_child(field)
-	await field.filled
+	await field.build_finished
 	await _rest()
 	var usec: Array[float] = []
 	for i in WALK_FRAMES:
 		camera.position.x += WALK_SPEED / 60.0
 		await frame_over
-		usec.append(field.get_statistics()["filling_usec"])
+		usec.append(field.get_statistics()["build_usec"])
 	_add_row("field_walk", field.get_plant_count(), usec)
 	field.simulation_enabled = false  # What workers do from now on is to place and build tiles.
 	camera.position.x += 10.0 * WALK_DISTANCE

@@ -20,6 +20,9 @@ const LADDER_COUNT := 100000
 const DENSITY := 10.0
 const FAR_DISTANCE := 25.0  # What a new field has.
 const FILLS := 5
+const BUILD_COUNT := 1_000_000
+const BUILD_DENSITY := 13.0
+const BUILD_DISTANCE := 150.0  # m: about a million plants, too.
 const FILL_FRAME_RATE := 60
 const FRAMES_BETWEEN_PUSHES := 90
 const PARTS: Array[String] = [
@@ -76,6 +79,8 @@ func _run() -> void:
 		await _measure_fill(
 			"field_fill_of_tufts", _make_field_of_parts(PlantFunction.LAW_STEM, TUFTS)
 		)
+		for streams: bool in [true, false]:
+			await _measure_build(streams)
 		_measure_meshes_of_parts()
 		await _measure_peers()
 	print(JSON.stringify(_rows))
@@ -132,7 +137,7 @@ func _measure(title: String, field: PlantField3D) -> void:
 	camera.position.y = 5.0  # Looking up: what is measured is not how plants are drawn.
 	camera.rotation.x = PI / 2.0
 	root.add_child(field)
-	await field.filled
+	await field.build_finished
 	field.simulation_enabled = false
 	var idle := await _median_frame_usec()
 	field.simulation_enabled = true
@@ -174,7 +179,7 @@ func _measure(title: String, field: PlantField3D) -> void:
 
 func _measure_fill(title: String, field: PlantField3D) -> void:
 	root.add_child(field)
-	await field.filled
+	await field.build_finished
 	var times: Array[float] = []
 	var workers: Array[float] = []
 	var processors: Array[float] = []
@@ -182,7 +187,7 @@ func _measure_fill(title: String, field: PlantField3D) -> void:
 		var before := ProcessorTime.spent()
 		var start := Time.get_ticks_usec()
 		field.seed += 1  # Of other seeds: nothing has grown before.
-		await field.filled
+		await field.build_finished
 		times.append(Time.get_ticks_usec() - start)
 		var spent := ProcessorTime.spent() - before
 		workers.append(spent.y)
@@ -198,6 +203,58 @@ func _measure_fill(title: String, field: PlantField3D) -> void:
 	await process_frame
 
 
+## The first build of a million plants of six species in tiles of 16 m, at 60 frames a second: how
+## long until some and until all exist, and what the main thread does more than in later frames.
+func _measure_build(streams: bool) -> void:
+	var camera := Camera3D.new()
+	root.add_child(camera)
+	var kinds: Array[PlantFunction] = [
+		GrassFunction.new(),
+		ReedFunction.new(),
+		CattailFunction.new(),
+		TulipFunction.new(),
+		BellflowerFunction.new(),
+		GrassFunction.new()
+	]
+	var field := PlantField3D.from_species(kinds)
+	field.density = BUILD_DENSITY
+	field.size = Vector2.ONE * sqrt(BUILD_COUNT / BUILD_DENSITY)
+	field.view_distance = BUILD_DISTANCE if streams else 0.0
+	field.endless = streams
+	field.simulation_enabled = false
+	var usual_rate := Engine.max_fps
+	Engine.max_fps = FILL_FRAME_RATE
+	await _main_thread_usec(func(frame: int) -> bool: return frame < WARM_UP_FRAMES)
+	var start := Time.get_ticks_usec()
+	var first := {}
+	root.add_child(field)
+	var goes_on := func(frame: int) -> bool:
+		if first.is_empty() and field.get_plant_count() > 0:
+			first["first_frames"] = frame
+			first["first_ms"] = (Time.get_ticks_usec() - start) / 1000.0
+		return field.is_building()
+	var spent := await _main_thread_usec(goes_on)
+	var total := Time.get_ticks_usec() - start
+	var usual := _median(
+		await _main_thread_usec(func(frame: int) -> bool: return frame < WARM_UP_FRAMES)
+	)
+	Engine.max_fps = usual_rate
+	var more := func(sum: float, usec: float) -> float: return sum + maxf(usec - usual, 0.0)
+	first.merge(
+		{
+			"threads": OS.get_processor_count(),
+			"all_frames": spent.size(),
+			"main_ms": spent.reduce(more, 0.0) / 1000.0,
+			"main_frame_ms": (spent.max() - usual) / 1000.0
+		}
+	)
+	var title := "field_build_streaming" if streams else "field_build"
+	_add_row(title, field.get_plant_count(), total, first)
+	field.free()
+	camera.free()
+	await process_frame
+
+
 ## What the main thread does to fill a field, beside what it does in each frame of a game.
 func _main_thread_of_fills(field: PlantField3D) -> Dictionary:
 	var usual_rate := Engine.max_fps
@@ -208,7 +265,7 @@ func _main_thread_of_fills(field: PlantField3D) -> Dictionary:
 	var longest: Array[float] = []
 	for i in FILLS:
 		field.seed += 1
-		var goes_on := func(_frame: int) -> bool: return field.is_filling()
+		var goes_on := func(_frame: int) -> bool: return field.is_building()
 		var frames := await _main_thread_usec(goes_on)
 		var more := func(sum: float, usec: float) -> float: return sum + maxf(usec - usual, 0.0)
 		sums.append(frames.reduce(more, 0.0))

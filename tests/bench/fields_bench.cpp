@@ -25,7 +25,7 @@ FieldSimulation waving_field(const FieldSettings &settings, int plants, int most
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		MotionSpecies species;
 		species.law = law;
-		species.stand_height = 0.75f;
+		species.canopy_height = 0.75f;
 		const int kind = field.add_species(species);
 		std::vector<MotionPlant> page;
 		for (int i = 0; i < plants / 2; i++) {

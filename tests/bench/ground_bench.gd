@@ -96,13 +96,13 @@ func _measure(title: String, ground: Node3D, spacing: float) -> void:
 	await physics_frame
 	await physics_frame
 	root.add_child(field)
-	await field.filled
+	await field.build_finished
 	var usec: Array[float] = []
 	var holes := {100.0: 0, 115.0: 0}
 	for i in FRAMES:
 		camera.position.x += SPEED / 60.0
 		await _frame_over()
-		usec.append(field.get_statistics()["filling_usec"])
+		usec.append(field.get_statistics()["build_usec"])
 		if i % FRAMES_BETWEEN_LOOKS == FRAMES_BETWEEN_LOOKS - 1:
 			for distance: float in holes:
 				holes[distance] += _count_holes(field, camera.position, distance)

@@ -74,7 +74,7 @@ func _measure(title: String, count: int, make: Callable, idle: float) -> void:
 		var now := ProcessorTime.spent().x
 		worst = maxf(worst, now - last)
 		last = now
-		if not fields.any(func(field: PlantField3D) -> bool: return field.is_filling()):
+		if not fields.any(func(field: PlantField3D) -> bool: return field.is_building()):
 			break
 	var usec := Time.get_ticks_usec() - start
 	var spent := ProcessorTime.spent() - before

@@ -19,7 +19,7 @@ func _edited_field() -> PlantField3D:
 
 func _rested(field: PlantField3D) -> void:
 	await frames(3)
-	var rests := func() -> bool: return not field.is_filling()
+	var rests := func() -> bool: return not field.is_building()
 	check(await until(rests), "it comes to rest")
 
 

@@ -89,7 +89,7 @@ func test_a_field_that_finds_no_ground_warns_in_the_scene_dock() -> void:
 	ground.global_position = field.global_position
 	await frames(3)
 	told.clear()
-	field.fill()
+	field.rebuild()
 	check(await until(func() -> bool: return told.has(field)), "and no more where there is one")
 	root.get_tree().node_configuration_warning_changed.disconnect(listener)
 	ground.free()

@@ -135,8 +135,8 @@ func test_a_mix_becomes_a_field_of_the_scene() -> void:
 	_select([])
 	await _use("AddField")
 	var second := root.get_child(-1) as PlantField3D
-	second.species[0].share = 7.0
-	check(field.species[0].share != 7.0, "what is changed on one reaches no other")
+	second.species[0].weight = 7.0
+	check(field.species[0].weight != 7.0, "what is changed on one reaches no other")
 	await undo()
 	check_equal(root.get_child_count(), 1, "children after undo")
 	await undo()

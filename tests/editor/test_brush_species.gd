@@ -40,10 +40,10 @@ func test_the_others_stand_as_densely_as_before() -> void:
 	await _pick(POPPY)
 	await _choose_tool("Paint")
 	await click(_view(), _place_of(field, FROM))
-	var all := field.species[0].share + field.species[1].share
-	var now := field.density * field.species[0].share / all
+	var all := field.species[0].weight + field.species[1].weight
+	var now := field.density * field.species[0].weight / all
 	check(absf(now - grass) < 1e-3 * grass, "%f of %f grasses a square metre" % [now, grass])
-	var poppies := field.density * field.species[1].share / all
+	var poppies := field.density * field.species[1].weight / all
 	check(poppies > 1.0 and poppies < 100.0, "%f poppies a square metre" % poppies)
 	check_equal(field.map.get_density(Vector3(0.5, 0, -1.5), GRASS), 1.0, "grass beside the stroke")
 	await _choose_tool("Paint")

@@ -32,7 +32,7 @@ func test_what_is_removed_of_a_painted_field_is_saved_with_its_scene() -> void:
 	var field := await _open_field()
 	await _rested(field)
 	check_equal(field.remove_in_sphere(field.global_position, 0.3) > 0, true, "plants are removed")
-	check(field.kept_changes.is_empty(), "nothing is kept of a field without a map")
+	check(field.saved_changes.is_empty(), "nothing is kept of a field without a map")
 	field.map = PlantMap.new()
 	field.map.paint(Vector3.ZERO, 1.5, GRASS, 1.0)
 	await _rested(field)
@@ -47,14 +47,14 @@ func test_what_is_removed_of_a_painted_field_is_saved_with_its_scene() -> void:
 	check_equal(again.get_plant_count(), field.get_plant_count(), "plants of the scene")
 	check(again.find_plants_in_sphere(again.global_position, 0.5).is_empty(), "they stay away")
 	copy.free()
-	var own := field.kept_changes
+	var own := field.saved_changes
 	check(not own.is_empty(), "the field keeps its changes")
 	field.apply_changes(PackedByteArray())
-	check(field.kept_changes.is_empty(), "nothing is kept where nothing is changed")
-	field.kept_changes = own.slice(0, own.size() - 1)
+	check(field.saved_changes.is_empty(), "nothing is kept where nothing is changed")
+	field.saved_changes = own.slice(0, own.size() - 1)
 	check_error("cut off")
 	check_equal(
-		field.kept_changes.size(), own.size() - 1, "what is torn is not lost with the next save"
+		field.saved_changes.size(), own.size() - 1, "what is torn is not lost with the next save"
 	)
 
 

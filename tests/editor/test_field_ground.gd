@@ -28,7 +28,7 @@ func test_a_drag_fills_once_at_its_end() -> void:
 	var field := _field()
 	var count := [0]
 	var listener := func() -> void: count[0] += 1
-	field.filled.connect(listener)
+	field.build_finished.connect(listener)
 	Input.parse_input_event(_left(true))
 	Input.flush_buffered_events()
 	for i in 5:
@@ -39,7 +39,7 @@ func test_a_drag_fills_once_at_its_end() -> void:
 	Input.flush_buffered_events()
 	await _check_height(0.5, "after the drag")
 	check_equal(count[0], 1, "times it was filled")
-	field.filled.disconnect(listener)
+	field.build_finished.disconnect(listener)
 
 
 func test_what_is_no_ground_of_it_changes_nothing() -> void:
@@ -47,7 +47,7 @@ func test_what_is_no_ground_of_it_changes_nothing() -> void:
 	var field := _field()
 	var count := [0]
 	var listener := func() -> void: count[0] += 1
-	field.filled.connect(listener)
+	field.build_finished.connect(listener)
 	var root := field.get_parent()
 	field.bodies_group = &"pushers"
 	await _rested(field)
@@ -57,9 +57,9 @@ func test_what_is_no_ground_of_it_changes_nothing() -> void:
 	await _step(root.get_node("Far"), &"visible", false)
 	await frames(60)
 	check_equal(count[0], 0, "times it was filled")
-	check(not field.is_filling(), "it rests")
+	check(not field.is_building(), "it rests")
 	check(ground != null, "its ground stands")
-	field.filled.disconnect(listener)
+	field.build_finished.disconnect(listener)
 
 
 func test_the_button_fills_again() -> void:
@@ -129,7 +129,7 @@ func _check_height(height: float, what: String) -> void:
 	var field := _field()
 	var is_there := func() -> bool:
 		return (
-			not field.is_filling()
+			not field.is_building()
 			and field.get_plant_count() > 0
 			and absf(_height_of(field) - height) < 0.01
 		)

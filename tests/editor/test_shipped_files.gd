@@ -15,7 +15,7 @@ func test_saving_a_scene_that_uses_all_of_them_changes_none() -> void:
 	check_equal(root.find_children("*", "Plant3D").size(), 18, "species")
 	check_equal(root.find_children("*", "PlantField3D").size(), 5 + 6, "mixes, and winds")
 	for field: PlantField3D in root.find_children("*", "PlantField3D"):
-		while field.is_filling():
+		while field.is_building():
 			await frames(1)
 	(root.get_child(0) as Node3D).position.y = 1.0
 	EditorInterface.mark_scene_as_unsaved()

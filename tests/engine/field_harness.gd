@@ -16,13 +16,13 @@ func after_each() -> void:
 ## Adds the field to the tree and waits until it stands.
 func start() -> void:
 	root.add_child(field)
-	await field.filled
+	await field.build_finished
 	await frames(2)
 
 
 ## Waits until [param filling] stands. A signal's sender must not be freed while it sends.
 func filled(filling: PlantField3D) -> void:
-	await filling.filled
+	await filling.build_finished
 	await process_frame
 
 
@@ -30,9 +30,9 @@ func filled(filling: PlantField3D) -> void:
 ## on a busy machine may be done before the next frame comes.
 func catch_filling() -> void:
 	for attempt in 50:
-		field.fill()
+		field.rebuild()
 		await frames(1)
-		if field.is_filling():
+		if field.is_building():
 			return
 	check(false, "it is never seen to fill")
 
@@ -58,7 +58,7 @@ func start_with_twin(settings: Dictionary) -> PlantField3D:
 		twin.set(property, settings[property])
 	root.add_child(field)
 	root.add_child(twin)
-	while field.is_filling() or twin.is_filling():
+	while field.is_building() or twin.is_building():
 		await process_frame
 	return twin
 

@@ -29,8 +29,8 @@ func make_added_field(wind: PlantWind) -> PlantField3D:
 	field.wind = wind
 	field.simulation_enabled = false
 	stage.add_child(field)
-	field.fill()
-	while field.is_filling():
+	field.rebuild()
+	while field.is_building():
 		await process_frame
 	return field
 

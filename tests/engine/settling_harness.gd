@@ -11,4 +11,4 @@ func settled(field: PlantField3D) -> void:
 
 ## Whether nothing of the field is being filled or made ready to be drawn.
 func is_settled(field: PlantField3D) -> bool:
-	return not field.is_filling() and not field.get_statistics()["is_dressing"]
+	return not field.is_building() and not field.get_statistics()["is_rebuilding_meshes"]

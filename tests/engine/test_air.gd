@@ -116,7 +116,7 @@ func test_a_change_while_it_blows_makes_no_gust_jump() -> void:
 		["direction", 2.0],
 		["roughness", 0.1],
 		["turbulence", 0.3],
-		["stand_height", 2.0]
+		["canopy_height", 2.0]
 	]:
 		_wind.set(change[0], change[1])
 		check_near(_deviate(now), before, 2e-3, "deviation after another " + change[0])
@@ -171,8 +171,8 @@ func test_values_out_of_range_give_one_error_and_the_last_good_wind_blows_on() -
 		"turbulence": [-1.5, 3.0, INF, NAN],
 		"gustiness": [-0.1, 0.5, INF, NAN],
 		"roughness": [-0.03, 0.0, 1.0, INF, NAN],
-		"stand_height": [-1.0, 10.0, INF, NAN],
-		"wave_share": [-0.1, 1.1, INF, NAN],
+		"canopy_height": [-1.0, 10.0, INF, NAN],
+		"canopy_wave_amount": [-0.1, 1.1, INF, NAN],
 	}
 	for property: String in bad:
 		var was: float = _wind.get(property)

@@ -1,4 +1,4 @@
-## PlantWind.sample_over_stand(): the air over the tops of a field, for maps and crops.
+## PlantWind.sample_over_canopy(): the air over the tops of a field, for maps and crops.
 extends "res://tests/engine/harness.gd"
 
 ## Metres per second.
@@ -12,7 +12,7 @@ func before_each() -> void:
 	_wind.kind = PlantWind.KIND_AIR
 	_wind.speed = 8.0
 	_wind.gustiness = 0.0
-	_wind.stand_height = 0.8
+	_wind.canopy_height = 0.8
 
 
 func after_each() -> void:
@@ -23,15 +23,15 @@ func test_smooth_air_has_the_speed_of_the_tops() -> void:
 	_wind.turbulence = 0.0
 	_wind.direction = deg_to_rad(90.0)
 	for height: float in [0.1, 0.8, 3.0]:
-		_wind.stand_height = height
+		_wind.canopy_height = height
 		var expected := _top_speed()
-		for velocity in _wind.sample_over_stand(3.0, _row(5)):
+		for velocity in _wind.sample_over_canopy(3.0, _row(5)):
 			check_near(velocity.x, expected, TOLERANCE, "over %f m" % height)
 			check_near(velocity.y, 0.0, TOLERANCE, "across")
 
 
 func test_waves_run_over_the_tops_at_their_speed() -> void:
-	_wind.wave_share = 1.0
+	_wind.canopy_wave_amount = 1.0
 	var way := 0.5 * 1.8 * _top_speed()
 	var apart: Array[float] = []
 	for share: float in [1.0, 0.95, 1.05, 0.0]:
@@ -46,8 +46,8 @@ func _mean_square_apart(seconds: float, way: float) -> float:
 	var later := PackedVector2Array()
 	for place in places:
 		later.append(place + Vector2(0.0, way))
-	var before := _wind.sample_over_stand(20.0, places)
-	var after := _wind.sample_over_stand(20.0 + seconds, later)
+	var before := _wind.sample_over_canopy(20.0, places)
+	var after := _wind.sample_over_canopy(20.0 + seconds, later)
 	var sum := 0.0
 	for i in places.size():
 		sum += (after[i].y - before[i].y) ** 2
@@ -56,28 +56,28 @@ func _mean_square_apart(seconds: float, way: float) -> float:
 
 func test_still_air_and_no_places() -> void:
 	_wind.speed = 0.0
-	for velocity in _wind.sample_over_stand(3.0, _row(4)):
+	for velocity in _wind.sample_over_canopy(3.0, _row(4)):
 		check_equal(velocity, Vector2.ZERO, "still")
-	check_equal(_wind.sample_over_stand(3.0, PackedVector2Array()).size(), 0, "no places")
+	check_equal(_wind.sample_over_canopy(3.0, PackedVector2Array()).size(), 0, "no places")
 	_wind.speed = 5.0
-	_wind.stand_height = 0.0
-	check(_wind.sample_over_stand(3.0, _row(1))[0].y > 0.0, "it blows over turf")
+	_wind.canopy_height = 0.0
+	check(_wind.sample_over_canopy(3.0, _row(1))[0].y > 0.0, "it blows over turf")
 
 
 func test_what_cannot_be_asked_is_told() -> void:
-	check_equal(_wind.sample_over_stand(NAN, _row(2)).size(), 0, "at no time")
-	check_error("sample_over_stand() needs a finite time")
-	check_equal(_wind.sample_over_stand(1.0, PackedVector2Array([Vector2(0, INF)])).size(), 0)
+	check_equal(_wind.sample_over_canopy(NAN, _row(2)).size(), 0, "at no time")
+	check_error("sample_over_canopy() needs a finite time")
+	check_equal(_wind.sample_over_canopy(1.0, PackedVector2Array([Vector2(0, INF)])).size(), 0)
 	check_error("finite places")
 	_wind.kind = PlantWind.KIND_WAVES
 	for i in 3:
-		check_equal(_wind.sample_over_stand(1.0, _row(2)).size(), 0, "of newtons")
-	check_error("sample_over_stand() needs KIND_AIR")
+		check_equal(_wind.sample_over_canopy(1.0, _row(2)).size(), 0, "of newtons")
+	check_error("sample_over_canopy() needs KIND_AIR")
 
 
 # The logarithmic law over a stand, with its displacement of 0.7 heights and roughness of 0.1.
 func _top_speed() -> float:
-	var height := _wind.stand_height
+	var height := _wind.canopy_height
 	return _wind.speed * log(3.0) / log((10.0 - 0.7 * height) / (0.1 * height))
 
 

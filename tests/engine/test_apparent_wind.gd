@@ -122,7 +122,7 @@ func _even_wind(place: Vector3) -> PlantWind:
 	wind.direction = PI / 2
 	wind.turbulence = 0.0
 	wind.gustiness = 0.0
-	wind.wave_share = 0.0
+	wind.canopy_wave_amount = 0.0
 	wind.speed = 10.0
 	wind.speed *= SPEED / wind.sample_velocity(0.0, place).x
 	return wind

@@ -67,7 +67,7 @@ func test_a_field_under_a_parent_is_the_one_that_stands_there_alone() -> void:
 	field.reparent(parent, false)
 	root.add_child(parent)
 	check(field.global_transform.is_equal_approx(alone.global_transform), "they stand together")
-	field.fill()
+	field.rebuild()
 	await filled(field)
 	check_equal(sorted_ids().size(), alone.get_plant_count(), "plants")
 	var center := field.to_global(Vector3(-3.0, 0.0, 1.0))
@@ -98,7 +98,7 @@ func test_the_same_seed_gives_the_same_field() -> void:
 
 
 func test_a_saved_field_is_the_same_when_it_is_loaded() -> void:
-	field.species[0].share = 3.0
+	field.species[0].weight = 3.0
 	field.seed = 7
 	field.outline = add_path("Area", [Vector3(-5, 0, -5), Vector3(5, 0, -5), Vector3(0, 0, 6)])
 	var pond := add_path("Pond", [Vector3(-1, 0, -1), Vector3(1, 0, -1), Vector3(0, 0, 1)])
@@ -130,7 +130,7 @@ func test_a_saved_field_is_the_same_when_it_is_loaded() -> void:
 
 
 func test_shares_decide_between_species() -> void:
-	field.species[0].share = 0.0
+	field.species[0].weight = 0.0
 	await _fill()
 	check_near(field.get_plant_count(), 2000, 100.0)
 	for id in field.get_plant_ids():
@@ -164,19 +164,19 @@ func test_plants_stand_inside_the_area_and_outside_exclusions() -> void:
 
 func test_a_field_that_leaves_the_tree_while_it_fills_goes_on_when_it_comes_back() -> void:
 	root.add_child(field)
-	while not field.is_filling():
+	while not field.is_building():
 		await process_frame
-	field.fill()  # It is at work from here on, however slow the machine is.
+	field.rebuild()  # It is at work from here on, however slow the machine is.
 	root.remove_child(field)
 	await frames(3)
 	root.add_child(field)
-	await until(func() -> bool: return not field.is_filling(), "it stands")
+	await until(func() -> bool: return not field.is_building(), "it stands")
 	check(field.get_plant_count() > 100, "%d plants" % field.get_plant_count())
 
 
 func test_filling_tells_how_far_it_is() -> void:
 	var told: Array[float] = []
-	field.fill_progressed.connect(func(ratio: float) -> void: told.append(ratio))
+	field.build_progressed.connect(func(ratio: float) -> void: told.append(ratio))
 	field.size = Vector2(60, 60)
 	await _fill()
 	check(not told.is_empty() and told[-1] == 1.0, "it ends with 1: %s" % [told])
@@ -190,7 +190,7 @@ func test_the_old_field_stays_until_the_new_one_stands() -> void:
 	var count := field.get_plant_count()
 	field.density = 1.0
 	check_equal(field.get_plant_count(), count, "plants at once")
-	check(field.is_filling(), "it fills")
+	check(field.is_building(), "it fills")
 	await filled(field)
 	check_near(field.get_plant_count(), 400, 50.0, "plants then")
 

@@ -88,7 +88,7 @@ func test_plants_that_are_added_before_the_first_filling_stay_as_high_as_they_ar
 	]:
 		ids.append(field.add_plants(places, species))
 		heights.append(field.get_plant_heights(ids[-1]))
-	await field.filled
+	await field.build_finished
 	await frames(3)
 	for kind in ids.size():
 		check_equal(field.get_plant_heights(ids[kind]), heights[kind], "heights of kind %d" % kind)
@@ -104,7 +104,7 @@ func test_plants_that_are_added_before_the_usual_grass_grows_stay_as_high_as_the
 			field.add_plants([Transform3D(Basis.IDENTITY, Vector3(i, 0, 30))], species)
 		)
 	var heights := field.get_plant_heights(ids)
-	await field.filled
+	await field.build_finished
 	await frames(3)
 	check_equal(field.get_plant_heights(ids), heights, "heights")
 	var later := field.add_plants([Transform3D(Basis.IDENTITY, Vector3(0, 0, 31))], species)
@@ -115,13 +115,13 @@ func test_a_species_that_comes_while_a_field_fills() -> void:
 	field.size = Vector2(100, 100)
 	await start()
 	for round in 4:
-		field.fill()
+		field.rebuild()
 		await frames(round)
 		var ids := PackedInt64Array()
 		for function: PlantFunction in [ReedFunction.new(), GrassFunction.new()]:
 			var place := Transform3D(Basis.IDENTITY, Vector3(60 + ids.size(), 0, round))
 			ids.append_array(field.add_plants([place], function))
-		if field.is_filling():
+		if field.is_building():
 			await filled(field)
 		await frames(2)
 		for i in 2:
@@ -137,7 +137,7 @@ func test_a_species_whose_plants_went_and_come_again_while_a_field_fills() -> vo
 	var reed := ReedFunction.new()
 	var id := field.add_plants([Transform3D(Basis.IDENTITY, Vector3(30, 0, 0))], reed)[0]
 	field.remove_plant(id)
-	field.fill()
+	field.rebuild()
 	var again := field.add_plants([Transform3D(Basis.IDENTITY, Vector3(31, 0, 0))], reed)
 	await filled(field)
 	await frames(2)
@@ -246,7 +246,7 @@ func test_plants_keep_their_ids_when_they_grow_again() -> void:
 	await start()
 	var ids := sorted_ids()
 	var places := field.get_plant_transforms(ids)
-	field.fill()
+	field.rebuild()
 	await filled(field)
 	check_equal(sorted_ids(), ids, "ids")
 	check_equal(field.get_plant_transforms(ids), places, "where they stand")

@@ -90,9 +90,9 @@ func test_a_species_of_more_detail_has_more_segments_at_each_level() -> void:
 	_field = _make_field([Stem.new()])
 	_field.levels = [PlantFieldLevel.of(6, 5.0), PlantFieldLevel.of(3)]
 	_field.species[0].variants = 1
-	_field.species[0].detail = 2.0
+	_field.species[0].lod_bias = 2.0
 	root.add_child(_field)
-	await _field.filled
+	await _field.build_finished
 	await frames(1)
 	check(Stem.asked.has(12) and Stem.asked.has(6), "twice the segments: %s" % [Stem.asked])
 	check(not Stem.asked.has(3), "not those of the levels: %s" % [Stem.asked])
@@ -102,11 +102,11 @@ func test_a_field_that_is_still_asking_is_filling() -> void:
 	_field = _make_field([Slow.new()])
 	root.add_child(_field)
 	await frames(1)
-	check(_field.is_filling(), "while it asks")
+	check(_field.is_building(), "while it asks")
 	_field.density = 6.0
-	await _field.filled
+	await _field.build_finished
 	await frames(1)
-	check(not _field.is_filling(), "afterwards")
+	check(not _field.is_building(), "afterwards")
 	check(_field.get_plant_count() > 0, "plants stand")
 
 
@@ -125,7 +125,7 @@ func test_plants_added_while_it_asks_stand_afterwards() -> void:
 	root.add_child(_field)
 	await frames(1)
 	var added := _field.add_plants([Transform3D.IDENTITY], GrassFunction.new())
-	await _field.filled
+	await _field.build_finished
 	await frames(2)
 	check(_field.has_plant(added[0]), "the added plant")
 
@@ -134,9 +134,9 @@ func test_a_species_that_is_listed_without_a_share_is_asked_before_it_is_added()
 	Slow.asked.clear()
 	var slow := Slow.new()
 	_field = _make_field([GrassFunction.new(), slow])
-	_field.species[1].share = 0.0
+	_field.species[1].weight = 0.0
 	root.add_child(_field)
-	await _field.filled
+	await _field.build_finished
 	await frames(1)
 	var before := Slow.asked.size()
 	check_equal(_most_in_a_frame(Slow.asked), 1, "asks in a frame")
@@ -165,7 +165,7 @@ func _make_field(species: Array[PlantFunction]) -> PlantField3D:
 func _grow_field(species: Array[PlantFunction]) -> void:
 	_field = _make_field(species)
 	root.add_child(_field)
-	await _field.filled
+	await _field.build_finished
 	await frames(1)
 
 

@@ -139,7 +139,7 @@ func _check_each(changes: Dictionary, prepare := func() -> void: pass) -> void:
 
 
 func _check_change(change: Callable, what: String) -> void:
-	check(field.is_filling(), what + ": it is being built")
+	check(field.is_building(), what + ": it is being built")
 	change.call()
 	await settled(field)
 	var ids := field.get_plant_ids()

@@ -39,7 +39,7 @@ func test_graphics_settings_keep_plants_mown_places_and_motion() -> void:
 		"levels":
 		func() -> void: field.levels = [PlantFieldLevel.of(8, 9.0), PlantFieldLevel.of(2)],
 		"end of a level": func() -> void: field.levels[0].end = 7.0,
-		"share of a level": func() -> void: field.levels[1].share = 0.3,
+		"share of a level": func() -> void: field.levels[1].density = 0.3,
 		"segments of a level": func() -> void: field.levels[0].segments = 5,
 		"tile_size": func() -> void: field.tile_size = 5.0,
 		"cast_shadow":
@@ -142,9 +142,9 @@ func test_a_look_that_changes_in_every_frame_is_worn_now_and_then() -> void:
 	for i in 60:
 		grass.tip_color = Color(0.01 * i, 0.5, 0)
 		await process_frame
-		states[field.get_statistics()["is_dressing"]] = true
+		states[field.get_statistics()["is_rebuilding_meshes"]] = true
 	await rested()
-	check(not field.is_filling(), "it grows nothing anew")
+	check(not field.is_building(), "it grows nothing anew")
 	check(states.has(true), "it was dressed")
 
 
@@ -157,9 +157,9 @@ func test_a_look_that_changes_while_it_is_dressed_is_worn_in_the_end() -> void:
 	for attempt in 50:
 		painted.paint = Color.RED
 		await process_frame
-		if field.get_statistics()["is_dressing"]:
+		if field.get_statistics()["is_rebuilding_meshes"]:
 			break
-	check(field.get_statistics()["is_dressing"], "it is dressed in the first colour")
+	check(field.get_statistics()["is_rebuilding_meshes"], "it is dressed in the first colour")
 	painted.paint = Color.BLUE
 	await rested()
 	var blues := painted.asked_for.count(Color.BLUE)
@@ -243,9 +243,9 @@ func _check_kept(changes: Dictionary) -> void:
 	for what: String in changes:
 		(changes[what] as Callable).call()
 		await frames(1)
-		check(not field.is_filling(), "%s fills nothing" % what)
+		check(not field.is_building(), "%s fills nothing" % what)
 		await frames(10)  # The engine's own properties are looked at now and then.
-		check(not field.is_filling(), "%s fills nothing" % what)
+		check(not field.is_building(), "%s fills nothing" % what)
 		await rested()
 		check_equal(sorted_ids(), ids, "plants after %s" % what)
 		var now := field.get_tip_positions(ids)

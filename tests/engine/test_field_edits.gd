@@ -20,7 +20,7 @@ func test_a_species_that_is_appended_grows() -> void:
 	for id in field.get_plant_ids():
 		count += 1 if field.get_plant_species(id) == grass.species else 0
 	check(count > field.get_plant_count() / 2.0, "%d of its plants stand" % count)
-	grass.share = 0.0
+	grass.weight = 0.0
 	await filled(field)
 	for id in field.get_plant_ids():
 		check(field.get_plant_species(id) != grass.species, "plant %d is another" % id)
@@ -33,7 +33,7 @@ func test_a_level_that_is_appended_is_drawn() -> void:
 	await frames(LOOK)
 	await rested()
 	check_equal(field.get_statistics()["drawn_by_level"].size(), 2, "levels")
-	check(not field.is_filling(), "nothing grows anew")
+	check(not field.is_building(), "nothing grows anew")
 
 
 func test_an_exclusion_that_is_appended_is_kept_free() -> void:
@@ -85,10 +85,10 @@ func test_an_outline_that_was_replaced_is_no_longer_followed() -> void:
 	var lawn := field.get_node("Lawn") as Path3D
 	lawn.curve.set_point_position(0, Vector3(-9, 0, -9))
 	await frames(1)
-	check(not field.is_filling(), "it is not filled for the old outline")
+	check(not field.is_building(), "it is not filled for the old outline")
 	var meadow := field.get_node("Meadow") as Path3D
 	meadow.curve.set_point_position(0, Vector3(-9, 0, -9))
-	check(field.is_filling(), "it is filled for the new one")
+	check(field.is_building(), "it is filled for the new one")
 	await rested()
 
 

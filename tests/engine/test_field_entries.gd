@@ -15,12 +15,12 @@ func test_numbers_out_of_range_give_one_error_and_are_not_kept() -> void:
 	_refuse(
 		PlantFieldSpecies.new(),
 		{
-			"share": [-0.1, 1e7, NAN, INF],
+			"weight": [-0.1, 1e7, NAN, INF],
 			"density_factor": [-0.1, 1001.0, NAN],
 			"height_deviation": [-0.1, 0.91, INF],
 			"lean_deviation": [-0.1, deg_to_rad(80.1), 45.0, NAN],
 			"variants": [0, -1, 65],
-			"detail": [0.0, 11.0, NAN],
+			"lod_bias": [0.0, 11.0, NAN],
 		}
 	)
 	_refuse(PlantFieldLevel.new(), {"segments": [0, -1, 257], "end": [-0.1, 1e7, NAN, INF]})
@@ -50,8 +50,8 @@ func test_values_come_back_as_written() -> void:
 		var written := deg_to_rad(tenths / 10.0)
 		entry.lean_deviation = written
 		check_equal(entry.lean_deviation, written, "%.1f°" % (tenths / 10.0))
-	entry.share = 0.3
-	check_equal(entry.share, 0.3)
+	entry.weight = 0.3
+	check_equal(entry.weight, 0.3)
 	var level := PlantFieldLevel.of(5, 12.3)
 	check_equal(level.segments, 5)
 	check_equal(level.end, 12.3)
@@ -63,13 +63,13 @@ func test_each_real_change_is_signalled_once() -> void:
 		PlantFieldSpecies.new(),
 		{
 			"species": TulipFunction.new(),
-			"share": 0.5,
+			"weight": 0.5,
 			"density_factor": 2.0,
 			"scale_range": Vector2(0.5, 0.75),
 			"height_deviation": 0.25,
 			"lean_deviation": 0.125,
 			"variants": 9,
-			"detail": 2.0,
+			"lod_bias": 2.0,
 		}
 	)
 
@@ -77,7 +77,7 @@ func test_each_real_change_is_signalled_once() -> void:
 func test_listeners_can_tell_a_change_of_the_species_from_one_of_the_field() -> void:
 	var tulip := TulipFunction.new()
 	var entry := _listened(PlantFieldSpecies.of(tulip))
-	entry.share = 0.5
+	entry.weight = 0.5
 	tulip.mass = 0.5
 	tulip.flower_color = Color.RED
 	entry.species = GrassFunction.new()
@@ -97,10 +97,10 @@ func test_a_species_that_was_replaced_is_no_longer_followed() -> void:
 func test_what_a_listener_sets_is_a_change_of_its_own() -> void:
 	var tulip := TulipFunction.new()
 	var entry := _listened(PlantFieldSpecies.of(tulip))
-	var set_share := func() -> void: entry.share = 0.25
-	entry.changed.connect(set_share)
+	var set_weight := func() -> void: entry.weight = 0.25
+	entry.changed.connect(set_weight)
 	tulip.mass = 0.5
-	entry.changed.disconnect(set_share)
+	entry.changed.disconnect(set_weight)
 	check_equal(_heard, [[true, true], [false, false]])
 	check(not entry.is_species_change(), "the first emission is over")
 
@@ -145,7 +145,7 @@ func test_saved_entries_load_equal() -> void:
 	var text := FileAccess.get_file_as_string(PATH)
 	check(not text.contains("resource_name"), "a name that nobody gave is not saved: " + text)
 	var loaded: PlantFieldSpecies = ResourceLoader.load(PATH, "", ResourceLoader.CACHE_MODE_IGNORE)
-	for property in ["share", "scale_range", "lean_deviation", "resource_name"]:
+	for property in ["weight", "scale_range", "lean_deviation", "resource_name"]:
 		check_equal(loaded.get(property), entry.get(property), property)
 	check(loaded.species is TulipFunction, "the species is kept")
 	entry.resource_name = "Lawn"

@@ -58,7 +58,7 @@ func test_more_histories_than_a_graphics_card_can_draw_are_refused() -> void:
 		many[i].variants = 1
 	_field.species = many
 	_field.prototypes = 1
-	while _field.is_filling():
+	while _field.is_building():
 		await process_frame
 	check_error("texture layers")
 	check_equal(_field.get_plant_ids(), ids, "what stood before")
@@ -152,16 +152,16 @@ func test_frames_of_any_length() -> void:
 
 func test_a_fault_is_told_once_and_not_in_each_frame() -> void:
 	_field.size = Vector2(4, 4)
-	_field.species[0].share = 0.0
+	_field.species[0].weight = 0.0
 	root.add_child(_field)
 	await settled(_field)
-	check_error("share")
+	check_error("weight")
 	for i in 3:
-		_field.fill()
+		_field.rebuild()
 		await settled(_field)
-	check_error_count("share", 0)
-	_field.species[0].share = 1.0
-	await _field.filled
+	check_error_count("weight", 0)
+	_field.species[0].weight = 1.0
+	await _field.build_finished
 	check(_field.get_plant_count() > 0, "it fills")
 	_field.ground_mode = PlantField3D.GROUND_MESH
 	await settled(_field)
@@ -177,7 +177,7 @@ func test_a_fault_is_told_once_and_not_in_each_frame() -> void:
 
 func _fill() -> void:
 	root.add_child(_field)
-	await _field.filled
+	await _field.build_finished
 	await frames(1)
 
 

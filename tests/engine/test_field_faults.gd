@@ -2,7 +2,6 @@
 extends "res://tests/engine/field_harness.gd"
 
 
-
 ## Its plants cannot be sampled.
 class FaultySpecies:
 	extends PlantFunction
@@ -45,7 +44,10 @@ func test_an_empty_entry_is_one_error_and_the_other_species_grow() -> void:
 	field.density = 5.0
 	field.species = [grass, null]
 	await rested()
-	check(field.get_plant_count() > grass_places.size(), "grass takes the room of an entry that is null")
+	check(
+		field.get_plant_count() > grass_places.size(),
+		"grass takes the room of an entry that is null"
+	)
 	field.species = [grass, tulips]
 	await rested()
 	check_equal(_places_of(grass.species), grass_places, "the other species' places")
@@ -82,7 +84,9 @@ func test_a_scene_with_a_deleted_species_names_its_file_and_grows_the_rest() -> 
 	await _fill()
 	check_error("Cannot open file 'user://own_fern.tres'")
 	check_error("Failed loading resource: user://own_fern.tres")
-	check_error_count("'user://own_fern.tres', which 'user://field_with_fern.tscn' uses, is missing", 1)
+	check_error_count(
+		"'user://own_fern.tres', which 'user://field_with_fern.tscn' uses, is missing", 1
+	)
 	check_near(field.get_plant_count(), 0.5 * 5 * 20 * 20, 100.0, "plants of the other species")
 
 
@@ -91,7 +95,7 @@ func test_a_species_with_errors_is_named_once_and_the_rest_grows() -> void:
 	await _fill()
 	check_error("species[1] does not grow. ")
 	check_near(field.get_plant_count(), 0.5 * 5 * 20 * 20, 100.0, "plants of the other species")
-	field.fill()
+	field.rebuild()
 	await rested()
 	check_near(field.get_plant_count(), 0.5 * 5 * 20 * 20, 100.0, "plants of the other species")
 	field.species[1].species = TulipFunction.new()
@@ -106,7 +110,9 @@ func test_ends_of_a_range_push_each_other() -> void:
 	field.slope_limits = Vector2(0.7, 0.2)
 	check_equal(field.slope_limits, Vector2(0.2, 0.2), "the larger end pushes the smaller")
 	field.slope_limits = Vector2(0.7, 0.4)
-	check_error("slope_limits goes from 0.7 down to 0.4, it keeps its value. Set the smaller number")
+	check_error(
+		"slope_limits goes from 0.7 down to 0.4, it keeps its value. Set the smaller number"
+	)
 	check_equal(field.slope_limits, Vector2(0.2, 0.2), "both ends at once, in the wrong order")
 	field.height_limits = Vector2(5.0, 1000.0)
 	field.height_limits = Vector2(5.0, -3.0)
@@ -135,9 +141,9 @@ func test_degrees_as_slope_limits_are_one_error_that_says_radians() -> void:
 func test_shares_of_0_are_one_error() -> void:
 	await _fill()
 	for entry in field.species:
-		entry.share = 0.0
+		entry.weight = 0.0
 	await rested()
-	check_error("share")
+	check_error("weight")
 	check(field.get_plant_count() > 0, "the field stays")
 
 

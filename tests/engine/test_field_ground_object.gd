@@ -146,7 +146,7 @@ func test_an_object_that_answers_nothing_is_told_once() -> void:
 	root.add_child(field)
 	await rested()
 	check_error("leads to no object that answers get_height(Vector3) -> float")
-	field.fill()
+	field.rebuild()
 	await rested()
 	check_equal(field.get_plant_count(), 0, "plants")
 	field.ground_object = NodePath("../Terrain:data")
@@ -161,13 +161,13 @@ func test_answers_of_the_wrong_type_are_one_message_and_what_stands_stays() -> v
 	var faulty := Faulty.new()
 	terrain.data = faulty
 	faulty.height = "five"
-	field.fill()
+	field.rebuild()
 	await rested()
 	check_error("get_height() of")
 	faulty.height = 1.0
 	faulty.normal = 7
 	field.slope_alignment = 1.0
-	field.fill()
+	field.rebuild()
 	await rested()
 	check_error("get_normal() of")
 	check_equal(field.get_plant_count(), count, "plants")
@@ -181,7 +181,7 @@ func test_no_ground_anywhere_is_one_warning() -> void:
 	field.ground_object = NodePath("../Terrain:data")
 	await start()
 	check_error("ground_object tells of no ground at any of its places")
-	field.fill()
+	field.rebuild()
 	await rested()
 	check_equal(field.get_plant_count(), 0, "plants")
 	faulty.free()
@@ -195,7 +195,7 @@ func test_an_object_that_is_freed_while_it_is_asked_is_one_message() -> void:
 	field.ground_object = NodePath("../Terrain:data")
 	root.add_child(field)
 	await frames(3)
-	check(field.is_filling(), "it is asked")
+	check(field.is_building(), "it is asked")
 	faulty.free()
 	await rested()
 	check_error("ground_object")

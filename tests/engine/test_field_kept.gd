@@ -13,7 +13,7 @@ func test_who_was_removed_stays_so_when_the_field_is_filled_anew() -> void:
 	var count := field.get_plant_count()
 	var cut := field.remove_in_sphere(field.global_position, REACH)
 	check(cut > 100, "%d are cut" % cut)
-	field.fill()
+	field.rebuild()
 	await filled(field)
 	check_equal(field.get_plant_count(), count - cut, "plants")
 	field.slope_limits = Vector2(0.0, 1.0)
@@ -27,11 +27,11 @@ func test_who_was_removed_stays_so_when_the_field_is_filled_anew() -> void:
 
 func test_who_is_removed_while_it_is_filled_stays_so() -> void:
 	await start()
-	field.fill()
+	field.rebuild()
 	var cut := field.remove_in_sphere(field.global_position, REACH)
 	await filled(field)
 	check_equal(_count_near(), 0, "plants there, %d are cut" % cut)
-	field.fill()
+	field.rebuild()
 	await filled(field)
 	check_equal(_count_near(), 0, "plants there then")
 
@@ -68,7 +68,7 @@ func test_who_is_mown_is_so_high_and_grows_back() -> void:
 		if i % 20 == 0:
 			check_near(relative_tip(ids[i]).length(), 0.1, 0.002, "from root to tip")
 	check_equal(field.set_height_in_sphere(field.global_position, REACH, 0.1), 0, "mown again")
-	field.fill()
+	field.rebuild()
 	await filled(field)
 	await step(3)
 	check_near(relative_tip(ids[7]).length(), 0.1, 0.002, "after a filling")
@@ -124,17 +124,6 @@ func test_a_field_is_found_as_it_was_left() -> void:
 	await rested()
 	_check_as_left(ids, heights)
 	check(field.get_changes() == bytes, "its changes are the same bytes")
-
-
-func test_a_mown_plant_that_code_added_leaves_no_change_when_it_is_removed() -> void:
-	field.density = 0.0
-	await start()
-	var ids := field.add_plants([Transform3D.IDENTITY], field.species[0].species)
-	await frames(2)
-	check_equal(field.set_height_in_sphere(field.global_position, 1.0, 0.1), 1, "mown")
-	check(not _saved_changes().is_empty(), "changes are saved with the scene")
-	field.remove_plant(ids[0])
-	check_equal(_saved_changes().size(), 0, "bytes that are saved then")
 
 
 func test_the_usual_grass_that_was_added_is_known_before_a_field_stands() -> void:
@@ -245,8 +234,3 @@ func _make_field() -> PlantField3D:
 
 func _count_near(radius := REACH) -> int:
 	return field.find_plants_in_sphere(field.global_position, radius).size()
-
-
-## What a scene has of the field's changes.
-func _saved_changes() -> PackedByteArray:
-	return field.get("kept_changes")

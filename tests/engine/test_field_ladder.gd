@@ -35,7 +35,7 @@ func test_changing_the_motion_keeps_the_state() -> void:
 	field.wind.travel_speed = 2.0
 	field.update_interval = 3
 	check_equal(all_tips(), before, "tips")
-	check(not field.is_filling(), "the field is not filled anew")
+	check(not field.is_building(), "the field is not filled anew")
 
 
 func test_an_interval_stays_near_the_full_rate() -> void:
@@ -81,7 +81,7 @@ func test_a_follower_that_was_pushed_swings_on_when_the_field_is_filled_anew() -
 	field.simulation_enabled = false  # However many frames the filling takes.
 	await frames(2)
 	var before := [relative_tip(own), relative_tip(added)]
-	field.fill()
+	field.rebuild()
 	await rested()
 	for index in 2:
 		var now := relative_tip([own, added][index])

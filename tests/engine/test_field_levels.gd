@@ -85,7 +85,7 @@ func test_turning_the_camera_changes_no_level() -> void:
 	_field.size = Vector2(6, 6)
 	_field.density = 4.0
 	_field.levels = [PlantFieldLevel.of(12, 3.5), PlantFieldLevel.of(2)]
-	await _field.filled
+	await _field.build_finished
 	await frames(3)
 	var before := await picture()
 	var camera := stage.get_camera_3d()

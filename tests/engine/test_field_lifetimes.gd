@@ -10,7 +10,7 @@ func before_each() -> void:
 	_field.density = 8.0
 	_field.wind = PlantWind.new()
 	root.add_child(_field)
-	await _field.filled
+	await _field.build_finished
 	await frames(2)
 
 
@@ -64,9 +64,9 @@ func test_a_species_that_is_planted_while_the_field_grows_stays_what_it_is() -> 
 	for before: PlantField3D in [PlantField3D.new(), _field]:
 		if before != _field:
 			root.add_child(before)
-		before.fill()
+		before.rebuild()
 		var ids := before.add_plants([Transform3D(Basis.IDENTITY, Vector3(1, 0, 2))], reed)
-		await before.filled
+		await before.build_finished
 		check_equal(ids.size(), 1, "added plants")
 		check(before.get_plant_species(ids[0]) == reed, "it is a reed")
 		check(before.get_plant_count() > 1, "the field has filled")
@@ -77,7 +77,7 @@ func test_a_species_that_is_planted_while_the_field_grows_stays_what_it_is() -> 
 
 func test_freed_by_a_handler_of_its_signals() -> void:
 	var field: PlantField3D = _field.duplicate()
-	field.fill_progressed.connect(func(_ratio: float) -> void: field.queue_free())
+	field.build_progressed.connect(func(_ratio: float) -> void: field.queue_free())
 	root.add_child(field)
 	await frames(60)
 	check(not is_instance_valid(field), "it is gone")
@@ -108,7 +108,7 @@ func test_out_of_the_tree_it_keeps_its_plants() -> void:
 	check_equal(_field.get_plant_count(), count)
 	_field.density = 1.0
 	root.add_child(_field)
-	await _field.filled
+	await _field.build_finished
 	await frames(1)
 	check(_field.get_plant_count() < count / 4.0, "what changed meanwhile counts")
 
@@ -123,14 +123,14 @@ func test_properties_that_change_in_every_frame() -> void:
 		await process_frame
 	_field.density = 2.0
 	_field.prototypes = 0
-	while _field.is_filling():
+	while _field.is_building():
 		await process_frame
 	check_near(_field.get_plant_count(), 2.0 * 3600.0, 300.0)
 
 
 func test_fields_without_a_tree_say_nothing() -> void:
 	var field := PlantField3D.from_species([GrassFunction.new()])
-	field.fill()
+	field.rebuild()
 	check_equal(field.get_plant_count(), 0)
 	check_equal(field.is_point_in_plants(Vector3.ZERO), false)
 	check_equal(field.remove_in_sphere(Vector3.ZERO, 1.0), 0)
@@ -232,7 +232,7 @@ func test_added_plants_outlive_a_new_fill() -> void:
 	var id := _field.add_plants([place], TulipFunction.new())[0]
 	await frames(2)
 	_field.density = 1.0
-	await _field.filled
+	await _field.build_finished
 	await frames(2)
 	check_equal(_field.get_plant_transform(id).origin, Vector3(200, 0, 0), "by its id")
 	check(_field.is_point_in_plants(Vector3(200, 0.1, 0)), "it still stands there")

@@ -74,13 +74,13 @@ func test_a_species_of_another_entry_is_followed_where_code_added_plants() -> vo
 func test_a_list_that_is_set_again_and_again_fills_the_field_once_each() -> void:
 	await start()
 	var fills := [0]
-	field.filled.connect(func() -> void: fills[0] += 1)
+	field.build_finished.connect(func() -> void: fills[0] += 1)
 	for i in 3:
 		field.species = field.species.duplicate()
 		await filled(field)
 		await frames(30)
 		check_equal(fills[0], i + 1, "fills")
-	check(not field.is_filling(), "it rests")
+	check(not field.is_building(), "it rests")
 
 
 func test_more_variants_keep_plants_and_their_motion() -> void:
@@ -139,7 +139,7 @@ func _check_recoloured() -> void:
 	field.skeleton_distance = 5.0
 	for color: Color in [Color.BLUE, Color.RED]:
 		_tulip.flower_color = color
-		check(not field.is_filling(), "it is not filled anew")
+		check(not field.is_building(), "it is not filled anew")
 		await rested()
 		await frames(30)
 		var colors := _colors_of(field.get_skeleton(_added[0]))

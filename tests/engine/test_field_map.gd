@@ -124,7 +124,7 @@ func test_fields_that_share_a_map_both_grow_by_it() -> void:
 	await filled(other)
 	map.paint(Vector3.ZERO, 5.0, GRASS, 1.0, 0.0)
 	await rested()
-	while other.is_filling():
+	while other.is_building():
 		await process_frame
 	check(field.get_plant_count() > 300, "%d plants" % field.get_plant_count())
 	check(other.get_plant_count() > 1500, "%d plants of the other" % other.get_plant_count())
@@ -159,6 +159,6 @@ func test_a_map_that_was_painted_for_others_is_told_of_once_it_grows() -> void:
 	root.add_child(field)
 	await settled(field)
 	check_error("'Tulpe' is no species of the fields that grow by it")
-	field.fill()
+	field.rebuild()
 	await filled(field)
 	check_error_count("Tulpe", 0)

@@ -23,8 +23,8 @@ const MAP_OF_0_2 := (
 
 func before_each() -> void:
 	super()
-	field.species[0].share = 3.0
-	field.species[1].share = 60.0
+	field.species[0].weight = 3.0
+	field.species[1].weight = 60.0
 	field.size = Vector2(40, 40)
 	field.density = DENSITY
 	for title: String in [TULIP, GRASS]:
@@ -53,7 +53,7 @@ func test_a_stroke_and_a_full_build_give_the_same_plants() -> void:
 	map.paint_plants(Vector3(3, 0, -2), 6.0, TULIP, 4.0, 0.6, 0.8)
 	await rested()
 	var painted := all_plants()
-	field.fill()
+	field.rebuild()
 	await filled(field)
 	check_equal(all_plants(), painted, "plants after fill()")
 
@@ -125,7 +125,7 @@ func test_bad_densities_are_one_error_each_and_change_nothing() -> void:
 func _start_again() -> void:
 	if not field.is_inside_tree():
 		root.add_child(field)
-	field.fill()
+	field.rebuild()
 	await filled(field)
 
 

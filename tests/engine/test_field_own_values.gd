@@ -43,16 +43,16 @@ func test_an_array_that_was_changed_in_place_and_set_again_starts_a_build() -> v
 	var entries := field.species
 	entries.append(PlantFieldSpecies.of(ReedFunction.new()))
 	field.species = entries
-	check(field.is_filling(), "another species grows")
-	await field.filled
+	check(field.is_building(), "another species grows")
+	await field.build_finished
 	var paths := field.exclusions
 	paths.append(add_path("Hole", [Vector3.ZERO, Vector3.RIGHT, Vector3.BACK]))
 	field.exclusions = paths
-	check(field.is_filling(), "a hole is cut")
-	await field.filled
+	check(field.is_building(), "a hole is cut")
+	await field.build_finished
 	await process_frame
 
 
 func _check_at_rest(title: String) -> void:
-	check(not field.is_filling(), "%s does not build the field" % title)
-	check(not field.get_statistics()["is_dressing"], "%s does not dress it" % title)
+	check(not field.is_building(), "%s does not build the field" % title)
+	check(not field.get_statistics()["is_rebuilding_meshes"], "%s does not dress it" % title)

@@ -117,7 +117,7 @@ func test_followers_of_prototypes_are_drawn() -> void:
 	_field.density = 10.0
 	_field.wind.strength = 3.0
 	_field.wind.kind = PlantWind.KIND_WAVES
-	await _field.filled
+	await _field.build_finished
 	await frames(10)
 	var first := await picture()
 	await frames(20)
@@ -132,7 +132,7 @@ func test_a_filling_that_is_refused_draws_nothing() -> void:
 	_field.species = [PlantFieldSpecies.of(TulipFunction.new())]
 	_field.size = Vector2(3, 3)
 	_field.density = 4.0
-	await _field.filled
+	await _field.build_finished
 	var before := await picture()
 	var many: Array[PlantFieldSpecies] = []
 	for i in 130:
@@ -142,7 +142,7 @@ func test_a_filling_that_is_refused_draws_nothing() -> void:
 	_field.density = 100.0
 	_field.prototypes = 1
 	await frames(2)
-	while _field.is_filling():
+	while _field.is_building():
 		await process_frame
 	check_error("texture layers")
 	await frames(5)
@@ -196,7 +196,7 @@ func _check_followers_dressed(preview: bool) -> void:
 	_field.wind.strength = 4.0
 	_field.wind.kind = PlantWind.KIND_WAVES
 	_field.wind.travel_speed = 1.0
-	await _field.filled
+	await _field.build_finished
 	RenderingServer.render_loop_enabled = false
 	await _settle()
 	_field.simulation_enabled = false
@@ -217,7 +217,7 @@ func _check_followers_dressed(preview: bool) -> void:
 func _compare(
 	function: PlantFunction, place: Transform3D, blow := Vector3.ZERO, mown := 0.0
 ) -> void:
-	while _field.is_filling():  # It may end at any time on a busy machine.
+	while _field.is_building():  # It may end at any time on a busy machine.
 		await process_frame
 	var id := _field.add_plants([place], function)[0]
 	if mown > 0.0:

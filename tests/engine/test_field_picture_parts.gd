@@ -122,7 +122,7 @@ func test_who_rests_leaning_in_a_field_is_not_lighter() -> void:
 		for light: float in LIGHTS:
 			var species := _lit_tulip(law)
 			species.lean = LEAN
-			species.material.set_shader_parameter(&"laid_light", light)
+			species.material.set_shader_parameter(&"bent_brightness", light)
 			_field.free()
 			_field = await make_added_field(_wind)  # The first plant is the same in all.
 			_field.add_plants([Transform3D(tilt)], species)
@@ -152,7 +152,7 @@ func _pictures_by_light(species: PlantFunction) -> Array[Image]:
 	var material: ShaderMaterial = species.material
 	var pictures: Array[Image] = []
 	for light: float in LIGHTS:
-		material.set_shader_parameter(&"laid_light", light)
+		material.set_shader_parameter(&"bent_brightness", light)
 		pictures.append(await picture())
 	return pictures
 

@@ -51,7 +51,7 @@ func test_reset_motion_puts_followers_back_and_keeps_the_plants() -> void:
 	check(_tips()[3].distance_to(before[3]) > 0.001, "plant 3 moved")
 	_field.reset_motion()
 	await frames(1)
-	while _field.get_statistics()["is_dressing"]:
+	while _field.get_statistics()["is_rebuilding_meshes"]:
 		await process_frame
 	check_equal(_field.get_plant_count(), ids.size(), "plants")
 	check_equal(_field.get_tip_positions(ids), before, "tips after the reset")
@@ -92,7 +92,7 @@ func test_preview_moves_as_the_simulation_does() -> void:
 	other.simulation_enabled = true
 	other.wind = _wind.duplicate()
 	root.add_child(other)
-	await other.filled
+	await other.build_finished
 	await frames(40)
 	# In its first step a field finds the wind's clock as it is.
 	var steps := roundi(other.wind.get_time() / STEP) + 1
@@ -108,7 +108,7 @@ func test_preview_moves_as_the_simulation_does() -> void:
 
 func _start() -> void:
 	root.add_child(_field)
-	await _field.filled
+	await _field.build_finished
 	await frames(1)
 
 

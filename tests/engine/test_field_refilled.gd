@@ -56,7 +56,7 @@ func test_what_is_done_to_plants_while_they_are_refilled_stays_done() -> void:
 		var state := field.get_motion_state([pushed])
 		var at := field.get_plant_transform(pushed).origin
 		await frames(1)
-		while field.is_filling():
+		while field.is_building():
 			field.apply_impulse_in_sphere(at, 0.001, BLOW)
 			blows += 1
 			await process_frame
@@ -80,7 +80,7 @@ func test_who_is_removed_or_added_while_it_is_refilled_is_so_then() -> void:
 		await frames(1)
 		var gone := PackedInt64Array()
 		var added := PackedInt64Array()
-		while field.is_filling():
+		while field.is_building():
 			var ids := field.get_plant_ids()
 			gone.append(ids[ids.size() / 3])
 			field.remove_plant(ids[ids.size() / 3])
@@ -117,7 +117,7 @@ func test_a_filling_of_other_seeds_that_is_overtaken_leaves_nothing_behind() -> 
 	for i in 80:
 		field.seed += 1
 		var until := Time.get_ticks_usec() + 150 * i
-		while field.is_filling() and Time.get_ticks_usec() < until:
+		while field.is_building() and Time.get_ticks_usec() < until:
 			await process_frame
 	await rested()
 	var drawn: PackedInt32Array = field.get_statistics()["drawn_by_level"]

@@ -42,7 +42,7 @@ func _check_near_first(density: float) -> void:
 	field.density = density
 	var is_seen := false
 	await frames(1)
-	while field.is_filling():
+	while field.is_building():
 		var has_come := _count(NEAR) != near
 		var far_has_come := _count(FAR) != far
 		check(has_come or not far_has_come, "the far one waits for the near one")
@@ -59,7 +59,7 @@ func test_progress_goes_up_to_the_end() -> void:
 		field.view_distance = distance
 		await start()
 		var told: Array[float] = []
-		field.fill_progressed.connect(func(ratio: float) -> void: told.append(ratio))
+		field.build_progressed.connect(func(ratio: float) -> void: told.append(ratio))
 		field.density = 1.2 * DENSITY
 		await filled(field)
 		check(told.size() > 5, "%d are told" % told.size())
@@ -73,7 +73,7 @@ func test_ids_are_of_one_plant_each_while_two_densities_stand() -> void:
 	field.density = 1.1 * DENSITY
 	await frames(1)
 	var looks := 0
-	while field.is_filling():
+	while field.is_building():
 		if looks % 7 == 0:
 			_check_ids()
 		looks += 1
@@ -105,7 +105,7 @@ func test_who_stays_keeps_id_and_motion_all_the_time() -> void:
 	field.clump_size += 0.5
 	await frames(1)
 	var looks := 0
-	while field.is_filling():
+	while field.is_building():
 		if looks % 7 == 0:
 			check_near(_most_apart(field.get_motion_state(ids), before), 0.0, ROUNDING, "motion")
 		looks += 1
@@ -121,7 +121,7 @@ func test_who_is_removed_in_the_midst_of_it_never_comes_back() -> void:
 	var cut := 0
 	var places: Array[Vector3] = []
 	var i := 0
-	while field.is_filling():
+	while field.is_building():
 		var place := Vector3(8.0 * (i % 14) - 52.0, 0, 8.0 * (i / 14 % 14) - 52.0)
 		cut += field.remove_in_sphere(place, 1.5)
 		places.append(place)
@@ -174,7 +174,7 @@ func test_what_is_painted_in_the_midst_of_it_is_there_then() -> void:
 	field.density = 1.4 * DENSITY
 	await frames(1)
 	var bare: Array[Vector3] = []
-	while field.is_filling() and bare.size() < 20:
+	while field.is_building() and bare.size() < 20:
 		var place := Vector3(5.0 * bare.size() - 52.0, 0, 4.0 * bare.size() - 50.0)
 		field.map.erase(place, 2.0, "", 1.0, 0.0)
 		bare.append(place)
@@ -194,7 +194,7 @@ func test_added_and_mown_ones_outlive_it() -> void:
 	var height := relative_tip(mown).length()
 	field.clump_size += 1.0
 	await frames(1)
-	while field.is_filling():
+	while field.is_building():
 		check(field.has_plant(added), "the added one stands")
 		check_near(relative_tip(mown).length(), height, 0.01, "the mown one is low")
 		await process_frame
@@ -202,7 +202,7 @@ func test_added_and_mown_ones_outlive_it() -> void:
 
 
 func test_a_streaming_field_leaves_nothing_behind_of_sparse_species() -> void:
-	field.species[1].share = 0.004  # Few to a tile: elsewhere they would share wide squares.
+	field.species[1].weight = 0.004  # Few to a tile: elsewhere they would share wide squares.
 	field.view_distance = 25.0
 	_camera.position = Vector3(-40, 1, 0)
 	await start()
@@ -249,7 +249,7 @@ func _most_apart(some: PackedFloat32Array, others: PackedFloat32Array) -> float:
 ## Waits until all tiles stand that are to.
 func _streamed() -> void:
 	await frames(20)
-	while field.is_filling() or field.get_statistics()["tiles_waiting"] > 0:
+	while field.is_building() or field.get_statistics()["tiles_waiting"] > 0:
 		await process_frame
 	await frames(60)
 

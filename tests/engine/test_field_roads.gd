@@ -88,8 +88,8 @@ func test_a_road_that_is_dragged_is_followed_where_it_goes() -> void:
 	field.exclusion_widths = [WIDTH]
 	await start()
 	var told := [0, 0]
-	field.fill_progressed.connect(func(_ratio: float) -> void: told[0] += 1)
-	field.filled.connect(func() -> void: told[1] += 1)
+	field.build_progressed.connect(func(_ratio: float) -> void: told[0] += 1)
+	field.build_finished.connect(func() -> void: told[1] += 1)
 	var road := field.get_node("Road") as Path3D
 	for i in 12:
 		points[1].z -= 1.0
@@ -106,7 +106,7 @@ func test_a_road_that_is_dragged_is_followed_where_it_goes() -> void:
 		var away := _away(place - Vector3(1.5, 0, 0), points)
 		check(away > 0.5 * (WIDTH + 1.0) - 1e-3, "%s is on the road" % place)
 	var edited := _described()
-	field.fill()
+	field.rebuild()
 	await filled(field)
 	check(told[0] > 0, "it is filled as a whole then")
 	check_equal(_described(), edited, "and the same as before")
@@ -143,7 +143,7 @@ func test_a_change_that_changes_nothing_is_told_of_as_filled() -> void:
 	field.outline_width = 3.0  # It has no outline.
 	await filled(field)
 	check_equal(_described(), described, "plants")
-	check(not field.is_filling(), "it is done")
+	check(not field.is_building(), "it is done")
 
 
 func test_widths_that_are_none_are_refused() -> void:

@@ -82,6 +82,24 @@ func test_a_blow_bends_plants_its_way_in_a_turned_field() -> void:
 	check_near(way.z, 0.0, 0.1 * way.x, "z")
 
 
+func test_a_blast_bends_plants_away_from_it_in_a_turned_field() -> void:
+	field.density = 0.0
+	field.simulation_enabled = true
+	field.transform = Transform3D(Basis(Vector3.UP, 1.9).scaled(Vector3.ONE * 2), Vector3(9, 0, 4))
+	root.add_child(field)
+	var tulip := TulipFunction.new()
+	tulip.law = PlantFunction.LAW_SPRING
+	tulip.lean = 0.0
+	var id := field.add_plants([Transform3D.IDENTITY], tulip)[0]
+	await frames(3)
+	var before := field.to_global(field.get_tip_position(id))
+	check_equal(field.apply_blast(field.position + Vector3.LEFT, 2.0, tulip.mass * 6.0), 1, "hit")
+	await frames(10)
+	var way := field.to_global(field.get_tip_position(id)) - before
+	check(way.x > 0.02, "the tip goes to +x: %s" % way)
+	check_near(way.z, 0.0, 0.1 * way.x, "z")
+
+
 func test_a_field_that_moves_takes_its_plants_and_their_motion_along() -> void:
 	field.wind = PlantWind.new()
 	field.simulation_enabled = true
@@ -93,7 +111,7 @@ func test_a_field_that_moves_takes_its_plants_and_their_motion_along() -> void:
 	var tips := field.get_tip_positions(ids)
 	_place_askew()
 	await frames(12)
-	check(not field.is_filling(), "nothing grows anew")
+	check(not field.is_building(), "nothing grows anew")
 	check_equal(field.get_plant_ids(), ids, "plants")
 	check_equal(field.get_tip_positions(ids), tips, "tips in the field's axes")
 

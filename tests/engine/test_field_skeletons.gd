@@ -22,7 +22,7 @@ func before_each() -> void:
 		entry.lean_deviation = deg_to_rad(20.0)
 	_field.max_skeletons = 1000
 	stage.add_child(_field)
-	await _field.filled
+	await _field.build_finished
 	await frames(3)
 
 
@@ -219,7 +219,7 @@ func test_skeletons_follow_what_happens_to_their_field() -> void:
 	await frames(30)
 	check_equal(_field.get_skeletons().size(), _field.get_plant_count(), "skeletons")
 	_field.seed = 3
-	await _field.filled
+	await _field.build_finished
 	await frames(60)
 	check_equal(_field.get_skeletons().size(), _field.get_plant_count(), "skeletons anew")
 

@@ -158,7 +158,7 @@ func test_what_stems_are_made_of_keeps_plants_and_their_motion() -> void:
 	species.stem.density = 900.0
 	species.stem.modes = 2
 	await frames(3)
-	check(not field.is_filling(), "the field is not filled anew")
+	check(not field.is_building(), "the field is not filled anew")
 	check_equal(field.get_plant_ids(), ids, "ids")
 	check_equal(count_moved(before, 0.02), 0, "tips that jump")
 	species.stem.joints = 7
@@ -186,11 +186,11 @@ func test_stems_that_change_while_a_field_fills_move_as_they_are_then() -> void:
 		var changing := _reed()
 		field.species = [PlantFieldSpecies.of(changing)]
 		await frames(1)
-		if field.is_filling():
+		if field.is_building():
 			changing.natural_frequency = 3.0
 			break
-	check(field.is_filling(), "it is seen to fill")
-	while field.is_filling():
+	check(field.is_building(), "it is seen to fill")
+	while field.is_building():
 		await process_frame
 	var apart := await most_apart(twin, 30)
 	check(apart.x < 1e-5, "tips are %f m from those that were stiff before" % apart.x)

@@ -11,7 +11,7 @@ func test_strokes_touch_what_they_change_and_nothing_else() -> void:
 	field.simulation_enabled = false
 	await frames(2)
 	var fills := [0]
-	field.filled.connect(func() -> void: fills[0] += 1)
+	field.build_finished.connect(func() -> void: fills[0] += 1)
 	var ids := sorted_ids()
 	var states := field.get_motion_state(ids)
 	map.paint(Vector3(3, 0, 3), 3.0, TULIP, 1.0, 0.5)
@@ -52,7 +52,7 @@ func test_a_stroke_is_placed_stands_and_is_shown_in_one_frame() -> void:
 		await rested()
 		map.paint(Vector3(3, 0, 3), 2.0, TULIP, 1.0, 0.0)
 		await physics_frame
-		seen_at_once += 0 if field.is_filling() else 1
+		seen_at_once += 0 if field.is_building() else 1
 	check(seen_at_once > 0, "some of the strokes are seen in the frame in which they are painted")
 	game.free()
 
@@ -90,7 +90,7 @@ func test_the_same_plants_stand_after_strokes_as_where_it_is_filled_at_once() ->
 		await frames(i % 3)
 	await rested()
 	var edited := all_plants()
-	field.fill()
+	field.rebuild()
 	await filled(field)
 	check_equal(all_plants().size(), edited.size(), "number of plants")
 	check_equal(all_plants(), edited, "its plants")
@@ -142,7 +142,7 @@ func test_strokes_while_it_is_filled_are_not_lost() -> void:
 	for i in 30:
 		map.paint(Vector3(i - 15, 0, 0), 2.0, TULIP, 0.5)
 		if i % 7 == 3:
-			field.fill()
+			field.rebuild()
 		if i % 11 == 5:
 			field.tile_size = 8.0 + i
 		if i % 5 == 2:
@@ -150,7 +150,7 @@ func test_strokes_while_it_is_filled_are_not_lost() -> void:
 		await frames(1)
 	await rested()
 	var edited := all_plants()
-	field.fill()
+	field.rebuild()
 	await filled(field)
 	check(all_plants().size() - edited.size() <= 3 * 6, "only what was removed is missing")
 	var plants := all_plants()

@@ -40,10 +40,10 @@ func test_a_share_touches_no_plant() -> void:
 	var places := field.get_plant_transforms(ids)
 	var all := await _drawn_from(40.0)
 	var heard := []
-	field.filled.connect(func() -> void: heard.append(true))
-	field.levels[0].share = 0.3
-	check(not field.is_filling(), "it is not filled anew")
-	check(not field.get_statistics()["is_dressing"], "it is not dressed anew")
+	field.build_finished.connect(func() -> void: heard.append(true))
+	field.levels[0].density = 0.3
+	check(not field.is_building(), "it is not filled anew")
+	check(not field.get_statistics()["is_rebuilding_meshes"], "it is not dressed anew")
 	await frames(3)
 	check(await _drawn_from(40.0) < all * 0.5, "fewer are drawn")
 	check(heard.is_empty(), "nobody heard that it was filled")
@@ -87,10 +87,10 @@ func test_a_field_without_species_grows_meadow_grass() -> void:
 
 func test_a_share_out_of_range_keeps_the_value() -> void:
 	var level := PlantFieldLevel.of(3, 10.0, 0.4)
-	check_equal(level.share, 0.4)
-	level.share = 1.5
+	check_equal(level.density, 0.4)
+	level.density = 1.5
 	check_error("share cannot be 1.5")
-	check_equal(level.share, 0.4)
+	check_equal(level.density, 0.4)
 
 
 ## How many are drawn, at all levels, by a camera so far from the field's middle.

@@ -24,7 +24,7 @@ func test_what_is_near_stands_as_if_all_did() -> void:
 	var whole := _make_field()
 	whole.view_distance = 0.0
 	root.add_child(whole)
-	await whole.filled
+	await whole.build_finished
 	await start()
 	await _streamed()
 	check(field.get_plant_count() < whole.get_plant_count() / 2, "not all stand")
@@ -46,7 +46,7 @@ func test_changes_are_applied_outside_the_tree_while_the_field_is_built() -> voi
 	var cut := field.remove_in_sphere(Vector3.ZERO, 3.0)
 	var changes := field.get_changes()
 	field.apply_changes(PackedByteArray())
-	field.fill()
+	field.rebuild()
 	await frames(1)
 	root.remove_child(field)
 	check(field.apply_changes(changes), "applied")
@@ -168,7 +168,7 @@ func test_a_scaled_field_has_its_plants_as_far_as_the_world_says() -> void:
 		field.scale = scale_of_field
 		if not field.is_inside_tree():
 			await start()
-		field.fill()
+		field.rebuild()
 		await filled(field)
 		await _streamed()
 		var radius := DISTANCE - 2.0
@@ -278,7 +278,7 @@ func _check_same_around(whole: PlantField3D) -> void:
 ## Waits until all tiles stand that are to.
 func _streamed() -> void:
 	await frames(20)
-	while field.is_filling() or field.get_statistics()["tiles_waiting"] > 0:
+	while field.is_building() or field.get_statistics()["tiles_waiting"] > 0:
 		await process_frame
 	await frames(20)
 	while field.get_statistics()["tiles_waiting"] > 0:

@@ -39,7 +39,7 @@ func test_a_thinned_field_covers_as_much_as_the_whole() -> void:
 		_sow(function, 60.0, 1.2)
 		await settled(_field)
 		var whole := _count_covered(await picture())
-		_field.levels[0].share = 0.4
+		_field.levels[0].density = 0.4
 		var thinned := _count_covered(await picture())
 		check(whole > 10 * LEAST_PLANT, "plants are drawn")
 		check_near(float(thinned), float(whole), 0.2 * whole, "pixels of %s" % function)
@@ -50,7 +50,7 @@ func test_a_plant_that_is_left_away_draws_nothing() -> void:
 	_field.add_plants([Transform3D(Basis.IDENTITY, Vector3(0.3, 0, 0))], TulipFunction.new())
 	_field.levels = [PlantFieldLevel.of(6, 0.0, 0.0)]
 	check_equal(_count_covered(await picture()), 0, "pixels of plants that are left away")
-	_field.levels[0].share = 1.0
+	_field.levels[0].density = 1.0
 	check(_count_covered(await picture()) > LEAST_PLANT, "they are drawn again")
 
 
@@ -70,7 +70,7 @@ func test_few_wide_leaves_cover_no_more_than_many_from_above() -> void:
 func test_plants_that_stand_for_others_are_no_brighter_dots() -> void:
 	_sow(load(OXEYE_DAISY), 40.0, 1.5)
 	var whole := _brightest(await picture())
-	_field.levels[0].share = 0.4
+	_field.levels[0].density = 0.4
 	var thinned := _brightest(await picture())
 	check(whole > 0.5, "flowers are seen")
 	check(thinned < 0.95 * whole, "%.2f after %.2f" % [thinned, whole])
@@ -80,7 +80,7 @@ func test_what_shines_least_is_not_darker_for_others() -> void:
 	# The mean that colours go to is the plant's own, not black.
 	_sow(load(MEADOW_GRASS), 60.0, 1.2)
 	var whole := _mean_light(await picture())
-	_field.levels[0].share = 0.4
+	_field.levels[0].density = 0.4
 	var thinned := _mean_light(await picture())
 	check_near(thinned, whole, 0.15 * whole, "light of a covered pixel")
 
@@ -98,7 +98,7 @@ func test_what_is_left_away_costs_no_vertices() -> void:
 	paused = true
 	check_equal(await _primitives_from(1.0), near, "near in a game that is paused")
 	paused = false
-	_field.levels[0].share = 1.0
+	_field.levels[0].density = 1.0
 	check_equal(await _primitives_from(20.0), near, "with a share of all of them")
 
 

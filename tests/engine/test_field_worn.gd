@@ -11,7 +11,7 @@ func before_each() -> void:
 	_field.density = 30.0
 	_field.simulation_enabled = false
 	stage.add_child(_field)
-	await _field.filled
+	await _field.build_finished
 	await frames(3)
 
 
@@ -64,9 +64,9 @@ func test_materials_of_skeletons_are_those_of_now() -> void:
 	var material := StandardMaterial3D.new()
 	material.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
 	material.albedo_color = Color.BLUE
-	_field.fill()
+	_field.rebuild()
 	_field.species[0].species.material = material
-	await _field.filled
+	await _field.build_finished
 	_field.skeleton_distance = 10.0
 	_field.max_skeletons = 1000
 	await frames(60)
@@ -77,12 +77,12 @@ func test_materials_of_skeletons_are_those_of_now() -> void:
 func test_a_material_that_is_chosen_while_a_field_is_refilled_is_worn_then() -> void:
 	_field.size = Vector2(40, 40)
 	_field.tile_size = 2.0  # So that it is made ready in several frames.
-	await _field.filled
+	await _field.build_finished
 	for attempt in 2:
 		_field.seed += 1
 		await frames(1)
 		var colour := Color.BLACK
-		while _field.is_filling():
+		while _field.is_building():
 			colour = Color.RED if colour != Color.RED else Color.BLUE
 			var material: Material = _plain(colour)
 			if colour == Color.RED:
@@ -99,7 +99,7 @@ func test_species_that_change_in_every_frame_while_a_field_fills() -> void:
 	_field.species.append(PlantFieldSpecies.of(TulipFunction.new()))
 	for entry in _field.species:
 		entry.species.shape_deviation = 0.5
-	_field.fill()
+	_field.rebuild()
 	for i in 24:
 		for entry in _field.species:
 			var function: PlantFunction = entry.species
@@ -109,7 +109,7 @@ func test_species_that_change_in_every_frame_while_a_field_fills() -> void:
 			function.material = StandardMaterial3D.new() if i % 3 == 0 else null
 			function.shape_deviation = 0.1 + 0.01 * i
 		if i % 8 == 0:
-			_field.fill()
+			_field.rebuild()
 		await process_frame
 	await settled(_field)
 	check_near(_field.get_plant_count(), 30 * 576, 1000.0, "plants")

@@ -1,8 +1,10 @@
 ## Fields of the same species: the meshes that they share, and seeds of their places.
 extends "res://tests/engine/settling_harness.gd"
 
-## Two variants in the first level, one in the second.
-const MESHES := 3
+## Sixteen variants in the first level, eight in the second.
+const MESHES := 24
+## Other objects come and go.
+const TOLERANCE := 6
 
 var _fields: Array[PlantField3D] = []
 
@@ -20,7 +22,7 @@ func test_fields_of_one_species_and_seed_share_their_meshes() -> void:
 	var other := _make(species)
 	other.seed = 5
 	var another := await _count_added(other)
-	check_equal(another - same, MESHES, "meshes that a field of another seed adds")
+	check_near(another - same, MESHES, TOLERANCE, "meshes that a field of another seed adds")
 
 
 func test_fields_that_begin_in_one_frame_share_their_meshes() -> void:
@@ -31,11 +33,11 @@ func test_fields_that_begin_in_one_frame_share_their_meshes() -> void:
 	for i in 3:
 		three.append(_make(species))
 		three.back().seed = 5
-	var before := _resources()
+	var before := _objects()
 	for field in three:
 		_add(field)
 	await _all_built()
-	check_equal(_resources() - before, 3 * own + MESHES, "resources that three fields add")
+	check_near(_objects() - before, 3 * own + MESHES, 3 * TOLERANCE, "objects of three fields")
 
 
 func test_a_changed_species_changes_all_of_its_fields_and_frees_the_old_meshes() -> void:
@@ -44,12 +46,12 @@ func test_a_changed_species_changes_all_of_its_fields_and_frees_the_old_meshes()
 	_add(_make(species))
 	await _all_built()
 	await frames(20)
-	var before := _resources()
+	var before := _objects()
 	species.shape_deviation = 0.4
 	await frames(2)
 	await _all_built()
 	await frames(60)
-	check_equal(_resources(), before, "resources after both have other meshes")
+	check_equal(_objects(), before, "resources after both have other meshes")
 
 
 func test_meshes_are_freed_with_the_last_field() -> void:
@@ -58,13 +60,13 @@ func test_meshes_are_freed_with_the_last_field() -> void:
 	await _all_built()
 	_drop_all()
 	await frames(5)
-	var before := _resources()
+	var before := _objects()
 	for i in 3:
 		_add(_make(species))
 	await _all_built()
 	_drop_all()
 	await frames(5)
-	check_equal(_resources(), before, "resources without a field")
+	check_equal(_objects(), before, "resources without a field")
 
 
 func test_a_seed_of_the_place_gives_each_place_a_layout_of_its_own() -> void:
@@ -92,7 +94,7 @@ func test_a_moved_field_keeps_its_layout_until_it_is_built_again() -> void:
 	field.position = Vector3(7, 0, 3)
 	await frames(20)
 	check_equal(_roots(field), before, "the layout after a move")
-	field.fill()
+	field.rebuild()
 	await _all_built()
 	check(_roots(field) != before, "built again it is that of the new place")
 	var moved := _roots(field)
@@ -105,7 +107,7 @@ func test_a_moved_field_keeps_its_layout_until_it_is_built_again() -> void:
 
 func _make(species: PlantFunction) -> PlantField3D:
 	var field := PlantField3D.from_species([species])
-	field.species[0].variants = 2
+	field.species[0].variants = 16
 	field.density = 5.0
 	field.size = Vector2(5, 5)
 	field.levels = [PlantFieldLevel.of(6, 9.0), PlantFieldLevel.of(2)]
@@ -123,23 +125,23 @@ func _drop_all() -> void:
 	_fields.clear()
 
 
-## How many resources there are more once it is built.
+## How many objects there are more once it is built.
 func _count_added(field: PlantField3D) -> int:
-	var before := _resources()
+	var before := _objects()
 	_add(field)
 	await _all_built()
-	return _resources() - before
+	return _objects() - before
 
 
 func _all_built() -> void:
 	await process_frame
-	while _fields.any(func(field: PlantField3D) -> bool: return field.is_filling()):
+	while _fields.any(func(field: PlantField3D) -> bool: return field.is_building()):
 		await process_frame
 	await frames(10)
 
 
-func _resources() -> int:
-	return int(Performance.get_monitor(Performance.OBJECT_RESOURCE_COUNT))
+func _objects() -> int:
+	return int(Performance.get_monitor(Performance.OBJECT_COUNT))
 
 
 func _roots(field: PlantField3D) -> PackedVector3Array:

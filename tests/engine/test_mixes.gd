@@ -55,9 +55,9 @@ func _check_what_stands(file: String) -> void:
 	check(total > 500 and total < MOST_PLANTS, "%s has %d plants" % [file, total])
 	var sum := 0.0
 	for listed in field.species:
-		sum += listed.share * listed.density_factor
+		sum += listed.weight * listed.density_factor
 	for listed in field.species:
-		var wanted := listed.share * listed.density_factor / sum
+		var wanted := listed.weight * listed.density_factor / sum
 		var apart: float = counts.get(listed.species, 0) / total / wanted
 		var told := "%s: %s is %.2f times its share" % [file, listed.species.resource_path, apart]
 		check(apart < MOST_APART and apart > 1.0 / MOST_APART, told)

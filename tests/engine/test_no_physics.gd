@@ -8,7 +8,7 @@ func test_a_field_on_colliders_fails_with_one_error_and_plants_nothing() -> void
 	field.ground_mode = PlantField3D.GROUND_COLLIDERS
 	root.add_child(field)
 	await frames(1)
-	await until(func() -> bool: return not field.is_filling(), "it does not go on for ever")
+	await until(func() -> bool: return not field.is_building(), "it does not go on for ever")
 	check_equal(field.get_plant_count(), 0, "plants")
 	check_error("there is no 3D physics to cast rays at")
 	field.ground_mode = PlantField3D.GROUND_NONE

@@ -200,8 +200,8 @@ func test_skeletons_of_a_field_have_the_same_bones_and_swing() -> void:
 	field.wind = _plant.wind
 	field.skeleton_distance = 10.0
 	root.add_child(field)
-	field.fill()
-	while field.is_filling():
+	field.rebuild()
+	while field.is_building():
 		await process_frame
 	var id := field.add_plants([Transform3D.IDENTITY], _plant.species)[0]
 	var skeleton: Skeleton3D = null

@@ -33,7 +33,7 @@ func test_plants_stand_on_colliders_at_every_rate() -> void:
 		Engine.physics_ticks_per_second = rate
 		await physics_frames(3)
 		if field.is_inside_tree():
-			field.fill()
+			field.rebuild()
 			await filled(field)
 		else:
 			await start()
@@ -66,7 +66,7 @@ func test_a_field_is_filled_again_and_again_while_bodies_move_among_its_plants()
 		for round in 3:
 			ball.position = Vector3(-3, 7.1, 0)
 			ball.linear_velocity = Vector3(6, 0, 0)
-			field.fill()
+			field.rebuild()
 			await filled(field)
 			check_near(field.get_plant_count(), 20 * 8 * 8, 60.0, "plants at %d Hz" % rate)
 			check(not is_nan(all_tips()[0].x), "tips at %d Hz" % rate)

@@ -240,7 +240,7 @@ func _check_like_field(
 	field.density = 0.0
 	field.bodies_group = GROUP
 	root.add_child(field)
-	await field.filled
+	await field.build_finished
 	await process_frame
 	var id := field.add_plants([placed], species)[0]
 	var stands := field.get_plant_transform(id)

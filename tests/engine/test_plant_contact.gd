@@ -83,7 +83,7 @@ func test_two_plants_and_two_of_a_field_hold_each_other_alike() -> void:
 	field.contact_enabled = true
 	field.wind = wind
 	root.add_child(field)
-	await field.filled
+	await field.build_finished
 	await process_frame
 	var ids := field.add_plants([Transform3D()], soft)
 	ids.append_array(field.add_plants([Transform3D(Basis(), Vector3(APART, 0, 0))], stiff))
@@ -138,7 +138,7 @@ func test_plants_of_other_worlds_and_of_fields_are_not_touched() -> void:
 	field.density = 0.0
 	field.contact_enabled = true
 	root.add_child(field)
-	await field.filled
+	await field.build_finished
 	await process_frame
 	var id := field.add_plants([Transform3D(Basis(), Vector3(APART, 0, 0))], species)[0]
 	var rest := field.get_tip_position(id)

@@ -47,7 +47,7 @@ func test_a_script_grows_a_plant_once_for_each_seed() -> void:
 	field.size = Vector2(2, 2)
 	field.density = 5.0
 	root.add_child(field)
-	await field.filled
+	await field.build_finished
 	await frames(1)
 	check_equal(Daisy.grown, 5, "asked once for each of four variants and for the stem")
 	check(field.get_plant_ids().size() > 5, "plants stand")

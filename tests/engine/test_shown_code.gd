@@ -129,7 +129,7 @@ func _show(block: ShownCode.Block, script: GDScript) -> void:
 	shown.set_script(script)
 	_lend(shown, field)
 	root.add_child(shown)
-	await field.filled
+	await field.build_finished
 	await process_frame
 	if shown.has_method(&"show_it"):
 		shown.call(&"show_it")
@@ -146,7 +146,7 @@ func _show(block: ShownCode.Block, script: GDScript) -> void:
 
 
 func _is_filling(field: PlantField3D) -> bool:
-	return field.is_filling()
+	return field.is_building()
 
 
 func _make_field() -> PlantField3D:

@@ -14,7 +14,7 @@ func test_plants_and_fields_move_by_the_projects_step() -> void:
 	field.size = Vector2(4, 4)
 	field.wind = wind
 	root.add_child(field)
-	await field.filled
+	await field.build_finished
 	var before := wind.get_time()
 	while wind.get_time() == before:
 		await process_frame

@@ -16,7 +16,7 @@ uniform float along_z;
 uniform bool over_stand;
 void fragment() {
 	vec3 place = corner + vec3(UV.x, 0.0, UV.y) * 40.0;
-	vec3 velocity = over_stand ? undergrowth_wind_over_stand(place.xz).xyy : undergrowth_wind(place);
+	vec3 velocity = over_stand ? undergrowth_wind_over_canopy(place.xz).xyy : undergrowth_wind(place);
 	float part = (mix(velocity.x, velocity.z, along_z) / 32.0 * 0.5 + 0.5) * 65535.0;
 	COLOR = vec4(floor(part / 256.0) / 255.0, floor(mod(part, 256.0)) / 255.0, 0.0, 1.0);
 }
@@ -53,12 +53,12 @@ func test_the_shader_shows_the_same_wind_over_a_stand() -> void:
 	material.set_shader_parameter("over_stand", true)
 	var sample := func(place: Vector3) -> Vector3:
 		var flat := PackedVector2Array([Vector2(place.x, place.z)])
-		var velocity := wind.sample_over_stand(wind.get_time(), flat)[0]
+		var velocity := wind.sample_over_canopy(wind.get_time(), flat)[0]
 		return Vector3(velocity.x, 0.0, velocity.y)
-	for wave_share: float in [0.0, 0.7]:
-		wind.wave_share = wave_share
-		wind.show_in(material)
-		var mean := wind.sample_over_stand(0.0, PackedVector2Array([Vector2.ZERO]))[0].length()
+	for canopy_wave_amount: float in [0.0, 0.7]:
+		wind.canopy_wave_amount = canopy_wave_amount
+		wind.apply_to_material(material)
+		var mean := wind.sample_over_canopy(0.0, PackedVector2Array([Vector2.ZERO]))[0].length()
 		await _check_shown(material, sample, mean)
 
 
@@ -71,7 +71,7 @@ func test_telling_it_in_each_frame_gives_the_renderer_nothing_to_draw() -> void:
 	RenderingServer.frame_post_draw.connect(count)
 	for i in 24:
 		wind.advance(0.1)
-		wind.show_in(material)
+		wind.apply_to_material(material)
 		await frames(1)
 		RenderingServer.render_loop_enabled = i < 4
 		if i == 16:  # What was thrown away while it was drawn is gone.
@@ -85,12 +85,12 @@ func test_what_it_cannot_show_is_told() -> void:
 	var wind := PlantWind.new()
 	var material := ShaderMaterial.new()
 	material.shader = Shader.new()
-	wind.show_in(material)
-	check_error("show_in() needs KIND_AIR")
+	wind.apply_to_material(material)
+	check_error("apply_to_material() needs KIND_AIR")
 	wind.kind = PlantWind.KIND_AIR
 	for without: Material in [null, ShaderMaterial.new(), StandardMaterial3D.new()]:
-		wind.show_in(without)
-		check_error("show_in() needs a material")
+		wind.apply_to_material(without)
+		check_error("apply_to_material() needs a material")
 
 
 func _blow() -> PlantWind:
@@ -131,7 +131,7 @@ func _show(wind: PlantWind) -> ShaderMaterial:
 	sheet.size = Vector2(SIDE, SIDE)
 	sheet.material = material
 	_stage.add_child(sheet)
-	wind.show_in(material)
+	wind.apply_to_material(material)
 	return material
 
 
@@ -150,7 +150,7 @@ func _float_in(wind: PlantWind) -> ShaderMaterial:
 	particles.process_material = material
 	particles.draw_pass_1 = QuadMesh.new()
 	_stage.add_child(particles)
-	wind.show_in(material)
+	wind.apply_to_material(material)
 	return material
 
 

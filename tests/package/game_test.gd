@@ -43,10 +43,10 @@ func _wait(frames: int) -> void:
 
 func _fills() -> String:
 	var deadline := Time.get_ticks_msec() + 5 * MINUTE
-	while _field.is_filling() and Time.get_ticks_msec() < deadline:
+	while _field.is_building() and Time.get_ticks_msec() < deadline:
 		await get_tree().process_frame
 	_count = _field.get_plant_count()
-	return "" if _count > 10000 and not _field.is_filling() else "%d plants stand" % _count
+	return "" if _count > 10000 and not _field.is_building() else "%d plants stand" % _count
 
 
 func _sways() -> String:
@@ -106,7 +106,7 @@ func _is_saved() -> String:
 		return "the field is not saved"
 	var again: PlantField3D = (load(SAVED) as PackedScene).instantiate()
 	_field.get_parent().add_child(again)
-	await again.filled
+	await again.build_finished
 	var count := again.get_plant_count()
 	again.queue_free()
 	return "" if count == _count else "%d plants came back, not %d" % [count, _count]

@@ -51,6 +51,8 @@ DRAWN = {"threads": ["gl_compatibility"], "threads_first_mesh": ["gl_compatibili
          "fields_together": ["gl_compatibility"],
          "shadows_of_parts_picture": ["gl_compatibility", "forward_plus"],
          "ready_species_picture": ["gl_compatibility"]}
+# Scripts that take the longest; they start first.
+SLOW = {"field_renewed", "species_levels", "hot_reload", "physics_thread"}
 # What the projects of some scripts say besides.
 SETTINGS = {"physics_thread": "[physics]\n\n3d/run_on_separate_thread=true\n",
             "step_setting": "[undergrowth]\n\nsimulation/step_length=0.025\n",
@@ -106,6 +108,7 @@ def suites(godot, probe=None, recorder=None, rounds=None, only=None):
         folder = make_recorder_project(Path(recorder))
         found += [(script, folder, None) for script in sorted((ROOT / "tests/engine/drawing").glob("test_*.gd"))]
     chosen = [one for one in found if is_wanted(one[0], only)]
+    chosen.sort(key=lambda one: subject(one[0]) not in SLOW)
     parts = (rounds or Rounds()).cut()
     return [(name_of(script, method) + (f":{part + 1}" if part else ""),
              lambda script=script, folder=folder, method=method, part=part:
@@ -119,6 +122,11 @@ def subject(script):
 
 def is_wanted(script, only):
     return not only or any(fnmatch.fnmatch(subject(script), name) for name in only.split(","))
+
+
+def is_headless(name):
+    """Whether the suite of this name, as name_of() gives it, runs without a display."""
+    return name.split(":")[1] not in DRAWN
 
 
 def name_of(script, method=None):

@@ -7,6 +7,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests")]
 
+import run_tests
 from suites import engine, programs, result
 
 BANNER = "Godot Engine v4.6.3\n"
@@ -63,6 +64,28 @@ class Rounds(unittest.TestCase):
         chosen = [engine.subject(script) for script in scripts if engine.is_wanted(script, "field_*,motion")]
         self.assertEqual(chosen, ["field_ground", "motion"])
         self.assertTrue(all(engine.is_wanted(script, None) for script in scripts))
+
+
+class Chosen(unittest.TestCase):
+    ALL = ("picture", "editor", "tools", "core", "asan", "tsan", "engine:field", "engine:calls", "engine:threads",
+           "engine:field_levels:gl_compatibility", "engine:field:2")
+
+    def chosen(self, *words):
+        return [name for name in self.ALL if run_tests.is_chosen(name, set(words))]
+
+    def test_fast_is_the_core_and_the_headless_engine(self):
+        self.assertEqual(self.chosen("fast"), ["core", "engine:field", "engine:calls", "engine:field:2"])
+
+    def test_fast_may_be_named_beside_others(self):
+        self.assertEqual(self.chosen("fast", "tools"), ["tools", *self.chosen("fast")])
+
+    def test_without_names_all_run(self):
+        self.assertEqual(self.chosen(), list(self.ALL))
+
+    def test_the_slowest_scripts_exist_and_are_headless(self):
+        for subject in engine.SLOW:
+            self.assertTrue((ROOT / f"tests/engine/test_{subject}.gd").exists(), subject)
+            self.assertTrue(engine.is_headless(f"engine:{subject}"), subject)
 
 
 class DoctestOutput(unittest.TestCase):

@@ -14,7 +14,8 @@ class Words(unittest.TestCase):
         self.assertEqual(words.targets_of(["-j2", "target=template_release", "build", "test"]), ["build", "test"])
 
     def test_what_compiles_or_starts_the_engine_needs_godot(self):
-        for given in ([], ["build"], ["test"], ["demo", "offscreen=yes"], ["lint", "build"], ["test", "suites=core,engine"]):
+        for given in ([], ["build"], ["test"], ["demo", "offscreen=yes"], ["lint", "build"], ["test", "suites=core,engine"],
+                      ["test", "suites=fast"]):
             self.assertTrue(words.needs_godot(given), given)
 
     def test_lint_and_the_suites_of_the_core_do_not(self):

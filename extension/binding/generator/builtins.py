@@ -52,7 +52,7 @@ def declarations(methods, names):
 
 
 def vararg(m, returned, parameters, tail):
-    """A template over the arguments, and the function behind it that takes them as an array."""
+    """Returns a template over the arguments, and the function behind it that takes them as an array."""
     name, fixed = types.method(m["name"]), [f"p_{a['name']}" for a in m.get("arguments", [])]
     between = ", " if fixed else ""
     given = ", ".join(f"Variant({a})" for a in fixed) + (", " if fixed else "") + "Variant(p_args)..."

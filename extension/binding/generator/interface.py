@@ -1,6 +1,6 @@
 """The table of the engine's C functions that the binding uses, read from its interface header.
 
-Each is asked for when the library is loaded, so one that nobody uses would only keep it from engines without it.
+The library requests all of them when it is loaded. So the table omits unused ones: engines without them work, too.
 """
 
 import re
@@ -11,7 +11,7 @@ DEFINITION = re.compile(r"^#define (\w+) (\w+)$", re.MULTILINE)
 
 
 def used_names(sources):
-    """The functions that the texts `sources` call, by their names or by macros that stand for names."""
+    """Returns the functions that the texts `sources` call, by their names or by macros for names."""
     called = {name for source in sources for name in USE.findall(source)}
     defined = {value for source in sources for name, value in DEFINITION.findall(source) if name in called}
     return {name for name in called | defined if name.islower() and name != "m_name"}
@@ -25,7 +25,7 @@ def files(header, used):
     if missing:
         raise SystemExit(f"this Godot's interface header has no {', '.join(sorted(missing))}; a newer one is needed")
     text = "".join(f"GODOT_INTERFACE_FUNCTION({kind}, {name})\n" for name, kind in entries if name in used)
-    # Two types are spelled GDExtensions... in the header; godot-cpp spells them like the others.
+    # Two types start with GDExtensions in the header. godot-cpp spells them like all other types.
     odd = [kind for _, kind in entries if kind.startswith("GDExtensionsInterface")]
     aliases = "".join(f"using {kind.replace('Extensions', 'Extension')} = {kind};\n" for kind in odd)
     return {

@@ -1,4 +1,4 @@
-"""How the names, types and default values of the API are written in C++."""
+"""Writes the names, types and default values of the API in C++."""
 
 import re
 
@@ -12,12 +12,12 @@ MATH = (
     "Transform3D Projection Color RID"
 ).split()
 RENAMED_CLASSES = {"ClassDB": "ClassDBSingleton"}
-# Words that C++ keeps for itself.
+# Reserved words of C++.
 RENAMED_METHODS = {"typeof": "type_of", "new": "new_", "delete": "delete_", "union": "union_", "char": "chr"}
 
 
 def snake(name):
-    """The file name that godot-cpp uses for a class: MeshInstance3D -> mesh_instance3d."""
+    """Returns godot-cpp's file name of a class: MeshInstance3D -> mesh_instance3d."""
     name = re.sub(r"(.)([A-Z][a-z]+)", r"\1_\2", name)
     name = re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", name)
     return name.replace("2_D", "2D").replace("3_D", "3D").lower()
@@ -28,7 +28,7 @@ def method(name):
 
 
 class Names:
-    """What a type of the API is called in C++, and which classes are generated."""
+    """The C++ names of the API's types, and the set of generated classes."""
 
     def __init__(self, api, listed):
         self.classes = {entry["name"]: entry for entry in api["classes"]}
@@ -37,7 +37,7 @@ class Names:
         self.known = self._closure(listed)
 
     def _closure(self, listed):
-        """The listed classes, what the core needs, their bases, and the classes that own an enum that one of them names."""
+        """Returns the listed classes, those that the core needs, their bases, and the owners of enums that they use."""
         back = {new: old for old, new in RENAMED_CLASSES.items()}
         todo = [back.get(name, name) for name in listed] + ["ClassDB", "Object", "RefCounted"]
         known = set()
@@ -62,7 +62,7 @@ class Names:
         return owners
 
     def cpp(self, type_name, meta=None):
-        """The C++ type of a value."""
+        """Returns the C++ type of a value."""
         kind, _, rest = type_name.rpartition("::")
         if kind == "enum":
             return self._enum(rest)
@@ -91,7 +91,7 @@ class Names:
         return RENAMED_CLASSES.get(class_name, class_name)
 
     def parameter(self, argument):
-        """One parameter of a declaration, without its default."""
+        """Returns one parameter of a declaration, without its default."""
         cpp = self.cpp(argument["type"], argument.get("meta"))
         name = "p_" + argument["name"]
         if cpp.endswith("*"):
@@ -115,12 +115,12 @@ class Names:
         return value.lstrip("&")
 
     def forward_declarations(self, type_names):
-        """Classes to declare before a header that names these types, sorted."""
+        """Returns the classes to declare before a header that uses these types, sorted."""
         found = {t.split("::")[-1].split(":")[-1] for t in type_names if not re.match("enum::|bitfield::", t)}
         return sorted(self.name(t) for t in found if t in self.classes)
 
     def usable(self, method_entry):
-        """Methods that take raw pointers are left out: they belong to engine modules written in C++."""
+        """False for methods with raw pointers, which are for engine modules in C++."""
         return not any("*" in t for t in method_types(method_entry))
 
 
@@ -134,7 +134,7 @@ def signature_types(class_entry):
 
 
 def write_enum(enum, prefix=""):
-    """An enum of the API as C++; bit fields keep their 64 bits."""
+    """Returns an enum of the API as C++; bit fields have 64 bits."""
     base = " : uint64_t" if enum.get("is_bitfield") else ""
     values = "".join(f"{prefix}\t{v['name']} = {v['value']}{'ULL' if base else ''},\n" for v in enum["values"])
     return f"{prefix}enum {enum['name'].split('.')[-1]}{base} {{\n{values}{prefix}}};\n"

@@ -2,7 +2,7 @@
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
-// What the built-in types have beyond their generated methods.
+// Members of the built-in types besides their generated methods.
 
 namespace godot {
 
@@ -50,7 +50,7 @@ bool String::operator==(const StringName &p_name) const {
 	return *this == String(p_name);
 }
 
-// The engine makes names faster from Latin-1, which is the same for ASCII.
+// The engine creates names faster from Latin-1, which is equal to ASCII here.
 StringName::StringName(const char *p_text, bool) {
 	const char *text = p_text ? p_text : "";
 	const char *end = text;

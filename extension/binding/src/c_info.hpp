@@ -5,7 +5,7 @@
 
 namespace godot::internal {
 
-// The engine's form of a list; it points into the list.
+// Returns the engine's form of a list. It points to the data of the list.
 inline std::vector<GDExtensionPropertyInfo> c_infos(const std::vector<PropertyInfo> &p_list) {
 	std::vector<GDExtensionPropertyInfo> result;
 	for (const PropertyInfo &info : p_list) {

@@ -11,7 +11,7 @@ namespace {
 struct NativeCallable {
 	uint64_t object_id;
 	std::unique_ptr<BoundMethod> method;
-	std::string function; // the bytes of the pointer, to compare
+	std::string function; // the bytes of the pointer, for comparison
 };
 
 NativeCallable &callable_at(void *p_data) {

@@ -13,7 +13,7 @@ using internal::library;
 
 namespace {
 
-// In the order of registration; made when the library is initialized, emptied when it is closed.
+// In the order of registration. Created when the library is initialized, emptied when it is unloaded.
 std::vector<std::unique_ptr<ClassRecord>> records;
 int current_level = 0;
 
@@ -105,7 +105,7 @@ namespace internal {
 
 namespace {
 
-// Only the last part, and the one before it: "undergrowth::Plant::Law" -> { "Plant", "Law" }.
+// Returns the last two parts: "undergrowth::Plant::Law" -> { "Plant", "Law" }.
 std::pair<std::string, std::string> last_parts(const std::string &p_name) {
 	const size_t last = p_name.rfind("::");
 	if (last == std::string::npos) {

@@ -7,8 +7,8 @@
 
 #include "c_info.hpp"
 
-// The functions by which the engine reaches one of our classes. It names only the class of the object; the walk through
-// our bases happens here.
+// The engine calls these functions for an object of a library class. It passes only the class of the object, so these
+// functions also call those of its base classes.
 
 namespace godot::internal {
 
@@ -37,7 +37,7 @@ void *create(void *p_record, GDExtensionBool p_announce) {
 	return made->_owner;
 }
 
-// After a reload: a new C++ object for an engine object that already lives.
+// After a reload: creates a new C++ object for an existing engine object.
 void *recreate(void *p_record, void *p_owner) {
 	const ClassRecord *record = static_cast<const ClassRecord *>(p_record);
 	Construction construction(&record->native_name, p_owner);
@@ -99,7 +99,8 @@ void collect_properties(const ClassRecord *p_record, const Wrapped *p_self, List
 	}
 }
 
-// The engine gives back only the pointer to the first entry; what owns the strings is found in the bytes before it.
+// The engine returns only the pointer to the first entry. This header in the bytes before it contains the owner of the
+// strings.
 struct PropertyListHeader {
 	List<PropertyInfo> *list;
 	void *padding;

@@ -67,7 +67,7 @@ Wrapped *Singleton::find() {
 	const StringName singleton_name(name);
 	Wrapped *wrapped = wrapper_of(gde.global_get_singleton(&singleton_name));
 	if (!wrapped) {
-		return nullptr; // not there yet, or not in this build of the engine
+		return nullptr; // does not exist yet, or not in this build of the engine
 	}
 	const std::lock_guard<std::mutex> lock(singletons_mutex);
 	if (!found.load(std::memory_order_relaxed)) {

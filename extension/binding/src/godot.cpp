@@ -11,7 +11,7 @@ struct Library {
 	GDExtensionBinding::Callback initialize = nullptr;
 	GDExtensionBinding::Callback terminate = nullptr;
 	GDExtensionInitializationLevel minimum_level = GDEXTENSION_INITIALIZATION_SCENE;
-	int depth = 0; // levels that are initialized
+	int depth = 0; // number of initialized levels
 };
 Library state;
 
@@ -23,7 +23,7 @@ void initialize_level(void *, GDExtensionInitializationLevel p_level) {
 	}
 }
 
-// After the last level no name, Variant or wrapper of the library may be left in the engine.
+// After the last level, the engine must not contain any name, Variant or wrapper of the library.
 void deinitialize_level(void *, GDExtensionInitializationLevel p_level) {
 	if (state.terminate) {
 		state.terminate(ModuleInitializationLevel(p_level));

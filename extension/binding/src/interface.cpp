@@ -33,7 +33,7 @@ void load_types() {
 	}
 }
 
-// Names in static storage, to be given back; changed only under the mutex.
+// Names in static storage, to be released at unload. The mutex guards the list.
 std::mutex names_mutex;
 StaticName *first_name = nullptr;
 

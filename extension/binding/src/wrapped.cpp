@@ -46,7 +46,7 @@ namespace internal {
 
 namespace {
 
-// The binding of an object of ours goes with the object itself.
+// The binding of an object of a library class is freed with the object itself.
 void keep_binding(void *, void *, void *) {}
 void *no_binding(void *, void *) {
 	return nullptr;
@@ -56,7 +56,7 @@ GDExtensionBool agree(void *, void *, GDExtensionBool) {
 }
 constexpr GDExtensionInstanceBindingCallbacks own_callbacks = { no_binding, keep_binding, agree };
 
-// All wrappers of living engine objects, in both directions.
+// All wrappers of existing engine objects, as a doubly linked list.
 std::mutex wrappers_mutex;
 Wrapped *first_wrapper = nullptr;
 
@@ -90,7 +90,7 @@ WrapFunction find_class(const std::string &p_name) {
 std::mutex ancestors_mutex;
 std::unordered_map<std::string, WrapFunction> ancestors;
 
-// The nearest class that was generated, at or above the given one.
+// Returns the nearest generated class, at or above the given one.
 WrapFunction find_ancestor(const std::string &p_name) {
 	if (const WrapFunction known = find_class(p_name)) {
 		return known;

@@ -85,7 +85,7 @@ void MotionPage::put_rest(int index, const glm::vec3 &rest) {
 }
 
 void MotionPage::set_plant(int index, const MotionPlant &plant) {
-	if (plant.root != root(index) || kind.stand_height <= 0.0f) { // Isolated plants have the wind at their tops.
+	if (plant.root != root(index) || kind.canopy_height <= 0.0f) { // Isolated plants have the wind at their tops.
 		ahead.forget();
 	}
 	put_place(index, plant);

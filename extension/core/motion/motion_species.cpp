@@ -16,7 +16,7 @@ bool is_same_motion(const MotionSpecies &a, const MotionSpecies &b) {
 	const Joint &one = a.joint;
 	const Joint &other = b.joint;
 	return a.law == b.law && one.mass == other.mass && one.wind_weight == other.wind_weight &&
-			one.drag_area == other.drag_area && a.stand_height == b.stand_height &&
+			one.drag_area == other.drag_area && a.canopy_height == b.canopy_height &&
 			one.elasticity == other.elasticity && one.inner_friction == other.inner_friction &&
 			one.above_ground == other.above_ground && one.natural_frequency == other.natural_frequency &&
 			one.damping_ratio == other.damping_ratio && a.collision_radius == b.collision_radius &&

@@ -13,7 +13,7 @@ struct MotionSpecies {
 	Joint joint; ///< `length` and `rest` are per plant and unused here. Stems use only `above_ground`.
 	StemConstants stem; ///< Stem law.
 	float collision_radius = 0.05f; ///< m, of the sphere at a tip.
-	float stand_height = 0.0f; ///< m, canopy that shelters its plants; 0: isolated plants.
+	float canopy_height = 0.0f; ///< m, canopy that shelters its plants; 0: isolated plants.
 	// For prototypes only, which represent all plants of the species.
 	float shortest = 0.5f; ///< m; of all, where air is sampled ahead.
 	float longest = 1.0f; ///< m.

@@ -25,7 +25,7 @@ void PageWind::sample(int begin, int count, BlockWind &block) const {
 	block.has_air = wind.is_air || is_stirred;
 	block.has_newtons = !wind.is_air && (has_stems || !is_stirred);
 	if (wind.is_air) {
-		const float *alone = stand_height > 0.0f ? nullptr : lengths + begin;
+		const float *alone = canopy_height > 0.0f ? nullptr : lengths + begin;
 		if (ahead.is_ready()) {
 			ahead.tell(blow, begin, count, block.x, block.z, level);
 			add_gust(wind, blow, root_x, root_z, count, block.x, block.z, level);

@@ -29,11 +29,11 @@ struct PageWind {
 	const float *x, *y, *z; ///< m, roots.
 	const float *lengths; ///< m.
 	glm::vec3 low, high; ///< m, of the page's box.
-	float stand_height; ///< m; 0: isolated plants.
+	float canopy_height; ///< m; 0: isolated plants.
 	float drag; ///< kg/m, of a tip of the laws of one joint.
 	bool has_stems; ///< Stems take forces and air together. Under the other laws, forces near sources become air.
 	SimdLevel level;
-	AirBlow blow = wind.is_air ? blow_over(wind.air, stand_height, along) : AirBlow{};
+	AirBlow blow = wind.is_air ? blow_over(wind.air, canopy_height, along) : AirBlow{};
 	bool is_carried = wind.drift && wind.drift->is_felt();
 	bool is_stirred = is_carried || any_reaches(wind.sources, low, high);
 

@@ -96,7 +96,8 @@ const ChangesFinder::Cell *ChangesFinder::find(float x, float z, bool is_gone) {
 		return nullptr;
 	}
 	const AreaBox box = tile_box(key, StandChanges::SQUARE);
-	const auto bin = static_cast<std::size_t>(bin_at(z, box.low.y, square.side)) * static_cast<std::size_t>(square.side) +
+	const auto bin =
+			static_cast<std::size_t>(bin_at(z, box.low.y, square.side)) * static_cast<std::size_t>(square.side) +
 			static_cast<std::size_t>(bin_at(x, box.low.x, square.side));
 	for (uint32_t i = square.first[bin]; i < square.first[bin + 1]; i++) {
 		const Cell &cell = square.cells[i];

@@ -29,7 +29,9 @@ public:
 	/// m, field axes: x and z.
 	glm::vec2 point(int number) const;
 	/// NaN where there is no ground.
-	void set_height(int number, float height) { heights[static_cast<std::size_t>(points[std::size_t(number)])] = height; }
+	void set_height(int number, float height) {
+		heights[static_cast<std::size_t>(points[std::size_t(number)])] = height;
+	}
 	/// Height and normal between the points. False at an edge of the ground or a step in it, where the place needs a
 	/// query of its own. A height of NaN: no ground at any corner of the cell.
 	bool find(float x, float z, float &height, glm::vec3 &normal) const;

@@ -87,12 +87,12 @@ double turbulence_speed(const Air &air) {
 
 double waves_speed(const Air &air) {
 	const auto speed = static_cast<double>(safe(air.speed, FASTEST));
-	return WAVES_OVER_TOP * speed * stand_top_speed(static_cast<double>(air.stand_height));
+	return WAVES_OVER_TOP * speed * stand_top_speed(static_cast<double>(air.canopy_height));
 }
 
 double waves_length(const Air &air) {
 	constexpr float SHORTEST = 1e-3f; // m, of a canopy.
-	return WAVES_PER_SHEAR * SHEAR_LENGTH * static_cast<double>(std::max(safe(air.stand_height, 1e3f), SHORTEST));
+	return WAVES_PER_SHEAR * SHEAR_LENGTH * static_cast<double>(std::max(safe(air.canopy_height, 1e3f), SHORTEST));
 }
 
 glm::dvec2 turbulence_way(const Air &air, double time) {
@@ -121,7 +121,7 @@ AirNow air_at_time(const Air &air, const AirAxes &axes, const AirTiles *tiles, d
 	now.gusts = gusts_of(air);
 	now.roughness = air.roughness;
 	now.skew = safe(air.gustiness, MOST_SKEW);
-	now.wave_share = air.stand_height > 0.0f ? safe(air.wave_share, 1.0f) : 0.0f;
+	now.canopy_wave_amount = air.canopy_height > 0.0f ? safe(air.canopy_wave_amount, 1.0f) : 0.0f;
 	if (!tiles || now.speed <= 0.0f || now.gusts <= 0.0f) {
 		now.gusts = 0.0f;
 		return now;
@@ -129,7 +129,7 @@ AirNow air_at_time(const Air &air, const AirAxes &axes, const AirTiles *tiles, d
 	const Heading heading(std::isfinite(air.heading) ? air.heading : 0.0);
 	now.turbulence = map_at(tiles->turbulence, { AirTiles::LENGTH_STEP, AirTiles::SIDE_STEP },
 			{ AirTiles::WIDTH, AirTiles::HEIGHT }, heading, turbulence_way(air, time), axes);
-	if (now.wave_share > 0.0f) {
+	if (now.canopy_wave_amount > 0.0f) {
 		now.waves = map_at(tiles->waves, wave_texel(air), { AirTiles::WAVES_WIDTH, AirTiles::WAVES_HEIGHT }, heading,
 				waves_way(air, time), axes);
 	}

@@ -18,8 +18,8 @@ struct Air {
 	float turbulence = -1.0f; ///< Standard deviation over the mean speed, at 10 m; below 0: that of the roughness.
 	float gustiness = 0.1f; ///< 0 to 0.15: asymmetry of gusts and lulls; a skewness of about 6 times this.
 	float roughness = 0.03f; ///< m, of the open ground, > 0.
-	float stand_height = 0.5f; ///< m, height of the canopy that waves cross; 0: none.
-	float wave_share = 0.3f; ///< 0 to 1: fraction of the variance above a canopy.
+	float canopy_height = 0.5f; ///< m, height of the canopy that waves cross; 0: none.
+	float canopy_wave_amount = 0.3f; ///< 0 to 1: fraction of the variance above a canopy.
 	double heading = 0.0; ///< rad, as Wind::direction.
 
 	double since = 0.0; ///< s: the time at which the offsets were:
@@ -54,9 +54,9 @@ AirNow air_at_time(const Air &air, const AirAxes &axes, const AirTiles *tiles, d
 /// Velocity (m/s, world) at a place whose height above open ground is `place.y`.
 glm::vec3 air_velocity(const Air &air, const AirTiles *tiles, double time, const glm::vec3 &place);
 
-/// Wind at the top of a canopy of `stand_height` (m), with directions in the axes of `axes`. 0: isolated plants on open
+/// Wind at the top of a canopy of `canopy_height` (m), with directions in the axes of `axes`. 0: isolated plants on open
 /// ground.
-AirBlow blow_over(const AirNow &air, float stand_height, const PlantWinds &axes);
+AirBlow blow_over(const AirNow &air, float canopy_height, const PlantWinds &axes);
 
 /// Writes the velocities (m/s) at plants (x, z), in the axes of `blow`, to out_x and out_z. `lengths` (m) are the
 /// heights of isolated plants; null above a canopy.

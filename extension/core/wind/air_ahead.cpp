@@ -33,7 +33,7 @@ int AirAhead::stride_in(const Air &air, float step, float swing) {
 	constexpr double STILL = 1e-6; // m/s.
 	constexpr double ROUNDING = 1e-3; // Of a step.
 	double spacing = std::min(SPACING, SWING_SHARE * static_cast<double>(swing));
-	if (air.wave_share > 0.0f && air.stand_height > 0.0f) {
+	if (air.canopy_wave_amount > 0.0f && air.canopy_height > 0.0f) {
 		spacing = std::min(spacing, WAVES_SHARE * waves_length(air) / std::max(waves_speed(air), STILL));
 	}
 	const double steps = spacing / static_cast<double>(step) + ROUNDING;
@@ -69,13 +69,13 @@ void AirAhead::look(const FieldWind &wind, const PlantWinds &along, double momen
 	stride = steps;
 	step_time = step;
 	last_moment = moment;
-	has_stand = plants.stand_height > 0.0f;
+	has_stand = plants.canopy_height > 0.0f;
 	is_known = true;
 	float x[BLOCK], z[BLOCK];
 	for (int sample = first; sample <= last; sample++) {
 		TravellingWind then = {};
 		then.air = air_at_time(wind.air, wind.axes, wind.tiles.get(), moment + length * (sample * stride - age));
-		AirBlow blow = blow_over(then.air, plants.stand_height, along);
+		AirBlow blow = blow_over(then.air, plants.canopy_height, along);
 		blow.mean = 0.0f; // Above a canopy tell() adds it; isolated plants use another member.
 		for (int begin = 0; begin < plants.count; begin += BLOCK) {
 			const int some = std::min(BLOCK, plants.count - begin);

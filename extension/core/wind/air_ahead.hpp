@@ -30,7 +30,7 @@ public:
 		const float *x, *z; ///< m.
 		const float *lengths; ///< m.
 		int count;
-		float stand_height; ///< m; 0: isolated plants.
+		float canopy_height; ///< m; 0: isolated plants.
 		float swing; ///< s, period of the fastest plant.
 	};
 

@@ -34,10 +34,10 @@ void blow_alone(const AirNow &air, const float *lengths, AirBlow blow, int count
 
 } // namespace
 
-AirBlow blow_over(const AirNow &air, float stand_height, const PlantWinds &axes) {
+AirBlow blow_over(const AirNow &air, float canopy_height, const PlantWinds &axes) {
 	AirBlow blow = { 0.0f, 0.0f, 0.0f, air.skew, axes.x, axes.z, axes.side_x, axes.side_z };
-	if (stand_height > 0.0f) {
-		blow.mean = air.speed * static_cast<float>(stand_top_speed(static_cast<double>(stand_height)));
+	if (canopy_height > 0.0f) {
+		blow.mean = air.speed * static_cast<float>(stand_top_speed(static_cast<double>(canopy_height)));
 		const float gust = blow.mean * static_cast<float>(STAND_GUSTS) * air.gusts;
 		blow.gust = gust * unit_gust(air.skew);
 		blow.side_gust = gust * static_cast<float>(SIDE_GUSTS);
@@ -72,8 +72,8 @@ void sample_air(const TravellingWind &wind, const AirBlow &blow, const float *x,
 		std::fill(out_z, out_z + count, 0.0f);
 	}
 	if (air.waves.cells && !lengths) {
-		const float kept = std::sqrt(1.0f - air.wave_share);
-		kernels.add_stand_waves(air.waves, x, z, count, kept, std::sqrt(air.wave_share), out_x);
+		const float kept = std::sqrt(1.0f - air.canopy_wave_amount);
+		kernels.add_stand_waves(air.waves, x, z, count, kept, std::sqrt(air.canopy_wave_amount), out_x);
 	}
 	if (lengths) {
 		blow_alone(air, lengths, blow, count, out_x, out_z, kernels);

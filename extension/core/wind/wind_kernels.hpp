@@ -32,7 +32,7 @@ struct AirNow {
 	float gusts = 1.0f; ///< Standard deviations, relative to those of the roughness.
 	float roughness = 0.0f; ///< m.
 	float skew = 0.0f; ///< Gustiness.
-	float wave_share = 0.0f; ///< Fraction of the variance above a canopy.
+	float canopy_wave_amount = 0.0f; ///< Fraction of the variance above a canopy.
 	AirMap turbulence; ///< In metres of the places' axes.
 	AirMap waves;
 };

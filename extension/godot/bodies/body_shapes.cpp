@@ -18,7 +18,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr float MOST_ROUNDING = 0.02f; // m, of a box's edges.
+static constexpr float MOST_ROUNDING = 0.02f; // m, of the edges of a box.
 static constexpr float SIDE_OF_DISC = 0.8862269f; // Half the side of a square of the unit disc's area.
 
 static void find_below(const Node *node, const StringName &group, std::vector<uint64_t> &found) {
@@ -57,7 +57,7 @@ static MovingBody capsule_body(float radius, float height) {
 	return body;
 }
 
-// In the shape's own axes; of radius 0 where it is none that can push.
+// Returns the shape in its own axes; with radius 0 if it cannot push.
 static MovingBody body_of(const Ref<Shape3D> &shape) {
 	if (const BoxShape3D *box = Object::cast_to<BoxShape3D>(shape.ptr())) {
 		return box_body(0.5f * box->get_size());
@@ -92,7 +92,7 @@ bool shape_in_world(const CollisionShape3D *holder, MovingBody &body) {
 	return is_valid(body);
 }
 
-/// `half`, at right angles to `first` and `second`, with its length.
+/// Returns `half` made orthogonal to `first` and `second`, with the same length.
 static glm::vec3 squared_up(const glm::vec3 &half, const glm::vec3 &first, const glm::vec3 &second) {
 	glm::vec3 across = half;
 	for (const glm::vec3 &other : { first, second }) {

@@ -10,21 +10,21 @@
 
 namespace undergrowth {
 
-/// The CollisionShape3Ds below a body, at any depth, by instance id. Those of an Area3D below it are no part of it
-/// (they feel, and are often large), and neither are those of nodes that are in `group` themselves.
+/// Returns the instance ids of the CollisionShape3Ds below a body, at any depth. Shapes below an Area3D are excluded,
+/// because areas only detect and are often large. Shapes below another node of `group` are excluded, too.
 std::vector<uint64_t> find_shape_holders(const godot::Node3D *body, const godot::StringName &group);
 
-/// Whether a CollisionShape3D has a shape that can push: a sphere, capsule, cylinder or box.
+/// True if a CollisionShape3D has a shape that can push: a sphere, capsule, cylinder or box.
 bool may_push(const godot::CollisionShape3D *holder);
 
-/// What a CollisionShape3D pushes with, in world axes; `velocity` is not set. Spheres, capsules and boxes are exact but
-/// for a box's edges, which are rounded by up to 2 cm, and for uneven scales. A cylinder that is longer than wide is
-/// the capsule in it, a flatter one a box of its height and area. False where it cannot push now: disabled, or no such
-/// shape.
+/// Sets `body` to the shape of a CollisionShape3D, in world axes; `velocity` is not set. Returns false if it cannot
+/// push now: disabled, or another shape. Spheres, capsules and boxes are exact, except for uneven scales and the edges
+/// of boxes, which are rounded by up to 2 cm. A cylinder that is longer than wide becomes the capsule in it. A flatter
+/// one becomes a box of its height and area.
 bool shape_in_world(const godot::CollisionShape3D *holder, MovingBody &body);
 
-/// A body brought into other axes. Its radius is exact where they are scaled evenly; else as it is in the mean along
-/// the ground. A box stays one with right angles.
+/// Transforms a body to other axes. Its radius is exact for an even scale, else the mean along the ground. A
+/// box retains right angles.
 MovingBody transformed(const godot::Transform3D &to, const MovingBody &body);
 
 } // namespace undergrowth

@@ -118,7 +118,7 @@ void GroupBodies::note_shape(Shape &shape) {
 	}
 }
 
-// Bodies of physics move in its frames only, so that in a short frame one goes the way of a longer one.
+// Physics bodies move in physics frames only. So in a short drawn frame a body may move as far as in a longer one.
 float GroupBodies::farthest_way(double delta) {
 	const double tick = 1.0 / std::max(Engine::get_singleton()->get_physics_ticks_per_second(), 1);
 	return float(FASTEST * std::max(delta, tick));
@@ -153,7 +153,7 @@ const std::vector<MovingBody> &GroupBodies::gather(double ago) {
 	return gathered;
 }
 
-// In field axes.
+// Returns the velocity in field axes.
 glm::vec3 GroupBodies::velocity(const Spot &from, const Spot &to, double seconds) const {
 	if (seconds <= 0.0) {
 		return { 0.0f, 0.0f, 0.0f };

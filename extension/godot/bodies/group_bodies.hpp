@@ -15,65 +15,66 @@
 
 namespace undergrowth {
 
-/// Follows the bodies of a group for a field, or for plants that stand alone (PlantBodies), whose axes are the world's,
-/// so that they push plants alike at every frame rate: where they are is noted in each frame, and between two frames
-/// they are taken to go straight on. Main thread.
+/// Tracks the bodies of a group for a field, or for `Plant3D`s (PlantBodies), whose axes are the world's. Positions are
+/// read in each frame and interpolated linearly, so that pushes are the same at every frame rate. Main thread.
 ///
-/// A body's velocity is that of each of its shapes since the step before. It is taken in the world or, where that is
-/// less, in the field: a field that moves past a body that stands, or together with one, is not pushed by its motion.
-/// What goes farther than FASTEST between two frames was set down elsewhere, and does not push by that.
+/// Each shape has its own velocity, since the step before: in the world or in the field, whichever is less. So a field
+/// that moves past a resting body, or together with a body, is not pushed by its own motion. A shape that moves faster
+/// than FASTEST between two frames was set to another position, and that move does not push.
 class GroupBodies {
 public:
 	static constexpr double FASTEST = 50.0; ///< m/s.
-	static constexpr double SHAPES_KEPT = 0.25; ///< s, after which a body's shapes are looked for anew.
-	static constexpr double BODY_PATIENCE = 1.0; ///< s, until a body that cannot push is told of.
-	static constexpr double GROUP_PATIENCE = 5.0; ///< s, until a group without members is told of.
+	static constexpr double SHAPES_KEPT = 0.25; ///< s, after which the shapes of a body are searched again.
+	static constexpr double BODY_PATIENCE = 1.0; ///< s, until the warning about a body that cannot push.
+	static constexpr double GROUP_PATIENCE = 5.0; ///< s, until the warning about a group without members.
 
-	/// How far anything goes in a frame of `delta` seconds (m) that was not set down elsewhere.
+	/// Returns the longest motion (m) in a frame of `delta` seconds; a longer one is a move to another position.
 	static float farthest_way(double delta);
 
-	/// A body that came among plants, or left them.
+	/// A body that came among plants or left them.
 	struct Event {
-		uint64_t body; ///< Its instance id; it may be freed by now.
+		uint64_t body; ///< Instance id; the body may be freed.
 		bool has_entered;
 	};
 
-	/// Where bodies are looked for.
+	/// The scene and the axes in which bodies are searched.
 	struct Place {
 		godot::SceneTree *tree = nullptr;
-		uint64_t world = 0; ///< Instance id of the World3D; bodies in others do not push.
+		uint64_t world = 0; ///< Instance id of the World3D; bodies of other worlds do not push.
 		godot::Transform3D axes; ///< From the field's to the world's, invertible.
 	};
 
-	/// Once in every frame, of `delta` seconds: notes where the bodies of `group` are. An empty group has no bodies.
+	/// Reads the positions of the bodies of `group`. Call once in every frame, of `delta` seconds. An empty group name
+	/// has no bodies.
 	void watch(const Place &here, const godot::StringName &group, double delta);
-	/// What pushes in a step whose time is `ago` seconds before this frame (0 to its delta), in field axes. Steps are
-	/// asked for in their order. It holds until the next call.
+	/// Returns the shapes that push in a step at `ago` seconds before this frame (0 to its delta), in field axes. Call
+	/// in the order of the steps. Valid until the next call.
 	const std::vector<MovingBody> &gather(double ago);
-	/// Which bodies `touches` has changed for, by what gather() gave last, and who left the group or the tree.
+	/// Returns the bodies with a changed result of `touches` for the last gathered shapes, and those that left the
+	/// group or the tree.
 	std::vector<Event> find_events(const std::function<bool(const MovingBody &)> &touches);
-	/// Calls visit(instance id, shape) for each shape that gather() gave last. For those who find events of their own,
-	/// and drop_gone() then.
+	/// Calls visit(instance id, shape) for each shape of the last gather(). For callers that find events themselves;
+	/// call drop_gone() after it.
 	void for_each_shape(const std::function<void(uint64_t, const MovingBody &)> &visit) const;
-	/// Forgets who left the group or the tree.
+	/// Removes bodies that left the group or the tree.
 	void drop_gone();
-	/// What is amiss, with what to do; each once.
+	/// Returns new warnings, with what to do; each once.
 	std::vector<godot::String> take_warnings();
-	/// Forgets all bodies without a word, as a field does that leaves the tree.
+	/// Removes all bodies without events. Call when a field leaves the tree.
 	void forget();
 
 private:
-	/// Where a shape is.
+	/// Position of a shape.
 	struct Spot {
 		MovingBody shape; ///< Field axes, without velocity.
-		glm::vec3 in_world; ///< m, its middle.
+		glm::vec3 in_world; ///< Its middle, m.
 	};
 	struct Shape {
 		uint64_t holder;
 		Spot before; ///< In the frame before.
 		Spot now;
 		Spot stepped; ///< In the last step.
-		double stepped_at = -1.0; ///< s of `time`; below 0: in none.
+		double stepped_at = -1.0; ///< s of `time`; below 0: in no step.
 		bool is_here = false; ///< It can push in this frame.
 		bool was_here = false;
 	};
@@ -84,7 +85,7 @@ private:
 		double shapes_age = SHAPES_KEPT; ///< s.
 		bool is_here = true;
 		bool is_touching = false;
-		size_t first = 0, count = 0; ///< Of what was gathered.
+		size_t first = 0, count = 0; ///< Range in `gathered`.
 	};
 
 	std::vector<Body> bodies;
@@ -92,9 +93,9 @@ private:
 	godot::Transform3D axes, to_field;
 	godot::StringName watched_group;
 	double time = 0.0; ///< s.
-	double frame = 0.0; ///< s, the last one's length.
-	double empty_for = 0.0; ///< s without a member so far.
-	bool is_group_known = false; ///< It has had a member, or was warned of.
+	double frame = 0.0; ///< Length of the last frame, s.
+	double empty_for = 0.0; ///< s without a member.
+	bool is_group_known = false; ///< It has had a member, or the warning was given.
 	std::set<uint64_t> warned_of;
 	std::vector<godot::String> warnings;
 

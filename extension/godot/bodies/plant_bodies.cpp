@@ -24,7 +24,7 @@ void PlantBodies::follow(const std::vector<std::unique_ptr<PlantGroup>> &groups)
 			are_named = true;
 		}
 	}
-	for (Reading &reading : readings) { // It stays, to remember what it told of.
+	for (Reading &reading : readings) { // An unused reading remains, so that its warnings are not repeated.
 		if (reading.groups.empty()) {
 			reading.bodies.forget();
 		}
@@ -114,7 +114,7 @@ void PlantBodies::tell_of_touches() {
 	std::sort(touches.begin(), touches.end());
 }
 
-// Who does not simulate now, such as a plant that pauses, is touched as before until it does again.
+// A plant that is not simulated now, such as a paused one, retains its touches until it is simulated again.
 void PlantBodies::tell_of_end(const Touch &touch) {
 	Plant3D *plant = Object::cast_to<Plant3D>(ObjectDB::get_instance(touch.plant));
 	if (plant && plant->is_in_simulation()) {

@@ -8,29 +8,28 @@
 
 namespace undergrowth {
 
-/// Bodies that push plants which stand alone. Each group of bodies is read once in a frame, however many plants name
-/// it. Main thread.
+/// Bodies that push `Plant3D`s. Each group of bodies is read once in a frame, for any number of plants. Main thread.
 class PlantBodies {
 public:
-	/// Whenever groups of plants came or went: which there are.
+	/// Updates the groups of plants. Call when one was added or removed.
 	void follow(const std::vector<std::unique_ptr<PlantGroup>> &groups);
-	/// Whether there is anything to do: plants that name a group, or plants that were touched.
+	/// True if plants have a group of bodies, or plants were touched.
 	bool are_needed() const { return are_named || !touches.empty(); }
-	/// Once in every frame, of `delta` seconds: notes where bodies are.
+	/// Reads the positions of bodies. Call once in every frame, of `delta` seconds.
 	void watch(godot::SceneTree *tree, double delta);
-	/// Before a step whose time is `ago` seconds before this frame: what pushes in it.
+	/// Gathers the shapes for a step at `ago` seconds before this frame. Call before the step.
 	void gather(double ago);
-	/// After the plants moved in it.
+	/// Pushes the plants. Call after the step.
 	void push();
-	/// Tells plants of bodies that came among them, or left them, by what gather() found last.
+	/// Reports bodies that came among plants or left them, by the shapes of the last gather().
 	void tell_of_touches();
-	/// A plant that leaves the tree is touched by nobody, without a word.
+	/// Ends the touches of a plant that leaves the tree, without a signal.
 	void forget(const Plant3D *plant);
-	/// What is amiss, with what to do; each once.
+	/// Returns new warnings, with what to do; each once.
 	std::vector<godot::String> take_warnings();
 
 private:
-	/// The bodies of a group in one world, and the plants there that name it.
+	/// The bodies of a group in one world, and the plants that they push.
 	struct Reading {
 		godot::StringName name;
 		uint64_t world = 0; ///< Instance id.
@@ -38,7 +37,7 @@ private:
 		std::vector<PlantGroup *> groups;
 		const std::vector<MovingBody> *shapes = nullptr; ///< Of the present step.
 	};
-	/// A body that touches a plant, by their instance ids: either may be freed by now.
+	/// A body that touches a plant, by instance ids: both may be freed.
 	struct Touch {
 		uint64_t plant;
 		uint64_t body;
@@ -46,8 +45,8 @@ private:
 	};
 
 	std::vector<Reading> readings;
-	std::vector<Touch> touches; ///< In rising order.
-	std::vector<Touch> found; ///< In this frame; kept for its memory.
+	std::vector<Touch> touches; ///< Sorted.
+	std::vector<Touch> found; ///< In this frame; a member to reuse its memory.
 	bool are_named = false;
 
 	Reading &reading_of(const PlantPush &push);

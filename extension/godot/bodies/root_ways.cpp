@@ -58,7 +58,7 @@ void RootWays::step(double ago) {
 	is_moving = false;
 	for (size_t i = 0; i < ways.size(); i++) {
 		Way &way = ways[i];
-		const glm::vec3 place = way.before + part * (way.now - way.before); // To the bit where it does not move.
+		const glm::vec3 place = way.before + part * (way.now - way.before); // Equal to the bit for a root at rest.
 		speeds[i] = (place - way.stepped[(newest + STEPS - 1) % STEPS]) / float(since_last);
 		means[i] = (place - way.stepped[newest]) / float(since_oldest);
 		way.stepped[newest] = place;

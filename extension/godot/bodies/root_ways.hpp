@@ -8,21 +8,21 @@
 
 namespace undergrowth {
 
-/// How fast the roots of a page's plants move: where they are is noted in each frame, and between two frames they move
-/// straight on. A root that moves farther than GroupBodies::farthest_way() was set down elsewhere.
+/// Velocities of the roots of a page's plants. Positions are read in each frame and interpolated linearly. A motion
+/// longer than GroupBodies::farthest_way() is a move to another position and has no velocity.
 class RootWays {
 public:
 	void add(const glm::vec3 &root);
-	/// The last one takes its index.
+	/// Removes a root; the last one gets its index.
 	void remove(int index);
-	/// Once in every frame, of `delta` seconds.
+	/// Reads the positions. Call once in every frame, of `delta` seconds.
 	void watch(const MotionPage &page, double delta);
-	/// Once in every step, whose time is `ago` seconds before this frame.
+	/// Updates the velocities for a step at `ago` seconds before this frame. Call once in every step.
 	void step(double ago);
-	/// m/s, of each root since the step before. Null where none moves.
+	/// Velocities of all roots since the step before (m/s). Null if none moves.
 	const glm::vec3 *velocities() const { return is_known ? speeds.data() : nullptr; }
-	/// The same as means of the last STEPS steps: a node that moves in physics frames advances in some drawn frames by
-	/// two of them and in others by none. Null where none moved in these steps.
+	/// Means of velocities() over the last STEPS steps; null if none moved in them. A node that moves in physics frames
+	/// advances by two of these in some drawn frames and by none in the next.
 	const glm::vec3 *mean_velocities() const { return is_known ? means.data() : nullptr; }
 
 private:
@@ -31,16 +31,16 @@ private:
 	struct Way {
 		glm::vec3 before; ///< m, in the frame before.
 		glm::vec3 now;
-		glm::vec3 stepped[STEPS]; ///< In the last steps: a ring.
+		glm::vec3 stepped[STEPS]; ///< In the last steps: a ring buffer.
 	};
 
 	std::vector<Way> ways;
-	std::vector<glm::vec3> speeds; ///< m/s, as many.
-	std::vector<glm::vec3> means; ///< As many.
+	std::vector<glm::vec3> speeds; ///< m/s, one for each root.
+	std::vector<glm::vec3> means; ///< m/s, one for each root.
 	double time = 0.0; ///< s.
-	double frame = 0.0; ///< s, the last one's length.
+	double frame = 0.0; ///< Length of the last frame, s.
 	double stepped_at[STEPS] = {}; ///< s of `time`.
-	int newest = 0; ///< Of both rings.
+	int newest = 0; ///< Index in both ring buffers.
 	bool is_moving = false; ///< In the last step or since.
 	bool is_known = false;
 

@@ -1,4 +1,4 @@
-// Plans the multimeshes of a field: which plants each holds, where they stand and where their poses are.
+// Plans the multimeshes of a field: their plants, positions, and locations of poses.
 
 #include "field/field_view.hpp"
 
@@ -19,22 +19,22 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr int TRANSFORM_FLOATS = 12; // 3x4, row by row.
+static constexpr int TRANSFORM_FLOATS = 12; // 3x4, by rows.
 static constexpr int COLOR_FLOATS = 4;
 static constexpr int CUSTOM_FLOATS = 4;
 
-// What a draw costs in vertices: so many that nobody sees may be drawn to spare one.
+// Cost of a draw in vertices: drawing this many invisible vertices costs as much as one more draw.
 static constexpr float VERTICES_OF_DRAW = 3000.0f;
 static constexpr int MOST_SQUARE_FACTOR = 8;
 
-// How wide the squares of a species are: so many tiles, or so many squares along a tile's side; one of the two is 1.
+// Size of the squares of a species: tiles per side, or squares along a tile's side; one of the two is 1.
 struct Squares {
 	int factor = 1;
 	int cuts = 1;
 };
 
-// The level's, and wider ones for sparse species, of which squares hold a few plants each. Squares of twice the side
-// are a quarter as many, and those at the level's end reach farther beyond it; of both, what saves more.
+// Starts with the level's squares and widens those of sparse species, with a few plants each. Twice the side quarters
+// the number of draws, but squares at the level's end draw more vertices beyond it. Stops when that costs more.
 static Squares squares_of(const FieldStyle &style, int level, const FieldLook &look, float plants_in_tile) {
 	const FieldLevel &seen = style.levels[size_t(level)];
 	Squares squares = { style.is_of_tiles ? 1 : seen.tile_factor, seen.tile_cuts };
@@ -52,7 +52,7 @@ static Squares squares_of(const FieldStyle &style, int level, const FieldLook &l
 	return squares;
 }
 
-// By species; of those that were filled, for the places of others are asked for by tiles.
+// By species. Only for generated plants: multimeshes of added plants are found by their tiles.
 static std::vector<Squares> all_squares(const FieldStyle &style, int level, const std::vector<DrawnBlock> &blocks) {
 	std::vector<float> plants(style.looks.size(), 0.0f), tiles(style.looks.size(), 0.0f);
 	for (const DrawnBlock &drawn : blocks) {
@@ -66,7 +66,7 @@ static std::vector<Squares> all_squares(const FieldStyle &style, int level, cons
 	return squares;
 }
 
-// The square of a level that holds a root; where squares are parts of a tile, one of the block's own tile.
+// The square of a level that contains a root. Squares smaller than a tile are parts of the block's own tile.
 static ClumpPlace place_of(
 		const FieldStyle &style, int level, const DrawnBlock &drawn, const Squares &squares, const glm::vec3 &root) {
 	const PlantBlock &block = *drawn.block;
@@ -84,7 +84,7 @@ static ClumpPlace place_of(
 	return { block.is_added, level, 1, block.tile, -1, number };
 }
 
-// Which multimeshes a level has, and which of them each plant is in.
+// The multimeshes of a level, and the index of the multimesh of each plant.
 struct Division {
 	std::map<std::tuple<ClumpPlace, int, int>, int> numbers; // By place, species, group.
 	std::vector<int> counts;
@@ -95,7 +95,8 @@ static void divide_block(const FieldStyle &style, const DrawnBlock &drawn, const
 		const DrawnPlant *begin, const DrawnPlant *end, Division &division) {
 	const int species = drawn.block->species;
 	const int groups = int(style.looks[size_t(species)].meshes[size_t(level)].size());
-	std::vector<int> found(size_t(squares.cuts * squares.cuts * groups), -1); // Few: each is looked up once.
+	// Few, so that the map is searched once for each.
+	std::vector<int> found(size_t(squares.cuts * squares.cuts * groups), -1);
 	for (const DrawnPlant *plant = begin; plant < end; plant++) {
 		const ClumpPlace place = place_of(style, level, drawn, squares, plant->root);
 		const int group = plant->variant % groups;
@@ -126,7 +127,7 @@ static Division divide(
 	return division;
 }
 
-// Writes a plant to a plan's buffer and tells where the next one comes.
+// Writes a plant to a plan's buffer and returns the position after it.
 static float *write_plant(const FieldStyle &style, const DrawnPlant &plant, float mesh_height, float *to) {
 	const float transform[TRANSFORM_FLOATS] = { plant.cosine, 0.0f, plant.sine, plant.root.x, //
 		0.0f, plant.scale, 0.0f, plant.root.y, //
@@ -141,7 +142,7 @@ static float *write_plant(const FieldStyle &style, const DrawnPlant &plant, floa
 	return to;
 }
 
-// The plants `order` .. `order + plan.count`, by rank, so that whoever is left away far from the eye is at the end.
+// Writes the plants `order` .. `order + plan.count` by rank. Plants that distance removes first are at the end.
 static void fill_plan(const FieldStyle &style, const RankedPlants &ranked, const int *order, ClumpPlan &plan) {
 	constexpr float FAR = std::numeric_limits<float>::max();
 	const float mesh_height = style.looks[size_t(plan.species)].variants[size_t(plan.group)].height;
@@ -175,7 +176,7 @@ static void plan_level(const FieldStyle &style, const std::vector<DrawnBlock> &b
 		begins[size_t(i)] = begins[size_t(i) - 1] + division.counts[size_t(i) - 1];
 	}
 	if (plans.capacity() < plans.size() + size_t(count)) {
-		plans.reserve(2 * (plans.size() + size_t(count))); // Farther levels have fewer.
+		plans.reserve(2 * (plans.size() + size_t(count))); // Farther levels have fewer plans.
 	}
 	for (const auto &[key, number] : division.numbers) {
 		plans.emplace_back();

@@ -1,4 +1,4 @@
-// How CpuMotion follows what stands, and what it is asked. cpu_motion_steps.cpp moves it.
+// Changes and queries of CpuMotion. cpu_motion_steps.cpp has the steps.
 
 #include "field/cpu_motion.hpp"
 
@@ -65,7 +65,7 @@ void CpuMotion::begin_clock() {
 }
 
 void CpuMotion::hand_over(PreparedMotion &prepared, const std::vector<KeptPlant> &kept) {
-	static constexpr size_t FEW = 2000; // They take less than waking a thread.
+	static constexpr size_t FEW = 2000; // Fewer cost less than waking a thread.
 	wait();
 	is_handed = true;
 	auto &own = static_cast<PreparedCpuMotion &>(prepared);
@@ -105,7 +105,7 @@ void CpuMotion::adopt(PreparedMotion &prepared, const std::vector<KeptPlant> &ke
 	fit_contact(touches);
 }
 
-// Plants that code added outlive a new filling, and so does their motion.
+// Added plants and their motion survive a build.
 void CpuMotion::take_added(const PlantStore &store, const FieldStyle &style, const FieldSimulation *old,
 		const std::vector<PageRows> &old_rows) {
 	for (int block = 0; block < store.block_count(); block++) {
@@ -125,7 +125,7 @@ void CpuMotion::take_added(const PlantStore &store, const FieldStyle &style, con
 	}
 }
 
-// Where nobody comes, nothing waits for the step that goes on.
+// Without new plants the running step continues: removed plants wait for the next wait().
 void CpuMotion::apply(
 		const ChangeSet &changes, const PlantStore &store, const FieldStyle &style, ArrivingBlocks *arriving) {
 	if (changes.dropped.empty() && changes.grown.empty()) {
@@ -169,15 +169,15 @@ void CpuMotion::drop(int page, int row) {
 	textures->hide(page, row);
 }
 
-// Only a block that code added or of newcomers grows, and it has a page of its own. Newcomers keep their texels. All
-// plants of to_simulate() are valid, so the page takes them.
+// Only blocks of added or new plants grow; each has a page of its own. New plants keep their texels. All plants of
+// to_simulate() are valid, as the page requires.
 void CpuMotion::grow(const ChangeSet::Grown &grown, const PlantStore &store, const FieldStyle &style) {
 	const PlantBlock &block = store.block(grown.block);
 	const FieldLook &look = style.looks[size_t(block.species)];
 	std::vector<MotionPlant> plants;
 	for (int slot = grown.first; slot < block.size(); slot++) {
 		PlacedPlant plant = block.plants.plant(slot);
-		plant.scale = block.is_gone(slot) ? 1.0f : plant.scale; // Its row has to be there, and is dropped at once.
+		plant.scale = block.is_gone(slot) ? 1.0f : plant.scale; // A removed plant needs a row, which is dropped below.
 		plants.push_back(look.to_simulate(plant));
 	}
 	PageRows &own = rows[size_t(grown.block)];
@@ -194,7 +194,7 @@ void CpuMotion::grow(const ChangeSet::Grown &grown, const PlantStore &store, con
 		}
 	}
 	if (simulation->settings().prototypes > 0 && simulation->time() == 0.0) {
-		simulation->step(); // It fills the prototypes' history.
+		simulation->step(); // Fills the history of the prototypes.
 		textures->write_history(*simulation, true);
 	}
 	textures->write_page(*simulation, own.page);
@@ -261,7 +261,7 @@ void CpuMotion::set_rests(const PageRows &own, const std::vector<glm::vec3> &res
 	textures->write_beside(*simulation, own.page);
 	for (const auto &[i, was] : at_rest) {
 		if (plants.rest(i) == was) {
-			continue; // It may only pass there, of another mass than before.
+			continue; // With the same rest, the plant may be passing through it.
 		}
 		plants.set_state(i, { plants.rest(i), {} });
 		plants.set_before(i, plants.rest(i));

@@ -36,6 +36,7 @@ public:
 			ArrivingBlocks *arriving) override;
 	PoseTexels reserve(PreparedBlock &prepared) override;
 	void give_up(PreparedBlock &prepared) override;
+	void make_room(double plants, int blocks) override;
 	void add_species(const FieldLook &look) override;
 	bool has_room_for_species() const override { return textures->has_room_for_species(); }
 	void set_species(int index, const FieldLook &look, const PlantStore &store, bool is_still) override;

@@ -137,6 +137,12 @@ void CpuMotion::give_up(PreparedBlock &prepared) {
 	textures->release(std::exchange(own.texels, {}));
 }
 
+void CpuMotion::make_room(double plants, int blocks) {
+	static constexpr double USED_OF_LAST_ROW = 0.5;
+	wait();
+	textures->make_room(plants / PoseTexture::SIDE + USED_OF_LAST_ROW * double(blocks));
+}
+
 // It has a page of its own.
 void CpuMotion::take_in(int block, PreparedCpuBlock &prepared) {
 	PageRows &own = rows[size_t(block)];

@@ -1,4 +1,4 @@
-// How CpuMotion steps: wind, who looks, and what is told to the graphics card.
+// Steps of CpuMotion: wind, cameras, and uploads to the graphics card.
 
 #include "field/cpu_motion.hpp"
 
@@ -20,10 +20,10 @@ namespace undergrowth {
 
 static constexpr int FRAMES_BETWEEN_FAR_UPDATES = 15;
 static constexpr int MOST_FAR_MULTIPLE = 32;
-static constexpr int MOST_PUSHED_MULTIPLE = 4; // Where bodies push, so that they miss no plants at a walk.
-static constexpr double NEAR = 10.0; // m: where a stem's second mode can be seen.
-static constexpr double NEVER_FAR = 0.5; // Of far_distance: whoever is nearer is stepped in full.
-static constexpr double FARTHER = 1.4142135623730951; // So much farther is stepped half as often again.
+static constexpr double NEAR = 10.0; // m: distance within which a stem's second mode is visible.
+static constexpr double NEVER_FAR = 0.5; // Fraction of far_distance within which plants are stepped in full.
+// Ratio of distances between rings; each ring is stepped half as often as the one before.
+static constexpr double FARTHER = 1.4142135623730951;
 
 static int worker_count(const MotionOptions &options) {
 	static const int processors = OS::get_singleton()->get_processor_count();
@@ -34,12 +34,12 @@ bool CpuMotion::wants_eyes() const {
 	return frames_since_far % FRAMES_BETWEEN_FAR_UPDATES == 0;
 }
 
-// Pages farther than far_distance are stepped half as often, those FARTHER yet a quarter as often, and so on: as fast
-// as the ground at a distance grows, so that all far rings cost about the same. A page's middle counts, but no plant of
-// it is taken to be more than half of far_distance farther than it is: around whoever looks, also from above, all are
-// stepped in full. Pages near a body that pushes are stepped at least in every MOST_PUSHED_MULTIPLE-th step, so bodies
-// far from all cameras cost a quarter. Near a camera or a body, stems of two modes step both; where the distance does
-// not matter, cameras change nothing.
+// Pages farther than far_distance are stepped every second step, pages FARTHER times as far every fourth, and so on.
+// All far rings cost about the same, because their areas grow at the same rate.
+//
+// The distance is that of a page's middle, but at most that of its nearest point plus half of far_distance. So all
+// plants around a camera are stepped in full, also seen from above. Pushing bodies count as cameras. Near a camera or a
+// body, stems with two modes step both. If far_distance is 0, cameras have no effect.
 void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
 	const bool is_due = wants_eyes();
 	frames_since_far++;
@@ -55,26 +55,22 @@ void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
 		eyes.push_back(to_glm(to_field.xform(eye)));
 	}
 	const bool applies = options.far_distance > 0.0 && !eyes.empty();
-	const size_t cameras = eyes.size();
 	eyes.insert(eyes.end(), pushed_at.begin(), pushed_at.end());
 	const auto metres = [&](const glm::vec3 &way) { return double(frame.axes.basis.xform(to_godot(way)).length()); };
 	for (int page = 0; page < simulation->page_count(); page++) {
 		const MotionPage &plants = simulation->page(page);
 		double away = applies ? 1e30 : 0.0;
 		bool is_near = false;
-		int most = MOST_FAR_MULTIPLE;
-		for (size_t i = 0; i < eyes.size(); i++) {
-			const glm::vec3 &eye = eyes[i];
+		for (const glm::vec3 &eye : eyes) {
 			const double nearest = metres(eye - glm::clamp(eye, plants.low(), plants.high()));
 			const double middle = metres(eye - 0.5f * (plants.low() + plants.high()));
-			const double own = std::min(middle, nearest + NEVER_FAR * options.far_distance);
-			away = i < cameras ? std::min(away, own) : away;
-			most = i >= cameras && own <= options.far_distance ? MOST_PUSHED_MULTIPLE : most;
+			away = std::min(away, std::min(middle, nearest + NEVER_FAR * options.far_distance));
 			is_near = is_near || nearest < NEAR;
 		}
 		simulation->set_page_near(page, applies && is_near);
 		int multiple = 1;
-		for (double limit = options.far_distance; multiple < most && applies && away > limit; limit *= FARTHER) {
+		for (double limit = options.far_distance; multiple < MOST_FAR_MULTIPLE && applies && away > limit;
+				limit *= FARTHER) {
 			multiple *= 2;
 		}
 		simulation->set_page_multiple(page, multiple);
@@ -88,7 +84,7 @@ void CpuMotion::start_step(const MotionOptions &options, bool with_contact) {
 	swings.step(clock.step());
 }
 
-// The bodies as they were `ago` seconds before this frame.
+// Sets the bodies at `ago` seconds before this frame.
 void CpuMotion::push(double ago) {
 	const std::vector<MovingBody> &pushing = bodies.gather(ago);
 	simulation->set_bodies(pushing.data(), int(pushing.size()));
@@ -98,7 +94,7 @@ void CpuMotion::push(double ago) {
 	}
 }
 
-// What moves the air, and how the field moves through it, `ago` seconds before this frame.
+// Sets the air sources, and the field's own motion through the air, `ago` seconds before this frame.
 void CpuMotion::stir(const Frame &frame, const MotionOptions &options, double ago) {
 	PlantWindSource3D::gather_in(frame.world, frame.axes, ago, stirring);
 	simulation->set_air_sources(stirring);
@@ -120,8 +116,8 @@ void CpuMotion::find_events(double margin) {
 	events.insert(events.end(), found.begin(), found.end());
 }
 
-// The last step of a frame runs beside it and is shown in the next one. Where frames take longer than a step, those
-// before it are done at once.
+// The last step of a frame runs beside it and is shown in the next frame. If frames are longer than a step, the earlier
+// steps finish at once.
 double CpuMotion::advance(const Frame &frame, const MotionOptions &options) {
 	drift.watch(frame.axes, frame.delta);
 	const int step_count = clock.advance(frame.delta);
@@ -137,7 +133,7 @@ double CpuMotion::advance(const Frame &frame, const MotionOptions &options) {
 	for (int i = 0; i < step_count; i++) {
 		wait();
 		if (i > 0 && watch.usec() > 1e6 * FixedStep::MOST_STEPPING) {
-			break; // The rest is dropped, so that a slow frame does not make the next one slower yet.
+			break; // Drops the remaining steps, so that a slow frame does not slow down the next one.
 		}
 		const double ago = clock.step() * (double(shown_alpha) + step_count - 1 - i);
 		stir(frame, options, ago);
@@ -203,7 +199,7 @@ Vector4 CpuMotion::history_of(int species) const {
 			float(textures->history_layer(species, 0)), float(models->newest_slot()), shown_alpha, float(second));
 }
 
-// A plane of delays in the field's axes as the shader takes it, by metre of the world.
+// Converts a plane of delays in the field's axes to metres of the world, for the shader.
 static Vector4 world_delay(const DelayPlane &plane, const Transform3D &axes) {
 	const Vector3 per_metre = axes.basis.inverse().transposed().xform(Vector3(plane.x, 0.0f, plane.z));
 	return Vector4(per_metre.x, per_metre.y, per_metre.z, plane.base - per_metre.dot(axes.origin));

@@ -45,7 +45,8 @@ String describe_empty_entry(const Node *field, int number, const Ref<PlantFieldS
 		return which + " is empty, and does not grow: '" + String("', '").join(missing) + "', which '" + file +
 				"' uses, is missing. Put it back, set another species there, or remove the entry.";
 	}
-	return which + " is empty, and does not grow. Set a PlantFieldSpecies with a PlantFunction there, or remove the entry.";
+	return which +
+			" is empty, and does not grow. Set a PlantFieldSpecies with a PlantFunction there, or remove the entry.";
 }
 
 } // namespace undergrowth

@@ -14,9 +14,9 @@ using namespace godot;
 
 namespace undergrowth {
 
-static const char *const VIEWPORTS = "_viewports"; // The engine's own group.
+static const char *const VIEWPORTS = "_viewports"; // A group of the engine.
 
-/// The cameras of all worlds.
+/// A camera of any world.
 struct WorldCamera {
 	uint64_t world = 0; ///< Instance id.
 	Vector3 place;
@@ -55,7 +55,7 @@ std::vector<Vector3> find_eyes(const Node3D *node) {
 	return places_in(node, find_cameras(node->get_tree()));
 }
 
-/// The cameras of one moment of each frame.
+/// All cameras at one moment of each frame.
 class FrameCameras {
 public:
 	const std::vector<WorldCamera> &now(const Node3D *node) {

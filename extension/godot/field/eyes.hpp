@@ -8,20 +8,21 @@
 
 namespace undergrowth {
 
-/// The positions of all cameras of the world of a node in the tree: that of the screen, and those of other viewports.
-/// Cameras whose position is not finite are left out.
+/// Returns the positions of all cameras in the world of a node: those of the screen and of all other viewports. Skips
+/// cameras with a position that is not finite. The node must be in a tree.
 std::vector<godot::Vector3> find_eyes(const godot::Node3D *node);
 
-/// The same as they are drawn: after all nodes had the frame. All fields share one look-up per frame.
+/// The same at the moment of drawing, after all nodes have processed the frame. All fields share one look-up per frame.
 std::vector<godot::Vector3> find_drawn_eyes(const godot::Node3D *node);
 
-/// How far from cameras something is seen (m); without cameras from anywhere.
+/// Smallest and largest distance from a camera (m). Without cameras: every distance.
 struct SeenDistances {
 	float nearest = 0.0f;
 	float farthest = std::numeric_limits<float>::max();
 };
 
-/// The distances between the cameras of this frame and a box in the world. All fields share one look-up per frame.
+/// Returns the distances between the cameras of this frame and a box in the world. All fields share one look-up per
+/// frame.
 SeenDistances find_seen_distances(const godot::Node3D *node, const godot::AABB &box);
 
 } // namespace undergrowth

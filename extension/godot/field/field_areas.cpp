@@ -21,7 +21,7 @@ namespace {
 /// A path in a field's ground plane.
 struct FlatPath {
 	Polygon points;
-	bool is_closed = false; ///< Its curve is; its first point is not repeated.
+	bool is_closed = false; ///< True if the curve is closed; the first point is not repeated.
 };
 
 } // namespace
@@ -45,8 +45,8 @@ static const Path3D *find_path(const Node3D *field, const NodePath &path) {
 	return found && found->get_curve().is_valid() ? found : nullptr;
 }
 
-// Rings, none of which crosses another, as one polygon: the way to each from the first is there twice, and so counts
-// for nothing.
+// Joins rings that do not cross each other into one polygon. The line to each ring from the first is there twice, so
+// that it has no effect.
 static Polygon joined(const TypedArray<PackedVector2Array> &rings) {
 	Polygon all;
 	for (int64_t i = 0; i < rings.size(); i++) {
@@ -62,7 +62,7 @@ static Polygon joined(const TypedArray<PackedVector2Array> &rings) {
 	return all;
 }
 
-// What is at most half of `width` (m) from a path.
+// Returns the area within half of `width` (m) of a path.
 static Polygon band_along(const FlatPath &path, float width) {
 	PackedVector2Array line;
 	for (const glm::vec2 &point : path.points) {
@@ -79,7 +79,7 @@ static Polygon area_of(const FlatPath &path, double width) {
 	return width > 0.0 ? band_along(path, float(width)) : path.points;
 }
 
-// What is painted; nothing where that is empty.
+// Returns the painted area; empty if nothing is painted.
 static Polygon painted_area(const StandOptions &options) {
 	if (options.map.is_null() || options.map->density().painted().is_empty()) {
 		return {};
@@ -100,7 +100,7 @@ Polygon read_outline(const Node3D *field, const StandOptions &options) {
 	return path ? area_of(flatten(path, field), options.outline_width) : rectangle({ options.size.x, options.size.y });
 }
 
-// What a curve that is too short can be made into.
+// Describes a curve that is too short, and its remedy.
 static String find_short_fault(const FlatPath &path, double width, const String &its_width) {
 	if (width > 0.0) {
 		return path.points.size() > 1 ? String() : "has a curve of one point or none, which leads nowhere. Add points.";

@@ -10,19 +10,19 @@
 
 namespace undergrowth {
 
-// Where a field may grow, read from paths in the scene and from what is painted. Main thread. What returns a String
-// tells what is wrong and what to do about it, or nothing.
+// Reads the area of a field from paths in the scene and from its map. Main thread. A returned String describes a fault
+// and its remedy; empty: no fault.
 
-/// The field's outline in its own axes: what is painted; else what a Path3D goes around, or a band along it; else the
-/// rectangle.
+/// Returns the field's outline in its own axes: the painted area, else the inside of a Path3D or a band along it, else
+/// the rectangle.
 Polygon read_outline(const godot::Node3D *field, const StandOptions &options);
-/// Of an outline that is set.
+/// Checks an outline that is set.
 godot::String find_outline_fault(const godot::Node3D *field, const StandOptions &options);
 
-/// What an entry of the exclusions keeps free, in the field's axes.
+/// Reads the area of an entry of the exclusions, in the field's axes.
 godot::String read_exclusion(const godot::Node3D *field, const StandOptions &options, int entry, Polygon &into);
 
-/// The nodes that outline and exclusions hang on; some may be null.
+/// Returns the nodes that outline and exclusions depend on; some may be null.
 std::vector<godot::Node3D *> find_area_nodes(const godot::Node3D *field, const StandOptions &options);
 
 } // namespace undergrowth

@@ -8,7 +8,7 @@
 
 namespace undergrowth {
 
-static constexpr size_t SHOWN_AT_ONCE = 2000; // Plants a frame: of more, each is shown anew every few frames.
+static constexpr size_t SHOWN_AT_ONCE = 2000; // Plants per frame. If there are more, each is updated every few frames.
 
 static bool is_there(const PlantStore &store, const PlantPlace &place) {
 	const PlantBlock &block = store.block(place.block);
@@ -83,7 +83,7 @@ void FieldChanges::forget_blocks(const std::vector<int> &blocks) {
 	}
 }
 
-// A block that grew may have got other texels.
+// Also needed for a grown block, because its texels may be new.
 void FieldChanges::look_at(int number, const PlantStore &store, const FieldStyle &style, FieldMotion &motion) {
 	const PlantBlock &block = store.block(number);
 	const bool may_be = block.is_added

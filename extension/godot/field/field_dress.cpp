@@ -13,14 +13,14 @@ namespace undergrowth {
 
 static constexpr float FARTHEST = 1e9f; // m.
 static constexpr float LEAST_MARGIN = 1.0f; // m.
-static constexpr float SWINGS_TO = 60.0f; // Heights of a plant away: a leaf sways by less than a pixel there.
-static constexpr float SWINGS_WHOLE = 0.75f; // Of that: up to there all of it.
+static constexpr float SWINGS_TO = 60.0f; // In plant heights: beyond this distance a leaf sways by less than a pixel.
+static constexpr float SWINGS_WHOLE = 0.75f; // Fraction of that distance up to which leaves sway fully.
 
 static Vector3 vector_of(const float (&numbers)[3]) {
 	return Vector3(numbers[0], numbers[1], numbers[2]);
 }
 
-// What has no parts has the same width from everywhere.
+// Plants without parts have the same width from all directions.
 static Vector2 above_at(const FieldLook &look, size_t level) {
 	return look.has_parts() && level < look.from_above.size() ? look.from_above[level] : Vector2();
 }
@@ -90,7 +90,7 @@ void FieldDress::put_on_look(const FieldStyle &style, const FieldLook &look, con
 	tell_of_stem(look);
 }
 
-// Of bends of the tip and not of amplitudes: that is what textures hold.
+// Shapes per bend of the tip, not per amplitude: textures contain bends.
 static Array shapes_of(const StemConstants &stem) {
 	Array shapes;
 	for (const float (&shape)[4] : stem.shape) {
@@ -152,7 +152,7 @@ void FieldDress::tell_of_swings(const FieldStyle &style, const FieldMotion &moti
 	}
 	sent_clock = clock;
 	sent_seen = seen;
-	static const StringName &swing = *new StringName("undergrowth_swing"); // Set for each material in each frame.
+	static const StringName &swing = *new StringName("undergrowth_swing"); // Set in each material in each frame.
 	for (const FieldLook &look : style.looks) {
 		const float end = look.motion.longest * SWINGS_TO;
 		for (size_t i = 0; look.motion.has_parts && i < look.materials.size(); i++) {

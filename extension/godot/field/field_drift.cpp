@@ -10,7 +10,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr real_t LARGEST_TURN = 0.5f; // rad in a frame, about.
+static constexpr real_t LARGEST_TURN = 0.5f; // rad per frame, approximate.
 
 void FieldDrift::begin() {
 	before = now;
@@ -51,7 +51,7 @@ AirDrift FieldDrift::step(double ago) {
 	const real_t part = frame > 0.0 ? real_t(std::clamp(1.0 - ago / frame, 0.0, 1.0)) : real_t(1.0);
 	const Transform3D was = stepped[newest];
 	Transform3D &is = stepped[newest];
-	is.origin = before.origin + part * (now.origin - before.origin); // To the bit where it does not move.
+	is.origin = before.origin + part * (now.origin - before.origin); // Exact if the node does not move.
 	for (int i = 0; i < 3; i++) {
 		const Vector3 from = before.basis.get_column(i);
 		is.basis.set_column(i, from + part * (now.basis.get_column(i) - from));

@@ -163,7 +163,7 @@ void FieldFill::build() {
 	placed = FieldPlants();
 	result.motion = recipe.prepare(result.blocks, result.style, recipe.settings, recipe.wind);
 	result.style.tile_size = recipe.tile_size;
-	result.style.is_of_tiles = recipe.is_of_tiles;
+	result.style.is_of_tiles = recipe.draws_tiles;
 	std::vector<DrawnBlock> drawn;
 	for (size_t i = 0; i < result.blocks.size() && !is_cancelled; i++) {
 		drawn.push_back({ result.motion->texels(int(i)), &result.blocks[i] });

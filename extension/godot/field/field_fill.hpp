@@ -26,8 +26,12 @@ struct FieldRecipe {
 	FieldWind wind; ///< At the simulation's start: prototypes have felt it before.
 	std::vector<int> species_numbers; ///< What species are in `style`, by what they were.
 	float tile_size = 16.0f; ///< m.
+	bool draws_tiles = false; ///< No multimesh is wider than a tile.
 	bool is_of_tiles = false; ///< Only these tiles are filled:
 	std::vector<TileKey> tiles;
+	std::vector<TileKey> rest; ///< Tiles of the first build that follow one by one, the nearest last.
+	double rest_plants = 0.0; ///< About as many plants as those tiles have.
+	bool has_rest = false; ///< Other tiles follow: `rest`, or those of FieldTiles.
 	StandChanges changes; ///< Whoever is gone by them does not stand.
 	/// What was filled before. Plants that stand again go on with their motion.
 	FilledBlocks standing;
@@ -86,6 +90,12 @@ public:
 	void cancel() { is_cancelled = true; }
 	/// Waits for the thread.
 	FieldResult &finish();
+	/// Until no worker thread has it.
+	void wait();
+	/// Whether it is the first part of a build.
+	bool has_rest() const { return recipe.has_rest; }
+	double rest_plants() const { return recipe.rest_plants; }
+	std::vector<TileKey> take_rest() { return std::move(recipe.rest); }
 	/// Frees, wherever it is called, what was copied for the filling, and what nobody needs of the result.
 	std::function<void()> take_rubbish();
 	bool is_dressed = false; ///< Its style has materials.
@@ -106,7 +116,6 @@ private:
 
 	static void work(void *self);
 	void launch(Stage next);
-	void wait();
 	void place();
 	void place_rows(const Placement &placement, float share_before, float share_after);
 	void stand_on_ground();

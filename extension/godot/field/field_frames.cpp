@@ -16,7 +16,7 @@ void FieldFrames::follow(bool on) {
 }
 
 void FieldFrames::follow_drawing(bool on) {
-	static const char *const DRAW_SIGNAL = "frame_pre_draw"; // After all that moves cameras.
+	static const char *const DRAW_SIGNAL = "frame_pre_draw"; // After all code that moves cameras.
 	follow_signal(RenderingServer::get_singleton(), DRAW_SIGNAL, Callable(node, "_on_frame_drawn"), on);
 }
 

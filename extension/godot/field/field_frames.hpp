@@ -6,20 +6,20 @@
 
 namespace undergrowth {
 
-/// The frames that a field hears of beside those of its node, in a tree that is paused, too: somebody may wait for it
-/// to grow behind a loading screen. What is called are methods of the node, by their names, for connections outlive a
+/// Connects a field to frame signals besides those of its node. They also arrive while the tree is paused, because a
+/// loading screen may wait for the field. Calls methods of the node by their names, because connections outlive a
 /// reload of the library.
 class FieldFrames {
 public:
 	explicit FieldFrames(godot::Node *of) : node(of), ending(of, "_on_frame_ending") {}
 
-	/// _on_tree_frame() and _on_physics_frame() in each, from now on or no more. In a tree.
+	/// Starts or stops calls of _on_tree_frame() and _on_physics_frame() in each frame. The node must be in a tree.
 	void follow(bool on);
-	/// _on_frame_drawn() before each is drawn.
+	/// Starts or stops calls of _on_frame_drawn() before each frame is drawn.
 	void follow_drawing(bool on);
-	/// _on_frame_ending() once, after all nodes had this one.
+	/// Calls _on_frame_ending() once, after all nodes have processed this frame.
 	void queue_end() { ending.queue(); }
-	/// It is called.
+	/// Call at the start of _on_frame_ending().
 	void begin_end() { ending.begin(); }
 
 private:

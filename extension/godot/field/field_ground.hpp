@@ -11,18 +11,19 @@
 
 namespace undergrowth {
 
-/// What plants of a field stand on.
+/// The ground under the plants of a field.
 struct FieldGround {
 	enum class Kind { none, colliders, mesh, object };
 
 	Kind kind = Kind::none;
 	GroundChoice choice = GroundChoice::highest;
 	GroundLimits limits;
-	godot::PackedVector3Array triangles; ///< Of a mesh: three corners each, field axes.
+	godot::PackedVector3Array triangles; ///< Triangles of a mesh: three corners each, in the field's axes.
 
-	/// Whether the ground is asked on the main thread, by a GroundSurvey.
+	/// True if a GroundSurvey queries the ground on the main thread.
 	bool needs_survey() const { return kind == Kind::colliders || kind == Kind::object; }
-	/// Heights and normals of a mesh under all plants; nothing for other kinds. NaN beside the mesh. On any thread.
+	/// Reads heights and normals of a mesh under all plants; NaN beside the mesh. Does nothing for other kinds of
+	/// ground. Any thread.
 	void look_up(const FieldPlants &plants, std::vector<float> &heights, std::vector<glm::vec3> &normals) const;
 };
 

@@ -6,9 +6,9 @@
 
 namespace undergrowth {
 
-/// Whether a field's property counts for the ground and the area that it has, and is no more than what the engine's
-/// base classes say of one mesh: the inspector shows those. (Properties with a slider stay: a new list would end the
-/// dragging of it.)
+/// True if a property of a field has an effect with the field's ground and area. False for properties of the engine's
+/// base classes that only affect a single mesh. The inspector shows the properties for which it is true. (Properties
+/// with a slider always stay: a rebuilt property list would interrupt dragging it.)
 bool shows_in_inspector(const godot::String &name, const StandOptions &options);
 
 } // namespace undergrowth

@@ -1,4 +1,4 @@
-// Reads the levels of detail that users set of a field, and what they are where none are set.
+// Reads the levels of detail that users set, or the defaults.
 
 #include "field/field_recipe.hpp"
 
@@ -10,7 +10,8 @@ namespace undergrowth {
 
 static constexpr int MOST_TILE_FACTOR = 4;
 static constexpr int MOST_TILE_CUTS = 4;
-// Of the distance at which a level ends: wider tiles are cut, and squares of several tiles are at most so wide.
+// Fractions of the distance at which a level ends. Larger tiles are divided; squares of several tiles are at most this
+// wide.
 static constexpr float MOST_TILE_SHARE = 0.75f;
 static constexpr float MOST_SQUARE_SHARE = 0.6f;
 static constexpr float LEAST_MARGIN = 1e-3f; // m.
@@ -46,7 +47,7 @@ struct ListedLevel {
 	float share;
 };
 
-// Whether the field is filled with plants of parts. What code adds alone is no meadow.
+// True if the field is built with plants of parts. Added plants do not count.
 static bool has_parts(const StandOptions &options) {
 	for (int64_t i = 0; i < options.species.size() && options.density > 0.0; i++) {
 		const Ref<PlantFieldSpecies> entry = options.species[i];
@@ -62,7 +63,7 @@ static std::vector<ListedLevel> list_levels(const FieldProperties &options) {
 	for (int64_t i = 0; i < options.levels.size(); i++) {
 		const Ref<PlantFieldLevel> level = options.levels[i];
 		if (level.is_valid()) {
-			listed.push_back({ level->get_segments(), float(level->get_end()), float(level->get_share()) });
+			listed.push_back({ level->get_segments(), float(level->get_end()), float(level->get_density()) });
 		}
 	}
 	if (!listed.empty()) {
@@ -74,7 +75,7 @@ static std::vector<ListedLevel> list_levels(const FieldProperties &options) {
 	return { { 12, 12.0f, 1.0f }, { 6, 25.0f, 1.0f }, { 3, 50.0f, 1.0f }, { 2, 0.0f, 1.0f } };
 }
 
-// A level without end has its share from twice the distance on at which it begins.
+// A level without end reaches its density at twice the distance at which it begins.
 static Thinning thin(const Thinning *before, float begin, float end, float share) {
 	Thinning made;
 	made.distances[1] = begin;
@@ -90,7 +91,7 @@ static Thinning thin(const Thinning *before, float begin, float end, float share
 	return made;
 }
 
-// Small squares near the eye, where levels end soon and plants have many vertices; large ones far away.
+// Squares are small near the camera, where levels are short and plants have many vertices, and large far away.
 static void fit_tiles(FieldLevel &level, float tile_size, bool is_wider) {
 	const float end = level.end > 0.0f ? level.end : 2.0f * level.begin;
 	while (is_wider && level.tile_factor < MOST_TILE_FACTOR &&
@@ -118,10 +119,11 @@ std::vector<FieldLevel> read_levels(const FieldProperties &options, const SightR
 		level.end = is_last ? range.end : level.end;
 		level.margin = std::max(float(options.fade_margin), LEAST_MARGIN);
 		level.casts_shadows = level.begin < options.shadow_distance * double(range.lod_bias);
-		fit_tiles(level, float(options.tile_size), options.view_distance <= 0.0); // Else tiles come and go alone.
+		// With a view distance, tiles come and go alone.
+		fit_tiles(level, float(options.tile_size), options.view_distance <= 0.0);
 		made.push_back(level);
 		if (is_last) {
-			break; // Nothing is seen behind it.
+			break; // Nothing is visible beyond it.
 		}
 	}
 	return made;

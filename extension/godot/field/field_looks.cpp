@@ -83,7 +83,7 @@ void FieldLook::build() {
 	find_mean();
 }
 
-// Fields that build together divide the meshes that they share: each builds those that no other thread builds first.
+// Fields that build at the same time divide their common meshes: each builds those that no other thread has started.
 void FieldLook::build_meshes() {
 	built.assign(samples.size(), {});
 	std::vector<SharedMesh *> others;
@@ -160,7 +160,7 @@ void FieldLook::read_traits() {
 		motion.shortest = std::min(motion.shortest, variant.height);
 		motion.longest = std::max(motion.longest, variant.height);
 	}
-	motion.stand_height = 0.5f * (motion.shortest + motion.longest);
+	motion.canopy_height = 0.5f * (motion.shortest + motion.longest);
 }
 
 void FieldLook::take_stem(const std::shared_ptr<const StemConstants> &found) {
@@ -192,11 +192,11 @@ void FieldLook::tell_of_stem() {
 float FieldLook::reach_of(const PlacedPlant &plant, float widening) const {
 	const float height = length_of(plant);
 	const float side = width * widening * plant.scale;
-	// A bent stem's sides may lie along the way to its end.
+	// The sides of a bent stem may be along the line to its end.
 	return motion.law == Law::stem ? height + side : std::sqrt(height * height + side * side);
 }
 
-// A page takes only lengths above 0 that are finite, which a product of extreme heights may not be.
+// Pages accept only finite lengths above 0. A product of extreme heights may be outside of that.
 static float simulated_length(float length) {
 	static constexpr float MIN_LENGTH = 1e-9f; // m.
 	static constexpr float MAX_LENGTH = 1e9f;

@@ -17,13 +17,13 @@ namespace undergrowth {
 /// One level of detail of a field.
 struct FieldLevel {
 	int lod = 12; ///< Vertical segments.
-	float begin = 0.0f; ///< m from the camera.
+	float begin = 0.0f; ///< Distance from the camera (m).
 	float end = 0.0f; ///< m; 0: no end.
-	float margin = 2.0f; ///< m over which it dissolves, > 0.
-	int tile_factor = 1; ///< Its multimeshes are so many tiles wide,
-	int tile_cuts = 1; ///< or so many of them lie along a tile's side; one of the two is 1.
+	float margin = 2.0f; ///< Width of its dissolve (m), > 0.
+	int tile_factor = 1; ///< Width of its multimeshes, in tiles.
+	int tile_cuts = 1; ///< Number of multimeshes along a tile's side. tile_factor or tile_cuts is 1.
 	Thinning thinning;
-	bool thins_lathes = false; ///< Or only plants of parts.
+	bool thins_lathes = false; ///< True: thins all plants. False: only plants of parts.
 	bool casts_shadows = true;
 
 	bool operator==(const FieldLevel &other) const {
@@ -32,82 +32,87 @@ struct FieldLevel {
 						other.thins_lathes, other.casts_shadows) &&
 				thinning == other.thinning;
 	}
-	/// How many meshes it draws for a species of `variants` plants: half as many in each further level.
+	/// Returns the number of meshes at this level for a species of `variants` plants: half as many at each further
+	/// level, at least 1.
 	static int groups(int level, int variants);
-	/// Of plants of parts, or of those without.
+	/// Returns the thinning of plants with or without parts.
 	Thinning thinning_of(bool has_parts) const { return has_parts || thins_lathes ? thinning : Thinning(); }
 };
 
-/// A plant of which a species has several.
+/// One of several plants of a species.
 struct FieldVariant {
 	int64_t seed = 0; ///< A Plant3D with this seed looks the same.
 	float height = 1.0f; ///< m.
 };
 
-/// One species of a field: what it shows and how it moves. Sampled on the main thread; from then on nothing here reads
-/// the function itself but read_motion() and take_material().
+/// One species of a field: its meshes, materials and motion. Sampled on the main thread. After that, only read_motion()
+/// and take_material() read the function.
 struct FieldLook {
 	godot::Ref<PlantFunction> function;
 	int variant_count = 4; ///< 1 to 64.
-	double detail = 1.0; ///< Times the segments of the levels.
+	double detail = 1.0; ///< Factor of the segments of the levels.
 	std::vector<FieldVariant> variants;
-	std::vector<std::vector<SampledPlant>> samples; ///< By level and group; let go when the meshes are built.
-	std::vector<std::vector<std::shared_ptr<SharedMesh>>> built; ///< By level and group; other fields share them.
-	std::vector<SampledPlant> nearest; ///< Of the first level, kept for plants that get a mesh of their own.
-	std::vector<std::vector<godot::Ref<godot::ArrayMesh>>> meshes; ///< By level and group; null until they are made.
+	std::vector<std::vector<SampledPlant>> samples; ///< By level and group; freed when the meshes are built.
+	std::vector<std::vector<std::shared_ptr<SharedMesh>>> built; ///< By level and group, shared with other fields.
+	std::vector<SampledPlant> nearest; ///< Samples of the first level, for plants that get a mesh of their own.
+	std::vector<std::vector<godot::Ref<godot::ArrayMesh>>> meshes; ///< By level and group; null until created.
 	std::vector<godot::Ref<godot::ShaderMaterial>> materials; ///< By level.
 	MotionSpecies motion;
-	bool has_motion = false; ///< It was read.
-	bool in_air = false; ///< A wind in m/s blows; stems have their shape by it.
-	std::shared_ptr<const StemConstants> stem; ///< As `motion` has it; null of another law.
-	std::optional<AskedStem> asked_stem; ///< What the function did not know of it when it was sampled,
-	std::shared_ptr<SharedStem> shared_stem; ///< Fields that ask for the same stem solve it once.
-	SolvedStem solved_stem; ///< and what that came to when meshes were built.
-	float width = 0.0f; ///< m: the farthest that any mesh goes from its axis.
-	/// By level: what plants of parts and their meshes show from above, in shares of what they show from the side.
+	bool has_motion = false; ///< True if `motion` was read.
+	bool in_air = false; ///< True if the wind is given in m/s; stems use the constants for it.
+	std::shared_ptr<const StemConstants> stem; ///< Equal to `motion.stem`; null under another law.
+	std::optional<AskedStem> asked_stem; ///< A stem that the function had not solved when it was sampled.
+	std::shared_ptr<SharedStem> shared_stem; ///< Shared by all fields that need this stem, which is solved once.
+	SolvedStem solved_stem; ///< Its solution, from build().
+	float width = 0.0f; ///< Largest distance of a mesh from its axis (m).
+	/// By level, for plants of parts: area from above relative to the area from the side, of the plant (x) and of its
+	/// mesh (y).
 	std::vector<godot::Vector2> from_above;
-	godot::Color mean; ///< Of its plants of parts, as they are seen; a: their translucency.
+	godot::Color mean; ///< Mean visible colour of its plants of parts; a: their translucency.
 
-	int64_t seed = 0; ///< Of all variants.
-	bool is_absent = false; ///< A substitute for an entry of the list without a species that can grow: no plant is of it.
+	int64_t seed = 0; ///< Seed of all variants.
+	/// True if it substitutes a list entry that has no usable species. No plants have this look.
+	bool is_absent = false;
 
-	/// Asks the function for one variant more, at all levels, and at last how they move; main thread only, since
-	/// scripts may answer. A stem that the function does not know is left to build(). Tells what is wrong and what to
-	/// do, or nothing.
+	/// Samples one more variant of the function at all levels, and after the last one its motion. Main thread, since
+	/// scripts may run. build() solves stems that the function has not solved. Returns a fault with its remedy; empty:
+	/// none.
 	godot::String sample_next(const std::vector<FieldLevel> &levels);
-	/// Vertical segments at a level.
+	/// Returns the vertical segments at a level.
 	int segments_at(const FieldLevel &level) const;
-	/// Whether all variants are sampled, and how they move.
+	/// True if all variants and the motion are sampled.
 	bool is_sampled() const { return int(variants.size()) == variant_count && has_motion; }
-	/// Of what was sampled, on the main thread: a thread of the pool that loads something works on other tasks
-	/// meanwhile, and so could come to wait for itself.
+	/// Loads the shader of the sampled plants, on the main thread. A pool thread that loads a resource runs other tasks
+	/// meanwhile and could wait for itself.
 	void load_shader() const;
-	/// Solves the stem and builds what meshes of what was sampled are made of; once, on any thread.
+	/// Solves the stem and builds the mesh arrays of all samples, once. Any thread.
 	void build();
-	/// Makes them, for about `usec`, on a thread that may (renders_on_threads()). False: there are more.
+	/// Creates meshes for about `usec` µs, on a thread that may create them (renders_on_threads()). Returns false if
+	/// some are still missing.
 	bool make_meshes(double usec);
-	/// For the mesh of one plant alone, with its own height, to be turned and scaled by `scale`, on a skeleton.
+	/// Returns a sample for the mesh of one plant on a skeleton: with the plant's own height, not yet turned or scaled
+	/// by `scale`.
 	SampledPlant sample_alone(const PlacedPlant &plant) const;
-	/// The function's motion as it is now. A stem that it does not know yet is solved at once.
+	/// Reads the function's present motion. Solves a stem that is not solved yet at once.
 	void read_motion();
-	/// Tells the function what building has found of its stem.
+	/// Passes the stem that build() solved to the function.
 	void tell_of_stem();
-	/// Its material, for plants that get a mesh of their own.
+	/// Reads the function's material, for plants that get a mesh of their own.
 	void take_material();
-	/// The root of a plant, its length and rest direction, for the simulation.
+	/// Returns root, length and rest direction of a plant, for the simulation.
 	MotionPlant to_simulate(const PlacedPlant &plant) const;
-	/// The same of many, which come after what is there.
+	/// Appends the same for many plants.
 	void to_simulate(const FieldPlants &plants, std::vector<MotionPlant> &into) const;
-	/// Without its scale (m).
+	/// Height without the plant's scale (m).
 	float height_of(const PlacedPlant &plant) const { return variant_of(plant).height * plant.height; }
-	/// As it stands (m).
+	/// Height with its scale (m).
 	float length_of(const PlacedPlant &plant) const { return height_of(plant) * plant.scale; }
-	/// Whether its plants are of parts.
+	/// True if its plants consist of parts.
 	bool has_parts() const { return !nearest.empty() && nearest[0].grown; }
-	/// Of its variants (m).
+	/// Mean of its variants (m).
 	float mean_height() const;
-	/// The farthest that the plant's mesh goes from its root, `widening` times as wide, however it bends (m): linear
-	/// blend skinning moves no vertex farther than it is at rest.
+	/// Returns the largest distance of the plant's mesh from its root in any pose (m), if it is `widening` times as
+	/// wide. Linear blend skinning moves no vertex farther than at rest.
 	float reach_of(const PlacedPlant &plant, float widening) const;
 	const FieldVariant &variant_of(const PlacedPlant &plant) const {
 		return variants[size_t(plant.variant) % variants.size()];
@@ -116,7 +121,7 @@ struct FieldLook {
 private:
 	void build_meshes();
 	void find_mean();
-	/// All of the motion but the stem.
+	/// Reads all of the motion except the stem.
 	void read_traits();
 	void solve_stem();
 	void take_stem(const std::shared_ptr<const StemConstants> &found);

@@ -11,7 +11,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-static const char *const OWN_PREFIX = "undergrowth_"; // Of what the field sets.
+static const char *const OWN_PREFIX = "undergrowth_"; // Prefix of parameters that the field sets.
 static const char *const INCLUDE_NAME = "undergrowth_bend.gdshaderinc";
 
 void set_parameter(const Ref<ShaderMaterial> &material, const StringName &name, const Variant &value) {

@@ -5,20 +5,19 @@
 
 namespace undergrowth {
 
-/// A material that bends, made from what a function wears: the add-on's own shader where it has none or a
-/// BaseMaterial3D, whose colours, textures and shine it takes over; a copy of a ShaderMaterial. `of_parts`: plants are
-/// of parts, so the shader is theirs.
+/// Creates a bending material from a function's material. A ShaderMaterial is copied. A BaseMaterial3D, or none, gives
+/// the add-on's own shader, with colours, textures and shine of the BaseMaterial3D. `of_parts`: uses the shader for
+/// plants of parts.
 godot::Ref<godot::ShaderMaterial> make_field_material(const godot::Ref<godot::Material> &worn, bool of_parts);
 
-/// Brings into `made` what its user changed in `worn` since: colours, textures and shine, or the parameters of a
-/// shader.
+/// Copies the user's changes of `worn` to `made`: colours, textures and shine, or the parameters of a shader.
 void follow_material(const godot::Ref<godot::Material> &worn, const godot::Ref<godot::ShaderMaterial> &made);
 
-/// Sets a parameter unless it is that already: one that is set anew costs more than one that is asked for.
+/// Sets a parameter if its value differs: setting one costs more than reading it.
 void set_parameter(
 		const godot::Ref<godot::ShaderMaterial> &material, const godot::StringName &name, const godot::Variant &value);
 
-/// Whether its shader includes undergrowth_bend.gdshaderinc.
+/// True if its shader includes undergrowth_bend.gdshaderinc.
 bool bends_in_shader(const godot::Ref<godot::ShaderMaterial> &material);
 
 } // namespace undergrowth

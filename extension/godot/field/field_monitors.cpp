@@ -24,7 +24,7 @@ static Fields &standing_fields() {
 	return fields;
 }
 
-// The first field in the tree answers for all.
+// The first field in the tree serves the monitors of all fields.
 static void choose_who_answers() {
 	Performance *performance = Performance::get_singleton();
 	for (int i = 0; i < MONITORS; i++) {

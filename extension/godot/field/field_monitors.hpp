@@ -8,10 +8,10 @@ class Meadow;
 
 /// The engine's Performance monitors of all fields in the tree. Main thread only.
 struct FieldMonitors {
-	/// `answers`: the field's node, whose _on_monitor_asked(which) gives sum(which).
+	/// `answers`: the field's node; its _on_monitor_asked(which) returns sum(which).
 	static void enter(const Meadow *meadow, godot::Object *answers);
 	static void leave(const Meadow *meadow);
-	/// Of one monitor over all fields.
+	/// Sum of one monitor over all fields.
 	static double sum(int which);
 };
 

@@ -113,6 +113,9 @@ public:
 	/// given up. Between two steps.
 	virtual PoseTexels reserve(PreparedBlock &prepared) = 0;
 	virtual void give_up(PreparedBlock &prepared) = 0;
+	/// Makes room in the textures for about as many plants, in so many blocks, that come later. Without it the textures
+	/// are made again and again as the field grows.
+	virtual void make_room(double plants, int blocks) = 0;
 	virtual void add_species(const FieldLook &look) = 0;
 	/// Whether the textures have layers left for another species. Once it is ready.
 	virtual bool has_room_for_species() const = 0;

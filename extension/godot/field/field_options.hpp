@@ -71,7 +71,12 @@ struct ViewOptions {
 	double tile_size = 16.0; // m.
 };
 
+/// How fast it is built.
+struct BuildOptions {
+	double build_budget_msec = 1.5; // Of the main thread, a frame.
+};
+
 /// All that users set of a PlantField3D, but for what it inherits.
-struct FieldProperties : StandOptions, MotionOptions, ViewOptions {};
+struct FieldProperties : StandOptions, MotionOptions, ViewOptions, BuildOptions {};
 
 } // namespace undergrowth

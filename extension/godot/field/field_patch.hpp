@@ -61,6 +61,8 @@ public:
 	const std::vector<DrawnNewcomers> &drawn() const { return blocks; }
 	/// Waits until the stage that goes on is over, but no longer than so many µs.
 	void wait_a_little(double usec);
+	/// Until no worker thread has it.
+	void wait();
 
 private:
 	enum class Stage { fresh, placing, grounding, standing, placed, drawing, drawn };
@@ -81,7 +83,6 @@ private:
 	static void work(void *self);
 	Stage do_stage();
 	void launch(Stage next);
-	void wait();
 	void find_newcomers();
 	void stand();
 	void plan();

@@ -11,8 +11,8 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr double MOST_WAITING_USEC = 500.0; // A frame, so that what was just painted is seen in it.
-static constexpr size_t MOST_STANDING = 6000; // Plants of a job: copying them takes part of a millisecond.
+static constexpr double MOST_WAITING_USEC = 500.0; // Per frame, so that a frame shows what was painted just before it.
+static constexpr size_t MOST_STANDING = 6000; // Plants per job: copying them takes a fraction of a millisecond.
 
 static AreaBox common(const AreaBox &box, const TileKey &tile, float size) {
 	return common_box(box, tile_box(tile, size));
@@ -35,7 +35,7 @@ void FieldPatches::touch(const AreaBox &box, float tile_size) {
 				known->second = { glm::min(known->second.low, part.low), glm::max(known->second.high, part.high) };
 			}
 			if (touched.size() > MOST_TILES) {
-				return; // The field is filled then.
+				return; // This many tiles cause a build of the whole field.
 			}
 		}
 	}
@@ -87,7 +87,7 @@ void FieldPatches::begin(const FieldTiles::Scene &scene) {
 	recipe.changes = scene.changes.cut(around);
 	recipe.spacing = scene.store.spacing();
 	const double spacing = 1.0 / std::sqrt(double(recipe.request.density));
-	if (fault.is_empty() && are_known && spacing == recipe.spacing) { // Else it is filled anew soon.
+	if (fault.is_empty() && are_known && spacing == recipe.spacing) { // If false, a build starts soon.
 		job = std::make_unique<FieldPatch>(std::move(recipe));
 		job->place();
 	}
@@ -111,7 +111,7 @@ void FieldPatches::stand(const FieldTiles::Scene &scene) {
 	draw(scene);
 }
 
-// Of whoever stood first, all are drawn, in a job that is for that only.
+// Draws all plants of the changed blocks, in a job of its own.
 void FieldPatches::draw(const FieldTiles::Scene &scene) {
 	if (unseen.empty()) {
 		return;
@@ -167,7 +167,7 @@ void FieldPatches::follow(const ChangeSet &changes, const PlantStore &store) {
 		}
 	}
 	if (job && !job->is_drawing()) {
-		interrupt(); // It knows others than those who stand now.
+		interrupt(); // Its input is out of date.
 	}
 }
 

@@ -32,6 +32,12 @@ public:
 	void forget_unseen() { unseen.clear(); }
 	/// Ends the job; what it was about is yet to be done.
 	void interrupt();
+	/// Until no worker thread has its job.
+	void wait_for_job() {
+		if (job) {
+			job->wait();
+		}
+	}
 	bool is_at_work() const { return job || !touched.empty() || !unseen.empty(); }
 	size_t touched_tiles() const { return touched.size(); }
 	/// Leaves away what is in tiles that do not stand.

@@ -10,7 +10,7 @@ using namespace godot;
 namespace undergrowth {
 
 void FieldProblems::report(const String &what) {
-	if (what != fault) { // The same is told once, however often the field is filled.
+	if (what != fault) { // Reports a fault once, even if every build finds it again.
 		fault = what;
 		if (has_fault()) {
 			report_error(node, fault);

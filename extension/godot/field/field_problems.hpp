@@ -8,20 +8,20 @@
 
 namespace undergrowth {
 
-/// What is amiss with a field, as its users hear of it: once in the log, with its node's name, and as long as it is so
-/// among the node's configuration warnings. Main thread.
+/// The faults of a field. Reports each one once in the log, with the node's name, and lists present ones as
+/// configuration warnings of the node. Main thread.
 class FieldProblems {
 public:
 	FieldProblems(godot::Node *of, const FieldProperties &set_by_users) : node(of), properties(set_by_users) {}
 
-	/// Why it cannot grow; empty: it can.
+	/// Sets why it cannot be built; empty: no fault.
 	void report(const godot::String &what);
 	bool has_fault() const { return !fault.is_empty(); }
-	/// What to check where nobody found any ground; empty: somebody has.
+	/// Sets what to check if no plant found ground; empty: some did.
 	void advise(const godot::String &what);
-	/// What cannot push or touch as it is meant to.
+	/// Reports contact and bodies that do not work as configured.
 	void tell_of(FieldMotion &motion);
-	/// All that is amiss now, in what users set, too.
+	/// Returns all present faults, including those of properties.
 	godot::PackedStringArray warnings() const;
 
 private:

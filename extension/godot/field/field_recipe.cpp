@@ -29,7 +29,7 @@ Transform3D axes_of(const Node3D *node) {
 	return placed.is_finite() && std::isfinite(volume) && volume != 0.0f ? placed : Transform3D();
 }
 
-// Centimetres, so that the last bits of a place do not matter.
+// Rounds to centimetres, so that the last bits of a position have no effect.
 int64_t seed_at(const Node3D *node, int64_t seed) {
 	static constexpr double STEPS_PER_METRE = 100.0;
 	if (seed != PLACE_SEED) {
@@ -44,10 +44,10 @@ int64_t seed_at(const Node3D *node, int64_t seed) {
 	return int64_t(bits >> 1);
 }
 
-// A species' density is its share of the field's, times its own factor.
+// The density of a species is its weighted part of the field's density, times its own factor.
 static void add_species(const PlantFieldSpecies &listed, PlacementRequest &into) {
 	PlacementSpecies kind;
-	kind.share = float(listed.get_share() * listed.get_density_factor());
+	kind.share = float(listed.get_weight() * listed.get_density_factor());
 	kind.variants = listed.get_variants();
 	kind.least_scale = listed.get_scale_range().x;
 	kind.most_scale = listed.get_scale_range().y;
@@ -59,7 +59,7 @@ static void add_species(const PlantFieldSpecies &listed, PlacementRequest &into)
 	into.species.push_back(kind);
 }
 
-// A box that is `margin` (m) wider all around.
+// A box, extended by `margin` (m) on all sides.
 static Polygon area_around(const AreaBox &box, float margin) {
 	const glm::vec2 farthest(FARTHEST_COORDINATE);
 	const glm::vec2 low = glm::clamp(box.low - margin, -farthest, farthest);
@@ -67,7 +67,7 @@ static Polygon area_around(const AreaBox &box, float margin) {
 	return rectangle(high - low, 0.5f * (low + high));
 }
 
-// A field that is painted has no other area.
+// A field with a map has no other area.
 static String read_area(const Node3D *field, const StandOptions &options, const AreaBox *part, PlacementRequest &into) {
 	if (options.map.is_valid() && !options.map->problem().is_empty()) {
 		return "its map cannot be used. " + options.map->problem();
@@ -126,16 +126,16 @@ String read_request(const Node3D *field, const StandOptions &options, const Fiel
 		}
 		add_species(**listed, into);
 		into.species.back().is_absent = style.is_absent(int(i));
-		shares += listed->get_share();
-		weighted += listed->get_share() * listed->get_density_factor();
+		shares += listed->get_weight();
+		weighted += listed->get_weight() * listed->get_density_factor();
 	}
 	into.density = float(shares > 0.0 ? options.density * weighted / shares : options.density);
-	if (part && into.map) { // What is painted is the area; cells at its border are whole.
+	if (part && into.map) { // The painted cells are the area; cells at the border of the part are whole.
 		into.area = area_around(*part, 2.0f / std::sqrt(std::max(into.density, 1.0e-6f)));
 	}
 	PlacementRequest tried = into;
 	if (options.view_distance > 0.0) {
-		tried.within = AreaBox(); // Tiles are placed alone.
+		tried.within = AreaBox(); // Tiles are placed one at a time.
 	}
 	const PlacementFault fault = tried.density > 0.0f ? find_placement_fault(tried) : PlacementFault::none;
 	if (fault == PlacementFault::bad_area) {
@@ -177,13 +177,14 @@ String read_ground(const Node3D *field, const StandOptions &options, FieldGround
 	return String();
 }
 
-// The headless engine's stand-in for a renderer may not be used by two threads at once. It has no adapter.
+// The dummy renderer of the headless engine does not support calls from two threads. It has no adapter name.
 bool renders_on_threads() {
 	return !RenderingServer::get_singleton()->get_video_adapter_name().is_empty();
 }
 
-// Its seed goes by its number: in the list, or after it where only code plants it, so that who is listed later stays as
-// it is. The list is that of the properties, whatever of it stands yet.
+// The seed depends on the index of the look: in the list of the properties, or after the list if only code adds it. A
+// species that is appended to the list later has the same seed. The list counts as it is set, even if it is not built
+// yet.
 static FieldLook look_of(const Ref<PlantFunction> &function, int variants, const StandOptions &options, size_t number) {
 	FieldLook look;
 	look.function = function;
@@ -194,7 +195,7 @@ static FieldLook look_of(const Ref<PlantFunction> &function, int variants, const
 
 static FieldLook listed_look(const PlantFieldSpecies &listed, const StandOptions &options, size_t number) {
 	FieldLook look = look_of(listed.get_species(), listed.get_variants(), options, number);
-	look.detail = listed.get_detail();
+	look.detail = listed.get_lod_bias();
 	return look;
 }
 
@@ -208,7 +209,7 @@ int64_t number_in_list(const StandOptions &options, const Ref<PlantFunction> &fu
 	return -1;
 }
 
-// Nothing grows of it, but all that is made for each species can be made of it.
+// No plant uses it, but everything that each species needs can be made from it.
 static FieldLook substitute_look(int64_t seed) {
 	FieldLook look;
 	look.function = Ref<PlantFunction>(new_counted<GrassFunction>());
@@ -222,15 +223,15 @@ static void leave_out(const String &what, FieldStyle &style) {
 	style.left_out += (style.left_out.is_empty() ? String() : String(" ")) + what;
 }
 
-// Else there is nothing to grow.
+// If false, the field has no plants to build.
 static bool has_any_listed(const FieldStyle &style) {
 	const auto end = style.looks.begin() + style.listed_count;
 	return style.listed_count == 0 ||
 			std::any_of(style.looks.begin(), end, [](const FieldLook &look) { return !look.is_absent; });
 }
 
-String list_looks(const Node *field, const StandOptions &options, const std::vector<FieldLook> &others,
-		FieldStyle &into) {
+String list_looks(
+		const Node *field, const StandOptions &options, const std::vector<FieldLook> &others, FieldStyle &into) {
 	into.needs_colors = RenderingServer::get_singleton()->get_current_rendering_method() == String("gl_compatibility");
 	for (int64_t i = 0; i < options.species.size(); i++) {
 		const Ref<PlantFieldSpecies> listed = options.species[i];
@@ -251,7 +252,7 @@ String list_looks(const Node *field, const StandOptions &options, const std::vec
 	return String();
 }
 
-// Returns the fault where the species is needed all the same.
+// Returns the fault if the species is still needed.
 static String leave_out_faulty(
 		FieldStyle &style, size_t number, const String &fault, const std::vector<Ref<PlantFunction>> &standing) {
 	FieldLook &look = style.looks[number];
@@ -265,8 +266,7 @@ static String leave_out_faulty(
 	return has_any_listed(style) ? String() : style.left_out;
 }
 
-String sample_looks(
-		FieldStyle &style, const std::vector<Ref<PlantFunction>> &standing, double usec, bool &is_done) {
+String sample_looks(FieldStyle &style, const std::vector<Ref<PlantFunction>> &standing, double usec, bool &is_done) {
 	const Stopwatch watch;
 	is_done = false;
 	for (size_t i = 0; i < style.looks.size(); i++) {
@@ -297,7 +297,7 @@ String read_other_look(
 	const auto is_other = [&](const FieldLook &look) { return number_in_list(options, look.function) < 0; };
 	const auto first_other = style.looks.begin() + style.listed_count;
 	const auto others = std::count_if(first_other, style.looks.end(), is_other);
-	// Before the first filling nobody is listed yet, and for an empty list there will be the usual grass.
+	// Before the first build the list may be empty; the default grass will then be its only entry.
 	const int64_t list_size = std::max(options.species.size(), int64_t(1));
 	into = listed < 0 ? look_of(function, FieldLook().variant_count, options, size_t(list_size + others))
 					  : listed_look(*Ref<PlantFieldSpecies>(options.species[listed]).ptr(), options, size_t(listed));

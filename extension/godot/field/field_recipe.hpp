@@ -11,58 +11,59 @@
 
 namespace undergrowth {
 
-// Reads from properties and scene what growing a field needs to know. Main thread. What returns a String tells what is
-// wrong and what to do about it, or nothing.
+// Reads the input of a build from properties and scene. Main thread. A returned String describes a fault and its
+// remedy; empty: no fault.
 
-/// From a node's axes to the world's. A node that is scaled to nothing, or is nowhere, counts as one at the origin, so
-/// that everything can be brought back into its axes.
+/// Returns the transform from a node's axes to the world's. A singular or infinite transform counts as the identity, so
+/// that the result is always invertible.
 godot::Transform3D axes_of(const godot::Node3D *node);
 
-/// The seed for the positions of plants in a field of this `seed`; for PLACE_SEED one from the node's global position.
+/// Returns the seed for the positions of plants in a field of this `seed`; for PLACE_SEED, one from the node's global
+/// position.
 int64_t seed_at(const godot::Node3D *node, int64_t seed);
 
-/// Where plants stand, and of which species of the list. `style` has those that are absent. With `part` (m, field axes)
-/// only what is in that box, and of the map what meets it.
+/// Reads where plants are placed, and of which species of the list. `style` marks absent species. With `part` (m, field
+/// axes): only the plants in that box, and only the cells of the map that meet it.
 godot::String read_request(const godot::Node3D *field, const StandOptions &options, const FieldStyle &style,
 		const AreaBox *part, PlacementRequest &into);
 
-/// What they stand on.
+/// Reads the ground.
 godot::String read_ground(const godot::Node3D *field, const StandOptions &options, FieldGround &into);
 
-/// What is wrong with the levels that users set.
+/// Returns what is wrong with the levels that users set.
 godot::String find_level_fault(const ViewOptions &options);
 
-/// How far a field is seen, and how finely: what the engine's own properties say.
+/// Visibility range and LOD bias of a field, from the engine's own properties.
 struct SightRange {
-	float end = 0.0f; ///< m; 0: without end.
-	float lod_bias = 1.0f; ///< By what all levels end farther away.
+	float end = 0.0f; ///< m; 0: no end.
+	float lod_bias = 1.0f; ///< Factor of the end distances of all levels.
 
 	bool operator!=(const SightRange &other) const { return end != other.end || lod_bias != other.lod_bias; }
 };
 
 SightRange sight_range_of(const godot::GeometryInstance3D *node);
 
-/// Levels up to the range's end, at least one. Where none are set they hang on the species.
+/// Returns levels up to the range's end, at least one. Without user levels, the defaults depend on the species.
 std::vector<FieldLevel> read_levels(const FieldProperties &options, const SightRange &range);
 
-/// The first species of the list that is this function, or -1.
+/// Returns the first index of this function in the list, or -1.
 int64_t number_in_list(const StandOptions &options, const godot::Ref<PlantFunction> &function);
 
-/// A look for each species of the list, not sampled yet; then for each of `others`. Entries without a species are
-/// absent; where all are, that is the fault.
-/// `field`, which may be null, helps to name a missing file.
-godot::String list_looks(const godot::Node *field, const StandOptions &options, const std::vector<FieldLook> &others,
-		FieldStyle &into);
+/// Appends a look for each species of the list, then one for each of `others`; none is sampled. Entries without a
+/// species become absent. Returns a fault only if all are absent. The message uses `field`, which may be null, to name
+/// a missing file.
+godot::String list_looks(
+		const godot::Node *field, const StandOptions &options, const std::vector<FieldLook> &others, FieldStyle &into);
 
-/// Whether worker threads may make meshes, too. What they are made of is built there anyway.
+/// True if worker threads may create meshes. The mesh arrays are always built on worker threads.
 bool renders_on_threads();
 
-/// Samples what looks have not sampled yet, until `usec` have gone by: a script's answer cannot be cut short. `is_done`:
-/// all are sampled. A species with a fault becomes absent, unless it is one of `standing`, or the last that is left.
-godot::String sample_looks(FieldStyle &style, const std::vector<godot::Ref<PlantFunction>> &standing, double usec,
-		bool &is_done);
+/// Samples looks for about `usec` µs; a script cannot be interrupted. Sets `is_done` if all are sampled. A species with
+/// a fault becomes absent. The fault is returned if that species is in `standing`, not in the list, or the last one.
+godot::String sample_looks(
+		FieldStyle &style, const std::vector<godot::Ref<PlantFunction>> &standing, double usec, bool &is_done);
 
-/// A look of a function that code adds plants of, sampled and built.
+/// Returns a sampled and built look of a function that code adds plants of.
 godot::String read_other_look(const godot::Ref<PlantFunction> &function, const StandOptions &options,
 		const FieldStyle &style, FieldLook &into);
 

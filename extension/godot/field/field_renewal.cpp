@@ -12,9 +12,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr size_t MOST_JOBS = 4; // At once.
-static constexpr double MOST_USEC = 500.0; // A frame, after which nothing more begins.
-static constexpr double ASKING_USEC = 1000.0; // A frame, for the ground.
+static constexpr double MIN_GROUND_USEC = 1000.0; // A frame.
 static constexpr double MOST_TILES = 4096.0;
 static constexpr double LEAST_PLANTS = 32.0; // Of a full tile.
 static constexpr double MOST_PLANTS = 2.0e6; // Beside as many that go, graphics cards have texels for them.
@@ -23,6 +21,46 @@ static double spacing_of(const PlacementRequest &request) {
 	PlacementRequest nothing = request;
 	nothing.within = AreaBox();
 	return Placement(nothing).cell_size();
+}
+
+// Appends the tiles that the area of a request meets. False where they are too many.
+static bool add_tiles_of_area(const PlacementRequest &request, float size, std::vector<TileKey> &all) {
+	const AreaBox box = placed_box(request);
+	const TileKey first = tile_at(box.low.x, box.low.y, size);
+	const TileKey last = tile_at(box.high.x, box.high.y, size);
+	if (double(last.column - first.column + 1) * double(last.row - first.row + 1) > MOST_TILES) {
+		return false;
+	}
+	for (int column = first.column; column <= last.column; column++) {
+		for (int row = first.row; row <= last.row; row++) {
+			all.push_back({ column, row });
+		}
+	}
+	return true;
+}
+
+static void sort_farthest_first(const FieldTiles::Scene &scene, float size, std::vector<TileKey> &tiles) {
+	std::vector<glm::vec2> places = FieldTiles::places_of(scene);
+	places.resize(std::max(places.size(), size_t(1)), glm::vec2(0.0f));
+	std::vector<std::pair<float, TileKey>> sorted;
+	sorted.reserve(tiles.size());
+	for (const TileKey &tile : tiles) {
+		sorted.emplace_back(-distance_to_tile(tile, size, places), tile);
+	}
+	std::sort(sorted.begin(), sorted.end());
+	std::transform(sorted.begin(), sorted.end(), tiles.begin(), [](const auto &entry) { return entry.second; });
+}
+
+std::vector<TileKey> FieldRenewal::list_first(const Scene &scene, const PlacementRequest &request) {
+	const float size = float(scene.properties.tile_size);
+	const double each = double(request.density) * double(size) * double(size);
+	std::vector<TileKey> all;
+	if (each < LEAST_PLANTS || !add_tiles_of_area(request, size, all) ||
+			each * double(all.size()) > PlacementRequest::MOST_PLANTS) {
+		return {};
+	}
+	sort_farthest_first(scene, size, all);
+	return all;
 }
 
 std::vector<TileKey> FieldRenewal::list(const Scene &scene, const PlacementRequest &request, const FieldTiles &tiles) {
@@ -35,30 +73,15 @@ std::vector<TileKey> FieldRenewal::list(const Scene &scene, const PlacementReque
 	if (scene.properties.view_distance > 0.0) {
 		const std::vector<TileKey> near = tiles.choose_all(scene, request);
 		all.insert(all.end(), near.begin(), near.end());
-	} else {
-		const AreaBox box = placed_box(request);
-		const TileKey first = tile_at(box.low.x, box.low.y, size);
-		const TileKey last = tile_at(box.high.x, box.high.y, size);
-		if (double(last.column - first.column + 1) * double(last.row - first.row + 1) > MOST_TILES) {
-			return {};
-		}
-		for (int column = first.column; column <= last.column; column++) {
-			for (int row = first.row; row <= last.row; row++) {
-				all.push_back({ column, row });
-			}
-		}
+	} else if (!add_tiles_of_area(request, size, all)) {
+		return {};
 	}
 	std::sort(all.begin(), all.end());
 	all.erase(std::unique(all.begin(), all.end()), all.end());
 	if (double(all.size()) > MOST_TILES || each * double(all.size()) > MOST_PLANTS) {
 		return {};
 	}
-	std::vector<glm::vec2> places = FieldTiles::places_of(scene);
-	places.resize(std::max(places.size(), size_t(1)), glm::vec2(0.0f));
-	const auto is_farther = [&](const TileKey &one, const TileKey &other) {
-		return distance_to_tile(one, size, places) > distance_to_tile(other, size, places);
-	};
-	std::stable_sort(all.begin(), all.end(), is_farther);
+	sort_farthest_first(scene, size, all);
 	return all;
 }
 
@@ -107,6 +130,10 @@ void FieldRenewal::stop(const Scene &scene, FieldMotion &motion) {
 	waiting.clear();
 }
 
+void FieldRenewal::wait_for_jobs() {
+	std::for_each(jobs.begin(), jobs.end(), [](const Coming &coming) { coming.job->wait(); });
+}
+
 void FieldRenewal::note_removed(const TileKey &tile) {
 	for (Coming &coming : jobs) {
 		coming.lost_some = coming.lost_some || coming.job->tile() == tile;
@@ -115,7 +142,9 @@ void FieldRenewal::note_removed(const TileKey &tile) {
 
 // False where nobody may begin.
 bool FieldRenewal::begin_one(const Scene &scene) {
-	if (waiting.empty() || jobs.size() >= MOST_JOBS) {
+	const auto is_at_work = [](const Coming &coming) { return coming.job->is_at_work(); };
+	if (waiting.empty() || jobs.size() >= TileJob::MAX_JOBS ||
+			std::count_if(jobs.begin(), jobs.end(), is_at_work) >= TileJob::MAX_WORKING) {
 		return false;
 	}
 	TileRecipe recipe;
@@ -147,12 +176,12 @@ void FieldRenewal::ask_ground(const Scene &scene, bool physics) {
 		asking = wanted;
 	}
 	if (asking &&
-			asker.serve(*first->job, scene.field, scene.properties, ASKING_USEC, physics, false) ==
-					GroundSurvey::State::failed) {
-		scene.fault(asker.fault());
+			asker.serve(*first->job, scene.field, scene.properties, std::max(MIN_GROUND_USEC, scene.budget_usec),
+					physics, false) == GroundSurvey::State::failed) {
 		waiting.clear();
 		asking = nullptr;
 		jobs.erase(first); // It has no texels yet. What it would have grown anew stays.
+		scene.fault(asker.fault());
 	}
 }
 
@@ -213,18 +242,15 @@ void FieldRenewal::go_on(const Scene &scene, const Way &way, bool physics) {
 	if (physics) {
 		return;
 	}
+	while (watch.usec() < scene.budget_usec && begin_one(scene)) { // First: workers continue beside this thread.
+	}
 	for (size_t i = 0; i < jobs.size();) {
-		if (go_on(scene, way, jobs[i], MOST_USEC, watch)) {
+		if (go_on(scene, way, jobs[i], scene.budget_usec, watch)) {
 			asking = asking == jobs[i].job.get() ? nullptr : asking;
 			jobs.erase(jobs.begin() + std::ptrdiff_t(i));
 		} else {
 			i++;
 		}
-	}
-	while (watch.usec() < MOST_USEC && begin_one(scene)) {
-	}
-	if (!is_at_work()) {
-		asker.tell_of_all(scene.field);
 	}
 }
 

@@ -25,6 +25,9 @@ public:
 	/// will. None where tiles are too many or too empty for it to be worth while, plants too many, or two would have
 	/// one name.
 	static std::vector<TileKey> list(const Scene &scene, const PlacementRequest &request, const FieldTiles &tiles);
+	/// All tiles of a field that does not stream and has none yet, the nearest last. None where they are too many or
+	/// too empty to be built one by one.
+	static std::vector<TileKey> list_first(const Scene &scene, const PlacementRequest &request);
 	/// These are to stand by a request from now on, the last one first.
 	void begin(std::vector<TileKey> &&tiles, const PlacementRequest &request);
 	bool is_at_work() const { return !waiting.empty() || !jobs.empty(); }
@@ -32,8 +35,10 @@ public:
 	float progress() const;
 	/// Goes on in a frame of physics or another one, as FieldTiles does.
 	void go_on(const Scene &scene, const Way &way, bool physics);
-	/// As GroundAsker has it, of all tiles.
-	const godot::String &missing_ground() const { return asker.missing_ground(); }
+	/// The ground queries of all tiles.
+	GroundAsker &ground_asker() { return asker; }
+	/// Waits for all worker jobs. They stay as they are.
+	void wait_for_jobs();
 	/// What is on its way begins anew.
 	void interrupt(const Scene &scene, FieldMotion &motion);
 	/// The same of what meets a box (m, field axes).

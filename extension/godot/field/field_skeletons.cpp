@@ -56,7 +56,7 @@ Skeleton3D *FieldSkeletons::take(Node3D *field, const Transform3D &place, const 
 		skeleton = node(idle.back());
 		idle.pop_back();
 		if (skeleton && !mesh_of(skeleton)) {
-			skeleton->queue_free(); // A script has changed it.
+			skeleton->queue_free(); // A script has removed its mesh.
 			skeleton = nullptr;
 		}
 	}
@@ -87,7 +87,8 @@ void FieldSkeletons::dress(Skeleton3D *skeleton, const FieldWear &wear) {
 
 void FieldSkeletons::give_back(Skeleton3D *skeleton) {
 	if (skeleton->get_child_count(false) > 0) {
-		skeleton->queue_free(); // At the end of the frame: whoever hears of it first may take the children away.
+		// At the end of the frame, so that a script that gets the signal can move the children before.
+		skeleton->queue_free();
 		return;
 	}
 	skeleton->set_visible(false);

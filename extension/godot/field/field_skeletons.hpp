@@ -11,26 +11,27 @@
 
 namespace undergrowth {
 
-/// Plants of a field that are shown as nodes: a Skeleton3D with a skinned mesh, as a Plant3D has. They are
-/// children of an internal node of the field, so that they are never saved, and used again for other plants. Scripts
-/// may free any of them at any time.
+/// Plants of a field that are shown as nodes: a Skeleton3D with a skinned mesh, as in a Plant3D. They are children of
+/// an internal node of the field, so that they are never saved, and are reused for other plants. Scripts may free any
+/// of them at any time.
 class FieldSkeletons {
 public:
-	/// Removes what a copy of a field, or one whose library was reloaded, finds among its children.
+	/// Removes the internal node that a duplicated field, or one of a reloaded library, has among its children.
 	void remove_strays(godot::Node3D *field) const;
 
-	/// A skeleton at `place` (field axes) that shows `mesh`, with the bones of its `parts`, if any. None is turned yet.
+	/// Returns a skeleton at `place` (field axes) that shows `mesh`, with the bones of its `parts`, if any. All bones
+	/// are at rest.
 	godot::Skeleton3D *take(godot::Node3D *field, const godot::Transform3D &place,
 			const godot::Ref<godot::ArrayMesh> &mesh, const PartSkeleton *parts, const FieldWear &wear);
 	static void dress(godot::Skeleton3D *skeleton, const FieldWear &wear);
-	/// Hides a skeleton for later use; one to which scripts have added children goes with them.
+	/// Hides a skeleton for later use. Frees it if scripts have added children to it, together with them.
 	void give_back(godot::Skeleton3D *skeleton);
-	/// Frees those that nobody uses.
+	/// Frees all unused skeletons.
 	void clear();
 
-	/// The node of an instance id; null where a script has freed it.
+	/// Returns the node of an instance id; null if a script has freed it.
 	static godot::Skeleton3D *node(uint64_t skeleton);
-	/// Turns the tip's bone so that it bends the mesh as the shader of fields does.
+	/// Turns the tip's bone so that it bends the mesh like the shader of fields.
 	static void pose(godot::Skeleton3D *skeleton, const godot::Quaternion &turn);
 
 private:

@@ -8,37 +8,37 @@
 
 namespace undergrowth {
 
-/// What of a field is not by its properties yet. Many of them may change in one frame: its node's _on_fill_queued() is
-/// called once, after it, and takes all of it.
+/// The dirty flags of a field. Many properties may change in one frame: the node's _on_fill_queued() is called once,
+/// after the frame, and takes all flags.
 class FieldStaleness {
 public:
 	struct Parts {
-		bool stand = false; ///< It grows anew.
-		bool look = false; ///< It is dressed anew.
-		bool area = false; ///< Paths that keep places free, or give room, are others.
+		bool stand = false; ///< Plants need a rebuild.
+		bool look = false; ///< Materials and meshes need a rebuild.
+		bool area = false; ///< Paths of the outline or the exclusions have changed.
 
 		bool any() const { return stand || look || area; }
 	};
 
-	/// All of a new field is stale.
+	/// A new field has all flags of plants and materials set.
 	explicit FieldStaleness(godot::Node *of) : node(of), filling(of, "_on_fill_queued") {}
 
-	/// Outside of a tree they are taken once the node has entered one.
+	/// Outside of a tree, flags stay set until the node enters one.
 	void mark_stand() { mark(parts.stand); }
 	void mark_look() { mark(parts.look); }
 	void mark_area() { mark(parts.area); }
-	/// The node has entered it.
+	/// Call when the node has entered a tree.
 	void enter_tree() { queue_if_any(); }
-	/// What is to be done now, and is stale no more; nothing outside of a tree.
+	/// Returns and clears all flags; none outside of a tree.
 	Parts take() {
 		filling.begin();
 		return node->is_inside_tree() ? std::exchange(parts, {}) : Parts();
 	}
 
 	bool is_stand_stale() const { return parts.stand; }
-	/// Whether the field stands by its properties. Else it grows anew soon.
+	/// True if the plants match the properties. If false, a rebuild starts soon.
 	bool is_fresh() const { return node->is_inside_tree() && !parts.stand && !parts.area; }
-	/// Whether it grows anew, or is dressed anew, after this frame.
+	/// True if a rebuild of plants, or of materials, starts after this frame.
 	bool grows_soon() const { return (parts.stand || parts.area) && filling.is_queued(); }
 	bool is_dressed_soon() const { return parts.look && filling.is_queued(); }
 

@@ -23,11 +23,11 @@ Dictionary FieldStatistics::tell(const Node3D *node, Meadow &meadow, bool is_dre
 	told["plants"] = count;
 	told["simulated"] = meadow.motion.simulated_count();
 	told["drawn_by_level"] = count_drawn(node, meadow);
-	told["is_dressing"] = (meadow.is_at_work() && !meadow.is_filling()) || is_dressed_soon;
+	told["is_rebuilding_meshes"] = (meadow.is_at_work() && !meadow.is_building()) || is_dressed_soon;
 	told["tiles"] = meadow.tiles.standing_count();
 	told["tiles_waiting"] = meadow.tiles.waiting_count();
 	told["tiles_usec"] = meadow.streams() ? meadow.tiles_usec : 0.0;
-	told["filling_usec"] = meadow.filling.usec();
+	told["build_usec"] = meadow.filling.usec();
 	told["skeletons"] = int64_t(meadow.skeletons.count());
 	told["step_usec"] = meadow.motion.busy_usec();
 	told["upload_usec"] = meadow.upload_usec;

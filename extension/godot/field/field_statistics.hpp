@@ -6,15 +6,16 @@
 
 namespace undergrowth {
 
-/// What a field has to do, and what of it the last frame took: what get_statistics() tells. Main thread.
+/// The present work of a field and the cost of its last frame, for get_statistics(). Main thread.
 class FieldStatistics {
 public:
-	/// µs of the frame: of this thread, and of its waiting for the workers where they took longer than the frame.
+	/// Sets the µs of a frame: of the main thread, and of its wait for workers that took longer than the frame.
 	void note_frame(double of_main, double of_waiting) {
 		main_usec = of_main;
 		wait_usec = of_waiting;
 	}
-	/// Waits for the step that goes on. `is_dressed_soon`: after this frame, though nothing of `meadow` is at it yet.
+	/// Waits for the running step. `is_dressed_soon`: materials are rebuilt after this frame, but `meadow` has not
+	/// started yet.
 	godot::Dictionary tell(const godot::Node3D *node, Meadow &meadow, bool is_dressed_soon) const;
 
 private:

@@ -12,21 +12,21 @@ namespace undergrowth {
 
 using Clock = std::chrono::steady_clock;
 
-/// Plants that are stepped in less time than waking a worker thread takes of both threads.
+/// Stepping this many plants takes less time than waking a worker thread takes in both threads.
 static constexpr int FEW_PLANTS = 4096;
-static constexpr int PLANTS_PER_THREAD = 8192; // Fewer are not worth waking another.
-static constexpr int PLANTS_PER_PART = 2048; // Enough that taking a part costs nothing beside doing it.
-static constexpr int TOUCHING_PLANT = 16; // What a plant with contact costs, in plants without.
+static constexpr int PLANTS_PER_THREAD = 8192; // Fewer do not justify another thread.
+static constexpr int PLANTS_PER_PART = 2048; // Enough to make the cost of taking a part negligible.
+static constexpr int TOUCHING_PLANT = 16; // Cost of a plant with contact, in plants without contact.
 
-// Begins the step. Pages may be small: threads take some of them at a time. Tells how many plants are due; their
-// poses will be new.
+// Starts the step and divides its pages, which may be small, into parts for the threads. Returns the number of plants
+// that are due and get new poses.
 int FieldSteps::divide() {
 	runs.clear();
 	int in_run = PLANTS_PER_PART;
 	if (stepped->settings().prototypes > 0) {
 		return stepped->due_count();
 	}
-	stepped->begin_step(); // Prototypes step in it: those go to the workers.
+	stepped->begin_step(); // Without prototypes. With prototypes it also steps those, so that the workers call it.
 	for (const int page : stepped->changed_pages()) {
 		written->give_seconds(*stepped, page);
 	}
@@ -67,7 +67,7 @@ void FieldSteps::start(FieldSimulation &simulation, PoseTexture &poses, TipConta
 	if (touching) {
 		touching->follow_radii(simulation);
 	}
-	const int plants = work_of_step(divide()); // As many plants as would cost the same without contact.
+	const int plants = work_of_step(divide()); // The cost, in plants without contact.
 	is_inline = plants <= FEW_PLANTS;
 	if (is_inline) {
 		work(this, 0);
@@ -86,8 +86,8 @@ void FieldSteps::wait() {
 	}
 }
 
-// Parts go to whoever is free: the bits do not depend on it. Whoever finds none left waits for those that others are
-// doing at this moment, so it never waits for a thread that has not begun.
+// Each part goes to the next free thread; the results do not depend on the order. A thread that finds no part left
+// waits for parts that are in progress. It never waits for a thread that has not started.
 void FieldSteps::work(void *self, uint32_t) {
 	const Clock::time_point start = Clock::now();
 	FieldSteps *steps = static_cast<FieldSteps *>(self);

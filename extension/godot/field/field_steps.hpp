@@ -10,8 +10,8 @@
 
 namespace undergrowth {
 
-/// Steps a field's simulation on the engine's worker threads and takes its poses over into the texture.
-/// Between start() and wait() nobody else may touch either.
+/// Steps a field's simulation on the engine's worker threads and copies its poses to the texture. No other code may use
+/// either between start() and wait().
 class FieldSteps {
 public:
 	FieldSteps() = default;
@@ -19,18 +19,18 @@ public:
 	FieldSteps(const FieldSteps &) = delete;
 	FieldSteps &operator=(const FieldSteps &) = delete;
 
-	/// Begins one step on up to `workers` threads and returns at once; a step that costs less than waking a thread is
-	/// done when it returns. `contact`, where there is one, takes part after all plants have moved.
+	/// Starts one step on up to `workers` threads and returns at once. A step that costs less than waking a thread is
+	/// done when it returns. `contact`, if any, runs after all plants have moved.
 	void start(FieldSimulation &simulation, PoseTexture &poses, TipContact *contact, int workers);
-	/// Until the step is done; at once where there is none.
+	/// Waits for the step; returns at once if there is none.
 	void wait();
-	/// Time that the last step took of all threads together.
+	/// Time of the last step, summed over all threads.
 	double busy_usec() const { return double(busy_nsec.load()) * 1e-3; }
-	/// The part of it that start() took of the thread that called it.
+	/// The part of it that ran on the calling thread of start().
 	double inline_usec() const { return is_inline ? busy_usec() : 0.0; }
 
 private:
-	/// What a step does, one after the other: each is divided among the threads.
+	/// The phases of a step, in order. Each is divided among the threads.
 	enum Phase : int { STEP, GATHER, SORT, COUNT, SEPARATE, WRITE, PHASES };
 
 	FieldSimulation *stepped = nullptr;
@@ -41,7 +41,7 @@ private:
 	std::atomic<int> parts_done[PHASES] = {};
 	std::atomic<int64_t> busy_nsec{ 0 };
 	bool is_inline = false;
-	int64_t group = -1; ///< Of the engine's worker threads.
+	int64_t group = -1; ///< A group task of the engine's worker threads.
 
 	int divide();
 	int work_of_step(int due) const;

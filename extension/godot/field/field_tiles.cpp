@@ -15,10 +15,8 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr int FRAMES_BETWEEN_CHOICES = 8;
-static constexpr size_t MOST_JOBS = 4; // At once.
-static constexpr double MOST_USEC = 300.0; // A frame, after which nothing more begins.
-// A frame, for the ground: by how many tiles wait for it.
-static constexpr double ASKING_USEC_PER_TILE = 250.0, LEAST_ASKING_USEC = 500.0, MAX_ASKING_USEC = 2000.0;
+// Time for the ground in a frame, by the number of tiles that wait for it.
+static constexpr double GROUND_USEC_PER_TILE = 250.0, MIN_GROUND_USEC = 500.0, MAX_GROUND_USEC = 2000.0;
 
 std::vector<glm::vec2> FieldTiles::places_of(const Scene &scene) {
 	std::vector<Vector3> eyes = find_eyes(scene.field);
@@ -71,6 +69,46 @@ void FieldTiles::clear() {
 	asking = nullptr;
 	outline.reset();
 	frames_since_choice = 0;
+	end_build();
+}
+
+void FieldTiles::begin_build() {
+	has_build_to_choose = true;
+}
+
+void FieldTiles::end_build() {
+	has_build_to_choose = false;
+	due.clear();
+	due_at_first = 0;
+}
+
+float FieldTiles::build_progress() const {
+	return due_at_first > 0 ? 1.0f - float(due.size()) / float(due_at_first) : 0.0f;
+}
+
+void FieldTiles::wait_for_jobs() {
+	std::for_each(jobs.begin(), jobs.end(), [](const std::unique_ptr<TileJob> &job) { job->wait(); });
+}
+
+// A tile that is too far away by now is not due any more.
+void FieldTiles::choose_due() {
+	if (std::exchange(has_build_to_choose, false)) {
+		due.insert(coming.begin(), coming.end());
+		due_at_first = due.size();
+		return;
+	}
+	if (due.empty()) {
+		return;
+	}
+	std::set<TileKey> left;
+	const auto keep = [&](const TileKey &tile) {
+		if (due.count(tile) > 0) {
+			left.insert(tile);
+		}
+	};
+	std::for_each(coming.begin(), coming.end(), keep);
+	std::for_each(jobs.begin(), jobs.end(), [&](const std::unique_ptr<TileJob> &job) { keep(job->tile()); });
+	due = std::move(left);
 }
 
 void FieldTiles::choose(const Scene &scene) {
@@ -84,6 +122,7 @@ void FieldTiles::choose(const Scene &scene) {
 	TileChoice choice = choose_tiles(standing, places_of(scene), distance_in(scene), scene.store.tile_size(), area);
 	coming = std::move(choice.coming);
 	going = std::move(choice.going);
+	choose_due();
 	std::reverse(coming.begin(), coming.end());
 	std::reverse(going.begin(), going.end());
 }
@@ -148,7 +187,9 @@ bool FieldTiles::describe(const Scene &scene, const PlacementRequest &base, Tile
 
 // False where nobody may begin.
 bool FieldTiles::begin(const Scene &scene) {
-	if (coming.empty() || jobs.size() >= MOST_JOBS) {
+	const auto is_at_work = [](const std::unique_ptr<TileJob> &job) { return job->is_at_work(); };
+	if (coming.empty() || jobs.size() >= TileJob::MAX_JOBS ||
+			std::count_if(jobs.begin(), jobs.end(), is_at_work) >= TileJob::MAX_WORKING) {
 		return false;
 	}
 	TileRecipe recipe;
@@ -174,11 +215,13 @@ void FieldTiles::ask_ground(const Scene &scene, bool physics) {
 		asker.forget();
 		asking = first == jobs.end() ? nullptr : first->get();
 	}
-	const double usec = std::clamp(ASKING_USEC_PER_TILE * waiting_count(), LEAST_ASKING_USEC, MAX_ASKING_USEC);
+	const double usec = std::max(
+			scene.budget_usec, std::clamp(GROUND_USEC_PER_TILE * waiting_count(), MIN_GROUND_USEC, MAX_GROUND_USEC));
 	if (asking &&
 			asker.serve(**first, scene.field, scene.properties, usec, physics, false) == GroundSurvey::State::failed) {
-		scene.fault(asker.fault());
 		leave(scene, TileKey((*first)->tile()));
+		end_build();
+		scene.fault(asker.fault());
 	}
 }
 
@@ -213,19 +256,20 @@ void FieldTiles::go_on(const Scene &scene, bool physics, bool edits) {
 		return;
 	}
 	choose(scene);
-	while (edits && !going.empty() && watch.usec() < MOST_USEC) {
+	while (edits && !going.empty() && watch.usec() < scene.budget_usec) {
 		leave(scene, TileKey(going.back()));
 		going.pop_back();
 	}
+	while (watch.usec() < scene.budget_usec && begin(scene)) { // First: workers continue beside this thread.
+	}
 	for (size_t i = 0; i < jobs.size();) {
-		if (go_on(scene, *jobs[i], edits, MOST_USEC, watch)) {
+		if (go_on(scene, *jobs[i], edits, scene.budget_usec, watch)) {
 			asking = asking == jobs[i].get() ? nullptr : asking;
+			due.erase(jobs[i]->tile());
 			jobs.erase(jobs.begin() + std::ptrdiff_t(i));
 		} else {
 			i++;
 		}
-	}
-	while (watch.usec() < MOST_USEC && begin(scene)) {
 	}
 }
 

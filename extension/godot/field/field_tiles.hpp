@@ -27,12 +27,24 @@ public:
 		FieldView &view;
 		std::function<ChangeSet(StandEdit &&, ArrivingBlocks *)> apply;
 		std::function<void(const godot::String &)> fault;
+		double budget_usec; ///< Main thread time for building, a frame.
 	};
 
 	/// Tiles that a filling is to begin with: those around whoever looks, and those that stand and are not too far.
 	std::vector<TileKey> choose_all(const Scene &scene, const PlacementRequest &request) const;
 	/// They stand now, and no others; later ones are of this request.
 	void stand(const std::vector<TileKey> &tiles, const PlacementRequest &request);
+	/// After stand(): these tiles are the first part of a build. The next choice adds the rest.
+	void begin_build();
+	/// Whether tiles of that build are missing. Tiles that a moving camera needs later do not count.
+	bool is_building() const { return has_build_to_choose || !due.empty(); }
+	void end_build();
+	/// Of begin_build(), 0 to 1.
+	float build_progress() const;
+	/// The ground queries of all tiles.
+	GroundAsker &ground_asker() { return asker; }
+	/// Waits for all worker jobs. They stay as they are.
+	void wait_for_jobs();
 	/// None of them does.
 	void clear();
 	bool stands(const TileKey &tile) const { return standing.count(tile) > 0; }
@@ -61,6 +73,9 @@ private:
 	std::vector<TileKey> coming; ///< Nearest last.
 	std::vector<TileKey> going; ///< Farthest last.
 	std::vector<std::unique_ptr<TileJob>> jobs;
+	std::set<TileKey> due; ///< Tiles of a build that are not live yet.
+	size_t due_at_first = 0;
+	bool has_build_to_choose = false; ///< `due` is unknown until the next choice.
 	PlacementRequest base; ///< Of all tiles, without its map.
 	AreaBox area;
 	std::shared_ptr<const FieldStyle> outline;
@@ -69,6 +84,7 @@ private:
 	int frames_since_choice = 0;
 
 	void choose(const Scene &scene);
+	void choose_due();
 	void leave(const Scene &scene, const TileKey &tile);
 	bool begin(const Scene &scene);
 	void ask_ground(const Scene &scene, bool physics);

@@ -12,8 +12,8 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr float EYE_STEP = 0.25f; // m that an eye goes before plants are counted again.
-static constexpr float RANK_ERROR = 1e-3f; // Of half floats, in which ranks come to the shader.
+static constexpr float EYE_STEP = 0.25f; // m that a camera moves before plants are counted again.
+static constexpr float RANK_ERROR = 1e-3f; // Rounding error of ranks, which are half floats in the shader.
 
 template <class Act> void FieldView::for_each(Act &&act) const {
 	RenderingServer *server = RenderingServer::get_singleton();
@@ -36,7 +36,7 @@ FieldView::~FieldView() {
 	}
 }
 
-// The engine measures in the world, from the middle of the box; the shader measures to each plant's root.
+// The engine measures in world units, from the middle of the box. The shader measures to the root of each plant.
 void FieldView::set_range(const Clump &clump, const FieldLevel &level) const {
 	const float radius = clump.radius * largest_scale;
 	const float begin = std::max(level.begin - radius - level.margin, 0.0f);
@@ -78,7 +78,7 @@ FieldView::Clump FieldView::make(const FieldStyle &style, const ClumpPlan &plan)
 	server->instance_set_visible(clump.instance, false);
 	server->instance_geometry_set_material_override(
 			clump.instance, look.materials[size_t(plan.place.level)]->get_rid());
-	if (!level.casts_shadows || !(worn == FieldWear())) { // As an instance is made.
+	if (!level.casts_shadows || !(worn == FieldWear())) { // New instances have these defaults.
 		set_wear(clump, level);
 	}
 	set_range(clump, level);
@@ -170,7 +170,7 @@ void FieldView::set_scenario(const RID &scenario) {
 
 void FieldView::set_transform(const Transform3D &transform) {
 	if (!transform.is_finite()) {
-		return; // The engine would complain once for each multimesh.
+		return; // The engine would report an error for each multimesh.
 	}
 	placed = transform;
 	is_thinned = false;
@@ -220,7 +220,7 @@ static AABB box_around(const Transform3D &axes, const AABB &box) {
 	return AABB(axes.xform(box.get_center()) - reach, 2.0f * reach);
 }
 
-// The world's box about the turned one is farther out than that, so nobody is left away too early.
+// The world-aligned box contains the turned one. The distance is never too large, so no plant disappears too early.
 int FieldView::steps_for(const FieldLevel &level, const Clump &clump, const std::vector<Vector3> &eyes) const {
 	const Thinning thinning = level.thinning_of(clump.has_parts);
 	if (eyes.empty() || !thinning.is_any()) {
@@ -252,7 +252,7 @@ void FieldView::thin(const std::vector<Vector3> &eyes) {
 			const int steps = steps_for(levels[size_t(place.level)], clump, eyes);
 			if (steps != clump.shown) {
 				clump.shown = steps;
-				// The renderers want one at least; the shader draws nothing of it.
+				// Renderers need at least one instance; the shader does not draw it.
 				server->multimesh_set_visible_instances(clump.multimesh, std::max(clump.kept[size_t(steps)], 1));
 			}
 		}

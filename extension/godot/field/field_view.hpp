@@ -10,6 +10,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -161,6 +162,7 @@ private:
 	std::map<int, TileKey> newcomers; ///< Tiles of their blocks that are drawn.
 	std::vector<FieldLevel> levels; ///< As they were shown.
 	std::vector<FieldLevel> prepared_levels;
+	std::optional<ClumpPlace> next_revealed; ///< Where reveal_some() continues. Empty: at the first place.
 	godot::RID world; ///< Its scenario.
 	godot::Transform3D placed;
 	float largest_scale = 1.0f; ///< Of the field's axes.

@@ -28,10 +28,12 @@ void FieldView::move_all(Clumps &from, std::vector<Clump> &into) {
 void FieldView::prepare(const FieldStyle &style, const ClumpPlan &plan) {
 	prepared_levels = style.levels;
 	prepared[plan.place].push_back(make(style, plan));
+	next_revealed.reset();
 }
 
 void FieldView::forget_prepared() {
 	move_all(prepared, leaving);
+	next_revealed.reset();
 }
 
 void FieldView::reveal(Clump &clump) {
@@ -49,13 +51,16 @@ void FieldView::tell_if_undrawn() {
 
 bool FieldView::reveal_some(double usec) {
 	const Stopwatch watch;
-	for (auto &[place, group] : prepared) {
-		for (Clump &clump : group) {
-			if (!clump.is_revealed) {
-				reveal(clump);
-				if (watch.usec() > usec) {
-					return true;
-				}
+	auto entry = next_revealed ? prepared.lower_bound(*next_revealed) : prepared.begin();
+	for (; entry != prepared.end(); ++entry) {
+		next_revealed = entry->first;
+		for (Clump &clump : entry->second) {
+			if (clump.is_revealed) {
+				continue;
+			}
+			reveal(clump);
+			if (watch.usec() > usec) {
+				return true;
 			}
 		}
 	}
@@ -119,6 +124,7 @@ void FieldView::exchange(const FieldStyle &style) {
 	move_all(clumps, leaving);
 	newcomers.clear();
 	clumps = std::exchange(prepared, {});
+	next_revealed.reset();
 	levels = style.levels;
 	is_thinned = false;
 }

@@ -8,9 +8,9 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr double LARGEST_DRIFT = 2.5; // Steps that two clocks may differ by and still count as one.
+static constexpr double LARGEST_DRIFT = 2.5; // Difference of two clocks that counts as equal, in steps.
 
-// How a field's ground lies in the world, seen from above.
+// Position and axes of a field's ground in the world, seen from above.
 static AirAxes horizontal_axes(const Transform3D &axes) {
 	const auto flat = [](const Vector3 &v) { return glm::dvec2(double(v.x), double(v.z)); };
 	return { flat(axes.origin), flat(axes.basis.get_column(0)), flat(axes.basis.get_column(2)) };
@@ -33,7 +33,7 @@ FieldWind field_wind(const Ref<PlantWind> &wind, const Transform3D &axes, double
 	blowing.wind.phase += double(blowing.wind.frequency) * ahead;
 	const Vector3 direction = axes.basis.inverse().xform(to_godot(wind_direction(blowing.wind)));
 	blowing.wind.direction = std::atan2(direction.x, direction.z);
-	blowing.speed *= std::sqrt(direction.x * direction.x + direction.z * direction.z); // In metres of the field.
+	blowing.speed *= std::sqrt(direction.x * direction.x + direction.z * direction.z); // In metres of the field's axes.
 	return blowing;
 }
 

@@ -7,19 +7,21 @@
 
 namespace undergrowth {
 
-/// The wind in a field's axes (`axes`: from those to the world's), by a clock that the wind's own is `offset` seconds
-/// ahead of. A field feels the wind that has come to its origin, as a Plant3D there does. Null: still air.
+/// Returns the wind in a field's axes (`axes`: from those to the world's) on the clock of a motion. The wind's own
+/// clock is `offset` seconds ahead of it. A field has the wind that has arrived at its origin, as a Plant3D there.
+/// Null: still air.
 FieldWind field_wind(const godot::Ref<PlantWind> &wind, const godot::Transform3D &axes, double offset);
 
-/// How far the wind's clock is ahead of a motion's. A wind's clock goes on with whoever simulates first in a frame:
-/// Plant3Ds, another field or this one.
+/// The offset of a wind's clock against a motion's. In each frame the first simulation advances the wind's clock: a
+/// Plant3D, another field or this one.
 class FieldWindClock {
 public:
-	/// `steps` steps of `step` seconds begin at `motion_time` (s): makes the wind go on where nobody has in this frame.
+	/// Call before `steps` steps of `step` seconds that begin at `motion_time` (s). Advances the wind if no other
+	/// simulation has advanced it in this frame.
 	void follow(const godot::Ref<PlantWind> &wind, int steps, double step, double motion_time);
-	/// s, of the wind that was followed last.
+	/// Offset of the last followed wind (s).
 	double ahead() const { return offset; }
-	/// A motion begins anew.
+	/// Call when a motion restarts.
 	void forget() { seen_time = -1.0; }
 
 private:

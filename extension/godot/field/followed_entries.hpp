@@ -8,13 +8,13 @@
 
 namespace undergrowth {
 
-/// Resources in an array that users set, each of which tells of its changes. That one was appended or exchanged tells
-/// nobody: the array is compared with those that are followed.
+/// Connections to the `changed` signals of resources in an array that users set. An array has no signal for appended or
+/// replaced entries, so differ() compares it with the connected ones.
 class FollowedEntries {
 public:
-	/// `changed` is called for these, some of which may be null, and for none that were followed before.
+	/// Connects `changed` to these entries, some of which may be null, and disconnects it from all earlier ones.
 	void follow(const godot::Array &entries, const godot::Callable &changed);
-	/// Whether these are others than are followed.
+	/// True if these entries are not the connected ones.
 	bool differ(const godot::Array &entries) const;
 
 private:

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 using namespace godot;
 
@@ -180,6 +181,12 @@ void GroundAsker::note_ground(const FieldPlants &plants) {
 	if (plants.size() > 0) {
 		untold = survey->advice();
 	}
+}
+
+void GroundAsker::take_findings(GroundAsker &other) {
+	has_found_some = std::exchange(other.has_found_some, false) || has_found_some;
+	const String others = std::exchange(other.untold, String());
+	untold = untold.is_empty() ? others : untold;
 }
 
 void GroundAsker::tell_of_all(const Node3D *field) {

@@ -70,6 +70,8 @@ public:
 	template <class Job>
 	GroundSurvey::State serve(
 			Job &waiting, godot::Node3D *field, const FieldProperties &options, double usec, bool physics, bool tells);
+	/// Adds what `other` found and has not reported.
+	void take_findings(GroundAsker &other);
 	/// Of what did not tell since the last time: tells where no ground was found under any of them.
 	void tell_of_all(const godot::Node3D *field);
 	/// What to check, where no ground was found under any of those of whom was told last; else empty.

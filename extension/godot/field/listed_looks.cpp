@@ -9,7 +9,8 @@ using namespace godot;
 
 namespace undergrowth {
 
-// Which species of the list a look is of, or -1. Of a function that is listed twice each entry stays its own.
+// Returns the index of a look's species in the list, or -1. If a function is listed twice, each look stays with its own
+// entry.
 static int listed_number(const FieldStyle &style, int look, const StandOptions &options) {
 	const int count = int(options.species.size());
 	const auto is_it = [&](int number) {

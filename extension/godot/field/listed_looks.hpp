@@ -8,21 +8,21 @@
 
 namespace undergrowth {
 
-/// Looks of plants that code added and that no species of the list has, and in `numbers` what each look of `style` is
-/// from now on, or -1: species of the list have its numbers, and these come after them.
+/// Returns looks of added plants that no species of the list has. `numbers` gets the new index of each look of `style`,
+/// or -1: species of the list first, then these looks.
 std::vector<FieldLook> others_of(
 		const FieldStyle &style, const PlantStore &store, const StandOptions &options, std::vector<int> &numbers);
 
-/// Whether a style is what `options` list: the same species, of the same seeds, and as many variants and segments.
+/// True if a style matches the list in `options`: the same species, seeds, variants and segments.
 bool is_listed_so(const FieldStyle &style, const StandOptions &options);
 
-/// The entry of the list that a function is of, or null.
+/// Returns the entry of the list with this function, or null.
 godot::Ref<PlantFieldSpecies> listed_entry(const StandOptions &options, const godot::Ref<PlantFunction> &function);
-/// The listed species that its map knows by this name, or null.
+/// Returns the listed species with this layer of its map, or null.
 godot::Ref<PlantFunction> listed_species(const StandOptions &options, const godot::String &name);
-/// What its map calls the listed species.
+/// Returns the map layers of the listed species.
 godot::PackedStringArray layers_of(const StandOptions &options);
-/// What is painted of none of them.
+/// Returns the painted layers that no listed species has.
 godot::PackedStringArray forgotten_layers(const StandOptions &options);
 
 } // namespace undergrowth

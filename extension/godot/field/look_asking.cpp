@@ -6,8 +6,6 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr double ASKING_USEC = 2000.0; // A frame, of scripts.
-
 static uint64_t this_frame() {
 	return Engine::get_singleton()->get_process_frames();
 }
@@ -23,9 +21,9 @@ bool LookAsking::is_due() const {
 	return frame != this_frame();
 }
 
-String LookAsking::go_on(bool &is_done) {
+String LookAsking::go_on(double usec, bool &is_done) {
 	frame = this_frame();
-	return sample_looks(style, standing, ASKING_USEC, is_done);
+	return sample_looks(style, standing, usec, is_done);
 }
 
 bool LookAsking::knows(const std::vector<FieldLook> &others) const {

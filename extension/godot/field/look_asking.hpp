@@ -20,12 +20,13 @@ public:
 	FieldStyle style;
 
 	/// Lists what is to be asked: species that are listed, and others, whose plants code added. `range`: how far
-	/// the node is seen, and how finely. Tells what is wrong and what to do about it, or nothing; so does go_on().
+	/// the node is seen, and how finely. Tells what is wrong and what to do about it, or nothing; so does go_on(),
+	/// which takes about `usec`.
 	godot::String begin(const godot::Node *field, const FieldProperties &properties, const SightRange &range,
 			std::vector<FieldLook> &&others);
 	/// Whether nothing was asked in this frame yet.
 	bool is_due() const;
-	godot::String go_on(bool &is_done);
+	godot::String go_on(double usec, bool &is_done);
 	/// Whether these others are those that it began with.
 	bool knows(const std::vector<FieldLook> &others) const;
 

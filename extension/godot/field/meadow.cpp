@@ -13,7 +13,6 @@
 #include <godot_cpp/classes/world3d.hpp>
 
 #include <algorithm>
-#include <limits>
 
 using namespace godot;
 
@@ -97,7 +96,11 @@ SeenDistances Meadow::seen_distances() {
 	if (frames_since_box++ % FRAMES_BETWEEN_BOXES == 0) {
 		seen_box = box();
 	}
-	return find_seen_distances(node, axes_of(node).xform(seen_box).grow(MARGIN));
+	const Transform3D axes = axes_of(node);
+	const Vector3 scale = axes.basis.get_scale().abs();
+	const float radius = MARGIN + 0.5f * seen_box.size.length() * std::max({ scale.x, scale.y, scale.z });
+	const Vector3 reach(radius, radius, radius);
+	return find_seen_distances(node, AABB(axes.xform(seen_box.get_center()) - reach, 2.0f * reach));
 }
 
 void Meadow::refresh() {
@@ -136,15 +139,16 @@ void Meadow::update_wear(const FieldWear &wanted) {
 void Meadow::change_materials() {
 	motion.wait();
 	renewal.interrupt(tile_scene(), motion);
-	view.free_some(std::numeric_limits<double>::infinity());
 	has_other_materials = job != nullptr;
-	std::vector<std::vector<Ref<ShaderMaterial>>> old; // They go once nobody wears them.
-	dress.take_off(style, old);
+	dress.take_off(style, retired_materials); // What is not freed yet is still drawn with them.
 	if (motion.pose_texture().is_valid()) {
 		dress.put_on(style, motion);
 		view.wear_materials(style);
 		skeletons.release_all(motion);
 		refresh(); // A field that stands still has no frame that would tell them of its followers.
+	}
+	if (!view.free_some(0.0)) {
+		retired_materials.clear();
 	}
 }
 
@@ -158,6 +162,9 @@ ChangeSet Meadow::apply(StandEdit &&edit, ArrivingBlocks *arriving) {
 		if (store.block(place.block).is_added) {
 			touched.push_back(store.block(place.block).tile);
 		}
+	}
+	for (size_t i = 0; i < edit.stood.size() && !repeated.empty(); i++) {
+		arrived.push_back(edit.stood[i].tile);
 	}
 	ChangeSet changes = store.apply(std::move(edit));
 	std::for_each(changes.dropped.begin(), changes.dropped.end(), [this](int block) { view.drop_newcomers(block); });
@@ -182,7 +189,7 @@ std::vector<PlantId> Meadow::add(std::vector<PlacedPlant> &&plants, std::vector<
 	const ChangeSet changes = apply(std::move(edit));
 	for (const ChangeSet::Grown &grown : changes.grown) {
 		if (job && !job->knows(store.block(grown.block).species)) {
-			const bool places = is_filling();
+			const bool places = is_placing();
 			drop_job(); // Its field would have no look for them.
 			fill_again(places);
 		}
@@ -222,7 +229,7 @@ void Meadow::mow(std::vector<PlantPlace> &&places, const std::vector<float> &sha
 
 void Meadow::grow_again(const std::vector<AreaBox> &boxes) {
 	if (is_at_work()) {
-		fill(is_filling() || !boxes.empty()); // It does not know of it.
+		fill(is_placing() || !boxes.empty()); // It does not know of it.
 		return;
 	}
 	tiles.interrupt(tile_scene());
@@ -270,6 +277,7 @@ void Meadow::enter_tree() {
 
 void Meadow::exit_tree() {
 	motion.wait();
+	wait_for_jobs();
 	motion.bodies.forget();
 	view.set_scenario(RID());
 }

@@ -32,6 +32,7 @@ public:
 	/// What the node hears of.
 	struct Listener {
 		std::function<void(const godot::String &)> fault; ///< Empty: there is none any more.
+		std::function<void(const godot::String &)> failed; ///< A build ended without its plants, and why.
 		std::function<void(const godot::String &)>
 				no_ground; ///< What to check; empty: some was found, or none is asked.
 		std::function<void(float)> progressed; ///< 0 to 1.
@@ -48,9 +49,14 @@ public:
 	/// Whether all of it is exchanged at once.
 	bool is_at_work() const { return asking || job; }
 	/// Whether it places plants, or joins tiles that were placed one by one.
-	bool is_filling() const {
-		return renewal.is_at_work() || joins || (asking ? asking->places : job && job->places());
-	}
+	bool is_building() const { return is_placing() || tiles.is_building(); }
+	/// Builds all that is missing before it returns. False where that is not possible.
+	bool build_now();
+	/// Whether tiles of another size are wanted than those that stand.
+	bool needs_other_tiles() const { return streams() && float(properties.tile_size) != store.tile_size(); }
+	/// Repeats an edit of the plants in a box (m, field axes) for plants that the first build adds later.
+	void repeat_in_first_build(const AreaBox &box, std::function<void()> &&edit);
+	void forget_repeated_edits() { repeated.clear(); }
 	/// What is painted in a box (m, field axes) changed: those who come and go there do so beside the game, while all
 	/// others stand untouched. Where nothing stands yet, or too much changed, the field is filled.
 	void touch(const AreaBox &box);
@@ -62,7 +68,8 @@ public:
 	bool streams() const { return properties.view_distance > 0.0; }
 	/// Whether it is to be polled.
 	bool wants_frames() const {
-		return is_at_work() || is_filling() || is_patching() || streams() || !retired.empty() || tells_of_patches;
+		return is_at_work() || is_building() || is_patching() || streams() || !retired.empty() ||
+				!retired_materials.empty() || tells_of_patches;
 	}
 	/// Whether what is filled takes its motion over: nothing of it is to be waited for in this frame.
 	bool is_handing_over() const { return job && job->is_handed_over; }
@@ -146,6 +153,7 @@ private:
 	Listener listener;
 	FieldDress dress;
 	std::vector<FieldStyle> retired; ///< What is drawn no more wears them, until all of it is freed.
+	std::vector<std::vector<godot::Ref<godot::ShaderMaterial>>> retired_materials; ///< As `retired`.
 	FieldView view;
 	FieldWear wear;
 	std::set<TileKey> unseen; ///< Tiles with plants that were added or dropped, and are not drawn so yet.
@@ -157,6 +165,20 @@ private:
 	FieldPatches patches;
 	FieldRenewal renewal;
 	bool is_of_tiles = false; ///< It was filled so.
+	/// An edit that the first build repeats.
+	struct Repeated {
+		AreaBox box; ///< m, field axes.
+		std::function<void()> edit;
+	};
+
+	std::vector<Repeated> repeated; ///< Until the first build ends.
+	std::vector<TileKey> arrived; ///< Tiles with new plants, for which edits are to be repeated.
+	bool was_built = false; ///< A build has ended.
+	bool has_failed = false; ///< The last one, since it began.
+	float built_before = 0.0f; ///< progress() at which the tiles of the first build begin.
+	godot::String tile_fault; ///< Why a tile or a patch cannot be built.
+	bool is_polling = false;
+	bool is_urgent = false; ///< build_now() is at work: no budgets.
 	bool joins = false; ///< What was grown tile by tile is joined by the job that goes on.
 	FieldGround ground; ///< As it was read when the field was filled.
 	std::vector<PlantId> removed_meanwhile; ///< While the job goes on.
@@ -175,11 +197,26 @@ private:
 	void tell_of_stems();
 	FieldMotion::Frame frame(double delta, const godot::Ref<PlantWind> &wind) const;
 	FieldSettings settings() const;
-	/// Of the whole filling, of which tiles are the first part where they are joined then.
-	float progress() const {
-		const float first = streams() ? 1.0f : 0.8f;
-		return joins ? first + (1.0f - first) * job->progress() : job ? job->progress() : first * renewal.progress();
+	/// Without tiles of a first build that stream.
+	bool is_placing() const {
+		return renewal.is_at_work() || joins || (asking ? asking->places : job && job->places());
 	}
+	/// µs of this thread for building, a frame.
+	double budget_usec() const;
+	/// As GroundAsker::usual_usec().
+	double ground_usec(double delta) const;
+	/// Of the whole build.
+	float progress() const;
+	/// A build ended, without what it was for.
+	void fail(const godot::String &fault);
+	/// Whether a tile or a patch has failed since the last call. `builds`: that ends a build.
+	bool report_tile_fault(bool builds);
+	void finish_build();
+	void split_first_build(FieldRecipe &recipe);
+	void begin_rest(FieldFill &finished);
+	void repeat_edits();
+	void wait_for_jobs();
+	bool can_query_ground_now() const;
 	/// Once of each progress.
 	void tell_of(float progress) {
 		if (std::exchange(told_progress, progress) != progress) {
@@ -199,6 +236,8 @@ private:
 	void drop_job();
 	/// False: there is more to be made ready.
 	bool make_ready();
+	void poll_parts(double delta, bool physics);
+	void serve_ground(double delta, bool physics);
 	void poll_job(bool physics);
 	/// False, with the fault told, where it cannot stand.
 	bool adopt(FieldFill &finished);

@@ -15,6 +15,8 @@ using namespace godot;
 
 namespace undergrowth {
 
+static constexpr double ASKING_USEC = 2000.0; // A frame, for the scripts of species.
+
 FieldSettings Meadow::settings() const {
 	FieldSettings made;
 	made.step = float(PlantSimulation::get_singleton()->get_step_length());
@@ -38,6 +40,9 @@ bool Meadow::renew() {
 		return false;
 	}
 	asker.forget();
+	GroundAsker().take_findings(asker);
+	has_failed = false;
+	built_before = 0.0f;
 	drop_job();
 	renewal.stop(tile_scene(), motion);
 	tiles.interrupt(tile_scene());
@@ -98,8 +103,12 @@ String Meadow::make_recipe(FieldRecipe &recipe) {
 	}
 	tell_what_stands(recipe);
 	recipe.is_of_tiles = recipe.places && streams();
+	recipe.draws_tiles = streams();
 	if (recipe.is_of_tiles) {
 		recipe.tiles = tiles.choose_all(tile_scene(), recipe.request);
+	}
+	if (recipe.places) {
+		split_first_build(recipe);
 	}
 	return String();
 }
@@ -117,7 +126,7 @@ String Meadow::begin_asking(bool places) {
 void Meadow::go_on_asking() {
 	const FrameBudget::Share share(FrameBudget::of_fields());
 	bool is_done = false;
-	String fault = asking->go_on(is_done);
+	String fault = asking->go_on(is_urgent ? budget_usec() : ASKING_USEC, is_done);
 	if (fault.is_empty() && !is_done) {
 		return;
 	}
@@ -129,12 +138,12 @@ void Meadow::go_on_asking() {
 		return;
 	}
 	fault = fault.is_empty() ? make_recipe(recipe) : fault;
-	asking.reset();
-	listener.fault(fault.is_empty() ? recipe.style.left_out : fault);
 	if (!fault.is_empty()) {
-		removed_meanwhile.clear();
+		fail(fault);
 		return;
 	}
+	asking.reset();
+	listener.fault(recipe.style.left_out);
 	job = std::make_unique<FieldFill>(std::move(recipe));
 	told_progress = -1.0f;
 	job->start();
@@ -143,7 +152,7 @@ void Meadow::go_on_asking() {
 void Meadow::follow_area() {
 	PlacementRequest now;
 	const String fault = read_request(node, properties, style, nullptr, now);
-	if (!fault.is_empty() || !standing_area.can_follow(now) || is_at_work() || is_filling() || streams()) {
+	if (!fault.is_empty() || !standing_area.can_follow(now) || is_at_work() || is_building() || streams()) {
 		fill(true, false);
 		return;
 	}

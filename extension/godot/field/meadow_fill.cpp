@@ -12,15 +12,15 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr double READYING_USEC = 1000.0, FREEING_USEC = 500.0; // A frame.
+static constexpr double FREEING_SHARE = 0.5; // Of the budget of a frame.
 
 void Meadow::fill(bool places, bool looks) {
 	if (!node->is_inside_tree()) {
-		node->call("fill"); // There are no axes and no cameras: the field is built when it enters the tree.
+		node->call("rebuild"); // The field is built when it enters the tree: there are no axes and no cameras.
 		return;
 	}
 	const FrameCost::Share share(filling);
-	const bool placed_before = is_filling();
+	const bool placed_before = is_placing();
 	if (places && !looks && renew()) {
 		return;
 	}
@@ -28,8 +28,11 @@ void Meadow::fill(bool places, bool looks) {
 		is_due_again = true; // What changes in each frame is seen now and then, and not only when that ends.
 		return;
 	}
-	places = places || (streams() && float(properties.tile_size) != store.tile_size());
+	places = places || needs_other_tiles();
 	asker.forget();
+	GroundAsker().take_findings(asker);
+	has_failed = false;
+	built_before = 0.0f;
 	drop_job();
 	renewal.stop(tile_scene(), motion);
 	tiles.interrupt(tile_scene());
@@ -46,9 +49,7 @@ void Meadow::fill(bool places, bool looks) {
 		}
 		return;
 	}
-	asking.reset();
-	listener.fault(fault);
-	removed_meanwhile.clear();
+	fail(fault);
 }
 
 void Meadow::fill_again(bool places) {
@@ -64,7 +65,7 @@ void Meadow::touch(const AreaBox &box) {
 		renewal.interrupt(tile_scene(), motion, box);
 		keep_standing_patches();
 	}
-	if ((!is_filling() && style.levels.empty()) || patches.touched_tiles() > FieldPatches::MOST_TILES) {
+	if ((!is_building() && style.levels.empty()) || patches.touched_tiles() > FieldPatches::MOST_TILES) {
 		fill(true, false);
 	}
 }
@@ -77,11 +78,13 @@ void Meadow::keep_standing_patches() {
 
 FieldTiles::Scene Meadow::tile_scene() {
 	const auto change = [this](StandEdit &&edit, ArrivingBlocks *blocks) { return apply(std::move(edit), blocks); };
+	const auto fault = [this](const String &why) { tile_fault = why; };
 	FieldSettings built = settings();
 	if (motion.is_ready()) { // The last build may have failed: tiles are for the simulation that exists.
 		built.prototypes = motion.follows_prototypes() ? std::max(built.prototypes, 1) : 0;
 	}
-	return { node, properties, store, style, motion, ground, own_changes.known(), built, view, change, listener.fault };
+	return { node, properties, store, style, motion, ground, own_changes.known(), built, view, change, fault,
+		budget_usec() };
 }
 
 // What is on its way while the field is placed in boxes would be placed twice.
@@ -94,11 +97,25 @@ void Meadow::poll_tiles(bool physics) {
 	}
 	const Stopwatch watch;
 	const int before = store.block_count() + tiles.standing_count();
+	const bool was_building = tiles.is_building();
 	tiles.go_on(tile_scene(), physics, patches.lets_others_edit());
+	repeat_edits();
 	if (before != store.block_count() + tiles.standing_count()) {
 		skeletons.release_gone(store);
 	}
 	tiles_usec = physics ? tiles_usec : watch.usec();
+	if (report_tile_fault(was_building) || !was_building) {
+		return;
+	}
+	if (tiles.is_building()) {
+		tell_of(progress());
+		return;
+	}
+	tiles.ground_asker().take_findings(asker);
+	tiles.ground_asker().tell_of_all(node);
+	listener.no_ground(tiles.ground_asker().missing_ground());
+	tell_of(1.0f);
+	finish_build();
 }
 
 void Meadow::poll_renewal(bool physics) {
@@ -109,26 +126,34 @@ void Meadow::poll_renewal(bool physics) {
 		motion.wait();
 	}
 	renewal.go_on(tile_scene(), { motion, skeletons, !streams() }, physics);
-	tell_of(progress());
-	if (!renewal.is_at_work()) {
-		listener.no_ground(renewal.missing_ground());
+	repeat_edits();
+	report_tile_fault(true);
+	if (renewal.is_at_work()) {
+		tell_of(progress());
+		return;
 	}
-	if (!renewal.is_at_work() && streams()) {
-		listener.filled();
-	} else if (!renewal.is_at_work()) {
+	renewal.ground_asker().take_findings(asker);
+	renewal.ground_asker().tell_of_all(node);
+	listener.no_ground(renewal.ground_asker().missing_ground());
+	if (!streams()) {
 		join_tiles();
+	}
+	tell_of(progress());
+	if (streams()) {
+		finish_build();
 	}
 }
 
 void Meadow::poll_patches(FieldPatches::Moment moment, double delta) {
-	if (is_at_work() || is_filling() || !motion.is_ready() || !patches.is_at_work()) {
+	if (is_at_work() || is_placing() || !motion.is_ready() || !patches.is_at_work()) {
 		return;
 	}
 	keep_standing_patches();
-	if (patches.go_on(tile_scene(), moment, GroundAsker::usual_usec(delta))) {
+	if (patches.go_on(tile_scene(), moment, ground_usec(delta))) {
 		skeletons.release_gone(store);
 		show_soon();
 	}
+	report_tile_fault(false);
 }
 
 void Meadow::follow_strokes(FieldPatches::Moment moment, double delta) {
@@ -158,7 +183,7 @@ bool Meadow::make_ready() {
 	const Stopwatch watch;
 	FieldStyle &coming = job->style();
 	for (FieldLook &look : coming.looks) {
-		if (!look.make_meshes(READYING_USEC - watch.usec())) {
+		if (!look.make_meshes(budget_usec() - watch.usec())) {
 			return false;
 		}
 	}
@@ -169,11 +194,11 @@ bool Meadow::make_ready() {
 	}
 	while (const std::unique_ptr<ClumpPlan> plan = job->take_plan()) {
 		view.prepare(coming, *plan);
-		if (watch.usec() > READYING_USEC) {
+		if (watch.usec() > budget_usec()) {
 			return false;
 		}
 	}
-	if (!job->is_done() || view.reveal_some(READYING_USEC)) {
+	if (!job->is_done() || view.reveal_some(budget_usec())) {
 		return false;
 	}
 	FieldResult &result = job->finish();
@@ -187,67 +212,80 @@ bool Meadow::make_ready() {
 
 void Meadow::poll(double delta, bool physics) {
 	const FrameCost::Share share(filling);
+	is_polling = true;
+	poll_parts(delta, physics);
+	is_polling = false;
+}
+
+void Meadow::poll_parts(double delta, bool physics) {
 	if (!physics) {
 		view.tell_if_undrawn();
 	}
-	if (!physics && !view.free_some(FREEING_USEC)) {
+	if (!physics && !view.free_some(FREEING_SHARE * budget_usec())) {
 		retired.clear();
+		retired_materials.clear();
 	}
 	poll_tiles(physics);
 	poll_renewal(physics);
 	poll_patches(physics ? FieldPatches::Moment::physics : FieldPatches::Moment::begun, delta);
-	if (asking && !physics && asking->is_due() && FrameBudget::of_fields().is_left()) {
+	if (asking && !physics && (is_urgent || (asking->is_due() && FrameBudget::of_fields().is_left()))) {
 		go_on_asking();
 	}
 	if (job && job->wants_ground()) {
-		const GroundSurvey::State state =
-				asker.serve(*job, node, properties, GroundAsker::usual_usec(delta), physics, true);
-		if (state == GroundSurvey::State::failed) {
-			drop_job();
-			listener.fault(asker.fault());
-		} else if (state == GroundSurvey::State::done) {
-			listener.no_ground(asker.missing_ground());
-		}
+		serve_ground(delta, physics);
 	}
-	if (job && (physics || FrameBudget::of_fields().is_left())) {
+	if (job && (physics || is_urgent || FrameBudget::of_fields().is_left())) {
 		poll_job(physics);
 	}
-	if (tells_of_patches && !is_at_work() && !is_filling() && !is_patching()) {
+	if (tells_of_patches && !is_at_work() && !is_building() && !is_patching()) {
 		tells_of_patches = false;
-		listener.filled();
+		finish_build();
+	}
+}
+
+// The first part of a build may have no ground where the rest has some.
+void Meadow::serve_ground(double delta, bool physics) {
+	const bool is_whole = !job->has_rest();
+	const GroundSurvey::State state = asker.serve(*job, node, properties, ground_usec(delta), physics, is_whole);
+	if (state == GroundSurvey::State::failed) {
+		drop_job();
+		fail(asker.fault());
+	} else if (state == GroundSurvey::State::done && is_whole) {
+		listener.no_ground(asker.missing_ground());
 	}
 }
 
 void Meadow::poll_job(bool physics) {
 	const FrameBudget::Share share(FrameBudget::of_fields());
 	const bool is_done = !physics && job->is_planned() && make_ready();
-	const float ratio = is_done ? 1.0f : progress();
 	const bool tells = job->places() || joins;
-	if (is_done) {
-		joins = false;
-		const std::unique_ptr<FieldFill> finished = std::move(job);
-		const bool stands = adopt(*finished);
-		clearing.start(finished->take_rubbish());
-		if (is_due_again || (stands && !update_levels())) {
-			fill(false);
+	if (!is_done) {
+		if (tells) {
+			tell_of(progress());
 		}
-		if (!stands) {
-			return;
-		}
+		return;
 	}
-	if (tells) {
-		tell_of(ratio);
+	joins = false;
+	const std::unique_ptr<FieldFill> finished = std::move(job);
+	const bool stands = adopt(*finished);
+	clearing.start(finished->take_rubbish());
+	if (stands && finished->has_rest()) {
+		begin_rest(*finished);
 	}
-	if (tells && is_done) {
-		listener.filled();
+	if (is_due_again || (stands && !update_levels())) {
+		fill(false);
+	}
+	if (!stands) {
+		fail(finished->finish().describe_fault()); // What stood before stays.
+	} else if (tells && !finished->has_rest()) {
+		tell_of(1.0f);
+		finish_build();
 	}
 }
 
 bool Meadow::adopt(FieldFill &finished) {
 	FieldResult &result = finished.finish();
-	const String fault = result.describe_fault();
-	if (!fault.is_empty()) {
-		listener.fault(fault); // What stood before stays.
+	if (!result.describe_fault().is_empty()) {
 		view.forget_prepared();
 		retired.push_back(std::move(result.style));
 		return false;
@@ -294,11 +332,14 @@ bool Meadow::adopt(FieldFill &finished) {
 		listener.no_ground(String());
 	}
 	if (finished.places()) {
-		is_of_tiles = finished.is_of_tiles();
+		is_of_tiles = streams();
 		standing_area.stand_by(finished.request());
-		tiles.stand(finished.tiles(), finished.request());
+		tiles.stand(streams() ? finished.tiles() : std::vector<TileKey>(), finished.request());
 	}
 	remove(store.find_all(std::exchange(removed_meanwhile, {})));
+	for (const Repeated &one : repeated) {
+		one.edit();
+	}
 	if (has_other_materials) {
 		change_materials();
 	}

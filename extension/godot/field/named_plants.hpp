@@ -6,6 +6,8 @@
 #include <godot_cpp/classes/skeleton3d.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace undergrowth {
@@ -86,6 +88,25 @@ private:
 	godot::PackedInt64Array ids_of(const std::vector<PlantPlace> &places) const;
 	std::vector<PlantPlace> in_box(const char *method, const godot::AABB &box) const;
 	std::vector<PlantPlace> in_sphere(const char *method, const godot::Vector3 &center, double radius) const;
+	/// A sphere of the world, and the sphere around it in the field's axes (m).
+	struct Sphere {
+		glm::vec3 center; ///< Field axes, like `radius`.
+		float radius;
+		godot::Vector3 world_center;
+		float world_radius;
+		godot::Transform3D placed; ///< The field's axes.
+		bool is_even; ///< The field is scaled alike along all axes, so that both spheres are the same.
+	};
+	using Find = std::function<void(std::vector<PlantPlace> &)>;
+	/// Nothing outside of a tree, and where that is no sphere, which is an error of `method`.
+	std::optional<Sphere> sphere_of(const char *method, const godot::Vector3 &center, double radius) const;
+	/// Appends the plants with roots in the sphere.
+	void find_in(const Sphere &sphere, std::vector<PlantPlace> &found) const;
+	/// Removes what `find` finds, and what it finds later of a first build, in a box (m, field axes). Returns how many
+	/// plants are removed now.
+	int remove_found(const AreaBox &box, const Find &find);
+	/// `height`: m, field axes. Returns how many plants changed.
+	int mow_in(const Sphere &sphere, float height);
 };
 
 } // namespace undergrowth

@@ -25,14 +25,26 @@ int NamedPlants::set_height_in_sphere(const Vector3 &center, double radius, doub
 		report_error(node, "set_height_in_sphere() needs a height of 0 m or more.");
 		return 0;
 	}
+	const std::optional<Sphere> sphere = sphere_of("set_height_in_sphere", center, radius);
+	if (!sphere) {
+		return 0;
+	}
+	const float own_height = float(height) / axes_of(node).basis.get_column(1).length();
+	const auto mow = [this, one = *sphere, own_height] { return mow_in(one, own_height); };
+	const glm::vec2 middle = { sphere->center.x, sphere->center.z };
+	meadow.repeat_in_first_build({ middle - sphere->radius, middle + sphere->radius }, [mow] { mow(); });
+	return mow();
+}
+
+int NamedPlants::mow_in(const Sphere &sphere, float height) {
+	std::vector<PlantPlace> places;
+	find_in(sphere, places);
 	std::vector<PlantPlace> mown;
 	std::vector<float> shares;
-	const std::vector<PlantPlace> places = in_sphere("set_height_in_sphere", center, radius);
-	const float metre = places.empty() ? 1.0f : axes_of(node).basis.get_column(1).length();
 	for (const PlantPlace &place : places) {
 		const PlacedPlant plant = meadow.store.block(place.block).plants.plant(place.slot);
-		const float whole = meadow.style.looks[size_t(plant.species)].length_of(plant) * metre;
-		const float share = std::clamp(float(height) / whole, StandChanges::LEAST_SHARE, 1.0f);
+		const float whole = meadow.style.looks[size_t(plant.species)].length_of(plant);
+		const float share = std::clamp(height / whole, StandChanges::LEAST_SHARE, 1.0f);
 		if (std::abs(share - meadow.own_changes.share_of(meadow.store, place)) > SAME_SHARE) {
 			mown.push_back(place);
 			shares.push_back(share);
@@ -166,6 +178,7 @@ bool NamedPlants::apply_changes(const PackedByteArray &bytes) {
 						": other plants stand here, and whoever stands where one was removed or mown is so, too. Apply "
 						"what get_changes() of this field gave, or set the seed.");
 	}
+	meadow.forget_repeated_edits();
 	bring_back(saved, species);
 	const StandChanges before = meadow.own_changes.known();
 	meadow.own_changes.replace(std::move(saved.changes), meadow.store, meadow.style, meadow.motion);

@@ -41,27 +41,69 @@ static float reach_in(const Transform3D &to_field, double radius) {
 	return float(radius) * to_field.basis.get_column(1).length();
 }
 
-// Plants around a place in the world; nobody outside of a tree, and told of `method` where that is no sphere.
-std::vector<PlantPlace> NamedPlants::in_sphere(const char *method, const Vector3 &center, double radius) const {
-	std::vector<PlantPlace> found;
+std::optional<NamedPlants::Sphere> NamedPlants::sphere_of(
+		const char *method, const Vector3 &center, double radius) const {
 	if (!center.is_finite() || !is_radius(radius)) {
 		report_error(node, String(method) + "() needs a finite centre and a radius of 0 or more.");
-	} else if (node->is_inside_tree()) {
-		const Transform3D placed = axes_of(node);
-		const Vector3 scale = placed.basis.get_scale().abs();
-		const float least = std::min({ scale.x, scale.y, scale.z });
-		const glm::vec3 middle = to_glm(placed.affine_inverse().xform(center));
-		meadow.store.find_in_sphere(middle, float(radius) / least, found);
-		if (!scale.is_equal_approx(Vector3(least, least, least))) { // In the field's axes it is an ellipsoid.
-			remove_beside(meadow.store, placed, found,
-					[&](const Vector3 &root) { return root.distance_to(center) > float(radius); });
-		}
+		return std::nullopt;
+	}
+	if (!node->is_inside_tree()) {
+		return std::nullopt;
+	}
+	const Transform3D placed = axes_of(node);
+	const Vector3 scale = placed.basis.get_scale().abs();
+	const float smallest = std::min({ scale.x, scale.y, scale.z });
+	const bool is_even = scale.is_equal_approx(Vector3(smallest, smallest, smallest));
+	return Sphere{ to_glm(placed.affine_inverse().xform(center)), float(radius) / smallest, center, float(radius), placed,
+		is_even };
+}
+
+void NamedPlants::find_in(const Sphere &sphere, std::vector<PlantPlace> &found) const {
+	meadow.store.find_in_sphere(sphere.center, sphere.radius, found);
+	if (!sphere.is_even) { // In the field's axes it is an ellipsoid.
+		remove_beside(meadow.store, sphere.placed, found,
+				[&](const Vector3 &root) { return root.distance_to(sphere.world_center) > sphere.world_radius; });
+	}
+}
+
+std::vector<PlantPlace> NamedPlants::in_sphere(const char *method, const Vector3 &center, double radius) const {
+	std::vector<PlantPlace> found;
+	if (const std::optional<Sphere> sphere = sphere_of(method, center, radius)) {
+		find_in(*sphere, found);
 	}
 	return found;
 }
 
+int NamedPlants::remove_found(const AreaBox &box, const Find &find) {
+	const auto remove = [this, find] {
+		std::vector<PlantPlace> found;
+		find(found);
+		return meadow.remove(std::move(found));
+	};
+	meadow.repeat_in_first_build(box, [remove] { remove(); });
+	return remove();
+}
+
 PackedInt64Array NamedPlants::find_in_sphere(const Vector3 &center, double radius) const {
 	return ids_of(in_sphere("find_plants_in_sphere", center, radius));
+}
+
+// The box around a box of the world, in a field's axes.
+static AABB box_in_field(const Transform3D &placed, const AABB &box) {
+	const Transform3D to_field = placed.affine_inverse();
+	AABB around(to_field.xform(box.position), Vector3());
+	for (int i = 1; i < 8; i++) {
+		around.expand_to(to_field.xform(box.position + box.size * Vector3(i & 1, i >> 1 & 1, i >> 2)));
+	}
+	return around;
+}
+
+static void find_in_world_box(
+		const PlantStore &store, const Transform3D &placed, const AABB &box, std::vector<PlantPlace> &found) {
+	const AABB around = box_in_field(placed, box);
+	store.find_in_box(to_glm(around.position), to_glm(around.get_end()), found);
+	// A field that is turned has another box around it.
+	remove_beside(store, placed, found, [&](const Vector3 &root) { return !box.has_point(root); });
 }
 
 // The same in a box.
@@ -73,15 +115,7 @@ std::vector<PlantPlace> NamedPlants::in_box(const char *method, const AABB &box)
 	if (!box.is_finite() || !node->is_inside_tree()) {
 		return found;
 	}
-	const Transform3D placed = axes_of(node);
-	const Transform3D to_field = placed.affine_inverse();
-	AABB around(to_field.xform(box.position), Vector3());
-	for (int i = 1; i < 8; i++) {
-		around.expand_to(to_field.xform(box.position + box.size * Vector3(i & 1, i >> 1 & 1, i >> 2)));
-	}
-	meadow.store.find_in_box(to_glm(around.position), to_glm(around.get_end()), found);
-	// A field that is turned has another box around it.
-	remove_beside(meadow.store, placed, found, [&](const Vector3 &root) { return !box.has_point(root); });
+	find_in_world_box(meadow.store, axes_of(node), box, found);
 	return found;
 }
 
@@ -108,15 +142,28 @@ Ref<PlantFunction> NamedPlants::species_at(const Vector3 &point, double max_dist
 }
 
 int NamedPlants::remove_in_sphere(const Vector3 &center, double radius) {
-	return meadow.remove(in_sphere("remove_in_sphere", center, radius));
+	const std::optional<Sphere> sphere = sphere_of("remove_in_sphere", center, radius);
+	if (!sphere) {
+		return 0;
+	}
+	const glm::vec2 middle = { sphere->center.x, sphere->center.z };
+	return remove_found({ middle - sphere->radius, middle + sphere->radius },
+			[this, one = *sphere](std::vector<PlantPlace> &found) { find_in(one, found); });
 }
 
 int NamedPlants::remove_in_box(const AABB &box) {
-	return meadow.remove(in_box("remove_in_box", box));
+	if (!box.is_finite() || !node->is_inside_tree()) {
+		return int(in_box("remove_in_box", box).size());
+	}
+	const Transform3D placed = axes_of(node);
+	const AABB around = box_in_field(placed, box);
+	const Vector3 end = around.get_end();
+	return remove_found({ { around.position.x, around.position.z }, { end.x, end.z } },
+			[this, placed, box](
+					std::vector<PlantPlace> &found) { find_in_world_box(meadow.store, placed, box, found); });
 }
 
 int NamedPlants::remove_in_polygon(const PackedVector3Array &points) {
-	std::vector<PlantPlace> found;
 	if (!node->is_inside_tree()) {
 		return 0;
 	}
@@ -131,11 +178,10 @@ int NamedPlants::remove_in_polygon(const PackedVector3Array &points) {
 		report_error(node, String("remove_in_polygon(): ") + undergrowth::describe(fault));
 		return 0;
 	}
-	meadow.store.find_in_polygon(polygon, found);
-	return meadow.remove(std::move(found));
+	return remove_found(bounding_box(polygon),
+			[this, polygon](std::vector<PlantPlace> &found) { meadow.store.find_in_polygon(polygon, found); });
 }
 
-// Who stands near two of its lines is found twice.
 int NamedPlants::remove_along(const PackedVector3Array &points, double width) {
 	const Vector3 *all = points.ptr();
 	const bool are_finite =
@@ -148,15 +194,20 @@ int NamedPlants::remove_along(const PackedVector3Array &points, double width) {
 		return 0;
 	}
 	const Transform3D to_field = axes_of(node).affine_inverse();
-	std::vector<PlantPlace> found;
-	for (int64_t i = 0; i < std::max(points.size() - 1, int64_t(1)); i++) {
-		const glm::vec3 from = to_glm(to_field.xform(points[i]));
-		const glm::vec3 to = to_glm(to_field.xform(points[std::min(i + 1, points.size() - 1)]));
-		meadow.store.find_along({ from.x, from.z }, { to.x, to.z }, reach_in(to_field, 0.5 * width), found);
+	const float reach = reach_in(to_field, 0.5 * width);
+	Polygon line;
+	for (int64_t i = 0; i < points.size(); i++) {
+		const Vector3 point = to_field.xform(points[i]);
+		line.push_back({ point.x, point.z });
 	}
-	std::sort(found.begin(), found.end());
-	found.erase(std::unique(found.begin(), found.end()), found.end());
-	return meadow.remove(std::move(found));
+	const AreaBox box = bounding_box(line);
+	return remove_found({ box.low - reach, box.high + reach }, [this, line, reach](std::vector<PlantPlace> &found) {
+		for (size_t i = 0; i < std::max(line.size() - 1, size_t(1)); i++) {
+			meadow.store.find_along(line[i], line[std::min(i + 1, line.size() - 1)], reach, found);
+		}
+		std::sort(found.begin(), found.end()); // A plant near two of the lines is found twice.
+		found.erase(std::unique(found.begin(), found.end()), found.end());
+	});
 }
 
 int NamedPlants::apply_impulse_in_sphere(const Vector3 &center, double radius, const Vector3 &impulse) {

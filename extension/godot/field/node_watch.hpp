@@ -10,19 +10,20 @@
 
 namespace undergrowth {
 
-/// Other nodes that a field depends on, such as its outline: their curves tell of changes, their places are looked at.
+/// Watches other nodes that a field depends on, such as its outline: connects to changes of their curves and compares
+/// their transforms.
 class NodeWatch {
 public:
-	/// Watches those nodes, some of which may be null, and no others. `changed` is called where a curve changes.
+	/// Watches these nodes only; some may be null. `changed` is called when a curve changes.
 	void watch(const godot::Node3D *field, const std::vector<godot::Node3D *> &wanted, const godot::Callable &changed);
-	/// Whether any was moved against the field, or got another size, since it was asked last.
+	/// True if a node was moved relative to the field or resized since the last call.
 	bool has_moved(const godot::Node3D *field);
 
 private:
 	struct Watched {
 		uint64_t node; ///< Instance id.
 		godot::Transform3D placed; ///< In the field's axes.
-		godot::Variant size; ///< Of one that has a size.
+		godot::Variant size; ///< Null if the node has no size.
 	};
 
 	std::vector<Watched> nodes;

@@ -18,16 +18,17 @@ namespace undergrowth {
 PlantField3D::PlantField3D() :
 		meadow(this, properties,
 				{ [this](const String &fault) { problems.report(fault); },
+						[this](const String &fault) { emit_signal("build_failed", fault); },
 						[this](const String &advice) { problems.advise(advice); },
-						[this](float ratio) { emit_signal("fill_progressed", ratio); },
-						[this] { emit_signal("filled"); },
+						[this](float ratio) { emit_signal("build_progressed", ratio); },
+						[this] { emit_signal("build_finished"); },
 						[this](Skeleton3D *skeleton, bool is_shown) { tell_of_skeleton(skeleton, is_shown); } }) {}
 
 PlantField3D::~PlantField3D() {
 	meadow.motion.wait();
 }
 
-PlantField3D *PlantField3D::from_species(const Array &functions, const PackedFloat32Array &shares) {
+PlantField3D *PlantField3D::from_species(const Array &functions, const PackedFloat32Array &weights) {
 	PlantField3D *field = memnew(PlantField3D);
 	TypedArray<PlantFieldSpecies> entries;
 	for (int64_t i = 0; i < functions.size(); i++) {
@@ -36,7 +37,7 @@ PlantField3D *PlantField3D::from_species(const Array &functions, const PackedFlo
 			report_error(field, "from_species() needs PlantFunctions; entry " + String::num_int64(i) + " is none.");
 			continue;
 		}
-		entries.push_back(PlantFieldSpecies::of(function, i < shares.size() ? double(shares[i]) : 1.0));
+		entries.push_back(PlantFieldSpecies::of(function, i < weights.size() ? double(weights[i]) : 1.0));
 	}
 	field->set_species(entries);
 	return field;
@@ -79,7 +80,7 @@ void PlantField3D::on_fill_queued() {
 	frames.follow(meadow.wants_frames());
 }
 
-void PlantField3D::fill() {
+void PlantField3D::rebuild() {
 	staleness.mark_stand();
 	staleness.mark_look();
 	if (is_inside_tree()) { // Else it grows when it enters the tree.
@@ -87,8 +88,21 @@ void PlantField3D::fill() {
 	}
 }
 
-bool PlantField3D::is_filling() const {
-	return meadow.is_filling() || meadow.is_patching() || staleness.grows_soon();
+bool PlantField3D::is_building() const {
+	return meadow.is_building() || meadow.is_patching() || staleness.grows_soon();
+}
+
+bool PlantField3D::build_now() {
+	if (!is_inside_tree()) {
+		report_error(this, "build_now() needs the field in the tree. Add it first.");
+		return false;
+	}
+	on_fill_queued();
+	const bool is_built = meadow.build_now() && !problems.has_fault();
+	if (is_inside_tree()) {
+		frames.follow(meadow.wants_frames());
+	}
+	return is_built;
 }
 
 bool PlantField3D::may_simulate() const {

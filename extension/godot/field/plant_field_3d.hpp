@@ -98,18 +98,21 @@ private:
 protected:
 	static void _bind_methods();
 	void _notification(int what);
+	bool _set(const godot::StringName &name, const godot::Variant &value);
 	void _validate_property(godot::PropertyInfo &property) const;
 
 public:
 	PlantField3D();
 	~PlantField3D() override;
-	static PlantField3D *from_species(const godot::Array &functions, const godot::PackedFloat32Array &shares);
+	static PlantField3D *from_species(const godot::Array &functions, const godot::PackedFloat32Array &weights);
 	godot::PackedStringArray _get_configuration_warnings() const override;
 	godot::AABB _get_aabb() const override;
 
 	// What stands; of single plants `plants` tells.
-	void fill();
-	bool is_filling() const;
+	void rebuild();
+	bool is_building() const;
+	/// Returns when all of it is built. False where it cannot be.
+	bool build_now();
 	int get_plant_count() const { return meadow.store.plant_count(); }
 	/// What its species are called in its map; none where others may be by the time that it has grown anew.
 	godot::PackedStringArray read_layers() const {
@@ -122,8 +125,8 @@ public:
 
 	bool apply_changes(const godot::PackedByteArray &bytes);
 	/// What the scene keeps of them.
-	void set_kept_changes(const godot::PackedByteArray &bytes);
-	godot::PackedByteArray get_kept_changes() const;
+	void set_saved_changes(const godot::PackedByteArray &bytes);
+	godot::PackedByteArray get_saved_changes() const;
 
 	// How it moves.
 	bool is_point_in_plants(const godot::Vector3 &point) { return plants.is_point_in(point, properties.touch_margin); }

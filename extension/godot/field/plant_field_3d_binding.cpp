@@ -4,6 +4,7 @@
 
 #include "bind_properties.hpp"
 #include "field/field_areas.hpp"
+#include "renamed_properties.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/class_db.hpp>
@@ -144,12 +145,12 @@ bool PlantField3D::apply_changes(const PackedByteArray &bytes) {
 	return is_sound;
 }
 
-void PlantField3D::set_kept_changes(const PackedByteArray &bytes) {
+void PlantField3D::set_saved_changes(const PackedByteArray &bytes) {
 	loaded_changes = bytes;
 	is_unread = !bytes.is_empty() && !apply_changes(bytes);
 }
 
-PackedByteArray PlantField3D::get_kept_changes() const {
+PackedByteArray PlantField3D::get_saved_changes() const {
 	if (is_unread || !Engine::get_singleton()->is_editor_hint() || properties.map.is_null()) {
 		return loaded_changes;
 	}
@@ -172,8 +173,12 @@ void PlantField3D::on_frame_drawn() {
 #define OF_PLANTS(m_name, m_asked, ...)                                                                                \
 	ClassDB::bind_method(D_METHOD(#m_name, ##__VA_ARGS__), of_plants<&NamedPlants::m_asked>(&NamedPlants::m_asked))
 
+bool PlantField3D::_set(const StringName &name, const Variant &value) {
+	return set_renamed_property(this, name, value, { { "saved_changes", "saved_changes" } });
+}
+
 void PlantField3D::_bind_methods() {
-	ClassDB::bind_static_method("PlantField3D", D_METHOD("from_species", "functions", "shares"),
+	ClassDB::bind_static_method("PlantField3D", D_METHOD("from_species", "functions", "weights"),
 			&PlantField3D::from_species, DEFVAL(PackedFloat32Array()));
 	LISTEN(on_species_changed);
 	LISTEN(on_added_species_changed);
@@ -189,8 +194,9 @@ void PlantField3D::_bind_methods() {
 	LISTEN(on_frame_drawn);
 	ClassDB::bind_method(D_METHOD("_on_monitor_asked", "which"), &PlantField3D::monitor);
 	LISTEN(preview, "delta", "wind");
-	BIND(fill);
-	BIND(is_filling);
+	BIND(rebuild);
+	BIND(is_building);
+	BIND(build_now);
 	OF_PLANTS(add_plants, add, "transforms", "species");
 	OF_PLANTS(remove_plant, remove, "id");
 	OF_PLANTS(remove_plants, remove_all, "ids");
@@ -231,8 +237,9 @@ void PlantField3D::_bind_methods() {
 	BIND(get_skeletons);
 	BIND(get_statistics);
 	bind_properties();
-	ADD_SIGNAL(MethodInfo("fill_progressed", PropertyInfo(Variant::FLOAT, "ratio")));
-	ADD_SIGNAL(MethodInfo("filled"));
+	ADD_SIGNAL(MethodInfo("build_progressed", PropertyInfo(Variant::FLOAT, "ratio")));
+	ADD_SIGNAL(MethodInfo("build_finished"));
+	ADD_SIGNAL(MethodInfo("build_failed", PropertyInfo(Variant::STRING, "message")));
 	const PropertyInfo body(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D");
 	ADD_SIGNAL(MethodInfo("body_entered_plants", body));
 	ADD_SIGNAL(MethodInfo("body_exited_plants", body));

@@ -14,6 +14,9 @@ using namespace godot;
 namespace undergrowth {
 
 void PlantField3D::changed(About about) {
+	if (about == About::meshes && meadow.needs_other_tiles()) {
+		about = About::stand;
+	}
 	const bool needs_meshes = about == About::meshes || (about == About::levels && !meadow.update_levels());
 	if (about == About::stand) {
 		staleness.mark_stand();
@@ -114,8 +117,10 @@ void PlantField3D::bind_properties() {
 	NUMBER(FLOAT, skeleton_distance, skeletons, 0.0, 1e6, SLIDER("0,20,0.1,or_greater,suffix:m"));
 	NUMBER(INT, max_skeletons, skeletons, 0.0, 1024.0, SLIDER("0,1024,1"));
 	NUMBER(FLOAT, tile_size, meshes, 1.0, 1000.0, SLIDER("4,100,0.1,or_greater,suffix:m"));
+	ADD_GROUP("Building", "");
+	NUMBER(FLOAT, build_budget_msec, nothing, 0.1, 1000.0, SLIDER("0.1,16,0.1,or_greater,suffix:ms"));
 	// After what its plants are named by.
-	PROPERTY(PACKED_BYTE_ARRAY, kept_changes, PROPERTY_HINT_NONE, "", PROPERTY_USAGE_STORAGE);
+	PROPERTY(PACKED_BYTE_ARRAY, saved_changes, PROPERTY_HINT_NONE, "", PROPERTY_USAGE_STORAGE);
 }
 
 void PlantField3D::_validate_property(PropertyInfo &property) const {

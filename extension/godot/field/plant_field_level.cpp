@@ -5,16 +5,17 @@
 #include "messages.hpp"
 #include "new_object.hpp"
 #include "plant/base_shape.hpp"
+#include "renamed_properties.hpp"
 
 using namespace godot;
 
 namespace undergrowth {
 
-Ref<PlantFieldLevel> PlantFieldLevel::of(int segments, double end, double share) {
+Ref<PlantFieldLevel> PlantFieldLevel::of(int segments, double end, double density) {
 	Ref<PlantFieldLevel> made = new_counted<PlantFieldLevel>();
 	made->set_segments(segments);
 	made->set_end(end);
-	made->set_share(share);
+	made->set_density(density);
 	return made;
 }
 
@@ -38,9 +39,9 @@ void PlantFieldLevel::set_end(double metres) {
 	}
 }
 
-void PlantFieldLevel::set_share(double kept) {
-	if (accept_value(this, "share", kept, { 0.0, 1.0 }) && kept != share) {
-		share = kept;
+void PlantFieldLevel::set_density(double value) {
+	if (accept_value(this, "density", value, { 0.0, 1.0 }) && value != density) {
+		density = value;
 		level_changed();
 	}
 }
@@ -49,12 +50,16 @@ void PlantFieldLevel::_validate_property(PropertyInfo &property) const {
 	hide_given_name(this, given_name, property);
 }
 
+bool PlantFieldLevel::_set(const StringName &name, const Variant &value) {
+	return set_renamed_property(this, name, value, { { "share", "density" } });
+}
+
 void PlantFieldLevel::_bind_methods() {
-	ClassDB::bind_static_method("PlantFieldLevel", D_METHOD("of", "segments", "end", "share"), &PlantFieldLevel::of,
+	ClassDB::bind_static_method("PlantFieldLevel", D_METHOD("of", "segments", "end", "density"), &PlantFieldLevel::of,
 			DEFVAL(0.0), DEFVAL(1.0));
 	PROPERTY(INT, segments, SLIDER("1,64,1"));
 	PROPERTY(FLOAT, end, SLIDER("0,200,0.1,or_greater,suffix:m"));
-	PROPERTY(FLOAT, share, SLIDER("0,1,0.01"));
+	PROPERTY(FLOAT, density, SLIDER("0,1,0.01"));
 }
 
 } // namespace undergrowth

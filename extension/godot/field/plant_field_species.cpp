@@ -5,20 +5,21 @@
 #include "follow_changes.hpp"
 #include "given_name.hpp"
 #include "new_object.hpp"
+#include "renamed_properties.hpp"
 
 using namespace godot;
 
 namespace undergrowth {
 
-Ref<PlantFieldSpecies> PlantFieldSpecies::of(const Ref<PlantFunction> &function, double share) {
+Ref<PlantFieldSpecies> PlantFieldSpecies::of(const Ref<PlantFunction> &function, double weight) {
 	Ref<PlantFieldSpecies> made = new_counted<PlantFieldSpecies>();
 	made->set_species(function);
-	made->set_share(share);
+	made->set_weight(weight);
 	return made;
 }
 
 void PlantFieldSpecies::tell(bool from_species) {
-	const bool before = forwards; // A listener may set something: an emission within an emission.
+	const bool before = forwards; // A listener may set a property, which emits again inside this emission.
 	forwards = from_species;
 	emit_changed();
 	forwards = before;
@@ -29,7 +30,7 @@ bool PlantFieldSpecies::is_motion_change() const {
 }
 
 void PlantFieldSpecies::on_species_changed() {
-	const Ref<PlantFieldSpecies> alive(this); // Listeners may drop it.
+	const Ref<PlantFieldSpecies> alive(this); // Listeners may release the last reference.
 	give_name(this, given_name, name_of_species(species));
 	tell(true);
 }
@@ -60,8 +61,8 @@ void PlantFieldSpecies::set_species(const Ref<PlantFunction> &function) {
 	tell(false);
 }
 
-void PlantFieldSpecies::set_share(double weight) {
-	set_number(share, "share", weight, { 0.0, 1e6 });
+void PlantFieldSpecies::set_weight(double value) {
+	set_number(weight, "weight", value, { 0.0, 1e6 });
 }
 
 void PlantFieldSpecies::set_density_factor(double factor) {
@@ -89,8 +90,8 @@ void PlantFieldSpecies::set_variants(int count) {
 	set_number(variants, "variants", count, { 1, 64 });
 }
 
-void PlantFieldSpecies::set_detail(double factor) {
-	set_number(detail, "detail", factor, { 0.1, 10.0 });
+void PlantFieldSpecies::set_lod_bias(double factor) {
+	set_number(lod_bias, "lod_bias", factor, { 0.1, 10.0 });
 }
 
 void PlantFieldSpecies::set_layer(const String &name) {
@@ -105,21 +106,25 @@ void PlantFieldSpecies::_validate_property(PropertyInfo &property) const {
 	hide_given_name(this, given_name, property);
 }
 
+bool PlantFieldSpecies::_set(const StringName &name, const Variant &value) {
+	return set_renamed_property(this, name, value, { { "share", "weight" }, { "detail", "lod_bias" } });
+}
+
 void PlantFieldSpecies::_bind_methods() {
 	ClassDB::bind_static_method(
-			"PlantFieldSpecies", D_METHOD("of", "species", "share"), &PlantFieldSpecies::of, DEFVAL(1.0));
+			"PlantFieldSpecies", D_METHOD("of", "species", "weight"), &PlantFieldSpecies::of, DEFVAL(1.0));
 	ClassDB::bind_method(D_METHOD("_on_species_changed"), &PlantFieldSpecies::on_species_changed);
 	BIND(is_species_change);
 	BIND(is_motion_change);
 	BIND(get_layer_name);
 	PROPERTY(OBJECT, species, PROPERTY_HINT_RESOURCE_TYPE, "PlantFunction");
-	PROPERTY(FLOAT, share, SLIDER("0,10,0.01,or_greater"));
+	PROPERTY(FLOAT, weight, SLIDER("0,10,0.01,or_greater"));
 	PROPERTY(FLOAT, density_factor, SLIDER("0,4,0.01,or_greater"));
 	PROPERTY(VECTOR2, scale_range, SLIDER("0.1,4,0.01,or_less,or_greater"));
 	PROPERTY(FLOAT, height_deviation, SLIDER("0,0.9,0.01"));
 	PROPERTY(FLOAT, lean_deviation, SLIDER("0,80,0.1,radians_as_degrees"));
 	PROPERTY(INT, variants, SLIDER("1,64,1"));
-	PROPERTY(FLOAT, detail, SLIDER("0.25,4,0.05,or_less,or_greater"));
+	PROPERTY(FLOAT, lod_bias, SLIDER("0.25,4,0.05,or_less,or_greater"));
 	PROPERTY(STRING, layer);
 }
 

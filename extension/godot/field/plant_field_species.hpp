@@ -7,47 +7,48 @@
 
 namespace undergrowth {
 
-/// One species of a PlantField3D: how much of it grows there, and how its plants differ from one another.
-/// Emits `changed` for each real change of a number, of the species, and of what the species says of itself.
+/// One species of a PlantField3D: its weight among all species and the variation of its plants. Emits `changed` for
+/// each real change of a number, of the species, and of the species' own properties.
 class PlantFieldSpecies : public godot::Resource {
 	GDCLASS(PlantFieldSpecies, godot::Resource)
 
 	godot::Ref<PlantFunction> species;
-	double share = 1.0;
+	double weight = 1.0;
 	double density_factor = 1.0;
 	godot::Vector2 scale_range = { 0.8f, 1.2f };
 	double height_deviation = 0.1;
 	double lean_deviation = 0.0; // rad.
 	int variants = 4;
-	double detail = 1.0;
+	double lod_bias = 1.0;
 	godot::String layer;
 	godot::String given_name;
-	bool forwards = false; // While `changed` is emitted for the function inside.
+	bool forwards = false; // True while `changed` is emitted for the function inside.
 
-	/// Tells who uses this that it changed, by itself or, where `from_species`, by the function inside.
+	/// Emits `changed`, for a property of this entry or, with `from_species`, for the function inside.
 	void tell(bool from_species);
 	template <class Value> void set(Value &slot, const Value &value);
 	template <class Value> void set_number(Value &slot, const char *name, Value value, const Range &range);
 
 protected:
 	static void _bind_methods();
+	bool _set(const godot::StringName &name, const godot::Variant &value);
 	void _validate_property(godot::PropertyInfo &property) const;
 
 public:
-	/// `function` with `share` of the field, and all else as it is by default.
-	static godot::Ref<PlantFieldSpecies> of(const godot::Ref<PlantFunction> &function, double share = 1.0);
+	/// Returns an entry with `function`, `weight`, and defaults.
+	static godot::Ref<PlantFieldSpecies> of(const godot::Ref<PlantFunction> &function, double weight = 1.0);
 
-	/// True while `changed` is emitted for a property of the PlantFunction inside, false for all that is set here.
+	/// True while `changed` is emitted for a property of the PlantFunction inside; false for properties of this entry.
 	bool is_species_change() const { return forwards; }
-	/// True while `changed` is emitted for a property of the PlantFunction inside that leaves meshes as they are.
+	/// True while `changed` is emitted for a property of the PlantFunction inside that does not change meshes.
 	bool is_motion_change() const;
 	// Called by the engine.
 	void on_species_changed();
 
 	void set_species(const godot::Ref<PlantFunction> &function);
 	godot::Ref<PlantFunction> get_species() const { return species; }
-	void set_share(double weight);
-	double get_share() const { return share; }
+	void set_weight(double value);
+	double get_weight() const { return weight; }
 	void set_density_factor(double factor);
 	double get_density_factor() const { return density_factor; }
 	void set_scale_range(const godot::Vector2 &range);
@@ -58,12 +59,12 @@ public:
 	double get_lean_deviation() const { return lean_deviation; }
 	void set_layer(const godot::String &name);
 	godot::String get_layer() const { return layer; }
-	/// Its name in a PlantMap: `layer`, or where that is empty what its species is called.
+	/// Returns its layer in a PlantMap: `layer`, or the name of its species if that is empty.
 	godot::String get_layer_name() const;
 	void set_variants(int count);
 	int get_variants() const { return variants; }
-	void set_detail(double factor);
-	double get_detail() const { return detail; }
+	void set_lod_bias(double factor);
+	double get_lod_bias() const { return lod_bias; }
 };
 
 } // namespace undergrowth

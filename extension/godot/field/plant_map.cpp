@@ -1,4 +1,4 @@
-// What a PlantMap is changed by. plant_map_data.cpp keeps it, and makes images of it.
+// Changes of a PlantMap. plant_map_data.cpp has saving and images.
 
 #include "field/plant_map.hpp"
 
@@ -72,7 +72,7 @@ void PlantMap::stroke(const char *method, const DensityBrush &brush, const Strin
 		report_error(this, String(method) + "() needs finite numbers, and a strength from 0 to 1.");
 		return;
 	}
-	// Only what adds makes a layer; else all of them are meant where none is named.
+	// Only strokes that add create a layer. All other strokes apply to every layer if `species` is empty.
 	const bool makes =
 			how.does != DensityStroke::Does::smooth && !(how.does == DensityStroke::Does::add && how.value < 0);
 	tell_if_unread(species);
@@ -232,7 +232,7 @@ void PlantMap::_validate_property(PropertyInfo &property) const {
 	if (property.name == StringName("data")) {
 		property.usage = PROPERTY_USAGE_STORAGE;
 	} else if (property.name == StringName("cell_size")) {
-		// What the data say; and the inspector shows what can be changed.
+		// `data` contains it. The inspector shows it while it can be changed.
 		property.usage = map.block_count() > 0 ? PROPERTY_USAGE_NONE : PROPERTY_USAGE_DEFAULT;
 	}
 }

@@ -12,27 +12,27 @@
 
 namespace undergrowth {
 
-/// What is painted into PlantField3Ds: for each species, by its name, how much of it grows where and how high. Places
-/// are in the field's own axes. Each change emits `area_changed` with the rectangle (x, z) around it, then `changed`.
+/// A painted map of PlantField3Ds: densities and heights of plants, in one layer per species. Positions are in the
+/// field's own axes. Each change emits `area_changed` with the rectangle (x, z) around it, then `changed`.
 class PlantMap : public godot::Resource {
 	GDCLASS(PlantMap, godot::Resource)
 
 	DensityMap map;
-	godot::PackedByteArray unread; ///< Bytes that are no map: they stay as they are.
-	godot::String fault; ///< Why.
-	bool has_told = false; ///< That nothing can be painted on it.
-	godot::PackedStringArray told_layers; ///< That nobody reads.
+	godot::PackedByteArray unread; ///< Bytes that are not a valid map, saved unchanged.
+	godot::String fault; ///< Reason of that; empty if the map is valid.
+	bool has_told = false; ///< True if the error of may_change() was reported.
+	godot::PackedStringArray told_layers; ///< Layers that no field reads and that were reported.
 
 	void changed_in(const CellRange &cells);
-	/// False, told once, where the map could not be read.
+	/// Returns false if the map is invalid; reports it once.
 	bool may_change();
-	/// False, with an error that names `method`, where that is no brush.
+	/// Returns false, with an error that contains `method`, if the brush is invalid.
 	bool read_brush(
 			const char *method, const godot::Vector3 &center, double radius, double falloff, DensityBrush &into);
-	/// The layer of a species, made where there is none; -1, with an error, where it cannot be.
+	/// Returns the layer of a species, created if missing. On failure: -1, with an error.
 	int need_layer(const char *method, const godot::String &species);
 	bool read_rect(const char *method, const godot::Rect2 &rect, CellRange &into) const;
-	/// False, with an error, where nothing can be painted in it.
+	/// Returns false, with an error, if the polygon is invalid or the map cannot be changed.
 	bool read_polygon(const char *method, const godot::PackedVector3Array &points, Polygon &into);
 	void stroke(const char *method, const DensityBrush &brush, const godot::String &species,
 			const DensityStroke &stroke, double strength);
@@ -42,13 +42,13 @@ protected:
 	void _validate_property(godot::PropertyInfo &property) const;
 
 public:
-	/// What fields grow by. They share it, and may keep it.
+	/// The map that fields are built from. Fields take copies that share its data (DensityMap::share()).
 	const DensityMap &density() const { return map; }
-	/// Why it cannot be used; empty where it can.
+	/// Why the map is invalid; empty if it is valid.
 	const godot::String &problem() const { return fault; }
 
-	/// A name that none of the fields reads that grow by this map: told once, in a game. In the editor species may come
-	/// after what is painted of them.
+	/// Warns once, in a game, about a layer that none of the fields with this map reads. Not in the editor, where a
+	/// species may be added after its layer is painted.
 	void tell_if_unread(const godot::String &species);
 
 	void paint(
@@ -75,7 +75,7 @@ public:
 	godot::PackedStringArray get_painted_species() const;
 	void remove_species(const godot::String &species);
 	void clear();
-	/// A copy that shares what neither of the two changes.
+	/// Returns a copy that shares all data until one of the two changes.
 	godot::Ref<PlantMap> snapshot() const;
 	void restore(const godot::Ref<PlantMap> &from, const godot::Rect2 &rect);
 

@@ -1,4 +1,4 @@
-// How a PlantMap is kept, and what images are of it.
+// Saving of a PlantMap, and conversion to and from images.
 
 #include "field/plant_map.hpp"
 
@@ -17,7 +17,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr double MOST_CELLS = 16.0e6; // Of one call.
+static constexpr double MOST_CELLS = 16.0e6; // Per call.
 static constexpr int CHANNELS = 4;
 static constexpr Range WHITE_RANGE = { 0.0, DensityCell::MAX_PLANT_DENSITY };
 
@@ -41,7 +41,7 @@ bool PlantMap::read_rect(const char *method, const Rect2 &rect, CellRange &into)
 	return true;
 }
 
-// The cells whose middles are in a rectangle.
+// Returns the cells with middles in a rectangle.
 static CellRange middles_in(const DensityMap &map, const Rect2 &rect) {
 	const float half = 0.5f * map.cell_size();
 	const Vector2 end = rect.get_end();
@@ -104,7 +104,7 @@ void PlantMap::tell_if_unread(const String &species) {
 		const PlantField3D *field = Object::cast_to<PlantField3D>(listener.get_object());
 		const PackedStringArray own = field ? field->read_layers() : PackedStringArray();
 		if (field && own.is_empty()) {
-			return; // It tells of it once it has grown.
+			return; // The field reports it after its build.
 		}
 		read.append_array(own);
 	}

@@ -9,13 +9,13 @@
 
 namespace undergrowth {
 
-/// Reads an Array of Transform3D, or a PackedFloat32Array with 12 numbers for each; false where it is neither.
+/// Reads an Array of Transform3D, or a PackedFloat32Array with 12 numbers each. Returns false for any other type.
 bool read_transforms(const godot::Variant &from, std::vector<godot::Transform3D> &to);
 
-/// What a transform says about a plant: its place, scale and turn; a tilt becomes a lean to that side.
+/// Converts a transform to a plant: position, scale and turn. A tilt becomes a lean to that side.
 PlacedPlant place_transform(const godot::Transform3D &transform);
 
-/// From a mesh to the field's axes, before it bends: a lean is in the plant's motion, and not in here.
+/// Returns the transform from a mesh to the field's axes before bending. It has no lean: the plant's motion adds it.
 godot::Transform3D drawn_transform(const PlacedPlant &plant);
 
 } // namespace undergrowth

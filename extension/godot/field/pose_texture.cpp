@@ -87,6 +87,12 @@ void PoseTexture::give_rows(int page, int plants) {
 	}
 }
 
+void PoseTexture::make_room(double row_count) {
+	for (double rows = 0.0; rows < row_count && layers.size() + SPARE_LAYERS < size_t(MOST_LAYERS); rows += SIDE) {
+		add_layer(true);
+	}
+}
+
 void PoseTexture::take_as_new(Page &page, const Rows &rows) {
 	page.rows = rows;
 	page.share = page.rate_time = -1.0f;

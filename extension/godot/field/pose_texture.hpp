@@ -50,6 +50,8 @@ public:
 	/// Rows for `plants` plants of a page that is yet to come, until release(). None: nothing happens.
 	TexelRows reserve(int plants) { return find_rows((plants + SIDE - 1) / SIDE); }
 	void release(const TexelRows &rows);
+	/// Adds layers for about as many rows more, as far as graphics cards have them.
+	void make_room(double row_count);
 	/// The page has come.
 	void give_reserved(int page, const TexelRows &rows);
 	/// Makes room for the history of all species of a simulation, in as many modes as they have now.

@@ -1,4 +1,4 @@
-// What a PoseTexture says of plants besides their bends: where they rest, second modes, and how long their steps are.
+// Data of plants in a PoseTexture besides their bends: rest directions, second modes, heights, and step lengths.
 
 #include "field/pose_texture.hpp"
 
@@ -13,7 +13,7 @@ PoseTexture::Beside PoseTexture::beside(int layer) const {
 	return size_t(layer) < besides.size() ? besides[size_t(layer)] : Beside();
 }
 
-// One that is there already needs no other texture.
+// Prefers a free layer, which needs no larger texture.
 int PoseTexture::find_layer() {
 	const auto free = std::find(free_rows.rbegin(), free_rows.rend(), ~uint64_t(0));
 	if (free == free_rows.rend()) {
@@ -38,7 +38,7 @@ void PoseTexture::write_beside(const FieldSimulation &simulation, int page) {
 	if (!has_rows(page)) {
 		return;
 	}
-	pages[size_t(page)].rate_time = -1.0f; // Sent anew.
+	pages[size_t(page)].rate_time = -1.0f; // Sent again.
 	has_new_rows = true;
 	if (simulation.page(page).has_second_bends()) {
 		give_seconds(simulation, page);
@@ -55,14 +55,14 @@ void PoseTexture::give_seconds(const FieldSimulation &simulation, int page) {
 	}
 }
 
-// What is lost of it: 0 where nobody was mown.
+// Stores the lost fraction of the height, so that 0 means not mown.
 void PoseTexture::set_height(int page, int row, float share) {
 	const Rows &rows = pages[size_t(page)].rows;
 	if (share == 1.0f && beside(rows.layer).heights < 0) {
 		return;
 	}
 	if (beside(rows.layer).heights < 0) {
-		for (Page &other : pages) { // All that share the layer are told of it.
+		for (Page &other : pages) { // All pages of the layer need the new layer number.
 			other.rate_time = other.rows.layer == rows.layer ? -1.0f : other.rate_time;
 		}
 		has_new_rows = draws_heights = true;

@@ -1,4 +1,4 @@
-// What a PoseTexture says of plants that follow prototypes, and of those prototypes.
+// Data of instances of prototypes in a PoseTexture, and of the prototypes.
 
 #include "field/pose_texture.hpp"
 
@@ -11,7 +11,7 @@ namespace undergrowth {
 
 static constexpr int PAIRS_PER_LAYER = PoseTexture::PAIRS_PER_LAYER;
 static constexpr int HISTORY_LAYERS = Prototypes::SLOTS * Prototypes::MOST / PAIRS_PER_LAYER;
-static constexpr int SPECIES_LAYERS = HISTORY_LAYERS + 1; // And one of loose plants.
+static constexpr int SPECIES_LAYERS = HISTORY_LAYERS + 1; // And one for loose plants.
 
 static_assert(LoosePlants::MOST <= PAIRS_PER_LAYER, "loose plants of a species have one layer");
 static_assert(Prototypes::MOST == PoseTexture::SIDE, "a row of a layer is a slot");
@@ -48,8 +48,8 @@ static const std::array<uint32_t, Prototypes::SLOTS> &small_halves() {
 	return halves;
 }
 
-// A texel for each plant: its prototype and own delay, and one more than the column and the row of its place among the
-// loose plants, or 0.
+// Writes a texel for each plant: its prototype and own delay, then its column plus 1 (0: not loose) and its row among
+// the loose plants.
 void PoseTexture::write_followers(const FieldSimulation &simulation, int page) {
 	const std::array<uint32_t, Prototypes::SLOTS> &halves = small_halves();
 	uint32_t *to = reinterpret_cast<uint32_t *>(bytes_of(pages[size_t(page)].rows));

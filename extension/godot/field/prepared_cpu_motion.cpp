@@ -5,7 +5,7 @@
 
 namespace undergrowth {
 
-// Blocks that share a page, one page after the other.
+// Adds the blocks page by page; several blocks may share a page.
 static void add_pages(const std::vector<PlantBlock> &blocks, const FieldStyle &style, PreparedCpuMotion &into) {
 	std::vector<std::vector<size_t>> members;
 	for (size_t i = 0; i < blocks.size(); i++) {
@@ -20,7 +20,8 @@ static void add_pages(const std::vector<PlantBlock> &blocks, const FieldStyle &s
 		}
 		const int species = blocks[of_page.front()].species;
 		const int page = into.simulation->add_page(species, plants.data(), int(plants.size()));
-		into.simulation->set_page_phase(page, into.textures->layer_of(page)); // Sent together, due together.
+		// Pages of a layer are uploaded together, so they step together.
+		into.simulation->set_page_phase(page, into.textures->layer_of(page));
 	}
 }
 
@@ -34,7 +35,7 @@ void PreparedCpuMotion::keep_motion(
 		}
 		const PageRows &into = rows[size_t(kept[i].to.block)];
 		const int row = into.first + kept[i].to.slot;
-		// The number of a block may have gone to another one meanwhile: a plant is known by where it stands.
+		// Another block may have the number now, so the position identifies the plant.
 		const glm::vec3 before = old->page(from.page).root(from.first + was.slot);
 		const glm::vec3 now = simulation->page(into.page).root(row);
 		if (before.x == now.x && before.z == now.z) {
@@ -47,7 +48,7 @@ void PreparedCpuMotion::fill(const std::vector<PlantBlock> &blocks, const FieldS
 	add_pages(blocks, style, *this);
 	textures->give_history(*simulation);
 	if (textures->follows()) {
-		simulation->step(); // It fills the prototypes' history.
+		simulation->step(); // Fills the history of the prototypes.
 		textures->write_history(*simulation, true);
 	}
 	textures->write_pages(*simulation);

@@ -10,16 +10,15 @@
 
 namespace undergrowth {
 
-/// What CpuMotion takes over of a field that is grown: a simulation, at rest once it is filled, and textures that hold
-/// its poses.
+/// The input of CpuMotion for a built field: a simulation, at rest after fill(), and textures with its poses.
 class PreparedCpuMotion : public PreparedMotion {
 public:
 	std::unique_ptr<FieldSimulation> simulation;
 	std::unique_ptr<PoseTexture> textures;
 	std::vector<PageRows> rows; ///< By block.
 
-	/// Whoever is kept goes on with the motion that it has in `old`, where its block has these rows. Null: nobody has
-	/// any. On any thread, while nobody changes either simulation.
+	/// Transfers motion from `old` to matched plants, if their blocks have these rows. Null: no motion exists. Any
+	/// thread, while no other code changes either simulation.
 	void keep_motion(
 			const FieldSimulation *old, const std::vector<PageRows> &old_rows, const std::vector<KeptPlant> &kept);
 
@@ -32,18 +31,18 @@ public:
 class PreparedCpuBlock : public PreparedBlock {
 public:
 	MotionPage page;
-	std::vector<MotionPlant> plants; ///< Of the page.
-	TexelRows texels; ///< That are reserved for it, if any.
+	std::vector<MotionPlant> plants; ///< Plants of the page.
+	TexelRows texels; ///< Texels reserved for it, if any.
 
 	PreparedCpuBlock(
 			int species, const MotionSpecies &kind, std::vector<MotionPlant> &&placed, const FieldSettings &settings);
 };
 
-/// CpuMotion's FieldMotion::PrepareBlock.
+/// Implements FieldMotion::PrepareBlock for CpuMotion.
 std::unique_ptr<PreparedBlock> prepare_block_on_cpu(
 		const PlantBlock &block, const FieldStyle &style, const FieldSettings &settings);
 
-/// CpuMotion's FieldMotion::Prepare.
+/// Implements FieldMotion::Prepare for CpuMotion.
 std::unique_ptr<PreparedMotion> prepare_on_cpu(const std::vector<PlantBlock> &blocks, const FieldStyle &style,
 		const FieldSettings &settings, const FieldWind &wind);
 

@@ -11,11 +11,11 @@ using namespace godot;
 
 namespace undergrowth {
 
-// Compatibility keeps custom data in half floats, which count exactly from -2048 to 2048.
+// Compatibility stores custom data in half floats, which are exact for integers from -2048 to 2048.
 static constexpr int HALVES_COUNT_FROM = -2048;
-// Of plants of parts only the parts are drawn wider, not the whole.
+// For plants of parts only the parts are drawn wider.
 static constexpr float PARTS_WIDENING = 1.25f;
-// Ranks are sorted by one half of their bits, then by the other.
+// Ranks are sorted by the lower half of their bits, then by the upper half.
 static constexpr int HALF_RANKS = 1 << (RANK_BITS / 2);
 
 static int rank_of(const PlantBlock &block, int slot) {

@@ -15,10 +15,11 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr int FRAMES_BETWEEN_CHOICES = 6;
-static constexpr int MOST_NEW = 8; // A frame; each takes a mesh of its own.
-static constexpr float KEPT_FARTHER = 1.1f; // What is shown stays until it is so much too far: nothing flickers.
+static constexpr int MOST_NEW = 8; // Per frame; each needs a mesh of its own.
+// A shown plant stays up to this multiple of the distance, so that nothing flickers.
+static constexpr float KEPT_FARTHER = 1.1f;
 
-// From the field's axes to those of a plant that was turned so.
+// From the field's axes to the axes of a plant with this turn.
 static glm::vec2 own_bend(const glm::vec2 &bend, float turn) {
 	const float c = std::cos(turn);
 	const float d = std::sin(turn);
@@ -31,7 +32,8 @@ const SkeletonView::Shown *SkeletonView::find_shown(const PlantPlace &place) con
 	return found == shown.end() ? nullptr : &*found;
 }
 
-// The nearest plants, nearest first; no farther than the first level of detail, whose mesh they wear, is drawn whole.
+// Returns the nearest plants, nearest first. The distance is limited to where the first level of detail, which has the
+// same mesh, is drawn in full.
 std::vector<PlantPlace> SkeletonView::find_nearest(
 		const Scene &scene, const std::vector<Vector3> &eyes, double wanted, int most) const {
 	const FieldLevel &first = scene.style.levels[0];
@@ -40,7 +42,7 @@ std::vector<PlantPlace> SkeletonView::find_nearest(
 	const Transform3D to_field = scene.axes.affine_inverse();
 	const Vector3 scale = to_field.basis.get_scale().abs();
 	const float reach = KEPT_FARTHER * distance * std::max({ scale.x, scale.y, scale.z });
-	std::map<PlantPlace, float> nearest; // m; less where it is shown already.
+	std::map<PlantPlace, float> nearest; // m; reduced for shown plants.
 	for (const Vector3 &eye : eyes) {
 		std::vector<PlantPlace> around;
 		scene.store.find_in_sphere(to_glm(to_field.xform(eye)), reach, around);
@@ -49,7 +51,7 @@ std::vector<PlantPlace> SkeletonView::find_nearest(
 			const float away = scene.axes.xform(to_godot(block.root(place.slot))).distance_to(eye);
 			const float counted = find_shown(place) ? away / KEPT_FARTHER : away;
 			const Thinning thinning = first.thinning_of(scene.style.looks[size_t(block.species)].has_parts());
-			const bool is_whole = !thinning.is_any() || // Nobody comes who is being left away.
+			const bool is_whole = !thinning.is_any() || // Thinned plants get no skeleton.
 					thinning.width_of(plant_rank(scene.store.id(place)), away) == 1.0f;
 			if (counted <= distance && is_whole && !scene.changes.is_mown(scene.store, place)) {
 				const auto [entry, is_new] = nearest.insert({ place, counted });
@@ -70,7 +72,7 @@ std::vector<PlantPlace> SkeletonView::find_nearest(
 	return chosen;
 }
 
-// Takes those away that `goes` names; their plants are drawn again where there still is a `motion` that draws them.
+// Releases the entries for which `goes` is true. With `motion`, their plants are drawn in multimeshes again.
 bool SkeletonView::release(FieldMotion *motion, const std::function<bool(const Shown &)> &goes) {
 	std::vector<Shown> kept, gone;
 	for (const Shown &entry : shown) {
@@ -152,7 +154,7 @@ void SkeletonView::pose(const PlantStore &store, const FieldMotion &motion) cons
 	for (const Shown &entry : shown) {
 		Skeleton3D *skeleton = FieldSkeletons::node(entry.skeleton);
 		if (!skeleton) {
-			continue; // A script has freed it; the next choice finds out.
+			continue; // A script has freed it; the next selection removes the entry.
 		}
 		const StemMotion stem = motion.read_drawn_stem_now(entry.place);
 		const float turn = store.block(entry.place.block).plants.plant(entry.place.slot).turn;

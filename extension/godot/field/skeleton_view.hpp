@@ -11,59 +11,60 @@
 
 namespace undergrowth {
 
-/// Which plants near those who look are shown as nodes with skeletons, and in which pose. Main thread.
+/// Selects plants near the cameras that are shown as nodes with skeletons, and poses those. Main thread.
 class SkeletonView {
 public:
-	/// What the choice is made of.
+	/// Input of a selection.
 	struct Scene {
 		godot::Node3D *field;
 		const PlantStore &store;
 		const FieldStyle &style;
 		FieldMotion &motion;
-		const FieldChanges &changes; ///< Who is mown has none.
-		godot::Transform3D axes; ///< From the field's to the world's.
-		FieldWear wear; ///< Of the first level.
+		const FieldChanges &changes; ///< Mown plants get no skeletons.
+		godot::Transform3D axes; ///< From the field's axes to the world's.
+		FieldWear wear; ///< Properties of the first level's instances.
 	};
-	/// Tells of a skeleton that comes (true) or goes.
+	/// Called when a skeleton appears (true) or disappears (false).
 	using Tell = std::function<void(godot::Skeleton3D *, bool)>;
 
 	explicit SkeletonView(Tell &&teller) : tell(std::move(teller)) {}
 
-	/// Removes what a copy of a field, or one whose library was reloaded, finds among its children.
+	/// Removes skeletons that a duplicated field, or one of a reloaded library, has among its children.
 	void remove_strays(godot::Node3D *field) const { nodes.remove_strays(field); }
-	/// Once a frame, between two steps: now and then shows the plants nearest to `eyes` (world axes) within `distance`
-	/// (m), `most` of them. Tells whether the textures changed.
+	/// Call once per frame, between two steps. Every few frames it shows the plants nearest to `eyes` (world axes)
+	/// within `distance` (m), up to `most`. Returns true if the textures changed.
 	bool choose(const Scene &scene, const std::vector<godot::Vector3> &eyes, double distance, int most);
-	/// The next frame chooses.
+	/// Makes the next frame select again.
 	void choose_soon() { frames_since_choice = 0; }
-	/// After plants went: their skeletons go, too.
+	/// Releases skeletons of removed plants.
 	void release_gone(const PlantStore &store);
-	/// Those of these plants, which are drawn again.
+	/// Releases the skeletons of these plants, which are drawn in multimeshes again.
 	void release_those(FieldMotion &motion, const std::vector<PlantPlace> &ascending);
-	/// Those of all plants of these blocks, which go.
+	/// Releases the skeletons of all plants of these blocks, before the blocks are removed.
 	void release_in(const std::vector<int> &blocks);
-	/// All of them; their plants are drawn again.
+	/// Releases all skeletons; their plants are drawn in multimeshes again.
 	void release_all(FieldMotion &motion);
-	/// Frees those that nobody uses.
+	/// Frees all unused skeletons.
 	void clear() { nodes.clear(); }
-	/// Turns all bones as the field bends its plants in this frame.
+	/// Turns all bones to the plants' bends in this frame.
 	void pose(const PlantStore &store, const FieldMotion &motion) const;
 	void dress(const FieldWear &wear) const;
-	/// Stems of a species bend otherwise. Those that are to have other bones go, and come again.
+	/// Copies the stems of species after a change. Skeletons that need another number of bones are released and
+	/// selected again.
 	void follow_stems(const PlantStore &store, const FieldStyle &style, FieldMotion &motion);
 
 	int count() const { return int(shown.size()); }
 	godot::TypedArray<godot::Skeleton3D> skeletons() const;
-	/// Null where the plant has none.
+	/// Null if the plant has no skeleton.
 	godot::Skeleton3D *find(const PlantPlace &place) const;
-	/// The block is -1 where it shows none now.
+	/// The block is -1 if the skeleton shows no plant.
 	PlantPlace find(const godot::Skeleton3D *skeleton) const;
 
 private:
 	struct Shown {
 		PlantPlace place;
 		uint64_t skeleton = 0; ///< Instance id.
-		std::shared_ptr<PartSkeleton> parts; ///< Null: it has root and tip alone.
+		std::shared_ptr<PartSkeleton> parts; ///< Null: only bones of root and tip.
 	};
 
 	Tell tell;

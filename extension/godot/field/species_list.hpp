@@ -5,24 +5,26 @@
 
 namespace undergrowth {
 
-/// The species that users list of a field, which grows by a copy of that list. Where it is empty, grass grows.
+/// The list of species that users set. The field is built from a copy of it. If the list is empty, the field grows
+/// grass.
 class SpeciesList {
 public:
-	/// `into` gets the copy. The node's _on_species_changed() hears of what changes in an entry.
+	/// `into` gets the copy. Changes of an entry call the node's _on_species_changed().
 	SpeciesList(godot::Object *of, StandOptions &into) : node(of), options(into) {}
 
-	/// Returns whether these entries are other ones.
+	/// Returns true if the entries differ from the former ones.
 	bool set(const godot::TypedArray<PlantFieldSpecies> &entries);
-	/// Scripts may append to it.
+	/// Scripts may append to this array.
 	const godot::TypedArray<PlantFieldSpecies> &get() const { return listed; }
-	/// Whether any have, so that it is to be followed anew.
+	/// True if scripts changed the array, so that it needs follow().
 	bool differs() const { return followed.differ(listed); }
 	void follow();
-	/// Before the field grows, and not earlier: a resource may be loaded only once its classes are known.
+	/// Adds grass to an empty list. Call it before a build and not earlier: a resource can be loaded only when its
+	/// classes are registered.
 	void choose_grass();
 
-	/// While one of them tells of a change: the function that it comes from, or null where it is of the entry itself.
-	/// False where the library was reloaded, and the engine has not set an entry again yet.
+	/// Call while an entry emits `changed`. `function`: the source of the change, or null if the entry itself changed.
+	/// Returns false if the library was reloaded and the engine has not yet restored an entry.
 	bool find_teller(godot::Ref<PlantFunction> &function) const;
 
 private:

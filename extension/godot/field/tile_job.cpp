@@ -21,6 +21,11 @@ void TileJob::wait() {
 	}
 }
 
+bool TileJob::is_at_work() const {
+	const Stage now = stage.load();
+	return now == Stage::placing || now == Stage::standing || now == Stage::drawing;
+}
+
 void TileJob::launch(Stage next) {
 	wait();
 	stage = next;

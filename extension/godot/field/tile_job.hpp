@@ -32,6 +32,9 @@ struct TileRecipe {
 /// first, and all of them come at once.
 class TileJob {
 public:
+	static constexpr int MAX_WORKING = 4; ///< Jobs of an owner on worker threads at the same time.
+	static constexpr size_t MAX_JOBS = 16; ///< Jobs of an owner, those included that wait for the main thread.
+
 	explicit TileJob(TileRecipe &&with);
 	~TileJob();
 	TileJob(const TileJob &) = delete;
@@ -39,6 +42,10 @@ public:
 
 	const TileKey &tile() const { return recipe.tile; }
 	void start();
+	/// Whether a worker thread has it, or will.
+	bool is_at_work() const;
+	/// Until no worker thread has it.
+	void wait();
 	/// Plants wait for a survey of the ground.
 	bool wants_ground() const { return stage.load() == Stage::grounding; }
 	const FieldPlants &plants() const { return placed; }
@@ -83,7 +90,6 @@ private:
 
 	static void work(void *self);
 	void launch(Stage next);
-	void wait();
 	void stand();
 	void plan();
 };

@@ -7,27 +7,27 @@
 
 namespace undergrowth {
 
-/// What a field hangs on and the engine does not tell of: its own properties of the node, an array that scripts append
-/// to, other nodes' places. It is looked at now and then.
+/// Detects changes that have no signal: the node's own engine properties, an array that scripts append to, transforms
+/// of other nodes. Compares them every few frames.
 class UntoldChanges {
 public:
-	/// What is otherwise than it was seen last.
+	/// Differences since the last look().
 	struct Found {
-		bool range = false; ///< How far the node is seen, or how finely.
-		bool material = false; ///< That overrides those of its species.
+		bool range = false; ///< The node's visibility range or LOD bias.
+		bool material = false; ///< The material override.
 		bool exclusions = false;
-		bool area = false; ///< A node that gives room, or keeps places free.
+		bool area = false; ///< A node of the outline or the exclusions.
 		bool ground = false;
 	};
 
-	/// Once a frame: whether to look in this one.
+	/// Call once per frame. Returns true in the frames to call look() in.
 	bool is_time() { return frames_since_look++ % FRAMES_BETWEEN_LOOKS == 0; }
 	Found look(const godot::GeometryInstance3D *node, const FieldProperties &properties);
 	bool sees_other_exclusions(const StandOptions &options) const { return seen_exclusions != options.exclusions; }
 	void see_exclusions(const StandOptions &options) { seen_exclusions = options.exclusions.duplicate(); }
-	/// The nodes that `options` name, and no others. Outline and exclusions are live: a point that is dragged, a path
-	/// that is moved, another field that grows. Curves tell of themselves, by _on_area_changed() and
-	/// _on_ground_changed() of the node.
+	/// Watches the nodes in `options`, and no other ones. Outline and exclusions are live: a dragged point, a moved
+	/// path, another field with a new size. Curves have signals, which call _on_area_changed() and _on_ground_changed()
+	/// of the node.
 	void watch(godot::Node3D *node, const StandOptions &options);
 
 private:

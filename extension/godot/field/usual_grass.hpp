@@ -4,8 +4,9 @@
 
 namespace undergrowth {
 
-/// What grows in a field where no species are listed. Not before it is planted: a resource may be loaded only once its
-/// classes are known. Where the add-on's file is missing `field` warns of it.
+/// Returns the grass of a field without listed species. Call it in a build and not earlier: a resource can be loaded
+/// only when its classes are registered. If the add-on's file is missing, it warns with `field` and returns a
+/// GrassFunction.
 godot::Ref<PlantFunction> usual_grass(const godot::Object *field);
 
 } // namespace undergrowth

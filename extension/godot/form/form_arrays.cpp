@@ -8,14 +8,14 @@ using namespace godot;
 
 namespace undergrowth {
 
-// Floats all: of four halves the Compatibility renderer reads two.
+// All are floats: the Compatibility renderer reads two of four half floats only.
 static constexpr int64_t CUSTOM_FORMAT =
 		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT)) |
 		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM1_SHIFT)) |
 		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM2_SHIFT)) |
 		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM3_SHIFT));
 
-// The engine's arrays of a mesh, sized, and where the core writes them.
+// The engine's arrays of a mesh, with their size, as buffers of the core.
 struct FormArrays {
 	PackedVector3Array positions, normals;
 	PackedColorArray colors;
@@ -72,8 +72,8 @@ static Array packed(const FormArrays &from) {
 	return arrays;
 }
 
-// CUSTOM3 of every vertex: the height of the plant that the mesh shows, x and z of the vertex in calm air, and where on
-// the stem it is attached.
+// Returns CUSTOM3 of every vertex: the height of the shown plant, x and z in calm air, and the position of attachment
+// on the stem.
 static PackedFloat32Array at_rest(const SampledPlant &sampled, const FormArrays &arrays) {
 	PackedFloat32Array all;
 	all.resize(4 * arrays.positions.size());
@@ -95,7 +95,7 @@ static PackedFloat32Array at_rest(const SampledPlant &sampled, const FormArrays 
 	return all;
 }
 
-// Both are held to the same outlines from the side.
+// Both areas are relative to the same outlines from the side.
 static Vector2 from_above(const FormMeasure &measure, const FormArrays &arrays) {
 	float side = 0.0f;
 	for (const float outline : measure.outlines) {

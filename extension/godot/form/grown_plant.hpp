@@ -10,7 +10,7 @@
 
 namespace undergrowth {
 
-/// A plant of parts that has grown: the same at all levels of detail, and shared by them.
+/// A generated plant of parts. All levels of detail share it.
 class GrownPlant {
 public:
 	const PlantForm form;
@@ -18,7 +18,7 @@ public:
 
 	explicit GrownPlant(PlantForm &&grown) : form(std::move(grown)), bones(form, hang_parts(form)) {}
 
-	/// Measured when the first mesh is built, on whatever thread that is.
+	/// Measured by the first build of a mesh, on any thread.
 	const FormMeasure &measure() const {
 		std::call_once(is_measured, [this] { measured = measure_form(form); });
 		return measured;

@@ -41,7 +41,7 @@ void GrowthCache::clear() {
 	parts = 0;
 }
 
-// The values of the variables that a script, or one that it extends, declares.
+// Returns the values of the variables that a script or its base scripts declare.
 static Array values_of(Resource *resource, const Ref<Script> &script) {
 	Array values;
 	const TypedArray<Dictionary> properties = script->get_script_property_list();

@@ -10,18 +10,17 @@
 
 namespace undergrowth {
 
-/// What a species has grown, by seed, so that it is asked once for each. Forgets everything when told that the species
-/// is another one now. On any thread.
+/// The generated plants of a species, by seed, so that each seed is grown once. Any thread.
 class GrowthCache {
 public:
-	/// Null where it has not grown since the last change, or where the species' `state` was another.
+	/// Returns null if the seed was not grown since clear(), or with another `state` of the species.
 	std::shared_ptr<const GrownPlant> find(int64_t seed, int64_t state);
 	void keep(int64_t seed, int64_t state, const std::shared_ptr<const GrownPlant> &plant);
 	void clear();
 
 private:
-	static constexpr size_t MOST_SEEDS = 64; ///< As many as a field has variants; the oldest goes first.
-	static constexpr size_t MOST_PARTS = 50000; ///< Of all, about 150 bytes each.
+	static constexpr size_t MOST_SEEDS = 64; ///< Largest number of variants of a field. The oldest leaves first.
+	static constexpr size_t MOST_PARTS = 50000; ///< In all entries; about 150 bytes each.
 
 	struct Entry {
 		int64_t seed;
@@ -29,15 +28,15 @@ private:
 		std::shared_ptr<const GrownPlant> plant;
 	};
 	std::mutex mutex;
-	std::list<Entry> entries; // The latest first.
+	std::list<Entry> entries; // Newest first.
 	size_t parts = 0;
 };
 
-/// A number for the values of a resource's script variables and its source: another when a script says something else,
-/// which need not be told by `changed`. 0 without a script.
+/// Returns a hash of the values of a resource's script variables and of its source; 0 without a script. It detects
+/// changes that do not emit `changed`.
 int64_t state_of_script(godot::Resource *resource);
 
-/// Calls `listener` when a resource changes that one of the script's variables holds.
+/// Connects `listener` to the changes of all resources in the script's variables.
 void follow_script_resources(godot::Resource *resource, const godot::Callable &listener);
 
 } // namespace undergrowth

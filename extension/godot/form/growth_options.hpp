@@ -7,9 +7,9 @@
 
 namespace undergrowth {
 
-/// Changes an arrangement by the options of a PlantGrowth's verbs: from, to, turn, phase, per_node, angle, scale,
-/// radius, dome, level_tops, tilt, deviation; angles in radians, a Vector2 runs from the first part to the last. Tells
-/// what is wrong and what to do, or nothing.
+/// Sets an arrangement by the options of a PlantGrowth method: from, to, turn, phase, per_node, angle, scale, radius,
+/// dome, level_tops, tilt, deviation. Angles are in radians. A Vector2 is the value of the first part and of the last.
+/// Returns what is wrong and what to do, or an empty string.
 godot::String read_options(const godot::Dictionary &options, Arrangement &into);
 
 } // namespace undergrowth

@@ -38,7 +38,7 @@ Arrangement PlantArrangement::described() const {
 	return described;
 }
 
-// The line's own place in the recipe is known before those of what it carries.
+// The index of this line must exist before the lines of the arrangements that it carries.
 String PlantArrangement::read(Recipe &recipe, int on, int depth, std::vector<uint64_t> &known) {
 	if (depth > MAX_DEPTH) {
 		return own_problem("it is carried more than " + String::num_int64(MAX_DEPTH) +

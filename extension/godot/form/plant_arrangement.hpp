@@ -11,7 +11,8 @@
 
 namespace undergrowth {
 
-/// Where parts of one kind stand on what carries them, how many, and what these carry (form/arrangement.hpp).
+/// Positions and number of the parts of one kind on their carrier, and the arrangements that these parts carry
+/// (form/arrangement.hpp).
 class PlantArrangement : public godot::Resource {
 	GDCLASS(PlantArrangement, godot::Resource)
 
@@ -29,7 +30,7 @@ private:
 	godot::Ref<godot::Curve> angle_curve;
 	godot::Ref<godot::Curve> scale_curve;
 	godot::Array carries; // Of PlantArrangement.
-	bool is_telling = false; // Of a change: those that carry themselves are told once.
+	bool is_telling = false; // A change is being reported; stops arrangements that carry themselves.
 
 	void tell();
 	void follow(godot::Resource *before, godot::Resource *now);
@@ -45,10 +46,10 @@ protected:
 
 public:
 	static godot::Ref<PlantArrangement> of(const godot::Dictionary &values);
-	/// Adds this and all that it carries to a recipe, as lines on line `on`, with the parts that stand in `known` by
-	/// their instance ids. Main thread. Tells what is wrong and what to do, or nothing.
+	/// Appends this arrangement and all that it carries to a recipe, as lines on line `on`. The ids of the recipe's
+	/// parts are in `known`. Main thread. Returns what is wrong and what to do, or an empty string.
 	godot::String read(Recipe &recipe, int on, int depth, std::vector<uint64_t> &known);
-	/// The arrangement as the core knows it.
+	/// Returns the arrangement for the core.
 	Arrangement described() const;
 	// Called by the engine.
 	void on_changed();

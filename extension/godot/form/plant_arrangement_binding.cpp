@@ -1,4 +1,4 @@
-// What scripts and the inspector see of PlantArrangement.
+// PlantArrangement: bindings.
 
 #include "form/plant_arrangement.hpp"
 
@@ -10,7 +10,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-// Properties that some layouts alone read.
+// Properties of some layouts only.
 static const char *const ALONG_ONLY[] = { "from", "to", "per_node", "turn" };
 static const char *const DISC_ONLY[] = { "dome", "level_tops" };
 

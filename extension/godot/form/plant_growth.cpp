@@ -106,7 +106,7 @@ static Arrangement arranged(Layout layout, int count) {
 PackedInt32Array PlantGrowth::add(const Ref<PlantPart> &part, const PackedInt32Array &on, const Dictionary &options) {
 	const bool on_ground = on.is_empty() || (on.size() == 1 && on[0] == ON_GROUND);
 	Arrangement one = arranged(on_ground ? Layout::ground : Layout::along, 1);
-	one.from = 1.0f; // At the tip, unless the options say where.
+	one.from = 1.0f; // At the tip, unless the options contain a position.
 	return place(part, one, on_ground ? get_ground() : on, options);
 }
 

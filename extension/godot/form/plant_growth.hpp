@@ -15,12 +15,12 @@ namespace undergrowth {
 
 class PlantFunction;
 
-/// One plant while it grows: a script's `_grow` tells it what grows where. Afterwards it answers nothing any more. The
-/// first thing that is wrong ends the growth; what the script asks for then does nothing.
+/// One plant during its growth: a script's `_grow` adds its parts. Calls after the end of the growth are errors. The
+/// first error ends the growth; all further calls have no effect.
 class PlantGrowth : public godot::RefCounted {
 	GDCLASS(PlantGrowth, godot::RefCounted)
 
-	PlantFunction *species = nullptr; // Null once the plant has grown.
+	PlantFunction *species = nullptr; // Null after the growth.
 	std::unique_ptr<Growth> growth;
 	double height = 1.0; // m.
 	godot::Ref<godot::RandomNumberGenerator> rng;
@@ -37,9 +37,9 @@ protected:
 	static void _bind_methods();
 
 public:
-	/// Begins a plant of `function`; for C++.
+	/// Begins a plant of `function`. For C++.
 	void begin(PlantFunction *function, double metres, uint64_t seed);
-	/// Ends it: what grew, or in `what` why nothing did.
+	/// Ends the growth. Returns the plant, or sets `what` to the problem.
 	PlantForm finish(godot::String &what);
 
 	double get_height() const { return height; }
@@ -55,7 +55,7 @@ public:
 	godot::PackedInt32Array disc(const godot::Ref<PlantPart> &part, const godot::PackedInt32Array &on, int count,
 			const godot::Dictionary &options);
 	godot::PackedInt32Array scatter(const godot::Ref<PlantPart> &part, int count, const godot::Dictionary &options);
-	/// Grows a list of arrangements: those of the ground there, all others on the stem.
+	/// Grows a list of arrangements: those with the layout `ground` on the ground, all other ones on the stem.
 	void arrange(const godot::TypedArray<PlantArrangement> &arrangements);
 };
 

@@ -11,9 +11,9 @@
 
 namespace undergrowth {
 
-/// What plants are made of: a kind of part, with a width along it and colours along and across it, in the spirit of the
-/// thesis's functions. PlantAxis, PlantBlade and PlantBead are the kinds (form/part.hpp).
-/// Setters emit `changed` once for each real change, never for a value that they have.
+/// A kind of part of a plant, with a width along it and colors along and across it, in the spirit of the thesis's
+/// functions. PlantAxis, PlantBlade and PlantBead are the kinds (form/part.hpp). Setters emit `changed` once for each
+/// real change, never for the present value.
 class PlantPart : public godot::Resource {
 	GDCLASS(PlantPart, godot::Resource)
 
@@ -36,9 +36,10 @@ protected:
 	GDVIRTUAL2R(godot::Color, _calculate_color, double, double)
 
 public:
-	/// The part as the core knows it, its functions asked; main thread. Tells what is wrong and what to do, or nothing.
+	/// Samples the part and its functions for the core. Main thread. Returns what is wrong and what to do, or an empty
+	/// string.
 	godot::String read(Part &into);
-	/// Sets properties by their names; an unknown one is an error.
+	/// Sets properties by their names. A name that does not exist is an error.
 	void set_all(const godot::Dictionary &values);
 	// Called by the engine.
 	void on_function_changed();
@@ -61,10 +62,10 @@ public:
 	double get_damping_ratio() const;
 };
 
-/// An angle that the core keeps in single precision (rad), as a user wrote it in degrees.
+/// Returns an angle (rad) of the core, in single precision, as the user wrote it in degrees.
 double written_angle(float radians);
 
-// Setter and getter of one property that is a number of the core's part, a whole one, or an angle.
+// Setter and getter of one property of the core's part: a number, a count or an angle.
 #define UNDERGROWTH_NUMBER(m_name, m_slot, m_least, m_most)                                                            \
 	void set_##m_name(double value) {                                                                                  \
 		change_number(m_slot, #m_name, value, { m_least, m_most });                                                    \

@@ -21,7 +21,7 @@ static PropertyInfo number(const char *name, const char *range) {
 	return PropertyInfo(Variant::FLOAT, name, PROPERTY_HINT_RANGE, range);
 }
 
-// A class's own property, whose accessors are set_NAME and get_NAME.
+// Adds a property of the class with the accessors set_NAME and get_NAME.
 template <class Kind, class Set, class Get> static void add_property(const PropertyInfo &info, Set setter, Get getter) {
 	const String set_name = "set_" + String(info.name);
 	const String get_name = "get_" + String(info.name);

@@ -12,7 +12,7 @@ static bool is_number(const Variant &value) {
 	return value.get_type() == Variant::FLOAT || value.get_type() == Variant::INT;
 }
 
-// The types of the properties of its own, by their names, without those of every resource.
+// Returns the types of a resource's own properties by their names, without the properties of every resource.
 static Dictionary types_of(Resource *resource) {
 	Dictionary types;
 	const Array all = resource->get_property_list();
@@ -27,7 +27,7 @@ static Dictionary types_of(Resource *resource) {
 	return types;
 }
 
-// A number stands for a range that begins and ends with it.
+// Converts a number to a range with equal ends.
 static Variant as_range(const Variant &value, Variant::Type type) {
 	if (type == Variant::VECTOR2 && is_number(value)) {
 		return Vector2(float(double(value)), float(double(value)));

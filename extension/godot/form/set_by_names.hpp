@@ -5,8 +5,8 @@
 
 namespace undergrowth {
 
-/// Sets a resource's properties by their names. A number for a range means both of its ends. Names that it has not are
-/// one error, which tells those that it has.
+/// Sets properties of a resource by their names. A number for a range sets both of its ends. Names that do not exist
+/// are reported in one error, which lists the existing ones.
 void set_by_names(godot::Resource *resource, const godot::Dictionary &values);
 
 } // namespace undergrowth

@@ -11,7 +11,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr double SLOW_GROWTH = 1.0; // s: then somebody wonders why the game stands still.
+static constexpr double SLOW_GROWTH = 1.0; // s: above it the game halts noticeably.
 
 String SpeciesGrowth::sample(PlantFunction &species, double height, int segments, int64_t seed, SampledPlant &result) {
 	String problem = find_level_problem(segments);
@@ -23,8 +23,8 @@ String SpeciesGrowth::sample(PlantFunction &species, double height, int segments
 	if (!problem.is_empty()) {
 		return problem;
 	}
-	parts_material(); // Has its shader from here on where this is the main thread: a field's meshes are built on
-					  // others.
+	parts_material(); // On the main thread, this loads its shader. A field builds its meshes on
+					  // worker threads, which cannot.
 	result.height = height == 0.0 ? result.grown->form.height : float(height);
 	return height == 0.0 ? String() : find_height_problem(height);
 }
@@ -35,7 +35,7 @@ String SpeciesGrowth::grow(PlantFunction &species, int64_t seed, std::shared_ptr
 	if (!problem.is_empty()) {
 		return problem;
 	}
-	// Whom it listens to it hears from the first growth on: scripts tell of no change of their variables' insides.
+	// Connects at the first growth. Scripts emit no signal for changes inside of their variables.
 	follow_changes(&species, Callable(&species, "_on_own_change"));
 	follow_script_resources(&species, Callable(&species, "_on_grown_change"));
 	Ref<PlantGrowth> plant;

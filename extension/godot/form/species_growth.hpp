@@ -10,13 +10,13 @@ namespace undergrowth {
 class PlantFunction;
 class PlantGrowth;
 
-/// Grows the plants of a species of parts: once for each seed as long as the species stays the same. Level and height
-/// do not matter. Main thread, for a species may be a script.
+/// Grows the plants of a species of parts, once for each seed until the species changes. Level and height have no
+/// effect on it. Main thread: a species may be a script.
 class SpeciesGrowth {
 public:
-	/// As sample_lathe(), of a species of parts.
+	/// sample_lathe() for a species of parts.
 	godot::String sample(PlantFunction &species, double height, int segments, int64_t seed, SampledPlant &result);
-	/// The species is another one now.
+	/// Removes all grown plants. Call when the species changes.
 	void forget() { grown_before.clear(); }
 
 private:

@@ -48,7 +48,7 @@ Apart apart_in(WindKind kind, float length) {
 	species.law = Law::stem;
 	species.stem = solve_stem(beam).constants;
 	species.stem.dead_slope = 0.3f; // One newton bends a tip by 17 degrees.
-	species.stand_height = length;
+	species.canopy_height = length;
 	std::vector<MotionPlant> plants;
 	for (int i = 0; i < 40; i++) {
 		plants.push_back(varied_plant(i));

@@ -28,7 +28,7 @@ FieldSimulation two_pages(int prototypes) {
 	settings.prototypes = prototypes;
 	FieldSimulation field(settings);
 	MotionSpecies species = species_with(Law::spring, varied_joint(1));
-	species.stand_height = 0.7f;
+	species.canopy_height = 0.7f;
 	const int kind = field.add_species(species);
 	for (const float place : { 0.0f, 500.0f }) {
 		std::vector<MotionPlant> plants;
@@ -89,7 +89,7 @@ static double error_of_sampling_ahead(Law law, float frequency) {
 	const float rate = static_cast<float>(2.0 * PI) * frequency;
 	joint.elasticity = rate * rate / STANDARD_GRAVITY; // For a plant of 1 m.
 	MotionSpecies species = species_with(law, joint);
-	species.stand_height = 0.7f;
+	species.canopy_height = 0.7f;
 	std::vector<MotionPlant> plants;
 	for (int i = 0; i < 64; i++) {
 		plants.push_back(varied_plant(i));
@@ -126,7 +126,7 @@ TEST_CASE("tips in air that is sampled ahead move like tips that sample it in ea
 
 TEST_CASE("plants that are moved have the wind of their new position") {
 	MotionSpecies species = species_with(Law::spring, varied_joint(1));
-	species.stand_height = 0.7f;
+	species.canopy_height = 0.7f;
 	const FieldWind wind = fresh_breeze();
 	const PlantWinds along = winds_along(wind);
 	MotionPlant plant = varied_plant(1);

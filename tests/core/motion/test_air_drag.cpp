@@ -28,19 +28,19 @@ FieldWind air_of(float turbulence) {
 	return wind;
 }
 
-MotionPage one_plant(Law law, const Joint &joint, float stand_height) {
+MotionPage one_plant(Law law, const Joint &joint, float canopy_height) {
 	MotionSpecies species;
 	species.law = law;
 	species.joint = joint;
-	species.stand_height = stand_height;
+	species.canopy_height = canopy_height;
 	MotionPlant plant;
 	plant.length = 0.8f;
 	return MotionPage(0, species, &plant, 1, 1.0f / 60.0f, true, MotionPage::Keeps::directions);
 }
 
 /// Tangent of the bend along the wind, at rest in a smooth wind.
-double resting_bend(Law law, const Joint &joint, float stand_height) {
-	MotionPage page = one_plant(law, joint, stand_height);
+double resting_bend(Law law, const Joint &joint, float canopy_height) {
+	MotionPage page = one_plant(law, joint, canopy_height);
 	const FieldWind wind = air_of(0.0f);
 	for (int i = 0; i < 6000; i++) {
 		page.step(wind_at_time(wind, i / 60.0), winds_along(wind));

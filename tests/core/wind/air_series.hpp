@@ -17,7 +17,7 @@ inline const undergrowth::AirTiles &shared_tiles() {
 inline undergrowth::Air plain_air(float speed) {
 	undergrowth::Air air;
 	air.gustiness = 0.0f;
-	air.wave_share = 0.0f;
+	air.canopy_wave_amount = 0.0f;
 	air.speed = speed / static_cast<float>(undergrowth::open_ground_speed(1.0, static_cast<double>(air.roughness)));
 	return air;
 }

@@ -179,7 +179,7 @@ TEST_CASE("patterns at the pivot continue through any change of the air") {
 	for (int change = 0; change < 5; change++) {
 		wanted.speed = change == 0 ? 3.0f : wanted.speed;
 		wanted.heading = change == 1 ? 4.0 : wanted.heading;
-		wanted.stand_height = change == 2 ? 1.7f : wanted.stand_height;
+		wanted.canopy_height = change == 2 ? 1.7f : wanted.canopy_height;
 		wanted.roughness = change == 3 ? 0.2f : wanted.roughness;
 		wanted.gustiness = change == 4 ? 0.0f : wanted.gustiness;
 		change_air(wind.air, wanted, 77.0, pivot);
@@ -249,8 +249,8 @@ TEST_CASE("air with invalid or out-of-range numbers is finite") {
 		for (int which = 0; which < 8; which++) {
 			FieldWind wind = breeze();
 			Air &air = wind.air;
-			float *numbers[] = { &air.speed, &air.turbulence, &air.gustiness, &air.roughness, &air.stand_height,
-				&air.wave_share };
+			float *numbers[] = { &air.speed, &air.turbulence, &air.gustiness, &air.roughness, &air.canopy_height,
+				&air.canopy_wave_amount };
 			if (which < 6) {
 				*numbers[which] = bad;
 			} else {

@@ -32,7 +32,7 @@ FieldWind fresh_breeze() {
 /// Plants with air over them that was sampled ahead.
 struct Stand {
 	std::vector<float> x, z, lengths;
-	float stand_height = STAND;
+	float canopy_height = STAND;
 	float swing = SWING;
 	AirAhead ahead;
 	std::vector<float> told_x = std::vector<float>(PLANTS), told_z = std::vector<float>(PLANTS);
@@ -51,11 +51,11 @@ struct Stand {
 	bool step(const FieldWind &wind, int number, int turn = 0, SimdLevel level = best_simd_level()) {
 		const PlantWinds along = winds_along(wind);
 		const double moment = (number + 0.5) * static_cast<double>(STEP);
-		ahead.look(wind, along, moment, STEP, turn, { x.data(), z.data(), lengths.data(), PLANTS, stand_height, swing },
+		ahead.look(wind, along, moment, STEP, turn, { x.data(), z.data(), lengths.data(), PLANTS, canopy_height, swing },
 				level);
 		const TravellingWind now = wind_at_time(wind, along, moment);
-		const AirBlow blow = blow_over(now.air, stand_height, along);
-		const float *alone = stand_height > 0.0f ? nullptr : lengths.data();
+		const AirBlow blow = blow_over(now.air, canopy_height, along);
+		const float *alone = canopy_height > 0.0f ? nullptr : lengths.data();
 		sample_air(now, blow, x.data(), z.data(), alone, PLANTS, is_x.data(), is_z.data(), level);
 		if (ahead.is_ready()) {
 			ahead.tell(blow, 0, PLANTS, told_x.data(), told_z.data(), level);
@@ -76,9 +76,9 @@ struct Stand {
 } // namespace
 
 TEST_CASE("air sampled ahead matches the current air, except for frequencies without effect on plants") {
-	for (const float stand_height : { STAND, 0.0f }) {
+	for (const float canopy_height : { STAND, 0.0f }) {
 		Stand stand;
-		stand.stand_height = stand_height;
+		stand.canopy_height = canopy_height;
 		const FieldWind wind = fresh_breeze();
 		double errors = 0.0, squares = 0.0, sums = 0.0;
 		for (int i = 0; i < 600; i++) {
@@ -121,12 +121,12 @@ TEST_CASE("fast plants, and those with fast waves over them, have more frequent 
 	Air air = fresh_breeze().air;
 	CHECK(AirAhead::stride_in(air, STEP, 1.0f / 10.5f) == 1);
 	CHECK(AirAhead::stride_in(air, STEP, 0.25f) == 3);
-	air.wave_share = 0.0f;
+	air.canopy_wave_amount = 0.0f;
 	CHECK(AirAhead::stride_in(air, STEP, 10.0f) == AirAhead::MOST_STEPS);
 	CHECK(AirAhead::stride_in(air, 2.0f * STEP, 10.0f) == 2);
 	CHECK(AirAhead::stride_in(air, 4.0f * STEP, 10.0f) == 1);
-	air.wave_share = 0.3f;
-	air.stand_height = 0.05f;
+	air.canopy_wave_amount = 0.3f;
+	air.canopy_height = 0.05f;
 	CHECK(AirAhead::stride_in(air, STEP, 10.0f) == 1);
 }
 

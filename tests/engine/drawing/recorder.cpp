@@ -209,8 +209,7 @@ extern "C" GDExtensionBool GDE_EXPORT recorded_init(GDExtensionInterfaceGetProcA
 	dladdr(reinterpret_cast<const void *>(&recorder_init), &own);
 	const std::string path = own.dli_fname;
 	void *library = dlopen((path.substr(0, path.rfind('/') + 1) + "librecorded.so").c_str(), RTLD_NOW | RTLD_LOCAL);
-	const auto start = library
-			? reinterpret_cast<GDExtensionInitializationFunction>(dlsym(library, "undergrowth_init"))
-			: nullptr;
+	const auto start =
+			library ? reinterpret_cast<GDExtensionInitializationFunction>(dlsym(library, "undergrowth_init")) : nullptr;
 	return start ? start(&recorder::find_function, p_library, r_initialization) : GDExtensionBool(0);
 }

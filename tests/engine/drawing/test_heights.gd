@@ -77,7 +77,7 @@ func _start_streamed() -> void:
 
 func _streamed() -> void:
 	await frames(20)
-	while field.is_filling() or field.get_statistics()["tiles_waiting"] > 0:
+	while field.is_building() or field.get_statistics()["tiles_waiting"] > 0:
 		await process_frame
 	await frames(20)
 

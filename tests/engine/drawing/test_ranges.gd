@@ -73,7 +73,10 @@ func _check_ranges() -> void:
 			var away := field.to_global(plant.root).distance_to(middle) - 1e-3
 			for level in ENDS.size():
 				var begin := 0.0 if level == 0 else ENDS[level - 1] - field.fade_margin
-				if instance["begin"] <= maxf(begin - away, 0.0) and instance["end"] >= ENDS[level] + away:
+				if (
+					instance["begin"] <= maxf(begin - away, 0.0)
+					and instance["end"] >= ENDS[level] + away
+				):
 					drawn[level][plant.root] = true
 		check(instance["end"] < ENDS[2] + 60.0, "an instance ends at %f m" % instance["end"])
 		count += 1 if instance["begin"] > 0.0 else 0

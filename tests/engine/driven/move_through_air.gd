@@ -40,7 +40,7 @@ func _initialize() -> void:
 	_ship.density = 0.0
 	_ship.position = FAR * 2.0
 	root.add_child(_ship)
-	_ship.filled.connect(func() -> void: _is_filled = true)
+	_ship.build_finished.connect(func() -> void: _is_filled = true)
 
 
 func _species() -> PlantFunction:
@@ -62,7 +62,7 @@ func _physics_process(delta: float) -> bool:
 
 func _process(delta: float) -> bool:
 	if _elapsed < 0.0:
-		if _is_filled and not _field.is_filling():
+		if _is_filled and not _field.is_building():
 			_begin()
 		return false
 	_elapsed += delta

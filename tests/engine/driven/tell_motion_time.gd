@@ -21,7 +21,7 @@ func _initialize() -> void:
 		_field.wind.kind = PlantWind.KIND_AIR
 		_field.wind.speed = 6.0
 	root.add_child(_field)
-	_field.filled.connect(func() -> void: _ids = _field.get_plant_ids())
+	_field.build_finished.connect(func() -> void: _ids = _field.get_plant_ids())
 
 
 func _process(_delta: float) -> bool:

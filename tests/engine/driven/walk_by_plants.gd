@@ -36,7 +36,7 @@ func _initialize() -> void:
 		walker.position = Vector3(START, 1.0, 0) + i * ASIDE
 		root.add_child(walker)
 		_walkers.append(walker)
-	_field.filled.connect(func() -> void: _is_filled = true)
+	_field.build_finished.connect(func() -> void: _is_filled = true)
 
 
 func _physics_process(delta: float) -> bool:

@@ -36,7 +36,7 @@ func _initialize() -> void:
 	_walker.add_to_group(&"walkers")
 	_walker.position = Vector3(START, 1.0, 0)
 	root.add_child(_walker)
-	_field.filled.connect(_begin)
+	_field.build_finished.connect(_begin)
 
 
 func _physics_process(delta: float) -> bool:

@@ -98,7 +98,7 @@ func _check_signals(prefix: String) -> void:
 func _check_field(prefix: String) -> void:
 	_tell(prefix + "settings of the field", _field.density == 6.0 and _field.species.size() == 1)
 	var entry: Resource = _field.species[0]
-	_tell(prefix + "its entry", entry.share == 0.5 and entry.species == _tulip.species)
+	_tell(prefix + "its entry", entry.weight == 0.5 and entry.species == _tulip.species)
 	await _until_filled()
 	_tell(prefix + "the field is filled", _field.call("get_plant_count") > 10)
 	var id: int = _field.call("get_plant_ids")[0]
@@ -112,7 +112,7 @@ func _check_field(prefix: String) -> void:
 
 func _until_filled() -> void:
 	await _frames(2)
-	while _field.call("is_filling"):
+	while _field.call("is_building"):
 		await _frames(1)
 
 
@@ -147,7 +147,7 @@ func _plant(properties: Dictionary) -> Node3D:
 
 func _make_field(species: Resource) -> Node3D:
 	var field: Node3D = ClassDB.instantiate("PlantField3D")
-	field.species = [_make("PlantFieldSpecies", {"species": species, "share": 0.5})]
+	field.species = [_make("PlantFieldSpecies", {"species": species, "weight": 0.5})]
 	field.size = Vector2(4.0, 4.0)
 	field.density = 6.0
 	add_child(field)

@@ -91,7 +91,7 @@ func _add_second_world() -> void:
 func _add_field() -> void:
 	if fields.size() < MOST_FIELDS:
 		var field := things.new_field()
-		field.filled.connect(_on_filled.bind(field))
+		field.build_finished.connect(_on_filled.bind(field))
 		_add(field, fields)
 
 
@@ -173,7 +173,7 @@ func _apply_saved() -> void:
 	if chance(0.5):
 		field.apply_changes(bytes)
 	else:
-		field.kept_changes = bytes
+		field.saved_changes = bytes
 
 
 func _ask_field() -> void:

@@ -42,12 +42,12 @@ static func suit(field: PlantField3D, entry: PlantFieldSpecies) -> float:
 	var wanted := minf(FieldDefaults.find_density(entry.species), _room_of(field))
 	var shares := 0.0
 	for other in field.species:
-		shares += other.share if other and other.species else 0.0
+		shares += other.weight if other and other.species else 0.0
 	if field.density <= 0.0:
 		return wanted
 	if shares <= 0.0:
 		return field.density
-	entry.share = shares * wanted / field.density
+	entry.weight = shares * wanted / field.density
 	return field.density + wanted
 
 

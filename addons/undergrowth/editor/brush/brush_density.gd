@@ -10,9 +10,9 @@ static func of_mix(field: PlantField3D, title: String) -> float:
 	var own := 0.0
 	for entry in field.species:
 		if entry:
-			shares += entry.share
+			shares += entry.weight
 			if entry.get_layer_name() == title:
-				own += entry.share * entry.density_factor
+				own += entry.weight * entry.density_factor
 	return field.density * own / shares if shares > 0.0 else 0.0
 
 

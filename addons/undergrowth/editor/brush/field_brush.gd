@@ -200,7 +200,7 @@ func end_stroke() -> void:
 
 func _on_fill_wanted() -> void:
 	if _field:
-		_field.fill()
+		_field.rebuild()
 
 
 # Undo takes species away, and the inspector may do so, too.

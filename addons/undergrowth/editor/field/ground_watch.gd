@@ -71,7 +71,7 @@ func _look() -> void:
 	_scene_id = root.get_instance_id()
 	for field in fields:
 		if moved.any(_is_under.bind(field)):
-			field.fill()
+			field.rebuild()
 
 
 func _forget() -> void:

@@ -183,7 +183,7 @@ func _show_piece() -> void:
 	var side := clampf(sqrt(PIECE_PLANTS / _piece.density), LEAST_PIECE, MOST_PIECE)
 	_piece.size = Vector2.ONE * side
 	_piece.wind = null
-	_piece.filled.connect(_show_plant_count)
+	_piece.build_finished.connect(_show_plant_count)
 	_plant_root.add_child(_piece)
 	var height := PlantGroup.find_tallest(_piece)
 	_ground.scale = Vector3.ONE * side * 0.5 * GROUND_RADIUS

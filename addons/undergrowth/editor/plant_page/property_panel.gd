@@ -46,10 +46,10 @@ func _describe(mix: PackedScene) -> String:
 	var field: PlantField3D = mix.instantiate()
 	var sum := 0.0
 	for listed in field.species:
-		sum += listed.share * listed.density_factor
+		sum += listed.weight * listed.density_factor
 	var lines: PackedStringArray = []
 	for listed in field.species:
-		var percent := 100.0 * listed.share * listed.density_factor / sum
+		var percent := 100.0 * listed.weight * listed.density_factor / sum
 		var title := SpeciesEntry.find_title(listed.species.resource_path)
 		lines.append("%s · %s %%" % [tr(title), String.num(percent, 0 if percent >= 1.0 else 1)])
 	field.free()

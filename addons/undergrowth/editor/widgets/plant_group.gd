@@ -121,7 +121,7 @@ static func _draw_order(grown: Array[PlantFieldSpecies]) -> PackedInt32Array:
 
 
 static func _weight_of(listed: PlantFieldSpecies) -> float:
-	return listed.share * listed.density_factor
+	return listed.weight * listed.density_factor
 
 
 static func _scale_of(listed: PlantFieldSpecies) -> float:

@@ -46,7 +46,7 @@ func _process(_delta: float) -> void:
 func get_speeds() -> PackedFloat32Array:
 	var speeds := PackedFloat32Array()
 	if _is_air():
-		for velocity in wind.sample_over_stand(wind.get_time(), _places):
+		for velocity in wind.sample_over_canopy(wind.get_time(), _places):
 			speeds.append(velocity.length())
 	return speeds
 

@@ -17,8 +17,8 @@ const PROPERTIES: Array[StringName] = [
 	&"turbulence",
 	&"gustiness",
 	&"roughness",
-	&"stand_height",
-	&"wave_share",
+	&"canopy_height",
+	&"canopy_wave_amount",
 ]
 const WARNING := EditorState.Severity.WARNING
 

@@ -27,7 +27,7 @@ const DEGREE_STEP := 0.001
 const KINDS: Array[String] = ["Gust", "Constant", "Bursts", "Waves", "Air"]
 ## What the page shows of air alone, and of the other kinds alone.
 const AIR: Array[StringName] = [
-	&"speed", &"turbulence", &"gustiness", &"roughness", &"stand_height", &"wave_share"
+	&"speed", &"turbulence", &"gustiness", &"roughness", &"canopy_height", &"canopy_wave_amount"
 ]
 const NEWTONS: Array[StringName] = [&"strength", &"travel_speed"]
 
@@ -65,8 +65,8 @@ func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
 		&"turbulence": %Turbulence,
 		&"gustiness": %Gustiness,
 		&"roughness": %Roughness,
-		&"stand_height": %StandHeight,
-		&"wave_share": %WaveShare,
+		&"canopy_height": %StandHeight,
+		&"canopy_wave_amount": %WaveShare,
 	}
 	(%Presets as WindPresets).setup(_blow_as)
 	for part: Control in [%Fields, %Outcome]:

@@ -5,7 +5,7 @@ extends GridContainer
 const FOLDER := "res://addons/undergrowth/winds/"
 ## What a preset says; the direction stays the wind's own.
 const PROPERTIES: Array[StringName] = [
-	&"kind", &"speed", &"turbulence", &"gustiness", &"roughness", &"stand_height", &"wave_share"
+	&"kind", &"speed", &"turbulence", &"gustiness", &"roughness", &"canopy_height", &"canopy_wave_amount"
 ]
 
 var _chosen: Callable

@@ -12,7 +12,7 @@ enum ModuleInitializationLevel {
 	MODULE_INITIALIZATION_LEVEL_MAX
 };
 
-// What a library does between being loaded and being closed.
+// Initializes and deinitializes the library.
 class GDExtensionBinding {
 public:
 	using Callback = void (*)(ModuleInitializationLevel p_level);
@@ -30,7 +30,7 @@ public:
 		void register_initializer(Callback p_initialize) const;
 		void register_terminator(Callback p_terminate) const;
 		void set_minimum_library_initialization_level(ModuleInitializationLevel p_level) const;
-		// False when the engine lacks something the binding needs.
+		// Returns false if the engine does not have something that the binding requires.
 		GDExtensionBool init() const;
 	};
 };

@@ -11,15 +11,15 @@ class RefCounted;
 
 namespace internal {
 
-// The first reference of an object that nobody counted yet, or one more. False when it is being freed.
+// Take the first reference to a new object, or one more. Both return false if the object is being freed.
 bool ref_first(void *p_wrapped);
 bool ref_more(void *p_wrapped);
-// Gives one back and frees the object with the last.
+// Releases a reference and frees the object with the last one.
 void ref_release(void *p_wrapped);
 
 } // namespace internal
 
-// A counted reference to an object whose class descends from RefCounted.
+// A counted reference to an object of a class derived from RefCounted.
 template <typename T> class Ref {
 	T *reference = nullptr;
 
@@ -47,12 +47,12 @@ public:
 	}
 	Ref(const Ref &p_from) { _share(p_from.reference); }
 	Ref(Ref &&p_from) : reference(p_from.reference) { p_from.reference = nullptr; }
-	// Null when the object is of another class.
+	// Null if the object is of another class.
 	template <typename U> Ref(const Ref<U> &p_from) { _share(dynamic_cast<T *>(p_from.reference)); }
 	Ref(const Variant &p_from) : Ref(internal::cast<T>(internal::wrapped_in(p_from))) {}
 	~Ref() { unref(); }
 
-	// Takes over a count that was made for the caller.
+	// Uses a reference that was already counted for the caller.
 	static Ref adopt(T *p_object) {
 		Ref ref;
 		ref.reference = p_object;

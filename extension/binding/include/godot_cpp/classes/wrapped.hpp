@@ -13,8 +13,8 @@ namespace internal {
 struct ClassRecord;
 class VirtualTable;
 
-// One object under construction on this thread. A constructor takes the innermost one, so that objects may be made in
-// the arguments and the body of another's constructor.
+// An object under construction on this thread. A constructor uses the innermost one, so that the arguments and the body
+// of a constructor may create objects.
 struct Construction {
 	static thread_local Construction *current;
 
@@ -23,7 +23,7 @@ struct Construction {
 	Construction *previous;
 	bool taken = false;
 
-	// A new engine object of that class, or the given one when owner is set.
+	// Creates an engine object of that class, or uses `p_owner` if it is not null.
 	Construction(const StringName *p_native_name, void *p_owner) :
 			native_name(p_native_name), owner(p_owner), previous(current) {
 		current = this;
@@ -35,15 +35,15 @@ struct Construction {
 
 } // namespace internal
 
-// The base of all classes of the engine and of ours: the C++ side of one engine object.
+// Base of all classes of the engine and of the library: the C++ side of one engine object.
 class Wrapped {
 public:
 	void *_owner;
-	// Wrappers of engine objects are listed, because their objects may outlive the library.
+	// A list of the wrappers of engine objects, because these objects may outlive the library.
 	struct {
 		Wrapped *previous = nullptr;
 		Wrapped *next = nullptr;
-		bool is_singleton = false; // then a record points here, which must hear of the end
+		bool is_singleton = false; // a Singleton points here and must be reset at the end
 	} _wrapper;
 
 	Wrapped(const Wrapped &) = delete;
@@ -51,11 +51,11 @@ public:
 	virtual ~Wrapped() = default;
 
 	static void _initialize_class() {}
-	// Of the class of ours that the object belongs to; null for objects of the engine's classes.
+	// Returns the record of the object's library class; null for objects of engine classes.
 	virtual const internal::ClassRecord *_get_class_record() const { return nullptr; }
 
 protected:
-	// Takes the engine object from the construction that memnew began; aborts without one.
+	// Uses the engine object of the construction that memnew began. Aborts without one.
 	Wrapped();
 
 	static void _bind_methods() {}
@@ -74,15 +74,15 @@ protected:
 
 namespace internal {
 
-// The C++ object of an engine object: the one that was made for it, or a new one of the nearest class we know. Null for
+// Returns the C++ object of an engine object: the existing one, or a new one of the nearest listed class. Null for
 // null.
 Wrapped *wrapper_of(void *p_owner);
-// Takes all wrappers from engine objects that are still alive: nothing of the library may be called after it is closed.
+// Detaches all wrappers from existing engine objects, because no code of the library may run after it is unloaded.
 void release_wrappers();
-// The object in a Variant, null when there is none or it was freed.
+// Returns the object in a Variant; null if there is none or it was freed.
 Wrapped *wrapped_in(const Variant &p_value);
 
-// dynamic_cast, with a shortcut for the most common case: the object is exactly of that class.
+// A dynamic_cast with a shortcut for the most common case: the object is exactly of that class.
 template <typename T> inline T *cast(Wrapped *p_wrapped) {
 	if (p_wrapped && typeid(*p_wrapped) == typeid(T)) {
 		return static_cast<T *>(p_wrapped);

@@ -6,7 +6,7 @@
 
 namespace godot::internal {
 
-// A method of ours that the engine calls, either with Variants, whose number and types are checked here, or with
+// A method of the library that the engine calls: with Variants, after a check of their number and types, or with
 // pointers.
 class BoundMethod {
 public:
@@ -24,7 +24,7 @@ public:
 	virtual void call_variants(Wrapped *p_self, const Variant *const *p_arguments, Variant &r_result) const = 0;
 	virtual void call_pointers(Wrapped *p_self, const GDExtensionConstTypePtr *p_arguments, void *r_result) const = 0;
 
-	// Fills in defaults; false, with r_error set, when the call does not fit.
+	// Adds the defaults. Returns false and sets r_error if the arguments do not fit.
 	bool call(Wrapped *p_self, const Variant *const *p_arguments, int64_t p_count, Variant &r_result,
 			GDExtensionCallError &r_error) const;
 	void register_in(const StringName &p_class);

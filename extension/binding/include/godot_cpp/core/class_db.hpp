@@ -12,7 +12,7 @@
 
 namespace godot {
 
-// A method's name and the names of its arguments.
+// The name of a method and the names of its arguments.
 struct MethodDefinition {
 	StringName name;
 	std::vector<StringName> args;
@@ -28,7 +28,7 @@ template <typename... Args> MethodDefinition D_METHOD(const StringName &p_name, 
 
 #define DEFVAL(m_default) (m_default)
 
-// Registers classes of ours and what scripts see of them.
+// Registers classes of the library with their methods, properties, signals and constants.
 class ClassDB {
 	static internal::ClassRecord *current_record(const StringName &p_class);
 	static void add_class(std::unique_ptr<internal::ClassRecord> p_record);
@@ -73,7 +73,7 @@ public:
 	static void bind_integer_constant(const StringName &p_class, const StringName &p_enum, const StringName &p_name,
 			int64_t p_value, bool p_is_bit_field = false);
 
-	// Registration happens inside of one level, and ends with it.
+	// All registrations are inside of one level and end with it.
 	static void initialize(GDExtensionInitializationLevel p_level);
 	static void deinitialize(GDExtensionInitializationLevel p_level);
 };
@@ -106,7 +106,7 @@ void ClassDB::add_class(bool p_is_virtual, bool p_is_abstract, bool p_is_exposed
 #define GDREGISTER_INTERNAL_CLASS(m_class) ::godot::ClassDB::register_internal_class<m_class>();
 #define GDREGISTER_RUNTIME_CLASS(m_class) ::godot::ClassDB::register_runtime_class<m_class>();
 
-// Inside of _bind_methods.
+// For use in _bind_methods().
 #define ADD_PROPERTY(m_property, m_setter, m_getter)                                                                   \
 	::godot::ClassDB::add_property(get_class_static(), m_property, m_setter, m_getter)
 #define ADD_PROPERTYI(m_property, m_setter, m_getter, m_index)                                                         \

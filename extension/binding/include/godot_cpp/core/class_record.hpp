@@ -7,12 +7,12 @@
 
 namespace godot::internal {
 
-// What the library knows of one class of ours while it is registered.
+// The registration of one class of the library.
 struct ClassRecord {
 	StringName class_name;
 	StringName parent_name;
-	StringName native_name; // the engine class below all of ours
-	ClassRecord *parent = nullptr; // the class of ours above, if any
+	StringName native_name; // the engine class below all classes of the library
+	ClassRecord *parent = nullptr; // the base class in the library, if any
 	int level = 0;
 	bool is_virtual = false;
 	bool is_abstract = false;
@@ -23,7 +23,7 @@ struct ClassRecord {
 	VirtualTable virtuals;
 	std::vector<std::unique_ptr<BoundMethod>> methods;
 
-	// Only what the class itself declares; the callers below walk through the bases.
+	// Functions that the class itself declares. The callers also call those of the base classes.
 	void (*notification)(Wrapped *, int) = nullptr;
 	bool (*set)(Wrapped *, const StringName &, const Variant &) = nullptr;
 	bool (*get)(const Wrapped *, const StringName &, Variant &) = nullptr;
@@ -39,8 +39,8 @@ struct ClassRecord {
 // The record of one class while it is registered.
 template <typename T> inline ClassRecord *record_of_class = nullptr;
 
-// Called inside of the class, so that the functions may be private. A function counts when the class itself declares
-// it.
+// Called inside of the class, so that the functions may be private. Includes only functions that the class itself
+// declares.
 template <typename T> struct ClassHooks {
 	ClassRecord &record;
 
@@ -103,7 +103,7 @@ template <typename T> struct ClassHooks {
 
 } // namespace godot::internal
 
-// At the head of every class of ours.
+// Required at the start of every class of the library.
 #define GDCLASS(m_class, m_inherits)                                                                                   \
 public:                                                                                                                \
 	using self_type = m_class;                                                                                         \

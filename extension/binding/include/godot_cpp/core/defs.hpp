@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-// Words that every header of the binding uses.
+// Macros and names for every header of the binding.
 
 // Not defined by godot-cpp.
 #define GODOT_BUNDLED_BINDING
@@ -28,10 +28,10 @@
 
 namespace godot {
 
-// The engine is built with 32-bit reals in its vectors; see the README for double precision.
+// The engine's vectors have 32-bit reals. For double precision see the README.
 using real_t = float;
 
-// Every header may name these.
+// Declared for every header.
 class String;
 class StringName;
 class NodePath;
@@ -71,7 +71,7 @@ class Object;
 
 namespace internal {
 
-// Tag of constructors that leave the bytes for the engine to fill.
+// Tag of constructors that leave the bytes uninitialized, for the engine to fill.
 struct Uninitialized {};
 
 } // namespace internal

@@ -6,16 +6,16 @@
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/core/type_info.hpp>
 
-// What the generated bodies are made of: records of engine functions that are found at first use, and the calls.
+// Used by the generated code: records of engine functions, found at their first use, and calls of them.
 
 namespace godot::internal {
 
-// Prints which function this engine does not have: the library was made for another version.
+// Reports a function that this engine does not have, because the library was built for another version.
 void report_missing(const char *p_class, const char *p_name, int64_t p_hash);
-// Prints an error of a call by name.
+// Reports an error of a call, with its name.
 void report_call_error(const char *p_name, const GDExtensionCallError &p_error);
 
-// A function of the engine with the name and hash of its signature; constant until its first call finds it.
+// A function of the engine, given by its name and the hash of its signature. Constant until its first call finds it.
 template <typename Pointer, Pointer (*Find)(const char *, const char *, int, int64_t)> class EngineFunction {
 	const char *owner;
 	const char *name;
@@ -72,7 +72,8 @@ public:
 	}
 };
 
-// A singleton's wrapper, found at first use, until the engine frees the singleton or the library is unloaded.
+// The wrapper of a singleton, found at its first use. Valid until the engine frees the singleton or the library is
+// unloaded.
 class Singleton {
 	const char *name;
 	std::atomic<Wrapped *> found{ nullptr };
@@ -89,7 +90,7 @@ public:
 	static void forget(const Wrapped *p_wrapped);
 };
 
-// Calls with pointers to the held arguments and a place for the result.
+// Calls with pointers to the arguments and to the result.
 template <typename R, typename F, typename... Held> inline R with_pointers(F p_call, const Held &...p_held) {
 	const GDExtensionConstTypePtr arguments[sizeof...(Held) + 1] = { p_held.ptr()..., nullptr };
 	if constexpr (std::is_void_v<R>) {
@@ -139,7 +140,7 @@ template <typename R, typename... A> inline R call_utility(UtilityFunction &p_fu
 			typename TypeTraits<A>::Argument(p_arguments)...);
 }
 
-// Pointers to a row of values.
+// Pointers to consecutive values.
 class ValuePointers {
 	static constexpr int64_t few = 12;
 	const void *small[few];
@@ -166,7 +167,7 @@ public:
 
 Variant call_with_values(EngineMethod &p_method, void *p_owner, const Variant *p_values, int64_t p_count);
 
-// The same for functions that take any number of values.
+// The same for functions with any number of values.
 template <typename R>
 inline R call_engine_array(EngineMethod &p_method, void *p_owner, const Variant *p_values, int64_t p_count) {
 	const Variant result = call_with_values(p_method, p_owner, p_values, p_count);
@@ -205,7 +206,7 @@ inline void construct(GDExtensionVariantType p_type, int p_index, void *r_base, 
 
 } // namespace godot::internal
 
-// Life and copies of a built-in type that only the engine knows from inside.
+// Constructors, copies and destructor of a built-in type with a layout that only the engine has.
 #define GODOT_OPAQUE_TYPE(m_type, m_id)                                                                                \
 	m_type::m_type() {                                                                                                 \
 		internal::type_functions[m_id].create(this, nullptr);                                                          \

@@ -6,11 +6,11 @@
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/core/signature.hpp>
 
-// What the generated engine classes are made of.
+// Used by the generated engine classes.
 
 namespace godot::internal {
 
-// How the engine calls one of its virtual methods that a class of ours overrides.
+// The function by which the engine calls one of its virtual methods, overridden in a class of the library.
 using VirtualCall = void (*)(Wrapped *p_self, const GDExtensionConstTypePtr *p_arguments, void *r_result);
 
 struct VirtualOverride {
@@ -18,10 +18,10 @@ struct VirtualOverride {
 	VirtualCall call;
 };
 
-// The engine's virtual methods that one class of ours overrides, itself or by a base of ours.
+// The engine's virtual methods that one class of the library overrides, itself or in a base class of the library.
 class VirtualTable {
 	std::unordered_map<const void *, VirtualOverride> overrides;
-	std::vector<StringName> names; // keeps the identities alive
+	std::vector<StringName> names; // their identities are keys, so they must exist
 
 	void add(const char *p_name, uint32_t p_hash, VirtualCall p_call);
 
@@ -35,7 +35,7 @@ public:
 					p_arguments, r_result);
 		});
 	}
-	// Null when it is not overridden, or declared differently by this engine (then with an error).
+	// Returns null if the method is not overridden. If this engine declares it differently, prints an error, too.
 	const VirtualOverride *find(const StringName &p_name, uint32_t p_hash) const;
 };
 
@@ -65,7 +65,7 @@ public:                                                                         
                                                                                                                        \
 private:
 
-// A virtual method is overridden when the name leads to another declaration than the engine class's own.
+// A virtual method is overridden if the name has another declaration than that of the engine class.
 #define GODOT_ENGINE_VIRTUAL(m_class, m_name, m_hash)                                                                  \
 	if constexpr (!std::is_same_v<decltype(&T::m_name), decltype(&m_class::m_name)>) {                                 \
 		r_table.bind<T, &T::m_name>(#m_name, m_hash);                                                                  \

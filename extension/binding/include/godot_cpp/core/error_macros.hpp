@@ -4,7 +4,7 @@
 
 #include <godot_cpp/core/defs.hpp>
 
-// Checks that print an error with its place and leave the function, as in the engine.
+// Checks that print an error with its source location and return, as in the engine.
 
 namespace godot {
 

@@ -14,14 +14,14 @@ class StringName;
 
 namespace internal {
 
-// The engine's C functions. Filled once, before anything else of the binding runs.
+// The engine's C functions. Filled once, before all other code of the binding runs.
 struct Interface {
 #define GODOT_INTERFACE_FUNCTION(m_type, m_name) m_type m_name = nullptr;
 #include <godot_cpp/generated/interface_functions.inc>
 #undef GODOT_INTERFACE_FUNCTION
 };
 
-// How one built-in type is made, copied, destroyed and moved in and out of a Variant.
+// Functions that create, copy and destroy one built-in type and convert it to and from a Variant.
 struct TypeFunctions {
 	GDExtensionPtrConstructor create = nullptr;
 	GDExtensionPtrConstructor copy = nullptr;
@@ -34,10 +34,10 @@ extern Interface gde;
 extern GDExtensionClassLibraryPtr library;
 extern TypeFunctions type_functions[GDEXTENSION_VARIANT_TYPE_VARIANT_MAX];
 
-// False, with an error for each, when the engine lacks one of the functions.
+// Returns false, with an error for each, if the engine does not have one of the functions.
 bool load_interface(GDExtensionInterfaceGetProcAddress p_get);
 
-// A name that is made at first use and given back when the library is unloaded, for static storage.
+// A name in static storage, created at its first use and released when the library is unloaded.
 class StaticName {
 	const char *text;
 	std::atomic<bool> ready{ false };

@@ -4,7 +4,7 @@
 
 #include <godot_cpp/core/defs.hpp>
 
-// The common helpers of godot-cpp's Math; anything heavier belongs to code that knows no engine.
+// The common helpers of godot-cpp's Math. Larger functions belong to code without the engine.
 
 #define CMP_EPSILON 0.00001f
 #define CMP_EPSILON2 (CMP_EPSILON * CMP_EPSILON)

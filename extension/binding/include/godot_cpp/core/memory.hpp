@@ -9,13 +9,13 @@ namespace godot {
 
 namespace internal {
 
-// Joins a new C++ object and its engine object, and tells it that it is complete.
+// Connects a new C++ object with its engine object and sends the notification that it is complete.
 void join(Wrapped *p_wrapped, const StringName *p_extension_class);
 void bind_own(Wrapped *p_wrapped);
 void announce(Wrapped *p_wrapped);
 void destroy(Wrapped *p_wrapped);
 
-// A construction by memnew, from before the constructor to after it. For a plain type it does nothing.
+// A construction by memnew, from before the constructor until after it. It has no effect for a plain type.
 template <typename T, bool IsWrapped = std::is_base_of_v<Wrapped, T>> struct Making {
 	T *finish(T *p_made) { return p_made; }
 };
@@ -42,7 +42,7 @@ template <typename T> void memdelete(T *p_object) {
 
 } // namespace godot
 
-// memnew(Node3D), memnew(Thing(argument)): makes the C++ object together with its engine object.
+// memnew(Node3D), memnew(Thing(argument)): creates the C++ object together with its engine object.
 #define memnew(m_class)                                                                                                \
 	(::godot::internal::Making<std::remove_reference_t<decltype(*new m_class)>>().finish(new m_class))
 #define memdelete_notnull(m_object)                                                                                    \

@@ -7,7 +7,7 @@
 
 namespace godot {
 
-// A method or a signal as the engine lists it.
+// A method or a signal, as the engine lists it.
 struct MethodInfo {
 	StringName name;
 	PropertyInfo return_val;
@@ -32,7 +32,7 @@ struct MethodInfo {
 
 class ObjectDB {
 public:
-	// Null when the object was freed.
+	// Null if the object was freed.
 	static Object *get_instance(uint64_t p_id);
 	static Object *get_instance(ObjectID p_id) { return get_instance(uint64_t(p_id)); }
 };

@@ -7,7 +7,7 @@
 
 namespace godot {
 
-// What the engine knows of a property, an argument or a returned value.
+// The engine's description of a property, an argument or a returned value.
 struct PropertyInfo {
 	Variant::Type type = Variant::NIL;
 	StringName name;
@@ -32,7 +32,7 @@ struct PropertyInfo {
 				hint == p_other.hint && hint_string == p_other.hint_string && usage == p_other.usage;
 	}
 
-	// The engine's form; it points into this object.
+	// Returns the engine's form, which points to this object.
 	GDExtensionPropertyInfo c_info() const {
 		return { GDExtensionVariantType(type), const_cast<StringName *>(&name), const_cast<StringName *>(&class_name),
 			hint, const_cast<String *>(&hint_string), usage };

@@ -5,7 +5,7 @@
 
 #include <godot_cpp/core/type_info.hpp>
 
-// Functions of ours that the engine calls, whatever their parameters are.
+// Functions of the library that the engine calls, with any parameters.
 
 namespace godot::internal {
 
@@ -13,17 +13,18 @@ template <typename R, typename... A> struct Signature {
 	using Result = R;
 	static constexpr size_t count = sizeof...(A);
 
-	// The engine passes pointers to values and a place for the result.
+	// The engine passes pointers to the values and to the result.
 	template <typename F>
 	static void call_pointers(F p_function, const GDExtensionConstTypePtr *p_arguments, void *r_result) {
 		call_pointers(p_function, p_arguments, r_result, std::index_sequence_for<A...>());
 	}
-	// The engine passes Variants that were checked before.
+	// The engine passes Variants of the correct types.
 	template <typename F>
 	static void call_variants(F p_function, const Variant *const *p_arguments, Variant &r_result) {
 		call_variants(p_function, p_arguments, r_result, std::index_sequence_for<A...>());
 	}
-	// The index of the first value that cannot become its argument, -1 if all can; r_expected is its type.
+	// Returns the index of the first value that cannot be converted to its argument, or -1. Sets r_expected to the
+	// argument's type.
 	static int first_wrong(const Variant *const *p_arguments, int32_t &r_expected) {
 		int index = 0;
 		int wrong = -1;
@@ -82,7 +83,7 @@ private:
 	}
 };
 
-// Taken apart: the class that declares a function, its signature, whether it is const.
+// The parts of a function type: the class that declares it, its signature and its constness.
 template <typename M> struct FunctionType;
 template <typename R, typename C, typename... A> struct FunctionType<R (C::*)(A...)> {
 	using Class = C;

@@ -5,12 +5,12 @@
 #include <godot_cpp/classes/wrapped.hpp>
 #include <godot_cpp/core/property_info.hpp>
 
-// One description per C++ type, on which calls in both directions are built: engine methods, our bound methods,
-// virtuals of the engine that we override and methods of ours that scripts override.
-//   type, metadata   what the engine calls it
-//   Argument         holds a value in the form in which a pointer call takes it
-//   Result           receives what a pointer call returns; is_direct: the value itself can receive it
-//   load, store      an argument that the engine passes, a value that we return
+// One description per C++ type. Calls in both directions use it: engine methods, bound methods, engine virtuals that
+// the library overrides, and library methods that scripts override.
+//   type, metadata   the engine's description of the type
+//   Argument         contains a value in the form that a pointer call takes
+//   Result           receives the result of a pointer call; is_direct: the value itself can receive it
+//   load, store      read an argument that the engine passes, write a value that the library returns
 //   from_variant, to_variant, accepts (beyond the Variant's type), describe
 
 namespace godot {
@@ -56,7 +56,7 @@ template <> struct TypeTraits<Variant> : DirectTraits<Variant, GDEXTENSION_VARIA
 	}
 };
 
-// Types that travel as another one: every integer as int64, float as double, bool as a byte.
+// Types that are passed as another type: every integer as int64, float as double, bool as a byte.
 template <typename T, typename Encoded, int Type, int Metadata> struct EncodedTraits {
 	static constexpr Variant::Type type = Variant::Type(Type);
 	static constexpr auto metadata = GDExtensionClassMethodArgumentMetadata(Metadata);
@@ -106,9 +106,9 @@ GODOT_NUMBER_TRAITS(float, double, FLOAT, REAL_IS_FLOAT)
 GODOT_NUMBER_TRAITS(double, double, FLOAT, REAL_IS_DOUBLE)
 #undef GODOT_NUMBER_TRAITS
 
-// "undergrowth::Plant::Law" -> "Plant.Law", the name by which the engine knows the enum.
+// "undergrowth::Plant::Law" -> "Plant.Law", the engine's name of the enum.
 StringName enum_class_name(const char *p_cpp_name);
-// "undergrowth::Plant::Law" -> "Law", the name with which its constants are registered.
+// "undergrowth::Plant::Law" -> "Law", the registered name of its constants.
 StringName enum_name(const char *p_cpp_name);
 
 template <typename T, bool IsBitField>
@@ -122,7 +122,7 @@ struct EnumTraits : EncodedTraits<T, int64_t, GDEXTENSION_VARIANT_TYPE_INT, GDEX
 	}
 };
 
-// The bytes of an engine object's pointer, for calls; works for classes that are only declared.
+// Returns the pointer of an engine object, for calls. Also for classes that are only declared.
 inline void *owner_of(const void *p_wrapped) {
 	return p_wrapped ? static_cast<const Wrapped *>(p_wrapped)->_owner : nullptr;
 }
@@ -158,7 +158,8 @@ template <typename T> struct TypeTraits<T *, std::enable_if_t<std::is_class_v<T>
 	}
 };
 
-// A counted reference: an argument points to the object's pointer, what a call returns brings its own count.
+// A counted reference. An argument is a pointer to the object's pointer. A returned object has a reference for the
+// caller.
 template <typename T> struct TypeTraits<Ref<T>> {
 	static constexpr Variant::Type type = Variant::OBJECT;
 	static constexpr auto metadata = GDEXTENSION_METHOD_ARGUMENT_METADATA_NONE;

@@ -4,7 +4,7 @@
 
 namespace godot {
 
-// Only what _get_property_list needs: this code uses the standard containers.
+// For _get_property_list() only. Everything else uses the standard containers.
 template <typename T> class List : public std::list<T> {};
 
 } // namespace godot

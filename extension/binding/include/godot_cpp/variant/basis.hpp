@@ -4,7 +4,7 @@
 
 namespace godot {
 
-// A 3x3 matrix that lies in memory row by row; its columns are the axes that scripts see as x, y and z.
+// A 3x3 matrix, stored by rows. Its columns are the axes x, y and z of scripts.
 class Basis {
 public:
 	Vector3 rows[3] = { Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1) };
@@ -17,7 +17,7 @@ public:
 			real_t p_zy, real_t p_zz) :
 			rows{ Vector3(p_xx, p_xy, p_xz), Vector3(p_yx, p_yy, p_yz), Vector3(p_zx, p_zy, p_zz) } {}
 	Basis(const Quaternion &p_quaternion);
-	// The axis has length 1, the angle is in radians.
+	// The axis has length 1, and the angle is in radians.
 	Basis(const Vector3 &p_axis, real_t p_angle) : Basis(Quaternion(p_axis, p_angle)) {}
 
 	constexpr const Vector3 &operator[](int p_row) const { return rows[p_row]; }

@@ -9,7 +9,8 @@ namespace godot {
 
 namespace internal {
 
-// A Callable of a C++ function: equal to another of the same object and function, so that it can be disconnected.
+// Returns a Callable of a C++ function. Callables of the same object and function are equal, so that it can be
+// disconnected.
 Callable make_callable(Object *p_object, std::unique_ptr<BoundMethod> p_method, const void *p_function, size_t p_size);
 
 } // namespace internal

@@ -6,7 +6,7 @@
 
 namespace godot {
 
-// UTF-8 bytes of a String.
+// The UTF-8 bytes of a String.
 class CharString {
 	std::string bytes;
 
@@ -15,9 +15,9 @@ public:
 	explicit CharString(std::string p_bytes) : bytes(std::move(p_bytes)) {}
 	const char *get_data() const { return bytes.c_str(); }
 	const char *ptr() const { return bytes.c_str(); }
-	// Without the closing zero.
+	// Without the final zero.
 	int64_t length() const { return int64_t(bytes.size()); }
-	// With the closing zero.
+	// With the final zero.
 	int64_t size() const { return bytes.empty() ? 0 : int64_t(bytes.size()) + 1; }
 };
 

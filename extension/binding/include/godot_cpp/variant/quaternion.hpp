@@ -15,9 +15,9 @@ public:
 
 	constexpr Quaternion() = default;
 	constexpr Quaternion(real_t p_x, real_t p_y, real_t p_z, real_t p_w) : x(p_x), y(p_y), z(p_z), w(p_w) {}
-	// The axis has length 1, the angle is in radians.
+	// The axis has length 1, and the angle is in radians.
 	Quaternion(const Vector3 &p_axis, real_t p_angle);
-	// The shortest turn from one direction to another.
+	// The shortest rotation from one direction to another.
 	Quaternion(const Vector3 &p_from, const Vector3 &p_to);
 	Quaternion(const Basis &p_basis);
 

@@ -17,7 +17,7 @@ public:
 			basis(p_basis), origin(p_origin) {}
 	constexpr Transform3D(const Vector3 &p_x, const Vector3 &p_y, const Vector3 &p_z, const Vector3 &p_origin) :
 			basis(p_x, p_y, p_z), origin(p_origin) {}
-	// Row by row, the origin last.
+	// By rows, with the origin last.
 	constexpr Transform3D(real_t p_xx, real_t p_xy, real_t p_xz, real_t p_yx, real_t p_yy, real_t p_yz, real_t p_zx,
 			real_t p_zy, real_t p_zz, real_t p_ox, real_t p_oy, real_t p_oz) :
 			basis(p_xx, p_xy, p_xz, p_yx, p_yy, p_yz, p_zx, p_zy, p_zz), origin(p_ox, p_oy, p_oz) {}
@@ -27,7 +27,7 @@ public:
 	constexpr void set_basis(const Basis &p_basis) { basis = p_basis; }
 	constexpr void set_origin(const Vector3 &p_origin) { origin = p_origin; }
 	constexpr Vector3 xform(const Vector3 &p_v) const { return basis.xform(p_v) + origin; }
-	// Right for transforms that keep lengths.
+	// Correct for orthonormal bases only.
 	constexpr Vector3 xform_inv(const Vector3 &p_v) const { return basis.xform_inv(p_v - origin); }
 	constexpr Vector3 operator*(const Vector3 &p_v) const { return xform(p_v); }
 	constexpr Transform3D operator*(const Transform3D &p_t) const {

@@ -5,7 +5,7 @@
 
 namespace godot {
 
-// An Array whose elements the engine keeps to one type.
+// An Array with elements of one type, which the engine checks.
 template <typename T> class TypedArray : public Array {
 	using Held = std::conditional_t<std::is_base_of_v<Object, T>, T *, T>;
 

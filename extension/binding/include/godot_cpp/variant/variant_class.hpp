@@ -9,7 +9,7 @@ namespace godot {
 
 template <typename T> class Ref;
 
-// Every built-in type that a Variant holds by itself, with its engine type.
+// All built-in types that a Variant contains, each with its engine type.
 #define GODOT_FOR_EACH_BUILTIN(m_do)                                                                                   \
 	m_do(String, STRING) m_do(Vector2, VECTOR2) m_do(Vector2i, VECTOR2I) m_do(Rect2, RECT2) m_do(Rect2i, RECT2I) m_do( \
 			Vector3, VECTOR3) m_do(Vector3i, VECTOR3I) m_do(Transform2D, TRANSFORM2D) m_do(Vector4,                    \
@@ -23,7 +23,7 @@ template <typename T> class Ref;
 							m_do(PackedVector3Array, PACKED_VECTOR3_ARRAY) m_do(PackedColorArray, PACKED_COLOR_ARRAY)  \
 									m_do(PackedVector4Array, PACKED_VECTOR4_ARRAY)
 
-// The engine's value of any type.
+// A value of any type of the engine.
 class Variant {
 	alignas(8) uint8_t _opaque[24];
 
@@ -73,7 +73,7 @@ public:
 	operator uint32_t() const { return uint32_t(operator int64_t()); }
 	operator double() const;
 	operator float() const { return float(operator double()); }
-	// The object, or null when there is none or it was freed.
+	// Returns the object, or null if there is none or it was freed.
 	operator Object *() const;
 	Object *get_validated_object() const { return operator Object *(); }
 #define GODOT_VARIANT_OPERATOR(m_type, m_id) operator ::godot::m_type() const;

@@ -1,0 +1,32 @@
+## What the renderer gets of plants that follow prototypes.
+extends "res://tests/engine/drawing/drawing_harness.gd"
+
+
+func before_each() -> void:
+	field = make_field(16.0, 4.0)
+	field.prototypes = 8
+
+
+func test_each_plant_that_is_pushed_has_a_place_of_its_own() -> void:
+	await start()
+	check_equal(_places().size(), 0, "places before")
+	var hit := field.apply_impulse_in_sphere(Vector3.ZERO, 6.0, Vector3(0.5, 0, 0))
+	check(hit > SIDE, "%d plants are hit" % hit)
+	await step(3)
+	var places := _places()
+	check_equal(places.size(), hit, "places")
+	for place: Vector2i in places:
+		check(place.x >= 1 and place.x <= SIDE, "column %d, counted from 1" % place.x)
+
+
+## Column, counted from 1, and row of all plants that swing by themselves; each may be used once.
+func _places() -> Dictionary[Vector2i, bool]:
+	var layers := poses()
+	var found: Dictionary[Vector2i, bool] = {}
+	for plant: DrawnPlant in drawn_plants().values():
+		var column := int(half(layers, plant.layer, plant.texel, 2))
+		var place := Vector2i(column, int(half(layers, plant.layer, plant.texel, 3)))
+		if column > 0:
+			check(not found.has(place), "place %s is used once" % place)
+			found[place] = true
+	return found
