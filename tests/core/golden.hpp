@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-/// FNV-1a, 64 bits: one number that stands for many bytes. A golden hash in a test holds a result to the bit, on every
-/// platform; when a change of the result is meant, the test's output tells the new number.
+/// FNV-1a, 64 bits: one number for many bytes. A golden hash in a test fixes a result to the bit, on every platform.
+/// After an intended change of the result, the test's output contains the new number.
 class GoldenHash {
 public:
 	template <class T> GoldenHash &add(const std::vector<T> &values) { return add(values.data(), values.size()); }

@@ -5,7 +5,7 @@
 #include <limits>
 
 // Argument reductions and coefficients are those of fdlibm (Sun Microsystems 1993: e_rem_pio2.c, k_sin.c, k_cos.c,
-// e_exp.c). floor, fabs, fmod, frexp and ldexp are exact by their definition, so every platform's agree.
+// e_exp.c). floor, fabs, fmod, frexp and ldexp are exact by definition, so all platforms agree.
 
 namespace undergrowth {
 
@@ -26,17 +26,17 @@ constexpr double LN2_LOW = 1.90821492927058770002e-10;
 constexpr double LARGEST_EXPONENT = 7.09782712893383973096e+02;
 constexpr double SMALLEST_EXPONENT = -7.45133219101941108420e+02;
 
-/// angle = quadrant·π/2 + rest, |rest| <= π/4 (a hair more at the border).
+/// angle = quadrant·π/2 + rest, |rest| <= π/4 (slightly more at the border).
 struct Reduced {
 	int quadrant; ///< 0 to 3.
 	double rest;
 };
 
 Reduced reduce_angle(double angle) {
-	// Beyond the exact range an angle is still brought back, so that the results stay within [-1, 1].
+	// Beyond the exact range an angle is still reduced, so the results stay within [-1, 1].
 	const double within = std::fabs(angle) <= LARGEST_EXACT_ANGLE ? angle : std::fmod(angle, TWO_PI);
 	const double turns = within * TWO_OVER_PI + 0.5;
-	auto whole = static_cast<int64_t>(turns); // std::floor() is a call where processors may be old.
+	auto whole = static_cast<int64_t>(turns); // std::floor() is a function call for old processors.
 	whole -= static_cast<int64_t>(static_cast<double>(whole) > turns);
 	const auto count = static_cast<double>(whole);
 	const double high = within - count * HALF_PI_HIGH;
@@ -100,7 +100,7 @@ SineAndCosine portable_sine_and_cosine(double angle) {
 	if (!std::isfinite(angle)) {
 		return { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN() };
 	}
-	// Which quadrant it is cannot be foreseen: looked up, not branched by.
+	// The quadrant is unpredictable, so a table is faster than a branch.
 	constexpr double SIGNS[] = { 1.0, 1.0, -1.0, -1.0, 1.0 };
 	const Reduced reduced = reduce_angle(angle);
 	const double sizes[] = { sin_kernel(reduced.rest), cos_kernel(reduced.rest) };
@@ -146,8 +146,8 @@ double portable_log(double value) {
 	if (!(value > 0.0) || !std::isfinite(value)) {
 		return std::numeric_limits<double>::quiet_NaN();
 	}
-	// value = m·2^count with m in [√½, √2]; ln m = 2·artanh((m - 1)/(m + 1)), whose argument is below 0.172: eleven
-	// terms of the series end below 1e-17.
+	// value = m·2^count with m in [√½, √2]; ln m = 2·artanh((m - 1)/(m + 1)). The argument is below 0.172: eleven terms
+	// of the series leave an error below 1e-17.
 	int count = 0;
 	double m = std::frexp(value, &count);
 	if (m < 0.70710678118654752440) {
@@ -177,8 +177,8 @@ double portable_atan2(double y, double x) {
 	if (!(length > 0.0)) {
 		return 0.0;
 	}
-	// The tangent of half the angle, from -1 to 1 on the right side of the plane; atan(t) = 2·atan(t/(1 + √(1 + t²)))
-	// twice more leaves |t| < 0.2, where eleven terms of the series end below 1e-17.
+	// The tangent of half the angle, from -1 to 1 on the right side of the plane. atan(t) = 2·atan(t/(1 + √(1 + t²))),
+	// twice more, leaves |t| < 0.2. There eleven terms of the series leave an error below 1e-17.
 	double t = y / (length + std::fabs(x));
 	for (int i = 0; i < 2; i++) {
 		t = t / (1.0 + std::sqrt(1.0 + t * t));

@@ -20,7 +20,7 @@ struct Registers {
 	unsigned int a, b, c, d;
 };
 
-// CPUID directly: __builtin_cpu_supports needs a table that some compilers' runtimes lack.
+// Uses CPUID directly: __builtin_cpu_supports needs a table that the runtimes of some compilers lack.
 Registers cpuid(unsigned int leaf) {
 #if defined(_MSC_VER)
 	int values[4];
@@ -34,7 +34,7 @@ Registers cpuid(unsigned int leaf) {
 #endif
 }
 
-/// Which registers the operating system saves (the low half of XCR0).
+/// Registers that the operating system saves (the low half of XCR0).
 unsigned int saved_registers() {
 #if defined(_MSC_VER)
 	return static_cast<unsigned int>(_xgetbv(0));
@@ -46,7 +46,7 @@ unsigned int saved_registers() {
 #endif
 }
 
-/// Whether the processor has AVX2 and half floats (which came before it), and the operating system saves its registers
+/// True if the processor has AVX2 and half floats (which came before it), and the operating system saves its registers
 /// (Intel's manual, volume 1, 14.3).
 bool processor_has_avx2() {
 	constexpr unsigned int OSXSAVE_AVX_AND_F16C = (1u << 27) | (1u << 28) | (1u << 29);

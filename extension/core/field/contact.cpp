@@ -62,7 +62,7 @@ template <class Pages> void TipContact::follow_radii(const Pages &field) {
 		radius = field.page(page).swings() ? std::max(radius, field.page(page).collision_radius()) : radius;
 	}
 	cell_size = 2.0f * radius;
-	cells_per_metre = 0.999f / cell_size; // Cells are a little larger than they need to be, whatever rounding does.
+	cells_per_metre = 0.999f / cell_size; // Cells are slightly larger than necessary, for any rounding.
 }
 
 template <class Pages> void TipContact::gather(const Pages &field, int begin, int end) {
@@ -82,10 +82,10 @@ template <class Pages> void TipContact::gather(const Pages &field, int begin, in
 int TipContact::cell(float place) const {
 	const float cells = std::clamp(place * cells_per_metre, -MOST_CELLS, MOST_CELLS);
 	const int towards_0 = static_cast<int>(cells);
-	return towards_0 - static_cast<int>(cells < static_cast<float>(towards_0)); // A branch here would be a coin's toss.
+	return towards_0 - static_cast<int>(cells < static_cast<float>(towards_0)); // A branch here would be unpredictable.
 }
 
-/// Neighbours along x have neighbouring buckets, so that three cells are one run of `sorted`.
+/// Neighbours along x have neighbouring buckets, so three cells are one run of `sorted`.
 uint32_t TipContact::bucket(int cell_x, int cell_z) const {
 	const uint32_t row = static_cast<uint32_t>(cell_z) * 0x9e3779b1u;
 	const uint32_t mask = static_cast<uint32_t>(bucket_ends.size()) - 2u;
@@ -102,7 +102,8 @@ void TipContact::sort() {
 		most_in_bucket = std::max(most_in_bucket, bucket_ends[i]);
 		bucket_ends[i] += bucket_ends[i - 1];
 	}
-	// From the last tip down, so that each bucket rises; bucket_ends[i + 1] comes down to where bucket i starts.
+	// From the last tip down, so each bucket is in ascending order. bucket_ends[i + 1] moves down to the start of
+	// bucket i.
 	for (std::size_t i = buckets.size(); i-- > 0;) {
 		sorted[--bucket_ends[buckets[i] + 1]] = { vectors[i], static_cast<uint32_t>(i) };
 	}
@@ -117,7 +118,7 @@ void TipContact::for_each_contact(const Pages &field, const SortedTip &own, Visi
 			const SortedTip &other = sorted[i];
 			const glm::vec3 offset = own.place - other.place;
 			const float squared = glm::dot(offset, offset);
-			// Rows of cells may share buckets: each tip counts in its own row only.
+			// Rows of cells can share buckets: each tip counts in its own row only.
 			if (squared >= cell_size * cell_size || other.tip == own.tip || cell(other.place.z) != row) {
 				continue;
 			}
@@ -139,8 +140,8 @@ void TipContact::for_each_contact(const Pages &field, const SortedTip &own, Visi
 	for_each_run(own, visit_run);
 }
 
-/// Two tips look at each other where their places in their buckets differ by NEIGHBOURS at most. Where the buckets hold
-/// so few that all do, the three of a row are one run.
+/// Two tips are compared if their positions in their buckets differ by at most NEIGHBOURS. If the buckets are so small
+/// that all tips are compared, the three buckets of a row are one run.
 template <class Visit> void TipContact::for_each_run(const SortedTip &own, Visit &&visit) const {
 	const auto bucket_count = static_cast<uint32_t>(bucket_ends.size() - 1);
 	const int cell_x = cell(own.place.x);
@@ -178,7 +179,7 @@ std::size_t TipContact::candidate_count() const {
 	for (const SortedTip &own : sorted) {
 		for_each_run(own, [&found](uint32_t begin, uint32_t end, int) { found += end - begin; });
 	}
-	return found - sorted.size(); // Each also finds itself.
+	return found - sorted.size(); // Each tip also finds itself.
 }
 
 template <class Pages> void TipContact::count(const Pages &field, int begin, int end) {
@@ -211,7 +212,7 @@ template <class Pages> void TipContact::separate_one(Pages &field, const SortedT
 		const float other_mass = field.page(page_of(other)).mass();
 		const float share =
 				other_mass / (page.mass() + other_mass) / static_cast<float>(std::max(touching[tip], touching[other]));
-		// Tips at the same place part along x, the one of the lower number to the right.
+		// Tips at the same position separate along x, the one of the lower number to the right.
 		const glm::vec3 normal =
 				distance > 0.0f ? offset / distance : glm::vec3(tip < other ? 1.0f : -1.0f, 0.0f, 0.0f);
 		move += share * (wanted - distance) * normal;

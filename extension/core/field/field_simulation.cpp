@@ -16,7 +16,7 @@ namespace {
 
 constexpr int MAX_INTERVAL = 64;
 constexpr int MAX_MULTIPLE = 32;
-constexpr int LONGEST_INTERVAL = 64; // Steps: a second, about the swing of a plant.
+constexpr int LONGEST_INTERVAL = 64; // Steps: one second, about the swing of a plant.
 constexpr float USUAL_STEP = 1.0f / 60.0f; // s.
 
 FieldSettings safe_settings(const FieldSettings &settings) {
@@ -129,7 +129,7 @@ void FieldSimulation::grow_box(const MotionPage &page, bool is_first) {
 	box_high = is_first ? page.high() : glm::max(box_high, page.high());
 }
 
-/// The box of all plants, and what depends on it.
+/// Updates the box of all plants, and everything that depends on it.
 void FieldSimulation::update_box() {
 	plant_rows = 0;
 	for (const Entry &entry : entries) {

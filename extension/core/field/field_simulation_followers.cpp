@@ -1,4 +1,4 @@
-// The plants of a FieldSimulation that follow prototypes, and those of them that were pushed or stirred.
+// FieldSimulation: plants that follow prototypes, and followers that were pushed or stirred.
 
 #include "field/field_simulation.hpp"
 
@@ -79,7 +79,7 @@ int FieldSimulation::count_of_species(int species) const {
 	return plants;
 }
 
-/// What a plant shows of a mode that does not swing by itself.
+/// Bend that a plant shows in a mode that does not swing by itself.
 BendWay FieldSimulation::followed_way(int mode, const Entry &entry, int index, float fraction) const {
 	const Follower &follower = entry.followers[static_cast<std::size_t>(index)];
 	const Prototypes &model = models[static_cast<std::size_t>(entry.page.species())];
@@ -94,7 +94,7 @@ BendWay FieldSimulation::followed_way(int mode, const Entry &entry, int index, f
 	return { glm::mix(before.bend, after.bend, share), glm::mix(before.change, after.change, share) };
 }
 
-/// What it would show now, if it did not swing by itself.
+/// Bends that the plant would show now if it did not swing by itself.
 ModeBends FieldSimulation::followed_modes(const Entry &entry, int index) const {
 	ModeBends bends = { followed_way(0, entry, index, 1.0f).bend, {} };
 	if (shows_seconds(entry)) {
@@ -154,7 +154,7 @@ void FieldSimulation::follow_again(Entry &entry, int index) {
 	}
 }
 
-/// Those that swing by themselves step before bodies make more of them, so that each begins with what it showed.
+/// Loose plants step before bodies loosen more of them, so each new one begins with the bend that it showed.
 void FieldSimulation::step_loose() {
 	for (LoosePlants &some : loose) {
 		if (some.count() == 0) {
@@ -182,8 +182,8 @@ void FieldSimulation::step_loose() {
 	stir_followers();
 }
 
-/// Calls visit(entry, index, speed) for each follower of every `stride`th page from `first` on where sources add at least
-/// SpeedCounts::LEAST to the wind.
+/// Visits every `stride`th page from `first` on. Calls visit(entry, index, speed) for each follower where sources add
+/// at least SpeedCounts::LEAST to the wind.
 template <class Visit> void FieldSimulation::for_each_stirred(int first, int stride, const Visit &visit) {
 	for (int number = first; number < page_count(); number += stride) {
 		Entry &entry = at(number);
@@ -214,8 +214,8 @@ void FieldSimulation::choose_stirred() {
 	}
 }
 
-/// Makes the followers with the strongest source wind swing by themselves. Each step checks some of the pages; the counts
-/// of the last round determine the threshold.
+/// Makes the followers with the strongest source wind swing by themselves. Each step checks some of the pages. The
+/// counts of the last round determine the threshold.
 void FieldSimulation::stir_followers() {
 	if (stirring.empty() || models.empty()) {
 		stir_turn = -1;

@@ -42,7 +42,7 @@ int FieldSimulation::simulated_count() const {
 }
 
 int FieldSimulation::due_count() const {
-	// The first step simulates what prototypes did before it.
+	// The first step simulates the earlier motion of prototypes.
 	const int rounds = next_step == 0 ? Prototypes::SLOTS + 1 : 1;
 	int due = 0;
 	for (const Prototypes &model : models) {
@@ -97,7 +97,7 @@ ModeBends FieldSimulation::shown_modes(int page, int index, float fraction) cons
 
 BendWay FieldSimulation::shown_way(int page, int index, float fraction) const {
 	BendWay way = mode_way(0, page, index, fraction);
-	if (shows_seconds(at(page))) { // The tip's bend is that of both modes.
+	if (shows_seconds(at(page))) { // The tip's bend combines both modes.
 		const BendWay second = mode_way(1, page, index, fraction);
 		const glm::vec2 calm = rest_bend(page, index);
 		way.bend = out_of_rest(into_rest(way.bend, calm) + second.bend, calm);
@@ -173,12 +173,12 @@ void FieldSimulation::apply_impulse(int page, int index, const glm::vec3 &impuls
 	push_follower(at(page), index, pushed);
 }
 
-/// How many modes stems step from now on, all of a page alike.
+/// Chooses the number of stepped modes from now on, the same for a whole page.
 void FieldSimulation::choose_modes() {
 	for (int page = 0; page < page_count() && models.empty(); page++) {
 		MotionPage &plants = at(page).page;
 		if (plants.most_modes() < 2 || !is_due(page, next_step)) {
-			continue; // Between its steps, what is shown of both ends of the last one would lie elsewhere.
+			continue; // A change between its steps would move both drawn ends of the last one.
 		}
 		Beat &own = beat(page);
 		own.last_push = plants.take_moved() ? next_step : own.last_push;
@@ -192,7 +192,8 @@ void FieldSimulation::choose_modes() {
 	}
 }
 
-/// How much of a second mode the page's step leaves away, so that none of it is left where its stems go over to one.
+/// Share of a second mode that the page's step removes, so that nothing of it remains when its stems change to one
+/// mode.
 float FieldSimulation::ease_of(int page) const {
 	const Beat &own = beat(page);
 	const auto back = static_cast<float>(steps_in(LoosePlants::GOING_BACK));
@@ -245,7 +246,7 @@ glm::vec3 FieldSimulation::shown_point(int page, int index, float share, float f
 	return plants.root(index) + StandingStem(stem, reach, now).place_of({ 0.0f, share * reach, 0.0f }, share);
 }
 
-/// Of its straight line, or of those between the joints of its stem.
+/// On the plant's straight line, or on the lines between the joints of its stem.
 glm::vec3 FieldSimulation::nearest_on_plant(int page, int index, const glm::vec3 &point) const {
 	const MotionPage &plants = at(page).page;
 	const int parts = plants.law() == Law::stem ? plants.stem_constants().joints : 1;

@@ -11,7 +11,7 @@ namespace undergrowth {
 
 namespace {
 
-/// The page of a species that is being filled.
+/// The page of a species with free rows.
 struct OpenPage {
 	int number = -1;
 	int count = 0;

@@ -13,13 +13,13 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float OWN_DELAY = 1.0f; // s; about a swing, so that followers of one prototype are anywhere in it.
+constexpr float OWN_DELAY = 1.0f; // s; about one swing, so that followers of one prototype have any phase of it.
 /// A plant that leans follows one of the prototypes within this share of the circle.
 constexpr int LEAN_SECTORS = 8;
 constexpr int TALL_SECTORS = 8;
 
-/// Where `rest` leans to, as a share of the circle from +z towards +x: by its octant and the tangent within it, which
-/// is even enough and needs no arc tangent.
+/// Direction of the lean of `rest`, as a share of the circle from +z towards +x: its octant and the tangent within it.
+/// This is even enough and needs no arc tangent.
 float lean_share(const glm::vec3 &rest) {
 	const float sum = std::fabs(rest.x) + std::fabs(rest.z);
 	if (sum <= 0.0f) {
@@ -34,7 +34,7 @@ std::vector<MotionPlant> spread_plants(const MotionSpecies &species, int count) 
 	const double lean = std::clamp(static_cast<double>(species.lean), 0.0, 1.5);
 	for (int i = 0; i < count; i++) {
 		MotionPlant &plant = plants[static_cast<std::size_t>(i)];
-		// Neighbours on the circle of leans differ in length: an odd stride through the lengths.
+		// Neighbours on the circle of leans differ in length: the index strides oddly through the lengths.
 		const float part = static_cast<float>((i * 29) % count) / static_cast<float>(std::max(count - 1, 1));
 		plant.length = species.shortest + part * (species.longest - species.shortest);
 		const double around = 2.0 * PI * (i + 0.5) / count;
@@ -72,8 +72,8 @@ void Prototypes::remember_rest() {
 	}
 }
 
-/// Rings for as many modes as there are. What one mode did is shared by both, as in a steady wind, or the other way
-/// about, so that no follower jumps.
+/// Changes the rings to the current number of modes. The motion of one mode is divided between two as in a steady wind,
+/// or that of two is joined, so no follower jumps.
 void Prototypes::divide_history() {
 	constexpr std::size_t BENDS = 2 * static_cast<std::size_t>(SLOTS * MOST);
 	const bool had_two = !rings[1].empty();
@@ -154,7 +154,7 @@ void Prototypes::set_species(const MotionSpecies &species) {
 }
 
 BendWay Prototypes::way(int mode, int prototype, float late, float fraction) const {
-	const float ago = late + 1.0f - fraction; // Since the step after which it looked so.
+	const float ago = late + 1.0f - fraction; // Time since the step after which it looked like that.
 	const float whole = std::floor(ago);
 	const int slot = (newest - static_cast<int>(whole)) & (SLOTS - 1);
 	const Bend *pair = &rings[mode][2 * static_cast<std::size_t>(slot * MOST + prototype)];

@@ -14,8 +14,8 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float FLAT_DOME = 0.02f; // rad: below, a cap is a disc.
-constexpr double MOST_LEVEL = 0.2; // Least cosine for stalks that end at one height.
+constexpr float FLAT_DOME = 0.02f; // rad: a flatter cap is a disc.
+constexpr double MOST_LEVEL = 0.2; // Min cosine for stalks that end at one height.
 constexpr float LEAST_LEVEL = 1e-3f; // Of a unit vector.
 constexpr uint64_t COUNT_INDEX = 3;
 
@@ -143,7 +143,7 @@ PartAxes turn_into(const PartAxes &carrier, float azimuth, float tilt) {
 PartAxes turn_level(const PartAxes &part, const PartAxes &carrier) {
 	const glm::vec3 outward = carrier.outward - part.along * glm::dot(carrier.outward, part.along);
 	const float length = glm::length(outward);
-	if (length < LEAST_LEVEL) { // The part goes straight up or down: every turn is as good.
+	if (length < LEAST_LEVEL) { // The part points straight up or down: every turn is equivalent.
 		return part;
 	}
 	return { glm::cross(part.along, outward) / length, part.along, outward / length };

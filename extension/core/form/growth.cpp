@@ -109,7 +109,7 @@ std::string Growth::arrange(
 	for (const int carrier : carriers) {
 		place_on(group, arrangement, carrier, handles);
 	}
-	if (grown.groups.back().count == 0) { // By chance this plant has none of them.
+	if (grown.groups.back().count == 0) { // By chance this plant has no part of the group.
 		grown.groups.pop_back();
 	}
 	return fault;

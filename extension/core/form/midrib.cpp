@@ -13,7 +13,8 @@ namespace {
 
 constexpr int NOISE_SPANS = 4;
 constexpr int NOISE_KNOTS = NOISE_SPANS + 3;
-constexpr double GAUSS = 0.28867513459481288225; // Half of 1/√3: where two points weigh a step exactly to its cube.
+// Half of 1/√3: two such points integrate a step exactly up to its cube.
+constexpr double GAUSS = 0.28867513459481288225;
 
 /// Smooth noise of one offset, within ±1: a cubic B-spline over equal spans.
 double smooth_noise(uint64_t seed, int channel, double s) {
@@ -30,7 +31,7 @@ double smooth_noise(uint64_t seed, int channel, double s) {
 	return sum;
 }
 
-/// The direction of the line at the offset `s`.
+/// Direction of the line at the offset `s`.
 glm::dvec3 direction(const MidribCurve &curve, uint64_t seed, double s) {
 	double turn = curve.bend == 0.0f ? 0.0 : curve.bend * (curve.power == 1.0f ? s : portable_pow(s, curve.power));
 	double aside = 0.0;
@@ -42,7 +43,7 @@ glm::dvec3 direction(const MidribCurve &curve, uint64_t seed, double s) {
 	return { portable_sin(aside), level * portable_cos(turn), level * portable_sin(turn) };
 }
 
-/// `across` turned by the smallest turn that brings `from` to `to`, and made exactly upright on `to` again.
+/// Turns `across` by the smallest turn from `from` to `to`, and makes it exactly perpendicular to `to` again.
 glm::dvec3 carry(glm::dvec3 across, const glm::dvec3 &from, const glm::dvec3 &to) {
 	const glm::dvec3 axis = glm::cross(from, to);
 	const double scale = 1.0 / (1.0 + std::max(glm::dot(from, to), -0.99));
@@ -71,7 +72,7 @@ Midrib::Midrib(const MidribCurve &curve, uint64_t seed) {
 	}
 }
 
-/// Hermite's cubic from both points and directions.
+/// Hermite's cubic through both points and directions.
 glm::vec3 Midrib::between(const Node &a, const Node &b, float t) {
 	const float r = 1.0f - t;
 	const glm::vec3 ways = (a.along * (r * r * t) - b.along * (t * t * r)) * (1.0f / STEPS);

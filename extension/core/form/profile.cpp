@@ -9,13 +9,13 @@ namespace undergrowth {
 namespace {
 
 constexpr float INSIDE = 0.01f; // Of the length: minimum distance from the ends at which slopes are evaluated.
-// Leaves that narrow only at their very end are blunt there, not pointed.
+// Leaves that narrow only at their end are blunt there, not pointed.
 constexpr float BLUNT_FALL = 0.4f;
-constexpr float BLUNT_END = 0.97f; // Of the length: from there on the width stays.
+constexpr float BLUNT_END = 0.97f; // Of the length: from there on the width is constant.
 constexpr int MEAN_STEPS = 32;
 
 float profile_at(const Profile &profile, float widest, float s) {
-	// Where one exponent is next to nothing beside the other, the widest place is rounded to an end.
+	// If one exponent is negligible beside the other, the widest point rounds to an end.
 	const double up =
 			profile.rise > 0.0f && widest > 0.0f ? portable_pow(static_cast<double>(s) / widest, profile.rise) : 1.0;
 	const double down =
@@ -71,7 +71,7 @@ float WidthFunction::slope(float s, float width_there) const {
 }
 
 float WidthFunction::mean() const {
-	// s = 3t² - 2t³ crowds the steps where roots are steep; the midpoint rule on it.
+	// s = 3t² - 2t³ concentrates the steps where roots are steep; the midpoint rule applies to it.
 	double sum = 0.0;
 	for (int i = 0; i < MEAN_STEPS; i++) {
 		const double t = (i + 0.5) / MEAN_STEPS;

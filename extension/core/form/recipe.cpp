@@ -66,7 +66,7 @@ std::string grow(const Recipe &recipe, int stem, Growth &growth) {
 		const std::vector<int> carriers = line.on == ON_GROUND ? std::vector<int>{ on_ground ? ON_GROUND : stem }
 															   : handles[static_cast<size_t>(line.on)];
 		if (carriers.empty()) {
-			continue; // This plant has none of what would carry them.
+			continue; // This plant has no carrier for them.
 		}
 		fault = growth.arrange(kinds[static_cast<size_t>(line.kind)], line.arrangement, carriers, handles[i]);
 	}

@@ -12,10 +12,10 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float ROLL_FROM = 1e-3f; // rad: below, the arc is a line.
-constexpr float TOOTH_RISE = 0.75f; // Of a tooth: then the edge comes back.
+constexpr float ROLL_FROM = 1e-3f; // rad: a smaller roll is a line.
+constexpr float TOOTH_RISE = 0.75f; // Of a tooth: beyond it the edge returns.
 
-/// A saw of teeth that point to the tip, 0 to 1 and back.
+/// A saw of teeth that point to the tip, from 0 to 1 and back.
 float saw(float teeth) {
 	const float t = teeth - std::floor(teeth);
 	return t < TOOTH_RISE ? t / TOOTH_RISE : (1.0f - t) / (1.0f - TOOTH_RISE);
@@ -37,7 +37,7 @@ void twist(BladeRow &row, float angle, float rate) {
 	const glm::vec3 across = place.across * c + place.up * s;
 	place.up = place.up * c - place.across * s;
 	place.across = across;
-	// Axes that never turn about the line change towards it only: as much as it bends towards them.
+	// Axes without a turn about the line change only towards it: as much as the line bends towards them.
 	row.across_slope = place.up * rate - place.along * glm::dot(place.curvature, place.across);
 	row.up_slope = place.across * -rate - place.along * glm::dot(place.curvature, place.up);
 }
@@ -52,7 +52,7 @@ TubeColumn round_column(const AxisShape &axis, float turn) {
 		static_cast<float>(c * slope - s * reach), static_cast<float>(s * slope + c * reach) };
 }
 
-/// Rings run the other way round.
+/// Rings run in the opposite direction.
 TubeColumn ring_column(const std::vector<glm::vec2> &ring, float turn, float scale) {
 	const size_t n = ring.size();
 	const size_t i = (n - static_cast<size_t>(turn * static_cast<float>(n))) % n;
@@ -76,7 +76,7 @@ BladeRow make_blade_row(const Part &part, const Midrib &midrib, float offset, bo
 	const float width = part.widths.at(offset);
 	row.half_width = 0.5f * edge * width;
 	row.half_width_slope =
-			0.5f * edge * part.widths.slope(offset, width); // Teeth are too small to be lit each by itself.
+			0.5f * edge * part.widths.slope(offset, width); // Teeth are too small for shading of their own.
 	const double way = 2.0 * PI * blade.wave_count;
 	row.wave = blade.wave * static_cast<float>(portable_sin(way * offset));
 	row.wave_slope = blade.wave * static_cast<float>(way * portable_cos(way * offset));

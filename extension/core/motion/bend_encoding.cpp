@@ -11,7 +11,7 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float MOST = 6e4f; // As the kernels' limit: within the range of halves.
+constexpr float MOST = 6e4f; // The limit of the kernels: within the range of halves.
 constexpr float LEAST_HEIGHT = 1e-6f;
 constexpr uint32_t INFINITE_HALF = 0x7c00u;
 
@@ -51,7 +51,7 @@ float from_half(uint16_t half) {
 	if (size >= INFINITE_HALF) {
 		return float_of(sign | 0x7f800000u | ((size & 0x3ffu) << 13));
 	}
-	// 2^112 puts the exponent, which starts from 15 instead of 127, in its place; subnormals come out right as well.
+	// 2^112 corrects the exponent, which starts from 15 instead of 127. Subnormals become correct as well.
 	const float value = float_of(size << 13) * 0x1p112f;
 	return sign != 0u ? -value : value;
 }

@@ -20,9 +20,9 @@ constexpr float UPPER_STEM = 0.6f;
 /// Minimum angle between push and stem; smaller angles count as this one.
 constexpr float LEAST_TANGENT = 0.3f;
 constexpr float TINY = 1e-6f;
-constexpr int PUSHED_PLACES = 8; // Of a stem that bends along its length, none of them its root.
+constexpr int PUSHED_PLACES = 8; // Of a stem that bends along its length, without its root.
 constexpr int PUSHED_HALF = PUSHED_PLACES / 2;
-constexpr float SLACK = 1.02f; // Of a length: points of a stem are found by quadrature.
+constexpr float SLACK = 1.02f; // Of a length: quadrature finds the points of a stem.
 constexpr int STEM_PARTS = 4; // Between the points of a stem that may touch a body.
 
 bool is_finite(const glm::vec3 &vector) {
@@ -33,13 +33,13 @@ glm::vec3 tangent_part(const glm::vec3 &vector, const glm::vec3 &direction) {
 	return vector - glm::dot(vector, direction) * direction;
 }
 
-/// The way by which a point leaves a body.
+/// Direction in which a point leaves a body.
 struct Exit {
 	float depth; ///< m, to the body's surface; below 0 outside of it.
 	glm::vec3 out; ///< Unit.
 };
 
-/// Away from a middle line that the point lies on: towards the root, else +x.
+/// Away from a centre line that the point is on: towards the root, or else +x.
 glm::vec3 away_from_line(const glm::vec3 &point, const glm::vec3 &root) {
 	const glm::vec3 aside = { root.x - point.x, 0.0f, root.z - point.z };
 	return glm::dot(aside, aside) > TINY * TINY ? glm::normalize(aside) : glm::vec3(1.0f, 0.0f, 0.0f);
@@ -49,7 +49,7 @@ float share_of_turn(const glm::vec3 &out, const glm::vec3 &direction) {
 	return std::max(glm::length(tangent_part(out, direction)), LEAST_TANGENT);
 }
 
-/// Of a point in the core: through the face that takes the stem the least turn.
+/// Exit of a point in the core: through the face that turns the stem least.
 Exit exit_of_core(const MovingBody &body, const glm::vec3 &point, const glm::vec3 &direction) {
 	const glm::vec3 halves[] = { 0.5f * (body.to - body.from), body.half_width, body.half_depth };
 	const glm::vec3 offset = point - 0.5f * (body.from + body.to);
@@ -80,7 +80,7 @@ Exit exit_of(const MovingBody &body, const glm::vec3 &point, const glm::vec3 &ro
 	return is_box ? exit_of_core(body, point, direction) : Exit{ body.radius, away_from_line(point, root) };
 }
 
-/// `moved` by as much of `half` to either side as brings it next to `point`.
+/// Point nearest to `point` between moved - half and moved + half.
 glm::vec3 nearest_along(const glm::vec3 &moved, const glm::vec3 &half, const glm::vec3 &point) {
 	const float squared = glm::dot(half, half);
 	const float part = squared > 0.0f ? std::clamp(glm::dot(point - moved, half) / squared, -1.0f, 1.0f) : 0.0f;
@@ -115,7 +115,7 @@ bool push_point(
 	return true;
 }
 
-/// Pushes one place of a stem, as push_point() does with what is straight.
+/// Pushes one point of a stem, as push_point() pushes a straight plant.
 bool push_place(const StemConstants &stem, StemState &state, const glm::vec2 &rest, const glm::vec3 &root, float length,
 		float x, float thickness, const MovingBody &body) {
 	const StemPlace place = stem_place(stem, state.place, x);
@@ -142,13 +142,13 @@ bool push_place(const StemConstants &stem, StemState &state, const glm::vec2 &re
 	return true;
 }
 
-/// How far a point is from the body's core (m).
+/// Distance of a point from the body's core (m).
 float distance_to_core(const MovingBody &body, const glm::vec3 &point) {
 	return glm::distance(nearest_in_core(body, point), point);
 }
 
-/// The first place of a stem that is in the body; beyond PUSHED_PLACES where none is. A point of a piece of the stem is
-/// no nearer to the body than half of what the distances of the piece's ends are more than its length.
+/// The first point of a stem that is in the body; above PUSHED_PLACES if none is. With the distances a and b of its
+/// ends from the body, a piece of the stem is at least (a + b - length) / 2 away.
 int first_place_inside(const StemConstants &stem, const StemState &state, const glm::vec2 &rest, const glm::vec3 &root,
 		float length, float thickness, const MovingBody &body) {
 	glm::vec3 points[PUSHED_PLACES];
@@ -175,7 +175,7 @@ int first_place_inside(const StemConstants &stem, const StemState &state, const 
 	return PUSHED_PLACES + 1;
 }
 
-/// In the axes of the page's directions.
+/// The body in the axes of the page's directions.
 MovingBody turned_inward(const MovingBody &body, const PageStand &stand) {
 	MovingBody turned = body;
 	for (glm::vec3 MovingBody::*vector : { &MovingBody::from, &MovingBody::to, &MovingBody::velocity,
@@ -224,7 +224,8 @@ bool is_root_in_reach(const MovingBody &body, const glm::vec3 &root, float reach
 	return distance_to_core(body, root) <= body.radius + SLACK * reach;
 }
 
-// Most rows are far away: a first pass without branches, which compilers vectorise, finds the groups that have any.
+// Most rows are far away. A first pass without branches, which compilers vectorize, finds the groups with rows in
+// reach.
 int rows_in_reach(const MotionPage &page, const BodyReach &reach, int begin, int end, int *indices) {
 	constexpr int GROUP = 16;
 	const float middle_x = 0.5f * (reach.low_x + reach.high_x);
@@ -236,7 +237,7 @@ int rows_in_reach(const MotionPage &page, const BodyReach &reach, int begin, int
 	const float *lengths = page.lengths();
 	int count = 0;
 	for (int first = begin; first < end; first += GROUP) {
-		float beyond[GROUP]; // m, of the body's box along the farther axis, less the plant's length.
+		float beyond[GROUP]; // Distance (m) from the body's box along the farther axis, minus the plant's length.
 		for (int i = 0; i < GROUP; i++) { // Columns have room for whole groups.
 			const float beyond_x = std::fabs(x[first + i] - middle_x) - half_x;
 			const float beyond_z = std::fabs(z[first + i] - middle_z) - half_z;

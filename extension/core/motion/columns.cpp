@@ -8,9 +8,9 @@ namespace undergrowth {
 namespace {
 
 constexpr std::size_t PAGE_FLOATS = 1024;
-/// Columns a whole number of memory pages apart share the same few sets of the first-level cache and evict each other;
-/// a little less than that apart, what is written of one is taken for what is read of the next. Five lines more than
-/// whole pages spread them.
+/// Columns a whole number of memory pages apart share a few sets of the first-level cache and evict each other. At
+/// slightly less than that, the processor confuses a write to one column with a read of the next. Five lines more than
+/// whole pages spread the columns.
 constexpr std::size_t SPREAD_FLOATS = 80;
 constexpr std::size_t MOST_SPREAD_FLOATS = PAGE_FLOATS - 112;
 

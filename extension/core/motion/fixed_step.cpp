@@ -7,10 +7,10 @@ namespace undergrowth {
 
 namespace {
 
-/// Share of a step that may be missing and still counts as a whole one: a frame of exactly one step, or twelve of
-/// 1/144 s against five of 1/60 s, must not wait for the next frame because a sum was rounded down.
+/// Share of a step that may be missing from a whole one. A frame may last exactly one step, or twelve frames of 1/144 s
+/// five steps of 1/60 s. Such a frame must not wait for the next one because a sum was rounded down.
 constexpr double ROUNDING = 1e-6;
-constexpr int LEAST_STEPS = 2; // That a frame may catch up, so that a step as long as a frame is never short of one.
+constexpr int LEAST_STEPS = 2; // Steps that a frame can catch up, so that a step as long as a frame is never missing.
 
 int steps_of_frame(double step) {
 	return std::max(static_cast<int>(std::ceil(FixedStep::LONGEST_FRAME / step - ROUNDING)), LEAST_STEPS);

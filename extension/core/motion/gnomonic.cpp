@@ -17,7 +17,7 @@ bool is_finite(const glm::vec3 &vector) {
 	return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
 }
 
-/// `vector` shortened to `most`, without overflow on the way.
+/// `vector` shortened to `most`, without overflow.
 glm::vec3 shortened(const glm::vec3 &vector, float most) {
 	const float largest = std::max({ std::fabs(vector.x), std::fabs(vector.y), std::fabs(vector.z) });
 	if (largest <= 0.0f) {

@@ -15,18 +15,18 @@ constexpr float MIN_LENGTH = 1e-4f; // m.
 constexpr float MIN_MASS = 1e-6f; // kg.
 constexpr float MIN_FREQUENCY = 1e-4f; // Hz.
 constexpr float MAX_FREQUENCY = 1e4f; // Hz.
-constexpr float LARGE = 1e6f; // Of every other constant, in its own unit.
+constexpr float LARGE = 1e6f; // For every other constant, in its own unit.
 constexpr float MIN_ELASTICITY = -0.999f;
 
-/// Where the ground stops a tip, as a share of its length. Above 0, so that the projection still has a horizontal part
-/// to work with.
+/// Height at which the ground stops a tip, as a fraction of its length. It is above 0 to leave the projection a
+/// horizontal part.
 constexpr float GROUND_Y = 0.02f;
 constexpr float NO_GROUND_Y = -1e30f;
 
-/// Swing per step (rad) up to which a small swing keeps its exact frequency. Beyond it would come close to half a cycle
-/// a step; stiffer joints swing at this.
+/// Max swing per step (rad) with the exact frequency of a small swing. More would come close to half a cycle per step;
+/// stiffer joints swing at this.
 constexpr double MAX_PHASE = 2.4;
-/// Half of what kick·stiffness·step may be in the stiffest place of the sphere; kick and drift grow from 2 on.
+/// Half the max of kick·stiffness·step at the stiffest point of the sphere; kick and drift diverge from 2 on.
 constexpr double STABLE = 1.75;
 
 float within(float value, float low, float high, float otherwise) {
@@ -41,14 +41,13 @@ double decay_ratio(double x) {
 	return (1.0 - portable_exp(-x)) / x;
 }
 
-/// What an acceleration adds to the rate in one kick, over the acceleration (s).
+/// Change of the rate by an acceleration in one kick, divided by the acceleration (s).
 ///
 /// Kick (v' = keep·v - gain·ω²·x, keep = s², s = exp(-β·step), β = c/(2m)) and drift (x' = x + step·v') have
 /// determinant s² and trace 1 + s² - gain·ω²·step. A swing that decays exactly as x'' = -ω²·x - 2β·x' has the same
 /// determinant and the trace 2·s·cos(μ·step), μ² = ω² - β². Hence gain·ω²·step = (1 - s)² + 4·s·sin²(μ·step/2), which
 /// without friction is 4·sin²(ω·step/2). For an overdamped joint, with the decay rates a and b (a + b = 2β, a·b = ω²),
-/// it is (1 - exp(-a·step))·(1 - exp(-b·step)).
-/// `s` is exp(-beta·step).
+/// it is (1 - exp(-a·step))·(1 - exp(-b·step)). `s` is exp(-beta·step).
 double kick_gain(double omega_squared, double beta, double s, double step) {
 	const double mu_squared = omega_squared - beta * beta;
 	if (mu_squared <= 0.0) {
@@ -61,7 +60,7 @@ double kick_gain(double omega_squared, double beta, double s, double step) {
 	return ((1.0 - s) * (1.0 - s) + 4.0 * s * sine * sine) / (omega_squared * step);
 }
 
-/// cos(√z) and sin(√z)/√z, continued to z < 0, near 0 where the closed forms lose digits.
+/// cos(√z) and sin(√z)/√z, continued to z < 0. Near 0, where the closed forms lose digits, these are series.
 struct Series {
 	double cosine;
 	double sine_ratio;
@@ -97,7 +96,7 @@ Decay decay(double omega, double damping, double step) {
 	return { 0.5 * (slow + fast), 0.5 * (slow - fast) / half_gap };
 }
 
-/// What the elasticity law's constants have in common for joints that differ in length only. All of `joint` is safe.
+/// Common constants of the elasticity law for joints that differ only in length. `joint` must be safe.
 class ElasticityStep {
 public:
 	ElasticityStep(const Joint &joint, float step) :

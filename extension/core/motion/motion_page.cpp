@@ -85,7 +85,7 @@ void MotionPage::put_rest(int index, const glm::vec3 &rest) {
 }
 
 void MotionPage::set_plant(int index, const MotionPlant &plant) {
-	if (plant.root != root(index) || kind.canopy_height <= 0.0f) { // Plants alone feel the wind at their tops.
+	if (plant.root != root(index) || kind.canopy_height <= 0.0f) { // Isolated plants have the wind at their tops.
 		ahead.forget();
 	}
 	put_place(index, plant);
@@ -134,7 +134,7 @@ void MotionPage::remove(int index) {
 	}
 }
 
-/// Whether what columns hold means the same for both.
+/// True if both species store the same data in the columns.
 bool MotionPage::has_same_columns(const MotionSpecies &species) const {
 	return species.law == kind.law &&
 			(kind.law != Law::stem ||
@@ -228,17 +228,17 @@ void MotionPage::put_modes(int index, const StemConstants &from) {
 	}
 }
 
-/// Of one bend as it is drawn; the modes are those that it goes over to.
+/// Converts one drawn bend to the current modes.
 void MotionPage::put_pair_of_modes(std::size_t bend, const glm::vec2 &rest) {
 	const StemBends now = bends_in_modes(kind.stem, { pairs[bend], second_pairs[bend] }, rest);
 	pairs[bend] = now.first;
 	second_pairs[bend] = now.second;
 }
 
-/// The first mode is not changed: a correction by both would amplify itself.
+/// Does not change the first mode: a correction through both would amplify itself.
 void MotionPage::ease_modes(int begin, int count) {
 	const float share = kind.stem.mode[1].dead_share / kind.stem.mode[0].dead_share;
-	for (int part = 0; part < 4; part++) { // Both places and both rates.
+	for (int part = 0; part < 4; part++) { // Both positions and both rates.
 		const float *first = column(first_of_mode(0) + part) + begin;
 		float *second = column(first_of_mode(1) + part) + begin;
 		for (int i = 0; i < count; i++) {

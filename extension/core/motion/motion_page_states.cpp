@@ -1,4 +1,4 @@
-// Where the plants of a MotionPage point, what is drawn of them, and blows.
+// MotionPage: directions, drawn poses, and blows.
 
 #include "motion/gnomonic.hpp"
 #include "motion/motion_page.hpp"
@@ -16,7 +16,7 @@ namespace undergrowth {
 
 using namespace motion_page_columns;
 
-/// A state as it would be about another rest direction: as far from it in the plane that the spring law lives in.
+/// Moves a state to another rest direction, at the same distance from it in the plane of the spring law.
 static TipState moved_rest(const TipState &state, const glm::vec3 &from, const glm::vec3 &to) {
 	if (from == to) {
 		return state;
@@ -164,12 +164,12 @@ void MotionPage::take_motion(int index, const MotionPage &other, int from) {
 	const glm::vec3 was = other.rest(from);
 	const glm::vec3 is = rest(index);
 	if (kind.law == Law::stem && other.kind.law == Law::stem && kind.stem.modes == other.kind.stem.modes) {
-		set_stem(index, other.stem(from)); // About its own rest by itself.
+		set_stem(index, other.stem(from)); // Relative to its own rest.
 	} else {
 		set_state(index, moved_rest(other.state(from), was, is));
 	}
 	set_before(index, moved_rest({ other.before(from), {} }, was, is).direction);
-	if (was == is && has_bends() && other.has_bends() && modes() == other.modes()) { // To the bit.
+	if (was == is && has_bends() && other.has_bends() && modes() == other.modes()) { // Bit by bit.
 		std::copy_n(other.pairs.begin() + 2 * from, 2, pairs.begin() + 2 * index);
 		if (has_second_bends() && other.has_second_bends()) {
 			std::copy_n(other.second_pairs.begin() + 2 * from, 2, second_pairs.begin() + 2 * index);

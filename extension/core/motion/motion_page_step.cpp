@@ -1,4 +1,4 @@
-// How a MotionPage moves: constants for its step's length, and steps.
+// MotionPage: constants for the step length, and steps.
 
 #include "motion/motion_page.hpp"
 
@@ -149,7 +149,7 @@ StemPage MotionPage::stem_page(int begin) {
 
 void MotionPage::prefetch() const {
 #if defined(__GNUC__)
-	constexpr int FLOATS = 64; // Of each column: what the processor's own prefetching needs to take over.
+	constexpr int FLOATS = 64; // Of each column: enough for the processor's own prefetching to continue.
 	for (int i = ROOT_X; is_swinging && i < SWINGING_COLUMNS; i++) {
 		for (int j = 0; j < FLOATS; j += 16) {
 			__builtin_prefetch(column(i) + j);
@@ -158,7 +158,7 @@ void MotionPage::prefetch() const {
 #endif
 }
 
-/// What is drawn as the last direction, before a step.
+/// Stores the direction before a step for drawing.
 void MotionPage::remember() {
 	const auto copy = [this](int from, int to) { std::copy(column(from), column(from) + size(), column(to)); };
 	if (kind.law == Law::elasticity) {
@@ -176,7 +176,7 @@ void MotionPage::remember() {
 	}
 }
 
-/// Seconds, of the quickest plant and of the quickest of its modes.
+/// Period (s) of the fastest plant in the fastest of its modes.
 float MotionPage::quickest_swing() const {
 	if (kind.law == Law::stem) {
 		const float frequency = kind.stem.mode[kind.stem.modes - 1].frequency * fastest;

@@ -7,7 +7,7 @@ namespace undergrowth {
 
 namespace {
 
-/// A wind of newtons as the air that pushes as hard: strengths in, velocities out along both axes.
+/// Converts a wind in newtons to the air with the same force: strengths in, velocities out along both axes.
 void make_air(const PlantWinds &along, float drag, int count, float *strengths, float *side) {
 	const float over_drag = drag > 0.0f ? 1.0f / drag : 0.0f;
 	for (int i = 0; i < count; i++) {

@@ -16,19 +16,21 @@ namespace undergrowth {
 namespace {
 
 // undergrowth_swing.gdshaderinc has the same numbers.
-constexpr float STIFF = 6.0f; // Hz: such parts give way half as much as soft ones.
-constexpr float PRESS = 0.45f; // Of the stem's own bend, from the side.
-constexpr float PRESS_OF_LEE = 0.4f; // More from outside, less on the lee side, as a share of it.
+constexpr float STIFF = 6.0f; // Hz: such parts yield half as much as soft ones.
+constexpr float PRESS = 0.45f; // Fraction of the stem's own bend, for wind from the side.
+// Increase on the windward side and decrease on the lee side, as a fraction of PRESS.
+constexpr float PRESS_OF_LEE = 0.4f;
 constexpr float LAG = 0.8f; // rad of the part's own swing.
 constexpr float FLUTTER = 0.5f;
 constexpr float FLUTTER_OF_LEE = 0.5f;
 constexpr float CALMED = 4.0f; // Per damping ratio.
 constexpr float ASIDE = 0.4f; // Of the flutter.
-constexpr float INWARD = 0.12f; // About 14°: no part goes farther in to its stem.
+constexpr float INWARD = 0.12f; // About 14°: max bend of a part towards its stem.
 constexpr float HEAD = 0.6f; // Heads turn as a whole.
-constexpr float CALM = 2e-3f; // Below this a stem is at rest: the resolution of half floats.
+constexpr float CALM = 2e-3f; // A stem with a smaller bend is at rest: the resolution of half floats.
 constexpr float LEAST = 1e-6f;
-constexpr float LEANS = 3.0f; // A third of the way up a plant leans as its stem does; undergrowth_stem.gdshaderinc.
+// From a third of the height on a plant leans as its stem does; same in undergrowth_stem.gdshaderinc.
+constexpr float LEANS = 3.0f;
 
 float wave(float cycles) {
 	return static_cast<float>(std::sin(2.0 * PI * (cycles - std::floor(cycles))));
@@ -54,7 +56,7 @@ glm::vec2 part_bend(const PartSwing &part, const StemMotion &stem) {
 			stem.rate * (lag / (1.0f + glm::dot(stem.bend, stem.bend)));
 
 	const float swings = part.frequency * static_cast<float>(SWING_PERIOD);
-	const float slow = std::floor(0.625f * swings + 0.5f); // A whole number, too.
+	const float slow = std::floor(0.625f * swings + 0.5f); // Also a whole number.
 	const float one = wave(stem.clock * swings + part.phase);
 	const float other = wave(stem.clock * slow + 2.618f * part.phase);
 	const float flutter =
@@ -75,15 +77,15 @@ glm::vec3 turned(const glm::vec3 &v, const glm::vec2 &bend) {
 	return v + 2.0f / (1.0f + glm::dot(bend, bend)) * glm::cross(axis, glm::cross(axis, v) + v);
 }
 
-// A place that has turned by the angle a = 2·atan|s| as seen from the pivot lies on an arc that has turned by 2·a: its
-// chord is sin(a)/a of it.
+// A point that has turned by the angle a = 2·atan|s| about the pivot is on an arc that has turned by 2·a. The chord of
+// this arc is sin(a)/a times its length.
 float arc_share(const glm::vec2 &bend) {
 	const float q = glm::dot(bend, bend);
 	const float tangent = 1.0f - q * (0.33333333f - q * (0.2f - q * (0.14285714f - q * 0.11111111f)));
 	return 1.0f / ((1.0f + q) * tangent);
 }
 
-// tan(weight · atan|s|)/|s|, by its series.
+// tan(weight · atan|s|)/|s|, as a series.
 glm::vec2 bend_at(const glm::vec2 &tip, float weight) {
 	const float q = glm::dot(tip, tip);
 	const float w = weight * weight;
@@ -95,8 +97,8 @@ glm::vec3 bent_way(const glm::vec3 &way, const glm::vec2 &bend, float weight) {
 	return turned(way, own) * arc_share(own);
 }
 
-// The stem moves a place at its offset x by the share x of its bend: (1 - x)·v + x·turned(v). In the plane of the bend
-// that turns and shrinks, which a bone cannot do in one plane alone: it takes the turn and the mean size.
+// The stem moves a point at its offset x by the share x of its bend: (1 - x)·v + x·turned(v). In the plane of the bend
+// this turns and shrinks the part. A bone cannot shrink in one plane alone, so it uses the turn and the mean size.
 PartPose pose_of(const PartBone &bone, const StemMotion &stem) {
 	const glm::vec2 own = bend_at(part_bend(bone.swing, stem), bone.weight);
 	const float n = glm::dot(stem.bend, stem.bend);

@@ -35,7 +35,7 @@ glm::vec2 bend_at(const StemConstants &stem, const StemState &state, float x) {
 	return stem_bend(stem, state.place, std::min(x, 1.0f));
 }
 
-/// What a vector does to the bend u, times its n = 1 + |u|²: how much of it lies across the stem there.
+/// Effect of a vector on the bend u, times its n = 1 + |u|²: the part of the vector that is across the stem there.
 glm::vec2 across_stem(const glm::vec3 &vector, const glm::vec2 &bend) {
 	const glm::vec2 level(vector.x, vector.z);
 	return (1.0f + glm::dot(bend, bend)) * level - 2.0f * (glm::dot(bend, level) + vector.y) * bend;

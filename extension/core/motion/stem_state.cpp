@@ -20,7 +20,7 @@ glm::vec2 divided(const glm::vec2 &a, const glm::vec2 &b) {
 	return glm::vec2(a.x * b.x + a.y * b.y, a.y * b.x - a.x * b.y) * scale;
 }
 
-/// With the complex conjugate of `a`.
+/// Product with the complex conjugate of `a`.
 glm::vec2 multiplied(const glm::vec2 &a, const glm::vec2 &b) {
 	return { a.x * b.x + a.y * b.y, a.x * b.y - a.y * b.x };
 }
@@ -39,13 +39,13 @@ glm::vec2 rate_of_bend(const glm::vec3 &direction, const glm::vec3 &rate) {
 	return (glm::vec2(rate.x, rate.z) - bend * rate.y) * scale;
 }
 
-/// `v`, or where it is longer than `most` as long; nothing where it is no number.
+/// `v`, shortened to `most` if it is longer; zero if it is not a number.
 glm::vec2 no_longer(const glm::vec2 &v, float most) {
 	const float largest = std::max(std::fabs(v.x), std::fabs(v.y));
 	if (!std::isfinite(v.x) || !std::isfinite(v.y) || largest <= 0.0f) {
 		return { 0.0f, 0.0f };
 	}
-	const float size = largest * glm::length(v / largest); // Without squares of large numbers.
+	const float size = largest * glm::length(v / largest); // Avoids squares of large numbers.
 	return size > most ? v * (most / size) : v;
 }
 
@@ -103,7 +103,7 @@ void divide_tip(const StemConstants &stem, const glm::vec2 &tip, glm::vec2 *mode
 	}
 }
 
-/// Of what both modes give the tip, what the second one has beyond its share.
+/// The second mode's part of the tip's bend, minus its share of the sum of both.
 static glm::vec2 beyond_share(const StemConstants &stem, const glm::vec2 *modes) {
 	const glm::vec2 second = modes[1] * stem.mode[1].tip_slope;
 	return second - (1.0f - first_share(stem)) * (modes[0] * stem.mode[0].tip_slope + second);
@@ -131,7 +131,7 @@ MotionState motion_between(
 	return { tip_state(stem, state, rest), second_of(stem, state, rest) };
 }
 
-/// Gives the second mode more of the tip's bend, or of its rate, and the first less.
+/// Moves a part of the tip's bend, or of its rate, from the first mode to the second.
 static void move_over(const StemConstants &stem, const glm::vec3 &more, const glm::vec2 &rest, glm::vec2 *modes) {
 	const glm::vec3 here = turned(more, -rest);
 	const glm::vec2 across(here.x, here.z);

@@ -11,13 +11,13 @@ namespace undergrowth {
 namespace {
 
 constexpr float MIN_LENGTH = 1e-4f; // m.
-constexpr float MOST_RATIO = 4.0f; // Of heights: a species' own plants do not come near it.
+constexpr float MOST_RATIO = 4.0f; // Of heights: far above those of a species' own plants.
 constexpr float LEAST_GRADE = 0.05f;
 constexpr float LEAST_SHARE = 1e-3f;
 constexpr float LEAST_SLOPE = 1e-30f; // 1/N.
-/// rad a step, a quarter of a swing. Faster modes would only show what a step makes of them.
+/// rad per step, a quarter of a swing. The motion of faster modes would be an artefact of the step.
 constexpr float MOST_PHASE = static_cast<float>(0.5 * PI);
-/// The step settles up to twice this share of a load's projection at the present bend, times load·(ω_1·step)².
+/// A step settles up to twice this share of a load's projection at the current bend, times load·(ω_1·step)².
 constexpr float FOLLOWED = 0.25f;
 
 StemModeStep mode_step(const StemMode &mode, float step) {
@@ -44,7 +44,7 @@ StemModeStep mode_step(const StemMode &mode, float step) {
 	return made;
 }
 
-/// Of a first mode that has this share of the tip's bend.
+/// Of a first mode with this share of the tip's bend.
 StemTip tip_of(float share, float step) {
 	StemTip tip;
 	tip.of_place = 1.0f / std::max(share, LEAST_SHARE);

@@ -19,7 +19,7 @@ constexpr int SIDES = 31;
 constexpr int ROOMS = 4;
 constexpr float LEAST_ROOM = 0.02f;
 constexpr float MORE_ROOM = 4.0f;
-constexpr int LOWEST = -2048; // Halves hold whole numbers from here to 2048.
+constexpr int LOWEST = -2048; // Halves represent whole numbers exactly from here to 2048.
 
 int nearest(float value) {
 	return static_cast<int>(std::floor(value + 0.5f));
@@ -44,7 +44,7 @@ int side_of(const glm::vec2 &side) {
 	return 1 + (step + SIDES) % SIDES;
 }
 
-/// The largest that is no larger.
+/// The largest code with a room that is not larger.
 int room_of(float room) {
 	int step = 0;
 	for (float next = LEAST_ROOM * MORE_ROOM; step < ROOMS - 1 && next <= room; next *= MORE_ROOM) {

@@ -10,14 +10,14 @@ namespace undergrowth {
 namespace {
 
 constexpr double PLANE_TOLERANCE = 1e-4; // Of the ring's size.
-constexpr double AREA_TOLERANCE = 1e-8; // Of the ring's size squared: below it, rounding decides the sign.
+constexpr double AREA_TOLERANCE = 1e-8; // Of the ring's squared size: for smaller areas rounding decides the sign.
 
 glm::dvec2 at(const glm::vec3 *points, int i) {
 	return { points[i].x, points[i].z };
 }
 
-/// Twice the signed area of a triangle, positive when it runs counter-clockwise from above. The z axis points towards
-/// the viewer, which turns the usual sign round.
+/// Twice the signed area of a triangle, positive if it runs counter-clockwise from above. The z axis points towards the
+/// viewer, which reverses the usual sign.
 double turn(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
 	return (b.y - a.y) * (c.x - a.x) - (b.x - a.x) * (c.y - a.y);
 }
@@ -27,7 +27,7 @@ bool in_box(glm::dvec2 a, glm::dvec2 b, glm::dvec2 p) {
 			p.y <= std::max(a.y, b.y);
 }
 
-/// Whether the segments ab and cd have a point in common.
+/// True if the segments ab and cd have a point in common.
 bool segments_meet(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d) {
 	const double c_side = turn(a, b, c);
 	const double d_side = turn(a, b, d);
@@ -41,7 +41,7 @@ bool segments_meet(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d) {
 			(a_side == 0.0 && in_box(c, d, a)) || (b_side == 0.0 && in_box(c, d, b));
 }
 
-/// Whether the edge after `corner` runs back over the edge before it. Also true where either has no length.
+/// True if the edge after `corner` runs back over the edge before it, or if either has no length.
 bool folds_back(glm::dvec2 before, glm::dvec2 corner, glm::dvec2 after) {
 	return turn(before, corner, after) == 0.0 && glm::dot(corner - before, after - corner) <= 0.0;
 }
@@ -68,7 +68,7 @@ bool all_finite(const glm::vec3 *points, int count) {
 			[](const glm::vec3 &p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
 }
 
-/// The longer side of the box around the ring, on the plane.
+/// The longer side of the ring's bounding box on the plane.
 double ring_size(const glm::vec3 *points, int count) {
 	glm::dvec2 low = at(points, 0);
 	glm::dvec2 high = low;
@@ -80,7 +80,7 @@ double ring_size(const glm::vec3 *points, int count) {
 	return std::max(high.x - low.x, high.y - low.y);
 }
 
-/// Twice the area, positive when the ring runs counter-clockwise from above.
+/// Twice the area, positive if the ring runs counter-clockwise from above.
 double signed_area(const glm::vec3 *points, int count) {
 	double sum = 0.0;
 	for (int i = 1; i + 1 < count; i++) {

@@ -21,7 +21,7 @@ bool is_near(const glm::vec2 &point) {
 	return std::abs(point.x) <= FARTHEST_COORDINATE && std::abs(point.y) <= FARTHEST_COORDINATE;
 }
 
-/// Twice the area between the edges and any place: the sum of absolute values, which is 0 on a line only.
+/// Twice the area between the edges and any point: the sum of absolute values, which is 0 only for a line.
 double spread_area(const Polygon &polygon) {
 	double sum = 0.0;
 	const glm::dvec2 origin = polygon[0];
@@ -81,7 +81,7 @@ bool is_inside(const Polygon &polygon, const glm::vec2 &point) {
 double signed_area(const Polygon &polygon) {
 	double twice = 0.0;
 	for (std::size_t i = 0, last = polygon.size() - 1; i < polygon.size(); last = i++) {
-		// About the first point: far from the origin the products would lose digits.
+		// Relative to the first point: far from the origin the products would lose digits.
 		const glm::dvec2 a = glm::dvec2(polygon[last]) - glm::dvec2(polygon[0]);
 		const glm::dvec2 b = glm::dvec2(polygon[i]) - glm::dvec2(polygon[0]);
 		twice += a.x * b.y - a.y * b.x;

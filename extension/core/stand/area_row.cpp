@@ -36,7 +36,7 @@ void AreaRow::add_edges(const Polygon &polygon, std::vector<AreaEdge> &to) const
 	});
 }
 
-/// The area is where it is on the strip's lower side, or where an edge comes in later.
+/// Covers the area within the strip: the inside on its lower side, and all edges that cross the strip.
 void AreaRow::find_spans() {
 	std::vector<double> crossings;
 	for (const AreaEdge &edge : edges) {

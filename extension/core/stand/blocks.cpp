@@ -24,12 +24,12 @@ int tile_coordinate(float place, float size) {
 	return bounded_whole(tile, -FARTHEST_TILE, FARTHEST_TILE);
 }
 
-/// The least coordinate of a tile, to the bit: the product may be rounded to a place beside it.
+/// Lowest coordinate of a tile, to the bit: the product can be rounded to a neighbouring number.
 float tile_side(int tile, float size) {
 	constexpr float FAR = std::numeric_limits<float>::max();
 	auto side = static_cast<float>(static_cast<double>(tile) * static_cast<double>(size));
 	if (std::abs(tile) >= FARTHEST_TILE) {
-		return side; // Whatever is there is in one tile.
+		return side; // All plants are in one tile.
 	}
 	while (tile_coordinate(side, size) < tile) {
 		side = std::nextafter(side, FAR);
@@ -44,14 +44,14 @@ int kind_of(const FieldPlants &plants, std::size_t i) {
 	return plants.species[i] * 256 + plants.variant[i];
 }
 
-/// Tiles along the curve, and each plant's number among them.
+/// Finds tiles along the curve, and for each plant the index of its tile.
 std::vector<TileKey> find_tiles(const FieldPlants &plants, float size, std::vector<int> &of_plant) {
 	const std::size_t count = plants.x.size();
 	std::vector<uint64_t> keys(count);
 	std::vector<std::pair<uint64_t, TileKey>> found;
 	for (std::size_t i = 0; i < count; i++) {
 		const TileKey tile = tile_at(plants.x[i], plants.z[i], size);
-		// Plants come in rows: most follow one of the same tile.
+		// Plants come in rows: most are in the same tile as the one before.
 		if (i > 0 && tile == found.back().second) {
 			keys[i] = keys[i - 1];
 			continue;
@@ -79,7 +79,7 @@ std::vector<TileKey> find_tiles(const FieldPlants &plants, float size, std::vect
 	return tiles;
 }
 
-/// The plants order[begin] to order[end - 1], which are of one tile and species.
+/// Block of the plants order[begin] to order[end - 1], all of one tile and species.
 PlantBlock make_block(const FieldPlants &plants, const std::vector<int> &order, std::size_t begin, std::size_t end,
 		const TileKey &tile) {
 	PlantBlock block;

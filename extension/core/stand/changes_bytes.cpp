@@ -24,7 +24,7 @@ float read_share(ByteReader &from) {
 	return static_cast<float>(from.number(2)) / SHARE_CODES;
 }
 
-/// Names, each as the difference from the one before.
+/// A list of ids, each written as the difference from the one before.
 class NameRun {
 public:
 	void put(std::vector<uint8_t> &to, PlantId id) {

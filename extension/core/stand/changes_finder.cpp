@@ -11,7 +11,7 @@ namespace {
 
 constexpr int MAX_SIDE = 64; // Bins along a side of a square.
 
-/// How far a place may be off where it was rounded (m).
+/// Max rounding error of a position (m).
 float rounding_at(const glm::vec2 &place) {
 	return 1e-4f + 1e-6f * (std::abs(place.x) + std::abs(place.y));
 }

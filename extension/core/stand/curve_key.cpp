@@ -9,7 +9,7 @@ namespace {
 constexpr uint32_t STEP_BITS = 4; ///< Bits per coordinate that one table lookup resolves.
 constexpr uint32_t STEP_PLACES = 1u << STEP_BITS;
 
-/// How the curve runs within a square, against how it runs within the whole.
+/// Orientation of the curve within a square, relative to the whole.
 struct Turn {
 	bool is_swapped = false;
 	bool is_flipped = false;
@@ -17,10 +17,10 @@ struct Turn {
 	constexpr uint32_t number() const { return (is_swapped ? 2u : 0u) + (is_flipped ? 1u : 0u); }
 };
 
-/// The way to a square within one that is STEP_PLACES squares wide.
+/// The steps to a square within one that is STEP_PLACES squares wide.
 struct Step {
 	uint8_t key = 0;
-	uint8_t turn = 0; ///< Within it.
+	uint8_t turn = 0; ///< Within that square.
 };
 
 constexpr Step way_to(uint32_t column, uint32_t row, Turn turn) {

@@ -9,13 +9,13 @@ namespace undergrowth {
 
 namespace {
 
-/// A step that is smaller than this part of a code is none.
+/// Smaller steps, in codes, change nothing.
 constexpr float LEAST_STEP = 0.1f;
 constexpr float MOST_CODE = 255.0f;
-/// Plants/m²: one on a hectare. Fewer become none.
+/// Plants/m²: one per hectare. A smaller density becomes 0.
 constexpr float MIN_PLANTS = 1.0e-4f;
 
-/// `code`, moved by `step` codes: by one at least, and not beyond `end`.
+/// Returns `code` moved by `step` codes: by at least one, and not beyond `end`.
 uint8_t moved(uint8_t code, float step, float end) {
 	if (std::abs(step) < LEAST_STEP || static_cast<float>(code) == end) {
 		return code;
@@ -29,13 +29,13 @@ uint8_t approached(uint8_t code, float end, float share) {
 	return moved(code, (end - static_cast<float>(code)) * share, end);
 }
 
-/// Before it is rounded.
+/// Unrounded code of plants/m².
 float exact_plants_code(float plants) {
 	const float share = std::clamp(plants / DensityCell::MAX_PLANT_DENSITY, 0.0f, 1.0f);
 	return std::sqrt(share) * static_cast<float>(DensityCell::MAX_PLANTS);
 }
 
-/// The cell's plants/m² after `share` of the way to `end`.
+/// Code of the cell's plants/m² after `share` of the way to `end`.
 uint16_t approached_plants(const DensityCell &cell, float end, float share) {
 	const uint16_t end_code = plants_code(end);
 	const float plants = cell.plant_density();
@@ -51,7 +51,7 @@ uint16_t approached_plants(const DensityCell &cell, float end, float share) {
 	return static_cast<uint16_t>(static_cast<float>(cell.plants) + whole);
 }
 
-/// The mean of a cell and the eight around it.
+/// Mean of a cell and the eight around it.
 DensityCell mean_around(const DensityMap &map, int layer, int column, int row) {
 	int density = 0;
 	int height = 0;
@@ -84,7 +84,7 @@ DensityCell changed(DensityCell cell, const DensityStroke &stroke, float weight)
 	return cell;
 }
 
-/// What changed, cell by cell.
+/// Sets cells and collects the range of those that change.
 class Changes {
 public:
 	Changes(DensityMap &on, int in) : map(on), layer(in) {}
@@ -107,7 +107,7 @@ private:
 	CellRange cells;
 };
 
-/// Sets all of the cells in a polygon but their heights.
+/// Sets all cells in a polygon except for their heights.
 CellRange fill_cells(DensityMap &map, int layer, const Polygon &polygon, DensityCell wanted) {
 	const CellRange cells = map.cells_around(bounding_box(polygon));
 	Changes changes(map, layer);
@@ -164,7 +164,7 @@ uint16_t plants_code(float plants) {
 
 CellRange paint(DensityMap &map, int layer, const DensityBrush &brush, const DensityStroke &stroke) {
 	const CellRange cells = map.cells_around({ brush.centre - brush.radius, brush.centre + brush.radius });
-	// Means are those of the cells before.
+	// Means use the cells before the stroke.
 	const bool smooths = stroke.does == DensityStroke::Does::smooth;
 	const DensityMap before = smooths ? map.share() : DensityMap();
 	Changes changes(map, layer);

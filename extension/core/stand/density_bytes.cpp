@@ -46,7 +46,7 @@ void put_plane(std::vector<uint8_t> &to, const Plane &plane) {
 	}
 }
 
-/// What cannot be makes the reader fail.
+/// Impossible runs make the reader fail.
 void read_plane(ByteReader &from, Plane &to) {
 	std::size_t done = 0;
 	while (from.is_sound() && done < to.size()) {

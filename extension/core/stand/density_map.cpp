@@ -129,7 +129,7 @@ DensityCell DensityMap::cell_at(int layer, const glm::vec2 &place) const {
 	return cell(layer, cell_of(place.x, size), cell_of(place.y, size));
 }
 
-/// The block to be written to: nobody else has it, or it is copied first.
+/// Returns a block for writing that only this map owns; copies it first if it is shared.
 DensityBlock &DensityMap::need_block(Layer &layer, const TileKey &key) {
 	const auto own = layer.own.find(key);
 	if (own != layer.own.end()) {

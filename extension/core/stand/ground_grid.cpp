@@ -9,9 +9,9 @@
 
 namespace undergrowth {
 
-// Of a step. Edges of ground often lie at whole metres, and heights exactly at an edge are of no use.
+// Of a step. Edges of ground are often at whole metres, and heights exactly at an edge are unreliable.
 static constexpr float OFFSET = 0.382f;
-static constexpr int MARGIN = 1; // Points around a cell's corners, which show whether the ground is even.
+static constexpr int MARGIN = 1; // Points around a cell's corners, for a test of evenness.
 static constexpr double MAX_CELLS_PER_PLANT = 4.0;
 
 bool GroundGrid::prepare(const FieldPlants &plants, float spacing) {
@@ -26,7 +26,7 @@ bool GroundGrid::prepare(const FieldPlants &plants, float spacing) {
 	const double row = std::floor(*low_z / step - OFFSET) - MARGIN;
 	const double width = std::floor(*high_x / step - OFFSET) - column + 2 + MARGIN;
 	const double depth = std::floor(*high_z / step - OFFSET) - row + 2 + MARGIN;
-	const double spare = 256.0; // Points, of a small field's margin.
+	const double spare = 256.0; // Points, for the margin of a small field.
 	if (!(width * depth <= MAX_CELLS_PER_PLANT * plants.size() + spare)) {
 		return false;
 	}
@@ -51,7 +51,7 @@ void GroundGrid::mark(const FieldPlants &plants, int begin, int end) {
 
 int GroundGrid::list_points() {
 	points.clear();
-	// A point is needed for the cells up to two before it and one after it, in both directions: first by rows, then by
+	// A point serves the cells up to two before it and one after it, in both directions: first by rows, then by
 	// columns.
 	std::vector<uint8_t> wide(marks.size(), 0);
 	for (int row = 0; row < rows; row++) {
@@ -84,7 +84,7 @@ glm::vec2 GroundGrid::point(int number) const {
 		static_cast<float>((static_cast<double>(first_row + place / columns) + OFFSET) * step) };
 }
 
-// Whether heights go on evenly from each corner of a cell to both sides. Beyond an edge of the ground nothing counts.
+// True if heights continue evenly from each corner of a cell to both sides. Points without ground are ignored.
 bool GroundGrid::is_even(std::size_t corner) const {
 	const auto width = static_cast<std::size_t>(columns);
 	for (const std::size_t along : { std::size_t(1), width }) {

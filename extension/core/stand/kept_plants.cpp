@@ -30,7 +30,7 @@ FilledBlocks copy_of(const PlantStore &store, const std::vector<int> &numbers) {
 	return filled;
 }
 
-/// True if the plants are the same as before, as after most changes; ids need not be compared then.
+/// True if the plants are the same as before, as after most changes. Then ids need no comparison.
 bool are_the_same(const FilledBlocks &before, const std::vector<PlantBlock> &now, double spacing) {
 	return std::equal(now.begin(), now.end(), before.blocks.begin(), before.blocks.end(),
 			[spacing](const PlantBlock &block, const std::pair<int, PlantBlock> &was) {
@@ -39,7 +39,7 @@ bool are_the_same(const FilledBlocks &before, const std::vector<PlantBlock> &now
 			});
 }
 
-/// Where the list is the same.
+/// Result for equal lists.
 std::vector<KeptPlant> keep_all(const FilledBlocks &blocks) {
 	std::vector<KeptPlant> kept;
 	for (std::size_t i = 0; i < blocks.blocks.size(); i++) {
@@ -51,14 +51,14 @@ std::vector<KeptPlant> keep_all(const FilledBlocks &blocks) {
 	return kept;
 }
 
-/// A grid around the cells of some plants, of as many columns and rows as powers of two.
+/// A grid around the cells of some plants. Its numbers of columns and rows are powers of two.
 struct CellGrid {
 	int first_column = 0;
 	int first_row = 0;
 	int column_bits = 0;
 	int row_bits = 0;
 
-	/// Row by row, or -1 outside.
+	/// Index row by row, or -1 outside.
 	int64_t place_of(PlantId name) const {
 		int column = 0;
 		int row = 0;
@@ -78,7 +78,7 @@ int bits_for(int64_t count) {
 	return bits;
 }
 
-/// Around all cells of a spacing.
+/// Grid around all cells of a spacing.
 CellGrid grid_around(const FilledBlocks &filled, double spacing) {
 	glm::ivec2 low(std::numeric_limits<int>::max());
 	glm::ivec2 high(std::numeric_limits<int>::min());
@@ -90,7 +90,7 @@ CellGrid grid_around(const FilledBlocks &filled, double spacing) {
 			high = block.spacing == spacing ? glm::max(high, cell) : high;
 		}
 	}
-	low.x--; // Rows are out of step.
+	low.x--; // Rows are shifted by half a cell.
 	high.x++;
 	return { low.x, low.y, bits_for(int64_t(high.x) - low.x + 1), bits_for(int64_t(high.y) - low.y + 1) };
 }
@@ -127,9 +127,9 @@ private:
 	static constexpr int NOWHERE = -1;
 	CellGrid grid;
 	bool is_grid = false;
-	std::size_t last = 0; ///< All bits below a power of two.
+	std::size_t last = 0; ///< Mask: all bits below a power of two.
 	std::vector<PlantPlace> places;
-	std::vector<PlantId> names; ///< Of no grid.
+	std::vector<PlantId> names; ///< Unused in a grid.
 
 	/// Slot of an id, or the slot where it would be inserted; in a grid only for ids within it.
 	std::size_t slot_of(PlantId name) const {

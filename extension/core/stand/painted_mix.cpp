@@ -49,7 +49,7 @@ double PaintedMix::plants_at(const PlacementRequest &request, const Counted &one
 	return one.part * static_cast<double>(cell_of(request, one.species, root).plant_density());
 }
 
-/// The one of `counted` that holds the number `plants` of all plants/m² there.
+/// Species of `counted` at `plants` on the running sum of all plants/m² there.
 int PaintedMix::pick_counted(const PlacementRequest &request, const glm::vec2 &root, double plants) const {
 	int last = -1;
 	for (const Counted &one : counted) {
@@ -63,7 +63,8 @@ int PaintedMix::pick_counted(const PlacementRequest &request, const glm::vec2 &r
 	return last;
 }
 
-/// A species of the mix that has no plants/m² there, or -1 where the one that was drawn has some, or is not kept.
+/// Draws a species of the mix without plants/m² there. Returns -1 if the drawn one has some, or if its density rejects
+/// it.
 int PaintedMix::pick_other(const PlacementRequest &request, const glm::vec2 &root, double drawn, double keep) const {
 	for (std::size_t i = 0; i < fractions.size(); i++) {
 		if (drawn < fractions[i]) {
@@ -75,7 +76,7 @@ int PaintedMix::pick_other(const PlacementRequest &request, const glm::vec2 &roo
 	return -1;
 }
 
-/// How probable it is that the mix has a plant there, without drifts.
+/// Probability that the mix has a plant there, without drifts.
 double PaintedMix::filled_chance(const PlacementRequest &request, const glm::vec2 &root, bool without_counted) const {
 	double chance = 0.0;
 	for (std::size_t i = 0; i < fractions.size(); i++) {
@@ -97,7 +98,7 @@ int PaintedMix::choose(
 		return species;
 	}
 	double filled = drawn.is_in_drift ? static_cast<double>(cell.share()) : filled_chance(request, root, false);
-	if (drawn.is_in_drift && cell.plants > 0) { // The drift ends here. The other species take its places.
+	if (drawn.is_in_drift && cell.plants > 0) { // The drift ends here. All other species take its positions.
 		filled += (1.0 - filled) * filled_chance(request, root, true);
 		species = species >= 0 ? species : pick_other(request, root, unit16(bits, 1), unit16(bits, 2));
 	}

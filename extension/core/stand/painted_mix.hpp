@@ -9,35 +9,36 @@ namespace undergrowth {
 
 struct PlacementRequest;
 
-/// Which species grows at each place of a painted field. At every place each layer with plants/m² is chosen with the
-/// chance that gives these. The rest goes to the mix, where each species grows with the chance that its density says.
-/// Painted plants take the places that the mix leaves bare first, then those of its plants. Without plants/m² at a
-/// place the mix alone decides, with the same bits. If all plants/m² are more than the field's density, all are reduced
-/// alike.
+/// Chooses the species at each position of a painted field. Each layer with plants/m² is chosen with the probability
+/// that gives these. The rest is the mix, where each species grows with the probability of its density. Painted plants
+/// first use the positions that the mix leaves empty, then those of its plants. Without plants/m² at a position the mix
+/// alone decides, with the same bits. If the sum of plants/m² exceeds the field's density, all are reduced in
+/// proportion.
 class PaintedMix {
 public:
-	/// What the mix has at a place.
+	/// Draw of the mix at a position.
 	struct Drawn {
 		int species = 0;
-		bool is_in_drift = false; ///< The species is that of the drift, and not drawn for this place alone.
+		/// True: the species is that of the drift. False: it was drawn for this position alone.
+		bool is_in_drift = false;
 	};
 
 	/// Without a map.
 	PaintedMix() = default;
-	/// The request has a map and no fault. The functions below need the same request.
+	/// The request must have a map and no fault. The functions below need the same request.
 	explicit PaintedMix(const PlacementRequest &request);
 
-	/// The species that grows at `root` (m), or -1. `bits` are random, and different for each place.
+	/// Returns the species that grows at `root` (m), or -1. `bits` are random, and different for each position.
 	int choose(const PlacementRequest &request, const Drawn &drawn, const glm::vec2 &root, uint64_t bits) const;
 
 private:
 	/// A species with plants/m² somewhere.
 	struct Counted {
 		int species = 0;
-		double part = 1.0; ///< Its part of the layer, which several species may share.
+		double part = 1.0; ///< Its part of the layer, which several species can share.
 	};
 
-	std::vector<double> fractions; ///< Of the mix, by species; the sum is 1.
+	std::vector<double> fractions; ///< Of the mix, by species; their sum is 1.
 	std::vector<Counted> counted;
 
 	double plants_at(const PlacementRequest &request, const Counted &one, const glm::vec2 &root) const;

@@ -11,16 +11,16 @@ namespace undergrowth {
 
 namespace {
 
-/// How far a plant may be from the middle of its cell, in cells.
+/// Max distance of a plant from the centre of its cell, in cells.
 constexpr double JITTER = 0.5 * (1.0 - Placement::LEAST_DISTANCE);
-/// The middles of even and of odd rows' cells, in cells: rows are out of step, so that the grid does not show.
+/// Centres of cells in even and odd rows, in cells. The offset between rows hides the grid.
 constexpr double EVEN_MIDDLE = 0.25;
 constexpr double ODD_MIDDLE = 0.75;
-/// How far a drift's middle is from the middle of its cell, and how far its edge is frayed, in drifts.
+/// Max distance of a drift's centre from the centre of its cell, and the fraying of its edge, in drifts.
 constexpr double DRIFT_JITTER = 0.35;
 constexpr double DRIFT_FRAY = 0.2;
 constexpr double FULL_TURN = 2.0 * PI;
-/// More cells than this hold plants only where an area crosses itself many times.
+/// Only an area that crosses itself many times can have plants in more cells.
 constexpr std::size_t MOST_CANDIDATES = 4 * static_cast<std::size_t>(PlacementRequest::MOST_PLANTS);
 
 /// The upper or the lower 32 bits as a number in [-1, 1).
@@ -41,15 +41,15 @@ int floor_to_int(double value) {
 	return static_cast<int>(std::floor(value));
 }
 
-/// m: a margin around positions, much larger than the rounding of coordinates.
+/// Margin around positions (m), much larger than the rounding of coordinates.
 constexpr double SLACK = 0.01;
 
-/// The cells that meet a span of x (m), from the first to before the last.
+/// Cells that meet a span of x (m): [first, last).
 AreaSpan cells_of(const AreaSpan &span, double spacing) {
 	return { std::floor((span.low - SLACK) / spacing) - 1.0, std::floor((span.high + SLACK) / spacing) + 1.0 };
 }
 
-/// What is in both of two lists of joined spans.
+/// Intersection of two lists of joined spans.
 std::vector<AreaSpan> common(const std::vector<AreaSpan> &some, const std::vector<AreaSpan> &others) {
 	std::vector<AreaSpan> both;
 	for (std::size_t i = 0, j = 0; i < some.size() && j < others.size();) {
@@ -132,7 +132,7 @@ AreaRow Placement::read_row(int row) const {
 	}
 	join(into.spans);
 	if (request.within) {
-		// The cell behind the last one may have its plant before its side.
+		// The cell after the last one can have its plant before its side.
 		const AreaSpan span = { request.within->low.x, request.within->high.x + spacing };
 		into.spans = common(into.spans, { cells_of(span, spacing) });
 	}

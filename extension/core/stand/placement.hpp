@@ -16,38 +16,39 @@ namespace undergrowth {
 struct AreaRow;
 struct AreaSpan;
 
-/// How one species is spread.
+/// Distribution of one species.
 struct PlacementSpecies {
 	float share = 1.0f; ///< Weight among all species, >= 0.
 	int variants = 1; ///< 1 to 256.
 	float least_scale = 1.0f; ///< > 0; scales are uniform from least to most.
 	float most_scale = 1.0f;
 	float height_deviation = 0.0f; ///< 0 to 1: heights are uniform in 1 ± this.
-	float most_lean = 0.0f; ///< rad, 0 to π/2: leans are uniform up to it, to all sides.
-	int layer = -1; ///< Of the request's map; -1: it has none, and nothing grows by the map.
-	bool is_absent = false; ///< Its places stay empty, and all others have the plants that they have beside it.
+	float most_lean = 0.0f; ///< rad, 0 to π/2: leans are uniform up to this, in all directions.
+	int layer = -1; ///< In the request's map; -1: none, and the map grows nothing of the species.
+	bool is_absent = false; ///< True: positions of its plants stay empty; all other plants are the same as with it.
 };
 
 struct PlacementRequest {
 	static constexpr double MOST_PLANTS = 4.0e6;
-	static constexpr float MOST_DENSITY = 1.0e4f; ///< Plants/m²: one on each square centimetre.
+	static constexpr float MOST_DENSITY = 1.0e4f; ///< Plants/m²: one per square centimetre.
 	static constexpr int MOST_SPECIES = 256;
 
 	Polygon area;
-	/// Of the area's plants only those with their roots in this box: on its lower sides included, on the others not.
+	/// Limits the area's plants to those with roots in this box, its lower sides included, its upper sides excluded.
 	std::optional<AreaBox> within;
-	std::vector<Polygon> exclusions; ///< Those without area exclude nothing.
+	std::vector<Polygon> exclusions; ///< Polygons without area exclude nothing.
 	float density = 1.0f; ///< Plants/m², 0 to MOST_DENSITY.
 	std::vector<PlacementSpecies> species;
 	uint64_t seed = 0;
-	/// 0: each plant draws its species alone; 1: drifts of one species each, with frayed edges.
+	/// 0: each plant draws its species separately; 1: drifts of one species each, with frayed edges.
 	float clumping = 0.0f;
-	float drift_size = 3.0f; ///< m, from one drift's middle to the next, >= 0.01.
-	/// With it each species grows as its layer says (PaintedMix), and as high. Their sum is at most `density`.
+	float drift_size = 3.0f; ///< m, between the centres of neighbouring drifts, >= 0.01.
+	/// Optional. Each species grows with the density and height of its layer (PaintedMix). Their sum is at most
+	/// `density`.
 	std::shared_ptr<const DensityMap> map;
 };
 
-/// Around all that may stand; where nothing may, some side of it is below 0.
+/// Bounding box of all possible plants. If there are none, its low exceeds its high on some axis.
 AreaBox placed_box(const PlacementRequest &request);
 
 enum class PlacementFault {
@@ -66,33 +67,33 @@ enum class PlacementFault {
 	too_many_plants,
 };
 
-/// The first fault, in the order of the enumeration. Only Placement finds that an area which crosses itself has room
+/// The first fault, in the order of the enumeration. Only Placement detects that an area which crosses itself has room
 /// for too many plants.
 PlacementFault find_placement_fault(const PlacementRequest &request);
 /// One sentence for the author of the field: what is wrong and what to do.
 const char *describe(PlacementFault fault);
 
-/// Where the plants of a request stand: one at most in each cell of a grid of 1/density m² cells over the whole plane,
-/// jittered. Everything about a plant follows from the seed and its cell: another area or other exclusions add or
-/// remove plants but change none, and rows may be placed apart, on several threads, in any split. The expected count is
-/// density times area; the grid leaves no more to chance than the cells on its border.
+/// Places the plants of a request: at most one in each cell of a grid of 1/density m² cells over the whole plane,
+/// jittered. The seed and the cell determine everything about a plant. Another area or other exclusions add or remove
+/// plants but change none. Rows can be placed separately, on several threads, in any split. The expected count is
+/// density times area; only the cells on its border add chance to it.
 class Placement {
 public:
-	/// No two plants are closer than this times the spacing, 1/sqrt(density).
+	/// Min distance of two plants, as a fraction of the spacing, 1/sqrt(density).
 	static constexpr double LEAST_DISTANCE = 0.3;
 
-	/// A copy of the request is kept. Where it has a fault there are no rows.
+	/// Copies the request. A request with a fault has no rows.
 	explicit Placement(const PlacementRequest &request);
 
 	PlacementFault fault() const { return found; }
-	/// The side of a cell (m).
+	/// Side of a cell (m).
 	double cell_size() const { return spacing; }
 	/// Rows of cells, along x, by increasing z.
 	int row_count() const { return rows; }
-	/// Appends the plants of rows [begin, end), y = 0. Rows placed one after the other in any ranges give the same
-	/// bytes as all at once. Changes nothing else: several threads may fill plants of their own.
+	/// Appends the plants of rows [begin, end), y = 0. Consecutive ranges of rows give the same bytes as all rows at
+	/// once. Changes nothing else, so several threads can fill their own plants.
 	void place_rows(int begin, int end, FieldPlants &plants) const;
-	/// At least as many plants as rows [begin, end) give, and few more.
+	/// Upper bound, not much larger than the number of plants in rows [begin, end).
 	std::size_t candidate_count(int begin, int end) const;
 
 private:
@@ -103,21 +104,21 @@ private:
 	int rows = 0;
 	uint64_t cell_seed = 0;
 	uint64_t drift_seed = 0;
-	std::vector<double> shares; ///< Summed up to each species.
-	PaintedMix mix; ///< With a map.
-	std::map<int, std::vector<int>> painted; ///< With a map: columns of blocks that have something, by row.
+	std::vector<double> shares; ///< Running sums by species.
+	PaintedMix mix; ///< Used with a map.
+	std::map<int, std::vector<int>> painted; ///< Used with a map: columns of non-empty blocks, by row.
 
-	/// Its spans are cells: from the first to before the last.
+	/// Its spans are cells: [first, last).
 	AreaRow read_row(int row) const;
 	void list_painted();
-	/// Where in a row of cells there may be something of the map.
+	/// Spans of a row of cells where the map may have something.
 	std::vector<AreaSpan> painted_spans(int row) const;
 	void place_cell(int column, int row, const AreaRow &edges, FieldPlants &plants) const;
 	int pick_species(uint64_t bits) const;
 	uint64_t drift_bits(double x, double z) const;
 };
 
-/// Replaces `plants` by all that the request asks for; none where it has a fault, which it tells.
+/// Replaces `plants` with all plants of the request, or none if it has a fault. Returns the fault.
 PlacementFault place_plants(const PlacementRequest &request, FieldPlants &plants);
 
 } // namespace undergrowth

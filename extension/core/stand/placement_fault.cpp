@@ -8,7 +8,7 @@ namespace undergrowth {
 
 namespace {
 
-/// Whether `value` is a number from `least` to `most`.
+/// True if `value` is a number from `least` to `most`.
 bool is_within(double value, double least, double most) {
 	return value >= least && value <= most;
 }
@@ -40,7 +40,7 @@ PlacementFault find_all_species_fault(const std::vector<PlacementSpecies> &all) 
 	if (all.size() > PlacementRequest::MOST_SPECIES) {
 		return PlacementFault::too_many_species;
 	}
-	// The worst of the list in the order of the enumeration.
+	// Reports the fault of the list that comes first in the enumeration.
 	std::vector<PlacementFault> faults(all.size());
 	std::transform(all.begin(), all.end(), faults.begin(), find_species_fault);
 	faults.erase(std::remove(faults.begin(), faults.end(), PlacementFault::none), faults.end());
@@ -54,7 +54,7 @@ PlacementFault find_all_species_fault(const std::vector<PlacementSpecies> &all) 
 
 bool are_too_many(const PlacementRequest &request) {
 	if (request.map) {
-		return false; // How much of the area is painted, only Placement finds.
+		return false; // Only Placement measures the painted part of the area.
 	}
 	const double cells_a_metre = std::sqrt(static_cast<double>(request.density));
 	const AreaBox box = placed_box(request);

@@ -11,13 +11,13 @@ namespace undergrowth {
 namespace {
 
 constexpr double MOST_LEAN = 1.4; // rad.
-constexpr double LEAST_TILT = 1e-3; // rad, about: less is upright.
+constexpr double LEAST_TILT = 1e-3; // rad, about; a plant with less tilt is upright.
 
 double length_aside(const glm::dvec3 &vector) {
 	return std::sqrt(vector.x * vector.x + vector.z * vector.z);
 }
 
-/// By `angle` (rad) about a unit axis.
+/// `vector` turned by `angle` (rad) about a unit axis.
 glm::dvec3 turned(const glm::dvec3 &vector, const glm::dvec3 &axis, double angle) {
 	const auto [s, c] = portable_sine_and_cosine(angle);
 	return c * vector + s * glm::cross(axis, vector) + (1.0 - c) * glm::dot(axis, vector) * axis;

@@ -15,8 +15,8 @@ constexpr int SPACING_BITS = 12;
 constexpr int64_t MIDDLE = int64_t(1) << (CELL_BITS - 1);
 constexpr int64_t CELL_MASK = (int64_t(1) << CELL_BITS) - 1;
 constexpr int64_t ADDED = int64_t(1) << 62;
-/// Where a cell's left side is against its number: rows are out of step (Placement), and no plant is nearer to a side
-/// than 0.15 cells.
+/// Left side of a cell relative to its number: rows are shifted (Placement), and no plant is nearer to a side than 0.15
+/// cells.
 constexpr double EVEN_SIDE = -0.25;
 constexpr double ODD_SIDE = 0.25;
 
@@ -34,7 +34,7 @@ int64_t mark_of(double spacing) {
 int64_t cell(double place) {
 	const auto most = static_cast<double>(MIDDLE - 1);
 	const double within = std::clamp(place, -most, most);
-	const auto towards_zero = static_cast<int64_t>(within); // std::floor() is a call where processors may be old.
+	const auto towards_zero = static_cast<int64_t>(within); // std::floor() is a function call for old processors.
 	return towards_zero - static_cast<int64_t>(static_cast<double>(towards_zero) > within);
 }
 

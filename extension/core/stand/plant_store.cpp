@@ -1,4 +1,4 @@
-// What an edit does to a store. plant_store_questions.cpp finds plants in it.
+// PlantStore: application of edits. plant_store_questions.cpp has the queries.
 
 #include "stand/plant_store.hpp"
 
@@ -36,7 +36,7 @@ ChangeSet PlantStore::apply(StandEdit &&edit) {
 	for (const PlantPlace &place : edit.removed) {
 		remove(place, changes);
 	}
-	// Plants that were removed before the last one of a block are reported with it.
+	// If an edit removes the last plant of a block, the block is reported and its earlier removals are not.
 	const auto is_empty = [this](const PlantPlace &place) { return block(place.block).size() == 0; };
 	changes.gone.erase(std::remove_if(changes.gone.begin(), changes.gone.end(), is_empty), changes.gone.end());
 	for (const TileKey &tile : edit.left_tiles) {
@@ -161,7 +161,7 @@ void PlantStore::remove(const PlantPlace &place, ChangeSet &changes) {
 	changes.gone.push_back(place);
 }
 
-/// The block of added plants, or of newcomers, of a species in a tile that has room, or -1.
+/// Block of added plants, or of late ones, of a species in a tile that has room, or -1.
 int PlantStore::open_block(const TileKey &tile, int species, bool is_added) const {
 	for (const int number : blocks_of(tile)) {
 		const PlantBlock &there = block(number);
@@ -173,7 +173,7 @@ int PlantStore::open_block(const TileKey &tile, int species, bool is_added) cons
 	return -1;
 }
 
-/// The block that a plant is to be appended to.
+/// Block to append a plant to.
 int PlantStore::need_block(const PlacedPlant &plant, bool is_added, ChangeSet &changes) {
 	const TileKey tile = tile_at(plant.root.x, plant.root.z, size);
 	int number = open_block(tile, plant.species, is_added);

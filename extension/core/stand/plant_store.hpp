@@ -29,10 +29,11 @@ struct StandEdit {
 	double spacing = 0.0; ///< m, of the placement of `filled` or `stood`; 0: no change.
 	/// With `fills`: new species by old species. Empty: no change.
 	std::vector<int> species_numbers;
-	/// New generated plants of the same placement: valid, in cells that are free or whose plant is removed. Not together
-	/// with `fills`.
+	/// New generated plants of the same placement: valid, in cells that are free or with a removed plant. Not
+	/// together with `fills`.
 	std::vector<PlacedPlant> grown;
-	/// The same size: previous location of each plant that only changes its height, or a block of -1. Those are removed.
+	/// The same size: previous location of each plant that only changes its height, or a block of -1. Those are
+	/// removed.
 	std::vector<PlantPlace> grown_from;
 	std::vector<PlantPlace> removed; ///< Existing plants. Not together with `fills`.
 	/// Tiles whose generated plants are removed. Not together with `fills` or `grown`.
@@ -60,8 +61,8 @@ struct ChangeSet {
 
 	std::vector<int> dropped; ///< Removed blocks. New blocks may reuse their numbers.
 	std::vector<Grown> grown;
-	/// Removed plants of blocks that still exist. A block of generated plants remains when it is empty; one of added plants
-	/// is dropped.
+	/// Removed plants of blocks that still exist. A block of generated plants remains when it is empty; one of added
+	/// plants is dropped.
 	std::vector<PlantPlace> gone;
 	/// Of StandEdit::grown. Their blocks grew before any block was dropped and do not reuse its number.
 	std::vector<Moved> moved;
@@ -82,39 +83,40 @@ public:
 
 	/// Upper bound of block numbers.
 	int block_count() const { return static_cast<int>(blocks.size()); }
-	/// Where a number has no block, its block is empty.
+	/// An unused number has an empty block.
 	const PlantBlock &block(int number) const { return blocks[static_cast<std::size_t>(number)]; }
 	/// Ascending.
 	const std::vector<int> &blocks_of(const TileKey &tile) const;
 	float tile_size() const { return size; }
-	/// m, of the placement that plants were filled by last. PlantBlock::spacing says it of each: tiles that are yet to
-	/// be grown anew may have another one.
+	/// m, of the placement of the latest generated plants. PlantBlock::spacing is that of each block: tiles without a
+	/// rebuild can have another one.
 	double spacing() const { return cell_size; }
 	int plant_count() const { return standing; }
 
-	/// Whether plants that are filled at another spacing (m) have other names than all who stand.
+	/// True if generated plants at another spacing (m) have ids that differ from those of all existing plants.
 	bool has_names_left(double other_spacing) const;
 
-	/// The block is -1 where no such plant stands. Costs by the plants of a tile.
+	/// Returns a block of -1 if there is no such plant. The cost depends on the plants of a tile.
 	PlantPlace find(PlantId id) const;
-	/// Tiles where somebody who was filled may stand.
+	/// Tiles that may have generated plants.
 	std::vector<TileKey> filled_tiles() const;
-	/// Where those of them stand that do, in their order.
+	/// Locations of those of the plants that exist, in the same order.
 	std::vector<PlantPlace> find_all(const std::vector<PlantId> &ids) const;
-	/// Of a plant that stands.
+	/// Id of an existing plant.
 	PlantId id(const PlantPlace &place) const;
 	/// Ids of all plants, in the order of blocks and slots.
 	std::vector<PlantId> ids() const;
-	/// Appends all plants whose roots are at most `radius` (m) from `centre`. The cost depends on the tiles that the sphere meets.
+	/// Appends all plants with roots at most `radius` (m) from `centre`. The cost depends on the tiles that the
+	/// sphere meets.
 	void find_in_sphere(const glm::vec3 &centre, float radius, std::vector<PlantPlace> &found) const;
 	/// The same within `radius` (m) of the line between two positions (x, z), seen from above, at any height.
 	void find_along(const glm::vec2 &from, const glm::vec2 &to, float radius, std::vector<PlantPlace> &found) const;
 	/// The same in a polygon (x, z), at any height.
 	void find_in_polygon(const Polygon &polygon, std::vector<PlantPlace> &found) const;
-	/// The plant with the root nearest to a position, within `radius` (m; may be infinite); a block of -1 if there is none.
-	/// The cost depends on the tiles up to the nearest plant.
+	/// The plant with the root nearest to a position, within `radius` (m; may be infinite); a block of -1 if there is
+	/// none. The cost depends on the tiles up to the nearest plant.
 	PlantPlace find_nearest(const glm::vec3 &centre, float radius) const;
-	/// Appends all plants whose roots are in the box, its faces included.
+	/// Appends all plants with roots in the box, its faces included.
 	void find_in_box(const glm::vec3 &low, const glm::vec3 &high, std::vector<PlantPlace> &found) const;
 
 	/// All generated plants with roots in the box, its lower sides included, its upper sides excluded.

@@ -59,7 +59,7 @@ void PlantStore::find_in(
 			const PlantBlock &there = block(number);
 			const int count = meet(there, low, high) ? there.size() : 0;
 			for (int slot = 0; slot < count; slot++) {
-				// Most are beside the box: the exact answer costs more.
+				// Most plants are outside the box, and the exact test is slower.
 				const glm::vec3 root = there.root(slot);
 				if (is_in(root, low, high) && !there.is_gone(slot) && holds(root)) {
 					found.push_back({ number, slot });
@@ -115,7 +115,7 @@ PlantPlace PlantStore::find_nearest(const glm::vec3 &centre, float radius) const
 	PlantPlace nearest;
 	double most = static_cast<double>(radius) * static_cast<double>(radius);
 	std::size_t seen = 0;
-	// Widens the search until a plant is found or no tile is left.
+	// Extends the search until it finds a plant or no tile remains.
 	for (float reach = std::min(radius, size); radius >= 0.0f && nearest.block < 0;
 			reach = std::min(radius, 2.0f * reach)) {
 		seen = 0;
@@ -196,7 +196,7 @@ PlantPlace PlantStore::find_filled(PlantId id, double at_spacing) const {
 			const float *x = there.plants.x.data();
 			const float *z = there.plants.z.data();
 			for (int slot = 0; slot < there.size(); slot++) {
-				// Most are too far: the exact answer costs a division.
+				// Most plants are too far, and the exact test needs a division.
 				if (std::fabs(x[slot] - place.x) < reach && std::fabs(z[slot] - place.z) < reach &&
 						!there.is_gone(slot) && filled_plant_id(x[slot], z[slot], at_spacing) == id) {
 					found = { number, slot };

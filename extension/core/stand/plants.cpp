@@ -14,14 +14,14 @@ namespace {
 constexpr double TURN_CODES = 65536.0;
 constexpr double HEIGHT_CODES = 65536.0 / FieldPlants::MOST_HEIGHT;
 constexpr double LEAN_CODES = 65535.0 / (PI / 2.0);
-constexpr double COSINE_SLACK = 1.0e-7; ///< What a float normal's own rounding costs.
+constexpr double COSINE_SLACK = 1.0e-7; ///< Rounding error of a float normal.
 
 constexpr int MAX_CODE = 65535;
-/// What a plant can be scaled by: lengths stay numbers above 0 that are finite.
+/// Limits of scales: lengths stay finite and above 0.
 constexpr float MIN_SCALE = 1.0e-6f;
 constexpr float MAX_SCALE = 1.0e6f;
 
-/// What is not a number has the code `min`.
+/// NaN has the code `min`.
 uint16_t nearest_code(double value, int min = 0) {
 	return static_cast<uint16_t>(bounded_whole(std::floor(value + 0.5), min, MAX_CODE));
 }
@@ -48,7 +48,7 @@ template <class T> std::vector<T> pick(const std::vector<T> &column, const std::
 	return picked;
 }
 
-/// The least and the most of the cosine of a slope that is within the limits.
+/// Min and max cosine of an allowed slope.
 struct Cosines {
 	double least;
 	double most;
@@ -66,7 +66,7 @@ bool is_slope_allowed(const glm::vec3 &normal, const Cosines &allowed) {
 	const double z = normal.z;
 	const double length = std::sqrt(x * x + y * y + z * z);
 	const double cosine = y / length;
-	// False for normals that are not finite or of no length, too.
+	// Also false for normals that are not finite or have no length.
 	return std::isfinite(length) && cosine >= allowed.least && cosine <= allowed.most;
 }
 
@@ -74,7 +74,7 @@ glm::dvec3 unit(const glm::dvec3 &v) {
 	return v / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
 
-/// Leans a plant further: as `share` of the way from upright to the ground's normal turns it.
+/// Leans a plant further, by `share` of the turn from upright to the ground's normal.
 void align(PlacedPlant &plant, const glm::vec3 &normal, double share) {
 	const glm::dvec3 up(0.0, 1.0, 0.0);
 	const glm::dvec3 towards = unit(up + share * (unit(glm::dvec3(normal)) - up));

@@ -32,7 +32,7 @@ const double *find_base(const std::vector<MownPlant> &ascending, PlantId id) {
 	return found != ascending.end() && found->id == id ? &found->base : nullptr;
 }
 
-/// Calls visit(square's key, first, end) for the runs of `entries` that are in one square; sorts them.
+/// Sorts `entries` and calls visit(square's key, first, end) for each run of them in one square.
 template <class Entry, class Visit>
 void for_each_square(std::vector<std::pair<TileKey, Entry>> &entries, const Visit &visit) {
 	std::sort(entries.begin(), entries.end());
@@ -44,7 +44,7 @@ void for_each_square(std::vector<std::pair<TileKey, Entry>> &entries, const Visi
 	}
 }
 
-/// From the box of a cell's square, as far as a plant of the cell may be.
+/// Extends the box of a cell's square by the possible distance of a plant of the cell.
 AreaBox wider(const AreaBox &box, double spacing) {
 	const auto reach = static_cast<float>(spacing);
 	return { box.low - reach, box.high + reach };
@@ -85,7 +85,7 @@ void StandChanges::mow(const std::vector<PlantId> &ids, const std::vector<float>
 	}
 	for_each_square(entries, [&](const TileKey &key, auto first, auto end) {
 		Square &square = filled[spacing][key].own();
-		std::vector<MownPlant> mown; // Newly mown plants come first, so that they win over old records.
+		std::vector<MownPlant> mown; // Newly mown plants come first, so that they override old records.
 		std::transform(first, end, std::back_inserter(mown), [](const auto &entry) { return entry.second; });
 		mown.insert(mown.end(), square.mown.begin(), square.mown.end());
 		std::stable_sort(mown.begin(), mown.end());

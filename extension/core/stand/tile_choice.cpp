@@ -12,7 +12,7 @@ namespace undergrowth {
 
 namespace {
 
-/// Sorted by distance, equal ones as tiles are.
+/// Sorted by distance; tiles at equal distances are in tile order.
 std::vector<TileKey> by_distance(std::vector<std::pair<float, TileKey>> &&tiles) {
 	std::sort(tiles.begin(), tiles.end());
 	std::vector<TileKey> sorted;

@@ -12,12 +12,12 @@ namespace undergrowth {
 
 namespace {
 
-/// Triangles in the cells of a grid over the ground, so that a look-up tests few of them. (The engine's TriangleMesh
-/// took fifteen to thirty times as long for 100,000 plants.)
+/// Triangles in the cells of a grid over the ground, so that a look-up tests only a few. (The engine's TriangleMesh was
+/// 15 to 30 times slower for 100,000 plants.)
 class TriangleGrid {
 public:
 	TriangleGrid(const glm::vec3 *triangles, int count);
-	/// The highest or lowest point over (x, z); false beside all triangles.
+	/// The highest or lowest point over (x, z). Returns false if no triangle is there.
 	bool find(float x, float z, GroundChoice choice, float &height, glm::vec3 &normal) const;
 
 private:
@@ -97,7 +97,7 @@ bool TriangleGrid::find(float x, float z, GroundChoice choice, float &height, gl
 			found = true;
 			height = y;
 			const glm::vec3 across = glm::cross(t[1] - t[0], t[2] - t[0]);
-			normal = across.y < 0.0f ? -across : across; // Up, whichever way the triangle goes round.
+			normal = across.y < 0.0f ? -across : across; // Up, for either winding of the triangle.
 		}
 	}
 	return found;

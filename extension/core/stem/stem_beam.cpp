@@ -15,10 +15,10 @@ namespace undergrowth {
 
 namespace {
 
-constexpr double LEAST_REST = 1e-16; // Of the energy of the static shape: less is rounding.
+constexpr double LEAST_REST = 1e-16; // Of the energy of the static shape: a smaller rest is rounding.
 constexpr int CELLS = STEM_SAMPLES - 1;
 
-/// A shape with its scalar products; the curve's deflection is that of a slope of at most 1.
+/// A shape with its scalar products. The deflection is scaled to a max slope of 1.
 struct Shape {
 	StemCurve curve;
 	double frequency = 0.0;
@@ -35,7 +35,7 @@ void write_terms(const StemSamples &samples, float *first, int step) {
 	}
 }
 
-/// All that is made of a sound stem on the way to its constants.
+/// Intermediate results from a sound stem to its constants.
 class Solver {
 public:
 	Solver(const StemBeam &stem, StemSolution &result) : beam(stem), line(stem), elements(line), solution(result) {}
@@ -119,8 +119,8 @@ void Solver::find_shapes(const StemFactors &factors) {
 	divide_loads();
 }
 
-// The last shape is what the static one has beyond the modes before it. Where that is nothing but rounding, as under a
-// heavy head that alone is blown, the next mode takes its place.
+// The last shape is the static one minus the modes before it. If that is nothing but rounding, as under a heavy head
+// with wind on the head alone, the next mode replaces it.
 void Solver::choose_shapes(const StemEigen &first, const StemEigen &second) {
 	if (beam.modes == 1) {
 		shapes[0] = shape_of(dead_curve, solution.frequencies[0]);
@@ -133,8 +133,8 @@ void Solver::choose_shapes(const StemEigen &first, const StemEigen &second) {
 	shapes[1] = shape_of(is_something ? rest : second.curve, solution.frequencies[1]);
 }
 
-// Of the bends that the loads bring, so that the tip's is right in both winds: the shapes are made for one in newtons,
-// and where that presses elsewhere than one in m/s, the first takes what they miss.
+// Divides the bends by the loads so that the tip's is right in both winds. The shapes are computed for a wind in
+// newtons. If a wind in m/s acts elsewhere, the first shape takes the rest.
 void Solver::divide_loads() {
 	double dead_rest = 1.0;
 	double air_rest = 1.0;

@@ -11,7 +11,7 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float GAUSS_SIDE = 0.288675135f; // Of two places, from the middle.
+constexpr float GAUSS_SIDE = 0.288675135f; // Of two quadrature points, from the middle.
 constexpr float GAUSS_LOW = 0.11270167f; // Of three, from 0 to 1.
 constexpr float GAUSS_HIGH = 0.88729833f;
 
@@ -52,7 +52,7 @@ glm::vec3 direction_of(const glm::vec2 &bend) {
 	return { 2.0f * share * bend.x, (1.0f - square) * share, 2.0f * share * bend.y };
 }
 
-/// Straight down, where the shortest turn has no axis of its own, it turns about z.
+/// For straight down, where the shortest turn has no axis of its own, it turns about z.
 glm::vec4 turn_to(const glm::vec3 &direction) {
 	const float w = std::sqrt(std::max(0.5f * (1.0f + direction.y), 0.0f));
 	if (w < 1e-4f) {
@@ -123,7 +123,7 @@ StemBinding bind_to_stem(int joints, float x) {
 	binding.weights[0] = g * g * g / 6.0f;
 	binding.weights[2] = (1.0f + 3.0f * f * (1.0f + f * g)) / 6.0f;
 	binding.weights[3] = f * f * f / 6.0f;
-	if (whole < 0.0f) { // Below the first link's middle the second link lets go, all of it at the root.
+	if (whole < 0.0f) { // Below the first link's middle the influence of the second link fades, completely at the root.
 		const float moved = (2.0f - 2.0f * f) * binding.weights[3];
 		binding.weights[2] += moved;
 		binding.weights[3] -= moved;

@@ -12,13 +12,13 @@ namespace {
 
 constexpr int LINKS = StemChain::LINKS;
 constexpr double H = 1.0 / LINKS;
-constexpr double MOST_TURN = 0.2; // rad at once.
+constexpr double MOST_TURN = 0.2; // rad per iteration.
 constexpr double SETTLED = 1e-10; // rad.
 constexpr int MOST_ITERATIONS = 60;
-constexpr double LEAST_PIVOT = 1e-3; // Of the joints' own stiffness: a chain never gives way altogether.
+constexpr double LEAST_PIVOT = 1e-3; // Of the joints' own stiffness: a chain never gives way completely.
 constexpr double GAUSS_PLACE[2] = { 0.21132486540518712, 0.78867513459481288 };
 
-/// The moment of a spread load about a level link's lower end, in link lengths over the whole stem's.
+/// The moment of a distributed load about a level link's lower end, in link lengths, over the whole stem's.
 double moment_of(const StemSpread &spread, double head, double head_arm, int link) {
 	const double start = link * H;
 	double sum = 0.5 * H * (spread.beyond(start + H * GAUSS_PLACE[0]) + spread.beyond(start + H * GAUSS_PLACE[1]));
@@ -99,8 +99,8 @@ void StemChain::settle_dead(double newtons, Angles &angles) const {
 	}
 }
 
-// Pressure on a link hangs on the turns of that link only, so what is above a link counts through three sums. Its
-// change with those turns is taken as if the links turned one by one, which is stable and nearly as fast as the whole.
+// The pressure on a link depends only on that link's turns, so three sums represent everything above a link. The
+// derivative treats the links as if they turned one by one. This is stable and nearly as fast as the full one.
 void StemChain::settle_air(double speed_squared, Angles &angles) const {
 	Angles moments;
 	Angles diagonal;

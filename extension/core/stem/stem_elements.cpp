@@ -17,9 +17,9 @@ constexpr double GAUSS_PLACE[4] = { 0.069431844202973712, 0.33000947820757187, 0
 constexpr double GAUSS_WEIGHT[4] = { 0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
 	0.17392742256872693 };
 constexpr double LEAST_PIVOT = 1e-11; // Of the entry before.
-constexpr int ITERATIONS = 40; // The second mode's share falls by a factor of 3 at least with each.
+constexpr int ITERATIONS = 40; // Each reduces the second mode's share by a factor of at least 3.
 
-/// Of the four values of an element at ξ from 0 to 1 within it: the shapes and their first two derivatives by x.
+/// For the four values of an element at ξ from 0 to 1 within it: the shapes and their first two derivatives by x.
 struct Shapes {
 	double value[4];
 	double slope[4];
@@ -33,7 +33,7 @@ struct Shapes {
 				(6.0 * t - 2.0) / H } {}
 };
 
-/// Index of an element's first value; the root's are negative.
+/// Index of an element's first value; those of the root are negative.
 int first_of(int element) {
 	return 2 * element - 2;
 }
@@ -59,7 +59,7 @@ double sum_of(const StemCurve &curve, int element, const double *shape) {
 	return sum;
 }
 
-/// The weight of a mass at `place` presses on all that is below.
+/// The weight of a mass at `place` presses on everything below.
 void add_pressure(StemMatrix &gravity, double place, double force) {
 	for (int e = 0; e < ELEMENTS; e++) {
 		const double share = std::clamp(place * ELEMENTS - e, 0.0, 1.0);

@@ -6,7 +6,7 @@ namespace undergrowth {
 
 namespace {
 
-/// Not a number lies nowhere.
+/// False for NaN.
 bool lies(double value, double least, double most) {
 	return value >= least && value <= most;
 }
@@ -37,7 +37,7 @@ StemFault find_fault(const StemBeam &beam) {
 		bool sound;
 		StemFault fault;
 	} checks[] = {
-		{ lies(beam.length, 0.00499, 100.0), StemFault::length }, // 0.005 as a float is a little less.
+		{ lies(beam.length, 0.00499, 100.0), StemFault::length }, // 0.005 as a float is slightly less.
 		{ lies(beam.joints, 1, MOST_STEM_JOINTS), StemFault::joints },
 		{ lies(beam.modes, 1, MOST_STEM_MODES), StemFault::modes },
 		{ lies(beam.diameter, 2e-5, beam.length), StemFault::diameter },

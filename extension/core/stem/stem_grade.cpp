@@ -10,9 +10,9 @@ namespace {
 
 constexpr double LOW = 0.7; // Of the height.
 constexpr double HIGH[] = { 1.3, 1.15, 1.05 };
-constexpr double LOW_BETWEEN = 0.85; // Where it can be no higher.
+constexpr double LOW_BETWEEN = 0.85; // If the max height is limited.
 
-/// What the linear beam of a stem says.
+/// Results of the linear beam of a stem.
 struct Linear {
 	bool stands = false;
 	double periods[MOST_STEM_MODES] = {}; ///< s/rad.
@@ -40,7 +40,7 @@ Linear linear_of(const StemBeam &beam, double ratio) {
 	return linear;
 }
 
-/// Through 1 and the values at two more heights.
+/// Parabola through 1 and the values at two more heights.
 class Parabola {
 public:
 	Parabola(double one, double other) : a(one - 1.0), b(other - 1.0) {}

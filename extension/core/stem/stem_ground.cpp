@@ -10,12 +10,13 @@ namespace undergrowth {
 namespace {
 
 constexpr float MOST_BEND = 3.0f;
-constexpr float STEP = 0.05f; // Tips come down so evenly that none passes the ground and returns within it.
+constexpr float STEP = 0.05f; // Tips descend so evenly that none passes the ground and returns within it.
 constexpr int HALVINGS = 16;
-/// Of the second mode beyond a steady wind's: as much as blows and pushes wake.
+/// Second mode beyond that of a steady wind, as blows and pushes excite it.
 constexpr float SECONDS[] = { -0.5f, -0.25f, 0.25f, 0.5f };
 
-/// Bend of the tip, in the shape of a steady wind, at which it reaches the ground; `second` is the additional second mode.
+/// Bend of the tip, in the shape of a steady wind, at which it reaches the ground. `second` is the additional second
+/// mode.
 float bend_on_ground(const StemConstants &stem, float more) {
 	const auto is_above = [&](float bend) {
 		const float first = stem.mode[0].dead_share * bend;

@@ -10,11 +10,11 @@ namespace {
 
 static_assert(STEM_SAMPLES == StemChain::LINKS + 1, "a sample at the ends of each link");
 
-// Of a linear beam's tip; air bends a stem the less the more it is bent.
+// Of a linear beam's tip. The more a stem is bent, the less air bends it.
 constexpr double SLOPES[] = { 0.5, 1.0, 2.0, 4.0, 7.0, 12.0 };
 constexpr double AIR_SLOPES[] = { 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 30.0 };
 
-/// The bend at the ends of the links: between those of their middles.
+/// The bend at the ends of the links: between the bends at their middles.
 StemSamples bends_of(const StemChain::Angles &angles) {
 	constexpr int LAST = StemChain::LINKS - 1;
 	StemChain::Angles bends;
@@ -29,7 +29,7 @@ StemSamples bends_of(const StemChain::Angles &angles) {
 	return samples;
 }
 
-/// The tip's bend by the laws of the two winds.
+/// Bend of the tip by the laws of the two winds.
 double dead_tip(double slope) {
 	return slope / (1.0 + std::sqrt(1.0 + slope * slope));
 }
@@ -44,13 +44,13 @@ class LargeFit {
 public:
 	explicit LargeFit(const StemSamples &linear) : shape(linear) {}
 
-	/// Where the law says `tip`, the bends are these.
+	/// Adds bends for which the law gives the bend `tip`.
 	void add(const StemSamples &bends, double tip) {
 		const double square = tip * tip;
 		const double third = square * tip;
 		const double fifth = square * third;
 		const double weight =
-				1.0 / ((1.0 + square) * (1.0 + square)); // Directions turn by 2/(1 + u²) of a bend's change.
+				1.0 / ((1.0 + square) * (1.0 + square)); // Directions turn by 2/(1 + u²) of a change of the bend.
 		three += weight * third * third;
 		mixed += weight * third * fifth;
 		five += weight * fifth * fifth;

@@ -19,7 +19,7 @@ static StemSolution solve_or_bare(const StemBeam &beam, StemFault &fault) {
 	return solve_stem(bare);
 }
 
-// What the joints weigh counts besides.
+// The weight of the joints counts, too.
 static float usual_weight_of(const StemBeam &beam, const StemConstants &stem) {
 	StemBeam plain = beam;
 	plain.wind_weights.clear();

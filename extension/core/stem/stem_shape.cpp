@@ -5,7 +5,7 @@ namespace undergrowth {
 namespace {
 
 constexpr int TERMS = STEM_SHAPE_TERMS;
-/// Of two terms, summed over all samples, and on the right what a term has in common with what is fitted.
+/// Products of two terms, summed over all samples; the right column has the products of a term with the fitted values.
 using Normal = std::array<std::array<double, TERMS + 1>, TERMS>;
 
 StemTerms powers_of(double x) {
@@ -18,7 +18,7 @@ StemTerms powers_of(double x) {
 	return powers;
 }
 
-/// Gauss; the matrix is positive definite, so no rows change places.
+/// Gaussian elimination. The matrix is positive definite, so it needs no pivoting.
 StemTerms solved(Normal normal) {
 	for (int i = 0; i < TERMS; i++) {
 		for (int row = i + 1; row < TERMS; row++) {
@@ -59,8 +59,8 @@ float first_share(const StemConstants &stem) {
 	return stem.modes == 1 ? 1.0f : stem.mode[0].dead_share * stem.mode[0].tip_slope;
 }
 
-/// For a mode that is a mix of two. They share no stiffness. The products of both with the air follow from
-/// the lags, ∫c φ_1 φ_k = air_lag_k·∫c φ_1, and ∫c φ_2 from what moves that mode.
+/// For a mode that is a mix of two, which share no stiffness. The products of both with the air follow from the lags,
+/// ∫c φ_1 φ_k = air_lag_k·∫c φ_1. ∫c φ_2 follows from the force on that mode.
 static StemMode mixed_mode(const StemConstants &stem, float a, float b) {
 	const StemMode &first = stem.mode[0];
 	const StemMode &second = stem.mode[1];

@@ -13,11 +13,12 @@ namespace undergrowth {
 
 namespace {
 
-constexpr double CARRIED_AT = 1.0; // m above the ground: what the maps of turbulence are made for.
-constexpr double DRIFT = 0.0683; // Across, of the way along: places see other rows of the maps each time.
+constexpr double CARRIED_AT = 1.0; // m above the ground: the reference height of the turbulence maps.
+// Across, relative to the motion along the wind: positions meet other rows of the maps each time.
+constexpr double DRIFT = 0.0683;
 constexpr double WAVES_OVER_TOP = 1.8;
-constexpr double WAVES_PER_SHEAR = 8.1; // Their length over the shear length,
-constexpr double SHEAR_LENGTH = 0.5; // relative to the canopy's height.
+constexpr double WAVES_PER_SHEAR = 8.1; // Wave length relative to the shear length,
+constexpr double SHEAR_LENGTH = 0.5; // which is relative to the canopy's height.
 constexpr float FASTEST = 150.0f; // m/s.
 constexpr float MOST_GUSTS = 10.0f;
 constexpr float MOST_SKEW = 0.5f;
@@ -26,7 +27,7 @@ float safe(float value, float most) {
 	return std::isfinite(value) ? std::clamp(value, 0.0f, most) : 0.0f;
 }
 
-/// Unit, along the wind, and across it.
+/// Unit vectors along the wind and across it.
 struct Heading {
 	explicit Heading(double angle) : along(portable_sin(angle), portable_cos(angle)), across(along.y, -along.x) {}
 
@@ -40,7 +41,7 @@ glm::dvec2 way_at(const glm::dvec2 &way, double speed, double since, double time
 	return std::isfinite(gone) ? way + gone * glm::dvec2(1.0, DRIFT) : way;
 }
 
-/// `value` less whole maps of `size`.
+/// `value` modulo `size`, the size of a map.
 double within(double value, double size) {
 	const double rest = value - size * std::floor(value / size);
 	return std::isfinite(rest) && rest < size ? rest : 0.0;
@@ -68,7 +69,7 @@ glm::dvec2 wave_texel(const Air &air) {
 	return waves_length(air) / glm::dvec2(AirTiles::WAVE_TEXELS, AirTiles::WAVE_SIDE_TEXELS);
 }
 
-/// Turbulence as a multiple of what open ground of its roughness makes.
+/// Turbulence relative to that of open ground with its roughness.
 float gusts_of(const Air &air) {
 	if (!(air.turbulence >= 0.0f)) {
 		return 1.0f;

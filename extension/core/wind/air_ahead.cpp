@@ -9,9 +9,9 @@ namespace undergrowth {
 
 namespace {
 
-/// Plants that are sampled together.
+/// Number of plants that are sampled together.
 constexpr int BLOCK = 512;
-/// Of a step: a moment that is not nearer than this to where the last step led is another time.
+/// Of a step: a moment farther than this from the end of the last step is a jump in time.
 constexpr double SAME_MOMENT = 0.25;
 
 uint32_t in_word(double low, double high) {
@@ -19,7 +19,7 @@ uint32_t in_word(double low, double high) {
 	return part(low) | (part(high) << 16);
 }
 
-/// Keys' cubic at the share t from the second sample to the third.
+/// Keys' cubic at the fraction t between the second sample and the third.
 AirWeights weights_at(double t) {
 	const double first = t * (-0.5 + t * (1.0 - 0.5 * t));
 	const double second = 1.0 + t * t * (1.5 * t - 2.5);
@@ -43,7 +43,7 @@ int AirAhead::stride_in(const Air &air, float step, float swing) {
 void AirAhead::make_room(int plants) {
 	const int wanted = (plants + AIR_GROUP - 1) / AIR_GROUP;
 	if (wanted > room) {
-		// Nothing is written to it yet, so that the time is the sampling threads'.
+		// Without initial values, so that the sampling threads touch the memory first.
 		groups.reset(new uint32_t[AIR_GROUP_WORDS * static_cast<std::size_t>(wanted)]);
 		room = wanted;
 		forget();

@@ -1,4 +1,4 @@
-// What air does to blocks of plants.
+// Effect of air on blocks of plants.
 
 #include "wind/air.hpp"
 #include "wind/air_profile.hpp"
@@ -10,15 +10,15 @@ namespace undergrowth {
 
 namespace {
 
-/// Number of plants whose gusts are sampled together.
+/// Number of plants in one sampling of gusts.
 constexpr int GUST_BLOCK = 64;
 
-/// How gusts and lulls weigh so that their variance stays 1.
+/// Scale of gusts and lulls that gives a variance of 1.
 float unit_gust(float skew) {
 	return 1.0f / std::sqrt(1.0f + 2.0f * skew * skew);
 }
 
-/// Velocities of plants alone: each has the wind of its own height above open ground.
+/// Velocities of isolated plants: each has the wind of its own height above open ground.
 void blow_alone(const AirNow &air, const float *lengths, AirBlow blow, int count, float *x, float *z,
 		const WindKernels &kernels) {
 	const OpenGround open(static_cast<double>(air.roughness));

@@ -10,7 +10,7 @@ namespace undergrowth {
 namespace {
 
 constexpr double KARMAN = 0.4;
-constexpr double GUSTS_OF_FRICTION = 2.185; // σ_u/u*, of the spectrum's integral.
+constexpr double GUSTS_OF_FRICTION = 2.185; // σ_u/u*, from the integral of the spectrum.
 constexpr double DISPLACEMENT = 0.7; // Of the canopy's height.
 constexpr double STAND_ROUGHNESS = 0.1;
 constexpr double SMOOTHEST = 1e-6; // m.
@@ -34,7 +34,7 @@ double safe_height(double height) {
 OpenGround::OpenGround(double roughness) :
 		rough(safe_roughness(roughness)), over_log(1.0 / portable_log(REFERENCE_HEIGHT / rough)) {}
 
-/// How much of the rough layer is below a height, 1 above it.
+/// Fraction of the rough layer below a height; 1 above it.
 double OpenGround::share_of_layer(double height) const {
 	return std::min(safe_height(height) / (ROUGH_LAYER * rough), 1.0);
 }

@@ -13,20 +13,20 @@ namespace undergrowth {
 
 namespace {
 
-// Where sources end, so that they cost nothing beyond.
-constexpr float EXPLOSION_RADII = 12.0f; // Less than a hundredth of its speed is left.
+// Distances at which sources end, so that they cost nothing beyond.
+constexpr float EXPLOSION_RADII = 12.0f; // Less than a hundredth of the speed remains.
 constexpr float LAST_PHASE = 8.0f; // Durations after the front.
 constexpr float FAN_SPREAD = 1.3f;
-constexpr float FAN_FADES = 8.0f; // Of its spread radii, from here
+constexpr float FAN_FADES = 8.0f; // Of its spread radii: it fades from here
 constexpr float FAN_ENDS = 16.0f; // to here.
 constexpr float FREE_DIAMETERS = 6.0f;
-constexpr float FLOW_RADII = 6.0f; // A five-hundredth of the body's speed is left.
+constexpr float FLOW_RADII = 6.0f; // A five-hundredth of the body's speed remains.
 constexpr float WAKE_MEMORY = 4.0f; // s.
 constexpr float WAKE_SHARE = 0.6f;
 constexpr float WAKE_WIDTHS = 4.0f;
-constexpr float WAKE_GROWTH = 4.0f; // Radii over which a wake begins to spread.
+constexpr float WAKE_GROWTH = 4.0f; // Radii after which a wake begins to spread.
 
-/// The cube root of a number from 1 on, by Newton's steps, with the same bits everywhere.
+/// Cube root of a number >= 1 by Newton's method, with the same bits everywhere.
 float cube_root(float value) {
 	float root = 0.5f * (1.0f + std::sqrt(value));
 	for (int i = 0; i < 6; i++) {

@@ -22,12 +22,12 @@ std::size_t at(int i, int j, int width) {
 	return static_cast<std::size_t>(j) * static_cast<std::size_t>(width) + static_cast<std::size_t>(i);
 }
 
-/// Waves per map across the wind, of row j.
+/// Waves per map across the wind, for row j.
 int signed_row(int j, int height) {
 	return j < height / 2 ? j : j - height;
 }
 
-/// So that the variances of all waves sum to 1, then each grown by what reading between texels loses of it.
+/// Scales the variances of all waves to a sum of 1, then raises each by its loss from reading between texels.
 void prepare(Powers &powers, int width, int height) {
 	double sum = 0.0;
 	for (const double power : powers) {
@@ -45,8 +45,8 @@ void prepare(Powers &powers, int width, int height) {
 	}
 }
 
-/// How the waves of a length along the wind are spread across it, so that the coherence of two places is
-/// exp(-12·√(f² + (0.12/5.67)²)·distance): the share of each row is the integral of a Lorentz curve.
+/// Distribution across the wind of the waves of one length along it, for a coherence of two points of exp(-12·√(f² +
+/// (0.12/5.67)²)·distance). The share of each row is the integral of a Lorentz curve.
 class Spread {
 public:
 	explicit Spread(double f) {
@@ -96,7 +96,7 @@ TurbulencePowers kaimal_powers() {
 	return powers;
 }
 
-/// A band about one wave per length, and about none across.
+/// A band around one wave per length, and around none across.
 Powers wave_powers() {
 	constexpr double BAND = 0.2;
 	constexpr double SIDE_BAND = 0.4;
@@ -120,8 +120,8 @@ double random_angle(uint64_t stream, std::size_t index) {
 	return static_cast<double>(mix_bits(mix_bits(stream) ^ index) >> 11) * TURN;
 }
 
-/// Adds a map of real numbers as the real part of the grid's waves, or as their imaginary one: each wave has a phase at
-/// random, and its mirror the opposite one.
+/// Adds a real map as the real or the imaginary part of the grid's waves. Each wave has a random phase, and its mirror
+/// the opposite phase.
 void add_waves(ComplexGrid &grid, const Powers &powers, uint64_t stream, bool is_imaginary) {
 	for (int j = 0; j < grid.height; j++) {
 		for (int i = 1; i < grid.width / 2; i++) {
@@ -150,7 +150,7 @@ std::vector<uint16_t> texels_of(const std::vector<double> &deviates) {
 	return texels;
 }
 
-/// The cells of a map, each `apart` numbers behind the one before.
+/// Writes the cells of a map, each `apart` numbers after the last.
 void write_cells(const std::vector<uint16_t> &texels, int width, int height, std::size_t apart, uint64_t *cells) {
 	for (int j = 0; j < height; j++) {
 		const uint16_t *near = &texels[at(0, j, width)];

@@ -24,9 +24,9 @@ struct Twiddles {
 	std::vector<double> cosines, sines;
 };
 
-constexpr std::size_t LANES = 8; // Lines that are summed together: neighbours in memory.
+constexpr std::size_t LANES = 8; // Number of lines that are summed together: neighbours in memory.
 
-/// Lines side by side: number `index` of the first line is at index·stride, and the following lines come after it.
+/// Lines side by side: number `index` of the first line is at index·stride, and the other lines follow it.
 struct Lines {
 	double *real;
 	double *imaginary;
@@ -78,7 +78,7 @@ void sum_lines(const Lines &lines, int count, const Twiddles &twiddles) {
 	}
 }
 
-/// Lines of a grid, brought side by side: `apart` numbers lie between lines, `step` between a line's numbers.
+/// Copies lines of a grid side by side: `apart` numbers lie between lines, `step` between a line's numbers.
 class SideBySide {
 public:
 	explicit SideBySide(int count) :

@@ -1,4 +1,4 @@
-// Compiled with AVX2 switched on (base/simd.hpp). Where it is not, there is no such level and the baseline serves.
+// Compiled with AVX2 enabled (base/simd.hpp). Without AVX2 this level does not exist and the baseline is used.
 #include "wind/wind_kernels.hpp"
 
 #if defined(__AVX2__)

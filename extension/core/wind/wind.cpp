@@ -9,13 +9,13 @@ namespace undergrowth {
 
 namespace {
 
-/// The part after the whole number below `value`, in [0, 1) in spite of rounding.
+/// Fractional part of `value`, in [0, 1) in spite of rounding.
 double fraction(double value) {
 	const double part = value - std::floor(value);
 	return part < 1.0 ? part : 0.0;
 }
 
-/// Where in its period the wind is, in cycles from 0 to 1. In doubles, so that hours of time lose nothing.
+/// Phase of the wind, in cycles from 0 to 1. Doubles stay precise for hours.
 double cycle_at(const Wind &wind, double time) {
 	return fraction(static_cast<double>(wind.frequency) * time + wind.phase);
 }

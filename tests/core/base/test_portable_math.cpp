@@ -36,7 +36,7 @@ TEST_CASE("portable sine and cosine agree with the C library's up to a million r
 	CHECK(worst < TOLERANCE);
 }
 
-TEST_CASE("sine and cosine that are found together are those that are found alone, to the bit") {
+TEST_CASE("a combined sine and cosine have the bits of separate ones") {
 	const double infinite = std::numeric_limits<double>::infinity();
 	int others = 0;
 	for (int i = 0; i < POINTS; i++) {
@@ -65,7 +65,7 @@ TEST_CASE("portable functions have the same bits on every platform") {
 	CHECK(hash.value() == GOLDEN);
 }
 
-TEST_CASE("portable sine and cosine hold at the borders of the quadrants") {
+TEST_CASE("portable sine and cosine are correct at the borders of the quadrants") {
 	constexpr double QUARTER = 0.78539816339744830962;
 	double worst = 0.0;
 	for (int i = -1000; i <= 1000; i++) {
@@ -93,7 +93,7 @@ TEST_CASE("the portable logarithm and powers agree with the C library's") {
 	CHECK(worst < TOLERANCE);
 }
 
-TEST_CASE("powers of 0 and 1, and logarithms of what has none") {
+TEST_CASE("powers of 0 and 1, and logarithms of invalid numbers") {
 	CHECK(portable_pow(0.0, 0.5) == 0.0);
 	CHECK(portable_pow(0.0, 0.0) == 1.0);
 	CHECK(std::isinf(portable_pow(0.0, -1.0)));
@@ -148,7 +148,7 @@ TEST_CASE("portable exponential saturates instead of overflowing") {
 	CHECK(portable_exp(-740.0) > 0.0);
 }
 
-TEST_CASE("portable functions of an absurd angle stay in range, of no number are no number") {
+TEST_CASE("portable functions of absurd angles stay in range, and of NaN are NaN") {
 	CHECK(std::fabs(portable_sin(1e300)) <= 1.0);
 	CHECK(std::fabs(portable_cos(-1e300)) <= 1.0);
 	CHECK(std::isnan(portable_sin(std::numeric_limits<double>::infinity())));

@@ -14,12 +14,12 @@ using Numbers = SharedUntilWritten<std::vector<int>>;
 
 } // namespace
 
-TEST_CASE("whoever writes has a value of its own from then on") {
+TEST_CASE("a written copy has its own value from then on") {
 	Numbers one;
 	one.own().push_back(1);
 	const std::vector<int> *first = &*one;
 	one.own().push_back(2);
-	CHECK(&*one == first); // Nobody shares it: it is not copied.
+	CHECK(&*one == first); // It is not shared, so it is not copied.
 	Numbers copy = one;
 	CHECK(&*copy == first);
 	one.own().push_back(3);
@@ -29,7 +29,7 @@ TEST_CASE("whoever writes has a value of its own from then on") {
 	CHECK(one->size() == 3);
 }
 
-TEST_CASE("what was moved is shared by whom it was shared by before") {
+TEST_CASE("a moved value stays shared with the same copies") {
 	Numbers one;
 	one.own() = { 1 };
 	Numbers moved = std::move(one);
@@ -46,7 +46,7 @@ TEST_CASE("what was moved is shared by whom it was shared by before") {
 	CHECK(copy->size() == 2);
 }
 
-TEST_CASE("copies may be read and die on other threads while it is written to") {
+TEST_CASE("other threads can read and delete copies during a write") {
 	static constexpr int ROUNDS = 200;
 	Numbers one;
 	one.own() = std::vector<int>(100, 0);

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <new>
 
-// Every allocation of this program goes through here, so that tests can count those of a step.
+// Every allocation of this program uses these operators, so tests can count those of a step.
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define UNDERGROWTH_SANITIZED

@@ -2,10 +2,10 @@
 
 namespace undergrowth {
 
-/// Allocations that this program has made with new. Always 0 where they are not counted.
+/// Number of allocations that this program has made with new. Always 0 if they are not counted.
 long allocation_count();
-/// Not with MSVC, which has no std::aligned_alloc(): what it has instead needs a delete of its own. Nor with a
-/// sanitizer, which looks at allocations itself.
+/// False with MSVC, which has no std::aligned_alloc(): its replacement needs a different delete. Also false with a
+/// sanitizer, which tracks allocations itself.
 bool counts_allocations();
 
 } // namespace undergrowth

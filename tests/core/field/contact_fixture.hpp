@@ -5,15 +5,15 @@
 
 #include <glm/geometric.hpp>
 
-/// Tips that touch: what the tests of contact share.
+/// Fixture of the tests of contact: tips that touch.
 namespace undergrowth {
 
 inline constexpr Law BOTH_LAWS[] = { Law::elasticity, Law::spring };
 inline constexpr float RADIUS = 0.1f; // m.
-inline constexpr float APART_TOLERANCE = 0.003f; // m; contact is solved once a step, halfway for each of the two.
-inline constexpr float DEEPEST = 0.25f * RADIUS; // What fast tips may overlap after a step in which they met.
-/// Of the most that the same swing has without contact, whose energy goes up and down a little with the step's own
-/// error.
+inline constexpr float APART_TOLERANCE = 0.003f; // m. Contact is solved once per step and moves each tip half the way.
+// Overlap of fast tips that is allowed after the step in which they meet.
+inline constexpr float DEEPEST = 0.25f * RADIUS;
+/// Relative to the max energy of the same swing without contact, which varies slightly by the error of the step.
 inline constexpr double ENERGY_TOLERANCE = 1e-3;
 inline constexpr float REST_SPEED = 1e-3f; // 1/s.
 
@@ -36,8 +36,8 @@ inline FieldSimulation row_of(const MotionSpecies &species, int count, float spa
 	return field;
 }
 
-/// J; the elasticity law's force is (1 + e)·m·g·|y| upwards and m·g downwards, hence U = m·g·(L·y - (1 + e)·L·y²/2).
-/// The spring law's t obeys t'' = -ω²·t: over m, (|t'|² + ω²·|t|²)/2.
+/// J. The elasticity law's force is (1 + e)·m·g·|y| upwards and m·g downwards, hence U = m·g·(L·y - (1 + e)·L·y²/2).
+/// The spring law's t obeys t'' = -ω²·t, so the energy over m is (|t'|² + ω²·|t|²)/2.
 inline double energy(const FieldSimulation &field, const MotionSpecies &species) {
 	const double mass = static_cast<double>(species.joint.mass);
 	const double gravity = static_cast<double>(STANDARD_GRAVITY);

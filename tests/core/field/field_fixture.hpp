@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-/// What the field tests share: fields of chance plants, and a hash of all that a field shows and is.
+/// Fixture of the field tests: fields of random plants, and a hash of all drawn and stored states of a field.
 namespace undergrowth {
 
 inline constexpr float FIELD_STEP = 1.0f / 60.0f; // s.
@@ -40,7 +40,7 @@ inline FieldWind wave_wind() {
 	return wind;
 }
 
-/// `count` chance plants of `species` in pages of `page_size`.
+/// `count` random plants of `species` in pages of `page_size`.
 inline void add_plants(FieldSimulation &field, int species, int count, int page_size = MotionPage::PAGE_PLANTS) {
 	for (int begin = 0; begin < count; begin += page_size) {
 		std::vector<MotionPlant> plants;

@@ -2,13 +2,13 @@
 
 #include "field_fixture.hpp"
 
-/// What the tests of prototypes and of their followers share.
+/// Fixture of the tests of prototypes and their followers.
 namespace undergrowth {
 
 inline constexpr int PROTOTYPES = 64;
 inline constexpr int FOLLOWERS = 300;
 
-/// Chance plants that follow prototypes under waves that travel at `speed` (m/s).
+/// Random plants that follow prototypes under waves that travel at `speed` (m/s).
 inline FieldSimulation prototype_field(Law law, float speed, int count = FOLLOWERS) {
 	FieldSettings settings;
 	settings.prototypes = PROTOTYPES;
@@ -20,7 +20,7 @@ inline FieldSimulation prototype_field(Law law, float speed, int count = FOLLOWE
 	return field;
 }
 
-/// Where a prototype points after its newest step.
+/// Direction of a prototype after its newest step.
 inline glm::vec3 newest(const Prototypes &models, int prototype) {
 	return from_stereographic(models.bend(prototype, 0.0f, 1.0f));
 }

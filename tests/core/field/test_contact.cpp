@@ -6,7 +6,7 @@
 
 using namespace undergrowth;
 
-TEST_CASE("two plants that swing into each other part, and lose energy, never gain") {
+TEST_CASE("two plants that swing into each other separate and lose energy") {
 	for (const Law law : BOTH_LAWS) {
 		const MotionSpecies species = tips_of(law);
 		double most[2] = {}; // Without contact, and with it.
@@ -31,7 +31,7 @@ TEST_CASE("two plants that swing into each other part, and lose energy, never ga
 	}
 }
 
-TEST_CASE("tips that stand farther away than cells are counted touch nothing and hold nothing up") {
+TEST_CASE("tips beyond the range of cells touch nothing and block nothing") {
 	FieldSimulation field((FieldSettings()));
 	std::vector<MotionPlant> plants(3);
 	plants[1].root.x = 1e12f;
@@ -44,7 +44,7 @@ TEST_CASE("tips that stand farther away than cells are counted touch nothing and
 	CHECK(field.state(0, 2).direction == glm::vec3(0.0f, 1.0f, 0.0f));
 }
 
-TEST_CASE("a contact by itself never adds energy of motion, however many tips meet") {
+TEST_CASE("a contact alone never adds kinetic energy, for any number of tips") {
 	for (const Law law : BOTH_LAWS) {
 		for (int trial = 0; trial < 50; trial++) {
 			const MotionSpecies species = tips_of(law);
@@ -108,7 +108,7 @@ TEST_CASE("plants pushed together by a wind part when it ends, and come to rest"
 	}
 }
 
-TEST_CASE("plants that stand too close to be apart in calm air stay at rest") {
+TEST_CASE("plants too close to separate in calm air stay at rest") {
 	for (const Law law : BOTH_LAWS) {
 		FieldSimulation field = row_of(tips_of(law), 5, 0.05f);
 		TipContact contact;
@@ -123,7 +123,7 @@ TEST_CASE("plants that stand too close to be apart in calm air stay at rest") {
 	}
 }
 
-TEST_CASE("who is gone pushes nobody, also not from where its root was") {
+TEST_CASE("a removed plant pushes nothing, not even from its old root") {
 	for (const Law law : BOTH_LAWS) {
 		for (const int gone : { 0, 1 }) {
 			FieldSimulation field((FieldSettings()));
@@ -186,7 +186,7 @@ TEST_CASE("the grid finds the contacts that comparing every pair finds") {
 	CHECK(total > 20);
 }
 
-TEST_CASE("a field with contact keeps within its memory") {
+TEST_CASE("a field with contact stays within its memory") {
 	FieldSimulation field((FieldSettings()));
 	add_plants(field, field.add_species(species_of(Law::elasticity)), 100000);
 	TipContact contact;

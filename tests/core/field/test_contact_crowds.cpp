@@ -10,7 +10,7 @@ namespace {
 
 constexpr float ABSURD_RADIUS = 50.0f; // m.
 
-/// `count` chance plants on 30 x 30 m, as many as fields have, with tips of `radius`.
+/// `count` random plants on 30 x 30 m, as dense as in fields, with tips of `radius`.
 FieldSimulation lawn_of(Law law, int count, float radius) {
 	MotionSpecies species = tips_of(law);
 	species.collision_radius = radius;
@@ -32,7 +32,7 @@ void find_contacts(TipContact &contact, FieldSimulation &field) {
 	contact.count(field, 0, field.page_count());
 }
 
-/// Two plants 1 m high, each of a species of its own, 0.4 m apart.
+/// Two plants 1 m high, of different species, 0.4 m apart.
 FieldSimulation pair_of(const MotionSpecies &left, const MotionSpecies &right) {
 	FieldSimulation field((FieldSettings()));
 	MotionPlant plant;
@@ -44,7 +44,7 @@ FieldSimulation pair_of(const MotionSpecies &left, const MotionSpecies &right) {
 
 } // namespace
 
-TEST_CASE("contact costs as much as there are plants, whatever their radius") {
+TEST_CASE("the cost of contact grows with the number of plants, not with their radius") {
 	for (const float radius : { RADIUS, 1.0f, ABSURD_RADIUS }) {
 		for (const int count : { 500, 1000, 2000, 4000 }) {
 			FieldSimulation field = lawn_of(Law::elasticity, count, radius);
@@ -56,7 +56,7 @@ TEST_CASE("contact costs as much as there are plants, whatever their radius") {
 			find_contacts(contact, field);
 			CAPTURE(radius);
 			CHECK(contact.candidate_count() <= static_cast<std::size_t>(count * TipContact::MOST_CONTACTS));
-			if (radius != 1.0f) { // In between, it depends on who stands where.
+			if (radius != 1.0f) { // In between, it depends on the positions.
 				CHECK(contact.is_crowded() == (radius == ABSURD_RADIUS));
 			}
 			int most = 0;
@@ -120,7 +120,7 @@ TEST_CASE("a crowd of tips with an absurd radius comes to rest") {
 	}
 }
 
-TEST_CASE("large tips touch wherever their species stands among others") {
+TEST_CASE("large tips touch at any index of their species") {
 	MotionSpecies large = tips_of(Law::elasticity);
 	large.collision_radius = 0.3f;
 	const MotionSpecies small = tips_of(Law::elasticity);
@@ -145,7 +145,7 @@ TEST_CASE("large tips touch wherever their species stands among others") {
 	}
 }
 
-TEST_CASE("tips at the very same place part") {
+TEST_CASE("tips at exactly the same position separate") {
 	FieldSimulation field = row_of(tips_of(Law::elasticity), 2, 1.2f);
 	field.page(0).set_state(0, { { 0.6f, 0.8f, 0.0f }, {} });
 	field.page(0).set_state(1, { { -0.6f, 0.8f, 0.0f }, {} });
@@ -157,7 +157,7 @@ TEST_CASE("tips at the very same place part") {
 	CHECK(tip_distance(field, 0, 1) > RADIUS);
 }
 
-TEST_CASE("of two that meet the heavier one gives way less, and their momentum stays") {
+TEST_CASE("of two touching tips the heavier one moves less, and momentum is conserved") {
 	for (const Law law : BOTH_LAWS) {
 		MotionSpecies light = tips_of(law);
 		MotionSpecies heavy = tips_of(law);
@@ -182,7 +182,7 @@ TEST_CASE("of two that meet the heavier one gives way less, and their momentum s
 	}
 }
 
-TEST_CASE("a radius that grows while plants swing reaches their contact, and bodies that touch them") {
+TEST_CASE("a radius that increases during motion applies to contact and to bodies") {
 	MotionSpecies species = tips_of(Law::elasticity);
 	species.collision_radius = 0.02f;
 	FieldSimulation field = pair_of(species, species);

@@ -37,7 +37,7 @@ TipContact resolved(FieldSimulation &field) {
 
 } // namespace
 
-TEST_CASE("of two tips that meet the lighter one gives way, and their momentum stays") {
+TEST_CASE("of two touching tips the lighter one moves, and momentum is conserved") {
 	FieldSimulation field((FieldSettings()));
 	add_at(field, kind_of(0.1f, 0.05f), 0.0f);
 	add_at(field, kind_of(0.9f, 0.05f), 0.12f);
@@ -52,7 +52,7 @@ TEST_CASE("of two tips that meet the lighter one gives way, and their momentum s
 	CHECK(heavy.direction.x == doctest::Approx(0.003).epsilon(0.03));
 }
 
-TEST_CASE("thick tips meet, whatever species came after theirs") {
+TEST_CASE("thick tips touch, also when other species follow theirs") {
 	for (const bool thick_first : { true, false }) {
 		FieldSimulation field((FieldSettings()));
 		if (!thick_first) {
@@ -71,7 +71,7 @@ TEST_CASE("thick tips meet, whatever species came after theirs") {
 	}
 }
 
-TEST_CASE("tips at exactly one place part") {
+TEST_CASE("tips at exactly one position separate") {
 	MotionPlant plants[2];
 	plants[0].rest = glm::normalize(glm::vec3(0.2f, 1.0f, 0.0f));
 	plants[1].rest = glm::normalize(glm::vec3(-0.2f, 1.0f, 0.0f));
@@ -85,7 +85,7 @@ TEST_CASE("tips at exactly one place part") {
 	CHECK(field.state(0, 1).direction.x < -0.02f);
 }
 
-TEST_CASE("what tips approach each other by is taken away in metres, however long their plants are") {
+TEST_CASE("contact removes the approach of tips in metres, for any length of plants") {
 	for (const float length : { 0.5f, 2.0f }) {
 		MotionPlant plants[2];
 		plants[0].length = plants[1].length = length;

@@ -33,7 +33,7 @@ MovingBody ball_around(const glm::vec3 &place) {
 
 } // namespace
 
-TEST_CASE("a plant that is dropped is gone, and all others stay as they were") {
+TEST_CASE("dropping a plant removes it and leaves all other plants unchanged") {
 	for (const int prototypes : PROTOTYPES) {
 		for (const Law law : { Law::elasticity, Law::spring }) {
 			FieldSimulation field = field_with(prototypes, law);
@@ -66,7 +66,7 @@ TEST_CASE("a plant that is dropped is gone, and all others stay as they were") {
 	}
 }
 
-TEST_CASE("no body, blow or question finds a plant that is dropped") {
+TEST_CASE("no body, blow or query finds a dropped plant") {
 	for (const int prototypes : PROTOTYPES) {
 		FieldSimulation field = field_with(prototypes);
 		const glm::vec3 root = field.page(0).root(7);
@@ -90,7 +90,7 @@ TEST_CASE("no body, blow or question finds a plant that is dropped") {
 	}
 }
 
-TEST_CASE("plants that are dropped touch nothing") {
+TEST_CASE("dropped plants touch nothing") {
 	MotionPlant plants[3];
 	plants[1].root.x = 0.03f;
 	plants[1].root.y = 0.98f; // At the tip of the first.
@@ -117,7 +117,7 @@ TEST_CASE("plants that are dropped touch nothing") {
 	}
 }
 
-TEST_CASE("a page that is removed leaves its number to the next one, and others where they were") {
+TEST_CASE("the next page reuses the number of a removed page, and all other pages are unchanged") {
 	for (const int prototypes : PROTOTYPES) {
 		FieldSimulation field = field_with(prototypes);
 		field.apply_impulse(1, 3, { 0.3f, 0.0f, 0.0f });
@@ -150,7 +150,7 @@ TEST_CASE("a page that is removed leaves its number to the next one, and others 
 	}
 }
 
-TEST_CASE("far plants that are removed delay the others no longer") {
+TEST_CASE("removed distant plants no longer delay the remaining ones") {
 	FieldSettings settings;
 	settings.prototypes = 8;
 	FieldSimulation field(settings);

@@ -12,11 +12,11 @@ using namespace undergrowth;
 namespace {
 
 constexpr int ROUNDS = 48;
-constexpr int ROUNDS_OF_GROWTH = 6; ///< So many steps go on beside one filling.
+constexpr int ROUNDS_OF_GROWTH = 6; ///< Steps that run during one build.
 constexpr float TILE = 4.0f; // m.
 constexpr float SIDE = 24.0f; // m.
 
-/// What stands and how it moves, edited between steps on the main thread as a field does it.
+/// A store and its simulation, edited between steps on the main thread as a field does it.
 class Stand {
 public:
 	explicit Stand(int prototypes) : simulation(settings_of(prototypes)) {
@@ -42,7 +42,7 @@ public:
 		}
 	}
 
-	/// The present step on `threads` threads, while this one looks plants up.
+	/// Runs the current step on `threads` threads, while this one looks plants up.
 	void step(int threads) {
 		simulation.begin_step();
 		const int count = simulation.page_count();
@@ -62,7 +62,7 @@ public:
 		}
 	}
 
-	/// Takes every third plant near `centre` away, and plants as many beside it.
+	/// Removes every third plant near `centre`, and adds the same number near it.
 	void edit_near(const glm::vec3 &centre) {
 		std::vector<PlantPlace> found;
 		store.find_in_sphere(centre, 2.0f, found);
@@ -116,7 +116,7 @@ private:
 	}
 };
 
-/// A filling that grows on a thread of its own, from copies: where to plant, and what stood.
+/// A build on its own thread, from copies: the placement request and the previous plants.
 class Growth {
 public:
 	Growth(const PlantStore &store, const PlacementRequest &wanted) : request(wanted) {
@@ -126,7 +126,7 @@ public:
 		worker = std::thread([this] { work(); });
 	}
 
-	/// Waits for it.
+	/// Waits for the build.
 	StandEdit take() {
 		worker.join();
 		return std::move(edit);
@@ -156,7 +156,7 @@ uint64_t run(int prototypes, int threads) {
 	PlacementRequest request = square_field(SIDE, 4.0f, 2);
 	stand.apply(Growth(stand.store, request).take());
 	for (int i = 0; i < ROUNDS; i += ROUNDS_OF_GROWTH) {
-		// The same meadow with a lane through other tiles.
+		// The same meadow with a lane through different tiles.
 		const float lane = static_cast<float>(i % 20) - 10.0f;
 		request.exclusions = { { { lane, -20.0f }, { lane + 3.0f, -20.0f }, { lane + 3.0f, 20.0f }, { lane, 20.0f } } };
 		const int before = stand.store.plant_count();
@@ -175,7 +175,7 @@ uint64_t run(int prototypes, int threads) {
 
 } // namespace
 
-TEST_CASE("plants are planted, mown and grown anew beside the steps with the same bits on any number of threads") {
+TEST_CASE("adding, mowing and rebuilding plants beside the steps gives the same bits on any number of threads") {
 	for (const int prototypes : { 0, 16 }) {
 		const uint64_t single = run(prototypes, 1);
 		CHECK(run(prototypes, 4) == single);

@@ -1,4 +1,4 @@
-// What far stems leave away: where nobody is near, fields step one mode of those that have two.
+// Error of distant stems: without a camera near, fields step one mode of stems with two.
 
 #include "../motion/varied.hpp"
 #include "../wind/air_series.hpp"
@@ -18,8 +18,8 @@ using namespace undergrowth;
 namespace {
 
 constexpr float STEP = 1.0f / 60.0f; // s.
-constexpr double NEAR = 10.0; // m: from there on fields step one mode of stems that nobody pushes.
-/// m: a pixel at that distance, of 1080 rows that see 75 degrees.
+constexpr double NEAR = 10.0; // m: beyond this distance fields step one mode of stems without pushes.
+/// m: a pixel at that distance, with 1080 rows over 75 degrees.
 const double PIXEL = 2.0 * NEAR * std::tan(0.5 * 75.0 * 3.14159265358979 / 180.0) / 1080.0;
 
 FieldWind wind_of(WindKind kind) {
@@ -32,14 +32,14 @@ FieldWind wind_of(WindKind kind) {
 	return wind;
 }
 
-/// m, of places on stems of both modes and of one.
+/// Distances (m) between points on stems of both modes and of one.
 struct Apart {
 	double most = 0.0;
 	double squares = 0.0; ///< m².
 	int count = 0;
 };
 
-/// Of stems of `length` over a minute of wind.
+/// For stems of `length` over a minute of wind.
 Apart apart_in(WindKind kind, float length) {
 	StemBeam beam;
 	beam.length = length;
@@ -47,7 +47,7 @@ Apart apart_in(WindKind kind, float length) {
 	MotionSpecies species;
 	species.law = Law::stem;
 	species.stem = solve_stem(beam).constants;
-	species.stem.dead_slope = 0.3f; // A newton bends a tip by 17 degrees.
+	species.stem.dead_slope = 0.3f; // One newton bends a tip by 17 degrees.
 	species.canopy_height = length;
 	std::vector<MotionPlant> plants;
 	for (int i = 0; i < 40; i++) {
@@ -76,12 +76,12 @@ Apart apart_in(WindKind kind, float length) {
 
 } // namespace
 
-TEST_CASE("stems of one mode are where those of two are in a wind, within what is seen from where fields step one") {
+TEST_CASE("in wind, stems of one mode differ from stems of two by less than is visible at the switching distance") {
 	for (const WindKind kind : { WindKind::air, WindKind::waves, WindKind::bursts }) {
 		for (const float length : { 0.3f, 0.6f, 1.0f }) {
 			const Apart apart = apart_in(kind, length);
 			CHECK(std::sqrt(apart.squares / apart.count) < 0.25 * PIXEL);
-			CHECK(apart.most < 1.25 * PIXEL); // Once in a minute of 40 plants.
+			CHECK(apart.most < 1.25 * PIXEL); // Once per minute of 40 plants.
 		}
 	}
 }

@@ -22,7 +22,7 @@ FieldWind fresh_breeze() {
 	return wind;
 }
 
-/// Two pages, 500 m from each other.
+/// Two pages, 500 m apart.
 FieldSimulation two_pages(int prototypes) {
 	FieldSettings settings;
 	settings.prototypes = prototypes;
@@ -44,7 +44,7 @@ FieldSimulation two_pages(int prototypes) {
 
 } // namespace
 
-TEST_CASE("in air each plant of a field has a motion of its own, and those that follow have one, too") {
+TEST_CASE("in air each plant of a field has its own motion, and so does each follower") {
 	for (const int prototypes : { 0, 16 }) {
 		FieldSimulation field = two_pages(prototypes);
 		glm::vec3 before = {};
@@ -62,7 +62,7 @@ TEST_CASE("in air each plant of a field has a motion of its own, and those that 
 	}
 }
 
-TEST_CASE("what stirs the air at one end of a field is not felt at the other") {
+TEST_CASE("a source that stirs the air at one end of a field has no effect at the other") {
 	FieldSimulation calm = two_pages(0), stirred = two_pages(0);
 	AirSource fan;
 	fan.kind = AirSource::Kind::fan;
@@ -78,8 +78,8 @@ TEST_CASE("what stirs the air at one end of a field is not felt at the other") {
 	}
 }
 
-/// How far tips are from those of plants that sample their air in each step, over how far they move (both as root of
-/// the mean square).
+/// Distance of tips from those of plants that sample their air in each step, over the size of their motion (both as
+/// root mean square).
 static double error_of_sampling_ahead(Law law, float frequency) {
 	constexpr int STEPS = 1200;
 	constexpr int SETTLED = 300;
@@ -87,7 +87,7 @@ static double error_of_sampling_ahead(Law law, float frequency) {
 	Joint joint = varied_joint(1);
 	joint.natural_frequency = frequency;
 	const float rate = static_cast<float>(2.0 * PI) * frequency;
-	joint.elasticity = rate * rate / STANDARD_GRAVITY; // Of a plant of a metre.
+	joint.elasticity = rate * rate / STANDARD_GRAVITY; // For a plant of 1 m.
 	MotionSpecies species = species_with(law, joint);
 	species.canopy_height = 0.7f;
 	std::vector<MotionPlant> plants;
@@ -116,15 +116,15 @@ static double error_of_sampling_ahead(Law law, float frequency) {
 	return std::sqrt(errors / (squares - glm::dot(sum, sum) / count));
 }
 
-TEST_CASE("tips in air that is sampled ahead go where those do that sample it in each step") {
-	constexpr double WITHIN = 0.08; // Of how far they move.
+TEST_CASE("tips in air that is sampled ahead move like tips that sample it in each step") {
+	constexpr double WITHIN = 0.08; // Fraction of their motion.
 	for (const float frequency : { 0.7f, 1.5f, 3.0f }) {
 		CHECK(error_of_sampling_ahead(Law::spring, frequency) < WITHIN);
 		CHECK(error_of_sampling_ahead(Law::elasticity, frequency) < WITHIN);
 	}
 }
 
-TEST_CASE("plants that are put elsewhere feel the air that blows there") {
+TEST_CASE("plants that are moved have the wind of their new position") {
 	MotionSpecies species = species_with(Law::spring, varied_joint(1));
 	species.canopy_height = 0.7f;
 	const FieldWind wind = fresh_breeze();

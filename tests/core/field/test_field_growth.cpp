@@ -1,4 +1,4 @@
-// Plants that come to pages which are there already.
+// Plants that are added to existing pages.
 
 #include "field_fixture.hpp"
 
@@ -8,7 +8,7 @@
 
 namespace undergrowth {
 
-TEST_CASE("a page that grew moves as one that was made whole") {
+TEST_CASE("a page with appended plants moves like one created whole") {
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		FieldSimulation whole({});
 		FieldSimulation grown({});
@@ -31,7 +31,7 @@ TEST_CASE("a page that grew moves as one that was made whole") {
 	}
 }
 
-TEST_CASE("followers that come later follow a prototype of their own") {
+TEST_CASE("followers added later get their own prototype") {
 	FieldSettings settings;
 	settings.prototypes = 8;
 	FieldSimulation field(settings);
@@ -44,7 +44,7 @@ TEST_CASE("followers that come later follow a prototype of their own") {
 	CHECK(glm::length(field.state(0, 11).direction) == doctest::Approx(1.0f));
 }
 
-TEST_CASE("plants that come later leave the motion of the others as it is") {
+TEST_CASE("plants added later do not change the motion of existing plants") {
 	FieldSimulation field({});
 	FieldSimulation alone({});
 	add_plants(field, field.add_species(species_of(Law::elasticity)), 50);
@@ -64,7 +64,7 @@ TEST_CASE("plants that come later leave the motion of the others as it is") {
 	}
 }
 
-TEST_CASE("a full page and plants that are none are refused, and nothing is added") {
+TEST_CASE("a full page and invalid plants are rejected without any change") {
 	FieldSimulation field({});
 	add_plants(field, field.add_species(species_of(Law::spring)), MotionPage::PAGE_PLANTS - 1);
 	const MotionPlant two[2] = { chance_plant(1), chance_plant(2) };

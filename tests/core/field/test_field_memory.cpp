@@ -18,7 +18,7 @@ MovingBody walker(int step) {
 	return body;
 }
 
-/// Allocations while a field is stepped, from the second step on.
+/// Allocations of a field's steps, from the second one on.
 long allocations_of_steps(const FieldSettings &settings, bool with_contact) {
 	FieldSimulation field = mixed_field(settings, 3000);
 	TipContact contact;

@@ -12,11 +12,11 @@ using namespace undergrowth;
 namespace {
 
 constexpr Law BOTH_LAWS[] = { Law::elasticity, Law::spring };
-/// Of directions at interval 4 beside interval 1, under waves of half a hertz on plants of about one: the wind is
+/// For directions at interval 4 compared with interval 1, under waves of 0.5 Hz on plants of about 1 Hz: the wind is
 /// constant for 1/15 s instead of 1/60 s.
 constexpr float INTERVAL_TOLERANCE = 0.01f;
-/// While they still swing from the start: the rate is that of the middle of a step, so a start from rest is a different
-/// one for steps of another length.
+/// While they still swing from the start. The rate is that of the middle of a step, so a start from rest differs
+/// between steps of different lengths.
 constexpr float START_TOLERANCE = 0.04f;
 constexpr int SETTLED = 900; // Steps.
 constexpr float BEND_TOLERANCE = 1.1e-3f;
@@ -29,7 +29,7 @@ bool is_whole(const TipState &state) {
 
 } // namespace
 
-TEST_CASE("a plant of a field moves as the same plant with a skeleton of its own, to the bit") {
+TEST_CASE("a plant of a field moves like the same plant with a skeleton, to the bit") {
 	for (const Law law : BOTH_LAWS) {
 		MotionPlant plant = chance_plant(3);
 		FieldSimulation field = single_plant(law, plant);
@@ -45,7 +45,7 @@ TEST_CASE("a plant of a field moves as the same plant with a skeleton of its own
 	}
 }
 
-TEST_CASE("bends are what the states are, before the last step and after it") {
+TEST_CASE("bends match the states before and after the last step") {
 	for (const Law law : BOTH_LAWS) {
 		FieldSimulation field((FieldSettings()));
 		add_plants(field, field.add_species(species_of(law)), 700);
@@ -98,8 +98,8 @@ TEST_CASE("at interval 4 a plant moves as at the full rate, within the tolerance
 		full.step();
 		reduced.step();
 		for (int page = 0; page < full.page_count(); page++) {
-			// A page that steps at n shows the state of n + 4 when the full rate has come to it, at n + 3.
-			// Pages whose turn comes later start later; by SETTLED that is damped away.
+			// A page that steps at n shows the state of n + 4 when the full rate reaches it, at n + 3. Pages with a
+			// later turn start later; by SETTLED damping has removed that.
 			if (reduced.alpha(page, 1.0f) != 1.0f || (i < SETTLED && page % 4 != 0)) {
 				continue;
 			}
@@ -126,7 +126,7 @@ TEST_CASE("pages step in turns, never all in one step") {
 	}
 }
 
-TEST_CASE("alpha goes from one bend to the next over the page's interval") {
+TEST_CASE("alpha runs from one bend to the next over the page's interval") {
 	FieldSettings settings;
 	settings.update_interval = 2;
 	FieldSimulation field = mixed_field(settings, 256);
@@ -144,7 +144,7 @@ TEST_CASE("alpha goes from one bend to the next over the page's interval") {
 	CHECK(field.alpha(0, 0.0f) == doctest::Approx(0.25));
 }
 
-TEST_CASE("a page whose interval becomes shorter first shows the step that it has done") {
+TEST_CASE("a page with a newly shorter interval first shows its finished step") {
 	FieldSettings settings;
 	FieldSimulation field = mixed_field(settings, 256);
 	field.set_page_multiple(0, 32);
@@ -167,11 +167,12 @@ TEST_CASE("a page whose interval becomes shorter first shows the step that it ha
 	CHECK(field.has_stepped(0));
 }
 
-TEST_CASE("an hour of wind leads to no drift and no number that is none") {
+TEST_CASE("an hour of wind causes no drift and no invalid number") {
 	constexpr float SAME_PHASE_TOLERANCE = 2e-3f;
 	for (const Law law : BOTH_LAWS) {
 		FieldSettings settings;
-		settings.step = 1.0f / 64.0f; // Whole steps in the wind's period, so that the same phase comes back exactly.
+		// A whole number of steps per period of the wind, so the same phase recurs exactly.
+		settings.step = 1.0f / 64.0f;
 		FieldSimulation field(settings);
 		add_plants(field, field.add_species(species_of(law)), 16);
 		field.set_wind(wave_wind());
@@ -199,7 +200,7 @@ TEST_CASE("a blow moves one plant of the field") {
 	}
 }
 
-TEST_CASE("fields of no plant, of one, and of a million") {
+TEST_CASE("fields of 0, 1 and a million plants") {
 	FieldSimulation empty((FieldSettings()));
 	empty.step();
 	CHECK(empty.plant_count() == 0);
@@ -221,7 +222,7 @@ TEST_CASE("fields of no plant, of one, and of a million") {
 	CHECK(many.bytes_per_plant() <= MOST_BYTES);
 }
 
-TEST_CASE("a field takes no more memory than it may, with prototypes neither") {
+TEST_CASE("a field stays within its memory limit, also with prototypes") {
 	for (const int prototypes : { 0, 64 }) {
 		FieldSettings settings;
 		settings.prototypes = prototypes;
@@ -236,7 +237,7 @@ TEST_CASE("a field takes no more memory than it may, with prototypes neither") {
 	}
 }
 
-TEST_CASE("plants with numbers that are none are refused, and the field stays as it was") {
+TEST_CASE("plants with invalid numbers are rejected, and the field does not change") {
 	FieldSimulation field((FieldSettings()));
 	const int species = field.add_species({});
 	const float bad[] = { std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity() };
@@ -259,7 +260,7 @@ TEST_CASE("plants with numbers that are none are refused, and the field stays as
 	CHECK(field.page_count() == 0);
 }
 
-TEST_CASE("no species, wind, blow or step, however extreme, leads to a number that is none") {
+TEST_CASE("no species, wind, blow or step, however extreme, causes an invalid number") {
 	constexpr float NONE = std::numeric_limits<float>::quiet_NaN();
 	for (const Law law : BOTH_LAWS) {
 		for (const float extreme : { NONE, 0.0f, -1.0f, 1e-30f, 1e30f }) {

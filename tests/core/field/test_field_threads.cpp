@@ -26,7 +26,7 @@ FieldSimulation threaded_field(int prototypes) {
 	return field;
 }
 
-/// Calls work(begin, end) for `threads` ranges of pages at once.
+/// Calls work(begin, end) for `threads` ranges of pages in parallel.
 template <class Work> void split(int threads, int pages, const Work &work) {
 	std::vector<std::thread> running;
 	for (int i = 0; i < threads; i++) {

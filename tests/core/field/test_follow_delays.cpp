@@ -20,7 +20,7 @@ FollowDelays going_to(const DelayPlane &plane) {
 
 } // namespace
 
-TEST_CASE("delays go over to new ones within a second, from the step on that asks for them") {
+TEST_CASE("delays change to new ones within a second, from the step that requests them") {
 	FollowDelays delays = going_to({ 1.0f, 0.0f, 3.0f });
 	CHECK(delays.after() == DelayPlane{ 1.0f, 0.0f, 3.0f });
 	CHECK(delays.share(0.0f) == 0.0f);
@@ -36,7 +36,7 @@ TEST_CASE("delays go over to new ones within a second, from the step on that ask
 	CHECK(delays.share(0.0f) == 1.0f);
 }
 
-TEST_CASE("what changes while delays go over waits until they are there") {
+TEST_CASE("changes during a change of delays wait for its end") {
 	const DelayPlane first = { 1.0f, 0.0f, 3.0f };
 	const DelayPlane second = { 0.0f, 2.0f, 1.0f };
 	FollowDelays delays = going_to(first);

@@ -14,7 +14,7 @@ using namespace undergrowth;
 
 namespace {
 
-constexpr float CLOSE = 0.01f; // m, of plants of 0.8 m: what halves leave of two modes and their way.
+constexpr float CLOSE = 0.01f; // m, for plants of 0.8 m: rounding by half floats of two modes and of their motion.
 constexpr int PLANTS = 20;
 constexpr float PLACES[] = { 0.3f, 0.6f, 1.0f };
 
@@ -79,7 +79,7 @@ float second_of(const FieldSimulation &field, int plant) {
 
 } // namespace
 
-TEST_CASE("a follower's stem bends in both modes as one that is simulated, later by its own delay") {
+TEST_CASE("a follower's stem bends in both modes like a simulated one, after its own delay") {
 	FieldSimulation simulated = field_of(0);
 	FieldSimulation following = field_of(1);
 	simulated.set_page_near(0, true);
@@ -105,8 +105,7 @@ TEST_CASE("a follower's stem bends in both modes as one that is simulated, later
 	CHECK(most_second > 0.003f);
 }
 
-TEST_CASE("a follower whose stem is pushed swings in both modes, and goes back to those of its prototype without a "
-		  "jump") {
+TEST_CASE("a follower with a pushed stem swings in both modes and returns to its prototype without a jump") {
 	FieldSimulation field = field_of(64);
 	for (int i = 0; i < 300; i++) {
 		field.step();
@@ -122,7 +121,7 @@ TEST_CASE("a follower whose stem is pushed swings in both modes, and goes back t
 		if (i == 60) {
 			CHECK(field.follower(0, 0).loose > 0);
 		}
-		if (i > 30) { // Not while the body shoves.
+		if (i > 30) { // Not while the body pushes.
 			REQUIRE(most_apart(places_of(field, 0.0f), before) < 3e-3f);
 		}
 	}
@@ -130,7 +129,7 @@ TEST_CASE("a follower whose stem is pushed swings in both modes, and goes back t
 	CHECK(field.follower(0, 0).loose == 0);
 }
 
-TEST_CASE("a blow on a follower is one on its stem in both modes") {
+TEST_CASE("a blow on a follower acts on both modes of its stem") {
 	FieldSimulation simulated = field_of(0);
 	FieldSimulation following = field_of(1);
 	FieldWind calm;
@@ -150,7 +149,7 @@ TEST_CASE("a blow on a follower is one on its stem in both modes") {
 	CHECK(most_second > 0.01f);
 }
 
-TEST_CASE("followers whose stems get a second mode, or lose it, stay where they were drawn") {
+TEST_CASE("followers stay in place when their stems gain or lose a second mode") {
 	for (const int modes : { 1, 2 }) {
 		FieldSimulation field = field_of(8, modes);
 		for (int i = 0; i < 400; i++) {

@@ -14,10 +14,10 @@ using namespace undergrowth;
 
 namespace {
 
-constexpr float SAME = 1e-3f; // Of what halves and a mix of stereographic images leave.
+constexpr float SAME = 1e-3f; // Rounding by half floats and by the mix of stereographic images.
 constexpr float CLOSE = 0.01f;
 
-/// Of any plant's direction in one step, in the ten seconds after a wind of waves turns, or slows down.
+/// Largest change of any plant's direction in one step, in the ten seconds after waves of wind turn or slow down.
 float most_change(FieldSimulation &field, float turn) {
 	float most = 0.0f;
 	std::vector<glm::vec3> before(FOLLOWERS);
@@ -40,7 +40,7 @@ float most_change(FieldSimulation &field, float turn) {
 
 } // namespace
 
-TEST_CASE("followers show what their prototype did, as long ago as the wind needs to them and as they are late") {
+TEST_CASE("followers show the motion of their prototype after the wind's travel time and their own delay") {
 	for (const float speed : { 20.0f, 4.0f, 0.0f }) {
 		FieldSimulation field = prototype_field(Law::elasticity, speed);
 		std::vector<std::vector<glm::vec3>> did; // By step and prototype.
@@ -74,7 +74,7 @@ TEST_CASE("followers show what their prototype did, as long ago as the wind need
 	}
 }
 
-TEST_CASE("a plant that follows one of its own length moves as one that is simulated, later by its own delay") {
+TEST_CASE("a follower of a prototype of its own length moves like a simulated plant, after its own delay") {
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		MotionSpecies species = species_of(law);
 		species.shortest = species.longest = 0.8f;
@@ -108,7 +108,7 @@ TEST_CASE("a plant that follows one of its own length moves as one that is simul
 	}
 }
 
-TEST_CASE("what followers show goes on from one step to the next") {
+TEST_CASE("drawn followers are continuous from step to step") {
 	FieldSimulation field = prototype_field(Law::spring, 8.0f);
 	field.step();
 	for (int i = 0; i < 200; i++) {
@@ -131,7 +131,7 @@ TEST_CASE("what followers show goes on from one step to the next") {
 	}
 }
 
-TEST_CASE("a wind that turns or slows down moves followers by no more in a step than plants that are simulated") {
+TEST_CASE("a wind that turns or slows down moves followers per step no more than simulated plants") {
 	constexpr float MORE = 2.0f;
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		for (const float turn : { 0.5f * 3.14159f, 0.0f }) {
@@ -148,7 +148,7 @@ TEST_CASE("a wind that turns or slows down moves followers by no more in a step 
 	}
 }
 
-TEST_CASE("a gust that is let go goes through plants that follow prototypes, from the upwind edge on") {
+TEST_CASE("a triggered gust passes through followers from the upwind edge on") {
 	for (const float direction : { 0.0f, 2.2f }) {
 		FieldSimulation field = prototype_field(Law::spring, 10.0f);
 		FieldWind wind = field.wind();
@@ -163,7 +163,7 @@ TEST_CASE("a gust that is let go goes through plants that follow prototypes, fro
 		}
 		wind.wind.gust_start = field.time();
 		field.set_wind(wind);
-		std::vector<float> felt(FOLLOWERS, -1.0f); // When (s).
+		std::vector<float> felt(FOLLOWERS, -1.0f); // Time (s).
 		for (int i = 0; i < 1200; i++) {
 			field.step();
 			for (int k = 0; k < FOLLOWERS; k++) {
@@ -182,7 +182,7 @@ TEST_CASE("a gust that is let go goes through plants that follow prototypes, fro
 	}
 }
 
-TEST_CASE("stems whose frequency goes by their height follow prototypes about as tall") {
+TEST_CASE("stems with a frequency by height follow prototypes of about their height") {
 	StemBeam beam;
 	beam.natural_frequency = 0.0f;
 	MotionSpecies species;

@@ -13,7 +13,7 @@ namespace {
 constexpr int FRAMES_A_STEP = 4;
 constexpr int PLANTS = 40;
 
-/// How far leaves go at most from one frame to the next, four frames a step, at such an interval.
+/// Max movement of leaves from one frame to the next, with four frames per step, at this interval.
 float farthest_of_leaves(Law law, int interval) {
 	FieldSettings settings;
 	settings.update_interval = interval;
@@ -47,7 +47,7 @@ float farthest_of_leaves(Law law, int interval) {
 
 } // namespace
 
-TEST_CASE("leaves go as evenly at long intervals as at every step") {
+TEST_CASE("leaves move as evenly at long intervals as at every step") {
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		const float each_step = farthest_of_leaves(law, 1);
 		CHECK(each_step > 1e-3f);

@@ -1,4 +1,4 @@
-// Pages of plants that stand on nodes of their own: pushed and touching as those of a field, in axes of their own.
+// Pages of plants on their own nodes: bodies and contact work as in a field, in the pages' own axes.
 
 #include "field/contact.hpp"
 #include "field_fixture.hpp"
@@ -14,9 +14,9 @@ using namespace undergrowth;
 namespace {
 
 constexpr float RADIUS = 0.1f; // m, of tips.
-constexpr float NEAR = 0.003f; // m, of what a step leaves.
+constexpr float NEAR = 0.003f; // m, error after one step.
 constexpr TravellingWind CALM = {};
-/// From a wall that faces +x: the page's up is the world's +x.
+/// On a wall that faces +x: the page's up is the world's +x.
 const glm::mat3 WALL = { { 0.0f, -1.0f, 0.0f }, { 1.0f, 0.0f, 0.0f }, { 0.0f, 0.0f, 1.0f } };
 
 MotionPage page_of(Law law, const glm::vec3 &root) {
@@ -40,7 +40,7 @@ glm::vec3 tip(const MotionPage &page, const PageStand &stand) {
 
 } // namespace
 
-TEST_CASE("a plant on a wall is pushed out of a ball as one on the ground is, turned with all else") {
+TEST_CASE("a ball pushes a plant on a wall as one on the ground, with everything turned") {
 	const PageStand walled = { &WALL, nullptr };
 	const glm::vec3 root = { 3.0f, 2.0f, -1.0f };
 	MotionPage ground = page_of(Law::spring, root);
@@ -59,16 +59,16 @@ TEST_CASE("a plant on a wall is pushed out of a ball as one on the ground is, tu
 	CHECK(!touches_plant(wall, 0, turned, 0.01f));
 }
 
-TEST_CASE("what a body and a root have in common does not push") {
+TEST_CASE("a common velocity of body and root does not push") {
 	const glm::vec3 root_velocity = { 2.0f, 0.0f, 0.0f };
 	const PageStand moving = { nullptr, &root_velocity };
 	MovingBody body = ball({ -0.35f, 1.0f, 0.0f }, 0.3f);
 	MotionPage page = page_of(Law::spring, {});
-	body.velocity = root_velocity; // Both go along.
+	body.velocity = root_velocity; // Both have the same velocity.
 	CHECK(push_plants(page, body, moving) == 1);
 	CHECK(glm::length(page.state(0).rate) < 1e-5f);
 	page.settle();
-	const MovingBody ahead = ball({ 0.35f, 1.0f, 0.0f }, 0.3f); // It stands, and the root brings the plant to it.
+	const MovingBody ahead = ball({ 0.35f, 1.0f, 0.0f }, 0.3f); // It is at rest, and the root moves the plant to it.
 	CHECK(push_plants(page, ahead, moving) == 1);
 	CHECK(glm::length(page.state(0).rate) < 1e-5f);
 	page.settle();
@@ -80,7 +80,7 @@ TEST_CASE("what a body and a root have in common does not push") {
 	CHECK(page.state(0).rate.x == doctest::Approx(3.0f).epsilon(0.02));
 }
 
-TEST_CASE("lone pages touch as the pages of a field do, to the bit") {
+TEST_CASE("lone pages touch like the pages of a field, to the bit") {
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		FieldSimulation field((FieldSettings()));
 		MotionSpecies species = species_of(law);
@@ -121,7 +121,7 @@ TEST_CASE("lone pages touch as the pages of a field do, to the bit") {
 	}
 }
 
-TEST_CASE("the tips of a plant on a wall and of one on the ground part, and lose what they approach by") {
+TEST_CASE("the tips of a plant on a wall and of one on the ground separate and lose their approach") {
 	MotionPage ground = page_of(Law::elasticity, {});
 	MotionPage wall = page_of(Law::spring, { -1.3f, 1.0f, 0.0f });
 	LonePages lone;
@@ -131,14 +131,14 @@ TEST_CASE("the tips of a plant on a wall and of one on the ground part, and lose
 	contact.fit(lone);
 	const float at_rest = glm::distance(tip(ground, lone.stand(0)), tip(wall, lone.stand(1)));
 	CHECK(at_rest == doctest::Approx(0.3f));
-	// Both lean until their tips are in each other, and go on to do so.
+	// Both lean until their tips overlap, and stay so.
 	const glm::vec3 leaning = glm::normalize(glm::vec3(-0.15f, 1.0f, 0.0f));
 	ground.set_state(0, { leaning, glm::vec3(-leaning.y, leaning.x, 0.0f) });
 	const float before = glm::distance(tip(ground, lone.stand(0)), tip(wall, lone.stand(1)));
 	CHECK(before < 2.0f * RADIUS - 0.03f);
 	contact.resolve(lone);
 	CHECK(contact.contacts(0, 0) == 1);
-	// The one from the wall cannot yield along its own stem: what is left is its half.
+	// The plant on the wall cannot yield along its own stem: its half remains.
 	CHECK(glm::distance(tip(ground, lone.stand(0)), tip(wall, lone.stand(1))) >
 			before + 0.4f * (2.0f * RADIUS - before));
 	CHECK(ground.state(0).rate.x > -0.6f);
@@ -151,7 +151,7 @@ TEST_CASE("the tips of a plant on a wall and of one on the ground part, and lose
 	CHECK(wall.state(0).direction.y > 0.99f);
 }
 
-TEST_CASE("plants on a wall or a ceiling touch as those on the ground do, turned with all else") {
+TEST_CASE("plants on a wall or a ceiling touch like those on the ground, with everything turned") {
 	const glm::mat3 ceiling = { { 1.0f, 0.0f, 0.0f }, { 0.0f, -1.0f, 0.0f }, { 0.0f, 0.0f, -1.0f } };
 	const glm::vec3 roots[] = { { 0.0f, 0.0f, 0.0f }, { 0.25f, 0.0f, 0.05f } };
 	const TipState states[] = { { glm::normalize(glm::vec3(0.1f, 1.0f, 0.02f)), { 0.6f, -0.062f, 0.1f } },
@@ -172,7 +172,7 @@ TEST_CASE("plants on a wall or a ceiling touch as those on the ground do, turned
 			const TipState now = pages[i].state(0);
 			on_ground[i] = axes == &ground ? now : on_ground[i];
 			CHECK(contact.contacts(i, 0) == 1);
-			CHECK(glm::distance(now.rate, states[i].rate) > 0.2f); // A blow, and a move.
+			CHECK(glm::distance(now.rate, states[i].rate) > 0.2f); // A blow and a movement.
 			CHECK(glm::distance(now.direction, states[i].direction) > 0.01f);
 			CHECK(glm::distance(now.rate, on_ground[i].rate) < 1e-5f);
 			CHECK(glm::distance(now.direction, on_ground[i].direction) < 1e-6f);

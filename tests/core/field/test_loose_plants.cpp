@@ -12,7 +12,7 @@ using namespace undergrowth;
 
 namespace {
 
-constexpr float JUMP = 0.12f; // Between two steps: what waves and ringing down make of a direction, and some.
+constexpr float JUMP = 0.12f; // Between two steps: the change of a direction by waves and decay, with a margin.
 constexpr int RUNG_DOWN = static_cast<int>((LoosePlants::ALONE + LoosePlants::GOING_BACK) / FIELD_STEP) + 2; // Steps.
 
 FieldSimulation following_field(Law law, int count = 200) {
@@ -37,7 +37,7 @@ FieldSimulation following_field(Law law, int count = 200) {
 	return field;
 }
 
-/// A capsule that stands at `x` and walks along +x.
+/// A capsule at `x` that moves along +x.
 MovingBody walker(float x) {
 	MovingBody body;
 	body.from = { x, 0.3f, 0.2f };
@@ -55,7 +55,7 @@ float depth(const FieldSimulation &field, int plant, const MovingBody &body) {
 
 } // namespace
 
-TEST_CASE("a plant that was pushed goes back slowly, fast and slowly, and only once it swung alone") {
+TEST_CASE("a pushed plant returns slowly at both ends, and only after it has swung alone") {
 	LoosePlants some(0, species_of(Law::spring), FIELD_STEP);
 	some.reserve(1);
 	const glm::vec3 up = { 0.0f, 1.0f, 0.0f };
@@ -78,7 +78,7 @@ TEST_CASE("a plant that was pushed goes back slowly, fast and slowly, and only o
 	CHECK(shares.back() == 1.0f);
 }
 
-TEST_CASE("a body pushes plants that follow, which ring down and follow again without a jump") {
+TEST_CASE("a body pushes followers, which swing out and follow again without a jump") {
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		FieldSimulation field = following_field(law);
 		const int plants = field.plant_count();
@@ -109,7 +109,7 @@ TEST_CASE("a body pushes plants that follow, which ring down and follow again wi
 	}
 }
 
-TEST_CASE("plants that nobody pushes go on following, whatever their neighbours do") {
+TEST_CASE("followers without a push continue to follow next to pushed neighbours") {
 	FieldSimulation pushed = following_field(Law::elasticity);
 	FieldSimulation calm = following_field(Law::elasticity);
 	for (int i = 0; i < 300; i++) {
@@ -129,7 +129,7 @@ TEST_CASE("plants that nobody pushes go on following, whatever their neighbours 
 	}
 }
 
-TEST_CASE("a blow moves a plant that follows, for a while") {
+TEST_CASE("a blow moves a follower for a while") {
 	FieldSimulation field = following_field(Law::spring);
 	const glm::vec3 before = field.state(0, 7).direction;
 	CHECK(field.changed_pages().empty());
@@ -153,7 +153,7 @@ TEST_CASE("a blow moves a plant that follows, for a while") {
 	CHECK(field.loose_plants(0)->count() == 0);
 }
 
-TEST_CASE("no more plants swing by themselves than there is room for") {
+TEST_CASE("the room for loose plants limits their number") {
 	FieldSimulation field = following_field(Law::elasticity, LoosePlants::MOST + 500);
 	for (int page = 0; page < field.page_count(); page++) {
 		for (int i = 0; i < field.page(page).size(); i++) {
@@ -167,7 +167,7 @@ TEST_CASE("no more plants swing by themselves than there is room for") {
 	CHECK(field.loose_plants(0)->count() == 0);
 }
 
-TEST_CASE("plants that are dropped leave those that swing by themselves apart") {
+TEST_CASE("dropped plants do not affect loose plants") {
 	FieldSimulation field = following_field(Law::elasticity, 60);
 	for (int i = 0; i < 60; i += 2) {
 		field.apply_impulse(0, i, { 0.4f, 0.0f, 0.0f });
@@ -192,7 +192,7 @@ TEST_CASE("plants that are dropped leave those that swing by themselves apart") 
 	CHECK(field.loose_plants(0)->count() == 25);
 }
 
-TEST_CASE("a follower of a species that leans swings about its rest direction when it was pushed") {
+TEST_CASE("a pushed follower of a leaning species swings about its rest direction") {
 	MotionSpecies species = species_of(Law::spring);
 	species.lean = 0.5f;
 	species.joint.damping_ratio = 1.0f;
@@ -223,7 +223,7 @@ TEST_CASE("a follower of a species that leans swings about its rest direction wh
 	}
 }
 
-TEST_CASE("a follower that is pushed again goes on alone for as long as after the first push") {
+TEST_CASE("a follower that is pushed again is loose for as long as after the first push") {
 	FieldSimulation field = following_field(Law::spring);
 	const int almost = static_cast<int>(0.9f * LoosePlants::ALONE / FIELD_STEP);
 	field.apply_impulse(0, 7, { 0.2f, 0.0f, 0.0f });
@@ -242,7 +242,7 @@ TEST_CASE("a follower that is pushed again goes on alone for as long as after th
 	CHECK(field.loose_plants(0)->count() == 0);
 }
 
-TEST_CASE("a follower that was pushed swings in the wind as a plant that is simulated") {
+TEST_CASE("a pushed follower swings in the wind like a simulated plant") {
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		FieldSimulation following = following_field(law);
 		FieldSimulation simulated((FieldSettings()));
@@ -266,7 +266,7 @@ TEST_CASE("a follower that was pushed swings in the wind as a plant that is simu
 	}
 }
 
-TEST_CASE("what followers that go back show has the rate that it moves at") {
+TEST_CASE("the drawn motion of returning followers matches their rate") {
 	FieldSimulation field = following_field(Law::spring);
 	field.apply_impulse(0, 7, { 0.3f, 0.0f, 0.0f });
 	const int alone = static_cast<int>(LoosePlants::ALONE / FIELD_STEP);
@@ -280,7 +280,7 @@ TEST_CASE("what followers that go back show has the rate that it moves at") {
 	}
 }
 
-TEST_CASE("bodies of numbers that are none push no follower") {
+TEST_CASE("bodies with invalid numbers push no follower") {
 	FieldSimulation field = following_field(Law::spring);
 	MovingBody bodies[3] = { walker(2.0f), walker(4.0f), walker(6.0f) };
 	bodies[0].velocity.x = std::numeric_limits<float>::quiet_NaN();

@@ -4,7 +4,7 @@
 
 using namespace undergrowth;
 
-TEST_CASE("a page is due in the step of its interval that its phase says, whatever its number") {
+TEST_CASE("the phase of a page, not its number, selects the step of its interval") {
 	FieldSettings settings;
 	settings.update_interval = 4;
 	FieldSimulation field = mixed_field(settings, 1024);
@@ -24,7 +24,7 @@ TEST_CASE("a page is due in the step of its interval that its phase says, whatev
 			CHECK(field.has_stepped(page) == (i % 4 == phases[page] % 4));
 		}
 	}
-	field.set_update_interval(1); // Then phases count for nothing.
+	field.set_update_interval(1); // Phases have no effect then.
 	for (int i = 0; i < 8; i++) {
 		field.step();
 	}
@@ -33,7 +33,7 @@ TEST_CASE("a page is due in the step of its interval that its phase says, whatev
 	}
 }
 
-TEST_CASE("a page whose number another one had is due by its own number again") {
+TEST_CASE("a page with a reused number is due by that number again") {
 	FieldSettings settings;
 	settings.update_interval = 4;
 	FieldSimulation field = mixed_field(settings, 512);

@@ -43,7 +43,7 @@ TEST_CASE("a page is filled to the last row, and a block is never divided betwee
 	CHECK(rows[3].first == 0);
 }
 
-TEST_CASE("blocks that lie far apart do not share a page, however few plants they have") {
+TEST_CASE("distant blocks do not share a page, even with few plants") {
 	std::vector<PlantBlock> blocks;
 	for (const float x : { 0.0f, 40.0f, 65.0f, 100.0f }) {
 		blocks.push_back(block_of(0, 1));
@@ -57,6 +57,6 @@ TEST_CASE("blocks that lie far apart do not share a page, however few plants the
 	CHECK(join_into_pages(blocks)[1].page == 1);
 }
 
-TEST_CASE("no blocks need no pages") {
+TEST_CASE("zero blocks need zero pages") {
 	CHECK(join_into_pages({}).empty());
 }

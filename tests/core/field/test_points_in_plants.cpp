@@ -8,7 +8,7 @@
 
 using namespace undergrowth;
 
-TEST_CASE("a point near a stem or a tip lies in plants, one between plants does not") {
+TEST_CASE("a point near a stem or a tip is in plants, one between plants is not") {
 	MotionPlant plant;
 	plant.root = { 3.0f, 0.0f, -2.0f };
 	const FieldSimulation field = single_plant(Law::spring, plant);
@@ -20,7 +20,7 @@ TEST_CASE("a point near a stem or a tip lies in plants, one between plants does 
 	CHECK_FALSE(field.is_point_in_plants({ std::numeric_limits<float>::quiet_NaN(), 0.5f, -2.0f }, 0.0f));
 }
 
-TEST_CASE("a point lies in plants where they are drawn, not where they stand in calm air") {
+TEST_CASE("points are tested against drawn plants, not against plants in calm air") {
 	for (const int prototypes : { 0, 8 }) {
 		FieldSettings settings;
 		settings.prototypes = prototypes;
@@ -39,7 +39,7 @@ TEST_CASE("a point lies in plants where they are drawn, not where they stand in 
 		CHECK(field.is_point_in_plants(tip, 0.0f));
 		CHECK_FALSE(field.is_point_in_plants({ 0.0f, 1.0f, 0.0f }, 0.0f));
 	}
-	// A plant that steps seldom is asked where it is drawn now, on its way to the end of its long step.
+	// A plant with rare steps is tested at its current drawn pose, on the way to the end of its long step.
 	FieldSimulation seldom = single_plant(Law::spring, {});
 	seldom.set_page_multiple(0, 32);
 	seldom.apply_impulse(0, 0, { 0.1f, 0.0f, 0.0f });

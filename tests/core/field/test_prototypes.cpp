@@ -15,7 +15,7 @@ namespace {
 
 constexpr int STEPS = 1500;
 constexpr int SETTLED = 300;
-/// Of the motions of two plants, each less its mean: the mean over pairs of the correlation.
+/// Mean over pairs of plants of the correlation of their motions, each without its mean.
 constexpr double UNISON_BOUND = 0.5;
 
 std::vector<double> motion_of(const std::vector<std::vector<double>> &series, size_t plant) {
@@ -42,7 +42,7 @@ double product(const std::vector<double> &a, const std::vector<double> &b) {
 
 } // namespace
 
-TEST_CASE("the first step is told to take all that prototypes did before it") {
+TEST_CASE("the first step runs with the whole history of prototypes") {
 	FieldSettings settings;
 	settings.prototypes = 8;
 	FieldSimulation field = mixed_field(settings, 300);
@@ -81,7 +81,7 @@ TEST_CASE("plants that share prototypes do not move in unison") {
 	}
 }
 
-TEST_CASE("plants that lean follow prototypes that lean their way") {
+TEST_CASE("leaning plants follow prototypes that lean in the same direction") {
 	FieldSettings settings;
 	settings.prototypes = PROTOTYPES;
 	FieldSimulation field(settings);
@@ -104,12 +104,12 @@ TEST_CASE("plants that lean follow prototypes that lean their way") {
 		const glm::vec3 rest = plants[static_cast<size_t>(i)].rest;
 		const glm::vec3 shown = field.state(0, i).direction;
 		CHECK(shown.y == doctest::Approx(std::cos(0.3)).epsilon(0.002));
-		// Within a sector of an eighth of the circle, and what the even shares differ from angles.
+		// Within a sector of an eighth of the circle, plus the difference of even shares from angles.
 		CHECK(shown.x * rest.x + shown.z * rest.z > 0.75f * std::sin(0.3f) * std::sin(0.3f));
 	}
 }
 
-TEST_CASE("only prototypes are stepped, whatever number of plants follows them") {
+TEST_CASE("only prototypes are stepped, for any number of followers") {
 	FieldSettings settings;
 	settings.prototypes = 16;
 	FieldSimulation field = mixed_field(settings, 200);
@@ -120,7 +120,7 @@ TEST_CASE("only prototypes are stepped, whatever number of plants follows them")
 	CHECK(field.state(0, 5).direction.y < 1.0f);
 }
 
-TEST_CASE("each step of the history goes on from where the step before ended") {
+TEST_CASE("each step of the history continues at the end of the step before") {
 	FieldSettings settings;
 	settings.prototypes = 16;
 	FieldSimulation field = mixed_field(settings, 10);
@@ -160,7 +160,7 @@ TEST_CASE("prototypes are as short as the shortest plant, as long as the longest
 	}
 }
 
-TEST_CASE("plants in a row along either axis follow different prototypes, each with a delay of its own") {
+TEST_CASE("plants in a row along either axis follow different prototypes with different delays") {
 	for (const glm::vec3 row : { glm::vec3(0.37f, 0.0f, 0.0f), glm::vec3(0.0f, 0.0f, 0.37f) }) {
 		FieldSettings settings;
 		settings.prototypes = PROTOTYPES;
@@ -178,11 +178,11 @@ TEST_CASE("plants in a row along either axis follow different prototypes, each w
 		}
 		CHECK(prototypes.size() > 60);
 		CHECK(delays.size() > 55);
-		CHECK(*delays.rbegin() < 60); // A second.
+		CHECK(*delays.rbegin() < 60); // One second.
 	}
 }
 
-TEST_CASE("prototypes of a species that changes become what its plants are, and go on with their motion") {
+TEST_CASE("prototypes of a changed species get the new properties and continue their motion") {
 	FieldSettings settings;
 	settings.prototypes = PROTOTYPES;
 	FieldSimulation field(settings);

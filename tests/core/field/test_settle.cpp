@@ -8,11 +8,11 @@ using namespace undergrowth;
 
 namespace {
 
-constexpr float REST_TOLERANCE = 1e-6f; // Rounding of a state that is stored in another way.
+constexpr float REST_TOLERANCE = 1e-6f; // Rounding of a state in another representation.
 
 } // namespace
 
-TEST_CASE("a field that settles is at rest, and stays there in still air") {
+TEST_CASE("a settled field is at rest and stays at rest in still air") {
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		FieldSimulation field((FieldSettings()));
 		add_plants(field, field.add_species(species_of(law)), 300);
@@ -36,7 +36,7 @@ TEST_CASE("a field that settles is at rest, and stays there in still air") {
 	}
 }
 
-TEST_CASE("followers of prototypes settle, too, and those that were pushed follow again") {
+TEST_CASE("followers of prototypes settle, too, and pushed ones follow again") {
 	FieldSettings settings;
 	settings.prototypes = 8;
 	FieldSimulation field(settings);
@@ -55,7 +55,7 @@ TEST_CASE("followers of prototypes settle, too, and those that were pushed follo
 	for (int round = 0; round < 3; round++) {
 		for (int i = 0; i < 300; i++) {
 			const glm::vec3 rest = field.prototypes(0)->rest(field.follower(0, i).prototype);
-			CHECK(glm::distance(field.shown_direction(0, i, 0.5f), rest) < 1e-3f); // A half float's step.
+			CHECK(glm::distance(field.shown_direction(0, i, 0.5f), rest) < 1e-3f); // One step of half floats.
 		}
 		field.step();
 	}

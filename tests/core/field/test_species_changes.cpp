@@ -19,7 +19,7 @@ struct Change {
 	std::function<void(MotionSpecies &)> make;
 };
 
-/// Each property of a species that moves its plants otherwise.
+/// Each property of a species that changes the motion of its plants.
 std::vector<Change> changes() {
 	return {
 		{ Law::elasticity, [](MotionSpecies &kind) { kind.joint.mass *= 2.0f; } },
@@ -50,7 +50,7 @@ void step(FieldSimulation &field, int steps) {
 
 } // namespace
 
-TEST_CASE("plants of a species that is changed move as plants of one that always was so") {
+TEST_CASE("plants of a changed species move like plants that always had the new properties") {
 	for (const int prototypes : { 0, 8 }) {
 		for (const Change &change : changes()) {
 			const MotionSpecies before = species_of(change.law);
@@ -69,7 +69,7 @@ TEST_CASE("plants of a species that is changed move as plants of one that always
 	}
 }
 
-TEST_CASE("a change of a species leaves where its plants are and how fast, and bends them otherwise from then on") {
+TEST_CASE("a change of a species preserves positions and velocities of plants, and changes their bends afterwards") {
 	for (const Change &change : changes()) {
 		FieldSimulation field = blown_field(species_of(change.law), 0);
 		step(field, 45);
@@ -83,7 +83,7 @@ TEST_CASE("a change of a species leaves where its plants are and how fast, and b
 	}
 }
 
-TEST_CASE("a follower that was pushed swings as its species does now") {
+TEST_CASE("a pushed follower swings by the current properties of its species") {
 	for (const Change &change : changes()) {
 		MotionSpecies after = species_of(change.law);
 		change.make(after);
@@ -102,7 +102,7 @@ TEST_CASE("a follower that was pushed swings as its species does now") {
 	}
 }
 
-TEST_CASE("plants whose species changes its law while they move go on, and come to rest where they stand upright") {
+TEST_CASE("moving plants of a species with a changed law continue and come to rest upright") {
 	for (const Law law : BOTH_LAWS) {
 		const Law other = law == Law::elasticity ? Law::spring : Law::elasticity;
 		MotionPlant plant;
@@ -120,7 +120,7 @@ TEST_CASE("plants whose species changes its law while they move go on, and come 
 	}
 }
 
-TEST_CASE("stems that get another number of modes while they move go on") {
+TEST_CASE("moving stems continue when their number of modes changes") {
 	for (const int modes : { 1, 2 }) {
 		MotionSpecies before = species_of(Law::stem), after = before;
 		before.stem = jointed(4, 0.3, 0.5, modes);
@@ -140,7 +140,7 @@ TEST_CASE("stems that get another number of modes while they move go on") {
 	}
 }
 
-TEST_CASE("plants that lean by a law that is left lean again when it comes back and says where to") {
+TEST_CASE("plants lean again when a law with rest directions returns") {
 	MotionPlant plant;
 	plant.rest = glm::normalize(glm::vec3(0.3f, 1.0f, 0.1f));
 	FieldSimulation field = single_plant(Law::spring, plant);
@@ -152,7 +152,7 @@ TEST_CASE("plants that lean by a law that is left lean again when it comes back 
 	CHECK(glm::distance(field.state(0, 0).direction, plant.rest) < 1e-3f);
 }
 
-TEST_CASE("a change of the step's length leaves where a plant is and how fast") {
+TEST_CASE("a change of the step length preserves position and velocity of a plant") {
 	for (const Law law : BOTH_LAWS) {
 		FieldSimulation field = single_plant(law, {});
 		field.set_wind({ { WindKind::constant, 0.0f }, 0.0f });
@@ -169,7 +169,7 @@ TEST_CASE("a change of the step's length leaves where a plant is and how fast") 
 	}
 }
 
-TEST_CASE("a plant whose page steps at another interval swings at the same frequency") {
+TEST_CASE("a plant at another update interval swings at the same frequency") {
 	for (const Law law : BOTH_LAWS) {
 		FieldSimulation often = single_plant(law, {});
 		FieldSimulation seldom = single_plant(law, {});
@@ -179,7 +179,7 @@ TEST_CASE("a plant whose page steps at another interval swings at the same frequ
 			step(*field, 30);
 		}
 		seldom.set_page_multiple(0, 4);
-		// Step 32 is the first of interval 4, and shows the end of step 35 then; a step of the elasticity law begins
+		// Step 32 is the first of interval 4, and its result is that of step 35. A step of the elasticity law begins
 		// with the rate of the middle of the last one, which was shorter.
 		step(often, 6);
 		step(seldom, 3);

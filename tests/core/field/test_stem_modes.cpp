@@ -16,7 +16,7 @@ namespace {
 
 constexpr int PLANTS = 300;
 constexpr int PAGE = 100;
-constexpr float HALVES = 1e-3f; // Of a plant's length: what half floats leave of a bend.
+constexpr float HALVES = 1e-3f; // Of a plant's length: rounding of a bend by half floats.
 
 MotionSpecies reed() {
 	StemBeam beam = stem_of(0.3, 0.5);
@@ -35,7 +35,7 @@ FieldSimulation reeds(const FieldSettings &settings = {}) {
 	return field;
 }
 
-/// Around the lower half of plant 0 and those beside it.
+/// Around the lower half of plant 0 and its neighbours.
 MovingBody body_at(const FieldSimulation &field, int page) {
 	MovingBody body;
 	body.from = body.to = field.page(page).root(0) + glm::vec3(0.05f, 0.3f, 0.0f);
@@ -49,7 +49,7 @@ void step(FieldSimulation &field, float seconds) {
 	}
 }
 
-/// The farthest way (in lengths) that a place on a plant goes between the end of a step and the start of the next.
+/// Max distance (in lengths) between a point on a plant at the end of a step and at the start of the next.
 float largest_jump(FieldSimulation &field) {
 	std::vector<glm::vec3> before;
 	const auto each_place = [&](float fraction, auto visit) {
@@ -71,7 +71,7 @@ float largest_jump(FieldSimulation &field) {
 
 } // namespace
 
-TEST_CASE("a stem of two modes in one is the stem of one mode") {
+TEST_CASE("a stem with its two modes in one is a stem of one mode") {
 	for (const double head : { 0.0, 0.5, 2.0 }) {
 		CAPTURE(head);
 		StemBeam beam = stem_of(0.4, head);
@@ -79,7 +79,7 @@ TEST_CASE("a stem of two modes in one is the stem of one mode") {
 		const StemConstants alone = solve_stem(beam).constants;
 		beam.modes = 2;
 		const StemConstants made = in_one_mode(solve_stem(beam).constants);
-		const float size = alone.mode[0].dead_share; // Of its amplitude, where the tip's bend is 1.
+		const float size = alone.mode[0].dead_share; // Of its amplitude, at a tip bend of 1.
 		CHECK(made.modes == 1);
 		CHECK(made.mode[0].frequency == alone.mode[0].frequency);
 		CHECK(made.mode[0].stiffness == doctest::Approx(size * size * alone.mode[0].stiffness).epsilon(1e-4));
@@ -92,7 +92,7 @@ TEST_CASE("a stem of two modes in one is the stem of one mode") {
 	}
 }
 
-TEST_CASE("stems of a field step a second mode only while they are pushed and for a while after") {
+TEST_CASE("stems of a field step a second mode only during pushes and for a while after them") {
 	FieldSimulation field = reeds();
 	step(field, 1.0f);
 	CHECK(field.page(0).modes() == 1);
@@ -109,7 +109,7 @@ TEST_CASE("stems of a field step a second mode only while they are pushed and fo
 	CHECK(field.page(0).modes() == 1);
 }
 
-TEST_CASE("blows, tips that touch and eyes wake a second mode, too") {
+TEST_CASE("blows, touching tips and near cameras also start a second mode") {
 	FieldSimulation field = reeds();
 	field.step();
 	field.apply_impulse(0, 3, { 0.002f, 0.0f, 0.0f });
@@ -125,7 +125,7 @@ TEST_CASE("blows, tips that touch and eyes wake a second mode, too") {
 	CHECK(field.page(2).modes() == 2);
 }
 
-TEST_CASE("a state with a second mode wakes it, and comes back") {
+TEST_CASE("a state with a second mode starts it and is returned again") {
 	FieldSimulation field = reeds();
 	field.step();
 	const TipState tip = { glm::normalize(glm::vec3(0.3f, 1.0f, 0.1f)), { 0.2f, 0.0f, 0.1f } };
@@ -143,7 +143,7 @@ TEST_CASE("a state with a second mode wakes it, and comes back") {
 	CHECK(glm::length(field.motion(0, 6).second.bend) < 1e-6f);
 }
 
-TEST_CASE("nothing that is seen jumps where a second mode begins or ends") {
+TEST_CASE("no drawn pose jumps when a second mode begins or ends") {
 	FieldSettings settings;
 	for (const int interval : { 1, 3 }) {
 		CAPTURE(interval);
@@ -155,7 +155,7 @@ TEST_CASE("nothing that is seen jumps where a second mode begins or ends") {
 		for (int i = 0; i < 400; i++) {
 			field.set_bodies(&body, i < 40 ? 1 : 0);
 			if (i == 60) {
-				field.apply_impulse(1, 7, { 0.001f, 0.0f, 0.0f }); // Where it is half way between two steps.
+				field.apply_impulse(1, 7, { 0.001f, 0.0f, 0.0f }); // Half way between two steps.
 			}
 			CAPTURE(i);
 			REQUIRE(largest_jump(field) < HALVES);
@@ -167,7 +167,7 @@ TEST_CASE("nothing that is seen jumps where a second mode begins or ends") {
 	}
 }
 
-TEST_CASE("stems that somebody comes near to take up their second mode bit by bit") {
+TEST_CASE("stems near an approaching camera gain their second mode gradually") {
 	FieldSimulation field = reeds();
 	FieldSimulation awake = reeds();
 	awake.set_page_near(0, true);
@@ -190,7 +190,7 @@ TEST_CASE("stems that somebody comes near to take up their second mode bit by bi
 	CHECK(second(field) == doctest::Approx(second(awake)).epsilon(0.1));
 }
 
-TEST_CASE("stems that change their modes over and over in still air do not wake by themselves") {
+TEST_CASE("repeated changes of modes in still air start no motion") {
 	FieldSimulation field = reeds();
 	FieldWind still;
 	still.wind.strength = 0.0f;
@@ -205,7 +205,7 @@ TEST_CASE("stems that change their modes over and over in still air do not wake 
 	}
 }
 
-TEST_CASE("a blow on a stem that stepped one mode moves it as one that stepped both") {
+TEST_CASE("a blow moves a stem of one stepped mode like a stem of two") {
 	FieldSimulation field = reeds();
 	FieldSimulation awake = reeds();
 	awake.set_page_near(0, true);
@@ -226,7 +226,7 @@ TEST_CASE("a blow on a stem that stepped one mode moves it as one that stepped b
 	}
 }
 
-TEST_CASE("fields whose stems change their modes allocate nothing in steps, and do not depend on threads") {
+TEST_CASE("changes of modes allocate nothing in steps and do not depend on threads") {
 	FieldSimulation field = reeds();
 	FieldSimulation other = reeds();
 	const MovingBody body = body_at(field, 1);
@@ -250,7 +250,7 @@ TEST_CASE("fields whose stems change their modes allocate nothing in steps, and 
 	CHECK(hash_field(field) == hash_field(other));
 }
 
-TEST_CASE("stems of two modes that follow prototypes stand in a steady wind where both would") {
+TEST_CASE("in a steady wind stems of two modes that follow prototypes have the pose of both modes") {
 	FieldSettings settings;
 	settings.prototypes = 8;
 	MotionSpecies species = reed();

@@ -15,9 +15,9 @@ namespace {
 
 constexpr int RUNG_DOWN = static_cast<int>((LoosePlants::ALONE + LoosePlants::GOING_BACK) / FIELD_STEP) + 2; // Steps.
 constexpr int STIRRED = 180; // Steps.
-constexpr int CALM = STIRRED + 120; // Of what the fan did hardly anything is left.
+constexpr int CALM = STIRRED + 120; // The effect of the fan has nearly vanished.
 constexpr float FAR = 500.0f; // m, to the second page.
-constexpr float JUMP = 0.12f; // Between two steps, as other pushed followers have it.
+constexpr float JUMP = 0.12f; // Between two steps, as for other pushed followers.
 
 AirSource fan() {
 	AirSource source;
@@ -26,7 +26,7 @@ AirSource fan() {
 	return source;
 }
 
-/// Plants that follow, `apart` (m) from each other around the origin, and as many far away.
+/// Plants that follow, `apart` (m) from each other around the origin, and the same number far away.
 FieldSimulation two_lawns(Law law, int side, float apart) {
 	FieldSettings settings;
 	settings.prototypes = 16;
@@ -59,7 +59,7 @@ float speed_at(const AirSource &source, const FieldSimulation &field, int page, 
 
 } // namespace
 
-TEST_CASE("plants that follow feel what stirs the air where it reaches, and follow again without a jump") {
+TEST_CASE("followers react to sources within their reach, and follow again without a jump") {
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		FieldSimulation field = two_lawns(law, 14, 0.5f), calm = two_lawns(law, 14, 0.5f);
 		const int plants = field.page(0).size();
@@ -89,7 +89,7 @@ TEST_CASE("plants that follow feel what stirs the air where it reaches, and foll
 	}
 }
 
-TEST_CASE("plants that follow beyond the reach of what stirs the air go on as if it were not there") {
+TEST_CASE("sources do not affect followers beyond their reach") {
 	FieldSimulation field = two_lawns(Law::spring, 14, 0.5f), calm = two_lawns(Law::spring, 14, 0.5f);
 	field.set_air_sources({ fan() });
 	for (int i = 0; i < 30; i++) {
@@ -103,7 +103,7 @@ TEST_CASE("plants that follow beyond the reach of what stirs the air go on as if
 	CHECK(field.loose_plants(0)->count() > 0);
 }
 
-TEST_CASE("where more plants follow than can swing, those at which the air is stirred most feel it") {
+TEST_CASE("with too many followers, those with the most stirred air react") {
 	FieldSimulation field = two_lawns(Law::spring, 100, 0.3f);
 	AirSource wide = fan();
 	wide.radius = 2.0f;
@@ -125,7 +125,7 @@ TEST_CASE("where more plants follow than can swing, those at which the air is st
 	CHECK(weakest >= strongest);
 }
 
-TEST_CASE("plants that are stirred allocate nothing in steps" * doctest::skip(!counts_allocations())) {
+TEST_CASE("stirred followers allocate nothing in steps" * doctest::skip(!counts_allocations())) {
 	FieldSimulation field = two_lawns(Law::spring, 14, 0.5f);
 	field.set_air_sources({ fan() });
 	const long before = allocation_count();
@@ -136,7 +136,7 @@ TEST_CASE("plants that are stirred allocate nothing in steps" * doctest::skip(!c
 	CHECK(field.loose_plants(0)->count() > 0);
 }
 
-TEST_CASE("of plants that are stirred the fastest are chosen, as many as there is room for") {
+TEST_CASE("the fastest of the stirred plants are chosen, up to the limit") {
 	SpeedCounts counts;
 	for (int i = 0; i < 100; i++) {
 		counts.add(0.6f);

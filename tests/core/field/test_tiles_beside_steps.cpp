@@ -18,10 +18,10 @@ namespace {
 constexpr int ROUNDS = 40;
 constexpr float TILE = 4.0f; // m.
 constexpr float DISTANCE = 9.0f; // m.
-constexpr float WAY = 1.5f; // m a round.
+constexpr float WAY = 1.5f; // m per round.
 constexpr AreaBox EVERYWHERE = { { -1.0e5f, -1.0e5f }, { 1.0e5f, 1.0e5f } };
 
-/// A tile that is placed on a thread of its own, with what moves of it.
+/// A tile that is placed on its own thread, and its simulated plants.
 struct Tile {
 	PlacementRequest request;
 	StandChanges changes;
@@ -45,7 +45,7 @@ struct Tile {
 	}
 };
 
-/// Somebody walks over a field that stands around them only, and cuts it.
+/// A camera moves over a field that has tiles only near it, and plants near it are cut.
 class Walk {
 public:
 	explicit Walk(int prototypes) : simulation(settings_of(prototypes)), swings(prototypes == 0) {
@@ -102,7 +102,7 @@ private:
 		return settings;
 	}
 
-	/// A step on some threads, tiles on others, and plants that go on this one.
+	/// Steps on some threads, tiles on other threads, and edits of plants on this one.
 	void step_beside(std::vector<Tile> &coming, int threads) {
 		simulation.begin_step();
 		const int count = simulation.page_count();
@@ -165,7 +165,7 @@ private:
 
 } // namespace
 
-TEST_CASE("tiles that come and go while others step: the same bits on any number of threads") {
+TEST_CASE("adding and removing tiles beside steps gives the same bits on any number of threads") {
 	for (const int prototypes : { 0, 8 }) {
 		Walk single(prototypes);
 		single.go(ROUNDS, 1);
@@ -177,7 +177,7 @@ TEST_CASE("tiles that come and go while others step: the same bits on any number
 	}
 }
 
-TEST_CASE("after a walk there and back those stand who stood before, less those who were cut") {
+TEST_CASE("after a walk and back the same plants exist, except for the cut ones") {
 	Walk walk(0);
 	walk.go(ROUNDS, 2);
 	PlacementRequest request = square_field(10.0f, 9.0f, 2);

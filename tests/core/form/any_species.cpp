@@ -42,7 +42,7 @@ std::vector<glm::vec2> any_ring(Chance &chance) {
 	return ring;
 }
 
-/// A few, at times none or many: parts carry parts, and what a species costs grows with their product.
+/// Mostly a few, sometimes none or many: parts carry parts, and the cost of a species grows with their product.
 int any_count(Chance &chance) {
 	if (chance.one_in(48)) {
 		return chance.whole(20, 200);

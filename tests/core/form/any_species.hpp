@@ -7,17 +7,17 @@
 #include <algorithm>
 #include <cmath>
 
-/// Odd numbers, the same for the same seed.
+/// Random numbers, the same for the same seed.
 class Chance {
 public:
 	explicit Chance(uint64_t p_seed) : seed(p_seed) {}
 
-	/// Borders often.
+	/// Often the borders themselves.
 	float within(float least, float most) {
 		const float share = next_share();
 		return one_in(6) ? (one_in(2) ? least : most) : least + (most - least) * share;
 	}
-	/// The same over powers of ten.
+	/// The same, distributed over powers of ten.
 	float spread(float least, float most) {
 		return std::min(std::max(least * std::pow(most / least, next_share()), least), most);
 	}
@@ -34,13 +34,13 @@ private:
 	float next_share() { return 0.5f + 0.5f * undergrowth::signed_noise(seed, index++); }
 };
 
-/// Parts and arrangements of any numbers within their limits.
+/// Parts and arrangements with random numbers within their limits.
 undergrowth::Part any_part(Chance &chance);
 undergrowth::Arrangement any_arrangement(Chance &chance);
 
-/// Puts numbers there that authors and scripts should not write: not finite, huge, negative, next to the limits.
+/// Inserts numbers that authors and scripts should not write: not finite, huge, negative, next to the limits.
 void spoil(undergrowth::Part &part, Chance &chance);
 void spoil(undergrowth::Arrangement &arrangement, Chance &chance);
 
-/// A few kinds of parts on each other, at times too deep or too many.
+/// A few kinds of parts on each other, sometimes too deep or too many.
 undergrowth::Recipe any_recipe(Chance &chance);

@@ -49,7 +49,7 @@ Part bead(float length, float diameter) {
 	return part;
 }
 
-/// A plant that is grown line by line, and whatever fails is a failure of the test.
+/// Grows a plant line by line. Every fault fails the test.
 class Grower {
 public:
 	explicit Grower(uint64_t seed) : growth(0.3f, seed) {}

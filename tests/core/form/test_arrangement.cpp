@@ -22,7 +22,7 @@ double around(double angle) {
 	return angle - 2.0 * PI * std::floor(angle / (2.0 * PI) + 0.5);
 }
 
-/// Distance of the closest two seats of a flat disc from the `first` on, in its radius.
+/// Distance of the closest two seats of a flat disc from `first` on, in units of its radius.
 double closest(const Arrangement &a, int count, int first) {
 	double least = 1e9;
 	for (int i = first; i < count; i++) {
@@ -39,7 +39,7 @@ double closest(const Arrangement &a, int count, int first) {
 
 } // namespace
 
-TEST_CASE("parts along an axis stand at the middles of their shares, turned from node to node") {
+TEST_CASE("parts along an axis are at the centres of their sections, turned from node to node") {
 	Arrangement a = layout(Layout::along);
 	a.from = 0.2f;
 	a.to = 0.8f;
@@ -64,7 +64,7 @@ TEST_CASE("crosswise pairs: two at a node, a quarter turn from node to node") {
 	}
 }
 
-TEST_CASE("a whorl goes evenly round") {
+TEST_CASE("a whorl is evenly distributed around the circle") {
 	Arrangement a = layout(Layout::whorl);
 	a.radius = 0.01f;
 	a.phase = 0.5f;
@@ -76,7 +76,7 @@ TEST_CASE("a whorl goes evenly round") {
 	}
 }
 
-TEST_CASE("a flat disc is Vogel's: equal areas, and the innermost stand 1.55 R/sqrt(N) apart, others 1.67 or more") {
+TEST_CASE("a flat disc is Vogel's: equal areas, innermost seats 1.55 R/sqrt(N) apart, all other seats 1.67 or more") {
 	Arrangement a = layout(Layout::disc);
 	a.radius = 0.02f;
 	for (const int count : { 100, 400 }) {
@@ -129,7 +129,7 @@ TEST_CASE("a tuft's parts lean out more towards its rim") {
 	}
 }
 
-TEST_CASE("deviations turn parts by at most what was said") {
+TEST_CASE("deviations turn parts by at most their limit") {
 	Arrangement a = layout(Layout::whorl);
 	a.deviation = 0.2f;
 	float most = 0.0f;
@@ -155,7 +155,7 @@ TEST_CASE("counts fill their range evenly by the seed") {
 	}
 }
 
-TEST_CASE("a part's own axes are turned out from its carrier's, and stay right-handed") {
+TEST_CASE("a part's axes turn outward from its carrier's and stay right-handed") {
 	const PartAxes upright = { { 1.0f, 0.0f, 0.0f }, { 0.0f, 1.0f, 0.0f }, { 0.0f, 0.0f, 1.0f } };
 	const PartAxes off = turn_into(upright, 0.0f, 90.0f * DEGREE);
 	CHECK(glm::length(off.along - glm::vec3(0.0f, 0.0f, 1.0f)) < 1e-6f);
@@ -164,7 +164,7 @@ TEST_CASE("a part's own axes are turned out from its carrier's, and stay right-h
 	CHECK(glm::length(glm::cross(side.along, side.outward) - side.x) < 1e-6f);
 }
 
-TEST_CASE("a flat part's upper side looks where its carrier's does, a part that goes straight up keeps its own") {
+TEST_CASE("a flat part has its carrier's upper side, and a part straight up has its own") {
 	const PartAxes carrier =
 			turn_into({ { 1.0f, 0.0f, 0.0f }, { 0.0f, 1.0f, 0.0f }, { 0.0f, 0.0f, 1.0f } }, 0.7f, 0.9f);
 	for (const float side : { 90.0f, -90.0f, 30.0f }) {

@@ -59,7 +59,7 @@ TEST_CASE("one seed gives the same plant, another a different one") {
 	CHECK(differs);
 }
 
-TEST_CASE("carriers stand before what they carry, groups are whole, ranks are spread") {
+TEST_CASE("carriers come before their parts, groups are whole, ranks are spread") {
 	for (const PlantForm &form : { grow_grass(1), grow_tulip(1), grow_daisy(1) }) {
 		for (size_t i = 0; i < form.placed.size(); i++) {
 			CHECK(form.placed[i].carrier < static_cast<int>(i));
@@ -77,7 +77,7 @@ TEST_CASE("carriers stand before what they carry, groups are whole, ranks are sp
 	}
 }
 
-TEST_CASE("a part stands on its carrier, outward of it") {
+TEST_CASE("a part is on its carrier and points outward") {
 	const PlantForm form = grow_tulip(3);
 	for (const PlacedPart &part : form.placed) {
 		if (part.carrier == ON_GROUND) {
@@ -99,7 +99,7 @@ TEST_CASE("the height of a plant without a stem is that of its highest part") {
 	CHECK(std::abs(form.height - top) < 0.02f * top);
 }
 
-TEST_CASE("a stem keeps the height that it was given, and there is one") {
+TEST_CASE("a stem has its given height, and only one stem is allowed") {
 	Growth growth(0.8f, 1);
 	Part part;
 	int stem = 7;
@@ -112,7 +112,7 @@ TEST_CASE("a stem keeps the height that it was given, and there is one") {
 	CHECK(form.stem == 0);
 }
 
-TEST_CASE("counts of 0, of millions and below 0 are found beforehand") {
+TEST_CASE("counts of 0, of millions and below 0 are detected beforehand") {
 	CHECK(mentions(fault_of(counted(0, 0)), "count cannot be 0"));
 	CHECK(mentions(fault_of(counted(-5, 3)), "count cannot be -5"));
 	CHECK(mentions(fault_of(counted(1, 1000000)), "count cannot be 1e+06"));
@@ -121,7 +121,7 @@ TEST_CASE("counts of 0, of millions and below 0 are found beforehand") {
 	CHECK(mentions(find_recipe_fault(chain(2, 100), false), "10100 parts"));
 }
 
-TEST_CASE("parts too deep, that carry themselves, or that nobody knows are found beforehand") {
+TEST_CASE("parts that are too deep, carry themselves or have an unknown carrier are detected beforehand") {
 	CHECK(find_recipe_fault(chain(4, 2), false) == "");
 	CHECK(mentions(find_recipe_fault(chain(4, 2), true), "4 deep"));
 	CHECK(mentions(find_recipe_fault(chain(5, 2), false), "4 deep"));
@@ -134,12 +134,12 @@ TEST_CASE("parts too deep, that carry themselves, or that nobody knows are found
 	CHECK(mentions(find_recipe_fault(recipe, false), "part is unknown"));
 }
 
-TEST_CASE("numbers that are none, or far off, are named") {
+TEST_CASE("invalid or out-of-range numbers have a fault") {
 	Part part;
 	part.curve.bend = NOT_A_NUMBER;
 	CHECK(mentions(find_part_fault(part), "bend"));
 	part = Part();
-	part.length_max = 0.05f; // Below the least.
+	part.length_max = 0.05f; // Below the min.
 	CHECK(mentions(find_part_fault(part), "length"));
 	part = Part();
 	part.blade.teeth = -1;
@@ -158,7 +158,7 @@ TEST_CASE("numbers that are none, or far off, are named") {
 	CHECK(mentions(find_arrangement_fault(a), "scale"));
 }
 
-TEST_CASE("what cannot grow leaves a plant as it was") {
+TEST_CASE("a failed growth leaves a plant unchanged") {
 	Growth growth(1.0f, 1);
 	int kind = 0;
 	CHECK(growth.add_kind(Part(), kind) == "");
@@ -171,7 +171,7 @@ TEST_CASE("what cannot grow leaves a plant as it was") {
 	CHECK(growth.form().placed.empty());
 }
 
-TEST_CASE("a recipe grows what a script grows of it") {
+TEST_CASE("a recipe grows the same plant as a script") {
 	Recipe recipe = chain(2, 3);
 	recipe.lines[0].arrangement.layout = Layout::ground;
 	Growth growth(1.0f, 4);
@@ -200,7 +200,7 @@ TEST_CASE("a group on carriers of several depths is deeper than the deepest of t
 	}
 }
 
-TEST_CASE("with a least count of 0 some seeds have what others lack, and whatever it carries") {
+TEST_CASE("with a min count of 0 some seeds have a part with everything that it carries, and some do not") {
 	Recipe recipe = chain(2, 3);
 	recipe.lines[0].arrangement = counted(0, 1);
 	recipe.lines[0].arrangement.layout = Layout::ground;

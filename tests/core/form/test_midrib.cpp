@@ -25,7 +25,7 @@ double length_of(const Midrib &midrib) {
 
 } // namespace
 
-TEST_CASE("a midrib is as long as its part, however it bends and wanders") {
+TEST_CASE("a midrib is as long as its part, with any bend and noise") {
 	for (const float bend : { -3.0f, -1.0f, 0.0f, 0.8f, 1.3f, 3.0f }) {
 		for (const float power : { 0.5f, 1.0f, 2.0f, 4.0f }) {
 			for (const float wander : { 0.0f, 0.7f }) {
@@ -48,7 +48,7 @@ TEST_CASE("a midrib with an even bend is an arc of a circle") {
 	}
 }
 
-TEST_CASE("the axes along a midrib stay upright on each other, and never turn about it") {
+TEST_CASE("the axes along a midrib stay perpendicular and never turn about it") {
 	for (const float wander : { 0.0f, 1.0f }) {
 		const Midrib midrib({ 2.0f, 1.5f, wander }, 11);
 		glm::vec3 before = midrib.at(0.0f).across;
@@ -57,14 +57,14 @@ TEST_CASE("the axes along a midrib stay upright on each other, and never turn ab
 			CHECK(std::abs(glm::dot(place.along, place.across)) < 1e-6);
 			CHECK(std::abs(glm::length(place.up) - 1.0f) < 1e-6);
 			CHECK(glm::dot(glm::cross(place.along, place.across), place.up) > 0.999999f);
-			// What turned `across` is no turn about `along`: its change has no share along `up`.
+			// The change of `across` has no part along `up`, so it is not a turn about `along`.
 			CHECK(std::abs(glm::dot(place.across - before, place.up)) < 4e-4f);
 			before = place.across;
 		}
 	}
 }
 
-TEST_CASE("from node to node the axes turn by the smallest turn that there is") {
+TEST_CASE("from node to node the axes turn by the smallest possible turn") {
 	constexpr int NODES = 48;
 	const Midrib midrib({ 1.0f, 1.0f, 1.5f }, 3);
 	Midrib::Place before = midrib.at(0.0f);
@@ -76,7 +76,7 @@ TEST_CASE("from node to node the axes turn by the smallest turn that there is") 
 	}
 }
 
-TEST_CASE("a midrib wanders aside by other noise than along") {
+TEST_CASE("the noise of a midrib differs between aside and along") {
 	constexpr int SEEDS = 400;
 	for (const float later : { 0.0f, 0.25f, 0.5f }) {
 		double sum = 0.0;
@@ -89,11 +89,11 @@ TEST_CASE("a midrib wanders aside by other noise than along") {
 			sum += aside * along;
 			squares += 0.5 * (aside * aside + along * along);
 		}
-		CHECK(std::abs(sum) < 0.15 * squares); // Three deviations of what 400 pairs of independent noise come to.
+		CHECK(std::abs(sum) < 0.15 * squares); // Three deviations of the sum of 400 pairs of independent noise.
 	}
 }
 
-TEST_CASE("a midrib wanders by its seed, and not at its base") {
+TEST_CASE("the noise of a midrib depends on its seed and is 0 at its base") {
 	const Midrib one({ 0.0f, 1.0f, 0.8f }, 1);
 	const Midrib other({ 0.0f, 1.0f, 0.8f }, 2);
 	CHECK(one.at(0.0f).along == glm::vec3(0.0f, 1.0f, 0.0f));
@@ -101,7 +101,7 @@ TEST_CASE("a midrib wanders by its seed, and not at its base") {
 	CHECK(one.at(1.0f).point == Midrib({ 0.0f, 1.0f, 0.8f }, 1).at(1.0f).point);
 }
 
-TEST_CASE("profiles have the areas that leaves were measured with") {
+TEST_CASE("profiles have the measured areas of leaves") {
 	const struct {
 		Profile profile;
 		float area;
@@ -127,7 +127,7 @@ TEST_CASE("a width function's slope is its difference") {
 	}
 }
 
-TEST_CASE("a width function's slope is the same whether its width is known or not") {
+TEST_CASE("a width function has the same slope with and without a given width") {
 	for (const Profile &profile : { GRASS_PROFILE, OVATE_PROFILE, SPATULATE_PROFILE, ELLIPTIC_PROFILE }) {
 		WidthFunction widths;
 		widths.profile = profile;
@@ -135,12 +135,12 @@ TEST_CASE("a width function's slope is the same whether its width is known or no
 		for (float s = 0.0f; s <= 1.0f; s += 0.0625f) {
 			CHECK(widths.slope(s, widths.at(s)) == widths.slope(s));
 		}
-		// Next to the ends it is that of 1 % inside, whatever the width is at the end itself.
+		// Near the ends it is that of 1 % inside, independent of the width at the end itself.
 		CHECK(widths.slope(1.0f, widths.at(1.0f)) == widths.slope(0.99f));
 	}
 }
 
-TEST_CASE("samples stand for a profile") {
+TEST_CASE("samples can replace a profile") {
 	WidthFunction widths;
 	widths.samples = { 0.5f, 1.0f, 0.0f };
 	CHECK(widths.at(0.25f) == 0.75f);
@@ -149,7 +149,7 @@ TEST_CASE("samples stand for a profile") {
 	CHECK(std::abs(widths.slope(0.25f) - 1.0f) < 1e-4f);
 }
 
-TEST_CASE("a midrib's point alone has the bits of its place") {
+TEST_CASE("a midrib's point alone has the bits of its full place") {
 	for (const MidribCurve &curve :
 			{ MidribCurve{}, MidribCurve{ 1.2f, 2.0f, 0.0f }, MidribCurve{ -2.0f, 0.5f, 0.4f } }) {
 		const Midrib midrib(curve, 7);

@@ -19,7 +19,7 @@ glm::vec3 blade_at(const Part &part, const Midrib &midrib, float s, float u) {
 	return point.middle * part.length_max + point.aside * part.width;
 }
 
-/// The largest angle between a blade's normals and those of differences, over both halves.
+/// Max angle between a blade's normals and those of differences, over both halves.
 float worst_blade_normal(const Part &part) {
 	const Midrib midrib(part.curve);
 	float worst = 0.0f;
@@ -106,7 +106,7 @@ TEST_CASE("a rolled blade is as wide along its arc as a flat one") {
 	CHECK(std::abs(length - part.width) < 1e-3f * part.width);
 }
 
-TEST_CASE("a ring that is not round goes round the same way, and as wide as its farthest point") {
+TEST_CASE("a non-round ring has the same direction, and the width of its farthest point") {
 	AxisShape axis;
 	axis.ring = { { -2.0f, 0.0f }, { 0.0f, 1.0f }, { 2.0f, 0.0f }, { 0.0f, -1.0f } };
 	const std::vector<TubeColumn> columns = make_tube_columns(axis, 4);
@@ -116,7 +116,7 @@ TEST_CASE("a ring that is not round goes round the same way, and as wide as its 
 		const TubeColumn &next = columns[(i + 1) % 4];
 		area += columns[i].x * next.z - columns[i].z * next.x;
 	}
-	CHECK(area > 0.0f); // As cosine and sine of a growing angle.
+	CHECK(area > 0.0f); // As cosine and sine of an increasing angle.
 }
 
 TEST_CASE("colours run from base to tip, or as they were sampled") {

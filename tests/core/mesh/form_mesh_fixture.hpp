@@ -6,7 +6,7 @@
 
 #include <vector>
 
-/// The mesh of a form in vectors of its own.
+/// The mesh of a form in its own vectors.
 struct BuiltForm {
 	std::vector<glm::vec3> positions;
 	std::vector<glm::vec3> normals;
@@ -64,14 +64,14 @@ inline BuiltForm build(const undergrowth::PlantForm &form, const undergrowth::Fo
 	return mesh;
 }
 
-/// What a camera far away sees of a mesh.
+/// View of a mesh from a distant camera.
 struct Sight {
 	double area = 0.0; ///< m² of the silhouette.
-	glm::dvec3 light = glm::dvec3(0.0); ///< The mean colour in linear light, every triangle lit the same.
+	glm::dvec3 light = glm::dvec3(0.0); ///< Mean colour in linear light, with the same light on every triangle.
 };
 
-/// Seen level from `side` of eight, drawn on `pixels` by `pixels` over `box` metres from the ground up.
+/// Level view from `side` of eight, on `pixels` by `pixels` over `box` metres from the ground up.
 Sight look_at(const BuiltForm &mesh, int side, double box, int pixels = 500);
 
-/// The distance of two colours in linear light: CIE 1976 ΔE in L*a*b* under D65.
+/// Difference of two colours in linear light: CIE 1976 ΔE in L*a*b* under D65.
 double color_distance(const glm::dvec3 &a, const glm::dvec3 &b);

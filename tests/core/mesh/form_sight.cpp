@@ -1,4 +1,4 @@
-// A small rasteriser: silhouettes and mean colours of meshes from the side.
+// A small rasterizer: silhouettes and mean colours of meshes from the side.
 
 #include "form_mesh_fixture.hpp"
 

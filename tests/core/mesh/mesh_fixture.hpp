@@ -5,7 +5,7 @@
 #include <cstring>
 #include <vector>
 
-/// A mesh in vectors of its own, for tests.
+/// A mesh in its own vectors, for tests.
 struct BuiltMesh {
 	int points = 0;
 	int lod = 0;
@@ -23,11 +23,11 @@ struct BuiltMesh {
 	glm::vec3 corner(int triangle, int which) const { return positions[indices[3 * triangle + which]]; }
 	int triangles() const { return static_cast<int>(indices.size()) / 3; }
 	int side_triangles() const { return 2 * points * lod; }
-	/// Along the outward side of a triangle, as long as twice its area.
+	/// Vector on the outward side of a triangle, with twice its area as length.
 	glm::dvec3 face(int triangle) const;
 };
 
-/// The inputs of a mesh, kept together.
+/// The inputs of a mesh.
 struct Plant {
 	undergrowth::CrossSection section;
 	std::vector<float> widths;
@@ -97,7 +97,7 @@ inline std::vector<glm::vec2> star_ring() {
 		{ 0.81f, -0.59f }, { 0.12f, -0.38f }, { -0.31f, -0.95f }, { -0.32f, -0.24f } };
 }
 
-/// The area that a ring encloses, positive when it runs counter-clockwise from above (the z axis points down the page).
+/// The area that a ring encloses, positive if it runs counter-clockwise from above (the z axis points down the page).
 inline double ring_area(const std::vector<glm::vec2> &ring) {
 	double twice = 0.0;
 	for (size_t i = 0; i < ring.size(); i++) {

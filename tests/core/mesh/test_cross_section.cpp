@@ -7,7 +7,7 @@
 
 using namespace undergrowth;
 
-TEST_CASE("a circle's normals point from its middle, and its reach is its radius") {
+TEST_CASE("a circle's normals point away from its centre, and its reach is its radius") {
 	const CrossSection section = make_cross_section(circle_ring(24));
 	for (size_t i = 0; i < section.points.size(); i++) {
 		const glm::vec2 outward = section.points[i] / glm::length(section.points[i]);

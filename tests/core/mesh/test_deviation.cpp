@@ -18,7 +18,7 @@ MeshOptions deviating(float shape, float color, uint64_t seed) {
 
 } // namespace
 
-TEST_CASE("a deviation of 0 gives the regular plant to the bit, whatever the seed") {
+TEST_CASE("a deviation of 0 gives the regular plant to the bit, for any seed") {
 	const Plant plant = make_species_plant(Tulip(), 12, 1.5f);
 	CHECK(same_bytes(build(plant), build(plant, deviating(0.0f, 0.0f, 99))));
 }
@@ -46,7 +46,7 @@ TEST_CASE("shape and colour deviate on their own") {
 }
 
 TEST_CASE("all levels of detail of one seed show the same plant") {
-	// A constant width, so that the rings which two levels share are regular in the same way.
+	// A constant width makes the rings that two levels share equally regular.
 	const MeshOptions options = deviating(0.6f, 0.6f, 8);
 	const BuiltMesh coarse = build(make_plant(circle_ring(16), std::vector<float>(9, 0.2f)), options);
 	const BuiltMesh fine = build(make_plant(circle_ring(16), std::vector<float>(33, 0.2f)), options);
@@ -56,7 +56,7 @@ TEST_CASE("all levels of detail of one seed show the same plant") {
 			CHECK(coarse.colors[coarse.side(k, i)] == fine.colors[fine.side(4 * k, i)]);
 		}
 	}
-	// Points at the same angle of a coarser ring, too. Its own angles are rounded, hence the tolerance.
+	// Also points at the same angle of a coarser ring. The tolerance covers the rounding of its own angles.
 	const BuiltMesh square = build(make_plant(circle_ring(4), std::vector<float>(9, 0.2f)), options);
 	for (int k = 0; k <= square.lod; k++) {
 		for (int i = 0; i < 4; i++) {
@@ -66,7 +66,7 @@ TEST_CASE("all levels of detail of one seed show the same plant") {
 	}
 }
 
-TEST_CASE("a deviating plant stands on its root, keeps its height and closes its seam") {
+TEST_CASE("a deviating plant is on its root, preserves its height and closes its seam") {
 	const float height = 1.5f;
 	const Plant plant = make_plant(circle_ring(12), std::vector<float>(17, 0.2f), height);
 	const BuiltMesh mesh = build(plant, deviating(1.0f, 1.0f, 21));
@@ -87,7 +87,7 @@ TEST_CASE("a deviating plant stands on its root, keeps its height and closes its
 	}
 }
 
-TEST_CASE("full deviations keep radii above 0 and colours within 0 and 1") {
+TEST_CASE("with full deviations radii stay above 0 and colours within 0 and 1") {
 	for (uint64_t seed = 0; seed < 200; seed++) {
 		const Deviation deviation(1.0f, 1.0f, seed);
 		for (const float offset : { 0.0f, 0.3f, 0.5f, 0.99f, 1.0f }) {

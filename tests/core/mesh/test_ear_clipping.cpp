@@ -14,7 +14,7 @@ namespace {
 
 using Ring = std::vector<glm::vec2>;
 
-// A comb of narrow teeth: the middle of the ring is far from most of its area.
+// A comb of narrow teeth: the centre of the ring is far from most of its area.
 Ring comb_ring(int teeth) {
 	Ring ring = { { 0.0f, 1.0f }, { static_cast<float>(teeth), 1.0f } };
 	for (int i = teeth; i > 0; i--) {
@@ -45,7 +45,7 @@ void check_filled(const Ring &ring) {
 			edges[{ triangles[i + k], triangles[i + (k + 1) % 3] }]++;
 		}
 	}
-	// Triangles of one sign that add up to the ring's area neither overlap nor leave it.
+	// Triangles of one sign with the ring's area as sum neither overlap nor leave it.
 	CHECK(area == doctest::Approx(ring_area(ring)).epsilon(1e-6));
 	const int n = static_cast<int>(ring.size());
 	for (const auto &[edge, uses] : edges) {
@@ -74,7 +74,7 @@ TEST_CASE("ear clipping fills the largest ring") {
 	check_filled(circle_ring(MAX_RING_POINTS));
 }
 
-TEST_CASE("ear clipping of points on a line ends and keeps to the ring's points") {
+TEST_CASE("ear clipping of points on a line ends and uses only the ring's points") {
 	const std::vector<int32_t> triangles =
 			clip_ears({ { 0.0f, 0.0f }, { 1.0f, 0.0f }, { 2.0f, 0.0f }, { 3.0f, 0.0f } });
 	CHECK(triangles.size() == 6);

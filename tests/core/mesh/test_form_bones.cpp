@@ -36,13 +36,13 @@ std::vector<Grown> all_plants() {
 	return plants;
 }
 
-/// Whether two hang alike, in numbers and in the words of vertices.
+/// True if two hangs are equal, in numbers and in the codes of vertices.
 bool hang_alike(const PartHang &a, const PartHang &b) {
 	return a.swinger == b.swinger && a.stem_offset == b.stem_offset && a.weight == b.weight && a.pivot == b.pivot &&
 			a.code.pace == b.code.pace && a.code.place == b.code.place;
 }
 
-/// Where the shaders of fields draw a vertex.
+/// Position of a vertex in the shaders of fields.
 glm::vec3 shaded(const BuiltForm &mesh, size_t i, const StemMotion &stem) {
 	glm::vec3 vertex = mesh.positions[i];
 	if (mesh.custom0[i].y > 0.0f) {
@@ -56,7 +56,7 @@ glm::vec3 shaded(const BuiltForm &mesh, size_t i, const StemMotion &stem) {
 	return glm::mix(vertex, turned(vertex, stem.bend), mesh.custom0[i].x);
 }
 
-/// Where a skeleton draws it.
+/// Position of a vertex on a skeleton.
 glm::vec3 skinned(const Grown &plant, size_t i, const StemMotion &stem) {
 	const glm::vec3 &vertex = plant.mesh.positions[i];
 	glm::vec3 sum(0.0f);
@@ -75,7 +75,7 @@ glm::vec3 skinned(const Grown &plant, size_t i, const StemMotion &stem) {
 
 } // namespace
 
-TEST_CASE("a skeleton has root, tip and 30 other bones at most, whose names are all different") {
+TEST_CASE("a skeleton has root, tip and at most 30 other bones with unique names") {
 	for (const Grown &plant : all_plants()) {
 		CHECK(plant.bones.bones().size() > 1);
 		CHECK(plant.bones.bones().size() <= FormBones::MOST - FormBones::FIRST);
@@ -85,7 +85,7 @@ TEST_CASE("a skeleton has root, tip and 30 other bones at most, whose names are 
 	}
 }
 
-TEST_CASE("vertices are bound to four bones that there are, with weights that sum to 1 exactly") {
+TEST_CASE("vertices are bound to four existing bones with weights that sum to 1 exactly") {
 	for (const Grown &plant : all_plants()) {
 		const int count = FormBones::FIRST + static_cast<int>(plant.bones.bones().size());
 		for (size_t i = 0; i < plant.mesh.positions.size(); i++) {
@@ -98,7 +98,7 @@ TEST_CASE("vertices are bound to four bones that there are, with weights that su
 	}
 }
 
-TEST_CASE("a tulip has a bone for each leaf where it is attached, two for a long one, and one for its head") {
+TEST_CASE("a tulip has a bone for each leaf at its attachment, two for a long one, and one for its head") {
 	const Grown plant(grow_tulip(3));
 	const std::vector<std::string> &names = plant.bones.names();
 	CHECK(std::count(names.begin(), names.end(), "head") == 1);
@@ -127,7 +127,7 @@ TEST_CASE("a tuft of many blades has bones for eighths of the circle") {
 	}
 }
 
-TEST_CASE("where no part swings, a skeleton bends a plant as its stem alone does") {
+TEST_CASE("without swinging parts a skeleton bends a plant like its stem alone") {
 	StemMotion stem;
 	stem.bend = stem.rest = { 0.2f, 0.1f }; // It leans.
 	for (const Grown &plant : all_plants()) {
@@ -139,7 +139,7 @@ TEST_CASE("where no part swings, a skeleton bends a plant as its stem alone does
 	}
 }
 
-TEST_CASE("a skeleton shows the swing of leaves and heads that shaders show") {
+TEST_CASE("a skeleton shows the same swing of leaves and heads as shaders") {
 	StemMotion stem;
 	stem.bend = { 0.15f, -0.05f };
 	stem.rate = { -0.6f, 0.3f };
@@ -159,7 +159,7 @@ TEST_CASE("a skeleton shows the swing of leaves and heads that shaders show") {
 	CHECK(worst < 0.1f * most);
 }
 
-TEST_CASE("the base of a leaf stays on its stem, however the leaf swings") {
+TEST_CASE("the base of a swinging leaf stays on its stem") {
 	StemMotion stem;
 	stem.bend = { 0.3f, -0.2f };
 	stem.rate = { -2.0f, 1.0f };
@@ -173,14 +173,14 @@ TEST_CASE("the base of a leaf stays on its stem, however the leaf swings") {
 	}
 }
 
-TEST_CASE("leaves stay on a stem that is drawn of few rows, however far it bends") {
+TEST_CASE("leaves stay on a stem with few rows at any bend") {
 	const PlantForm form = grow_tulip(3);
 	int found = 0;
 	for (const int budget : { 150, 400, 800 }) {
 		const BuiltForm mesh = build(form, plan_form(form, measure_form(form), budget));
 		StemMotion stem;
 		stem.bend = stem.rest = { 0.4f, 0.1f };
-		// The drawn middle of the stem at each of its rows.
+		// The drawn centre of the stem at each of its rows.
 		std::vector<std::pair<float, glm::vec3>> rows;
 		for (size_t i = 0; i < mesh.positions.size() && mesh.custom0[i].y == 0.0f; i++) {
 			const glm::vec3 middle = mesh.positions[i] - glm::vec3(mesh.custom2[i]);
@@ -204,7 +204,7 @@ TEST_CASE("leaves stay on a stem that is drawn of few rows, however far it bends
 	CHECK(found > 20);
 }
 
-TEST_CASE("bones go along with a plant that is stretched") {
+TEST_CASE("bones follow a plant that is stretched") {
 	const Grown plant(grow_tulip(3));
 	const std::vector<PartBone> tall = plant.bones.stretched(1.5f);
 	for (size_t i = 0; i < tall.size(); i++) {
@@ -213,7 +213,7 @@ TEST_CASE("bones go along with a plant that is stretched") {
 	}
 }
 
-TEST_CASE("what is measured of a form knows how its parts hang, in the words that vertices say") {
+TEST_CASE("the measure of a form has the hang of its parts, encoded as for vertices") {
 	for (const Grown &plant : all_plants()) {
 		const std::vector<PartHang> measured = measure_form(plant.form).hangs;
 		REQUIRE(measured.size() == plant.hangs.size());

@@ -12,7 +12,7 @@ using namespace undergrowth;
 
 namespace {
 
-constexpr uint64_t SPECIES = 60; // `./run test suites=species` grows as many as one likes.
+constexpr uint64_t SPECIES = 60; // `./run test suites=species` grows any number of them.
 
 bool is_finite(const BuiltForm &mesh) {
 	bool finite = true;

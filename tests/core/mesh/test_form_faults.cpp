@@ -1,4 +1,4 @@
-// Plants that random species found (tests/species).
+// Plants that tests with random species have found (tests/species).
 
 #include "form_mesh_fixture.hpp"
 
@@ -36,7 +36,7 @@ std::vector<int> add(Growth &growth, const Part &part, int count, Layout layout,
 
 } // namespace
 
-TEST_CASE("a plant whose leaves stand on stems of two kinds is seen at all levels") {
+TEST_CASE("a plant with leaves on stems of two kinds is visible at all levels") {
 	Growth growth(1.0f, 1);
 	const std::vector<int> thin = add(growth, axis(0.01f, 1e-4f), 1, Layout::ground, { ON_GROUND });
 	const std::vector<int> thick = add(growth, axis(0.02f, 1e-4f), 1, Layout::ground, { ON_GROUND });
@@ -49,7 +49,7 @@ TEST_CASE("a plant whose leaves stand on stems of two kinds is seen at all level
 	}
 }
 
-TEST_CASE("what hangs on a stem that curls up hangs somewhere from its root to its tip") {
+TEST_CASE("parts on a stem that curls up have a stem offset from 0 to 1") {
 	for (float bend = 2.0f; bend < 12.5f; bend += 0.25f) {
 		Growth growth(1.0f, 1);
 		const std::vector<int> stems = add(growth, axis(1.0f, 0.02f, bend), 1, Layout::ground, { ON_GROUND });
@@ -61,7 +61,7 @@ TEST_CASE("what hangs on a stem that curls up hangs somewhere from its root to i
 	}
 }
 
-TEST_CASE("a leaf is finite whose width rises over nearly all or falls over nearly all of its length") {
+TEST_CASE("a leaf with a width that rises or falls over nearly all of its length is finite") {
 	for (const Profile &profile : { Profile{ 7.6f, 1e-9f }, Profile{ 1e-9f, 7.6f }, Profile{ 1e-40f, 8.0f } }) {
 		WidthFunction widths;
 		widths.profile = profile;
@@ -87,13 +87,13 @@ static PlantForm leaves_one_by_one() {
 	return growth.finish();
 }
 
-TEST_CASE("a plant whose script arranges each of 200 leaves by itself is within its budget") {
+TEST_CASE("a plant with 200 leaves arranged one by one is within its budget") {
 	const PlantForm form = leaves_one_by_one();
 	const FormPlan plan = plan_form(form, measure_form(form), vertex_budget(6));
 	CHECK(plan.counts.vertices <= vertex_budget(6));
 }
 
-TEST_CASE("of 200 leaves that became coarser at once no more did than there are vertices too many") {
+TEST_CASE("of 200 leaves only as many become coarser at once as the budget needs") {
 	const PlantForm form = leaves_one_by_one();
 	const FormMeasure measure = measure_form(form);
 	const int half_a_leaf = count_part(form.parts[1], details_of(form.parts[1])[0]).vertices / 2;
@@ -109,7 +109,7 @@ TEST_CASE("of 200 leaves that became coarser at once no more did than there are 
 
 namespace {
 
-/// What it costs to plan a plant whose script arranged its leaves one by one.
+/// Cost of a plan for a plant with leaves that a script arranged one by one.
 int64_t work_of(int leaves, bool is_one_kind) {
 	Growth growth(1.0f, 1);
 	const std::vector<int> stems = add(growth, axis(1.0f, 0.01f), 1, Layout::ground, { ON_GROUND });
@@ -138,7 +138,7 @@ int64_t work_of(int leaves, bool is_one_kind) {
 
 } // namespace
 
-TEST_CASE("planning costs about as the parts are many, however a script arranged them") {
+TEST_CASE("the cost of planning grows about with the number of parts, for any arrangement by a script") {
 	for (const bool is_one_kind : { true, false }) {
 		const int64_t few = work_of(150, is_one_kind);
 		const int64_t many = work_of(1500, is_one_kind);

@@ -10,16 +10,16 @@
 
 using namespace undergrowth;
 
-// What a level may change of the silhouette from eight sides, as the mean over them and at the worst of them, and of
-// the mean colour (ΔE). What is beyond 5 % is so beside these pictures: those that levels are matched to
-// have dots as high as a daisy's head is seen from the side.
+// Max change of a level's silhouette, as the mean over eight sides and at the worst of them, and of its mean colour
+// (ΔE). Values above 5 % come from these pictures. The pictures for the match of levels have dots as high as a daisy's
+// head from the side.
 
 namespace {
 
 using Grow = PlantForm (*)(uint64_t);
 constexpr Grow SPECIES[] = { grow_grass, grow_tulip, grow_daisy };
 constexpr int SIDES = 8;
-constexpr int PIXELS = 1000; // Of half the size stems' widths are off by 8 %.
+constexpr int PIXELS = 1000; // With half of this, stems' widths are off by 8 %.
 
 struct Tolerance {
 	int lod;
@@ -51,7 +51,7 @@ Sights look_around(const PlantForm &form, int budget) {
 
 } // namespace
 
-TEST_CASE("levels keep the silhouette and the mean colour of all parts") {
+TEST_CASE("levels preserve the silhouette and the mean colour of all parts") {
 	for (const Grow grow : SPECIES) {
 		for (const uint64_t seed : { 2, 4 }) {
 			const PlantForm form = grow(seed);
@@ -73,7 +73,7 @@ namespace {
 
 constexpr int LODS[] = { 24, 12, 6, 3, 2, 1 };
 
-/// The midrib that a mesh draws from `first` on, row by row.
+/// The midrib in a mesh from `first` on, row by row.
 std::vector<glm::vec3> midrib_of(const BuiltForm &mesh, int first, int count) {
 	std::vector<glm::vec3> rows;
 	for (int i = first; i < first + count; i++) {
@@ -96,7 +96,7 @@ float distance_to(const std::vector<glm::vec3> &line, const glm::vec3 &point) {
 	return least;
 }
 
-/// The midribs of all drawn parts, by placed part, and behind them those of bodies.
+/// The midribs of all drawn parts, by placed part, followed by those of bodies.
 std::vector<std::vector<glm::vec3>> drawn_midribs(const PlantForm &form, const FormPlan &plan, const BuiltForm &mesh) {
 	std::vector<std::vector<glm::vec3>> midribs(form.placed.size());
 	int first = 0;
@@ -122,7 +122,7 @@ std::vector<std::vector<glm::vec3>> drawn_midribs(const PlantForm &form, const F
 
 } // namespace
 
-TEST_CASE("every level attaches what it draws to what carries it, as that is drawn") {
+TEST_CASE("every level attaches parts to their carriers as drawn") {
 	for (const Grow grow : SPECIES) {
 		const PlantForm form = grow(3);
 		const FormMeasure measure = measure_form(form);
@@ -134,7 +134,7 @@ TEST_CASE("every level attaches what it draws to what carries it, as that is dra
 				if (plan.fates[i] != FormPlan::drawn) {
 					continue;
 				}
-				// The first vertex of a part lies across its base; of beads within them, of whorls around the midrib.
+				// A part begins across its base: beads within themselves, whorls around the midrib of the carrier.
 				const PartGroup &group = form.groups[static_cast<size_t>(part.group)];
 				const bool is_bead = form.parts[static_cast<size_t>(part.kind)].kind == PartKind::bead;
 				const float most = (is_bead ? part.length : 1e-5f) + (part.carrier == ON_GROUND ? 0.0f : group.radius);
@@ -175,7 +175,7 @@ TEST_CASE("a body of parts along a stem follows the stem as it is drawn") {
 	CHECK(bodies > 10);
 }
 
-/// The share of a tulip's or a daisy's mesh (by area) whose colours are those of its flower.
+/// Fraction (by area) of a tulip's or a daisy's mesh with colours of its flower.
 double flower_share(const PlantForm &form, int lod, bool (*is_flower)(const glm::vec4 &)) {
 	const BuiltForm mesh = build(form, plan_form(form, measure_form(form), vertex_budget(lod)));
 	double flower = 0.0;
@@ -204,7 +204,7 @@ TEST_CASE("a tulip is red and a daisy white at every level") {
 	}
 }
 
-TEST_CASE("a level is measured as the plant is: larger pictures show what goes beyond it") {
+TEST_CASE("a level is measured like its plant: larger pictures show parts beyond the box") {
 	const glm::vec3 square[] = { { -1.0f, 0.0f, 0.0f }, { 1.0f, 0.0f, 0.0f }, { 1.0f, 1.0f, 0.0f },
 		{ -1.0f, 1.0f, 0.0f } };
 	const int32_t indices[] = { 0, 1, 2, 0, 2, 3 };
@@ -219,7 +219,7 @@ TEST_CASE("a level is measured as the plant is: larger pictures show what goes b
 	}
 }
 
-TEST_CASE("what lies flat is seen from above, once where it lies over each other, and what stands is not") {
+TEST_CASE("flat parts are visible from above, once where they overlap, and upright parts are not") {
 	const glm::vec3 corners[] = { { -1.0f, 0.0f, -0.5f }, { 1.0f, 0.0f, -0.5f }, { 1.0f, 0.0f, 0.5f },
 		{ -1.0f, 0.0f, 0.5f }, { 0.0f, 1.0f, -0.5f }, { 1.0f, 1.0f, -0.5f }, { 1.0f, 1.0f, 0.5f }, { 0.0f, 0.0f, 0.0f },
 		{ 0.0f, 2.0f, 0.0f }, { 0.5f, 1.0f, 0.0f } };
@@ -230,7 +230,7 @@ TEST_CASE("what lies flat is seen from above, once where it lies over each other
 	CHECK(area_from_above({}) == 0.0f);
 }
 
-TEST_CASE("a form's measure knows what it shows from above and how leafy it is") {
+TEST_CASE("a form's measure has its area from above and its translucency") {
 	const PlantForm form = grow_daisy(1);
 	const FormMeasure measure = measure_form(form);
 	const BuiltForm mesh = build(form, plan_form(form, measure, 100000));
@@ -246,8 +246,8 @@ TEST_CASE("a form's measure knows what it shows from above and how leafy it is")
 	CHECK(measure.translucency < most);
 }
 
-TEST_CASE("what is nearer from some side counts in the colour that is seen, what is inside does not") {
-	// Two large walls and a small one between them, seen along z.
+TEST_CASE("near surfaces count in the visible colour, hidden ones do not") {
+	// Two large walls and a small one between them, viewed along z.
 	std::vector<glm::vec3> points;
 	std::vector<int32_t> indices;
 	for (const glm::vec2 &wall : { glm::vec2(1.0f, -0.5f), glm::vec2(0.5f, 0.0f), glm::vec2(1.0f, 0.5f) }) {
@@ -262,11 +262,11 @@ TEST_CASE("what is nearer from some side counts in the colour that is seen, what
 	const float inner = shares[3] + shares[4] + shares[5];
 	const float outer = shares[0] + shares[1] + shares[2];
 	CHECK(std::abs(shares[6] + shares[7] + shares[8] - outer) < 0.02f);
-	CHECK(inner < 0.15f); // From aslant it is seen between them.
+	CHECK(inner < 0.15f); // Oblique views see between them.
 	CHECK(std::abs(inner + 2.0f * outer - 1.0f) < 0.02f);
 }
 
-TEST_CASE("colours come back from linear light, and are near the exact curve") {
+TEST_CASE("colours survive linear light and back, and are near the exact curve") {
 	for (int i = 0; i <= 100; i++) {
 		const float color = static_cast<float>(i) / 100.0f;
 		const double exact = color <= 0.04045f ? color / 12.92 : std::pow((color + 0.055) / 1.055, 2.4);
@@ -275,7 +275,7 @@ TEST_CASE("colours come back from linear light, and are near the exact curve") {
 	}
 }
 
-TEST_CASE("many colours come back from light with the bits of one, and no others are touched") {
+TEST_CASE("many colours convert from light with the bits of one, and nothing else changes") {
 	for (const int count : { 0, 1, 15, 16, 17, 40 }) {
 		std::vector<float> lights(48);
 		for (size_t i = 0; i < lights.size(); i++) {
@@ -289,7 +289,7 @@ TEST_CASE("many colours come back from light with the bits of one, and no others
 	}
 }
 
-TEST_CASE("plans drop what is small first: florets before leaves, leaves before the stem") {
+TEST_CASE("plans drop small parts first: florets before leaves, leaves before the stem") {
 	const PlantForm form = grow_daisy(1);
 	const FormMeasure measure = measure_form(form);
 	const FormPlan plan = plan_form(form, measure, vertex_budget(6));
@@ -301,7 +301,7 @@ TEST_CASE("plans drop what is small first: florets before leaves, leaves before 
 	CHECK(far.fates[static_cast<size_t>(form.groups[1].first)] == FormPlan::drawn);
 }
 
-TEST_CASE("blades that a plan took away it gives back where there is room again") {
+TEST_CASE("a plan restores removed blades when there is room") {
 	const PlantForm form = grow_grass(1);
 	const FormMeasure measure = measure_form(form);
 	for (const int part : { 2, 10 }) {
@@ -316,7 +316,7 @@ TEST_CASE("blades that a plan took away it gives back where there is room again"
 	}
 }
 
-TEST_CASE("the mean colour of a part is that half way between midrib and edge") {
+TEST_CASE("the mean colour of a part is half way between midrib and edge") {
 	Part part;
 	const glm::vec4 midrib(1.0f, 0.0f, 0.0f, 1.0f);
 	const glm::vec4 half_way(0.2f, 0.6f, 0.1f, 0.5f);
@@ -331,7 +331,7 @@ TEST_CASE("the mean colour of a part is that half way between midrib and edge") 
 	}
 }
 
-TEST_CASE("a plan within its budget draws all parts as finely as they are") {
+TEST_CASE("a plan within its budget draws all parts at full detail") {
 	const PlantForm form = grow_tulip(1);
 	const FormPlan plan = plan_form(form, measure_form(form), 100000);
 	CHECK(!plan.is_cut);

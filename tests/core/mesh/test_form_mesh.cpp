@@ -45,7 +45,7 @@ float distance_to_edge(const std::vector<glm::vec3> &edge, const glm::vec3 &plac
 	return least;
 }
 
-/// The whole of what a mesh promises to be.
+/// Checks all guarantees of a mesh.
 void check_sound(const BuiltForm &mesh) {
 	for (const int32_t index : mesh.indices) {
 		CHECK((index >= 0 && index < mesh.size()));
@@ -63,7 +63,7 @@ void check_sound(const BuiltForm &mesh) {
 	}
 }
 
-/// The share of the triangles (by area) whose corners' normals lie on the side from which they are clockwise.
+/// Fraction of the triangles (by area) with corner normals on their clockwise side.
 double share_facing_front(const BuiltForm &mesh) {
 	double facing = 0.0;
 	double whole = 0.0;
@@ -82,7 +82,7 @@ double share_facing_front(const BuiltForm &mesh) {
 
 } // namespace
 
-TEST_CASE("budgets of vertices are 5.5 times the segments squared, and 12 at least") {
+TEST_CASE("budgets of vertices are 5.5 times the squared segments, and at least 12") {
 	CHECK(vertex_budget(12) == 792);
 	CHECK(vertex_budget(6) == 198);
 	CHECK(vertex_budget(3) == 50);
@@ -120,7 +120,7 @@ TEST_CASE("counts of a part are those of its template, at every detail") {
 			part.blade.teeth = fall > 0.0f ? 5 : 0;
 			part.axis.tip_diameter = 0.02f;
 			part.axis.open_tip = fall > 0.0f;
-			for (const PartDetail &detail : details_of(part, true)) { // The usual ones are among them.
+			for (const PartDetail &detail : details_of(part, true)) { // The usual details are among them.
 				const PartTemplate shape = make_part_template(part, Midrib({}), detail, mean_color(part));
 				const MeshCounts counts = count_part(part, detail);
 				CHECK(static_cast<int>(shape.vertices.size()) == counts.vertices);
@@ -145,7 +145,7 @@ TEST_CASE("details cost less and less") {
 	}
 }
 
-TEST_CASE("edges of petals that fill the picture are round, and of others cost no more than before") {
+TEST_CASE("petals that fill the picture have round edges, and all other details have the same cost") {
 	const PlantForm form = grow_tulip(1);
 	const FormMeasure measure = measure_form(form);
 	constexpr size_t PETALS = 2;
@@ -159,31 +159,31 @@ TEST_CASE("edges of petals that fill the picture are round, and of others cost n
 		}
 		return most;
 	};
-	constexpr float SEEN = 0.0003f; // m: a pixel where a flower of 8 cm fills 270 of them.
+	constexpr float SEEN = 0.0003f; // m: a pixel when a flower of 8 cm fills 270 pixels.
 	CHECK(farthest(24) < SEEN);
 	CHECK(farthest(12) > SEEN);
 	CHECK(plan_form(form, measure, vertex_budget(12)).groups[PETALS].detail.rows <= 8);
 }
 
-TEST_CASE("mouths of bells follow each of their lobes where they fill the picture") {
+TEST_CASE("mouths of bells that fill the picture follow each of their lobes") {
 	Part bell;
 	bell.kind = PartKind::axis;
 	bell.axis.lobes = 7;
 	CHECK(details_of(bell, true).front().columns == 28);
 	bell.axis.lobes = 0;
-	CHECK(details_of(bell, true).front() == details_of(bell).front()); // A stem is round enough.
+	CHECK(details_of(bell, true).front() == details_of(bell).front()); // A stem is already round enough.
 	bell.axis.open_tip = true;
 	CHECK(details_of(bell, true).front().columns == 20);
 }
 
-TEST_CASE("leaves hang on their stem by its offset, swing about where they are attached, and rank as it does") {
+TEST_CASE("leaves have the stem offset, pivot and rank of their attachment") {
 	const PlantForm form = grow_tulip(1);
 	const BuiltForm mesh = build_level(form, 40);
 	const PlacedPart &leaf = form.placed[static_cast<size_t>(form.groups[1].first)];
 	const float expected = form.point_of(form.placed[0], leaf.offset).y / form.height;
 	int found = 0;
 	for (size_t i = 0; i < mesh.positions.size(); i++) {
-		const glm::vec3 shift = glm::vec3(mesh.custom1[i]) - leaf.base; // To the stem as it is drawn.
+		const glm::vec3 shift = glm::vec3(mesh.custom1[i]) - leaf.base; // Relative to the stem as drawn.
 		if (glm::length(shift) < 1e-3f) {
 			found++;
 			CHECK((mesh.custom0[i].x >= expected && mesh.custom0[i].x < expected + 0.03f)); // Between rows of the stem.
@@ -197,7 +197,7 @@ TEST_CASE("leaves hang on their stem by its offset, swing about where they are a
 	CHECK(found > 20);
 }
 
-TEST_CASE("a stem's vertices hang by their own height, and do not swing") {
+TEST_CASE("a stem's vertices have the offset of their own height and do not swing") {
 	Part part;
 	part.kind = PartKind::axis;
 	part.length_min = part.length_max = 0.5f;
@@ -224,7 +224,7 @@ TEST_CASE("the base and the inside of a tuft are darker than its tips") {
 	CHECK(lightest > 0.9f);
 }
 
-TEST_CASE("a mesh that is stretched is the grown one, moved up, with upright normals") {
+TEST_CASE("a stretched mesh is the grown one, moved up, with correct normals") {
 	const PlantForm form = grow_tulip(1);
 	const FormPlan plan = plan_form(form, measure_form(form), vertex_budget(40));
 	const BuiltForm grown = build(form, plan);
@@ -237,7 +237,7 @@ TEST_CASE("a mesh that is stretched is the grown one, moved up, with upright nor
 	check_sound(tall);
 }
 
-TEST_CASE("a colour deviation tints each part by itself") {
+TEST_CASE("a colour deviation tints each part separately") {
 	const PlantForm form = grow_grass(1);
 	const FormPlan plan = plan_form(form, measure_form(form), vertex_budget(40));
 	MeshOptions options;

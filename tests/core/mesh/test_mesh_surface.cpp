@@ -20,13 +20,14 @@ namespace {
 
 using Place = std::array<float, 3>;
 
-/// Uses of each directed edge after vertices at one place have become one; triangles that lose a side so are dropped.
+/// Counts the uses of each directed edge after vertices at one position are merged. Triangles that lose a side are
+/// dropped.
 std::map<std::pair<Place, Place>, int> welded_edges(const BuiltMesh &mesh) {
 	std::map<std::pair<Place, Place>, int> edges;
 	for (int t = 0; t < mesh.triangles(); t++) {
 		Place corners[3];
 		for (int c = 0; c < 3; c++) {
-			// Adding 0 turns -0 into 0.
+			// Adding 0 changes -0 to 0.
 			const glm::vec3 p = mesh.corner(t, c) + 0.0f;
 			corners[c] = { p.x, p.y, p.z };
 		}
@@ -51,7 +52,7 @@ bool is_watertight(const BuiltMesh &mesh) {
 	return !edges.empty();
 }
 
-/// The enclosed volume; positive only where triangles are clockwise from outside.
+/// The enclosed volume; positive only if triangles are clockwise from outside.
 double volume(const BuiltMesh &mesh) {
 	double sum = 0.0;
 	for (int t = 0; t < mesh.triangles(); t++) {
@@ -60,7 +61,7 @@ double volume(const BuiltMesh &mesh) {
 	return sum;
 }
 
-/// The volume between rings of one shape: each band is a frustum, whose volume is h·A·(a² + a·b + b²)/3.
+/// The volume between rings of one shape: each band is a frustum with the volume h·A·(a² + a·b + b²)/3.
 double frustum_volume(const Plant &plant) {
 	double sum = 0.0;
 	for (int k = 0; k < plant.lod(); k++) {

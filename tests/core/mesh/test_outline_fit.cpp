@@ -10,11 +10,11 @@
 
 using namespace undergrowth;
 
-// Upright sheets of which is known how far each was widened and turned.
+// Upright sheets with given widening and turns.
 
 namespace {
 
-constexpr float GOAL = 0.015f; // Dots of the pictures are as large as this.
+constexpr float GOAL = 0.015f; // The size of the dots of the pictures.
 
 struct Sheets {
 	std::vector<glm::vec3> positions;
@@ -23,7 +23,7 @@ struct Sheets {
 	std::vector<int32_t> indices;
 	std::vector<WrittenUnit> units;
 
-	/// On a midrib that stands at `place` and is as high as 1 m.
+	/// On an upright midrib at `place`, 1 m high.
 	void add(const glm::vec3 &place, const glm::vec3 &aside, bool is_flower = false) {
 		const int32_t first = static_cast<int32_t>(positions.size());
 		units.push_back({ first, static_cast<int>(indices.size()), 1.0f, is_flower, 1e9f });
@@ -36,7 +36,7 @@ struct Sheets {
 		}
 		indices.insert(indices.end(), { first, first + 2, first + 1, first + 2, first + 3, first + 1 });
 	}
-	/// One that grows as high as wide, as a bead does.
+	/// A sheet that grows in height as in width, as a bead does.
 	void add_bead(const glm::vec3 &aside, float height) {
 		add({ 0.0f, 0.0f, 0.0f }, aside);
 		for (size_t i = positions.size() - 4; i < positions.size(); i++) {
@@ -76,7 +76,7 @@ constexpr SightBox BOX = { 1.0f, 0.0f, 1.0f };
 
 } // namespace
 
-TEST_CASE("sheets that all face one way are turned and widened until every side shows what it is to show") {
+TEST_CASE("sheets with one orientation are turned and widened until every side shows its area") {
 	Sheets wanted;
 	wanted.add({ -0.5f, 0.0f, 0.1f }, facing(0.12f, 0.9f));
 	wanted.add({ 0.3f, 0.0f, 0.4f }, facing(0.07f, -0.6f));
@@ -95,12 +95,12 @@ TEST_CASE("sheets that all face one way are turned and widened until every side 
 	fit.search(BOX, areas, GOAL, worst);
 	CHECK(worst <= GOAL);
 	CHECK(worst_of(sheets.outlines(BOX), areas) == doctest::Approx(worst).epsilon(1e-3));
-	for (size_t i = 0; i < sheets.normals.size(); i++) { // Turned, they are lit as turned.
+	for (size_t i = 0; i < sheets.normals.size(); i++) { // The normals turn with the sheets.
 		CHECK(std::abs(glm::length(sheets.normals[i]) - 1.0f) < 1e-6f);
 	}
 }
 
-TEST_CASE("a sheet that is asked for outlines which it cannot have keeps numbers for its places") {
+TEST_CASE("a sheet stays finite when its wanted outlines are impossible") {
 	bool are_numbers = true;
 	for (int i = 0; i < 300; i++) {
 		const auto chance = [i](uint64_t which) { return 0.5f + 0.5f * signed_noise(which, static_cast<uint64_t>(i)); };
@@ -124,7 +124,7 @@ TEST_CASE("a sheet that is asked for outlines which it cannot have keeps numbers
 	CHECK(are_numbers);
 }
 
-TEST_CASE("a sheet of hardly any size changes nothing beside others") {
+TEST_CASE("a sheet of nearly no size does not affect other sheets") {
 	Sheets sheets;
 	sheets.add_bead(facing(1e-21f, 0.3f), 1e-20f);
 	sheets.add({ 0.3f, 0.0f, 0.0f }, facing(0.2f, 0.5f));
@@ -142,7 +142,7 @@ TEST_CASE("a sheet of hardly any size changes nothing beside others") {
 	CHECK(worst_of(sheets.outlines(BOX), wanted) < 0.5f * before);
 }
 
-TEST_CASE("flowers keep their size and no sheet is turned over while outlines are looked for") {
+TEST_CASE("a search preserves the size of flowers and turns no sheet over") {
 	Sheets sheets;
 	sheets.add({ 0.0f, 0.0f, 0.0f }, facing(0.1f, 0.3f), true);
 	sheets.end();
@@ -161,7 +161,7 @@ TEST_CASE("flowers keep their size and no sheet is turned over while outlines ar
 			0.0f);
 }
 
-TEST_CASE("what may not grow wider than so leaves the rest to others") {
+TEST_CASE("sheets at their max width leave the rest to all other sheets") {
 	Sheets sheets;
 	sheets.add({ -0.4f, 0.0f, 0.0f }, facing(0.05f, 0.0f));
 	sheets.add({ 0.4f, 0.0f, 0.0f }, facing(0.05f, 1.5f));

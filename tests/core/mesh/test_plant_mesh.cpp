@@ -40,7 +40,7 @@ TEST_CASE("a mesh has the counted vertices and triangles, and indices in range")
 	}
 }
 
-TEST_CASE("ring k stands at height k/lod and is the base shape times the width there") {
+TEST_CASE("ring k is at height k/lod and is the base shape times the width there") {
 	const float height = 1.7f;
 	const int lod = 12;
 	const Plant plant = make_species_plant(Tulip(), lod, height);
@@ -56,7 +56,7 @@ TEST_CASE("ring k stands at height k/lod and is the base shape times the width t
 	CHECK(mesh.positions[mesh.side(lod, 0)].y == height);
 }
 
-TEST_CASE("the last ring stands at the height itself, whatever the segments") {
+TEST_CASE("the last ring is at the height itself, for any number of segments") {
 	for (const float height : { 0.1f, 0.7f, 1.1f, 3.3f, 1e-3f, 1e4f }) {
 		for (int lod = MIN_LOD; lod <= MAX_LOD; lod += 5) {
 			const BuiltMesh mesh = build(make_plant(circle_ring(4), std::vector<float>(lod + 1, 1.0f), height));
@@ -143,7 +143,7 @@ TEST_CASE("one segment, and widths of 0 anywhere, give finite unit normals") {
 	}
 }
 
-TEST_CASE("heights at the end of what a float holds give finite unit normals") {
+TEST_CASE("heights at the limits of floats give finite unit normals") {
 	for (const float height : { 1e-45f, 1e-38f, 1e38f }) {
 		for (const Shading shading : { Shading::smooth, Shading::flat }) {
 			for (const float deviation : { 0.0f, 1.0f }) {

@@ -10,16 +10,16 @@
 #include <array>
 #include <cmath>
 
-/// A stem as 64 rigid links in a plane, with exact kinematics, weight, head, springs and dashpots between the links;
-/// stepped by the trapezoidal rule (Newmark's average acceleration), each step solved to the end. What the stem law's
-/// large motions are held to. It knows nothing of the product's beam.
+/// A stem as 64 rigid links in a plane, with exact kinematics, weight, head, springs and dashpots between the links.
+/// Steps use the trapezoidal rule (Newmark's average acceleration), each solved to convergence. It is the reference for
+/// the stem law's large motions and is independent of the product's beam.
 class ReferenceChain {
 public:
 	static constexpr int LINKS = 64;
 	static constexpr double GRAVITY = 9.81; // m/s².
 	using Row = std::array<double, LINKS>;
 
-	/// `damping`: of the slowest small swing; dashpots are as the springs are.
+	/// `damping`: damping ratio of the slowest small swing. The dashpots are proportional to the springs.
 	ReferenceChain(const undergrowth::StemBeam &stem, double youngs_modulus, double damping, double lean = 0.0) :
 			h(static_cast<double>(stem.length) / LINKS),
 			rest(lean),
@@ -44,7 +44,7 @@ public:
 	}
 
 	double frequency() const { return swing; } ///< rad/s, of the slowest small swing.
-	/// kg/m: of all that drags.
+	/// kg/m: total drag.
 	double all_air() const {
 		double sum = head_air;
 		for (const double one : air) {
@@ -52,12 +52,12 @@ public:
 		}
 		return sum;
 	}
-	/// Newtons to the right, spread as drag is; newtons on the tip; m/s of wind, which presses across each link.
+	/// Newtons to the right, distributed as drag; newtons on the tip; m/s of wind, which presses across each link.
 	void set_force(double newtons) { force = newtons; }
 	void set_tip_force(double newtons) { tip_force = newtons; }
 	void set_wind(double speed) { wind = speed; }
 
-	/// Brings the chain to balance, without motion.
+	/// Moves the chain to its equilibrium, without motion.
 	void settle() {
 		rate.fill(0.0);
 		acceleration.fill(0.0);
@@ -87,7 +87,7 @@ public:
 		}
 		for (int rounds = 0; rounds < 40; rounds++) {
 			if (rounds % 12 == 0 && (rounds > 0 || half != factor_half)) {
-				factorise(half); // An old one serves while the stem has not moved far.
+				factorise(half); // An old one is sufficient while the stem has moved little.
 			}
 			const Row change = solved(moments());
 			double most = 0.0;
@@ -115,7 +115,7 @@ public:
 
 private:
 	double h; ///< m, of a link.
-	double rest; ///< rad: where the root points.
+	double rest; ///< rad: direction of the root.
 	double head_arm, head_inertia;
 	double head_mass = 0.0;
 	double head_air = 0.0;
@@ -127,10 +127,10 @@ private:
 	Row angle, spring, mass, air;
 	Row rate = {};
 	Row acceleration = {};
-	Row lever; ///< kg·m: first moment of what a link carries, about its lower end.
-	Row inertia; ///< kg·m²: second moment of the same.
+	Row lever; ///< kg·m: first moment of the masses that a link carries, about its lower end.
+	Row inertia; ///< kg·m²: second moment of the same masses.
 	std::array<Row, LINKS> factor;
-	double factor_half = 0.0; ///< s: that `factor` is for.
+	double factor_half = 0.0; ///< s: step for which `factor` is valid.
 
 	static double width(const undergrowth::StemBeam &stem, double link) {
 		return static_cast<double>(stem.diameter) * (1.0 - static_cast<double>(stem.taper) * link / LINKS);
@@ -146,10 +146,10 @@ private:
 		}
 	}
 
-	/// Of link i against link j, for small angles.
+	/// Coupling of links i and j, for small angles.
 	double mass_between(int i, int j) const { return i == j ? inertia[i] : h * lever[std::max(i, j)]; }
 
-	/// The slowest small swing by inverse iteration, weight included, and the dashpots that damp it so.
+	/// Finds the slowest small swing by inverse iteration, weight included, and the dashpots for its damping.
 	void find_swing(double damping) {
 		Row shape;
 		shape.fill(1.0);
@@ -192,7 +192,7 @@ private:
 		return sum;
 	}
 
-	/// What is left of all moments about the lower ends of the links at these angles, rates and accelerations.
+	/// Residual of all moments about the lower ends of the links at the current angles, rates and accelerations.
 	Row moments() const {
 		Row result;
 		Row side, up; // Forces on each link, with its inertia.
@@ -233,14 +233,14 @@ private:
 		return share * std::fabs(seen) * seen * across;
 	}
 
-	/// What the joint below a link does to it.
+	/// Moment of the joint below a link.
 	double joint(int i) const {
 		const double turn = angle[i] - (i > 0 ? angle[i - 1] : rest);
 		const double turning = rate[i] - (i > 0 ? rate[i - 1] : 0.0);
 		return -spring[i] * (turn + dashpot * turning);
 	}
 
-	/// Right becomes the solution of the springs' matrix with this diagonal; the largest of it.
+	/// Solves the system of the springs' matrix with this diagonal in place. Returns the largest component.
 	double solve_neighbours(Row &right, Row &pivot) const {
 		for (int i = 1; i < LINKS; i++) {
 			const double share = spring[i] / pivot[i - 1];
@@ -255,7 +255,7 @@ private:
 		return most;
 	}
 
-	/// Cholesky of masses, dashpots and springs as an acceleration meets them in a step of twice `half`.
+	/// Cholesky factors of masses, dashpots and springs for an acceleration in a step of twice `half`.
 	void factorise(double half) {
 		const double stiff = half * half + half * dashpot;
 		factor_half = half;

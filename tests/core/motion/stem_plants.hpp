@@ -17,8 +17,8 @@
 /// Plants of one species under the stem law's kernel alone, for its tests.
 namespace undergrowth {
 
-/// A stem of one mode whose shape is the one under the wind, as a species without a second mode has it: half its
-/// deflection is q·x²/2, so its bend is q·x.
+/// A stem of one mode with the shape under the wind, as for a species without a second mode. Half its deflection is
+/// q·x²/2, so its bend is q·x.
 inline StemConstants simple_stem(double frequency, double damping) {
 	StemConstants stem;
 	stem.modes = 1;
@@ -41,7 +41,7 @@ inline StemConstants simple_stem(double frequency, double damping) {
 	return stem;
 }
 
-/// The same with a second mode that moves the other way in the middle and takes a little of each load.
+/// The same with a second mode that moves in the opposite direction in the middle and takes a small part of each load.
 inline StemConstants stem_of_two_modes(double frequency, double damping) {
 	StemConstants stem = simple_stem(frequency, damping);
 	stem.modes = 2;
@@ -82,7 +82,7 @@ public:
 	double time_step() const { return static_cast<double>(step_time); }
 	glm::vec2 place(int index, int mode = 0) const { return pair(4 * mode, index); }
 	glm::vec2 rate(int index, int mode = 0) const { return pair(4 * mode + 2, index); }
-	/// Of all modes.
+	/// Sum of all modes.
 	glm::vec2 tip(int index) const {
 		glm::vec2 sum = { 0.0f, 0.0f };
 		for (int k = 0; k < stem.modes; k++) {
@@ -104,7 +104,7 @@ public:
 		put(AIR, index, speed);
 		has_air = true;
 	}
-	/// All plants in the same wind; both null as a field without one has it.
+	/// The same wind for all plants. Both are null for a field without wind.
 	void blow(float newtons, const glm::vec2 *air = nullptr) {
 		for (int i = 0; i < count; i++) {
 			set_strength(i, newtons);
@@ -122,7 +122,7 @@ public:
 			kernels(level).step_stem(page(begin), std::min(at_once, count - begin), winds, has_air ? air : PlantAir{});
 		}
 	}
-	/// Steps of so many seconds.
+	/// Runs steps for `seconds`.
 	void run(double seconds) {
 		for (int i = 0; i < static_cast<int>(std::lround(seconds / time_step())); i++) {
 			step();

@@ -10,11 +10,11 @@
 #include <cstdint>
 #include <vector>
 
-/// What the tests of motion share: pages, how a swing is recorded and measured, and a hash of states.
+/// Fixture of the motion tests: pages, recording and measuring of swings, and a hash of states.
 namespace undergrowth {
 
 inline constexpr float FRAME_STEP = 1.0f / 60.0f; // s, the add-on's usual step.
-inline constexpr float LONG_STEP = 0.032f; // s, of plants stepped at a reduced rate.
+inline constexpr float LONG_STEP = 0.032f; // s, for plants at a reduced rate.
 
 /// At rest, `angle` from upright towards +x.
 inline TipState leaning(double angle) {
@@ -41,7 +41,7 @@ inline MotionPlant plant_with(const Joint &joint) {
 	return plant;
 }
 
-/// A page of one plant that keeps its directions in floats, in `state` as it was put.
+/// A page of one plant with directions in floats, in `state`.
 inline MotionPage plant_page(Law law, const Joint &joint, const TipState &state, float step = FRAME_STEP) {
 	const MotionPlant plant = plant_with(joint);
 	MotionPage page(0, species_with(law, joint), &plant, 1, step, true, MotionPage::Keeps::directions);
@@ -68,7 +68,7 @@ inline std::vector<double> record_x(MotionPage &page, int steps) {
 	return places;
 }
 
-/// Places between two samples where the series crosses 0, in samples.
+/// Positions between two samples where the series crosses 0, in samples.
 inline std::vector<double> zero_crossings(const std::vector<double> &series) {
 	std::vector<double> crossings;
 	for (std::size_t i = 1; i < series.size(); i++) {
@@ -108,7 +108,7 @@ inline double decay_rate_of(const std::vector<double> &series, double sample_tim
 	return std::log(peaks.front() / peaks.back()) / time;
 }
 
-/// Of the bits of all states.
+/// Hash of the bits of all states.
 inline uint64_t hash_states(const MotionPage &page) {
 	GoldenHash hash;
 	for (int i = 0; i < page.size(); i++) {

@@ -38,7 +38,7 @@ MotionPage one_plant(Law law, const Joint &joint, float canopy_height) {
 	return MotionPage(0, species, &plant, 1, 1.0f / 60.0f, true, MotionPage::Keeps::directions);
 }
 
-/// Tangent of the bend along the wind, when it has come to rest in a smooth wind.
+/// Tangent of the bend along the wind, at rest in a smooth wind.
 double resting_bend(Law law, const Joint &joint, float canopy_height) {
 	MotionPage page = one_plant(law, joint, canopy_height);
 	const FieldWind wind = air_of(0.0f);
@@ -77,7 +77,7 @@ TEST_CASE("a plant in smooth air bends by the drag of its area at the speed of i
 	CHECK(resting_bend(Law::spring, joint, 0.0f) == 0.0);
 }
 
-TEST_CASE("under the elasticity law air pushes as hard as newtons of the same size") {
+TEST_CASE("under the elasticity law air has the same force as newtons of the same size") {
 	Joint joint;
 	joint.mass = 0.02f;
 	joint.drag_area = 0.004f;
@@ -130,7 +130,7 @@ TEST_CASE("air damps a swing across it by its drag, and one along it twice as mu
 	}
 }
 
-TEST_CASE("plants in turbulent air have the same bits at every level, however they are divided") {
+TEST_CASE("plants in turbulent air have the same bits at every level, for any division") {
 	const FieldWind wind = air_of(-1.0f);
 	for (const Law law : BOTH_LAWS) {
 		MotionPage whole = meadow(law, 0, 601), best = meadow(law, 0, 601), first = meadow(law, 0, 123);
@@ -146,7 +146,7 @@ TEST_CASE("plants in turbulent air have the same bits at every level, however th
 	}
 }
 
-TEST_CASE("a source moves the pages that it reaches, with the same bits at every level, and no others") {
+TEST_CASE("a source moves only the pages within its reach, with the same bits at every level") {
 	AirSource fan;
 	fan.kind = AirSource::Kind::fan;
 	fan.speed = 8.0f;
@@ -173,7 +173,7 @@ TEST_CASE("a source moves the pages that it reaches, with the same bits at every
 	}
 }
 
-TEST_CASE("a wind of newtons keeps its way and its force while a source stirs the air") {
+TEST_CASE("a wind in newtons preserves its direction and force while a source stirs the air") {
 	AirSource still;
 	still.kind = AirSource::Kind::fan;
 	still.speed = 0.0f;
@@ -197,7 +197,7 @@ TEST_CASE("a wind of newtons keeps its way and its force while a source stirs th
 	}
 }
 
-TEST_CASE("no joint, state or air, however extreme, leads to a number that is none") {
+TEST_CASE("no joint, state or air, however extreme, causes an invalid number") {
 	constexpr float NONE = std::numeric_limits<float>::quiet_NaN();
 	constexpr float EXTREMES[] = { 0.0f, 1e-6f, 1.0f, 1e6f, 1e30f, -1.0f, NONE };
 	for (const Law law : BOTH_LAWS) {

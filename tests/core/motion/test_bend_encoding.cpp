@@ -25,7 +25,7 @@ glm::vec3 chance_direction(int index) {
 
 } // namespace
 
-TEST_CASE("every half float survives the way to a float and back") {
+TEST_CASE("every half float survives conversion to a float and back") {
 	bool same = true;
 	for (uint32_t half = 0; half <= 0xffffu; half++) {
 		const float value = from_half(static_cast<uint16_t>(half));
@@ -46,7 +46,7 @@ TEST_CASE("a float becomes the nearest half, ties to the even one") {
 	}
 }
 
-TEST_CASE("what a half cannot hold becomes infinite or none") {
+TEST_CASE("numbers out of the range of a half become infinite or NaN") {
 	CHECK(to_half(1.0f) == 0x3c00u);
 	CHECK(to_half(65519.0f) == 0x7bffu);
 	CHECK(to_half(65520.0f) == 0x7c00u);
@@ -54,7 +54,7 @@ TEST_CASE("what a half cannot hold becomes infinite or none") {
 	CHECK(std::isnan(from_half(to_half(std::numeric_limits<float>::quiet_NaN()))));
 }
 
-TEST_CASE("a bend is the direction it was made of") {
+TEST_CASE("a bend decodes to its direction") {
 	for (int i = 0; i < 2000; i++) {
 		const glm::vec3 direction = chance_direction(i);
 		const glm::vec3 decoded = decode_bend(encode_bend(direction));
@@ -65,9 +65,9 @@ TEST_CASE("a bend is the direction it was made of") {
 	CHECK(std::isfinite(decode_bend(encode_bend({ 1e-4f, -1.0f, 0.0f })).x));
 }
 
-TEST_CASE("a page's kernels encode what one direction encodes to") {
+TEST_CASE("a page's kernels give the same code as a single direction") {
 	for (const SimdLevel level : { SimdLevel::baseline, SimdLevel::avx2 }) {
-		constexpr int COUNT = 515; // More than one block, and a rest.
+		constexpr int COUNT = 515; // More than one block, and a remainder.
 		std::vector<float> x, y, z, flat_x, flat_z;
 		std::vector<Bend> expected;
 		for (int i = 0; i < COUNT; i++) {

@@ -12,7 +12,7 @@ using namespace undergrowth;
 namespace {
 
 constexpr Law BOTH_LAWS[] = { Law::elasticity, Law::spring };
-constexpr float CLEAR_TOLERANCE = 0.02f; // m, of a tip against a body that it is pushed out of once a step.
+constexpr float CLEAR_TOLERANCE = 0.02f; // m, between a tip and a body that pushes it out once per step.
 
 MovingBody walker(float x) {
 	MovingBody body;
@@ -33,7 +33,7 @@ FieldSimulation calm_plant(Law law) {
 
 } // namespace
 
-TEST_CASE("a tip stays outside of a capsule that walks into it, and rings down after") {
+TEST_CASE("a tip stays outside of a capsule that moves into it, and swings out afterwards") {
 	for (const Law law : BOTH_LAWS) {
 		FieldSimulation field = calm_plant(law);
 		float most = 0.0f;
@@ -62,7 +62,7 @@ TEST_CASE("a tip stays outside of a capsule that walks into it, and rings down a
 	}
 }
 
-TEST_CASE("a sphere pushes by its velocity, a body that stands still takes only what comes at it") {
+TEST_CASE("a sphere pushes with its velocity, and a body at rest only stops approaching tips") {
 	for (const Law law : BOTH_LAWS) {
 		FieldSimulation field = calm_plant(law);
 		MovingBody ball;
@@ -80,7 +80,7 @@ TEST_CASE("a sphere pushes by its velocity, a body that stands still takes only 
 	}
 }
 
-TEST_CASE("bodies far away, below another page's plants, or of numbers that are none touch nothing") {
+TEST_CASE("distant bodies, bodies below another page's plants and invalid ones touch nothing") {
 	FieldSimulation field = calm_plant(Law::spring);
 	const uint64_t before = hash_field(field);
 	MovingBody body = walker(30.0f);
@@ -94,7 +94,7 @@ TEST_CASE("bodies far away, below another page's plants, or of numbers that are 
 	CHECK(hash_field(field) == before);
 }
 
-TEST_CASE("a body on top of a stem, or with its axis in the tip, parts them without a number that is none") {
+TEST_CASE("a body on top of a stem, or with its axis in the tip, separates from it without an invalid number") {
 	for (const Law law : BOTH_LAWS) {
 		for (const float height : { 0.6f, 1.0f, 1.3f }) {
 			FieldSimulation field = calm_plant(law);
@@ -113,7 +113,7 @@ TEST_CASE("a body on top of a stem, or with its axis in the tip, parts them with
 
 namespace {
 
-/// A crate of 2 x 1 x 0.6 m that is turned about the vertical, its edges rounded by 2 cm.
+/// A crate of 2 x 1 x 0.6 m turned about the vertical, with edges rounded by 2 cm.
 MovingBody crate(const glm::vec3 &middle, float turn) {
 	const glm::vec3 along = { std::cos(turn), 0.0f, -std::sin(turn) };
 	const glm::vec3 across = { std::sin(turn), 0.0f, std::cos(turn) };
@@ -126,7 +126,7 @@ MovingBody crate(const glm::vec3 &middle, float turn) {
 	return body;
 }
 
-/// m, of a point from the crate's faces; below 0 inside of it.
+/// m, distance of a point from the crate's faces; below 0 inside.
 float crate_distance(const glm::vec3 &middle, float turn, const glm::vec3 &point) {
 	const glm::vec3 offset = point - middle;
 	const float along = std::fabs(std::cos(turn) * offset.x - std::sin(turn) * offset.z) - 1.0f;
@@ -136,7 +136,7 @@ float crate_distance(const glm::vec3 &middle, float turn, const glm::vec3 &point
 
 } // namespace
 
-TEST_CASE("a tip deep in a crate leaves it by the nearest side, on either side of its middle") {
+TEST_CASE("a tip deep in a crate exits by the nearest side, on either side of its centre") {
 	for (const Law law : BOTH_LAWS) {
 		for (const float side : { 0.1f, -0.1f }) {
 			for (const bool is_turned : { false, true }) {
@@ -153,7 +153,7 @@ TEST_CASE("a tip deep in a crate leaves it by the nearest side, on either side o
 	}
 }
 
-TEST_CASE("tips stay outside of a crate that is pushed through them, to its corners") {
+TEST_CASE("tips stay outside of a moving crate, up to its corners") {
 	for (const Law law : BOTH_LAWS) {
 		for (const float turn : { 0.0f, 0.5f, 1.5707964f }) {
 			FieldSimulation field((FieldSettings()));
@@ -186,7 +186,7 @@ TEST_CASE("tips stay outside of a crate that is pushed through them, to its corn
 	}
 }
 
-TEST_CASE("a tip in the middle of a crate leaves it by its side, not by its length") {
+TEST_CASE("a tip at the centre of a crate exits by its side, not by its length") {
 	for (const Law law : BOTH_LAWS) {
 		FieldSimulation field = calm_plant(law);
 		const MovingBody body = crate({ 0.3f, 1.0f, 0.0f }, 0.0f);
@@ -199,8 +199,8 @@ TEST_CASE("a tip in the middle of a crate leaves it by its side, not by its leng
 	}
 }
 
-TEST_CASE("a tip in the core of a rounded box leaves its rounded edges, too") {
-	MovingBody body; // 0.1 m and 0.2 m to each side of its middle line, and rounded by 0.1 m.
+TEST_CASE("a tip in the core of a rounded box also exits beyond its rounded edges") {
+	MovingBody body; // 0.1 m and 0.2 m to each side of its centre line, rounded by 0.1 m.
 	body.from = { 0.05f, 0.9f, -1.0f };
 	body.to = { 0.05f, 0.9f, 1.0f };
 	body.half_width = { 0.1f, 0.0f, 0.0f };
@@ -212,7 +212,7 @@ TEST_CASE("a tip in the core of a rounded box leaves its rounded edges, too") {
 }
 
 TEST_CASE("no body pushes a tip into the ground") {
-	MovingBody body; // Comes down on a plant that leans.
+	MovingBody body; // Comes down on a leaning plant.
 	body.from = body.to = { 0.4f, 1.2f, 0.0f };
 	body.radius = 1.4f;
 	TipState state;
@@ -221,10 +221,10 @@ TEST_CASE("no body pushes a tip into the ground") {
 		push_plant(state, glm::vec3(0.0f), 1.0f, 0.0f, body);
 		CHECK(state.direction.y > 0.5f * LEAST_PUSHED_HEIGHT);
 	}
-	CHECK(state.direction.y < 0.1f); // It was pushed there.
+	CHECK(state.direction.y < 0.1f); // The pushes moved it down to there.
 }
 
-TEST_CASE("a crate pushes nothing that it only passes by") {
+TEST_CASE("a crate does not push plants that it only passes") {
 	FieldSimulation field = calm_plant(Law::elasticity);
 	CHECK(push_plants(field.page(0), crate({ 0.0f, 1.0f, 0.48f }, 0.0f)) == 0);
 	CHECK(push_plants(field.page(0), crate({ 0.0f, 1.0f, 0.4f }, 0.0f)) == 1);
@@ -244,7 +244,7 @@ TEST_CASE("a body touches a plant from its root to its tip, within the margin") 
 	CHECK(touches_plants(field.page(0), ball, 0.11f)); // The tip is a sphere.
 	ball.from = { -3.0f, 0.5f, 0.2f };
 	ball.to = { 3.0f, 0.5f, 0.2f };
-	CHECK(touches_plants(field.page(0), ball, 0.05f)); // A long log touches with its middle, too.
+	CHECK(touches_plants(field.page(0), ball, 0.05f)); // A long log also touches with its middle.
 	CHECK(touches_plants(field.page(0), crate({ 0.9f, 0.5f, 0.1f }, 0.0f), 0.0f));
 	CHECK(!touches_plants(field.page(0), crate({ 1.1f, 0.5f, 0.1f }, 0.0f), 0.05f));
 }

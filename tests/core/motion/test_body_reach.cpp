@@ -32,7 +32,7 @@ TEST_CASE("a ball at the upper stem pushes the plant, though it is far below the
 	}
 }
 
-TEST_CASE("a ball pushes a tip from every side that its collision sphere reaches, and from no farther") {
+TEST_CASE("a ball pushes a tip from every side within its collision sphere, and from no farther") {
 	constexpr float RADIUS = 0.1f;
 	constexpr float THICK = 0.3f;
 	for (const glm::vec3 lean : { glm::vec3(1, 0, 0), glm::vec3(-1, 0, 0), glm::vec3(0, 0, 1), glm::vec3(0, 0, -1) }) {
@@ -46,7 +46,7 @@ TEST_CASE("a ball pushes a tip from every side that its collision sphere reaches
 			page.set_state(0, { glm::normalize(lean + glm::vec3(0.0f, 0.1f, 0.0f)), {} });
 			const glm::vec3 way = page.state(0).direction;
 			MovingBody body = ball(page.tip(0) + apart * way, RADIUS);
-			// Aside a little, so that there is a way to turn.
+			// Slightly aside, so that there is a direction to turn.
 			body.from += 0.002f * glm::vec3(way.z, 0.0f, -way.x);
 			body.to = body.from;
 			body.velocity = 0.5f * glm::vec3(-way.z, 0.0f, way.x);
@@ -63,7 +63,7 @@ TEST_CASE("a ball pushes a tip from every side that its collision sphere reaches
 	}
 }
 
-TEST_CASE("a ball stops a tip that comes at it, and takes it along, in metres a second, however long the plant is") {
+TEST_CASE("a ball stops and moves an approaching tip in metres per second, for any length of the plant") {
 	for (const Law law : BOTH_LAWS) {
 		for (const float length : { 0.5f, 2.0f }) {
 			MotionPlant plant;
@@ -81,7 +81,7 @@ TEST_CASE("a ball stops a tip that comes at it, and takes it along, in metres a 
 	}
 }
 
-TEST_CASE("a blow gives a tip the speed of its strength over its mass, however long the plant is") {
+TEST_CASE("a blow gives a tip its impulse over its mass, for any length of the plant") {
 	for (const Law law : BOTH_LAWS) {
 		for (const int prototypes : { 0, 4 }) {
 			for (const float length : { 0.5f, 2.0f }) {

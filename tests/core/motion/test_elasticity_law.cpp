@@ -14,8 +14,8 @@ using namespace undergrowth;
 namespace {
 
 constexpr double GRAVITY = 9.81;
-constexpr double FREQUENCY_TOLERANCE = 2e-4; // Relative; what zero crossings of a few dozen swings resolve.
-constexpr double DECAY_TOLERANCE = 0.01; // Relative; what peaks between samples resolve.
+constexpr double FREQUENCY_TOLERANCE = 2e-4; // Relative; resolution of zero crossings of a few dozen swings.
+constexpr double DECAY_TOLERANCE = 0.01; // Relative; resolution of peaks between samples.
 constexpr double ANGLE_TOLERANCE = 2e-5; // rad.
 constexpr double LENGTH_TOLERANCE = 1e-6; // Of 1; floats near 1 are 6e-8 apart.
 constexpr double SMALL = 2e-3; // rad; the law's own amplitude term is below 1e-5 here.
@@ -51,7 +51,7 @@ double equilibrium_angle(double force, double mass, double elasticity) {
 	return low;
 }
 
-/// Per m·L²: half the rate squared and the potential of gravity and the upward force.
+/// Per m·L²: half the squared rate plus the potential of gravity and the upward force.
 double energy(const TipState &state, double elasticity, double length) {
 	const double y = static_cast<double>(state.direction.y);
 	const double x = static_cast<double>(state.rate.x);
@@ -64,7 +64,7 @@ double energy(const TipState &state, double elasticity, double length) {
 
 } // namespace
 
-TEST_CASE("a small swing has the square of its angular frequency at e·g/L, whatever the step") {
+TEST_CASE("a small swing has the square of its angular frequency at e·g/L, at any step") {
 	for (const float step : { FRAME_STEP, LONG_STEP, 1.0f / 144.0f }) {
 		for (const double elasticity : { 0.25, 1.0, 4.0, 20.0 }) {
 			for (const double length : { 0.3, 1.0, 2.5 }) {
@@ -81,7 +81,7 @@ TEST_CASE("a small swing has the square of its angular frequency at e·g/L, what
 	}
 }
 
-TEST_CASE("friction slows a small swing and shrinks it at c/(2m), whatever the step") {
+TEST_CASE("friction slows a small swing and shrinks it at c/(2m), at any step") {
 	constexpr double FRICTION = 0.8;
 	constexpr double MASS = 0.5;
 	const double beta = FRICTION / (2.0 * MASS);
@@ -110,13 +110,13 @@ TEST_CASE("just inside acos(1/(1 + e)) a plant rises, just outside it falls to t
 			CAPTURE(elasticity);
 			CHECK(deflection(inside.state(0)) < 1e-3);
 			const double height = static_cast<double>(outside.state(0).direction.y);
-			// Without ground the upward force grows again below it, and holds the tip at y = -1/(1 + e).
+			// Without ground the upward force increases again below it, and supports the tip at y = -1/(1 + e).
 			CHECK(height == doctest::Approx(above_ground ? 0.02 : -1.0 / (1.0 + elasticity)).epsilon(1e-3));
 		}
 	}
 }
 
-TEST_CASE("with ground a tip never goes below it, however it is thrown") {
+TEST_CASE("with ground a tip is never below it, at any velocity") {
 	Joint joint = joint_of(2.0, 0.5, 0.1);
 	MotionPage page = one_plant(joint, leaning(0.3));
 	float lowest = 1.0f;
@@ -130,7 +130,7 @@ TEST_CASE("with ground a tip never goes below it, however it is thrown") {
 	CHECK(lowest > 0.0f);
 }
 
-TEST_CASE("a tip that lies on the ground gathers no rate downwards") {
+TEST_CASE("a tip on the ground gains no rate downwards") {
 	MotionPage page = one_plant(joint_of(1.0, 1.0, 0.0), leaning(1.5));
 	run(page, 30.0);
 	CHECK(page.state(0).direction.y < 0.03f);
@@ -140,8 +140,8 @@ TEST_CASE("a tip that lies on the ground gathers no rate downwards") {
 	CHECK(page.state(0).direction.y > 0.1f);
 }
 
-TEST_CASE("a joint that would swing a whole cycle in a step still rises, and bends in wind as it should") {
-	// Without a limit of the swing per step, sin²(ω·step/2) would leave no force at all here.
+TEST_CASE("a joint faster than one cycle per step still rises, and bends correctly in wind") {
+	// Without a limit of the swing per step, sin²(ω·step/2) would leave no force here.
 	const double omega = 2.0 * PI / static_cast<double>(FRAME_STEP);
 	const double elasticity = omega * omega * 0.01 / GRAVITY;
 	MotionPage stiff = one_plant(joint_of(elasticity, 0.01), leaning(SMALL));
@@ -153,7 +153,7 @@ TEST_CASE("a joint that would swing a whole cycle in a step still rises, and ben
 	CHECK(std::fabs(deflection(page.state(0)) - equilibrium_angle(200.0, 1.0, elasticity)) < ANGLE_TOLERANCE);
 }
 
-TEST_CASE("a stiff joint without ground comes to rest hanging, too, where its law is stiffer than upright") {
+TEST_CASE("a stiff joint without ground also comes to rest hanging, where its law is stiffer than upright") {
 	Joint joint = joint_of(0.3, 1.42e-4, 5.0);
 	joint.above_ground = false;
 	MotionPage page = one_plant(joint, leaning(2.0));
@@ -162,7 +162,7 @@ TEST_CASE("a stiff joint without ground comes to rest hanging, too, where its la
 	CHECK(glm::length(page.state(0).rate) < 0.1f);
 }
 
-TEST_CASE("a storm lays a light plant down with the wind instead of shaking it") {
+TEST_CASE("a storm flattens a light plant with the wind and does not shake it") {
 	for (const float force : { 30.0f, 1e3f, 1e6f }) {
 		Joint joint = joint_of(5.0, 0.1, 1e-3);
 		joint.mass = 1e-3f;
@@ -211,11 +211,11 @@ TEST_CASE("a large swing in wind follows a finely stepped reference, closer with
 		const glm::vec3 tip = page.state(0).direction;
 		return std::fabs(std::atan2(static_cast<double>(tip.x), static_cast<double>(tip.y)) - angle);
 	};
-	CHECK(error(FRAME_STEP) < 0.08); // Half a step of delay at the greatest rate, and the same from the large angle.
+	CHECK(error(FRAME_STEP) < 0.08); // Half a step of delay at the highest rate, and the same from the large angle.
 	CHECK(error(1.0f / 960.0f) < 0.005);
 }
 
-TEST_CASE("the tip keeps its distance from the root over an hour") {
+TEST_CASE("the tip preserves its distance from the root over an hour") {
 	MotionPage page = one_plant(joint_of(4.0, 1.0), leaning(0.7));
 	page.apply_impulse(0, { 0.0f, 0.0f, 1.5f });
 	double worst = 0.0;
@@ -231,7 +231,7 @@ TEST_CASE("the tip keeps its distance from the root over an hour") {
 	CHECK(slope < 1e-5); // 1/s: the rate stays in the tangent plane.
 }
 
-TEST_CASE("without friction the energy neither grows nor fades over an hour") {
+TEST_CASE("without friction the energy is constant over an hour") {
 	MotionPage page = one_plant(joint_of(4.0, 1.0), leaning(0.5));
 	page.apply_impulse(0, { 0.0f, 0.0f, 1.0f });
 	constexpr int MINUTE = 3600;
@@ -265,7 +265,7 @@ TEST_CASE("tall plants swing slower and wider and, being heavier, lose energy mo
 	CHECK(decay_rate_of(tall, step) < 0.5 * decay_rate_of(low, step));
 }
 
-TEST_CASE("waves keep a tall plant steadier than a low one") {
+TEST_CASE("waves move a tall plant less than a low one") {
 	const auto share = [](double length) {
 		MotionPage page = one_plant(joint_of(4.0, length, 0.5), leaning(0.0));
 		double least = 10.0;
@@ -283,7 +283,7 @@ TEST_CASE("waves keep a tall plant steadier than a low one") {
 	CHECK(share(3.0) < 0.5 * share(0.3));
 }
 
-TEST_CASE("weights of many lengths have the bits of each length by itself") {
+TEST_CASE("weights of many lengths have the bits of those of single lengths") {
 	const float lengths[] = { 0.05f, 0.3f, 1.0f, 2.5f, 1e-9f, 1e9f };
 	for (const float step : { FRAME_STEP, LONG_STEP, 8.0f * FRAME_STEP }) {
 		float weights[6];

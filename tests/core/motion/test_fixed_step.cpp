@@ -37,7 +37,7 @@ TEST_CASE("any frame rate does sixty steps a second, without drift over an hour"
 	}
 }
 
-TEST_CASE("alpha tells how far the present is between two steps") {
+TEST_CASE("alpha is the position of the present between two steps") {
 	FixedStep clock(STEP);
 	CHECK(clock.alpha() == 0.0f);
 	CHECK(clock.advance(0.25 * STEP) == 0);
@@ -47,7 +47,7 @@ TEST_CASE("alpha tells how far the present is between two steps") {
 	CHECK(clock.step() == STEP);
 }
 
-TEST_CASE("a frame of ten seconds costs a bounded number of steps and leaves no debt") {
+TEST_CASE("a frame of ten seconds costs a bounded number of steps and leaves no backlog") {
 	FixedStep clock(STEP, 8);
 	CHECK(clock.advance(10.0) == 8);
 	CHECK(clock.advance(0.0) == 0);
@@ -55,13 +55,13 @@ TEST_CASE("a frame of ten seconds costs a bounded number of steps and leaves no 
 	CHECK(clock.advance(1e300) == 8);
 }
 
-TEST_CASE("a frame of as many steps as it may do owes nothing, and keeps what is left of it") {
+TEST_CASE("a frame with the max number of steps leaves no backlog, and preserves the remainder") {
 	FixedStep clock(STEP, 8);
 	CHECK(clock.advance(8.5 * STEP) == 8);
 	CHECK(clock.alpha() == doctest::Approx(0.5f).epsilon(ALPHA_TOLERANCE));
 }
 
-TEST_CASE("after a hitch a frame catches up an eighth of a second, whatever the step, and no more") {
+TEST_CASE("after a hitch a frame catches up at most an eighth of a second, at any step") {
 	FixedStep usual(STEP);
 	CHECK(usual.advance(3.0) == 8);
 	CHECK(usual.advance(STEP) == 1);
@@ -73,7 +73,7 @@ TEST_CASE("after a hitch a frame catches up an eighth of a second, whatever the 
 	CHECK(coarse.advance(3.0) == 2);
 }
 
-TEST_CASE("a frame that is negative or no number counts as none") {
+TEST_CASE("a negative or invalid frame counts as none") {
 	FixedStep clock(STEP);
 	CHECK(clock.advance(-1.0) == 0);
 	CHECK(clock.advance(std::numeric_limits<double>::quiet_NaN()) == 0);

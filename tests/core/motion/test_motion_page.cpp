@@ -24,7 +24,7 @@ TEST_CASE("an empty page steps and interpolates without effect") {
 	}
 }
 
-TEST_CASE("a state comes back as it was put in") {
+TEST_CASE("a set state is returned unchanged") {
 	for (const Law law : BOTH_LAWS) {
 		const glm::vec3 direction = glm::normalize(glm::vec3(0.4f, 0.8f, -0.2f));
 		const glm::vec3 raw = { 0.3f, -0.1f, 0.9f };
@@ -35,7 +35,7 @@ TEST_CASE("a state comes back as it was put in") {
 	}
 }
 
-TEST_CASE("the state and what was drawn before survive a change of law, there and back") {
+TEST_CASE("the state and the previous drawn pose survive a change of law and back") {
 	MotionPage page = meadow(Law::elasticity, 0, 200);
 	std::vector<TipState> states;
 	std::vector<glm::vec3> last;
@@ -55,7 +55,7 @@ TEST_CASE("the state and what was drawn before survive a change of law, there an
 	}
 }
 
-TEST_CASE("a tip below the ground comes to the spring law just above the horizon") {
+TEST_CASE("with the spring law a tip below the ground moves to just above the horizon") {
 	for (const glm::vec3 &direction : { glm::vec3(0.0f, -1.0f, 0.0f), glm::vec3(0.8f, -0.6f, 0.0f) }) {
 		const MotionPage page = plant_page(Law::spring, {}, { direction, { 0.0f, 0.0f, 2.0f } });
 		CHECK(is_finite(page.state(0)));
@@ -63,7 +63,7 @@ TEST_CASE("a tip below the ground comes to the spring law just above the horizon
 	}
 }
 
-TEST_CASE("a plant that took another's place goes on as if it had always stood there") {
+TEST_CASE("a plant at another's row continues like one that was always there") {
 	for (const Law law : BOTH_LAWS) {
 		for (const MotionPage::Keeps keeps : { MotionPage::Keeps::bends, MotionPage::Keeps::directions }) {
 			MotionPage moved = meadow(law, 0, 40, keeps);
@@ -82,7 +82,7 @@ TEST_CASE("a plant that took another's place goes on as if it had always stood t
 	}
 }
 
-TEST_CASE("a plant that grows, moves or turns goes on from where it is, and is then as one that always was so") {
+TEST_CASE("a plant that grows, moves or turns continues from its state, like one that was always so") {
 	for (const Law law : BOTH_LAWS) {
 		MotionPage changed = meadow(law, 0, 5);
 		blow(changed, 0);
@@ -101,7 +101,7 @@ TEST_CASE("a plant that grows, moves or turns goes on from where it is, and is t
 	}
 }
 
-TEST_CASE("a species' property that changes is felt by plants that stand") {
+TEST_CASE("a changed property of a species applies to existing plants") {
 	for (const Law law : BOTH_LAWS) {
 		for (float Joint::*property :
 				{ &Joint::mass, &Joint::wind_weight, &Joint::elasticity, &Joint::natural_frequency }) {
@@ -121,7 +121,7 @@ TEST_CASE("a species' property that changes is felt by plants that stand") {
 	}
 }
 
-TEST_CASE("plants swing to the rest directions that they are given, also after their law changed there and back") {
+TEST_CASE("plants swing to given rest directions, also after a change of law and back") {
 	Joint joint;
 	joint.damping_ratio = 1.0f;
 	const glm::vec3 lean = glm::normalize(glm::vec3(0.6f, 0.8f, 0.1f));
@@ -129,7 +129,7 @@ TEST_CASE("plants swing to the rest directions that they are given, also after t
 	page.set_species(species_with(Law::elasticity, joint));
 	page.set_rests(0, &lean, 1);
 	CHECK(page.rest(0) == glm::vec3(0.0f, 1.0f, 0.0f));
-	page.apply_impulse(0, { 0.5f, 0.0f, 0.7f }); // What swings must not be taken for a rest.
+	page.apply_impulse(0, { 0.5f, 0.0f, 0.7f }); // A swinging plant must not be mistaken for one at rest.
 	record_x(page, 10);
 	page.set_species(species_with(Law::spring, joint));
 	CHECK(page.rest(0) == glm::vec3(0.0f, 1.0f, 0.0f));
@@ -139,7 +139,7 @@ TEST_CASE("plants swing to the rest directions that they are given, also after t
 	CHECK(glm::length(page.state(0).direction - lean) < STATE_TOLERANCE);
 }
 
-TEST_CASE("a blow changes the velocity by impulse/mass along the sphere, and not what was drawn before") {
+TEST_CASE("a blow changes the velocity by impulse/mass along the sphere, and not the previous drawn pose") {
 	for (const Law law : BOTH_LAWS) {
 		Joint joint;
 		joint.length = 2.0f;
@@ -155,7 +155,7 @@ TEST_CASE("a blow changes the velocity by impulse/mass along the sphere, and not
 	}
 }
 
-TEST_CASE("interpolation goes from the last step but one to the last") {
+TEST_CASE("interpolation runs from the last step but one to the last") {
 	for (const Law law : BOTH_LAWS) {
 		MotionPage page = meadow(law, 0, 37);
 		for (int i = 0; i < 20; i++) {
@@ -181,7 +181,7 @@ TEST_CASE("interpolation goes from the last step but one to the last") {
 	}
 }
 
-TEST_CASE("a page that keeps directions moves as one that keeps bends") {
+TEST_CASE("a page with directions moves like one with bends") {
 	for (const Law law : BOTH_LAWS) {
 		MotionPage floats = meadow(law, 0, 600);
 		MotionPage halves = meadow(law, 0, 600, MotionPage::Keeps::bends);

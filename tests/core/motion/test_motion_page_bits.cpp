@@ -10,7 +10,7 @@
 
 using namespace undergrowth;
 
-TEST_CASE("plants divided among pages anyhow, at every level, give the same bits") {
+TEST_CASE("any division of plants into pages, at every level, gives the same bits") {
 	for (const Law law : BOTH_LAWS) {
 		MotionPage whole = meadow(law, 0, 601);
 		MotionPage best = meadow(law, 0, 601);
@@ -29,7 +29,7 @@ TEST_CASE("plants divided among pages anyhow, at every level, give the same bits
 	}
 }
 
-TEST_CASE("a step of a page that keeps directions allocates nothing") {
+TEST_CASE("a step of a page with directions allocates nothing") {
 	for (const Law law : BOTH_LAWS) {
 		MotionPage page = meadow(law, 0, 1000);
 		std::vector<glm::vec3> drawn(1000);
@@ -43,7 +43,7 @@ TEST_CASE("a step of a page that keeps directions allocates nothing") {
 	}
 }
 
-TEST_CASE("no joint, state or wind, however extreme, leads to a number that is none") {
+TEST_CASE("no joint, state or wind, however extreme, causes an invalid number") {
 	constexpr float NONE = std::numeric_limits<float>::quiet_NaN();
 	constexpr float INF = std::numeric_limits<float>::infinity();
 	constexpr float EXTREMES[] = { 0.0f, 1e-30f, 1e-6f, 1.0f, 1e6f, 1e30f, -1.0f, NONE, INF };

@@ -10,7 +10,7 @@
 
 using namespace undergrowth;
 
-TEST_CASE("plants along the wind move alike, later by distance over speed") {
+TEST_CASE("plants along the wind move equally, later by distance over speed") {
 	constexpr int LATE = 30; // Steps.
 	constexpr float STEP = 1.0f / 60.0f; // s.
 	constexpr float SHIFT_TOLERANCE = 2e-4f;
@@ -33,7 +33,7 @@ TEST_CASE("plants along the wind move alike, later by distance over speed") {
 			first.push_back(page.direction(0));
 			second.push_back(page.direction(1));
 		}
-		// After 30 s of damping the start is forgotten.
+		// After 30 s of damping the start has no effect.
 		for (size_t i = 2000; i < 3000; i++) {
 			REQUIRE(glm::distance(second[i], first[i - LATE]) < SHIFT_TOLERANCE);
 		}

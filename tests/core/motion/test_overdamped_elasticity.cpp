@@ -4,7 +4,7 @@
 
 using namespace undergrowth;
 
-TEST_CASE("a plant of the elasticity law with much friction creeps upright as its equation does, whatever the step") {
+TEST_CASE("a plant of the elasticity law with much friction rises by its equation, at any step") {
 	Joint joint;
 	joint.mass = 0.4f;
 	joint.elasticity = 4.0f;

@@ -27,7 +27,7 @@ StemMotion blown(const glm::vec2 &bend, float clock = 0.0f) {
 	return stem;
 }
 
-/// The mean over one of a clock's seconds.
+/// The mean over one second of a clock.
 glm::vec2 mean_bend(const PartSwing &part, const glm::vec2 &bend) {
 	glm::vec2 sum(0.0f);
 	for (int i = 0; i < 2048; i++) {
@@ -36,7 +36,7 @@ glm::vec2 mean_bend(const PartSwing &part, const glm::vec2 &bend) {
 	return sum;
 }
 
-/// The largest distance from that mean.
+/// Max distance from that mean.
 float flutter(const PartSwing &part, const glm::vec2 &bend) {
 	const glm::vec2 mean = mean_bend(part, bend);
 	float most = 0.0f;
@@ -48,7 +48,7 @@ float flutter(const PartSwing &part, const glm::vec2 &bend) {
 
 } // namespace
 
-TEST_CASE("parts of a stem at rest are still, whatever the clock shows, also where it leans") {
+TEST_CASE("parts of a stem at rest are still at any time, also on a leaning stem") {
 	for (const glm::vec2 &rest : { glm::vec2(0.0f), glm::vec2(0.2f, -0.1f) }) {
 		for (int i = 0; i < 100; i++) {
 			StemMotion stem = blown(rest, static_cast<float>(i) / 100.0f);
@@ -58,7 +58,7 @@ TEST_CASE("parts of a stem at rest are still, whatever the clock shows, also whe
 	}
 }
 
-TEST_CASE("a part lags behind its stem, longer where it is softer or more damped") {
+TEST_CASE("a part lags behind its stem, and a softer or more damped one lags longer") {
 	StemMotion stem;
 	stem.rate = { 1.0f, 0.0f };
 	PartSwing across = leaf(0.0f, { 0.0f, 1.0f });
@@ -71,7 +71,7 @@ TEST_CASE("a part lags behind its stem, longer where it is softer or more damped
 	CHECK(-part_bend(across, stem).x > 1.3f * lag);
 }
 
-TEST_CASE("in steady wind a part leans with it, most on the windward side, and flutters most on the lee side") {
+TEST_CASE("in steady wind parts lean with it, most on the windward side, and flutter most on the lee side") {
 	const glm::vec2 wind(0.2f, 0.0f);
 	const float windward = mean_bend(leaf(0.0f, { -1.0f, 0.0f }), wind).x;
 	const float aside = mean_bend(leaf(0.0f, { 0.0f, 1.0f }), wind).x;
@@ -83,7 +83,7 @@ TEST_CASE("in steady wind a part leans with it, most on the windward side, and f
 	CHECK(flutter(leaf(0.0f, { 1.0f, 0.0f }), wind) > 1.5f * flutter(leaf(0.0f, { -1.0f, 0.0f }), wind));
 }
 
-TEST_CASE("a part flutters less the stiffer and the more damped it is, and the less its stem is bent") {
+TEST_CASE("flutter decreases with stiffness and damping, and with a smaller bend of the stem") {
 	const glm::vec2 wind(0.2f, 0.0f);
 	const float usual = flutter(leaf(), wind);
 	PartSwing other = leaf();
@@ -104,7 +104,7 @@ TEST_CASE("no two phases are in unison") {
 	CHECK(apart > 0.03f);
 }
 
-TEST_CASE("a part turns no farther down than it has room") {
+TEST_CASE("the room of a part limits its downward turn") {
 	PartSwing low = leaf();
 	low.room = 0.02f;
 	for (int i = 0; i < 256; i++) {
@@ -114,7 +114,7 @@ TEST_CASE("a part turns no farther down than it has room") {
 	}
 }
 
-TEST_CASE("a part's bend is bounded and a number, however wild its stem is and however long its steps") {
+TEST_CASE("a part's bend is bounded and valid, for any motion of its stem and any step") {
 	std::mt19937 chance(7);
 	std::uniform_real_distribution<float> any(-1.0f, 1.0f);
 	for (int i = 0; i < 20000; i++) {
@@ -154,7 +154,7 @@ TEST_CASE("parts come to rest with their stem") {
 	CHECK(late < 1e-4f);
 }
 
-TEST_CASE("nothing jumps where the clock begins anew") {
+TEST_CASE("nothing jumps when the clock restarts") {
 	SwingClock clock;
 	clock.step(SWING_PERIOD - 0.1);
 	glm::vec2 before(0.0f);
@@ -169,10 +169,10 @@ TEST_CASE("nothing jumps where the clock begins anew") {
 	}
 }
 
-TEST_CASE("a bent blade keeps its length") {
+TEST_CASE("a bent blade preserves its length") {
 	for (const float size : { 0.05f, 0.2f, MOST_PART_BEND }) {
 		const glm::vec2 bend = size * glm::vec2(0.6f, -0.8f);
-		// Of a blade that lies in the plane of its bend.
+		// For a blade in the plane of its bend.
 		const glm::vec3 along = 0.4f * glm::normalize(glm::vec3(0.6f * 0.3f, 1.0f, -0.8f * 0.3f));
 		float length = 0.0f;
 		glm::vec3 before(0.0f);

@@ -15,7 +15,7 @@ constexpr double PLACE_TOLERANCE = 0.005; // Of the length.
 
 } // namespace
 
-TEST_CASE("the reference chain swings as the beam of Euler and Bernoulli") {
+TEST_CASE("the reference chain swings like the beam of Euler and Bernoulli") {
 	struct Known {
 		double head, rate; // √(EI/(m·L³)).
 	};
@@ -28,7 +28,7 @@ TEST_CASE("the reference chain swings as the beam of Euler and Bernoulli") {
 	}
 }
 
-TEST_CASE("a load on its tip bends the reference chain as an elastica") {
+TEST_CASE("a load on its tip bends the reference chain like an elastica") {
 	struct Known {
 		double load, x, y; // Load over EI/L².
 	};
@@ -43,7 +43,7 @@ TEST_CASE("a load on its tip bends the reference chain as an elastica") {
 	}
 }
 
-TEST_CASE("the reference chain keeps its frequency and its damping when it swings") {
+TEST_CASE("the swinging reference chain has its frequency and its damping") {
 	StemBeam beam = stem_of(0.6, 0.5);
 	const double modulus = solve_stem(beam).youngs_modulus;
 	ReferenceChain chain(beam, modulus, 0.06);

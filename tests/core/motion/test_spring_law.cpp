@@ -15,7 +15,7 @@ using namespace undergrowth;
 namespace {
 
 constexpr double FREQUENCY_TOLERANCE = 1e-3; // Relative.
-constexpr double DAMPING_TOLERANCE = 0.01; // Relative; what peaks between samples resolve.
+constexpr double DAMPING_TOLERANCE = 0.01; // Relative; resolution of peaks between samples.
 constexpr double ANGLE_TOLERANCE = 1e-5; // rad.
 constexpr double SAME_MOTION = 1e-4; // Of the length, between frame rates.
 constexpr double CLOSED_FORM_TOLERANCE = 2e-5; // Of the first deflection.
@@ -31,7 +31,7 @@ MotionPage one_plant(const Joint &joint, const TipState &state, float step = FRA
 	return plant_page(Law::spring, joint, state, step);
 }
 
-/// x/y of the drawn direction after each frame, at `rate` frames a second.
+/// x/y of the drawn direction after each frame, at `rate` frames per second.
 std::vector<double> drawn_motion(const Joint &joint, int rate, double seconds) {
 	MotionPage page = one_plant(joint, leaning(0.3));
 	FixedStep clock(1.0 / 60.0);
@@ -150,7 +150,7 @@ TEST_CASE("30, 60 and 144 frames a second draw the same motion") {
 	CHECK(worst < SAME_MOTION);
 }
 
-TEST_CASE("an undamped swing keeps its size for an hour") {
+TEST_CASE("an undamped swing preserves its size for an hour") {
 	MotionPage page = one_plant(joint_of(0.4, 0.0), leaning(0.2));
 	record_x(page, 3600 * 60 - 600);
 	const std::vector<double> peaks = peaks_of(record_x(page, 600));
@@ -180,7 +180,7 @@ TEST_CASE("a blow upwards straightens a bent plant and does nothing to an uprigh
 		joint.mass = 0.5f;
 		MotionPage bent = plant_page(law, joint, leaning(0.6));
 		bent.apply_impulse(0, { 0.0f, 0.2f, 0.0f });
-		// J/(m·L) along the sphere: up times the sine of the bend.
+		// J/(m·L) along the sphere: the upward blow times the sine of the bend.
 		CHECK(glm::length(bent.state(0).rate) == doctest::Approx(0.4 * std::sin(0.6)).epsilon(1e-5));
 		CHECK(bent.state(0).rate.y > 0.0f);
 		CHECK(bent.state(0).rate.x < 0.0f);

@@ -19,7 +19,7 @@ constexpr double RATIO_TOLERANCE = 0.03;
 constexpr double DAMPING_TOLERANCE = 0.003;
 constexpr double ENERGY_GROWTH = 1e-6; // Relative, by rounding.
 
-/// A stem without friction of its own, light enough to feel the air.
+/// A stem without friction of its own, light enough for damping by air.
 StemConstants airy_stem(double frequency) {
 	StemBeam beam = stem_of(0.5, 0.0, frequency);
 	beam.damping_ratio = 0.0f;
@@ -27,7 +27,7 @@ StemConstants airy_stem(double frequency) {
 	return solve_stem(beam).constants;
 }
 
-/// Damping ratio of a very small swing about where a wind along x holds the stem, along it or across.
+/// Damping ratio of a very small swing about the equilibrium in a wind along x, along it or across.
 double damping_in_wind(const StemConstants &stem, float speed, bool is_along, double rate) {
 	StemPlants plants(stem, 1, static_cast<float>(1.0 / rate));
 	const glm::vec2 wind = { speed, 0.0f };
@@ -46,7 +46,7 @@ double damping_in_wind(const StemConstants &stem, float speed, bool is_along, do
 
 } // namespace
 
-TEST_CASE("a wind damps a swing along itself twice as much as one across, by what its drag says") {
+TEST_CASE("a wind damps a swing along itself twice as much as one across, by its drag") {
 	const StemConstants stem = airy_stem(2.0);
 	const StemMode &mode = stem.mode[0];
 	const float speed = 1.0f; // Bends the tip by less than 2°.
@@ -62,7 +62,7 @@ TEST_CASE("a wind damps a swing along itself twice as much as one across, by wha
 	}
 }
 
-TEST_CASE("a longer plant of a species feels the air's damping as the others do") {
+TEST_CASE("a longer plant of a species has the same damping by air") {
 	const StemConstants stem = airy_stem(2.0);
 	double damping[2];
 	for (const int which : { 0, 1 }) {
@@ -86,7 +86,7 @@ TEST_CASE("a longer plant of a species feels the air's damping as the others do"
 	CHECK(damping[0] == doctest::Approx(damping[1]).epsilon(0.02));
 }
 
-TEST_CASE("energy never grows in still air, whatever the state") {
+TEST_CASE("energy never increases in still air, for any state") {
 	for (const bool has_air : { false, true }) {
 		for (const int modes : { 1, 2 }) {
 			for (const float step : { 1.0f / 15.0f, FRAME_STEP, 1.0f / 144.0f }) {

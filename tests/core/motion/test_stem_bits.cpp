@@ -21,7 +21,7 @@ constexpr float INF = std::numeric_limits<float>::infinity();
 enum class Blowing { newtons, air, both };
 constexpr Blowing WINDS[] = { Blowing::newtons, Blowing::air, Blowing::both };
 
-/// Stems that all differ. `leans`: or all are upright.
+/// Stems that are all different. If `leans` is false, all are upright.
 StemPlants meadow(int modes, int count, bool leans, double frequency = 1.5) {
 	const StemConstants stem = modes == 1 ? simple_stem(frequency, 0.08) : stem_of_two_modes(frequency, 0.08);
 	StemPlants plants(stem, count, FRAME_STEP);
@@ -63,7 +63,7 @@ bool is_fine(const StemPlants &plants) {
 
 } // namespace
 
-TEST_CASE("stems divided anyhow, at every level, give the same bits") {
+TEST_CASE("any division of stems, at every level, gives the same bits") {
 	for (const int modes : { 1, 2 }) {
 		for (const bool leans : { false, true }) {
 			for (const Blowing wind : WINDS) {
@@ -87,7 +87,7 @@ TEST_CASE("stems divided anyhow, at every level, give the same bits") {
 	}
 }
 
-TEST_CASE("an upright stem among leaning ones has the bits that it has among upright ones") {
+TEST_CASE("an upright stem among leaning ones has the same bits as among upright ones") {
 	for (const Blowing wind : WINDS) {
 		StemPlants upright = meadow(1, 40, false);
 		StemPlants mixed = meadow(1, 40, false);
@@ -117,7 +117,7 @@ TEST_CASE("a step of stems allocates nothing") {
 	CHECK(allocation_count() == before);
 }
 
-TEST_CASE("the bends of both modes become pairs of halves, the first one's about the rest") {
+TEST_CASE("the bends of both modes become pairs of halves, the first one about the rest") {
 	for (const SimdLevel level : { SimdLevel::baseline, SimdLevel::avx2 }) {
 		for (const int modes : { 1, 2 }) {
 			constexpr int COUNT = 515;
@@ -143,7 +143,7 @@ TEST_CASE("the bends of both modes become pairs of halves, the first one's about
 	}
 }
 
-TEST_CASE("no wind, however strong or wrong, leads a stem out of the limits, and calm brings it back") {
+TEST_CASE("no wind, however strong or wrong, moves a stem beyond the limits, and it recovers in calm air") {
 	const float strengths[] = { 1e6f, 0.0f, NONE, 1e30f, INF, -INF, 1e4f };
 	for (const int modes : { 1, 2 }) {
 		for (const double frequency : { 0.1, 0.7, 1.5, 4.0, 15.0, 300.0 }) {
@@ -181,7 +181,7 @@ TEST_CASE("no wind, however strong or wrong, leads a stem out of the limits, and
 }
 
 TEST_CASE("stems settle in steady winds of any strength, at any step, leaning or not") {
-	constexpr float STILL = 2e-4f; // Of an amplitude, a step, after 60 swings.
+	constexpr float STILL = 2e-4f; // Of an amplitude, per step, after 60 swings.
 	for (const int modes : { 1, 2 }) {
 		for (const double frequency : { 0.7, 1.5, 5.0, 15.0 }) {
 			for (const float step : { 1.0f / 15.0f, 1.0f / 30.0f, FRAME_STEP }) {

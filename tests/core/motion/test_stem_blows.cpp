@@ -18,7 +18,7 @@ namespace {
 
 constexpr float SPEED_TOLERANCE = 0.01f; // Relative.
 
-/// Where a joint is, from 1 on; the last one is the head's centre.
+/// Position of a joint, from 1 on; the last one is the head's centre.
 float at_joint(const StemConstants &stem, int joint) {
 	return joint > stem.joints ? ON_HEAD : static_cast<float>(joint) / static_cast<float>(stem.joints);
 }
@@ -65,15 +65,15 @@ TEST_CASE("a blow changes a joint's speed by impulse over mass, across the stem,
 	}
 }
 
-TEST_CASE("the mass at the head of a light stem is the head's") {
+TEST_CASE("the mass at the head of a light stem is that of the head") {
 	StemBeam beam = stem_of(0.0, 20.0);
 	const StemConstants stem = solve_stem(beam).constants;
-	// A massless cantilever's tip carries 33/140 of the stem besides.
+	// The effective mass at a cantilever's tip includes 33/140 of the stem's.
 	const double expected = static_cast<double>(beam.head_mass) + 33.0 / 140.0 * mass_of(beam);
 	CHECK(static_cast<double>(stem_mass(stem, ON_HEAD)) == doctest::Approx(expected).epsilon(0.06));
 }
 
-TEST_CASE("a blow along the stem is held by the root") {
+TEST_CASE("the root resists a blow along the stem") {
 	const StemConstants stem = sample(2);
 	StemState state = standing({ 0.4f, -0.1f }, { 0.0f, 0.0f });
 	blow_on_stem(stem, state, 1.0f, 1e-3f * from_stereographic(stem_bend(stem, state.place, 1.0f)), 1.0f);
@@ -81,7 +81,7 @@ TEST_CASE("a blow along the stem is held by the root") {
 	CHECK(glm::length(state.rate[1]) < 1e-3f);
 }
 
-TEST_CASE("a push moves a joint as far as it says, the easiest way") {
+TEST_CASE("a push moves a joint by its length, with the least energy") {
 	for (const int modes : { 1, 2 }) {
 		const StemConstants stem = sample(modes);
 		for (int joint = 1; joint <= stem.joints; joint++) {
@@ -97,7 +97,7 @@ TEST_CASE("a push moves a joint as far as it says, the easiest way") {
 			CHECK(moved == doctest::Approx(way).epsilon(1e-4));
 			const float x = static_cast<float>(joint) / static_cast<float>(stem.joints);
 			CHECK(stem_place(stem, places, x).centre.z * stem.length == doctest::Approx(way).epsilon(0.02));
-			if (modes == 2) { // More of one mode and less of the other stores more.
+			if (modes == 2) { // More of one mode and less of the other store more energy.
 				const float a = stem.mode[0].stiffness * places[0].y * stem.deflection[joint - 1][1];
 				const float b = stem.mode[1].stiffness * places[1].y * stem.deflection[joint - 1][0];
 				CHECK(a == doctest::Approx(b).epsilon(1e-3));
@@ -106,7 +106,7 @@ TEST_CASE("a push moves a joint as far as it says, the easiest way") {
 	}
 }
 
-TEST_CASE("no blow and no push, however strong, leads out of the limits") {
+TEST_CASE("no blow and no push, however strong, exceeds the limits") {
 	const StemConstants stem = sample(2);
 	for (const float size : { 1e3f, 1e30f, std::nanf("") }) {
 		StemState state = standing({ 0.4f, -0.1f }, { 0.0f, 0.0f });

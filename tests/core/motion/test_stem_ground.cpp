@@ -22,8 +22,8 @@ using doctest::Approx;
 namespace {
 
 constexpr int PLANTS = 96;
-/// Of the length: where a second mode is far off, its share of the way is told roughly. One mode alone does not get
-/// there.
+/// Of the length: if a second mode is far off, its part of the motion is approximate. One mode alone does not reach the
+/// ground.
 constexpr float MOST_BELOW = 0.03f;
 
 /// Stems that lean up to 45°, every third one upright.
@@ -37,7 +37,7 @@ StemPlants meadow(const StemConstants &stem) {
 	return plants;
 }
 
-/// Over the length.
+/// Relative to the length.
 float tip_height(StemPlants &plants, int index) {
 	const StemPage page = plants.page();
 	const glm::vec2 amplitudes[] = { plants.place(index), plants.place(index, 1) };
@@ -67,7 +67,7 @@ void blow_away(StemPlants &plants, float strength) {
 
 } // namespace
 
-TEST_CASE("no blow takes the tip of a stem below the ground") {
+TEST_CASE("no blow moves the tip of a stem below the ground") {
 	for (const int modes : { 1, 2 }) {
 		for (const double taper : { 0.0, 0.5, 0.8 }) {
 			for (const double head : { 0.0, 1.0 }) {
@@ -89,7 +89,7 @@ TEST_CASE("no blow takes the tip of a stem below the ground") {
 	}
 }
 
-TEST_CASE("no gale takes the tip of a stem below the ground") {
+TEST_CASE("no gale moves the tip of a stem below the ground") {
 	for (const int modes : { 1, 2 }) {
 		for (const float speed : { 20.0f, 60.0f, 150.0f }) {
 			StemPlants plants = meadow(jointed(4, 0.5, 0.5, modes));
@@ -108,19 +108,19 @@ TEST_CASE("no gale takes the tip of a stem below the ground") {
 	}
 }
 
-TEST_CASE("the ground stops an upright stem in the shape of a steady wind where its tip meets it") {
+TEST_CASE("the ground stops an upright stem in the shape of a steady wind") {
 	const StemConstants stem = jointed(4, 0.5, 0.5, 1);
 	StemPlants plants(stem, 1, FRAME_STEP);
 	plants.set_place(0, glm::vec2(0.8f, 0.6f) * (MOST_STEM_AMPLITUDE / stem.mode[0].tip_slope));
 	const StemPage page = plants.page();
 	kernels(best_simd_level()).lift_stems(page, 1);
 	CHECK(plants.tip(0).x / plants.tip(0).y == Approx(4.0f / 3.0f));
-	// The other wind's shape is on the ground a little sooner or later.
+	// The other wind's shape reaches the ground slightly earlier or later.
 	CHECK(tip_height(plants, 0) >= GROUND_HEIGHT - 1e-4f);
 	CHECK(tip_height(plants, 0) <= GROUND_HEIGHT + 0.06f);
 }
 
-TEST_CASE("a tip that meets the ground loses what moves it down, and goes on along it") {
+TEST_CASE("a tip at the ground loses its downward motion and continues along the ground") {
 	const StemConstants stem = jointed(4, 0.0, 0.0, 1);
 	StemPlants plants(stem, 1, FRAME_STEP);
 	plants.set_place(0, { 1.4f, 0.0f });
@@ -134,7 +134,7 @@ TEST_CASE("a tip that meets the ground loses what moves it down, and goes on alo
 	CHECK(plants.rate(0).x == -5.0f);
 }
 
-TEST_CASE("the ground holds a second mode alike along both axes") {
+TEST_CASE("the ground limits a second mode equally along both axes") {
 	const StemConstants stem = jointed(4, 0.5, 0.5, 2);
 	StemPlants plants(stem, 2, FRAME_STEP);
 	const glm::vec2 along[] = { { 1.0f, 0.25f }, { 0.25f, 1.0f } };
@@ -158,7 +158,7 @@ TEST_CASE("the ground holds a second mode alike along both axes") {
 	CHECK(std::abs(plants.rate(1, 1).x) < 3.75f);
 }
 
-TEST_CASE("no steady wind bends a stem so far that the ground stops it") {
+TEST_CASE("no steady wind bends a stem to the ground") {
 	for (const double taper : { 0.0, 0.5, 0.8 }) {
 		for (const double head : { 0.0, 1.0, 2.0 }) {
 			for (const bool is_in_air : { false, true }) {
@@ -203,7 +203,7 @@ TEST_CASE("the ground gives no stem energy") {
 	}
 }
 
-TEST_CASE("stems that the ground stops have the same bits at every level, divided anyhow") {
+TEST_CASE("stems on the ground have the same bits at every level, for any division") {
 	for (const int modes : { 1, 2 }) {
 		StemPlants whole = meadow(jointed(4, 0.5, 0.5, modes));
 		StemPlants parts = whole;
@@ -217,8 +217,7 @@ TEST_CASE("stems that the ground stops have the same bits at every level, divide
 	}
 }
 
-TEST_CASE("a species without ground lets the tips of its stems go below it, and all others are stopped by whatever "
-		  "moves them") {
+TEST_CASE("without ground the tips of stems may be below it, and with ground every motion stops there") {
 	MotionSpecies species;
 	species.law = Law::stem;
 	species.stem = jointed(4, 0.5, 0.5, 1);

@@ -22,12 +22,12 @@ enum class Wind { newtons, air };
 constexpr double GUST_TOLERANCE = 0.035; // Of the length, the tip's whole path, up to a tip angle of 45°.
 constexpr double STEADY_TOLERANCE = 0.0075; // Of a dead load.
 constexpr double RELEASE_TOLERANCE = 0.03; // From 45°.
-constexpr double STEP_TOLERANCE = 0.04; // A load that comes at once, tip to 45°.
-constexpr double LEAN_TOLERANCE = 0.007; // Of a steady load, as long as that does not push a lean upright.
+constexpr double STEP_TOLERANCE = 0.04; // A sudden load, tip to 45°.
+constexpr double LEAN_TOLERANCE = 0.007; // Of a steady load that does not push a leaning stem upright.
 constexpr double UPSTREAM_TOLERANCE = 0.035;
-constexpr double FAST_FACTOR = 2.2; // Of both, of stems that swing too fast for the steps.
+constexpr double FAST_FACTOR = 2.2; // Factor of both for stems that swing too fast for the steps.
 
-/// A stem of the law beside the chain, in the same wind of so large a linear slope of the tip.
+/// A stem of the law and the chain, in the same wind, given as the linear slope of the tip.
 class Rivals {
 public:
 	Rivals(const StemBeam &beam, Wind wind_kind, double lean = 0.0, float step = FRAME_STEP) :
@@ -51,7 +51,8 @@ public:
 		chain.settle();
 		plants.run(100.0 * std::max(period(), plants.time_step()));
 	}
-	/// How far the tips are apart at most in so many periods, in lengths; the load follows `slope`, of time in periods.
+	/// Max distance of the tips over a number of periods, in lengths. The load follows `slope`, a function of time in
+	/// periods.
 	double follow(double periods, const std::function<double(double)> &slope) {
 		const int parts = static_cast<int>(std::ceil(plants.time_step() * 100.0 / period()));
 		const double part = plants.time_step() / parts;
@@ -103,7 +104,7 @@ private:
 	double speed(double slope) const { return std::sqrt(slope / static_cast<double>(stem.air_slope)) + 1e-9; }
 };
 
-/// Uniform; tapered; tapered with a head that the wind sees.
+/// Uniform; tapered; tapered with a head that has drag.
 StemBeam sample(int which, int modes) {
 	StemBeam beam = stem_of(which == 0 ? 0.0 : 0.6, which == 2 ? 0.5 : 0.0);
 	beam.head_drag_area = which == 2 ? 0.0015f : 0.0f;
@@ -112,14 +113,14 @@ StemBeam sample(int which, int modes) {
 	return beam;
 }
 
-/// One gust that comes and goes in two periods.
+/// One gust that rises and falls in two periods.
 std::function<double(double)> gust(double slope) {
 	return [slope](double periods) { return periods < 2.0 ? slope * 0.5 * (1.0 - std::cos(PI * periods)) : 0.0; };
 }
 
 } // namespace
 
-TEST_CASE("a gust moves the tip as it moves that of a chain of 64 links") {
+TEST_CASE("a gust moves the tip like that of a chain of 64 links") {
 	for (const int which : { 0, 1, 2 }) {
 		for (const int modes : { 1, 2 }) {
 			for (const Wind kind : { Wind::newtons, Wind::air }) {
@@ -136,7 +137,7 @@ TEST_CASE("a gust moves the tip as it moves that of a chain of 64 links") {
 	}
 }
 
-TEST_CASE("a stem that is let go swings as the chain does") {
+TEST_CASE("a released stem swings like the chain") {
 	for (const int which : { 0, 1, 2 }) {
 		Rivals rivals(sample(which, 1), Wind::newtons);
 		rivals.load(1.0);
@@ -149,7 +150,7 @@ TEST_CASE("a stem that is let go swings as the chain does") {
 	}
 }
 
-TEST_CASE("a load that comes at once throws the tip as the chain's") {
+TEST_CASE("a sudden load moves the tip like the chain's") {
 	for (const int which : { 0, 1, 2 }) {
 		for (const Wind kind : { Wind::newtons, Wind::air }) {
 			Rivals rivals(sample(which, 1), kind);
@@ -160,7 +161,7 @@ TEST_CASE("a load that comes at once throws the tip as the chain's") {
 	}
 }
 
-TEST_CASE("leaning stems come to rest in the wind where the chain does, slow ones and ones too fast for the steps") {
+TEST_CASE("leaning stems come to rest in the wind like the chain, slow ones and ones too fast for the steps") {
 	for (const double lean : { -42.0, -20.0, 20.0, 42.0 }) {
 		for (const double slope : { 0.25, 0.5, 1.0 }) {
 			for (const Wind kind : { Wind::newtons, Wind::air }) {

@@ -14,8 +14,8 @@ using namespace undergrowth;
 namespace {
 
 constexpr float STEP = 1.0f / 60.0f; // s.
-constexpr double WITHIN = 0.01; // Of what a stem solved for the height says.
-constexpr double BY_PARABOLA = 0.05; // The same of bends between the heights that are solved.
+constexpr double WITHIN = 0.01; // Of the values of a stem solved for the height.
+constexpr double BY_PARABOLA = 0.05; // The same for bends between the solved heights.
 
 StemBeam straw(double head) {
 	StemBeam beam = stem_of(0.4, head, 0.0);
@@ -53,7 +53,7 @@ FieldWind still() {
 	return wind;
 }
 
-/// rad/s: by the time of whole swings of a tip that is let go.
+/// rad/s: from the time of whole swings of a released tip.
 double frequency_of(MotionPage &page, int index) {
 	page.set_state(index, { glm::normalize(glm::vec3(0.02f, 1.0f, 0.0f)), {} });
 	double first = 0.0, last = 0.0;
@@ -74,7 +74,7 @@ double frequency_of(MotionPage &page, int index) {
 
 } // namespace
 
-TEST_CASE("stems whose stiffness is given swing by their own height") {
+TEST_CASE("stems with a given stiffness swing by their own height") {
 	const std::vector<float> ratios = { 0.7f, 0.85f, 1.0f, 1.15f, 1.3f };
 	for (const double head : { 0.0, 0.5 }) {
 		StemBeam beam = straw(head);
@@ -89,7 +89,7 @@ TEST_CASE("stems whose stiffness is given swing by their own height") {
 	}
 }
 
-TEST_CASE("stems whose stiffness is given bend by their own height in both winds") {
+TEST_CASE("stems with a given stiffness bend by their own height in both winds") {
 	const std::vector<float> ratios = { 0.7f, 1.0f, 1.3f };
 	const StemBeam beam = straw(0.5);
 	for (const WindKind kind : { WindKind::constant, WindKind::air }) {
@@ -114,14 +114,14 @@ TEST_CASE("stems whose stiffness is given bend by their own height in both winds
 	}
 }
 
-TEST_CASE("stems whose stiffness is given keep their frequency at other steps, and where plants come and go") {
+TEST_CASE("stems with a given stiffness have the same frequency at other steps, and when plants are added or removed") {
 	StemBeam beam = straw(0.0);
 	beam.youngs_modulus = 1e9f;
 	MotionPage page = page_of(beam, { 1.0f, 1.3f });
 	MotionPlant low;
 	low.length = 0.7f * beam.length;
 	page.add(&low, 1);
-	page.remove(0); // The low one takes its row.
+	page.remove(0); // The low one gets its row.
 	page.set_step_length(2.0f * STEP);
 	for (const int index : { 0, 1 }) {
 		const float ratio = index == 0 ? 0.7f : 1.3f;
@@ -131,7 +131,7 @@ TEST_CASE("stems whose stiffness is given keep their frequency at other steps, a
 	}
 }
 
-TEST_CASE("heights make no difference where a frequency is declared") {
+TEST_CASE("heights have no effect with a declared frequency") {
 	const StemBeam beam = stem_of(0.4, 0.5, 1.2);
 	CHECK(!solve_stem(beam).constants.has_grades());
 	MotionPage page = page_of(beam, { 0.7f, 1.3f });
@@ -140,7 +140,7 @@ TEST_CASE("heights make no difference where a frequency is declared") {
 
 TEST_CASE("stems of any height stay finite and calm down") {
 	StemBeam beam = straw(2.0);
-	beam.youngs_modulus = 3e8f; // It hardly stands.
+	beam.youngs_modulus = 3e8f; // It is close to buckling.
 	beam.modes = 2;
 	MotionPage page = page_of(beam, { 0.01f, 0.3f, 1.0f, 1.3f, 2.0f, 50.0f }, 1.0f / 15.0f);
 	FieldWind wind;
@@ -153,7 +153,7 @@ TEST_CASE("stems of any height stay finite and calm down") {
 	}
 }
 
-TEST_CASE("loads on a stem of another height bend it as a stem solved for that height") {
+TEST_CASE("loads on a stem of another height bend it like a stem solved for that height") {
 	StemBeam beam = straw(0.0);
 	beam.head_drag_area = 0.0f; // The area that meets the air grows with the height; a force in newtons does not.
 	const StemConstants own = solve_stem(beam).constants;

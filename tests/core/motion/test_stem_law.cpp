@@ -17,7 +17,7 @@ constexpr double FREQUENCY_TOLERANCE = 0.005; // Relative.
 constexpr double DAMPING_TOLERANCE = 0.003;
 constexpr double ANGLE_TOLERANCE = 2e-4; // rad.
 
-/// The amplitude's x after each of so many steps in calm air.
+/// The amplitude's x after each of `steps` steps in calm air.
 std::vector<double> ring_down(StemPlants &plants, int steps, int mode) {
 	std::vector<double> places;
 	for (int i = 0; i < steps; i++) {
@@ -42,7 +42,7 @@ TEST_CASE("a stem swings at its declared frequency and damping at 30, 60 and 144
 			CHECK(std::fabs(swings - 1.0) < FREQUENCY_TOLERANCE);
 			figures::tell_error(figures::SWINGS, "declared frequency at 30, 60 and 144 steps a second",
 					FREQUENCY_TOLERANCE, swings - 1.0);
-			// Crossings of a decaying swing between samples: peaks are found within a thousandth.
+			// Crossings of a decaying swing between samples find its peaks within a thousandth.
 			const double ratio = decay_rate_of(places, step) / (2.0 * PI * frequency);
 			CHECK(std::fabs(ratio - 0.06) < DAMPING_TOLERANCE);
 			figures::tell_error(

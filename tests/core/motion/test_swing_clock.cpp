@@ -5,7 +5,7 @@
 using namespace undergrowth;
 using doctest::Approx;
 
-TEST_CASE("the clock of swings goes from the step before to the last one, and begins anew after its period") {
+TEST_CASE("the clock of swings runs from the previous step to the last one, and restarts after its period") {
 	SwingClock clock;
 	clock.step(0.5 * SWING_PERIOD);
 	clock.step(0.125 * SWING_PERIOD);
@@ -14,5 +14,5 @@ TEST_CASE("the clock of swings goes from the step before to the last one, and be
 	CHECK(clock.now(1.0f) == Approx(0.625));
 	clock.step(0.5 * SWING_PERIOD);
 	CHECK(clock.now(1.0f) == Approx(0.125));
-	CHECK(clock.now(0.0f) == Approx(0.625)); // It was there before it began anew.
+	CHECK(clock.now(0.0f) == Approx(0.625)); // The value before the clock restarted.
 }

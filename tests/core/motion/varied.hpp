@@ -10,7 +10,7 @@
 #include <cstring>
 #include <vector>
 
-/// Plants that all differ, for the tests of pages.
+/// Plants that are all different, for the tests of pages.
 namespace undergrowth {
 
 inline constexpr Law BOTH_LAWS[] = { Law::elasticity, Law::spring };
@@ -43,7 +43,7 @@ inline TipState varied_state(int index) {
 	return { { noise(index, 9), 1.0f, noise(index, 10) }, { noise(index, 11), noise(index, 12), noise(index, 13) } };
 }
 
-/// Plants [first, first + count), each in a state of its own, under one species.
+/// Plants [first, first + count), each in its own state, of one species.
 inline MotionPage meadow(Law law, int first, int count, MotionPage::Keeps keeps = MotionPage::Keeps::directions) {
 	std::vector<MotionPlant> plants;
 	for (int i = 0; i < count; i++) {

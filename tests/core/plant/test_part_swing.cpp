@@ -10,7 +10,7 @@
 
 using namespace undergrowth;
 
-TEST_CASE("a swing comes back from its code as it was, about") {
+TEST_CASE("a swing survives encoding and decoding, approximately") {
 	for (int i = 0; i < 400; i++) {
 		const float t = static_cast<float>(i) / 400.0f;
 		PartSwing swing;
@@ -28,7 +28,7 @@ TEST_CASE("a swing comes back from its code as it was, about") {
 	}
 }
 
-TEST_CASE("codes of swings outlive half floats, and say the same again") {
+TEST_CASE("codes of swings survive half floats unchanged") {
 	PartSwing swing;
 	for (int i = 0; i < 500; i++) {
 		const float t = static_cast<float>(i) / 500.0f;
@@ -54,7 +54,7 @@ TEST_CASE("all frequencies are whole numbers of swings in the clock's period") {
 	}
 }
 
-TEST_CASE("a head has no side, and says so") {
+TEST_CASE("a head has no side, and its code states that") {
 	CHECK(decode_swing(encode_swing(PartSwing())).is_head());
 	PartSwing leaf;
 	leaf.side = { 0.0f, 1.0f };

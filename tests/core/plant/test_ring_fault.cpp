@@ -37,7 +37,7 @@ Points square_with(glm::vec3 first) {
 
 TEST_CASE("sound rings have no fault") {
 	CHECK(fault_of(SQUARE) == RingFault::none);
-	// Concave, with a point in the middle of a side, off the root, and very small.
+	// Concave, with a point in the middle of a side, away from the root, and very small.
 	CHECK(fault_of(flat({ { 0.0f, 2.0f }, { 1.0f, 2.0f }, { 2.0f, 2.0f }, { 1.0f, 1.5f }, { 2.0f, 0.0f },
 				  { 0.0f, 0.0f } })) == RingFault::none);
 	CHECK(fault_of(flat({ { -1e-6f, 0.0f }, { 0.0f, 1e-6f }, { 1e-6f, 0.0f } })) == RingFault::none);
@@ -81,7 +81,7 @@ TEST_CASE("a ring that runs clockwise as seen from above") {
 TEST_CASE("edges that cross") {
 	CHECK(fault_of(flat({ { -1.0f, 1.0f }, { 1.0f, 1.0f }, { -0.5f, -1.0f }, { 0.5f, -2.0f }, { 0.5f, -1.0f } })) ==
 			RingFault::self_crossing);
-	// A pentagram goes round twice: its area has the right sign.
+	// A pentagram winds twice: its area has the right sign.
 	CHECK(fault_of(flat({ { -1.0f, 0.0f }, { 0.81f, 0.59f }, { -0.31f, -0.95f }, { -0.31f, 0.95f },
 				  { 0.81f, -0.59f } })) == RingFault::self_crossing);
 }
@@ -97,7 +97,7 @@ TEST_CASE("edges that touch") {
 			RingFault::self_crossing);
 }
 
-TEST_CASE("points that are there twice") {
+TEST_CASE("duplicate points") {
 	Points repeated = SQUARE;
 	repeated.insert(repeated.begin() + 1, SQUARE[1]);
 	CHECK(fault_of(repeated) == RingFault::self_crossing);
@@ -109,7 +109,7 @@ TEST_CASE("points that are there twice") {
 				  { 0.0f, -1.0f }, { 0.0f, 0.0f }, { -1.0f, 0.0f } })) == RingFault::self_crossing);
 }
 
-TEST_CASE("each fault has a sentence of its own") {
+TEST_CASE("each fault has its own sentence") {
 	std::set<std::string> sentences;
 	for (int fault = 0; fault <= static_cast<int>(RingFault::self_crossing); fault++) {
 		sentences.insert(describe(static_cast<RingFault>(fault)));

@@ -15,7 +15,7 @@ const Polygon U_SHAPE = { { 0, 0 }, { 5, 0 }, { 5, 5 }, { 4, 5 }, { 4, 1 }, { 1,
 
 } // namespace
 
-TEST_CASE("a point is inside where the polygon goes around it, whatever its shape and direction") {
+TEST_CASE("a point is inside if the polygon winds around it, for any shape and direction") {
 	const Polygon reversed(U_SHAPE.rbegin(), U_SHAPE.rend());
 	for (const Polygon &polygon : { U_SHAPE, reversed }) {
 		CHECK(is_inside(polygon, { 0.5f, 4.0f }));
@@ -46,13 +46,13 @@ TEST_CASE("a point on the seam of two areas is in exactly one of them") {
 	}
 }
 
-TEST_CASE("where a polygon crosses itself, what it goes around twice is outside") {
+TEST_CASE("a region that a polygon winds around twice is outside") {
 	const Polygon star = { { 0, -1 }, { 0.59f, 0.81f }, { -0.95f, -0.31f }, { 0.95f, -0.31f }, { -0.59f, 0.81f } };
 	CHECK_FALSE(is_inside(star, { 0.01f, 0.01f }));
 	CHECK(is_inside(star, { 0.01f, -0.7f }));
 }
 
-TEST_CASE("areas, boxes and perimeters are those of geometry") {
+TEST_CASE("areas, boxes and perimeters match geometry") {
 	CHECK(signed_area(rectangle({ 3, 2 }, { 100, -50 })) == doctest::Approx(6.0));
 	CHECK(perimeter(rectangle({ 3, 2 })) == doctest::Approx(10.0));
 	CHECK(signed_area(U_SHAPE) == doctest::Approx(13.0));
@@ -67,7 +67,7 @@ TEST_CASE("areas, boxes and perimeters are those of geometry") {
 	CHECK(rectangle({ -3, 2 }) == rectangle({ 3, -2 }));
 }
 
-TEST_CASE("each fault of an area is found and said in a sentence") {
+TEST_CASE("each fault of an area is detected and has a sentence") {
 	const float nan = std::numeric_limits<float>::quiet_NaN();
 	const float infinity = std::numeric_limits<float>::infinity();
 	CHECK(find_area_fault(U_SHAPE) == AreaFault::none);
@@ -81,7 +81,7 @@ TEST_CASE("each fault of an area is found and said in a sentence") {
 	CHECK(find_area_fault({ { 0, 0 }, { 1, 1 }, { 3, 3 } }) == AreaFault::no_area);
 	CHECK(find_area_fault(rectangle({ 0.1f, 1000 })) == AreaFault::none);
 	CHECK(find_area_fault(rectangle({ 1.0e-3f, 1.0e-3f }, { 1, 1 })) == AreaFault::none);
-	// On a line to a millionth of its length.
+	// On a line, to a millionth of its length.
 	for (const float length : { 1.0f, 1000.0f }) {
 		CHECK(find_area_fault({ { 0, 0 }, { length, 0 }, { 0, 1.2e-6f * length } }) == AreaFault::none);
 		CHECK(find_area_fault({ { 0, 0 }, { length, 0 }, { 0, 0.8e-6f * length } }) == AreaFault::no_area);
@@ -91,7 +91,7 @@ TEST_CASE("each fault of an area is found and said in a sentence") {
 	}
 }
 
-TEST_CASE("a row of an area tells the same of its points as the whole area") {
+TEST_CASE("a row of an area gives the same results for its points as the whole area") {
 	const Polygon hole = { { 0.2f, 0.2f }, { 4.7f, 0.7f }, { 2.0f, 4.0f } };
 	for (int j = -4; j < 44; j++) {
 		const double low = j * 0.125;
@@ -111,7 +111,7 @@ TEST_CASE("a row of an area tells the same of its points as the whole area") {
 	}
 }
 
-TEST_CASE("what differs between two polygons is in the box around what changed of them") {
+TEST_CASE("the difference of two polygons is in the box around the changed part") {
 	const Polygon one = { { 0, 0 }, { 10, 0 }, { 10, 10 }, { 0, 10 } };
 	Polygon other = one;
 	other[2] = { 12, 13 };
@@ -120,7 +120,7 @@ TEST_CASE("what differs between two polygons is in the box around what changed o
 	CHECK(box.high == glm::vec2(12, 13));
 	other = { { 0, 10 }, { 0, 0 }, { 10, 0 }, { 10, 4 }, { 9, 5 }, { 10, 6 }, { 10, 10 } };
 	const AreaBox notch = changed_box(one, other);
-	CHECK(notch.low == glm::vec2(9, 0)); // Of the side that has it.
+	CHECK(notch.low == glm::vec2(9, 0)); // Of the side that has the notch.
 	CHECK(notch.high == glm::vec2(10, 10));
 	const Polygon turned = { one[2], one[1], one[0], one[3] };
 	const AreaBox none = changed_box(one, turned);

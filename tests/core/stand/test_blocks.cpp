@@ -15,7 +15,7 @@ using namespace undergrowth;
 
 namespace {
 
-/// Plants on hills, mixed by `order_seed`; 0 leaves them as they were placed.
+/// Plants on hills, shuffled by `order_seed`; 0 leaves them in the order of placement.
 FieldPlants hilly_field(float side, float density, uint64_t order_seed = 0) {
 	PlacementRequest request = square_field(side, density, 5);
 	request.clumping = 0.5f;
@@ -36,7 +36,7 @@ FieldPlants hilly_field(float side, float density, uint64_t order_seed = 0) {
 
 using Key = std::tuple<int, int, int>;
 
-/// The tile and species of a plant, by their definition.
+/// The tile and species of a plant, by definition.
 Key key_of(const FieldPlants &plants, std::size_t i, double size) {
 	return { static_cast<int>(std::floor(plants.z[i] / size)), static_cast<int>(std::floor(plants.x[i] / size)),
 		plants.species[i] };
@@ -44,7 +44,7 @@ Key key_of(const FieldPlants &plants, std::size_t i, double size) {
 
 } // namespace
 
-TEST_CASE("plants that are farther than all tiles, and places that are no numbers, have a tile") {
+TEST_CASE("plants beyond all tiles, and positions with invalid numbers, have a tile") {
 	const TileKey farthest = tile_at(1e31f, -3e38f, 0.5f);
 	CHECK(farthest.column == 1000000000);
 	CHECK(farthest.row == -1000000000);
@@ -61,7 +61,7 @@ TEST_CASE("plants that are farther than all tiles, and places that are no number
 	CHECK(cut_into_blocks(plants, 16.0f).size() == 3);
 }
 
-TEST_CASE("blocks hold all plants exactly once, each of one tile and species") {
+TEST_CASE("blocks contain all plants exactly once, each of one tile and species") {
 	const FieldPlants plants = hilly_field(100.0f, 4.0f, 3);
 	const std::vector<PlantBlock> blocks = cut_into_blocks(plants, 10.0f);
 	std::multiset<float> was(plants.x.begin(), plants.x.end());
@@ -86,7 +86,7 @@ TEST_CASE("blocks hold all plants exactly once, each of one tile and species") {
 	CHECK(was == is);
 }
 
-TEST_CASE("equal plants stay in their order, whatever order the others came in") {
+TEST_CASE("equal plants preserve their order, for any order of all other plants") {
 	const FieldPlants plants = hilly_field(60.0f, 5.0f, 5);
 	std::map<std::tuple<int, int, int, int>, std::vector<float>> was;
 	std::map<std::tuple<int, int, int, int>, std::vector<float>> is;
@@ -119,7 +119,7 @@ TEST_CASE("each tile is beside the one before") {
 	CHECK(way == doctest::Approx(255.0));
 }
 
-TEST_CASE("a tile with more plants of a species than a block holds has several blocks") {
+TEST_CASE("a tile with more plants of a species than a block can contain has several blocks") {
 	const FieldPlants plants = hilly_field(60.0f, 5.0f);
 	int standing = 0;
 	std::map<int, std::vector<int>> sizes;

@@ -53,7 +53,7 @@ void reseal(std::vector<uint8_t> &bytes) {
 
 } // namespace
 
-TEST_CASE("changes that were written are read as they were") {
+TEST_CASE("written edits are read unchanged") {
 	const SavedChanges saved = sample();
 	const std::vector<uint8_t> bytes = write_changes(saved);
 	SavedChanges back;
@@ -72,7 +72,7 @@ TEST_CASE("changes that were written are read as they were") {
 	CHECK(GoldenHash().add(bytes).value() == GOLDEN_BYTES);
 }
 
-TEST_CASE("changes of the first version, which told no seed, are read") {
+TEST_CASE("edits of the first version, without a seed, are read") {
 	SavedChanges saved = sample();
 	saved.seed.reset();
 	const std::vector<uint8_t> bytes = write_changes(saved);
@@ -84,7 +84,7 @@ TEST_CASE("changes of the first version, which told no seed, are read") {
 	CHECK(write_changes(back) == bytes);
 }
 
-TEST_CASE("what has grown back is not written, and heights are those of now") {
+TEST_CASE("regrown plants are not written, and heights are the current ones") {
 	SavedChanges saved = sample();
 	saved.changes.grow_back(0.9);
 	SavedChanges back;
@@ -95,7 +95,7 @@ TEST_CASE("what has grown back is not written, and heights are those of now") {
 	CHECK(back.changes.plant_count() < saved.changes.plant_count());
 }
 
-TEST_CASE("a plant that is gone takes at most 16 bytes, a swath far fewer") {
+TEST_CASE("a removed plant needs at most 16 bytes, a swath far fewer") {
 	const PlacementRequest request = square_field(50.0f, 20.0f, 2);
 	const double spacing = Placement(request).cell_size();
 	const FieldPlants plants = placed(request);
@@ -116,7 +116,7 @@ TEST_CASE("a plant that is gone takes at most 16 bytes, a swath far fewer") {
 	CHECK(write_changes(strewn).size() - nothing <= REMOVED_BYTES * few.size());
 }
 
-TEST_CASE("saved plants without height, or of a scale that no plant can be added with, are refused") {
+TEST_CASE("saved plants without height, or with an impossible scale, are rejected") {
 	SavedChanges saved;
 	saved.species = { "Poppy" };
 	saved.added.push_back({ added_plant_id(0), PlacedPlant() });
@@ -141,7 +141,7 @@ TEST_CASE("saved plants without height, or of a scale that no plant can be added
 	}
 }
 
-TEST_CASE("bytes that are torn, of a later release or of another kind are told, and change nothing") {
+TEST_CASE("bytes that are truncated, of a later release or of another kind are reported and change nothing") {
 	const std::vector<uint8_t> bytes = write_changes(sample());
 	SavedChanges kept = sample();
 	for (std::size_t length = 1; length < bytes.size(); length += 7) {
@@ -152,7 +152,7 @@ TEST_CASE("bytes that are torn, of a later release or of another kind are told, 
 		std::vector<uint8_t> damaged = bytes;
 		damaged[at] ^= 0x40;
 		CHECK(read(damaged, kept) == BytesFault::torn);
-		reseal(damaged); // As somebody might write them who means harm: read without a fault, or told.
+		reseal(damaged); // As in a hostile file: it is read without a fault, or refused.
 		SavedChanges other;
 		read(damaged, other);
 	}

@@ -30,7 +30,7 @@ std::vector<Cell> along_curve(int column, int row, int side) {
 	return cells;
 }
 
-/// Whether each cell but the first is one further and beside the one before it.
+/// True if each cell but the first has the next key and is beside the one before it.
 bool goes_through(const std::vector<Cell> &cells) {
 	const auto is_next = [](const Cell &a, const Cell &b) {
 		return b.key == a.key + 1 && std::abs(b.column - a.column) + std::abs(b.row - a.row) == 1;
@@ -41,7 +41,7 @@ bool goes_through(const std::vector<Cell> &cells) {
 
 } // namespace
 
-TEST_CASE("Hilbert's curve goes through all cells of a square, from each to one beside it") {
+TEST_CASE("Hilbert's curve visits all cells of a square, from each to a neighbour") {
 	for (const int side : { 2, 4, 8, 16, 32, 128 }) {
 		CHECK(goes_through(along_curve(0, 0, side)));
 		CHECK(goes_through(along_curve(-side, 0, side)));
@@ -50,7 +50,7 @@ TEST_CASE("Hilbert's curve goes through all cells of a square, from each to one 
 	}
 }
 
-TEST_CASE("Hilbert's curve goes through the farthest cells as well, first and last ones of all") {
+TEST_CASE("Hilbert's curve includes the farthest cells, as the first and last ones") {
 	constexpr int LEAST = std::numeric_limits<int>::min();
 	constexpr int MOST = std::numeric_limits<int>::max();
 	for (const int column : { LEAST, MOST - 31 }) {
@@ -64,7 +64,7 @@ TEST_CASE("Hilbert's curve goes through the farthest cells as well, first and la
 	CHECK(*std::max_element(std::begin(ends), std::end(ends)) == std::numeric_limits<uint64_t>::max());
 }
 
-TEST_CASE("places along Hilbert's curve are the same on every platform") {
+TEST_CASE("keys on Hilbert's curve are the same on every platform") {
 	constexpr uint64_t GOLDEN = 0xe9cebb6d2737ee19ull;
 	GoldenHash hash;
 	for (const int step : { 1, 97, 1234567 }) {

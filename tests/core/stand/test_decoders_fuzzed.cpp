@@ -1,4 +1,4 @@
-// Decoders of saved bytes, given mutated bytes with a true length and checksum, as a damaged or hostile save may have.
+// Fuzz tests of the decoders: mutated bytes with a correct length and checksum, as in a damaged or hostile file.
 
 #include "base/byte_codec.hpp"
 #include "base/random.hpp"
@@ -22,7 +22,7 @@ using Bytes = std::vector<uint8_t>;
 
 constexpr uint64_t ROUNDS = 4000;
 constexpr std::size_t LENGTH_AT = 6;
-/// Bit patterns of numbers at the ends of what readers accept.
+/// Bit patterns of numbers at the limits of the readers.
 constexpr uint32_t ODD_WORDS[] = { 0u, 1u, 0x7fu, 0x80u, 0xffu, 0xffffu, 0x7fffffffu, 0x80000000u, 0xffffffffu,
 	0x7f800000u /* infinite */, 0x7fc00000u /* not a number */, 0x00000001u /* denormal */, 0x7f7fffffu, 0xff7fffffu };
 
@@ -73,7 +73,7 @@ void mutate(Bytes &bytes, Chance &chance) {
 	}
 }
 
-/// Makes the length and the checksum true.
+/// Corrects the length and the checksum.
 void seal(Bytes &bytes) {
 	const auto length = static_cast<uint32_t>(bytes.size());
 	for (std::size_t i = 0; i < 4; i++) {
@@ -118,7 +118,7 @@ SavedChanges sample_changes() {
 	return saved;
 }
 
-/// All that a field does with changes that were read.
+/// Everything that a field does with loaded edits.
 void use(const SavedChanges &saved) {
 	StandEdit edit;
 	edit.tile_size = 16.0f;
@@ -155,7 +155,7 @@ DensityMap sample_map() {
 
 } // namespace
 
-TEST_CASE("mutated changes with a true checksum are refused, or can be used and written again") {
+TEST_CASE("mutated edits with a correct checksum are rejected, or can be used and written again") {
 	const Bytes whole = write_changes(sample_changes());
 	int sound = 0;
 	for (uint64_t seed = 0; seed < ROUNDS; seed++) {
@@ -173,7 +173,7 @@ TEST_CASE("mutated changes with a true checksum are refused, or can be used and 
 	CHECK(sound < static_cast<int>(ROUNDS) - 100);
 }
 
-TEST_CASE("a mutated map with a true checksum is refused, or can be used and written again") {
+TEST_CASE("a mutated map with a correct checksum is rejected, or can be used and written again") {
 	const Bytes whole = write_density(sample_map());
 	const DensityMap other = sample_map();
 	int sound = 0;

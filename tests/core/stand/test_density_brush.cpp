@@ -29,7 +29,7 @@ double painted_area(const DensityMap &map, int layer) {
 
 } // namespace
 
-TEST_CASE("A hard brush paints a disc, and tells the cells that it changed") {
+TEST_CASE("a hard brush paints a disc and reports the changed cells") {
 	DensityMap map(0.25f);
 	const int layer = map.need_layer("Poppy");
 	const CellRange changed = paint(map, layer, hard(3.0f), { DensityStroke::Does::add, 1.0f, 1.0f });
@@ -40,7 +40,7 @@ TEST_CASE("A hard brush paints a disc, and tells the cells that it changed") {
 	CHECK(paint(map, layer, hard(3.0f), { DensityStroke::Does::add, 1.0f, 1.0f }).is_empty());
 }
 
-TEST_CASE("A soft brush grows weaker towards its edge, and is whole in its middle") {
+TEST_CASE("a soft brush weakens towards its edge and has full strength at its centre") {
 	const DensityBrush brush = { { 0.0f, 0.0f }, 4.0f, 0.5f };
 	CHECK(brush.weight(0.0f) == 1.0f);
 	CHECK(brush.weight(1.99f) == 1.0f);
@@ -51,7 +51,7 @@ TEST_CASE("A soft brush grows weaker towards its edge, and is whole in its middl
 	CHECK(hard(4.0f).weight(3.999f) == 1.0f);
 }
 
-TEST_CASE("Adding and taking away end at all and at nothing") {
+TEST_CASE("adding and subtracting end at the limits") {
 	DensityMap map;
 	const int layer = map.need_layer("Poppy");
 	const DensityStroke more = { DensityStroke::Does::add, 0.4f, 1.0f };
@@ -67,7 +67,7 @@ TEST_CASE("Adding and taking away end at all and at nothing") {
 	CHECK(map.block_count() == 0);
 }
 
-TEST_CASE("A weak stroke arrives at its density if it is repeated, from above and from below") {
+TEST_CASE("a repeated weak stroke reaches its density, from above and from below") {
 	DensityMap map;
 	const int layer = map.need_layer("Poppy");
 	for (const float target : { 0.5f, 0.9f, 0.2f, 0.0f }) {
@@ -82,7 +82,7 @@ TEST_CASE("A weak stroke arrives at its density if it is repeated, from above an
 	}
 }
 
-TEST_CASE("Heights go to what is set, and density stays") {
+TEST_CASE("heights reach their value, and density is unchanged") {
 	DensityMap map;
 	const int layer = map.need_layer("Poppy");
 	paint(map, layer, hard(1.0f), { DensityStroke::Does::add, 0.5f, 1.0f });
@@ -95,7 +95,7 @@ TEST_CASE("Heights go to what is set, and density stays") {
 	CHECK(map.cell(layer, 0, 0).height_factor() == doctest::Approx(255.0f / 64.0f));
 }
 
-TEST_CASE("Smoothing makes neighbours alike, and keeps how much there is") {
+TEST_CASE("smoothing makes neighbours equal and preserves the total") {
 	DensityMap map;
 	const int layer = map.need_layer("Poppy");
 	paint(map, layer, hard(2.0f), { DensityStroke::Does::add, 1.0f, 1.0f });
@@ -109,7 +109,7 @@ TEST_CASE("Smoothing makes neighbours alike, and keeps how much there is") {
 	CHECK(painted_area(map, layer) == doctest::Approx(before).epsilon(0.02));
 }
 
-TEST_CASE("A polygon is filled where the middles of its cells are") {
+TEST_CASE("a polygon fills the cells with centres in it") {
 	DensityMap map;
 	const int layer = map.need_layer("Poppy");
 	const CellRange changed = fill_polygon(map, layer, rectangle({ 4.0f, 2.0f }), 0.5f);
@@ -119,7 +119,7 @@ TEST_CASE("A polygon is filled where the middles of its cells are") {
 	CHECK(map.block_count() == 0);
 }
 
-TEST_CASE("Brushes that are no brushes are told from others") {
+TEST_CASE("invalid brushes are detected") {
 	const float nan = std::numeric_limits<float>::quiet_NaN();
 	CHECK(is_valid(hard(3.0f)));
 	CHECK(!is_valid(hard(0.0f)));
@@ -131,7 +131,7 @@ TEST_CASE("Brushes that are no brushes are told from others") {
 	CHECK(!is_valid({ { 0.0f, 0.0f }, 1.0f, nan }));
 }
 
-TEST_CASE("A brush at the end of all coordinates paints what is left of it") {
+TEST_CASE("a brush at the coordinate limits paints its part within them") {
 	DensityMap map;
 	const int layer = map.need_layer("Poppy");
 	const CellRange changed =

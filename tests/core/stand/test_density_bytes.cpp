@@ -17,7 +17,7 @@ constexpr std::size_t HECTARE_BYTES = 100 * 1024;
 constexpr std::size_t GOLDEN_SIZE = 482;
 constexpr uint64_t GOLDEN_BYTES = 16987235884191265994ull;
 
-/// Some strokes with soft edges all over a square around (`at`, `at`).
+/// Some strokes with soft edges over a square around (`at`, `at`).
 void paint_square(DensityMap &map, const char *layer_name, float side, float at, int strokes, uint64_t seed) {
 	const int layer = map.need_layer(layer_name);
 	for (int i = 0; i < strokes; i++) {
@@ -48,7 +48,7 @@ DensityFault read(const std::vector<uint8_t> &bytes, DensityMap &map) {
 	return read_density(bytes.data(), bytes.size(), map);
 }
 
-/// Makes the checksum true again.
+/// Corrects the checksum.
 void seal(std::vector<uint8_t> &bytes) {
 	const uint32_t sum = checksum_of(bytes.data(), bytes.size() - 4);
 	std::memcpy(bytes.data() + bytes.size() - 4, &sum, 4);
@@ -56,7 +56,7 @@ void seal(std::vector<uint8_t> &bytes) {
 
 } // namespace
 
-TEST_CASE("A map that was written is read as it was") {
+TEST_CASE("a written map is read unchanged") {
 	const DensityMap map = sample();
 	DensityMap read_back;
 	REQUIRE(read(write_density(map), read_back) == DensityFault::none);
@@ -71,7 +71,7 @@ TEST_CASE("A map that was written is read as it was") {
 	}
 }
 
-TEST_CASE("What is painted at the end of all coordinates is read as it was") {
+TEST_CASE("paint at the coordinate limits is read unchanged") {
 	DensityMap map;
 	const int layer = map.need_layer("Grass");
 	const float end = FARTHEST_COORDINATE;
@@ -86,7 +86,7 @@ TEST_CASE("What is painted at the end of all coordinates is read as it was") {
 	CHECK(are_the_same(map, found));
 }
 
-TEST_CASE("Equal cells are equal bytes, whatever was painted and erased before") {
+TEST_CASE("equal cells give equal bytes, for any painting and erasing before") {
 	DensityMap map = sample();
 	const std::vector<uint8_t> before = write_density(map);
 	const int layer = map.find_layer("Poppy");
@@ -95,7 +95,7 @@ TEST_CASE("Equal cells are equal bytes, whatever was painted and erased before")
 	CHECK(write_density(map) == before);
 }
 
-TEST_CASE("The bytes of a map are these on every machine") {
+TEST_CASE("the bytes of a map are the same on every machine") {
 	DensityMap map;
 	const int layer = map.need_layer("Poppy");
 	for (int i = 0; i < 100; i++) {
@@ -106,13 +106,13 @@ TEST_CASE("The bytes of a map are these on every machine") {
 	CHECK(GoldenHash().add(bytes).value() == GOLDEN_BYTES);
 }
 
-TEST_CASE("A painted hectare of a species takes no more than 100 KiB") {
+TEST_CASE("a painted hectare of a species needs at most 100 KiB") {
 	DensityMap map;
 	paint_square(map, "Poppy", 100.0f, 0.0f, 1500, 3);
 	const std::size_t strokes = write_density(map).size();
 	MESSAGE("strokes: " << strokes);
 	CHECK(strokes <= HECTARE_BYTES);
-	// Even where no two neighbours are alike.
+	// Even if no two neighbours are equal.
 	for (int row = 0; row < 200; row++) {
 		for (int column = 0; column < 200; column++) {
 			const uint64_t bits = mix_bits(static_cast<uint64_t>(200 * row + column));
@@ -124,7 +124,7 @@ TEST_CASE("A painted hectare of a species takes no more than 100 KiB") {
 	CHECK(noise <= HECTARE_BYTES);
 }
 
-TEST_CASE("A hectare that is painted evenly takes a few hundred bytes a species") {
+TEST_CASE("an evenly painted hectare needs a few hundred bytes per species") {
 	DensityMap map;
 	fill_polygon(map, map.need_layer("Poppy"), rectangle({ 100.0f, 100.0f }), 0.7f);
 	const std::size_t size = write_density(map).size();
@@ -132,13 +132,13 @@ TEST_CASE("A hectare that is painted evenly takes a few hundred bytes a species"
 	CHECK(size <= 4096);
 }
 
-TEST_CASE("No bytes are an empty map") {
+TEST_CASE("zero bytes are an empty map") {
 	DensityMap map = sample();
 	CHECK(read({}, map) == DensityFault::none);
 	CHECK(map.layer_count() == 0);
 }
 
-TEST_CASE("Bytes that are no map are told by name, and change nothing") {
+TEST_CASE("bytes that are not a map have a fault and change nothing") {
 	DensityMap map = sample();
 	const std::vector<uint8_t> whole = write_density(map);
 	CHECK(read({ 1, 2, 3 }, map) == DensityFault::not_a_map);
@@ -156,7 +156,7 @@ TEST_CASE("Bytes that are no map are told by name, and change nothing") {
 	CHECK(write_density(map) == whole);
 }
 
-TEST_CASE("A byte that changed is found") {
+TEST_CASE("a changed byte is detected") {
 	DensityMap map = sample();
 	const std::vector<uint8_t> whole = write_density(map);
 	for (std::size_t at = 0; at < whole.size(); at += 5) {
@@ -167,7 +167,7 @@ TEST_CASE("A byte that changed is found") {
 	CHECK(write_density(map) == whole);
 }
 
-TEST_CASE("Whatever the bytes say, reading them ends, and gives a map that can be written or a fault") {
+TEST_CASE("reading any bytes ends, and gives a valid map or a fault") {
 	const std::vector<uint8_t> whole = write_density(sample());
 	int sound = 0;
 	for (uint64_t seed = 0; seed < 3000; seed++) {
@@ -188,7 +188,7 @@ TEST_CASE("Whatever the bytes say, reading them ends, and gives a map that can b
 	CHECK(sound < 3000);
 }
 
-TEST_CASE("All faults say what to do") {
+TEST_CASE("all faults describe the remedy") {
 	for (const DensityFault fault :
 			{ DensityFault::not_a_map, DensityFault::later_version, DensityFault::torn, DensityFault::none }) {
 		CHECK(std::strlen(describe(fault)) > 10);

@@ -13,7 +13,7 @@ constexpr DensityCell HALF = { 128, 32 };
 
 } // namespace
 
-TEST_CASE("A new map holds nothing, and tells of nothing painted") {
+TEST_CASE("a new map is empty and reports nothing painted") {
 	DensityMap map;
 	const int layer = map.need_layer("Poppy");
 	CHECK(map.cell(layer, 3, -7) == DensityCell());
@@ -23,14 +23,14 @@ TEST_CASE("A new map holds nothing, and tells of nothing painted") {
 	CHECK(map.block_count() == 0);
 }
 
-TEST_CASE("Sizes of cells are brought into range") {
+TEST_CASE("cell sizes are clamped") {
 	CHECK(DensityMap(0.1f).cell_size() == 0.25f);
 	CHECK(DensityMap(3.0f).cell_size() == 2.0f);
 	CHECK(DensityMap(1.0f).cell_size() == 1.0f);
 	CHECK(DensityMap(std::numeric_limits<float>::quiet_NaN()).cell_size() == 0.5f);
 }
 
-TEST_CASE("Cells are kept on all sides of the origin, in blocks that are there where something is") {
+TEST_CASE("cells are stored on all sides of the origin, in blocks that exist only where painted") {
 	DensityMap map;
 	const int layer = map.need_layer("Poppy");
 	for (const int column : { -33, -32, -1, 0, 31, 32, 199999 }) {
@@ -44,7 +44,7 @@ TEST_CASE("Cells are kept on all sides of the origin, in blocks that are there w
 	CHECK(map.block_count() == 5 * 3);
 }
 
-TEST_CASE("A place is in the cell that begins below it") {
+TEST_CASE("a position is in the cell that begins below it") {
 	DensityMap map(0.5f);
 	const int layer = map.need_layer("Poppy");
 	map.set_cell(layer, -1, 2, HALF);
@@ -55,7 +55,7 @@ TEST_CASE("A place is in the cell that begins below it") {
 	CHECK(map.middle_of(-1, 2) == glm::vec2(-0.25f, 1.25f));
 }
 
-TEST_CASE("Layers are found by their names, and need one") {
+TEST_CASE("layers are found by their names and need one") {
 	DensityMap map;
 	CHECK(map.need_layer("Poppy") == 0);
 	CHECK(map.need_layer("Grass") == 1);
@@ -69,7 +69,7 @@ TEST_CASE("Layers are found by their names, and need one") {
 	CHECK(map.cell(0, 4, 4) == HALF);
 }
 
-TEST_CASE("A map has no more than 256 layers") {
+TEST_CASE("a map has at most 256 layers") {
 	DensityMap map;
 	for (int i = 0; i < DensityMap::MOST_LAYERS; i++) {
 		REQUIRE(map.need_layer(std::to_string(i)) == i);
@@ -78,7 +78,7 @@ TEST_CASE("A map has no more than 256 layers") {
 	CHECK(map.need_layer("7") == 7);
 }
 
-TEST_CASE("What was shared stays as it was while the map is changed") {
+TEST_CASE("a shared copy does not change with the map") {
 	DensityMap map;
 	const int layer = map.need_layer("Poppy");
 	map.set_cell(layer, 0, 0, HALF);
@@ -95,7 +95,7 @@ TEST_CASE("What was shared stays as it was while the map is changed") {
 	CHECK(again.cell(layer, 0, 0).density == 255);
 }
 
-TEST_CASE("A cut has all layers, and of them the blocks that meet it") {
+TEST_CASE("a cut has all layers, with the blocks that meet it") {
 	DensityMap map;
 	map.need_layer("Poppy");
 	map.need_layer("Grass");
@@ -111,7 +111,7 @@ TEST_CASE("A cut has all layers, and of them the blocks that meet it") {
 	CHECK(map.cut({}).block_count() == 0);
 }
 
-TEST_CASE("Blocks that hold nothing any more are freed where one asks for it") {
+TEST_CASE("empty blocks are freed on request") {
 	DensityMap map;
 	const int layer = map.need_layer("Poppy");
 	map.set_cell(layer, 0, 0, HALF);
@@ -126,7 +126,7 @@ TEST_CASE("Blocks that hold nothing any more are freed where one asks for it") {
 	CHECK(map.cell(layer, 0, 0) == HALF);
 }
 
-TEST_CASE("Cells around a box are those that it touches, up to where coordinates go") {
+TEST_CASE("cells around a box are those that it touches, within the coordinate limits") {
 	const DensityMap map(0.5f);
 	CHECK(map.cells_around({ { -0.1f, 0.0f }, { 0.6f, 0.4f } }) == CellRange{ -1, 0, 1, 0 });
 	CHECK(map.cells_around({ { 0.6f, 0.0f }, { 0.1f, 0.4f } }).is_empty());
@@ -140,7 +140,7 @@ TEST_CASE("Cells around a box are those that it touches, up to where coordinates
 	CHECK(box.high == glm::vec2(1.0f, 0.5f));
 }
 
-TEST_CASE("Cells are taken from another map by the names of layers") {
+TEST_CASE("cells are copied from another map by layer names") {
 	DensityMap map;
 	DensityMap other;
 	map.need_layer("Poppy");
@@ -164,7 +164,7 @@ TEST_CASE("Cells are taken from another map by the names of layers") {
 	CHECK(map.cell(2, 5, 0) == DensityCell());
 }
 
-TEST_CASE("Cells are taken from all of a range, its last row and column too, and from nowhere else") {
+TEST_CASE("all cells of a range are copied, the last row and column included, and no other cells") {
 	DensityMap map;
 	DensityMap other;
 	other.need_layer("Grass");

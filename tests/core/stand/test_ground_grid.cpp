@@ -13,7 +13,7 @@ namespace {
 
 using Ground = std::function<float(float, float)>;
 
-/// Plants all over a square around the origin, `density` of them in each square metre.
+/// Plants over a square around the origin, `density` per square metre.
 FieldPlants plants_in(float side, float density) {
 	FieldPlants plants;
 	const float gap = 1.0f / std::sqrt(density);
@@ -29,8 +29,8 @@ FieldPlants plants_in(float side, float density) {
 
 struct Found {
 	int points = 0;
-	int single = 0; ///< Plants that need a query of their own.
-	float max_error = 0.0f; ///< m, of the others.
+	int single = 0; ///< Plants that need a separate query.
+	float max_error = 0.0f; ///< m, of all other plants.
 	float max_turn = 0.0f; ///< rad, of their normals.
 };
 
@@ -68,7 +68,7 @@ Found survey(const FieldPlants &plants, float spacing, const Ground &ground) {
 
 } // namespace
 
-TEST_CASE("on rolling ground a grid of half a metre takes an eighth of the queries of 40 plants per square metre") {
+TEST_CASE("on rolling ground a 0.5 m grid needs an eighth of the queries of 40 plants per square metre") {
 	const FieldPlants plants = plants_in(16.0f, 40.0f);
 	const Found found = survey(
 			plants, 0.5f, [](float x, float z) { return 2.0f * std::sin(0.16f * x) * std::cos(0.12f * z) + 0.1f * z; });
@@ -85,7 +85,7 @@ TEST_CASE("a slope has its height and its normal exactly") {
 	CHECK(found.max_turn < 0.01f);
 }
 
-TEST_CASE("plants at the end of the ground and at a step get a query of their own") {
+TEST_CASE("plants at the edge of the ground and at a step need a separate query") {
 	const FieldPlants plants = plants_in(12.0f, 12.0f);
 	const auto with_hole = [](float x, float z) { return x * x + z * z < 4.0f ? NAN : 1.0f; };
 	const Found hole = survey(plants, 0.5f, with_hole);
@@ -101,7 +101,7 @@ TEST_CASE("plants at the end of the ground and at a step get a query of their ow
 	}
 }
 
-TEST_CASE("a cell's height does not depend on which other plants there are") {
+TEST_CASE("a cell's height does not depend on the other plants") {
 	const Ground ground = [](float x, float z) { return 0.4f * std::sin(x) * std::sin(0.7f * z); };
 	FieldPlants one;
 	one.add(plants_in(6.0f, 12.0f).plant(100));
@@ -121,7 +121,7 @@ TEST_CASE("a cell's height does not depend on which other plants there are") {
 	CHECK(heights[0] == heights[1]);
 }
 
-TEST_CASE("few plants far apart get no grid") {
+TEST_CASE("a few distant plants get no grid") {
 	FieldPlants plants;
 	for (const float x : { -1.0e5f, 0.0f, 1.0e5f }) {
 		PlacedPlant plant;

@@ -29,7 +29,7 @@ struct Stand {
 	double spacing;
 	std::vector<PlantBlock> blocks;
 
-	/// Numbers in a store that has no others: 7, 10, 13 ...
+	/// Block numbers of a store without other blocks: 7, 10, 13 ...
 	FilledBlocks numbered() const {
 		FilledBlocks all;
 		all.spacing = spacing;
@@ -61,7 +61,7 @@ std::map<PlantId, PlantPlace> names_of(const FilledBlocks &filled) {
 	return names;
 }
 
-/// Checks that those are kept, from where and to where, whose names both have, and no other; tells their number.
+/// Checks that exactly the plants with ids in both lists are transferred, with their locations. Returns their number.
 int check_kept(const FilledBlocks &before, const Stand &now) {
 	std::map<PlantId, PlantPlace> names = names_of(before);
 	const std::vector<KeptPlant> kept = find_kept(before, now.blocks, now.spacing);
@@ -94,13 +94,13 @@ int plants_of(const Stand &stand) {
 
 } // namespace
 
-TEST_CASE("who stands where it stood is kept, all of them") {
+TEST_CASE("all plants at unchanged positions are transferred") {
 	const Stand stand = stand_of(square_field(20.0f, 3.0f, 5));
 	CHECK(check_kept(stand.numbered(), stand) == plants_of(stand));
 	CHECK(plants_of(stand) > 1000);
 }
 
-TEST_CASE("plants are kept by their cells when tiles, sizes, seeds and species are others") {
+TEST_CASE("plants are matched by their cells across other tiles, sizes, seeds and species") {
 	const PlacementRequest request = square_field(20.0f, 3.0f, 5);
 	const Stand before = stand_of(request);
 	CHECK(check_kept(before.numbered(), stand_of(request, 7.0f)) == plants_of(before));
@@ -112,8 +112,8 @@ TEST_CASE("plants are kept by their cells when tiles, sizes, seeds and species a
 	CHECK(check_kept(smaller.numbered(), before) == plants_of(smaller));
 }
 
-TEST_CASE("who stands beside all that stood is not kept") {
-	for (const float side : { 15.5f, 16.0f, 31.0f, 64.0f }) { // Cells of 0.5 m: as many as powers of two, about.
+TEST_CASE("plants outside of the previous area are not transferred") {
+	for (const float side : { 15.5f, 16.0f, 31.0f, 64.0f }) { // Cells of 0.5 m: around powers of two.
 		const Stand before = stand_of(square_field(side, DENSITY, 3));
 		for (const float more : { 1.0f, 2.0f * side }) {
 			const Stand now = stand_of(square_field(side + more, DENSITY, 3));
@@ -123,7 +123,7 @@ TEST_CASE("who stands beside all that stood is not kept") {
 	}
 }
 
-TEST_CASE("plants are kept in narrow stands, in slanting ones and in such as lie far apart") {
+TEST_CASE("plants are transferred in narrow, slanting and distant areas") {
 	constexpr float FAR = 3000.0f;
 	const Polygon narrow = { { -400.0f, 0.0f }, { 400.0f, 0.0f }, { 400.0f, 1.5f }, { -400.0f, 1.5f } };
 	const Polygon slanting = { { 0.0f, 0.0f }, { 300.0f, 300.0f }, { 300.0f, 302.0f }, { 0.0f, 2.0f } };
@@ -140,7 +140,7 @@ TEST_CASE("plants are kept in narrow stands, in slanting ones and in such as lie
 	}
 }
 
-TEST_CASE("who is gone is not kept, though it grows again where it stood") {
+TEST_CASE("a removed plant is not transferred when it grows again at its position") {
 	const Stand stand = stand_of(square_field(20.0f, 3.0f, 5));
 	FilledBlocks before = stand.numbered();
 	before.blocks[2].second.plants.scale[1] = 0.0f;
@@ -148,14 +148,14 @@ TEST_CASE("who is gone is not kept, though it grows again where it stood") {
 	CHECK(check_kept(before, stand) == plants_of(stand) - 1);
 }
 
-TEST_CASE("another density has other names, also where a plant stands on the same spot") {
+TEST_CASE("another density has other ids, even for plants at the same position") {
 	const Stand stand = stand_of(square_field(20.0f, 3.0f, 5));
 	Stand other = stand;
 	other.spacing *= 0.8;
 	CHECK(check_kept(stand.numbered(), other) == 0);
 }
 
-TEST_CASE("a tile more or less changes nothing for the others") {
+TEST_CASE("adding or removing a tile does not affect other tiles") {
 	const Stand stand = stand_of(square_field(20.0f, 3.0f, 5));
 	Stand fewer = stand;
 	fewer.blocks.pop_back();
@@ -168,7 +168,7 @@ TEST_CASE("a tile more or less changes nothing for the others") {
 	CHECK(find_kept(stand.numbered(), {}, stand.spacing).empty());
 }
 
-TEST_CASE("a plant that moved along one axis only is told by its cell as well") {
+TEST_CASE("a plant that moved along one axis only is also matched by its cell") {
 	const Stand stand = stand_of(square_field(20.0f, 3.0f, 5));
 	for (const bool along_x : { true, false }) {
 		Stand moved = stand;
@@ -180,7 +180,7 @@ TEST_CASE("a plant that moved along one axis only is told by its cell as well") 
 	}
 }
 
-TEST_CASE("what is dressed anew stands as it stood, without species that are no more and without the removed") {
+TEST_CASE("a rebuild of styles gathers all plants except added ones, removed ones and those of dropped species") {
 	PlantStore store = filled_store(square_field(20.0f, DENSITY, 3), 8.0f);
 	store.apply([] {
 		StandEdit edit;
@@ -203,7 +203,7 @@ TEST_CASE("what is dressed anew stands as it stood, without species that are no 
 	}
 }
 
-TEST_CASE("of names, those that stand are found, in their order") {
+TEST_CASE("the existing plants of a list of ids are found, in its order") {
 	const PlantStore store = filled_store(square_field(10.0f, DENSITY, 1), 8.0f);
 	const std::vector<PlantId> ids = store.ids();
 	const std::vector<PlantPlace> found = store.find_all({ ids[3], NO_PLANT, ids[1] });

@@ -16,7 +16,7 @@ namespace {
 
 using Root = std::array<float, 2>;
 
-/// A plant's place and all else about it.
+/// Position of a plant, with a hash of all its other values.
 std::map<Root, uint64_t> by_root(const FieldPlants &plants) {
 	std::map<Root, uint64_t> found;
 	for (int i = 0; i < plants.size(); i++) {
@@ -27,7 +27,7 @@ std::map<Root, uint64_t> by_root(const FieldPlants &plants) {
 	return found;
 }
 
-/// The least distance between any two plants (m) that are closer than `spacing`.
+/// Min distance of any two plants (m) that are closer than `spacing`.
 double least_distance(const FieldPlants &plants, double spacing) {
 	std::map<std::pair<int, int>, std::vector<int>> cells;
 	const auto cell = [&](float place) { return static_cast<int>(std::floor(static_cast<double>(place) / spacing)); };
@@ -51,8 +51,8 @@ double least_distance(const FieldPlants &plants, double spacing) {
 
 } // namespace
 
-TEST_CASE("the count is density times area, but for chance in the cells on the border") {
-	// A cell on the border holds a plant or not: a variance of 1/4 at most each. Four standard deviations.
+TEST_CASE("the count is density times area, except for chance in the cells on the border") {
+	// A cell on the border has a plant or not, with a variance of at most 1/4. Four standard deviations.
 	constexpr double DEVIATIONS = 4.0;
 	const Polygon triangle = { { -20, -30 }, { 45, 3 }, { 1, 28 } };
 	const Polygon u_shape = { { 0, 0 }, { 50, 0 }, { 50, 50 }, { 40, 50 }, { 40, 10 }, { 10, 10 }, { 10, 50 },
@@ -73,7 +73,7 @@ TEST_CASE("the count is density times area, but for chance in the cells on the b
 	}
 }
 
-TEST_CASE("plants stand in the area and in no exclusion") {
+TEST_CASE("plants are in the area and in no exclusion") {
 	PlacementRequest request = square_field(30.0f, 20.0f, 2);
 	request.exclusions = { rectangle({ 4, 40 }), { { 5, 5 }, { 12, 8 }, { 6, 11 } }, {}, { { 1, 1 }, { 2, 2 } } };
 	const FieldPlants plants = placed(request);
@@ -87,7 +87,7 @@ TEST_CASE("plants stand in the area and in no exclusion") {
 	}
 }
 
-TEST_CASE("no two plants are closer than the stated part of the spacing") {
+TEST_CASE("no two plants are closer than the stated fraction of the spacing") {
 	for (const float density : { 0.3f, 10.0f, 1000.0f }) {
 		const double spacing = 1.0 / std::sqrt(static_cast<double>(density));
 		PlacementRequest request = square_field(1.0f, density, 1);
@@ -187,7 +187,7 @@ TEST_CASE("rows placed by several threads give the same bytes as all at once") {
 	}
 }
 
-TEST_CASE("candidates are at least the plants and few more") {
+TEST_CASE("candidates are slightly more than the plants") {
 	PlacementRequest request = square_field(50.0f, 6.0f, 1);
 	request.area = { { 0, 0 }, { 50, 0 }, { 50, 50 }, { 49, 50 }, { 49, 1 }, { 1, 1 }, { 1, 50 }, { 0, 50 } };
 	const Placement placement(request);
@@ -195,15 +195,15 @@ TEST_CASE("candidates are at least the plants and few more") {
 	placement.place_rows(3, 60, plants);
 	const std::size_t candidates = placement.candidate_count(3, 60);
 	CHECK(candidates >= plants.x.size());
-	// Two arms, two or three cells of border on each side.
+	// Two arms, with two or three cells of border on each side.
 	CHECK(candidates <= plants.x.size() + 57 * 12);
 }
 
-TEST_CASE("an area can hold one plant, none, or a million") {
+TEST_CASE("an area can contain one plant, none, or a million") {
 	CHECK(placed(square_field(40.0f, 0.0f, 1)).size() == 0);
 	CHECK(placed(square_field(1.0e-3f, 1.0f, 1)).size() == 0);
 	CHECK(placed(square_field(10.0f, 1.0e-30f, 1)).size() <= 1);
-	// A cell of the grid and what its neighbours' jitter lets in.
+	// A cell of the grid and the range of its neighbours' jitter.
 	int single = 0;
 	for (uint64_t seed = 0; seed < 50; seed++) {
 		PlacementRequest request = square_field(1.0f, 1.0f, 1);

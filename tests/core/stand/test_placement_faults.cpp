@@ -11,7 +11,7 @@ namespace {
 
 const float NOT_A_NUMBER = std::numeric_limits<float>::quiet_NaN();
 
-/// The fault of a sound request with one change; nothing must be placed where there is one.
+/// The fault of a sound request with one change. With a fault nothing may be placed.
 template <class Change> PlacementFault fault_with(Change change) {
 	PlacementRequest request = square_field(10.0f, 2.0f, 2);
 	change(request);
@@ -73,12 +73,12 @@ TEST_CASE("faults of one species are found") {
 	CHECK(species_fault_with([](Species &s) { s.most_lean = 1.6f; }) == PlacementFault::bad_deviation);
 }
 
-TEST_CASE("a field of too many plants is refused before anything is placed") {
+TEST_CASE("a field of too many plants is rejected before any placement") {
 	const auto too_many = [](PlacementRequest &r) { r.area = rectangle({ 2001, 2000 }), r.density = 1.0f; };
 	CHECK(fault_with(too_many) == PlacementFault::too_many_plants);
 	const auto too_long = [](PlacementRequest &r) { r.area = rectangle({ 1.0f, 1.0e5f }), r.density = 1.0e4f; };
 	CHECK(fault_with(too_long) == PlacementFault::too_many_plants);
-	// Goes around nothing by its signed area, but is full of plants.
+	// Its signed area is 0, but it has many plants.
 	const Polygon crossed = { { -1.0e4f, -1.0e4f }, { 1.0e4f, 1.0e4f }, { 1.0e4f, -1.0e4f }, { -1.0e4f, 1.0e4f } };
 	const auto bow_tie = [&](PlacementRequest &r) { r.area = crossed, r.density = 1.0f; };
 	PlacementRequest request = square_field(10.0f, 1.0f, 1);
@@ -87,13 +87,13 @@ TEST_CASE("a field of too many plants is refused before anything is placed") {
 	CHECK(placed(request).size() == 0);
 }
 
-TEST_CASE("a long thin area across a wide land costs what it holds") {
+TEST_CASE("the cost of a long thin area depends on its plants, not on its bounding box") {
 	PlacementRequest request = square_field(10.0f, 1.0f, 1);
 	request.area = { { -5.0e4f, -5.0e4f }, { 5.0e4f, 5.0e4f }, { 5.0e4f, 5.0001e4f }, { -5.0e4f, -4.9999e4f } };
 	CHECK(std::abs(placed(request).size() - 100000) < 3000);
 }
 
-TEST_CASE("every fault is said in a sentence") {
+TEST_CASE("every fault has a sentence") {
 	for (int fault = 0; fault <= static_cast<int>(PlacementFault::too_many_plants); fault++) {
 		const std::string sentence = describe(static_cast<PlacementFault>(fault));
 		REQUIRE(sentence.size() > 10);

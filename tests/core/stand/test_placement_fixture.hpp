@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-/// A square field around the origin with some species of equal shares and all deviations.
+/// A square field around the origin with some species of equal weights and all deviations.
 inline undergrowth::PlacementRequest square_field(float side, float density, int species) {
 	undergrowth::PlacementRequest request;
 	request.area = undergrowth::rectangle({ side, side });

@@ -15,7 +15,7 @@ glm::vec3 normal_of(double slope) {
 	return { static_cast<float>(-std::sin(slope)), static_cast<float>(std::cos(slope)), 0.0f };
 }
 
-/// Whether a plant on ground of this height and slope (rad) stays.
+/// True if a plant on ground of this height and slope (rad) stays.
 bool stays(float height, double slope, const GroundLimits &limits) {
 	FieldPlants plants;
 	plants.add({});
@@ -25,7 +25,7 @@ bool stays(float height, double slope, const GroundLimits &limits) {
 
 } // namespace
 
-TEST_CASE("plants take the ground's height and keep their order") {
+TEST_CASE("plants get the ground's height and preserve their order") {
 	FieldPlants plants = placed(square_field(20.0f, 5.0f, 3));
 	const FieldPlants before = plants;
 	std::vector<float> heights;
@@ -54,9 +54,9 @@ TEST_CASE("plants take the ground's height and keep their order") {
 	}
 }
 
-TEST_CASE("plants lean with the ground as far as they are told") {
+TEST_CASE("plants lean with the ground by their alignment") {
 	constexpr double SLOPE = 0.5;
-	constexpr double TOLERANCE = 2e-4; // rad: the codes' and the normal's rounding.
+	constexpr double TOLERANCE = 2e-4; // rad: rounding of the codes and of the normal.
 	const float height = 1.0f;
 	const glm::vec3 normal = 3.0f * normal_of(SLOPE);
 	for (const float turn : { 0.0f, 1.0f, 4.0f }) {
@@ -74,7 +74,7 @@ TEST_CASE("plants lean with the ground as far as they are told") {
 		CHECK(std::abs(aligned.lean - SLOPE) < TOLERANCE);
 		// The normal leans to -x: half a turn from the field's +x.
 		CHECK(std::abs(std::cos(aligned.turn + aligned.side) + 1.0) < TOLERANCE);
-		// What leaned uphill by as much stands upright.
+		// A plant with the same lean uphill becomes upright.
 		PlacedPlant uphill = upright;
 		uphill.lean = static_cast<float>(SLOPE);
 		uphill.side = -turn;
@@ -85,7 +85,7 @@ TEST_CASE("plants lean with the ground as far as they are told") {
 	}
 }
 
-TEST_CASE("half an alignment leans plants half as far, and none on level ground") {
+TEST_CASE("half an alignment leans plants by half, and level ground does not lean them") {
 	const float height = 0.0f;
 	const glm::vec3 normal = normal_of(0.2);
 	const glm::vec3 level = { 0.0f, 1.0f, 0.0f };
@@ -119,7 +119,7 @@ TEST_CASE("plants that are aligned with a ceiling stay valid") {
 	}
 }
 
-TEST_CASE("limits of height and slope are included, beyond them nothing grows") {
+TEST_CASE("limits of height and slope are inclusive") {
 	GroundLimits limits;
 	limits.lowest = -1.0f;
 	limits.highest = 2.0f;
@@ -136,7 +136,7 @@ TEST_CASE("limits of height and slope are included, beyond them nothing grows") 
 	CHECK_FALSE(stays(0.0f, 3.0, limits));
 }
 
-TEST_CASE("without limits plants stand on walls and ceilings, but never where there is no ground") {
+TEST_CASE("without limits plants grow on walls and ceilings, but never without ground") {
 	const float nan = std::numeric_limits<float>::quiet_NaN();
 	const float infinity = std::numeric_limits<float>::infinity();
 	CHECK(stays(0.0f, 0.0, {}));
@@ -152,7 +152,7 @@ TEST_CASE("without limits plants stand on walls and ceilings, but never where th
 	}
 }
 
-TEST_CASE("normals may be of any length and level ground has no slope") {
+TEST_CASE("normals can have any length, and level ground has no slope") {
 	GroundLimits level;
 	level.steepest = 0.0f;
 	CHECK(stays(0.0f, 0.0, level));
@@ -163,7 +163,7 @@ TEST_CASE("normals may be of any length and level ground has no slope") {
 	CHECK(apply_ground(plants, &height, &normal, level) == 1);
 }
 
-TEST_CASE("a plant that is kept comes back to the stated precision") {
+TEST_CASE("a stored plant is restored to the stated precision") {
 	FieldPlants plants;
 	for (int i = -50; i < 50; i++) {
 		PlacedPlant plant;
@@ -190,7 +190,7 @@ TEST_CASE("a plant that is kept comes back to the stated precision") {
 	CHECK(plants.plant(100).lean == 0.0f);
 }
 
-TEST_CASE("plants that are not sound are left out") {
+TEST_CASE("invalid plants are omitted") {
 	const float nan = std::numeric_limits<float>::quiet_NaN();
 	FieldPlants plants;
 	std::vector<PlacedPlant> broken(8);
@@ -214,7 +214,7 @@ TEST_CASE("plants that are not sound are left out") {
 	CHECK(plants.plant(0).lean == 0.0f);
 }
 
-TEST_CASE("removed plants are gone, the others keep their order, and a plant costs 26 bytes") {
+TEST_CASE("removal preserves the order of the remaining plants, and a plant costs 26 bytes") {
 	const FieldPlants all = placed(square_field(10.0f, 3.0f, 2));
 	FieldPlants plants = all;
 	const int last = all.size() - 1;

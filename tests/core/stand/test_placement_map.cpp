@@ -16,7 +16,7 @@ namespace {
 constexpr float SIDE = 40.0f;
 constexpr float DENSITY = 20.0f;
 
-/// A square field of two species with a map of a layer for each.
+/// A square field of two species with a map that has a layer for each.
 PlacementRequest painted_field(const std::function<void(DensityMap &)> &paint_it) {
 	PlacementRequest request = square_field(SIDE, DENSITY, 2);
 	DensityMap map;
@@ -43,13 +43,13 @@ int count_of(const FieldPlants &plants, int species) {
 
 } // namespace
 
-TEST_CASE("A field that is painted all over stands as one without a map, byte for byte") {
+TEST_CASE("a fully painted field is the same as one without a map, byte for byte") {
 	const PlacementRequest plain = square_field(SIDE, DENSITY, 2);
 	const PlacementRequest full = painted_field([](DensityMap &map) { fill_both(map, 1.0f); });
 	CHECK(hash_of(placed(full)) == hash_of(placed(plain)));
 }
 
-TEST_CASE("Nothing grows where nothing is painted") {
+TEST_CASE("nothing grows without paint") {
 	CHECK(placed(painted_field([](DensityMap &) {})).size() == 0);
 	PlacementRequest request = painted_field([](DensityMap &map) { fill_both(map, 1.0f); });
 	request.species[0].layer = -1;
@@ -57,7 +57,7 @@ TEST_CASE("Nothing grows where nothing is painted") {
 	CHECK(count_of(placed(request), 1) > 0);
 }
 
-TEST_CASE("As many plants stand as the density says, of each species its own") {
+TEST_CASE("the number of plants of each species matches its painted density") {
 	const FieldPlants plants = placed(painted_field([](DensityMap &map) {
 		fill_polygon(map, 0, rectangle({ SIDE, SIDE }), 0.25f);
 		fill_polygon(map, 1, rectangle({ SIDE, SIDE }), 0.75f);
@@ -68,7 +68,7 @@ TEST_CASE("As many plants stand as the density says, of each species its own") {
 	CHECK(count_of(plants, 1) == doctest::Approx(0.75 * each).epsilon(4.0 * std::sqrt(1.0 / 3.0 / each)));
 }
 
-TEST_CASE("Plants grow by the cell that they stand in, and are so much higher") {
+TEST_CASE("the cell of a plant determines its presence and its height") {
 	const PlacementRequest plain = square_field(SIDE, DENSITY, 2);
 	const PlacementRequest request = painted_field([](DensityMap &map) {
 		paint(map, 0, { { 3.0f, -5.0f }, 6.0f, 0.0f }, { DensityStroke::Does::add, 1.0f, 1.0f });
@@ -96,7 +96,7 @@ TEST_CASE("Plants grow by the cell that they stand in, and are so much higher") 
 	CHECK(high > 100);
 }
 
-TEST_CASE("More density keeps all plants that were there") {
+TEST_CASE("a higher density preserves all existing plants") {
 	FieldPlants thin = placed(painted_field([](DensityMap &map) { fill_both(map, 0.3f); }));
 	FieldPlants dense = placed(painted_field([](DensityMap &map) { fill_both(map, 0.6f); }));
 	std::map<std::pair<float, float>, int> there;
@@ -110,7 +110,7 @@ TEST_CASE("More density keeps all plants that were there") {
 	}
 }
 
-TEST_CASE("A painted field in parts, each with a cut of the map, has the plants of the whole") {
+TEST_CASE("a painted field in parts, each with a cut of the map, has the plants of the whole") {
 	const PlacementRequest whole = painted_field([](DensityMap &map) {
 		for (int i = 0; i < 40; i++) {
 			const auto n = static_cast<float>(i);
@@ -137,7 +137,7 @@ TEST_CASE("A painted field in parts, each with a cut of the map, has the plants 
 	CHECK(missing.empty());
 }
 
-TEST_CASE("Patches far from each other are placed without going through what is between them") {
+TEST_CASE("distant patches are placed without visiting the space between them") {
 	PlacementRequest request = painted_field([](DensityMap &map) {
 		for (const float at : { -90000.0f, 90000.0f }) {
 			paint(map, 0, { { at, at }, 5.0f, 0.0f }, { DensityStroke::Does::add, 1.0f, 1.0f });
@@ -150,7 +150,7 @@ TEST_CASE("Patches far from each other are placed without going through what is 
 	CHECK(placed(request).size() == doctest::Approx(2.0 * 78.5 * 10.0).epsilon(0.2));
 }
 
-TEST_CASE("A painted field has these plants on every machine") {
+TEST_CASE("a painted field has the same plants on every machine") {
 	const FieldPlants plants = placed(painted_field([](DensityMap &map) {
 		paint(map, 0, { { 2.0f, 3.0f }, 6.0f, 0.9f }, { DensityStroke::Does::add, 0.8f, 1.0f });
 		paint(map, 1, { { -4.0f, 1.0f }, 5.0f, 0.9f }, { DensityStroke::Does::approach, 0.6f, 0.7f });

@@ -1,4 +1,4 @@
-// Fields in which plants/m² of a species are painted.
+// Fields with painted plants/m².
 
 #include "stand/density_brush.hpp"
 #include "stand/placement.hpp"
@@ -23,7 +23,7 @@ constexpr int POPPY = 1;
 const Polygon BED = rectangle({ 30.0f, 30.0f });
 constexpr double BED_AREA = 30.0 * 30.0;
 
-/// Grass 60 : poppy 3, with a map on which all of it is as mixed before `paint_it`.
+/// Grass 60 : poppy 3. Before `paint_it` the map gives the mix everywhere.
 PlacementRequest meadow(const std::function<void(DensityMap &)> &paint_it) {
 	PlacementRequest request = square_field(SIDE, DENSITY, 2);
 	request.species[GRASS].share = 60.0f;
@@ -71,7 +71,7 @@ std::map<std::pair<float, float>, int> species_beside_bed(const FieldPlants &pla
 
 } // namespace
 
-TEST_CASE("A species grows as densely as it is painted, in place of others") {
+TEST_CASE("a species has its painted density and replaces other species") {
 	const FieldPlants before = placed(meadow([](DensityMap &) {}));
 	for (const float plants : { 0.1f, 1.0f, 5.0f, 11.0f, 12.0f }) {
 		const FieldPlants after = placed(meadow([&](DensityMap &map) { paint_bed(map, plants); }));
@@ -81,7 +81,7 @@ TEST_CASE("A species grows as densely as it is painted, in place of others") {
 	}
 }
 
-TEST_CASE("Drifts of a species do not change how densely it is painted") {
+TEST_CASE("drifts of a species do not change its painted density") {
 	for (const float clumping : { 0.5f, 1.0f }) {
 		PlacementRequest request = meadow([](DensityMap &map) { paint_bed(map, 5.0f); });
 		request.clumping = clumping;
@@ -91,7 +91,7 @@ TEST_CASE("Drifts of a species do not change how densely it is painted") {
 	}
 }
 
-TEST_CASE("A drift of a species that is painted sparsely is filled with the others") {
+TEST_CASE("other species fill a sparsely painted drift") {
 	PlacementRequest request = meadow([](DensityMap &map) { paint_bed(map, 1.0f); });
 	request.species[POPPY].share = 60.0f;
 	request.clumping = 1.0f;
@@ -100,7 +100,7 @@ TEST_CASE("A drift of a species that is painted sparsely is filled with the othe
 	CHECK(density_in_bed(plants, GRASS) > 8.0);
 }
 
-TEST_CASE("Painted plants take bare places first") {
+TEST_CASE("painted plants use empty positions first") {
 	const FieldPlants plants = placed(meadow([](DensityMap &map) {
 		fill_polygon(map, GRASS, BED, 0.5f);
 		paint_bed(map, 4.0f);
@@ -109,7 +109,7 @@ TEST_CASE("Painted plants take bare places first") {
 	CHECK(density_in_bed(plants, GRASS) == doctest::Approx(0.5 * DENSITY * 60.0 / 63.0).epsilon(0.06));
 }
 
-TEST_CASE("Denser painting keeps the plants of the species that are there") {
+TEST_CASE("a higher painted density preserves the existing plants of the species") {
 	const auto poppies = [](float density) {
 		const FieldPlants plants = placed(meadow([&](DensityMap &map) { paint_bed(map, density); }));
 		std::set<std::pair<float, float>> found;
@@ -132,7 +132,7 @@ TEST_CASE("Denser painting keeps the plants of the species that are there") {
 	CHECK(lost == 0);
 }
 
-TEST_CASE("More than the field has room for is reduced in proportion") {
+TEST_CASE("more plants than the field has room for are reduced in proportion") {
 	const FieldPlants plants = placed(meadow([](DensityMap &map) {
 		fill_polygon_plants(map, GRASS, BED, 18.0f);
 		paint_bed(map, 6.0f);
@@ -141,13 +141,13 @@ TEST_CASE("More than the field has room for is reduced in proportion") {
 	CHECK(density_in_bed(plants, POPPY) == doctest::Approx(3.0).epsilon(0.06));
 }
 
-TEST_CASE("A species without a share in the mix grows where it is painted") {
+TEST_CASE("a species without a weight in the mix grows where it is painted") {
 	PlacementRequest request = meadow([](DensityMap &map) { paint_bed(map, 3.0f); });
 	request.species[POPPY].share = 0.0f;
 	CHECK(density_in_bed(placed(request), POPPY) == doctest::Approx(3.0).epsilon(0.06));
 }
 
-TEST_CASE("Two entries of one layer share what is painted of it") {
+TEST_CASE("two entries of one layer share its painted plants") {
 	PlacementRequest request = meadow([](DensityMap &map) { paint_bed(map, 6.0f); });
 	request.species.push_back(request.species[POPPY]);
 	request.species.back().share = 6.0f;
@@ -156,7 +156,7 @@ TEST_CASE("Two entries of one layer share what is painted of it") {
 	CHECK(density_in_bed(plants, POPPY + 1) == doctest::Approx(4.0).epsilon(0.08));
 }
 
-TEST_CASE("Painting as mixed brings back the field that was there") {
+TEST_CASE("painting the mix restores the previous field") {
 	const FieldPlants before = placed(meadow([](DensityMap &) {}));
 	const FieldPlants after = placed(meadow([](DensityMap &map) {
 		paint_bed(map, 5.0f);
@@ -165,7 +165,7 @@ TEST_CASE("Painting as mixed brings back the field that was there") {
 	CHECK(hash_of(after) == hash_of(before));
 }
 
-TEST_CASE("A field with plants/m² in parts has the plants of the whole") {
+TEST_CASE("a field with plants/m² in parts has the plants of the whole") {
 	const PlacementRequest whole = meadow([](DensityMap &map) {
 		const DensityStroke stroke = { DensityStroke::Does::approach_plants, 5.0f, 0.7f };
 		paint(map, POPPY, { { 3.0f, -4.0f }, 9.0f, 0.8f }, stroke);

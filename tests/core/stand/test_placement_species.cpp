@@ -19,7 +19,7 @@ std::vector<int> species_counts(const FieldPlants &plants) {
 	return counts;
 }
 
-/// How often a plant and the one placed after it are of one species.
+/// Fraction of plants that have the species of the plant placed before them.
 double likeness(const FieldPlants &plants) {
 	int alike = 0;
 	for (std::size_t i = 1; i < plants.species.size(); i++) {
@@ -30,8 +30,8 @@ double likeness(const FieldPlants &plants) {
 
 } // namespace
 
-TEST_CASE("species come by their shares, also where they clump") {
-	// The share of a species in a field of n independent draws has a standard deviation of sqrt(p·(1 - p)/n).
+TEST_CASE("species occur by their weights, with and without clumping") {
+	// The fraction of a species in a field of n independent draws has a standard deviation of sqrt(p·(1 - p)/n).
 	PlacementRequest request = square_field(200.0f, 2.0f, 4);
 	const double shares[] = { 6.0, 0.0, 3.0, 1.0 };
 	for (std::size_t i = 0; i < 4; i++) {
@@ -46,14 +46,14 @@ TEST_CASE("species come by their shares, also where they clump") {
 			const double p = shares[i] / 10.0;
 			const double share = static_cast<double>(counts[i]) / plants.size();
 			CAPTURE(i);
-			// Drifts are not all of one size: their draws count for less.
+			// Drifts have different sizes, so the effective number of draws is lower.
 			CHECK(std::abs(share - p) <= 5.0 * std::sqrt(p * (1.0 - p) / draws));
 		}
 		CHECK(counts[1] == 0);
 	}
 }
 
-TEST_CASE("clumping makes neighbours alike, without clumping they are by chance") {
+TEST_CASE("clumping makes neighbours equal; without clumping they are random") {
 	PlacementRequest request = square_field(100.0f, 10.0f, 5);
 	const double apart = likeness(placed(request));
 	request.clumping = 0.5f;
@@ -98,7 +98,7 @@ TEST_CASE("scales, heights, leans, turns and variants fill their ranges evenly")
 	}
 }
 
-TEST_CASE("the places of an absent species stay empty, and all others keep their plants") {
+TEST_CASE("the positions of an absent species stay empty, and all other plants are unchanged") {
 	PlacementRequest request = square_field(20.0f, 5.0f, 3);
 	const FieldPlants all = placed(request);
 	request.species[1].is_absent = true;

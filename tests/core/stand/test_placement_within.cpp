@@ -33,7 +33,7 @@ PlacementRequest crooked(float density) {
 
 } // namespace
 
-TEST_CASE("a tile that is placed alone has the bytes that it has in the whole area") {
+TEST_CASE("a tile that is placed alone has the same bytes as in the whole area") {
 	for (const float size : TILES) {
 		const PlacementRequest request = crooked(17.0f);
 		const auto whole = by_tile(cut_into_blocks(placed(request), size));
@@ -55,7 +55,7 @@ TEST_CASE("a tile that is placed alone has the bytes that it has in the whole ar
 	}
 }
 
-TEST_CASE("a tile's box is where plants are in it, to the bit") {
+TEST_CASE("a tile's box is the range of its plants, to the bit") {
 	for (const float size : { 16.0f, 10.1f, 0.3f, 999.7f }) {
 		for (int column = -2000; column < 2000; column += 7) {
 			const AreaBox box = tile_box({ column, -column }, size);
@@ -67,7 +67,7 @@ TEST_CASE("a tile's box is where plants are in it, to the bit") {
 	}
 }
 
-TEST_CASE("a box beside the area has nobody, and an area of any size may be placed by boxes") {
+TEST_CASE("a box outside of the area has no plants, and boxes can place an area of any size") {
 	PlacementRequest request = crooked(17.0f);
 	request.within = AreaBox{ { 100.0f, 0.0f }, { 116.0f, 16.0f } };
 	CHECK(placed(request).size() == 0);
@@ -80,7 +80,7 @@ TEST_CASE("a box beside the area has nobody, and an area of any size may be plac
 	CHECK(placed(request).size() == doctest::Approx(20 * 256).epsilon(0.05));
 }
 
-TEST_CASE("exclusions that are elsewhere change nothing, and those that reach in do") {
+TEST_CASE("only exclusions that reach into the box have an effect") {
 	PlacementRequest request = square_field(40.0f, 5.0f, 2);
 	request.within = AreaBox{ { -4.0f, -4.0f }, { 4.0f, 4.0f } };
 	const uint64_t alone = hash_of(placed(request));

@@ -18,14 +18,14 @@ glm::vec3 leaning(double lean, double around) {
 		static_cast<float>(portable_sin(lean) * portable_cos(around)) };
 }
 
-/// At right angles to `up`, as near to `wanted` as can be.
+/// The vector nearest to `wanted` at right angles to `up`.
 glm::vec3 squared(const glm::vec3 &wanted, const glm::vec3 &up) {
 	return glm::normalize(wanted - glm::dot(wanted, up) * up);
 }
 
 } // namespace
 
-TEST_CASE("a plant that is placed by a transform stands along its y axis, as long as that") {
+TEST_CASE("a plant placed by a transform points along its y axis and has its length") {
 	for (const double lean : { 0.0, 0.002, 0.3, 1.2 }) {
 		for (const double around : { 0.0, 0.7, 2.0, -2.5 }) {
 			const glm::vec3 up = leaning(lean, around);
@@ -38,7 +38,7 @@ TEST_CASE("a plant that is placed by a transform stands along its y axis, as lon
 	}
 }
 
-TEST_CASE("a plant that is placed upright is turned as its transform is, and leans to no side") {
+TEST_CASE("a plant placed upright has the turn of its transform and no lean") {
 	for (const double turn : { 0.0, 1.0, -3.0 }) {
 		const PlacedPlant plant = plant_of_axes({}, { 0.0f, 1.0f, 0.0f }, leaning(0.5 * PI, turn));
 		CHECK(plant.turn == doctest::Approx(turn));
@@ -47,12 +47,12 @@ TEST_CASE("a plant that is placed upright is turned as its transform is, and lea
 	}
 }
 
-TEST_CASE("a tilt takes nothing from a plant's turn about its stem") {
+TEST_CASE("a tilt does not change a plant's turn about its stem") {
 	for (const double around : { 0.0, 0.7, -2.5 }) {
 		const glm::vec3 up = leaning(0.6, around);
 		const glm::vec3 across = leaning(0.5 * PI, around + 0.5 * PI);
 		const glm::vec3 level_front = leaning(0.5 * PI, 1.2);
-		// Turned by 0.6 rad about `across`, as `up` was.
+		// Turned by 0.6 rad about `across`, like `up`.
 		const glm::vec3 front = static_cast<float>(portable_cos(0.6)) * level_front +
 				static_cast<float>(portable_sin(0.6)) * glm::cross(across, level_front) +
 				static_cast<float>(1.0 - portable_cos(0.6)) * glm::dot(across, level_front) * across;
@@ -60,13 +60,13 @@ TEST_CASE("a tilt takes nothing from a plant's turn about its stem") {
 	}
 }
 
-TEST_CASE("a species' own lean goes to the side that its plants are turned to") {
+TEST_CASE("a species' own lean follows the turn of its plants") {
 	PlacedPlant plant;
 	plant.turn = 1.1f;
 	CHECK(glm::distance(rest_direction(plant, 0.4f), leaning(0.4, 1.1)) < 1e-6f);
 }
 
-TEST_CASE("no plant rests below the ground, however it is placed") {
+TEST_CASE("no plant rests below the ground, for any placement") {
 	PlacedPlant plant;
 	plant.lean = static_cast<float>(0.5 * PI);
 	for (float side = 0.0f; side < 6.0f; side += 0.5f) {
@@ -79,7 +79,7 @@ TEST_CASE("no plant rests below the ground, however it is placed") {
 	}
 }
 
-TEST_CASE("a transform without a size, or that is not finite, stands for no plant") {
+TEST_CASE("a transform without a size, or that is not finite, gives no plant") {
 	CHECK(!is_valid(plant_of_axes({}, glm::vec3(0.0f), { 0.0f, 0.0f, 1.0f })));
 	CHECK(!is_valid(plant_of_axes({}, { 0.0f, std::numeric_limits<float>::infinity(), 0.0f }, { 0.0f, 0.0f, 1.0f })));
 	CHECK(!is_valid(plant_of_axes({ NAN, 0.0f, 0.0f }, { 0.0f, 1.0f, 0.0f }, { 0.0f, 0.0f, 1.0f })));

@@ -9,7 +9,7 @@
 
 using namespace undergrowth;
 
-TEST_CASE("every plant has an id of its own, by which it is found") {
+TEST_CASE("every plant has a unique id and is found by it") {
 	const PlantStore store = filled_store();
 	CHECK(store.plant_count() > 9000);
 	CHECK(static_cast<int>(id_set(store).size()) == store.plant_count());
@@ -21,7 +21,7 @@ TEST_CASE("every plant has an id of its own, by which it is found") {
 	}
 }
 
-TEST_CASE("ids stay with plants when a field is filled anew, with other tiles or another outline") {
+TEST_CASE("ids are the same after a rebuild with other tiles or another outline") {
 	PlantStore store = filled_store();
 	const std::set<PlantId> before = id_set(store);
 	store.apply(filling(square_field(50.0f, 4.0f, 2), 7.0f));
@@ -32,7 +32,7 @@ TEST_CASE("ids stay with plants when a field is filled anew, with other tiles or
 	CHECK(std::includes(before.begin(), before.end(), fewer.begin(), fewer.end()));
 }
 
-TEST_CASE("cells name plants at all densities, far from the origin, too") {
+TEST_CASE("cells give ids at all densities, also far from the origin") {
 	for (const float density : { 0.01f, 1.0f, 40.0f, 2000.0f }) {
 		const double spacing = 1.0 / std::sqrt(static_cast<double>(density));
 		PlacementRequest request = square_field(static_cast<float>(30.0 * spacing), density, 5);
@@ -48,7 +48,7 @@ TEST_CASE("cells name plants at all densities, far from the origin, too") {
 	}
 }
 
-TEST_CASE("a plant that is removed is gone, and nobody else") {
+TEST_CASE("removing a plant removes only that plant") {
 	PlantStore store = filled_store();
 	std::set<PlantId> left = id_set(store);
 	std::vector<PlantPlace> around;
@@ -78,7 +78,7 @@ TEST_CASE("a plant that is removed is gone, and nobody else") {
 	CHECK(around.empty());
 }
 
-TEST_CASE("removing somebody twice counts once") {
+TEST_CASE("removing a plant twice counts once") {
 	PlantStore store = filled_store(10.0f);
 	const int before = store.plant_count();
 	StandEdit edit;
@@ -87,7 +87,7 @@ TEST_CASE("removing somebody twice counts once") {
 	CHECK(store.plant_count() == before - 1);
 }
 
-TEST_CASE("plants that are added keep their names through fillings and other tiles") {
+TEST_CASE("added plants preserve their ids through builds and other tiles") {
 	PlantStore store = filled_store();
 	StandEdit edit;
 	edit.added = { plant_at(3.0f, 4.0f, 1), plant_at(-100.0f, 4.0f), plant_at(3.2f, 4.1f, 1) };
@@ -105,7 +105,7 @@ TEST_CASE("plants that are added keep their names through fillings and other til
 	}
 }
 
-TEST_CASE("species that are called otherwise are so for plants that were added, too") {
+TEST_CASE("a new species number also applies to added plants") {
 	PlantStore store;
 	StandEdit edit;
 	edit.added = { plant_at(0.0f, 0.0f, 2) };
@@ -118,7 +118,7 @@ TEST_CASE("species that are called otherwise are so for plants that were added, 
 	CHECK(store.block(place.block).plants.plant(place.slot).species == 5);
 }
 
-TEST_CASE("an added block whose last plant goes is dropped, and its number serves again") {
+TEST_CASE("an added block is dropped with its last plant, and its number is reused") {
 	PlantStore store;
 	StandEdit edit;
 	edit.added = { plant_at(0.0f, 0.0f), plant_at(50.0f, 0.0f) };
@@ -137,7 +137,7 @@ TEST_CASE("an added block whose last plant goes is dropped, and its number serve
 	CHECK(store.plant_count() == 2);
 }
 
-TEST_CASE("an emptied block that was filled stays, so that nobody else is drawn in its place") {
+TEST_CASE("an empty generated block remains, so its number is not reused") {
 	PlantStore store = filled_store(10.0f);
 	std::vector<PlantPlace> all;
 	store.find_in_sphere({ 0.0f, 0.0f, 0.0f }, 100.0f, all);
@@ -151,7 +151,7 @@ TEST_CASE("an emptied block that was filled stays, so that nobody else is drawn 
 	CHECK(store.ids().empty());
 }
 
-TEST_CASE("when all plants that were added in a place are removed at once, only their block is told of") {
+TEST_CASE("when all added plants of a block are removed at once, only the block is reported") {
 	PlantStore store;
 	StandEdit planting;
 	planting.added = { plant_at(1.0f, 1.0f), plant_at(2.0f, 2.0f), plant_at(3.0f, 3.0f), plant_at(40.0f, 1.0f) };
@@ -160,14 +160,14 @@ TEST_CASE("when all plants that were added in a place are removed at once, only 
 	for (int i = 0; i < 3; i++) {
 		mowing.removed.push_back(store.find(planted.added[static_cast<std::size_t>(i)]));
 	}
-	mowing.added = { plant_at(50.0f, 50.0f) }; // It may take the block's number.
+	mowing.added = { plant_at(50.0f, 50.0f) }; // It can get the block's number.
 	const ChangeSet mown = store.apply(std::move(mowing));
 	CHECK(mown.dropped.size() == 1);
 	CHECK(mown.gone.empty());
 	CHECK(store.plant_count() == 2);
 }
 
-TEST_CASE("plants that were added come back by their names, and later ones get others") {
+TEST_CASE("added plants are restored with their ids, and later ones get new ids") {
 	PlantStore store = filled_store();
 	StandEdit edit;
 	edit.added = { plant_at(1.0f, 1.0f), plant_at(2.0f, 1.0f) };
@@ -179,7 +179,7 @@ TEST_CASE("plants that were added come back by their names, and later ones get o
 	CHECK(store.apply(std::move(later)).added[0] == added_plant_id(10));
 }
 
-TEST_CASE("a tile is left, and stands again as it was") {
+TEST_CASE("a removed tile is restored unchanged") {
 	PlantStore store = filled_store();
 	StandEdit edit;
 	edit.added = { plant_at(20.0f, 20.0f) };
@@ -199,7 +199,7 @@ TEST_CASE("a tile is left, and stands again as it was") {
 	const ChangeSet left = store.apply(std::move(leaving));
 	CHECK(left.dropped.size() == kept.size());
 	CHECK(store.plant_count() == count - plants);
-	CHECK(store.blocks_of(tile).size() == 1); // Who was added stays.
+	CHECK(store.blocks_of(tile).size() == 1); // Added plants stay.
 	StandEdit coming;
 	coming.stood = kept;
 	const ChangeSet back = store.apply(std::move(coming));

@@ -11,7 +11,7 @@
 
 using namespace undergrowth;
 
-TEST_CASE("plants are found along lines and in polygons, however high, those and no others") {
+TEST_CASE("exactly the plants along lines and in polygons are found, at any height") {
 	const PlantStore store = filled_store();
 	const glm::vec2 from = { -9.0f, 2.0f };
 	const glm::vec2 to = { 7.0f, -3.0f };
@@ -51,7 +51,7 @@ TEST_CASE("plants are found along lines and in polygons, however high, those and
 	CHECK(none.empty());
 }
 
-TEST_CASE("what a sphere or a box holds is what stands there") {
+TEST_CASE("queries in spheres and boxes return exactly the plants there") {
 	const PlantStore store = filled_store(100.0f);
 	for (const glm::vec3 &centre : { glm::vec3(0.0f), glm::vec3(31.0f, 0.0f, -16.0f), glm::vec3(300.0f, 0.0f, 0.0f) }) {
 		for (const float radius : { 0.0f, 1.5f, 20.0f, 1.0e4f }) {
@@ -82,14 +82,14 @@ TEST_CASE("what a sphere or a box holds is what stands there") {
 	CHECK(none.empty());
 }
 
-TEST_CASE("names of nobody are nobody's") {
+TEST_CASE("unused ids find no plant") {
 	const PlantStore store = filled_store(10.0f);
 	for (const PlantId id : { PlantId(-1), PlantId(0), added_plant_id(0), filled_plant_id(1e5f, 1e5f, SPACING) }) {
 		CHECK(store.find(id).block == -1);
 	}
 }
 
-TEST_CASE("the nearest plant is found, however far, and nobody beyond the radius") {
+TEST_CASE("the nearest plant is found at any distance, and none beyond the radius") {
 	const PlantStore store = filled_store();
 	const auto away = [&](const PlantPlace &place, const glm::vec3 &from) {
 		return glm::distance(store.block(place.block).root(place.slot), from);

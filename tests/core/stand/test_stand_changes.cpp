@@ -14,7 +14,7 @@ namespace {
 
 constexpr float SIDE = 40.0f; // m.
 
-/// A square of which all in a circle of 6 m are gone, and all in another one mown to half their height.
+/// A square with removed plants in a circle of 6 m, and plants mown to half their height in another.
 struct Cut {
 	PlacementRequest request = square_field(SIDE, 4.0f, 2);
 	double spacing = Placement(request).cell_size();
@@ -50,7 +50,7 @@ int count_near(const FieldPlants &plants, float middle, float less) {
 
 } // namespace
 
-TEST_CASE("who is gone stays gone when plants are placed anew, and nobody else") {
+TEST_CASE("removed plants, and only those, stay removed in a rebuild") {
 	const Cut cut;
 	FieldPlants anew = placed(cut.request);
 	const int before = anew.size();
@@ -61,7 +61,7 @@ TEST_CASE("who is gone stays gone when plants are placed anew, and nobody else")
 	CHECK(count_near(anew, 5.0f, 0.0f) == 0);
 }
 
-TEST_CASE("at another density nobody grows where plants are gone") {
+TEST_CASE("at another density no plant grows where plants are removed") {
 	const Cut cut;
 	for (const float density : { 1.0f, 11.0f, 40.0f }) {
 		PlacementRequest request = cut.request;
@@ -75,7 +75,7 @@ TEST_CASE("at another density nobody grows where plants are gone") {
 	}
 }
 
-TEST_CASE("who is mown is so high, and grows back") {
+TEST_CASE("a mown plant has its mown height and grows back") {
 	Cut cut;
 	const std::vector<PlantId> mown = cut.named_near(-8.0f);
 	const auto share_of = [&](PlantId id) {
@@ -98,10 +98,10 @@ TEST_CASE("who is mown is so high, and grows back") {
 	cut.changes.remove({ mown[8] }, cut.spacing);
 	cut.changes.mow({ mown[7] }, { 1.0f }, cut.spacing);
 	const int left = static_cast<int>(mown.size() + cut.named_near(5.0f).size());
-	CHECK(cut.changes.plant_count() < left); // Whom a square is written for is forgotten once it is whole again.
+	CHECK(cut.changes.plant_count() < left); // An edit of a square also drops its plants that are whole again.
 }
 
-TEST_CASE("nobody who is gone is kept as mown, too") {
+TEST_CASE("no removed plant is also recorded as mown") {
 	Cut cut;
 	const int known = cut.changes.plant_count();
 	cut.changes.remove(cut.named_near(-8.0f), cut.spacing);
@@ -113,7 +113,7 @@ TEST_CASE("nobody who is gone is kept as mown, too") {
 	}
 }
 
-TEST_CASE("plants that were added are mown by their names") {
+TEST_CASE("added plants are mown by their ids") {
 	StandChanges changes;
 	changes.mow({ added_plant_id(3) }, { 0.25f }, 1.0);
 	CHECK(changes.share_of(added_plant_id(3), 90.0f, 90.0f) == 0.25f);
@@ -122,7 +122,7 @@ TEST_CASE("plants that were added are mown by their names") {
 	CHECK(changes.is_empty());
 }
 
-TEST_CASE("an added plant that is as high as it grew is as if it had never been mown") {
+TEST_CASE("an added plant at its full height is the same as one that was never mown") {
 	StandChanges changes;
 	changes.mow({ added_plant_id(3), added_plant_id(4) }, { 0.25f, 1.0f }, 1.0);
 	CHECK(changes.plant_count() == 1);
@@ -130,7 +130,7 @@ TEST_CASE("an added plant that is as high as it grew is as if it had never been 
 	CHECK(changes.is_empty());
 }
 
-TEST_CASE("a copy does not see what changes after it, and a cut has what matters in its box") {
+TEST_CASE("a copy does not change with its source, and a cut has everything for its box") {
 	Cut cut;
 	const StandChanges copy = cut.changes;
 	const PlantId id = filled_plant_id(15.0f, 15.0f, cut.spacing);
@@ -151,7 +151,7 @@ TEST_CASE("a copy does not see what changes after it, and a cut has what matters
 	CHECK(!cut.changes.has_mown({ { 14.0f, 12.0f }, { 18.0f, 18.0f } }));
 }
 
-TEST_CASE("what is gone here and not there is told by boxes around it") {
+TEST_CASE("boxes report the plants that are removed only here") {
 	Cut cut;
 	const StandChanges before = cut.changes;
 	CHECK(cut.changes.gone_beside(before).empty());
@@ -165,7 +165,7 @@ TEST_CASE("what is gone here and not there is told by boxes around it") {
 	CHECK(before.gone_beside(StandChanges()).size() == cut.named_near(5.0f).size());
 }
 
-TEST_CASE("a cut has what matters in its box, whichever squares beside it changed, too") {
+TEST_CASE("a cut has everything for its box, for any changed squares beside it") {
 	PlacementRequest request = square_field(SIDE, 4.0f, 2);
 	const double spacing = Placement(request).cell_size();
 	const FieldPlants plants = placed(request);
@@ -177,7 +177,7 @@ TEST_CASE("a cut has what matters in its box, whichever squares beside it change
 	changes.remove(all, spacing);
 	constexpr float S = StandChanges::SQUARE;
 	const AreaBox box = { { -1.5f * S, -1.5f * S },
-		{ 1.5f * S, SIDE } }; // Squares lie beside it and below it, none above.
+		{ 1.5f * S, SIDE } }; // There are squares beside it and below it, none above.
 	const StandChanges part = changes.cut(box);
 	int count = 0;
 	for (std::size_t i = 0; i < plants.x.size(); i++) {
@@ -191,7 +191,7 @@ TEST_CASE("a cut has what matters in its box, whichever squares beside it change
 	CHECK(part.plant_count() < changes.plant_count());
 }
 
-TEST_CASE("a cut around a plant's root knows whether it is gone, wherever in its cell it stands") {
+TEST_CASE("a cut around a plant's root has its removal, for any position in its cell") {
 	const Cut cut;
 	for (std::size_t i = 0; i < cut.plants.x.size(); i++) {
 		const float x = cut.plants.x[i];
@@ -203,7 +203,7 @@ TEST_CASE("a cut around a plant's root knows whether it is gone, wherever in its
 
 namespace {
 
-/// Plants around 25 places are removed and others mown, the places a different one for each of `count` densities.
+/// Plants around 25 positions are removed and others mown, at different positions for each of `count` densities.
 StandChanges changes_of_densities(int count) {
 	StandChanges changes;
 	for (int i = 0; i < count; i++) {
@@ -230,7 +230,7 @@ int64_t compared_for(const StandChanges &changes) {
 
 } // namespace
 
-TEST_CASE("a finder tells what the changes tell, of many densities") {
+TEST_CASE("a finder returns the same as the edits, for many densities") {
 	const StandChanges changes = changes_of_densities(40);
 	ChangesFinder finder(changes);
 	int gone = 0;
@@ -247,7 +247,7 @@ TEST_CASE("a finder tells what the changes tell, of many densities") {
 	CHECK(mown > 100);
 }
 
-TEST_CASE("a finder compares as few cells for many densities as lie around the plants") {
+TEST_CASE("a finder compares only the cells around the plants, for many densities") {
 	const FieldPlants plants = placed(square_field(SIDE, 4.0f, 2));
 	const int64_t of_ten = compared_for(changes_of_densities(10));
 	const int64_t of_hundred = compared_for(changes_of_densities(100));

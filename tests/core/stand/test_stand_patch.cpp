@@ -42,7 +42,7 @@ struct Painted {
 		store.apply(std::move(edit));
 	}
 
-	/// Brings what stands in the cells to what is painted there, on ground that ends at `edge` (m, x).
+	/// Updates the plants in the cells to the painted map, on ground that ends at `edge` (m, x).
 	ChangeSet patch(const CellRange &cells, float edge = 1.0e9f) {
 		const AreaBox box = map.box_of(cells);
 		StandPatch patch(store.filled_in(box), store.spacing());
@@ -75,7 +75,7 @@ DensityStroke stroke_of(int number) {
 
 } // namespace
 
-TEST_CASE("The same plants stand after many strokes as where the field is filled at once") {
+TEST_CASE("many strokes give the same plants as one build of the field") {
 	Painted field;
 	for (int i = 0; i < 120; i++) {
 		const auto n = static_cast<float>(i);
@@ -92,7 +92,7 @@ TEST_CASE("The same plants stand after many strokes as where the field is filled
 	CHECK(edited == field.plants());
 }
 
-TEST_CASE("A patch where nothing changed does nothing, also of newcomers") {
+TEST_CASE("an unchanged patch does nothing, also with late plants") {
 	Painted field;
 	const CellRange cells =
 			paint(field.map, 1, { { 3.0f, 22.0f }, 5.0f, 0.5f }, { DensityStroke::Does::add, 1.0f, 1.0f });
@@ -106,7 +106,7 @@ TEST_CASE("A patch where nothing changed does nothing, also of newcomers") {
 	}
 }
 
-TEST_CASE("Plants elsewhere, and those that stay, keep their places through a stroke") {
+TEST_CASE("plants outside of a stroke, and unchanged ones in it, preserve their locations") {
 	Painted field;
 	std::map<PlantId, PlantPlace> before;
 	for (const PlantId id : field.store.ids()) {
@@ -124,7 +124,7 @@ TEST_CASE("Plants elsewhere, and those that stay, keep their places through a st
 	CHECK(stayed < static_cast<int>(before.size()));
 }
 
-TEST_CASE("A plant that becomes higher keeps its id, and tells from where its motion comes") {
+TEST_CASE("a plant that becomes higher preserves its id, and its motion is transferred") {
 	Painted field;
 	const std::map<PlantId, uint64_t> before = field.plants();
 	const ChangeSet changes = field.patch(
@@ -143,7 +143,7 @@ TEST_CASE("A plant that becomes higher keeps its id, and tells from where its mo
 	}
 }
 
-TEST_CASE("Where the ground does not hold them, newcomers do not come, and those that change go") {
+TEST_CASE("the ground's limits reject late plants and remove changed ones") {
 	Painted field;
 	const DensityStroke higher = { DensityStroke::Does::set_height, 2.0f, 1.0f };
 	const ChangeSet changes = field.patch(paint(field.map, 0, { { 0.0f, 0.0f }, 4.0f, 0.0f }, higher), 0.0f);
@@ -154,7 +154,7 @@ TEST_CASE("Where the ground does not hold them, newcomers do not come, and those
 	}
 }
 
-TEST_CASE("Blocks of newcomers go when nobody is left in them, and do not pile up") {
+TEST_CASE("empty blocks of late plants are dropped and do not accumulate") {
 	Painted field;
 	const int blocks = field.store.block_count();
 	const int plants = field.store.plant_count();
@@ -166,7 +166,7 @@ TEST_CASE("Blocks of newcomers go when nobody is left in them, and do not pile u
 	CHECK(field.store.block_count() <= blocks + 8);
 }
 
-TEST_CASE("Newcomers of a tile are in blocks of a thousand") {
+TEST_CASE("late plants of a tile are in blocks of a thousand") {
 	Painted field;
 	field.request.density = 400.0f;
 	field.map.clear();

@@ -27,7 +27,7 @@ void check_box(const std::optional<AreaBox> &box, const glm::vec2 &low, const gl
 
 } // namespace
 
-TEST_CASE("shapes are followed once plants stand by some, and as long as none comes or goes") {
+TEST_CASE("shapes can be tracked after a placement while their number is unchanged") {
 	StandingArea standing;
 	const PlacementRequest request = request_of(rectangle({ 20, 20 }), { rectangle({ 2, 2 }) });
 	CHECK_FALSE(standing.can_follow(request));
@@ -36,7 +36,7 @@ TEST_CASE("shapes are followed once plants stand by some, and as long as none co
 	CHECK_FALSE(standing.can_follow(request_of(rectangle({ 20, 20 }), {})));
 }
 
-TEST_CASE("a path that is moved changes where it was and where it is, once") {
+TEST_CASE("a moved path changes its old and its new position, once") {
 	StandingArea standing;
 	standing.stand_by(request_of(rectangle({ 20, 20 }), { rectangle({ 2, 2 }) }));
 	const PlacementRequest moved = request_of(rectangle({ 20, 20 }), { rectangle({ 2, 2 }, { 5, 3 }) });
@@ -44,7 +44,7 @@ TEST_CASE("a path that is moved changes where it was and where it is, once") {
 	CHECK_FALSE(standing.follow(moved).has_value());
 }
 
-TEST_CASE("an outline that grows changes what it gives, but where the area is painted") {
+TEST_CASE("a wider outline changes its box, except with a map") {
 	StandingArea standing;
 	standing.stand_by(request_of(rectangle({ 20, 20 }), {}));
 	PlacementRequest wider = request_of(rectangle({ 24, 20 }), {});

@@ -12,12 +12,12 @@ namespace {
 
 constexpr int SIDE = 64; // Cells.
 
-// By rows, of the cells of a grid.
+// Ranks of the cells of a grid, row by row.
 std::vector<float> ranks_of_cells() {
 	std::vector<float> ranks;
 	for (int row = 0; row < SIDE; row++) {
 		for (int column = 0; column < SIDE; column++) {
-			// Not near a cell's side, where rows are out of step.
+			// Away from a cell's side, since rows are shifted.
 			const float shift = row % 2 == 0 ? 0.25f : 0.75f;
 			ranks.push_back(plant_rank(
 					filled_plant_id(static_cast<float>(column) + shift, static_cast<float>(row) + 0.5f, 1.0)));
@@ -26,7 +26,7 @@ std::vector<float> ranks_of_cells() {
 	return ranks;
 }
 
-// Of a square of cells those with ranks below a share.
+// Number of cells of a square with ranks below a density.
 int count_kept(const std::vector<float> &ranks, int column, int row, int side, float share) {
 	int count = 0;
 	for (int i = 0; i < side * side; i++) {
@@ -46,7 +46,7 @@ Thinning falling() {
 
 } // namespace
 
-TEST_CASE("of any share of plants what is left stays spread") {
+TEST_CASE("the remaining plants stay evenly spread at any density") {
 	const std::vector<float> ranks = ranks_of_cells();
 	for (const float share : { 0.1f, 0.25f, 0.5f, 0.8f }) {
 		double squares = 0.0;
@@ -58,12 +58,12 @@ TEST_CASE("of any share of plants what is left stays spread") {
 				squares += off * off;
 			}
 		}
-		// By chance alone it would be share·(1 - share)·64 in each square: 5.8 to 16.
+		// Independent ranks would give share·(1 - share)·64 in each square: 5.8 to 16.
 		CHECK(squares / 64.0 < 2.0);
 	}
 }
 
-TEST_CASE("ranks of added plants are spread, whoever was added before") {
+TEST_CASE("ranks of added plants are spread, for any plants added before") {
 	int kept = 0;
 	for (int64_t number = 500; number < 600; number++) {
 		const float rank = plant_rank(added_plant_id(number));
@@ -74,7 +74,7 @@ TEST_CASE("ranks of added plants are spread, whoever was added before") {
 	CHECK(std::abs(kept - 30) <= 2);
 }
 
-TEST_CASE("the share of plants goes linearly from one level's end to the next") {
+TEST_CASE("density changes linearly from one level's end to the next") {
 	const Thinning thinning = falling();
 	CHECK(thinning.share_at(-5.0f) == doctest::Approx(1.0f));
 	CHECK(thinning.share_at(5.0f) == doctest::Approx(0.9f));
@@ -87,7 +87,7 @@ TEST_CASE("the share of plants goes linearly from one level's end to the next") 
 	CHECK(Thinning().width_of(0.99f, 500.0f) == 1.0f);
 }
 
-TEST_CASE("a plant has lost all of its width before it is cut, and loses it bit by bit") {
+TEST_CASE("a plant loses its width gradually and completely before its removal") {
 	const Thinning thinning = falling();
 	for (const float rank : { 0.15f, 0.3f, 0.55f, 0.85f, 0.97f }) {
 		float before = thinning.width_of(rank, 0.0f);
@@ -103,7 +103,7 @@ TEST_CASE("a plant has lost all of its width before it is cut, and loses it bit 
 	}
 }
 
-TEST_CASE("a level that keeps nobody draws nobody") {
+TEST_CASE("a level with a density of 0 draws nothing") {
 	Thinning none;
 	std::fill(none.shares, none.shares + 3, 0.0f);
 	CHECK(none.width_of(0.0f, 3.0f) == 0.0f);

@@ -22,7 +22,7 @@ std::set<TileKey> after(std::set<TileKey> standing, const TileChoice &choice) {
 
 } // namespace
 
-TEST_CASE("tiles around a place come, all of them and nearest first") {
+TEST_CASE("all tiles around a camera are added, nearest first") {
 	const std::vector<glm::vec2> places = { { 5.0f, -7.0f } };
 	const TileChoice choice = choose_tiles({}, places, 60.0f, SIZE, EVERYWHERE);
 	CHECK(choice.going.empty());
@@ -39,7 +39,7 @@ TEST_CASE("tiles around a place come, all of them and nearest first") {
 	}));
 }
 
-TEST_CASE("on a walk no tile comes and goes at once, and those far behind go") {
+TEST_CASE("on a walk no tile is added and removed at once, and distant ones are removed") {
 	std::set<TileKey> standing;
 	std::size_t most = 0;
 	for (int metre = 0; metre < 1000; metre++) {
@@ -53,11 +53,11 @@ TEST_CASE("on a walk no tile comes and goes at once, and those far behind go") {
 		standing = next;
 		most = std::max(most, standing.size());
 	}
-	CHECK(most < 240); // A circle of 116 m and its edge, of 256 m² each.
+	CHECK(most < 240); // A circle of 116 m and its edge, with 256 m² per tile.
 	CHECK(standing.count({ 0, 0 }) == 0);
 }
 
-TEST_CASE("two places share what is near both, and without any everything stays") {
+TEST_CASE("two cameras share near tiles, and without cameras nothing changes") {
 	const std::vector<glm::vec2> places = { { 0.0f, 0.0f }, { 20.0f, 0.0f } };
 	const TileChoice choice = choose_tiles({}, places, 30.0f, SIZE, EVERYWHERE);
 	const std::set<TileKey> chosen(choice.coming.begin(), choice.coming.end());
@@ -70,7 +70,7 @@ TEST_CASE("two places share what is near both, and without any everything stays"
 	CHECK(choose_tiles(chosen, { { 900.0f, 0.0f } }, 30.0f, SIZE, EVERYWHERE).going.size() == chosen.size());
 }
 
-TEST_CASE("nothing comes beside the area") {
+TEST_CASE("no tiles are added outside of the area") {
 	const AreaBox area = { { -10.0f, -10.0f }, { 10.0f, 10.0f } };
 	CHECK(choose_tiles({}, { { 0.0f, 0.0f } }, 100.0f, SIZE, area).coming.size() == 4);
 	CHECK(choose_tiles({}, { { 500.0f, 0.0f } }, 100.0f, SIZE, area).coming.empty());

@@ -35,7 +35,7 @@ float hill(float x, float z) {
 
 } // namespace
 
-TEST_CASE("plants stand on the slope of a mesh of many triangles, wherever they are on it") {
+TEST_CASE("plants are on the slope of a mesh of many triangles, at any position") {
 	std::vector<glm::vec3> corners;
 	for (int column = -20; column < 20; column++) {
 		for (int row = -10; row < 10; row++) {
@@ -43,7 +43,7 @@ TEST_CASE("plants stand on the slope of a mesh of many triangles, wherever they 
 			const auto z = static_cast<float>(row);
 			const glm::vec3 a(x, hill(x, z), z), b(x + 1.0f, hill(x + 1.0f, z), z);
 			const glm::vec3 c(x, hill(x, z + 1.0f), z + 1.0f), d(x + 1.0f, hill(x + 1.0f, z + 1.0f), z + 1.0f);
-			corners.insert(corners.end(), { a, b, c, b, c, d }); // One of each two goes round the other way.
+			corners.insert(corners.end(), { a, b, c, b, c, d }); // One of each two has the opposite winding.
 		}
 	}
 	std::vector<glm::vec2> places;
@@ -59,7 +59,7 @@ TEST_CASE("plants stand on the slope of a mesh of many triangles, wherever they 
 	}
 }
 
-TEST_CASE("of two floors plants stand on the one that is chosen") {
+TEST_CASE("with two floors plants are on the chosen one") {
 	const std::vector<glm::vec3> lower = { { -1, 0, -1 }, { 1, 0, -1 }, { 0, 0, 1 } };
 	const std::vector<glm::vec3> upper = { { -1, 2, -1 }, { 1, 2, -1 }, { 0, 2, 1 } };
 	std::vector<glm::vec3> both = upper;
@@ -72,7 +72,7 @@ TEST_CASE("of two floors plants stand on the one that is chosen") {
 	CHECK(ground_at(both, { { 0.0f, 0.0f } }, GroundChoice::lowest).heights[0] == 0.0f);
 }
 
-TEST_CASE("a mesh or a place that is as far as numbers go has no ground, and harms nothing") {
+TEST_CASE("a mesh or a position at the limits of numbers has no ground and causes no fault") {
 	const float far = 3e38f;
 	const std::vector<glm::vec3> near = { { 0, 1, 0 }, { 4, 1, 0 }, { 0, 1, 4 } };
 	CHECK(std::isnan(ground_at(near, { { 1e31f, -1e31f } }).heights[0]));
@@ -84,7 +84,7 @@ TEST_CASE("a mesh or a place that is as far as numbers go has no ground, and har
 	CHECK(ground_at(wide, { { 1.0f, 1.0f } }).heights.size() == 1);
 }
 
-TEST_CASE("beside a mesh, in its holes, on its walls and without one there is no ground") {
+TEST_CASE("there is no ground beside a mesh, in its holes, on its walls and without a mesh") {
 	const std::vector<glm::vec3> one = { { 0, 1, 0 }, { 4, 1, 0 }, { 0, 1, 4 } };
 	for (const glm::vec2 &place : { glm::vec2(3.0f, 3.0f), glm::vec2(-1.0f, 1.0f), glm::vec2(1.0f, 100.0f) }) {
 		CHECK(std::isnan(ground_at(one, { place }).heights[0]));

@@ -1,4 +1,4 @@
-// Tiles of two densities side by side, as while a field is grown anew tile by tile.
+// Tiles of two densities side by side, as while a field is rebuilt tile by tile.
 #include "stand/kept_plants.hpp"
 #include "stand/stand_changes.hpp"
 #include "stand/test_plant_store_fixture.hpp"
@@ -16,7 +16,7 @@ namespace {
 constexpr float TILE = 10.0f;
 const TileKey EXCHANGED = { 0, 0 };
 
-/// What a tile of a field is to be.
+/// Edit that gives a tile of a field its plants.
 StandEdit exchange(const PlacementRequest &request, const TileKey &tile) {
 	PlacementRequest part = request;
 	part.within = tile_box(tile, TILE);
@@ -33,7 +33,7 @@ PlacementRequest field_of(float density) {
 
 } // namespace
 
-TEST_CASE("no two plants of two densities have one name, and each is found by its own") {
+TEST_CASE("plants of two densities have unique ids and are found by them") {
 	for (const float density : { 3.9f, 4.1f, 8.0f, 1.0f }) {
 		PlantStore store;
 		store.apply(filling(field_of(4.0f), TILE));
@@ -54,7 +54,7 @@ TEST_CASE("no two plants of two densities have one name, and each is found by it
 	}
 }
 
-TEST_CASE("a tile that is exchanged changes no other") {
+TEST_CASE("replacing a tile changes no other tile") {
 	PlantStore store;
 	store.apply(filling(field_of(4.0f), TILE));
 	std::map<PlantId, PlantPlace> others;
@@ -73,7 +73,7 @@ TEST_CASE("a tile that is exchanged changes no other") {
 	}
 }
 
-TEST_CASE("who stands in a tile again is kept, and nobody of another density") {
+TEST_CASE("a replaced tile transfers the same plants, and none of another density") {
 	PlantStore store;
 	store.apply(filling(field_of(4.0f), TILE));
 	PlacementRequest smaller = field_of(4.0f);
@@ -95,7 +95,7 @@ TEST_CASE("who stands in a tile again is kept, and nobody of another density") {
 	CHECK(tiles == std::set<TileKey>{ EXCHANGED });
 }
 
-TEST_CASE("newcomers do not join those of another density") {
+TEST_CASE("late plants do not join blocks of another density") {
 	PlantStore store;
 	store.apply(filling(field_of(4.0f), TILE));
 	const auto grow = [&](float x) {
@@ -115,7 +115,7 @@ TEST_CASE("newcomers do not join those of another density") {
 	CHECK(store.block(second).spacing == 0.3);
 }
 
-TEST_CASE("tiles where somebody was filled are listed, once each") {
+TEST_CASE("tiles with generated plants are listed once each") {
 	PlantStore store;
 	store.apply(filling(field_of(4.0f), TILE));
 	StandEdit edit;
@@ -128,7 +128,7 @@ TEST_CASE("tiles where somebody was filled are listed, once each") {
 	CHECK(store.filled_tiles().size() == 15);
 }
 
-TEST_CASE("marks of spacings are seldom the same, and tell names apart") {
+TEST_CASE("marks of spacings are rarely equal and separate ids") {
 	int same = 0;
 	for (int i = 1; i < 4000; i++) {
 		const double spacing = 0.1 + 0.001 * i;

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-/// The two slowest frequencies of a beam by another way than the product's: Ritz's, with polynomials over the whole
-/// stem. Within 1e-5 for round stems that taper, with a head and leaves, weight included.
+/// The two slowest frequencies of a beam by a method other than the product's: Ritz's, with polynomials over the whole
+/// stem. It is within 1e-5 for round stems that taper, with a head and leaves, weight included.
 class RitzBeam {
 public:
 	RitzBeam(const undergrowth::StemBeam &stem, double youngs_modulus) : beam(stem), modulus(youngs_modulus) {
@@ -97,7 +97,7 @@ private:
 		}
 	}
 
-	/// Cholesky of the masses, then Jacobi's turns.
+	/// Cholesky decomposition of the masses, then Jacobi rotations.
 	void solve() {
 		Matrix lower = {};
 		for (int i = 0; i < COUNT; i++) {

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <vector>
 
-/// A stem as very many rigid links under steady loads, in a plane: what stems are held to. It knows nothing of the
-/// product's beam. Heads are points at their centre; loads at places are not known.
+/// A stem as very many rigid links under steady loads, in a plane: the reference for stems. It is independent of the
+/// product's beam. Heads are points at their centre; loads at positions are not supported.
 class SteadyChain {
 public:
 	explicit SteadyChain(const undergrowth::StemBeam &stem, double youngs_modulus, int links = 128) :
@@ -22,7 +22,7 @@ public:
 			sideways(links, 0.0),
 			upward(links, 0.0) {}
 
-	/// Balance under so many newtons, spread as the drag area is.
+	/// Equilibrium under `newtons`, distributed as the drag area.
 	void settle_dead(double newtons) {
 		for (int i = 0; i < count; i++) {
 			sideways[i] = newtons * drag(i) / all_drag();
@@ -33,9 +33,9 @@ public:
 		relax();
 	}
 
-	/// Balance in air of so many m/s, which presses across each link.
+	/// Equilibrium in air of `speed` (m/s), which presses across each link.
 	void settle_air(double speed) {
-		constexpr double SHARE = 0.15; // Of each answer: all of it would swing to and fro.
+		constexpr double SHARE = 0.15; // Share of each correction that is applied; the whole one would oscillate.
 		for (int n = 0; n < 2000; n++) {
 			const std::vector<double> before = angles;
 			for (int i = 0; i < count; i++) {
@@ -65,7 +65,7 @@ public:
 
 	double tip_angle() const { return 1.5 * angles[count - 1] - 0.5 * angles[count - 2]; }
 
-	/// What the wind takes up over what it would of an upright stem: ∫c cos³θ/∫c.
+	/// Force of the wind relative to that on an upright stem: ∫c cos³θ/∫c.
 	double reconfiguration() const {
 		double sum = head_drag() * std::pow(std::cos(angles[count - 1]), 3.0);
 		for (int i = 0; i < count; i++) {
@@ -87,7 +87,7 @@ private:
 
 	double width(double link) const { return beam.diameter * (1.0 - beam.taper * link / count); }
 
-	/// kg/m of the link, half the air's density times drag area.
+	/// kg/m of the link: half the air's density times drag area.
 	double drag(int link) const {
 		return 0.6 * h * (beam.drag_coefficient * width(link + 0.5) + beam.leaf_drag_area / beam.length);
 	}
@@ -105,7 +105,7 @@ private:
 		return 9.81 * h * (beam.density * 0.785398163 * d * d + beam.leaf_mass / beam.length);
 	}
 
-	/// Half of the links beside it bend at a joint.
+	/// Bend of a joint: half of the links beside it.
 	double joint(int link) const {
 		const double d = width(link == 0 ? 0.25 : link);
 		return modulus * 0.0490873852 * d * d * d * d / (link == 0 ? 0.5 * h : h);
@@ -117,7 +117,7 @@ private:
 		up = -across * std::sin(angle);
 	}
 
-	/// Newton for loads whose directions stay.
+	/// Newton's method for loads with constant directions.
 	void relax() {
 		for (int n = 0; n < 100; n++) {
 			std::vector<double> moment(count);

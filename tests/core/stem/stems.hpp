@@ -19,7 +19,7 @@ inline double root_bending(const undergrowth::StemBeam &beam) {
 	return undergrowth::PI / 64.0 * beam.diameter * beam.diameter * beam.diameter * beam.diameter;
 }
 
-/// A stem of 0.6 m with a head of so many masses of the stem.
+/// A stem of 0.6 m with a head of `head` times the mass of the stem.
 inline undergrowth::StemBeam stem_of(double taper = 0.0, double head = 0.0, double frequency = 1.5) {
 	undergrowth::StemBeam beam;
 	beam.taper = static_cast<float>(taper);
@@ -28,7 +28,7 @@ inline undergrowth::StemBeam stem_of(double taper = 0.0, double head = 0.0, doub
 	return beam;
 }
 
-/// Solved, with so many joints and modes.
+/// The solved stem, with `joints` joints and `modes` modes.
 inline undergrowth::StemConstants jointed(int joints, double taper, double head, int modes = 2) {
 	undergrowth::StemBeam beam = stem_of(taper, head);
 	beam.joints = joints;
@@ -36,7 +36,7 @@ inline undergrowth::StemConstants jointed(int joints, double taper, double head,
 	return solve_stem(beam).constants;
 }
 
-/// The same as stem_of(), so stiff that its weight counts for nothing.
+/// The same as stem_of(), so stiff that its weight has no effect.
 inline undergrowth::StemBeam stiff_stem(double taper = 0.0, double head = 0.0) {
 	undergrowth::StemBeam beam = stem_of(taper, head, 0.0);
 	beam.length = 1.0f;
@@ -47,13 +47,13 @@ inline undergrowth::StemBeam stiff_stem(double taper = 0.0, double head = 0.0) {
 	return beam;
 }
 
-/// rad/s: √(EI/(m·L³)), by which frequencies of beams are told.
+/// rad/s: √(EI/(m·L³)), the unit of beam frequencies.
 inline double beam_rate(const undergrowth::StemBeam &beam, double youngs_modulus) {
 	const double l = beam.length;
 	return std::sqrt(youngs_modulus * root_bending(beam) / (mass_of(beam) * l * l * l));
 }
 
-/// Amplitudes at rest in a wind that gives the linear tip so large a slope.
+/// Amplitudes at rest in a wind that gives the linear tip this slope.
 struct SteadyStem {
 	glm::vec2 amplitudes[undergrowth::MOST_STEM_MODES];
 };

@@ -6,7 +6,7 @@
 
 using namespace undergrowth;
 
-TEST_CASE("a lathe of any size is a sound stem as it is drawn") {
+TEST_CASE("the drawn lathe of any size is a sound stem") {
 	const std::vector<std::vector<float>> profiles = { { 1.0f }, { 1.0f, 1.0f, 1.0f }, { 0.0f, 0.0f, 0.0f, 0.0f },
 		{ 0.1f, 0.1f, 0.1f, 50.0f, 1.0f }, { 1.0f, 0.5f, 0.2f, 0.0f } };
 	for (const float length : { 0.005f, 0.6f, 100.0f }) {
@@ -24,7 +24,7 @@ TEST_CASE("a lathe of any size is a sound stem as it is drawn") {
 	}
 }
 
-TEST_CASE("what is much wider than a lathe's lower half is its head") {
+TEST_CASE("rings much wider than a lathe's lower half are its head") {
 	StemBeam stalk, flower;
 	stalk.length = flower.length = 0.5f;
 	carry_lathe(0.01f, { 0.4f, 0.4f, 0.4f, 0.4f, 0.4f, 0.2f }, stalk);

@@ -13,9 +13,9 @@ using doctest::Approx;
 
 namespace {
 
-constexpr double BEAM = 1e-3; // Beside closed forms that are told with four figures.
-constexpr double FINE = 2e-4; // Of frequencies, beside Ritz: the most is where the tip is all but a thread.
-constexpr double DECLARED = 1e-6; // Of a declared frequency: of the beam's own rounding.
+constexpr double BEAM = 1e-3; // Relative to closed forms with four digits.
+constexpr double FINE = 2e-4; // Of frequencies, relative to Ritz; the largest error is that of a nearly pointed tip.
+constexpr double DECLARED = 1e-6; // Of a declared frequency: rounding of the beam.
 constexpr double GREENHILL = 2e-3;
 
 /// The load under which a stem would fall: m·g·L²/(EI).
@@ -28,7 +28,7 @@ double critical_load(const StemBeam &beam) {
 
 } // namespace
 
-TEST_CASE("frequencies of uniform stems are those of Euler and Bernoulli, with heads and without") {
+TEST_CASE("frequencies of uniform stems match Euler and Bernoulli, with and without heads") {
 	const double expected[][3] = { { 0.0, 3.5160, 22.0345 }, { 0.5, 2.016, 16.901 }, { 2.0, 1.158, 15.861 } };
 	for (const auto &[head, first, second] : expected) {
 		const StemBeam beam = stiff_stem(0.0, head);
@@ -45,7 +45,7 @@ TEST_CASE("frequencies of uniform stems are those of Euler and Bernoulli, with h
 	}
 }
 
-TEST_CASE("frequencies of stems that taper and carry heads and leaves are those of a finer way") {
+TEST_CASE("frequencies of tapered stems with heads and leaves match a finer method") {
 	for (const double taper : { 0.0, 0.3, 0.6, 0.9 }) {
 		for (const double head : { 0.0, 0.5, 2.0 }) {
 			StemBeam beam = stem_of(taper, head);
@@ -67,7 +67,7 @@ TEST_CASE("frequencies of stems that taper and carry heads and leaves are those 
 	}
 }
 
-TEST_CASE("a stem stands up to the load that Greenhill says") {
+TEST_CASE("a stem is stable up to Greenhill's load") {
 	const double expected[][3] = { { 0.0, 0.0, 7.8374 }, { 0.0, 0.5, 3.0691 }, { 0.0, 2.0, 1.0730 },
 		{ 0.6, 0.0, 7.0638 } };
 	for (const auto &[taper, head, load] : expected) {
@@ -78,7 +78,7 @@ TEST_CASE("a stem stands up to the load that Greenhill says") {
 	}
 }
 
-TEST_CASE("weight slows a swing down") {
+TEST_CASE("weight slows a swing") {
 	const double expected[][2] = { { 1.0, 0.93427 }, { 2.0, 0.86349 }, { 4.0, 0.70050 }, { 6.0, 0.48500 },
 		{ 7.0, 0.32752 } };
 	StemBeam beam = stem_of(0.0, 0.0, 0.0);
@@ -91,7 +91,7 @@ TEST_CASE("weight slows a swing down") {
 	}
 }
 
-TEST_CASE("a stem whose weight is too much for it falls, and says so") {
+TEST_CASE("a stem that is too heavy falls and has a fault") {
 	StemBeam beam = stem_of(0.0, 0.0, 0.0);
 	const double l = beam.length;
 	const double critical = mass_of(beam) * STANDARD_GRAVITY * l * l / (7.8373 * root_bending(beam));
@@ -102,7 +102,7 @@ TEST_CASE("a stem whose weight is too much for it falls, and says so") {
 	CHECK(solve_stem(beam).constants.dead_slope == 1.0f);
 }
 
-TEST_CASE("a declared frequency is the stem's, weight included, and its modulus gives the same stem again") {
+TEST_CASE("a declared frequency includes the weight, and its modulus gives the same stem again") {
 	for (const double taper : { 0.0, 0.6, 0.9 }) {
 		for (const double head : { 0.0, 2.0 }) {
 			for (const double declared : { 0.3, 1.4, 4.0 }) {
@@ -114,7 +114,7 @@ TEST_CASE("a declared frequency is the stem's, weight included, and its modulus 
 				CHECK(solution.constants.mode[0].frequency == Approx(wanted).epsilon(DECLARED).scale(0.0));
 				beam.natural_frequency = 0.0f;
 				beam.youngs_modulus = static_cast<float>(solution.youngs_modulus);
-				if (solution.buckling_share < 0.9) { // Nearer, the digits of a float decide.
+				if (solution.buckling_share < 0.9) { // Nearer, the precision of a float decides.
 					CHECK(solve_stem(beam).frequencies[0] == Approx(wanted).epsilon(10.0 * DECLARED).scale(0.0));
 				}
 			}
@@ -122,7 +122,7 @@ TEST_CASE("a declared frequency is the stem's, weight included, and its modulus 
 	}
 }
 
-TEST_CASE("small bends are those of a beam under a load at its tip and under one all along it") {
+TEST_CASE("small bends match those of a beam with a load at its tip and with a distributed load") {
 	StemBeam beam = stiff_stem();
 	const double modulus = 1e12 * root_bending(beam);
 	for (const int modes : { 1, 2 }) {
@@ -144,12 +144,12 @@ TEST_CASE("small bends are those of a beam under a load at its tip and under one
 	}
 }
 
-TEST_CASE("a load along the stem counts as much as the reference says") {
+TEST_CASE("a load along the stem has the weight of the reference") {
 	CHECK(solve_stem(stiff_stem()).constants.axial_share == Approx(0.75).epsilon(BEAM).scale(0.0));
 	CHECK(solve_stem(stiff_stem(0.6)).constants.axial_share == Approx(0.598).epsilon(BEAM).scale(0.0));
 }
 
-TEST_CASE("a head that the wind blows at above the tip turns it as well") {
+TEST_CASE("wind on a head above the tip also turns the head") {
 	StemBeam beam = stiff_stem();
 	beam.wind_weights = { 0.0f, 0.0f, 0.0f, 1.0f };
 	beam.head_centre = 0.1f;
@@ -159,7 +159,7 @@ TEST_CASE("a head that the wind blows at above the tip turns it as well") {
 			Approx(stem.deflection[3][0] + 0.1 * stem.mode[0].tip_slope).epsilon(1e-6).scale(0.0));
 }
 
-TEST_CASE("masses and drag at places count as what is spread does where they are as many") {
+TEST_CASE("many masses and drags at points match distributed ones") {
 	StemBeam spread = stem_of(0.4, 0.3);
 	spread.leaf_mass = 0.003f;
 	spread.leaf_drag_area = 0.004f;
@@ -179,7 +179,7 @@ TEST_CASE("masses and drag at places count as what is spread does where they are
 	}
 }
 
-TEST_CASE("air bends the tip the same, whichever joints a wind in newtons presses on") {
+TEST_CASE("air bends the tip equally, for any joints with wind in newtons") {
 	StemBeam beam = stem_of(0.5, 0.5);
 	const double slope = solve_stem(beam).constants.air_slope;
 	for (const int modes : { 1, 2 }) {
@@ -209,10 +209,10 @@ TEST_CASE("neither frequencies nor bends depend on the number of joints") {
 	}
 }
 
-TEST_CASE("a hollow stem swings faster than one of the same material without its hole") {
+TEST_CASE("a hollow stem swings faster than a solid one of the same material") {
 	StemBeam beam = stiff_stem();
 	const double solid = solve_stem(beam).frequencies[0];
-	beam.hollow = 0.8f; // Stiffness falls by 0.8⁴, mass by 0.8².
+	beam.hollow = 0.8f; // Stiffness decreases by 0.8⁴, mass by 0.8².
 	CHECK(solve_stem(beam).frequencies[0] / solid == Approx(std::sqrt(1.0 + 0.64)).epsilon(BEAM).scale(0.0));
 }
 

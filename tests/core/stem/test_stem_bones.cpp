@@ -20,11 +20,11 @@ using doctest::Approx;
 
 namespace {
 
-constexpr double LENGTH = 1e-5; // Of the stem, as the next.
+constexpr double LENGTH = 1e-5; // Of the stem; so is the next.
 constexpr double FINE_LINE = 0.005;
 constexpr double SHADER = 0.01;
 
-/// The centre line by very many short ways.
+/// The centre line, integrated in very many short steps.
 glm::dvec3 integrated(const StemConstants &stem, const SteadyStem &steady, double x) {
 	glm::dvec3 sum(0.0);
 	constexpr int STEPS = 500;
@@ -41,7 +41,7 @@ glm::vec3 turned(const glm::vec4 &turn, const glm::vec3 &v) {
 	return glm::quat(turn.w, turn.x, turn.y, turn.z) * v;
 }
 
-/// Where linear blend skinning takes a vertex at rest, in stem lengths.
+/// Position of a vertex by linear blend skinning, at rest, in stem lengths.
 glm::vec3 skinned(const StemConstants &stem, const SteadyStem &steady, const glm::vec3 &vertex) {
 	StemLink links[MOST_STEM_JOINTS];
 	stem_links(stem, steady.amplitudes, links);
@@ -61,7 +61,7 @@ glm::vec3 skinned(const StemConstants &stem, const SteadyStem &steady, const glm
 
 } // namespace
 
-TEST_CASE("a chain of bones is as long as its stem, however it is bent") {
+TEST_CASE("a chain of bones is as long as its stem at any bend") {
 	for (int joints = 1; joints <= MOST_STEM_JOINTS; joints++) {
 		const StemConstants stem = jointed(joints, 0.5, 0.5);
 		for (int i = 0; i < 50; i++) {
@@ -82,7 +82,7 @@ TEST_CASE("a chain of bones is as long as its stem, however it is bent") {
 	}
 }
 
-TEST_CASE("a stem at rest stands straight up") {
+TEST_CASE("a stem at rest is upright") {
 	const StemConstants stem = jointed(4, 0.5, 0.5);
 	const glm::vec2 amplitudes[2] = {};
 	StemLink links[MOST_STEM_JOINTS];
@@ -93,7 +93,7 @@ TEST_CASE("a stem at rest stands straight up") {
 	CHECK(glm::distance(stem_place(stem, amplitudes, 0.3f).centre, { 0.0f, 0.3f, 0.0f }) < 1e-6f);
 }
 
-TEST_CASE("the centre line at three places is that of very many") {
+TEST_CASE("the centre line of three points matches that of very many") {
 	for (const double taper : { 0.0, 0.6 }) {
 		const StemConstants stem = jointed(4, taper, taper);
 		for (const auto &[slope, most] : { std::pair(1.0, 0.002), std::pair(2.747, 0.003) }) { // 45° and 70°.
@@ -107,7 +107,7 @@ TEST_CASE("the centre line at three places is that of very many") {
 	}
 }
 
-TEST_CASE("four bones take a skin where the shader takes it, within half a hundredth of the length at 45 degrees") {
+TEST_CASE("skinning with four bones matches the shader within 0.5 % of the length at 45 degrees") {
 	for (const double taper : { 0.0, 0.6 }) {
 		const StemConstants stem = jointed(4, taper, taper);
 		const SteadyStem steady = in_newtons(stem, 1.0);
@@ -127,7 +127,7 @@ TEST_CASE("four bones take a skin where the shader takes it, within half a hundr
 	}
 }
 
-TEST_CASE("weights sum to one, change smoothly and leave the root where it is") {
+TEST_CASE("weights sum to one, change smoothly and do not move the root") {
 	for (int joints = 1; joints <= MOST_STEM_JOINTS; joints++) {
 		float before[MOST_STEM_JOINTS + 1] = {};
 		for (int i = 0; i <= 1000; i++) {
@@ -161,7 +161,7 @@ TEST_CASE("a head above its stem turns with the last bone alone") {
 	}
 }
 
-TEST_CASE("a stem that points straight down still has bones that are turns") {
+TEST_CASE("a stem that points straight down has bones with valid rotations") {
 	StemConstants stem = jointed(2, 0.0, 0.0, 1);
 	const glm::vec2 amplitudes[1] = { { 1e6f, 0.0f } };
 	StemLink links[MOST_STEM_JOINTS];

@@ -35,7 +35,7 @@ bool is_finite(const StemConstants &stem) {
 			std::isfinite(stem.air_slope) && stem.axial_share > 0.0f && stem.axial_share <= 1.0f;
 }
 
-/// No place is bent far beyond the tip or against the wind, however far that bends the tip.
+/// True if no point bends far beyond the tip or against the wind, for any bend of the tip.
 bool is_tame(const StemConstants &stem, bool is_in_air) {
 	for (const double slope : { 0.5, 2.0, 10.0, 1e4 }) {
 		const SteadyStem steady = is_in_air ? in_wind(stem, slope) : in_newtons(stem, slope);
@@ -51,7 +51,7 @@ bool is_tame(const StemConstants &stem, bool is_in_air) {
 
 } // namespace
 
-TEST_CASE("stems of all sizes that stand have sound constants") {
+TEST_CASE("stable stems of all sizes have sound constants") {
 	static_assert(sizeof(StemMode) == 12 * sizeof(float), "all of them are looked at");
 	for (const float length : { 0.02f, 0.3f, 2.0f, 10.0f }) {
 		for (const float taper : { 0.0f, 0.5f, 0.9f }) {
@@ -83,7 +83,7 @@ TEST_CASE("stems of all sizes that stand have sound constants") {
 	}
 }
 
-TEST_CASE("wind that presses on single joints is taken as well") {
+TEST_CASE("wind on single joints is supported") {
 	for (int joints = 1; joints <= MOST_STEM_JOINTS; joints++) {
 		for (int only = 0; only < joints; only++) {
 			for (const int modes : { 1, 2 }) {
@@ -102,7 +102,7 @@ TEST_CASE("wind that presses on single joints is taken as well") {
 	}
 }
 
-TEST_CASE("a number that is none or out of its range has a fault of its own") {
+TEST_CASE("each invalid or out-of-range number has its own fault") {
 	constexpr float NONE = std::numeric_limits<float>::quiet_NaN();
 	constexpr float INF = std::numeric_limits<float>::infinity();
 	const struct {
@@ -149,7 +149,7 @@ TEST_CASE("a number that is none or out of its range has a fault of its own") {
 	CHECK(solve_stem(beam).fault == StemFault::modes);
 }
 
-TEST_CASE("loads and weights that do not fit have faults of their own") {
+TEST_CASE("inconsistent loads and weights have their own faults") {
 	StemBeam beam;
 	beam.loads = { { 1.5f, 0.001f, 0.0f } };
 	CHECK(solve_stem(beam).fault == StemFault::loads);
@@ -163,7 +163,7 @@ TEST_CASE("loads and weights that do not fit have faults of their own") {
 	}
 }
 
-TEST_CASE("each fault says what to do") {
+TEST_CASE("each fault describes the remedy") {
 	for (int i = 1; i <= static_cast<int>(StemFault::falls); i++) {
 		const std::string words = describe(static_cast<StemFault>(i));
 		CHECK(words.size() > 30);

@@ -21,11 +21,11 @@ using doctest::Approx;
 namespace {
 
 constexpr double DEGREE = PI / 180.0;
-constexpr double TO_45 = 0.01; // Of the length, as the next.
+constexpr double TO_45 = 0.01; // Of the length; so is the next.
 constexpr double TO_75 = 0.025;
 constexpr double DRAG_RATIO = 0.02;
 
-/// The farthest that a drawn stem is from a chain, in stem lengths.
+/// Max distance of a drawn stem from a chain, in stem lengths.
 double distance_to(const SteadyChain &chain, const StemConstants &stem, const SteadyStem &steady) {
 	double most = 0.0;
 	for (int i = 1; i <= 32; i++) {
@@ -58,7 +58,7 @@ std::vector<StemBeam> varied_stems() {
 
 } // namespace
 
-TEST_CASE("a stem in steady wind of so many newtons has the shape of a chain of 128 links") {
+TEST_CASE("a stem in a steady wind in newtons has the shape of a chain of 128 links") {
 	for (StemBeam beam : varied_stems()) {
 		for (const int modes : { 1, 2 }) {
 			beam.modes = modes;
@@ -92,7 +92,7 @@ TEST_CASE("a stem in steady air has the shape of a chain of 128 links") {
 	}
 }
 
-TEST_CASE("the tip under a load at the tip is where the elastica's is") {
+TEST_CASE("the tip under a load at the tip matches the elastica") {
 	const double expected[][3] = { { 1.0, 0.302, 0.944 }, { 2.0, 0.494, 0.839 }, { 5.0, 0.714, 0.612 } };
 	StemBeam beam = stiff_stem();
 	beam.joints = 8;
@@ -107,7 +107,7 @@ TEST_CASE("the tip under a load at the tip is where the elastica's is") {
 	}
 }
 
-TEST_CASE("a blade in a wind draws the less the more it bends, as measured ones do") {
+TEST_CASE("the drag of a blade decreases with its bend, as measured") {
 	const double expected[][2] = { { 1.0, 0.9748 }, { 10.0, 0.5236 }, { 50.0, 0.2484 }, { 100.0, 0.1918 } };
 	const StemConstants stem = in_air(solve_stem(stiff_stem()).constants);
 	for (const auto &[cauchy, ratio] : expected) {
@@ -124,13 +124,13 @@ TEST_CASE("a blade in a wind draws the less the more it bends, as measured ones 
 	}
 }
 
-TEST_CASE("six terms are enough for the shape of a stem that tapers") {
+TEST_CASE("six terms are enough for the shape of a tapered stem") {
 	constexpr double PATH = 5e-4; // Of the length.
 	for (const float taper : { 0.0f, 0.6f, 0.9f }) {
 		StemBeam beam = stiff_stem(taper);
 		beam.wind_weights = { 0.0f, 0.0f, 0.0f, 1.0f };
 		const StemConstants stem = solve_stem(beam).constants;
-		// ψ' = (1 - x)/(1 - taper·x)⁴ but for a factor.
+		// ψ' = (1 - x)/(1 - taper·x)⁴, up to a factor.
 		constexpr int STEPS = 6400;
 		std::vector<double> exact = { 0.0 };
 		for (int i = 0; i < STEPS; i++) {
@@ -148,7 +148,7 @@ TEST_CASE("six terms are enough for the shape of a stem that tapers") {
 		for (int i = 0; i < STEPS; i++) {
 			const float x = (static_cast<float>(i) + 0.5f) / STEPS;
 			const double drawn = stem_bend(linear, &one, x).x / stem.mode[0].tip_slope;
-			// At a tip of 45°, where a bend of 0.414 turns by twice its change.
+			// For a tip of 45°, where a bend of 0.414 turns by twice its change.
 			path += 2.0 * 0.414 * (drawn - 0.5 * (exact[i] + exact[i + 1]) / exact[STEPS]) / STEPS;
 			most = std::max(most, std::abs(path));
 		}

@@ -9,11 +9,11 @@ using doctest::Approx;
 
 namespace {
 
-/// A plant as botanists would say it, and what a program of its own made of that: columns are rounded as there.
+/// A plant in botanical terms, with the results of a separate program; columns have the same rounding.
 struct Preset {
 	const char *name;
 	float length; ///< m.
-	float diameter; ///< mm, a blade's width.
+	float diameter; ///< mm, width of a blade.
 	float thickness; ///< mm, 0: round.
 	float taper;
 	float hollow;
@@ -24,11 +24,11 @@ struct Preset {
 	float leaf_area; ///< cm².
 	float frequency; ///< Hz.
 	double modulus; ///< GPa.
-	double rounded; ///< GPa: half of its last digit.
+	double rounded; ///< GPa: half of the modulus's last digit.
 	double buckling_share;
 	double second; ///< Frequency of the second mode over that of the first.
-	double wind_30; ///< m/s that bends the tip to 30°,
-	double wind_60; ///< to 60°.
+	double wind_30; ///< m/s for a tip at 30°,
+	double wind_60; ///< and at 60°.
 	double air_damping; ///< Damping ratio across a wind of 5 m/s.
 };
 
@@ -73,7 +73,7 @@ double wind_for(const StemConstants &stem, double angle) {
 
 } // namespace
 
-TEST_CASE("stems that declare how fast they swing need the moduli, and bend in the winds, that the table says") {
+TEST_CASE("stems with declared frequencies have the moduli and the bends in wind of the table") {
 	constexpr double RATIO = 0.02;
 	constexpr double WIND = 0.03;
 	constexpr double DAMPING = 0.06; // Its column has two digits.

@@ -10,7 +10,7 @@ using doctest::Approx;
 
 namespace {
 
-/// rad, of its tip in 1 N, over the angle to which a mass of 1 kg on the tip is drawn: about 1 for usual weights.
+/// rad, tip angle in 1 N, over the tip angle of a mass of 1 kg: about 1 for usual weights.
 float usual_lean(const StemConstants &stem) {
 	const float frequency = stem.mode[0].frequency;
 	return stem.dead_slope * frequency * frequency * stem.length;
@@ -31,7 +31,7 @@ TEST_CASE("a recipe with a weight is the stem itself, in newtons and in air") {
 	CHECK(solved.usual_weight == 0.0f);
 }
 
-TEST_CASE("by the usual weight a newton does to all stems what it does to a kilogram") {
+TEST_CASE("with the usual weight one newton acts on all stems as on a kilogram") {
 	for (const double frequency : { 0.7, 3.0 }) {
 		StemRecipe recipe;
 		recipe.beam = stem_of(0.3, 0.5, frequency);
@@ -40,7 +40,7 @@ TEST_CASE("by the usual weight a newton does to all stems what it does to a kilo
 	}
 }
 
-TEST_CASE("stems of other heights have the usual weight of the species' own") {
+TEST_CASE("stems of other heights have the usual weight of the species' own height") {
 	StemRecipe own;
 	own.beam = stem_of(0.5, 0.0, 0.0);
 	own.own_length = own.beam.length;
@@ -54,7 +54,7 @@ TEST_CASE("stems of other heights have the usual weight of the species' own") {
 	CHECK(told.in_newtons->dead_slope == Approx(weight * solve_stem(taller.beam).constants.dead_slope));
 }
 
-TEST_CASE("joints that feel less wind feel less of it by the usual weight, too") {
+TEST_CASE("less wind on joints also means less wind with the usual weight") {
 	StemRecipe recipe;
 	recipe.beam = stem_of();
 	recipe.own_length = recipe.beam.length;
@@ -66,7 +66,7 @@ TEST_CASE("joints that feel less wind feel less of it by the usual weight, too")
 	CHECK(lean_at(1.0f) > 0.5f);
 }
 
-TEST_CASE("where nothing can stand so, a bare stem of as many joints stands") {
+TEST_CASE("an unstable stem is replaced by a bare one with the same joints") {
 	StemRecipe recipe;
 	recipe.beam = stem_of(0.5, 2.0, 0.0);
 	recipe.beam.youngs_modulus = 1e4f;

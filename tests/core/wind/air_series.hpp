@@ -7,13 +7,13 @@
 #include <cstddef>
 #include <vector>
 
-/// One map for all tests: making it takes a tenth of a second.
+/// One map for all tests, since its creation takes 0.1 s.
 inline const undergrowth::AirTiles &shared_tiles() {
 	static const std::shared_ptr<const undergrowth::AirTiles> tiles = undergrowth::make_air_tiles(0);
 	return *tiles;
 }
 
-/// Air that carries turbulence along with `speed` (m/s), without gustiness or waves, towards +z.
+/// Air that carries turbulence with `speed` (m/s), without gustiness or waves, towards +z.
 inline undergrowth::Air plain_air(float speed) {
 	undergrowth::Air air;
 	air.gustiness = 0.0f;
@@ -26,7 +26,7 @@ struct Series {
 	std::vector<float> along, across; ///< Standard deviations.
 };
 
-/// What a place (x, z) feels at `count` times, `step` seconds apart.
+/// Turbulence at a position (x, z) at `count` times, `step` seconds apart.
 inline Series turbulence_at(const undergrowth::Air &air, float x, float z, int count, double step) {
 	Series series = { std::vector<float>(static_cast<std::size_t>(count)),
 		std::vector<float>(static_cast<std::size_t>(count)) };
@@ -47,7 +47,7 @@ inline double mean_of(const std::vector<float> &values) {
 	return sum / static_cast<double>(values.size());
 }
 
-/// Mean product of two series, one `lag` samples behind.
+/// Mean product of two series, with one `lag` samples behind.
 inline double product(const std::vector<float> &a, const std::vector<float> &b, std::size_t lag) {
 	double sum = 0.0;
 	for (std::size_t i = 0; i + lag < a.size(); i++) {

@@ -21,7 +21,7 @@ namespace {
 constexpr int PLANTS = 1003;
 constexpr float STAND = 0.5f; // m.
 constexpr float TURNED = 0.7f; // rad.
-constexpr double VELOCITY_TOLERANCE = 2e-3; // m/s, of places in floats.
+constexpr double VELOCITY_TOLERANCE = 2e-3; // m/s, for positions in floats.
 constexpr double WAVES_SPEED_TOLERANCE = 0.02;
 constexpr double WAVES_SPACING_TOLERANCE = 0.1;
 
@@ -56,7 +56,7 @@ Velocities velocities(const FieldWind &wind, double time, SimdLevel level = best
 	return out;
 }
 
-/// Waves over the stand along a line with the wind.
+/// Waves over the canopy along a line with the wind.
 std::vector<float> wave_line(const Air &air, double time) {
 	const AirNow now = air_at_time(air, {}, &shared_tiles(), time);
 	std::vector<float> x(4000), z(4000), waves(4000);
@@ -78,7 +78,7 @@ std::size_t best_lag(const std::vector<float> &a, const std::vector<float> &b, s
 
 } // namespace
 
-TEST_CASE("air has the same bits at every level, however plants are divided") {
+TEST_CASE("air has the same bits at every level, for any division of plants") {
 	for (int i = 0; i < 40; i++) {
 		const Velocities whole = velocities(breeze(), 0.37 * i, SimdLevel::baseline);
 		const Velocities best = velocities(breeze(), 0.37 * i, SimdLevel::avx2);
@@ -93,7 +93,7 @@ TEST_CASE("air has the same bits at every level, however plants are divided") {
 	}
 }
 
-TEST_CASE("plants alone feel the wind of their own height above open ground") {
+TEST_CASE("isolated plants have the wind of their own height above open ground") {
 	constexpr double PROFILE_TOLERANCE = 1e-4; // Of the speed at 10 m.
 	FieldWind wind = breeze();
 	std::vector<float> lengths;
@@ -121,7 +121,7 @@ TEST_CASE("plants alone feel the wind of their own height above open ground") {
 	}
 }
 
-TEST_CASE("the mean over a stand is the speed at its tops, and gusts are a share of it") {
+TEST_CASE("the mean over a canopy is the speed at its tops, and gusts are a fraction of it") {
 	FieldWind wind = breeze();
 	const double top = stand_top_speed(0.5) * static_cast<double>(wind.air.speed);
 	const glm::vec3 along = wind_direction(wind.wind);
@@ -149,7 +149,7 @@ TEST_CASE("the mean over a stand is the speed at its tops, and gusts are a share
 	CHECK(cubes / std::pow(squares, 1.5) == doctest::Approx(0.55).epsilon(0.2));
 }
 
-TEST_CASE("waves run over a stand as fast and as far apart as a mixing layer's") {
+TEST_CASE("waves over a canopy have the speed and distance of those in a mixing layer") {
 	const Air air = breeze().air;
 	CHECK(waves_length(air) == doctest::Approx(8.1 * 0.25));
 	CHECK(waves_speed(air) == doctest::Approx(1.8 * 9.0 * stand_top_speed(0.5)));
@@ -163,7 +163,7 @@ TEST_CASE("waves run over a stand as fast and as far apart as a mixing layer's")
 	CHECK(std::fabs(spacing / waves_length(air) - 1.0) < WAVES_SPACING_TOLERANCE);
 }
 
-TEST_CASE("whatever changes while it blows, the patterns at the pivot go on") {
+TEST_CASE("patterns at the pivot continue through any change of the air") {
 	FieldWind wind = breeze();
 	const glm::dvec2 pivot = { 31.0, -12.0 };
 	const auto deviates = [&](const Air &air) {
@@ -188,7 +188,7 @@ TEST_CASE("whatever changes while it blows, the patterns at the pivot go on") {
 	}
 }
 
-TEST_CASE("air is the same whatever axes its places are told in") {
+TEST_CASE("air is independent of the axes of its positions") {
 	FieldWind world = breeze();
 	const glm::dvec2 origin = { 1234.5, -87.0 };
 	const double turn = 0.6, scale = 2.0;
@@ -210,7 +210,7 @@ TEST_CASE("air is the same whatever axes its places are told in") {
 	CHECK(static_cast<double>(glm::distance(asked, glm::vec3(there.x, 0.0f, there.y))) < VELOCITY_TOLERANCE);
 }
 
-TEST_CASE("still air samples nothing, and is none") {
+TEST_CASE("still air samples nothing and has no wind") {
 	FieldWind wind = breeze();
 	wind.air.speed = 0.0f;
 	const TravellingWind now = wind_at_time(wind, 10.0);
@@ -226,7 +226,7 @@ TEST_CASE("still air samples nothing, and is none") {
 	CHECK(std::all_of(smooth.x.begin(), smooth.x.end(), [&](float x) { return x == smooth.x[0] && x > 0.5f; }));
 }
 
-TEST_CASE("a gust that is called for blows in metres per second on top of air") {
+TEST_CASE("a triggered gust adds metres per second to the air") {
 	FieldWind wind = breeze();
 	wind.speed = 0.0f;
 	const Velocities before = velocities(wind, 2.0);
@@ -242,7 +242,7 @@ TEST_CASE("a gust that is called for blows in metres per second on top of air") 
 	}
 }
 
-TEST_CASE("air of numbers that are none or out of range is finite") {
+TEST_CASE("air with invalid or out-of-range numbers is finite") {
 	constexpr float NONE = std::numeric_limits<float>::quiet_NaN();
 	constexpr float INF = std::numeric_limits<float>::infinity();
 	for (const float bad : { NONE, INF, -INF, -1.0f, 1e30f, 1e-30f }) {

@@ -18,7 +18,7 @@ namespace {
 constexpr float STEP = 1.0f / 60.0f; // s.
 constexpr float STAND = 0.6f; // m.
 constexpr float SWING = 0.6f; // s.
-constexpr int PLANTS = 203; // No whole number of groups.
+constexpr int PLANTS = 203; // Not a whole number of groups.
 constexpr double SAMPLED_WITHIN = 1.0 / 256.0; // m/s: half a unit, and half a unit of each weight.
 
 FieldWind fresh_breeze() {
@@ -29,7 +29,7 @@ FieldWind fresh_breeze() {
 	return wind;
 }
 
-/// Plants, and air over them that was sampled ahead.
+/// Plants with air over them that was sampled ahead.
 struct Stand {
 	std::vector<float> x, z, lengths;
 	float canopy_height = STAND;
@@ -47,7 +47,7 @@ struct Stand {
 		ahead.make_room(PLANTS);
 	}
 
-	/// Looks and, where it is ready, tells; and samples what is there by itself.
+	/// Looks ahead, uses the samples if they are complete, and also samples the current air directly.
 	bool step(const FieldWind &wind, int number, int turn = 0, SimdLevel level = best_simd_level()) {
 		const PlantWinds along = winds_along(wind);
 		const double moment = (number + 0.5) * static_cast<double>(STEP);
@@ -63,7 +63,7 @@ struct Stand {
 		return ahead.is_ready();
 	}
 
-	/// m/s, of the plant where it is most.
+	/// m/s, the largest over all plants.
 	double error() const {
 		double most = 0.0;
 		for (std::size_t i = 0; i < PLANTS; i++) {
@@ -75,7 +75,7 @@ struct Stand {
 
 } // namespace
 
-TEST_CASE("air that was sampled ahead is the air that blows, but for what plants do not answer to") {
+TEST_CASE("air sampled ahead matches the current air, except for frequencies without effect on plants") {
 	for (const float canopy_height : { STAND, 0.0f }) {
 		Stand stand;
 		stand.canopy_height = canopy_height;
@@ -97,7 +97,7 @@ TEST_CASE("air that was sampled ahead is the air that blows, but for what plants
 	}
 }
 
-TEST_CASE("air is sampled in one of so many steps, other pages' in others") {
+TEST_CASE("air is sampled in one of several steps, which differs between pages") {
 	const FieldWind wind = fresh_breeze();
 	const int stride = AirAhead::stride_in(wind.air, STEP, SWING);
 	REQUIRE(stride > 2);
@@ -117,7 +117,7 @@ TEST_CASE("air is sampled in one of so many steps, other pages' in others") {
 	}
 }
 
-TEST_CASE("quick plants, and those over which waves run fast, have air sampled more often") {
+TEST_CASE("fast plants, and those with fast waves over them, have more frequent samples") {
 	Air air = fresh_breeze().air;
 	CHECK(AirAhead::stride_in(air, STEP, 1.0f / 10.5f) == 1);
 	CHECK(AirAhead::stride_in(air, STEP, 0.25f) == 3);
@@ -130,7 +130,7 @@ TEST_CASE("quick plants, and those over which waves run fast, have air sampled m
 	CHECK(AirAhead::stride_in(air, STEP, 10.0f) == 1);
 }
 
-TEST_CASE("where nothing blows, or each step is to sample by itself, nothing is sampled ahead") {
+TEST_CASE("nothing is sampled ahead without wind, or if each step samples its own air") {
 	Stand stand;
 	FieldWind wind = fresh_breeze();
 	CHECK(stand.step(wind, 0));
@@ -145,7 +145,7 @@ TEST_CASE("where nothing blows, or each step is to sample by itself, nothing is 
 	CHECK_FALSE(stand.step(fresh_breeze(), 4));
 }
 
-TEST_CASE("plants that move or come, and another time, have the air of where they are at once") {
+TEST_CASE("moved or added plants, and a jump in time, have the correct air at once") {
 	Stand stand;
 	const FieldWind wind = fresh_breeze();
 	for (int i = 0; i < 10; i++) {
@@ -156,12 +156,12 @@ TEST_CASE("plants that move or come, and another time, have the air of where the
 	}
 	stand.ahead.forget();
 	stand.step(wind, 10);
-	CHECK(stand.error() < SAMPLED_WITHIN); // Of turn 0: a sample is this step's.
+	CHECK(stand.error() < SAMPLED_WITHIN); // For turn 0, a sample is exactly at this step.
 	stand.step(wind, 9000);
 	CHECK(stand.error() < SAMPLED_WITHIN);
 }
 
-TEST_CASE("the mean wind over a stand is that of the step") {
+TEST_CASE("the mean wind over a canopy is that of the step") {
 	Stand stand;
 	FieldWind wind = fresh_breeze();
 	wind.air.turbulence = 0.0f;
@@ -174,7 +174,7 @@ TEST_CASE("the mean wind over a stand is that of the step") {
 	CHECK(stand.error() < SAMPLED_WITHIN);
 }
 
-TEST_CASE("air that was sampled ahead has the same bits at all levels, whatever it is") {
+TEST_CASE("air sampled ahead has the same bits at all levels, for any air") {
 	Stand plain, best;
 	FieldWind wind = fresh_breeze();
 	for (int i = 0; i < 40; i++) {

@@ -19,12 +19,13 @@ TEST_CASE("above open ground the wind grows with the height's logarithm") {
 		CHECK(open_ground_speed(0.5 * edge, roughness) == doctest::Approx(0.5 * open_ground_speed(edge, roughness)));
 		const double gusts = open_ground_gusts(edge, roughness);
 		CHECK(open_ground_gusts(20.0 * edge, roughness) == doctest::Approx(gusts)); // The same at all heights,
-		CHECK(open_ground_gusts(0.25 * edge, roughness) == doctest::Approx(0.25 * gusts)); // but not among pebbles.
+		// except within the roughness.
+		CHECK(open_ground_gusts(0.25 * edge, roughness) == doctest::Approx(0.25 * gusts));
 	}
 	CHECK(open_ground_gusts(1.0, 0.03) / open_ground_speed(1.0, 0.03) == doctest::Approx(0.25).epsilon(0.01));
 }
 
-TEST_CASE("the tops of a stand feel what the displaced law says, and its depths less") {
+TEST_CASE("the tops of a canopy have the wind of the displaced law, and its depths less") {
 	CHECK(stand_top_speed(0.7) == doctest::Approx(0.224).epsilon(0.005));
 	CHECK(stand_speed(2.0, 0.7) == doctest::Approx(std::log((2.0 - 0.49) / 0.07) / std::log((10.0 - 0.49) / 0.07)));
 	CHECK(stand_speed(0.35, 0.7, 2.0) == doctest::Approx(stand_top_speed(0.7) * std::exp(-1.0)));
@@ -35,7 +36,7 @@ TEST_CASE("the tops of a stand feel what the displaced law says, and its depths 
 	}
 }
 
-TEST_CASE("profiles of numbers that are none or out of range are finite and not below 0") {
+TEST_CASE("profiles with invalid or out-of-range numbers are finite and not below 0") {
 	constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
 	constexpr double INF = std::numeric_limits<double>::infinity();
 	for (const double a : { NONE, INF, -INF, -1.0, 0.0, 1e-30, 1.0, 1e30 }) {

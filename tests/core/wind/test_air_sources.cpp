@@ -33,7 +33,7 @@ constexpr AirSource::Kind ALL[] = { AirSource::Kind::explosion, AirSource::Kind:
 
 } // namespace
 
-TEST_CASE("an explosion blows outward as its formula says, and then back") {
+TEST_CASE("an explosion blows outward by its formula, and then back") {
 	AirSource source = source_of(AirSource::Kind::explosion);
 	for (const float age : { 0.02f, 0.1f, 0.15f, 0.3f, 0.9f, 2.0f }) {
 		for (const float distance : { 0.5f, 3.0f, 8.0f, 20.0f }) {
@@ -47,7 +47,7 @@ TEST_CASE("an explosion blows outward as its formula says, and then back") {
 			REQUIRE(felt.x == 0.0f);
 		}
 	}
-	// What it gives in all: U·T times the integral of (1 - y)/(1 + y²)², from 0 to 8.
+	// Total impulse: U·T times the integral of (1 - y)/(1 + y²)², from 0 to 8.
 	double impulse = 0.0;
 	for (int i = 0; i < 20000; i++) {
 		source.age = 0.0001f * static_cast<float>(i);
@@ -74,7 +74,7 @@ TEST_CASE("a fan's jet runs outward along the ground") {
 	CHECK(velocity_at(source, place).x == doctest::Approx(0.5f * low));
 }
 
-TEST_CASE("a fan's jet ends smoothly sixteen of its radii away, however high it hangs") {
+TEST_CASE("a fan's jet ends smoothly at sixteen of its radii, at any height") {
 	AirSource source = source_of(AirSource::Kind::fan);
 	const double spread = 1.3 * 2.0; // m.
 	for (const float height : { 0.0f, 40.0f }) {
@@ -90,7 +90,7 @@ TEST_CASE("a fan's jet ends smoothly sixteen of its radii away, however high it 
 	}
 }
 
-TEST_CASE("a body pushes air aside, ahead of it on, and draws a wake along") {
+TEST_CASE("a body pushes air aside and ahead, and draws a wake along") {
 	const AirSource source = source_of(AirSource::Kind::wake);
 	const glm::vec3 ahead = velocity_at(source, source.place + glm::vec3(0.0f, 0.0f, 4.0f));
 	CHECK(ahead.z == doctest::Approx(9.0f / 8.0f)); // a³/r³·V.
@@ -103,7 +103,7 @@ TEST_CASE("a body pushes air aside, ahead of it on, and draws a wake along") {
 	CHECK(at_width.z == doctest::Approx(0.25f * behind.z));
 }
 
-TEST_CASE("no source is felt beyond its reach, and pages beyond do not ask it") {
+TEST_CASE("no source has an effect beyond its reach, and pages beyond it skip it") {
 	for (const AirSource::Kind kind : ALL) {
 		AirSource source = source_of(kind);
 		source.scale = 2.0f;
@@ -122,7 +122,7 @@ TEST_CASE("no source is felt beyond its reach, and pages beyond do not ask it") 
 	CHECK(!reaches(over, over.place, over.place));
 }
 
-TEST_CASE("sources at places, of sizes and within each other as they like give finite numbers") {
+TEST_CASE("sources at any positions, of any sizes and inside each other give finite numbers") {
 	constexpr float EXTREMES[] = { 0.0f, 1e-6f, 1.0f, 300.0f, 1e6f };
 	for (const AirSource::Kind kind : ALL) {
 		for (const float a : EXTREMES) {

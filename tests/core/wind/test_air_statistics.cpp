@@ -16,7 +16,7 @@ namespace {
 constexpr float CARRIED = 3.0f; // m/s.
 constexpr double STEP = 1.0 / 16.0; // s.
 constexpr int TEN_MINUTES = 9600; // Samples.
-constexpr int SPECTRUM = 8192; // Of them: a power of two.
+constexpr int SPECTRUM = 8192; // Number of samples used: a power of two.
 constexpr int PLACES = 24;
 constexpr double VARIANCE_TOLERANCE = 0.05;
 constexpr double STEP_OF_BANDS = 1.189207; // A quarter of an octave.
@@ -26,9 +26,9 @@ constexpr double THREE_SECOND_GUST = 2.12; // Standard deviations: Davenport's f
 constexpr double GUST_TOLERANCE = 0.08;
 constexpr double COHERENCE_TOLERANCE = 0.1;
 constexpr double SCALE_TOLERANCE = 0.1;
-constexpr double MOST_LIKENESS = 0.15; // Correlation with any later quarter of an hour, chance included.
+constexpr double MOST_LIKENESS = 0.15; // Correlation with any later quarter of an hour, statistical error included.
 
-/// Ten minutes at places far from each other.
+/// Ten minutes at distant positions.
 const std::vector<Series> &ten_minutes() {
 	static const std::vector<Series> all = [] {
 		std::vector<Series> made;
@@ -43,7 +43,7 @@ const std::vector<Series> &ten_minutes() {
 std::vector<double> periodogram(const std::vector<float> &values) {
 	ComplexGrid line(SPECTRUM, 1);
 	for (std::size_t i = 0; i < SPECTRUM; i++) {
-		// Hann's window: what leaks of the strong slow waves would flatten the slope.
+		// Hann's window: leakage from the strong slow waves would flatten the slope.
 		const double window = 1.0 - std::cos(2.0 * PI * static_cast<double>(i) / SPECTRUM);
 		line.real[i] = window * static_cast<double>(values[i]);
 	}
@@ -55,7 +55,7 @@ std::vector<double> periodogram(const std::vector<float> &values) {
 	return power;
 }
 
-/// Slope of the line through logarithms of `power` between two frequencies (Hz), each octave as weighty.
+/// Slope of the line through logarithms of `power` between two frequencies (Hz), with equal weight for each octave.
 double slope_of(const std::vector<double> &power, double from, double to) {
 	double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, count = 0.0;
 	for (double f = from; f * STEP_OF_BANDS < to * 1.01; f *= STEP_OF_BANDS) {
@@ -90,7 +90,7 @@ double greatest_mean(const std::vector<float> &values, std::size_t length) {
 	return greatest;
 }
 
-/// Lines of the map along the wind, between its texels, `across` metres beside each other.
+/// Lines of the map along the wind, between its texels, `across` metres apart.
 struct Line {
 	std::vector<float> along = std::vector<float>(AirTiles::WIDTH);
 	std::vector<float> across = std::vector<float>(AirTiles::WIDTH);
@@ -111,7 +111,7 @@ Line read_line(float side) {
 	return line;
 }
 
-/// Of waves about `wave` per map length, at places `distance` metres beside each other.
+/// Coherence of waves around `wave` per map length, at positions `distance` metres apart.
 double coherence(int wave, float distance) {
 	double both = 0.0, own = 0.0;
 	for (int i = 0; i < 96; i++) {
@@ -131,7 +131,7 @@ double coherence(int wave, float distance) {
 	return both / own;
 }
 
-/// Metres: the integral of the correlation along the wind, to where it ends.
+/// Metres: the integral of the correlation along the wind, up to its end.
 double integral_scale(std::vector<float> Line::*component) {
 	std::vector<double> correlation(200);
 	for (int i = 0; i < 96; i++) {
@@ -152,7 +152,7 @@ double integral_scale(std::vector<float> Line::*component) {
 
 } // namespace
 
-TEST_CASE("ten minutes of turbulence have the variance that they should") {
+TEST_CASE("ten minutes of turbulence have the expected variance") {
 	double along = 0.0, across = 0.0;
 	for (const Series &series : ten_minutes()) {
 		along += product(series.along, series.along, 0) / PLACES;
@@ -186,7 +186,7 @@ TEST_CASE("the gust of three seconds is as strong as Davenport's") {
 	CHECK(std::fabs(gust / THREE_SECOND_GUST - 1.0) < GUST_TOLERANCE);
 }
 
-TEST_CASE("places beside each other feel the same slow waves, and less so the farther they are") {
+TEST_CASE("neighbouring positions have the same slow waves, with less coherence at larger distances") {
 	const double near = coherence(5, 1.0f), far = coherence(5, 4.0f); // f = 5/256 ≈ 0.02.
 	figures::tell(figures::WIND, "coherence of slow waves a metre apart (IEC 61400-1)", 0.70, near, 2);
 	figures::tell(figures::WIND, "four metres apart", 0.25, far, 2);
@@ -194,7 +194,7 @@ TEST_CASE("places beside each other feel the same slow waves, and less so the fa
 	CHECK(std::fabs(far / 0.25 - 1.0) < COHERENCE_TOLERANCE);
 }
 
-TEST_CASE("gusts are as long as the integral scales say") {
+TEST_CASE("gusts have the lengths of the integral scales") {
 	const double along = integral_scale(&Line::along), across = integral_scale(&Line::across);
 	figures::tell(figures::WIND, "integral scale along the wind", 3.6, along, 1, " m");
 	figures::tell(figures::WIND, "of what blows across it", 1.5, across, 1, " m");
@@ -202,7 +202,7 @@ TEST_CASE("gusts are as long as the integral scales say") {
 	CHECK(std::fabs(across / 1.5 - 1.0) < SCALE_TOLERANCE);
 }
 
-TEST_CASE("turbulence comes a second later to a place three metres downwind at three metres a second") {
+TEST_CASE("at three metres per second turbulence arrives a second later three metres downwind") {
 	const Air air = plain_air(CARRIED);
 	const Series here = turbulence_at(air, 0.0f, 0.0f, 4000, 0.02), there = turbulence_at(air, 0.0f, 3.0f, 4000, 0.02);
 	std::size_t best = 0;
@@ -214,7 +214,7 @@ TEST_CASE("turbulence comes a second later to a place three metres downwind at t
 	figures::tell(figures::WIND, "from a place to one 3 m downwind at 3 m/s (Taylor)", 1.0, seconds, 2, " s");
 }
 
-TEST_CASE("a place does not feel the same again within half an hour") {
+TEST_CASE("turbulence at a position does not repeat within half an hour") {
 	const Series series = turbulence_at(plain_air(CARRIED), 0.0f, 0.0f, 1800 * 4, 0.25);
 	const double own = product(series.along, series.along, 0);
 	double worst = 0.0;

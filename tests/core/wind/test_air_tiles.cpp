@@ -15,7 +15,7 @@ TEST_CASE("the maps of a seed have the same bytes on every platform") {
 	CHECK(make_air_tiles(1)->turbulence != shared_tiles().turbulence);
 }
 
-TEST_CASE("summing waves gives each place the sum of all") {
+TEST_CASE("the transform gives each position the sum of all waves") {
 	ComplexGrid grid(16, 8);
 	for (std::size_t i = 0; i < grid.real.size(); i++) {
 		grid.real[i] = std::sin(1.7 * static_cast<double>(i));
@@ -41,7 +41,7 @@ TEST_CASE("summing waves gives each place the sum of all") {
 	}
 }
 
-TEST_CASE("a cell holds a texel and its neighbours downwind and a row farther, around the map") {
+TEST_CASE("a cell has a texel and its neighbours downwind and one row farther, around the map") {
 	const auto check_map = [](const std::vector<uint64_t> &cells, int width, int height, int apart, int first) {
 		const auto cell = [&](int i, int j) {
 			return cells[static_cast<std::size_t>((j % height * width + i % width) * apart + first)];

@@ -14,7 +14,7 @@ namespace {
 constexpr float SPEED = 8.0f; // m/s, along x.
 constexpr double TICK = 1.0 / 60.0; // s, of physics frames.
 
-/// A node that moves in physics frames, as drawn frames of 1/rate s find it after `seconds`.
+/// A node that moves in physics frames, as drawn frames of 1/rate s observe it after `seconds`.
 SourceWay moved_in_ticks(int rate, double seconds) {
 	SourceWay way;
 	way.begin({ 0.0f, 0.0f, 0.0f });
@@ -42,7 +42,7 @@ TEST_CASE("a source's velocity does not depend on the frame rate") {
 	}
 }
 
-TEST_CASE("a source is between two frames where it was on its straight way") {
+TEST_CASE("between two frames a source is on its straight path") {
 	SourceWay way;
 	way.begin({ 1.0f, 0.0f, 0.0f });
 	way.add(0.1, { 3.0f, 0.0f, 0.0f });
@@ -51,7 +51,7 @@ TEST_CASE("a source is between two frames where it was on its straight way") {
 	CHECK(way.place(5.0).x == 1.0f);
 }
 
-TEST_CASE("a source that begins elsewhere has no velocity from before") {
+TEST_CASE("a source that restarts elsewhere has no earlier velocity") {
 	SourceWay way = moved_in_ticks(60, 1.0);
 	CHECK(way.velocity(0.0).x > 1.0f);
 	way.begin({ 500.0f, 0.0f, 0.0f });

@@ -16,7 +16,7 @@ namespace {
 
 constexpr WindKind ALL_KINDS[] = { WindKind::gust, WindKind::constant, WindKind::bursts, WindKind::waves };
 constexpr float STRENGTH_TOLERANCE = 2e-4f; // Of a strength of 3 N after 20 cycles of delay, in floats.
-constexpr double EDGE = 1e-4; // s; a switching wind may switch this much beside its time.
+constexpr double EDGE = 1e-4; // s; a switching wind may switch this much early or late.
 constexpr float HALF_SIDE = 50.0f; // m.
 constexpr int PLACES = 1003;
 
@@ -53,10 +53,10 @@ bool switches(const Wind &wind, double time) {
 
 } // namespace
 
-TEST_CASE("a gust that is let go now reaches everybody, also who stands upwind of it") {
+TEST_CASE("a triggered gust reaches all plants, also upwind of its start") {
 	for (const float least_delay : { 0.0f, 5.0f, -5.0f }) {
 		FieldWind wind = wind_of(WindKind::gust);
-		wind.wind.gust_start = 20.0 + static_cast<double>(-least_delay); // As it is told at a place that far away.
+		wind.wind.gust_start = 20.0 + static_cast<double>(-least_delay); // Start time for a position that far away.
 		wind.least_delay = least_delay;
 		std::vector<float> most(PLACES, 0.0f);
 		for (double time = 20.0; time < 120.0; time += 0.25) {
@@ -71,7 +71,7 @@ TEST_CASE("a gust that is let go now reaches everybody, also who stands upwind o
 	}
 }
 
-TEST_CASE("every plant feels the wind of its delay ago") {
+TEST_CASE("every plant has the delayed wind of its position") {
 	for (const WindKind kind : ALL_KINDS) {
 		for (const bool triggered : { false, true }) {
 			FieldWind wind = wind_of(kind);
@@ -132,7 +132,7 @@ TEST_CASE("winds have the same bits at every level") {
 	}
 }
 
-TEST_CASE("a wind of numbers that are none is no wind, and never none") {
+TEST_CASE("a wind with invalid numbers is zero and never invalid") {
 	constexpr float NONE = std::numeric_limits<float>::quiet_NaN();
 	for (const WindKind kind : ALL_KINDS) {
 		for (const float bad : { NONE, -1.0f, std::numeric_limits<float>::infinity(), 1e30f }) {

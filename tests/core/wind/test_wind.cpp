@@ -10,7 +10,7 @@ using namespace undergrowth;
 
 namespace {
 
-constexpr double STRENGTH_TOLERANCE = 1e-5; // Of the strength; floats hold 6e-8.
+constexpr double STRENGTH_TOLERANCE = 1e-5; // Of the strength; floats resolve 6e-8.
 constexpr float UNIT_TOLERANCE = 1e-6f;
 
 Wind wind_of(WindKind kind) {
@@ -62,14 +62,14 @@ TEST_CASE("strength and length of a triggered gust end with its flag") {
 	CHECK(gust_duration(wind) == 0.5f);
 }
 
-TEST_CASE("a gust that was called for may have a strength and a length of its own") {
+TEST_CASE("a triggered gust can have its own strength and length") {
 	for (const WindKind kind : { WindKind::constant, WindKind::gust }) {
 		Wind wind = wind_of(kind);
 		wind.gust_start = 2.0;
 		wind.triggered_strength = 3.0f;
 		wind.triggered_duration = 1.5f;
 		const float calm = kind == WindKind::constant ? 10.0f : 0.0f;
-		CHECK(wind_strength(wind, 2.2) == 10.0f); // Nobody called.
+		CHECK(wind_strength(wind, 2.2) == 10.0f); // No gust was triggered.
 		wind.gust_triggered = true;
 		CHECK(wind_strength(wind, 1.9) == calm);
 		CHECK(wind_strength(wind, 3.4) == calm + 3.0f);
@@ -107,7 +107,7 @@ TEST_CASE("waves are a sine about the strength with the strength as amplitude") 
 	CHECK(worst < 10.0 * STRENGTH_TOLERANCE);
 }
 
-TEST_CASE("waves go from nothing to twice the strength") {
+TEST_CASE("waves range from zero to twice the strength") {
 	Wind wind = wind_of(WindKind::waves);
 	wind.frequency = 1.0f;
 	CHECK(wind_strength(wind, 0.25) == doctest::Approx(20.0).epsilon(STRENGTH_TOLERANCE));
@@ -142,7 +142,7 @@ TEST_CASE("the force is the direction times the strength") {
 	CHECK(force.z == doctest::Approx(10.0 * std::cos(0.4)).epsilon(STRENGTH_TOLERANCE));
 }
 
-TEST_CASE("changing the frequency leaves the wave where it is") {
+TEST_CASE("changing the frequency preserves the phase of the wave") {
 	Wind wind = wind_of(WindKind::waves);
 	for (int i = 0; i < 100; i++) {
 		const double time = 1000.0 + i * 17.3;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int STEPS = 500;
 
-/// The widest that the plant gets (m), sampled at `lod` segments.
+/// Max width of the plant (m), sampled at `lod` segments.
 template <class Species> float widest(const Species &species, int lod) {
 	const Plant plant = make_species_plant(species, lod, 1.0f);
 	return *std::max_element(plant.widths.begin(), plant.widths.end()) * plant.section.radius;
@@ -37,7 +37,7 @@ uint64_t golden_hash(const Plant &plant, const MeshOptions &options) {
 			.value();
 }
 
-/// Smooth and flat meshes, each with deviations and without.
+/// Hashes of smooth and flat meshes, each with deviations and without.
 struct Goldens {
 	uint64_t smooth_deviating;
 	uint64_t flat;
@@ -69,7 +69,7 @@ TEST_CASE_TEMPLATE("widths and colours are in range", Species, Grass, Reed, Catt
 	}
 }
 
-TEST_CASE_TEMPLATE("a coarse level keeps the fine one's girth", Species, Grass, Reed, Cattail, Tulip, Bellflower) {
+TEST_CASE_TEMPLATE("a coarse level has the girth of the fine one", Species, Grass, Reed, Cattail, Tulip, Bellflower) {
 	const float fine = widest(Species(), 96);
 	CHECK(widest(Species(), 8) > 0.6f * fine);
 	CHECK(widest(Species(), 24) > 0.85f * fine);
