@@ -55,7 +55,7 @@ public:
 	StandEdit take_edit() { return std::move(edit); }
 	/// Plans how blocks are drawn. Both arguments are copies.
 	void draw(FieldStyle &&with, std::vector<DrawnNewcomers> &&blocks);
-	/// True if its edit was taken, or it has none.
+	/// True if it plans or has planned how plants are drawn. It then has no edit.
 	bool is_drawing() const { return stage.load() == Stage::drawing || is_drawn(); }
 	bool is_drawn() const { return stage.load() == Stage::drawn; }
 	const std::vector<DrawnNewcomers> &drawn() const { return blocks; }

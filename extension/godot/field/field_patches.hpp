@@ -63,7 +63,7 @@ private:
 	GroundAsker asker;
 	float tile = 16.0f; ///< m.
 
-	/// Takes the next boxes to place, with a few thousand existing plants at most.
+	/// Takes the next boxes to place, until they contain a few thousand existing plants.
 	std::vector<AreaBox> take_boxes(const PlantStore &store, StandingPlants &standing);
 	void begin(const FieldTiles::Scene &scene);
 	void ask_ground(const FieldTiles::Scene &scene, bool physics, double usec);
