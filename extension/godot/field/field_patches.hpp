@@ -10,8 +10,8 @@
 
 namespace undergrowth {
 
-/// The parts of an existing field that differ from what is painted, the new plants that are not drawn yet, and the job
-/// for some of them. Main thread.
+/// The parts of an existing field that differ from what is painted, and the new plants that are not drawn yet. It owns
+/// the job for some of them. Main thread.
 class FieldPatches {
 public:
 	/// For more tiles than this, building the whole field is faster.

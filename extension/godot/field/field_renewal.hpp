@@ -22,8 +22,8 @@ public:
 	};
 
 	/// Returns the tiles to rebuild from a request, nearest to the cameras last: all existing ones, and all new ones.
-	/// Returns none if the tiles are too many or too empty, if the plants are too many, or if two plants would have the
-	/// same id.
+	/// Returns none if the tiles are too many or too empty, or the plants are too many. It also returns none if two
+	/// plants would have the same id.
 	static std::vector<TileKey> list(const Scene &scene, const PlacementRequest &request, const FieldTiles &tiles);
 	/// Returns all tiles of a field that does not stream and has none yet, the nearest last. Returns none if they are
 	/// too many or too empty to be built one by one.

@@ -107,8 +107,8 @@ public:
 
 	/// Hides the generated plants of a tile, except those in wider squares and in blocks of new plants.
 	void drop_tile(const TileKey &tile);
-	/// Call after drop_tile(): shows the prepared multimeshes of this tile, with the present materials of `style`.
-	/// Their memory comes in addition to that of the hidden ones until those are freed.
+	/// Call after drop_tile(): shows the prepared multimeshes of this tile, with the present materials, distances and
+	/// shadows of `style`. Levels and species must be those of prepare().
 	void show_tile(const FieldStyle &style, const TileKey &tile);
 	/// Discards the prepared multimeshes of a tile.
 	void forget_tile(const TileKey &tile);

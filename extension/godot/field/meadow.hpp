@@ -57,7 +57,7 @@ public:
 	/// Repeats an edit of the plants in a box (m, field axes) for plants that the first build adds later.
 	void repeat_in_first_build(const AreaBox &box, std::function<void()> &&edit);
 	void forget_repeated_edits() { repeated.clear(); }
-	/// Call after painting in a box (m, field axes). A worker builds the changes there, and all other plants stay
+	/// Call after painting in a box (m, field axes). A worker places plants there again, and all other plants stay
 	/// unchanged. Builds the whole field if it has no levels yet or too many tiles changed.
 	void touch(const AreaBox &box);
 	bool is_patching() const { return patches.is_at_work(); }
@@ -158,7 +158,7 @@ private:
 	FieldView view;
 	FieldWear wear;
 	std::set<TileKey> unseen; ///< Tiles with added or removed plants of code that are not drawn yet.
-	bool is_unshown = false; ///< Plants were removed since the last refresh().
+	bool is_unshown = false; ///< Plants were removed or changed since the last refresh().
 	std::unique_ptr<LookAsking> asking; ///< Runs before the job begins.
 	std::unique_ptr<FieldFill> job;
 	WorkerTask clearing; ///< Frees the data of the last job.
@@ -175,7 +175,7 @@ private:
 	std::vector<Repeated> repeated; ///< Until the first build ends.
 	std::vector<TileKey> arrived; ///< Tiles with new plants, for which edits are to be repeated.
 	bool was_built = false; ///< A build has ended.
-	bool has_failed = false; ///< The last build failed.
+	bool has_failed = false; ///< The present or last build failed.
 	float built_before = 0.0f; ///< progress() at which the tiles of the first build begin.
 	godot::String tile_fault; ///< Reason why a tile or a painted area cannot be built.
 	bool is_polling = false;
@@ -184,9 +184,9 @@ private:
 	FieldGround ground; ///< As at the last build.
 	std::vector<PlantId> removed_meanwhile; ///< While the job runs.
 	StandingArea standing_area;
-	bool tells_of_patches = false; ///< The build ends when they are done.
+	bool tells_of_patches = false; ///< When `patches` is done, a build ends.
 	bool is_due_again = false; ///< Its look changed during a build of looks.
-	bool has_other_materials = false; ///< Materials changed since the job began.
+	bool has_other_materials = false; ///< Users changed materials after the job made its own.
 	float told_progress = -1.0f;
 	godot::AABB seen_box; ///< All plants some frames ago (field axes).
 	unsigned frames_since_box = 0;
