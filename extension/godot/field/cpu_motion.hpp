@@ -88,7 +88,7 @@ private:
 	std::vector<int> stale_pages;
 	TipContact touching;
 	bool touches = false;
-	FieldSteps steps; // After what it works on: it is destroyed first.
+	FieldSteps steps; // Declared after the data that it uses, so it is destroyed first.
 	WorkerTask handing; // For the same reason.
 	bool is_handed = false; ///< The motion of matched plants is transferred for adopt(), and nothing moved since.
 	FixedStep clock;

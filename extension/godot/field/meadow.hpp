@@ -33,8 +33,8 @@ public:
 	struct Listener {
 		std::function<void(const godot::String &)> fault; ///< Empty: there is no fault now.
 		std::function<void(const godot::String &)> failed; ///< A build failed, with the reason.
-		std::function<void(const godot::String &)>
-				no_ground; ///< Advice on what to check. Empty: ground was found, or none is queried.
+		/// Advice on what to check. Empty: ground was found, or none is queried.
+		std::function<void(const godot::String &)> no_ground;
 		std::function<void(float)> progressed; ///< 0 to 1.
 		std::function<void()> filled;
 		SkeletonView::Tell skeleton;
