@@ -14,8 +14,8 @@
 
 namespace undergrowth {
 
-/// A field's motion by the core's simulation, stepped by the engine's worker threads between two frames. Everything
-/// here waits for them.
+/// The motion of a field by the core's simulation. The engine's worker threads step it between two frames. Every method
+/// here waits for them if it uses their data. Main thread.
 class CpuMotion : public FieldMotion {
 public:
 	CpuMotion();
@@ -77,25 +77,26 @@ private:
 	std::unique_ptr<FieldSimulation> simulation;
 	std::unique_ptr<PoseTexture> textures;
 	std::vector<PageRows> rows; ///< By block.
-	std::vector<PlantPlace> going; ///< Who is gone, and is yet to be taken out of the simulation.
+	std::vector<PlantPlace> going; ///< Removed plants that the simulation still contains.
 	struct Height {
 		PlantPlace place;
 		float share;
 		MotionPlant plant;
 	};
-	std::vector<Height> heights; ///< Who is otherwise high, and is not in the simulation yet.
-	std::vector<int> stale_pages; ///< Plants of which are drawn again, or follow others, and not written yet.
+	std::vector<Height> heights; ///< Changed heights that are not in the simulation yet.
+	/// Pages with plants that are shown again or follow other prototypes, not written yet.
+	std::vector<int> stale_pages;
 	TipContact touching;
 	bool touches = false;
-	FieldSteps steps; // After what it works on: it is destroyed first.
-	WorkerTask handing; // Alike.
-	bool is_handed = false; ///< Who is kept has its motion in what is to be adopted, and has not moved since.
+	FieldSteps steps; // Declared after the data that it uses, so it is destroyed first.
+	WorkerTask handing; // For the same reason.
+	bool is_handed = false; ///< The motion of matched plants is transferred for adopt(), and nothing moved since.
 	FixedStep clock;
 	FieldWindClock wind_clock;
 	FieldDrift drift;
 	std::vector<AirSource> stirring; ///< In the present step.
 	bool showed_heights = false; ///< At the last upload().
-	float shown_alpha = 0.0f; ///< Of the step that is shown next.
+	float shown_alpha = 0.0f; ///< Of the next frame to draw.
 	SwingClock swings;
 	int frames_since_far = 0;
 	std::vector<glm::vec3> pushed_at; ///< m, field axes: bodies of the last step.

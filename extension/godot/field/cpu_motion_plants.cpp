@@ -1,4 +1,4 @@
-// What CpuMotion is asked of single plants and of all, and what is done to them; blocks that come and go.
+// Queries and changes of CpuMotion's plants, and the exchange of blocks.
 
 #include "field/cpu_motion.hpp"
 
@@ -76,7 +76,7 @@ void CpuMotion::set_hidden(const PlantPlace &place, bool hidden) {
 	}
 }
 
-// The page goes with the last of its blocks.
+// A page is removed with the last of its blocks.
 void CpuMotion::drop_rows(const PageRows &own, bool leaves_texels) {
 	const auto is_there = [&](const PageRows &other) { return other.page == own.page; };
 	if (own.page >= 0 && std::none_of(rows.begin(), rows.end(), is_there)) {
@@ -89,7 +89,7 @@ void CpuMotion::drop_rows(const PageRows &own, bool leaves_texels) {
 	}
 }
 
-// Blocks that come may have the numbers of those that go.
+// New blocks may have the numbers of dropped ones.
 void CpuMotion::exchange_blocks(const ChangeSet &changes, ArrivingBlocks &arriving) {
 	std::map<int, PageRows> left;
 	for (const int block : changes.dropped) {
@@ -143,7 +143,7 @@ void CpuMotion::make_room(double plants, int blocks) {
 	textures->make_room(plants / PoseTexture::SIDE + USED_OF_LAST_ROW * double(blocks));
 }
 
-// It has a page of its own.
+// A new block has its own page.
 void CpuMotion::take_in(int block, PreparedCpuBlock &prepared) {
 	PageRows &own = rows[size_t(block)];
 	own.count = prepared.page.size();
@@ -153,7 +153,8 @@ void CpuMotion::take_in(int block, PreparedCpuBlock &prepared) {
 	} else {
 		textures->give_rows(own.page, own.count);
 	}
-	simulation->set_page_phase(own.page, textures->layer_of(own.page)); // Sent together, due together.
+	// Pages that are uploaded together step together.
+	simulation->set_page_phase(own.page, textures->layer_of(own.page));
 	textures->write_page(*simulation, own.page);
 	textures->write_beside(*simulation, own.page);
 }

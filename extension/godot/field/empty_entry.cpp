@@ -7,7 +7,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-// Of the resources that a file uses: those that are nowhere. A dependency reads "uid::type::path", or only a path.
+// Returns the missing dependencies of a file. A dependency is "uid::type::path", or only a path.
 static PackedStringArray missing_files_of(const String &file) {
 	PackedStringArray missing;
 	ResourceLoader *loader = ResourceLoader::get_singleton();
@@ -26,7 +26,7 @@ static PackedStringArray missing_files_of(const String &file) {
 	return missing;
 }
 
-// The file that the entry is read from: its own, else that of the scene of the field.
+// The file that contains the entry: its own, else the field's scene.
 static String file_of(const Node *field, const Ref<PlantFieldSpecies> &entry) {
 	const String own = entry.is_valid() ? entry->get_path().get_slice("::", 0) : String();
 	if (!own.is_empty()) {

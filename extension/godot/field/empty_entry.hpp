@@ -6,8 +6,8 @@
 
 namespace undergrowth {
 
-/// One sentence or two about an entry of a field's list that has no species: which one, what file is missing where that
-/// is known, and what to do. `field` may be null: then no file is looked for.
+/// Describes an entry of a field's list without a species: which entry, the missing file if it can be found, and what
+/// to do. `field` may be null: then no file is searched.
 godot::String describe_empty_entry(const godot::Node *field, int number, const godot::Ref<PlantFieldSpecies> &entry);
 
 } // namespace undergrowth

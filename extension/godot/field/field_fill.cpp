@@ -11,7 +11,7 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr int ROWS_AT_ONCE = 16;
-// Shares of the whole time, about, at which each part of the work is done.
+// Approximate fractions of the whole time at which each part of the work ends.
 static constexpr float PLACED_SHARE = 0.3f;
 static constexpr float STANDING_SHARE = 0.5f;
 static constexpr float MESHES_SHARE = 0.6f;
@@ -108,7 +108,7 @@ void FieldFill::work(void *self) {
 void FieldFill::place() {
 	PlacementRequest request = recipe.request;
 	if (recipe.is_of_tiles) {
-		request.within = AreaBox(); // Only for what is wrong, and the spacing.
+		request.within = AreaBox(); // Only for faults and the spacing.
 	}
 	const Placement whole(request);
 	result.fault = request.species.empty() ? PlacementFault::none : whole.fault();

@@ -14,44 +14,44 @@
 
 namespace undergrowth {
 
-/// All that growing a field needs to know, copied, so that it may run beside the game.
+/// A copy of all inputs of a field's build, so that it can run on a worker thread.
 struct FieldRecipe {
-	bool places = true; ///< Or dresses anew what stands: `standing`.
+	bool places = true; ///< False: rebuilds only the looks of `standing`.
 	PlacementRequest request;
 	FieldGround ground;
 	FieldMotion::Prepare prepare = nullptr;
 	FieldSettings settings;
-	FieldStyle style; ///< Sampled, but without meshes.
-	bool makes_meshes = true; ///< Else their owner does, on the main thread.
-	FieldWind wind; ///< At the simulation's start: prototypes have felt it before.
-	std::vector<int> species_numbers; ///< What species are in `style`, by what they were.
+	FieldStyle style; ///< Sampled, without meshes.
+	bool makes_meshes = true; ///< False: the owner makes them on the main thread.
+	FieldWind wind; ///< At the start of the simulation: prototypes already move in it.
+	std::vector<int> species_numbers; ///< New species in `style` by old species.
 	float tile_size = 16.0f; ///< m.
-	bool draws_tiles = false; ///< No multimesh is wider than a tile.
-	bool is_of_tiles = false; ///< Only these tiles are filled:
+	bool draws_tiles = false; ///< No multimesh spans more than one tile.
+	bool is_of_tiles = false; ///< Builds only `tiles`.
 	std::vector<TileKey> tiles;
-	std::vector<TileKey> rest; ///< Tiles of the first build that follow one by one, the nearest last.
-	double rest_plants = 0.0; ///< About as many plants as those tiles have.
-	bool has_rest = false; ///< Other tiles follow: `rest`, or those of FieldTiles.
-	StandChanges changes; ///< Whoever is gone by them does not stand.
-	/// What was filled before. Plants that stand again go on with their motion.
+	std::vector<TileKey> rest; ///< Remaining tiles of the first build, built one by one, the nearest last.
+	double rest_plants = 0.0; ///< Approximate number of plants in those tiles.
+	bool has_rest = false; ///< More tiles follow: `rest`, or those of FieldTiles.
+	StandChanges changes; ///< Their removed plants are not built.
+	/// The generated plants before the build. Plants that exist again continue their motion.
 	FilledBlocks standing;
 };
 
-/// A field that is grown.
+/// The result of a field's build.
 struct FieldResult {
 	FieldStyle style;
 	double spacing = 1.0; ///< m.
 	std::vector<PlantBlock> blocks;
-	std::unique_ptr<PreparedMotion> motion; ///< Of these blocks.
+	std::unique_ptr<PreparedMotion> motion; ///< Of `blocks`.
 	std::vector<ClumpPlan> plans;
 	std::vector<KeptPlant> kept;
 	PlacementFault fault = PlacementFault::none;
 
-	/// What only shows when everything is placed.
+	/// Describes a fault that is found only when everything is placed. Empty: no fault.
 	godot::String describe_fault() const;
 };
 
-/// Grows a field on one of the engine's worker threads, from a recipe and nothing else.
+/// A build of a field on one of the engine's worker threads. It reads only its recipe. Call it from the main thread.
 class FieldFill {
 public:
 	explicit FieldFill(FieldRecipe &&with);
@@ -62,18 +62,18 @@ public:
 	void start();
 	/// 0 to 1.
 	float progress() const { return done.load(); }
-	/// Plants wait for a survey of the ground; go_on() goes on.
+	/// True if its plants need a survey of the ground. go_on() continues.
 	bool wants_ground() const { return stage.load() == Stage::placed; }
 	const FieldPlants &plants() const { return placed; }
-	/// On with it: heights and normals for all plants.
+	/// Continues, with heights and normals for all plants.
 	void go_on(std::vector<float> &&heights, std::vector<glm::vec3> &&normals);
-	/// Whether plans can be taken, and its style dressed, while the thread goes on with how plants move.
+	/// True if plans can be taken and materials made, while the thread still prepares the motion.
 	bool is_planned() const { return stage.load() >= Stage::planned; }
 	bool is_done() const { return stage.load() == Stage::done; }
-	/// Whether what stands is placed anew.
+	/// True if it places plants, not only rebuilds their looks.
 	bool places() const { return recipe.places; }
 	const std::vector<int> &species_numbers() const { return recipe.species_numbers; }
-	/// Whether a species that the field has goes on in it.
+	/// True if the build contains this species of the present field.
 	bool knows(int species) const {
 		return size_t(species) < recipe.species_numbers.size() && recipe.species_numbers[size_t(species)] >= 0;
 	}
@@ -81,25 +81,25 @@ public:
 	bool is_of_tiles() const { return recipe.is_of_tiles; }
 	const std::vector<TileKey> &tiles() const { return recipe.tiles; }
 	const PlacementRequest &request() const { return recipe.request; }
-	/// Where it is planned: the result's, which the thread changes no more.
+	/// Call only if is_planned(): the style of the result, which the thread no longer changes.
 	FieldStyle &style() { return result.style; }
 	PlacementFault fault() const { return result.fault; }
 	/// The next plan of the result, or null.
 	std::unique_ptr<ClumpPlan> take_plan();
-	/// Its result is not wanted any more.
+	/// Discards the result and ends the thread's work early.
 	void cancel() { is_cancelled = true; }
-	/// Waits for the thread.
+	/// Waits for the thread and returns the result.
 	FieldResult &finish();
-	/// Until no worker thread has it.
+	/// Waits until no worker thread uses it.
 	void wait();
-	/// Whether it is the first part of a build.
+	/// True if it is only the first part of a build.
 	bool has_rest() const { return recipe.has_rest; }
 	double rest_plants() const { return recipe.rest_plants; }
 	std::vector<TileKey> take_rest() { return std::move(recipe.rest); }
-	/// Frees, wherever it is called, what was copied for the filling, and what nobody needs of the result.
+	/// Returns a function that frees the inputs and the unused parts of the result. Any thread may call it.
 	std::function<void()> take_rubbish();
 	bool is_dressed = false; ///< Its style has materials.
-	bool is_handed_over = false; ///< The motion of those who are kept is, or is on its way.
+	bool is_handed_over = false; ///< The transfer of motion has begun.
 
 private:
 	enum class Stage { fresh, placing, placed, building, planned, done };

@@ -15,16 +15,16 @@
 
 namespace undergrowth {
 
-/// The `seed` of fields that take one from their place.
+/// The `seed` of fields that derive one from their position.
 inline constexpr int64_t PLACE_SEED = -1;
 
-/// What users set of a PlantField3D that decides what stands: a change of it grows the field anew.
+/// Properties of a PlantField3D that decide which plants exist. A change of one builds the field again.
 struct StandOptions {
 	godot::TypedArray<PlantFieldSpecies> species;
 	double density = 40.0; // Plants/m².
 	godot::Vector2 size = { 20.0f, 20.0f }; // m.
-	int64_t seed = 0; // PLACE_SEED: one of the node's place, for where plants grow.
-	int64_t place_seed = 0; // Of `seed`, chosen when the field is built. Not set by users.
+	int64_t seed = 0; // PLACE_SEED: derived from the node's position, for the placement.
+	int64_t place_seed = 0; // The seed in use, chosen when the field is built. Not set by users.
 	double clumping = 0.0;
 	double clump_size = 3.0; // m.
 	int ground_mode = 0;
@@ -35,18 +35,18 @@ struct StandOptions {
 	godot::Vector2 slope_limits = { 0.0f, 1.5707963f }; // rad.
 	double slope_alignment = 0.0;
 	godot::NodePath outline; // Of a Path3D; empty: a rectangle of `size`.
-	double outline_width = 0.0; // m; 0: what the path goes around.
+	double outline_width = 0.0; // m; 0: the area inside of the path.
 	godot::TypedArray<godot::NodePath> exclusions; // Of Path3Ds and PlantField3Ds.
 	godot::PackedFloat32Array exclusion_widths; // m, by entry, as outline_width; missing ones are 0.
 	godot::NodePath ground_mesh;
-	godot::NodePath ground_object; // Of a node, or of one's property, that answers get_height().
-	godot::Ref<PlantMap> map; // Null: the whole area is full.
-	double view_distance = 0.0; // m; 0: the whole area stands.
+	godot::NodePath ground_object; // Path of a node, or of a node's property, with get_height().
+	godot::Ref<PlantMap> map; // Null: full density everywhere.
+	double view_distance = 0.0; // m; 0: builds the whole area.
 	bool endless = false;
 	godot::TypedArray<godot::NodePath> streaming_targets; // Of Node3Ds.
 };
 
-/// What decides how it moves.
+/// Properties of the motion.
 struct MotionOptions {
 	godot::Ref<PlantWind> wind;
 	bool simulation_enabled = true;
@@ -57,13 +57,13 @@ struct MotionOptions {
 	bool contact_enabled = false;
 	godot::StringName bodies_group;
 	double touch_margin = 0.1; // m.
-	double apparent_wind = 1.0; // How much of the node's own motion is felt as wind.
-	double regrowth_rate = 0.0; // Of a plant's own height, a second.
+	double apparent_wind = 1.0; // Fraction of the node's own motion that acts as wind.
+	double regrowth_rate = 0.0; // Of a plant's full height, per second.
 };
 
-/// What decides how it is seen.
+/// Properties of the view.
 struct ViewOptions {
-	godot::TypedArray<PlantFieldLevel> levels; // None: as usual.
+	godot::TypedArray<PlantFieldLevel> levels; // Empty: default levels.
 	double fade_margin = 3.0; // m.
 	double shadow_distance = 30.0; // m.
 	double skeleton_distance = 0.0; // m.
@@ -71,12 +71,12 @@ struct ViewOptions {
 	double tile_size = 16.0; // m.
 };
 
-/// How fast it is built.
+/// Properties of builds.
 struct BuildOptions {
-	double build_budget_msec = 1.5; // Of the main thread, a frame.
+	double build_budget_msec = 1.5; // Of the main thread, per frame.
 };
 
-/// All that users set of a PlantField3D, but for what it inherits.
+/// All properties of a PlantField3D that it does not inherit.
 struct FieldProperties : StandOptions, MotionOptions, ViewOptions, BuildOptions {};
 
 } // namespace undergrowth

@@ -13,20 +13,20 @@
 
 namespace undergrowth {
 
-/// All that placing plants anew in some boxes needs to know, copied, so that it may run beside the game.
+/// A copy of all inputs for placing plants again in some boxes, so that it can run on a worker thread.
 struct PatchRecipe {
-	PlacementRequest request; ///< Of an area that holds the boxes, or what may stand of them.
-	std::vector<AreaBox> boxes; ///< m; no two of them share a place.
+	PlacementRequest request; ///< Of an area that contains the boxes, as far as plants may grow there.
+	std::vector<AreaBox> boxes; ///< m, without overlap.
 	FieldGround ground;
-	StandChanges changes; ///< Whoever is gone by them does not stand.
-	StandingPlants standing; ///< In these boxes.
-	double spacing = 1.0; ///< m: of the placement.
+	StandChanges changes; ///< Their removed plants are not built.
+	StandingPlants standing; ///< Existing plants in the boxes.
+	double spacing = 1.0; ///< m, of the placement.
 };
 
-/// Of a style, what plans are made by and blocks are prepared by.
+/// Copies the parts of a style that plans and prepared blocks need.
 FieldStyle outline_of(const FieldStyle &style);
 
-/// A block of newcomers, copied, and how it is drawn.
+/// A copy of a block of new plants, with its texels and plans.
 struct DrawnNewcomers {
 	int number = -1;
 	PlantBlock block;
@@ -34,11 +34,11 @@ struct DrawnNewcomers {
 	std::vector<ClumpPlan> plans;
 };
 
-/// Finds, on one of the engine's worker threads, who comes and who goes in some boxes of a field that stands; and then,
-/// once they stand, how they are drawn.
+/// A job on one of the engine's worker threads for some boxes of an existing field. It first finds the new and the
+/// removed plants, then plans how the new ones are drawn.
 class FieldPatch {
 public:
-	/// What is only to be drawn has no recipe.
+	/// For draw() only: without a recipe.
 	FieldPatch() = default;
 	explicit FieldPatch(PatchRecipe &&with);
 	~FieldPatch();
@@ -47,21 +47,21 @@ public:
 
 	const std::vector<AreaBox> &boxes() const { return recipe.boxes; }
 	void place();
-	/// Newcomers wait for a survey of the ground.
+	/// True if new plants need a survey of the ground. go_on() continues.
 	bool wants_ground() const { return stage.load() == Stage::grounding; }
 	const FieldPlants &plants() const { return newcomers; }
 	void go_on(std::vector<float> &&heights, std::vector<glm::vec3> &&normals);
 	bool is_placed() const { return stage.load() == Stage::placed; }
 	StandEdit take_edit() { return std::move(edit); }
-	/// Plans how blocks are drawn. `with` is a copy, too.
+	/// Plans how blocks are drawn. Both arguments are copies.
 	void draw(FieldStyle &&with, std::vector<DrawnNewcomers> &&blocks);
-	/// Nobody comes by it any more.
+	/// True if it plans or has planned how plants are drawn. It then has no edit.
 	bool is_drawing() const { return stage.load() == Stage::drawing || is_drawn(); }
 	bool is_drawn() const { return stage.load() == Stage::drawn; }
 	const std::vector<DrawnNewcomers> &drawn() const { return blocks; }
-	/// Waits until the stage that goes on is over, but no longer than so many µs.
+	/// Waits until the present stage ends, at most `usec`.
 	void wait_a_little(double usec);
-	/// Until no worker thread has it.
+	/// Waits until no worker thread uses it.
 	void wait();
 
 private:
@@ -77,7 +77,7 @@ private:
 	std::vector<DrawnNewcomers> blocks;
 	std::atomic<Stage> stage{ Stage::fresh };
 	std::mutex telling;
-	std::condition_variable told; ///< That a stage is over.
+	std::condition_variable told; ///< Signals the end of a stage.
 	int64_t task = -1;
 
 	static void work(void *self);

@@ -12,10 +12,10 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr double MIN_GROUND_USEC = 1000.0; // A frame.
+static constexpr double MIN_GROUND_USEC = 1000.0; // Per frame.
 static constexpr double MOST_TILES = 4096.0;
-static constexpr double LEAST_PLANTS = 32.0; // Of a full tile.
-static constexpr double MOST_PLANTS = 2.0e6; // Beside as many that go, graphics cards have texels for them.
+static constexpr double LEAST_PLANTS = 32.0; // In a full tile.
+static constexpr double MOST_PLANTS = 2.0e6; // Graphics cards have texels for these plus the same number of old plants.
 
 static double spacing_of(const PlacementRequest &request) {
 	PlacementRequest nothing = request;
@@ -23,7 +23,7 @@ static double spacing_of(const PlacementRequest &request) {
 	return Placement(nothing).cell_size();
 }
 
-// Appends the tiles that the area of a request meets. False where they are too many.
+// Appends the tiles that meet the area of a request. Returns false if they are too many.
 static bool add_tiles_of_area(const PlacementRequest &request, float size, std::vector<TileKey> &all) {
 	const AreaBox box = placed_box(request);
 	const TileKey first = tile_at(box.low.x, box.low.y, size);
@@ -101,7 +101,7 @@ float FieldRenewal::progress() const {
 void FieldRenewal::give_up(const Scene &scene, FieldMotion &motion, size_t number, bool again) {
 	const std::unique_ptr<TileJob> job = std::move(jobs[number].job);
 	jobs.erase(jobs.begin() + std::ptrdiff_t(number));
-	asking = asking == job.get() ? nullptr : asking; // Another job may come to lie where it lay.
+	asking = asking == job.get() ? nullptr : asking; // A new job may have the same address.
 	job->give_up(motion);
 	scene.view.forget_tile(job->tile());
 	if (again) {
@@ -140,7 +140,7 @@ void FieldRenewal::note_removed(const TileKey &tile) {
 	}
 }
 
-// False where nobody may begin.
+// Returns false if no job may begin.
 bool FieldRenewal::begin_one(const Scene &scene) {
 	const auto is_at_work = [](const Coming &coming) { return coming.job->is_at_work(); };
 	if (waiting.empty() || jobs.size() >= TileJob::MAX_JOBS ||
@@ -151,7 +151,7 @@ bool FieldRenewal::begin_one(const Scene &scene) {
 	recipe.tile = waiting.back();
 	waiting.pop_back();
 	if (!FieldTiles::describe(scene, base, recipe)) {
-		return true; // Whoever asked for all of it was told, and this tile stays.
+		return true; // The fault was reported for the whole field. This tile stays unchanged.
 	}
 	if (!outline) {
 		FieldStyle some = outline_of(scene.style);
@@ -166,7 +166,7 @@ bool FieldRenewal::begin_one(const Scene &scene) {
 	return true;
 }
 
-// One of them at a time.
+// One tile at a time.
 void FieldRenewal::ask_ground(const Scene &scene, bool physics) {
 	const auto waits = [](const Coming &coming) { return coming.job->wants_ground(); };
 	const auto first = std::find_if(jobs.begin(), jobs.end(), waits);
@@ -180,7 +180,7 @@ void FieldRenewal::ask_ground(const Scene &scene, bool physics) {
 					physics, false) == GroundSurvey::State::failed) {
 		waiting.clear();
 		asking = nullptr;
-		jobs.erase(first); // It has no texels yet. What it would have grown anew stays.
+		jobs.erase(first); // It has no texels yet. The plants that it would replace stay.
 		scene.fault(asker.fault());
 	}
 }
@@ -242,7 +242,8 @@ void FieldRenewal::go_on(const Scene &scene, const Way &way, bool physics) {
 	if (physics) {
 		return;
 	}
-	while (watch.usec() < scene.budget_usec && begin_one(scene)) { // First: workers continue beside this thread.
+	// First, because workers run parallel to this thread.
+	while (watch.usec() < scene.budget_usec && begin_one(scene)) {
 	}
 	for (size_t i = 0; i < jobs.size();) {
 		if (go_on(scene, way, jobs[i], scene.budget_usec, watch)) {

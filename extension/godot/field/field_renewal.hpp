@@ -8,56 +8,56 @@
 
 namespace undergrowth {
 
-/// Grows all tiles of a field anew that stands, one after the other, while the others go on standing as they did. A
-/// tile is exchanged in one frame, when all of it is ready to be drawn. Main thread.
+/// Rebuilds all tiles of a field one by one, while the remaining tiles stay unchanged. A tile is replaced in one frame,
+/// when all of it is ready to be drawn. Main thread.
 class FieldRenewal {
 public:
 	using Scene = FieldTiles::Scene;
 
-	/// Beside what it shares with tiles that come.
+	/// Inputs besides those of FieldTiles.
 	struct Way {
 		FieldMotion &motion;
 		SkeletonView &skeletons;
-		bool joins = false; ///< What is drawn wider than a tile stays for now.
+		bool joins = false; ///< Multimeshes wider than a tile stay until all tiles are joined.
 	};
 
-	/// Tiles that are to be grown anew by a request, those near whoever looks last: all that stand, and those that
-	/// will. None where tiles are too many or too empty for it to be worth while, plants too many, or two would have
-	/// one name.
+	/// Returns the tiles to rebuild from a request, nearest to the cameras last: all existing ones, and all new ones.
+	/// Returns none if the tiles are too many or too empty, or the plants are too many. It also returns none if two
+	/// plants would have the same id.
 	static std::vector<TileKey> list(const Scene &scene, const PlacementRequest &request, const FieldTiles &tiles);
-	/// All tiles of a field that does not stream and has none yet, the nearest last. None where they are too many or
-	/// too empty to be built one by one.
+	/// Returns all tiles of a field that does not stream and has none yet, the nearest last. Returns none if they are
+	/// too many or too empty to be built one by one.
 	static std::vector<TileKey> list_first(const Scene &scene, const PlacementRequest &request);
-	/// These are to stand by a request from now on, the last one first.
+	/// Starts to rebuild these tiles from a request, the last one first.
 	void begin(std::vector<TileKey> &&tiles, const PlacementRequest &request);
 	bool is_at_work() const { return !waiting.empty() || !jobs.empty(); }
 	/// 0 to 1.
 	float progress() const;
-	/// Goes on in a frame of physics or another one, as FieldTiles does.
+	/// Continues in a physics frame or another frame, as FieldTiles::go_on().
 	void go_on(const Scene &scene, const Way &way, bool physics);
 	/// The ground queries of all tiles.
 	GroundAsker &ground_asker() { return asker; }
-	/// Waits for all worker jobs. They stay as they are.
+	/// Waits for all worker jobs. The jobs themselves remain.
 	void wait_for_jobs();
-	/// What is on its way begins anew.
+	/// Cancels all jobs. Their tiles start again later.
 	void interrupt(const Scene &scene, FieldMotion &motion);
-	/// The same of what meets a box (m, field axes).
+	/// The same for tiles that meet a box (m, field axes).
 	void interrupt(const Scene &scene, FieldMotion &motion, const AreaBox &box);
-	/// It is given up. What stands, stands.
+	/// Cancels everything. Existing plants stay.
 	void stop(const Scene &scene, FieldMotion &motion);
-	/// Some who stand in this tile are no more.
+	/// Call after plants were removed from this tile.
 	void note_removed(const TileKey &tile);
 
 private:
-	/// A tile on its way.
+	/// A tile in progress.
 	struct Coming {
 		std::unique_ptr<TileJob> job;
 		bool is_planned = false;
-		bool lost_some = false; ///< Plants that were removed meanwhile.
+		bool lost_some = false; ///< Plants were removed meanwhile.
 	};
 
-	std::vector<TileKey> waiting; ///< The next one last.
-	size_t tile_count = 0; ///< At first.
+	std::vector<TileKey> waiting; ///< Next last.
+	size_t tile_count = 0; ///< At begin().
 	std::vector<Coming> jobs;
 	PlacementRequest base; ///< Without its map.
 	double placed_at = 1.0; ///< m, spacing.
@@ -67,7 +67,7 @@ private:
 
 	bool begin_one(const Scene &scene);
 	void ask_ground(const Scene &scene, bool physics);
-	/// Whether the tile is as it is to be.
+	/// Returns true if the tile is done.
 	bool go_on(const Scene &scene, const Way &way, Coming &coming, double until_usec, const Stopwatch &watch);
 	void exchange(const Scene &scene, const Way &way, Coming &coming);
 	void give_up(const Scene &scene, FieldMotion &motion, size_t number, bool again);

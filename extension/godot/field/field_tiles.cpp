@@ -15,7 +15,7 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr int FRAMES_BETWEEN_CHOICES = 8;
-// Time for the ground in a frame, by the number of tiles that wait for it.
+// Time for ground queries per frame, by the number of tiles that need them.
 static constexpr double GROUND_USEC_PER_TILE = 250.0, MIN_GROUND_USEC = 500.0, MAX_GROUND_USEC = 2000.0;
 
 std::vector<glm::vec2> FieldTiles::places_of(const Scene &scene) {
@@ -38,7 +38,7 @@ std::vector<glm::vec2> FieldTiles::places_of(const Scene &scene) {
 	return places;
 }
 
-// Metres of the world in the field's axes, at least as many.
+// The view distance in the field's axes. Under an uneven scale it is an upper bound.
 static float distance_in(const FieldTiles::Scene &scene) {
 	const Vector3 scale = axes_of(scene.field).basis.get_scale().abs();
 	return float(scene.properties.view_distance) / std::min(scale.x, scale.z);
@@ -90,7 +90,7 @@ void FieldTiles::wait_for_jobs() {
 	std::for_each(jobs.begin(), jobs.end(), [](const std::unique_ptr<TileJob> &job) { job->wait(); });
 }
 
-// A tile that is too far away by now is not due any more.
+// Removes tiles from `due` that are too far from all cameras now.
 void FieldTiles::choose_due() {
 	if (std::exchange(has_build_to_choose, false)) {
 		due.insert(coming.begin(), coming.end());
@@ -116,7 +116,7 @@ void FieldTiles::choose(const Scene &scene) {
 		return;
 	}
 	const PlantMap *map = scene.properties.map.ptr();
-	if (map && !map->density().painted().is_empty()) { // Something may have been painted where nothing was.
+	if (map && !map->density().painted().is_empty()) { // Empty areas may be painted now.
 		area = map->density().box_of(map->density().painted());
 	}
 	TileChoice choice = choose_tiles(standing, places_of(scene), distance_in(scene), scene.store.tile_size(), area);
@@ -130,7 +130,7 @@ void FieldTiles::choose(const Scene &scene) {
 void FieldTiles::leave(const Scene &scene, const TileKey &tile) {
 	const auto is_of_tile = [&](const std::unique_ptr<TileJob> &job) { return job->tile() == tile; };
 	if (asking && asking->tile() == tile) {
-		asking = nullptr; // Another job may come to lie where it lay.
+		asking = nullptr; // A new job may have the same address.
 	}
 	jobs.erase(std::remove_if(jobs.begin(), jobs.end(), is_of_tile), jobs.end());
 	standing.erase(tile);
@@ -168,9 +168,9 @@ bool FieldTiles::describe(const Scene &scene, const PlacementRequest &base, Tile
 	const AreaBox box = tile_box(recipe.tile, recipe.tile_size);
 	recipe.request = base;
 	recipe.request.within = box;
-	if (scene.properties.map.is_valid()) { // What is painted may be another by now.
+	if (scene.properties.map.is_valid()) { // The map may have changed.
 		if (!is_listed_so(scene.style, scene.properties)) {
-			return false; // A build with the present species failed, and the request would number those.
+			return false; // A build with the present species failed, and the request would contain their indices.
 		}
 		recipe.request = PlacementRequest();
 		const String fault = read_request(scene.field, scene.properties, scene.style, &box, recipe.request);
@@ -185,7 +185,7 @@ bool FieldTiles::describe(const Scene &scene, const PlacementRequest &base, Tile
 	return true;
 }
 
-// False where nobody may begin.
+// Returns false if no job may begin.
 bool FieldTiles::begin(const Scene &scene) {
 	const auto is_at_work = [](const std::unique_ptr<TileJob> &job) { return job->is_at_work(); };
 	if (coming.empty() || jobs.size() >= TileJob::MAX_JOBS ||
@@ -196,7 +196,7 @@ bool FieldTiles::begin(const Scene &scene) {
 	recipe.tile = coming.back();
 	coming.pop_back();
 	if (!describe(scene, base, recipe)) {
-		return false; // The filling has told of it.
+		return false; // The build has reported the fault.
 	}
 	outline = outline ? outline : std::make_shared<const FieldStyle>(outline_of(scene.style));
 	recipe.spacing = scene.store.spacing();
@@ -207,7 +207,7 @@ bool FieldTiles::begin(const Scene &scene) {
 	return true;
 }
 
-// One of them at a time.
+// One tile at a time.
 void FieldTiles::ask_ground(const Scene &scene, bool physics) {
 	const auto waits = [](const std::unique_ptr<TileJob> &job) { return job->wants_ground(); };
 	const auto first = std::find_if(jobs.begin(), jobs.end(), waits);
@@ -235,7 +235,7 @@ bool FieldTiles::go_on(const Scene &scene, TileJob &job, bool edits, double unti
 	}
 	if (job.is_placed() && !job.has_more_blocks()) {
 		if (!job.has_begun()) {
-			return true; // Nobody stands there.
+			return true; // The tile has no plants.
 		}
 		job.draw();
 	}
@@ -260,7 +260,7 @@ void FieldTiles::go_on(const Scene &scene, bool physics, bool edits) {
 		leave(scene, TileKey(going.back()));
 		going.pop_back();
 	}
-	while (watch.usec() < scene.budget_usec && begin(scene)) { // First: workers continue beside this thread.
+	while (watch.usec() < scene.budget_usec && begin(scene)) { // First, because workers run parallel to this thread.
 	}
 	for (size_t i = 0; i < jobs.size();) {
 		if (go_on(scene, *jobs[i], edits, scene.budget_usec, watch)) {

@@ -11,10 +11,10 @@
 
 namespace undergrowth {
 
-/// Which tiles of a field stand that has a view distance, and the jobs for those that come, nearest first. Main thread.
+/// The existing tiles of a field with a view distance, and the jobs that build new ones, nearest first. Main thread.
 class FieldTiles {
 public:
-	/// What it needs to know, and whom it tells.
+	/// Inputs of one call, and the functions that receive results.
 	struct Scene {
 		godot::Node3D *field;
 		const FieldProperties &properties;
@@ -27,56 +27,57 @@ public:
 		FieldView &view;
 		std::function<ChangeSet(StandEdit &&, ArrivingBlocks *)> apply;
 		std::function<void(const godot::String &)> fault;
-		double budget_usec; ///< Main thread time for building, a frame.
+		double budget_usec; ///< Of the main thread for building, per frame.
 	};
 
-	/// Tiles that a filling is to begin with: those around whoever looks, and those that stand and are not too far.
+	/// Returns the tiles for the start of a build: those around the cameras and streaming targets. Without any of
+	/// these, it returns the existing tiles if their size is unchanged.
 	std::vector<TileKey> choose_all(const Scene &scene, const PlacementRequest &request) const;
-	/// They stand now, and no others; later ones are of this request.
+	/// Sets the existing tiles. Later tiles are built from this request.
 	void stand(const std::vector<TileKey> &tiles, const PlacementRequest &request);
-	/// After stand(): these tiles are the first part of a build. The next choice adds the rest.
+	/// Call after stand(): its tiles are the first part of a build, and the next choice adds the rest.
 	void begin_build();
-	/// Whether tiles of that build are missing. Tiles that a moving camera needs later do not count.
+	/// True if tiles of that build are missing. Tiles that a moving camera needs later do not count.
 	bool is_building() const { return has_build_to_choose || !due.empty(); }
 	void end_build();
-	/// Of begin_build(), 0 to 1.
+	/// Progress of the build since begin_build(), 0 to 1.
 	float build_progress() const;
 	/// The ground queries of all tiles.
 	GroundAsker &ground_asker() { return asker; }
-	/// Waits for all worker jobs. They stay as they are.
+	/// Waits for all worker jobs. The jobs themselves remain.
 	void wait_for_jobs();
-	/// None of them does.
+	/// Clears the lists of tiles and jobs. The plants stay in the store.
 	void clear();
 	bool stands(const TileKey &tile) const { return standing.count(tile) > 0; }
 	int standing_count() const { return int(standing.size()); }
-	/// Tiles that are to come.
+	/// Number of tiles to build.
 	int waiting_count() const { return int(jobs.size() + coming.size()); }
 
-	/// Whoever looks, and whatever else the field is to stand around, in its axes (m).
+	/// Positions of all cameras and streaming targets (m, field axes).
 	static std::vector<glm::vec2> places_of(const Scene &scene);
-	/// Fills in how the tile of a recipe is to grow by a request without its map, but for spacing and style. False
-	/// where it cannot, by a fault of which whoever asks for the whole field is told.
+	/// Sets all of a tile's recipe except spacing and style, from a request without its map. Returns false if that
+	/// fails; the build of the whole field reports the fault.
 	static bool describe(const Scene &scene, const PlacementRequest &base, TileRecipe &recipe);
 
-	/// Goes on in a frame of physics or another one: chooses now and then, lets tiles go and come. `edits`: the store
-	/// may be edited. Where it does something it takes a part of a millisecond, and ends in the midst of it.
+	/// Continues in a physics frame or another frame: chooses tiles from time to time, removes and builds them.
+	/// `edits`: the store may be edited. One call uses a part of a millisecond, and the next one continues its work.
 	void go_on(const Scene &scene, bool physics, bool edits);
-	/// All tiles that are on their way begin anew; what stands of them goes.
+	/// Cancels all unfinished tiles, removes their plants, and starts them again later.
 	void interrupt(const Scene &scene);
-	/// The same of those that meet a box (m, field axes).
+	/// The same for tiles that meet a box (m, field axes).
 	void interrupt(const Scene &scene, const AreaBox &box);
-	/// What they look like or how they move is another.
+	/// Call after a change of looks or motion.
 	void forget_style() { outline.reset(); }
 
 private:
-	std::set<TileKey> standing; ///< Or begin to.
-	std::vector<TileKey> coming; ///< Nearest last.
-	std::vector<TileKey> going; ///< Farthest last.
+	std::set<TileKey> standing; ///< Including those that jobs build.
+	std::vector<TileKey> coming; ///< To build, nearest last.
+	std::vector<TileKey> going; ///< To remove, farthest last.
 	std::vector<std::unique_ptr<TileJob>> jobs;
-	std::set<TileKey> due; ///< Tiles of a build that are not live yet.
+	std::set<TileKey> due; ///< Unfinished tiles of a build.
 	size_t due_at_first = 0;
 	bool has_build_to_choose = false; ///< `due` is unknown until the next choice.
-	PlacementRequest base; ///< Of all tiles, without its map.
+	PlacementRequest base; ///< For all tiles, without its map.
 	AreaBox area;
 	std::shared_ptr<const FieldStyle> outline;
 	GroundAsker asker;
@@ -88,7 +89,7 @@ private:
 	void leave(const Scene &scene, const TileKey &tile);
 	bool begin(const Scene &scene);
 	void ask_ground(const Scene &scene, bool physics);
-	/// Whether the job is done.
+	/// Returns true if the job is done.
 	bool go_on(const Scene &scene, TileJob &job, bool edits, double until_usec, const Stopwatch &watch);
 };
 

@@ -17,60 +17,62 @@
 
 namespace undergrowth {
 
-/// A square of the ground at one level of detail: some tiles wide, or a part of one. Plants that code added have
-/// multimeshes of their own, and so has each block of newcomers: what was filled is not touched.
+/// A square of the ground at one level of detail: one or more tiles wide, or a part of a tile. Plants that code added
+/// have their own multimeshes, and so has each block of new plants. So the multimeshes of generated plants do not
+/// change.
 struct ClumpPlace {
 	bool is_added;
 	int level;
-	int factor; ///< So many tiles wide.
-	TileKey tile; ///< As wider_tile() has it for that factor.
-	int newcomers = -1; ///< The number of their block.
-	int part = -1; ///< Which part of a tile that is cut.
+	int factor; ///< Width in tiles.
+	TileKey tile; ///< Of wider_tile() for that factor.
+	int newcomers = -1; ///< Number of a block of new plants, or -1.
+	int part = -1; ///< Index of the part of a divided tile, or -1.
 
 	bool operator<(const ClumpPlace &other) const {
 		return std::tie(is_added, level, factor, tile, newcomers, part) <
 				std::tie(other.is_added, other.level, other.factor, other.tile, other.newcomers, other.part);
 	}
-	/// Whether it is the same but for the part.
+	/// True if only the part differs.
 	bool is_beside(const ClumpPlace &other) const {
 		return std::tie(is_added, level, factor, tile, newcomers) ==
 				std::tie(other.is_added, other.level, other.factor, other.tile, other.newcomers);
 	}
 };
 
-/// How finely a multimesh's plants are counted by rank.
+/// Number of steps of rank in which a multimesh's plants are counted.
 constexpr int RANK_STEPS = 32;
 using RankCounts = std::array<int, RANK_STEPS + 1>;
-/// As the shader's: so much wider plants are drawn at most (undergrowth_width.gdshaderinc).
+/// Largest factor by which the shader widens plants (undergrowth_width.gdshaderinc).
 constexpr float MOST_WIDENING = 3.0f;
 
-/// One multimesh in the making: plants of one place that show one mesh, by rank.
+/// The data of one multimesh: plants of one square with one mesh, sorted by rank.
 struct ClumpPlan {
 	ClumpPlace place;
 	int species = 0;
-	int group = 0; ///< Which of the meshes that its level has of the species.
+	int group = 0; ///< Index of the mesh among those of the species at its level.
 	int count = 0;
 	int stride = 0; ///< Floats per plant.
-	RankCounts kept = {}; ///< How many have a rank of at most i / RANK_STEPS.
+	RankCounts kept = {}; ///< Number of plants with a rank of at most i / RANK_STEPS.
 	godot::PackedFloat32Array buffer;
 	godot::AABB box; ///< Covers the largest deflection.
-	godot::AABB roots; ///< From where to where they stand.
+	godot::AABB roots; ///< Bounding box of the roots.
 };
 
 /// A block to be drawn.
 struct DrawnBlock {
 	PoseTexels texels;
 	const PlantBlock *block;
-	int newcomers = -1; ///< Its number, where it is one of newcomers.
+	int newcomers = -1; ///< Number of a block of new plants, or -1.
 };
 
-/// How all plants of some blocks are drawn. On any thread.
+/// Plans the multimeshes of some blocks at all levels. On any thread.
 std::vector<ClumpPlan> plan_clumps(const FieldStyle &style, const std::vector<DrawnBlock> &blocks);
 /// The same at one level of detail.
 std::vector<ClumpPlan> plan_level(const FieldStyle &style, const std::vector<DrawnBlock> &blocks, int level);
 
-/// The multimeshes of a field, one for each level, place, species and mesh. Transforms never change: what moves is in
-/// the motion's textures, which each instance names its texel in. A plant that is gone is hidden there. Main thread.
+/// The multimeshes of a field, one for each level, square, species and mesh. Transforms never change: the motion's
+/// textures contain what moves, and each instance has the number of its texel. The texel also hides a removed plant.
+/// Main thread.
 class FieldView {
 public:
 	FieldView() = default;
@@ -78,64 +80,65 @@ public:
 	FieldView(const FieldView &) = delete;
 	FieldView &operator=(const FieldView &) = delete;
 
-	/// Makes a plan ready to be shown by exchange() or exchange_tile(), of the same style.
+	/// Creates the multimesh of a plan, for exchange() or show_tile() with the same style.
 	void prepare(const FieldStyle &style, const ClumpPlan &plan);
-	/// It is not shown after all.
+	/// Discards all prepared multimeshes.
 	void forget_prepared();
-	/// Hands what was prepared to the renderer, for about `usec`, where its materials draw nothing yet. Telling it of
-	/// all in one frame would take longer than all else in it. False: there is nothing left.
+	/// Passes prepared multimeshes to the renderer for about `usec`, while their materials draw nothing. All of them in
+	/// one frame would take longer than everything else in it. Returns false if none is left.
 	bool reveal_some(double usec);
-	/// Shows what was prepared, of this style, instead of all else, whose materials draw nothing from now on.
+	/// Shows all prepared multimeshes, of this style, instead of all others. The materials of the old ones draw nothing
+	/// from now on.
 	void exchange(const FieldStyle &style);
-	/// Frees what is shown no more, for about `usec`; before that it hears of it, at once where `hides_all`. False:
-	/// there is nothing left.
+	/// Hides and frees replaced multimeshes, for about `usec`; `hides_all`: hides all of them now. Returns false if
+	/// none is left.
 	bool free_some(double usec, bool hides_all = false);
 
-	/// Shows these plans, beside what is shown.
+	/// Shows these plans in addition.
 	void show(const FieldStyle &style, const std::vector<ClumpPlan> &plans);
-	/// Draws the plants that were added anew in all places with a block that grew or was dropped.
+	/// Rebuilds the multimeshes of added plants in these tiles, where a block grew or was dropped.
 	void show_added(const FieldStyle &style, const FieldMotion &motion, const PlantStore &store,
 			const std::set<TileKey> &tiles);
-	/// All plants that were added.
+	/// The same for all added plants.
 	void show_all_added(const FieldStyle &style, const FieldMotion &motion, const PlantStore &store);
 
-	/// Shows the plans of a block of newcomers instead of what was shown of it.
+	/// Shows the plans of a block of new plants instead of its previous ones.
 	void show_newcomers(const FieldStyle &style, const TileKey &tile, int number, const std::vector<ClumpPlan> &plans);
 
-	/// Draws nothing of a tile's plants that were filled, but for those in wider squares; newcomers stay.
+	/// Hides the generated plants of a tile, except those in wider squares and in blocks of new plants.
 	void drop_tile(const TileKey &tile);
-	/// After that: shows what was prepared of this tile, as `style` has it by now. What it needs beside what was shown
-	/// is as much as before.
+	/// Call after drop_tile(): shows the prepared multimeshes of this tile, with the present materials, distances and
+	/// shadows of `style`. Levels and species must be those of prepare().
 	void show_tile(const FieldStyle &style, const TileKey &tile);
-	/// What was prepared of it is not shown after all.
+	/// Discards the prepared multimeshes of a tile.
 	void forget_tile(const TileKey &tile);
 
-	/// Draws nothing of a block of newcomers any more.
+	/// Removes the multimeshes of a block of new plants.
 	void drop_newcomers(int number);
 
-	/// Where levels begin and end changed, or what casts shadows; their number and meshes have not.
+	/// Applies changed distances of levels, or shadows. The number of levels and their meshes are unchanged.
 	void update_levels(const FieldStyle &style);
-	/// Into which world, or none.
+	/// Scenario of the world to draw in, or an invalid RID.
 	void set_scenario(const godot::RID &scenario);
 	void set_transform(const godot::Transform3D &transform);
 	void set_visible(bool visible);
 	void wear(const FieldWear &wear);
-	/// Before a frame is drawn: draws no more of each multimesh than the nearest of `eyes` (world axes) sees of it. No
-	/// eyes: everything. Costs by the multimeshes, and only where an eye has moved.
+	/// Call before a frame is drawn: draws of each multimesh only what the nearest camera of `eyes` (world axes) shows.
+	/// No cameras: draws everything. The cost depends on the number of multimeshes, and only after a camera moved.
 	void thin(const std::vector<godot::Vector3> &eyes);
-	/// A frame is about to be drawn.
+	/// Call before a frame is drawn.
 	void note_drawing() { has_untold = false; }
-	/// Once a frame, where nobody may have drawn the one before, as in a headless process: lets the renderer take in
-	/// what it was told. Else it would do that for all that was ever shown as soon as anything is freed.
+	/// Call once per frame. If no frame was drawn, as in a headless process, the renderer processes the new multimeshes
+	/// now. Without it the renderer would process everything ever shown as soon as one is freed.
 	void tell_if_undrawn();
-	/// Whether thin() has anything to do.
+	/// True if thin() has an effect.
 	bool thins() const;
-	/// The materials of `style` are other ones.
+	/// Applies the new materials of `style`.
 	void wear_materials(const FieldStyle &style);
-	/// Whose instances they are: what a ray of the editor meets.
+	/// Sets the owner of the instances, which the editor selects by rays.
 	void set_owner(uint64_t object) { owner = object; }
 
-	/// Plants that are shown at each level to an eye at `eye` (world axes).
+	/// Number of plants that a camera at `eye` (world axes) shows at each level.
 	std::vector<int> count_drawn(const FieldStyle &style, const godot::Vector3 &eye) const;
 
 private:
@@ -147,31 +150,31 @@ private:
 		bool has_parts = false;
 		RankCounts kept;
 		godot::AABB roots; ///< Field axes, m.
-		godot::Vector3 middle; ///< Of what is drawn, which the engine measures to.
-		float radius = 0.0f; ///< m, about that: the farthest that a root is.
-		int shown = RANK_STEPS; ///< Up to which rank, times RANK_STEPS.
-		bool is_revealed = false; ///< The renderer has it, whatever its materials draw.
+		godot::Vector3 middle; ///< Centre of the drawn box, to which the engine measures distances.
+		float radius = 0.0f; ///< m, largest distance of a root from `middle`.
+		int shown = RANK_STEPS; ///< Highest drawn rank, times RANK_STEPS.
+		bool is_revealed = false; ///< The renderer has it, even if its materials draw nothing.
 	};
 
 	using Clumps = std::map<ClumpPlace, std::vector<Clump>>;
 
 	Clumps clumps;
 	Clumps prepared; ///< Not drawn yet.
-	std::vector<Clump> leaving; ///< Materials draw nothing of it, and the renderer is yet to hear of it.
-	std::vector<Clump> gone; ///< Not drawn any more, and yet to be freed.
-	std::map<int, TileKey> newcomers; ///< Tiles of their blocks that are drawn.
-	std::vector<FieldLevel> levels; ///< As they were shown.
+	std::vector<Clump> leaving; ///< Replaced: materials draw nothing, and the instances are not hidden yet.
+	std::vector<Clump> gone; ///< Hidden, not freed yet.
+	std::map<int, TileKey> newcomers; ///< Tiles by the number of a drawn block of new plants.
+	std::vector<FieldLevel> levels; ///< As last shown.
 	std::vector<FieldLevel> prepared_levels;
-	std::optional<ClumpPlace> next_revealed; ///< Where reveal_some() continues. Empty: at the first place.
+	std::optional<ClumpPlace> next_revealed; ///< Next square for reveal_some(). Empty: the first one.
 	godot::RID world; ///< Its scenario.
 	godot::Transform3D placed;
 	float largest_scale = 1.0f; ///< Of the field's axes.
 	bool is_visible = true;
-	bool has_untold = false; ///< Something was shown since a frame was drawn.
+	bool has_untold = false; ///< Multimeshes were shown since the last drawn frame.
 	FieldWear worn;
 	uint64_t owner = 0;
-	std::vector<godot::Vector3> thinned_for; ///< Eyes.
-	bool is_thinned = false; ///< For these; else something changed.
+	std::vector<godot::Vector3> thinned_for; ///< Cameras of the last thin().
+	bool is_thinned = false; ///< False: something changed since.
 
 	Clump make(const FieldStyle &style, const ClumpPlan &plan) const;
 	void reveal(Clump &clump);
@@ -183,7 +186,7 @@ private:
 	void set_range(const Clump &clump, const FieldLevel &level) const;
 	void set_wear(const Clump &clump, const FieldLevel &level) const;
 	int steps_for(const FieldLevel &level, const Clump &clump, const std::vector<godot::Vector3> &eyes) const;
-	/// Calls act(server, level, clump) for all, those that are prepared included.
+	/// Calls act(server, level, clump) for all multimeshes, prepared ones included.
 	template <class Act> void for_each(Act &&act) const;
 };
 

@@ -1,4 +1,4 @@
-// How FieldView shows other plants than before: made ready over some frames, exchanged in one, freed over some more.
+// Exchange of the multimeshes of FieldView: prepared over some frames, exchanged in one, freed over some more.
 
 #include "field/field_view.hpp"
 #include "stopwatch.hpp"
@@ -41,7 +41,7 @@ void FieldView::reveal(Clump &clump) {
 	set_visible(clump, is_visible);
 }
 
-// The renderer takes in all that is new before it frees an instance.
+// The renderer processes everything new before it frees an instance.
 void FieldView::tell_if_undrawn() {
 	if (std::exchange(has_untold, false)) {
 		RenderingServer *server = RenderingServer::get_singleton();
@@ -67,7 +67,7 @@ bool FieldView::reveal_some(double usec) {
 	return false;
 }
 
-// Calls act(place, group) for what is at a place, in parts or whole, and takes it out.
+// Calls act(place, group) for all groups of a square, whole or in parts, and removes them.
 template <class Act> void FieldView::take_parts(Clumps &from, const ClumpPlace &place, const Act &act) {
 	auto group = from.lower_bound(place);
 	while (group != from.end() && group->first.is_beside(place)) {

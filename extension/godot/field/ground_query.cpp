@@ -24,12 +24,12 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr float RAY_REACH = 1000.0f; // m above and below the field's plane.
-static constexpr float BELOW_HIT = 0.001f; // m below what a ray hit the next one begins.
-static constexpr int MAX_HITS = 16; // Of rays through what is above the lowest ground.
-static constexpr int MAX_FRAMES_WITHOUT_SPACE = 10; // Of physics; then rays fail.
+static constexpr float BELOW_HIT = 0.001f; // m below a hit, the start of the next ray.
+static constexpr int MAX_HITS = 16; // Of rays through objects above the lowest ground.
+static constexpr int MAX_FRAMES_WITHOUT_SPACE = 10; // Physics frames. Rays fail after them.
 static constexpr int PLACES_AT_ONCE = 64;
-static constexpr int BATCH_PLACES = 256; // One call of get_heights().
-static constexpr float SLOPE_STEP = 0.25f; // m between two heights that give a slope.
+static constexpr int BATCH_PLACES = 256; // Per call of get_heights().
+static constexpr float SLOPE_STEP = 0.25f; // m between two heights of a slope.
 static const glm::vec3 UP = { 0.0f, 1.0f, 0.0f };
 
 static void add_collision_objects(const Node *node, TypedArray<RID> &found) {
@@ -41,7 +41,7 @@ static void add_collision_objects(const Node *node, TypedArray<RID> &found) {
 	}
 }
 
-// Bodies of a group that pushes plants, with all below them: they are no ground.
+// Collision objects of a group that pushes plants, with those of all child nodes. They are not ground.
 static TypedArray<RID> collision_objects_of(SceneTree *tree, const StringName &group) {
 	TypedArray<RID> found;
 	const TypedArray<Node> members = group.is_empty() ? TypedArray<Node>() : tree->get_nodes_in_group(group);
@@ -58,12 +58,12 @@ bool slopes_matter(const StandOptions &options) {
 	return options.slope_limits.x > 0.0f || options.slope_limits.y < UPRIGHT || options.slope_alignment > 0.0;
 }
 
-// Normals stay at right angles where a field is scaled unevenly.
+// Normals remain perpendicular under an uneven scale of the field.
 glm::vec3 normal_in(const Transform3D &field, const Vector3 &normal) {
 	return to_glm(field.basis.transposed().xform(normal));
 }
 
-/// Casts a ray straight down at each place. In physics frames: where physics has a thread of its own, its space is
+/// Casts a ray straight down at each position, in physics frames. If physics runs on its own thread, its space is
 /// locked outside of them.
 class RayQuery : public GroundQuery {
 public:
@@ -117,7 +117,7 @@ private:
 	Transform3D field, to_field;
 	StringName group;
 	uint32_t mask;
-	int max_hits; ///< Of one ray after the other, each of which begins below the hit of the one before.
+	int max_hits; ///< Of consecutive rays, each of which begins below the hit of the previous one.
 	int frames_without_space = 0;
 	PhysicsDirectSpaceState3D *space = nullptr; ///< Of this frame.
 	Ref<PhysicsRayQueryParameters3D> ray;
@@ -140,8 +140,8 @@ private:
 	}
 };
 
-/// Calls get_height() of an object at places in the world, or get_heights() where it has that. Slopes come from
-/// get_normal(), or from heights beside each place where it has none.
+/// Calls get_height() of an object at positions in the world, or get_heights() if it exists. Slopes come from
+/// get_normal(), or from heights beside each position if it does not exist.
 class ObjectQuery : public GroundQuery {
 public:
 	ObjectQuery(const Node3D *of, Object *ground, const FieldProperties &options) :
@@ -280,7 +280,7 @@ private:
 		return true;
 	}
 
-	// Height per metre from each place towards one aside, or from one on the other side where the ground ends there.
+	// Height per metre from each position to one beside it, or to one on the other side if the ground ends there.
 	bool find_slopes(const glm::vec2 *places, int count, const float *heights, const glm::vec2 &aside,
 			std::vector<float> &slopes) {
 		slopes.assign(size_t(count), 0.0f);

@@ -14,13 +14,13 @@ using namespace godot;
 
 namespace undergrowth {
 
-// In one frame at least so long, and a share of frames that take long anyway.
+// Time per frame: a fraction of the frame's duration, within these limits.
 static constexpr double LEAST_ASKING_USEC = 3000.0;
 static constexpr double MOST_ASKING_USEC = 50000.0;
 static constexpr double ASKING_SHARE = 0.2;
-static constexpr double MAX_POINTS_PER_PLANT = 0.7; // Else a grid saves nothing.
-static constexpr int PLANTS_AT_ONCE = 4096; // Of work without queries.
-static constexpr int MAX_PLACES = 256; // One measure().
+static constexpr double MAX_POINTS_PER_PLANT = 0.7; // With more, a grid saves nothing.
+static constexpr int PLANTS_AT_ONCE = 4096; // For work without queries.
+static constexpr int MAX_PLACES = 256; // Per measure().
 static const glm::vec3 UP = { 0.0f, 1.0f, 0.0f };
 
 void GroundSurvey::enter(Phase into) {

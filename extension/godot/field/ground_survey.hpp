@@ -16,25 +16,25 @@
 
 namespace undergrowth {
 
-/// Finds the ground under plants, a part of them at a time: from a grid of heights where the ground is even between its
-/// points, else by a query for each plant.
+/// Finds the ground under plants, in parts. It uses a grid of heights where the ground is even between grid points, and
+/// a query for each remaining plant. Main thread.
 class GroundSurvey {
 public:
 	enum class State { going_on, done, failed };
 
-	/// `spacing`: m between heights of the grid; 0: a query for each plant.
+	/// `spacing`: m between grid points; 0: a query for each plant.
 	GroundSurvey(std::unique_ptr<GroundQuery> &&of, float spacing) : query(std::move(of)), grid_spacing(spacing) {}
 
-	/// Goes on for about `usec`. Once it has failed, it stays so.
+	/// Continues for about `usec`. A failure is final.
 	State go_on(const FieldPlants &plants, double usec);
 	bool is_of_physics() const { return query->is_of_physics(); }
-	/// Why it failed, and what to do.
+	/// Describes why it failed, and what to do.
 	godot::String fault() const { return query->fault(); }
-	/// What to check where none of the plants has ground.
+	/// What to check if no plant has ground.
 	godot::String advice() const { return query->advice(); }
 	bool has_found_any() const { return found_count > 0; }
 
-	std::vector<float> heights; ///< m, field axes; NaN where there is no ground. As many as plants once it is done.
+	std::vector<float> heights; ///< m, field axes; NaN: no ground. One per plant when it is done.
 	std::vector<glm::vec3> normals; ///< Of any length.
 
 private:
@@ -46,12 +46,12 @@ private:
 	bool uses_grid = false;
 	int point_count = 0;
 	Phase phase = Phase::fresh;
-	int next = 0; ///< Of the phase: a plant, a point, or an entry of `single`.
-	std::vector<int> single; ///< Plants that need a query of their own.
+	int next = 0; ///< Next plant, grid point or entry of `single` of the phase.
+	std::vector<int> single; ///< Plants that need their own query.
 	int found_count = 0;
 
 	void enter(Phase into);
-	/// One part of a phase. False: it has failed.
+	/// Does one part of a phase. Returns false if it fails.
 	bool go_on_a_little(const FieldPlants &plants);
 	void begin(const FieldPlants &plants);
 	void mark(const FieldPlants &plants);
@@ -60,33 +60,33 @@ private:
 	bool query_some(const FieldPlants &plants);
 };
 
-/// The survey that goes on for those who wait for the ground, one after the other.
+/// Runs ground surveys for jobs, one after the other. Main thread.
 class GroundAsker {
 public:
-	/// So long (µs) it may take in a frame of `delta` s, in which nothing else need be smooth.
+	/// Time (µs) for surveys in a frame of `delta` seconds that need not be smooth.
 	static double usual_usec(double delta);
-	/// Goes on for about `usec` with what `waiting`, a FieldFill, a FieldPatch or a TileJob, waits for, in a frame that
-	/// may be one of physics. Once it is done, `waiting` goes on. Where no ground was found it tells where `tells`.
+	/// Continues for about `usec` with the survey for `waiting`, a FieldFill, a FieldPatch or a TileJob, in a frame
+	/// that may be a physics frame. When it is done, `waiting` continues. `tells`: warns if no ground was found.
 	template <class Job>
 	GroundSurvey::State serve(
 			Job &waiting, godot::Node3D *field, const FieldProperties &options, double usec, bool physics, bool tells);
-	/// Adds what `other` found and has not reported.
+	/// Adds the unreported findings of `other`.
 	void take_findings(GroundAsker &other);
-	/// Of what did not tell since the last time: tells where no ground was found under any of them.
+	/// Warns if no ground was found in any survey without a report since the last call.
 	void tell_of_all(const godot::Node3D *field);
-	/// What to check, where no ground was found under any of those of whom was told last; else empty.
+	/// What to check if the last report found no ground; else empty.
 	const godot::String &missing_ground() const { return missing; }
-	/// Why it failed.
+	/// Describes why it failed.
 	const godot::String &fault() const { return why; }
-	/// Nobody waits for it any more.
+	/// Discards the survey in progress.
 	void forget() { survey.reset(); }
 
 private:
 	std::unique_ptr<GroundSurvey> survey;
 	godot::String why;
 	godot::String missing;
-	godot::String untold; ///< The advice for what did not tell, where it found no ground.
-	bool has_found_some = false; ///< Under what did not tell.
+	godot::String untold; ///< Advice of surveys without a report that found no ground.
+	bool has_found_some = false; ///< In surveys without a report.
 
 	GroundSurvey::State go_on(
 			const FieldPlants &plants, godot::Node3D *field, const FieldProperties &options, double usec, bool physics);

@@ -1,4 +1,4 @@
-// The way of edits and frames through a field. meadow_fill.cpp grows it.
+// Edits and frames of a field. meadow_fill.cpp builds it.
 
 #include "field/meadow.hpp"
 
@@ -31,7 +31,7 @@ Meadow::Meadow(GeometryInstance3D *field, const FieldProperties &set_by_users, L
 
 Meadow::~Meadow() {
 	motion.wait();
-	drop_job(); // What it has made ready goes before what that wears.
+	drop_job(); // Prepared multimeshes are freed before their materials.
 }
 
 FieldMotion::Frame Meadow::frame(double delta, const Ref<PlantWind> &wind) const {
@@ -89,7 +89,7 @@ void Meadow::preview(double delta, const Ref<PlantWind> &blowing) {
 	skeletons.pose(store, motion);
 }
 
-// Plants that came since the box was found are drawn by its margin.
+// The margin covers plants that were added since the last box.
 SeenDistances Meadow::seen_distances() {
 	static constexpr int FRAMES_BETWEEN_BOXES = 16;
 	static constexpr float MARGIN = 4.0f; // m.
@@ -140,12 +140,12 @@ void Meadow::change_materials() {
 	motion.wait();
 	renewal.interrupt(tile_scene(), motion);
 	has_other_materials = job != nullptr;
-	dress.take_off(style, retired_materials); // What is not freed yet is still drawn with them.
+	dress.take_off(style, retired_materials); // Multimeshes that are not freed yet still use them.
 	if (motion.pose_texture().is_valid()) {
 		dress.put_on(style, motion);
 		view.wear_materials(style);
 		skeletons.release_all(motion);
-		refresh(); // A field that stands still has no frame that would tell them of its followers.
+		refresh(); // A field without simulation has no other call that sets the followers' parameters.
 	}
 	if (!view.free_some(0.0)) {
 		retired_materials.clear();
@@ -190,7 +190,7 @@ std::vector<PlantId> Meadow::add(std::vector<PlacedPlant> &&plants, std::vector<
 	for (const ChangeSet::Grown &grown : changes.grown) {
 		if (job && !job->knows(store.block(grown.block).species)) {
 			const bool places = is_placing();
-			drop_job(); // Its field would have no look for them.
+			drop_job(); // Its style would have no look for them.
 			fill_again(places);
 		}
 	}
@@ -229,7 +229,7 @@ void Meadow::mow(std::vector<PlantPlace> &&places, const std::vector<float> &sha
 
 void Meadow::grow_again(const std::vector<AreaBox> &boxes) {
 	if (is_at_work()) {
-		fill(is_placing() || !boxes.empty()); // It does not know of it.
+		fill(is_placing() || !boxes.empty()); // The present build does not contain the change.
 		return;
 	}
 	tiles.interrupt(tile_scene());

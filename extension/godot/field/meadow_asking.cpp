@@ -1,4 +1,4 @@
-// What a field's species look like and how they move: asked before it grows, and followed while it stands.
+// Looks and motion of a field's species: collected before a build, and updated afterwards.
 
 #include "field/meadow.hpp"
 
@@ -15,7 +15,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr double ASKING_USEC = 2000.0; // A frame, for the scripts of species.
+static constexpr double ASKING_USEC = 2000.0; // Per frame, for the scripts of species.
 
 FieldSettings Meadow::settings() const {
 	FieldSettings made;
@@ -26,7 +26,7 @@ FieldSettings Meadow::settings() const {
 	return made;
 }
 
-// Goes tile by tile, where nothing but places and heights of plants is otherwise than what stands.
+// Builds tile by tile if only positions and heights of plants change.
 bool Meadow::renew() {
 	PlacementRequest request;
 	FieldGround read;
@@ -48,7 +48,7 @@ bool Meadow::renew() {
 	tiles.interrupt(tile_scene());
 	patches.interrupt();
 	patches.forget_touched();
-	tells_of_patches = is_due_again = false; // This tells of itself.
+	tells_of_patches = is_due_again = false; // The renewal reports its own end.
 	told_progress = -1.0f;
 	ground = std::move(read);
 	standing_area.stand_by(request);
@@ -60,7 +60,8 @@ bool Meadow::renew() {
 	return true;
 }
 
-// What was exchanged tile by tile becomes as if it had been filled at once: pages and multimeshes are shared by tiles.
+// After tiles were exchanged one by one, rebuilds pages and multimeshes that tiles share, as in a build of the whole
+// field.
 void Meadow::join_tiles() {
 	FieldRecipe recipe;
 	recipe.places = false;
@@ -134,7 +135,7 @@ void Meadow::go_on_asking() {
 	FieldRecipe recipe;
 	motion.wait();
 	if (fault.is_empty() && !asking->knows(others_of(style, store, properties, recipe.species_numbers))) {
-		fill_again(places); // Code added plants meanwhile of which there were none before.
+		fill_again(places); // Meanwhile code added plants of a species that had none before.
 		return;
 	}
 	fault = fault.is_empty() ? make_recipe(recipe) : fault;
@@ -165,7 +166,7 @@ void Meadow::follow_area() {
 
 bool Meadow::update_levels() {
 	if (!find_level_fault(properties).is_empty()) {
-		return false; // The next filling tells of it.
+		return false; // The next build reports it.
 	}
 	std::vector<FieldLevel> wanted = read_levels(properties, sight_range_of(node));
 	const bool same = std::equal(wanted.begin(), wanted.end(), style.levels.begin(), style.levels.end(),
@@ -173,7 +174,7 @@ bool Meadow::update_levels() {
 	if (!same) {
 		return style.levels.empty();
 	}
-	for (size_t i = 0; i < wanted.size(); i++) { // The squares stay as they were planned.
+	for (size_t i = 0; i < wanted.size(); i++) { // The squares of the plans stay the same.
 		wanted[i].tile_factor = style.levels[i].tile_factor;
 		wanted[i].tile_cuts = style.levels[i].tile_cuts;
 	}

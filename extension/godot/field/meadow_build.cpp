@@ -1,4 +1,4 @@
-// How the first build is split, how a build ends, and how it is done in one call.
+// The division of the first build, the end of a build, and build_now().
 
 #include "field/meadow.hpp"
 
@@ -19,9 +19,9 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr double FIRST_PLANTS = 10000.0; // Of the first part of a build.
-static constexpr double MAX_WHOLE_PLANTS = 20000.0; // Up to here a build has one part.
+static constexpr double MAX_WHOLE_PLANTS = 20000.0; // Up to this number a build has one part.
 static constexpr float FIRST_SHARE = 0.1f; // Of the whole build's progress.
-static constexpr float TILES_SHARE = 0.8f; // Up to here tiles are built that are joined later.
+static constexpr float TILES_SHARE = 0.8f; // Up to this progress tiles are built; then they are joined.
 static constexpr int32_t WAITING_USEC = 100;
 
 double Meadow::budget_usec() const {
@@ -44,7 +44,7 @@ float Meadow::progress() const {
 	return built_before + (end - built_before) * part;
 }
 
-// The tiles nearest to the cameras are built together and shown. The others follow, one by one.
+// The tiles nearest to the cameras are built together and shown. The remaining tiles follow, one by one.
 void Meadow::split_first_build(FieldRecipe &recipe) {
 	if (!store.filled_tiles().empty()) {
 		return;
@@ -73,7 +73,7 @@ void Meadow::begin_rest(FieldFill &finished) {
 	std::vector<TileKey> rest = finished.take_rest();
 	motion.make_room(finished.rest_plants(), int(rest.size() * style.looks.size()));
 	if (streams()) {
-		tiles.begin_build(); // It chooses them again: cameras may have moved.
+		tiles.begin_build(); // It chooses tiles again, because cameras may have moved.
 	} else {
 		renewal.begin(std::move(rest), finished.request());
 	}
@@ -128,7 +128,7 @@ void Meadow::repeat_edits() {
 	}
 }
 
-// At its exit the engine may wait for ever for a thread of its pool that still works.
+// At exit the engine may wait forever for a thread of its pool that still works.
 void Meadow::wait_for_jobs() {
 	if (job) {
 		job->wait();
@@ -139,7 +139,7 @@ void Meadow::wait_for_jobs() {
 	clearing.wait();
 }
 
-// Where physics has a thread of its own, its space may only be queried in physics frames.
+// If physics runs on its own thread, its space may only be queried in physics frames.
 bool Meadow::can_query_ground_now() const {
 	const bool casts_rays = properties.ground_mode == int(FieldGround::Kind::colliders);
 	return !casts_rays || Engine::get_singleton()->is_in_physics_frame() ||
@@ -163,7 +163,7 @@ bool Meadow::build_now() {
 		if (node->is_inside_tree()) {
 			poll(0.0, false);
 			follow_strokes(FieldPatches::Moment::ending, 0.0);
-			// Workers may wait for the renderer, and it may wait for this thread.
+			// Workers may wait for the renderer, and the renderer may wait for this thread.
 			RenderingServer::get_singleton()->force_sync();
 			OS::get_singleton()->delay_usec(WAITING_USEC);
 		}

@@ -1,4 +1,4 @@
-// How a field grows: from properties, and from what code adds, to looks and to plants that stand.
+// Builds of a field: from its properties and the plants that code adds, through looks, to existing plants.
 
 #include "field/meadow.hpp"
 
@@ -25,7 +25,7 @@ void Meadow::fill(bool places, bool looks) {
 		return;
 	}
 	if (is_at_work() && !places && !placed_before) {
-		is_due_again = true; // What changes in each frame is seen now and then, and not only when that ends.
+		is_due_again = true; // A property that changes in each frame must not restart the build forever.
 		return;
 	}
 	places = places || needs_other_tiles();
@@ -40,7 +40,7 @@ void Meadow::fill(bool places, bool looks) {
 	is_due_again = false;
 	if (places) {
 		removed_meanwhile.clear();
-		tells_of_patches = false; // The filling does.
+		tells_of_patches = false; // The build reports its own end.
 	}
 	const String fault = begin_asking(places || placed_before);
 	if (fault.is_empty()) {
@@ -59,7 +59,7 @@ void Meadow::fill_again(bool places) {
 }
 
 void Meadow::touch(const AreaBox &box) {
-	if (!asking || !asking->places) { // What is asked for has not read the map yet.
+	if (!asking || !asking->places) { // A build that still collects looks reads the map later.
 		patches.touch(box, store.tile_size());
 		tiles.interrupt(tile_scene(), box);
 		renewal.interrupt(tile_scene(), motion, box);
@@ -80,14 +80,14 @@ FieldTiles::Scene Meadow::tile_scene() {
 	const auto change = [this](StandEdit &&edit, ArrivingBlocks *blocks) { return apply(std::move(edit), blocks); };
 	const auto fault = [this](const String &why) { tile_fault = why; };
 	FieldSettings built = settings();
-	if (motion.is_ready()) { // The last build may have failed: tiles are for the simulation that exists.
+	if (motion.is_ready()) { // The last build may have failed: tiles are for the existing simulation.
 		built.prototypes = motion.follows_prototypes() ? std::max(built.prototypes, 1) : 0;
 	}
 	return { node, properties, store, style, motion, ground, own_changes.known(), built, view, change, fault,
 		budget_usec() };
 }
 
-// What is on its way while the field is placed in boxes would be placed twice.
+// During a build of the whole field, tiles would be placed twice.
 void Meadow::poll_tiles(bool physics) {
 	if (!streams() || is_at_work() || renewal.is_at_work() || !motion.is_ready()) {
 		return;
@@ -172,7 +172,7 @@ void Meadow::drop_job() {
 	job.reset();
 }
 
-// It is made ready over some frames, unseen, with the motion of whoever is kept; then it takes the place of what stood.
+// Prepares the build over some frames, undrawn, and transfers motion. Then the build replaces the old field.
 bool Meadow::make_ready() {
 	if (job->is_handed_over) {
 		return !motion.is_handing_over();
@@ -243,7 +243,7 @@ void Meadow::poll_parts(double delta, bool physics) {
 	}
 }
 
-// The first part of a build may have no ground where the rest has some.
+// The first part of a build may have no ground although the rest has some.
 void Meadow::serve_ground(double delta, bool physics) {
 	const bool is_whole = !job->has_rest();
 	const GroundSurvey::State state = asker.serve(*job, node, properties, ground_usec(delta), physics, is_whole);
@@ -276,7 +276,7 @@ void Meadow::poll_job(bool physics) {
 		fill(false);
 	}
 	if (!stands) {
-		fail(finished->finish().describe_fault()); // What stood before stays.
+		fail(finished->finish().describe_fault()); // The old field stays.
 	} else if (tells && !finished->has_rest()) {
 		tell_of(1.0f);
 		finish_build();
@@ -293,15 +293,15 @@ bool Meadow::adopt(FieldFill &finished) {
 	motion.wait();
 	skeletons.release_all(motion);
 	tiles.forget_style();
-	retired.push_back(std::exchange(style, std::move(result.style))); // What is drawn wears it.
-	std::vector<int>
-			other_rests; // Species whose rest directions, or the texels that hold them, differ from the build's.
+	retired.push_back(std::exchange(style, std::move(result.style))); // Drawn multimeshes use it.
+	// Species with rest directions, or texels for those, that differ from the build's.
+	std::vector<int> other_rests;
 	for (size_t i = 0; i < style.looks.size(); i++) {
 		const float lean = style.looks[i].motion.lean;
 		const Law law = style.looks[i].motion.law;
 		style.looks[i].in_air = PlantWind::is_air(properties.wind);
 		style.looks[i].tell_of_stem();
-		style.looks[i].read_motion(); // It may have changed meanwhile.
+		style.looks[i].read_motion(); // It may have changed during the build.
 		if (style.looks[i].motion.lean != lean || style.looks[i].motion.law != law) {
 			other_rests.push_back(int(i));
 		}

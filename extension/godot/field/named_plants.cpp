@@ -17,7 +17,8 @@ namespace undergrowth {
 static constexpr int FLOATS_PER_STATE = 12; // Direction and rate, and the same of a stem's second mode.
 static constexpr int FLOATS_OF_TIP = 6;
 
-// What `say` returns of the plant that an id names; told, and empty, where it does not stand.
+// Returns the result of `say` for the plant of an id. Without such a plant it reports an error and returns an empty
+// value.
 template <class Say> auto NamedPlants::ask(int64_t id, const Say &say) const {
 	const PlantPlace place = meadow.store.find(id);
 	if (place.block < 0) {
@@ -151,7 +152,7 @@ PackedInt64Array NamedPlants::add(const Variant &transforms, const Ref<PlantFunc
 	if (species_index < 0) {
 		return PackedInt64Array();
 	}
-	// Also a listed one: it may leave the list, and they stay.
+	// Also for a listed species: it may leave the list while these plants stay.
 	follow_changes(function.ptr(), Callable(node, "_on_added_species_changed"));
 	const int variants = int(meadow.style.looks[size_t(species_index)].variants.size());
 	std::vector<PlacedPlant> placed;

@@ -1,4 +1,4 @@
-// What code changes of a field's plants for good: how they are mown, saved, and brought back.
+// Lasting edits of a field's plants by code: mowing, saving and restoring.
 
 #include "field/named_plants.hpp"
 
@@ -18,7 +18,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr float SAME_SHARE = 1e-4f; // Of a plant's own height.
+static constexpr float SAME_SHARE = 1e-4f; // Of a plant's full height.
 
 int NamedPlants::set_height_in_sphere(const Vector3 &center, double radius, double height) {
 	if (!std::isfinite(height) || height < 0.0) {
@@ -54,7 +54,7 @@ int NamedPlants::mow_in(const Sphere &sphere, float height) {
 	return int(shares.size());
 }
 
-// By which its species is found again: in the field's list as its map knows it, another one by its file.
+// The name that identifies its species in saved edits: that of the map for listed species, else the file's path.
 String NamedPlants::name_of_look(int look) const {
 	const Ref<PlantFunction> function = meadow.style.looks[size_t(look)].function;
 	const Ref<PlantFieldSpecies> listed = meadow.listed_entry(function);
@@ -93,7 +93,7 @@ bool NamedPlants::find_species(const SavedChanges &saved, std::vector<Ref<PlantF
 	return true;
 }
 
-// By their names, so that the same plants give the same bytes.
+// Sorted by id, so that the same plants give the same bytes.
 static std::vector<AddedPlant> added_plants(const PlantStore &store) {
 	std::vector<AddedPlant> added;
 	for (int number = 0; number < store.block_count(); number++) {
@@ -133,7 +133,7 @@ bool NamedPlants::has_changes() const {
 	return !meadow.own_changes.known().is_empty() || !added_plants(meadow.store).empty();
 }
 
-// Plants that were added, as they were.
+// Restores added plants.
 void NamedPlants::bring_back(const SavedChanges &saved, const std::vector<Ref<PlantFunction>> &species) {
 	std::vector<PlantPlace> others;
 	for (int number = 0; number < meadow.store.block_count(); number++) {
@@ -151,7 +151,7 @@ void NamedPlants::bring_back(const SavedChanges &saved, const std::vector<Ref<Pl
 	std::vector<PlantId> ids;
 	for (const AddedPlant &one : saved.added) {
 		const int look = looks[size_t(one.plant.species)];
-		if (look >= 0) { // Else species_for() has told why.
+		if (look >= 0) { // Else species_for() has reported the error.
 			plants.push_back(one.plant);
 			plants.back().species = look;
 			ids.push_back(one.id);

@@ -1,4 +1,4 @@
-// Which plants stand in places of the world, and what is done to all of them at once.
+// Queries of plants by position in the world, and edits of all plants found.
 
 #include "field/named_plants.hpp"
 
@@ -26,7 +26,7 @@ PackedInt64Array NamedPlants::ids_of(const std::vector<PlantPlace> &places) cons
 	return ids;
 }
 
-// Removes plants whose root in the world `is_beside`.
+// Removes plants from the list if `is_beside` returns true for their root in the world.
 template <class IsBeside>
 static void remove_beside(
 		const PlantStore &store, const Transform3D &placed, std::vector<PlantPlace> &found, const IsBeside &is_beside) {
@@ -36,7 +36,7 @@ static void remove_beside(
 	found.erase(std::remove_if(found.begin(), found.end(), goes), found.end());
 }
 
-// Metres of the world in the field's axes.
+// Converts metres of the world to the field's axes.
 static float reach_in(const Transform3D &to_field, double radius) {
 	return float(radius) * to_field.basis.get_column(1).length();
 }
@@ -60,7 +60,7 @@ std::optional<NamedPlants::Sphere> NamedPlants::sphere_of(
 
 void NamedPlants::find_in(const Sphere &sphere, std::vector<PlantPlace> &found) const {
 	meadow.store.find_in_sphere(sphere.center, sphere.radius, found);
-	if (!sphere.is_even) { // In the field's axes it is an ellipsoid.
+	if (!sphere.is_even) { // In the field's axes the sphere is an ellipsoid.
 		remove_beside(meadow.store, sphere.placed, found,
 				[&](const Vector3 &root) { return root.distance_to(sphere.world_center) > sphere.world_radius; });
 	}
@@ -88,7 +88,7 @@ PackedInt64Array NamedPlants::find_in_sphere(const Vector3 &center, double radiu
 	return ids_of(in_sphere("find_plants_in_sphere", center, radius));
 }
 
-// The box around a box of the world, in a field's axes.
+// The bounding box, in the field's axes, of a box of the world.
 static AABB box_in_field(const Transform3D &placed, const AABB &box) {
 	const Transform3D to_field = placed.affine_inverse();
 	AABB around(to_field.xform(box.position), Vector3());
@@ -102,7 +102,7 @@ static void find_in_world_box(
 		const PlantStore &store, const Transform3D &placed, const AABB &box, std::vector<PlantPlace> &found) {
 	const AABB around = box_in_field(placed, box);
 	store.find_in_box(to_glm(around.position), to_glm(around.get_end()), found);
-	// A field that is turned has another box around it.
+	// In a rotated field the bounding box is larger.
 	remove_beside(store, placed, found, [&](const Vector3 &root) { return !box.has_point(root); });
 }
 
@@ -223,7 +223,7 @@ int NamedPlants::apply_impulse_in_sphere(const Vector3 &center, double radius, c
 	return int(places.size());
 }
 
-// Along the ground, away from the centre; who stands in the centre is not moved.
+// Along the ground, away from the centre. A plant at the centre does not move.
 int NamedPlants::apply_blast(const Vector3 &center, double radius, double impulse) {
 	if (!std::isfinite(impulse) || radius <= 0.0) {
 		report_error(node, "apply_blast() needs a radius above 0 and a finite impulse.");

@@ -1,5 +1,4 @@
-// PlantField3D's life in the tree. Beside it: _properties.cpp has what users set, _binding.cpp what
-// they call.
+// PlantField3D in the scene tree. _properties.cpp has its properties, and _binding.cpp the methods for scripts.
 
 #include "field/plant_field_3d.hpp"
 
@@ -64,7 +63,8 @@ void PlantField3D::on_fill_queued() {
 	}
 	if (stale.stand) {
 		const int64_t seed = seed_at(this, properties.seed);
-		stale.look = std::exchange(properties.place_seed, seed) != seed || stale.look; // Tiles of two seeds do not mix.
+		// Tiles of two seeds do not fit together.
+		stale.look = std::exchange(properties.place_seed, seed) != seed || stale.look;
 	}
 	untold.watch(this, properties);
 	species.choose_grass();
@@ -83,7 +83,7 @@ void PlantField3D::on_fill_queued() {
 void PlantField3D::rebuild() {
 	staleness.mark_stand();
 	staleness.mark_look();
-	if (is_inside_tree()) { // Else it grows when it enters the tree.
+	if (is_inside_tree()) { // Else it is built when it enters the tree.
 		on_fill_queued();
 	}
 }
@@ -109,10 +109,10 @@ bool PlantField3D::may_simulate() const {
 	return properties.simulation_enabled && !Engine::get_singleton()->is_editor_hint();
 }
 
-// Whoever hears that it is filled may take the field out of the tree.
+// A handler of `filled` may remove the field from the tree.
 void PlantField3D::poll(double delta, bool physics) {
 	if (!staleness.is_fresh()) {
-		return; // It was taken out in this very frame, or grows anew, from other properties than it stands by.
+		return; // It left the tree in this frame, or a build with other properties is due.
 	}
 	meadow.poll(delta, physics);
 	if (is_inside_tree() && !meadow.wants_frames()) {
@@ -160,7 +160,7 @@ void PlantField3D::process_frame() {
 	statistics.note_frame(watch.usec() - waiting - stepping, waiting);
 }
 
-// What the engine does not tell of.
+// Polls what the engine does not report.
 void PlantField3D::look_around() {
 	meadow.update_wear({ uint32_t(get_layer_mask()), get_cast_shadows_setting() != SHADOW_CASTING_SETTING_OFF,
 			get_transparency() });
@@ -219,7 +219,7 @@ void PlantField3D::_notification(int what) {
 		case NOTIFICATION_TRANSFORM_CHANGED:
 			meadow.moved();
 			if (Engine::get_singleton()->is_editor_hint() && properties.ground_mode != GROUND_NONE) {
-				staleness.mark_stand(); // In the editor plants stand on the ground that they are moved to.
+				staleness.mark_stand(); // In the editor a moved field is built on its new ground.
 			}
 			break;
 		case NOTIFICATION_VISIBILITY_CHANGED:

@@ -15,9 +15,9 @@
 
 namespace undergrowth {
 
-/// Thousands of plants, each with its own motion, drawn as multimeshes that bend in the vertex shader. The node holds
-/// what users set and tells its Meadow of it; every change is one of the stand, of the motion or of the view, and
-/// touches nothing else.
+/// A node of thousands of plants, each with its own motion, drawn as multimeshes that bend in the vertex shader. It
+/// contains the users' properties and passes changes to its Meadow. A change affects only what it concerns: the plants,
+/// the motion or the view.
 class PlantField3D : public godot::GeometryInstance3D {
 	GDCLASS(PlantField3D, godot::GeometryInstance3D)
 
@@ -35,21 +35,21 @@ public:
 	};
 
 private:
-	/// What a change of a property is about.
+	/// The effect of a change of a property.
 	enum class About {
-		stand, ///< Plants grow anew.
-		area, ///< They do where they may stand now and might not before, or the other way.
-		meshes, ///< What stands is dressed anew.
-		levels, ///< Distances, and other meshes only where those need them.
-		skeletons, ///< They are chosen anew.
-		nothing, ///< It is read when it is needed.
+		stand, ///< Rebuilds all plants.
+		area, ///< Rebuilds plants only between the old and the new area.
+		meshes, ///< Rebuilds only the looks.
+		levels, ///< Updates distances, and meshes only if necessary.
+		skeletons, ///< Chooses skeletons again.
+		nothing, ///< No effect until it is read.
 	};
-	/// A property that is no more than a value in FieldProperties.
+	/// A property that is only a value in FieldProperties.
 	struct Setting {
 		const char *name;
 		About about;
-		Range range; ///< Of numbers; of both in a Vector2, which is a span from x up to y. Of angles in degrees.
-		bool is_angle = false; ///< In radians.
+		Range range; ///< Of numbers, in degrees for angles. In a Vector2 it limits both, and x is at most y.
+		bool is_angle = false; ///< The value is in radians.
 	};
 	template <class Part, class Value> static Value value_of(Value Part::*); // For decltype.
 
@@ -62,15 +62,15 @@ private:
 	FieldStatistics statistics;
 	FieldProblems problems{ this, properties };
 	godot::PackedByteArray loaded_changes;
-	bool is_unread = false; ///< They could not be applied: the scene keeps them as they are.
+	bool is_unread = false; ///< They could not be applied, so the scene saves them unchanged.
 	Meadow meadow;
 	NamedPlants plants{ this, meadow };
 
-	/// The getter and the setter of a Setting that scripts call. The setter refuses, with an error, what is out of
-	/// range, and tells `about` of a real change.
+	/// The getter and the setter of a Setting, for scripts. The setter rejects values out of range with an error, and
+	/// reports a real change to changed().
 	template <auto slot> auto get() const { return properties.*slot; }
 	template <auto slot, const Setting &setting> void set(decltype(value_of(slot)) value);
-	/// A method of `plants` as one of the node, for scripts.
+	/// Makes a method of `plants` a method of the node, for scripts.
 	template <auto asked, class Answer, class... Given> Answer ask(Given... given) const {
 		return (plants.*asked)(given...);
 	}
@@ -108,13 +108,13 @@ public:
 	godot::PackedStringArray _get_configuration_warnings() const override;
 	godot::AABB _get_aabb() const override;
 
-	// What stands; of single plants `plants` tells.
+	// Plants. `plants` has the methods for single ones.
 	void rebuild();
 	bool is_building() const;
-	/// Returns when all of it is built. False where it cannot be.
+	/// Returns when everything is built. Returns false if that is not possible.
 	bool build_now();
 	int get_plant_count() const { return meadow.store.plant_count(); }
-	/// What its species are called in its map; none where others may be by the time that it has grown anew.
+	/// Names of its species in its map. Empty while a build is due, because it may change the species.
 	godot::PackedStringArray read_layers() const {
 		return staleness.is_fresh() ? layers_of(properties) : godot::PackedStringArray();
 	}
@@ -124,19 +124,19 @@ public:
 	godot::PackedVector3Array get_exclusion_points(int index) const;
 
 	bool apply_changes(const godot::PackedByteArray &bytes);
-	/// What the scene keeps of them.
+	/// The edits that the scene saves.
 	void set_saved_changes(const godot::PackedByteArray &bytes);
 	godot::PackedByteArray get_saved_changes() const;
 
-	// How it moves.
+	// Motion.
 	bool is_point_in_plants(const godot::Vector3 &point) { return plants.is_point_in(point, properties.touch_margin); }
 	void reset_motion();
-	/// s of the wind's clock: the moment that the states and tips of plants belong to.
+	/// s of the wind's clock, of the states and tips of plants.
 	double get_motion_time() const { return meadow.motion.motion_time(); }
-	/// Moves the field by `delta` seconds under `blowing` where it does not move by itself, as in the editor.
+	/// Moves the field by `delta` seconds under `blowing`, if it does not move by itself, as in the editor.
 	void preview(double delta, const godot::Ref<PlantWind> &blowing);
 
-	// How it is seen.
+	// View.
 	int64_t get_skeleton_plant(const godot::Skeleton3D *skeleton) const;
 	godot::TypedArray<godot::Skeleton3D> get_skeletons() const;
 	godot::Dictionary get_statistics();
@@ -156,7 +156,7 @@ public:
 	void on_frame_drawn();
 	double monitor(int which) const { return FieldMonitors::sum(which); }
 
-	// What users set, where that is more than a Setting.
+	// Users' properties that are not only a Setting.
 	void set_species(const godot::TypedArray<PlantFieldSpecies> &entries);
 	godot::TypedArray<PlantFieldSpecies> get_species() const { return species.get(); }
 	void set_size(const godot::Vector2 &metres);

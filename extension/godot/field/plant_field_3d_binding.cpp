@@ -1,4 +1,4 @@
-// What a PlantField3D does and tells beside its plants, what it is told of, and the methods that scripts call.
+// Methods of PlantField3D that do not concern single plants, its callbacks, and the binding for scripts.
 
 #include "field/plant_field_3d.hpp"
 
@@ -21,7 +21,7 @@ void PlantField3D::reset_motion() {
 
 void PlantField3D::preview(double delta, const Ref<PlantWind> &blowing) {
 	static constexpr double MOST_FRAME = 3600.0; // s.
-	// Called in every frame, as Plant3D's: what cannot move stays still without a word.
+	// Tools call it in every frame, like Plant3D's. A field that cannot move stays still without an error.
 	if (std::isfinite(delta) && delta >= 0.0 && delta <= MOST_FRAME && is_inside_tree() && get_plant_count() > 0 &&
 			!may_simulate()) {
 		meadow.preview(delta, blowing);
@@ -73,7 +73,7 @@ PackedVector3Array PlantField3D::get_exclusion_points(int index) const {
 	return points_of(polygon);
 }
 
-// Of a species whose function tells of a change.
+// Applies the change of a species' function.
 void PlantField3D::follow_look(const Ref<PlantFunction> &function) {
 	if (function->is_motion_change()) {
 		meadow.read_motion(function.ptr(), !may_simulate());
@@ -84,7 +84,7 @@ void PlantField3D::follow_look(const Ref<PlantFunction> &function) {
 	}
 }
 
-// One of them tells; which one, and of what, is asked.
+// The signal names neither the species nor the change, so both are searched.
 void PlantField3D::on_species_changed() {
 	Ref<PlantFunction> function;
 	if (!species.find_teller(function)) {
@@ -97,7 +97,7 @@ void PlantField3D::on_species_changed() {
 	}
 }
 
-// Of a species whose plants code added. What is on the list as well is heard of there.
+// For species of added plants. on_species_changed() handles those that are also in the list.
 void PlantField3D::on_added_species_changed() {
 	for (const FieldLook &look : meadow.style.looks) {
 		if (look.function.is_valid() && (look.function->is_motion_change() || look.function->is_material_change())) {
@@ -137,7 +137,7 @@ void PlantField3D::on_map_painted(const Rect2 &rect) {
 }
 
 bool PlantField3D::apply_changes(const PackedByteArray &bytes) {
-	species.choose_grass(); // Whose plants may be among those that were added.
+	species.choose_grass(); // The edits may contain plants of the default grass.
 	const bool is_sound = plants.apply_changes(bytes);
 	if (is_inside_tree()) {
 		frames.follow(meadow.wants_frames());
@@ -166,10 +166,10 @@ void PlantField3D::on_frame_drawn() {
 	meadow.thin();
 }
 
-// What the engine calls, by its name with an underscore before it.
+// Binds a method that the engine calls, with an underscore before its name.
 #define LISTEN(m_name, ...) ClassDB::bind_method(D_METHOD("_" #m_name, ##__VA_ARGS__), &PlantField3D::m_name)
 
-// Asked of NamedPlants, which calls it `m_asked`.
+// Binds the method `m_asked` of NamedPlants.
 #define OF_PLANTS(m_name, m_asked, ...)                                                                                \
 	ClassDB::bind_method(D_METHOD(#m_name, ##__VA_ARGS__), of_plants<&NamedPlants::m_asked>(&NamedPlants::m_asked))
 

@@ -1,4 +1,4 @@
-// What users set of a PlantField3D, and how scripts and the inspector see it.
+// The properties of PlantField3D, and their binding for scripts and the inspector.
 
 #include "field/plant_field_3d.hpp"
 
@@ -48,25 +48,25 @@ template <auto slot, const PlantField3D::Setting &setting> void PlantField3D::se
 	}
 }
 
-// A property that is no more than a value: what a change of it is about, its bounds, and what PropertyInfo says of it.
+// A property that is only a value: the effect of a change, its bounds, and its PropertyInfo.
 #define NUMBER(m_type, m_name, m_about, m_least, m_most, ...)                                                          \
 	{                                                                                                                  \
 		static constexpr Setting setting = { #m_name, About::m_about, { m_least, m_most } };                           \
 		BIND_PROPERTY(m_type, m_name, "get_" #m_name, (&self_type::set<&FieldProperties::m_name, setting>),            \
 				&self_type::get<&FieldProperties::m_name>, ##__VA_ARGS__);                                             \
 	}
-// The same of a span of angles, with bounds in degrees.
+// The same for a span of angles, with bounds in degrees.
 #define ANGLES(m_name, m_about, m_least, m_most, ...)                                                                  \
 	{                                                                                                                  \
 		static constexpr Setting setting = { #m_name, About::m_about, { m_least, m_most }, true };                     \
 		BIND_PROPERTY(VECTOR2, m_name, "get_" #m_name, (&self_type::set<&FieldProperties::m_name, setting>),           \
 				&self_type::get<&FieldProperties::m_name>, ##__VA_ARGS__);                                             \
 	}
-// The same of one that has no bounds.
+// The same without bounds.
 #define VALUE(m_type, m_name, m_about, ...)                                                                            \
 	NUMBER(m_type, m_name, m_about, std::numeric_limits<double>::lowest(),                                             \
 			std::numeric_limits<double>::max(), ##__VA_ARGS__)
-// One that has a setter of its own, or a getter that is called otherwise.
+// A property with its own setter, or with a getter of another name.
 #define SET_HERE(m_type, m_name, m_getter_name, ...)                                                                   \
 	BIND_PROPERTY(m_type, m_name, m_getter_name, &self_type::set_##m_name,                                             \
 			&self_type::get<&FieldProperties::m_name>, ##__VA_ARGS__)
@@ -119,7 +119,7 @@ void PlantField3D::bind_properties() {
 	NUMBER(FLOAT, tile_size, meshes, 1.0, 1000.0, SLIDER("4,100,0.1,or_greater,suffix:m"));
 	ADD_GROUP("Building", "");
 	NUMBER(FLOAT, build_budget_msec, nothing, 0.1, 1000.0, SLIDER("0.1,16,0.1,or_greater,suffix:ms"));
-	// After what its plants are named by.
+	// After the properties that decide the ids of plants.
 	PROPERTY(PACKED_BYTE_ARRAY, saved_changes, PROPERTY_HINT_NONE, "", PROPERTY_USAGE_STORAGE);
 }
 
@@ -138,7 +138,7 @@ void PlantField3D::set_contact_enabled(bool on) {
 void PlantField3D::set_simulation_enabled(bool on) {
 	properties.simulation_enabled = on;
 	if (!on) {
-		meadow.refresh(); // What it was the last to do is seen, too.
+		meadow.refresh(); // Draws the result of the last step.
 	}
 }
 
@@ -216,7 +216,7 @@ void PlantField3D::set_endless(bool on) {
 	update_gizmos();
 }
 
-// Scripts may also have appended to the array, which then differs from the one that was seen.
+// Scripts may also have appended to the array, so it may differ from the stored one.
 void PlantField3D::set_exclusions(const TypedArray<NodePath> &paths) {
 	properties.exclusions = paths.duplicate();
 	if (untold.sees_other_exclusions(properties)) {

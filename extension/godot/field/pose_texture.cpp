@@ -38,11 +38,12 @@ int PoseTexture::add_layer(bool is_shared) {
 	return int(layers.size()) - 1;
 }
 
-// The first place with so many free rows side by side; the later layers first, where there is more room.
+// Returns the first position with `count` adjacent free rows. It searches the last layers first, because these have
+// more room.
 PoseTexture::Rows PoseTexture::find_rows(int count) {
 	const uint64_t wanted = count >= SIDE ? ALL_ROWS : (uint64_t(1) << count) - 1;
 	for (int layer = int(layers.size()) - 1; layer >= 0; layer--) {
-		uint64_t begins = free_rows[size_t(layer)]; // Bits of rows after which as many as `seen` are free.
+		uint64_t begins = free_rows[size_t(layer)]; // Bits of rows at which `seen` free rows begin.
 		for (int seen = 1; seen < count && begins != 0;) {
 			const int more = std::min(seen, count - seen);
 			begins &= begins >> more;
@@ -79,7 +80,7 @@ void PoseTexture::give_rows(int page, int plants) {
 		return;
 	}
 	if (own.rows.layer >= 0) {
-		// It grows, and will again.
+		// A page that grows will grow again.
 		release(own.rows);
 		take_as_new(own, find_rows(std::min(std::max(count, 2 * own.rows.count), SIDE)));
 	} else {
@@ -211,7 +212,7 @@ bool PoseTexture::make_textures() {
 	if (texture.is_valid() && textured_layers >= layers.size()) {
 		return false;
 	}
-	// One that grew once will again.
+	// Textures that grew will grow again.
 	const size_t spare = texture.is_valid() ? std::max(layers.size() / 8, size_t(SPARE_LAYERS)) : size_t(SPARE_LAYERS);
 	for (size_t i = 0; i < spare && layers.size() < size_t(MOST_LAYERS); i++) {
 		add_layer(true);
@@ -240,7 +241,7 @@ bool PoseTexture::make_textures() {
 
 void PoseTexture::upload(const FieldSimulation &simulation, float fraction) {
 	upload_layers();
-	if (!follows_prototypes || has_new_rows) { // Followers have one interval, and one blend for all: a uniform.
+	if (!follows_prototypes || has_new_rows) { // Followers have one interval and one blend for all: a uniform.
 		upload_beats(simulation);
 	}
 	if (!follows_prototypes) {

@@ -23,119 +23,122 @@ struct TexelRows {
 	PoseTexels texels() const;
 };
 
-/// The textures that carry the plants' poses to the graphics card. A texel belongs to a plant: its bends before and
-/// after its last step, in layers of 64 by 64 texels; a page of plants has whole rows of one layer. A second texture
-/// has a blend for each row, a third one what makes rates of changes of bends, which layer says where its plants rest,
-/// which one the bends of their stems' second modes, and which one how much of its height each has lost: plants of
-/// parts and stems have the one as soon as one of them does not rest upright, stems of two modes the other. Where
-/// plants follow prototypes, a texel says whom and how late instead, and each species has 16 layers for the history of
-/// its prototypes and one for plants that were pushed, and as many of second modes where its stems have two.
+/// The textures with the plants' poses for the graphics card. Each plant has a texel with its bends before and after
+/// its last step, in layers of 64 by 64 texels. A page of plants has whole rows of one layer. A second texture has a
+/// blend for each row.
+///
+/// A third texture has the factor for rates of bends for each row, and three layer numbers: of rest directions, of
+/// second modes' bends, and of lost heights. Plants of parts and stems have a layer of rests once one of them does not
+/// rest upright. Stems of two modes have a layer of second modes.
+///
+/// If plants follow prototypes, a texel has the number of its prototype and its delay instead. Each species then has 16
+/// layers for the history of its prototypes and one for pushed plants. It has as many more for second modes if its
+/// stems have two.
 class PoseTexture {
 public:
 	static constexpr int SIDE = 64;
-	static constexpr int MOST_LAYERS = 2048; ///< What graphics cards have.
+	static constexpr int MOST_LAYERS = 2048; ///< Maximum of graphics cards.
 	static constexpr int PAIRS_PER_LAYER = SIDE * SIDE;
 
-	/// For a simulation with prototypes or without.
+	/// For a simulation with or without prototypes.
 	explicit PoseTexture(bool follows_prototypes);
 	~PoseTexture();
 	PoseTexture(const PoseTexture &) = delete;
 	PoseTexture &operator=(const PoseTexture &) = delete;
 
-	/// Gives a page rows for `plants` plants, those that it has or other ones. On any thread, but for no two at once.
+	/// Gives a page rows for `plants` plants, and does nothing if its rows are enough. On any thread, not concurrently.
 	void give_rows(int page, int plants);
 	void take_rows(int page);
-	/// The page goes, and its rows stay nobody's: whatever is drawn there is not seen.
+	/// Removes the page, but does not release its rows. Multimeshes that use them draw nothing.
 	void leave_rows(int page);
-	/// Rows for `plants` plants of a page that is yet to come, until release(). None: nothing happens.
+	/// Reserves rows for `plants` plants of a future page, until release(). release() of no rows does nothing.
 	TexelRows reserve(int plants) { return find_rows((plants + SIDE - 1) / SIDE); }
 	void release(const TexelRows &rows);
-	/// Adds layers for about as many rows more, as far as graphics cards have them.
+	/// Adds layers for about `row_count` more rows, up to the maximum of graphics cards.
 	void make_room(double row_count);
-	/// The page has come.
+	/// Gives reserved rows to their page.
 	void give_reserved(int page, const TexelRows &rows);
-	/// Makes room for the history of all species of a simulation, in as many modes as they have now.
+	/// Adds layers for the history of all species of a simulation, for their present number of modes.
 	void give_history(const FieldSimulation &simulation);
-	/// Whether layers are left for the history of another species.
+	/// True if layers remain for the history of another species.
 	bool has_room_for_species() const;
-	/// Whether the layers are more than a graphics card has.
+	/// True if it needs more layers than graphics cards have.
 	bool is_too_large() const;
-	/// Where the shader finds plants of a page.
+	/// Location of a page's plants for the shader.
 	PoseTexels texels(const PageRows &plants) const;
 	int layer_of(int page) const { return pages[size_t(page)].rows.layer; }
 
-	/// Takes over the bends of a page of the simulation, nothing where it has no rows. On any thread, different pages
-	/// at the same time.
+	/// Copies the bends of a page of the simulation, if it has rows. On any thread, concurrently for different pages.
 	void write_page(const FieldSimulation &simulation, int page);
 	void write_pages(const FieldSimulation &simulation);
-	/// The same in two: will_write() of all pages on one thread, then write_bends() on any, of plants that swing.
+	/// The same in two parts: will_write() of all pages on one thread, then write_bends() on any, of plants that swing.
 	void will_write(int page);
 	void write_bends(const FieldSimulation &simulation, int page);
-	/// Takes over the newest slot of each species' history, or all of them, and what its pushed plants do.
+	/// Copies the newest slot of each species' history, or all slots, and the bends of its pushed plants.
 	void write_history(const FieldSimulation &simulation, bool all);
-	/// All slots of one species.
+	/// Copies all slots of one species.
 	void write_history_of(const FieldSimulation &simulation, int species);
 
-	/// Takes over where the plants of a page rest, and gives it room for second modes. Before they are drawn first, and
-	/// whenever a species changes; on one thread.
+	/// Copies the rest directions of a page's plants, and adds a layer for second modes. Call it on one thread before
+	/// the plants are first drawn, and after a species changes.
 	void write_beside(const FieldSimulation &simulation, int page);
-	/// Room for second modes alone, where the page steps them now, before they are written.
+	/// Adds only a layer for second modes, if the page steps them now. Call it before they are written.
 	void give_seconds(const FieldSimulation &simulation, int page);
 
-	/// A plant is drawn so high, as a share of its own height.
+	/// Sets the drawn height of a plant, as a fraction of its full height.
 	void set_height(int page, int row, float share);
-	/// Whether any ever was.
+	/// True if set_height() ever reduced a height.
 	bool has_heights() const { return draws_heights; }
 
-	/// Draws nothing where this plant is.
+	/// Hides this plant.
 	void hide(int page, int row);
-	/// Ends that, from the next write_page() on.
+	/// Shows it again after the next write_page().
 	void show(int page, int row);
 
-	/// Main thread from here on. Makes textures of the layers where they are new or more; tells whether they are
-	/// others.
+	/// Main thread from here on. Creates the textures if they are missing or have too few layers. Returns true if it
+	/// did.
 	bool make_textures();
-	/// Sends what was written since the last time, and the blends for `fraction` of a step.
+	/// Uploads what was written since the last call, and the blends for `fraction` of a step.
 	void upload(const FieldSimulation &simulation, float fraction);
 	godot::RID poses() const { return texture; }
 	godot::RID blends() const { return blend_texture; }
 	godot::RID beats() const { return beat_texture; }
-	/// First layer of a species' history in a mode, or -1.
+	/// First layer of a species' history of a mode, or -1.
 	int history_layer(int species, int mode) const;
 	bool follows() const { return follows_prototypes; }
 
 private:
-	static constexpr int SPARE_LAYERS = 2; ///< So that plants which are added seldom need another texture.
-	static constexpr size_t BEAT_FLOATS = 4; ///< Of a row: 1 over rate_time(), layers of rests, second modes, heights.
+	static constexpr int SPARE_LAYERS = 2; ///< Reserve for added plants, so that they seldom need another texture.
+	static constexpr size_t BEAT_FLOATS = 4; ///< Per row: 1 / rate_time(), layers of rests, second modes and heights.
 	static constexpr size_t TEXEL_BYTES = 2 * sizeof(Bend);
 	using Rows = TexelRows;
 	struct Page {
 		Rows rows;
-		float share = -1.0f; ///< The blend that was sent.
-		float rate_time = -1.0f; ///< s, FieldSimulation::rate_time() that was sent.
-		bool has_seconds = false; ///< As was sent.
-		std::vector<uint16_t> hidden; ///< Plants that are gone, or that others show.
+		float share = -1.0f; ///< The uploaded blend.
+		float rate_time = -1.0f; ///< s, the uploaded FieldSimulation::rate_time().
+		bool has_seconds = false; ///< As uploaded.
+		std::vector<uint16_t> hidden; ///< Rows of removed plants and of plants that skeletons show.
 	};
 
 	const bool follows_prototypes;
 	std::vector<godot::Ref<godot::Image>> layers;
 	std::vector<uint64_t> free_rows; ///< By layer: a bit for each row.
-	std::vector<uint8_t> is_fresh; ///< By layer: written and not yet sent.
-	std::vector<Page> pages; ///< By the simulation's numbers.
-	bool has_new_rows = false; ///< Pages whose beat was not sent.
+	std::vector<uint8_t> is_fresh; ///< By layer: written and not uploaded.
+	std::vector<Page> pages; ///< By page number of the simulation.
+	bool has_new_rows = false; ///< Some pages' beats are not uploaded.
 	using History = std::array<int, MOST_STEM_MODES>; ///< By mode: its first layer, or -1.
 	std::vector<History> histories; ///< By species.
 	godot::Ref<godot::Image> blend_image;
-	std::vector<float> shares; ///< What `blend_image` holds.
+	std::vector<float> shares; ///< Contents of `blend_image`.
 	godot::Ref<godot::Image> beat_image;
-	std::vector<float> beats_sent; ///< What `beat_image` holds.
-	struct Beside { ///< Layers that say more of a layer's plants, or -1.
+	std::vector<float> beats_sent; ///< Contents of `beat_image`.
+	struct Beside { ///< Additional layers of a layer's plants, or -1.
 		int rests = -1;
 		int seconds = -1;
 		int heights = -1;
 	};
 	bool draws_heights = false;
-	std::vector<Beside> besides; ///< By layer, as far as any has one.
+	std::vector<Beside> besides; ///< By layer; may be shorter.
 	godot::RID texture;
 	godot::RID blend_texture;
 	godot::RID beat_texture;
@@ -157,7 +160,7 @@ private:
 	void upload_blends(const FieldSimulation &simulation, float fraction);
 	void upload_beats(const FieldSimulation &simulation);
 	Beside beside(int layer) const;
-	/// Makes one of them, of zeros, unless it is there or the graphics card has no more; tells it or -1.
+	/// Creates one of them, of zeros, if it is missing and graphics cards have room. Returns its number or -1.
 	int add_beside(int layer, int Beside::*which);
 	void write_rests(const FieldSimulation &simulation, int page);
 	void free_textures();

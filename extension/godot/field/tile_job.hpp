@@ -13,27 +13,27 @@
 
 namespace undergrowth {
 
-/// All that growing one tile needs to know, copied, so that it may run beside the game.
+/// A copy of all inputs of a tile's build, so that it can run on a worker thread.
 struct TileRecipe {
 	TileKey tile;
 	float tile_size = 16.0f; ///< m.
 	PlacementRequest request; ///< Within the tile.
 	FieldGround ground;
 	double spacing = 1.0; ///< m, of the placement.
-	StandChanges changes; ///< Whoever is gone by them does not stand.
-	FilledBlocks standing; ///< What stands there until then. Plants that stand again go on with their motion.
+	StandChanges changes; ///< Their removed plants are not built.
+	FilledBlocks standing; ///< The generated plants before the build. Plants that exist again continue their motion.
 	FieldMotion::PrepareBlock prepare = nullptr;
 	FieldSettings settings;
-	std::shared_ptr<const FieldStyle> style; ///< What plans are made by.
+	std::shared_ptr<const FieldStyle> style; ///< For the plans.
 };
 
-/// Grows one tile of a field that stands, on one of the engine's worker threads. Where nobody stood its blocks then
-/// stand one by one, and once all of them do, a thread plans how they are drawn; where somebody did, that is planned
-/// first, and all of them come at once.
+/// A build of one tile on one of the engine's worker threads. In a tile without plants, its blocks are added one by
+/// one, and a thread then plans how they are drawn. In a tile with plants, a thread plans first, and all blocks are
+/// added at once.
 class TileJob {
 public:
 	static constexpr int MAX_WORKING = 4; ///< Jobs of an owner on worker threads at the same time.
-	static constexpr size_t MAX_JOBS = 16; ///< Jobs of an owner, those included that wait for the main thread.
+	static constexpr size_t MAX_JOBS = 16; ///< Jobs of an owner, including those that wait for the main thread.
 
 	explicit TileJob(TileRecipe &&with);
 	~TileJob();
@@ -42,32 +42,33 @@ public:
 
 	const TileKey &tile() const { return recipe.tile; }
 	void start();
-	/// Whether a worker thread has it, or will.
+	/// True if a worker thread uses it, or will.
 	bool is_at_work() const;
-	/// Until no worker thread has it.
+	/// Waits until no worker thread uses it.
 	void wait();
-	/// Plants wait for a survey of the ground.
+	/// True if its plants need a survey of the ground. go_on() continues.
 	bool wants_ground() const { return stage.load() == Stage::grounding; }
 	const FieldPlants &plants() const { return placed; }
 	void go_on(std::vector<float> &&heights, std::vector<glm::vec3> &&normals);
 
-	/// Blocks may be taken.
+	/// True if its blocks may be taken.
 	bool is_placed() const { return stage.load() == Stage::placed; }
 	bool has_more_blocks() const { return taken < blocks.size(); }
-	/// Whether some of it stands.
+	/// True if at least one block was taken.
 	bool has_begun() const { return taken > 0; }
-	/// The next one, to stand, with what the motion makes of it.
+	/// Returns the next block for the store, with the block that the motion prepared.
 	PlantBlock take_block(std::unique_ptr<PreparedBlock> &prepared);
-	/// Of the block that was taken last.
+	/// Sets the texels of the block that was taken last.
 	void set_texels(const PoseTexels &texels) { places.push_back(texels); }
-	/// Instead of that: texels for all of them, which the motion keeps for what is planned, and then all that comes.
+	/// Instead of these: reserves texels for all blocks before draw(), and then takes all blocks at once. give_up()
+	/// releases the texels.
 	void reserve(FieldMotion &motion);
 	void give_up(FieldMotion &motion);
 	void take_all(StandEdit &edit, ArrivingBlocks &arriving);
-	/// All of them stand, or have texels: plans how they are drawn.
+	/// Plans how the blocks are drawn. All of them must have texels.
 	void draw();
 	bool is_drawn() const { return stage.load() == Stage::drawn; }
-	/// The next plan, or null.
+	/// Returns the next plan, or null.
 	const ClumpPlan *next_plan() { return shown < plans.size() ? &plans[shown++] : nullptr; }
 
 private:
@@ -78,7 +79,7 @@ private:
 	std::vector<float> heights;
 	std::vector<glm::vec3> normals;
 	std::vector<PlantBlock> blocks;
-	std::vector<PlantBlock> copies; ///< Of them, to be drawn.
+	std::vector<PlantBlock> copies; ///< Copies of `blocks`, for the plans.
 	std::vector<std::unique_ptr<PreparedBlock>> prepared;
 	std::vector<KeptPlant> kept;
 	size_t taken = 0;

@@ -4,6 +4,7 @@
 #include "base/random.hpp"
 #include "motion/motion_species.hpp"
 #include "stand/changes_bytes.hpp"
+#include "stand/changes_finder.hpp"
 #include "stand/density_brush.hpp"
 #include "stand/density_bytes.hpp"
 #include "stand/plant_store.hpp"
