@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks the format of C++ (clang-format) and GDScript (gdformat, gdlint), and what the core includes.
+"""Checks the format of C++ (clang-format) and GDScript (gdformat, gdlint), the includes of the core, and the language
+of comments and documentation (prose.py).
 
     lint.py          prints what is wrong; the exit status is 0 only if nothing is
     lint.py --fix    formats in place first
@@ -11,6 +12,8 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+
+import prose
 
 ROOT = Path(__file__).resolve().parents[1]
 CPP_FOLDERS = ("extension", "tests")
@@ -48,7 +51,7 @@ def tool(name):
 
 
 def check(name, words, paths):
-    """Runs a checker over `paths`; True if it is content."""
+    """Runs a checker over `paths`; True if it finds no fault."""
     if not paths:
         return True
     try:
@@ -59,7 +62,7 @@ def check(name, words, paths):
         return False
     print(f"{name}: {len(paths)} files, {'clean' if answer.returncode == 0 else 'not clean'}")
     if answer.returncode != 0:
-        # clang-format shows each place; the file is enough, since --fix mends it whole.
+        # clang-format shows each position; the file is enough, since --fix corrects it whole.
         places = re.findall(r"^(.+?:\d+):\d+: error: code should be clang-formatted", answer.stdout, re.MULTILINE)
         firsts = {place.rsplit(":", 1)[0]: place for place in reversed(places)}
         print("\n".join(sorted(firsts.values())) or answer.stdout.rstrip())
@@ -99,7 +102,7 @@ def main():
     wrong = foreign_includes(core)
     print(f"includes of the core: {len(core)} files, {'not clean' if wrong else 'clean'}")
     print("".join(line + "\n" for line in wrong), end="")
-    return 0 if all(clean) and not wrong else 1
+    return 0 if prose.check() and all(clean) and not wrong else 1
 
 
 if __name__ == "__main__":
