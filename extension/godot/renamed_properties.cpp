@@ -14,7 +14,7 @@ using namespace godot;
 namespace undergrowth {
 
 bool set_renamed_property(Object *object, const StringName &old_name, const Variant &value,
-		const std::vector<RenamedProperty> &renamed) {
+		std::initializer_list<RenamedProperty> renamed) {
 	const String wanted = old_name;
 	for (const RenamedProperty &property : renamed) {
 		if (wanted == property.old_name) {

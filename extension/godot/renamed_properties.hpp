@@ -6,7 +6,7 @@
 #include <godot_cpp/variant/variant.hpp>
 
 #include <cstdint>
-#include <vector>
+#include <initializer_list>
 
 namespace undergrowth {
 
@@ -19,7 +19,7 @@ struct RenamedProperty {
 /// Sets a property by its old name, so that scenes and resources of version 0.2 load. Warns once for each file, at the
 /// end of the frame, when the path of `object` exists. Returns false if `old_name` is not in `renamed`. For `_set()`.
 bool set_renamed_property(godot::Object *object, const godot::StringName &old_name, const godot::Variant &value,
-		const std::vector<RenamedProperty> &renamed);
+		std::initializer_list<RenamedProperty> renamed);
 
 /// Sends the deferred warning of set_renamed_property(). Internal: scripts do not see this class.
 class OldNameWarning : public godot::Object {

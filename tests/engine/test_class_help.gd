@@ -2,7 +2,7 @@
 extends "res://tests/engine/harness.gd"
 
 ## What the library has for itself: neither the editor nor a script shows these.
-const INTERNAL: Array[String] = ["LateReport"]
+const INTERNAL: Array[String] = ["LateReport", "OldNameWarning"]
 const CLASSES: PackedStringArray = [
 	"PlantFunction",
 	"PlantStem",

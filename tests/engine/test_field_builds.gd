@@ -160,7 +160,7 @@ func test_build_now_is_false_where_nothing_can_be_built() -> void:
 	check_equal(field.build_now(), false, "outside of the tree")
 	check_error("needs the field in the tree")
 	field.build_failed.connect(func(why: String) -> void: _ends.append(why))
-	field.species[0].species = null
+	field.species = [PlantFieldSpecies.new()]
 	root.add_child(field)
 	check_equal(field.build_now(), false, "an empty species")
 	check_error("species[0] is empty")

@@ -107,9 +107,9 @@ const char *describe(PlacementFault fault) {
 		case PlacementFault::too_many_species:
 			return "The field has more than 256 species: spread them over several fields.";
 		case PlacementFault::bad_share:
-			return "A species' share must be a number of at least 0.";
+			return "A species' weight must be a number of at least 0.";
 		case PlacementFault::no_share:
-			return "All species have a share of 0: give at least one of them a share.";
+			return "All species have a weight of 0: give at least one of them a weight.";
 		case PlacementFault::bad_variants:
 			return "A species must have 1 to 256 variants.";
 		case PlacementFault::bad_scale:

@@ -98,7 +98,7 @@ bool PlantField3D::build_now() {
 		return false;
 	}
 	on_fill_queued();
-	const bool is_built = meadow.build_now() && !problems.has_fault();
+	const bool is_built = meadow.build_now();
 	if (is_inside_tree()) {
 		frames.follow(meadow.wants_frames());
 	}

@@ -174,7 +174,7 @@ void PlantField3D::on_frame_drawn() {
 	ClassDB::bind_method(D_METHOD(#m_name, ##__VA_ARGS__), of_plants<&NamedPlants::m_asked>(&NamedPlants::m_asked))
 
 bool PlantField3D::_set(const StringName &name, const Variant &value) {
-	return set_renamed_property(this, name, value, { { "saved_changes", "saved_changes" } });
+	return set_renamed_property(this, name, value, { { "kept_changes", "saved_changes" } });
 }
 
 void PlantField3D::_bind_methods() {
