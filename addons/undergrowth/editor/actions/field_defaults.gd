@@ -10,7 +10,7 @@ const HEIGHT_POWER := 1.1
 const OVERLAP := 4.0
 const LEAST_DENSITY := 0.5
 const MOST_DENSITY := 400.0
-## Minimum size (m) of a dense field, which is smaller than a sparse one.
+## Plants of the whole field. A dense field is smaller, down to the minimum side in metres.
 const MOST_PLANTS := 12000.0
 const LEAST_SIDE := 5.0
 ## Radians. Exactly upright plants make a field look like a brush.
