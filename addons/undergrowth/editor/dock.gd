@@ -8,7 +8,7 @@ const WindPage := preload("wind_page/wind_page.gd")
 const Translations := preload("translations/translations.gd")
 const StatusLine := preload("widgets/status_line.gd")
 
-## Maximum height in pixels at 100 %, so that the dock fits on small screens.
+## Minimum width in pixels at 100 %. It leaves enough room on small screens.
 const LEAST_WIDTH := 300
 
 ## State that both pages share.

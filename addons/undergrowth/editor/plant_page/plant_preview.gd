@@ -20,7 +20,7 @@ const BACKDROP_OPACITY := 0.8
 const SMALL_FONT := 0.85
 ## Start of a plant, as a fraction of the view's width.
 const MIDDLE := 0.45
-## Minimum height of a view with controls, in pixels at 100 %.
+## Minimum height of a view with counts, in pixels at 100 %.
 const LEAST_FOR_COUNTS := 120.0
 ## Margin for swaying, as a fraction of the height.
 const SWAY_ROOM := 0.5

@@ -18,7 +18,7 @@ static func of(record: PackedFloat64Array, rate: float) -> PackedFloat64Array:
 		real.append((record[i] - mean) * (0.5 - 0.5 * cos(TAU * i / count)))
 	_transform(real, imaginary)
 	var powers := PackedFloat64Array()
-	var share := 2.0 / (rate * count * 0.375)  # Both halves of the spectrum, and the loss by the window.
+	var share := 2.0 / (rate * count * 0.375)  # Both halves of the spectrum; loss by the window.
 	for i in count / 2:
 		powers.append(share * (real[i] * real[i] + imaginary[i] * imaginary[i]))
 	return powers
