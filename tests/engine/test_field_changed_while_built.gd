@@ -123,9 +123,9 @@ func test_the_field_and_its_wind_change() -> void:
 	)
 
 
-## Each change of [param changes], by its name, with prototypes and without, of a field that
-## [param prepare] sets up. It comes in the frame after the field entered the tree, in which the
-## field's worker is busy.
+## Runs each change of [param changes], by its name, with prototypes and without, on a field that
+## [param prepare] sets up. The change happens in the frame after the field entered the tree, while
+## the field's worker is busy.
 func _check_each(changes: Dictionary, prepare := func() -> void: pass) -> void:
 	for title: String in changes:
 		for prototypes in PROTOTYPE_COUNTS:
