@@ -5,7 +5,7 @@ extends "res://tests/engine/field_harness.gd"
 const MANY := 5000
 const BLOW := Vector3(0.004, 0.0, 0.001)
 const ROUNDING := 1e-4
-const HALF_A_BLOW := 0.05  # m/s: half the effect of one blow on a tip, and more than the rounding of many.
+const HALF_A_BLOW := 0.05  # m/s: half of one blow on a tip, more than rounding.
 
 
 func before_each() -> void:

@@ -1,11 +1,11 @@
-## Bodies that push plants which stand alone.
+## Bodies that push single plants.
 extends "res://tests/engine/plant_harness.gd"
 
 const RADIUS := 0.3  # m, of the balls.
-## m; a plant is pushed once a step, and pulls back for a step.
+## m. A plant is pushed once per step, and pulls back during a step.
 const CLEAR := 0.01
 
-const MOST_APART := 0.001  # m, a tip of a field and that of a plant alone.
+const MOST_APART := 0.001  # m, between a tip of a field and that of a single plant.
 
 const BOTH_LAWS: Array[PlantFunction.MotionLaw] = [
 	PlantFunction.LAW_SPRING, PlantFunction.LAW_ELASTICITY
@@ -214,7 +214,7 @@ func _most_lean_of(plant_way: float, ball_way: float) -> float:
 	return most
 
 
-## A ball at the tip of a plant that stands so leaves it at its surface.
+## Checks that a ball at the tip of a plant in this pose leaves the tip at its surface.
 
 
 func _check_surface(species: PlantFunction, placed: Transform3D) -> void:
@@ -230,7 +230,7 @@ func _check_surface(species: PlantFunction, placed: Transform3D) -> void:
 	ball.free()
 
 
-## A body so far from the tip moves it as it does the tip of a field's plant.
+## Checks that a body at this distance moves the tip as it moves that of a field's plant.
 
 
 func _check_like_field(
