@@ -29,7 +29,7 @@ func test_a_lathe_covers_as_much_while_its_level_changes() -> void:
 func test_a_plant_of_parts_covers_as_much_while_its_level_changes() -> void:
 	var scaled := Basis.from_scale(Vector3.ONE * 4.0)
 	_field.add_plants([Transform3D(scaled)], load(MEADOW_GRASS))
-	await _check_transition(0.35, 0.2)  # Both levels, with leaves of different shape, are visible for some time.
+	await _check_transition(0.35, 0.2)  # Both levels, with different leaves, are visible.
 
 
 func test_a_thinned_field_covers_as_much_as_the_whole() -> void:
