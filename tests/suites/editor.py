@@ -1,4 +1,4 @@
-"""The real editor in a virtual display: the add-on's dock used as a person would (tests/editor)."""
+"""The real editor in a virtual display: uses the add-on's dock as a person would (tests/editor)."""
 
 import fnmatch
 import os
@@ -22,12 +22,12 @@ WANTED = ["dock_plant.png", "dock_wind.png", "dock_air.png", "dock_painted.png",
 SCREEN = (1600, 1000)
 # Those of some runs: as low as screens are, as most are, and twice as many pixels an inch.
 SCREENS = {"layout": (1600, 900), "layout_1920": (1920, 1080), "again": (3000, 1800)}
-# Seconds: a run whose log has no new line for so long hangs; while a test goes on, the driver tells so now and then.
-# How long a whole run may take, a busy machine says.
+# Seconds: a run without a new line in its log for this time hangs. The driver reports a running test at intervals.
+# Limit of a whole run on a busy machine.
 SILENCE = 120
 TIMEOUT = 1800
-# One after the other on the same project: what hangs or crashes takes no other run with it. Some scripts have runs of
-# their own; that of the last one sees the project that the others saved.
+# Consecutive runs on the same project: one that hangs or crashes does not end the next. Some scripts have runs of their
+# own. The last one opens the project that all previous runs saved.
 RUNS = ("actions", "pages", "layout", "layout_1920", "again")
 LAYOUTS = ("layout", "layout_1920")
 ALONE = {"test_again": ("again",), "test_layout": LAYOUTS, "test_looks": LAYOUTS}
@@ -58,12 +58,12 @@ NO_INPUT_METHOD = {"XMODIFIERS": "@im=nobody"}
 INPUT_METHOD_CRASH = re.compile(r"handle_crash: .*^\[\d+\] \S*libX11\S*\((?:XFilterEvent|X\w*IC\w*)\+",
                                 re.MULTILINE | re.DOTALL)
 ATTEMPTS = 3
-# What a virtual display makes the engine say.
+# Messages of the engine in a virtual display.
 EXPECTED = ("WARNING: Could not set V-Sync mode", "WARNING: XCreateIC couldn't create")
 
 
 def make_project():
-    """A project with copies, not links: an editor writes beside what it finds."""
+    """Creates a project with copies, not links, because an editor writes files into its project."""
     shutil.rmtree(FOLDER, ignore_errors=True)
     shutil.copytree(ROOT / "addons", FOLDER / "addons")
     shutil.copytree(ROOT / "tests/editor", FOLDER / "addons/editor_driver")
@@ -102,7 +102,7 @@ def scripts_of(run, only=None):
 
 
 def run(godot, only=None):
-    """Imports the project, then lets the driver in tests/editor use the editor on it, time and again."""
+    """Imports the project, then runs the driver in tests/editor several times in the editor."""
     make_project()
     shutil.rmtree(HOME, ignore_errors=True)
     shutil.rmtree(PICTURES, ignore_errors=True)
@@ -127,7 +127,7 @@ def run(godot, only=None):
 
 
 def run_once(godot, name, only=None):
-    """One run; another one from the same project where the engine's input methods crashed, which is not ours."""
+    """Runs it once, and again if the engine's input methods crashed, which is not the add-on's fault."""
     before = FOLDER.with_name(FOLDER.name + "_before")
     shutil.rmtree(before, ignore_errors=True)
     shutil.copytree(FOLDER, before)
@@ -144,7 +144,7 @@ def run_once(godot, name, only=None):
 
 
 def keep_log(name, attempt):
-    """The log of a run that is repeated stays beside that of the next."""
+    """Preserves the log of a repeated run beside that of the next."""
     log = LOGS / f"editor-{name}.log"
     shutil.copy(log, log.with_name(f"editor-{name}-crashed-{attempt + 1}.log"))
 

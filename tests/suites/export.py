@@ -39,7 +39,7 @@ def make_project():
 
 
 def export(godot):
-    """Exports and runs both kinds; then once more without the library that the game would need."""
+    """Exports and runs both kinds, and exports again without the game's library."""
     try:
         make_project()
         total = Result("export")
@@ -86,7 +86,7 @@ def play(kind, game, environment=None):
     output, problem = run(f"export:{name}", [game, *words], timeout=exporting.TIMEOUT, folder=game.parent,
                           environment=exporting.surroundings(environment or os.environ))
     read = engine.read_output(name, output, problem)
-    # A release template keeps back what a game prints: what was complained of at any time seems to come before `start`.
+    # A release template buffers the output of a game, so that all errors seem to be before `start`.
     failures = [failure for failure in read.failures if not failure.startswith(EXPECTED)]
     failures += [line for line in complaints(output) if line not in failures]
     if environment and not failures:
@@ -97,7 +97,7 @@ def play(kind, game, environment=None):
 
 
 def try_without(godot):
-    """The export tells that the game would lack its library, which is to be made or installed first."""
+    """Checks that the export reports the missing library of the game and its solution."""
     library = next((PROJECT / archive.ADDON / "bin").glob("*linux.template_release.x86_64*"))
     library.unlink()
     output, _ = exporting.export("export:without", godot, PROJECT, "release", FOLDER / "without" / "game")

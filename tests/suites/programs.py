@@ -43,7 +43,7 @@ def doctest(name, program):
 
 
 def check_tables(result, figures_file):
-    """The tables of docs/validation.md hold what the tests measure."""
+    """Checks that the tables of docs/validation.md contain the measured values."""
     text = figures.TABLES.read_text(encoding="utf-8")
     if figures.filled(text, figures.read(figures_file)) == text:
         return Result(result.name, result.passed + 1, [])
@@ -66,7 +66,7 @@ def read_doctest(name, output, problem):
 
 
 def first_alarm(output):
-    """The line that says most about a crash, else the last one."""
+    """Returns the line with the cause of a crash, or the last one."""
     lines = [line.strip() for line in output.splitlines() if line.strip()]
     alarms = [line for line in lines if re.search(r"ERROR: |WARNING: \w+Sanitizer|runtime error:|FATAL", line)]
     return (alarms or lines[-1:] or ["no output"])[0]

@@ -71,7 +71,7 @@ def preloaded(folder, environment):
 def soak(godot, folder, name):
     seconds = int(os.environ.get("SOAK_SECONDS", "600"))
     seed = int(os.environ.get("SOAK_SEED", str(time.time_ns() % 1000000007)))
-    # The crash handler of the engine would tell less.
+    # The engine's crash handler reports less.
     words = [godot, "--path", make_project(folder, name), "--script", SCRIPT, "--disable-crash-handler"]
     method = METHODS[name]
     words += ["--rendering-method", method, "--audio-driver", "Dummy"] if method else ["--headless"]
@@ -86,14 +86,14 @@ def soak(godot, folder, name):
 
 
 def start(name, words, environment, seconds):
-    # By `env`, so that only the engine is changed by what is preloaded.
+    # By `env`, so that the preload affects only the engine.
     words = ["env", f"LD_PRELOAD={environment.pop('LD_PRELOAD')}", *words]
     return read_output(f"soak:{name}", *run(f"soak:{name}", words, timeout=seconds + MARGIN, environment=environment,
                                             silence=SILENCE))
 
 
 def read_output(name, output, problem):
-    """Each round counts as a test. What a sanitizer says, a script's fault, a crash and a leak of our own fail."""
+    """Counts each round as a test. Sanitizer reports, script errors, crashes and the add-on's leaks fail."""
     seeds, end = ROUND_LINE.findall(output), END_LINE.search(output)
     last = f"in the round with seed {seeds[-1]}" if seeds else "before the first round"
     failures = [f"{line.strip()} ({last})" for line in output.splitlines() if REPORT.search(line)][:5]
