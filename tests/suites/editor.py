@@ -52,8 +52,8 @@ TEST_LINE = re.compile(r"^(ok|not ok) (.*)$", re.MULTILINE)
 START_LINE = re.compile(r"^start$", re.MULTILINE)
 END_LINE = re.compile(r"^(\d+) passed, (\d+) failed$", re.MULTILINE)
 COMPLAINT = re.compile(r"^(?:USER )?(?:SCRIPT )?(?:ERROR|WARNING): .*$", re.MULTILINE)
-# While dialogs come and go, the engine's thread that waits for events may use an input context that is gone
-# (godotengine/godot#118399 and #74548). An input method that nobody serves gives no context, and a warning for each.
+# While dialogs open and close, the engine's event thread may use a freed input context
+# (godotengine/godot#118399 and #74548). An input method without a server gives no context, and one warning per window.
 NO_INPUT_METHOD = {"XMODIFIERS": "@im=nobody"}
 INPUT_METHOD_CRASH = re.compile(r"handle_crash: .*^\[\d+\] \S*libX11\S*\((?:XFilterEvent|X\w*IC\w*)\+",
                                 re.MULTILINE | re.DOTALL)
@@ -72,8 +72,8 @@ def make_project():
 
 
 def own_home(environment=os.environ, settings=""):
-    """An editor that nobody used before, apart from what other suites' engines write meanwhile. Its caches stay: they
-    spare each run the class help and the shaders of the one before."""
+    """Returns an environment without editor settings, separate from those of other suites. Its caches stay: they
+    spare each run a rebuild of the class help and the shaders."""
     for used in ("XDG_DATA_HOME", "XDG_CONFIG_HOME"):
         shutil.rmtree(HOME / used, ignore_errors=True)
     for picture in HOME.glob("XDG_CACHE_HOME/godot/resthumb*"):
@@ -89,8 +89,8 @@ def own_home(environment=os.environ, settings=""):
 
 
 def scripts_of(run, only=None):
-    """Each script of tests/editor is in one run, or in those of several screens. `only`: patterns, separated by commas,
-    of names without `test_`."""
+    """Returns the runs. Each script of tests/editor is in one run, or in those of several screens. `only`: patterns,
+    separated by commas, of names without `test_`."""
     def places(name):
         return ALONE.get(name) or ("actions" if name.startswith(ACTIONS) else "pages",)
 
@@ -164,8 +164,8 @@ def add(total, part):
 
 
 def read_output(output, problem):
-    """Counts `ok` and `not ok`; the driver's last line must tell the same. Tests claim what the log says meanwhile;
-    before and after them it must be silent."""
+    """Counts `ok` and `not ok`; the driver's last line must have the same numbers. Tests claim messages in the log;
+    before and after them it must have none."""
     lines = TEST_LINE.findall(output)
     passed = sum(word == "ok" for word, _ in lines)
     failures = [text for word, text in lines if word == "not ok"]

@@ -59,8 +59,8 @@ SETTINGS = {"physics_thread": "[physics]\n\n3d/run_on_separate_thread=true\n",
             "no_physics": "[physics]\n\n3d/physics_engine=\"Dummy\"\n"}
 # Messages of the engine in a virtual display.
 EXPECTED = "WARNING: Could not set V-Sync mode"
-# Each frame is a sixtieth of a second of the scene's time. The load of the machine has no effect, and frames do not wait
-# for the clock.
+# Each frame is a sixtieth of a second of the scene's time. The machine's load has no effect, and frames do not wait for
+# the clock.
 STEADY = ["--fixed-fps", "60"]
 TIMEOUT = 600  # s for one script: two cores may be busy with other suites.
 END_LINE = re.compile(r"^done (\d+)$", re.MULTILINE)
@@ -70,11 +70,11 @@ ROUND_OR_TEST = re.compile(r"^(?:round \d+ seed (\d+)|(ok|not ok) (.*))$", re.MU
 
 @dataclasses.dataclass
 class Rounds:
-    """How often the tests of a script run, and, where there is a `seed`, that their order is a matter of chance: the
-    first round's is the seed itself, each round more has the next number.
+    """The number of rounds of a script's tests, and, with a `seed`, their random order: the
+    first round uses the seed itself, and each further round the next number.
 
-    A test that only passes after another shows in an engine's first round, one that another breaks in any later one.
-    So one process takes many rounds on end, and there are several processes."""
+    A test that depends on another one fails in an engine's first round, one that another breaks in a later round.
+    So one process runs many consecutive rounds, and there are several processes."""
 
     times: int = 1
     seed: int = None

@@ -17,7 +17,7 @@ from .result import LOGS, ROOT, Result, run
 FOLDER = LOGS / "export"
 PROJECT = FOLDER / "project"
 SIZE = (640, 360)
-# What this template says of every box container when a game ends, in projects without the add-on, too.
+# Message of this template for every box container at the end of a game, also without the add-on.
 EXPECTED = (*shipped.EXPECTED, "ERROR: Attempt to disconnect a nonexistent connection")
 AUTOLOAD = '\n[autoload]\n\nGameTest="*res://game_test.gd"\n'
 MISSING = "is missing: the game will have no plants"
@@ -28,7 +28,7 @@ def suites(godot):
 
 
 def make_project():
-    """The demo project with the add-on as it is unpacked, and what tests the game from within."""
+    """Creates the demo project with the add-on from the zip, and the script that tests the game from within."""
     shutil.rmtree(FOLDER, ignore_errors=True)
     shutil.copytree(ROOT / "demo_project", PROJECT, ignore=shutil.ignore_patterns("addons", ".godot"))
     shipped.unpack(PROJECT)
@@ -64,7 +64,7 @@ def complaints(output):
 
 
 def try_kind(godot, kind):
-    """A game of that kind: it is exported without a complaint, and holds in it what game_test.gd tests."""
+    """Tests a game of that kind: it exports without errors, and game_test.gd passes in it."""
     game = FOLDER / kind / "game"
     output, problem = exporting.export(f"export:{kind}", godot, PROJECT, kind, game)
     wrong = complaints(output) + ([problem] if problem else [])

@@ -87,7 +87,7 @@ def try_copied(name, godot):
 
 
 def try_missing(name, godot):
-    """With the plugin off the engine's own words tell, which README explains; with it on the plugin's besides."""
+    """With the plugin off the engine reports it, which README explains. With the plugin on, the plugin does too."""
     total = Result(name)
     for plugins, sentences in (((DRIVER,), (NOT_FOUND,)), ((PLUGIN, DRIVER), (NOT_FOUND, PLUGIN_SAYS))):
         folder = make_project("missing", *plugins)

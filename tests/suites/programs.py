@@ -51,7 +51,7 @@ def check_tables(result, figures_file):
 
 
 def read_doctest(name, output, problem):
-    """Counts test cases. The name of a failed one stands above its first message; others have some to tell, too."""
+    """Counts test cases. The name of a failed one is above its first message. Passed ones may print messages too."""
     total = DOCTEST_TOTAL.search(output)
     if not total:
         return Result(name, 0, [f"{problem or 'no summary'}: {first_alarm(output)}"])

@@ -22,8 +22,8 @@ class Result:
 
 
 def run(name, command, timeout=300, folder=ROOT, environment=None, silence=None):
-    """Runs `command` with its output in build/test/<name>.log. Returns (output, what went wrong or None). It is ended
-    after `timeout` seconds, or, where `silence` is given, after so many seconds without a new word."""
+    """Runs `command` with its output in build/test/<name>.log. Returns (output, error or None). Ends it
+    after `timeout` seconds, or after `silence` seconds without output."""
     log = LOGS / (name.replace(":", "-").replace("/", "-") + ".log")
     with open(log, "wb") as out:
         try:

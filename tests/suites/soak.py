@@ -1,7 +1,7 @@
 """Fields and plants used at random for minutes, headless and drawn, with the add-on's library under AddressSanitizer and
 UBSan (tests/engine/soak). Not among the suites of the plain test: `./run test suites=soak`.
 
-SOAK_SECONDS says for how long each of the two runs (600), SOAK_SEED with which seed they begin (one by the clock).
+SOAK_SECONDS is the duration of each of the two runs (600), SOAK_SEED their first seed (by default from the clock).
 """
 
 import os
@@ -105,7 +105,7 @@ def read_output(name, output, problem):
 
 
 def own_leaks(output):
-    """One line for each leak that our library stands in: the engine and drivers have theirs."""
+    """Returns one line per leak with the add-on's library in its stack. The engine and drivers leak too."""
     leaks = [leak.group(0) for leak in LEAK.finditer(output)]
     ours = [leak for leak in leaks if "libundergrowth" in leak]
     return [" ".join(leak.split())[:300] for leak in ours]
