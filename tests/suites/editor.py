@@ -53,7 +53,7 @@ START_LINE = re.compile(r"^start$", re.MULTILINE)
 END_LINE = re.compile(r"^(\d+) passed, (\d+) failed$", re.MULTILINE)
 COMPLAINT = re.compile(r"^(?:USER )?(?:SCRIPT )?(?:ERROR|WARNING): .*$", re.MULTILINE)
 # While dialogs open and close, the engine's event thread may use a freed input context
-# (godotengine/godot#118399 and #74548). An input method without a server gives no context, and one warning per window.
+# (godotengine/godot#118399 and #74548). An input method without a server gives no context, and a warning for each.
 NO_INPUT_METHOD = {"XMODIFIERS": "@im=nobody"}
 INPUT_METHOD_CRASH = re.compile(r"handle_crash: .*^\[\d+\] \S*libX11\S*\((?:XFilterEvent|X\w*IC\w*)\+",
                                 re.MULTILINE | re.DOTALL)
@@ -89,8 +89,8 @@ def own_home(environment=os.environ, settings=""):
 
 
 def scripts_of(run, only=None):
-    """Returns the runs. Each script of tests/editor is in one run, or in those of several screens. `only`: patterns,
-    separated by commas, of names without `test_`."""
+    """Returns the scripts of a run. Each script of tests/editor is in one run, or in those of several screens. `only`:
+    patterns, separated by commas, of names without `test_`."""
     def places(name):
         return ALONE.get(name) or ("actions" if name.startswith(ACTIONS) else "pages",)
 
