@@ -103,8 +103,8 @@ func relative_tip(id: int) -> Vector3:
 	return field.get_tip_position(id) - field.get_plant_transform(id).origin
 
 
-## Returns the number of tips farther than [param distance] from their position in [method
-## all_tips].
+## Returns the number of tips farther than [param distance] from their position in
+## [method all_tips].
 func count_moved(from: PackedVector3Array, distance: float) -> int:
 	var now := all_tips()
 	var count := 0

@@ -20,8 +20,8 @@ var _has_picked := false
 var _newcomer := ""
 
 
-## Changes [param options] and shows in [param settings] the species picked in the dock of [param
-## state].
+## Changes [param options] and shows in [param settings] the species picked in the dock of
+## [param state].
 func setup(state: EditorState, options: BrushOptions, settings: BrushSettings) -> void:
 	_state = state
 	_options = options

@@ -44,8 +44,8 @@ func hide() -> void:
 	RenderingServer.instance_set_visible(_instance, false)
 
 
-## Draws the circle around [param middle] on the ground of [param field], in the colour of [param
-## tool]. The outer circle is the radius, the inner one is the start of the falloff.
+## Draws the circle around [param middle] on the ground of [param field], in the colour of
+## [param tool]. The outer circle is the radius, the inner one is the start of the falloff.
 func show_at(
 	field: PlantField3D, middle: Vector3, radius: float, falloff: float, tool: int
 ) -> void:

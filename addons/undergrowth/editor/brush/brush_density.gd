@@ -37,8 +37,8 @@ static func divide(
 	return parts
 
 
-## Returns the density of the species called [param title] in the map of [param field] at [param
-## point], in the field's own axes.
+## Returns the density of the species called [param title] in the map of [param field] at
+## [param point], in the field's own axes.
 static func at(field: PlantField3D, title: String, point: Vector3) -> float:
 	var share := field.map.get_density(point, title)
 	return share * of_mix(field, title) + field.map.get_plant_density(point, title)

@@ -38,8 +38,8 @@ var is_as_mixed := true:
 	set(value):
 		is_as_mixed = value
 		changed.emit()
-## Target density in plants/m² of all painted species together. A new value sets [member
-## is_as_mixed] to false.
+## Target density in plants/m² of all painted species together. A new value sets
+## [member is_as_mixed] to false.
 var density := 1.0:
 	set(value):
 		density = clampf(value, 0.0, MAX_DENSITY)

@@ -68,8 +68,8 @@ static func cross(at: Vector3, arm: float) -> PackedVector3Array:
 
 
 ## Returns the point of [param way], a unit vector in the axes of [param node], that is nearest to
-## the line of sight through [param point]: in metres of the node from its origin, at most [param
-## farthest] in both directions.
+## the line of sight through [param point]: in metres of the node from its origin, at most
+## [param farthest] in both directions.
 static func reach_along(
 	node: Node3D, way: Vector3, farthest: float, camera: Camera3D, point: Vector2
 ) -> float:
