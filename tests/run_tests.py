@@ -3,7 +3,7 @@
 
 SConstruct builds the programs and calls this (`scons test`). Each suite's output goes to build/test/<suite>.log. A crash,
 a timeout, a program that prints nothing and an engine that complains while it shuts down count as failures. The suites
-`soak` and `species`, and those on the zip, `package`, `export`, `windows` and `arm64`, run only where they are named.
+`soak` and `species`, and those on the zip, `package`, `export`, `windows` and `arm64`, run only by name.
 `fast` names the core's suite and the engine's headless ones: at most 4 minutes on two quiet cores.
 """
 
@@ -43,7 +43,7 @@ def plan(options):
 
 
 def is_chosen(name, chosen):
-    """Whether the suite runs where these are named, or, where none are named, all run."""
+    """True if the suite is among the named ones, or if none are named."""
     kind = name.split(":")[0]
     return not chosen or kind in chosen or ("fast" in chosen and is_fast(name))
 
@@ -60,7 +60,7 @@ def of_what_is_shipped(options):
 
 
 def rounds_of(options):
-    """How often engine suites run and in which order, told so that it can be had again."""
+    """Describes rounds and order of the engine suites, so that they can be repeated."""
     if options.order == "written":
         return engine.Rounds(options.times)
     seed = random.randrange(1000000) if options.seed is None else options.seed
@@ -69,7 +69,7 @@ def rounds_of(options):
 
 
 def run_all(suites, jobs):
-    """The results in the order of `suites`; each is printed as it comes."""
+    """Returns the results in the order of `suites` and prints each at its end."""
     def timed(name, run):
         start = time.monotonic()
         result = run()

@@ -9,7 +9,7 @@ using namespace undergrowth;
 namespace {
 
 constexpr int PLANTS = 100000;
-constexpr int AT_ONCE = 512; // Plants whose winds are sampled together; they stand in a tile of a field.
+constexpr int AT_ONCE = 512; // Plants of one tile of a field, whose winds are sampled together.
 constexpr float TILE = 8.0f; // m.
 constexpr float HEIGHT = 0.6f; // m.
 

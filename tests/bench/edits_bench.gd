@@ -1,12 +1,12 @@
-## Measures what changes of fields cost while a game goes on, and prints a JSON list of rows.
+## Measures the cost of changes to fields during a game, and prints a JSON list of rows.
 ##
-## Run headless with --fixed-fps 60. Frames are held to a sixtieth of a second, at their ends as a
-## screen holds them, so that worker threads have the time that they have in a game; what is done to
-## a field is done between two frames, as by the mouse. median_ms and worst_ms are what the call
-## took of the main thread, or what is filled took of it in a frame, by the processor's time; of
-## strokes the larger one; of rows that end in _seen until the frame that shows it is over, of
-## field_tiles until all tiles stood, where workers_us_per_plant is what placing and building them
-## took of processors.
+## Run headless with --fixed-fps 60. Frames last a sixtieth of a second, with the wait at their end,
+## so that worker threads have the same time as in a game. Changes happen between two frames, as by
+## the mouse. median_ms and worst_ms are processor time of the main thread: that of the call, or
+## that of the build in a frame. For strokes it is the larger one. For rows with the suffix _seen it
+## is the time until the end of the frame that shows the change. For field_tiles it is the time
+## until all tiles are built, and workers_us_per_plant is the processor time to place and build
+## them.
 extends SceneTree
 
 signal frame_over
@@ -19,13 +19,13 @@ const CUT_DENSITY := 25.0
 const ROUNDS := 20
 const FIELDS := 30
 const WALK_DENSITY := 20.0
-const WALK_DISTANCE := 100.0  # m, of view.
+const WALK_DISTANCE := 100.0  # m, view distance.
 const WALK_SPEED := 10.0  # m/s.
 const WALK_FRAMES := 900
 const FRAME_USEC := 16667
 
 var _rows: Array[Dictionary] = []
-var _last_frame := 0  # µs: when it began.
+var _last_frame := 0  # µs, start of the frame.
 
 
 func _initialize() -> void:
@@ -96,7 +96,7 @@ func _measure_strokes() -> void:
 	await frame_over
 
 
-## All plants are others, or all of them stand again.
+## Replaces all plants, or restores all of them.
 func _measure_density() -> void:
 	var field := _make_field(COUNT, DENSITY)
 	root.add_child(field)
@@ -115,7 +115,7 @@ func _measure_density() -> void:
 	await frame_over
 
 
-## What filling takes in each frame, µs, until nothing is left of what stood before.
+## Returns the time of the build in each frame, µs, until all old plants are replaced.
 func _filling(field: PlantField3D) -> Array[float]:
 	var usec: Array[float] = []
 	await frame_over
@@ -182,7 +182,7 @@ func _measure_walk() -> void:
 		await frame_over
 		usec.append(field.get_statistics()["build_usec"])
 	_add_row("field_walk", field.get_plant_count(), usec)
-	field.simulation_enabled = false  # What workers do from now on is to place and build tiles.
+	field.simulation_enabled = false  # Without simulation, workers only place and build tiles.
 	camera.position.x += 10.0 * WALK_DISTANCE
 	await frame_over
 	var start := Time.get_ticks_usec()

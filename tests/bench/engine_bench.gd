@@ -1,21 +1,21 @@
-## Measures plants in the engine against their peers and prints a JSON list of rows.
+## Measures plants in the engine against alternatives and prints a JSON list of rows.
 ##
-## Run with --fixed-fps 60, so that each frame is one step; headless, or with a renderer, whose name
-## is in the rows then, and which leaves all but plants of four joints out. All variants show the
-## same skinned mesh on a skeleton of two bones; the time of the same frames with nothing moving is
-## subtracted. bone_pose_only is what the engine's own call costs: the script's loop around it is
-## part of what is subtracted. plant3d_held is plants whose skeletons somebody asked for: others
-## tell the renderer alone of their motion, and nobody where there is none, as here. stem_4_held is
-## such plants whose stems show four joints, spring_bone_4 the engine's simulator on the bones of
-## as many; both stand there, and they move by turns.
+## Run with --fixed-fps 60, so that each frame is one step, headless or with a renderer. With a
+## renderer the rows contain its name, and only plants of four joints are measured. All variants
+## show the same skinned mesh on a skeleton of two bones. The time of the same frames without motion
+## is subtracted. bone_pose_only is the cost of the engine's own call: the script's loop around it
+## is subtracted. plant3d_held has plants with a referenced skeleton. Plants without one report
+## motion to the renderer only, and headless to none. stem_4_held has such plants with stems of four
+## joints. spring_bone_4 has the engine's simulator on as many bones. Both are in the scene and move
+## by turns.
 extends SceneTree
 
 const COUNTS: Array[int] = [100, 1000, 3000, 10000]
 const WARM_UP_FRAMES := 30
 const BLOCKS := 21
 const FRAMES_PER_BLOCK := 12
-const FRAMES_TO_BEGIN := 4  # Until what was set moving moves as it will.
-const MANY := 3000  # Plants, from which on a block is one frame.
+const FRAMES_TO_BEGIN := 4  # Until the motion has fully started.
+const MANY := 3000  # Number of plants from which a block is one frame.
 const MOST_JOINTED := 1000
 
 var _rows: Array[Dictionary] = []
@@ -70,8 +70,8 @@ func _measure(title: String, count: int, fill: Callable) -> void:
 	_add_row(title, count, busy - idle)
 
 
-## Stems of four joints beside spring bones on as many, in one scene and by turns, so that whatever
-## else the machine does meets both.
+## Measures stems of four joints and spring bones on as many, in one scene and by turns, so that
+## other load on the machine affects both.
 func _measure_joints(count: int) -> void:
 	var scene := Node3D.new()
 	root.add_child(scene)

@@ -1,28 +1,27 @@
-## Measures fields of plants and what else could move as many bodies; prints a JSON list of rows.
+## Measures fields of plants and alternatives with as many bodies; prints a JSON list of rows.
 ##
-## Run with --fixed-fps 60, so that each frame is one step; headless, or with a renderer, whose
-## name is in the rows then, and which leaves the peers, field_fill and a million plants out. For
-## fields median_ms is what a frame costs on the processor, simulating and uploading, all threads
-## together, main_ms the main thread's part of it (without waiting for the others), step_ms the
-## rest and frame_ms how much longer frames take; rows of field_frame_main are the main thread's
-## part and its share of the whole. For field_fill median_ms is the time from fill() to the signal
-## while frames follow each other, processor_ms the time that processors work meanwhile, all these
-## frames included: without others on the machine it takes no longer. workers_ms is what all
-## threads but the main one do of that, main_ms what that one does for it at 60 frames a second,
-## main_frame_ms the most that it does in one of these frames (Linux tells such times, other
-## systems don't; without a screen it makes the meshes of what others built). For jolt and gdscript
-## it is how much longer frames or steps take.
+## Run with --fixed-fps 60, so that each frame is one step, headless or with a renderer. With a
+## renderer the rows contain its name, and alternatives, field_fill and a million plants are not
+## measured. For fields, median_ms is the processor time of a frame for simulation and upload in all
+## threads. main_ms is the main thread's part without waits, step_ms the remaining part, and
+## frame_ms the increase of the frame time. Rows of field_frame_main are the main thread's part and
+## its share. For field_fill, median_ms is the time from fill() to the signal with consecutive
+## frames. processor_ms is the processor time in that period, frames included: the minimum time on
+## an idle machine. workers_ms is the part of all threads but the main one. main_ms is the main
+## thread's work for the build at 60 frames per second, and main_frame_ms the maximum in one of
+## these frames. Only Linux reports such times. Without a screen the main thread makes the meshes of
+## plants that workers built. For jolt and gdscript it is the increase of the frame or step time.
 extends "res://tests/bench/field_peers.gd"
 
 const ProcessorTime := preload("res://tests/bench/processor_time.gd")
 const FIELD_COUNTS: Array[int] = [1000, 10000, 100000, 1000000]
 const LADDER_COUNT := 100000
 const DENSITY := 10.0
-const FAR_DISTANCE := 25.0  # What a new field has.
+const FAR_DISTANCE := 25.0  # The default of a new field.
 const FILLS := 5
 const BUILD_COUNT := 1_000_000
 const BUILD_DENSITY := 13.0
-const BUILD_DISTANCE := 150.0  # m: about a million plants, too.
+const BUILD_DISTANCE := 150.0  # m: includes about a million plants.
 const FILL_FRAME_RATE := 60
 const FRAMES_BETWEEN_PUSHES := 90
 const PARTS: Array[String] = [
@@ -30,7 +29,7 @@ const PARTS: Array[String] = [
 ]
 ## Five ready species, all tufts of leaves.
 const TUFTS: Array[String] = ["meadow_grass", "oxeye_daisy", "red_clover", "buttercup", "male_fern"]
-## Ready species, each plant by itself, all by one law.
+## Ready species, simulated one by one, all with one law.
 const LAWS: Dictionary = {
 	PlantFunction.LAW_SPRING: "field_frame_spring", PlantFunction.LAW_STEM: "field_frame_stems"
 }
@@ -87,12 +86,13 @@ func _run() -> void:
 	quit()
 
 
-## A renderer without a graphics card maps each buffer, and Linux gives a process 65,530 mappings.
+## A renderer without a graphics card maps each buffer, and Linux limits a process to 65,530
+## mappings.
 func _can_be_drawn(count: int) -> bool:
 	return _renderer == "headless" or count <= LADDER_COUNT
 
 
-## Stems step a second mode for some seconds after they were pushed.
+## Stems step a second mode for some seconds after a push.
 func _process(_delta: float) -> bool:
 	_frame += 1
 	if _pushed and _frame % FRAMES_BETWEEN_PUSHES == 0:
@@ -134,7 +134,7 @@ func _measure_field(title: String, count: int, settings: Dictionary) -> void:
 func _measure(title: String, field: PlantField3D) -> void:
 	var camera := Camera3D.new()
 	root.add_child(camera)
-	camera.position.y = 5.0  # Looking up: what is measured is not how plants are drawn.
+	camera.position.y = 5.0  # It looks up, because the cost of drawing plants is not measured.
 	camera.rotation.x = PI / 2.0
 	root.add_child(field)
 	await field.build_finished
@@ -149,7 +149,7 @@ func _measure(title: String, field: PlantField3D) -> void:
 		var told := field.get_statistics()
 		main.append(told["main_usec"])
 		step.append(told["step_usec"])
-	# The mean over frames: with an interval, not every frame steps as many.
+	# Mean over frames: with an interval, frames step different numbers of plants.
 	var main_usec := _mean_without_outliers(main)
 	var step_usec := _mean_without_outliers(step)
 	if title == "field_frame":
@@ -186,7 +186,7 @@ func _measure_fill(title: String, field: PlantField3D) -> void:
 	for i in FILLS:
 		var before := ProcessorTime.spent()
 		var start := Time.get_ticks_usec()
-		field.seed += 1  # Of other seeds: nothing has grown before.
+		field.seed += 1  # New seeds, so that no mesh exists.
 		await field.build_finished
 		times.append(Time.get_ticks_usec() - start)
 		var spent := ProcessorTime.spent() - before
@@ -203,8 +203,9 @@ func _measure_fill(title: String, field: PlantField3D) -> void:
 	await process_frame
 
 
-## The first build of a million plants of six species in tiles of 16 m, at 60 frames a second: how
-## long until some and until all exist, and what the main thread does more than in later frames.
+## The first build of a million plants of six species in tiles of 16 m, at 60 frames per second:
+## time until some and until all exist, and the main thread's additional work compared with later
+## frames.
 func _measure_build(streams: bool) -> void:
 	var camera := Camera3D.new()
 	root.add_child(camera)
@@ -255,7 +256,7 @@ func _measure_build(streams: bool) -> void:
 	await process_frame
 
 
-## What the main thread does to fill a field, beside what it does in each frame of a game.
+## The main thread's work for a build, in addition to its work in each frame of a game.
 func _main_thread_of_fills(field: PlantField3D) -> Dictionary:
 	var usual_rate := Engine.max_fps
 	Engine.max_fps = FILL_FRAME_RATE
@@ -274,7 +275,7 @@ func _main_thread_of_fills(field: PlantField3D) -> Dictionary:
 	return {"main_ms": _median(sums) / 1000.0, "main_frame_ms": _median(longest) / 1000.0}
 
 
-## What the main thread does in each frame, as long as `goes_on`.
+## The main thread's work in each frame while `goes_on` is true.
 func _main_thread_usec(goes_on: Callable) -> Array[float]:
 	var spent: Array[float] = []
 	while spent.is_empty() or goes_on.call(spent.size()):
@@ -301,7 +302,7 @@ func _make_field_of_parts(
 	return field
 
 
-## What a seed's first mesh and its further levels take.
+## Time of a seed's first mesh and of its further levels.
 func _measure_meshes_of_parts() -> void:
 	for name in PARTS.slice(0, 3):
 		var species: PlantFunction = load("res://addons/undergrowth/species/%s.tres" % name)

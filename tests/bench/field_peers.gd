@@ -1,5 +1,5 @@
-## What fields of plants are measured beside: as many bodies of a physics engine, a script's loop.
-## And how all of it is measured and told: field_bench.gd extends this.
+## Alternatives to fields of plants: as many bodies of a physics engine, and a script's loop. Also
+## the methods of measuring and printing. field_bench.gd extends this file.
 extends SceneTree
 
 const PEER_COUNTS: Array[int] = [1000, 10000]
@@ -17,7 +17,7 @@ func _measure_peers() -> void:
 		_measure_gdscript(count)
 
 
-## A body for each plant's tip, held by a pin joint at its root, as Jolt moves it.
+## A body for each plant's tip, with a pin joint at its root, simulated by Jolt.
 func _measure_jolt(count: int) -> void:
 	var space := PhysicsServer3D.space_create()
 	var shape := PhysicsServer3D.sphere_shape_create()
@@ -29,7 +29,7 @@ func _measure_jolt(count: int) -> void:
 	var idle := await _median_frame_usec(true)
 	PhysicsServer3D.space_set_active(space, true)
 	var usec := await _median_frame_usec(true) - idle
-	made.reverse()  # Joints go before what they hold.
+	made.reverse()  # Joints must be freed before their bodies.
 	for rid in made:
 		PhysicsServer3D.free_rid(rid)
 	PhysicsServer3D.free_rid(space)
@@ -53,7 +53,7 @@ func _add_jolt_plant(space: RID, shape: RID, root_place: Vector3) -> Array[RID]:
 	return [body, joint]
 
 
-## The elasticity law in a loop over packed arrays, as a script would do it.
+## The elasticity law in a script's loop over packed arrays.
 func _measure_gdscript(count: int) -> void:
 	var directions := PackedVector3Array()
 	var rates := PackedVector3Array()
@@ -111,7 +111,7 @@ func _median(values: Array[float]) -> float:
 	return values[values.size() / 2]
 
 
-## The mean of the middle half, for figures that go up and down from frame to frame.
+## Returns the mean of the middle half, for values that vary between frames.
 func _mean_without_outliers(values: Array[float]) -> float:
 	values.sort()
 	var middle := values.slice(values.size() / 4, values.size() - values.size() / 4)

@@ -154,7 +154,7 @@ FieldSimulation grass_field() {
 	species.law = Law::stem;
 	StemBeam beam;
 	beam.length = 0.55f;
-	beam.diameter = 0.005f; // Stands by its own stiffness.
+	beam.diameter = 0.005f; // Upright by its own stiffness.
 	species.stem = solve_stem(beam).constants;
 	field.add_species(species);
 	for (int page = 0; page < GRASS_PAGES_IN_ROW * GRASS_PAGES_IN_ROW; page++) {

@@ -1,11 +1,10 @@
 ## Measures streaming over ground that the main thread reads, and prints a JSON list of rows.
 ##
-## Run headless with --fixed-fps 60. A camera moves at 8 m/s over hills; the field has 12 plants per
-## square metre and a view distance of 130 m. Frames are held to a sixtieth of a second, so that
-## worker threads have the time that they have in a game. median_ms and worst_ms are what the field
-## took of the main thread in a frame to place plants, heights included. holes_100 and holes_115 are
-## the numbers of places without a plant nearby, of all that were looked at in these distances (m)
-## from the camera.
+## Run headless with --fixed-fps 60. A camera moves at 8 m/s over hills. The field has 12 plants per
+## square metre and a view distance of 130 m. Frames last a sixtieth of a second, so that worker
+## threads have the same time as in a game. median_ms and worst_ms are the main thread's time per
+## frame for placement, heights included. holes_100 and holes_115 are the numbers of sampled
+## positions without a plant nearby, at these distances (m) from the camera.
 extends SceneTree
 
 const VIEW_DISTANCE := 130.0  # m.
@@ -14,7 +13,7 @@ const SPEED := 8.0  # m/s.
 const FRAMES := 900
 const FRAMES_BETWEEN_LOOKS := 30
 const BEARINGS := 48
-const NEARBY := 2.0  # m; in a circle of this radius 150 plants grow.
+const NEARBY := 2.0  # m. A circle of this radius contains 150 plants.
 const MAP_SIZE := 701  # m.
 const FRAME_USEC := 16667
 const SPACINGS: Array[float] = [0.5, 0.0]
@@ -31,7 +30,7 @@ class Hills:
 		return 3.0 * sin(0.05 * x) * cos(0.04 * z) + 0.3 * sin(0.3 * x + 0.2 * z)
 
 
-## The same, for many places in a call.
+## The same, with queries of many positions.
 class HillsInBatches:
 	extends Hills
 
@@ -44,7 +43,7 @@ class HillsInBatches:
 
 
 var _rows: Array[Dictionary] = []
-var _last_frame := 0  # µs: when it began.
+var _last_frame := 0  # µs, start of the frame.
 
 
 func _initialize() -> void:
@@ -138,7 +137,7 @@ func _count_holes(field: PlantField3D, eye: Vector3, distance: float) -> int:
 	return holes
 
 
-## Holds a frame to a sixtieth of a second.
+## Extends a frame to a sixtieth of a second.
 func _frame_over() -> void:
 	await process_frame
 	var left := FRAME_USEC - (Time.get_ticks_usec() - _last_frame)

@@ -113,7 +113,7 @@ double time_compute(Report &report, SimdLevel level) {
 	return rate;
 }
 
-/// Bytes per ns, in as much memory as the elasticity law's table of so many plants.
+/// Bytes per ns, for the memory size of the elasticity law's table of that many plants.
 double time_memory(Report &report, int plants, SimdLevel level) {
 	const int half = plants * PAGE_FLOATS / 2 / 16 * 16;
 	struct alignas(64) Line {
@@ -142,7 +142,7 @@ std::vector<MotionPage> meadow(const StepCost &cost, int plants) {
 		beam.length = 1.0f;
 		beam.modes = cost.modes;
 		beam.natural_frequency = cost.by_height ? 0.0f : beam.natural_frequency;
-		beam.diameter = 0.005f; // Stands by its own stiffness.
+		beam.diameter = 0.005f; // Upright by its own stiffness.
 		species.stem = solve_stem(beam).constants;
 		species.stem.dead_slope = SLOPE_PER_NEWTON;
 	}

@@ -99,7 +99,7 @@ func _measure(title: String, count: int, make: Callable, idle: float) -> void:
 	await process_frame
 
 
-## What the main thread works in a frame.
+## Returns the main thread's work in a frame.
 func _median_frame(count: int) -> float:
 	var times: Array[float] = []
 	for i in count:

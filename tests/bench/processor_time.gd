@@ -1,8 +1,8 @@
-## Time that processors have worked for this process. Linux tells such times, other systems don't.
+## Processor time of this process. Only Linux reports it.
 extends RefCounted
 
 
-## In microseconds: on its main thread (x), on all others (y); zeros where the system does not tell.
+## Microseconds of its main thread (x) and of all remaining threads (y), or zeros on other systems.
 static func spent() -> Vector2:
 	var usec := Vector2.ZERO
 	for thread in DirAccess.get_directories_at("/proc/self/task"):

@@ -1,6 +1,6 @@
 @tool
 extends "editor_test.gd"
-## What the tests of the actions share: the buttons, their dialogs, scenes to work in.
+## Base of the tests of the actions: the buttons, their dialogs, and scenes.
 
 const Translations := preload("res://addons/undergrowth/editor/translations/translations.gd")
 const EditorState := preload("res://addons/undergrowth/editor/editor_state.gd")
@@ -8,13 +8,13 @@ const THEME := "interface/theme/color_preset"
 const LIGHT := "Light"
 
 
-## In English, whatever the system speaks: the tests read messages.
+## English for any system language, because the tests compare messages.
 func run(test: String) -> void:
 	TranslationServer.get_or_add_domain(Translations.DOMAIN).set_locale_override("en")
 	await super(test)
 
 
-## Writes the editor's window with a dialog on it.
+## Saves a picture of the editor's window with a dialog.
 func take_dialog_picture(dialog: Window, name: String) -> void:
 	await frames(3)
 	await RenderingServer.frame_post_draw
@@ -22,7 +22,7 @@ func take_dialog_picture(dialog: Window, name: String) -> void:
 		dialog.get_texture().get_image().save_png(pictures_folder.path_join("dialog_%s.png" % name))
 
 
-## The editor's theme, as [method wear_theme] takes it.
+## The editor's theme, for [method wear_theme].
 func worn_theme() -> String:
 	return EditorInterface.get_editor_settings().get_setting(THEME)
 
@@ -67,7 +67,7 @@ func _lists(list: ItemList, path: String) -> bool:
 	return false
 
 
-## The visible dialog of the action bar that is of that class.
+## Returns the visible dialog of the action bar of that class.
 func _dialog(kind: String) -> Window:
 	for child in part("Plant/Actions").get_children(true):
 		if child.is_class(kind) and (child as Window).visible:

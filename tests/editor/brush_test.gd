@@ -1,6 +1,6 @@
 @tool
 extends "viewport_test.gd"
-## What the tests of the brush share: a field under it, its toolbar.
+## Base of the tests of the brush: a field under it, and its toolbar.
 
 const BAR_SCRIPT := "res://addons/undergrowth/editor/brush/brush_bar.gd"
 const SETTINGS_SCRIPT := "res://addons/undergrowth/editor/brush/brush_settings.gd"
@@ -38,12 +38,12 @@ func _species_button(title: String) -> Button:
 	return null
 
 
-# Or puts it down where it is chosen.
+# Or deselects the brush if it is selected.
 func _choose_tool(title: String) -> void:
 	await click(_bar().get_node("%" + title) as Control)
 
 
-# One touch does all that it can, within [param radius] metres.
+# Sets the brush to full effect per touch, within [param radius] metres.
 func _sharpen(radius: float) -> void:
 	(_settings().get_node("%Strength") as EditorSpinSlider).value = 1.0
 	(_settings().get_node("%Falloff") as EditorSpinSlider).value = 0.0

@@ -1,13 +1,13 @@
 @tool
 extends RefCounted
-## What every editor test can do: check, wait, take pictures. What the engine reports meanwhile is
-## wrong unless the test claims it.
+## Base of all editor tests: checks, waits, and pictures. An error or warning of the engine fails
+## the test unless the test claims it.
 
 
-## Collects what the engine reports, from whichever thread.
+## Collects the engine's errors and warnings from all threads.
 class Listener:
 	extends Logger
-	## The suite leaves the engine without an input method: it crashes in its thread for them.
+	## The suite runs the engine without an input method, because its input-method thread crashes.
 	const EXPECTED := "XCreateIC couldn't create"
 	var _mutex := Mutex.new()
 	var _messages: PackedStringArray = []
@@ -37,20 +37,20 @@ class Listener:
 		return taken
 
 
-## [method until] waits at least so many frames and so many seconds.
+## Minimum frames and seconds of [method until].
 const PATIENCE := 600
 const PATIENCE_SECONDS := 15.0
-## For so many frames no scan goes on: the editor has taken over what its thread found.
+## Frames without a scan after which the editor has applied the results of the scan thread.
 const CALM_FRAMES := 3
-## Colours that a picture must have at least to count as more than empty.
+## Minimum number of colours of a picture that is not empty.
 const LEAST_COLORS := 40
 
-## Where [method take_picture] writes; nothing: nowhere.
+## Folder for [method take_picture]. Empty: it saves nothing.
 var pictures_folder := ""
 
-## What is wrong with the test that ran last, or nothing.
+## Error of the last test, or an empty text.
 var problems: PackedStringArray = []
-## The test came to its end, or was given up.
+## Emitted when the test ended or was aborted.
 var is_done := true
 
 var _listener := Listener.new()
@@ -58,7 +58,7 @@ var _errors: PackedStringArray = []
 var _check_count := 0
 
 
-## Runs the method called [param test], and tells the end with [member is_done].
+## Runs the method called [param test], and emits [member is_done] at its end.
 func run(test: String) -> void:
 	is_done = false
 	problems = []
@@ -67,16 +67,16 @@ func run(test: String) -> void:
 	OS.add_logger(_listener)
 	await files_are_known()
 	if is_done:
-		return  # It was given up.
+		return  # It was aborted.
 	await call(test)
 	if is_done:
-		return  # It was given up.
+		return  # It was aborted.
 	if _check_count == 0:
 		problems.append("nothing was checked")
 	await _end(test)
 
 
-## Lets a test that hangs go: [param why] is what is wrong with it.
+## Aborts a test that hangs. [param why] is its error.
 func give_up(why: String) -> void:
 	problems.append(why)
 	_take_errors()
@@ -97,20 +97,21 @@ func _take_errors() -> void:
 		problems.append("unexpected: " + message)
 
 
-## Fails the test unless [param condition] holds; [param what] says what was expected.
+## Fails the test unless [param condition] is true. [param what] describes the expected result.
 func check(condition: bool, what: String) -> void:
 	_check_count += 1
 	if not condition:
 		problems.append(what)
 
 
-## Fails the test unless both are of one type and equal.
+## Fails the test unless both are equal and of one type.
 func check_equal(actual: Variant, expected: Variant, what := "value") -> void:
 	var same: bool = typeof(actual) == typeof(expected) and actual == expected
 	check(same, "%s is %s, not %s" % [what, var_to_str(actual), var_to_str(expected)])
 
 
-## Claims all errors and warnings since the test began that contain [param text]; at least one.
+## Claims all errors and warnings since the start of the test that contain [param text], at least
+## one.
 func check_error(text: String) -> void:
 	_errors.append_array(_listener.take())
 	var others: PackedStringArray = []
@@ -121,13 +122,13 @@ func check_error(text: String) -> void:
 	_errors = others
 
 
-## Waits for [param count] frames; not each is drawn.
+## Waits for [param count] frames, of which not all are drawn.
 func frames(count: int) -> void:
 	for i in count:
 		await (Engine.get_main_loop() as SceneTree).process_frame
 
 
-## Waits until [param condition] is true; false if it never is.
+## Waits until [param condition] is true. Returns false at the time limit.
 func until(condition: Callable) -> bool:
 	var begin := Time.get_ticks_msec()
 	var count := 0
@@ -139,8 +140,8 @@ func until(condition: Callable) -> bool:
 	return false
 
 
-## Waits until the editor has looked through the files, be it for the test before: meanwhile it
-## knows no id of what is saved, and begins no other scan.
+## Waits for the end of the editor's scan, also one from the previous test. During a scan the editor
+## has no ids of saved files and starts no other scan.
 func files_are_known() -> void:
 	var files := EditorInterface.get_resource_filesystem()
 	var calm := 0
@@ -149,8 +150,8 @@ func files_are_known() -> void:
 		calm = 0 if files.is_scanning() else calm + 1
 
 
-## Writes the editor's window as dock_[param name].png and checks that it is more than empty;
-## [param of] cuts out one control.
+## Saves the editor's window as dock_[param name].png and checks that it is not empty. [param of]
+## limits the picture to one control.
 func take_picture(name: String, of: Control = null) -> void:
 	await frames(3)
 	var picture := await _photograph("dock_" + name, of)
@@ -162,7 +163,7 @@ func take_picture(name: String, of: Control = null) -> void:
 
 
 func _photograph(name: String, of: Control = null) -> Image:
-	EditorInterface.get_base_control().queue_redraw()  # Where nothing moves, no frame is drawn.
+	EditorInterface.get_base_control().queue_redraw()  # Without any movement no frame is drawn.
 	await RenderingServer.frame_post_draw
 	var window := EditorInterface.get_base_control().get_window()
 	var picture := window.get_texture().get_image()

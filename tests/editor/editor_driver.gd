@@ -8,28 +8,28 @@ extends EditorPlugin
 ## [codeblock]
 ## godot --editor --path PROJECT -- --editor-tests=all --pictures=/absolute/path
 ## [/codeblock]
-## Without `--editor-tests` nothing happens: the project can be opened by hand. Names of test
-## scripts (test_plant_page,test_undo) instead of `all` run only these.
+## Without `--editor-tests` nothing happens, so that the project can be opened by hand. Names of
+## test scripts (test_plant_page,test_undo) instead of `all` run only these.
 ##
-## Each script test_*.gd of this folder extends editor_test.gd. After `start` each of its methods
-## test_* prints `ok NAME` or `not ok NAME: why`; errors and warnings in the log that no test claims
-## fail it. The last line is `N passed, N failed`, and the editor's exit status is 0 only if none
-## failed.
+## Each script test_*.gd of this folder extends editor_test.gd. After `start`, each of its methods
+## test_* prints `ok NAME` or `not ok NAME: why`. An error or warning in the log that the test does
+## not claim fails it. The last line is `N passed, N failed`. The editor's exit status is 0 only if
+## none failed.
 
 const EditorTest := preload("editor_test.gd")
 const TESTS_OPTION := "--editor-tests="
 const PICTURES_OPTION := "--pictures="
-## Frames for which the editor is left alone once its files are scanned.
+## Frames without any action after the editor's first scan.
 const SETTLING_FRAMES := 20
-## A test hangs that has not come to its end after both, and the next one begins: a busy machine
-## has few frames in that time, a quick one many.
+## A test hangs if it exceeds both limits. The next one then starts. A busy machine has few frames
+## in that time, a fast one has many.
 const LIMIT_SECONDS := 60.0
 const LIMIT_FRAMES := 3000
-## Seconds after which a line tells that a test goes on.
+## Seconds after which a line reports a running test.
 const LIFE_SIGN_SECONDS := 10.0
-## Of so many frames one is drawn: without a graphics card drawing takes nearly all the time.
+## One of this many frames is drawn. Without a graphics card, drawing takes nearly all of the time.
 const DRAWN_FRAME := 8
-## And of so many pixels of the 3D viewports one.
+## One of this many pixels of the 3D viewports is drawn.
 const DRAWN_PIXEL := 4
 
 var _passed := 0
@@ -68,8 +68,8 @@ func _wait_for_editor() -> void:
 		await get_tree().process_frame
 
 
-# At its exit the engine waits for ever where tasks of low priority stand in a queue while another
-# one runs (tests/engine/harness.gd tells why).
+# At its exit the engine can wait forever if tasks of low priority are queued while another one runs
+# (see tests/engine/harness.gd).
 func _let_queued_tasks_begin() -> void:
 	var last := WorkerThreadPool.add_task(OS.delay_usec.bind(0), false, "The last in the queue")
 	WorkerThreadPool.wait_for_task_completion(last)
@@ -104,7 +104,7 @@ func _make_test(script: Script) -> EditorTest:
 	return test
 
 
-# False where the test was given up.
+# False if the test was aborted.
 func _run_test(test: EditorTest, title: String) -> bool:
 	var begin := Time.get_ticks_msec()
 	var told := begin

@@ -1,19 +1,19 @@
 @tool
 extends "editor_checks.gd"
-## The hands of a user: mouse, pen and keyboard.
+## Simulated input of a user: mouse, pen and keyboard.
 ##
-## Events go in where those of the operating system do ([method Input.parse_input_event]), so
-## focus, shortcuts and popups behave as they do for a user.
+## Events enter where those of the operating system do ([method Input.parse_input_event]). Focus,
+## shortcuts and popups behave as they do for a user.
 
-## Frames within which something is under the pointer.
+## Maximum frames until a control is under the pointer.
 const POINTING_FRAMES := 20
-## Steps in which a drag goes from its beginning to its end.
+## Number of steps of a drag.
 const DRAG_STEPS := 8
 
-## Keys that are held while the mouse does something.
+## Keys that are pressed during mouse actions.
 var holds_ctrl := false
 var holds_shift := false
-## A pen is used in place of the mouse, pressed so strongly where it touches.
+## Pressure of a pen that replaces the mouse.
 var pen_pressure := 0.0
 
 
@@ -35,7 +35,7 @@ func double_click(control: Control, at: Vector2) -> void:
 	await frames(2)
 
 
-## Presses at [param from], moves to [param to] and lets go (the control's own coordinates).
+## Presses at [param from], moves to [param to] and releases (the control's own coordinates).
 func drag(control: Control, from: Vector2, to: Vector2, button := MOUSE_BUTTON_LEFT) -> void:
 	var start := _in_window(control, from)
 	var goal := _in_window(control, to)
@@ -63,15 +63,15 @@ func wheel(control: Control, clicks: int) -> void:
 		await frames(1)
 
 
-## Types [param text] into whatever has the focus of the control's window, faster than it is drawn.
+## Types [param text] into the focused control of the control's window, faster than it is drawn.
 func type(control: Control, text: String) -> void:
 	for i in text.length():
 		_strike(control, KEY_NONE, text.unicode_at(i))
 	await frames(2)
 
 
-## Presses one key and lets it go: `await press_key(dock(), KEY_ENTER)`, with Ctrl or Shift held
-## when asked for.
+## Presses and releases one key: `await press_key(dock(), KEY_ENTER)`, optionally with Ctrl or
+## Shift.
 func press_key(control: Control, key: Key, unicode := 0, ctrl := false, shift := false) -> void:
 	_strike(control, key, unicode, ctrl, shift)
 	await frames(1)
@@ -106,8 +106,9 @@ func _in_window(control: Control, at: Vector2) -> Vector2:
 	return control.get_global_transform_with_canvas() * own
 
 
-# A button takes a click only where the engine knows the pointer over it. Beware of dragging an
-# EditorSpinSlider: it captures the system's pointer, and Xvfb's never comes back into the window.
+# A button accepts a click only if the pointer is over it for the engine. Do not drag an
+# EditorSpinSlider: it captures the system's pointer, and Xvfb's pointer never returns into the
+# window.
 func _point(control: Control, where: Vector2) -> void:
 	for i in POINTING_FRAMES:
 		_move(control, where, where, 0)

@@ -2,25 +2,25 @@
 extends "editor_hands.gd"
 ## Base of the editor tests: the dock and its parts.
 
-## The lists of the plant page, as they stand below one another.
+## The lists of the plant page, from top to bottom.
 const LISTS: Array[String] = ["ReadyList", "MixList", "SimpleList", "ProjectList"]
 const DOCK_SCRIPT := "res://addons/undergrowth/editor/dock.gd"
 
 
-## The dock's content, or null where the plugin is off.
+## Returns the dock's content, or null if the plugin is off.
 func dock() -> Control:
 	return find_by_script(DOCK_SCRIPT)
 
 
-## The control of the editor that has this script, or null.
+## Returns the control of the editor with this script, or null.
 func find_by_script(path: String) -> Control:
 	var found: Array[Node] = []
 	_collect(EditorInterface.get_base_control(), path, found)
 	return found[0] if found else null
 
 
-## The node of the dock with that unique name: `part("Plant/List/ReadyList")` goes through the
-## scenes that stand inside one another.
+## Returns the node of the dock with that unique name. `part("Plant/List/ReadyList")` follows nested
+## scenes.
 func part(path: String) -> Node:
 	var node: Node = dock()
 	for name in path.split("/"):
@@ -38,7 +38,7 @@ func open_page(name: String) -> void:
 	await click(bar, bar.get_tab_rect(index).get_center())
 
 
-## Brings the editor's inspector before the dock, whose tab is beside its.
+## Shows the editor's inspector in front of the dock, which is in the next tab.
 func open_inspector() -> void:
 	var above: Node = EditorInterface.get_inspector()
 	while above is not EditorDock:
@@ -47,13 +47,13 @@ func open_inspector() -> void:
 	await frames(2)
 
 
-## Clicks an item of a list, wherever the list is scrolled to.
+## Clicks an item of a list at any scroll position.
 func click_item(list: ItemList, index: int) -> void:
 	await reveal_item(list, index)
 	await click(list, list.get_item_rect(index).get_center())
 
 
-## Unfolds the group of a list and scrolls so that one of its items is in sight.
+## Unfolds the group of a list and scrolls to one of its items.
 func reveal_item(list: ItemList, index: int) -> void:
 	var above: Node = list.get_parent()
 	while above is not ScrollContainer:
@@ -67,13 +67,13 @@ func reveal_item(list: ItemList, index: int) -> void:
 	await frames(2)
 
 
-## What an item is called, in however many lines.
+## Returns the title of an item, of any number of lines.
 func item_title(list: ItemList, index: int) -> String:
 	return list.get_item_text(index).replace("\n", " ")
 
 
-## The list of the plant page that has an item called [param title], and which one it is; [null, -1]
-## where none has.
+## Returns the list of the plant page with an item called [param title], and its index, or [null,
+## -1].
 func find_item(title: String) -> Array:
 	for name: String in LISTS:
 		var list := part("Plant/List/" + name) as ItemList

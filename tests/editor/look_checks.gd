@@ -1,13 +1,13 @@
 @tool
 extends "actions_test.gd"
-## What eyes look for in a picture of the dock, as far as it can be asked for: texts that are cut,
-## and controls that are smaller than they need.
+## Automatic checks of a picture of the dock: truncated texts, and controls that are smaller than
+## their minimum.
 
-## Of a slider's height: what it keeps free on both sides of its label and number.
+## Margins above and below the label and number of a slider, as a fraction of its height.
 const SLIDER_MARGIN := 0.5
 
 
-## Pictures of this run: as wide as the screen, and what else is not as usual.
+## Prefix of the pictures of this run: width of the screen, and other differences.
 func look_name(name: String) -> String:
 	var light := "_light" if _is_light() else ""
 	var screen := DisplayServer.screen_get_size().x
@@ -28,7 +28,7 @@ func take_dialog_look(dialog: Window, name: String) -> void:
 		dialog.get_texture().get_image().save_png(path)
 
 
-## Fails the test where a text in [param root] is cut or a control is too small.
+## Fails the test if a text in [param root] is truncated or a control is too small.
 func check_nothing_is_cut(root: Node, where: String) -> void:
 	for problem in _find_cut(root):
 		check(false, "%s: %s" % [where, problem])
@@ -38,7 +38,7 @@ func check_nothing_is_cut(root: Node, where: String) -> void:
 func _find_cut(node: Node) -> PackedStringArray:
 	var found: PackedStringArray = []
 	if node is EditorInspector or node is SubViewport:
-		return found  # The engine's own.
+		return found  # Controls of the engine.
 	var control := node as Control
 	if control and not control.is_visible_in_tree():
 		return found
@@ -55,7 +55,7 @@ func _find_cut(node: Node) -> PackedStringArray:
 	return found
 
 
-# What a text on one line takes; 0 where it wraps, or may be cut because its tooltip has all of it.
+# Returns the width of a text on one line, or 0 if it wraps or has a tooltip with the whole text.
 func _text_width(control: Control) -> float:
 	if control is EditorSpinSlider:
 		return _slider_width(control as EditorSpinSlider)

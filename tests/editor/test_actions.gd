@@ -4,7 +4,7 @@ extends "actions_test.gd"
 
 const SCENE := "res://actions_scene.tscn"
 const CONTROL_SCENE := "res://actions_control.tscn"
-## Height of the box that stands under the view's centre.
+## Height of the box under the view's centre.
 const TABLE_TOP := 1.5
 
 
@@ -140,7 +140,7 @@ func test_a_species_that_fails_is_not_put_anywhere() -> void:
 	await _choose("Grass")
 
 
-## The edited scene as its file has it after saving.
+## Returns the edited scene from its saved file.
 func _saved_text() -> String:
 	check_equal(EditorInterface.save_scene(), OK, "saving")
 	return FileAccess.get_file_as_string(SCENE)

@@ -1,6 +1,6 @@
 @tool
 extends "actions_test.gd"
-## Fields take part in the actions of the plant page.
+## The actions of the plant page with fields.
 
 const SCENE := "res://actions_field.tscn"
 

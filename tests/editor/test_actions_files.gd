@@ -1,6 +1,6 @@
 @tool
 extends "actions_test.gd"
-## Species in files of the project: saved from the dock, and begun as scripts.
+## Species in files of the project: saved from the dock, and new scripts.
 
 const FileNames := preload("res://addons/undergrowth/editor/actions/file_names.gd")
 const SCENE := "res://actions_files_scene.tscn"
@@ -131,7 +131,7 @@ func test_names_become_files_and_classes() -> void:
 	check_equal(FileNames.to_node_name("a.b:c/d"), "a_b_c_d", "node")
 
 
-## A folder whose rights forbid writing; who runs the tests as root may write there all the same.
+## A folder without write permission. With root permissions it is writable nevertheless.
 func _check_read_only_folder() -> void:
 	DirAccess.make_dir_recursive_absolute(READ_ONLY)
 	var real := ProjectSettings.globalize_path(READ_ONLY)

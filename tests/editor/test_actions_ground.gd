@@ -1,6 +1,6 @@
 @tool
 extends "actions_test.gd"
-## The ground that plants of the dock are put on: colliders, meshes, planes, whatever a ray meets.
+## The ground for new plants of the dock: colliders, meshes, planes.
 
 const Ground := preload("res://addons/undergrowth/editor/actions/ground.gd")
 const SCENE := "res://actions_ground_scene.tscn"

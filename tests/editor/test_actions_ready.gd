@@ -1,7 +1,6 @@
 @tool
 extends "actions_test.gd"
-## What ships with the add-on: ready species and mixes in the list, and what becomes of them in a
-## scene.
+## Ready species and mixes of the add-on in the list, and their use in a scene.
 
 const ThumbnailPainter := preload("res://addons/undergrowth/editor/thumbnails/thumbnail_painter.gd")
 const SCENE := "res://actions_ready.tscn"

@@ -1,15 +1,15 @@
 @tool
 extends "actions_test.gd"
-## Texts in other languages: complete, shown by the dock, and nowhere else.
+## Texts in other languages: complete, used in the dock, and nowhere else.
 
 const LANGUAGE := "hr"
 const FOLDERS: Array[String] = ["res://addons/undergrowth/editor"]
 const PLUGIN := "undergrowth"
 const IN_CODE := '\\b(?:tr|tr_n|atr|atr_n|text)\\(\\s*"((?:[^"\\\\]|\\\\.)+)"'
 const IN_SCENES := '(?m)^(?:text|tooltip_text|placeholder_text|title|ok_button_text) = "([^"]+)"'
-## Not for people, or the same in every language.
+## Internal texts, and texts that are the same in every language.
 const NOT_TEXTS: Array[String] = ["res://", "24, 12, 6, 3"]
-## One text of each page and of each kind of place.
+## One text of each page and of each kind of control.
 const SAMPLES: Dictionary[String, String] = {
 	"Add to Scene": "Dodaj u scenu",
 	"Strength": "Snaga",
@@ -73,7 +73,7 @@ func _speak(locale: String) -> void:
 	dock().propagate_notification(Node.NOTIFICATION_TRANSLATION_CHANGED)
 
 
-## Each text with the file it is in.
+## Returns each text with its file.
 func _collect_texts() -> Dictionary[String, String]:
 	var texts: Dictionary[String, String] = {}
 	for folder in FOLDERS:

@@ -1,6 +1,6 @@
 @tool
 extends "look_checks.gd"
-## The project that the other tests saved, opened again with an editor at 200 %.
+## The project saved by all other tests, opened again in an editor at 200 %.
 
 const SCENE := "res://actions_scene.tscn"
 const SPECIES := "res://my species/Ševar vlažni.tres"

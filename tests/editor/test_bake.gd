@@ -8,7 +8,7 @@ const FOLDER := "res://baked"
 const TITLE := "Crveni šaš"
 const STEM := "crveni_sas"
 const BLOCKER := "res://bake_blocker"
-## Runs in a project that has nothing of the add-on.
+## Runs in a project without the add-on.
 const ALONE := """extends SceneTree
 
 
@@ -233,7 +233,7 @@ func _copy(from: String, to: String) -> void:
 	check_equal(DirAccess.copy_absolute(ProjectSettings.globalize_path(from), to), OK, "copying")
 
 
-## How this engine was started, without its options. It may stand behind a loader.
+## Returns the command of this engine without its options. It may include a loader.
 func _engine_words() -> PackedStringArray:
 	var words: PackedStringArray = []
 	var file := FileAccess.open("/proc/self/cmdline", FileAccess.READ)

@@ -1,6 +1,6 @@
 @tool
 extends "brush_test.gd"
-## How densely the brush paints a species that the field grows already, and what the bar says of it.
+## Painted densities of species that the field already contains, and their display in the settings.
 
 const POPPY := "Poppy"
 const GRASS_LAYER := "Meadow Grass"
@@ -8,7 +8,7 @@ const SPECIES := "res://addons/undergrowth/species/%s.tres"
 const DENSITY := 12.0
 const SIDE := 16.0
 const RADIUS := 4.0
-## Inside the hard edge of the brush, whatever its cells are.
+## Inside the hard edge of the brush, for any grid of cells.
 const COUNTED := RADIUS - 0.5
 
 
@@ -86,7 +86,7 @@ func test_pick_takes_the_painted_density() -> void:
 	await _choose_tool("Pick")
 	await click(_view(), _place_of(field, Vector3.ZERO))
 	check(_as_mixed().button_pressed, "as mixed")
-	(_settings().get_node("%PlantHeight") as EditorSpinSlider).value = 1.5  # Picked, too.
+	(_settings().get_node("%PlantHeight") as EditorSpinSlider).value = 1.5  # Picked as well.
 	await _put_down("Paint")
 
 

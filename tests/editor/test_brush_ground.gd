@@ -1,6 +1,6 @@
 @tool
 extends "brush_test.gd"
-## The brush on ground that no ray meets: an object's, such as a terrain of another add-on.
+## The brush on ground without ray hits: an object's, such as a terrain of another add-on.
 
 
 class Terrain:
@@ -30,7 +30,7 @@ func test_it_paints_where_the_terrain_is_seen() -> void:
 func test_it_falls_to_the_plane_beyond_the_terrain() -> void:
 	var field := await _field_on_a_terrain()
 	field.map = PlantMap.new()
-	field.map.paint(Vector3.ZERO, 0.5, GRASS, 1.0, 0.0)  # Something stands, whoever is asked.
+	field.map.paint(Vector3.ZERO, 0.5, GRASS, 1.0, 0.0)  # Plants exist for any query.
 	var camera := EditorInterface.get_editor_viewport_3d(0).get_camera_3d()
 	var beyond := Vector3(signf(camera.global_position.x) * 2.2, 0, 0)
 	await _choose_tool("Paint")

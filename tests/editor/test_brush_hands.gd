@@ -1,8 +1,8 @@
 @tool
 extends "brush_test.gd"
-## What keys that are held, and pens, do to strokes of the brush.
+## Effects of modifier keys and pens on strokes of the brush.
 
-## Between the two rows of cells along it, painting ends.
+## Painting ends between the two rows of cells along it.
 const EDGE := Vector3(0, 0, 1)
 
 
@@ -65,7 +65,7 @@ func test_a_mouse_does_all_whatever_it_tells() -> void:
 	check_equal(field.map.get_density(Vector3(0, 0, 1.6), GRASS), 0.0, "after one that tells 1")
 
 
-# Touches the ground, moves by a pixel and lets go.
+# Touches the ground, moves by a pixel and releases.
 func _dab(field: PlantField3D, place: Vector3) -> void:
 	var from := _in_window(_view(), _place_of(field, place))
 	await _point(_view(), from)
@@ -75,6 +75,6 @@ func _dab(field: PlantField3D, place: Vector3) -> void:
 	await frames(2)
 
 
-# All up to the line through [param edge], across.
+# Selects the area up to the line through [param edge], over the whole width.
 func _square(edge: Vector3) -> PackedVector3Array:
 	return [Vector3(-8, 0, -8), Vector3(8, 0, -8), Vector3(8, 0, edge.z), Vector3(-8, 0, edge.z)]

@@ -1,10 +1,10 @@
 @tool
 extends "brush_test.gd"
-## What the brush costs while the pointer moves, and strokes that another scene interrupts.
+## The cost of the brush while the pointer moves, and strokes interrupted by another scene.
 
 const BrushGround := preload("res://addons/undergrowth/editor/brush/brush_ground.gd")
 const OTHER_FILE := "res://brush_other_scene.tscn"
-## Of the circle, and one through the pointer.
+## Rays of the circle, and one through the pointer.
 const MAX_RAYS := 25
 const MOVES := 60
 

@@ -1,10 +1,10 @@
 @tool
 extends "brush_test.gd"
-## Painting with what is picked in the dock's list, whether the field grows it already or not.
+## Painting with the species picked in the dock's list, for fields with and without it.
 
 const POPPY := "Poppy"
 const POPPY_FILE := "res://addons/undergrowth/species/poppy.tres"
-## Where the stroke of these tests goes, and how far its brush reaches.
+## Position of the stroke of these tests, and radius of its brush.
 const FROM := Vector3(-0.5, 0, 1)
 const TO := Vector3(0.5, 0, 1)
 const REACH := 0.8

@@ -1,6 +1,6 @@
 @tool
 extends "editor_test.gd"
-## Species that do not work: the dock says what to do, keeps what it shows and stays alive.
+## Species with errors: the dock shows the solution, the last valid plant, and stays responsive.
 
 const EditorState := preload("res://addons/undergrowth/editor/editor_state.gd")
 const FILE := "res://faulty_species.gd"
@@ -12,7 +12,7 @@ const NOT_TOOL := HEAD + METHOD + "breadth\n"
 const SYNTAX_ERROR := "@tool\n" + HEAD + METHOD + "breadth +\n"
 const WRONG_VALUE := "@tool\n" + HEAD + METHOD + "-3.0\n"
 
-# When a script was last written, in whole seconds.
+# Time of a script's last change, in whole seconds.
 var _written := 0
 
 
@@ -84,8 +84,8 @@ func _check_status(text: String) -> void:
 
 
 func _write(path: String, text: String) -> void:
-	# The editor tells files apart by whole seconds; its cache, one scan behind, may still have one
-	# that was removed, and would miss that one's .uid.
+	# The editor compares file times in whole seconds. Its cache is one scan behind and may still
+	# contain a removed file, so that it would miss the .uid of its successor.
 	while Time.get_unix_time_from_system() < _written + 1.1:
 		await frames(1)
 	var file := FileAccess.open(path, FileAccess.WRITE)

@@ -1,6 +1,6 @@
 @tool
 extends "brush_test.gd"
-## The brush over the 3D view: strokes on a field's map, while they are drawn and as steps of undo.
+## The brush over the 3D view: strokes on a field's map, in progress and as steps of undo.
 
 
 func test_the_toolbar_is_there_while_a_field_is_edited() -> void:

@@ -1,7 +1,7 @@
 @tool
 extends "brush_test.gd"
-## A field whose ground changes in the editor: it follows what was moved by hand, once, and is
-## filled again where the user wants it.
+## A field whose ground changes in the editor. It rebuilds once after a change by the user, and on
+## request.
 
 const PLACE := &"position"
 
@@ -64,7 +64,7 @@ func test_what_is_no_ground_of_it_changes_nothing() -> void:
 
 func test_the_button_fills_again() -> void:
 	var ground := await _ground_of_a_field()
-	ground.position.y = 2.0  # As a script does it: nobody is told.
+	ground.position.y = 2.0  # As by a script, without a signal.
 	await frames(30)
 	await _check_height(0.0, "before")
 	await _choose_only(_field())
@@ -113,7 +113,7 @@ func _move_to(node: Node3D, at: Vector3) -> void:
 	await _step(node, PLACE, at)
 
 
-# As the editor's own tools change it.
+# As by the editor's own tools.
 func _step(object: Object, property: StringName, value: Variant) -> void:
 	var undo_manager := EditorInterface.get_editor_undo_redo()
 	undo_manager.create_action(

@@ -1,6 +1,6 @@
 @tool
 extends "viewport_test.gd"
-## Gizmos come and go with their nodes, whatever the viewport still holds.
+## Gizmos are created and freed with their nodes, also while the viewport references them.
 
 const GizmoShapes := preload("res://addons/undergrowth/editor/gizmo/gizmo_shapes.gd")
 const PLUGIN := "undergrowth"
@@ -59,7 +59,7 @@ func test_a_scene_that_is_loaded_anew_while_a_handle_is_dragged() -> void:
 	check_equal(_history().get_version(), version, "version of the scene")
 
 
-## The viewport goes on holding its gizmo: the editor died when the plugin went.
+## The viewport still references its gizmo. The editor once crashed when the plugin was removed.
 func test_a_plant_that_is_removed_while_its_handle_is_under_the_pointer() -> void:
 	var plant := await _open_plant()
 	await _choose_only(plant)
@@ -108,7 +108,7 @@ func test_two_heights_in_a_moment_are_two_steps() -> void:
 	check_equal(second.height, 0.0, "height of the second after one undo")
 
 
-## Fails the test unless the gizmo, where it still is, belongs to a node that is there, but not in a
+## Fails the test unless a remaining gizmo belongs to a valid node outside of the scene.
 ## scene.
 func check_nobodys(held: WeakRef) -> void:
 	var gizmo := held.get_ref() as EditorNode3DGizmo
@@ -117,7 +117,7 @@ func check_nobodys(held: WeakRef) -> void:
 		check(is_instance_valid(node) and not (node as Node).is_inside_tree(), "it is nobody's")
 
 
-# The gizmo of the plant that is gone.
+# The gizmo of the freed plant.
 func _drag_height_and_load_anew() -> WeakRef:
 	var plant := await _open_plant()
 	await _choose_only(plant)

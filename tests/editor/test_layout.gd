@@ -118,7 +118,8 @@ func test_a_filter_moves_nothing() -> void:
 	await frames(4)
 	var bar := (part("Plant/List/Scroll") as ScrollContainer).get_v_scroll_bar()
 	check(not bar.visible, "one name needs no scroll bar")
-	# Else a list that is shorter in fewer, wider columns gets one and loses it without end.
+	# Without it, a list that is shorter with fewer, wider columns would switch its scroll bar
+	# forever.
 	check_equal(list.size.x, width, "width of the list without a scroll bar")
 	check_equal(preview.get_global_rect(), before, "place of the preview with one name")
 	filter.text = ""

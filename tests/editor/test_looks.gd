@@ -1,7 +1,7 @@
 @tool
 extends "look_checks.gd"
-## A walk through all that the add-on shows in the editor: nothing of it is cut, on any of the
-## screens on which this runs, and each step is in a picture (look_*.png) for whoever wants to look.
+## Shows all controls of the add-on in the editor. None is truncated on the screens of this run.
+## Each step saves a picture (look_*.png) for review.
 
 const SCENE := "res://looks.tscn"
 const BAR_SCRIPT := "res://addons/undergrowth/editor/brush/brush_bar.gd"

@@ -1,13 +1,13 @@
 @tool
 extends "editor_test.gd"
-## Switching the add-on off and on again.
+## Disabling and enabling the add-on.
 
 const PLUGIN := "undergrowth"
 const LIBRARY := "res://addons/undergrowth/undergrowth.gdextension"
 
 
 func test_off_and_on_again() -> void:
-	# The first time, the editor makes parts of its own that stay.
+	# At the first time, the editor creates permanent controls of its own.
 	await _switch_off_and_on()
 	var nodes := _count(Performance.OBJECT_NODE_COUNT)
 	var orphans := _count(Performance.OBJECT_ORPHAN_NODE_COUNT)

@@ -1,6 +1,6 @@
 @tool
 extends "actions_test.gd"
-## The add-on's own files: working with them and saving scenes changes none.
+## The add-on's own files: work with them and saved scenes do not change them.
 
 const FOLDER := "res://addons/undergrowth"
 const SCENE := "res://shipped_files.tscn"

@@ -1,6 +1,6 @@
 @tool
 extends "actions_test.gd"
-## The dock in another theme, changed while it is open.
+## The dock after a change of the theme while it is open.
 
 
 func test_dock_follows_a_light_theme() -> void:

@@ -82,7 +82,7 @@ func test_inspector_shows_the_force_of_a_wind() -> void:
 	check(graph.wind == wind and graph.get_now() > 0.0, "it is of that wind and moves")
 	var over := func() -> bool: return wind.get_time() > wind.gust_duration
 	check(await until(over), "the first gust is over")
-	wind.gust_duration = 60.0  # However slow this machine is.
+	wind.gust_duration = 60.0  # For a machine of any speed.
 	wind.advance(60.0)
 	await click(view.get_node("%Gust") as Control)
 	check(wind.sample(wind.get_time()).length() > 0.0, "the button's gust blows")

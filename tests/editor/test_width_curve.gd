@@ -1,6 +1,6 @@
 @tool
 extends "actions_test.gd"
-## Drags of width points that do not end as they should: undo takes them back all the same.
+## Interrupted drags of width points, which undo restores too.
 
 
 func test_a_drag_that_another_choice_interrupts_is_undone() -> void:
@@ -37,7 +37,7 @@ func test_a_drag_of_a_curve_that_undo_takes_away_changes_no_other() -> void:
 	curve.set_point_value(1, 1.0)
 
 
-## The curve whose second point follows the pointer.
+## Returns the curve whose second point follows the pointer.
 func _begin_drag() -> Curve:
 	await open_page("Plant")
 	await _choose("Own drawing")

@@ -1,7 +1,6 @@
 @tool
 extends "wind_test.gd"
-## What the wind page writes to plants of scenes that stand inside the edited one: only what is
-## saved.
+## The wind page writes only saved values to plants of instanced scenes.
 
 const POT := "res://wind_pot.tscn"
 const TULIP := "res://wind_tulip.tscn"
@@ -46,7 +45,7 @@ func _told() -> String:
 	return (part("Status/Text") as Label).text
 
 
-## What the first plant of the saved scene has, read anew.
+## Returns the values of the saved scene's first plant, loaded again.
 func _read_kind() -> PlantWind.Kind:
 	var scene := ResourceLoader.load(YARD, "", ResourceLoader.CACHE_MODE_IGNORE) as PackedScene
 	var yard := scene.instantiate()
@@ -55,7 +54,7 @@ func _read_kind() -> PlantWind.Kind:
 	return kind
 
 
-## A scene with an instance of each of these, none selected.
+## Opens a scene with an instance of each of these, without a selection.
 func _open_yard(parts: Array[String]) -> Node3D:
 	_save(_make_plant(), TULIP)
 	var pot := Node3D.new()

@@ -1,6 +1,6 @@
 @tool
 extends "wind_test.gd"
-## What the wind page does to the edited scene.
+## Effects of the wind page on the edited scene.
 
 const SCENE_FILES := "res://wind_page_%d.tscn"
 const FIELD_FILE := "res://wind_page_field.tscn"
@@ -153,7 +153,7 @@ func _history() -> UndoRedo:
 	return manager.get_history_undo_redo(id)
 
 
-## A small field in a scene of its own.
+## Opens a scene with a small field.
 func _open_field() -> PlantField3D:
 	var root := Node3D.new()
 	root.name = "Field"
@@ -169,7 +169,7 @@ func _open_field() -> PlantField3D:
 	return EditorInterface.get_edited_scene_root().get_child(0) as PlantField3D
 
 
-## Three plants, of which the first has a wind, in a scene of their own.
+## Opens a scene with three plants, of which the first has a wind.
 func _open_scene() -> Array[Plant3D]:
 	var root := Node3D.new()
 	root.name = "Meadow"

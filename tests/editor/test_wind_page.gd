@@ -51,7 +51,7 @@ func test_graph_moves_and_gust_blows() -> void:
 	await frames(5)
 	check(graph.get_now() > before, "now moves on")
 	check(graph.wind == _wind(), "the graph is of the page's wind")
-	_wind().gust_duration = 60.0  # However slow this machine is.
+	_wind().gust_duration = 60.0  # For a machine of any speed.
 	await _press_button("Gust")
 	var force := _wind().sample(_wind().get_time()).length()
 	check(is_equal_approx(force, _wind().strength), "the gust blows with %f N" % force)

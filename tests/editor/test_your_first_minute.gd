@@ -1,6 +1,6 @@
 @tool
 extends "actions_test.gd"
-## What a newcomer does first: a species of their own, drawn with the mouse, sways in the viewport.
+## The first steps of a new user: a new species, drawn with the mouse, sways in the viewport.
 
 const SCENE := "res://first_minute.tscn"
 const SPECIES := "res://first_minute.tres"
@@ -30,7 +30,7 @@ func test_a_species_of_ones_own_sways_in_the_viewport() -> void:
 	check(text.contains(SPECIES), "the scene names the species' file")
 
 
-## As the dock begins with, whatever other tests left.
+## Restores the initial state of the dock after any test.
 func _use_a_newcomers_wind() -> void:
 	_state().wind.kind = PlantWind.KIND_WAVES
 	_state().wind.strength = 5.0

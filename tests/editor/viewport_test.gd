@@ -1,12 +1,12 @@
 @tool
 extends "editor_test.gd"
-## What the tests of the 3D viewport share: scenes with a plant or a field, and places in it.
+## Base of the tests of the 3D viewport: scenes with a plant or a field, and positions in it.
 
 const SCENE_FILE := "res://viewport.tscn"
 const FIELD_FILE := "res://viewport_field.tscn"
 
 
-## A scene with a tulip in the middle and [param others] more to its right; the first one.
+## Opens a scene with a tulip in the middle and [param others] more to its right. Returns the first.
 func _open_plant(others := 0) -> Plant3D:
 	var root := Node3D.new()
 	root.name = "Meadow"
@@ -35,7 +35,7 @@ func _put(root: Node3D, node: Node3D) -> void:
 	node.owner = root
 
 
-## Saves the scene, opens it anew and returns its first node.
+## Saves the scene, opens it again and returns its first node.
 func _open(path: String, root: Node3D) -> Node:
 	var scene := PackedScene.new()
 	scene.pack(root)
@@ -49,7 +49,7 @@ func _open(path: String, root: Node3D) -> Node:
 	return EditorInterface.get_edited_scene_root().get_child(0)
 
 
-## As a user does with "Reload Saved Scene".
+## As the menu item "Reload Saved Scene".
 func _load_anew(path: String) -> Node3D:
 	EditorInterface.reload_scene_from_path(path)
 	await frames(10)
@@ -62,24 +62,24 @@ func _choose_only(node: Node) -> void:
 	await frames(5)
 
 
-## The control over the first 3D viewport that takes the mouse.
+## Returns the control over the first 3D viewport that receives the mouse.
 func _view() -> Control:
 	return EditorInterface.get_editor_viewport_3d(0).get_parent() as Control
 
 
-## Where [param point], in the axes of [param node], is drawn.
+## Returns the drawn position of [param point], in the axes of [param node].
 func _place_of(node: Node3D, point: Vector3) -> Vector2:
 	var viewport := EditorInterface.get_editor_viewport_3d(0)
 	var pixel := viewport.get_camera_3d().unproject_position(node.to_global(point))
 	return pixel * _view().size / Vector2(viewport.size)
 
 
-## Where the point at that share of the plant's height is drawn.
+## Returns the drawn position of the point at that share of the plant's height.
 func _tip_of(plant: Plant3D, share := 1.0) -> Vector2:
 	return _place_of(plant, Vector3.UP * plant.get_plant_height() * share)
 
 
-## The undo history of the edited scene.
+## Returns the undo history of the edited scene.
 func _history() -> UndoRedo:
 	var manager := EditorInterface.get_editor_undo_redo()
 	var id := manager.get_object_history_id(EditorInterface.get_edited_scene_root())

@@ -1,6 +1,6 @@
 @tool
 extends "editor_test.gd"
-## What the tests of the wind page share: its controls.
+## Base of the tests of the wind page: its controls.
 
 const EditorState := preload("res://addons/undergrowth/editor/editor_state.gd")
 

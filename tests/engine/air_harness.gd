@@ -1,4 +1,5 @@
-## Base of the engine tests of air: nodes that go with their test, and light grass on springs.
+## Base of the engine tests of air: nodes that are freed with their test, and light grass on
+## springs.
 extends "res://tests/engine/harness.gd"
 
 var _nodes: Array[Node] = []

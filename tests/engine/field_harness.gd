@@ -1,4 +1,4 @@
-## Base of the engine tests of fields: a field to try, and what most of them do with it.
+## Base of the engine tests of fields: a field, and common operations on it.
 extends "res://tests/engine/settling_harness.gd"
 
 const STEP := 1.0 / 60.0
@@ -13,21 +13,21 @@ func after_each() -> void:
 	paused = false
 
 
-## Adds the field to the tree and waits until it stands.
+## Adds the field to the tree and waits until it is built.
 func start() -> void:
 	root.add_child(field)
 	await field.build_finished
 	await frames(2)
 
 
-## Waits until [param filling] stands. A signal's sender must not be freed while it sends.
+## Waits until [param filling] is built. A signal's sender must not be freed while it emits.
 func filled(filling: PlantField3D) -> void:
 	await filling.build_finished
 	await process_frame
 
 
-## Begins to fill the field anew and returns in a frame in which its worker is still at it, which
-## on a busy machine may be done before the next frame comes.
+## Starts a rebuild of the field and returns in a frame in which its worker is still busy. On a busy
+## machine the worker may finish before the next frame.
 func catch_filling() -> void:
 	for attempt in 50:
 		field.rebuild()
@@ -37,7 +37,7 @@ func catch_filling() -> void:
 	check(false, "it is never seen to fill")
 
 
-## Waits until the simulation took at least [param count] steps more, by the wind's clock.
+## Waits for at least [param count] more steps of the simulation, by the wind's clock.
 func step(count: int) -> void:
 	if field.wind == null:
 		await frames(count * 3)
@@ -47,8 +47,8 @@ func step(count: int) -> void:
 		await process_frame
 
 
-## Adds the field, and one beside it that is like it but for [param settings], in the same wind.
-## Both stand, at rest, and move by [method step_both] only.
+## Adds the field, and beside it a twin that differs only in [param settings], in the same wind.
+## Both are built and at rest, and move by [method step_both] only.
 func start_with_twin(settings: Dictionary) -> PlantField3D:
 	field.simulation_enabled = false
 	var twin: PlantField3D = field.duplicate()
@@ -63,15 +63,15 @@ func start_with_twin(settings: Dictionary) -> PlantField3D:
 	return twin
 
 
-## A step of the field and its twin. A preview never drops steps, as a slow frame may.
+## Runs a step of the field and its twin. A preview never drops steps, which a slow frame may do.
 func step_both(twin: PlantField3D) -> void:
 	field.wind.advance(STEP)
 	field._preview(STEP, field.wind)
 	twin._preview(STEP, field.wind)
 
 
-## Takes [param count] steps of both. How far any tip is from its twin's at most (x), and from where
-## it was at first (y).
+## Runs [param count] steps of both. Returns the maximum distance of a tip from its twin's (x), and
+## from its initial position (y).
 func most_apart(twin: PlantField3D, count: int) -> Vector2:
 	var before := all_tips()
 	var most := Vector2.ZERO
@@ -85,24 +85,26 @@ func most_apart(twin: PlantField3D, count: int) -> Vector2:
 	return most
 
 
-## All tips, in the axes of their field.
+## Returns all tips, in the axes of their field.
 func all_tips(of := field) -> PackedVector3Array:
 	return of.get_tip_positions(of.get_plant_ids())
 
 
-## The ids of all plants, in an order of their own: dressed anew, a field lists them in another.
+## Returns the sorted ids of all plants, because a field with a new style lists them in another
+## order.
 func sorted_ids() -> PackedInt64Array:
 	var ids := field.get_plant_ids()
 	ids.sort()
 	return ids
 
 
-## From a plant's root to its tip.
+## Returns the vector from a plant's root to its tip.
 func relative_tip(id: int) -> Vector3:
 	return field.get_tip_position(id) - field.get_plant_transform(id).origin
 
 
-## How many tips are farther than [param distance] from where they were, in [method all_tips].
+## Returns the number of tips farther than [param distance] from their position in
+## [method all_tips].
 func count_moved(from: PackedVector3Array, distance: float) -> int:
 	var now := all_tips()
 	var count := 0
@@ -111,17 +113,17 @@ func count_moved(from: PackedVector3Array, distance: float) -> int:
 	return count
 
 
-## Waits until what was changed just now of the field is seen, or refused.
+## Waits until the field has applied or rejected the latest changes.
 func rested() -> void:
 	await settled(field)
 
 
-## A capsule in the group "walkers".
+## Returns a capsule in the group "walkers".
 func add_walker() -> StaticBody3D:
 	return add_body(CapsuleShape3D.new())
 
 
-## A plate that colliders' ground is asked of: so many metres wide, its top at that height.
+## Returns a plate as collider ground, with this width in metres and its top at that height.
 func add_plate(side: float, top: float) -> StaticBody3D:
 	var plate := StaticBody3D.new()
 	add_shape(plate, box_shape(Vector3(side, 1.0, side)))
@@ -136,7 +138,7 @@ func box_shape(size: Vector3) -> BoxShape3D:
 	return box
 
 
-## A [Path3D] through [param points] below the field, saved with it, and the path to it.
+## Adds a [Path3D] through [param points] below the field, saved with it. Returns its node path.
 func add_path(title: String, points: Array[Vector3]) -> NodePath:
 	var path := Path3D.new()
 	path.name = title

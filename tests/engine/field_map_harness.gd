@@ -14,7 +14,7 @@ func before_each() -> void:
 	map = PlantMap.new()
 
 
-## All that a plant is, by its id.
+## Returns all values of a plant, by its id.
 func all_plants() -> Dictionary:
 	var found := {}
 	for id in field.get_plant_ids():

@@ -1,16 +1,16 @@
-## Base of the engine tests: a test script extends this file and has methods named test_*.
+## Base class of the engine tests. A test script extends this file and has methods named test_*.
 ##
 ## Run one with `godot --headless --path build/test/project --script res://tests/engine/test_x.gd`.
-## Each method prints `ok NAME` or `not ok NAME: why`; first comes `start`, last `done COUNT`.
-## After `--` one may say `--rounds=N`: all tests run N times in one process, on the same object, so
-## that what one test leaves behind meets every other. `--seed=N` has them run in a random order,
-## which `round K seed N` names; each round more takes the next number as its seed.
-## An error or warning of the engine that the test does not claim with [method check_error] fails
-## the test, and so does a test that checks nothing.
+## Each method prints `ok NAME` or `not ok NAME: why`. The first line is `start`, the last one `done
+## COUNT`. Options follow `--`. `--rounds=N` runs all tests N times in one process, on the same
+## object, so that leftovers of one test affect all other tests. `--seed=N` runs them in a random
+## order, which `round K seed N` prints. Each round adds one to the seed. A test fails by an error
+## or warning of the engine that it does not claim with [method check_error], and by the absence of
+## any check.
 extends SceneTree
 
 
-## Collects what the engine reports, from whichever thread.
+## Collects the engine's errors and warnings from all threads.
 class Listener:
 	extends Logger
 	var _mutex := Mutex.new()
@@ -39,7 +39,7 @@ class Listener:
 		return taken
 
 
-## Characters of a value that a failed check shows.
+## Maximum number of characters of a value in a failed check.
 const SHOWN_LENGTH := 160
 
 var _listener := Listener.new()
@@ -54,24 +54,24 @@ func _initialize() -> void:
 	_run_all()
 
 
-## Called before each test; override to build what all tests of the script need.
+## Called before each test. Override it to create the objects that all tests of the script need.
 func before_each() -> void:
 	pass
 
 
-## Called after each test; override to free it again.
+## Called after each test. Override it to free them.
 func after_each() -> void:
 	pass
 
 
-## Fails the test unless [param condition] holds; [param what] says what was expected.
+## Fails the test unless [param condition] is true. [param what] describes the expected result.
 func check(condition: bool, what: String) -> void:
 	_check_count += 1
 	if not condition:
 		_problems.append(what)
 
 
-## Fails the test unless both are of one type and equal.
+## Fails the test unless both are equal and of one type.
 func check_equal(actual: Variant, expected: Variant, what := "value") -> void:
 	var same: bool = typeof(actual) == typeof(expected) and actual == expected
 	check(same, "%s is %s, not %s" % [what, _shown(actual), _shown(expected)])
@@ -95,8 +95,8 @@ func check_near(actual: Variant, expected: Variant, tolerance: float, what := "v
 	)
 
 
-## Claims one error or warning: fails the test unless exactly one that was reported since the test
-## began (or since the last claim of it) contains [param text].
+## Claims one error or warning. Fails the test unless exactly one that was reported since the start
+## of the test (or since its last claim) contains [param text].
 func check_error(text: String) -> void:
 	check_error_count(text, 1)
 
@@ -113,7 +113,7 @@ func check_error_count(text: String, count: int) -> void:
 	_errors = others
 
 
-## Whether the inspector shows the property [param title] of [param object].
+## True if the inspector shows the property [param title] of [param object].
 func is_shown(object: Object, title: String) -> bool:
 	for property in object.get_property_list():
 		if property["name"] == title:
@@ -133,7 +133,7 @@ func physics_frames(count: int) -> void:
 		await physics_frame
 
 
-## Waits for what worker threads do: until [param holds], a minute at most.
+## Waits for worker threads until [param holds] is true, at most one minute.
 func until(holds: Callable, what: String) -> void:
 	var deadline := Time.get_ticks_msec() + 60000
 	while not holds.call() and Time.get_ticks_msec() < deadline:
@@ -141,8 +141,8 @@ func until(holds: Callable, what: String) -> void:
 	check(holds.call(), what)
 
 
-## What starts this engine once more. A script may have started it by its loader, which has no other
-## name for itself.
+## Returns the command that starts this engine again. If a loader started it, the command includes
+## the loader.
 func engine_path() -> String:
 	var named := OS.get_environment("GODOT")
 	return OS.get_executable_path() if named.is_empty() else named
@@ -162,7 +162,7 @@ func _run_all() -> void:
 	quit(1 if failed > 0 else 0)
 
 
-## The names of all tests, as they stand in the script or shuffled.
+## Returns the names of all tests, in the order of the script or shuffled.
 func _tests_of_round(number: int) -> PackedStringArray:
 	var tests: PackedStringArray = []
 	for method: Dictionary in get_script().get_script_method_list():
@@ -175,10 +175,10 @@ func _tests_of_round(number: int) -> PackedStringArray:
 	return tests
 
 
-## [param names] in an order that [param seed_value] alone decides.
+## Returns [param names] in an order that depends only on [param seed_value].
 func shuffled(names: PackedStringArray, seed_value: int) -> PackedStringArray:
 	var random := RandomNumberGenerator.new()
-	random.seed = hash(seed_value)  # Seeds in a row would begin alike.
+	random.seed = hash(seed_value)  # Consecutive seeds would give similar first numbers.
 	for last in range(names.size() - 1, 0, -1):
 		var other := random.randi_range(0, last)
 		var name := names[last]
@@ -187,7 +187,7 @@ func shuffled(names: PackedStringArray, seed_value: int) -> PackedStringArray:
 	return names
 
 
-## What the command line says after `--` as `--NAME=VALUE`, or [param otherwise].
+## Returns the value of `--NAME=VALUE` after `--` in the command line, or [param otherwise].
 func _word(name: String, otherwise: String) -> String:
 	for word in OS.get_cmdline_user_args():
 		if word.begins_with("--%s=" % name):
@@ -215,17 +215,17 @@ func _run_one(test: String) -> bool:
 	return _problems.is_empty()
 
 
-## At its exit the engine waits for ever where tasks of low priority, like the compilation of
-## pipelines, stand in a queue while another one runs: a worker that saw that queue goes back to
-## sleep, and nobody wakes it when another has emptied it (Godot 4.6.3, each time). They begin in
-## the order in which they came: where the last of them has ended, none waits.
+## At its exit the engine can wait forever if tasks of low priority, such as the compilation of
+## pipelines, are queued while another one runs. A worker that finds that queue full sleeps, and
+## nothing wakes it after the queue is empty (Godot 4.6.3, reproducible). Tasks start in the order
+## of their arrival, so none waits after the end of the last one.
 func _let_queued_tasks_begin() -> void:
-	await frames(10)  # The last pictures may still ask for some.
+	await frames(10)  # The last pictures may still start some.
 	var last := WorkerThreadPool.add_task(OS.delay_usec.bind(0), false, "The last in the queue")
 	WorkerThreadPool.wait_for_task_completion(last)
 
 
-## A body of this shape in the group "walkers".
+## Returns a body of this shape in the group "walkers".
 func add_body(shape: Shape3D, at := Vector3.ZERO) -> StaticBody3D:
 	var body := StaticBody3D.new()
 	add_shape(body, shape)
@@ -241,7 +241,7 @@ func add_shape(to: Node3D, shape: Shape3D) -> void:
 	to.add_child(holder)
 
 
-## A value as text, cut where it would fill the screen.
+## Returns a value as text, truncated to a readable length.
 func _shown(value: Variant) -> String:
 	var text := var_to_str(value)
 	return text if text.length() <= SHOWN_LENGTH else text.left(SHOWN_LENGTH) + "…"

@@ -1,18 +1,18 @@
-## Base of the engine tests that look at pictures: a stage with a camera and a light.
+## Base of the engine tests with pictures: a stage with a camera and a light.
 extends "res://tests/engine/settling_harness.gd"
 
 const PICTURE_SIZE := Vector2i(200, 240)
-## A pixel differs where a channel does by more than this.
+## Pixels differ if a channel differs by more than this.
 const TOLERANCE := 10.0 / 255.0
-## Pixels that may: on the outline, where the last bit of a vertex decides.
+## Number of pixels that may differ, on the outline, by rounding of vertices.
 const MOST_DIFFERENT := 12
-## Pixels of the plant, at least.
+## Minimum number of pixels of the plant.
 const LEAST_PLANT := 100
 
 var stage: SubViewport
 
 
-## A new stage; [code]stage.free()[/code] takes it away with all that is on it.
+## Returns a new stage. [code]stage.free()[/code] removes it with all of its nodes.
 func make_stage() -> void:
 	stage = SubViewport.new()
 	stage.size = PICTURE_SIZE
@@ -22,10 +22,10 @@ func make_stage() -> void:
 	_add_light()
 
 
-## A field of nothing but what is added, which steps when it is told to.
+## Returns a field of added plants only, which the test steps.
 func make_added_field(wind: PlantWind) -> PlantField3D:
 	var field := PlantField3D.new()
-	field.density = 0.0  # Only what is added.
+	field.density = 0.0  # Added plants only.
 	field.wind = wind
 	field.simulation_enabled = false
 	stage.add_child(field)
@@ -35,7 +35,7 @@ func make_added_field(wind: PlantWind) -> PlantField3D:
 	return field
 
 
-## A plant alone at [param place], like one of a field that has stepped so often in that wind.
+## Returns a single plant at [param place], equal to one of a field after these steps in that wind.
 func make_twin(
 	field: PlantField3D, id: int, species: PlantFunction, place: Transform3D, steps: int
 ) -> Plant3D:
@@ -47,14 +47,14 @@ func make_twin(
 	plant.seed = field.get_plant_seed(id)
 	stage.add_child(plant)
 	plant.global_transform = place
-	await frames(2)  # It hears of its place at a frame's end.
+	await frames(2)  # The plant reads its position at the end of a frame.
 	for i in steps:
 		plant._preview(1.0 / 60.0, field.wind)
 	await frames(2)
 	return plant
 
 
-## What the stage shows, two frames after all fields there are seen as they were told to be.
+## Returns the picture of the stage, two frames after all of its fields show their settings.
 func picture() -> Image:
 	if DisplayServer.get_name() == "headless":
 		printerr("There is nothing to take a picture of: run this script with a renderer.")
@@ -72,7 +72,7 @@ func empty_picture() -> Image:
 	return empty
 
 
-## Pixels in which two pictures differ.
+## Returns the number of pixels in which two pictures differ.
 func count_different(one: Image, other: Image) -> int:
 	var count := 0
 	for y in PICTURE_SIZE.y:

@@ -1,4 +1,4 @@
-## Base of the engine tests of what pushes plants that stand alone: plants, bodies, and their tips.
+## Base of the engine tests of forces on single plants: plants, bodies, and their tips.
 extends "res://tests/engine/harness.gd"
 
 const GROUP := &"walkers"
@@ -13,7 +13,7 @@ func after_each() -> void:
 	check_equal(PlantSimulation.get_plant_count(), 0, "plants left in the simulation")
 
 
-## A plant in the tree that bodies push.
+## Returns a plant in the tree that bodies push.
 func add_plant(species: PlantFunction, placed := Transform3D(), height := 1.2) -> Plant3D:
 	var plant := make_plant(species, placed, height)
 	plant.bodies_group = GROUP
@@ -29,7 +29,7 @@ func make_plant(species: PlantFunction, placed := Transform3D(), height := 1.2) 
 	return plant
 
 
-## An upright species, 1.2 m high.
+## Returns an upright species, 1.2 m high.
 func make_species(law: PlantFunction.MotionLaw, radius := 0.05) -> PlantFunction:
 	var species := CurvePlantFunction.new()
 	species.height_max = 1.2
@@ -43,7 +43,7 @@ func make_species(law: PlantFunction.MotionLaw, radius := 0.05) -> PlantFunction
 	return species
 
 
-## The tip in the world.
+## Returns the tip in world axes.
 func tip_of(plant: Plant3D) -> Vector3:
 	return plant.to_global(plant.get_tip_position())
 
@@ -54,7 +54,7 @@ func add_ball(at: Vector3, radius: float) -> StaticBody3D:
 	return add_body(ball, at)
 
 
-## Waits until the simulation went on for so many seconds.
+## Waits for that many seconds of the simulation.
 func pass_time(seconds: float) -> void:
 	var passed := 0.0
 	while passed < seconds:

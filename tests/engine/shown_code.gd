@@ -1,20 +1,20 @@
-## The blocks of code that README, guide and class help show: taken out of the texts, and made
-## scripts that can run in a small scene of their own.
+## The blocks of code in README, guide and class help, as scripts that run in a small scene of their
+## own.
 extends RefCounted
 
 
 ## One block of code.
 class Block:
-	## Where it stands, for messages.
+	## Position in the text, for messages.
 	var place := ""
-	## As it is shown, with tabs.
+	## The shown text, with tabs.
 	var code := ""
-	## gdscript, csharp or another.
+	## gdscript, csharp or another language.
 	var language := ""
-	## It cannot run by itself, and the text says so above it.
+	## True if it cannot run by itself. The text above it says so.
 	var is_only_compiled := false
 
-	## A script by itself: it says what it extends.
+	## True if it is a whole script with an extends line.
 	func is_script() -> bool:
 		return RegEx.create_from_string("(?m)^extends ").search(code) != null
 
@@ -25,11 +25,11 @@ class Block:
 
 const HEADS := "(?m)^(class_name .*|extends \\w+ *)$"
 const FENCE := "```"
-## Above a block that needs what only a game has.
+## Marker above a block that needs objects of a game.
 const ONLY_COMPILED := "<!-- only compiled"
 const CODE_BLOCK := "(?s)\\[codeblock([^\\]]*)\\](.*?)\\[/codeblock\\]"
 const INDENT := "    "
-## What blocks may take for granted, by name. A block that declares one itself gets its own.
+## Objects that blocks may use, by name. A block can declare its own instead.
 const MEMBERS: Dictionary[String, String] = {
 	"field": "PlantField3D",
 	"hedge": "PlantField3D",
@@ -53,7 +53,7 @@ const METHODS: Dictionary[String, String] = {
 }
 
 
-## All fenced blocks of a Markdown file.
+## Returns all fenced blocks of a Markdown file.
 static func in_markdown(path: String, name: String) -> Array[Block]:
 	var found: Array[Block] = []
 	var lines := FileAccess.get_file_as_string(path).split("\n")
@@ -73,7 +73,7 @@ static func in_markdown(path: String, name: String) -> Array[Block]:
 	return found
 
 
-## All code blocks of a class's help.
+## Returns all code blocks of a class's help.
 static func in_help(path: String, name: String) -> Array[Block]:
 	var found: Array[Block] = []
 	var text := FileAccess.get_file_as_string(path)
@@ -86,7 +86,7 @@ static func in_help(path: String, name: String) -> Array[Block]:
 	return found
 
 
-## A script that does what [param block] shows; it tells with `is_over` that statements are done.
+## Returns a script that runs [param block] and sets `is_over` at the end of its statements.
 static func make_script(block: Block) -> GDScript:
 	var script := GDScript.new()
 	script.source_code = _source_of(block)

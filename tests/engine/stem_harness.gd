@@ -1,10 +1,10 @@
-## Base of the engine tests of stems: a reed that stands alone, and time that passes for it.
+## Base of the engine tests of stems: a single reed, and control of its time.
 extends "res://tests/engine/harness.gd"
 
 const STEP := 1.0 / 60.0
 const PATH := "user://saved_stem.tscn"
 
-## It moves only as it is told to.
+## Moves only by calls of the test.
 var reed: Plant3D
 
 

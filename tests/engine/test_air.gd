@@ -1,8 +1,8 @@
-## PlantWind.KIND_AIR: a wind in metres per second, for scripts, plants alone and fields.
+## PlantWind.KIND_AIR: a wind in metres per second, for scripts, single plants and fields.
 extends "res://tests/engine/air_harness.gd"
 
 const WINDS := "res://addons/undergrowth/winds/"
-## Beaufort's numbers of what ships.
+## Beaufort numbers of the shipped winds.
 const PRESETS := {"calm": 0, "light_air": 1, "breeze": 3, "fresh": 5, "gale": 8, "storm": 10}
 const STEP := 1.0 / 60.0
 const DENSITY := 1.225
@@ -49,7 +49,7 @@ func test_turbulent_air_differs_from_place_to_place_and_is_carried_along() -> vo
 	for i in 2000:
 		mean += _wind.sample_velocity(3.7 * i, Vector3(0, 1, 0)).z / 2000.0
 	check_near(mean, carried, 0.1, "mean speed a metre above the ground")
-	# The drift across is small beside what half a metre is.
+	# The drift across the wind is much smaller than half a metre.
 	var later := _wind.sample_velocity(20.0 + 0.5 / carried, Vector3(0, 1, 0.5))
 	check(later.distance_to(here) < 0.35 * carried * 0.25, "the same gust, half a metre downwind")
 
@@ -205,7 +205,7 @@ func test_a_gust_that_is_called_for_is_in_metres_per_second() -> void:
 	check(plant.get_deflection() > before + 0.05, "it bends more")
 
 
-# How far from its mean the air is, in standard deviations along and across the wind.
+# Returns the deviation of the air from its mean, in standard deviations along and across the wind.
 func _deviate(time: float) -> Vector2:
 	var velocity := _wind.sample_velocity(time, Vector3(0, 10, 0))
 	var along := Vector3(sin(_wind.direction), 0, cos(_wind.direction))

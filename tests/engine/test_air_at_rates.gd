@@ -1,8 +1,8 @@
-## What moves through the air, at frame rates that physics frames divide and at others.
+## Motion through the air at frame rates that divide the physics rate, and at other rates.
 extends "res://tests/engine/harness.gd"
 
 const RATES: Array[int] = [30, 75, 120, 144, 240]
-const TOLERANCE := 0.03  # Of the mean bend at 60 frames a second.
+const TOLERANCE := 0.03  # Of the mean bend at 60 frames per second.
 
 
 func test_a_wake_and_what_is_carried_bend_plants_alike_at_every_frame_rate() -> void:
@@ -18,7 +18,7 @@ func test_a_wake_and_what_is_carried_bend_plants_alike_at_every_frame_rate() -> 
 				check_near(bends[i], expected[i], TOLERANCE * expected[i], what)
 
 
-## What tests/engine/driven/move_through_air.gd prints in a process of its own (m).
+## Returns the output (m) of tests/engine/driven/move_through_air.gd in a process of its own.
 func _bends_at(rate: int, moved: String) -> PackedFloat64Array:
 	var script := "res://tests/engine/driven/move_through_air.gd"
 	var words := [

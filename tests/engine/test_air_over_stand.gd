@@ -40,7 +40,7 @@ func test_waves_run_over_the_tops_at_their_speed() -> void:
 	check(apart[0] < 0.05 * apart[3], "they keep their form: %s" % [apart])
 
 
-# How much what is felt now differs from what is felt later, so many metres downwind.
+# Returns the difference between the current air and the later air, that many metres downwind.
 func _mean_square_apart(seconds: float, way: float) -> float:
 	var places := _row(200)
 	var later := PackedVector2Array()
@@ -75,7 +75,7 @@ func test_what_cannot_be_asked_is_told() -> void:
 	check_error("sample_over_canopy() needs KIND_AIR")
 
 
-# The logarithmic law over a stand, with its displacement of 0.7 heights and roughness of 0.1.
+# The logarithmic law over a canopy, with a displacement of 0.7 heights and a roughness of 0.1.
 func _top_speed() -> float:
 	var height := _wind.canopy_height
 	return _wind.speed * log(3.0) / log((10.0 - 0.7 * height) / (0.1 * height))

@@ -1,4 +1,4 @@
-## PlantWindSource3D: what stirs the air at one place.
+## PlantWindSource3D: local movement of the air.
 extends "res://tests/engine/air_harness.gd"
 
 

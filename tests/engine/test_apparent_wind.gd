@@ -1,10 +1,10 @@
-## Plants that are carried through the air, and fields.
+## Plants and fields that move through the air.
 extends "res://tests/engine/air_harness.gd"
 
 const SPEED := 5.0  # m/s
 const HEIGHT := 0.8  # m
 const SETTLING := 300  # Frames.
-const TOLERANCE := 0.02  # Of the way of a tip.
+const TOLERANCE := 0.02  # Of the movement of a tip.
 
 
 func test_a_plant_that_is_carried_leans_as_one_in_wind_of_that_speed() -> void:
@@ -16,7 +16,7 @@ func test_a_plant_that_is_carried_leans_as_one_in_wind_of_that_speed() -> void:
 	check(expected.x > 0.05, "the wind bends it: %s" % expected)
 	expected.x = -expected.x
 	check_near(carried.get_tip_position(), expected, TOLERANCE * absf(expected.x), "carried")
-	carried.position.x += 300.0  # Set down elsewhere: it does not move any more.
+	carried.position.x += 300.0  # Set to another position: it stops moving.
 	await frames(900)
 	check(carried.get_deflection() < 0.002, "upright: %f" % carried.get_deflection())
 
@@ -42,7 +42,7 @@ func test_a_field_on_a_ship_leans_as_a_plant_that_is_carried() -> void:
 	check(expected.x < -0.05, "the plant leans back: %s" % expected)
 	var of_field := ship.basis * _lean(field.get_tip_position(id))
 	check_near(of_field, expected, TOLERANCE, "direction of the field's plant")
-	# Prototypes differ in height from the plants that follow them.
+	# Prototypes and their instances differ in height.
 	var of_follower := ship.basis * _lean(followers.get_tip_position(other))
 	check_near(of_follower, expected, 0.1, "direction of the follower")
 	field.apparent_wind = 0.0
@@ -92,7 +92,7 @@ func test_a_bad_share_gives_one_error() -> void:
 			check_equal(node.get("apparent_wind"), 1.0, "apparent_wind")
 
 
-## Moves a node along +x for so many frames.
+## Moves a node along +x for that many frames.
 func _carry(node: Node3D, count: int) -> void:
 	for i in count:
 		node.position.x += SPEED / 60.0
@@ -115,7 +115,7 @@ func _add_plant(place: Vector3, to: Node = null) -> Plant3D:
 	return plant
 
 
-## Without gusts, along +x, as fast as SPEED at a place.
+## Without gusts, along +x, with the speed SPEED at one position.
 func _even_wind(place: Vector3) -> PlantWind:
 	var wind := PlantWind.new()
 	wind.kind = PlantWind.KIND_AIR

@@ -1,7 +1,7 @@
 ## Every class of the add-on and each of its members has a text in the help that F1 shows.
 extends "res://tests/engine/harness.gd"
 
-## What the library has for itself: neither the editor nor a script shows these.
+## Internal members of the library, which neither the editor nor a script shows.
 const INTERNAL: Array[String] = ["LateReport", "OldNameWarning"]
 const CLASSES: PackedStringArray = [
 	"PlantFunction",
@@ -27,12 +27,12 @@ const CLASSES: PackedStringArray = [
 	"PlantMap",
 	"PlantSimulation",
 ]
-## Seen from the tests' project in build/test, or below the project itself.
+## Relative to the tests' project in build/test, or to a project in the root folder.
 const FOLDERS: PackedStringArray = [
 	"../../../extension/doc_classes", "../../../../extension/doc_classes", "extension/doc_classes"
 ]
 const SHORTEST_TEXT := 15
-## Elements of the help whose text describes something, by the element that names that thing.
+## Elements of the help that contain descriptions, by the element with the name.
 const NAMED: PackedStringArray = ["method", "member", "signal", "constant"]
 
 
@@ -141,7 +141,8 @@ func _exists(type: String, kind: String, member: String) -> bool:
 	return ClassDB.class_has_integer_constant(type, member)
 
 
-## The help of a class: "kind name" → text for its members, "description" and the like for itself.
+## Returns the help of a class: "kind name" → text for its members, "description" and similar keys
+## for itself.
 func _read(type: String) -> Dictionary:
 	var parser := XMLParser.new()
 	var help := {}

@@ -1,10 +1,10 @@
-## The recipes of CONTRIBUTING.md are true: the code of the species recipe makes a species that
-## passes the checks of the ready ones, and each file that a recipe names exists.
+## The recipes of CONTRIBUTING.md are correct. The code of the species recipe makes a species that
+## passes the checks of the ready ones, and each file named in a recipe exists.
 extends "res://tests/engine/harness.gd"
 
 const Ready := preload("res://tests/engine/test_ready_species.gd")
 const ShownCode := preload("res://tests/engine/shown_code.gd")
-## Seen from the tests' project in build/test, or below the project itself.
+## Relative to the tests' project in build/test, or to a project in the root folder.
 const ROOTS: PackedStringArray = ["../../..", "."]
 const SAVED := "user://moor_grass.tres"
 ## A species that each table of step 3 contains.
@@ -54,7 +54,7 @@ func _text(name: String) -> String:
 	return FileAccess.get_file_as_string(_place(name))
 
 
-## The path of a file of the checkout.
+## Returns the path of a file of the checkout.
 func _place(name: String) -> String:
 	for folder in ROOTS:
 		var base := ProjectSettings.globalize_path("res://").path_join(folder)

@@ -1,4 +1,4 @@
-## Fields: what they are made of, saved and loaded.
+## Fields: their contents, saving and loading.
 extends "res://tests/engine/field_harness.gd"
 
 
@@ -55,7 +55,8 @@ func test_a_hundred_thousand_plants() -> void:
 	check(told["bytes_per_plant"] <= 96.0, "at most 96 bytes a plant: %s" % told["bytes_per_plant"])
 
 
-## What is asked and told in the world's places, the wind's direction and an outline elsewhere.
+## Queries and results use world positions. The wind's direction and the outline are set in other
+## axes.
 func test_a_field_under_a_parent_is_the_one_that_stands_there_alone() -> void:
 	var parent := Node3D.new()
 	parent.transform = Transform3D(Basis(Vector3.UP, 0.7), Vector3(30.0, 2.0, -7.0))
@@ -166,7 +167,7 @@ func test_a_field_that_leaves_the_tree_while_it_fills_goes_on_when_it_comes_back
 	root.add_child(field)
 	while not field.is_building():
 		await process_frame
-	field.rebuild()  # It is at work from here on, however slow the machine is.
+	field.rebuild()  # The build is in progress from here on, on any machine.
 	root.remove_child(field)
 	await frames(3)
 	root.add_child(field)

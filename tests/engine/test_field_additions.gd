@@ -1,4 +1,4 @@
-## Plants that code adds while a field is not at rest, and what is asked of plants by their ids.
+## Plants that code adds while a field is busy, and queries of plants by their ids.
 extends "res://tests/engine/field_harness.gd"
 
 

@@ -1,7 +1,7 @@
-## Species in scripts that take their time: a field asks them over many frames, and grows then.
+## Slow species in scripts: a field calls them over many frames and builds afterwards.
 extends "res://tests/engine/harness.gd"
 
-const SLOW_USEC := 5000  # More than a frame may take of them.
+const SLOW_USEC := 5000  # More than their time limit in a frame.
 const LONG_MSEC := 1050
 
 var _field: PlantField3D
@@ -9,7 +9,7 @@ var _field: PlantField3D
 
 class Slow:
 	extends PlantFunction
-	static var asked: Array[int] = []  # In which frames.
+	static var asked: Array[int] = []  # Frames of the calls.
 	var blade := PlantBlade.of({length = 0.3, width = 0.01})
 
 	func _grow(plant: PlantGrowth) -> void:
@@ -48,7 +48,7 @@ class Long:
 
 class Stem:
 	extends PlantFunction
-	static var asked: Array[int] = []  # For how many segments.
+	static var asked: Array[int] = []  # Segments of the calls.
 
 	func _get_base_shape(lod: int) -> PackedVector3Array:
 		asked.append(lod)

@@ -1,4 +1,4 @@
-## Bodies and blows that push the plants of a field.
+## Bodies and impulses that push the plants of a field.
 extends "res://tests/engine/field_harness.gd"
 
 
@@ -133,7 +133,8 @@ func test_a_walker_moves_plants_alike_at_every_frame_rate() -> void:
 			check_near(way, expected, 0.05 * expected, "way at %d frames, %s" % [rate, moved])
 
 
-## What the tips of tests/engine/driven/walk_through_field.gd go in a process of its own (m).
+## Returns the movement (m) of tips in tests/engine/driven/walk_through_field.gd, in a process of
+## its own.
 func _way_of_tips(rate: int, moved: String) -> float:
 	var script := "res://tests/engine/driven/walk_through_field.gd"
 	var words := [
@@ -308,8 +309,8 @@ func test_plants_of_a_turned_and_scaled_field_are_pushed_as_those_of_another() -
 	check_near(pushed, usual, 0.3 * usual.length(), "push")
 
 
-## How far a plant leans at most beside a ball, while its field goes by metres in each frame, and
-## the ball too: in the end both are where they are at once if neither moves.
+## Returns the maximum lean of a plant beside a ball while its field and the ball move by metres in
+## each frame. At the end both have the positions of a run without movement.
 func _most_lean_of(field_way: float, ball_way: float) -> float:
 	var own := _single_plant_field()
 	root.add_child(own)
@@ -332,7 +333,8 @@ func _most_lean_of(field_way: float, ball_way: float) -> float:
 	return most
 
 
-## How far the tip goes at most, in the field's axes, after a ball of 2 m/s in them hit it.
+## Returns the maximum movement of the tip, in the field's axes, after a hit by a ball of 2 m/s in
+## these axes.
 func _push_by_passing(placed: Transform3D) -> Vector3:
 	var own := _single_plant_field()
 	own.transform = placed

@@ -1,5 +1,5 @@
-## How the first build of a large field proceeds: nearest tiles first, then the others, in frames or
-## in one call.
+## Order of the first build of a large field: nearest tiles first, then the remaining ones, over
+## several frames or in one call.
 extends "res://tests/engine/field_harness.gd"
 
 const SIDE := 100.0  # m
@@ -96,7 +96,7 @@ func test_a_larger_budget_takes_fewer_frames() -> void:
 		await until(_has_plants, "the first plants come")
 		var count := 0
 		while field.is_building():
-			OS.delay_usec(10000)  # Workers are ahead of this thread.
+			OS.delay_usec(10000)  # Workers finish before this thread.
 			await process_frame
 			count += 1
 		counts.append(count)
@@ -327,7 +327,7 @@ func _middle() -> Vector3:
 	return Vector3(_camera.position.x, 0, _camera.position.z)
 
 
-## By id, so that the order of chunks does not matter.
+## By id, because the order of chunks is arbitrary.
 func _places_of(of: PlantField3D) -> Dictionary:
 	var places := {}
 	var ids := of.get_plant_ids()

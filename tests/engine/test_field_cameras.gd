@@ -1,4 +1,4 @@
-## Fields that several cameras see, each in a viewport of its own.
+## Fields seen by several cameras, each in a viewport of its own.
 extends "res://tests/engine/field_harness.gd"
 
 
@@ -34,7 +34,7 @@ func test_plants_near_every_camera_are_stepped_in_full() -> void:
 	field.wind = PlantWind.new()
 	await start()
 	await step(40)
-	# Over some steps: who is stepped in each of them moves in each of them.
+	# Over several steps: each stepped plant moves in every step.
 	var ids := [_ids_near(-140.0), _ids_near(140.0), _ids_near(0.0)]
 	var moves := [0, 0, 0]
 	for i in 16:

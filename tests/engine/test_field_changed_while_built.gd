@@ -16,8 +16,6 @@ func test_the_stem_changes() -> void:
 			"taper": func() -> void: _stem().taper = 0.1,
 			"stiffness":
 			func() -> void:
-## Properties that change between the snapshot that a build works from and the frame that adopts it.
-
 				_stem().diameter = 0.006
 				_stem().youngs_modulus = 2e9,
 			"loads": func() -> void: _stem().head_mass = 0.01,
@@ -70,15 +68,11 @@ func test_the_species_looks_otherwise() -> void:
 		{
 			"height":
 			func() -> void:
-## Properties that change between the snapshot that a build works from and the frame that adopts it.
-
 				_species().height_max = 2.0
 				_species().height_min = 1.5,
 			"radius": func() -> void: (_species() as CurvePlantFunction).radius = 0.01,
 			"arrangements":
 			func() -> void:
-## Properties that change between the snapshot that a build works from and the frame that adopts it.
-
 				var leaves := PlantArrangement.new()
 				leaves.part = PlantBlade.new()
 				_species().arrangements = [leaves],
@@ -98,14 +92,10 @@ func test_the_field_and_its_wind_change() -> void:
 			"air": _blow_air,
 			"waves and two modes":
 			func() -> void:
-## Properties that change between the snapshot that a build works from and the frame that adopts it.
-
 				_blow_air()
 				_stem().modes = 2,
 			"another wind":
 			func() -> void:
-## Properties that change between the snapshot that a build works from and the frame that adopts it.
-
 				field.wind = PlantWind.new()
 				field.wind.strength = 0.02,
 			"prototypes": func() -> void: field.prototypes = 16 - field.prototypes,
@@ -123,9 +113,9 @@ func test_the_field_and_its_wind_change() -> void:
 	)
 
 
-## Each change of [param changes], by its name, with prototypes and without, of a field that
-## [param prepare] sets up. It comes in the frame after the field entered the tree, in which the
-## field's worker is busy.
+## Runs each change of [param changes], by its name, with prototypes and without, on a field that
+## [param prepare] sets up. The change happens in the frame after the field entered the tree, while
+## the field's worker is busy.
 func _check_each(changes: Dictionary, prepare := func() -> void: pass) -> void:
 	for title: String in changes:
 		for prototypes in PROTOTYPE_COUNTS:

@@ -1,4 +1,4 @@
-## What a change of a property touches in a field that stands: nothing but what it is about.
+## A change of a property in a built field affects only what depends on it.
 extends "res://tests/engine/field_harness.gd"
 
 
@@ -15,7 +15,7 @@ class Painted:
 		return paint
 
 
-## Tips may differ by as much as poses are rounded to when they are taken over (m).
+## Tolerance of tips (m): the rounding of poses when motion is transferred.
 const SAME := 2e-3
 
 
@@ -192,7 +192,7 @@ func test_thicker_tips_of_added_plants_part() -> void:
 	tulip.law = PlantFunction.LAW_SPRING
 	tulip.lean = 0.0
 	tulip.collision_radius = 0.01
-	# The first and the fifth are as high as each other.
+	# The first and the fifth have the same height.
 	var places: Array[Transform3D] = []
 	for x: float in [0.0, 20.0, 40.0, 60.0, 0.4]:
 		places.append(Transform3D(Basis.IDENTITY, Vector3(x, 0, 0)))
@@ -207,7 +207,7 @@ func test_thicker_tips_of_added_plants_part() -> void:
 	check(thick > 0.26, "thick tips come no nearer than %f m" % thick)
 
 
-## How near two tips come after a blow that sends the first one to the other (m).
+## Returns the minimum distance (m) of two tips after a blow on the first one towards the other.
 func _nearest_in_swing(ids: PackedInt64Array, mass: float) -> float:
 	field.reset_motion()
 	field.apply_impulse_in_sphere(Vector3.ZERO, 0.1, Vector3(3.0 * mass, 0, 0))
@@ -225,7 +225,7 @@ func _check_lean(lean: float, what: String) -> void:
 		check_near(relative_tip(id).angle_to(Vector3.UP), lean, 0.03, "lean %s" % what)
 
 
-## Plants bent by a wind, some of them mown and one added, that stand still.
+## Returns plants at rest that a wind bends, some of them mown and one added.
 func _start_mown() -> void:
 	await start()
 	check(field.remove_in_sphere(Vector3(2, 0, 2), 2.0) > 10, "plants are mown")
@@ -244,7 +244,7 @@ func _check_kept(changes: Dictionary) -> void:
 		(changes[what] as Callable).call()
 		await frames(1)
 		check(not field.is_building(), "%s fills nothing" % what)
-		await frames(10)  # The engine's own properties are looked at now and then.
+		await frames(10)  # The field polls the engine's own properties at intervals.
 		check(not field.is_building(), "%s fills nothing" % what)
 		await rested()
 		check_equal(sorted_ids(), ids, "plants after %s" % what)

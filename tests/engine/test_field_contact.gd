@@ -1,4 +1,4 @@
-## Tips of a field's plants that push each other apart.
+## Contact between the tips of a field's plants.
 extends "res://tests/engine/field_harness.gd"
 
 

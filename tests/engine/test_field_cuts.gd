@@ -1,4 +1,4 @@
-## Plants that are cut or blown at, many in one call.
+## Cuts and air blasts on many plants in one call.
 extends "res://tests/engine/field_harness.gd"
 
 const TURN := 0.4

@@ -1,7 +1,7 @@
-## What scripts and tools edit of a field that stands, and that it sees it: lists, paths.
+## Edits of lists and paths by scripts and tools in a built field.
 extends "res://tests/engine/field_harness.gd"
 
-const LOOK := 10  # Frames between two looks at what tells nobody that it changed.
+const LOOK := 10  # Frames between two polls of objects without a change signal.
 
 
 func before_each() -> void:

@@ -1,9 +1,9 @@
-## PlantFieldSpecies and PlantFieldLevel: what they refuse, tell, keep and are called.
+## PlantFieldSpecies and PlantFieldLevel: rejected values, signals, saved values and names.
 extends "res://tests/engine/harness.gd"
 
 const PATH := "user://saved_entry.tres"
 
-## What listeners heard of each emission: [is_species_change, is_motion_change].
+## Arguments of each received signal: [is_species_change, is_motion_change].
 var _heard := []
 
 
@@ -168,7 +168,7 @@ func _refuse(resource: Resource, bad: Dictionary) -> void:
 func _count_changes(resource: Resource, values: Dictionary) -> void:
 	resource.changed.connect(_hear.bind(resource))
 	for property: String in values:
-		for expected: int in [1, 0]:  # What is set once more is no change.
+		for expected: int in [1, 0]:  # An equal value is no change.
 			_heard = []
 			resource.set(property, values[property])
 			check_equal(_heard.size(), expected, "signals for " + property)

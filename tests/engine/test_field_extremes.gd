@@ -1,8 +1,8 @@
-## Fields that are as large, as small, as long or as odd as can be.
+## Fields with extreme sizes and unusual values.
 extends "res://tests/engine/settling_harness.gd"
 
 const QUARTER := 900.0
-## What lists of the engine may grow by while nothing happens.
+## Allowed growth of the engine's lists while nothing happens.
 const MOST_GROWTH_BYTES := 300_000.0
 
 var _field: PlantField3D
@@ -118,13 +118,13 @@ func test_a_field_that_is_scaled_to_nothing_or_nowhere_recovers() -> void:
 		Transform3D(Basis.from_scale(Vector3(1e15, 1e15, 1e15)), Vector3.ZERO),
 	]:
 		_field.transform = Transform3D.IDENTITY
-		# The engine complains of each of its own nodes that is nowhere.
+		# The engine reports each of its own nodes with a position that is not finite.
 		_field.skeleton_distance = 20.0 if odd.is_finite() else 0.0
 		await frames(20)
 		_field.transform = odd
 		await frames(10)
 		if not odd.is_finite():
-			check_error("is_finite()")  # The engine's, of the field itself.
+			check_error("is_finite()")  # The engine's error for the field itself.
 		_field.remove_in_sphere(Vector3(1000, 0, 0), 1.0)
 		_field.is_point_in_plants(Vector3.ZERO)
 		_field.apply_impulse_in_sphere(Vector3(1000, 0, 0), 1.0, Vector3.RIGHT)
@@ -181,7 +181,7 @@ func _fill() -> void:
 	await frames(1)
 
 
-## How far the plant that is farthest from upright is, in radians.
+## Returns the maximum angle between a plant and upright, in radians.
 func _farthest_from_rest() -> float:
 	var farthest := 0.0
 	var places := _field.get_plant_transforms(_field.get_plant_ids())

@@ -1,8 +1,8 @@
-## Fields that are told what cannot be: one error, and the old field stays.
+## Fields with invalid settings report one error, and the previous field stays.
 extends "res://tests/engine/field_harness.gd"
 
 
-## Its plants cannot be sampled.
+## A species whose plants cannot be sampled.
 class FaultySpecies:
 	extends PlantFunction
 

@@ -224,17 +224,17 @@ func _make_field() -> PlantField3D:
 	return field
 
 
-## The direction from a plant's root to its tip.
+## Returns the direction from a plant's root to its tip.
 func _field_axis(id: int) -> Vector3:
 	return relative_tip(id).normalized()
 
 
-## The id of one of the plants.
+## Returns the id of one of the plants.
 func _fifth() -> int:
 	return field.get_plant_ids()[5]
 
 
-## All that plants stand at, to a millimetre, ascending.
+## Returns the heights of all roots, rounded to a millimetre, ascending.
 func _heights() -> Array[float]:
 	var found: Array[float] = []
 	for transform in field.get_plant_transforms(field.get_plant_ids()):

@@ -1,10 +1,10 @@
-## Fields on any object that tells of heights, such as a terrain of another add-on.
+## Fields on an object with height queries, such as a terrain of another add-on.
 extends "res://tests/engine/field_harness.gd"
 
 const LEFT_END := -8.0
 
 
-## A ramp that ends, in ten lines: what a terrain has to answer.
+## A ramp with an end, in ten lines: the interface of a terrain.
 class Ramp:
 	extends RefCounted
 	var slope := 0.25
@@ -16,7 +16,7 @@ class Ramp:
 		return Vector3(-slope, 1.0, 0.1)
 
 
-## The same ramp for many places at once; it counts its calls and the places of each.
+## The same ramp with queries of many positions. It counts its calls and the positions of each.
 class BatchRamp:
 	extends Ramp
 	var calls := 0
@@ -326,7 +326,7 @@ func test_a_hole_in_the_ground_has_an_exact_edge() -> void:
 	check(nearest < Pond.RADIUS + 0.1, "plants grow up to its edge, %.2f m" % nearest)
 
 
-## Waits until the field has grown by its properties; puts it into the tree at first.
+## Adds the field to the tree if necessary and waits until it is built.
 func _grown() -> void:
 	if field.is_inside_tree():
 		await filled(field)

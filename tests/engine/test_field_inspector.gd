@@ -1,4 +1,4 @@
-## What the inspector shows of a field: the properties that count.
+## The inspector shows only the properties of a field that have an effect.
 extends "res://tests/engine/harness.gd"
 
 var _field: PlantField3D
@@ -51,7 +51,7 @@ func test_the_inspector_groups_what_a_species_is_and_offers_both_kinds_of_materi
 	check(groups["mass"] != "Look", "mass is not of the look")
 
 
-## Those of some properties that the inspector shows, in its order.
+## Returns those of these properties that the inspector shows, in its order.
 func _shown_of(names: Array[String]) -> Array:
 	var shown := []
 	for property: Dictionary in _field.get_property_list():

@@ -1,4 +1,4 @@
-## What code removes, adds and mows of a field stays so: it is saved, and brought back.
+## Removed, added and mown plants of a field persist: they are saved and restored.
 extends "res://tests/engine/field_harness.gd"
 
 const REACH := 3.0

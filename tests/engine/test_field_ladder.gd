@@ -1,4 +1,4 @@
-## What saves a field time: threads, intervals, prototypes; and contact, which takes some.
+## The performance settings of a field: threads, intervals, prototypes. Also the cost of contact.
 extends "res://tests/engine/field_harness.gd"
 
 
@@ -67,7 +67,7 @@ func test_a_follower_that_was_pushed_swings_on_when_the_field_is_filled_anew() -
 	var tulip := field.species[0].species as TulipFunction
 	tulip.law = PlantFunction.LAW_SPRING
 	tulip.natural_frequency = 0.5
-	tulip.damping_ratio = 20.0  # It comes back in half a minute.
+	tulip.damping_ratio = 20.0  # It returns to rest in half a minute.
 	field.prototypes = 4
 	field.wind.strength = 0.0
 	await start()
@@ -78,7 +78,7 @@ func test_a_follower_that_was_pushed_swings_on_when_the_field_is_filled_anew() -
 	for place: Vector3 in places:
 		field.apply_impulse_in_sphere(place, 0.01, tulip.mass * Vector3(60, 0, 30))
 	await step(20)
-	field.simulation_enabled = false  # However many frames the filling takes.
+	field.simulation_enabled = false  # Off during a build of any number of frames.
 	await frames(2)
 	var before := [relative_tip(own), relative_tip(added)]
 	field.rebuild()

@@ -1,4 +1,4 @@
-## Which level of detail of a field is seen from where, in pictures.
+## The visible level of detail of a field by distance, in pictures.
 extends "res://tests/engine/picture_harness.gd"
 
 var _field: PlantField3D
@@ -7,7 +7,7 @@ var _field: PlantField3D
 func before_each() -> void:
 	make_stage()
 	_field = PlantField3D.new()
-	_field.density = 0.0  # Only what is added.
+	_field.density = 0.0  # Added plants only.
 	_field.simulation_enabled = false
 	stage.add_child(_field)
 
@@ -17,7 +17,7 @@ func after_each() -> void:
 
 
 func test_levels_dissolve_into_each_other_without_holes() -> void:
-	# The plant stands where both levels show a part of it.
+	# The plant is at a distance where both levels show a part of it.
 	var function := TulipFunction.new()
 	_field.levels = [PlantFieldLevel.of(12, 3.5), PlantFieldLevel.of(12)]
 	_field.visibility_range_end = 100.0
@@ -67,7 +67,7 @@ func test_lod_bias_keeps_the_levels_that_cast_shadows() -> void:
 	_cast_shadows()
 	_field.levels = [PlantFieldLevel.of(12, 0.2), PlantFieldLevel.of(6)]
 	_field.add_plants([Transform3D.IDENTITY], TulipFunction.new())
-	_field.lod_bias = 5.0  # The second level, in which the plant is, begins at 1 m.
+	_field.lod_bias = 5.0  # The second level, which contains the plant, starts at 1 m.
 	for distance: float in [0.15, 0.3]:
 		_field.shadow_distance = distance
 		await frames(12)
@@ -80,7 +80,7 @@ func test_lod_bias_keeps_the_levels_that_cast_shadows() -> void:
 
 
 func test_turning_the_camera_changes_no_level() -> void:
-	# The distance to each plant decides, not where on the screen it is.
+	# The level depends on the distance to each plant, not on its position in the picture.
 	_field.species = [PlantFieldSpecies.of(TulipFunction.new())]
 	_field.size = Vector2(6, 6)
 	_field.density = 4.0
@@ -98,7 +98,7 @@ func test_turning_the_camera_changes_no_level() -> void:
 
 
 func test_lod_bias_multiplies_the_distances_of_all_levels() -> void:
-	const UNTIL_SEEN := 12  # Frames: what the engine does not tell of is looked at now and then.
+	const UNTIL_SEEN := 12  # Frames: the field polls values without a signal at intervals.
 	_field.levels = [PlantFieldLevel.of(12, 20.0), PlantFieldLevel.of(2)]
 	_field.add_plants([Transform3D.IDENTITY], TulipFunction.new())
 	await frames(5)

@@ -1,4 +1,4 @@
-## Fields that come, go and change while worker threads step them, and plants that do.
+## Fields and plants that are created, freed and changed while worker threads step them.
 extends "res://tests/engine/settling_harness.gd"
 
 var _field: PlantField3D
@@ -211,14 +211,14 @@ func test_plants_that_are_added_in_every_frame() -> void:
 
 
 func test_plants_that_come_and_go_take_no_more_room_each_time() -> void:
-	const ROOM := 1_000_000.0  # Bytes; the poses of as many plants again and again would take 6 MB.
+	const ROOM := 1_000_000.0  # Bytes. Repeated allocations of these plants' poses would take 6 MB.
 	var rows := PackedFloat32Array()
 	for i in 4000:
 		rows.append_array([1, 0, 0, 300 + i % 60, 0, 1, 0, 0, 0, 0, 1, floori(i / 60.0)])
 	var grass := GrassFunction.new()
 	var taken := 0.0
 	for round in 220:
-		if round == 20:  # What is kept from then on is not for the first of them.
+		if round == 20:  # Later allocations are not caused by first use.
 			taken = Performance.get_monitor(Performance.MEMORY_STATIC)
 		var ids := _field.add_plants(rows, grass)
 		await frames(1)

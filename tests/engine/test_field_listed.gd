@@ -1,4 +1,4 @@
-## Species that come to a field's list, change there and leave it while plants stand.
+## Species that are added to a field's list, changed and removed in a built field.
 extends "res://tests/engine/field_harness.gd"
 
 var _tulip: TulipFunction
@@ -14,7 +14,7 @@ func before_each() -> void:
 	field.density = 4.0
 
 
-## Three tulips that code added, and none on the list any more.
+## Returns a field with three tulips added by code, whose species is no longer on the list.
 func _delist(fills := true) -> void:
 	await start()
 	var places: Array[Transform3D] = []
@@ -131,7 +131,7 @@ func test_more_variants_keep_the_rate_at_which_plants_move() -> void:
 	check(fastest > 0.5, "plants move at %f" % fastest)
 
 
-## Looks at the first added plant from near by while the colour of its species changes.
+## Compares pictures of the first added plant from near while the colour of its species changes.
 func _check_recoloured() -> void:
 	var camera := Camera3D.new()
 	root.add_child(camera)

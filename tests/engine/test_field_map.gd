@@ -1,4 +1,4 @@
-## A field that grows by a map, and what stays as it was when the map changes.
+## A field with a map, and the plants that a change of the map does not affect.
 extends "res://tests/engine/field_map_harness.gd"
 
 
@@ -22,7 +22,7 @@ func test_an_empty_map_grows_nothing_and_its_strokes_do() -> void:
 	check_equal(field.get_plant_count(), 0, "plants")
 	map.paint(Vector3(30, 0, 4), 4.0, TULIP, 1.0, 0.0)
 	await rested()
-	# Half of 10 plants/m², four standard deviations of a count.
+	# Half of 10 plants/m², with four standard deviations of a count.
 	check_near(field.get_plant_count(), 5.0 * PI * 16.0, 64.0, "plants")
 	for id in field.get_plant_ids():
 		check(field.get_plant_species(id) is TulipFunction, "it is a tulip")

@@ -1,14 +1,14 @@
-## A field into which plants/m² of its species are painted: sixty of grass to three tulips.
+## A field with painted densities of its species in plants/m²: sixty of grass and three tulips.
 extends "res://tests/engine/field_map_harness.gd"
 
 const DENSITY := 12.0
 const RADIUS := 12.0
 const PAINTED := 5.0
-## The area in which plants are counted: inside the hard edge of the stroke, whatever its cells are.
+## The area in which plants are counted: inside the hard edge of the stroke for any grid of cells.
 const COUNTED := RADIUS - 0.5
-## Plants of half a metre beside the stroke may be in cells that it touches.
+## Plants up to half a metre beside the stroke may be in cells that it touches.
 const EDGE := RADIUS + 0.5
-## 0.2.0 wrote it: tulips as mixed, and 0.2 of grass, in the square of 4 m around the origin.
+## Saved by 0.2.0: tulips as mixed, and 0.2 of grass, in the square of 4 m around the origin.
 const MAP_OF_0_2 := (
 	"VUdETQEA2AEAAAAAAD8CAAVUdWxpcAQAAAD///////////8A/wD/AP8A/wD/AP8AiwCB/5kAgf+ZAIH/mQCB//9A"
 	+ "/0D/QP9A/0D/QP9A70D/////AAAAAJkAgf+ZAIH/mQCB/5kAgf//AP8A/wD/AP8A/wDxAP9A/0D/QP9A/0D/QP9A"
@@ -129,7 +129,7 @@ func _start_again() -> void:
 	await filled(field)
 
 
-# Tulips, or all others, per square metre in the stroke.
+# Returns tulips, or all remaining plants, per square metre in the stroke.
 func _density_of(tulips: bool) -> float:
 	var count := 0
 	for id in field.get_plant_ids():

@@ -1,4 +1,4 @@
-## Fields that move: when, how far and in which wind.
+## Motion of fields: its start, its extent and its winds.
 extends "res://tests/engine/field_harness.gd"
 
 
@@ -16,7 +16,7 @@ func test_plants_move_in_wind() -> void:
 	var before := all_tips()
 	var moved := {}
 	for i in 10:
-		await step(3)  # Where a tip is in the end, it may have been in the beginning.
+		await step(3)  # The final position of a tip can equal its first one.
 		var tips := all_tips()
 		for plant in tips.size():
 			if tips[plant].distance_to(before[plant]) > 0.001:
@@ -107,7 +107,7 @@ func test_the_wind_comes_to_plants_downwind_later() -> void:
 			if first[plant] < 0 and relative_tip(ids[plant]).distance_to(rest[plant]) > 1e-4:
 				first[plant] = i
 	check(first[0] >= 0 and first[1] > first[0], "the gust comes to both: %s" % [first])
-	# 5 m at 10 m/s are half a second.
+	# 5 m at 10 m/s take half a second.
 	check_near((first[1] - first[0]) * STEP, 0.5, 0.1, "seconds of delay")
 
 
@@ -119,7 +119,7 @@ func test_wind_goes_on_where_plants_share_it() -> void:
 	await start()
 	var before := field.wind.get_time()
 	await step(60)
-	# One of both moves the wind's clock on, never both.
+	# Exactly one of them advances the wind's clock.
 	check_near(field.wind.get_time() - before, 1.0, 0.2, "seconds of wind")
 	plant.free()
 	before = field.wind.get_time()

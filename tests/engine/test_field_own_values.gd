@@ -1,4 +1,4 @@
-## A property that is set to the value that it has: nothing is built.
+## A property that is set to its current value starts no build.
 extends "res://tests/engine/field_harness.gd"
 
 

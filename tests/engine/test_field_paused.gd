@@ -1,4 +1,4 @@
-## Fields that grow in a tree that is paused.
+## Builds of fields in a paused tree.
 extends "res://tests/engine/field_harness.gd"
 
 

@@ -1,4 +1,5 @@
-## The picture of a plant in a field is that of a Plant3D in the same state, with a real renderer.
+## The picture of a plant in a field equals that of a Plant3D in the same state, with a real
+## renderer.
 extends "res://tests/engine/picture_harness.gd"
 
 var _field: PlantField3D
@@ -7,7 +8,7 @@ var _field: PlantField3D
 func before_each() -> void:
 	make_stage()
 	_field = PlantField3D.new()
-	_field.density = 0.0  # Only what is added.
+	_field.density = 0.0  # Added plants only.
 	_field.wind = PlantWind.new()
 	_field.wind.kind = PlantWind.KIND_CONSTANT
 	_field.wind.direction = deg_to_rad(60.0)
@@ -126,7 +127,7 @@ func test_followers_of_prototypes_are_drawn() -> void:
 	check(count_different(first, later) > 50, "they move")
 
 
-## Its plants were made ready while their motion turned out to be too large.
+## The build prepared its plants while their motion became too large.
 func test_a_filling_that_is_refused_draws_nothing() -> void:
 	_field.wind = null
 	_field.species = [PlantFieldSpecies.of(TulipFunction.new())]
@@ -150,7 +151,7 @@ func test_a_filling_that_is_refused_draws_nothing() -> void:
 	check_equal(count_different(before, await picture()), 0, "pixels that are others")
 
 
-## What it shows is in the history that the graphics card was given, up to the last step.
+## The shown pose is in the history on the graphics card, up to the last step.
 func test_a_follower_in_waves() -> void:
 	var function := TulipFunction.new()
 	function.law = PlantFunction.LAW_SPRING
@@ -158,7 +159,7 @@ func test_a_follower_in_waves() -> void:
 	_field.prototypes = 1
 	_field.wind.kind = PlantWind.KIND_WAVES
 	_field.wind.strength = 10.0
-	_field.wind.frequency = 0.02  # A part of a step more or less is not seen.
+	_field.wind.frequency = 0.02  # A difference of a fraction of a step is not visible.
 	await _compare(function, Transform3D(Basis(Vector3.UP, 0.7), Vector3(0.1, 0, 0.2)))
 
 
@@ -174,7 +175,7 @@ func test_a_follower_that_was_pushed() -> void:
 	var function := TulipFunction.new()
 	function.law = PlantFunction.LAW_SPRING
 	function.natural_frequency = 0.5
-	function.damping_ratio = 20.0  # So slow that it stands still for the picture.
+	function.damping_ratio = 20.0  # So slow that it does not move visibly during the picture.
 	_field.prototypes = 3
 	_field.wind.strength = 0.0
 	await _compare(
@@ -184,8 +185,8 @@ func test_a_follower_that_was_pushed() -> void:
 	)
 
 
-## Followers in slow waves, so that each is late by its own time, before and after they get a
-## material that looks the same; in a field that stands still or in a [param preview].
+## Compares instances of prototypes in slow waves, each with its own delay, before and after they
+## get an equal material. The field is at rest or in a [param preview].
 func _check_followers_dressed(preview: bool) -> void:
 	var function := TulipFunction.new()
 	function.material = StandardMaterial3D.new()
@@ -213,11 +214,11 @@ func _check_followers_dressed(preview: bool) -> void:
 	check(different <= MOST_DIFFERENT, "%d pixels differ" % different)
 
 
-## [param mown]: metres that it is left before.
+## [param mown]: height in metres that it is mown to before.
 func _compare(
 	function: PlantFunction, place: Transform3D, blow := Vector3.ZERO, mown := 0.0
 ) -> void:
-	while _field.is_building():  # It may end at any time on a busy machine.
+	while _field.is_building():  # The build can end at any time on a busy machine.
 		await process_frame
 	var id := _field.add_plants([place], function)[0]
 	if mown > 0.0:
@@ -235,7 +236,7 @@ func _compare(
 	RenderingServer.render_loop_enabled = true
 	var in_field := await picture()
 	_field.hide()
-	# Beside the field's own node, which is hidden; skewed as its parents are.
+	# Beside the field's own node, which is hidden, and skewed as its parents are.
 	var place_there := _field.global_transform * _field.get_plant_transform(id)
 	var plant := await make_twin(_field, id, function, place_there, 0)
 	var tip := plant.to_local(_field.to_global(_field.get_tip_position(id))).normalized()
@@ -247,7 +248,7 @@ func _compare(
 	check(different <= MOST_DIFFERENT, "%d pixels differ" % different)
 
 
-## Until the wind and the plant are in balance.
+## Waits for the balance of wind and plant.
 func _settle() -> void:
 	Engine.time_scale = 20.0
 	var time := _field.wind.get_time()

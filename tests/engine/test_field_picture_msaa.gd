@@ -1,16 +1,16 @@
-## Antialiasing adds no pixels that are brighter than the plants, and none without a value.
+## Antialiasing adds no pixels that are brighter than the plants, and none without a valid value.
 extends "res://tests/engine/picture_harness.gd"
 
 const LAWN := preload("res://addons/undergrowth/mixes/lawn.tscn")
 const SIZE := Vector2i(480, 270)
-## Channels may be brighter by this factor: a pixel shows other places of a plant than without antialiasing.
+## Factor by which channels may be brighter, because antialiasing samples other points of a plant.
 const TOLERANCE_OF_LIGHT := 1.1
 
 
 func before_each() -> void:
 	make_stage()
 	stage.size = SIZE
-	stage.use_hdr_2d = true  # The picture has the colors that glow gets, not clipped to those of a screen.
+	stage.use_hdr_2d = true  # The picture has the unclipped colours that glow uses.
 	_turn_on_glow()
 
 
@@ -41,7 +41,7 @@ func _turn_on_glow() -> void:
 	environment.glow_hdr_threshold = 1.0
 
 
-## The greatest value of any channel.
+## Returns the maximum value of all channels.
 func _brightest(shown: Image) -> float:
 	var most := 0.0
 	for y in SIZE.y:
@@ -51,7 +51,7 @@ func _brightest(shown: Image) -> float:
 	return most
 
 
-## Pixels without a value, with a negative one, or brighter than [param most].
+## Returns the number of pixels with NaN, with a negative value, or brighter than [param most].
 func _count_wrong(shown: Image, most: float) -> int:
 	var count := 0
 	for y in SIZE.y:

@@ -2,9 +2,9 @@
 extends "res://tests/engine/picture_harness.gd"
 
 const STEP := 1.0 / 60.0
-## Of the outline of a plant with leaves that swing: linear blend skinning is as near as that.
+## Of the outline of a plant with swinging leaves: the accuracy of linear blend skinning.
 const MOST_OF_PARTS := 50
-## No light of what is laid down, and much.
+## Without additional brightness of bent plants, and with much of it.
 const LIGHTS: Array[float] = [0.0, 3.0]
 const LEAN := deg_to_rad(20.0)
 
@@ -124,14 +124,14 @@ func test_who_rests_leaning_in_a_field_is_not_lighter() -> void:
 			species.lean = LEAN
 			species.material.set_shader_parameter(&"bent_brightness", light)
 			_field.free()
-			_field = await make_added_field(_wind)  # The first plant is the same in all.
+			_field = await make_added_field(_wind)  # The first plant is the same in all fields.
 			_field.add_plants([Transform3D(tilt)], species)
 			_step_field(2)
 			pictures.append(await picture())
 		_check_unlit(pictures, law)
 
 
-## Upright, and drawn.
+## Upright and drawn.
 func _plant_alone(law: PlantFunction.MotionLaw) -> Plant3D:
 	var plant := Plant3D.new()
 	plant.species = _lit_tulip(law)
@@ -165,7 +165,7 @@ func _light_of(image: Image) -> float:
 	return sum
 
 
-## Its stem is stiff: how stems bend has pictures of its own.
+## Its stem is stiff. Other pictures test how stems bend.
 func _tulip() -> PlantFunction:
 	var species: PlantFunction = load("res://addons/undergrowth/species/garden_tulip.tres")
 	species = species.duplicate()

@@ -1,8 +1,8 @@
-## Stems bend in a field as those of a Plant3D in the same state do.
+## Stems in a field bend as those of a Plant3D in the same state do.
 extends "res://tests/engine/picture_harness.gd"
 
 const STEP := 1.0 / 60.0
-## Of an outline of some 400 pixels, of tips at 77 degrees: bones are so near to the shader.
+## Of an outline of about 400 pixels, with tips at 77 degrees: the accuracy of bones.
 const MOST_OF_STEMS := 100
 const LEAST_OF_SECOND := 40
 const STEPS_OF_BLOW := 9
@@ -94,7 +94,7 @@ func test_a_reed_in_air() -> void:
 			check(different > 2 * MOST_OF_STEMS, "%d differ from newtons' shape" % different)
 
 
-## Waves as quick as its second mode.
+## Waves with the frequency of its second mode.
 func test_a_follower_of_two_modes() -> void:
 	var id := await _add_follower()
 	_wind.kind = PlantWind.KIND_WAVES
@@ -138,7 +138,7 @@ func _add_follower() -> int:
 	_field.prototypes = 1
 	await settled(_field)
 	var species := _reed()
-	species.lean = 0.0  # Else it would rest as its prototype does.
+	species.lean = 0.0  # Without it the rest would equal that of its prototype.
 	species.natural_frequency = 0.6
 	species.damping_ratio = 0.02
 	species.stem.modes = 2
@@ -159,7 +159,7 @@ func _in_axes_of(plant: Plant3D, state: PackedFloat32Array) -> PackedFloat32Arra
 	return own
 
 
-## It shows both modes, and what it would show of the tip's bend in a steady wind is not that.
+## It shows both modes, which differ from the tip's bend in a steady wind.
 func _check_modes(plant: Plant3D, in_field: Image, alone: Image) -> void:
 	check(count_different(in_field, empty_picture()) > LEAST_PLANT, "a plant is drawn")
 	var different := count_different(in_field, alone)
@@ -181,7 +181,7 @@ func _reed() -> PlantFunction:
 	return species
 
 
-## Wind of such a strength (N) that the tip is bent about as far as `slope` says.
+## Sets the strength of the wind (N) that bends the tip to about `slope`.
 func _blow(species: PlantFunction, slope: float) -> void:
 	var plant := Plant3D.new()
 	plant.species = species
@@ -196,7 +196,7 @@ func _blow(species: PlantFunction, slope: float) -> void:
 	plant.free()
 
 
-## A field's stems step their second mode where they are `pushed`.
+## The stems of a field step their second mode if they are `pushed`.
 func _compare(
 	species: PlantFunction, place: Transform3D, steps: int, slope: float, pushed := false
 ) -> void:

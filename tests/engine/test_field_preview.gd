@@ -1,8 +1,8 @@
-## Fields that a tool moves: in the editor, or where they do not simulate.
+## Fields moved by a tool: in the editor, or without simulation.
 extends "res://tests/engine/harness.gd"
 
 const STEP := 1.0 / 60.0
-## Of a preview beside a field that moves by itself, m: the same steps in the same wind.
+## Difference between a preview and a simulated field, m: the same steps in the same wind.
 const SAME := 1e-5
 
 var _field: PlantField3D
@@ -94,7 +94,7 @@ func test_preview_moves_as_the_simulation_does() -> void:
 	root.add_child(other)
 	await other.build_finished
 	await frames(40)
-	# In its first step a field finds the wind's clock as it is.
+	# A field reads the wind's clock in its first step.
 	var steps := roundi(other.wind.get_time() / STEP) + 1
 	check(steps > 10, "%d steps" % steps)
 	_preview(steps)

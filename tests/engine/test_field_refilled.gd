@@ -1,18 +1,18 @@
-## A field that stands is filled anew: who stands again goes on as it was, and nothing shows on the
-## way.
+## A rebuild of a field transfers the motion of its plants, and no frame shows an intermediate
+## state.
 extends "res://tests/engine/field_harness.gd"
 
 const MANY := 5000
 const BLOW := Vector3(0.004, 0.0, 0.001)
 const ROUNDING := 1e-4
-const HALF_A_BLOW := 0.05  # m/s, of what one makes of a tip, and more than rounding does of many.
+const HALF_A_BLOW := 0.05  # m/s: half of one blow on a tip, more than rounding.
 
 
 func before_each() -> void:
 	field = _make_field()
 
 
-## However it came to stand, it is the same to the bit.
+## The result is the same to the bit for any order of changes.
 func test_a_field_that_was_refilled_is_as_one_that_is_filled_at_once() -> void:
 	await start()
 	field.density = 40.0
@@ -51,7 +51,7 @@ func test_what_is_done_to_plants_while_they_are_refilled_stays_done() -> void:
 	others.remove_at(others.find(pushed))
 	var before := field.get_motion_state(others)
 	for attempt in 4:
-		field.clump_size += 0.5  # All of them stand again.
+		field.clump_size += 0.5  # All plants exist again.
 		var blows := 0
 		var state := field.get_motion_state([pushed])
 		var at := field.get_plant_transform(pushed).origin
@@ -111,7 +111,7 @@ func test_a_filling_that_is_overtaken_leaves_nothing_behind() -> void:
 	other.free()
 
 
-## At any moment: while it is placed, planned, made ready or gets its motion.
+## At any phase: placement, planning, preparation or transfer of motion.
 func test_a_filling_of_other_seeds_that_is_overtaken_leaves_nothing_behind() -> void:
 	await start()
 	for i in 80:

@@ -1,4 +1,4 @@
-## A property changes of a field that stands: it is grown anew tile by tile, the nearest first.
+## A changed property rebuilds a field tile by tile, nearest first.
 extends "res://tests/engine/field_harness.gd"
 
 const TILE := 8.0
@@ -25,7 +25,7 @@ func after_each() -> void:
 	await process_frame
 
 
-## Of the whole field and of one that streams.
+## Tests the whole field and a streaming one.
 func test_near_tiles_are_grown_anew_while_far_ones_still_stand() -> void:
 	for distance: float in [0.0, 400.0]:
 		field.free()
@@ -202,7 +202,7 @@ func test_added_and_mown_ones_outlive_it() -> void:
 
 
 func test_a_streaming_field_leaves_nothing_behind_of_sparse_species() -> void:
-	field.species[1].weight = 0.004  # Few to a tile: elsewhere they would share wide squares.
+	field.species[1].weight = 0.004  # Few per tile: elsewhere they would share wide squares.
 	field.view_distance = 25.0
 	_camera.position = Vector3(-40, 1, 0)
 	await start()
@@ -246,7 +246,7 @@ func _most_apart(some: PackedFloat32Array, others: PackedFloat32Array) -> float:
 	return most
 
 
-## Waits until all tiles stand that are to.
+## Waits until all expected tiles are built.
 func _streamed() -> void:
 	await frames(20)
 	while field.is_building() or field.get_statistics()["tiles_waiting"] > 0:

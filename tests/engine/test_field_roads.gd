@@ -1,7 +1,7 @@
-## Paths with a width: roads that a field keeps free, and beds that it grows in.
+## Paths with a width: roads without plants, and beds with plants.
 extends "res://tests/engine/field_harness.gd"
 
-const LOOK := 10  # Frames between two looks at what tells nobody that it moved.
+const LOOK := 10  # Frames between two polls of movement without a signal.
 const WIDTH := 2.4
 const RING: Array[Vector3] = [
 	Vector3(-8, 0, -8), Vector3(8, 0, -8), Vector3(8, 0, 8), Vector3(-8, 0, 8), Vector3(-8, 0, -8)
@@ -25,7 +25,7 @@ func test_nothing_grows_on_a_road_of_two_points() -> void:
 		var away := _away(place, [from, to])
 		check(away > 0.5 * WIDTH - 1e-3, "%s is on the road" % place)
 		beside += 1 if away < 0.5 * WIDTH + 0.5 else 0
-	# Along 30 m and a bit, half a metre on each side.
+	# Along slightly more than 30 m, half a metre on each side.
 	check_near(beside, 10.0 * 30.6, 70.0, "plants beside it")
 
 
@@ -80,7 +80,7 @@ func test_a_bed_around_a_place_is_a_ring() -> void:
 	check_equal(_count_near(Vector3.ZERO, 6.9), 0, "plants within it")
 
 
-## What is dragged is followed there, and nothing else is touched.
+## A dragged path changes only the plants near it.
 func test_a_road_that_is_dragged_is_followed_where_it_goes() -> void:
 	field.size = Vector2(60, 60)
 	var points: Array[Vector3] = [Vector3(-40, 0, 20), Vector3(0, 0, 20), Vector3(40, 0, 20)]
@@ -182,7 +182,7 @@ func _count_near(place: Vector3, radius: float) -> int:
 	return field.find_plants_in_sphere(place, radius).size()
 
 
-## Seen from above, from a line through points.
+## Returns the distance, seen from above, from a line through points.
 func _away(place: Vector3, points: Array[Vector3]) -> float:
 	var flat := Vector2(place.x, place.z)
 	var nearest := INF

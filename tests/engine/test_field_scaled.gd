@@ -1,4 +1,4 @@
-## Turned, scaled and moved fields: what is asked of them in world axes, and what is drawn of them.
+## Rotated, scaled and moved fields: queries in world axes, and drawing.
 extends "res://tests/engine/field_harness.gd"
 
 const TURNED := Vector3(0.3, 1.1, 0.2)
@@ -131,7 +131,7 @@ func test_fields_of_any_scale_draw_all_their_plants() -> void:
 			_stage.add_child(field)
 			await filled(field)
 			await frames(3)
-			# All levels reach so far that every plant is in one of them.
+			# The ranges of all levels include every plant.
 			var drawn := await _primitives()
 			field.levels = [PlantFieldLevel.of(2)]
 			await rested()
@@ -165,10 +165,10 @@ func test_a_field_that_is_scaled_while_it_stands_draws_all_within_its_range() ->
 	_stage.add_child(field)
 	await filled(field)
 	field.visibility_range_end = 15.0
-	await frames(12)  # It looks at the engine's own properties now and then.
+	await frames(12)  # The field polls the engine's own properties at intervals.
 	await rested()
 	field.scale = Vector3.ONE * 5.0
-	# Where tiles meet, so that the middles of all are farther than their range was before.
+	# At a corner of tiles, so that all middles are farther than their previous range.
 	_stage.get_camera_3d().look_at_from_position(Vector3(2, 3, 2), Vector3.ZERO)
 	await frames(2)
 	var within := _count_within(15.0)
@@ -195,7 +195,7 @@ func test_no_part_of_a_deviating_plant_is_culled() -> void:
 	var farthest := Vector3.ZERO
 	for vertex: Vector3 in mesh.surface_get_arrays(0)[Mesh.ARRAY_VERTEX]:
 		farthest = vertex if vertex.length() > farthest.length() else farthest
-	# Turned so that it goes out by the side of a box, not by its corner.
+	# Rotated so that it leaves a box through a side and not a corner.
 	field.remove_plant(id)
 	var turn := Basis(Vector3.UP, atan2(farthest.z, farthest.x))
 	id = field.add_plants([Transform3D(turn, Vector3.ZERO)], function)[0]

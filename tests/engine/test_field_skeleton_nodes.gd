@@ -1,4 +1,4 @@
-## The nodes of a field's skeletons: they are used again and again.
+## The nodes of a field's skeletons are reused.
 extends "res://tests/engine/field_harness.gd"
 
 
@@ -56,7 +56,8 @@ func test_a_bent_plant_that_is_a_skeleton_has_room_for_its_tip_where_it_is_culle
 	camera.free()
 
 
-## A field of one species and a camera at its middle, near which plants become skeletons.
+## Returns a field of one species and a camera at its middle. Plants near the camera become
+## skeletons.
 func _watch(species: PlantFunction, size: Vector2, most: int) -> Camera3D:
 	field = PlantField3D.from_species([species])
 	field.size = size

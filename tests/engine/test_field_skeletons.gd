@@ -1,7 +1,7 @@
-## Plants of a field near the camera as skeletons: which, in what state, and that nobody sees it.
+## Plants of a field near the camera as skeletons: their selection, their state, and equal pictures.
 extends "res://tests/engine/picture_harness.gd"
 
-## Share of the plants' pixels that may differ: Compatibility keeps turns in half floats.
+## Share of the plants' pixels that may differ: Compatibility stores rotations in half floats.
 const MOST_DIFFERENT_SHARE := 0.005
 
 var _field: PlantField3D
@@ -70,7 +70,7 @@ func test_a_skeleton_bends_as_its_plant() -> void:
 		var id := _field.get_skeleton_plant(skeleton)
 		var length := _field.get_plant_height(id) / skeleton.global_basis.y.length()
 		var tip := skeleton.transform * (skeleton.get_bone_global_pose(1) * Vector3(0, length, 0))
-		# Half a step of a tip at 2 m/s, since pictures lie between two steps.
+		# Half a step of a tip at 2 m/s, because pictures are between two steps.
 		check_near(tip, _field.get_tip_position(id), 0.02, "tip of plant %d" % id)
 
 

@@ -1,4 +1,4 @@
-## How stems of a field swing: in one mode or two, and by their own height.
+## Stems of a field swing in one mode or two, by their own height.
 extends "res://tests/engine/field_stem_harness.gd"
 
 
@@ -97,7 +97,7 @@ func test_stems_of_one_material_swing_by_their_own_height_as_plants_alone_do() -
 	check(frequencies[0] > 2.5 * frequencies[2], "low ones are fast: %s Hz" % [frequencies])
 
 
-## Hz: of a tip that is let go, by when it passes the middle.
+## Returns the frequency (Hz) of a released tip, by the times at which it passes the middle.
 func _frequency(begin: Callable, at: Callable, advance: Callable) -> float:
 	begin.call(PackedFloat32Array([0.05, 1, 0, 0, 0, 0]))
 	var passed: Array[float] = []

@@ -1,7 +1,7 @@
-## Fields of stems that bend along their length: what pushes them, what saves time, who shows them.
+## Fields of stems that bend along their length: forces, performance settings, and drawing.
 extends "res://tests/engine/field_stem_harness.gd"
 
-## Where a low body touches (m).
+## Height at which a low body touches (m).
 const LOW := 0.45
 
 
@@ -109,7 +109,8 @@ func test_stems_near_the_camera_are_skeletons_with_their_bones() -> void:
 		var id := field.get_skeleton_plant(skeleton)
 		check_equal(skeleton.find_bone("stem_4"), 5, "bone of the last joint")
 		var tip := skeleton.transform * skeleton.get_bone_global_pose(1).origin
-		# Pictures lie between two steps; bones beside the stem: a hundredth of its length.
+		# Pictures are between two steps. The tolerance of bones beside the stem is a hundredth of
+		# its length.
 		check_near(tip, field.get_tip_position(id), 0.01 * HEIGHT + 0.01, "tip of plant %d" % id)
 
 

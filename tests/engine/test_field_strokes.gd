@@ -1,4 +1,4 @@
-## Strokes on the map of a field that stands.
+## Strokes on the map of a built field.
 extends "res://tests/engine/field_map_harness.gd"
 
 
@@ -31,7 +31,7 @@ func test_strokes_touch_what_they_change_and_nothing_else() -> void:
 	check(stayed < ids.size() - 40, "%d of %d stay" % [stayed, ids.size()])
 
 
-## What a game does in a frame.
+## The work of a game in a frame.
 class Game:
 	extends Node
 
@@ -39,7 +39,7 @@ class Game:
 		OS.delay_msec(2)
 
 
-## Of many strokes one at least meets threads that are free, however busy the machine is.
+## At least one of many strokes starts with idle threads, also on a busy machine.
 func test_a_stroke_is_placed_stands_and_is_shown_in_one_frame() -> void:
 	var game := Game.new()
 	root.add_child(game)

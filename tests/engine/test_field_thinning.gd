@@ -1,4 +1,4 @@
-## How many plants of a field far cameras are shown, and that nothing else knows of it.
+## The number of plants that distant cameras draw. Nothing else depends on it.
 extends "res://tests/engine/field_harness.gd"
 
 var _camera: Camera3D
@@ -93,7 +93,8 @@ func test_a_share_out_of_range_keeps_the_value() -> void:
 	check_equal(level.density, 0.4)
 
 
-## How many are drawn, at all levels, by a camera so far from the field's middle.
+## Returns the number of drawn plants, at all levels, for a camera at this distance from the field's
+## middle.
 func _drawn_from(away: float) -> int:
 	_camera.position = Vector3(away, 1.0, 0)
 	await frames(2)

@@ -1,4 +1,4 @@
-## A field whose tiles come and go around whoever looks.
+## A field whose tiles are loaded and unloaded around cameras.
 extends "res://tests/engine/field_harness.gd"
 
 const DISTANCE := 30.0
@@ -275,7 +275,7 @@ func _check_same_around(whole: PlantField3D) -> void:
 		check(field.get_plant_heights(here) == whole.get_plant_heights(there), "heights")
 
 
-## Waits until all tiles stand that are to.
+## Waits until all expected tiles are built.
 func _streamed() -> void:
 	await frames(20)
 	while field.is_building() or field.get_statistics()["tiles_waiting"] > 0:

@@ -1,5 +1,4 @@
-## How wide plants of a field are drawn where levels of detail change and where plants are left
-## away, in pictures.
+## The drawn width of a field's plants at changes of level and at lower density, in pictures.
 extends "res://tests/engine/picture_harness.gd"
 
 const MEADOW_GRASS := "res://addons/undergrowth/species/meadow_grass.tres"
@@ -12,7 +11,7 @@ var _field: PlantField3D
 func before_each() -> void:
 	make_stage()
 	_field = PlantField3D.new()
-	_field.density = 0.0  # Only what is added.
+	_field.density = 0.0  # Added plants only.
 	_field.simulation_enabled = false
 	_field.fade_margin = MARGIN
 	stage.add_child(_field)
@@ -30,11 +29,11 @@ func test_a_lathe_covers_as_much_while_its_level_changes() -> void:
 func test_a_plant_of_parts_covers_as_much_while_its_level_changes() -> void:
 	var scaled := Basis.from_scale(Vector3.ONE * 4.0)
 	_field.add_plants([Transform3D(scaled)], load(MEADOW_GRASS))
-	await _check_transition(0.35, 0.2)  # Both levels, of leaves of their own, are seen for a while.
+	await _check_transition(0.35, 0.2)  # Both levels, with different leaves, are visible.
 
 
 func test_a_thinned_field_covers_as_much_as_the_whole() -> void:
-	# A third of the plants, so many times as wide.
+	# A third of the plants, with three times the width.
 	for function: PlantFunction in [load(MEADOW_GRASS), _blade()]:
 		_sow(function, 60.0, 1.2)
 		await settled(_field)
@@ -77,7 +76,7 @@ func test_plants_that_stand_for_others_are_no_brighter_dots() -> void:
 
 
 func test_what_shines_least_is_not_darker_for_others() -> void:
-	# The mean that colours go to is the plant's own, not black.
+	# Colours blend to the plant's own mean, not to black.
 	_sow(load(MEADOW_GRASS), 60.0, 1.2)
 	var whole := _mean_light(await picture())
 	_field.levels[0].density = 0.4
@@ -112,7 +111,7 @@ func _primitives_from(away: float) -> int:
 	)
 
 
-## Fills a square of so many metres, all of it of one level.
+## Fills a square of that many metres with one level.
 func _sow(function: PlantFunction, density: float, side: float) -> void:
 	_field.species = [PlantFieldSpecies.of(function)]
 	_field.density = density
@@ -120,14 +119,14 @@ func _sow(function: PlantFunction, density: float, side: float) -> void:
 	_field.levels = [PlantFieldLevel.of(6)]
 
 
-## A lathe that is not thinner than pixels.
+## Returns a lathe that is wider than a pixel.
 func _blade() -> GrassFunction:
 	return GrassFunction.new()
 
 
-## Goes through the band between two levels. What is covered stays between what either level covers,
-## but for [param tolerance] of it; and it has no more edges than either, but for [param ragged] of
-## them: nothing is dissolved into dots.
+## Moves through the band between two levels. The covered area stays between those of the two
+## levels, within [param tolerance]. It has no more edges than either, within [param ragged],
+## because nothing is dissolved into dots.
 func _check_transition(tolerance: float, ragged: float) -> void:
 	var away := stage.get_camera_3d().position.length()
 	var covered: Array[int] = []
@@ -153,7 +152,7 @@ func _count_covered(image: Image) -> int:
 	return count_different(image, empty_picture())
 
 
-## Of blue, which daisies have and grass has not: what a few pixels have at least.
+## Returns the amount of blue, which daisies have and grass does not: the minimum of a few pixels.
 func _brightest(image: Image) -> float:
 	var blues: Array[float] = []
 	for y in PICTURE_SIZE.y:
@@ -163,7 +162,7 @@ func _brightest(image: Image) -> float:
 	return blues[-10]
 
 
-## Of covered pixels, on the mean.
+## Returns the mean of covered pixels.
 func _mean_light(image: Image) -> float:
 	var sum := 0.0
 	var count := 0
@@ -175,7 +174,7 @@ func _mean_light(image: Image) -> float:
 	return sum / maxi(count, 1)
 
 
-## Neighbours in a row of which one is covered and one is not.
+## Returns the number of neighbours in a row of which exactly one is covered.
 func _count_edges(image: Image) -> int:
 	var count := 0
 	for y in PICTURE_SIZE.y:

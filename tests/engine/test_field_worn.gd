@@ -1,4 +1,4 @@
-## Materials that a field wears: what is set of them is seen, and they may change while it fills.
+## Materials of a field: their values are visible, and they may change during a build.
 extends "res://tests/engine/picture_harness.gd"
 
 var _field: PlantField3D
@@ -76,7 +76,7 @@ func test_materials_of_skeletons_are_those_of_now() -> void:
 
 func test_a_material_that_is_chosen_while_a_field_is_refilled_is_worn_then() -> void:
 	_field.size = Vector2(40, 40)
-	_field.tile_size = 2.0  # So that it is made ready in several frames.
+	_field.tile_size = 2.0  # So that the preparation takes several frames.
 	await _field.build_finished
 	for attempt in 2:
 		_field.seed += 1
@@ -115,7 +115,7 @@ func test_species_that_change_in_every_frame_while_a_field_fills() -> void:
 	check_near(_field.get_plant_count(), 30 * 576, 1000.0, "plants")
 
 
-## Until a field has looked at what its species wear.
+## Waits until a field has polled the materials of its species.
 func _looked() -> void:
 	await frames(20)
 	await settled(_field)
@@ -148,7 +148,7 @@ func _own_material() -> ShaderMaterial:
 	return material
 
 
-## Nearly all that is drawn has more of [param colour] than of the others.
+## Checks that nearly all drawn pixels have more of [param colour] than of the remaining channels.
 func _check_colour(shown: Image, colour: Color, what: String) -> void:
 	var drawn := 0
 	var right := 0

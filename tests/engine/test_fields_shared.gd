@@ -1,9 +1,9 @@
-## Fields of the same species: the meshes that they share, and seeds of their places.
+## Fields of the same species share meshes, and have different seeds of positions.
 extends "res://tests/engine/settling_harness.gd"
 
 ## Sixteen variants in the first level, eight in the second.
 const MESHES := 24
-## Other objects come and go.
+## Tolerance for other objects.
 const TOLERANCE := 6
 
 var _fields: Array[PlantField3D] = []
@@ -17,7 +17,7 @@ func after_each() -> void:
 
 func test_fields_of_one_species_and_seed_share_their_meshes() -> void:
 	var species := TulipFunction.new()
-	await _count_added(_make(species))  # Shared shaders and the like exist from now on.
+	await _count_added(_make(species))  # Shared shaders and similar objects exist from here on.
 	var same := await _count_added(_make(species))
 	var other := _make(species)
 	other.seed = 5
@@ -125,7 +125,7 @@ func _drop_all() -> void:
 	_fields.clear()
 
 
-## How many objects there are more once it is built.
+## Returns the number of additional objects after the build.
 func _count_added(field: PlantField3D) -> int:
 	var before := _objects()
 	_add(field)

@@ -1,4 +1,4 @@
-## Fields that are the first of their process, and begin together.
+## The first fields of a process, which start together.
 extends "res://tests/engine/settling_harness.gd"
 
 const FIELDS := 6

@@ -1,7 +1,7 @@
-## What generate_mesh() promises, for all species, both shadings and all levels of detail.
+## The guarantees of generate_mesh() for all species, both shadings and all levels of detail.
 extends "res://tests/engine/harness.gd"
 
-## Normals are kept in 2 × 16 bits by the engine, weights in 16.
+## The engine stores normals in 2 × 16 bits and weights in 16.
 const NORMAL_TOLERANCE := 1e-3
 const WEIGHT_TOLERANCE := 2e-5
 const SEED := 5
@@ -180,7 +180,7 @@ func _check_normals(arrays: Array, label: String) -> void:
 	check_equal(inward, 0, "inward normals of " + label)
 
 
-## Edges that are not run through as often forward as backward, after welding equal positions.
+## Returns the edges with unequal numbers of both directions, after welding equal positions.
 func _open_edges(arrays: Array) -> int:
 	var balance := {}
 	var corners := _welded_corners(arrays)
@@ -203,7 +203,7 @@ func _welded_corners(arrays: Array) -> PackedInt32Array:
 	return corners
 
 
-## Positive where triangles are clockwise seen from outside.
+## Positive if triangles are clockwise, seen from outside.
 func _volume(arrays: Array) -> float:
 	var positions: PackedVector3Array = arrays[Mesh.ARRAY_VERTEX]
 	var indices: PackedInt32Array = arrays[Mesh.ARRAY_INDEX]

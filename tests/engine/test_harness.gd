@@ -1,4 +1,4 @@
-## The harness itself: a mistake that it let pass would hide every other.
+## Tests of the harness. An error that it misses would hide errors in all other tests.
 extends "res://tests/engine/harness.gd"
 
 var _built := false
@@ -63,7 +63,7 @@ func test_a_seed_decides_the_order_and_no_name_is_lost() -> void:
 	check(orders.size() > 15, "other seeds have other orders")
 
 
-## Without what the harness does before it quits, this script never ends.
+## Without the harness's steps before its exit, this script never ends.
 func test_tasks_in_a_queue_do_not_hold_the_engine_at_its_exit() -> void:
 	var last := 0
 	for i in 2 * OS.get_processor_count():
@@ -71,7 +71,7 @@ func test_tasks_in_a_queue_do_not_hold_the_engine_at_its_exit() -> void:
 	check(not WorkerThreadPool.is_task_completed(last), "the last task still stands in the queue")
 
 
-## Checks that [param checks] fails exactly once, and forgets that failure.
+## Checks that [param checks] fails exactly once, and removes that failure.
 func _expect_failure(checks: Callable) -> void:
 	var before := _problems.size()
 	checks.call()

@@ -1,6 +1,6 @@
-## The library reloaded while plants stand in the tree, as when it is compiled with the editor open.
+## The library reloaded while plants exist in the tree, as when it is compiled with an open editor.
 ##
-## The engine reloads libraries in the editor only, so an editor without a window runs the checks of
+## The engine reloads libraries in the editor only. An editor without a window runs the checks of
 ## hot_reload/plugin.gd in a project of its own.
 extends "res://tests/engine/harness.gd"
 
@@ -13,7 +13,7 @@ const PROJECT := """config_version=5
 
 enabled=PackedStringArray("res://addons/hot_reload/plugin.cfg")
 """
-## Of frames, after which the editor ends in any case.
+## Frames after which the editor ends in any case.
 const PATIENCE := "20000"
 
 var _output := ""
@@ -50,7 +50,7 @@ func _check_complaints() -> void:
 			check(not line.contains(word), line.strip_edges())
 
 
-## A project with a copy of the library, so that reloading it disturbs no other test.
+## Returns a project with a copy of the library, so that a reload affects no other test.
 func _make_project() -> bool:
 	var folder := ProjectSettings.globalize_path(FOLDER)
 	_remove(folder)
@@ -85,7 +85,7 @@ func _copy_shaders(folder: String) -> void:
 		check_equal(DirAccess.copy_absolute("res://" + SHADERS.path_join(file), target), OK, file)
 
 
-## The file that the running engine loaded our classes from.
+## Returns the library file that the running engine has loaded.
 func _find_library() -> String:
 	for extension in GDExtensionManager.get_loaded_extensions():
 		var settings := ConfigFile.new()

@@ -1,4 +1,4 @@
-## Errors call things by what a user finds them: a file, a script, a short path.
+## Errors identify objects by their file, script or short path.
 extends "res://tests/engine/harness.gd"
 
 const SCENE := "user://messages_scene.tscn"
@@ -6,7 +6,7 @@ const SCRIPT := "user://messages_spike.gd"
 
 static var _files := 0
 
-## Another file for each test: what was read from one is kept as long as anybody has it.
+## Number of the file of each test. The resource cache returns a loaded file while it is referenced.
 var _species := ""
 var _world: Node
 
@@ -50,7 +50,7 @@ func test_a_fault_in_a_file_is_told_once_with_that_file() -> void:
 
 
 func test_a_fault_in_a_file_is_told_even_if_nobody_keeps_what_was_read() -> void:
-	await frames(2)  # Until the last test's resources are gone.
+	await frames(2)  # Waits until the resources of the last test are freed.
 	_write_faulty_file()
 	load(_species)
 	await frames(2)
@@ -143,7 +143,7 @@ func _plant_below(parent: Node) -> Plant3D:
 	return plant
 
 
-# As somebody types it.
+# As typed by a user.
 func _write_faulty_file() -> void:
 	_write(
 		_species,
@@ -165,7 +165,7 @@ func _scripted(code: String) -> PlantFunction:
 	return (load(SCRIPT) as GDScript).new()
 
 
-## [param species] as a scene gives it back that it was saved in.
+## Returns [param species] from a saved and loaded scene.
 func _embedded(species: PlantFunction) -> PlantFunction:
 	var holder := Node.new()
 	holder.set_meta("species", species)

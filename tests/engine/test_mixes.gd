@@ -1,11 +1,11 @@
-## The mixes that ship: fields of several ready species, which load, fill and grow what they say.
+## The shipped mixes: fields of several ready species, which load, build and contain their species.
 extends "res://tests/engine/field_harness.gd"
 
 const FOLDER := "res://addons/undergrowth/mixes"
 const SPECIES_FOLDER := "res://addons/undergrowth/species/"
-## Drifts are few in a hundred square metres: so many times more or less than its share may stand.
+## Factor of the weight's tolerance. A hundred square metres contain only a few drifts.
 const MOST_APART := 2.0
-## On ten by ten metres.
+## Within ten by ten metres.
 const MOST_PLANTS := 7000
 
 
@@ -33,7 +33,7 @@ func test_a_mix_is_ready_to_be_dragged_into_a_scene() -> void:
 	one.free()
 
 
-# Only where they stand matters here.
+# Only positions matter here.
 func _draw_coarsely() -> void:
 	var levels: Array[PlantFieldLevel] = [PlantFieldLevel.of(1)]
 	field.levels = levels

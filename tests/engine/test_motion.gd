@@ -1,9 +1,9 @@
-## The motion of a plant driven by hand, against closed forms of its laws.
+## The motion of a plant stepped by the test, compared with closed forms of its laws.
 extends "res://tests/engine/harness.gd"
 
 const STEP := 1.0 / 60.0
 const GRAVITY := 9.81
-## Of a frequency or a ratio measured over several swings of steps of 1/60 s.
+## Of a frequency or a ratio measured over several swings with steps of 1/60 s.
 const MEASURE_TOLERANCE := 0.01
 const LENGTH_TOLERANCE := 1e-5
 
@@ -144,7 +144,7 @@ func test_an_impulse_sets_the_tips_velocity() -> void:
 	_function.mass = 0.5
 	_plant.apply_impulse(Vector3(0.05, 0, 0))
 	_plant.advance(STEP)
-	# v = 0.1 m/s, slowed a little by the spring within the step.
+	# v = 0.1 m/s, with a small loss by the spring within the step.
 	check_near(_plant.get_tip_position().x, 0.1 * STEP, 0.05 * 0.1 * STEP, "way of one step")
 
 
@@ -176,7 +176,7 @@ func test_the_bone_turns_from_up_to_the_tip() -> void:
 	for i in 60:
 		var before := _plant.get_tip_position()
 		_plant.advance(STEP)
-		# Exactly one step: what is drawn is the last but one.
+		# Exactly one step: the drawn pose is the one before the last.
 		var turned := _plant.get_skeleton().get_bone_pose_rotation(1) * Vector3.UP
 		var nearest := minf(
 			turned.angle_to(before.normalized()),
@@ -185,7 +185,7 @@ func test_the_bone_turns_from_up_to_the_tip() -> void:
 		check_near(nearest, 0.0, 1e-3, "angle between the bone and the tip")
 
 
-## Lets the plant swing freely from a small push and compares with exp(-ζωt)·sin(ωt√(1 - ζ²)).
+## Lets the plant swing freely from a small push and compares it with exp(-ζωt)·sin(ωt√(1 - ζ²)).
 func _check_swing(rate: int, frequency: float, damping: float) -> void:
 	_plant.reset_motion()
 	_plant.apply_impulse(Vector3(0.005, 0, 0))
@@ -194,14 +194,14 @@ func _check_swing(rate: int, frequency: float, damping: float) -> void:
 	var amplitude := 0.005 / _function.mass / swing
 	for i in range(1, 3 * rate):
 		_plant.advance(1.0 / rate)
-		# The plant stands where its last whole step of 1/60 s took it.
+		# The plant has the pose of its last whole step of 1/60 s.
 		var time := floorf(i * 60.0 / rate + 1e-3) / 60.0
 		var expected := amplitude * exp(-damping * omega * time) * sin(swing * time)
 		var label := "%f Hz, damping %f, %d frames, %f s" % [frequency, damping, rate, time]
 		check_near(_plant.get_tip_position().x, expected, MEASURE_TOLERANCE * amplitude, label)
 
 
-## Frequency (Hz) of a small free swing, from the times at which it passes the middle.
+## Returns the frequency (Hz) of a small free swing, by the times at which it passes the middle.
 func _frequency(rate: int) -> float:
 	_plant.reset_motion()
 	_plant.apply_impulse(Vector3(0.002, 0, 0))
@@ -239,7 +239,7 @@ func _blow(strength: float) -> void:
 	_plant.wind.direction = deg_to_rad(90.0)
 
 
-## Bends the plant by a steady wind and lets it go.
+## Bends the plant by a steady wind and releases it.
 func _lean_to(degrees: float) -> void:
 	_plant.reset_motion()
 	_function.law = PlantFunction.LAW_SPRING

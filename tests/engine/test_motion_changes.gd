@@ -1,9 +1,9 @@
-## Settings that change while a plant moves, and steps that are impossible: nothing jumps.
+## Changes of settings while a plant moves, and invalid steps: no pose jumps.
 extends "res://tests/engine/harness.gd"
 
 const STEP := 1.0 / 60.0
 const TIP_TOLERANCE := 1e-5
-## The tip's speed is limited by what its law lets it gain in one step: far below a jump.
+## Limit of the tip's speed: the gain by its law in one step, far below a jump.
 const LARGEST_MOVE := 0.2
 
 var _plant: Plant3D
@@ -202,8 +202,8 @@ func _run(seconds: float) -> void:
 		_plant.advance(STEP)
 
 
-## The direction of the tip stays while [param change] is made, through the frames in which the
-## plant is built anew, and moves on smoothly in the steps after it.
+## Checks that the tip's direction stays the same during [param change] and the frames of the
+## rebuild, and moves smoothly in the steps afterwards.
 func _check_no_jump(change: Callable, label: String) -> void:
 	_plant.apply_impulse(Vector3(0.1, 0, 0.1))
 	_run(0.3)

@@ -1,4 +1,4 @@
-## A plant's motion taken out and put in again, and what tells that its mesh is another one.
+## Reading and writing a plant's motion, and the report of a changed mesh.
 extends "res://tests/engine/harness.gd"
 
 const STEP := 1.0 / 60.0
@@ -74,7 +74,7 @@ func test_a_plant_that_goes_to_other_company_is_drawn_without_a_jump() -> void:
 
 
 func test_a_plant_that_hangs_goes_to_other_company_without_a_jump() -> void:
-	# Plants that rest far from upright are simulated in other axes than the world's.
+	# Plants with a rest far from upright are simulated in other axes than the world's.
 	_plant.species.law = PlantFunction.LAW_SPRING
 	_plant.rotation.z = -0.5 * PI
 	await _check_other_company(Vector3(0, 1.0, 0))
@@ -137,7 +137,7 @@ func _bone_direction(plant: Plant3D) -> Vector3:
 
 
 func _check_other_company(impulse: Vector3) -> void:
-	PlantSimulation.step_length = 0.1  # A pose that lost the last step would be seen.
+	PlantSimulation.step_length = 0.1  # A pose without the last step would be visible.
 	_plant.simulation_enabled = true
 	_plant.get_skeleton()
 	_plant.apply_impulse(impulse)

@@ -1,4 +1,4 @@
-## The time that tips belong to: PlantField3D.get_motion_time().
+## The time of the tips: PlantField3D.get_motion_time().
 extends "res://tests/engine/field_harness.gd"
 
 
@@ -42,7 +42,8 @@ func test_equal_motion_time_is_equal_motion_to_the_bit_at_every_frame_rate() -> 
 			check(compared > 50, "%d steps at %d frames, %s" % [compared, rate, kind])
 
 
-## What tests/engine/driven/tell_motion_time.gd prints in a process of its own: a hash by step.
+## Returns the output of tests/engine/driven/tell_motion_time.gd in a process of its own: a hash by
+## step.
 func _steps_at(rate: int, kind: String) -> Dictionary:
 	var script := "res://tests/engine/driven/tell_motion_time.gd"
 	var words := [

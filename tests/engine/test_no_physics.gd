@@ -1,4 +1,4 @@
-## Fields on colliders where there is no physics: the suite's project says so.
+## Fields on colliders without physics, by the suite's project settings.
 extends "res://tests/engine/field_harness.gd"
 
 

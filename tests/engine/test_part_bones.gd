@@ -1,4 +1,4 @@
-## The bones of plants of parts, in a Plant3D and near those who look at a field.
+## The bones of plants of parts, in a Plant3D and in a field near cameras.
 extends "res://tests/engine/harness.gd"
 
 const STEP := 1.0 / 60.0
@@ -69,7 +69,7 @@ func test_weights_of_a_vertex_are_of_bones_that_there_are() -> void:
 		check_near(worst, 0.0, 1e-4, species + ": sums of weights")
 
 
-## Where shaders take each vertex in calm air is where the bones do.
+## Shaders and bones move each vertex in calm air to the same position.
 func test_the_calm_plant_of_a_mesh_is_that_of_its_bones() -> void:
 	var leaning := _load("garden_tulip").duplicate() as PlantFunction
 	leaning.lean = deg_to_rad(25.0)
@@ -226,7 +226,7 @@ func _load(species: String) -> PlantFunction:
 	return load("res://addons/undergrowth/species/%s.tres" % species).duplicate()
 
 
-## How far a bone has turned beside its parent's share of the stem's bend, in radians.
+## Returns the rotation of a bone relative to its parent's share of the stem's bend, in radians.
 func _turn_of(skeleton: Skeleton3D, bone: String) -> float:
 	var index := skeleton.find_bone(bone)
 	var turned := skeleton.get_bone_global_pose(index).basis.get_rotation_quaternion()

@@ -1,4 +1,4 @@
-## Fields where physics has a thread of its own: the suite's project says so.
+## Fields with physics in its own thread, by the suite's project settings.
 extends "res://tests/engine/field_harness.gd"
 
 const RATES: Array[int] = [30, 60, 144, 240]
@@ -79,8 +79,8 @@ func test_a_walker_moves_plants_alike_at_every_rate() -> void:
 		check(expected > 0.3, "tips go %f m" % expected)
 		for rate in RATES:
 			var way := _way_of_tips(rate, contact)
-			# Where physics has fewer frames than steps, a body goes by fits and starts.
-			# Slow frames of a busy machine drop steps, which tips that touch feel most.
+			# With fewer physics frames than steps, a body moves in jumps. Slow frames of a busy
+			# machine drop steps, which affects tips in contact most.
 			var share := 0.15 if rate < 60 or not contact.is_empty() else 0.05
 			check_near(way, expected, share * expected, "way at %d Hz %s" % [rate, contact])
 
@@ -108,8 +108,8 @@ func test_bodies_that_physics_moves_push_plants() -> void:
 	plant.free()
 
 
-## What the tips of tests/engine/driven/walk_through_field.gd go in a process of its own (m), in
-## which a walker goes in physics frames.
+## Returns the movement (m) of tips in tests/engine/driven/walk_through_field.gd, in a process of
+## its own with a walker that moves in physics frames.
 func _way_of_tips(rate: int, contact: String) -> float:
 	var script := "res://tests/engine/driven/walk_through_field.gd"
 	var words := [
@@ -122,7 +122,7 @@ func _way_of_tips(rate: int, contact: String) -> float:
 	return said.to_float()
 
 
-## A ball that only physics moves goes along the middle of the field.
+## Returns a ball that only physics moves, along the middle of the field.
 func _roll_through(rate: int) -> void:
 	var told: Array[String] = []
 	var enter := func(_body: Node3D) -> void: told.append("in")

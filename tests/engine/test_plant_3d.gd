@@ -1,4 +1,4 @@
-## Plant3D: what it builds, when it builds it again, and what it says about wrong settings.
+## Plant3D: its meshes, its rebuilds, and the errors of invalid settings.
 extends "res://tests/engine/harness.gd"
 
 var _plant: Plant3D
@@ -213,7 +213,7 @@ func _instance() -> MeshInstance3D:
 	return _plant.get_skeleton().get_child(0, true)
 
 
-## A function that counts how often it is asked for a whole mesh.
+## A function that counts the requests for a whole mesh.
 func _counting_function() -> PlantFunction:
 	var script := GDScript.new()
 	script.source_code = """extends PlantFunction
@@ -224,5 +224,5 @@ func _get_base_shape(_lod: int) -> PackedVector3Array:
 """
 	check_equal(script.reload(), OK, "compiling")
 	var function: PlantFunction = script.new()
-	function.law = PlantFunction.LAW_SPRING  # A stem asks for one plant more.
+	function.law = PlantFunction.LAW_SPRING  # A stem requests one more plant.
 	return function

@@ -1,11 +1,11 @@
-## Bodies that push plants which stand alone.
+## Bodies that push single plants.
 extends "res://tests/engine/plant_harness.gd"
 
 const RADIUS := 0.3  # m, of the balls.
-## m; a plant is pushed once a step, and pulls back for a step.
+## m. A plant is pushed once per step, and pulls back during a step.
 const CLEAR := 0.01
 
-const MOST_APART := 0.001  # m, a tip of a field and that of a plant alone.
+const MOST_APART := 0.001  # m, between a tip of a field and that of a single plant.
 
 const BOTH_LAWS: Array[PlantFunction.MotionLaw] = [
 	PlantFunction.LAW_SPRING, PlantFunction.LAW_ELASTICITY
@@ -59,9 +59,8 @@ func test_what_walks_by_moves_both_alike_at_every_frame_rate() -> void:
 			check_near(ways[2], 0.0, MOST_APART, "most between two tips" + how)
 
 
-## What the tips of tests/engine/driven/walk_by_plants.gd go in a process of its own (m): those of
-
-## a field, and those of plants alone; and the most that one was from the other.
+## Returns the output of tests/engine/driven/walk_by_plants.gd in a process of its own (m): the
+## movement of tips of a field and of single plants, and the maximum distance between them.
 
 
 func _ways_of(rate: int, moved: String) -> PackedFloat64Array:
@@ -189,9 +188,8 @@ func test_a_plant_that_moves_is_not_shoved_by_a_body_that_stands_or_goes_along()
 	check(await _most_lean_of(0.0, -0.02) > still + 0.15, "a ball that comes shoves")
 
 
-## How far a plant leans at most beside a ball, while it goes by metres in each frame, and the ball
-
-## too: in the end both are where they are at once if neither moves.
+## Returns the maximum lean of a plant beside a ball while the plant and the ball move by metres in
+## each frame. At the end both have the positions of a run without movement.
 
 
 func _most_lean_of(plant_way: float, ball_way: float) -> float:
@@ -214,7 +212,7 @@ func _most_lean_of(plant_way: float, ball_way: float) -> float:
 	return most
 
 
-## A ball at the tip of a plant that stands so leaves it at its surface.
+## Checks that a ball at the tip of a plant in this pose leaves the tip at its surface.
 
 
 func _check_surface(species: PlantFunction, placed: Transform3D) -> void:
@@ -230,7 +228,7 @@ func _check_surface(species: PlantFunction, placed: Transform3D) -> void:
 	ball.free()
 
 
-## A body so far from the tip moves it as it does the tip of a field's plant.
+## Checks that a body at this distance moves the tip as it moves that of a field's plant.
 
 
 func _check_like_field(

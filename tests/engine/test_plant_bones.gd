@@ -1,8 +1,8 @@
-## What the renderer shows of a Plant3D's motion, whether or not somebody holds its skeleton.
+## The drawn motion of a Plant3D, with and without a reference to its skeleton.
 extends "res://tests/engine/harness.gd"
 
 const STEP := 1.0 / 60.0
-## Radians between what is shown, which lies between two steps, and the tip after the last one.
+## Radians between the drawn pose, which is between two steps, and the tip after the last one.
 const A_STEP := 0.1
 
 var _plant: Plant3D
@@ -86,7 +86,7 @@ func test_a_plant_that_is_carried_about_bends_on_the_screen() -> void:
 	_check_shown("carried")
 
 
-## Lets wind blow until the plant is bent.
+## Runs the wind until the plant is bent.
 func _bend() -> void:
 	for i in 2000:
 		await frames(1)

@@ -1,9 +1,9 @@
-## Tips of plants that stand alone and push each other apart.
+## Contact between the tips of single plants.
 extends "res://tests/engine/plant_harness.gd"
 
 const RADIUS := 0.1  # m.
 const APART := 0.4  # m, of the roots.
-## m; contact is solved once a step, and fast tips meet within one.
+## m. Contact is solved once per step, and fast tips overlap within one.
 const CLEAR := 0.015
 
 const SPRING := PlantFunction.LAW_SPRING
@@ -94,7 +94,7 @@ func test_two_plants_and_two_of_a_field_hold_each_other_alike() -> void:
 		pair[i].contact_enabled = true
 		pair[i].wind = wind
 		root.add_child(pair[i])
-	await pass_time(3.0)  # For ever they would not: one slips past the other.
+	await pass_time(3.0)  # Not forever, because one slips past the other.
 	var aside := Vector3(0, 0, 10)
 	for i in 2:
 		var expected := field.get_tip_position(ids[i]) + aside
@@ -147,7 +147,7 @@ func test_plants_of_other_worlds_and_of_fields_are_not_touched() -> void:
 	check_near(other.get_deflection(), 0.0, 1e-6, "the plant of another world")
 	check_near(field.get_tip_position(id), rest, 1e-6, "the plant of a field")
 	viewport.world_3d = root.find_world_3d()
-	check_error('Parameter "scenario" is null')  # The engine's, of any such viewport.
+	check_error('Parameter "scenario" is null')  # The engine's error for any such viewport.
 	plant.reset_motion()
 	plant.apply_impulse(Vector3(2.0 * species.mass, 0, 0))
 	await pass_time(0.5)
@@ -200,7 +200,7 @@ func _add_pair(one: PlantFunction, other: PlantFunction) -> Array[Plant3D]:
 	return [_add_touching(one, Transform3D()), _add_touching(other, aside)]
 
 
-## Bends an upright plant by so many metres at its tip.
+## Bends an upright plant by that many metres at its tip.
 func _lean(plant: Plant3D, way: Vector3, metres: float) -> void:
 	var direction := (Vector3.UP * 1.2 + way * metres).normalized()
 	plant.set_motion_state([direction.x, direction.y, direction.z, 0, 0, 0])
@@ -210,7 +210,7 @@ func _distance(pair: Array[Plant3D]) -> float:
 	return tip_of(pair[0]).distance_to(tip_of(pair[1]))
 
 
-## The two come as near as their spheres, and no nearer.
+## Checks that the distance of the two is the sum of their spheres' radii.
 func _check_apart(pair: Array[Plant3D], seconds: float) -> void:
 	var sum: float = pair[0].species.collision_radius + pair[1].species.collision_radius
 	var least := 10.0

@@ -1,11 +1,11 @@
-## PlantFunction's properties: their ranges, signals, and what a saved resource keeps.
+## PlantFunction's properties: their ranges, signals, and saved values.
 extends "res://tests/engine/harness.gd"
 
 const PATH := "user://saved_function.tres"
-## Of properties that are kept in single precision.
+## For properties in single precision.
 const RELATIVE_TOLERANCE := 1e-6
 
-## Properties of all functions with a value that is nobody's default.
+## Properties of all functions, with values that differ from the defaults.
 var _common := {
 	"law": PlantFunction.LAW_ELASTICITY,
 	"elasticity": 7.5,
@@ -21,7 +21,7 @@ var _common := {
 	"shape_deviation": 0.5,
 	"color_deviation": 0.25,
 }
-## Numbers with what they may not be.
+## Numbers with their invalid values.
 var _out_of_range := {
 	"elasticity": [-1.0, 1.1e4],
 	"inner_friction": [-0.1, 1.1e6],
@@ -202,7 +202,7 @@ func _all_species() -> Array[PlantFunction]:
 	]
 
 
-## What the species' own class adds to PlantFunction: colours and sizes.
+## Returns the properties that the species' own class adds to PlantFunction: colours and sizes.
 func _own_properties(species: PlantFunction) -> PackedStringArray:
 	var names := PackedStringArray()
 	if species.get_class() == "PlantFunction":
@@ -233,7 +233,7 @@ func _check_all_changed(species: PlantFunction, label: String) -> void:
 		check_near(value, _another(value), RELATIVE_TOLERANCE, "%s of %s" % [property, label])
 
 
-## Setting [param value] is a change, setting it once more is none.
+## Checks that a new [param value] is a change and an equal one is not.
 func _check_signals(species: PlantFunction, property: String, value: Variant) -> void:
 	for expected: int in [1, 0]:
 		_changes = 0
@@ -241,7 +241,7 @@ func _check_signals(species: PlantFunction, property: String, value: Variant) ->
 		check_equal(_changes, expected, "signals for " + property)
 
 
-## A value of [param property] that is not this species' own.
+## Returns a value of [param property] that differs from this species' own.
 func _another_of(species: PlantFunction, property: String) -> Variant:
 	var value: Variant = _common[property]
 	if value != species.get(property):

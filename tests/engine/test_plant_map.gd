@@ -1,4 +1,4 @@
-## What is painted on a map, how it is saved, and what it says of bad input.
+## Painting and saving of a map, and its errors for invalid input.
 extends "res://tests/engine/harness.gd"
 
 const FILES: PackedStringArray = ["user://painted.tres", "user://painted.res"]

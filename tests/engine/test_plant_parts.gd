@@ -1,4 +1,4 @@
-## Plants of parts: what scripts and files say of them becomes a mesh of sheets and tubes.
+## Plants of parts: scripts and files define a mesh of sheets and tubes.
 extends "res://tests/engine/harness.gd"
 
 const TULIP := "res://addons/undergrowth/species/garden_tulip.tres"
@@ -88,7 +88,7 @@ func test_a_script_grows_again_when_it_has_changed() -> void:
 	species.stalk.length = Vector2(1.0, 1.2)
 	check(species.generate_mesh(0.0, 6, 1).get_aabb().size.y > before.size.y, "a part's length")
 	check_equal(Daisy.grown, 2, "grown")
-	species.rays = 3  # A variable of the script, which tells nobody.
+	species.rays = 3  # A variable of the script, without a signal.
 	species.generate_mesh(0.0, 6, 1)
 	check_equal(Daisy.grown, 3, "a variable")
 	species.emit_changed()

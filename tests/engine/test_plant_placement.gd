@@ -1,4 +1,4 @@
-## Plants that stand aslant, upside down, on walls or scaled, that lean, and that are hidden.
+## Plants that are rotated, upside down, on walls, scaled, leaning or hidden.
 extends "res://tests/engine/harness.gd"
 
 const STEP := 1.0 / 60.0
@@ -219,7 +219,7 @@ func _tip_in_world() -> Vector3:
 	return _plant.global_transform * _plant.get_tip_position() - _plant.global_position
 
 
-## Blows towards [param way] and checks that the tip moves there, and not aside.
+## Pushes towards [param way] and checks that the tip moves there, and not sideways.
 func _check_sway(way: Vector3, label: String) -> void:
 	_plant.reset_motion()
 	_plant.wind = PlantWind.new()
@@ -237,7 +237,7 @@ func _check_sway(way: Vector3, label: String) -> void:
 
 
 func _check_bone_points_to_the_tip() -> void:
-	# The bone is drawn between two steps: let it arrive.
+	# Waits, because the drawn bone is between two steps.
 	var wind := _plant.wind
 	_plant.wind = null
 	_plant.advance(0.0)

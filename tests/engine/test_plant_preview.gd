@@ -1,4 +1,4 @@
-## Plants moved by tools under a wind that is tried out: Plant3D._preview() and PlantWind.advance().
+## Plants moved by tools in a previewed wind: Plant3D._preview() and PlantWind.advance().
 extends "res://tests/engine/harness.gd"
 
 const STEP := 1.0 / 60.0

@@ -1,8 +1,9 @@
-## The box that a plant says it stays in, against its skinned vertices at the largest bends.
+## The bounding box of a plant in every bend, compared with its skinned vertices at the largest
+## bends.
 extends "res://tests/engine/harness.gd"
 
 const STEP := 1.0 / 60.0
-## Bones are turned in single precision, vertices of a mesh lie on a grid of 16 bits at worst.
+## Bones are in single precision, and vertices of a mesh are on a grid of 16 bits at worst.
 const SKIN_TOLERANCE := 1e-3
 
 var _plant: Plant3D
@@ -68,7 +69,7 @@ func _laws() -> Array[PlantFunction.MotionLaw]:
 	return [PlantFunction.LAW_ELASTICITY, PlantFunction.LAW_SPRING, PlantFunction.LAW_STEM]
 
 
-## Pushes the plant hard to all sides and compares its skinned vertices with its reach.
+## Pushes the plant hard in all directions and compares its skinned vertices with its box.
 func _check_reach(label: String) -> void:
 	var reach := _plant.get_reach().grow(SKIN_TOLERANCE)
 	var outside := 0

@@ -1,4 +1,4 @@
-## Plant3D in scenes: saving, duplicating, moving about the tree, undoing, freeing. No ghosts.
+## Plant3D in scenes: saving, duplicating, moving in the tree, undo, freeing. No ghosts.
 extends "res://tests/engine/harness.gd"
 
 const PATH := "user://saved_meadow.tscn"
@@ -266,7 +266,7 @@ func _change(undo: UndoRedo, plant: Plant3D, property: StringName, value: Varian
 func _check_one_skeleton(plant: Plant3D) -> void:
 	check_equal(plant.get_child_count(true), 1, "children")
 	check(plant.get_child(0, true) == plant.get_skeleton(), "the child is the skeleton")
-	# The engine adds a PhysicalBoneSimulator3D to every skeleton by itself.
+	# The engine itself adds a PhysicalBoneSimulator3D to every skeleton.
 	check_equal(plant.find_children("*", "Skeleton3D", true, false).size(), 1, "skeletons")
 	check_equal(plant.find_children("*", "MeshInstance3D", true, false).size(), 1, "meshes")
 	check(plant.get_skeleton().get_child(0, true).mesh == plant.get_mesh(), "the plant's mesh")

@@ -1,4 +1,4 @@
-## Whom plants that stand alone tell of bodies among them, and of bodies that cannot push.
+## Signals of single plants for bodies among them, and warnings for bodies that cannot push.
 extends "res://tests/engine/plant_harness.gd"
 
 const RADIUS := 0.3  # m, of the balls.
@@ -86,7 +86,7 @@ func test_bodies_that_cannot_push_are_told_of_once_however_many_plants_there_are
 
 
 func test_a_group_that_nobody_is_in_is_told_of_once() -> void:
-	var group := "wlakers%d" % Time.get_ticks_usec()  # An engine is told once of each.
+	var group := "wlakers%d" % Time.get_ticks_usec()  # One warning per group and process.
 	for i in 3:
 		add_plant(make_species(PlantFunction.LAW_SPRING, 0.01 * i)).bodies_group = group
 	Engine.time_scale = 8.0

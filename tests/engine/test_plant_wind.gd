@@ -277,7 +277,7 @@ func test_a_gust_of_a_loaded_wind_still_blows() -> void:
 	DirAccess.remove_absolute(PATH)
 
 
-## Lets a plant that is driven by hand stand in the wind for [param seconds].
+## Runs the wind on a plant stepped by the test for [param seconds].
 func _run(seconds: float) -> void:
 	if not _plant:
 		_plant = Plant3D.new()

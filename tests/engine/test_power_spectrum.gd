@@ -1,12 +1,12 @@
-## The spectrum that the dock draws: what a record of known frequencies has, and what the air has.
+## The spectrum in the dock: records of known frequencies, and the air.
 extends "res://tests/engine/harness.gd"
 
 const PowerSpectrum := preload("res://addons/undergrowth/editor/widgets/power_spectrum.gd")
 const COUNT := 1024
 const RATE := 16.0
-## Of what the variance is, by a window that fades out the ends.
+## Of the variance, with a window that fades out the ends.
 const TOLERANCE := 0.02
-## Kaimal's line beside bands of an octave, of records as long as the dock's.
+## Ratio to Kaimal's line in bands of an octave, with records as long as the dock's.
 const BAND_TOLERANCE := 0.25
 
 

@@ -1,4 +1,5 @@
-## The species that the add-on brings as data: each grows at any level, by its seed, and sways.
+## The species that the add-on ships as data: they grow at any level, depend on their seed, and
+## sway.
 extends "res://tests/engine/harness.gd"
 
 const FOLDER := "res://addons/undergrowth/species/"
@@ -23,11 +24,11 @@ const PROMISED: PackedStringArray = [
 	"yarrow",
 ]
 const BUDGETS: Dictionary = {12: 792, 6: 198, 3: 50, 2: 22, 1: 12}
-## Metres: how far the tips of hanging leaves may be in the ground.
+## Metres: tolerance of the tips of hanging leaves below the ground.
 const DEEPEST := 0.03
-## Newtons: the wind that a new PlantWind blows.
+## Newtons: the wind of a new PlantWind.
 const WIND := 5.0
-## Frames until they stand still, critically damped.
+## Frames until they are at rest, with critical damping.
 const SETTLING := 300
 
 
@@ -80,7 +81,7 @@ func test_each_bends_as_a_stem_in_the_wind_and_none_lies_down() -> void:
 		var species := _species(file).duplicate() as PlantFunction
 		check_equal(species.law, PlantFunction.LAW_STEM, file + "'s law")
 		check(species.stem.head_mass >= 0.0 and species.stem.leaf_mass >= 0.0, file + "'s load")
-		species.damping_ratio = 1.0  # It does not matter to where it comes to rest.
+		species.damping_ratio = 1.0  # It does not affect the rest position.
 		var degrees := rad_to_deg(_bend_in_wind(species))
 		check(degrees > 2.0 and degrees < 30.0, "%s bends by %.1f degrees" % [file, degrees])
 

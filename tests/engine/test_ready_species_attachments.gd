@@ -1,16 +1,16 @@
-## Parts of the ready species begin on the stems that carry them, at rest and bent, at every level of detail.
+## Parts of the ready species start on their stems, at rest and bent, at every level of detail.
 extends "res://tests/engine/harness.gd"
 
 const FOLDER := "res://addons/undergrowth/species"
 const LEVELS: PackedInt32Array = [24, 12, 6, 3]
 const SEEDS := 2
-## m: what begins lower stands on the ground.
+## m: lower starts are on the ground.
 const GROUND := 0.004
 ## Of the tip, as a stereographic image: about 34 degrees.
 const BEND := Vector2(0.3, 0.0)
 ## Of the plant's height: whorls and discs have a radius.
 const MOST_AT_REST := 0.015
-## What is left beyond the second order of a chord, and of plants whose stems lean far out more.
+## Tolerance beyond the second order of a chord, and for plants with a large lean.
 const MOST_BENT := 0.015
 const MOST_BENT_OF: Dictionary = {"male_fern.tres": 0.08, "red_clover.tres": 0.045}
 
@@ -48,7 +48,8 @@ func _check_species(file: String) -> void:
 			print("%s at rest %.2f %%, bent %.2f %%" % [what, 100.0 * worst.x, 100.0 * worst.y])
 
 
-## The largest distances (m) of the first rows of a piece from the piece that is nearest to its base: at rest, and bent.
+## Returns the largest distances (m) of the first rows of a piece from the piece nearest to its
+## base: at rest, and bent.
 func _gap(piece: Piece, pieces: Array[Piece], rows: int) -> Vector2:
 	var carrier: Piece = null
 	var nearest := INF
@@ -117,7 +118,7 @@ func _pieces(arrays: Array) -> Array[Piece]:
 	return pieces
 
 
-## Of each vertex the first one of its piece.
+## Returns the first vertex of the piece of each vertex.
 func _first_vertices(count: int, indices: PackedInt32Array) -> PackedInt32Array:
 	var of := PackedInt32Array(range(count))
 	for i in range(0, indices.size(), 3):
@@ -135,7 +136,7 @@ func _root(of: PackedInt32Array, vertex: int) -> int:
 	return vertex
 
 
-## As undergrowth_bend_stem() bends it, of a stem that is an arc of a circle.
+## As undergrowth_bend_stem() bends it, for a stem that is an arc of a circle.
 func _bent(place: Vector3, offset: float, x: float, height: float) -> Vector3:
 	var centre := Vector3.ZERO
 	var steps := 32

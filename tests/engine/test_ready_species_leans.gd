@@ -1,9 +1,10 @@
-## How far ready species lean in winds of metres per second.
+## The lean of ready species in winds in metres per second.
 extends "res://tests/engine/harness.gd"
 
 const FOLDER := "res://addons/undergrowth/species/"
 const STEP := 1.0 / 60.0
-## Wind at the tip (m/s) that bends each to 30 degrees and to 60: what plants of such a build need.
+## Wind at the tip (m/s) that bends each to 30 and to 60 degrees: typical values for plants of this
+## build.
 const SPEEDS: Dictionary[String, Vector2] = {
 	"meadow_grass": Vector2(3.6, 8.2),
 	"lawn_grass": Vector2(3.9, 8.9),
@@ -51,7 +52,8 @@ func test_ready_species_lean_in_the_winds_that_their_build_says() -> void:
 			)
 
 
-## The wind at the tip (m/s) in which that points so far from upright, seen in one of [param speed].
+## Returns the wind at the tip (m/s) that gives this angle from upright, from poses in a wind of
+## [param speed].
 func _speed_for(angle: float, speed: float) -> float:
 	var height := _plant.get_plant_height()
 	_plant.wind.speed = speed * log(HIGH / ROUGHNESS) / log(height / ROUGHNESS)
@@ -63,6 +65,7 @@ func _speed_for(angle: float, speed: float) -> float:
 	return speed * sqrt(_slope_of(angle) / _slope_of(seen))
 
 
-## Of a stem whose tip rests at that angle in air: what that would be if it grew with the force.
+## For a stem with this angle of the tip at rest in air: the angle if it were proportional to the
+## force.
 func _slope_of(angle: float) -> float:
 	return sin(angle) / cos(angle) ** 2

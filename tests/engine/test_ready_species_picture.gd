@@ -1,10 +1,10 @@
-## Pictures of the species that the add-on brings: leaves are seen, and flowers in their colours.
+## Pictures of the shipped species: leaves are visible, and flowers have their colours.
 extends "res://tests/engine/picture_harness.gd"
 
 const FOLDER := "res://addons/undergrowth/species/"
 const GREEN := 0.25
 const WHITE := -1.0
-## Hue of what is seen besides leaves; WHITE has none.
+## Hue of visible parts besides leaves. WHITE has none.
 const HUES: Dictionary = {
 	"barley": 0.12,
 	"bellflower": 0.68,
@@ -28,15 +28,15 @@ const HUES: Dictionary = {
 const HUE_WIDTH := 0.06
 const LEAST_SATURATION := 0.2
 const LEAST_FLOWER := 8
-## Pixels of a thin plant, at least.
+## Minimum number of pixels of a thin plant.
 const LEAST_SEEN := 60
-## Nothing of it is green any more.
+## Species without any green.
 const RIPE := "wheat"
 const LEAST_WHITE := 0.5
 const MOST_CREAMY := 0.3
-## As in a field to 12 m, and to 25 m.
+## As in a field up to 12 m, and up to 25 m.
 const LEVELS: PackedInt32Array = [12, 6]
-## Metres: as high as the stage shows.
+## Metres: the height of the stage.
 const HEIGHT := 1.3
 
 const PAINT := Color(0.25, 0.4, 0.12)
@@ -73,7 +73,7 @@ func test_leaves_and_flowers_are_seen_in_their_colours() -> void:
 			check(green >= LEAST_FLOWER or file == RIPE, "%s: %d green pixels" % [what, green])
 
 
-## The engine converts a material's colour to linear light; vertices have to be converted alike.
+## The engine converts a material's colour to linear light. Vertices need the same conversion.
 func test_a_colour_of_vertices_is_that_colour_in_a_material() -> void:
 	var pictures: Array[Image] = []
 	for by_vertices: bool in [true, false]:

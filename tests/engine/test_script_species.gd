@@ -1,4 +1,4 @@
-## Species written in GDScript: what they may leave out, and how their faults are told.
+## Species written in GDScript: optional methods, and the reports of their errors.
 extends "res://tests/engine/harness.gd"
 
 const WHOLE := """
@@ -127,7 +127,7 @@ func test_a_typed_script_that_raises_an_error_is_told_once() -> void:
 	await _check_fault(
 		"func _generate_height(_rng: RandomNumberGenerator) -> float:\n" + raise, "Return metres", 1
 	)
-	# It is asked at each of the 13 rings: one that is 0 would be no fault.
+	# It is called at each of the 13 rings. A single 0 would be valid.
 	await _check_fault(
 		"func _calculate_curve_point(_offset: float) -> float:\n" + raise, "gave 0 at every", 13
 	)
@@ -209,9 +209,9 @@ func test_a_repaired_species_grows_again() -> void:
 	check_error("_generate_height() gave nan")
 
 
-## A script with [param code] must give one error of ours, which holds [param text], and
-## [param raised] of the engine's: when asked for a mesh and again when a plant is set to it.
-## The plant stays as it was, and nothing is told again in later frames.
+## Checks that a script with [param code] gives one error of the add-on with [param text], and
+## [param raised] of the engine: for a mesh, and again for a plant of it. The plant stays the same,
+## and later frames report nothing.
 func _check_fault(code: String, text: String, raised := 0) -> void:
 	_write(code)
 	check(_function.generate_mesh(0.0, 12) == null, "no mesh of " + code)

@@ -1,9 +1,9 @@
-## Shadows of plants of parts in pictures: leaves and petals throw them, and are not striped by
-## their own.
+## Shadows of plants of parts in pictures: leaves and petals cast them, without stripes on
+## themselves.
 extends "res://tests/engine/picture_harness.gd"
 
 const GARDEN_TULIP := "res://addons/undergrowth/species/garden_tulip.tres"
-## Of the pixels of a flower: so many neighbours may differ in whether they are in shadow.
+## Share of a flower's pixels whose neighbour may differ in shadow.
 const MOST_BORDERS := 0.06
 
 var _sun: DirectionalLight3D

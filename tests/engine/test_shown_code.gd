@@ -1,18 +1,18 @@
-## What README, guide and class help show as code runs: each block is taken out of its text and does
-## what it says in a small scene, without an error or a warning.
+## The code in README, guide and class help runs. Each block has its described effect in a small
+## scene, without an error or a warning.
 extends "res://tests/engine/harness.gd"
 
 const ShownCode := preload("res://tests/engine/shown_code.gd")
-## Seen from the tests' project in build/test, or below the project itself.
+## Relative to the tests' project in build/test, or to a project in the root folder.
 const ROOTS: PackedStringArray = ["../../..", "."]
 const TEXTS: PackedStringArray = ["README.md", "addons/undergrowth/README.md"]
 const GUIDE := "docs/guide"
 const HELP := "extension/doc_classes"
-## How long a block is looked at, and how long it may take to come to its end.
+## Duration of a block, and its maximum duration.
 const SHOWN_FRAMES := 8
 const PATIENCE := 20000
 const SHAPED: PackedStringArray = ["PlantFunction", "PlantPart"]
-## Names that C# gives as words: of classes, and of what they have.
+## C# identifiers of classes and of their members.
 const SHARP_CLASS := 'ClassDB\\.\\w+\\("(\\w+)"'
 const SHARP_MEMBER := (
 	"(?:\\.(Set|Get|Call|Connect|HasMethod)\\(|(ToSignal)\\(\\w+, "
@@ -28,7 +28,7 @@ const SHARP_WAYS: Dictionary[String, String] = {
 	"ClassCallStatic": "method",
 	"ClassGetIntegerConstant": "constant",
 }
-## Where a species that is shown as a file is put.
+## File for a species that is shown as a file.
 const SHOWN_FILE := "user://shown_species.tres"
 
 
@@ -121,7 +121,7 @@ func _grow(block: ShownCode.Block, script: GDScript) -> void:
 	check(grown.generate_mesh(0.0, 12, 1) != null, block.place + " grows nothing")
 
 
-## Lets a script run as a node, with all that blocks take for granted around it.
+## Runs a script as a node, with all objects that blocks may use.
 func _show(block: ShownCode.Block, script: GDScript) -> void:
 	var shown := ClassDB.instantiate(script.get_instance_base_type()) as Node
 	var field := _make_field()
@@ -159,7 +159,7 @@ func _make_field() -> PlantField3D:
 	return field
 
 
-## The children that blocks name by `$`.
+## Adds the children that blocks reference by `$`.
 func _furnish(shown: Node, field: PlantField3D) -> void:
 	shown.add_child(field)
 	var plant := Plant3D.new()
@@ -193,11 +193,11 @@ func _furnish(shown: Node, field: PlantField3D) -> void:
 		shown.add_child(node)
 
 
-## A body that pushes plants, on request.
+## Returns a body that pushes plants, on request.
 func _make_player() -> CharacterBody3D:
 	var player := CharacterBody3D.new()
 	player.name = "Player"
-	player.position.y = 0.9  # It stands on the ground.
+	player.position.y = 0.9  # It is on the ground.
 	var shape := CollisionShape3D.new()
 	var capsule := CapsuleShape3D.new()
 	capsule.height = 1.8
@@ -206,7 +206,7 @@ func _make_player() -> CharacterBody3D:
 	return player
 
 
-## What blocks name without declaring it.
+## Returns the objects that blocks use without declaring them.
 func _lend(shown: Node, field: PlantField3D) -> void:
 	var things := {
 		"field": field,
@@ -230,14 +230,14 @@ func _lend(shown: Node, field: PlantField3D) -> void:
 			shown.set(name, things[name])
 
 
-## A species that is shown as a file: it is loaded, and takes all that the file says.
+## Checks a species that is shown as a file: it loads with all values in the file.
 func _load_species(block: ShownCode.Block) -> void:
 	check_equal(_find_unset(block), PackedStringArray(), "what is not set, " + block.place)
 	var species := load(SHOWN_FILE) as PlantFunction
 	check_equal(species.find_problem(0.0, 12, 1), "", "problem of " + block.place)
 
 
-## Properties that a species' file names and that stay at their defaults; Godot tells nothing.
+## Returns properties in a species' file that stay at their defaults. Godot reports nothing.
 func _find_unset(block: ShownCode.Block) -> PackedStringArray:
 	var file := FileAccess.open(SHOWN_FILE, FileAccess.WRITE)
 	file.store_string(block.code)
@@ -253,7 +253,7 @@ func _find_unset(block: ShownCode.Block) -> PackedStringArray:
 	return unset
 
 
-## Words of C# that no class of the add-on or of the engine has.
+## Returns identifiers of C# that no class of the add-on or of the engine has.
 func _find_wrong_names(block: ShownCode.Block) -> PackedStringArray:
 	var wrong: PackedStringArray = []
 	for found in RegEx.create_from_string(SHARP_CLASS).search_all(block.code):

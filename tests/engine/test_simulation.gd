@@ -1,9 +1,9 @@
-## PlantSimulation: all simulating plants of the running scene, stepped together frame by frame.
+## PlantSimulation: all simulated plants of the running scene, stepped together frame by frame.
 extends "res://tests/engine/harness.gd"
 
 const STEP := 1.0 / 60.0
 const TIP_TOLERANCE := 1e-5
-## m/s; the tips of these tests are slower.
+## m/s. The tips of these tests are slower.
 const LARGEST_SPEED := 2.0
 
 var _plant: Plant3D
@@ -244,7 +244,7 @@ func _check_moved_smoothly(from: Vector3, label: String) -> void:
 
 
 func _check_bone_near_the_tip() -> void:
-	# The bone is drawn between the last two steps.
+	# The drawn bone is between the last two steps.
 	var turned := _plant.get_skeleton().get_bone_pose_rotation(1) * Vector3.UP
 	check(turned.angle_to(_plant.get_tip_position()) < 0.15, "the bone points to the tip")
 
@@ -263,7 +263,7 @@ func _make_wind() -> PlantWind:
 	return wind
 
 
-## Waits until [param seconds] of the scene's time are over.
+## Waits for [param seconds] of the scene's time.
 func _pass(seconds: float) -> void:
 	var passed := 0.0
 	while passed < seconds:

@@ -1,4 +1,4 @@
-## Plants that come and go while the simulation runs, from wherever scripts may free them.
+## Plants created and freed while the simulation runs, from all places where scripts can free them.
 extends "res://tests/engine/harness.gd"
 
 var _stage: Node3D
@@ -60,7 +60,7 @@ func test_freed_by_a_signal_of_the_functions_change() -> void:
 func test_freed_at_once_by_a_signal_of_the_functions_change() -> void:
 	var function := TulipFunction.new()
 	var victim := _plants[3]
-	# Connected before the plant is: freed before the plant hears of the change.
+	# Connected before the plant, so that it is freed before the plant receives the signal.
 	function.changed.connect(func() -> void: victim.free(), CONNECT_ONE_SHOT)
 	victim.species = function
 	function.mass = 0.5

@@ -1,4 +1,4 @@
-## Levels of the ready species of parts show what the plant shows, from all sides.
+## Levels of the ready species of parts show the same area and colour as the plant, from all sides.
 extends "res://tests/engine/harness.gd"
 
 const FOLDER := "res://addons/undergrowth/species"
@@ -7,8 +7,8 @@ const SEED := 4
 const COLUMNS := 768
 const ROWS := 512
 const OUTLINES := 4
-## By segments: how far the area may be off, on the mean over all sides and from the worst one.
-## These dots are still coarse beside the branches of a cornflower: on finer ones it is off by 4 %.
+## By segments: tolerance of the area, on the mean over all sides and from the worst one. These dots
+## are coarse for the branches of a cornflower. With finer ones its difference is 4 %.
 const MOST: Dictionary = {
 	12: [0.04, 0.06], 6: [0.04, 0.09], 3: [0.04, 0.06], 2: [0.04, 0.06], 1: [0.04, 0.065]
 }
@@ -38,7 +38,7 @@ func _check_species(file: String) -> void:
 		check(worst < MOST[segments][1], what + "worst %.3f" % worst)
 
 
-## How many dots a mesh covers from each of four sides.
+## Returns the number of dots that a mesh covers from each of four sides.
 func _outlines(mesh: ArrayMesh, box: AABB) -> PackedFloat32Array:
 	var arrays := mesh.surface_get_arrays(0)
 	var points: PackedVector3Array = arrays[Mesh.ARRAY_VERTEX]

@@ -1,4 +1,4 @@
-## What is wrong with a stem is told once, and it stands.
+## Errors of a stem are reported once, and it stays upright.
 extends "res://tests/engine/stem_harness.gd"
 
 

@@ -1,10 +1,10 @@
-## The ground stops stems of ready species, whatever blows them down, in fields and alone.
+## The ground stops the stems of ready species in any strong wind, in fields and alone.
 extends "res://tests/engine/field_harness.gd"
 
 const FOLDER := "res://addons/undergrowth/species/"
 const BLAST_STEPS := 60
 const STORM_STEPS := 240
-## A tip is drawn where a texel of halves says, m of a metre.
+## Tolerance (m per m) of a drawn tip, by texels of half floats.
 const ROUNDED := 2e-3
 
 

@@ -1,7 +1,7 @@
-## Stems in winds, in newtons and in air, beside beams that keep their length.
+## Stems in winds, in newtons and in air, compared with beams of constant length.
 extends "res://tests/engine/stem_harness.gd"
 
-## Of the length, beside a beam that keeps its length however far it bends.
+## Fraction of the length, compared with a beam of constant length at any bend.
 const ELASTICA_TOLERANCE := 0.012
 
 
@@ -94,7 +94,7 @@ func test_a_new_species_is_a_stem_that_sways_in_a_new_wind_and_in_air() -> void:
 		check_near(plant.get_deflection(), 0.0, 1e-3, "it stands upright in calm")
 
 
-## tan of the tip's angle where a constant wind of so many newtons holds the plant.
+## Returns tan of the tip's angle in a constant wind of that many newtons.
 func _calm_slope(newtons: float) -> float:
 	reed.wind.strength = newtons
 	reed.reset_motion()
@@ -102,8 +102,8 @@ func _calm_slope(newtons: float) -> float:
 	return tan(reed.get_deflection())
 
 
-## Where the tip of a uniform stem of length 1 is under a wind that presses on all of it, so much in
-## all over its bending stiffness: across the stem as drag does, or as newtons.
+## Returns the tip of a uniform stem of length 1 under a wind on the whole stem, with this ratio of
+## total force to bending stiffness: across the stem as drag, or as newtons.
 func _elastica_tip(load: float, drags: bool) -> Vector2:
 	var low := 0.0
 	var high := 0.5 * PI
@@ -117,7 +117,7 @@ func _elastica_tip(load: float, drags: bool) -> Vector2:
 	return Vector2(found.x, found.y)
 
 
-## From the tip down: the way across and up, and the angle that is left at the root.
+## Integrates from the tip down: the offset across and up, and the remaining angle at the root.
 func _elastica_root(angle: float, load: float, drags: bool) -> Vector3:
 	const PARTS := 400
 	var way := Vector3(0, 0, angle)

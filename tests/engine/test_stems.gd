@@ -1,7 +1,7 @@
-## Stems that bend along their length: their bones, how they swing, and what they keep.
+## Stems that bend along their length: their bones, swings and invariants.
 extends "res://tests/engine/stem_harness.gd"
 
-## Share of the length that the chain of bones may be longer or shorter.
+## Tolerance of the length of the chain of bones, as a fraction.
 const CHAIN_TOLERANCE := 1e-5
 const FREQUENCY_TOLERANCE := 0.005
 const DAMPING_TOLERANCE := 0.003
@@ -228,7 +228,7 @@ func test_a_point_is_in_a_stem_where_that_is_bent_to() -> void:
 	check(not reed.is_point_in_plants(straight + Vector3(0.03, 0, 0)), "beside it")
 
 
-## The bones of the stem and the tip's, from the root up.
+## Returns the bones of the stem and of the tip, from the root up.
 func _chain(joints: int) -> PackedStringArray:
 	var names: PackedStringArray = []
 	for joint in joints:
@@ -237,8 +237,8 @@ func _chain(joints: int) -> PackedStringArray:
 	return names
 
 
-## Frequency (Hz) and damping ratio that a small blow shows: by the times where the tip goes through
-## its rest, and the swings between.
+## Returns the frequency (Hz) and damping ratio after a small blow, by the times at which the tip
+## passes its rest and the amplitudes between.
 func _ring_down(plant: Plant3D) -> Vector2:
 	plant.reset_motion()
 	plant.apply_impulse(Vector3(1e-5, 0, 0))

@@ -1,4 +1,4 @@
-## Another length of a step in the project settings: the suite's project says 0.025 s.
+## A different step length, 0.025 s by the suite's project settings.
 extends "res://tests/engine/harness.gd"
 
 const STEP := 0.025

@@ -1,4 +1,4 @@
-## Meshes generated on threads, and plants made there.
+## Meshes and plants created on threads.
 extends "res://tests/engine/harness.gd"
 
 const TASKS := 64
@@ -95,7 +95,7 @@ func _make_mesh(index: int) -> ArrayMesh:
 	return _functions[index % _functions.size()].generate_mesh(0.0, LOD, index)
 
 
-## The arrays are read here: a thread that asks for them waits for the main thread.
+## The arrays are read here, because a thread that requests them waits for the main thread.
 func _check_mesh(index: int, expected: ArrayMesh) -> void:
 	var arrays := var_to_bytes(expected.surface_get_arrays(0))
 	check_equal(var_to_bytes(_meshes[index].surface_get_arrays(0)), arrays, "mesh %d" % index)

@@ -16,7 +16,7 @@ func test_the_first_mesh_of_a_ready_species_may_be_a_threads() -> void:
 		_species.append(load(SPECIES + file))
 	_meshes.resize(_species.size())
 	var group := WorkerThreadPool.add_group_task(_generate, _species.size())
-	# The main thread waits, and does nothing else: no frame passes. It gives up in the end.
+	# The main thread only waits, without a frame, up to a time limit.
 	var deadline := Time.get_ticks_msec() + PATIENCE
 	while not WorkerThreadPool.is_group_task_completed(group) and Time.get_ticks_msec() < deadline:
 		OS.delay_msec(1)

@@ -1,14 +1,14 @@
-## The wind that comes to a plant: its place decides when, the middle of a step how strong.
+## The wind at a plant: the delay by its position, and the strength in the middle of a step.
 extends "res://tests/engine/harness.gd"
 
 const STEP := 1.0 / 60.0
-## Metres. A field shows a step up to a few frames after it was due; what is left is less than what
-## a tip moves in a step.
+## Metres. A field shows a step up to a few frames late. The remaining difference is less than the
+## movement of a tip in a step.
 const SAME_TIP := 0.01
 const STEPS_LATE := 4.5
 const HEIGHT := 1.0
-const VARIANTS := 4  # Of a species that code adds.
-## Metres, of tips of one metre: what the wind's way between steps leaves.
+const VARIANTS := 4  # Of an added species.
+## Metres, for tips of one metre: the error by the wind's movement between steps.
 const LATE_TIP := 2e-3
 
 var _plants: Array[Plant3D] = []
@@ -23,7 +23,7 @@ func after_each() -> void:
 func test_a_plant_and_a_fields_plant_at_one_place_move_as_one() -> void:
 	for law: PlantFunction.MotionLaw in [PlantFunction.LAW_ELASTICITY, PlantFunction.LAW_SPRING]:
 		var plant := _add(Vector3(7, 0, -3), _species(law), _waves())
-		# Which began when does not matter for long.
+		# The order of their starts has no effect after some time.
 		plant.species.damping_ratio = 0.7
 		plant.species.inner_friction = 1.0
 		plant.wind.strength = 3.0
@@ -123,7 +123,7 @@ func test_a_scaled_field_has_the_winds_way_in_metres_of_the_world() -> void:
 	root.add_child(field)
 	var places := [Vector3.ZERO, Vector3(2.0, 0, 0)]  # Four metres, and a second, from each other.
 	var transforms: Array[Transform3D] = []
-	for i in VARIANTS + 1:  # The first and the last are alike.
+	for i in VARIANTS + 1:  # The first and the last are equal.
 		transforms.append(Transform3D(Basis.IDENTITY, places[i / VARIANTS]))
 	var ids := field.add_plants(transforms, species)
 	ids = [ids[0], ids[-1]]
@@ -190,8 +190,9 @@ func _add(place: Vector3, species: PlantFunction, wind: PlantWind) -> Plant3D:
 	return plant
 
 
-## The farthest that a tip is, once the start is damped away, from the way that another went within
-## a few steps of a time that is [param shift] seconds away. Frames may be longer than that.
+## Returns the maximum distance of a tip, after the decay of the start, from the path of another one
+## within a few steps of a time that differs by [param shift] seconds. Frames may be longer than
+## that.
 func _least_apart(
 	times: PackedFloat64Array, some: PackedVector3Array, others: PackedVector3Array, shift: float
 ) -> float:

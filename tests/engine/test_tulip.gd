@@ -1,9 +1,9 @@
-## The tulip of the thesis's section 2.5, to the digit, as scripts and meshes see it.
+## The tulip of the thesis's section 2.5, to the digit, in scripts and meshes.
 extends "res://tests/engine/harness.gd"
 
-## A float of 32 bits near 1 is off by less.
+## More than the rounding of a float of 32 bits near 1.
 const FLOAT_TOLERANCE := 1e-6
-## The engine keeps a vertex colour's component in 8 bits.
+## The engine stores a component of a vertex colour in 8 bits.
 const COLOR_TOLERANCE := 0.0045
 const FLOWER_START := 0.75
 
@@ -59,7 +59,7 @@ func test_height_is_spread_over_one_metre_from_1_2() -> void:
 		sum += height
 	check(least >= 1.2 and least < 1.22, "the lowest is near 1.2, not %f" % least)
 	check(most < 2.2 and most > 2.18, "the highest is near 2.2, not %f" % most)
-	# The mean of 1000 uniform heights is off by 0.009 (one standard deviation).
+	# The mean of 1000 uniform heights has a standard deviation of 0.009.
 	check_near(sum / 1000.0, 1.7, 0.04, "mean height")
 
 

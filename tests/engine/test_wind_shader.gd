@@ -1,11 +1,11 @@
-## undergrowth_wind.gdshaderinc: the graphics card's wind is PlantWind's own.
+## undergrowth_wind.gdshaderinc: the wind on the graphics card equals PlantWind's own.
 extends "res://tests/engine/harness.gd"
 
 const SIDE := 64
-## Metres of the world that the picture shows, and where it begins.
+## Metres of the world in the picture, and its start.
 const SPAN := 40.0
 const CORNER := Vector3(-213.0, 2.0, 77.0)
-## Velocities from -RANGE to RANGE are in the picture, in 16 bits.
+## The picture contains velocities from -RANGE to RANGE in 16 bits.
 const RANGE := 32.0
 ## Of the mean speed.
 const TOLERANCE := 0.01
@@ -74,7 +74,7 @@ func test_telling_it_in_each_frame_gives_the_renderer_nothing_to_draw() -> void:
 		wind.apply_to_material(material)
 		await frames(1)
 		RenderingServer.render_loop_enabled = i < 4
-		if i == 16:  # What was thrown away while it was drawn is gone.
+		if i == 16:  # The discarded picture is freed.
 			drawn[0] = 0
 	RenderingServer.frame_post_draw.disconnect(count)
 	RenderingServer.render_loop_enabled = true

@@ -1,7 +1,7 @@
-## Several worlds in one game: what stirs the air or pushes in one of them does nothing in another.
+## Several worlds in one game: wind sources and bodies of one world have no effect in another.
 extends "res://tests/engine/air_harness.gd"
 
-const SOON := 180  # Frames, in which a rotor bends what it reaches.
+const SOON := 180  # Frames in which a rotor bends plants in its range.
 
 
 func test_a_rotor_bends_plants_of_its_own_world_only() -> void:
@@ -56,7 +56,7 @@ func _add_world() -> SubViewport:
 	return viewport
 
 
-## A plant and a field of one plant, at the same place: [plant, field, id].
+## Returns a plant and a field of one plant, at the same position: [plant, field, id].
 func _add_both(to: Node, group := &"") -> Array:
 	var plant := Plant3D.new()
 	plant.species = _species()
@@ -74,7 +74,7 @@ func _add_both(to: Node, group := &"") -> Array:
 	return [plant, field, id]
 
 
-## How far the tips are from upright (m): of the plant (x) and of the field's (y).
+## Returns the distance of the tips from upright (m): of the plant (x) and of the field's (y).
 func _bends(both: Array) -> Vector2:
 	var tip := (both[0] as Plant3D).get_tip_position()
 	var other := (both[1] as PlantField3D).get_tip_position(both[2])

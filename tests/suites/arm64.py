@@ -1,5 +1,5 @@
 """Linux on arm64, by qemu: the core's tests, and some of the engine's with the library of the zip in Debian's Godot for
-that processor. Not among the suites of the plain test: `./run package` first, then `./run test suites=arm64`.
+that processor. A plain test does not run it: `./run package` first, then `./run test suites=arm64`.
 """
 
 import shlex
@@ -13,7 +13,7 @@ from .result import LOGS, ROOT, Result, run
 
 FOLDER = LOGS / "arm64"
 CORE_TESTS = ROOT / "build/obj/core_tests.linux.arm64/core_tests"
-# What there is of each room: growth, wind, motion, fields, and the help, whose letters are signed elsewhere.
+# One script per area: growth, wind, motion, fields, and the help, because `char` is unsigned on arm64.
 SCRIPTS = ("plant_function", "motion", "simulation", "field", "class_help")
 TIMEOUT = 1800
 
@@ -40,7 +40,7 @@ def run_all():
 
 
 def write_starter(emulator, folder):
-    """A script that starts Godot for arm64, for tests that start the engine once more."""
+    """Returns a script that starts Godot for arm64, for tests that start another engine."""
     starter = FOLDER / "godot"
     words = " ".join(map(shlex.quote, [*emulator, str(folder / "usr/bin/godot")]))
     starter.write_text(f'#!/bin/sh\nexec {words} "$@"\n')

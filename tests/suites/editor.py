@@ -1,4 +1,4 @@
-"""The real editor in a virtual display: the add-on's dock used as a person would (tests/editor)."""
+"""The real editor in a virtual display: uses the add-on's dock as a person would (tests/editor)."""
 
 import fnmatch
 import os
@@ -22,12 +22,12 @@ WANTED = ["dock_plant.png", "dock_wind.png", "dock_air.png", "dock_painted.png",
 SCREEN = (1600, 1000)
 # Those of some runs: as low as screens are, as most are, and twice as many pixels an inch.
 SCREENS = {"layout": (1600, 900), "layout_1920": (1920, 1080), "again": (3000, 1800)}
-# Seconds: a run whose log has no new line for so long hangs; while a test goes on, the driver tells so now and then.
-# How long a whole run may take, a busy machine says.
+# Seconds: a run without a new line in its log for this time hangs. The driver reports a running test at intervals.
+# Limit of a whole run on a busy machine.
 SILENCE = 120
 TIMEOUT = 1800
-# One after the other on the same project: what hangs or crashes takes no other run with it. Some scripts have runs of
-# their own; that of the last one sees the project that the others saved.
+# Consecutive runs on the same project: one that hangs or crashes does not end the next. Some scripts have runs of their
+# own. The last one opens the project that all previous runs saved.
 RUNS = ("actions", "pages", "layout", "layout_1920", "again")
 LAYOUTS = ("layout", "layout_1920")
 ALONE = {"test_again": ("again",), "test_layout": LAYOUTS, "test_looks": LAYOUTS}
@@ -52,18 +52,18 @@ TEST_LINE = re.compile(r"^(ok|not ok) (.*)$", re.MULTILINE)
 START_LINE = re.compile(r"^start$", re.MULTILINE)
 END_LINE = re.compile(r"^(\d+) passed, (\d+) failed$", re.MULTILINE)
 COMPLAINT = re.compile(r"^(?:USER )?(?:SCRIPT )?(?:ERROR|WARNING): .*$", re.MULTILINE)
-# While dialogs come and go, the engine's thread that waits for events may use an input context that is gone
-# (godotengine/godot#118399 and #74548). An input method that nobody serves gives no context, and a warning for each.
+# While dialogs open and close, the engine's event thread may use a freed input context
+# (godotengine/godot#118399 and #74548). An input method without a server gives no context, and a warning for each.
 NO_INPUT_METHOD = {"XMODIFIERS": "@im=nobody"}
 INPUT_METHOD_CRASH = re.compile(r"handle_crash: .*^\[\d+\] \S*libX11\S*\((?:XFilterEvent|X\w*IC\w*)\+",
                                 re.MULTILINE | re.DOTALL)
 ATTEMPTS = 3
-# What a virtual display makes the engine say.
+# Messages of the engine in a virtual display.
 EXPECTED = ("WARNING: Could not set V-Sync mode", "WARNING: XCreateIC couldn't create")
 
 
 def make_project():
-    """A project with copies, not links: an editor writes beside what it finds."""
+    """Creates a project with copies, not links, because an editor writes files into its project."""
     shutil.rmtree(FOLDER, ignore_errors=True)
     shutil.copytree(ROOT / "addons", FOLDER / "addons")
     shutil.copytree(ROOT / "tests/editor", FOLDER / "addons/editor_driver")
@@ -72,8 +72,8 @@ def make_project():
 
 
 def own_home(environment=os.environ, settings=""):
-    """An editor that nobody used before, apart from what other suites' engines write meanwhile. Its caches stay: they
-    spare each run the class help and the shaders of the one before."""
+    """Returns an environment without editor settings, separate from those of other suites. Its caches stay: they
+    spare each run a rebuild of the class help and the shaders."""
     for used in ("XDG_DATA_HOME", "XDG_CONFIG_HOME"):
         shutil.rmtree(HOME / used, ignore_errors=True)
     for picture in HOME.glob("XDG_CACHE_HOME/godot/resthumb*"):
@@ -89,8 +89,8 @@ def own_home(environment=os.environ, settings=""):
 
 
 def scripts_of(run, only=None):
-    """Each script of tests/editor is in one run, or in those of several screens. `only`: patterns, separated by commas,
-    of names without `test_`."""
+    """Returns the scripts of a run. Each script of tests/editor is in one run, or in those of several screens. `only`:
+    patterns, separated by commas, of names without `test_`."""
     def places(name):
         return ALONE.get(name) or ("actions" if name.startswith(ACTIONS) else "pages",)
 
@@ -102,7 +102,7 @@ def scripts_of(run, only=None):
 
 
 def run(godot, only=None):
-    """Imports the project, then lets the driver in tests/editor use the editor on it, time and again."""
+    """Imports the project, then runs the driver in tests/editor several times in the editor."""
     make_project()
     shutil.rmtree(HOME, ignore_errors=True)
     shutil.rmtree(PICTURES, ignore_errors=True)
@@ -127,7 +127,7 @@ def run(godot, only=None):
 
 
 def run_once(godot, name, only=None):
-    """One run; another one from the same project where the engine's input methods crashed, which is not ours."""
+    """Runs it once, and again if the engine's input methods crashed, which is not the add-on's fault."""
     before = FOLDER.with_name(FOLDER.name + "_before")
     shutil.rmtree(before, ignore_errors=True)
     shutil.copytree(FOLDER, before)
@@ -144,7 +144,7 @@ def run_once(godot, name, only=None):
 
 
 def keep_log(name, attempt):
-    """The log of a run that is repeated stays beside that of the next."""
+    """Preserves the log of a repeated run beside that of the next."""
     log = LOGS / f"editor-{name}.log"
     shutil.copy(log, log.with_name(f"editor-{name}-crashed-{attempt + 1}.log"))
 
@@ -164,8 +164,8 @@ def add(total, part):
 
 
 def read_output(output, problem):
-    """Counts `ok` and `not ok`; the driver's last line must tell the same. Tests claim what the log says meanwhile;
-    before and after them it must be silent."""
+    """Counts `ok` and `not ok`; the driver's last line must have the same numbers. Tests claim messages in the log;
+    before and after them it must have none."""
     lines = TEST_LINE.findall(output)
     passed = sum(word == "ok" for word, _ in lines)
     failures = [text for word, text in lines if word == "not ok"]

@@ -1,4 +1,4 @@
-"""Suites in a headless engine: one process for each test script, so that a crash takes no other test with it."""
+"""Suites in a headless engine: one process for each test script, so that a crash ends no other test."""
 
 import dataclasses
 import fnmatch
@@ -19,7 +19,7 @@ PROJECT = """config_version=5
 
 config/name="Undergrowth's tests"
 """
-# The add-on's description where the recorder starts it.
+# The add-on's description if the recorder starts it.
 RECORDED = """[configuration]
 
 entry_symbol = "recorded_init"
@@ -30,13 +30,13 @@ compatibility_minimum = "4.6"
 linux.x86_64 = "res://recorder/librecorder.so"
 linux.arm64 = "res://recorder/librecorder.so"
 """
-# What the engine says when objects, resources or memory outlive it; all of it is somebody's mistake.
+# Messages of the engine about objects, resources or memory that outlive it. Each of them is an error.
 LEAK = re.compile(r"leaked|still in use at exit|Leaked instance|Orphan StringName|RID allocations", re.IGNORECASE)
 TEST_LINE = re.compile(r"^(ok|not ok) (.*)$", re.MULTILINE)
-# What the engine says before this line, while it loads the extension, no test can claim.
+# No test can claim messages before this line, while the engine loads the extension.
 START = "\nstart\n"
-# The headless engine's stand-in for a renderer may not be used by two threads at once; the real ones may.
-# By which rendering methods a script is run in a virtual display.
+# The dummy renderer of the headless engine is not thread-safe. The real ones are.
+# Rendering methods of a script in a virtual display.
 DRAWN = {"threads": ["gl_compatibility"], "threads_first_mesh": ["gl_compatibility"],
          "plant_bones": ["gl_compatibility"],
          "wind_shader": ["gl_compatibility", "forward_plus"],
@@ -51,30 +51,30 @@ DRAWN = {"threads": ["gl_compatibility"], "threads_first_mesh": ["gl_compatibili
          "fields_together": ["gl_compatibility"],
          "shadows_of_parts_picture": ["gl_compatibility", "forward_plus"],
          "ready_species_picture": ["gl_compatibility"]}
-# Scripts that take the longest; they start first.
+# The slowest scripts, which start first.
 SLOW = {"field_renewed", "species_levels", "hot_reload", "physics_thread"}
-# What the projects of some scripts say besides.
+# Additional settings in the projects of some scripts.
 SETTINGS = {"physics_thread": "[physics]\n\n3d/run_on_separate_thread=true\n",
             "step_setting": "[undergrowth]\n\nsimulation/step_length=0.025\n",
             "no_physics": "[physics]\n\n3d/physics_engine=\"Dummy\"\n"}
-# What a virtual display makes the engine say.
+# Messages of the engine in a virtual display.
 EXPECTED = "WARNING: Could not set V-Sync mode"
-# Each frame is a sixtieth of a second to the scene, however long it takes: a busy machine changes nothing, and nobody
-# waits for the clock.
+# Each frame is a sixtieth of a second of the scene's time. The machine's load has no effect, and frames do not wait for
+# the clock.
 STEADY = ["--fixed-fps", "60"]
 TIMEOUT = 600  # s for one script: two cores may be busy with other suites.
 END_LINE = re.compile(r"^done (\d+)$", re.MULTILINE)
-# One more for each round, where there are several: `round 3 seed 17`.
+# One line per round of several: `round 3 seed 17`.
 ROUND_OR_TEST = re.compile(r"^(?:round \d+ seed (\d+)|(ok|not ok) (.*))$", re.MULTILINE)
 
 
 @dataclasses.dataclass
 class Rounds:
-    """How often the tests of a script run, and, where there is a `seed`, that their order is a matter of chance: the
-    first round's is the seed itself, each round more has the next number.
+    """The number of rounds of a script's tests, and, with a `seed`, their random order: the
+    first round uses the seed itself, and each further round the next number.
 
-    A test that only passes after another shows in an engine's first round, one that another breaks in any later one.
-    So one process takes many rounds on end, and there are several processes."""
+    A test that depends on another one fails in an engine's first round, one that another breaks in a later round.
+    So one process runs many consecutive rounds, and there are several processes."""
 
     times: int = 1
     seed: int = None
@@ -86,7 +86,7 @@ class Rounds:
                 for first in range(0, self.times, self.IN_A_PROCESS)]
 
     def words(self):
-        """What the harness is told."""
+        """Returns the harness's arguments."""
         words = [f"--rounds={self.times}"] if self.times > 1 else []
         words += [] if self.seed is None else [f"--seed={self.seed}"]
         return ["--", *words] if words else []
@@ -125,7 +125,7 @@ def is_wanted(script, only):
 
 
 def is_headless(name):
-    """Whether the suite of this name, as name_of() gives it, runs without a display."""
+    """True if the suite of this name, from name_of(), runs without a display."""
     return name.split(":")[1] not in DRAWN
 
 
@@ -190,7 +190,7 @@ def private_home(environment=os.environ, part=0):
     home = LOGS / (f"home_{part}" if part else "home")
     home.mkdir(parents=True, exist_ok=True)
     names = ("XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME")
-    # In a container one is often root; that is no fault of the add-on.
+    # The user in a container is often root, which is not the add-on's fault.
     return {**environment, "GODOT_SILENCE_ROOT_WARNING": "1", **{name: str(home / name.lower()) for name in names}}
 
 
@@ -200,7 +200,7 @@ def run_script(godot, folder, script, method=None, rounds=None, part=0):
     rounds = rounds or Rounds()
     path = "res://" + (Path("tests/engine") / script.relative_to(ROOT / "tests/engine")).as_posix()
     words = [godot, "--path", folder, *STEADY, "--script", path]
-    # Tests that start an engine of their own, as for a frame rate, take this one.
+    # Tests that start another engine, for example for a frame rate, use this one.
     surroundings = {**os.environ, "GODOT": str(godot)}
     if not method:
         environment = private_home(surroundings, part)
@@ -218,7 +218,7 @@ def run_script(godot, folder, script, method=None, rounds=None, part=0):
 
 
 def read_output(name, output, problem):
-    """Counts `ok` and `not ok` lines. The script's last line tells how many there must be."""
+    """Counts `ok` and `not ok` lines. The script's last line contains their expected number."""
     lines = TEST_LINE.findall(output)
     loading = output.partition(START)[0]
     failures = [line for line in loading.splitlines()
@@ -234,7 +234,7 @@ def read_output(name, output, problem):
 
 
 def failed_tests(output):
-    """What each failed test said, and, where chance ordered the tests, by which seed."""
+    """Returns the message of each failed test, and the seed of a random order."""
     failures, order = [], ""
     for seed, word, text in ROUND_OR_TEST.findall(output):
         order = f" (order=random seed={seed})" if seed else order

@@ -17,7 +17,7 @@ from .result import LOGS, ROOT, Result, run
 FOLDER = LOGS / "export"
 PROJECT = FOLDER / "project"
 SIZE = (640, 360)
-# What this template says of every box container when a game ends, in projects without the add-on, too.
+# Message of this template for every box container at the end of a game, also without the add-on.
 EXPECTED = (*shipped.EXPECTED, "ERROR: Attempt to disconnect a nonexistent connection")
 AUTOLOAD = '\n[autoload]\n\nGameTest="*res://game_test.gd"\n'
 MISSING = "is missing: the game will have no plants"
@@ -28,7 +28,7 @@ def suites(godot):
 
 
 def make_project():
-    """The demo project with the add-on as it is unpacked, and what tests the game from within."""
+    """Creates the demo project with the add-on from the zip, and the script that tests the game from within."""
     shutil.rmtree(FOLDER, ignore_errors=True)
     shutil.copytree(ROOT / "demo_project", PROJECT, ignore=shutil.ignore_patterns("addons", ".godot"))
     shipped.unpack(PROJECT)
@@ -39,7 +39,7 @@ def make_project():
 
 
 def export(godot):
-    """Exports and runs both kinds; then once more without the library that the game would need."""
+    """Exports and runs both kinds, and exports again without the game's library."""
     try:
         make_project()
         total = Result("export")
@@ -64,7 +64,7 @@ def complaints(output):
 
 
 def try_kind(godot, kind):
-    """A game of that kind: it is exported without a complaint, and holds in it what game_test.gd tests."""
+    """Tests a game of that kind: it exports without errors, and game_test.gd passes in it."""
     game = FOLDER / kind / "game"
     output, problem = exporting.export(f"export:{kind}", godot, PROJECT, kind, game)
     wrong = complaints(output) + ([problem] if problem else [])
@@ -86,7 +86,7 @@ def play(kind, game, environment=None):
     output, problem = run(f"export:{name}", [game, *words], timeout=exporting.TIMEOUT, folder=game.parent,
                           environment=exporting.surroundings(environment or os.environ))
     read = engine.read_output(name, output, problem)
-    # A release template keeps back what a game prints: what was complained of at any time seems to come before `start`.
+    # A release template buffers the output of a game, so that all errors seem to be before `start`.
     failures = [failure for failure in read.failures if not failure.startswith(EXPECTED)]
     failures += [line for line in complaints(output) if line not in failures]
     if environment and not failures:
@@ -97,7 +97,7 @@ def play(kind, game, environment=None):
 
 
 def try_without(godot):
-    """The export tells that the game would lack its library, which is to be made or installed first."""
+    """Checks that the export reports the missing library of the game and its solution."""
     library = next((PROJECT / archive.ADDON / "bin").glob("*linux.template_release.x86_64*"))
     library.unlink()
     output, _ = exporting.export("export:without", godot, PROJECT, "release", FOLDER / "without" / "game")

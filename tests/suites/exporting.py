@@ -28,7 +28,7 @@ binary_format/architecture="x86_64"
 
 
 def prepare(name, godot, project):
-    """Imports the project; what went wrong, or None."""
+    """Imports the project. Returns the error, or None."""
     (project / "export_presets.cfg").write_text(PRESET.format(**templates.fetch()))
     return start(name, godot, project, "--import")[1]
 
@@ -45,5 +45,5 @@ def start(name, godot, project, *words):
 
 
 def surroundings(environment=os.environ):
-    """Where a game finds all that it needs."""
+    """Returns the environment of a game."""
     return templates.environment(private_home(environment))

@@ -1,4 +1,4 @@
-"""What somebody meets who unpacks the zip in an empty project: the first start of the editor with the plugin off, on and
+"""The first use of the zip in an empty project: the first start of the editor with the plugin off, on and
 switched, the add-on copied into a running editor, a library that is missing, and the first field."""
 
 import os
@@ -14,7 +14,7 @@ FOLDER = LOGS / "newcomer"
 DRIVER = "res://addons/driver/plugin.cfg"
 PLUGIN = "res://addons/undergrowth/plugin.cfg"
 TIMEOUT, SILENCE = 600, 120
-# What is told where the library is missing: the engine's words, and the plugin's.
+# Messages about a missing library: the engine's and the plugin's.
 NOT_FOUND = "GDExtension dynamic library not found"
 NO_FILE = 'Condition "!FileAccess::exists(path)" is true'
 PLUGIN_SAYS = "Undergrowth: its library for this platform is missing"
@@ -38,14 +38,14 @@ def settings(*plugins):
 
 
 def make_project(name, *plugins):
-    """A fresh clone, in which nobody opened an editor yet."""
+    """Creates a fresh clone without editor files."""
     folder = shipped.make_project(FOLDER / name, settings(*plugins))
     shutil.copytree(ROOT / "tests/package/driver", folder / "addons/driver")
     return folder
 
 
 def unused_home(name):
-    """Surroundings in which nobody used an editor before, nor does another one meanwhile."""
+    """Returns an environment without editor settings that no other editor uses."""
     home = FOLDER / f"home_{name}"
     shutil.rmtree(home, ignore_errors=True)
     names = ("XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME")
@@ -61,7 +61,7 @@ def open_editor(name, godot, folder, *words):
 
 
 def silent(name, godot, folder, *words):
-    """As open_editor; whatever the engine complains of fails."""
+    """The same as open_editor. Errors and warnings of the engine fail."""
     output, result = open_editor(name, godot, folder, *words)
     result.failures += [line for line in shipped.complaints(output) if line not in result.failures]
     return result
@@ -87,7 +87,7 @@ def try_copied(name, godot):
 
 
 def try_missing(name, godot):
-    """With the plugin off the engine's own words tell, which README explains; with it on the plugin's besides."""
+    """With the plugin off the engine reports it, which README explains. With the plugin on, the plugin does too."""
     total = Result(name)
     for plugins, sentences in (((DRIVER,), (NOT_FOUND,)), ((PLUGIN, DRIVER), (NOT_FOUND, PLUGIN_SAYS))):
         folder = make_project("missing", *plugins)

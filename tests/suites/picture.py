@@ -19,7 +19,7 @@ TIMEOUT = 900  # s: two cores may be busy with other suites.
 STILL_SIZE = (1280, 720)
 # Shares of all pixels (of those in the upper third for the sky), well below what the demo shows.
 LEAST_GREEN, LEAST_SKY, LEAST_MOVED = 0.15, 0.4, 0.02
-# A pixel has moved when a channel changed by more than what dithering does.
+# A pixel has moved if a channel changed by more than dithering.
 MOVED_BY = 12
 
 
@@ -78,7 +78,7 @@ def is_sky(colour):
 
 
 def complaints(first, last):
-    """What is wrong with the first and last frame, as read_png gives them."""
+    """Returns the errors of the first and last frame, as returned by read_png."""
     width, height, rows, size = first
     green = share(map(is_green, pixels(rows, size)))
     sky = share(map(is_sky, pixels(rows[:height // 3], size)))
@@ -91,7 +91,7 @@ def complaints(first, last):
 
 
 def scene_complaints(godot):
-    """What is wrong with the scenes that the demo's bar switches between, each run for some frames without a picture."""
+    """Returns the errors of the demo's scenes, each run for some frames without a picture."""
     scenes = re.findall(r'"res://(\w+/\w+\.tscn)"', (ROOT / "demo_project/ui/scene_bar.gd").read_text())
     wrong = [] if len(scenes) > 1 else ["scene_bar.gd names no scenes"]
     for scene in scenes:

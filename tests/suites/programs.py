@@ -43,7 +43,7 @@ def doctest(name, program):
 
 
 def check_tables(result, figures_file):
-    """The tables of docs/validation.md hold what the tests measure."""
+    """Checks that the tables of docs/validation.md contain the measured values."""
     text = figures.TABLES.read_text(encoding="utf-8")
     if figures.filled(text, figures.read(figures_file)) == text:
         return Result(result.name, result.passed + 1, [])
@@ -51,7 +51,7 @@ def check_tables(result, figures_file):
 
 
 def read_doctest(name, output, problem):
-    """Counts test cases. The name of a failed one stands above its first message; others have some to tell, too."""
+    """Counts test cases. The name of a failed one is above its first message. Passed ones may print messages too."""
     total = DOCTEST_TOTAL.search(output)
     if not total:
         return Result(name, 0, [f"{problem or 'no summary'}: {first_alarm(output)}"])
@@ -66,7 +66,7 @@ def read_doctest(name, output, problem):
 
 
 def first_alarm(output):
-    """The line that says most about a crash, else the last one."""
+    """Returns the line with the cause of a crash, or the last one."""
     lines = [line.strip() for line in output.splitlines() if line.strip()]
     alarms = [line for line in lines if re.search(r"ERROR: |WARNING: \w+Sanitizer|runtime error:|FATAL", line)]
     return (alarms or lines[-1:] or ["no output"])[0]

@@ -1,4 +1,4 @@
-"""What a suite returns, and running a program so that nothing it does goes unnoticed."""
+"""The result of a suite, and a runner that detects every failure of a program."""
 
 import dataclasses
 import os
@@ -13,7 +13,7 @@ LOGS = ROOT / "build/test"
 
 @dataclasses.dataclass
 class Result:
-    """The number of tests that passed, one line for each that failed, and lines that must be read all the same."""
+    """The number of passed tests, one line per failed test, and lines to print in any case."""
 
     name: str
     passed: int = 0
@@ -22,8 +22,8 @@ class Result:
 
 
 def run(name, command, timeout=300, folder=ROOT, environment=None, silence=None):
-    """Runs `command` with its output in build/test/<name>.log. Returns (output, what went wrong or None). It is ended
-    after `timeout` seconds, or, where `silence` is given, after so many seconds without a new word."""
+    """Runs `command` with its output in build/test/<name>.log. Returns (output, error or None). Ends it
+    after `timeout` seconds, or after `silence` seconds without output."""
     log = LOGS / (name.replace(":", "-").replace("/", "-") + ".log")
     with open(log, "wb") as out:
         try:
@@ -36,7 +36,7 @@ def run(name, command, timeout=300, folder=ROOT, environment=None, silence=None)
 
 
 def wait(process, log, timeout, silence):
-    """What went wrong with the process until its end, or None."""
+    """Returns the error of the process at its end, or None."""
     end = time.monotonic() + timeout
     size, spoken = 0, time.monotonic()
     while True:
@@ -57,7 +57,7 @@ def wait(process, log, timeout, silence):
 
 
 def kill_group(process):
-    """Ends the process and what it started: the session that `run` gave it."""
+    """Ends the process and its children: the session that `run` created."""
     if os.name == "posix":
         os.killpg(process.pid, signal.SIGKILL)
     else:

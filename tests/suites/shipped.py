@@ -12,7 +12,7 @@ from .engine import PROJECT
 from .result import ROOT
 
 COMPLAINT = re.compile(r"^(?:USER )?(?:SCRIPT )?(?:ERROR|WARNING): .*$", re.MULTILINE)
-# What a virtual display makes the engine say.
+# Messages of the engine in a virtual display.
 EXPECTED = ("WARNING: Could not set V-Sync mode", "WARNING: lavapipe is not a conformant vulkan implementation")
 
 
@@ -32,7 +32,7 @@ def unpack(folder):
 
 
 def make_project(folder, settings=""):
-    """An empty project in `folder` with the add-on from the zip, which nobody opened in an editor yet."""
+    """Creates an empty project in `folder` with the add-on from the zip, without editor files."""
     shutil.rmtree(folder, ignore_errors=True)
     unpack(folder)
     (folder / "project.godot").write_text(PROJECT + settings)
@@ -49,5 +49,5 @@ def make_test_project(folder):
 
 
 def complaints(output, expected=EXPECTED):
-    """What the engine complains of."""
+    """Returns the errors and warnings of the engine."""
     return [line for line in COMPLAINT.findall(output) if not line.startswith(expected)]

@@ -1,7 +1,7 @@
 """Fields and plants used at random for minutes, headless and drawn, with the add-on's library under AddressSanitizer and
 UBSan (tests/engine/soak). Not among the suites of the plain test: `./run test suites=soak`.
 
-SOAK_SECONDS says for how long each of the two runs (600), SOAK_SEED with which seed they begin (one by the clock).
+SOAK_SECONDS is the duration of each of the two runs (600), SOAK_SEED their first seed (by default from the clock).
 """
 
 import os
@@ -71,7 +71,7 @@ def preloaded(folder, environment):
 def soak(godot, folder, name):
     seconds = int(os.environ.get("SOAK_SECONDS", "600"))
     seed = int(os.environ.get("SOAK_SEED", str(time.time_ns() % 1000000007)))
-    # The crash handler of the engine would tell less.
+    # The engine's crash handler reports less.
     words = [godot, "--path", make_project(folder, name), "--script", SCRIPT, "--disable-crash-handler"]
     method = METHODS[name]
     words += ["--rendering-method", method, "--audio-driver", "Dummy"] if method else ["--headless"]
@@ -86,14 +86,14 @@ def soak(godot, folder, name):
 
 
 def start(name, words, environment, seconds):
-    # By `env`, so that only the engine is changed by what is preloaded.
+    # By `env`, so that the preload affects only the engine.
     words = ["env", f"LD_PRELOAD={environment.pop('LD_PRELOAD')}", *words]
     return read_output(f"soak:{name}", *run(f"soak:{name}", words, timeout=seconds + MARGIN, environment=environment,
                                             silence=SILENCE))
 
 
 def read_output(name, output, problem):
-    """Each round counts as a test. What a sanitizer says, a script's fault, a crash and a leak of our own fail."""
+    """Counts each round as a test. Sanitizer reports, script errors, crashes and the add-on's leaks fail."""
     seeds, end = ROUND_LINE.findall(output), END_LINE.search(output)
     last = f"in the round with seed {seeds[-1]}" if seeds else "before the first round"
     failures = [f"{line.strip()} ({last})" for line in output.splitlines() if REPORT.search(line)][:5]
@@ -105,7 +105,7 @@ def read_output(name, output, problem):
 
 
 def own_leaks(output):
-    """One line for each leak that our library stands in: the engine and drivers have theirs."""
+    """Returns one line per leak with the add-on's library in its stack. The engine and drivers leak too."""
     leaks = [leak.group(0) for leak in LEAK.finditer(output)]
     ours = [leak for leak in leaks if "libundergrowth" in leak]
     return [" ".join(leak.split())[:300] for leak in ours]

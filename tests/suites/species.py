@@ -13,9 +13,9 @@ from .programs import SANITIZER_OPTIONS
 from .result import Result, run
 
 COUNT = 2000
-LONGEST = 7 * 24 * 3600  # s; what takes too long ends by itself.
-SILENCE = 120  # s: a species that does not end is told after 30.
-MOST_ENDS = 5  # Of one share, by sanitizers; then it goes no further.
+LONGEST = 7 * 24 * 3600  # s. Slow species end by a limit of the program.
+SILENCE = 120  # s. The program reports a species after 30 s.
+MOST_ENDS = 5  # Aborts of one share by sanitizers. More end the share.
 FAILED_LINE = re.compile(r"^FAILED (seed (\d+): .*)$", re.MULTILINE)
 END_LINE = re.compile(r"^done: (\d+) species, (\d+) grown, (\d+) failed, (slowest \d+ with \d+ ms)$", re.MULTILINE)
 
@@ -31,7 +31,7 @@ def suites(program):
 
 
 def grow(name, program, first, count, step):
-    """Each species counts as a test. Where one ends the program, the next one goes on."""
+    """Counts each species as a test. If one ends the program, another program continues."""
     total = Result(name)
     ends = 0
     while count > 0:
@@ -52,7 +52,7 @@ def grow(name, program, first, count, step):
 
 
 def read_output(name, output, problem, first=0, step=1):
-    """A program that ends early has tried what comes before the last seed that it tells."""
+    """Counts the seeds of an aborted program: all before the last seed that it printed."""
     failed = FAILED_LINE.findall(output)
     failures = [failure for failure, _ in failed]
     end = END_LINE.search(output)

@@ -1,4 +1,4 @@
-"""The smallest libraries of each system that hold what the package looks at, sound unless told otherwise."""
+"""The smallest libraries of each system that hold what the package looks at, valid by default."""
 
 import hashlib
 import struct

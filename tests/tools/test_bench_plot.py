@@ -1,4 +1,4 @@
-"""What the plot of ./run bench shows, without drawing it."""
+"""The contents of the plot of ./run bench, without drawing it."""
 
 import sys
 import unittest

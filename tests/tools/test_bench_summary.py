@@ -1,4 +1,4 @@
-"""What ./run bench says of its rows."""
+"""The summary of the rows of ./run bench."""
 
 import sys
 import unittest

@@ -1,4 +1,4 @@
-"""What is built for other machines than this one."""
+"""Builds for other machines."""
 
 import sys
 import unittest

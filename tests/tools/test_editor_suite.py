@@ -1,4 +1,4 @@
-"""Which crashes of the editor are the engine's own, so that a run of the editor is begun once more, and says so."""
+"""Recognition of crashes of the engine itself, after which the suite repeats a run and reports that."""
 
 import sys
 import tempfile

@@ -1,4 +1,4 @@
-"""The guide's pages are whole: links lead somewhere, pictures are drawn by scenes and small, the index names all."""
+"""The guide's pages: links are valid, scenes draw the pictures, pictures are small, the index lists all pages."""
 
 import re
 import unittest

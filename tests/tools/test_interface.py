@@ -1,4 +1,4 @@
-"""The table of the engine's functions holds those that are used, and no other."""
+"""The table of the engine's functions contains exactly the used ones."""
 
 import sys
 import unittest

@@ -1,4 +1,4 @@
-"""Each fault of a library is told before it is shipped."""
+"""Every error of a library is reported before it ships."""
 
 import sys
 import unittest

@@ -1,4 +1,4 @@
-"""What a user unpacks in a project."""
+"""The contents of the zip."""
 
 import contextlib
 import io
@@ -40,7 +40,7 @@ class Package(unittest.TestCase):
         (self.addon / name).write_bytes(data)
 
     def pack(self, is_for_all=True):
-        """(what is wrong, what is printed)"""
+        """Returns (errors, output)."""
         with contextlib.redirect_stdout(io.StringIO()) as printed:
             wrong = package.pack(self.root, self.addon / "bin", is_for_all)
         return wrong, printed.getvalue()

@@ -1,4 +1,4 @@
-"""Folders of the toolchain come into being whole or not at all."""
+"""Folders of the toolchain are created completely or not at all."""
 
 import sys
 import tempfile

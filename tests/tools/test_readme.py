@@ -1,4 +1,4 @@
-"""What README shows is what the repository holds."""
+"""README matches the contents of the repository."""
 
 import re
 import unittest

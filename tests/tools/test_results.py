@@ -1,4 +1,4 @@
-"""Reading what suites print: nothing that went wrong may pass for a success."""
+"""Reading what suites print: no failure counts as a success."""
 
 import sys
 import unittest

@@ -1,5 +1,5 @@
-"""The libraries that were built here show the engine their one entry, and nothing that another library could take for its
-own."""
+"""The libraries that were built here export their entry function only, so that no symbol
+collides with those of another library."""
 
 import sys
 import unittest

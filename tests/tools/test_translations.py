@@ -1,4 +1,4 @@
-"""Every text that the editor's dock shows is in each translation, and no translation has others."""
+"""Each translation contains exactly the texts of the editor's dock."""
 
 import re
 import unittest
@@ -6,7 +6,7 @@ from pathlib import Path
 
 EDITOR = Path(__file__).resolve().parents[2] / "addons/undergrowth"
 STRING = r'"((?:[^"\\]|\\.)*)"'
-# In scripts: what is translated by name. Plural forms are asked for by the first.
+# In scripts: texts passed to translation functions. Plural forms use the first text.
 CALLS = re.compile(r"\b(?:tr|tr_n|Translations\.text)\(\s*" + STRING)
 # In scenes: properties that the engine translates.
 PROPERTIES = re.compile(r"^(?:text|tooltip_text|placeholder_text|title|ok_button_text|cancel_button_text|suffix|label)"
@@ -18,7 +18,7 @@ SAME = {"Hz", "res://"}
 
 
 def shown():
-    """The texts of all scripts and scenes, with where they stand."""
+    """Returns the texts of all scripts and scenes, with their positions."""
     found = {}
     for pattern, ending in ((CALLS, "*.gd"), (PROPERTIES, "*.tscn")):
         for path in sorted(EDITOR.rglob(ending)):
@@ -29,7 +29,7 @@ def shown():
 
 
 def ready_names():
-    """What the dock calls the species and mixes that ship with the add-on, by their files."""
+    """Returns the titles of the add-on's species and mixes, by their files."""
     names = set()
     for path in [*EDITOR.glob("species/*.tres"), *EDITOR.glob("mixes/*.tscn")]:
         own = re.search(r'^\[resource\].*?^resource_name = "(.+?)"$', path.read_text(encoding="utf-8"), re.M | re.S)

@@ -1,4 +1,4 @@
-"""What each word of ./run needs."""
+"""The requirements of each word of ./run."""
 
 import sys
 import unittest

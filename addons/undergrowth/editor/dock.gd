@@ -8,10 +8,10 @@ const WindPage := preload("wind_page/wind_page.gd")
 const Translations := preload("translations/translations.gd")
 const StatusLine := preload("widgets/status_line.gd")
 
-## In pixels at 100 %. No more, so that small screens have room for it.
+## Minimum width in pixels at 100 %. It leaves enough room on small screens.
 const LEAST_WIDTH := 300
 
-## What both pages share.
+## State that both pages share.
 var state := EditorState.new()
 
 @onready var _pages: TabContainer = %Pages
@@ -21,7 +21,7 @@ var state := EditorState.new()
 @onready var _status_frame: MarginContainer = %StatusFrame
 
 
-## Brings the dock to life. A dock that is only opened as a scene stays still.
+## Activates the dock. A dock that is only opened as a scene stays inactive.
 func setup(plugin: EditorPlugin) -> void:
 	set_translation_domain(Translations.DOMAIN)
 	_pages.set_tab_title(_pages.get_tab_idx_from_control(_plant_page), tr("Plant"))
@@ -40,7 +40,7 @@ func _notification(what: int) -> void:
 		_align_status()
 
 
-# Below the pages' content, which the theme keeps off their edges.
+# Below the pages' content. The theme adds a margin at their edges.
 func _align_status() -> void:
 	var panel := _pages.get_theme_stylebox(&"panel")
 	var left := roundi(panel.get_margin(SIDE_LEFT))

@@ -1,21 +1,21 @@
 @tool
 extends RefCounted
-## What the dock's pages share: the chosen species or mix, how it is shown, the wind of the preview,
-## and what the status line says.
+## State that the dock's pages share: the chosen species or mix, its view, the wind of the preview,
+## and the text of the status line.
 
-## Another species or mix was chosen, or none.
+## Emitted when another species or mix was chosen, or none.
 signal function_chosen
-## The user chose it in the list, to do something with it.
+## Emitted when the user picked an entry in the list to use it.
 signal picked
-## The chosen species' properties changed. Its meshes may look different now.
+## Emitted when properties of the chosen species changed. Its meshes may be out of date.
 signal function_edited
-## [member height], [member seed_value] or [member segments] changed.
+## Emitted when [member height], [member seed_value] or [member segments] changed.
 signal view_changed
-## Another wind was put in, or the wind's properties changed.
+## Emitted when the wind was replaced or its properties changed.
 signal wind_changed
-## The status line has something to say.
+## Emitted when the status line has a new text.
 signal reported(text: String, severity: Severity)
-## Long work began, went on or ended; see [member work_total].
+## Emitted when long work started, progressed or ended; see [member work_total].
 signal work_changed
 
 enum Severity { INFO, WARNING, ERROR }
@@ -27,27 +27,27 @@ const DEFAULT_SEGMENTS := 12
 const PREVIEW_STRENGTH := 5.0
 const PREVIEW_FREQUENCY := 0.4
 
-## The chosen species; null while none is, or a mix.
+## The chosen species, or null for none or a mix.
 var function: PlantFunction:
 	get:
 		return _function
-## The file of the add-on that [member function] was copied from, or null. As long as they are equal
-## a scene takes the file.
+## The file of the add-on that [member function] was copied from, or null. While both are equal, a
+## scene references the file.
 var origin: PlantFunction
-## The scene of the chosen mix, with a field as its root; null while none is chosen.
+## The scene of the chosen mix, with a field as its root, or null.
 var mix: PackedScene
-## What the chosen species or mix is called.
+## Title of the chosen species or mix.
 var title := ""
-## The file of the project that [member function] was read from: a resource or a script.
+## The file of the project that contains [member function]: a resource or a script.
 var path := ""
-## What keeps the chosen species from being built, and what to do; empty where it builds.
+## The reason that prevents a build of the chosen species and its solution, or an empty text.
 var problem := ""
-## Height of the previewed plant in metres; 0: the species' own.
+## Height of the previewed plant in metres. 0: the species' own.
 var height := 0.0:
 	set(value):
 		height = value
 		_on_view_changed()
-## Which plant of the species is shown.
+## Seed of the shown plant.
 var seed_value := 1:
 	set(value):
 		seed_value = value
@@ -57,7 +57,7 @@ var segments := DEFAULT_SEGMENTS:
 	set(value):
 		segments = value
 		_on_view_changed()
-## The wind that blows on the preview. Change its properties, or put another in.
+## The wind of the preview. Change its properties or assign another one.
 var wind: PlantWind:
 	get:
 		return _wind
@@ -66,11 +66,11 @@ var wind: PlantWind:
 		_wind = value
 		_on_wind_changed()
 
-## What the long work is called, how many parts it has and how many are done. No work: 0 parts.
+## Title of the long work, number of its parts and of finished parts. 0 parts: no work.
 var work_title := ""
 var work_total := 0
 var work_done := 0
-## True after the user pressed Cancel. Whoever does the work looks at it before each part.
+## True after the user pressed Cancel. The worker checks it before each part.
 var work_cancelled := false
 
 var _function: PlantFunction
@@ -86,7 +86,7 @@ func _init() -> void:
 	wind = breeze
 
 
-## Lets go of the chosen species and the wind. Call it when the dock closes.
+## Releases the chosen species and the wind. Call it when the dock closes.
 func close() -> void:
 	_watch(_function, null, _on_function_edited)
 	_watch(_wind, null, _on_wind_changed)
@@ -96,8 +96,8 @@ func close() -> void:
 	mix = null
 
 
-## Chooses [param new_function], read from [param new_path] or a copy of [param new_origin]; null
-## chooses none.
+## Chooses [param new_function], from the file [param new_path] or as a copy of [param new_origin].
+## Null chooses none.
 func choose(
 	new_function: PlantFunction, new_path := "", new_title := "", new_origin: PlantFunction = null
 ) -> void:
@@ -111,15 +111,15 @@ func choose_mix(new_mix: PackedScene, new_title: String) -> void:
 	_take(null, "", new_title, null)
 
 
-## The chosen species cannot be built until it is changed again: [param text] says why and what to
-## do.
+## Marks the chosen species as broken until its next change. [param text] contains the reason and
+## its solution.
 func fail(text: String) -> void:
 	problem = text
 	report(text, Severity.ERROR)
 	function_edited.emit()
 
 
-## Says [param text] in the status line.
+## Shows [param text] in the status line.
 func report(text: String, severity := Severity.INFO) -> void:
 	reported.emit(text, severity)
 
@@ -133,7 +133,7 @@ func begin_work(name: String, parts: int) -> void:
 	work_changed.emit()
 
 
-## One part of the work is done.
+## Reports one finished part of the work.
 func advance_work() -> void:
 	work_done += 1
 	work_changed.emit()
@@ -145,7 +145,7 @@ func end_work() -> void:
 	work_changed.emit()
 
 
-## The user wants no more of it.
+## Cancels the work.
 func cancel_work() -> void:
 	work_cancelled = true
 	work_changed.emit()

@@ -1,16 +1,16 @@
 @tool
 extends RefCounted
-## Keeps the icons as large as the editor's own: the editor draws those of an add-on when it imports
-## them, and not again when its scale changes.
+## Matches the size of the add-on's icons to the editor's own. The editor rasterizes them at import
+## and not after a change of its scale.
 
 const SIZE := 16
 
 
-## Imports the icons of [param folder] anew where the editor's scale is another than it was then, as
-## soon as the editor knows its files.
+## Imports the icons of [param folder] again if the editor's scale has changed since, after the
+## editor's first scan.
 static func adapt(folder: String) -> void:
-	# No await: in a project that is opened for the first time the editor reloads scripts, and those
-	# that wait are lost.
+	# No await: the editor reloads scripts in a project that is opened for the first time, which
+	# aborts waiting ones.
 	var tree := Engine.get_main_loop() as SceneTree
 	tree.process_frame.connect(_adapt_known.bind(folder), CONNECT_ONE_SHOT)
 

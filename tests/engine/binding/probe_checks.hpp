@@ -21,7 +21,7 @@ protected:
 	static void _bind_methods();
 
 public:
-	// Some mistakes are told by the bundled binding only.
+	// Only the bundled binding reports some of these errors.
 	static bool is_bundled_binding();
 	// A method that no engine has: an error that names it, and an empty result.
 	static godot::String call_missing_method();

@@ -1,4 +1,5 @@
-## Reloads the probe library while objects of its classes live. Run by test_library.gd in an editor.
+## Reloads the probe library while objects of its classes exist. test_library.gd runs it in an
+## editor.
 extends SceneTree
 
 const LIBRARY := "res://probe.gdextension"

@@ -1,4 +1,4 @@
-## Calls of bound methods: typed calls and calls by name, defaults, and what is said of wrong ones.
+## Calls of bound methods: typed calls, calls by name, defaults, and the errors of wrong calls.
 extends "res://tests/engine/harness.gd"
 
 var _node: ProbeNode

@@ -1,4 +1,4 @@
-## The library as a whole: what it registers, what C++ sees, and that it can be reloaded.
+## The library as a whole: its registered classes, the view from C++, and reloading.
 extends "res://tests/engine/harness.gd"
 
 const FOLDER := "user://probe_reload"
@@ -24,7 +24,7 @@ func test_a_method_that_this_engine_lacks_is_named() -> void:
 	check_equal(ProbeChecks.call_missing_method(), "")
 	check_error("photosynthesize")
 	if ProbeChecks.is_bundled_binding():
-		check_error('"mb" is null')  # the engine's own words, which name nothing
+		check_error('"mb" is null')  # The engine's own error text names no object.
 
 
 func test_a_singleton_answers() -> void:
@@ -56,8 +56,8 @@ func test_engine_classes_in_c_plus_plus() -> void:
 	check_equal(ProbeChecks.new().check_engine(), PackedStringArray())
 
 
-## Only an editor reloads libraries, so another engine does, in a project of its own: an editor
-## writes files beside those that it finds.
+## Only an editor reloads libraries. So another engine does it in a project of its own, because an
+## editor writes files into its project.
 func test_objects_outlive_a_reload_of_the_library() -> void:
 	var folder := ProjectSettings.globalize_path(FOLDER)
 	DirAccess.make_dir_recursive_absolute(folder + "/.godot")

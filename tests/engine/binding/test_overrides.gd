@@ -46,7 +46,7 @@ class Full:
 		notes.append(text)
 
 
-## Without types, as the engine would not accept wrong ones.
+## Without types, because the engine does not accept wrong ones.
 class Wrong:
 	extends ProbeResource
 

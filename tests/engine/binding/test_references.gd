@@ -1,4 +1,4 @@
-## References that pass between scripts and C++ on every path: none is lost, none is leaked.
+## References that pass between scripts and C++ on every path. None is lost and none is leaked.
 extends "res://tests/engine/harness.gd"
 
 

@@ -1,4 +1,4 @@
-## Resources of C++ classes: properties saved and loaded, defaults, reverts, groups, enums.
+## Resources of C++ classes: saved and loaded properties, defaults, reverts, groups, enums.
 extends "res://tests/engine/harness.gd"
 
 const FILE := "user://probe_resource.tres"

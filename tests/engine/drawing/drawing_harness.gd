@@ -1,4 +1,4 @@
-## Base of the tests of what a field gives the renderer: instances of multimeshes, and texels of
+## Base of the tests of a field's data for the renderer: instances of multimeshes, and texels of
 ## poses. README.md of this folder describes the record.
 extends "res://tests/engine/field_harness.gd"
 
@@ -13,17 +13,17 @@ const HIDDEN := 65504.0
 class DrawnPlant:
 	## In the field's axes.
 	var root: Vector3
-	## In the texture of poses.
+	## Texel in the texture of poses.
 	var texel: int
 	var layer: int
 	var rank: float
-	## The length of its mesh's up axis.
+	## Length of its mesh's up axis.
 	var scale: float
-	## Its height over the mesh's, without that scale.
+	## Ratio of its height to the mesh's, without that scale.
 	var ratio: float
 
 
-## Multimesh instances that are visible.
+## Returns the visible multimesh instances.
 func drawn_instances() -> Array[Dictionary]:
 	var found: Array[Dictionary] = []
 	for one: Dictionary in DrawingRecord.get_instances():
@@ -32,7 +32,7 @@ func drawn_instances() -> Array[Dictionary]:
 	return found
 
 
-## All plants of an instance, by rank.
+## Returns all plants of an instance, by rank.
 func plants_of(instance: Dictionary) -> Array[DrawnPlant]:
 	var buffer: PackedFloat32Array = instance["buffer"]
 	var found: Array[DrawnPlant] = []
@@ -48,7 +48,8 @@ func plants_of(instance: Dictionary) -> Array[DrawnPlant]:
 	return found
 
 
-## Each plant of the visible instances once, by its root; a plant has the same texel at all levels.
+## Returns each plant of the visible instances once, by its root. A plant has the same texel at all
+## levels.
 func drawn_plants() -> Dictionary[Vector3, DrawnPlant]:
 	var found: Dictionary[Vector3, DrawnPlant] = {}
 	for instance in drawn_instances():
@@ -57,7 +58,7 @@ func drawn_plants() -> Dictionary[Vector3, DrawnPlant]:
 	return found
 
 
-## Bytes of the layers of the texture that has more than one.
+## Returns the bytes of the layers of the only texture with several.
 func poses() -> Array:
 	for layers: Array in DrawingRecord.get_textures().values():
 		if layers.size() > 1:
@@ -65,7 +66,7 @@ func poses() -> Array:
 	return []
 
 
-## Bytes of the texture of four floats for each row of [method poses].
+## Returns the bytes of the texture with four floats per row of [method poses].
 func beats(layer_count: int) -> PackedByteArray:
 	for layers: Array in DrawingRecord.get_textures().values():
 		if layers.size() == 1 and layers[0].size() == SIDE * layer_count * 16:
@@ -73,8 +74,7 @@ func beats(layer_count: int) -> PackedByteArray:
 	return PackedByteArray()
 
 
-## The share of its own height with which each plant is drawn, by its root. Hidden plants are left
-## out.
+## Returns the drawn share of each plant's own height, by its root. Hidden plants are not included.
 func drawn_shares() -> Dictionary[Vector3, float]:
 	var layers := poses()
 	var rows := beats(layers.size())
@@ -93,12 +93,12 @@ func is_hidden(layers: Array, plant: DrawnPlant) -> bool:
 	return half(layers, plant.layer, plant.texel, 0) == HIDDEN
 
 
-## One of the four numbers of a texel.
+## Returns one of the four numbers of a texel.
 func half(layers: Array, layer: int, texel: int, channel: int) -> float:
 	return layers[layer].decode_half(texel * TEXEL_BYTES + 2 * channel)
 
 
-## Tulips of one mesh on level ground, at rest.
+## Returns tulips of one mesh on level ground, at rest.
 func make_field(side: float, density: float) -> PlantField3D:
 	var made := PlantField3D.from_species([TulipFunction.new()])
 	made.size = Vector2(side, side)

@@ -22,7 +22,7 @@ struct Instance {
 	double end = 0.0; ///< m; 0: without end.
 };
 
-/// What the add-on told the renderer, as of its last call. Holds nothing of the engine.
+/// State of the renderer by the add-on's calls. It references no engine objects.
 struct Record {
 	std::mutex mutex;
 	std::map<uint64_t, Multimesh> multimeshes;

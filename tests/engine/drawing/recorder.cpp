@@ -1,4 +1,4 @@
-// Starts the add-on with an interface that records what it tells the renderer.
+// Starts the add-on with an interface that records its calls of the renderer.
 
 #include "drawing_record.hpp"
 #include "record.hpp"

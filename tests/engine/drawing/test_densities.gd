@@ -1,8 +1,8 @@
-## How many plants of each instance the renderer draws for a camera.
+## The number of plants of each instance that the renderer draws for a camera.
 extends "res://tests/engine/drawing/drawing_harness.gd"
 
 const END := 6.0
-const EYE_STEP := 0.24  # Less than what makes a field count again.
+const EYE_STEP := 0.24  # Less than the movement that makes a field count again.
 
 var _camera: Camera3D
 
@@ -56,7 +56,7 @@ func test_fields_of_any_place_and_scale_draw_all_plants_that_have_a_width() -> v
 func _look_from(place: Vector3) -> void:
 	_camera.position = place
 	await frames(2)
-	RenderingServer.force_draw(false)  # A headless engine draws no frame by itself.
+	RenderingServer.force_draw(false)  # A headless engine draws no frame without this call.
 
 
 func _shown_of(instance: Dictionary) -> int:
@@ -70,7 +70,7 @@ func _count_drawn() -> int:
 	return count
 
 
-## As the shader draws them (undergrowth_width.gdshaderinc).
+## As in the shader (undergrowth_width.gdshaderinc).
 func _check_all_with_a_width() -> void:
 	var away_from_eye := 0
 	for instance in drawn_instances():

@@ -1,4 +1,4 @@
-## What the renderer gets of plants that follow prototypes.
+## The renderer's data of plants that are instances of prototypes.
 extends "res://tests/engine/drawing/drawing_harness.gd"
 
 
@@ -19,7 +19,7 @@ func test_each_plant_that_is_pushed_has_a_place_of_its_own() -> void:
 		check(place.x >= 1 and place.x <= SIDE, "column %d, counted from 1" % place.x)
 
 
-## Column, counted from 1, and row of all plants that swing by themselves; each may be used once.
+## Column, counted from 1, and row of all simulated plants. Each may occur once.
 func _places() -> Dictionary[Vector2i, bool]:
 	var layers := poses()
 	var found: Dictionary[Vector2i, bool] = {}

@@ -1,11 +1,11 @@
-## With which share of its height each plant is drawn.
+## The share of its height with which each plant is drawn.
 extends "res://tests/engine/drawing/drawing_harness.gd"
 
 const DISTANCE := 16.0
 const FAR := 40.0
 
 var _camera: Camera3D
-var _whole: Dictionary[int, float] = {}  # Heights before any is mown.
+var _whole: Dictionary[int, float] = {}  # Heights before mowing.
 
 
 func before_each() -> void:
@@ -27,7 +27,7 @@ func test_mown_plants_are_drawn_as_high_as_they_are() -> void:
 	var first := field.set_height_in_sphere(Vector3(-8, 0, 0), 6.0, 0.1)
 	await frames(3)
 	_check_heights(first)
-	# Tiles of a layer in which others were mown.
+	# Tiles of a layer with mown plants.
 	var second := field.set_height_in_sphere(Vector3(9, 0, 5), 6.0, 0.05)
 	await frames(3)
 	_check_heights(first + second)
@@ -82,7 +82,7 @@ func _streamed() -> void:
 	await frames(20)
 
 
-## All rows of layers that drawn plants have.
+## Returns all rows of layers with drawn plants.
 func _rows() -> Dictionary[Vector2i, bool]:
 	var rows: Dictionary[Vector2i, bool] = {}
 	for plant: DrawnPlant in drawn_plants().values():
@@ -90,7 +90,8 @@ func _rows() -> Dictionary[Vector2i, bool]:
 	return rows
 
 
-## Plants within [param radius] of [param middle] are drawn as high as they are, so many mown.
+## Checks that plants within [param radius] of [param middle] have their own height, and counts the
+## mown ones.
 func _check_heights(mown: int, middle := Vector3.ZERO, radius := 60.0) -> void:
 	var shares := drawn_shares()
 	var count := 0

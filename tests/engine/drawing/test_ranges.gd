@@ -1,4 +1,4 @@
-## From where to where the renderer draws the instances of a field.
+## The distances at which the renderer draws the instances of a field.
 extends "res://tests/engine/drawing/drawing_harness.gd"
 
 const MARGIN := 3.0
@@ -60,8 +60,8 @@ func _mesh_height(plant: DrawnPlant) -> float:
 	return field.get_plant_height(id) / (plant.ratio * plant.scale)
 
 
-## An eye at a distance from a plant may be nearer to the middle of its instance, or farther away,
-## by the way between the two.
+## A camera at a distance from a plant can be nearer to the middle of its instance, or farther, by
+## the distance between the two.
 func _check_ranges() -> void:
 	var count := 0
 	var drawn: Array[Dictionary] = []

@@ -1,13 +1,13 @@
-## Run by a test with --fixed-fps: a wake passes a field, and a plant and a field are carried
-## through still air. How far tips are from their rest on average over time is printed as
-## `bends METRES METRES METRES`: of the field by the wake, of the carried plant, of the carried
-## field. With `physics` among the arguments nodes move in physics frames, else in drawn ones.
+## Run by a test with --fixed-fps. A wake passes a field, and a plant and a field move through still
+## air. Prints the mean distance of tips from their rest over time as `bends METRES METRES METRES`:
+## of the field in the wake, of the moving plant, and of the moving field. With the argument
+## `physics` nodes move in physics frames, without it in drawn ones.
 extends SceneTree
 
 const WAKE_SPEED := 8.0  # m/s
 const WAKE_START := -12.0  # m
 const CARRY_SPEED := 5.0  # m/s
-const FAR := Vector3(0, 0, 2000)  # m, where nothing feels the wake.
+const FAR := Vector3(0, 0, 2000)  # m, out of reach of the wake.
 const SECONDS := 5.0
 const HEIGHT := 0.8  # m
 

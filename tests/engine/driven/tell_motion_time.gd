@@ -1,6 +1,6 @@
-## Run by a test with --fixed-fps: a field in a wind. What its plants do at each step is printed as
-## `step NUMBER HASH DIFFERENCE`: the motion time in steps, a hash of all motion states, and how
-## far the wind's clock is from the motion time (s). With `air` among the arguments air blows, else
+## Run by a test with --fixed-fps: a field in a wind. Prints for each step `step NUMBER HASH
+## DIFFERENCE`: the motion time in steps, a hash of all motion states, and the difference (s)
+## between the wind's clock and the motion time. With the argument `air` the wind is air, without it
 ## waves of newtons.
 extends SceneTree
 

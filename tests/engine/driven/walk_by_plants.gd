@@ -1,14 +1,14 @@
-## Run by a test with --fixed-fps: a walker goes through plants of a field, and through plants alone
-## that stand beside it as they do. What their tips do is printed as `ways METRES METRES METRES`:
-## the mean of all ways that those and these went, and the most between a plant's tip in either.
-## With `physics` among the arguments walkers go in physics frames, else in drawn ones.
+## Run by a test with --fixed-fps. A walker moves through plants of a field, and another through
+## single plants at the same positions beside it. Prints the movement of their tips as `ways METRES
+## METRES METRES`: the mean path lengths of both, and the maximum distance between corresponding
+## tips. With the argument `physics` walkers move in physics frames, without it in drawn ones.
 extends SceneTree
 
 const SPEED := 2.0  # m/s
 const START := -4.0  # m
 const SECONDS := 5.0
 const SAMPLE := 1.0 / 30.0  # s
-const ASIDE := Vector3(0, 0, 20)  # m, where the plants stand that are alone.
+const ASIDE := Vector3(0, 0, 20)  # m, offset of the single plants.
 
 var _field := PlantField3D.new()
 var _ids: PackedInt64Array = []
@@ -47,7 +47,7 @@ func _physics_process(delta: float) -> bool:
 
 func _process(delta: float) -> bool:
 	if _elapsed < 0.0:
-		# Here, whenever it was filled, so that both begin to step with the same frame.
+		# Set here for any end of the build, so that both start to step with the same frame.
 		if _is_filled:
 			_begin()
 		return false

@@ -1,14 +1,14 @@
-## Run by a test with --fixed-fps: a walker goes through a field, and what the tips near its way do
-## is printed as `way METRES`, the mean of all ways that they went. With `physics` among the
-## arguments the walker goes in physics frames, else in drawn ones; `ticks=N` says how many physics
-## frames a second has, and `contact` lets tips touch.
+## Run by a test with --fixed-fps. A walker moves through a field. Prints the mean path length of
+## the tips near its way as `way METRES`. With the argument `physics` the walker moves in physics
+## frames, without it in drawn ones. `ticks=N` sets the physics frames per second, and `contact`
+## enables contact between tips.
 extends SceneTree
 
 const SPEED := 2.0  # m/s
 const START := -4.0  # m
 const SECONDS := 5.0
 const SAMPLE := 1.0 / 30.0  # s
-const REACH := 0.8  # m, of the tips that count.
+const REACH := 0.8  # m, maximum distance of counted tips.
 
 var _field := PlantField3D.from_species([TulipFunction.new()])
 var _walker := StaticBody3D.new()

@@ -1,6 +1,6 @@
-## Runs in the editor, where alone the engine reloads a library: see test_hot_reload.gd.
+## Runs in the editor, because the engine reloads libraries only there: see test_hot_reload.gd.
 ##
-## Prints `result NAME` or `result NAME: why` for each thing that must hold after each reload.
+## Prints `result NAME` or `result NAME: why` for each check after each reload.
 @tool
 extends EditorPlugin
 
@@ -8,7 +8,7 @@ const EXTENSION := "res://undergrowth.gdextension"
 const PATIENCE := 60.0
 const STEP := 1.0 / 60.0
 
-# Untyped: after a reload, types that a script was compiled with are those of the old library.
+# Untyped: after a reload, the types in a compiled script are those of the old library.
 var _tulip: Node3D
 var _curve: Node3D
 var _field: Node3D

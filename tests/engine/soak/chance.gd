@@ -1,10 +1,10 @@
-## Chance values: for a property by what its hint says, for an argument by its type. Some are
-## absurd.
+## Random values: for a property by its hint, for an argument by its type. Some are absurd.
 extends RefCounted
 
 const ODD_NUMBERS: Array[float] = [0.0, -1.0, 1e-30, 1e30, -1e9, NAN, INF, -INF, 0.5, 1.0]
 const ODD_INTEGERS: Array[int] = [0, -1, 1, 2, 63, 64, 65, 2147483647, -9223372036854775808]
-## Where more would take minutes: what one plant, one field or one mesh costs by.
+## Upper limits of values that determine the cost of one plant, one field or one mesh. Larger values
+## would take minutes.
 const MOST: Dictionary[String, float] = {
 	"density": 60.0,
 	"density_factor": 3.0,
@@ -15,10 +15,10 @@ const MOST: Dictionary[String, float] = {
 	"seconds": 100.0,
 }
 const WIDEST_FIELD := 14.0
-## Of values with a hint, these are without regard to it.
+## Share of values that ignore the hint.
 const ODD_SHARE := 0.12
 const MAX_LIST := 8
-## Saved bytes begin with four letters, a version and their length, and end with a checksum.
+## Saved bytes start with four letters, a version and their length, and end with a checksum.
 const HEADER_BYTES := 10
 const LENGTH_AT := 6
 const CHECKSUM_BYTES := 4
@@ -27,7 +27,7 @@ const ODD_WORDS: Array[int] = [0, 1, 0x7F, 0x80, 0xFFFF, 0x7FFFFFFF, 0xFFFFFFFF,
 const FIELD_LETTERS := "UGSC"
 const MAP_LETTERS := "UGDM"
 
-## Bytes that fields and maps gave.
+## Saved bytes of fields and maps.
 var saved_bytes: Array[PackedByteArray] = [PackedByteArray()]
 
 var rng := RandomNumberGenerator.new()
@@ -41,7 +41,7 @@ func pick(from: Array) -> Variant:
 	return null if from.is_empty() else from[rng.randi_range(0, from.size() - 1)]
 
 
-## A value for what [param info] describes, as in a property list; null where its type is unknown.
+## Returns a value for [param info], an entry of a property list, or null if its type is unknown.
 func value(info: Dictionary) -> Variant:
 	var made: Variant = null
 	match int(info["type"]):
@@ -86,28 +86,28 @@ func value(info: Dictionary) -> Variant:
 	return made
 
 
-## Somewhere about the field.
+## Returns a position near the field.
 func place() -> Vector3:
 	return Vector3(
 		rng.randf_range(-8.0, 8.0), rng.randf_range(-0.5, 2.0), rng.randf_range(-8.0, 8.0)
 	)
 
 
-## The same, now and then far away or nowhere.
+## The same, sometimes far away or not finite.
 func point() -> Vector3:
 	if chance(0.03):
 		return Vector3(pick(ODD_NUMBERS), pick(ODD_NUMBERS), pick(ODD_NUMBERS))
 	return place()
 
 
-## Turned and scaled alike along all axes.
+## With a rotation and the same scale along all axes.
 func transform() -> Transform3D:
 	var axis := Vector3(rng.randfn(), rng.randfn() + 2.0, rng.randfn()).normalized()
 	var scale := Vector3.ONE * rng.randf_range(0.3, 1.5)
 	return Transform3D(Basis(axis, rng.randf_range(-3.0, 3.0)).scaled(scale), place())
 
 
-## The same, now and then flat, mirrored, stretched or nowhere.
+## The same, sometimes flat, mirrored, stretched or not finite.
 func odd_transform() -> Transform3D:
 	var odd := transform()
 	if chance(0.1):
@@ -119,7 +119,7 @@ func odd_transform() -> Transform3D:
 	return odd
 
 
-## Saved bytes that begin with [param letters], mutated; now and then others.
+## Returns saved bytes that start with [param letters], mutated, or sometimes other bytes.
 func damaged_save(letters: String) -> PackedByteArray:
 	var begin := letters.to_ascii_buffer()
 	var fitting := saved_bytes.filter(
@@ -128,7 +128,7 @@ func damaged_save(letters: String) -> PackedByteArray:
 	return mutated(pick(saved_bytes if fitting.is_empty() or chance(0.05) else fitting))
 
 
-## [param bytes] that a save may be damaged to, mostly with a true length and checksum.
+## Returns [param bytes] with random damage, mostly with a correct length and checksum.
 func mutated(bytes: PackedByteArray) -> PackedByteArray:
 	var made := bytes.duplicate()
 	if chance(0.2) or made.size() <= HEADER_BYTES + CHECKSUM_BYTES:
@@ -159,7 +159,7 @@ func _mutate_once(bytes: PackedByteArray) -> void:
 				bytes.encode_u32(at, pick(ODD_WORDS))
 
 
-## Makes length and checksum true: FNV-1a of all bytes before it.
+## Corrects length and checksum: FNV-1a of all bytes before it.
 func _seal(bytes: PackedByteArray) -> void:
 	bytes.encode_u32(LENGTH_AT, bytes.size())
 	var checksum := 0x811C9DC5

@@ -1,4 +1,4 @@
-## A species in GDScript that grows of parts, and is not always right.
+## A species of parts in GDScript with occasional errors.
 extends PlantFunction
 
 var _blade := PlantBlade.new()

@@ -1,4 +1,4 @@
-## A species in GDScript that is not always right.
+## A species in GDScript with occasional errors.
 extends PlantFunction
 
 

@@ -1,7 +1,7 @@
-## Uses fields and plants at random for a given time, in rounds of one seed each, for sanitizers to
-## watch. What the add-on complains of is not looked at; it must not crash or touch foreign memory.
+## Uses fields and plants at random for a given time, in rounds of one seed each, under sanitizers.
+## Errors of the add-on are ignored, but it must not crash or access foreign memory.
 ##
-## Run by tests/suites/soak.py; `-- --seconds=N --seed=S`. Each round is told before it begins.
+## Run by tests/suites/soak.py; `-- --seconds=N --seed=S`. Prints each round before it starts.
 extends SceneTree
 
 const World := preload("res://tests/engine/soak/world.gd")
@@ -26,7 +26,7 @@ func _soak() -> void:
 		await _run_round(seed)
 		count += 1
 		seed += 1
-	# The engine can wait for ever at its exit where threads of its pool had work just before.
+	# The engine can wait forever at its exit if threads of its pool worked just before.
 	for i in 20:
 		await process_frame
 	OS.delay_msec(200)

@@ -1,5 +1,4 @@
-## Makes and changes what the soak plays with. It knows the nodes that there are, by the world's
-## lists.
+## Creates and changes the objects of the soak. It finds nodes in the lists of the world.
 extends "res://tests/engine/soak/chance.gd"
 
 const FUNCTIONS: Array[StringName] = [
@@ -21,7 +20,7 @@ const SHAPES: Array[StringName] = [
 const ScriptSpecies := preload("res://tests/engine/soak/script_species.gd")
 const GrowingSpecies := preload("res://tests/engine/soak/growing_species.gd")
 const READY_SPECIES := "res://addons/undergrowth/species/"
-## So many of the ready species play in a round: sanitizers make them slow to grow.
+## Number of ready species in a round. Sanitizers make their builds slow.
 const READY_COUNT := 3
 const MAX_SAVED_BYTES := 8
 const THREAD_TASKS := 4
@@ -33,13 +32,13 @@ var maps: Array[PlantMap] = [PlantMap.new(), PlantMap.new()]
 var _fields: Array[PlantField3D]
 var _others: Array[Node3D]
 var _functions: Array[PlantFunction] = [ScriptSpecies.new(), GrowingSpecies.new()]
-## Arrangements of species and the parts that they place.
+## Arrangements of species and their parts.
 var _parts: Array[Resource] = []
 var _stems: Array[PlantStem] = [PlantStem.new(), PlantStem.new()]
 var _entries: Array[PlantFieldSpecies] = []
 var _levels: Array[PlantFieldLevel] = []
 var _materials: Array[Material] = [StandardMaterial3D.new(), ShaderMaterial.new()]
-## Some that stood once.
+## Ids of plants that existed at some time.
 var _known_ids: PackedInt64Array = []
 
 
@@ -82,7 +81,7 @@ func new_plant() -> Plant3D:
 	return plant
 
 
-## A path, a body, a mesh for the ground, a camera, or a node that others hang from.
+## Returns a path, a body, a mesh for the ground, a camera, or a parent node.
 func new_other() -> Node3D:
 	match rng.randi_range(0, 8):
 		0:
@@ -118,13 +117,13 @@ func any_resource() -> Resource:
 	return pick(pick([_functions, _functions, _entries, _levels, _materials, _stems, _parts, maps]))
 
 
-## Calls a method of a map, or keeps its bytes, for others to be made of.
+## Calls a method of a map, or stores its bytes for later maps.
 func play_with_map() -> void:
 	var map: PlantMap = pick(maps)
 	if chance(0.2):
 		keep_bytes(map.data)
 	elif map.data.is_empty() and chance(0.3):
-		maps[maps.find(map)] = PlantMap.new()  # Its bytes may have been no map.
+		maps[maps.find(map)] = PlantMap.new()  # The bytes may have been invalid.
 	elif chance(0.1):
 		maps[rng.randi_range(0, maps.size() - 1)] = map.snapshot()
 	elif chance(0.05):
@@ -134,15 +133,15 @@ func play_with_map() -> void:
 		ask(map, pick(methods.filter(_is_no_setter)))
 
 
-## [param bytes] were saved: they may be damaged and read from now on.
+## Stores saved [param bytes], which are damaged and loaded later.
 func keep_bytes(bytes: PackedByteArray) -> void:
 	saved_bytes.append(bytes)
 	if saved_bytes.size() > MAX_SAVED_BYTES:
 		saved_bytes.remove_at(0)
 
 
-## Generates meshes and plants, and samples winds, on threads, which the main thread waits for. The
-## headless renderer is for one thread at a time.
+## Generates meshes and plants, and samples winds, on threads. The main thread waits for them,
+## because the headless renderer supports one thread at a time.
 func work_on_threads() -> void:
 	var chosen: Array = []
 	for i in 1 if DisplayServer.get_name() == "headless" else THREAD_TASKS:
@@ -192,7 +191,7 @@ func _add_parts(arrangements: Array) -> void:
 			_add_parts(arrangement.carries)
 
 
-## Stems of all kinds of stiffness, and species that bend by them.
+## Sets stems of all kinds of stiffness, and species that bend by them.
 func _add_stems() -> void:
 	_stems[1].modes = 2
 	for stem in _stems.slice(0, 2):
@@ -209,7 +208,7 @@ func _new_wind_source() -> Node3D:
 	return source
 
 
-## Sets one property of [param object], which [param info] describes, by chance.
+## Sets one property of [param object], described by [param info], to a random value.
 func change(object: Object, info: Dictionary) -> void:
 	if info == null or info["usage"] & PROPERTY_USAGE_READ_ONLY:
 		return
@@ -236,13 +235,13 @@ func change(object: Object, info: Dictionary) -> void:
 		"exclusions":
 			object.set(title, _path_list(object as Node))
 		_:
-			# The engine itself takes no nodes that are nowhere.
+			# The engine itself does not accept positions that are not finite.
 			var chosen: Variant = place() if info["type"] == TYPE_VECTOR3 else value(info)
 			if chosen != null:
 				object.set(title, chosen)
 
 
-## Calls a method of [param object], which [param info] describes, with arguments by chance.
+## Calls a method of [param object], described by [param info], with random arguments.
 func ask(object: Object, info: Dictionary) -> void:
 	var arguments: Array = []
 	for argument: Dictionary in info["args"]:
@@ -291,7 +290,7 @@ func _argument(object: Object, info: Dictionary) -> Variant:
 	return made
 
 
-## Of plants that stand, some of others that did, and some twice.
+## Returns ids of existing plants, some of removed ones, and some twice.
 func _ids(object: Object) -> PackedInt64Array:
 	var ids := PackedInt64Array()
 	var field := object as PlantField3D

@@ -1,19 +1,20 @@
-## What a round of the soak plays with: fields and plants, and all that they look at. Each action
-## changes, asks, moves or frees one thing by chance.
+## The objects of a round of the soak: fields and plants, and all nodes that they use. Each action
+## changes, queries, moves or frees one object at random.
 extends "res://tests/engine/soak/chance.gd"
 
 const Things := preload("res://tests/engine/soak/things.gd")
 const MOST_FIELDS := 3
 const MOST_PLANTS := 12
 const MOST_OTHERS := 24
-## Classes whose own properties are changed.
+## Classes with random changes of their own properties.
 const SHOWN: Array[StringName] = [&"PlantField3D", &"Plant3D", &"GeometryInstance3D", &"Node3D"]
 
 var root: Node
 var things: Things
 var fields: Array[PlantField3D] = []
 var plants: Array[Plant3D] = []
-## Paths, bodies, meshes, cameras, wind sources and groups that fields look at or stand below.
+## Paths, bodies, meshes, cameras, wind sources and groups that fields use or that are their
+## parents.
 var others: Array[Node3D] = []
 
 var _actions: Array[Callable] = []
@@ -45,7 +46,7 @@ func act() -> void:
 	action.call()
 
 
-## Frees everything, in an order by chance.
+## Frees all objects in a random order.
 func end() -> void:
 	_forget_freed()
 	var ids: PackedInt64Array = []
@@ -75,7 +76,7 @@ func _add(node: Node3D, list: Array) -> void:
 		root.add_child(node)
 
 
-## A world of its own, with a camera, below which nodes may come.
+## Returns a separate world with a camera, as a parent for nodes.
 func _add_second_world() -> void:
 	_second_world = SubViewport.new()
 	_second_world.own_world_3d = true
@@ -134,7 +135,7 @@ func _change_plant() -> void:
 	_change(pick(plants))
 
 
-## Several at once now and then, as who loads settings does.
+## Sometimes sets several at once, as when settings are loaded.
 func _change(node: Node3D) -> void:
 	for i in rng.randi_range(1, 3) if node != null else 0:
 		var shown := SHOWN.filter(node.is_class)
@@ -249,7 +250,7 @@ func _edit_path() -> void:
 	things.edit_path(pick(others.filter(func(node: Node3D) -> bool: return node is Path3D)))
 
 
-## Scripts do things while they are told.
+## Runs actions in signal handlers, as scripts do.
 func _on_filled(field: PlantField3D) -> void:
 	if chance(0.2):
 		_ask(field)

@@ -1,9 +1,8 @@
 @tool
 extends HFlowContainer
-## What can be done with the chosen species: put it into the scene, save it, bake it.
-## A mix can be put into the scene.
+## The dock's actions for the chosen species or mix: adds it to the scene, saves or bakes a species.
 
-## The chosen species is in a file now, and that file is chosen.
+## Emitted when the chosen species was saved to a file and that file is chosen.
 signal saved(entry: SpeciesEntry)
 
 const EditorState := preload("../editor_state.gd")
@@ -17,10 +16,10 @@ const NewSpeciesDialog := preload("new_species_dialog.gd")
 const ProjectFiles := preload("project_files.gd")
 const SceneActions := preload("scene_actions.gd")
 const SpeciesTemplate := preload("species_template.gd")
-## No new file is begun in a frame after that many microseconds.
+## Microseconds of a frame after which no new file is started.
 const BAKE_USEC_PER_FRAME := 8000
 const REPLACE_SIZE := Vector2i(420, 160)
-## As many files are named in a question.
+## Maximum number of files that a question lists.
 const NAMED_FILES := 6
 
 var _state: EditorState
@@ -39,7 +38,7 @@ var _options: BakeOptions
 @onready var _replace_dialog: ConfirmationDialog = %ReplaceDialog
 
 
-## Acts on the species of [param state]; dialogs open over [param dock].
+## Sets the species of [param state] as the target. Dialogs open over [param dock].
 func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> void:
 	_state = state
 	_undo = undo
@@ -58,7 +57,7 @@ func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> vo
 	_dress()
 
 
-## Asks for the name of a species of one's own, to be begun with a script.
+## Opens the dialog for a new species in a script.
 func ask_for_new() -> void:
 	_new_dialog.ask()
 
@@ -155,7 +154,7 @@ func _on_save_pressed() -> void:
 	_save_dialog.popup_file_dialog()
 
 
-## Saves the chosen species to [param path] and chooses what is there now.
+## Saves the chosen species to [param path] and chooses the file's content.
 func save_as(path: String) -> void:
 	var problem := ProjectFiles.find_problem(path)
 	if not problem.is_empty():
@@ -222,7 +221,7 @@ func _ask_to_replace(files: PackedStringArray) -> String:
 	)
 
 
-## Bakes a few files a frame, until all are there, one fails or the user cancels.
+## Bakes a few files per frame until all exist, one fails or the user cancels.
 func _bake_files() -> void:
 	if _state.work_total > 0:
 		_warn(tr("Other work is going on. Wait for its end, or cancel it."))

@@ -1,38 +1,38 @@
 @tool
 extends RefCounted
-## Bakes a species to files that need nothing of the add-on: meshes for MultiMesh and terrain tools,
-## and scenes with a skeleton.
+## Bakes a species to files that do not need the add-on: meshes for MultiMesh and terrain tools, and
+## scenes with a skeleton.
 ##
-## The work comes in pieces of a few milliseconds, one file each, so that the editor stays alive.
+## Each step writes one file in a few milliseconds, so that the editor stays responsive.
 
 const BakeOptions := preload("bake_options.gd")
 const FileNames := preload("file_names.gd")
 const ProjectFiles := preload("project_files.gd")
 const ADD_ON_FOLDER := "res://addons/undergrowth/"
 const BONES: Array[String] = ["root", "tip"]
-## Light that shines through leaves, where the add-on's own shader would say it.
+## Light through leaves, in place of that of the add-on's own shader.
 const BACKLIGHT := Color(0.3, 0.34, 0.2)
 
-## Files that were written so far.
+## Files written so far.
 var written: PackedStringArray = []
 
 var _function: PlantFunction
 var _options: BakeOptions
-## How many files were tried so far.
+## Number of files tried so far.
 var _next := 0
 var _material: Material
-# How the meshes say what is in CUSTOM0 and the others: the weight of the tip, for shaders that bend
-# what has no skeleton, and what parts say of themselves.
+# Mesh formats of CUSTOM0 to CUSTOM3: the weight of the tip, for shaders that bend meshes without a
+# skeleton, and the attributes of parts.
 var _custom_formats := 0
 
 
-## Bakes [param function] as it is now; later changes of it do not matter.
+## Bakes the current state of [param function]. Later changes of it have no effect.
 func _init(function: PlantFunction, options: BakeOptions) -> void:
 	_function = function.duplicate(true)
 	_options = options
 
 
-## Bakes all at once, and returns what went wrong and what to do; empty where nothing did.
+## Bakes all files at once. Returns the error and its solution, or an empty text.
 static func bake(function: PlantFunction, options: BakeOptions) -> String:
 	var work := new(function, options)
 	while not work.is_done():
@@ -42,7 +42,7 @@ static func bake(function: PlantFunction, options: BakeOptions) -> String:
 	return ""
 
 
-## How many files are left to write.
+## Returns the number of remaining files.
 func get_pieces_left() -> int:
 	return _options.count_files() - _next
 
@@ -51,7 +51,7 @@ func is_done() -> bool:
 	return get_pieces_left() == 0
 
 
-## Writes one more file. Returns what went wrong and what to do; empty where nothing did.
+## Writes one more file. Returns the error and its solution, or an empty text.
 func bake_next() -> String:
 	var meshes := _options.levels.size() if _options.with_meshes else 0
 	var per_variant := meshes + (1 if _options.with_scene else 0)
@@ -61,7 +61,7 @@ func bake_next() -> String:
 	return _bake_level(variant, part) if part < meshes else _bake_scene(variant)
 
 
-## The plain mesh of one level: one surface with its material and without bones.
+## Returns the plain mesh of one level: one surface with its material and without bones.
 func make_level_mesh(variant: int, level: int) -> ArrayMesh:
 	var arrays := _generate(variant, level).surface_get_arrays(0)
 	arrays[Mesh.ARRAY_BONES] = null
@@ -69,8 +69,8 @@ func make_level_mesh(variant: int, level: int) -> ArrayMesh:
 	return _make_mesh(arrays, "%s lod%d" % [_options.title, level])
 
 
-## The scene of one variant: a skeleton of two bones that the finest level is skinned to. Whoever
-## turns the bone "tip" bends the plant. To be freed by the caller.
+## Returns the scene of one variant: a skeleton of two bones, with the finest level as its skin. The
+## bone "tip" bends the plant. The caller frees the scene.
 func make_scene(variant: int) -> Node3D:
 	var root := Node3D.new()
 	root.name = FileNames.to_node_name(_options.title)
@@ -141,8 +141,8 @@ func _make_mesh(arrays: Array, title: String) -> ArrayMesh:
 	return mesh
 
 
-## A material of the project stays where it is; one of the library or the add-on comes along, and
-## for a shader of the add-on a plain one.
+## References a material of the project and copies one of the library or the add-on. Replaces a
+## shader of the add-on with a plain material.
 func _portable(material: Material) -> Material:
 	var shaded := material as ShaderMaterial
 	if shaded and shaded.shader and shaded.shader.resource_path.begins_with(ADD_ON_FOLDER):
@@ -170,7 +170,7 @@ func _make_skin() -> Skin:
 	return skin
 
 
-## A box around the plant however it bends.
+## Returns a box around the plant in every bend.
 func _reach_of(mesh: Mesh) -> AABB:
 	var box := mesh.get_aabb()
 	var radius := box.position.abs().max(box.end.abs()).length()

@@ -1,8 +1,8 @@
 @tool
 extends ConfirmationDialog
-## Asks what to bake of a species.
+## The dialog for the options of a bake.
 
-## The user wants these files, and the options are complete.
+## Emitted when the user confirms complete options.
 signal accepted(options: BakeOptions)
 
 const BakeOptions := preload("bake_options.gd")
@@ -35,7 +35,7 @@ func _ready() -> void:
 	confirmed.connect(_on_confirmed)
 
 
-## Opens the dialog for a plant of that name; what else was chosen before stays.
+## Opens the dialog for a plant called [param title]. The other options stay as last chosen.
 func ask(title: String, height: float, first_seed: int) -> void:
 	_title.text = title
 	_height.value = height
@@ -46,7 +46,7 @@ func ask(title: String, height: float, first_seed: int) -> void:
 	_title.select_all()
 
 
-## What the user chose.
+## Returns the chosen options.
 func get_options() -> BakeOptions:
 	var options := BakeOptions.new()
 	options.title = _title.text

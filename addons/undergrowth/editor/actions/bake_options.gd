@@ -1,6 +1,6 @@
 @tool
 extends RefCounted
-## What to bake of a species, and under which names.
+## The options of a bake: content and file names.
 
 const Translations := preload("../translations/translations.gd")
 const FileNames := preload("file_names.gd")
@@ -9,22 +9,22 @@ const MAX_LEVELS := 8
 const MAX_VARIANTS := 1000
 const DEFAULT_LEVELS: Array[int] = [24, 12, 6, 3]
 
-## What the baked plant is called. Files get the stem that file_names.gd makes of it.
+## Title of the baked plant. file_names.gd makes the stem of file names from it.
 var title := "":
 	set(value):
 		title = value
 		_stem = FileNames.to_stem(title)
 var folder := "res://"
-## Metres; 0: the species' own height.
+## Metres. 0: the species' own height.
 var height := 0.0
 var first_seed := 1
-## How many plants of the species, with seeds that follow each other.
+## Number of plants of the species, with consecutive seeds.
 var variants := 1
-## Vertical segments of each level of detail, finest first; empty where [method read_levels] failed.
+## Vertical segments of each level of detail, finest first. Empty if [method read_levels] failed.
 var levels := DEFAULT_LEVELS.duplicate()
-## One mesh resource for each level.
+## True for one mesh resource per level.
 var with_meshes := true
-## One scene with a skeleton for each variant.
+## True for one scene with a skeleton per variant.
 var with_scene := false
 
 var _stem := ""
@@ -41,7 +41,7 @@ func read_levels(text: String) -> void:
 		levels.append(number.to_int())
 
 
-## What is wrong with these options and what to do; empty where nothing is.
+## Returns the error in these options and its solution, or an empty text.
 func find_problem() -> String:
 	if _stem.is_empty():
 		return Translations.text("Give the plant a name with letters or digits.")
@@ -59,34 +59,34 @@ func find_problem() -> String:
 	return ""
 
 
-## The file of one level's mesh.
+## Returns the file of one level's mesh.
 func get_mesh_path(variant: int, level: int) -> String:
 	return folder.path_join("%s_lod%d.res" % [get_stem(variant), level])
 
 
-## The file of one variant's scene.
+## Returns the file of one variant's scene.
 func get_scene_path(variant: int) -> String:
 	return folder.path_join("%s.tscn" % get_stem(variant))
 
 
-## How the files of one variant begin.
+## Returns the prefix of the files of one variant.
 func get_stem(variant: int) -> String:
 	return _stem if variants == 1 else "%s_%d" % [_stem, variant + 1]
 
 
-## How many files are going to be written.
+## Returns the number of files to write.
 func count_files() -> int:
 	return variants * ((levels.size() if with_meshes else 0) + (1 if with_scene else 0))
 
 
-## The first and the last of [method get_files], without the others.
+## Returns the first and the last of [method get_files] without building the list.
 func get_ends() -> PackedStringArray:
 	var first := get_mesh_path(0, 0) if with_meshes else get_scene_path(0)
 	var last := get_mesh_path(variants - 1, levels.size() - 1)
 	return [first, get_scene_path(variants - 1) if with_scene else last]
 
 
-## All files that are going to be written.
+## Returns all files to write.
 func get_files() -> PackedStringArray:
 	var files: PackedStringArray = []
 	for variant in variants:
@@ -98,7 +98,7 @@ func get_files() -> PackedStringArray:
 	return files
 
 
-## Those of [method get_files] that exist already.
+## Returns those of [method get_files] that exist already.
 func get_existing_files() -> PackedStringArray:
 	var existing: PackedStringArray = []
 	for file in get_files():

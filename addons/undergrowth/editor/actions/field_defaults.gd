@@ -1,26 +1,26 @@
 @tool
 extends RefCounted
-## How a field of one species begins: as dense, as large and as uneven as suits its plants.
+## Default density, size and variation of a field of one species, by the shape of its plants.
 
-## Plants of one metre stand so densely that they cover the ground, a square metre; others by their
-## height, and no closer than their breadth allows.
+## Density of plants with a height of one metre: they cover the ground of one square metre. Other
+## densities follow from height and are limited by breadth.
 const DENSITY_AT_ONE_METRE := 18.0
 const HEIGHT_POWER := 1.1
-## Times a plant's breadth squared: how many overlap.
+## Overlapping plants, in squares of a plant's breadth.
 const OVERLAP := 4.0
 const LEAST_DENSITY := 0.5
 const MOST_DENSITY := 400.0
-## What is dense gets a smaller field, down to so many metres.
+## Plants of the whole field. A dense field is smaller, down to the minimum side in metres.
 const MOST_PLANTS := 12000.0
 const LEAST_SIDE := 5.0
-## Radians. Plants of a field that stand quite upright look like a brush.
+## Radians. Exactly upright plants make a field look like a brush.
 const LEAN := 0.09
 const SEEDS := 3
-## Enough to measure a plant.
+## Segments that suffice to measure a plant.
 const SEGMENTS := 6
 
 
-## A field of [param function], which can be built, without a name and without wind.
+## Returns a field of [param function] that can be built, without a name and without wind.
 static func make_field(function: PlantFunction) -> PlantField3D:
 	var field := PlantField3D.from_species([function])
 	field.density = find_density(function)
@@ -31,8 +31,8 @@ static func make_field(function: PlantFunction) -> PlantField3D:
 	return field
 
 
-## An entry of [param function] for a field: its plants lean a little, unless they do so by
-## themselves.
+## Returns an entry of [param function] for a field. Its plants lean a little, unless the species
+## has its own lean.
 static func make_entry(function: PlantFunction) -> PlantFieldSpecies:
 	var entry := PlantFieldSpecies.of(function)
 	if function.law != PlantFunction.LAW_ELASTICITY:
@@ -40,7 +40,8 @@ static func make_entry(function: PlantFunction) -> PlantFieldSpecies:
 	return entry
 
 
-## Plants per square metre that cover the ground: many of a lawn, few reeds, fewer broad ferns.
+## Returns the plants per square metre that cover the ground: high for a lawn, lower for reeds,
+## lowest for broad ferns.
 static func find_density(function: PlantFunction) -> float:
 	var size := _measure(function)
 	var by_height := DENSITY_AT_ONE_METRE / pow(size.y, HEIGHT_POWER)
@@ -49,7 +50,7 @@ static func find_density(function: PlantFunction) -> float:
 	return snappedf(density, 0.5 if density < 10.0 else 5.0)
 
 
-# Breadth and height of a plant in metres, the mean of a few.
+# Mean breadth and height (m) of a few plants.
 static func _measure(function: PlantFunction) -> Vector2:
 	var sum := Vector2.ZERO
 	for i in SEEDS:

@@ -1,16 +1,16 @@
 @tool
 extends RefCounted
-## One species more for a field that grows others. It becomes as dense as suits its plants, and
-## nothing of the others is thinned out for it: the field's density grows by as much.
+## Adds one species to a field of other species. Its density follows from its plants. The field's
+## density increases by the same amount, so that the other species do not become sparser.
 
 const FieldDefaults := preload("field_defaults.gd")
 const SameResource := preload("same_resource.gd")
 
-## What a field has room for without waiting long, and without being refused.
+## Maximum number of plants for a short build without an error.
 const MOST_PLANTS := 2.0e6
 
 
-## The entry of [param field] that grows [param function] already, or what equals it; else null.
+## Returns the entry of [param field] with [param function] or an equal one, or null.
 static func find(field: PlantField3D, function: PlantFunction) -> PlantFieldSpecies:
 	for entry in field.species:
 		if entry and entry.species and SameResource.are_equal(entry.species, function):
@@ -18,7 +18,8 @@ static func find(field: PlantField3D, function: PlantFunction) -> PlantFieldSpec
 	return null
 
 
-## An entry of [param function] for [param field], which has none of it, with a layer of its own.
+## Returns a new entry of [param function] for [param field] with a layer of its own. The field has
+## no entry of that species.
 static func make(field: PlantField3D, function: PlantFunction) -> PlantFieldSpecies:
 	var entry := FieldDefaults.make_entry(function)
 	var own := entry.get_layer_name()
@@ -30,14 +31,14 @@ static func make(field: PlantField3D, function: PlantFunction) -> PlantFieldSpec
 	return entry
 
 
-## Adds [param entry]; its share follows from the density that suits it.
+## Adds [param entry] with the weight for its density.
 static func add(field: PlantField3D, entry: PlantFieldSpecies) -> void:
 	field.density = suit(field, entry)
 	field.species = field.species + ([entry] as Array[PlantFieldSpecies])
 
 
-## Gives [param entry] the share that suits its plants beside those of [param field]. The density
-## that the field then needs, so that the others stay as dense as they are.
+## Sets the weight of [param entry] for the density that suits its plants. Returns the field density
+## that preserves the density of the other species.
 static func suit(field: PlantField3D, entry: PlantFieldSpecies) -> float:
 	var wanted := minf(FieldDefaults.find_density(entry.species), _room_of(field))
 	var shares := 0.0
@@ -51,7 +52,7 @@ static func suit(field: PlantField3D, entry: PlantFieldSpecies) -> float:
 	return field.density + wanted
 
 
-## The names by which a map knows what [param field] grows.
+## Returns the map layers of the species of [param field].
 static func layers_of(field: PlantField3D) -> PackedStringArray:
 	var names: PackedStringArray = []
 	for entry in field.species:
@@ -61,7 +62,7 @@ static func layers_of(field: PlantField3D) -> PackedStringArray:
 	return names
 
 
-# How much denser it may become.
+# Maximum factor of the density.
 static func _room_of(field: PlantField3D) -> float:
 	var area := field.size.x * field.size.y
 	if field.map:

@@ -1,13 +1,13 @@
 @tool
 extends RefCounted
-## Turns what people call a plant into names of files, nodes and classes.
+## Converts titles of plants to names of files, nodes and classes.
 ##
-## Accents are taken off and spaces become underscores, so that a file has the same name on every
-## system. Letters of other scripts stay.
+## It removes accents and replaces spaces with underscores, so that a file has the same name on
+## every system. Letters of other scripts stay.
 
 const CLASS_ENDING := "Function"
 const MAX_LENGTH := 64
-## Base letters, and what is written as them.
+## Base letters, and the letters they replace.
 const BASE_LETTERS: Dictionary[String, String] = {
 	"a": "àáâãäåāăą",
 	"c": "çćĉċč",
@@ -35,7 +35,7 @@ const BASE_LETTERS: Dictionary[String, String] = {
 }
 
 
-## The stem of a file: "Šaš uz rijeku" becomes "sas_uz_rijeku". Empty where nothing is left.
+## Returns the stem of a file: "Šaš uz rijeku" becomes "sas_uz_rijeku". Empty if no letter remains.
 static func to_stem(title: String) -> String:
 	var stem := ""
 	for letter in _without_accents(title.strip_edges().to_lower()):
@@ -45,13 +45,13 @@ static func to_stem(title: String) -> String:
 	return stem.lstrip("_").left(MAX_LENGTH).rstrip("_")
 
 
-## The name of a species' class: "Šaš uz rijeku" becomes "SasUzRijekuFunction".
+## Returns the class name of a species: "Šaš uz rijeku" becomes "SasUzRijekuFunction".
 static func to_class_title(title: String) -> String:
 	var words := to_stem(title.strip_edges().trim_suffix(CLASS_ENDING).to_snake_case())
 	return "" if words.is_empty() else words.to_pascal_case() + CLASS_ENDING
 
 
-## The name of a node: as people write it, without what Godot does not allow there.
+## Returns the name of a node: the title without characters that Godot does not allow.
 static func to_node_name(title: String) -> String:
 	var name := title.strip_edges().validate_node_name()
 	return name if not name.is_empty() else "Plant"
@@ -65,5 +65,5 @@ static func _without_accents(text: String) -> String:
 
 
 static func _is_letter_or_digit(letter: String) -> bool:
-	# A digit may not begin an identifier, but may follow in one.
+	# An identifier must not start with a digit.
 	return letter != "_" and ("a" + letter).is_valid_unicode_identifier()

@@ -1,11 +1,11 @@
 @tool
 extends HBoxContainer
-## A folder of the project: to type, or to choose.
+## A field to type or choose a folder of the project.
 
-## The folder changed.
+## Emitted when the folder changed.
 signal changed
 
-## The folder, without a slash at its end but for res:// itself.
+## The folder, without a trailing slash except for res:// itself.
 var folder: String:
 	get:
 		return _clean(_path.text)

@@ -1,20 +1,20 @@
 @tool
 extends RefCounted
-## Finds the place that a 3D viewport looks at: on colliders, on meshes, or on the plane y = 0.
+## Finds the point at the centre of a 3D viewport: on colliders, on meshes, or on the plane y = 0.
 
 const FARTHEST := 2000.0
-## A place in front of a camera that looks at nothing.
+## Distance in front of a camera whose view is empty.
 const DISTANCE_WITHOUT_GROUND := 4.0
-## Steeper than this (the up part of the normal) nothing grows; the ground below is looked for.
+## Minimum up part of the normal. On steeper surfaces the search continues with the ground below.
 const LEAST_UPRIGHT := 0.4
 const OFF_WALL := 0.05
-## A flat mesh still counts that far beyond its edge.
+## Margin (m) around the edge of a flat mesh.
 const EDGE := 1e-3
-## Meshes with more triangles would take too long to search.
+## Maximum number of triangles of a searched mesh. A search in a larger one takes too long.
 const MAX_TRIANGLES := 50000
 
 
-## Where a new thing belongs that the user wants at the centre of [param viewport].
+## Returns the point for a new node at the centre of [param viewport].
 static func find_point(viewport: Viewport) -> Vector3:
 	var camera := viewport.get_camera_3d()
 	if not camera:
@@ -24,7 +24,7 @@ static func find_point(viewport: Viewport) -> Vector3:
 	return find_along(viewport.find_world_3d(), from, camera.project_ray_normal(center))
 
 
-## The same along a ray of [param world].
+## Returns the same point for a ray of [param world].
 static func find_along(world: World3D, from: Vector3, direction: Vector3) -> Vector3:
 	var hit := _cast(world, from, from + direction * FARTHEST)
 	if hit.is_empty():
@@ -37,8 +37,7 @@ static func find_along(world: World3D, from: Vector3, direction: Vector3) -> Vec
 	return below["position"] if not below.is_empty() else _on_plane(beside, Vector3.DOWN)
 
 
-## What a ray of [param world] meets first, or where it goes through [param plane]; null where it
-## does neither.
+## Returns the first hit of a ray of [param world], or its intersection with [param plane], or null.
 static func find_seen(world: World3D, from: Vector3, direction: Vector3, plane: Plane) -> Variant:
 	var hit := _cast(world, from, from + direction * FARTHEST)
 	if not hit.is_empty():
@@ -54,7 +53,7 @@ static func _on_plane(from: Vector3, direction: Vector3) -> Vector3:
 	return Vector3(ahead.x, 0.0, ahead.z)
 
 
-## The nearest hit with its "position" and "normal", or nothing.
+## Returns the nearest hit with its "position" and "normal", or an empty dictionary.
 static func _cast(world: World3D, from: Vector3, to: Vector3) -> Dictionary:
 	var query := PhysicsRayQueryParameters3D.create(from, to)
 	var nearest := world.direct_space_state.intersect_ray(query)
@@ -96,9 +95,9 @@ static func _cast_on_mesh(mesh: Mesh, place: Transform3D, from: Vector3, to: Vec
 	return {"position": place * (hit["position"] as Vector3), "normal": normal.normalized()}
 
 
-## The same in the mesh's own axes.
+## Returns the same in the mesh's own axes.
 static func _cast_in_mesh(mesh: Mesh, from: Vector3, to: Vector3) -> Dictionary:
-	if mesh is PlaneMesh:  # However finely it is divided.
+	if mesh is PlaneMesh:  # With any number of subdivisions.
 		return _cast_on_flat(mesh as PlaneMesh, from, to)
 	if _count_triangles(mesh) > MAX_TRIANGLES:
 		return {}

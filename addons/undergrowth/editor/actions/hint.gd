@@ -1,8 +1,8 @@
 @tool
 extends Label
-## The line of a dialog that says what will happen, or what is wrong.
+## The line of a dialog that describes the result or an error.
 
-## In pixels at 100 %: the text wraps at that width, so that its dialog knows its own height.
+## Wrapping width of the text in pixels at 100 %. It determines the height of the dialog.
 const LEAST_SIZE := Vector2(320.0, 50.0)
 
 var _is_problem := false
@@ -13,12 +13,12 @@ func _ready() -> void:
 		custom_minimum_size = LEAST_SIZE * EditorInterface.get_editor_scale()
 
 
-## Says what will happen.
+## Shows the expected result.
 func show_text(what: String) -> void:
 	_show(what, false)
 
 
-## Says what is wrong and what to do.
+## Shows an error and its solution.
 func show_problem(what: String) -> void:
 	_show(what, true)
 
@@ -35,7 +35,7 @@ func _show(what: String, is_problem: bool) -> void:
 
 
 func _dress() -> void:
-	# Set anew only where it differs: setting it tells that the theme changed.
+	# Sets the value only if it differs, because every change sends a theme notification.
 	var color := get_theme_color(&"error_color", &"Editor")
 	var is_dressed := has_theme_color_override(&"font_color")
 	if _is_problem and not (is_dressed and get_theme_color(&"font_color") == color):

@@ -1,8 +1,8 @@
 @tool
 extends ConfirmationDialog
-## Asks for the name and the folder of a new species.
+## The dialog for the name and the folder of a new species.
 
-## The user wants a species of that name there, and both can be used.
+## Emitted when the user confirms a valid name and folder.
 signal accepted(title: String, folder: String)
 
 const SpeciesTemplate := preload("species_template.gd")

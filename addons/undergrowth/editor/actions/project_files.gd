@@ -1,17 +1,17 @@
 @tool
 extends RefCounted
-## Writes files of the project so that nothing is lost: what cannot be written is found before
-## anything is changed, and a resource that is open somewhere is changed in place.
+## Writes files of the project without loss of data. It checks that a file can be written before it
+## changes anything, and updates an open resource in place.
 
 const Translations := preload("../translations/translations.gd")
 const PROJECT := "res://"
 const NOT_COPIED: Array[StringName] = [&"script", &"resource_path", &"resource_scene_unique_id"]
-## How a mesh says what is in CUSTOM0 to CUSTOM3: three bits each.
+## Mask of the format of CUSTOM0 to CUSTOM3 in a mesh: three bits each.
 const CUSTOM_FORMATS := 0xfff << Mesh.ARRAY_FORMAT_CUSTOM0_SHIFT
 
 
-## What keeps [param path] from being written, and what to do; empty where nothing does. Makes the
-## folder where it is missing.
+## Returns the reason that prevents writing [param path] and its solution, or an empty text. Creates
+## a missing folder.
 static func find_problem(path: String) -> String:
 	var folder := path.get_base_dir()
 	if not path.begins_with(PROJECT):
@@ -25,7 +25,7 @@ static func find_problem(path: String) -> String:
 	return "" if _can_write(path) else _refusal(path)
 
 
-## Saves [param mesh]. A mesh that scenes have already read from there changes for them too.
+## Saves [param mesh]. A mesh that scenes have loaded from that file changes in these scenes too.
 static func save_mesh(mesh: ArrayMesh, path: String) -> String:
 	var known := _get_known(path) as ArrayMesh
 	if known:
@@ -54,8 +54,8 @@ static func save_scene(root: Node, path: String) -> String:
 	return problem
 
 
-## Saves a copy of [param function], or itself where that is its file. Returns what is in the file
-## now, or null where it could not be written.
+## Saves a copy of [param function], or the function itself if the file is its own. Returns the
+## content of the file, or null if it could not be written.
 static func save_function(function: PlantFunction, path: String) -> PlantFunction:
 	var target := function
 	if function.resource_path != path:
@@ -71,14 +71,14 @@ static func save_function(function: PlantFunction, path: String) -> PlantFunctio
 	return target
 
 
-## Saves [param resource], and returns what went wrong and what to do.
+## Saves [param resource]. Returns the error and its solution, or an empty text.
 static func save(resource: Resource, path: String) -> String:
 	if ResourceSaver.save(resource, path, ResourceSaver.FLAG_COMPRESS) != OK:
 		return _refusal(path)
 	return ""
 
 
-## Tells the editor of a new or changed file.
+## Reports a new or changed file to the editor.
 static func announce(path: String) -> void:
 	var files := EditorInterface.get_resource_filesystem()
 	if files.get_filesystem_path(path.get_base_dir()):
@@ -87,7 +87,7 @@ static func announce(path: String) -> void:
 		announce_all()
 
 
-## Lets the editor look for all new and changed files, in a thread of its own.
+## Starts the editor's scan for new and changed files, in its own thread.
 static func announce_all() -> void:
 	var files := EditorInterface.get_resource_filesystem()
 	if not files.is_scanning():
@@ -112,7 +112,7 @@ static func _can_make(folder: String) -> bool:
 	return _can_write(existing.path_join(".undergrowth"))
 
 
-## A file that is there keeps its content; one that is not is gone again.
+## Checks that the file can be written. An existing file keeps its content, a new one is removed.
 static func _can_write(path: String) -> bool:
 	if FileAccess.file_exists(path):
 		return FileAccess.open(path, FileAccess.READ_WRITE) != null

@@ -1,14 +1,14 @@
 @tool
 extends RefCounted
-## Whether two resources say the same, wherever they are kept.
+## Compares the values of two resources, regardless of their files.
 
-## They say where a resource is, not what it is.
+## Properties of a resource's location, which do not count.
 const NOT_COMPARED: Array[StringName] = [
 	&"script", &"resource_path", &"resource_name", &"resource_scene_unique_id"
 ]
 
 
-## True where both are one, or embedded and without a difference.
+## True if both are the same object, or embedded and equal.
 static func are_equal(a: Resource, b: Resource) -> bool:
 	if a == b:
 		return true
@@ -19,7 +19,7 @@ static func are_equal(a: Resource, b: Resource) -> bool:
 	return a.is_built_in() and b.is_built_in() and has_equal_properties(a, b)
 
 
-## True where all that is saved of both is the same.
+## True if all saved values of both are equal.
 static func has_equal_properties(a: Resource, b: Resource) -> bool:
 	for property: Dictionary in a.get_property_list():
 		var name: StringName = property["name"]
@@ -37,7 +37,7 @@ static func _is_equal_value(a: Variant, b: Variant) -> bool:
 		return _is_equal_list(a as Array, b as Array)
 	if typeof(a) != typeof(b):
 		return false
-	# An angle is not the same to the last bit after a setter took it.
+	# A setter can change the last bit of an angle.
 	if a is float:
 		return is_equal_approx(a as float, b as float)
 	return a == b or (a is Vector2 and (a as Vector2).is_equal_approx(b as Vector2))

@@ -1,6 +1,6 @@
 @tool
 extends RefCounted
-## What changes the edited scene: each is one step that Godot's undo takes back.
+## Changes of the edited scene. Each is one step of Godot's undo.
 
 const Translations := preload("../translations/translations.gd")
 const FieldDefaults := preload("field_defaults.gd")
@@ -11,7 +11,7 @@ const ScenePlants := preload("../wind_page/scene_plants.gd")
 
 
 ## Adds [param plant], a single one or a field, below [param parent] in the scene of [param root],
-## upright at [param point] of the world.
+## upright at [param point] in world axes.
 static func add(
 	undo: EditorUndoRedoManager, root: Node, parent: Node, plant: Node3D, point: Vector3
 ) -> void:
@@ -25,7 +25,7 @@ static func add(
 	undo.commit_action()
 
 
-## A plant that is ready to be added.
+## Returns a plant that is ready to be added.
 static func make_plant(function: PlantFunction, wind: PlantWind, title: String) -> Plant3D:
 	var plant := Plant3D.new()
 	plant.name = FileNames.to_node_name(title)
@@ -34,7 +34,7 @@ static func make_plant(function: PlantFunction, wind: PlantWind, title: String) 
 	return plant
 
 
-## A field of that species that is ready to be added, as dense as suits its size.
+## Returns a field of that species that is ready to be added, with the density for its size.
 static func make_field(function: PlantFunction, wind: PlantWind, title: String) -> PlantField3D:
 	var field := FieldDefaults.make_field(function)
 	field.name = FileNames.to_node_name(title) + "Field"
@@ -42,8 +42,8 @@ static func make_field(function: PlantFunction, wind: PlantWind, title: String) 
 	return field
 
 
-## The field of a mix that is ready to be added. It is the scene's own: what is changed on it later
-## reaches no other field of that mix. Its species stay in their files.
+## Returns the field of a mix that is ready to be added. The scene owns the field: its changes do
+## not affect other fields of that mix. Its species stay in their files.
 static func make_mix(mix: PackedScene, wind: PlantWind) -> PlantField3D:
 	var field := mix.instantiate() as PlantField3D
 	field.scene_file_path = ""
@@ -59,9 +59,9 @@ static func make_mix(mix: PackedScene, wind: PlantWind) -> PlantField3D:
 	return field
 
 
-## Gives all [param plants] of the scene of [param root] the same function: single plants become
-## that species, and in fields it grows beside those that they have, which stay as dense as they
-## are. Fields in still air get [param wind].
+## Gives all [param plants] of the scene of [param root] the same function. Single plants change to
+## that species. Fields get it in addition to their species, whose densities stay the same. Fields
+## without wind get [param wind].
 static func assign(
 	undo: EditorUndoRedoManager,
 	root: Node,
@@ -80,7 +80,7 @@ static func assign(
 	undo.commit_action()
 
 
-## The selected plants and fields that belong to the scene of [param root].
+## Returns the selected plants and fields that belong to the scene of [param root].
 static func get_selected_plants(root: Node) -> Array[Node3D]:
 	var plants: Array[Node3D] = []
 	for node in EditorInterface.get_selection().get_selected_nodes():
@@ -89,7 +89,7 @@ static func get_selected_plants(root: Node) -> Array[Node3D]:
 	return plants
 
 
-## Where a new plant belongs: below the selected Node3D, but not below another plant or a field.
+## Returns the parent for a new plant: the selected Node3D, except another plant or a field.
 static func get_parent_for_new(root: Node) -> Node:
 	for node in EditorInterface.get_selection().get_selected_nodes():
 		var parent := node
@@ -100,9 +100,9 @@ static func get_parent_for_new(root: Node) -> Node:
 	return root
 
 
-## [param function] where it has a file of its own, or [param origin], the file that it was copied
-## from, while it is equal. Else what the scene of [param root] has already and is equal, or a copy:
-## later edits in the dock must not reach into the scene.
+## Returns [param function] if it has its own file, or its [param origin] file if both are equal.
+## Otherwise returns an equal function of the scene of [param root], or a copy. A copy prevents
+## later edits in the dock from changing the scene.
 static func to_scene_function(
 	function: PlantFunction, root: Node, origin: PlantFunction = null
 ) -> PlantFunction:
@@ -116,7 +116,7 @@ static func to_scene_function(
 	return function.duplicate(true)
 
 
-## The wind of the scene of [param root], or a copy of [param fallback] where none blows yet.
+## Returns the wind of the scene of [param root], or a copy of [param fallback] if it has none.
 static func to_scene_wind(fallback: PlantWind, root: Node) -> PlantWind:
 	for plant in ScenePlants.all(root):
 		var wind: PlantWind = plant.get(&"wind")

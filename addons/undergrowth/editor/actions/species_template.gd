@@ -1,6 +1,6 @@
 @tool
 extends RefCounted
-## A new species as a script: four functions to change, each with a comment.
+## The script of a new species: four functions to change, each with a comment.
 
 const Translations := preload("../translations/translations.gd")
 const FileNames := preload("file_names.gd")
@@ -40,13 +40,13 @@ func _calculate_color_at_point(offset: float) -> Color:
 '''
 
 
-## The file of a species called [param title].
+## Returns the file of a species called [param title].
 static func path_of(title: String, folder: String) -> String:
 	return folder.path_join(FileNames.to_stem(title.trim_suffix(FileNames.CLASS_ENDING)) + ".gd")
 
 
-## What keeps a species called [param title] from being made in [param folder], and what to do;
-## empty where nothing does. Writes nothing.
+## Returns the reason that prevents a species called [param title] in [param folder] and its
+## solution, or an empty text. Writes nothing.
 static func find_problem(title: String, folder: String) -> String:
 	var class_title := FileNames.to_class_title(title)
 	if class_title.is_empty():
@@ -63,7 +63,7 @@ static func find_problem(title: String, folder: String) -> String:
 	return ""
 
 
-## Writes the script, and returns what went wrong and what to do; empty where nothing did.
+## Writes the script. Returns the error and its solution, or an empty text.
 static func write(title: String, folder: String) -> String:
 	var problem := find_problem(title, folder)
 	var path := path_of(title, folder)
@@ -77,7 +77,7 @@ static func write(title: String, folder: String) -> String:
 	return ""
 
 
-## The script's text.
+## Returns the script's text.
 static func make_source(title: String) -> String:
 	var heading := " ".join(title.strip_edges().split("\n", false))
 	return TEMPLATE.format({"class": FileNames.to_class_title(title), "title": heading})

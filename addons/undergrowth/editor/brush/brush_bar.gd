@@ -1,15 +1,15 @@
 @tool
 extends HBoxContainer
-## What can be done with a field, in the toolbar over the 3D view: the brush's tools, and filling it
-## again.
+## The field's tools in the toolbar of the 3D view: the tools of the brush, and a button to rebuild
+## the field.
 
-## The field is to be filled again.
+## Emitted when the user requests a rebuild of the field.
 signal fill_wanted
 
 const BrushOptions := preload("brush_options.gd")
 const Translations := preload("../translations/translations.gd")
 
-## The editor's own icons, by tool.
+## Icons of the editor, by tool.
 const ICONS: Array[StringName] = [&"", &"Paint", &"Eraser", &"ExpandTree", &"ColorPick"]
 const FILL_ICON := &"Reload"
 

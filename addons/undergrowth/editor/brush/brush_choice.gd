@@ -1,7 +1,7 @@
 @tool
 extends RefCounted
-## Which species the brush paints: of those that the field grows, and the one that was picked in the
-## dock's list, which a stroke adds to the field where it is not there yet.
+## The species that the brush paints: species of the field, and the one picked in the dock's list. A
+## stroke adds the picked species to a field without it.
 
 const EditorState := preload("../editor_state.gd")
 const FieldNewcomer := preload("../actions/field_newcomer.gd")
@@ -14,13 +14,13 @@ var _state: EditorState
 var _options: BrushOptions
 var _settings: BrushSettings
 var _field: PlantField3D
-# The dock's species is painted, whether the field has it yet or not.
+# The dock's species is painted, whether or not the field already has it.
 var _has_picked := false
-# What the field's map will call the picked species; nothing where the field has it.
+# Map layer for the picked species. Empty if the field already has the species.
 var _newcomer := ""
 
 
-## Changes [param options] and shows in [param settings] what is picked in the dock of
+## Changes [param options] and shows in [param settings] the species picked in the dock of
 ## [param state].
 func setup(state: EditorState, options: BrushOptions, settings: BrushSettings) -> void:
 	_state = state
@@ -33,14 +33,14 @@ func close() -> void:
 	_state.picked.disconnect(_on_picked)
 
 
-## Is about [param field] from now on; null: about none.
+## Sets the edited field, or none if [param field] is null.
 func edit(field: PlantField3D) -> void:
 	_field = field
 	_has_picked = false
 	refresh()
 
 
-## The field may grow something else now.
+## Call after a possible change of the field's species.
 func refresh() -> void:
 	var names := FieldNewcomer.layers_of(_field) if _field else PackedStringArray()
 	_newcomer = ""
@@ -51,7 +51,7 @@ func refresh() -> void:
 	_keep_only(names)
 
 
-## The entry that a stroke adds to the field; null for most strokes.
+## Returns the entry that a stroke adds to the field, usually null.
 func bring_newcomer() -> PlantFieldSpecies:
 	if not _newcomer or not _newcomer in _options.species:
 		return null

@@ -4,13 +4,14 @@ extends RefCounted
 
 const BrushGround := preload("brush_ground.gd")
 
-## Of the outer circle. Each takes one ray.
+## Points of the outer circle. Each needs one ray.
 const POINTS := 24
-## Over and under the field's plane ground is looked for, in radii and at least in metres.
+## Range of the ground search above and below the field's plane, in radii, and its minimum in
+## metres.
 const REACH := 1.0
 const LEAST_REACH := 2.0
 const LIFT := 0.03
-## As a part of the radius.
+## As a fraction of the radius.
 const BREADTH := 0.06
 const COLORS: Array[Color] = [
 	Color.WHITE, Color(0.55, 1.0, 0.4), Color(1.0, 0.45, 0.35), Color(0.5, 0.75, 1.0), Color.WHITE
@@ -43,8 +44,8 @@ func hide() -> void:
 	RenderingServer.instance_set_visible(_instance, false)
 
 
-## Lies around [param middle] on the ground of [param field], in the colour of [param tool]: the
-## outer circle is the radius, the inner one where the falloff begins.
+## Draws the circle around [param middle] on the ground of [param field], in the colour of
+## [param tool]. The outer circle is the radius, the inner one is the start of the falloff.
 func show_at(
 	field: PlantField3D, middle: Vector3, radius: float, falloff: float, tool: int
 ) -> void:
@@ -59,7 +60,7 @@ func show_at(
 		_add_ring(places, middle, inner, 0.5 * BREADTH)
 
 
-# Of the outer circle, on the ground.
+# Points of the outer circle on the ground.
 static func _find_places(field: PlantField3D, middle: Vector3, radius: float) -> PackedVector3Array:
 	var reach := maxf(radius * REACH, LEAST_REACH)
 	var plane := Plane(Vector3.UP, middle.y)
@@ -70,13 +71,13 @@ static func _find_places(field: PlantField3D, middle: Vector3, radius: float) ->
 		var met: Variant = BrushGround.find(field, above, Vector3.DOWN, plane)
 		var place: Vector3 = met if met is Vector3 else middle + out
 		if place.y < middle.y - reach:
-			place.y = middle.y  # Over an edge.
+			place.y = middle.y  # Beyond an edge.
 		places.append(place)
 	return places
 
 
-# At [param part] of the way from the middle to [param places], as broad as [param breadth] of it.
-# Inner circles take no rays of their own.
+# Draws a circle at [param part] of the way from the middle to [param places], with that share of
+# [param breadth]. Inner circles need no rays.
 func _add_ring(places: PackedVector3Array, middle: Vector3, part: float, breadth: float) -> void:
 	_mesh.surface_begin(Mesh.PRIMITIVE_TRIANGLE_STRIP, _material)
 	for i in POINTS + 1:

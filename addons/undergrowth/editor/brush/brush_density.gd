@@ -1,10 +1,10 @@
 @tool
 extends RefCounted
-## How densely a field grows its species: what the mix gives each of them, and what the field has
-## room for. All densities are in plants per square metre of the field's own axes.
+## Densities of a field's species: those of the mix, and the maximum of the field. All densities are
+## in plants per square metre in the field's own axes.
 
 
-## The density that the mix gives the species called [param title].
+## Returns the density of the species called [param title] in the mix.
 static func of_mix(field: PlantField3D, title: String) -> float:
 	var shares := 0.0
 	var own := 0.0
@@ -16,7 +16,7 @@ static func of_mix(field: PlantField3D, title: String) -> float:
 	return field.density * own / shares if shares > 0.0 else 0.0
 
 
-## The density of all species called [param titles] together.
+## Returns the total density of the species called [param titles].
 static func sum_of_mix(field: PlantField3D, titles: PackedStringArray) -> float:
 	var sum := 0.0
 	for title in titles:
@@ -24,8 +24,8 @@ static func sum_of_mix(field: PlantField3D, titles: PackedStringArray) -> float:
 	return sum
 
 
-## Divides [param density] among [param titles] as the mix does: a density for each. Where the mix
-## has none of them, all get the same.
+## Divides [param density] among [param titles] in the proportions of the mix. Divides equally if
+## the mix contains none of them.
 static func divide(
 	field: PlantField3D, titles: PackedStringArray, density: float
 ) -> PackedFloat64Array:
@@ -37,7 +37,7 @@ static func divide(
 	return parts
 
 
-## The density that the map of [param field] wants of the species called [param title] at
+## Returns the density of the species called [param title] in the map of [param field] at
 ## [param point], in the field's own axes.
 static func at(field: PlantField3D, title: String, point: Vector3) -> float:
 	var share := field.map.get_density(point, title)

@@ -1,21 +1,21 @@
 @tool
 extends RefCounted
-## The ground under the brush: an object's where a field stands on one, such as a terrain of another
-## add-on, which need not have colliders. Else what a ray meets in the world.
+## Finds the ground under the brush: the field's ground object, such as a terrain of another add-on,
+## which needs no colliders. Without one, the first hit of a ray in the world.
 
 const Ground := preload("../actions/ground.gd")
 
-## A ray over an object's ground goes on in steps: a part of its way, and at least so many metres.
+## Step of a ray over an object's ground: a fraction of its length, and a minimum in metres.
 const STEP_SHARE := 0.02
 const LEAST_STEP := 0.25
-## Then the place is looked for between two steps.
+## Number of bisections between two steps.
 const HALVINGS := 14
 
-## Rays since the add-on was loaded: all that the brush costs while the pointer moves.
+## Rays since the add-on was loaded: the whole cost of the brush while the pointer moves.
 static var ray_count := 0
 
 
-## Where the ground of [param field] is met from [param from] on; null where it is not.
+## Returns the first ground of [param field] from [param from] on, or null.
 static func find(field: PlantField3D, from: Vector3, direction: Vector3, plane: Plane) -> Variant:
 	ray_count += 1
 	var terrain := find_object(field)
@@ -23,7 +23,7 @@ static func find(field: PlantField3D, from: Vector3, direction: Vector3, plane: 
 	return met if met is Vector3 else Ground.find_seen(field.get_world_3d(), from, direction, plane)
 
 
-## What tells [param field] of heights; null where it stands on something else.
+## Returns the ground object of [param field], or null if it uses another ground.
 static func find_object(field: PlantField3D) -> Object:
 	var path := field.ground_object
 	if field.ground_mode != PlantField3D.GROUND_OBJECT or path.is_empty():
@@ -62,7 +62,7 @@ static func _narrow(
 	return from + direction * below
 
 
-# NAN over a hole, which no comparison takes for ground.
+# NAN over a hole. Comparisons with it are false, so that it never counts as ground.
 static func _height_over(terrain: Object, place: Vector3) -> float:
 	var height: Variant = terrain.call(&"get_height", place)
 	return place.y - height if height is float or height is int else NAN

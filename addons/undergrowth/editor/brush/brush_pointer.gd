@@ -1,7 +1,7 @@
 @tool
 extends RefCounted
-## The pointer over a 3D view, and where it meets the ground. It casts a ray only where the pixel,
-## the camera or the field is another one.
+## The pointer over a 3D view, and its point on the ground. It casts a ray only after a change of
+## pixel, camera or field.
 
 const BrushGround := preload("brush_ground.gd")
 
@@ -13,23 +13,23 @@ var _found: Variant
 var _found_by: Array = []
 
 
-## The pointer is where [param event] says, in the view of [param camera].
+## Moves the pointer to the position of [param event] in the view of [param camera].
 func move_to(camera: Camera3D, event: InputEventMouse) -> void:
 	_camera = camera
 	_point = event.position
 	if event is InputEventMouseButton:
-		_found_by = []  # A stroke begins on the ground as it is now.
+		_found_by = []  # A stroke starts on the current ground.
 	is_ctrl_pressed = event.ctrl_pressed
 
 
-## What a ray through the pointer depends on.
+## The values that determine the result of a ray through the pointer.
 func get_sight() -> Array:
 	if not is_instance_valid(_camera):
 		return []
 	return [_camera, _camera.global_transform, _camera.get_camera_projection(), _point.floor()]
 
 
-## On the ground of [param field] under the pointer; null in the sky.
+## Returns the point on the ground of [param field] under the pointer, or null in the sky.
 func find_place(field: PlantField3D) -> Variant:
 	if not is_instance_valid(_camera):
 		return null

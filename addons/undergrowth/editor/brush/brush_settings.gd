@@ -1,25 +1,25 @@
 @tool
 extends MarginContainer
-## What the brush is set to, below the 3D view: numbers, and the species of the field to choose
-## from. The toolbar above it stays as it is when a tool is chosen.
+## The settings of the brush below the 3D view: numbers, and the species of the field. The toolbar
+## above it does not change with the tool.
 
 const BrushDensity := preload("brush_density.gd")
 const BrushOptions := preload("brush_options.gd")
 const SpeciesMenu := preload("species_menu.gd")
 const Translations := preload("../translations/translations.gd")
 
-## Beside the row, in pixels at 100 %.
+## Distance from the row, in pixels at 100 %.
 const MARGIN := 8
 ## In pixels at 100 %.
 const THUMBNAIL := 24
-## More species than these are in a menu.
+## Maximum number of buttons. More species are in a menu.
 const MOST_BUTTONS := 3
 
 var _options: BrushOptions
 var _field: PlantField3D
-# The names of the buttons of species, in their order.
+# Layers of the species buttons, in their order.
 var _names: PackedStringArray = []
-# Of what the field does not grow yet.
+# Layer of the species that the field does not contain yet.
 var _newcomer := ""
 
 @onready var _numbers: HBoxContainer = %Numbers
@@ -54,8 +54,8 @@ func setup(options: BrushOptions) -> void:
 	_show()
 
 
-## Offers what [param field] grows (null: nothing), and [param newcomer], which it does not grow yet
-## and whose name in the map is to be [param title].
+## Shows the species of [param field] (null: none), and [param newcomer], which the field does not
+## contain yet. Its layer in the map will be [param title].
 func show_field(field: PlantField3D, newcomer: PlantFunction = null, title := "") -> void:
 	_field = field
 	var functions: Array[PlantFunction] = []
@@ -81,7 +81,7 @@ func show_field(field: PlantField3D, newcomer: PlantFunction = null, title := ""
 	_show()
 
 
-## Shows [param text] beside the settings until something of them changes.
+## Shows [param text] beside the settings until one of them changes.
 func tell(text: String) -> void:
 	_told.text = text
 	_told.visible = not text.is_empty()
@@ -141,12 +141,12 @@ func _choose(title: String, is_on: bool) -> void:
 	_options.species = chosen
 
 
-# What is painted with these settings, of what the field grows.
+# Returns the layers that these settings paint.
 func _painted_names() -> PackedStringArray:
 	return _options.species if _options.species else _names
 
 
-# The slider ends at the density of all species together: a field has room for no more plants.
+# The slider ends at the total density of all species, which is the maximum of the field.
 func _show_density() -> void:
 	var is_shown := _options.tool == BrushOptions.Tool.PAINT
 	_density.visible = is_shown
@@ -154,7 +154,7 @@ func _show_density() -> void:
 	_as_mixed.set_pressed_no_signal(_options.is_as_mixed)
 	if not is_instance_valid(_field):
 		return
-	_density.set_value_no_signal(0.0)  # Else a lower maximum would count as a value that was set.
+	_density.set_value_no_signal(0.0)  # Without it a lower maximum would count as a new value.
 	_density.max_value = maxf(BrushDensity.sum_of_mix(_field, _names), _density.step)
 	var mixed := BrushDensity.sum_of_mix(_field, _painted_names())
 	_density.set_value_no_signal(mixed if _options.is_as_mixed else _options.density)

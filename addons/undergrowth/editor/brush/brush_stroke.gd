@@ -1,8 +1,7 @@
 @tool
 extends RefCounted
 ## One stroke of the brush on the map of a field, from press to release: one step of undo. A field
-## without a map gets one, on which its area is painted as it is full. A newcomer among its species
-## comes with the stroke, too.
+## without a map gets one with the density of its area. The stroke also adds a new species.
 
 const FieldNewcomer := preload("../actions/field_newcomer.gd")
 const Translations := preload("../translations/translations.gd")
@@ -10,7 +9,7 @@ const BrushDensity := preload("brush_density.gd")
 const BrushOptions := preload("brush_options.gd")
 
 const GRASS := "res://addons/undergrowth/species/meadow_grass.tres"
-## Touches are so many radii apart.
+## Distance between touches, in radii.
 const SPACING := 0.35
 
 var _field: PlantField3D
@@ -56,7 +55,7 @@ func _init(
 	_densities = BrushDensity.divide(field, _names, options.density)
 
 
-## The brush goes to [param place], in the world, pressed by [param pressure] (0 to 1).
+## Moves the brush to [param place], in world axes, with [param pressure] (0 to 1).
 func move_to(place: Vector3, pressure: float) -> void:
 	var goal := _field.to_local(place)
 	var step := maxf(_radius() * SPACING, 0.01)
@@ -69,7 +68,7 @@ func move_to(place: Vector3, pressure: float) -> void:
 		_touch(_last, pressure)
 
 
-## Why the stroke changed nothing, or nothing that can be seen. Empty where there is no such reason.
+## Returns the reason for a stroke without any change or visible change, or an empty text.
 func explain() -> String:
 	if _last == Vector3.INF:
 		return ""
@@ -137,7 +136,7 @@ func _make_map() -> PlantMap:
 	return map
 
 
-# What is chosen of what the field grows: all where nothing is.
+# Returns the chosen layers of the field, or all if none is chosen.
 func _choose_names() -> PackedStringArray:
 	var names := FieldNewcomer.layers_of(_field)
 	if _options.species.is_empty():
@@ -173,7 +172,7 @@ func _explain_nothing(names: String) -> String:
 	return told % [names, String.num(density, 2)]
 
 
-# Where more is painted than the field has room for, less of each species grows.
+# Scales all species down if the painted density exceeds the field's maximum.
 func _explain_room() -> String:
 	var room := BrushDensity.sum_of_mix(_field, FieldNewcomer.layers_of(_field))
 	var painted := 0.0

@@ -1,6 +1,6 @@
 @tool
 extends RefCounted
-## The brush in the 3D view: what the mouse, the pen and the keys do while a field is edited.
+## The brush in the 3D view: mouse, pen and keys during the editing of a field.
 
 const EditorState := preload("../editor_state.gd")
 const BrushBar := preload("brush_bar.gd")
@@ -24,18 +24,18 @@ var _settings: BrushSettings
 var _circle: BrushCircle
 var _pointer := BrushPointer.new()
 var _is_circle_due := false
-# All that the circle was last shown by.
+# The values of the last update of the circle.
 var _circle_look: Array = []
 var _field: PlantField3D
 var _stroke: BrushStroke
 var _pen := PenPressure.new()
-# The stroke has not touched the ground yet.
+# True until the stroke has touched the ground.
 var _waits_for: Variant
 var _choice := BrushChoice.new()
 
 
-## Adds the toolbar and the settings to the 3D editor of [param plugin]. What is picked in the dock
-## of [param state] is painted.
+## Adds the toolbar and the settings to the 3D editor of [param plugin]. It paints the species
+## picked in the dock of [param state].
 func setup(plugin: EditorPlugin, state: EditorState) -> void:
 	_plugin = plugin
 	plugin.get_undo_redo().history_changed.connect(_on_history_changed)
@@ -54,7 +54,7 @@ func setup(plugin: EditorPlugin, state: EditorState) -> void:
 	options.changed.connect(_on_options_changed)
 
 
-## Takes it away again.
+## Removes the toolbar and the settings.
 func close() -> void:
 	end_stroke()
 	_choice.close()
@@ -67,7 +67,7 @@ func close() -> void:
 	_circle = null
 
 
-## Works on [param field] from now on; null: on none.
+## Sets the edited field, or none if [param field] is null.
 func edit(field: PlantField3D) -> void:
 	if field == _field:
 		return
@@ -84,7 +84,7 @@ func edit(field: PlantField3D) -> void:
 	_hide_circle()
 
 
-## What happened over a 3D view. Whether nobody else is to hear of it.
+## Handles an event of a 3D view. Returns true if it consumed the event.
 func handle(camera: Camera3D, event: InputEvent) -> bool:
 	if not _field or options.tool == BrushOptions.Tool.NONE:
 		return false
@@ -153,14 +153,14 @@ func _begin_stroke(place: Vector3, tool: BrushOptions.Tool, smooths: bool) -> vo
 	_choice.refresh()
 
 
-# Where the stroke began, once it is known how strongly.
+# Touches the start of the stroke when the pressure is available.
 func _touch_first(pressure: float) -> void:
 	if _waits_for is Vector3:
 		_stroke.move_to(_waits_for, pressure)
 		_waits_for = null
 
 
-# What grows there is what is painted from now on, as densely and as high.
+# Picks the species, density and height at the pointer for the next strokes.
 func _pick(place: Vector3) -> void:
 	var map := _field.map
 	if not map:
@@ -184,8 +184,8 @@ func _pick(place: Vector3) -> void:
 	options.tool = BrushOptions.Tool.PAINT
 
 
-## Finishes a stroke that is being drawn, while the scene is still the edited one: the step of undo
-## belongs to that scene.
+## Ends a stroke in progress while its scene is still the edited one. The step of undo belongs to
+## that scene.
 func end_stroke() -> void:
 	if not _stroke:
 		return
@@ -203,13 +203,13 @@ func _on_fill_wanted() -> void:
 		_field.rebuild()
 
 
-# Undo takes species away, and the inspector may do so, too.
+# Undo and the inspector can remove species too.
 func _on_history_changed() -> void:
 	if _field and not _stroke:
 		_choice.refresh()
 
 
-# Once a frame, however often the pointer moves in it.
+# Once per frame, for any number of pointer events.
 func _show_circle_soon() -> void:
 	if not _is_circle_due:
 		_is_circle_due = true

@@ -1,12 +1,12 @@
 @tool
 extends MenuButton
-## The species of a field that has more of them than a toolbar has room for: a menu in which several
-## can be chosen, with their pictures.
+## A menu with pictures for the species of a field, if a toolbar has no room for them. Several can
+## be selected.
 
-## The user chose [param title], or chose it no more.
+## Emitted when the user selected or deselected [param title].
 signal chosen(title: String, is_on: bool)
 
-## Of a picture, in pixels at 100 %.
+## Size of a picture, in pixels at 100 %.
 const PICTURE := 32
 
 var _names: PackedStringArray = []
@@ -17,7 +17,7 @@ func _ready() -> void:
 	get_popup().index_pressed.connect(_on_index_pressed)
 
 
-## Offers [param names]; [param newcomer] among them is not the field's yet.
+## Shows [param names]. The field does not contain [param newcomer] yet.
 func fill(names: PackedStringArray, newcomer: String) -> void:
 	_names = names
 	var popup := get_popup()
@@ -27,7 +27,7 @@ func fill(names: PackedStringArray, newcomer: String) -> void:
 		popup.add_check_item("+ " + title if title == newcomer else title)
 
 
-## [param picture] is of the species called [param title].
+## Sets the picture of the species called [param title].
 func show_picture(title: String, picture: Texture2D) -> void:
 	var at := _names.find(title)
 	if at >= 0:
@@ -36,7 +36,7 @@ func show_picture(title: String, picture: Texture2D) -> void:
 		get_popup().set_item_icon_max_width(at, width)
 
 
-## Tells which of them are [param painted]; none: all.
+## Marks [param painted] as selected. Empty: all.
 func show_painted(painted: PackedStringArray) -> void:
 	var count := 0
 	var last := ""

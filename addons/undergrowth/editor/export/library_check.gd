@@ -1,7 +1,7 @@
 @tool
 extends EditorExportPlugin
-## Tells, when an export begins, that the add-on has no library for the game: the engine leaves out
-## one that is not there without a word.
+## Reports at the start of an export that the add-on has no library for the game. The engine omits a
+## missing library without a message.
 
 const EXTENSION := "undergrowth.gdextension"
 const SECTION := "libraries"
@@ -29,7 +29,7 @@ func _export_begin(
 		)
 
 
-## One sentence for each library that an export with these [param features] lacks.
+## Returns one sentence for each library that an export with these [param features] lacks.
 func find_faults(features: PackedStringArray) -> PackedStringArray:
 	var faults: PackedStringArray = []
 	var list := ConfigFile.new()
@@ -55,14 +55,14 @@ func find_faults(features: PackedStringArray) -> PackedStringArray:
 	return faults
 
 
-# What a game for all Macs is exported for, or the one processor of any other.
+# An export for macOS is for both processors or for one.
 func _architectures(features: PackedStringArray) -> Array[String]:
 	if UNIVERSAL in features:
 		return ARCHITECTURES.slice(0, 2)
 	return ARCHITECTURES.filter(func(name: String) -> bool: return name in features)
 
 
-# As the engine chooses: all words of a key are features of the export.
+# The engine's rule: all words of a key are features of the export.
 func _find_library(list: ConfigFile, features: PackedStringArray, architecture: String) -> String:
 	for key in list.get_section_keys(SECTION):
 		var words := Array(key.split("."))

@@ -1,30 +1,30 @@
 @tool
 extends RefCounted
-## What fields of a scene may stand on: the shapes of its bodies, and the solids of its CSG nodes.
+## Possible ground of fields in a scene: the shapes of its bodies, and the solids of its CSG nodes.
 
-## As good as endless, in metres.
+## Practically infinite, in metres.
 const ENDLESS := 1.0e6
 
 
-## One of them, as it was when it was looked at.
+## One of them, at the time of the collection.
 class Shape:
 	extends RefCounted
-	## Where it is and what it is like: with another state, the ground is another.
+	## Position and parameters. A different state means a different ground.
 	var state: Array = []
-	## In the world's axes.
+	## In world axes.
 	var box: AABB
-	## The body, or the CSG node.
+	## The body or the CSG node.
 	var node_id := 0
 
 
-# The box of each shape in its own axes, by its id, until it tells that it changed.
+# Box of each shape in its own axes, by its id. Valid until the shape reports a change.
 var _boxes: Dictionary[int, AABB] = {}
-# How often it did.
+# Number of reported changes of each shape.
 var _changes: Dictionary[int, int] = {}
 
 
-## All that is solid below [param root] on one of the physics layers of [param mask], by the ids of
-## its nodes.
+## Returns all solids below [param root] on one of the physics layers of [param mask], by the ids of
+## their nodes.
 func survey(root: Node, mask: int) -> Dictionary[int, Shape]:
 	var found: Dictionary[int, Shape] = {}
 	for node: CollisionShape3D in root.find_children("*", "CollisionShape3D", true, false):
@@ -37,7 +37,7 @@ func survey(root: Node, mask: int) -> Dictionary[int, Shape]:
 	return found
 
 
-## Lets go of the shapes.
+## Releases the shapes.
 func close() -> void:
 	for id in _changes:
 		var shape := instance_from_id(id) as Shape3D

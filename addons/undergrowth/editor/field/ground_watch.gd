@@ -1,26 +1,26 @@
 @tool
 extends RefCounted
-## Fields that stand on colliders are filled again once a step of the edited scene moved the ground
-## below them, or took it away: when a drag has ended, not in the midst of it.
+## Rebuilds fields on colliders when a step of the edited scene moved or removed their ground. A
+## drag has an effect at its end only.
 ##
-## The engine tells nobody that a collider was moved. So each step of undo is followed by a look at
-## the shapes of the scene, where it has such a field.
+## The engine has no signal for moved colliders. After each step of undo this class compares the
+## shapes of a scene with such a field.
 
 const GroundShapes := preload("ground_shapes.gd")
 
 var _plugin: EditorPlugin
 var _shapes := GroundShapes.new()
-# What was solid when somebody looked last, and in which scene; 0: in none that counts.
+# Solids of the last comparison, and the id of its scene. 0: no scene.
 var _seen: Dictionary[int, GroundShapes.Shape] = {}
 var _scene_id := 0
 var _waits := false
 
 
-## Looks at the edited scene after each step of undo.
+## Compares the edited scene after each step of undo.
 func setup(plugin: EditorPlugin) -> void:
 	_plugin = plugin
-	plugin.get_undo_redo().history_changed.connect(_look_soon)  # A step was made,
-	plugin.get_undo_redo().version_changed.connect(_look_soon)  # was undone or redone.
+	plugin.get_undo_redo().history_changed.connect(_look_soon)  # A step was added.
+	plugin.get_undo_redo().version_changed.connect(_look_soon)  # A step was undone or redone.
 	plugin.scene_changed.connect(_on_scene_changed)
 	_look_soon()
 
@@ -46,7 +46,7 @@ func _look_soon() -> void:
 		_tree().process_frame.connect(_on_frame)
 
 
-# Sliders of the inspector make steps while they are dragged.
+# Sliders of the inspector create steps while the user drags them.
 func _on_frame() -> void:
 	if Input.is_mouse_button_pressed(MOUSE_BUTTON_LEFT):
 		return
@@ -90,7 +90,7 @@ func _find_fields(root: Node) -> Array[PlantField3D]:
 	return found
 
 
-# Where something was and is no more, and where it is now.
+# Returns the old and the new areas of changed solids.
 func _compare(
 	before: Dictionary[int, GroundShapes.Shape], now: Dictionary[int, GroundShapes.Shape]
 ) -> Array[GroundShapes.Shape]:
@@ -104,7 +104,7 @@ func _compare(
 	return differing
 
 
-# From above, wherever it is in height.
+# Seen from above, at any height.
 func _is_under(shape: GroundShapes.Shape, field: PlantField3D) -> bool:
 	var node := instance_from_id(shape.node_id) as Node
 	if node and _pushes(node, field.bodies_group):
@@ -124,7 +124,7 @@ func _flat(box: AABB) -> Rect2:
 	return Rect2(box.position.x, box.position.z, box.size.x, box.size.z)
 
 
-# What pushes plants is not what they stand on.
+# Bodies that push plants are not their ground.
 func _pushes(node: Node, group: StringName) -> bool:
 	var above := node
 	while above and not group.is_empty():

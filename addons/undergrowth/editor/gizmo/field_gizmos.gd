@@ -1,22 +1,22 @@
 @tool
 extends "kept_gizmos.gd"
-## The gizmo of PlantField3D: a click into its area selects it. Its border is always drawn, and
-## while it is selected the box that holds its plants, what its exclusions keep free, roads as wide
-## as they are, and a handle on each side of a rectangle.
+## The gizmo of PlantField3D. A click into its area selects it. Its border is always visible. While
+## selected, it also shows the box of its plants, its exclusions, roads in their width, and a handle
+## on each side of a rectangle.
 
 const GizmoShapes := preload("gizmo_shapes.gd")
 
 const LEAST_SIZE := 0.1
-## Metres as far as a handle can be dragged out.
+## Maximum distance of a handle, in metres.
 const FARTHEST := 4096.0
-## Steps of the size in metres while a handle is dragged, and while Ctrl is held, too.
+## Steps of the size in metres during a drag, and during a drag with Ctrl.
 const STEP := 0.01
 const SNAP_STEP := 0.5
-## Height of the box in metres where a field does not know its own.
+## Height of the box in metres for a field without a height of its own.
 const LEAST_BOX := 0.5
-## Room around the border where a click still counts, as a share of its longer side.
+## Clickable margin around the border, as a fraction of its longer side.
 const ROOM := 0.02
-## The way out of the rectangle on each side, in the order of the handles' ids.
+## Outward direction of each side of the rectangle, by the ids of the handles.
 const SIDES: Array[Vector3] = [Vector3.RIGHT, Vector3.LEFT, Vector3.BACK, Vector3.FORWARD]
 
 
@@ -54,7 +54,7 @@ func _redraw(gizmo: EditorNode3DGizmo) -> void:
 	if not is_selected:
 		return
 	gizmo.add_lines(GizmoShapes.box(_box_of(field, corners)), get_material("box", gizmo))
-	if field.outline.is_empty() and not field.map:  # The size of a painted field means nothing.
+	if field.outline.is_empty() and not field.map:  # A painted field has no size.
 		_add_handles(gizmo, field)
 
 
@@ -62,7 +62,7 @@ func _get_handle_name(_gizmo: EditorNode3DGizmo, _id: int, _secondary: bool) -> 
 	return tr("Size")
 
 
-## The size and the place of the field: the side across stays where it is.
+## Sets the size and the position of the field. The opposite side stays in place.
 func _get_handle_value(gizmo: EditorNode3DGizmo, _id: int, _secondary: bool) -> Variant:
 	var field := gizmo.get_node_3d() as PlantField3D
 	return [field.size, field.position] if field else []
@@ -108,8 +108,8 @@ func _commit_handle(
 	_undo.commit_action()
 
 
-# The editor asks a gizmo only where the box around all that can be clicked is hit: without room,
-# the border itself would be missed half the time.
+# The editor tests a gizmo only if the ray hits the box of its clickable shapes. Without a margin,
+# half of the clicks on the border would miss.
 static func _room_around(corners: PackedVector3Array) -> PackedVector3Array:
 	var box := AABB(corners[0], Vector3.ZERO)
 	for corner in corners:
@@ -145,7 +145,7 @@ func _add_handles(gizmo: EditorNode3DGizmo, field: PlantField3D) -> void:
 	gizmo.add_handles(places, get_material("side", gizmo), ids)
 
 
-# Over the border as high as the plants, where the field tells it.
+# At the height of the plants above the border, if the field has one.
 static func _box_of(field: PlantField3D, corners: PackedVector3Array) -> AABB:
 	var box := AABB(corners[0], Vector3.ZERO)
 	for corner in corners:
@@ -156,7 +156,7 @@ static func _box_of(field: PlantField3D, corners: PackedVector3Array) -> AABB:
 	return box.expand(box.position + Vector3.UP * LEAST_BOX)
 
 
-# Whether one works on its outline or on one of its exclusions.
+# True if its outline or one of its exclusions is selected.
 func _is_path_selected(field: PlantField3D) -> bool:
 	var paths: Array[NodePath] = field.exclusions.duplicate()
 	paths.append(field.outline)
@@ -167,7 +167,7 @@ func _is_path_selected(field: PlantField3D) -> bool:
 	return false
 
 
-# Also those whose paths are selected.
+# Also fields whose paths are selected.
 func _worked_on() -> Array[Node3D]:
 	var fields: Array[Node3D] = []
 	for id in _made:
@@ -177,8 +177,8 @@ func _worked_on() -> Array[Node3D]:
 	return fields
 
 
-# A field tells its gizmo when its own size changes. What else does: the place of its outline, and
-# the box of its plants.
+# A field updates its gizmo after a change of its own size. These values change without an update:
+# the position of its outline, and the box of its plants.
 func _look_of(node: Node3D) -> Array:
 	var field := node as PlantField3D
 	var look := [field.get_outline_points(), field.get_aabb(), field.map != null]

@@ -1,11 +1,11 @@
 @tool
 extends RefCounted
-## Line shapes for gizmos, as pairs of points, and where a drag is on a line.
+## Line shapes for gizmos, as pairs of points, and the position of a drag on a line.
 
 const ARC_STEPS := 24
 
 
-## The twelve edges of [param box].
+## Returns the twelve edges of [param box].
 static func box(box: AABB) -> PackedVector3Array:
 	var lines := PackedVector3Array()
 	for i in 8:
@@ -16,7 +16,7 @@ static func box(box: AABB) -> PackedVector3Array:
 	return lines
 
 
-## A line through all of [param points] and back to the first.
+## Returns a closed line through all of [param points].
 static func loop(points: PackedVector3Array) -> PackedVector3Array:
 	var lines := PackedVector3Array()
 	for i in points.size():
@@ -25,7 +25,7 @@ static func loop(points: PackedVector3Array) -> PackedVector3Array:
 	return lines
 
 
-## A line through [param joints], with a small cross at each.
+## Returns a line through [param joints], with a small cross at each.
 static func chain(joints: PackedVector3Array) -> PackedVector3Array:
 	var lines := PackedVector3Array()
 	for i in joints.size():
@@ -36,7 +36,7 @@ static func chain(joints: PackedVector3Array) -> PackedVector3Array:
 	return lines
 
 
-## An arrow from [param from] to [param to], with two barbs in the plane across [param up].
+## Returns an arrow from [param from] to [param to], with two barbs in the plane across [param up].
 static func arrow(from: Vector3, to: Vector3, up: Vector3) -> PackedVector3Array:
 	var along := to - from
 	var across := along.cross(up).normalized() * along.length() * 0.16
@@ -44,7 +44,8 @@ static func arrow(from: Vector3, to: Vector3, up: Vector3) -> PackedVector3Array
 	return PackedVector3Array([from, to, to, neck + across, to, neck - across])
 
 
-## The turn from direction [param from] to [param to], both unit vectors, with a radius in metres.
+## Returns the arc from direction [param from] to [param to], both unit vectors, with a radius in
+## metres.
 static func arc(from: Vector3, to: Vector3, radius: float) -> PackedVector3Array:
 	var lines := PackedVector3Array()
 	var axis := from.cross(to)
@@ -57,7 +58,7 @@ static func arc(from: Vector3, to: Vector3, radius: float) -> PackedVector3Array
 	return lines
 
 
-## A small cross of three lines.
+## Returns a small cross of three lines.
 static func cross(at: Vector3, arm: float) -> PackedVector3Array:
 	var lines := PackedVector3Array()
 	for axis: Vector3 in [Vector3.RIGHT, Vector3.UP, Vector3.BACK]:
@@ -66,9 +67,9 @@ static func cross(at: Vector3, arm: float) -> PackedVector3Array:
 	return lines
 
 
-## How far out along [param way], a unit vector in the axes of [param node], the line of sight
-## through [param point] passes: in metres of the node from its origin, up to [param farthest] to
-## either side.
+## Returns the point of [param way], a unit vector in the axes of [param node], that is nearest to
+## the line of sight through [param point]: in metres of the node from its origin, at most
+## [param farthest] in both directions.
 static func reach_along(
 	node: Node3D, way: Vector3, farthest: float, camera: Camera3D, point: Vector2
 ) -> float:

@@ -1,21 +1,20 @@
 @tool
 extends EditorNode3DGizmoPlugin
-## What the gizmos of plants and of fields share: one of ours never outlives its node, and is drawn
-## anew when what it shows has changed while one works on it.
+## Base class of the gizmos of plants and fields. It prevents gizmos that outlive their node, and
+## redraws the gizmo of a selected node after a change.
 ##
-## The editor's viewport holds the gizmo whose handle is under the pointer, or is dragged, also when
-## its scene is loaded anew meanwhile. The gizmo knows its node by address only, and when the plugin
-## goes, the engine asks each gizmo for its node: an address of nothing ends the editor. So a gizmo
-## whose node leaves the tree is handed to a node that stays; nodes that come back get a new one.
+## The editor's viewport references the gizmo under the pointer or in a drag, also while its scene
+## is reloaded. The gizmo stores its node as a plain address. When the plugin is removed, the engine
+## reads the node of each gizmo, and a freed node crashes the editor. So the gizmo of a node that
+## leaves the tree moves to a permanent node. Nodes that return get a new one.
 
 const Translations := preload("../translations/translations.gd")
 
 var _undo: EditorUndoRedoManager
 var _stand_in: Node3D
-# The gizmos that were made for each node in the tree, by the node's id.
+# Gizmos of each node in the tree, by the node's id.
 var _made: Dictionary[int, Array] = {}
-# What was drawn of each node that is worked on, by its id: it is drawn anew when that is no longer
-# true.
+# Drawn values of each selected node, by its id. Different values cause a redraw.
 var _drawn: Dictionary[int, Array] = {}
 
 
@@ -24,7 +23,7 @@ func _init() -> void:
 
 
 ## Changes are steps of [param undo]. Gizmos without a node belong to [param stand_in], which must
-## outlive this.
+## outlive this object.
 func setup(undo: EditorUndoRedoManager, stand_in: Node3D) -> void:
 	_undo = undo
 	_stand_in = stand_in
@@ -33,7 +32,7 @@ func setup(undo: EditorUndoRedoManager, stand_in: Node3D) -> void:
 	_ask_for_gizmos.call_deferred()
 
 
-## Lets go of the editor. Call it before the plugin is removed.
+## Releases the editor's objects. Call it before the plugin is removed.
 func close() -> void:
 	(Engine.get_main_loop() as SceneTree).process_frame.disconnect(_follow)
 	EditorInterface.get_selection().selection_changed.disconnect(_on_selection_changed)
@@ -51,7 +50,7 @@ func _create_gizmo(node: Node3D) -> EditorNode3DGizmo:
 	return gizmo
 
 
-## The nodes whose gizmos show more than where they are: those that are selected.
+## Returns the nodes with a detailed gizmo: the selected ones.
 func _worked_on() -> Array[Node3D]:
 	var nodes: Array[Node3D] = []
 	for node in EditorInterface.get_selection().get_selected_nodes():
@@ -60,12 +59,12 @@ func _worked_on() -> Array[Node3D]:
 	return nodes
 
 
-## What is drawn of a node that is worked on follows this, which may change at any time.
+## Returns the values that the gizmo of a selected node shows. They can change at any time.
 func _look_of(_node: Node3D) -> Array:
 	return []
 
 
-# In each frame.
+# Runs in each frame.
 func _follow() -> void:
 	for node in _worked_on():
 		var look := _look_of(node)
@@ -74,7 +73,7 @@ func _follow() -> void:
 			node.update_gizmos()
 
 
-# Nodes that were selected are drawn as others are; those that are now, in the next frame.
+# Deselected nodes lose their details. Newly selected ones get theirs in the next frame.
 func _on_selection_changed() -> void:
 	for id in _drawn:
 		var node := instance_from_id(id) as Node3D
@@ -83,7 +82,7 @@ func _on_selection_changed() -> void:
 	_drawn.clear()
 
 
-## As bright for every selected node, where the editor's own materials are bright for one only.
+## Uses the same brightness for all selected nodes. The editor's own materials brighten only one.
 static func _line_material(color: Color, on_top: bool) -> StandardMaterial3D:
 	var material := StandardMaterial3D.new()
 	material.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
@@ -107,7 +106,7 @@ func _let_go(id: int) -> void:
 	_drawn.erase(id)
 
 
-# Nodes of a scene that was open before the plugin asked in vain: they must ask again.
+# Nodes of a scene that was open before the plugin got no gizmo. They must request it again.
 func _ask_for_gizmos() -> void:
 	var root := EditorInterface.get_edited_scene_root()
 	if not root:

@@ -1,8 +1,8 @@
 @tool
 extends "kept_gizmos.gd"
-## The gizmo of Plant3D: a click on the plant's mesh selects it. A selected plant shows a handle for
-## its height, where its tip is and how far it is bent, the joints of a stem that has several, where
-## its wind blows to, and the box that holds it in every bend.
+## The gizmo of Plant3D. A click on the plant's mesh selects it. A selected plant shows a handle for
+## its height, its tip and bend, the joints of a stem with several, the direction of its wind, and
+## the box that contains it in every bend.
 
 const GizmoShapes := preload("gizmo_shapes.gd")
 const SceneWind := preload("../wind_page/scene_wind.gd")
@@ -10,10 +10,10 @@ const SceneWind := preload("../wind_page/scene_wind.gd")
 const HEIGHT_HANDLE := 0
 const LEAST_HEIGHT := 0.01
 const MOST_HEIGHT := 1000.0
-## Steps of the height in metres while the handle is dragged, and while Ctrl is held, too.
+## Steps of the height in metres during a drag, and during a drag with Ctrl.
 const STEP := 0.001
 const SNAP_STEP := 0.1
-## Below this deflection, in radians, nothing is drawn for the bend.
+## Minimum deflection, in radians, of a visible bend.
 const LEAST_BEND := 0.005
 
 
@@ -88,7 +88,7 @@ func _commit_handle(
 	_undo.commit_action()
 
 
-# All selected plants when the dragged one is among them.
+# All selected plants if the dragged one is among them.
 func _plants_to_change(dragged: Plant3D) -> Array[Plant3D]:
 	var plants: Array[Plant3D] = []
 	for node in EditorInterface.get_selection().get_selected_nodes():
@@ -111,7 +111,7 @@ func _draw_bend(gizmo: EditorNode3DGizmo, plant: Plant3D) -> void:
 	gizmo.add_lines(lines, get_material("bend", gizmo))
 
 
-# Also of a stem that stands straight: where its bones are.
+# Also for a straight stem: the gizmo shows the positions of its bones.
 func _draw_joints(gizmo: EditorNode3DGizmo, plant: Plant3D) -> void:
 	if plant.get_joint_count() > 1:
 		gizmo.add_lines(GizmoShapes.chain(joints_of(plant)), get_material("bend", gizmo))
@@ -130,7 +130,7 @@ func _draw_wind(gizmo: EditorNode3DGizmo, plant: Plant3D) -> void:
 	gizmo.add_lines(arrow, get_material("wind", gizmo))
 
 
-## From the root to the tip, in the plant's own axes.
+## Returns the vector from the root to the tip, in the plant's own axes.
 static func joints_of(plant: Plant3D) -> PackedVector3Array:
 	var joints := PackedVector3Array()
 	for joint in plant.get_joint_count() + 1:
@@ -138,7 +138,7 @@ static func joints_of(plant: Plant3D) -> PackedVector3Array:
 	return joints
 
 
-# What blows on the plant now; null in still air.
+# Returns the current wind of the plant, or null in still air.
 static func _wind_on(plant: Plant3D) -> PlantWind:
 	var wind := SceneWind.blowing if SceneWind.blowing else plant.wind
 	return wind if wind and wind.strength > 0.0 else null

@@ -1,6 +1,6 @@
 @tool
 extends EditorProperty
-## A plant's height in the inspector; 0 reads "by species".
+## A plant's height in the inspector. 0 is shown as "by species".
 
 const HeightSlider := preload("../widgets/height_slider.gd")
 

@@ -1,22 +1,22 @@
 @tool
 extends SubViewportContainer
-## A plant of a species that turns slowly and sways, on top of the species' properties.
+## A rotating and swaying plant of a species, above the species' properties.
 
 const Translations := preload("../translations/translations.gd")
 const WindClock := preload("../wind_page/wind_clock.gd")
 
 const SEGMENTS := 16
 const PLANT_SEED := 1
-## Radians a second.
+## Radians per second.
 const TURN_RATE := 0.5
-## Share of the picture that stays free around the plant.
+## Empty margin around the plant, as a fraction of the picture.
 const MARGIN := 1.25
 const LONGEST_FRAME := 0.1
 
-## The species that is shown. Set it before the view enters the tree.
+## The shown species. Set it before the view enters the tree.
 var function: PlantFunction
 
-# A light breeze of this view's own.
+# A light breeze that belongs to this view.
 var _breeze := PlantWind.new()
 
 @onready var _stand: Node3D = %Stand
@@ -59,7 +59,7 @@ func _on_function_changed() -> void:
 	_frame_plant()
 
 
-# A force that bends this plant visibly but not flat: a part of what its own weight would pull.
+# A force that bends this plant visibly but not flat: a fraction of its weight.
 func _breeze_strength() -> float:
 	var weight := 1.0 if function.wind_weight < 0.0 else maxf(function.wind_weight, 0.1)
 	return clampf(0.1 * function.mass * 9.81 / weight, 0.001, 10.0)

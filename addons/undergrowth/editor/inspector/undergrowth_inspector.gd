@@ -1,7 +1,7 @@
 @tool
 extends EditorInspectorPlugin
-## Puts a moving plant on top of a species' properties, and the force over time on top of a wind's.
-## Says what a plant's height of 0 means.
+## Adds a moving plant above a species' properties, and the force over time above a wind's. Explains
+## a plant's height of 0.
 
 const PlantInspectorView := preload("plant_inspector_view.gd")
 const WindInspectorView := preload("wind_inspector_view.gd")

@@ -1,14 +1,14 @@
 @tool
 extends VBoxContainer
-## The force of a wind over the next seconds, with a button for a gust; of air, its speed, and
-## Beaufort's number and words for it.
+## The force of a wind over the next seconds, with a button for a gust. For air, its speed and its
+## Beaufort number and description.
 
 const Beaufort := preload("../wind_page/beaufort.gd")
 const ForceGraph := preload("../widgets/force_graph.gd")
 const Translations := preload("../translations/translations.gd")
 const WindClock := preload("../wind_page/wind_clock.gd")
 
-## The wind that is shown. Set it before the view enters the tree.
+## The shown wind. Set it before the view enters the tree.
 var wind: PlantWind
 
 @onready var _beaufort: Label = %Beaufort

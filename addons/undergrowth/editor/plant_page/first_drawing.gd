@@ -1,9 +1,9 @@
 @tool
 extends RefCounted
-## Something to begin from where a species of curves has none yet: a leaf.
+## The initial curve of a species of curves without one: a leaf.
 
 
-## True where nothing was drawn.
+## True if the species has no curve.
 static func is_missing(curves: CurvePlantFunction) -> bool:
 	return not curves.width_curve and not curves.color_gradient
 

@@ -1,15 +1,15 @@
 @tool
 extends Camera3D
-## A camera that goes around a point: drag to turn, wheel or pinch to zoom.
+## A camera that orbits a point. A drag rotates it, the wheel or a pinch zooms.
 
 const RADIANS_PER_PIXEL := 0.01
 const ZOOM_STEP := 1.12
 const STEEPEST := 1.5
 const START_TURN := 0.6
 const START_TILT := 0.18
-## Space around what is framed.
+## Margin around the framed box.
 const MARGIN := 1.15
-## Of the view's height, however much of it is covered.
+## Minimum visible part of the view's height.
 const LEAST_FREE := 0.4
 
 var _turn := START_TURN
@@ -17,30 +17,30 @@ var _tilt := START_TILT
 var _zoom := 1.0
 var _center := Vector3.ZERO
 var _size := Vector2.ONE
-# Pixels at the top and at the bottom of the view that something else covers.
+# Covered pixels at the top and at the bottom of the view.
 var _covered := Vector2.ZERO
 
 
-## To the right in the picture, before the user turned it.
+## Initial offset to the right in the picture.
 static func get_start_side() -> Vector3:
 	return Vector3.RIGHT.rotated(Vector3.UP, START_TURN)
 
 
-## Looks at a box of that size (width and height in metres) around [param center].
+## Frames a box of that size (width and height in metres) around [param center].
 func frame(center: Vector3, size: Vector2) -> void:
 	_center = center
 	_size = size
 	place()
 
 
-## Leaves so many pixels free, at the top (x) and at the bottom (y) of the view.
+## Sets the covered pixels at the top (x) and at the bottom (y) of the view.
 func spare(covered: Vector2) -> void:
 	if covered != _covered:
 		_covered = covered
 		place()
 
 
-## Goes back to where it began.
+## Resets the camera to its initial position.
 func restart() -> void:
 	_turn = START_TURN
 	_tilt = START_TILT
@@ -48,7 +48,7 @@ func restart() -> void:
 	place()
 
 
-## Handles one event over the view; true if it was for the camera.
+## Handles one event over the view. Returns true if the camera used it.
 func handle(event: InputEvent, scale_factor: float) -> bool:
 	if event is InputEventMouseMotion:
 		return _drag(event, scale_factor)
@@ -63,7 +63,7 @@ func handle(event: InputEvent, scale_factor: float) -> bool:
 	return false
 
 
-## Puts the camera where its angles and its zoom say, whatever the shape of the view.
+## Moves the camera to its angles and zoom, for any aspect ratio of the view.
 func place() -> void:
 	if not is_inside_tree():
 		return

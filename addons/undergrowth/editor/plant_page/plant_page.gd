@@ -1,6 +1,6 @@
 @tool
 extends VBoxContainer
-## The page for species and mixes: choose one, see it move, change its properties, use it.
+## The page for species and mixes: list, preview, properties and actions.
 
 const EditorState := preload("../editor_state.gd")
 const SpeciesEntry := preload("species_entry.gd")
@@ -11,16 +11,17 @@ const ViewControls := preload("view_controls.gd")
 const ActionBar := preload("../actions/action_bar.gd")
 const SameResource := preload("../actions/same_resource.gd")
 const SceneSpecies := preload("scene_species.gd")
-## From this ratio of width to height on, the parts stand side by side.
+## Minimum ratio of width to height for a layout side by side.
 const WIDE := 1.3
-## Of a narrow page's height, at most so much is the list's by itself.
+## Maximum share of the list in the height of a narrow page.
 const MOST_LIST := 0.44
-## A narrow page that is lower, in pixels at 100 %, leaves the properties to the editor's inspector.
+## Minimum height of a narrow page with properties, in pixels at 100 %. A lower page leaves them to
+## the editor's inspector.
 const LEAST_FOR_PROPERTIES := 400.0
 
 var _state: EditorState
 var _chosen: SpeciesEntry
-# What the user changed on a ready species is still there after a look at another.
+# Changes of the user on ready species. They survive the choice of another species.
 var _ready_functions: Dictionary[String, PlantFunction] = {}
 var _scene_species := SceneSpecies.new()
 
@@ -32,7 +33,7 @@ var _scene_species := SceneSpecies.new()
 @onready var _actions: ActionBar = %Actions
 
 
-## Fills the page; the first of the list is chosen.
+## Fills the page and chooses the first entry of the list.
 func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> void:
 	_state = state
 	resized.connect(_turn_split)
@@ -53,8 +54,8 @@ func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> vo
 	_scene_species.setup(self)
 
 
-# Side by side where the dock is wide, as at the editor's bottom. Else two rows of species are seen,
-# where there is room for them.
+# Side by side in a wide dock, such as the editor's bottom panel. Otherwise two rows of species, if
+# there is room for them.
 func _turn_split() -> void:
 	_split.vertical = size.x < size.y * WIDE
 	var wanted := minf(_list.find_height_of_rows(), size.y * MOST_LIST)
@@ -63,8 +64,8 @@ func _turn_split() -> void:
 	_properties.visible = not _split.vertical or size.y >= least
 
 
-# What is selected in the scene: of what a list has, that entry; else the scene's own species, which
-# changes with the dock.
+# Follows the selection of the scene: chooses its entry of the list, or the scene's own species. The
+# dock edits that species directly.
 func _show_species(function: PlantFunction) -> void:
 	if function == _state.origin or SameResource.are_equal(function, _state.function):
 		return
@@ -122,13 +123,13 @@ func _refuse(entry: SpeciesEntry) -> void:
 	_list.mark(_chosen.key if _chosen else "")
 
 
-# What is chosen now is what the file has.
+# The file has the content of the chosen species.
 func _on_saved(entry: SpeciesEntry) -> void:
 	_chosen = entry
 	_list.mark(entry.key)
 
 
-# A chosen script was saved anew, or the chosen file is gone or has another name.
+# A chosen script was saved again, or the chosen file was removed or renamed.
 func _on_list_refreshed() -> void:
 	if not _chosen or _chosen.is_ready:
 		return
@@ -139,7 +140,7 @@ func _on_list_refreshed() -> void:
 		_on_chosen_written(now)
 
 
-# The plant stays the same object and keeps its properties.
+# The plant stays the same object with the same properties.
 func _on_chosen_written(now: SpeciesEntry) -> void:
 	_chosen = now
 	if now.kind != SpeciesEntry.Kind.SCRIPT:
@@ -166,7 +167,7 @@ func _on_chosen_gone() -> void:
 	_state.path = ""
 
 
-# The editor gives what it moves its new path.
+# The editor updates the path of a moved resource.
 func _path_of(function: PlantFunction) -> String:
 	var script := function.get_script() as Script
 	var is_script := _chosen.kind == SpeciesEntry.Kind.SCRIPT and script

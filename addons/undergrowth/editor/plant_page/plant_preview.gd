@@ -1,6 +1,6 @@
 @tool
 extends PanelContainer
-## The chosen species as a plant that stands in the wind of the dock, or a piece of the chosen mix.
+## The chosen species as a plant in the wind of the dock, or a piece of the chosen mix.
 
 const EditorState := preload("../editor_state.gd")
 const OrbitCamera := preload("orbit_camera.gd")
@@ -8,7 +8,7 @@ const PlantGroup := preload("../widgets/plant_group.gd")
 const PreviewOverlay := preload("preview_overlay.gd")
 const Traits := preload("species_traits.gd")
 const WindClock := preload("../wind_page/wind_clock.gd")
-## Gap between the four levels, in shares of the plant's height.
+## Gap between the four levels, as a fraction of the plant's height.
 const LEVEL_GAP := 0.45
 const GROUND_RADIUS := 1.6
 const LONGEST_FRAME := 0.1
@@ -16,19 +16,19 @@ const LABEL_NAME := "Level"
 const LABEL_PIXEL := 0.0022
 const LABEL_HEIGHT := 1.08
 const BACKDROP_OPACITY := 0.8
-## Of the editor's font size: all counts stand in one line of a narrow dock.
+## Factor of the editor's font size, so that all counts fit in one line of a narrow dock.
 const SMALL_FONT := 0.85
-## Of the view's width: where a plant begins.
+## Start of a plant, as a fraction of the view's width.
 const MIDDLE := 0.45
-## In pixels at 100 %: a lower view is left to the plant.
+## Minimum height of a view with counts, in pixels at 100 %.
 const LEAST_FOR_COUNTS := 120.0
-## Room for swaying, in shares of the height.
+## Margin for swaying, as a fraction of the height.
 const SWAY_ROOM := 0.5
-## A piece of a mix has about so many plants, and is so many metres wide.
+## Approximate number of plants in a piece of a mix, and its limits in metres.
 const PIECE_PLANTS := 120.0
 const LEAST_PIECE := 0.4
 const MOST_PIECE := 2.5
-## Of the piece's side, as seen a little from above and from a corner.
+## As a fraction of the piece's side, seen from a corner and from slightly above.
 const PIECE_BREADTH := 1.25
 const RING_COLOR := Color(1.0, 1.0, 1.0, 0.55)
 const BONE_COLOR := Color(1.0, 0.72, 0.2)
@@ -111,7 +111,7 @@ func _dress() -> void:
 	_counts.add_theme_font_size_override(&"font_size", font_size)
 
 
-# As many plants as are shown: one, or one for each level.
+# Number of shown plants: one, or one per level.
 func _set_plant_count(count: int) -> void:
 	while _plants.size() > count:
 		_plants.pop_back().queue_free()
@@ -166,14 +166,14 @@ func _refresh() -> void:
 	_show_overlays()
 
 
-# The last good plant of a species that broke while it was changed stays in sight.
+# The last valid plant stays visible while its species has an error.
 func _show_nothing() -> void:
 	_hint_panel.visible = _plants.is_empty()
 	_hint.text = tr("Choose a species above.") if not _state.function else _state.problem
 	_counts_panel.visible = false
 
 
-# As dense as the mix itself, and small.
+# Small, with the density of the mix.
 func _show_piece() -> void:
 	if _piece:
 		return
@@ -236,8 +236,7 @@ func _show_counts() -> void:
 	_counts.text = tr("%s m · %d tris · %d verts") % [height, triangles, vertices]
 
 
-# The plant stands between the tools and the counts; tools that don't reach the middle are beside
-# it.
+# The plant is between the tools and the counts. Tools that do not reach the middle are beside it.
 func _make_room() -> void:
 	var is_over := _tools.position.x + _tools.size.x > _view.size.x * MIDDLE
 	var top := _tools.get_rect().end.y if is_over else 0.0

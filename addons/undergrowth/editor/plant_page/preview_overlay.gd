@@ -1,18 +1,18 @@
 @tool
 extends RefCounted
-## Line meshes that are skinned like a plant and so bend with it: its rings, and its bones. Plants
-## whose stem bends along its length have one for each of their joints, others have 0 joints.
+## Line meshes with the skin of a plant, so that they bend with it: its rings, and its bones. A stem
+## that bends along its length has one bone per joint. Other plants have 0 joints.
 
 const ROOT_BONE := 0
 const TIP_BONE := 1
 const FIRST_LINK := 2
-## Breadth and place of the thick end of a drawn bone, in shares of its length.
+## Breadth and position of the thick end of a drawn bone, as fractions of its length.
 const BONE_BREADTH := 0.04
 const BONE_WAIST := 0.12
 
 
-## The cross-sections that the plant's mesh is stretched over (thesis, figure 2.4), and lines along
-## the stem that join them.
+## Returns the cross-sections of the plant's mesh (thesis, figure 2.4), and lines along the stem
+## between them.
 static func make_rings(
 	function: PlantFunction, height: float, segments: int, joints := 0
 ) -> ArrayMesh:
@@ -33,7 +33,7 @@ static func make_rings(
 	return _make_mesh(lines, height, joints)
 
 
-## The bones from root to tip, drawn as the engine's skeleton editor draws bones.
+## Returns the bones from root to tip, in the shape of the engine's skeleton editor.
 static func make_bones(height: float, joints := 0) -> ArrayMesh:
 	var lines := PackedVector3Array()
 	var length := height / maxi(joints, 1)
@@ -65,7 +65,7 @@ static func _make_mesh(lines: PackedVector3Array, height: float, joints: int) ->
 		var share := clampf(point.y / height, 0.0, 1.0)
 		var lower := ROOT_BONE
 		var upper := TIP_BONE
-		if joints > 0:  # From the middle of a link to the middle of the next one.
+		if joints > 0:  # From the middle of a link to the middle of the next.
 			var place := clampf(share * joints - 0.5, 0.0, joints - 1.0)
 			lower = FIRST_LINK + floori(place)
 			upper = FIRST_LINK + ceili(place)

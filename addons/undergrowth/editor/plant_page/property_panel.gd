@@ -1,7 +1,7 @@
 @tool
 extends VBoxContainer
-## The chosen species' profile, and its properties in the editor's own inspector with its undo. Of a
-## mix, what grows in it.
+## The chosen species' profile, and its properties in the editor's own inspector with its undo. For
+## a mix, a list of its species.
 
 const EditorState := preload("../editor_state.gd")
 const ProfilePlot := preload("../widgets/profile_plot.gd")
@@ -9,8 +9,8 @@ const SpeciesEntry := preload("species_entry.gd")
 const PlantInspectorView := preload("../inspector/plant_inspector_view.gd")
 const SECTION_CLASS := "EditorInspectorSection"
 const RESOURCE_SECTION := "Resource"
-## Of a line's width: a dock is narrower than the editor's inspector, and names are longer than
-## values.
+## Share of the names in a line's width. A dock is narrower than the editor's inspector, and names
+## are longer than values.
 const NAME_SHARE := 0.66
 
 var _state: EditorState
@@ -21,7 +21,7 @@ var _inspector: EditorInspector
 @onready var _mix_text: Label = %MixText
 
 
-## Shows the species of [param state]; changes are steps of [param undo].
+## Shows the species of [param state]. Changes are steps of [param undo].
 func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
 	_state = state
 	_inspector = EditorInspector.new()
@@ -41,7 +41,7 @@ func _show_function() -> void:
 	_mix_text.text = _describe(_state.mix) if _state.mix else ""
 
 
-# One line for each species, with its part of all plants.
+# One line per species, with its share of all plants.
 func _describe(mix: PackedScene) -> String:
 	var field: PlantField3D = mix.instantiate()
 	var sum := 0.0
@@ -57,8 +57,8 @@ func _describe(mix: PackedScene) -> String:
 	return "%s\n\n%s" % ["\n".join(lines), hint]
 
 
-# Names get more room. The dock shows the plant already. Name, path and scene of a resource say
-# nothing about a species; the editor's own inspector has them.
+# Names get more room. The dock shows the plant already. A resource's name, path and scene are
+# irrelevant for a species and stay in the editor's own inspector.
 func _adapt() -> void:
 	for section: Control in _inspector.find_children("*", SECTION_CLASS, true, false):
 		if section.tooltip_text == RESOURCE_SECTION:

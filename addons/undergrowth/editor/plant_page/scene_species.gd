@@ -1,15 +1,15 @@
 @tool
 extends RefCounted
-## Which species is selected in the edited scene: that of a plant, or the first of a field.
+## Follows the species selected in the edited scene: that of a plant, or the first of a field.
 
-## Another plant or field was selected, and this grows there.
+## Emitted when another plant or field with this species was selected.
 signal selected(species: PlantFunction)
 
 var _page: Control
 var _is_late := false
 
 
-## Tells what is selected while [param page] is seen, and as soon as it is seen.
+## Reports the selection while [param page] is visible, and when it becomes visible.
 func setup(page: Control) -> void:
 	_page = page
 	page.visibility_changed.connect(_on_visibility_changed)

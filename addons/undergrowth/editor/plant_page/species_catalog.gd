@@ -1,34 +1,33 @@
 @tool
 extends Node
-## Finds every species: those that ship with the add-on as files, the mixes of them, the library's
-## classes, and the project's own scripts and resources.
+## Finds every species: files and mixes of the add-on, classes of the library, and scripts and
+## resources of the project.
 ##
-## What the add-on has is found by listing its folders. A file of the project is only looked for in
-## the editor's own index; nothing is loaded. The search goes on for a few milliseconds a frame and
-## begins anew whenever files change.
+## It lists the folders of the add-on. Files of the project come from the editor's index, without
+## loading them. The search takes a few milliseconds per frame and restarts when files change.
 
-## The list is complete and differs from the one before.
+## Emitted when the list is complete and differs from the previous one.
 signal changed
 
 const SpeciesEntry := preload("species_entry.gd")
 const BASE_CLASS := &"PlantFunction"
-## The species of the thesis in its order; what the library has besides follows.
+## Species of the thesis in its order. Other classes of the library follow.
 const FIRST_CLASSES: Array[String] = [
 	"GrassFunction", "ReedFunction", "CattailFunction", "TulipFunction", "BellflowerFunction"
 ]
 const LAST_CLASS := "CurvePlantFunction"
-## Beside the editor's folder.
+## Added to the editor's folder.
 const READY_FOLDER := "species"
 const MIXES_FOLDER := "mixes"
 const SCRIPT_TYPES: Array[StringName] = [&"GDScript", &"CSharpScript"]
 const SEARCH_USEC_PER_FRAME := 4000
 
-## Those that ship with the add-on, and fields of several of them, by name.
+## Species that ship with the add-on, and fields of several of them, by title.
 var ready_species: Array[SpeciesEntry] = []
 var mixes: Array[SpeciesEntry] = []
-## The library's classes: one stem each.
+## Classes of the library: one stem each.
 var simple_species: Array[SpeciesEntry] = []
-## The project's own, by path.
+## Species of the project, by path.
 var project_species: Array[SpeciesEntry] = []
 
 var _waiting: PackedStringArray = []
@@ -40,7 +39,7 @@ func _ready() -> void:
 	set_process(false)
 
 
-## Begins to look, and keeps the lists current from now on.
+## Starts the search and updates the lists after every change.
 func start() -> void:
 	_collect_classes()
 	_collect_shipped()
@@ -51,15 +50,15 @@ func start() -> void:
 	search()
 
 
-## What was found, group by group, as the list shows it.
+## Returns the found species, by groups in the order of the list.
 func list_groups() -> Array[Array]:
 	return [ready_species, mixes, simple_species, project_species]
 
 
-## Looks through all folders anew.
+## Searches all folders again.
 func search() -> void:
 	if EditorInterface.get_resource_filesystem().is_scanning():
-		return  # It ends with filesystem_changed.
+		return  # The scan ends with filesystem_changed.
 	_waiting = ["res://"]
 	_found = []
 	_script_bases.clear()

@@ -1,7 +1,7 @@
 @tool
 extends RefCounted
-## One line of the list: a species or a mix that ships with the add-on, one of the library's
-## classes, or a script or a resource of the project.
+## One entry of the list: a species or a mix of the add-on, a class of the library, or a script or a
+## resource of the project.
 
 enum Kind { CLASS, SCRIPT, RESOURCE, MIX }
 
@@ -11,17 +11,17 @@ const TOOL_MARK := "@tool"
 const FIELD_CLASS := &"PlantField3D"
 const CURVES_CLASS := "CurvePlantFunction"
 const CURVES_TITLE := "Own drawing"
-## Where a text resource begins to speak of itself; above it are the resources within.
+## Start of the main resource in a text file. Sub-resources are above it.
 const MAIN_PART := "\n[resource]\n"
 const NAME_LINE := '(?m)^resource_name = "(.+)"$'
 
 var kind := Kind.CLASS
-## The class of a species of the library, the path of the others.
+## Class of a species of the library, or path of any other entry.
 var key := ""
 var title := ""
-## When the file was last written; a thumbnail is good for one stamp.
+## Time of the file's last change. A thumbnail is valid for one time.
 var stamp := 0
-## Ships with the add-on: what the dock changes on it stays in the dock until it is saved.
+## True if it ships with the add-on. Changes in the dock stay in the dock until they are saved.
 var is_ready := false
 
 
@@ -48,7 +48,7 @@ static func from_file(path: String, is_script: bool, script_class: String) -> Re
 	return entry
 
 
-## A species or a mix in a file of the add-on.
+## Creates an entry for a species or a mix in a file of the add-on.
 static func from_ready_file(path: String, kind_of_file: Kind) -> RefCounted:
 	var entry := new()
 	entry.kind = kind_of_file
@@ -59,7 +59,7 @@ static func from_ready_file(path: String, kind_of_file: Kind) -> RefCounted:
 	return entry
 
 
-## What a species or a mix in a file of the add-on is called.
+## Returns the title of a species or a mix in a file of the add-on.
 static func find_title(path: String) -> String:
 	var title_within := _name_within(path)
 	if not title_within.is_empty():
@@ -68,7 +68,7 @@ static func find_title(path: String) -> String:
 	return words.left(1).to_upper() + words.substr(1)
 
 
-## What a species is called that no list may have: by its own name, its file, its script or its
+## Returns the title of a species outside of the list: its own name, or that of its file, script or
 ## class.
 static func title_of(function: PlantFunction) -> String:
 	if function.resource_name:
@@ -83,12 +83,13 @@ static func title_of(function: PlantFunction) -> String:
 	return from_class(function.get_class()).title
 
 
-## The file of the project that it comes from; nothing for what ships with the add-on.
+## Returns its file in the project, or an empty text for entries of the add-on.
 func get_path() -> String:
 	return "" if is_ready else key
 
 
-## The species, or null and in [method explain_failure] why. Of a ready one a copy.
+## Returns the species, or null with the reason in [method explain_failure]. A ready species is a
+## copy.
 func instantiate() -> PlantFunction:
 	match kind:
 		Kind.CLASS:
@@ -102,26 +103,24 @@ func instantiate() -> PlantFunction:
 			return null
 
 
-## The file of the add-on that [method instantiate] gives a copy of, or null.
+## Returns the file of the add-on that [method instantiate] copies, or null.
 func get_origin() -> PlantFunction:
 	return _load_file() as PlantFunction if is_ready and kind == Kind.RESOURCE else null
 
 
-## The scene of a mix; null where this is none, or where the root of its scene is no field.
+## Returns the scene of a mix, or null if this is no mix or the root of its scene is no field.
 func load_mix() -> PackedScene:
 	var scene := _load_file() as PackedScene if kind == Kind.MIX else null
 	return scene if scene and scene.get_state().get_node_type(0) == FIELD_CLASS else null
 
 
-## What a picture of it shows: a species, or a field to be freed by the caller; null where there is
-## none.
+## Returns the subject of its picture, or null: a species, or a field that the caller frees.
 func make_sitter() -> Object:
 	var scene := load_mix()
 	return scene.instantiate() if scene else instantiate()
 
 
-## Takes over what was written into the file of a script since it was loaded; false where the script
-## cannot run.
+## Reloads a script's file after a change. Returns false if the script cannot run.
 func refresh() -> bool:
 	var script := _load_script()
 	if not script:
@@ -133,7 +132,7 @@ func refresh() -> bool:
 	return script.can_instantiate()
 
 
-## Why [method instantiate] gave nothing, and what to do.
+## Returns the reason of a failed [method instantiate] and its solution.
 func explain_failure(translator: Object) -> String:
 	if not FileAccess.file_exists(key):
 		return translator.tr("%s is gone. Choose another species.") % key
@@ -149,7 +148,7 @@ static func _file_title(path: String) -> String:
 	return path.get_file().get_basename()
 
 
-# What a text resource calls itself; nothing is loaded for it.
+# Reads the name of a text resource without loading it.
 static func _name_within(path: String) -> String:
 	if path.get_extension() != "tres":
 		return ""

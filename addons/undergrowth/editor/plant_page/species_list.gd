@@ -3,13 +3,13 @@ extends VBoxContainer
 ## The list with thumbnails, in groups that fold: ready species, mixes of them, simple species, and
 ## the project's own.
 
-## The user chose a species or a mix.
+## Emitted when the user chose a species or a mix.
 signal chosen(entry: SpeciesEntry)
-## The list is current: files were looked through.
+## Emitted when the list is current after a search of the files.
 signal refreshed
-## Rows may have another height, see [method find_height_of_rows].
+## Emitted when the height of rows may have changed; see [method find_height_of_rows].
 signal laid_out
-## The user wants a species of their own.
+## Emitted when the user requests a new species.
 signal new_wanted
 
 const EditorState := preload("../editor_state.gd")
@@ -17,28 +17,28 @@ const SpeciesEntry := preload("species_entry.gd")
 const SpeciesCatalog := preload("species_catalog.gd")
 const PlantPhoto := preload("../widgets/plant_photo.gd")
 const THUMBNAIL_SIZE := 48
-## Columns are at least so wide, in shares of the thumbnail's size: room for a name.
+## Minimum width of a column, as a fraction of the thumbnail's size, for the title.
 const LEAST_COLUMN := 1.2
-## Pixels that the engine's list wants beside each column. It keeps room for a scroll bar, too.
+## Pixels that the engine's list adds to each column. It also reserves room for a scroll bar.
 const COLUMN_SLACK := 4
-## Names are long.
+## Lines of a long title.
 const TEXT_LINES := 2
 ## Pixels between two rows.
 const ROW_GAP := 2
-## So many rows of a group are seen, below its title.
+## Number of visible rows of a group, below its title.
 const ROWS_SEEN := 2
-## Of the editor's font size.
+## As a factor of the editor's font size.
 const SMALL_FONT := 0.85
-## From so many new thumbnails on, progress is shown; what ships with the add-on are fewer.
+## Minimum number of new thumbnails for a progress bar. Those of the add-on alone are fewer.
 const MANY := 48
 
 var _thumbnails: Dictionary[String, Texture2D] = {}
 var _stamps: Dictionary[String, int] = {}
 var _chosen_key := ""
 var _state: EditorState
-# Of the highest row that was there yet: nothing moves while a filter is typed.
+# Height of the highest row so far, so that nothing moves while the user types a filter.
 var _row_height := 0.0
-# What the status line calls our work, while it shows it.
+# Title of this work in the status line while it is shown.
 var _work_title := ""
 
 @onready var _catalog: SpeciesCatalog = %Catalog
@@ -52,7 +52,8 @@ var _work_title := ""
 @onready var _project_hint: Label = %ProjectHint
 
 
-## Fills the list and keeps it current. Many new thumbnails show their progress in [param state].
+## Fills the list and updates it after changes. Reports the progress of many new thumbnails to
+## [param state].
 func setup(state: EditorState) -> void:
 	_state = state
 	_state.work_changed.connect(_on_work_changed)
@@ -67,7 +68,7 @@ func setup(state: EditorState) -> void:
 	_dress()
 
 
-## The entry with that key (a path or a class), or null.
+## Returns the entry with that key (a path or a class), or null.
 func find(key: String) -> SpeciesEntry:
 	for entry: SpeciesEntry in _entries():
 		if entry.key == key:
@@ -75,12 +76,12 @@ func find(key: String) -> SpeciesEntry:
 	return null
 
 
-## The first entry: a ready species, or one of the library's where their files are not there.
+## Returns the first entry: a ready species, or a class of the library if the files are missing.
 func get_first() -> SpeciesEntry:
 	return _entries()[0]
 
 
-## The height that shows the search field, a group's title and two rows of it.
+## Returns the height of the search field, a group's title and two of its rows.
 func find_height_of_rows() -> float:
 	for list: ItemList in _lists:
 		list.force_update_list_size()
@@ -100,7 +101,7 @@ func mark(key: String) -> void:
 				list.select(i)
 
 
-## Brings the chosen entry into sight, once the lists are laid out.
+## Scrolls to the chosen entry after the layout of the lists.
 func reveal_chosen() -> void:
 	await get_tree().process_frame
 	for list: ItemList in _lists:
@@ -145,7 +146,7 @@ func _dress() -> void:
 		hint.add_theme_color_override(&"font_color", pale)
 
 
-# From the theme: what the group and its content need is not always as new as each other.
+# From the theme, because the minimum sizes of a group and its content can be out of date.
 func _find_title_height() -> float:
 	var group := _groups[0]
 	var font_size := group.get_theme_font_size(&"font_size")
@@ -156,7 +157,7 @@ func _find_title_height() -> float:
 	return line
 
 
-# As many columns as have room, and all of the room for them.
+# As many columns as fit, over the whole width.
 func _fit_columns(list: ItemList) -> void:
 	var room := floori(list.size.x - list.get_v_scroll_bar().get_combined_minimum_size().x)
 	var least := maxi(
@@ -168,8 +169,8 @@ func _fit_columns(list: ItemList) -> void:
 	laid_out.emit.call_deferred()
 
 
-# In pixels: no column is narrower. All that ships with the add-on is in columns as wide, whatever
-# the filter hides; the project's own may need wider ones.
+# Returns the minimum column width in pixels. All entries of the add-on use the same width with any
+# filter. Those of the project may need wider columns.
 func _longest_word(list: ItemList) -> int:
 	var font := list.get_theme_font(&"font")
 	var font_size := list.get_theme_font_size(&"font_size")
@@ -185,7 +186,7 @@ func _longest_word(list: ItemList) -> int:
 	return ceili(longest)
 
 
-# The list itself would break a long name within a word.
+# The list itself would break a long title within a word.
 func _wrap(list: ItemList, title: String) -> String:
 	var text := tr(title)
 	var font := list.get_theme_font(&"font")
@@ -215,7 +216,7 @@ func _fill() -> void:
 		_fill_list(_lists[i], groups[i])
 		_groups[i].visible = _lists[i].item_count > 0
 		is_found = is_found or _groups[i].visible
-	# The project's own group tells newcomers that it is there.
+	# The empty group of the project informs new users that it exists.
 	_project_hint.visible = _catalog.project_species.is_empty()
 	_groups[-1].visible = _groups[-1].visible or (_project_hint.visible and _filter.text.is_empty())
 	_no_match.visible = not is_found
@@ -233,7 +234,7 @@ func _fill_list(list: ItemList, entries: Array[SpeciesEntry]) -> void:
 	list.visible = list.item_count > 0
 
 
-# By its English name, too: that is what its file is called.
+# Also finds its English title, which is the name of its file.
 func _matches_filter(entry: SpeciesEntry) -> bool:
 	var wanted := _filter.text
 	return wanted.is_empty() or tr(entry.title).containsn(wanted) or entry.title.containsn(wanted)
@@ -250,7 +251,8 @@ func _on_catalog_changed() -> void:
 	for entry: SpeciesEntry in _entries():
 		if _stamps.get(entry.key, -1) != entry.stamp:
 			_stamps[entry.key] = entry.stamp
-			# A bound method would not keep the entry, which goes when files are looked through anew.
+			# A bound method would not reference the entry, which is freed at the next search of the
+			# files.
 			_photo.request(entry.key, func() -> Object: return entry.make_sitter())
 			wanted += 1
 	if wanted >= MANY and _state.work_total == 0:

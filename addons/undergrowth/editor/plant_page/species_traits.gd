@@ -1,13 +1,13 @@
 @tool
 extends RefCounted
-## What kind of plant a species is.
+## Tests for the kind of a species.
 
 
-## True where the stem of the four functions grows.
+## True if the species has the stem of the four functions.
 static func has_stem(function: PlantFunction) -> bool:
 	return function.has_stem and not function.has_method(&"_grow")
 
 
-## True where leaves, petals and other parts grow, with or without such a stem.
+## True if the species has leaves, petals or other parts, with or without such a stem.
 static func has_parts(function: PlantFunction) -> bool:
 	return not function.arrangements.is_empty() or function.has_method(&"_grow")

@@ -1,6 +1,6 @@
 @tool
 extends HFlowContainer
-## Height, seed and level of detail of the plant that is shown.
+## Controls for height, seed and level of detail of the shown plant.
 
 const EditorState := preload("../editor_state.gd")
 

@@ -1,19 +1,19 @@
 @tool
 extends RefCounted
-## Paints a mesh with vertex colours from its side, triangle by triangle, for plants of parts. It
-## touches no scene.
+## Draws a mesh with vertex colours from its side, triangle by triangle, for plants of parts. It
+## uses no scene.
 
 const LIGHT := Vector3(-0.45, 0.7, 0.55)
 const AMBIENT := 0.65
 const MARGIN := 0.04
-## The camera is turned so far, as a list's pictures are.
+## Rotation of the camera, the same as in a list's pictures.
 const TURN := -0.45
 
 var _canvas: Image
 var _depths: PackedFloat32Array = []
 
 
-## A picture of [param mesh] on nothing.
+## Returns a picture of [param mesh] on a transparent background.
 func paint(mesh: ArrayMesh, size: Vector2i) -> Image:
 	_canvas = Image.create_empty(size.x, size.y, false, Image.FORMAT_RGBA8)
 	_depths.resize(size.x * size.y)
@@ -31,7 +31,7 @@ func paint(mesh: ArrayMesh, size: Vector2i) -> Image:
 	return _canvas
 
 
-# In pixels, as large as the picture allows; z is nearer where it is more.
+# In pixels, at the largest scale that fits. A larger z is nearer.
 func _place(points: PackedVector3Array, size: Vector2) -> PackedVector3Array:
 	var turned := PackedVector3Array()
 	var seen := Rect2()

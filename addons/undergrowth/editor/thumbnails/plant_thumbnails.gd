@@ -2,9 +2,9 @@
 extends EditorResourcePreviewGenerator
 ## Thumbnails of species for the FileSystem dock and resource pickers.
 ##
-## The editor asks on a thread of its own with most renderers, and between two frames with
-## Compatibility: pictures are painted in software, without a viewport and without waiting for one.
-## Small lists keep the icon of the class, which is drawn for its size.
+## The editor calls this on its own thread with most renderers, and between two frames with
+## Compatibility. So pictures are drawn in software, without a viewport. Small lists show the icon
+## of the class, which is designed for its size.
 
 const ThumbnailPainter := preload("thumbnail_painter.gd")
 

@@ -1,7 +1,7 @@
 @tool
 extends RefCounted
-## Paints a species from its width and its colour along the height, row by row, and one of parts
-## from its mesh. It touches no scene, so it may run on any thread.
+## Draws a species of a stem from its width and colour along the height, row by row, and one of
+## parts from its mesh. It uses no scene and may run on any thread.
 
 const MeshPainter := preload("mesh_painter.gd")
 const PlantGroup := preload("../widgets/plant_group.gd")
@@ -9,23 +9,24 @@ const Traits := preload("../plant_page/species_traits.gd")
 
 const PLANT_SEED := 1
 const RINGS := 48
-## A plant of parts has so many vertices that its flowers stay flowers.
+## Vertex budget of a plant of parts, sufficient for recognizable flowers.
 const PART_SEGMENTS := 9
-## Pixels are painted this many times finer, then made smaller: smooth edges.
+## Factor of the drawn resolution, for smooth edges after scaling down.
 const FINER := 2
 const MARGIN := 0.06
-## Plants slimmer than this (width through height) are painted as a tuft.
+## Plants with a lower ratio of width to height are drawn as a tuft.
 const SLIM := 0.12
-## Sideways bend of the tips of a tuft, as shares of the height.
+## Sideways bend of the tips of a tuft, as fractions of the height.
 const TUFT: Array[float] = [-0.24, 0.27, 0.02]
 const SINGLE: Array[float] = [0.0]
 const LIGHT := Vector2(-0.55, 0.835)
 const AMBIENT := 0.55
-## Half the width of the thinnest stem, as a share of the picture.
+## Half the width of the thinnest stem, as a fraction of the picture.
 const THINNEST := 0.016
 
 
-## A picture of [param function] on nothing, or null if the species has a problem.
+## Returns a picture of [param function] on a transparent background, or null if the species has an
+## error.
 static func paint(function: PlantFunction, size: Vector2i) -> Image:
 	if not function.find_problem(0.0, RINGS, PLANT_SEED).is_empty():
 		return null
@@ -43,7 +44,7 @@ static func paint(function: PlantFunction, size: Vector2i) -> Image:
 	var colors := _colors(function)
 	for bend in bends:
 		_paint_stem(canvas, profile, colors, meter, height * meter, bend)
-	canvas.fix_alpha_edges()  # Else the empty pixels around would darken the edges.
+	canvas.fix_alpha_edges()  # Without it the transparent pixels would darken the edges.
 	canvas.resize(size.x, size.y, Image.INTERPOLATE_BILINEAR)
 	return canvas
 
@@ -62,7 +63,7 @@ static func _height(function: PlantFunction) -> float:
 	return maxf(function.generate_height(rng), 1e-4)
 
 
-# Half the width in metres at RINGS + 1 heights.
+# Returns half the width in metres at RINGS + 1 heights.
 static func _profile(function: PlantFunction) -> PackedFloat32Array:
 	var radius := 0.0
 	for point in function.get_base_shape(RINGS):
@@ -109,7 +110,7 @@ static func _paint_row(canvas: Image, y: int, center: float, half: float, color:
 	var first := maxi(0, roundi(center - half))
 	var last := mini(canvas.get_width() - 1, maxi(roundi(center + half) - 1, first))
 	for x in range(first, last + 1):
-		# Lit as a round stem: the normal turns from one edge to the other.
+		# Lit as a round stem: the normal rotates from one edge to the other.
 		var across := clampf((x + 0.5 - center) / half, -1.0, 1.0)
 		var normal := Vector2(across, sqrt(1.0 - across * across))
 		var light := AMBIENT + (1.0 - AMBIENT) * maxf(0.0, normal.dot(LIGHT))

@@ -2,8 +2,8 @@
 extends RefCounted
 ## The add-on's texts in other languages, for the editor only.
 ##
-## They live in a translation domain of their own: nothing of them reaches the editor's own texts or
-## the user's game. Controls of the add-on take part by [method Object.set_translation_domain].
+## They are in a translation domain of their own and do not affect the texts of the editor or the
+## user's game. Controls of the add-on use it by [method Object.set_translation_domain].
 
 const DOMAIN := &"undergrowth"
 const EDITOR_DOMAIN := &"godot.editor"
@@ -12,7 +12,7 @@ const AUTO := "auto"
 const FILE_TYPE := "po"
 
 
-## Reads the translations beside this script. Call it before anything of the add-on is shown.
+## Loads the translations beside this script. Call it before any control of the add-on is shown.
 static func add() -> void:
 	var domain := TranslationServer.get_or_add_domain(DOMAIN)
 	domain.clear()
@@ -20,23 +20,23 @@ static func add() -> void:
 		if file.get_extension() == FILE_TYPE:
 			domain.add_translation(load(_folder().path_join(file)) as Translation)
 	domain.set_locale_override(_choose_locale(domain))
-	# Ready-made parts of the editor within ours keep their own texts.
+	# Controls of the editor inside those of the add-on use the editor's texts.
 	for translation in TranslationServer.get_or_add_domain(EDITOR_DOMAIN).get_translations():
 		domain.add_translation(translation)
 
 
-## Takes all of it away again.
+## Removes all of it.
 static func remove() -> void:
 	if TranslationServer.has_domain(DOMAIN):
 		TranslationServer.remove_domain(DOMAIN)
 
 
-## [param message] in the user's language, for scripts that are no nodes.
+## Returns [param message] in the user's language, for scripts that are not nodes.
 static func text(message: String) -> String:
 	return TranslationServer.get_or_add_domain(DOMAIN).translate(message)
 
 
-## The editor has not every language. Who left its choice to the system still gets ours.
+## The editor lacks some languages. With the system's language it still uses the add-on's texts.
 static func _choose_locale(domain: TranslationDomain) -> String:
 	var wanted: String = EditorInterface.get_editor_settings().get_setting(LANGUAGE_SETTING)
 	var system := OS.get_locale()

@@ -1,9 +1,9 @@
 @tool
 extends Control
-## A compass as seen from above, +x to the right and +z towards the viewer: drag the arrow to where
-## the wind blows to. Arrow keys turn by 1°, with Shift by 15°.
+## A compass seen from above, with +x to the right and +z towards the viewer. A drag of the arrow
+## sets the direction that the wind blows to. Arrow keys rotate by 1°, with Shift by 15°.
 
-## The user turned the arrow.
+## Emitted when the user rotated the arrow.
 signal direction_changed(degrees: float)
 
 const FINE_TURN := 1.0
@@ -11,14 +11,14 @@ const COARSE_TURN := 15.0
 ## Names of the eight main directions, in steps of 45° from 0°.
 const HEADINGS: Array[String] = ["+z", "+x +z", "+x", "+x −z", "−z", "−x −z", "−x", "−x +z"]
 
-## Where the wind blows to: 0 towards +z, 90 towards +x.
+## Direction that the wind blows to: 0 towards +z, 90 towards +x.
 @export_range(0.0, 360.0) var degrees := 0.0:
 	set(value):
 		degrees = fposmod(value, 360.0)
 		queue_redraw()
 
 
-## What the arrow means, as "90° towards +x".
+## Returns the meaning of the arrow, such as "90° towards +x".
 func describe() -> String:
 	var heading := roundi(degrees / 45.0) % HEADINGS.size()
 	return tr("%s° towards %s") % [String.num(degrees, 1).trim_suffix(".0"), HEADINGS[heading]]

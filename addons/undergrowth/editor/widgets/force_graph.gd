@@ -1,19 +1,19 @@
 @tool
 extends "wind_view.gd"
 ## The force of a wind over the next seconds (thesis, figures 4.3 to 4.6): newtons over the wind's
-## own time, with a mark that moves along at "now". Of air, its speed in the last minute; of no wind
-## the axes. The owner lets the wind's clock go on.
+## own time, with a mark that moves along at "now". For air, its speed in the last minute. Without a
+## wind, the axes only. The owner advances the wind's clock.
 
-## Seconds that the graph spans, and of air.
+## Seconds of the graph, for forces and for air.
 const SPAN := 8.0
 const AIR_SPAN := 60.0
-## Metres above the ground, where the speed of air is drawn.
+## Metres above the ground of the drawn speed of air.
 const AIR_PLACE := Vector3(0, 10, 0)
-## Where in the span a fresh page begins, and where the mark turns the page, as shares of the span.
+## Position of the mark on a new page, and position that turns the page, as fractions of the graph.
 const PAGE_START := 0.15
 const PAGE_END := 0.7
 const SAMPLES := 480
-## Of a minute of air no more can be told apart, and its line is thinner.
+## Maximum number of visible points in a minute of air. Its line is thinner.
 const AIR_SAMPLES := 160
 ## Between a number and the axis, in pixels at 100 %.
 const GAP := 4.0
@@ -22,7 +22,7 @@ var _start := 0.0
 var _drawn_at := -1.0
 
 
-## The wind's time of the mark, in seconds.
+## The wind's time at the mark, in seconds.
 func get_now() -> float:
 	return wind.get_time() if wind else 0.0
 
@@ -43,7 +43,7 @@ func _process(_delta: float) -> void:
 	queue_redraw()
 
 
-# Air moves along under the mark, which stays near the end; of the others whole pages are turned.
+# Air scrolls under the mark, which stays near the end. Forces turn whole pages.
 func _turn_page() -> void:
 	var now := wind.get_time()
 	if _is_air():
@@ -82,7 +82,7 @@ func _draw() -> void:
 	_draw_now(frame, top, font, font_size)
 
 
-# Where the curve is drawn: newtons stand on its left, seconds below, what the mark says above.
+# Area of the curve: newtons are on its left, seconds below, the mark's text above.
 func _frame(font: Font, font_size: int) -> Rect2:
 	var widest := "100.0 " + _unit()
 	var gap := GAP * EditorInterface.get_editor_scale()
@@ -101,8 +101,8 @@ func _sample() -> PackedFloat32Array:
 	return forces
 
 
-# A round number above the largest force: 1, 2 or 5 times a power of ten. Waves reach twice the
-# strength, so that the axis does not jump when one leaves the page.
+# Returns a round number above the largest force: 1, 2 or 5 times a power of ten. Waves reach twice
+# the strength, so that the axis stays the same when one leaves the page.
 func _axis_end(forces: PackedFloat32Array) -> float:
 	var largest := 1e-3
 	for force in forces:
@@ -156,7 +156,7 @@ func _draw_curve(frame: Rect2, forces: PackedFloat32Array, top: float) -> void:
 		draw_polyline(points, accent, width, true)
 
 
-# One by one: at corners as sharp as those of gusts a line all of a piece has gaps.
+# Segment by segment: one polyline has gaps at corners as sharp as those of gusts.
 func _pieces(points: PackedVector2Array) -> PackedVector2Array:
 	var pieces := PackedVector2Array()
 	for i in points.size() - 1:

@@ -1,6 +1,6 @@
 @tool
 extends "worded_slider.gd"
-## A height in metres, where 0 means the one that the species gives each plant, and reads so.
+## A height in metres. 0 is shown as text and means the species' own height of each plant.
 
 const Translations := preload("../translations/translations.gd")
 

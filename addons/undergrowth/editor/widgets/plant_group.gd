@@ -1,39 +1,39 @@
 @tool
 extends RefCounted
-## What a small picture shows: one plant of a species, or some plants of a mix that stand together.
+## The subject of a small picture: one plant of a species, or a group of plants of a mix.
 
 const Traits := preload("../plant_page/species_traits.gd")
 const PLANT_SEED := 1
 const SEGMENTS := 16
-## A plant among others is small.
+## Segments of a plant in a group.
 const SEGMENTS_AMONG_OTHERS := 9
-## Plants of a mix, and how many different ones of each species.
+## Number of plants of a mix, and of different plants per species.
 const COUNT := 24
 const VARIANTS := 2
-## How far they stand apart, in shares of the tallest one's height: the radius of the whole.
+## Radius of the group, as a factor of the tallest plant's height.
 const SPREAD := 0.55
-## Where the next one stands, as seen from the middle: never beside the one before.
+## Direction of the next plant from the middle, never beside the previous one.
 const GOLDEN_ANGLE := 2.399963
-## A stalk is drawn thicker than it is, up to this breadth in shares of its height.
+## Minimum breadth of a drawn stalk, as a fraction of its height.
 const LEAST_BREADTH := 0.2
 const MOST_WIDENING := 3.5
-## So are thin parts, up to this half-width in shares of the plant's size.
+## Minimum half-width of drawn thin parts, as a fraction of the plant's size.
 const LEAST_HALF_WIDTH := 0.008
 const MOST_PART_WIDENING := 5.0
-## CUSTOM2 is four numbers.
+## CUSTOM2 has four numbers.
 const WAY_SIZE := 4
 const CUSTOM_FORMATS := 0xfff << Mesh.ARRAY_FORMAT_CUSTOM0_SHIFT
 
 
-## Makes a node that holds what a picture of [param sitter] shows, or null where nothing can be
-## built. [param sitter] is a [PlantFunction] or a [PlantField3D].
+## Returns a node with the subject of a picture of [param sitter], or null if the build fails.
+## [param sitter] is a [PlantFunction] or a [PlantField3D].
 static func make(sitter: Object) -> Node3D:
 	if sitter is PlantFunction:
 		return _make_plant(sitter as PlantFunction)
 	return _make_mix(sitter as PlantField3D) if sitter is PlantField3D else null
 
 
-## What [param group] of [method make] takes of room.
+## Returns the bounding box of [param group] from [method make].
 static func measure(group: Node3D) -> AABB:
 	var box := AABB()
 	for plant: MeshInstance3D in group.get_children():
@@ -42,7 +42,7 @@ static func measure(group: Node3D) -> AABB:
 	return box
 
 
-## The height of the tallest species of [param field], in metres.
+## Returns the height of the tallest species of [param field], in metres.
 static func find_tallest(field: PlantField3D) -> float:
 	var tallest := 0.0
 	for listed in _grown(field):
@@ -96,7 +96,7 @@ static func _grown(field: PlantField3D) -> Array[PlantFieldSpecies]:
 	return grown
 
 
-# Which species each plant is: as their shares say, but at least one plant of each.
+# Returns the species of each plant: by their weights, with at least one plant of each.
 static func _draw_order(grown: Array[PlantFieldSpecies]) -> PackedInt32Array:
 	var sum := 0.0
 	for listed in grown:
@@ -132,13 +132,13 @@ static func _can_build(function: PlantFunction) -> bool:
 	return function.find_problem(0.0, SEGMENTS, PLANT_SEED).is_empty()
 
 
-## A mesh for small pictures: thin parts are wider than they are.
+## Returns a mesh for small pictures: thin parts are wider than in the original.
 static func build(function: PlantFunction, segments: int, plant_seed: int) -> Mesh:
 	var mesh := function.generate_mesh(0.0, segments, plant_seed)
 	return _widen_parts(mesh) if Traits.has_parts(function) else mesh
 
 
-# A vertex knows where the middle of its part is.
+# A vertex stores its offset from the middle of its part.
 static func _widen_parts(mesh: ArrayMesh) -> ArrayMesh:
 	var arrays := mesh.surface_get_arrays(0)
 	var points: PackedVector3Array = arrays[Mesh.ARRAY_VERTEX]

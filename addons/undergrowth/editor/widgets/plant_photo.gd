@@ -1,20 +1,20 @@
 @tool
 extends SubViewport
-## Takes pictures of plants for lists, one a frame.
+## Takes pictures of plants for lists, one per frame.
 
-## Texture for [param key], or null where the plant cannot be built.
+## Emitted with the texture for [param key], or null if the plant cannot be built.
 signal taken(key: String, picture: Texture2D)
 
 const PlantGroup := preload("plant_group.gd")
-## In pixels. A picture is taken larger than it is shown: thin leaves stay whole.
+## In pixels. A picture is larger than its display, so that thin leaves stay visible.
 const SIZE := 128
 const MARGIN := 4
 
 var _queue: Array[Dictionary] = []
 var _wish := {}
-# The picture that the next drawn frame holds; nothing: none is being taken.
+# Key of the picture in the next drawn frame. Empty: no picture is being taken.
 var _key := ""
-# What the picture shows.
+# The subject of the picture.
 var _sitting: Node3D
 
 @onready var _camera: Camera3D = $Camera
@@ -24,7 +24,7 @@ func _ready() -> void:
 	RenderingServer.frame_post_draw.connect(_on_frame_drawn)
 
 
-# The editor takes docks out and puts them in elsewhere: what was asked for is still wanted.
+# The editor moves docks by removing and adding them. Requests stay valid.
 func _enter_tree() -> void:
 	_begin_next.call_deferred()
 
@@ -35,14 +35,14 @@ func _exit_tree() -> void:
 		_key = ""
 
 
-## Asks for a picture; [param make] is called when its turn comes and returns a PlantFunction, a
+## Requests a picture. [param make] is called in its turn and returns a PlantFunction, a
 ## PlantField3D that is freed afterwards, or null.
 func request(key: String, make: Callable) -> void:
 	_queue.append({"key": key, "make": make})
 	_begin_next.call_deferred()
 
 
-## Forgets all pictures that were not taken yet.
+## Cancels all pending requests.
 func clear() -> void:
 	_queue.clear()
 
@@ -72,7 +72,7 @@ func _seat(make: Callable) -> Node3D:
 	return group
 
 
-# The picture is as small as what it shows allows, as the camera sees its box.
+# The smallest picture of the subject's box, as the camera sees it.
 func _frame(box: AABB) -> void:
 	var seen := Rect2()
 	for i in 8:
@@ -97,18 +97,18 @@ func _on_frame_drawn() -> void:
 	_begin_next.call_deferred()
 
 
-# A square around what is to be seen: a box around leaves and petals is larger than they are.
+# A square around the visible pixels. The box around leaves and petals is larger than they are.
 func _cut(image: Image) -> Image:
 	var used := image.get_used_rect()
 	var side := maxi(used.size.x, used.size.y) + 2 * MARGIN
 	var square := Image.create_empty(side, side, false, image.get_format())
 	square.blit_rect(image, used, (Vector2i.ONE * side - used.size) / 2)
-	square.fix_alpha_edges()  # Else the empty pixels around would darken the edges.
+	square.fix_alpha_edges()  # Without it the transparent pixels would darken the edges.
 	square.resize(SIZE, SIZE, Image.INTERPOLATE_TRILINEAR)
 	return square
 
 
-# A frame may be drawn without this viewport: it still shows the plant before.
+# A frame can be drawn without this viewport, which then still shows the previous plant.
 func _is_to_be_drawn() -> bool:
 	var mode := RenderingServer.viewport_get_update_mode(get_viewport_rid())
 	return mode == RenderingServer.VIEWPORT_UPDATE_ONCE

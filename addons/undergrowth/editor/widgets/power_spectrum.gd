@@ -1,11 +1,11 @@
 @tool
 extends RefCounted
-## How the variance of a record is shared among frequencies.
+## The power spectrum of a record.
 
 
-## The power of [param record], a power of two of samples of which [param rate] make a second, for
-## the frequencies i·rate/count below half the rate: their sum times rate/count is its variance. Its
-## mean is taken away, and its ends fade out (Hann).
+## Returns the power of [param record] for the frequencies i·rate/count below half the rate. The
+## number of samples is a power of two, with [param rate] samples per second. The sum of the powers
+## times rate/count is the variance. The mean is subtracted, and a Hann window fades the ends out.
 static func of(record: PackedFloat64Array, rate: float) -> PackedFloat64Array:
 	var count := record.size()
 	var mean := 0.0
@@ -18,13 +18,13 @@ static func of(record: PackedFloat64Array, rate: float) -> PackedFloat64Array:
 		real.append((record[i] - mean) * (0.5 - 0.5 * cos(TAU * i / count)))
 	_transform(real, imaginary)
 	var powers := PackedFloat64Array()
-	var share := 2.0 / (rate * count * 0.375)  # Both halves of the spectrum; what the ends lose.
+	var share := 2.0 / (rate * count * 0.375)  # Both halves of the spectrum; loss by the window.
 	for i in count / 2:
 		powers.append(share * (real[i] * real[i] + imaginary[i] * imaginary[i]))
 	return powers
 
 
-# Cooley and Tukey's, in place.
+# Cooley and Tukey's algorithm, in place.
 static func _transform(real: PackedFloat64Array, imaginary: PackedFloat64Array) -> void:
 	var count := real.size()
 	var j := 0

@@ -1,8 +1,8 @@
 @tool
 extends Control
-## A species' outline and colour along its height. The plant lies on its side: root left, tip right.
-## The width curve of a CurvePlantFunction can be dragged; other species are only plotted, and those
-## without a stem of their own not at all.
+## A species' outline and colour along its height. The plant is horizontal: root left, tip right.
+## The width curve of a CurvePlantFunction can be dragged. Other species are only plotted. Species
+## without a stem have no plot.
 
 const EditorState := preload("../editor_state.gd")
 const ProfilePoints := preload("profile_points.gd")
@@ -22,7 +22,7 @@ var _most_width := 0.0
 @onready var _points: ProfilePoints = $Points
 
 
-## Plots the species of [param state]; changes of its curve are steps of [param undo].
+## Plots the species of [param state]. Changes of its curve are steps of [param undo].
 func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
 	_state = state
 	_points.setup(undo)
@@ -79,7 +79,7 @@ func _place_points() -> void:
 	_points.size = area.size
 
 
-# Where the outline is drawn: all but a line of text below it.
+# Area of the outline, above a line of text.
 func _area() -> Rect2:
 	var area := Rect2(Vector2.ZERO, size).grow(-MARGIN * EditorInterface.get_editor_scale())
 	area.size.y -= _font().get_height(_font_size())

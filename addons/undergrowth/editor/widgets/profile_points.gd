@@ -1,19 +1,19 @@
 @tool
 extends Control
-## The points of a species' width curve, to be dragged on top of its outline: root left, tip right.
+## The points of a species' width curve, which the user drags on its outline: root left, tip right.
 
 const TOOL_TIP := "Drag points. A double-click adds one, a right click removes it."
 const GRAB_RADIUS := 9.0
 const HANDLE_RADIUS := 4.0
 const LEAST_POINTS := 2
-## The property that holds all points of a curve; one undo step takes all of them back.
+## The property with all points of a curve. One undo step restores all of them.
 const POINTS := &"_data"
 const CURVE := &"width_curve"
 
 var _function: CurvePlantFunction
 var _undo: EditorUndoRedoManager
 var _grabbed := -1
-# The curve whose point is grabbed, and its points before.
+# The curve of the dragged point, and its points before the drag.
 var _dragged: Curve
 var _before: Array = []
 
@@ -24,7 +24,7 @@ func setup(undo: EditorUndoRedoManager) -> void:
 	tooltip_text = tr(TOOL_TIP)
 
 
-## Shows the points of [param function]; null shows none.
+## Shows the points of [param function]. Null shows none.
 func edit(function: CurvePlantFunction) -> void:
 	_let_go()
 	_function = function
@@ -32,7 +32,7 @@ func edit(function: CurvePlantFunction) -> void:
 	queue_redraw()
 
 
-# A plugin that is switched off takes the mouse's hold away.
+# A disabled plugin ends the drag.
 func _exit_tree() -> void:
 	_let_go()
 
@@ -77,7 +77,7 @@ func _on_left_button(button: InputEventMouseButton) -> void:
 	queue_redraw()
 
 
-# However a drag ends, what it has changed is a step of undo.
+# A drag with any ending adds its changes as a step of undo.
 func _let_go() -> void:
 	if _grabbed >= 0 and _curve() == _dragged:
 		_remember(tr("Move Width Point"), _before)
@@ -96,7 +96,7 @@ func _find_point(place: Vector2) -> int:
 
 
 func _move(place: Vector2) -> void:
-	if _curve() != _dragged:  # Undo put another one in.
+	if _curve() != _dragged:  # Undo replaced the curve.
 		_grabbed = -1
 		return
 	var point := _to_point(place)
@@ -135,7 +135,7 @@ func _remove_point(index: int) -> void:
 	_remember(tr("Remove Width Point"), before)
 
 
-# The curve was changed already: undo and redo put all its points where they were.
+# The curve has already changed. Undo and redo set all of its points.
 func _remember(action: String, before: Array) -> void:
 	var after: Array = _curve().get(POINTS)
 	queue_redraw()

@@ -1,6 +1,6 @@
 @tool
 extends HBoxContainer
-## Three small lines for messages, and for the progress of long work with a button that cancels it.
+## Three small lines for messages, and for the progress of long work with a cancel button.
 
 const EditorState := preload("../editor_state.gd")
 const ICONS: Dictionary[int, StringName] = {
@@ -14,7 +14,7 @@ const COLORS: Dictionary[int, StringName] = {
 	EditorState.Severity.ERROR: &"error_color",
 }
 
-## Of the editor's font size.
+## As a factor of the editor's font size.
 const SMALL_FONT := 0.85
 
 var _state: EditorState
@@ -27,7 +27,7 @@ var _severity := EditorState.Severity.INFO
 @onready var _cancel: Button = %Cancel
 
 
-## Shows what [param state] reports.
+## Shows the messages and the progress of [param state].
 func setup(state: EditorState) -> void:
 	_state = state
 	_state.reported.connect(show_message)
@@ -39,7 +39,7 @@ func setup(state: EditorState) -> void:
 	_keep_room()
 
 
-## Shows [param text]; an empty text clears the line.
+## Shows [param text]. An empty text clears the line.
 func show_message(text: String, severity: EditorState.Severity) -> void:
 	_severity = severity
 	_text.text = text
@@ -62,7 +62,7 @@ func _dress() -> void:
 	_keep_room()
 
 
-# As much for no message as for the longest: what stands above stays where it is.
+# The same height for every message, so that the controls above do not move.
 func _keep_room() -> void:
 	var font_size := _text.get_theme_font_size(&"font_size")
 	var line := _text.get_theme_font(&"font").get_height(font_size)

@@ -1,6 +1,6 @@
 @tool
 extends "worded_slider.gd"
-## How much the speed of air varies, as a share of it; below 0 the ground's roughness says it.
+## The variation of the speed of air, as a fraction of it. Below 0 the ground's roughness sets it.
 
 const Translations := preload("../translations/translations.gd")
 

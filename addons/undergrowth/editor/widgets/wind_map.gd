@@ -1,21 +1,21 @@
 @tool
 extends "wind_view.gd"
-## How fast a wind of air is over the tops of a field at this moment, seen from above: bright where
-## gusts and waves run. Up is -z. Of winds that are forces nothing is drawn. The owner lets the
-## wind's clock go on.
+## The current speed of a wind of air over the top of a field, seen from above. Gusts and waves are
+## bright. Up is -z. It draws nothing for winds that are forces. The owner advances the wind's
+## clock.
 
-## Metres of the field from side to side, and places that are asked along each.
+## Width of the field in metres, and number of samples along each side.
 const SPAN := 40.0
 const SIDE := 56
 ## Frames between two pictures.
 const EVERY := 3
-## Of the editor's font size.
+## As a factor of the editor's font size.
 const FONT_SHARE := 0.8
-## How bright the mean speed is, and by how much of it brightness grows with the speed: gusts of air
-## differ by less than the mean.
+## Brightness of the mean speed, and increase of brightness with speed. The gusts of air differ by
+## less than the mean.
 const MEAN_BRIGHTNESS := 0.45
 const CONTRAST := 1.2
-## Of the ground below them, of the accent's colour.
+## Brightness of the ground below, as a fraction of the accent's colour.
 const DARKNESS := 0.8
 
 var _places := _grid()
@@ -64,7 +64,7 @@ func _take_picture() -> void:
 		var more := speeds[i] / maxf(mean, 0.01) - 1.0
 		bytes[2 * i + 1] = clampi(roundi(255.0 * (MEAN_BRIGHTNESS + CONTRAST * more)), 0, 255)
 	_image.set_data(SIDE, SIDE, false, Image.FORMAT_LA8, bytes)
-	_image.shrink_x2()  # Eddies smaller than that are but noise to the eye.
+	_image.shrink_x2()  # Smaller eddies look like noise.
 	_texture.update(_image)
 
 

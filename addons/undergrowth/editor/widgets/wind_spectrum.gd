@@ -1,24 +1,24 @@
 @tool
 extends "wind_view.gd"
-## How a wind of air shares its turbulence among slow and fast gusts, measured a metre above the
-## ground, beside the line that Kaimal and others measured over a field in Kansas (1972). Of winds
-## that are forces only the axes are drawn.
+## The spectrum of a wind's turbulence, measured one metre above the ground, beside the line that
+## Kaimal and others measured over a field in Kansas (1972). For winds that are forces, the axes
+## only.
 
 const PowerSpectrum := preload("power_spectrum.gd")
 
-## Of one record: samples, and so many a second.
+## Number of samples of one record, and samples per second.
 const COUNT := 2048
 const RATE := 16.0
-## Records, one after the other, of which the mean is drawn; one is measured in a frame.
+## Number of consecutive records in the drawn mean. One is measured per frame.
 const RECORDS := 8
-## Hz, and what is drawn of frequency times power over the variance.
+## Limits in Hz, and limits of frequency times power divided by the variance.
 const LOWEST := 0.01
 const HIGHEST := 8.0
 const LEAST := 0.01
 const MOST := 1.0
 const PER_DECADE := 8
 
-# Of the records so far: how many, their powers' sum (m²/s), sums of speeds and of their squares.
+# Of the records so far: number, sum of powers (m²/s), sums of speeds and of their squares.
 var _count := 0
 var _sum := PackedFloat64Array()
 var _speeds := 0.0
@@ -35,7 +35,7 @@ func _process(_delta: float) -> void:
 		queue_redraw()
 
 
-## Measured so far: frequencies (Hz) and, there, frequency times power over the variance.
+## Measured frequencies (Hz), and frequency times power divided by the variance at each.
 func get_points() -> PackedVector2Array:
 	var points := PackedVector2Array()
 	if _count == 0:
@@ -60,8 +60,8 @@ func get_points() -> PackedVector2Array:
 	return points
 
 
-## Kaimal's line at that frequency (Hz), over the variance: 105·f/(1 + 33·f)^(5/3) by the friction
-## velocity squared, of which the variance is 2.185² times.
+## Returns Kaimal's line at that frequency (Hz), divided by the variance: 105·f/(1 + 33·f)^(5/3)
+## times the squared friction velocity. The variance is 2.185² times that square.
 func kaimal(hertz: float) -> float:
 	var height := 1.0
 	var carried := wind.speed * log(height / wind.roughness) / log(10.0 / wind.roughness)
@@ -69,7 +69,7 @@ func kaimal(hertz: float) -> float:
 	return 105.0 * f / pow(1.0 + 33.0 * f, 5.0 / 3.0) / (2.185 * 2.185)
 
 
-# All records are measured anew.
+# All records are measured again.
 func _on_wind_changed() -> void:
 	_sum.resize(COUNT / 2)
 	_sum.fill(0.0)

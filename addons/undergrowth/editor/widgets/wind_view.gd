@@ -1,8 +1,8 @@
 @tool
 extends Control
-## A picture of a wind. It follows what is changed on the wind, and lets go of it at its end.
+## Base class of pictures of a wind. It follows changes of the wind and disconnects at its end.
 
-## The wind that is drawn; of null nothing is.
+## The drawn wind. Null: none.
 var wind: PlantWind:
 	set(value):
 		if wind and wind.changed.is_connected(_on_wind_changed):
@@ -18,16 +18,16 @@ func _notification(what: int) -> void:
 		wind = null
 
 
-## Another wind is drawn from now on.
+## Called when another wind is drawn.
 func _on_wind_taken() -> void:
 	_on_wind_changed()
 
 
-## Something of the wind was changed.
+## Called when properties of the wind changed.
 func _on_wind_changed() -> void:
 	queue_redraw()
 
 
-## Whether it is told in metres per second, not in newtons.
+## True if the unit is metres per second, false if it is newtons.
 func _is_air() -> bool:
 	return wind and wind.kind == PlantWind.KIND_AIR

@@ -1,11 +1,11 @@
 @tool
 extends EditorSpinSlider
-## A number of which some values read as words: those that let something else decide.
+## A slider that shows some values as words: those that leave the choice to another value.
 
-## What the engine keeps between a label and its number, in pixels at 100 %, beside the margin that
-## it keeps on the left as well.
+## The engine's gap between a label and its number, in pixels at 100 %, without the left margin,
+## which has the same width.
 const SEPARATION := 4.0
-## As pale as the engine's own label beside a number.
+## Opacity of the engine's own label beside a number.
 const LABEL_OPACITY := 0.5
 
 
@@ -13,12 +13,12 @@ func _init() -> void:
 	value_changed.connect(func(_number: float) -> void: queue_redraw())
 
 
-## What is read instead of the number, or nothing.
+## Returns the text shown instead of the number, or an empty text.
 func get_shown() -> String:
 	return ""
 
 
-# After the engine's own drawing, over it.
+# Over the engine's own drawing.
 func _draw() -> void:
 	var shown := get_shown()
 	if shown.is_empty():

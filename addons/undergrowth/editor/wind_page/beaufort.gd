@@ -5,7 +5,7 @@ extends RefCounted
 const Translations := preload("../translations/translations.gd")
 
 
-## The number of a wind of [constant PlantWind.KIND_AIR], and what it is called.
+## Returns the number and the description of a wind of [constant PlantWind.KIND_AIR].
 static func describe(wind: PlantWind) -> String:
 	return "%d · %s" % [wind.get_beaufort(), _words()[wind.get_beaufort()]]
 

@@ -1,13 +1,13 @@
 @tool
 extends Node
-## Lets the dock's wind blow on all plants of the edited scene, in the editor's viewport. Nothing of
-## the scene is changed: its plants only move, and stand still again when it ends.
+## Applies the dock's wind to all plants of the edited scene in the editor's viewport. The scene
+## does not change: its plants only move, and return to rest at the end.
 
 const EditorState := preload("../editor_state.gd")
 const ScenePlants := preload("scene_plants.gd")
 const WindClock := preload("wind_clock.gd")
 
-## The wind that blows on the edited scene now, instead of its plants' own; null while none does.
+## The current wind of the edited scene in place of its plants' own, or null.
 static var blowing: PlantWind
 
 var _state: EditorState
@@ -32,7 +32,7 @@ func is_active() -> bool:
 	return is_processing()
 
 
-## Begins, or ends and puts the plants back into their rest.
+## Starts or ends it. At the end the plants return to rest.
 func set_active(on: bool) -> void:
 	if on == is_active():
 		return

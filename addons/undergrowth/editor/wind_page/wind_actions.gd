@@ -1,6 +1,6 @@
 @tool
 extends Node
-## What the wind page does with its wind: writes it to plants, takes it from them, saves it.
+## The actions of the wind page: writes its wind to plants, reads it from them, saves it.
 
 const EditorState := preload("../editor_state.gd")
 const ProjectFiles := preload("../actions/project_files.gd")
@@ -32,9 +32,9 @@ func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
 	_undo = undo
 
 
-## Writes the values to the winds of the selected plants, or of all plants where none is selected.
-## Plants without a wind, or whose wind is saved in another scene, get a new one that they share.
-## One step of undo.
+## Writes the values to the winds of the selected plants, or of all plants if none is selected.
+## Plants without a wind, or with a wind saved in another scene, get a new one that they share. One
+## step of undo.
 func apply() -> void:
 	var root := EditorInterface.get_edited_scene_root()
 	var plants := ScenePlants.chosen()
@@ -65,7 +65,7 @@ func apply() -> void:
 	_state.report(told % plants.size())
 
 
-## Brings the wind of the first chosen plant that has one to the page.
+## Reads the wind of the first chosen plant that has one into the page.
 func take() -> void:
 	for plant in ScenePlants.chosen():
 		var wind: PlantWind = plant.get(&"wind")
@@ -90,7 +90,7 @@ func ask_where_to_save() -> void:
 	_dialog.popup_file_dialog()
 
 
-## Saves the wind to [param path]. A wind that was loaded from there before takes the values, too.
+## Saves the wind to [param path]. A wind that was loaded from there before gets the values too.
 func save(path: String) -> void:
 	var problem := ProjectFiles.find_problem(path)
 	if problem.is_empty():

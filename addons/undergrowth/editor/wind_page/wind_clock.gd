@@ -1,12 +1,12 @@
 @tool
 extends RefCounted
-## Lets the clocks of winds go on in the editor, where no simulation does it. Graphs and previews
-## may show the same wind at the same time: its clock moves once a frame, whoever asks.
+## Advances the clocks of winds in the editor, where no simulation does it. Graphs and previews can
+## show the same wind at the same time. Its clock advances once per frame for any number of callers.
 
 static var _frames: Dictionary[int, int] = {}
 
 
-## Moves the clock of [param wind] on by [param delta] seconds, unless it was moved in this frame.
+## Advances the clock of [param wind] by [param delta] seconds, once per frame.
 static func advance(wind: PlantWind, delta: float) -> void:
 	var frame := Engine.get_process_frames()
 	var id := wind.get_instance_id()

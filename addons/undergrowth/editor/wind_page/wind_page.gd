@@ -1,6 +1,6 @@
 @tool
 extends ScrollContainer
-## The page for the wind that blows on the preview and, when asked, on the edited scene.
+## The page for the wind of the preview and, by option, of the edited scene.
 
 const EditorState := preload("../editor_state.gd")
 const DirectionDial := preload("../widgets/direction_dial.gd")
@@ -13,7 +13,7 @@ const WindActions := preload("wind_actions.gd")
 const WindClock := preload("wind_clock.gd")
 const WindPresets := preload("wind_presets.gd")
 
-## What a wind accepts at most, in the units of its properties.
+## Maximum values of a wind, in the units of its properties.
 const MOST: Dictionary[StringName, float] = {
 	&"strength": 1e6,
 	&"frequency": 1000.0,
@@ -22,19 +22,19 @@ const MOST: Dictionary[StringName, float] = {
 	&"speed": 100.0,
 	&"turbulence": 2.0,
 }
-## An angle in radians is shown in steps of so many degrees.
+## Step in degrees of angles that are stored in radians.
 const DEGREE_STEP := 0.001
 const KINDS: Array[String] = ["Gust", "Constant", "Bursts", "Waves", "Air"]
-## What the page shows of air alone, and of the other kinds alone.
+## Controls for air only, and for the other kinds only.
 const AIR: Array[StringName] = [
 	&"speed", &"turbulence", &"gustiness", &"roughness", &"canopy_height", &"canopy_wave_amount"
 ]
 const NEWTONS: Array[StringName] = [&"strength", &"travel_speed"]
 
 var _state: EditorState
-# Which property of the wind each slider shows.
+# Property of the wind for each slider.
 var _sliders: Dictionary[StringName, EditorSpinSlider] = {}
-# The status line tells of a limit.
+# True while the status line shows a limit.
 var _says_limit := false
 
 @onready var _kind: OptionButton = %Kind
@@ -90,7 +90,7 @@ func _connect_controls() -> void:
 	(%Save as Button).pressed.connect(_actions.ask_where_to_save)
 
 
-# The clock goes on while anything of the wind can be seen: here, or on the scene.
+# The clock advances while the wind is visible: here, or in the scene.
 func _process(delta: float) -> void:
 	if _state and _state.wind and (is_visible_in_tree() or _scene_wind.is_active()):
 		WindClock.advance(_state.wind, delta)
@@ -143,7 +143,7 @@ func _show_wind() -> void:
 	_show_fields(wind)
 
 
-# Each kind has fields of its own.
+# Each kind has its own controls.
 func _show_fields(wind: PlantWind) -> void:
 	var is_air := wind.kind == PlantWind.KIND_AIR
 	for property in AIR + NEWTONS:

@@ -1,9 +1,9 @@
 @tool
 extends GridContainer
-## The winds that ship with the add-on, as buttons: one press makes a wind such weather.
+## The winds that ship with the add-on, as buttons. A press sets the wind to that weather.
 
 const FOLDER := "res://addons/undergrowth/winds/"
-## What a preset says; the direction stays the wind's own.
+## Properties of a preset. The wind's direction does not change.
 const PROPERTIES: Array[StringName] = [
 	&"kind", &"speed", &"turbulence", &"gustiness", &"roughness", &"canopy_height", &"canopy_wave_amount"
 ]
@@ -11,7 +11,7 @@ const PROPERTIES: Array[StringName] = [
 var _chosen: Callable
 
 
-## Fills itself with buttons. [param chosen] is called when one was pressed, with the preset's wind.
+## Creates the buttons. A press calls [param chosen] with the preset's wind.
 func setup(chosen: Callable) -> void:
 	_chosen = chosen
 	_add("calm", tr("Calm"))
