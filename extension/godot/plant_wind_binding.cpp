@@ -59,7 +59,8 @@ void PlantWind::bind_air() {
 }
 
 bool PlantWind::_set(const StringName &name, const Variant &value) {
-	return set_renamed_property(this, name, value, { { "stand_height", "canopy_height" }, { "wave_share", "canopy_wave_amount" } });
+	return set_renamed_property(
+			this, name, value, { { "stand_height", "canopy_height" }, { "wave_share", "canopy_wave_amount" } });
 }
 
 void PlantWind::_bind_methods() {

@@ -27,7 +27,9 @@ func test_the_species_recipe_makes_a_species_that_passes_all_checks() -> void:
 	for segments: int in Ready.BUDGETS:
 		check_equal(species.find_problem(0.0, segments, 1), "", "problem at %d" % segments)
 		var count := species.generate_mesh(0.0, segments, 1).surface_get_array_len(0)
-		check(count > 0 and count <= Ready.BUDGETS[segments], "%d vertices at %d" % [count, segments])
+		check(
+			count > 0 and count <= Ready.BUDGETS[segments], "%d vertices at %d" % [count, segments]
+		)
 	for arrangement: PlantArrangement in species.arrangements:
 		check(arrangement.resource_name != "", "the arrangement has a name")
 		check(arrangement.part.resource_name != "", "its part has a name")

@@ -72,7 +72,9 @@ func test_progress_rises_to_1_and_the_end_is_reported_once() -> void:
 		_ratios = []
 		_ends = []
 		field.build_progressed.connect(func(ratio: float) -> void: _ratios.append(ratio))
-		field.build_finished.connect(func() -> void: _ends.append("filled %s" % field.is_building()))
+		field.build_finished.connect(
+			func() -> void: _ends.append("filled %s" % field.is_building())
+		)
 		root.add_child(field)
 		await filled(field)
 		await frames(30)

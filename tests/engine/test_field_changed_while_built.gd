@@ -16,6 +16,8 @@ func test_the_stem_changes() -> void:
 			"taper": func() -> void: _stem().taper = 0.1,
 			"stiffness":
 			func() -> void:
+## Properties that change between the snapshot that a build works from and the frame that adopts it.
+
 				_stem().diameter = 0.006
 				_stem().youngs_modulus = 2e9,
 			"loads": func() -> void: _stem().head_mass = 0.01,
@@ -68,11 +70,15 @@ func test_the_species_looks_otherwise() -> void:
 		{
 			"height":
 			func() -> void:
+## Properties that change between the snapshot that a build works from and the frame that adopts it.
+
 				_species().height_max = 2.0
 				_species().height_min = 1.5,
 			"radius": func() -> void: (_species() as CurvePlantFunction).radius = 0.01,
 			"arrangements":
 			func() -> void:
+## Properties that change between the snapshot that a build works from and the frame that adopts it.
+
 				var leaves := PlantArrangement.new()
 				leaves.part = PlantBlade.new()
 				_species().arrangements = [leaves],
@@ -92,10 +98,14 @@ func test_the_field_and_its_wind_change() -> void:
 			"air": _blow_air,
 			"waves and two modes":
 			func() -> void:
+## Properties that change between the snapshot that a build works from and the frame that adopts it.
+
 				_blow_air()
 				_stem().modes = 2,
 			"another wind":
 			func() -> void:
+## Properties that change between the snapshot that a build works from and the frame that adopts it.
+
 				field.wind = PlantWind.new()
 				field.wind.strength = 0.02,
 			"prototypes": func() -> void: field.prototypes = 16 - field.prototypes,

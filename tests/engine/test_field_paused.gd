@@ -56,7 +56,9 @@ func test_levels_and_looks_change_while_paused() -> void:
 	field.levels = [PlantFieldLevel.of(5)]
 	field.species[0].species.color_deviation = 0.5
 	await frames(1)
-	await until(func() -> bool: return not field.get_statistics()["is_rebuilding_meshes"], "it is dressed")
+	await until(
+		func() -> bool: return not field.get_statistics()["is_rebuilding_meshes"], "it is dressed"
+	)
 	check_equal(field.get_statistics()["drawn_by_level"].size(), 1, "levels")
 
 

@@ -43,7 +43,10 @@ func _check_species(file: String) -> void:
 					worst = worst.max(_gap(piece, pieces, rows) / height)
 		var what := "%s, %d segments: " % [file, segments]
 		check(worst.x <= MOST_AT_REST, what + "%.1f %% of the height" % (100.0 * worst.x))
-		check(worst.y <= MOST_BENT_OF.get(file, MOST_BENT), what + "%.1f %% of the height, bent" % (100.0 * worst.y))
+		check(
+			worst.y <= MOST_BENT_OF.get(file, MOST_BENT),
+			what + "%.1f %% of the height, bent" % (100.0 * worst.y)
+		)
 		if "--print" in OS.get_cmdline_user_args():
 			print("%s at rest %.2f %%, bent %.2f %%" % [what, 100.0 * worst.x, 100.0 * worst.y])
 
@@ -142,9 +145,13 @@ func _bent(place: Vector3, offset: float, x: float, height: float) -> Vector3:
 	var steps := 32
 	for i in steps:
 		var s := BEND * x * (i + 0.5) / steps
-		centre += Vector3(2.0 * s.x, 1.0 - s.length_squared(), 2.0 * s.y) / (1.0 + s.length_squared())
+		centre += (
+			Vector3(2.0 * s.x, 1.0 - s.length_squared(), 2.0 * s.y) / (1.0 + s.length_squared())
+		)
 	var s := BEND * x
-	var along := Vector3(2.0 * s.x, 1.0 - s.length_squared(), 2.0 * s.y) / (1.0 + s.length_squared())
+	var along := (
+		Vector3(2.0 * s.x, 1.0 - s.length_squared(), 2.0 * s.y) / (1.0 + s.length_squared())
+	)
 	var rise := Vector3(BEND.x, -s.dot(BEND), BEND.y) - s.dot(BEND) * along
 	centre += 0.5 * maxf(offset - x, 0.0) * steps * 2.0 / (1.0 + s.length_squared()) * rise
 	return centre * x * height / steps + _turned(place - Vector3(0, x * height, 0), BEND * x)

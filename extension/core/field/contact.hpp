@@ -13,18 +13,18 @@ namespace undergrowth {
 
 /// Contact of tips (thesis, requirement 2.2.4): spheres of the collision radius that push each other apart.
 ///
-/// Contacts are inelastic: the approach speed of two touching tips is removed, divided by their masses, and the tips are
-/// moved apart along their spheres. A pair is weighted by one over the larger contact count of the two. Each plant's
-/// motion is then a weighted mean of the motions of single contacts, and energy never grows. Two tips that overlap in
-/// calm air touch only when they come nearer than that, so contacts add no energy.
+/// Contacts are inelastic: the approach speed of two touching tips is removed, divided by their masses, and the tips
+/// are moved apart along their spheres. A pair is weighted by one over the larger contact count of the two. Each
+/// plant's motion is then a weighted mean of the motions of single contacts, and energy never grows. Two tips that
+/// overlap in calm air touch only when they come nearer than that, so contacts add no energy.
 ///
 /// The cost of a tip is bounded for any radius: in each cell of the ground it checks NEIGHBOURS tips before its own
 /// position in the cell's list, and as many after it. The relation is symmetric, so energy still never grows.
 ///
 /// Once after each step: gather() of all pages, sort() on one thread, count() of all pages, separate() of all pages.
-/// gather(), count() and separate() may be split over threads by ranges of page numbers, one function after the other; the
-/// result has the same bits. count() and separate() divide the tips by their position on the ground, so a range of pages
-/// stands for a number of tips of any page. Plants that follow a prototype have no contacts.
+/// gather(), count() and separate() may be split over threads by ranges of page numbers, one function after the other;
+/// the result has the same bits. count() and separate() divide the tips by their position on the ground, so a range of
+/// pages stands for a number of tips of any page. Plants that follow a prototype have no contacts.
 ///
 /// Pages: FieldSimulation, or LonePages with positions in one world.
 class TipContact {
@@ -35,8 +35,8 @@ public:
 
 	/// Allocates the memory for these pages. Call it when plants were added or removed; no other function allocates.
 	template <class Pages> void fit(const Pages &field);
-	/// Reads the collision radii of species that changed since fit(). Call it before gather(), on one thread; visits each
-	/// page once.
+	/// Reads the collision radii of species that changed since fit(). Call it before gather(), on one thread; visits
+	/// each page once.
 	template <class Pages> void follow_radii(const Pages &field);
 	template <class Pages> void gather(const Pages &field, int begin, int end);
 	void sort();
@@ -63,7 +63,8 @@ private:
 	float cell_size = 1.0f; ///< m, maximum distance of two touching tips.
 	float cells_per_metre = 1.0f;
 	std::vector<uint32_t> page_firsts; ///< First tip of each page; the last entry is the number of all tips.
-	/// By tip: its position (m) from gather() to sort(), its velocity (m/s) from count() to separate() if it has contacts.
+	/// By tip: its position (m) from gather() to sort(), its velocity (m/s) from count() to separate() if it has
+	/// contacts.
 	std::vector<glm::vec3> vectors;
 	std::vector<uint32_t> buckets; ///< By tip.
 	std::vector<uint32_t> pages; ///< Page of each tip.

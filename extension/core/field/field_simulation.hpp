@@ -35,14 +35,15 @@ public:
 	int add_species(const MotionSpecies &species);
 	/// Does not interrupt the motion.
 	void set_species(int index, const MotionSpecies &species);
-	/// Sets the rest directions (unit, y > 0) of `count` plants of a page from `first` on, for the spring law. Call it after
-	/// set_species() with another law or lean. The motion continues; followers switch to prototypes with that lean.
+	/// Sets the rest directions (unit, y > 0) of `count` plants of a page from `first` on, for the spring law. Call it
+	/// after set_species() with another law or lean. The motion continues; followers switch to prototypes with that
+	/// lean.
 	void set_rests(int page, int first, const glm::vec3 *rests, int count);
 	int species_count() const { return static_cast<int>(kinds.size()); }
 
 	/// A page of `count` plants of one species, up to MotionPage::PAGE_PLANTS; returns its number, the lowest
-	/// one that remove_page() freed, if any. Returns -1 and adds nothing if a plant is invalid, the species is unknown, or
-	/// there are too many plants.
+	/// one that remove_page() freed, if any. Returns -1 and adds nothing if a plant is invalid, the species is unknown,
+	/// or there are too many plants.
 	int add_page(int species, const MotionPlant *plants, int count);
 	/// The same with a page that was built elsewhere from these plants and this simulation's settings.
 	int add_page(MotionPage &&page, const MotionPlant *plants);
@@ -51,8 +52,8 @@ public:
 	bool add_to_page(int page, const MotionPlant *plants, int count);
 	/// Removes a plant; other indices do not change. Its row remains, but bodies, blows, contact and queries skip it.
 	void drop(int page, int index);
-	/// Removes a page with its plants; other page numbers do not change. Until add_page() reuses the number, it refers to an
-	/// empty page.
+	/// Removes a page with its plants; other page numbers do not change. Until add_page() reuses the number, it refers
+	/// to an empty page.
 	void remove_page(int page);
 	/// Upper bound of page numbers, free ones included.
 	int page_count() const { return static_cast<int>(entries.size()); }
@@ -66,8 +67,8 @@ public:
 	/// within a second (FollowDelays).
 	void set_wind(const FieldWind &wind);
 	const FieldWind &wind() const { return blowing; }
-	/// Sources of wind for the next steps, in the axes of the field. Followers within reach swing by themselves until they
-	/// come to rest (LoosePlants); if there are too many, those with the strongest wind.
+	/// Sources of wind for the next steps, in the axes of the field. Followers within reach swing by themselves until
+	/// they come to rest (LoosePlants); if there are too many, those with the strongest wind.
 	void set_air_sources(const std::vector<AirSource> &sources);
 	/// How the field moves through the air in the coming steps, in its own axes. Prototypes move as its origin does.
 	void set_drift(const AirDrift &of_field) { drift = of_field; }
@@ -78,21 +79,21 @@ public:
 	void set_page_multiple(int page, int multiple);
 	int page_interval(int page) const;
 	/// Marks a page as near a camera. Stems of two modes (StemConstants::modes) step both while they are near or while
-	/// bodies, blows or contact push plants of their page, and for LoosePlants::ALONE after that. Then they return to one
-	/// mode within LoosePlants::GOING_BACK, which is half the work. A push shows the second mode at once, nearness blends it
-	/// in. Followers show all modes of their stems.
+	/// bodies, blows or contact push plants of their page, and for LoosePlants::ALONE after that. Then they return to
+	/// one mode within LoosePlants::GOING_BACK, which is half the work. A push shows the second mode at once, nearness
+	/// blends it in. Followers show all modes of their stems.
 	void set_page_near(int page, bool is_near) { beat(page).is_near = is_near; }
-	/// Sets in which step of its interval a page is due; the default is its number. Pages that share an upload should share
-	/// the phase. Call it before the page's first step.
+	/// Sets in which step of its interval a page is due; the default is its number. Pages that share an upload should
+	/// share the phase. Call it before the page's first step.
 	void set_page_phase(int page, int phase) { beat(page).phase = phase; }
-	/// Bodies that push plants in the next steps; invalid bodies are skipped. A pushed follower swings by itself until it
-	/// comes to rest (LoosePlants).
+	/// Bodies that push plants in the next steps; invalid bodies are skipped. A pushed follower swings by itself until
+	/// it comes to rest (LoosePlants).
 	void set_bodies(const MovingBody *bodies, int count);
 
 	/// Seconds since the start: the number of started steps times their length.
 	double time() const { return static_cast<double>(next_step) * static_cast<double>(options.step); }
-	/// Steps the prototypes and starts the next step. Call it on one thread. The first call simulates the prototypes' past,
-	/// so that delays reach back into the same wind: about half a millisecond per species.
+	/// Steps the prototypes and starts the next step. Call it on one thread. The first call simulates the prototypes'
+	/// past, so that delays reach back into the same wind: about half a millisecond per species.
 	void begin_step();
 	/// Runs the present step of the due pages in [begin, end). Disjoint ranges may run on several threads at once.
 	void step_pages(int begin, int end);
@@ -111,7 +112,8 @@ public:
 	/// The drawn bend of a plant, `fraction` of a step after the present one started: the stereographic image of its
 	/// direction (motion/bend_encoding.hpp): the same as undergrowth_shown() in the shader.
 	glm::vec2 shown_bend(int page, int index, float fraction) const { return shown_way(page, index, fraction).bend; }
-	/// Input of part_bend() for the same plant, without the clock, in the axes of the field. Equal to the vertex shader's.
+	/// Input of part_bend() for the same plant, without the clock, in the axes of the field. Equal to the vertex
+	/// shader's.
 	StemMotion shown_stem(int page, int index, float fraction) const;
 	/// Rest direction of a plant (unit); for a follower that of its prototype.
 	glm::vec3 rest(int page, int index) const;
@@ -120,8 +122,8 @@ public:
 	/// True if plants of the page have parts.
 	bool has_parts(int page) const { return kinds[static_cast<std::size_t>(at(page).page.species())].has_parts; }
 	/// Divisor (s) that turns the change between the two bends of a plant into the rate for its parts: the time between
-	/// them, times its number of steps. The rate jumps between pairs of bends, more for longer intervals; the factor makes
-	/// parts move as evenly as at every step.
+	/// them, times its number of steps. The rate jumps between pairs of bends, more for longer intervals; the factor
+	/// makes parts move as evenly as at every step.
 	float rate_time(int page) const {
 		const auto steps = static_cast<float>(models.empty() ? beat(page).interval : 1);
 		return steps * steps * options.step;
@@ -140,8 +142,8 @@ public:
 	/// A blow on the tip (N·s): changes the velocity by impulse/mass.
 	void apply_impulse(int page, int index, const glm::vec3 &impulse);
 
-	/// Transfers the motion of a plant of another simulation, of the same species. A pushed follower continues to swing by
-	/// itself.
+	/// Transfers the motion of a plant of another simulation, of the same species. A pushed follower continues to swing
+	/// by itself.
 	void take_motion(int page, int index, const FieldSimulation &from, int from_page, int from_index);
 
 	/// Sets all plants to rest, including prototypes and their history.
@@ -153,16 +155,16 @@ public:
 	const Follower &follower(int page, int index) const { return at(page).followers[static_cast<std::size_t>(index)]; }
 	/// Followers of a species that swing by themselves after a push; null if every plant is simulated.
 	const LoosePlants *loose_plants(int species) const;
-	/// Pages with followers that started or stopped swinging by themselves or changed their prototype, and pages with a new
-	/// number of modes, since forget_changed_pages(). No duplicates.
+	/// Pages with followers that started or stopped swinging by themselves or changed their prototype, and pages with a
+	/// new number of modes, since forget_changed_pages(). No duplicates.
 	const std::vector<int> &changed_pages() const { return changed; }
 	void forget_changed_pages();
 	/// Time by which prototypes are ahead of the wind (s), so that plants upwind of the origin have a positive delay.
 	float prototype_lead() const { return lead; }
 	const FollowDelays &follow_delays() const { return delays; }
 
-	/// True if a point is within `margin` (m) of a plant's line from root to tip, thickened by its collision radius, in the
-	/// pose at the end of the present step.
+	/// True if a point is within `margin` (m) of a plant's line from root to tip, thickened by its collision radius, in
+	/// the pose at the end of the present step.
 	bool is_point_in_plants(const glm::vec3 &point, float margin) const;
 
 	/// Heap bytes (capacity) divided by plants; 0 without plants.

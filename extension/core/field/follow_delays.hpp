@@ -6,8 +6,8 @@
 
 namespace undergrowth {
 
-/// Delay of the wind at a position relative to the prototypes, in steps: `base` at the origin plus a slope per metre of x
-/// and z, clamped to [0, LONGEST_WAY].
+/// Delay of the wind at a position relative to the prototypes, in steps: `base` at the origin plus a slope per metre of
+/// x and z, clamped to [0, LONGEST_WAY].
 struct DelayPlane {
 	static constexpr int LONGEST_WAY = 896; ///< Steps.
 
@@ -22,8 +22,9 @@ struct DelayPlane {
 	bool operator!=(const DelayPlane &other) const { return !(*this == other); }
 };
 
-/// Present delays of followers. When the wind turns or changes its speed, or distant plants are added, all delays change.
-/// Followers then blend from the old delays to the new ones within a second. Further changes wait for the next second.
+/// Present delays of followers. When the wind turns or changes its speed, or distant plants are added, all delays
+/// change. Followers then blend from the old delays to the new ones within a second. Further changes wait for the next
+/// second.
 class FollowDelays {
 public:
 	static constexpr float GOING_OVER = 1.0f; ///< s.

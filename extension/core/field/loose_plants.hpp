@@ -7,8 +7,8 @@
 
 namespace undergrowth {
 
-/// Followers of one species that were pushed or stirred. Each is simulated from the pose that it had, and blends back to
-/// its prototype when it has come to rest. Their number bounds the cost.
+/// Followers of one species that were pushed or stirred. Each is simulated from the pose that it had, and blends back
+/// to its prototype when it has come to rest. Their number bounds the cost.
 class LoosePlants {
 public:
 	/// Maximum number; further plants are not moved. A layer of 64 by 64 texels.

@@ -16,9 +16,9 @@ struct PageRows {
 /// m: maximum extent of the blocks of a page, so that far pages can be stepped less often than near ones.
 inline constexpr float WIDEST_PAGE = 64.0f;
 
-/// Assigns rows to each block, in pages of one species with at most MotionPage::PAGE_PLANTS plants and WIDEST_PAGE extent.
-/// Neighbours in the list share a page, since many small pages cost more than few large ones. Pages are numbered from 0, in the order of
-/// their first blocks; blocks are contiguous within a page.
+/// Assigns rows to each block, in pages of one species with at most MotionPage::PAGE_PLANTS plants and WIDEST_PAGE
+/// extent. Neighbours in the list share a page, since many small pages cost more than few large ones. Pages are
+/// numbered from 0, in the order of their first blocks; blocks are contiguous within a page.
 std::vector<PageRows> join_into_pages(const std::vector<PlantBlock> &blocks);
 
 } // namespace undergrowth

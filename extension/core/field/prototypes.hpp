@@ -17,8 +17,8 @@ struct Follower {
 	uint16_t loose = 0; ///< 1 + its number in LoosePlants while it swings by itself, else 0.
 };
 
-/// The simulated plants of a species that all other plants follow (thesis, section 5.3.1), and the history of their last
-/// SLOTS steps, for all modes. Lengths are spread from the species' shortest to its longest, lean directions
+/// The simulated plants of a species that all other plants follow (thesis, section 5.3.1), and the history of their
+/// last SLOTS steps, for all modes. Lengths are spread from the species' shortest to its longest, lean directions
 /// around the circle.
 class Prototypes {
 public:
@@ -34,8 +34,8 @@ public:
 	float length(int prototype) const { return page.length(prototype); }
 	/// The direction of a prototype in calm air.
 	glm::vec3 rest(int prototype) const { return page.rest(prototype); }
-	/// Picks a prototype with the lean of `plant`, or with about its height if frequencies depend on the height, and a delay
-	/// of up to a second, both by `hash`.
+	/// Picks a prototype with the lean of `plant`, or with about its height if frequencies depend on the height, and a
+	/// delay of up to a second, both by `hash`.
 	Follower pick(const MotionPlant &plant, uint64_t hash) const;
 	/// Does not interrupt the motion; rest directions may change.
 	void set_species(const MotionSpecies &species);
@@ -45,9 +45,9 @@ public:
 
 	/// Steps all prototypes and writes their bends into the next slot.
 	void step(const TravellingWind &wind, const PlantWinds &along);
-	/// Bend of a mode of a prototype (StemBends) `late` steps ago, `fraction` of a step after the newest one started: the
-	/// same as undergrowth_late() in the shader. `late`: 0 to LONGEST_WAY + LONGEST_OWN_DELAY; these slots do not overlap the
-	/// one that is written next. `mode`: below modes().
+	/// Bend of a mode of a prototype (StemBends) `late` steps ago, `fraction` of a step after the newest one started:
+	/// the same as undergrowth_late() in the shader. `late`: 0 to LONGEST_WAY + LONGEST_OWN_DELAY; these slots do not
+	/// overlap the one that is written next. `mode`: below modes().
 	BendWay way(int mode, int prototype, float late, float fraction) const;
 	/// The same for the first mode, as a stereographic image.
 	glm::vec2 bend(int prototype, float late, float fraction) const { return way(0, prototype, late, fraction).bend; }
@@ -56,8 +56,8 @@ public:
 	/// Constants of the drawn modes.
 	const StemConstants &stem_constants() const { return page.stem_constants(); }
 
-	/// All slots of a mode, each with MOST pairs of bends (before and after the step): 16 layers of 64 by 64 texels of four
-	/// halves, one row per slot. Each step changes one slot.
+	/// All slots of a mode, each with MOST pairs of bends (before and after the step): 16 layers of 64 by 64 texels of
+	/// four halves, one row per slot. Each step changes one slot.
 	const Bend *history(int mode) const { return rings[mode].data(); }
 	int newest_slot() const { return newest; }
 	double wind_moment() const { return page.wind_moment(); }

@@ -41,8 +41,7 @@ struct Arrangement {
 	float phase = 0.0f; ///< rad, of the first part about the carrier.
 	Span angle; ///< rad from the carrier's direction; 0 continues it, π/2 is perpendicular.
 	Span scale = { 1.0f, 1.0f }; ///< Of the part's size, 0.001 to 1000.
-	std::vector<float>
-			angles; ///< Replaces `angle`: samples at equal steps from first to last; empty, or at least 2.
+	std::vector<float> angles; ///< Replaces `angle`: samples at equal steps from first to last; empty, or at least 2.
 	std::vector<float> scales; ///< The same for `scale`.
 	float radius = 0.0f; ///< m, 0 to 10: of the whorl, the disc, the tuft. A disc above a half sphere: of its sphere.
 	float dome = 0.0f; ///< Disc: rad, 0 (flat) to π (a whole sphere): from its middle to its rim.

@@ -9,8 +9,7 @@ namespace undergrowth {
 
 /// Shape of a midrib from its base.
 struct MidribCurve {
-	float bend =
-			0.0f; ///< rad: turn of the tip relative to the base. Negative: towards the parent.
+	float bend = 0.0f; ///< rad: turn of the tip relative to the base. Negative: towards the parent.
 	float power = 1.0f; ///< 0.5 to 4. The turn at offset s is bend·s^power: above 1 the turn concentrates at the tip.
 	float wander = 0.0f; ///< rad, 0 to 1.5: maximum random turn of the tip, sideways and along.
 };

@@ -7,11 +7,11 @@
 
 namespace undergrowth {
 
-/// Encoding of a plant's bend for the graphics card: the stereographic image s = (x, z)/(1 + y) of the unit direction from
-/// root to tip, as two half floats (IEEE 754 binary16, nearest, ties to even). Upright is (0, 0), the horizon the unit
-/// circle; within it neighbouring codes are less than 0.001 rad apart. Without a square root,
-/// d = (2·s.x, 1 - n, 2·s.y)/(1 + n) with n = dot(s, s), and the shortest turn from +y to d is the quaternion
-/// (s.y, 0, -s.x, 1)/sqrt(1 + n).
+/// Encoding of a plant's bend for the graphics card: the stereographic image s = (x, z)/(1 + y) of the unit direction
+/// from root to tip, as two half floats (IEEE 754 binary16, nearest, ties to even). Upright is (0, 0), the horizon the
+/// unit circle; within it neighbouring codes are less than 0.001 rad apart. Without a square root, d = (2·s.x, 1 - n,
+/// 2·s.y)/(1 + n) with n = dot(s, s), and the shortest turn from +y to d is the quaternion (s.y, 0, -s.x, 1)/sqrt(1 +
+/// n).
 ///
 /// motion/kernel_bends.inc encodes whole pages to the same bits, and undergrowth_bend() in
 /// addons/undergrowth/shaders/undergrowth_bend.gdshaderinc decodes them. Change all three together.

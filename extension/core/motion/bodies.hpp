@@ -62,11 +62,12 @@ template <class Visit> void for_each_in_reach(const MotionPage &page, const Movi
 /// Pushes the plants of a swinging page out of a body: the tip, which is a sphere of the collision radius, and a point
 /// of the upper stem, along their spheres, by as much as they are inside. The contact is inelastic:
 /// it removes the velocity towards the body. A root that moves past a body, or together with it, does not push by that:
-/// the smaller of the body's velocity and its velocity relative to the root counts. Returns the number of touched plants.
+/// the smaller of the body's velocity and its velocity relative to the root counts. Returns the number of touched
+/// plants.
 int push_plants(MotionPage &page, const MovingBody &body, const PageStand &stand = {});
 
-/// True if a plant of the page is within `margin` (m) of a valid body, its tip thickened by the collision radius. Checks
-/// points along its straight stem, a quarter of its length apart.
+/// True if a plant of the page is within `margin` (m) of a valid body, its tip thickened by the collision radius.
+/// Checks points along its straight stem, a quarter of its length apart.
 bool touches_plant(
 		const MotionPage &page, int index, const MovingBody &body, float margin, const PageStand &stand = {});
 

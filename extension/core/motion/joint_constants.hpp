@@ -12,8 +12,8 @@ struct ElasticityConstants {
 	float lowest_y;
 };
 
-/// Constants of the spring kernel for one species and step length; units as in SpringPage. `wind_gain` is for a plant of
-/// one metre; divide it by the length.
+/// Constants of the spring kernel for one species and step length; units as in SpringPage. `wind_gain` is for a plant
+/// of one metre; divide it by the length.
 struct SpringConstants {
 	float wind_gain;
 	float place_from_place;

@@ -49,8 +49,9 @@ struct SpringPage {
 /// Both laws clamp t and its equilibrium to this size, so that nothing overflows: 0.06 degrees above the ground.
 inline constexpr float MAX_GNOMONIC = 1e3f;
 
-/// Air (m/s) at each plant, in the axes of the directions, or null; and its drag on a tip of the laws of one joint. At the
-/// relative speed s the force is drag·s times the air's velocity (for a wind weight of 1), minus drag·s times the tip's.
+/// Air (m/s) at each plant, in the axes of the directions, or null; and its drag on a tip of the laws of one joint. At
+/// the relative speed s the force is drag·s times the air's velocity (for a wind weight of 1), minus drag·s times the
+/// tip's.
 struct PlantAir {
 	const float *x = nullptr;
 	const float *z = nullptr;
@@ -85,8 +86,8 @@ struct StemStep {
 	float second_share; ///< In a steady wind, the second mode's amplitude over that of the first.
 	StemTip dead_tip, air_tip; ///< Under a load of either kind.
 	float dead_slope, air_slope, axial_share; ///< As in StemConstants.
-	/// The axial share of a wind in m/s: most of the stem is bent less than its tip, so less of the wind along it acts. A
-	/// chain of links gives 0.85 to 0.95 by taper and head, less for larger bends.
+	/// The axial share of a wind in m/s: most of the stem is bent less than its tip, so less of the wind along it acts.
+	/// A chain of links gives 0.85 to 0.95 by taper and head, less for larger bends.
 	float air_along = 0.85f;
 	float most_force; ///< N: `most_load` over `dead_slope`.
 	float softness; ///< 1 over the load, as linear slope of the tip, that a step can follow.

@@ -21,11 +21,12 @@ namespace undergrowth {
 /// simulated plants are in pages: a field has many pages with bends for textures, and `Plant3D`s share pages with
 /// directions.
 ///
-/// Elasticity law (thesis, formulas 3.1 and 3.2): the forces on the tip are (1 + e)·m·g·|y| upwards, m·g downwards, the wind and
-/// -friction·velocity, held on the sphere: equilibrium under a horizontal force F is F·w = m·g·tan φ·((1 + e)·cos φ -
-/// 1). An exact rotation preserves both norms; kicks are scaled (by sinc²(ω·step/2) without friction) so that a small
-/// swing has exactly ω² = e·g/L and friction's decay at any step length up to a third of its period; stiffer joints
-/// swing at about that period and stay stable. The rate is that of the middle of the last step (kick, then drift).
+/// Elasticity law (thesis, formulas 3.1 and 3.2): the forces on the tip are (1 + e)·m·g·|y| upwards, m·g downwards, the
+/// wind and -friction·velocity, held on the sphere: equilibrium under a horizontal force F is F·w = m·g·tan φ·((1 +
+/// e)·cos φ - 1). An exact rotation preserves both norms; kicks are scaled (by sinc²(ω·step/2) without friction) so
+/// that a small swing has exactly ω² = e·g/L and friction's decay at any step length up to a third of its period;
+/// stiffer joints swing at about that period and stay stable. The rate is that of the middle of the last step (kick,
+/// then drift).
 ///
 /// Spring law: the state is the gnomonic image t = (x, z)/y of the direction, which obeys
 /// t'' = -ω²·(t - rest - F·w/(m·ω²·L)) - 2·ζ·ω·t'. The step is the closed-form solution for a force that is constant
@@ -33,12 +34,12 @@ namespace undergrowth {
 /// The equilibrium of an upright plant under a horizontal force F is tan φ = F·w/(m·ω²·L).
 ///
 /// Stem law: a stem that bends along its length (stem/stem_beam.hpp, motion/stem_step.hpp). One or two oscillators per
-/// plant in the frame of its rest. Its direction is that of the tip, and tip() is the end of the bent stem. The equilibrium of an upright plant under a horizontal force F is tan φ =
-/// F·StemConstants::dead_slope.
+/// plant in the frame of its rest. Its direction is that of the tip, and tip() is the end of the bent stem. The
+/// equilibrium of an upright plant under a horizontal force F is tan φ = F·StemConstants::dead_slope.
 ///
 /// Winds are horizontal in the axes of the roots. Directions may have other axes; step() takes the wind's direction in
-/// those. Values out of range are clamped to the nearest safe one; nothing becomes NaN. Only adding allocates. Results have
-/// the same bits at every SimdLevel and for any division of plants into pages.
+/// those. Values out of range are clamped to the nearest safe one; nothing becomes NaN. Only adding allocates. Results
+/// have the same bits at every SimdLevel and for any division of plants into pages.
 class MotionPage {
 public:
 	static constexpr int PAGE_PLANTS = 4096; ///< Of a page of a field: a layer of 64 by 64 texels.
@@ -48,8 +49,8 @@ public:
 		directions, ///< Floats, for skeletons; such a page has no bends.
 	};
 
-	/// Creates `count` valid plants at rest, upright (elasticity law) or along `rest`, for steps of `step` seconds. A page
-	/// that does not swing stores positions only, and its plants are upright.
+	/// Creates `count` valid plants at rest, upright (elasticity law) or along `rest`, for steps of `step` seconds. A
+	/// page that does not swing stores positions only, and its plants are upright.
 	MotionPage(int species_index, const MotionSpecies &species, const MotionPlant *plants, int count, float step,
 			bool swings, Keeps keeps = Keeps::bends);
 
@@ -68,12 +69,12 @@ public:
 	/// Number of stepped modes per stem: that of the species, or less after set_modes(). 0 under another law.
 	int modes() const { return kind.law == Law::stem ? kind.stem.modes : 0; }
 	int most_modes() const { return kind.law == Law::stem ? whole.modes : 0; }
-	/// For pages without directions: steps only one of two modes, with the shape of a steady wind (in_one_mode()), in half the
-	/// time, or both again. A change to one mode preserves the tip; a change to two preserves the drawn pose, the last bend
-	/// included. Allocates nothing.
+	/// For pages without directions: steps only one of two modes, with the shape of a steady wind (in_one_mode()), in
+	/// half the time, or both again. A change to one mode preserves the tip; a change to two preserves the drawn pose,
+	/// the last bend included. Allocates nothing.
 	void set_modes(int count);
-	/// For pages with two stepped modes: the next step moves second modes by `share` towards the value that a steady wind gives
-	/// them.
+	/// For pages with two stepped modes: the next step moves second modes by `share` towards the value that a steady
+	/// wind gives them.
 	void ease_second(float share) { easing = share; }
 	/// True if move_tip() moved a plant since the last call.
 	bool take_moved() { return std::exchange(was_moved, false); }
@@ -95,8 +96,8 @@ public:
 	glm::vec3 rest(int index) const;
 	/// Direction of a plant: unit, root to tip.
 	glm::vec3 direction(int index) const;
-	/// Vector from the root to a point on the plant (m), from the root (share 0) to the tip (1), in the directions' axes: on
-	/// the straight line along the direction, or on the bent stem.
+	/// Vector from the root to a point on the plant (m), from the root (share 0) to the tip (1), in the directions'
+	/// axes: on the straight line along the direction, or on the bent stem.
 	glm::vec3 arm(int index, float share) const;
 	glm::vec3 tip(int index) const { return root(index) + arm(index, 1.0f); }
 	/// m/s, of a tip.
@@ -105,8 +106,8 @@ public:
 	StemSecond second(int index) const;
 	/// Sets the state of a plant; its last drawn pose becomes the same.
 	void set_state(int index, const TipState &state, const StemSecond &second = {});
-	/// Transfers the motion of plant `from` of another page, of any law, to plant `index`, with the same drawn pose. With
-	/// another rest direction, the deflection from it is preserved.
+	/// Transfers the motion of plant `from` of another page, of any law, to plant `index`, with the same drawn pose.
+	/// With another rest direction, the deflection from it is preserved.
 	void take_motion(int index, const MotionPage &other, int from);
 	/// Drawn direction of a plant before its last step.
 	glm::vec3 before(int index) const;
@@ -121,10 +122,11 @@ public:
 	StemState stem_before(int index) const;
 	void set_stem_before(int index, const StemState &state);
 	glm::vec2 rest_bend(int index) const;
-	/// The second mode's part of the tip's bend at `alpha` of the last step, for pages with directions: a vector across the
-	/// rest direction, in the directions' axes.
+	/// The second mode's part of the tip's bend at `alpha` of the last step, for pages with directions: a vector across
+	/// the rest direction, in the directions' axes.
 	glm::vec3 second_bend(int index, float alpha) const;
-	/// Stem law: moves a tip by `way` (m) and changes its velocity by `faster` (m/s), as far as they are across the stem.
+	/// Stem law: moves a tip by `way` (m) and changes its velocity by `faster` (m/s), as far as they are across the
+	/// stem.
 	void move_tip(int index, const glm::vec3 &way, const glm::vec3 &faster);
 	/// A blow on a joint: 1 to StemConstants::joints (the tip), or joints + 1 (the head).
 	void apply_impulse_at(int index, int joint, const glm::vec3 &impulse);
@@ -144,30 +146,30 @@ public:
 	/// Removes plant `index`; the last plant gets its index.
 	void remove(int index);
 
-	/// Changes constants without interrupting the motion. The elasticity law has no rest directions: after a change of law
-	/// plants rest upright until set_rests().
+	/// Changes constants without interrupting the motion. The elasticity law has no rest directions: after a change of
+	/// law plants rest upright until set_rests().
 	void set_species(const MotionSpecies &species);
-	/// Changes the rest directions (unit, as MotionPlant::rest) of `count` plants from `first` on; plants swing there. No
-	/// effect under the elasticity law.
+	/// Changes the rest directions (unit, as MotionPlant::rest) of `count` plants from `first` on; plants swing there.
+	/// No effect under the elasticity law.
 	void set_rests(int first, const glm::vec3 *rests, int count);
 	/// Changes the step length (s) without interrupting the motion. Allocates nothing.
 	void set_step_length(float step);
-	/// Time within a step at which to sample the wind, as a fraction: the elasticity law kicks at the start of the drift (its
-	/// rate is that of the middle); the closed forms of the other laws use the force of the middle.
+	/// Time within a step at which to sample the wind, as a fraction: the elasticity law kicks at the start of the
+	/// drift (its rate is that of the middle); the closed forms of the other laws use the force of the middle.
 	double wind_moment() const { return kind.law == Law::elasticity ? 0.0 : 0.5; }
-	/// Runs one step under `wind`, with the direction (along.x, along.z) in the directions' axes. `level` selects the code,
-	/// not the result.
+	/// Runs one step under `wind`, with the direction (along.x, along.z) in the directions' axes. `level` selects the
+	/// code, not the result.
 	void step(const TravellingWind &wind, const PlantWinds &along, SimdLevel level = best_simd_level());
 
-	/// Call before each step to let the page sample its air ahead (AirAhead) of the step at `moment` (s), in turn with other
-	/// pages. Without it each step samples all air.
+	/// Call before each step to let the page sample its air ahead (AirAhead) of the step at `moment` (s), in turn with
+	/// other pages. Without it each step samples all air.
 	void look_ahead(const FieldWind &wind, const PlantWinds &along, double moment, int turn,
 			SimdLevel level = best_simd_level());
 	/// Reserves room for samples ahead. Allocates only for more plants than before.
 	void make_room_ahead() { ahead.make_room(is_swinging ? size() : 0); }
 
-	/// For pages with directions: writes the unit directions of all plants at `alpha`, from before the last step (0) to after
-	/// it (1), to out[0 .. size()).
+	/// For pages with directions: writes the unit directions of all plants at `alpha`, from before the last step (0) to
+	/// after it (1), to out[0 .. size()).
 	void interpolate(float alpha, glm::vec3 *out) const;
 	/// For pages with bends: 2·size() bends, for each plant before and after its last step.
 	const Bend *bends() const { return pairs.data(); }

@@ -29,8 +29,8 @@ struct StemMotion {
 /// - stiff parts (of high frequency) move less, and no part folds far towards its stem or into the ground.
 ///
 /// So parts of a stem at rest are still, and come to rest with it. The result is bounded and finite for
-/// all inputs. undergrowth_part_bend() in addons/undergrowth/shaders/undergrowth_swing.gdshaderinc mirrors it for fields;
-/// change both together.
+/// all inputs. undergrowth_part_bend() in addons/undergrowth/shaders/undergrowth_swing.gdshaderinc mirrors it for
+/// fields; change both together.
 glm::vec2 part_bend(const PartSwing &part, const StemMotion &stem);
 
 /// About 44°: of a tip's turn as seen from the pivot. The tip itself points twice as far.
@@ -39,8 +39,9 @@ inline constexpr float MOST_PART_BEND = 0.4f;
 /// Turns `v` by a bend, as undergrowth_turned() in the shaders.
 glm::vec3 turned(const glm::vec3 &v, const glm::vec2 &bend);
 
-/// Position of a point of a part with the bend `bend`, relative to the pivot; `way` is its position at rest. `weight`: its
-/// bend weight, 0 at the attachment and 1 at the tip. A straight blade becomes an arc of a circle of the same length.
+/// Position of a point of a part with the bend `bend`, relative to the pivot; `way` is its position at rest. `weight`:
+/// its bend weight, 0 at the attachment and 1 at the tip. A straight blade becomes an arc of a circle of the same
+/// length.
 glm::vec3 bent_way(const glm::vec3 &way, const glm::vec2 &bend, float weight);
 
 /// Bend at a point of a part from the bend of its tip: the angle is `weight` times the tip's. Within 1e-4.
@@ -56,8 +57,8 @@ struct PartPose {
 	glm::vec3 shift = { 0.0f, 0.0f, 0.0f }; ///< m: new position of the plant's root.
 };
 
-/// Pose of a bone, in the plant's axes. Linear blend skinning from the stem to it, and on to the bone of the outer half,
-/// shows what shaders show, to the first order of the bend.
+/// Pose of a bone, in the plant's axes. Linear blend skinning from the stem to it, and on to the bone of the outer
+/// half, shows what shaders show, to the first order of the bend.
 PartPose pose_of(const PartBone &bone, const StemMotion &stem);
 
 /// A bent stem, in the plant's axes.
@@ -68,8 +69,8 @@ struct StandingStem {
 	glm::vec2 amplitudes[MOST_STEM_MODES] = {}; ///< In the frame of the rest.
 
 	StandingStem(const StemConstants &stem, float plant_height, const StemMotion &motion);
-	/// New position of a point `place` (m) that is attached to the stem at the offset x: as undergrowth_bend_stem() in the
-	/// shaders.
+	/// New position of a point `place` (m) that is attached to the stem at the offset x: as undergrowth_bend_stem() in
+	/// the shaders.
 	glm::vec3 place_of(const glm::vec3 &place, float x) const;
 	/// Unit quaternion, w last.
 	glm::vec4 turn_at(float x) const;

@@ -17,8 +17,8 @@ struct StemState {
 
 /// Bends are stereographic images of directions (motion/bend_encoding.hpp).
 
-/// Converts `bend` from the frame of a rest direction (bend `rest`) to the plant's axes, and back. Both are exact rotations
-/// of the sphere.
+/// Converts `bend` from the frame of a rest direction (bend `rest`) to the plant's axes, and back. Both are exact
+/// rotations of the sphere.
 glm::vec2 out_of_rest(const glm::vec2 &bend, const glm::vec2 &rest);
 glm::vec2 into_rest(const glm::vec2 &bend, const glm::vec2 &rest);
 
@@ -28,8 +28,8 @@ glm::vec2 tip_bend(const StemConstants &stem, const StemState &state);
 /// Direction of the tip and its rate, in the plant's axes.
 TipState tip_state(const StemConstants &stem, const StemState &state, const glm::vec2 &rest);
 
-/// The second mode's part of the tip's bend beyond its share in a steady wind (first_share()): across the rest direction,
-/// in the plant's axes. Zero with one mode.
+/// The second mode's part of the tip's bend beyond its share in a steady wind (first_share()): across the rest
+/// direction, in the plant's axes. Zero with one mode.
 struct StemSecond {
 	glm::vec3 bend = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 rate = { 0.0f, 0.0f, 0.0f }; ///< 1/s.

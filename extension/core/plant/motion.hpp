@@ -17,8 +17,8 @@ struct Motion {
 	float natural_frequency = 1.0f; ///< Spring and stem laws, Hz, of a small free swing of the finished plant.
 	float damping_ratio = 0.1f; ///< Of both, 1 is critical.
 	float mass = 1.0f; ///< kg, at the tip.
-	/// Fraction of the wind force that acts on the plant. Below 0: 1 for a tip; for a stem the value with which it bends as
-	/// far as a kilogram at the tip of the same frequency.
+	/// Fraction of the wind force that acts on the plant. Below 0: 1 for a tip; for a stem the value with which it
+	/// bends as far as a kilogram at the tip of the same frequency.
 	float wind_weight = 1.0f;
 	float drag_area = -1.0f; ///< m², drag coefficient included; below 0: from wind_weight.
 	float lean = 0.0f; ///< Spring and stem laws: rad from upright to the rest direction, below π/2.

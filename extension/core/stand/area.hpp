@@ -6,8 +6,8 @@
 
 namespace undergrowth {
 
-/// A polygon in a field's ground plane: (x, z) in metres, of either orientation, implicitly closed. Even-odd rule: parts
-/// with an even winding are outside.
+/// A polygon in a field's ground plane: (x, z) in metres, of either orientation, implicitly closed. Even-odd rule:
+/// parts with an even winding are outside.
 using Polygon = std::vector<glm::vec2>;
 
 /// Maximum coordinate of areas (m): beyond it single precision is coarser than a centimetre.

@@ -6,9 +6,9 @@
 
 namespace undergrowth {
 
-/// Identifies a plant while it exists, and again after a rebuild. Never negative. The id of a generated plant consists of
-/// its cell (Placement) and a hash of the placement's spacing: the same density gives the same ids, and two densities
-/// share none. The id of an added plant is a number of its own.
+/// Identifies a plant while it exists, and again after a rebuild. Never negative. The id of a generated plant consists
+/// of its cell (Placement) and a hash of the placement's spacing: the same density gives the same ids, and two
+/// densities share none. The id of an added plant is a number of its own.
 using PlantId = int64_t;
 
 inline constexpr PlantId NO_PLANT = -1;

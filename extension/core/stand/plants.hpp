@@ -25,8 +25,8 @@ bool is_valid(const PlacedPlant &plant);
 
 /// Placed plants in struct-of-arrays: 26 bytes a plant. Columns have equal lengths.
 ///
-/// Turn, side, height and lean have 16 bits each, with resolutions of 1e-4 rad, 1e-4 rad, 1.3e-4 and 2.4e-5 rad. Heights
-/// and leans out of range are clamped.
+/// Turn, side, height and lean have 16 bits each, with resolutions of 1e-4 rad, 1e-4 rad, 1.3e-4 and 2.4e-5 rad.
+/// Heights and leans out of range are clamped.
 struct FieldPlants {
 	static constexpr float MOST_HEIGHT = 8.0f;
 	static constexpr std::size_t PLANT_BYTES = 26;
@@ -73,10 +73,10 @@ struct GroundLimits {
 	float alignment = 0.0f; ///< 0: plants lean as on level ground; 1: with the ground's normal, too.
 };
 
-/// Sets each plant's y to heights[i], leans it by the alignment with the slope, and removes plants with a height or slope
-/// out of the (inclusive) limits or not finite; NaN means no ground. Preserves the order and returns the number of
-/// remaining plants. `heights` (m) and `normals` (of any length > 0) have one entry per plant; null normals mean level
-/// ground.
+/// Sets each plant's y to heights[i], leans it by the alignment with the slope, and removes plants with a height or
+/// slope out of the (inclusive) limits or not finite; NaN means no ground. Preserves the order and returns the number
+/// of remaining plants. `heights` (m) and `normals` (of any length > 0) have one entry per plant; null normals mean
+/// level ground.
 int apply_ground(FieldPlants &plants, const float *heights, const glm::vec3 *normals, const GroundLimits &limits);
 
 } // namespace undergrowth

@@ -21,8 +21,8 @@ struct MownPlant {
 
 /// Removed and mown plants of a field, for every later placement. Generated plants are identified by their cells: at
 /// another density a plant with its root in the cell of a removed one is removed, too. Stored in squares with
-/// copy-on-write: a copy costs by the number of squares. Copies may go to other threads; one object belongs to one thread
-/// at a time.
+/// copy-on-write: a copy costs by the number of squares. Copies may go to other threads; one object belongs to one
+/// thread at a time.
 class StandChanges {
 public:
 	static constexpr float SQUARE = 8.0f; ///< m.

@@ -13,8 +13,8 @@ public:
 	/// `standing`: the generated plants in the rectangle, placed at `spacing` (m).
 	StandPatch(StandingPlants &&standing, double spacing);
 
-	/// Returns the plants of `placed` that are new or have another height or species; the caller puts them onto the ground.
-	/// Existing plants that are not in `placed` are removed by the edit.
+	/// Returns the plants of `placed` that are new or have another height or species; the caller puts them onto the
+	/// ground. Existing plants that are not in `placed` are removed by the edit.
 	FieldPlants find_newcomers(const FieldPlants &placed);
 	/// Call after that, with the plants that have ground.
 	StandEdit make_edit(const FieldPlants &newcomers) const;

@@ -11,19 +11,20 @@ constexpr int RANK_BITS = 24;
 constexpr int RANK_COUNT = 1 << RANK_BITS;
 
 /// Rank of a plant in the order of removal by distance, in [0, 1): a density d keeps plants with a rank below d. It
-/// depends on the id alone. Generated plants: golden ratio along Hilbert's curve through their cells, so that each density
-/// is spread evenly. Added plants: by their number. A multiple of 1 / RANK_COUNT.
+/// depends on the id alone. Generated plants: golden ratio along Hilbert's curve through their cells, so that each
+/// density is spread evenly. Added plants: by their number. A multiple of 1 / RANK_COUNT.
 float plant_rank(PlantId id);
 
-/// Density of a field by distance from the camera, over one level of detail and the one before it. The shader computes the
-/// same (undergrowth_width.gdshaderinc).
+/// Density of a field by distance from the camera, over one level of detail and the one before it. The shader computes
+/// the same (undergrowth_width.gdshaderinc).
 struct Thinning {
 	/// A plant fades from full width to none while the density falls by MOST_BAND, or by BAND_SHARE of itself.
 	static constexpr float MOST_BAND = 0.1f;
 	static constexpr float BAND_SHARE = 0.25f;
 
 	float distances[3] = { 0.0f, 0.0f, 1.0f }; ///< m; ascending.
-	float shares[3] = { 1.0f, 1.0f, 1.0f }; ///< 0 to 1: density at these distances; linear between them, constant beyond.
+	float shares[3] = { 1.0f, 1.0f,
+		1.0f }; ///< 0 to 1: density at these distances; linear between them, constant beyond.
 
 	bool operator==(const Thinning &other) const {
 		return std::equal(distances, distances + 3, other.distances) && std::equal(shares, shares + 3, other.shares);

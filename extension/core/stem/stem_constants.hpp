@@ -13,8 +13,8 @@ constexpr int MOST_STEM_JOINTS = 8;
 /// Coefficients of a shape along the stem, those of x, x², … x⁶.
 constexpr int STEM_SHAPE_TERMS = 6;
 
-/// Dependence of a value on a plant's height, relative to the value at StemConstants::length: 1 + (r - 1)·(slope + curve·(r -
-/// 1)) at r times that. 0 and 0 if the frequency is declared.
+/// Dependence of a value on a plant's height, relative to the value at StemConstants::length: 1 + (r - 1)·(slope +
+/// curve·(r - 1)) at r times that. 0 and 0 if the frequency is declared.
 struct StemGrade {
 	float slope = 0.0f;
 	float curve = 0.0f;

@@ -5,8 +5,8 @@
 
 namespace undergrowth {
 
-/// Corrections of large steady bends to the static shape ψ of the linear beam (1 at the tip); t is the tip's bend by the
-/// wind's law: u(x) = t·ψ + t³·x3 + t⁵·x5. Least squares of directions beside a chain under winds that give a
+/// Corrections of large steady bends to the static shape ψ of the linear beam (1 at the tip); t is the tip's bend by
+/// the wind's law: u(x) = t·ψ + t³·x3 + t⁵·x5. Least squares of directions beside a chain under winds that give a
 /// linear tip slopes of 0.5 to 12, in air to 30.
 struct LargeBends {
 	StemSamples x3;

@@ -54,8 +54,8 @@ AirNow air_at_time(const Air &air, const AirAxes &axes, const AirTiles *tiles, d
 /// Velocity (m/s, world) at a place whose height above open ground is `place.y`.
 glm::vec3 air_velocity(const Air &air, const AirTiles *tiles, double time, const glm::vec3 &place);
 
-/// Wind at the top of a canopy of `canopy_height` (m), with directions in the axes of `axes`. 0: isolated plants on open
-/// ground.
+/// Wind at the top of a canopy of `canopy_height` (m), with directions in the axes of `axes`. 0: isolated plants on
+/// open ground.
 AirBlow blow_over(const AirNow &air, float canopy_height, const PlantWinds &axes);
 
 /// Writes the velocities (m/s) at plants (x, z), in the axes of `blow`, to out_x and out_z. `lengths` (m) are the

@@ -22,7 +22,8 @@ public:
 	static constexpr double SWING_SHARE = 0.2;
 	/// The same as a fraction of the period of waves; preserves 95 % of their amplitude.
 	static constexpr double WAVES_SHARE = 0.25;
-	static constexpr double SPACING = 4.0 / 60.0; ///< s, maximum; the error of tips is a few hundredths of their travel.
+	static constexpr double SPACING =
+			4.0 / 60.0; ///< s, maximum; the error of tips is a few hundredths of their travel.
 	static constexpr int MOST_STEPS = 4; ///< Maximum number of steps between samples.
 
 	/// The plants to sample for.

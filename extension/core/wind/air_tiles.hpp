@@ -13,8 +13,8 @@ namespace undergrowth {
 /// (1 m here), coherent across the wind by IEC 61400-1's exponential law. The rows are
 /// read obliquely, so that a position repeats only after a long time.
 ///
-/// Waves over a canopy (honami) by the analogy with a mixing layer (Raupach, Finnigan and Brunet 1996): a narrow band of
-/// wavelengths.
+/// Waves over a canopy (honami) by the analogy with a mixing layer (Raupach, Finnigan and Brunet 1996): a narrow band
+/// of wavelengths.
 struct AirTiles {
 	static constexpr int WIDTH = 1024; ///< Texels along the wind.
 	static constexpr int HEIGHT = 256; ///< Across.

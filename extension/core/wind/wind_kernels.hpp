@@ -20,8 +20,8 @@ struct AirMap {
 	const uint64_t *cells = nullptr; ///< Null: none.
 	float s = 0.0f, s_x = 0.0f, s_z = 0.0f;
 	float n = 0.0f, n_x = 0.0f, n_z = 0.0f;
-	/// Maximum distance from the map's corner (65 km); farther positions are clamped. A variable for the reason given at
-	/// TravellingWind::half.
+	/// Maximum distance from the map's corner (65 km); farther positions are clamped. A variable for the reason given
+	/// at TravellingWind::half.
 	float farthest = 1073741824.0f;
 	static constexpr float PARTS = 4096.0f; ///< Per texel.
 };
@@ -75,8 +75,8 @@ struct AirSources {
 	float z_x = 0.0f, z_z = 1.0f;
 };
 
-/// A travelling wind at one time. The phase (cycles) at a plant (x, z) is cycle - cycles_x·x - cycles_z·z. A gust started
-/// since - max(delay_x·x + delay_z·z, least_delay) seconds ago.
+/// A travelling wind at one time. The phase (cycles) at a plant (x, z) is cycle - cycles_x·x - cycles_z·z. A gust
+/// started since - max(delay_x·x + delay_z·z, least_delay) seconds ago.
 struct TravellingWind {
 	float steady; ///< N, always.
 	float wave; ///< N: wave·(1 + sin(2π·cycles)).

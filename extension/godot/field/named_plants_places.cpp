@@ -54,8 +54,8 @@ std::optional<NamedPlants::Sphere> NamedPlants::sphere_of(
 	const Vector3 scale = placed.basis.get_scale().abs();
 	const float smallest = std::min({ scale.x, scale.y, scale.z });
 	const bool is_even = scale.is_equal_approx(Vector3(smallest, smallest, smallest));
-	return Sphere{ to_glm(placed.affine_inverse().xform(center)), float(radius) / smallest, center, float(radius), placed,
-		is_even };
+	return Sphere{ to_glm(placed.affine_inverse().xform(center)), float(radius) / smallest, center, float(radius),
+		placed, is_even };
 }
 
 void NamedPlants::find_in(const Sphere &sphere, std::vector<PlantPlace> &found) const {

@@ -51,8 +51,8 @@ struct Stand {
 	bool step(const FieldWind &wind, int number, int turn = 0, SimdLevel level = best_simd_level()) {
 		const PlantWinds along = winds_along(wind);
 		const double moment = (number + 0.5) * static_cast<double>(STEP);
-		ahead.look(wind, along, moment, STEP, turn, { x.data(), z.data(), lengths.data(), PLANTS, canopy_height, swing },
-				level);
+		ahead.look(wind, along, moment, STEP, turn,
+				{ x.data(), z.data(), lengths.data(), PLANTS, canopy_height, swing }, level);
 		const TravellingWind now = wind_at_time(wind, along, moment);
 		const AirBlow blow = blow_over(now.air, canopy_height, along);
 		const float *alone = canopy_height > 0.0f ? nullptr : lengths.data();

@@ -5,7 +5,13 @@ extends GridContainer
 const FOLDER := "res://addons/undergrowth/winds/"
 ## Properties of a preset. The wind's direction does not change.
 const PROPERTIES: Array[StringName] = [
-	&"kind", &"speed", &"turbulence", &"gustiness", &"roughness", &"canopy_height", &"canopy_wave_amount"
+	&"kind",
+	&"speed",
+	&"turbulence",
+	&"gustiness",
+	&"roughness",
+	&"canopy_height",
+	&"canopy_wave_amount"
 ]
 
 var _chosen: Callable
