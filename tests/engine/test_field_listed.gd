@@ -76,7 +76,9 @@ func test_a_list_that_is_set_again_and_again_fills_the_field_once_each() -> void
 	var fills := [0]
 	field.build_finished.connect(func() -> void: fills[0] += 1)
 	for i in 3:
-		field.species = field.species.duplicate()
+		var list := field.species.duplicate()
+		list[0] = list[0].duplicate()  # The same list again would change nothing.
+		field.species = list
 		await filled(field)
 		await frames(30)
 		check_equal(fills[0], i + 1, "fills")

@@ -89,7 +89,7 @@ func test_a_share_out_of_range_keeps_the_value() -> void:
 	var level := PlantFieldLevel.of(3, 10.0, 0.4)
 	check_equal(level.density, 0.4)
 	level.density = 1.5
-	check_error("share cannot be 1.5")
+	check_error("density cannot be 1.5")
 	check_equal(level.density, 0.4)
 
 

@@ -36,9 +36,9 @@ func test_a_scene_of_0_2_loads_with_one_warning() -> void:
 	check_equal(field.species[0].weight, 7.0, "weight")
 	check_equal(field.species[0].lod_bias, 2.0, "lod_bias")
 	check_equal(field.levels[0].density, 0.4, "density of a level")
-	field.free()
 	await frames(2)
 	check_error("old_field.tscn' uses property names of Undergrowth 0.2")
+	field.free()
 
 
 func test_a_resource_of_0_2_loads_with_one_warning() -> void:
