@@ -266,6 +266,7 @@ func _check_sound(ids: PackedInt64Array) -> void:
 
 
 func test_the_257th_species_is_one_error_that_names_the_limit() -> void:
+	field.free()
 	field = PlantField3D.from_species([GrassFunction.new()])
 	field.density = 1.0
 	field.size = Vector2(3, 3)
@@ -282,6 +283,7 @@ func test_the_257th_species_is_one_error_that_names_the_limit() -> void:
 
 
 func test_a_species_that_finds_no_room_beside_prototypes_is_one_error_that_says_so() -> void:
+	field.free()
 	field = PlantField3D.from_species([GrassFunction.new()])
 	field.density = 1.0
 	field.size = Vector2(3, 3)
