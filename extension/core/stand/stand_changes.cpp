@@ -56,7 +56,9 @@ void StandChanges::remove(const std::vector<PlantId> &ids, double spacing) {
 	std::vector<std::pair<TileKey, PlantId>> entries;
 	entries.reserve(ids.size());
 	for (const PlantId id : ids) {
-		if (!is_added(id)) {
+		if (is_added(id)) {
+			added.erase(id);
+		} else {
 			entries.emplace_back(square_of(id, spacing), id);
 		}
 	}

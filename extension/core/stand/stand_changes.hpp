@@ -37,13 +37,11 @@ public:
 
 	bool is_empty() const { return filled.empty() && added.empty(); }
 
-	/// Records plants placed at `spacing` (m) as removed.
+	/// Records generated plants placed at `spacing` (m) as removed, and drops the records of added ones.
 	void remove(const std::vector<PlantId> &ids, double spacing);
 	/// Records the heights of plants (generated ones placed at `spacing`, m) as fractions of their own height: at least
 	/// LEAST_SHARE; 1 and more removes the record.
 	void mow(const std::vector<PlantId> &ids, const std::vector<float> &shares, double spacing);
-	/// Drops the record of an added plant.
-	void forget_added(PlantId id) { added.erase(id); }
 
 	/// Grows all mown plants by this fraction of their own height.
 	void grow_back(double share) { grown += share; }

@@ -18,12 +18,7 @@ static bool is_there(const PlantStore &store, const PlantPlace &place) {
 void FieldChanges::note_removed(const PlantStore &store, const std::vector<PlantPlace> &places) {
 	std::map<double, std::vector<PlantId>> gone; // By spacing.
 	for (const PlantPlace &place : places) {
-		const PlantId id = store.id(place);
-		if (is_added(id)) {
-			changes.forget_added(id);
-		} else {
-			gone[store.block(place.block).spacing].push_back(id);
-		}
+		gone[store.block(place.block).spacing].push_back(store.id(place));
 	}
 	for (const auto &[spacing, ids] : gone) {
 		changes.remove(ids, spacing);

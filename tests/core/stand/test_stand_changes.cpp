@@ -118,7 +118,15 @@ TEST_CASE("added plants are mown by their ids") {
 	changes.mow({ added_plant_id(3) }, { 0.25f }, 1.0);
 	CHECK(changes.share_of(added_plant_id(3), 90.0f, 90.0f) == 0.25f);
 	CHECK(changes.share_of(added_plant_id(4), 90.0f, 90.0f) == 1.0f);
-	changes.forget_added(added_plant_id(3));
+}
+
+TEST_CASE("nothing is recorded of an added plant that was mown and removed") {
+	StandChanges changes;
+	changes.mow({ added_plant_id(3), added_plant_id(4) }, { 0.25f, 0.5f }, 1.0);
+	changes.remove({ added_plant_id(3) }, 1.0);
+	CHECK(changes.share_of(added_plant_id(3), 90.0f, 90.0f) == 1.0f);
+	CHECK(changes.plant_count() == 1);
+	changes.remove({ added_plant_id(4), added_plant_id(5) }, 1.0);
 	CHECK(changes.is_empty());
 }
 
