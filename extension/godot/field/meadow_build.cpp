@@ -93,7 +93,7 @@ bool Meadow::report_tile_fault(bool builds) {
 		return false;
 	}
 	listener.fault(fault);
-	if (builds) {
+	if (builds && !has_failed) { // Other tiles of the same build may fail, too.
 		has_failed = true;
 		listener.failed(fault);
 	}
