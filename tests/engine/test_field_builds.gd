@@ -182,7 +182,7 @@ func test_a_build_that_cannot_begin_or_end_is_reported() -> void:
 	field.ground_object = NodePath("../Slope")
 	root.add_child(field)
 	check(field.is_building(), "it is queued")
-	await field.build_failed
+	await until(func() -> bool: return _ends.size() == 1, "it is reported")
 	check_error("ground_object")
 	check_equal(field.is_building(), false, "then")
 	var terrain := Node3D.new()
@@ -190,9 +190,8 @@ func test_a_build_that_cannot_begin_or_end_is_reported() -> void:
 	terrain.set_script(_script_of_bad_ground())
 	root.add_child(terrain)
 	field.rebuild()
-	await field.build_failed
+	await until(func() -> bool: return _ends.size() == 2, "it is reported again")
 	check_error("answers with no float")
-	await process_frame
 	check_equal(field.is_building(), false, "in the end")
 	check_equal(_ends.size(), 2, "signals")
 	terrain.free()
@@ -293,6 +292,51 @@ func test_a_field_that_leaves_the_tree_has_no_worker_left() -> void:
 		other.free()
 
 
+func test_a_field_that_leaves_the_tree_waits_for_its_workers() -> void:
+	var blockers: PackedInt64Array = []
+	for i in OS.get_processor_count() + 2:  # The field's job queues behind them.
+		blockers.append(WorkerThreadPool.add_task(OS.delay_msec.bind(300)))
+	root.add_child(field)
+	await field.build_progressed
+	await frames(1)
+	var before := _count_completed(blockers)
+	root.remove_child(field)
+	check(_count_completed(blockers) > before, "it waits for its job")
+	for task in blockers:
+		WorkerThreadPool.wait_for_task_completion(task)
+
+
+func test_ground_that_fails_after_the_first_part_is_reported() -> void:
+	field.build_failed.connect(func(why: String) -> void: _ends.append(why))
+	field.build_finished.connect(func() -> void: _ends.append("finished"))
+	var terrain := Node3D.new()
+	terrain.name = "Slope"
+	terrain.set_script(_script_of_ground_near(_middle(), 35.0))
+	root.add_child(terrain)
+	field.ground_mode = PlantField3D.GROUND_OBJECT
+	field.ground_object = NodePath("../Slope")
+	for streams: bool in [false, true]:
+		if streams:
+			_stream(field)
+		_ends = []
+		root.add_child(field)
+		await until(func() -> bool: return not _ends.is_empty(), "it ends")
+		await rested()
+		check_error("answers with no float")
+		check(field.get_plant_count() > 0, "the first part stands")
+		check_equal(_ends.size(), 1, "signals: %s" % _ends)
+		check(str(_ends).contains("answers with no float"), "it says why: %s" % _ends)
+		root.remove_child(field)
+	terrain.free()
+
+
+func _count_completed(tasks: PackedInt64Array) -> int:
+	var count := 0
+	for task in tasks:
+		count += 1 if WorkerThreadPool.is_task_completed(task) else 0
+	return count
+
+
 func _edit(of: PlantField3D) -> void:
 	of.remove_in_sphere(Vector3(10, 0, 10), 5.0)
 	of.remove_in_box(AABB(Vector3(-12, -5, 8), Vector3(6, 10, 6)))
@@ -317,6 +361,17 @@ func _check_edited(twin: PlantField3D) -> void:
 func _script_of_bad_ground() -> GDScript:
 	var made := GDScript.new()
 	made.source_code = 'extends Node3D\nfunc get_height(_place: Vector3) -> Variant: return ""'
+	made.reload()
+	return made
+
+
+## Returns the script of ground that answers heights only within some metres of a position.
+func _script_of_ground_near(place: Vector3, reach: float) -> GDScript:
+	var made := GDScript.new()
+	made.source_code = (
+		"extends Node3D\nfunc get_height(place: Vector3) -> Variant:\n"
+		+ '\treturn 0.0 if place.distance_to(Vector3%s) < %f else ""' % [place, reach]
+	)
 	made.reload()
 	return made
 

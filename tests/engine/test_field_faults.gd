@@ -92,7 +92,8 @@ func test_a_scene_with_a_deleted_species_names_its_file_and_grows_the_rest() -> 
 
 func test_a_species_with_errors_is_named_once_and_the_rest_grows() -> void:
 	field.species[1].species = FaultySpecies.new()
-	await _fill()
+	root.add_child(field)
+	await rested()
 	check_error("species[1] does not grow. ")
 	check_near(field.get_plant_count(), 0.5 * 5 * 20 * 20, 100.0, "plants of the other species")
 	field.rebuild()

@@ -116,6 +116,25 @@ func test_ground_is_what_rays_hit() -> void:
 	body.free()
 
 
+func test_on_colliders_plants_stand_between_heights_of_a_grid() -> void:
+	var hill := StaticBody3D.new()
+	var ball := SphereShape3D.new()
+	ball.radius = 30.0
+	add_shape(hill, ball)
+	root.add_child(hill)
+	await physics_frames(2)
+	field.ground_mode = PlantField3D.GROUND_COLLIDERS
+	field.ground_sample_spacing = 1.0
+	await _fill()
+	var coarse := _most_above_ball(ball.radius)
+	check(coarse > 0.003 and coarse < 0.01, "plants are off by at most %f m" % coarse)
+	field.ground_sample_spacing = 0.0
+	await filled(field)
+	var exact := _most_above_ball(ball.radius)
+	check(exact < 0.001, "plants with a ray each are off by at most %f m" % exact)
+	hill.free()
+
+
 func test_nothing_grows_on_bodies_that_push_plants() -> void:
 	var ground := _add_ground(Vector3(8, 2, 8))
 	var walker := add_walker()
@@ -199,6 +218,14 @@ func test_a_field_that_finds_no_ground_says_what_to_check() -> void:
 	await filled(field)
 	check_error("ground_collision_mask")
 	ground.free()
+
+
+## Returns the maximum distance (m) of plants from a ball around the origin.
+func _most_above_ball(radius: float) -> float:
+	var most := 0.0
+	for id in field.get_plant_ids():
+		most = maxf(most, absf(field.get_plant_transform(id).origin.length() - radius))
+	return most
 
 
 func _add_ground(size: Vector3) -> StaticBody3D:

@@ -28,6 +28,34 @@ func test_a_field_that_comes_late_belongs_to_the_clock_at_once() -> void:
 	check_near(field.get_motion_time(), field.wind.get_time(), 1e-6, "after a correction")
 
 
+func test_a_field_that_comes_a_step_or_two_late_belongs_to_the_clock() -> void:
+	for late: int in [1, 2]:
+		field.wind = PlantWind.new()
+		field.wind.advance(late * STEP)
+		await start()
+		for i in 5:
+			await frames(1)
+			check_near(field.get_motion_time(), field.wind.get_time(), 1e-6, "motion time")
+		field.free()
+		before_each()
+
+
+func test_fields_of_one_wind_belong_to_its_clock_in_every_order() -> void:
+	await start()
+	for index: int in [0, -1]:
+		var other := PlantField3D.from_species([TulipFunction.new()])
+		other.size = Vector2(5, 5)
+		other.wind = field.wind
+		root.add_child(other)
+		root.move_child(other, index)
+		await filled(other)
+		for i in 5:
+			await frames(1)
+			check_near(field.get_motion_time(), field.wind.get_time(), 1e-6, "motion time")
+			check_near(other.get_motion_time(), field.wind.get_time(), 1e-6, "of child %d" % index)
+		other.free()
+
+
 func test_equal_motion_time_is_equal_motion_to_the_bit_at_every_frame_rate() -> void:
 	for kind: String in ["waves", "air"]:
 		var expected := _steps_at(60, kind)
