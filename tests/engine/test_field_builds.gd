@@ -409,3 +409,23 @@ func _make_field() -> PlantField3D:
 	made.tile_size = 8.0
 	made.simulation_enabled = false
 	return made
+
+
+func test_a_fault_during_a_build_in_parts_ends_it() -> void:
+	for streams: bool in [false, true]:
+		field.map = PlantMap.new()
+		for title: String in ["Tulip", "Grass", "Reed"]:
+			field.map.fill_polygon(field.get_outline_points(), title)
+		if streams:
+			_stream(field)
+		root.add_child(field)
+		await until(_has_plants, "the first plants come")
+		check(field.is_building(), "others follow")
+		field.exclusions = [NodePath("../Nothing")] as Array[NodePath]
+		check(not field.build_now(), "built")
+		check(not field.is_building(), "builds")
+		await process_frame
+		check(not field.is_building(), "builds later")
+		check_error("exclusions[0]")
+		field.free()
+		field = _make_field()

@@ -1,5 +1,6 @@
 #include "stand/placement.hpp"
 
+#include "base/bounded_whole.hpp"
 #include "base/random.hpp"
 #include "conventions.hpp"
 #include "stand/area_row.hpp"
@@ -37,8 +38,10 @@ double row_middle(int row) {
 	return (row & 1) == 0 ? EVEN_MIDDLE : ODD_MIDDLE;
 }
 
+/// The bounds exceed all coordinates of a field. Only cells that are wider than a field get there.
 int floor_to_int(double value) {
-	return static_cast<int>(std::floor(value));
+	constexpr int BOUND = 1000000000;
+	return bounded_whole(std::floor(value), -BOUND, BOUND);
 }
 
 /// Margin around positions (m), much larger than the rounding of coordinates.

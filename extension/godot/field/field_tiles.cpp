@@ -196,7 +196,8 @@ bool FieldTiles::begin(const Scene &scene) {
 	recipe.tile = coming.back();
 	coming.pop_back();
 	if (!describe(scene, base, recipe)) {
-		return false; // The build has reported the fault.
+		end_build(); // The rest cannot be built. The build has reported the fault.
+		return false;
 	}
 	outline = outline ? outline : std::make_shared<const FieldStyle>(outline_of(scene.style));
 	recipe.spacing = scene.store.spacing();

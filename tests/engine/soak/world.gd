@@ -229,7 +229,7 @@ func _move() -> void:
 func _reparent() -> void:
 	var node: Node3D = pick(fields + plants + others)
 	var parent: Node = pick(others) if chance(0.5) else root
-	if node == null or parent == node or node.is_ancestor_of(parent):
+	if node == null or parent == null or parent == node or node.is_ancestor_of(parent):
 		return
 	if chance(0.5) and node.is_inside_tree():
 		node.reparent(parent, chance(0.5))
