@@ -56,6 +56,33 @@ func test_a_bent_plant_that_is_a_skeleton_has_room_for_its_tip_where_it_is_culle
 	camera.free()
 
 
+func test_a_stroke_releases_the_skeletons_of_a_tile_that_it_interrupts() -> void:
+	var camera := _watch(GrassFunction.new(), Vector2(200, 40), 20)
+	for i in 11:
+		field.species.append(PlantFieldSpecies.of(GrassFunction.new()))
+	field.map = PlantMap.new()
+	field.map.fill_polygon(field.get_outline_points(), "Grass")
+	field.tile_size = 32.0
+	field.view_distance = 8.0
+	field.build_budget_msec = 0.1
+	await start()
+	var interrupted := 0
+	for x: float in [64.0, -64.0, 32.0, -32.0]:
+		camera.position = Vector3(x, 1, 0)
+		for i in 150:
+			await process_frame
+			var count := field.get_skeletons().size()
+			if count > 0:
+				field.map.erase(Vector3(x, 0, 0), 0.5, "Grass")
+				interrupted += 1 if field.get_skeletons().is_empty() else 0
+				await process_frame
+				for skeleton in field.get_skeletons():
+					check(field.get_skeleton_plant(skeleton) >= 0, "a plant of %s" % skeleton)
+				break
+	check(interrupted > 0, "%d tiles are interrupted" % interrupted)
+	camera.free()
+
+
 ## Returns a field of one species and a camera at its middle. Plants near the camera become
 ## skeletons.
 func _watch(species: PlantFunction, size: Vector2, most: int) -> Camera3D:

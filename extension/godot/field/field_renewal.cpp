@@ -187,10 +187,6 @@ void FieldRenewal::ask_ground(const Scene &scene, bool physics) {
 
 void FieldRenewal::exchange(const Scene &scene, const Way &way, Coming &coming) {
 	const TileKey tile = coming.job->tile();
-	std::vector<int> going = scene.store.blocks_of(tile);
-	const auto stays = [&](int number) { return scene.store.block(number).is_added; };
-	going.erase(std::remove_if(going.begin(), going.end(), stays), going.end());
-	way.skeletons.release_in(going);
 	StandEdit edit;
 	ArrivingBlocks arriving;
 	edit.left_tiles = { tile };

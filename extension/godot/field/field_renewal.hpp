@@ -1,7 +1,6 @@
 #pragma once
 
 #include "field/field_tiles.hpp"
-#include "field/skeleton_view.hpp"
 
 #include <memory>
 #include <vector>
@@ -17,7 +16,6 @@ public:
 	/// Inputs besides those of FieldTiles.
 	struct Way {
 		FieldMotion &motion;
-		SkeletonView &skeletons;
 		bool joins = false; ///< Multimeshes wider than a tile stay until all tiles are joined.
 	};
 

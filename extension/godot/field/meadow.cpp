@@ -167,6 +167,7 @@ ChangeSet Meadow::apply(StandEdit &&edit, ArrivingBlocks *arriving) {
 		arrived.push_back(edit.stood[i].tile);
 	}
 	ChangeSet changes = store.apply(std::move(edit));
+	skeletons.follow(changes);
 	std::for_each(changes.dropped.begin(), changes.dropped.end(), [this](int block) { view.drop_newcomers(block); });
 	motion.apply(changes, store, style, arriving);
 	own_changes.follow(changes, store, style, motion);
@@ -212,7 +213,7 @@ int Meadow::remove(std::vector<PlantPlace> &&places) {
 	StandEdit edit;
 	edit.removed = std::move(places);
 	apply(std::move(edit));
-	skeletons.release_gone(store);
+	skeletons.release_left();
 	show_soon();
 	return before - store.plant_count();
 }

@@ -96,13 +96,9 @@ void Meadow::poll_tiles(bool physics) {
 		motion.wait();
 	}
 	const Stopwatch watch;
-	const int before = store.block_count() + tiles.standing_count();
 	const bool was_building = tiles.is_building();
 	tiles.go_on(tile_scene(), physics, patches.lets_others_edit());
 	repeat_edits();
-	if (before != store.block_count() + tiles.standing_count()) {
-		skeletons.release_gone(store);
-	}
 	tiles_usec = physics ? tiles_usec : watch.usec();
 	if (report_tile_fault(was_building) || !was_building) {
 		return;
@@ -125,7 +121,7 @@ void Meadow::poll_renewal(bool physics) {
 	if (!physics) {
 		motion.wait();
 	}
-	renewal.go_on(tile_scene(), { motion, skeletons, !streams() }, physics);
+	renewal.go_on(tile_scene(), { motion, !streams() }, physics);
 	repeat_edits();
 	report_tile_fault(true);
 	if (renewal.is_at_work()) {
@@ -150,7 +146,6 @@ void Meadow::poll_patches(FieldPatches::Moment moment, double delta) {
 	}
 	keep_standing_patches();
 	if (patches.go_on(tile_scene(), moment, ground_usec(delta))) {
-		skeletons.release_gone(store);
 		show_soon();
 	}
 	report_tile_fault(false);
@@ -228,6 +223,9 @@ void Meadow::poll_parts(double delta, bool physics) {
 	poll_tiles(physics);
 	poll_renewal(physics);
 	poll_patches(physics ? FieldPatches::Moment::physics : FieldPatches::Moment::begun, delta);
+	if (!physics) {
+		skeletons.release_left();
+	}
 	if (asking && !physics && (is_urgent || (asking->is_due() && FrameBudget::of_fields().is_left()))) {
 		go_on_asking();
 	}

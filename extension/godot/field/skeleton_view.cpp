@@ -7,15 +7,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <set>
+#include <utility>
 
 using namespace godot;
 
 namespace undergrowth {
 
 static constexpr int FRAMES_BETWEEN_CHOICES = 6;
-static constexpr int MOST_NEW = 8; // Per frame; each needs a mesh of its own.
+static constexpr size_t MOST_NEW = 8; // Per frame; each needs a mesh of its own.
 // A shown plant stays up to this multiple of the distance, so that nothing flickers.
 static constexpr float KEPT_FARTHER = 1.1f;
 
@@ -80,23 +83,39 @@ bool SkeletonView::release(FieldMotion *motion, const std::function<bool(const S
 		(stays ? kept : gone).push_back(entry);
 	}
 	shown = std::move(kept);
+	for (size_t i = 0; motion && i < gone.size(); i++) {
+		motion->set_hidden(gone[i].place, false);
+	}
+	give_back(gone);
+	return !gone.empty();
+}
+
+// Last, because a handler of the signal may change the field.
+void SkeletonView::give_back(const std::vector<Shown> &gone) {
 	for (const Shown &entry : gone) {
-		if (motion) {
-			motion->set_hidden(entry.place, false);
-		}
 		if (Skeleton3D *skeleton = FieldSkeletons::node(entry.skeleton)) {
 			nodes.give_back(skeleton);
 			tell(skeleton, false);
 		}
 	}
-	return !gone.empty();
 }
 
-void SkeletonView::release_gone(const PlantStore &store) {
-	release(nullptr, [&](const Shown &entry) {
-		const PlantBlock &block = store.block(entry.place.block);
-		return entry.place.slot >= block.size() || block.is_gone(entry.place.slot);
-	});
+// The signal waits for release_left(): a handler could change the field in the middle of a change.
+void SkeletonView::follow(const ChangeSet &changes) {
+	const auto is_gone = [&](const Shown &entry) {
+		return std::find(changes.dropped.begin(), changes.dropped.end(), entry.place.block) != changes.dropped.end() ||
+				std::find(changes.gone.begin(), changes.gone.end(), entry.place) != changes.gone.end();
+	};
+	const auto stay = std::stable_partition(shown.begin(), shown.end(), std::not_fn(is_gone));
+	if (stay != shown.end()) {
+		left.insert(left.end(), std::make_move_iterator(stay), std::make_move_iterator(shown.end()));
+		shown.erase(stay, shown.end());
+		frames_since_choice = 0;
+	}
+}
+
+void SkeletonView::release_left() {
+	give_back(std::exchange(left, {}));
 }
 
 void SkeletonView::release_those(FieldMotion &motion, const std::vector<PlantPlace> &ascending) {
@@ -104,21 +123,13 @@ void SkeletonView::release_those(FieldMotion &motion, const std::vector<PlantPla
 			[&](const Shown &entry) { return std::binary_search(ascending.begin(), ascending.end(), entry.place); });
 }
 
-void SkeletonView::release_in(const std::vector<int> &blocks) {
-	const auto goes = [&](const Shown &entry) {
-		return std::find(blocks.begin(), blocks.end(), entry.place.block) != blocks.end();
-	};
-	if (!shown.empty() && release(nullptr, goes)) {
-		frames_since_choice = 0;
-	}
-}
-
 void SkeletonView::release_all(FieldMotion &motion) {
+	release_left();
 	release(motion.is_ready() ? &motion : nullptr, [](const Shown &) { return true; });
 	frames_since_choice = 0;
 }
 
-void SkeletonView::show(const Scene &scene, const PlantPlace &place) {
+Skeleton3D *SkeletonView::show(const Scene &scene, const PlantPlace &place) {
 	const PlacedPlant plant = scene.store.block(place.block).plants.plant(place.slot);
 	const FieldLook &look = scene.style.looks[size_t(plant.species)];
 	SampledPlant sampled = look.sample_alone(plant);
@@ -127,7 +138,7 @@ void SkeletonView::show(const Scene &scene, const PlantPlace &place) {
 	Skeleton3D *skeleton = nodes.take(scene.field, drawn_transform(plant), sampled.build(), parts.get(), scene.wear);
 	shown.push_back({ place, uint64_t(skeleton->get_instance_id()), std::move(parts) });
 	scene.motion.set_hidden(place, true);
-	tell(skeleton, true);
+	return skeleton;
 }
 
 bool SkeletonView::choose(const Scene &scene, const std::vector<Vector3> &eyes, double distance, int most) {
@@ -137,17 +148,21 @@ bool SkeletonView::choose(const Scene &scene, const std::vector<Vector3> &eyes, 
 	const std::vector<PlantPlace> nearest = find_nearest(scene, eyes, distance, most);
 	const std::set<PlantPlace> wanted(nearest.begin(), nearest.end());
 	const bool changes = release(&scene.motion, [&](const Shown &entry) { return wanted.count(entry.place) == 0; });
-	int added = 0;
-	for (size_t i = 0; i < nearest.size() && added < MOST_NEW; i++) {
+	std::vector<uint64_t> added;
+	for (size_t i = 0; i < nearest.size() && added.size() < MOST_NEW; i++) {
 		if (!find_shown(nearest[i])) {
-			show(scene, nearest[i]);
-			added++;
+			added.push_back(uint64_t(show(scene, nearest[i])->get_instance_id()));
 		}
 	}
-	if (added == MOST_NEW) {
+	if (added.size() == MOST_NEW) {
 		frames_since_choice = 0; // There may be more.
 	}
-	return changes || added > 0;
+	for (const uint64_t skeleton : added) { // Last, because a handler of the signal may change the field.
+		if (Skeleton3D *node = FieldSkeletons::node(skeleton)) {
+			tell(node, true);
+		}
+	}
+	return changes || !added.empty();
 }
 
 void SkeletonView::pose(const PlantStore &store, const FieldMotion &motion) const {

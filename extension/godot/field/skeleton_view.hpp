@@ -36,12 +36,13 @@ public:
 	bool choose(const Scene &scene, const std::vector<godot::Vector3> &eyes, double distance, int most);
 	/// Makes the next frame select again.
 	void choose_soon() { frames_since_choice = 0; }
-	/// Releases skeletons of removed plants.
-	void release_gone(const PlantStore &store);
+	/// Call when plants were removed, before their places are used again. Their skeletons are not posed any more;
+	/// release_left() releases them.
+	void follow(const ChangeSet &changes);
+	/// Releases the skeletons of removed plants.
+	void release_left();
 	/// Releases the skeletons of these plants, which are drawn in multimeshes again.
 	void release_those(FieldMotion &motion, const std::vector<PlantPlace> &ascending);
-	/// Releases the skeletons of all plants of these blocks, before the blocks are removed.
-	void release_in(const std::vector<int> &blocks);
 	/// Releases all skeletons; their plants are drawn in multimeshes again.
 	void release_all(FieldMotion &motion);
 	/// Frees all unused skeletons.
@@ -70,12 +71,14 @@ private:
 	Tell tell;
 	FieldSkeletons nodes;
 	std::vector<Shown> shown;
+	std::vector<Shown> left; ///< Of removed plants, until release_left().
 	int frames_since_choice = 0;
 
 	std::vector<PlantPlace> find_nearest(
 			const Scene &scene, const std::vector<godot::Vector3> &eyes, double distance, int most) const;
 	bool release(FieldMotion *motion, const std::function<bool(const Shown &)> &goes);
-	void show(const Scene &scene, const PlantPlace &place);
+	void give_back(const std::vector<Shown> &gone);
+	godot::Skeleton3D *show(const Scene &scene, const PlantPlace &place);
 	const Shown *find_shown(const PlantPlace &place) const;
 };
 
