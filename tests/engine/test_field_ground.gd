@@ -126,11 +126,11 @@ func test_on_colliders_plants_stand_between_heights_of_a_grid() -> void:
 	field.ground_mode = PlantField3D.GROUND_COLLIDERS
 	field.ground_sample_spacing = 1.0
 	await _fill()
-	var coarse := _most_above_ball(ball.radius)
+	var coarse := _max_above_ball(ball.radius)
 	check(coarse > 0.003 and coarse < 0.01, "plants are off by at most %f m" % coarse)
 	field.ground_sample_spacing = 0.0
 	await filled(field)
-	var exact := _most_above_ball(ball.radius)
+	var exact := _max_above_ball(ball.radius)
 	check(exact < 0.001, "plants with a ray each are off by at most %f m" % exact)
 	hill.free()
 
@@ -221,11 +221,11 @@ func test_a_field_that_finds_no_ground_says_what_to_check() -> void:
 
 
 ## Returns the maximum distance (m) of plants from a ball around the origin.
-func _most_above_ball(radius: float) -> float:
-	var most := 0.0
+func _max_above_ball(radius: float) -> float:
+	var maximum := 0.0
 	for id in field.get_plant_ids():
-		most = maxf(most, absf(field.get_plant_transform(id).origin.length() - radius))
-	return most
+		maximum = maxf(maximum, absf(field.get_plant_transform(id).origin.length() - radius))
+	return maximum
 
 
 func _add_ground(size: Vector3) -> StaticBody3D:
