@@ -103,13 +103,13 @@ public:
 		const int bits = bits_for(2 * static_cast<int64_t>(count));
 		is_grid = grid.column_bits + grid.row_bits <= bits;
 		last = (std::size_t(1) << bits) - 1;
-		refs.resize(last + 1, { NOWHERE, 0 });
+		places.resize(last + 1, { NOWHERE, 0 });
 		ids.resize(is_grid ? 0 : last + 1, NO_PLANT);
 	}
 
-	void add(PlantId id, const PlantRef &ref) {
+	void add(PlantId id, const PlantRef &place) {
 		const std::size_t slot = slot_of(id);
-		refs[slot] = ref;
+		places[slot] = place;
 		if (!is_grid) {
 			ids[slot] = id;
 		}
@@ -120,7 +120,7 @@ public:
 			return nullptr;
 		}
 		const std::size_t slot = slot_of(id);
-		return refs[slot].chunk == NOWHERE ? nullptr : &refs[slot];
+		return places[slot].chunk == NOWHERE ? nullptr : &places[slot];
 	}
 
 private:
@@ -128,7 +128,7 @@ private:
 	CellGrid grid;
 	bool is_grid = false;
 	std::size_t last = 0; ///< Mask: all bits below a power of two.
-	std::vector<PlantRef> refs;
+	std::vector<PlantRef> places;
 	std::vector<PlantId> ids; ///< Unused in a grid.
 
 	/// Slot of an id, or the slot where it would be inserted; in a grid only for ids within it.

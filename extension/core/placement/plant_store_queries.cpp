@@ -221,20 +221,20 @@ std::vector<TileKey> PlantStore::generated_tiles() const {
 std::vector<PlantRef> PlantStore::find_all(const std::vector<PlantId> &ids) const {
 	std::vector<PlantRef> found;
 	for (const PlantId id : ids) {
-		const PlantRef ref = find(id);
-		if (ref.chunk >= 0) {
-			found.push_back(ref);
+		const PlantRef place = find(id);
+		if (place.chunk >= 0) {
+			found.push_back(place);
 		}
 	}
 	return found;
 }
 
-PlantId PlantStore::id(const PlantRef &ref) const {
-	const PlantChunk &there = chunk(ref.chunk);
+PlantId PlantStore::id(const PlantRef &place) const {
+	const PlantChunk &there = chunk(place.chunk);
 	if (there.is_added) {
-		return there.ids[static_cast<std::size_t>(ref.slot)];
+		return there.ids[static_cast<std::size_t>(place.slot)];
 	}
-	const glm::vec3 root = there.root(ref.slot);
+	const glm::vec3 root = there.root(place.slot);
 	return generated_plant_id(root.x, root.z, there.spacing);
 }
 

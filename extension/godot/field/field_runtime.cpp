@@ -158,9 +158,9 @@ ChangeSet FieldRuntime::apply(StoreEdit &&edit, ArrivingChunks *arriving) {
 		return {}; // There may be no motion yet.
 	}
 	std::vector<TileKey> touched;
-	for (const PlantRef &ref : edit.removed) {
-		if (store.chunk(ref.chunk).is_added) {
-			touched.push_back(store.chunk(ref.chunk).tile);
+	for (const PlantRef &place : edit.removed) {
+		if (store.chunk(place.chunk).is_added) {
+			touched.push_back(store.chunk(place.chunk).tile);
 		}
 	}
 	for (size_t i = 0; i < edit.arriving.size() && !repeated.empty(); i++) {
@@ -198,33 +198,33 @@ std::vector<PlantId> FieldRuntime::add(std::vector<PlacedPlant> &&plants, std::v
 	return changes.added;
 }
 
-int FieldRuntime::remove(std::vector<PlantRef> &&refs) {
-	if (refs.empty()) {
+int FieldRuntime::remove(std::vector<PlantRef> &&places) {
+	if (places.empty()) {
 		return 0;
 	}
-	for (size_t i = 0; is_at_work() && i < refs.size(); i++) {
-		removed_meanwhile.push_back(store.id(refs[i]));
+	for (size_t i = 0; is_at_work() && i < places.size(); i++) {
+		removed_meanwhile.push_back(store.id(places[i]));
 	}
-	own_edits.note_removed(store, refs);
-	for (size_t i = 0; tile_rebuild.is_at_work() && i < refs.size(); i++) {
-		tile_rebuild.note_removed(store.chunk(refs[i].chunk).tile);
+	own_edits.note_removed(store, places);
+	for (size_t i = 0; tile_rebuild.is_at_work() && i < places.size(); i++) {
+		tile_rebuild.note_removed(store.chunk(places[i].chunk).tile);
 	}
 	const int before = store.plant_count();
 	StoreEdit edit;
-	edit.removed = std::move(refs);
+	edit.removed = std::move(places);
 	apply(std::move(edit));
 	skeletons.release_left();
 	show_soon();
 	return before - store.plant_count();
 }
 
-void FieldRuntime::mow(std::vector<PlantRef> &&refs, const std::vector<float> &shares) {
-	if (refs.empty()) {
+void FieldRuntime::mow(std::vector<PlantRef> &&places, const std::vector<float> &shares) {
+	if (places.empty()) {
 		return;
 	}
-	own_edits.mow(refs, shares, store, setup, motion);
-	std::sort(refs.begin(), refs.end());
-	skeletons.release_those(motion, refs);
+	own_edits.mow(places, shares, store, setup, motion);
+	std::sort(places.begin(), places.end());
+	skeletons.release_those(motion, places);
 	show_soon();
 }
 

@@ -95,9 +95,9 @@ public:
 	/// ascending.
 	std::vector<PlantId> add(std::vector<PlacedPlant> &&plants, std::vector<PlantId> &&ids = {});
 	/// Returns the number of plants that are removed.
-	int remove(std::vector<PlantRef> &&refs);
+	int remove(std::vector<PlantRef> &&places);
 	/// Sets the height of each plant, as a fraction of its full height.
-	void mow(std::vector<PlantRef> &&refs, const std::vector<float> &shares);
+	void mow(std::vector<PlantRef> &&places, const std::vector<float> &shares);
 	/// The list's entry with this function, or null.
 	godot::Ref<PlantFieldSpecies> listed_entry(const godot::Ref<PlantFunction> &function) const {
 		return undergrowth::listed_entry(properties, function);

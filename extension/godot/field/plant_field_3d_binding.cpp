@@ -41,8 +41,8 @@ void PlantField3D::report_skeleton(Skeleton3D *skeleton, bool is_shown) {
 }
 
 int64_t PlantField3D::get_skeleton_plant(const Skeleton3D *skeleton) const {
-	const PlantRef ref = runtime.skeletons.find(skeleton);
-	return ref.chunk < 0 ? NO_PLANT : runtime.store.id(ref);
+	const PlantRef place = runtime.skeletons.find(skeleton);
+	return place.chunk < 0 ? NO_PLANT : runtime.store.id(place);
 }
 
 TypedArray<Skeleton3D> PlantField3D::get_skeletons() const {

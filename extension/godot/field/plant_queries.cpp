@@ -20,15 +20,15 @@ static constexpr int FLOATS_OF_TIP = 6;
 // Returns the result of `say` for the plant of an id. Without such a plant it reports an error and returns an empty
 // value.
 template <class Read> auto PlantQueries::query(int64_t id, const Read &read) const {
-	const PlantRef ref = runtime.store.find(id);
-	if (ref.chunk < 0) {
+	const PlantRef place = runtime.store.find(id);
+	if (place.chunk < 0) {
 		report_error(node,
 				"has no plant " + String::num_int64(id) +
 						". Ids are those of get_plant_ids(), until a plant is removed.");
 		return decltype(read(std::declval<FoundPlant>()))();
 	}
-	const PlacedPlant plant = runtime.store.chunk(ref.chunk).plants.plant(ref.slot);
-	return read(FoundPlant{ ref, plant, runtime.setup.styles[size_t(plant.species)] });
+	const PlacedPlant plant = runtime.store.chunk(place.chunk).plants.plant(place.slot);
+	return read(FoundPlant{ place, plant, runtime.setup.styles[size_t(plant.species)] });
 }
 
 template <class Answers, class One> static Answers each_of(const PackedInt64Array &ids, const One &one) {
@@ -69,7 +69,7 @@ Ref<PlantFunction> PlantQueries::species(int64_t id) const {
 double PlantQueries::height(int64_t id) const {
 	return query(id, [this](const FoundPlant &one) {
 		const Transform3D axes = node->is_inside_tree() ? axes_of(node) : node->get_transform();
-		const float share = runtime.own_edits.share_of(runtime.store, one.ref);
+		const float share = runtime.own_edits.share_of(runtime.store, one.place);
 		return double(one.style.length_of(one.plant) * share * axes.basis.get_column(1).length());
 	});
 }
@@ -83,11 +83,11 @@ int64_t PlantQueries::seed(int64_t id) const {
 }
 
 Skeleton3D *PlantQueries::skeleton(int64_t id) const {
-	return query(id, [this](const FoundPlant &one) { return runtime.skeletons.find(one.ref); });
+	return query(id, [this](const FoundPlant &one) { return runtime.skeletons.find(one.place); });
 }
 
 Vector3 PlantQueries::tip_position(int64_t id) {
-	return query(id, [this](const FoundPlant &one) { return to_godot(runtime.motion.blocking_read_tip(one.ref)); });
+	return query(id, [this](const FoundPlant &one) { return to_godot(runtime.motion.blocking_read_tip(one.place)); });
 }
 
 PackedVector3Array PlantQueries::tip_positions(const PackedInt64Array &ids) {
@@ -98,7 +98,7 @@ PackedFloat32Array PlantQueries::motion_state(const PackedInt64Array &ids) {
 	PackedFloat32Array found;
 	for (const int64_t id : ids) {
 		const MotionState state =
-				query(id, [this](const FoundPlant &one) { return runtime.motion.blocking_read_state(one.ref); });
+				query(id, [this](const FoundPlant &one) { return runtime.motion.blocking_read_state(one.place); });
 		for (const glm::vec3 &part : { state.tip.direction, state.tip.rate, state.second.bend, state.second.rate }) {
 			found.push_back(part.x);
 			found.push_back(part.y);
@@ -122,7 +122,7 @@ void PlantQueries::set_motion_state(const PackedInt64Array &ids, const PackedFlo
 		if (is_whole) {
 			given.second = { { from[6], from[7], from[8] }, { from[9], from[10], from[11] } };
 		}
-		query(ids[i], [&](const FoundPlant &one) { runtime.motion.write_state(one.ref, given); });
+		query(ids[i], [&](const FoundPlant &one) { runtime.motion.write_state(one.place, given); });
 	}
 }
 

@@ -73,7 +73,7 @@ public:
 private:
 	/// The plant of an id.
 	struct FoundPlant {
-		PlantRef ref;
+		PlantRef place;
 		PlacedPlant plant;
 		const SpeciesStyle &style;
 	};
@@ -85,7 +85,7 @@ private:
 	bool find_species(const SavedEdits &saved, std::vector<godot::Ref<PlantFunction>> &found) const;
 	void bring_back(const SavedEdits &saved, const std::vector<godot::Ref<PlantFunction>> &species);
 	template <class Read> auto query(int64_t id, const Read &read) const;
-	godot::PackedInt64Array ids_of(const std::vector<PlantRef> &refs) const;
+	godot::PackedInt64Array ids_of(const std::vector<PlantRef> &places) const;
 	std::vector<PlantRef> in_box(const char *method, const godot::AABB &box) const;
 	std::vector<PlantRef> in_sphere(const char *method, const godot::Vector3 &center, double radius) const;
 	/// A sphere of the world, and its bounding sphere in the field's axes (m).

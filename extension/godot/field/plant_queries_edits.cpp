@@ -37,16 +37,16 @@ int PlantQueries::set_height_in_sphere(const Vector3 &center, double radius, dou
 }
 
 int PlantQueries::mow_in(const Sphere &sphere, float height) {
-	std::vector<PlantRef> refs;
-	find_in(sphere, refs);
+	std::vector<PlantRef> places;
+	find_in(sphere, places);
 	std::vector<PlantRef> mown;
 	std::vector<float> shares;
-	for (const PlantRef &ref : refs) {
-		const PlacedPlant plant = runtime.store.chunk(ref.chunk).plants.plant(ref.slot);
+	for (const PlantRef &place : places) {
+		const PlacedPlant plant = runtime.store.chunk(place.chunk).plants.plant(place.slot);
 		const float whole = runtime.setup.styles[size_t(plant.species)].length_of(plant);
 		const float share = std::clamp(height / whole, EditLog::MIN_SHARE, 1.0f);
-		if (std::abs(share - runtime.own_edits.share_of(runtime.store, ref)) > SAME_SHARE) {
-			mown.push_back(ref);
+		if (std::abs(share - runtime.own_edits.share_of(runtime.store, place)) > SAME_SHARE) {
+			mown.push_back(place);
 			shares.push_back(share);
 		}
 	}

@@ -16,12 +16,12 @@ static bool is_radius(double radius) {
 	return std::isfinite(radius) && radius >= 0.0;
 }
 
-PackedInt64Array PlantQueries::ids_of(const std::vector<PlantRef> &refs) const {
+PackedInt64Array PlantQueries::ids_of(const std::vector<PlantRef> &places) const {
 	PackedInt64Array ids;
-	ids.resize(int64_t(refs.size()));
+	ids.resize(int64_t(places.size()));
 	int64_t *to = ids.ptrw();
-	for (const PlantRef &ref : refs) {
-		*to++ = runtime.store.id(ref);
+	for (const PlantRef &place : places) {
+		*to++ = runtime.store.id(place);
 	}
 	return ids;
 }
@@ -30,8 +30,8 @@ PackedInt64Array PlantQueries::ids_of(const std::vector<PlantRef> &refs) const {
 template <class IsBeside>
 static void remove_beside(
 		const PlantStore &store, const Transform3D &placed, std::vector<PlantRef> &found, const IsBeside &is_beside) {
-	const auto goes = [&](const PlantRef &ref) {
-		return is_beside(placed.xform(to_godot(store.chunk(ref.chunk).root(ref.slot))));
+	const auto goes = [&](const PlantRef &place) {
+		return is_beside(placed.xform(to_godot(store.chunk(place.chunk).root(place.slot))));
 	};
 	found.erase(std::remove_if(found.begin(), found.end(), goes), found.end());
 }
@@ -215,12 +215,12 @@ int PlantQueries::apply_impulse_in_sphere(const Vector3 &center, double radius, 
 		report_error(node, "apply_impulse_in_sphere() needs a finite impulse.");
 		return 0;
 	}
-	const std::vector<PlantRef> refs = in_sphere("apply_impulse_in_sphere", center, radius);
-	const glm::vec3 blow = refs.empty() ? glm::vec3() : to_glm(axes_of(node).basis.inverse().xform(impulse));
-	for (const PlantRef &ref : refs) {
-		runtime.motion.apply_impulse(ref, blow);
+	const std::vector<PlantRef> places = in_sphere("apply_impulse_in_sphere", center, radius);
+	const glm::vec3 blow = places.empty() ? glm::vec3() : to_glm(axes_of(node).basis.inverse().xform(impulse));
+	for (const PlantRef &place : places) {
+		runtime.motion.apply_impulse(place, blow);
 	}
-	return int(refs.size());
+	return int(places.size());
 }
 
 // Along the ground, away from the centre. A plant at the centre does not move.
@@ -229,16 +229,16 @@ int PlantQueries::apply_blast(const Vector3 &center, double radius, double impul
 		report_error(node, "apply_blast() needs a radius above 0 and a finite impulse.");
 		return 0;
 	}
-	const std::vector<PlantRef> refs = in_sphere("apply_blast", center, radius);
-	const Transform3D placed = refs.empty() ? Transform3D() : axes_of(node);
+	const std::vector<PlantRef> places = in_sphere("apply_blast", center, radius);
+	const Transform3D placed = places.empty() ? Transform3D() : axes_of(node);
 	const Basis to_field = placed.basis.inverse();
-	for (const PlantRef &ref : refs) {
-		const Vector3 way = placed.xform(to_godot(runtime.store.chunk(ref.chunk).root(ref.slot))) - center;
+	for (const PlantRef &place : places) {
+		const Vector3 way = placed.xform(to_godot(runtime.store.chunk(place.chunk).root(place.slot))) - center;
 		const Vector3 aside = Vector3(way.x, 0.0f, way.z).normalized();
 		const double share = 1.0 - double(way.length()) / radius;
-		runtime.motion.apply_impulse(ref, to_glm(to_field.xform(aside * float(impulse * share))));
+		runtime.motion.apply_impulse(place, to_glm(to_field.xform(aside * float(impulse * share))));
 	}
-	return int(refs.size());
+	return int(places.size());
 }
 
 } // namespace undergrowth

@@ -37,8 +37,8 @@ public:
 		for (const ChangeSet::Grown &grown : changes.grown) {
 			grow(grown);
 		}
-		for (const PlantRef &ref : changes.gone) {
-			simulation.drop(page(ref.chunk), ref.slot);
+		for (const PlantRef &place : changes.gone) {
+			simulation.drop(page(place.chunk), place.slot);
 		}
 	}
 
@@ -54,8 +54,8 @@ public:
 		}
 		std::vector<PlantRef> found;
 		store.find_in_sphere({ 2.0f, 0.0f, 1.0f }, 5.0f, found);
-		for (const PlantRef &ref : found) {
-			seen += store.find(store.id(ref)) == ref ? 1 : 0;
+		for (const PlantRef &place : found) {
+			seen += store.find(store.id(place)) == place ? 1 : 0;
 		}
 		for (std::thread &thread : pool) {
 			thread.join();

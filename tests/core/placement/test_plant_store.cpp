@@ -15,8 +15,8 @@ TEST_CASE("every plant has a unique id and is found by it") {
 	CHECK(static_cast<int>(id_set(store).size()) == store.plant_count());
 	for (int number = 0; number < store.chunk_count(); number++) {
 		for (int slot = 0; slot < store.chunk(number).size(); slot++) {
-			const PlantRef ref = { number, slot };
-			CHECK(store.find(store.id(ref)) == ref);
+			const PlantRef place = { number, slot };
+			CHECK(store.find(store.id(place)) == place);
 		}
 	}
 }
@@ -57,8 +57,8 @@ TEST_CASE("removing a plant removes only that plant") {
 	const PlantRef other = { 0, 0 };
 	const PlantId other_id = store.id(other);
 	std::vector<PlantId> gone;
-	for (const PlantRef &ref : around) {
-		gone.push_back(store.id(ref));
+	for (const PlantRef &place : around) {
+		gone.push_back(store.id(place));
 		left.erase(gone.back());
 	}
 	const int before = store.plant_count();
@@ -97,10 +97,10 @@ TEST_CASE("added plants preserve their ids through builds and other tiles") {
 	for (const float size : { 16.0f, 5.0f, 60.0f }) {
 		store.apply(replacing(square_field(20.0f, 4.0f, 9), size));
 		for (std::size_t i = 0; i < 3; i++) {
-			const PlantRef ref = store.find(changes.added[i]);
-			REQUIRE(ref.chunk >= 0);
-			CHECK(store.chunk(ref.chunk).root(ref.slot).x == std::vector<float>{ 3.0f, -100.0f, 3.2f }[i]);
-			CHECK(store.chunk(ref.chunk).tile == tile_at(std::vector<float>{ 3.0f, -100.0f, 3.2f }[i], 4.0f, size));
+			const PlantRef place = store.find(changes.added[i]);
+			REQUIRE(place.chunk >= 0);
+			CHECK(store.chunk(place.chunk).root(place.slot).x == std::vector<float>{ 3.0f, -100.0f, 3.2f }[i]);
+			CHECK(store.chunk(place.chunk).tile == tile_at(std::vector<float>{ 3.0f, -100.0f, 3.2f }[i], 4.0f, size));
 		}
 	}
 }
@@ -113,9 +113,9 @@ TEST_CASE("a new species number also applies to added plants") {
 	StoreEdit fill = replacing(square_field(10.0f, 4.0f, 1));
 	fill.species_numbers = { 0, 1, 5 };
 	store.apply(std::move(fill));
-	const PlantRef ref = store.find(id);
-	CHECK(store.chunk(ref.chunk).species == 5);
-	CHECK(store.chunk(ref.chunk).plants.plant(ref.slot).species == 5);
+	const PlantRef place = store.find(id);
+	CHECK(store.chunk(place.chunk).species == 5);
+	CHECK(store.chunk(place.chunk).plants.plant(place.slot).species == 5);
 }
 
 TEST_CASE("an added block is dropped with its last plant, and its number is reused") {

@@ -91,15 +91,15 @@ TEST_CASE("unused ids find no plant") {
 
 TEST_CASE("the nearest plant is found at any distance, and none beyond the radius") {
 	const PlantStore store = filled_store();
-	const auto away = [&](const PlantRef &ref, const glm::vec3 &from) {
-		return glm::distance(store.chunk(ref.chunk).root(ref.slot), from);
+	const auto away = [&](const PlantRef &place, const glm::vec3 &from) {
+		return glm::distance(store.chunk(place.chunk).root(place.slot), from);
 	};
 	for (const glm::vec3 &from : { glm::vec3(0.0f), glm::vec3(12.3f, 0.4f, -7.1f), glm::vec3(400.0f, 30.0f, 0.0f) }) {
 		std::vector<PlantRef> all;
 		store.find_in_sphere(from, 1000.0f, all);
 		float min = 1.0e9f;
-		for (const PlantRef &ref : all) {
-			min = std::min(min, away(ref, from));
+		for (const PlantRef &place : all) {
+			min = std::min(min, away(place, from));
 		}
 		const PlantRef found = store.find_nearest(from, std::numeric_limits<float>::infinity());
 		REQUIRE(found.chunk >= 0);

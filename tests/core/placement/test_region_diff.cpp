@@ -59,9 +59,9 @@ struct Painted {
 	std::map<PlantId, uint64_t> plants() const {
 		std::map<PlantId, uint64_t> found;
 		for (const PlantId id : store.ids()) {
-			const PlantRef ref = store.find(id);
+			const PlantRef place = store.find(id);
 			FieldPlants alone;
-			alone.add(store.chunk(ref.chunk).plants.plant(ref.slot));
+			alone.add(store.chunk(place.chunk).plants.plant(place.slot));
 			found[id] = hash_of(alone);
 		}
 		return found;

@@ -59,17 +59,17 @@ TEST_CASE("replacing a tile changes no other tile") {
 	store.apply(replacing(field_of(4.0f), TILE));
 	std::map<PlantId, PlantRef> others;
 	for (const PlantId id : store.ids()) {
-		const PlantRef ref = store.find(id);
-		if (!(store.chunk(ref.chunk).tile == EXCHANGED)) {
-			others[id] = ref;
+		const PlantRef place = store.find(id);
+		if (!(store.chunk(place.chunk).tile == EXCHANGED)) {
+			others[id] = place;
 		}
 	}
 	const ChangeSet changes = store.apply(exchange(field_of(7.0f), EXCHANGED));
 	CHECK(!changes.dropped.empty());
 	CHECK(!changes.grown.empty());
 	CHECK(changes.gone.empty());
-	for (const auto &[id, ref] : others) {
-		CHECK(store.find(id) == ref);
+	for (const auto &[id, place] : others) {
+		CHECK(store.find(id) == place);
 	}
 }
 
