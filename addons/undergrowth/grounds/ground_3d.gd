@@ -1,3 +1,4 @@
+@tool
 extends MeshInstance3D
 ## Ground that continues a field: it takes the mean colour of the field's plants, gets lighter where
 ## gusts pass, and, if [member shows_density] is on, is bare where no plants are.
@@ -23,7 +24,7 @@ var _material: ShaderMaterial
 
 func _ready() -> void:
 	var shown := get_active_material(0) as ShaderMaterial
-	if field == null or shown == null:
+	if field == null or shown == null or Engine.is_editor_hint():
 		return
 	_material = shown.duplicate()
 	material_override = _material
