@@ -24,7 +24,9 @@ func test_saving_a_scene_that_uses_all_of_them_changes_none() -> void:
 	await files_are_known()
 	_check_same(before)
 	var text := FileAccess.get_file_as_string(SCENE)
-	var used := _files_of("species") + _files_of("winds") + _files_of("mixes") + _files_of("grounds")
+	var used := (
+		_files_of("species") + _files_of("winds") + _files_of("mixes") + _files_of("grounds")
+	)
 	for path: String in used:
 		var reference := 'uid="%s" path="%s"' % [_id_of(path), path]
 		check(text.contains(reference), "the scene uses %s by its id" % path)

@@ -72,10 +72,7 @@ func _check_ground(ground: MeshInstance3D) -> void:
 		material.get_shader_parameter(&"litter"), ready.get_shader_parameter(&"litter"), "litter"
 	)
 	check(
-		(
-			material.get_shader_parameter(&"field_color")
-			!= ready.get_shader_parameter(&"field_color")
-		),
+		material.get_shader_parameter(&"field_color") != ready.get_shader_parameter(&"field_color"),
 		"the colour of the field"
 	)
 

@@ -74,7 +74,9 @@ func test_a_layer_lies_over_another_material() -> void:
 	camera.look_at_from_position(Vector3(0.0, 0.6, 0.0), Vector3(0.0, 0.0, -0.5))
 	var own := StandardMaterial3D.new()
 	own.albedo_color = Color(0.1, 0.1, 0.8)
-	var layer := (load(GROUNDS + "forest_floor.tres") as ShaderMaterial).duplicate() as ShaderMaterial
+	var layer := (
+		(load(GROUNDS + "forest_floor.tres") as ShaderMaterial).duplicate() as ShaderMaterial
+	)
 	layer.shader = load(GROUNDS + "ground_layer.gdshader")
 	layer.set_shader_parameter(&"litter", 0.4)
 	own.next_pass = layer
@@ -149,7 +151,9 @@ func _contrast(shown: Image) -> float:
 	var sum := 0.0
 	for y in range(0, SIZE.y, 3):
 		for x in range(1, SIZE.x, 3):
-			sum += absf(shown.get_pixel(x, y).get_luminance() - shown.get_pixel(x - 1, y).get_luminance())
+			sum += absf(
+				shown.get_pixel(x, y).get_luminance() - shown.get_pixel(x - 1, y).get_luminance()
+			)
 	return 255.0 * sum * 9.0 / (SIZE.x * SIZE.y)
 
 

@@ -149,7 +149,9 @@ func test_some_flowers_fade_or_are_buds() -> void:
 			for carried: PlantArrangement in arrangement.carries:
 				names.append(carried.resource_name)
 		for begin in others[file]:
-			var found := Array(names).any(func(name: String) -> bool: return name.begins_with(begin))
+			var found := Array(names).any(
+				func(name: String) -> bool: return name.begins_with(begin)
+			)
 			check(found, "%s has %s: %s" % [file, begin, names])
 
 

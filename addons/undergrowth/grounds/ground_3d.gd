@@ -41,8 +41,8 @@ func _process(_delta: float) -> void:
 		field.wind.apply_to_material(_material)
 
 
-## Gives [param material] the mean colour of the plants of [param of_field]: [code]field_color[/code]
-## and [code]field_translucency[/code].
+## Gives [param material] the mean colour of the plants of [param of_field]:
+## [code]field_color[/code] and [code]field_translucency[/code].
 static func apply_color(material: ShaderMaterial, of_field: PlantField3D) -> void:
 	var sum := Vector4.ZERO
 	var area := 0.0
@@ -93,7 +93,8 @@ func _show_density() -> void:
 	_material.set_shader_parameter(&"field_beyond", 0.0)
 
 
-# Returns the sums over the triangles of a mesh: area times linear colour and translucency, and area.
+# Returns the sums over the triangles of a surface: area times linear colour and translucency, and
+# area.
 static func _measure(arrays: Array) -> Array:
 	var points: PackedVector3Array = arrays[Mesh.ARRAY_VERTEX]
 	var colors: PackedColorArray = arrays[Mesh.ARRAY_COLOR]
