@@ -75,5 +75,6 @@ func _stamp_once(place: Vector2, half_width: float, picture: PackedByteArray) ->
 func _show(picture: PackedByteArray) -> void:
 	var image := Image.create_from_data(PIXELS, PIXELS, false, Image.FORMAT_L8, picture)
 	image.generate_mipmaps()
-	ground_material.set_shader_parameter(&"trails", ImageTexture.create_from_image(image))
-	ground_material.set_shader_parameter(&"trails_reach", reach)
+	ground_material.set_shader_parameter(&"worn_mask", ImageTexture.create_from_image(image))
+	var side := 2.0 * reach
+	ground_material.set_shader_parameter(&"worn_area", Vector4(-reach, -reach, side, side))

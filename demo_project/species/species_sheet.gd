@@ -24,6 +24,12 @@ const SPECIES := {
 	"garden_tulip": ["Tulipa gesneriana", 6, 1.0, 0.1],
 	"male_fern": ["Dryopteris filix-mas", 1, 0.8, 0.3],
 	"field_horsetail": ["Equisetum arvense", 5, 0.7, 0.14],
+	"white_clover": ["Trifolium repens", 3, 1.0, 0.05],
+	"moss_cushion": ["Leucobryum glaucum", 2, 1.0, 0.04],
+	"plantain": ["Plantago major", 3, 0.6, 0.1],
+	"ivy_carpet": ["Hedera helix", 2, 1.0, 0.12],
+	"wild_strawberry": ["Fragaria vesca", 4, 1.0, 0.06],
+	"seedlings": ["Fagus sylvatica", 3, 1.0, 0.05],
 }
 const SEGMENTS := 64
 const COLUMNS := 6

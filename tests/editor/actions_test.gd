@@ -8,10 +8,14 @@ const THEME := "interface/theme/color_preset"
 const LIGHT := "Light"
 
 
-## English for any system language, because the tests compare messages.
+## English for any system language, because the tests compare messages. *Add as Field* adds a field
+## only.
 func run(test: String) -> void:
 	TranslationServer.get_or_add_domain(Translations.DOMAIN).set_locale_override("en")
+	var surroundings := part("Plant/Actions/Surroundings") as CheckBox
+	surroundings.button_pressed = false
 	await super(test)
+	surroundings.button_pressed = true
 
 
 ## Saves a picture of the editor's window with a dialog.

@@ -4,7 +4,7 @@ extends "actions_test.gd"
 
 const FOLDER := "res://addons/undergrowth"
 const SCENE := "res://shipped_files.tscn"
-const KINDS: Array[String] = ["species", "mixes", "winds"]
+const KINDS: Array[String] = ["species", "mixes", "winds", "grounds", "environments"]
 
 
 func test_saving_a_scene_that_uses_all_of_them_changes_none() -> void:
@@ -12,7 +12,7 @@ func test_saving_a_scene_that_uses_all_of_them_changes_none() -> void:
 	check(before.size() > 100, "%d files" % before.size())
 	await _open_scene(SCENE, _make_scene())
 	var root := EditorInterface.get_edited_scene_root()
-	check_equal(root.find_children("*", "Plant3D").size(), 18, "species")
+	check_equal(root.find_children("*", "Plant3D").size(), 27, "species")
 	check_equal(root.find_children("*", "PlantField3D").size(), 5 + 6, "mixes, and winds")
 	for field: PlantField3D in root.find_children("*", "PlantField3D"):
 		while field.is_building():
@@ -24,7 +24,10 @@ func test_saving_a_scene_that_uses_all_of_them_changes_none() -> void:
 	await files_are_known()
 	_check_same(before)
 	var text := FileAccess.get_file_as_string(SCENE)
-	for path: String in _files_of("species") + _files_of("winds") + _files_of("mixes"):
+	var used := (
+		_files_of("species") + _files_of("winds") + _files_of("mixes") + _files_of("grounds")
+	)
+	for path: String in used:
 		var reference := 'uid="%s" path="%s"' % [_id_of(path), path]
 		check(text.contains(reference), "the scene uses %s by its id" % path)
 
@@ -57,6 +60,15 @@ func _make_scene() -> Node3D:
 		var field := scene.instantiate(PackedScene.GEN_EDIT_STATE_INSTANCE) as PlantField3D
 		field.size = Vector2.ONE
 		_add(root, field)
+	for path: String in _files_of("grounds"):
+		var ground := MeshInstance3D.new()
+		ground.mesh = PlaneMesh.new()
+		ground.material_override = load(path)
+		_add(root, ground)
+	var sky := WorldEnvironment.new()
+	sky.environment = load(FOLDER + "/environments/day.tres")
+	root.add_child(sky)
+	sky.owner = root
 	return root
 
 

@@ -3,10 +3,21 @@ extends "res://tests/engine/field_harness.gd"
 
 const FOLDER := "res://addons/undergrowth/mixes"
 const SPECIES_FOLDER := "res://addons/undergrowth/species/"
+const LOWEST: PackedStringArray = [
+	"dead_leaves",
+	"ivy_carpet",
+	"moss_cushion",
+	"plantain",
+	"seedlings",
+	"straw",
+	"twigs",
+	"white_clover",
+	"wild_strawberry",
+]
 ## Factor of the weight's tolerance. A hundred square metres contain only a few drifts.
 const MAX_DIFFERENCE := 2.0
 ## Within ten by ten metres.
-const MAX_PLANTS := 7000
+const MAX_PLANTS := 9500
 
 
 func test_every_mix_grows_what_it_says() -> void:
@@ -19,6 +30,17 @@ func test_every_mix_grows_what_it_says() -> void:
 		_draw_coarsely()
 		await start()
 		_check_what_stands(file)
+		field.free()
+
+
+func test_every_mix_has_a_ground_layer() -> void:
+	for file in DirAccess.get_files_at(FOLDER):
+		field = (load(FOLDER.path_join(file)) as PackedScene).instantiate()
+		var low := 0.0
+		for listed in field.species:
+			if listed.species.resource_path.get_file().get_basename() in LOWEST:
+				low += listed.weight
+		check(low > 0.0, file + " has plants or litter of the lowest layer")
 		field.free()
 
 

@@ -86,7 +86,7 @@ def complaints(first, last):
                   for one, other in zip(pixels(rows, size), pixels(last[2], last[3])))
     found = [("green plants", green, MIN_GREEN), ("sky in its upper third", sky, MIN_SKY),
              ("moved between two frames", moved, MIN_MOVED)]
-    return [f"{100 * value:.1f} % of the picture is {what}, less than {100 * least:.0f} %"
+    return [f"{100 * value:.1f} % of the picture is {what}, less than {100 * minimum:.0f} %"
             for what, value, minimum in found if value < minimum]
 
 

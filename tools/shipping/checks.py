@@ -99,7 +99,7 @@ def wrong_texts(data, paths):
 
 
 def some(names, maximum=5):
-    return ", ".join(names[:maximum]) + (f" and {len(names) - most} more" if len(names) > maximum else "")
+    return ", ".join(names[:maximum]) + (f" and {len(names) - maximum} more" if len(names) > maximum else "")
 
 
 def dotted(version):

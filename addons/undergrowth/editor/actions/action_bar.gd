@@ -16,6 +16,7 @@ const NewSpeciesDialog := preload("new_species_dialog.gd")
 const ProjectFiles := preload("project_files.gd")
 const SceneActions := preload("scene_actions.gd")
 const SpeciesTemplate := preload("species_template.gd")
+const Surroundings := preload("surroundings.gd")
 ## Microseconds of a frame after which no new file is started.
 const BAKE_USEC_PER_FRAME := 8000
 const REPLACE_SIZE := Vector2i(420, 160)
@@ -30,6 +31,7 @@ var _options: BakeOptions
 
 @onready var _add: Button = %Add
 @onready var _add_field: Button = %AddField
+@onready var _surroundings: CheckBox = %Surroundings
 @onready var _assign: Button = %Assign
 @onready var _save: Button = %Save
 @onready var _bake: Button = %Bake
@@ -98,21 +100,30 @@ func _on_add_field_pressed() -> void:
 		return
 	var wind := SceneActions.to_scene_wind(_state.wind, root)
 	if _state.mix:
-		_add_to_scene(root, SceneActions.make_mix(_state.mix, wind))
+		var mixed := SceneActions.make_mix(_state.mix, wind)
+		_add_to_scene(root, mixed, _state.mix.resource_path)
 	else:
-		_add_to_scene(root, SceneActions.make_field(_to_scene_function(root), wind, _state.title))
+		var field := SceneActions.make_field(_to_scene_function(root), wind, _state.title)
+		_add_to_scene(root, field, _state.origin.resource_path if _state.origin else "")
 
 
 func _to_scene_function(root: Node) -> PlantFunction:
 	return SceneActions.to_scene_function(_state.function, root, _state.origin)
 
 
-func _add_to_scene(root: Node, plant: Node3D) -> void:
+## A field of [param file] gets the surroundings that the scene lacks.
+func _add_to_scene(root: Node, plant: Node3D, file: String = "") -> void:
 	var point := Ground.find_point(EditorInterface.get_editor_viewport_3d(0))
 	var parent := SceneActions.get_parent_for_new(root)
-	SceneActions.add(_undo, root, parent, plant, point)
+	var others: Array[Node] = []
+	if plant is PlantField3D and root is Node3D and _surroundings.button_pressed:
+		others = Surroundings.make(root as Node3D, plant as PlantField3D, point, file)
+	SceneActions.add(_undo, root, parent, plant, point, others)
 	_select(plant)
-	_state.report(tr("Added %s to the scene.") % plant.name)
+	var names := PackedStringArray([plant.name])
+	for other in others:
+		names.append(other.name)
+	_state.report(tr("Added %s to the scene.") % ", ".join(names))
 
 
 func _on_assign_pressed() -> void:

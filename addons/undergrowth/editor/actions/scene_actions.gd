@@ -11,17 +11,21 @@ const ScenePlants := preload("../wind_page/scene_plants.gd")
 
 
 ## Adds [param plant], a single one or a field, below [param parent] in the scene of [param root],
-## upright at [param point] in world axes.
+## upright at [param point] in world axes. Adds [param others] below the root in the same step.
 static func add(
-	undo: EditorUndoRedoManager, root: Node, parent: Node, plant: Node3D, point: Vector3
+	undo: EditorUndoRedoManager,
+	root: Node,
+	parent: Node,
+	plant: Node3D,
+	point: Vector3,
+	others: Array[Node] = []
 ) -> void:
 	var title := "Add Field" if plant is PlantField3D else "Add Plant"
 	plant.transform = _local_place(parent as Node3D, point)
 	undo.create_action(Translations.text(title), UndoRedo.MERGE_DISABLE, root)
-	undo.add_do_method(parent, &"add_child", plant, true)
-	undo.add_do_property(plant, &"owner", root)
-	undo.add_do_reference(plant)
-	undo.add_undo_method(parent, &"remove_child", plant)
+	for other in others:
+		_add_node(undo, root, root, other)
+	_add_node(undo, root, parent, plant)
 	undo.commit_action()
 
 
@@ -134,6 +138,13 @@ static func _get_functions(root: Node) -> Array[PlantFunction]:
 		else:
 			functions.append((plant as Plant3D).species)
 	return functions.filter(func(function: PlantFunction) -> bool: return function != null)
+
+
+static func _add_node(undo: EditorUndoRedoManager, root: Node, parent: Node, node: Node) -> void:
+	undo.add_do_method(parent, &"add_child", node, true)
+	undo.add_do_property(node, &"owner", root)
+	undo.add_do_reference(node)
+	undo.add_undo_method(parent, &"remove_child", node)
 
 
 static func _add_species(

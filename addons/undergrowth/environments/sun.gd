@@ -1,9 +1,8 @@
 extends DirectionalLight3D
-## A sun that looks the same in every renderer.
-##
-## Compatibility adds light with shadows after tone mapping, which makes the same energy brighter.
+## A sun of equal brightness in all renderers. Compatibility adds light with shadows after tone
+## mapping, which makes the same energy brighter.
 
-## Share of the energy that is left in Compatibility.
+## Factor of the energy in Compatibility.
 @export_range(0.1, 1.0, 0.01) var compatibility_share := 0.36
 
 

@@ -1,0 +1,139 @@
+@tool
+extends MeshInstance3D
+## Ground that continues a field: it takes the mean colour of the field's plants, gets lighter where
+## gusts pass, and, if [member shows_density] is on, is bare where no plants are.
+##
+## It needs a material with ground.gdshader or ground_layer.gdshader and changes a copy of it. The
+## static functions do the same for the material of a terrain.
+
+## Pixels of one side of the picture of the density.
+const MASK_SIZE := 128
+## Maximum number of plants that the picture counts. Of more plants it counts evenly chosen ones.
+const MASK_PLANTS := 20000
+const SEGMENTS := 12
+const SEEDS := 3
+
+## The field on this ground.
+@export var field: PlantField3D
+## If [code]true[/code], the ground is bare where the field has no plants, and beyond the field.
+## Otherwise the field continues to the horizon.
+@export var shows_density := false
+
+var _material: ShaderMaterial
+
+
+func _ready() -> void:
+	var shown := get_active_material(0) as ShaderMaterial
+	if field == null or shown == null or Engine.is_editor_hint():
+		return
+	_material = shown.duplicate()
+	material_override = _material
+	apply_color(_material, field)
+	if shows_density:
+		field.build_finished.connect(_show_density)
+		_show_density()
+
+
+func _process(_delta: float) -> void:
+	if _material == null or not is_instance_valid(field) or field.wind == null:
+		return
+	if field.wind.kind == PlantWind.KIND_AIR:
+		field.wind.apply_to_material(_material)
+
+
+## Gives [param material] the mean colour of the plants of [param of_field]:
+## [code]field_color[/code] and [code]field_translucency[/code].
+static func apply_color(material: ShaderMaterial, of_field: PlantField3D) -> void:
+	var sum := Vector4.ZERO
+	var area := 0.0
+	for entry in of_field.species:
+		if entry == null or entry.species == null:
+			continue
+		var size := (entry.scale_range.x + entry.scale_range.y) * 0.5
+		var weight := entry.weight * entry.density_factor * size * size
+		for i in SEEDS:
+			var mesh := entry.species.generate_mesh(0.0, SEGMENTS, i + 1)
+			weight *= mesh.get_aabb().size.y if i == 0 else 1.0  # Tall plants hide low ones.
+			for surface in mesh.get_surface_count():
+				var found := _measure(mesh.surface_get_arrays(surface))
+				sum += weight * (found[0] as Vector4)
+				area += weight * (found[1] as float)
+	if area <= 0.0:
+		return
+	var mean := sum / area
+	var color := Color(mean.x, mean.y, mean.z).linear_to_srgb()
+	material.set_shader_parameter(&"field_color", color)
+	material.set_shader_parameter(&"field_translucency", mean.w)
+
+
+## Gives [param material] the density of the plants of [param of_field]: [code]field_mask[/code] and
+## [code]field_area[/code]. Call it after [signal PlantField3D.build_finished].
+static func apply_density(material: ShaderMaterial, of_field: PlantField3D) -> void:
+	var ids := of_field.get_plant_ids()
+	var step := maxi(1, ids.size() / MASK_PLANTS)
+	var places := PackedVector2Array()
+	var area := Rect2()
+	for i in range(0, ids.size(), step):
+		var at := of_field.global_transform * of_field.get_plant_transform(ids[i]).origin
+		var place := Vector2(at.x, at.z)
+		area = Rect2(place, Vector2.ZERO) if places.is_empty() else area.expand(place)
+		places.append(place)
+	if places.is_empty():
+		return
+	area = area.grow(0.02 * area.size.length() + 0.1)
+	var texture := ImageTexture.create_from_image(_count(places, area))
+	material.set_shader_parameter(&"field_mask", texture)
+	material.set_shader_parameter(
+		&"field_area", Vector4(area.position.x, area.position.y, area.size.x, area.size.y)
+	)
+
+
+func _show_density() -> void:
+	apply_density(_material, field)
+	_material.set_shader_parameter(&"field_beyond", 0.0)
+
+
+# Returns the sums over the triangles of a surface: area times linear colour and translucency, and
+# area.
+static func _measure(arrays: Array) -> Array:
+	var points: PackedVector3Array = arrays[Mesh.ARRAY_VERTEX]
+	var colors: PackedColorArray = arrays[Mesh.ARRAY_COLOR]
+	var indices: PackedInt32Array = arrays[Mesh.ARRAY_INDEX]
+	var own: PackedFloat32Array = PackedFloat32Array()
+	if arrays[Mesh.ARRAY_CUSTOM0] != null:
+		own = arrays[Mesh.ARRAY_CUSTOM0]
+	var sum := Vector4.ZERO
+	var whole := 0.0
+	for i in range(0, indices.size(), 3):
+		var a := points[indices[i]]
+		var edges := (points[indices[i + 1]] - a).cross(points[indices[i + 2]] - a)
+		var area := 0.5 * edges.length()
+		whole += area
+		for corner in 3:
+			var vertex := indices[i + corner]
+			var color := colors[vertex].srgb_to_linear()
+			var through := own[4 * vertex + 3] if own else 0.0
+			sum += Vector4(color.r, color.g, color.b, through) * (area / 3.0)
+	return [sum, whole]
+
+
+# A smooth picture of the number of places, 1 at their mean.
+static func _count(places: PackedVector2Array, area: Rect2) -> Image:
+	var side := mini(MASK_SIZE, ceili(sqrt(places.size() / 6.0)) + 1)
+	var counts := PackedFloat32Array()
+	counts.resize(side * side)
+	for place in places:
+		var at := ((place - area.position) / area.size * side).floor()
+		counts[mini(int(at.y), side - 1) * side + mini(int(at.x), side - 1)] += 1.0
+	var used := 0
+	for count in counts:
+		used += 1 if count > 0.0 else 0
+	var image := Image.create_empty(side, side, false, Image.FORMAT_RF)
+	for y in side:
+		for x in side:
+			var share := counts[y * side + x] * used / places.size()
+			image.set_pixel(x, y, Color(minf(2.0 * share, 1.0), 0.0, 0.0))
+	image.resize(MASK_SIZE, MASK_SIZE, Image.INTERPOLATE_CUBIC)
+	image.convert(Image.FORMAT_R8)
+	image.generate_mipmaps()
+	return image

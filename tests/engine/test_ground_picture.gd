@@ -1,0 +1,172 @@
+## The shipped ground: the far ground has the colour of far plants, bare ground has not, and every
+## material is drawn.
+extends "res://tests/engine/picture_harness.gd"
+
+const GROUNDS := "res://addons/undergrowth/grounds/"
+const Ground3D := preload("res://addons/undergrowth/grounds/ground_3d.gd")
+const DAY := preload("res://addons/undergrowth/environments/day.tscn")
+## Of CIE 1976.
+const SAME_COLOR := 2.0
+const SIZE := Vector2i(320, 180)
+## Metres: the field's far end, and the camera's height.
+const END := 40.0
+const HEIGHT := 4.0
+
+var _ground: MeshInstance3D
+
+
+func after_each() -> void:
+	stage.free()
+
+
+func test_ground_beyond_the_last_plants_continues_their_colour() -> void:
+	var grounds: Dictionary[String, String] = {"meadow_grass": "meadow", "wheat": "field_soil"}
+	for file in grounds:
+		await _make_stage(file, grounds[file])
+		var shown := await picture()
+		var plants := _mean(shown, END - 7.0, END - 2.0)
+		var beyond := _mean(shown, END + 8.0, END + 20.0)
+		var apart := plants.distance_to(beyond)
+		check(apart <= SAME_COLOR, "%s: %.1f between %s and %s" % [file, apart, plants, beyond])
+		stage.free()
+	make_stage()
+
+
+func test_bare_ground_shows_where_the_field_ends() -> void:
+	await _make_stage("meadow_grass")
+	var field: PlantField3D = _ground.get(&"field")
+	var shown := await picture()
+	var continued := _mean(shown, END + 8.0, END + 20.0)
+	var before := _mean(shown, END - 7.0, END - 2.0)
+	Ground3D.apply_density(_ground.material_override as ShaderMaterial, field)
+	(_ground.material_override as ShaderMaterial).set_shader_parameter(&"field_beyond", 0.0)
+	shown = await picture()
+	var bare := _mean(shown, END + 8.0, END + 20.0)
+	check(continued.distance_to(bare) > 8.0, "the ground has no plants beyond the field")
+	var plants := _mean(shown, END - 7.0, END - 2.0)
+	check(plants.distance_to(before) <= 2.0 * SAME_COLOR, "the field: %s, %s" % [plants, before])
+
+
+func test_each_material_is_drawn_and_differs_from_the_others() -> void:
+	await _make_stage("")
+	var camera := stage.get_camera_3d()
+	camera.look_at_from_position(Vector3(0.0, 0.6, 0.0), Vector3(0.0, 0.0, -0.5))
+	var means: Dictionary[String, Vector3] = {}
+	for file in DirAccess.get_files_at(GROUNDS):
+		if file.get_extension() != "tres":
+			continue
+		_ground.material_override = load(GROUNDS + file)
+		var shown := await picture()
+		means[file] = _mean_of(shown, 0, SIZE.y)
+		check(means[file].x > 8.0 and means[file].x < 75.0, "%s: %s" % [file, means[file]])
+		check(_contrast(shown) > 1.5, "%s has details" % file)
+	check(means.size() >= 5, "%d materials" % means.size())
+	for one in means:
+		for other in means:
+			if one < other:
+				var apart := means[one].distance_to(means[other])
+				check(apart > 1.5, "%s and %s are alike: %.1f" % [one, other, apart])
+
+
+func test_a_layer_lies_over_another_material() -> void:
+	await _make_stage("")
+	var camera := stage.get_camera_3d()
+	camera.look_at_from_position(Vector3(0.0, 0.6, 0.0), Vector3(0.0, 0.0, -0.5))
+	var own := StandardMaterial3D.new()
+	own.albedo_color = Color(0.1, 0.1, 0.8)
+	var layer := (
+		(load(GROUNDS + "forest_floor.tres") as ShaderMaterial).duplicate() as ShaderMaterial
+	)
+	layer.shader = load(GROUNDS + "ground_layer.gdshader")
+	layer.set_shader_parameter(&"litter", 0.4)
+	own.next_pass = layer
+	_ground.material_override = own
+	var shown := await picture()
+	var blue := 0
+	var brown := 0
+	for y in range(0, SIZE.y, 2):
+		for x in range(0, SIZE.x, 2):
+			var color := shown.get_pixel(x, y)
+			blue += 1 if color.b > 2.0 * color.r else 0
+			brown += 1 if color.r > 1.2 * color.b else 0
+	check(blue > 500 and brown > 500, "%d pixels of the material, %d of litter" % [blue, brown])
+
+
+# A field of [param file] in front of the camera, on ground that continues to the horizon.
+func _make_stage(file: String, ground: String = "meadow") -> void:
+	stage = SubViewport.new()
+	stage.size = SIZE
+	stage.own_world_3d = true
+	stage.render_target_update_mode = SubViewport.UPDATE_ALWAYS
+	root.add_child(stage)
+	var day := DAY.instantiate()
+	var environment: WorldEnvironment = day.get_node(^"Environment")
+	environment.environment = environment.environment.duplicate()
+	environment.environment.fog_enabled = false
+	stage.add_child(day)
+	var camera := Camera3D.new()
+	camera.fov = 12.0
+	stage.add_child(camera)
+	camera.look_at_from_position(Vector3(0, HEIGHT, 0), Vector3(0, 0, -END))
+	_ground = MeshInstance3D.new()
+	_ground.set_script(Ground3D)
+	var plane := PlaneMesh.new()
+	plane.size = Vector2(400, 400)
+	plane.material = load(GROUNDS + ground + ".tres")
+	_ground.mesh = plane
+	if file:
+		var field := PlantField3D.from_species(
+			[load("res://addons/undergrowth/species/%s.tres" % file)]
+		)
+		field.size = Vector2(12, 26)
+		field.density = 30.0
+		field.simulation_enabled = false
+		field.position.z = -END + 13.0
+		stage.add_child(field)
+		_ground.set(&"field", field)
+	stage.add_child(_ground)
+	await frames(2)
+
+
+# The mean colour (L*a*b*) of the ground between two distances.
+func _mean(shown: Image, from: float, to: float) -> Vector3:
+	var camera := stage.get_camera_3d()
+	var near := camera.unproject_position(Vector3(0, 0, -from)).y
+	var far := camera.unproject_position(Vector3(0, 0, -to)).y
+	return _mean_of(shown, int(far), int(near))
+
+
+func _mean_of(shown: Image, top: int, bottom: int) -> Vector3:
+	var sum := Vector3.ZERO
+	var count := 0
+	for y in range(top, bottom):
+		for x in range(SIZE.x / 6, SIZE.x * 5 / 6):
+			var color := shown.get_pixel(x, y).srgb_to_linear()
+			sum += Vector3(color.r, color.g, color.b)
+			count += 1
+	return _to_lab(sum / maxi(count, 1))
+
+
+func _contrast(shown: Image) -> float:
+	var sum := 0.0
+	for y in range(0, SIZE.y, 3):
+		for x in range(1, SIZE.x, 3):
+			sum += absf(
+				shown.get_pixel(x, y).get_luminance() - shown.get_pixel(x - 1, y).get_luminance()
+			)
+	return 255.0 * sum * 9.0 / (SIZE.x * SIZE.y)
+
+
+func _to_lab(linear: Vector3) -> Vector3:
+	var x := (0.4124 * linear.x + 0.3576 * linear.y + 0.1805 * linear.z) / 0.9505
+	var y := 0.2126 * linear.x + 0.7152 * linear.y + 0.0722 * linear.z
+	var z := (0.0193 * linear.x + 0.1192 * linear.y + 0.9505 * linear.z) / 1.089
+	return Vector3(
+		116.0 * _root_of(y) - 16.0,
+		500.0 * (_root_of(x) - _root_of(y)),
+		200.0 * (_root_of(y) - _root_of(z))
+	)
+
+
+func _root_of(value: float) -> float:
+	return pow(value, 1.0 / 3.0) if value > 0.008856 else 7.787 * value + 16.0 / 116.0
