@@ -67,6 +67,7 @@ void CpuMotion::set_height(const PlantPlace &place, float share, const MotionPla
 }
 
 void CpuMotion::set_hidden(const PlantPlace &place, bool hidden) {
+	wait();
 	const int page = rows_of(place.block).page;
 	if (hidden) {
 		textures->hide(page, row_of(place));

@@ -5,7 +5,10 @@
 #include "messages.hpp"
 #include "stem/stem_shape.hpp"
 
+#include <godot_cpp/classes/rendering_server.hpp>
+
 #include <algorithm>
+#include <limits>
 
 using namespace godot;
 
@@ -53,7 +56,7 @@ void FieldDress::take_away(const FieldStyle &style) const {
 }
 
 void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
-	has_sent = false;
+	has_sent = is_listed = false;
 	sent_clock = -1.0f;
 	make(style);
 	for (FieldLook &look : style.looks) {
@@ -62,7 +65,7 @@ void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
 }
 
 void FieldDress::put_on_last(FieldStyle &style, const FieldMotion &motion) {
-	has_sent = false;
+	has_sent = is_listed = false;
 	sent_clock = -1.0f;
 	make(style);
 	put_on_look(style, style.looks.back(), motion);
@@ -111,7 +114,8 @@ void FieldDress::tell_of_stem(const FieldLook &look) const {
 	}
 }
 
-void FieldDress::tell_of_stems(const FieldStyle &style) const {
+void FieldDress::tell_of_stems(const FieldStyle &style) {
+	is_listed = false;
 	for (const FieldLook &look : style.looks) {
 		tell_of_stem(look);
 	}
@@ -126,7 +130,8 @@ void FieldDress::tell_of_axes(const FieldStyle &style) const {
 	}
 }
 
-void FieldDress::take_off(FieldStyle &style, std::vector<std::vector<Ref<ShaderMaterial>>> &old) const {
+void FieldDress::take_off(FieldStyle &style, std::vector<std::vector<Ref<ShaderMaterial>>> &old) {
+	is_listed = false;
 	for (FieldLook &look : style.looks) {
 		old.push_back(std::move(look.materials));
 		look.materials.clear();
@@ -145,22 +150,39 @@ void FieldDress::follow(const FieldStyle &style) {
 	}
 }
 
+void FieldDress::list_swinging(const FieldStyle &style) {
+	is_listed = true;
+	sent_clock = -1.0f;
+	swinging.clear();
+	for (const FieldLook &look : style.looks) {
+		const float end = look.motion.longest * SWINGS_TO;
+		for (size_t i = 0; look.motion.has_parts && i < look.materials.size(); i++) {
+			const FieldLevel &level = style.levels[i];
+			const float nearest = level.begin - level.margin;
+			const float farthest = level.end > 0.0f ? level.end + level.margin : std::numeric_limits<float>::max();
+			if (nearest < end) {
+				swinging.push_back({ look.materials[i]->get_rid(), nearest, farthest, end * SWINGS_WHOLE, end });
+			}
+		}
+	}
+}
+
+// Sets the parameter in the renderer only: a material's own copy of it would cost more than everything else here.
 void FieldDress::tell_of_swings(const FieldStyle &style, const FieldMotion &motion, const SeenDistances &seen) {
+	if (!is_listed) {
+		list_swinging(style);
+	}
 	const float clock = motion.swing_clock();
 	if (clock == sent_clock && seen.nearest == sent_seen.nearest && seen.farthest == sent_seen.farthest) {
 		return;
 	}
 	sent_clock = clock;
 	sent_seen = seen;
-	static const StringName &swing = *new StringName("undergrowth_swing"); // Set in each material in each frame.
-	for (const FieldLook &look : style.looks) {
-		const float end = look.motion.longest * SWINGS_TO;
-		for (size_t i = 0; look.motion.has_parts && i < look.materials.size(); i++) {
-			if (std::max(style.levels[i].begin - style.levels[i].margin, seen.nearest) < end &&
-					style.levels[i].begin - style.levels[i].margin <= seen.farthest &&
-					(style.levels[i].end <= 0.0f || style.levels[i].end + style.levels[i].margin >= seen.nearest)) {
-				look.materials[i]->set_shader_parameter(swing, Vector3(clock, end * SWINGS_WHOLE, end));
-			}
+	static const StringName &swing = *new StringName("undergrowth_swing");
+	RenderingServer *server = RenderingServer::get_singleton();
+	for (const Swinging &one : swinging) {
+		if (seen.nearest < one.end && one.nearest <= seen.farthest && one.farthest >= seen.nearest) {
+			server->material_set_param(one.material, swing, Vector3(clock, one.whole, one.end));
 		}
 	}
 }
@@ -174,10 +196,12 @@ void FieldDress::tell_of_followers(const FieldStyle &style, const FieldMotion &m
 			has_sent && delays.after == sent.after && delays.before == sent.before && delays.share == sent.share;
 	sent = delays;
 	has_sent = true;
+	static const StringName &history_name = *new StringName("undergrowth_history");
+	RenderingServer *server = RenderingServer::get_singleton();
 	for (size_t i = 0; i < style.looks.size(); i++) {
 		const Vector4 history = motion.history_of(int(i));
 		for (const Ref<ShaderMaterial> &material : style.looks[i].materials) {
-			material->set_shader_parameter("undergrowth_history", history);
+			server->material_set_param(material->get_rid(), history_name, history);
 			if (are_same) {
 				continue;
 			}

@@ -23,7 +23,7 @@ public:
 	/// The same for the last look only, if all other looks are up to date.
 	void put_on_last(FieldStyle &style, const FieldMotion &motion);
 	/// Moves all materials to `old`; instances can use them while `old` exists.
-	void take_off(FieldStyle &style, std::vector<std::vector<godot::Ref<godot::ShaderMaterial>>> &old) const;
+	void take_off(FieldStyle &style, std::vector<std::vector<godot::Ref<godot::ShaderMaterial>>> &old);
 	/// Sets the orientation of the field's axes in the world.
 	void tell_of_axes(const FieldStyle &style) const;
 	/// Copies the users' changes to the materials of one species per call, in turns.
@@ -32,7 +32,7 @@ public:
 	/// when they are drawn.
 	void tell_of_swings(const FieldStyle &style, const FieldMotion &motion, const SeenDistances &seen);
 	/// Sets the bending shapes of stems.
-	void tell_of_stems(const FieldStyle &style) const;
+	void tell_of_stems(const FieldStyle &style);
 	/// Sets what instances of prototypes show in this frame.
 	void tell_of_followers(const FieldStyle &style, const FieldMotion &motion, const godot::Transform3D &axes);
 
@@ -43,8 +43,17 @@ private:
 	bool has_sent = false;
 	SeenDistances sent_seen;
 	float sent_clock = -1.0f; ///< The same; -1: none.
+	/// A material whose leaves swing. The list is compact, because each frame reads it.
+	struct Swinging {
+		godot::RID material;
+		float nearest, farthest; ///< m: distances at which leaves swing.
+		float whole, end; ///< m: they swing fully up to one distance and not at all beyond the other.
+	};
+	std::vector<Swinging> swinging;
+	bool is_listed = false; ///< `swinging` is up to date.
 
 	void put_on_look(const FieldStyle &style, const FieldLook &look, const FieldMotion &motion) const;
+	void list_swinging(const FieldStyle &style);
 	void tell_of_stem(const FieldLook &look) const;
 	godot::Ref<godot::Material> worn(const FieldLook &look) const;
 };

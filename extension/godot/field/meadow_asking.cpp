@@ -224,6 +224,7 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 	}
 	motion.add_species(look);
 	style.looks.push_back(std::move(look));
+	has_felt = false;
 	if (motion.pose_texture().is_valid()) {
 		dress.put_on_last(style, motion);
 	}
@@ -232,6 +233,11 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 
 void Meadow::feel(const Ref<PlantWind> &blowing) {
 	const bool in_air = PlantWind::is_air(blowing);
+	if (has_felt && in_air == felt_air) {
+		return;
+	}
+	has_felt = true;
+	felt_air = in_air;
 	bool is_news = false;
 	for (size_t i = 0; i < style.looks.size(); i++) {
 		FieldLook &look = style.looks[i];

@@ -294,6 +294,7 @@ bool Meadow::adopt(FieldFill &finished) {
 	skeletons.release_all(motion);
 	tiles.forget_style();
 	retired.push_back(std::exchange(style, std::move(result.style))); // Drawn multimeshes use it.
+	has_felt = false;
 	// Species with rest directions, or texels for those, that differ from the build's.
 	std::vector<int> other_rests;
 	for (size_t i = 0; i < style.looks.size(); i++) {

@@ -4,9 +4,8 @@
 
 #include "field/field_areas.hpp"
 #include "messages.hpp"
+#include "runs_in_editor.hpp"
 #include "stopwatch.hpp"
-
-#include <godot_cpp/classes/engine.hpp>
 
 #include <utility>
 
@@ -106,7 +105,7 @@ bool PlantField3D::build_now() {
 }
 
 bool PlantField3D::may_simulate() const {
-	return properties.simulation_enabled && !Engine::get_singleton()->is_editor_hint();
+	return properties.simulation_enabled && !runs_in_editor();
 }
 
 // A handler of `filled` may remove the field from the tree.
@@ -202,6 +201,9 @@ void PlantField3D::_notification(int what) {
 			look_around();
 			frames.follow(meadow.wants_frames());
 			break;
+		case NOTIFICATION_ENTER_WORLD:
+			meadow.note_world();
+			break;
 		case NOTIFICATION_EXIT_TREE:
 			frames.follow(false);
 			FieldMonitors::leave(&meadow);
@@ -218,7 +220,7 @@ void PlantField3D::_notification(int what) {
 			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
 			meadow.moved();
-			if (Engine::get_singleton()->is_editor_hint() && properties.ground_mode != GROUND_NONE) {
+			if (runs_in_editor() && properties.ground_mode != GROUND_NONE) {
 				staleness.mark_stand(); // In the editor a moved field is built on its new ground.
 			}
 			break;
