@@ -39,9 +39,9 @@ int FieldSteps::divide() {
 			runs.push_back(page);
 			in_run = 0;
 		}
-		const int of_page = stepped->has_stepped(page) ? stepped->page(page).standing() : 0;
+		const int of_page = stepped->has_stepped(page) ? stepped->page(page).live_count() : 0;
 		due += of_page;
-		if (of_page > 0 || (touching && stepped->page(page).standing() > 0)) {
+		if (of_page > 0 || (touching && stepped->page(page).live_count() > 0)) {
 			written->will_write(page);
 		}
 		in_run += touching ? stepped->page(page).size() : of_page;
@@ -58,7 +58,7 @@ int FieldSteps::work_of_step(int due) const {
 }
 
 // Upper bound of work_of_step(), without divide().
-int FieldSteps::most_work() const {
+int FieldSteps::max_work() const {
 	return work_of_step(stepped->settings().prototypes > 0 ? stepped->due_count() : stepped->row_count());
 }
 
@@ -73,7 +73,7 @@ void FieldSteps::start(FieldSimulation &simulation, PoseTexture &poses, TipConta
 	}
 	busy_nsec = 0;
 	is_inline = is_divided = false;
-	int plants = most_work(); // The cost, in plants without contact.
+	int plants = max_work(); // The cost, in plants without contact.
 	if (plants > FEW_PLANTS) {
 		plants = work_of_step(divide());
 	}
@@ -148,7 +148,7 @@ void FieldSteps::do_part(int phase, int part) {
 		case STEP:
 			for (int page = first; page < end; page++) {
 				stepped->step_pages(page, page + 1);
-				if (!touching && stepped->has_stepped(page) && stepped->page(page).standing() > 0) {
+				if (!touching && stepped->has_stepped(page) && stepped->page(page).live_count() > 0) {
 					written->write_bends(*stepped, page);
 				}
 			}
@@ -164,7 +164,7 @@ void FieldSteps::do_part(int phase, int part) {
 			break;
 		default:
 			for (int page = first; page < end; page++) {
-				if (stepped->page(page).standing() > 0) {
+				if (stepped->page(page).live_count() > 0) {
 					written->write_bends(*stepped, page);
 				}
 			}

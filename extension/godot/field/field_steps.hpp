@@ -20,8 +20,8 @@ public:
 	FieldSteps(const FieldSteps &) = delete;
 	FieldSteps &operator=(const FieldSteps &) = delete;
 
-	/// Starts one step on up to `workers` threads and returns at once. Steps that cost less than waking a thread share a
-	/// StepBatch. `contact`, if any, runs after all plants have moved.
+	/// Starts one step on up to `workers` threads and returns at once. Steps that cost less than waking a thread share
+	/// a StepBatch. `contact`, if any, runs after all plants have moved.
 	void start(FieldSimulation &simulation, PoseTexture &poses, TipContact *contact, int workers);
 	/// Waits for the step; returns at once if there is none.
 	void wait();
@@ -52,7 +52,7 @@ private:
 
 	int divide();
 	int work_of_step(int due) const;
-	int most_work() const;
+	int max_work() const;
 	static void work(void *self, uint32_t worker);
 	int parts_of(int phase) const;
 	void do_part(int phase, int part);

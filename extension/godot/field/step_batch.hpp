@@ -20,8 +20,8 @@ public:
 		size_t index = 0;
 	};
 
-	/// Adds a step to the batch of this frame. It starts when all nodes have processed the frame. `cost`: in plants. Call
-	/// finish() before the steps are freed.
+	/// Adds a step to the batch of this frame. It starts when all nodes have processed the frame. `cost`: in plants.
+	/// Call finish() before the steps are freed.
 	static Ticket add(FieldSteps &steps, int cost);
 	/// Returns when the step is done, and empties the ticket. Returns true if it ran on this thread.
 	static bool finish(Ticket &ticket);
