@@ -1,6 +1,7 @@
 #include "plant_simulation.hpp"
 
 #include "convert.hpp"
+#include "field/step_batch.hpp"
 #include "follow_changes.hpp"
 #include "messages.hpp"
 #include "plant_3d.hpp"
@@ -222,7 +223,13 @@ void PlantSimulation::on_parts_shader_wanted() {
 	load_parts_shader();
 }
 
+void PlantSimulation::on_steps_collected() {
+	steps_start.begin();
+	StepBatch::start_collected();
+}
+
 void PlantSimulation::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("_on_steps_collected"), &PlantSimulation::on_steps_collected);
 	ClassDB::bind_method(D_METHOD("_on_process_frame"), &PlantSimulation::on_process_frame);
 	ClassDB::bind_method(D_METHOD("_load_parts_shader"), &PlantSimulation::on_parts_shader_wanted);
 	ClassDB::bind_method(D_METHOD("get_plant_count"), &PlantSimulation::get_plant_count);

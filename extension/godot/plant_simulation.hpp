@@ -5,6 +5,7 @@
 #include "motion/swing_clock.hpp"
 #include "plant_contact.hpp"
 #include "plant_group.hpp"
+#include "queued_call.hpp"
 #include "world_air_sources.hpp"
 
 #include <godot_cpp/classes/scene_tree.hpp>
@@ -30,6 +31,7 @@ class PlantSimulation : public godot::Object {
 	FixedStep clock;
 	SwingClock swings;
 	uint64_t step_number = 0; ///< Of the present step; the first is 1.
+	QueuedCall steps_start{ this, "_on_steps_collected" };
 	uint64_t connected_tree = 0; ///< Instance id of the scene tree that sends frames.
 	double step_time_usec = 0.0;
 	double pose_time_usec = 0.0;
@@ -67,6 +69,9 @@ public:
 	void advance(double delta);
 	void on_process_frame();
 	void on_parts_shader_wanted();
+	/// Calls StepBatch::start_collected() when all nodes have processed this frame.
+	void start_steps_soon() { steps_start.queue(); }
+	void on_steps_collected();
 	void follow(godot::SceneTree *tree);
 
 	int get_plant_count() const;

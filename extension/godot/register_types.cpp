@@ -7,6 +7,7 @@
 #include "field/plant_field_level.hpp"
 #include "field/plant_field_species.hpp"
 #include "field/plant_map.hpp"
+#include "field/step_batch.hpp"
 #include "form/plant_growth.hpp"
 #include "form/plant_part_kinds.hpp"
 #include "plant_3d.hpp"
@@ -77,6 +78,7 @@ static void initialize(ModuleInitializationLevel level) {
 
 static void uninitialize(ModuleInitializationLevel level) {
 	if (level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		StepBatch::end_all();
 		Engine::get_singleton()->unregister_singleton(SIMULATION_NAME);
 		memdelete(PlantSimulation::get_singleton());
 		free_shared_resources();

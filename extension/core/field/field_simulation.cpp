@@ -50,6 +50,7 @@ int FieldSimulation::add_species(const MotionSpecies &species) {
 
 void FieldSimulation::set_species(int index, const MotionSpecies &species) {
 	kinds[static_cast<std::size_t>(index)] = species;
+	rates_changed++;
 	for (Entry &entry : entries) {
 		if (entry.page.species() == index) {
 			const bool had_two = entry.page.modes() == 2;
@@ -91,6 +92,7 @@ int FieldSimulation::add_page(MotionPage &&page, const MotionPlant *plants) {
 		entry.is_changed = place->is_changed;
 		*place = std::move(entry);
 	}
+	rates_changed++;
 	beat(number) = Beat();
 	beat(number).interval = options.update_interval;
 	beat(number).phase = number;
@@ -242,6 +244,7 @@ void FieldSimulation::begin_step() {
 			at(page).page.make_room_ahead();
 		}
 		if (is_due(page, next_step)) {
+			rates_changed += beat(page).interval != page_interval(page) ? 1 : 0;
 			beat(page).interval = page_interval(page);
 			beat(page).last_step = next_step;
 		}

@@ -58,6 +58,8 @@ public:
 	/// Upper bound of page numbers, free ones included.
 	int page_count() const { return static_cast<int>(entries.size()); }
 	int plant_count() const;
+	/// Number of rows of all pages, at least plant_count(). Needs no loop.
+	int row_count() const { return plant_rows; }
 	/// Plants that are stepped, prototypes included.
 	int simulated_count() const;
 	const MotionPage &page(int index) const { return at(index).page; }
@@ -90,8 +92,10 @@ public:
 	/// it comes to rest (DetachedFollowers).
 	void set_bodies(const MovingBody *bodies, int count);
 
-	/// Seconds since the start: the number of started steps times their length.
-	double time() const { return static_cast<double>(next_step) * static_cast<double>(options.step); }
+	/// Seconds since the start: the number of started steps, and of `more` steps, times their length.
+	double time(int64_t more = 0) const {
+		return static_cast<double>(next_step + more) * static_cast<double>(options.step);
+	}
 	/// Steps the prototypes and starts the next step. Call it on one thread. The first call simulates the prototypes'
 	/// past, so that delays reach back into the same wind: about half a millisecond per species.
 	void begin_step();
@@ -128,6 +132,8 @@ public:
 		const auto steps = static_cast<float>(models.empty() ? beat(page).interval : 1);
 		return steps * steps * options.step;
 	}
+	/// Changes whenever rate_time() or MotionPage::has_second_bends() of a page changes.
+	int64_t rates_version() const { return rates_changed; }
 	/// The same as a unit direction.
 	glm::vec3 shown_direction(int page, int index, float fraction) const {
 		return from_stereographic(shown_bend(page, index, fraction));
@@ -212,6 +218,7 @@ private:
 	float lead = 0.0f; ///< s.
 	FollowDelays delays;
 	int64_t next_step = 0;
+	int64_t rates_changed = 0;
 
 	const Entry &at(int page) const { return entries[static_cast<std::size_t>(page)]; }
 	Entry &at(int page) { return entries[static_cast<std::size_t>(page)]; }

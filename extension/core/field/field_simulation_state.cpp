@@ -207,6 +207,7 @@ float FieldSimulation::ease_of(int page) const {
 void FieldSimulation::show_modes(int page, int count) {
 	if (at(page).page.modes() != count && at(page).page.max_modes() >= count) {
 		at(page).page.set_modes(count);
+		rates_changed++;
 		beat(page).two_since = next_step;
 		follower_changed(at(page));
 	}

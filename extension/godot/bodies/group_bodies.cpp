@@ -43,8 +43,10 @@ void GroupBodies::watch(const Place &here, const StringName &group, double delta
 	for (Body &body : bodies) {
 		body.is_here = false;
 	}
-	if (!group.is_empty()) {
+	if (!group.is_empty() && here.tree->has_group(group)) {
 		note_members(here.tree->get_nodes_in_group(group), here.world, delta);
+	} else if (!group.is_empty()) {
+		warn_of_group(0, delta);
 	}
 	for (Body &body : bodies) {
 		for (Shape &shape : body.shapes) {

@@ -2,7 +2,6 @@
 
 #include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/engine.hpp>
-#include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
@@ -13,8 +12,6 @@
 using namespace godot;
 
 namespace undergrowth {
-
-static const char *const VIEWPORTS = "_viewports"; // A group of the engine.
 
 /// A camera of any world.
 struct WorldCamera {
@@ -28,8 +25,9 @@ static uint64_t world_of(const Node3D *node) {
 }
 
 static std::vector<WorldCamera> find_cameras(SceneTree *tree) {
+	static const StringName &viewport_group = *new StringName("_viewports"); // A group of the engine.
 	std::vector<WorldCamera> cameras;
-	const TypedArray<Node> viewports = tree->get_nodes_in_group(VIEWPORTS);
+	const TypedArray<Node> viewports = tree->get_nodes_in_group(viewport_group);
 	for (int64_t i = 0; i < viewports.size(); i++) {
 		const Viewport *viewport = Object::cast_to<Viewport>(viewports[i]);
 		const Camera3D *camera = viewport ? viewport->get_camera_3d() : nullptr;
@@ -58,11 +56,11 @@ std::vector<Vector3> find_camera_positions(const Node3D *node) {
 /// All cameras at one moment of each frame.
 class FrameCameras {
 public:
-	const std::vector<WorldCamera> &now(const Node3D *node) {
+	const std::vector<WorldCamera> &now(SceneTree *tree) {
 		const uint64_t this_frame = Engine::get_singleton()->get_process_frames();
 		if (frame != this_frame) {
 			frame = this_frame;
-			cameras = find_cameras(node->get_tree());
+			cameras = find_cameras(tree);
 		}
 		return cameras;
 	}
@@ -74,18 +72,21 @@ private:
 
 std::vector<Vector3> find_drawn_camera_positions(const Node3D *node) {
 	static FrameCameras drawn;
-	return places_in(node, drawn.now(node));
+	return places_in(node, drawn.now(node->get_tree()));
 }
 
-SeenDistances find_seen_distances(const Node3D *node, const AABB &box) {
+SeenDistances find_seen_distances(SceneTree *tree, uint64_t world, const AABB &box) {
 	static FrameCameras of_frame;
 	SeenDistances seen;
-	for (const Vector3 &position : places_in(node, of_frame.now(node))) {
-		const float middle = position.distance_to(box.get_center());
-		const float radius = 0.5f * box.size.length();
-		const bool is_first = seen.farthest == SeenDistances().farthest;
-		seen.nearest = is_first ? middle - radius : std::min(seen.nearest, middle - radius);
-		seen.farthest = is_first ? middle + radius : std::max(seen.farthest, middle + radius);
+	const float radius = 0.5f * box.size.length();
+	bool is_first = true;
+	for (const WorldCamera &camera : of_frame.now(tree)) {
+		if (camera.world == world) {
+			const float middle = camera.place.distance_to(box.get_center());
+			seen.nearest = is_first ? middle - radius : std::min(seen.nearest, middle - radius);
+			seen.farthest = is_first ? middle + radius : std::max(seen.farthest, middle + radius);
+			is_first = false;
+		}
 	}
 	return seen;
 }

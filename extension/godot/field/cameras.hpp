@@ -1,8 +1,10 @@
 #pragma once
 
 #include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/variant/aabb.hpp>
 
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -21,8 +23,8 @@ struct SeenDistances {
 	float farthest = std::numeric_limits<float>::max();
 };
 
-/// Returns the distances between the cameras of this frame and a box in the world. All fields share one look-up per
-/// frame.
-SeenDistances find_seen_distances(const godot::Node3D *node, const godot::AABB &box);
+/// Returns the distances between the cameras of this frame and a box in the world with the instance id `world`. `tree`:
+/// that of the cameras. All fields share one look-up per frame.
+SeenDistances find_seen_distances(godot::SceneTree *tree, uint64_t world, const godot::AABB &box);
 
 } // namespace undergrowth

@@ -206,6 +206,11 @@ void CpuMotion::write_all() {
 	textures->write_history(*simulation, true);
 }
 
+bool CpuMotion::has_room_for_species() {
+	wait();
+	return textures->has_room_for_species();
+}
+
 void CpuMotion::add_species(const SpeciesStyle &style) {
 	wait();
 	simulation->add_species(style.motion);

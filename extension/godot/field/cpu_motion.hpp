@@ -38,7 +38,7 @@ public:
 	void release_texels(PreparedChunk &prepared) override;
 	void make_room(double plants, int chunks) override;
 	void add_species(const SpeciesStyle &style) override;
-	bool has_room_for_species() const override { return textures->has_room_for_species(); }
+	bool has_room_for_species() override;
 	void set_species(int index, const SpeciesStyle &style, const PlantStore &store, bool is_still) override;
 	void set_update_interval(int steps) override;
 	void fit_contact(bool on) override;
@@ -88,6 +88,7 @@ private:
 	std::vector<int> dirty_pages;
 	TipContact touching;
 	bool touches = false;
+	double time_after_step = 0.0; ///< s: FieldSimulation::time() after the running step.
 	FieldSteps steps; // Declared after the data that it uses, so it is destroyed first.
 	WorkerTask transfer; // For the same reason.
 	bool is_transferred = false; ///< The motion of matched plants is transferred for adopt(), and nothing moved since.

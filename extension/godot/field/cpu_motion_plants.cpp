@@ -67,6 +67,7 @@ void CpuMotion::set_height(const PlantRef &ref, float share, const MotionPlant &
 }
 
 void CpuMotion::set_hidden(const PlantRef &ref, bool hidden) {
+	wait();
 	const int page = rows_of(ref.chunk).page;
 	if (hidden) {
 		textures->hide(page, row_of(ref));

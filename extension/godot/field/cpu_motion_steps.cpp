@@ -80,6 +80,7 @@ void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
 void CpuMotion::start_step(const MotionOptions &options, bool with_contact) {
 	is_transferred = false;
 	TipContact *contact = with_contact && simulation->settings().prototypes == 0 ? &touching : nullptr;
+	time_after_step = simulation->time(1);
 	steps.start(*simulation, *textures, contact, worker_count(options));
 	swings.step(clock.step());
 }
@@ -132,6 +133,7 @@ double CpuMotion::advance(const Frame &frame, const MotionOptions &options) {
 	double stepping_usec = 0.0;
 	for (int i = 0; i < step_count; i++) {
 		wait();
+		stepping_usec += i > 0 ? steps.inline_usec() : 0.0;
 		if (i > 0 && watch.usec() > 1e6 * FixedStep::MAX_STEPPING_TIME) {
 			break; // Drops the remaining steps, so that a slow frame does not slow down the next one.
 		}
@@ -142,7 +144,6 @@ double CpuMotion::advance(const Frame &frame, const MotionOptions &options) {
 			find_events(options.touch_margin);
 		}
 		start_step(options, touches);
-		stepping_usec += steps.inline_usec();
 	}
 	return stepping_usec;
 }
@@ -167,7 +168,10 @@ void CpuMotion::preview(const Frame &frame, const MotionOptions &options) {
 }
 
 double CpuMotion::motion_time() const {
-	return simulation ? simulation->time() + wind_clock.ahead() : 0.0;
+	if (!simulation) {
+		return 0.0;
+	}
+	return (steps.is_running() ? time_after_step : simulation->time()) + wind_clock.ahead();
 }
 
 bool CpuMotion::upload() {

@@ -5,7 +5,10 @@
 #include "messages.hpp"
 #include "stem/stem_shape.hpp"
 
+#include <godot_cpp/classes/rendering_server.hpp>
+
 #include <algorithm>
+#include <limits>
 
 using namespace godot;
 
@@ -53,7 +56,7 @@ void FieldMaterials::hide(const FieldRenderSetup &setup) const {
 }
 
 void FieldMaterials::bind(FieldRenderSetup &setup, const FieldMotion &motion) {
-	has_sent = false;
+	has_sent = is_listed = false;
 	sent_clock = -1.0f;
 	make(setup);
 	for (SpeciesStyle &style : setup.styles) {
@@ -62,7 +65,7 @@ void FieldMaterials::bind(FieldRenderSetup &setup, const FieldMotion &motion) {
 }
 
 void FieldMaterials::bind_last(FieldRenderSetup &setup, const FieldMotion &motion) {
-	has_sent = false;
+	has_sent = is_listed = false;
 	sent_clock = -1.0f;
 	make(setup);
 	bind_style(setup, setup.styles.back(), motion);
@@ -112,7 +115,8 @@ void FieldMaterials::send_stem(const SpeciesStyle &style) const {
 	}
 }
 
-void FieldMaterials::send_stems(const FieldRenderSetup &setup) const {
+void FieldMaterials::send_stems(const FieldRenderSetup &setup) {
+	is_listed = false;
 	for (const SpeciesStyle &style : setup.styles) {
 		send_stem(style);
 	}
@@ -127,7 +131,8 @@ void FieldMaterials::send_axes(const FieldRenderSetup &setup) const {
 	}
 }
 
-void FieldMaterials::release(FieldRenderSetup &setup, std::vector<std::vector<Ref<ShaderMaterial>>> &old) const {
+void FieldMaterials::release(FieldRenderSetup &setup, std::vector<std::vector<Ref<ShaderMaterial>>> &old) {
+	is_listed = false;
 	for (SpeciesStyle &style : setup.styles) {
 		old.push_back(std::move(style.materials));
 		style.materials.clear();
@@ -146,23 +151,40 @@ void FieldMaterials::follow(const FieldRenderSetup &setup) {
 	}
 }
 
+void FieldMaterials::list_swinging(const FieldRenderSetup &setup) {
+	is_listed = true;
+	sent_clock = -1.0f;
+	swinging.clear();
+	for (const SpeciesStyle &style : setup.styles) {
+		const float end = style.motion.longest * SWINGS_TO;
+		for (size_t i = 0; style.motion.has_parts && i < style.materials.size(); i++) {
+			const FieldLevel &level = setup.levels[i];
+			const float nearest = level.begin - level.margin;
+			const float farthest = level.end > 0.0f ? level.end + level.margin : std::numeric_limits<float>::max();
+			if (nearest < end) {
+				swinging.push_back({ style.materials[i]->get_rid(), nearest, farthest, end * SWINGS_WHOLE, end });
+			}
+		}
+	}
+}
+
+// Sets the parameter in the renderer only: a material's own copy of it would cost more than everything else here.
 void FieldMaterials::send_swing_clock(
 		const FieldRenderSetup &setup, const FieldMotion &motion, const SeenDistances &seen) {
+	if (!is_listed) {
+		list_swinging(setup);
+	}
 	const float clock = motion.swing_clock();
 	if (clock == sent_clock && seen.nearest == sent_seen.nearest && seen.farthest == sent_seen.farthest) {
 		return;
 	}
 	sent_clock = clock;
 	sent_seen = seen;
-	static const StringName &swing = *new StringName("undergrowth_swing"); // Set in each material in each frame.
-	for (const SpeciesStyle &style : setup.styles) {
-		const float end = style.motion.longest * SWINGS_TO;
-		for (size_t i = 0; style.motion.has_parts && i < style.materials.size(); i++) {
-			if (std::max(setup.levels[i].begin - setup.levels[i].margin, seen.nearest) < end &&
-					setup.levels[i].begin - setup.levels[i].margin <= seen.farthest &&
-					(setup.levels[i].end <= 0.0f || setup.levels[i].end + setup.levels[i].margin >= seen.nearest)) {
-				style.materials[i]->set_shader_parameter(swing, Vector3(clock, end * SWINGS_WHOLE, end));
-			}
+	static const StringName &swing = *new StringName("undergrowth_swing");
+	RenderingServer *server = RenderingServer::get_singleton();
+	for (const Swinging &one : swinging) {
+		if (seen.nearest < one.end && one.nearest <= seen.farthest && one.farthest >= seen.nearest) {
+			server->material_set_param(one.material, swing, Vector3(clock, one.whole, one.end));
 		}
 	}
 }
@@ -176,10 +198,12 @@ void FieldMaterials::send_followers(const FieldRenderSetup &setup, const FieldMo
 			has_sent && delays.after == sent.after && delays.before == sent.before && delays.share == sent.share;
 	sent = delays;
 	has_sent = true;
+	static const StringName &history_name = *new StringName("undergrowth_history");
+	RenderingServer *server = RenderingServer::get_singleton();
 	for (size_t i = 0; i < setup.styles.size(); i++) {
 		const Vector4 history = motion.history_of(int(i));
 		for (const Ref<ShaderMaterial> &material : setup.styles[i].materials) {
-			material->set_shader_parameter("undergrowth_history", history);
+			server->material_set_param(material->get_rid(), history_name, history);
 			if (are_same) {
 				continue;
 			}

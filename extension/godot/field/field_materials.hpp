@@ -23,7 +23,7 @@ public:
 	/// The same for the last style only, if all other styles are up to date.
 	void bind_last(FieldRenderSetup &setup, const FieldMotion &motion);
 	/// Moves all materials to `old`; instances can use them while `old` exists.
-	void release(FieldRenderSetup &setup, std::vector<std::vector<godot::Ref<godot::ShaderMaterial>>> &old) const;
+	void release(FieldRenderSetup &setup, std::vector<std::vector<godot::Ref<godot::ShaderMaterial>>> &old);
 	/// Sets the orientation of the field's axes in the world.
 	void send_axes(const FieldRenderSetup &setup) const;
 	/// Copies the users' changes to the materials of one species per call, in turns.
@@ -32,7 +32,7 @@ public:
 	/// when they are drawn.
 	void send_swing_clock(const FieldRenderSetup &setup, const FieldMotion &motion, const SeenDistances &seen);
 	/// Sets the bending shapes of stems.
-	void send_stems(const FieldRenderSetup &setup) const;
+	void send_stems(const FieldRenderSetup &setup);
 	/// Sets what instances of prototypes show in this frame.
 	void send_followers(const FieldRenderSetup &setup, const FieldMotion &motion, const godot::Transform3D &axes);
 
@@ -43,8 +43,17 @@ private:
 	bool has_sent = false;
 	SeenDistances sent_seen;
 	float sent_clock = -1.0f; ///< The same; -1: none.
+	/// A material whose leaves swing. The list is compact, because each frame reads it.
+	struct Swinging {
+		godot::RID material;
+		float nearest, farthest; ///< m: distances at which leaves swing.
+		float whole, end; ///< m: they swing fully up to one distance and not at all beyond the other.
+	};
+	std::vector<Swinging> swinging;
+	bool is_listed = false; ///< `swinging` is up to date.
 
 	void bind_style(const FieldRenderSetup &setup, const SpeciesStyle &style, const FieldMotion &motion) const;
+	void list_swinging(const FieldRenderSetup &setup);
 	void send_stem(const SpeciesStyle &style) const;
 	godot::Ref<godot::Material> source_material(const SpeciesStyle &style) const;
 };

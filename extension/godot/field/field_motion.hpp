@@ -119,7 +119,7 @@ public:
 	virtual void make_room(double plants, int chunks) = 0;
 	virtual void add_species(const SpeciesStyle &style) = 0;
 	/// True if the textures have layers for another species. Call it only if is_ready().
-	virtual bool has_room_for_species() const = 0;
+	virtual bool has_room_for_species() = 0;
 	/// Changes the constants of a species without interrupting the motion. If nothing moves (`is_still`), plants at
 	/// rest change to a new rest direction at once.
 	virtual void set_species(int index, const SpeciesStyle &style, const PlantStore &store, bool is_still) = 0;

@@ -5,10 +5,10 @@
 #include "convert.hpp"
 #include "field/cameras.hpp"
 #include "field/cpu_motion.hpp"
+#include "runs_in_editor.hpp"
 #include "stopwatch.hpp"
 #include "world_of.hpp"
 
-#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 
@@ -40,7 +40,7 @@ FieldMotion::Frame FieldRuntime::frame(double delta, const Ref<PlantWind> &wind)
 	now.axes = axes_of(node);
 	now.wind = wind;
 	now.tree = node->get_tree();
-	now.world = world_of(node);
+	now.world = world;
 	return now;
 }
 
@@ -58,7 +58,7 @@ double FieldRuntime::advance(double delta, bool simulates) {
 	FieldMotion::Frame now = frame(delta, properties.wind);
 	motion.wait();
 	update_wind_kind(properties.wind);
-	const bool needs_skeletons = seen.skeleton_distance > 0.0 && !Engine::get_singleton()->is_editor_hint();
+	const bool needs_skeletons = seen.skeleton_distance > 0.0 && seen.max_skeletons > 0 && !runs_in_editor();
 	const bool cameras_matter = properties.far_distance > 0.0 || properties.wind.is_valid();
 	if (needs_skeletons || (cameras_matter && motion.needs_cameras())) {
 		now.cameras = find_camera_positions(node);
@@ -72,7 +72,7 @@ double FieldRuntime::advance(double delta, bool simulates) {
 					needs_skeletons && is_seen ? now.cameras : std::vector<Vector3>(), seen.skeleton_distance,
 					seen.max_skeletons);
 	if ((simulates || has_chosen || is_unshown || !unseen.empty()) && is_seen) {
-		refresh();
+		refresh(now.axes);
 	}
 	skeletons.pose(store, motion);
 	if (!simulates || store.plant_count() == 0) {
@@ -90,23 +90,25 @@ void FieldRuntime::preview(double delta, const Ref<PlantWind> &blowing) {
 }
 
 // The margin covers plants that were added since the last box.
-SeenDistances FieldRuntime::seen_distances() {
+SeenDistances FieldRuntime::seen_distances(const Transform3D &axes) {
 	static constexpr int FRAMES_BETWEEN_BOXES = 16;
 	static constexpr float MARGIN = 4.0f; // m.
 	if (frames_since_box++ % FRAMES_BETWEEN_BOXES == 0) {
 		seen_box = box();
 	}
-	const Transform3D axes = axes_of(node);
 	const Vector3 scale = axes.basis.get_scale().abs();
 	const float radius = MARGIN + 0.5f * seen_box.size.length() * std::max({ scale.x, scale.y, scale.z });
 	const Vector3 reach(radius, radius, radius);
-	return find_seen_distances(node, AABB(axes.xform(seen_box.get_center()) - reach, 2.0f * reach));
+	return find_seen_distances(node->get_tree(), world, AABB(axes.xform(seen_box.get_center()) - reach, 2.0f * reach));
 }
 
 void FieldRuntime::refresh() {
-	if (!motion.is_ready() || !node->is_inside_tree()) {
-		return;
+	if (motion.is_ready() && node->is_inside_tree()) {
+		refresh(axes_of(node));
 	}
+}
+
+void FieldRuntime::refresh(const Transform3D &axes) {
 	const Stopwatch watch;
 	is_unshown = false;
 	if (motion.upload()) {
@@ -116,8 +118,8 @@ void FieldRuntime::refresh() {
 		view.show_added(setup, motion, store, unseen);
 		unseen.clear();
 	}
-	materials.send_followers(setup, motion, axes_of(node));
-	materials.send_swing_clock(setup, motion, seen_distances());
+	materials.send_followers(setup, motion, axes);
+	materials.send_swing_clock(setup, motion, seen_distances(axes));
 	upload_usec = watch.usec();
 }
 
@@ -269,7 +271,12 @@ void FieldRuntime::skeletons_changed() {
 	}
 }
 
+void FieldRuntime::note_world() {
+	world = world_of(node);
+}
+
 void FieldRuntime::enter_tree() {
+	note_world();
 	skeletons.remove_strays(node);
 	view.set_scenario(node->get_world_3d().is_valid() ? node->get_world_3d()->get_scenario() : RID());
 	moved();

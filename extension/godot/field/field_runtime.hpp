@@ -84,6 +84,8 @@ public:
 	void preview(double delta, const godot::Ref<PlantWind> &blowing);
 	/// Draws all changes since the last frame.
 	void refresh();
+	/// Call when the node enters a world or leaves it.
+	void note_world();
 
 	/// Call before each frame is drawn, paused or not. Hides plants that are too far from all cameras.
 	void cull();
@@ -191,7 +193,12 @@ private:
 	godot::AABB seen_box; ///< All plants some frames ago (field axes).
 	unsigned frames_since_box = 0;
 
-	SeenDistances seen_distances();
+	uint64_t world = 0; ///< Instance id of the node's World3D; 0: none.
+	bool has_felt = false; ///< All styles know the kind of wind `felt_air`.
+	bool felt_air = false;
+
+	void refresh(const godot::Transform3D &axes);
+	SeenDistances seen_distances(const godot::Transform3D &axes);
 
 	/// Render settings of skeletons, which are drawn at the first level.
 	InstanceRenderFlags near_flags() const;

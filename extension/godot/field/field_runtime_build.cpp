@@ -293,6 +293,7 @@ bool FieldRuntime::adopt(FieldBuild &finished) {
 	skeletons.release_all(motion);
 	tiles.forget_style();
 	retired.push_back(std::exchange(setup, std::move(result.setup))); // Drawn multimeshes use it.
+	has_felt = false;
 	// Species with rest directions, or texels for those, that differ from the build's.
 	std::vector<int> other_rests;
 	for (size_t i = 0; i < setup.styles.size(); i++) {

@@ -224,6 +224,7 @@ int FieldRuntime::species_for(const Ref<PlantFunction> &function) {
 	}
 	motion.add_species(style);
 	setup.styles.push_back(std::move(style));
+	has_felt = false;
 	if (motion.pose_texture().is_valid()) {
 		materials.bind_last(setup, motion);
 	}
@@ -232,6 +233,11 @@ int FieldRuntime::species_for(const Ref<PlantFunction> &function) {
 
 void FieldRuntime::update_wind_kind(const Ref<PlantWind> &blowing) {
 	const bool in_air = PlantWind::is_air(blowing);
+	if (has_felt && in_air == felt_air) {
+		return;
+	}
+	has_felt = true;
+	felt_air = in_air;
 	bool is_news = false;
 	for (size_t i = 0; i < setup.styles.size(); i++) {
 		SpeciesStyle &style = setup.styles[i];

@@ -12,8 +12,7 @@ namespace undergrowth {
 
 using Clock = std::chrono::steady_clock;
 
-/// Stepping this many plants takes less time than waking a worker thread takes in both threads.
-static constexpr int FEW_PLANTS = 4096;
+static constexpr int FEW_PLANTS = 4096; // Fewer do not justify a group task of their own.
 static constexpr int PLANTS_PER_THREAD = 8192; // Fewer do not justify another thread.
 static constexpr int PLANTS_PER_PART = 2048; // Enough to make the cost of taking a part negligible.
 static constexpr int TOUCHING_PLANT = 16; // Cost of a plant with contact, in plants without contact.
@@ -21,6 +20,10 @@ static constexpr int TOUCHING_PLANT = 16; // Cost of a plant with contact, in pl
 // Starts the step and divides its pages, which may be small, into parts for the threads. Returns the number of plants
 // that are due and get new poses.
 int FieldSteps::divide() {
+	is_divided = true;
+	if (touching) {
+		touching->follow_radii(*stepped);
+	}
 	runs.clear();
 	int in_run = PLANTS_PER_PART;
 	if (stepped->settings().prototypes > 0) {
@@ -54,6 +57,11 @@ int FieldSteps::work_of_step(int due) const {
 	return due;
 }
 
+// Upper bound of work_of_step(), without divide().
+int FieldSteps::max_work() const {
+	return work_of_step(stepped->settings().prototypes > 0 ? stepped->due_count() : stepped->row_count());
+}
+
 void FieldSteps::start(FieldSimulation &simulation, PoseTexture &poses, TipContact *contact, int workers) {
 	wait();
 	stepped = &simulation;
@@ -64,13 +72,13 @@ void FieldSteps::start(FieldSimulation &simulation, PoseTexture &poses, TipConta
 		parts_done[phase].store(0, std::memory_order_relaxed);
 	}
 	busy_nsec = 0;
-	if (touching) {
-		touching->follow_radii(simulation);
+	is_inline = is_divided = false;
+	int plants = max_work(); // The cost, in plants without contact.
+	if (plants > FEW_PLANTS) {
+		plants = work_of_step(divide());
 	}
-	const int plants = work_of_step(divide()); // The cost, in plants without contact.
-	is_inline = plants <= FEW_PLANTS;
-	if (is_inline) {
-		work(this, 0);
+	if (plants <= FEW_PLANTS) {
+		ticket = StepBatch::add(*this, plants);
 		return;
 	}
 	const bool follows = simulation.settings().prototypes > 0;
@@ -80,10 +88,20 @@ void FieldSteps::start(FieldSimulation &simulation, PoseTexture &poses, TipConta
 }
 
 void FieldSteps::wait() {
+	if (ticket.batch) {
+		is_inline = StepBatch::finish(ticket);
+	}
 	if (group >= 0) {
 		WorkerThreadPool::get_singleton()->wait_for_group_task_completion(group);
 		group = -1;
 	}
+}
+
+void FieldSteps::run() {
+	if (!is_divided) {
+		divide();
+	}
+	work(this, 0);
 }
 
 // Each part goes to the next free thread; the results do not depend on the order. A thread that finds no part left

@@ -4,9 +4,8 @@
 
 #include "field/field_areas.hpp"
 #include "messages.hpp"
+#include "runs_in_editor.hpp"
 #include "stopwatch.hpp"
-
-#include <godot_cpp/classes/engine.hpp>
 
 #include <utility>
 
@@ -106,7 +105,7 @@ bool PlantField3D::build_now() {
 }
 
 bool PlantField3D::may_simulate() const {
-	return properties.simulation_enabled && !Engine::get_singleton()->is_editor_hint();
+	return properties.simulation_enabled && !runs_in_editor();
 }
 
 // A handler of `filled` may remove the field from the tree.
@@ -202,6 +201,9 @@ void PlantField3D::_notification(int what) {
 			poll_dependencies();
 			frames.follow(runtime.needs_frames());
 			break;
+		case NOTIFICATION_ENTER_WORLD:
+			runtime.note_world();
+			break;
 		case NOTIFICATION_EXIT_TREE:
 			frames.follow(false);
 			FieldMonitors::leave(&runtime);
@@ -218,7 +220,7 @@ void PlantField3D::_notification(int what) {
 			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
 			runtime.moved();
-			if (Engine::get_singleton()->is_editor_hint() && properties.ground_mode != GROUND_NONE) {
+			if (runs_in_editor() && properties.ground_mode != GROUND_NONE) {
 				dirty.mark_placement(); // In the editor a moved field is built on its new ground.
 			}
 			break;

@@ -241,7 +241,8 @@ bool PoseTexture::make_textures() {
 
 void PoseTexture::upload(const FieldSimulation &simulation, float fraction) {
 	upload_layers();
-	if (!follows_prototypes || has_new_rows) { // Followers have one interval and one blend for all: a uniform.
+	// Followers have one interval and one blend for all: a uniform.
+	if (has_new_rows || (!follows_prototypes && simulation.rates_version() != sent_rates)) {
 		upload_beats(simulation);
 	}
 	if (!follows_prototypes) {

@@ -126,6 +126,7 @@ private:
 	std::vector<uint8_t> is_dirty; ///< By layer: written and not uploaded.
 	std::vector<Page> pages; ///< By page number of the simulation.
 	bool has_new_rows = false; ///< Some pages' beats are not uploaded.
+	int64_t sent_rates = -1; ///< FieldSimulation::rates_version() of the uploaded beats.
 	using History = std::array<int, MAX_STEM_MODES>; ///< By mode: its first layer, or -1.
 	std::vector<History> histories; ///< By species.
 	godot::Ref<godot::Image> blend_image;

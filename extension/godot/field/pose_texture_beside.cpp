@@ -102,6 +102,7 @@ void PoseTexture::write_rests(const FieldSimulation &simulation, int page) {
 void PoseTexture::upload_beats(const FieldSimulation &simulation) {
 	bool has_changed = false;
 	has_new_rows = false;
+	sent_rates = simulation.rates_version();
 	for (int number = 0; number < int(pages.size()); number++) {
 		Page &page = pages[size_t(number)];
 		const bool has_seconds = has_rows(number) && simulation.page(number).has_second_bends();

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+
+namespace undergrowth {
+
+class FieldSteps;
+
+/// Steps of small fields that one group task of the engine's worker threads runs. So all small fields of a frame wake
+/// the threads once. A step that is needed before a thread has taken it runs on the main thread. Main thread, except
+/// the steps.
+class StepBatch {
+public:
+	/// A step in a batch. Empty: none.
+	struct Ticket {
+		StepBatch *batch = nullptr;
+		size_t index = 0;
+	};
+
+	/// Adds a step to the batch of this frame. It starts when all nodes have processed the frame. `cost`: in plants.
+	/// Call finish() before the steps are freed.
+	static Ticket add(FieldSteps &steps, int cost);
+	/// Returns when the step is done, and empties the ticket. Returns true if it ran on this thread.
+	static bool finish(Ticket &ticket);
+	/// Starts the batch of this frame. Cheap batches run on this thread.
+	static void start_collected();
+	/// Waits for all threads. Call it before the library is unloaded.
+	static void end_all();
+
+private:
+	enum State : int { WAITING, TAKEN, DONE };
+	/// The batch owns it, so that a thread may look at a step that is done while its field is freed.
+	struct Slot {
+		std::atomic<int> state{ WAITING };
+		FieldSteps *steps = nullptr; ///< Valid for the thread that took it.
+		bool is_main = false; ///< It ran on the main thread.
+	};
+
+	std::deque<Slot> slots; ///< The first `count` are in use. Addresses do not change.
+	size_t count = 0;
+	size_t open = 0; ///< Number of tickets that are not finished.
+	int64_t cost = 0;
+	std::atomic<size_t> next{ 0 }; ///< Next slot for a thread.
+	int64_t group = -1; ///< A group task of the engine's worker threads.
+
+	static StepBatch *find_idle();
+	bool is_idle();
+	bool take(Slot &slot) const;
+	static void run(Slot &slot);
+	void start();
+	static void work(void *self, uint32_t worker);
+};
+
+} // namespace undergrowth
