@@ -15,6 +15,7 @@ namespace {
 // Light in a canopy decreases exponentially with the leaf area above (Beer-Lambert).
 constexpr double EXTINCTION = 1.6; // From the top of a plant to the ground, where a fifth remains.
 constexpr float INNER_SHADE = 0.4f; // Fraction of the light in the middle of a clump.
+constexpr float MOST_RANK = 0.999f; // The code of the venation is added to the rank.
 constexpr float MOST_WIDENING = 12.0f;
 constexpr float BRIGHTNESS_SHARE = 0.25f; // Maxima of a full colour deviation, as in mesh/deviation.cpp.
 
@@ -58,15 +59,17 @@ void FormWriter::put(const Common &common, const glm::vec3 &middle, const glm::v
 	const float x = hang.is_root ? stem_offset_of(form, middle) : hang.stem_offset;
 	out.stem_places[i] = hang.is_root ? x : hang.stem_place;
 	const float weight = hang.weight_at(offset);
-	out.custom0[i] = { x, weight, hang.rank, common.leafiness };
+	out.custom0[i] = { x, weight, common.veins + std::min(hang.rank, MOST_RANK), common.leafiness };
 	out.custom1[i] = glm::vec4(hang.pivot, common.swing.pace);
 	out.custom2[i] = glm::vec4(aside, common.swing.place);
 	skeleton.bind(hang.swinger, x, weight, out.bones + 4 * i, out.weights + 4 * i);
 }
 
 void FormWriter::add_part(const PlacedPart &part, const PartHang &hang, const PartTemplate &shape) {
-	const float leafiness = form.parts[static_cast<size_t>(part.kind)].translucency;
-	const Common common = { hang, hang.code, leafiness, 1.0f + BRIGHTNESS_SHARE * color_deviation * part.tint };
+	const Part &kind = form.parts[static_cast<size_t>(part.kind)];
+	const float veins = static_cast<float>(venation_of(kind)) - static_cast<float>(Venation::none);
+	const Common common = { hang, hang.code, kind.translucency, veins,
+		1.0f + BRIGHTNESS_SHARE * color_deviation * part.tint };
 	const float width = part.width;
 	for (const int32_t index : shape.indices) {
 		put_index(vertices + index);

@@ -39,6 +39,7 @@ private:
 		PartHang hang;
 		SwingCode swing;
 		float leafiness;
+		float veins; ///< Code of the venation.
 		float brightness;
 	};
 

@@ -6,6 +6,7 @@
 #include "stem/stem_shape.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace godot;
 
@@ -55,6 +56,7 @@ void FieldDress::take_away(const FieldStyle &style) const {
 void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
 	has_sent = false;
 	sent_clock = -1.0f;
+	sent_leans.clear();
 	make(style);
 	for (FieldLook &look : style.looks) {
 		put_on_look(style, look, motion);
@@ -64,6 +66,7 @@ void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
 void FieldDress::put_on_last(FieldStyle &style, const FieldMotion &motion) {
 	has_sent = false;
 	sent_clock = -1.0f;
+	sent_leans.clear();
 	make(style);
 	put_on_look(style, style.looks.back(), motion);
 }
@@ -161,6 +164,21 @@ void FieldDress::tell_of_swings(const FieldStyle &style, const FieldMotion &moti
 					(style.levels[i].end <= 0.0f || style.levels[i].end + style.levels[i].margin >= seen.nearest)) {
 				look.materials[i]->set_shader_parameter(swing, Vector3(clock, end * SWINGS_WHOLE, end));
 			}
+		}
+	}
+}
+
+void FieldDress::tell_of_leans(const FieldStyle &style, const FieldMotion &motion) {
+	static constexpr float VISIBLE = 0.004f; // A brightness of less than 1 %.
+	sent_leans.resize(style.looks.size(), -1.0f);
+	for (size_t i = 0; i < style.looks.size(); i++) {
+		const float lean = motion.mean_lean(int(i));
+		if (sent_leans[i] >= 0.0f && std::abs(lean - sent_leans[i]) < VISIBLE) {
+			continue;
+		}
+		sent_leans[i] = lean;
+		for (const Ref<ShaderMaterial> &material : style.looks[i].materials) {
+			material->set_shader_parameter("undergrowth_mean_lean", lean);
 		}
 	}
 }

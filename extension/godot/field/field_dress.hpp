@@ -31,6 +31,8 @@ public:
 	/// Sets the swing clock of this frame in the levels that are drawn at these distances. The remaining levels get it
 	/// when they are drawn.
 	void tell_of_swings(const FieldStyle &style, const FieldMotion &motion, const SeenDistances &seen);
+	/// Sets the mean leans of species whose mean has changed visibly.
+	void tell_of_leans(const FieldStyle &style, const FieldMotion &motion);
 	/// Sets the bending shapes of stems.
 	void tell_of_stems(const FieldStyle &style) const;
 	/// Sets what instances of prototypes show in this frame.
@@ -43,6 +45,7 @@ private:
 	bool has_sent = false;
 	SeenDistances sent_seen;
 	float sent_clock = -1.0f; ///< The same; -1: none.
+	std::vector<float> sent_leans; ///< By species; empty: none.
 
 	void put_on_look(const FieldStyle &style, const FieldLook &look, const FieldMotion &motion) const;
 	void tell_of_stem(const FieldLook &look) const;

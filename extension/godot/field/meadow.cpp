@@ -118,6 +118,7 @@ void Meadow::refresh() {
 	}
 	dress.tell_of_followers(style, motion, axes_of(node));
 	dress.tell_of_swings(style, motion, seen_distances());
+	dress.tell_of_leans(style, motion);
 	upload_usec = watch.usec();
 }
 
