@@ -8,9 +8,9 @@ const STEP := 1.0 / 30.0
 ## Duration of a wind before its picture, in steps.
 const BLOWS := 300
 ## Share by which the mean brightness of a field may differ between winds.
-const MOST_CHANGE := 0.1
+const MAX_CHANGE := 0.1
 ## Share by which the light on a leaf may differ between renderers.
-const MOST_APART := 0.05
+const MAX_DIFFERENCE := 0.05
 ## Linear light on a leaf that the sun meets in front, and from behind at 75°, in all renderers.
 const IN_FRONT := 0.349
 const BEHIND := 0.487
@@ -42,7 +42,7 @@ func test_a_field_has_the_same_brightness_in_all_winds() -> void:
 	for name in ["fresh", "storm"]:
 		var shown := await _blown(field, name)
 		var change := _mean_of(shown) / calm - 1.0
-		check(absf(change) <= MOST_CHANGE, "%s: the mean changes by %.2f" % [name, change])
+		check(absf(change) <= MAX_CHANGE, "%s: the mean changes by %.2f" % [name, change])
 		look.set_shader_parameter(&"bent_brightness", 0.0)
 		await frames(10)  # Fields copy parameters in turns.
 		var even := await picture()
@@ -195,7 +195,8 @@ func _light_from(place: Vector3) -> void:
 func _check_light(what: String, expected: float) -> void:
 	var light := _light_at(await picture(), MIDDLE)
 	check(
-		absf(light / expected - 1.0) <= MOST_APART, "%s: %.4f, not %.4f" % [what, light, expected]
+		absf(light / expected - 1.0) <= MAX_DIFFERENCE,
+		"%s: %.4f, not %.4f" % [what, light, expected]
 	)
 
 

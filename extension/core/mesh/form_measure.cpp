@@ -145,7 +145,7 @@ glm::vec4 mean_color(const Part &part) {
 
 FormMeasure measure_form(const PlantForm &form) {
 	FormMeasure measure;
-	measure.hangs = hang_parts(form);
+	measure.attachments = attach_parts(form);
 	std::vector<PartTemplate> shapes(form.parts.size());
 	std::vector<float> fills(form.parts.size());
 	Whole whole;

@@ -1,6 +1,6 @@
 // Reads the levels of detail that users set, or the defaults.
 
-#include "field/field_recipe.hpp"
+#include "field/build_input.hpp"
 
 #include <algorithm>
 
@@ -8,17 +8,17 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr int MOST_TILE_FACTOR = 4;
-static constexpr int MOST_TILE_CUTS = 4;
+static constexpr int MAX_TILE_FACTOR = 4;
+static constexpr int MAX_TILE_CUTS = 4;
 // Fractions of the distance at which a level ends. Larger tiles are divided; squares of several tiles are at most this
 // wide.
-static constexpr float MOST_TILE_SHARE = 0.75f;
-static constexpr float MOST_SQUARE_SHARE = 0.6f;
-static constexpr float LEAST_MARGIN = 1e-3f; // m.
-static constexpr float LEAST_BIAS = 0.01f;
+static constexpr float MAX_TILE_SHARE = 0.75f;
+static constexpr float MAX_SQUARE_SHARE = 0.6f;
+static constexpr float MIN_MARGIN = 1e-3f; // m.
+static constexpr float MIN_BIAS = 0.01f;
 
 SightRange sight_range_of(const GeometryInstance3D *node) {
-	return { float(node->get_visibility_range_end()), std::max(float(node->get_lod_bias()), LEAST_BIAS) };
+	return { float(node->get_visibility_range_end()), std::max(float(node->get_lod_bias()), MIN_BIAS) };
 }
 
 String find_level_fault(const ViewOptions &options) {
@@ -48,7 +48,7 @@ struct ListedLevel {
 };
 
 // True if the field is built with plants of parts. Added plants do not count.
-static bool has_parts(const StandOptions &options) {
+static bool has_parts(const PlacementOptions &options) {
 	for (int64_t i = 0; i < options.species.size() && options.density > 0.0; i++) {
 		const Ref<PlantFieldSpecies> entry = options.species[i];
 		if (entry.is_valid() && entry->get_species().is_valid() && entry->get_species()->has_parts()) {
@@ -76,17 +76,17 @@ static std::vector<ListedLevel> list_levels(const FieldProperties &options) {
 }
 
 // A level without end reaches its density at twice the distance at which it begins.
-static Thinning thin(const Thinning *before, float begin, float end, float share) {
-	Thinning made;
+static LodDensity density_between(const LodDensity *before, float begin, float end, float share) {
+	LodDensity made;
 	made.distances[1] = begin;
 	made.distances[2] = end > begin ? end : 2.0f * begin;
-	made.shares[2] = share;
+	made.densities[2] = share;
 	if (before) {
 		made.distances[0] = before->distances[1];
-		made.shares[0] = before->shares[1];
-		made.shares[1] = before->shares[2];
+		made.densities[0] = before->densities[1];
+		made.densities[1] = before->densities[2];
 	} else if (end <= 0.0f) {
-		std::fill(made.shares, made.shares + 3, share);
+		std::fill(made.densities, made.densities + 3, share);
 	}
 	return made;
 }
@@ -94,12 +94,11 @@ static Thinning thin(const Thinning *before, float begin, float end, float share
 // Squares are small near the camera, where levels are short and plants have many vertices, and large far away.
 static void fit_tiles(FieldLevel &level, float tile_size, bool is_wider) {
 	const float end = level.end > 0.0f ? level.end : 2.0f * level.begin;
-	while (is_wider && level.tile_factor < MOST_TILE_FACTOR &&
-			2.0f * tile_size * float(level.tile_factor) <= MOST_SQUARE_SHARE * end) {
+	while (is_wider && level.tile_factor < MAX_TILE_FACTOR &&
+			2.0f * tile_size * float(level.tile_factor) <= MAX_SQUARE_SHARE * end) {
 		level.tile_factor *= 2;
 	}
-	while (end > 0.0f && level.tile_cuts < MOST_TILE_CUTS &&
-			tile_size > MOST_TILE_SHARE * end * float(level.tile_cuts)) {
+	while (end > 0.0f && level.tile_cuts < MAX_TILE_CUTS && tile_size > MAX_TILE_SHARE * end * float(level.tile_cuts)) {
 		level.tile_cuts *= 2;
 	}
 }
@@ -114,10 +113,11 @@ std::vector<FieldLevel> read_levels(const FieldProperties &options, const SightR
 		level.end = listed[i].end * range.lod_bias;
 		const bool is_last =
 				i + 1 == listed.size() || level.end <= level.begin || (range.end > 0.0f && level.end >= range.end);
-		level.thinning = thin(i > 0 ? &made.back().thinning : nullptr, level.begin, level.end, listed[i].share);
-		level.thins_lathes = !options.levels.is_empty();
+		level.lod_density =
+				density_between(i > 0 ? &made.back().lod_density : nullptr, level.begin, level.end, listed[i].share);
+		level.affects_lathes = !options.levels.is_empty();
 		level.end = is_last ? range.end : level.end;
-		level.margin = std::max(float(options.fade_margin), LEAST_MARGIN);
+		level.margin = std::max(float(options.fade_margin), MIN_MARGIN);
 		level.casts_shadows = level.begin < options.shadow_distance * double(range.lod_bias);
 		// With a view distance, tiles come and go alone.
 		fit_tiles(level, float(options.tile_size), options.view_distance <= 0.0);

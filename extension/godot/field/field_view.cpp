@@ -12,16 +12,16 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr float EYE_STEP = 0.25f; // m that a camera moves before plants are counted again.
+static constexpr float CAMERA_STEP = 0.25f; // m that a camera moves before plants are counted again.
 static constexpr float RANK_ERROR = 1e-3f; // Rounding error of ranks, which are half floats in the shader.
 
 template <class Act> void FieldView::for_each(Act &&act) const {
 	RenderingServer *server = RenderingServer::get_singleton();
 	for (const bool is_shown : { true, false }) {
 		const std::vector<FieldLevel> &own = is_shown ? levels : prepared_levels;
-		for (const auto &[place, group] : is_shown ? clumps : prepared) {
-			for (const Clump &clump : group) {
-				act(server, own[size_t(place.level)], clump);
+		for (const auto &[place, group] : is_shown ? batches : prepared) {
+			for (const Batch &batch : group) {
+				act(server, own[size_t(place.level)], batch);
 			}
 		}
 	}
@@ -29,133 +29,133 @@ template <class Act> void FieldView::for_each(Act &&act) const {
 
 FieldView::~FieldView() {
 	if (RenderingServer::get_singleton()) {
-		move_all(clumps, gone);
+		move_all(batches, gone);
 		move_all(prepared, gone);
-		std::for_each(leaving.begin(), leaving.end(), &FieldView::let_go);
-		std::for_each(gone.begin(), gone.end(), &FieldView::let_go);
+		std::for_each(leaving.begin(), leaving.end(), &FieldView::free_batch);
+		std::for_each(gone.begin(), gone.end(), &FieldView::free_batch);
 	}
 }
 
 // The engine measures in world units, from the middle of the box. The shader measures to the root of each plant.
-void FieldView::set_range(const Clump &clump, const FieldLevel &level) const {
-	const float radius = clump.radius * largest_scale;
+void FieldView::set_range(const Batch &batch, const FieldLevel &level) const {
+	const float radius = batch.radius * largest_scale;
 	const float begin = std::max(level.begin - radius - level.margin, 0.0f);
 	const float end = level.end > 0.0f ? level.end + radius : 0.0f;
 	RenderingServer::get_singleton()->instance_geometry_set_visibility_range(
-			clump.instance, begin, end, 0.0f, 0.0f, RenderingServer::VISIBILITY_RANGE_FADE_DISABLED);
+			batch.instance, begin, end, 0.0f, 0.0f, RenderingServer::VISIBILITY_RANGE_FADE_DISABLED);
 }
 
-void FieldView::set_wear(const Clump &clump, const FieldLevel &level) const {
+void FieldView::apply_flags(const Batch &batch, const FieldLevel &level) const {
 	RenderingServer *server = RenderingServer::get_singleton();
-	server->instance_set_layer_mask(clump.instance, worn.layers);
-	server->instance_geometry_set_transparency(clump.instance, worn.transparency);
-	server->instance_geometry_set_cast_shadows_setting(clump.instance,
-			worn.casts_shadows && level.casts_shadows ? RenderingServer::SHADOW_CASTING_SETTING_ON
-													  : RenderingServer::SHADOW_CASTING_SETTING_OFF);
+	server->instance_set_layer_mask(batch.instance, render_flags.layers);
+	server->instance_geometry_set_transparency(batch.instance, render_flags.transparency);
+	server->instance_geometry_set_cast_shadows_setting(batch.instance,
+			render_flags.casts_shadows && level.casts_shadows ? RenderingServer::SHADOW_CASTING_SETTING_ON
+															  : RenderingServer::SHADOW_CASTING_SETTING_OFF);
 }
 
-FieldView::Clump FieldView::make(const FieldStyle &style, const ClumpPlan &plan) const {
+FieldView::Batch FieldView::make(const FieldRenderSetup &setup, const BatchPlan &plan) const {
 	RenderingServer *server = RenderingServer::get_singleton();
-	const FieldLevel &level = style.levels[size_t(plan.place.level)];
-	const FieldLook &look = style.looks[size_t(plan.species)];
-	Clump clump;
-	clump.species = plan.species;
-	clump.count = plan.count;
-	clump.has_parts = look.has_parts();
-	clump.kept = plan.kept;
-	clump.roots = plan.roots;
-	clump.middle = plan.box.get_center();
-	clump.radius = 0.5f * plan.roots.size.length() + clump.middle.distance_to(plan.roots.get_center());
-	clump.multimesh = server->multimesh_create();
+	const FieldLevel &level = setup.levels[size_t(plan.place.level)];
+	const SpeciesStyle &style = setup.styles[size_t(plan.species)];
+	Batch batch;
+	batch.species = plan.species;
+	batch.count = plan.count;
+	batch.has_parts = style.has_parts();
+	batch.kept = plan.kept;
+	batch.roots = plan.roots;
+	batch.middle = plan.box.get_center();
+	batch.radius = 0.5f * plan.roots.size.length() + batch.middle.distance_to(plan.roots.get_center());
+	batch.multimesh = server->multimesh_create();
 	server->multimesh_allocate_data(
-			clump.multimesh, plan.count, RenderingServer::MULTIMESH_TRANSFORM_3D, style.needs_colors, true, false);
-	server->multimesh_set_mesh(clump.multimesh, look.meshes[size_t(plan.place.level)][size_t(plan.group)]->get_rid());
-	server->multimesh_set_custom_aabb(clump.multimesh, plan.box);
-	server->multimesh_set_buffer(clump.multimesh, plan.buffer);
-	clump.instance = server->instance_create2(clump.multimesh, world);
-	server->instance_attach_object_instance_id(clump.instance, owner);
-	server->instance_set_transform(clump.instance, placed);
-	server->instance_set_visible(clump.instance, false);
+			batch.multimesh, plan.count, RenderingServer::MULTIMESH_TRANSFORM_3D, setup.needs_colors, true, false);
+	server->multimesh_set_mesh(batch.multimesh, style.meshes[size_t(plan.place.level)][size_t(plan.group)]->get_rid());
+	server->multimesh_set_custom_aabb(batch.multimesh, plan.box);
+	server->multimesh_set_buffer(batch.multimesh, plan.buffer);
+	batch.instance = server->instance_create2(batch.multimesh, world);
+	server->instance_attach_object_instance_id(batch.instance, owner);
+	server->instance_set_transform(batch.instance, placed);
+	server->instance_set_visible(batch.instance, false);
 	server->instance_geometry_set_material_override(
-			clump.instance, look.materials[size_t(plan.place.level)]->get_rid());
-	if (!level.casts_shadows || !(worn == FieldWear())) { // New instances have these defaults.
-		set_wear(clump, level);
+			batch.instance, style.materials[size_t(plan.place.level)]->get_rid());
+	if (!level.casts_shadows || !(render_flags == InstanceRenderFlags())) { // New instances have these defaults.
+		apply_flags(batch, level);
 	}
-	set_range(clump, level);
-	return clump;
+	set_range(batch, level);
+	return batch;
 }
 
-void FieldView::set_visible(const Clump &clump, bool visible) {
-	RenderingServer::get_singleton()->instance_set_visible(clump.instance, visible);
+void FieldView::set_visible(const Batch &batch, bool visible) {
+	RenderingServer::get_singleton()->instance_set_visible(batch.instance, visible);
 }
 
-void FieldView::show(const FieldStyle &style, const std::vector<ClumpPlan> &plans) {
-	levels = style.levels;
-	is_thinned = false;
-	for (const ClumpPlan &plan : plans) {
-		std::vector<Clump> &there = clumps[plan.place];
-		there.push_back(make(style, plan));
+void FieldView::show(const FieldRenderSetup &setup, const std::vector<BatchPlan> &plans) {
+	levels = setup.levels;
+	is_culled = false;
+	for (const BatchPlan &plan : plans) {
+		std::vector<Batch> &there = batches[plan.place];
+		there.push_back(make(setup, plan));
 		reveal(there.back());
 	}
 }
 
-void FieldView::show_added(
-		const FieldStyle &style, const FieldMotion &motion, const PlantStore &store, const std::set<TileKey> &tiles) {
-	for (int level = 0; level < int(style.levels.size()); level++) {
-		const int factor = style.levels[size_t(level)].tile_factor;
+void FieldView::show_added(const FieldRenderSetup &setup, const FieldMotion &motion, const PlantStore &store,
+		const std::set<TileKey> &tiles) {
+	for (int level = 0; level < int(setup.levels.size()); level++) {
+		const int factor = setup.levels[size_t(level)].tile_factor;
 		std::set<TileKey> places;
 		for (const TileKey &tile : tiles) {
 			places.insert(wider_tile(tile, factor));
 		}
-		std::vector<DrawnBlock> members;
+		std::vector<DrawnChunk> members;
 		for (const auto &[column, row] : places) {
-			clear(ClumpPlace{ true, level, factor, { column, row } });
+			clear(BatchKey{ true, level, factor, { column, row } });
 			for (int i = 0; i < factor * factor; i++) {
-				for (const int number : store.blocks_of({ column * factor + i % factor, row * factor + i / factor })) {
-					if (store.block(number).is_added) {
-						members.push_back({ motion.texels(number), &store.block(number) });
+				for (const int number : store.chunks_of({ column * factor + i % factor, row * factor + i / factor })) {
+					if (store.chunk(number).is_added) {
+						members.push_back({ motion.texels(number), &store.chunk(number) });
 					}
 				}
 			}
 		}
-		show(style, plan_level(style, members, level));
+		show(setup, plan_level(setup, members, level));
 	}
 }
 
-void FieldView::show_all_added(const FieldStyle &style, const FieldMotion &motion, const PlantStore &store) {
-	std::vector<DrawnBlock> added;
-	for (int number = 0; number < store.block_count(); number++) {
-		if (store.block(number).is_added) {
-			added.push_back({ motion.texels(number), &store.block(number) });
+void FieldView::show_all_added(const FieldRenderSetup &setup, const FieldMotion &motion, const PlantStore &store) {
+	std::vector<DrawnChunk> added;
+	for (int number = 0; number < store.chunk_count(); number++) {
+		if (store.chunk(number).is_added) {
+			added.push_back({ motion.texels(number), &store.chunk(number) });
 		}
 	}
-	show(style, plan_clumps(style, added));
+	show(setup, plan_batches(setup, added));
 }
 
-void FieldView::drop_newcomers(int number) {
-	const auto known = newcomers.find(number);
-	if (known != newcomers.end()) {
+void FieldView::drop_new_chunk(int number) {
+	const auto known = new_chunks.find(number);
+	if (known != new_chunks.end()) {
 		for (int level = 0; level < int(levels.size()); level++) {
-			clear(ClumpPlace{ false, level, 1, known->second, number });
+			clear(BatchKey{ false, level, 1, known->second, number });
 		}
-		newcomers.erase(known);
+		new_chunks.erase(known);
 	}
 }
 
-void FieldView::show_newcomers(
-		const FieldStyle &style, const TileKey &tile, int number, const std::vector<ClumpPlan> &plans) {
-	drop_newcomers(number);
-	newcomers[number] = tile;
-	show(style, plans);
+void FieldView::show_new_chunk(
+		const FieldRenderSetup &setup, const TileKey &tile, int number, const std::vector<BatchPlan> &plans) {
+	drop_new_chunk(number);
+	new_chunks[number] = tile;
+	show(setup, plans);
 }
 
-void FieldView::update_levels(const FieldStyle &style) {
-	levels = style.levels;
-	is_thinned = false;
-	for (const auto &[place, group] : clumps) {
-		for (const Clump &clump : group) {
-			set_range(clump, levels[size_t(place.level)]);
-			set_wear(clump, levels[size_t(place.level)]);
+void FieldView::update_levels(const FieldRenderSetup &setup) {
+	levels = setup.levels;
+	is_culled = false;
+	for (const auto &[place, group] : batches) {
+		for (const Batch &batch : group) {
+			set_range(batch, levels[size_t(place.level)]);
+			apply_flags(batch, levels[size_t(place.level)]);
 		}
 	}
 }
@@ -163,8 +163,8 @@ void FieldView::update_levels(const FieldStyle &style) {
 void FieldView::set_scenario(const RID &scenario) {
 	world = scenario;
 	free_some(0.0, true);
-	for_each([&](RenderingServer *server, const FieldLevel &, const Clump &clump) {
-		server->instance_set_scenario(clump.instance, world);
+	for_each([&](RenderingServer *server, const FieldLevel &, const Batch &batch) {
+		server->instance_set_scenario(batch.instance, world);
 	});
 }
 
@@ -173,40 +173,40 @@ void FieldView::set_transform(const Transform3D &transform) {
 		return; // The engine would report an error for each multimesh.
 	}
 	placed = transform;
-	is_thinned = false;
+	is_culled = false;
 	const Vector3 scale = transform.basis.get_scale().abs();
 	const float largest = std::max({ scale.x, scale.y, scale.z });
 	const bool is_scaled_anew = largest != largest_scale;
 	largest_scale = largest;
-	for_each([&](RenderingServer *server, const FieldLevel &level, const Clump &clump) {
-		server->instance_set_transform(clump.instance, placed);
+	for_each([&](RenderingServer *server, const FieldLevel &level, const Batch &batch) {
+		server->instance_set_transform(batch.instance, placed);
 		if (is_scaled_anew) {
-			set_range(clump, level);
+			set_range(batch, level);
 		}
 	});
 }
 
 void FieldView::set_visible(bool visible) {
 	is_visible = visible;
-	for_each([visible](RenderingServer *, const FieldLevel &, const Clump &clump) {
-		if (clump.is_revealed) {
-			set_visible(clump, visible);
+	for_each([visible](RenderingServer *, const FieldLevel &, const Batch &batch) {
+		if (batch.is_revealed) {
+			set_visible(batch, visible);
 		}
 	});
 }
 
-void FieldView::wear(const FieldWear &wear) {
-	worn = wear;
-	for_each([&](RenderingServer *, const FieldLevel &level, const Clump &clump) { set_wear(clump, level); });
+void FieldView::set_flags(const InstanceRenderFlags &flags) {
+	render_flags = flags;
+	for_each([&](RenderingServer *, const FieldLevel &level, const Batch &batch) { apply_flags(batch, level); });
 }
 
-void FieldView::wear_materials(const FieldStyle &style) {
+void FieldView::set_materials(const FieldRenderSetup &setup) {
 	RenderingServer *server = RenderingServer::get_singleton();
-	for (const auto &[place, group] : clumps) {
-		for (const Clump &clump : group) {
-			const FieldLook &look = style.looks[size_t(clump.species)];
+	for (const auto &[place, group] : batches) {
+		for (const Batch &batch : group) {
+			const SpeciesStyle &style = setup.styles[size_t(batch.species)];
 			server->instance_geometry_set_material_override(
-					clump.instance, look.materials[size_t(place.level)]->get_rid());
+					batch.instance, style.materials[size_t(place.level)]->get_rid());
 		}
 	}
 }
@@ -221,53 +221,54 @@ static AABB box_around(const Transform3D &axes, const AABB &box) {
 }
 
 // The world-aligned box contains the turned one. The distance is never too large, so no plant disappears too early.
-int FieldView::steps_for(const FieldLevel &level, const Clump &clump, const std::vector<Vector3> &eyes) const {
-	const Thinning thinning = level.thinning_of(clump.has_parts);
-	if (eyes.empty() || !thinning.is_any()) {
+int FieldView::steps_for(const FieldLevel &level, const Batch &batch, const std::vector<Vector3> &cameras) const {
+	const LodDensity lod_density = level.lod_density_of(batch.has_parts);
+	if (cameras.empty() || !lod_density.is_any()) {
 		return RANK_STEPS;
 	}
-	const AABB box = box_around(placed, clump.roots);
+	const AABB box = box_around(placed, batch.roots);
 	float nearest = std::numeric_limits<float>::max();
-	for (const Vector3 &eye : eyes) {
-		nearest = std::min(nearest, float(eye.distance_to(eye.clamp(box.position, box.get_end()))));
+	for (const Vector3 &camera : cameras) {
+		nearest = std::min(nearest, float(camera.distance_to(camera.clamp(box.position, box.get_end()))));
 	}
-	const float cut = thinning.cut_at(std::max(nearest - EYE_STEP, level.begin - level.margin));
+	const float cut = lod_density.cut_at(std::max(nearest - CAMERA_STEP, level.begin - level.margin));
 	return bounded_whole(std::ceil((cut + RANK_ERROR) * RANK_STEPS), 0, RANK_STEPS);
 }
 
-bool FieldView::thins() const {
-	return std::any_of(levels.begin(), levels.end(), [](const FieldLevel &level) { return level.thinning.is_any(); });
+bool FieldView::culls() const {
+	return std::any_of(
+			levels.begin(), levels.end(), [](const FieldLevel &level) { return level.lod_density.is_any(); });
 }
 
-void FieldView::thin(const std::vector<Vector3> &eyes) {
-	const auto is_near = [](const Vector3 &one, const Vector3 &other) { return one.distance_to(other) < EYE_STEP; };
-	if (is_thinned && std::equal(eyes.begin(), eyes.end(), thinned_for.begin(), thinned_for.end(), is_near)) {
+void FieldView::cull(const std::vector<Vector3> &cameras) {
+	const auto is_near = [](const Vector3 &one, const Vector3 &other) { return one.distance_to(other) < CAMERA_STEP; };
+	if (is_culled && std::equal(cameras.begin(), cameras.end(), culled_for.begin(), culled_for.end(), is_near)) {
 		return;
 	}
-	is_thinned = true;
-	thinned_for = eyes;
+	is_culled = true;
+	culled_for = cameras;
 	RenderingServer *server = RenderingServer::get_singleton();
-	for (auto &[place, group] : clumps) {
-		for (Clump &clump : group) {
-			const int steps = steps_for(levels[size_t(place.level)], clump, eyes);
-			if (steps != clump.shown) {
-				clump.shown = steps;
+	for (auto &[place, group] : batches) {
+		for (Batch &batch : group) {
+			const int steps = steps_for(levels[size_t(place.level)], batch, cameras);
+			if (steps != batch.shown) {
+				batch.shown = steps;
 				// Renderers need at least one instance; the shader does not draw it.
-				server->multimesh_set_visible_instances(clump.multimesh, std::max(clump.kept[size_t(steps)], 1));
+				server->multimesh_set_visible_instances(batch.multimesh, std::max(batch.kept[size_t(steps)], 1));
 			}
 		}
 	}
 }
 
-std::vector<int> FieldView::count_drawn(const FieldStyle &style, const Vector3 &eye) const {
-	std::vector<int> drawn(style.levels.size(), 0);
-	for (const auto &[place, group] : clumps) {
-		const FieldLevel &level = style.levels[size_t(place.level)];
-		for (const Clump &clump : group) {
-			const float away = placed.xform(clump.middle).distance_to(eye);
-			const float radius = clump.radius * largest_scale;
+std::vector<int> FieldView::count_drawn(const FieldRenderSetup &setup, const Vector3 &camera) const {
+	std::vector<int> drawn(setup.levels.size(), 0);
+	for (const auto &[place, group] : batches) {
+		const FieldLevel &level = setup.levels[size_t(place.level)];
+		for (const Batch &batch : group) {
+			const float away = placed.xform(batch.middle).distance_to(camera);
+			const float radius = batch.radius * largest_scale;
 			if (away >= level.begin - radius && (level.end <= 0.0f || away < level.end + radius)) {
-				drawn[size_t(place.level)] += clump.kept[size_t(steps_for(level, clump, { eye }))];
+				drawn[size_t(place.level)] += batch.kept[size_t(steps_for(level, batch, { camera }))];
 			}
 		}
 	}

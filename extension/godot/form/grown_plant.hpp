@@ -3,7 +3,7 @@
 #include "form/plant_form.hpp"
 #include "mesh/form_bones.hpp"
 #include "mesh/form_measure.hpp"
-#include "mesh/part_hang.hpp"
+#include "mesh/part_attachment.hpp"
 
 #include <mutex>
 #include <utility>
@@ -16,7 +16,7 @@ public:
 	const PlantForm form;
 	const FormBones bones;
 
-	explicit GrownPlant(PlantForm &&grown) : form(std::move(grown)), bones(form, hang_parts(form)) {}
+	explicit GrownPlant(PlantForm &&grown) : form(std::move(grown)), bones(form, attach_parts(form)) {}
 
 	/// Measured by the first build of a mesh, on any thread.
 	const FormMeasure &measure() const {
