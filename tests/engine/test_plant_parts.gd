@@ -217,6 +217,19 @@ func test_a_change_deep_inside_reaches_the_species() -> void:
 	check_equal(told[0], 1, "one change")
 
 
+func test_a_part_has_the_veins_that_it_is_given() -> void:
+	var blade := PlantBlade.new()
+	check_equal(blade.venation, PlantPart.VENATION_AUTOMATIC, "venation")
+	var counter := [0]
+	blade.changed.connect(func() -> void: counter[0] += 1)
+	blade.venation = PlantPart.VENATION_PALMATE
+	blade.venation = PlantPart.VENATION_PALMATE
+	check_equal(counter[0], 1, "changes")
+	blade.set("venation", 9)
+	check_error("PlantBlade: venation 9 does not exist")
+	check_equal(blade.venation, PlantPart.VENATION_PALMATE, "venation")
+
+
 func test_values_out_of_range_keep_the_last() -> void:
 	var blade := PlantBlade.new()
 	blade.width = -1.0

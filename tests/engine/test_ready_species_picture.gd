@@ -89,7 +89,8 @@ func test_a_colour_of_vertices_is_that_colour_in_a_material() -> void:
 		var species := Painted.new()
 		var material := ShaderMaterial.new()
 		material.shader = load("res://addons/undergrowth/shaders/plant_parts.gdshader")
-		material.set_shader_parameter("patchiness", 0.0)
+		for name in ["patchiness", "clumpiness", "dead_leaves"]:
+			material.set_shader_parameter(name, 0.0)
 		material.set_shader_parameter("vertex_colors", by_vertices)
 		material.set_shader_parameter("albedo", Color.WHITE if by_vertices else PAINT)
 		species.material = material

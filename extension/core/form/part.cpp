@@ -72,6 +72,21 @@ glm::vec4 PartColors::at(float s, float across) const {
 	return lower * (1.0f - t) + upper * t;
 }
 
+Venation venation_of(const Part &part) {
+	static constexpr float NARROW = 0.12f; // Width over length of a leaf with parallel veins.
+	if (part.venation != Venation::automatic) {
+		return part.venation;
+	}
+	if (part.kind != PartKind::blade) {
+		return part.kind == PartKind::axis && part.axis.open_tip ? Venation::radial : Venation::none;
+	}
+	const glm::vec4 color = part.colors.at(0.6f, 0.5f);
+	if (color.y < std::max(color.x, color.z)) {
+		return Venation::radial;
+	}
+	return part.width < NARROW * part.mean_length() ? Venation::parallel : Venation::pinnate;
+}
+
 std::string find_part_fault(const Part &part) {
 	std::string fault = find_size_fault(part);
 	if (fault.empty()) {

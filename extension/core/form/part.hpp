@@ -20,6 +20,16 @@ enum class PartKind {
 	bead, ///< Small, closed and straight: floret, spikelet, anther, seed.
 };
 
+/// Veins that materials draw on a part.
+enum class Venation {
+	automatic, ///< By the shape and the colour: see venation_of().
+	none,
+	parallel, ///< Along the part: grasses, lilies.
+	pinnate, ///< From the midrib to the edges: most leaves.
+	palmate, ///< From the base in all directions: ivy, clover.
+	radial, ///< Fine and forked, from the base to the tip: petals.
+};
+
 /// What only an axis has.
 struct AxisShape {
 	float tip_diameter = 0.001f; ///< m at the tip, 0 to 10. In between it runs evenly, times the width function.
@@ -66,6 +76,7 @@ struct Part {
 	BladeShape blade;
 	PartColors colors;
 	float translucency = 0.0f; ///< 0 to 1: fraction of the light from behind that passes through.
+	Venation venation = Venation::automatic;
 	float frequency = 3.0f; ///< Hz, 0 to 100: of its small swing on its carrier; 0: rigid.
 	float damping_ratio = 0.12f; ///< 0 to 100, 1 is critical.
 
@@ -75,6 +86,10 @@ struct Part {
 	/// Diameter or width at the offset, relative to `width`.
 	float width_at(float s) const { return widths.at(s) * (1.0f + (taper() - 1.0f) * s); }
 };
+
+/// The veins of a part; never `automatic`. Stems and beads have none. Blades of a colour other than green, and open
+/// tubes, are petals with radial veins. Long narrow blades have parallel veins, all others pinnate ones.
+Venation venation_of(const Part &part);
 
 /// Why a part cannot grow and the remedy, in one sentence that begins with the property; empty if it can.
 std::string find_part_fault(const Part &part);

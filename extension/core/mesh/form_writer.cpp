@@ -15,6 +15,7 @@ namespace {
 // Light in a canopy decreases exponentially with the leaf area above (Beer-Lambert).
 constexpr double EXTINCTION = 1.6; // From the top of a plant to the ground, where a fifth remains.
 constexpr float INNER_SHADE = 0.4f; // Fraction of the light in the middle of a clump.
+constexpr float MAX_RANK = 0.999f; // The code of the venation is added to the rank.
 constexpr float MAX_WIDENING = 12.0f;
 constexpr float BRIGHTNESS_SHARE = 0.25f; // Maxima of a full colour deviation, as in mesh/deviation.cpp.
 
@@ -58,15 +59,16 @@ void FormWriter::put(const Common &common, const glm::vec3 &middle, const glm::v
 	const float x = attachment.is_root ? stem_offset_of(form, middle) : attachment.stem_offset;
 	out.stem_places[i] = attachment.is_root ? x : attachment.stem_place;
 	const float weight = attachment.weight_at(offset);
-	out.custom0[i] = { x, weight, attachment.rank, common.leafiness };
+	out.custom0[i] = { x, weight, common.veins + std::min(attachment.rank, MAX_RANK), common.leafiness };
 	out.custom1[i] = glm::vec4(attachment.pivot, common.swing.pace);
 	out.custom2[i] = glm::vec4(aside, common.swing.place);
 	skeleton.bind(attachment.swinger, x, weight, out.bones + 4 * i, out.weights + 4 * i);
 }
 
 void FormWriter::add_part(const PlacedPart &part, const PartAttachment &attachment, const PartTemplate &shape) {
-	const float leafiness = form.parts[static_cast<size_t>(part.kind)].translucency;
-	const Common common = { attachment, attachment.code, leafiness,
+	const Part &kind = form.parts[static_cast<size_t>(part.kind)];
+	const float veins = static_cast<float>(venation_of(kind)) - static_cast<float>(Venation::none);
+	const Common common = { attachment, attachment.code, kind.translucency, veins,
 		1.0f + BRIGHTNESS_SHARE * color_deviation * part.tint };
 	const float width = part.width;
 	for (const int32_t index : shape.indices) {

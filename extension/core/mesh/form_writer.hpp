@@ -39,6 +39,7 @@ private:
 		PartAttachment attachment;
 		PartMotionCode swing;
 		float leafiness;
+		float veins; ///< Code of the venation.
 		float brightness;
 	};
 

@@ -26,8 +26,10 @@ namespace undergrowth {
 //           y: own bend weight: fraction of its part's swing that turns the vertex about its pivot. 0 at the
 //              attachment, 1 at the tip. 0 on stems and on bodies of many parts. Parts on a swinging part have the
 //              weight of their attachment. A head (all short parts on and around a stem's tip) has 1 everywhere.
-//           z: rank, 0 to 1: the part is drawn if its rank is below the fraction of parts at a distance. Ranks are in
+//           z: rank, 0 to 0.999: the part is drawn if its rank is below the fraction of parts at a distance. Ranks are
+//           in
 //              golden-ratio order, so that the remaining parts are spread evenly. At least the rank of the carrier.
+//              Its whole part is the venation: 0 none, 1 parallel, 2 pinnate, 3 palmate, 4 radial.
 //           w: leafiness, 0 to 1: transmitted fraction of the light from behind.
 // CUSTOM1   xyz: pivot (m): the attachment of the part, about which its own swing turns it. w: frequency and damping
 //           of that swing, PartMotionCode::pace (plant/part_motion.hpp).

@@ -4,6 +4,7 @@
 #include "field/field_drift.hpp"
 #include "field/field_steps.hpp"
 #include "field/field_wind_clock.hpp"
+#include "field/mean_lean.hpp"
 #include "field/prepared_cpu_motion.hpp"
 #include "motion/fixed_step.hpp"
 #include "motion/swing_clock.hpp"
@@ -58,6 +59,7 @@ public:
 	godot::RID blend_texture() const override { return textures ? textures->blends() : godot::RID(); }
 	godot::RID beat_texture() const override { return textures ? textures->beats() : godot::RID(); }
 	float swing_clock() const override { return swings.now(shown_alpha); }
+	float mean_lean(int species) const override { return leans.of(species); }
 	godot::Vector4 history_of(int species) const override;
 	bool follows_prototypes() const override { return textures && textures->follows(); }
 	Delays follower_delays(const godot::Transform3D &axes) const override;
@@ -99,6 +101,7 @@ private:
 	bool showed_heights = false; ///< At the last upload().
 	float shown_alpha = 0.0f; ///< Of the next frame to draw.
 	SwingClock swings;
+	MeanLean leans;
 	int frames_since_far = 0;
 	std::vector<glm::vec3> pushed_at; ///< m, field axes: bodies of the last step.
 

@@ -188,6 +188,7 @@ bool CpuMotion::upload() {
 	dirty_pages.clear();
 	const bool are_new = textures->make_textures();
 	textures->upload(*simulation, shown_alpha);
+	leans.follow(*simulation);
 	const bool are_first = textures->has_heights() && !showed_heights;
 	showed_heights = textures->has_heights();
 	return are_new || are_first;

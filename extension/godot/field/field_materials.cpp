@@ -8,6 +8,7 @@
 #include <godot_cpp/classes/rendering_server.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 using namespace godot;
@@ -58,6 +59,7 @@ void FieldMaterials::hide(const FieldRenderSetup &setup) const {
 void FieldMaterials::bind(FieldRenderSetup &setup, const FieldMotion &motion) {
 	has_sent = is_listed = false;
 	sent_clock = -1.0f;
+	sent_leans.clear();
 	make(setup);
 	for (SpeciesStyle &style : setup.styles) {
 		bind_style(setup, style, motion);
@@ -67,6 +69,7 @@ void FieldMaterials::bind(FieldRenderSetup &setup, const FieldMotion &motion) {
 void FieldMaterials::bind_last(FieldRenderSetup &setup, const FieldMotion &motion) {
 	has_sent = is_listed = false;
 	sent_clock = -1.0f;
+	sent_leans.clear();
 	make(setup);
 	bind_style(setup, setup.styles.back(), motion);
 }
@@ -185,6 +188,21 @@ void FieldMaterials::send_swing_clock(
 	for (const Swinging &one : swinging) {
 		if (seen.nearest < one.end && one.nearest <= seen.farthest && one.farthest >= seen.nearest) {
 			server->material_set_param(one.material, swing, Vector3(clock, one.whole, one.end));
+		}
+	}
+}
+
+void FieldMaterials::send_leans(const FieldRenderSetup &setup, const FieldMotion &motion) {
+	static constexpr float VISIBLE = 0.004f; // A brightness of less than 1 %.
+	sent_leans.resize(setup.styles.size(), -1.0f);
+	for (size_t i = 0; i < setup.styles.size(); i++) {
+		const float lean = motion.mean_lean(int(i));
+		if (sent_leans[i] >= 0.0f && std::abs(lean - sent_leans[i]) < VISIBLE) {
+			continue;
+		}
+		sent_leans[i] = lean;
+		for (const Ref<ShaderMaterial> &material : setup.styles[i].materials) {
+			material->set_shader_parameter("undergrowth_mean_lean", lean);
 		}
 	}
 }

@@ -31,6 +31,8 @@ public:
 	/// Sets the swing clock of this frame in the levels that are drawn at these distances. The remaining levels get it
 	/// when they are drawn.
 	void send_swing_clock(const FieldRenderSetup &setup, const FieldMotion &motion, const SeenDistances &seen);
+	/// Sets the mean leans of species whose mean has changed visibly.
+	void send_leans(const FieldRenderSetup &setup, const FieldMotion &motion);
 	/// Sets the bending shapes of stems.
 	void send_stems(const FieldRenderSetup &setup);
 	/// Sets what instances of prototypes show in this frame.
@@ -51,6 +53,7 @@ private:
 	};
 	std::vector<Swinging> swinging;
 	bool is_listed = false; ///< `swinging` is up to date.
+	std::vector<float> sent_leans; ///< By species; empty: none.
 
 	void bind_style(const FieldRenderSetup &setup, const SpeciesStyle &style, const FieldMotion &motion) const;
 	void list_swinging(const FieldRenderSetup &setup);

@@ -157,6 +157,8 @@ public:
 	virtual godot::RID beat_texture() const = 0;
 	/// Drawn time of the swing clock: 0 to 1, a fraction of SWING_PERIOD.
 	virtual float swing_clock() const = 0;
+	/// Mean lean of a species' plants over the last seconds: displacement of their tips from calm air, in heights.
+	virtual float mean_lean(int species) const = 0;
 	/// History of a species' prototypes for the shader: first layer, newest slot, blend. x is -1 if each plant is
 	/// simulated.
 	virtual godot::Vector4 history_of(int species) const = 0;

@@ -120,6 +120,7 @@ void FieldRuntime::refresh(const Transform3D &axes) {
 	}
 	materials.send_followers(setup, motion, axes);
 	materials.send_swing_clock(setup, motion, seen_distances(axes));
+	materials.send_leans(setup, motion);
 	upload_usec = watch.usec();
 }
 

@@ -185,6 +185,16 @@ double PlantPart::get_translucency() const {
 	return shortest_decimal(part.translucency);
 }
 
+void PlantPart::set_venation(Venation kind) {
+	if (kind < VENATION_AUTOMATIC || kind > VENATION_RADIAL) {
+		report_error(
+				this, "venation " + String::num_int64(kind) + " does not exist. Use one of the VENATION_ constants.");
+	} else if (kind != get_venation()) {
+		part.venation = undergrowth::Venation(kind);
+		emit_changed();
+	}
+}
+
 void PlantPart::set_frequency(double hertz) {
 	change_number(part.frequency, "frequency", hertz, { 0.0, 100.0 });
 }
@@ -217,6 +227,8 @@ void PlantPart::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_gradient"), &PlantPart::get_gradient);
 	ClassDB::bind_method(D_METHOD("set_translucency", "share"), &PlantPart::set_translucency);
 	ClassDB::bind_method(D_METHOD("get_translucency"), &PlantPart::get_translucency);
+	ClassDB::bind_method(D_METHOD("set_venation", "kind"), &PlantPart::set_venation);
+	ClassDB::bind_method(D_METHOD("get_venation"), &PlantPart::get_venation);
 	ClassDB::bind_method(D_METHOD("set_frequency", "hertz"), &PlantPart::set_frequency);
 	ClassDB::bind_method(D_METHOD("get_frequency"), &PlantPart::get_frequency);
 	ClassDB::bind_method(D_METHOD("set_damping_ratio", "ratio"), &PlantPart::set_damping_ratio);
@@ -234,11 +246,21 @@ void PlantPart::_bind_methods() {
 			"get_gradient");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "translucency", PROPERTY_HINT_RANGE, "0,1,0.01"), "set_translucency",
 			"get_translucency");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "venation", PROPERTY_HINT_ENUM,
+						 "Automatic,None,Parallel,Pinnate,Palmate,Radial"),
+			"set_venation", "get_venation");
 	ADD_GROUP("Motion", "");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "frequency", PROPERTY_HINT_RANGE, "0,10,0.01,or_greater,suffix:Hz"),
 			"set_frequency", "get_frequency");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "damping_ratio", PROPERTY_HINT_RANGE, "0,2,0.001,or_greater"),
 			"set_damping_ratio", "get_damping_ratio");
+
+	BIND_ENUM_CONSTANT(VENATION_AUTOMATIC);
+	BIND_ENUM_CONSTANT(VENATION_NONE);
+	BIND_ENUM_CONSTANT(VENATION_PARALLEL);
+	BIND_ENUM_CONSTANT(VENATION_PINNATE);
+	BIND_ENUM_CONSTANT(VENATION_PALMATE);
+	BIND_ENUM_CONSTANT(VENATION_RADIAL);
 }
 
 } // namespace undergrowth

@@ -36,6 +36,15 @@ protected:
 	GDVIRTUAL2R(godot::Color, _calculate_color, double, double)
 
 public:
+	enum Venation : int64_t {
+		VENATION_AUTOMATIC,
+		VENATION_NONE,
+		VENATION_PARALLEL,
+		VENATION_PINNATE,
+		VENATION_PALMATE,
+		VENATION_RADIAL,
+	};
+
 	/// Samples the part and its functions for the core. Main thread. Returns what is wrong and what to do, or an empty
 	/// string.
 	godot::String read(Part &into);
@@ -56,6 +65,8 @@ public:
 	godot::Ref<godot::Gradient> get_gradient() const;
 	void set_translucency(double share);
 	double get_translucency() const;
+	void set_venation(Venation kind);
+	Venation get_venation() const { return Venation(part.venation); }
 	void set_frequency(double hertz);
 	double get_frequency() const;
 	void set_damping_ratio(double ratio);
@@ -89,3 +100,5 @@ double written_angle(float radians);
 	}
 
 } // namespace undergrowth
+
+VARIANT_ENUM_CAST(undergrowth::PlantPart::Venation);

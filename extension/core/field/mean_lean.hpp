@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace undergrowth {
+
+class FieldSimulation;
+
+/// Mean lean of the plants of each species in a field: the displacement of their tips from calm air, divided by their
+/// height, over all plants and the last seconds. Estimated from a few plants in each step. Not thread-safe.
+class MeanLean {
+public:
+	static constexpr double MEMORY = 8.0; ///< s: time constant of the mean.
+	static constexpr int SAMPLES = 32; ///< Plants per call of follow().
+
+	/// Measures some plants. Call it between two steps. It does nothing if no time has passed since the last call.
+	void follow(const FieldSimulation &simulation);
+	/// 0 for unknown species and before the first call.
+	float of(int species) const;
+
+private:
+	struct Species {
+		double mean = 0.0;
+		double measured_at = 0.0; ///< s of the simulation's time.
+		int calls = 0;
+		double sum = 0.0; ///< Of the present call.
+		int count = 0;
+	};
+	std::vector<Species> species;
+	double last_time = -1.0; ///< s.
+	std::size_t page = 0;
+	unsigned turn = 0;
+};
+
+} // namespace undergrowth
