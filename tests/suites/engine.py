@@ -42,6 +42,7 @@ DRAWN = {"threads": ["gl_compatibility"], "threads_first_mesh": ["gl_compatibili
          "wind_shader": ["gl_compatibility", "forward_plus"],
          "field_picture": ["gl_compatibility", "forward_plus"],
          "field_picture_msaa": ["forward_plus"],
+         "field_picture_near": ["gl_compatibility", "forward_plus"],
          "field_picture_parts": ["gl_compatibility", "forward_plus"],
          "field_picture_stems": ["gl_compatibility", "forward_plus"],
          "field_skeletons": ["gl_compatibility", "forward_plus"],

@@ -27,16 +27,24 @@ static constexpr int CUSTOM_FLOATS = 4;
 static constexpr float VERTICES_OF_DRAW = 3000.0f;
 static constexpr int MOST_SQUARE_FACTOR = 8;
 
+// A field of at most this width (m) has one square at a level that ends farther than at this share of the width.
+static constexpr float WHOLE_SHARE = 0.7f;
+static constexpr int WHOLE_FACTOR = 1 << 20;
+
 // Size of the squares of a species: tiles per side, or squares along a tile's side; one of the two is 1.
 struct Squares {
-	int factor = 1;
+	int factor = 1; // WHOLE_FACTOR: one square with all plants.
 	int cuts = 1;
 };
 
 // Starts with the level's squares and widens those of sparse species, with a few plants each. Twice the side quarters
 // the number of draws, but squares at the level's end draw more vertices beyond it. Stops when that costs more.
-static Squares squares_of(const FieldStyle &style, int level, const FieldLook &look, float plants_in_tile) {
-	const FieldLevel &seen = style.levels[size_t(level)];
+static Squares squares_of(
+		const FieldStyle &style, int level, const FieldLook &look, float plants_in_tile, float width) {
+	const FieldLevel &seen = look.levels[size_t(level)];
+	if (!seen.is_used || seen.is_near) {
+		return Squares();
+	}
 	Squares squares = { style.is_of_tiles ? 1 : seen.tile_factor, seen.tile_cuts };
 	const float end = seen.end > 0.0f ? seen.end : 2.0f * seen.begin;
 	const float meshes = float(look.meshes[size_t(level)].size());
@@ -49,11 +57,29 @@ static Squares squares_of(const FieldStyle &style, int level, const FieldLook &l
 		}
 		squares.cuts > 1 ? squares.cuts /= 2 : squares.factor *= 2;
 	}
+	if (!style.is_of_tiles && look.is_by_error && width * WHOLE_SHARE <= end) {
+		return { WHOLE_FACTOR, 1 };
+	}
 	return squares;
 }
 
+// Returns the width of the box around all roots of generated plants (m).
+static float width_of(const std::vector<DrawnBlock> &blocks, const RankedPlants &ranked) {
+	constexpr float FAR = std::numeric_limits<float>::max();
+	glm::vec2 low(FAR), high(-FAR);
+	for (size_t i = 0; i < blocks.size(); i++) {
+		for (int k = ranked.begins[i]; k < ranked.begins[i + 1] && !blocks[i].block->is_added; k++) {
+			const glm::vec3 &root = ranked.plants[size_t(k)].root;
+			low = glm::min(low, glm::vec2(root.x, root.z));
+			high = glm::max(high, glm::vec2(root.x, root.z));
+		}
+	}
+	return std::max({ high.x - low.x, high.y - low.y, 0.0f });
+}
+
 // By species. Only for generated plants: multimeshes of added plants are found by their tiles.
-static std::vector<Squares> all_squares(const FieldStyle &style, int level, const std::vector<DrawnBlock> &blocks) {
+static std::vector<Squares> all_squares(
+		const FieldStyle &style, int level, const std::vector<DrawnBlock> &blocks, float width) {
 	std::vector<float> plants(style.looks.size(), 0.0f), tiles(style.looks.size(), 0.0f);
 	for (const DrawnBlock &drawn : blocks) {
 		plants[size_t(drawn.block->species)] += float(drawn.block->size());
@@ -61,7 +87,7 @@ static std::vector<Squares> all_squares(const FieldStyle &style, int level, cons
 	}
 	std::vector<Squares> squares;
 	for (size_t i = 0; i < style.looks.size(); i++) {
-		squares.push_back(squares_of(style, level, style.looks[i], plants[i] / std::max(tiles[i], 1.0f)));
+		squares.push_back(squares_of(style, level, style.looks[i], plants[i] / std::max(tiles[i], 1.0f), width));
 	}
 	return squares;
 }
@@ -72,6 +98,9 @@ static ClumpPlace place_of(
 	const PlantBlock &block = *drawn.block;
 	if (drawn.newcomers >= 0) {
 		return { false, level, 1, block.tile, drawn.newcomers };
+	}
+	if (squares.factor == WHOLE_FACTOR) {
+		return { false, level, WHOLE_FACTOR, TileKey() };
 	}
 	if (squares.cuts == 1) {
 		return { block.is_added, level, squares.factor, wider_tile(block.tile, squares.factor) };
@@ -94,7 +123,9 @@ struct Division {
 static void divide_block(const FieldStyle &style, const DrawnBlock &drawn, const Squares &squares, int level,
 		const DrawnPlant *begin, const DrawnPlant *end, Division &division) {
 	const int species = drawn.block->species;
-	const int groups = int(style.looks[size_t(species)].meshes[size_t(level)].size());
+	const FieldLook &look = style.looks[size_t(species)];
+	const bool is_near = look.levels[size_t(level)].is_near;
+	const int groups = is_near ? 1 : int(look.meshes[size_t(level)].size()); // One square contains all variants.
 	// Few, so that the map is searched once for each.
 	std::vector<int> found(size_t(squares.cuts * squares.cuts * groups), -1);
 	for (const DrawnPlant *plant = begin; plant < end; plant++) {
@@ -111,16 +142,30 @@ static void divide_block(const FieldStyle &style, const DrawnBlock &drawn, const
 	}
 }
 
+// True if a species has plans at a level. All levels that are drawn plant by plant share the plans of the first one.
+static bool is_planned(const FieldLook &look, int level) {
+	const auto end = look.levels.begin() + level;
+	return look.levels[size_t(level)].is_used &&
+			!(look.levels[size_t(level)].is_near &&
+					std::any_of(look.levels.begin(), end, [](const FieldLevel &one) { return one.is_near; }));
+}
+
 static Division divide(
 		const FieldStyle &style, const std::vector<DrawnBlock> &blocks, const RankedPlants &ranked, int level) {
-	const FieldLevel &seen = style.levels[size_t(level)];
-	const std::vector<Squares> squares = all_squares(style, level, blocks);
+	const FieldLevel &usual = style.levels[size_t(level)];
+	const std::vector<Squares> squares = all_squares(style, level, blocks, ranked.width);
 	Division division;
 	division.of_plants.reserve(ranked.plants.size());
 	for (size_t i = 0; i < blocks.size(); i++) {
 		const PlantBlock &block = *blocks[i].block;
-		const Squares own =
-				block.is_added ? Squares{ seen.tile_factor, seen.tile_cuts } : squares[size_t(block.species)];
+		const FieldLook &look = style.looks[size_t(block.species)];
+		if (!is_planned(look, level)) {
+			division.of_plants.insert(division.of_plants.end(), size_t(ranked.begins[i + 1] - ranked.begins[i]), -1);
+			continue;
+		}
+		const bool is_near = look.levels[size_t(level)].is_near;
+		const Squares in_list = is_near ? Squares() : Squares{ usual.tile_factor, usual.tile_cuts };
+		const Squares own = block.is_added ? in_list : squares[size_t(block.species)];
 		const DrawnPlant *plants = ranked.plants.data();
 		divide_block(style, blocks[i], own, level, plants + ranked.begins[i], plants + ranked.begins[i + 1], division);
 	}
@@ -140,6 +185,45 @@ static float *write_plant(const FieldStyle &style, const DrawnPlant &plant, floa
 		*to++ = number;
 	}
 	return to;
+}
+
+// Writes the plants of a plan by cells.
+static void fill_square(const FieldStyle &style, const RankedPlants &ranked, const int *order, ClumpPlan &plan) {
+	constexpr float FAR = std::numeric_limits<float>::max();
+	const FieldLook &look = style.looks[size_t(plan.species)];
+	auto square = std::make_shared<NearSquare>();
+	glm::vec2 low(FAR), high(-FAR);
+	for (int i = 0; i < plan.count; i++) {
+		const glm::vec3 &root = ranked.plants[size_t(order[i])].root;
+		low = glm::min(low, glm::vec2(root.x, root.z));
+		high = glm::max(high, glm::vec2(root.x, root.z));
+		square->reach = std::max(square->reach, ranked.plants[size_t(order[i])].reach);
+	}
+	const auto cells = [](float metres) { return int(metres / NearSquare::CELL_SIZE) + 1; };
+	square->species = plan.species;
+	square->stride = TRANSFORM_FLOATS + CUSTOM_FLOATS + (style.needs_colors ? COLOR_FLOATS : 0);
+	square->low = low;
+	square->columns = cells(high.x - low.x);
+	square->rows = cells(high.y - low.y);
+	const auto cell_of = [&](int number) {
+		const glm::vec3 &root = ranked.plants[size_t(number)].root;
+		const int column = std::min(cells(root.x - low.x) - 1, square->columns - 1);
+		return std::min(cells(root.z - low.y) - 1, square->rows - 1) * square->columns + column;
+	};
+	const std::vector<int> sorted =
+			counting_sort(std::vector<int>(order, order + plan.count), square->columns * square->rows, cell_of);
+	square->begins.assign(size_t(square->columns * square->rows) + 1, 0);
+	square->instances.resize(int64_t(plan.count) * square->stride);
+	float *to = square->instances.ptrw();
+	for (const int number : sorted) {
+		const DrawnPlant &plant = ranked.plants[size_t(number)];
+		to = write_plant(style, plant, look.variants[size_t(plant.variant) % look.variants.size()].height, to);
+		square->variants.push_back(uint16_t(plant.variant));
+		square->begins[size_t(cell_of(number)) + 1]++;
+	}
+	std::partial_sum(square->begins.begin(), square->begins.end(), square->begins.begin());
+	square->drawn.assign(size_t(plan.count), 0);
+	plan.near = std::move(square);
 }
 
 // Writes the plants `order` .. `order + plan.count` by rank. Plants that distance removes first are at the end.
@@ -169,8 +253,11 @@ static void plan_level(const FieldStyle &style, const std::vector<DrawnBlock> &b
 		int level, std::vector<ClumpPlan> &plans) {
 	const Division division = divide(style, blocks, ranked, level);
 	const int count = int(division.counts.size());
+	std::vector<int> planned;
+	std::copy_if(ranked.by_rank.begin(), ranked.by_rank.end(), std::back_inserter(planned),
+			[&](int plant) { return division.of_plants[size_t(plant)] >= 0; });
 	const std::vector<int> order =
-			counting_sort(ranked.by_rank, count, [&](int plant) { return division.of_plants[size_t(plant)]; });
+			counting_sort(planned, count, [&](int plant) { return division.of_plants[size_t(plant)]; });
 	std::vector<int> begins(division.counts.size(), 0);
 	for (int i = 1; i < count; i++) {
 		begins[size_t(i)] = begins[size_t(i) - 1] + division.counts[size_t(i) - 1];
@@ -183,19 +270,23 @@ static void plan_level(const FieldStyle &style, const std::vector<DrawnBlock> &b
 		ClumpPlan &plan = plans.back();
 		std::tie(plan.place, plan.species, plan.group) = key;
 		plan.count = division.counts[size_t(number)];
-		fill_plan(style, ranked, order.data() + begins[size_t(number)], plan);
+		const bool is_near = style.looks[size_t(plan.species)].levels[size_t(level)].is_near;
+		(is_near ? fill_square : fill_plan)(style, ranked, order.data() + begins[size_t(number)], plan);
 	}
 }
 
 std::vector<ClumpPlan> plan_level(const FieldStyle &style, const std::vector<DrawnBlock> &blocks, int level) {
 	std::vector<ClumpPlan> plans;
-	plan_level(style, blocks, rank_plants(style, blocks), level, plans);
+	RankedPlants ranked = rank_plants(style, blocks);
+	ranked.width = width_of(blocks, ranked);
+	plan_level(style, blocks, ranked, level, plans);
 	return plans;
 }
 
 std::vector<ClumpPlan> plan_clumps(const FieldStyle &style, const std::vector<DrawnBlock> &blocks) {
 	std::vector<ClumpPlan> plans;
-	const RankedPlants ranked = rank_plants(style, blocks);
+	RankedPlants ranked = rank_plants(style, blocks);
+	ranked.width = width_of(blocks, ranked);
 	for (int level = 0; level < int(style.levels.size()); level++) {
 		plan_level(style, blocks, ranked, level, plans);
 	}

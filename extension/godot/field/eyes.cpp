@@ -7,7 +7,10 @@
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
+#include "conventions.hpp"
+
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 using namespace godot;
@@ -19,8 +22,30 @@ static const char *const VIEWPORTS = "_viewports"; // A group of the engine.
 /// A camera of any world.
 struct WorldCamera {
 	uint64_t world = 0; ///< Instance id.
-	Vector3 place;
+	Eye eye;
 };
+
+// Of cameras with a perspective picture in the middle. Headsets and other projections have no cone.
+static Eye eye_of(const Viewport *viewport, const Camera3D *camera) {
+	static constexpr float MARGIN = 0.12f; // rad: more than NearPlants lets a camera turn.
+	const Transform3D placed = camera->get_camera_transform();
+	Eye eye;
+	eye.place = camera->get_global_position();
+	eye.forward = -placed.basis.get_column(2).normalized();
+	const Vector2 size = viewport->get_visible_rect().size;
+	if (camera->get_projection() != Camera3D::PROJECTION_PERSPECTIVE || const_cast<Viewport *>(viewport)->is_using_xr() || size.x <= 0.0f ||
+			size.y <= 0.0f || !eye.forward.is_finite()) {
+		return eye;
+	}
+	const bool keeps_height = camera->get_keep_aspect_mode() == Camera3D::KEEP_HEIGHT;
+	const float half = std::tan(0.5f * float(camera->get_fov()) * float(PI) / 180.0f);
+	const float aspect = float(size.x / size.y);
+	const float up = keeps_height ? half : half / aspect;
+	const float corner = std::atan(up * std::sqrt(1.0f + aspect * aspect)) + MARGIN;
+	eye.has_cone = corner < 0.5f * float(PI);
+	eye.cone_cosine = eye.has_cone ? std::cos(corner) : -1.0f;
+	return eye;
+}
 
 static uint64_t world_of(const Node3D *node) {
 	const Ref<World3D> world = node->get_world_3d();
@@ -34,21 +59,29 @@ static std::vector<WorldCamera> find_cameras(SceneTree *tree) {
 		const Viewport *viewport = Object::cast_to<Viewport>(viewports[i]);
 		const Camera3D *camera = viewport ? viewport->get_camera_3d() : nullptr;
 		if (camera && camera->get_global_position().is_finite()) {
-			cameras.push_back({ world_of(camera), camera->get_global_position() });
+			cameras.push_back({ world_of(camera), eye_of(viewport, camera) });
 		}
 	}
 	return cameras;
 }
 
-static std::vector<Vector3> places_in(const Node3D *node, const std::vector<WorldCamera> &cameras) {
+static std::vector<Eye> eyes_in(const Node3D *node, const std::vector<WorldCamera> &cameras) {
 	const uint64_t world = world_of(node);
-	std::vector<Vector3> eyes;
+	std::vector<Eye> eyes;
 	for (const WorldCamera &camera : cameras) {
 		if (camera.world == world) {
-			eyes.push_back(camera.place);
+			eyes.push_back(camera.eye);
 		}
 	}
 	return eyes;
+}
+
+static std::vector<Vector3> places_in(const Node3D *node, const std::vector<WorldCamera> &cameras) {
+	std::vector<Vector3> places;
+	for (const Eye &eye : eyes_in(node, cameras)) {
+		places.push_back(eye.place);
+	}
+	return places;
 }
 
 std::vector<Vector3> find_eyes(const Node3D *node) {
@@ -72,9 +105,9 @@ private:
 	std::vector<WorldCamera> cameras;
 };
 
-std::vector<Vector3> find_drawn_eyes(const Node3D *node) {
+std::vector<Eye> find_drawn_eyes(const Node3D *node) {
 	static FrameCameras drawn;
-	return places_in(node, drawn.now(node));
+	return eyes_in(node, drawn.now(node));
 }
 
 SeenDistances find_seen_distances(const Node3D *node, const AABB &box) {

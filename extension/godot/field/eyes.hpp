@@ -12,8 +12,17 @@ namespace undergrowth {
 /// cameras with a position that is not finite. The node must be in a tree.
 std::vector<godot::Vector3> find_eyes(const godot::Node3D *node);
 
+/// A camera that draws plants.
+struct Eye {
+	godot::Vector3 place; ///< World axes.
+	godot::Vector3 forward; ///< Direction of view, of length 1.
+	/// Cosine of the angle between `forward` and the farthest visible direction, plus a margin for turns.
+	float cone_cosine = -1.0f;
+	bool has_cone = false; ///< False: it may see in all directions.
+};
+
 /// The same at the moment of drawing, after all nodes have processed the frame. All fields share one look-up per frame.
-std::vector<godot::Vector3> find_drawn_eyes(const godot::Node3D *node);
+std::vector<Eye> find_drawn_eyes(const godot::Node3D *node);
 
 /// Smallest and largest distance from a camera (m). Without cameras: every distance.
 struct SeenDistances {

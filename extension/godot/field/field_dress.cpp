@@ -13,6 +13,7 @@ namespace undergrowth {
 
 static constexpr float FARTHEST = 1e9f; // m.
 static constexpr float LEAST_MARGIN = 1.0f; // m.
+static constexpr float SHADOW_MARGIN = 0.5f; // m.
 static constexpr float SWINGS_TO = 60.0f; // In plant heights: beyond this distance a leaf sways by less than a pixel.
 static constexpr float SWINGS_WHOLE = 0.75f; // Fraction of that distance up to which leaves sway fully.
 
@@ -33,7 +34,7 @@ Ref<Material> FieldDress::worn(const FieldLook &look) const {
 void FieldDress::make(FieldStyle &style) const {
 	for (FieldLook &look : style.looks) {
 		const bool is_new = look.materials.empty();
-		for (size_t i = look.materials.size(); i < style.levels.size(); i++) {
+		for (size_t i = look.materials.size(); i < style.levels.size() + 2; i++) { // The last two are for shadows.
 			look.materials.push_back(make_field_material(worn(look), look.has_parts()));
 		}
 		if (is_new && !look.materials.empty() && !bends_in_shader(look.materials[0])) {
@@ -47,7 +48,7 @@ void FieldDress::make(FieldStyle &style) const {
 void FieldDress::take_away(const FieldStyle &style) const {
 	for (const FieldLook &look : style.looks) {
 		for (const Ref<ShaderMaterial> &material : look.materials) {
-			material->set_shader_parameter("undergrowth_level", Vector3(FARTHEST, FARTHEST, LEAST_MARGIN));
+			material->set_shader_parameter("undergrowth_level", Vector4(FARTHEST, FARTHEST, LEAST_MARGIN, LEAST_MARGIN));
 		}
 	}
 }
@@ -57,7 +58,7 @@ void FieldDress::put_on(FieldStyle &style, const FieldMotion &motion) {
 	sent_clock = -1.0f;
 	make(style);
 	for (FieldLook &look : style.looks) {
-		put_on_look(style, look, motion);
+		put_on_look(look, motion);
 	}
 }
 
@@ -65,22 +66,42 @@ void FieldDress::put_on_last(FieldStyle &style, const FieldMotion &motion) {
 	has_sent = false;
 	sent_clock = -1.0f;
 	make(style);
-	put_on_look(style, style.looks.back(), motion);
+	put_on_look(style.looks.back(), motion);
 }
 
-void FieldDress::put_on_look(const FieldStyle &style, const FieldLook &look, const FieldMotion &motion) const {
+// Returns the level of a material. The last two materials are for the shadows of finer levels.
+static FieldLevel drawn_level(const FieldLook &look, size_t material) {
+	if (material < look.levels.size()) {
+		return look.levels[material];
+	}
+	if (material > look.levels.size()) {
+		FieldLevel near = look.levels[size_t(std::max(look.near_shadow_level, 0))];
+		near.begin = 0.0f;
+		near.end = look.near_shadow_end;
+		near.end_margin = SHADOW_MARGIN;
+		near.is_used = look.near_shadow_level >= 0;
+		return near;
+	}
+	FieldLevel level = *std::find_if(
+			look.levels.begin(), look.levels.end() - 1, [](const FieldLevel &one) { return one.casts_for_finer; });
+	level.begin = look.near_shadow_end;
+	level.margin = SHADOW_MARGIN;
+	return level;
+}
+
+void FieldDress::put_on_look(const FieldLook &look, const FieldMotion &motion) const {
 	for (size_t i = 0; i < look.materials.size(); i++) {
-		const FieldLevel &level = style.levels[i];
+		const FieldLevel level = drawn_level(look, i);
 		const float begin = level.begin > 0.0f ? level.begin : -FARTHEST;
 		const float end = level.end > 0.0f ? level.end : FARTHEST;
 		const Thinning thinning = level.thinning_of(look.has_parts());
 		const Ref<ShaderMaterial> &material = look.materials[i];
-		set_parameter(material, "undergrowth_level", Vector3(begin, end, level.margin));
+		set_parameter(material, "undergrowth_level", Vector4(begin, end, level.margin, level.end_margin));
 		set_parameter(material, "undergrowth_share_ends", vector_of(thinning.distances));
 		set_parameter(material, "undergrowth_shares", vector_of(thinning.shares));
 		set_parameter(material, "undergrowth_has_parts", look.has_parts());
 		set_parameter(material, "undergrowth_mean", look.mean);
-		set_parameter(material, "undergrowth_from_above", above_at(look, i));
+		set_parameter(material, "undergrowth_from_above", above_at(look, std::min(i, look.levels.size() - 1)));
 		set_parameter(material, "undergrowth_bends", motion.pose_texture());
 		set_parameter(material, "undergrowth_blends", motion.blend_texture());
 		set_parameter(material, "undergrowth_beats", motion.beat_texture());
@@ -156,9 +177,10 @@ void FieldDress::tell_of_swings(const FieldStyle &style, const FieldMotion &moti
 	for (const FieldLook &look : style.looks) {
 		const float end = look.motion.longest * SWINGS_TO;
 		for (size_t i = 0; look.motion.has_parts && i < look.materials.size(); i++) {
-			if (std::max(style.levels[i].begin - style.levels[i].margin, seen.nearest) < end &&
-					style.levels[i].begin - style.levels[i].margin <= seen.farthest &&
-					(style.levels[i].end <= 0.0f || style.levels[i].end + style.levels[i].margin >= seen.nearest)) {
+			const FieldLevel level = drawn_level(look, i);
+			const float begin = level.begin - level.margin;
+			if (level.is_used && std::max(begin, seen.nearest) < end && begin <= seen.farthest &&
+					(level.end <= 0.0f || level.end + level.end_margin >= seen.nearest)) {
 				look.materials[i]->set_shader_parameter(swing, Vector3(clock, end * SWINGS_WHOLE, end));
 			}
 		}

@@ -44,7 +44,7 @@ private:
 	SeenDistances sent_seen;
 	float sent_clock = -1.0f; ///< The same; -1: none.
 
-	void put_on_look(const FieldStyle &style, const FieldLook &look, const FieldMotion &motion) const;
+	void put_on_look(const FieldLook &look, const FieldMotion &motion) const;
 	void tell_of_stem(const FieldLook &look) const;
 	godot::Ref<godot::Material> worn(const FieldLook &look) const;
 };

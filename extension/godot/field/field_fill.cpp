@@ -1,5 +1,7 @@
 #include "field/field_fill.hpp"
 
+#include "field/field_fitting.hpp"
+
 #include <godot_cpp/classes/worker_thread_pool.hpp>
 
 #include <algorithm>
@@ -146,6 +148,13 @@ void FieldFill::stand_on_ground() {
 }
 
 void FieldFill::build() {
+	for (FieldLook &look : result.style.looks) {
+		if (is_cancelled) {
+			return;
+		}
+		look.measure();
+	}
+	fit_levels(result.style);
 	for (FieldLook &look : result.style.looks) {
 		if (is_cancelled) {
 			return;

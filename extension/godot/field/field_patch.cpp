@@ -12,6 +12,7 @@ namespace undergrowth {
 FieldStyle outline_of(const FieldStyle &style) {
 	FieldStyle outline;
 	outline.levels = style.levels;
+	outline.rule = style.rule;
 	outline.tile_size = style.tile_size;
 	outline.is_of_tiles = style.is_of_tiles;
 	outline.needs_colors = style.needs_colors;
@@ -19,6 +20,8 @@ FieldStyle outline_of(const FieldStyle &style) {
 		FieldLook some;
 		some.variant_count = look.variant_count;
 		some.detail = look.detail;
+		some.is_by_error = look.is_by_error;
+		some.levels = look.levels;
 		some.variants = look.variants;
 		some.meshes = look.meshes;
 		some.motion = look.motion;

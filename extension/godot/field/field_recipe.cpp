@@ -4,6 +4,7 @@
 #include "conventions.hpp"
 #include "field/empty_entry.hpp"
 #include "field/field_areas.hpp"
+#include "field/field_fitting.hpp"
 #include "field/ground_survey.hpp"
 #include "field/plant_field_3d.hpp"
 #include "new_object.hpp"
@@ -196,6 +197,7 @@ static FieldLook look_of(const Ref<PlantFunction> &function, int variants, const
 static FieldLook listed_look(const PlantFieldSpecies &listed, const StandOptions &options, size_t number) {
 	FieldLook look = look_of(listed.get_species(), listed.get_variants(), options, number);
 	look.detail = listed.get_lod_bias();
+	look.mean_scale = 0.5f * (listed.get_scale_range().x + listed.get_scale_range().y);
 	return look;
 }
 
@@ -230,6 +232,19 @@ static bool has_any_listed(const FieldStyle &style) {
 			std::any_of(style.looks.begin(), end, [](const FieldLook &look) { return !look.is_absent; });
 }
 
+void read_densities(const StandOptions &options, FieldStyle &into) {
+	double weights = 0.0;
+	for (int64_t i = 0; i < options.species.size(); i++) {
+		const Ref<PlantFieldSpecies> listed = options.species[i];
+		weights += listed.is_valid() ? listed->get_weight() : 0.0;
+	}
+	for (int64_t i = 0; i < options.species.size() && size_t(i) < into.looks.size(); i++) {
+		const Ref<PlantFieldSpecies> listed = options.species[i];
+		const double own = listed.is_valid() ? listed->get_weight() * listed->get_density_factor() : 0.0;
+		into.looks[size_t(i)].density = weights > 0.0 ? float(options.density * own / weights) : 0.0f;
+	}
+}
+
 String list_looks(
 		const Node *field, const StandOptions &options, const std::vector<FieldLook> &others, FieldStyle &into) {
 	into.needs_colors = RenderingServer::get_singleton()->get_current_rendering_method() == String("gl_compatibility");
@@ -243,6 +258,7 @@ String list_looks(
 		}
 	}
 	into.listed_count = int(into.looks.size());
+	read_densities(options, into);
 	if (!has_any_listed(into)) {
 		return into.left_out;
 	}
@@ -275,7 +291,7 @@ String sample_looks(FieldStyle &style, const std::vector<Ref<PlantFunction>> &st
 			if (watch.usec() > usec) {
 				return String();
 			}
-			String fault = look.sample_next(style.levels);
+			String fault = look.sample_next(style.levels, style.rule.is_by_error);
 			if (!fault.is_empty()) {
 				fault = leave_out_faulty(style, i, fault, standing);
 			}
@@ -302,11 +318,13 @@ String read_other_look(
 	into = listed < 0 ? look_of(function, FieldLook().variant_count, options, size_t(list_size + others))
 					  : listed_look(*Ref<PlantFieldSpecies>(options.species[listed]).ptr(), options, size_t(listed));
 	while (!into.is_sampled()) {
-		const String fault = into.sample_next(style.levels);
+		const String fault = into.sample_next(style.levels, style.rule.is_by_error);
 		if (!fault.is_empty()) {
 			return describe(function.ptr()) + ": " + fault;
 		}
 	}
+	into.measure();
+	fit_levels(style, into);
 	into.build();
 	into.tell_of_stem();
 	into.make_meshes(std::numeric_limits<double>::infinity());

@@ -2,8 +2,10 @@
 
 #include "field/field_motion.hpp"
 #include "field/field_style.hpp"
+#include "field/near_plants.hpp"
 #include "stand/plant_store.hpp"
 
+#include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/rid.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
@@ -56,6 +58,7 @@ struct ClumpPlan {
 	godot::PackedFloat32Array buffer;
 	godot::AABB box; ///< Covers the largest deflection.
 	godot::AABB roots; ///< Bounding box of the roots.
+	std::shared_ptr<NearSquare> near; ///< Instead of the buffer, for levels that are drawn plant by plant.
 };
 
 /// A block to be drawn.
@@ -125,7 +128,7 @@ public:
 	void wear(const FieldWear &wear);
 	/// Call before a frame is drawn: draws of each multimesh only what the nearest camera of `eyes` (world axes) shows.
 	/// No cameras: draws everything. The cost depends on the number of multimeshes, and only after a camera moved.
-	void thin(const std::vector<godot::Vector3> &eyes);
+	void thin(const std::vector<Eye> &eyes);
 	/// Call before a frame is drawn.
 	void note_drawing() { has_untold = false; }
 	/// Call once per frame. If no frame was drawn, as in a headless process, the renderer processes the new multimeshes
@@ -136,7 +139,10 @@ public:
 	/// Applies the new materials of `style`.
 	void wear_materials(const FieldStyle &style);
 	/// Sets the owner of the instances, which the editor selects by rays.
-	void set_owner(uint64_t object) { owner = object; }
+	void set_owner(uint64_t object) {
+		owner = object;
+		near.set_owner(object);
+	}
 
 	/// Number of plants that a camera at `eye` (world axes) shows at each level.
 	std::vector<int> count_drawn(const FieldStyle &style, const godot::Vector3 &eye) const;
@@ -152,6 +158,8 @@ private:
 		godot::AABB roots; ///< Field axes, m.
 		godot::Vector3 middle; ///< Centre of the drawn box, to which the engine measures distances.
 		float radius = 0.0f; ///< m, largest distance of a root from `middle`.
+		godot::RID shadow; ///< Instance that casts the shadows of finer levels; invalid: none.
+		std::shared_ptr<NearSquare> near; ///< Without a multimesh: NearPlants draws them.
 		int shown = RANK_STEPS; ///< Highest drawn rank, times RANK_STEPS.
 		bool is_revealed = false; ///< The renderer has it, even if its materials draw nothing.
 	};
@@ -163,8 +171,11 @@ private:
 	std::vector<Clump> leaving; ///< Replaced: materials draw nothing, and the instances are not hidden yet.
 	std::vector<Clump> gone; ///< Hidden, not freed yet.
 	std::map<int, TileKey> newcomers; ///< Tiles by the number of a drawn block of new plants.
-	std::vector<FieldLevel> levels; ///< As last shown.
-	std::vector<FieldLevel> prepared_levels;
+	using Levels = std::vector<std::vector<FieldLevel>>; ///< By species.
+	Levels levels; ///< As last shown.
+	Levels prepared_levels;
+	NearPlants near;
+	bool has_other_near = false; ///< Squares of `near` came or went.
 	std::optional<ClumpPlace> next_revealed; ///< Next square for reveal_some(). Empty: the first one.
 	godot::RID world; ///< Its scenario.
 	godot::Transform3D placed;
@@ -173,19 +184,28 @@ private:
 	bool has_untold = false; ///< Multimeshes were shown since the last drawn frame.
 	FieldWear worn;
 	uint64_t owner = 0;
-	std::vector<godot::Vector3> thinned_for; ///< Cameras of the last thin().
+	std::vector<Eye> thinned_for; ///< Cameras of the last thin().
 	bool is_thinned = false; ///< False: something changed since.
 
 	Clump make(const FieldStyle &style, const ClumpPlan &plan) const;
 	void reveal(Clump &clump);
-	static void set_visible(const Clump &clump, bool visible);
+	void set_visible(const Clump &clump, bool visible) const;
+	static void wear_material(godot::RenderingServer *server, const FieldStyle &style, const ClumpPlace &place,
+			const Clump &clump);
+	int level_count() const { return levels.empty() ? 0 : int(levels.front().size()); }
 	static void let_go(const Clump &clump);
 	static void move_all(Clumps &from, std::vector<Clump> &into);
 	void clear(const ClumpPlace &place);
+	static bool has_near(const std::vector<Clump> &group);
 	template <class Act> static void take_parts(Clumps &from, const ClumpPlace &place, const Act &act);
 	void set_range(const Clump &clump, const FieldLevel &level) const;
 	void set_wear(const Clump &clump, const FieldLevel &level) const;
-	int steps_for(const FieldLevel &level, const Clump &clump, const std::vector<godot::Vector3> &eyes) const;
+	int steps_for(const FieldLevel &level, const Clump &clump, const std::vector<Eye> &eyes) const;
+	static Levels levels_of(const FieldStyle &style);
+	const FieldLevel &level_of(const ClumpPlace &place, const Clump &clump) const {
+		return levels[size_t(clump.species)][size_t(place.level)];
+	}
+	void place_near();
 	/// Calls act(server, level, clump) for all multimeshes, prepared ones included.
 	template <class Act> void for_each(Act &&act) const;
 };

@@ -14,6 +14,12 @@ namespace undergrowth {
 
 void FieldView::let_go(const Clump &clump) {
 	RenderingServer *server = RenderingServer::get_singleton();
+	if (clump.near) {
+		return;
+	}
+	if (clump.shadow.is_valid()) {
+		server->free_rid(clump.shadow);
+	}
 	server->free_rid(clump.instance);
 	server->free_rid(clump.multimesh);
 }
@@ -26,7 +32,7 @@ void FieldView::move_all(Clumps &from, std::vector<Clump> &into) {
 }
 
 void FieldView::prepare(const FieldStyle &style, const ClumpPlan &plan) {
-	prepared_levels = style.levels;
+	prepared_levels = levels_of(style);
 	prepared[plan.place].push_back(make(style, plan));
 	next_revealed.reset();
 }
@@ -76,15 +82,21 @@ template <class Act> void FieldView::take_parts(Clumps &from, const ClumpPlace &
 	}
 }
 
+bool FieldView::has_near(const std::vector<Clump> &group) {
+	return std::any_of(group.begin(), group.end(), [](const Clump &clump) { return clump.near != nullptr; });
+}
+
 void FieldView::clear(const ClumpPlace &place) {
-	take_parts(clumps, place, [](const ClumpPlace &, std::vector<Clump> &group) {
+	take_parts(clumps, place, [this](const ClumpPlace &, std::vector<Clump> &group) {
+		has_other_near = has_other_near || has_near(group);
 		std::for_each(group.begin(), group.end(), &FieldView::let_go);
 	});
 }
 
 void FieldView::drop_tile(const TileKey &tile) {
-	for (int level = 0; level < int(levels.size()); level++) {
+	for (int level = 0; level < level_count(); level++) {
 		take_parts(clumps, { false, level, 1, tile }, [this](const ClumpPlace &, std::vector<Clump> &group) {
+			has_other_near = has_other_near || has_near(group);
 			for (const Clump &clump : group) {
 				set_visible(clump, false);
 				gone.push_back(clump);
@@ -97,14 +109,16 @@ void FieldView::show_tile(const FieldStyle &style, const TileKey &tile) {
 	RenderingServer *server = RenderingServer::get_singleton();
 	is_thinned = false;
 	for (int level = 0; level < int(style.levels.size()); level++) {
-		const FieldLevel &seen = style.levels[size_t(level)];
 		take_parts(prepared, { false, level, 1, tile }, [&](const ClumpPlace &place, std::vector<Clump> &group) {
 			for (Clump &clump : group) {
-				const FieldLook &look = style.looks[size_t(clump.species)];
-				server->instance_geometry_set_material_override(
-						clump.instance, look.materials[size_t(level)]->get_rid());
-				set_range(clump, seen);
-				set_wear(clump, seen);
+				if (clump.near) {
+					has_other_near = true;
+				} else {
+					const FieldLevel &seen = style.looks[size_t(clump.species)].levels[size_t(level)];
+					wear_material(server, style, place, clump);
+					set_range(clump, seen);
+					set_wear(clump, seen);
+				}
 				reveal(clump);
 				clumps[place].push_back(std::move(clump));
 			}
@@ -113,7 +127,7 @@ void FieldView::show_tile(const FieldStyle &style, const TileKey &tile) {
 }
 
 void FieldView::forget_tile(const TileKey &tile) {
-	for (int level = 0; level < int(prepared_levels.size()); level++) {
+	for (int level = 0; level < (prepared_levels.empty() ? 0 : int(prepared_levels.front().size())); level++) {
 		take_parts(prepared, { false, level, 1, tile }, [this](const ClumpPlace &, std::vector<Clump> &group) {
 			std::move(group.begin(), group.end(), std::back_inserter(gone));
 		});
@@ -125,7 +139,9 @@ void FieldView::exchange(const FieldStyle &style) {
 	newcomers.clear();
 	clumps = std::exchange(prepared, {});
 	next_revealed.reset();
-	levels = style.levels;
+	levels = levels_of(style);
+	near.wear(style);
+	has_other_near = true;
 	is_thinned = false;
 }
 

@@ -13,6 +13,8 @@ static uint64_t this_frame() {
 String LookAsking::begin(const Node *field, const FieldProperties &properties, const SightRange &range,
 		std::vector<FieldLook> &&others) {
 	style.levels = read_levels(properties, range);
+	style.rule = read_level_rule(properties, range);
+	style.tile_size = float(properties.tile_size);
 	const String fault = find_level_fault(properties);
 	return fault.is_empty() ? list_looks(field, properties, others, style) : fault;
 }

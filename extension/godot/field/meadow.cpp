@@ -124,7 +124,9 @@ void Meadow::refresh() {
 void Meadow::thin() {
 	view.note_drawing();
 	if (view.thins() && node->is_visible_in_tree()) {
+		const Stopwatch watch;
 		view.thin(find_drawn_eyes(node));
+		thin_usec = watch.usec();
 	}
 }
 

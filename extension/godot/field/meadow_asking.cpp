@@ -2,6 +2,8 @@
 
 #include "field/meadow.hpp"
 
+#include "field/field_fitting.hpp"
+#include "field/field_patch.hpp"
 #include "field/field_wind_clock.hpp"
 #include "field/listed_looks.hpp"
 #include "frame_budget.hpp"
@@ -178,10 +180,42 @@ bool Meadow::update_levels() {
 		wanted[i].tile_factor = style.levels[i].tile_factor;
 		wanted[i].tile_cuts = style.levels[i].tile_cuts;
 	}
-	if (wanted == style.levels) {
+	FieldStyle fitted = outline_of(style);
+	fitted.levels = wanted;
+	fitted.rule = read_level_rule(properties, sight_range_of(node));
+	for (size_t i = 0; i < style.looks.size(); i++) {
+		fitted.looks[i].errors = style.looks[i].errors;
+		fitted.looks[i].density = style.looks[i].density;
+		fitted.looks[i].mean_scale = style.looks[i].mean_scale;
+	}
+	if (is_listed_so(style, properties)) {
+		read_densities(properties, fitted);
+	}
+	fit_levels(fitted);
+	bool are_same = wanted == style.levels;
+	for (size_t i = 0; i < style.looks.size(); i++) {
+		std::vector<FieldLevel> &own = fitted.looks[i].levels;
+		for (size_t k = 0; k < own.size(); k++) {
+			const FieldLevel &old = style.looks[i].levels[k];
+			own[k].tile_factor = old.tile_factor;
+			own[k].tile_cuts = old.tile_cuts;
+			if (!own[k].has_form_of(old)) {
+				return false;
+			}
+		}
+		are_same = are_same && own == style.looks[i].levels;
+	}
+	if (are_same) {
 		return true;
 	}
 	style.levels = wanted;
+	style.rule = fitted.rule;
+	for (size_t i = 0; i < style.looks.size(); i++) {
+		style.looks[i].levels = std::move(fitted.looks[i].levels);
+		style.looks[i].density = fitted.looks[i].density;
+		style.looks[i].near_shadow_level = fitted.looks[i].near_shadow_level;
+		style.looks[i].near_shadow_end = fitted.looks[i].near_shadow_end;
+	}
 	view.update_levels(style);
 	skeletons.dress(near_wear());
 	if (motion.pose_texture().is_valid()) {
@@ -210,6 +244,7 @@ int Meadow::species_for(const Ref<PlantFunction> &function) {
 	}
 	if (style.levels.empty()) {
 		style.levels = read_levels(properties, sight_range_of(node));
+		style.rule = read_level_rule(properties, sight_range_of(node));
 		style.tile_size = store.tile_size();
 		list_looks(nullptr, StandOptions(), {}, style);
 	}

@@ -32,13 +32,31 @@ const SkeletonView::Shown *SkeletonView::find_shown(const PlantPlace &place) con
 	return found == shown.end() ? nullptr : &*found;
 }
 
-// Returns the nearest plants, nearest first. The distance is limited to where the first level of detail, which has the
-// same mesh, is drawn in full.
+static const FieldLevel &first_used(const FieldLook &look) {
+	return *std::find_if(look.levels.begin(), look.levels.end() - 1, [](const FieldLevel &one) { return one.is_used; });
+}
+
+// Returns the distance up to which a species is drawn in full with the first level of detail, or with the first levels
+// if they have all variants. Without an end: `otherwise`.
+static float end_of_whole(const FieldLook &look, float otherwise) {
+	float end = 0.0f;
+	for (const FieldLevel &level : look.levels) {
+		const bool is_like_first = end == 0.0f || (look.is_by_error && level.halvings == 0);
+		if (level.is_used && is_like_first) {
+			end = level.end > 0.0f ? level.end - level.end_margin : otherwise;
+		}
+	}
+	return end;
+}
+
+// Returns the nearest plants, nearest first. The distance is limited to where levels with all variants are drawn in
+// full.
 std::vector<PlantPlace> SkeletonView::find_nearest(
 		const Scene &scene, const std::vector<Vector3> &eyes, double wanted, int most) const {
-	const FieldLevel &first = scene.style.levels[0];
-	const float whole = first.end > 0.0f ? first.end - first.margin : float(wanted);
-	const float distance = std::min(float(wanted), whole);
+	float distance = 0.0f;
+	for (const FieldLook &look : scene.style.looks) {
+		distance = std::max(distance, std::min(float(wanted), end_of_whole(look, float(wanted))));
+	}
 	const Transform3D to_field = scene.axes.affine_inverse();
 	const Vector3 scale = to_field.basis.get_scale().abs();
 	const float reach = KEPT_FARTHER * distance * std::max({ scale.x, scale.y, scale.z });
@@ -50,10 +68,11 @@ std::vector<PlantPlace> SkeletonView::find_nearest(
 			const PlantBlock &block = scene.store.block(place.block);
 			const float away = scene.axes.xform(to_godot(block.root(place.slot))).distance_to(eye);
 			const float counted = find_shown(place) ? away / KEPT_FARTHER : away;
-			const Thinning thinning = first.thinning_of(scene.style.looks[size_t(block.species)].has_parts());
+			const FieldLook &look = scene.style.looks[size_t(block.species)];
+			const Thinning thinning = first_used(look).thinning_of(look.has_parts());
 			const bool is_whole = !thinning.is_any() || // Thinned plants get no skeleton.
 					thinning.width_of(plant_rank(scene.store.id(place)), away) == 1.0f;
-			if (counted <= distance && is_whole && !scene.changes.is_mown(scene.store, place)) {
+			if (counted <= std::min(distance, end_of_whole(look, distance)) && is_whole && !scene.changes.is_mown(scene.store, place)) {
 				const auto [entry, is_new] = nearest.insert({ place, counted });
 				entry->second = std::min(entry->second, counted);
 			}
