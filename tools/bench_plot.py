@@ -13,7 +13,7 @@ SERIES = (
     ("gdscript", "GDScript arrays", "#4c78a8", "P"),
 )
 TITLE = "Processor time of a frame, by number of plants"
-LEAST_GAP = 0.062  # Of the plot's height, between two labels.
+MIN_GAP = 0.062  # Of the plot's height, between two labels.
 LABEL_PLACE = 1.4  # Labels are right of the last point by this factor.
 
 
@@ -114,7 +114,7 @@ def label_ends(axes, measured, looks):
     to_axes = (axes.transData + axes.transAxes.inverted()).transform
     ends = {name: to_axes(points[-1]) for name, points in measured}
     for column in columns_of(measured):
-        for name, y in zip(column, spread([ends[name][1] for name in column], LEAST_GAP)):
+        for name, y in zip(column, spread([ends[name][1] for name in column], MIN_GAP)):
             label, colour, _ = looks[name]
             x = dict(measured)[name][-1][0] * LABEL_PLACE
             axes.annotate(label, xy=(x, y), xycoords=("data", "axes fraction"), color=colour, fontsize=12,

@@ -11,9 +11,9 @@ const PUBLISHED: Array[Array] = [
 	[2.0, 44.79, Vector2(0.494, 0.839)],
 	[5.0, 69.64, Vector2(0.714, 0.612)],
 ]
-const MOST_DEGREES := 90.0
+const MAX_DEGREES := 90.0
 const POINTS := 64  # Of a line.
-const MOST_TRAIL := 900
+const MAX_TRAIL := 900
 const TITLE_HEIGHT := 26.0
 const GAP := 14.0
 const AXIS := Color(1, 1, 1, 0.35)
@@ -32,7 +32,7 @@ var _places := PackedVector2Array()
 func _process(_delta: float) -> void:
 	_angles.append(Vector2(stem.load_now, rad_to_deg(stem.get_tip_angle())))
 	_places.append(stem.get_tip_place())
-	if _angles.size() > MOST_TRAIL:
+	if _angles.size() > MAX_TRAIL:
 		_angles = _angles.slice(1)
 		_places = _places.slice(1)
 	queue_redraw()
@@ -92,7 +92,7 @@ func _draw_trail(trail: PackedVector2Array) -> void:
 
 func _angle_at(frame: Rect2, alpha: float, degrees: float) -> Vector2:
 	var across := alpha / LoadStem.HEAVIEST
-	return frame.position + frame.size * Vector2(across, 1.0 - degrees / MOST_DEGREES)
+	return frame.position + frame.size * Vector2(across, 1.0 - degrees / MAX_DEGREES)
 
 
 func _place_at(frame: Rect2, place: Vector2) -> Vector2:

@@ -1,8 +1,8 @@
 #include "curve_plant_function.hpp"
 
-#include "as_written.hpp"
 #include "follow_changes.hpp"
 #include "plant/base_shape.hpp"
+#include "shortest_decimal.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 
@@ -104,7 +104,7 @@ void CurvePlantFunction::set_radius(double metres) {
 }
 
 double CurvePlantFunction::get_radius() const {
-	return as_written(radius);
+	return shortest_decimal(radius);
 }
 
 void CurvePlantFunction::set_lobes(int count) {
@@ -123,7 +123,7 @@ void CurvePlantFunction::set_lobe_depth(double depth) {
 }
 
 double CurvePlantFunction::get_lobe_depth() const {
-	return as_written(lobe_depth);
+	return shortest_decimal(lobe_depth);
 }
 
 void CurvePlantFunction::set_width_curve(const Ref<Curve> &curve) {
@@ -147,7 +147,7 @@ void CurvePlantFunction::set_height_min(double metres) {
 }
 
 double CurvePlantFunction::get_height_min() const {
-	return as_written(height_min);
+	return shortest_decimal(height_min);
 }
 
 void CurvePlantFunction::set_height_max(double metres) {
@@ -155,7 +155,7 @@ void CurvePlantFunction::set_height_max(double metres) {
 }
 
 double CurvePlantFunction::get_height_max() const {
-	return as_written(height_max);
+	return shortest_decimal(height_max);
 }
 
 void CurvePlantFunction::_validate_property(PropertyInfo &property) const {

@@ -6,7 +6,7 @@ namespace undergrowth {
 
 void DrivenPlant::advance(double delta, const FieldWind &air, double &time) {
 	std::vector<AirSource> stirring;
-	PlantWindSource3D::gather(group.kind.push.world, 0.0, stirring);
+	PlantWindSource3D::gather(group.kind.forces.world, 0.0, stirring);
 	for (int steps = clock.advance(delta); steps > 0; steps--) {
 		group.step(air, time, stirring);
 		swings.step(clock.step());

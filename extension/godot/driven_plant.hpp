@@ -10,7 +10,7 @@ namespace undergrowth {
 class DrivenPlant {
 public:
 	/// `step` in seconds.
-	DrivenPlant(const PlantKind &kind, double step) : group(kind, float(step)), clock(step, MOST_STEPS_OF_CALL) {}
+	DrivenPlant(const PlantKind &kind, double step) : group(kind, float(step)), clock(step, MAX_STEPS_PER_CALL) {}
 
 	PlantGroup group; ///< Contains this plant only.
 	double step_length() const { return clock.step(); }
@@ -19,7 +19,7 @@ public:
 	void advance(double delta, const FieldWind &air, double &time);
 
 private:
-	static constexpr int MOST_STEPS_OF_CALL = 128;
+	static constexpr int MAX_STEPS_PER_CALL = 128;
 
 	FixedStep clock;
 	SwingClock swings;

@@ -1,7 +1,7 @@
 #include "messages.hpp"
 
 #include "conventions.hpp"
-#include "late_report.hpp"
+#include "deferred_error.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/node.hpp>
@@ -69,8 +69,8 @@ String describe(const Object *object) {
 }
 
 void report_error(const Object *object, const String &what) {
-	if (LateReport::suits(object)) {
-		LateReport::post(object, what);
+	if (DeferredError::suits(object)) {
+		DeferredError::post(object, what);
 		return;
 	}
 	UtilityFunctions::push_error(describe(object) + ": " + what);
@@ -81,27 +81,26 @@ void report_warning(const Object *object, const String &what) {
 }
 
 bool accept_value(const Object *object, const char *property, double value, const Range &range) {
-	if (std::isfinite(value) && value >= range.least && value <= range.most) {
+	if (std::isfinite(value) && value >= range.min && value <= range.max) {
 		return true;
 	}
 	report_error(object,
 			String(property) + " cannot be " + String::num(value) + ", it keeps its value. Set a number from " +
-					String::num(range.least) + " to " + String::num(range.most) + ".");
+					String::num(range.min) + " to " + String::num(range.max) + ".");
 	return false;
 }
 
 bool accept_angle(const Object *object, const char *property, double radians, const Range &degrees) {
 	const double turned = radians / RADIANS_PER_DEGREE;
-	if (std::isfinite(radians) && turned >= degrees.least - ANGLE_TOLERANCE &&
-			turned <= degrees.most + ANGLE_TOLERANCE) {
+	if (std::isfinite(radians) && turned >= degrees.min - ANGLE_TOLERANCE && turned <= degrees.max + ANGLE_TOLERANCE) {
 		return true;
 	}
-	const bool looks_like_degrees = std::isfinite(radians) && radians >= degrees.least && radians <= degrees.most;
-	const double meant = looks_like_degrees ? radians : degrees.most;
+	const bool looks_like_degrees = std::isfinite(radians) && radians >= degrees.min && radians <= degrees.max;
+	const double meant = looks_like_degrees ? radians : degrees.max;
 	report_error(object,
 			String(property) + " cannot be " + String::num(radians) + " rad, which is " + String::num(turned, 1) +
-					String::utf8("°, it keeps its value. Set an angle from ") + String::num(degrees.least) + " to " +
-					String::num(degrees.most) + String::utf8("°, in radians: deg_to_rad(") + String::num(meant) +
+					String::utf8("°, it keeps its value. Set an angle from ") + String::num(degrees.min) + " to " +
+					String::num(degrees.max) + String::utf8("°, in radians: deg_to_rad(") + String::num(meant) +
 					(looks_like_degrees ? String::utf8(") is ") + String::num(meant) + String::utf8("°.")
 										: String(") is the largest.")));
 	return false;

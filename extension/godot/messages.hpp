@@ -8,8 +8,8 @@ namespace undergrowth {
 
 /// Inclusive range of a number that users set.
 struct Range {
-	double least;
-	double most;
+	double min;
+	double max;
 };
 
 /// Returns the text for an object in messages: its class and its location. For a resource: its file, or else its script

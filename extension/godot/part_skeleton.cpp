@@ -18,7 +18,7 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr float CALM_BEND = 1.5e-3f; // At or below the limit where part_bend() treats a stem as resting.
-static constexpr float LEAST_HEIGHT = 1e-3f; // Of a unit direction, plus 1.
+static constexpr float MIN_HEIGHT = 1e-3f; // Of a unit direction, plus 1.
 static constexpr float CALM_RATE = 1e-4f; // 1/s: bends a part by less than a millionth.
 
 static Quaternion quaternion_of(const glm::vec4 &turn) {
@@ -151,12 +151,12 @@ glm::vec3 PartSkeleton::arm(const glm::vec3 &direction, float share) const {
 		return share * direction;
 	}
 	StemMotion bent = stem;
-	bent.bend = glm::vec2(direction.x, direction.z) / std::max(1.0f + direction.y, LEAST_HEIGHT);
-	return StandingStem(*constants, 1.0f, bent).place_of({ 0.0f, share, 0.0f }, share);
+	bent.bend = glm::vec2(direction.x, direction.z) / std::max(1.0f + direction.y, MIN_HEIGHT);
+	return PosedStem(*constants, 1.0f, bent).place_of({ 0.0f, share, 0.0f }, share);
 }
 
-void PartSkeleton::update_stem(const StandingStem &standing) {
-	end = stem_links(*constants, standing.amplitudes, links);
+void PartSkeleton::update_stem(const PosedStem &posed_stem) {
+	end = stem_links(*constants, posed_stem.amplitudes, links);
 	const Quaternion lean = quaternion_of(stem.rest);
 	for (int i = 0; i < joints; i++) {
 		turns[i] = lean * quaternion_of(links[i].turn);
@@ -173,10 +173,10 @@ void PartSkeleton::place_stem() {
 }
 
 void PartSkeleton::update(bool needs_places) {
-	std::optional<StandingStem> standing;
+	std::optional<PosedStem> posed_stem;
 	if (has_joints()) {
-		standing.emplace(*constants, height, stem);
-		update_stem(*standing);
+		posed_stem.emplace(*constants, height, stem);
+		update_stem(*posed_stem);
 		if (needs_places) {
 			place_stem();
 		}
@@ -184,7 +184,7 @@ void PartSkeleton::update(bool needs_places) {
 		posed[FormBones::TIP] = Transform3D(Basis(quaternion_of(stem.bend)));
 	}
 	for (size_t i = 0; i < bones.size(); i++) {
-		const PartPose pose = standing ? pose_of(bones[i], stem, *standing) : pose_of(bones[i], stem);
+		const PartPose pose = posed_stem ? pose_of(bones[i], stem, *posed_stem) : pose_of(bones[i], stem);
 		posed[size_t(part_index(i))] = transform_of(pose) * Transform3D(Basis(), to_godot(bones[i].origin));
 	}
 }

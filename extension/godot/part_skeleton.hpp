@@ -61,16 +61,16 @@ private:
 	std::vector<int> parents; ///< Of all bones; -1 for the root.
 	std::vector<godot::Vector3> origins; ///< Rest positions of all bones (m), in the plant's axes.
 	std::vector<godot::Transform3D> posed; ///< Of all bones, in the plant's axes.
-	StemLink links[MOST_STEM_JOINTS]; ///< Of the bent stem, in the axes of its rest.
+	StemLink links[MAX_STEM_JOINTS]; ///< Of the bent stem, in the axes of its rest.
 	glm::vec3 end; ///< End of the last link, in lengths of the stem.
-	godot::Quaternion turns[MOST_STEM_JOINTS + 1]; ///< Of the links and the tip, in the plant's axes.
+	godot::Quaternion turns[MAX_STEM_JOINTS + 1]; ///< Of the links and the tip, in the plant's axes.
 	godot::Ref<godot::Skin> skin;
 
 	void add_bone(const godot::String &name, int parent, const godot::Vector3 &origin);
 	void add_stem();
 	int part_index(size_t part) const { return FormBones::FIRST + joints + int(part); }
 	int carrier_of(const PartBone &bone) const;
-	void update_stem(const StandingStem &standing);
+	void update_stem(const PosedStem &posed_stem);
 	void place_stem();
 	/// `needs_places`: also updates the positions of the stem's joints in `posed`.
 	void update(bool needs_places);

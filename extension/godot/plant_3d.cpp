@@ -2,8 +2,8 @@
 
 #include "plant_3d.hpp"
 
-#include "as_written.hpp"
 #include "convert.hpp"
+#include "shortest_decimal.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 
@@ -13,15 +13,15 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr double MOST_STEP = 1e9; // s.
-static constexpr double MOST_FRAME = 3600.0; // s.
+static constexpr double MAX_STEP = 1e9; // s.
+static constexpr double MAX_FRAME_TIME = 3600.0; // s.
 
 void Plant3D::_notification(int what) {
 	switch (what) {
 		case NOTIFICATION_ENTER_TREE:
 			set_notify_transform(true);
 			update_axes();
-			if (mesh_is_stale && species.is_valid()) {
+			if (mesh_is_dirty && species.is_valid()) {
 				build_mesh();
 			}
 			update_simulation();
@@ -38,18 +38,18 @@ void Plant3D::_notification(int what) {
 			forget_touches();
 			break;
 		case NOTIFICATION_ENTER_WORLD:
-			change_pushes();
+			update_forces();
 			break;
 		case NOTIFICATION_EXTENSION_RELOADED:
 			update_axes();
 			view.find_children();
-			mark_stale();
+			mark_dirty();
 			update_simulation();
 			break;
 		case NOTIFICATION_CHILD_ORDER_CHANGED:
 			if (view.lose_skeleton()) { // The plant is built again at the end of the frame.
 				update_bone();
-				mark_stale();
+				mark_dirty();
 			}
 			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
@@ -88,7 +88,7 @@ bool Plant3D::rebuild() {
 }
 
 bool Plant3D::build_mesh() {
-	mesh_is_stale = false;
+	mesh_is_dirty = false;
 	SampledPlant sampled;
 	const String fault = species->sample(height, segments, seed, sampled);
 	sampled.has_part_bones = true;
@@ -112,7 +112,7 @@ bool Plant3D::build_mesh() {
 }
 
 Ref<ArrayMesh> Plant3D::get_mesh() {
-	if (mesh_is_stale && species.is_valid()) {
+	if (mesh_is_dirty && species.is_valid()) {
 		build_mesh();
 	}
 	return view.get_mesh();
@@ -134,12 +134,12 @@ AABB Plant3D::get_reach() {
 
 double Plant3D::get_plant_height() {
 	get_mesh();
-	return as_written(view.height());
+	return shortest_decimal(view.height());
 }
 
 void Plant3D::update_axes() {
 	if (is_inside_tree()) {
-		stance.follow(get_global_transform());
+		plant_transform.follow(get_global_transform());
 	}
 }
 
@@ -173,9 +173,9 @@ void Plant3D::update_motion() {
 }
 
 void Plant3D::update_bone() {
-	motion.follow_axes(stance.axes);
+	motion.follow_axes(plant_transform.axes);
 	const bool is_seen = is_inside_tree() && is_visible_in_tree();
-	view.follow_drawn(is_seen, to_glm(stance.axes.xform_inv(to_godot(rest()))));
+	view.follow_drawn(is_seen, to_glm(plant_transform.axes.xform_inv(to_godot(rest()))));
 }
 
 void Plant3D::forget_touches() {
@@ -184,7 +184,7 @@ void Plant3D::forget_touches() {
 	}
 }
 
-void Plant3D::tell_of_body(uint64_t body, bool has_entered) {
+void Plant3D::report_body(uint64_t body, bool has_entered) {
 	if (Object *node = ObjectDB::get_instance(body)) {
 		call_deferred("emit_signal", has_entered ? "body_entered_plants" : "body_exited_plants", node);
 	}
@@ -216,7 +216,7 @@ void Plant3D::drive() {
 }
 
 void Plant3D::advance(double delta) {
-	if (!std::isfinite(delta) || delta < 0.0 || delta > MOST_STEP) {
+	if (!std::isfinite(delta) || delta < 0.0 || delta > MAX_STEP) {
 		refuse("advance(" + String::num(delta) + ") is impossible; nothing moved. Pass seconds of 0 or more.");
 		return;
 	}
@@ -226,7 +226,7 @@ void Plant3D::advance(double delta) {
 	}
 	if (can_be_driven()) {
 		refusal = String();
-		feel(wind);
+		update_wind_kind(wind);
 		drive();
 		motion.advance(delta, wind);
 	}
@@ -235,9 +235,9 @@ void Plant3D::advance(double delta) {
 // Called for every plant of a scene in every frame. It reports nothing if the plant cannot move: its configuration
 // warning says why.
 void Plant3D::preview(double delta, const Ref<PlantWind> &blowing) {
-	const bool is_frame = std::isfinite(delta) && delta >= 0.0 && delta <= MOST_FRAME;
+	const bool is_frame = std::isfinite(delta) && delta >= 0.0 && delta <= MAX_FRAME_TIME;
 	if (is_frame && !motion.is_simulated() && species.is_valid() && get_mesh().is_valid()) {
-		feel(blowing);
+		update_wind_kind(blowing);
 		drive();
 		motion.preview(delta, blowing);
 	}

@@ -2,7 +2,7 @@
 
 #include "plant_function.hpp"
 #include "plant_motion.hpp"
-#include "plant_stance.hpp"
+#include "plant_transform.hpp"
 #include "plant_view.hpp"
 #include "queued_call.hpp"
 
@@ -12,7 +12,7 @@
 namespace undergrowth {
 
 /// One plant: a generated mesh on a skeleton of two bones (thesis, section 4.1) and the bones of its parts. The
-/// simulation or advance() moves it. It owns its position (PlantStance), its motion (PlantMotion) and its drawing
+/// simulation or advance() moves it. It owns its position (PlantTransform), its motion (PlantMotion) and its drawing
 /// (PlantView).
 class Plant3D : public godot::Node3D {
 	GDCLASS(Plant3D, godot::Node3D)
@@ -30,28 +30,28 @@ class Plant3D : public godot::Node3D {
 	double apparent_wind = 1.0;
 
 	// Components and state.
-	PlantStance stance;
+	PlantTransform plant_transform;
 	PlantMotion motion{ this };
 	PlantView view{ this, motion };
-	bool mesh_is_stale = true;
+	bool mesh_is_dirty = true;
 	QueuedCall rebuild_call{ this, "_on_rebuild_queued" };
 	godot::String problem; // Why the last build failed. Shown as a configuration warning.
-	bool feels_air = false; // The last wind was in m/s.
+	bool wind_is_air = false; // The last wind was in m/s.
 	godot::String refusal; // Why the last advance() had no effect. Reported once, not in each frame.
 
 	// plant_3d_properties.cpp
 	/// Returns the stem of a plant of `metres` here; null under other laws than the stem law.
 	std::shared_ptr<const StemConstants> find_stem(float metres) const;
 	MotionSpecies kind_of_motion() const;
-	PlantPush what_pushes() const;
+	ForceSettings force_settings() const;
 	MovedPlant moved() const;
 	glm::vec3 rest() const;
-	void mark_stale();
+	void mark_dirty();
 	void on_rebuild_queued();
 	void on_species_changed();
 	void on_wind_changed();
-	void feel(const godot::Ref<PlantWind> &blowing);
-	void change_pushes();
+	void update_wind_kind(const godot::Ref<PlantWind> &blowing);
+	void update_forces();
 
 	// plant_3d.cpp
 	bool build_mesh();
@@ -124,7 +124,7 @@ public:
 	void leave_simulation() { motion.leave_simulation(); }
 	void update_simulation();
 	/// Reports that a body, given by its instance id, came among the plant or left it.
-	void tell_of_body(uint64_t body, bool has_entered);
+	void report_body(uint64_t body, bool has_entered);
 };
 
 } // namespace undergrowth

@@ -18,9 +18,9 @@ namespace undergrowth {
 Vector3 Plant3D::arm(float share) const {
 	glm::vec3 found;
 	if (motion.find_arm(share, found)) {
-		return stance.axes.xform_inv(to_godot(found));
+		return plant_transform.axes.xform_inv(to_godot(found));
 	}
-	const glm::vec3 own = to_glm(stance.axes.xform_inv(to_godot(motion.swing(rest()).now.direction)));
+	const glm::vec3 own = to_glm(plant_transform.axes.xform_inv(to_godot(motion.motion_state(rest()).now.direction)));
 	return to_godot(view.arm(own, share));
 }
 
@@ -46,7 +46,7 @@ Vector3 Plant3D::get_joint_position(int joint) const {
 
 double Plant3D::get_deflection() const {
 	const glm::vec3 from = rest();
-	const glm::vec3 direction = motion.swing(rest()).now.direction;
+	const glm::vec3 direction = motion.motion_state(rest()).now.direction;
 	return std::atan2(glm::length(glm::cross(from, direction)), glm::dot(from, direction));
 }
 
@@ -80,19 +80,19 @@ void Plant3D::reset_motion() {
 }
 
 PackedFloat32Array Plant3D::get_motion_state() const {
-	const PlantSwing swing = motion.swing(rest());
-	return stance.floats_of({ swing.now, swing.second });
+	const PlantMotionState motion_state = motion.motion_state(rest());
+	return plant_transform.floats_of({ motion_state.now, motion_state.second });
 }
 
 void Plant3D::set_motion_state(const PackedFloat32Array &state) {
 	MotionState given;
-	if (!stance.read_state(state, given)) {
+	if (!plant_transform.read_state(state, given)) {
 		report_error(this,
 				"set_motion_state() needs twelve finite numbers, as get_motion_state() gives them, or their first six: "
 				"the tip's direction and its rate. The motion stays as it is.");
 		return;
 	}
-	motion.set_swing({ given.tip, given.tip.direction, given.second });
+	motion.set_motion_state({ given.tip, given.tip.direction, given.second });
 	motion.pose_now(rest());
 }
 
@@ -100,12 +100,13 @@ bool Plant3D::is_point_in_plants(const Vector3 &point) const {
 	if (!point.is_finite() || !is_inside_tree() || species.is_null()) {
 		return false;
 	}
-	const float length = stance.length_of(view.height());
+	const float length = plant_transform.length_of(view.height());
 	const int parts = std::max(view.joint_count(), 1);
 	const float reach = float(touch_margin + species->get_collision_radius());
-	glm::vec3 from = stance.root;
+	glm::vec3 from = plant_transform.root;
 	for (int part = 1; part <= parts; part++) {
-		const glm::vec3 to = stance.root + length * to_glm(stance.axes.xform(arm(float(part) / float(parts))));
+		const glm::vec3 to =
+				plant_transform.root + length * to_glm(plant_transform.axes.xform(arm(float(part) / float(parts))));
 		if (glm::distance(nearest_on_segment(from, to, to_glm(point)), to_glm(point)) <= reach) {
 			return true;
 		}

@@ -30,7 +30,7 @@ void Plant3D::set_species(const Ref<PlantFunction> &new_species) {
 	species = new_species;
 	follow_changes(species.ptr(), changed);
 	if (species.is_valid()) {
-		mark_stale();
+		mark_dirty();
 		update_simulation();
 	}
 	update_configuration_warnings();
@@ -49,7 +49,7 @@ void Plant3D::set_wind(const Ref<PlantWind> &new_wind) {
 	wind = new_wind;
 	follow_changes(wind.ptr(), changed);
 	motion.forget_wind();
-	feel(wind);
+	update_wind_kind(wind);
 	if (motion.is_simulated()) {
 		update_simulation();
 	}
@@ -63,7 +63,7 @@ Ref<PlantWind> Plant3D::get_wind() const {
 void Plant3D::set_segments(int count) {
 	if (count != segments && accept_value(this, "segments", count, SEGMENTS_RANGE)) {
 		segments = count;
-		mark_stale();
+		mark_dirty();
 	}
 }
 
@@ -74,7 +74,7 @@ int Plant3D::get_segments() const {
 void Plant3D::set_height(double metres) {
 	if (metres != height && accept_value(this, "height", metres, HEIGHT_RANGE)) {
 		height = metres;
-		mark_stale();
+		mark_dirty();
 	}
 }
 
@@ -85,7 +85,7 @@ double Plant3D::get_height() const {
 void Plant3D::set_seed(int64_t new_seed) {
 	if (new_seed != seed) {
 		seed = new_seed;
-		mark_stale();
+		mark_dirty();
 	}
 }
 
@@ -106,7 +106,7 @@ bool Plant3D::is_simulation_enabled() const {
 
 void Plant3D::set_contact_enabled(bool on) {
 	contact_enabled = on;
-	change_pushes();
+	update_forces();
 }
 
 bool Plant3D::is_contact_enabled() const {
@@ -115,7 +115,7 @@ bool Plant3D::is_contact_enabled() const {
 
 void Plant3D::set_bodies_group(const StringName &group) {
 	bodies_group = group;
-	change_pushes();
+	update_forces();
 }
 
 StringName Plant3D::get_bodies_group() const {
@@ -125,7 +125,7 @@ StringName Plant3D::get_bodies_group() const {
 void Plant3D::set_touch_margin(double metres) {
 	if (accept_value(this, "touch_margin", metres, MARGIN_RANGE)) {
 		touch_margin = metres;
-		change_pushes();
+		update_forces();
 	}
 }
 
@@ -136,7 +136,7 @@ double Plant3D::get_touch_margin() const {
 void Plant3D::set_apparent_wind(double share) {
 	if (accept_value(this, "apparent_wind", share, APPARENT_RANGE)) {
 		apparent_wind = share;
-		change_pushes();
+		update_forces();
 	}
 }
 
@@ -145,14 +145,14 @@ double Plant3D::get_apparent_wind() const {
 }
 
 // Plants with the same pushes share a page.
-void Plant3D::change_pushes() {
-	if (motion.has_other_push(what_pushes())) {
+void Plant3D::update_forces() {
+	if (motion.has_other_forces(force_settings())) {
 		update_simulation();
 	}
 }
 
 std::shared_ptr<const StemConstants> Plant3D::find_stem(float metres) const {
-	return species->find_stem(stance.length_of(metres), feels_air);
+	return species->find_stem(plant_transform.length_of(metres), wind_is_air);
 }
 
 MotionSpecies Plant3D::kind_of_motion() const {
@@ -164,19 +164,19 @@ MotionSpecies Plant3D::kind_of_motion() const {
 	}
 	// The radius has an effect on tips with contact only. Without contact, plants of species with different radii share
 	// a page.
-	const PlantPush push = what_pushes();
-	kind.collision_radius = push.has_bodies() || push.has_contact ? float(species->get_collision_radius()) : 0.0f;
+	const ForceSettings forces = force_settings();
+	kind.collision_radius = forces.has_bodies() || forces.has_contact ? float(species->get_collision_radius()) : 0.0f;
 	return kind;
 }
 
-PlantPush Plant3D::what_pushes() const {
-	PlantPush push;
-	push.bodies_group = bodies_group;
-	push.touch_margin = push.has_bodies() ? float(touch_margin) : 0.0f;
-	push.world = world_of(this);
-	push.has_contact = contact_enabled && push.world != 0;
-	push.apparent_wind = float(apparent_wind);
-	return push;
+ForceSettings Plant3D::force_settings() const {
+	ForceSettings forces;
+	forces.bodies_group = bodies_group;
+	forces.touch_margin = forces.has_bodies() ? float(touch_margin) : 0.0f;
+	forces.world = world_of(this);
+	forces.has_contact = contact_enabled && forces.world != 0;
+	forces.apparent_wind = float(apparent_wind);
+	return forces;
 }
 
 // Returns the rest direction in world axes.
@@ -184,16 +184,17 @@ glm::vec3 Plant3D::rest() const {
 	if (species.is_null() || species->get_law() == PlantFunction::LAW_ELASTICITY) {
 		return { 0.0f, 1.0f, 0.0f };
 	}
-	return species->make_joint(stance.axes).rest;
+	return species->make_joint(plant_transform.axes).rest;
 }
 
 MovedPlant Plant3D::moved() const {
-	return { kind_of_motion(), wind, what_pushes(), stance.root, rest(), stance.length_of(view.height()) };
+	return { kind_of_motion(), wind, force_settings(), plant_transform.root, rest(),
+		plant_transform.length_of(view.height()) };
 }
 
 // Many properties may change in one frame. The mesh is built once, at the end of the frame.
-void Plant3D::mark_stale() {
-	mesh_is_stale = true;
+void Plant3D::mark_dirty() {
+	mesh_is_dirty = true;
 	if (is_inside_tree()) {
 		rebuild_call.queue();
 	}
@@ -201,7 +202,7 @@ void Plant3D::mark_stale() {
 
 void Plant3D::on_rebuild_queued() {
 	rebuild_call.begin();
-	if (mesh_is_stale && species.is_valid()) {
+	if (mesh_is_dirty && species.is_valid()) {
 		build_mesh();
 	}
 }
@@ -214,25 +215,25 @@ void Plant3D::on_species_changed() {
 	if (is_drawn_so && view.follow_stem(find_stem(view.height()))) {
 		update_motion();
 	} else {
-		mark_stale();
+		mark_dirty();
 	}
 	update_configuration_warnings();
 }
 
 // A wind in m/s bends a stem to another shape than a force in newtons.
-void Plant3D::feel(const Ref<PlantWind> &blowing) {
-	if (PlantWind::is_air(blowing) == feels_air) {
+void Plant3D::update_wind_kind(const Ref<PlantWind> &blowing) {
+	if (PlantWind::is_air(blowing) == wind_is_air) {
 		return;
 	}
-	feels_air = !feels_air;
-	if (species.is_valid() && species->get_law() == PlantFunction::LAW_STEM && !mesh_is_stale) {
+	wind_is_air = !wind_is_air;
+	if (species.is_valid() && species->get_law() == PlantFunction::LAW_STEM && !mesh_is_dirty) {
 		view.follow_stem(find_stem(view.height()));
 		update_motion();
 	}
 }
 
 void Plant3D::on_wind_changed() {
-	feel(wind);
+	update_wind_kind(wind);
 	if (Engine::get_singleton()->is_editor_hint()) {
 		update_configuration_warnings();
 		update_gizmos(); // They show the direction of the wind.

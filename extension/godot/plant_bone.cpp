@@ -13,15 +13,15 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr int TIP_BONE = 1;
-static constexpr float LEAST_HEIGHT = 1e-6f;
+static constexpr float MIN_HEIGHT = 1e-6f;
 
 static glm::vec2 bend_of(const glm::vec3 &direction) {
-	const float scale = 1.0f / std::max(1.0f + direction.y, LEAST_HEIGHT);
+	const float scale = 1.0f / std::max(1.0f + direction.y, MIN_HEIGHT);
 	return { direction.x * scale, direction.z * scale };
 }
 
 static Quaternion turn_from_up(const glm::vec3 &direction) {
-	const bool is_down = 1.0f + direction.y < LEAST_HEIGHT;
+	const bool is_down = 1.0f + direction.y < MIN_HEIGHT;
 	return is_down ? Quaternion(1.0f, 0.0f, 0.0f, 0.0f) : quaternion_of(bend_of(direction));
 }
 
@@ -72,7 +72,7 @@ void PlantBone::show_local(const glm::vec3 &local) {
 // The renderer has the bones after the first update of the skeleton. A change of the node reaches it at the end of that
 // frame and overwrites the pose. So the renderer alone is used from the next frame on.
 bool PlantBone::may_leave_node() const {
-	return !is_held && drawn.is_valid() && told_node_in != Engine::get_singleton()->get_process_frames() &&
+	return !is_held && drawn.is_valid() && node_updated_in != Engine::get_singleton()->get_process_frames() &&
 			RenderingServer::get_singleton()->skeleton_get_bone_count(drawn) == PartSkeleton::count(parts);
 }
 
@@ -84,7 +84,7 @@ void PlantBone::turn_to(const glm::vec3 &direction) {
 }
 
 void PlantBone::turn_to_local(const glm::vec3 &local) {
-	if (can_be_told_apart(local, posed) || !is_calm) {
+	if (can_be_distinguished(local, posed) || !is_calm) {
 		take(local);
 	}
 	catch_up();
@@ -93,7 +93,7 @@ void PlantBone::turn_to_local(const glm::vec3 &local) {
 void PlantBone::catch_up() {
 	if (skeleton && node_is_behind) {
 		node_is_behind = false;
-		told_node_in = Engine::get_singleton()->get_process_frames();
+		node_updated_in = Engine::get_singleton()->get_process_frames();
 		if (!parts || !parts->has_joints()) {
 			skeleton->set_bone_pose_rotation(TIP_BONE, turn_from_up(posed));
 		}

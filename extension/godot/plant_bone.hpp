@@ -36,7 +36,7 @@ struct PlantBone {
 	bool is_held = false; ///< A script requested the skeleton.
 	bool is_calm = true; ///< No part swings.
 	bool node_is_behind = false; ///< The pose of the node is older than the shown one.
-	uint64_t told_node_in = 0; ///< Frame of the node's last update.
+	uint64_t node_updated_in = 0; ///< Frame of the node's last update.
 
 	/// Input of the parts besides the bend: the stem's last step, from and to directions (unit), and the clock of
 	/// swings.
@@ -52,12 +52,12 @@ struct PlantBone {
 	glm::vec3 second_bend(const TipState &tip, const StemSecond &second) const;
 	/// Turns the bone to `direction` (unit), in every frame. Returns early if the direction is visibly the same and no
 	/// part swings. `step()` returns the last step; it is called only if parts need it.
-	template <typename AskStep> void show(const glm::vec3 &direction, const AskStep &step) {
+	template <typename GetStep> void show(const glm::vec3 &direction, const GetStep &step) {
 		if (!skeleton) {
 			return;
 		}
 		const glm::vec3 local = to_glm(to_local.xform(to_godot(direction)));
-		if (way != Way::NODE && is_calm && !can_be_told_apart(local, posed)) {
+		if (way != Way::NODE && is_calm && !can_be_distinguished(local, posed)) {
 			return;
 		}
 		if (parts && way != Way::UNSEEN) {
@@ -71,7 +71,7 @@ struct PlantBone {
 	void catch_up();
 
 private:
-	static bool can_be_told_apart(const glm::vec3 &a, const glm::vec3 &b) {
+	static bool can_be_distinguished(const glm::vec3 &a, const glm::vec3 &b) {
 		const glm::vec3 change = glm::abs(a - b);
 		return !(change.x < SMALLEST_TURN && change.y < SMALLEST_TURN && change.z < SMALLEST_TURN);
 	}

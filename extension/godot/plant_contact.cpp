@@ -9,8 +9,8 @@ void PlantContact::follow(const std::vector<std::unique_ptr<PlantGroup>> &groups
 		world.pages.clear();
 	}
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
-		if (group->kind.push.has_contact) {
-			world_of(group->kind.push.world).pages.add(group->page, group->turned_axes());
+		if (group->kind.forces.has_contact) {
+			world_of(group->kind.forces.world).pages.add(group->page, group->turned_axes());
 		}
 	}
 	const auto is_empty = [](const World &world) { return world.pages.page_count() == 0; };

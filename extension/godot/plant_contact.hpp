@@ -22,7 +22,7 @@ public:
 private:
 	struct World {
 		uint64_t id;
-		LonePages pages;
+		PageRefs pages;
 		TipContact tips;
 	};
 

@@ -1,11 +1,11 @@
-// PlantFunction: properties. plant_function_asking.cpp samples the functions.
+// PlantFunction: properties. plant_function_calls.cpp samples the functions.
 
 #include "plant_function.hpp"
 
-#include "as_written.hpp"
 #include "conventions.hpp"
 #include "convert.hpp"
 #include "follow_changes.hpp"
+#include "shortest_decimal.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 
@@ -43,7 +43,7 @@ Motion PlantFunction::new_motion() {
 
 void PlantFunction::adopt_motion(const Motion &species_motion) {
 	motion = species_motion;
-	lean = as_written(float(motion.lean * (180.0 / PI))) * (PI / 180.0);
+	lean = shortest_decimal(float(motion.lean * (180.0 / PI))) * (PI / 180.0);
 }
 
 bool PlantFunction::is_motion_change() const {
@@ -64,7 +64,7 @@ void PlantFunction::motion_changed() {
 	changes_motion_only = false;
 }
 
-void PlantFunction::set_look(float &slot, const char *property, double value) {
+void PlantFunction::set_mesh_option(float &slot, const char *property, double value) {
 	if (accept_value(this, property, value, DEVIATION_RANGE) && float(value) != slot) {
 		slot = float(value);
 		shape_changed();
@@ -107,7 +107,7 @@ void PlantFunction::set_elasticity(double value) {
 }
 
 double PlantFunction::get_elasticity() const {
-	return as_written(motion.elasticity);
+	return shortest_decimal(motion.elasticity);
 }
 
 void PlantFunction::set_inner_friction(double value) {
@@ -115,7 +115,7 @@ void PlantFunction::set_inner_friction(double value) {
 }
 
 double PlantFunction::get_inner_friction() const {
-	return as_written(motion.inner_friction);
+	return shortest_decimal(motion.inner_friction);
 }
 
 void PlantFunction::set_stays_above_ground(bool value) {
@@ -134,7 +134,7 @@ void PlantFunction::set_natural_frequency(double hertz) {
 }
 
 double PlantFunction::get_natural_frequency() const {
-	return as_written(motion.natural_frequency);
+	return shortest_decimal(motion.natural_frequency);
 }
 
 void PlantFunction::set_damping_ratio(double ratio) {
@@ -142,11 +142,11 @@ void PlantFunction::set_damping_ratio(double ratio) {
 }
 
 double PlantFunction::get_damping_ratio() const {
-	return as_written(motion.damping_ratio);
+	return shortest_decimal(motion.damping_ratio);
 }
 
 void PlantFunction::set_lean(double radians) {
-	const double written = angle_as_written(radians);
+	const double written = exact_angle(radians);
 	if (accept_angle(this, "lean", radians, LEAN_DEGREES) && written != lean) {
 		lean = written;
 		motion.lean = float(written);
@@ -163,7 +163,7 @@ void PlantFunction::set_mass(double kilograms) {
 }
 
 double PlantFunction::get_mass() const {
-	return as_written(motion.mass);
+	return shortest_decimal(motion.mass);
 }
 
 void PlantFunction::set_wind_weight(double weight) {
@@ -171,7 +171,7 @@ void PlantFunction::set_wind_weight(double weight) {
 }
 
 double PlantFunction::get_wind_weight() const {
-	return as_written(motion.wind_weight);
+	return shortest_decimal(motion.wind_weight);
 }
 
 void PlantFunction::set_drag_area(double square_metres) {
@@ -179,7 +179,7 @@ void PlantFunction::set_drag_area(double square_metres) {
 }
 
 double PlantFunction::get_drag_area() const {
-	return as_written(motion.drag_area);
+	return shortest_decimal(motion.drag_area);
 }
 
 void PlantFunction::set_collision_radius(double metres) {
@@ -187,7 +187,7 @@ void PlantFunction::set_collision_radius(double metres) {
 }
 
 double PlantFunction::get_collision_radius() const {
-	return as_written(motion.collision_radius);
+	return shortest_decimal(motion.collision_radius);
 }
 
 void PlantFunction::set_shading(ShadingMode shading) {
@@ -196,30 +196,30 @@ void PlantFunction::set_shading(ShadingMode shading) {
 				this, "shading " + String::num_int64(shading) + " does not exist. Use SHADING_SMOOTH or SHADING_FLAT.");
 		return;
 	}
-	if (Shading(shading) != look.shading) {
-		look.shading = Shading(shading);
+	if (Shading(shading) != mesh_options.shading) {
+		mesh_options.shading = Shading(shading);
 		shape_changed();
 	}
 }
 
 PlantFunction::ShadingMode PlantFunction::get_shading() const {
-	return ShadingMode(int(look.shading));
+	return ShadingMode(int(mesh_options.shading));
 }
 
 void PlantFunction::set_shape_deviation(double deviation) {
-	set_look(look.shape_deviation, "shape_deviation", deviation);
+	set_mesh_option(mesh_options.shape_deviation, "shape_deviation", deviation);
 }
 
 double PlantFunction::get_shape_deviation() const {
-	return as_written(look.shape_deviation);
+	return shortest_decimal(mesh_options.shape_deviation);
 }
 
 void PlantFunction::set_color_deviation(double deviation) {
-	set_look(look.color_deviation, "color_deviation", deviation);
+	set_mesh_option(mesh_options.color_deviation, "color_deviation", deviation);
 }
 
 double PlantFunction::get_color_deviation() const {
-	return as_written(look.color_deviation);
+	return shortest_decimal(mesh_options.color_deviation);
 }
 
 void PlantFunction::set_material(const Ref<Material> &new_material) {

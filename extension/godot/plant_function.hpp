@@ -39,7 +39,7 @@ public:
 private:
 	Motion motion = new_motion();
 	double lean = 0.0; // rad, as the user set it; motion.lean has fewer digits.
-	MeshOptions look;
+	MeshOptions mesh_options;
 	bool stays_above_ground = true;
 	bool changes_motion_only = false;
 	bool changes_material_only = false;
@@ -48,14 +48,14 @@ private:
 	godot::Array arrangements; // Of PlantArrangement.
 	godot::Ref<PlantStem> stem;
 	StemTable stems;
-	godot::String told_of_stem; // Last reported fault of a stem.
+	godot::String reported_stem_fault; // Last reported fault of a stem.
 	SpeciesGrowth growth;
 
 	/// Returns the default motion.
 	static Motion new_motion();
 	void set_motion(float &slot, const char *property, double value, const Range &range);
 	void motion_changed();
-	void set_look(float &slot, const char *property, double value);
+	void set_mesh_option(float &slot, const char *property, double value);
 	/// Calls a script's override. Sets `problem` if the result is not of type `wanted`.
 	godot::Variant call_override(const godot::StringName &method, const godot::Variant &argument,
 			godot::Variant::Type wanted, godot::String &problem);
@@ -100,12 +100,12 @@ public:
 	godot::String sample(double height, int segments, int64_t seed, SampledPlant &result);
 	// The functions for sampling: results of a script, or else of the native species. On a fault they set `problem`
 	// (what is wrong and what to do) and return an empty or zero result.
-	godot::PackedVector3Array ask_base_shape(int lod, godot::String &problem);
-	double ask_height(const godot::Ref<godot::RandomNumberGenerator> &rng, godot::String &problem);
-	double ask_curve_point(double offset, godot::String &problem);
-	godot::Color ask_color(double offset, godot::String &problem);
+	godot::PackedVector3Array call_base_shape(int lod, godot::String &problem);
+	double call_height(const godot::Ref<godot::RandomNumberGenerator> &rng, godot::String &problem);
+	double call_curve_point(double offset, godot::String &problem);
+	godot::Color call_color(double offset, godot::String &problem);
 	/// Grows `plant`. Returns true if a script grows it.
-	bool ask_to_grow(const godot::Ref<PlantGrowth> &plant, godot::String &problem);
+	bool call_grow(const godot::Ref<PlantGrowth> &plant, godot::String &problem);
 	/// Returns the joint of a plant with the root axes `frame` (up axis and turn, orthonormal). Its length is not set.
 	Joint make_joint(const godot::Basis &frame) const;
 	/// Returns the rest bend of a plant along its node, in its own axes (motion/bend_encoding.hpp).
@@ -115,8 +115,8 @@ public:
 	std::shared_ptr<const StemConstants> find_stem(double height, bool in_air);
 	/// Returns the recipe if the stem is not solved. To solve it on another thread, pass the result to take_stem()
 	/// before the next use of the stem.
-	std::optional<AskedStem> ask_stem(double height);
-	void take_stem(const AskedStem &asked, const SolvedStem &found);
+	std::optional<UnsolvedStem> describe_stem(double height);
+	void take_stem(const UnsolvedStem &unsolved, const SolvedStem &found);
 	/// True while `changed` is emitted for a property that does not affect meshes. Setters emit it once for each real
 	/// change, never for the present value.
 	bool is_motion_change() const;

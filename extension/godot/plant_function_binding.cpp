@@ -47,7 +47,7 @@ static void bind_motion_methods() {
 	ClassDB::bind_method(D_METHOD("get_collision_radius"), &PlantFunction::get_collision_radius);
 }
 
-static void bind_look_methods() {
+static void bind_mesh_methods() {
 	ClassDB::bind_method(D_METHOD("_on_arrangement_changed"), &PlantFunction::on_arrangement_changed);
 	ClassDB::bind_method(D_METHOD("_on_own_change"), &PlantFunction::on_own_change);
 	ClassDB::bind_method(D_METHOD("_on_grown_change"), &PlantFunction::on_grown_change);
@@ -77,7 +77,7 @@ void PlantFunction::_bind_methods() {
 	GDVIRTUAL_BIND(_grow, "plant");
 	bind_functions();
 	bind_motion_methods();
-	bind_look_methods();
+	bind_mesh_methods();
 
 	ADD_GROUP("Parts", "");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "has_stem"), "set_has_stem", "get_has_stem");

@@ -12,13 +12,14 @@ static glm::mat3 matrix_of(const Basis &basis) {
 	return { to_glm(basis.get_column(0)), to_glm(basis.get_column(1)), to_glm(basis.get_column(2)) };
 }
 
-bool PlantPush::operator==(const PlantPush &other) const {
+bool ForceSettings::operator==(const ForceSettings &other) const {
 	return bodies_group == other.bodies_group && touch_margin == other.touch_margin && world == other.world &&
 			has_contact == other.has_contact && apparent_wind == other.apparent_wind;
 }
 
 bool PlantKind::operator==(const PlantKind &other) const {
-	return wind == other.wind && frame == other.frame && is_same_motion(species, other.species) && push == other.push;
+	return wind == other.wind && frame == other.frame && is_same_motion(species, other.species) &&
+			forces == other.forces;
 }
 
 PlantGroup::PlantGroup(const PlantKind &of, float step) :
@@ -51,13 +52,13 @@ void PlantGroup::step(const FieldWind &air, double start, const std::vector<AirS
 	const PlantWinds along = winds_along(air);
 	const Vector3 way = axes_of(kind.frame).xform_inv(Vector3(along.x, 0.0f, along.z));
 	const Vector3 side = axes_of(kind.frame).xform_inv(Vector3(along.side_x, 0.0f, along.side_z));
-	TravellingWind now = wind_at_time(air, moment);
+	WindSnapshot now = wind_at_time(air, moment);
 	const Vector3 x = axes_of(kind.frame).xform_inv(Vector3(1.0f, 0.0f, 0.0f));
 	const Vector3 z = axes_of(kind.frame).xform_inv(Vector3(0.0f, 0.0f, 1.0f));
 	now.sources = { stirring.data(), int(stirring.size()), x.x, x.z, z.x, z.z };
 	AirDrift drift;
 	drift.of_roots = roots.mean_velocities();
-	drift.share = kind.push.apparent_wind;
+	drift.share = kind.forces.apparent_wind;
 	now.drift = &drift;
 	page.step(now, { nullptr, way.x, way.z, side.x, side.z });
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bodies/root_ways.hpp"
+#include "bodies/root_velocities.hpp"
 #include "motion/bodies.hpp"
 #include "plant_bone.hpp"
 #include "plant_frame.hpp"
@@ -17,7 +17,7 @@ namespace undergrowth {
 class Plant3D;
 
 /// Forces on a `Plant3D` other than the wind.
-struct PlantPush {
+struct ForceSettings {
 	godot::StringName bodies_group; ///< Group of the bodies that push it; empty: none.
 	float touch_margin = 0.0f; ///< m; 0 without bodies.
 	uint64_t world = 0; ///< Instance id of its World3D; 0: none.
@@ -25,7 +25,7 @@ struct PlantPush {
 	float apparent_wind = 1.0f; ///< Share of its own motion that acts as wind.
 
 	bool has_bodies() const { return !bodies_group.is_empty(); }
-	bool operator==(const PlantPush &other) const;
+	bool operator==(const ForceSettings &other) const;
 };
 
 /// Properties that all plants of a page share.
@@ -33,7 +33,7 @@ struct PlantKind {
 	MotionSpecies species;
 	godot::Ref<PlantWind> wind; ///< Null: still air.
 	PlantFrame frame = PlantFrame::WORLD; ///< Axes of the page's directions; roots are in world axes.
-	PlantPush push;
+	ForceSettings forces;
 
 	bool operator==(const PlantKind &other) const;
 };
@@ -47,7 +47,7 @@ struct PlantGroup {
 	std::vector<Plant3D *> plants; ///< plants[i] is row i of the page; read only when plants are added or removed.
 	std::vector<PlantBone> bones; ///< One for each row.
 	std::vector<glm::vec3> directions; ///< One for each row, for drawing.
-	RootWays roots; ///< One for each row.
+	RootVelocities roots; ///< One for each row.
 	glm::mat3 axes; ///< Of the kind's frame.
 
 	void add(Plant3D *plant, const MotionPlant &description, const PlantBone &bone);

@@ -42,36 +42,38 @@ PlantBone &PlantMotion::bone() {
 	return in ? in->bones[size_t(index())] : own_bone;
 }
 
-PlantSwing PlantMotion::swing(const glm::vec3 &rest) const {
+PlantMotionState PlantMotion::motion_state(const glm::vec3 &rest) const {
 	if (const PlantGroup *in = group()) {
 		const MotionPage &page = in->page;
 		const TipState state = page.state(index());
-		PlantSwing swing = { { from_frame(frame(), state.direction), from_frame(frame(), state.rate) },
+		PlantMotionState motion_state = { { from_frame(frame(), state.direction), from_frame(frame(), state.rate) },
 			from_frame(frame(), page.before(index())) };
 		const StemSecond second = page.second(index());
-		swing.second = { from_frame(frame(), second.bend), from_frame(frame(), second.rate) };
+		motion_state.second = { from_frame(frame(), second.bend), from_frame(frame(), second.rate) };
 		if (page.law() == Law::stem) {
-			swing.stem = { frame(), page.stem_constants().modes, page.stem(index()), page.stem_before(index()) };
+			motion_state.stem = { frame(), page.stem_constants().modes, page.stem(index()), page.stem_before(index()) };
 		}
-		return swing;
+		return motion_state;
 	}
-	return parked.value_or(PlantSwing::at_rest(rest));
+	return parked.value_or(PlantMotionState::at_rest(rest));
 }
 
-void PlantMotion::set_swing(const PlantSwing &swing) {
+void PlantMotion::set_motion_state(const PlantMotionState &motion_state) {
 	if (PlantGroup *in = group()) {
 		MotionPage &page = in->page;
-		const PlantSwing::Stem *stem = swing.stem ? &*swing.stem : nullptr;
+		const PlantMotionState::Stem *stem = motion_state.stem ? &*motion_state.stem : nullptr;
 		if (stem && page.law() == Law::stem && page.stem_constants().modes == stem->modes && frame() == stem->frame) {
 			page.set_stem(index(), stem->now);
 			page.set_stem_before(index(), stem->before);
 			return;
 		}
-		const StemSecond second = { to_frame(frame(), swing.second.bend), to_frame(frame(), swing.second.rate) };
-		page.set_state(index(), { to_frame(frame(), swing.now.direction), to_frame(frame(), swing.now.rate) }, second);
-		page.set_before(index(), to_frame(frame(), swing.before));
+		const StemSecond second = { to_frame(frame(), motion_state.second.bend),
+			to_frame(frame(), motion_state.second.rate) };
+		page.set_state(index(),
+				{ to_frame(frame(), motion_state.now.direction), to_frame(frame(), motion_state.now.rate) }, second);
+		page.set_before(index(), to_frame(frame(), motion_state.before));
 	} else {
-		parked = swing;
+		parked = motion_state;
 	}
 }
 
@@ -79,7 +81,7 @@ void PlantMotion::park() {
 	if (!group()) {
 		return;
 	}
-	parked = swing({});
+	parked = motion_state({});
 	own_bone = bone();
 	if (place.group) {
 		if (PlantSimulation *simulation = PlantSimulation::get_singleton()) {
@@ -98,10 +100,10 @@ void PlantMotion::leave_simulation() {
 
 void PlantMotion::simulate(PlantSimulation *simulation, const MovedPlant &moved) {
 	park();
-	const PlantSwing before = swing(moved.rest);
+	const PlantMotionState before = motion_state(moved.rest);
 	const PlantFrame axes = frame_of(moved);
-	place = simulation->enter(plant, { moved.species, moved.wind, axes, moved.push }, row_of(moved, axes), own_bone);
-	set_swing(before);
+	place = simulation->enter(plant, { moved.species, moved.wind, axes, moved.forces }, row_of(moved, axes), own_bone);
+	set_motion_state(before);
 }
 
 bool PlantMotion::is_driven() const {
@@ -110,20 +112,20 @@ bool PlantMotion::is_driven() const {
 
 void PlantMotion::drive(const MovedPlant &moved) {
 	park();
-	const PlantSwing before = swing(moved.rest);
+	const PlantMotionState before = motion_state(moved.rest);
 	const PlantFrame axes = frame_of(moved);
-	PlantPush push;
-	push.world = moved.push.world;
+	ForceSettings forces;
+	forces.world = moved.forces.world;
 	driven = std::make_unique<DrivenPlant>(
-			PlantKind{ moved.species, {}, axes, push }, PlantSimulation::get_singleton()->get_step_length());
+			PlantKind{ moved.species, {}, axes, forces }, PlantSimulation::get_singleton()->get_step_length());
 	driven->group.add(plant, row_of(moved, axes), own_bone);
-	set_swing(before);
+	set_motion_state(before);
 }
 
 void PlantMotion::advance(double delta, const Ref<PlantWind> &wind) {
-	driven->advance(delta, wind.is_valid() ? wind->heard_by(ear, own_time) : CALM_AIR, own_time);
+	driven->advance(delta, wind.is_valid() ? wind->for_listener(gust_listener, own_time) : CALM_AIR, own_time);
 	if (wind.is_valid()) {
-		wind->keep_up_with(own_time);
+		wind->catch_up_to(own_time);
 	}
 }
 
@@ -141,7 +143,7 @@ bool PlantMotion::follow(const MovedPlant &moved) {
 	const bool is_same = is_same_motion(moved.species, in->kind.species);
 	if (stays && (is_same || driven)) {
 		if (driven) {
-			in->kind.push.world = moved.push.world;
+			in->kind.forces.world = moved.forces.world;
 		}
 		if (!is_same) {
 			in->kind.species = moved.species;
@@ -158,7 +160,7 @@ bool PlantMotion::follow(const MovedPlant &moved) {
 
 void PlantMotion::reset(const glm::vec3 &rest) {
 	if (place.group) {
-		set_swing(PlantSwing::at_rest(rest));
+		set_motion_state(PlantMotionState::at_rest(rest));
 	} else {
 		park();
 		parked.reset();
@@ -192,7 +194,7 @@ void PlantMotion::follow_axes(const Basis &axes) {
 }
 
 void PlantMotion::pose_now(const glm::vec3 &rest) {
-	const PlantSwing now = swing(rest);
+	const PlantMotionState now = motion_state(rest);
 	const glm::vec3 direction = to_frame(frame(), now.now.direction);
 	PlantBone &shown = bone();
 	if (shown.parts) {

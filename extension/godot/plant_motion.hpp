@@ -12,14 +12,14 @@ namespace undergrowth {
 struct MovedPlant {
 	MotionSpecies species;
 	godot::Ref<PlantWind> wind; ///< Null: still air.
-	PlantPush push;
+	ForceSettings forces;
 	glm::vec3 root; ///< m.
 	glm::vec3 rest; ///< Rest direction, unit.
 	float length; ///< m.
 };
 
 /// The motion of a plant, in world axes: its state, and its drawn direction one step before.
-struct PlantSwing {
+struct PlantMotionState {
 	/// All modes of a stem, as stored by a page with these axes.
 	struct Stem {
 		PlantFrame frame;
@@ -32,7 +32,7 @@ struct PlantSwing {
 	StemSecond second = {};
 	std::optional<Stem> stem = std::nullopt; ///< A page of the same kind continues from it, equal to the bit.
 
-	static PlantSwing at_rest(const glm::vec3 &rest) { return { { rest, {} }, rest }; }
+	static PlantMotionState at_rest(const glm::vec3 &rest) { return { { rest, {} }, rest }; }
 };
 
 /// The motion of a `Plant3D`: on a page of the simulation, on a page of its own that code advances, or parked (without
@@ -62,17 +62,19 @@ public:
 	/// Advances a driven plant by `delta` seconds of the clock of `blowing`.
 	void preview(double delta, const godot::Ref<PlantWind> &blowing);
 	/// Resets the gusts. Call when the plant gets another wind.
-	void forget_wind() { ear = PlantWind::Listener(); }
+	void forget_wind() { gust_listener = PlantWind::Listener(); }
 
 	/// Applies changed constants, axes, length or position and preserves the motion. Returns false if this needs
 	/// another page of the simulation; call simulate() then.
 	bool follow(const MovedPlant &moved);
 	/// True if it is on a page of the simulation with other pushes.
-	bool has_other_push(const PlantPush &push) const { return place.group && !(place.group->kind.push == push); }
+	bool has_other_forces(const ForceSettings &forces) const {
+		return place.group && !(place.group->kind.forces == forces);
+	}
 
 	/// Returns the motion. `rest` (unit, world axes) is its direction until something moves it.
-	PlantSwing swing(const glm::vec3 &rest) const;
-	void set_swing(const PlantSwing &swing);
+	PlantMotionState motion_state(const glm::vec3 &rest) const;
+	void set_motion_state(const PlantMotionState &motion_state);
 	/// Sets `arm` to the vector from the root to a point on the plant: from the root (share 0) to the tip (1). The unit
 	/// is the length of the plant, in world axes. Returns false for a parked plant.
 	bool find_arm(float share, glm::vec3 &arm) const;
@@ -94,10 +96,10 @@ private:
 	Plant3D *plant;
 	PlantSimulation::Place place;
 	std::unique_ptr<DrivenPlant> driven;
-	std::optional<PlantSwing> parked;
+	std::optional<PlantMotionState> parked;
 	PlantBone own_bone; // While on no page.
 	double own_time = 0.0; // s, clock of the wind for a driven plant.
-	PlantWind::Listener ear; // For gusts, by that clock.
+	PlantWind::Listener gust_listener; // For gusts, by that clock.
 
 	PlantGroup *group() const;
 	int index() const { return place.group ? place.index : 0; }

@@ -59,13 +59,13 @@ PlantSimulation::Place PlantSimulation::enter(
 		Plant3D *plant, const PlantKind &kind, const MotionPlant &description, const PlantBone &bone) {
 	PlantGroup *group = find_group(kind);
 	group->add(plant, description, bone);
-	is_contact_stale = is_contact_stale || kind.push.has_contact;
+	is_contact_dirty = is_contact_dirty || kind.forces.has_contact;
 	return { group, group->page.size() - 1 };
 }
 
 void PlantSimulation::leave(const Place &place) {
 	place.group->remove(place.index);
-	is_contact_stale = is_contact_stale || place.group->kind.push.has_contact;
+	is_contact_dirty = is_contact_dirty || place.group->kind.forces.has_contact;
 }
 
 void PlantSimulation::drop_empty_groups() {
@@ -79,22 +79,22 @@ void PlantSimulation::follow_groups() {
 	if (are_groups_new) {
 		bodies.follow(groups);
 	}
-	if (are_groups_new || is_contact_stale) {
+	if (are_groups_new || is_contact_dirty) {
 		contact.follow(groups);
 	}
-	are_groups_new = is_contact_stale = false;
+	are_groups_new = is_contact_dirty = false;
 }
 
 void PlantSimulation::step_groups(double ago) {
 	step_number++;
-	stirred.begin(ago);
+	air_sources.begin(ago);
 	swings.step(clock.step());
 	const FieldWind calm = { { WindKind::constant, 0.0f }, 0.0f };
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
 		PlantWind *wind = group->kind.wind.ptr();
 		group->roots.step(ago);
 		group->step(wind ? wind->travelling() : calm, wind ? wind->begin_step(step_number, clock.step()) : 0.0,
-				stirred.in(group->kind.push.world));
+				air_sources.in(group->kind.forces.world));
 	}
 }
 
@@ -105,7 +105,7 @@ void PlantSimulation::step(double ago, bool is_first) {
 		bodies.gather(ago);
 	}
 	if (is_pushed && is_first) {
-		bodies.tell_of_touches();
+		bodies.report_touches();
 	}
 	step_groups(ago);
 	if (is_pushed) {
@@ -116,9 +116,9 @@ void PlantSimulation::step(double ago, bool is_first) {
 	}
 }
 
-void PlantSimulation::tell_of_pushes() {
-	if (contact.is_crowded() && !has_told_of_crowd) {
-		has_told_of_crowd = true;
+void PlantSimulation::report_warnings() {
+	if (contact.is_crowded() && !has_reported_crowd) {
+		has_reported_crowd = true;
 		report_warning(this,
 				"too many tips are near each other for all of them to touch: some pairs are left out. Set a smaller "
 				"collision_radius in their species, set the plants farther apart, or contact_enabled off.");
@@ -148,13 +148,13 @@ void PlantSimulation::advance(double delta) {
 	}
 	const int step_count = clock.advance(delta);
 	for (int i = 0; i < step_count; i++) {
-		if (i > 0 && microseconds_since(start) > 1e6 * FixedStep::MOST_STEPPING) {
+		if (i > 0 && microseconds_since(start) > 1e6 * FixedStep::MAX_STEPPING_TIME) {
 			break; // Drops the remaining steps, so that a slow frame does not slow down the next one.
 		}
 		step(clock.step() * (double(clock.alpha()) + step_count - 1 - i), i == 0);
 	}
 	if (bodies.are_needed() || contact.is_needed()) {
-		tell_of_pushes();
+		report_warnings();
 	}
 	step_time_usec = microseconds_since(start);
 	pose_plants();

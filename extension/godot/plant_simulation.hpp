@@ -5,7 +5,7 @@
 #include "motion/swing_clock.hpp"
 #include "plant_contact.hpp"
 #include "plant_group.hpp"
-#include "stirred_worlds.hpp"
+#include "world_air_sources.hpp"
 
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/core/object.hpp>
@@ -23,10 +23,10 @@ class PlantSimulation : public godot::Object {
 	std::vector<std::unique_ptr<PlantGroup>> groups;
 	PlantBodies bodies;
 	PlantContact contact;
-	StirredWorlds stirred;
+	WorldAirSources air_sources;
 	bool are_groups_new = false; ///< Groups were added or removed since the last update of bodies and contact.
-	bool is_contact_stale = false; ///< Plants with contact were added or removed.
-	bool has_told_of_crowd = false;
+	bool is_contact_dirty = false; ///< Plants with contact were added or removed.
+	bool has_reported_crowd = false;
 	FixedStep clock;
 	SwingClock swings;
 	uint64_t step_number = 0; ///< Of the present step; the first is 1.
@@ -39,7 +39,7 @@ class PlantSimulation : public godot::Object {
 	void follow_groups();
 	void step_groups(double ago);
 	void step(double ago, bool is_first);
-	void tell_of_pushes();
+	void report_warnings();
 	void pose_plants();
 
 protected:

@@ -10,9 +10,9 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr double AS_DRAWN = -1.0;
-static constexpr double MOST_WEIGHT = 1e3;
+static constexpr double MAX_WEIGHT = 1e3;
 
-void PlantStem::tell(StemBeam &beam) const {
+void PlantStem::write_to(StemBeam &beam) const {
 	beam.joints = joints;
 	beam.modes = modes;
 	beam.density = float(density);
@@ -20,7 +20,7 @@ void PlantStem::tell(StemBeam &beam) const {
 		beam.natural_frequency = 0.0f;
 		beam.youngs_modulus = float(youngs_modulus);
 	}
-	const auto take = [](double said, float &into) { into = said >= 0.0 ? float(said) : into; };
+	const auto take = [](double value, float &into) { into = value >= 0.0 ? float(value) : into; };
 	beam.diameter = diameter > 0.0 ? float(diameter) : beam.diameter;
 	take(taper, beam.taper);
 	take(head_mass, beam.head_mass);
@@ -34,32 +34,32 @@ void PlantStem::tell(StemBeam &beam) const {
 	beam.wind_weights.assign(wind_weights.ptr(), wind_weights.ptr() + wind_weights.size());
 }
 
-void PlantStem::set_number(double &slot, const char *property, double value, double least, double most) {
-	if (accept_value(this, property, value, { least, most }) && value != slot) {
+void PlantStem::set_number(double &slot, const char *property, double value, double min, double max) {
+	if (accept_value(this, property, value, { min, max }) && value != slot) {
 		slot = value;
 		emit_changed();
 	}
 }
 
-void PlantStem::set_unless_none(double &slot, const char *property, double value, double least, double most) {
-	if (value > 0.0 && value < least) {
+void PlantStem::set_unless_none(double &slot, const char *property, double value, double min, double max) {
+	if (value > 0.0 && value < min) {
 		report_error(this,
 				String(property) + " cannot be " + String::num(value) + ", it keeps its value. Set a number from " +
-						String::num(least) + " to " + String::num(most) + ", or 0 for none.");
+						String::num(min) + " to " + String::num(max) + ", or 0 for none.");
 		return;
 	}
-	set_number(slot, property, value, 0.0, most);
+	set_number(slot, property, value, 0.0, max);
 }
 
 void PlantStem::set_joints(int count) {
-	if (accept_value(this, "joints", count, { 1, MOST_STEM_JOINTS }) && count != joints) {
+	if (accept_value(this, "joints", count, { 1, MAX_STEM_JOINTS }) && count != joints) {
 		joints = count;
 		emit_changed();
 	}
 }
 
 void PlantStem::set_modes(int count) {
-	if (accept_value(this, "modes", count, { 1, MOST_STEM_MODES }) && count != modes) {
+	if (accept_value(this, "modes", count, { 1, MAX_STEM_MODES }) && count != modes) {
 		modes = count;
 		emit_changed();
 	}
@@ -99,10 +99,10 @@ void PlantStem::set_leaf_drag_area(double square_metres) {
 
 void PlantStem::set_wind_weights(const PackedFloat32Array &weights) {
 	for (int64_t i = 0; i < weights.size(); i++) {
-		if (!std::isfinite(weights[i]) || weights[i] < 0.0f || weights[i] > MOST_WEIGHT) {
+		if (!std::isfinite(weights[i]) || weights[i] < 0.0f || weights[i] > MAX_WEIGHT) {
 			report_error(this,
 					"wind_weights[" + String::num_int64(i) + "] is " + String::num(weights[i]) +
-							". Use shares of the wind's force from 0 to " + String::num(MOST_WEIGHT) +
+							". Use shares of the wind's force from 0 to " + String::num(MAX_WEIGHT) +
 							", one for each joint, or none. They stay as they are.");
 			return;
 		}

@@ -25,16 +25,16 @@ class PlantStem : public godot::Resource {
 	double leaf_drag_area = -1.0; // m².
 	godot::PackedFloat32Array wind_weights;
 
-	/// Sets a number from `least` to `most`, or 0 for none.
-	void set_unless_none(double &slot, const char *property, double value, double least, double most);
-	void set_number(double &slot, const char *property, double value, double least, double most);
+	/// Sets a number from `min` to `max`, or 0 for none.
+	void set_unless_none(double &slot, const char *property, double value, double min, double max);
+	void set_number(double &slot, const char *property, double value, double min, double max);
 
 protected:
 	static void _bind_methods();
 
 public:
 	/// Overwrites `beam` with the values that are set.
-	void tell(StemBeam &beam) const;
+	void write_to(StemBeam &beam) const;
 	/// True if the stiffness determines the frequency of stems, not the declared frequency.
 	bool is_physical() const { return youngs_modulus > 0.0; }
 

@@ -11,7 +11,7 @@ namespace undergrowth {
 
 static const char *const SKELETON_NAME = "PlantSkeleton";
 static const char *const MESH_NAME = "PlantMesh";
-static constexpr float LEAST_HEIGHT = 1e-3f; // Of a unit rest direction, plus 1.
+static constexpr float MIN_HEIGHT = 1e-3f; // Of a unit rest direction, plus 1.
 
 void PlantView::show(const SampledPlant &sampled) {
 	mesh = sampled.build();
@@ -66,7 +66,7 @@ void PlantView::follow_drawn(bool is_seen, const glm::vec3 &calm) {
 	bone.parts = parts.get();
 	bone.is_calm = !parts; // Until the first pose.
 	if (parts) {
-		parts->stem.rest = glm::vec2(calm.x, calm.z) / std::max(1.0f + calm.y, LEAST_HEIGHT);
+		parts->stem.rest = glm::vec2(calm.x, calm.z) / std::max(1.0f + calm.y, MIN_HEIGHT);
 	}
 	if (bone.skeleton != before.skeleton || bone.drawn != before.drawn || bone.is_held != before.is_held) {
 		const bool is_unseen = drawn.is_valid() && !bone.drawn.is_valid() && !is_held;

@@ -3,10 +3,10 @@
 #include "plant_wind.hpp"
 
 #include "air_tiles_cache.hpp"
-#include "as_written.hpp"
 #include "conventions.hpp"
 #include "convert.hpp"
 #include "messages.hpp"
+#include "shortest_decimal.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 
@@ -66,7 +66,7 @@ void PlantWind::set_strength(double newtons) {
 }
 
 double PlantWind::get_strength() const {
-	return as_written(blowing.wind.strength);
+	return shortest_decimal(blowing.wind.strength);
 }
 
 void PlantWind::set_direction(double radians) {
@@ -91,7 +91,7 @@ void PlantWind::set_frequency(double hertz) {
 }
 
 double PlantWind::get_frequency() const {
-	return as_written(blowing.wind.frequency);
+	return shortest_decimal(blowing.wind.frequency);
 }
 
 void PlantWind::set_gust_duration(double seconds) {
@@ -99,7 +99,7 @@ void PlantWind::set_gust_duration(double seconds) {
 }
 
 double PlantWind::get_gust_duration() const {
-	return as_written(blowing.wind.gust_duration);
+	return shortest_decimal(blowing.wind.gust_duration);
 }
 
 void PlantWind::set_travel_speed(double metres_per_second) {
@@ -107,7 +107,7 @@ void PlantWind::set_travel_speed(double metres_per_second) {
 }
 
 double PlantWind::get_travel_speed() const {
-	return as_written(blowing.speed);
+	return shortest_decimal(blowing.speed);
 }
 
 Vector3 PlantWind::sample(double at_time) const {
@@ -154,29 +154,29 @@ void PlantWind::advance(double step) {
 
 void PlantWind::advance_to(double clock) {
 	advanced_in = Engine::get_singleton()->get_process_frames();
-	go_on_to(clock);
+	set_clock(clock);
 }
 
 bool PlantWind::has_advanced_in_frame() const {
 	return advanced_in == Engine::get_singleton()->get_process_frames();
 }
 
-void PlantWind::keep_up_with(double clock) {
+void PlantWind::catch_up_to(double clock) {
 	if (clock > time) {
-		go_on_to(clock);
+		set_clock(clock);
 	}
 }
 
-FieldWind PlantWind::heard_by(Listener &listener, double clock) const {
-	if (listener.heard != gusts) {
-		listener.heard = gusts;
+FieldWind PlantWind::for_listener(Listener &listener, double clock) const {
+	if (listener.received_gusts != gusts) {
+		listener.received_gusts = gusts;
 		listener.gust_start = clock - (time - blowing.wind.gust_start);
 	}
-	FieldWind heard = travelling();
+	FieldWind wind = travelling();
 	if (gusts > 0) {
-		heard.wind.gust_start = listener.gust_start;
+		wind.wind.gust_start = listener.gust_start;
 	}
-	return heard;
+	return wind;
 }
 
 double PlantWind::begin_step(uint64_t number, double step) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "messages.hpp"
-#include "wind/travelling_wind.hpp"
+#include "wind/field_wind.hpp"
 
 #include <godot_cpp/classes/material.hpp>
 #include <godot_cpp/classes/resource.hpp>
@@ -25,7 +25,7 @@ public:
 	/// A user of this wind with its own clock. A triggered gust begins for it when it next reads the wind, for any
 	/// difference between the clocks.
 	struct Listener {
-		uint64_t heard = 0; ///< Number of triggered gusts that it received.
+		uint64_t received_gusts = 0; ///< Number of triggered gusts that it received.
 		double gust_start = 0.0; ///< s, of the last of them, by its own clock.
 	};
 
@@ -40,7 +40,7 @@ private:
 	FieldWind blowing; ///< Its direction is a float; `direction` is the value that was set.
 	Blend blend;
 	godot::Vector3 pivot; ///< Position of a camera: patterns are continuous there when the air changes.
-	mutable bool has_told_of_newtons = false;
+	mutable bool has_reported_newtons = false;
 	double direction = 0.0; ///< rad.
 	double time = 0.0;
 	uint64_t gusts = 0; ///< Number of triggered gusts.
@@ -49,12 +49,12 @@ private:
 	double step_start = 0.0; ///< s, of that step.
 
 	void begin_gust();
-	void go_on_to(double clock);
+	void set_clock(double clock);
 	void advance_to(double clock);
 	void take_air(const Air &wanted);
 	void change(const Air &wanted);
 	void set_air(float Air::*part, const char *property, double value, const Range &range);
-	bool is_air(const char *asked) const;
+	bool is_air(const char *method) const;
 	godot::Vector3 sample_air_force(double at_time) const;
 	static void bind_air();
 	void set_number(float &slot, const char *property, double value, const Range &range);
@@ -115,13 +115,13 @@ public:
 	/// True if the clock advanced in this frame.
 	bool has_advanced_in_frame() const;
 	/// Advances the clock to `clock`, the clock of a plant that code advances, if it is behind it.
-	void keep_up_with(double clock);
+	void catch_up_to(double clock);
 	/// Sets the position of a camera (world axes).
 	void look_from(const godot::Vector3 &place) { pivot = place; }
 	/// Returns the wind for sampling at any position and time, with the speed at which it travels over the ground.
 	FieldWind travelling() const;
 	/// Returns the wind for `listener` at `clock` of its clock.
-	FieldWind heard_by(Listener &listener, double clock) const;
+	FieldWind for_listener(Listener &listener, double clock) const;
 	/// Returns the clock (s) at the start of step number `number` of the simulation. The first call for a step advances
 	/// the clock to its end.
 	double begin_step(uint64_t number, double step);

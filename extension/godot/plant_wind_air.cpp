@@ -3,10 +3,10 @@
 #include "plant_wind.hpp"
 
 #include "air_tiles_cache.hpp"
-#include "as_written.hpp"
 #include "conventions.hpp"
 #include "convert.hpp"
 #include "messages.hpp"
+#include "shortest_decimal.hpp"
 #include "wind/air_profile.hpp"
 #include "wind_shader.hpp"
 
@@ -57,7 +57,7 @@ void PlantWind::set_speed(double metres_per_second) {
 }
 
 double PlantWind::get_speed() const {
-	return as_written(blowing.air.speed);
+	return shortest_decimal(blowing.air.speed);
 }
 
 void PlantWind::set_turbulence(double share) {
@@ -65,7 +65,7 @@ void PlantWind::set_turbulence(double share) {
 }
 
 double PlantWind::get_turbulence() const {
-	return as_written(blowing.air.turbulence);
+	return shortest_decimal(blowing.air.turbulence);
 }
 
 void PlantWind::set_gustiness(double gustiness) {
@@ -73,7 +73,7 @@ void PlantWind::set_gustiness(double gustiness) {
 }
 
 double PlantWind::get_gustiness() const {
-	return as_written(blowing.air.gustiness);
+	return shortest_decimal(blowing.air.gustiness);
 }
 
 void PlantWind::set_roughness(double metres) {
@@ -81,7 +81,7 @@ void PlantWind::set_roughness(double metres) {
 }
 
 double PlantWind::get_roughness() const {
-	return as_written(blowing.air.roughness);
+	return shortest_decimal(blowing.air.roughness);
 }
 
 void PlantWind::set_canopy_height(double metres) {
@@ -89,7 +89,7 @@ void PlantWind::set_canopy_height(double metres) {
 }
 
 double PlantWind::get_canopy_height() const {
-	return as_written(blowing.air.canopy_height);
+	return shortest_decimal(blowing.air.canopy_height);
 }
 
 void PlantWind::set_canopy_wave_amount(double share) {
@@ -97,7 +97,7 @@ void PlantWind::set_canopy_wave_amount(double share) {
 }
 
 double PlantWind::get_canopy_wave_amount() const {
-	return as_written(blowing.air.canopy_wave_amount);
+	return shortest_decimal(blowing.air.canopy_wave_amount);
 }
 
 int64_t PlantWind::get_beaufort() const {
@@ -105,10 +105,10 @@ int64_t PlantWind::get_beaufort() const {
 }
 
 // Reports the error once, because velocities may be requested in every frame.
-bool PlantWind::is_air(const char *asked) const {
-	if (blowing.wind.kind != WindKind::air && !has_told_of_newtons) {
-		report_error(this, String(asked) + " needs KIND_AIR: other kinds are forces. Set kind, or call sample().");
-		has_told_of_newtons = true;
+bool PlantWind::is_air(const char *method) const {
+	if (blowing.wind.kind != WindKind::air && !has_reported_newtons) {
+		report_error(this, String(method) + " needs KIND_AIR: other kinds are forces. Set kind, or call sample().");
+		has_reported_newtons = true;
 	}
 	return blowing.wind.kind == WindKind::air;
 }
@@ -141,7 +141,7 @@ PackedVector2Array PlantWind::sample_over_canopy(double at_time, const PackedVec
 		return velocities;
 	}
 	const FieldWind field = travelling();
-	const TravellingWind now = wind_at_time(field, at_time);
+	const WindSnapshot now = wind_at_time(field, at_time);
 	const AirBlow blow = blow_over(now.air, std::max(field.air.canopy_height, TURF_HEIGHT), winds_along(field));
 	std::vector<float> out_x(x.size()), out_z(x.size());
 	sample_air(now, blow, x.data(), z.data(), nullptr, int(x.size()), out_x.data(), out_z.data());
@@ -180,7 +180,7 @@ void PlantWind::blend_to(const Ref<PlantWind> &wind, double seconds) {
 	blend.begin = time;
 	blend.duration = std::max(seconds, 1e-9);
 	if (seconds == 0.0) {
-		go_on_to(time);
+		set_clock(time);
 	}
 }
 
@@ -203,7 +203,7 @@ static Air mixed(const Air &from, const Air &to, double share) {
 	return air;
 }
 
-void PlantWind::go_on_to(double clock) {
+void PlantWind::set_clock(double clock) {
 	if (blend.duration > 0.0) {
 		const double share = std::clamp((clock - blend.begin) / blend.duration, 0.0, 1.0);
 		const bool is_there = share >= 1.0 || clock == blend.begin;

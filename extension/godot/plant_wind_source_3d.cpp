@@ -1,7 +1,7 @@
 #include "plant_wind_source_3d.hpp"
 
-#include "as_written.hpp"
 #include "convert.hpp"
+#include "shortest_decimal.hpp"
 #include "world_of.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -151,7 +151,7 @@ void PlantWindSource3D::set_speed(double metres_per_second) {
 }
 
 double PlantWindSource3D::get_speed() const {
-	return as_written(speed);
+	return shortest_decimal(speed);
 }
 
 void PlantWindSource3D::set_thrust(double newtons) {
@@ -159,7 +159,7 @@ void PlantWindSource3D::set_thrust(double newtons) {
 }
 
 double PlantWindSource3D::get_thrust() const {
-	return as_written(thrust);
+	return shortest_decimal(thrust);
 }
 
 void PlantWindSource3D::set_radius(double metres) {
@@ -167,7 +167,7 @@ void PlantWindSource3D::set_radius(double metres) {
 }
 
 double PlantWindSource3D::get_radius() const {
-	return as_written(air.radius);
+	return shortest_decimal(air.radius);
 }
 
 void PlantWindSource3D::set_duration(double seconds) {
@@ -175,7 +175,7 @@ void PlantWindSource3D::set_duration(double seconds) {
 }
 
 double PlantWindSource3D::get_duration() const {
-	return as_written(air.duration);
+	return shortest_decimal(air.duration);
 }
 
 void PlantWindSource3D::set_active(bool stirs) {

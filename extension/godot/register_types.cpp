@@ -1,6 +1,7 @@
 // Entry of the library: registers and unregisters its classes.
 
 #include "curve_plant_function.hpp"
+#include "deferred_error.hpp"
 #include "doc_data.hpp"
 #include "field/plant_field_3d.hpp"
 #include "field/plant_field_level.hpp"
@@ -8,7 +9,6 @@
 #include "field/plant_map.hpp"
 #include "form/plant_growth.hpp"
 #include "form/plant_part_kinds.hpp"
-#include "late_report.hpp"
 #include "plant_3d.hpp"
 #include "plant_simulation.hpp"
 #include "plant_wind.hpp"
@@ -40,7 +40,7 @@ static void load_class_help() {
 }
 
 static void register_classes() {
-	GDREGISTER_INTERNAL_CLASS(LateReport);
+	GDREGISTER_INTERNAL_CLASS(DeferredError);
 	GDREGISTER_INTERNAL_CLASS(OldNameWarning);
 	GDREGISTER_ABSTRACT_CLASS(PlantPart);
 	GDREGISTER_CLASS(PlantAxis);

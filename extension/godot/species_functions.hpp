@@ -1,6 +1,5 @@
 #pragma once
 
-#include "as_written.hpp"
 #include "convert.hpp"
 #include "plant/species/bellflower.hpp"
 #include "plant/species/cattail.hpp"
@@ -8,6 +7,7 @@
 #include "plant/species/reed.hpp"
 #include "plant/species/tulip.hpp"
 #include "plant_function.hpp"
+#include "shortest_decimal.hpp"
 
 namespace undergrowth {
 
@@ -63,7 +63,7 @@ protected:
 		set_part_size(species.m_part, #m_part, metres);                                                                \
 	}                                                                                                                  \
 	double get_##m_part() const {                                                                                      \
-		return as_written(species.m_part);                                                                             \
+		return shortest_decimal(species.m_part);                                                                       \
 	}
 
 class GrassFunction : public SpeciesFunction<Grass> {

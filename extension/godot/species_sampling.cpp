@@ -59,7 +59,7 @@ String sample_height(PlantFunction &species, double height, int64_t seed, Sample
 		Ref<RandomNumberGenerator> rng = new_counted<RandomNumberGenerator>();
 		rng->set_seed(uint64_t(seed));
 		String problem;
-		height = species.ask_height(rng, problem);
+		height = species.call_height(rng, problem);
 		if (!problem.is_empty()) {
 			return problem;
 		}
@@ -76,7 +76,7 @@ static String sample_ring(PlantFunction &species, int segments, SampledPlant &re
 	if (!problem.is_empty()) {
 		return problem;
 	}
-	const PackedVector3Array shape = species.ask_base_shape(segments, problem);
+	const PackedVector3Array shape = species.call_base_shape(segments, problem);
 	if (problem.is_empty()) {
 		problem = ring_problem(shape);
 	}
@@ -95,8 +95,8 @@ static String sample_profile(PlantFunction &species, SampledPlant &result) {
 	String problem;
 	for (size_t ring = 0; ring < rings; ring++) {
 		const double offset = double(ring) / result.lod;
-		const double width = species.ask_curve_point(offset, problem);
-		const Color color = species.ask_color(offset, problem);
+		const double width = species.call_curve_point(offset, problem);
+		const Color color = species.call_color(offset, problem);
 		if (!problem.is_empty()) {
 			return problem;
 		}

@@ -16,7 +16,7 @@ namespace undergrowth {
 static constexpr double HEIGHT_RATIO = 1.1; // Of neighbouring height classes.
 
 // An era has one recipe for each height class and usual weight.
-std::shared_ptr<SharedStem> SharedStem::of(const AskedStem &asked) {
+std::shared_ptr<SharedStem> SharedStem::of(const UnsolvedStem &unsolved) {
 	using Key = std::tuple<uint64_t, int, float>;
 	static std::mutex mutex;
 	static auto *const known = new std::map<Key, std::weak_ptr<SharedStem>>; // Worker threads may outlive statics.
@@ -24,7 +24,7 @@ std::shared_ptr<SharedStem> SharedStem::of(const AskedStem &asked) {
 	for (auto entry = known->begin(); entry != known->end();) {
 		entry = entry->second.expired() ? known->erase(entry) : std::next(entry);
 	}
-	std::weak_ptr<SharedStem> &slot = (*known)[Key(asked.era, asked.height_class, asked.recipe.usual_weight)];
+	std::weak_ptr<SharedStem> &slot = (*known)[Key(unsolved.era, unsolved.height_class, unsolved.recipe.usual_weight)];
 	std::shared_ptr<SharedStem> stem = slot.lock();
 	if (!stem) {
 		stem = std::make_shared<SharedStem>();
@@ -33,8 +33,8 @@ std::shared_ptr<SharedStem> SharedStem::of(const AskedStem &asked) {
 	return stem;
 }
 
-const SolvedStem &SharedStem::solve(const AskedStem &asked) {
-	std::call_once(is_solved, [&] { solved = solve_recipe(asked.recipe); });
+const SolvedStem &SharedStem::solve(const UnsolvedStem &unsolved) {
+	std::call_once(is_solved, [&] { solved = solve_recipe(unsolved.recipe); });
 	return solved;
 }
 
@@ -66,36 +66,36 @@ void StemTable::learn(const SampledPlant &plant) {
 	}
 }
 
-AskedStem StemTable::ask(float height, const Motion &motion, const Ref<PlantStem> &stem) const {
+UnsolvedStem StemTable::unsolved_for(float height, const Motion &motion, const Ref<PlantStem> &stem) const {
 	const bool is_physical = stem.is_valid() && stem->is_physical();
 	const double ratio = height > 0.0f ? double(height) / double(drawn.length) : 1.0;
-	AskedStem asked;
-	asked.era = era;
-	asked.height_class = is_physical ? int(std::lround(std::log(ratio) / std::log(HEIGHT_RATIO))) : 0;
-	StemRecipe &recipe = asked.recipe;
+	UnsolvedStem unsolved;
+	unsolved.era = era;
+	unsolved.height_class = is_physical ? int(std::lround(std::log(ratio) / std::log(HEIGHT_RATIO))) : 0;
+	StemRecipe &recipe = unsolved.recipe;
 	recipe.beam = drawn;
-	recipe.beam.length *= float(std::pow(HEIGHT_RATIO, asked.height_class));
+	recipe.beam.length *= float(std::pow(HEIGHT_RATIO, unsolved.height_class));
 	recipe.beam.natural_frequency = motion.natural_frequency;
 	recipe.beam.damping_ratio = motion.damping_ratio;
 	if (stem.is_valid()) {
-		stem->tell(recipe.beam);
+		stem->write_to(recipe.beam);
 	}
 	recipe.wind_weight = motion.wind_weight;
 	recipe.usual_weight = usual;
 	recipe.own_length = drawn.length;
-	return asked;
+	return unsolved;
 }
 
-const SolvedStem *StemTable::find(const AskedStem &asked) const {
-	const auto known = solved.find(asked.height_class);
-	return asked.era == era && known != solved.end() ? &known->second : nullptr;
+const SolvedStem *StemTable::find(const UnsolvedStem &unsolved) const {
+	const auto known = solved.find(unsolved.height_class);
+	return unsolved.era == era && known != solved.end() ? &known->second : nullptr;
 }
 
-void StemTable::take(const AskedStem &asked, const SolvedStem &found) {
-	if (asked.era != era) {
+void StemTable::take(const UnsolvedStem &unsolved, const SolvedStem &found) {
+	if (unsolved.era != era) {
 		return;
 	}
-	solved.emplace(asked.height_class, found);
+	solved.emplace(unsolved.height_class, found);
 	usual = found.usual_weight != 0.0f ? found.usual_weight : usual;
 	if (found.fault != StemFault::none) {
 		fault = String::utf8(describe(found.fault));

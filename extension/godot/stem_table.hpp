@@ -13,7 +13,7 @@
 namespace undergrowth {
 
 /// A stem that its species has not solved. solve_recipe() solves it on any thread.
-struct AskedStem {
+struct UnsolvedStem {
 	StemRecipe recipe;
 	int height_class = 0;
 	uint64_t era = 0; ///< Of the species; a species with another one has other stems.
@@ -24,8 +24,8 @@ struct AskedStem {
 class SharedStem {
 public:
 	/// Returns the existing one for an equal request, or a new one.
-	static std::shared_ptr<SharedStem> of(const AskedStem &asked);
-	const SolvedStem &solve(const AskedStem &asked);
+	static std::shared_ptr<SharedStem> of(const UnsolvedStem &unsolved);
+	const SolvedStem &solve(const UnsolvedStem &unsolved);
 
 private:
 	std::once_flag is_solved;
@@ -36,23 +36,23 @@ private:
 /// stiffness determines it, classes are heights that differ by a tenth. Main thread.
 class StemTable {
 public:
-	/// Removes everything. Call when the look of the species changes.
+	/// Removes everything. Call when the appearance of the species changes.
 	void clear() { *this = StemTable(); }
-	/// Removes the solved stems and retains the look of the plants. Call when their motion changes.
+	/// Removes the solved stems and retains the appearance of the plants. Call when their motion changes.
 	void forget_stems();
 	/// True after learn(). ask() needs it.
-	bool knows_plants() const { return drawn.length > 0.0f; }
+	bool has_drawn_plants() const { return drawn.length > 0.0f; }
 	/// Reads the shape of the stem from a plant of the species' own height.
 	void learn(const SampledPlant &plant);
 
 	/// Returns the request for the stem of a plant of `height` metres; 0 is the species' own height. `stem` may be
 	/// null.
-	AskedStem ask(float height, const Motion &motion, const godot::Ref<PlantStem> &stem) const;
+	UnsolvedStem unsolved_for(float height, const Motion &motion, const godot::Ref<PlantStem> &stem) const;
 	/// Returns the solved stem, or null.
-	const SolvedStem *find(const AskedStem &asked) const;
+	const SolvedStem *find(const UnsolvedStem &unsolved) const;
 	/// Stores the result, unless the species has changed since the request. If the stem has a fault, problem()
 	/// describes it.
-	void take(const AskedStem &asked, const SolvedStem &found);
+	void take(const UnsolvedStem &unsolved, const SolvedStem &found);
 	/// In English; empty if no stem has a fault.
 	const godot::String &problem() const { return fault; }
 

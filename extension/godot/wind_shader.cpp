@@ -45,19 +45,19 @@ static WindTextures make_textures(const AirTiles &tiles) {
 
 // Materials that have the textures, up to a limit. A pointer as above. Setting a texture, even the same one, makes the
 // renderer rebuild a material's uniforms. In each frame that costs time, and unchanged frames are not skipped.
-static std::unordered_set<int64_t> *knowing = nullptr;
-static constexpr size_t MOST_KNOWING = 1024;
+static std::unordered_set<int64_t> *known_materials = nullptr;
+static constexpr size_t MAX_KNOWN_MATERIALS = 1024;
 
 static void show_textures(const AirTiles &tiles, const RID &material) {
 	RenderingServer *server = RenderingServer::get_singleton();
 	if (!textures) {
 		textures = new WindTextures(make_textures(tiles));
-		knowing = new std::unordered_set<int64_t>;
+		known_materials = new std::unordered_set<int64_t>;
 	}
-	if (knowing->size() >= MOST_KNOWING) {
-		knowing->clear();
+	if (known_materials->size() >= MAX_KNOWN_MATERIALS) {
+		known_materials->clear();
 	}
-	if (knowing->insert(material.get_id()).second) {
+	if (known_materials->insert(material.get_id()).second) {
 		server->material_set_param(material, "undergrowth_turbulence", textures->turbulence);
 		server->material_set_param(material, "undergrowth_waves", textures->waves);
 	}
@@ -73,9 +73,9 @@ static void show_map(const AirMap &map, const RID &material, const StringName &s
 void show_wind(const FieldWind &air, double time, const Ref<Material> &material) {
 	RenderingServer *server = RenderingServer::get_singleton();
 	const RID target = material->get_rid();
-	const AirNow now = air_at_time(air.air, {}, air.tiles.get(), time);
+	const AirSnapshot now = air_at_time(air.air, {}, air.tiles.get(), time);
 	const PlantWinds along = winds_along(air);
-	const AirBlow stand = blow_over(now, std::max(air.air.canopy_height, TURF_HEIGHT), along);
+	const AirBlow canopy = blow_over(now, std::max(air.air.canopy_height, TURF_HEIGHT), along);
 	const float gust = now.speed * now.gusts * float(open_ground_gusts(REFERENCE_HEIGHT, double(now.roughness)));
 	const float along_gust = gust / std::sqrt(1.0f + 2.0f * now.skew * now.skew);
 	const float waves = now.waves.cells ? now.canopy_wave_amount : 0.0f;
@@ -86,7 +86,7 @@ void show_wind(const FieldWind &air, double time, const Ref<Material> &material)
 	server->material_set_param(
 			target, "undergrowth_wind_air", Vector4(now.speed, along_gust, gust * float(SIDE_GUSTS), now.skew));
 	server->material_set_param(
-			target, "undergrowth_stand_air", Vector4(stand.mean, stand.gust, stand.side_gust, waves));
+			target, "undergrowth_stand_air", Vector4(canopy.mean, canopy.gust, canopy.side_gust, waves));
 	server->material_set_param(target, "undergrowth_wind_roughness", now.roughness);
 }
 
@@ -95,9 +95,9 @@ void free_wind_textures() {
 		RenderingServer::get_singleton()->free_rid(textures->turbulence);
 		RenderingServer::get_singleton()->free_rid(textures->waves);
 		delete textures;
-		delete knowing;
+		delete known_materials;
 		textures = nullptr;
-		knowing = nullptr;
+		known_materials = nullptr;
 	}
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "wind/travelling_wind.hpp"
+#include "wind/field_wind.hpp"
 
 #include <godot_cpp/classes/material.hpp>
 

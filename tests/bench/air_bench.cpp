@@ -2,7 +2,7 @@
 
 #include "base/random.hpp"
 #include "report.hpp"
-#include "wind/travelling_wind.hpp"
+#include "wind/field_wind.hpp"
 
 using namespace undergrowth;
 
@@ -31,7 +31,7 @@ void time_samples(Report &report, const char *name, const FieldWind &wind, SimdL
 	float x[AT_ONCE], z[AT_ONCE];
 	double time = 0.0;
 	const double run = median_ms([&] {
-		const TravellingWind now = wind_at_time(wind, time);
+		const WindSnapshot now = wind_at_time(wind, time);
 		const AirBlow blow = blow_over(now.air, HEIGHT, winds_along(wind));
 		time += 1.0 / 60.0;
 		for (int begin = 0; begin < PLANTS; begin += AT_ONCE) {

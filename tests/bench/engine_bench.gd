@@ -16,7 +16,7 @@ const BLOCKS := 21
 const FRAMES_PER_BLOCK := 12
 const FRAMES_TO_BEGIN := 4  # Until the motion has fully started.
 const MANY := 3000  # Number of plants from which a block is one frame.
-const MOST_JOINTED := 1000
+const MAX_JOINTED := 1000
 
 var _rows: Array[Dictionary] = []
 var _moving: Array[Skeleton3D] = []
@@ -38,7 +38,7 @@ func _run() -> void:
 			await _measure("plant3d_held", count, _add_held_plants)
 			await _measure("spring_bone_2", count, _add_spring_bones)
 			await _measure("bone_pose_only", count, _add_posed)
-		if count <= MOST_JOINTED:
+		if count <= MAX_JOINTED:
 			await _measure_joints(count)
 	print(JSON.stringify(_rows))
 	quit()

@@ -17,9 +17,9 @@ constexpr int PLANTS_OF_TILE = 400; // Of one species, in a meadow of five.
 constexpr float PLANTS_PER_SQUARE_METRE = 10.0f;
 
 /// Half of each law, under waves.
-FieldSimulation waving_field(const FieldSettings &settings, int plants, int most_in_page = MotionPage::PAGE_PLANTS) {
+FieldSimulation waving_field(const FieldSettings &settings, int plants, int max_in_page = MotionPage::PAGE_PLANTS) {
 	FieldSimulation field(settings);
-	const int page_size = std::clamp(plants / 16, 256, most_in_page);
+	const int page_size = std::clamp(plants / 16, 256, max_in_page);
 	const float side = std::sqrt(static_cast<float>(page_size) / PLANTS_PER_SQUARE_METRE); // A page is one place.
 	constexpr int PAGES_IN_ROW = 8;
 	for (const Law law : { Law::elasticity, Law::spring }) {
@@ -58,8 +58,8 @@ void step(FieldSimulation &field, PageWorkers &workers) {
 }
 
 void time_field(Report &report, const char *name, const FieldSettings &settings, int plants, int threads,
-		int most_in_page = MotionPage::PAGE_PLANTS, const FieldWind *wind = nullptr) {
-	FieldSimulation field = waving_field(settings, plants, most_in_page);
+		int max_in_page = MotionPage::PAGE_PLANTS, const FieldWind *wind = nullptr) {
+	FieldSimulation field = waving_field(settings, plants, max_in_page);
 	if (wind) {
 		field.set_wind(*wind);
 	}

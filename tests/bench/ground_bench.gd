@@ -11,7 +11,7 @@ const VIEW_DISTANCE := 130.0  # m.
 const DENSITY := 12.0
 const SPEED := 8.0  # m/s.
 const FRAMES := 900
-const FRAMES_BETWEEN_LOOKS := 30
+const FRAMES_BETWEEN_POLLS := 30
 const BEARINGS := 48
 const NEARBY := 2.0  # m. A circle of this radius contains 150 plants.
 const MAP_SIZE := 701  # m.
@@ -102,7 +102,7 @@ func _measure(title: String, ground: Node3D, spacing: float) -> void:
 		camera.position.x += SPEED / 60.0
 		await _frame_over()
 		usec.append(field.get_statistics()["build_usec"])
-		if i % FRAMES_BETWEEN_LOOKS == FRAMES_BETWEEN_LOOKS - 1:
+		if i % FRAMES_BETWEEN_POLLS == FRAMES_BETWEEN_POLLS - 1:
 			for distance: float in holes:
 				holes[distance] += _count_holes(field, camera.position, distance)
 	var count := field.get_plant_count()
@@ -117,7 +117,7 @@ func _measure(title: String, ground: Node3D, spacing: float) -> void:
 		"us_per_plant": median / count,
 		"holes_100": holes[100.0],
 		"holes_115": holes[115.0],
-		"looked_at": BEARINGS * FRAMES / FRAMES_BETWEEN_LOOKS,
+		"looked_at": BEARINGS * FRAMES / FRAMES_BETWEEN_POLLS,
 		"renderer": "headless"
 	}
 	_rows.append(row)

@@ -214,7 +214,7 @@ private:
 void time_steps(Report &report, const StepCost &cost, int plants, SimdLevel level, double compute, double memory) {
 	std::vector<MotionPage> pages = meadow(cost, plants);
 	Rows rows(plants, cost.is_whole ? Law::spring : cost.law);
-	TravellingWind wind = {};
+	WindSnapshot wind = {};
 	wind.steady = cost.newtons;
 	const int repeats = std::max(PLANTS_PER_RUN / plants, 1);
 	const auto step = [&] {

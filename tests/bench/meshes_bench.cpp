@@ -133,7 +133,7 @@ void time_forms(Report &report) {
 /// What a species' stem comes to, once for all its plants.
 void time_stems(Report &report) {
 	StemRecipe recipe;
-	recipe.beam.modes = MOST_STEM_MODES;
+	recipe.beam.modes = MAX_STEM_MODES;
 	SolvedStem solved;
 	report.row("stem_constants", 1, 1, median_ms([&] { solved = solve_recipe(recipe); }), SimdLevel::baseline);
 }

@@ -14,7 +14,7 @@ namespace {
 constexpr double FAR_LESS = 20.0;
 
 struct Figure {
-	std::string table, what, asked, measured;
+	std::string table, what, expected, measured;
 	double error = 0.0;
 };
 
@@ -28,7 +28,7 @@ public:
 		}
 		std::ofstream file(path);
 		for (const Figure &figure : all) {
-			file << figure.table << '\t' << figure.what << '\t' << figure.asked << '\t' << figure.measured << '\n';
+			file << figure.table << '\t' << figure.what << '\t' << figure.expected << '\t' << figure.measured << '\n';
 		}
 	}
 
@@ -65,18 +65,18 @@ std::string percent(double share) {
 
 } // namespace
 
-void tell(const std::string &table, const std::string &what, double asked, double measured, int digits,
+void record(const std::string &table, const std::string &what, double expected, double measured, int digits,
 		const char *unit) {
 	Figure &figure = book().of(table, what);
-	figure.asked = number(asked, digits, unit);
+	figure.expected = number(expected, digits, unit);
 	figure.measured = number(measured, digits, unit);
 }
 
-void tell_error(const std::string &table, const std::string &what, double most, double error) {
+void record_error(const std::string &table, const std::string &what, double max, double error) {
 	Figure &figure = book().of(table, what);
 	figure.error = std::max(figure.error, std::fabs(error));
-	figure.asked = "within " + percent(most);
-	const double little = most / FAR_LESS;
+	figure.expected = "within " + percent(max);
+	const double little = max / FAR_LESS;
 	figure.measured = figure.error < little ? "under " + percent(little) : percent(figure.error);
 }
 

@@ -8,11 +8,11 @@ namespace figures {
 
 /// Records a number beside its goal, with `digits` digits after the point. If it is recorded again, the last value
 /// counts.
-void tell(const std::string &table, const std::string &what, double asked, double measured, int digits,
+void record(const std::string &table, const std::string &what, double expected, double measured, int digits,
 		const char *unit = "");
-/// Records the largest error, as a fraction. Under the same name the largest one counts. If it is far below `most`, the
+/// Records the largest error, as a fraction. Under the same name the largest one counts. If it is far below `max`, the
 /// figure states only that, so it is the same on every machine.
-void tell_error(const std::string &table, const std::string &what, double most, double error);
+void record_error(const std::string &table, const std::string &what, double max, double error);
 
 inline const char *const STEMS = "stems"; ///< Stems at rest.
 inline const char *const SWINGS = "swings"; ///< Stems in motion.

@@ -43,7 +43,7 @@ const PATIENCE_SECONDS := 15.0
 ## Frames without a scan after which the editor has applied the results of the scan thread.
 const CALM_FRAMES := 3
 ## Minimum number of colours of a picture that is not empty.
-const LEAST_COLORS := 40
+const MIN_COLORS := 40
 
 ## Folder for [method take_picture]. Empty: it saves nothing.
 var pictures_folder := ""
@@ -159,7 +159,7 @@ func take_picture(name: String, of: Control = null) -> void:
 	for x in range(0, picture.get_width(), 7):
 		for y in range(0, picture.get_height(), 7):
 			colors[picture.get_pixel(x, y)] = true
-	check(colors.size() >= LEAST_COLORS, "dock_%s.png has %d colours" % [name, colors.size()])
+	check(colors.size() >= MIN_COLORS, "dock_%s.png has %d colours" % [name, colors.size()])
 
 
 func _photograph(name: String, of: Control = null) -> Image:

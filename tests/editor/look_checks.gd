@@ -43,9 +43,9 @@ func _find_cut(node: Node) -> PackedStringArray:
 	if control and not control.is_visible_in_tree():
 		return found
 	if control:
-		var least := control.get_combined_minimum_size()
-		if control.size.x < least.x - 0.5 or control.size.y < least.y - 0.5:
-			found.append("%s is %s, not %s" % [_called(control), control.size, least])
+		var minimum := control.get_combined_minimum_size()
+		if control.size.x < minimum.x - 0.5 or control.size.y < minimum.y - 0.5:
+			found.append("%s is %s, not %s" % [_called(control), control.size, minimum])
 		var wanted := _text_width(control)
 		if wanted > control.size.x + 0.5:
 			found.append("%s wants %.0f of %.0f" % [_called(control), wanted, control.size.x])

@@ -28,8 +28,8 @@ func test_it_takes_nothing_from_the_inspector() -> void:
 	await frames(5)
 	var alone := inspector.size
 	check(beside.x >= alone.x and beside.y >= alone.y, "%s, %s without" % [beside, alone])
-	var least := inspector.get_combined_minimum_size()
-	check(beside.x >= least.x and beside.y >= least.y, "%s is less than %s" % [beside, least])
+	var minimum := inspector.get_combined_minimum_size()
+	check(beside.x >= minimum.x and beside.y >= minimum.y, "%s is less than %s" % [beside, minimum])
 	tab.open()
 	await frames(5)
 

@@ -88,11 +88,11 @@ func test_preview_turns_and_zooms() -> void:
 func test_preview_sways() -> void:
 	await open_page("Plant")
 	var plant := part("Plant/Preview/Plants").get_child(0) as Plant3D
-	var most := 0.0
+	var maximum := 0.0
 	for i in 60:
 		await frames(1)
-		most = maxf(most, plant.get_deflection())
-	check(most > 0.005, "the plant moves in the wind, by %f rad" % most)
+		maximum = maxf(maximum, plant.get_deflection())
+	check(maximum > 0.005, "the plant moves in the wind, by %f rad" % maximum)
 	var play := part("Plant/Preview/Play") as Button
 	await click(play)
 	var held := plant.get_tip_position()

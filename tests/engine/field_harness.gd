@@ -72,17 +72,17 @@ func step_both(twin: PlantField3D) -> void:
 
 ## Runs [param count] steps of both. Returns the maximum distance of a tip from its twin's (x), and
 ## from its initial position (y).
-func most_apart(twin: PlantField3D, count: int) -> Vector2:
+func max_apart(twin: PlantField3D, count: int) -> Vector2:
 	var before := all_tips()
-	var most := Vector2.ZERO
+	var maximum := Vector2.ZERO
 	for i in count:
 		step_both(twin)
 		var tips := all_tips()
 		var others := all_tips(twin)
 		for plant in tips.size():
-			most.x = maxf(most.x, tips[plant].distance_to(others[plant]))
-			most.y = maxf(most.y, tips[plant].distance_to(before[plant]))
-	return most
+			maximum.x = maxf(maximum.x, tips[plant].distance_to(others[plant]))
+			maximum.y = maxf(maximum.y, tips[plant].distance_to(before[plant]))
+	return maximum
 
 
 ## Returns all tips, in the axes of their field.

@@ -5,9 +5,9 @@ const PICTURE_SIZE := Vector2i(200, 240)
 ## Pixels differ if a channel differs by more than this.
 const TOLERANCE := 10.0 / 255.0
 ## Number of pixels that may differ, on the outline, by rounding of vertices.
-const MOST_DIFFERENT := 12
+const MAX_DIFFERENT := 12
 ## Minimum number of pixels of the plant.
-const LEAST_PLANT := 100
+const MIN_PLANT := 100
 
 var stage: SubViewport
 

@@ -13,14 +13,14 @@ func test_an_explosion_bends_plants_away_and_is_over() -> void:
 	await frames(20)
 	check_equal(near.get_deflection(), 0.0, "bend before it")
 	blast.explode()
-	var most := 0.0
-	var most_in_field := 0.0
+	var maximum := 0.0
+	var max_in_field := 0.0
 	for i in 60:
 		await frames(1)
-		most = maxf(most, near.get_tip_position().x)
-		most_in_field = maxf(most_in_field, field.get_tip_position(id).z - 4.0)
-	check(most > 0.02, "the plant near it bends away: %f m" % most)
-	check(most_in_field > 0.02, "the field's plant bends away: %f m" % most_in_field)
+		maximum = maxf(maximum, near.get_tip_position().x)
+		max_in_field = maxf(max_in_field, field.get_tip_position(id).z - 4.0)
+	check(maximum > 0.02, "the plant near it bends away: %f m" % maximum)
+	check(max_in_field > 0.02, "the field's plant bends away: %f m" % max_in_field)
 	check_equal(far.get_deflection(), 0.0, "bend out of reach")
 	await frames(900)
 	check(near.get_deflection() < 0.002, "it comes to rest: %f" % near.get_deflection())
@@ -66,12 +66,12 @@ func test_a_body_draws_a_wake_along() -> void:
 	var plant := _add_plant(Vector3(1.5, 0, 0))
 	var body := _add_source(PlantWindSource3D.KIND_WAKE, Vector3(0, 0.5, -8))
 	body.radius = 1.0
-	var most := 0.0
+	var maximum := 0.0
 	for i in 120:
 		body.position.z += 0.2
 		await frames(1)
-		most = maxf(most, plant.get_tip_position().z)
-	check(most > 0.01, "the plant leans after it: %f m" % most)
+		maximum = maxf(maximum, plant.get_tip_position().z)
+	check(maximum > 0.01, "the plant leans after it: %f m" % maximum)
 
 
 func test_a_wake_goes_the_way_of_its_body_in_a_field_that_is_turned() -> void:
@@ -88,16 +88,16 @@ func test_a_wake_goes_the_way_of_its_body_in_a_field_that_is_turned() -> void:
 		fields.append(field)
 	var body := _add_source(PlantWindSource3D.KIND_WAKE, Vector3(0, 0.5, -8))
 	body.radius = 1.0
-	var most := 0.0
+	var maximum := 0.0
 	for i in 120:
 		body.position.z += 0.2
 		await frames(1)
 		var tips: Array[Vector3] = []
 		for k in 2:
 			tips.append(fields[k].to_global(fields[k].get_tip_position(ids[k])))
-		most = maxf(most, tips[0].z)
+		maximum = maxf(maximum, tips[0].z)
 		check_near(tips[1], tips[0], 1e-3, "tip in frame %d" % i)
-	check(most > 0.01, "it leans after the body: %f m" % most)
+	check(maximum > 0.01, "it leans after the body: %f m" % maximum)
 
 
 func test_newtons_blow_on_where_a_source_reaches() -> void:

@@ -2,7 +2,7 @@
 extends "res://tests/engine/harness.gd"
 
 ## Internal members of the library, which neither the editor nor a script shows.
-const INTERNAL: Array[String] = ["LateReport", "OldNameWarning"]
+const INTERNAL: Array[String] = ["DeferredError", "OldNameWarning"]
 const CLASSES: PackedStringArray = [
 	"PlantFunction",
 	"PlantStem",

@@ -122,13 +122,13 @@ func test_cross_sections() -> void:
 	_function.cross_section = CurvePlantFunction.CROSS_SECTION_LOBED
 	_function.lobes = 3
 	_function.lobe_depth = 0.5
-	var least := INF
-	var most := 0.0
+	var minimum := INF
+	var maximum := 0.0
 	for point in _function.get_base_shape(48):
-		least = minf(least, point.length())
-		most = maxf(most, point.length())
-	check_near(most, 0.75, 1e-3, "a lobe's tip")
-	check_near(least, 0.25, 1e-3, "between two lobes")
+		minimum = minf(minimum, point.length())
+		maximum = maxf(maximum, point.length())
+	check_near(maximum, 0.75, 1e-3, "a lobe's tip")
+	check_near(minimum, 0.25, 1e-3, "between two lobes")
 
 
 func test_numbers_out_of_range_give_one_error_and_are_not_kept() -> void:

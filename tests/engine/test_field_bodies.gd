@@ -161,16 +161,16 @@ func test_steps_of_one_frame_push_at_places_of_their_own() -> void:
 	shape.height = 1.2
 	var ball := add_body(shape, Vector3(-2.0, 0.6, 0.06))
 	Engine.time_scale = 6.0  # Frames of six steps.
-	var most: Array[float] = []
-	most.resize(ids.size())
+	var maximum: Array[float] = []
+	maximum.resize(ids.size())
 	for i in 12:
 		ball.position.x += 0.6
 		await frames(1)
 		for k in ids.size():
-			most[k] = maxf(most[k], absf(relative_tip(ids[k]).normalized().z))
+			maximum[k] = maxf(maximum[k], absf(relative_tip(ids[k]).normalized().z))
 	await frames(2)
 	for k in ids.size():
-		check(most[k] > 0.02, "plant %d is pushed aside: %f" % [k, most[k]])
+		check(maximum[k] > 0.02, "plant %d is pushed aside: %f" % [k, maximum[k]])
 	ball.free()
 
 
@@ -278,13 +278,13 @@ func test_what_is_set_down_among_plants_does_not_shove_them() -> void:
 	walker.position = Vector3(0, 1, 0)
 	await step(3)
 	walker.position = Vector3(500, 1, 0)
-	var most := 0.0
+	var maximum := 0.0
 	for i in 30:
 		await step(1)
 		var tips := all_tips()
 		for plant in rest.size():
-			most = maxf(most, tips[plant].distance_to(rest[plant]))
-	check(most > 0.05 and most < 1.2, "tips went %f m" % most)
+			maximum = maxf(maximum, tips[plant].distance_to(rest[plant]))
+	check(maximum > 0.05 and maximum < 1.2, "tips went %f m" % maximum)
 	var now := all_tips()
 	var places := field.get_plant_transforms(field.get_plant_ids())
 	for i in rest.size():
@@ -295,10 +295,10 @@ func test_what_is_set_down_among_plants_does_not_shove_them() -> void:
 
 
 func test_a_field_that_moves_is_not_shoved_by_a_body_that_stands() -> void:
-	var still := await _most_lean_of(0.0, 0.0)
+	var still := await _max_lean_of(0.0, 0.0)
 	check(still > 0.05, "plants are pushed to %f rad" % still)
-	check_near(await _most_lean_of(0.02, 0.0), still, 0.1, "lean where the field moves")
-	check_near(await _most_lean_of(0.02, 0.02), still, 0.1, "lean where both move")
+	check_near(await _max_lean_of(0.02, 0.0), still, 0.1, "lean where the field moves")
+	check_near(await _max_lean_of(0.02, 0.02), still, 0.1, "lean where both move")
 
 
 func test_plants_of_a_turned_and_scaled_field_are_pushed_as_those_of_another() -> void:
@@ -311,7 +311,7 @@ func test_plants_of_a_turned_and_scaled_field_are_pushed_as_those_of_another() -
 
 ## Returns the maximum lean of a plant beside a ball while its field and the ball move by metres in
 ## each frame. At the end both have the positions of a run without movement.
-func _most_lean_of(field_way: float, ball_way: float) -> float:
+func _max_lean_of(field_way: float, ball_way: float) -> float:
 	var own := _single_plant_field()
 	root.add_child(own)
 	await filled(own)
@@ -320,17 +320,17 @@ func _most_lean_of(field_way: float, ball_way: float) -> float:
 	var ball := SphereShape3D.new()
 	ball.radius = 0.4
 	var body := add_body(ball)
-	var most := 0.0
+	var maximum := 0.0
 	for i in 60:
 		var left := maxi(15 - i, 0)
 		own.position.x = -field_way * left
 		body.position = Vector3(0.45 - ball_way * left, own.get_plant_height(id), 0)
 		await process_frame
 		var tip := own.get_tip_position(id) - own.get_plant_transform(id).origin
-		most = maxf(most, tip.angle_to(Vector3.UP))
+		maximum = maxf(maximum, tip.angle_to(Vector3.UP))
 	body.free()
 	own.free()
-	return most
+	return maximum
 
 
 ## Returns the maximum movement of the tip, in the field's axes, after a hit by a ball of 2 m/s in
@@ -352,13 +352,13 @@ func _push_by_passing(placed: Transform3D) -> Vector3:
 		await process_frame
 		way += 2.0 * root.get_process_delta_time()
 	body.free()
-	var most := Vector3.ZERO
+	var maximum := Vector3.ZERO
 	for i in 150:
 		await process_frame
 		var pushed := own.get_tip_position(id) - rest
-		most = pushed if pushed.length() > most.length() else most
+		maximum = pushed if pushed.length() > maximum.length() else maximum
 	own.free()
-	return most
+	return maximum
 
 
 func _single_plant_field() -> PlantField3D:

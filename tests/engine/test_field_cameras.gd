@@ -82,10 +82,10 @@ func test_nobody_near_a_camera_above_the_field_is_stepped_less_often() -> void:
 			moves[plant] += (
 				1 if now.slice(own, own + floats) != before.slice(own, own + floats) else 0
 			)
-	var least := moves[0]
+	var minimum := moves[0]
 	for steps in moves:
-		least = mini(least, steps)
-	check(least >= 15, "somebody is stepped in %d of 16" % least)
+		minimum = mini(minimum, steps)
+	check(minimum >= 15, "somebody is stepped in %d of 16" % minimum)
 
 
 func test_a_body_far_from_all_cameras_pushes_all_plants_in_its_way() -> void:

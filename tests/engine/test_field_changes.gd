@@ -111,14 +111,14 @@ func test_a_property_of_motion_that_is_set_while_a_field_fills_counts() -> void:
 	var rest := all_tips()
 	field.apply_impulse_in_sphere(Vector3.ZERO, 1000.0, Vector3(7.0 * 2.0, 0, 0))
 	await frames(1)
-	var most := 0.0
+	var maximum := 0.0
 	var ids := field.get_plant_ids()
 	var rates := field.get_motion_state(ids)
 	for i in ids.size():
 		if field.get_plant_species(ids[i]) == tulip:
 			var rate := Vector3(rates[12 * i + 3], rates[12 * i + 4], rates[12 * i + 5])
-			most = maxf(most, rate.length() * field.get_plant_height(ids[i]))
-	check(most < 4.0, "a blow on so heavy a plant gives %f m/s" % most)
+			maximum = maxf(maximum, rate.length() * field.get_plant_height(ids[i]))
+	check(maximum < 4.0, "a blow on so heavy a plant gives %f m/s" % maximum)
 	check_equal(rest.size(), ids.size(), "tips")
 
 
@@ -250,7 +250,7 @@ func _check_kept(changes: Dictionary) -> void:
 		await rested()
 		check_equal(sorted_ids(), ids, "plants after %s" % what)
 		var now := field.get_tip_positions(ids)
-		var most := 0.0
+		var maximum := 0.0
 		for i in tips.size():
-			most = maxf(most, now[i].distance_to(tips[i]))
-		check(most < SAME, "tips went %f m by %s" % [most, what])
+			maximum = maxf(maximum, now[i].distance_to(tips[i]))
+		check(maximum < SAME, "tips went %f m by %s" % [maximum, what])

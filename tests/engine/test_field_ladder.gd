@@ -40,9 +40,9 @@ func test_changing_the_motion_keeps_the_state() -> void:
 
 func test_an_interval_stays_near_the_full_rate() -> void:
 	var other := await start_with_twin({"update_interval": 4})
-	var most := most_apart(other, 200)
-	check(most.y > 0.1, "they move %f m" % most.y)
-	check(most.x < 0.25 * most.y, "%f m away, they move %f m" % [most.x, most.y])
+	var maximum := max_apart(other, 200)
+	check(maximum.y > 0.1, "they move %f m" % maximum.y)
+	check(maximum.x < 0.25 * maximum.y, "%f m away, they move %f m" % [maximum.x, maximum.y])
 	other.free()
 
 

@@ -44,7 +44,7 @@ func test_nothing_is_drawn_beyond_the_visibility_range() -> void:
 	check_equal(count_different(await picture(), empty_picture()), 0, "pixels of a plant too far")
 	stage.get_camera_3d().position.z = 1.4
 	var near := count_different(await picture(), empty_picture())
-	check(near > LEAST_PLANT, "%d pixels of a near plant" % near)
+	check(near > MIN_PLANT, "%d pixels of a near plant" % near)
 
 
 func test_plants_cast_shadows_within_the_shadow_distance_only() -> void:
@@ -58,7 +58,7 @@ func test_plants_cast_shadows_within_the_shadow_distance_only() -> void:
 	_field.hide()
 	var bare := await picture()
 	var plant := count_different(without_shadow, bare)
-	check(plant > LEAST_PLANT, "the plant is drawn: %d pixels" % plant)
+	check(plant > MIN_PLANT, "the plant is drawn: %d pixels" % plant)
 	var shadow := count_different(with_shadow, without_shadow)
 	check(shadow > 50, "its shadow is: %d pixels" % shadow)
 
@@ -92,7 +92,7 @@ func test_turning_the_camera_changes_no_level() -> void:
 	var turn := camera.rotation
 	camera.rotation.y += 0.4
 	await frames(3)
-	check(count_different(before, await picture()) > LEAST_PLANT, "it looks elsewhere")
+	check(count_different(before, await picture()) > MIN_PLANT, "it looks elsewhere")
 	camera.rotation = turn
 	check_equal(count_different(before, await picture()), 0, "pixels after turning back")
 
@@ -119,7 +119,7 @@ func test_a_bent_plant_is_not_culled_where_only_its_tip_is_seen() -> void:
 	function.lean = deg_to_rad(80.0)
 	_field.add_plants([Transform3D(Basis(Vector3.UP, PI / 2), Vector3(-2.2, 1.0, 0))], function)
 	await frames(5)
-	check(count_different(await picture(), empty_picture()) > LEAST_PLANT, "the tip of it is drawn")
+	check(count_different(await picture(), empty_picture()) > MIN_PLANT, "the tip of it is drawn")
 
 
 func _cast_shadows() -> void:

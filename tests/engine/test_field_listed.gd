@@ -103,10 +103,10 @@ func test_more_variants_keep_plants_and_their_motion() -> void:
 		check_equal(sorted_ids(), ids, "plants with %d variants" % count)
 		check_equal(_kinds(ids), kinds, "species with %d variants" % count)
 		var now := _directions(ids)
-		var most := 0.0
+		var maximum := 0.0
 		for i in ids.size():
-			most = maxf(most, now[i].angle_to(bends[i]))
-		check(most < 2e-3, "plants turn %f rad with %d variants" % [most, count])
+			maximum = maxf(maximum, now[i].angle_to(bends[i]))
+		check(maximum < 2e-3, "plants turn %f rad with %d variants" % [maximum, count])
 	var leaning := 0
 	for bend in bends:
 		leaning += 1 if bend.angle_to(Vector3.UP) > 0.05 else 0

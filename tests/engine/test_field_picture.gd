@@ -123,7 +123,7 @@ func test_followers_of_prototypes_are_drawn() -> void:
 	var first := await picture()
 	await frames(20)
 	var later := await picture()
-	check(count_different(first, empty_picture()) > LEAST_PLANT, "plants are drawn")
+	check(count_different(first, empty_picture()) > MIN_PLANT, "plants are drawn")
 	check(count_different(first, later) > 50, "they move")
 
 
@@ -147,7 +147,7 @@ func test_a_filling_that_is_refused_draws_nothing() -> void:
 		await process_frame
 	check_error("texture layers")
 	await frames(5)
-	check(count_different(before, empty_picture()) > LEAST_PLANT, "plants are drawn")
+	check(count_different(before, empty_picture()) > MIN_PLANT, "plants are drawn")
 	check_equal(count_different(before, await picture()), 0, "pixels that are others")
 
 
@@ -209,9 +209,9 @@ func _check_followers_dressed(preview: bool) -> void:
 		_field._preview(0.0, _field.wind)
 	await frames(4)
 	var after := await picture()
-	check(count_different(before, empty_picture()) > LEAST_PLANT, "plants are drawn")
+	check(count_different(before, empty_picture()) > MIN_PLANT, "plants are drawn")
 	var different := count_different(before, after)
-	check(different <= MOST_DIFFERENT, "%d pixels differ" % different)
+	check(different <= MAX_DIFFERENT, "%d pixels differ" % different)
 
 
 ## [param mown]: height in metres that it is mown to before.
@@ -243,9 +243,9 @@ func _compare(
 	plant.get_skeleton().set_bone_pose_rotation(1, Quaternion(Vector3.UP, tip))
 	await frames(2)
 	var alone := await picture()
-	check(count_different(alone, empty_picture()) > LEAST_PLANT, "a plant is drawn")
+	check(count_different(alone, empty_picture()) > MIN_PLANT, "a plant is drawn")
 	var different := count_different(in_field, alone)
-	check(different <= MOST_DIFFERENT, "%d pixels differ" % different)
+	check(different <= MAX_DIFFERENT, "%d pixels differ" % different)
 
 
 ## Waits for the balance of wind and plant.

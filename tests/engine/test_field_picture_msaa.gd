@@ -43,22 +43,22 @@ func _turn_on_glow() -> void:
 
 ## Returns the maximum value of all channels.
 func _brightest(shown: Image) -> float:
-	var most := 0.0
+	var maximum := 0.0
 	for y in SIZE.y:
 		for x in SIZE.x:
 			var color := shown.get_pixel(x, y)
-			most = maxf(most, maxf(color.r, maxf(color.g, color.b)))
-	return most
+			maximum = maxf(maximum, maxf(color.r, maxf(color.g, color.b)))
+	return maximum
 
 
 ## Returns the number of pixels with NaN, with a negative value, or brighter than [param most].
-func _count_wrong(shown: Image, most: float) -> int:
+func _count_wrong(shown: Image, maximum: float) -> int:
 	var count := 0
 	for y in SIZE.y:
 		for x in SIZE.x:
 			var color := shown.get_pixel(x, y)
 			for channel: float in [color.r, color.g, color.b]:
-				if not (channel >= 0.0 and channel <= most):
+				if not (channel >= 0.0 and channel <= maximum):
 					count += 1
 					break
 	return count

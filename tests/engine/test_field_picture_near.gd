@@ -20,14 +20,16 @@ func test_plants_near_a_moving_camera_are_all_drawn() -> void:
 	var camera := stage.get_camera_3d()
 	for step in 4:
 		var place := Vector3(0.9 * step - 1.0, 0.6, 1.2 - 0.7 * step)
-		camera.look_at_from_position(place, place + Vector3(0.2, -0.4, -1).rotated(Vector3.UP, step))
+		camera.look_at_from_position(
+			place, place + Vector3(0.2, -0.4, -1).rotated(Vector3.UP, step)
+		)
 		_field.levels = []
 		await settled(_field)
 		var by_error := _count_green(await picture())
 		_field.levels = [PlantFieldLevel.of(24)]
 		await settled(_field)
 		var whole := _count_green(await picture())
-		check(whole > 10 * LEAST_PLANT, "plants are drawn: %d pixels" % whole)
+		check(whole > 10 * MIN_PLANT, "plants are drawn: %d pixels" % whole)
 		check_near(float(by_error), float(whole), 0.1 * whole, "pixels of plants")
 
 
@@ -42,8 +44,8 @@ func test_a_camera_that_turns_sees_plants_in_the_same_frame() -> void:
 	await RenderingServer.frame_post_draw
 	var at_once := stage.get_texture().get_image()
 	var later := await picture()
-	check(_count_green(later) > 10 * LEAST_PLANT, "plants are drawn")
-	check(count_different(at_once, later) <= MOST_DIFFERENT, "the first frame is complete")
+	check(_count_green(later) > 10 * MIN_PLANT, "plants are drawn")
+	check(count_different(at_once, later) <= MAX_DIFFERENT, "the first frame is complete")
 
 
 func test_the_nearest_plants_cast_shadows_of_a_coarser_level() -> void:
@@ -63,7 +65,7 @@ func test_the_nearest_plants_cast_shadows_of_a_coarser_level() -> void:
 	_field.shadow_distance = 0.0
 	await settled(_field)
 	var bright := await picture()
-	check(count_different(shaded, bright) > LEAST_PLANT, "near plants cast shadows")
+	check(count_different(shaded, bright) > MIN_PLANT, "near plants cast shadows")
 
 
 func test_fields_with_default_settings_cost_little() -> void:
@@ -75,7 +77,7 @@ func test_fields_with_default_settings_cost_little() -> void:
 	await _check_cost(mix.instantiate(), 0.8e6, 150)
 
 
-func _check_cost(field: PlantField3D, most_primitives: float, most_draws: int) -> void:
+func _check_cost(field: PlantField3D, max_primitives: float, max_draws: int) -> void:
 	field.simulation_enabled = false
 	stage.add_child(field)
 	await settled(field)
@@ -85,8 +87,8 @@ func _check_cost(field: PlantField3D, most_primitives: float, most_draws: int) -
 	var primitives := _count(RenderingServer.VIEWPORT_RENDER_INFO_PRIMITIVES_IN_FRAME)
 	var draws := _count(RenderingServer.VIEWPORT_RENDER_INFO_DRAW_CALLS_IN_FRAME)
 	check(primitives > 1000, "%d primitives" % primitives)
-	check(primitives <= most_primitives, "%d primitives of %s" % [primitives, field.name])
-	check(draws <= most_draws, "%d draws of %s" % [draws, field.name])
+	check(primitives <= max_primitives, "%d primitives of %s" % [primitives, field.name])
+	check(draws <= max_draws, "%d draws of %s" % [draws, field.name])
 	field.free()
 
 

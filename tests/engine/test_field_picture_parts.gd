@@ -3,7 +3,7 @@ extends "res://tests/engine/picture_harness.gd"
 
 const STEP := 1.0 / 60.0
 ## Of the outline of a plant with swinging leaves: the accuracy of linear blend skinning.
-const MOST_OF_PARTS := 50
+const MAX_PART_PIXELS := 50
 ## Without additional brightness of bent plants, and with much of it.
 const LIGHTS: Array[float] = [0.0, 3.0]
 const LEAN := deg_to_rad(20.0)
@@ -48,7 +48,7 @@ func test_leaves_on_a_slope_are_still_without_wind() -> void:
 	var before := await picture()
 	_step_field(37)
 	var after := await picture()
-	check(count_different(before, empty_picture()) > LEAST_PLANT, "a plant is drawn")
+	check(count_different(before, empty_picture()) > MIN_PLANT, "a plant is drawn")
 	check_equal(count_different(before, after), 0, "pixels that changed")
 
 
@@ -62,11 +62,11 @@ func test_leaves_move_in_steady_wind_and_stand_with_the_field() -> void:
 	check_equal(
 		count_different(before, still), 0, "pixels that changed in a field that stands still"
 	)
-	var most := 0
+	var maximum := 0
 	for i in 4:
 		_step_field(7)
-		most = maxi(most, count_different(before, await picture()))
-	check(most > 12, "leaves flutter: %d pixels changed" % most)
+		maximum = maxi(maximum, count_different(before, await picture()))
+	check(maximum > 12, "leaves flutter: %d pixels changed" % maximum)
 
 
 func test_parts_of_followers_move_with_the_wind() -> void:
@@ -75,7 +75,7 @@ func test_parts_of_followers_move_with_the_wind() -> void:
 	_step_field(60)
 	var before := await picture()
 	_step_field(9)
-	check(count_different(before, empty_picture()) > LEAST_PLANT, "a plant is drawn")
+	check(count_different(before, empty_picture()) > MIN_PLANT, "a plant is drawn")
 	check(count_different(before, await picture()) > 20, "it moves")
 
 
@@ -89,7 +89,7 @@ func test_far_plants_do_not_swing() -> void:
 	_step_field(600)
 	var before := await picture()
 	_step_field(11)
-	check(count_different(before, empty_picture()) > LEAST_PLANT, "a plant is drawn")
+	check(count_different(before, empty_picture()) > MIN_PLANT, "a plant is drawn")
 	check_equal(count_different(before, await picture()), 0, "pixels that changed")
 
 
@@ -97,7 +97,7 @@ func test_what_the_wind_lays_down_is_lighter() -> void:
 	var plant := await _plant_alone(PlantFunction.LAW_SPRING)
 	plant.height = 0.5
 	var calm := await _pictures_by_light(plant.species)
-	check(count_different(calm[0], empty_picture()) > LEAST_PLANT, "a plant is drawn")
+	check(count_different(calm[0], empty_picture()) > MIN_PLANT, "a plant is drawn")
 	check_equal(count_different(calm[0], calm[1]), 0, "pixels of a calm plant that are lighter")
 	_wind.strength = 150.0
 	for i in 13:
@@ -143,7 +143,7 @@ func _plant_alone(law: PlantFunction.MotionLaw) -> Plant3D:
 
 
 func _check_unlit(pictures: Array[Image], law: PlantFunction.MotionLaw) -> void:
-	check(count_different(pictures[0], empty_picture()) > LEAST_PLANT, "law %d is drawn" % law)
+	check(count_different(pictures[0], empty_picture()) > MIN_PLANT, "law %d is drawn" % law)
 	var lighter := count_different(pictures[0], pictures[1])
 	check_equal(lighter, 0, "law %d: pixels that are lighter" % law)
 
@@ -199,7 +199,7 @@ func _compare(species: PlantFunction, place: Transform3D, steps: int) -> void:
 	var alone := await picture()
 	check(plant.get_deflection() > 0.03, "it is bent")
 	var different := count_different(in_field, alone)
-	check(different <= MOST_OF_PARTS, "%d pixels differ" % different)
+	check(different <= MAX_PART_PIXELS, "%d pixels differ" % different)
 	var skeleton := plant.get_skeleton()
 	for bone in range(2, skeleton.get_bone_count()):
 		skeleton.set_bone_pose(bone, skeleton.get_bone_rest(bone))

@@ -3,8 +3,8 @@ extends "res://tests/engine/picture_harness.gd"
 
 const STEP := 1.0 / 60.0
 ## Of an outline of about 400 pixels, with tips at 77 degrees: the accuracy of bones.
-const MOST_OF_STEMS := 100
-const LEAST_OF_SECOND := 40
+const MAX_STEM_PIXELS := 100
+const MIN_SECOND_MODE_PIXELS := 40
 const STEPS_OF_BLOW := 9
 
 var _field: PlantField3D
@@ -89,9 +89,9 @@ func test_a_reed_in_air() -> void:
 		var different := count_different(in_field, await picture())
 		if blowing:
 			check(plant.get_deflection() > 0.7, "it is bent, %.2f" % plant.get_deflection())
-			check(different <= MOST_OF_STEMS, "%d pixels differ" % different)
+			check(different <= MAX_STEM_PIXELS, "%d pixels differ" % different)
 		else:
-			check(different > 2 * MOST_OF_STEMS, "%d differ from newtons' shape" % different)
+			check(different > 2 * MAX_STEM_PIXELS, "%d differ from newtons' shape" % different)
 
 
 ## Waves with the frequency of its second mode.
@@ -161,14 +161,14 @@ func _in_axes_of(plant: Plant3D, state: PackedFloat32Array) -> PackedFloat32Arra
 
 ## It shows both modes, which differ from the tip's bend in a steady wind.
 func _check_modes(plant: Plant3D, in_field: Image, alone: Image) -> void:
-	check(count_different(in_field, empty_picture()) > LEAST_PLANT, "a plant is drawn")
+	check(count_different(in_field, empty_picture()) > MIN_PLANT, "a plant is drawn")
 	var different := count_different(in_field, alone)
-	check(different <= MOST_OF_STEMS, "%d pixels differ" % different)
+	check(different <= MAX_STEM_PIXELS, "%d pixels differ" % different)
 	plant.set_motion_state(plant.get_motion_state().slice(0, 6))
 	await frames(2)
 	var of_one := count_different(alone, await picture())
 	check(
-		of_one > 3 * maxi(different, LEAST_OF_SECOND),
+		of_one > 3 * maxi(different, MIN_SECOND_MODE_PIXELS),
 		"%d differ from one mode, %d from both" % [of_one, different]
 	)
 
@@ -214,12 +214,12 @@ func _compare(
 	var plant := await make_twin(_field, id, species, at, steps)
 	var alone := await picture()
 	check(plant.get_deflection() > 0.2, "it is bent, %.2f" % plant.get_deflection())
-	check(count_different(in_field, empty_picture()) > LEAST_PLANT, "a plant is drawn")
+	check(count_different(in_field, empty_picture()) > MIN_PLANT, "a plant is drawn")
 	var different := count_different(in_field, alone)
 	var tip := _field.global_transform * _field.get_tip_position(id)
 	var own_tip := plant.global_transform * plant.get_tip_position()
 	check(tip.distance_to(own_tip) < 2e-3, "both tips are where the stem ends")
-	check(different <= MOST_OF_STEMS, "%d pixels differ" % different)
+	check(different <= MAX_STEM_PIXELS, "%d pixels differ" % different)
 	var last := plant.get_joint_position(plant.get_joint_count())
 	check(last.is_equal_approx(plant.get_tip_position()), "the last joint is the tip")
 	var skeleton := plant.get_skeleton()

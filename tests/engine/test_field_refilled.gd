@@ -62,14 +62,14 @@ func test_what_is_done_to_plants_while_they_are_refilled_stays_done() -> void:
 			await process_frame
 		check(blows > 1, "it takes %d frames" % blows)
 		check(field.has_plant(pushed), "it stands again")
-		check_near(_most_apart(field.get_motion_state(others), before), 0.0, ROUNDING, "others")
+		check_near(_max_apart(field.get_motion_state(others), before), 0.0, ROUNDING, "others")
 		var now := field.get_motion_state([pushed])
 		field.set_motion_state([pushed], state)
 		for i in blows:
 			field.apply_impulse_in_sphere(at, 0.001, BLOW)
 		var wanted := field.get_motion_state([pushed])
-		check_near(_most_apart(now, wanted), 0.0, HALF_A_BLOW, "it has got all %d blows" % blows)
-		check(_most_apart(now, state) > 0.01 * blows, "which it feels")
+		check_near(_max_apart(now, wanted), 0.0, HALF_A_BLOW, "it has got all %d blows" % blows)
+		check(_max_apart(now, state) > 0.01 * blows, "which it feels")
 
 
 func test_who_is_removed_or_added_while_it_is_refilled_is_so_then() -> void:
@@ -145,11 +145,11 @@ func test_out_of_the_tree_in_the_midst_of_it() -> void:
 	check(field.get_plant_count() > MANY, "%d plants" % field.get_plant_count())
 
 
-func _most_apart(some: PackedFloat32Array, others: PackedFloat32Array) -> float:
-	var most := 0.0 if some.size() == others.size() else INF
+func _max_apart(some: PackedFloat32Array, others: PackedFloat32Array) -> float:
+	var maximum := 0.0 if some.size() == others.size() else INF
 	for i in mini(some.size(), others.size()):
-		most = maxf(most, absf(some[i] - others[i]))
-	return most
+		maximum = maxf(maximum, absf(some[i] - others[i]))
+	return maximum
 
 
 func _described(of: PlantField3D) -> Array:

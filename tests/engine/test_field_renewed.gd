@@ -107,11 +107,11 @@ func test_who_stays_keeps_id_and_motion_all_the_time() -> void:
 	var looks := 0
 	while field.is_building():
 		if looks % 7 == 0:
-			check_near(_most_apart(field.get_motion_state(ids), before), 0.0, ROUNDING, "motion")
+			check_near(_max_apart(field.get_motion_state(ids), before), 0.0, ROUNDING, "motion")
 		looks += 1
 		await process_frame
 	check(looks > 20, "it takes %d frames" % looks)
-	check_near(_most_apart(field.get_motion_state(ids), before), 0.0, ROUNDING, "motion then")
+	check_near(_max_apart(field.get_motion_state(ids), before), 0.0, ROUNDING, "motion then")
 
 
 func test_who_is_removed_in_the_midst_of_it_never_comes_back() -> void:
@@ -239,11 +239,11 @@ func _count(place: Vector3) -> int:
 	return field.find_plants_in_sphere(place, REACH).size()
 
 
-func _most_apart(some: PackedFloat32Array, others: PackedFloat32Array) -> float:
-	var most := 0.0 if some.size() == others.size() else INF
+func _max_apart(some: PackedFloat32Array, others: PackedFloat32Array) -> float:
+	var maximum := 0.0 if some.size() == others.size() else INF
 	for i in mini(some.size(), others.size()):
-		most = maxf(most, absf(some[i] - others[i]))
-	return most
+		maximum = maxf(maximum, absf(some[i] - others[i]))
+	return maximum
 
 
 ## Waits until all expected tiles are built.

@@ -58,12 +58,12 @@ func test_a_bent_plant_that_is_a_skeleton_has_room_for_its_tip_where_it_is_culle
 
 ## Returns a field of one species and a camera at its middle. Plants near the camera become
 ## skeletons.
-func _watch(species: PlantFunction, size: Vector2, most: int) -> Camera3D:
+func _watch(species: PlantFunction, size: Vector2, maximum: int) -> Camera3D:
 	field = PlantField3D.from_species([species])
 	field.size = size
 	field.density = 4.0
 	field.skeleton_distance = 4.0
-	field.max_skeletons = most
+	field.max_skeletons = maximum
 	var camera := Camera3D.new()
 	root.add_child(camera)
 	return camera

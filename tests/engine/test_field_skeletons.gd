@@ -2,7 +2,7 @@
 extends "res://tests/engine/picture_harness.gd"
 
 ## Share of the plants' pixels that may differ: Compatibility stores rotations in half floats.
-const MOST_DIFFERENT_SHARE := 0.005
+const MAX_DIFFERENT_SHARE := 0.005
 
 var _field: PlantField3D
 var _told: Array[String] = []
@@ -241,10 +241,10 @@ func test_skeletons_are_neither_saved_nor_copied() -> void:
 
 func _check_same(before: Image, during: Image) -> void:
 	var drawn := count_different(before, empty_picture())
-	check(drawn > 20 * LEAST_PLANT, "plants are drawn")
+	check(drawn > 20 * MIN_PLANT, "plants are drawn")
 	var different := count_different(before, during)
 	check(
-		different <= MOST_DIFFERENT_SHARE * drawn,
+		different <= MAX_DIFFERENT_SHARE * drawn,
 		"%d of %d pixels differ with skeletons" % [different, drawn]
 	)
 

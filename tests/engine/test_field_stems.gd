@@ -77,9 +77,9 @@ func test_stems_follow_prototypes() -> void:
 
 func test_stems_that_are_stepped_less_often_stay_near() -> void:
 	var twin := await start_with_twin({"update_interval": 4})
-	var most := most_apart(twin, 120)
-	check(most.y > 0.02, "they move %f m" % most.y)
-	check(most.x < 0.25 * most.y, "%f m away, they move %f m" % [most.x, most.y])
+	var maximum := max_apart(twin, 120)
+	check(maximum.y > 0.02, "they move %f m" % maximum.y)
+	check(maximum.x < 0.25 * maximum.y, "%f m away, they move %f m" % [maximum.x, maximum.y])
 	twin.free()
 
 
@@ -193,7 +193,7 @@ func test_stems_that_change_while_a_field_fills_move_as_they_are_then() -> void:
 	check(field.is_building(), "it is seen to fill")
 	while field.is_building():
 		await process_frame
-	var apart := await most_apart(twin, 30)
+	var apart := await max_apart(twin, 30)
 	check(apart.x < 1e-5, "tips are %f m from those that were stiff before" % apart.x)
 	check(apart.y > 1e-3, "they go %f m" % apart.y)
 	twin.free()

@@ -244,18 +244,18 @@ func test_a_walk_over_ground_in_wind_leaves_nothing_behind() -> void:
 	await frames(2)
 	await start()
 	await _streamed()
-	var most := field.get_plant_count()
+	var maximum := field.get_plant_count()
 	for i in 60:
 		_camera.position.x += 2.0
 		await frames(4)
-		most = maxi(most, field.get_plant_count())
+		maximum = maxi(maximum, field.get_plant_count())
 		if i % 10 == 5:
 			field.remove_in_sphere(_camera.position, 4.0)
 		if i == 20:
 			field.species[0].species.natural_frequency *= 1.1
 	await _streamed()
 	var area := PI * (DISTANCE + 3.0 * TILE) ** 2
-	check(most < area * field.density, "%d stand at most" % most)
+	check(maximum < area * field.density, "%d stand at most" % maximum)
 	var nearest := field.find_nearest_plant(_camera.position + Vector3(9, 1, 0), 5.0)
 	check(nearest >= 0, "somebody stands there")
 	check_near(field.get_plant_transform(nearest).origin.y, 3.0, 0.01, "on the ground")

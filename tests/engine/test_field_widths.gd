@@ -39,7 +39,7 @@ func test_a_thinned_field_covers_as_much_as_the_whole() -> void:
 		var whole := _count_covered(await picture())
 		_field.levels[0].density = 0.4
 		var thinned := _count_covered(await picture())
-		check(whole > 10 * LEAST_PLANT, "plants are drawn")
+		check(whole > 10 * MIN_PLANT, "plants are drawn")
 		check_near(float(thinned), float(whole), 0.2 * whole, "pixels of %s" % function)
 
 
@@ -49,7 +49,7 @@ func test_a_plant_that_is_left_away_draws_nothing() -> void:
 	_field.levels = [PlantFieldLevel.of(6, 0.0, 0.0)]
 	check_equal(_count_covered(await picture()), 0, "pixels of plants that are left away")
 	_field.levels[0].density = 1.0
-	check(_count_covered(await picture()) > LEAST_PLANT, "they are drawn again")
+	check(_count_covered(await picture()) > MIN_PLANT, "they are drawn again")
 
 
 func test_few_wide_leaves_cover_no_more_than_many_from_above() -> void:
@@ -61,7 +61,7 @@ func test_few_wide_leaves_cover_no_more_than_many_from_above() -> void:
 	var fine := _count_covered(await picture())
 	_field.levels = [PlantFieldLevel.of(24, 0.5), PlantFieldLevel.of(3)]
 	var coarse := _count_covered(await picture())
-	check(fine > LEAST_PLANT, "%d pixels of the finest level" % fine)
+	check(fine > MIN_PLANT, "%d pixels of the finest level" % fine)
 	check_near(float(coarse), float(fine), 0.35 * fine, "pixels of few leaves from above")
 
 
@@ -139,14 +139,14 @@ func _check_transition(tolerance: float, ragged: float) -> void:
 		var image := await picture()
 		covered.append(_count_covered(image))
 		edges.append(_count_edges(image))
-	var least := mini(covered[0], covered[-1]) * (1.0 - tolerance)
-	var most := maxi(covered[0], covered[-1]) * (1.0 + tolerance)
-	check(least > LEAST_PLANT, "a plant is drawn")
+	var minimum := mini(covered[0], covered[-1]) * (1.0 - tolerance)
+	var maximum := maxi(covered[0], covered[-1]) * (1.0 + tolerance)
+	check(minimum > MIN_PLANT, "a plant is drawn")
 	for count in covered:
-		check(count >= least and count <= most, "%s pixels" % [covered])
-	var most_edges := maxi(edges[0], edges[-1]) * (1.0 + ragged)
+		check(count >= minimum and count <= maximum, "%s pixels" % [covered])
+	var max_edges := maxi(edges[0], edges[-1]) * (1.0 + ragged)
 	for count in edges:
-		check(count <= most_edges, "%s edges" % [edges])
+		check(count <= max_edges, "%s edges" % [edges])
 
 
 func _count_covered(image: Image) -> int:

@@ -159,5 +159,5 @@ func _check_colour(shown: Image, colour: Color, what: String) -> void:
 				drawn += 1
 				var own := pixel.r * colour.r + pixel.g * colour.g + pixel.b * colour.b
 				right += 1 if own > 0.6 * (pixel.r + pixel.g + pixel.b) else 0
-	check(drawn > LEAST_PLANT, "%d pixels of plants" % drawn)
+	check(drawn > MIN_PLANT, "%d pixels of plants" % drawn)
 	check(right > 0.98 * drawn, "%d of %d pixels are %s" % [right, drawn, what])

@@ -4,9 +4,9 @@ extends "res://tests/engine/field_harness.gd"
 const FOLDER := "res://addons/undergrowth/mixes"
 const SPECIES_FOLDER := "res://addons/undergrowth/species/"
 ## Factor of the weight's tolerance. A hundred square metres contain only a few drifts.
-const MOST_APART := 2.0
+const MAX_DIFFERENCE := 2.0
 ## Within ten by ten metres.
-const MOST_PLANTS := 7000
+const MAX_PLANTS := 7000
 
 
 func test_every_mix_grows_what_it_says() -> void:
@@ -52,7 +52,7 @@ func _check_what_stands(file: String) -> void:
 		var species := field.get_plant_species(id)
 		counts[species] = counts.get(species, 0) + 1
 	var total := float(field.get_plant_count())
-	check(total > 500 and total < MOST_PLANTS, "%s has %d plants" % [file, total])
+	check(total > 500 and total < MAX_PLANTS, "%s has %d plants" % [file, total])
 	var sum := 0.0
 	for listed in field.species:
 		sum += listed.weight * listed.density_factor
@@ -60,4 +60,4 @@ func _check_what_stands(file: String) -> void:
 		var wanted := listed.weight * listed.density_factor / sum
 		var apart: float = counts.get(listed.species, 0) / total / wanted
 		var told := "%s: %s is %.2f times its share" % [file, listed.species.resource_path, apart]
-		check(apart < MOST_APART and apart > 1.0 / MOST_APART, told)
+		check(apart < MAX_DIFFERENCE and apart > 1.0 / MAX_DIFFERENCE, told)

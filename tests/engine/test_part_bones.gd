@@ -57,15 +57,15 @@ func test_weights_of_a_vertex_are_of_bones_that_there_are() -> void:
 		var arrays := _plant.get_mesh().surface_get_arrays(0)
 		var bones: PackedInt32Array = arrays[Mesh.ARRAY_BONES]
 		var weights: PackedFloat32Array = arrays[Mesh.ARRAY_WEIGHTS]
-		var most := 0
+		var maximum := 0
 		var worst := 0.0
 		for i in range(0, weights.size(), 4):
 			worst = maxf(
 				worst, absf(weights[i] + weights[i + 1] + weights[i + 2] + weights[i + 3] - 1.0)
 			)
 			for k in range(i, i + 4):
-				most = maxi(most, bones[k])
-		check_equal(most, count - 1, species + ": the last bone")
+				maximum = maxi(maximum, bones[k])
+		check_equal(maximum, count - 1, species + ": the last bone")
 		check_near(worst, 0.0, 1e-4, species + ": sums of weights")
 
 
@@ -115,11 +115,11 @@ func test_a_plant_at_rest_has_still_leaves_and_comes_back_to_rest() -> void:
 	_plant.advance(0.5)
 	check_near(_turn_of(skeleton, "leaf_1"), 0.0, 1e-5, "without wind")
 	_plant.apply_impulse(Vector3(0.08, 0.0, 0.04))
-	var most := 0.0
+	var maximum := 0.0
 	for i in 12:
 		_plant.advance(STEP)
-		most = maxf(most, _turn_of(skeleton, "leaf_1"))
-	check(most > 0.05, "after a blow")
+		maximum = maxf(maximum, _turn_of(skeleton, "leaf_1"))
+	check(maximum > 0.05, "after a blow")
 	_plant.species.damping_ratio = 1.0
 	for i in 300:
 		_plant.advance(STEP)
@@ -131,15 +131,15 @@ func test_leaves_flutter_on_in_a_steady_wind() -> void:
 		_plant.advance(STEP)
 	var skeleton := _plant.get_skeleton()
 	var tip := _plant.get_tip_position()
-	var least := INF
-	var most := 0.0
+	var minimum := INF
+	var maximum := 0.0
 	for i in 90:
 		_plant.advance(STEP)
 		var turn := _turn_of(skeleton, "leaf_1")
-		least = minf(least, turn)
-		most = maxf(most, turn)
+		minimum = minf(minimum, turn)
+		maximum = maxf(maximum, turn)
 	check_near(_plant.get_tip_position(), tip, 1e-3, "the stem stands still")
-	check(most - least > 0.01, "a leaf turns by %f rad" % (most - least))
+	check(maximum - minimum > 0.01, "a leaf turns by %f rad" % (maximum - minimum))
 
 
 func test_reset_motion_puts_leaves_into_their_rest() -> void:
@@ -213,11 +213,11 @@ func test_skeletons_of_a_field_have_the_same_bones_and_swing() -> void:
 	check(skeleton != null, "a plant near the camera has a skeleton")
 	if skeleton:
 		check(skeleton.find_bone("leaf_1") >= 2, "it has bones of leaves")
-		var most := 0.0
+		var maximum := 0.0
 		for i in 30:
 			await frames(1)
-			most = maxf(most, _turn_of(skeleton, "leaf_1"))
-		check(most > 0.01, "they swing")
+			maximum = maxf(maximum, _turn_of(skeleton, "leaf_1"))
+		check(maximum > 0.01, "they swing")
 	field.free()
 	camera.free()
 

@@ -99,11 +99,11 @@ func test_bodies_that_physics_moves_push_plants() -> void:
 	ball.linear_velocity.x = 1.5
 	ball.add_to_group(&"walkers")
 	root.add_child(ball)
-	var most := 0.0
+	var maximum := 0.0
 	while ball.position.x < 1.0:
 		await physics_frame
-		most = maxf(most, plant.get_deflection())
-	check(most > 0.2, "pushed by %f rad" % most)
+		maximum = maxf(maximum, plant.get_deflection())
+	check(maximum > 0.2, "pushed by %f rad" % maximum)
 	ball.free()
 	plant.free()
 

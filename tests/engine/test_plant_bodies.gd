@@ -5,7 +5,7 @@ const RADIUS := 0.3  # m, of the balls.
 ## m. A plant is pushed once per step, and pulls back during a step.
 const CLEAR := 0.01
 
-const MOST_APART := 0.001  # m, between a tip of a field and that of a single plant.
+const MAX_DIFFERENCE := 0.001  # m, between a tip of a field and that of a single plant.
 
 const BOTH_LAWS: Array[PlantFunction.MotionLaw] = [
 	PlantFunction.LAW_SPRING, PlantFunction.LAW_ELASTICITY
@@ -56,7 +56,7 @@ func test_what_walks_by_moves_both_alike_at_every_frame_rate() -> void:
 			var how := " at %d frames, %s" % [rate, moved]
 			check(ways[0] > 0.3, "tips of the field go %f m" % ways[0])
 			check_near(ways[1], ways[0], 0.05 * ways[0], "way" + how)
-			check_near(ways[2], 0.0, MOST_APART, "most between two tips" + how)
+			check_near(ways[2], 0.0, MAX_DIFFERENCE, "most between two tips" + how)
 
 
 ## Returns the output of tests/engine/driven/walk_by_plants.gd in a process of its own (m): the
@@ -164,39 +164,39 @@ func test_what_is_set_down_by_a_plant_does_not_shove_it() -> void:
 	var ball := add_ball(Vector3(-500, 1.2, 0), RADIUS)
 	await pass_time(0.2)
 	ball.position.x = -0.2
-	var most := 0.0
+	var maximum := 0.0
 	for i in 30:
 		await process_frame
-		most = maxf(most, plant.get_deflection())
-	check(most > 0.05 and most < 0.35, "it leans by %f rad" % most)
+		maximum = maxf(maximum, plant.get_deflection())
+	check(maximum > 0.05 and maximum < 0.35, "it leans by %f rad" % maximum)
 	ball.position.x = 500
 	plant.position.x = 1000
 	await pass_time(3.0)
 	plant.position.x = 500.2
-	most = 0.0
+	maximum = 0.0
 	for i in 30:
 		await process_frame
-		most = maxf(most, plant.get_deflection())
-	check(most > 0.05 and most < 0.35, "nor one that is set down itself, %f rad" % most)
+		maximum = maxf(maximum, plant.get_deflection())
+	check(maximum > 0.05 and maximum < 0.35, "nor one that is set down itself, %f rad" % maximum)
 
 
 func test_a_plant_that_moves_is_not_shoved_by_a_body_that_stands_or_goes_along() -> void:
-	var still := await _most_lean_of(0.0, 0.0)
+	var still := await _max_lean_of(0.0, 0.0)
 	check(still > 0.05, "it is pushed to %f rad" % still)
-	check_near(await _most_lean_of(0.02, 0.0), still, 0.02, "lean where the plant moves")
-	check_near(await _most_lean_of(-0.02, -0.02), still, 0.02, "lean where both move")
-	check(await _most_lean_of(0.0, -0.02) > still + 0.15, "a ball that comes shoves")
+	check_near(await _max_lean_of(0.02, 0.0), still, 0.02, "lean where the plant moves")
+	check_near(await _max_lean_of(-0.02, -0.02), still, 0.02, "lean where both move")
+	check(await _max_lean_of(0.0, -0.02) > still + 0.15, "a ball that comes shoves")
 
 
 ## Returns the maximum lean of a plant beside a ball while the plant and the ball move by metres in
 ## each frame. At the end both have the positions of a run without movement.
 
 
-func _most_lean_of(plant_way: float, ball_way: float) -> float:
+func _max_lean_of(plant_way: float, ball_way: float) -> float:
 	var plant := add_plant(make_species(PlantFunction.LAW_SPRING, 0.2))
 	plant.apparent_wind = 0.0
 	var ball: StaticBody3D
-	var most := 0.0
+	var maximum := 0.0
 	for i in 60:
 		var left := maxi(15 - i, 0)
 		plant.position.x = -plant_way * left
@@ -206,10 +206,10 @@ func _most_lean_of(plant_way: float, ball_way: float) -> float:
 			ball = add_ball(at, RADIUS)
 		ball.position = at
 		await process_frame
-		most = maxf(most, plant.get_deflection())
+		maximum = maxf(maximum, plant.get_deflection())
 	plant.free()
 	ball.free()
-	return most
+	return maximum
 
 
 ## Checks that a ball at the tip of a plant in this pose leaves the tip at its surface.

@@ -111,11 +111,11 @@ func test_those_that_have_it_off_or_do_not_simulate_touch_nobody() -> void:
 		var pair := _add_pair(species, species)
 		pair[1].set(switch, false)
 		pair[0].apply_impulse(Vector3(2.0 * species.mass, 0, 0))
-		var least := 1.0
+		var minimum := 1.0
 		for i in 60:
 			await process_frame
-			least = minf(least, _distance(pair))
-		check(least < RADIUS, "it goes through where %s is off: %f m" % [switch, least])
+			minimum = minf(minimum, _distance(pair))
+		check(minimum < RADIUS, "it goes through where %s is off: %f m" % [switch, minimum])
 		check_near(pair[1].get_deflection(), 0.0, 1e-6, "the other stands")
 		pair[1].set(switch, true)
 		pair[0].reset_motion()
@@ -213,13 +213,13 @@ func _distance(pair: Array[Plant3D]) -> float:
 ## Checks that the distance of the two is the sum of their spheres' radii.
 func _check_apart(pair: Array[Plant3D], seconds: float) -> void:
 	var sum: float = pair[0].species.collision_radius + pair[1].species.collision_radius
-	var least := 10.0
+	var minimum := 10.0
 	var passed := 0.0
 	while passed < seconds:
 		await process_frame
 		passed += root.get_process_delta_time()
-		least = minf(least, _distance(pair))
-	check_near(least, sum, 2.0 * CLEAR, "nearest")
+		minimum = minf(minimum, _distance(pair))
+	check_near(minimum, sum, 2.0 * CLEAR, "nearest")
 
 
 func _free(pair: Array[Plant3D]) -> void:

@@ -73,7 +73,7 @@ func _laws() -> Array[PlantFunction.MotionLaw]:
 func _check_reach(label: String) -> void:
 	var reach := _plant.get_reach().grow(SKIN_TOLERANCE)
 	var outside := 0
-	var most := 0.0
+	var maximum := 0.0
 	for side in 8:
 		var angle := TAU * side / 8.0
 		_plant.reset_motion()
@@ -81,9 +81,9 @@ func _check_reach(label: String) -> void:
 		for i in 3:
 			_plant.advance(STEP)
 			outside += _count_outside(reach)
-			most = maxf(most, _plant.get_deflection())
+			maximum = maxf(maximum, _plant.get_deflection())
 	check_equal(outside, 0, "vertices out of reach of " + label)
-	check(most > 1.0, "%s bends far: %f" % [label, most])
+	check(maximum > 1.0, "%s bends far: %f" % [label, maximum])
 
 
 func _count_outside(reach: AABB) -> int:

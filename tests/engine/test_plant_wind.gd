@@ -244,13 +244,13 @@ func test_a_new_wind_never_comes_to_rest() -> void:
 	check_equal(wind.frequency, 0.4, "frequency")
 	_wind = wind
 	_run(60.0)
-	var least := INF
-	var most := 0.0
+	var minimum := INF
+	var maximum := 0.0
 	for i in 300:
 		_run(STEP)
-		least = minf(least, _plant.get_deflection())
-		most = maxf(most, _plant.get_deflection())
-	check(most - least > 0.05, "it still sways after a minute, by %f" % (most - least))
+		minimum = minf(minimum, _plant.get_deflection())
+		maximum = maxf(maximum, _plant.get_deflection())
+	check(maximum - minimum > 0.05, "it still sways after a minute, by %f" % (maximum - minimum))
 
 
 func test_saved_it_loads_equal() -> void:

@@ -9,10 +9,10 @@ const GROUND := 0.004
 ## Of the tip, as a stereographic image: about 34 degrees.
 const BEND := Vector2(0.3, 0.0)
 ## Of the plant's height: whorls and discs have a radius.
-const MOST_AT_REST := 0.015
+const MAX_AT_REST := 0.015
 ## Tolerance beyond the second order of a chord, and for plants with a large lean.
-const MOST_BENT := 0.015
-const MOST_BENT_OF: Dictionary = {"male_fern.tres": 0.08, "red_clover.tres": 0.045}
+const MAX_BENT := 0.015
+const MAX_BENT_BY_SPECIES: Dictionary = {"male_fern.tres": 0.08, "red_clover.tres": 0.045}
 
 
 ## One part or body of a mesh.
@@ -42,9 +42,9 @@ func _check_species(file: String) -> void:
 					var rows := piece.middles.size() if piece.is_spindle else 1
 					worst = worst.max(_gap(piece, pieces, rows) / height)
 		var what := "%s, %d segments: " % [file, segments]
-		check(worst.x <= MOST_AT_REST, what + "%.1f %% of the height" % (100.0 * worst.x))
+		check(worst.x <= MAX_AT_REST, what + "%.1f %% of the height" % (100.0 * worst.x))
 		check(
-			worst.y <= MOST_BENT_OF.get(file, MOST_BENT),
+			worst.y <= MAX_BENT_BY_SPECIES.get(file, MAX_BENT),
 			what + "%.1f %% of the height, bent" % (100.0 * worst.y)
 		)
 		if "--print" in OS.get_cmdline_user_args():
@@ -76,11 +76,11 @@ func _gap(piece: Piece, pieces: Array[Piece], rows: int) -> Vector2:
 
 
 func _distance(point: Vector3, line: PackedVector3Array) -> float:
-	var least := INF
+	var minimum := INF
 	for i in line.size() - 1:
 		var on := Geometry3D.get_closest_point_to_segment(point, line[i], line[i + 1])
-		least = minf(least, point.distance_to(on))
-	return least
+		minimum = minf(minimum, point.distance_to(on))
+	return minimum
 
 
 func _height(arrays: Array) -> float:

@@ -26,14 +26,14 @@ const HUES: Dictionary = {
 	"yarrow": WHITE,
 }
 const HUE_WIDTH := 0.06
-const LEAST_SATURATION := 0.2
-const LEAST_FLOWER := 8
+const MIN_SATURATION := 0.2
+const MIN_FLOWER := 8
 ## Minimum number of pixels of a thin plant.
-const LEAST_SEEN := 60
+const MIN_VISIBLE_PIXELS := 60
 ## Species without any green.
 const RIPE := "wheat"
-const LEAST_WHITE := 0.5
-const MOST_CREAMY := 0.3
+const MIN_WHITE := 0.5
+const MAX_CREAMY := 0.3
 ## As in a field up to 12 m, and up to 25 m.
 const LEVELS: PackedInt32Array = [12, 6]
 ## Metres: the height of the stage.
@@ -66,11 +66,11 @@ func test_leaves_and_flowers_are_seen_in_their_colours() -> void:
 		for segments in LEVELS:
 			var shown := await _picture_of(file, segments)
 			var what := "%s at %d" % [file, segments]
-			check(count_different(shown, empty_picture()) > LEAST_SEEN, what + " is seen")
+			check(count_different(shown, empty_picture()) > MIN_VISIBLE_PIXELS, what + " is seen")
 			var flower := _count_hue(shown, HUES[file])
-			check(flower >= LEAST_FLOWER, "%s: %d pixels of its own colour" % [what, flower])
+			check(flower >= MIN_FLOWER, "%s: %d pixels of its own colour" % [what, flower])
 			var green := _count_hue(shown, GREEN)
-			check(green >= LEAST_FLOWER or file == RIPE, "%s: %d green pixels" % [what, green])
+			check(green >= MIN_FLOWER or file == RIPE, "%s: %d green pixels" % [what, green])
 
 
 ## The engine converts a material's colour to linear light. Vertices need the same conversion.
@@ -92,7 +92,7 @@ func test_a_colour_of_vertices_is_that_colour_in_a_material() -> void:
 		plant.free()
 	check(count_different(pictures[0], empty_picture()) > 200, "leaves are seen")
 	var different := count_different(pictures[0], pictures[1])
-	check(different <= MOST_DIFFERENT, "%d pixels differ" % different)
+	check(different <= MAX_DIFFERENT, "%d pixels differ" % different)
 
 
 func _picture_of(file: String, segments: int) -> Image:
@@ -114,8 +114,8 @@ func _count_hue(shown: Image, hue: float) -> int:
 		for x in PICTURE_SIZE.x:
 			var color := shown.get_pixel(x, y)
 			if hue == WHITE:
-				count += 1 if color.v > LEAST_WHITE and color.s < MOST_CREAMY else 0
-			elif color.v > 0.1 and color.s >= LEAST_SATURATION:
+				count += 1 if color.v > MIN_WHITE and color.s < MAX_CREAMY else 0
+			elif color.v > 0.1 and color.s >= MIN_SATURATION:
 				var way := absf(color.h - hue)
 				count += 1 if minf(way, 1.0 - way) < HUE_WIDTH else 0
 	return count

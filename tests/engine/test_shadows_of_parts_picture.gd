@@ -4,7 +4,7 @@ extends "res://tests/engine/picture_harness.gd"
 
 const GARDEN_TULIP := "res://addons/undergrowth/species/garden_tulip.tres"
 ## Share of a flower's pixels whose neighbour may differ in shadow.
-const MOST_BORDERS := 0.06
+const MAX_BORDERS := 0.06
 
 var _sun: DirectionalLight3D
 var _plant: Plant3D
@@ -37,14 +37,14 @@ func test_petals_are_not_striped_by_their_own_shadow() -> void:
 	var lit := await picture()
 	_sun.shadow_enabled = true
 	var shaded := await picture()
-	check(count_different(lit, empty_picture()) > 20 * LEAST_PLANT, "a flower fills the picture")
+	check(count_different(lit, empty_picture()) > 20 * MIN_PLANT, "a flower fills the picture")
 	var borders := 0
 	for y in PICTURE_SIZE.y:
 		for x in range(1, PICTURE_SIZE.x):
 			var before := _is_shaded(lit, shaded, x - 1, y)
 			borders += 1 if _is_shaded(lit, shaded, x, y) != before else 0
 	var share := float(borders) / count_different(lit, empty_picture())
-	check(share < MOST_BORDERS, "%.3f of its pixels are at borders of shadows" % share)
+	check(share < MAX_BORDERS, "%.3f of its pixels are at borders of shadows" % share)
 
 
 func test_plants_throw_shadows() -> void:
@@ -55,7 +55,7 @@ func test_plants_throw_shadows() -> void:
 	stage.get_camera_3d().look_at_from_position(Vector3(0, 2.0, 0.1), Vector3.ZERO)
 	var lit := await picture()
 	_sun.shadow_enabled = true
-	check(count_different(lit, await picture()) > LEAST_PLANT, "pixels in shadow")
+	check(count_different(lit, await picture()) > MIN_PLANT, "pixels in shadow")
 
 
 func _is_shaded(lit: Image, shaded: Image, x: int, y: int) -> bool:

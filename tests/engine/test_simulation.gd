@@ -239,8 +239,8 @@ func test_a_hidden_plant_goes_on_moving() -> void:
 
 
 func _check_moved_smoothly(from: Vector3, label: String) -> void:
-	var most := LARGEST_SPEED * (root.get_process_delta_time() + STEP)
-	check_near(_plant.get_tip_position(), from, most, "tip " + label)
+	var maximum := LARGEST_SPEED * (root.get_process_delta_time() + STEP)
+	check_near(_plant.get_tip_position(), from, maximum, "tip " + label)
 
 
 func _check_bone_near_the_tip() -> void:

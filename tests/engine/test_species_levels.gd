@@ -9,7 +9,7 @@ const ROWS := 512
 const OUTLINES := 4
 ## By segments: tolerance of the area, on the mean over all sides and from the worst one. These dots
 ## are coarse for the branches of a cornflower. With finer ones its difference is 4 %.
-const MOST: Dictionary = {
+const MAX_DEVIATIONS: Dictionary = {
 	12: [0.04, 0.06], 6: [0.04, 0.09], 3: [0.04, 0.06], 2: [0.04, 0.06], 1: [0.04, 0.065]
 }
 
@@ -26,7 +26,7 @@ func _check_species(file: String) -> void:
 	var fine := species.generate_mesh(0.0, FINEST, SEED)
 	var box := fine.get_aabb()
 	var areas := _outlines(fine, box)
-	for segments: int in MOST:
+	for segments: int in MAX_DEVIATIONS:
 		var level := _outlines(species.generate_mesh(0.0, segments, SEED), box)
 		var sum := 0.0
 		var worst := 0.0
@@ -34,8 +34,11 @@ func _check_species(file: String) -> void:
 			sum += level[side] / areas[side] - 1.0
 			worst = maxf(worst, absf(level[side] / areas[side] - 1.0))
 		var what := "%s, %d segments: " % [file, segments]
-		check(absf(sum) / OUTLINES < MOST[segments][0], what + "mean %+.3f" % (sum / OUTLINES))
-		check(worst < MOST[segments][1], what + "worst %.3f" % worst)
+		check(
+			absf(sum) / OUTLINES < MAX_DEVIATIONS[segments][0],
+			what + "mean %+.3f" % (sum / OUTLINES)
+		)
+		check(worst < MAX_DEVIATIONS[segments][1], what + "worst %.3f" % worst)
 
 
 ## Returns the number of dots that a mesh covers from each of four sides.

@@ -41,8 +41,8 @@ func test_a_plant_and_a_fields_plant_at_one_place_move_as_one() -> void:
 			times.append(plant.wind.get_time())
 			tips.append(plant.get_tip_position())
 			field_tips.append(field.get_tip_position(id) - plant.position)
-		check(_least_apart(times, tips, tips, 1.0) > 5.0 * SAME_TIP, "law %d: it sways" % law)
-		check_near(_least_apart(times, tips, field_tips, 0.0), 0.0, SAME_TIP, "law %d: apart" % law)
+		check(_min_apart(times, tips, tips, 1.0) > 5.0 * SAME_TIP, "law %d: it sways" % law)
+		check_near(_min_apart(times, tips, field_tips, 0.0), 0.0, SAME_TIP, "law %d: apart" % law)
 		field.free()
 
 
@@ -72,8 +72,8 @@ func test_a_field_that_comes_later_feels_the_air_of_its_wind() -> void:
 		times.append(wind.get_time())
 		for i in 2:
 			tips[i].append(fields[i].get_tip_position(ids[i]))
-	check(_least_apart(times, tips[0], tips[0], 1.0) > 5.0 * SAME_TIP, "they sway")
-	check_near(_least_apart(times, tips[0], tips[1], 0.0), 0.0, SAME_TIP, "tips apart")
+	check(_min_apart(times, tips[0], tips[0], 1.0) > 5.0 * SAME_TIP, "they sway")
+	check_near(_min_apart(times, tips[0], tips[1], 0.0), 0.0, SAME_TIP, "tips apart")
 	for field in fields:
 		field.free()
 
@@ -135,8 +135,8 @@ func test_a_scaled_field_has_the_winds_way_in_metres_of_the_world() -> void:
 		times.append(wind.get_time())
 		for i in 2:
 			tips[i].append((field.get_tip_position(ids[i]) - places[i]).normalized())
-	check(_least_apart(times, tips[0], tips[1], 0.5) > 5.0 * SAME_TIP, "they sway")
-	check_near(_least_apart(times, tips[0], tips[1], 1.0), 0.0, SAME_TIP, "apart a second later")
+	check(_min_apart(times, tips[0], tips[1], 0.5) > 5.0 * SAME_TIP, "they sway")
+	check_near(_min_apart(times, tips[0], tips[1], 1.0), 0.0, SAME_TIP, "apart a second later")
 	field.free()
 
 
@@ -193,20 +193,20 @@ func _add(place: Vector3, species: PlantFunction, wind: PlantWind) -> Plant3D:
 ## Returns the maximum distance of a tip, after the decay of the start, from the path of another one
 ## within a few steps of a time that differs by [param shift] seconds. Frames may be longer than
 ## that.
-func _least_apart(
+func _min_apart(
 	times: PackedFloat64Array, some: PackedVector3Array, others: PackedVector3Array, shift: float
 ) -> float:
-	var most := 0.0
+	var maximum := 0.0
 	for i in times.size():
 		if times[i] < 5.0 or times[i] > 7.5 - shift:
 			continue
-		var least := INF
+		var minimum := INF
 		var begin := times[i] + shift - STEPS_LATE * STEP
 		var end := times[i] + shift + STEPS_LATE * STEP
 		for k in range(1, times.size()):
 			if times[k] > begin and times[k - 1] < end:
 				var way := [others[k - 1], others[k]]
 				var nearest := Geometry3D.get_closest_point_to_segment(some[i], way[0], way[1])
-				least = minf(least, some[i].distance_to(nearest))
-		most = maxf(most, least)
-	return most
+				minimum = minf(minimum, some[i].distance_to(nearest))
+		maximum = maxf(maximum, minimum)
+	return maximum

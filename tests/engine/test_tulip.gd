@@ -49,16 +49,16 @@ func test_base_shape_is_a_circle_of_at_least_four_points() -> void:
 func test_height_is_spread_over_one_metre_from_1_2() -> void:
 	var rng := RandomNumberGenerator.new()
 	rng.seed = 1
-	var least := INF
-	var most := 0.0
+	var minimum := INF
+	var maximum := 0.0
 	var sum := 0.0
 	for i in 1000:
 		var height := _tulip.generate_height(rng)
-		least = minf(least, height)
-		most = maxf(most, height)
+		minimum = minf(minimum, height)
+		maximum = maxf(maximum, height)
 		sum += height
-	check(least >= 1.2 and least < 1.22, "the lowest is near 1.2, not %f" % least)
-	check(most < 2.2 and most > 2.18, "the highest is near 2.2, not %f" % most)
+	check(minimum >= 1.2 and minimum < 1.22, "the lowest is near 1.2, not %f" % minimum)
+	check(maximum < 2.2 and maximum > 2.18, "the highest is near 2.2, not %f" % maximum)
 	# The mean of 1000 uniform heights has a standard deviation of 0.009.
 	check_near(sum / 1000.0, 1.7, 0.04, "mean height")
 

@@ -80,10 +80,10 @@ func _is_cut() -> String:
 	var gone := _field.find_plants_in_sphere(place, 1.0)
 	_field.remove_in_sphere(place, 1.0)
 	var are_gone := Array(gone).all(func(id: int) -> bool: return not _field.has_plant(id))
-	var stand := _field.get_plant_count()
-	if ids[0] in gone and are_gone and stand == ids.size() - gone.size():
+	var count := _field.get_plant_count()
+	if ids[0] in gone and are_gone and count == ids.size() - gone.size():
 		return ""
-	return "%d of %d stand, %d should be gone" % [stand, ids.size(), gone.size()]
+	return "%d of %d stand, %d should be gone" % [count, ids.size(), gone.size()]
 
 
 ## Its motion comes back from a file, and the field from a scene that was saved.

@@ -9,11 +9,11 @@ constexpr int LARGE = 24; // One in so many grows as large as it comes; the othe
 
 /// What a species costs goes with how many parts it has, what it can break with how many species are tried.
 void make_few(Arrangement &arrangement, Chance &chance) {
-	const int most = chance.whole(1, 3);
+	const int max = chance.whole(1, 3);
 	if (arrangement.count_min <= MAX_PARTS &&
 			arrangement.count_max <= MAX_PARTS) { // Others are refused, and are to be.
-		arrangement.count_min = std::min(arrangement.count_min, most);
-		arrangement.count_max = std::min(arrangement.count_max, most);
+		arrangement.count_min = std::min(arrangement.count_min, max);
+		arrangement.count_max = std::min(arrangement.count_max, max);
 	}
 }
 
@@ -58,14 +58,14 @@ void grow_recipe(Chance &chance, bool is_spoilt, bool is_large, Growth &growth) 
 
 /// Some of what stands, of one group or of many.
 std::vector<int> any_carriers(Chance &chance, bool is_spoilt, const Growth &growth) {
-	const int most = static_cast<int>(growth.form().placed.size());
+	const int max = static_cast<int>(growth.form().placed.size());
 	std::vector<int> carriers;
 	if (is_spoilt && chance.one_in(10)) {
-		return { chance.whole(-3, 2 * most + 2) };
+		return { chance.whole(-3, 2 * max + 2) };
 	}
-	const int first = chance.whole(ON_GROUND, most - 1);
+	const int first = chance.whole(ON_GROUND, max - 1);
 	for (int i = chance.one_in(3) ? chance.whole(0, 20) : 0; i >= 0; i--) {
-		carriers.push_back(chance.one_in(3) ? chance.whole(ON_GROUND, most - 1) : std::min(first + i, most - 1));
+		carriers.push_back(chance.one_in(3) ? chance.whole(ON_GROUND, max - 1) : std::min(first + i, max - 1));
 	}
 	return carriers;
 }

@@ -83,8 +83,8 @@ std::string DrawnForm::problem_of(size_t i) const {
 	if (!is_finite(colors[i]) || !is_share(colors[i].w) || !is_finite(uvs[i])) {
 		return "its colour or UV is not finite";
 	}
-	const glm::vec4 &hang = custom0[i];
-	if (!is_share(hang.x) || !is_share(hang.y) || !is_share(hang.z) || !is_share(hang.w)) {
+	const glm::vec4 &attachment = custom0[i];
+	if (!is_share(attachment.x) || !is_share(attachment.y) || !is_share(attachment.z) || !is_share(attachment.w)) {
 		return "CUSTOM0 holds no shares";
 	}
 	if (!is_finite(glm::vec3(custom1[i])) || !is_code(custom1[i].w)) {

@@ -11,7 +11,7 @@ using namespace undergrowth;
 
 namespace {
 
-constexpr int MOST_SEGMENTS = 16;
+constexpr int MAX_SEGMENTS = 16;
 constexpr int BENDS = 3;
 
 bool are_finite(const glm::vec3 &v) {
@@ -45,16 +45,16 @@ std::string look_at_measure(const FormMeasure &measure) {
 	return std::isfinite(sum) ? std::string() : "what is measured is not finite";
 }
 
-glm::vec2 any_bend(Chance &chance, float most) {
-	const float size = chance.one_in(6) ? 0.0f : chance.spread(1e-6f, most);
+glm::vec2 any_bend(Chance &chance, float max) {
+	const float size = chance.one_in(6) ? 0.0f : chance.spread(1e-6f, max);
 	return { size * chance.within(-1.0f, 1.0f), size * chance.within(-1.0f, 1.0f) };
 }
 
 std::string bend_bones(const FormBones &bones, Chance &chance) {
 	StemMotion stem;
-	const float most = chance.one_in(4) ? 1e15f : 3.0f;
-	stem.bend = any_bend(chance, most);
-	stem.rate = any_bend(chance, 10.0f * most);
+	const float max = chance.one_in(4) ? 1e15f : 3.0f;
+	stem.bend = any_bend(chance, max);
+	stem.rate = any_bend(chance, 10.0f * max);
 	stem.rest = any_bend(chance, 2.0f);
 	stem.clock = chance.within(0.0f, 1.0f);
 	for (const PartBone &bone : bones.stretched(chance.spread(0.1f, 10.0f))) {
@@ -62,7 +62,7 @@ std::string bend_bones(const FormBones &bones, Chance &chance) {
 			return "a bone's place is not finite";
 		}
 		const glm::vec2 bend = part_bend(bone.swing, stem);
-		if (!(glm::length(bend) <= 1.0001f * MOST_PART_BEND)) {
+		if (!(glm::length(bend) <= 1.0001f * MAX_PART_BEND)) {
 			return "a part's bend is not finite, or too far";
 		}
 		const PartPose pose = pose_of(bone, stem);
@@ -91,14 +91,14 @@ std::string try_species(uint64_t seed, Stage &stage, bool &is_grown) {
 	stage = "being measured";
 	const FormMeasure measure = measure_form(form);
 	problem = look_at_measure(measure);
-	const FormBones bones(form, hang_parts(form));
+	const FormBones bones(form, attach_parts(form));
 	for (int i = 0; i < BENDS && problem.empty(); i++) {
 		problem = bend_bones(bones, chance);
 	}
 	if (!problem.empty()) {
 		return problem;
 	}
-	const int segments = chance.whole(1, MOST_SEGMENTS);
+	const int segments = chance.whole(1, MAX_SEGMENTS);
 	const std::string level = " at " + std::to_string(segments) + " segments";
 	stage = "being planned";
 	const FormPlan plan = plan_form(form, measure, vertex_budget(segments));

@@ -15,7 +15,7 @@ from .result import Result, run
 COUNT = 2000
 LONGEST = 7 * 24 * 3600  # s. Slow species end by a limit of the program.
 SILENCE = 120  # s. The program reports a species after 30 s.
-MOST_ENDS = 5  # Aborts of one share by sanitizers. More end the share.
+MAX_ENDS = 5  # Aborts of one share by sanitizers. More end the share.
 FAILED_LINE = re.compile(r"^FAILED (seed (\d+): .*)$", re.MULTILINE)
 END_LINE = re.compile(r"^done: (\d+) species, (\d+) grown, (\d+) failed, (slowest \d+ with \d+ ms)$", re.MULTILINE)
 
@@ -44,7 +44,7 @@ def grow(name, program, first, count, step):
         total.notes += read.notes
         seeds = [int(seed) for _, seed in FAILED_LINE.findall(output)]
         ends += 1
-        if END_LINE.search(output) or not seeds or ends == MOST_ENDS:
+        if END_LINE.search(output) or not seeds or ends == MAX_ENDS:
             break
         done = (seeds[-1] - first) // step + 1
         first, count = first + done * step, count - done

@@ -9,8 +9,8 @@ GUIDE = ROOT / "docs/guide"
 SCENES = ROOT / "demo_project/guide"
 LINK = re.compile(r"\]\(([^)#]+)\)")
 CODE = re.compile(r"```.*?```", re.DOTALL)
-MOST_BYTES = 1_500_000
-MOST_LINES = 130
+MAX_BYTES = 1_500_000
+MAX_LINES = 130
 
 
 class Guide(unittest.TestCase):
@@ -31,7 +31,7 @@ class Guide(unittest.TestCase):
     def test_pages_are_short(self):
         self.assertGreaterEqual(len(self.pages), 10)
         for page in self.pages:
-            self.assertLess(len(page.read_text(encoding="utf-8").splitlines()), MOST_LINES, page.name)
+            self.assertLess(len(page.read_text(encoding="utf-8").splitlines()), MAX_LINES, page.name)
 
     def test_each_picture_has_a_scene_and_a_page(self):
         text = "".join(page.read_text(encoding="utf-8") for page in self.pages)
@@ -41,7 +41,7 @@ class Guide(unittest.TestCase):
 
     def test_pictures_are_small(self):
         size = sum(path.stat().st_size for path in (GUIDE / "pictures").iterdir())
-        self.assertLess(size, MOST_BYTES)
+        self.assertLess(size, MAX_BYTES)
 
 
 if __name__ == "__main__":

@@ -98,8 +98,8 @@ def wrong_texts(data, paths):
     return [f"it holds a path of the machine that built it: {path}" for path in paths if path.encode() in data]
 
 
-def some(names, most=5):
-    return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
+def some(names, maximum=5):
+    return ", ".join(names[:maximum]) + (f" and {len(names) - maximum} more" if len(names) > maximum else "")
 
 
 def dotted(version):

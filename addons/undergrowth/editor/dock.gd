@@ -9,7 +9,7 @@ const Translations := preload("translations/translations.gd")
 const StatusLine := preload("widgets/status_line.gd")
 
 ## Minimum width in pixels at 100 %. It leaves enough room on small screens.
-const LEAST_WIDTH := 300
+const MIN_WIDTH := 300
 
 ## State that both pages share.
 var state := EditorState.new()
@@ -26,7 +26,7 @@ func setup(plugin: EditorPlugin) -> void:
 	set_translation_domain(Translations.DOMAIN)
 	_pages.set_tab_title(_pages.get_tab_idx_from_control(_plant_page), tr("Plant"))
 	_pages.set_tab_title(_pages.get_tab_idx_from_control(_wind_page), tr("Wind"))
-	custom_minimum_size.x = LEAST_WIDTH * EditorInterface.get_editor_scale()
+	custom_minimum_size.x = MIN_WIDTH * EditorInterface.get_editor_scale()
 	_status.setup(state)
 	_align_status()
 	_plant_page.setup(state, plugin.get_undo_redo(), self)

@@ -123,16 +123,16 @@ BytesFault ByteFrame::check(const char (&letters)[5], uint32_t version, const ui
 		return BytesFault::other_kind;
 	}
 	ByteReader header(bytes + LETTERS, count - LETTERS);
-	const uint64_t told_version = header.number(VERSION_BYTES);
+	const uint64_t stored_version = header.number(VERSION_BYTES);
 	const uint64_t length = header.number(LENGTH_BYTES);
-	if (header.is_sound() && told_version > version) {
+	if (header.is_sound() && stored_version > version) {
 		return BytesFault::later_version;
 	}
-	if (!header.is_sound() || told_version != version || length != count || count < HEADER + CHECKSUM) {
+	if (!header.is_sound() || stored_version != version || length != count || count < HEADER + CHECKSUM) {
 		return BytesFault::torn;
 	}
-	const uint64_t told = ByteReader(bytes + count - CHECKSUM, CHECKSUM).number(CHECKSUM);
-	return told == checksum_of(bytes, count - CHECKSUM) ? BytesFault::none : BytesFault::torn;
+	const uint64_t stored = ByteReader(bytes + count - CHECKSUM, CHECKSUM).number(CHECKSUM);
+	return stored == checksum_of(bytes, count - CHECKSUM) ? BytesFault::none : BytesFault::torn;
 }
 
 } // namespace undergrowth

@@ -9,22 +9,22 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float LEAST_CELL = 1e-3f; // m.
-constexpr float MOST_CELLS = 1e9f;
-static_assert(TipContact::MOST_CONTACTS <= 255, "the number of a tip's contacts is a byte");
+constexpr float MIN_CELL = 1e-3f; // m.
+constexpr float MAX_CELLS = 1e9f;
+static_assert(TipContact::MAX_CONTACTS <= 255, "the number of a tip's contacts is a byte");
 
 /// A field's plants have the axes of the field.
-PageStand stand_of(const FieldSimulation & /*field*/, int /*page*/) {
+PageFrame frame_of(const FieldSimulation & /*field*/, int /*page*/) {
 	return {};
 }
 
-const PageStand &stand_of(const LonePages &pages, int page) {
-	return pages.stand(page);
+const PageFrame &frame_of(const PageRefs &pages, int page) {
+	return pages.frame(page);
 }
 
 template <class Pages> glm::vec3 rest_tip(const Pages &field, int number, int index) {
 	const MotionPage &page = field.page(number);
-	return page.root(index) + page.length(index) * stand_of(field, number).outward(page.rest(index));
+	return page.root(index) + page.length(index) * frame_of(field, number).outward(page.rest(index));
 }
 
 } // namespace
@@ -57,7 +57,7 @@ template <class Pages> void TipContact::fit(const Pages &field) {
 }
 
 template <class Pages> void TipContact::follow_radii(const Pages &field) {
-	float radius = 0.5f * LEAST_CELL;
+	float radius = 0.5f * MIN_CELL;
 	for (int page = 0; page < field.page_count(); page++) {
 		radius = field.page(page).swings() ? std::max(radius, field.page(page).collision_radius()) : radius;
 	}
@@ -70,17 +70,17 @@ template <class Pages> void TipContact::gather(const Pages &field, int begin, in
 		const MotionPage &page = field.page(number);
 		std::fill(touching.begin() + page_begin(number), touching.begin() + page_begin(number + 1),
 				static_cast<uint8_t>(0));
-		const PageStand stand = stand_of(field, number);
+		const PageFrame frame = frame_of(field, number);
 		for (int i = 0; page.swings() && i < page.size(); i++) {
 			const std::size_t tip = first(number) + static_cast<std::size_t>(i);
-			vectors[tip] = page.root(i) + stand.outward(page.arm(i, 1.0f));
+			vectors[tip] = page.root(i) + frame.outward(page.arm(i, 1.0f));
 			buckets[tip] = bucket(cell(vectors[tip].x), cell(vectors[tip].z));
 		}
 	}
 }
 
 int TipContact::cell(float place) const {
-	const float cells = std::clamp(place * cells_per_metre, -MOST_CELLS, MOST_CELLS);
+	const float cells = std::clamp(place * cells_per_metre, -MAX_CELLS, MAX_CELLS);
 	const int towards_0 = static_cast<int>(cells);
 	return towards_0 - static_cast<int>(cells < static_cast<float>(towards_0)); // A branch here would be unpredictable.
 }
@@ -97,9 +97,9 @@ void TipContact::sort() {
 	for (const uint32_t one : buckets) {
 		bucket_ends[one + 1]++;
 	}
-	most_in_bucket = 0;
+	max_in_bucket = 0;
 	for (std::size_t i = 1; i < bucket_ends.size(); i++) {
-		most_in_bucket = std::max(most_in_bucket, bucket_ends[i]);
+		max_in_bucket = std::max(max_in_bucket, bucket_ends[i]);
 		bucket_ends[i] += bucket_ends[i - 1];
 	}
 	// From the last tip down, so each bucket is in ascending order. bucket_ends[i + 1] moves down to the start of
@@ -190,7 +190,7 @@ template <class Pages> void TipContact::count(const Pages &field, int begin, int
 		if (found > 0) {
 			touching[own.tip] = static_cast<uint8_t>(found);
 			const MotionPage &page = field.page(page_of(own.tip));
-			vectors[own.tip] = stand_of(field, page_of(own.tip)).outward(page.tip_velocity(index_of(own.tip)));
+			vectors[own.tip] = frame_of(field, page_of(own.tip)).outward(page.tip_velocity(index_of(own.tip)));
 		}
 	}
 }
@@ -220,17 +220,17 @@ template <class Pages> void TipContact::separate_one(Pages &field, const SortedT
 		blow -= share * std::min(approach, 0.0f) * normal;
 	});
 	const int index = index_of(tip);
-	const PageStand &stand = stand_of(field, page_of(tip));
-	move = stand.inward(move);
+	const PageFrame &frame = frame_of(field, page_of(tip));
+	move = frame.inward(move);
 	if (page.law() == Law::stem) {
-		page.move_tip(index, move, stand.inward(blow));
+		page.move_tip(index, move, frame.inward(blow));
 		return;
 	}
 	TipState state = page.state(index);
 	const glm::vec3 along = move - glm::dot(move, state.direction) * state.direction;
-	state.rate += stand.inward(blow) / page.length(index);
+	state.rate += frame.inward(blow) / page.length(index);
 	state.direction += along / page.length(index);
-	state.direction.y = std::max(state.direction.y, LEAST_PUSHED_HEIGHT);
+	state.direction.y = std::max(state.direction.y, MIN_PUSHED_HEIGHT);
 	page.set_state(index, state);
 }
 
@@ -257,7 +257,7 @@ std::size_t TipContact::bytes() const {
 	template void TipContact::resolve(Pages &field);
 
 FOR_PAGES(FieldSimulation)
-FOR_PAGES(LonePages)
+FOR_PAGES(PageRefs)
 
 #undef FOR_PAGES
 

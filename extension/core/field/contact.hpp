@@ -1,7 +1,7 @@
 #pragma once
 
 #include "field/field_simulation.hpp"
-#include "field/lone_pages.hpp"
+#include "field/page_refs.hpp"
 
 #include <glm/vec3.hpp>
 
@@ -26,12 +26,12 @@ namespace undergrowth {
 /// the result has the same bits. count() and separate() divide the tips by their position on the ground, so a range of
 /// pages stands for a number of tips of any page. Plants that follow a prototype have no contacts.
 ///
-/// Pages: FieldSimulation, or LonePages with positions in one world.
+/// Pages: FieldSimulation, or PageRefs with positions in one world.
 class TipContact {
 public:
 	static constexpr int NEIGHBOURS = 13;
 	static constexpr int CELLS_IN_REACH = 9;
-	static constexpr int MOST_CONTACTS = CELLS_IN_REACH * (2 * NEIGHBOURS + 1);
+	static constexpr int MAX_CONTACTS = CELLS_IN_REACH * (2 * NEIGHBOURS + 1);
 
 	/// Allocates the memory for these pages. Call it when plants were added or removed; no other function allocates.
 	template <class Pages> void fit(const Pages &field);
@@ -46,10 +46,10 @@ public:
 	template <class Pages> void resolve(Pages &field);
 
 	/// True if one cell had so many tips at the last sort() that most of its pairs are not checked.
-	bool is_crowded() const { return most_in_bucket > 4u * static_cast<uint32_t>(NEIGHBOURS); }
+	bool is_crowded() const { return max_in_bucket > 4u * static_cast<uint32_t>(NEIGHBOURS); }
 	/// Number of pairs that count() and separate() check after the last sort(), each twice.
 	std::size_t candidate_count() const;
-	/// Contacts of a plant in the last count(), at most MOST_CONTACTS.
+	/// Contacts of a plant in the last count(), at most MAX_CONTACTS.
 	int contacts(int page, int index) const { return touching[first(page) + static_cast<std::size_t>(index)]; }
 	std::size_t bytes() const;
 
@@ -59,7 +59,7 @@ private:
 		uint32_t tip;
 	};
 
-	uint32_t most_in_bucket = 0;
+	uint32_t max_in_bucket = 0;
 	float cell_size = 1.0f; ///< m, maximum distance of two touching tips.
 	float cells_per_metre = 1.0f;
 	std::vector<uint32_t> page_firsts; ///< First tip of each page; the last entry is the number of all tips.
@@ -77,7 +77,7 @@ private:
 	int page_of(uint32_t tip) const { return static_cast<int>(pages[tip]); }
 	int index_of(uint32_t tip) const { return static_cast<int>(tip - page_firsts[pages[tip]]); }
 	/// True if some pairs within a cell are not checked.
-	bool leaves_out() const { return most_in_bucket > static_cast<uint32_t>(NEIGHBOURS) + 1u; }
+	bool leaves_out() const { return max_in_bucket > static_cast<uint32_t>(NEIGHBOURS) + 1u; }
 	uint32_t bucket(int cell_x, int cell_z) const;
 	int cell(float place) const;
 	/// Calls visit(begin, end, row) for each run of `sorted` in a row of cells that `own` checks.

@@ -23,7 +23,7 @@ FieldSettings safe_settings(const FieldSettings &settings) {
 	FieldSettings safe = settings;
 	safe.step = std::isfinite(settings.step) && settings.step > 0.0f ? settings.step : USUAL_STEP;
 	safe.update_interval = std::clamp(settings.update_interval, 1, MAX_INTERVAL);
-	safe.prototypes = std::clamp(settings.prototypes, 0, Prototypes::MOST);
+	safe.prototypes = std::clamp(settings.prototypes, 0, Prototypes::MAX_COUNT);
 	return safe;
 }
 
@@ -42,7 +42,7 @@ int FieldSimulation::add_species(const MotionSpecies &species) {
 	kinds.push_back(species);
 	if (options.prototypes > 0) {
 		models.emplace_back(species_count() - 1, species, options.prototypes, options.step);
-		loose.emplace_back(species_count() - 1, species, options.step);
+		detached.emplace_back(species_count() - 1, species, options.step);
 		stirred.emplace_back();
 	}
 	return species_count() - 1;
@@ -59,7 +59,7 @@ void FieldSimulation::set_species(int index, const MotionSpecies &species) {
 	}
 	if (!models.empty()) {
 		models[static_cast<std::size_t>(index)].set_species(species);
-		loose[static_cast<std::size_t>(index)].set_species(species);
+		detached[static_cast<std::size_t>(index)].set_species(species);
 	}
 }
 
@@ -121,7 +121,7 @@ void FieldSimulation::take_in(Entry &entry, const MotionPlant *plants, int count
 	for (int i = 0; i < count; i++) {
 		entry.followers.push_back(pick(plants[i], entry.page.species()));
 	}
-	loose_of(entry).reserve(count_of_species(entry.page.species()));
+	detached_of(entry).reserve(count_of_species(entry.page.species()));
 }
 
 void FieldSimulation::grow_box(const MotionPage &page, bool is_first) {
@@ -169,7 +169,7 @@ void FieldSimulation::settle() {
 			entry.page.settle();
 		}
 	}
-	for (LoosePlants &some : loose) {
+	for (DetachedFollowers &some : detached) {
 		while (some.count() > 0) {
 			const int last = some.count() - 1;
 			follow_again(at(some.page_of(last)), some.index_of(last));
@@ -224,7 +224,7 @@ void FieldSimulation::step_prototypes(int64_t number) {
 	for (Prototypes &model : models) {
 		const double moment = static_cast<double>(number) + model.wind_moment();
 		const double moment_time = moment * static_cast<double>(options.step) + static_cast<double>(lead);
-		TravellingWind now = wind_at_time(wind, along, moment_time);
+		WindSnapshot now = wind_at_time(wind, along, moment_time);
 		now.drift = &drift;
 		model.step(now, along);
 	}
@@ -248,12 +248,12 @@ void FieldSimulation::begin_step() {
 	}
 	next_step++;
 	delays.step();
-	step_loose();
+	step_detached();
 }
 
 void FieldSimulation::step_pages(int begin, int end) {
 	for (int page = std::max(begin, 0); page < std::min(end, page_count()) && models.empty(); page++) {
-		if (has_stepped(page) && at(page).page.swings() && at(page).page.standing() > 0) {
+		if (has_stepped(page) && at(page).page.swings() && at(page).page.live_count() > 0) {
 			step_page(page);
 		}
 	}
@@ -275,10 +275,10 @@ void FieldSimulation::step_page(int page) {
 		entry.page.set_step_length(step_length);
 	}
 	const double moment = static_cast<double>(beat(page).last_step) + entry.page.wind_moment() * interval;
-	TravellingWind now = wind_at_time(blowing, along, moment * static_cast<double>(options.step));
+	WindSnapshot now = wind_at_time(blowing, along, moment * static_cast<double>(options.step));
 	now.sources = { stirring.data(), static_cast<int>(stirring.size()) };
 	now.drift = &drift;
-	entry.page.look_ahead(blowing, along, moment * static_cast<double>(options.step), page);
+	entry.page.sample_air_ahead(blowing, along, moment * static_cast<double>(options.step), page);
 	if (entry.page.modes() == 2) {
 		entry.page.ease_second(ease_of(page));
 	}

@@ -1,16 +1,16 @@
 #pragma once
 
+#include "field/detached_followers.hpp"
 #include "field/field_settings.hpp"
 #include "field/follow_delays.hpp"
-#include "field/loose_plants.hpp"
 #include "field/prototypes.hpp"
-#include "field/speed_counts.hpp"
+#include "field/speed_histogram.hpp"
 #include "motion/bodies.hpp"
 #include "motion/motion_page.hpp"
 #include "motion/part_bend.hpp"
 #include "wind/air_drift.hpp"
 #include "wind/air_sources.hpp"
-#include "wind/travelling_wind.hpp"
+#include "wind/field_wind.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -68,7 +68,7 @@ public:
 	void set_wind(const FieldWind &wind);
 	const FieldWind &wind() const { return blowing; }
 	/// Sources of wind for the next steps, in the axes of the field. Followers within reach swing by themselves until
-	/// they come to rest (LoosePlants); if there are too many, those with the strongest wind.
+	/// they come to rest (DetachedFollowers); if there are too many, those with the strongest wind.
 	void set_air_sources(const std::vector<AirSource> &sources);
 	/// How the field moves through the air in the coming steps, in its own axes. Prototypes move as its origin does.
 	void set_drift(const AirDrift &of_field) { drift = of_field; }
@@ -79,15 +79,15 @@ public:
 	void set_page_multiple(int page, int multiple);
 	int page_interval(int page) const;
 	/// Marks a page as near a camera. Stems of two modes (StemConstants::modes) step both while they are near or while
-	/// bodies, blows or contact push plants of their page, and for LoosePlants::ALONE after that. Then they return to
-	/// one mode within LoosePlants::GOING_BACK, which is half the work. A push shows the second mode at once, nearness
-	/// blends it in. Followers show all modes of their stems.
+	/// bodies, blows or contact push plants of their page, and for DetachedFollowers::ALONE after that. Then they
+	/// return to one mode within DetachedFollowers::GOING_BACK, which is half the work. A push shows the second mode at
+	/// once, nearness blends it in. Followers show all modes of their stems.
 	void set_page_near(int page, bool is_near) { beat(page).is_near = is_near; }
 	/// Sets in which step of its interval a page is due; the default is its number. Pages that share an upload should
 	/// share the phase. Call it before the page's first step.
 	void set_page_phase(int page, int phase) { beat(page).phase = phase; }
 	/// Bodies that push plants in the next steps; invalid bodies are skipped. A pushed follower swings by itself until
-	/// it comes to rest (LoosePlants).
+	/// it comes to rest (DetachedFollowers).
 	void set_bodies(const MovingBody *bodies, int count);
 
 	/// Seconds since the start: the number of started steps times their length.
@@ -144,7 +144,7 @@ public:
 
 	/// Transfers the motion of a plant of another simulation, of the same species. A pushed follower continues to swing
 	/// by itself.
-	void take_motion(int page, int index, const FieldSimulation &from, int from_page, int from_index);
+	void transfer_motion(int page, int index, const FieldSimulation &from, int from_page, int from_index);
 
 	/// Sets all plants to rest, including prototypes and their history.
 	void settle();
@@ -154,7 +154,7 @@ public:
 	/// Prototype and delay of a follower. The total delay is its own plus that of follow_delays() at its root.
 	const Follower &follower(int page, int index) const { return at(page).followers[static_cast<std::size_t>(index)]; }
 	/// Followers of a species that swing by themselves after a push; null if every plant is simulated.
-	const LoosePlants *loose_plants(int species) const;
+	const DetachedFollowers *detached_followers(int species) const;
 	/// Pages with followers that started or stopped swinging by themselves or changed their prototype, and pages with a
 	/// new number of modes, since forget_changed_pages(). No duplicates.
 	const std::vector<int> &changed_pages() const { return changed; }
@@ -196,8 +196,8 @@ private:
 	PlantWinds along = {};
 	std::vector<MotionSpecies> kinds;
 	std::vector<Prototypes> models; ///< One per species, or empty.
-	std::vector<LoosePlants> loose; ///< As many.
-	std::vector<SpeedCounts> stirred; ///< The same size; for the present round of steps.
+	std::vector<DetachedFollowers> detached; ///< As many.
+	std::vector<SpeedHistogram> stirred; ///< The same size; for the present round of steps.
 	int stir_turn = -1; ///< Of the next step within the round; -1: not counted since sources exist.
 	std::vector<Entry> entries;
 	std::vector<Beat> beats; ///< As many.
@@ -230,7 +230,7 @@ private:
 	void wake(int page);
 	void update_delays();
 	Follower pick(const MotionPlant &plant, int species) const;
-	LoosePlants &loose_of(const Entry &entry);
+	DetachedFollowers &detached_of(const Entry &entry);
 	int number_of(const Entry &entry) const { return static_cast<int>(&entry - entries.data()); }
 	void follower_changed(Entry &entry);
 	int count_of_species(int species) const;
@@ -244,7 +244,7 @@ private:
 	ModeBends followed_modes(const Entry &entry, int index) const;
 	void push_follower(Entry &entry, int index, const MotionState &state);
 	void follow_again(Entry &entry, int index);
-	void step_loose();
+	void step_detached();
 	void push_followers(int page, const MovingBody &body);
 	template <class Visit> void for_each_stirred(int first, int stride, const Visit &visit);
 	void choose_stirred();

@@ -17,7 +17,7 @@ static constexpr int STIR_TURNS = 3;
 
 /// The prototypes' lead and the delays, for the wind and the box of all plants.
 void FieldSimulation::update_delays() {
-	const TravellingWind wind = wind_at_time(blowing, 0.0); // Its delays are the same at all times.
+	const WindSnapshot wind = wind_at_time(blowing, 0.0); // Its delays are the same at all times.
 	const float x = wind.delay_x > 0.0f ? box_low.x : box_high.x;
 	const float z = wind.delay_z > 0.0f ? box_low.z : box_high.z;
 	lead = std::max(-(wind.delay_x * x + wind.delay_z * z), 0.0f);
@@ -37,9 +37,9 @@ void FieldSimulation::set_rests(int page, int first, const glm::vec3 *rests, int
 	}
 	for (int i = first; i < first + count; i++) {
 		Follower &follower = entry.followers[static_cast<std::size_t>(i)];
-		const uint16_t number = follower.loose;
+		const uint16_t number = follower.detached;
 		follower = pick({ entry.page.root(i), entry.page.length(i), rests[i - first] }, entry.page.species());
-		follower.loose = number;
+		follower.detached = number;
 	}
 	follower_changed(entry);
 }
@@ -67,14 +67,14 @@ void FieldSimulation::forget_changed_pages() {
 	changed.clear();
 }
 
-LoosePlants &FieldSimulation::loose_of(const Entry &entry) {
-	return loose[static_cast<std::size_t>(entry.page.species())];
+DetachedFollowers &FieldSimulation::detached_of(const Entry &entry) {
+	return detached[static_cast<std::size_t>(entry.page.species())];
 }
 
 int FieldSimulation::count_of_species(int species) const {
 	int plants = 0;
 	for (const Entry &entry : entries) {
-		plants += entry.page.species() == species ? entry.page.standing() : 0;
+		plants += entry.page.species() == species ? entry.page.live_count() : 0;
 	}
 	return plants;
 }
@@ -103,25 +103,25 @@ ModeBends FieldSimulation::followed_modes(const Entry &entry, int index) const {
 	return bends;
 }
 
-void FieldSimulation::take_motion(int page, int index, const FieldSimulation &from, int from_page, int from_index) {
+void FieldSimulation::transfer_motion(int page, int index, const FieldSimulation &from, int from_page, int from_index) {
 	Entry &entry = at(page);
 	const Entry &before = from.at(from_page);
 	if (before.page.modes() == 2) {
 		wake(page);
 	}
-	entry.page.take_motion(index, before.page, from_index);
+	entry.page.transfer_motion(index, before.page, from_index);
 	const bool follows = !entry.page.swings() && !before.page.swings();
-	if (follows && before.followers[static_cast<std::size_t>(from_index)].loose > 0) {
+	if (follows && before.followers[static_cast<std::size_t>(from_index)].detached > 0) {
 		push_follower(entry, index, from.motion(from_page, from_index));
 	}
 }
 
 /// Makes a follower swing by itself; if there are too many, it remains a follower.
 void FieldSimulation::push_follower(Entry &entry, int index, const MotionState &state) {
-	LoosePlants &some = loose_of(entry);
+	DetachedFollowers &some = detached_of(entry);
 	Follower &follower = entry.followers[static_cast<std::size_t>(index)];
-	if (follower.loose > 0) {
-		some.push(follower.loose - 1, state);
+	if (follower.detached > 0) {
+		some.push(follower.detached - 1, state);
 		return;
 	}
 	if (some.is_full()) {
@@ -133,35 +133,35 @@ void FieldSimulation::push_follower(Entry &entry, int index, const MotionState &
 	plant.rest = models[static_cast<std::size_t>(entry.page.species())].rest(follower.prototype);
 	const int page = number_of(entry);
 	const int number = some.add(plant, page, index, state, shown_modes(page, index, 0.0f));
-	follower.loose = static_cast<uint16_t>(number + 1);
+	follower.detached = static_cast<uint16_t>(number + 1);
 	follower_changed(entry);
 }
 
 void FieldSimulation::follow_again(Entry &entry, int index) {
 	Follower &follower = entry.followers[static_cast<std::size_t>(index)];
-	if (follower.loose == 0) {
+	if (follower.detached == 0) {
 		return;
 	}
-	LoosePlants &some = loose_of(entry);
-	const int number = follower.loose - 1;
+	DetachedFollowers &some = detached_of(entry);
+	const int number = follower.detached - 1;
 	some.remove(number);
-	follower.loose = 0;
+	follower.detached = 0;
 	follower_changed(entry);
 	if (number < some.count()) {
 		Entry &moved = at(some.page_of(number));
-		moved.followers[static_cast<std::size_t>(some.index_of(number))].loose = static_cast<uint16_t>(number + 1);
+		moved.followers[static_cast<std::size_t>(some.index_of(number))].detached = static_cast<uint16_t>(number + 1);
 		follower_changed(moved);
 	}
 }
 
-/// Loose plants step before bodies loosen more of them, so each new one begins with the bend that it showed.
-void FieldSimulation::step_loose() {
-	for (LoosePlants &some : loose) {
+/// Detached followers step before bodies detach more of them, so each new one begins with the bend that it showed.
+void FieldSimulation::step_detached() {
+	for (DetachedFollowers &some : detached) {
 		if (some.count() == 0) {
 			continue;
 		}
 		const double moment = static_cast<double>(next_step - 1) + some.page().wind_moment();
-		TravellingWind now = wind_at_time(blowing, along, moment * static_cast<double>(options.step));
+		WindSnapshot now = wind_at_time(blowing, along, moment * static_cast<double>(options.step));
 		now.sources = { stirring.data(), static_cast<int>(stirring.size()) };
 		now.drift = &drift;
 		some.step(now, along);
@@ -183,7 +183,7 @@ void FieldSimulation::step_loose() {
 }
 
 /// Visits every `stride`th page from `first` on. Calls visit(entry, index, speed) for each follower where sources add
-/// at least SpeedCounts::LEAST to the wind.
+/// at least SpeedHistogram::MIN_SPEED to the wind.
 template <class Visit> void FieldSimulation::for_each_stirred(int first, int stride, const Visit &visit) {
 	for (int number = first; number < page_count(); number += stride) {
 		Entry &entry = at(number);
@@ -200,7 +200,7 @@ template <class Visit> void FieldSimulation::for_each_stirred(int first, int str
 				sum += glm::vec2(added.x, added.z);
 			}
 			const float speed = glm::length(sum);
-			if (speed >= SpeedCounts::LEAST && !page.is_gone(i)) {
+			if (speed >= SpeedHistogram::MIN_SPEED && !page.is_gone(i)) {
 				visit(entry, i, speed);
 			}
 		}
@@ -208,8 +208,8 @@ template <class Visit> void FieldSimulation::for_each_stirred(int first, int str
 }
 
 void FieldSimulation::choose_stirred() {
-	for (SpeedCounts &counts : stirred) {
-		counts.choose(LoosePlants::MOST);
+	for (SpeedHistogram &counts : stirred) {
+		counts.choose(DetachedFollowers::MAX_COUNT);
 		counts.clear();
 	}
 }
@@ -221,7 +221,7 @@ void FieldSimulation::stir_followers() {
 		stir_turn = -1;
 		return;
 	}
-	const auto counts_of = [&](const Entry &entry) -> SpeedCounts & {
+	const auto counts_of = [&](const Entry &entry) -> SpeedHistogram & {
 		return stirred[static_cast<std::size_t>(entry.page.species())];
 	};
 	if (stir_turn < 0) {
@@ -231,12 +231,12 @@ void FieldSimulation::stir_followers() {
 	}
 	for_each_stirred(stir_turn, STIR_TURNS, [&](Entry &entry, int index, float speed) {
 		counts_of(entry).add(speed);
-		const uint16_t own = entry.followers[static_cast<std::size_t>(index)].loose;
+		const uint16_t own = entry.followers[static_cast<std::size_t>(index)].detached;
 		if (speed < counts_of(entry).chosen()) {
 			return;
 		}
 		if (own > 0) {
-			loose_of(entry).hold(own - 1);
+			detached_of(entry).hold(own - 1);
 		} else {
 			push_follower(entry, index, motion(number_of(entry), index));
 		}

@@ -25,7 +25,7 @@ bool contains(const MotionPage &page, const glm::vec3 &point, float margin) {
 int FieldSimulation::plant_count() const {
 	int plants = 0;
 	for (const Entry &entry : entries) {
-		plants += entry.page.standing();
+		plants += entry.page.live_count();
 	}
 	return plants;
 }
@@ -35,7 +35,7 @@ int FieldSimulation::simulated_count() const {
 		return plant_count();
 	}
 	int plants = static_cast<int>(models.size()) * options.prototypes;
-	for (const LoosePlants &some : loose) {
+	for (const DetachedFollowers &some : detached) {
 		plants += some.count();
 	}
 	return plants;
@@ -48,7 +48,7 @@ int FieldSimulation::due_count() const {
 	for (const Prototypes &model : models) {
 		due += rounds * model.count();
 	}
-	for (const LoosePlants &some : loose) {
+	for (const DetachedFollowers &some : detached) {
 		due += some.count();
 	}
 	for (int page = 0; page < page_count() && models.empty(); page++) {
@@ -58,7 +58,7 @@ int FieldSimulation::due_count() const {
 }
 
 int FieldSimulation::due_count(int page) const {
-	return at(page).page.swings() && is_due(page, next_step) ? at(page).page.standing() : 0;
+	return at(page).page.swings() && is_due(page, next_step) ? at(page).page.live_count() : 0;
 }
 
 float FieldSimulation::alpha(int page, float fraction) const {
@@ -80,11 +80,11 @@ BendWay FieldSimulation::mode_way(int mode, int page, int index, float fraction)
 	if (entry.page.swings()) {
 		share = alpha(page, fraction);
 	} else {
-		row = entry.followers[static_cast<std::size_t>(index)].loose - 1;
+		row = entry.followers[static_cast<std::size_t>(index)].detached - 1;
 		if (row < 0) {
 			return followed_way(mode, entry, index, fraction);
 		}
-		swinging = &loose[static_cast<std::size_t>(entry.page.species())].page();
+		swinging = &detached[static_cast<std::size_t>(entry.page.species())].page();
 	}
 	return bend_way((mode == 0 ? swinging->bends() : swinging->second_bends()) + 2 * row, share);
 }
@@ -115,7 +115,7 @@ StemMotion FieldSimulation::shown_stem(int page, int index, float fraction) cons
 	const MotionPage &plants = at(page).page;
 	if (shows_seconds(at(page))) {
 		stem.second = mode_way(1, page, index, fraction).bend;
-	} else if (plants.most_modes() == 2) {
+	} else if (plants.max_modes() == 2) {
 		stem.second = (1.0f - first_share(plants.whole_stem())) * into_rest(stem.bend, stem.rest);
 	}
 	return stem;
@@ -139,8 +139,8 @@ MotionState FieldSimulation::motion(int page, int index) const {
 	}
 	const auto species = static_cast<std::size_t>(entry.page.species());
 	const Follower &shown = entry.followers[static_cast<std::size_t>(index)];
-	if (shown.loose > 0) {
-		return loose[species].shown_state(shown.loose - 1);
+	if (shown.detached > 0) {
+		return detached[species].shown_state(shown.detached - 1);
 	}
 	if (shows_seconds(entry)) {
 		return motion_between(models[species].stem_constants(), shown_modes(page, index, 0.0f),
@@ -177,16 +177,16 @@ void FieldSimulation::apply_impulse(int page, int index, const glm::vec3 &impuls
 void FieldSimulation::choose_modes() {
 	for (int page = 0; page < page_count() && models.empty(); page++) {
 		MotionPage &plants = at(page).page;
-		if (plants.most_modes() < 2 || !is_due(page, next_step)) {
+		if (plants.max_modes() < 2 || !is_due(page, next_step)) {
 			continue; // A change between its steps would move both drawn ends of the last one.
 		}
 		Beat &own = beat(page);
 		own.last_push = plants.take_moved() ? next_step : own.last_push;
 		own.last_near = own.is_near ? next_step : own.last_near;
 		const int64_t alone = next_step - std::max(own.last_push, own.last_near);
-		if (alone <= steps_in(LoosePlants::ALONE)) {
+		if (alone <= steps_in(DetachedFollowers::ALONE)) {
 			show_modes(page, 2);
-		} else if (alone > steps_in(LoosePlants::ALONE + LoosePlants::GOING_BACK)) {
+		} else if (alone > steps_in(DetachedFollowers::ALONE + DetachedFollowers::GOING_BACK)) {
 			show_modes(page, 1);
 		}
 	}
@@ -196,8 +196,8 @@ void FieldSimulation::choose_modes() {
 /// mode.
 float FieldSimulation::ease_of(int page) const {
 	const Beat &own = beat(page);
-	const auto back = static_cast<float>(steps_in(LoosePlants::GOING_BACK));
-	const int64_t alone = own.last_step - std::max(own.last_push, own.last_near) - steps_in(LoosePlants::ALONE);
+	const auto back = static_cast<float>(steps_in(DetachedFollowers::GOING_BACK));
+	const int64_t alone = own.last_step - std::max(own.last_push, own.last_near) - steps_in(DetachedFollowers::ALONE);
 	const float leaving = static_cast<float>(alone + own.interval - 1) / back;
 	const float here = static_cast<float>(own.last_step - own.two_since) / back;
 	const float coming = own.last_push < own.two_since ? 1.0f - here : 0.0f;
@@ -205,7 +205,7 @@ float FieldSimulation::ease_of(int page) const {
 }
 
 void FieldSimulation::show_modes(int page, int count) {
-	if (at(page).page.modes() != count && at(page).page.most_modes() >= count) {
+	if (at(page).page.modes() != count && at(page).page.max_modes() >= count) {
 		at(page).page.set_modes(count);
 		beat(page).two_since = next_step;
 		follower_changed(at(page));
@@ -214,7 +214,7 @@ void FieldSimulation::show_modes(int page, int count) {
 
 /// Call before a plant of the page is pushed between two steps.
 void FieldSimulation::wake(int page) {
-	if (at(page).page.swings() && at(page).page.most_modes() == 2) {
+	if (at(page).page.swings() && at(page).page.max_modes() == 2) {
 		beat(page).last_push = next_step;
 		show_modes(page, 2);
 	}
@@ -231,8 +231,8 @@ const Prototypes *FieldSimulation::prototypes(int species) const {
 	return models.empty() ? nullptr : &models[static_cast<std::size_t>(species)];
 }
 
-const LoosePlants *FieldSimulation::loose_plants(int species) const {
-	return loose.empty() ? nullptr : &loose[static_cast<std::size_t>(species)];
+const DetachedFollowers *FieldSimulation::detached_followers(int species) const {
+	return detached.empty() ? nullptr : &detached[static_cast<std::size_t>(species)];
 }
 
 glm::vec3 FieldSimulation::shown_point(int page, int index, float share, float fraction) const {
@@ -243,7 +243,7 @@ glm::vec3 FieldSimulation::shown_point(int page, int index, float share, float f
 	}
 	const StemConstants &stem = plants.whole_stem();
 	const StemMotion now = shown_stem(page, index, fraction);
-	return plants.root(index) + StandingStem(stem, reach, now).place_of({ 0.0f, share * reach, 0.0f }, share);
+	return plants.root(index) + PosedStem(stem, reach, now).place_of({ 0.0f, share * reach, 0.0f }, share);
 }
 
 /// On the plant's straight line, or on the lines between the joints of its stem.
@@ -292,7 +292,7 @@ double FieldSimulation::bytes_per_plant() const {
 	for (const Prototypes &model : models) {
 		bytes += model.bytes();
 	}
-	for (const LoosePlants &some : loose) {
+	for (const DetachedFollowers &some : detached) {
 		bytes += some.bytes();
 	}
 	return plants > 0 ? static_cast<double>(bytes) / plants : 0.0;

@@ -6,16 +6,16 @@
 namespace undergrowth {
 
 FollowDelays::FollowDelays(float step) :
-		most_steps(std::max(static_cast<int>(std::lround(GOING_OVER / step)), 1)), steps(most_steps + 1) {}
+		max_steps(std::max(static_cast<int>(std::lround(GOING_OVER / step)), 1)), steps(max_steps + 1) {}
 
 void FollowDelays::set(const DelayPlane &plane) {
 	old_plane = new_plane = wanted = plane;
-	steps = most_steps + 1;
+	steps = max_steps + 1;
 }
 
 void FollowDelays::step() {
-	steps = std::min(steps + 1, most_steps + 1);
-	if (steps > most_steps && wanted != new_plane) {
+	steps = std::min(steps + 1, max_steps + 1);
+	if (steps > max_steps && wanted != new_plane) {
 		old_plane = new_plane;
 		new_plane = wanted;
 		steps = 1;
@@ -24,7 +24,7 @@ void FollowDelays::step() {
 
 float FollowDelays::share(float fraction) const {
 	const float gone = static_cast<float>(steps - 1) + fraction;
-	return glm::smoothstep(0.0f, 1.0f, gone / static_cast<float>(most_steps)); // Without a jerk at either end.
+	return glm::smoothstep(0.0f, 1.0f, gone / static_cast<float>(max_steps)); // Without a jerk at either end.
 }
 
 } // namespace undergrowth

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "wind/travelling_wind.hpp"
+#include "wind/field_wind.hpp"
 
 #include <glm/common.hpp>
 
@@ -45,8 +45,8 @@ public:
 
 private:
 	DelayPlane old_plane, new_plane, wanted;
-	int most_steps;
-	int steps; ///< Steps since blending started; most_steps + 1 when complete.
+	int max_steps;
+	int steps; ///< Steps since blending started; max_steps + 1 when complete.
 };
 
 } // namespace undergrowth

@@ -18,27 +18,27 @@ struct OpenPage {
 	glm::vec3 low; ///< m, around all roots.
 	glm::vec3 high;
 
-	bool has_room_for(const PlantBlock &block) const {
-		const glm::vec3 span = glm::max(high, block.high) - glm::min(low, block.low);
-		return number >= 0 && count + block.size() <= MotionPage::PAGE_PLANTS &&
+	bool has_room_for(const PlantChunk &chunk) const {
+		const glm::vec3 span = glm::max(high, chunk.high) - glm::min(low, chunk.low);
+		return number >= 0 && count + chunk.size() <= MotionPage::PAGE_PLANTS &&
 				std::max(span.x, span.z) <= WIDEST_PAGE;
 	}
 };
 
 } // namespace
 
-std::vector<PageRows> join_into_pages(const std::vector<PlantBlock> &blocks) {
+std::vector<PageRows> join_into_pages(const std::vector<PlantChunk> &chunks) {
 	std::map<int, OpenPage> open; // By species.
 	std::vector<PageRows> rows;
 	int pages = 0;
-	for (const PlantBlock &block : blocks) {
-		OpenPage &page = open[block.species];
-		if (!page.has_room_for(block)) {
-			page = { pages++, 0, block.low, block.high };
+	for (const PlantChunk &chunk : chunks) {
+		OpenPage &page = open[chunk.species];
+		if (!page.has_room_for(chunk)) {
+			page = { pages++, 0, chunk.low, chunk.high };
 		}
-		rows.push_back({ page.number, page.count, block.size() });
-		page = { page.number, page.count + block.size(), glm::min(page.low, block.low),
-			glm::max(page.high, block.high) };
+		rows.push_back({ page.number, page.count, chunk.size() });
+		page = { page.number, page.count + chunk.size(), glm::min(page.low, chunk.low),
+			glm::max(page.high, chunk.high) };
 	}
 	return rows;
 }

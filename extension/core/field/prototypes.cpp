@@ -62,7 +62,7 @@ void Prototypes::settle() {
 
 void Prototypes::remember(int slot) {
 	for (int mode = 0; mode < modes(); mode++) {
-		std::copy(newest_bends(mode), newest_bends(mode) + 2 * count(), rings[mode].begin() + 2 * slot * MOST);
+		std::copy(newest_bends(mode), newest_bends(mode) + 2 * count(), rings[mode].begin() + 2 * slot * MAX_COUNT);
 	}
 }
 
@@ -75,7 +75,7 @@ void Prototypes::remember_rest() {
 /// Changes the rings to the current number of modes. The motion of one mode is divided between two as in a steady wind,
 /// or that of two is joined, so no follower jumps.
 void Prototypes::divide_history() {
-	constexpr std::size_t BENDS = 2 * static_cast<std::size_t>(SLOTS * MOST);
+	constexpr std::size_t BENDS = 2 * static_cast<std::size_t>(SLOTS * MAX_COUNT);
 	const bool had_two = !rings[1].empty();
 	rings[0].resize(BENDS);
 	if (had_two == (modes() == 2)) {
@@ -83,7 +83,7 @@ void Prototypes::divide_history() {
 	}
 	rings[1].resize(BENDS);
 	for (std::size_t i = 0; i < BENDS && page.law() == Law::stem; i++) {
-		const int prototype = static_cast<int>(i / 2) % MOST;
+		const int prototype = static_cast<int>(i / 2) % MAX_COUNT;
 		if (prototype < count()) {
 			const StemBends divided =
 					bends_in_modes(page.stem_constants(), { rings[0][i], rings[1][i] }, page.rest_bend(prototype));
@@ -157,12 +157,12 @@ BendWay Prototypes::way(int mode, int prototype, float late, float fraction) con
 	const float ago = late + 1.0f - fraction; // Time since the step after which it looked like that.
 	const float whole = std::floor(ago);
 	const int slot = (newest - static_cast<int>(whole)) & (SLOTS - 1);
-	const Bend *pair = &rings[mode][2 * static_cast<std::size_t>(slot * MOST + prototype)];
+	const Bend *pair = &rings[mode][2 * static_cast<std::size_t>(slot * MAX_COUNT + prototype)];
 	return bend_way(pair, 1.0f - (ago - whole));
 }
 
-void Prototypes::step(const TravellingWind &wind, const PlantWinds &along) {
-	TravellingWind here = wind;
+void Prototypes::step(const WindSnapshot &wind, const PlantWinds &along) {
+	WindSnapshot here = wind;
 	here.cycles_x = here.cycles_z = here.delay_x = here.delay_z = 0.0f;
 	for (AirMap *map : { &here.air.turbulence, &here.air.waves }) {
 		map->s_x = map->s_z = map->n_x = map->n_z = 0.0f;

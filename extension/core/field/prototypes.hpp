@@ -14,7 +14,7 @@ namespace undergrowth {
 struct Follower {
 	uint16_t prototype = 0;
 	uint16_t own_delay = 0; ///< Steps, in addition to the delay of the wind.
-	uint16_t loose = 0; ///< 1 + its number in LoosePlants while it swings by itself, else 0.
+	uint16_t detached = 0; ///< 1 + its number in DetachedFollowers while it swings by itself, else 0.
 };
 
 /// The simulated plants of a species that all other plants follow (thesis, section 5.3.1), and the history of their
@@ -22,11 +22,11 @@ struct Follower {
 /// around the circle.
 class Prototypes {
 public:
-	static constexpr int MOST = 64;
+	static constexpr int MAX_COUNT = 64;
 	static constexpr int SLOTS = 1024; ///< A power of two.
 	static constexpr int LONGEST_OWN_DELAY = 64; ///< Steps.
 
-	/// `count` from 1 to MOST.
+	/// `count` from 1 to MAX_COUNT.
 	Prototypes(int species_index, const MotionSpecies &species, int count, float step);
 
 	int count() const { return page.size(); }
@@ -44,7 +44,7 @@ public:
 	void settle();
 
 	/// Steps all prototypes and writes their bends into the next slot.
-	void step(const TravellingWind &wind, const PlantWinds &along);
+	void step(const WindSnapshot &wind, const PlantWinds &along);
 	/// Bend of a mode of a prototype (StemBends) `late` steps ago, `fraction` of a step after the newest one started:
 	/// the same as undergrowth_late() in the shader. `late`: 0 to LONGEST_WAY + LONGEST_OWN_DELAY; these slots do not
 	/// overlap the one that is written next. `mode`: below modes().
@@ -56,8 +56,8 @@ public:
 	/// Constants of the drawn modes.
 	const StemConstants &stem_constants() const { return page.stem_constants(); }
 
-	/// All slots of a mode, each with MOST pairs of bends (before and after the step): 16 layers of 64 by 64 texels of
-	/// four halves, one row per slot. Each step changes one slot.
+	/// All slots of a mode, each with MAX_COUNT pairs of bends (before and after the step): 16 layers of 64 by 64
+	/// texels of four halves, one row per slot. Each step changes one slot.
 	const Bend *history(int mode) const { return rings[mode].data(); }
 	int newest_slot() const { return newest; }
 	double wind_moment() const { return page.wind_moment(); }
@@ -69,7 +69,7 @@ private:
 	MotionPage page;
 	float shortest, longest, lean; ///< Values that were used to distribute the prototypes.
 	int newest = 0;
-	std::vector<Bend> rings[MOST_STEM_MODES]; ///< With one mode the second is empty.
+	std::vector<Bend> rings[MAX_STEM_MODES]; ///< With one mode the second is empty.
 
 	const Bend *newest_bends(int mode) const { return mode == 0 ? page.bends() : page.second_bends(); }
 	void remember(int slot);

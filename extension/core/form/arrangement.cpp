@@ -15,8 +15,8 @@ namespace undergrowth {
 namespace {
 
 constexpr float FLAT_DOME = 0.02f; // rad: a flatter cap is a disc.
-constexpr double MOST_LEVEL = 0.2; // Min cosine for stalks that end at one height.
-constexpr float LEAST_LEVEL = 1e-3f; // Of a unit vector.
+constexpr double MIN_LEVEL_COSINE = 0.2; // Min cosine for stalks that end at one height.
+constexpr float MIN_HORIZONTAL = 1e-3f; // Of a unit vector.
 constexpr uint64_t COUNT_INDEX = 3;
 
 float sample_at(const std::vector<float> &samples, float t) {
@@ -26,9 +26,9 @@ float sample_at(const std::vector<float> &samples, float t) {
 	return samples[before] * (1.0f - share) + samples[before + 1] * share;
 }
 
-std::string find_samples_fault(const char *name, const std::vector<float> &samples, double least, double most) {
+std::string find_samples_fault(const char *name, const std::vector<float> &samples, double min, double max) {
 	for (const float sample : samples) {
-		const std::string fault = find_limit_fault({ { name, sample, least, most } });
+		const std::string fault = find_limit_fault({ { name, sample, min, max } });
 		if (!fault.empty()) {
 			return fault;
 		}
@@ -75,7 +75,7 @@ Seat seat_on_disc(const Arrangement &a, int i, int count) {
 	seat.away = static_cast<float>(sphere * sine);
 	seat.lift = static_cast<float>(sphere * (cosine - rim));
 	seat.tilt += static_cast<float>(portable_atan2(sine, cosine));
-	seat.stretch = a.level_tops ? static_cast<float>(1.0 / std::max(cosine, MOST_LEVEL)) : 1.0f;
+	seat.stretch = a.level_tops ? static_cast<float>(1.0 / std::max(cosine, MIN_LEVEL_COSINE)) : 1.0f;
 	return seat;
 }
 
@@ -143,7 +143,7 @@ PartAxes turn_into(const PartAxes &carrier, float azimuth, float tilt) {
 PartAxes turn_level(const PartAxes &part, const PartAxes &carrier) {
 	const glm::vec3 outward = carrier.outward - part.along * glm::dot(carrier.outward, part.along);
 	const float length = glm::length(outward);
-	if (length < LEAST_LEVEL) { // The part points straight up or down: every turn is equivalent.
+	if (length < MIN_HORIZONTAL) { // The part points straight up or down: every turn is equivalent.
 		return part;
 	}
 	return { glm::cross(part.along, outward) / length, part.along, outward / length };

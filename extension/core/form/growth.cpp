@@ -76,10 +76,10 @@ std::string Growth::find_carrier_fault(const std::vector<int> &carriers) const {
 
 std::string Growth::find_count_fault(
 		const Arrangement &arrangement, const std::vector<int> &carriers, int &depth) const {
-	const double most = static_cast<double>(grown.placed.size()) +
+	const double max = static_cast<double>(grown.placed.size()) +
 			static_cast<double>(arrangement.count_max) * static_cast<double>(carriers.size());
-	if (most > MAX_PARTS) {
-		return "it would have " + std::to_string(static_cast<long long>(most)) + " parts. Grow at most " +
+	if (max > MAX_PARTS) {
+		return "it would have " + std::to_string(static_cast<long long>(max)) + " parts. Grow at most " +
 				std::to_string(MAX_PARTS) + ".";
 	}
 	for (const int carrier : carriers) {

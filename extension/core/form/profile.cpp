@@ -34,8 +34,8 @@ float sample_at(const std::vector<float> &samples, float s) {
 
 float WidthFunction::widest() const {
 	if (!samples.empty()) {
-		const auto most = std::max_element(samples.begin(), samples.end());
-		return static_cast<float>(most - samples.begin()) / static_cast<float>(samples.size() - 1);
+		const auto max = std::max_element(samples.begin(), samples.end());
+		return static_cast<float>(max - samples.begin()) / static_cast<float>(samples.size() - 1);
 	}
 	const float sum = profile.rise + profile.fall;
 	return sum > 0.0f ? profile.rise / sum : 0.0f;
@@ -49,9 +49,9 @@ float WidthFunction::at(float s) const {
 	if (!samples.empty()) {
 		return sample_at(samples, s);
 	}
-	const float most = widest();
-	const float width = profile_at(profile, most, is_blunt() ? std::min(s, BLUNT_END) : s);
-	return s < most ? std::max(width, base_width) : width;
+	const float max = widest();
+	const float width = profile_at(profile, max, is_blunt() ? std::min(s, BLUNT_END) : s);
+	return s < max ? std::max(width, base_width) : width;
 }
 
 float WidthFunction::slope(float s) const {

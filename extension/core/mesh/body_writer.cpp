@@ -29,7 +29,7 @@ glm::vec3 slope_normal(const FormBody &body, size_t ring, const glm::vec3 &outwa
 
 void FormWriter::add_body(const FormBody &body) {
 	const auto common_of = [&body](const FormBody::Ring &ring) {
-		return Common{ ring.hang, ring.hang.code, body.translucency, 1.0f };
+		return Common{ ring.attachment, ring.attachment.code, body.translucency, 1.0f };
 	};
 	const int first = vertices;
 	const size_t poles_before = body.has_base ? 1 : 0;

@@ -16,13 +16,13 @@ namespace undergrowth {
 namespace {
 
 constexpr int PLACES = 3; // Measured positions of a part: base, middle, tip.
-constexpr float MOST_LARGER = 2.0f; // Limit of an area factor.
+constexpr float MAX_ENLARGEMENT = 2.0f; // Limit of an area factor.
 constexpr float FEW = 3.5f; // More replaced bodies than this lengthen a spindle.
-constexpr float MOST_LONGER = 2.5f; // Limit of a length factor.
-constexpr float MOST_RISE = 0.6f; // Fraction of a flat whorl's radius.
-constexpr float LEAST_THIN = 0.4f; // Fraction of a lathe's radius.
-constexpr float MOST_STOUT = 0.4f; // Silhouette of a spindle, as a fraction of its squared length.
-constexpr float LEAST_RADIUS = 1e-4f; // m.
+constexpr float MAX_LENGTHENING = 2.5f; // Limit of a length factor.
+constexpr float MAX_RISE = 0.6f; // Fraction of a flat whorl's radius.
+constexpr float MIN_RADIUS_SHARE = 0.4f; // Fraction of a lathe's radius.
+constexpr float MAX_STOUTNESS = 0.4f; // Silhouette of a spindle, as a fraction of its squared length.
+constexpr float MIN_RADIUS = 1e-4f; // m.
 
 /// Measures of a body's parts in its own axes.
 struct Measure {
@@ -131,14 +131,14 @@ void thicken(FormBody &body, const Measure &m) {
 	const float shows = widest * (high - low);
 	if (shows > 1.3f * wanted) { // Thin upright parts hide less of what is inside them than their lathe.
 		for (FormBody::Ring &ring : body.rings) {
-			ring.radius *= std::max(wanted / shows, LEAST_THIN);
+			ring.radius *= std::max(wanted / shows, MIN_RADIUS_SHARE);
 		}
 		return;
 	}
-	if (shows >= std::min(wanted, MOST_RISE * widest * widest) || !(widest > 0.0f)) {
+	if (shows >= std::min(wanted, MAX_RISE * widest * widest) || !(widest > 0.0f)) {
 		return;
 	}
-	const float rise = std::min(wanted / widest, MOST_RISE * widest);
+	const float rise = std::min(wanted / widest, MAX_RISE * widest);
 	const float sign = body.rings.back().along < body.rings.front().along ? -1.0f : 1.0f;
 	const float base = body.rings.front().along;
 	for (size_t i = 1; i < body.rings.size(); i++) {
@@ -153,10 +153,10 @@ void shape_lathe(FormBody &body, const Measure &m) {
 	};
 	FormBody::Ring ways[PLACES] = { mean(0), mean(1), mean(2) };
 	const float rise = std::abs(ways[2].along - ways[0].along);
-	const float most = std::sqrt(ways[0].radius * ways[0].radius + m.lid / static_cast<float>(PI));
-	if (rise < ways[2].radius - ways[0].radius && most < ways[2].radius) {
-		ways[1].radius *= most / ways[2].radius;
-		ways[2].radius = most;
+	const float max = std::sqrt(ways[0].radius * ways[0].radius + m.lid / static_cast<float>(PI));
+	if (rise < ways[2].radius - ways[0].radius && max < ways[2].radius) {
+		ways[1].radius *= max / ways[2].radius;
+		ways[2].radius = max;
 	}
 	body.rings.push_back({ ways[0].along, 0.0f });
 	if (body.detail.rings > 1) {
@@ -172,8 +172,8 @@ void shape_lathe(FormBody &body, const Measure &m) {
 }
 
 void shape_spindle(FormBody &body, const Measure &m) {
-	const float length = std::max(m.high - m.low, LEAST_RADIUS);
-	const float farthest = std::max(m.farthest, LEAST_RADIUS);
+	const float length = std::max(m.high - m.low, MIN_RADIUS);
+	const float farthest = std::max(m.farthest, MIN_RADIUS);
 	body.shown = covered(m.shown, 2.0f * farthest * length);
 	body.rings = { { m.low, 0.0f }, { 0.5f * (m.low + m.high), body.shown / length }, { m.high, 0.0f } };
 	body.has_base = body.has_tip = true;
@@ -209,7 +209,7 @@ void stretch_down(FormBody &body, const PlantForm &form, float longer) {
 	const float high = body.rings.back().along;
 	const float low = body.rings.front().along;
 	const float lowest = std::min(low, -part.offset * form.placed[static_cast<size_t>(part.carrier)].length);
-	const float factor = std::clamp((high - lowest) / std::max(high - low, LEAST_RADIUS), 1.0f, longer);
+	const float factor = std::clamp((high - lowest) / std::max(high - low, MIN_RADIUS), 1.0f, longer);
 	for (FormBody::Ring &ring : body.rings) {
 		ring.along = high - (high - ring.along) * factor;
 		ring.radius /= factor;
@@ -263,18 +263,18 @@ std::vector<FormBody> make_bodies(const PlantForm &form, const FormMeasure &meas
 		const float more = own > 0.0f ? plan.shown[group] / static_cast<float>(counts[group]) / own : 1.0f;
 		if (bodies[i].shown > 0.0f) {
 			const float all = static_cast<float>(form.groups[group].count) / static_cast<float>(parts[group]);
-			stretch_down(bodies[i], form, all > FEW ? std::min(std::sqrt(all), MOST_LONGER) : 1.0f);
+			stretch_down(bodies[i], form, all > FEW ? std::min(std::sqrt(all), MAX_LENGTHENING) : 1.0f);
 		}
 		const float length = bodies[i].rings.back().along - bodies[i].rings.front().along;
 		if (bodies[i].shown > 0.0f) {
 			const float with_others = bodies[i].shown + std::max(own * (more - 1.0f), 0.0f);
-			bodies[i].shown = std::min(with_others, std::max(MOST_STOUT * length * length, bodies[i].shown));
+			bodies[i].shown = std::min(with_others, std::max(MAX_STOUTNESS * length * length, bodies[i].shown));
 		}
 		const Layout layout = form.groups[group].layout;
 		const bool is_spindle = layout == Layout::along || layout == Layout::ground; // As long as its carrier.
 		for (FormBody::Ring &ring : bodies[i].rings) {
-			ring.radius *= std::sqrt(std::min(more, MOST_LARGER));
-			ring.along *= is_spindle ? 1.0f : std::sqrt(std::min(more, MOST_LARGER));
+			ring.radius *= std::sqrt(std::min(more, MAX_ENLARGEMENT));
+			ring.along *= is_spindle ? 1.0f : std::sqrt(std::min(more, MAX_ENLARGEMENT));
 		}
 	}
 	return bodies;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mesh/form_plan.hpp"
-#include "mesh/part_hang.hpp"
+#include "mesh/part_attachment.hpp"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -17,10 +17,10 @@ struct FormBody {
 	struct Ring {
 		float along = 0.0f; ///< m along the axis from the origin, or along the carrier.
 		float radius = 0.0f; ///< m.
-		// Set by Attachments:
+		// Set by DrawnAttachments:
 		glm::vec3 middle = glm::vec3(0.0f); ///< m.
 		PartAxes axes = {};
-		PartHang hang = {};
+		PartAttachment attachment = {};
 
 		Ring(float p_along, float p_radius) : along(p_along), radius(p_radius) {}
 	};

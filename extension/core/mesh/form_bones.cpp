@@ -30,37 +30,41 @@ float size_of(const PlacedPart &part) {
 
 } // namespace
 
-FormBones::FormBones(const PlantForm &form, const std::vector<PartHang> &hangs) : first_of(form.placed.size(), -1) {
+FormBones::FormBones(const PlantForm &form, const std::vector<PartAttachment> &attachments) :
+		first_of(form.placed.size(), -1) {
 	std::vector<int> heads, blades, lying, leaves;
-	for (size_t i = 0; i < hangs.size(); i++) {
-		const PartHang &hang = hangs[i];
-		if (hang.swinger == static_cast<int>(i)) {
-			std::vector<int> &ground = hang.swing.room < LYING ? lying : blades;
-			(hang.swing.is_head() ? heads : hang.is_root ? ground : leaves).push_back(static_cast<int>(i));
+	for (size_t i = 0; i < attachments.size(); i++) {
+		const PartAttachment &attachment = attachments[i];
+		if (attachment.swinger == static_cast<int>(i)) {
+			std::vector<int> &ground = attachment.swing.room < LYING ? lying : blades;
+			(attachment.swing.is_head() ? heads : attachment.is_root ? ground : leaves).push_back(static_cast<int>(i));
 		}
 	}
-	add_heads(form, hangs, heads);
-	if (blades.size() + lying.size() > MOST_OF_TUFT) {
-		add_tuft("tuft_", form, hangs, blades);
-		add_tuft("lying_", form, hangs, lying);
+	add_heads(form, attachments, heads);
+	if (blades.size() + lying.size() > MAX_TUFT_BONES) {
+		add_tuft("tuft_", form, attachments, blades);
+		add_tuft("lying_", form, attachments, lying);
 	} else {
 		leaves.insert(leaves.end(), blades.begin(), blades.end());
 		leaves.insert(leaves.end(), lying.begin(), lying.end());
 	}
-	add_leaves(form, hangs, std::move(leaves));
+	add_leaves(form, attachments, std::move(leaves));
 }
 
-void FormBones::add_heads(const PlantForm &form, const std::vector<PartHang> &hangs, const std::vector<int> &heads) {
+void FormBones::add_heads(
+		const PlantForm &form, const std::vector<PartAttachment> &attachments, const std::vector<int> &heads) {
 	for (const int head : heads) {
-		if (all.size() < MOST - FIRST) {
+		if (all.size() < MAX_BONES - FIRST) {
 			first_of[static_cast<size_t>(head)] = static_cast<int>(all.size());
 			const std::string number = heads.size() == 1 ? "" : "_" + std::to_string(all.size() + 1);
-			add("head" + number, form, form.placed[static_cast<size_t>(head)], hangs[static_cast<size_t>(head)], 1.0f);
+			add("head" + number, form, form.placed[static_cast<size_t>(head)], attachments[static_cast<size_t>(head)],
+					1.0f);
 		}
 	}
 }
 
-void FormBones::add_leaves(const PlantForm &form, const std::vector<PartHang> &hangs, std::vector<int> leaves) {
+void FormBones::add_leaves(
+		const PlantForm &form, const std::vector<PartAttachment> &attachments, std::vector<int> leaves) {
 	std::stable_sort(leaves.begin(), leaves.end(), [&form](int a, int b) {
 		return size_of(form.placed[static_cast<size_t>(a)]) > size_of(form.placed[static_cast<size_t>(b)]);
 	});
@@ -68,17 +72,17 @@ void FormBones::add_leaves(const PlantForm &form, const std::vector<PartHang> &h
 	for (const int leaf : leaves) {
 		const PlacedPart &part = form.placed[static_cast<size_t>(leaf)];
 		first_of[static_cast<size_t>(leaf)] =
-				add_pair("leaf_" + std::to_string(++number), form, part, hangs[static_cast<size_t>(leaf)]);
+				add_pair("leaf_" + std::to_string(++number), form, part, attachments[static_cast<size_t>(leaf)]);
 	}
 }
 
 /// The parts in one sector share the bones of the largest part.
-void FormBones::add_tuft(const std::string &name, const PlantForm &form, const std::vector<PartHang> &hangs,
+void FormBones::add_tuft(const std::string &name, const PlantForm &form, const std::vector<PartAttachment> &attachments,
 		const std::vector<int> &blades) {
 	std::array<int, SECTORS> largest;
 	largest.fill(-1);
 	for (const int blade : blades) {
-		int &found = largest[static_cast<size_t>(sector_of(hangs[static_cast<size_t>(blade)].swing.side))];
+		int &found = largest[static_cast<size_t>(sector_of(attachments[static_cast<size_t>(blade)].swing.side))];
 		const PlacedPart &part = form.placed[static_cast<size_t>(blade)];
 		if (found < 0 || size_of(part) > size_of(form.placed[static_cast<size_t>(found)])) {
 			found = blade;
@@ -87,36 +91,37 @@ void FormBones::add_tuft(const std::string &name, const PlantForm &form, const s
 	std::array<int, SECTORS> bones;
 	for (size_t i = 0; i < SECTORS; i++) {
 		const size_t of = static_cast<size_t>(std::max(largest[i], 0));
-		bones[i] = largest[i] < 0 ? -1 : add_pair(name + std::to_string(i + 1), form, form.placed[of], hangs[of]);
+		bones[i] = largest[i] < 0 ? -1 : add_pair(name + std::to_string(i + 1), form, form.placed[of], attachments[of]);
 	}
 	for (const int blade : blades) {
 		first_of[static_cast<size_t>(blade)] =
-				bones[static_cast<size_t>(sector_of(hangs[static_cast<size_t>(blade)].swing.side))];
+				bones[static_cast<size_t>(sector_of(attachments[static_cast<size_t>(blade)].swing.side))];
 	}
 }
 
-int FormBones::add_pair(const std::string &name, const PlantForm &form, const PlacedPart &part, const PartHang &hang) {
-	const bool is_long = part.length > LONG && all.size() + 2 <= MOST - FIRST;
-	if (all.size() >= MOST - FIRST) {
+int FormBones::add_pair(
+		const std::string &name, const PlantForm &form, const PlacedPart &part, const PartAttachment &attachment) {
+	const bool is_long = part.length > LONG && all.size() + 2 <= MAX_BONES - FIRST;
+	if (all.size() >= MAX_BONES - FIRST) {
 		return -1;
 	}
 	const int first = static_cast<int>(all.size());
-	add(name, form, part, hang, is_long ? 0.5f : 1.0f);
+	add(name, form, part, attachment, is_long ? 0.5f : 1.0f);
 	if (is_long) {
-		add(name + "_outer", form, part, hang, 1.0f);
+		add(name + "_outer", form, part, attachment, 1.0f);
 		all.back().origin = form.point_of(part, 0.5f);
 		all.back().outer_of = first;
 	}
 	return first;
 }
 
-void FormBones::add(
-		const std::string &name, const PlantForm &form, const PlacedPart &part, const PartHang &hang, float weight) {
+void FormBones::add(const std::string &name, const PlantForm &form, const PlacedPart &part,
+		const PartAttachment &attachment, float weight) {
 	PartBone bone;
-	bone.origin = bone.pivot = hang.pivot;
-	bone.stem_offset = hang.is_root ? stem_offset_of(form, form.point_of(part, weight)) : hang.stem_offset;
+	bone.origin = bone.pivot = attachment.pivot;
+	bone.stem_offset = attachment.is_root ? stem_offset_of(form, form.point_of(part, weight)) : attachment.stem_offset;
 	bone.weight = weight;
-	bone.swing = hang.swing;
+	bone.swing = attachment.swing;
 	all.push_back(bone);
 	all_names.push_back(name);
 }
@@ -152,9 +157,9 @@ void FormBones::bind(int swinger, float stem_offset, float weight, int32_t *bone
 	const float of_inner = all[static_cast<size_t>(first)].stem_offset;
 	const float of_outer = all[static_cast<size_t>(first + (is_pair ? 1 : 0))].stem_offset;
 	// A low vertex uses bones of higher parts only as far as the stem moves it.
-	const float most = (stem_offset + MORE_THAN_OWN) / std::max(inner * of_inner + outer * of_outer, MORE_THAN_OWN);
-	weights[2] = exact(inner * std::min(most, 1.0f));
-	weights[3] = std::min(exact(outer * std::min(most, 1.0f)), 1.0f - weights[2]);
+	const float max = (stem_offset + MORE_THAN_OWN) / std::max(inner * of_inner + outer * of_outer, MORE_THAN_OWN);
+	weights[2] = exact(inner * std::min(max, 1.0f));
+	weights[3] = std::min(exact(outer * std::min(max, 1.0f)), 1.0f - weights[2]);
 	const float room = 1.0f - weights[2] - weights[3];
 	const float taken = weights[2] * of_inner + weights[3] * of_outer;
 	weights[1] = std::clamp(exact(stem_offset - taken), 0.0f, room);

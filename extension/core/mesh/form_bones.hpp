@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesh/part_hang.hpp"
+#include "mesh/part_attachment.hpp"
 
 #include <array>
 #include <string>
@@ -13,7 +13,7 @@ namespace undergrowth {
 ///
 /// A swinging part has one bone. It gets the fraction of a vertex that is the vertex's own weight; root and tip get the
 /// rest. A part longer than LONG has two bones: weights grow towards the first up to its middle and shift to the second
-/// from there. A head has one bone. If more than MOST_OF_TUFT parts swing on the ground, the parts in each eighth of
+/// from there. A head has one bone. If more than MAX_TUFT_BONES parts swing on the ground, the parts in each eighth of
 /// the circle share bones. Parts that lie on the ground share their own. If there are too many bones, the smallest
 /// parts have none.
 class FormBones {
@@ -21,14 +21,14 @@ public:
 	static constexpr int ROOT = 0;
 	static constexpr int TIP = 1;
 	static constexpr int FIRST = 2; ///< Skeleton index of bones()[0].
-	static constexpr int MOST = 32; ///< Includes root and tip, excludes joints of a stem.
+	static constexpr int MAX_BONES = 32; ///< Includes root and tip, excludes joints of a stem.
 	static constexpr float LONG = 0.25f; ///< m.
-	static constexpr int MOST_OF_TUFT = 8;
+	static constexpr int MAX_TUFT_BONES = 8;
 
 	/// No bones: all vertices are bound to root and tip.
 	FormBones() = default;
 	/// Bones for all parts of a form.
-	FormBones(const PlantForm &form, const std::vector<PartHang> &hangs);
+	FormBones(const PlantForm &form, const std::vector<PartAttachment> &attachments);
 
 	const std::vector<PartBone> &bones() const { return all; }
 	/// "leaf_1", "leaf_1_outer", "head", "tuft_1", "lying_1" …, as many as bones().
@@ -37,7 +37,7 @@ public:
 	std::vector<PartBone> stretched(float factor) const;
 
 	/// Writes four bones and weights of a vertex; the weights sum to 1 exactly. `stem_offset` and `weight` are the
-	/// vertex's own. `swinger`: PartHang::swinger, -1 for none.
+	/// vertex's own. `swinger`: PartAttachment::swinger, -1 for none.
 	void bind(int swinger, float stem_offset, float weight, int32_t *bones, float *weights) const;
 
 private:
@@ -45,13 +45,15 @@ private:
 	std::vector<std::string> all_names;
 	std::vector<int> first_of; ///< By placed part: index of its first bone, or -1.
 
-	void add(
-			const std::string &name, const PlantForm &form, const PlacedPart &part, const PartHang &hang, float weight);
-	int add_pair(const std::string &name, const PlantForm &form, const PlacedPart &part, const PartHang &hang);
-	void add_heads(const PlantForm &form, const std::vector<PartHang> &hangs, const std::vector<int> &heads);
-	void add_tuft(const std::string &name, const PlantForm &form, const std::vector<PartHang> &hangs,
+	void add(const std::string &name, const PlantForm &form, const PlacedPart &part, const PartAttachment &attachment,
+			float weight);
+	int add_pair(
+			const std::string &name, const PlantForm &form, const PlacedPart &part, const PartAttachment &attachment);
+	void add_heads(
+			const PlantForm &form, const std::vector<PartAttachment> &attachments, const std::vector<int> &heads);
+	void add_tuft(const std::string &name, const PlantForm &form, const std::vector<PartAttachment> &attachments,
 			const std::vector<int> &blades);
-	void add_leaves(const PlantForm &form, const std::vector<PartHang> &hangs, std::vector<int> leaves);
+	void add_leaves(const PlantForm &form, const std::vector<PartAttachment> &attachments, std::vector<int> leaves);
 	bool has_outer(int bone) const;
 };
 

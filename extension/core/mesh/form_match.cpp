@@ -20,9 +20,9 @@ constexpr int COARSE_VERTICES = 60;
 constexpr float MATCHED = 0.015f; // Error of each outline.
 constexpr float TOLERATED = 0.03f; // A larger error starts a search.
 constexpr int COLOR_STEPS = 4;
-constexpr float MOST_GAIN = 1.8f; // Maximum factor of a colour in linear light; the minimum is its reciprocal.
-constexpr float MOST_MORE = 0.15f; // Maximum of linear light that is added to all colours.
-constexpr float MOST_LESS = 0.06f; // Maximum that is subtracted: white stays white.
+constexpr float MAX_GAIN = 1.8f; // Maximum factor of a colour in linear light; the minimum is its reciprocal.
+constexpr float MAX_ADDED_LIGHT = 0.15f; // Maximum of linear light that is added to all colours.
+constexpr float MAX_REMOVED_LIGHT = 0.06f; // Maximum that is subtracted: white stays white.
 
 SeenMesh seen(const FormBuffers &mesh, const std::vector<WrittenUnit> &units) {
 	return { mesh.positions, units.back().vertex, mesh.indices, units.back().index };
@@ -57,7 +57,7 @@ void match_outlines(const FormMeasure &measure, const std::vector<WrittenUnit> &
 	};
 	go(units.back().vertex < FINE_VERTICES ? STEPS : FEW_STEPS);
 	if (best >= MATCHED && units.back().vertex < COARSE_VERTICES) {
-		fit.loosen();
+		fit.detach();
 		areas = outline_areas(seen(mesh, units), measure.box);
 		go(LOOSE_STEPS);
 	}
@@ -80,7 +80,7 @@ void match_colors(const FormMeasure &measure, const std::vector<WrittenUnit> &un
 		for (size_t i = 0; i < shares.size(); i++) {
 			mean += glm::min(light[i] * gains, glm::vec3(1.0f)) * shares[i];
 		}
-		gains = glm::clamp(gains * (measure.light + 1e-4f) / (mean + 1e-4f), 1.0f / MOST_GAIN, MOST_GAIN);
+		gains = glm::clamp(gains * (measure.light + 1e-4f) / (mean + 1e-4f), 1.0f / MAX_GAIN, MAX_GAIN);
 	}
 	glm::vec3 more(0.0f); // If a component is too dark to be scaled.
 	const auto shifted = [&](size_t i) { return glm::clamp(light[i] * gains + more, 0.0f, 1.0f); };
@@ -89,7 +89,7 @@ void match_colors(const FormMeasure &measure, const std::vector<WrittenUnit> &un
 		for (size_t i = 0; i < shares.size(); i++) {
 			mean += shifted(i) * shares[i];
 		}
-		more = glm::clamp(more + measure.light - mean, -MOST_LESS, MOST_MORE);
+		more = glm::clamp(more + measure.light - mean, -MAX_REMOVED_LIGHT, MAX_ADDED_LIGHT);
 	}
 	for (size_t i = 0; i < light.size(); i++) {
 		light[i] = shifted(i);

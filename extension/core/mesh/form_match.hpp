@@ -13,7 +13,7 @@ struct WrittenUnit {
 	int index = 0;
 	float near_share = 1.0f; ///< Visible fraction of its triangles.
 	bool is_flower = false; ///< Or part of a flower: its size changes less than that of other units.
-	float most = 1e9f; ///< Maximum width, relative to the written one.
+	float max = 1e9f; ///< Maximum width, relative to the written one.
 };
 
 /// Fits a mesh to the outlines and the mean colour of its form. First changes the widths of units, also by different

@@ -178,7 +178,7 @@ glm::vec4 mean_color(const Part &part) {
 
 FormMeasure measure_form(const PlantForm &form) {
 	FormMeasure measure;
-	measure.hangs = hang_parts(form);
+	measure.attachments = attach_parts(form);
 	const Whole whole = grow_whole(form, measure);
 	measure.translucency = mean_translucency(form, measure.shown);
 	measure_whole(whole, measure);

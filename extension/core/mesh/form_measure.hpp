@@ -3,7 +3,7 @@
 #include "conventions.hpp"
 #include "form/plant_form.hpp"
 #include "mesh/level_error.hpp"
-#include "mesh/part_hang.hpp"
+#include "mesh/part_attachment.hpp"
 #include "mesh/silhouette.hpp"
 
 #include <glm/geometric.hpp>
@@ -25,7 +25,7 @@ struct FormMeasure {
 	SightBox box; ///< The box for measuring outlines and light.
 	std::vector<glm::vec4> colors; ///< Mean colour of each kind of part.
 	std::vector<float> mean_widths; ///< By kind, as fractions of its width.
-	std::vector<PartHang> hangs; ///< By placed part.
+	std::vector<PartAttachment> attachments; ///< By placed part.
 };
 
 FormMeasure measure_form(const PlantForm &form);

@@ -1,6 +1,6 @@
 #include "mesh/form_mesh.hpp"
 
-#include "mesh/attachment.hpp"
+#include "mesh/drawn_attachments.hpp"
 #include "mesh/form_match.hpp"
 #include "mesh/form_writer.hpp"
 #include "mesh/part_detail.hpp"
@@ -11,7 +11,7 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float MOST_STOUT = 0.65f; // Silhouette of a spindle over its squared length: half of width over length.
+constexpr float MAX_STOUTNESS = 0.65f; // Silhouette of a spindle over its squared length: half of width over length.
 
 /// Shapes that parts of a kind share, created for the first such part. Groups of one kind may have different details.
 class Shapes {
@@ -50,7 +50,7 @@ private:
 
 void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const FormPlan &plan, const FormBones &bones,
 		const MeshOptions &options, float height, const FormBuffers &buffers) {
-	const Attachments attachments(form, plan, measure.hangs);
+	const DrawnAttachments attachments(form, plan, measure.attachments);
 	FormWriter writer(form, bones, options, buffers);
 	Shapes shapes(form, measure, plan);
 	std::vector<WrittenUnit> units;
@@ -68,7 +68,7 @@ void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const Fo
 				begin_unit(near, group.layout == Layout::whorl);
 				PlacedPart part = form.placed[place];
 				part.base += attachments.shift_of(place);
-				writer.add_part(part, attachments.hang_of(place), shapes.of(part));
+				writer.add_part(part, attachments.attachment_of(place), shapes.of(part));
 			}
 		}
 		writer.widen(begin, plan.shown[g], near);
@@ -82,7 +82,7 @@ void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const Fo
 		if (body.shown > 0.0f) {
 			writer.widen(begin, body.shown, 0.5f);
 			const float length = body.rings.back().along - body.rings.front().along;
-			units.back().most = std::max(MOST_STOUT * length * length / body.shown, 1.0f);
+			units.back().max = std::max(MAX_STOUTNESS * length * length / body.shown, 1.0f);
 		}
 	}
 	if (plan.is_cut) {

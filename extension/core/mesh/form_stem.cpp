@@ -1,7 +1,7 @@
 #include "mesh/form_stem.hpp"
 
 #include "conventions.hpp"
-#include "mesh/part_hang.hpp"
+#include "mesh/part_attachment.hpp"
 
 #include <glm/common.hpp>
 
@@ -15,8 +15,8 @@ namespace {
 
 constexpr int BINS = 8; // Bins along the stem: loads within one bin are combined.
 constexpr int SAMPLES = 8; // Samples of a part's width.
-constexpr float MOST_TAPER = 0.9f;
-constexpr float LEAST_DIAMETER = 2e-4f; // m.
+constexpr float MAX_TAPER = 0.9f;
+constexpr float MIN_DIAMETER = 2e-4f; // m.
 constexpr float HEAD_FROM = 0.95f; // Stem offset from which parts belong to the head.
 
 // Values for fresh plants.
@@ -75,8 +75,8 @@ void measure_stem(const Part &part, const PlacedPart &placed, StemBeam &beam) {
 	const float tip = part.width_at(0.9f);
 	const bool is_sheet = part.kind == PartKind::blade;
 	const float widest = is_sheet ? std::max(base, part.width_at(0.4f)) : base;
-	beam.diameter = std::max(placed.width * widest, LEAST_DIAMETER);
-	beam.taper = std::clamp(1.0f - tip / std::max(widest, 1e-6f), 0.0f, MOST_TAPER);
+	beam.diameter = std::max(placed.width * widest, MIN_DIAMETER);
+	beam.taper = std::clamp(1.0f - tip / std::max(widest, 1e-6f), 0.0f, MAX_TAPER);
 	if (is_sheet) {
 		beam.section = StemBeam::Section::blade;
 		beam.thickness = std::max(THINNEST_SHEET, beam.diameter / SHEET_SLENDERNESS);
@@ -86,16 +86,16 @@ void measure_stem(const Part &part, const PlacedPart &placed, StemBeam &beam) {
 
 /// Limits sizes, because drawn plants may have any: a stem is not wider than long and not heavier than a tree.
 void keep_sound(StemBeam &beam) {
-	constexpr float MOST_MASS = 1000.0f; // kg, also for the next one: describe(StemFault).
-	constexpr float MOST_AREA = 100.0f; // m².
-	beam.diameter = std::clamp(beam.diameter, std::min(LEAST_DIAMETER, beam.length), beam.length);
+	constexpr float MAX_MASS = 1000.0f; // kg, also for the next one: describe(StemFault).
+	constexpr float MAX_AREA = 100.0f; // m².
+	beam.diameter = std::clamp(beam.diameter, std::min(MIN_DIAMETER, beam.length), beam.length);
 	beam.thickness = std::min(beam.thickness, beam.diameter);
-	beam.head_mass = std::min(beam.head_mass, MOST_MASS);
-	beam.head_drag_area = std::min(beam.head_drag_area, MOST_AREA);
+	beam.head_mass = std::min(beam.head_mass, MAX_MASS);
+	beam.head_drag_area = std::min(beam.head_drag_area, MAX_AREA);
 	beam.head_centre = std::min(beam.head_centre, beam.length);
 	for (StemBeam::Load &load : beam.loads) {
-		load.mass = std::min(load.mass, MOST_MASS);
-		load.drag_area = std::min(load.drag_area, MOST_AREA);
+		load.mass = std::min(load.mass, MAX_MASS);
+		load.drag_area = std::min(load.drag_area, MAX_AREA);
 	}
 }
 
@@ -108,7 +108,7 @@ void carry_parts(const PlantForm &form, StemBeam &beam) {
 	}
 	measure_stem(form.parts[static_cast<size_t>(form.placed[static_cast<size_t>(stem)].kind)],
 			form.placed[static_cast<size_t>(stem)], beam);
-	const std::vector<PartHang> hangs = hang_parts(form);
+	const std::vector<PartAttachment> attachments = attach_parts(form);
 	std::vector<bool> is_on_stem(form.placed.size(), false);
 	is_on_stem[static_cast<size_t>(stem)] = true;
 	std::array<StemBeam::Load, BINS> bins = {};
@@ -120,7 +120,7 @@ void carry_parts(const PlantForm &form, StemBeam &beam) {
 		}
 		is_on_stem[i] = true;
 		const Carried load = carried_by(form.parts[static_cast<size_t>(placed.kind)], placed);
-		const float x = std::clamp(hangs[i].stem_offset, 0.0f, 1.0f);
+		const float x = std::clamp(attachments[i].stem_offset, 0.0f, 1.0f);
 		if (x >= HEAD_FROM) {
 			beam.head_mass += load.mass;
 			beam.head_drag_area += load.drag_area;
@@ -151,7 +151,7 @@ void carry_lathe(float radius, const std::vector<float> &widths, StemBeam &beam)
 	for (size_t i = 0; i < half; i++) {
 		lower += widths[i] / static_cast<float>(half);
 	}
-	beam.diameter = std::max(2.0f * radius * lower, LEAST_DIAMETER);
+	beam.diameter = std::max(2.0f * radius * lower, MIN_DIAMETER);
 	const float step = beam.length / static_cast<float>(std::max<size_t>(rings - 1, 1));
 	float narrowest = lower;
 	for (size_t i = half; i < rings; i++) {
@@ -163,7 +163,7 @@ void carry_lathe(float radius, const std::vector<float> &widths, StemBeam &beam)
 			narrowest = std::min(narrowest, widths[i]);
 		}
 	}
-	beam.taper = std::clamp(1.0f - narrowest / std::max(lower, 1e-6f), 0.0f, MOST_TAPER);
+	beam.taper = std::clamp(1.0f - narrowest / std::max(lower, 1e-6f), 0.0f, MAX_TAPER);
 	keep_sound(beam);
 }
 

@@ -15,7 +15,7 @@ namespace {
 // Light in a canopy decreases exponentially with the leaf area above (Beer-Lambert).
 constexpr double EXTINCTION = 1.6; // From the top of a plant to the ground, where a fifth remains.
 constexpr float INNER_SHADE = 0.4f; // Fraction of the light in the middle of a clump.
-constexpr float MOST_WIDENING = 12.0f;
+constexpr float MAX_WIDENING = 12.0f;
 constexpr float BRIGHTNESS_SHARE = 0.25f; // Maxima of a full colour deviation, as in mesh/deviation.cpp.
 
 } // namespace
@@ -46,7 +46,7 @@ float FormWriter::openness(const glm::vec3 &point) const {
 
 void FormWriter::put(const Common &common, const glm::vec3 &middle, const glm::vec3 &aside, const glm::vec3 &normal,
 		const glm::vec3 &along, const glm::vec4 &color, glm::vec2 uv, float offset) {
-	const PartHang &hang = common.hang;
+	const PartAttachment &attachment = common.attachment;
 	const int i = vertices++;
 	out.positions[i] = middle + aside;
 	out.normals[i] = normal;
@@ -55,18 +55,19 @@ void FormWriter::put(const Common &common, const glm::vec3 &middle, const glm::v
 	out.colors[i] = { std::min(tinted.x, 1.0f), std::min(tinted.y, 1.0f), std::min(tinted.z, 1.0f),
 		openness(middle + aside) };
 	out.uvs[i] = uv;
-	const float x = hang.is_root ? stem_offset_of(form, middle) : hang.stem_offset;
-	out.stem_places[i] = hang.is_root ? x : hang.stem_place;
-	const float weight = hang.weight_at(offset);
-	out.custom0[i] = { x, weight, hang.rank, common.leafiness };
-	out.custom1[i] = glm::vec4(hang.pivot, common.swing.pace);
+	const float x = attachment.is_root ? stem_offset_of(form, middle) : attachment.stem_offset;
+	out.stem_places[i] = attachment.is_root ? x : attachment.stem_place;
+	const float weight = attachment.weight_at(offset);
+	out.custom0[i] = { x, weight, attachment.rank, common.leafiness };
+	out.custom1[i] = glm::vec4(attachment.pivot, common.swing.pace);
 	out.custom2[i] = glm::vec4(aside, common.swing.place);
-	skeleton.bind(hang.swinger, x, weight, out.bones + 4 * i, out.weights + 4 * i);
+	skeleton.bind(attachment.swinger, x, weight, out.bones + 4 * i, out.weights + 4 * i);
 }
 
-void FormWriter::add_part(const PlacedPart &part, const PartHang &hang, const PartTemplate &shape) {
+void FormWriter::add_part(const PlacedPart &part, const PartAttachment &attachment, const PartTemplate &shape) {
 	const float leafiness = form.parts[static_cast<size_t>(part.kind)].translucency;
-	const Common common = { hang, hang.code, leafiness, 1.0f + BRIGHTNESS_SHARE * color_deviation * part.tint };
+	const Common common = { attachment, attachment.code, leafiness,
+		1.0f + BRIGHTNESS_SHARE * color_deviation * part.tint };
 	const float width = part.width;
 	for (const int32_t index : shape.indices) {
 		put_index(vertices + index);
@@ -89,7 +90,7 @@ void FormWriter::widen(const Mark &begin, float shown, float near_share) {
 		twice += twice_shown(
 				out.positions[out.indices[i]], out.positions[out.indices[i + 1]], out.positions[out.indices[i + 2]]);
 	}
-	const float factor = std::min(twice > 0.0f ? 2.0f * shown / (twice * near_share) : 1.0f, MOST_WIDENING);
+	const float factor = std::min(twice > 0.0f ? 2.0f * shown / (twice * near_share) : 1.0f, MAX_WIDENING);
 	scale_width(begin.vertex, factor);
 }
 

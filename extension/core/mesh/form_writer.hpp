@@ -2,7 +2,7 @@
 
 #include "mesh/form_body.hpp"
 #include "mesh/form_bones.hpp"
-#include "mesh/part_hang.hpp"
+#include "mesh/part_attachment.hpp"
 #include "mesh/part_template.hpp"
 #include "mesh/plant_mesh.hpp"
 #include "mesh/vertex_format.hpp"
@@ -15,8 +15,8 @@ public:
 	/// All arguments must outlive the object. `bones`: bones of vertices besides root and tip.
 	FormWriter(const PlantForm &form, const FormBones &bones, const MeshOptions &options, const FormBuffers &buffers);
 
-	void add_part(const PlacedPart &part, const PartHang &hang, const PartTemplate &shape);
-	/// The rings must have positions from Attachments.
+	void add_part(const PlacedPart &part, const PartAttachment &attachment, const PartTemplate &shape);
+	/// The rings must have positions from DrawnAttachments.
 	void add_body(const FormBody &body);
 
 	/// Present size of the mesh.
@@ -36,8 +36,8 @@ private:
 
 	/// Data that all vertices of one part or body share.
 	struct Common {
-		PartHang hang;
-		SwingCode swing;
+		PartAttachment attachment;
+		PartMotionCode swing;
 		float leafiness;
 		float brightness;
 	};

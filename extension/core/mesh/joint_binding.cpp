@@ -16,7 +16,7 @@ struct Influence {
 };
 
 constexpr int KEPT = 4;
-constexpr int MOST = KEPT + 2;
+constexpr int MAX_INFLUENCES = KEPT + 2;
 
 } // namespace
 
@@ -25,7 +25,7 @@ static void bind_vertex(int joints, const float *place, int32_t *bones, float *w
 	const float by_tip = of_stem > 0.0f ? weights[1] / of_stem : 0.0f;
 	const float x = place != nullptr ? *place : by_tip;
 	const StemBinding stem = bind_to_stem(joints, x);
-	std::array<Influence, MOST> all;
+	std::array<Influence, MAX_INFLUENCES> all;
 	for (size_t i = 0; i < KEPT; i++) {
 		const int link = stem.bones[i];
 		all[i] = { link == 0 ? FormBones::ROOT : FormBones::TIP + link, stem.weights[i] * of_stem };

@@ -48,9 +48,7 @@ std::vector<glm::vec2> project(const SeenMesh &mesh, const Direction &way) {
 class Picture {
 public:
 	Picture(int p_columns, int p_rows) :
-			columns(p_columns),
-			rows(p_rows),
-			dots(static_cast<size_t>(p_columns) * static_cast<size_t>(p_rows), FAR) {}
+			columns(p_columns), rows(p_rows), dots(static_cast<size_t>(p_columns) * static_cast<size_t>(p_rows), FAR) {}
 
 	/// Corners in dots. Marks dots with their centre inside, and all dots along the edges: thin parts stay connected.
 	void draw(glm::vec2 a, glm::vec2 b, glm::vec2 c) {
@@ -105,7 +103,9 @@ private:
 	const int rows;
 	std::vector<uint16_t> dots;
 
-	static int first_beyond(float place) { return static_cast<int>(std::clamp(place, -1e6f, 1e6f) + 1e6f + 0.5f) - 1000000; }
+	static int first_beyond(float place) {
+		return static_cast<int>(std::clamp(place, -1e6f, 1e6f) + 1e6f + 0.5f) - 1000000;
+	}
 	static float at(const glm::vec2 &low, const glm::vec2 &high, float level) {
 		const float rise = high.y - low.y;
 		return rise > 0.0f ? low.x + (high.x - low.x) * ((level - low.y) / rise) : low.x;
@@ -133,7 +133,8 @@ private:
 	}
 };
 
-void draw_mesh(const SeenMesh &mesh, const std::vector<glm::vec2> &flat, const glm::vec2 &corner, float dot, Picture &into) {
+void draw_mesh(
+		const SeenMesh &mesh, const std::vector<glm::vec2> &flat, const glm::vec2 &corner, float dot, Picture &into) {
 	const auto dots = [&](int32_t vertex) { return (flat[static_cast<size_t>(vertex)] - corner) / dot; };
 	for (int i = 0; i + 2 < mesh.index_count; i += 3) {
 		into.draw(dots(mesh.indices[i]), dots(mesh.indices[i + 1]), dots(mesh.indices[i + 2]));

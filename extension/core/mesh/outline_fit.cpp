@@ -10,10 +10,10 @@ namespace undergrowth {
 namespace {
 
 constexpr float TURNED = 0.35f; // Weight of growing in one direction relative to growing in all.
-constexpr float MOST_TURN = 0.5f; // Tangent of half the angle.
-constexpr float MOST_STEP = 0.5f;
+constexpr float MAX_TURN = 0.5f; // Tangent of half the angle.
+constexpr float MAX_STEP = 0.5f;
 constexpr float STIFFNESS = 1e-3f; // Stabilizes outlines that the numbers cannot change independently.
-constexpr float LEAST_AREA = 1e-20f; // m²; smaller areas have no effect.
+constexpr float MIN_AREA = 1e-20f; // m²; smaller areas have no effect.
 // The same if the widths reduced all areas to 0, by the float precision of the matrix.
 constexpr float ROUNDING = 1e-5f;
 
@@ -93,7 +93,7 @@ void OutlineFit::look_at(size_t number) {
 		mean += area / OUTLINES;
 	}
 	for (size_t way = 0; way < WAYS; way++) {
-		unit.weight[way] = mean > LEAST_AREA ? (way == 0 ? 1.0f : TURNED) / mean : 0.0f;
+		unit.weight[way] = mean > MIN_AREA ? (way == 0 ? 1.0f : TURNED) / mean : 0.0f;
 	}
 }
 
@@ -128,7 +128,7 @@ void OutlineFit::approach(const Outlines &areas, const Outlines &wanted) {
 			for (size_t i = 0; i < OUTLINES; i++) {
 				change += unit.weight[way] * unit.change[i][way] * right[i];
 			}
-			change = std::clamp(change, -MOST_STEP, MOST_STEP);
+			change = std::clamp(change, -MAX_STEP, MAX_STEP);
 			unit.widths[way] += change;
 		}
 		limit(u, unit.widths);
@@ -138,10 +138,10 @@ void OutlineFit::approach(const Outlines &areas, const Outlines &wanted) {
 
 void OutlineFit::limit(size_t number, Ways &widths) const {
 	const bool is_flower = written[number].is_flower;
-	const float least = (is_flower ? limits.least_flower : limits.least) - 1.0f;
-	const float most = std::min(is_flower ? limits.most_flower : limits.most, written[number].most) - 1.0f;
-	widths[0] = std::clamp(widths[0], least, most);
-	widths[TURN] = std::clamp(widths[TURN], -MOST_TURN, MOST_TURN);
+	const float min = (is_flower ? limits.min_flower : limits.min) - 1.0f;
+	const float max = std::min(is_flower ? limits.max_flower : limits.max, written[number].max) - 1.0f;
+	widths[0] = std::clamp(widths[0], min, max);
+	widths[TURN] = std::clamp(widths[TURN], -MAX_TURN, MAX_TURN);
 	float turned = is_flower ? limits.turned_flower : limits.turned;
 	if (limits.by_width) { // In combination they never turn a sheet over.
 		turned *= 1.0f + widths[0];

@@ -14,7 +14,7 @@ public:
 	/// One step from outlines `areas` to `wanted`. Assumes that occlusion does not change; does not turn units.
 	void approach(const Outlines &areas, const Outlines &wanted);
 	/// Permits larger changes of widths, except for flowers.
-	void loosen() { limits = LOOSE; }
+	void detach() { limits = LOOSE; }
 	/// Saves the widths of the last step.
 	void keep();
 	/// Sets the mesh to the saved widths, or to the initial ones if none were saved.
@@ -30,12 +30,12 @@ private:
 	static constexpr size_t WAYS = 4; ///< Wider; wider along x than z; wider along x = z than across; turned.
 	static constexpr size_t STRETCHES = 3; ///< The first three of them.
 	static constexpr size_t TURN = 3; ///< Index of the turn: the tangent of half its angle.
-	static constexpr size_t MOST_BUNDLES = 8;
+	static constexpr size_t MAX_BUNDLES = 8;
 	using Ways = std::array<float, WAYS>;
 	/// Limits of widths, relative to the written ones.
 	struct Limits {
-		float least, most, turned;
-		float least_flower, most_flower, turned_flower;
+		float min, max, turned;
+		float min_flower, max_flower, turned_flower;
 		bool by_width; ///< True: turns count relative to the present width.
 	};
 	static constexpr Limits USUAL = { 0.25f, 4.0f, 0.7f, 0.45f, 1.7f, 0.25f, false };
@@ -64,7 +64,7 @@ private:
 	struct Sought;
 	size_t bundle();
 	std::vector<float> bundle_weights(size_t bundles) const;
-	Outlines look(Sought &sought) const;
+	Outlines evaluate(Sought &sought) const;
 	void probe(Sought &sought, const Outlines &errors);
 	bool step(Sought &sought, Outlines &errors);
 	void go_on(Sought &sought, float goal, float &worst);

@@ -13,17 +13,17 @@ namespace {
 
 constexpr int ROUNDS = 8;
 constexpr int LOOKED_AT = 40000; // Number of vertices in all measurements together.
-constexpr int LEAST_LOOKS = 120;
-constexpr int MOST_LOOKS = 1200;
+constexpr int MIN_EVALUATIONS = 120;
+constexpr int MAX_EVALUATIONS = 1200;
 constexpr int TRIES = 4; // Attempts along one round's direction, each shorter.
 constexpr int PASSES = 3; // Numbers at their limits leave the rest to the remaining ones.
 constexpr float ALLOWED = 0.04f; // A larger error causes further starting points.
 constexpr float TURNS[] = { 0.0f, 0.2f, -0.2f, 0.4f, -0.4f };
 constexpr float FLOWER = 0.2f; // Weight of flowers relative to other units: they determine the plant's colour.
 constexpr float PROBE = 0.06f;
-constexpr float MOST_SHIFT = 0.6f; // Maximum change of a number per round.
+constexpr float MAX_SHIFT = 0.6f; // Maximum change of a number per round.
 constexpr float FIRST_DAMPING = 0.03f;
-constexpr float LEAST_DAMPING = 1e-4f;
+constexpr float MIN_DAMPING = 1e-4f;
 constexpr float LESS_DAMPING = 0.3f;
 constexpr float MORE_DAMPING = 5.0f;
 
@@ -72,7 +72,7 @@ void mend(const std::vector<Outlines> &slopes, const std::vector<float> &weights
 		for (size_t i = 0; i < OUTLINES; i++) {
 			change += weights[n] * slopes[n][i] * right[i];
 		}
-		change = std::isfinite(change) ? std::clamp(change, -MOST_SHIFT, MOST_SHIFT) : 0.0f;
+		change = std::isfinite(change) ? std::clamp(change, -MAX_SHIFT, MAX_SHIFT) : 0.0f;
 		changes[n] = fixed[n] ? changes[n] : change;
 	}
 }
@@ -93,7 +93,7 @@ struct OutlineFit::Sought {
 
 /// A few units change independently. Many units are bundled by the side from which they are best visible.
 size_t OutlineFit::bundle() {
-	if (units.size() <= MOST_BUNDLES) {
+	if (units.size() <= MAX_BUNDLES) {
 		for (size_t u = 0; u < units.size(); u++) {
 			units[u].bundle = u;
 		}
@@ -104,11 +104,11 @@ size_t OutlineFit::bundle() {
 		const size_t side = static_cast<size_t>(std::max_element(area.begin(), area.end()) - area.begin());
 		units[u].bundle = side + (written[u].is_flower ? OUTLINES : 0);
 	}
-	return MOST_BUNDLES;
+	return MAX_BUNDLES;
 }
 
 /// Returns the error of each outline.
-Outlines OutlineFit::look(Sought &sought) const {
+Outlines OutlineFit::evaluate(Sought &sought) const {
 	sought.looks--;
 	const SeenMesh seen = { mesh.positions, written.back().vertex, mesh.indices, written.back().index };
 	Outlines errors = outline_areas(seen, sought.box);
@@ -151,7 +151,7 @@ void OutlineFit::probe(Sought &sought, const Outlines &errors) {
 			changes[n] = shift;
 			place(sought, changes);
 			if (std::abs(changes[n]) > 0.5f * PROBE) {
-				const Outlines now = look(sought);
+				const Outlines now = evaluate(sought);
 				for (size_t side = 0; side < OUTLINES; side++) {
 					sought.slopes[n][side] = (now[side] - errors[side]) / changes[n];
 				}
@@ -175,10 +175,10 @@ bool OutlineFit::step(Sought &sought, Outlines &errors) {
 				fixed[n] = fixed[n] || std::abs(changes[n] - wishes[n]) > 1e-3f;
 			}
 		}
-		const Outlines now = look(sought);
+		const Outlines now = evaluate(sought);
 		if (squares(now) < squares(errors)) {
 			errors = now;
-			sought.damping = std::max(sought.damping * LESS_DAMPING, LEAST_DAMPING);
+			sought.damping = std::max(sought.damping * LESS_DAMPING, MIN_DAMPING);
 			return true;
 		}
 		sought.damping *= MORE_DAMPING;
@@ -202,7 +202,7 @@ std::vector<float> OutlineFit::bundle_weights(size_t bundles) const {
 
 /// Starts from the present widths of the units.
 void OutlineFit::go_on(Sought &sought, float goal, float &worst) {
-	Outlines errors = look(sought);
+	Outlines errors = evaluate(sought);
 	sought.damping = FIRST_DAMPING;
 	for (int round = 0; round < ROUNDS && worst > goal && sought.looks > 0; round++) {
 		sought.from.clear();
@@ -222,7 +222,7 @@ void OutlineFit::go_on(Sought &sought, float goal, float &worst) {
 
 void OutlineFit::search(const SightBox &box, const Outlines &wanted, float goal, float &worst) {
 	const size_t bundles = bundle();
-	const int looks = std::clamp(LOOKED_AT / std::max(written.back().vertex, 1), LEAST_LOOKS, MOST_LOOKS);
+	const int looks = std::clamp(LOOKED_AT / std::max(written.back().vertex, 1), MIN_EVALUATIONS, MAX_EVALUATIONS);
 	Sought sought = { box, wanted, bundles, looks, FIRST_DAMPING, {}, bundle_weights(bundles), {} };
 	finish();
 	go_on(sought, goal, worst);

@@ -13,10 +13,10 @@ namespace {
 constexpr float THINNED = 0.1f; // Times the number of replaced parts per remaining part.
 constexpr float ONE_SIDED = 0.6f; // Divided by the number of remaining parts: fewer are more asymmetric.
 constexpr float THINNED_TUFT = 0.06f; // Additional harm: a few wide leaves do not look like many narrow ones.
-constexpr float MOST_TUFT = 0.06f; // Its limit, because a plant without flowers also looks different.
+constexpr float MAX_TUFT = 0.06f; // Its limit, because a plant without flowers also looks different.
 constexpr float TWIN_DROPPED = 0.2f; // If another group of the same kind remains on the same carriers.
 constexpr float DROPPED = 1.3f;
-constexpr float MOST_THINNED = 0.6f; // A few parts are better than none.
+constexpr float MAX_THINNING = 0.6f; // A few parts are better than none.
 constexpr float COLOR_LOST = 30.0f; // Times the squared distance to the nearest remaining colour.
 constexpr float THINNED_WHORL = 0.3f; // One side of a flower does not look like a flower.
 constexpr float MERGED = 0.08f;
@@ -24,7 +24,7 @@ constexpr float UNCOVERED = 0.35f; // For the fraction of a body that its parts 
 constexpr float BODY_SIDE = 0.3f; // Divided by the squared number of sides.
 constexpr float FLOWER_WORTH = 1.5f; // From here on, the colour is that of a flower.
 constexpr float CONE = 0.05f; // For the lathe of a whorl.
-constexpr int MOST_BODIES_LEFT = 2; // Limits cycles of bodies and few parts; all other steps only reduce detail.
+constexpr int MAX_BODIES_LEFT = 2; // Limits cycles of bodies and few parts; all other steps only reduce detail.
 constexpr size_t MANY_GROUPS = 48; // Only scripts that add parts in loops have more.
 constexpr float NEARLY = 1.25f; // Times the best price.
 
@@ -42,8 +42,8 @@ float PlanSteps::thin_error(const State &state, size_t kept) const {
 		const float left = static_cast<float>(state.left[kept]);
 		const float thinned = static_cast<float>(state.left[0]) / left - 1.0f;
 		const bool is_tuft = form.groups[group].layout == Layout::ground;
-		const float tuft = is_tuft ? std::min(THINNED_TUFT * thinned, MOST_TUFT) : 0.0f;
-		const float others = std::min((is_whorl ? THINNED_WHORL : THINNED) * thinned + tuft, MOST_THINNED);
+		const float tuft = is_tuft ? std::min(THINNED_TUFT * thinned, MAX_TUFT) : 0.0f;
+		const float others = std::min((is_whorl ? THINNED_WHORL : THINNED) * thinned + tuft, MAX_THINNING);
 		return thinned <= 0.0f ? 0.0f : others + ONE_SIDED / left;
 	}
 	return has_twin(static_cast<int>(group)) ? TWIN_DROPPED : DROPPED + COLOR_LOST * state.contrast;
@@ -117,7 +117,7 @@ void PlanSteps::offer_few(Step &best, int group, size_t kept, int excess) const 
 	const PartGroup &own = form.groups[static_cast<size_t>(group)];
 	const bool carries = state.branch_area > state.area;
 	const bool is_flower = state.worth > FLOWER_WORTH;
-	if (state.bodies_left >= MOST_BODIES_LEFT) {
+	if (state.bodies_left >= MAX_BODIES_LEFT) {
 		return;
 	}
 	if (carries || is_flower || own.layout == Layout::disc || own.layout == Layout::whorl || state.bodies == 0) {
@@ -201,7 +201,7 @@ bool PlanSteps::take_best(int budget) {
 	for (size_t tries = 0; tries <= KEPT_COUNT * states.size(); tries++) {
 		Step best;
 		std::vector<Step> steps;
-		looked_at += static_cast<int64_t>(states.size());
+		evaluated += static_cast<int64_t>(states.size());
 		for (int group = 0; group < static_cast<int>(states.size()); group++) {
 			const Step step = find_best(group, excess);
 			if (step.group >= 0 && (best.group < 0 || step.price < best.price)) {

@@ -142,7 +142,7 @@ int PlanSteps::own_vertices(size_t group) const {
 
 void PlanSteps::add_up_branches() {
 	total = 0;
-	looked_at += static_cast<int64_t>(form.placed.size() + states.size());
+	evaluated += static_cast<int64_t>(form.placed.size() + states.size());
 	twins.assign(twins.size(), {});
 	for (size_t g = states.size(); g-- > 0;) {
 		State &state = states[g];
@@ -169,8 +169,9 @@ int PlanSteps::count_drawn(size_t group, float share) const {
 	int count = 0;
 	for (size_t i = static_cast<size_t>(own.first); i < static_cast<size_t>(own.first + own.count); i++) {
 		const PlacedPart &part = form.placed[i];
-		const bool stands = part.carrier == ON_GROUND || fates[static_cast<size_t>(part.carrier)] == FormPlan::drawn;
-		count += stands && part.rank < share ? 1 : 0;
+		const bool is_supported =
+				part.carrier == ON_GROUND || fates[static_cast<size_t>(part.carrier)] == FormPlan::drawn;
+		count += is_supported && part.rank < share ? 1 : 0;
 	}
 	return count;
 }
@@ -248,16 +249,16 @@ void PlanSteps::pass_on(std::vector<float> &shown) const {
 			continue;
 		}
 		size_t heir = g;
-		float least = 1e9f;
+		float min = 1e9f;
 		for (size_t other = 0; other < states.size(); other++) {
 			const glm::vec4 way = measure.colors[static_cast<size_t>(form.groups[other].kind)] -
 					measure.colors[static_cast<size_t>(kind)];
 			const float distance = form.groups[other].kind == kind
 					? -1.0f
 					: glm::dot(way, way) + (states[other].is_stem ? 0.05f : 0.0f);
-			if (own_vertices(other) > 0 && distance < least) {
+			if (own_vertices(other) > 0 && distance < min) {
 				heir = other;
-				least = distance;
+				min = distance;
 			}
 		}
 		shown[heir] += heir == g ? 0.0f : shown[g];

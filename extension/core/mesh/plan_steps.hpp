@@ -33,7 +33,7 @@ public:
 	bool give_back(int budget);
 	FormPlan finish();
 	/// Number of visited parts and groups, which is the cost of planning.
-	int64_t work() const { return looked_at; }
+	int64_t work() const { return evaluated; }
 
 private:
 	/// Detail of a group.
@@ -85,7 +85,7 @@ private:
 	std::vector<int> bodies;
 	int body_count = 0;
 	int total = 0;
-	int64_t looked_at = 0;
+	int64_t evaluated = 0;
 
 	bool step_back(State &state) const;
 	void draw(size_t group, const Drawn &drawn) { static_cast<Drawn &>(states[group]) = drawn; }

@@ -37,16 +37,16 @@ public:
 			dot.back = triangle;
 		}
 	}
-	/// Calls `look(triangle, x, y)` for what is visible from both sides, and clears it.
-	template <class Look> void take(const Look &look) {
+	/// Calls `visit(triangle, x, y)` for what is visible from both sides, and clears it.
+	template <class Visit> void take(const Visit &visit) {
 		for (size_t row = 0; row < rows.size(); row++) {
 			const float y = static_cast<float>(row) + 0.5f;
 			for (int column = rows[row].first; column < rows[row].end; column++) {
 				const Dot &dot = dots[place(static_cast<int>(row), column)];
 				if (dot.front >= 0) {
 					const float x = static_cast<float>(column) + 0.5f;
-					look(dot.front, x, y);
-					look(dot.back, x, y);
+					visit(dot.front, x, y);
+					visit(dot.back, x, y);
 				}
 			}
 			rows[row] = Row();

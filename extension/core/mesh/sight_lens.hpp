@@ -36,7 +36,7 @@ public:
 	const Corner &corner(int32_t vertex) const { return corners[static_cast<size_t>(vertex)]; }
 
 private:
-	static constexpr float MOST_LARGER = 3.0f;
+	static constexpr float MAX_ENLARGEMENT = 3.0f;
 
 	const SeenMesh &mesh;
 	float across, up; ///< Dots per metre.

@@ -73,7 +73,7 @@ SightLens::SightLens(const SeenMesh &p_mesh, const SightBox &box, int columns, i
 		own.take_in(mesh.positions[i]);
 	}
 	const auto dots = [](float metres, float a_metre, int usual) {
-		return std::ceil(std::min(metres * a_metre, MOST_LARGER * static_cast<float>(usual)) - 0.01f);
+		return std::ceil(std::min(metres * a_metre, MAX_ENLARGEMENT * static_cast<float>(usual)) - 0.01f);
 	};
 	half = static_cast<int>(dots(own.reach, across, columns / 2));
 	low = dots(box.low - own.low, up, rows);

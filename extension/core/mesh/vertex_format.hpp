@@ -30,10 +30,10 @@ namespace undergrowth {
 //              golden-ratio order, so that the remaining parts are spread evenly. At least the rank of the carrier.
 //           w: leafiness, 0 to 1: transmitted fraction of the light from behind.
 // CUSTOM1   xyz: pivot (m): the attachment of the part, about which its own swing turns it. w: frequency and damping
-//           of that swing, SwingCode::pace (plant/part_swing.hpp).
+//           of that swing, PartMotionCode::pace (plant/part_motion.hpp).
 // CUSTOM2   xyz: from the part's midrib to the vertex (m): scaled to draw a part wider, if parts of its kind are left
 //              out or if a pixel is wider than the part. VERTEX minus it is on the midrib.
-//           w: phase and side of the swing, SwingCode::place; different for neighbours.
+//           w: phase and side of the swing, PartMotionCode::place; different for neighbours.
 // CUSTOM3   x: height of the plant in the mesh (m), equal at all vertices: a stem that bends along its length needs it
 //              for the height of an offset. A lathe has none; its offset contains it.
 //           y, z: for a plant on a skeleton, x and z (m) of the vertex in calm air: the light on bent plants depends on

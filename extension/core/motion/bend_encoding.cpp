@@ -11,8 +11,8 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float MOST = 6e4f; // The limit of the kernels: within the range of halves.
-constexpr float LEAST_HEIGHT = 1e-6f;
+constexpr float MAX_VALUE = 6e4f; // The limit of the kernels: within the range of halves.
+constexpr float MIN_HEIGHT = 1e-6f;
 constexpr uint32_t INFINITE_HALF = 0x7c00u;
 
 uint32_t bits_of(float value) {
@@ -57,9 +57,9 @@ float from_half(uint16_t half) {
 }
 
 Bend encode_bend(const glm::vec3 &direction) {
-	const float scale = 1.0f / std::max(1.0f + direction.y, LEAST_HEIGHT);
-	const float x = std::clamp(direction.x * scale, -MOST, MOST);
-	const float z = std::clamp(direction.z * scale, -MOST, MOST);
+	const float scale = 1.0f / std::max(1.0f + direction.y, MIN_HEIGHT);
+	const float x = std::clamp(direction.x * scale, -MAX_VALUE, MAX_VALUE);
+	const float z = std::clamp(direction.z * scale, -MAX_VALUE, MAX_VALUE);
 	return pack_bend({ x, z });
 }
 

@@ -18,7 +18,7 @@ namespace {
 constexpr float TIP = 1.0f; // Share of the length.
 constexpr float UPPER_STEM = 0.6f;
 /// Minimum angle between push and stem; smaller angles count as this one.
-constexpr float LEAST_TANGENT = 0.3f;
+constexpr float MIN_TANGENT = 0.3f;
 constexpr float TINY = 1e-6f;
 constexpr int PUSHED_PLACES = 8; // Of a stem that bends along its length, without its root.
 constexpr int PUSHED_HALF = PUSHED_PLACES / 2;
@@ -46,7 +46,7 @@ glm::vec3 away_from_line(const glm::vec3 &point, const glm::vec3 &root) {
 }
 
 float share_of_turn(const glm::vec3 &out, const glm::vec3 &direction) {
-	return std::max(glm::length(tangent_part(out, direction)), LEAST_TANGENT);
+	return std::max(glm::length(tangent_part(out, direction)), MIN_TANGENT);
 }
 
 /// Exit of a point in the core: through the face that turns the stem least.
@@ -54,15 +54,15 @@ Exit exit_of_core(const MovingBody &body, const glm::vec3 &point, const glm::vec
 	const glm::vec3 halves[] = { 0.5f * (body.to - body.from), body.half_width, body.half_depth };
 	const glm::vec3 offset = point - 0.5f * (body.from + body.to);
 	Exit best = { 0.0f, {} };
-	float least = -1.0f;
+	float min = -1.0f;
 	for (const glm::vec3 &half : halves) {
 		const float size = glm::length(half);
 		for (const float sign : { 1.0f, -1.0f }) {
 			const glm::vec3 out = size > 0.0f ? half * (sign / size) : glm::vec3(0.0f);
 			const float depth = body.radius + size - glm::dot(offset, out);
 			const float turn = depth / share_of_turn(out, direction);
-			if (size > 0.0f && (least < 0.0f || turn < least)) {
-				least = turn;
+			if (size > 0.0f && (min < 0.0f || turn < min)) {
+				min = turn;
 				best = { depth, out };
 			}
 		}
@@ -104,8 +104,8 @@ bool push_point(
 		size = std::max(glm::length(along), TINY);
 	}
 	along /= size;
-	glm::vec3 moved = state.direction + along * (depth / (arm * std::max(size, LEAST_TANGENT)));
-	moved.y = std::max(moved.y, LEAST_PUSHED_HEIGHT);
+	glm::vec3 moved = state.direction + along * (depth / (arm * std::max(size, MIN_TANGENT)));
+	moved.y = std::max(moved.y, MIN_PUSHED_HEIGHT);
 	state.direction = glm::normalize(moved);
 	const float inward = glm::dot(arm * state.rate - body.velocity, along);
 	if (inward < 0.0f) {
@@ -134,7 +134,7 @@ bool push_place(const StemConstants &stem, StemState &state, const glm::vec2 &re
 	}
 	along = turned(along / size, -rest);
 	const float scale = stem.length / length;
-	push_stem(stem, state, x, along * (depth / std::max(size, LEAST_TANGENT)), scale);
+	push_stem(stem, state, x, along * (depth / std::max(size, MIN_TANGENT)), scale);
 	const float inward = glm::dot(stem_velocity(stem, state, x, scale) - turned(body.velocity, -rest), along);
 	if (inward < 0.0f) {
 		blow_on_stem(stem, state, x, along * (-inward * stem_mass(stem, x)), scale);
@@ -176,11 +176,11 @@ int first_place_inside(const StemConstants &stem, const StemState &state, const 
 }
 
 /// The body in the axes of the page's directions.
-MovingBody turned_inward(const MovingBody &body, const PageStand &stand) {
+MovingBody turned_inward(const MovingBody &body, const PageFrame &frame) {
 	MovingBody turned = body;
 	for (glm::vec3 MovingBody::*vector : { &MovingBody::from, &MovingBody::to, &MovingBody::velocity,
 				 &MovingBody::half_width, &MovingBody::half_depth }) {
-		turned.*vector = stand.inward(body.*vector);
+		turned.*vector = frame.inward(body.*vector);
 	}
 	return turned;
 }
@@ -272,12 +272,12 @@ bool push_plant(const StemConstants &stem, StemState &state, const glm::vec2 &re
 	return inside;
 }
 
-bool touches_plant(const MotionPage &page, int index, const MovingBody &body, float margin, const PageStand &stand) {
+bool touches_plant(const MotionPage &page, int index, const MovingBody &body, float margin, const PageFrame &frame) {
 	const float thickness = std::max(page.collision_radius(), 0.0f);
 	const glm::vec3 root = page.root(index);
 	for (int part = 0; part <= STEM_PARTS; part++) {
 		const float share = static_cast<float>(part) / static_cast<float>(STEM_PARTS);
-		const glm::vec3 point = root + stand.outward(page.arm(index, share));
+		const glm::vec3 point = root + frame.outward(page.arm(index, share));
 		const float distance = glm::distance(nearest_in_core(body, point), point);
 		if (distance <= body.radius + margin + (part == STEM_PARTS ? thickness : 0.0f)) {
 			return true;
@@ -294,18 +294,18 @@ bool touches_plants(const MotionPage &page, const MovingBody &body, float margin
 	return touches;
 }
 
-int push_plants(MotionPage &page, const MovingBody &body, const PageStand &stand) {
+int push_plants(MotionPage &page, const MovingBody &body, const PageFrame &frame) {
 	if (!page.swings() || !is_valid(body) || !boxes_overlap(page, body)) {
 		return 0;
 	}
 	const float thickness = std::max(page.collision_radius(), 0.0f);
-	MovingBody seen = turned_inward(body, stand);
+	MovingBody seen = turned_inward(body, frame);
 	int touched = 0;
 	for_each_in_reach(page, body, [&](int i) {
-		seen.velocity = stand.inward(stand.velocities ? lesser_velocity(body, stand.velocities[i]) : body.velocity);
+		seen.velocity = frame.inward(frame.velocities ? lesser_velocity(body, frame.velocities[i]) : body.velocity);
 		if (page.law() == Law::stem) {
 			StemState stem = page.stem(i);
-			if (push_plant(page.stem_constants(), stem, page.rest_bend(i), stand.inward(page.root(i)), page.length(i),
+			if (push_plant(page.stem_constants(), stem, page.rest_bend(i), frame.inward(page.root(i)), page.length(i),
 						thickness, seen)) {
 				page.set_stem(i, stem);
 				touched++;
@@ -313,7 +313,7 @@ int push_plants(MotionPage &page, const MovingBody &body, const PageStand &stand
 			return;
 		}
 		TipState state = page.state(i);
-		if (push_plant(state, stand.inward(page.root(i)), page.length(i), thickness, seen)) {
+		if (push_plant(state, frame.inward(page.root(i)), page.length(i), thickness, seen)) {
 			page.set_state(i, state);
 			touched++;
 		}

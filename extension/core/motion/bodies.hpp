@@ -11,7 +11,7 @@
 namespace undergrowth {
 
 /// Minimum y of the direction of a pushed plant: the ground stops it.
-inline constexpr float LEAST_PUSHED_HEIGHT = 0.02f;
+inline constexpr float MIN_PUSHED_HEIGHT = 0.02f;
 
 /// A moving capsule, sphere or box that pushes plants out of its way: all points nearer than `radius` to its core. A
 /// capsule's core is a segment, a sphere's is a segment whose ends are the same point, and that of a box whose edges
@@ -37,7 +37,7 @@ BodyBox box_of(const MovingBody &body);
 bool is_valid(const MovingBody &body);
 
 /// Axes and velocities of a page of single plants; pages of a field have neither.
-struct PageStand {
+struct PageFrame {
 	const glm::mat3 *axes = nullptr; ///< Axes of the page's directions in those of its roots; null: identity.
 	const glm::vec3 *velocities = nullptr; ///< m/s, of the roots, MotionPage::size() values; null: at rest.
 
@@ -64,12 +64,12 @@ template <class Visit> void for_each_in_reach(const MotionPage &page, const Movi
 /// it removes the velocity towards the body. A root that moves past a body, or together with it, does not push by that:
 /// the smaller of the body's velocity and its velocity relative to the root counts. Returns the number of touched
 /// plants.
-int push_plants(MotionPage &page, const MovingBody &body, const PageStand &stand = {});
+int push_plants(MotionPage &page, const MovingBody &body, const PageFrame &frame = {});
 
 /// True if a plant of the page is within `margin` (m) of a valid body, its tip thickened by the collision radius.
 /// Checks points along its straight stem, a quarter of its length apart.
 bool touches_plant(
-		const MotionPage &page, int index, const MovingBody &body, float margin, const PageStand &stand = {});
+		const MotionPage &page, int index, const MovingBody &body, float margin, const PageFrame &frame = {});
 
 /// True if any plant of the page is.
 bool touches_plants(const MotionPage &page, const MovingBody &body, float margin);

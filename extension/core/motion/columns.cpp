@@ -12,7 +12,7 @@ constexpr std::size_t PAGE_FLOATS = 1024;
 /// slightly less than that, the processor confuses a write to one column with a read of the next. Five lines more than
 /// whole pages spread the columns.
 constexpr std::size_t SPREAD_FLOATS = 80;
-constexpr std::size_t MOST_SPREAD_FLOATS = PAGE_FLOATS - 112;
+constexpr std::size_t MAX_SPREAD_FLOATS = PAGE_FLOATS - 112;
 
 std::size_t round_up(std::size_t value, std::size_t unit) {
 	return (value + unit - 1) / unit * unit;
@@ -20,10 +20,10 @@ std::size_t round_up(std::size_t value, std::size_t unit) {
 
 std::size_t spread(std::size_t floats) {
 	const std::size_t beyond = floats % PAGE_FLOATS;
-	if (floats < PAGE_FLOATS || (beyond >= SPREAD_FLOATS && beyond <= MOST_SPREAD_FLOATS)) {
+	if (floats < PAGE_FLOATS || (beyond >= SPREAD_FLOATS && beyond <= MAX_SPREAD_FLOATS)) {
 		return floats;
 	}
-	return floats - beyond + SPREAD_FLOATS + (beyond > MOST_SPREAD_FLOATS ? PAGE_FLOATS : 0);
+	return floats - beyond + SPREAD_FLOATS + (beyond > MAX_SPREAD_FLOATS ? PAGE_FLOATS : 0);
 }
 
 } // namespace

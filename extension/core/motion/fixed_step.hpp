@@ -8,7 +8,7 @@ public:
 	static constexpr double LONGEST_FRAME = 8.0 / 60.0; ///< s, maximum time that a frame catches up.
 	/// s, time limit for the steps of a frame. The caller drops the remaining steps after it, but always runs the
 	/// first.
-	static constexpr double MOST_STEPPING = 1.0 / 30.0;
+	static constexpr double MAX_STEPPING_TIME = 1.0 / 30.0;
 
 	/// `step` in seconds, finite and > 0; at most `max_steps` steps a frame: further time is dropped.
 	FixedStep(double step, int max_steps);
@@ -24,7 +24,7 @@ public:
 private:
 	double step_length;
 	double left = 0.0;
-	int most;
+	int step_limit;
 };
 
 } // namespace undergrowth

@@ -17,15 +17,15 @@ bool is_finite(const glm::vec3 &vector) {
 	return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
 }
 
-/// `vector` shortened to `most`, without overflow.
-glm::vec3 shortened(const glm::vec3 &vector, float most) {
+/// `vector` shortened to `max`, without overflow.
+glm::vec3 shortened(const glm::vec3 &vector, float max) {
 	const float largest = std::max({ std::fabs(vector.x), std::fabs(vector.y), std::fabs(vector.z) });
 	if (largest <= 0.0f) {
 		return vector;
 	}
 	const glm::vec3 scaled = vector / largest;
 	const float size = std::sqrt(glm::dot(scaled, scaled));
-	return largest > most / size ? scaled * (most / size) : vector;
+	return largest > max / size ? scaled * (max / size) : vector;
 }
 
 } // namespace

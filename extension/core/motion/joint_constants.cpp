@@ -110,8 +110,8 @@ public:
 	double fall(float length) const { return static_cast<double>(STANDARD_GRAVITY) / static_cast<double>(length); }
 	double gain(float length) const {
 		const double stiffest = (1.0 + std::fabs(elasticity)) * fall(length);
-		const double most = STABLE * (1.0 + keep) / (stiffest * h);
-		return std::min(kick_gain(std::fabs(elasticity) * fall(length), beta, shrink, h), most);
+		const double max = STABLE * (1.0 + keep) / (stiffest * h);
+		return std::min(kick_gain(std::fabs(elasticity) * fall(length), beta, shrink, h), max);
 	}
 	float weight(float length) const { return static_cast<float>(fall(length) * gain(length) * h); }
 

@@ -43,7 +43,7 @@ struct SpringPage {
 	float place_from_rate; ///< s.
 	float rate_from_place; ///< 1/s.
 	float rate_from_rate;
-	float most; ///< MAX_GNOMONIC.
+	float max; ///< MAX_GNOMONIC.
 };
 
 /// Both laws clamp t and its equilibrium to this size, so that nothing overflows: 0.06 degrees above the ground.
@@ -74,42 +74,42 @@ struct StemModeStep {
 struct StemTip {
 	float of_place;
 	float of_rate; ///< s.
-	float most = 1.0f; ///< The horizon.
+	float max = 1.0f; ///< The horizon.
 };
 
 /// Constants of a species' stems for one step length. Some are variables for the same reason as in bounded().
 struct StemStep {
 	int modes;
-	StemModeStep mode[MOST_STEM_MODES];
-	float tip_slope[MOST_STEM_MODES]; ///< As in StemMode.
-	float chord[MOST_STEM_MODES]; ///< The same; 0 where there is no ground.
+	StemModeStep mode[MAX_STEM_MODES];
+	float tip_slope[MAX_STEM_MODES]; ///< As in StemMode.
+	float chord[MAX_STEM_MODES]; ///< The same; 0 where there is no ground.
 	float second_share; ///< In a steady wind, the second mode's amplitude over that of the first.
 	StemTip dead_tip, air_tip; ///< Under a load of either kind.
 	float dead_slope, air_slope, axial_share; ///< As in StemConstants.
 	/// The axial share of a wind in m/s: most of the stem is bent less than its tip, so less of the wind along it acts.
 	/// A chain of links gives 0.85 to 0.95 by taper and head, less for larger bends.
 	float air_along = 0.85f;
-	float most_force; ///< N: `most_load` over `dead_slope`.
+	float max_force; ///< N: `max_load` over `dead_slope`.
 	float softness; ///< 1 over the load, as linear slope of the tip, that a step can follow.
-	float most_place = MOST_STEM_AMPLITUDE;
-	float most_load = 1e4f; ///< Linear slope of the tip: 0.006 degrees from along the wind.
-	float most_wind = 150.0f; ///< m/s.
-	float least_hold = 1e-3f; ///< Of 1 and the load along the stem.
+	float max_place = MAX_STEM_AMPLITUDE;
+	float max_load = 1e4f; ///< Linear slope of the tip: 0.006 degrees from along the wind.
+	float max_wind = 150.0f; ///< m/s.
+	float min_hold = 1e-3f; ///< Of 1 and the load along the stem.
 	float one = 1.0f;
 };
 
 /// Plants of one species under the stem law.
 struct StemPage {
-	float *x[MOST_STEM_MODES], *z[MOST_STEM_MODES]; ///< Amplitudes in the frame of the rest direction.
-	float *rate_x[MOST_STEM_MODES], *rate_z[MOST_STEM_MODES]; ///< 1/s.
+	float *x[MAX_STEM_MODES], *z[MAX_STEM_MODES]; ///< Amplitudes in the frame of the rest direction.
+	float *rate_x[MAX_STEM_MODES], *rate_z[MAX_STEM_MODES]; ///< 1/s.
 	const float *rest_x, *rest_z; ///< Stereographic image of the rest direction (motion/bend_encoding.hpp).
 	const float *scale; ///< The length that the species' constants are for, over the plant's own.
 	/// Only for stems with height-dependent frequencies, else null: factors of `scale` for both kinds of load, and per
 	/// plant the first four members of StemModeStep of each mode.
 	const float *dead_ease, *air_ease;
-	const float *by_height[MOST_STEM_MODES][4];
-	float most_scale; ///< Upper bound of `scale`, graded or not; a tight bound makes steps faster.
-	float most_lean; ///< Upper bound of the rest's bends; 0 selects a faster step with the same bits.
+	const float *by_height[MAX_STEM_MODES][4];
+	float max_scale; ///< Upper bound of `scale`, graded or not; a tight bound makes steps faster.
+	float max_lean; ///< Upper bound of the rest's bends; 0 selects a faster step with the same bits.
 	StemStep step;
 };
 

@@ -80,7 +80,7 @@ void MotionPage::put_rest(int index, const glm::vec3 &rest) {
 		const glm::vec2 bend = stereographic(encode_bend(rest));
 		column(STEM_REST_X)[index] = bend.x;
 		column(STEM_REST_Z)[index] = bend.y;
-		most_lean = std::max(most_lean, glm::length(bend));
+		max_lean = std::max(max_lean, glm::length(bend));
 	}
 }
 
@@ -144,8 +144,8 @@ bool MotionPage::has_same_columns(const MotionSpecies &species) const {
 
 void MotionPage::set_species(const MotionSpecies &species) {
 	const bool has_other_radius = species.collision_radius != kind.collision_radius;
-	const bool has_one_of_two = modes() < most_modes();
-	set_modes(most_modes());
+	const bool has_one_of_two = modes() < max_modes();
+	set_modes(max_modes());
 	if (is_swinging && !has_same_columns(species)) {
 		change_columns(species);
 	}
@@ -156,7 +156,7 @@ void MotionPage::set_species(const MotionSpecies &species) {
 	if (is_swinging) {
 		update_constants(0);
 	}
-	set_modes(has_one_of_two ? 1 : most_modes());
+	set_modes(has_one_of_two ? 1 : max_modes());
 	if (has_other_radius) {
 		update_box();
 	}

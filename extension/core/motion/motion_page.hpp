@@ -58,7 +58,7 @@ public:
 	/// Number of rows, removed plants included.
 	int size() const { return rows.size(); }
 	/// Number of plants that are not removed.
-	int standing() const { return size() - gone; }
+	int live_count() const { return size() - gone; }
 	/// True if a plant was removed with drop(): its row remains, with length 0.
 	bool is_gone(int index) const { return lengths()[index] <= 0.0f; }
 	bool swings() const { return is_swinging; }
@@ -68,7 +68,7 @@ public:
 	bool has_second_bends() const { return has_bends() && modes() == 2; }
 	/// Number of stepped modes per stem: that of the species, or less after set_modes(). 0 under another law.
 	int modes() const { return kind.law == Law::stem ? kind.stem.modes : 0; }
-	int most_modes() const { return kind.law == Law::stem ? whole.modes : 0; }
+	int max_modes() const { return kind.law == Law::stem ? whole.modes : 0; }
 	/// For pages without directions: steps only one of two modes, with the shape of a steady wind (in_one_mode()), in
 	/// half the time, or both again. A change to one mode preserves the tip; a change to two preserves the drawn pose,
 	/// the last bend included. Allocates nothing.
@@ -108,7 +108,7 @@ public:
 	void set_state(int index, const TipState &state, const StemSecond &second = {});
 	/// Transfers the motion of plant `from` of another page, of any law, to plant `index`, with the same drawn pose.
 	/// With another rest direction, the deflection from it is preserved.
-	void take_motion(int index, const MotionPage &other, int from);
+	void transfer_motion(int index, const MotionPage &other, int from);
 	/// Drawn direction of a plant before its last step.
 	glm::vec3 before(int index) const;
 	void set_before(int index, const glm::vec3 &direction);
@@ -159,11 +159,11 @@ public:
 	double wind_moment() const { return kind.law == Law::elasticity ? 0.0 : 0.5; }
 	/// Runs one step under `wind`, with the direction (along.x, along.z) in the directions' axes. `level` selects the
 	/// code, not the result.
-	void step(const TravellingWind &wind, const PlantWinds &along, SimdLevel level = best_simd_level());
+	void step(const WindSnapshot &wind, const PlantWinds &along, SimdLevel level = best_simd_level());
 
 	/// Call before each step to let the page sample its air ahead (AirAhead) of the step at `moment` (s), in turn with
 	/// other pages. Without it each step samples all air.
-	void look_ahead(const FieldWind &wind, const PlantWinds &along, double moment, int turn,
+	void sample_air_ahead(const FieldWind &wind, const PlantWinds &along, double moment, int turn,
 			SimdLevel level = best_simd_level());
 	/// Reserves room for samples ahead. Allocates only for more plants than before.
 	void make_room_ahead() { ahead.make_room(is_swinging ? size() : 0); }
@@ -199,9 +199,9 @@ private:
 	SpringConstants spring = {};
 	ElasticityConstants elasticity = {};
 	StemStep stems = {};
-	float most_load_scale = 1.0f; ///< Stem law: upper bound of LOAD_SCALE, graded or not.
+	float max_load_scale = 1.0f; ///< Stem law: upper bound of LOAD_SCALE, graded or not.
 	float fastest = 1.0f; ///< Graded stems: highest frequency relative to the species'.
-	float most_lean = 0.0f; ///< Stem law: upper bound of the rest's bends.
+	float max_lean = 0.0f; ///< Stem law: upper bound of the rest's bends.
 	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
 	Columns rows;
@@ -225,7 +225,7 @@ private:
 	void put_stem(int index, const StemState &state);
 	void change_columns(const MotionSpecies &species);
 	bool has_same_columns(const MotionSpecies &species) const;
-	bool has_room_for_second() const { return has_bends() && most_modes() == 2; }
+	bool has_room_for_second() const { return has_bends() && max_modes() == 2; }
 	void ease_modes(int begin, int count);
 	void put_modes(int index, const StemConstants &from);
 	void put_pair_of_modes(std::size_t bend, const glm::vec2 &rest);

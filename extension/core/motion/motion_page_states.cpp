@@ -157,7 +157,7 @@ void MotionPage::set_state(int index, const TipState &state, const StemSecond &s
 	}
 }
 
-void MotionPage::take_motion(int index, const MotionPage &other, int from) {
+void MotionPage::transfer_motion(int index, const MotionPage &other, int from) {
 	if (!is_swinging || !other.is_swinging) {
 		return; // A follower has no motion of its own.
 	}

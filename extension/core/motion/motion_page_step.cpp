@@ -61,7 +61,7 @@ void MotionPage::update_stems(int begin, int end) {
 	stems = stem_step_constants(kind.stem, step_time, kind.joint.above_ground);
 	stem_scales(kind.stem, lengths() + begin, end - begin, column(LOAD_SCALE) + begin);
 	const float *scales = column(LOAD_SCALE);
-	most_load_scale = is_all ? 0.0f : most_load_scale;
+	max_load_scale = is_all ? 0.0f : max_load_scale;
 	if (is_graded()) {
 		const StemGrades own = grades(begin);
 		const float quick = stem_grades(kind.stem, step_time, lengths() + begin, end - begin, own);
@@ -69,11 +69,11 @@ void MotionPage::update_stems(int begin, int end) {
 		stems.softness *= fastest * fastest;
 		for (int i = begin; i < end; i++) {
 			const float ease = std::max(own.dead_ease[i - begin], own.air_ease[i - begin]);
-			most_load_scale = std::max(most_load_scale, scales[i] * std::max(ease, 1.0f));
+			max_load_scale = std::max(max_load_scale, scales[i] * std::max(ease, 1.0f));
 		}
 	}
-	most_load_scale = std::accumulate(scales + begin, scales + end, most_load_scale,
-			[](float most, float scale) { return std::max(most, scale); });
+	max_load_scale = std::accumulate(
+			scales + begin, scales + end, max_load_scale, [](float max, float scale) { return std::max(max, scale); });
 }
 
 void MotionPage::update_constants(int begin, int end) {
@@ -117,7 +117,7 @@ SpringPage MotionPage::spring_page(int begin) {
 	page.place_from_rate = spring.place_from_rate;
 	page.rate_from_place = spring.rate_from_place;
 	page.rate_from_rate = spring.rate_from_rate;
-	page.most = MAX_GNOMONIC;
+	page.max = MAX_GNOMONIC;
 	return page;
 }
 
@@ -141,8 +141,8 @@ StemPage MotionPage::stem_page(int begin) {
 			std::copy_n(own.by_height[k], 4, page.by_height[k]);
 		}
 	}
-	page.most_scale = most_load_scale > 0.0f ? most_load_scale : 1.0f;
-	page.most_lean = most_lean;
+	page.max_scale = max_load_scale > 0.0f ? max_load_scale : 1.0f;
+	page.max_lean = max_lean;
 	page.step = stems;
 	return page;
 }
@@ -185,10 +185,11 @@ float MotionPage::quickest_swing() const {
 	return kind.law == Law::spring ? 1.0f / kind.joint.natural_frequency : swing_of(kind.joint, kind.shortest);
 }
 
-void MotionPage::look_ahead(const FieldWind &wind, const PlantWinds &along, double moment, int turn, SimdLevel level) {
+void MotionPage::sample_air_ahead(
+		const FieldWind &wind, const PlantWinds &along, double moment, int turn, SimdLevel level) {
 	const AirAhead::Plants plants = { column(ROOT_X), column(ROOT_Z), lengths(), size(), kind.canopy_height,
 		quickest_swing() };
-	ahead.look(wind, along, moment, step_time, turn, plants, level);
+	ahead.prepare(wind, along, moment, step_time, turn, plants, level);
 }
 
 void MotionPage::step_block(const KernelSet &set, int begin, int count, const PlantWinds &winds, const PlantAir &air) {
@@ -218,7 +219,7 @@ void MotionPage::step_block(const KernelSet &set, int begin, int count, const Pl
 	}
 }
 
-void MotionPage::step(const TravellingWind &wind, const PlantWinds &along, SimdLevel level) {
+void MotionPage::step(const WindSnapshot &wind, const PlantWinds &along, SimdLevel level) {
 	const KernelSet &set = kernels(level);
 	if (keeps_directions) {
 		remember();

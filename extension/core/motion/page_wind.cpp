@@ -27,7 +27,7 @@ void PageWind::sample(int begin, int count, BlockWind &block) const {
 	if (wind.is_air) {
 		const float *alone = canopy_height > 0.0f ? nullptr : lengths + begin;
 		if (ahead.is_ready()) {
-			ahead.tell(blow, begin, count, block.x, block.z, level);
+			ahead.interpolate(blow, begin, count, block.x, block.z, level);
 			add_gust(wind, blow, root_x, root_z, count, block.x, block.z, level);
 		} else {
 			sample_air(wind, blow, root_x, root_z, alone, count, block.x, block.z, level);

@@ -23,7 +23,7 @@ struct BlockWind {
 
 /// The wind of one step at the plants of a page.
 struct PageWind {
-	const TravellingWind &wind;
+	const WindSnapshot &wind;
 	const PlantWinds &along;
 	const AirAhead &ahead;
 	const float *x, *y, *z; ///< m, roots.
@@ -34,7 +34,7 @@ struct PageWind {
 	bool has_stems; ///< Stems take forces and air together. Under the other laws, forces near sources become air.
 	SimdLevel level;
 	AirBlow blow = wind.is_air ? blow_over(wind.air, canopy_height, along) : AirBlow{};
-	bool is_carried = wind.drift && wind.drift->is_felt();
+	bool is_carried = wind.drift && wind.drift->has_effect();
 	bool is_stirred = is_carried || any_reaches(wind.sources, low, high);
 
 	/// Samples `count` plants from `begin` on.

@@ -28,7 +28,7 @@ constexpr float ASIDE = 0.4f; // Of the flutter.
 constexpr float INWARD = 0.12f; // About 14°: max bend of a part towards its stem.
 constexpr float HEAD = 0.6f; // Heads turn as a whole.
 constexpr float CALM = 2e-3f; // A stem with a smaller bend is at rest: the resolution of half floats.
-constexpr float LEAST = 1e-6f;
+constexpr float EPSILON = 1e-6f;
 // From a third of the height on a plant leans as its stem does; same in undergrowth_stem.gdshaderinc.
 constexpr float LEANS = 3.0f;
 
@@ -43,7 +43,7 @@ glm::quat quaternion_of(const glm::vec2 &bend) {
 
 } // namespace
 
-glm::vec2 part_bend(const PartSwing &part, const StemMotion &stem) {
+glm::vec2 part_bend(const PartMotion &part, const StemMotion &stem) {
 	const glm::vec2 away = stem.bend - stem.rest;
 	const float distance = glm::length(away);
 	const float far = std::max(distance - CALM, 0.0f);
@@ -68,7 +68,7 @@ glm::vec2 part_bend(const PartSwing &part, const StemMotion &stem) {
 	const float outward = std::max(glm::dot(bend, part.side), 0.0f);
 	bend += part.side * (inward - inward / (1.0f + inward / INWARD) - outward + outward / (1.0f + outward / part.room));
 	bend *= part.is_head() ? HEAD : 1.0f;
-	const float size = glm::length(bend) / MOST_PART_BEND;
+	const float size = glm::length(bend) / MAX_PART_BEND;
 	return bend / std::sqrt(1.0f + size * size);
 }
 
@@ -106,7 +106,7 @@ PartPose pose_of(const PartBone &bone, const StemMotion &stem) {
 	const float along = 1.0f - x + x * (1.0f - n) / (1.0f + n);
 	const float aside = 2.0f * x / (1.0f + n);
 	const float shrink = std::sqrt(along * along + aside * aside * n);
-	const glm::quat turn = quaternion_of(stem.bend * (aside / std::max(shrink + along, LEAST))) * quaternion_of(own);
+	const glm::quat turn = quaternion_of(stem.bend * (aside / std::max(shrink + along, EPSILON))) * quaternion_of(own);
 	PartPose pose;
 	pose.turn = { turn.x, turn.y, turn.z, turn.w };
 	pose.size = (1.0f + 2.0f * shrink) / 3.0f * (bone.swing.is_head() ? 1.0f : arc_share(own));
@@ -114,29 +114,29 @@ PartPose pose_of(const PartBone &bone, const StemMotion &stem) {
 	return pose;
 }
 
-StandingStem::StandingStem(const StemConstants &stem, float plant_height, const StemMotion &motion) :
+PosedStem::PosedStem(const StemConstants &stem, float plant_height, const StemMotion &motion) :
 		constants(stem), height(plant_height), rest(motion.rest) {
 	amplitudes[0] = (into_rest(motion.bend, motion.rest) - motion.second) / stem.mode[0].tip_slope;
 	amplitudes[1] = stem.modes == 2 ? motion.second / stem.mode[1].tip_slope : glm::vec2(0.0f);
 }
 
 // A leaning stem is straight from its root on; parts on the ground around the root do not move.
-glm::vec2 StandingStem::lean_at(float x) const {
+glm::vec2 PosedStem::lean_at(float x) const {
 	return rest * std::clamp(LEANS * x, 0.0f, 1.0f);
 }
 
-glm::vec3 StandingStem::place_of(const glm::vec3 &place, float x) const {
+glm::vec3 PosedStem::place_of(const glm::vec3 &place, float x) const {
 	const StemPlace on_stem = stem_place(constants, amplitudes, x);
 	const glm::vec3 aside = turned(place - glm::vec3(0.0f, x * height, 0.0f), on_stem.bend);
 	return turned(on_stem.centre * height, rest) + turned(aside, lean_at(x));
 }
 
-glm::vec4 StandingStem::turn_at(float x) const {
+glm::vec4 PosedStem::turn_at(float x) const {
 	const glm::quat turn = quaternion_of(lean_at(x)) * quaternion_of(stem_bend(constants, amplitudes, x));
 	return { turn.x, turn.y, turn.z, turn.w };
 }
 
-PartPose pose_of(const PartBone &bone, const StemMotion &motion, const StandingStem &stem) {
+PartPose pose_of(const PartBone &bone, const StemMotion &motion, const PosedStem &stem) {
 	const glm::vec2 own = bend_at(part_bend(bone.swing, motion), bone.weight);
 	const glm::vec4 of_stem = stem.turn_at(bone.stem_offset);
 	const glm::quat turn = glm::quat(of_stem.w, of_stem.x, of_stem.y, of_stem.z) * quaternion_of(own);

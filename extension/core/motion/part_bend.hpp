@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plant/part_swing.hpp"
+#include "plant/part_motion.hpp"
 #include "stem/stem_constants.hpp"
 
 #include <glm/vec2.hpp>
@@ -20,7 +20,7 @@ struct StemMotion {
 };
 
 /// Bend of a part relative to its stem: the stereographic image of its tip's turn about its pivot, at most
-/// MOST_PART_BEND. It is a function of the stem's motion, without a state of its own:
+/// MAX_PART_BEND. It is a function of the stem's motion, without a state of its own:
 ///
 /// - the wind that bends the stem bends the part the same way, most on the windward side and least on the lee side,
 /// - it lags behind the stem, by a time that grows with its damping and falls with its frequency,
@@ -31,10 +31,10 @@ struct StemMotion {
 /// So parts of a stem at rest are still, and come to rest with it. The result is bounded and finite for
 /// all inputs. undergrowth_part_bend() in addons/undergrowth/shaders/undergrowth_swing.gdshaderinc mirrors it for
 /// fields; change both together.
-glm::vec2 part_bend(const PartSwing &part, const StemMotion &stem);
+glm::vec2 part_bend(const PartMotion &part, const StemMotion &stem);
 
 /// About 44°: of a tip's turn as seen from the pivot. The tip itself points twice as far.
-inline constexpr float MOST_PART_BEND = 0.4f;
+inline constexpr float MAX_PART_BEND = 0.4f;
 
 /// Turns `v` by a bend, as undergrowth_turned() in the shaders.
 glm::vec3 turned(const glm::vec3 &v, const glm::vec2 &bend);
@@ -62,13 +62,13 @@ struct PartPose {
 PartPose pose_of(const PartBone &bone, const StemMotion &stem);
 
 /// A bent stem, in the plant's axes.
-struct StandingStem {
+struct PosedStem {
 	const StemConstants &constants;
 	float height; ///< m, of the plant.
 	glm::vec2 rest; ///< The bend in calm air.
-	glm::vec2 amplitudes[MOST_STEM_MODES] = {}; ///< In the frame of the rest.
+	glm::vec2 amplitudes[MAX_STEM_MODES] = {}; ///< In the frame of the rest.
 
-	StandingStem(const StemConstants &stem, float plant_height, const StemMotion &motion);
+	PosedStem(const StemConstants &stem, float plant_height, const StemMotion &motion);
 	/// New position of a point `place` (m) that is attached to the stem at the offset x: as undergrowth_bend_stem() in
 	/// the shaders.
 	glm::vec3 place_of(const glm::vec3 &place, float x) const;
@@ -80,6 +80,6 @@ private:
 };
 
 /// Pose of a bone on such a stem, as pose_of() above.
-PartPose pose_of(const PartBone &bone, const StemMotion &motion, const StandingStem &stem);
+PartPose pose_of(const PartBone &bone, const StemMotion &motion, const PosedStem &stem);
 
 } // namespace undergrowth

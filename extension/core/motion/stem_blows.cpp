@@ -11,10 +11,10 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float LEAST_EASE = 1e-12f; // 1/kg, m/N.
+constexpr float MIN_EASE = 1e-12f; // 1/kg, m/N.
 
 struct Deflection {
-	float of_mode[MOST_STEM_MODES];
+	float of_mode[MAX_STEM_MODES];
 };
 
 /// φ of the modes (m).
@@ -63,7 +63,7 @@ float stem_mass(const StemConstants &stem, float x) {
 	for (int k = 0; k < stem.modes; k++) {
 		ease += deflection.of_mode[k] * deflection.of_mode[k] / stem.mode[k].mass;
 	}
-	return 1.0f / std::max(ease, LEAST_EASE);
+	return 1.0f / std::max(ease, MIN_EASE);
 }
 
 void blow_on_stem(const StemConstants &stem, StemState &state, float x, const glm::vec3 &impulse, float scale) {
@@ -81,7 +81,7 @@ void push_stem(const StemConstants &stem, StemState &state, float x, const glm::
 	for (int k = 0; k < stem.modes; k++) {
 		ease += deflection.of_mode[k] * deflection.of_mode[k] / stem.mode[k].stiffness;
 	}
-	const glm::vec2 moved = across_stem(way, bend_at(stem, state, x)) * (scale / std::max(2.0f * ease, LEAST_EASE));
+	const glm::vec2 moved = across_stem(way, bend_at(stem, state, x)) * (scale / std::max(2.0f * ease, MIN_EASE));
 	for (int k = 0; k < stem.modes; k++) {
 		state.place[k] += deflection.of_mode[k] / stem.mode[k].stiffness * moved;
 	}

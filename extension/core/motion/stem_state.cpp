@@ -13,10 +13,10 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float LEAST = 1e-6f;
+constexpr float EPSILON = 1e-6f;
 
 glm::vec2 divided(const glm::vec2 &a, const glm::vec2 &b) {
-	const float scale = 1.0f / std::max(glm::dot(b, b), LEAST * LEAST);
+	const float scale = 1.0f / std::max(glm::dot(b, b), EPSILON * EPSILON);
 	return glm::vec2(a.x * b.x + a.y * b.y, a.y * b.x - a.x * b.y) * scale;
 }
 
@@ -34,19 +34,19 @@ glm::vec3 rate_of_direction(const glm::vec2 &bend, const glm::vec2 &rate) {
 }
 
 glm::vec2 rate_of_bend(const glm::vec3 &direction, const glm::vec3 &rate) {
-	const float scale = 1.0f / std::max(1.0f + direction.y, LEAST);
+	const float scale = 1.0f / std::max(1.0f + direction.y, EPSILON);
 	const glm::vec2 bend = glm::vec2(direction.x, direction.z) * scale;
 	return (glm::vec2(rate.x, rate.z) - bend * rate.y) * scale;
 }
 
-/// `v`, shortened to `most` if it is longer; zero if it is not a number.
-glm::vec2 no_longer(const glm::vec2 &v, float most) {
+/// `v`, shortened to `max` if it is longer; zero if it is not a number.
+glm::vec2 no_longer(const glm::vec2 &v, float max) {
 	const float largest = std::max(std::fabs(v.x), std::fabs(v.y));
 	if (!std::isfinite(v.x) || !std::isfinite(v.y) || largest <= 0.0f) {
 		return { 0.0f, 0.0f };
 	}
 	const float size = largest * glm::length(v / largest); // Avoids squares of large numbers.
-	return size > most ? v * (most / size) : v;
+	return size > max ? v * (max / size) : v;
 }
 
 } // namespace
@@ -80,8 +80,8 @@ TipState tip_state(const StemConstants &stem, const StemState &state, const glm:
 StemState safe_stem(const StemConstants &stem, const StemState &state) {
 	StemState safe;
 	for (int k = 0; k < stem.modes; k++) {
-		safe.place[k] = no_longer(state.place[k], MOST_STEM_AMPLITUDE);
-		safe.rate[k] = no_longer(state.rate[k], MOST_STEM_RATE * stem.mode[k].frequency);
+		safe.place[k] = no_longer(state.place[k], MAX_STEM_AMPLITUDE);
+		safe.rate[k] = no_longer(state.rate[k], MAX_STEM_RATE * stem.mode[k].frequency);
 	}
 	return safe;
 }
@@ -143,7 +143,7 @@ StemState stem_state(const StemConstants &stem, const TipState &tip, const glm::
 	const TipState safe = safe_state(tip);
 	const glm::vec3 direction = turned(safe.direction, -rest);
 	const glm::vec3 rate = turned(safe.rate, -rest);
-	const float height = std::max(1.0f + direction.y, LEAST);
+	const float height = std::max(1.0f + direction.y, EPSILON);
 	StemState state;
 	for (int k = 0; k < stem.modes; k++) {
 		const StemMode &mode = stem.mode[k];

@@ -11,8 +11,8 @@ namespace undergrowth {
 /// A stem's motion: amplitudes of its modes (StemMode) and their rates (1/s), in the frame of its rest direction:
 /// the plant's axes after the shortest turn from upright to the rest. x and y are along x and z there.
 struct StemState {
-	glm::vec2 place[MOST_STEM_MODES] = {};
-	glm::vec2 rate[MOST_STEM_MODES] = {};
+	glm::vec2 place[MAX_STEM_MODES] = {};
+	glm::vec2 rate[MAX_STEM_MODES] = {};
 };
 
 /// Bends are stereographic images of directions (motion/bend_encoding.hpp).
@@ -44,7 +44,7 @@ struct MotionState {
 StemSecond second_of(const StemConstants &stem, const StemState &state, const glm::vec2 &rest);
 
 /// Stem state from the motion of its tip, divided between the modes as in a steady wind, plus `second`. Amplitudes are
-/// clamped to MOST_STEM_AMPLITUDE.
+/// clamped to MAX_STEM_AMPLITUDE.
 StemState stem_state(
 		const StemConstants &stem, const TipState &tip, const glm::vec2 &rest, const StemSecond &second = {});
 
@@ -77,6 +77,6 @@ MotionState motion_between(
 		const StemConstants &stem, const ModeBends &before, const ModeBends &now, const glm::vec2 &rest, float step);
 
 /// Maximum rate of a mode, relative to its frequency (rad/s).
-inline constexpr float MOST_STEM_RATE = 6.0f;
+inline constexpr float MAX_STEM_RATE = 6.0f;
 
 } // namespace undergrowth

@@ -11,12 +11,12 @@ namespace undergrowth {
 namespace {
 
 constexpr float MIN_LENGTH = 1e-4f; // m.
-constexpr float MOST_RATIO = 4.0f; // Of heights: far above those of a species' own plants.
-constexpr float LEAST_GRADE = 0.05f;
-constexpr float LEAST_SHARE = 1e-3f;
-constexpr float LEAST_SLOPE = 1e-30f; // 1/N.
+constexpr float MAX_RATIO = 4.0f; // Of heights: far above those of a species' own plants.
+constexpr float MIN_GRADE = 0.05f;
+constexpr float MIN_SHARE = 1e-3f;
+constexpr float MIN_SLOPE = 1e-30f; // 1/N.
 /// rad per step, a quarter of a swing. The motion of faster modes would be an artefact of the step.
-constexpr float MOST_PHASE = static_cast<float>(0.5 * PI);
+constexpr float MAX_PHASE = static_cast<float>(0.5 * PI);
 /// A step settles up to twice this share of a load's projection at the current bend, times load·(ω_1·step)².
 constexpr float FOLLOWED = 0.25f;
 
@@ -26,7 +26,7 @@ StemModeStep mode_step(const StemMode &mode, float step) {
 	made.air_share = 0.5f * mode.air_share;
 	made.air_drag = step * mode.air_drag / mode.mass;
 	made.air_lag = mode.air_lag;
-	if (mode.frequency * step > MOST_PHASE) {
+	if (mode.frequency * step > MAX_PHASE) {
 		made.place_from_place = -1.0f;
 		made.place_from_rate = 0.0f;
 		made.rate_from_place = 0.0f;
@@ -47,7 +47,7 @@ StemModeStep mode_step(const StemMode &mode, float step) {
 /// Of a first mode with this share of the tip's bend.
 StemTip tip_of(float share, float step) {
 	StemTip tip;
-	tip.of_place = 1.0f / std::max(share, LEAST_SHARE);
+	tip.of_place = 1.0f / std::max(share, MIN_SHARE);
 	tip.of_rate = 0.5f * step * tip.of_place;
 	return tip;
 }
@@ -56,7 +56,7 @@ StemTip tip_of(float share, float step) {
 
 StemStep stem_step_constants(const StemConstants &stem, float step, bool above_ground) {
 	StemStep made = {};
-	made.modes = std::clamp(stem.modes, 1, MOST_STEM_MODES);
+	made.modes = std::clamp(stem.modes, 1, MAX_STEM_MODES);
 	for (int k = 0; k < made.modes; k++) {
 		made.mode[k] = mode_step(stem.mode[k], step);
 		made.tip_slope[k] = stem.mode[k].tip_slope;
@@ -69,7 +69,7 @@ StemStep stem_step_constants(const StemConstants &stem, float step, bool above_g
 	made.axial_share = stem.axial_share;
 	made.dead_tip = tip_of(stem.mode[0].dead_share, step);
 	made.air_tip = tip_of(stem.mode[0].air_share, step);
-	made.most_force = made.most_load / std::max(made.dead_slope, LEAST_SLOPE);
+	made.max_force = made.max_load / std::max(made.dead_slope, MIN_SLOPE);
 	made.softness = phase * phase / FOLLOWED;
 	return made;
 }
@@ -77,12 +77,12 @@ StemStep stem_step_constants(const StemConstants &stem, float step, bool above_g
 float stem_grades(const StemConstants &stem, float step, const float *lengths, int count, const StemGrades &to) {
 	float fastest = 1.0f;
 	for (int i = 0; i < count; i++) {
-		const float ratio = lengths[i] > MIN_LENGTH ? std::min(lengths[i] / stem.length, MOST_RATIO) : 1.0f;
-		to.dead_ease[i] = ratio * std::max(stem.dead_grade.at(ratio), LEAST_GRADE);
-		to.air_ease[i] = ratio * std::max(stem.air_grade.at(ratio), LEAST_GRADE);
+		const float ratio = lengths[i] > MIN_LENGTH ? std::min(lengths[i] / stem.length, MAX_RATIO) : 1.0f;
+		to.dead_ease[i] = ratio * std::max(stem.dead_grade.at(ratio), MIN_GRADE);
+		to.air_ease[i] = ratio * std::max(stem.air_grade.at(ratio), MIN_GRADE);
 		for (int k = 0; k < stem.modes; k++) {
 			StemMode own = stem.mode[k];
-			own.frequency /= std::max(own.period.at(ratio), LEAST_GRADE);
+			own.frequency /= std::max(own.period.at(ratio), MIN_GRADE);
 			fastest = std::max(fastest, own.frequency / stem.mode[k].frequency);
 			const StemModeStep made = mode_step(own, step);
 			to.by_height[k][0][i] = made.place_from_place;

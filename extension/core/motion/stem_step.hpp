@@ -15,7 +15,7 @@ StemStep stem_step_constants(const StemConstants &stem, float step, bool above_g
 /// Columns of StemPage for stems whose frequencies follow from their height.
 struct StemGrades {
 	float *dead_ease, *air_ease;
-	float *by_height[MOST_STEM_MODES][4];
+	float *by_height[MAX_STEM_MODES][4];
 };
 
 /// Fills in the columns for plants with `count` lengths (m). Returns the highest frequency relative to the species', at

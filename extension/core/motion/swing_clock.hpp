@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plant/part_swing.hpp"
+#include "plant/part_motion.hpp"
 
 #include <cmath>
 

@@ -30,8 +30,8 @@ std::vector<glm::vec2> parallelogram_ring(float width, float depth, float skew) 
 std::vector<glm::vec2> lobed_ring(int lod, double radius, int lobes, double bulge) {
 	// A whole number of points per half lobe puts a point at each crest and in each notch.
 	const int half_lobes = bulge == 0.0 ? 1 : 2 * lobes;
-	const int least = bulge == 0.0 ? 4 : 2 * half_lobes;
-	const int wanted = std::clamp(lod, least, MAX_RING_POINTS - half_lobes + 1);
+	const int min = bulge == 0.0 ? 4 : 2 * half_lobes;
+	const int wanted = std::clamp(lod, min, MAX_RING_POINTS - half_lobes + 1);
 	const int count = (wanted + half_lobes - 1) / half_lobes * half_lobes;
 
 	std::vector<glm::vec2> points;

@@ -15,7 +15,7 @@ namespace undergrowth {
 
 namespace {
 
-constexpr double LEAST_REST = 1e-16; // Of the energy of the static shape: a smaller rest is rounding.
+constexpr double MIN_REST = 1e-16; // Of the energy of the static shape: a smaller rest is rounding.
 constexpr int CELLS = STEM_SAMPLES - 1;
 
 /// A shape with its scalar products. The deflection is scaled to a max slope of 1.
@@ -53,7 +53,7 @@ private:
 	StemCurve dead_curve; ///< Under one newton.
 	double dead_slope = 0.0; ///< 1/N.
 	double air_slope = 0.0; ///< s²/m².
-	Shape shapes[MOST_STEM_MODES];
+	Shape shapes[MAX_STEM_MODES];
 
 	double find_modulus() const;
 	void find_shapes(const StemFactors &factors);
@@ -129,7 +129,7 @@ void Solver::choose_shapes(const StemEigen &first, const StemEigen &second) {
 	shapes[0] = shape_of(first.curve, solution.frequencies[0]);
 	StemCurve rest = dead_curve;
 	rest.add(shapes[0].curve, -shapes[0].dead);
-	const bool is_something = rest.dot(stiff.times(rest)) > LEAST_REST * dead_curve.dot(dead_load);
+	const bool is_something = rest.dot(stiff.times(rest)) > MIN_REST * dead_curve.dot(dead_load);
 	shapes[1] = shape_of(is_something ? rest : second.curve, solution.frequencies[1]);
 }
 
@@ -150,11 +150,11 @@ void Solver::divide_loads() {
 }
 
 Shape Solver::shape_of(StemCurve curve, double frequency) const {
-	double most = 0.0;
+	double max = 0.0;
 	for (int i = 0; i < STEM_SAMPLES; i++) {
-		most = std::max(most, std::fabs(curve.slope(static_cast<double>(i) / CELLS)));
+		max = std::max(max, std::fabs(curve.slope(static_cast<double>(i) / CELLS)));
 	}
-	curve.scale((curve.slope(1.0) < 0.0 ? -1.0 : 1.0) * line.length / most);
+	curve.scale((curve.slope(1.0) < 0.0 ? -1.0 : 1.0) * line.length / max);
 	Shape shape;
 	shape.curve = curve;
 	shape.frequency = frequency;

@@ -12,10 +12,10 @@ namespace {
 
 constexpr int LINKS = StemChain::LINKS;
 constexpr double H = 1.0 / LINKS;
-constexpr double MOST_TURN = 0.2; // rad per iteration.
+constexpr double MAX_TURN = 0.2; // rad per iteration.
 constexpr double SETTLED = 1e-10; // rad.
-constexpr int MOST_ITERATIONS = 60;
-constexpr double LEAST_PIVOT = 1e-3; // Of the joints' own stiffness: a chain never gives way completely.
+constexpr int MAX_ITERATIONS = 60;
+constexpr double MIN_PIVOT = 1e-3; // Of the joints' own stiffness: a chain never gives way completely.
 constexpr double GAUSS_PLACE[2] = { 0.21132486540518712, 0.78867513459481288 };
 
 /// The moment of a distributed load about a level link's lower end, in link lengths, over the whole stem's.
@@ -68,25 +68,25 @@ double StemChain::turn(Angles &angles, const Angles &moments, const Angles &diag
 	for (int i = 0; i < LINKS; i++) {
 		const double own = joint[i] + (i < LINKS - 1 ? joint[i + 1] : 0.0);
 		const double share = i > 0 ? joint[i] / pivot[i - 1] : 0.0;
-		pivot[i] = std::max(own + diagonal[i] - share * joint[i], LEAST_PIVOT * own);
+		pivot[i] = std::max(own + diagonal[i] - share * joint[i], MIN_PIVOT * own);
 		change[i] = moments[i] + (i > 0 ? share * change[i - 1] : 0.0);
 	}
-	double most = 0.0;
+	double max = 0.0;
 	for (int i = LINKS - 1; i >= 0; i--) {
 		change[i] = (change[i] + (i < LINKS - 1 ? joint[i + 1] * change[i + 1] : 0.0)) / pivot[i];
-		most = std::max(most, std::fabs(change[i]));
+		max = std::max(max, std::fabs(change[i]));
 	}
-	const double factor = most > MOST_TURN ? MOST_TURN / most : 1.0;
+	const double factor = max > MAX_TURN ? MAX_TURN / max : 1.0;
 	for (int i = 0; i < LINKS; i++) {
 		angles[i] += factor * change[i];
 	}
-	return most;
+	return max;
 }
 
 void StemChain::settle_dead(double newtons, Angles &angles) const {
 	Angles moments;
 	Angles diagonal;
-	for (int n = 0; n < MOST_ITERATIONS; n++) {
+	for (int n = 0; n < MAX_ITERATIONS; n++) {
 		for (int i = 0; i < LINKS; i++) {
 			const double across = portable_cos(angles[i]);
 			const double along = portable_sin(angles[i]);
@@ -104,7 +104,7 @@ void StemChain::settle_dead(double newtons, Angles &angles) const {
 void StemChain::settle_air(double speed_squared, Angles &angles) const {
 	Angles moments;
 	Angles diagonal;
-	for (int n = 0; n < MOST_ITERATIONS; n++) {
+	for (int n = 0; n < MAX_ITERATIONS; n++) {
 		double sideways = 0.0;
 		double upward = 0.0;
 		double softer = 0.0;

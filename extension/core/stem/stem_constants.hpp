@@ -5,11 +5,11 @@
 namespace undergrowth {
 
 /// Maximum number of oscillators of a stem: the swing in the wind, and a second mode excited by gusts and pushes.
-constexpr int MOST_STEM_MODES = 2;
+constexpr int MAX_STEM_MODES = 2;
 /// Maximum amplitude of a mode; 113° at the tip for a mode that bends most there.
-inline constexpr float MOST_STEM_AMPLITUDE = 1.5f;
+inline constexpr float MAX_STEM_AMPLITUDE = 1.5f;
 /// Maximum number of joints of a stem.
-constexpr int MOST_STEM_JOINTS = 8;
+constexpr int MAX_STEM_JOINTS = 8;
 /// Coefficients of a shape along the stem, those of x, x², … x⁶.
 constexpr int STEM_SHAPE_TERMS = 6;
 
@@ -48,7 +48,7 @@ struct StemConstants {
 	float length = 1.0f;
 	int modes = 1;
 	int joints = 4;
-	StemMode mode[MOST_STEM_MODES];
+	StemMode mode[MAX_STEM_MODES];
 	float dead_slope = 1.0f; ///< 1/N: linear slope of the tip under the wind's newtons, weights of joints included.
 	float air_slope = 0.0f; ///< s²/m²: the same over the wind's speed squared.
 	StemGrade dead_grade; ///< Of either slope.
@@ -63,15 +63,15 @@ struct StemConstants {
 	float air_shape[STEM_SHAPE_TERMS][2] = {};
 	/// φ_k (m) at the joints s_j = j·length/joints, j = 1 … joints, in deflection[j - 1], and at the head's centre in
 	/// deflection[joints].
-	float deflection[MOST_STEM_JOINTS + 1][MOST_STEM_MODES] = {};
+	float deflection[MAX_STEM_JOINTS + 1][MAX_STEM_MODES] = {};
 
 	/// Whether frequencies follow from each plant's own height.
 	bool has_grades() const { return mode[0].period.slope != 0.0f; }
 
 	bool operator==(const StemConstants &other) const {
 		static_assert(sizeof(StemConstants) ==
-						4 * (10 + 12 * MOST_STEM_MODES + 6 * STEM_SHAPE_TERMS) +
-								4 * (MOST_STEM_JOINTS + 1) * MOST_STEM_MODES,
+						4 * (10 + 12 * MAX_STEM_MODES + 6 * STEM_SHAPE_TERMS) +
+								4 * (MAX_STEM_JOINTS + 1) * MAX_STEM_MODES,
 				"no padding, so bytes say whether all numbers are the same");
 		return std::memcmp(this, &other, sizeof(StemConstants)) == 0;
 	}

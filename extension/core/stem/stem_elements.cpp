@@ -16,7 +16,7 @@ constexpr double GAUSS_PLACE[4] = { 0.069431844202973712, 0.33000947820757187, 0
 	0.93056815579702629 };
 constexpr double GAUSS_WEIGHT[4] = { 0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
 	0.17392742256872693 };
-constexpr double LEAST_PIVOT = 1e-11; // Of the entry before.
+constexpr double MIN_PIVOT = 1e-11; // Of the entry before.
 constexpr int ITERATIONS = 40; // Each reduces the second mode's share by a factor of at least 3.
 
 /// For the four values of an element at ξ from 0 to 1 within it: the shapes and their first two derivatives by x.
@@ -137,7 +137,7 @@ StemFactors::StemFactors(const StemMatrix &matrix) {
 			}
 			if (j < i) {
 				lower[i][j - i + BAND] = sum / lower[j][BAND];
-			} else if (sum > LEAST_PIVOT * matrix.at(i, i)) {
+			} else if (sum > MIN_PIVOT * matrix.at(i, i)) {
 				lower[i][BAND] = std::sqrt(sum);
 			} else {
 				sound = false;

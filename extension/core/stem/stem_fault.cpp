@@ -7,8 +7,8 @@ namespace undergrowth {
 namespace {
 
 /// False for NaN.
-bool lies(double value, double least, double most) {
-	return value >= least && value <= most;
+bool lies(double value, double min, double max) {
+	return value >= min && value <= max;
 }
 
 bool is_sound(const StemBeam::Load &load) {
@@ -38,8 +38,8 @@ StemFault find_fault(const StemBeam &beam) {
 		StemFault fault;
 	} checks[] = {
 		{ lies(beam.length, 0.00499, 100.0), StemFault::length }, // 0.005 as a float is slightly less.
-		{ lies(beam.joints, 1, MOST_STEM_JOINTS), StemFault::joints },
-		{ lies(beam.modes, 1, MOST_STEM_MODES), StemFault::modes },
+		{ lies(beam.joints, 1, MAX_STEM_JOINTS), StemFault::joints },
+		{ lies(beam.modes, 1, MAX_STEM_MODES), StemFault::modes },
 		{ lies(beam.diameter, 2e-5, beam.length), StemFault::diameter },
 		{ !is_blade || lies(beam.thickness, 1e-5, beam.diameter), StemFault::thickness },
 		{ lies(beam.taper, 0.0, 0.9001), StemFault::taper },

@@ -14,8 +14,8 @@ constexpr double LOW_BETWEEN = 0.85; // If the max height is limited.
 
 /// Results of the linear beam of a stem.
 struct Linear {
-	bool stands = false;
-	double periods[MOST_STEM_MODES] = {}; ///< s/rad.
+	bool is_stable = false;
+	double periods[MAX_STEM_MODES] = {}; ///< s/rad.
 	double dead_slope = 0.0; ///< 1/N.
 	double air_slope = 0.0; ///< s²/m².
 };
@@ -28,8 +28,8 @@ Linear linear_of(const StemBeam &beam, double ratio) {
 	const auto modulus = static_cast<double>(beam.youngs_modulus);
 	const StemFactors factors(elements.stiffness.mixed(modulus, elements.gravity, -1.0));
 	Linear linear;
-	linear.stands = factors.is_sound();
-	if (linear.stands) {
+	linear.is_stable = factors.is_sound();
+	if (linear.is_stable) {
 		const StemEigen first = smallest_eigen(factors, elements.mass);
 		const StemEigen second = smallest_eigen(factors, elements.mass, &first.curve);
 		linear.periods[0] = 1.0 / std::sqrt(first.value);
@@ -64,12 +64,12 @@ void grade_by_height(const StemBeam &beam, StemConstants &constants) {
 	double ratio = LOW_BETWEEN;
 	Linear other;
 	for (const double high : HIGH) {
-		if (!other.stands) {
+		if (!other.is_stable) {
 			ratio = high;
 			other = linear_of(beam, high);
 		}
 	}
-	if (!other.stands) {
+	if (!other.is_stable) {
 		ratio = LOW_BETWEEN;
 		other = linear_of(beam, ratio);
 	}

@@ -9,7 +9,7 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float MOST_BEND = 3.0f;
+constexpr float MAX_BEND = 3.0f;
 constexpr float STEP = 0.05f; // Tips descend so evenly that none passes the ground and returns within it.
 constexpr int HALVINGS = 16;
 /// Second mode beyond that of a steady wind, as blows and pushes excite it.
@@ -21,11 +21,11 @@ float bend_on_ground(const StemConstants &stem, float more) {
 	const auto is_above = [&](float bend) {
 		const float first = stem.mode[0].dead_share * bend;
 		const float second = stem.modes == 2 ? stem.mode[1].dead_share * bend + more : 0.0f;
-		const glm::vec2 amplitudes[MOST_STEM_MODES] = { { first, 0.0f }, { second, 0.0f } };
+		const glm::vec2 amplitudes[MAX_STEM_MODES] = { { first, 0.0f }, { second, 0.0f } };
 		return stem_place(stem, amplitudes, 1.0f).centre.y > GROUND_HEIGHT;
 	};
 	float above = 0.0f;
-	while (above < MOST_BEND && is_above(above + STEP)) {
+	while (above < MAX_BEND && is_above(above + STEP)) {
 		above += STEP;
 	}
 	float below = above + STEP;

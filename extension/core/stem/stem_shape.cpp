@@ -92,7 +92,7 @@ StemConstants in_one_mode(const StemConstants &stem) {
 		shape[0] = a * shape[0] + b * shape[1];
 		shape[1] = 0.0f;
 	}
-	for (float (&deflection)[MOST_STEM_MODES] : one.deflection) {
+	for (float (&deflection)[MAX_STEM_MODES] : one.deflection) {
 		deflection[0] = a * deflection[0] + b * deflection[1];
 		deflection[1] = 0.0f;
 	}

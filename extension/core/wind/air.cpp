@@ -20,11 +20,11 @@ constexpr double WAVES_OVER_TOP = 1.8;
 constexpr double WAVES_PER_SHEAR = 8.1; // Wave length relative to the shear length,
 constexpr double SHEAR_LENGTH = 0.5; // which is relative to the canopy's height.
 constexpr float FASTEST = 150.0f; // m/s.
-constexpr float MOST_GUSTS = 10.0f;
-constexpr float MOST_SKEW = 0.5f;
+constexpr float MAX_GUSTS = 10.0f;
+constexpr float MAX_SKEW = 0.5f;
 
-float safe(float value, float most) {
-	return std::isfinite(value) ? std::clamp(value, 0.0f, most) : 0.0f;
+float safe(float value, float max) {
+	return std::isfinite(value) ? std::clamp(value, 0.0f, max) : 0.0f;
 }
 
 /// Unit vectors along the wind and across it.
@@ -75,7 +75,7 @@ float gusts_of(const Air &air) {
 		return 1.0f;
 	}
 	const double usual = open_ground_gusts(REFERENCE_HEIGHT, static_cast<double>(air.roughness));
-	return safe(static_cast<float>(static_cast<double>(air.turbulence) / usual), MOST_GUSTS);
+	return safe(static_cast<float>(static_cast<double>(air.turbulence) / usual), MAX_GUSTS);
 }
 
 } // namespace
@@ -87,7 +87,7 @@ double turbulence_speed(const Air &air) {
 
 double waves_speed(const Air &air) {
 	const auto speed = static_cast<double>(safe(air.speed, FASTEST));
-	return WAVES_OVER_TOP * speed * stand_top_speed(static_cast<double>(air.canopy_height));
+	return WAVES_OVER_TOP * speed * canopy_top_speed(static_cast<double>(air.canopy_height));
 }
 
 double waves_length(const Air &air) {
@@ -115,12 +115,12 @@ void change_air(Air &air, const Air &wanted, double time, const glm::dvec2 &pivo
 	air.waves_way = waves;
 }
 
-AirNow air_at_time(const Air &air, const AirAxes &axes, const AirTiles *tiles, double time) {
-	AirNow now;
+AirSnapshot air_at_time(const Air &air, const AirAxes &axes, const AirTiles *tiles, double time) {
+	AirSnapshot now;
 	now.speed = safe(air.speed, FASTEST);
 	now.gusts = gusts_of(air);
 	now.roughness = air.roughness;
-	now.skew = safe(air.gustiness, MOST_SKEW);
+	now.skew = safe(air.gustiness, MAX_SKEW);
 	now.canopy_wave_amount = air.canopy_height > 0.0f ? safe(air.canopy_wave_amount, 1.0f) : 0.0f;
 	if (!tiles || now.speed <= 0.0f || now.gusts <= 0.0f) {
 		now.gusts = 0.0f;
@@ -137,7 +137,7 @@ AirNow air_at_time(const Air &air, const AirAxes &axes, const AirTiles *tiles, d
 }
 
 glm::vec3 air_velocity(const Air &air, const AirTiles *tiles, double time, const glm::vec3 &place) {
-	TravellingWind now = {};
+	WindSnapshot now = {};
 	now.is_air = true;
 	AirAxes axes;
 	axes.origin = { static_cast<double>(place.x), static_cast<double>(place.z) };

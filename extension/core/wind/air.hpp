@@ -49,22 +49,22 @@ void change_air(Air &air, const Air &wanted, double time, const glm::dvec2 &pivo
 
 /// The wind at one time, in the form that the kernels read. Null `tiles`: no turbulence. Values that are not finite
 /// count as 0, values out of range as the nearest valid one.
-AirNow air_at_time(const Air &air, const AirAxes &axes, const AirTiles *tiles, double time);
+AirSnapshot air_at_time(const Air &air, const AirAxes &axes, const AirTiles *tiles, double time);
 
 /// Velocity (m/s, world) at a place whose height above open ground is `place.y`.
 glm::vec3 air_velocity(const Air &air, const AirTiles *tiles, double time, const glm::vec3 &place);
 
 /// Wind at the top of a canopy of `canopy_height` (m), with directions in the axes of `axes`. 0: isolated plants on
 /// open ground.
-AirBlow blow_over(const AirNow &air, float canopy_height, const PlantWinds &axes);
+AirBlow blow_over(const AirSnapshot &air, float canopy_height, const PlantWinds &axes);
 
 /// Writes the velocities (m/s) at plants (x, z), in the axes of `blow`, to out_x and out_z. `lengths` (m) are the
 /// heights of isolated plants; null above a canopy.
-void sample_air(const TravellingWind &wind, const AirBlow &blow, const float *x, const float *z, const float *lengths,
+void sample_air(const WindSnapshot &wind, const AirBlow &blow, const float *x, const float *z, const float *lengths,
 		int count, float *out_x, float *out_z, SimdLevel level = best_simd_level());
 
 /// Adds a triggered gust, in m/s, to velocities of air.
-void add_gust(const TravellingWind &wind, const AirBlow &blow, const float *x, const float *z, int count, float *out_x,
+void add_gust(const WindSnapshot &wind, const AirBlow &blow, const float *x, const float *z, int count, float *out_x,
 		float *out_z, SimdLevel level = best_simd_level());
 
 } // namespace undergrowth

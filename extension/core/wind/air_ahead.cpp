@@ -1,6 +1,6 @@
 #include "wind/air_ahead.hpp"
 
-#include "wind/travelling_wind.hpp"
+#include "wind/field_wind.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,7 @@ int AirAhead::stride_in(const Air &air, float step, float swing) {
 		spacing = std::min(spacing, WAVES_SHARE * waves_length(air) / std::max(waves_speed(air), STILL));
 	}
 	const double steps = spacing / static_cast<double>(step) + ROUNDING;
-	return static_cast<int>(std::clamp(steps, 1.0, static_cast<double>(MOST_STEPS)));
+	return static_cast<int>(std::clamp(steps, 1.0, static_cast<double>(MAX_STEPS)));
 }
 
 void AirAhead::make_room(int plants) {
@@ -50,13 +50,13 @@ void AirAhead::make_room(int plants) {
 	}
 }
 
-void AirAhead::look(const FieldWind &wind, const PlantWinds &along, double moment, float step, int turn,
+void AirAhead::prepare(const FieldWind &wind, const PlantWinds &along, double moment, float step, int turn,
 		const Plants &plants, SimdLevel level) {
 	const auto length = static_cast<double>(step);
 	const bool blows = wind.wind.kind == WindKind::air && wind.tiles && wind.air.speed > 0.0f;
 	const int steps = blows ? stride_in(wind.air, step, plants.swing) : 1;
-	is_told = steps > 1 && plants.count <= AIR_GROUP * room;
-	if (!is_told) {
+	is_sampled = steps > 1 && plants.count <= AIR_GROUP * room;
+	if (!is_sampled) {
 		is_known = false;
 		return;
 	}
@@ -69,27 +69,28 @@ void AirAhead::look(const FieldWind &wind, const PlantWinds &along, double momen
 	stride = steps;
 	step_time = step;
 	last_moment = moment;
-	has_stand = plants.canopy_height > 0.0f;
+	has_canopy = plants.canopy_height > 0.0f;
 	is_known = true;
 	float x[BLOCK], z[BLOCK];
 	for (int sample = first; sample <= last; sample++) {
-		TravellingWind then = {};
+		WindSnapshot then = {};
 		then.air = air_at_time(wind.air, wind.axes, wind.tiles.get(), moment + length * (sample * stride - age));
 		AirBlow blow = blow_over(then.air, plants.canopy_height, along);
-		blow.mean = 0.0f; // Above a canopy tell() adds it; isolated plants use another member.
+		blow.mean = 0.0f; // Above a canopy interpolate() adds it; isolated plants use another member.
 		for (int begin = 0; begin < plants.count; begin += BLOCK) {
 			const int some = std::min(BLOCK, plants.count - begin);
-			const float *alone = has_stand ? nullptr : plants.lengths + begin;
+			const float *alone = has_canopy ? nullptr : plants.lengths + begin;
 			sample_air(then, blow, plants.x + begin, plants.z + begin, alone, some, x, z, level);
 			wind_kernels(level).keep_samples(x, z, some, groups.get() + 4 * begin);
 		}
 	}
 }
 
-void AirAhead::tell(const AirBlow &blow, int begin, int count, float *out_x, float *out_z, SimdLevel level) const {
+void AirAhead::interpolate(
+		const AirBlow &blow, int begin, int count, float *out_x, float *out_z, SimdLevel level) const {
 	AirWeights weights = weights_at(static_cast<double>(age) / static_cast<double>(stride));
-	weights.x = has_stand ? blow.mean * blow.along_x : 0.0f;
-	weights.z = has_stand ? blow.mean * blow.along_z : 0.0f;
+	weights.x = has_canopy ? blow.mean * blow.along_x : 0.0f;
+	weights.z = has_canopy ? blow.mean * blow.along_z : 0.0f;
 	wind_kernels(level).between_samples(groups.get() + 4 * begin, weights, count, out_x, out_z);
 }
 

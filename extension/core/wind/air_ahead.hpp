@@ -24,7 +24,7 @@ public:
 	static constexpr double WAVES_SHARE = 0.25;
 	static constexpr double SPACING =
 			4.0 / 60.0; ///< s, maximum; the error of tips is a few hundredths of their travel.
-	static constexpr int MOST_STEPS = 4; ///< Maximum number of steps between samples.
+	static constexpr int MAX_STEPS = 4; ///< Maximum number of steps between samples.
 
 	/// The plants to sample for.
 	struct Plants {
@@ -45,16 +45,16 @@ public:
 	/// Reserves room for `plants`. Allocates only when the number exceeds all earlier ones.
 	void make_room(int plants);
 	/// Discards the samples: the plants changed.
-	void forget() { is_known = is_told = false; }
+	void forget() { is_known = is_sampled = false; }
 
 	/// Prepares a step of `step` seconds at the time `moment` (s), in the axes of `along`. Takes a sample in one of
 	/// stride_in() steps; `turn` selects which one.
-	void look(const FieldWind &wind, const PlantWinds &along, double moment, float step, int turn, const Plants &plants,
-			SimdLevel level = best_simd_level());
-	/// True if tell() can interpolate the air of the last look(). False if each step must sample.
-	bool is_ready() const { return is_told; }
+	void prepare(const FieldWind &wind, const PlantWinds &along, double moment, float step, int turn,
+			const Plants &plants, SimdLevel level = best_simd_level());
+	/// True if interpolate() can interpolate the air of the last prepare(). False if each step must sample.
+	bool is_ready() const { return is_sampled; }
 	/// Like sample_air() for plants from `begin` on, a multiple of AIR_GROUP, without triggered gusts.
-	void tell(const AirBlow &blow, int begin, int count, float *out_x, float *out_z,
+	void interpolate(const AirBlow &blow, int begin, int count, float *out_x, float *out_z,
 			SimdLevel level = best_simd_level()) const;
 	/// Steps from one sample to the next in `air`; 1: each step samples.
 	static int stride_in(const Air &air, float step, float swing);
@@ -65,8 +65,8 @@ private:
 	std::unique_ptr<uint32_t[]> groups; ///< In the layout of WindKernels.
 	int room = 0; ///< In groups.
 	bool is_known = false;
-	bool is_told = false;
-	bool has_stand = false;
+	bool is_sampled = false;
+	bool has_canopy = false;
 	int stride = 1;
 	int age = 0; ///< Steps since the second sample.
 	float step_time = 0.0f; ///< s.

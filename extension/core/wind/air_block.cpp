@@ -19,7 +19,7 @@ float unit_gust(float skew) {
 }
 
 /// Velocities of isolated plants: each has the wind of its own height above open ground.
-void blow_alone(const AirNow &air, const float *lengths, AirBlow blow, int count, float *x, float *z,
+void blow_alone(const AirSnapshot &air, const float *lengths, AirBlow blow, int count, float *x, float *z,
 		const WindKernels &kernels) {
 	const OpenGround open(static_cast<double>(air.roughness));
 	const float gust = air.speed * air.gusts * static_cast<float>(open.gusts(REFERENCE_HEIGHT));
@@ -29,23 +29,23 @@ void blow_alone(const AirNow &air, const float *lengths, AirBlow blow, int count
 	const double layer = OpenGround::ROUGH_LAYER;
 	const AirGround ground = { static_cast<float>(1.0 / open.roughness()),
 		static_cast<float>(1.0 / (layer * open.roughness())), static_cast<float>(layer) };
-	kernels.make_lone_velocities(blow, ground, lengths, count, x, z);
+	kernels.make_isolated_velocities(blow, ground, lengths, count, x, z);
 }
 
 } // namespace
 
-AirBlow blow_over(const AirNow &air, float canopy_height, const PlantWinds &axes) {
+AirBlow blow_over(const AirSnapshot &air, float canopy_height, const PlantWinds &axes) {
 	AirBlow blow = { 0.0f, 0.0f, 0.0f, air.skew, axes.x, axes.z, axes.side_x, axes.side_z };
 	if (canopy_height > 0.0f) {
-		blow.mean = air.speed * static_cast<float>(stand_top_speed(static_cast<double>(canopy_height)));
-		const float gust = blow.mean * static_cast<float>(STAND_GUSTS) * air.gusts;
+		blow.mean = air.speed * static_cast<float>(canopy_top_speed(static_cast<double>(canopy_height)));
+		const float gust = blow.mean * static_cast<float>(CANOPY_GUSTS) * air.gusts;
 		blow.gust = gust * unit_gust(air.skew);
 		blow.side_gust = gust * static_cast<float>(SIDE_GUSTS);
 	}
 	return blow;
 }
 
-void add_gust(const TravellingWind &wind, const AirBlow &blow, const float *x, const float *z, int count, float *out_x,
+void add_gust(const WindSnapshot &wind, const AirBlow &blow, const float *x, const float *z, int count, float *out_x,
 		float *out_z, SimdLevel level) {
 	if (wind.gust == 0.0f) {
 		return;
@@ -61,10 +61,10 @@ void add_gust(const TravellingWind &wind, const AirBlow &blow, const float *x, c
 	}
 }
 
-void sample_air(const TravellingWind &wind, const AirBlow &blow, const float *x, const float *z, const float *lengths,
+void sample_air(const WindSnapshot &wind, const AirBlow &blow, const float *x, const float *z, const float *lengths,
 		int count, float *out_x, float *out_z, SimdLevel level) {
 	const WindKernels &kernels = wind_kernels(level);
-	const AirNow &air = wind.air;
+	const AirSnapshot &air = wind.air;
 	if (air.turbulence.cells) {
 		kernels.sample_turbulence(air.turbulence, x, z, count, out_x, out_z);
 	} else {
@@ -73,7 +73,7 @@ void sample_air(const TravellingWind &wind, const AirBlow &blow, const float *x,
 	}
 	if (air.waves.cells && !lengths) {
 		const float kept = std::sqrt(1.0f - air.canopy_wave_amount);
-		kernels.add_stand_waves(air.waves, x, z, count, kept, std::sqrt(air.canopy_wave_amount), out_x);
+		kernels.add_canopy_waves(air.waves, x, z, count, kept, std::sqrt(air.canopy_wave_amount), out_x);
 	}
 	if (lengths) {
 		blow_alone(air, lengths, blow, count, out_x, out_z, kernels);

@@ -15,7 +15,7 @@ struct AirDrift {
 	float share = 1.0f; ///< How much of it is felt.
 
 	/// Whether anything moves.
-	bool is_felt() const {
+	bool has_effect() const {
 		const glm::vec3 none(0.0f);
 		return share != 0.0f && (of_roots || base != none || by_x != none || by_y != none || by_z != none);
 	}

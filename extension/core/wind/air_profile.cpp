@@ -56,11 +56,11 @@ double open_ground_gusts(double height, double roughness) {
 	return OpenGround(roughness).gusts(height);
 }
 
-double stand_top_speed(double canopy_height) {
-	return stand_speed(canopy_height, canopy_height);
+double canopy_top_speed(double canopy_height) {
+	return canopy_speed(canopy_height, canopy_height);
 }
 
-double stand_speed(double height, double canopy_height, double extinction) {
+double canopy_speed(double height, double canopy_height, double extinction) {
 	const double top = std::clamp(safe_height(canopy_height), LOWEST_STAND, HIGHEST_STAND);
 	const double above = std::max(safe_height(height), top);
 	const double rough = STAND_ROUGHNESS * top;

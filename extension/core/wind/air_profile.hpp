@@ -36,12 +36,12 @@ private:
 inline constexpr float TURF_HEIGHT = 0.01f; ///< m, of a canopy without a given height.
 
 /// Speed at the top of a canopy, by the logarithmic law with a displacement of 0.7 and a roughness of 0.1 heights.
-double stand_top_speed(double canopy_height);
+double canopy_top_speed(double canopy_height);
 /// Speed at a height within a canopy: exponential below its top (extinction from 2, thin, to 4.4, dense), the
 /// logarithmic law above.
-double stand_speed(double height, double canopy_height, double extinction = 2.5);
+double canopy_speed(double height, double canopy_height, double extinction = 2.5);
 /// Standard deviation along the wind at the canopy's top, relative to the speed there: 1.9 friction velocities.
-inline constexpr double STAND_GUSTS = 1.9 * 0.364;
+inline constexpr double CANOPY_GUSTS = 1.9 * 0.364;
 /// Standard deviation across the wind, relative to that along it.
 inline constexpr double SIDE_GUSTS = 0.75;
 

@@ -13,7 +13,7 @@ namespace undergrowth {
 
 namespace {
 
-constexpr double MOST_DEVIATE = 32767.0;
+constexpr double MAX_DEVIATE = 32767.0;
 
 /// Variances of the waves of one half of a map; the other half mirrors it.
 using Powers = std::vector<double>;
@@ -140,7 +140,7 @@ void add_waves(ComplexGrid &grid, const Powers &powers, uint64_t stream, bool is
 }
 
 uint16_t texel_of(double deviate) {
-	const double bounded = std::clamp(deviate * AirTiles::UNIT, -MOST_DEVIATE, MOST_DEVIATE);
+	const double bounded = std::clamp(deviate * AirTiles::UNIT, -MAX_DEVIATE, MAX_DEVIATE);
 	return static_cast<uint16_t>(static_cast<int32_t>(std::floor(bounded + 0.5)));
 }
 

@@ -21,13 +21,13 @@ struct AirMap {
 	float s = 0.0f, s_x = 0.0f, s_z = 0.0f;
 	float n = 0.0f, n_x = 0.0f, n_z = 0.0f;
 	/// Maximum distance from the map's corner (65 km); farther positions are clamped. A variable for the reason given
-	/// at TravellingWind::half.
+	/// at WindSnapshot::half.
 	float farthest = 1073741824.0f;
 	static constexpr float PARTS = 4096.0f; ///< Per texel.
 };
 
 /// Air at one time, for all plants.
-struct AirNow {
+struct AirSnapshot {
 	float speed = 0.0f; ///< m/s at 10 m; 0: still.
 	float gusts = 1.0f; ///< Standard deviations, relative to those of the roughness.
 	float roughness = 0.0f; ///< m.
@@ -76,8 +76,8 @@ struct AirSources {
 };
 
 /// A travelling wind at one time. The phase (cycles) at a plant (x, z) is cycle - cycles_x·x - cycles_z·z. A gust
-/// started since - max(delay_x·x + delay_z·z, least_delay) seconds ago.
-struct TravellingWind {
+/// started since - max(delay_x·x + delay_z·z, min_delay) seconds ago.
+struct WindSnapshot {
 	float steady; ///< N, always.
 	float wave; ///< N: wave·(1 + sin(2π·cycles)).
 	float burst; ///< N, in the first half of each cycle.
@@ -85,10 +85,10 @@ struct TravellingWind {
 	float cycle, cycles_x, cycles_z; ///< Cycles; cycles/m.
 	float since, delay_x, delay_z; ///< s; s/m.
 	float duration; ///< s.
-	float least_delay = 0.0f; ///< s.
+	float min_delay = 0.0f; ///< s.
 	float half = 0.5f; ///< Of a cycle. Constant; a variable because compilers then clamp in fewer instructions.
 	bool is_air = false; ///< True: uses `air` and the gust, in m/s, and nothing else.
-	AirNow air = {};
+	AirSnapshot air = {};
 	AirSources sources = {}; ///< Added to every kind of wind.
 	const AirDrift *drift = nullptr; ///< Velocities of moving roots, subtracted from every kind of wind; null: none.
 };
@@ -96,12 +96,12 @@ struct TravellingWind {
 /// One build of the kernels of wind. All builds give the same bits.
 struct WindKernels {
 	/// Writes the strength (N) of `wind` at the plants (x, z) (m) to out[0 .. count).
-	void (*sample)(const TravellingWind &wind, const float *x, const float *z, int count, float *out);
+	void (*sample)(const WindSnapshot &wind, const float *x, const float *z, int count, float *out);
 	/// Both components of turbulence at the plants, in standard deviations.
 	void (*sample_turbulence)(
 			const AirMap &map, const float *x, const float *z, int count, float *along, float *across);
 	/// Sets along[i] to keep·along[i] + share·(waves over a canopy, in standard deviations).
-	void (*add_stand_waves)(
+	void (*add_canopy_waves)(
 			const AirMap &map, const float *x, const float *z, int count, float keep, float share, float *along);
 	/// Converts both components to velocities along x and z, in place.
 	void (*make_velocities)(const AirBlow &blow, int count, float *along, float *across);
@@ -110,7 +110,7 @@ struct WindKernels {
 	/// Interpolates the four samples (m/s).
 	void (*between_samples)(const uint32_t *groups, const AirWeights &weights, int count, float *x, float *z);
 	/// make_velocities() for isolated plants of given `lengths` (m).
-	void (*make_lone_velocities)(
+	void (*make_isolated_velocities)(
 			const AirBlow &blow, const AirGround &ground, const float *lengths, int count, float *along, float *across);
 };
 

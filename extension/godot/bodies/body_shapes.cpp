@@ -18,7 +18,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr float MOST_ROUNDING = 0.02f; // m, of the edges of a box.
+static constexpr float MAX_ROUNDING = 0.02f; // m, of the edges of a box.
 static constexpr float SIDE_OF_DISC = 0.8862269f; // Half the side of a square of the unit disc's area.
 
 static void find_below(const Node *node, const StringName &group, std::vector<uint64_t> &found) {
@@ -41,7 +41,7 @@ std::vector<uint64_t> find_shape_holders(const Node3D *body, const StringName &g
 
 static MovingBody box_body(const Vector3 &half) {
 	MovingBody body;
-	body.radius = std::min(MOST_ROUNDING, 0.5f * float(std::min({ half.x, half.y, half.z })));
+	body.radius = std::min(MAX_ROUNDING, 0.5f * float(std::min({ half.x, half.y, half.z })));
 	body.to = { half.x - body.radius, 0.0f, 0.0f };
 	body.from = -body.to;
 	body.half_width = { 0.0f, half.y - body.radius, 0.0f };

@@ -19,8 +19,8 @@ void PlantBodies::follow(const std::vector<std::unique_ptr<PlantGroup>> &groups)
 	}
 	are_named = false;
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
-		if (group->kind.push.has_bodies()) {
-			reading_of(group->kind.push).groups.push_back(group.get());
+		if (group->kind.forces.has_bodies()) {
+			reading_of(group->kind.forces).groups.push_back(group.get());
 			are_named = true;
 		}
 	}
@@ -31,17 +31,17 @@ void PlantBodies::follow(const std::vector<std::unique_ptr<PlantGroup>> &groups)
 	}
 }
 
-PlantBodies::Reading &PlantBodies::reading_of(const PlantPush &push) {
-	const auto is_its = [&push](const Reading &reading) {
-		return reading.name == push.bodies_group && reading.world == push.world;
+PlantBodies::Reading &PlantBodies::reading_of(const ForceSettings &forces) {
+	const auto is_its = [&forces](const Reading &reading) {
+		return reading.name == forces.bodies_group && reading.world == forces.world;
 	};
 	const auto known = std::find_if(readings.begin(), readings.end(), is_its);
 	if (known != readings.end()) {
 		return *known;
 	}
 	readings.emplace_back();
-	readings.back().name = push.bodies_group;
-	readings.back().world = push.world;
+	readings.back().name = forces.bodies_group;
+	readings.back().world = forces.world;
 	return readings.back();
 }
 
@@ -62,17 +62,17 @@ void PlantBodies::gather(double ago) {
 void PlantBodies::push() {
 	for (Reading &reading : readings) {
 		for (PlantGroup *group : reading.groups) {
-			const PageStand stand = { group->turned_axes(), group->roots.velocities() };
+			const PageFrame frame = { group->turned_axes(), group->roots.velocities() };
 			for (const MovingBody &shape : *reading.shapes) {
-				push_plants(group->page, shape, stand);
+				push_plants(group->page, shape, frame);
 			}
 		}
 	}
 }
 
 void PlantBodies::find(const Reading &reading, const PlantGroup &group) {
-	const PageStand stand = { group.turned_axes(), nullptr };
-	const float margin = group.kind.push.touch_margin;
+	const PageFrame frame = { group.turned_axes(), nullptr };
+	const float margin = group.kind.forces.touch_margin;
 	reading.bodies.for_each_shape([&](uint64_t body, const MovingBody &shape) {
 		if (!is_valid(shape)) {
 			return;
@@ -80,14 +80,14 @@ void PlantBodies::find(const Reading &reading, const PlantGroup &group) {
 		MovingBody reach = shape;
 		reach.radius += margin;
 		for_each_in_reach(group.page, reach, [&](int i) {
-			if (touches_plant(group.page, i, shape, margin, stand)) {
+			if (touches_plant(group.page, i, shape, margin, frame)) {
 				found.push_back({ uint64_t(group.plants[size_t(i)]->get_instance_id()), body });
 			}
 		});
 	});
 }
 
-void PlantBodies::tell_of_touches() {
+void PlantBodies::report_touches() {
 	found.clear();
 	for (Reading &reading : readings) {
 		for (const PlantGroup *group : reading.groups) {
@@ -103,22 +103,22 @@ void PlantBodies::tell_of_touches() {
 	for (const Touch &touch : touches) {
 		Plant3D *plant = Object::cast_to<Plant3D>(ObjectDB::get_instance(touch.plant));
 		if (plant && !std::binary_search(before.begin(), before.end(), touch)) {
-			plant->tell_of_body(touch.body, true);
+			plant->report_body(touch.body, true);
 		}
 	}
 	for (const Touch &touch : before) {
 		if (!std::binary_search(found.begin(), found.end(), touch)) {
-			tell_of_end(touch);
+			report_end(touch);
 		}
 	}
 	std::sort(touches.begin(), touches.end());
 }
 
 // A plant that is not simulated now, such as a paused one, retains its touches until it is simulated again.
-void PlantBodies::tell_of_end(const Touch &touch) {
+void PlantBodies::report_end(const Touch &touch) {
 	Plant3D *plant = Object::cast_to<Plant3D>(ObjectDB::get_instance(touch.plant));
 	if (plant && plant->is_in_simulation()) {
-		plant->tell_of_body(touch.body, false);
+		plant->report_body(touch.body, false);
 	} else if (plant) {
 		touches.push_back(touch);
 	}

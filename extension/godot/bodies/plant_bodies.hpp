@@ -22,7 +22,7 @@ public:
 	/// Pushes the plants. Call after the step.
 	void push();
 	/// Reports bodies that came among plants or left them, by the shapes of the last gather().
-	void tell_of_touches();
+	void report_touches();
 	/// Ends the touches of a plant that leaves the tree, without a signal.
 	void forget(const Plant3D *plant);
 	/// Returns new warnings, with what to do; each once.
@@ -49,9 +49,9 @@ private:
 	std::vector<Touch> found; ///< In this frame; a member to reuse its memory.
 	bool are_named = false;
 
-	Reading &reading_of(const PlantPush &push);
+	Reading &reading_of(const ForceSettings &forces);
 	void find(const Reading &reading, const PlantGroup &group);
-	void tell_of_end(const Touch &touch);
+	void report_end(const Touch &touch);
 };
 
 } // namespace undergrowth

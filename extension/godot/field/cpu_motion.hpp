@@ -22,24 +22,24 @@ public:
 	~CpuMotion() override;
 
 	Prepare prepare() const override;
-	PrepareBlock prepare_block() const override;
+	PrepareChunk prepare_chunk() const override;
 	void wait() override;
 	bool is_ready() const override { return simulation != nullptr; }
-	bool wants_eyes() const override;
+	bool needs_cameras() const override;
 	void start(const FieldSettings &settings) override;
-	void hand_over(PreparedMotion &prepared, const std::vector<KeptPlant> &kept) override;
-	bool is_handing_over() const override { return handing.is_running(); }
-	void forget_hand_over() override;
-	void adopt(PreparedMotion &prepared, const std::vector<KeptPlant> &kept, const ChangeSet &changes,
-			const PlantStore &store, const FieldStyle &style) override;
-	void apply(const ChangeSet &changes, const PlantStore &store, const FieldStyle &style,
-			ArrivingBlocks *arriving) override;
-	PoseTexels reserve(PreparedBlock &prepared) override;
-	void give_up(PreparedBlock &prepared) override;
-	void make_room(double plants, int blocks) override;
-	void add_species(const FieldLook &look) override;
+	void begin_transfer(PreparedMotion &prepared, const std::vector<PlantMatch> &matches) override;
+	bool is_transferring() const override { return transfer.is_running(); }
+	void cancel_transfer() override;
+	void adopt(PreparedMotion &prepared, const std::vector<PlantMatch> &matches, const ChangeSet &changes,
+			const PlantStore &store, const FieldRenderSetup &setup) override;
+	void apply(const ChangeSet &changes, const PlantStore &store, const FieldRenderSetup &setup,
+			ArrivingChunks *arriving) override;
+	PoseTexels reserve(PreparedChunk &prepared) override;
+	void release_texels(PreparedChunk &prepared) override;
+	void make_room(double plants, int chunks) override;
+	void add_species(const SpeciesStyle &style) override;
 	bool has_room_for_species() const override { return textures->has_room_for_species(); }
-	void set_species(int index, const FieldLook &look, const PlantStore &store, bool is_still) override;
+	void set_species(int index, const SpeciesStyle &style, const PlantStore &store, bool is_still) override;
 	void set_update_interval(int steps) override;
 	void fit_contact(bool on) override;
 	bool is_crowded() const override { return touches && touching.is_crowded(); }
@@ -50,10 +50,10 @@ public:
 	void settle() override;
 
 	bool upload() override;
-	void set_hidden(const PlantPlace &place, bool hidden) override;
-	void set_height(const PlantPlace &place, float share, const MotionPlant &plant) override;
+	void set_hidden(const PlantRef &ref, bool hidden) override;
+	void set_height(const PlantRef &ref, float share, const MotionPlant &plant) override;
 	bool has_heights() const override { return textures && textures->has_heights(); }
-	PoseTexels texels(int block) const override { return textures->texels(rows_of(block)); }
+	PoseTexels texels(int chunk) const override { return textures->texels(rows_of(chunk)); }
 	godot::RID pose_texture() const override { return textures ? textures->poses() : godot::RID(); }
 	godot::RID blend_texture() const override { return textures ? textures->blends() : godot::RID(); }
 	godot::RID beat_texture() const override { return textures ? textures->beats() : godot::RID(); }
@@ -62,12 +62,12 @@ public:
 	bool follows_prototypes() const override { return textures && textures->follows(); }
 	Delays follower_delays(const godot::Transform3D &axes) const override;
 
-	MotionState read_state_now(const PlantPlace &place) override;
-	glm::vec3 read_tip_now(const PlantPlace &place) override;
-	StemMotion read_drawn_stem_now(const PlantPlace &place) const override;
-	bool is_point_in_plants_now(const glm::vec3 &point, float margin) override;
-	void write_state(const PlantPlace &place, const MotionState &state) override;
-	void apply_impulse(const PlantPlace &place, const glm::vec3 &impulse) override;
+	MotionState blocking_read_state(const PlantRef &ref) override;
+	glm::vec3 blocking_read_tip(const PlantRef &ref) override;
+	StemMotion blocking_read_drawn_stem(const PlantRef &ref) const override;
+	bool blocking_is_point_in_plants(const glm::vec3 &point, float margin) override;
+	void write_state(const PlantRef &ref, const MotionState &state) override;
+	void apply_impulse(const PlantRef &ref, const glm::vec3 &impulse) override;
 
 	int simulated_count() const override { return simulation ? simulation->simulated_count() : 0; }
 	double bytes_per_plant() const override { return simulation ? simulation->bytes_per_plant() : 0.0; }
@@ -76,21 +76,21 @@ public:
 private:
 	std::unique_ptr<FieldSimulation> simulation;
 	std::unique_ptr<PoseTexture> textures;
-	std::vector<PageRows> rows; ///< By block.
-	std::vector<PlantPlace> going; ///< Removed plants that the simulation still contains.
+	std::vector<PageRows> rows; ///< By chunk.
+	std::vector<PlantRef> pending_removals; ///< Removed plants that the simulation still contains.
 	struct Height {
-		PlantPlace place;
+		PlantRef ref;
 		float share;
 		MotionPlant plant;
 	};
 	std::vector<Height> heights; ///< Changed heights that are not in the simulation yet.
 	/// Pages with plants that are shown again or follow other prototypes, not written yet.
-	std::vector<int> stale_pages;
+	std::vector<int> dirty_pages;
 	TipContact touching;
 	bool touches = false;
 	FieldSteps steps; // Declared after the data that it uses, so it is destroyed first.
-	WorkerTask handing; // For the same reason.
-	bool is_handed = false; ///< The motion of matched plants is transferred for adopt(), and nothing moved since.
+	WorkerTask transfer; // For the same reason.
+	bool is_transferred = false; ///< The motion of matched plants is transferred for adopt(), and nothing moved since.
 	FixedStep clock;
 	FieldWindClock wind_clock;
 	FieldDrift drift;
@@ -101,17 +101,17 @@ private:
 	int frames_since_far = 0;
 	std::vector<glm::vec3> pushed_at; ///< m, field axes: bodies of the last step.
 
-	const PageRows &rows_of(int block) const { return rows[size_t(block)]; }
-	int row_of(const PlantPlace &place) const { return rows_of(place.block).first + place.slot; }
+	const PageRows &rows_of(int chunk) const { return rows[size_t(chunk)]; }
+	int row_of(const PlantRef &ref) const { return rows_of(ref.chunk).first + ref.slot; }
 	void begin_clock();
 	void write_all();
 	int modes_of_prototypes(int species) const; ///< 0: it has none.
-	void grow(const ChangeSet::Grown &grown, const PlantStore &store, const FieldStyle &style);
-	void take_in(int block, PreparedCpuBlock &prepared);
+	void grow(const ChangeSet::Grown &grown, const PlantStore &store, const FieldRenderSetup &setup);
+	void take_in(int chunk, PreparedCpuChunk &prepared);
 	void drop(int page, int row);
-	void exchange_blocks(const ChangeSet &changes, ArrivingBlocks &arriving);
+	void exchange_chunks(const ChangeSet &changes, ArrivingChunks &arriving);
 	void drop_rows(const PageRows &own, bool leaves_texels);
-	void take_added(const PlantStore &store, const FieldStyle &style, const FieldSimulation *old,
+	void take_added(const PlantStore &store, const FieldRenderSetup &setup, const FieldSimulation *old,
 			const std::vector<PageRows> &old_rows);
 	void set_rests(const PageRows &plants, const std::vector<glm::vec3> &rests, bool is_still);
 	void update_far(const Frame &frame, const MotionOptions &options);

@@ -1,4 +1,4 @@
-// Queries and changes of CpuMotion's plants, and the exchange of blocks.
+// Queries and changes of CpuMotion's plants, and the exchange of chunks.
 
 #include "field/cpu_motion.hpp"
 
@@ -27,56 +27,56 @@ void CpuMotion::fit_contact(bool on) {
 
 void CpuMotion::settle() {
 	wait();
-	is_handed = false;
+	is_transferred = false;
 	simulation->settle();
 	write_all();
 }
 
-MotionState CpuMotion::read_state_now(const PlantPlace &place) {
+MotionState CpuMotion::blocking_read_state(const PlantRef &ref) {
 	wait();
-	const int page = rows_of(place.block).page;
-	return simulation->motion(page, row_of(place));
+	const int page = rows_of(ref.chunk).page;
+	return simulation->motion(page, row_of(ref));
 }
 
-glm::vec3 CpuMotion::read_tip_now(const PlantPlace &place) {
+glm::vec3 CpuMotion::blocking_read_tip(const PlantRef &ref) {
 	wait();
-	const PageRows &own = rows_of(place.block);
+	const PageRows &own = rows_of(ref.chunk);
 	const MotionPage &page = simulation->page(own.page);
-	return page.swings() ? page.tip(row_of(place)) : simulation->shown_point(own.page, row_of(place), 1.0f, 1.0f);
+	return page.swings() ? page.tip(row_of(ref)) : simulation->shown_point(own.page, row_of(ref), 1.0f, 1.0f);
 }
 
-void CpuMotion::write_state(const PlantPlace &place, const MotionState &state) {
+void CpuMotion::write_state(const PlantRef &ref, const MotionState &state) {
 	wait();
-	is_handed = false;
-	simulation->set_state(rows_of(place.block).page, row_of(place), state.tip, state.second);
+	is_transferred = false;
+	simulation->set_state(rows_of(ref.chunk).page, row_of(ref), state.tip, state.second);
 }
 
-void CpuMotion::apply_impulse(const PlantPlace &place, const glm::vec3 &impulse) {
+void CpuMotion::apply_impulse(const PlantRef &ref, const glm::vec3 &impulse) {
 	wait();
-	is_handed = false;
-	simulation->apply_impulse(rows_of(place.block).page, row_of(place), impulse);
+	is_transferred = false;
+	simulation->apply_impulse(rows_of(ref.chunk).page, row_of(ref), impulse);
 }
 
-bool CpuMotion::is_point_in_plants_now(const glm::vec3 &point, float margin) {
+bool CpuMotion::blocking_is_point_in_plants(const glm::vec3 &point, float margin) {
 	wait();
 	return simulation && simulation->is_point_in_plants(point, margin);
 }
 
-void CpuMotion::set_height(const PlantPlace &place, float share, const MotionPlant &plant) {
-	heights.push_back({ place, share, plant });
+void CpuMotion::set_height(const PlantRef &ref, float share, const MotionPlant &plant) {
+	heights.push_back({ ref, share, plant });
 }
 
-void CpuMotion::set_hidden(const PlantPlace &place, bool hidden) {
-	const int page = rows_of(place.block).page;
+void CpuMotion::set_hidden(const PlantRef &ref, bool hidden) {
+	const int page = rows_of(ref.chunk).page;
 	if (hidden) {
-		textures->hide(page, row_of(place));
+		textures->hide(page, row_of(ref));
 	} else {
-		textures->show(page, row_of(place));
-		stale_pages.push_back(page);
+		textures->show(page, row_of(ref));
+		dirty_pages.push_back(page);
 	}
 }
 
-// A page is removed with the last of its blocks.
+// A page is removed with the last of its chunks.
 void CpuMotion::drop_rows(const PageRows &own, bool leaves_texels) {
 	const auto is_there = [&](const PageRows &other) { return other.page == own.page; };
 	if (own.page >= 0 && std::none_of(rows.begin(), rows.end(), is_there)) {
@@ -89,32 +89,32 @@ void CpuMotion::drop_rows(const PageRows &own, bool leaves_texels) {
 	}
 }
 
-// New blocks may have the numbers of dropped ones.
-void CpuMotion::exchange_blocks(const ChangeSet &changes, ArrivingBlocks &arriving) {
+// New chunks may have the numbers of dropped ones.
+void CpuMotion::exchange_chunks(const ChangeSet &changes, ArrivingChunks &arriving) {
 	std::map<int, PageRows> left;
-	for (const int block : changes.dropped) {
-		left[block] = std::exchange(rows[size_t(block)], {});
+	for (const int chunk : changes.dropped) {
+		left[chunk] = std::exchange(rows[size_t(chunk)], {});
 	}
 	for (size_t i = 0; i < arriving.prepared.size(); i++) {
-		take_in(changes.grown[i].block, static_cast<PreparedCpuBlock &>(*arriving.prepared[i]));
+		take_in(changes.grown[i].chunk, static_cast<PreparedCpuChunk &>(*arriving.prepared[i]));
 	}
-	for (const KeptPlant &kept : arriving.kept) {
-		const auto was = left.find(kept.from.block);
+	for (const PlantMatch &match : arriving.matches) {
+		const auto was = left.find(match.from.chunk);
 		const PageRows from = was == left.end() ? PageRows() : was->second;
-		const PageRows &to = rows_of(changes.grown[size_t(kept.to.block)].block);
-		if (from.page < 0 || kept.from.slot >= from.count) {
+		const PageRows &to = rows_of(changes.grown[size_t(match.to.chunk)].chunk);
+		if (from.page < 0 || match.from.slot >= from.count) {
 			continue;
 		}
-		const int row = to.first + kept.to.slot;
-		const int row_before = from.first + kept.from.slot;
+		const int row = to.first + match.to.slot;
+		const int row_before = from.first + match.from.slot;
 		const glm::vec3 before = simulation->page(from.page).root(row_before);
 		const glm::vec3 now = simulation->page(to.page).root(row);
 		if (before.x == now.x && before.z == now.z) {
-			simulation->take_motion(to.page, row, *simulation, from.page, row_before);
+			simulation->transfer_motion(to.page, row, *simulation, from.page, row_before);
 		}
 	}
 	for (const ChangeSet::Grown &grown : changes.grown) {
-		stale_pages.push_back(rows_of(grown.block).page);
+		dirty_pages.push_back(rows_of(grown.chunk).page);
 	}
 	for (const auto &entry : left) {
 		drop_rows(entry.second, arriving.leaves_texels);
@@ -124,28 +124,28 @@ void CpuMotion::exchange_blocks(const ChangeSet &changes, ArrivingBlocks &arrivi
 	}
 }
 
-PoseTexels CpuMotion::reserve(PreparedBlock &prepared) {
-	auto &own = static_cast<PreparedCpuBlock &>(prepared);
+PoseTexels CpuMotion::reserve(PreparedChunk &prepared) {
+	auto &own = static_cast<PreparedCpuChunk &>(prepared);
 	wait();
 	own.texels = textures->reserve(int(own.plants.size()));
 	return own.texels.texels();
 }
 
-void CpuMotion::give_up(PreparedBlock &prepared) {
-	auto &own = static_cast<PreparedCpuBlock &>(prepared);
+void CpuMotion::release_texels(PreparedChunk &prepared) {
+	auto &own = static_cast<PreparedCpuChunk &>(prepared);
 	wait();
 	textures->release(std::exchange(own.texels, {}));
 }
 
-void CpuMotion::make_room(double plants, int blocks) {
+void CpuMotion::make_room(double plants, int chunks) {
 	static constexpr double USED_OF_LAST_ROW = 0.5;
 	wait();
-	textures->make_room(plants / PoseTexture::SIDE + USED_OF_LAST_ROW * double(blocks));
+	textures->make_room(plants / PoseTexture::SIDE + USED_OF_LAST_ROW * double(chunks));
 }
 
-// A new block has its own page.
-void CpuMotion::take_in(int block, PreparedCpuBlock &prepared) {
-	PageRows &own = rows[size_t(block)];
+// A new chunk has its own page.
+void CpuMotion::take_in(int chunk, PreparedCpuChunk &prepared) {
+	PageRows &own = rows[size_t(chunk)];
 	own.count = prepared.page.size();
 	own.page = simulation->add_page(std::move(prepared.page), prepared.plants.data());
 	if (prepared.texels.layer >= 0) {

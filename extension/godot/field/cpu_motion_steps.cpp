@@ -19,7 +19,7 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr int FRAMES_BETWEEN_FAR_UPDATES = 15;
-static constexpr int MOST_FAR_MULTIPLE = 32;
+static constexpr int MAX_FAR_MULTIPLE = 32;
 static constexpr double NEAR = 10.0; // m: distance within which a stem's second mode is visible.
 static constexpr double NEVER_FAR = 0.5; // Fraction of far_distance within which plants are stepped in full.
 // Ratio of distances between rings; each ring is stepped half as often as the one before.
@@ -30,7 +30,7 @@ static int worker_count(const MotionOptions &options) {
 	return options.max_threads > 0 ? options.max_threads : processors;
 }
 
-bool CpuMotion::wants_eyes() const {
+bool CpuMotion::needs_cameras() const {
 	return frames_since_far % FRAMES_BETWEEN_FAR_UPDATES == 0;
 }
 
@@ -41,35 +41,35 @@ bool CpuMotion::wants_eyes() const {
 // plants around a camera are stepped in full, also seen from above. Pushing bodies count as cameras. Near a camera or a
 // body, stems with two modes step both. If far_distance is 0, cameras have no effect.
 void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
-	const bool is_due = wants_eyes();
+	const bool is_due = needs_cameras();
 	frames_since_far++;
 	if (!is_due) {
 		return;
 	}
-	if (frame.wind.is_valid() && !frame.eyes.empty()) {
-		Ref<PlantWind>(frame.wind)->look_from(frame.eyes.front());
+	if (frame.wind.is_valid() && !frame.cameras.empty()) {
+		Ref<PlantWind>(frame.wind)->look_from(frame.cameras.front());
 	}
 	const Transform3D to_field = frame.axes.affine_inverse();
-	std::vector<glm::vec3> eyes;
-	for (const Vector3 &eye : frame.eyes) {
-		eyes.push_back(to_glm(to_field.xform(eye)));
+	std::vector<glm::vec3> cameras;
+	for (const Vector3 &camera : frame.cameras) {
+		cameras.push_back(to_glm(to_field.xform(camera)));
 	}
-	const bool applies = options.far_distance > 0.0 && !eyes.empty();
-	eyes.insert(eyes.end(), pushed_at.begin(), pushed_at.end());
+	const bool applies = options.far_distance > 0.0 && !cameras.empty();
+	cameras.insert(cameras.end(), pushed_at.begin(), pushed_at.end());
 	const auto metres = [&](const glm::vec3 &way) { return double(frame.axes.basis.xform(to_godot(way)).length()); };
 	for (int page = 0; page < simulation->page_count(); page++) {
 		const MotionPage &plants = simulation->page(page);
 		double away = applies ? 1e30 : 0.0;
 		bool is_near = false;
-		for (const glm::vec3 &eye : eyes) {
-			const double nearest = metres(eye - glm::clamp(eye, plants.low(), plants.high()));
-			const double middle = metres(eye - 0.5f * (plants.low() + plants.high()));
+		for (const glm::vec3 &camera : cameras) {
+			const double nearest = metres(camera - glm::clamp(camera, plants.low(), plants.high()));
+			const double middle = metres(camera - 0.5f * (plants.low() + plants.high()));
 			away = std::min(away, std::min(middle, nearest + NEVER_FAR * options.far_distance));
 			is_near = is_near || nearest < NEAR;
 		}
 		simulation->set_page_near(page, applies && is_near);
 		int multiple = 1;
-		for (double limit = options.far_distance; multiple < MOST_FAR_MULTIPLE && applies && away > limit;
+		for (double limit = options.far_distance; multiple < MAX_FAR_MULTIPLE && applies && away > limit;
 				limit *= FARTHER) {
 			multiple *= 2;
 		}
@@ -78,7 +78,7 @@ void CpuMotion::update_far(const Frame &frame, const MotionOptions &options) {
 }
 
 void CpuMotion::start_step(const MotionOptions &options, bool with_contact) {
-	is_handed = false;
+	is_transferred = false;
 	TipContact *contact = with_contact && simulation->settings().prototypes == 0 ? &touching : nullptr;
 	steps.start(*simulation, *textures, contact, worker_count(options));
 	swings.step(clock.step());
@@ -132,7 +132,7 @@ double CpuMotion::advance(const Frame &frame, const MotionOptions &options) {
 	double stepping_usec = 0.0;
 	for (int i = 0; i < step_count; i++) {
 		wait();
-		if (i > 0 && watch.usec() > 1e6 * FixedStep::MOST_STEPPING) {
+		if (i > 0 && watch.usec() > 1e6 * FixedStep::MAX_STEPPING_TIME) {
 			break; // Drops the remaining steps, so that a slow frame does not slow down the next one.
 		}
 		const double ago = clock.step() * (double(shown_alpha) + step_count - 1 - i);
@@ -173,15 +173,15 @@ double CpuMotion::motion_time() const {
 bool CpuMotion::upload() {
 	wait();
 	const std::vector<int> &changed = simulation->changed_pages();
-	stale_pages.insert(stale_pages.end(), changed.begin(), changed.end());
+	dirty_pages.insert(dirty_pages.end(), changed.begin(), changed.end());
 	simulation->forget_changed_pages();
-	std::sort(stale_pages.begin(), stale_pages.end());
-	stale_pages.erase(std::unique(stale_pages.begin(), stale_pages.end()), stale_pages.end());
-	for (const int page : stale_pages) {
+	std::sort(dirty_pages.begin(), dirty_pages.end());
+	dirty_pages.erase(std::unique(dirty_pages.begin(), dirty_pages.end()), dirty_pages.end());
+	for (const int page : dirty_pages) {
 		textures->give_seconds(*simulation, page);
 		textures->write_page(*simulation, page);
 	}
-	stale_pages.clear();
+	dirty_pages.clear();
 	const bool are_new = textures->make_textures();
 	textures->upload(*simulation, shown_alpha);
 	const bool are_first = textures->has_heights() && !showed_heights;
@@ -210,8 +210,8 @@ FieldMotion::Delays CpuMotion::follower_delays(const Transform3D &axes) const {
 	return { world_delay(delays.after(), axes), world_delay(delays.before(), axes), delays.share(shown_alpha) };
 }
 
-StemMotion CpuMotion::read_drawn_stem_now(const PlantPlace &place) const {
-	StemMotion stem = simulation->shown_stem(rows_of(place.block).page, row_of(place), shown_alpha);
+StemMotion CpuMotion::blocking_read_drawn_stem(const PlantRef &ref) const {
+	StemMotion stem = simulation->shown_stem(rows_of(ref.chunk).page, row_of(ref), shown_alpha);
 	stem.clock = swing_clock();
 	return stem;
 }

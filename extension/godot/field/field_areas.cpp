@@ -1,6 +1,6 @@
 #include "field/field_areas.hpp"
 
-#include "field/field_recipe.hpp"
+#include "field/build_input.hpp"
 #include "field/plant_field_3d.hpp"
 
 #include <godot_cpp/classes/curve3d.hpp>
@@ -80,7 +80,7 @@ static Polygon area_of(const FlatPath &path, double width) {
 }
 
 // Returns the painted area; empty if nothing is painted.
-static Polygon painted_area(const StandOptions &options) {
+static Polygon painted_area(const PlacementOptions &options) {
 	if (options.map.is_null() || options.map->density().painted().is_empty()) {
 		return {};
 	}
@@ -91,7 +91,7 @@ static Polygon painted_area(const StandOptions &options) {
 		{ near(box.high.x), near(box.high.y) }, { near(box.low.x), near(box.high.y) } };
 }
 
-Polygon read_outline(const Node3D *field, const StandOptions &options) {
+Polygon read_outline(const Node3D *field, const PlacementOptions &options) {
 	const Polygon painted = painted_area(options);
 	if (!painted.empty() || options.endless) {
 		return painted;
@@ -111,7 +111,7 @@ static String find_short_fault(const FlatPath &path, double width, const String 
 					" to have a band along it.";
 }
 
-String find_outline_fault(const Node3D *field, const StandOptions &options) {
+String find_outline_fault(const Node3D *field, const PlacementOptions &options) {
 	const Path3D *path = find_path(field, options.outline);
 	if (!path) {
 		return "outline '" + String(options.outline) +
@@ -121,7 +121,7 @@ String find_outline_fault(const Node3D *field, const StandOptions &options) {
 	return fault.is_empty() ? fault : "outline '" + String(options.outline) + "' " + fault;
 }
 
-String read_exclusion(const Node3D *field, const StandOptions &options, int entry, Polygon &into) {
+String read_exclusion(const Node3D *field, const PlacementOptions &options, int entry, Polygon &into) {
 	const NodePath path = options.exclusions[entry];
 	const String name = "exclusions[" + String::num_int64(entry) + "] ";
 	if (const Path3D *line = find_path(field, path)) {
@@ -145,7 +145,7 @@ String read_exclusion(const Node3D *field, const StandOptions &options, int entr
 	return String();
 }
 
-std::vector<Node3D *> find_area_nodes(const Node3D *field, const StandOptions &options) {
+std::vector<Node3D *> find_area_nodes(const Node3D *field, const PlacementOptions &options) {
 	TypedArray<NodePath> paths = options.exclusions.duplicate();
 	paths.push_back(options.outline);
 	std::vector<Node3D *> nodes;

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "field/field_style.hpp"
+#include "field/field_render_setup.hpp"
 
 namespace undergrowth {
 
-/// Sets the levels of all looks: those of the field, at distances that fit each species. Species of parts whose levels
+/// Sets the levels of all styles: those of the field, at distances that fit each species. Species of parts whose levels
 /// are chosen by error need measure() before. Any thread.
-void fit_levels(FieldStyle &style);
-/// The same for one look, without a limit of triangles.
-void fit_levels(const FieldStyle &style, FieldLook &look);
+void fit_levels(FieldRenderSetup &setup);
+/// The same for one style, without a limit of triangles.
+void fit_levels(const FieldRenderSetup &setup, SpeciesStyle &style);
 
 /// Changes the squares of a level to its distances: small near the camera, where levels are short and plants have many
 /// vertices, and large far away.

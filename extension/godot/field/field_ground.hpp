@@ -1,7 +1,7 @@
 #pragma once
 
-#include "stand/plants.hpp"
-#include "stand/triangle_ground.hpp"
+#include "placement/plants.hpp"
+#include "placement/triangle_ground.hpp"
 
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 
@@ -20,8 +20,8 @@ struct FieldGround {
 	GroundLimits limits;
 	godot::PackedVector3Array triangles; ///< Triangles of a mesh: three corners each, in the field's axes.
 
-	/// True if a GroundSurvey queries the ground on the main thread.
-	bool needs_survey() const { return kind == Kind::colliders || kind == Kind::object; }
+	/// True if a GroundSampler queries the ground on the main thread.
+	bool needs_queries() const { return kind == Kind::colliders || kind == Kind::object; }
 	/// Reads heights and normals of a mesh under all plants; NaN beside the mesh. Does nothing for other kinds of
 	/// ground. Any thread.
 	void look_up(const FieldPlants &plants, std::vector<float> &heights, std::vector<glm::vec3> &normals) const;

@@ -17,7 +17,7 @@ static bool is_of_one_mesh(const String &name) {
 	return std::any_of(std::begin(names), std::end(names), [&](const char *one) { return name == one; });
 }
 
-static bool is_idle_in_area(const String &name, const StandOptions &options) {
+static bool is_idle_in_area(const String &name, const PlacementOptions &options) {
 	const bool is_painted = options.map.is_valid();
 	const bool has_no_area = is_painted || options.endless;
 	return (name == "size" && (has_no_area || !options.outline.is_empty())) || (name == "outline" && has_no_area) ||
@@ -25,7 +25,7 @@ static bool is_idle_in_area(const String &name, const StandOptions &options) {
 			(name == "endless" && is_painted);
 }
 
-static bool is_idle_on_ground(const String &name, const StandOptions &options) {
+static bool is_idle_on_ground(const String &name, const PlacementOptions &options) {
 	using Kind = FieldGround::Kind;
 	const auto kind = Kind(options.ground_mode);
 	const bool is_flat = kind == Kind::none;
@@ -36,7 +36,7 @@ static bool is_idle_on_ground(const String &name, const StandOptions &options) {
 			(is_flat && (name == "height_limits" || name.begins_with("slope_")));
 }
 
-bool shows_in_inspector(const String &name, const StandOptions &options) {
+bool shows_in_inspector(const String &name, const PlacementOptions &options) {
 	return !is_of_one_mesh(name) && !is_idle_in_area(name, options) && !is_idle_on_ground(name, options);
 }
 

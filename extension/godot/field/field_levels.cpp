@@ -1,7 +1,7 @@
 // Reads the levels of detail that users set, or the defaults.
 
+#include "field/build_input.hpp"
 #include "field/field_fitting.hpp"
-#include "field/field_recipe.hpp"
 
 #include <godot_cpp/classes/project_settings.hpp>
 
@@ -11,13 +11,13 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr float LEAST_MARGIN = 1e-3f; // m.
+static constexpr float MIN_MARGIN = 1e-3f; // m.
 static constexpr int LEVELS_OF_ALL_VARIANTS = 3; // Of levels by error: where a plant must not change its form.
-static constexpr float LEAST_BIAS = 0.01f;
-static constexpr double LEAST_PIXEL_ERROR = 0.05;
+static constexpr float MIN_BIAS = 0.01f;
+static constexpr double MIN_PIXEL_ERROR = 0.05;
 
 SightRange sight_range_of(const GeometryInstance3D *node) {
-	return { float(node->get_visibility_range_end()), std::max(float(node->get_lod_bias()), LEAST_BIAS) };
+	return { float(node->get_visibility_range_end()), std::max(float(node->get_lod_bias()), MIN_BIAS) };
 }
 
 String find_level_fault(const ViewOptions &options) {
@@ -47,7 +47,7 @@ struct ListedLevel {
 };
 
 // True if the field is built with plants of parts. Added plants do not count.
-static bool has_parts(const StandOptions &options) {
+static bool has_parts(const PlacementOptions &options) {
 	for (int64_t i = 0; i < options.species.size() && options.density > 0.0; i++) {
 		const Ref<PlantFieldSpecies> entry = options.species[i];
 		if (entry.is_valid() && entry->get_species().is_valid() && entry->get_species()->has_parts()) {
@@ -81,39 +81,39 @@ static std::vector<ListedLevel> list_levels(const FieldProperties &options) {
 }
 
 // A level without end reaches its density at twice the distance at which it begins.
-static Thinning thin(const Thinning *before, float begin, float end, float share) {
-	Thinning made;
+static LodDensity density_between(const LodDensity *before, float begin, float end, float share) {
+	LodDensity made;
 	made.distances[1] = begin;
 	made.distances[2] = end > begin ? end : 2.0f * begin;
-	made.shares[2] = share;
+	made.densities[2] = share;
 	if (before) {
 		made.distances[0] = before->distances[1];
-		made.shares[0] = before->shares[1];
-		made.shares[1] = before->shares[2];
+		made.densities[0] = before->densities[1];
+		made.densities[1] = before->densities[2];
 	} else if (end <= 0.0f) {
-		std::fill(made.shares, made.shares + 3, share);
+		std::fill(made.densities, made.densities + 3, share);
 	}
 	return made;
 }
 
 // Density by distance of plants of parts. The same at all levels.
-static Thinning usual_thinning(float lod_bias) {
-	Thinning made;
+static LodDensity usual_thinning(float lod_bias) {
+	LodDensity made;
 	const float distances[3] = { 8.0f, 22.0f, 60.0f };
-	const float shares[3] = { 1.0f, 0.5f, 0.12f };
+	const float densities[3] = { 1.0f, 0.5f, 0.12f };
 	for (int i = 0; i < 3; i++) {
 		made.distances[i] = distances[i] * lod_bias;
-		made.shares[i] = shares[i];
+		made.densities[i] = densities[i];
 	}
 	return made;
 }
 
 static float pixel_error_of(const ViewOptions &options) {
 	static constexpr double PIXELS_OF_THRESHOLD = 2.0;
-	const double usual = ProjectSettings::get_singleton()->get_setting(
-			"rendering/mesh_lod/lod_change/threshold_pixels", 1.0);
+	const double usual =
+			ProjectSettings::get_singleton()->get_setting("rendering/mesh_lod/lod_change/threshold_pixels", 1.0);
 	const double wanted = options.pixel_error > 0.0 ? options.pixel_error : PIXELS_OF_THRESHOLD * usual;
-	return float(std::max(wanted, LEAST_PIXEL_ERROR));
+	return float(std::max(wanted, MIN_PIXEL_ERROR));
 }
 
 LevelRule read_level_rule(const FieldProperties &options, const SightRange &range) {
@@ -141,13 +141,13 @@ std::vector<FieldLevel> read_levels(const FieldProperties &options, const SightR
 		level.end = listed[i].end * range.lod_bias;
 		const bool is_last =
 				i + 1 == listed.size() || level.end <= level.begin || (range.end > 0.0f && level.end >= range.end);
-		level.thinning = rule.is_by_error
+		level.lod_density = rule.is_by_error
 				? usual_thinning(range.lod_bias)
-				: thin(i > 0 ? &made.back().thinning : nullptr, level.begin, level.end, listed[i].share);
-		level.thins_lathes = !options.levels.is_empty();
+				: density_between(i > 0 ? &made.back().lod_density : nullptr, level.begin, level.end, listed[i].share);
+		level.affects_lathes = !options.levels.is_empty();
 		level.end = is_last ? range.end : level.end;
-		level.margin = std::max(rule.fade_ratio * level.begin, LEAST_MARGIN);
-		level.end_margin = std::max(rule.fade_ratio * level.end, LEAST_MARGIN);
+		level.margin = std::max(rule.fade_ratio * level.begin, MIN_MARGIN);
+		level.end_margin = std::max(rule.fade_ratio * level.end, MIN_MARGIN);
 		level.halvings = std::max(int(i) - (rule.is_by_error ? LEVELS_OF_ALL_VARIANTS - 1 : 0), 0);
 		level.casts_shadows = level.begin < options.shadow_distance * double(range.lod_bias);
 		// With a view distance, tiles come and go alone.

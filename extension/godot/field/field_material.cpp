@@ -20,20 +20,20 @@ void set_parameter(const Ref<ShaderMaterial> &material, const StringName &name, 
 	}
 }
 
-static void take_over(const Ref<BaseMaterial3D> &worn, const Ref<ShaderMaterial> &made) {
-	set_parameter(made, "albedo", worn->get_albedo());
-	set_parameter(made, "albedo_texture", worn->get_texture(BaseMaterial3D::TEXTURE_ALBEDO));
-	set_parameter(made, "vertex_colors", worn->get_flag(BaseMaterial3D::FLAG_ALBEDO_FROM_VERTEX_COLOR));
-	set_parameter(made, "vertex_colors_are_srgb", worn->get_flag(BaseMaterial3D::FLAG_SRGB_VERTEX_COLOR));
-	set_parameter(made, "roughness", worn->get_roughness());
-	set_parameter(made, "metallic", worn->get_metallic());
-	set_parameter(made, "specular", worn->get_specular());
-	const bool has_backlight = worn->get_feature(BaseMaterial3D::FEATURE_BACKLIGHT);
-	set_parameter(made, "backlight", has_backlight ? worn->get_backlight() : Color(0.0f, 0.0f, 0.0f));
+static void take_over(const Ref<BaseMaterial3D> &source, const Ref<ShaderMaterial> &made) {
+	set_parameter(made, "albedo", source->get_albedo());
+	set_parameter(made, "albedo_texture", source->get_texture(BaseMaterial3D::TEXTURE_ALBEDO));
+	set_parameter(made, "vertex_colors", source->get_flag(BaseMaterial3D::FLAG_ALBEDO_FROM_VERTEX_COLOR));
+	set_parameter(made, "vertex_colors_are_srgb", source->get_flag(BaseMaterial3D::FLAG_SRGB_VERTEX_COLOR));
+	set_parameter(made, "roughness", source->get_roughness());
+	set_parameter(made, "metallic", source->get_metallic());
+	set_parameter(made, "specular", source->get_specular());
+	const bool has_backlight = source->get_feature(BaseMaterial3D::FEATURE_BACKLIGHT);
+	set_parameter(made, "backlight", has_backlight ? source->get_backlight() : Color(0.0f, 0.0f, 0.0f));
 }
 
-static void take_over(const Ref<ShaderMaterial> &worn, const Ref<ShaderMaterial> &made) {
-	const Ref<Shader> shader = worn->get_shader();
+static void take_over(const Ref<ShaderMaterial> &source, const Ref<ShaderMaterial> &made) {
+	const Ref<Shader> shader = source->get_shader();
 	if (made->get_shader() != shader) {
 		made->set_shader(shader);
 	}
@@ -42,14 +42,14 @@ static void take_over(const Ref<ShaderMaterial> &worn, const Ref<ShaderMaterial>
 		const Dictionary uniform = uniforms[i];
 		const String name = uniform["name"];
 		if (!name.begins_with(OWN_PREFIX)) {
-			set_parameter(made, name, worn->get_shader_parameter(name));
+			set_parameter(made, name, source->get_shader_parameter(name));
 		}
 	}
 }
 
-void follow_material(const Ref<Material> &worn, const Ref<ShaderMaterial> &made) {
-	const Ref<ShaderMaterial> own = worn;
-	const Ref<BaseMaterial3D> plain = worn;
+void follow_material(const Ref<Material> &source, const Ref<ShaderMaterial> &made) {
+	const Ref<ShaderMaterial> own = source;
+	const Ref<BaseMaterial3D> plain = source;
 	if (own.is_valid()) {
 		take_over(own, made);
 	} else if (plain.is_valid()) {
@@ -57,14 +57,14 @@ void follow_material(const Ref<Material> &worn, const Ref<ShaderMaterial> &made)
 	}
 }
 
-Ref<ShaderMaterial> make_field_material(const Ref<Material> &worn, bool of_parts) {
-	const Ref<ShaderMaterial> own = worn;
+Ref<ShaderMaterial> make_field_material(const Ref<Material> &source, bool of_parts) {
+	const Ref<ShaderMaterial> own = source;
 	if (own.is_valid()) {
 		return own->duplicate();
 	}
 	Ref<ShaderMaterial> made = new_counted<ShaderMaterial>();
 	made->set_shader(plant_shader(of_parts));
-	const Ref<BaseMaterial3D> plain = worn;
+	const Ref<BaseMaterial3D> plain = source;
 	if (plain.is_valid()) {
 		take_over(plain, made);
 	}

@@ -8,10 +8,10 @@ namespace undergrowth {
 /// Creates a bending material from a function's material. A ShaderMaterial is copied. A BaseMaterial3D, or none, gives
 /// the add-on's own shader, with colours, textures and shine of the BaseMaterial3D. `of_parts`: uses the shader for
 /// plants of parts.
-godot::Ref<godot::ShaderMaterial> make_field_material(const godot::Ref<godot::Material> &worn, bool of_parts);
+godot::Ref<godot::ShaderMaterial> make_field_material(const godot::Ref<godot::Material> &source, bool of_parts);
 
-/// Copies the user's changes of `worn` to `made`: colours, textures and shine, or the parameters of a shader.
-void follow_material(const godot::Ref<godot::Material> &worn, const godot::Ref<godot::ShaderMaterial> &made);
+/// Copies the user's changes of `source` to `made`: colours, textures and shine, or the parameters of a shader.
+void follow_material(const godot::Ref<godot::Material> &source, const godot::Ref<godot::ShaderMaterial> &made);
 
 /// Sets a parameter if its value differs: setting one costs more than reading it.
 void set_parameter(

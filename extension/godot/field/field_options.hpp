@@ -19,7 +19,7 @@ namespace undergrowth {
 inline constexpr int64_t PLACE_SEED = -1;
 
 /// Properties of a PlantField3D that decide which plants exist. A change of one builds the field again.
-struct StandOptions {
+struct PlacementOptions {
 	godot::TypedArray<PlantFieldSpecies> species;
 	double density = 40.0; // Plants/m².
 	godot::Vector2 size = { 20.0f, 20.0f }; // m.
@@ -78,6 +78,6 @@ struct BuildOptions {
 };
 
 /// All properties of a PlantField3D that it does not inherit.
-struct FieldProperties : StandOptions, MotionOptions, ViewOptions, BuildOptions {};
+struct FieldProperties : PlacementOptions, MotionOptions, ViewOptions, BuildOptions {};
 
 } // namespace undergrowth

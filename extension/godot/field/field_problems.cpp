@@ -1,6 +1,6 @@
 #include "field/field_problems.hpp"
 
-#include "field/listed_looks.hpp"
+#include "field/listed_styles.hpp"
 #include "messages.hpp"
 
 #include <utility>
@@ -25,8 +25,8 @@ void FieldProblems::advise(const String &what) {
 	}
 }
 
-void FieldProblems::tell_of(FieldMotion &motion) {
-	if (motion.is_crowded() && !std::exchange(has_told_of_crowd, true)) {
+void FieldProblems::report_motion(FieldMotion &motion) {
+	if (motion.is_crowded() && !std::exchange(has_reported_crowd, true)) {
 		report_warning(node,
 				"too many tips are near each other for all of them to touch: some pairs are left out. Set a smaller "
 				"collision_radius in its species, or a smaller density.");
@@ -37,25 +37,25 @@ void FieldProblems::tell_of(FieldMotion &motion) {
 }
 
 PackedStringArray FieldProblems::warnings() const {
-	PackedStringArray told;
+	PackedStringArray texts;
 	for (const String &one : { fault, no_ground }) {
 		if (!one.is_empty()) {
-			told.push_back(one);
+			texts.push_back(one);
 		}
 	}
 	if (properties.prototypes > 0 && properties.contact_enabled) {
-		told.push_back("Plants that follow Prototypes do not touch each other: set Prototypes to 0, or Contact "
-					   "Enabled off.");
+		texts.push_back("Plants that follow Prototypes do not touch each other: set Prototypes to 0, or Contact "
+						"Enabled off.");
 	}
 	for (const String &name : forgotten_layers(properties)) {
-		told.push_back("Of '" + name +
+		texts.push_back("Of '" + name +
 				"' something is painted on its map, and none of its species is called so: name one, or set the Layer "
 				"of its entry.");
 	}
 	if (properties.wind.is_valid() && properties.wind->get_strength() == 0.0) {
-		told.push_back("The wind has a strength of 0 N, so these plants stand still: raise Strength in their Wind.");
+		texts.push_back("The wind has a strength of 0 N, so these plants stand still: raise Strength in their Wind.");
 	}
-	return told;
+	return texts;
 }
 
 } // namespace undergrowth

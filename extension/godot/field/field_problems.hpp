@@ -20,7 +20,7 @@ public:
 	/// Sets what to check if no plant found ground; empty: some did.
 	void advise(const godot::String &what);
 	/// Reports contact and bodies that do not work as configured.
-	void tell_of(FieldMotion &motion);
+	void report_motion(FieldMotion &motion);
 	/// Returns all present faults, including those of properties.
 	godot::PackedStringArray warnings() const;
 
@@ -29,7 +29,7 @@ private:
 	const FieldProperties &properties;
 	godot::String fault;
 	godot::String no_ground;
-	bool has_told_of_crowd = false;
+	bool has_reported_crowd = false;
 };
 
 } // namespace undergrowth

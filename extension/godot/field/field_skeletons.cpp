@@ -50,7 +50,7 @@ Skeleton3D *FieldSkeletons::make(Node3D *field) {
 }
 
 Skeleton3D *FieldSkeletons::take(Node3D *field, const Transform3D &place, const Ref<ArrayMesh> &mesh,
-		const PartSkeleton *parts, const FieldWear &wear) {
+		const PartSkeleton *parts, const InstanceRenderFlags &flags) {
 	Skeleton3D *skeleton = nullptr;
 	while (!skeleton && !idle.empty()) {
 		skeleton = node(idle.back());
@@ -65,7 +65,7 @@ Skeleton3D *FieldSkeletons::take(Node3D *field, const Transform3D &place, const 
 	PartSkeleton::set_up(skeleton, parts);
 	drawn->set_skin(PartSkeleton::skin_of(parts));
 	drawn->set_mesh(mesh);
-	dress(skeleton, wear);
+	apply_flags(skeleton, flags);
 	// Linear blend skinning moves no vertex farther from the root than it is at rest.
 	const AABB box = mesh->get_aabb();
 	const float reach = box.position.abs().max(box.get_end().abs()).length();
@@ -75,13 +75,13 @@ Skeleton3D *FieldSkeletons::take(Node3D *field, const Transform3D &place, const 
 	return skeleton;
 }
 
-void FieldSkeletons::dress(Skeleton3D *skeleton, const FieldWear &wear) {
+void FieldSkeletons::apply_flags(Skeleton3D *skeleton, const InstanceRenderFlags &flags) {
 	MeshInstance3D *drawn = mesh_of(skeleton);
 	if (drawn) {
-		drawn->set_layer_mask(wear.layers);
-		drawn->set_transparency(wear.transparency);
-		drawn->set_cast_shadows_setting(wear.casts_shadows ? GeometryInstance3D::SHADOW_CASTING_SETTING_ON
-														   : GeometryInstance3D::SHADOW_CASTING_SETTING_OFF);
+		drawn->set_layer_mask(flags.layers);
+		drawn->set_transparency(flags.transparency);
+		drawn->set_cast_shadows_setting(flags.casts_shadows ? GeometryInstance3D::SHADOW_CASTING_SETTING_ON
+															: GeometryInstance3D::SHADOW_CASTING_SETTING_OFF);
 	}
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/field_style.hpp"
+#include "field/field_render_setup.hpp"
 #include "part_skeleton.hpp"
 
 #include <godot_cpp/classes/array_mesh.hpp>
@@ -22,8 +22,8 @@ public:
 	/// Returns a skeleton at `place` (field axes) that shows `mesh`, with the bones of its `parts`, if any. All bones
 	/// are at rest.
 	godot::Skeleton3D *take(godot::Node3D *field, const godot::Transform3D &place,
-			const godot::Ref<godot::ArrayMesh> &mesh, const PartSkeleton *parts, const FieldWear &wear);
-	static void dress(godot::Skeleton3D *skeleton, const FieldWear &wear);
+			const godot::Ref<godot::ArrayMesh> &mesh, const PartSkeleton *parts, const InstanceRenderFlags &flags);
+	static void apply_flags(godot::Skeleton3D *skeleton, const InstanceRenderFlags &flags);
 	/// Hides a skeleton for later use. Frees it if scripts have added children to it, together with them.
 	void give_back(godot::Skeleton3D *skeleton);
 	/// Frees all unused skeletons.

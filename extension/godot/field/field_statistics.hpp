@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/meadow.hpp"
+#include "field/field_runtime.hpp"
 
 #include <godot_cpp/variant/dictionary.hpp>
 
@@ -14,9 +14,9 @@ public:
 		main_usec = of_main;
 		wait_usec = of_waiting;
 	}
-	/// Waits for the running step. `is_dressed_soon`: materials are rebuilt after this frame, but `meadow` has not
+	/// Waits for the running step. `is_restyle_queued`: materials are rebuilt after this frame, but `runtime` has not
 	/// started yet.
-	godot::Dictionary tell(const godot::Node3D *node, Meadow &meadow, bool is_dressed_soon) const;
+	godot::Dictionary to_dictionary(const godot::Node3D *node, FieldRuntime &runtime, bool is_restyle_queued) const;
 
 private:
 	double main_usec = 0.0;

@@ -36,9 +36,9 @@ int FieldSteps::divide() {
 			runs.push_back(page);
 			in_run = 0;
 		}
-		const int of_page = stepped->has_stepped(page) ? stepped->page(page).standing() : 0;
+		const int of_page = stepped->has_stepped(page) ? stepped->page(page).live_count() : 0;
 		due += of_page;
-		if (of_page > 0 || (touching && stepped->page(page).standing() > 0)) {
+		if (of_page > 0 || (touching && stepped->page(page).live_count() > 0)) {
 			written->will_write(page);
 		}
 		in_run += touching ? stepped->page(page).size() : of_page;
@@ -130,7 +130,7 @@ void FieldSteps::do_part(int phase, int part) {
 		case STEP:
 			for (int page = first; page < end; page++) {
 				stepped->step_pages(page, page + 1);
-				if (!touching && stepped->has_stepped(page) && stepped->page(page).standing() > 0) {
+				if (!touching && stepped->has_stepped(page) && stepped->page(page).live_count() > 0) {
 					written->write_bends(*stepped, page);
 				}
 			}
@@ -146,7 +146,7 @@ void FieldSteps::do_part(int phase, int part) {
 			break;
 		default:
 			for (int page = first; page < end; page++) {
-				if (stepped->page(page).standing() > 0) {
+				if (stepped->page(page).live_count() > 0) {
 					written->write_bends(*stepped, page);
 				}
 			}

@@ -12,28 +12,28 @@ using namespace godot;
 
 namespace undergrowth {
 
-void FieldView::let_go(const Clump &clump) {
+void FieldView::free_batch(const Batch &batch) {
 	RenderingServer *server = RenderingServer::get_singleton();
-	if (clump.near) {
+	if (batch.near) {
 		return;
 	}
-	if (clump.shadow.is_valid()) {
-		server->free_rid(clump.shadow);
+	if (batch.shadow.is_valid()) {
+		server->free_rid(batch.shadow);
 	}
-	server->free_rid(clump.instance);
-	server->free_rid(clump.multimesh);
+	server->free_rid(batch.instance);
+	server->free_rid(batch.multimesh);
 }
 
-void FieldView::move_all(Clumps &from, std::vector<Clump> &into) {
+void FieldView::move_all(Batches &from, std::vector<Batch> &into) {
 	for (auto &[place, group] : from) {
 		into.insert(into.end(), std::make_move_iterator(group.begin()), std::make_move_iterator(group.end()));
 	}
 	from.clear();
 }
 
-void FieldView::prepare(const FieldStyle &style, const ClumpPlan &plan) {
-	prepared_levels = levels_of(style);
-	prepared[plan.place].push_back(make(style, plan));
+void FieldView::prepare(const FieldRenderSetup &setup, const BatchPlan &plan) {
+	prepared_levels = levels_of(setup);
+	prepared[plan.place].push_back(make(setup, plan));
 	next_revealed.reset();
 }
 
@@ -42,14 +42,14 @@ void FieldView::forget_prepared() {
 	next_revealed.reset();
 }
 
-void FieldView::reveal(Clump &clump) {
-	clump.is_revealed = has_untold = true;
-	set_visible(clump, is_visible);
+void FieldView::reveal(Batch &batch) {
+	batch.is_revealed = has_unflushed = true;
+	set_visible(batch, is_visible);
 }
 
 // The renderer processes everything new before it frees an instance.
-void FieldView::tell_if_undrawn() {
-	if (std::exchange(has_untold, false)) {
+void FieldView::flush_if_undrawn() {
+	if (std::exchange(has_unflushed, false)) {
 		RenderingServer *server = RenderingServer::get_singleton();
 		server->free_rid(server->instance_create());
 	}
@@ -60,11 +60,11 @@ bool FieldView::reveal_some(double usec) {
 	auto entry = next_revealed ? prepared.lower_bound(*next_revealed) : prepared.begin();
 	for (; entry != prepared.end(); ++entry) {
 		next_revealed = entry->first;
-		for (Clump &clump : entry->second) {
-			if (clump.is_revealed) {
+		for (Batch &batch : entry->second) {
+			if (batch.is_revealed) {
 				continue;
 			}
-			reveal(clump);
+			reveal(batch);
 			if (watch.usec() > usec) {
 				return true;
 			}
@@ -74,7 +74,7 @@ bool FieldView::reveal_some(double usec) {
 }
 
 // Calls act(place, group) for all groups of a square, whole or in parts, and removes them.
-template <class Act> void FieldView::take_parts(Clumps &from, const ClumpPlace &place, const Act &act) {
+template <class Act> void FieldView::take_parts(Batches &from, const BatchKey &place, const Act &act) {
 	auto group = from.lower_bound(place);
 	while (group != from.end() && group->first.is_beside(place)) {
 		act(group->first, group->second);
@@ -82,45 +82,45 @@ template <class Act> void FieldView::take_parts(Clumps &from, const ClumpPlace &
 	}
 }
 
-bool FieldView::has_near(const std::vector<Clump> &group) {
-	return std::any_of(group.begin(), group.end(), [](const Clump &clump) { return clump.near != nullptr; });
+bool FieldView::has_near(const std::vector<Batch> &group) {
+	return std::any_of(group.begin(), group.end(), [](const Batch &batch) { return batch.near != nullptr; });
 }
 
-void FieldView::clear(const ClumpPlace &place) {
-	take_parts(clumps, place, [this](const ClumpPlace &, std::vector<Clump> &group) {
+void FieldView::clear(const BatchKey &place) {
+	take_parts(batches, place, [this](const BatchKey &, std::vector<Batch> &group) {
 		has_other_near = has_other_near || has_near(group);
-		std::for_each(group.begin(), group.end(), &FieldView::let_go);
+		std::for_each(group.begin(), group.end(), &FieldView::free_batch);
 	});
 }
 
 void FieldView::drop_tile(const TileKey &tile) {
 	for (int level = 0; level < level_count(); level++) {
-		take_parts(clumps, { false, level, 1, tile }, [this](const ClumpPlace &, std::vector<Clump> &group) {
+		take_parts(batches, { false, level, 1, tile }, [this](const BatchKey &, std::vector<Batch> &group) {
 			has_other_near = has_other_near || has_near(group);
-			for (const Clump &clump : group) {
-				set_visible(clump, false);
-				gone.push_back(clump);
+			for (const Batch &batch : group) {
+				set_visible(batch, false);
+				gone.push_back(batch);
 			}
 		});
 	}
 }
 
-void FieldView::show_tile(const FieldStyle &style, const TileKey &tile) {
+void FieldView::show_tile(const FieldRenderSetup &setup, const TileKey &tile) {
 	RenderingServer *server = RenderingServer::get_singleton();
-	is_thinned = false;
-	for (int level = 0; level < int(style.levels.size()); level++) {
-		take_parts(prepared, { false, level, 1, tile }, [&](const ClumpPlace &place, std::vector<Clump> &group) {
-			for (Clump &clump : group) {
-				if (clump.near) {
+	is_culled = false;
+	for (int level = 0; level < int(setup.levels.size()); level++) {
+		take_parts(prepared, { false, level, 1, tile }, [&](const BatchKey &place, std::vector<Batch> &group) {
+			for (Batch &batch : group) {
+				if (batch.near) {
 					has_other_near = true;
 				} else {
-					const FieldLevel &seen = style.looks[size_t(clump.species)].levels[size_t(level)];
-					wear_material(server, style, place, clump);
-					set_range(clump, seen);
-					set_wear(clump, seen);
+					const FieldLevel &seen = setup.styles[size_t(batch.species)].levels[size_t(level)];
+					wear_material(server, setup, place, batch);
+					set_range(batch, seen);
+					apply_flags(batch, seen);
 				}
-				reveal(clump);
-				clumps[place].push_back(std::move(clump));
+				reveal(batch);
+				batches[place].push_back(std::move(batch));
 			}
 		});
 	}
@@ -128,21 +128,21 @@ void FieldView::show_tile(const FieldStyle &style, const TileKey &tile) {
 
 void FieldView::forget_tile(const TileKey &tile) {
 	for (int level = 0; level < (prepared_levels.empty() ? 0 : int(prepared_levels.front().size())); level++) {
-		take_parts(prepared, { false, level, 1, tile }, [this](const ClumpPlace &, std::vector<Clump> &group) {
+		take_parts(prepared, { false, level, 1, tile }, [this](const BatchKey &, std::vector<Batch> &group) {
 			std::move(group.begin(), group.end(), std::back_inserter(gone));
 		});
 	}
 }
 
-void FieldView::exchange(const FieldStyle &style) {
-	move_all(clumps, leaving);
-	newcomers.clear();
-	clumps = std::exchange(prepared, {});
+void FieldView::exchange(const FieldRenderSetup &setup) {
+	move_all(batches, leaving);
+	new_chunks.clear();
+	batches = std::exchange(prepared, {});
 	next_revealed.reset();
-	levels = levels_of(style);
-	near.wear(style);
+	levels = levels_of(setup);
+	near.flags(setup);
 	has_other_near = true;
-	is_thinned = false;
+	is_culled = false;
 }
 
 bool FieldView::free_some(double usec, bool hides_all) {
@@ -153,7 +153,7 @@ bool FieldView::free_some(double usec, bool hides_all) {
 		leaving.pop_back();
 	}
 	while (!gone.empty() && watch.usec() < usec) {
-		let_go(gone.back());
+		free_batch(gone.back());
 		gone.pop_back();
 	}
 	return !gone.empty() || !leaving.empty();

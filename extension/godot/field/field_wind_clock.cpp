@@ -26,7 +26,7 @@ FieldWind field_wind(const Ref<PlantWind> &wind, const Transform3D &axes, double
 	const glm::vec3 origin = to_glm(axes.origin);
 	const double late = double(wind_delay(blowing, origin.x, origin.z));
 	const double ahead = offset - late;
-	blowing.least_delay = float(-late);
+	blowing.min_delay = float(-late);
 	blowing.wind.gust_start -= ahead;
 	blowing.air.since -= offset;
 	blowing.axes = horizontal_axes(axes);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "plant_wind.hpp"
-#include "wind/travelling_wind.hpp"
+#include "wind/field_wind.hpp"
 
 #include <godot_cpp/variant/transform3d.hpp>
 

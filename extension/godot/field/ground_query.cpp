@@ -1,8 +1,8 @@
 #include "field/ground_query.hpp"
 
 #include "convert.hpp"
+#include "field/build_input.hpp"
 #include "field/field_ground.hpp"
-#include "field/field_recipe.hpp"
 #include "messages.hpp"
 #include "new_object.hpp"
 
@@ -53,7 +53,7 @@ static TypedArray<RID> collision_objects_of(SceneTree *tree, const StringName &g
 
 namespace {
 
-bool slopes_matter(const StandOptions &options) {
+bool slopes_matter(const PlacementOptions &options) {
 	constexpr float UPRIGHT = 1.5707f; // rad; no ground with a height is steeper.
 	return options.slope_limits.x > 0.0f || options.slope_limits.y < UPRIGHT || options.slope_alignment > 0.0;
 }

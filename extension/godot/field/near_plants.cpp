@@ -13,7 +13,7 @@ namespace undergrowth {
 static constexpr float STEP = 0.25f; // m that a camera moves before plants are selected again.
 static constexpr float SLACK = 0.3f; // m by which plants are selected earlier than they are drawn.
 static constexpr float STEP_COSINE = 0.9962f; // Of the angle (5°) by which a camera turns before that.
-static constexpr int LEAST_CAPACITY = 16;
+static constexpr int MIN_CAPACITY = 16;
 
 int NearSquare::count_within(const Vector3 &place, const FieldLevel &level) const {
 	int count = 0;
@@ -33,15 +33,15 @@ struct NearPlants::Sight {
 	float longest = 1.0f; // Largest and smallest length of a unit of the world in the field's axes.
 	float shortest = 1.0f;
 
-	Sight(const Eye &eye, const Transform3D &placed) {
+	Sight(const Eye &camera, const Transform3D &placed) {
 		const Transform3D to_field = placed.affine_inverse();
 		const Vector3 scale = to_field.basis.get_scale().abs();
-		place = to_field.xform(eye.place);
-		forward = to_field.basis.xform(eye.forward).normalized();
+		place = to_field.xform(camera.place);
+		forward = to_field.basis.xform(camera.forward).normalized();
 		longest = std::max({ scale.x, scale.y, scale.z });
 		shortest = std::min({ scale.x, scale.y, scale.z });
-		has_cone = eye.has_cone && longest <= 1.01f * shortest; // Angles change under uneven scales.
-		cosine = eye.cone_cosine;
+		has_cone = camera.has_cone && longest <= 1.01f * shortest; // Angles change under uneven scales.
+		cosine = camera.cone_cosine;
 		sine = std::sqrt(std::max(1.0f - cosine * cosine, 0.0f));
 	}
 
@@ -87,12 +87,12 @@ void NearPlants::free_lists() {
 	bands.clear();
 }
 
-void NearPlants::wear(const FieldStyle &style) {
+void NearPlants::flags(const FieldRenderSetup &setup) {
 	std::vector<Band> wanted;
-	for (size_t species = 0; species < style.looks.size(); species++) {
-		const FieldLook &look = style.looks[species];
-		const size_t count = look.levels.size();
-		if (look.is_absent || look.materials.size() < count + 2) {
+	for (size_t species = 0; species < setup.styles.size(); species++) {
+		const SpeciesStyle &style = setup.styles[species];
+		const size_t count = style.levels.size();
+		if (style.is_absent || style.materials.size() < count + 2) {
 			continue;
 		}
 		const auto add = [&](size_t level, size_t material, float near, float far) {
@@ -102,29 +102,29 @@ void NearPlants::wear(const FieldStyle &style) {
 			band.near = std::max(near - SLACK, 0.0f);
 			band.far = far + SLACK;
 			band.casts_shadows = material > count;
-			band.material = look.materials[material]->get_rid();
-			for (const FieldVariant &variant : look.variants) {
+			band.material = style.materials[material]->get_rid();
+			for (const FieldVariant &variant : style.variants) {
 				band.heights.push_back(variant.height);
 			}
-			for (const Ref<ArrayMesh> &mesh : look.meshes[level]) {
+			for (const Ref<ArrayMesh> &mesh : style.meshes[level]) {
 				band.lists.emplace_back();
 				band.lists.back().mesh = mesh->get_rid();
 			}
 			wanted.push_back(std::move(band));
 		};
 		for (size_t i = 0; i < count; i++) {
-			if (look.levels[i].is_near) {
-				add(i, i, look.levels[i].begin - look.levels[i].margin, look.levels[i].end);
+			if (style.levels[i].is_near) {
+				add(i, i, style.levels[i].begin - style.levels[i].margin, style.levels[i].end);
 			}
 		}
-		if (look.near_shadow_level >= 0) {
-			add(size_t(look.near_shadow_level), count + 1, 0.0f, look.near_shadow_end);
+		if (style.near_shadow_level >= 0) {
+			add(size_t(style.near_shadow_level), count + 1, 0.0f, style.near_shadow_end);
 		}
 	}
 	const bool are_same = std::equal(wanted.begin(), wanted.end(), bands.begin(), bands.end(),
 			[](const Band &one, const Band &other) { return one.has_meshes_of(other); });
 	is_due = true;
-	needs_colors = style.needs_colors;
+	needs_colors = setup.needs_colors;
 	if (!are_same) {
 		free_lists();
 		bands = std::move(wanted);
@@ -138,20 +138,20 @@ void NearPlants::wear(const FieldStyle &style) {
 		bands[i].far = wanted[i].far;
 		bands[i].material = wanted[i].material;
 		for (const List &list : bands[i].lists) {
-			dress(bands[i], list);
+			materials(bands[i], list);
 		}
 	}
 }
 
-void NearPlants::dress(const Band &band, const List &list) const {
+void NearPlants::materials(const Band &band, const List &list) const {
 	if (!list.instance.is_valid()) {
 		return;
 	}
 	RenderingServer *server = RenderingServer::get_singleton();
 	server->instance_geometry_set_material_override(list.instance, band.material);
-	server->instance_geometry_set_cast_shadows_setting(
-			list.instance, band.casts_shadows ? RenderingServer::SHADOW_CASTING_SETTING_SHADOWS_ONLY
-											  : RenderingServer::SHADOW_CASTING_SETTING_OFF); // A coarser level does.
+	server->instance_geometry_set_cast_shadows_setting(list.instance,
+			band.casts_shadows ? RenderingServer::SHADOW_CASTING_SETTING_SHADOWS_ONLY
+							   : RenderingServer::SHADOW_CASTING_SETTING_OFF); // A coarser level does.
 	server->instance_set_layer_mask(list.instance, worn.layers);
 	server->instance_geometry_set_transparency(list.instance, worn.transparency);
 	server->instance_set_scenario(list.instance, world);
@@ -177,24 +177,25 @@ void NearPlants::set_squares(std::vector<std::shared_ptr<NearSquare>> &&now) {
 	is_due = true;
 }
 
-bool NearPlants::must_update(const std::vector<Eye> &eyes) const {
+bool NearPlants::must_update(const std::vector<Eye> &cameras) const {
 	const auto is_like = [](const Eye &one, const Eye &other) {
 		return one.place.distance_to(other.place) < STEP && one.has_cone == other.has_cone &&
 				(!one.has_cone ||
-						(one.forward.dot(other.forward) >= STEP_COSINE && one.cone_cosine >= other.cone_cosine - 1e-4f));
+						(one.forward.dot(other.forward) >= STEP_COSINE &&
+								one.cone_cosine >= other.cone_cosine - 1e-4f));
 	};
-	return is_due || !std::equal(eyes.begin(), eyes.end(), seen.begin(), seen.end(), is_like);
+	return is_due || !std::equal(cameras.begin(), cameras.end(), seen.begin(), seen.end(), is_like);
 }
 
-void NearPlants::update(const std::vector<Eye> &eyes) {
-	if (bands.empty() || eyes.empty() || !must_update(eyes)) {
+void NearPlants::update(const std::vector<Eye> &cameras) {
+	if (bands.empty() || cameras.empty() || !must_update(cameras)) {
 		return;
 	}
 	is_due = false;
-	seen = eyes;
+	seen = cameras;
 	std::vector<Sight> sights;
-	for (const Eye &eye : eyes) {
-		sights.emplace_back(eye, placed);
+	for (const Eye &camera : cameras) {
+		sights.emplace_back(camera, placed);
 	}
 	for (Band &band : bands) {
 		take_out(band, sights);
@@ -243,9 +244,11 @@ void NearPlants::put_in(Band &band, const std::vector<Sight> &sights) {
 				return int(std::clamp(std::floor((place - low) / SIZE), -1.0f, float(count)));
 			};
 			const int left = std::max(cell_at(float(sight.place.x) - far, square->low.x, square->columns), 0);
-			const int right = std::min(cell_at(float(sight.place.x) + far, square->low.x, square->columns), square->columns - 1);
+			const int right =
+					std::min(cell_at(float(sight.place.x) + far, square->low.x, square->columns), square->columns - 1);
 			const int first = std::max(cell_at(float(sight.place.z) - far, square->low.y, square->rows), 0);
-			const int last = std::min(cell_at(float(sight.place.z) + far, square->low.y, square->rows), square->rows - 1);
+			const int last =
+					std::min(cell_at(float(sight.place.z) + far, square->low.y, square->rows), square->rows - 1);
 			for (int row = first; row <= last; row++) {
 				for (int column = left; column <= right; column++) {
 					put_in(band, *square, row * square->columns + column, sights);
@@ -267,7 +270,7 @@ void NearPlants::put_in(Band &band, NearSquare &square, int cell, const std::vec
 		List &list = band.lists[square.variants[size_t(plant)] % band.lists.size()];
 		const int64_t at = int64_t(list.slots.size()) * square.stride;
 		if (int(list.slots.size()) == list.capacity) {
-			list.capacity = std::max(2 * list.capacity, LEAST_CAPACITY);
+			list.capacity = std::max(2 * list.capacity, MIN_CAPACITY);
 			list.buffer.resize(int64_t(list.capacity) * square.stride);
 			std::fill(list.buffer.ptrw() + at, list.buffer.ptrw() + list.buffer.size(), 0.0f);
 		}
@@ -297,7 +300,7 @@ void NearPlants::show(Band &band, const AABB &box) {
 			list.instance = server->instance_create();
 			server->instance_set_base(list.instance, list.multimesh);
 			server->instance_attach_object_instance_id(list.instance, owner);
-			dress(band, list);
+			materials(band, list);
 		}
 		if (!list.slots.empty()) {
 			if (server->multimesh_get_instance_count(list.multimesh) != list.capacity) {
@@ -315,7 +318,7 @@ void NearPlants::set_scenario(const RID &scenario) {
 	world = scenario;
 	for (const Band &band : bands) {
 		for (const List &list : band.lists) {
-			dress(band, list);
+			materials(band, list);
 		}
 	}
 }
@@ -336,16 +339,16 @@ void NearPlants::set_visible(bool visible) {
 	is_visible = visible;
 	for (const Band &band : bands) {
 		for (const List &list : band.lists) {
-			dress(band, list);
+			materials(band, list);
 		}
 	}
 }
 
-void NearPlants::set_wear(const FieldWear &wear) {
-	worn = wear;
+void NearPlants::apply_flags(const InstanceRenderFlags &flags) {
+	worn = flags;
 	for (const Band &band : bands) {
 		for (const List &list : band.lists) {
-			dress(band, list);
+			materials(band, list);
 		}
 	}
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "field/eyes.hpp"
-#include "field/field_style.hpp"
+#include "field/cameras.hpp"
+#include "field/field_render_setup.hpp"
 
 #include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/rid.hpp>
@@ -47,18 +47,18 @@ public:
 	NearPlants(const NearPlants &) = delete;
 	NearPlants &operator=(const NearPlants &) = delete;
 
-	/// Applies the levels, meshes and materials of `style`. The plants stay if levels and meshes are the same.
-	void wear(const FieldStyle &style);
+	/// Applies the levels, meshes and materials of `setup`. The plants stay if levels and meshes are the same.
+	void flags(const FieldRenderSetup &setup);
 	/// Sets all plants. Their squares must not be shared with another NearPlants.
 	void set_squares(std::vector<std::shared_ptr<NearSquare>> &&now);
 	/// Call before a frame is drawn. The cost depends on the plants near the cameras, and only after one has moved or
 	/// turned.
-	void update(const std::vector<Eye> &eyes);
+	void update(const std::vector<Eye> &cameras);
 
 	void set_scenario(const godot::RID &scenario);
 	void set_transform(const godot::Transform3D &transform);
 	void set_visible(bool visible);
-	void set_wear(const FieldWear &wear);
+	void apply_flags(const InstanceRenderFlags &flags);
 	void set_owner(uint64_t object) { owner = object; }
 
 private:
@@ -100,13 +100,13 @@ private:
 	godot::RID world;
 	godot::Transform3D placed;
 	bool is_visible = true;
-	FieldWear worn;
+	InstanceRenderFlags worn;
 	uint64_t owner = 0;
 
 	void free_lists();
-	void dress(const Band &band, const List &list) const;
+	void apply_flags(const Band &band, const List &list) const;
 	bool is_shown(const Band &band, const List &list) const;
-	bool must_update(const std::vector<Eye> &eyes) const;
+	bool must_update(const std::vector<Eye> &cameras) const;
 	void take_out(Band &band, const std::vector<Sight> &sights);
 	void put_in(Band &band, const std::vector<Sight> &sights);
 	void put_in(Band &band, NearSquare &square, int cell, const std::vector<Sight> &sights);

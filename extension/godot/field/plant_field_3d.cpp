@@ -15,16 +15,16 @@ using namespace godot;
 namespace undergrowth {
 
 PlantField3D::PlantField3D() :
-		meadow(this, properties,
+		runtime(this, properties,
 				{ [this](const String &fault) { problems.report(fault); },
 						[this](const String &fault) { emit_signal("build_failed", fault); },
 						[this](const String &advice) { problems.advise(advice); },
 						[this](float ratio) { emit_signal("build_progressed", ratio); },
 						[this] { emit_signal("build_finished"); },
-						[this](Skeleton3D *skeleton, bool is_shown) { tell_of_skeleton(skeleton, is_shown); } }) {}
+						[this](Skeleton3D *skeleton, bool is_shown) { report_skeleton(skeleton, is_shown); } }) {}
 
 PlantField3D::~PlantField3D() {
-	meadow.motion.wait();
+	runtime.motion.wait();
 }
 
 PlantField3D *PlantField3D::from_species(const Array &functions, const PackedFloat32Array &weights) {
@@ -43,7 +43,7 @@ PlantField3D *PlantField3D::from_species(const Array &functions, const PackedFlo
 }
 
 AABB PlantField3D::_get_aabb() const {
-	const AABB drawn = meadow.box();
+	const AABB drawn = runtime.box();
 	if (drawn.has_volume()) {
 		return drawn;
 	}
@@ -56,40 +56,40 @@ PackedStringArray PlantField3D::_get_configuration_warnings() const {
 	return problems.warnings();
 }
 
-void PlantField3D::on_fill_queued() {
-	FieldStaleness::Parts stale = staleness.take();
-	if (!stale.any()) {
+void PlantField3D::on_rebuild_queued() {
+	FieldDirtyFlags::Parts dirty_parts = dirty.take();
+	if (!dirty_parts.any()) {
 		return;
 	}
-	if (stale.stand) {
+	if (dirty_parts.placement) {
 		const int64_t seed = seed_at(this, properties.seed);
 		// Tiles of two seeds do not fit together.
-		stale.look = std::exchange(properties.place_seed, seed) != seed || stale.look;
+		dirty_parts.style = std::exchange(properties.place_seed, seed) != seed || dirty_parts.style;
 	}
-	untold.watch(this, properties);
+	dependencies.watch(this, properties);
 	species.choose_grass();
-	if (stale.area && !stale.stand) {
-		meadow.follow_area();
+	if (dirty_parts.area && !dirty_parts.placement) {
+		runtime.follow_area();
 	}
-	if (stale.stand || stale.look) {
-		meadow.fill(stale.stand, stale.look);
+	if (dirty_parts.placement || dirty_parts.style) {
+		runtime.rebuild(dirty_parts.placement, dirty_parts.style);
 	}
 	for (const String &name : forgotten_layers(properties)) {
-		properties.map->tell_if_unread(name);
+		properties.map->warn_if_unread(name);
 	}
-	frames.follow(meadow.wants_frames());
+	frames.follow(runtime.needs_frames());
 }
 
 void PlantField3D::rebuild() {
-	staleness.mark_stand();
-	staleness.mark_look();
+	dirty.mark_placement();
+	dirty.mark_style();
 	if (is_inside_tree()) { // Else it is built when it enters the tree.
-		on_fill_queued();
+		on_rebuild_queued();
 	}
 }
 
 bool PlantField3D::is_building() const {
-	return meadow.is_building() || meadow.is_patching() || staleness.grows_soon();
+	return runtime.is_building() || runtime.is_building_regions() || dirty.is_rebuild_queued();
 }
 
 bool PlantField3D::build_now() {
@@ -97,10 +97,10 @@ bool PlantField3D::build_now() {
 		report_error(this, "build_now() needs the field in the tree. Add it first.");
 		return false;
 	}
-	on_fill_queued();
-	const bool is_built = meadow.build_now();
+	on_rebuild_queued();
+	const bool is_built = runtime.build_now();
 	if (is_inside_tree()) {
-		frames.follow(meadow.wants_frames());
+		frames.follow(runtime.needs_frames());
 	}
 	return is_built;
 }
@@ -111,19 +111,19 @@ bool PlantField3D::may_simulate() const {
 
 // A handler of `filled` may remove the field from the tree.
 void PlantField3D::poll(double delta, bool physics) {
-	if (!staleness.is_fresh()) {
+	if (!dirty.is_clean()) {
 		return; // It left the tree in this frame, or a build with other properties is due.
 	}
-	meadow.poll(delta, physics);
-	if (is_inside_tree() && !meadow.wants_frames()) {
+	runtime.poll(delta, physics);
+	if (is_inside_tree() && !runtime.needs_frames()) {
 		frames.follow(false);
 	}
 }
 
 void PlantField3D::on_frame_ending() {
 	frames.begin_end();
-	if (staleness.is_fresh()) {
-		meadow.follow_strokes(FieldPatches::Moment::ending, 0.0);
+	if (dirty.is_clean()) {
+		runtime.follow_strokes(RegionBuilds::Moment::ending, 0.0);
 	}
 }
 
@@ -137,44 +137,44 @@ void PlantField3D::on_physics_frame() {
 
 void PlantField3D::process_frame() {
 	const Stopwatch watch;
-	if (meadow.is_handing_over()) {
+	if (runtime.is_transferring()) {
 		statistics.note_frame(0.0, 0.0);
 		return;
 	}
-	meadow.motion.wait();
+	runtime.motion.wait();
 	const double waiting = watch.usec();
-	if (meadow.is_patching() && staleness.is_fresh()) {
-		meadow.follow_strokes(FieldPatches::Moment::begun, get_process_delta_time());
-		if (meadow.is_patching()) {
+	if (runtime.is_building_regions() && dirty.is_clean()) {
+		runtime.follow_strokes(RegionBuilds::Moment::begun, get_process_delta_time());
+		if (runtime.is_building_regions()) {
 			frames.queue_end();
 		}
 	}
-	if (untold.is_time()) {
-		look_around();
+	if (dependencies.is_time()) {
+		poll_dependencies();
 	}
-	const double stepping = meadow.advance(get_process_delta_time(), may_simulate());
+	const double stepping = runtime.advance(get_process_delta_time(), may_simulate());
 	if (may_simulate()) {
-		problems.tell_of(meadow.motion);
-		tell_of_bodies();
+		problems.report_motion(runtime.motion);
+		report_bodies();
 	}
 	statistics.note_frame(watch.usec() - waiting - stepping, waiting);
 }
 
 // Polls what the engine does not report.
-void PlantField3D::look_around() {
-	meadow.update_wear({ uint32_t(get_layer_mask()), get_cast_shadows_setting() != SHADOW_CASTING_SETTING_OFF,
+void PlantField3D::poll_dependencies() {
+	runtime.update_render_flags({ uint32_t(get_layer_mask()), get_cast_shadows_setting() != SHADOW_CASTING_SETTING_OFF,
 			get_transparency() });
-	meadow.follow_materials();
-	const UntoldChanges::Found found = untold.look(this, properties);
+	runtime.follow_materials();
+	const DependencyPoller::Found found = dependencies.poll(this, properties);
 	if (found.range) {
 		changed(About::levels);
 	}
 	if (found.material) {
-		meadow.change_materials();
+		runtime.change_materials();
 	}
 	if (species.differs()) {
 		species.follow();
-		staleness.mark_stand();
+		dirty.mark_placement();
 	}
 	if (found.exclusions) {
 		set_exclusions(properties.exclusions);
@@ -195,36 +195,36 @@ void PlantField3D::_notification(int what) {
 		case NOTIFICATION_ENTER_TREE:
 			set_notify_transform(true);
 			set_process_internal(true);
-			FieldMonitors::enter(&meadow, this);
-			meadow.enter_tree();
+			FieldMonitors::enter(&runtime, this);
+			runtime.enter_tree();
 			frames.follow_drawing(true);
-			staleness.enter_tree();
-			look_around();
-			frames.follow(meadow.wants_frames());
+			dirty.enter_tree();
+			poll_dependencies();
+			frames.follow(runtime.needs_frames());
 			break;
 		case NOTIFICATION_EXIT_TREE:
 			frames.follow(false);
-			FieldMonitors::leave(&meadow);
+			FieldMonitors::leave(&runtime);
 			frames.follow_drawing(false);
-			meadow.exit_tree();
+			runtime.exit_tree();
 			break;
 		case NOTIFICATION_EXTENSION_RELOADED:
 			species.follow();
-			staleness.mark_look();
-			staleness.mark_stand();
+			dirty.mark_style();
+			dirty.mark_placement();
 			break;
 		case NOTIFICATION_INTERNAL_PROCESS:
 			process_frame();
 			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
-			meadow.moved();
+			runtime.moved();
 			if (Engine::get_singleton()->is_editor_hint() && properties.ground_mode != GROUND_NONE) {
-				staleness.mark_stand(); // In the editor a moved field is built on its new ground.
+				dirty.mark_placement(); // In the editor a moved field is built on its new ground.
 			}
 			break;
 		case NOTIFICATION_VISIBILITY_CHANGED:
-			meadow.motion.wait();
-			meadow.set_visible(is_visible_in_tree());
+			runtime.motion.wait();
+			runtime.set_visible(is_visible_in_tree());
 			break;
 		default:
 			break;

@@ -1,13 +1,13 @@
 #pragma once
 
+#include "field/dependency_poller.hpp"
+#include "field/field_dirty_flags.hpp"
 #include "field/field_frames.hpp"
 #include "field/field_monitors.hpp"
 #include "field/field_problems.hpp"
-#include "field/field_staleness.hpp"
 #include "field/field_statistics.hpp"
-#include "field/named_plants.hpp"
+#include "field/plant_queries.hpp"
 #include "field/species_list.hpp"
-#include "field/untold_changes.hpp"
 #include "messages.hpp"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
@@ -16,8 +16,8 @@
 namespace undergrowth {
 
 /// A node of thousands of plants, each with its own motion, drawn as multimeshes that bend in the vertex shader. It
-/// contains the users' properties and passes changes to its Meadow. A change affects only what it concerns: the plants,
-/// the motion or the view.
+/// contains the users' properties and passes changes to its FieldRuntime. A change affects only what it concerns: the
+/// plants, the motion or the view.
 class PlantField3D : public godot::GeometryInstance3D {
 	GDCLASS(PlantField3D, godot::GeometryInstance3D)
 
@@ -37,9 +37,9 @@ public:
 private:
 	/// The effect of a change of a property.
 	enum class About {
-		stand, ///< Rebuilds all plants.
+		placement, ///< Rebuilds all plants.
 		area, ///< Rebuilds plants only between the old and the new area.
-		meshes, ///< Rebuilds only the looks.
+		meshes, ///< Rebuilds only the styles.
 		levels, ///< Updates distances, and meshes only if necessary.
 		skeletons, ///< Chooses skeletons again.
 		nothing, ///< No effect until it is read.
@@ -56,44 +56,44 @@ private:
 	FieldProperties properties;
 	SpeciesList species{ this, properties };
 	FollowedEntries followed_levels;
-	UntoldChanges untold;
-	FieldStaleness staleness{ this };
+	DependencyPoller dependencies;
+	FieldDirtyFlags dirty{ this };
 	FieldFrames frames{ this };
 	FieldStatistics statistics;
 	FieldProblems problems{ this, properties };
 	godot::PackedByteArray loaded_changes;
 	bool is_unread = false; ///< They could not be applied, so the scene saves them unchanged.
-	Meadow meadow;
-	NamedPlants plants{ this, meadow };
+	FieldRuntime runtime;
+	PlantQueries plants{ this, runtime };
 
 	/// The getter and the setter of a Setting, for scripts. The setter rejects values out of range with an error, and
 	/// reports a real change to changed().
 	template <auto slot> auto get() const { return properties.*slot; }
 	template <auto slot, const Setting &setting> void set(decltype(value_of(slot)) value);
 	/// Makes a method of `plants` a method of the node, for scripts.
-	template <auto asked, class Answer, class... Given> Answer ask(Given... given) const {
-		return (plants.*asked)(given...);
+	template <auto method, class Answer, class... Given> Answer call_const(Given... given) const {
+		return (plants.*method)(given...);
 	}
-	template <auto asked, class Answer, class... Given> Answer tell(Given... given) {
-		return (plants.*asked)(given...);
+	template <auto method, class Answer, class... Given> Answer call_method(Given... given) {
+		return (plants.*method)(given...);
 	}
-	template <auto asked, class Answer, class... Given>
-	static constexpr auto of_plants(Answer (NamedPlants::*)(Given...) const) {
-		return &PlantField3D::ask<asked, Answer, Given...>;
+	template <auto method, class Answer, class... Given>
+	static constexpr auto of_plants(Answer (PlantQueries::*)(Given...) const) {
+		return &PlantField3D::call_const<method, Answer, Given...>;
 	}
-	template <auto asked, class Answer, class... Given>
-	static constexpr auto of_plants(Answer (NamedPlants::*)(Given...)) {
-		return &PlantField3D::tell<asked, Answer, Given...>;
+	template <auto method, class Answer, class... Given>
+	static constexpr auto of_plants(Answer (PlantQueries::*)(Given...)) {
+		return &PlantField3D::call_method<method, Answer, Given...>;
 	}
 	static void bind_properties();
 	void changed(About about);
 	bool may_simulate() const;
 	void poll(double delta, bool physics);
 	void process_frame();
-	void look_around();
-	void follow_look(const godot::Ref<PlantFunction> &function);
-	void tell_of_bodies();
-	void tell_of_skeleton(godot::Skeleton3D *skeleton, bool is_shown);
+	void poll_dependencies();
+	void update_style(const godot::Ref<PlantFunction> &function);
+	void report_bodies();
+	void report_skeleton(godot::Skeleton3D *skeleton, bool is_shown);
 
 protected:
 	static void _bind_methods();
@@ -113,10 +113,10 @@ public:
 	bool is_building() const;
 	/// Returns when everything is built. Returns false if that is not possible.
 	bool build_now();
-	int get_plant_count() const { return meadow.store.plant_count(); }
+	int get_plant_count() const { return runtime.store.plant_count(); }
 	/// Names of its species in its map. Empty while a build is due, because it may change the species.
 	godot::PackedStringArray read_layers() const {
-		return staleness.is_fresh() ? layers_of(properties) : godot::PackedStringArray();
+		return dirty.is_clean() ? layers_of(properties) : godot::PackedStringArray();
 	}
 	/// The field's outline in its own axes.
 	Polygon outline_polygon() const;
@@ -132,7 +132,7 @@ public:
 	bool is_point_in_plants(const godot::Vector3 &point) { return plants.is_point_in(point, properties.touch_margin); }
 	void reset_motion();
 	/// s of the wind's clock, of the states and tips of plants.
-	double get_motion_time() const { return meadow.motion.motion_time(); }
+	double get_motion_time() const { return runtime.motion.motion_time(); }
 	/// Moves the field by `delta` seconds under `blowing`, if it does not move by itself, as in the editor.
 	void preview(double delta, const godot::Ref<PlantWind> &blowing);
 
@@ -146,10 +146,10 @@ public:
 	void on_added_species_changed();
 	void on_levels_changed();
 	void on_area_changed();
-	void on_ground_changed() { staleness.mark_stand(); }
+	void on_ground_changed() { dirty.mark_placement(); }
 	void on_wind_changed();
 	void on_map_painted(const godot::Rect2 &rect);
-	void on_fill_queued();
+	void on_rebuild_queued();
 	void on_tree_frame();
 	void on_frame_ending();
 	void on_physics_frame();

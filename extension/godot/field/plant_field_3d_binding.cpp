@@ -16,37 +16,37 @@ using namespace godot;
 namespace undergrowth {
 
 void PlantField3D::reset_motion() {
-	meadow.settle();
+	runtime.settle();
 }
 
 void PlantField3D::preview(double delta, const Ref<PlantWind> &blowing) {
-	static constexpr double MOST_FRAME = 3600.0; // s.
+	static constexpr double MAX_FRAME_TIME = 3600.0; // s.
 	// Tools call it in every frame, like Plant3D's. A field that cannot move stays still without an error.
-	if (std::isfinite(delta) && delta >= 0.0 && delta <= MOST_FRAME && is_inside_tree() && get_plant_count() > 0 &&
+	if (std::isfinite(delta) && delta >= 0.0 && delta <= MAX_FRAME_TIME && is_inside_tree() && get_plant_count() > 0 &&
 			!may_simulate()) {
-		meadow.preview(delta, blowing);
+		runtime.preview(delta, blowing);
 	}
 }
 
-void PlantField3D::tell_of_bodies() {
-	for (const GroupBodies::Event &event : meadow.motion.take_events()) {
+void PlantField3D::report_bodies() {
+	for (const GroupBodies::Event &event : runtime.motion.take_events()) {
 		if (Object *body = ObjectDB::get_instance(event.body)) {
 			call_deferred("emit_signal", event.has_entered ? "body_entered_plants" : "body_exited_plants", body);
 		}
 	}
 }
 
-void PlantField3D::tell_of_skeleton(Skeleton3D *skeleton, bool is_shown) {
+void PlantField3D::report_skeleton(Skeleton3D *skeleton, bool is_shown) {
 	call_deferred("emit_signal", is_shown ? "skeleton_shown" : "skeleton_hidden", skeleton);
 }
 
 int64_t PlantField3D::get_skeleton_plant(const Skeleton3D *skeleton) const {
-	const PlantPlace place = meadow.skeletons.find(skeleton);
-	return place.block < 0 ? NO_PLANT : meadow.store.id(place);
+	const PlantRef ref = runtime.skeletons.find(skeleton);
+	return ref.chunk < 0 ? NO_PLANT : runtime.store.id(ref);
 }
 
 TypedArray<Skeleton3D> PlantField3D::get_skeletons() const {
-	return meadow.skeletons.skeletons();
+	return runtime.skeletons.skeletons();
 }
 
 Polygon PlantField3D::outline_polygon() const {
@@ -74,40 +74,40 @@ PackedVector3Array PlantField3D::get_exclusion_points(int index) const {
 }
 
 // Applies the change of a species' function.
-void PlantField3D::follow_look(const Ref<PlantFunction> &function) {
+void PlantField3D::update_style(const Ref<PlantFunction> &function) {
 	if (function->is_motion_change()) {
-		meadow.read_motion(function.ptr(), !may_simulate());
+		runtime.read_motion(function.ptr(), !may_simulate());
 	} else if (function->is_material_change()) {
-		meadow.change_materials();
+		runtime.change_materials();
 	} else {
-		staleness.mark_look();
+		dirty.mark_style();
 	}
 }
 
 // The signal names neither the species nor the change, so both are searched.
 void PlantField3D::on_species_changed() {
 	Ref<PlantFunction> function;
-	if (!species.find_teller(function)) {
+	if (!species.find_emitter(function)) {
 		return;
 	}
 	if (function.is_valid()) {
-		follow_look(function);
+		update_style(function);
 	} else {
-		staleness.mark_stand();
+		dirty.mark_placement();
 	}
 }
 
 // For species of added plants. on_species_changed() handles those that are also in the list.
 void PlantField3D::on_added_species_changed() {
-	for (const FieldLook &look : meadow.style.looks) {
-		if (look.function.is_valid() && (look.function->is_motion_change() || look.function->is_material_change())) {
-			if (meadow.listed_entry(look.function).is_null()) {
-				follow_look(look.function);
+	for (const SpeciesStyle &style : runtime.setup.styles) {
+		if (style.function.is_valid() && (style.function->is_motion_change() || style.function->is_material_change())) {
+			if (runtime.listed_entry(style.function).is_null()) {
+				update_style(style.function);
 			}
 			return;
 		}
 	}
-	staleness.mark_look();
+	dirty.mark_style();
 }
 
 void PlantField3D::on_levels_changed() {
@@ -115,7 +115,7 @@ void PlantField3D::on_levels_changed() {
 }
 
 void PlantField3D::on_area_changed() {
-	staleness.mark_area();
+	dirty.mark_area();
 	update_gizmos();
 }
 
@@ -124,13 +124,13 @@ void PlantField3D::on_wind_changed() {
 }
 
 void PlantField3D::on_map_painted(const Rect2 &rect) {
-	if (!rect.has_area() || !is_inside_tree() || staleness.is_stand_stale() || problems.has_fault()) {
-		staleness.mark_stand();
+	if (!rect.has_area() || !is_inside_tree() || dirty.is_placement_dirty() || problems.has_fault()) {
+		dirty.mark_placement();
 		return;
 	}
-	meadow.touch({ { rect.position.x, rect.position.y }, { rect.get_end().x, rect.get_end().y } });
+	runtime.touch({ { rect.position.x, rect.position.y }, { rect.get_end().x, rect.get_end().y } });
 	frames.follow(true);
-	if (meadow.is_patching()) {
+	if (runtime.is_building_regions()) {
 		frames.queue_end();
 	}
 	update_gizmos();
@@ -140,7 +140,7 @@ bool PlantField3D::apply_changes(const PackedByteArray &bytes) {
 	species.choose_grass(); // The edits may contain plants of the default grass.
 	const bool is_sound = plants.apply_changes(bytes);
 	if (is_inside_tree()) {
-		frames.follow(meadow.wants_frames());
+		frames.follow(runtime.needs_frames());
 	}
 	return is_sound;
 }
@@ -158,26 +158,26 @@ PackedByteArray PlantField3D::get_saved_changes() const {
 }
 
 Dictionary PlantField3D::get_statistics() {
-	return statistics.tell(this, meadow, staleness.is_dressed_soon());
+	return statistics.to_dictionary(this, runtime, dirty.is_restyle_queued());
 }
 
 void PlantField3D::on_frame_drawn() {
 	on_frame_ending(); // In a paused tree nothing else calls it.
-	meadow.thin();
+	runtime.cull();
 }
 
 // Binds a method that the engine calls, with an underscore before its name.
 #define LISTEN(m_name, ...) ClassDB::bind_method(D_METHOD("_" #m_name, ##__VA_ARGS__), &PlantField3D::m_name)
 
-// Binds the method `m_asked` of NamedPlants.
-#define OF_PLANTS(m_name, m_asked, ...)                                                                                \
-	ClassDB::bind_method(D_METHOD(#m_name, ##__VA_ARGS__), of_plants<&NamedPlants::m_asked>(&NamedPlants::m_asked))
+// Binds the method `m_asked` of PlantQueries.
+#define OF_PLANTS(m_name, m_method, ...)                                                                               \
+	ClassDB::bind_method(D_METHOD(#m_name, ##__VA_ARGS__), of_plants<&PlantQueries::m_method>(&PlantQueries::m_method))
 
 bool PlantField3D::_set(const StringName &name, const Variant &value) {
 	static constexpr double METRES_OF_RATIO = 12.0; // The former default of 3 m is the present one of 0.25.
 	if (name == StringName("fade_margin")) {
-		return set_renamed_property(this, name, std::clamp(double(value) / METRES_OF_RATIO, 0.0, 1.0),
-				{ { "fade_margin", "fade_ratio" } });
+		return set_renamed_property(
+				this, name, std::clamp(double(value) / METRES_OF_RATIO, 0.0, 1.0), { { "fade_margin", "fade_ratio" } });
 	}
 	return set_renamed_property(this, name, value, { { "kept_changes", "saved_changes" } });
 }
@@ -192,7 +192,7 @@ void PlantField3D::_bind_methods() {
 	LISTEN(on_ground_changed);
 	LISTEN(on_wind_changed);
 	LISTEN(on_map_painted, "rect");
-	LISTEN(on_fill_queued);
+	LISTEN(on_rebuild_queued);
 	LISTEN(on_tree_frame);
 	LISTEN(on_frame_ending);
 	LISTEN(on_physics_frame);
@@ -219,7 +219,7 @@ void PlantField3D::_bind_methods() {
 	OF_PLANTS(find_plants_in_sphere, find_in_sphere, "center", "radius");
 	OF_PLANTS(find_nearest_plant, find_nearest, "point", "max_distance");
 	ClassDB::bind_method(D_METHOD("get_species_at", "point", "max_distance"),
-			of_plants<&NamedPlants::species_at>(&NamedPlants::species_at), DEFVAL(0.5));
+			of_plants<&PlantQueries::species_at>(&PlantQueries::species_at), DEFVAL(0.5));
 	OF_PLANTS(get_plant_transform, transform, "id");
 	OF_PLANTS(get_plant_species, species, "id");
 	OF_PLANTS(get_plant_height, height, "id");

@@ -14,21 +14,21 @@ using namespace godot;
 namespace undergrowth {
 
 void PlantField3D::changed(About about) {
-	if (about == About::meshes && meadow.needs_other_tiles()) {
-		about = About::stand;
+	if (about == About::meshes && runtime.needs_other_tiles()) {
+		about = About::placement;
 	}
-	const bool needs_meshes = about == About::meshes || (about == About::levels && !meadow.update_levels());
-	if (about == About::stand) {
-		staleness.mark_stand();
+	const bool needs_meshes = about == About::meshes || (about == About::levels && !runtime.update_levels());
+	if (about == About::placement) {
+		dirty.mark_placement();
 	}
 	if (needs_meshes) {
-		staleness.mark_look();
+		dirty.mark_style();
 	}
 	if (about == About::area) {
 		on_area_changed();
 	}
 	if (about == About::skeletons) {
-		meadow.skeletons_changed();
+		runtime.skeletons_changed();
 	}
 	update_configuration_warnings();
 }
@@ -49,16 +49,16 @@ template <auto slot, const PlantField3D::Setting &setting> void PlantField3D::se
 }
 
 // A property that is only a value: the effect of a change, its bounds, and its PropertyInfo.
-#define NUMBER(m_type, m_name, m_about, m_least, m_most, ...)                                                          \
+#define NUMBER(m_type, m_name, m_about, m_min, m_max, ...)                                                             \
 	{                                                                                                                  \
-		static constexpr Setting setting = { #m_name, About::m_about, { m_least, m_most } };                           \
+		static constexpr Setting setting = { #m_name, About::m_about, { m_min, m_max } };                              \
 		BIND_PROPERTY(m_type, m_name, "get_" #m_name, (&self_type::set<&FieldProperties::m_name, setting>),            \
 				&self_type::get<&FieldProperties::m_name>, ##__VA_ARGS__);                                             \
 	}
 // The same for a span of angles, with bounds in degrees.
-#define ANGLES(m_name, m_about, m_least, m_most, ...)                                                                  \
+#define ANGLES(m_name, m_about, m_min, m_max, ...)                                                                     \
 	{                                                                                                                  \
-		static constexpr Setting setting = { #m_name, About::m_about, { m_least, m_most }, true };                     \
+		static constexpr Setting setting = { #m_name, About::m_about, { m_min, m_max }, true };                        \
 		BIND_PROPERTY(VECTOR2, m_name, "get_" #m_name, (&self_type::set<&FieldProperties::m_name, setting>),           \
 				&self_type::get<&FieldProperties::m_name>, ##__VA_ARGS__);                                             \
 	}
@@ -74,10 +74,10 @@ template <auto slot, const PlantField3D::Setting &setting> void PlantField3D::se
 void PlantField3D::bind_properties() {
 	ADD_GROUP("Plants", "");
 	PROPERTY(ARRAY, species, PROPERTY_HINT_ARRAY_TYPE, "24/17:PlantFieldSpecies");
-	NUMBER(FLOAT, density, stand, 0.0, 10000.0, SLIDER("0,100,0.01,or_greater,suffix:1/m²"));
-	VALUE(INT, seed, stand);
-	NUMBER(FLOAT, clumping, stand, 0.0, 1.0, SLIDER("0,1,0.01"));
-	NUMBER(FLOAT, clump_size, stand, 0.01, 1000.0, SLIDER("0.1,50,0.1,or_greater,suffix:m"));
+	NUMBER(FLOAT, density, placement, 0.0, 10000.0, SLIDER("0,100,0.01,or_greater,suffix:1/m²"));
+	VALUE(INT, seed, placement);
+	NUMBER(FLOAT, clumping, placement, 0.0, 1.0, SLIDER("0,1,0.01"));
+	NUMBER(FLOAT, clump_size, placement, 0.01, 1000.0, SLIDER("0.1,50,0.1,or_greater,suffix:m"));
 	ADD_GROUP("Area", "");
 	SET_HERE(VECTOR2, size, "get_size", PROPERTY_HINT_NONE, "suffix:m");
 	SET_HERE(NODE_PATH, outline, "get_outline", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Path3D");
@@ -91,13 +91,13 @@ void PlantField3D::bind_properties() {
 	ADD_GROUP("Ground", "");
 	PROPERTY(INT, ground_mode, PROPERTY_HINT_ENUM, "None,Colliders,Mesh,Object");
 	PROPERTY(INT, ground_choice, PROPERTY_HINT_ENUM, "Highest,Lowest");
-	VALUE(INT, ground_collision_mask, stand, PROPERTY_HINT_LAYERS_3D_PHYSICS);
-	VALUE(NODE_PATH, ground_mesh, stand, PROPERTY_HINT_NODE_PATH_VALID_TYPES, "MeshInstance3D");
-	VALUE(NODE_PATH, ground_object, stand);
-	NUMBER(FLOAT, ground_sample_spacing, stand, 0.0, 100.0, SLIDER("0,4,0.01,or_greater,suffix:m"));
-	NUMBER(VECTOR2, height_limits, stand, -1e6, 1e6, PROPERTY_HINT_NONE, "suffix:m");
-	ANGLES(slope_limits, stand, 0.0, 180.0, SLIDER("0,180,0.1,radians_as_degrees"));
-	NUMBER(FLOAT, slope_alignment, stand, 0.0, 1.0, SLIDER("0,1,0.01"));
+	VALUE(INT, ground_collision_mask, placement, PROPERTY_HINT_LAYERS_3D_PHYSICS);
+	VALUE(NODE_PATH, ground_mesh, placement, PROPERTY_HINT_NODE_PATH_VALID_TYPES, "MeshInstance3D");
+	VALUE(NODE_PATH, ground_object, placement);
+	NUMBER(FLOAT, ground_sample_spacing, placement, 0.0, 100.0, SLIDER("0,4,0.01,or_greater,suffix:m"));
+	NUMBER(VECTOR2, height_limits, placement, -1e6, 1e6, PROPERTY_HINT_NONE, "suffix:m");
+	ANGLES(slope_limits, placement, 0.0, 180.0, SLIDER("0,180,0.1,radians_as_degrees"));
+	NUMBER(FLOAT, slope_alignment, placement, 0.0, 1.0, SLIDER("0,1,0.01"));
 	ADD_GROUP("Motion", "");
 	SET_HERE(OBJECT, wind, "get_wind", PROPERTY_HINT_RESOURCE_TYPE, "PlantWind");
 	NUMBER(FLOAT, apparent_wind, nothing, 0.0, 10.0, SLIDER("0,1,0.01,or_greater"));
@@ -133,20 +133,20 @@ void PlantField3D::_validate_property(PropertyInfo &property) const {
 void PlantField3D::set_contact_enabled(bool on) {
 	properties.contact_enabled = on;
 	update_configuration_warnings();
-	meadow.motion.fit_contact(on);
+	runtime.motion.fit_contact(on);
 }
 
 void PlantField3D::set_simulation_enabled(bool on) {
 	properties.simulation_enabled = on;
 	if (!on) {
-		meadow.refresh(); // Draws the result of the last step.
+		runtime.refresh(); // Draws the result of the last step.
 	}
 }
 
 void PlantField3D::set_update_interval(int step_count) {
 	if (accept_value(this, "update_interval", step_count, { 1, 64 })) {
 		properties.update_interval = step_count;
-		meadow.motion.set_update_interval(step_count);
+		runtime.motion.set_update_interval(step_count);
 	}
 }
 
@@ -163,7 +163,7 @@ void PlantField3D::set_size(const Vector2 &metres) {
 	if (accept_value(this, "size", metres.x, SIZE_RANGE) && accept_value(this, "size", metres.y, SIZE_RANGE) &&
 			metres != properties.size) {
 		properties.size = metres;
-		staleness.mark_stand();
+		dirty.mark_placement();
 		update_gizmos();
 	}
 }
@@ -174,7 +174,7 @@ void PlantField3D::set_outline(const NodePath &path) {
 	}
 	properties.outline = path;
 	notify_property_list_changed();
-	staleness.mark_stand();
+	dirty.mark_placement();
 	update_gizmos();
 }
 
@@ -191,17 +191,17 @@ void PlantField3D::set_map(const Ref<PlantMap> &painted) {
 		follow_signal(properties.map.ptr(), "area_changed", listener);
 	}
 	notify_property_list_changed();
-	staleness.mark_stand();
+	dirty.mark_placement();
 	update_gizmos();
 	update_configuration_warnings();
 }
 
 void PlantField3D::set_view_distance(double metres) {
 	if (accept_value(this, "view_distance", metres, { 0.0, 1e4 }) && metres != properties.view_distance) {
-		const bool is_other_kind = (metres > 0.0) != meadow.streams();
+		const bool is_other_kind = (metres > 0.0) != runtime.streams();
 		properties.view_distance = metres;
 		if (is_other_kind) {
-			staleness.mark_stand();
+			dirty.mark_placement();
 		}
 		update_configuration_warnings();
 	}
@@ -213,16 +213,16 @@ void PlantField3D::set_endless(bool on) {
 	}
 	properties.endless = on;
 	notify_property_list_changed();
-	staleness.mark_stand();
+	dirty.mark_placement();
 	update_gizmos();
 }
 
 // Scripts may also have appended to the array, so it may differ from the stored one.
 void PlantField3D::set_exclusions(const TypedArray<NodePath> &paths) {
 	properties.exclusions = paths.duplicate();
-	if (untold.sees_other_exclusions(properties)) {
-		untold.see_exclusions(properties);
-		staleness.mark_stand();
+	if (dependencies.has_other_exclusions(properties)) {
+		dependencies.store_exclusions(properties);
+		dirty.mark_placement();
 	}
 }
 
@@ -245,7 +245,7 @@ void PlantField3D::set_ground_mode(GroundMode mode) {
 	} else if (int(mode) != properties.ground_mode) {
 		properties.ground_mode = int(mode);
 		notify_property_list_changed();
-		staleness.mark_stand();
+		dirty.mark_placement();
 	}
 }
 
@@ -254,13 +254,13 @@ void PlantField3D::set_ground_choice(GroundHeight choice) {
 		report_error(this, "ground_choice is GROUND_HIGHEST or GROUND_LOWEST; it keeps its value.");
 	} else if (int(choice) != properties.ground_choice) {
 		properties.ground_choice = int(choice);
-		staleness.mark_stand();
+		dirty.mark_placement();
 	}
 }
 
 void PlantField3D::set_species(const TypedArray<PlantFieldSpecies> &entries) {
 	if (species.set(entries)) {
-		staleness.mark_stand();
+		dirty.mark_placement();
 		update_configuration_warnings();
 	}
 }

@@ -1,7 +1,7 @@
 #include "field/plant_field_level.hpp"
 
+#include "auto_name.hpp"
 #include "bind_properties.hpp"
-#include "given_name.hpp"
 #include "messages.hpp"
 #include "new_object.hpp"
 #include "plant/base_shape.hpp"
@@ -21,7 +21,7 @@ Ref<PlantFieldLevel> PlantFieldLevel::of(int segments, double end, double densit
 
 void PlantFieldLevel::level_changed() {
 	const String way = end > 0.0 ? " to " + String::num(end) + " m" : String();
-	give_name(this, given_name, String::num_int64(segments) + (segments == 1 ? " segment" : " segments") + way);
+	update_auto_name(this, auto_name, String::num_int64(segments) + (segments == 1 ? " segment" : " segments") + way);
 	emit_changed();
 }
 
@@ -47,7 +47,7 @@ void PlantFieldLevel::set_density(double value) {
 }
 
 void PlantFieldLevel::_validate_property(PropertyInfo &property) const {
-	hide_given_name(this, given_name, property);
+	hide_auto_name(this, auto_name, property);
 }
 
 bool PlantFieldLevel::_set(const StringName &name, const Variant &value) {

@@ -13,7 +13,7 @@ class PlantFieldLevel : public godot::Resource {
 	int segments = 12;
 	double end = 0.0; // m.
 	double density = 1.0;
-	godot::String given_name;
+	godot::String auto_name;
 
 	void level_changed();
 

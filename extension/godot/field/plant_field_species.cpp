@@ -1,11 +1,11 @@
 #include "field/plant_field_species.hpp"
 
-#include "as_written.hpp"
+#include "auto_name.hpp"
 #include "bind_properties.hpp"
 #include "follow_changes.hpp"
-#include "given_name.hpp"
 #include "new_object.hpp"
 #include "renamed_properties.hpp"
+#include "shortest_decimal.hpp"
 
 using namespace godot;
 
@@ -18,7 +18,7 @@ Ref<PlantFieldSpecies> PlantFieldSpecies::of(const Ref<PlantFunction> &function,
 	return made;
 }
 
-void PlantFieldSpecies::tell(bool from_species) {
+void PlantFieldSpecies::report_change(bool from_species) {
 	const bool before = forwards; // A listener may set a property, which emits again inside this emission.
 	forwards = from_species;
 	emit_changed();
@@ -31,14 +31,14 @@ bool PlantFieldSpecies::is_motion_change() const {
 
 void PlantFieldSpecies::on_species_changed() {
 	const Ref<PlantFieldSpecies> alive(this); // Listeners may release the last reference.
-	give_name(this, given_name, name_of_species(species));
-	tell(true);
+	update_auto_name(this, auto_name, name_of_species(species));
+	report_change(true);
 }
 
 template <class Value> void PlantFieldSpecies::set(Value &slot, const Value &value) {
 	if (value != slot) {
 		slot = value;
-		tell(false);
+		report_change(false);
 	}
 }
 
@@ -57,8 +57,8 @@ void PlantFieldSpecies::set_species(const Ref<PlantFunction> &function) {
 	unfollow_changes(species.ptr(), changed);
 	species = function;
 	follow_changes(species.ptr(), changed);
-	give_name(this, given_name, name_of_species(species));
-	tell(false);
+	update_auto_name(this, auto_name, name_of_species(species));
+	report_change(false);
 }
 
 void PlantFieldSpecies::set_weight(double value) {
@@ -82,7 +82,7 @@ void PlantFieldSpecies::set_height_deviation(double deviation) {
 
 void PlantFieldSpecies::set_lean_deviation(double radians) {
 	if (accept_angle(this, "lean_deviation", radians, { 0.0, 80.0 })) {
-		set(lean_deviation, angle_as_written(radians));
+		set(lean_deviation, exact_angle(radians));
 	}
 }
 
@@ -103,7 +103,7 @@ String PlantFieldSpecies::get_layer_name() const {
 }
 
 void PlantFieldSpecies::_validate_property(PropertyInfo &property) const {
-	hide_given_name(this, given_name, property);
+	hide_auto_name(this, auto_name, property);
 }
 
 bool PlantFieldSpecies::_set(const StringName &name, const Variant &value) {

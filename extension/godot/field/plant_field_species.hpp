@@ -21,11 +21,11 @@ class PlantFieldSpecies : public godot::Resource {
 	int variants = 4;
 	double lod_bias = 1.0;
 	godot::String layer;
-	godot::String given_name;
+	godot::String auto_name;
 	bool forwards = false; // True while `changed` is emitted for the function inside.
 
 	/// Emits `changed`, for a property of this entry or, with `from_species`, for the function inside.
-	void tell(bool from_species);
+	void report_change(bool from_species);
 	template <class Value> void set(Value &slot, const Value &value);
 	template <class Value> void set_number(Value &slot, const char *name, Value value, const Range &range);
 

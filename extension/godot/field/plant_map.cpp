@@ -32,8 +32,8 @@ void PlantMap::changed_in(const CellRange &cells) {
 }
 
 bool PlantMap::may_change() {
-	if (!fault.is_empty() && !has_told) {
-		has_told = true;
+	if (!fault.is_empty() && !has_reported) {
+		has_reported = true;
 		report_error(this, "cannot be changed: " + fault + " What is in it stays as it is.");
 	}
 	return fault.is_empty();
@@ -75,7 +75,7 @@ void PlantMap::stroke(const char *method, const DensityBrush &brush, const Strin
 	// Only strokes that add create a layer. All other strokes apply to every layer if `species` is empty.
 	const bool makes =
 			how.does != DensityStroke::Does::smooth && !(how.does == DensityStroke::Does::add && how.value < 0);
-	tell_if_unread(species);
+	warn_if_unread(species);
 	const int first = makes ? need_layer(method, species) : species.is_empty() ? 0 : map.find_layer(text_of(species));
 	const int last = !makes && species.is_empty() ? map.layer_count() - 1 : first;
 	CellRange cells;
@@ -152,7 +152,7 @@ void PlantMap::fill_polygon(const PackedVector3Array &points, const String &spec
 	if (!read_polygon("fill_polygon", points, polygon) || !accept_value(this, "density", density, { 0.0, 1.0 })) {
 		return;
 	}
-	tell_if_unread(species);
+	warn_if_unread(species);
 	const int layer = need_layer("fill_polygon", species);
 	if (layer >= 0) {
 		changed_in(undergrowth::fill_polygon(map, layer, polygon, float(density)));
@@ -165,7 +165,7 @@ void PlantMap::fill_polygon_plants(const PackedVector3Array &points, const Strin
 			!accept_value(this, "density", density, PLANTS_RANGE)) {
 		return;
 	}
-	tell_if_unread(species);
+	warn_if_unread(species);
 	const int layer = need_layer("fill_polygon_plants", species);
 	if (layer >= 0) {
 		changed_in(undergrowth::fill_polygon_plants(map, layer, polygon, float(density)));
@@ -211,12 +211,12 @@ void PlantMap::clear() {
 	map.clear();
 	unread.clear();
 	fault = String();
-	has_told = false;
+	has_reported = false;
 	changed_in(cells);
 }
 
 void PlantMap::set_cell_size(double metres) {
-	static constexpr Range CELL_RANGE = { DensityMap::LEAST_CELL, DensityMap::MOST_CELL };
+	static constexpr Range CELL_RANGE = { DensityMap::MIN_CELL, DensityMap::MAX_CELL };
 	if (!accept_value(this, "cell_size", metres, CELL_RANGE) || float(metres) == map.cell_size()) {
 		return;
 	}

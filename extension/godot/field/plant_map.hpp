@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stand/density_brush.hpp"
+#include "placement/density_brush.hpp"
 
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/ref.hpp>
@@ -20,8 +20,8 @@ class PlantMap : public godot::Resource {
 	DensityMap map;
 	godot::PackedByteArray unread; ///< Bytes that are not a valid map, saved unchanged.
 	godot::String fault; ///< Reason of that; empty if the map is valid.
-	bool has_told = false; ///< True if the error of may_change() was reported.
-	godot::PackedStringArray told_layers; ///< Layers that no field reads and that were reported.
+	bool has_reported = false; ///< True if the error of may_change() was reported.
+	godot::PackedStringArray reported_layers; ///< Layers that no field reads and that were reported.
 
 	void changed_in(const CellRange &cells);
 	/// Returns false if the map is invalid; reports it once.
@@ -49,7 +49,7 @@ public:
 
 	/// Warns once, in a game, about a layer that none of the fields with this map reads. Not in the editor, where a
 	/// species may be added after its layer is painted.
-	void tell_if_unread(const godot::String &species);
+	void warn_if_unread(const godot::String &species);
 
 	void paint(
 			const godot::Vector3 &center, double radius, const godot::String &species, double amount, double falloff);

@@ -5,7 +5,7 @@
 #include "field/plant_field_3d.hpp"
 #include "messages.hpp"
 #include "new_object.hpp"
-#include "stand/density_bytes.hpp"
+#include "placement/density_bytes.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 
@@ -17,7 +17,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr double MOST_CELLS = 16.0e6; // Per call.
+static constexpr double MAX_CELLS = 16.0e6; // Per call.
 static constexpr int CHANNELS = 4;
 static constexpr Range WHITE_RANGE = { 0.0, DensityCell::MAX_PLANT_DENSITY };
 
@@ -32,7 +32,7 @@ bool PlantMap::read_rect(const char *method, const Rect2 &rect, CellRange &into)
 	const Vector2 end = rect.get_end();
 	into = rect.is_finite() ? map.cells_around({ { rect.position.x, rect.position.y }, { end.x, end.y } })
 							: CellRange();
-	if (into.is_empty() || into.count() > MOST_CELLS) {
+	if (into.is_empty() || into.count() > MAX_CELLS) {
 		report_error(this,
 				String(method) +
 						"() needs a rectangle within 100 km of the field's origin, of up to 16 million cells.");
@@ -63,7 +63,7 @@ void PlantMap::set_from_image(
 			!may_change()) {
 		return;
 	}
-	tell_if_unread(species);
+	warn_if_unread(species);
 	const int layer = need_layer("set_from_image", species);
 	if (layer < 0) {
 		return;
@@ -93,8 +93,8 @@ void PlantMap::set_from_image(
 	changed_in(cells);
 }
 
-void PlantMap::tell_if_unread(const String &species) {
-	if (species.is_empty() || told_layers.has(species) || Engine::get_singleton()->is_editor_hint()) {
+void PlantMap::warn_if_unread(const String &species) {
+	if (species.is_empty() || reported_layers.has(species) || Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
 	PackedStringArray read;
@@ -109,7 +109,7 @@ void PlantMap::tell_if_unread(const String &species) {
 		read.append_array(own);
 	}
 	if (!read.is_empty() && !read.has(species)) {
-		told_layers.push_back(species);
+		reported_layers.push_back(species);
 		report_warning(this,
 				"'" + species +
 						"' is no species of the fields that grow by it, so what is painted of it is not seen. Use one "
@@ -167,7 +167,7 @@ void PlantMap::set_data(const PackedByteArray &bytes) {
 	const DensityFault found = read_density(bytes.ptr(), size_t(bytes.size()), map);
 	unread = found == DensityFault::none ? PackedByteArray() : bytes;
 	fault = found == DensityFault::none ? String() : String(undergrowth::describe(found));
-	has_told = false;
+	has_reported = false;
 	if (found != DensityFault::none) {
 		map.clear();
 		report_error(this, fault);

@@ -1,7 +1,7 @@
 #include "field/plant_transforms.hpp"
 
 #include "convert.hpp"
-#include "stand/plant_axes.hpp"
+#include "placement/plant_axes.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stand/plants.hpp"
+#include "placement/plants.hpp"
 
 #include <godot_cpp/variant/transform3d.hpp>
 #include <godot_cpp/variant/variant.hpp>

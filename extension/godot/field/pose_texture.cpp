@@ -34,7 +34,7 @@ void PoseTexture::free_textures() {
 int PoseTexture::add_layer(bool is_shared) {
 	layers.push_back(Image::create_empty(SIDE, SIDE, false, Image::FORMAT_RGBAH));
 	free_rows.push_back(is_shared ? ALL_ROWS : 0);
-	is_fresh.push_back(1);
+	is_dirty.push_back(1);
 	return int(layers.size()) - 1;
 }
 
@@ -89,7 +89,7 @@ void PoseTexture::give_rows(int page, int plants) {
 }
 
 void PoseTexture::make_room(double row_count) {
-	for (double rows = 0.0; rows < row_count && layers.size() + SPARE_LAYERS < size_t(MOST_LAYERS); rows += SIDE) {
+	for (double rows = 0.0; rows < row_count && layers.size() + SPARE_LAYERS < size_t(MAX_LAYERS); rows += SIDE) {
 		add_layer(true);
 	}
 }
@@ -127,7 +127,7 @@ void PoseTexture::take_rows(int page) {
 }
 
 bool PoseTexture::is_too_large() const {
-	return layers.size() + SPARE_LAYERS > size_t(MOST_LAYERS);
+	return layers.size() + SPARE_LAYERS > size_t(MAX_LAYERS);
 }
 
 PoseTexels PoseTexture::texels(const PageRows &plants) const {
@@ -160,9 +160,9 @@ void PoseTexture::write_pages(const FieldSimulation &simulation) {
 
 void PoseTexture::will_write(int page) {
 	const int layer = layer_of(page);
-	is_fresh[size_t(layer)] = 1;
+	is_dirty[size_t(layer)] = 1;
 	if (beside(layer).seconds >= 0) {
-		is_fresh[size_t(beside(layer).seconds)] = 1;
+		is_dirty[size_t(beside(layer).seconds)] = 1;
 	}
 }
 
@@ -205,7 +205,7 @@ void PoseTexture::show(int page, int row) {
 
 void PoseTexture::write_layer(int layer, const Bend *from, int pairs, int first) {
 	std::memcpy(layers[size_t(layer)]->ptrw() + size_t(first) * TEXEL_BYTES, from, size_t(pairs) * TEXEL_BYTES);
-	is_fresh[size_t(layer)] = 1;
+	is_dirty[size_t(layer)] = 1;
 }
 
 bool PoseTexture::make_textures() {
@@ -214,7 +214,7 @@ bool PoseTexture::make_textures() {
 	}
 	// Textures that grew will grow again.
 	const size_t spare = texture.is_valid() ? std::max(layers.size() / 8, size_t(SPARE_LAYERS)) : size_t(SPARE_LAYERS);
-	for (size_t i = 0; i < spare && layers.size() < size_t(MOST_LAYERS); i++) {
+	for (size_t i = 0; i < spare && layers.size() < size_t(MAX_LAYERS); i++) {
 		add_layer(true);
 	}
 	free_textures();
@@ -230,7 +230,7 @@ bool PoseTexture::make_textures() {
 	beat_image = Image::create_empty(SIDE, int(layers.size()), false, Image::FORMAT_RGBAF);
 	beats_sent.assign(BEAT_FLOATS * layers.size() * SIDE, 0.0f);
 	beat_texture = server->texture_2d_create(beat_image);
-	std::fill(is_fresh.begin(), is_fresh.end(), uint8_t(0));
+	std::fill(is_dirty.begin(), is_dirty.end(), uint8_t(0));
 	for (Page &page : pages) {
 		page.share = page.rate_time = -1.0f;
 	}
@@ -252,9 +252,9 @@ void PoseTexture::upload(const FieldSimulation &simulation, float fraction) {
 void PoseTexture::upload_layers() {
 	RenderingServer *server = RenderingServer::get_singleton();
 	for (size_t layer = 0; layer < layers.size(); layer++) {
-		if (is_fresh[layer]) {
+		if (is_dirty[layer]) {
 			server->texture_2d_update(texture, layers[layer], int(layer));
-			is_fresh[layer] = 0;
+			is_dirty[layer] = 0;
 		}
 	}
 }

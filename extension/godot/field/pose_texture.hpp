@@ -37,7 +37,7 @@ struct TexelRows {
 class PoseTexture {
 public:
 	static constexpr int SIDE = 64;
-	static constexpr int MOST_LAYERS = 2048; ///< Maximum of graphics cards.
+	static constexpr int MAX_LAYERS = 2048; ///< Maximum of graphics cards.
 	static constexpr int PAIRS_PER_LAYER = SIDE * SIDE;
 
 	/// For a simulation with or without prototypes.
@@ -123,10 +123,10 @@ private:
 	const bool follows_prototypes;
 	std::vector<godot::Ref<godot::Image>> layers;
 	std::vector<uint64_t> free_rows; ///< By layer: a bit for each row.
-	std::vector<uint8_t> is_fresh; ///< By layer: written and not uploaded.
+	std::vector<uint8_t> is_dirty; ///< By layer: written and not uploaded.
 	std::vector<Page> pages; ///< By page number of the simulation.
 	bool has_new_rows = false; ///< Some pages' beats are not uploaded.
-	using History = std::array<int, MOST_STEM_MODES>; ///< By mode: its first layer, or -1.
+	using History = std::array<int, MAX_STEM_MODES>; ///< By mode: its first layer, or -1.
 	std::vector<History> histories; ///< By species.
 	godot::Ref<godot::Image> blend_image;
 	std::vector<float> shares; ///< Contents of `blend_image`.

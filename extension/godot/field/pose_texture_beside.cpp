@@ -24,12 +24,12 @@ int PoseTexture::find_layer() {
 }
 
 int PoseTexture::add_beside(int layer, int Beside::*which) {
-	if (beside(layer).*which < 0 && layers.size() < size_t(MOST_LAYERS) - SPARE_LAYERS) {
+	if (beside(layer).*which < 0 && layers.size() < size_t(MAX_LAYERS) - SPARE_LAYERS) {
 		besides.resize(std::max(besides.size(), size_t(layer) + 1));
 		const int made = find_layer();
 		besides[size_t(layer)].*which = made;
 		std::memset(layers[size_t(made)]->ptrw(), 0, PAIRS_PER_LAYER * TEXEL_BYTES);
-		is_fresh[size_t(made)] = 1;
+		is_dirty[size_t(made)] = 1;
 	}
 	return beside(layer).*which;
 }
@@ -79,7 +79,7 @@ void PoseTexture::forget_heights(const Rows &rows) {
 	if (layer >= 0) {
 		uint8_t *to = layers[size_t(layer)]->ptrw() + size_t(rows.first) * SIDE * TEXEL_BYTES;
 		std::memset(to, 0, size_t(rows.count) * SIDE * TEXEL_BYTES);
-		is_fresh[size_t(layer)] = 1;
+		is_dirty[size_t(layer)] = 1;
 	}
 }
 

@@ -10,11 +10,11 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr int PAIRS_PER_LAYER = PoseTexture::PAIRS_PER_LAYER;
-static constexpr int HISTORY_LAYERS = Prototypes::SLOTS * Prototypes::MOST / PAIRS_PER_LAYER;
-static constexpr int SPECIES_LAYERS = HISTORY_LAYERS + 1; // And one for loose plants.
+static constexpr int HISTORY_LAYERS = Prototypes::SLOTS * Prototypes::MAX_COUNT / PAIRS_PER_LAYER;
+static constexpr int SPECIES_LAYERS = HISTORY_LAYERS + 1; // And one for detached plants.
 
-static_assert(LoosePlants::MOST <= PAIRS_PER_LAYER, "loose plants of a species have one layer");
-static_assert(Prototypes::MOST == PoseTexture::SIDE, "a row of a layer is a slot");
+static_assert(DetachedFollowers::MAX_COUNT <= PAIRS_PER_LAYER, "detached plants of a species have one layer");
+static_assert(Prototypes::MAX_COUNT == PoseTexture::SIDE, "a row of a layer is a slot");
 
 void PoseTexture::give_history(const FieldSimulation &simulation) {
 	const int species_count = follows_prototypes ? simulation.species_count() : 0;
@@ -48,15 +48,15 @@ static const std::array<uint32_t, Prototypes::SLOTS> &small_halves() {
 	return halves;
 }
 
-// Writes a texel for each plant: its prototype and own delay, then its column plus 1 (0: not loose) and its row among
-// the loose plants.
+// Writes a texel for each plant: its prototype and own delay, then its column plus 1 (0: not detached) and its row
+// among the detached plants.
 void PoseTexture::write_followers(const FieldSimulation &simulation, int page) {
 	const std::array<uint32_t, Prototypes::SLOTS> &halves = small_halves();
 	uint32_t *to = reinterpret_cast<uint32_t *>(bytes_of(pages[size_t(page)].rows));
 	for (int i = 0; i < simulation.page(page).size(); i++) {
 		const Follower &follower = simulation.follower(page, i);
-		const uint32_t number = follower.loose > 0 ? follower.loose - 1u : 0u;
-		const uint32_t column = follower.loose > 0 ? number % SIDE + 1u : 0u;
+		const uint32_t number = follower.detached > 0 ? follower.detached - 1u : 0u;
+		const uint32_t column = follower.detached > 0 ? number % SIDE + 1u : 0u;
 		to[2 * i] = halves[follower.prototype] | halves[follower.own_delay] << 16;
 		to[2 * i + 1] = halves[column] | halves[number / SIDE] << 16;
 	}
@@ -68,12 +68,12 @@ void PoseTexture::write_models(const Prototypes &models, int mode, int first, bo
 		write_layer(first + layer, history + size_t(layer) * 2 * PAIRS_PER_LAYER, PAIRS_PER_LAYER, 0);
 	}
 	const int slot = models.newest_slot();
-	write_layer(first + slot / SIDE, history + size_t(slot) * 2 * Prototypes::MOST, SIDE, slot % SIDE * SIDE);
+	write_layer(first + slot / SIDE, history + size_t(slot) * 2 * Prototypes::MAX_COUNT, SIDE, slot % SIDE * SIDE);
 }
 
 bool PoseTexture::has_room_for_species() const {
 	static constexpr size_t MAX_MODES = std::tuple_size_v<History>;
-	return !follows_prototypes || layers.size() + MAX_MODES * SPECIES_LAYERS + SPARE_LAYERS <= size_t(MOST_LAYERS);
+	return !follows_prototypes || layers.size() + MAX_MODES * SPECIES_LAYERS + SPARE_LAYERS <= size_t(MAX_LAYERS);
 }
 
 void PoseTexture::write_history(const FieldSimulation &simulation, bool all) {
@@ -90,13 +90,13 @@ void PoseTexture::write_history_of(const FieldSimulation &simulation, int specie
 
 void PoseTexture::write_species(const FieldSimulation &simulation, int species, bool all) {
 	const Prototypes &models = *simulation.prototypes(species);
-	const MotionPage &loose = simulation.loose_plants(species)->page();
+	const MotionPage &detached = simulation.detached_followers(species)->page();
 	for (int mode = 0; mode < models.modes(); mode++) {
 		const int first = history_layer(species, mode);
 		write_models(models, mode, first, all);
-		if (loose.size() > 0) {
-			const Bend *bends = mode == 0 ? loose.bends() : loose.second_bends();
-			write_layer(first + HISTORY_LAYERS, bends, loose.size(), 0);
+		if (detached.size() > 0) {
+			const Bend *bends = mode == 0 ? detached.bends() : detached.second_bends();
+			write_layer(first + HISTORY_LAYERS, bends, detached.size(), 0);
 		}
 	}
 }

@@ -2,7 +2,7 @@
 
 #include "base/counting_sort.hpp"
 #include "field/plant_transforms.hpp"
-#include "stand/thinning.hpp"
+#include "placement/lod_density.hpp"
 
 #include <cmath>
 #include <numeric>
@@ -18,15 +18,15 @@ static constexpr float PARTS_WIDENING = 1.25f;
 // Ranks are sorted by the lower half of their bits, then by the upper half.
 static constexpr int HALF_RANKS = 1 << (RANK_BITS / 2);
 
-static int rank_of(const PlantBlock &block, int slot) {
-	const glm::vec3 root = block.root(slot);
-	const PlantId id = block.is_added ? block.ids[size_t(slot)] : filled_plant_id(root.x, root.z, block.spacing);
+static int rank_of(const PlantChunk &chunk, int slot) {
+	const glm::vec3 root = chunk.root(slot);
+	const PlantId id = chunk.is_added ? chunk.ids[size_t(slot)] : generated_plant_id(root.x, root.z, chunk.spacing);
 	return int(plant_rank(id) * float(RANK_COUNT));
 }
 
-static DrawnPlant drawn_plant(const FieldStyle &style, const DrawnBlock &drawn, int slot) {
-	const FieldLook &look = style.looks[size_t(drawn.block->species)];
-	const PlacedPlant plant = drawn.block->plants.plant(slot);
+static DrawnPlant drawn_plant(const FieldRenderSetup &setup, const DrawnChunk &drawn, int slot) {
+	const SpeciesStyle &style = setup.styles[size_t(drawn.chunk->species)];
+	const PlacedPlant plant = drawn.chunk->plants.plant(slot);
 	const Basis axes = drawn_transform(plant).basis;
 	DrawnPlant made;
 	made.root = plant.root;
@@ -35,27 +35,27 @@ static DrawnPlant drawn_plant(const FieldStyle &style, const DrawnBlock &drawn, 
 	made.sine = axes.rows[0].z;
 	made.texel = float(drawn.texels.first + slot + HALVES_COUNT_FROM);
 	made.layer = float(drawn.texels.layer + HALVES_COUNT_FROM);
-	made.height = look.height_of(plant);
-	made.reach = look.reach_of(plant, look.has_parts() ? PARTS_WIDENING : MOST_WIDENING);
-	made.variant = int(size_t(plant.variant) % look.variants.size());
+	made.height = style.height_of(plant);
+	made.reach = style.reach_of(plant, style.has_parts() ? PARTS_WIDENING : MAX_WIDENING);
+	made.variant = int(size_t(plant.variant) % style.variants.size());
 	return made;
 }
 
-RankedPlants rank_plants(const FieldStyle &style, const std::vector<DrawnBlock> &blocks) {
+RankedPlants rank_plants(const FieldRenderSetup &setup, const std::vector<DrawnChunk> &chunks) {
 	size_t count = 0;
-	for (const DrawnBlock &drawn : blocks) {
-		count += size_t(drawn.block->size());
+	for (const DrawnChunk &drawn : chunks) {
+		count += size_t(drawn.chunk->size());
 	}
 	RankedPlants ranked;
 	ranked.plants.reserve(count);
 	std::vector<int> ranks;
 	ranks.reserve(count);
-	for (const DrawnBlock &drawn : blocks) {
+	for (const DrawnChunk &drawn : chunks) {
 		ranked.begins.push_back(int(ranks.size()));
-		for (int slot = 0; slot < drawn.block->size(); slot++) {
-			if (!drawn.block->is_gone(slot)) {
-				ranks.push_back(rank_of(*drawn.block, slot));
-				ranked.plants.push_back(drawn_plant(style, drawn, slot));
+		for (int slot = 0; slot < drawn.chunk->size(); slot++) {
+			if (!drawn.chunk->is_gone(slot)) {
+				ranks.push_back(rank_of(*drawn.chunk, slot));
+				ranked.plants.push_back(drawn_plant(setup, drawn, slot));
 				DrawnPlant &plant = ranked.plants.back();
 				plant.rank = float(ranks.back()) / float(RANK_COUNT);
 				plant.step = int(std::ceil(plant.rank * RANK_STEPS));

@@ -22,15 +22,15 @@ struct DrawnPlant {
 	int variant = 0;
 };
 
-/// All plants of some blocks, without removed ones.
+/// All plants of some chunks, without removed ones.
 struct RankedPlants {
-	std::vector<DrawnPlant> plants; ///< In the order of their blocks, so that neighbours are adjacent in memory.
-	std::vector<int> begins; ///< First plant of each block, and the end of the last one.
+	std::vector<DrawnPlant> plants; ///< In the order of their chunks, so that neighbours are adjacent in memory.
+	std::vector<int> begins; ///< First plant of each chunk, and the end of the last one.
 	float width = 0.0f; ///< m, of the box around the generated plants.
-	std::vector<int> by_rank; ///< Plant indices by rank; plants of equal rank are in the order of their blocks.
+	std::vector<int> by_rank; ///< Plant indices by rank; plants of equal rank are in the order of their chunks.
 };
 
 /// Any thread.
-RankedPlants rank_plants(const FieldStyle &style, const std::vector<DrawnBlock> &blocks);
+RankedPlants rank_plants(const FieldRenderSetup &setup, const std::vector<DrawnChunk> &chunks);
 
 } // namespace undergrowth

@@ -15,7 +15,7 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr int FRAMES_BETWEEN_CHOICES = 6;
-static constexpr int MOST_NEW = 8; // Per frame; each needs a mesh of its own.
+static constexpr int MAX_NEW_SKELETONS = 8; // Per frame; each needs a mesh of its own.
 // A shown plant stays up to this multiple of the distance, so that nothing flickers.
 static constexpr float KEPT_FARTHER = 1.1f;
 
@@ -26,22 +26,22 @@ static glm::vec2 own_bend(const glm::vec2 &bend, float turn) {
 	return { c * bend.x - d * bend.y, d * bend.x + c * bend.y };
 }
 
-const SkeletonView::Shown *SkeletonView::find_shown(const PlantPlace &place) const {
-	const auto found =
-			std::find_if(shown.begin(), shown.end(), [&](const Shown &entry) { return entry.place == place; });
+const SkeletonView::Shown *SkeletonView::find_shown(const PlantRef &ref) const {
+	const auto found = std::find_if(shown.begin(), shown.end(), [&](const Shown &entry) { return entry.ref == ref; });
 	return found == shown.end() ? nullptr : &*found;
 }
 
-static const FieldLevel &first_used(const FieldLook &look) {
-	return *std::find_if(look.levels.begin(), look.levels.end() - 1, [](const FieldLevel &one) { return one.is_used; });
+static const FieldLevel &first_used(const SpeciesStyle &style) {
+	return *std::find_if(
+			style.levels.begin(), style.levels.end() - 1, [](const FieldLevel &one) { return one.is_used; });
 }
 
 // Returns the distance up to which a species is drawn in full with the first level of detail, or with the first levels
 // if they have all variants. Without an end: `otherwise`.
-static float end_of_whole(const FieldLook &look, float otherwise) {
+static float end_of_whole(const SpeciesStyle &style, float otherwise) {
 	float end = 0.0f;
-	for (const FieldLevel &level : look.levels) {
-		const bool is_like_first = end == 0.0f || (look.is_by_error && level.halvings == 0);
+	for (const FieldLevel &level : style.levels) {
+		const bool is_like_first = end == 0.0f || (style.is_by_error && level.halvings == 0);
 		if (level.is_used && is_like_first) {
 			end = level.end > 0.0f ? level.end - level.end_margin : otherwise;
 		}
@@ -51,40 +51,41 @@ static float end_of_whole(const FieldLook &look, float otherwise) {
 
 // Returns the nearest plants, nearest first. The distance is limited to where levels with all variants are drawn in
 // full.
-std::vector<PlantPlace> SkeletonView::find_nearest(
-		const Scene &scene, const std::vector<Vector3> &eyes, double wanted, int most) const {
+std::vector<PlantRef> SkeletonView::find_nearest(
+		const Scene &scene, const std::vector<Vector3> &cameras, double wanted, int max) const {
 	float distance = 0.0f;
-	for (const FieldLook &look : scene.style.looks) {
-		distance = std::max(distance, std::min(float(wanted), end_of_whole(look, float(wanted))));
+	for (const SpeciesStyle &style : scene.setup.styles) {
+		distance = std::max(distance, std::min(float(wanted), end_of_whole(style, float(wanted))));
 	}
 	const Transform3D to_field = scene.axes.affine_inverse();
 	const Vector3 scale = to_field.basis.get_scale().abs();
 	const float reach = KEPT_FARTHER * distance * std::max({ scale.x, scale.y, scale.z });
-	std::map<PlantPlace, float> nearest; // m; reduced for shown plants.
-	for (const Vector3 &eye : eyes) {
-		std::vector<PlantPlace> around;
-		scene.store.find_in_sphere(to_glm(to_field.xform(eye)), reach, around);
-		for (const PlantPlace &place : around) {
-			const PlantBlock &block = scene.store.block(place.block);
-			const float away = scene.axes.xform(to_godot(block.root(place.slot))).distance_to(eye);
-			const float counted = find_shown(place) ? away / KEPT_FARTHER : away;
-			const FieldLook &look = scene.style.looks[size_t(block.species)];
-			const Thinning thinning = first_used(look).thinning_of(look.has_parts());
-			const bool is_whole = !thinning.is_any() || // Thinned plants get no skeleton.
-					thinning.width_of(plant_rank(scene.store.id(place)), away) == 1.0f;
-			if (counted <= std::min(distance, end_of_whole(look, distance)) && is_whole && !scene.changes.is_mown(scene.store, place)) {
-				const auto [entry, is_new] = nearest.insert({ place, counted });
+	std::map<PlantRef, float> nearest; // m; reduced for shown plants.
+	for (const Vector3 &camera : cameras) {
+		std::vector<PlantRef> around;
+		scene.store.find_in_sphere(to_glm(to_field.xform(camera)), reach, around);
+		for (const PlantRef &ref : around) {
+			const PlantChunk &chunk = scene.store.chunk(ref.chunk);
+			const float away = scene.axes.xform(to_godot(chunk.root(ref.slot))).distance_to(camera);
+			const float counted = find_shown(ref) ? away / KEPT_FARTHER : away;
+			const SpeciesStyle &style = scene.setup.styles[size_t(chunk.species)];
+			const LodDensity lod_density = first_used(style).lod_density_of(style.has_parts());
+			const bool is_whole = !lod_density.is_any() || // Thinned plants get no skeleton.
+					lod_density.width_of(plant_rank(scene.store.id(ref)), away) == 1.0f;
+			if (counted <= std::min(distance, end_of_whole(style, distance)) && is_whole &&
+					!scene.edits.is_mown(scene.store, ref)) {
+				const auto [entry, is_new] = nearest.insert({ ref, counted });
 				entry->second = std::min(entry->second, counted);
 			}
 		}
 	}
-	std::vector<std::pair<float, PlantPlace>> sorted;
-	for (const auto &[place, away] : nearest) {
-		sorted.push_back({ away, place });
+	std::vector<std::pair<float, PlantRef>> sorted;
+	for (const auto &[ref, away] : nearest) {
+		sorted.push_back({ away, ref });
 	}
-	const size_t count = std::min(sorted.size(), size_t(most));
+	const size_t count = std::min(sorted.size(), size_t(max));
 	std::partial_sort(sorted.begin(), sorted.begin() + std::ptrdiff_t(count), sorted.end());
-	std::vector<PlantPlace> chosen;
+	std::vector<PlantRef> chosen;
 	for (size_t i = 0; i < count; i++) {
 		chosen.push_back(sorted[i].second);
 	}
@@ -101,11 +102,11 @@ bool SkeletonView::release(FieldMotion *motion, const std::function<bool(const S
 	shown = std::move(kept);
 	for (const Shown &entry : gone) {
 		if (motion) {
-			motion->set_hidden(entry.place, false);
+			motion->set_hidden(entry.ref, false);
 		}
 		if (Skeleton3D *skeleton = FieldSkeletons::node(entry.skeleton)) {
 			nodes.give_back(skeleton);
-			tell(skeleton, false);
+			callback(skeleton, false);
 		}
 	}
 	return !gone.empty();
@@ -113,19 +114,19 @@ bool SkeletonView::release(FieldMotion *motion, const std::function<bool(const S
 
 void SkeletonView::release_gone(const PlantStore &store) {
 	release(nullptr, [&](const Shown &entry) {
-		const PlantBlock &block = store.block(entry.place.block);
-		return entry.place.slot >= block.size() || block.is_gone(entry.place.slot);
+		const PlantChunk &chunk = store.chunk(entry.ref.chunk);
+		return entry.ref.slot >= chunk.size() || chunk.is_gone(entry.ref.slot);
 	});
 }
 
-void SkeletonView::release_those(FieldMotion &motion, const std::vector<PlantPlace> &ascending) {
+void SkeletonView::release_those(FieldMotion &motion, const std::vector<PlantRef> &ascending) {
 	release(&motion,
-			[&](const Shown &entry) { return std::binary_search(ascending.begin(), ascending.end(), entry.place); });
+			[&](const Shown &entry) { return std::binary_search(ascending.begin(), ascending.end(), entry.ref); });
 }
 
-void SkeletonView::release_in(const std::vector<int> &blocks) {
+void SkeletonView::release_in(const std::vector<int> &chunks) {
 	const auto goes = [&](const Shown &entry) {
-		return std::find(blocks.begin(), blocks.end(), entry.place.block) != blocks.end();
+		return std::find(chunks.begin(), chunks.end(), entry.ref.chunk) != chunks.end();
 	};
 	if (!shown.empty() && release(nullptr, goes)) {
 		frames_since_choice = 0;
@@ -137,33 +138,33 @@ void SkeletonView::release_all(FieldMotion &motion) {
 	frames_since_choice = 0;
 }
 
-void SkeletonView::show(const Scene &scene, const PlantPlace &place) {
-	const PlacedPlant plant = scene.store.block(place.block).plants.plant(place.slot);
-	const FieldLook &look = scene.style.looks[size_t(plant.species)];
-	SampledPlant sampled = look.sample_alone(plant);
-	sampled.rest = own_bend(scene.motion.read_drawn_stem_now(place).rest, plant.turn);
+void SkeletonView::show(const Scene &scene, const PlantRef &ref) {
+	const PlacedPlant plant = scene.store.chunk(ref.chunk).plants.plant(ref.slot);
+	const SpeciesStyle &style = scene.setup.styles[size_t(plant.species)];
+	SampledPlant sampled = style.sample_alone(plant);
+	sampled.rest = own_bend(scene.motion.blocking_read_drawn_stem(ref).rest, plant.turn);
 	std::shared_ptr<PartSkeleton> parts = PartSkeleton::of(sampled);
-	Skeleton3D *skeleton = nodes.take(scene.field, drawn_transform(plant), sampled.build(), parts.get(), scene.wear);
-	shown.push_back({ place, uint64_t(skeleton->get_instance_id()), std::move(parts) });
-	scene.motion.set_hidden(place, true);
-	tell(skeleton, true);
+	Skeleton3D *skeleton = nodes.take(scene.field, drawn_transform(plant), sampled.build(), parts.get(), scene.flags);
+	shown.push_back({ ref, uint64_t(skeleton->get_instance_id()), std::move(parts) });
+	scene.motion.set_hidden(ref, true);
+	callback(skeleton, true);
 }
 
-bool SkeletonView::choose(const Scene &scene, const std::vector<Vector3> &eyes, double distance, int most) {
-	if (((distance <= 0.0 || most <= 0) && shown.empty()) || frames_since_choice++ % FRAMES_BETWEEN_CHOICES != 0) {
+bool SkeletonView::choose(const Scene &scene, const std::vector<Vector3> &cameras, double distance, int max) {
+	if (((distance <= 0.0 || max <= 0) && shown.empty()) || frames_since_choice++ % FRAMES_BETWEEN_CHOICES != 0) {
 		return false;
 	}
-	const std::vector<PlantPlace> nearest = find_nearest(scene, eyes, distance, most);
-	const std::set<PlantPlace> wanted(nearest.begin(), nearest.end());
-	const bool changes = release(&scene.motion, [&](const Shown &entry) { return wanted.count(entry.place) == 0; });
+	const std::vector<PlantRef> nearest = find_nearest(scene, cameras, distance, max);
+	const std::set<PlantRef> wanted(nearest.begin(), nearest.end());
+	const bool changes = release(&scene.motion, [&](const Shown &entry) { return wanted.count(entry.ref) == 0; });
 	int added = 0;
-	for (size_t i = 0; i < nearest.size() && added < MOST_NEW; i++) {
+	for (size_t i = 0; i < nearest.size() && added < MAX_NEW_SKELETONS; i++) {
 		if (!find_shown(nearest[i])) {
 			show(scene, nearest[i]);
 			added++;
 		}
 	}
-	if (added == MOST_NEW) {
+	if (added == MAX_NEW_SKELETONS) {
 		frames_since_choice = 0; // There may be more.
 	}
 	return changes || added > 0;
@@ -175,8 +176,8 @@ void SkeletonView::pose(const PlantStore &store, const FieldMotion &motion) cons
 		if (!skeleton) {
 			continue; // A script has freed it; the next selection removes the entry.
 		}
-		const StemMotion stem = motion.read_drawn_stem_now(entry.place);
-		const float turn = store.block(entry.place.block).plants.plant(entry.place.slot).turn;
+		const StemMotion stem = motion.blocking_read_drawn_stem(entry.ref);
+		const float turn = store.chunk(entry.ref.chunk).plants.plant(entry.ref.slot).turn;
 		const auto to_own = [turn](const glm::vec2 &s) { return own_bend(s, turn); };
 		const glm::vec2 own = to_own(stem.bend);
 		if (!entry.parts || !entry.parts->has_joints()) {
@@ -189,17 +190,17 @@ void SkeletonView::pose(const PlantStore &store, const FieldMotion &motion) cons
 	}
 }
 
-void SkeletonView::dress(const FieldWear &wear) const {
+void SkeletonView::apply_flags(const InstanceRenderFlags &flags) const {
 	for (const Shown &entry : shown) {
 		if (Skeleton3D *skeleton = FieldSkeletons::node(entry.skeleton)) {
-			FieldSkeletons::dress(skeleton, wear);
+			FieldSkeletons::apply_flags(skeleton, flags);
 		}
 	}
 }
 
-void SkeletonView::follow_stems(const PlantStore &store, const FieldStyle &style, FieldMotion &motion) {
+void SkeletonView::follow_stems(const PlantStore &store, const FieldRenderSetup &setup, FieldMotion &motion) {
 	const auto stem_of = [&](const Shown &entry) {
-		return style.looks[size_t(store.block(entry.place.block).species)].stem;
+		return setup.styles[size_t(store.chunk(entry.ref.chunk).species)].stem;
 	};
 	release(&motion, [&](const Shown &entry) {
 		const std::shared_ptr<const StemConstants> stem = stem_of(entry);
@@ -222,15 +223,15 @@ TypedArray<Skeleton3D> SkeletonView::skeletons() const {
 	return found;
 }
 
-Skeleton3D *SkeletonView::find(const PlantPlace &place) const {
-	const Shown *entry = find_shown(place);
+Skeleton3D *SkeletonView::find(const PlantRef &ref) const {
+	const Shown *entry = find_shown(ref);
 	return entry ? FieldSkeletons::node(entry->skeleton) : nullptr;
 }
 
-PlantPlace SkeletonView::find(const Skeleton3D *skeleton) const {
+PlantRef SkeletonView::find(const Skeleton3D *skeleton) const {
 	for (const Shown &entry : shown) {
 		if (skeleton && entry.skeleton == uint64_t(skeleton->get_instance_id())) {
-			return entry.place;
+			return entry.ref;
 		}
 	}
 	return {};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/field_changes.hpp"
+#include "field/field_edits.hpp"
 #include "field/field_motion.hpp"
 #include "field/field_skeletons.hpp"
 
@@ -18,65 +18,65 @@ public:
 	struct Scene {
 		godot::Node3D *field;
 		const PlantStore &store;
-		const FieldStyle &style;
+		const FieldRenderSetup &setup;
 		FieldMotion &motion;
-		const FieldChanges &changes; ///< Mown plants get no skeletons.
+		const FieldEdits &edits; ///< Mown plants get no skeletons.
 		godot::Transform3D axes; ///< From the field's axes to the world's.
-		FieldWear wear; ///< Properties of the first level's instances.
+		InstanceRenderFlags flags; ///< Properties of the first level's instances.
 	};
 	/// Called when a skeleton appears (true) or disappears (false).
-	using Tell = std::function<void(godot::Skeleton3D *, bool)>;
+	using Callback = std::function<void(godot::Skeleton3D *, bool)>;
 
-	explicit SkeletonView(Tell &&teller) : tell(std::move(teller)) {}
+	explicit SkeletonView(Callback &&on_change) : callback(std::move(on_change)) {}
 
 	/// Removes skeletons that a duplicated field, or one of a reloaded library, has among its children.
 	void remove_strays(godot::Node3D *field) const { nodes.remove_strays(field); }
-	/// Call once per frame, between two steps. Every few frames it shows the plants nearest to `eyes` (world axes)
-	/// within `distance` (m), up to `most`. Returns true if the textures changed.
-	bool choose(const Scene &scene, const std::vector<godot::Vector3> &eyes, double distance, int most);
+	/// Call once per frame, between two steps. Every few frames it shows the plants nearest to `cameras` (world axes)
+	/// within `distance` (m), up to `max`. Returns true if the textures changed.
+	bool choose(const Scene &scene, const std::vector<godot::Vector3> &cameras, double distance, int max);
 	/// Makes the next frame select again.
 	void choose_soon() { frames_since_choice = 0; }
 	/// Releases skeletons of removed plants.
 	void release_gone(const PlantStore &store);
 	/// Releases the skeletons of these plants, which are drawn in multimeshes again.
-	void release_those(FieldMotion &motion, const std::vector<PlantPlace> &ascending);
-	/// Releases the skeletons of all plants of these blocks, before the blocks are removed.
-	void release_in(const std::vector<int> &blocks);
+	void release_those(FieldMotion &motion, const std::vector<PlantRef> &ascending);
+	/// Releases the skeletons of all plants of these chunks, before the chunks are removed.
+	void release_in(const std::vector<int> &chunks);
 	/// Releases all skeletons; their plants are drawn in multimeshes again.
 	void release_all(FieldMotion &motion);
 	/// Frees all unused skeletons.
 	void clear() { nodes.clear(); }
 	/// Turns all bones to the plants' bends in this frame.
 	void pose(const PlantStore &store, const FieldMotion &motion) const;
-	void dress(const FieldWear &wear) const;
+	void apply_flags(const InstanceRenderFlags &flags) const;
 	/// Copies the stems of species after a change. Skeletons that need another number of bones are released and
 	/// selected again.
-	void follow_stems(const PlantStore &store, const FieldStyle &style, FieldMotion &motion);
+	void follow_stems(const PlantStore &store, const FieldRenderSetup &setup, FieldMotion &motion);
 
 	int count() const { return int(shown.size()); }
 	godot::TypedArray<godot::Skeleton3D> skeletons() const;
 	/// Null if the plant has no skeleton.
-	godot::Skeleton3D *find(const PlantPlace &place) const;
-	/// The block is -1 if the skeleton shows no plant.
-	PlantPlace find(const godot::Skeleton3D *skeleton) const;
+	godot::Skeleton3D *find(const PlantRef &ref) const;
+	/// The chunk is -1 if the skeleton shows no plant.
+	PlantRef find(const godot::Skeleton3D *skeleton) const;
 
 private:
 	struct Shown {
-		PlantPlace place;
+		PlantRef ref;
 		uint64_t skeleton = 0; ///< Instance id.
 		std::shared_ptr<PartSkeleton> parts; ///< Null: only bones of root and tip.
 	};
 
-	Tell tell;
+	Callback callback;
 	FieldSkeletons nodes;
 	std::vector<Shown> shown;
 	int frames_since_choice = 0;
 
-	std::vector<PlantPlace> find_nearest(
-			const Scene &scene, const std::vector<godot::Vector3> &eyes, double distance, int most) const;
+	std::vector<PlantRef> find_nearest(
+			const Scene &scene, const std::vector<godot::Vector3> &cameras, double distance, int max) const;
 	bool release(FieldMotion *motion, const std::function<bool(const Shown &)> &goes);
-	void show(const Scene &scene, const PlantPlace &place);
-	const Shown *find_shown(const PlantPlace &place) const;
+	void show(const Scene &scene, const PlantRef &ref);
+	const Shown *find_shown(const PlantRef &ref) const;
 };
 
 } // namespace undergrowth

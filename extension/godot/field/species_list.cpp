@@ -1,6 +1,6 @@
 #include "field/species_list.hpp"
 
-#include "field/usual_grass.hpp"
+#include "field/default_species.hpp"
 
 using namespace godot;
 
@@ -22,11 +22,11 @@ void SpeciesList::follow() {
 
 void SpeciesList::choose_grass() {
 	if (listed.is_empty() && options.species.is_empty()) {
-		options.species.push_back(PlantFieldSpecies::of(usual_grass(node)));
+		options.species.push_back(PlantFieldSpecies::of(default_species(node)));
 	}
 }
 
-bool SpeciesList::find_teller(Ref<PlantFunction> &function) const {
+bool SpeciesList::find_emitter(Ref<PlantFunction> &function) const {
 	for (int64_t i = 0; i < options.species.size(); i++) {
 		const Ref<PlantFieldSpecies> entry = options.species[i];
 		if (entry.is_null()) {

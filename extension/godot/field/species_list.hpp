@@ -10,7 +10,7 @@ namespace undergrowth {
 class SpeciesList {
 public:
 	/// `into` gets the copy. Changes of an entry call the node's _on_species_changed().
-	SpeciesList(godot::Object *of, StandOptions &into) : node(of), options(into) {}
+	SpeciesList(godot::Object *of, PlacementOptions &into) : node(of), options(into) {}
 
 	/// Returns true if the entries differ from the former ones.
 	bool set(const godot::TypedArray<PlantFieldSpecies> &entries);
@@ -25,11 +25,11 @@ public:
 
 	/// Call while an entry emits `changed`. `function`: the source of the change, or null if the entry itself changed.
 	/// Returns false if the library was reloaded and the engine has not yet restored an entry.
-	bool find_teller(godot::Ref<PlantFunction> &function) const;
+	bool find_emitter(godot::Ref<PlantFunction> &function) const;
 
 private:
 	godot::Object *node;
-	StandOptions &options;
+	PlacementOptions &options;
 	godot::TypedArray<PlantFieldSpecies> listed;
 	FollowedEntries followed;
 };

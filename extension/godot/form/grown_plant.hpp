@@ -3,7 +3,7 @@
 #include "form/plant_form.hpp"
 #include "mesh/form_bones.hpp"
 #include "mesh/form_measure.hpp"
-#include "mesh/part_hang.hpp"
+#include "mesh/part_attachment.hpp"
 
 #include <functional>
 #include <map>
@@ -18,7 +18,7 @@ public:
 	const PlantForm form;
 	const FormBones bones;
 
-	explicit GrownPlant(PlantForm &&grown) : form(std::move(grown)), bones(form, hang_parts(form)) {}
+	explicit GrownPlant(PlantForm &&grown) : form(std::move(grown)), bones(form, attach_parts(form)) {}
 
 	/// Measured by the first build of a mesh, on any thread.
 	const FormMeasure &measure() const {
@@ -26,8 +26,8 @@ public:
 		return measured;
 	}
 
-	/// Returns the error of the outline at a level with `segments` (m). `measure` runs once for each number of segments.
-	/// Any thread.
+	/// Returns the error of the outline at a level with `segments` (m). `measure` runs once for each number of
+	/// segments. Any thread.
 	float level_error(int segments, const std::function<float()> &measure) const {
 		const std::lock_guard<std::mutex> lock(measuring);
 		const auto known = level_errors.find(segments);

@@ -29,7 +29,7 @@ void GrowthCache::keep(int64_t seed, int64_t state, const std::shared_ptr<const 
 	});
 	entries.push_front({ seed, state, plant });
 	parts += plant->form.placed.size();
-	while (entries.size() > 1 && (entries.size() > MOST_SEEDS || parts > MOST_PARTS)) {
+	while (entries.size() > 1 && (entries.size() > MAX_SEEDS || parts > MAX_PARTS)) {
 		parts -= entries.back().plant->form.placed.size();
 		entries.pop_back();
 	}

@@ -19,8 +19,8 @@ public:
 	void clear();
 
 private:
-	static constexpr size_t MOST_SEEDS = 64; ///< Largest number of variants of a field. The oldest leaves first.
-	static constexpr size_t MOST_PARTS = 50000; ///< In all entries; about 150 bytes each.
+	static constexpr size_t MAX_SEEDS = 64; ///< Largest number of variants of a field. The oldest leaves first.
+	static constexpr size_t MAX_PARTS = 50000; ///< In all entries; about 150 bytes each.
 
 	struct Entry {
 		int64_t seed;

@@ -73,16 +73,16 @@ String PlantArrangement::read(Recipe &recipe, int on, int depth, std::vector<uin
 	return String();
 }
 
-void PlantArrangement::tell() {
-	if (!is_telling) {
-		is_telling = true;
+void PlantArrangement::report_change() {
+	if (!is_reporting) {
+		is_reporting = true;
 		emit_changed();
-		is_telling = false;
+		is_reporting = false;
 	}
 }
 
 void PlantArrangement::on_changed() {
-	tell();
+	report_change();
 }
 
 void PlantArrangement::follow(Resource *before, Resource *now) {
@@ -94,14 +94,14 @@ void PlantArrangement::follow(Resource *before, Resource *now) {
 void PlantArrangement::change_number(float &slot, const char *property, double value, const Range &range) {
 	if (accept_value(this, property, value, range) && float(value) != slot) {
 		slot = float(value);
-		tell();
+		report_change();
 	}
 }
 
 void PlantArrangement::change_angle(float &slot, const char *property, double radians, const Range &degrees) {
 	if (accept_angle(this, property, radians, degrees) && float(radians) != slot) {
 		slot = float(radians);
-		tell();
+		report_change();
 	}
 }
 
@@ -109,7 +109,7 @@ void PlantArrangement::set_span(Span &slot, const char *property, const Vector2 
 	if (accept_value(this, property, value.x, range) && accept_value(this, property, value.y, range) &&
 			value != Vector2(slot.first, slot.last)) {
 		slot = { value.x, value.y };
-		tell();
+		report_change();
 	}
 }
 
@@ -117,7 +117,7 @@ void PlantArrangement::set_angles(Span &slot, const char *property, const Vector
 	if (accept_angle(this, property, radians.x, TILT_DEGREES) &&
 			accept_angle(this, property, radians.y, TILT_DEGREES) && radians != Vector2(slot.first, slot.last)) {
 		slot = { radians.x, radians.y };
-		tell();
+		report_change();
 	}
 }
 
@@ -128,7 +128,7 @@ void PlantArrangement::set_layout(ArrangementLayout layout) {
 	} else if (Layout(layout) != arrangement.layout) {
 		arrangement.layout = Layout(layout);
 		notify_property_list_changed();
-		tell();
+		report_change();
 	}
 }
 
@@ -136,7 +136,7 @@ void PlantArrangement::set_part(const Ref<PlantPart> &kind) {
 	if (kind != part) {
 		follow(part.ptr(), kind.ptr());
 		part = kind;
-		tell();
+		report_change();
 	}
 }
 
@@ -156,28 +156,28 @@ void PlantArrangement::set_count(const Vector2i &range) {
 	if (count != get_count()) {
 		arrangement.count_min = count.x;
 		arrangement.count_max = count.y;
-		tell();
+		report_change();
 	}
 }
 
 void PlantArrangement::set_per_node(int count) {
 	if (accept_value(this, "per_node", count, { 1.0, 64.0 }) && count != arrangement.per_node) {
 		arrangement.per_node = count;
-		tell();
+		report_change();
 	}
 }
 
 void PlantArrangement::set_level_tops(bool level) {
 	if (level != arrangement.level_tops) {
 		arrangement.level_tops = level;
-		tell();
+		report_change();
 	}
 }
 
 void PlantArrangement::set_flat(bool flat) {
 	if (flat != arrangement.flat) {
 		arrangement.flat = flat;
-		tell();
+		report_change();
 	}
 }
 
@@ -185,7 +185,7 @@ void PlantArrangement::set_angle_curve(const Ref<Curve> &curve) {
 	if (curve != angle_curve) {
 		follow(angle_curve.ptr(), curve.ptr());
 		angle_curve = curve;
-		tell();
+		report_change();
 	}
 }
 
@@ -193,7 +193,7 @@ void PlantArrangement::set_scale_curve(const Ref<Curve> &curve) {
 	if (curve != scale_curve) {
 		follow(scale_curve.ptr(), curve.ptr());
 		scale_curve = curve;
-		tell();
+		report_change();
 	}
 }
 
@@ -205,7 +205,7 @@ void PlantArrangement::set_carries(const TypedArray<PlantArrangement> &others) {
 	for (int64_t i = 0; i < carries.size(); i++) {
 		follow(nullptr, Ref<PlantArrangement>(carries[i]).ptr());
 	}
-	tell();
+	report_change();
 }
 
 Vector2 PlantArrangement::get_angle() const {

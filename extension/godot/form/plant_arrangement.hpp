@@ -1,9 +1,9 @@
 #pragma once
 
-#include "as_written.hpp"
 #include "form/arrangement.hpp"
 #include "form/growth.hpp"
 #include "form/plant_part.hpp"
+#include "shortest_decimal.hpp"
 
 #include <godot_cpp/classes/curve.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
@@ -30,9 +30,9 @@ private:
 	godot::Ref<godot::Curve> angle_curve;
 	godot::Ref<godot::Curve> scale_curve;
 	godot::Array carries; // Of PlantArrangement.
-	bool is_telling = false; // A change is being reported; stops arrangements that carry themselves.
+	bool is_reporting = false; // A change is being reported; stops arrangements that carry themselves.
 
-	void tell();
+	void report_change();
 	void follow(godot::Resource *before, godot::Resource *now);
 	void change_number(float &slot, const char *property, double value, const Range &range);
 	void change_angle(float &slot, const char *property, double radians, const Range &degrees);

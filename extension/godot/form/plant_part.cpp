@@ -1,11 +1,11 @@
 #include "form/plant_part.hpp"
 
-#include "as_written.hpp"
 #include "conventions.hpp"
 #include "convert.hpp"
 #include "follow_changes.hpp"
 #include "form/set_by_names.hpp"
 #include "script_call.hpp"
+#include "shortest_decimal.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 
@@ -31,7 +31,7 @@ static Array arguments(double offset, double across) {
 }
 
 double written_angle(float radians) {
-	return as_written(float(radians * (180.0 / PI))) * (PI / 180.0);
+	return shortest_decimal(float(radians * (180.0 / PI))) * (PI / 180.0);
 }
 
 void PlantPart::change_number(float &slot, const char *property, double value, const Range &range) {
@@ -57,9 +57,9 @@ void PlantPart::change_count(int &slot, const char *property, int value, const R
 
 String PlantPart::read(Part &into) {
 	into = part;
-	String problem = ask_widths(into);
+	String problem = call_widths(into);
 	if (problem.is_empty()) {
-		problem = ask_colors(into);
+		problem = call_colors(into);
 	}
 	if (problem.is_empty()) {
 		problem = String::utf8(find_part_fault(into).c_str());
@@ -67,7 +67,7 @@ String PlantPart::read(Part &into) {
 	return problem.is_empty() ? problem : describe(this) + ": " + problem;
 }
 
-String PlantPart::ask_widths(Part &into) {
+String PlantPart::call_widths(Part &into) {
 	const bool from_script = GDVIRTUAL_IS_OVERRIDDEN(_calculate_width);
 	if (!from_script && (width_curve.is_null() || width_curve->get_point_count() == 0)) {
 		return String();
@@ -83,7 +83,7 @@ String PlantPart::ask_widths(Part &into) {
 	return problem;
 }
 
-String PlantPart::ask_colors(Part &into) {
+String PlantPart::call_colors(Part &into) {
 	const bool from_script = GDVIRTUAL_IS_OVERRIDDEN(_calculate_color);
 	if (!from_script && gradient.is_null()) {
 		return String();
@@ -182,7 +182,7 @@ void PlantPart::set_translucency(double share) {
 }
 
 double PlantPart::get_translucency() const {
-	return as_written(part.translucency);
+	return shortest_decimal(part.translucency);
 }
 
 void PlantPart::set_frequency(double hertz) {
@@ -190,7 +190,7 @@ void PlantPart::set_frequency(double hertz) {
 }
 
 double PlantPart::get_frequency() const {
-	return as_written(part.frequency);
+	return shortest_decimal(part.frequency);
 }
 
 void PlantPart::set_damping_ratio(double ratio) {
@@ -198,7 +198,7 @@ void PlantPart::set_damping_ratio(double ratio) {
 }
 
 double PlantPart::get_damping_ratio() const {
-	return as_written(part.damping_ratio);
+	return shortest_decimal(part.damping_ratio);
 }
 
 void PlantPart::_bind_methods() {

@@ -21,8 +21,8 @@ class PlantPart : public godot::Resource {
 	godot::Ref<godot::Gradient> gradient;
 
 	void follow(godot::Resource *before, godot::Resource *now);
-	godot::String ask_widths(Part &into);
-	godot::String ask_colors(Part &into);
+	godot::String call_widths(Part &into);
+	godot::String call_colors(Part &into);
 
 protected:
 	Part part;
@@ -66,23 +66,23 @@ public:
 double written_angle(float radians);
 
 // Setter and getter of one property of the core's part: a number, a count or an angle.
-#define UNDERGROWTH_NUMBER(m_name, m_slot, m_least, m_most)                                                            \
+#define UNDERGROWTH_NUMBER(m_name, m_slot, m_min, m_max)                                                               \
 	void set_##m_name(double value) {                                                                                  \
-		change_number(m_slot, #m_name, value, { m_least, m_most });                                                    \
+		change_number(m_slot, #m_name, value, { m_min, m_max });                                                       \
 	}                                                                                                                  \
 	double get_##m_name() const {                                                                                      \
-		return as_written(m_slot);                                                                                     \
+		return shortest_decimal(m_slot);                                                                               \
 	}
-#define UNDERGROWTH_COUNT(m_name, m_slot, m_least, m_most)                                                             \
+#define UNDERGROWTH_COUNT(m_name, m_slot, m_min, m_max)                                                                \
 	void set_##m_name(int value) {                                                                                     \
-		change_count(m_slot, #m_name, value, { m_least, m_most });                                                     \
+		change_count(m_slot, #m_name, value, { m_min, m_max });                                                        \
 	}                                                                                                                  \
 	int get_##m_name() const {                                                                                         \
 		return m_slot;                                                                                                 \
 	}
-#define UNDERGROWTH_ANGLE(m_name, m_slot, m_least, m_most)                                                             \
+#define UNDERGROWTH_ANGLE(m_name, m_slot, m_min, m_max)                                                                \
 	void set_##m_name(double radians) {                                                                                \
-		change_angle(m_slot, #m_name, radians, { m_least, m_most });                                                   \
+		change_angle(m_slot, #m_name, radians, { m_min, m_max });                                                      \
 	}                                                                                                                  \
 	double get_##m_name() const {                                                                                      \
 		return written_angle(m_slot);                                                                                  \

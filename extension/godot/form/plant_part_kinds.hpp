@@ -1,7 +1,7 @@
 #pragma once
 
-#include "as_written.hpp"
 #include "form/plant_part.hpp"
+#include "shortest_decimal.hpp"
 
 namespace undergrowth {
 

@@ -41,7 +41,7 @@ String SpeciesGrowth::grow(PlantFunction &species, int64_t seed, std::shared_ptr
 	Ref<PlantGrowth> plant;
 	plant.instantiate();
 	plant->begin(&species, sampled.height, uint64_t(seed));
-	ask(species, plant, problem);
+	call_script(species, plant, problem);
 	String what;
 	PlantForm form = plant->finish(what);
 	problem = problem.is_empty() ? what : problem;
@@ -52,12 +52,12 @@ String SpeciesGrowth::grow(PlantFunction &species, int64_t seed, std::shared_ptr
 	return problem;
 }
 
-void SpeciesGrowth::ask(PlantFunction &species, const Ref<PlantGrowth> &plant, String &problem) {
+void SpeciesGrowth::call_script(PlantFunction &species, const Ref<PlantGrowth> &plant, String &problem) {
 	const Stopwatch watch;
-	const bool is_script = species.ask_to_grow(plant, problem);
+	const bool is_script = species.call_grow(plant, problem);
 	const double seconds = 1e-6 * watch.usec();
-	if (is_script && seconds > SLOW_GROWTH && !has_told_slowness) {
-		has_told_slowness = true;
+	if (is_script && seconds > SLOW_GROWTH && !has_reported_slowness) {
+		has_reported_slowness = true;
 		report_warning(&species,
 				"its `_grow` took " + String::num(seconds, 1) +
 						" s for one plant, while the game stood still. Let it do less: what is the same for all seeds "

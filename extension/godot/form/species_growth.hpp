@@ -21,10 +21,10 @@ public:
 
 private:
 	GrowthCache grown_before;
-	bool has_told_slowness = false;
+	bool has_reported_slowness = false;
 
 	godot::String grow(PlantFunction &species, int64_t seed, std::shared_ptr<const GrownPlant> &grown);
-	void ask(PlantFunction &species, const godot::Ref<PlantGrowth> &plant, godot::String &problem);
+	void call_script(PlantFunction &species, const godot::Ref<PlantGrowth> &plant, godot::String &problem);
 };
 
 } // namespace undergrowth

@@ -9,7 +9,7 @@ using namespace undergrowth;
 TEST_CASE("two plants that swing into each other separate and lose energy") {
 	for (const Law law : BOTH_LAWS) {
 		const MotionSpecies species = tips_of(law);
-		double most[2] = {}; // Without contact, and with it.
+		double max[2] = {}; // Without contact, and with it.
 		for (const bool touching : { false, true }) {
 			FieldSimulation field = row_of(species, 2, 0.4f);
 			TipContact contact;
@@ -23,11 +23,11 @@ TEST_CASE("two plants that swing into each other separate and lose energy") {
 					contact.resolve(field);
 					REQUIRE(tip_distance(field, 0, 1) > 2.0f * RADIUS - DEEPEST);
 				}
-				most[touching ? 1 : 0] = std::max(most[touching ? 1 : 0], energy(field, species));
+				max[touching ? 1 : 0] = std::max(max[touching ? 1 : 0], energy(field, species));
 			}
 			CHECK((energy(field, species) < 0.8 * start) == touching);
 		}
-		CHECK(most[1] <= most[0] * (1.0 + ENERGY_TOLERANCE));
+		CHECK(max[1] <= max[0] * (1.0 + ENERGY_TOLERANCE));
 	}
 }
 

@@ -55,16 +55,16 @@ TEST_CASE("the cost of contact grows with the number of plants, not with their r
 			contact.fit(field);
 			find_contacts(contact, field);
 			CAPTURE(radius);
-			CHECK(contact.candidate_count() <= static_cast<std::size_t>(count * TipContact::MOST_CONTACTS));
+			CHECK(contact.candidate_count() <= static_cast<std::size_t>(count * TipContact::MAX_CONTACTS));
 			if (radius != 1.0f) { // In between, it depends on the positions.
 				CHECK(contact.is_crowded() == (radius == ABSURD_RADIUS));
 			}
-			int most = 0;
+			int max = 0;
 			for (int i = 0; i < count; i++) {
-				most = std::max(most, contact.contacts(0, i));
+				max = std::max(max, contact.contacts(0, i));
 			}
-			CHECK(most > 0);
-			CHECK(most <= TipContact::MOST_CONTACTS);
+			CHECK(max > 0);
+			CHECK(max <= TipContact::MAX_CONTACTS);
 		}
 	}
 }
@@ -108,14 +108,14 @@ TEST_CASE("a crowd of tips with an absurd radius comes to rest") {
 			field.apply_impulse(0, i, { 0.3f * signed_noise(31, static_cast<uint64_t>(i)), 0.0f, 0.1f });
 		}
 		MotionSpecies species = tips_of(law);
-		double most = energy(field, species);
-		const double start = most;
+		double max = energy(field, species);
+		const double start = max;
 		for (int i = 0; i < 600; i++) {
 			field.step();
 			contact.resolve(field);
-			most = std::max(most, energy(field, species));
+			max = std::max(max, energy(field, species));
 		}
-		CHECK(most <= start * (1.0 + 0.05));
+		CHECK(max <= start * (1.0 + 0.05));
 		CHECK(energy(field, species) < 0.5 * start);
 	}
 }

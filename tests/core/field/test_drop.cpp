@@ -42,7 +42,7 @@ TEST_CASE("dropping a plant removes it and leaves all other plants unchanged") {
 			field.drop(1, 4);
 			CHECK(field.plant_count() == PLANTS - 1);
 			CHECK(field.page(1).size() == PLANTS / 3);
-			CHECK(field.page(1).standing() == PLANTS / 3 - 1);
+			CHECK(field.page(1).live_count() == PLANTS / 3 - 1);
 			CHECK(field.page(1).is_gone(4));
 			CHECK(field.due_count() == whole.due_count() - (prototypes == 0 ? 1 : 0));
 			field.set_species(0, species_of(law));
@@ -86,7 +86,7 @@ TEST_CASE("no body, blow or query finds a dropped plant") {
 		CHECK(visited == 0);
 		field.set_bodies(&ball, 1);
 		field.step();
-		CHECK((prototypes == 0 || field.follower(0, 7).loose == 0));
+		CHECK((prototypes == 0 || field.follower(0, 7).detached == 0));
 	}
 }
 
@@ -133,9 +133,9 @@ TEST_CASE("the next page reuses the number of a removed page, and all other page
 		CHECK_FALSE(field.is_point_in_plants(root, 0.01f));
 		CHECK(field.state(2, 5).direction == kept.direction);
 		if (prototypes > 0) {
-			REQUIRE(field.loose_plants(0)->count() == 1);
-			CHECK(field.loose_plants(0)->page_of(0) == 2);
-			CHECK(field.follower(2, 3).loose == 1);
+			REQUIRE(field.detached_followers(0)->count() == 1);
+			CHECK(field.detached_followers(0)->page_of(0) == 2);
+			CHECK(field.follower(2, 3).detached == 1);
 		}
 		field.step();
 		const MotionPlant plants[2];
@@ -159,7 +159,7 @@ TEST_CASE("removed distant plants no longer delay the remaining ones") {
 	field.set_wind({ { WindKind::waves, 1.0f }, 10.0f });
 	field.add_page(species, &plant, 1);
 	const float alone = field.prototype_lead();
-	const TravellingWind wind = wind_at_time(field.wind(), 0.0);
+	const WindSnapshot wind = wind_at_time(field.wind(), 0.0);
 	plant.root = glm::vec3(wind.delay_x, 0.0f, wind.delay_z) * -300.0f;
 	const int far = field.add_page(species, &plant, 1);
 	CHECK(field.prototype_lead() > alone + 2.0f);

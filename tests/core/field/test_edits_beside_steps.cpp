@@ -1,6 +1,6 @@
 #include "field_fixture.hpp"
-#include "stand/plant_store.hpp"
-#include "stand/test_placement_fixture.hpp"
+#include "placement/plant_store.hpp"
+#include "placement/test_placement_fixture.hpp"
 
 #include <doctest/doctest.h>
 
@@ -17,28 +17,28 @@ constexpr float TILE = 4.0f; // m.
 constexpr float SIDE = 24.0f; // m.
 
 /// A store and its simulation, edited between steps on the main thread as a field does it.
-class Stand {
+class Scene {
 public:
-	explicit Stand(int prototypes) : simulation(settings_of(prototypes)) {
+	explicit Scene(int prototypes) : simulation(settings_of(prototypes)) {
 		for (const Law law : { Law::elasticity, Law::spring }) {
 			simulation.add_species(species_of(law));
 		}
 		simulation.set_wind(wave_wind());
 	}
 
-	void apply(StandEdit &&edit) {
+	void apply(StoreEdit &&edit) {
 		const ChangeSet changes = store.apply(std::move(edit));
-		pages.resize(static_cast<std::size_t>(store.block_count()), -1);
-		for (const int block : changes.dropped) {
-			if (page(block) >= 0) {
-				simulation.remove_page(std::exchange(page(block), -1));
+		pages.resize(static_cast<std::size_t>(store.chunk_count()), -1);
+		for (const int chunk : changes.dropped) {
+			if (page(chunk) >= 0) {
+				simulation.remove_page(std::exchange(page(chunk), -1));
 			}
 		}
 		for (const ChangeSet::Grown &grown : changes.grown) {
 			grow(grown);
 		}
-		for (const PlantPlace &place : changes.gone) {
-			simulation.drop(page(place.block), place.slot);
+		for (const PlantRef &ref : changes.gone) {
+			simulation.drop(page(ref.chunk), ref.slot);
 		}
 	}
 
@@ -52,10 +52,10 @@ public:
 				simulation.step_pages(count * i / threads, count * (i + 1) / threads);
 			});
 		}
-		std::vector<PlantPlace> found;
+		std::vector<PlantRef> found;
 		store.find_in_sphere({ 2.0f, 0.0f, 1.0f }, 5.0f, found);
-		for (const PlantPlace &place : found) {
-			seen += store.find(store.id(place)) == place ? 1 : 0;
+		for (const PlantRef &ref : found) {
+			seen += store.find(store.id(ref)) == ref ? 1 : 0;
 		}
 		for (std::thread &thread : pool) {
 			thread.join();
@@ -64,9 +64,9 @@ public:
 
 	/// Removes every third plant near `centre`, and adds the same number near it.
 	void edit_near(const glm::vec3 &centre) {
-		std::vector<PlantPlace> found;
+		std::vector<PlantRef> found;
 		store.find_in_sphere(centre, 2.0f, found);
-		StandEdit edit;
+		StoreEdit edit;
 		for (std::size_t i = 0; i < found.size(); i += 3) {
 			edit.removed.push_back(found[i]);
 			PlacedPlant plant;
@@ -89,7 +89,7 @@ public:
 	int seen = 0;
 
 private:
-	std::vector<int> pages; ///< By block.
+	std::vector<int> pages; ///< By chunk.
 
 	static FieldSettings settings_of(int prototypes) {
 		FieldSettings settings;
@@ -98,20 +98,20 @@ private:
 		return settings;
 	}
 
-	int &page(int block) { return pages[static_cast<std::size_t>(block)]; }
+	int &page(int chunk) { return pages[static_cast<std::size_t>(chunk)]; }
 
 	void grow(const ChangeSet::Grown &grown) {
-		const PlantBlock &block = store.block(grown.block);
-		std::vector<MotionPlant> plants(static_cast<std::size_t>(block.size() - grown.first));
+		const PlantChunk &chunk = store.chunk(grown.chunk);
+		std::vector<MotionPlant> plants(static_cast<std::size_t>(chunk.size() - grown.first));
 		for (std::size_t i = 0; i < plants.size(); i++) {
-			plants[i].root = block.root(grown.first + static_cast<int>(i));
+			plants[i].root = chunk.root(grown.first + static_cast<int>(i));
 			plants[i].length = 0.7f;
 		}
 		const int count = static_cast<int>(plants.size());
-		if (page(grown.block) < 0) {
-			page(grown.block) = simulation.add_page(block.species, plants.data(), count);
+		if (page(grown.chunk) < 0) {
+			page(grown.chunk) = simulation.add_page(chunk.species, plants.data(), count);
 		} else {
-			REQUIRE(simulation.add_to_page(page(grown.block), plants.data(), count));
+			REQUIRE(simulation.add_to_page(page(grown.chunk), plants.data(), count));
 		}
 	}
 };
@@ -120,57 +120,57 @@ private:
 class Growth {
 public:
 	Growth(const PlantStore &store, const PlacementRequest &wanted) : request(wanted) {
-		for (int number = 0; number < store.block_count(); number++) {
-			standing.push_back(store.block(number));
+		for (int number = 0; number < store.chunk_count(); number++) {
+			existing.push_back(store.chunk(number));
 		}
 		worker = std::thread([this] { work(); });
 	}
 
 	/// Waits for the build.
-	StandEdit take() {
+	StoreEdit take() {
 		worker.join();
 		return std::move(edit);
 	}
 
-	int stood = 0;
+	int arriving = 0;
 
 private:
 	PlacementRequest request;
-	std::vector<PlantBlock> standing;
-	StandEdit edit;
+	std::vector<PlantChunk> existing;
+	StoreEdit edit;
 	std::thread worker;
 
 	void work() {
-		for (const PlantBlock &block : standing) {
-			stood += block.standing();
+		for (const PlantChunk &chunk : existing) {
+			arriving += chunk.live_count();
 		}
-		edit.fills = true;
+		edit.replaces_all = true;
 		edit.tile_size = TILE;
 		edit.spacing = Placement(request).cell_size();
-		edit.filled = cut_into_blocks(placed(request), TILE);
+		edit.generated = cut_into_chunks(placed(request), TILE);
 	}
 };
 
 uint64_t run(int prototypes, int threads) {
-	Stand stand(prototypes);
+	Scene scene(prototypes);
 	PlacementRequest request = square_field(SIDE, 4.0f, 2);
-	stand.apply(Growth(stand.store, request).take());
+	scene.apply(Growth(scene.store, request).take());
 	for (int i = 0; i < ROUNDS; i += ROUNDS_OF_GROWTH) {
 		// The same meadow with a lane through different tiles.
 		const float lane = static_cast<float>(i % 20) - 10.0f;
 		request.exclusions = { { { lane, -20.0f }, { lane + 3.0f, -20.0f }, { lane + 3.0f, 20.0f }, { lane, 20.0f } } };
-		const int before = stand.store.plant_count();
-		Growth growth(stand.store, request);
+		const int before = scene.store.plant_count();
+		Growth growth(scene.store, request);
 		for (int j = 0; j < ROUNDS_OF_GROWTH; j++) {
-			stand.step(threads);
-			stand.edit_near({ static_cast<float>(j) - 3.0f, 0.0f, static_cast<float>(i % 7) });
+			scene.step(threads);
+			scene.edit_near({ static_cast<float>(j) - 3.0f, 0.0f, static_cast<float>(i % 7) });
 		}
-		stand.apply(growth.take());
-		CHECK(growth.stood == before);
+		scene.apply(growth.take());
+		CHECK(growth.arriving == before);
 	}
-	stand.step(threads);
-	CHECK(stand.seen > 0);
-	return stand.hash();
+	scene.step(threads);
+	CHECK(scene.seen > 0);
+	return scene.hash();
 }
 
 } // namespace

@@ -34,7 +34,7 @@ FieldWind wind_of(WindKind kind) {
 
 /// Distances (m) between points on stems of both modes and of one.
 struct Apart {
-	double most = 0.0;
+	double max = 0.0;
 	double squares = 0.0; ///< m².
 	int count = 0;
 };
@@ -59,13 +59,13 @@ Apart apart_in(WindKind kind, float length) {
 	const FieldWind wind = wind_of(kind);
 	Apart apart;
 	for (int step = 0; step < 3600; step++) {
-		const TravellingWind now = wind_at_time(wind, (step + 0.5) * static_cast<double>(STEP));
+		const WindSnapshot now = wind_at_time(wind, (step + 0.5) * static_cast<double>(STEP));
 		both.step(now, winds_along(wind));
 		one.step(now, winds_along(wind));
 		for (int i = 0; i < both.size() && step > 300; i++) {
 			for (const float share : { 0.25f, 0.5f, 0.75f, 1.0f }) {
 				const auto off = static_cast<double>(glm::distance(both.arm(i, share), one.arm(i, share)));
-				apart.most = std::max(apart.most, off);
+				apart.max = std::max(apart.max, off);
 				apart.squares += off * off;
 				apart.count++;
 			}
@@ -81,7 +81,7 @@ TEST_CASE("in wind, stems of one mode differ from stems of two by less than is v
 		for (const float length : { 0.3f, 0.6f, 1.0f }) {
 			const Apart apart = apart_in(kind, length);
 			CHECK(std::sqrt(apart.squares / apart.count) < 0.25 * PIXEL);
-			CHECK(apart.most < 1.25 * PIXEL); // Once per minute of 40 plants.
+			CHECK(apart.max < 1.25 * PIXEL); // Once per minute of 40 plants.
 		}
 	}
 }

@@ -134,7 +134,7 @@ TEST_CASE("plants that are moved have the wind of their new position") {
 	moved.make_room_ahead();
 	const auto step = [&](MotionPage &page, int number) {
 		const double moment = (number + page.wind_moment()) / 60.0;
-		page.look_ahead(wind, along, moment, 0);
+		page.sample_air_ahead(wind, along, moment, 0);
 		page.step(wind_at_time(wind, moment), along);
 	};
 	for (int i = 0; i < 10; i++) {

@@ -20,7 +20,7 @@ constexpr float INTERVAL_TOLERANCE = 0.01f;
 constexpr float START_TOLERANCE = 0.04f;
 constexpr int SETTLED = 900; // Steps.
 constexpr float BEND_TOLERANCE = 1.1e-3f;
-constexpr double MOST_BYTES = 96.0;
+constexpr double MAX_BYTES = 96.0;
 
 bool is_whole(const TipState &state) {
 	return std::isfinite(glm::dot(state.direction, state.rate)) &&
@@ -219,7 +219,7 @@ TEST_CASE("fields of 0, 1 and a million plants") {
 	many.step();
 	CHECK(many.plant_count() == 1000000);
 	CHECK(is_whole(many.state(many.page_count() - 1, 3)));
-	CHECK(many.bytes_per_plant() <= MOST_BYTES);
+	CHECK(many.bytes_per_plant() <= MAX_BYTES);
 }
 
 TEST_CASE("a field stays within its memory limit, also with prototypes") {
@@ -228,7 +228,7 @@ TEST_CASE("a field stays within its memory limit, also with prototypes") {
 		settings.prototypes = prototypes;
 		FieldSimulation field(settings);
 		add_plants(field, field.add_species(species_of(Law::spring)), 100000);
-		CHECK(field.bytes_per_plant() <= MOST_BYTES);
+		CHECK(field.bytes_per_plant() <= MAX_BYTES);
 		const double before = field.bytes_per_plant();
 		for (int i = 0; i < 10; i++) {
 			field.step();

@@ -57,12 +57,12 @@ std::vector<glm::vec3> places_of(const FieldSimulation &field, float fraction) {
 	return places;
 }
 
-float most_apart(const std::vector<glm::vec3> &some, const std::vector<glm::vec3> &others) {
-	float most = 0.0f;
+float max_apart(const std::vector<glm::vec3> &some, const std::vector<glm::vec3> &others) {
+	float max = 0.0f;
 	for (std::size_t i = 0; i < some.size(); i++) {
-		most = std::max(most, glm::distance(some[i], others[i]));
+		max = std::max(max, glm::distance(some[i], others[i]));
 	}
-	return most;
+	return max;
 }
 
 /// Around the lower half of plant 0.
@@ -84,7 +84,7 @@ TEST_CASE("a follower's stem bends in both modes like a simulated one, after its
 	FieldSimulation following = field_of(1);
 	simulated.set_page_near(0, true);
 	std::vector<std::vector<glm::vec3>> did;
-	float most_second = 0.0f;
+	float max_second = 0.0f;
 	for (int i = 0; i < 2400; i++) {
 		simulated.step();
 		following.step();
@@ -98,11 +98,11 @@ TEST_CASE("a follower's stem bends in both modes like a simulated one, after its
 			for (std::size_t at = 3 * static_cast<std::size_t>(k); at < 3 * static_cast<std::size_t>(k) + 3; at++) {
 				REQUIRE(glm::distance(now[at], did[then][at]) < CLOSE);
 			}
-			most_second = std::max(most_second, second_of(following, k));
+			max_second = std::max(max_second, second_of(following, k));
 		}
 	}
 	CHECK(following.prototypes(0)->modes() == 2);
-	CHECK(most_second > 0.003f);
+	CHECK(max_second > 0.003f);
 }
 
 TEST_CASE("a follower with a pushed stem swings in both modes and returns to its prototype without a jump") {
@@ -111,22 +111,22 @@ TEST_CASE("a follower with a pushed stem swings in both modes and returns to its
 		field.step();
 	}
 	const MovingBody body = body_at(field);
-	float most_second = 0.0f;
+	float max_second = 0.0f;
 	const float calm_second = second_of(field, 0);
 	for (int i = 0; i < 400; i++) {
 		field.set_bodies(&body, i < 30 ? 1 : 0);
 		const std::vector<glm::vec3> before = places_of(field, 1.0f);
 		field.step();
-		most_second = std::max(most_second, second_of(field, 0));
+		max_second = std::max(max_second, second_of(field, 0));
 		if (i == 60) {
-			CHECK(field.follower(0, 0).loose > 0);
+			CHECK(field.follower(0, 0).detached > 0);
 		}
 		if (i > 30) { // Not while the body pushes.
-			REQUIRE(most_apart(places_of(field, 0.0f), before) < 3e-3f);
+			REQUIRE(max_apart(places_of(field, 0.0f), before) < 3e-3f);
 		}
 	}
-	CHECK(most_second > 5.0f * calm_second);
-	CHECK(field.follower(0, 0).loose == 0);
+	CHECK(max_second > 5.0f * calm_second);
+	CHECK(field.follower(0, 0).detached == 0);
 }
 
 TEST_CASE("a blow on a follower acts on both modes of its stem") {
@@ -139,14 +139,14 @@ TEST_CASE("a blow on a follower acts on both modes of its stem") {
 		field->step();
 		field->apply_impulse(0, 3, { 0.01f, 0.0f, 0.004f });
 	}
-	float most_second = 0.0f;
+	float max_second = 0.0f;
 	for (int i = 0; i < 90; i++) {
 		simulated.step();
 		following.step();
-		REQUIRE(most_apart(places_of(following, 1.0f), places_of(simulated, 1.0f)) < CLOSE);
-		most_second = std::max(most_second, second_of(following, 3));
+		REQUIRE(max_apart(places_of(following, 1.0f), places_of(simulated, 1.0f)) < CLOSE);
+		max_second = std::max(max_second, second_of(following, 3));
 	}
-	CHECK(most_second > 0.01f);
+	CHECK(max_second > 0.01f);
 }
 
 TEST_CASE("followers stay in place when their stems gain or lose a second mode") {
@@ -158,11 +158,11 @@ TEST_CASE("followers stay in place when their stems gain or lose a second mode")
 		const std::vector<glm::vec3> before = places_of(field, 1.0f);
 		field.set_species(0, reed(3 - modes));
 		CHECK(field.prototypes(0)->modes() == 3 - modes);
-		CHECK(most_apart(places_of(field, 1.0f), before) < (modes == 1 ? 2e-3f : 0.02f));
+		CHECK(max_apart(places_of(field, 1.0f), before) < (modes == 1 ? 2e-3f : 0.02f));
 		for (int i = 0; i < 100; i++) {
 			const std::vector<glm::vec3> last = places_of(field, 1.0f);
 			field.step();
-			REQUIRE(most_apart(places_of(field, 0.0f), last) < 3e-3f);
+			REQUIRE(max_apart(places_of(field, 0.0f), last) < 3e-3f);
 		}
 	}
 }

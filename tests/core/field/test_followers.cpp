@@ -18,8 +18,8 @@ constexpr float SAME = 1e-3f; // Rounding by half floats and by the mix of stere
 constexpr float CLOSE = 0.01f;
 
 /// Largest change of any plant's direction in one step, in the ten seconds after waves of wind turn or slow down.
-float most_change(FieldSimulation &field, float turn) {
-	float most = 0.0f;
+float max_change(FieldSimulation &field, float turn) {
+	float max = 0.0f;
 	std::vector<glm::vec3> before(FOLLOWERS);
 	for (int i = 0; i < 1600; i++) {
 		if (i == 1000) {
@@ -31,11 +31,11 @@ float most_change(FieldSimulation &field, float turn) {
 		field.step();
 		for (int k = 0; k < FOLLOWERS; k++) {
 			const glm::vec3 now = field.state(0, k).direction;
-			most = i > 900 ? std::max(most, glm::distance(now, before[static_cast<size_t>(k)])) : 0.0f;
+			max = i > 900 ? std::max(max, glm::distance(now, before[static_cast<size_t>(k)])) : 0.0f;
 			before[static_cast<size_t>(k)] = now;
 		}
 	}
-	return most;
+	return max;
 }
 
 } // namespace
@@ -51,14 +51,14 @@ TEST_CASE("followers show the motion of their prototype after the wind's travel 
 				did.back().push_back(newest(*field.prototypes(0), k));
 			}
 		}
-		float most_late = 0.0f;
+		float max_delay = 0.0f;
 		for (int i = 0; i < FOLLOWERS; i++) {
 			const Follower &follower = field.follower(0, i);
 			const glm::vec3 root = field.page(0).root(i);
 			const float way = (field.prototype_lead() + wind_delay(field.wind(), root.x, root.z)) / FIELD_STEP;
 			const float late = std::min(way, 896.0f) + static_cast<float>(follower.own_delay);
 			REQUIRE(way > -0.01f);
-			most_late = std::max(most_late, late);
+			max_delay = std::max(max_delay, late);
 			for (const float fraction : { 0.0f, 0.3f, 1.0f }) {
 				const float moment = 1399.0f - late - (1.0f - fraction);
 				const auto before = std::min(static_cast<size_t>(moment), did.size() - 2);
@@ -69,8 +69,8 @@ TEST_CASE("followers show the motion of their prototype after the wind's travel 
 			}
 			REQUIRE(glm::distance(field.state(0, i).direction, field.shown_direction(0, i, 1.0f)) < 1e-6f);
 		}
-		CHECK((speed > 0.0f || most_late < 65.0f));
-		CHECK((speed != 4.0f || most_late > 900.0f));
+		CHECK((speed > 0.0f || max_delay < 65.0f));
+		CHECK((speed != 4.0f || max_delay > 900.0f));
 	}
 }
 
@@ -139,8 +139,8 @@ TEST_CASE("a wind that turns or slows down moves followers per step no more than
 			add_plants(simulated, simulated.add_species(species_of(law)), FOLLOWERS);
 			FieldSimulation following = prototype_field(law, 8.0f);
 			simulated.set_wind(following.wind());
-			const float usual = most_change(simulated, turn);
-			const float followed = most_change(following, turn);
+			const float usual = max_change(simulated, turn);
+			const float followed = max_change(following, turn);
 			CAPTURE(usual);
 			CAPTURE(followed);
 			CHECK(followed < MORE * usual);

@@ -22,7 +22,7 @@ float farthest_of_leaves(Law law, int interval) {
 	species.has_parts = true;
 	add_plants(field, field.add_species(species), PLANTS);
 	field.set_wind(wave_wind());
-	PartSwing leaf;
+	PartMotion leaf;
 	leaf.frequency = 2.0f;
 	leaf.side = { 1.0f, 0.0f };
 	SwingClock clock;

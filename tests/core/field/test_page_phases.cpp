@@ -16,7 +16,7 @@ TEST_CASE("the phase of a page, not its number, selects the step of its interval
 	for (int i = 0; i < 12; i++) {
 		int due = 0;
 		for (int page = 0; page < 8; page++) {
-			due += i % 4 == phases[page] % 4 ? field.page(page).standing() : 0;
+			due += i % 4 == phases[page] % 4 ? field.page(page).live_count() : 0;
 		}
 		CHECK(field.due_count() == due);
 		field.step();

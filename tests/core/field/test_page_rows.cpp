@@ -10,18 +10,18 @@ using namespace undergrowth;
 
 namespace {
 
-PlantBlock block_of(int species, int plants) {
-	PlantBlock block;
-	block.species = species;
-	block.plants.resize(static_cast<std::size_t>(plants));
-	return block;
+PlantChunk chunk_of(int species, int plants) {
+	PlantChunk chunk;
+	chunk.species = species;
+	chunk.plants.resize(static_cast<std::size_t>(plants));
+	return chunk;
 }
 
 } // namespace
 
 TEST_CASE("neighbouring blocks of a species share a page, one after the other, and other species another page") {
 	const std::vector<PageRows> rows =
-			join_into_pages({ block_of(3, 100), block_of(1, 7), block_of(3, 50), block_of(1, 9) });
+			join_into_pages({ chunk_of(3, 100), chunk_of(1, 7), chunk_of(3, 50), chunk_of(1, 9) });
 	REQUIRE(rows.size() == 4);
 	const PageRows wanted[4] = { { 0, 0, 100 }, { 1, 0, 7 }, { 0, 100, 50 }, { 1, 7, 9 } };
 	for (std::size_t i = 0; i < 4; i++) {
@@ -32,11 +32,11 @@ TEST_CASE("neighbouring blocks of a species share a page, one after the other, a
 }
 
 TEST_CASE("a page is filled to the last row, and a block is never divided between two") {
-	constexpr int MOST = MotionPage::PAGE_PLANTS;
-	const std::vector<PageRows> rows =
-			join_into_pages({ block_of(0, MOST - 10), block_of(0, 10), block_of(0, MOST - 10), block_of(0, 11) });
+	constexpr int MAX_PLANTS = MotionPage::PAGE_PLANTS;
+	const std::vector<PageRows> rows = join_into_pages(
+			{ chunk_of(0, MAX_PLANTS - 10), chunk_of(0, 10), chunk_of(0, MAX_PLANTS - 10), chunk_of(0, 11) });
 	CHECK(rows[1].page == 0);
-	CHECK(rows[1].first == MOST - 10);
+	CHECK(rows[1].first == MAX_PLANTS - 10);
 	CHECK(rows[2].page == 1);
 	CHECK(rows[2].first == 0);
 	CHECK(rows[3].page == 2);
@@ -44,17 +44,17 @@ TEST_CASE("a page is filled to the last row, and a block is never divided betwee
 }
 
 TEST_CASE("distant blocks do not share a page, even with few plants") {
-	std::vector<PlantBlock> blocks;
+	std::vector<PlantChunk> chunks;
 	for (const float x : { 0.0f, 40.0f, 65.0f, 100.0f }) {
-		blocks.push_back(block_of(0, 1));
-		blocks.back().low = blocks.back().high = { x, 0.0f, -x };
+		chunks.push_back(chunk_of(0, 1));
+		chunks.back().low = chunks.back().high = { x, 0.0f, -x };
 	}
-	const std::vector<PageRows> rows = join_into_pages(blocks);
+	const std::vector<PageRows> rows = join_into_pages(chunks);
 	CHECK(rows[1].page == 0);
 	CHECK(rows[2].page == 1);
 	CHECK(rows[3].page == 1);
-	blocks[1].low.z = -70.0f;
-	CHECK(join_into_pages(blocks)[1].page == 1);
+	chunks[1].low.z = -70.0f;
+	CHECK(join_into_pages(chunks)[1].page == 1);
 }
 
 TEST_CASE("zero blocks need zero pages") {

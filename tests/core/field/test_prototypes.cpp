@@ -131,8 +131,8 @@ TEST_CASE("each step of the history continues at the end of the step before") {
 			const int slot = models.newest_slot();
 			const int last = (slot + Prototypes::SLOTS - 1) % Prototypes::SLOTS;
 			for (int k = 0; k < 16; k++) {
-				REQUIRE(models.history(0)[2 * (slot * Prototypes::MOST + k)] ==
-						models.history(0)[2 * (last * Prototypes::MOST + k) + 1]);
+				REQUIRE(models.history(0)[2 * (slot * Prototypes::MAX_COUNT + k)] ==
+						models.history(0)[2 * (last * Prototypes::MAX_COUNT + k) + 1]);
 			}
 		}
 	}

@@ -46,9 +46,9 @@ TEST_CASE("followers of prototypes settle, too, and pushed ones follow again") {
 		field.step();
 	}
 	field.apply_impulse(0, 7, { 1.0f, 0.0f, 0.0f });
-	REQUIRE(field.loose_plants(0)->count() == 1);
+	REQUIRE(field.detached_followers(0)->count() == 1);
 	field.settle();
-	CHECK(field.loose_plants(0)->count() == 0);
+	CHECK(field.detached_followers(0)->count() == 0);
 	FieldWind calm;
 	calm.wind.strength = 0.0f;
 	field.set_wind(calm);

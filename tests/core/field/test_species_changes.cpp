@@ -94,8 +94,8 @@ TEST_CASE("a pushed follower swings by the current properties of its species") {
 			field->apply_impulse(0, 3, { 0.2f, 0.0f, 0.1f });
 		}
 		changed.set_species(0, after);
-		const LoosePlants &loose = *changed.loose_plants(0);
-		REQUIRE(loose.count() == 1);
+		const DetachedFollowers &detached = *changed.detached_followers(0);
+		REQUIRE(detached.count() == 1);
 		step(changed, 20);
 		step(never, 20);
 		CHECK(glm::distance(changed.state(0, 3).direction, never.state(0, 3).direction) > 1e-4f);

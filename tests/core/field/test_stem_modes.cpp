@@ -63,10 +63,10 @@ float largest_jump(FieldSimulation &field) {
 	};
 	each_place(1.0f, [&](const glm::vec3 &place) { before.push_back(place); });
 	field.step();
-	float most = 0.0f;
+	float max = 0.0f;
 	std::size_t next = 0;
-	each_place(0.0f, [&](const glm::vec3 &place) { most = std::max(most, glm::distance(place, before[next++])); });
-	return most;
+	each_place(0.0f, [&](const glm::vec3 &place) { max = std::max(max, glm::distance(place, before[next++])); });
+	return max;
 }
 
 } // namespace
@@ -103,9 +103,9 @@ TEST_CASE("stems of a field step a second mode only during pushes and for a whil
 	CHECK(field.page(0).modes() == 2);
 	CHECK(field.page(2).modes() == 1);
 	field.set_bodies(nullptr, 0);
-	step(field, LoosePlants::ALONE + 1.0f);
+	step(field, DetachedFollowers::ALONE + 1.0f);
 	CHECK(field.page(0).modes() == 2);
-	step(field, LoosePlants::GOING_BACK);
+	step(field, DetachedFollowers::GOING_BACK);
 	CHECK(field.page(0).modes() == 1);
 }
 

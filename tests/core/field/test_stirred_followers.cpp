@@ -1,5 +1,5 @@
 #include "allocations.hpp"
-#include "field/speed_counts.hpp"
+#include "field/speed_histogram.hpp"
 #include "field_fixture.hpp"
 
 #include <doctest/doctest.h>
@@ -13,7 +13,8 @@ using namespace undergrowth;
 
 namespace {
 
-constexpr int RUNG_DOWN = static_cast<int>((LoosePlants::ALONE + LoosePlants::GOING_BACK) / FIELD_STEP) + 2; // Steps.
+constexpr int RUNG_DOWN =
+		static_cast<int>((DetachedFollowers::ALONE + DetachedFollowers::GOING_BACK) / FIELD_STEP) + 2; // Steps.
 constexpr int STIRRED = 180; // Steps.
 constexpr int CALM = STIRRED + 120; // The effect of the fan has nearly vanished.
 constexpr float FAR = 500.0f; // m, to the second page.
@@ -79,10 +80,10 @@ TEST_CASE("followers react to sources within their reach, and follow again witho
 							static_cast<float>((STIRRED - 60) * plants);
 				}
 			}
-			REQUIRE((i < 3 || i >= STIRRED || field.loose_plants(0)->count() > plants / 2));
+			REQUIRE((i < 3 || i >= STIRRED || field.detached_followers(0)->count() > plants / 2));
 		}
 		CHECK(outward > 0.02f);
-		CHECK(field.loose_plants(0)->count() == 0);
+		CHECK(field.detached_followers(0)->count() == 0);
 		for (int k = 0; k < plants; k++) {
 			REQUIRE(field.state(0, k).direction == calm.state(0, k).direction);
 		}
@@ -96,11 +97,11 @@ TEST_CASE("sources do not affect followers beyond their reach") {
 		field.step();
 		calm.step();
 		for (int k = 0; k < field.page(1).size(); k++) {
-			REQUIRE(field.follower(1, k).loose == 0);
+			REQUIRE(field.follower(1, k).detached == 0);
 			REQUIRE(field.state(1, k).direction == calm.state(1, k).direction);
 		}
 	}
-	CHECK(field.loose_plants(0)->count() > 0);
+	CHECK(field.detached_followers(0)->count() > 0);
 }
 
 TEST_CASE("with too many followers, those with the most stirred air react") {
@@ -115,13 +116,13 @@ TEST_CASE("with too many followers, those with the most stirred air react") {
 	for (int page = 0; page < field.page_count(); page++) {
 		for (int k = 0; k < field.page(page).size(); k++) {
 			const float speed = speed_at(wide, field, page, k);
-			float &edge = field.follower(page, k).loose > 0 ? weakest : strongest;
-			edge = field.follower(page, k).loose > 0 ? std::min(edge, speed) : std::max(edge, speed);
+			float &edge = field.follower(page, k).detached > 0 ? weakest : strongest;
+			edge = field.follower(page, k).detached > 0 ? std::min(edge, speed) : std::max(edge, speed);
 		}
 	}
-	CHECK(field.loose_plants(0)->count() <= LoosePlants::MOST);
-	CHECK(field.loose_plants(0)->count() > LoosePlants::MOST / 4);
-	CHECK(strongest > SpeedCounts::LEAST);
+	CHECK(field.detached_followers(0)->count() <= DetachedFollowers::MAX_COUNT);
+	CHECK(field.detached_followers(0)->count() > DetachedFollowers::MAX_COUNT / 4);
+	CHECK(strongest > SpeedHistogram::MIN_SPEED);
 	CHECK(weakest >= strongest);
 }
 
@@ -133,18 +134,18 @@ TEST_CASE("stirred followers allocate nothing in steps" * doctest::skip(!counts_
 		field.step();
 	}
 	CHECK(allocation_count() == before);
-	CHECK(field.loose_plants(0)->count() > 0);
+	CHECK(field.detached_followers(0)->count() > 0);
 }
 
 TEST_CASE("the fastest of the stirred plants are chosen, up to the limit") {
-	SpeedCounts counts;
+	SpeedHistogram counts;
 	for (int i = 0; i < 100; i++) {
 		counts.add(0.6f);
 		counts.add(3.0f);
 	}
 	counts.add(1e6f);
 	counts.choose(1000);
-	CHECK(counts.chosen() == SpeedCounts::LEAST);
+	CHECK(counts.chosen() == SpeedHistogram::MIN_SPEED);
 	counts.choose(150);
 	CHECK(counts.chosen() > 0.6f);
 	CHECK(counts.chosen() <= 3.0f);
@@ -155,5 +156,5 @@ TEST_CASE("the fastest of the stirred plants are chosen, up to the limit") {
 	CHECK(counts.chosen() < 1e6f);
 	counts.clear();
 	counts.choose(0);
-	CHECK(counts.chosen() == SpeedCounts::LEAST);
+	CHECK(counts.chosen() == SpeedHistogram::MIN_SPEED);
 }

@@ -1,8 +1,8 @@
 #include "field_fixture.hpp"
-#include "stand/plant_store.hpp"
-#include "stand/stand_changes.hpp"
-#include "stand/test_placement_fixture.hpp"
-#include "stand/tile_choice.hpp"
+#include "placement/edit_log.hpp"
+#include "placement/plant_store.hpp"
+#include "placement/test_placement_fixture.hpp"
+#include "placement/tile_choice.hpp"
 
 #include <doctest/doctest.h>
 
@@ -24,22 +24,22 @@ constexpr AreaBox EVERYWHERE = { { -1.0e5f, -1.0e5f }, { 1.0e5f, 1.0e5f } };
 /// A tile that is placed on its own thread, and its simulated plants.
 struct Tile {
 	PlacementRequest request;
-	StandChanges changes;
+	EditLog edits;
 	MotionSpecies kinds[2];
-	std::vector<PlantBlock> blocks;
+	std::vector<PlantChunk> chunks;
 	std::vector<std::vector<MotionPlant>> plants;
 	std::vector<MotionPage> pages;
 
 	void place(bool swings) {
 		FieldPlants all = placed(request);
-		changes.take_out(all);
-		blocks = cut_into_blocks(all, TILE);
-		for (const PlantBlock &block : blocks) {
+		edits.take_out(all);
+		chunks = cut_into_chunks(all, TILE);
+		for (const PlantChunk &chunk : chunks) {
 			std::vector<MotionPlant> some;
-			for (int slot = 0; slot < block.size(); slot++) {
-				some.push_back({ block.root(slot), 0.5f, { 0.0f, 1.0f, 0.0f } });
+			for (int slot = 0; slot < chunk.size(); slot++) {
+				some.push_back({ chunk.root(slot), 0.5f, { 0.0f, 1.0f, 0.0f } });
 			}
-			pages.emplace_back(block.species, kinds[block.species], some.data(), block.size(), 1.0f / 60.0f, swings);
+			pages.emplace_back(chunk.species, kinds[chunk.species], some.data(), chunk.size(), 1.0f / 60.0f, swings);
 			plants.push_back(std::move(some));
 		}
 	}
@@ -60,8 +60,8 @@ public:
 			some.within = AreaBox();
 			return Placement(some).cell_size();
 		}();
-		StandEdit edit;
-		edit.fills = true;
+		StoreEdit edit;
+		edit.replaces_all = true;
 		edit.tile_size = TILE;
 		edit.spacing = spacing;
 		store.apply(std::move(edit));
@@ -70,10 +70,10 @@ public:
 	void go(int rounds, int threads) {
 		for (int round = 0; round < rounds; round++) {
 			const glm::vec2 place(WAY * static_cast<float>(round < rounds / 2 ? round : rounds - round), 0.0f);
-			const TileChoice choice = choose_tiles(standing, { place }, DISTANCE, TILE, EVERYWHERE);
+			const TileChoice choice = choose_tiles(existing, { place }, DISTANCE, TILE, EVERYWHERE);
 			std::vector<Tile> coming;
-			for (const TileKey &tile : choice.coming) {
-				coming.push_back({ request, changes.cut(tile_box(tile, TILE)), { kinds[0], kinds[1] }, {}, {}, {} });
+			for (const TileKey &tile : choice.to_load) {
+				coming.push_back({ request, edits.cut(tile_box(tile, TILE)), { kinds[0], kinds[1] }, {}, {}, {} });
 				coming.back().request.within = tile_box(tile, TILE);
 			}
 			step_beside(coming, threads);
@@ -85,8 +85,8 @@ public:
 	uint64_t hash() const { return hash_field(simulation) ^ static_cast<uint64_t>(store.plant_count()); }
 
 	PlantStore store;
-	StandChanges changes;
-	std::set<TileKey> standing;
+	EditLog edits;
+	std::set<TileKey> existing;
 	double spacing = 1.0;
 
 private:
@@ -115,50 +115,50 @@ private:
 		for (Tile &tile : coming) {
 			pool.emplace_back([this, &tile] { tile.place(swings); });
 		}
-		changes.remove({ filled_plant_id(1.0e4f, static_cast<float>(count), spacing) }, spacing);
+		edits.remove({ generated_plant_id(1.0e4f, static_cast<float>(count), spacing) }, spacing);
 		for (std::thread &thread : pool) {
 			thread.join();
 		}
 	}
 
 	void cut_around(const glm::vec2 &place) {
-		std::vector<PlantPlace> found;
+		std::vector<PlantRef> found;
 		store.find_in_sphere({ place.x, 0.0f, place.y + 2.0f }, 0.6f, found);
 		std::vector<PlantId> ids;
-		for (const PlantPlace &one : found) {
+		for (const PlantRef &one : found) {
 			ids.push_back(store.id(one));
 		}
-		changes.remove(ids, spacing);
-		StandEdit edit;
+		edits.remove(ids, spacing);
+		StoreEdit edit;
 		edit.removed = found;
 		follow(store.apply(std::move(edit)), nullptr);
 	}
 
 	void come_and_go(std::vector<Tile> &coming, const TileChoice &choice) {
-		StandEdit going;
-		going.left_tiles = choice.going;
+		StoreEdit going;
+		going.left_tiles = choice.to_unload;
 		follow(store.apply(std::move(going)), nullptr);
-		for (const TileKey &tile : choice.going) {
-			standing.erase(tile);
+		for (const TileKey &tile : choice.to_unload) {
+			existing.erase(tile);
 		}
 		for (Tile &tile : coming) {
-			StandEdit edit;
-			edit.stood = std::move(tile.blocks);
+			StoreEdit edit;
+			edit.arriving = std::move(tile.chunks);
 			follow(store.apply(std::move(edit)), &tile);
 		}
-		standing.insert(choice.coming.begin(), choice.coming.end());
+		existing.insert(choice.to_load.begin(), choice.to_load.end());
 	}
 
 	void follow(const ChangeSet &edit, Tile *tile) {
-		for (const int block : edit.dropped) {
-			simulation.remove_page(pages[block]);
-			pages.erase(block);
+		for (const int chunk : edit.dropped) {
+			simulation.remove_page(pages[chunk]);
+			pages.erase(chunk);
 		}
 		for (std::size_t i = 0; i < edit.grown.size(); i++) {
-			pages[edit.grown[i].block] = simulation.add_page(std::move(tile->pages[i]), tile->plants[i].data());
+			pages[edit.grown[i].chunk] = simulation.add_page(std::move(tile->pages[i]), tile->plants[i].data());
 		}
-		for (const PlantPlace &place : edit.gone) {
-			simulation.drop(pages[place.block], place.slot);
+		for (const PlantRef &place : edit.gone) {
+			simulation.drop(pages[place.chunk], place.slot);
 		}
 	}
 };
@@ -184,14 +184,14 @@ TEST_CASE("after a walk and back the same plants exist, except for the cut ones"
 	request.area = rectangle({ 1000.0f, 1000.0f });
 	std::set<PlantId> wanted;
 	int cut = 0;
-	for (const TileKey &tile : walk.standing) {
+	for (const TileKey &tile : walk.existing) {
 		request.within = tile_box(tile, TILE);
 		const FieldPlants plants = placed(request);
 		for (std::size_t i = 0; i < plants.x.size(); i++) {
-			if (walk.changes.is_gone(plants.x[i], plants.z[i])) {
+			if (walk.edits.is_gone(plants.x[i], plants.z[i])) {
 				cut++;
 			} else {
-				wanted.insert(filled_plant_id(plants.x[i], plants.z[i], walk.spacing));
+				wanted.insert(generated_plant_id(plants.x[i], plants.z[i], walk.spacing));
 			}
 		}
 	}

@@ -10,9 +10,9 @@ using namespace undergrowth;
 
 namespace {
 
-constexpr float MOST = std::numeric_limits<float>::max();
+constexpr float LARGEST = std::numeric_limits<float>::max();
 constexpr float ENDLESS = std::numeric_limits<float>::infinity();
-constexpr float ODD_NUMBERS[] = { std::numeric_limits<float>::quiet_NaN(), ENDLESS, -ENDLESS, MOST, -MOST, 1e10f,
+constexpr float ODD_NUMBERS[] = { std::numeric_limits<float>::quiet_NaN(), ENDLESS, -ENDLESS, LARGEST, -LARGEST, 1e10f,
 	-1e10f, 1e-40f, -1e-40f, 1e-9f, -0.0f, 0.0f, -1e-3f, 1e-5f, 1e-4f, 1e-3f, 0.9f, 1.0f, 1.5f, 3.15f, 4.0f, 8.0f,
 	10.0f, 12.6f, -12.6f, 20.0f, 100.0f, 100.00001f, 1e3f, 1.0000001f };
 constexpr int ODD_COUNTS[] = { 0, -1, 1, 2, 32, 33, 64, 65, 4096, 4097, 1 << 20, std::numeric_limits<int>::max(),
@@ -22,10 +22,10 @@ template <class T, size_t N> T any_of(const T (&values)[N], Chance &chance) {
 	return values[chance.whole(0, static_cast<int>(N) - 1)];
 }
 
-std::vector<float> any_samples(Chance &chance, float least, float most) {
+std::vector<float> any_samples(Chance &chance, float min, float max) {
 	std::vector<float> samples(static_cast<size_t>(chance.whole(2, 33)));
 	for (float &sample : samples) {
-		sample = chance.within(least, most);
+		sample = chance.within(min, max);
 	}
 	return samples;
 }
@@ -51,9 +51,8 @@ int any_count(Chance &chance) {
 }
 
 glm::vec4 any_color(Chance &chance) {
-	const float most = chance.one_in(6) ? 16.0f : 1.0f;
-	return { chance.within(0.0f, most), chance.within(0.0f, most), chance.within(0.0f, most),
-		chance.within(0.0f, 1.0f) };
+	const float max = chance.one_in(6) ? 16.0f : 1.0f;
+	return { chance.within(0.0f, max), chance.within(0.0f, max), chance.within(0.0f, max), chance.within(0.0f, 1.0f) };
 }
 
 void color(Part &part, Chance &chance) {

@@ -13,17 +13,15 @@ public:
 	explicit Chance(uint64_t p_seed) : seed(p_seed) {}
 
 	/// Often the borders themselves.
-	float within(float least, float most) {
+	float within(float min, float max) {
 		const float share = next_share();
-		return one_in(6) ? (one_in(2) ? least : most) : least + (most - least) * share;
+		return one_in(6) ? (one_in(2) ? min : max) : min + (max - min) * share;
 	}
 	/// The same, distributed over powers of ten.
-	float spread(float least, float most) {
-		return std::min(std::max(least * std::pow(most / least, next_share()), least), most);
-	}
-	int whole(int least, int most) {
+	float spread(float min, float max) { return std::min(std::max(min * std::pow(max / min, next_share()), min), max); }
+	int whole(int min, int max) {
 		const uint64_t bits = undergrowth::mix_bits(undergrowth::mix_bits(seed) ^ index++);
-		return least + static_cast<int>(bits % static_cast<uint64_t>(most - least + 1));
+		return min + static_cast<int>(bits % static_cast<uint64_t>(max - min + 1));
 	}
 	bool one_in(int many) { return whole(1, many) == 1; }
 

@@ -24,17 +24,17 @@ double around(double angle) {
 
 /// Distance of the closest two seats of a flat disc from `first` on, in units of its radius.
 double closest(const Arrangement &a, int count, int first) {
-	double least = 1e9;
+	double min = 1e9;
 	for (int i = first; i < count; i++) {
 		for (int k = first; k < i; k++) {
 			const Seat p = seat_of(a, i, count, 0);
 			const Seat q = seat_of(a, k, count, 0);
 			const glm::dvec2 way = { p.away * std::cos(p.azimuth) - q.away * std::cos(q.azimuth),
 				p.away * std::sin(p.azimuth) - q.away * std::sin(q.azimuth) };
-			least = std::fmin(least, glm::length(way));
+			min = std::fmin(min, glm::length(way));
 		}
 	}
-	return least / a.radius;
+	return min / a.radius;
 }
 
 } // namespace
@@ -132,14 +132,14 @@ TEST_CASE("a tuft's parts lean out more towards its rim") {
 TEST_CASE("deviations turn parts by at most their limit") {
 	Arrangement a = layout(Layout::whorl);
 	a.deviation = 0.2f;
-	float most = 0.0f;
+	float max = 0.0f;
 	for (int i = 0; i < 200; i++) {
 		const Seat seat = seat_of(a, 0, 8, static_cast<uint64_t>(i));
 		CHECK(std::abs(seat.tilt) <= 0.2f);
 		CHECK(std::abs(seat.azimuth) <= 0.2f);
-		most = std::max(most, std::abs(seat.tilt));
+		max = std::max(max, std::abs(seat.tilt));
 	}
-	CHECK(most > 0.15f);
+	CHECK(max > 0.15f);
 }
 
 TEST_CASE("counts fill their range evenly by the seed") {

@@ -36,10 +36,10 @@ Recipe chain(int depth, int count) {
 	return recipe;
 }
 
-Arrangement counted(int least, int most) {
+Arrangement counted(int min, int max) {
 	Arrangement a;
-	a.count_min = least;
-	a.count_max = most;
+	a.count_min = min;
+	a.count_max = max;
 	return a;
 }
 

@@ -12,7 +12,7 @@ using namespace undergrowth;
 namespace {
 
 constexpr float STEP = 2e-3f;
-constexpr float MOST_OFF = 3.0f * DEGREE;
+constexpr float MAX_ERROR = 3.0f * DEGREE;
 
 glm::vec3 blade_at(const Part &part, const Midrib &midrib, float s, float u) {
 	const SurfacePoint point = blade_point(make_blade_row(part, midrib, s, false), make_blade_column(part.blade, u));
@@ -50,17 +50,17 @@ Part leaf(const Profile &profile) {
 TEST_CASE("a blade's normals are those of its surface: folded, rolled, twisted, waved and bent") {
 	for (const Profile &profile : { GRASS_PROFILE, OVATE_PROFILE, SPATULATE_PROFILE, RAY_PROFILE }) {
 		Part part = leaf(profile);
-		CHECK(worst_blade_normal(part) < MOST_OFF);
+		CHECK(worst_blade_normal(part) < MAX_ERROR);
 		part.curve.bend = 70.0f * DEGREE;
 		part.blade.fold = 35.0f * DEGREE;
-		CHECK(worst_blade_normal(part) < MOST_OFF);
+		CHECK(worst_blade_normal(part) < MAX_ERROR);
 		part.blade.roll = 40.0f * DEGREE;
-		CHECK(worst_blade_normal(part) < MOST_OFF);
+		CHECK(worst_blade_normal(part) < MAX_ERROR);
 		part.blade.twist = 90.0f * DEGREE;
-		CHECK(worst_blade_normal(part) < MOST_OFF);
+		CHECK(worst_blade_normal(part) < MAX_ERROR);
 		part.blade.wave = 0.3f;
 		part.curve.bend = -60.0f * DEGREE;
-		CHECK(worst_blade_normal(part) < MOST_OFF);
+		CHECK(worst_blade_normal(part) < MAX_ERROR);
 	}
 }
 
@@ -87,9 +87,9 @@ TEST_CASE("an axis's normals are those of its surface: tapered, bent, lobed") {
 			const glm::vec3 normal =
 					glm::normalize(glm::cross(at(s + STEP, i) - at(s - STEP, i), at(s, i + 1) - at(s, i - 1)));
 			const SurfacePoint point = tube_point(make_tube_ring(part, midrib, s), round[static_cast<size_t>(i)]);
-			const glm::vec3 told = surface_normal(point, part.length_max, part.width);
-			CHECK(std::acos(std::min(1.0f, glm::dot(normal, told))) < MOST_OFF);
-			CHECK(glm::dot(told, point.aside) > 0.0f);
+			const glm::vec3 found = surface_normal(point, part.length_max, part.width);
+			CHECK(std::acos(std::min(1.0f, glm::dot(normal, found))) < MAX_ERROR);
+			CHECK(glm::dot(found, point.aside) > 0.0f);
 		}
 	}
 }

@@ -19,11 +19,11 @@ namespace {
 struct Grown {
 	explicit Grown(PlantForm grown) :
 			form(std::move(grown)),
-			hangs(hang_parts(form)),
-			bones(form, hangs),
+			attachments(attach_parts(form)),
+			bones(form, attachments),
 			mesh(build(form, plan_form(form, measure_form(form), 2000), 0.0f, {}, bones)) {}
 	PlantForm form;
-	std::vector<PartHang> hangs;
+	std::vector<PartAttachment> attachments;
 	FormBones bones;
 	BuiltForm mesh;
 };
@@ -37,7 +37,7 @@ std::vector<Grown> all_plants() {
 }
 
 /// True if two hangs are equal, in numbers and in the codes of vertices.
-bool hang_alike(const PartHang &a, const PartHang &b) {
+bool attached_alike(const PartAttachment &a, const PartAttachment &b) {
 	return a.swinger == b.swinger && a.stem_offset == b.stem_offset && a.weight == b.weight && a.pivot == b.pivot &&
 			a.code.pace == b.code.pace && a.code.place == b.code.place;
 }
@@ -47,7 +47,7 @@ glm::vec3 shaded(const BuiltForm &mesh, size_t i, const StemMotion &stem) {
 	glm::vec3 vertex = mesh.positions[i];
 	if (mesh.custom0[i].y > 0.0f) {
 		const glm::vec3 pivot(mesh.custom1[i]);
-		const PartSwing swing = decode_swing({ mesh.custom1[i].w, mesh.custom2[i].w });
+		const PartMotion swing = decode_part_motion({ mesh.custom1[i].w, mesh.custom2[i].w });
 		const glm::vec2 bend = part_bend(swing, stem);
 		vertex = pivot +
 				(swing.is_head() ? turned(vertex - pivot, bend_at(bend, mesh.custom0[i].y))
@@ -78,7 +78,7 @@ glm::vec3 skinned(const Grown &plant, size_t i, const StemMotion &stem) {
 TEST_CASE("a skeleton has root, tip and at most 30 other bones with unique names") {
 	for (const Grown &plant : all_plants()) {
 		CHECK(plant.bones.bones().size() > 1);
-		CHECK(plant.bones.bones().size() <= FormBones::MOST - FormBones::FIRST);
+		CHECK(plant.bones.bones().size() <= FormBones::MAX_BONES - FormBones::FIRST);
 		const std::vector<std::string> &names = plant.bones.names();
 		CHECK(names.size() == plant.bones.bones().size());
 		CHECK(std::set<std::string>(names.begin(), names.end()).size() == names.size());
@@ -102,9 +102,9 @@ TEST_CASE("a tulip has a bone for each leaf at its attachment, two for a long on
 	const Grown plant(grow_tulip(3));
 	const std::vector<std::string> &names = plant.bones.names();
 	CHECK(std::count(names.begin(), names.end(), "head") == 1);
-	for (size_t i = 0; i < plant.hangs.size(); i++) {
+	for (size_t i = 0; i < plant.attachments.size(); i++) {
 		const PlacedPart &part = plant.form.placed[i];
-		if (!plant.hangs[i].swings) {
+		if (!plant.attachments[i].swings) {
 			continue;
 		}
 		int own = 0;
@@ -118,10 +118,10 @@ TEST_CASE("a tulip has a bone for each leaf at its attachment, two for a long on
 TEST_CASE("a tuft of many blades has bones for eighths of the circle") {
 	const Grown plant(grow_grass(3));
 	int blades = 0;
-	for (const PartHang &hang : plant.hangs) {
-		blades += hang.is_root && hang.swings ? 1 : 0;
+	for (const PartAttachment &attachment : plant.attachments) {
+		blades += attachment.is_root && attachment.swings ? 1 : 0;
 	}
-	CHECK(blades > FormBones::MOST_OF_TUFT);
+	CHECK(blades > FormBones::MAX_TUFT_BONES);
 	for (const std::string &name : plant.bones.names()) {
 		CHECK((name.rfind("tuft_", 0) == 0 || name.rfind("lying_", 0) == 0 || name.rfind("leaf_", 0) == 0));
 	}
@@ -146,17 +146,17 @@ TEST_CASE("a skeleton shows the same swing of leaves and heads as shaders") {
 	stem.clock = 0.123f;
 	const Grown plant(grow_tulip(3));
 	float worst = 0.0f;
-	float most = 0.0f;
+	float max = 0.0f;
 	for (size_t i = 0; i < plant.mesh.positions.size(); i++) {
 		StemMotion stiff = stem;
 		stiff.rest = stem.bend;
 		stiff.rate = glm::vec2(0.0f);
 		const glm::vec3 shown = shaded(plant.mesh, i, stem);
 		worst = std::max(worst, glm::distance(skinned(plant, i, stem), shown));
-		most = std::max(most, glm::distance(shaded(plant.mesh, i, stiff), shown));
+		max = std::max(max, glm::distance(shaded(plant.mesh, i, stiff), shown));
 	}
-	CHECK(most > 0.05f * plant.form.height);
-	CHECK(worst < 0.1f * most);
+	CHECK(max > 0.05f * plant.form.height);
+	CHECK(worst < 0.1f * max);
 }
 
 TEST_CASE("the base of a swinging leaf stays on its stem") {
@@ -215,11 +215,11 @@ TEST_CASE("bones follow a plant that is stretched") {
 
 TEST_CASE("the measure of a form has the hang of its parts, encoded as for vertices") {
 	for (const Grown &plant : all_plants()) {
-		const std::vector<PartHang> measured = measure_form(plant.form).hangs;
-		REQUIRE(measured.size() == plant.hangs.size());
+		const std::vector<PartAttachment> measured = measure_form(plant.form).attachments;
+		REQUIRE(measured.size() == plant.attachments.size());
 		for (size_t i = 0; i < measured.size(); i++) {
-			const SwingCode code = encode_swing(measured[i].swing);
-			CHECK(hang_alike(measured[i], plant.hangs[i]));
+			const PartMotionCode code = encode_part_motion(measured[i].swing);
+			CHECK(attached_alike(measured[i], plant.attachments[i]));
 			CHECK(measured[i].code.pace == code.pace);
 			CHECK(measured[i].code.place == code.place);
 		}

@@ -57,7 +57,7 @@ TEST_CASE("parts on a stem that curls up have a stem offset from 0 to 1") {
 		const PlantForm form = growth.finish();
 		const BuiltForm mesh = build(form, plan_form(form, measure_form(form), vertex_budget(6)));
 		CHECK(std::all_of(mesh.custom0.begin(), mesh.custom0.end(),
-				[](const glm::vec4 &hang) { return hang.x >= 0.0f && hang.x <= 1.0f; }));
+				[](const glm::vec4 &attachment) { return attachment.x >= 0.0f && attachment.x <= 1.0f; }));
 	}
 }
 

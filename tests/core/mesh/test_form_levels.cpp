@@ -37,7 +37,7 @@ struct Sights {
 	glm::dvec3 light = glm::dvec3(0.0);
 };
 
-Sights look_around(const PlantForm &form, int budget) {
+Sights poll_dependencies(const PlantForm &form, int budget) {
 	const BuiltForm mesh = build(form, plan_form(form, measure_form(form), budget));
 	Sights sights;
 	for (int side = 0; side < SIDES; side++) {
@@ -55,14 +55,14 @@ TEST_CASE("levels preserve the silhouette and the mean colour of all parts") {
 	for (const Grow grow : SPECIES) {
 		for (const uint64_t seed : { 2, 4 }) {
 			const PlantForm form = grow(seed);
-			const Sights fine = look_around(form, 1000000);
-			for (const Tolerance &most : TOLERANCES) {
-				const Sights level = look_around(form, vertex_budget(most.lod));
-				INFO(form.placed.size() << " parts, seed " << seed << ", " << most.lod << " segments");
-				CHECK(std::abs(level.area / fine.area - 1.0) < most.mean_area);
-				CHECK(color_distance(level.light, fine.light) < most.color);
+			const Sights fine = poll_dependencies(form, 1000000);
+			for (const Tolerance &max : TOLERANCES) {
+				const Sights level = poll_dependencies(form, vertex_budget(max.lod));
+				INFO(form.placed.size() << " parts, seed " << seed << ", " << max.lod << " segments");
+				CHECK(std::abs(level.area / fine.area - 1.0) < max.mean_area);
+				CHECK(color_distance(level.light, fine.light) < max.color);
 				for (int side = 0; side < SIDES; side++) {
-					CHECK(std::abs(level.sides[side].area / fine.sides[side].area - 1.0) < most.side_area);
+					CHECK(std::abs(level.sides[side].area / fine.sides[side].area - 1.0) < max.side_area);
 				}
 			}
 		}
@@ -87,13 +87,13 @@ std::vector<glm::vec3> midrib_of(const BuiltForm &mesh, int first, int count) {
 }
 
 float distance_to(const std::vector<glm::vec3> &line, const glm::vec3 &point) {
-	float least = 1e9f;
+	float min = 1e9f;
 	for (size_t i = 0; i + 1 < line.size(); i++) {
 		const glm::vec3 way = line[i + 1] - line[i];
 		const float t = std::clamp(glm::dot(point - line[i], way) / glm::dot(way, way), 0.0f, 1.0f);
-		least = std::min(least, glm::length(point - line[i] - way * t));
+		min = std::min(min, glm::length(point - line[i] - way * t));
 	}
-	return least;
+	return min;
 }
 
 /// The midribs of all drawn parts, by placed part, followed by those of bodies.
@@ -137,11 +137,11 @@ TEST_CASE("every level attaches parts to their carriers as drawn") {
 				// A part begins across its base: beads within themselves, whorls around the midrib of the carrier.
 				const PartGroup &group = form.groups[static_cast<size_t>(part.group)];
 				const bool is_bead = form.parts[static_cast<size_t>(part.kind)].kind == PartKind::bead;
-				const float most = (is_bead ? part.length : 1e-5f) + (part.carrier == ON_GROUND ? 0.0f : group.radius);
+				const float max = (is_bead ? part.length : 1e-5f) + (part.carrier == ON_GROUND ? 0.0f : group.radius);
 				const glm::vec3 &base = midribs[i].front();
 				CHECK((part.carrier == ON_GROUND
 									  ? glm::length(base - part.base)
-									  : distance_to(midribs[static_cast<size_t>(part.carrier)], base)) <= most);
+									  : distance_to(midribs[static_cast<size_t>(part.carrier)], base)) <= max);
 			}
 		}
 	}
@@ -237,13 +237,13 @@ TEST_CASE("a form's measure has its area from above and its translucency") {
 	const SeenMesh seen = { mesh.positions.data(), static_cast<int>(mesh.positions.size()), mesh.indices.data(),
 		static_cast<int>(mesh.indices.size()) };
 	CHECK(std::abs(measure.from_above / area_from_above(seen) - 1.0f) < 0.1f);
-	float least = 1.0f, most = 0.0f;
+	float min = 1.0f, max = 0.0f;
 	for (const Part &part : form.parts) {
-		least = std::min(least, part.translucency);
-		most = std::max(most, part.translucency);
+		min = std::min(min, part.translucency);
+		max = std::max(max, part.translucency);
 	}
-	CHECK(measure.translucency > least);
-	CHECK(measure.translucency < most);
+	CHECK(measure.translucency > min);
+	CHECK(measure.translucency < max);
 }
 
 TEST_CASE("near surfaces count in the visible colour, hidden ones do not") {

@@ -36,13 +36,13 @@ std::vector<glm::vec3> edge_of(const PlantForm &form, size_t group, const PartDe
 
 /// m.
 float distance_to_edge(const std::vector<glm::vec3> &edge, const glm::vec3 &place) {
-	float least = 1e30f;
+	float min = 1e30f;
 	for (size_t i = 1; i < edge.size(); i++) {
 		const glm::vec3 way = edge[i] - edge[i - 1];
 		const float share = glm::clamp(glm::dot(place - edge[i - 1], way) / glm::dot(way, way), 0.0f, 1.0f);
-		least = std::min(least, glm::distance(place, edge[i - 1] + share * way));
+		min = std::min(min, glm::distance(place, edge[i - 1] + share * way));
 	}
-	return least;
+	return min;
 }
 
 /// Checks all guarantees of a mesh.
@@ -153,11 +153,11 @@ TEST_CASE("petals that fill the picture have round edges, and all other details 
 	const auto farthest = [&](int lod) {
 		const PartDetail detail = plan_form(form, measure, vertex_budget(lod)).groups[PETALS].detail;
 		const std::vector<glm::vec3> edge = edge_of(form, PETALS, detail);
-		float most = 0.0f;
+		float max = 0.0f;
 		for (const glm::vec3 &place : true_edge) {
-			most = std::max(most, distance_to_edge(edge, place));
+			max = std::max(max, distance_to_edge(edge, place));
 		}
-		return most;
+		return max;
 	};
 	constexpr float SEEN = 0.0003f; // m: a pixel when a flower of 8 cm fills 270 pixels.
 	CHECK(farthest(24) < SEEN);
@@ -188,7 +188,7 @@ TEST_CASE("leaves have the stem offset, pivot and rank of their attachment") {
 			found++;
 			CHECK((mesh.custom0[i].x >= expected && mesh.custom0[i].x < expected + 0.03f)); // Between rows of the stem.
 			CHECK(std::abs(mesh.custom0[i].y - (1.0f - mesh.uvs[i].y)) < 1e-6f);
-			CHECK(decode_swing({ mesh.custom1[i].w, mesh.custom2[i].w }).frequency == 3.0f);
+			CHECK(decode_part_motion({ mesh.custom1[i].w, mesh.custom2[i].w }).frequency == 3.0f);
 			const glm::vec3 midrib = mesh.positions[i] - glm::vec3(mesh.custom2[i]);
 			CHECK(glm::length(midrib - shift - form.point_of(leaf, mesh.custom0[i].y)) < 1e-5f);
 			CHECK(std::abs(mesh.stem_places[i] - expected) < 0.01f);
@@ -244,15 +244,15 @@ TEST_CASE("a colour deviation tints each part separately") {
 	options.color_deviation = 1.0f;
 	const BuiltForm plain = build(form, plan);
 	const BuiltForm tinted = build(form, plan, 0.0f, options);
-	float least = 2.0f;
-	float most = 0.0f;
+	float min = 2.0f;
+	float max = 0.0f;
 	for (size_t i = 0; i < plain.colors.size(); i++) {
-		least = std::min(least, tinted.colors[i].y / plain.colors[i].y);
-		most = std::max(most, tinted.colors[i].y / plain.colors[i].y);
+		min = std::min(min, tinted.colors[i].y / plain.colors[i].y);
+		max = std::max(max, tinted.colors[i].y / plain.colors[i].y);
 	}
-	CHECK(least < 0.9f);
-	CHECK(least >= 0.749f);
-	CHECK(most > 1.1f);
+	CHECK(min < 0.9f);
+	CHECK(min >= 0.749f);
+	CHECK(max > 1.1f);
 }
 
 TEST_CASE("meshes of parts are the same on every platform") {

@@ -91,7 +91,7 @@ TEST_CASE("sheets with one orientation are turned and widened until every side s
 	float worst = worst_of(sheets.outlines(BOX), areas);
 	CHECK(worst > 0.5f);
 	OutlineFit fit(sheets.units, mesh);
-	fit.loosen();
+	fit.detach();
 	fit.search(BOX, areas, GOAL, worst);
 	CHECK(worst <= GOAL);
 	CHECK(worst_of(sheets.outlines(BOX), areas) == doctest::Approx(worst).epsilon(1e-3));
@@ -150,7 +150,7 @@ TEST_CASE("a search preserves the size of flowers and turns no sheet over") {
 	const Outlines much = { 2.0f, 2.0f, 2.0f, 2.0f };
 	float worst = worst_of(sheets.outlines(BOX), much);
 	OutlineFit fit(sheets.units, mesh);
-	fit.loosen();
+	fit.detach();
 	fit.search(BOX, much, GOAL, worst);
 	const glm::vec3 aside(sheets.asides[1]);
 	CHECK(glm::length(aside) < 0.1f * (1.7f + 1.7f * 0.25f) + 1e-4f);
@@ -165,13 +165,13 @@ TEST_CASE("sheets at their max width leave the rest to all other sheets") {
 	Sheets sheets;
 	sheets.add({ -0.4f, 0.0f, 0.0f }, facing(0.05f, 0.0f));
 	sheets.add({ 0.4f, 0.0f, 0.0f }, facing(0.05f, 1.5f));
-	sheets.units[0].most = 1.2f;
+	sheets.units[0].max = 1.2f;
 	sheets.end();
 	const FormBuffers mesh = sheets.buffers();
 	const Outlines wanted = { 0.14f, 0.2f, 0.2f, 0.2f };
 	float worst = worst_of(sheets.outlines(BOX), wanted);
 	OutlineFit fit(sheets.units, mesh);
-	fit.loosen();
+	fit.detach();
 	fit.search(BOX, wanted, GOAL, worst);
 	CHECK(worst < 0.2f);
 	CHECK(glm::length(glm::vec3(sheets.asides[1])) < 0.05f * 1.2f * 1.85f + 1e-4f);

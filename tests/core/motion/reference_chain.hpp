@@ -68,12 +68,12 @@ public:
 			for (int i = 0; i < LINKS; i++) {
 				pivot[i] = spring[i] + (i + 1 < LINKS ? spring[i + 1] : 0.0) + h * across * (wind == 0.0 ? 0.3 : 1.0);
 			}
-			const double most = solve_neighbours(moment, pivot);
-			const double share = std::min(1.0, 0.1 / std::max(most, 1e-300));
+			const double max = solve_neighbours(moment, pivot);
+			const double share = std::min(1.0, 0.1 / std::max(max, 1e-300));
 			for (int i = 0; i < LINKS; i++) {
 				angle[i] += share * moment[i];
 			}
-			if (most < 1e-10) {
+			if (max < 1e-10) {
 				return;
 			}
 		}
@@ -90,14 +90,14 @@ public:
 				factorise(half); // An old one is sufficient while the stem has moved little.
 			}
 			const Row change = solved(moments());
-			double most = 0.0;
+			double max = 0.0;
 			for (int i = 0; i < LINKS; i++) {
 				acceleration[i] += change[i];
 				rate[i] += half * change[i];
 				angle[i] += half * half * change[i];
-				most = std::max(most, std::fabs(half * half * change[i]));
+				max = std::max(max, std::fabs(half * half * change[i]));
 			}
-			if (most < 1e-8) {
+			if (max < 1e-8) {
 				return;
 			}
 		}
@@ -247,12 +247,12 @@ private:
 			pivot[i] -= share * spring[i];
 			right[i] += share * right[i - 1];
 		}
-		double most = 0.0;
+		double max = 0.0;
 		for (int i = LINKS - 1; i >= 0; i--) {
 			right[i] = (right[i] + (i + 1 < LINKS ? spring[i + 1] * right[i + 1] : 0.0)) / pivot[i];
-			most = std::max(most, std::fabs(right[i]));
+			max = std::max(max, std::fabs(right[i]));
 		}
-		return most;
+		return max;
 	}
 
 	/// Cholesky factors of masses, dashpots and springs for an acceleration in a step of twice `half`.

@@ -141,9 +141,9 @@ public:
 		made_page.rest_x = column(REST) + begin;
 		made_page.rest_z = column(REST + 1) + begin;
 		made_page.scale = column(SCALE) + begin;
-		made_page.most_scale = *std::max_element(column(SCALE), column(SCALE) + count);
+		made_page.max_scale = *std::max_element(column(SCALE), column(SCALE) + count);
 		for (int i = 0; i < count; i++) {
-			made_page.most_lean = std::max(made_page.most_lean, glm::length(pair(REST, i)));
+			made_page.max_lean = std::max(made_page.max_lean, glm::length(pair(REST, i)));
 		}
 		made_page.step = made;
 		return made_page;

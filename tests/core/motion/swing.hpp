@@ -52,7 +52,7 @@ inline MotionPage plant_page(Law law, const Joint &joint, const TipState &state,
 
 /// One step under the same horizontal force (N) everywhere.
 inline void step_in(MotionPage &page, const glm::vec3 &force, SimdLevel level = best_simd_level()) {
-	TravellingWind wind = {};
+	WindSnapshot wind = {};
 	wind.steady = std::sqrt(force.x * force.x + force.z * force.z);
 	const float share = wind.steady > 0.0f ? 1.0f / wind.steady : 0.0f;
 	page.step(wind, { nullptr, force.x * share, force.z * share }, level);

@@ -3,7 +3,7 @@
 
 #include "conventions.hpp"
 #include "wind/air_sources.hpp"
-#include "wind/travelling_wind.hpp"
+#include "wind/field_wind.hpp"
 
 #include <doctest/doctest.h>
 
@@ -64,14 +64,14 @@ TEST_CASE("a plant in smooth air bends by the drag of its area at the speed of i
 	joint.damping_ratio = 0.3f;
 	const double omega = 2.0 * 3.14159265358979 * 1.5;
 	const double stiffness = 0.01 * omega * omega * 0.8;
-	const double alone = 8.0 * open_ground_speed(0.8, 0.03), sheltered = 8.0 * stand_top_speed(0.8);
+	const double alone = 8.0 * open_ground_speed(0.8, 0.03), sheltered = 8.0 * canopy_top_speed(0.8);
 	for (const float area : { -1.0f, 0.005f, 0.0f }) {
 		joint.drag_area = area;
 		const double felt = area < 0.0f ? 0.02 : static_cast<double>(area);
 		const double bend = resting_bend(Law::spring, joint, 0.0f);
 		CHECK(std::fabs(bend - force_of(felt, alone) / stiffness) < BEND_TOLERANCE);
-		const double in_stand = resting_bend(Law::spring, joint, 0.8f);
-		CHECK(std::fabs(in_stand - force_of(felt, sheltered) / stiffness) < BEND_TOLERANCE);
+		const double in_canopy = resting_bend(Law::spring, joint, 0.8f);
+		CHECK(std::fabs(in_canopy - force_of(felt, sheltered) / stiffness) < BEND_TOLERANCE);
 	}
 	joint.wind_weight = 0.0f;
 	CHECK(resting_bend(Law::spring, joint, 0.0f) == 0.0);
@@ -111,7 +111,7 @@ TEST_CASE("air damps a swing across it by its drag, and one along it twice as mu
 			std::vector<double> peaks;
 			double last = 0.0, before = 0.0;
 			for (int i = 0; i < 240; i++) {
-				const TravellingWind now = wind_at_time(wind, i / 60.0);
+				const WindSnapshot now = wind_at_time(wind, i / 60.0);
 				page.step(now, winds_along(wind));
 				calm.step(now, winds_along(wind));
 				const glm::vec3 off = page.direction(0) - calm.direction(0);
@@ -135,7 +135,7 @@ TEST_CASE("plants in turbulent air have the same bits at every level, for any di
 	for (const Law law : BOTH_LAWS) {
 		MotionPage whole = meadow(law, 0, 601), best = meadow(law, 0, 601), first = meadow(law, 0, 123);
 		for (int i = 0; i < 200; i++) {
-			const TravellingWind now = wind_at_time(wind, i / 60.0);
+			const WindSnapshot now = wind_at_time(wind, i / 60.0);
 			whole.step(now, winds_along(wind), SimdLevel::baseline);
 			best.step(now, winds_along(wind), SimdLevel::avx2);
 			first.step(now, winds_along(wind));
@@ -157,7 +157,7 @@ TEST_CASE("a source moves only the pages within its reach, with the same bits at
 			MotionPage calm = meadow(law, 0, 601), near = meadow(law, 0, 601), best = meadow(law, 0, 601);
 			MotionPage far = meadow(law, 0, 601);
 			for (int i = 0; i < 100; i++) {
-				TravellingWind now = wind_at_time(wind, i / 60.0);
+				WindSnapshot now = wind_at_time(wind, i / 60.0);
 				calm.step(now, winds_along(wind));
 				fan.place = { 1e4f, 0.0f, 0.0f };
 				now.sources = { &fan, 1 };
@@ -187,7 +187,7 @@ TEST_CASE("a wind in newtons preserves its direction and force while a source st
 		wind.wind.direction = direction;
 		MotionPage calm = one_plant(Law::spring, joint, 0.0f), stirred = one_plant(Law::spring, joint, 0.0f);
 		for (int i = 0; i < 3000; i++) {
-			TravellingWind now = wind_at_time(wind, i / 60.0);
+			WindSnapshot now = wind_at_time(wind, i / 60.0);
 			calm.step(now, winds_along(wind));
 			now.sources = { &still, 1 };
 			stirred.step(now, winds_along(wind));
@@ -216,7 +216,7 @@ TEST_CASE("no joint, state or air, however extreme, causes an invalid number") {
 				blast.speed = 340.0f;
 				for (int i = 0; i < 200; i++) {
 					wind.air.speed = i % 50 < 25 ? 100.0f : b;
-					TravellingWind now = wind_at_time(wind, i / 60.0);
+					WindSnapshot now = wind_at_time(wind, i / 60.0);
 					blast.age = static_cast<float>(i % 40) / 60.0f;
 					now.sources = { &blast, 1 };
 					page.step(now, winds_along(wind));

@@ -36,7 +36,7 @@ FieldSimulation calm_plant(Law law) {
 TEST_CASE("a tip stays outside of a capsule that moves into it, and swings out afterwards") {
 	for (const Law law : BOTH_LAWS) {
 		FieldSimulation field = calm_plant(law);
-		float most = 0.0f;
+		float max = 0.0f;
 		for (int i = 0; i < 90; i++) {
 			const MovingBody body = walker(-1.5f + static_cast<float>(i) * FIELD_STEP);
 			field.set_bodies(&body, 1);
@@ -44,9 +44,9 @@ TEST_CASE("a tip stays outside of a capsule that moves into it, and swings out a
 			const glm::vec3 tip = field.page(0).tip(0);
 			const float apart = glm::distance(tip, nearest_on_segment(body.from, body.to, tip));
 			CHECK(apart > body.radius + field.page(0).collision_radius() - CLEAR_TOLERANCE);
-			most = std::max(most, field.state(0, 0).direction.x);
+			max = std::max(max, field.state(0, 0).direction.x);
 		}
-		CHECK(most > 0.2f);
+		CHECK(max > 0.2f);
 		field.set_bodies(nullptr, 0);
 		int crossings = 0;
 		float before = field.state(0, 0).direction.x;
@@ -219,7 +219,7 @@ TEST_CASE("no body pushes a tip into the ground") {
 	state.direction = glm::normalize(glm::vec3(0.9f, 0.3f, 0.0f));
 	for (int i = 0; i < 20; i++) {
 		push_plant(state, glm::vec3(0.0f), 1.0f, 0.0f, body);
-		CHECK(state.direction.y > 0.5f * LEAST_PUSHED_HEIGHT);
+		CHECK(state.direction.y > 0.5f * MIN_PUSHED_HEIGHT);
 	}
 	CHECK(state.direction.y < 0.1f); // The pushes moved it down to there.
 }

@@ -237,16 +237,16 @@ TEST_CASE("without friction the energy is constant over an hour") {
 	constexpr int MINUTE = 3600;
 	double first = 0.0;
 	double last = 0.0;
-	double most = 0.0;
+	double max = 0.0;
 	for (int i = 0; i < 60 * MINUTE; i++) {
 		step_in(page, { 0.0f, 0.0f, 0.0f });
 		const double now = energy(page.state(0), 4.0, 1.0);
 		first += i < MINUTE ? now / MINUTE : 0.0;
 		last += i >= 59 * MINUTE ? now / MINUTE : 0.0;
-		most = std::fmax(most, now);
+		max = std::fmax(max, now);
 	}
 	CHECK(last == doctest::Approx(first).epsilon(0.005));
-	CHECK(most < 1.15 * first);
+	CHECK(max < 1.15 * first);
 }
 
 TEST_CASE("tall plants swing slower and wider and, being heavier, lose energy more slowly") {
@@ -268,17 +268,17 @@ TEST_CASE("tall plants swing slower and wider and, being heavier, lose energy mo
 TEST_CASE("waves move a tall plant less than a low one") {
 	const auto share = [](double length) {
 		MotionPage page = one_plant(joint_of(4.0, length, 0.5), leaning(0.0));
-		double least = 10.0;
-		double most = -10.0;
+		double min = 10.0;
+		double max = -10.0;
 		for (int i = 0; i < 6000; i++) {
 			const double phase = 2.0 * PI * 1.2 * i / 60.0;
 			step_in(page, { static_cast<float>(2.0 * (1.0 + std::sin(phase))), 0.0f, 0.0f });
 			if (i > 3000) {
-				least = std::fmin(least, static_cast<double>(page.state(0).direction.x));
-				most = std::fmax(most, static_cast<double>(page.state(0).direction.x));
+				min = std::fmin(min, static_cast<double>(page.state(0).direction.x));
+				max = std::fmax(max, static_cast<double>(page.state(0).direction.x));
 			}
 		}
-		return (most - least) / (most + least);
+		return (max - min) / (max + min);
 	};
 	CHECK(share(3.0) < 0.5 * share(0.3));
 }

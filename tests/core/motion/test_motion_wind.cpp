@@ -1,5 +1,5 @@
 #include "motion/motion_page.hpp"
-#include "wind/travelling_wind.hpp"
+#include "wind/field_wind.hpp"
 
 #include <doctest/doctest.h>
 

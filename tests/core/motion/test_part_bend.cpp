@@ -13,8 +13,8 @@ using namespace undergrowth;
 
 namespace {
 
-PartSwing leaf(float phase = 0.0f, const glm::vec2 &side = { 1.0f, 0.0f }) {
-	PartSwing swing;
+PartMotion leaf(float phase = 0.0f, const glm::vec2 &side = { 1.0f, 0.0f }) {
+	PartMotion swing;
 	swing.phase = phase;
 	swing.side = side;
 	return swing;
@@ -28,7 +28,7 @@ StemMotion blown(const glm::vec2 &bend, float clock = 0.0f) {
 }
 
 /// The mean over one second of a clock.
-glm::vec2 mean_bend(const PartSwing &part, const glm::vec2 &bend) {
+glm::vec2 mean_bend(const PartMotion &part, const glm::vec2 &bend) {
 	glm::vec2 sum(0.0f);
 	for (int i = 0; i < 2048; i++) {
 		sum += part_bend(part, blown(bend, static_cast<float>(i) / 2048.0f)) / 2048.0f;
@@ -37,13 +37,13 @@ glm::vec2 mean_bend(const PartSwing &part, const glm::vec2 &bend) {
 }
 
 /// Max distance from that mean.
-float flutter(const PartSwing &part, const glm::vec2 &bend) {
+float flutter(const PartMotion &part, const glm::vec2 &bend) {
 	const glm::vec2 mean = mean_bend(part, bend);
-	float most = 0.0f;
+	float max = 0.0f;
 	for (int i = 0; i < 2048; i++) {
-		most = std::max(most, glm::distance(mean, part_bend(part, blown(bend, static_cast<float>(i) / 2048.0f))));
+		max = std::max(max, glm::distance(mean, part_bend(part, blown(bend, static_cast<float>(i) / 2048.0f))));
 	}
-	return most;
+	return max;
 }
 
 } // namespace
@@ -61,7 +61,7 @@ TEST_CASE("parts of a stem at rest are still at any time, also on a leaning stem
 TEST_CASE("a part lags behind its stem, and a softer or more damped one lags longer") {
 	StemMotion stem;
 	stem.rate = { 1.0f, 0.0f };
-	PartSwing across = leaf(0.0f, { 0.0f, 1.0f });
+	PartMotion across = leaf(0.0f, { 0.0f, 1.0f });
 	const float lag = -part_bend(across, stem).x;
 	CHECK(lag > 0.02f);
 	across.frequency = 6.0f;
@@ -86,7 +86,7 @@ TEST_CASE("in steady wind parts lean with it, most on the windward side, and flu
 TEST_CASE("flutter decreases with stiffness and damping, and with a smaller bend of the stem") {
 	const glm::vec2 wind(0.2f, 0.0f);
 	const float usual = flutter(leaf(), wind);
-	PartSwing other = leaf();
+	PartMotion other = leaf();
 	other.frequency = 9.0f;
 	CHECK(flutter(other, wind) < 0.6f * usual);
 	other = leaf();
@@ -105,7 +105,7 @@ TEST_CASE("no two phases are in unison") {
 }
 
 TEST_CASE("the room of a part limits its downward turn") {
-	PartSwing low = leaf();
+	PartMotion low = leaf();
 	low.room = 0.02f;
 	for (int i = 0; i < 256; i++) {
 		StemMotion stem = blown({ 1.5f, 0.1f }, static_cast<float>(i) / 256.0f);
@@ -118,21 +118,21 @@ TEST_CASE("a part's bend is bounded and valid, for any motion of its stem and an
 	std::mt19937 chance(7);
 	std::uniform_real_distribution<float> any(-1.0f, 1.0f);
 	for (int i = 0; i < 20000; i++) {
-		PartSwing part = leaf(any(chance), { std::cos(10.0f * any(chance)), std::sin(10.0f * any(chance)) });
+		PartMotion part = leaf(any(chance), { std::cos(10.0f * any(chance)), std::sin(10.0f * any(chance)) });
 		part.frequency = 0.125f + 30.0f * std::abs(any(chance));
 		part.damping_ratio = 2.0f * std::abs(any(chance));
-		const float most = std::pow(10.0f, 4.8f * any(chance));
-		const glm::vec2 before = most * glm::vec2(any(chance), any(chance));
-		StemMotion stem = blown(most * glm::vec2(any(chance), any(chance)), std::abs(any(chance)));
+		const float max = std::pow(10.0f, 4.8f * any(chance));
+		const glm::vec2 before = max * glm::vec2(any(chance), any(chance));
+		StemMotion stem = blown(max * glm::vec2(any(chance), any(chance)), std::abs(any(chance)));
 		stem.rate = (stem.bend - before) * (i % 2 == 0 ? 15.0f : 1000.0f);
 		const glm::vec2 bend = part_bend(part, stem);
-		REQUIRE(glm::length(bend) <= MOST_PART_BEND * 1.0001f);
+		REQUIRE(glm::length(bend) <= MAX_PART_BEND * 1.0001f);
 		REQUIRE(std::isfinite(bend.x + bend.y));
 	}
 }
 
 TEST_CASE("parts come to rest with their stem") {
-	const PartSwing part = leaf(0.4f, { 0.6f, 0.8f });
+	const PartMotion part = leaf(0.4f, { 0.6f, 0.8f });
 	SwingClock clock;
 	StemMotion stem;
 	float early = 0.0f;
@@ -145,9 +145,9 @@ TEST_CASE("parts come to rest with their stem") {
 		stem.rate = (bend - stem.bend) * 60.0f;
 		stem.bend = bend;
 		stem.clock = clock.now(1.0f);
-		float &most = i < 120 ? early : late;
+		float &max = i < 120 ? early : late;
 		if (i < 120 || i >= 1140) {
-			most = std::max(most, glm::length(part_bend(part, stem)));
+			max = std::max(max, glm::length(part_bend(part, stem)));
 		}
 	}
 	CHECK(early > 0.05f);
@@ -158,7 +158,7 @@ TEST_CASE("nothing jumps when the clock restarts") {
 	SwingClock clock;
 	clock.step(SWING_PERIOD - 0.1);
 	glm::vec2 before(0.0f);
-	const PartSwing part = decode_swing(encode_swing(leaf(0.4f)));
+	const PartMotion part = decode_part_motion(encode_part_motion(leaf(0.4f)));
 	for (int i = 0; i < 120; i++) {
 		clock.step(1.0 / 600.0);
 		const glm::vec2 now = part_bend(part, blown({ 0.2f, 0.1f }, clock.now(1.0f)));
@@ -170,7 +170,7 @@ TEST_CASE("nothing jumps when the clock restarts") {
 }
 
 TEST_CASE("a bent blade preserves its length") {
-	for (const float size : { 0.05f, 0.2f, MOST_PART_BEND }) {
+	for (const float size : { 0.05f, 0.2f, MAX_PART_BEND }) {
 		const glm::vec2 bend = size * glm::vec2(0.6f, -0.8f);
 		// For a blade in the plane of its bend.
 		const glm::vec3 along = 0.4f * glm::normalize(glm::vec3(0.6f * 0.3f, 1.0f, -0.8f * 0.3f));

@@ -58,7 +58,7 @@ TEST_CASE("a wind damps a swing along itself twice as much as one across, by its
 		CAPTURE(rate);
 		CHECK(std::fabs(across - expected) < DAMPING_TOLERANCE);
 		CHECK(along / across == doctest::Approx(2.0).epsilon(RATIO_TOLERANCE));
-		figures::tell(figures::SWINGS, "damping by the air along the wind, over that across", 2.0, along / across, 2);
+		figures::record(figures::SWINGS, "damping by the air along the wind, over that across", 2.0, along / across, 2);
 	}
 }
 
@@ -99,9 +99,9 @@ TEST_CASE("energy never increases in still air, for any state") {
 				for (int i = 0; i < plants.size(); i++) {
 					plants.set_rest(i, { 0.3f * noise(i, 8), 0.3f * noise(i, 9) });
 					for (int k = 0; k < modes; k++) {
-						const float most = 6.0f * stem.mode[k].frequency;
+						const float max = 6.0f * stem.mode[k].frequency;
 						plants.set_place(i, { 1.5f * noise(i, 4 * k), 1.5f * noise(i, 4 * k + 1) }, k);
-						plants.set_rate(i, { most * noise(i, 4 * k + 2), most * noise(i, 4 * k + 3) }, k);
+						plants.set_rate(i, { max * noise(i, 4 * k + 2), max * noise(i, 4 * k + 3) }, k);
 					}
 				}
 				plants.use_air(has_air);

@@ -24,7 +24,7 @@ namespace {
 constexpr int PLANTS = 96;
 /// Of the length: if a second mode is far off, its part of the motion is approximate. One mode alone does not reach the
 /// ground.
-constexpr float MOST_BELOW = 0.03f;
+constexpr float MAX_DEPTH_BELOW = 0.03f;
 
 /// Stems that lean up to 45°, every third one upright.
 StemPlants meadow(const StemConstants &stem) {
@@ -83,7 +83,7 @@ TEST_CASE("no blow moves the tip of a stem below the ground") {
 				CAPTURE(modes);
 				CAPTURE(taper);
 				CAPTURE(head);
-				CHECK(lowest >= (modes == 1 ? 0.0f : -MOST_BELOW));
+				CHECK(lowest >= (modes == 1 ? 0.0f : -MAX_DEPTH_BELOW));
 			}
 		}
 	}
@@ -103,7 +103,7 @@ TEST_CASE("no gale moves the tip of a stem below the ground") {
 			}
 			CAPTURE(modes);
 			CAPTURE(speed);
-			CHECK(lowest >= (modes == 1 ? 0.0f : -MOST_BELOW));
+			CHECK(lowest >= (modes == 1 ? 0.0f : -MAX_DEPTH_BELOW));
 		}
 	}
 }
@@ -111,7 +111,7 @@ TEST_CASE("no gale moves the tip of a stem below the ground") {
 TEST_CASE("the ground stops an upright stem in the shape of a steady wind") {
 	const StemConstants stem = jointed(4, 0.5, 0.5, 1);
 	StemPlants plants(stem, 1, FRAME_STEP);
-	plants.set_place(0, glm::vec2(0.8f, 0.6f) * (MOST_STEM_AMPLITUDE / stem.mode[0].tip_slope));
+	plants.set_place(0, glm::vec2(0.8f, 0.6f) * (MAX_STEM_AMPLITUDE / stem.mode[0].tip_slope));
 	const StemPage page = plants.page();
 	kernels(best_simd_level()).lift_stems(page, 1);
 	CHECK(plants.tip(0).x / plants.tip(0).y == Approx(4.0f / 3.0f));
@@ -226,7 +226,7 @@ TEST_CASE("without ground the tips of stems may be below it, and with ground eve
 		species.joint.above_ground = above_ground;
 		MotionPage page(0, species, &plant, 1, FRAME_STEP, true);
 		StemState bent;
-		bent.place[0] = { MOST_STEM_AMPLITUDE, 0.0f };
+		bent.place[0] = { MAX_STEM_AMPLITUDE, 0.0f };
 		page.set_stem(0, bent);
 		CHECK((page.tip(0).y < 0.0f) == !above_ground);
 		page.set_state(0, { glm::normalize(glm::vec3(1.0f, -0.7f, 0.0f)), {} });

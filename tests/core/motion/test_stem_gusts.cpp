@@ -129,7 +129,7 @@ TEST_CASE("a gust moves the tip like that of a chain of 64 links") {
 				CAPTURE(which);
 				CAPTURE(modes);
 				CHECK(worst < GUST_TOLERANCE);
-				figures::tell_error(
+				figures::record_error(
 						figures::SWINGS, "path of the tip in a gust to 45°, of the length", GUST_TOLERANCE, worst);
 				CHECK(rivals.farthest * 180.0 / PI == doctest::Approx(45.0).epsilon(0.06));
 			}
@@ -146,7 +146,7 @@ TEST_CASE("a released stem swings like the chain") {
 		const double worst = rivals.follow(2.5, [](double) { return 0.0; });
 		CAPTURE(which);
 		CHECK(worst < RELEASE_TOLERANCE);
-		figures::tell_error(figures::SWINGS, "the same when let go from 45°", RELEASE_TOLERANCE, worst);
+		figures::record_error(figures::SWINGS, "the same when let go from 45°", RELEASE_TOLERANCE, worst);
 	}
 }
 

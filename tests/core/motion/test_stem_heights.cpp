@@ -1,6 +1,6 @@
 #include "../stem/stems.hpp"
 #include "motion/motion_page.hpp"
-#include "wind/travelling_wind.hpp"
+#include "wind/field_wind.hpp"
 
 #include <doctest/doctest.h>
 

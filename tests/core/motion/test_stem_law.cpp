@@ -40,12 +40,12 @@ TEST_CASE("a stem swings at its declared frequency and damping at 30, 60 and 144
 			CAPTURE(frequency);
 			const double swings = frequency_of(places, step) / (frequency * std::sqrt(1.0 - 0.06 * 0.06));
 			CHECK(std::fabs(swings - 1.0) < FREQUENCY_TOLERANCE);
-			figures::tell_error(figures::SWINGS, "declared frequency at 30, 60 and 144 steps a second",
+			figures::record_error(figures::SWINGS, "declared frequency at 30, 60 and 144 steps a second",
 					FREQUENCY_TOLERANCE, swings - 1.0);
 			// Crossings of a decaying swing between samples find its peaks within a thousandth.
 			const double ratio = decay_rate_of(places, step) / (2.0 * PI * frequency);
 			CHECK(std::fabs(ratio - 0.06) < DAMPING_TOLERANCE);
-			figures::tell_error(
+			figures::record_error(
 					figures::SWINGS, "declared damping ratio, of critical", DAMPING_TOLERANCE, ratio - 0.06);
 		}
 	}

@@ -3,7 +3,7 @@
 #include "swing.hpp"
 
 #include "base/random.hpp"
-#include "wind/travelling_wind.hpp"
+#include "wind/field_wind.hpp"
 
 #include <cmath>
 #include <cstdint>

@@ -43,12 +43,12 @@ public:
 			}
 			press(angles[count - 1], speed * speed * head_drag(), head_sideways, head_upward);
 			relax();
-			double most = 0.0;
+			double max = 0.0;
 			for (int i = 0; i < count; i++) {
-				most = std::max(most, std::abs(angles[i] - before[i]));
+				max = std::max(max, std::abs(angles[i] - before[i]));
 				angles[i] = before[i] + SHARE * (angles[i] - before[i]);
 			}
-			if (most < 1e-6) {
+			if (max < 1e-6) {
 				return;
 			}
 		}
@@ -152,14 +152,14 @@ private:
 			pivot[i] -= share * joint(i);
 			moment[i] += share * moment[i - 1];
 		}
-		double most = 0.0;
+		double max = 0.0;
 		for (int i = count - 1; i >= 0; i--) {
 			moment[i] = (moment[i] + (i < count - 1 ? joint(i + 1) * moment[i + 1] : 0.0)) / pivot[i];
-			most = std::max(most, std::abs(moment[i]));
+			max = std::max(max, std::abs(moment[i]));
 		}
 		for (int i = 0; i < count; i++) {
-			angles[i] += moment[i] * std::min(1.0, 0.1 / std::max(most, 1e-300));
+			angles[i] += moment[i] * std::min(1.0, 0.1 / std::max(max, 1e-300));
 		}
-		return most;
+		return max;
 	}
 };

@@ -55,7 +55,7 @@ inline double beam_rate(const undergrowth::StemBeam &beam, double youngs_modulus
 
 /// Amplitudes at rest in a wind that gives the linear tip this slope.
 struct SteadyStem {
-	glm::vec2 amplitudes[undergrowth::MOST_STEM_MODES];
+	glm::vec2 amplitudes[undergrowth::MAX_STEM_MODES];
 };
 
 inline SteadyStem in_newtons(const undergrowth::StemConstants &stem, double slope) {

@@ -38,9 +38,9 @@ TEST_CASE("frequencies of uniform stems match Euler and Bernoulli, with and with
 		CHECK(solution.frequencies[0] / rate == Approx(first).epsilon(BEAM).scale(0.0));
 		CHECK(solution.frequencies[1] / rate == Approx(second).epsilon(BEAM).scale(0.0));
 		if (head == 0.0) {
-			figures::tell(figures::STEMS, "first frequency of a uniform stem, √(EI/mL³)", first,
+			figures::record(figures::STEMS, "first frequency of a uniform stem, √(EI/mL³)", first,
 					solution.frequencies[0] / rate, 4);
-			figures::tell(figures::STEMS, "second", second, solution.frequencies[1] / rate, 4);
+			figures::record(figures::STEMS, "second", second, solution.frequencies[1] / rate, 4);
 		}
 	}
 }
@@ -60,7 +60,7 @@ TEST_CASE("frequencies of tapered stems with heads and leaves match a finer meth
 			CHECK(solution.frequencies[1] == Approx(ritz.second).epsilon(FINE).scale(0.0));
 			for (const double share :
 					{ solution.frequencies[0] / ritz.frequency, solution.frequencies[1] / ritz.second }) {
-				figures::tell_error(
+				figures::record_error(
 						figures::STEMS, "both, of stems that taper and carry heads and leaves", BEAM, share - 1.0);
 			}
 		}
@@ -73,7 +73,7 @@ TEST_CASE("a stem is stable up to Greenhill's load") {
 	for (const auto &[taper, head, load] : expected) {
 		const double found = critical_load(stem_of(taper, head));
 		CHECK(found == Approx(load).epsilon(GREENHILL).scale(0.0));
-		figures::tell_error(
+		figures::record_error(
 				figures::STEMS, "weight under which a stem falls (Greenhill)", GREENHILL, found / load - 1.0);
 	}
 }

@@ -43,7 +43,7 @@ glm::vec3 turned(const glm::vec4 &turn, const glm::vec3 &v) {
 
 /// Position of a vertex by linear blend skinning, at rest, in stem lengths.
 glm::vec3 skinned(const StemConstants &stem, const SteadyStem &steady, const glm::vec3 &vertex) {
-	StemLink links[MOST_STEM_JOINTS];
+	StemLink links[MAX_STEM_JOINTS];
 	stem_links(stem, steady.amplitudes, links);
 	const StemBinding binding = bind_to_stem(stem.joints, vertex.y);
 	glm::vec3 sum(0.0f);
@@ -62,12 +62,12 @@ glm::vec3 skinned(const StemConstants &stem, const SteadyStem &steady, const glm
 } // namespace
 
 TEST_CASE("a chain of bones is as long as its stem at any bend") {
-	for (int joints = 1; joints <= MOST_STEM_JOINTS; joints++) {
+	for (int joints = 1; joints <= MAX_STEM_JOINTS; joints++) {
 		const StemConstants stem = jointed(joints, 0.5, 0.5);
 		for (int i = 0; i < 50; i++) {
 			const float size = 0.03f * static_cast<float>(i);
 			const glm::vec2 amplitudes[2] = { { size, -0.3f * size }, { -0.5f * size, 0.8f } };
-			StemLink links[MOST_STEM_JOINTS];
+			StemLink links[MAX_STEM_JOINTS];
 			const glm::vec3 end = stem_links(stem, amplitudes, links);
 			double length = 0.0;
 			for (int j = 0; j < joints; j++) {
@@ -77,7 +77,7 @@ TEST_CASE("a chain of bones is as long as its stem at any bend") {
 				REQUIRE(glm::length(links[j].turn) == Approx(1.0).epsilon(1e-6).scale(0.0));
 			}
 			REQUIRE(length == Approx(1.0).epsilon(LENGTH).scale(0.0));
-			figures::tell_error(figures::STEMS, "length of a chain of bones", LENGTH, length - 1.0);
+			figures::record_error(figures::STEMS, "length of a chain of bones", LENGTH, length - 1.0);
 		}
 	}
 }
@@ -85,7 +85,7 @@ TEST_CASE("a chain of bones is as long as its stem at any bend") {
 TEST_CASE("a stem at rest is upright") {
 	const StemConstants stem = jointed(4, 0.5, 0.5);
 	const glm::vec2 amplitudes[2] = {};
-	StemLink links[MOST_STEM_JOINTS];
+	StemLink links[MAX_STEM_JOINTS];
 	CHECK(stem_links(stem, amplitudes, links) == glm::vec3(0.0f, 1.0f, 0.0f));
 	for (int j = 0; j < 4; j++) {
 		CHECK(links[j].turn == glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
@@ -96,12 +96,12 @@ TEST_CASE("a stem at rest is upright") {
 TEST_CASE("the centre line of three points matches that of very many") {
 	for (const double taper : { 0.0, 0.6 }) {
 		const StemConstants stem = jointed(4, taper, taper);
-		for (const auto &[slope, most] : { std::pair(1.0, 0.002), std::pair(2.747, 0.003) }) { // 45° and 70°.
+		for (const auto &[slope, max] : { std::pair(1.0, 0.002), std::pair(2.747, 0.003) }) { // 45° and 70°.
 			const SteadyStem steady = in_newtons(stem, slope);
 			for (int i = 1; i <= 16; i++) {
 				const float x = static_cast<float>(i) / 16.0f;
 				const glm::dvec3 drawn = stem_place(stem, steady.amplitudes, x).centre;
-				CHECK(glm::distance(drawn, integrated(stem, steady, x)) < most);
+				CHECK(glm::distance(drawn, integrated(stem, steady, x)) < max);
 			}
 		}
 	}
@@ -111,7 +111,7 @@ TEST_CASE("skinning with four bones matches the shader within 0.5 % of the lengt
 	for (const double taper : { 0.0, 0.6 }) {
 		const StemConstants stem = jointed(4, taper, taper);
 		const SteadyStem steady = in_newtons(stem, 1.0);
-		StemLink links[MOST_STEM_JOINTS];
+		StemLink links[MAX_STEM_JOINTS];
 		const glm::vec3 end = stem_links(stem, steady.amplitudes, links);
 		CHECK(glm::distance(glm::dvec3(end), integrated(stem, steady, 1.0)) < FINE_LINE);
 		for (int i = 0; i <= 64; i++) {
@@ -121,18 +121,18 @@ TEST_CASE("skinning with four bones matches the shader within 0.5 % of the lengt
 			const float apart = glm::distance(skin, stem_place(stem, steady.amplitudes, x).centre);
 			CHECK(far < FINE_LINE);
 			CHECK(apart < SHADER);
-			figures::tell_error(figures::STEMS, "skin of four bones, tip to 45°, of the length", FINE_LINE, far);
-			figures::tell_error(figures::STEMS, "skin beside the shader of fields, of the length", SHADER, apart);
+			figures::record_error(figures::STEMS, "skin of four bones, tip to 45°, of the length", FINE_LINE, far);
+			figures::record_error(figures::STEMS, "skin beside the shader of fields, of the length", SHADER, apart);
 		}
 	}
 }
 
 TEST_CASE("weights sum to one, change smoothly and do not move the root") {
-	for (int joints = 1; joints <= MOST_STEM_JOINTS; joints++) {
-		float before[MOST_STEM_JOINTS + 1] = {};
+	for (int joints = 1; joints <= MAX_STEM_JOINTS; joints++) {
+		float before[MAX_STEM_JOINTS + 1] = {};
 		for (int i = 0; i <= 1000; i++) {
 			const StemBinding binding = bind_to_stem(joints, static_cast<float>(i) / 1000.0f);
-			float of_bone[MOST_STEM_JOINTS + 1] = {};
+			float of_bone[MAX_STEM_JOINTS + 1] = {};
 			float sum = 0.0f;
 			for (int k = 0; k < 4; k++) {
 				REQUIRE(binding.bones[k] >= 0);
@@ -164,7 +164,7 @@ TEST_CASE("a head above its stem turns with the last bone alone") {
 TEST_CASE("a stem that points straight down has bones with valid rotations") {
 	StemConstants stem = jointed(2, 0.0, 0.0, 1);
 	const glm::vec2 amplitudes[1] = { { 1e6f, 0.0f } };
-	StemLink links[MOST_STEM_JOINTS];
+	StemLink links[MAX_STEM_JOINTS];
 	const glm::vec3 end = stem_links(stem, amplitudes, links);
 	CHECK(std::isfinite(end.x + end.y + end.z));
 	for (int j = 0; j < 2; j++) {

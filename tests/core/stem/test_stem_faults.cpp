@@ -26,7 +26,7 @@ bool are_finite(const float *numbers, int count) {
 bool is_finite(const StemConstants &stem) {
 	bool finite = are_finite(stem.shape[0], 4 * STEM_SHAPE_TERMS) &&
 			are_finite(stem.air_shape[0], 2 * STEM_SHAPE_TERMS) &&
-			are_finite(stem.deflection[0], MOST_STEM_MODES * (MOST_STEM_JOINTS + 1));
+			are_finite(stem.deflection[0], MAX_STEM_MODES * (MAX_STEM_JOINTS + 1));
 	for (const StemMode &mode : stem.mode) {
 		finite = finite && are_finite(&mode.frequency, 12) && mode.mass > 0.0f && mode.stiffness > 0.0f &&
 				mode.frequency > 0.0f;
@@ -84,7 +84,7 @@ TEST_CASE("stable stems of all sizes have sound constants") {
 }
 
 TEST_CASE("wind on single joints is supported") {
-	for (int joints = 1; joints <= MOST_STEM_JOINTS; joints++) {
+	for (int joints = 1; joints <= MAX_STEM_JOINTS; joints++) {
 		for (int only = 0; only < joints; only++) {
 			for (const int modes : { 1, 2 }) {
 				for (const double head : { 0.0, 5.0, 1e5 }) {

@@ -27,21 +27,21 @@ constexpr double DRAG_RATIO = 0.02;
 
 /// Max distance of a drawn stem from a chain, in stem lengths.
 double distance_to(const SteadyChain &chain, const StemConstants &stem, const SteadyStem &steady) {
-	double most = 0.0;
+	double max = 0.0;
 	for (int i = 1; i <= 32; i++) {
 		const float x = static_cast<float>(i) / 32.0f;
 		const glm::vec3 place = stem_place(stem, steady.amplitudes, x).centre;
-		most = std::max(most, glm::distance(chain.place(x), glm::dvec2(place.x, place.y)));
+		max = std::max(max, glm::distance(chain.place(x), glm::dvec2(place.x, place.y)));
 	}
-	return most;
+	return max;
 }
 
-void tell_shape(const std::string &wind, const SteadyChain &chain, double far) {
+void record_shape(const std::string &wind, const SteadyChain &chain, double far) {
 	const bool is_slight = chain.tip_angle() < 45.0 * DEGREE;
 	CHECK(far < (is_slight ? TO_45 : TO_75));
 	const std::string what =
 			"shape in steady wind in " + wind + ", tip to " + (is_slight ? "45" : "75") + "°, of the length";
-	figures::tell_error(figures::STEMS, what, is_slight ? TO_45 : TO_75, far);
+	figures::record_error(figures::STEMS, what, is_slight ? TO_45 : TO_75, far);
 }
 
 std::vector<StemBeam> varied_stems() {
@@ -71,7 +71,7 @@ TEST_CASE("a stem in a steady wind in newtons has the shape of a chain of 128 li
 				CAPTURE(beam.taper);
 				CAPTURE(slope);
 				CHECK(chain.tip_angle() < 77.0 * DEGREE);
-				tell_shape("newtons", chain, far);
+				record_shape("newtons", chain, far);
 			}
 		}
 	}
@@ -87,7 +87,7 @@ TEST_CASE("a stem in steady air has the shape of a chain of 128 links") {
 			CAPTURE(beam.taper);
 			CAPTURE(slope);
 			const double far = distance_to(chain, stem, in_wind(stem, slope));
-			tell_shape("m/s", chain, far);
+			record_shape("m/s", chain, far);
 		}
 	}
 }
@@ -99,11 +99,11 @@ TEST_CASE("the tip under a load at the tip matches the elastica") {
 	beam.wind_weights = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f };
 	const StemConstants stem = solve_stem(beam).constants;
 	for (const auto &[load, x, y] : expected) {
-		StemLink links[MOST_STEM_JOINTS];
+		StemLink links[MAX_STEM_JOINTS];
 		const glm::vec3 tip = stem_links(stem, in_newtons(stem, 0.5 * load).amplitudes, links);
 		const double far = glm::distance(glm::dvec2(tip.x, tip.y), glm::dvec2(x, y));
 		CHECK(far < 0.01);
-		figures::tell_error(figures::STEMS, "tip under a load there, of an elastica, of the length", 0.01, far);
+		figures::record_error(figures::STEMS, "tip under a load there, of an elastica, of the length", 0.01, far);
 	}
 }
 
@@ -119,7 +119,7 @@ TEST_CASE("the drag of a blade decreases with its bend, as measured") {
 			sum += std::pow((1.0 - n) / (1.0 + n), 3.0) / 400.0;
 		}
 		CHECK(sum == Approx(ratio).epsilon(DRAG_RATIO).scale(0.0));
-		figures::tell_error(
+		figures::record_error(
 				figures::STEMS, "drag of a bent blade, to a Cauchy number of 100", DRAG_RATIO, sum / ratio - 1.0);
 	}
 }
@@ -138,7 +138,7 @@ TEST_CASE("six terms are enough for the shape of a tapered stem") {
 			exact.push_back(exact.back() + (1.0 - x) / std::pow(1.0 - taper * x, 4.0));
 		}
 		double path = 0.0;
-		double most = 0.0;
+		double max = 0.0;
 		const glm::vec2 one(1.0f, 0.0f);
 		StemConstants linear = stem;
 		for (auto &term : linear.shape) {
@@ -150,9 +150,9 @@ TEST_CASE("six terms are enough for the shape of a tapered stem") {
 			const double drawn = stem_bend(linear, &one, x).x / stem.mode[0].tip_slope;
 			// For a tip of 45°, where a bend of 0.414 turns by twice its change.
 			path += 2.0 * 0.414 * (drawn - 0.5 * (exact[i] + exact[i + 1]) / exact[STEPS]) / STEPS;
-			most = std::max(most, std::abs(path));
+			max = std::max(max, std::abs(path));
 		}
 		CAPTURE(taper);
-		CHECK(most < PATH);
+		CHECK(max < PATH);
 	}
 }

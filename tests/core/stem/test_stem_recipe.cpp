@@ -49,9 +49,9 @@ TEST_CASE("stems of other heights have the usual weight of the species' own heig
 	taller.beam.length *= 1.331f;
 	CHECK(solve_recipe(taller).usual_weight == weight);
 	taller.usual_weight = weight;
-	const SolvedStem told = solve_recipe(taller);
-	CHECK(told.usual_weight == weight);
-	CHECK(told.in_newtons->dead_slope == Approx(weight * solve_stem(taller.beam).constants.dead_slope));
+	const SolvedStem found = solve_recipe(taller);
+	CHECK(found.usual_weight == weight);
+	CHECK(found.in_newtons->dead_slope == Approx(weight * solve_stem(taller.beam).constants.dead_slope));
 }
 
 TEST_CASE("less wind on joints also means less wind with the usual weight") {

@@ -31,7 +31,7 @@ inline Series turbulence_at(const undergrowth::Air &air, float x, float z, int c
 	Series series = { std::vector<float>(static_cast<std::size_t>(count)),
 		std::vector<float>(static_cast<std::size_t>(count)) };
 	for (int i = 0; i < count; i++) {
-		const undergrowth::AirNow now = undergrowth::air_at_time(air, {}, &shared_tiles(), i * step);
+		const undergrowth::AirSnapshot now = undergrowth::air_at_time(air, {}, &shared_tiles(), i * step);
 		const auto k = static_cast<std::size_t>(i);
 		undergrowth::baseline_wind_kernels()->sample_turbulence(
 				now.turbulence, &x, &z, 1, &series.along[k], &series.across[k]);

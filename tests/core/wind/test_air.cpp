@@ -2,7 +2,7 @@
 
 #include "base/random.hpp"
 #include "conventions.hpp"
-#include "wind/travelling_wind.hpp"
+#include "wind/field_wind.hpp"
 
 #include "figures.hpp"
 
@@ -49,7 +49,7 @@ struct Velocities {
 };
 
 Velocities velocities(const FieldWind &wind, double time, SimdLevel level = best_simd_level()) {
-	const TravellingWind now = wind_at_time(wind, time);
+	const WindSnapshot now = wind_at_time(wind, time);
 	Velocities out;
 	sample_air(now, blow_over(now.air, STAND, winds_along(wind)), places(1).data(), places(2).data(), nullptr, PLANTS,
 			out.x.data(), out.z.data(), level);
@@ -58,13 +58,13 @@ Velocities velocities(const FieldWind &wind, double time, SimdLevel level = best
 
 /// Waves over the canopy along a line with the wind.
 std::vector<float> wave_line(const Air &air, double time) {
-	const AirNow now = air_at_time(air, {}, &shared_tiles(), time);
+	const AirSnapshot now = air_at_time(air, {}, &shared_tiles(), time);
 	std::vector<float> x(4000), z(4000), waves(4000);
 	for (std::size_t i = 0; i < x.size(); i++) {
 		x[i] = 0.02f * static_cast<float>(i) * std::sin(static_cast<float>(air.heading));
 		z[i] = 0.02f * static_cast<float>(i) * std::cos(static_cast<float>(air.heading));
 	}
-	baseline_wind_kernels()->add_stand_waves(now.waves, x.data(), z.data(), 4000, 0.0f, 1.0f, waves.data());
+	baseline_wind_kernels()->add_canopy_waves(now.waves, x.data(), z.data(), 4000, 0.0f, 1.0f, waves.data());
 	return waves;
 }
 
@@ -85,7 +85,7 @@ TEST_CASE("air has the same bits at every level, for any division of plants") {
 		REQUIRE(whole.x == best.x);
 		REQUIRE(whole.z == best.z);
 		float x = 0.0f, z = 0.0f;
-		const TravellingWind now = wind_at_time(breeze(), 0.37 * i);
+		const WindSnapshot now = wind_at_time(breeze(), 0.37 * i);
 		const std::vector<float> xs = places(1), zs = places(2);
 		sample_air(now, blow_over(now.air, STAND, winds_along(breeze())), &xs[717], &zs[717], nullptr, 1, &x, &z);
 		REQUIRE(x == whole.x[717]);
@@ -103,7 +103,7 @@ TEST_CASE("isolated plants have the wind of their own height above open ground")
 	const std::vector<float> xs = places(1), zs = places(2);
 	for (const bool gusts : { false, true }) {
 		wind.air.turbulence = gusts ? -1.0f : 0.0f;
-		const TravellingWind now = wind_at_time(wind, 3.0);
+		const WindSnapshot now = wind_at_time(wind, 3.0);
 		const AirBlow blow = blow_over(now.air, 0.0f, winds_along(wind));
 		Velocities plain, best;
 		sample_air(now, blow, xs.data(), zs.data(), lengths.data(), PLANTS, plain.x.data(), plain.z.data(),
@@ -116,14 +116,14 @@ TEST_CASE("isolated plants have the wind of their own height above open ground")
 			const double off = speed / static_cast<double>(wind.air.speed) -
 					open_ground_speed(static_cast<double>(lengths[i]), static_cast<double>(wind.air.roughness));
 			REQUIRE(std::fabs(off) < PROFILE_TOLERANCE);
-			figures::tell_error(figures::WIND, "logarithmic profile, of the speed at 10 m", PROFILE_TOLERANCE, off);
+			figures::record_error(figures::WIND, "logarithmic profile, of the speed at 10 m", PROFILE_TOLERANCE, off);
 		}
 	}
 }
 
 TEST_CASE("the mean over a canopy is the speed at its tops, and gusts are a fraction of it") {
 	FieldWind wind = breeze();
-	const double top = stand_top_speed(0.5) * static_cast<double>(wind.air.speed);
+	const double top = canopy_top_speed(0.5) * static_cast<double>(wind.air.speed);
 	const glm::vec3 along = wind_direction(wind.wind);
 	double sum = 0.0, squares = 0.0, cubes = 0.0, side = 0.0;
 	std::vector<double> on;
@@ -144,21 +144,21 @@ TEST_CASE("the mean over a canopy is the speed at its tops, and gusts are a frac
 	}
 	MESSAGE("skewness " << cubes / std::pow(squares, 1.5));
 	CHECK(sum == doctest::Approx(top).epsilon(0.05));
-	CHECK(std::sqrt(squares) == doctest::Approx(STAND_GUSTS * top).epsilon(0.05));
-	CHECK(std::sqrt(side / count) == doctest::Approx(SIDE_GUSTS * STAND_GUSTS * top).epsilon(0.05));
+	CHECK(std::sqrt(squares) == doctest::Approx(CANOPY_GUSTS * top).epsilon(0.05));
+	CHECK(std::sqrt(side / count) == doctest::Approx(SIDE_GUSTS * CANOPY_GUSTS * top).epsilon(0.05));
 	CHECK(cubes / std::pow(squares, 1.5) == doctest::Approx(0.55).epsilon(0.2));
 }
 
 TEST_CASE("waves over a canopy have the speed and distance of those in a mixing layer") {
 	const Air air = breeze().air;
 	CHECK(waves_length(air) == doctest::Approx(8.1 * 0.25));
-	CHECK(waves_speed(air) == doctest::Approx(1.8 * 9.0 * stand_top_speed(0.5)));
+	CHECK(waves_speed(air) == doctest::Approx(1.8 * 9.0 * canopy_top_speed(0.5)));
 	const std::vector<float> now = wave_line(air, 0.0), later = wave_line(air, 0.2);
 	const double speed = 0.02 * static_cast<double>(best_lag(now, later, 1, 60)) / 0.2;
 	const double spacing = 0.02 * static_cast<double>(best_lag(now, now, 60, 140));
-	figures::tell(figures::WIND, "speed of waves over half a metre of grass, fresh breeze", waves_speed(air), speed, 2,
-			" m/s");
-	figures::tell(figures::WIND, "their length", waves_length(air), spacing, 2, " m");
+	figures::record(figures::WIND, "speed of waves over half a metre of grass, fresh breeze", waves_speed(air), speed,
+			2, " m/s");
+	figures::record(figures::WIND, "their length", waves_length(air), spacing, 2, " m");
 	CHECK(std::fabs(speed / waves_speed(air) - 1.0) < WAVES_SPEED_TOLERANCE);
 	CHECK(std::fabs(spacing / waves_length(air) - 1.0) < WAVES_SPACING_TOLERANCE);
 }
@@ -167,11 +167,11 @@ TEST_CASE("patterns at the pivot continue through any change of the air") {
 	FieldWind wind = breeze();
 	const glm::dvec2 pivot = { 31.0, -12.0 };
 	const auto deviates = [&](const Air &air) {
-		const AirNow now = air_at_time(air, { pivot, { 1.0, 0.0 }, { 0.0, 1.0 } }, &shared_tiles(), 77.0);
+		const AirSnapshot now = air_at_time(air, { pivot, { 1.0, 0.0 }, { 0.0, 1.0 } }, &shared_tiles(), 77.0);
 		const float origin = 0.0f;
 		glm::vec3 all = {};
 		baseline_wind_kernels()->sample_turbulence(now.turbulence, &origin, &origin, 1, &all.x, &all.y);
-		baseline_wind_kernels()->add_stand_waves(now.waves, &origin, &origin, 1, 0.0f, 1.0f, &all.z);
+		baseline_wind_kernels()->add_canopy_waves(now.waves, &origin, &origin, 1, 0.0f, 1.0f, &all.z);
 		return all;
 	};
 	const glm::vec3 before = deviates(wind.air);
@@ -198,22 +198,22 @@ TEST_CASE("air is independent of the axes of its positions") {
 	field.axes.z = scale * glm::dvec2(std::sin(turn), std::cos(turn));
 	world.axes.origin = origin + 3.0 * field.axes.x + 5.0 * field.axes.z;
 	const float x = 3.0f, z = 5.0f, none = 0.0f, height = 0.4f;
-	glm::vec2 told = {}, there = {};
-	const TravellingWind in_field = wind_at_time(field, 100.0), in_world = wind_at_time(world, 100.0);
+	glm::vec2 found = {}, there = {};
+	const WindSnapshot in_field = wind_at_time(field, 100.0), in_world = wind_at_time(world, 100.0);
 	const AirBlow blow = blow_over(in_world.air, 0.0f, winds_along(world));
-	sample_air(in_field, blow, &x, &z, &height, 1, &told.x, &told.y);
+	sample_air(in_field, blow, &x, &z, &height, 1, &found.x, &found.y);
 	sample_air(in_world, blow, &none, &none, &height, 1, &there.x, &there.y);
-	CHECK(static_cast<double>(glm::distance(told, there)) < VELOCITY_TOLERANCE);
+	CHECK(static_cast<double>(glm::distance(found, there)) < VELOCITY_TOLERANCE);
 	const glm::vec3 place = { static_cast<float>(world.axes.origin.x), height,
 		static_cast<float>(world.axes.origin.y) };
-	const glm::vec3 asked = air_velocity(world.air, world.tiles.get(), 100.0, place);
-	CHECK(static_cast<double>(glm::distance(asked, glm::vec3(there.x, 0.0f, there.y))) < VELOCITY_TOLERANCE);
+	const glm::vec3 expected = air_velocity(world.air, world.tiles.get(), 100.0, place);
+	CHECK(static_cast<double>(glm::distance(expected, glm::vec3(there.x, 0.0f, there.y))) < VELOCITY_TOLERANCE);
 }
 
 TEST_CASE("still air samples nothing and has no wind") {
 	FieldWind wind = breeze();
 	wind.air.speed = 0.0f;
-	const TravellingWind now = wind_at_time(wind, 10.0);
+	const WindSnapshot now = wind_at_time(wind, 10.0);
 	CHECK(now.air.turbulence.cells == nullptr);
 	CHECK(now.air.waves.cells == nullptr);
 	const Velocities still = velocities(wind, 10.0);

@@ -26,13 +26,13 @@ TEST_CASE("above open ground the wind grows with the height's logarithm") {
 }
 
 TEST_CASE("the tops of a canopy have the wind of the displaced law, and its depths less") {
-	CHECK(stand_top_speed(0.7) == doctest::Approx(0.224).epsilon(0.005));
-	CHECK(stand_speed(2.0, 0.7) == doctest::Approx(std::log((2.0 - 0.49) / 0.07) / std::log((10.0 - 0.49) / 0.07)));
-	CHECK(stand_speed(0.35, 0.7, 2.0) == doctest::Approx(stand_top_speed(0.7) * std::exp(-1.0)));
+	CHECK(canopy_top_speed(0.7) == doctest::Approx(0.224).epsilon(0.005));
+	CHECK(canopy_speed(2.0, 0.7) == doctest::Approx(std::log((2.0 - 0.49) / 0.07) / std::log((10.0 - 0.49) / 0.07)));
+	CHECK(canopy_speed(0.35, 0.7, 2.0) == doctest::Approx(canopy_top_speed(0.7) * std::exp(-1.0)));
 	double before = 0.0;
 	for (double height = 0.0; height < 5.0; height += 0.01) {
-		REQUIRE(stand_speed(height, 0.7) > before);
-		before = stand_speed(height, 0.7);
+		REQUIRE(canopy_speed(height, 0.7) > before);
+		before = canopy_speed(height, 0.7);
 	}
 }
 
@@ -41,7 +41,7 @@ TEST_CASE("profiles with invalid or out-of-range numbers are finite and not belo
 	constexpr double INF = std::numeric_limits<double>::infinity();
 	for (const double a : { NONE, INF, -INF, -1.0, 0.0, 1e-30, 1.0, 1e30 }) {
 		for (const double b : { NONE, INF, -INF, -1.0, 0.0, 1e-30, 1.0, 1e30 }) {
-			for (const double value : { open_ground_speed(a, b), open_ground_gusts(a, b), stand_speed(a, b) }) {
+			for (const double value : { open_ground_speed(a, b), open_ground_gusts(a, b), canopy_speed(a, b) }) {
 				REQUIRE(std::isfinite(value));
 				REQUIRE(value >= 0.0);
 			}

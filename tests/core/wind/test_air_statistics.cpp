@@ -26,7 +26,7 @@ constexpr double THREE_SECOND_GUST = 2.12; // Standard deviations: Davenport's f
 constexpr double GUST_TOLERANCE = 0.08;
 constexpr double COHERENCE_TOLERANCE = 0.1;
 constexpr double SCALE_TOLERANCE = 0.1;
-constexpr double MOST_LIKENESS = 0.15; // Correlation with any later quarter of an hour, statistical error included.
+constexpr double MAX_CORRELATION = 0.15; // Correlation with any later quarter of an hour, statistical error included.
 
 /// Ten minutes at distant positions.
 const std::vector<Series> &ten_minutes() {
@@ -158,8 +158,8 @@ TEST_CASE("ten minutes of turbulence have the expected variance") {
 		along += product(series.along, series.along, 0) / PLACES;
 		across += product(series.across, series.across, 0) / PLACES;
 	}
-	figures::tell(figures::WIND, "variance of ten minutes, along the wind", 1.0, along, 3);
-	figures::tell(figures::WIND, "across it", 1.0, across, 3);
+	figures::record(figures::WIND, "variance of ten minutes, along the wind", 1.0, along, 3);
+	figures::record(figures::WIND, "across it", 1.0, across, 3);
 	CHECK(std::fabs(along - 1.0) < VARIANCE_TOLERANCE);
 	CHECK(std::fabs(across - 1.0) < VARIANCE_TOLERANCE);
 }
@@ -173,7 +173,7 @@ TEST_CASE("the spectrum falls from 0.5 to 4 Hz as Kaimal's") {
 		}
 	}
 	const double slope = slope_of(power, 0.5, 4.0);
-	figures::tell(figures::WIND, "slope of the spectrum from 0.5 to 4 Hz (Kaimal)", SLOPE, slope, 2);
+	figures::record(figures::WIND, "slope of the spectrum from 0.5 to 4 Hz (Kaimal)", SLOPE, slope, 2);
 	CHECK(std::fabs(slope - SLOPE) < SLOPE_TOLERANCE);
 }
 
@@ -182,22 +182,23 @@ TEST_CASE("the gust of three seconds is as strong as Davenport's") {
 	for (const Series &series : ten_minutes()) {
 		gust += greatest_mean(series.along, 48) / PLACES;
 	}
-	figures::tell(figures::WIND, "gust of three seconds, standard deviations (Davenport)", THREE_SECOND_GUST, gust, 2);
+	figures::record(
+			figures::WIND, "gust of three seconds, standard deviations (Davenport)", THREE_SECOND_GUST, gust, 2);
 	CHECK(std::fabs(gust / THREE_SECOND_GUST - 1.0) < GUST_TOLERANCE);
 }
 
 TEST_CASE("neighbouring positions have the same slow waves, with less coherence at larger distances") {
 	const double near = coherence(5, 1.0f), far = coherence(5, 4.0f); // f = 5/256 ≈ 0.02.
-	figures::tell(figures::WIND, "coherence of slow waves a metre apart (IEC 61400-1)", 0.70, near, 2);
-	figures::tell(figures::WIND, "four metres apart", 0.25, far, 2);
+	figures::record(figures::WIND, "coherence of slow waves a metre apart (IEC 61400-1)", 0.70, near, 2);
+	figures::record(figures::WIND, "four metres apart", 0.25, far, 2);
 	CHECK(std::fabs(near / 0.70 - 1.0) < COHERENCE_TOLERANCE);
 	CHECK(std::fabs(far / 0.25 - 1.0) < COHERENCE_TOLERANCE);
 }
 
 TEST_CASE("gusts have the lengths of the integral scales") {
 	const double along = integral_scale(&Line::along), across = integral_scale(&Line::across);
-	figures::tell(figures::WIND, "integral scale along the wind", 3.6, along, 1, " m");
-	figures::tell(figures::WIND, "of what blows across it", 1.5, across, 1, " m");
+	figures::record(figures::WIND, "integral scale along the wind", 3.6, along, 1, " m");
+	figures::record(figures::WIND, "of what blows across it", 1.5, across, 1, " m");
 	CHECK(std::fabs(along / 3.6 - 1.0) < SCALE_TOLERANCE);
 	CHECK(std::fabs(across / 1.5 - 1.0) < SCALE_TOLERANCE);
 }
@@ -211,7 +212,7 @@ TEST_CASE("at three metres per second turbulence arrives a second later three me
 	}
 	const double seconds = 0.02 * static_cast<double>(best);
 	CHECK(std::fabs(seconds - 1.0) < 0.05);
-	figures::tell(figures::WIND, "from a place to one 3 m downwind at 3 m/s (Taylor)", 1.0, seconds, 2, " s");
+	figures::record(figures::WIND, "from a place to one 3 m downwind at 3 m/s (Taylor)", 1.0, seconds, 2, " s");
 }
 
 TEST_CASE("turbulence at a position does not repeat within half an hour") {
@@ -221,6 +222,6 @@ TEST_CASE("turbulence at a position does not repeat within half an hour") {
 	for (std::size_t lag = 60 * 4; lag < 1200 * 4; lag++) {
 		worst = std::max(worst, product(series.along, series.along, lag) / own);
 	}
-	figures::tell_error(figures::WIND, "likeness of any two times within half an hour", MOST_LIKENESS, worst);
-	CHECK(worst < MOST_LIKENESS);
+	figures::record_error(figures::WIND, "likeness of any two times within half an hour", MAX_CORRELATION, worst);
+	CHECK(worst < MAX_CORRELATION);
 }

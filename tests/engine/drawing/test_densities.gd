@@ -2,7 +2,7 @@
 extends "res://tests/engine/drawing/drawing_harness.gd"
 
 const END := 6.0
-const EYE_STEP := 0.24  # Less than the movement that makes a field count again.
+const CAMERA_STEP := 0.24  # Less than the movement that makes a field count again.
 
 var _camera: Camera3D
 
@@ -26,7 +26,7 @@ func test_all_plants_that_have_a_width_are_drawn() -> void:
 	for x: float in [-7.0, -3.1, 0.0, 2.6]:
 		await _look_from(Vector3(x, 0.5, 0.7))
 		_check_all_with_a_width()
-		await _look_from(_camera.position + EYE_STEP * Vector3.RIGHT)
+		await _look_from(_camera.position + CAMERA_STEP * Vector3.RIGHT)
 		_check_all_with_a_width()
 
 

@@ -20,7 +20,7 @@ var _elapsed := -1.0
 var _walked := 0.0
 var _samples := 0
 var _ways := [0.0, 0.0]
-var _most := 0.0
+var _max_distance := 0.0
 
 
 func _initialize() -> void:
@@ -57,7 +57,7 @@ func _process(delta: float) -> bool:
 	if _elapsed >= _samples * SAMPLE:
 		_sample()
 	if _elapsed >= SECONDS:
-		print("ways %f %f %f" % [_ways[0] / _ids.size(), _ways[1] / _ids.size(), _most])
+		print("ways %f %f %f" % [_ways[0] / _ids.size(), _ways[1] / _ids.size(), _max_distance])
 	return _elapsed >= SECONDS
 
 
@@ -98,7 +98,7 @@ func _sample() -> void:
 	_samples += 1
 	var tips := _all_tips()
 	for i in _ids.size():
-		_most = maxf(_most, (tips[i] + ASIDE).distance_to(tips[_ids.size() + i]))
+		_max_distance = maxf(_max_distance, (tips[i] + ASIDE).distance_to(tips[_ids.size() + i]))
 	for i in tips.size():
 		_ways[i / _ids.size()] += tips[i].distance_to(_tips[i])
 	_tips = tips

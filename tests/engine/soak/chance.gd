@@ -5,7 +5,7 @@ const ODD_NUMBERS: Array[float] = [0.0, -1.0, 1e-30, 1e30, -1e9, NAN, INF, -INF,
 const ODD_INTEGERS: Array[int] = [0, -1, 1, 2, 63, 64, 65, 2147483647, -9223372036854775808]
 ## Upper limits of values that determine the cost of one plant, one field or one mesh. Larger values
 ## would take minutes.
-const MOST: Dictionary[String, float] = {
+const MAX_VALUES: Dictionary[String, float] = {
 	"density": 60.0,
 	"density_factor": 3.0,
 	"variants": 6.0,
@@ -208,5 +208,5 @@ func _range_of(info: Dictionary) -> Vector2:
 
 
 func _capped(info: Dictionary, number: Variant) -> Variant:
-	var most: float = MOST.get(info["name"], INF)
-	return number if not number > most else type_convert(most, typeof(number))
+	var maximum: float = MAX_VALUES.get(info["name"], INF)
+	return number if not number > maximum else type_convert(maximum, typeof(number))

@@ -6,7 +6,7 @@ extends SceneTree
 
 const World := preload("res://tests/engine/soak/world.gd")
 const FRAMES_OF_ROUND := 240
-const MOST_ACTIONS_OF_FRAME := 6
+const MAX_ACTIONS_PER_FRAME := 6
 
 var _action_count := 0
 var _end := 0  # ms, by the clock of the engine.
@@ -37,7 +37,7 @@ func _soak() -> void:
 func _run_round(seed: int) -> void:
 	var world := World.new(root, seed)
 	for i in FRAMES_OF_ROUND:
-		for j in world.rng.randi_range(0, MOST_ACTIONS_OF_FRAME):
+		for j in world.rng.randi_range(0, MAX_ACTIONS_PER_FRAME):
 			world.act()
 			_action_count += 1
 		await process_frame

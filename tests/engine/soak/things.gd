@@ -24,7 +24,7 @@ const READY_SPECIES := "res://addons/undergrowth/species/"
 const READY_COUNT := 3
 const MAX_SAVED_BYTES := 8
 const THREAD_TASKS := 4
-const MOST_IDS := 60
+const MAX_IDS := 60
 
 var winds: Array[PlantWind] = [PlantWind.new(), PlantWind.new()]
 var maps: Array[PlantMap] = [PlantMap.new(), PlantMap.new()]
@@ -250,7 +250,7 @@ func ask(object: Object, info: Dictionary) -> void:
 	if answer is PackedByteArray:
 		keep_bytes(answer)
 	if answer is PackedInt64Array and not answer.is_empty():
-		_known_ids = answer.slice(0, MOST_IDS)
+		_known_ids = answer.slice(0, MAX_IDS)
 	if answer is Node and not answer.is_inside_tree() and answer != object:
 		answer.free()
 
@@ -296,7 +296,7 @@ func _ids(object: Object) -> PackedInt64Array:
 	var field := object as PlantField3D
 	if field != null and chance(0.9):
 		var all := field.get_plant_ids()
-		for i in rng.randi_range(1, MOST_IDS) if not all.is_empty() else 0:
+		for i in rng.randi_range(1, MAX_IDS) if not all.is_empty() else 0:
 			ids.append(all[rng.randi_range(0, all.size() - 1)])
 	if ids.is_empty() or chance(0.15):
 		ids.append_array(_known_ids)
@@ -307,7 +307,7 @@ func _ids(object: Object) -> PackedInt64Array:
 
 func _state() -> PackedFloat32Array:
 	var state := PackedFloat32Array()
-	state.resize(6 * rng.randi_range(0, MOST_IDS))
+	state.resize(6 * rng.randi_range(0, MAX_IDS))
 	for i in state.size():
 		state[i] = rng.randfn() if chance(0.99) else pick(ODD_NUMBERS)
 	return state
@@ -317,14 +317,14 @@ func _transforms() -> Variant:
 	if chance(0.05):
 		return "nonsense"
 	var transforms: Array[Transform3D] = []
-	for i in rng.randi_range(0, MOST_IDS):
+	for i in rng.randi_range(0, MAX_IDS):
 		transforms.append(odd_transform())
 	return transforms
 
 
-func _some(from: Array, most: int) -> Array:
+func _some(from: Array, maximum: int) -> Array:
 	var some: Array = []
-	for i in rng.randi_range(0, most):
+	for i in rng.randi_range(0, maximum):
 		some.append(pick(from))
 	return some
 

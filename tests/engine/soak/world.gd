@@ -3,9 +3,9 @@
 extends "res://tests/engine/soak/chance.gd"
 
 const Things := preload("res://tests/engine/soak/things.gd")
-const MOST_FIELDS := 3
-const MOST_PLANTS := 12
-const MOST_OTHERS := 24
+const MAX_FIELDS := 3
+const MAX_PLANTS := 12
+const MAX_OTHERS := 24
 ## Classes with random changes of their own properties.
 const SHOWN: Array[StringName] = [&"PlantField3D", &"Plant3D", &"GeometryInstance3D", &"Node3D"]
 
@@ -90,19 +90,19 @@ func _add_second_world() -> void:
 
 
 func _add_field() -> void:
-	if fields.size() < MOST_FIELDS:
+	if fields.size() < MAX_FIELDS:
 		var field := things.new_field()
 		field.build_finished.connect(_on_filled.bind(field))
 		_add(field, fields)
 
 
 func _add_plant() -> void:
-	if plants.size() < MOST_PLANTS:
+	if plants.size() < MAX_PLANTS:
 		_add(things.new_plant(), plants)
 
 
 func _add_other() -> void:
-	if others.size() < MOST_OTHERS:
+	if others.size() < MAX_OTHERS:
 		_add(things.new_other(), others)
 
 

@@ -8,11 +8,11 @@ const DENSITY_AT_ONE_METRE := 18.0
 const HEIGHT_POWER := 1.1
 ## Overlapping plants, in squares of a plant's breadth.
 const OVERLAP := 4.0
-const LEAST_DENSITY := 0.5
-const MOST_DENSITY := 400.0
+const MIN_DENSITY := 0.5
+const MAX_DENSITY := 400.0
 ## Plants of the whole field. A dense field is smaller, down to the minimum side in metres.
-const MOST_PLANTS := 12000.0
-const LEAST_SIDE := 5.0
+const MAX_PLANTS := 12000.0
+const MIN_SIDE := 5.0
 ## Radians. Exactly upright plants make a field look like a brush.
 const LEAN := 0.09
 const SEEDS := 3
@@ -24,9 +24,9 @@ const SEGMENTS := 6
 static func make_field(function: PlantFunction) -> PlantField3D:
 	var field := PlantField3D.from_species([function])
 	field.density = find_density(function)
-	var side := sqrt(MOST_PLANTS / field.density)
+	var side := sqrt(MAX_PLANTS / field.density)
 	if side < field.size.x:
-		field.size = Vector2.ONE * maxf(floorf(side), LEAST_SIDE)
+		field.size = Vector2.ONE * maxf(floorf(side), MIN_SIDE)
 	field.species = [make_entry(function)]
 	return field
 
@@ -46,7 +46,7 @@ static func find_density(function: PlantFunction) -> float:
 	var size := _measure(function)
 	var by_height := DENSITY_AT_ONE_METRE / pow(size.y, HEIGHT_POWER)
 	var by_breadth := OVERLAP / (size.x * size.x)
-	var density := clampf(minf(by_height, by_breadth), LEAST_DENSITY, MOST_DENSITY)
+	var density := clampf(minf(by_height, by_breadth), MIN_DENSITY, MAX_DENSITY)
 	return snappedf(density, 0.5 if density < 10.0 else 5.0)
 
 

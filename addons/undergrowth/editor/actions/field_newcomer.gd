@@ -7,7 +7,7 @@ const FieldDefaults := preload("field_defaults.gd")
 const SameResource := preload("same_resource.gd")
 
 ## Maximum number of plants for a short build without an error.
-const MOST_PLANTS := 2.0e6
+const MAX_PLANTS := 2.0e6
 
 
 ## Returns the entry of [param field] with [param function] or an equal one, or null.
@@ -67,4 +67,4 @@ static func _room_of(field: PlantField3D) -> float:
 	var area := field.size.x * field.size.y
 	if field.map:
 		area = maxf(area, field.map.get_painted_rect().get_area())
-	return maxf(MOST_PLANTS / maxf(area, 1.0) - field.density, FieldDefaults.LEAST_DENSITY)
+	return maxf(MAX_PLANTS / maxf(area, 1.0) - field.density, FieldDefaults.MIN_DENSITY)

@@ -6,7 +6,7 @@ const FARTHEST := 2000.0
 ## Distance in front of a camera whose view is empty.
 const DISTANCE_WITHOUT_GROUND := 4.0
 ## Minimum up part of the normal. On steeper surfaces the search continues with the ground below.
-const LEAST_UPRIGHT := 0.4
+const MIN_UPRIGHT := 0.4
 const OFF_WALL := 0.05
 ## Margin (m) around the edge of a flat mesh.
 const EDGE := 1e-3
@@ -30,7 +30,7 @@ static func find_along(world: World3D, from: Vector3, direction: Vector3) -> Vec
 	if hit.is_empty():
 		return _on_plane(from, direction)
 	var normal: Vector3 = hit["normal"]
-	if normal.y >= LEAST_UPRIGHT:
+	if normal.y >= MIN_UPRIGHT:
 		return hit["position"]
 	var beside: Vector3 = hit["position"] + normal * OFF_WALL
 	var below := _cast(world, beside, beside + Vector3.DOWN * FARTHEST)

@@ -3,14 +3,14 @@ extends Label
 ## The line of a dialog that describes the result or an error.
 
 ## Wrapping width of the text in pixels at 100 %. It determines the height of the dialog.
-const LEAST_SIZE := Vector2(320.0, 50.0)
+const MIN_SIZE := Vector2(320.0, 50.0)
 
 var _is_problem := false
 
 
 func _ready() -> void:
 	if not is_part_of_edited_scene():
-		custom_minimum_size = LEAST_SIZE * EditorInterface.get_editor_scale()
+		custom_minimum_size = MIN_SIZE * EditorInterface.get_editor_scale()
 
 
 ## Shows the expected result.

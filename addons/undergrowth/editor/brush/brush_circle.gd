@@ -9,7 +9,7 @@ const POINTS := 24
 ## Range of the ground search above and below the field's plane, in radii, and its minimum in
 ## metres.
 const REACH := 1.0
-const LEAST_REACH := 2.0
+const MIN_REACH := 2.0
 const LIFT := 0.03
 ## As a fraction of the radius.
 const BREADTH := 0.06
@@ -62,7 +62,7 @@ func show_at(
 
 # Points of the outer circle on the ground.
 static func _find_places(field: PlantField3D, middle: Vector3, radius: float) -> PackedVector3Array:
-	var reach := maxf(radius * REACH, LEAST_REACH)
+	var reach := maxf(radius * REACH, MIN_REACH)
 	var plane := Plane(Vector3.UP, middle.y)
 	var places := PackedVector3Array()
 	for i in POINTS:

@@ -7,7 +7,7 @@ const Ground := preload("../actions/ground.gd")
 
 ## Step of a ray over an object's ground: a fraction of its length, and a minimum in metres.
 const STEP_SHARE := 0.02
-const LEAST_STEP := 0.25
+const MIN_STEP := 0.25
 ## Number of bisections between two steps.
 const HALVINGS := 14
 
@@ -40,13 +40,13 @@ static func _find_on(terrain: Object, from: Vector3, direction: Vector3) -> Vari
 		var over := _height_over(terrain, from)
 		return from + Vector3.DOWN * over if is_finite(over) else null
 	var above := 0.0
-	var way := LEAST_STEP
+	var way := MIN_STEP
 	while way < Ground.FARTHEST:
 		var over := _height_over(terrain, from + direction * way)
 		if over <= 0.0:
 			return _narrow(terrain, from, direction, above, way)
 		above = way
-		way += maxf(way * STEP_SHARE, LEAST_STEP)
+		way += maxf(way * STEP_SHARE, MIN_STEP)
 	return null
 
 

@@ -7,8 +7,8 @@ signal changed
 
 enum Tool { NONE, PAINT, ERASE, HEIGHT, PICK }
 
-const LEAST_RADIUS := 0.1
-const MOST_RADIUS := 100.0
+const MIN_RADIUS := 0.1
+const MAX_RADIUS := 100.0
 ## In plants/m².
 const MAX_DENSITY := 10000.0
 ## Factor of the radius for a press of [ or ].
@@ -21,7 +21,7 @@ var tool := Tool.NONE:
 ## In metres of the world.
 var radius := 2.0:
 	set(value):
-		radius = clampf(value, LEAST_RADIUS, MOST_RADIUS)
+		radius = clampf(value, MIN_RADIUS, MAX_RADIUS)
 		changed.emit()
 ## Effect of one touch, as a fraction of the full effect.
 var strength := 0.5:

@@ -13,7 +13,7 @@ const MARGIN := 8
 ## In pixels at 100 %.
 const THUMBNAIL := 24
 ## Maximum number of buttons. More species are in a menu.
-const MOST_BUTTONS := 3
+const MAX_BUTTONS := 3
 
 var _options: BrushOptions
 var _field: PlantField3D
@@ -166,8 +166,8 @@ func _show_density() -> void:
 func _show() -> void:
 	tell("")
 	visible = _options.tool not in [BrushOptions.Tool.NONE, BrushOptions.Tool.PICK]
-	_species.visible = _names.size() <= MOST_BUTTONS
-	_menu.visible = _names.size() > MOST_BUTTONS
+	_species.visible = _names.size() <= MAX_BUTTONS
+	_menu.visible = _names.size() > MAX_BUTTONS
 	_menu.show_painted(_options.species)
 	_show_density()
 	_plant_height.visible = _options.tool == BrushOptions.Tool.HEIGHT

@@ -126,7 +126,7 @@ func _touch(place: Vector3, pressure: float) -> void:
 # In the field's own axes.
 func _radius() -> float:
 	var scale := _field.global_basis.get_scale().x
-	return clampf(_options.radius / maxf(scale, 1e-6), 0.01, BrushOptions.MOST_RADIUS)
+	return clampf(_options.radius / maxf(scale, 1e-6), 0.01, BrushOptions.MAX_RADIUS)
 
 
 func _make_map() -> PlantMap:

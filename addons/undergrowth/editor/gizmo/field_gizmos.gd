@@ -6,14 +6,14 @@ extends "kept_gizmos.gd"
 
 const GizmoShapes := preload("gizmo_shapes.gd")
 
-const LEAST_SIZE := 0.1
+const MIN_SIZE := 0.1
 ## Maximum distance of a handle, in metres.
 const FARTHEST := 4096.0
 ## Steps of the size in metres during a drag, and during a drag with Ctrl.
 const STEP := 0.01
 const SNAP_STEP := 0.5
 ## Height of the box in metres for a field without a height of its own.
-const LEAST_BOX := 0.5
+const MIN_BOX := 0.5
 ## Clickable margin around the border, as a fraction of its longer side.
 const ROOM := 0.02
 ## Outward direction of each side of the rectangle, by the ids of the handles.
@@ -82,7 +82,7 @@ func _set_handle(
 	var is_both := Input.is_key_pressed(KEY_ALT)
 	var length := snappedf(reach * 2.0 if is_both else reach + half, step)
 	var size := field.size
-	size[axis] = maxf(length, LEAST_SIZE)
+	size[axis] = maxf(length, MIN_SIZE)
 	if not is_both:
 		field.translate_object_local(side * (size[axis] * 0.5 - half))
 	field.size = size
@@ -153,7 +153,7 @@ static func _box_of(field: PlantField3D, corners: PackedVector3Array) -> AABB:
 	var seen := field.get_aabb()
 	if seen.has_surface():
 		return box.merge(seen)
-	return box.expand(box.position + Vector3.UP * LEAST_BOX)
+	return box.expand(box.position + Vector3.UP * MIN_BOX)
 
 
 # True if its outline or one of its exclusions is selected.

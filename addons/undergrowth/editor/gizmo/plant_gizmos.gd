@@ -8,13 +8,13 @@ const GizmoShapes := preload("gizmo_shapes.gd")
 const SceneWind := preload("../wind_page/scene_wind.gd")
 
 const HEIGHT_HANDLE := 0
-const LEAST_HEIGHT := 0.01
-const MOST_HEIGHT := 1000.0
+const MIN_HEIGHT := 0.01
+const MAX_HEIGHT := 1000.0
 ## Steps of the height in metres during a drag, and during a drag with Ctrl.
 const STEP := 0.001
 const SNAP_STEP := 0.1
 ## Minimum deflection, in radians, of a visible bend.
-const LEAST_BEND := 0.005
+const MIN_BEND := 0.005
 
 
 func _init() -> void:
@@ -66,9 +66,9 @@ func _set_handle(
 	var plant := gizmo.get_node_3d() as Plant3D
 	if not plant:
 		return
-	var height := GizmoShapes.reach_along(plant, Vector3.UP, MOST_HEIGHT, camera, point)
+	var height := GizmoShapes.reach_along(plant, Vector3.UP, MAX_HEIGHT, camera, point)
 	var step := SNAP_STEP if Input.is_key_pressed(KEY_CTRL) else STEP
-	plant.height = clampf(snappedf(height, step), LEAST_HEIGHT, MOST_HEIGHT)
+	plant.height = clampf(snappedf(height, step), MIN_HEIGHT, MAX_HEIGHT)
 
 
 func _commit_handle(
@@ -100,7 +100,7 @@ func _plants_to_change(dragged: Plant3D) -> Array[Plant3D]:
 
 
 func _draw_bend(gizmo: EditorNode3DGizmo, plant: Plant3D) -> void:
-	if plant.get_deflection() < LEAST_BEND:
+	if plant.get_deflection() < MIN_BEND:
 		return
 	var tip := plant.get_tip_position()
 	var height := plant.get_plant_height()

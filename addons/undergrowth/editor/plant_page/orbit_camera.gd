@@ -10,7 +10,7 @@ const START_TILT := 0.18
 ## Margin around the framed box.
 const MARGIN := 1.15
 ## Minimum visible part of the view's height.
-const LEAST_FREE := 0.4
+const MIN_FREE := 0.4
 
 var _turn := START_TURN
 var _tilt := START_TILT
@@ -68,7 +68,7 @@ func place() -> void:
 	if not is_inside_tree():
 		return
 	var view := Vector2(get_viewport().get_visible_rect().size).max(Vector2.ONE)
-	var free := maxf(view.y - _covered.x - _covered.y, view.y * LEAST_FREE) / view.y
+	var free := maxf(view.y - _covered.x - _covered.y, view.y * MIN_FREE) / view.y
 	var tangent := tan(deg_to_rad(fov) * 0.5)
 	var half := maxf(_size.y / free, _size.x * view.y / view.x) * 0.5 * MARGIN
 	var distance := (half / tangent + _size.x * 0.5) * _zoom

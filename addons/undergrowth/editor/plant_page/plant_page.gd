@@ -14,10 +14,10 @@ const SceneSpecies := preload("scene_species.gd")
 ## Minimum ratio of width to height for a layout side by side.
 const WIDE := 1.3
 ## Maximum share of the list in the height of a narrow page.
-const MOST_LIST := 0.44
+const MAX_LIST_SHARE := 0.44
 ## Minimum height of a narrow page with properties, in pixels at 100 %. A lower page leaves them to
 ## the editor's inspector.
-const LEAST_FOR_PROPERTIES := 400.0
+const MIN_HEIGHT_FOR_PROPERTIES := 400.0
 
 var _state: EditorState
 var _chosen: SpeciesEntry
@@ -58,10 +58,10 @@ func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> vo
 # there is room for them.
 func _turn_split() -> void:
 	_split.vertical = size.x < size.y * WIDE
-	var wanted := minf(_list.find_height_of_rows(), size.y * MOST_LIST)
+	var wanted := minf(_list.find_height_of_rows(), size.y * MAX_LIST_SHARE)
 	_list.custom_minimum_size.y = wanted if _split.vertical else 0.0
-	var least := LEAST_FOR_PROPERTIES * EditorInterface.get_editor_scale()
-	_properties.visible = not _split.vertical or size.y >= least
+	var minimum := MIN_HEIGHT_FOR_PROPERTIES * EditorInterface.get_editor_scale()
+	_properties.visible = not _split.vertical or size.y >= minimum
 
 
 # Follows the selection of the scene: chooses its entry of the list, or the scene's own species. The

@@ -21,13 +21,13 @@ const SMALL_FONT := 0.85
 ## Start of a plant, as a fraction of the view's width.
 const MIDDLE := 0.45
 ## Minimum height of a view with counts, in pixels at 100 %.
-const LEAST_FOR_COUNTS := 120.0
+const MIN_HEIGHT_FOR_COUNTS := 120.0
 ## Margin for swaying, as a fraction of the height.
 const SWAY_ROOM := 0.5
 ## Approximate number of plants in a piece of a mix, and its limits in metres.
 const PIECE_PLANTS := 120.0
-const LEAST_PIECE := 0.4
-const MOST_PIECE := 2.5
+const MIN_PIECE := 0.4
+const MAX_PIECE := 2.5
 ## As a fraction of the piece's side, seen from a corner and from slightly above.
 const PIECE_BREADTH := 1.25
 const RING_COLOR := Color(1.0, 1.0, 1.0, 0.55)
@@ -180,7 +180,7 @@ func _show_piece() -> void:
 	_hint_panel.visible = false
 	_counts_panel.visible = false
 	_piece = _state.mix.instantiate()
-	var side := clampf(sqrt(PIECE_PLANTS / _piece.density), LEAST_PIECE, MOST_PIECE)
+	var side := clampf(sqrt(PIECE_PLANTS / _piece.density), MIN_PIECE, MAX_PIECE)
 	_piece.size = Vector2.ONE * side
 	_piece.wind = null
 	_piece.build_finished.connect(_show_plant_count)
@@ -240,7 +240,7 @@ func _show_counts() -> void:
 func _make_room() -> void:
 	var is_over := _tools.position.x + _tools.size.x > _view.size.x * MIDDLE
 	var top := _tools.get_rect().end.y if is_over else 0.0
-	var is_low := _view.size.y < LEAST_FOR_COUNTS * EditorInterface.get_editor_scale()
+	var is_low := _view.size.y < MIN_HEIGHT_FOR_COUNTS * EditorInterface.get_editor_scale()
 	_counts_panel.modulate.a = 0.0 if is_low else 1.0
 	var bottom := _counts_panel.size.y if _counts_panel.visible and not is_low else 0.0
 	_camera.spare(Vector2(top, bottom))

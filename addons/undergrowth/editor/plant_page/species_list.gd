@@ -18,7 +18,7 @@ const SpeciesCatalog := preload("species_catalog.gd")
 const PlantPhoto := preload("../widgets/plant_photo.gd")
 const THUMBNAIL_SIZE := 48
 ## Minimum width of a column, as a fraction of the thumbnail's size, for the title.
-const LEAST_COLUMN := 1.2
+const MIN_COLUMN := 1.2
 ## Pixels that the engine's list adds to each column. It also reserves room for a scroll bar.
 const COLUMN_SLACK := 4
 ## Lines of a long title.
@@ -160,10 +160,10 @@ func _find_title_height() -> float:
 # As many columns as fit, over the whole width.
 func _fit_columns(list: ItemList) -> void:
 	var room := floori(list.size.x - list.get_v_scroll_bar().get_combined_minimum_size().x)
-	var least := maxi(
-		floori(list.fixed_icon_size.x * LEAST_COLUMN), _longest_word(list) + COLUMN_SLACK
+	var minimum := maxi(
+		floori(list.fixed_icon_size.x * MIN_COLUMN), _longest_word(list) + COLUMN_SLACK
 	)
-	list.fixed_column_width = maxi(room / maxi(room / maxi(least, 1), 1) - COLUMN_SLACK, 0)
+	list.fixed_column_width = maxi(room / maxi(room / maxi(minimum, 1), 1) - COLUMN_SLACK, 0)
 	for i in list.item_count:
 		list.set_item_text(i, _wrap(list, (list.get_item_metadata(i) as SpeciesEntry).title))
 	laid_out.emit.call_deferred()

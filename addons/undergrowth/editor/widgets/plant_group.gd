@@ -15,11 +15,11 @@ const SPREAD := 0.55
 ## Direction of the next plant from the middle, never beside the previous one.
 const GOLDEN_ANGLE := 2.399963
 ## Minimum breadth of a drawn stalk, as a fraction of its height.
-const LEAST_BREADTH := 0.2
-const MOST_WIDENING := 3.5
+const MIN_BREADTH := 0.2
+const MAX_WIDENING := 3.5
 ## Minimum half-width of drawn thin parts, as a fraction of the plant's size.
-const LEAST_HALF_WIDTH := 0.008
-const MOST_PART_WIDENING := 5.0
+const MIN_HALF_WIDTH := 0.008
+const MAX_PART_WIDENING := 5.0
 ## CUSTOM2 has four numbers.
 const WAY_SIZE := 4
 const CUSTOM_FORMATS := 0xfff << Mesh.ARRAY_FORMAT_CUSTOM0_SHIFT
@@ -59,7 +59,7 @@ static func _make_plant(function: PlantFunction) -> Node3D:
 	var wider := 1.0
 	if not Traits.has_parts(function):
 		var breadth := maxf(maxf(size.x, size.z), 1e-6)
-		wider = clampf(LEAST_BREADTH * size.y / breadth, 1.0, MOST_WIDENING)
+		wider = clampf(MIN_BREADTH * size.y / breadth, 1.0, MAX_WIDENING)
 	var group := Node3D.new()
 	_add(group, mesh, Transform3D(Basis.from_scale(Vector3(wider, 1.0, wider))))
 	return group
@@ -144,11 +144,11 @@ static func _widen_parts(mesh: ArrayMesh) -> ArrayMesh:
 	var points: PackedVector3Array = arrays[Mesh.ARRAY_VERTEX]
 	var ways: PackedFloat32Array = arrays[Mesh.ARRAY_CUSTOM2]
 	var size := mesh.get_aabb().size
-	var least := LEAST_HALF_WIDTH * maxf(maxf(size.x, size.z), size.y)
+	var minimum := MIN_HALF_WIDTH * maxf(maxf(size.x, size.z), size.y)
 	for i in points.size():
 		var at := WAY_SIZE * i
 		var way := Vector3(ways[at], ways[at + 1], ways[at + 2])
-		var wider := clampf(least / maxf(way.length(), 1e-6), 1.0, MOST_PART_WIDENING)
+		var wider := clampf(minimum / maxf(way.length(), 1e-6), 1.0, MAX_PART_WIDENING)
 		points[i] += way * (wider - 1.0)
 	arrays[Mesh.ARRAY_VERTEX] = points
 	var widened := ArrayMesh.new()

@@ -8,8 +8,8 @@ const EditorState := preload("../editor_state.gd")
 const ProfilePoints := preload("profile_points.gd")
 const Traits := preload("../plant_page/species_traits.gd")
 const SAMPLES := 64
-const LEAST_HEIGHT := 56
-const LEAST_HEIGHT_TO_EDIT := 100
+const MIN_HEIGHT := 56
+const MIN_HEIGHT_TO_EDIT := 100
 const MARGIN := 6.0
 
 var _state: EditorState
@@ -17,7 +17,7 @@ var _widths: PackedFloat32Array = []
 var _colors: PackedColorArray = []
 # The base shape's radius in metres, and the width that fills the plot.
 var _radius := 0.0
-var _most_width := 0.0
+var _max_width := 0.0
 
 @onready var _points: ProfilePoints = $Points
 
@@ -34,8 +34,8 @@ func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
 
 func _show_function() -> void:
 	var curves := _state.function as CurvePlantFunction
-	var least := LEAST_HEIGHT_TO_EDIT if curves else LEAST_HEIGHT
-	custom_minimum_size.y = least * EditorInterface.get_editor_scale()
+	var minimum := MIN_HEIGHT_TO_EDIT if curves else MIN_HEIGHT
+	custom_minimum_size.y = minimum * EditorInterface.get_editor_scale()
 	_points.edit(curves)
 	_place_points()
 	_sample()
@@ -61,9 +61,9 @@ func _sample_function(function: PlantFunction) -> void:
 		_colors.append(function.calculate_color_at_point(offset))
 	var curves := function as CurvePlantFunction
 	if curves:
-		_most_width = curves.width_curve.max_value if curves.width_curve else 1.0
+		_max_width = curves.width_curve.max_value if curves.width_curve else 1.0
 	else:
-		_most_width = maxf(_widest(), 1e-6)
+		_max_width = maxf(_widest(), 1e-6)
 
 
 func _widest() -> float:
@@ -106,8 +106,8 @@ func _draw_outline(area: Rect2) -> void:
 	for i in SAMPLES:
 		var left := area.position.x + area.size.x * i / SAMPLES
 		var right := area.position.x + area.size.x * (i + 1) / SAMPLES
-		var here := _widths[i] / _most_width * area.size.y * 0.5
-		var there := _widths[i + 1] / _most_width * area.size.y * 0.5
+		var here := _widths[i] / _max_width * area.size.y * 0.5
+		var there := _widths[i + 1] / _max_width * area.size.y * 0.5
 		if here + there < 0.01:
 			continue
 		draw_primitive(

@@ -5,7 +5,7 @@ extends Control
 const TOOL_TIP := "Drag points. A double-click adds one, a right click removes it."
 const GRAB_RADIUS := 9.0
 const HANDLE_RADIUS := 4.0
-const LEAST_POINTS := 2
+const MIN_POINTS := 2
 ## The property with all points of a curve. One undo step restores all of them.
 const POINTS := &"_data"
 const CURVE := &"width_curve"
@@ -128,7 +128,7 @@ func _make_curve(place: Vector2) -> void:
 
 
 func _remove_point(index: int) -> void:
-	if index < 0 or _curve().point_count <= LEAST_POINTS:
+	if index < 0 or _curve().point_count <= MIN_POINTS:
 		return
 	var before: Array = _curve().get(POINTS)
 	_curve().remove_point(index)
@@ -148,14 +148,14 @@ func _remember(action: String, before: Array) -> void:
 
 
 func _to_place(point: Vector2) -> Vector2:
-	var share := point.y / maxf(_most_width(), 1e-6)
+	var share := point.y / maxf(_max_width(), 1e-6)
 	return Vector2(point.x * size.x, (1.0 - share) * size.y * 0.5)
 
 
 func _to_point(place: Vector2) -> Vector2:
 	var share := clampf(1.0 - place.y / maxf(size.y * 0.5, 1.0), 0.0, 1.0)
-	return Vector2(clampf(place.x / maxf(size.x, 1.0), 0.0, 1.0), share * _most_width())
+	return Vector2(clampf(place.x / maxf(size.x, 1.0), 0.0, 1.0), share * _max_width())
 
 
-func _most_width() -> float:
+func _max_width() -> float:
 	return _curve().max_value if _curve() else 1.0

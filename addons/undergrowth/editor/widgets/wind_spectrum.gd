@@ -14,8 +14,8 @@ const RECORDS := 8
 ## Limits in Hz, and limits of frequency times power divided by the variance.
 const LOWEST := 0.01
 const HIGHEST := 8.0
-const LEAST := 0.01
-const MOST := 1.0
+const MIN_POWER := 0.01
+const MAX_POWER := 1.0
 const PER_DECADE := 8
 
 # Of the records so far: number, sum of powers (m²/s), sums of speeds and of their squares.
@@ -100,7 +100,7 @@ func _draw() -> void:
 	var text := Color(get_theme_color("font_color", "Label"), 0.75)
 	var frame := Rect2(4.0, font_size * 1.5, size.x - 8.0, size.y - font_size * 3.0)
 	for hertz: float in [0.01, 0.1, 1.0]:
-		var x := _place(frame, hertz, LEAST).x
+		var x := _place(frame, hertz, MIN_POWER).x
 		draw_line(Vector2(x, frame.position.y), Vector2(x, frame.end.y), Color(text, 0.15))
 		var at := Vector2(x + 2.0, frame.end.y + font.get_ascent(font_size) + 2.0)
 		var told := "%s Hz" % String.num(hertz)
@@ -124,5 +124,5 @@ func _draw() -> void:
 
 func _place(frame: Rect2, hertz: float, value: float) -> Vector2:
 	var along := log(hertz / LOWEST) / log(HIGHEST / LOWEST)
-	var up := log(maxf(value, LEAST) / LEAST) / log(MOST / LEAST)
+	var up := log(maxf(value, MIN_POWER) / MIN_POWER) / log(MAX_POWER / MIN_POWER)
 	return frame.position + Vector2(along, 1.0 - clampf(up, 0.0, 1.0)) * frame.size

@@ -14,7 +14,7 @@ const WindClock := preload("wind_clock.gd")
 const WindPresets := preload("wind_presets.gd")
 
 ## Maximum values of a wind, in the units of its properties.
-const MOST: Dictionary[StringName, float] = {
+const MAX_VALUES: Dictionary[StringName, float] = {
 	&"strength": 1e6,
 	&"frequency": 1000.0,
 	&"gust_duration": 3600.0,
@@ -102,8 +102,8 @@ func _set_degrees(degrees: float) -> void:
 
 
 func _set_wind(value: float, property: StringName) -> void:
-	var accepted := minf(value, MOST.get(property, INF))
-	_say_limit(property, accepted < value and MOST.has(property))
+	var accepted := minf(value, MAX_VALUES.get(property, INF))
+	_say_limit(property, accepted < value and MAX_VALUES.has(property))
 	if _state.wind.get(property) == accepted:
 		_show_wind()
 	else:
@@ -118,7 +118,9 @@ func _blow_as(preset: PlantWind) -> void:
 func _say_limit(property: StringName, is_reached: bool) -> void:
 	if is_reached:
 		var told := tr("%s can be at most %d %s.")
-		var words := [tr(property.capitalize()), roundi(MOST[property]), _sliders[property].suffix]
+		var words := [
+			tr(property.capitalize()), roundi(MAX_VALUES[property]), _sliders[property].suffix
+		]
 		_state.report(told % words, EditorState.Severity.WARNING)
 	elif _says_limit:
 		_state.report("")

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "motion/motion_page.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace undergrowth {
+
+/// Followers of one species that were pushed or stirred. Each is simulated from the pose that it had, and blends back
+/// to its prototype when it has come to rest. Their number bounds the cost.
+class DetachedFollowers {
+public:
+	/// Maximum number; further plants are not moved. A layer of 64 by 64 texels.
+	static constexpr int MAX_COUNT = MotionPage::PAGE_PLANTS;
+	static constexpr float ALONE = 3.0f; ///< s from the last push until blending back starts.
+	static constexpr float GOING_BACK = 1.5f; ///< s.
+
+	DetachedFollowers(int species_index, const MotionSpecies &species, float step);
+
+	/// Reserves room for `plants`, at most MAX_COUNT, so that add() does not allocate.
+	void reserve(int plants);
+	bool is_full() const { return count() == room; }
+	int count() const { return swinging.size(); }
+	void set_species(const MotionSpecies &species) { swinging.set_species(species); }
+	/// Plant `index` of page `page`, in `state`, with the bends `before` of the last step. Returns its number,
+	/// the former count(). Precondition: not is_full().
+	int add(const MotionPlant &plant, int page, int index, const MotionState &state, const ModeBends &before);
+	/// Removes a plant; the last plant gets its number.
+	void remove(int number);
+
+	/// One step of all under `wind`.
+	void step(const WindSnapshot &wind, const PlantWinds &along) { swinging.step(wind, along); }
+	/// True if the plant starts to blend back at the next grow_older().
+	bool goes_back(int number) const {
+		return static_cast<float>(places[static_cast<std::size_t>(number)].age + 1) * step_time > ALONE;
+	}
+	/// Ages a plant by one step. Returns the weight (0 to 1) of its prototype's bends `followed`, and blends them in.
+	float grow_older(int number, const ModeBends &followed);
+	/// Restarts the time of a plant that is still pushed, from its drawn pose.
+	void hold(int number);
+	/// Sets the state of a pushed plant.
+	void push(int number, const MotionState &state);
+
+	/// The drawn state, which includes the blend to the prototype.
+	MotionState shown_state(int number) const;
+	int page_of(int number) const { return places[static_cast<std::size_t>(number)].page; }
+	int index_of(int number) const { return places[static_cast<std::size_t>(number)].index; }
+	/// The simulated plants with their drawn bends.
+	const MotionPage &page() const { return swinging; }
+	std::size_t bytes() const { return swinging.bytes() + places.capacity() * sizeof(Place); }
+
+private:
+	struct Place {
+		int page;
+		uint16_t index;
+		uint16_t age; ///< Steps since the last push.
+	};
+
+	MotionPage swinging;
+	std::vector<Place> places;
+	int room = 0;
+	float step_time; ///< s.
+};
+
+} // namespace undergrowth

@@ -1,0 +1,50 @@
+#include "placement/lod_density.hpp"
+
+#include "placement/curve_key.hpp"
+
+#include <algorithm>
+
+namespace undergrowth {
+
+namespace {
+
+constexpr uint64_t GOLDEN_RATIO = 0x9E3779B97F4A7C15u; ///< Its fraction, in 2^-64.
+
+} // namespace
+
+float plant_rank(PlantId id) {
+	int column = 0;
+	int row = 0;
+	uint64_t number = static_cast<uint64_t>(id);
+	if (!is_added(id)) {
+		generated_plant_cell(id, column, row);
+		number = curve_key(column, row);
+	}
+	return static_cast<float>((number * GOLDEN_RATIO) >> (64 - RANK_BITS)) / static_cast<float>(RANK_COUNT);
+}
+
+float LodDensity::density_at(float distance) const {
+	const int first = distance < distances[1] ? 0 : 1;
+	const float length = distances[first + 1] - distances[first];
+	const float way = length > 0.0f ? (distance - distances[first]) / length : 1.0f;
+	return densities[first] + (densities[first + 1] - densities[first]) * std::clamp(way, 0.0f, 1.0f);
+}
+
+float LodDensity::band(float share) {
+	return std::min(MAX_BAND, BAND_SHARE * share);
+}
+
+float LodDensity::cut_at(float distance) const {
+	const float share = density_at(distance);
+	return share + band(share);
+}
+
+float LodDensity::width_of(float rank, float distance) const {
+	const float share = density_at(distance);
+	if (share <= 0.0f) {
+		return 0.0f;
+	}
+	return std::clamp(1.0f - (rank - share) / band(share), 0.0f, 1.0f);
+}
+
+} // namespace undergrowth

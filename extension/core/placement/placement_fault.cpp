@@ -1,0 +1,128 @@
+#include "conventions.hpp"
+#include "placement/placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+/// True if `value` is a number from `min` to `max`.
+bool is_within(double value, double min, double max) {
+	return value >= min && value <= max;
+}
+
+bool is_bad_exclusion(const Polygon &polygon) {
+	const AreaFault fault = find_area_fault(polygon);
+	return fault == AreaFault::not_finite || fault == AreaFault::too_far;
+}
+
+PlacementFault find_species_fault(const PlacementSpecies &species) {
+	constexpr double LARGEST = 3.4e38;
+	if (!is_within(species.share, 0.0, LARGEST)) {
+		return PlacementFault::bad_share;
+	}
+	if (species.variants < 1 || species.variants > 256) {
+		return PlacementFault::bad_variants;
+	}
+	if (!(species.min_scale > 0.0f) || !is_within(species.max_scale, species.min_scale, LARGEST)) {
+		return PlacementFault::bad_scale;
+	}
+	const bool is_in_range =
+			is_within(species.height_deviation, 0.0, 1.0) && is_within(species.max_lean, 0.0, 0.5001 * PI);
+	return is_in_range ? PlacementFault::none : PlacementFault::bad_deviation;
+}
+
+PlacementFault find_all_species_fault(const std::vector<PlacementSpecies> &all) {
+	if (all.empty()) {
+		return PlacementFault::no_species;
+	}
+	if (all.size() > PlacementRequest::MAX_SPECIES) {
+		return PlacementFault::too_many_species;
+	}
+	// Reports the fault of the list that comes first in the enumeration.
+	std::vector<PlacementFault> faults(all.size());
+	std::transform(all.begin(), all.end(), faults.begin(), find_species_fault);
+	faults.erase(std::remove(faults.begin(), faults.end(), PlacementFault::none), faults.end());
+	const auto has_share = [](const PlacementSpecies &species) { return species.share > 0.0f; };
+	const bool all_zero = std::none_of(all.begin(), all.end(), has_share);
+	if (all_zero) {
+		faults.push_back(PlacementFault::no_share);
+	}
+	return faults.empty() ? PlacementFault::none : *std::min_element(faults.begin(), faults.end());
+}
+
+bool are_too_many(const PlacementRequest &request) {
+	if (request.map) {
+		return false; // Only Placement measures the painted part of the area.
+	}
+	const double cells_a_metre = std::sqrt(static_cast<double>(request.density));
+	const AreaBox box = placed_box(request);
+	const double width = std::max(box.high.x - box.low.x, 0.0f);
+	const double depth = std::max(box.high.y - box.low.y, 0.0f);
+	const double area = std::min(std::abs(signed_area(request.area)), width * depth);
+	return area * request.density > PlacementRequest::MAX_PLANTS ||
+			std::max(width, depth) * cells_a_metre > PlacementRequest::MAX_PLANTS;
+}
+
+} // namespace
+
+AreaBox placed_box(const PlacementRequest &request) {
+	const AreaBox box = bounding_box(request.area);
+	return request.within ? common_box(box, *request.within) : box;
+}
+
+PlacementFault find_placement_fault(const PlacementRequest &request) {
+	if (find_area_fault(request.area) != AreaFault::none) {
+		return PlacementFault::bad_area;
+	}
+	if (std::any_of(request.exclusions.begin(), request.exclusions.end(), is_bad_exclusion)) {
+		return PlacementFault::bad_exclusion;
+	}
+	if (!is_within(request.density, 0.0, PlacementRequest::MAX_DENSITY)) {
+		return PlacementFault::bad_density;
+	}
+	const PlacementFault fault = find_all_species_fault(request.species);
+	if (fault != PlacementFault::none) {
+		return fault;
+	}
+	if (!is_within(request.clumping, 0.0, 1.0) || !is_within(request.drift_size, 0.01f, FARTHEST_COORDINATE)) {
+		return PlacementFault::bad_clumping;
+	}
+	return are_too_many(request) ? PlacementFault::too_many_plants : PlacementFault::none;
+}
+
+const char *describe(PlacementFault fault) {
+	switch (fault) {
+		case PlacementFault::none:
+			return "The field is sound.";
+		case PlacementFault::bad_area:
+			return "The field's area holds nothing: give it at least three points that are not on a line.";
+		case PlacementFault::bad_exclusion:
+			return "An exclusion has a point that is not a number or more than 100 km away: set it anew.";
+		case PlacementFault::bad_density:
+			return "The density must be from 0 to 10000 plants per square metre.";
+		case PlacementFault::no_species:
+			return "The field has no species: add one.";
+		case PlacementFault::too_many_species:
+			return "The field has more than 256 species: spread them over several fields.";
+		case PlacementFault::bad_share:
+			return "A species' weight must be a number of at least 0.";
+		case PlacementFault::no_share:
+			return "All species have a weight of 0: give at least one of them a weight.";
+		case PlacementFault::bad_variants:
+			return "A species must have 1 to 256 variants.";
+		case PlacementFault::bad_scale:
+			return "A species' scales must be above 0, the least not above the most.";
+		case PlacementFault::bad_deviation:
+			return "A species' height deviation must be from 0 to 1 and its lean from 0 to a quarter turn.";
+		case PlacementFault::bad_clumping:
+			return "Clumping must be from 0 to 1 and drifts from 1 cm to 100 km wide.";
+		case PlacementFault::too_many_plants:
+			return "The field would have more than 4 million plants: lower the density or make the area smaller.";
+	}
+	return "";
+}
+
+} // namespace undergrowth

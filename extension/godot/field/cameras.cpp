@@ -1,0 +1,127 @@
+#include "field/cameras.hpp"
+
+#include <godot_cpp/classes/camera3d.hpp>
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/scene_tree.hpp>
+#include <godot_cpp/classes/viewport.hpp>
+#include <godot_cpp/classes/world3d.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include "conventions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static const char *const VIEWPORTS = "_viewports"; // A group of the engine.
+
+/// A camera of any world.
+struct WorldCamera {
+	uint64_t world = 0; ///< Instance id.
+	Eye position;
+};
+
+// Of cameras with a perspective picture in the middle. Headsets and other projections have no cone.
+static Eye eye_of(const Viewport *viewport, const Camera3D *camera) {
+	static constexpr float MARGIN = 0.12f; // rad: more than NearPlants lets a camera turn.
+	const Transform3D placed = camera->get_camera_transform();
+	Eye position;
+	position.place = camera->get_global_position();
+	position.forward = -placed.basis.get_column(2).normalized();
+	const Vector2 size = viewport->get_visible_rect().size;
+	if (camera->get_projection() != Camera3D::PROJECTION_PERSPECTIVE ||
+			const_cast<Viewport *>(viewport)->is_using_xr() || size.x <= 0.0f || size.y <= 0.0f ||
+			!position.forward.is_finite()) {
+		return position;
+	}
+	const bool keeps_height = camera->get_keep_aspect_mode() == Camera3D::KEEP_HEIGHT;
+	const float half = std::tan(0.5f * float(camera->get_fov()) * float(PI) / 180.0f);
+	const float aspect = float(size.x / size.y);
+	const float up = keeps_height ? half : half / aspect;
+	const float corner = std::atan(up * std::sqrt(1.0f + aspect * aspect)) + MARGIN;
+	position.has_cone = corner < 0.5f * float(PI);
+	position.cone_cosine = position.has_cone ? std::cos(corner) : -1.0f;
+	return position;
+}
+
+static uint64_t world_of(const Node3D *node) {
+	const Ref<World3D> world = node->get_world_3d();
+	return world.is_valid() ? uint64_t(world->get_instance_id()) : 0;
+}
+
+static std::vector<WorldCamera> find_cameras(SceneTree *tree) {
+	std::vector<WorldCamera> cameras;
+	const TypedArray<Node> viewports = tree->get_nodes_in_group(VIEWPORTS);
+	for (int64_t i = 0; i < viewports.size(); i++) {
+		const Viewport *viewport = Object::cast_to<Viewport>(viewports[i]);
+		const Camera3D *camera = viewport ? viewport->get_camera_3d() : nullptr;
+		if (camera && camera->get_global_position().is_finite()) {
+			cameras.push_back({ world_of(camera), eye_of(viewport, camera) });
+		}
+	}
+	return cameras;
+}
+
+static std::vector<Eye> eyes_in(const Node3D *node, const std::vector<WorldCamera> &cameras) {
+	const uint64_t world = world_of(node);
+	std::vector<Eye> positions;
+	for (const WorldCamera &camera : cameras) {
+		if (camera.world == world) {
+			positions.push_back(camera.position);
+		}
+	}
+	return positions;
+}
+
+static std::vector<Vector3> places_in(const Node3D *node, const std::vector<WorldCamera> &cameras) {
+	std::vector<Vector3> places;
+	for (const Eye &position : eyes_in(node, cameras)) {
+		places.push_back(position.place);
+	}
+	return places;
+}
+
+std::vector<Vector3> find_camera_positions(const Node3D *node) {
+	return places_in(node, find_cameras(node->get_tree()));
+}
+
+/// All cameras at one moment of each frame.
+class FrameCameras {
+public:
+	const std::vector<WorldCamera> &now(const Node3D *node) {
+		const uint64_t this_frame = Engine::get_singleton()->get_process_frames();
+		if (frame != this_frame) {
+			frame = this_frame;
+			cameras = find_cameras(node->get_tree());
+		}
+		return cameras;
+	}
+
+private:
+	uint64_t frame = UINT64_MAX;
+	std::vector<WorldCamera> cameras;
+};
+
+std::vector<Eye> find_drawn_camera_positions(const Node3D *node) {
+	static FrameCameras drawn;
+	return eyes_in(node, drawn.now(node));
+}
+
+SeenDistances find_seen_distances(const Node3D *node, const AABB &box) {
+	static FrameCameras of_frame;
+	SeenDistances seen;
+	for (const Vector3 &position : places_in(node, of_frame.now(node))) {
+		const float middle = position.distance_to(box.get_center());
+		const float radius = 0.5f * box.size.length();
+		const bool is_first = seen.farthest == SeenDistances().farthest;
+		seen.nearest = is_first ? middle - radius : std::min(seen.nearest, middle - radius);
+		seen.farthest = is_first ? middle + radius : std::max(seen.farthest, middle + radius);
+	}
+	return seen;
+}
+
+} // namespace undergrowth

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "field/build_input.hpp"
+#include "field/transform_watcher.hpp"
+
+#include <godot_cpp/classes/geometry_instance3d.hpp>
+
+namespace undergrowth {
+
+/// Detects changes that have no signal: the node's own engine properties, an array that scripts append to, transforms
+/// of other nodes. Compares them every few frames.
+class DependencyPoller {
+public:
+	/// Differences since the last poll().
+	struct Found {
+		bool range = false; ///< The node's visibility range or LOD bias.
+		bool material = false; ///< The material override.
+		bool exclusions = false;
+		bool area = false; ///< A node of the outline or the exclusions.
+		bool ground = false;
+	};
+
+	/// Call once per frame. Returns true in the frames to call poll() in.
+	bool is_time() { return frames_since_poll++ % FRAMES_BETWEEN_POLLS == 0; }
+	Found poll(const godot::GeometryInstance3D *node, const FieldProperties &properties);
+	bool has_other_exclusions(const PlacementOptions &options) const { return seen_exclusions != options.exclusions; }
+	void store_exclusions(const PlacementOptions &options) { seen_exclusions = options.exclusions.duplicate(); }
+	/// Watches the nodes in `options`, and no other ones. Outline and exclusions are live: a dragged point, a moved
+	/// path, another field with a new size. Curves have signals, which call _on_area_changed() and _on_ground_changed()
+	/// of the node.
+	void watch(godot::Node3D *node, const PlacementOptions &options);
+
+private:
+	static constexpr int FRAMES_BETWEEN_POLLS = 8;
+
+	SightRange seen_range;
+	uint64_t seen_material = 0; ///< Instance id.
+	godot::TypedArray<godot::NodePath> seen_exclusions;
+	TransformWatcher area;
+	TransformWatcher ground;
+	int frames_since_poll = 0;
+};
+
+} // namespace undergrowth

@@ -1,0 +1,351 @@
+// Builds of a field: from its properties and the plants that code adds, through styles, to existing plants.
+
+#include "field/field_runtime.hpp"
+
+#include "frame_budget.hpp"
+#include "stopwatch.hpp"
+
+#include <algorithm>
+#include <utility>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr double FREEING_SHARE = 0.5; // Of the budget of a frame.
+
+void FieldRuntime::rebuild(bool places, bool styles) {
+	if (!node->is_inside_tree()) {
+		node->call("rebuild"); // The field is built when it enters the tree: there are no axes and no cameras.
+		return;
+	}
+	const FrameCost::Share share(build_cost);
+	const bool placed_before = is_placing();
+	if (places && !styles && start_tile_rebuild()) {
+		return;
+	}
+	if (is_at_work() && !places && !placed_before) {
+		is_due_again = true; // A property that changes in each frame must not restart the build forever.
+		return;
+	}
+	places = places || needs_other_tiles();
+	ground_queue.forget();
+	GroundQueryQueue().take_findings(ground_queue);
+	has_failed = false;
+	built_before = 0.0f;
+	drop_job();
+	tile_rebuild.stop(tile_scene(), motion);
+	tiles.interrupt(tile_scene());
+	region_builds.interrupt();
+	is_due_again = false;
+	if (places) {
+		removed_meanwhile.clear();
+		reports_region_builds = false; // The build reports its own end.
+	}
+	const String fault = begin_sampling(places || placed_before);
+	if (fault.is_empty()) {
+		if (FrameBudget::of_fields().is_left()) {
+			resume_sampling();
+		}
+		return;
+	}
+	fail(fault);
+}
+
+void FieldRuntime::restart_build(bool places) {
+	const std::vector<PlantId> removed = removed_meanwhile;
+	rebuild(places);
+	removed_meanwhile = removed;
+}
+
+void FieldRuntime::touch(const AreaBox &box) {
+	if (!sampler || !sampler->places) { // A build that still collects styles reads the map later.
+		region_builds.touch(box, store.tile_size());
+		tiles.interrupt(tile_scene(), box);
+		tile_rebuild.interrupt(tile_scene(), motion, box);
+		prune_region_builds();
+	}
+	if ((!is_building() && setup.levels.empty()) || region_builds.touched_tiles() > RegionBuilds::MAX_TILES) {
+		rebuild(true, false);
+	}
+}
+
+void FieldRuntime::prune_region_builds() {
+	if (streams()) {
+		region_builds.keep_only([this](const TileKey &tile) { return tiles.contains(tile); });
+	}
+}
+
+FieldTiles::Scene FieldRuntime::tile_scene() {
+	const auto change = [this](StoreEdit &&edit, ArrivingChunks *chunks) { return apply(std::move(edit), chunks); };
+	const auto fault = [this](const String &why) { tile_fault = why; };
+	FieldSettings built = settings();
+	if (motion.is_ready()) { // The last build may have failed: tiles are for the existing simulation.
+		built.prototypes = motion.follows_prototypes() ? std::max(built.prototypes, 1) : 0;
+	}
+	return { node, properties, store, setup, motion, ground, own_edits.known(), built, view, change, fault,
+		budget_usec() };
+}
+
+// During a build of the whole field, tiles would be placed twice.
+void FieldRuntime::poll_tiles(bool physics) {
+	if (!streams() || is_at_work() || tile_rebuild.is_at_work() || !motion.is_ready()) {
+		return;
+	}
+	if (!physics) {
+		motion.wait();
+	}
+	const Stopwatch watch;
+	const int before = store.chunk_count() + tiles.existing_count();
+	const bool was_building = tiles.is_building();
+	tiles.resume(tile_scene(), physics, region_builds.allows_edits());
+	repeat_edits();
+	if (before != store.chunk_count() + tiles.existing_count()) {
+		skeletons.release_gone(store);
+	}
+	tiles_usec = physics ? tiles_usec : watch.usec();
+	if (report_tile_fault(was_building) || !was_building) {
+		return;
+	}
+	if (tiles.is_building()) {
+		report_progress(progress());
+		return;
+	}
+	tiles.query_queue().take_findings(ground_queue);
+	tiles.query_queue().report_all(node);
+	listener.no_ground(tiles.query_queue().missing_ground());
+	report_progress(1.0f);
+	finish_build();
+}
+
+void FieldRuntime::poll_tile_rebuild(bool physics) {
+	if (!tile_rebuild.is_at_work() || is_at_work()) {
+		return;
+	}
+	if (!physics) {
+		motion.wait();
+	}
+	tile_rebuild.resume(tile_scene(), { motion, skeletons, !streams() }, physics);
+	repeat_edits();
+	report_tile_fault(true);
+	if (tile_rebuild.is_at_work()) {
+		report_progress(progress());
+		return;
+	}
+	tile_rebuild.query_queue().take_findings(ground_queue);
+	tile_rebuild.query_queue().report_all(node);
+	listener.no_ground(tile_rebuild.query_queue().missing_ground());
+	if (!streams()) {
+		join_tiles();
+	}
+	report_progress(progress());
+	if (streams()) {
+		finish_build();
+	}
+}
+
+void FieldRuntime::poll_region_builds(RegionBuilds::Moment moment, double delta) {
+	if (is_at_work() || is_placing() || !motion.is_ready() || !region_builds.is_at_work()) {
+		return;
+	}
+	prune_region_builds();
+	if (region_builds.resume(tile_scene(), moment, ground_usec(delta))) {
+		skeletons.release_gone(store);
+		show_soon();
+	}
+	report_tile_fault(false);
+}
+
+void FieldRuntime::follow_strokes(RegionBuilds::Moment moment, double delta) {
+	const FrameCost::Share share(build_cost);
+	poll_region_builds(moment, delta);
+}
+
+void FieldRuntime::drop_job() {
+	motion.cancel_transfer();
+	view.forget_prepared();
+	joins = false;
+	if (job && job->has_materials) {
+		job->cancel();
+		retired.push_back(std::move(job->finish().setup));
+	}
+	job.reset();
+}
+
+// Prepares the build over some frames, undrawn, and transfers motion. Then the build replaces the old field.
+bool FieldRuntime::make_ready() {
+	if (job->has_begun_transfer) {
+		return !motion.is_transferring();
+	}
+	if (job->fault() != PlacementFault::none) {
+		return job->is_done();
+	}
+	const Stopwatch watch;
+	FieldRenderSetup &next_setup = job->setup();
+	for (SpeciesStyle &style : next_setup.styles) {
+		if (!style.make_meshes(budget_usec() - watch.usec())) {
+			return false;
+		}
+	}
+	if (!std::exchange(job->has_materials, true)) {
+		has_other_materials = false;
+		materials.make(next_setup);
+		materials.hide(next_setup);
+	}
+	while (const std::unique_ptr<BatchPlan> plan = job->take_plan()) {
+		view.prepare(next_setup, *plan);
+		if (watch.usec() > budget_usec()) {
+			return false;
+		}
+	}
+	if (!job->is_done() || view.reveal_some(budget_usec())) {
+		return false;
+	}
+	FieldResult &result = job->finish();
+	if (!result.describe_fault().is_empty()) {
+		return true;
+	}
+	job->has_begun_transfer = true;
+	motion.begin_transfer(*result.motion, result.matches);
+	return !motion.is_transferring();
+}
+
+void FieldRuntime::poll(double delta, bool physics) {
+	const FrameCost::Share share(build_cost);
+	is_polling = true;
+	poll_parts(delta, physics);
+	is_polling = false;
+}
+
+void FieldRuntime::poll_parts(double delta, bool physics) {
+	if (!physics) {
+		view.flush_if_undrawn();
+	}
+	if (!physics && !view.free_some(FREEING_SHARE * budget_usec())) {
+		retired.clear();
+		retired_materials.clear();
+	}
+	poll_tiles(physics);
+	poll_tile_rebuild(physics);
+	poll_region_builds(physics ? RegionBuilds::Moment::physics : RegionBuilds::Moment::begun, delta);
+	if (sampler && !physics && (is_urgent || (sampler->is_due() && FrameBudget::of_fields().is_left()))) {
+		resume_sampling();
+	}
+	if (job && job->needs_ground()) {
+		serve_ground(delta, physics);
+	}
+	if (job && (physics || is_urgent || FrameBudget::of_fields().is_left())) {
+		poll_job(physics);
+	}
+	if (reports_region_builds && !is_at_work() && !is_building() && !is_building_regions()) {
+		reports_region_builds = false;
+		finish_build();
+	}
+}
+
+// The first part of a build may have no ground although the rest has some.
+void FieldRuntime::serve_ground(double delta, bool physics) {
+	const bool is_whole = !job->has_rest();
+	const GroundSampler::State state =
+			ground_queue.serve(*job, node, properties, ground_usec(delta), physics, is_whole);
+	if (state == GroundSampler::State::failed) {
+		drop_job();
+		fail(ground_queue.fault());
+	} else if (state == GroundSampler::State::done && is_whole) {
+		listener.no_ground(ground_queue.missing_ground());
+	}
+}
+
+void FieldRuntime::poll_job(bool physics) {
+	const FrameBudget::Share share(FrameBudget::of_fields());
+	const bool is_done = !physics && job->is_planned() && make_ready();
+	const bool reports = job->places() || joins;
+	if (!is_done) {
+		if (reports) {
+			report_progress(progress());
+		}
+		return;
+	}
+	joins = false;
+	const std::unique_ptr<FieldBuild> finished = std::move(job);
+	const bool is_adopted = adopt(*finished);
+	clearing.start(finished->take_garbage());
+	if (is_adopted && finished->has_rest()) {
+		begin_rest(*finished);
+	}
+	if (is_due_again || (is_adopted && !update_levels())) {
+		rebuild(false);
+	}
+	if (!is_adopted) {
+		fail(finished->finish().describe_fault()); // The old field stays.
+	} else if (reports && !finished->has_rest()) {
+		report_progress(1.0f);
+		finish_build();
+	}
+}
+
+bool FieldRuntime::adopt(FieldBuild &finished) {
+	FieldResult &result = finished.finish();
+	if (!result.describe_fault().is_empty()) {
+		view.forget_prepared();
+		retired.push_back(std::move(result.setup));
+		return false;
+	}
+	motion.wait();
+	skeletons.release_all(motion);
+	tiles.forget_style();
+	retired.push_back(std::exchange(setup, std::move(result.setup))); // Drawn multimeshes use it.
+	// Species with rest directions, or texels for those, that differ from the build's.
+	std::vector<int> other_rests;
+	for (size_t i = 0; i < setup.styles.size(); i++) {
+		const float lean = setup.styles[i].motion.lean;
+		const Law law = setup.styles[i].motion.law;
+		setup.styles[i].in_air = PlantWind::is_air(properties.wind);
+		setup.styles[i].send_stem();
+		setup.styles[i].read_motion(); // It may have changed during the build.
+		if (setup.styles[i].motion.lean != lean || setup.styles[i].motion.law != law) {
+			other_rests.push_back(int(i));
+		}
+		setup.styles[i].take_material();
+	}
+	StoreEdit edit;
+	edit.replaces_all = true;
+	edit.generated = std::move(result.chunks);
+	edit.tile_size = finished.tile_size();
+	edit.spacing = result.spacing;
+	edit.species_numbers = finished.species_numbers();
+	const ChangeSet changes = store.apply(std::move(edit));
+	motion.adopt(*result.motion, result.matches, changes, store, setup);
+	motion.set_update_interval(properties.update_interval);
+	own_edits.follow_all(store, setup, motion);
+	for (const int i : other_rests) {
+		motion.set_species(i, setup.styles[size_t(i)], store, true);
+	}
+	motion.upload();
+	materials.bind(setup, motion);
+	materials.hide(retired.back());
+	view.exchange(setup);
+	view.show_all_added(setup, motion, store);
+	unseen.clear();
+	frames_since_box = 0;
+	region_builds.forget_unseen();
+	if (finished.places() && !ground.needs_queries()) {
+		listener.no_ground(String());
+	}
+	if (finished.places()) {
+		is_of_tiles = streams();
+		placed_area.store_shapes(finished.request());
+		tiles.set_existing(streams() ? finished.tiles() : std::vector<TileKey>(), finished.request());
+	}
+	remove(store.find_all(std::exchange(removed_meanwhile, {})));
+	for (const Repeated &one : repeated) {
+		one.edit();
+	}
+	if (has_other_materials) {
+		change_materials();
+	}
+	refresh();
+	return true;
+}
+
+} // namespace undergrowth
