@@ -100,6 +100,19 @@ void SharedMesh::build_locked() {
 	}
 }
 
+float SharedMesh::outline_error(const LevelError &whole) {
+	MeshArrays seen;
+	{
+		const std::lock_guard<std::mutex> lock(building);
+		build_locked();
+		seen = mesh.is_valid() ? plant.build_arrays() : arrays; // make() frees the arrays.
+	}
+	const PackedVector3Array positions = seen.arrays[Mesh::ARRAY_VERTEX];
+	const PackedInt32Array indices = seen.arrays[Mesh::ARRAY_INDEX];
+	return whole.of({ reinterpret_cast<const glm::vec3 *>(positions.ptr()), int(positions.size()), indices.ptr(),
+			int(indices.size()) });
+}
+
 // The engine may wait for the main thread while it creates a mesh, so this does not hold the lock. If two threads
 // create it at the same time, one drops its own.
 Ref<ArrayMesh> SharedMesh::make() {

@@ -2,6 +2,8 @@
 
 #include "sampled_plant.hpp"
 
+#include "mesh/level_error.hpp"
+
 #include <godot_cpp/variant/vector2.hpp>
 
 #include <memory>
@@ -33,6 +35,8 @@ public:
 	/// Areas of the plant (x) and of this mesh (y) as seen from above, relative to the area as seen from the side. Call
 	/// after build().
 	godot::Vector2 from_above() const { return built_from_above; }
+	/// Returns the error of the outline (m) of a plant of parts. Builds the arrays if necessary. Any thread.
+	float outline_error(const LevelError &whole);
 
 private:
 	const SampledPlant plant;

@@ -32,7 +32,8 @@ func test_graphics_settings_keep_plants_mown_places_and_motion() -> void:
 	var changes := {
 		"shadow_distance": func() -> void: field.shadow_distance = 3.0,
 		"no shadow_distance": func() -> void: field.shadow_distance = 0.0,
-		"fade_margin": func() -> void: field.fade_margin = 0.5,
+		"fade_ratio": func() -> void: field.fade_ratio = 0.5,
+		"pixel_error": func() -> void: field.pixel_error = 5.0,
 		"visibility_range_end": func() -> void: field.visibility_range_end = 20.0,
 		"no visibility_range_end": func() -> void: field.visibility_range_end = 0.0,
 		"lod_bias": func() -> void: field.lod_bias = 0.4,

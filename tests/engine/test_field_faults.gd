@@ -220,7 +220,8 @@ func test_wrong_numbers_keep_the_old_value() -> void:
 		"clumping": 1.5,
 		"height_limits": Vector2(2, 1),
 		"slope_limits": Vector2(0.5, 0.25),
-		"fade_margin": INF,
+		"fade_ratio": 1.5,
+		"pixel_error": INF,
 		"ground_mode": 9,
 	}
 	for property: String in wrong:

@@ -21,7 +21,7 @@ func test_levels_dissolve_into_each_other_without_holes() -> void:
 	var function := TulipFunction.new()
 	_field.levels = [PlantFieldLevel.of(12, 3.5), PlantFieldLevel.of(12)]
 	_field.visibility_range_end = 100.0
-	_field.fade_margin = 2.0
+	_field.fade_ratio = 0.57
 	var id := _field.add_plants([Transform3D.IDENTITY], function)[0]
 	await frames(5)
 	var drawn := count_different(await picture(), empty_picture())
@@ -38,7 +38,7 @@ func test_levels_dissolve_into_each_other_without_holes() -> void:
 
 func test_nothing_is_drawn_beyond_the_visibility_range() -> void:
 	_field.visibility_range_end = 2.0
-	_field.fade_margin = 0.5
+	_field.fade_ratio = 0.25
 	_field.add_plants([Transform3D.IDENTITY], TulipFunction.new())
 	await frames(5)
 	check_equal(count_different(await picture(), empty_picture()), 0, "pixels of a plant too far")

@@ -120,12 +120,12 @@ func test_fields_of_any_scale_draw_all_their_plants() -> void:
 	_make_stage()
 	field.free()
 	for scale: float in [1.0, 5.0, 0.2]:
-		for margin: float in [0.0, 2.0]:
+		for ratio: float in [0.0, 0.2]:
 			field = PlantField3D.from_species([GrassFunction.new()])
 			field.simulation_enabled = false
 			field.size = Vector2(24, 24) / scale
 			field.density = 2.0 * scale * scale
-			field.fade_margin = margin
+			field.fade_ratio = ratio
 			field.tile_size = maxf(8.0 / scale, 1.0)
 			field.scale = Vector3.ONE * scale
 			_stage.add_child(field)

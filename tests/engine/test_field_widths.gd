@@ -13,7 +13,6 @@ func before_each() -> void:
 	_field = PlantField3D.new()
 	_field.density = 0.0  # Added plants only.
 	_field.simulation_enabled = false
-	_field.fade_margin = MARGIN
 	stage.add_child(_field)
 
 
@@ -133,7 +132,9 @@ func _check_transition(tolerance: float, ragged: float) -> void:
 	var edges: Array[int] = []
 	for step in 9:
 		var way := (step - 1) / 7.0 * 1.2 - 0.1
-		_field.levels = [PlantFieldLevel.of(6, away + MARGIN * (1.0 - way)), PlantFieldLevel.of(3)]
+		var end := away + MARGIN * (1.0 - way)
+		_field.fade_ratio = MARGIN / end
+		_field.levels = [PlantFieldLevel.of(6, end), PlantFieldLevel.of(3)]
 		await frames(2)
 		var image := await picture()
 		covered.append(_count_covered(image))

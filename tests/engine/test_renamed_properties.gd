@@ -3,6 +3,7 @@
 extends "res://tests/engine/field_harness.gd"
 
 const SCENE := "user://old_field.tscn"
+const MARGIN_SCENE := "user://old_margin.tscn"
 const WIND := "user://old_wind.tres"
 const OLD_SCENE := """[gd_scene format=3]
 
@@ -70,3 +71,12 @@ func _write(path: String, text: String) -> void:
 	var file := FileAccess.open(path, FileAccess.WRITE)
 	file.store_string(text)
 	file.close()
+
+
+func test_a_transition_in_metres_becomes_a_ratio() -> void:
+	_write(MARGIN_SCENE, '[gd_scene format=3]\n\n[node name="Field" type="PlantField3D"]\nfade_margin = 1.2\n')
+	var field: PlantField3D = (load(MARGIN_SCENE) as PackedScene).instantiate()
+	check_near(field.fade_ratio, 0.1, 1e-6, "fade_ratio")
+	await frames(2)
+	check_error("'fade_margin' is called 'fade_ratio'")
+	field.free()

@@ -43,6 +43,7 @@ DRAWN = {"threads": ["gl_compatibility"], "threads_first_mesh": ["gl_compatibili
          "field_picture": ["gl_compatibility", "forward_plus"],
          "field_picture_light": ["gl_compatibility", "forward_plus"],
          "field_picture_msaa": ["forward_plus"],
+         "field_picture_near": ["gl_compatibility", "forward_plus"],
          "field_picture_parts": ["gl_compatibility", "forward_plus"],
          "field_picture_stems": ["gl_compatibility", "forward_plus"],
          "ground_picture": ["forward_plus"],

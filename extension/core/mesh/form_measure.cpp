@@ -106,20 +106,53 @@ float mean_translucency(const PlantForm &form, const std::vector<float> &shown) 
 	return sum / whole;
 }
 
+SeenMesh seen(const Whole &whole) {
+	return { whole.points.data(), static_cast<int>(whole.points.size()), whole.indices.data(),
+		static_cast<int>(whole.indices.size()) };
+}
+
 void measure_whole(const Whole &whole, FormMeasure &measure) {
 	for (const glm::vec3 &point : whole.points) {
 		measure.box.take_in(point);
 	}
 	if (!measure.box.is_empty()) {
-		const SeenMesh seen = { whole.points.data(), static_cast<int>(whole.points.size()), whole.indices.data(),
-			static_cast<int>(whole.indices.size()) };
-		measure.outlines = outline_areas(seen, measure.box);
-		measure.from_above = area_from_above(seen);
-		const std::vector<float> shares = seen_shares(seen, measure.box);
+		const SeenMesh mesh = seen(whole);
+		measure.outlines = outline_areas(mesh, measure.box);
+		measure.from_above = area_from_above(mesh);
+		const std::vector<float> shares = seen_shares(mesh, measure.box);
 		for (size_t i = 0; i < shares.size(); i++) {
 			measure.light += whole.light[i] * shares[i];
 		}
 	}
+}
+
+/// Adds all parts, and sets the colours, widths and shown areas of `measure`.
+Whole grow_whole(const PlantForm &form, FormMeasure &measure) {
+	std::vector<PartTemplate> shapes(form.parts.size());
+	std::vector<float> fills(form.parts.size());
+	Whole whole;
+	measure.shown.resize(form.groups.size(), 0.0f);
+	for (const Part &part : form.parts) {
+		measure.colors.push_back(mean_color(part));
+		measure.mean_widths.push_back(part.widths.mean());
+	}
+	for (const PlacedPart &placed : form.placed) {
+		const size_t kind = static_cast<size_t>(placed.kind);
+		const Part &part = form.parts[kind];
+		PartTemplate &shape = shapes[kind];
+		const bool is_first = shape.vertices.empty();
+		if (is_first || placed.own_midrib >= 0) {
+			shape = make_part_template(
+					part, form.midrib_of(placed), measured_detail(part, form.height), measure.colors[kind]);
+		}
+		if (is_first) {
+			fills[kind] = fill_of(
+					part, form.midrib_of(placed), shape, form.height, measure.mean_widths[kind], measure.colors[kind]);
+		}
+		measure.shown[static_cast<size_t>(placed.group)] +=
+				near_share(part.kind) * whole.add(placed, shape, fills[kind]);
+	}
+	return whole;
 }
 
 } // namespace
@@ -146,33 +179,15 @@ glm::vec4 mean_color(const Part &part) {
 FormMeasure measure_form(const PlantForm &form) {
 	FormMeasure measure;
 	measure.attachments = attach_parts(form);
-	std::vector<PartTemplate> shapes(form.parts.size());
-	std::vector<float> fills(form.parts.size());
-	Whole whole;
-	measure.shown.resize(form.groups.size(), 0.0f);
-	for (const Part &part : form.parts) {
-		measure.colors.push_back(mean_color(part));
-		measure.mean_widths.push_back(part.widths.mean());
-	}
-	for (const PlacedPart &placed : form.placed) {
-		const size_t kind = static_cast<size_t>(placed.kind);
-		const Part &part = form.parts[kind];
-		PartTemplate &shape = shapes[kind];
-		const bool is_first = shape.vertices.empty();
-		if (is_first || placed.own_midrib >= 0) {
-			shape = make_part_template(
-					part, form.midrib_of(placed), measured_detail(part, form.height), measure.colors[kind]);
-		}
-		if (is_first) {
-			fills[kind] = fill_of(
-					part, form.midrib_of(placed), shape, form.height, measure.mean_widths[kind], measure.colors[kind]);
-		}
-		measure.shown[static_cast<size_t>(placed.group)] +=
-				near_share(part.kind) * whole.add(placed, shape, fills[kind]);
-	}
+	const Whole whole = grow_whole(form, measure);
 	measure.translucency = mean_translucency(form, measure.shown);
 	measure_whole(whole, measure);
 	return measure;
+}
+
+LevelError measure_outline(const PlantForm &form) {
+	FormMeasure measure;
+	return LevelError(seen(grow_whole(form, measure)));
 }
 
 } // namespace undergrowth

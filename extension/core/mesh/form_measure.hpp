@@ -2,6 +2,7 @@
 
 #include "conventions.hpp"
 #include "form/plant_form.hpp"
+#include "mesh/level_error.hpp"
 #include "mesh/part_attachment.hpp"
 #include "mesh/silhouette.hpp"
 
@@ -28,6 +29,9 @@ struct FormMeasure {
 };
 
 FormMeasure measure_form(const PlantForm &form);
+
+/// Returns the outlines of a plant with all parts, for the errors of its levels.
+LevelError measure_outline(const PlantForm &form);
 
 /// Returns the mean colour of a part in linear light: means of squared components, weighted by width.
 glm::vec4 mean_color(const Part &part);

@@ -4,6 +4,7 @@
 #include "conventions.hpp"
 #include "field/empty_entry.hpp"
 #include "field/field_areas.hpp"
+#include "field/field_fitting.hpp"
 #include "field/ground_sampler.hpp"
 #include "field/plant_field_3d.hpp"
 #include "new_object.hpp"
@@ -198,6 +199,7 @@ static SpeciesStyle style_of(
 static SpeciesStyle listed_style(const PlantFieldSpecies &listed, const PlacementOptions &options, size_t number) {
 	SpeciesStyle style = style_of(listed.get_species(), listed.get_variants(), options, number);
 	style.detail = listed.get_lod_bias();
+	style.mean_scale = 0.5f * (listed.get_scale_range().x + listed.get_scale_range().y);
 	return style;
 }
 
@@ -232,6 +234,19 @@ static bool has_any_listed(const FieldRenderSetup &setup) {
 			std::any_of(setup.styles.begin(), end, [](const SpeciesStyle &style) { return !style.is_absent; });
 }
 
+void read_densities(const PlacementOptions &options, FieldRenderSetup &into) {
+	double weights = 0.0;
+	for (int64_t i = 0; i < options.species.size(); i++) {
+		const Ref<PlantFieldSpecies> listed = options.species[i];
+		weights += listed.is_valid() ? listed->get_weight() : 0.0;
+	}
+	for (int64_t i = 0; i < options.species.size() && size_t(i) < into.styles.size(); i++) {
+		const Ref<PlantFieldSpecies> listed = options.species[i];
+		const double own = listed.is_valid() ? listed->get_weight() * listed->get_density_factor() : 0.0;
+		into.styles[size_t(i)].density = weights > 0.0 ? float(options.density * own / weights) : 0.0f;
+	}
+}
+
 String list_styles(const Node *field, const PlacementOptions &options, const std::vector<SpeciesStyle> &others,
 		FieldRenderSetup &into) {
 	into.needs_colors = RenderingServer::get_singleton()->get_current_rendering_method() == String("gl_compatibility");
@@ -245,6 +260,7 @@ String list_styles(const Node *field, const PlacementOptions &options, const std
 		}
 	}
 	into.listed_count = int(into.styles.size());
+	read_densities(options, into);
 	if (!has_any_listed(into)) {
 		return into.left_out;
 	}
@@ -278,7 +294,7 @@ String sample_styles(
 			if (watch.usec() > usec) {
 				return String();
 			}
-			String fault = style.sample_next(setup.levels);
+			String fault = style.sample_next(setup.levels, setup.rule.is_by_error);
 			if (!fault.is_empty()) {
 				fault = leave_out_faulty(setup, i, fault, existing);
 			}
@@ -305,11 +321,13 @@ String read_other_style(const Ref<PlantFunction> &function, const PlacementOptio
 	into = listed < 0 ? style_of(function, SpeciesStyle().variant_count, options, size_t(list_size + others))
 					  : listed_style(*Ref<PlantFieldSpecies>(options.species[listed]).ptr(), options, size_t(listed));
 	while (!into.is_sampled()) {
-		const String fault = into.sample_next(setup.levels);
+		const String fault = into.sample_next(setup.levels, setup.rule.is_by_error);
 		if (!fault.is_empty()) {
 			return describe(function.ptr()) + ": " + fault;
 		}
 	}
+	into.measure();
+	fit_levels(setup, into);
 	into.build();
 	into.send_stem();
 	into.make_meshes(std::numeric_limits<double>::infinity());

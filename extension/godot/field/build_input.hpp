@@ -46,6 +46,12 @@ SightRange sight_range_of(const godot::GeometryInstance3D *node);
 /// Returns levels up to the range's end, at least one. Without user levels, the defaults depend on the species.
 std::vector<FieldLevel> read_levels(const FieldProperties &options, const SightRange &range);
 
+/// Returns how the levels of species are chosen.
+LevelRule read_level_rule(const FieldProperties &options, const SightRange &range);
+
+/// Sets the densities of the styles of the list.
+void read_densities(const PlacementOptions &options, FieldRenderSetup &into);
+
 /// Returns the first index of this function in the list, or -1.
 int64_t number_in_list(const PlacementOptions &options, const godot::Ref<PlantFunction> &function);
 

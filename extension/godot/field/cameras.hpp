@@ -14,8 +14,17 @@ namespace undergrowth {
 /// cameras with a position that is not finite. The node must be in a tree.
 std::vector<godot::Vector3> find_camera_positions(const godot::Node3D *node);
 
+/// A camera that draws plants.
+struct DrawingCamera {
+	godot::Vector3 place; ///< World axes.
+	godot::Vector3 forward; ///< Direction of view, of length 1.
+	/// Cosine of the angle between `forward` and the farthest visible direction, plus a margin for turns.
+	float cone_cosine = -1.0f;
+	bool has_cone = false; ///< False: it may see in all directions.
+};
+
 /// The same at the moment of drawing, after all nodes have processed the frame. All fields share one look-up per frame.
-std::vector<godot::Vector3> find_drawn_camera_positions(const godot::Node3D *node);
+std::vector<DrawingCamera> find_drawing_cameras(const godot::Node3D *node);
 
 /// Smallest and largest distance from a camera (m). Without cameras: every distance.
 struct SeenDistances {

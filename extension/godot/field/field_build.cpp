@@ -1,5 +1,7 @@
 #include "field/field_build.hpp"
 
+#include "field/field_fitting.hpp"
+
 #include <godot_cpp/classes/worker_thread_pool.hpp>
 
 #include <algorithm>
@@ -146,6 +148,13 @@ void FieldBuild::apply_heights() {
 }
 
 void FieldBuild::build() {
+	for (SpeciesStyle &style : result.setup.styles) {
+		if (is_cancelled) {
+			return;
+		}
+		style.measure();
+	}
+	fit_levels(result.setup);
 	for (SpeciesStyle &style : result.setup.styles) {
 		if (is_cancelled) {
 			return;

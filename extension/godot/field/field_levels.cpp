@@ -1,6 +1,9 @@
 // Reads the levels of detail that users set, or the defaults.
 
 #include "field/build_input.hpp"
+#include "field/field_fitting.hpp"
+
+#include <godot_cpp/classes/project_settings.hpp>
 
 #include <algorithm>
 
@@ -8,14 +11,10 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr int MAX_TILE_FACTOR = 4;
-static constexpr int MAX_TILE_CUTS = 4;
-// Fractions of the distance at which a level ends. Larger tiles are divided; squares of several tiles are at most this
-// wide.
-static constexpr float MAX_TILE_SHARE = 0.75f;
-static constexpr float MAX_SQUARE_SHARE = 0.6f;
 static constexpr float MIN_MARGIN = 1e-3f; // m.
+static constexpr int LEVELS_OF_ALL_VARIANTS = 3; // Of levels by error: where a plant must not change its form.
 static constexpr float MIN_BIAS = 0.01f;
+static constexpr double MIN_PIXEL_ERROR = 0.05;
 
 SightRange sight_range_of(const GeometryInstance3D *node) {
 	return { float(node->get_visibility_range_end()), std::max(float(node->get_lod_bias()), MIN_BIAS) };
@@ -58,6 +57,12 @@ static bool has_parts(const PlacementOptions &options) {
 	return false;
 }
 
+// Nominal distances: each species of parts has its own.
+static std::vector<ListedLevel> ladder_by_error() {
+	return { { 24, 1.0f, 1.0f }, { 14, 2.5f, 1.0f }, { 8, 6.0f, 1.0f }, { 5, 14.0f, 1.0f }, { 3, 35.0f, 1.0f },
+		{ 2, 0.0f, 1.0f } };
+}
+
 static std::vector<ListedLevel> list_levels(const FieldProperties &options) {
 	std::vector<ListedLevel> listed;
 	for (int64_t i = 0; i < options.levels.size(); i++) {
@@ -70,7 +75,7 @@ static std::vector<ListedLevel> list_levels(const FieldProperties &options) {
 		return listed;
 	}
 	if (has_parts(options)) {
-		return { { 6, 7.0f, 1.0f }, { 3, 18.0f, 0.65f }, { 2, 45.0f, 0.25f }, { 2, 0.0f, 0.1f } };
+		return ladder_by_error();
 	}
 	return { { 12, 12.0f, 1.0f }, { 6, 25.0f, 1.0f }, { 3, 50.0f, 1.0f }, { 2, 0.0f, 1.0f } };
 }
@@ -91,20 +96,43 @@ static LodDensity density_between(const LodDensity *before, float begin, float e
 	return made;
 }
 
-// Squares are small near the camera, where levels are short and plants have many vertices, and large far away.
-static void fit_tiles(FieldLevel &level, float tile_size, bool is_wider) {
-	const float end = level.end > 0.0f ? level.end : 2.0f * level.begin;
-	while (is_wider && level.tile_factor < MAX_TILE_FACTOR &&
-			2.0f * tile_size * float(level.tile_factor) <= MAX_SQUARE_SHARE * end) {
-		level.tile_factor *= 2;
+// Density by distance of plants of parts. The same at all levels.
+static LodDensity usual_thinning(float lod_bias) {
+	LodDensity made;
+	const float distances[3] = { 8.0f, 22.0f, 60.0f };
+	const float densities[3] = { 1.0f, 0.5f, 0.12f };
+	for (int i = 0; i < 3; i++) {
+		made.distances[i] = distances[i] * lod_bias;
+		made.densities[i] = densities[i];
 	}
-	while (end > 0.0f && level.tile_cuts < MAX_TILE_CUTS && tile_size > MAX_TILE_SHARE * end * float(level.tile_cuts)) {
-		level.tile_cuts *= 2;
-	}
+	return made;
+}
+
+static float pixel_error_of(const ViewOptions &options) {
+	static constexpr double PIXELS_OF_THRESHOLD = 2.0;
+	const double usual =
+			ProjectSettings::get_singleton()->get_setting("rendering/mesh_lod/lod_change/threshold_pixels", 1.0);
+	const double wanted = options.pixel_error > 0.0 ? options.pixel_error : PIXELS_OF_THRESHOLD * usual;
+	return float(std::max(wanted, MIN_PIXEL_ERROR));
+}
+
+LevelRule read_level_rule(const FieldProperties &options, const SightRange &range) {
+	LevelRule rule;
+	rule.is_by_error = options.levels.is_empty() && has_parts(options);
+	rule.pixel_error = pixel_error_of(options);
+	rule.lod_bias = range.lod_bias;
+	rule.fade_ratio = float(options.fade_ratio);
+	rule.range_end = range.end;
+	rule.shadow_distance = float(options.shadow_distance);
+	const bool is_rectangle = options.map.is_null() && options.outline.is_empty() && !options.endless;
+	rule.area = is_rectangle ? options.size.x * options.size.y : 0.0f;
+	rule.is_wider = options.view_distance <= 0.0;
+	return rule;
 }
 
 std::vector<FieldLevel> read_levels(const FieldProperties &options, const SightRange &range) {
 	const std::vector<ListedLevel> listed = list_levels(options);
+	const LevelRule rule = read_level_rule(options, range);
 	std::vector<FieldLevel> made;
 	for (size_t i = 0; i < listed.size(); i++) {
 		FieldLevel level;
@@ -113,18 +141,23 @@ std::vector<FieldLevel> read_levels(const FieldProperties &options, const SightR
 		level.end = listed[i].end * range.lod_bias;
 		const bool is_last =
 				i + 1 == listed.size() || level.end <= level.begin || (range.end > 0.0f && level.end >= range.end);
-		level.lod_density =
-				density_between(i > 0 ? &made.back().lod_density : nullptr, level.begin, level.end, listed[i].share);
+		level.lod_density = rule.is_by_error
+				? usual_thinning(range.lod_bias)
+				: density_between(i > 0 ? &made.back().lod_density : nullptr, level.begin, level.end, listed[i].share);
 		level.affects_lathes = !options.levels.is_empty();
 		level.end = is_last ? range.end : level.end;
-		level.margin = std::max(float(options.fade_margin), MIN_MARGIN);
+		level.margin = std::max(rule.fade_ratio * level.begin, MIN_MARGIN);
+		level.end_margin = std::max(rule.fade_ratio * level.end, MIN_MARGIN);
+		level.halvings = std::max(int(i) - (rule.is_by_error ? LEVELS_OF_ALL_VARIANTS - 1 : 0), 0);
 		level.casts_shadows = level.begin < options.shadow_distance * double(range.lod_bias);
 		// With a view distance, tiles come and go alone.
-		fit_tiles(level, float(options.tile_size), options.view_distance <= 0.0);
+		fit_tiles(level, float(options.tile_size), rule.is_wider);
 		made.push_back(level);
-		if (is_last) {
+		if (is_last && !rule.is_by_error) {
 			break; // Nothing is visible beyond it.
 		}
+		level.end = rule.is_by_error ? listed[i].end * range.lod_bias : level.end;
+		made.back().end = level.end;
 	}
 	return made;
 }

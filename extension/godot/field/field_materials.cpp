@@ -17,6 +17,7 @@ namespace undergrowth {
 
 static constexpr float FARTHEST = 1e9f; // m.
 static constexpr float MIN_MARGIN = 1.0f; // m.
+static constexpr float SHADOW_MARGIN = 0.5f; // m.
 static constexpr float SWINGS_TO = 60.0f; // In plant heights: beyond this distance a leaf sways by less than a pixel.
 static constexpr float SWINGS_WHOLE = 0.75f; // Fraction of that distance up to which leaves sway fully.
 
@@ -37,7 +38,7 @@ Ref<Material> FieldMaterials::source_material(const SpeciesStyle &style) const {
 void FieldMaterials::make(FieldRenderSetup &setup) const {
 	for (SpeciesStyle &style : setup.styles) {
 		const bool is_new = style.materials.empty();
-		for (size_t i = style.materials.size(); i < setup.levels.size(); i++) {
+		for (size_t i = style.materials.size(); i < setup.levels.size() + 2; i++) { // The last two are for shadows.
 			style.materials.push_back(make_field_material(source_material(style), style.has_parts()));
 		}
 		if (is_new && !style.materials.empty() && !bends_in_shader(style.materials[0])) {
@@ -51,7 +52,7 @@ void FieldMaterials::make(FieldRenderSetup &setup) const {
 void FieldMaterials::hide(const FieldRenderSetup &setup) const {
 	for (const SpeciesStyle &style : setup.styles) {
 		for (const Ref<ShaderMaterial> &material : style.materials) {
-			material->set_shader_parameter("undergrowth_level", Vector3(FARTHEST, FARTHEST, MIN_MARGIN));
+			material->set_shader_parameter("undergrowth_level", Vector4(FARTHEST, FARTHEST, MIN_MARGIN, MIN_MARGIN));
 		}
 	}
 }
@@ -62,7 +63,7 @@ void FieldMaterials::bind(FieldRenderSetup &setup, const FieldMotion &motion) {
 	sent_leans.clear();
 	make(setup);
 	for (SpeciesStyle &style : setup.styles) {
-		bind_style(setup, style, motion);
+		bind_style(style, motion);
 	}
 }
 
@@ -71,23 +72,42 @@ void FieldMaterials::bind_last(FieldRenderSetup &setup, const FieldMotion &motio
 	sent_clock = -1.0f;
 	sent_leans.clear();
 	make(setup);
-	bind_style(setup, setup.styles.back(), motion);
+	bind_style(setup.styles.back(), motion);
 }
 
-void FieldMaterials::bind_style(
-		const FieldRenderSetup &setup, const SpeciesStyle &style, const FieldMotion &motion) const {
+// Returns the level of a material. The last two materials are for the shadows of finer levels.
+static FieldLevel drawn_level(const SpeciesStyle &style, size_t material) {
+	if (material < style.levels.size()) {
+		return style.levels[material];
+	}
+	if (material > style.levels.size()) {
+		FieldLevel near = style.levels[size_t(std::max(style.near_shadow_level, 0))];
+		near.begin = 0.0f;
+		near.end = style.near_shadow_end;
+		near.end_margin = SHADOW_MARGIN;
+		near.is_used = style.near_shadow_level >= 0;
+		return near;
+	}
+	FieldLevel level = *std::find_if(
+			style.levels.begin(), style.levels.end() - 1, [](const FieldLevel &one) { return one.casts_for_finer; });
+	level.begin = style.near_shadow_end;
+	level.margin = SHADOW_MARGIN;
+	return level;
+}
+
+void FieldMaterials::bind_style(const SpeciesStyle &style, const FieldMotion &motion) const {
 	for (size_t i = 0; i < style.materials.size(); i++) {
-		const FieldLevel &level = setup.levels[i];
+		const FieldLevel level = drawn_level(style, i);
 		const float begin = level.begin > 0.0f ? level.begin : -FARTHEST;
 		const float end = level.end > 0.0f ? level.end : FARTHEST;
 		const LodDensity lod_density = level.lod_density_of(style.has_parts());
 		const Ref<ShaderMaterial> &material = style.materials[i];
-		set_parameter(material, "undergrowth_level", Vector3(begin, end, level.margin));
+		set_parameter(material, "undergrowth_level", Vector4(begin, end, level.margin, level.end_margin));
 		set_parameter(material, "undergrowth_share_ends", vector_of(lod_density.distances));
 		set_parameter(material, "undergrowth_shares", vector_of(lod_density.densities));
 		set_parameter(material, "undergrowth_has_parts", style.has_parts());
 		set_parameter(material, "undergrowth_mean", style.mean);
-		set_parameter(material, "undergrowth_from_above", above_at(style, i));
+		set_parameter(material, "undergrowth_from_above", above_at(style, std::min(i, style.levels.size() - 1)));
 		set_parameter(material, "undergrowth_bends", motion.pose_texture());
 		set_parameter(material, "undergrowth_blends", motion.blend_texture());
 		set_parameter(material, "undergrowth_beats", motion.beat_texture());
@@ -161,10 +181,10 @@ void FieldMaterials::list_swinging(const FieldRenderSetup &setup) {
 	for (const SpeciesStyle &style : setup.styles) {
 		const float end = style.motion.longest * SWINGS_TO;
 		for (size_t i = 0; style.motion.has_parts && i < style.materials.size(); i++) {
-			const FieldLevel &level = setup.levels[i];
+			const FieldLevel level = drawn_level(style, i);
 			const float nearest = level.begin - level.margin;
-			const float farthest = level.end > 0.0f ? level.end + level.margin : std::numeric_limits<float>::max();
-			if (nearest < end) {
+			const float farthest = level.end > 0.0f ? level.end + level.end_margin : std::numeric_limits<float>::max();
+			if (level.is_used && nearest < end) {
 				swinging.push_back({ style.materials[i]->get_rid(), nearest, farthest, end * SWINGS_WHOLE, end });
 			}
 		}

@@ -55,7 +55,7 @@ private:
 	bool is_listed = false; ///< `swinging` is up to date.
 	std::vector<float> sent_leans; ///< By species; empty: none.
 
-	void bind_style(const FieldRenderSetup &setup, const SpeciesStyle &style, const FieldMotion &motion) const;
+	void bind_style(const SpeciesStyle &style, const FieldMotion &motion) const;
 	void list_swinging(const FieldRenderSetup &setup);
 	void send_stem(const SpeciesStyle &style) const;
 	godot::Ref<godot::Material> source_material(const SpeciesStyle &style) const;

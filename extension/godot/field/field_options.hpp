@@ -64,7 +64,8 @@ struct MotionOptions {
 /// Properties of the view.
 struct ViewOptions {
 	godot::TypedArray<PlantFieldLevel> levels; // Empty: default levels.
-	double fade_margin = 3.0; // m.
+	double pixel_error = 0.0; // 0: by the project's threshold for meshes.
+	double fade_ratio = 0.25; // Of the distance of a transition.
 	double shadow_distance = 30.0; // m.
 	double skeleton_distance = 0.0; // m.
 	int max_skeletons = 64;

@@ -6,10 +6,23 @@
 
 namespace undergrowth {
 
+/// Inputs for the distances of levels that are chosen by the error of each species.
+struct LevelRule {
+	bool is_by_error = false; ///< False: all species have the field's levels.
+	float pixel_error = 2.0f; ///< Pixels, of a picture with 1080 lines.
+	float lod_bias = 1.0f;
+	float fade_ratio = 0.25f; ///< Length of a transition over its distance.
+	float range_end = 0.0f; ///< m; 0: no end.
+	float shadow_distance = 30.0f; ///< m.
+	float area = 0.0f; ///< m², of the field; 0: unknown.
+	bool is_wider = true; ///< Squares may be wider than a tile.
+};
+
 /// Styles and levels of detail of all plants of a field.
 struct FieldRenderSetup {
 	std::vector<SpeciesStyle> styles; ///< By species.
-	std::vector<FieldLevel> levels; ///< At least one, nearest first.
+	std::vector<FieldLevel> levels; ///< At least one, nearest first. Each style has the same, at its own distances.
+	LevelRule rule;
 	float tile_size = 16.0f; ///< m, of the tiles of chunks.
 	bool is_of_tiles = false; ///< No multimesh is wider than a tile, because tiles come and go alone.
 	/// True in the Compatibility renderer: it reads custom data as colours if instances have no colours.

@@ -146,6 +146,7 @@ public:
 	FrameCost build_cost; ///< Time of this thread for builds.
 	double tiles_usec = 0.0; ///< Time of this thread for tiles in the last frame.
 	double upload_usec = 0.0; ///< Time of this thread in the last refresh().
+	double thin_usec = 0.0; ///< Of the last selection of drawn plants.
 	/// An upper bound (field axes) of everything that is drawn. It has no volume if there are no plants.
 	godot::AABB box() const;
 	std::vector<int> count_drawn(const godot::Vector3 &camera) const { return view.count_drawn(setup, camera); }

@@ -2,8 +2,10 @@
 
 #include "field/field_runtime.hpp"
 
+#include "field/field_fitting.hpp"
 #include "field/field_wind_clock.hpp"
 #include "field/listed_styles.hpp"
+#include "field/region_build.hpp"
 #include "frame_budget.hpp"
 #include "messages.hpp"
 #include "plant_simulation.hpp"
@@ -178,10 +180,42 @@ bool FieldRuntime::update_levels() {
 		wanted[i].tile_factor = setup.levels[i].tile_factor;
 		wanted[i].tile_cuts = setup.levels[i].tile_cuts;
 	}
-	if (wanted == setup.levels) {
+	FieldRenderSetup fitted = outline_of(setup);
+	fitted.levels = wanted;
+	fitted.rule = read_level_rule(properties, sight_range_of(node));
+	for (size_t i = 0; i < setup.styles.size(); i++) {
+		fitted.styles[i].errors = setup.styles[i].errors;
+		fitted.styles[i].density = setup.styles[i].density;
+		fitted.styles[i].mean_scale = setup.styles[i].mean_scale;
+	}
+	if (is_listed_so(setup, properties)) {
+		read_densities(properties, fitted);
+	}
+	fit_levels(fitted);
+	bool are_same = wanted == setup.levels;
+	for (size_t i = 0; i < setup.styles.size(); i++) {
+		std::vector<FieldLevel> &own = fitted.styles[i].levels;
+		for (size_t k = 0; k < own.size(); k++) {
+			const FieldLevel &old = setup.styles[i].levels[k];
+			own[k].tile_factor = old.tile_factor;
+			own[k].tile_cuts = old.tile_cuts;
+			if (!own[k].has_form_of(old)) {
+				return false;
+			}
+		}
+		are_same = are_same && own == setup.styles[i].levels;
+	}
+	if (are_same) {
 		return true;
 	}
 	setup.levels = wanted;
+	setup.rule = fitted.rule;
+	for (size_t i = 0; i < setup.styles.size(); i++) {
+		setup.styles[i].levels = std::move(fitted.styles[i].levels);
+		setup.styles[i].density = fitted.styles[i].density;
+		setup.styles[i].near_shadow_level = fitted.styles[i].near_shadow_level;
+		setup.styles[i].near_shadow_end = fitted.styles[i].near_shadow_end;
+	}
 	view.update_levels(setup);
 	skeletons.apply_flags(near_flags());
 	if (motion.pose_texture().is_valid()) {
@@ -210,6 +244,7 @@ int FieldRuntime::species_for(const Ref<PlantFunction> &function) {
 	}
 	if (setup.levels.empty()) {
 		setup.levels = read_levels(properties, sight_range_of(node));
+		setup.rule = read_level_rule(properties, sight_range_of(node));
 		setup.tile_size = store.tile_size();
 		list_styles(nullptr, PlacementOptions(), {}, setup);
 	}

@@ -2,6 +2,7 @@
 
 #include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/viewport.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
 
 using namespace godot;
 
@@ -16,6 +17,30 @@ static PackedInt32Array count_drawn(const Node3D *node, const FieldRuntime &runt
 	return drawn;
 }
 
+// The used levels of each style.
+static TypedArray<Dictionary> list_levels(const FieldRenderSetup &setup) {
+	TypedArray<Dictionary> listed;
+	for (const SpeciesStyle &style : setup.styles) {
+		PackedInt32Array segments;
+		PackedFloat32Array ends;
+		PackedFloat32Array errors;
+		for (size_t i = 0; i < style.levels.size(); i++) {
+			if (style.levels[i].is_used) {
+				segments.push_back(style.segments_at(style.levels[i]));
+				ends.push_back(style.levels[i].end);
+				errors.push_back(i < style.errors.size() ? style.errors[i] : 0.0f);
+			}
+		}
+		Dictionary one;
+		one["species"] = style.function;
+		one["segments"] = segments;
+		one["ends"] = ends;
+		one["errors"] = errors;
+		listed.push_back(one);
+	}
+	return listed;
+}
+
 Dictionary FieldStatistics::to_dictionary(const Node3D *node, FieldRuntime &runtime, bool is_restyle_queued) const {
 	runtime.motion.wait();
 	const int count = runtime.store.plant_count();
@@ -23,6 +48,7 @@ Dictionary FieldStatistics::to_dictionary(const Node3D *node, FieldRuntime &runt
 	values["plants"] = count;
 	values["simulated"] = runtime.motion.simulated_count();
 	values["drawn_by_level"] = count_drawn(node, runtime);
+	values["levels"] = list_levels(runtime.setup);
 	values["is_rebuilding_meshes"] = (runtime.is_at_work() && !runtime.is_building()) || is_restyle_queued;
 	values["tiles"] = runtime.tiles.existing_count();
 	values["tiles_waiting"] = runtime.tiles.waiting_count();
@@ -31,6 +57,7 @@ Dictionary FieldStatistics::to_dictionary(const Node3D *node, FieldRuntime &runt
 	values["skeletons"] = int64_t(runtime.skeletons.count());
 	values["step_usec"] = runtime.motion.busy_usec();
 	values["upload_usec"] = runtime.upload_usec;
+	values["thin_usec"] = runtime.thin_usec;
 	values["main_usec"] = main_usec;
 	values["wait_usec"] = wait_usec;
 	values["bytes_per_plant"] =

@@ -2,8 +2,10 @@
 
 #include "field/field_motion.hpp"
 #include "field/field_render_setup.hpp"
+#include "field/near_plants.hpp"
 #include "placement/plant_store.hpp"
 
+#include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/rid.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
@@ -56,6 +58,7 @@ struct BatchPlan {
 	godot::PackedFloat32Array buffer;
 	godot::AABB box; ///< Covers the largest deflection.
 	godot::AABB roots; ///< Bounding box of the roots.
+	std::shared_ptr<NearSquare> near; ///< Instead of the buffer, for levels that are drawn plant by plant.
 };
 
 /// A chunk to be drawn.
@@ -127,7 +130,7 @@ public:
 	/// Call before a frame is drawn: draws of each multimesh only what the nearest camera of `cameras` (world axes)
 	/// shows. No cameras: draws everything. The cost depends on the number of multimeshes, and only after a camera
 	/// moved.
-	void cull(const std::vector<godot::Vector3> &cameras);
+	void cull(const std::vector<DrawingCamera> &cameras);
 	/// Call before a frame is drawn.
 	void note_drawing() { has_unflushed = false; }
 	/// Call once per frame. If no frame was drawn, as in a headless process, the renderer processes the new multimeshes
@@ -138,7 +141,10 @@ public:
 	/// Applies the new materials of `setup`.
 	void set_materials(const FieldRenderSetup &setup);
 	/// Sets the owner of the instances, which the editor selects by rays.
-	void set_owner(uint64_t object) { owner = object; }
+	void set_owner(uint64_t object) {
+		owner = object;
+		near.set_owner(object);
+	}
 
 	/// Number of plants that a camera at `camera` (world axes) shows at each level.
 	std::vector<int> count_drawn(const FieldRenderSetup &setup, const godot::Vector3 &camera) const;
@@ -154,6 +160,8 @@ private:
 		godot::AABB roots; ///< Field axes, m.
 		godot::Vector3 middle; ///< Centre of the drawn box, to which the engine measures distances.
 		float radius = 0.0f; ///< m, largest distance of a root from `middle`.
+		godot::RID shadow; ///< Instance that casts the shadows of finer levels; invalid: none.
+		std::shared_ptr<NearSquare> near; ///< Without a multimesh: NearPlants draws them.
 		int shown = RANK_STEPS; ///< Highest drawn rank, times RANK_STEPS.
 		bool is_revealed = false; ///< The renderer has it, even if its materials draw nothing.
 	};
@@ -165,8 +173,11 @@ private:
 	std::vector<Batch> leaving; ///< Replaced: materials draw nothing, and the instances are not hidden yet.
 	std::vector<Batch> gone; ///< Hidden, not freed yet.
 	std::map<int, TileKey> new_chunks; ///< Tiles by the number of a drawn chunk of new plants.
-	std::vector<FieldLevel> levels; ///< As last shown.
-	std::vector<FieldLevel> prepared_levels;
+	using Levels = std::vector<std::vector<FieldLevel>>; ///< By species.
+	Levels levels; ///< As last shown.
+	Levels prepared_levels;
+	NearPlants near;
+	bool has_other_near = false; ///< Squares of `near` came or went.
 	std::optional<BatchKey> next_revealed; ///< Next square for reveal_some(). Empty: the first one.
 	godot::RID world; ///< Its scenario.
 	godot::Transform3D placed;
@@ -175,19 +186,28 @@ private:
 	bool has_unflushed = false; ///< Multimeshes were shown since the last drawn frame.
 	InstanceRenderFlags render_flags;
 	uint64_t owner = 0;
-	std::vector<godot::Vector3> culled_for; ///< Cameras of the last cull().
+	std::vector<DrawingCamera> culled_for; ///< Cameras of the last cull().
 	bool is_culled = false; ///< False: something changed since.
 
 	Batch make(const FieldRenderSetup &setup, const BatchPlan &plan) const;
 	void reveal(Batch &batch);
-	static void set_visible(const Batch &batch, bool visible);
+	void set_visible(const Batch &batch, bool visible) const;
+	static void wear_material(
+			godot::RenderingServer *server, const FieldRenderSetup &setup, const BatchKey &place, const Batch &batch);
+	int level_count() const { return levels.empty() ? 0 : int(levels.front().size()); }
 	static void free_batch(const Batch &batch);
 	static void move_all(Batches &from, std::vector<Batch> &into);
 	void clear(const BatchKey &place);
+	static bool has_near(const std::vector<Batch> &group);
 	template <class Act> static void take_parts(Batches &from, const BatchKey &place, const Act &act);
 	void set_range(const Batch &batch, const FieldLevel &level) const;
 	void apply_flags(const Batch &batch, const FieldLevel &level) const;
-	int steps_for(const FieldLevel &level, const Batch &batch, const std::vector<godot::Vector3> &cameras) const;
+	int steps_for(const FieldLevel &level, const Batch &batch, const std::vector<DrawingCamera> &cameras) const;
+	static Levels levels_of(const FieldRenderSetup &setup);
+	const FieldLevel &level_of(const BatchKey &place, const Batch &batch) const {
+		return levels[size_t(batch.species)][size_t(place.level)];
+	}
+	void place_near();
 	/// Calls act(server, level, batch) for all multimeshes, prepared ones included.
 	template <class Act> void for_each(Act &&act) const;
 };

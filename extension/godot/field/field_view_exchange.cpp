@@ -14,6 +14,12 @@ namespace undergrowth {
 
 void FieldView::free_batch(const Batch &batch) {
 	RenderingServer *server = RenderingServer::get_singleton();
+	if (batch.near) {
+		return;
+	}
+	if (batch.shadow.is_valid()) {
+		server->free_rid(batch.shadow);
+	}
 	server->free_rid(batch.instance);
 	server->free_rid(batch.multimesh);
 }
@@ -26,7 +32,7 @@ void FieldView::move_all(Batches &from, std::vector<Batch> &into) {
 }
 
 void FieldView::prepare(const FieldRenderSetup &setup, const BatchPlan &plan) {
-	prepared_levels = setup.levels;
+	prepared_levels = levels_of(setup);
 	prepared[plan.place].push_back(make(setup, plan));
 	next_revealed.reset();
 }
@@ -76,15 +82,21 @@ template <class Act> void FieldView::take_parts(Batches &from, const BatchKey &p
 	}
 }
 
+bool FieldView::has_near(const std::vector<Batch> &group) {
+	return std::any_of(group.begin(), group.end(), [](const Batch &batch) { return batch.near != nullptr; });
+}
+
 void FieldView::clear(const BatchKey &place) {
-	take_parts(batches, place, [](const BatchKey &, std::vector<Batch> &group) {
+	take_parts(batches, place, [this](const BatchKey &, std::vector<Batch> &group) {
+		has_other_near = has_other_near || has_near(group);
 		std::for_each(group.begin(), group.end(), &FieldView::free_batch);
 	});
 }
 
 void FieldView::drop_tile(const TileKey &tile) {
-	for (int level = 0; level < int(levels.size()); level++) {
+	for (int level = 0; level < level_count(); level++) {
 		take_parts(batches, { false, level, 1, tile }, [this](const BatchKey &, std::vector<Batch> &group) {
+			has_other_near = has_other_near || has_near(group);
 			for (const Batch &batch : group) {
 				set_visible(batch, false);
 				gone.push_back(batch);
@@ -97,14 +109,16 @@ void FieldView::show_tile(const FieldRenderSetup &setup, const TileKey &tile) {
 	RenderingServer *server = RenderingServer::get_singleton();
 	is_culled = false;
 	for (int level = 0; level < int(setup.levels.size()); level++) {
-		const FieldLevel &seen = setup.levels[size_t(level)];
 		take_parts(prepared, { false, level, 1, tile }, [&](const BatchKey &place, std::vector<Batch> &group) {
 			for (Batch &batch : group) {
-				const SpeciesStyle &style = setup.styles[size_t(batch.species)];
-				server->instance_geometry_set_material_override(
-						batch.instance, style.materials[size_t(level)]->get_rid());
-				set_range(batch, seen);
-				apply_flags(batch, seen);
+				if (batch.near) {
+					has_other_near = true;
+				} else {
+					const FieldLevel &seen = setup.styles[size_t(batch.species)].levels[size_t(level)];
+					wear_material(server, setup, place, batch);
+					set_range(batch, seen);
+					apply_flags(batch, seen);
+				}
 				reveal(batch);
 				batches[place].push_back(std::move(batch));
 			}
@@ -113,7 +127,7 @@ void FieldView::show_tile(const FieldRenderSetup &setup, const TileKey &tile) {
 }
 
 void FieldView::forget_tile(const TileKey &tile) {
-	for (int level = 0; level < int(prepared_levels.size()); level++) {
+	for (int level = 0; level < (prepared_levels.empty() ? 0 : int(prepared_levels.front().size())); level++) {
 		take_parts(prepared, { false, level, 1, tile }, [this](const BatchKey &, std::vector<Batch> &group) {
 			std::move(group.begin(), group.end(), std::back_inserter(gone));
 		});
@@ -125,7 +139,9 @@ void FieldView::exchange(const FieldRenderSetup &setup) {
 	new_chunks.clear();
 	batches = std::exchange(prepared, {});
 	next_revealed.reset();
-	levels = setup.levels;
+	levels = levels_of(setup);
+	near.flags(setup);
+	has_other_near = true;
 	is_culled = false;
 }
 

@@ -174,6 +174,11 @@ void PlantField3D::on_frame_drawn() {
 	ClassDB::bind_method(D_METHOD(#m_name, ##__VA_ARGS__), of_plants<&PlantQueries::m_method>(&PlantQueries::m_method))
 
 bool PlantField3D::_set(const StringName &name, const Variant &value) {
+	static constexpr double METRES_OF_RATIO = 12.0; // The former default of 3 m is the present one of 0.25.
+	if (name == StringName("fade_margin")) {
+		return set_renamed_property(
+				this, name, std::clamp(double(value) / METRES_OF_RATIO, 0.0, 1.0), { { "fade_margin", "fade_ratio" } });
+	}
 	return set_renamed_property(this, name, value, { { "kept_changes", "saved_changes" } });
 }
 

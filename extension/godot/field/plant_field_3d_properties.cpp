@@ -112,7 +112,8 @@ void PlantField3D::bind_properties() {
 	NUMBER(FLOAT, regrowth_rate, nothing, 0.0, 1000.0, SLIDER("0,1,0.001,or_greater,suffix:1/s"));
 	ADD_GROUP("Drawing", "");
 	SET_HERE(ARRAY, levels, "get_levels", PROPERTY_HINT_ARRAY_TYPE, "24/17:PlantFieldLevel");
-	NUMBER(FLOAT, fade_margin, levels, 0.0, 1000.0, SLIDER("0,20,0.1,or_greater,suffix:m"));
+	NUMBER(FLOAT, pixel_error, levels, 0.0, 100.0, SLIDER("0,16,0.1,or_greater,suffix:px"));
+	NUMBER(FLOAT, fade_ratio, levels, 0.0, 1.0, SLIDER("0,1,0.01"));
 	NUMBER(FLOAT, shadow_distance, levels, 0.0, 1e6, SLIDER("0,200,0.1,or_greater,suffix:m"));
 	NUMBER(FLOAT, skeleton_distance, skeletons, 0.0, 1e6, SLIDER("0,20,0.1,or_greater,suffix:m"));
 	NUMBER(INT, max_skeletons, skeletons, 0.0, 1024.0, SLIDER("0,1024,1"));

@@ -26,6 +26,7 @@ struct DrawnPlant {
 struct RankedPlants {
 	std::vector<DrawnPlant> plants; ///< In the order of their chunks, so that neighbours are adjacent in memory.
 	std::vector<int> begins; ///< First plant of each chunk, and the end of the last one.
+	float width = 0.0f; ///< m, of the box around the generated plants.
 	std::vector<int> by_rank; ///< Plant indices by rank; plants of equal rank are in the order of their chunks.
 };
 

@@ -12,6 +12,7 @@ namespace undergrowth {
 FieldRenderSetup outline_of(const FieldRenderSetup &setup) {
 	FieldRenderSetup outline;
 	outline.levels = setup.levels;
+	outline.rule = setup.rule;
 	outline.tile_size = setup.tile_size;
 	outline.is_of_tiles = setup.is_of_tiles;
 	outline.needs_colors = setup.needs_colors;
@@ -19,6 +20,8 @@ FieldRenderSetup outline_of(const FieldRenderSetup &setup) {
 		SpeciesStyle some;
 		some.variant_count = style.variant_count;
 		some.detail = style.detail;
+		some.is_by_error = style.is_by_error;
+		some.levels = style.levels;
 		some.variants = style.variants;
 		some.meshes = style.meshes;
 		some.motion = style.motion;

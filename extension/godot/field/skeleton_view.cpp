@@ -34,13 +34,32 @@ const SkeletonView::Shown *SkeletonView::find_shown(const PlantRef &ref) const {
 	return found == shown.end() ? nullptr : &*found;
 }
 
-// Returns the nearest plants, nearest first. The distance is limited to where the first level of detail, which has the
-// same mesh, is drawn in full.
+static const FieldLevel &first_used(const SpeciesStyle &style) {
+	return *std::find_if(
+			style.levels.begin(), style.levels.end() - 1, [](const FieldLevel &one) { return one.is_used; });
+}
+
+// Returns the distance up to which a species is drawn in full with the first level of detail, or with the first levels
+// if they have all variants. Without an end: `otherwise`.
+static float end_of_whole(const SpeciesStyle &style, float otherwise) {
+	float end = 0.0f;
+	for (const FieldLevel &level : style.levels) {
+		const bool is_like_first = end == 0.0f || (style.is_by_error && level.halvings == 0);
+		if (level.is_used && is_like_first) {
+			end = level.end > 0.0f ? level.end - level.end_margin : otherwise;
+		}
+	}
+	return end;
+}
+
+// Returns the nearest plants, nearest first. The distance is limited to where levels with all variants are drawn in
+// full.
 std::vector<PlantRef> SkeletonView::find_nearest(
 		const Scene &scene, const std::vector<Vector3> &cameras, double wanted, int max) const {
-	const FieldLevel &first = scene.setup.levels[0];
-	const float whole = first.end > 0.0f ? first.end - first.margin : float(wanted);
-	const float distance = std::min(float(wanted), whole);
+	float distance = 0.0f;
+	for (const SpeciesStyle &style : scene.setup.styles) {
+		distance = std::max(distance, std::min(float(wanted), end_of_whole(style, float(wanted))));
+	}
 	const Transform3D to_field = scene.axes.affine_inverse();
 	const Vector3 scale = to_field.basis.get_scale().abs();
 	const float reach = KEPT_FARTHER * distance * std::max({ scale.x, scale.y, scale.z });
@@ -52,10 +71,12 @@ std::vector<PlantRef> SkeletonView::find_nearest(
 			const PlantChunk &chunk = scene.store.chunk(ref.chunk);
 			const float away = scene.axes.xform(to_godot(chunk.root(ref.slot))).distance_to(camera);
 			const float counted = find_shown(ref) ? away / KEPT_FARTHER : away;
-			const LodDensity lod_density = first.lod_density_of(scene.setup.styles[size_t(chunk.species)].has_parts());
+			const SpeciesStyle &style = scene.setup.styles[size_t(chunk.species)];
+			const LodDensity lod_density = first_used(style).lod_density_of(style.has_parts());
 			const bool is_whole = !lod_density.is_any() || // Thinned plants get no skeleton.
 					lod_density.width_of(plant_rank(scene.store.id(ref)), away) == 1.0f;
-			if (counted <= distance && is_whole && !scene.edits.is_mown(scene.store, ref)) {
+			if (counted <= std::min(distance, end_of_whole(style, distance)) && is_whole &&
+					!scene.edits.is_mown(scene.store, ref)) {
 				const auto [entry, is_new] = nearest.insert({ ref, counted });
 				entry->second = std::min(entry->second, counted);
 			}

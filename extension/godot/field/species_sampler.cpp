@@ -13,6 +13,8 @@ static uint64_t this_frame() {
 String SpeciesSampler::begin(const Node *field, const FieldProperties &properties, const SightRange &range,
 		std::vector<SpeciesStyle> &&others) {
 	setup.levels = read_levels(properties, range);
+	setup.rule = read_level_rule(properties, range);
+	setup.tile_size = float(properties.tile_size);
 	const String fault = find_level_fault(properties);
 	return fault.is_empty() ? list_styles(field, properties, others, setup) : fault;
 }

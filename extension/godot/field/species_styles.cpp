@@ -14,20 +14,19 @@ using namespace godot;
 
 namespace undergrowth {
 
-int FieldLevel::groups(int level, int variants) {
-	return std::max(1, variants >> level);
-}
+static constexpr size_t MEASURED_VARIANTS = 3;
 
 static int64_t variant_seed(int64_t seed, int variant) {
 	return int64_t(mix_bits(uint64_t(seed) ^ mix_bits(uint64_t(variant))) >> 1);
 }
 
 int SpeciesStyle::segments_at(const FieldLevel &level) const {
-	return std::clamp(int(std::lround(detail * level.lod)), MIN_LOD, MAX_LOD);
+	return is_by_error ? level.lod : std::clamp(int(std::lround(detail * level.lod)), MIN_LOD, MAX_LOD);
 }
 
-String SpeciesStyle::sample_next(const std::vector<FieldLevel> &levels) {
+String SpeciesStyle::sample_next(const std::vector<FieldLevel> &given, bool by_error) {
 	const int variant = int(variants.size());
+	levels = given;
 	if (variant == variant_count) {
 		read_traits();
 		unsolved_stem = function->describe_stem(mean_height());
@@ -38,7 +37,7 @@ String SpeciesStyle::sample_next(const std::vector<FieldLevel> &levels) {
 	const int64_t own_seed = variant_seed(seed, variant);
 	samples.resize(levels.size());
 	for (size_t level = 0; level < levels.size(); level++) {
-		if (variant >= FieldLevel::groups(int(level), variant_count)) {
+		if (variant >= levels[level].groups(variant_count)) {
 			break;
 		}
 		SampledPlant sampled;
@@ -52,6 +51,8 @@ String SpeciesStyle::sample_next(const std::vector<FieldLevel> &levels) {
 			}
 		}
 		if (level == 0) {
+			is_by_error = by_error && sampled.grown;
+			sampled.lod = sampled.grown ? segments_at(levels[level]) : sampled.lod;
 			variants.push_back({ own_seed, sampled.height });
 		}
 		samples[level].push_back(std::move(sampled));
@@ -63,11 +64,47 @@ void SpeciesStyle::load_shader() const {
 	plant_shader(motion.has_parts);
 }
 
+// The largest error of some variants: a single one may lack flowers.
+void SpeciesStyle::measure() {
+	if (!is_by_error || samples.empty()) {
+		return;
+	}
+	errors.assign(samples.size(), 0.0f);
+	for (size_t variant = 0; variant < std::min(samples[0].size(), MEASURED_VARIANTS); variant++) {
+		std::optional<LevelError> outline;
+		const GrownPlant &grown = *samples[0][variant].grown;
+		for (size_t level = 0; level < samples.size(); level++) {
+			SampledPlant sampled = samples[0][variant];
+			sampled.lod = segments_at(levels[level]);
+			const float error = grown.level_error(sampled.lod, [&] {
+				if (!outline) {
+					outline.emplace(measure_outline(grown.form));
+				}
+				measured.push_back(SharedMesh::of(sampled));
+				return measured.back()->outline_error(*outline);
+			});
+			errors[level] = std::max(errors[level], error);
+		}
+	}
+}
+
+// The samples of the first used level are kept for plants that get a mesh of their own.
+void SpeciesStyle::leave_unused() {
+	for (size_t level = 0; level < samples.size(); level++) {
+		if (!levels[level].is_used) {
+			samples[level].clear();
+		} else if (nearest.empty()) {
+			nearest = samples[level];
+		}
+	}
+}
+
 void SpeciesStyle::build() {
 	solve_stem();
 	if (samples.empty()) {
 		return;
 	}
+	leave_unused();
 	build_meshes();
 	meshes.assign(samples.size(), {});
 	from_above.assign(samples.size(), Vector2());
@@ -78,7 +115,6 @@ void SpeciesStyle::build() {
 			width = std::max(width, one->width());
 		}
 	}
-	nearest = std::move(samples[0]);
 	samples.clear();
 	find_mean();
 }
@@ -98,6 +134,7 @@ void SpeciesStyle::build_meshes() {
 	for (SharedMesh *const one : others) {
 		one->build();
 	}
+	measured.clear();
 }
 
 bool SpeciesStyle::make_meshes(double usec) {

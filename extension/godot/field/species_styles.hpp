@@ -19,22 +19,33 @@ struct FieldLevel {
 	int lod = 12; ///< Vertical segments.
 	float begin = 0.0f; ///< Distance from the camera (m).
 	float end = 0.0f; ///< m; 0: no end.
-	float margin = 2.0f; ///< Width of its dissolve (m), > 0.
+	float margin = 2.0f; ///< Length of the transition from the previous level (m), > 0.
+	float end_margin = 2.0f; ///< Length of the transition to the next level (m), > 0.
+	int halvings = 0; ///< How often the number of variants is halved.
+	bool is_used = true; ///< False: the species skips this level.
+	bool is_near = false; ///< True: its plants are drawn one by one around the cameras (NearPlants), not in squares.
 	int tile_factor = 1; ///< Width of its multimeshes, in tiles.
 	int tile_cuts = 1; ///< Number of multimeshes along a tile's side. tile_factor or tile_cuts is 1.
 	LodDensity lod_density;
 	bool affects_lathes = false; ///< True: thins all plants. False: only plants of parts.
 	bool casts_shadows = true;
+	float shadow_begin = 0.0f; ///< m: where it begins to cast the shadows of finer levels.
+	bool casts_for_finer = false; ///< True: its plants also cast the shadows of all finer levels.
 
 	bool operator==(const FieldLevel &other) const {
-		return std::tie(lod, begin, end, margin, tile_factor, tile_cuts, affects_lathes, casts_shadows) ==
-				std::tie(other.lod, other.begin, other.end, other.margin, other.tile_factor, other.tile_cuts,
-						other.affects_lathes, other.casts_shadows) &&
-				lod_density == other.lod_density;
+		return std::tie(lod, begin, end, margin, end_margin, tile_factor, tile_cuts, affects_lathes, casts_shadows,
+					   shadow_begin) ==
+				std::tie(other.lod, other.begin, other.end, other.margin, other.end_margin, other.tile_factor,
+						other.tile_cuts, other.affects_lathes, other.casts_shadows, other.shadow_begin) &&
+				lod_density == other.lod_density && has_form_of(other);
 	}
-	/// Returns the number of meshes at this level for a species of `variants` plants: half as many at each further
-	/// level, at least 1.
-	static int groups(int level, int variants);
+	/// True if both are drawn with the same meshes and multimeshes.
+	bool has_form_of(const FieldLevel &other) const {
+		return std::tie(lod, halvings, is_used, is_near, casts_for_finer) ==
+				std::tie(other.lod, other.halvings, other.is_used, other.is_near, other.casts_for_finer);
+	}
+	/// Returns the number of meshes at this level for a species of `variants` plants, at least 1.
+	int groups(int variants) const { return std::max(1, variants >> halvings); }
 	/// Returns the density of plants with or without parts.
 	LodDensity lod_density_of(bool has_parts) const { return has_parts || affects_lathes ? lod_density : LodDensity(); }
 };
@@ -50,13 +61,21 @@ struct FieldVariant {
 struct SpeciesStyle {
 	godot::Ref<PlantFunction> function;
 	int variant_count = 4; ///< 1 to 64.
-	double detail = 1.0; ///< Factor of the segments of the levels.
+	/// Factor of the segments of levels that users set, or of the distances of levels by error.
+	double detail = 1.0;
+	float density = 0.0f; ///< Plants/m² where all species grow; 0: added plants.
+	float mean_scale = 1.0f; ///< Of its plants.
+	std::vector<FieldLevel> levels; ///< Those of the field, at the distances of this species.
+	int near_shadow_level = -1; ///< Level that casts the shadows of plants nearer than `near_shadow_end`; -1: none.
+	float near_shadow_end = 0.0f; ///< m; 0: none.
+	std::vector<float> errors; ///< m, by level, of the outline; empty if its levels are not chosen by error.
 	std::vector<FieldVariant> variants;
 	std::vector<std::vector<SampledPlant>> samples; ///< By level and group; freed when the meshes are built.
 	std::vector<std::vector<std::shared_ptr<SharedMesh>>> built; ///< By level and group, shared with other fields.
 	std::vector<SampledPlant> nearest; ///< Samples of the first level, for plants that get a mesh of their own.
 	std::vector<std::vector<godot::Ref<godot::ArrayMesh>>> meshes; ///< By level and group; null until created.
-	std::vector<godot::Ref<godot::ShaderMaterial>> materials; ///< By level.
+	/// By level, and two for shadows: of finer levels, and of the nearest plants.
+	std::vector<godot::Ref<godot::ShaderMaterial>> materials;
 	MotionSpecies motion;
 	bool has_motion = false; ///< True if `motion` was read.
 	bool in_air = false; ///< True if the wind is given in m/s; stems use the constants for it.
@@ -64,6 +83,8 @@ struct SpeciesStyle {
 	std::optional<UnsolvedStem> unsolved_stem; ///< A stem that the function had not solved when it was sampled.
 	std::shared_ptr<SharedStem> shared_stem; ///< Shared by all fields that need this stem, which is solved once.
 	SolvedStem solved_stem; ///< Its solution, from build().
+	std::vector<std::shared_ptr<SharedMesh>> measured; ///< Meshes of measure(), until build().
+	bool is_by_error = false; ///< True: its levels are chosen by error.
 	float width = 0.0f; ///< Largest distance of a mesh from its axis (m).
 	/// By level, for plants of parts: area from above relative to the area from the side, of the plant (x) and of its
 	/// mesh (y).
@@ -77,7 +98,9 @@ struct SpeciesStyle {
 	/// Samples one more variant of the function at all levels, and after the last one its motion. Main thread, since
 	/// scripts may run. build() solves stems that the function has not solved. Returns a fault with its remedy; empty:
 	/// none.
-	godot::String sample_next(const std::vector<FieldLevel> &levels);
+	godot::String sample_next(const std::vector<FieldLevel> &levels, bool is_by_error);
+	/// Measures the errors of all levels if they are chosen by error. Any thread.
+	void measure();
 	/// Returns the vertical segments at a level.
 	int segments_at(const FieldLevel &level) const;
 	/// True if all variants and the motion are sampled.
@@ -120,6 +143,7 @@ struct SpeciesStyle {
 
 private:
 	void build_meshes();
+	void leave_unused();
 	void find_mean();
 	/// Reads all of the motion except the stem.
 	void read_traits();

@@ -5,6 +5,8 @@
 #include "mesh/form_measure.hpp"
 #include "mesh/part_attachment.hpp"
 
+#include <functional>
+#include <map>
 #include <mutex>
 #include <utility>
 
@@ -24,7 +26,17 @@ public:
 		return measured;
 	}
 
+	/// Returns the error of the outline at a level with `segments` (m). `measure` runs once for each number of
+	/// segments. Any thread.
+	float level_error(int segments, const std::function<float()> &measure) const {
+		const std::lock_guard<std::mutex> lock(measuring);
+		const auto known = level_errors.find(segments);
+		return known != level_errors.end() ? known->second : level_errors.emplace(segments, measure()).first->second;
+	}
+
 private:
+	mutable std::mutex measuring;
+	mutable std::map<int, float> level_errors; ///< m, by segments.
 	mutable std::once_flag is_measured;
 	mutable FormMeasure measured;
 };

@@ -1,7 +1,7 @@
 ## The distances at which the renderer draws the instances of a field.
 extends "res://tests/engine/drawing/drawing_harness.gd"
 
-const MARGIN := 3.0
+const RATIO := 0.2
 const ENDS: Array[float] = [12.0, 30.0, 60.0]
 
 
@@ -10,7 +10,7 @@ func before_each() -> void:
 	field.levels = [PlantFieldLevel.of(6, ENDS[0]), PlantFieldLevel.of(3, ENDS[1])]
 	field.levels.append(PlantFieldLevel.of(2))
 	field.visibility_range_end = ENDS[2]
-	field.fade_margin = MARGIN
+	field.fade_ratio = RATIO
 	field.tile_size = 8.0
 
 
@@ -30,7 +30,7 @@ func test_ranges_follow_the_scale_of_a_field() -> void:
 
 func test_ranges_follow_levels_that_change() -> void:
 	await start()
-	field.fade_margin = 2.0 * MARGIN
+	field.fade_ratio = 2.0 * RATIO
 	await rested()
 	_check_ranges()
 
@@ -72,7 +72,7 @@ func _check_ranges() -> void:
 		for plant in plants_of(instance):
 			var away := field.to_global(plant.root).distance_to(middle) - 1e-3
 			for level in ENDS.size():
-				var begin := 0.0 if level == 0 else ENDS[level - 1] - field.fade_margin
+				var begin := 0.0 if level == 0 else ENDS[level - 1] * (1.0 - field.fade_ratio)
 				if (
 					instance["begin"] <= maxf(begin - away, 0.0)
 					and instance["end"] >= ENDS[level] + away

@@ -1,0 +1,96 @@
+## Levels of species of parts, which are chosen by the error of their outlines.
+extends "res://tests/engine/field_harness.gd"
+
+const FERN := "res://addons/undergrowth/species/male_fern.tres"
+const GRASS := "res://addons/undergrowth/species/meadow_grass.tres"
+
+
+func before_each() -> void:
+	field = PlantField3D.from_species([load(FERN), load(GRASS)])
+	field.species[0].weight = 0.05
+	field.density = 5.0
+	field.size = Vector2(6, 6)
+	field.simulation_enabled = false
+
+
+func test_each_species_has_its_own_distances() -> void:
+	await start()
+	for listed: Dictionary in _levels():
+		var ends: PackedFloat32Array = listed["ends"]
+		var segments: PackedInt32Array = listed["segments"]
+		var errors: PackedFloat32Array = listed["errors"]
+		check(ends.size() >= 3, "%s" % listed)
+		check_equal(ends[-1], 0.0, "the last one has no end")
+		for i in ends.size() - 1:
+			check(segments[i + 1] < segments[i], "segments %s" % segments)
+			check(errors[i + 1] >= errors[i], "errors %s" % errors)
+			check(i == ends.size() - 2 or ends[i + 1] > ends[i], "ends %s" % ends)
+	check(_end_of_finest(0) != _end_of_finest(1), "a fern is not a grass")
+
+
+func test_the_distance_is_the_error_over_the_allowed_pixels() -> void:
+	field.pixel_error = 2.0
+	await start()
+	var listed: Dictionary = _levels()[0]
+	var ends: PackedFloat32Array = listed["ends"]
+	var errors: PackedFloat32Array = listed["errors"]
+	check_near(ends[0], errors[1] * 703.7 / 2.0, 0.01 * ends[0], "end of the first level")
+	field.pixel_error = 4.0
+	await rested()
+	listed = _levels()[0]
+	ends = listed["ends"]
+	errors = listed["errors"]
+	check_near(ends[0], errors[1] * 703.7 / 4.0, 0.01 * ends[0], "with twice the error")
+
+
+func test_a_bias_of_a_species_multiplies_its_distances_only() -> void:
+	await start()
+	var before := [_levels()[0]["ends"], _levels()[1]["ends"]]
+	field.species[0].lod_bias = 1.5
+	await rested()
+	var after := [_levels()[0]["ends"], _levels()[1]["ends"]]
+	check_near(after[0][-2], 1.5 * before[0][-2], 0.01 * after[0][-2], "of the fern")
+	check_equal(after[1], before[1], "of the grass")
+
+
+func test_dense_species_change_their_levels_nearer() -> void:
+	field.size = Vector2(100, 100)
+	field.density = 0.5
+	await start()
+	var sparse: PackedFloat32Array = _levels()[1]["ends"]
+	field.size = Vector2(20, 20)
+	field.density = 60.0
+	await rested()
+	var dense: PackedFloat32Array = _levels()[1]["ends"]
+	check(dense[-2] < 0.8 * sparse[-2], "%s, sparse %s" % [dense, sparse])
+
+
+func test_levels_of_users_go_before_errors() -> void:
+	field.levels = [PlantFieldLevel.of(12, 3.0), PlantFieldLevel.of(4)]
+	await start()
+	for listed: Dictionary in _levels():
+		check_equal(listed["segments"], PackedInt32Array([12, 4]), "segments")
+		check_equal(listed["ends"], PackedFloat32Array([3.0, 0.0]), "ends")
+
+
+func test_all_plants_near_a_camera_are_counted_once_per_level() -> void:
+	var camera := Camera3D.new()
+	root.add_child(camera)
+	camera.make_current()
+	camera.position = Vector3(0, 0.5, 0)
+	await start()
+	await frames(3)
+	var drawn: PackedInt32Array = field.get_statistics()["drawn_by_level"]
+	var sum := 0
+	for count in drawn:
+		sum += count
+	check(sum >= field.get_plant_count(), "%s of %d" % [drawn, field.get_plant_count()])
+	camera.free()
+
+
+func _levels() -> Array[Dictionary]:
+	return field.get_statistics()["levels"]
+
+
+func _end_of_finest(species: int) -> float:
+	return _levels()[species]["ends"][0]

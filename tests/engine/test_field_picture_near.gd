@@ -1,0 +1,119 @@
+## Plants near a camera, which are drawn one by one, and the cost of fields with default settings.
+extends "res://tests/engine/picture_harness.gd"
+
+const MEADOW_GRASS := "res://addons/undergrowth/species/meadow_grass.tres"
+const EYE_HEIGHT := 1.7
+
+var _field: PlantField3D
+
+
+func before_each() -> void:
+	make_stage()
+
+
+func after_each() -> void:
+	stage.free()
+
+
+func test_plants_near_a_moving_camera_are_all_drawn() -> void:
+	_sow()
+	var camera := stage.get_camera_3d()
+	for step in 4:
+		var place := Vector3(0.9 * step - 1.0, 0.6, 1.2 - 0.7 * step)
+		camera.look_at_from_position(
+			place, place + Vector3(0.2, -0.4, -1).rotated(Vector3.UP, step)
+		)
+		_field.levels = []
+		await settled(_field)
+		var by_error := _count_green(await picture())
+		_field.levels = [PlantFieldLevel.of(24)]
+		await settled(_field)
+		var whole := _count_green(await picture())
+		check(whole > 10 * MIN_PLANT, "plants are drawn: %d pixels" % whole)
+		check_near(float(by_error), float(whole), 0.1 * whole, "pixels of plants")
+
+
+func test_a_camera_that_turns_sees_plants_in_the_same_frame() -> void:
+	_sow()
+	await settled(_field)
+	var camera := stage.get_camera_3d()
+	var place := Vector3(0, 0.6, 0)
+	camera.look_at_from_position(place, place + Vector3(0, -0.4, -1))
+	await picture()
+	camera.look_at_from_position(place, place + Vector3(0, -0.4, 1))
+	await RenderingServer.frame_post_draw
+	var at_once := stage.get_texture().get_image()
+	var later := await picture()
+	check(_count_green(later) > 10 * MIN_PLANT, "plants are drawn")
+	check(count_different(at_once, later) <= MAX_DIFFERENT, "the first frame is complete")
+
+
+func test_the_nearest_plants_cast_shadows_of_a_coarser_level() -> void:
+	var ground := MeshInstance3D.new()
+	ground.mesh = PlaneMesh.new()
+	(ground.mesh as PlaneMesh).size = Vector2(6, 6)
+	stage.add_child(ground)
+	for light in stage.find_children("*", "DirectionalLight3D", true, false):
+		(light as DirectionalLight3D).shadow_enabled = true
+		(light as DirectionalLight3D).rotation = Vector3(-0.8, 0.6, 0)
+	_sow()
+	await settled(_field)
+	_field.density = 3.0
+	await settled(_field)
+	stage.get_camera_3d().look_at_from_position(Vector3(0, 1.0, 1.4), Vector3(0, 0.1, 0))
+	var shaded := await picture()
+	_field.shadow_distance = 0.0
+	await settled(_field)
+	var bright := await picture()
+	check(count_different(shaded, bright) > MIN_PLANT, "near plants cast shadows")
+
+
+func test_fields_with_default_settings_cost_little() -> void:
+	stage.size = Vector2i(320, 180)
+	for light in stage.find_children("*", "DirectionalLight3D", true, false):
+		(light as DirectionalLight3D).shadow_enabled = true
+	await _check_cost(PlantField3D.new(), 2.0e6, 150)
+	var mix: PackedScene = load("res://addons/undergrowth/mixes/meadow.tscn")
+	await _check_cost(mix.instantiate(), 0.8e6, 150)
+
+
+func _check_cost(field: PlantField3D, max_primitives: float, max_draws: int) -> void:
+	field.simulation_enabled = false
+	stage.add_child(field)
+	await settled(field)
+	var place := Vector3(0, EYE_HEIGHT, 0.25 * field.size.y)
+	stage.get_camera_3d().look_at_from_position(place, place + Vector3(0, -0.25, -1))
+	await picture()
+	var primitives := _count(RenderingServer.VIEWPORT_RENDER_INFO_PRIMITIVES_IN_FRAME)
+	var draws := _count(RenderingServer.VIEWPORT_RENDER_INFO_DRAW_CALLS_IN_FRAME)
+	check(primitives > 1000, "%d primitives" % primitives)
+	check(primitives <= max_primitives, "%d primitives of %s" % [primitives, field.name])
+	check(draws <= max_draws, "%d draws of %s" % [draws, field.name])
+	field.free()
+
+
+func _count(info: RenderingServer.ViewportRenderInfo) -> int:
+	var sum := 0
+	for kind: RenderingServer.ViewportRenderInfoType in [
+		RenderingServer.VIEWPORT_RENDER_INFO_TYPE_VISIBLE,
+		RenderingServer.VIEWPORT_RENDER_INFO_TYPE_SHADOW
+	]:
+		sum += RenderingServer.viewport_get_render_info(stage.get_viewport_rid(), kind, info)
+	return sum
+
+
+func _sow() -> void:
+	_field = PlantField3D.from_species([load(MEADOW_GRASS)])
+	_field.density = 30.0
+	_field.size = Vector2(5, 5)
+	_field.simulation_enabled = false
+	stage.add_child(_field)
+
+
+func _count_green(image: Image) -> int:
+	var count := 0
+	for y in image.get_height():
+		for x in image.get_width():
+			var color := image.get_pixel(x, y)
+			count += 1 if color.r + color.g + color.b > 0.05 else 0
+	return count
