@@ -175,7 +175,7 @@ static float triangles_in_view(
 			return setup.rule.area > 0.0f ? std::min(around, SEEN_SHARE_OF_FIELD * setup.rule.area) : around;
 		};
 		if (level.is_used && level.end > 0.0f) {
-			const float share = level.lod_density.share_at(0.5f * (level.begin + level.end));
+			const float share = level.lod_density.density_at(0.5f * (level.begin + level.end));
 			const float from = level.begin - level.margin;
 			const float drawn = level.is_near ? ground(level.end, SEEN_SHARE) - ground(from, SEEN_SHARE)
 											  : ground(level.end, SEEN_SHARE_OF_SQUARES);

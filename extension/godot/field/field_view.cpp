@@ -147,7 +147,7 @@ void FieldView::place_near() {
 void FieldView::show(const FieldRenderSetup &setup, const std::vector<BatchPlan> &plans) {
 	levels = levels_of(setup);
 	is_culled = false;
-	near.flags(setup);
+	near.bind(setup);
 	for (const BatchPlan &plan : plans) {
 		std::vector<Batch> &there = batches[plan.place];
 		there.push_back(make(setup, plan));
@@ -209,7 +209,7 @@ void FieldView::show_new_chunk(
 void FieldView::update_levels(const FieldRenderSetup &setup) {
 	levels = levels_of(setup);
 	is_culled = false;
-	near.flags(setup);
+	near.bind(setup);
 	for (const auto &[place, group] : batches) {
 		for (const Batch &batch : group) {
 			if (!batch.near) {
@@ -272,7 +272,7 @@ void FieldView::set_flags(const InstanceRenderFlags &flags) {
 
 void FieldView::set_materials(const FieldRenderSetup &setup) {
 	RenderingServer *server = RenderingServer::get_singleton();
-	near.flags(setup);
+	near.bind(setup);
 	for (const auto &[place, group] : batches) {
 		for (const Batch &batch : group) {
 			if (!batch.near) {

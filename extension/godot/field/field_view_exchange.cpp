@@ -140,7 +140,7 @@ void FieldView::exchange(const FieldRenderSetup &setup) {
 	batches = std::exchange(prepared, {});
 	next_revealed.reset();
 	levels = levels_of(setup);
-	near.flags(setup);
+	near.bind(setup);
 	has_other_near = true;
 	is_culled = false;
 }

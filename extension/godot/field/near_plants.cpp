@@ -87,7 +87,7 @@ void NearPlants::free_lists() {
 	bands.clear();
 }
 
-void NearPlants::flags(const FieldRenderSetup &setup) {
+void NearPlants::bind(const FieldRenderSetup &setup) {
 	std::vector<Band> wanted;
 	for (size_t species = 0; species < setup.styles.size(); species++) {
 		const SpeciesStyle &style = setup.styles[species];
@@ -138,12 +138,12 @@ void NearPlants::flags(const FieldRenderSetup &setup) {
 		bands[i].far = wanted[i].far;
 		bands[i].material = wanted[i].material;
 		for (const List &list : bands[i].lists) {
-			materials(bands[i], list);
+			apply_flags(bands[i], list);
 		}
 	}
 }
 
-void NearPlants::materials(const Band &band, const List &list) const {
+void NearPlants::apply_flags(const Band &band, const List &list) const {
 	if (!list.instance.is_valid()) {
 		return;
 	}
@@ -152,15 +152,15 @@ void NearPlants::materials(const Band &band, const List &list) const {
 	server->instance_geometry_set_cast_shadows_setting(list.instance,
 			band.casts_shadows ? RenderingServer::SHADOW_CASTING_SETTING_SHADOWS_ONLY
 							   : RenderingServer::SHADOW_CASTING_SETTING_OFF); // A coarser level does.
-	server->instance_set_layer_mask(list.instance, worn.layers);
-	server->instance_geometry_set_transparency(list.instance, worn.transparency);
+	server->instance_set_layer_mask(list.instance, render_flags.layers);
+	server->instance_geometry_set_transparency(list.instance, render_flags.transparency);
 	server->instance_set_scenario(list.instance, world);
 	server->instance_set_transform(list.instance, placed);
 	server->instance_set_visible(list.instance, is_shown(band, list));
 }
 
 bool NearPlants::is_shown(const Band &band, const List &list) const {
-	return is_visible && !list.slots.empty() && (worn.casts_shadows || !band.casts_shadows);
+	return is_visible && !list.slots.empty() && (render_flags.casts_shadows || !band.casts_shadows);
 }
 
 void NearPlants::set_squares(std::vector<std::shared_ptr<NearSquare>> &&now) {
@@ -300,7 +300,7 @@ void NearPlants::show(Band &band, const AABB &box) {
 			list.instance = server->instance_create();
 			server->instance_set_base(list.instance, list.multimesh);
 			server->instance_attach_object_instance_id(list.instance, owner);
-			materials(band, list);
+			apply_flags(band, list);
 		}
 		if (!list.slots.empty()) {
 			if (server->multimesh_get_instance_count(list.multimesh) != list.capacity) {
@@ -318,7 +318,7 @@ void NearPlants::set_scenario(const RID &scenario) {
 	world = scenario;
 	for (const Band &band : bands) {
 		for (const List &list : band.lists) {
-			materials(band, list);
+			apply_flags(band, list);
 		}
 	}
 }
@@ -339,16 +339,16 @@ void NearPlants::set_visible(bool visible) {
 	is_visible = visible;
 	for (const Band &band : bands) {
 		for (const List &list : band.lists) {
-			materials(band, list);
+			apply_flags(band, list);
 		}
 	}
 }
 
 void NearPlants::apply_flags(const InstanceRenderFlags &flags) {
-	worn = flags;
+	render_flags = flags;
 	for (const Band &band : bands) {
 		for (const List &list : band.lists) {
-			materials(band, list);
+			apply_flags(band, list);
 		}
 	}
 }

@@ -48,7 +48,7 @@ public:
 	NearPlants &operator=(const NearPlants &) = delete;
 
 	/// Applies the levels, meshes and materials of `setup`. The plants stay if levels and meshes are the same.
-	void flags(const FieldRenderSetup &setup);
+	void bind(const FieldRenderSetup &setup);
 	/// Sets all plants. Their squares must not be shared with another NearPlants.
 	void set_squares(std::vector<std::shared_ptr<NearSquare>> &&now);
 	/// Call before a frame is drawn. The cost depends on the plants near the cameras, and only after one has moved or
@@ -100,7 +100,7 @@ private:
 	godot::RID world;
 	godot::Transform3D placed;
 	bool is_visible = true;
-	InstanceRenderFlags worn;
+	InstanceRenderFlags render_flags;
 	uint64_t owner = 0;
 
 	void free_lists();
