@@ -76,6 +76,12 @@ static std::vector<float> begins_of(const FieldRenderSetup &setup, const Species
 	for (size_t i = begins.size() - 1; i-- > 0;) {
 		begins[i] = std::min(begins[i], begins[i + 1]);
 	}
+	// A form may be worse than a coarser one, which is used in its place.
+	const auto best = std::min_element(style.errors.begin(), style.errors.end());
+	std::fill(begins.begin(), begins.begin() + (best - style.errors.begin()), 0.0f);
+	if (best != style.errors.end()) {
+		begins[size_t(best - style.errors.begin())] = 0.0f;
+	}
 	return begins;
 }
 
