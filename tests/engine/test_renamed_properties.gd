@@ -74,7 +74,8 @@ func _write(path: String, text: String) -> void:
 
 
 func test_a_transition_in_metres_becomes_a_ratio() -> void:
-	_write(MARGIN_SCENE, '[gd_scene format=3]\n\n[node name="Field" type="PlantField3D"]\nfade_margin = 1.2\n')
+	var node := '[node name="Field" type="PlantField3D"]\nfade_margin = 1.2\n'
+	_write(MARGIN_SCENE, "[gd_scene format=3]\n\n" + node)
 	var field: PlantField3D = (load(MARGIN_SCENE) as PackedScene).instantiate()
 	check_near(field.fade_ratio, 0.1, 1e-6, "fade_ratio")
 	await frames(2)
