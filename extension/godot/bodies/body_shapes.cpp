@@ -1,6 +1,6 @@
 #include "bodies/body_shapes.hpp"
 
-#include "convert.hpp"
+#include "base/convert.hpp"
 
 #include <godot_cpp/classes/area3d.hpp>
 #include <godot_cpp/classes/box_shape3d.hpp>

@@ -1,9 +1,9 @@
 #include "bodies/group_bodies.hpp"
 
+#include "base/convert.hpp"
+#include "base/messages.hpp"
+#include "base/world_of.hpp"
 #include "bodies/body_shapes.hpp"
-#include "convert.hpp"
-#include "messages.hpp"
-#include "world_of.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 

@@ -1,6 +1,6 @@
 #include "bodies/plant_bodies.hpp"
 
-#include "plant_3d.hpp"
+#include "nodes/plant_3d.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bodies/group_bodies.hpp"
-#include "plant_group.hpp"
+#include "plants/plant_group.hpp"
 
 #include <memory>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "field/dependency_poller.hpp"
 
-#include "field/field_areas.hpp"
-#include "field/field_ground.hpp"
+#include "field/build/field_areas.hpp"
+#include "field/build/field_ground.hpp"
 
 #include <godot_cpp/classes/material.hpp>
 

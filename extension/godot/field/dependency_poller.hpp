@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/build_input.hpp"
+#include "field/build/build_input.hpp"
 #include "field/transform_watcher.hpp"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>

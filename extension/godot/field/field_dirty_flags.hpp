@@ -1,6 +1,6 @@
 #pragma once
 
-#include "queued_call.hpp"
+#include "base/queued_call.hpp"
 
 #include <godot_cpp/classes/node.hpp>
 

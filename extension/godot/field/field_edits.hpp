@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/field_motion.hpp"
+#include "field/motion/field_motion.hpp"
 #include "placement/edit_log.hpp"
 
 #include <vector>

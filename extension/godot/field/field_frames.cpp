@@ -1,6 +1,6 @@
 #include "field/field_frames.hpp"
 
-#include "follow_changes.hpp"
+#include "base/follow_changes.hpp"
 
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>

@@ -1,6 +1,6 @@
 #include "field/field_inspector.hpp"
 
-#include "field/field_ground.hpp"
+#include "field/build/field_ground.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/field_options.hpp"
+#include "field/resources/field_options.hpp"
 
 #include <godot_cpp/variant/string.hpp>
 

@@ -1,7 +1,7 @@
 #include "field/field_problems.hpp"
 
-#include "field/listed_styles.hpp"
-#include "messages.hpp"
+#include "base/messages.hpp"
+#include "field/view/listed_styles.hpp"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "field/field_motion.hpp"
-#include "field/field_options.hpp"
+#include "field/motion/field_motion.hpp"
+#include "field/resources/field_options.hpp"
 
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>

@@ -2,12 +2,12 @@
 
 #include "field/field_runtime.hpp"
 
-#include "convert.hpp"
-#include "field/cameras.hpp"
-#include "field/cpu_motion.hpp"
-#include "runs_in_editor.hpp"
-#include "stopwatch.hpp"
-#include "world_of.hpp"
+#include "base/convert.hpp"
+#include "base/runs_in_editor.hpp"
+#include "base/stopwatch.hpp"
+#include "base/world_of.hpp"
+#include "field/motion/cpu_motion.hpp"
+#include "field/view/cameras.hpp"
 
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/classes/world3d.hpp>

@@ -1,19 +1,19 @@
 #pragma once
 
-#include "field/build_input.hpp"
+#include "base/frame_cost.hpp"
+#include "base/worker_task.hpp"
+#include "field/build/build_input.hpp"
+#include "field/build/field_tiles.hpp"
+#include "field/build/ground_sampler.hpp"
+#include "field/build/region_builds.hpp"
+#include "field/build/species_sampler.hpp"
+#include "field/build/tile_rebuild.hpp"
 #include "field/field_edits.hpp"
-#include "field/field_materials.hpp"
-#include "field/field_motion.hpp"
-#include "field/field_tiles.hpp"
-#include "field/ground_sampler.hpp"
-#include "field/listed_styles.hpp"
-#include "field/region_builds.hpp"
-#include "field/skeleton_view.hpp"
-#include "field/species_sampler.hpp"
-#include "field/tile_rebuild.hpp"
-#include "frame_cost.hpp"
+#include "field/motion/field_motion.hpp"
+#include "field/view/field_materials.hpp"
+#include "field/view/listed_styles.hpp"
+#include "field/view/skeleton_view.hpp"
 #include "placement/placed_area.hpp"
-#include "worker_task.hpp"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
 

@@ -2,8 +2,8 @@
 
 #include "field/field_runtime.hpp"
 
-#include "frame_budget.hpp"
-#include "stopwatch.hpp"
+#include "base/frame_budget.hpp"
+#include "base/stopwatch.hpp"
 
 #include <algorithm>
 #include <utility>

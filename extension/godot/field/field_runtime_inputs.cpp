@@ -2,13 +2,13 @@
 
 #include "field/field_runtime.hpp"
 
-#include "field/field_fitting.hpp"
-#include "field/field_wind_clock.hpp"
-#include "field/listed_styles.hpp"
-#include "field/region_build.hpp"
-#include "frame_budget.hpp"
-#include "messages.hpp"
-#include "plant_simulation.hpp"
+#include "base/frame_budget.hpp"
+#include "base/messages.hpp"
+#include "field/build/region_build.hpp"
+#include "field/motion/field_wind_clock.hpp"
+#include "field/view/field_fitting.hpp"
+#include "field/view/listed_styles.hpp"
+#include "plants/plant_simulation.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,7 @@
 
 #include "field/field_runtime.hpp"
 
-#include "messages.hpp"
+#include "base/messages.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/os.hpp>

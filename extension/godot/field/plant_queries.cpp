@@ -1,10 +1,10 @@
 #include "field/plant_queries.hpp"
 
-#include "convert.hpp"
-#include "field/plant_transforms.hpp"
-#include "follow_changes.hpp"
-#include "messages.hpp"
-#include "plant_frame.hpp"
+#include "base/convert.hpp"
+#include "base/follow_changes.hpp"
+#include "base/messages.hpp"
+#include "field/view/plant_transforms.hpp"
+#include "plants/plant_frame.hpp"
 
 #include <algorithm>
 #include <cmath>

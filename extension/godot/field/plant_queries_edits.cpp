@@ -2,10 +2,10 @@
 
 #include "field/plant_queries.hpp"
 
-#include "auto_name.hpp"
-#include "convert.hpp"
-#include "follow_changes.hpp"
-#include "messages.hpp"
+#include "base/auto_name.hpp"
+#include "base/convert.hpp"
+#include "base/follow_changes.hpp"
+#include "base/messages.hpp"
 #include "placement/edit_finder.hpp"
 
 #include <godot_cpp/classes/resource_loader.hpp>

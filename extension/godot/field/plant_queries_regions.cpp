@@ -2,8 +2,8 @@
 
 #include "field/plant_queries.hpp"
 
-#include "convert.hpp"
-#include "messages.hpp"
+#include "base/convert.hpp"
+#include "base/messages.hpp"
 
 #include <algorithm>
 #include <cmath>

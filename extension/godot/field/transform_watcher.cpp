@@ -1,6 +1,6 @@
 #include "field/transform_watcher.hpp"
 
-#include "follow_changes.hpp"
+#include "base/follow_changes.hpp"
 
 #include <godot_cpp/core/object.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "mesh/form_mesh.hpp"
 #include "mesh/joint_binding.hpp"
-#include "part_skeleton.hpp"
+#include "plants/part_skeleton.hpp"
 
 using namespace godot;
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "form/grown_plant.hpp"
-#include "sampled_plant.hpp"
+#include "species/sampled_plant.hpp"
 
 namespace undergrowth {
 

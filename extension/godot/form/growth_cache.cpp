@@ -1,6 +1,6 @@
 #include "form/growth_cache.hpp"
 
-#include "follow_changes.hpp"
+#include "base/follow_changes.hpp"
 
 #include <godot_cpp/classes/script.hpp>
 #include <godot_cpp/variant/array.hpp>

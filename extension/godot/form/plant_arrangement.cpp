@@ -1,8 +1,8 @@
 #include "form/plant_arrangement.hpp"
 
-#include "follow_changes.hpp"
+#include "base/follow_changes.hpp"
+#include "base/new_object.hpp"
 #include "form/set_by_names.hpp"
-#include "new_object.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "base/shortest_decimal.hpp"
 #include "form/arrangement.hpp"
 #include "form/growth.hpp"
 #include "form/plant_part.hpp"
-#include "shortest_decimal.hpp"
 
 #include <godot_cpp/classes/curve.hpp>
 #include <godot_cpp/variant/typed_array.hpp>

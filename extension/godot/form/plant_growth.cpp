@@ -1,9 +1,9 @@
 #include "form/plant_growth.hpp"
 
+#include "base/new_object.hpp"
 #include "form/growth_options.hpp"
-#include "new_object.hpp"
-#include "plant_function.hpp"
-#include "species_sampling.hpp"
+#include "species/plant_function.hpp"
+#include "species/species_sampling.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 

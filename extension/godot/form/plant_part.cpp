@@ -1,11 +1,11 @@
 #include "form/plant_part.hpp"
 
+#include "base/convert.hpp"
+#include "base/follow_changes.hpp"
+#include "base/shortest_decimal.hpp"
 #include "conventions.hpp"
-#include "convert.hpp"
-#include "follow_changes.hpp"
 #include "form/set_by_names.hpp"
-#include "script_call.hpp"
-#include "shortest_decimal.hpp"
+#include "species/script_call.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/messages.hpp"
 #include "form/part.hpp"
-#include "messages.hpp"
 
 #include <godot_cpp/classes/curve.hpp>
 #include <godot_cpp/classes/gradient.hpp>

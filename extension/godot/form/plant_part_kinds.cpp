@@ -1,6 +1,6 @@
 #include "form/plant_part_kinds.hpp"
 
-#include "new_object.hpp"
+#include "base/new_object.hpp"
 
 #include <godot_cpp/core/class_db.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/shortest_decimal.hpp"
 #include "form/plant_part.hpp"
-#include "shortest_decimal.hpp"
 
 namespace undergrowth {
 

@@ -1,6 +1,6 @@
 #include "form/set_by_names.hpp"
 
-#include "messages.hpp"
+#include "base/messages.hpp"
 
 #include <godot_cpp/variant/packed_string_array.hpp>
 

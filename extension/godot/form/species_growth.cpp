@@ -1,11 +1,11 @@
 #include "form/species_growth.hpp"
 
-#include "follow_changes.hpp"
+#include "base/follow_changes.hpp"
+#include "base/stopwatch.hpp"
 #include "form/grown_plant.hpp"
-#include "plant_function.hpp"
-#include "shared_resources.hpp"
-#include "species_sampling.hpp"
-#include "stopwatch.hpp"
+#include "species/plant_function.hpp"
+#include "species/shared_resources.hpp"
+#include "species/species_sampling.hpp"
 
 using namespace godot;
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "form/growth_cache.hpp"
-#include "sampled_plant.hpp"
+#include "species/sampled_plant.hpp"
 
 #include <godot_cpp/variant/string.hpp>
 

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "field/build/field_build.hpp"
+#include "field/resources/field_options.hpp"
+#include "placement/area.hpp"
+
+#include <godot_cpp/classes/geometry_instance3d.hpp>
+#include <godot_cpp/classes/node3d.hpp>
+
+#include <vector>
+
+namespace undergrowth {
+
+// Reads the input of a build from properties and scene. Main thread. A returned String describes a fault and its
+// remedy; empty: no fault.
+
+/// Returns the transform from a node's axes to the world's. A singular or infinite transform counts as the identity, so
+/// that the result is always invertible.
+godot::Transform3D axes_of(const godot::Node3D *node);
+
+/// Returns the seed for the positions of plants in a field of this `seed`; for PLACE_SEED, one from the node's global
+/// position.
+int64_t seed_at(const godot::Node3D *node, int64_t seed);
+
+/// Reads where plants are placed, and of which species of the list. `setup` marks absent species. With `part` (m, field
+/// axes): only the plants in that box, and only the cells of the map that meet it.
+godot::String read_request(const godot::Node3D *field, const PlacementOptions &options, const FieldRenderSetup &setup,
+		const AreaBox *part, PlacementRequest &into);
+
+/// Reads the ground.
+godot::String read_ground(const godot::Node3D *field, const PlacementOptions &options, FieldGround &into);
+
+/// Returns what is wrong with the levels that users set.
+godot::String find_level_fault(const ViewOptions &options);
+
+/// Visibility range and LOD bias of a field, from the engine's own properties.
+struct SightRange {
+	float end = 0.0f; ///< m; 0: no end.
+	float lod_bias = 1.0f; ///< Factor of the end distances of all levels.
+
+	bool operator!=(const SightRange &other) const { return end != other.end || lod_bias != other.lod_bias; }
+};
+
+SightRange sight_range_of(const godot::GeometryInstance3D *node);
+
+/// Returns levels up to the range's end, at least one. Without user levels, the defaults depend on the species.
+std::vector<FieldLevel> read_levels(const FieldProperties &options, const SightRange &range);
+
+/// Returns how the levels of species are chosen.
+LevelRule read_level_rule(const FieldProperties &options, const SightRange &range);
+
+/// Sets the densities of the styles of the list.
+void read_densities(const PlacementOptions &options, FieldRenderSetup &into);
+
+/// Returns the first index of this function in the list, or -1.
+int64_t number_in_list(const PlacementOptions &options, const godot::Ref<PlantFunction> &function);
+
+/// Appends a style for each species of the list, then one for each of `others`; none is sampled. Entries without a
+/// species become absent. Returns a fault only if all are absent. The message uses `field`, which may be null, to name
+/// a missing file.
+godot::String list_styles(const godot::Node *field, const PlacementOptions &options,
+		const std::vector<SpeciesStyle> &others, FieldRenderSetup &into);
+
+/// True if worker threads may create meshes. The mesh arrays are always built on worker threads.
+bool renders_on_threads();
+
+/// Samples styles for about `usec` µs; a script cannot be interrupted. Sets `is_done` if all are sampled. A species
+/// with a fault becomes absent. The fault is returned if that species is in `existing`, not in the list, or the last
+/// one.
+godot::String sample_styles(
+		FieldRenderSetup &setup, const std::vector<godot::Ref<PlantFunction>> &existing, double usec, bool &is_done);
+
+/// Returns a sampled and built style of a function that code adds plants of.
+godot::String read_other_style(const godot::Ref<PlantFunction> &function, const PlacementOptions &options,
+		const FieldRenderSetup &setup, SpeciesStyle &into);
+
+} // namespace undergrowth

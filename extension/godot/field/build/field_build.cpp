@@ -1,0 +1,194 @@
+#include "field/build/field_build.hpp"
+
+#include "field/view/field_fitting.hpp"
+
+#include <godot_cpp/classes/worker_thread_pool.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr int ROWS_AT_ONCE = 16;
+// Approximate fractions of the whole time at which each part of the work ends.
+static constexpr float PLACED_SHARE = 0.3f;
+static constexpr float STANDING_SHARE = 0.5f;
+static constexpr float MESHES_SHARE = 0.6f;
+static constexpr float PLANNED_SHARE = 0.8f;
+
+String FieldResult::describe_fault() const {
+	if (fault != PlacementFault::none) {
+		return undergrowth::describe(fault);
+	}
+	if (motion->is_too_large()) {
+		return "needs more texture layers than graphics cards have. Set a lower density, fewer species where there are "
+			   "prototypes, or divide it among several fields.";
+	}
+	return String();
+}
+
+FieldBuild::FieldBuild(BuildInput &&with) : input(std::move(with)) {
+	result.setup = std::move(input.setup);
+}
+
+FieldBuild::~FieldBuild() {
+	cancel();
+	wait();
+}
+
+void FieldBuild::wait() {
+	if (task >= 0) {
+		WorkerThreadPool::get_singleton()->wait_for_task_completion(task);
+		task = -1;
+	}
+}
+
+void FieldBuild::launch(Stage next) {
+	wait();
+	stage = next;
+	task = WorkerThreadPool::get_singleton()->add_native_task(&FieldBuild::work, this);
+}
+
+void FieldBuild::start() {
+	launch(Stage::placing);
+}
+
+void FieldBuild::resume(std::vector<float> &&given_heights, std::vector<glm::vec3> &&given_normals) {
+	heights = std::move(given_heights);
+	normals = std::move(given_normals);
+	launch(Stage::building);
+}
+
+FieldResult &FieldBuild::finish() {
+	wait();
+	return result;
+}
+
+std::unique_ptr<BatchPlan> FieldBuild::take_plan() {
+	if (result.plans.empty()) {
+		return nullptr;
+	}
+	auto plan = std::make_unique<BatchPlan>(std::move(result.plans.back()));
+	result.plans.pop_back();
+	return plan;
+}
+
+std::function<void()> FieldBuild::take_garbage() {
+	auto chunks = std::make_shared<GeneratedChunks>(std::move(input.existing));
+	auto matches = std::make_shared<std::vector<PlantMatch>>(std::move(result.matches));
+	return [chunks = std::move(chunks), matches = std::move(matches)]() mutable {
+		chunks.reset();
+		matches.reset();
+	};
+}
+
+void FieldBuild::work(void *self) {
+	FieldBuild *build = static_cast<FieldBuild *>(self);
+	if (build->stage == Stage::placing) {
+		if (build->input.places) {
+			build->place();
+		} else {
+			build->placed = gather_plants(build->input.existing, build->input.species_numbers);
+			build->result.spacing = build->input.existing.spacing;
+		}
+		if (build->input.places && build->input.ground.needs_queries() && build->placed.size() > 0) {
+			build->stage = Stage::placed;
+			return;
+		}
+		if (build->input.places) {
+			build->input.ground.look_up(build->placed, build->heights, build->normals);
+		}
+	}
+	build->apply_heights();
+	build->build();
+	build->stage = Stage::done;
+}
+
+void FieldBuild::place() {
+	PlacementRequest request = input.request;
+	if (input.is_of_tiles) {
+		request.within = AreaBox(); // Only for faults and the spacing.
+	}
+	const Placement whole(request);
+	result.fault = request.species.empty() ? PlacementFault::none : whole.fault();
+	result.spacing = whole.cell_size();
+	place_rows(whole, 0.0f, PLACED_SHARE);
+	const float each = PLACED_SHARE / float(std::max(input.tiles.size(), size_t(1)));
+	for (size_t i = 0; i < input.tiles.size() && result.fault == PlacementFault::none; i++) {
+		request.within = tile_box(input.tiles[i], input.tile_size);
+		const Placement tile(request);
+		result.fault = tile.fault();
+		place_rows(tile, each * float(i), each * float(i + 1));
+	}
+	if (placed.size() > int(PlacementRequest::MAX_PLANTS)) {
+		result.fault = PlacementFault::too_many_plants;
+		placed.clear();
+	}
+	input.edits.take_out(placed);
+	done = PLACED_SHARE;
+}
+
+void FieldBuild::place_rows(const Placement &placement, float share_before, float share_after) {
+	for (int row = 0; row < placement.row_count() && !is_cancelled; row += ROWS_AT_ONCE) {
+		placement.place_rows(row, std::min(row + ROWS_AT_ONCE, placement.row_count()), placed);
+		done = share_before + (share_after - share_before) * float(row) / float(placement.row_count());
+	}
+}
+
+void FieldBuild::apply_heights() {
+	if (heights.size() == size_t(placed.size()) && normals.size() == heights.size()) {
+		apply_ground(placed, heights.data(), normals.data(), input.ground.limits);
+		heights = {};
+		normals = {};
+	}
+	done = STANDING_SHARE;
+}
+
+void FieldBuild::build() {
+	for (SpeciesStyle &style : result.setup.styles) {
+		if (is_cancelled) {
+			return;
+		}
+		style.measure();
+	}
+	fit_levels(result.setup);
+	for (SpeciesStyle &style : result.setup.styles) {
+		if (is_cancelled) {
+			return;
+		}
+		style.build();
+		if (input.makes_meshes) {
+			style.make_meshes(std::numeric_limits<double>::infinity());
+		}
+	}
+	done = MESHES_SHARE;
+	result.chunks = cut_into_chunks(placed, input.tile_size);
+	for (PlantChunk &chunk : result.chunks) {
+		chunk.spacing = result.spacing;
+	}
+	placed = FieldPlants();
+	result.motion = input.prepare(result.chunks, result.setup, input.settings, input.wind);
+	result.setup.tile_size = input.tile_size;
+	result.setup.is_of_tiles = input.draws_tiles;
+	std::vector<DrawnChunk> drawn;
+	for (size_t i = 0; i < result.chunks.size() && !is_cancelled; i++) {
+		drawn.push_back({ result.motion->texels(int(i)), &result.chunks[i] });
+	}
+	result.plans = plan_batches(result.setup, drawn);
+	done = PLANNED_SHARE;
+	stage = Stage::planned;
+	if (is_cancelled) {
+		return;
+	}
+	result.motion->build(result.chunks, result.setup);
+	if (is_cancelled) {
+		return;
+	}
+	result.matches = match_plants(input.existing, result.chunks, result.spacing);
+	done = 1.0f;
+}
+
+} // namespace undergrowth

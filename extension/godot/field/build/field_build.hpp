@@ -1,0 +1,125 @@
+#pragma once
+
+#include "field/build/field_ground.hpp"
+#include "field/motion/field_motion.hpp"
+#include "field/view/field_view.hpp"
+#include "placement/edit_log.hpp"
+#include "placement/placement.hpp"
+#include "placement/plant_matches.hpp"
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace undergrowth {
+
+/// A copy of all inputs of a field's build, so that it can run on a worker thread.
+struct BuildInput {
+	bool places = true; ///< False: rebuilds only the styles of `existing`.
+	PlacementRequest request;
+	FieldGround ground;
+	FieldMotion::Prepare prepare = nullptr;
+	FieldSettings settings;
+	FieldRenderSetup setup; ///< Sampled, without meshes.
+	bool makes_meshes = true; ///< False: the owner makes them on the main thread.
+	FieldWind wind; ///< At the start of the simulation: prototypes already move in it.
+	std::vector<int> species_numbers; ///< New species in `setup` by old species.
+	float tile_size = 16.0f; ///< m.
+	bool draws_tiles = false; ///< No multimesh spans more than one tile.
+	bool is_of_tiles = false; ///< Builds only `tiles`.
+	std::vector<TileKey> tiles;
+	std::vector<TileKey> rest; ///< Remaining tiles of the first build, built one by one, the nearest last.
+	double rest_plants = 0.0; ///< Approximate number of plants in those tiles.
+	bool has_rest = false; ///< More tiles follow: `rest`, or those of FieldTiles.
+	EditLog edits; ///< Their removed plants are not built.
+	/// The generated plants before the build. Plants that exist again continue their motion.
+	GeneratedChunks existing;
+};
+
+/// The result of a field's build.
+struct FieldResult {
+	FieldRenderSetup setup;
+	double spacing = 1.0; ///< m.
+	std::vector<PlantChunk> chunks;
+	std::unique_ptr<PreparedMotion> motion; ///< Of `chunks`.
+	std::vector<BatchPlan> plans;
+	std::vector<PlantMatch> matches;
+	PlacementFault fault = PlacementFault::none;
+
+	/// Describes a fault that is found only when everything is placed. Empty: no fault.
+	godot::String describe_fault() const;
+};
+
+/// A build of a field on one of the engine's worker threads. It reads only its input. Call it from the main thread.
+class FieldBuild {
+public:
+	explicit FieldBuild(BuildInput &&with);
+	~FieldBuild();
+	FieldBuild(const FieldBuild &) = delete;
+	FieldBuild &operator=(const FieldBuild &) = delete;
+
+	void start();
+	/// 0 to 1.
+	float progress() const { return done.load(); }
+	/// True if its plants need ground queries. resume() continues.
+	bool needs_ground() const { return stage.load() == Stage::placed; }
+	const FieldPlants &plants() const { return placed; }
+	/// Continues, with heights and normals for all plants.
+	void resume(std::vector<float> &&heights, std::vector<glm::vec3> &&normals);
+	/// True if plans can be taken and materials made, while the thread still prepares the motion.
+	bool is_planned() const { return stage.load() >= Stage::planned; }
+	bool is_done() const { return stage.load() == Stage::done; }
+	/// True if it places plants, not only rebuilds their styles.
+	bool places() const { return input.places; }
+	const std::vector<int> &species_numbers() const { return input.species_numbers; }
+	/// True if the build contains this species of the present field.
+	bool includes(int species) const {
+		return size_t(species) < input.species_numbers.size() && input.species_numbers[size_t(species)] >= 0;
+	}
+	float tile_size() const { return input.tile_size; }
+	bool is_of_tiles() const { return input.is_of_tiles; }
+	const std::vector<TileKey> &tiles() const { return input.tiles; }
+	const PlacementRequest &request() const { return input.request; }
+	/// Call only if is_planned(): the setup of the result, which the thread no longer changes.
+	FieldRenderSetup &setup() { return result.setup; }
+	PlacementFault fault() const { return result.fault; }
+	/// The next plan of the result, or null.
+	std::unique_ptr<BatchPlan> take_plan();
+	/// Discards the result and ends the thread's work early.
+	void cancel() { is_cancelled = true; }
+	/// Waits for the thread and returns the result.
+	FieldResult &finish();
+	/// Waits until no worker thread uses it.
+	void wait();
+	/// True if it is only the first part of a build.
+	bool has_rest() const { return input.has_rest; }
+	double rest_plants() const { return input.rest_plants; }
+	std::vector<TileKey> take_rest() { return std::move(input.rest); }
+	/// Returns a function that frees the inputs and the unused parts of the result. Any thread may call it.
+	std::function<void()> take_garbage();
+	bool has_materials = false; ///< Its setup has materials.
+	bool has_begun_transfer = false; ///< The transfer of motion has begun.
+
+private:
+	enum class Stage { fresh, placing, placed, building, planned, done };
+
+	BuildInput input;
+	FieldResult result;
+	FieldPlants placed;
+	std::vector<float> heights;
+	std::vector<glm::vec3> normals;
+	std::atomic<float> done{ 0.0f };
+	std::atomic<Stage> stage{ Stage::fresh };
+	std::atomic<bool> is_cancelled{ false };
+	int64_t task = -1;
+
+	static void work(void *self);
+	void launch(Stage next);
+	void place();
+	void place_rows(const Placement &placement, float share_before, float share_after);
+	void apply_heights();
+	void build();
+};
+
+} // namespace undergrowth

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "field/contact.hpp"
+#include "field/field_simulation.hpp"
+#include "field/motion/pose_texture.hpp"
+#include "field/motion/step_batch.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+namespace undergrowth {
+
+/// Steps a field's simulation on the engine's worker threads and copies its poses to the texture. No other code may use
+/// either between start() and wait().
+class FieldSteps {
+public:
+	FieldSteps() = default;
+	~FieldSteps() { wait(); }
+	FieldSteps(const FieldSteps &) = delete;
+	FieldSteps &operator=(const FieldSteps &) = delete;
+
+	/// Starts one step on up to `workers` threads and returns at once. Steps that cost less than waking a thread share
+	/// a StepBatch. `contact`, if any, runs after all plants have moved.
+	void start(FieldSimulation &simulation, PoseTexture &poses, TipContact *contact, int workers);
+	/// Waits for the step; returns at once if there is none.
+	void wait();
+	/// Time of the last step, summed over all threads.
+	double busy_usec() const { return double(busy_nsec.load()) * 1e-3; }
+	/// The part of it that ran on the main thread.
+	double inline_usec() const { return is_inline ? busy_usec() : 0.0; }
+	/// True between start() and wait().
+	bool is_running() const { return group >= 0 || ticket.batch; }
+	/// Runs a whole step on this thread. For StepBatch.
+	void run();
+
+private:
+	/// The phases of a step, in order. Each is divided among the threads.
+	enum Phase : int { STEP, GATHER, SORT, COUNT, SEPARATE, WRITE, PHASES };
+
+	FieldSimulation *stepped = nullptr;
+	PoseTexture *written = nullptr;
+	TipContact *touching = nullptr;
+	std::vector<int> runs; ///< First pages of the parts that threads take, and the end.
+	std::atomic<int> next_part[PHASES] = {};
+	std::atomic<int> parts_done[PHASES] = {};
+	std::atomic<int64_t> busy_nsec{ 0 };
+	bool is_inline = false;
+	int64_t group = -1; ///< A group task of the engine's worker threads.
+	StepBatch::Ticket ticket; ///< Of a small step.
+	bool is_divided = false;
+
+	int divide();
+	int work_of_step(int due) const;
+	int max_work() const;
+	static void work(void *self, uint32_t worker);
+	int parts_of(int phase) const;
+	void do_part(int phase, int part);
+};
+
+} // namespace undergrowth

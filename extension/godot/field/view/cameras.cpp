@@ -1,0 +1,128 @@
+#include "field/view/cameras.hpp"
+
+#include <godot_cpp/classes/camera3d.hpp>
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/viewport.hpp>
+#include <godot_cpp/classes/world3d.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include "conventions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+using namespace godot;
+
+namespace undergrowth {
+
+/// A camera of any world.
+struct WorldCamera {
+	uint64_t world = 0; ///< Instance id.
+	DrawingCamera camera;
+};
+
+// Of cameras with a perspective picture in the middle. Headsets and other projections have no cone.
+static DrawingCamera describe_camera(const Viewport *viewport, const Camera3D *camera) {
+	static constexpr float MARGIN = 0.12f; // rad: more than NearPlants lets a camera turn.
+	const Transform3D placed = camera->get_camera_transform();
+	DrawingCamera into;
+	into.place = camera->get_global_position();
+	into.forward = -placed.basis.get_column(2).normalized();
+	const Vector2 size = viewport->get_visible_rect().size;
+	if (camera->get_projection() != Camera3D::PROJECTION_PERSPECTIVE ||
+			const_cast<Viewport *>(viewport)->is_using_xr() || size.x <= 0.0f || size.y <= 0.0f ||
+			!into.forward.is_finite()) {
+		return into;
+	}
+	const bool keeps_height = camera->get_keep_aspect_mode() == Camera3D::KEEP_HEIGHT;
+	const float half = std::tan(0.5f * float(camera->get_fov()) * float(PI) / 180.0f);
+	const float aspect = float(size.x / size.y);
+	const float up = keeps_height ? half : half / aspect;
+	const float corner = std::atan(up * std::sqrt(1.0f + aspect * aspect)) + MARGIN;
+	into.has_cone = corner < 0.5f * float(PI);
+	into.cone_cosine = into.has_cone ? std::cos(corner) : -1.0f;
+	return into;
+}
+
+static uint64_t world_of(const Node3D *node) {
+	const Ref<World3D> world = node->get_world_3d();
+	return world.is_valid() ? uint64_t(world->get_instance_id()) : 0;
+}
+
+static std::vector<WorldCamera> find_cameras(SceneTree *tree) {
+	static const StringName &viewport_group = *new StringName("_viewports"); // A group of the engine.
+	std::vector<WorldCamera> cameras;
+	const TypedArray<Node> viewports = tree->get_nodes_in_group(viewport_group);
+	for (int64_t i = 0; i < viewports.size(); i++) {
+		const Viewport *viewport = Object::cast_to<Viewport>(viewports[i]);
+		const Camera3D *camera = viewport ? viewport->get_camera_3d() : nullptr;
+		if (camera && camera->get_global_position().is_finite()) {
+			cameras.push_back({ world_of(camera), describe_camera(viewport, camera) });
+		}
+	}
+	return cameras;
+}
+
+static std::vector<DrawingCamera> cameras_in(const Node3D *node, const std::vector<WorldCamera> &cameras) {
+	const uint64_t world = world_of(node);
+	std::vector<DrawingCamera> positions;
+	for (const WorldCamera &camera : cameras) {
+		if (camera.world == world) {
+			positions.push_back(camera.camera);
+		}
+	}
+	return positions;
+}
+
+static std::vector<Vector3> places_in(const Node3D *node, const std::vector<WorldCamera> &cameras) {
+	std::vector<Vector3> places;
+	for (const DrawingCamera &position : cameras_in(node, cameras)) {
+		places.push_back(position.place);
+	}
+	return places;
+}
+
+std::vector<Vector3> find_camera_positions(const Node3D *node) {
+	return places_in(node, find_cameras(node->get_tree()));
+}
+
+/// All cameras at one moment of each frame.
+class FrameCameras {
+public:
+	const std::vector<WorldCamera> &now(SceneTree *tree) {
+		const uint64_t this_frame = Engine::get_singleton()->get_process_frames();
+		if (frame != this_frame) {
+			frame = this_frame;
+			cameras = find_cameras(tree);
+		}
+		return cameras;
+	}
+
+private:
+	uint64_t frame = UINT64_MAX;
+	std::vector<WorldCamera> cameras;
+};
+
+std::vector<DrawingCamera> find_drawing_cameras(const Node3D *node) {
+	static FrameCameras drawn;
+	return cameras_in(node, drawn.now(node->get_tree()));
+}
+
+SeenDistances find_seen_distances(SceneTree *tree, uint64_t world, const AABB &box) {
+	static FrameCameras of_frame;
+	SeenDistances seen;
+	const float radius = 0.5f * box.size.length();
+	bool is_first = true;
+	for (const WorldCamera &camera : of_frame.now(tree)) {
+		if (camera.world == world) {
+			const float middle = camera.camera.place.distance_to(box.get_center());
+			seen.nearest = is_first ? middle - radius : std::min(seen.nearest, middle - radius);
+			seen.farthest = is_first ? middle + radius : std::max(seen.farthest, middle + radius);
+			is_first = false;
+		}
+	}
+	return seen;
+}
+
+} // namespace undergrowth

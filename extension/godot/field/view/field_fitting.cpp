@@ -1,0 +1,237 @@
+// Chooses the distances of the levels of each species by the error of its outline, and by the triangles that are drawn.
+
+#include "field/view/field_fitting.hpp"
+
+#include "conventions.hpp"
+#include "mesh/form_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr int MAX_TILE_FACTOR = 4;
+static constexpr int MAX_TILE_CUTS = 4;
+// Fractions of the distance at which a level ends. Larger tiles are divided; squares of several tiles are at most this
+// wide.
+static constexpr float MAX_TILE_SHARE = 0.75f;
+static constexpr float MAX_SQUARE_SHARE = 0.6f;
+static constexpr float MIN_MARGIN = 1e-3f; // m.
+
+// Pixels per radian in the middle of a picture of 1080 lines with a vertical angle of view of 75°.
+static constexpr float PIXELS_OF_RADIAN = 703.7f;
+static constexpr float NEAREST = 0.5f; // m: a level that ends nearer is not used.
+static constexpr float MAX_SHARE_OF_NEXT = 0.8f; // A level that begins later than at this share of its end is not used.
+static constexpr float NEAR_END = 16.0f; // m: levels that end farther are drawn in squares.
+static constexpr float MAX_NEAR_PLANTS = 12000.0f; // Within the end of a level that is drawn plant by plant.
+static constexpr int SHADOW_SEGMENTS = 3; // Finer levels cast the shadows of this one.
+static constexpr float NEAR_SHADOWS = 3.0f; // m: where plants of dense species cast them, too.
+static constexpr float MAX_SHADOW_VERTICES = 600.0f; // Per m²; denser species cast the shadows of their last level.
+static constexpr int MIN_SEGMENTS_OF_NEAR = 3; // Coarser levels of plants of parts are drawn in squares.
+
+// Triangles in view of a whole field, if it has this area or more (m²). Above that, levels change nearer than their
+// error alone demands.
+static constexpr float MAX_TRIANGLES = 1.1e6f;
+static constexpr float LARGE_AREA = 400.0f;
+static constexpr float TRIANGLES_OF_VERTEX = 0.85f;
+// Fractions of a full circle: what a camera sees at once of single plants, and of squares.
+static constexpr float SEEN_SHARE = 0.36f;
+static constexpr float SEEN_SHARE_OF_SQUARES = 0.65f;
+static constexpr float SEEN_SHARE_OF_FIELD = 0.75f;
+static constexpr float MAX_COARSENING = 64.0f;
+static constexpr float COARSENED_AT = 10.0f; // m.
+
+// Distances (m) at which levels of plants without parts begin, by segments.
+static float lathe_begin(int segments) {
+	return segments > 12 ? 0.0f : segments >= 8 ? 6.0f : segments >= 5 ? 14.0f : segments >= 3 ? 28.0f : 50.0f;
+}
+
+void fit_tiles(FieldLevel &level, float tile_size, bool is_wider) {
+	const float end = level.end > 0.0f ? level.end : 2.0f * level.begin;
+	level.tile_factor = level.tile_cuts = 1;
+	while (is_wider && level.tile_factor < MAX_TILE_FACTOR &&
+			2.0f * tile_size * float(level.tile_factor) <= MAX_SQUARE_SHARE * end) {
+		level.tile_factor *= 2;
+	}
+	while (end > 0.0f && level.tile_cuts < MAX_TILE_CUTS && tile_size > MAX_TILE_SHARE * end * float(level.tile_cuts)) {
+		level.tile_cuts *= 2;
+	}
+}
+
+// Begins of all levels (m), ascending. Where a plant would be at COARSENED_AT, its error may be `coarser` times as
+// large; nearer ones need fewer vertices in total and keep more of theirs.
+static std::vector<float> begins_of(const FieldRenderSetup &setup, const SpeciesStyle &style, float coarser) {
+	const LevelRule &rule = setup.rule;
+	std::vector<float> begins;
+	for (size_t i = 0; i < setup.levels.size(); i++) {
+		const bool has_error = i < style.errors.size();
+		const float own = has_error
+				? style.errors[i] * style.mean_scale * PIXELS_OF_RADIAN * float(style.detail) / rule.pixel_error
+				: lathe_begin(setup.levels[i].lod);
+		begins.push_back(i == 0 ? 0.0f : own / (1.0f + (coarser - 1.0f) * own / COARSENED_AT) * rule.lod_bias);
+	}
+	for (size_t i = begins.size() - 1; i-- > 0;) {
+		begins[i] = std::min(begins[i], begins[i + 1]);
+	}
+	// A form may be worse than a coarser one, which is used in its place.
+	const auto best = std::min_element(style.errors.begin(), style.errors.end());
+	std::fill(begins.begin(), begins.begin() + (best - style.errors.begin()), 0.0f);
+	if (best != style.errors.end()) {
+		begins[size_t(best - style.errors.begin())] = 0.0f;
+	}
+	return begins;
+}
+
+// Marks the levels that a species uses, and sets their distances.
+static void set_distances(
+		const FieldRenderSetup &setup, const std::vector<float> &begins, std::vector<FieldLevel> &levels) {
+	const LevelRule &rule = setup.rule;
+	float next = rule.range_end;
+	bool is_last = true;
+	for (size_t i = levels.size(); i-- > 0;) {
+		FieldLevel &level = levels[i];
+		const bool is_beyond = rule.range_end > 0.0f && begins[i] >= rule.range_end;
+		const bool is_short = !is_last && (next <= NEAREST || begins[i] >= MAX_SHARE_OF_NEXT * next);
+		level.is_used = i == 0 ? is_last || next > NEAREST : !is_beyond && !is_short;
+		level.begin = level.is_used ? begins[i] : 0.0f;
+		level.end = level.is_used ? next : 0.0f;
+		level.margin = std::max(rule.fade_ratio * level.begin, MIN_MARGIN);
+		level.end_margin = std::max(rule.fade_ratio * level.end, MIN_MARGIN);
+		next = level.is_used ? level.begin : next;
+		is_last = is_last && !level.is_used;
+	}
+	const auto first = std::find_if(levels.begin(), levels.end(), [](const FieldLevel &one) { return one.is_used; });
+	first->begin = 0.0f;
+	first->margin = MIN_MARGIN;
+}
+
+// Chooses the levels that are drawn plant by plant: those with few plants.
+static void set_near(const LevelRule &rule, const SpeciesStyle &style, std::vector<FieldLevel> &levels) {
+	for (FieldLevel &level : levels) {
+		const float around = float(PI) * level.end * level.end;
+		const float plants = style.density * (rule.area > 0.0f ? std::min(around, rule.area) : around);
+		level.is_near = level.is_used && level.lod >= MIN_SEGMENTS_OF_NEAR && level.end > 0.0f &&
+				level.end <= NEAR_END && plants <= MAX_NEAR_PLANTS;
+	}
+}
+
+// The level that casts the shadows of a plant has fewer vertices than the level that is seen: the nearest plants cast
+// those of `near_shadow_level`, and all others those of the level with `casts_for_finer` or of a coarser one.
+static void set_shadows(const LevelRule &rule, SpeciesStyle &style, std::vector<FieldLevel> &levels) {
+	const float shadows_end = rule.shadow_distance * rule.lod_bias;
+	const auto last = std::find_if(levels.rbegin(), levels.rend(), [](const FieldLevel &one) { return one.is_used; });
+	FieldLevel *caster = &*last;
+	const bool is_dense = style.density * float(vertex_budget(SHADOW_SEGMENTS)) > MAX_SHADOW_VERTICES;
+	style.near_shadow_level = -1;
+	style.near_shadow_end = 0.0f;
+	for (size_t i = levels.size(); i-- > 0;) {
+		FieldLevel &level = levels[i];
+		level.casts_for_finer = false;
+		level.shadow_begin = 0.0f;
+		if (level.is_used && level.lod <= SHADOW_SEGMENTS) {
+			caster = is_dense || level.is_near ? caster : &level;
+			style.near_shadow_level = int(i);
+		}
+	}
+	for (FieldLevel &level : levels) {
+		level.casts_shadows = level.is_used && &level >= caster && level.begin < shadows_end;
+	}
+	const bool has_finer = caster->begin > 0.0f;
+	if (!has_finer || shadows_end <= 0.0f || caster->is_near) {
+		style.near_shadow_level = -1;
+		return;
+	}
+	const bool has_near = std::any_of(levels.begin(), levels.end(), [](const FieldLevel &one) { return one.is_near; });
+	if (is_dense && has_near && style.near_shadow_level >= 0 && &levels[size_t(style.near_shadow_level)] != caster) {
+		style.near_shadow_end = std::min({ NEAR_SHADOWS * rule.lod_bias, caster->begin, shadows_end });
+	} else {
+		style.near_shadow_level = -1;
+	}
+	caster->casts_for_finer = true;
+	caster->shadow_begin = style.near_shadow_end;
+}
+
+static std::vector<FieldLevel> fitted(const FieldRenderSetup &setup, SpeciesStyle &style, float coarser) {
+	const LevelRule &rule = setup.rule;
+	std::vector<FieldLevel> levels = setup.levels;
+	set_distances(setup, begins_of(setup, style, coarser), levels);
+	if (!style.errors.empty()) {
+		set_near(rule, style, levels);
+		set_shadows(rule, style, levels);
+	}
+	for (FieldLevel &level : levels) {
+		level.casts_shadows =
+				level.is_used && level.casts_shadows && level.begin < rule.shadow_distance * rule.lod_bias;
+		fit_tiles(level, setup.tile_size, rule.is_wider);
+	}
+	return levels;
+}
+
+// The triangles that a camera in the middle of the field draws of a species, without its last level. Squares are drawn
+// whole, and also nearer than their level begins.
+static float triangles_in_view(
+		const FieldRenderSetup &setup, const SpeciesStyle &style, const std::vector<FieldLevel> &levels) {
+	float sum = 0.0f;
+	for (const FieldLevel &level : levels) {
+		const auto ground = [&](float distance, float seen) {
+			const float around = seen * float(PI) * distance * distance;
+			return setup.rule.area > 0.0f ? std::min(around, SEEN_SHARE_OF_FIELD * setup.rule.area) : around;
+		};
+		if (level.is_used && level.end > 0.0f) {
+			const float share = level.lod_density.density_at(0.5f * (level.begin + level.end));
+			const float from = level.begin - level.margin;
+			const float drawn = level.is_near ? ground(level.end, SEEN_SHARE) - ground(from, SEEN_SHARE)
+											  : ground(level.end, SEEN_SHARE_OF_SQUARES);
+			sum += style.density * share * TRIANGLES_OF_VERTEX * float(vertex_budget(style.segments_at(level))) * drawn;
+		}
+	}
+	return sum;
+}
+
+// The smallest factor of the error with at most this number of triangles, within a tenth.
+static float coarsening_for(const FieldRenderSetup &setup, SpeciesStyle &style, float max) {
+	float coarser = 1.0f;
+	while (coarser < MAX_COARSENING && triangles_in_view(setup, style, fitted(setup, style, coarser)) > max) {
+		coarser *= 1.1f;
+	}
+	return coarser;
+}
+
+void fit_levels(const FieldRenderSetup &setup, SpeciesStyle &style) {
+	style.levels = setup.rule.is_by_error ? fitted(setup, style, 1.0f) : setup.levels;
+}
+
+// Divides the triangles by the square root of the densities. What a species does not need is left for those that need
+// more.
+void fit_levels(FieldRenderSetup &setup) {
+	struct Share {
+		SpeciesStyle *style;
+		float need, weight;
+	};
+	std::vector<Share> shares;
+	float weights = 0.0f;
+	for (SpeciesStyle &style : setup.styles) {
+		fit_levels(setup, style);
+		if (setup.rule.is_by_error && !style.errors.empty() && style.density > 0.0f) {
+			shares.push_back({ &style, triangles_in_view(setup, style, style.levels), std::sqrt(style.density) });
+			weights += shares.back().weight;
+		}
+	}
+	std::stable_sort(shares.begin(), shares.end(),
+			[](const Share &one, const Share &other) { return one.need * other.weight < other.need * one.weight; });
+	const float part = setup.rule.area > 0.0f ? std::min(setup.rule.area / LARGE_AREA, 1.0f) : 1.0f;
+	float left = MAX_TRIANGLES * std::sqrt(part * std::sqrt(part)) * setup.rule.lod_bias * setup.rule.lod_bias;
+	for (const Share &share : shares) {
+		const float max = left * share.weight / weights;
+		if (share.need > max) {
+			share.style->levels = fitted(setup, *share.style, coarsening_for(setup, *share.style, max));
+		}
+		left -= std::min(share.need, max);
+		weights -= share.weight;
+	}
+}
+
+} // namespace undergrowth

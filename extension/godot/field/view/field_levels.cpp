@@ -1,0 +1,165 @@
+// Reads the levels of detail that users set, or the defaults.
+
+#include "field/build/build_input.hpp"
+#include "field/view/field_fitting.hpp"
+
+#include <godot_cpp/classes/project_settings.hpp>
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr float MIN_MARGIN = 1e-3f; // m.
+static constexpr int LEVELS_OF_ALL_VARIANTS = 3; // Of levels by error: where a plant must not change its form.
+static constexpr float MIN_BIAS = 0.01f;
+static constexpr double MIN_PIXEL_ERROR = 0.05;
+
+SightRange sight_range_of(const GeometryInstance3D *node) {
+	return { float(node->get_visibility_range_end()), std::max(float(node->get_lod_bias()), MIN_BIAS) };
+}
+
+String find_level_fault(const ViewOptions &options) {
+	float before = 0.0f;
+	for (int64_t i = 0; i < options.levels.size(); i++) {
+		const Ref<PlantFieldLevel> level = options.levels[i];
+		const String name = "levels[" + String::num_int64(i) + "]";
+		if (level.is_null()) {
+			return name + String(" is empty. Set a PlantFieldLevel there, or remove the entry.");
+		}
+		const float end = float(level->get_end());
+		const bool has_end = end > 0.0f || i + 1 < options.levels.size();
+		if (has_end && end <= before) {
+			return name + String(" ends at ") + String::num(end) +
+					" m, not beyond the one before it. Let each level end farther away than the one before; the last "
+					"alone may end at 0, which is never.";
+		}
+		before = end;
+	}
+	return String();
+}
+
+struct ListedLevel {
+	int segments;
+	float end; // m; 0: never.
+	float share;
+};
+
+// True if the field is built with plants of parts. Added plants do not count.
+static bool has_parts(const PlacementOptions &options) {
+	for (int64_t i = 0; i < options.species.size() && options.density > 0.0; i++) {
+		const Ref<PlantFieldSpecies> entry = options.species[i];
+		if (entry.is_valid() && entry->get_species().is_valid() && entry->get_species()->has_parts()) {
+			return true;
+		}
+	}
+	return false;
+}
+
+// Nominal distances: each species of parts has its own.
+static std::vector<ListedLevel> ladder_by_error() {
+	return { { 24, 1.0f, 1.0f }, { 14, 2.5f, 1.0f }, { 8, 6.0f, 1.0f }, { 5, 14.0f, 1.0f }, { 3, 35.0f, 1.0f },
+		{ 2, 0.0f, 1.0f } };
+}
+
+static std::vector<ListedLevel> list_levels(const FieldProperties &options) {
+	std::vector<ListedLevel> listed;
+	for (int64_t i = 0; i < options.levels.size(); i++) {
+		const Ref<PlantFieldLevel> level = options.levels[i];
+		if (level.is_valid()) {
+			listed.push_back({ level->get_segments(), float(level->get_end()), float(level->get_density()) });
+		}
+	}
+	if (!listed.empty()) {
+		return listed;
+	}
+	if (has_parts(options)) {
+		return ladder_by_error();
+	}
+	return { { 12, 12.0f, 1.0f }, { 6, 25.0f, 1.0f }, { 3, 50.0f, 1.0f }, { 2, 0.0f, 1.0f } };
+}
+
+// A level without end reaches its density at twice the distance at which it begins.
+static LodDensity density_between(const LodDensity *before, float begin, float end, float share) {
+	LodDensity made;
+	made.distances[1] = begin;
+	made.distances[2] = end > begin ? end : 2.0f * begin;
+	made.densities[2] = share;
+	if (before) {
+		made.distances[0] = before->distances[1];
+		made.densities[0] = before->densities[1];
+		made.densities[1] = before->densities[2];
+	} else if (end <= 0.0f) {
+		std::fill(made.densities, made.densities + 3, share);
+	}
+	return made;
+}
+
+// Density by distance of plants of parts. The same at all levels.
+static LodDensity usual_thinning(float lod_bias) {
+	LodDensity made;
+	const float distances[3] = { 8.0f, 22.0f, 60.0f };
+	const float densities[3] = { 1.0f, 0.5f, 0.12f };
+	for (int i = 0; i < 3; i++) {
+		made.distances[i] = distances[i] * lod_bias;
+		made.densities[i] = densities[i];
+	}
+	return made;
+}
+
+static float pixel_error_of(const ViewOptions &options) {
+	static constexpr double PIXELS_OF_THRESHOLD = 2.0;
+	const double usual =
+			ProjectSettings::get_singleton()->get_setting("rendering/mesh_lod/lod_change/threshold_pixels", 1.0);
+	const double wanted = options.pixel_error > 0.0 ? options.pixel_error : PIXELS_OF_THRESHOLD * usual;
+	return float(std::max(wanted, MIN_PIXEL_ERROR));
+}
+
+LevelRule read_level_rule(const FieldProperties &options, const SightRange &range) {
+	LevelRule rule;
+	rule.is_by_error = options.levels.is_empty() && has_parts(options);
+	rule.pixel_error = pixel_error_of(options);
+	rule.lod_bias = range.lod_bias;
+	rule.fade_ratio = float(options.fade_ratio);
+	rule.range_end = range.end;
+	rule.shadow_distance = float(options.shadow_distance);
+	const bool is_rectangle = options.map.is_null() && options.outline.is_empty() && !options.endless;
+	rule.area = is_rectangle ? options.size.x * options.size.y : 0.0f;
+	rule.is_wider = options.view_distance <= 0.0;
+	return rule;
+}
+
+std::vector<FieldLevel> read_levels(const FieldProperties &options, const SightRange &range) {
+	const std::vector<ListedLevel> listed = list_levels(options);
+	const LevelRule rule = read_level_rule(options, range);
+	std::vector<FieldLevel> made;
+	for (size_t i = 0; i < listed.size(); i++) {
+		FieldLevel level;
+		level.lod = listed[i].segments;
+		level.begin = i > 0 ? made.back().end : 0.0f;
+		level.end = listed[i].end * range.lod_bias;
+		const bool is_last =
+				i + 1 == listed.size() || level.end <= level.begin || (range.end > 0.0f && level.end >= range.end);
+		level.lod_density = rule.is_by_error
+				? usual_thinning(range.lod_bias)
+				: density_between(i > 0 ? &made.back().lod_density : nullptr, level.begin, level.end, listed[i].share);
+		level.affects_lathes = !options.levels.is_empty();
+		level.end = is_last ? range.end : level.end;
+		level.margin = std::max(rule.fade_ratio * level.begin, MIN_MARGIN);
+		level.end_margin = std::max(rule.fade_ratio * level.end, MIN_MARGIN);
+		level.halvings = std::max(int(i) - (rule.is_by_error ? LEVELS_OF_ALL_VARIANTS - 1 : 0), 0);
+		level.casts_shadows = level.begin < options.shadow_distance * double(range.lod_bias);
+		// With a view distance, tiles come and go alone.
+		fit_tiles(level, float(options.tile_size), rule.is_wider);
+		made.push_back(level);
+		if (is_last && !rule.is_by_error) {
+			break; // Nothing is visible beyond it.
+		}
+		level.end = rule.is_by_error ? listed[i].end * range.lod_bias : level.end;
+		made.back().end = level.end;
+	}
+	return made;
+}
+
+} // namespace undergrowth

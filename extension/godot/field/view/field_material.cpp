@@ -1,0 +1,79 @@
+#include "field/view/field_material.hpp"
+
+#include "base/new_object.hpp"
+#include "species/shared_resources.hpp"
+
+#include <godot_cpp/classes/base_material3d.hpp>
+#include <godot_cpp/classes/shader.hpp>
+#include <godot_cpp/classes/texture2d.hpp>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static const char *const OWN_PREFIX = "undergrowth_"; // Prefix of parameters that the field sets.
+static const char *const INCLUDE_NAME = "undergrowth_bend.gdshaderinc";
+
+void set_parameter(const Ref<ShaderMaterial> &material, const StringName &name, const Variant &value) {
+	if (material->get_shader_parameter(name) != value) {
+		material->set_shader_parameter(name, value);
+	}
+}
+
+static void take_over(const Ref<BaseMaterial3D> &source, const Ref<ShaderMaterial> &made) {
+	set_parameter(made, "albedo", source->get_albedo());
+	set_parameter(made, "albedo_texture", source->get_texture(BaseMaterial3D::TEXTURE_ALBEDO));
+	set_parameter(made, "vertex_colors", source->get_flag(BaseMaterial3D::FLAG_ALBEDO_FROM_VERTEX_COLOR));
+	set_parameter(made, "vertex_colors_are_srgb", source->get_flag(BaseMaterial3D::FLAG_SRGB_VERTEX_COLOR));
+	set_parameter(made, "roughness", source->get_roughness());
+	set_parameter(made, "metallic", source->get_metallic());
+	set_parameter(made, "specular", source->get_specular());
+	const bool has_backlight = source->get_feature(BaseMaterial3D::FEATURE_BACKLIGHT);
+	set_parameter(made, "backlight", has_backlight ? source->get_backlight() : Color(0.0f, 0.0f, 0.0f));
+}
+
+static void take_over(const Ref<ShaderMaterial> &source, const Ref<ShaderMaterial> &made) {
+	const Ref<Shader> shader = source->get_shader();
+	if (made->get_shader() != shader) {
+		made->set_shader(shader);
+	}
+	const Array uniforms = shader.is_valid() ? shader->get_shader_uniform_list() : Array();
+	for (int64_t i = 0; i < uniforms.size(); i++) {
+		const Dictionary uniform = uniforms[i];
+		const String name = uniform["name"];
+		if (!name.begins_with(OWN_PREFIX)) {
+			set_parameter(made, name, source->get_shader_parameter(name));
+		}
+	}
+}
+
+void follow_material(const Ref<Material> &source, const Ref<ShaderMaterial> &made) {
+	const Ref<ShaderMaterial> own = source;
+	const Ref<BaseMaterial3D> plain = source;
+	if (own.is_valid()) {
+		take_over(own, made);
+	} else if (plain.is_valid()) {
+		take_over(plain, made);
+	}
+}
+
+Ref<ShaderMaterial> make_field_material(const Ref<Material> &source, bool of_parts) {
+	const Ref<ShaderMaterial> own = source;
+	if (own.is_valid()) {
+		return own->duplicate();
+	}
+	Ref<ShaderMaterial> made = new_counted<ShaderMaterial>();
+	made->set_shader(plant_shader(of_parts));
+	const Ref<BaseMaterial3D> plain = source;
+	if (plain.is_valid()) {
+		take_over(plain, made);
+	}
+	return made;
+}
+
+bool bends_in_shader(const Ref<ShaderMaterial> &material) {
+	const Ref<Shader> shader = material->get_shader();
+	return shader.is_valid() && shader->get_code().contains(INCLUDE_NAME);
+}
+
+} // namespace undergrowth

@@ -1,0 +1,255 @@
+#include "field/view/field_materials.hpp"
+
+#include "base/messages.hpp"
+#include "field/build/build_input.hpp"
+#include "field/view/field_material.hpp"
+#include "stem/stem_shape.hpp"
+
+#include <godot_cpp/classes/rendering_server.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr float FARTHEST = 1e9f; // m.
+static constexpr float MIN_MARGIN = 1.0f; // m.
+static constexpr float SHADOW_MARGIN = 0.5f; // m.
+static constexpr float SWINGS_TO = 60.0f; // In plant heights: beyond this distance a leaf sways by less than a pixel.
+static constexpr float SWINGS_WHOLE = 0.75f; // Fraction of that distance up to which leaves sway fully.
+
+static Vector3 vector_of(const float (&numbers)[3]) {
+	return Vector3(numbers[0], numbers[1], numbers[2]);
+}
+
+// Plants without parts have the same width from all directions.
+static Vector2 above_at(const SpeciesStyle &style, size_t level) {
+	return style.has_parts() && level < style.from_above.size() ? style.from_above[level] : Vector2();
+}
+
+Ref<Material> FieldMaterials::source_material(const SpeciesStyle &style) const {
+	const Ref<Material> instead = node->get_material_override();
+	return instead.is_valid() ? instead : style.function->get_material();
+}
+
+void FieldMaterials::make(FieldRenderSetup &setup) const {
+	for (SpeciesStyle &style : setup.styles) {
+		const bool is_new = style.materials.empty();
+		for (size_t i = style.materials.size(); i < setup.levels.size() + 2; i++) { // The last two are for shadows.
+			style.materials.push_back(make_field_material(source_material(style), style.has_parts()));
+		}
+		if (is_new && !style.materials.empty() && !bends_in_shader(style.materials[0])) {
+			report_error(style.function.ptr(),
+					"its material has a shader that does not bend in a PlantField3D. Include "
+					"undergrowth_bend.gdshaderinc, which says how.");
+		}
+	}
+}
+
+void FieldMaterials::hide(const FieldRenderSetup &setup) const {
+	for (const SpeciesStyle &style : setup.styles) {
+		for (const Ref<ShaderMaterial> &material : style.materials) {
+			material->set_shader_parameter("undergrowth_level", Vector4(FARTHEST, FARTHEST, MIN_MARGIN, MIN_MARGIN));
+		}
+	}
+}
+
+void FieldMaterials::bind(FieldRenderSetup &setup, const FieldMotion &motion) {
+	has_sent = is_listed = false;
+	sent_clock = -1.0f;
+	sent_leans.clear();
+	make(setup);
+	for (SpeciesStyle &style : setup.styles) {
+		bind_style(style, motion);
+	}
+}
+
+void FieldMaterials::bind_last(FieldRenderSetup &setup, const FieldMotion &motion) {
+	has_sent = is_listed = false;
+	sent_clock = -1.0f;
+	sent_leans.clear();
+	make(setup);
+	bind_style(setup.styles.back(), motion);
+}
+
+// Returns the level of a material. The last two materials are for the shadows of finer levels.
+static FieldLevel drawn_level(const SpeciesStyle &style, size_t material) {
+	if (material < style.levels.size()) {
+		return style.levels[material];
+	}
+	if (material > style.levels.size()) {
+		FieldLevel near = style.levels[size_t(std::max(style.near_shadow_level, 0))];
+		near.begin = 0.0f;
+		near.end = style.near_shadow_end;
+		near.end_margin = SHADOW_MARGIN;
+		near.is_used = style.near_shadow_level >= 0;
+		return near;
+	}
+	FieldLevel level = *std::find_if(
+			style.levels.begin(), style.levels.end() - 1, [](const FieldLevel &one) { return one.casts_for_finer; });
+	level.begin = style.near_shadow_end;
+	level.margin = SHADOW_MARGIN;
+	return level;
+}
+
+void FieldMaterials::bind_style(const SpeciesStyle &style, const FieldMotion &motion) const {
+	for (size_t i = 0; i < style.materials.size(); i++) {
+		const FieldLevel level = drawn_level(style, i);
+		const float begin = level.begin > 0.0f ? level.begin : -FARTHEST;
+		const float end = level.end > 0.0f ? level.end : FARTHEST;
+		const LodDensity lod_density = level.lod_density_of(style.has_parts());
+		const Ref<ShaderMaterial> &material = style.materials[i];
+		set_parameter(material, "undergrowth_level", Vector4(begin, end, level.margin, level.end_margin));
+		set_parameter(material, "undergrowth_share_ends", vector_of(lod_density.distances));
+		set_parameter(material, "undergrowth_shares", vector_of(lod_density.densities));
+		set_parameter(material, "undergrowth_has_parts", style.has_parts());
+		set_parameter(material, "undergrowth_mean", style.mean);
+		set_parameter(material, "undergrowth_from_above", above_at(style, std::min(i, style.levels.size() - 1)));
+		set_parameter(material, "undergrowth_bends", motion.pose_texture());
+		set_parameter(material, "undergrowth_blends", motion.blend_texture());
+		set_parameter(material, "undergrowth_beats", motion.beat_texture());
+		set_parameter(material, "undergrowth_has_heights", motion.has_heights());
+		set_parameter(material, "undergrowth_axes", axes_of(node).basis.inverse());
+	}
+	send_stem(style);
+}
+
+// Shapes per bend of the tip, not per amplitude: textures contain bends.
+static Array shapes_of(const StemConstants &stem) {
+	Array shapes;
+	for (const float (&shape)[4] : stem.shape) {
+		const float second = stem.modes == 2 ? shape[1] / stem.mode[1].tip_slope : 0.0f;
+		shapes.push_back(Vector4(shape[0] / stem.mode[0].tip_slope, second, shape[2], shape[3]));
+	}
+	return shapes;
+}
+
+void FieldMaterials::send_stem(const SpeciesStyle &style) const {
+	const bool is_stem = style.motion.law == Law::stem;
+	for (const Ref<ShaderMaterial> &material : style.materials) {
+		set_parameter(material, "undergrowth_stem_modes", is_stem ? style.motion.stem.modes : 0);
+		if (is_stem) {
+			set_parameter(material, "undergrowth_stem_shapes", shapes_of(style.motion.stem));
+			set_parameter(material, "undergrowth_stem_share", first_share(style.motion.stem));
+		}
+	}
+}
+
+void FieldMaterials::send_stems(const FieldRenderSetup &setup) {
+	is_listed = false;
+	for (const SpeciesStyle &style : setup.styles) {
+		send_stem(style);
+	}
+}
+
+void FieldMaterials::send_axes(const FieldRenderSetup &setup) const {
+	const Basis to_field = axes_of(node).basis.inverse();
+	for (const SpeciesStyle &style : setup.styles) {
+		for (const Ref<ShaderMaterial> &material : style.materials) {
+			set_parameter(material, "undergrowth_axes", to_field);
+		}
+	}
+}
+
+void FieldMaterials::release(FieldRenderSetup &setup, std::vector<std::vector<Ref<ShaderMaterial>>> &old) {
+	is_listed = false;
+	for (SpeciesStyle &style : setup.styles) {
+		old.push_back(std::move(style.materials));
+		style.materials.clear();
+		style.take_material();
+	}
+}
+
+void FieldMaterials::follow(const FieldRenderSetup &setup) {
+	if (setup.styles.empty()) {
+		return;
+	}
+	followed_style = (followed_style + 1) % setup.styles.size();
+	const SpeciesStyle &style = setup.styles[followed_style];
+	for (const Ref<ShaderMaterial> &material : style.materials) {
+		follow_material(source_material(style), material);
+	}
+}
+
+void FieldMaterials::list_swinging(const FieldRenderSetup &setup) {
+	is_listed = true;
+	sent_clock = -1.0f;
+	swinging.clear();
+	for (const SpeciesStyle &style : setup.styles) {
+		const float end = style.motion.longest * SWINGS_TO;
+		for (size_t i = 0; style.motion.has_parts && i < style.materials.size(); i++) {
+			const FieldLevel level = drawn_level(style, i);
+			const float nearest = level.begin - level.margin;
+			const float farthest = level.end > 0.0f ? level.end + level.end_margin : std::numeric_limits<float>::max();
+			if (level.is_used && nearest < end) {
+				swinging.push_back({ style.materials[i]->get_rid(), nearest, farthest, end * SWINGS_WHOLE, end });
+			}
+		}
+	}
+}
+
+// Sets the parameter in the renderer only: a material's own copy of it would cost more than everything else here.
+void FieldMaterials::send_swing_clock(
+		const FieldRenderSetup &setup, const FieldMotion &motion, const SeenDistances &seen) {
+	if (!is_listed) {
+		list_swinging(setup);
+	}
+	const float clock = motion.swing_clock();
+	if (clock == sent_clock && seen.nearest == sent_seen.nearest && seen.farthest == sent_seen.farthest) {
+		return;
+	}
+	sent_clock = clock;
+	sent_seen = seen;
+	static const StringName &swing = *new StringName("undergrowth_swing");
+	RenderingServer *server = RenderingServer::get_singleton();
+	for (const Swinging &one : swinging) {
+		if (seen.nearest < one.end && one.nearest <= seen.farthest && one.farthest >= seen.nearest) {
+			server->material_set_param(one.material, swing, Vector3(clock, one.whole, one.end));
+		}
+	}
+}
+
+void FieldMaterials::send_leans(const FieldRenderSetup &setup, const FieldMotion &motion) {
+	static constexpr float VISIBLE = 0.004f; // A brightness of less than 1 %.
+	sent_leans.resize(setup.styles.size(), -1.0f);
+	for (size_t i = 0; i < setup.styles.size(); i++) {
+		const float lean = motion.mean_lean(int(i));
+		if (sent_leans[i] >= 0.0f && std::abs(lean - sent_leans[i]) < VISIBLE) {
+			continue;
+		}
+		sent_leans[i] = lean;
+		for (const Ref<ShaderMaterial> &material : setup.styles[i].materials) {
+			material->set_shader_parameter("undergrowth_mean_lean", lean);
+		}
+	}
+}
+
+void FieldMaterials::send_followers(const FieldRenderSetup &setup, const FieldMotion &motion, const Transform3D &axes) {
+	if (!motion.follows_prototypes()) {
+		return;
+	}
+	const FieldMotion::Delays delays = motion.follower_delays(axes);
+	const bool are_same =
+			has_sent && delays.after == sent.after && delays.before == sent.before && delays.share == sent.share;
+	sent = delays;
+	has_sent = true;
+	static const StringName &history_name = *new StringName("undergrowth_history");
+	RenderingServer *server = RenderingServer::get_singleton();
+	for (size_t i = 0; i < setup.styles.size(); i++) {
+		const Vector4 history = motion.history_of(int(i));
+		for (const Ref<ShaderMaterial> &material : setup.styles[i].materials) {
+			server->material_set_param(material->get_rid(), history_name, history);
+			if (are_same) {
+				continue;
+			}
+			material->set_shader_parameter("undergrowth_delay", delays.after);
+			material->set_shader_parameter("undergrowth_delay_before", delays.before);
+			material->set_shader_parameter("undergrowth_delay_share", delays.share);
+		}
+	}
+}
+
+} // namespace undergrowth

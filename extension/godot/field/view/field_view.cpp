@@ -1,0 +1,382 @@
+#include "field/view/field_view.hpp"
+
+#include "base/bounded_whole.hpp"
+
+#include <godot_cpp/classes/rendering_server.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr float CAMERA_STEP = 0.25f; // m that a camera moves before plants are counted again.
+static constexpr float RANK_ERROR = 1e-3f; // Rounding error of ranks, which are half floats in the shader.
+
+template <class Act> void FieldView::for_each(Act &&act) const {
+	RenderingServer *server = RenderingServer::get_singleton();
+	for (const bool is_shown : { true, false }) {
+		const Levels &own = is_shown ? levels : prepared_levels;
+		for (const auto &[place, group] : is_shown ? batches : prepared) {
+			for (const Batch &batch : group) {
+				if (!batch.near) {
+					act(server, own[size_t(batch.species)][size_t(place.level)], batch);
+				}
+			}
+		}
+	}
+}
+
+FieldView::~FieldView() {
+	if (RenderingServer::get_singleton()) {
+		move_all(batches, gone);
+		move_all(prepared, gone);
+		std::for_each(leaving.begin(), leaving.end(), &FieldView::free_batch);
+		std::for_each(gone.begin(), gone.end(), &FieldView::free_batch);
+	}
+}
+
+// The engine measures in world units, from the middle of the box. The shader measures to the root of each plant.
+void FieldView::set_range(const Batch &batch, const FieldLevel &level) const {
+	const float radius = batch.radius * largest_scale;
+	const float begin = std::max(level.begin - radius - level.margin, 0.0f);
+	const float end = level.end > 0.0f ? level.end + radius : 0.0f;
+	RenderingServer *server = RenderingServer::get_singleton();
+	server->instance_geometry_set_visibility_range(
+			batch.instance, begin, end, 0.0f, 0.0f, RenderingServer::VISIBILITY_RANGE_FADE_DISABLED);
+	if (batch.shadow.is_valid()) { // Where the level itself casts no shadow, finer ones do.
+		const float own_end = level.casts_shadows ? end : level.begin + radius;
+		const float own_begin = std::max(level.shadow_begin - radius, 0.0f);
+		server->instance_geometry_set_visibility_range(
+				batch.shadow, own_begin, own_end, 0.0f, 0.0f, RenderingServer::VISIBILITY_RANGE_FADE_DISABLED);
+	}
+}
+
+void FieldView::apply_flags(const Batch &batch, const FieldLevel &level) const {
+	RenderingServer *server = RenderingServer::get_singleton();
+	server->instance_set_layer_mask(batch.instance, render_flags.layers);
+	server->instance_geometry_set_transparency(batch.instance, render_flags.transparency);
+	server->instance_geometry_set_cast_shadows_setting(batch.instance,
+			render_flags.casts_shadows && level.casts_shadows && !level.casts_for_finer
+					? RenderingServer::SHADOW_CASTING_SETTING_ON
+					: RenderingServer::SHADOW_CASTING_SETTING_OFF);
+	if (batch.shadow.is_valid()) {
+		server->instance_set_layer_mask(batch.shadow, render_flags.layers);
+		set_visible(batch, is_visible && batch.is_revealed);
+	}
+}
+
+FieldView::Batch FieldView::make(const FieldRenderSetup &setup, const BatchPlan &plan) const {
+	RenderingServer *server = RenderingServer::get_singleton();
+	const SpeciesStyle &style = setup.styles[size_t(plan.species)];
+	const FieldLevel &level = style.levels[size_t(plan.place.level)];
+	Batch batch;
+	batch.species = plan.species;
+	batch.count = plan.count;
+	batch.has_parts = style.has_parts();
+	batch.kept = plan.kept;
+	batch.roots = plan.roots;
+	batch.middle = plan.box.get_center();
+	batch.radius = 0.5f * plan.roots.size.length() + batch.middle.distance_to(plan.roots.get_center());
+	batch.near = plan.near;
+	if (batch.near) {
+		return batch;
+	}
+	batch.multimesh = server->multimesh_create();
+	server->multimesh_allocate_data(
+			batch.multimesh, plan.count, RenderingServer::MULTIMESH_TRANSFORM_3D, setup.needs_colors, true, false);
+	server->multimesh_set_mesh(batch.multimesh, style.meshes[size_t(plan.place.level)][size_t(plan.group)]->get_rid());
+	server->multimesh_set_custom_aabb(batch.multimesh, plan.box);
+	server->multimesh_set_buffer(batch.multimesh, plan.buffer);
+	batch.instance = server->instance_create2(batch.multimesh, world);
+	server->instance_attach_object_instance_id(batch.instance, owner);
+	server->instance_set_transform(batch.instance, placed);
+	server->instance_set_visible(batch.instance, false);
+	server->instance_geometry_set_material_override(
+			batch.instance, style.materials[size_t(plan.place.level)]->get_rid());
+	if (level.casts_for_finer) {
+		batch.shadow = server->instance_create2(batch.multimesh, world);
+		server->instance_attach_object_instance_id(batch.shadow, owner);
+		server->instance_set_transform(batch.shadow, placed);
+		server->instance_set_visible(batch.shadow, false);
+		server->instance_geometry_set_material_override(batch.shadow, style.materials[style.levels.size()]->get_rid());
+		server->instance_geometry_set_cast_shadows_setting(
+				batch.shadow, RenderingServer::SHADOW_CASTING_SETTING_SHADOWS_ONLY);
+	}
+	if (!level.casts_shadows || level.casts_for_finer ||
+			!(render_flags == InstanceRenderFlags())) { // New instances have these defaults.
+		apply_flags(batch, level);
+	}
+	set_range(batch, level);
+	return batch;
+}
+
+void FieldView::set_visible(const Batch &batch, bool visible) const {
+	if (!batch.near) {
+		RenderingServer::get_singleton()->instance_set_visible(batch.instance, visible);
+	}
+	if (batch.shadow.is_valid()) {
+		RenderingServer::get_singleton()->instance_set_visible(batch.shadow, visible && render_flags.casts_shadows);
+	}
+}
+
+FieldView::Levels FieldView::levels_of(const FieldRenderSetup &setup) {
+	Levels all;
+	for (const SpeciesStyle &style : setup.styles) {
+		all.push_back(style.levels);
+	}
+	return all;
+}
+
+// Passes the present squares of single plants to `near`.
+void FieldView::place_near() {
+	std::vector<std::shared_ptr<NearSquare>> squares;
+	for (const auto &[place, group] : batches) {
+		for (const Batch &batch : group) {
+			if (batch.near) {
+				squares.push_back(batch.near);
+			}
+		}
+	}
+	near.set_squares(std::move(squares));
+	has_other_near = false;
+}
+
+void FieldView::show(const FieldRenderSetup &setup, const std::vector<BatchPlan> &plans) {
+	levels = levels_of(setup);
+	is_culled = false;
+	near.bind(setup);
+	for (const BatchPlan &plan : plans) {
+		std::vector<Batch> &there = batches[plan.place];
+		there.push_back(make(setup, plan));
+		reveal(there.back());
+		has_other_near = has_other_near || plan.near;
+	}
+}
+
+void FieldView::show_added(const FieldRenderSetup &setup, const FieldMotion &motion, const PlantStore &store,
+		const std::set<TileKey> &tiles) {
+	for (int level = 0; level < int(setup.levels.size()); level++) {
+		const int factor = setup.levels[size_t(level)].tile_factor;
+		std::set<TileKey> places;
+		for (const TileKey &tile : tiles) {
+			places.insert(wider_tile(tile, factor));
+		}
+		std::vector<DrawnChunk> members;
+		for (const auto &[column, row] : places) {
+			clear(BatchKey{ true, level, factor, { column, row } });
+			for (int i = 0; i < factor * factor; i++) {
+				for (const int number : store.chunks_of({ column * factor + i % factor, row * factor + i / factor })) {
+					if (store.chunk(number).is_added) {
+						members.push_back({ motion.texels(number), &store.chunk(number) });
+					}
+				}
+			}
+		}
+		show(setup, plan_level(setup, members, level));
+	}
+}
+
+void FieldView::show_all_added(const FieldRenderSetup &setup, const FieldMotion &motion, const PlantStore &store) {
+	std::vector<DrawnChunk> added;
+	for (int number = 0; number < store.chunk_count(); number++) {
+		if (store.chunk(number).is_added) {
+			added.push_back({ motion.texels(number), &store.chunk(number) });
+		}
+	}
+	show(setup, plan_batches(setup, added));
+}
+
+void FieldView::drop_new_chunk(int number) {
+	const auto known = new_chunks.find(number);
+	if (known != new_chunks.end()) {
+		for (int level = 0; level < level_count(); level++) {
+			clear(BatchKey{ false, level, 1, known->second, number });
+		}
+		new_chunks.erase(known);
+	}
+}
+
+void FieldView::show_new_chunk(
+		const FieldRenderSetup &setup, const TileKey &tile, int number, const std::vector<BatchPlan> &plans) {
+	drop_new_chunk(number);
+	new_chunks[number] = tile;
+	show(setup, plans);
+}
+
+void FieldView::update_levels(const FieldRenderSetup &setup) {
+	levels = levels_of(setup);
+	is_culled = false;
+	near.bind(setup);
+	for (const auto &[place, group] : batches) {
+		for (const Batch &batch : group) {
+			if (!batch.near) {
+				set_range(batch, level_of(place, batch));
+				apply_flags(batch, level_of(place, batch));
+			}
+		}
+	}
+}
+
+void FieldView::set_scenario(const RID &scenario) {
+	world = scenario;
+	free_some(0.0, true);
+	for_each([&](RenderingServer *server, const FieldLevel &, const Batch &batch) {
+		server->instance_set_scenario(batch.instance, world);
+		if (batch.shadow.is_valid()) {
+			server->instance_set_scenario(batch.shadow, world);
+		}
+	});
+	near.set_scenario(world);
+}
+
+void FieldView::set_transform(const Transform3D &transform) {
+	if (!transform.is_finite()) {
+		return; // The engine would report an error for each multimesh.
+	}
+	placed = transform;
+	is_culled = false;
+	const Vector3 scale = transform.basis.get_scale().abs();
+	const float largest = std::max({ scale.x, scale.y, scale.z });
+	const bool is_scaled_anew = largest != largest_scale;
+	largest_scale = largest;
+	for_each([&](RenderingServer *server, const FieldLevel &level, const Batch &batch) {
+		server->instance_set_transform(batch.instance, placed);
+		if (batch.shadow.is_valid()) {
+			server->instance_set_transform(batch.shadow, placed);
+		}
+		if (is_scaled_anew) {
+			set_range(batch, level);
+		}
+	});
+	near.set_transform(placed);
+}
+
+void FieldView::set_visible(bool visible) {
+	is_visible = visible;
+	for_each([this, visible](RenderingServer *, const FieldLevel &, const Batch &batch) {
+		if (batch.is_revealed) {
+			set_visible(batch, visible);
+		}
+	});
+	near.set_visible(visible);
+}
+
+void FieldView::set_flags(const InstanceRenderFlags &flags) {
+	render_flags = flags;
+	for_each([&](RenderingServer *, const FieldLevel &level, const Batch &batch) { apply_flags(batch, level); });
+	near.apply_flags(render_flags);
+}
+
+void FieldView::set_materials(const FieldRenderSetup &setup) {
+	RenderingServer *server = RenderingServer::get_singleton();
+	near.bind(setup);
+	for (const auto &[place, group] : batches) {
+		for (const Batch &batch : group) {
+			if (!batch.near) {
+				wear_material(server, setup, place, batch);
+			}
+		}
+	}
+}
+
+void FieldView::wear_material(
+		RenderingServer *server, const FieldRenderSetup &setup, const BatchKey &place, const Batch &batch) {
+	const SpeciesStyle &style = setup.styles[size_t(batch.species)];
+	server->instance_geometry_set_material_override(batch.instance, style.materials[size_t(place.level)]->get_rid());
+	if (batch.shadow.is_valid()) {
+		server->instance_geometry_set_material_override(batch.shadow, style.materials[style.levels.size()]->get_rid());
+	}
+}
+
+static AABB box_around(const Transform3D &axes, const AABB &box) {
+	const Vector3 half = 0.5f * box.size;
+	Vector3 reach;
+	for (int i = 0; i < 3; i++) {
+		reach[i] = axes.basis.rows[i].abs().dot(half);
+	}
+	return AABB(axes.xform(box.get_center()) - reach, 2.0f * reach);
+}
+
+// The world-aligned box contains the turned one. The distance is never too large, so no plant disappears too early.
+int FieldView::steps_for(const FieldLevel &level, const Batch &batch, const std::vector<DrawingCamera> &cameras) const {
+	const LodDensity lod_density = level.lod_density_of(batch.has_parts);
+	if (cameras.empty() || !lod_density.is_any()) {
+		return RANK_STEPS;
+	}
+	const AABB box = box_around(placed, batch.roots);
+	float nearest = std::numeric_limits<float>::max();
+	for (const DrawingCamera &camera : cameras) {
+		const Vector3 &place = camera.place;
+		nearest = std::min(nearest, float(place.distance_to(place.clamp(box.position, box.get_end()))));
+	}
+	const float min = batch.shadow.is_valid() ? 0.0f : level.begin - level.margin;
+	const float cut = lod_density.cut_at(std::max(nearest - CAMERA_STEP, min));
+	return bounded_whole(std::ceil((cut + RANK_ERROR) * RANK_STEPS), 0, RANK_STEPS);
+}
+
+bool FieldView::culls() const {
+	const auto is_thinned_level = [](const FieldLevel &level) { return level.is_near || level.lod_density.is_any(); };
+	return std::any_of(levels.begin(), levels.end(), [&](const std::vector<FieldLevel> &of_look) {
+		return std::any_of(of_look.begin(), of_look.end(), is_thinned_level);
+	});
+}
+
+void FieldView::cull(const std::vector<DrawingCamera> &cameras) {
+	if (has_other_near) {
+		place_near();
+	}
+	near.update(cameras);
+	const auto is_near = [](const DrawingCamera &one, const DrawingCamera &other) {
+		return one.place.distance_to(other.place) < CAMERA_STEP;
+	};
+	if (is_culled && std::equal(cameras.begin(), cameras.end(), culled_for.begin(), culled_for.end(), is_near)) {
+		return;
+	}
+	is_culled = true;
+	culled_for = cameras;
+	RenderingServer *server = RenderingServer::get_singleton();
+	for (auto &[place, group] : batches) {
+		for (Batch &batch : group) {
+			if (batch.near) {
+				continue;
+			}
+			const int steps = steps_for(level_of(place, batch), batch, cameras);
+			if (steps != batch.shown) {
+				batch.shown = steps;
+				// Renderers need at least one instance; the shader does not draw it.
+				server->multimesh_set_visible_instances(batch.multimesh, std::max(batch.kept[size_t(steps)], 1));
+			}
+		}
+	}
+}
+
+std::vector<int> FieldView::count_drawn(const FieldRenderSetup &setup, const Vector3 &camera) const {
+	std::vector<int> drawn(setup.levels.size(), 0);
+	DrawingCamera seen_from;
+	seen_from.place = camera;
+	for (const auto &[place, group] : batches) {
+		for (const Batch &batch : group) {
+			if (batch.near) {
+				const std::vector<FieldLevel> &of_look = levels[size_t(batch.species)];
+				for (size_t i = 0; i < of_look.size(); i++) {
+					drawn[i] += of_look[i].is_near
+							? batch.near->count_within(placed.affine_inverse().xform(camera), of_look[i])
+							: 0;
+				}
+				continue;
+			}
+			const FieldLevel &level = level_of(place, batch);
+			const float away = placed.xform(batch.middle).distance_to(camera);
+			const float radius = batch.radius * largest_scale;
+			if (away >= level.begin - radius && (level.end <= 0.0f || away < level.end + radius)) {
+				drawn[size_t(place.level)] += batch.kept[size_t(steps_for(level, batch, { seen_from }))];
+			}
+		}
+	}
+	return drawn;
+}
+
+} // namespace undergrowth

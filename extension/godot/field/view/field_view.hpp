@@ -1,0 +1,215 @@
+#pragma once
+
+#include "field/motion/field_motion.hpp"
+#include "field/view/field_render_setup.hpp"
+#include "field/view/near_plants.hpp"
+#include "placement/plant_store.hpp"
+
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/variant/packed_float32_array.hpp>
+#include <godot_cpp/variant/rid.hpp>
+#include <godot_cpp/variant/transform3d.hpp>
+
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <vector>
+
+namespace undergrowth {
+
+/// A square of the ground at one level of detail: one or more tiles wide, or a part of a tile. Plants that code added
+/// have their own multimeshes, and so has each chunk of new plants. So the multimeshes of generated plants do not
+/// change.
+struct BatchKey {
+	bool is_added;
+	int level;
+	int factor; ///< Width in tiles.
+	TileKey tile; ///< Of wider_tile() for that factor.
+	int new_chunk = -1; ///< Number of a chunk of new plants, or -1.
+	int part = -1; ///< Index of the part of a divided tile, or -1.
+
+	bool operator<(const BatchKey &other) const {
+		return std::tie(is_added, level, factor, tile, new_chunk, part) <
+				std::tie(other.is_added, other.level, other.factor, other.tile, other.new_chunk, other.part);
+	}
+	/// True if only the part differs.
+	bool is_beside(const BatchKey &other) const {
+		return std::tie(is_added, level, factor, tile, new_chunk) ==
+				std::tie(other.is_added, other.level, other.factor, other.tile, other.new_chunk);
+	}
+};
+
+/// Number of steps of rank in which a multimesh's plants are counted.
+constexpr int RANK_STEPS = 32;
+using RankCounts = std::array<int, RANK_STEPS + 1>;
+/// Largest factor by which the shader widens plants (undergrowth_width.gdshaderinc).
+constexpr float MAX_WIDENING = 3.0f;
+
+/// The data of one multimesh: plants of one square with one mesh, sorted by rank.
+struct BatchPlan {
+	BatchKey place;
+	int species = 0;
+	int group = 0; ///< Index of the mesh among those of the species at its level.
+	int count = 0;
+	int stride = 0; ///< Floats per plant.
+	RankCounts kept = {}; ///< Number of plants with a rank of at most i / RANK_STEPS.
+	godot::PackedFloat32Array buffer;
+	godot::AABB box; ///< Covers the largest deflection.
+	godot::AABB roots; ///< Bounding box of the roots.
+	std::shared_ptr<NearSquare> near; ///< Instead of the buffer, for levels that are drawn plant by plant.
+};
+
+/// A chunk to be drawn.
+struct DrawnChunk {
+	PoseTexels texels;
+	const PlantChunk *chunk;
+	int new_chunk = -1; ///< Number of a chunk of new plants, or -1.
+};
+
+/// Plans the multimeshes of some chunks at all levels. On any thread.
+std::vector<BatchPlan> plan_batches(const FieldRenderSetup &setup, const std::vector<DrawnChunk> &chunks);
+/// The same at one level of detail.
+std::vector<BatchPlan> plan_level(const FieldRenderSetup &setup, const std::vector<DrawnChunk> &chunks, int level);
+
+/// The multimeshes of a field, one for each level, square, species and mesh. Transforms never change: the motion's
+/// textures contain what moves, and each instance has the number of its texel. The texel also hides a removed plant.
+/// Main thread.
+class FieldView {
+public:
+	FieldView() = default;
+	~FieldView();
+	FieldView(const FieldView &) = delete;
+	FieldView &operator=(const FieldView &) = delete;
+
+	/// Creates the multimesh of a plan, for exchange() or show_tile() with the same setup.
+	void prepare(const FieldRenderSetup &setup, const BatchPlan &plan);
+	/// Discards all prepared multimeshes.
+	void forget_prepared();
+	/// Passes prepared multimeshes to the renderer for about `usec`, while their materials draw nothing. All of them in
+	/// one frame would take longer than everything else in it. Returns false if none is left.
+	bool reveal_some(double usec);
+	/// Shows all prepared multimeshes, of this setup, instead of all others. The materials of the old ones draw nothing
+	/// from now on.
+	void exchange(const FieldRenderSetup &setup);
+	/// Hides and frees replaced multimeshes, for about `usec`; `hides_all`: hides all of them now. Returns false if
+	/// none is left.
+	bool free_some(double usec, bool hides_all = false);
+
+	/// Shows these plans in addition.
+	void show(const FieldRenderSetup &setup, const std::vector<BatchPlan> &plans);
+	/// Rebuilds the multimeshes of added plants in these tiles, where a chunk grew or was dropped.
+	void show_added(const FieldRenderSetup &setup, const FieldMotion &motion, const PlantStore &store,
+			const std::set<TileKey> &tiles);
+	/// The same for all added plants.
+	void show_all_added(const FieldRenderSetup &setup, const FieldMotion &motion, const PlantStore &store);
+
+	/// Shows the plans of a chunk of new plants instead of its previous ones.
+	void show_new_chunk(
+			const FieldRenderSetup &setup, const TileKey &tile, int number, const std::vector<BatchPlan> &plans);
+
+	/// Hides the generated plants of a tile, except those in wider squares and in chunks of new plants.
+	void drop_tile(const TileKey &tile);
+	/// Call after drop_tile(): shows the prepared multimeshes of this tile, with the present materials, distances and
+	/// shadows of `setup`. Levels and species must be those of prepare().
+	void show_tile(const FieldRenderSetup &setup, const TileKey &tile);
+	/// Discards the prepared multimeshes of a tile.
+	void forget_tile(const TileKey &tile);
+
+	/// Removes the multimeshes of a chunk of new plants.
+	void drop_new_chunk(int number);
+
+	/// Applies changed distances of levels, or shadows. The number of levels and their meshes are unchanged.
+	void update_levels(const FieldRenderSetup &setup);
+	/// Scenario of the world to draw in, or an invalid RID.
+	void set_scenario(const godot::RID &scenario);
+	void set_transform(const godot::Transform3D &transform);
+	void set_visible(bool visible);
+	void set_flags(const InstanceRenderFlags &flags);
+	/// Call before a frame is drawn: draws of each multimesh only what the nearest camera of `cameras` (world axes)
+	/// shows. No cameras: draws everything. The cost depends on the number of multimeshes, and only after a camera
+	/// moved.
+	void cull(const std::vector<DrawingCamera> &cameras);
+	/// Call before a frame is drawn.
+	void note_drawing() { has_unflushed = false; }
+	/// Call once per frame. If no frame was drawn, as in a headless process, the renderer processes the new multimeshes
+	/// now. Without it the renderer would process everything ever shown as soon as one is freed.
+	void flush_if_undrawn();
+	/// True if cull() has an effect.
+	bool culls() const;
+	/// Applies the new materials of `setup`.
+	void set_materials(const FieldRenderSetup &setup);
+	/// Sets the owner of the instances, which the editor selects by rays.
+	void set_owner(uint64_t object) {
+		owner = object;
+		near.set_owner(object);
+	}
+
+	/// Number of plants that a camera at `camera` (world axes) shows at each level.
+	std::vector<int> count_drawn(const FieldRenderSetup &setup, const godot::Vector3 &camera) const;
+
+private:
+	struct Batch {
+		godot::RID multimesh;
+		godot::RID instance;
+		int species = 0;
+		int count = 0;
+		bool has_parts = false;
+		RankCounts kept;
+		godot::AABB roots; ///< Field axes, m.
+		godot::Vector3 middle; ///< Centre of the drawn box, to which the engine measures distances.
+		float radius = 0.0f; ///< m, largest distance of a root from `middle`.
+		godot::RID shadow; ///< Instance that casts the shadows of finer levels; invalid: none.
+		std::shared_ptr<NearSquare> near; ///< Without a multimesh: NearPlants draws them.
+		int shown = RANK_STEPS; ///< Highest drawn rank, times RANK_STEPS.
+		bool is_revealed = false; ///< The renderer has it, even if its materials draw nothing.
+	};
+
+	using Batches = std::map<BatchKey, std::vector<Batch>>;
+
+	Batches batches;
+	Batches prepared; ///< Not drawn yet.
+	std::vector<Batch> leaving; ///< Replaced: materials draw nothing, and the instances are not hidden yet.
+	std::vector<Batch> gone; ///< Hidden, not freed yet.
+	std::map<int, TileKey> new_chunks; ///< Tiles by the number of a drawn chunk of new plants.
+	using Levels = std::vector<std::vector<FieldLevel>>; ///< By species.
+	Levels levels; ///< As last shown.
+	Levels prepared_levels;
+	NearPlants near;
+	bool has_other_near = false; ///< Squares of `near` came or went.
+	std::optional<BatchKey> next_revealed; ///< Next square for reveal_some(). Empty: the first one.
+	godot::RID world; ///< Its scenario.
+	godot::Transform3D placed;
+	float largest_scale = 1.0f; ///< Of the field's axes.
+	bool is_visible = true;
+	bool has_unflushed = false; ///< Multimeshes were shown since the last drawn frame.
+	InstanceRenderFlags render_flags;
+	uint64_t owner = 0;
+	std::vector<DrawingCamera> culled_for; ///< Cameras of the last cull().
+	bool is_culled = false; ///< False: something changed since.
+
+	Batch make(const FieldRenderSetup &setup, const BatchPlan &plan) const;
+	void reveal(Batch &batch);
+	void set_visible(const Batch &batch, bool visible) const;
+	static void wear_material(
+			godot::RenderingServer *server, const FieldRenderSetup &setup, const BatchKey &place, const Batch &batch);
+	int level_count() const { return levels.empty() ? 0 : int(levels.front().size()); }
+	static void free_batch(const Batch &batch);
+	static void move_all(Batches &from, std::vector<Batch> &into);
+	void clear(const BatchKey &place);
+	static bool has_near(const std::vector<Batch> &group);
+	template <class Act> static void take_parts(Batches &from, const BatchKey &place, const Act &act);
+	void set_range(const Batch &batch, const FieldLevel &level) const;
+	void apply_flags(const Batch &batch, const FieldLevel &level) const;
+	int steps_for(const FieldLevel &level, const Batch &batch, const std::vector<DrawingCamera> &cameras) const;
+	static Levels levels_of(const FieldRenderSetup &setup);
+	const FieldLevel &level_of(const BatchKey &place, const Batch &batch) const {
+		return levels[size_t(batch.species)][size_t(place.level)];
+	}
+	void place_near();
+	/// Calls act(server, level, batch) for all multimeshes, prepared ones included.
+	template <class Act> void for_each(Act &&act) const;
+};
+
+} // namespace undergrowth

@@ -1,0 +1,154 @@
+#pragma once
+
+#include "motion/motion_page.hpp"
+#include "placement/lod_density.hpp"
+#include "placement/plants.hpp"
+#include "species/plant_function.hpp"
+#include "species/shared_mesh.hpp"
+
+#include <godot_cpp/classes/shader_material.hpp>
+
+#include <optional>
+#include <tuple>
+#include <vector>
+
+namespace undergrowth {
+
+/// One level of detail of a field.
+struct FieldLevel {
+	int lod = 12; ///< Vertical segments.
+	float begin = 0.0f; ///< Distance from the camera (m).
+	float end = 0.0f; ///< m; 0: no end.
+	float margin = 2.0f; ///< Length of the transition from the previous level (m), > 0.
+	float end_margin = 2.0f; ///< Length of the transition to the next level (m), > 0.
+	int halvings = 0; ///< How often the number of variants is halved.
+	bool is_used = true; ///< False: the species skips this level.
+	bool is_near = false; ///< True: its plants are drawn one by one around the cameras (NearPlants), not in squares.
+	int tile_factor = 1; ///< Width of its multimeshes, in tiles.
+	int tile_cuts = 1; ///< Number of multimeshes along a tile's side. tile_factor or tile_cuts is 1.
+	LodDensity lod_density;
+	bool affects_lathes = false; ///< True: thins all plants. False: only plants of parts.
+	bool casts_shadows = true;
+	float shadow_begin = 0.0f; ///< m: where it begins to cast the shadows of finer levels.
+	bool casts_for_finer = false; ///< True: its plants also cast the shadows of all finer levels.
+
+	bool operator==(const FieldLevel &other) const {
+		return std::tie(lod, begin, end, margin, end_margin, tile_factor, tile_cuts, affects_lathes, casts_shadows,
+					   shadow_begin) ==
+				std::tie(other.lod, other.begin, other.end, other.margin, other.end_margin, other.tile_factor,
+						other.tile_cuts, other.affects_lathes, other.casts_shadows, other.shadow_begin) &&
+				lod_density == other.lod_density && has_form_of(other);
+	}
+	/// True if both are drawn with the same meshes and multimeshes.
+	bool has_form_of(const FieldLevel &other) const {
+		return std::tie(lod, halvings, is_used, is_near, casts_for_finer) ==
+				std::tie(other.lod, other.halvings, other.is_used, other.is_near, other.casts_for_finer);
+	}
+	/// Returns the number of meshes at this level for a species of `variants` plants, at least 1.
+	int groups(int variants) const { return std::max(1, variants >> halvings); }
+	/// Returns the density of plants with or without parts.
+	LodDensity lod_density_of(bool has_parts) const { return has_parts || affects_lathes ? lod_density : LodDensity(); }
+};
+
+/// One of several plants of a species.
+struct FieldVariant {
+	int64_t seed = 0; ///< A Plant3D with this seed looks the same.
+	float height = 1.0f; ///< m.
+};
+
+/// One species of a field: its meshes, materials and motion. Sampled on the main thread. After that, only read_motion()
+/// and take_material() read the function.
+struct SpeciesStyle {
+	godot::Ref<PlantFunction> function;
+	int variant_count = 4; ///< 1 to 64.
+	/// Factor of the segments of levels that users set, or of the distances of levels by error.
+	double detail = 1.0;
+	float density = 0.0f; ///< Plants/m² where all species grow; 0: added plants.
+	float mean_scale = 1.0f; ///< Of its plants.
+	std::vector<FieldLevel> levels; ///< Those of the field, at the distances of this species.
+	int near_shadow_level = -1; ///< Level that casts the shadows of plants nearer than `near_shadow_end`; -1: none.
+	float near_shadow_end = 0.0f; ///< m; 0: none.
+	std::vector<float> errors; ///< m, by level, of the outline; empty if its levels are not chosen by error.
+	std::vector<FieldVariant> variants;
+	std::vector<std::vector<SampledPlant>> samples; ///< By level and group; freed when the meshes are built.
+	std::vector<std::vector<std::shared_ptr<SharedMesh>>> built; ///< By level and group, shared with other fields.
+	std::vector<SampledPlant> nearest; ///< Samples of the first level, for plants that get a mesh of their own.
+	std::vector<std::vector<godot::Ref<godot::ArrayMesh>>> meshes; ///< By level and group; null until created.
+	/// By level, and two for shadows: of finer levels, and of the nearest plants.
+	std::vector<godot::Ref<godot::ShaderMaterial>> materials;
+	MotionSpecies motion;
+	bool has_motion = false; ///< True if `motion` was read.
+	bool in_air = false; ///< True if the wind is given in m/s; stems use the constants for it.
+	std::shared_ptr<const StemConstants> stem; ///< Equal to `motion.stem`; null under another law.
+	std::optional<UnsolvedStem> unsolved_stem; ///< A stem that the function had not solved when it was sampled.
+	std::shared_ptr<SharedStem> shared_stem; ///< Shared by all fields that need this stem, which is solved once.
+	SolvedStem solved_stem; ///< Its solution, from build().
+	std::vector<std::shared_ptr<SharedMesh>> measured; ///< Meshes of measure(), until build().
+	bool is_by_error = false; ///< True: its levels are chosen by error.
+	float width = 0.0f; ///< Largest distance of a mesh from its axis (m).
+	/// By level, for plants of parts: area from above relative to the area from the side, of the plant (x) and of its
+	/// mesh (y).
+	std::vector<godot::Vector2> from_above;
+	godot::Color mean; ///< Mean visible colour of its plants of parts; a: their translucency.
+
+	int64_t seed = 0; ///< Seed of all variants.
+	/// True if it substitutes a list entry that has no usable species. No plants have this style.
+	bool is_absent = false;
+
+	/// Samples one more variant of the function at all levels, and after the last one its motion. Main thread, since
+	/// scripts may run. build() solves stems that the function has not solved. Returns a fault with its remedy; empty:
+	/// none.
+	godot::String sample_next(const std::vector<FieldLevel> &levels, bool is_by_error);
+	/// Measures the errors of all levels if they are chosen by error. Any thread.
+	void measure();
+	/// Returns the vertical segments at a level.
+	int segments_at(const FieldLevel &level) const;
+	/// True if all variants and the motion are sampled.
+	bool is_sampled() const { return int(variants.size()) == variant_count && has_motion; }
+	/// Loads the shader of the sampled plants, on the main thread. A pool thread that loads a resource runs other tasks
+	/// meanwhile and could wait for itself.
+	void load_shader() const;
+	/// Solves the stem and builds the mesh arrays of all samples, once. Any thread.
+	void build();
+	/// Creates meshes for about `usec` µs, on a thread that may create them (renders_on_threads()). Returns false if
+	/// some are still missing.
+	bool make_meshes(double usec);
+	/// Returns a sample for the mesh of one plant on a skeleton: with the plant's own height, not yet turned or scaled
+	/// by `scale`.
+	SampledPlant sample_alone(const PlacedPlant &plant) const;
+	/// Reads the function's present motion. Solves a stem that is not solved yet at once.
+	void read_motion();
+	/// Passes the stem that build() solved to the function.
+	void send_stem();
+	/// Reads the function's material, for plants that get a mesh of their own.
+	void take_material();
+	/// Returns root, length and rest direction of a plant, for the simulation.
+	MotionPlant to_simulate(const PlacedPlant &plant) const;
+	/// Appends the same for many plants.
+	void to_simulate(const FieldPlants &plants, std::vector<MotionPlant> &into) const;
+	/// Height without the plant's scale (m).
+	float height_of(const PlacedPlant &plant) const { return variant_of(plant).height * plant.height; }
+	/// Height with its scale (m).
+	float length_of(const PlacedPlant &plant) const { return height_of(plant) * plant.scale; }
+	/// True if its plants consist of parts.
+	bool has_parts() const { return !nearest.empty() && nearest[0].grown; }
+	/// Mean of its variants (m).
+	float mean_height() const;
+	/// Returns the largest distance of the plant's mesh from its root in any pose (m), if it is `widening` times as
+	/// wide. Linear blend skinning moves no vertex farther than at rest.
+	float reach_of(const PlacedPlant &plant, float widening) const;
+	const FieldVariant &variant_of(const PlacedPlant &plant) const {
+		return variants[size_t(plant.variant) % variants.size()];
+	}
+
+private:
+	void build_meshes();
+	void leave_unused();
+	void find_mean();
+	/// Reads all of the motion except the stem.
+	void read_traits();
+	void solve_stem();
+	void take_stem(const std::shared_ptr<const StemConstants> &found);
+};
+
+} // namespace undergrowth

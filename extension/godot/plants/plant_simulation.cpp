@@ -1,0 +1,244 @@
+#include "plants/plant_simulation.hpp"
+
+#include "base/convert.hpp"
+#include "base/follow_changes.hpp"
+#include "base/messages.hpp"
+#include "field/motion/step_batch.hpp"
+#include "nodes/plant_3d.hpp"
+#include "species/shared_resources.hpp"
+
+#include <godot_cpp/classes/project_settings.hpp>
+#include <godot_cpp/classes/window.hpp>
+#include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/variant/callable.hpp>
+
+#include <algorithm>
+#include <chrono>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr double DEFAULT_STEP = 1.0 / 60.0; // s.
+static constexpr Range STEP_RANGE = { 0.001, 0.1 };
+static const char *const STEP_SETTING = "undergrowth/simulation/step_length";
+static const char *const FRAME_METHOD = "_on_process_frame";
+static PlantSimulation *singleton = nullptr;
+
+using Clock = std::chrono::steady_clock;
+
+static double microseconds_since(Clock::time_point start) {
+	return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+}
+
+PlantSimulation::PlantSimulation() : clock(DEFAULT_STEP) {
+	singleton = this;
+	const Variant setting = ProjectSettings::get_singleton()->get_setting(STEP_SETTING, DEFAULT_STEP);
+	set_step_length(setting);
+}
+
+PlantSimulation::~PlantSimulation() {
+	singleton = nullptr;
+}
+
+PlantSimulation *PlantSimulation::get_singleton() {
+	return singleton;
+}
+
+PlantGroup *PlantSimulation::find_group(const PlantKind &kind) {
+	for (const std::unique_ptr<PlantGroup> &group : groups) {
+		if (group->kind == kind) {
+			return group.get();
+		}
+	}
+	groups.push_back(std::make_unique<PlantGroup>(kind, float(clock.step())));
+	are_groups_new = true;
+	return groups.back().get();
+}
+
+PlantSimulation::Place PlantSimulation::enter(
+		Plant3D *plant, const PlantKind &kind, const MotionPlant &description, const PlantBone &bone) {
+	PlantGroup *group = find_group(kind);
+	group->add(plant, description, bone);
+	is_contact_dirty = is_contact_dirty || kind.forces.has_contact;
+	return { group, group->page.size() - 1 };
+}
+
+void PlantSimulation::leave(const Place &place) {
+	place.group->remove(place.index);
+	is_contact_dirty = is_contact_dirty || place.group->kind.forces.has_contact;
+}
+
+void PlantSimulation::drop_empty_groups() {
+	const auto is_empty = [](const std::unique_ptr<PlantGroup> &group) { return group->plants.empty(); };
+	const auto first = std::remove_if(groups.begin(), groups.end(), is_empty);
+	are_groups_new = are_groups_new || first != groups.end();
+	groups.erase(first, groups.end());
+}
+
+void PlantSimulation::follow_groups() {
+	if (are_groups_new) {
+		bodies.follow(groups);
+	}
+	if (are_groups_new || is_contact_dirty) {
+		contact.follow(groups);
+	}
+	are_groups_new = is_contact_dirty = false;
+}
+
+void PlantSimulation::step_groups(double ago) {
+	step_number++;
+	air_sources.begin(ago);
+	swings.step(clock.step());
+	const FieldWind calm = { { WindKind::constant, 0.0f }, 0.0f };
+	for (const std::unique_ptr<PlantGroup> &group : groups) {
+		PlantWind *wind = group->kind.wind.ptr();
+		group->roots.step(ago);
+		group->step(wind ? wind->travelling() : calm, wind ? wind->begin_step(step_number, clock.step()) : 0.0,
+				air_sources.in(group->kind.forces.world));
+	}
+}
+
+// Bodies and contact have no cost if no plant uses them.
+void PlantSimulation::step(double ago, bool is_first) {
+	const bool is_pushed = bodies.are_needed();
+	if (is_pushed) {
+		bodies.gather(ago);
+	}
+	if (is_pushed && is_first) {
+		bodies.report_touches();
+	}
+	step_groups(ago);
+	if (is_pushed) {
+		bodies.push();
+	}
+	if (contact.is_needed()) {
+		contact.resolve();
+	}
+}
+
+void PlantSimulation::report_warnings() {
+	if (contact.is_crowded() && !has_reported_crowd) {
+		has_reported_crowd = true;
+		report_warning(this,
+				"too many tips are near each other for all of them to touch: some pairs are left out. Set a smaller "
+				"collision_radius in their species, set the plants farther apart, or contact_enabled off.");
+	}
+	for (const String &warning : bodies.take_warnings()) {
+		report_warning(this, warning);
+	}
+}
+
+void PlantSimulation::pose_plants() {
+	const float alpha = clock.alpha();
+	for (const std::unique_ptr<PlantGroup> &group : groups) {
+		group->pose(alpha, swings.now(alpha));
+	}
+}
+
+void PlantSimulation::advance(double delta) {
+	const Clock::time_point start = Clock::now();
+	drop_empty_groups();
+	follow_groups();
+	SceneTree *tree = Object::cast_to<SceneTree>(ObjectDB::get_instance(connected_tree));
+	if (tree && bodies.are_needed()) {
+		bodies.watch(tree, delta);
+	}
+	for (const std::unique_ptr<PlantGroup> &group : groups) {
+		group->roots.watch(group->page, delta);
+	}
+	const int step_count = clock.advance(delta);
+	for (int i = 0; i < step_count; i++) {
+		if (i > 0 && microseconds_since(start) > 1e6 * FixedStep::MAX_STEPPING_TIME) {
+			break; // Drops the remaining steps, so that a slow frame does not slow down the next one.
+		}
+		step(clock.step() * (double(clock.alpha()) + step_count - 1 - i), i == 0);
+	}
+	if (bodies.are_needed() || contact.is_needed()) {
+		report_warnings();
+	}
+	step_time_usec = microseconds_since(start);
+	pose_plants();
+	pose_time_usec = microseconds_since(start) - step_time_usec;
+}
+
+// The signal is emitted once a frame, before any node's _process and also during a pause. Paused plants leave the
+// simulation themselves.
+void PlantSimulation::on_process_frame() {
+	SceneTree *tree = Object::cast_to<SceneTree>(ObjectDB::get_instance(connected_tree));
+	if (tree) {
+		advance(tree->get_root()->get_process_delta_time());
+	}
+}
+
+void PlantSimulation::follow(SceneTree *tree) {
+	if (tree->get_instance_id() == connected_tree) {
+		return;
+	}
+	connected_tree = tree->get_instance_id();
+	// Connects by name and not by pointer, because the connection must survive a reload of the library.
+	follow_signal(tree, "process_frame", Callable(this, FRAME_METHOD));
+}
+
+int PlantSimulation::get_plant_count() const {
+	int count = 0;
+	for (const std::unique_ptr<PlantGroup> &group : groups) {
+		count += group->page.size();
+	}
+	return count;
+}
+
+double PlantSimulation::get_step_time_usec() const {
+	return step_time_usec;
+}
+
+double PlantSimulation::get_pose_time_usec() const {
+	return pose_time_usec;
+}
+
+double PlantSimulation::get_step_length() const {
+	return clock.step();
+}
+
+void PlantSimulation::set_step_length(double seconds) {
+	if (!accept_value(this, "step_length", seconds, STEP_RANGE) || seconds == clock.step()) {
+		return;
+	}
+	clock = FixedStep(seconds);
+	// Constants are for one step length, so all plants move to pages of the new one, with their present state.
+	std::vector<Plant3D *> everyone;
+	for (const std::unique_ptr<PlantGroup> &group : groups) {
+		everyone.insert(everyone.end(), group->plants.begin(), group->plants.end());
+	}
+	for (Plant3D *plant : everyone) {
+		plant->leave_simulation();
+	}
+	drop_empty_groups();
+	for (Plant3D *plant : everyone) {
+		plant->update_simulation();
+	}
+}
+
+void PlantSimulation::on_parts_shader_wanted() {
+	load_parts_shader();
+}
+
+void PlantSimulation::on_steps_collected() {
+	steps_start.begin();
+	StepBatch::start_collected();
+}
+
+void PlantSimulation::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("_on_steps_collected"), &PlantSimulation::on_steps_collected);
+	ClassDB::bind_method(D_METHOD("_on_process_frame"), &PlantSimulation::on_process_frame);
+	ClassDB::bind_method(D_METHOD("_load_parts_shader"), &PlantSimulation::on_parts_shader_wanted);
+	ClassDB::bind_method(D_METHOD("get_plant_count"), &PlantSimulation::get_plant_count);
+	ClassDB::bind_method(D_METHOD("get_step_time_usec"), &PlantSimulation::get_step_time_usec);
+	ClassDB::bind_method(D_METHOD("get_pose_time_usec"), &PlantSimulation::get_pose_time_usec);
+	ClassDB::bind_method(D_METHOD("get_step_length"), &PlantSimulation::get_step_length);
+	ClassDB::bind_method(D_METHOD("set_step_length", "seconds"), &PlantSimulation::set_step_length);
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "step_length", PROPERTY_HINT_RANGE, "0.001,0.1,0.0001,suffix:s"),
+			"set_step_length", "get_step_length");
+}
+
+} // namespace undergrowth

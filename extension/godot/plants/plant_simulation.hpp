@@ -1,0 +1,84 @@
+#pragma once
+
+#include "base/queued_call.hpp"
+#include "bodies/plant_bodies.hpp"
+#include "motion/fixed_step.hpp"
+#include "motion/swing_clock.hpp"
+#include "plants/plant_contact.hpp"
+#include "plants/plant_group.hpp"
+#include "wind/world_air_sources.hpp"
+
+#include <godot_cpp/classes/scene_tree.hpp>
+#include <godot_cpp/core/object.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace undergrowth {
+
+/// Steps all simulated `Plant3D`s of the running scene together, in fixed steps, and poses their bones once a frame. An
+/// engine singleton. Main thread.
+class PlantSimulation : public godot::Object {
+	GDCLASS(PlantSimulation, godot::Object)
+
+	std::vector<std::unique_ptr<PlantGroup>> groups;
+	PlantBodies bodies;
+	PlantContact contact;
+	WorldAirSources air_sources;
+	bool are_groups_new = false; ///< Groups were added or removed since the last update of bodies and contact.
+	bool is_contact_dirty = false; ///< Plants with contact were added or removed.
+	bool has_reported_crowd = false;
+	FixedStep clock;
+	SwingClock swings;
+	uint64_t step_number = 0; ///< Of the present step; the first is 1.
+	QueuedCall steps_start{ this, "_on_steps_collected" };
+	uint64_t connected_tree = 0; ///< Instance id of the scene tree that sends frames.
+	double step_time_usec = 0.0;
+	double pose_time_usec = 0.0;
+
+	PlantGroup *find_group(const PlantKind &kind);
+	void drop_empty_groups();
+	void follow_groups();
+	void step_groups(double ago);
+	void step(double ago, bool is_first);
+	void report_warnings();
+	void pose_plants();
+
+protected:
+	static void _bind_methods();
+
+public:
+	PlantSimulation();
+	~PlantSimulation() override;
+	static PlantSimulation *get_singleton();
+
+	/// Row of a plant in the simulation.
+	struct Place {
+		PlantGroup *group = nullptr;
+		int index = -1;
+	};
+
+	/// Adds a plant at rest, from the next frame on. It must leave before it is freed.
+	Place enter(Plant3D *plant, const PlantKind &kind, const MotionPlant &description, const PlantBone &bone);
+	/// Removes a plant.
+	void leave(const Place &place);
+	/// Ends the touches of a plant that leaves the tree, without a signal.
+	void forget_touches(const Plant3D *plant) { bodies.forget(plant); }
+
+	/// Simulates `delta` seconds. Called in each frame of the scene tree.
+	void advance(double delta);
+	void on_process_frame();
+	void on_parts_shader_wanted();
+	/// Calls StepBatch::start_collected() when all nodes have processed this frame.
+	void start_steps_soon() { steps_start.queue(); }
+	void on_steps_collected();
+	void follow(godot::SceneTree *tree);
+
+	int get_plant_count() const;
+	double get_step_time_usec() const;
+	double get_pose_time_usec() const;
+	double get_step_length() const;
+	void set_step_length(double seconds);
+};
+
+} // namespace undergrowth

@@ -1,0 +1,125 @@
+#include "species/shared_resources.hpp"
+
+#include "base/new_object.hpp"
+#include "plants/plant_simulation.hpp"
+
+#include <godot_cpp/classes/os.hpp>
+#include <godot_cpp/classes/resource_loader.hpp>
+
+#include <mutex>
+#include <utility>
+
+using namespace godot;
+
+namespace undergrowth {
+
+// Pointers, because references cannot exist before the engine's interface is loaded or after it is unloaded.
+static Ref<StandardMaterial3D> *material = nullptr;
+static Ref<ShaderMaterial> *of_sheets = nullptr;
+static Ref<Skin> *skin = nullptr;
+static Ref<Shader> *shaders[2] = { nullptr, nullptr }; // For lathes and for parts.
+static bool parts_have_shader = false;
+static std::mutex making; // Meshes may be generated on several threads.
+
+static const char *const SHADER_PATHS[2] = { "res://addons/undergrowth/shaders/plant_field.gdshader",
+	"res://addons/undergrowth/shaders/plant_parts.gdshader" };
+
+static Ref<StandardMaterial3D> make_material() {
+	Ref<StandardMaterial3D> made = new_counted<StandardMaterial3D>();
+	made->set_name("Undergrowth plant");
+	made->set_flag(BaseMaterial3D::FLAG_ALBEDO_FROM_VERTEX_COLOR, true);
+	made->set_flag(BaseMaterial3D::FLAG_SRGB_VERTEX_COLOR, true);
+	made->set_diffuse_mode(BaseMaterial3D::DIFFUSE_LAMBERT);
+	made->set_roughness(0.75f);
+	made->set_specular(0.25f);
+	made->set_feature(BaseMaterial3D::FEATURE_BACKLIGHT, true);
+	made->set_backlight(Color(0.18f, 0.2f, 0.1f));
+	return made;
+}
+
+static Ref<Skin> make_skin() {
+	Ref<Skin> made = new_counted<Skin>();
+	made->add_bind(0, Transform3D());
+	made->add_bind(1, Transform3D());
+	return made;
+}
+
+Ref<StandardMaterial3D> default_material() {
+	const std::lock_guard<std::mutex> lock(making);
+	if (!material) {
+		material = new Ref<StandardMaterial3D>(make_material());
+	}
+	return *material;
+}
+
+// A pool thread that loads a resource runs other tasks meanwhile. These may request the same resource, so nothing is
+// loaded under the lock.
+Ref<Shader> plant_shader(bool of_parts) {
+	Ref<Shader> *&kept = shaders[int(of_parts)];
+	{
+		const std::lock_guard<std::mutex> lock(making);
+		if (kept && kept->is_valid()) {
+			return *kept;
+		}
+	}
+	const Ref<Shader> loaded = ResourceLoader::get_singleton()->load(SHADER_PATHS[int(of_parts)], "Shader");
+	const std::lock_guard<std::mutex> lock(making);
+	delete kept;
+	kept = new Ref<Shader>(loaded);
+	return loaded;
+}
+
+static bool is_main_thread() {
+	const OS *system = OS::get_singleton();
+	return system->get_thread_caller_id() == system->get_main_thread_id();
+}
+
+// A thread that loads a shader waits for the main thread, which may wait for that thread. So the main thread loads it,
+// at the end of the frame.
+Ref<ShaderMaterial> parts_material() {
+	const bool loads = is_main_thread();
+	const Ref<Shader> shader = loads ? plant_shader(true) : Ref<Shader>();
+	const std::lock_guard<std::mutex> lock(making);
+	if (!of_sheets) {
+		Ref<ShaderMaterial> made = new_counted<ShaderMaterial>();
+		made->set_name("Undergrowth plant of parts");
+		of_sheets = new Ref<ShaderMaterial>(made);
+	}
+	if (!parts_have_shader && loads) {
+		(*of_sheets)->set_shader(shader);
+		parts_have_shader = true;
+	} else if (!parts_have_shader) {
+		PlantSimulation::get_singleton()->call_deferred("_load_parts_shader");
+	}
+	return *of_sheets;
+}
+
+void load_parts_shader() {
+	if (is_main_thread()) { // Threads that load resources have deferred calls of their own.
+		parts_material();
+	}
+}
+
+Ref<Skin> plant_skin() {
+	const std::lock_guard<std::mutex> lock(making);
+	if (!skin) {
+		skin = new Ref<Skin>(make_skin());
+	}
+	return *skin;
+}
+
+void free_shared_resources() {
+	const std::lock_guard<std::mutex> lock(making);
+	delete material;
+	delete of_sheets;
+	delete skin;
+	for (Ref<Shader> *&kept : shaders) {
+		delete std::exchange(kept, nullptr);
+	}
+	material = nullptr;
+	of_sheets = nullptr;
+	parts_have_shader = false;
+	skin = nullptr;
+}
+
+} // namespace undergrowth

@@ -1,0 +1,191 @@
+// PlantWind: the part for all kinds. plant_wind_air.cpp has the part for air.
+
+#include "wind/plant_wind.hpp"
+
+#include "base/convert.hpp"
+#include "base/messages.hpp"
+#include "base/shortest_decimal.hpp"
+#include "conventions.hpp"
+#include "wind/air_tiles_cache.hpp"
+
+#include <godot_cpp/classes/engine.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace godot;
+
+namespace undergrowth {
+
+static constexpr Range STRENGTH_RANGE = { 0.0, 1e6 };
+static constexpr Range DIRECTION_RANGE = { -200.0 * PI, 200.0 * PI };
+static constexpr Range FREQUENCY_RANGE = { 0.0, 1000.0 };
+static constexpr Range GUST_DURATION_RANGE = { 0.0, 3600.0 };
+static constexpr Range TRAVEL_SPEED_RANGE = { 0.0, 1e4 };
+
+// By default a moderate wind that never stops, so that its effect is visible.
+PlantWind::PlantWind() {
+	blowing.wind.kind = WindKind::waves;
+	blowing.wind.strength = 5.0f;
+	blowing.wind.frequency = 0.4f;
+	blowing.air.speed = 5.0f;
+}
+
+void PlantWind::set_kind(Kind kind) {
+	if (kind < KIND_GUST || kind > KIND_AIR) {
+		report_error(this, "kind " + String::num_int64(kind) + " does not exist. Use one of the KIND_ constants.");
+		return;
+	}
+	if (WindKind(kind) == blowing.wind.kind) {
+		return;
+	}
+	blowing.wind.kind = WindKind(kind);
+	blowing.wind.gust_triggered = false;
+	if (kind == KIND_AIR) {
+		AirTilesCache::begin();
+	}
+	begin_gust(); // A gust that is selected during the simulation starts now.
+	notify_property_list_changed();
+	emit_changed();
+}
+
+PlantWind::Kind PlantWind::get_kind() const {
+	return Kind(int(blowing.wind.kind));
+}
+
+void PlantWind::set_number(float &slot, const char *property, double value, const Range &range) {
+	if (!accept_value(this, property, value, range) || slot == float(value)) {
+		return;
+	}
+	slot = float(value);
+	emit_changed();
+}
+
+void PlantWind::set_strength(double newtons) {
+	set_number(blowing.wind.strength, "strength", newtons, STRENGTH_RANGE);
+}
+
+double PlantWind::get_strength() const {
+	return shortest_decimal(blowing.wind.strength);
+}
+
+void PlantWind::set_direction(double radians) {
+	if (accept_value(this, "direction", radians, DIRECTION_RANGE) && radians != direction) {
+		direction = radians;
+		blowing.wind.direction = float(radians);
+		Air turned = blowing.air;
+		turned.heading = radians;
+		change(turned);
+	}
+}
+
+double PlantWind::get_direction() const {
+	return direction;
+}
+
+void PlantWind::set_frequency(double hertz) {
+	if (accept_value(this, "frequency", hertz, FREQUENCY_RANGE) && float(hertz) != blowing.wind.frequency) {
+		change_frequency(blowing.wind, float(hertz), time);
+		emit_changed();
+	}
+}
+
+double PlantWind::get_frequency() const {
+	return shortest_decimal(blowing.wind.frequency);
+}
+
+void PlantWind::set_gust_duration(double seconds) {
+	set_number(blowing.wind.gust_duration, "gust_duration", seconds, GUST_DURATION_RANGE);
+}
+
+double PlantWind::get_gust_duration() const {
+	return shortest_decimal(blowing.wind.gust_duration);
+}
+
+void PlantWind::set_travel_speed(double metres_per_second) {
+	set_number(blowing.speed, "travel_speed", metres_per_second, TRAVEL_SPEED_RANGE);
+}
+
+double PlantWind::get_travel_speed() const {
+	return shortest_decimal(blowing.speed);
+}
+
+Vector3 PlantWind::sample(double at_time) const {
+	if (!std::isfinite(at_time)) {
+		report_error(this, "sample() needs a finite time in seconds.");
+		return Vector3();
+	}
+	if (blowing.wind.kind == WindKind::air) {
+		return sample_air_force(at_time);
+	}
+	return to_godot(wind_force(blowing.wind, at_time));
+}
+
+void PlantWind::begin_gust() {
+	blowing.wind.gust_start = time;
+	gusts++;
+}
+
+void PlantWind::trigger_gust(double strength, double duration) {
+	const bool own_strength = strength < 0.0;
+	const bool own_duration = duration < 0.0;
+	if ((!own_strength && !accept_value(this, "the gust's strength", strength, STRENGTH_RANGE)) ||
+			(!own_duration && !accept_value(this, "the gust's duration", duration, GUST_DURATION_RANGE))) {
+		return;
+	}
+	blowing.wind.gust_triggered = true;
+	blowing.wind.triggered_strength = own_strength ? -1.0f : float(strength);
+	blowing.wind.triggered_duration = own_duration ? -1.0f : float(duration);
+	begin_gust();
+}
+
+double PlantWind::get_time() const {
+	return time;
+}
+
+void PlantWind::advance(double step) {
+	if (!std::isfinite(step) || step < 0.0) {
+		report_error(
+				this, "advance(" + String::num(step) + ") is impossible; its time stays. Pass seconds of 0 or more.");
+		return;
+	}
+	advance_to(time + step);
+}
+
+void PlantWind::advance_to(double clock) {
+	advanced_in = Engine::get_singleton()->get_process_frames();
+	set_clock(clock);
+}
+
+bool PlantWind::has_advanced_in_frame() const {
+	return advanced_in == Engine::get_singleton()->get_process_frames();
+}
+
+void PlantWind::catch_up_to(double clock) {
+	if (clock > time) {
+		set_clock(clock);
+	}
+}
+
+FieldWind PlantWind::for_listener(Listener &listener, double clock) const {
+	if (listener.received_gusts != gusts) {
+		listener.received_gusts = gusts;
+		listener.gust_start = clock - (time - blowing.wind.gust_start);
+	}
+	FieldWind wind = travelling();
+	if (gusts > 0) {
+		wind.wind.gust_start = listener.gust_start;
+	}
+	return wind;
+}
+
+double PlantWind::begin_step(uint64_t number, double step) {
+	if (number != begun_step) {
+		begun_step = number;
+		step_start = time;
+		advance_to(time + step);
+	}
+	return step_start;
+}
+
+} // namespace undergrowth
