@@ -214,6 +214,8 @@ void FieldMaterials::send_swing_clock(
 
 void FieldMaterials::send_leans(const FieldRenderSetup &setup, const FieldMotion &motion) {
 	static constexpr float VISIBLE = 0.004f; // A brightness of less than 1 %.
+	static const StringName &mean_lean = *new StringName("undergrowth_mean_lean");
+	RenderingServer *server = RenderingServer::get_singleton();
 	sent_leans.resize(setup.styles.size(), -1.0f);
 	for (size_t i = 0; i < setup.styles.size(); i++) {
 		const float lean = motion.mean_lean(int(i));
@@ -222,7 +224,7 @@ void FieldMaterials::send_leans(const FieldRenderSetup &setup, const FieldMotion
 		}
 		sent_leans[i] = lean;
 		for (const Ref<ShaderMaterial> &material : setup.styles[i].materials) {
-			material->set_shader_parameter("undergrowth_mean_lean", lean);
+			server->material_set_param(material->get_rid(), mean_lean, lean);
 		}
 	}
 }
