@@ -43,6 +43,7 @@ MotionPage::MotionPage(int species_index, const MotionSpecies &species, const Mo
 
 void MotionPage::reserve(int plants) {
 	rows.reserve(plants);
+	blocks.reserve(static_cast<std::size_t>((std::max(plants, 0) + BLOCK_ROWS - 1) / BLOCK_ROWS));
 	pairs.reserve(has_bends() ? 2 * static_cast<std::size_t>(std::max(plants, 0)) : 0);
 	second_pairs.reserve(has_room_for_second() ? pairs.capacity() : 0);
 }
