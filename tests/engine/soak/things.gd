@@ -130,7 +130,7 @@ func play_with_map() -> void:
 		map.data = value({"name": "data", "type": TYPE_PACKED_BYTE_ARRAY})
 	else:
 		var methods := ClassDB.class_get_method_list(&"PlantMap", true)
-		ask(map, pick(methods.filter(_is_no_setter)))
+		query(map, pick(methods.filter(_is_no_setter)))
 
 
 ## Stores saved [param bytes], which are damaged and loaded later.
@@ -242,7 +242,7 @@ func change(object: Object, info: Dictionary) -> void:
 
 
 ## Calls a method of [param object], described by [param info], with random arguments.
-func ask(object: Object, info: Dictionary) -> void:
+func query(object: Object, info: Dictionary) -> void:
 	var arguments: Array = []
 	for argument: Dictionary in info["args"]:
 		arguments.append(_argument(object, argument))
