@@ -145,7 +145,7 @@ func test_an_object_that_returns_no_height_is_reported_once() -> void:
 	field.ground_object = NodePath("../Terrain")
 	root.add_child(field)
 	await rested()
-	check_error("leads to no object that answers get_height(Vector3) -> float")
+	check_error("is no object with a method get_height(Vector3) -> float")
 	field.rebuild()
 	await rested()
 	check_equal(field.get_plant_count(), 0, "plants")
@@ -180,7 +180,7 @@ func test_no_ground_anywhere_is_one_warning() -> void:
 	terrain.data = faulty
 	field.ground_object = NodePath("../Terrain:data")
 	await start()
-	check_error("ground_object tells of no ground at any of its places")
+	check_error("ground_object returned no ground at any position")
 	field.rebuild()
 	await rested()
 	check_equal(field.get_plant_count(), 0, "plants")

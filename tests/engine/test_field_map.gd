@@ -108,7 +108,7 @@ func test_an_unreadable_map_is_reported_and_the_plants_stay() -> void:
 	await start()
 	var plants := all_plants()
 	map.data = PackedByteArray([1, 2, 3])
-	check_error("not those of a map")
+	check_error("no map")
 	field.map = map
 	await rested()
 	check_error("its map cannot be used")

@@ -3,7 +3,7 @@ extends "res://tests/engine/picture_harness.gd"
 
 const ShownCode := preload("res://tests/engine/shown_code.gd")
 const STYLE := preload("res://addons/undergrowth/shaders/plant_parts.gdshader")
-const MATERIALS := "docs/guide/materials.md"
+const PAGES: PackedStringArray = ["docs/guide/materials.md", "docs/guide/leaves.md"]
 const STEP := 1.0 / 30.0
 ## Duration of a wind before its picture, in steps.
 const BLOWS := 300
@@ -108,11 +108,8 @@ func test_shaders_of_the_guide_draw_leaves() -> void:
 		&"season", RenderingServer.GLOBAL_VAR_TYPE_COLOR, Color.WHITE
 	)
 	var count := 0
-	for folder: String in ["../../..", "."]:
-		var path := ProjectSettings.globalize_path("res://").path_join(folder).path_join(MATERIALS)
-		if not FileAccess.file_exists(path):
-			continue
-		for block in ShownCode.in_markdown(path, MATERIALS):
+	for page in PAGES:
+		for block in ShownCode.in_markdown(_find(page), page):
 			if block.language != "gdshader":
 				continue
 			count += 1
@@ -121,10 +118,18 @@ func test_shaders_of_the_guide_draw_leaves() -> void:
 			leaf.material_override.shader.code = block.code
 			var light := _light_at(await picture(), MIDDLE)
 			check(light > 0.05, "%s draws a leaf: %.3f" % [block.place, light])
-		break
 	leaf.free()
 	RenderingServer.global_shader_parameter_remove(&"season")
 	check(count >= 2, "%d shaders" % count)
+
+
+## Returns the path of a file of the repository.
+func _find(name: String) -> String:
+	for folder: String in ["../../..", "."]:
+		var path := ProjectSettings.globalize_path("res://").path_join(folder).path_join(name)
+		if FileAccess.file_exists(path):
+			return path
+	return name
 
 
 func _blown(field: PlantField3D, name: String) -> Image:

@@ -165,7 +165,7 @@ func test_bytes_that_are_not_sound_are_one_error_and_change_nothing() -> void:
 	var bytes := field.get_changes()
 	var count := field.get_plant_count()
 	check(not field.apply_changes(bytes.slice(0, bytes.size() - 3)), "cut off")
-	check_error("apply_changes(): They are cut off or damaged")
+	check_error("apply_changes(): They are incomplete or damaged")
 	check(not field.apply_changes("something else".to_utf8_buffer()), "of another kind")
 	check_error("apply_changes(): These bytes are not those")
 	var later := bytes.duplicate()
@@ -178,7 +178,7 @@ func test_bytes_that_are_not_sound_are_one_error_and_change_nothing() -> void:
 	field = _make_field()
 	await start()
 	check(not field.apply_changes(bytes), "of an unknown species")
-	check_error("plants of 'Nobody's' were added, and the field knows no such species")
+	check_error("plants of 'Nobody's' were added, but the field has no species of that name")
 
 
 func test_changes_of_a_field_of_another_seed_are_reported() -> void:

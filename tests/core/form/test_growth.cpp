@@ -163,7 +163,7 @@ TEST_CASE("a failed growth leaves a plant unchanged") {
 	int kind = 0;
 	CHECK(growth.add_kind(Part(), kind) == "");
 	std::vector<int> handles;
-	CHECK(mentions(growth.arrange(kind, Arrangement(), {}, handles), "nothing to stand on"));
+	CHECK(mentions(growth.arrange(kind, Arrangement(), {}, handles), "no carrier"));
 	CHECK(mentions(growth.arrange(kind, Arrangement(), { 5 }, handles), "handle"));
 	CHECK(mentions(growth.arrange(9, Arrangement(), { ON_GROUND }, handles), "unknown"));
 	CHECK(mentions(growth.arrange(kind, counted(4000, 4000), { ON_GROUND, ON_GROUND }, handles), "8000 parts"));
