@@ -3,7 +3,9 @@ extends "res://tests/engine/picture_harness.gd"
 
 const ShownCode := preload("res://tests/engine/shown_code.gd")
 const LOOK := preload("res://addons/undergrowth/shaders/plant_parts.gdshader")
-const MATERIALS := "docs/guide/materials.md"
+const GUIDE := "docs/guide/"
+## Pages of the guide with shaders for leaves.
+const PAGES: Array[String] = ["materials.md", "leaves.md"]
 const STEP := 1.0 / 30.0
 ## Duration of a wind before its picture, in steps.
 const BLOWS := 300
@@ -108,11 +110,10 @@ func test_shaders_of_the_guide_draw_leaves() -> void:
 		&"season", RenderingServer.GLOBAL_VAR_TYPE_COLOR, Color.WHITE
 	)
 	var count := 0
-	for folder: String in ["../../..", "."]:
-		var path := ProjectSettings.globalize_path("res://").path_join(folder).path_join(MATERIALS)
-		if not FileAccess.file_exists(path):
-			continue
-		for block in ShownCode.in_markdown(path, MATERIALS):
+	for page in PAGES:
+		var path := _find(GUIDE + page)
+		check(path != "", "%s is missing" % page)
+		for block in ShownCode.in_markdown(path, page):
 			if block.language != "gdshader":
 				continue
 			count += 1
@@ -121,10 +122,18 @@ func test_shaders_of_the_guide_draw_leaves() -> void:
 			leaf.material_override.shader.code = block.code
 			var light := _light_at(await picture(), MIDDLE)
 			check(light > 0.05, "%s draws a leaf: %.3f" % [block.place, light])
-		break
 	leaf.free()
 	RenderingServer.global_shader_parameter_remove(&"season")
 	check(count >= 2, "%d shaders" % count)
+
+
+# Returns the path of a file of the checkout, or "".
+func _find(file: String) -> String:
+	for folder: String in ["../../..", "."]:
+		var path := ProjectSettings.globalize_path("res://").path_join(folder).path_join(file)
+		if FileAccess.file_exists(path):
+			return path
+	return ""
 
 
 func _blown(field: PlantField3D, name: String) -> Image:
