@@ -161,7 +161,7 @@ static func _count(places: PackedVector2Array, area: Rect2) -> Image:
 	return image
 
 
-# The parts of plants at one height, on a m² of ground: area (m²), and its linear colour and translucency.
+# The parts of plants at one height, on a m² of ground: area (m²), linear colour, translucency.
 class Layer:
 	var area := 0.0
 	var color := Vector4.ZERO
