@@ -60,6 +60,8 @@ static func apply_color(material: ShaderMaterial, of_field: PlantField3D) -> voi
 		var density := of_field.density * entry.density_factor * entry.weight / weights
 		for i in SEEDS:
 			var mesh := entry.species.generate_mesh(0.0, SEGMENTS, i + 1)
+			if mesh == null:
+				break  # The species has an error, which it reports.
 			tallest = maxf(tallest, mesh.get_aabb().end.y * size)
 			meshes.append([mesh, size, density / SEEDS])
 	var layers: Array[Layer] = []
@@ -90,6 +92,9 @@ static func apply_color(material: ShaderMaterial, of_field: PlantField3D) -> voi
 ## Gives [param material] the density of the plants of [param of_field]: [code]field_mask[/code] and
 ## [code]field_area[/code]. Call it after [signal PlantField3D.build_finished].
 static func apply_density(material: ShaderMaterial, of_field: PlantField3D) -> void:
+	if not of_field.is_inside_tree():
+		push_error("apply_density() needs the field in the tree. Add it first.")
+		return
 	var ids := of_field.get_plant_ids()
 	var step := maxi(1, ids.size() / MASK_PLANTS)
 	var places := PackedVector2Array()
@@ -121,9 +126,10 @@ static func _add_triangles(
 	var points: PackedVector3Array = arrays[Mesh.ARRAY_VERTEX]
 	var colors: PackedColorArray = arrays[Mesh.ARRAY_COLOR]
 	var indices: PackedInt32Array = arrays[Mesh.ARRAY_INDEX]
-	var own: PackedFloat32Array = PackedFloat32Array()
+	var own := PackedFloat32Array()
 	if arrays[Mesh.ARRAY_CUSTOM0] != null:
 		own = arrays[Mesh.ARRAY_CUSTOM0]
+	var has_parts := own.size() == 4 * points.size()  # Other plants have one number per vertex.
 	for i in range(0, indices.size(), 3):
 		var a := points[indices[i]]
 		var edges := (points[indices[i + 1]] - a).cross(points[indices[i + 2]] - a)
@@ -135,7 +141,7 @@ static func _add_triangles(
 		for corner in 3:
 			var vertex := indices[i + corner]
 			var color := colors[vertex].srgb_to_linear()
-			var through := own[4 * vertex + 3] if own else 0.0
+			var through := own[4 * vertex + 3] if has_parts else 0.0
 			layer.color += Vector4(color.r, color.g, color.b, through) * (area / 3.0)
 
 
@@ -146,7 +152,9 @@ static func _count(places: PackedVector2Array, area: Rect2) -> Image:
 	counts.resize(side * side)
 	for place in places:
 		var at := ((place - area.position) / area.size * side).floor()
-		counts[mini(int(at.y), side - 1) * side + mini(int(at.x), side - 1)] += 1.0
+		# An area of plants farther apart than 1e18 m has an infinite size.
+		var cell := Vector2i(at).clamp(Vector2i.ZERO, Vector2i(side - 1, side - 1))
+		counts[cell.y * side + cell.x] += 1.0
 	var used := 0
 	for count in counts:
 		used += 1 if count > 0.0 else 0
