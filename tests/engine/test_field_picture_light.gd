@@ -2,7 +2,7 @@
 extends "res://tests/engine/picture_harness.gd"
 
 const ShownCode := preload("res://tests/engine/shown_code.gd")
-const LOOK := preload("res://addons/undergrowth/shaders/plant_parts.gdshader")
+const STYLE := preload("res://addons/undergrowth/shaders/plant_parts.gdshader")
 const GUIDE := "docs/guide/"
 ## Pages of the guide with shaders for leaves.
 const PAGES: Array[String] = ["materials.md", "leaves.md"]
@@ -35,8 +35,8 @@ func test_a_field_has_the_same_brightness_in_all_winds() -> void:
 	field.density = 40.0
 	field.simulation_enabled = false
 	field.material_override = ShaderMaterial.new()
-	var look: ShaderMaterial = field.material_override
-	look.shader = LOOK
+	var style: ShaderMaterial = field.material_override
+	style.shader = STYLE
 	stage.add_child(field)
 	stage.get_camera_3d().look_at_from_position(Vector3(0, 2.0, 2.5), Vector3(0, 0.0, -0.5))
 	var calm := _mean_of(await _blown(field, "calm"))
@@ -45,10 +45,10 @@ func test_a_field_has_the_same_brightness_in_all_winds() -> void:
 		var shown := await _blown(field, name)
 		var change := _mean_of(shown) / calm - 1.0
 		check(absf(change) <= MAX_CHANGE, "%s: the mean changes by %.2f" % [name, change])
-		look.set_shader_parameter(&"bent_brightness", 0.0)
+		style.set_shader_parameter(&"bent_brightness", 0.0)
 		await frames(10)  # Fields copy parameters in turns.
 		var even := await picture()
-		look.set_shader_parameter(&"bent_brightness", null)
+		style.set_shader_parameter(&"bent_brightness", null)
 		await frames(10)
 		var lighter := _count_lighter(shown, even)
 		var darker := _count_lighter(even, shown)
@@ -149,14 +149,14 @@ func _blown(field: PlantField3D, name: String) -> Image:
 func _show(mesh: Mesh, parameters := {}) -> MeshInstance3D:
 	var leaf := MeshInstance3D.new()
 	leaf.mesh = mesh
-	var look := ShaderMaterial.new()
-	look.shader = LOOK
-	look.set_shader_parameter(&"patchiness", 0.0)
-	look.set_shader_parameter(&"clumpiness", 0.0)
-	look.set_shader_parameter(&"dead_leaves", 0.0)
+	var style := ShaderMaterial.new()
+	style.shader = STYLE
+	style.set_shader_parameter(&"patchiness", 0.0)
+	style.set_shader_parameter(&"clumpiness", 0.0)
+	style.set_shader_parameter(&"dead_leaves", 0.0)
 	for name: StringName in parameters:
-		look.set_shader_parameter(name, parameters[name])
-	leaf.material_override = look
+		style.set_shader_parameter(name, parameters[name])
+	leaf.material_override = style
 	stage.add_child(leaf)
 	stage.get_camera_3d().look_at_from_position(Vector3(0, 0, 1.5), Vector3.ZERO)
 	return leaf
