@@ -166,7 +166,6 @@ func test_an_object_that_returns_no_height_is_reported_once() -> void:
 	check(field.get_plant_count() > 500, "it grows when it is there")
 
 
-<<<<<<< HEAD
 func test_a_missing_path_is_one_error() -> void:
 	field.ground_object = NodePath()
 	root.add_child(field)
@@ -174,10 +173,7 @@ func test_a_missing_path_is_one_error() -> void:
 	check_error("ground_object '' leads to no object")
 
 
-func test_answers_of_the_wrong_type_are_one_message_and_what_stands_stays() -> void:
-=======
 func test_heights_of_the_wrong_type_are_one_error_and_the_plants_stay() -> void:
->>>>>>> w/words
 	field.ground_object = NodePath("../Terrain:data")
 	await start()
 	var count := field.get_plant_count()
