@@ -1,6 +1,8 @@
 ## Plants that code adds while a field is busy, and queries of plants by their ids.
 extends "res://tests/engine/field_harness.gd"
 
+const SPECIES := "res://addons/undergrowth/species/"
+
 
 func before_each() -> void:
 	field = PlantField3D.from_species([TulipFunction.new()])
@@ -28,6 +30,17 @@ func test_plants_that_are_added_after_variants_were_raised() -> void:
 	field.add_plants(places, field.species[0].species)
 	await frames(3)
 	check_equal(field.get_plant_count(), count + 600, "plants")
+
+
+func test_plants_that_are_added_outside_the_tree() -> void:
+	await start()
+	var count := field.get_plant_count()
+	root.remove_child(field)
+	var ids := field.add_plants([Transform3D.IDENTITY], load(SPECIES + "dandelion.tres"))
+	_check_sound(ids)
+	root.add_child(field)
+	await rested()
+	check_equal(field.get_plant_count(), count + 1, "plants")
 
 
 func test_plants_of_extreme_size_are_refused_and_those_far_away_exist() -> void:

@@ -3,7 +3,9 @@ extends "res://tests/engine/picture_harness.gd"
 
 const ShownCode := preload("res://tests/engine/shown_code.gd")
 const STYLE := preload("res://addons/undergrowth/shaders/plant_parts.gdshader")
-const PAGES: PackedStringArray = ["docs/guide/materials.md", "docs/guide/leaves.md"]
+const GUIDE := "docs/guide/"
+## Pages of the guide with shaders for leaves.
+const PAGES: Array[String] = ["materials.md", "leaves.md"]
 const STEP := 1.0 / 30.0
 ## Duration of a wind before its picture, in steps.
 const BLOWS := 300
@@ -109,7 +111,9 @@ func test_shaders_of_the_guide_draw_leaves() -> void:
 	)
 	var count := 0
 	for page in PAGES:
-		for block in ShownCode.in_markdown(_find(page), page):
+		var path := _find(GUIDE + page)
+		check(path != "", "%s is missing" % page)
+		for block in ShownCode.in_markdown(path, page):
 			if block.language != "gdshader":
 				continue
 			count += 1
@@ -123,13 +127,13 @@ func test_shaders_of_the_guide_draw_leaves() -> void:
 	check(count >= 2, "%d shaders" % count)
 
 
-## Returns the path of a file of the repository.
-func _find(name: String) -> String:
+# Returns the path of a file of the checkout, or "".
+func _find(file: String) -> String:
 	for folder: String in ["../../..", "."]:
-		var path := ProjectSettings.globalize_path("res://").path_join(folder).path_join(name)
+		var path := ProjectSettings.globalize_path("res://").path_join(folder).path_join(file)
 		if FileAccess.file_exists(path):
 			return path
-	return name
+	return ""
 
 
 func _blown(field: PlantField3D, name: String) -> Image:

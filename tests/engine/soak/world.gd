@@ -8,6 +8,14 @@ const MAX_PLANTS := 12
 const MAX_OTHERS := 24
 ## Classes with random changes of their own properties.
 const SHOWN: Array[StringName] = [&"PlantField3D", &"Plant3D", &"GeometryInstance3D", &"Node3D"]
+## Signals of fields with one argument.
+const FIELD_SIGNALS_OF_ONE: Array[StringName] = [
+	&"build_failed",
+	&"body_entered_plants",
+	&"body_exited_plants",
+	&"skeleton_shown",
+	&"skeleton_hidden",
+]
 
 var root: Node
 var things: Things
@@ -38,6 +46,7 @@ func _init(new_root: Node, seed: int) -> void:
 	_actions += often + often
 	_actions += [_change_other, _change_other, _query_other, _save_field, _apply_saved]
 	_actions += [things.play_with_map, things.play_with_map, things.work_on_threads]
+	_actions += [things.query_function, things.query_simulation, _shade_ground]
 
 
 func act() -> void:
@@ -92,7 +101,10 @@ func _add_second_world() -> void:
 func _add_field() -> void:
 	if fields.size() < MAX_FIELDS:
 		var field := things.new_field()
-		field.build_finished.connect(_on_filled.bind(field))
+		field.build_finished.connect(_on_signal.bind(field))
+		for title in FIELD_SIGNALS_OF_ONE:
+			field.connect(title, _on_signal.bind(field).unbind(1))
+		field.build_progressed.connect(_on_progressed.bind(field))
 		_add(field, fields)
 
 
@@ -181,6 +193,12 @@ func _query_field() -> void:
 	_query(pick(fields))
 
 
+func _shade_ground() -> void:
+	var field: PlantField3D = pick(fields)
+	if field != null:
+		things.shade_ground(field)
+
+
 func _query_plant() -> void:
 	_query(pick(plants))
 
@@ -252,8 +270,14 @@ func _edit_path() -> void:
 	things.edit_path(pick(others.filter(func(node: Node3D) -> bool: return node is Path3D)))
 
 
+## A build emits it in most of its frames.
+func _on_progressed(_ratio: float, field: PlantField3D) -> void:
+	if chance(0.05):
+		_on_signal(field)
+
+
 ## Runs actions in signal handlers, as scripts do.
-func _on_filled(field: PlantField3D) -> void:
+func _on_signal(field: PlantField3D) -> void:
 	if chance(0.2):
 		_query(field)
 	elif chance(0.1):

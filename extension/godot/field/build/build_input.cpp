@@ -25,7 +25,7 @@ using namespace godot;
 namespace undergrowth {
 
 Transform3D axes_of(const Node3D *node) {
-	const Transform3D placed = node->get_global_transform();
+	const Transform3D placed = node->is_inside_tree() ? node->get_global_transform() : node->get_transform();
 	const float volume = placed.basis.determinant();
 	return placed.is_finite() && std::isfinite(volume) && volume != 0.0f ? placed : Transform3D();
 }
