@@ -206,29 +206,16 @@ func test_no_ground_anywhere_is_one_warning() -> void:
 	faulty.free()
 
 
-<<<<<<< HEAD
-func test_an_object_that_is_freed_while_it_is_asked_is_one_message() -> void:
+func test_an_object_that_is_freed_during_a_query_is_one_error() -> void:
 	var passing := Passing.new()
 	terrain.data = passing
-=======
-func test_an_object_that_is_freed_during_a_query_is_one_error() -> void:
-	var faulty := Faulty.new()
-	faulty.height = 1.0
-	terrain.data = faulty
->>>>>>> w/words
 	field.density = 400.0
 	field.ground_sample_spacing = 0.0
 	field.build_budget_msec = 0.1  # Far less than the time of all calls.
 	field.ground_object = NodePath("../Terrain:data")
 	root.add_child(field)
-<<<<<<< HEAD
-=======
-	await frames(3)
-	check(field.is_building(), "it is queried")
-	faulty.free()
->>>>>>> w/words
 	await rested()
-	check(not is_instance_valid(passing), "it is asked")
+	check(not is_instance_valid(passing), "it is queried")
 	check_error("ground_object")
 	check_equal(field.get_plant_count(), 0, "plants")
 
