@@ -308,7 +308,7 @@ func test_a_plant_that_has_grown_takes_no_more_parts() -> void:
 		kept.append(plant)
 	check(species.generate_mesh(0.0, 3) != null, "it grew")
 	kept[0].add(PlantBlade.new())
-	check_error("PlantGrowth: the plant has grown")
+	check_error("PlantGrowth: the plant is complete")
 
 
 func test_the_last_good_plant_stays() -> void:
