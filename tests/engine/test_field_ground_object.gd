@@ -170,7 +170,7 @@ func test_a_missing_path_is_one_error() -> void:
 	field.ground_object = NodePath()
 	root.add_child(field)
 	await rested()
-	check_error("ground_object '' leads to no object")
+	check_error("ground_object '' is no object")
 
 
 func test_heights_of_the_wrong_type_are_one_error_and_the_plants_stay() -> void:

@@ -24,7 +24,7 @@ func test_a_stem_that_buckles_is_reported_once_and_shown_upright() -> void:
 	reed.species.stem.youngs_modulus = 1e6
 	await frames(2)
 	check_error(
-		"'Weak reed': The stem buckles under its own weight: give it a larger Young's modulus"
+		"'Weak reed': The stem buckles under its own weight: increase its Young's modulus"
 	)
 	reed.species.wind_weight = 0.5
 	var twin := add_stem(reed.species)
