@@ -134,7 +134,6 @@ func _count_drawn(count: int) -> void:
 	RenderingServer.render_loop_enabled = true
 	for frame in DRAWN_FRAMES:
 		await RenderingServer.frame_post_draw
-		print("%d: %d" % [count, _drawn(Viewport.RENDER_INFO_TYPE_VISIBLE, false)])
 	var plants := field.get_plant_count()
 	_rows.append(
 		{

@@ -192,7 +192,9 @@ func test_changes_of_a_field_of_another_seed_are_reported() -> void:
 		field.seed = 7 if other else 0
 		await start()
 		check(field.apply_changes(bytes), "applied")
-		check_error_count("these edits were recorded with seed 0, but the field has seed 7", int(other))
+		check_error_count(
+			"these edits were recorded with seed 0, but the field has seed 7", int(other)
+		)
 		check_equal(
 			field.find_plants_in_sphere(field.global_position, REACH - 0.5).size(), 0, "there"
 		)

@@ -276,7 +276,7 @@ func test_a_script_error_says_what_to_do() -> void:
 		"count cannot be 0": func(plant: PlantGrowth) -> void: plant.scatter(blade, 0),
 		"count cannot be -4": func(plant: PlantGrowth) -> void: plant.scatter(blade, -4),
 		"count cannot be 1e+06": func(plant: PlantGrowth) -> void: plant.scatter(blade, 1000000),
-		"a handle belongs to another plant": func(plant: PlantGrowth) -> void: plant.along(blade, bare, 2),
+		"another plant": func(plant: PlantGrowth) -> void: plant.along(blade, bare, 2),
 		"the option 'size'": func(plant: PlantGrowth) -> void: plant.scatter(blade, 3, {size = 2}),
 		"angle cannot be nan":
 		func(plant: PlantGrowth) -> void: plant.along(blade, plant.ground, 1, {angle = NAN}),

@@ -14,12 +14,13 @@ namespace undergrowth {
 /// Contact of tips (thesis, requirement 2.2.4): each tip is a sphere with the collision radius of its species, and
 /// touching spheres push each other apart. Owns a grid over the ground with the tips of all pages.
 ///
-/// Method: contacts are inelastic. Two touching tips lose their approach speed, divided by their masses, and move apart.
-/// A pair is weighted by one over the larger contact count of the two, so the motion of a plant is a weighted mean over
-/// its contacts, and energy never grows. Two tips that overlap in calm air touch only when they come nearer than that.
+/// Method: contacts are inelastic. Two touching tips lose their approach speed, divided by their masses, and move
+/// apart. A pair is weighted by one over the larger contact count of the two, so the motion of a plant is a weighted
+/// mean over its contacts, and energy never grows. Two tips that overlap in calm air touch only when they come nearer
+/// than that.
 ///
-/// Cost: in each cell a tip checks NEIGHBOURS tips before its own position in the cell's list, and the same number after
-/// it. This bounds the cost of a tip for any radius. The relation is symmetric, so energy does not grow either.
+/// Cost: in each cell a tip checks NEIGHBOURS tips before its own position in the cell's list, and the same number
+/// after it. This bounds the cost of a tip for any radius. The relation is symmetric, so energy does not grow either.
 ///
 /// Use: after each step call gather() for all pages, then sort() on one thread, then count() and separate() for all
 /// pages. Threads may share gather(), count() and separate() by ranges of page numbers, but the functions must not

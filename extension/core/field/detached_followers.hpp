@@ -9,7 +9,8 @@ namespace undergrowth {
 
 /// The detached followers of one species: plants that normally replay a prototype's motion, but are simulated for some
 /// seconds after a push or in disturbed air. Each starts from its drawn pose. ALONE seconds after the last push it
-/// blends back to its prototype over GOING_BACK seconds. Owns a MotionPage with these plants. MAX_COUNT bounds the cost.
+/// blends back to its prototype over GOING_BACK seconds. Owns a MotionPage with these plants. MAX_COUNT bounds the
+/// cost.
 ///
 /// A plant has a number from 0 to count() - 1; remove() changes the number of the last plant. No function but reserve()
 /// allocates. Not thread-safe.

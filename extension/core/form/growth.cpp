@@ -71,7 +71,8 @@ std::string Growth::find_carrier_fault(const std::vector<int> &carriers) const {
 	const int count = static_cast<int>(grown.placed.size());
 	const bool all_known = std::all_of(
 			carriers.begin(), carriers.end(), [count](int carrier) { return carrier >= ON_GROUND && carrier < count; });
-	return all_known ? std::string() : "a handle belongs to another plant. Pass handles that calls for this plant returned.";
+	return all_known ? std::string()
+					 : "a handle belongs to another plant. Pass handles that calls for this plant returned.";
 }
 
 std::string Growth::find_count_fault(

@@ -51,7 +51,8 @@ std::string find_sample_fault(const Part &part) {
 	}
 	const bool all_sound = is_sound(part.colors.base) && is_sound(part.colors.tip) &&
 			std::all_of(colors.begin(), colors.end(), is_sound);
-	return all_sound ? std::string() : "a color has a component that is negative or not finite. Use components from 0 to 1.";
+	return all_sound ? std::string()
+					 : "a color has a component that is negative or not finite. Use components from 0 to 1.";
 }
 
 } // namespace

@@ -133,7 +133,8 @@ const char *describe(RingFault fault) {
 		case RingFault::clockwise:
 			return "The base shape is clockwise, seen from above: reverse the order of its points.";
 		case RingFault::self_crossing:
-			return "The base shape intersects or touches itself: order its points around the stem, and remove duplicates.";
+			return "The base shape intersects or touches itself: order its points around the stem, and remove "
+				   "duplicates.";
 	}
 	return "";
 }

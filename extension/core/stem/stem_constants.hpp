@@ -23,8 +23,8 @@ struct StemGrade {
 };
 
 /// One oscillator of a stem, with the amplitude q (a vector in the horizontal plane, without unit). Half the deflection
-/// (m) at the distance s from the root is q·φ(s). The bend along the stem is q·ψ(x) with ψ = dφ/ds; |ψ| is at most 1, and
-/// ψ is positive at the tip. Energies are 2·mass·|v|² and 2·stiffness·|q|².
+/// (m) at the distance s from the root is q·φ(s). The bend along the stem is q·ψ(x) with ψ = dφ/ds; |ψ| is at most 1,
+/// and ψ is positive at the tip. Energies are 2·mass·|v|² and 2·stiffness·|q|².
 struct StemMode {
 	float frequency = 1.0f; ///< rad/s, gravity included.
 	float damping = 0.1f; ///< Damping ratio of a small swing in still air.
@@ -35,9 +35,9 @@ struct StemMode {
 	float air_share = 1.0f; ///< The same for a wind in m/s.
 	float air_drag = 0.0f; ///< kg·m/s per m/s: ∫c φ², head included; the drag coefficient D of the mode.
 	float air_lag = 0.0f; ///< m: ∫c φ_1 φ/∫c φ_1, the distance that the mode moves away from the wind.
-	/// Limits the amplitudes so that the tip stays above the ground; 0: no ground. First mode: bend of the straight line
-	/// from root to tip per amplitude, with the second mode's part of a steady wind. At 1 the tip of an upright stem
-	/// reaches the ground. Second mode: the maximum part of that 1 that its remaining amplitude may use.
+	/// Limits the amplitudes so that the tip stays above the ground; 0: no ground. First mode: bend of the straight
+	/// line from root to tip per amplitude, with the second mode's part of a steady wind. At 1 the tip of an upright
+	/// stem reaches the ground. Second mode: the maximum part of that 1 that its remaining amplitude may use.
 	float chord = 0.0f;
 	StemGrade period; ///< Factor of 1/frequency.
 };
@@ -45,8 +45,8 @@ struct StemMode {
 /// The constants of a species' stem, for stepping and drawing. They are computed once per species (solve_recipe) for a
 /// stem of `length`, and are valid for plants of all lengths. Immutable; any thread may read them. Comparable by bytes.
 struct StemConstants {
-	/// m. If the frequency is declared, a plant of another length L has the same frequencies, and its loads are scaled by
-	/// length/L. If it follows from the stiffness, grades scale both.
+	/// m. If the frequency is declared, a plant of another length L has the same frequencies, and its loads are scaled
+	/// by length/L. If it follows from the stiffness, grades scale both.
 	float length = 1.0f;
 	int modes = 1;
 	int joints = 4;

@@ -8,8 +8,8 @@
 
 namespace undergrowth {
 
-/// Owns the errors and warnings of a field. Prints each one once to the log, with the node's name, and lists the present
-/// ones as configuration warnings of the node. Main thread.
+/// Owns the errors and warnings of a field. Prints each one once to the log, with the node's name, and lists the
+/// present ones as configuration warnings of the node. Main thread.
 class FieldProblems {
 public:
 	FieldProblems(godot::Node *of, const FieldProperties &set_by_users) : node(of), properties(set_by_users) {}
@@ -18,7 +18,8 @@ public:
 	/// the field can be built.
 	void report(const godot::String &what);
 	bool has_fault() const { return !fault.is_empty(); }
-	/// Sets advice for a field whose plants found no ground, as a configuration warning. Empty: some plants found ground.
+	/// Sets advice for a field whose plants found no ground, as a configuration warning. Empty: some plants found
+	/// ground.
 	void advise(const godot::String &what);
 	/// Prints warnings about contact and bodies: once if contacts are skipped because too many tips are close together,
 	/// and once for each body that cannot push.

@@ -111,7 +111,8 @@ void PlantQueries::set_motion_state(const PackedInt64Array &ids, const PackedFlo
 	const bool is_whole = state.size() == ids.size() * FLOATS_PER_STATE;
 	if (!is_whole && state.size() != ids.size() * FLOATS_OF_TIP) {
 		report_error(node,
-				"set_motion_state() needs twelve numbers for each id, as returned by get_motion_state(), or the first six of them.");
+				"set_motion_state() needs twelve numbers for each id, as returned by get_motion_state(), or the first "
+				"six of them.");
 		return;
 	}
 	const float *from = state.ptr();
@@ -166,7 +167,8 @@ PackedInt64Array PlantQueries::add(const Variant &transforms, const Ref<PlantFun
 	if (placed.size() < places.size()) {
 		report_error(node,
 				String::num_int64(int64_t(places.size() - placed.size())) +
-						" transforms of add_plants() were skipped: they are not finite, or their scale is below 1e-6 or above 1e6. Correct them and add them again.");
+						" transforms of add_plants() were skipped: they are not finite, or their scale is below 1e-6 "
+						"or above 1e6. Correct them and add them again.");
 	}
 	return packed(runtime.add(std::move(placed)));
 }

@@ -85,7 +85,8 @@ bool PlantQueries::find_species(const SavedEdits &saved, std::vector<Ref<PlantFu
 		if (found.back().is_null()) {
 			report_error(node,
 					"apply_changes(): plants of '" + String::utf8(name.c_str()) +
-							"' were added, but the field has no species of that name. Add it to the field's species, or restore its name. Nothing was changed.");
+							"' were added, but the field has no species of that name. Add it to the field's species, "
+							"or restore its name. Nothing was changed.");
 			return false;
 		}
 	}
@@ -174,7 +175,8 @@ bool PlantQueries::apply_changes(const PackedByteArray &bytes) {
 		report_warning(node,
 				"apply_changes(): these edits were recorded with seed " + String::num_int64(*saved.seed) +
 						", but the field has seed " + String::num_int64(runtime.seed()) +
-						". They are applied by position to other plants. Set the recorded seed, or apply edits of this field.");
+						". They are applied by position to other plants. Set the recorded seed, or apply edits of this "
+						"field.");
 	}
 	runtime.forget_repeated_edits();
 	bring_back(saved, species);

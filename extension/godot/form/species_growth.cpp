@@ -60,7 +60,8 @@ void SpeciesGrowth::call_script(PlantFunction &species, const Ref<PlantGrowth> &
 		has_reported_slowness = true;
 		report_warning(&species,
 				"its `_grow` took " + String::num(seconds, 1) +
-						" s for one plant and blocked the game. Compute what is equal for all seeds only once, or reduce the species' variants: a field calls `_grow` for each variant.");
+						" s for one plant and blocked the game. Compute what is equal for all seeds only once, or "
+						"reduce the species' variants: a field calls `_grow` for each variant.");
 	}
 }
 

@@ -248,7 +248,8 @@ PackedStringArray Plant3D::_get_configuration_warnings() const {
 		warnings.push_back(problem);
 	}
 	if (wind.is_valid() && wind->get_strength() == 0.0) {
-		warnings.push_back("The wind has a strength of 0 N, so this plant does not move: increase Strength of its Wind.");
+		warnings.push_back(
+				"The wind has a strength of 0 N, so this plant does not move: increase Strength of its Wind.");
 	}
 	return warnings;
 }

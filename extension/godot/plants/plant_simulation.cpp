@@ -121,7 +121,8 @@ void PlantSimulation::report_warnings() {
 	if (contact.is_crowded() && !has_reported_crowd) {
 		has_reported_crowd = true;
 		report_warning(this,
-				"some contacts between plants are skipped, because too many tips are close together. Reduce collision_radius in their species, move the plants apart, or disable contact_enabled.");
+				"some contacts between plants are skipped, because too many tips are close together. Reduce "
+				"collision_radius in their species, move the plants apart, or disable contact_enabled.");
 	}
 	for (const String &warning : bodies.take_warnings()) {
 		report_warning(this, warning);

@@ -1,15 +1,15 @@
 #include "field/build/build_input.hpp"
 
-#include "base/random.hpp"
-#include "conventions.hpp"
-#include "field/resources/empty_entry.hpp"
-#include "field/build/field_areas.hpp"
-#include "field/view/field_fitting.hpp"
-#include "field/build/ground_sampler.hpp"
-#include "nodes/plant_field_3d.hpp"
 #include "base/new_object.hpp"
-#include "species/species_functions.hpp"
+#include "base/random.hpp"
 #include "base/stopwatch.hpp"
+#include "conventions.hpp"
+#include "field/build/field_areas.hpp"
+#include "field/build/ground_sampler.hpp"
+#include "field/resources/empty_entry.hpp"
+#include "field/view/field_fitting.hpp"
+#include "nodes/plant_field_3d.hpp"
+#include "species/species_functions.hpp"
 
 #include <godot_cpp/classes/mesh_instance3d.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
@@ -91,7 +91,8 @@ static String read_area(
 		}
 	}
 	if (options.endless && options.view_distance <= 0.0 && !options.map.is_valid()) {
-		return "endless needs a view_distance above 0, because an endless field exists only around cameras. Set view_distance, or disable endless.";
+		return "endless needs a view_distance above 0, because an endless field exists only around cameras. Set "
+			   "view_distance, or disable endless.";
 	}
 	if (options.endless && !options.map.is_valid()) {
 		into.area = rectangle({ 2.0f * FARTHEST_COORDINATE, 2.0f * FARTHEST_COORDINATE });
@@ -158,7 +159,8 @@ String read_ground(const Node3D *field, const PlacementOptions &options, FieldGr
 		const Object *ground = find_ground_object(field, options.ground_object);
 		return ground && ground->has_method("get_height") ? String()
 														  : "ground_object '" + String(options.ground_object) +
-						"' is no object with a method get_height(Vector3) -> float. Set the path of such a node, or of a node's property after a colon, or set another ground_mode.";
+						"' is no object with a method get_height(Vector3) -> float. Set the path of such a node, or of "
+						"a node's property after a colon, or set another ground_mode.";
 	}
 	if (into.kind != FieldGround::Kind::mesh) {
 		return String();

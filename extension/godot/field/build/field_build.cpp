@@ -24,7 +24,8 @@ String FieldResult::describe_fault() const {
 		return undergrowth::describe(fault);
 	}
 	if (motion->is_too_large()) {
-		return "needs more texture layers than graphics cards support. Reduce the density, use fewer species with prototypes, or use several fields.";
+		return "needs more texture layers than graphics cards support. Reduce the density, use fewer species with "
+			   "prototypes, or use several fields.";
 	}
 	return String();
 }

@@ -1,10 +1,10 @@
 #include "field/build/ground_query.hpp"
 
 #include "base/convert.hpp"
-#include "field/build/build_input.hpp"
-#include "field/build/field_ground.hpp"
 #include "base/messages.hpp"
 #include "base/new_object.hpp"
+#include "field/build/build_input.hpp"
+#include "field/build/field_ground.hpp"
 
 #include <godot_cpp/classes/collision_object3d.hpp>
 #include <godot_cpp/classes/physics_direct_space_state3d.hpp>
@@ -104,10 +104,13 @@ public:
 	int max_places() const override { return PLACES_AT_ONCE; }
 	bool is_of_physics() const override { return true; }
 	String fault() const override {
-		return "ground_mode GROUND_COLLIDERS needs 3D physics, which is disabled. Select a 3D physics engine in the project settings, or another ground_mode.";
+		return "ground_mode GROUND_COLLIDERS needs 3D physics, which is disabled. Select a 3D physics engine in the "
+			   "project settings, or another ground_mode.";
 	}
 	String advice() const override {
-		return "no collider is below or above the field, so nothing grows. Check that ground_collision_mask has a layer of the ground, and that the ground is within 1000 m. If the ground appears later, call rebuild() then.";
+		return "no collider is below or above the field, so nothing grows. Check that ground_collision_mask has a "
+			   "layer of the ground, and that the ground is within 1000 m. If the ground appears later, call rebuild() "
+			   "then.";
 	}
 
 private:
@@ -167,7 +170,8 @@ public:
 	bool is_of_physics() const override { return false; }
 	String fault() const override { return problem; }
 	String advice() const override {
-		return "its ground_object returned no ground at any position, so nothing grows. Check that the field lies on the ground. If the ground appears later, call rebuild() then.";
+		return "its ground_object returned no ground at any position, so nothing grows. Check that the field lies on "
+			   "the ground. If the ground appears later, call rebuild() then.";
 	}
 
 private:
@@ -212,7 +216,8 @@ private:
 				answer.get_type() == Variant::PACKED_FLOAT32_ARRAY ? PackedFloat32Array(answer) : PackedFloat32Array();
 		if (found.size() != places.size()) {
 			problem = "get_heights() of " + describe(ground) +
-					" did not return a PackedFloat32Array with one height per position. Return world heights in metres, in the order of the positions, with NAN where there is no ground.";
+					" did not return a PackedFloat32Array with one height per position. Return world heights in "
+					"metres, in the order of the positions, with NAN where there is no ground.";
 			return false;
 		}
 		for (int64_t i = 0; i < found.size(); i++) {
@@ -251,8 +256,7 @@ private:
 			}
 			const Variant normal = ground->call("get_normal", world[i]);
 			if (normal.get_type() != Variant::VECTOR3) {
-				problem = "get_normal() of " + describe(ground) +
-						" did not return a Vector3. Return a unit normal.";
+				problem = "get_normal() of " + describe(ground) + " did not return a Vector3. Return a unit normal.";
 				return false;
 			}
 			const Vector3 up = normal;

@@ -64,8 +64,8 @@ public:
 	PlantChunk take_chunk(std::unique_ptr<PreparedChunk> &prepared);
 	/// Sets the texels of the chunk that was taken last.
 	void set_texels(const PoseTexels &texels) { places.push_back(texels); }
-	/// Alternative to take_chunk() and set_texels(): reserve() takes texels for all chunks before draw(), take_all() moves
-	/// all chunks into one edit, and release_texels() returns the texels if that does not happen.
+	/// Alternative to take_chunk() and set_texels(): reserve() takes texels for all chunks before draw(), take_all()
+	/// moves all chunks into one edit, and release_texels() returns the texels if that does not happen.
 	void reserve(FieldMotion &motion);
 	void release_texels(FieldMotion &motion);
 	void take_all(StoreEdit &edit, ArrivingChunks &arriving);

@@ -10,8 +10,8 @@ namespace undergrowth {
 class FieldSteps;
 
 /// Runs the steps of all small fields of a frame in one group task, so that they wake the worker threads once. Owns a
-/// slot for each step. A step that is needed before a thread has taken it runs on the main thread. The functions are for
-/// the main thread; the steps run on any thread.
+/// slot for each step. A step that is needed before a thread has taken it runs on the main thread. The functions are
+/// for the main thread; the steps run on any thread.
 class StepBatch {
 public:
 	/// A step in a batch. Empty: none.

@@ -21,7 +21,8 @@ Ref<PlantFunction> default_species(const Object *field) {
 	if (grass.is_null()) {
 		report_warning(field,
 				String("the field has no species, and the default file ") + GRASS_PATH +
-						" is missing, so GrassFunction grows. Set species, or restore that file; to export it, export all resources of the project.");
+						" is missing, so GrassFunction grows. Set species, or restore that file; to export it, export "
+						"all resources of the project.");
 		grass = Ref<PlantFunction>(new_counted<GrassFunction>());
 	}
 	return grass;

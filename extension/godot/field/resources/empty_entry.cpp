@@ -45,8 +45,7 @@ String describe_empty_entry(const Node *field, int number, const Ref<PlantFieldS
 		return which + " is empty and grows no plants: '" + String("', '").join(missing) + "', which '" + file +
 				"' uses, is missing. Restore the file, set another species, or remove the entry.";
 	}
-	return which +
-			" is empty and grows no plants. Set a PlantFieldSpecies with a PlantFunction, or remove the entry.";
+	return which + " is empty and grows no plants. Set a PlantFieldSpecies with a PlantFunction, or remove the entry.";
 }
 
 } // namespace undergrowth

@@ -58,7 +58,8 @@ int PlantMap::need_layer(const char *method, const String &species) {
 	if (layer < 0) {
 		report_error(this,
 				String(method) +
-						"() needs the name of a species (PlantFieldSpecies.get_layer_name()) with up to 255 bytes; a map has up to 256 of them.");
+						"() needs the name of a species (PlantFieldSpecies.get_layer_name()) with up to 255 bytes; a "
+						"map has up to 256 of them.");
 	}
 	return layer;
 }

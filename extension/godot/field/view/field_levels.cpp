@@ -32,7 +32,8 @@ String find_level_fault(const ViewOptions &options) {
 		const bool has_end = end > 0.0f || i + 1 < options.levels.size();
 		if (has_end && end <= before) {
 			return name + String(" ends at ") + String::num(end) +
-					" m, which is not beyond the previous level. Set a larger end. Only the last level may end at 0, which means never.";
+					" m, which is not beyond the previous level. Set a larger end. Only the last level may end at 0, "
+					"which means never.";
 		}
 		before = end;
 	}

@@ -11,8 +11,8 @@
 
 namespace undergrowth {
 
-/// Owns the Skeleton3D nodes that show single plants of a field, each with a skinned mesh as in a Plant3D. The nodes are
-/// children of an internal node of the field, so the scene does not save them. Unused nodes are hidden and reused.
+/// Owns the Skeleton3D nodes that show single plants of a field, each with a skinned mesh as in a Plant3D. The nodes
+/// are children of an internal node of the field, so the scene does not save them. Unused nodes are hidden and reused.
 /// Scripts may free any node at any time, so nodes are stored by instance id. Main thread.
 class FieldSkeletons {
 public:
