@@ -168,6 +168,7 @@ def make_recorder_project(recorder):
     library = next((add_on / "bin").glob("libundergrowth.linux.template_debug.*.so"))
     (folder / "recorder/librecorded.so").symlink_to(library)
     project.list_extensions(folder, ["res://recorder/recorder.gdextension", project.EXTENSION])
+    project.list_uids(folder)
     (folder / "tests").mkdir()
     project.link(ROOT / "tests/engine", folder / "tests/engine")
     return folder
