@@ -222,7 +222,7 @@ func test_a_build_that_cannot_begin_or_end_is_reported() -> void:
 	root.add_child(terrain)
 	field.rebuild()
 	await until(func() -> bool: return _ends.size() == 2, "it is reported again")
-	check_error("answers with no float")
+	check_error("did not return a float")
 	check_equal(field.is_building(), false, "in the end")
 	check_equal(_ends.size(), 2, "signals")
 	terrain.free()
@@ -289,7 +289,7 @@ func test_strokes_and_changes_during_the_first_build_hold() -> void:
 	check_near(field.get_plant_count(), 3.0 * SIDE * SIDE, 700.0, "at the density that was set")
 
 
-func test_a_streaming_field_of_other_tiles_is_filling_at_once() -> void:
+func test_a_streaming_field_of_other_tiles_is_building_at_once() -> void:
 	_stream(field)
 	field.density = 1.0
 	await start()
@@ -353,10 +353,10 @@ func test_ground_that_fails_after_the_first_part_is_reported() -> void:
 		root.add_child(field)
 		await until(func() -> bool: return not _ends.is_empty(), "it ends")
 		await rested()
-		check_error("answers with no float")
-		check(field.get_plant_count() > 0, "the first part stands")
+		check_error("did not return a float")
+		check(field.get_plant_count() > 0, "the first part is built")
 		check_equal(_ends.size(), 1, "signals: %s" % _ends)
-		check(str(_ends).contains("answers with no float"), "it says why: %s" % _ends)
+		check(str(_ends).contains("did not return a float"), "it says why: %s" % _ends)
 		root.remove_child(field)
 	terrain.free()
 

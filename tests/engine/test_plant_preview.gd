@@ -45,7 +45,7 @@ func test_preview_equals_step_under_the_same_wind() -> void:
 	twin.free()
 
 
-func test_preview_hears_a_gust() -> void:
+func test_the_preview_shows_a_gust() -> void:
 	_wind.kind = PlantWind.KIND_GUST
 	_preview(60)
 	_plant.reset_motion()
@@ -69,9 +69,9 @@ func test_advance_refuses_impossible_times() -> void:
 	_wind.advance(1.5)
 	check_equal(_wind.get_time(), 1.5, "time")
 	_wind.advance(-1.0)
-	check_error("is impossible")
+	check_error("is invalid")
 	_wind.advance(INF)
-	check_error("is impossible")
+	check_error("is invalid")
 	check_equal(_wind.get_time(), 1.5, "time")
 
 

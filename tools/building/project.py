@@ -1,4 +1,5 @@
-"""What a Godot project needs to find the add-on: a link to it, and its name in the list of extensions."""
+"""What a Godot project needs to find the add-on: a link to it, its name in the list of extensions, and the uids of its
+files."""
 
 import os
 import re
@@ -7,6 +8,7 @@ import struct
 import subprocess
 from pathlib import Path
 
+UID = re.compile(r'\b(uid://[a-y0-8]+)')
 EXTENSION = "res://addons/undergrowth/undergrowth.gdextension"
 UID = re.compile(r"uid://([a-y0-8]+)")
 UID_DIGITS = "abcdefghijklmnopqrstuvwxy012345678"
@@ -35,6 +37,7 @@ def list_extensions(project, extensions=(EXTENSION,)):
         path.write_text("".join(line + "\n" for line in extensions))
 
 
+<<<<<<< HEAD
 def find_uids(addons):
     """The uid of each file of the folder `addons` that has one, by its path in the project."""
     found = {}
@@ -62,6 +65,41 @@ def list_uids(project, addons):
         entries.append(struct.pack("<QI", number & (2**63 - 1), len(name)) + name)
     cache.parent.mkdir(parents=True, exist_ok=True)
     cache.write_bytes(b"".join(entries))
+=======
+def uid_number(text):
+    """The number that `uid://` and a word of the digits a to y and 0 to 8 stand for."""
+    number = 0
+    for digit in text.removeprefix("uid://"):
+        number = number * 34 + (ord(digit) - ord("a") if digit.isalpha() else ord(digit) - ord("0") + 25)
+    return number & 0x7FFFFFFFFFFFFFFF
+
+
+def list_uids(project):
+    """Writes the project's list of uids if there is none, as the editor does when it opens a project.
+
+    Without it the engine warns of each uid by which a file refers to another one.
+    """
+    path = Path(project) / ".godot/uid_cache.bin"
+    if path.exists():
+        return
+    entries = b""
+    count = 0
+    for folder, folders, files in os.walk(project, followlinks=True):
+        folders[:] = [name for name in folders if not name.startswith(".")]
+        for name in files:
+            file = Path(folder) / name
+            if file.suffix not in (".tres", ".tscn", ".uid", ".import"):
+                continue
+            text = file.read_text(encoding="utf-8", errors="replace")
+            found = UID.search(text.partition("\n")[0] if file.suffix in (".tres", ".tscn") else text)
+            if found:
+                kept = file.with_suffix("") if file.suffix in (".uid", ".import") else file
+                place = ("res://" + kept.relative_to(project).as_posix()).encode()
+                entries += struct.pack("<QI", uid_number(found[1]), len(place)) + place
+                count += 1
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(struct.pack("<I", count) + entries)
+>>>>>>> main
 
 
 def prepare(project, addons):
@@ -69,4 +107,8 @@ def prepare(project, addons):
     if Path(project).is_dir():
         link(addons, Path(project) / "addons")
         list_extensions(project)
+<<<<<<< HEAD
         list_uids(project, addons)
+=======
+        list_uids(project)
+>>>>>>> main

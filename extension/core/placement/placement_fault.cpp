@@ -20,8 +20,8 @@ bool is_bad_exclusion(const Polygon &polygon) {
 
 PlacementFault find_species_fault(const PlacementSpecies &species) {
 	constexpr double LARGEST = 3.4e38;
-	if (!is_within(species.share, 0.0, LARGEST)) {
-		return PlacementFault::bad_share;
+	if (!is_within(species.weight, 0.0, LARGEST)) {
+		return PlacementFault::bad_weight;
 	}
 	if (species.variants < 1 || species.variants > 256) {
 		return PlacementFault::bad_variants;
@@ -45,10 +45,10 @@ PlacementFault find_all_species_fault(const std::vector<PlacementSpecies> &all) 
 	std::vector<PlacementFault> faults(all.size());
 	std::transform(all.begin(), all.end(), faults.begin(), find_species_fault);
 	faults.erase(std::remove(faults.begin(), faults.end(), PlacementFault::none), faults.end());
-	const auto has_share = [](const PlacementSpecies &species) { return species.share > 0.0f; };
-	const bool all_zero = std::none_of(all.begin(), all.end(), has_share);
+	const auto has_weight = [](const PlacementSpecies &species) { return species.weight > 0.0f; };
+	const bool all_zero = std::none_of(all.begin(), all.end(), has_weight);
 	if (all_zero) {
-		faults.push_back(PlacementFault::no_share);
+		faults.push_back(PlacementFault::no_weight);
 	}
 	return faults.empty() ? PlacementFault::none : *std::min_element(faults.begin(), faults.end());
 }
@@ -98,29 +98,29 @@ const char *describe(PlacementFault fault) {
 		case PlacementFault::none:
 			return "The field is sound.";
 		case PlacementFault::bad_area:
-			return "The field's area holds nothing: give it at least three points that are not on a line.";
+			return "The field's area is empty: set at least three points that are not on one line.";
 		case PlacementFault::bad_exclusion:
-			return "An exclusion has a point that is not a number or more than 100 km away: set it anew.";
+			return "An exclusion has a point that is not finite or more than 100 km away: set it again.";
 		case PlacementFault::bad_density:
 			return "The density must be from 0 to 10000 plants per square metre.";
 		case PlacementFault::no_species:
 			return "The field has no species: add one.";
 		case PlacementFault::too_many_species:
-			return "The field has more than 256 species: spread them over several fields.";
-		case PlacementFault::bad_share:
-			return "A species' weight must be a number of at least 0.";
-		case PlacementFault::no_share:
-			return "All species have a weight of 0: give at least one of them a weight.";
+			return "The field has more than 256 species: distribute them over several fields.";
+		case PlacementFault::bad_weight:
+			return "The weight of a species must be 0 or more.";
+		case PlacementFault::no_weight:
+			return "All species have a weight of 0: set the weight of at least one.";
 		case PlacementFault::bad_variants:
 			return "A species must have 1 to 256 variants.";
 		case PlacementFault::bad_scale:
-			return "A species' scales must be above 0, the least not above the most.";
+			return "The scale range of a species must be above 0, with the smaller number first.";
 		case PlacementFault::bad_deviation:
-			return "A species' height deviation must be from 0 to 1 and its lean from 0 to a quarter turn.";
+			return "The height deviation of a species must be from 0 to 1, and its lean from 0 to 90°.";
 		case PlacementFault::bad_clumping:
-			return "Clumping must be from 0 to 1 and drifts from 1 cm to 100 km wide.";
+			return "Clumping must be from 0 to 1, and the size of clumps from 1 cm to 100 km.";
 		case PlacementFault::too_many_plants:
-			return "The field would have more than 4 million plants: lower the density or make the area smaller.";
+			return "The field would have more than 4 million plants: reduce the density or the area.";
 	}
 	return "";
 }

@@ -187,7 +187,7 @@ int PlantQueries::remove_along(const PackedVector3Array &points, double width) {
 	const bool are_finite =
 			std::all_of(all, all + points.size(), [](const Vector3 &point) { return point.is_finite(); });
 	if (points.is_empty() || !are_finite || !is_radius(width)) {
-		report_error(node, "remove_along() needs finite points, one at least, and a width of 0 or more.");
+		report_error(node, "remove_along() needs at least one point, finite points, and a width of 0 or more.");
 		return 0;
 	}
 	if (!node->is_inside_tree()) {
@@ -216,9 +216,9 @@ int PlantQueries::apply_impulse_in_sphere(const Vector3 &center, double radius, 
 		return 0;
 	}
 	const std::vector<PlantRef> places = in_sphere("apply_impulse_in_sphere", center, radius);
-	const glm::vec3 blow = places.empty() ? glm::vec3() : to_glm(axes_of(node).basis.inverse().xform(impulse));
+	const glm::vec3 local_impulse = places.empty() ? glm::vec3() : to_glm(axes_of(node).basis.inverse().xform(impulse));
 	for (const PlantRef &place : places) {
-		runtime.motion.apply_impulse(place, blow);
+		runtime.motion.apply_impulse(place, local_impulse);
 	}
 	return int(places.size());
 }

@@ -58,7 +58,7 @@ static String read_option(const String &name, const Variant &value, Arrangement 
 				"', which is unknown or of another type. Use from, to, turn, phase, per_node, angle, scale, radius, "
 				"dome, level_tops, flat, tilt and deviation.";
 	}
-	return fits ? String() : "`_grow` passed no number for '" + name + "'. Pass one, or a Vector2 where it runs.";
+	return fits ? String() : "`_grow` passed no number for '" + name + "'. Pass a number, or a Vector2 for a range.";
 }
 
 String read_options(const Dictionary &options, Arrangement &into) {

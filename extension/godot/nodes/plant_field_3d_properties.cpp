@@ -251,7 +251,7 @@ void PlantField3D::set_ground_mode(GroundMode mode) {
 
 void PlantField3D::set_ground_choice(GroundHeight choice) {
 	if (choice != GROUND_HIGHEST && choice != GROUND_LOWEST) {
-		report_error(this, "ground_choice is GROUND_HIGHEST or GROUND_LOWEST; it keeps its value.");
+		report_error(this, "ground_choice must be GROUND_HIGHEST or GROUND_LOWEST; the old value stays.");
 	} else if (int(choice) != properties.ground_choice) {
 		properties.ground_choice = int(choice);
 		dirty.mark_placement();

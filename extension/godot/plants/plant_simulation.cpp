@@ -121,8 +121,8 @@ void PlantSimulation::report_warnings() {
 	if (contact.is_crowded() && !has_reported_crowd) {
 		has_reported_crowd = true;
 		report_warning(this,
-				"too many tips are near each other for all of them to touch: some pairs are left out. Set a smaller "
-				"collision_radius in their species, set the plants farther apart, or contact_enabled off.");
+				"some contacts between plants are skipped, because too many tips are close together. Reduce "
+				"collision_radius in their species, move the plants apart, or disable contact_enabled.");
 	}
 	for (const String &warning : bodies.take_warnings()) {
 		report_warning(this, warning);
@@ -206,15 +206,15 @@ void PlantSimulation::set_step_length(double seconds) {
 	}
 	clock = FixedStep(seconds);
 	// Constants are for one step length, so all plants move to pages of the new one, with their present state.
-	std::vector<Plant3D *> everyone;
+	std::vector<Plant3D *> all_plants;
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
-		everyone.insert(everyone.end(), group->plants.begin(), group->plants.end());
+		all_plants.insert(all_plants.end(), group->plants.begin(), group->plants.end());
 	}
-	for (Plant3D *plant : everyone) {
+	for (Plant3D *plant : all_plants) {
 		plant->leave_simulation();
 	}
 	drop_empty_groups();
-	for (Plant3D *plant : everyone) {
+	for (Plant3D *plant : all_plants) {
 		plant->update_simulation();
 	}
 }

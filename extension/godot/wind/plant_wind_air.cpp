@@ -28,7 +28,7 @@ static constexpr Range SPEED_RANGE = { 0.0, 100.0 };
 static constexpr Range TURBULENCE_RANGE = { -1.0, 2.0 };
 static constexpr Range GUSTINESS_RANGE = { 0.0, 0.3 };
 static constexpr Range ROUGHNESS_RANGE = { 1e-5, 0.5 };
-static constexpr Range STAND_HEIGHT_RANGE = { 0.0, 9.0 };
+static constexpr Range CANOPY_HEIGHT_RANGE = { 0.0, 9.0 };
 static constexpr Range SHARE_RANGE = { 0.0, 1.0 };
 static constexpr Range BLEND_RANGE = { 0.0, 86400.0 };
 static constexpr float FORCE_HEIGHT = 1.0f; // m above the ground: height of the force that sample() returns.
@@ -85,7 +85,7 @@ double PlantWind::get_roughness() const {
 }
 
 void PlantWind::set_canopy_height(double metres) {
-	set_air(&Air::canopy_height, "canopy_height", metres, STAND_HEIGHT_RANGE);
+	set_air(&Air::canopy_height, "canopy_height", metres, CANOPY_HEIGHT_RANGE);
 }
 
 double PlantWind::get_canopy_height() const {
@@ -115,7 +115,7 @@ bool PlantWind::is_air(const char *method) const {
 
 Vector3 PlantWind::sample_velocity(double at_time, const Vector3 &place) const {
 	if (!std::isfinite(at_time) || !place.is_finite()) {
-		report_error(this, "sample_velocity() needs a finite time in seconds and a finite place in metres.");
+		report_error(this, "sample_velocity() needs a finite time in seconds and a finite position in metres.");
 		return Vector3();
 	}
 	if (!is_air("sample_velocity()")) {
@@ -134,7 +134,7 @@ PackedVector2Array PlantWind::sample_over_canopy(double at_time, const PackedVec
 		z.push_back(float(place.y));
 	}
 	if (!is_finite) {
-		report_error(this, "sample_over_canopy() needs a finite time in seconds and finite places in metres.");
+		report_error(this, "sample_over_canopy() needs a finite time in seconds and finite positions in metres.");
 		return velocities;
 	}
 	if (!is_air("sample_over_canopy()")) {
@@ -142,9 +142,10 @@ PackedVector2Array PlantWind::sample_over_canopy(double at_time, const PackedVec
 	}
 	const FieldWind field = travelling();
 	const WindSnapshot now = wind_at_time(field, at_time);
-	const AirBlow blow = blow_over(now.air, std::max(field.air.canopy_height, TURF_HEIGHT), winds_along(field));
+	const AirMoments moments =
+			moments_over(now.air, std::max(field.air.canopy_height, TURF_HEIGHT), winds_along(field));
 	std::vector<float> out_x(x.size()), out_z(x.size());
-	sample_air(now, blow, x.data(), z.data(), nullptr, int(x.size()), out_x.data(), out_z.data());
+	sample_air(now, moments, x.data(), z.data(), nullptr, int(x.size()), out_x.data(), out_z.data());
 	for (size_t i = 0; i < x.size(); i++) {
 		velocities.push_back(Vector2(out_x[i], out_z[i]));
 	}
@@ -167,7 +168,7 @@ void PlantWind::apply_to_material(const Ref<Material> &material) const {
 
 void PlantWind::blend_to(const Ref<PlantWind> &wind, double seconds) {
 	if (wind.is_null() || wind->get_kind() != KIND_AIR || get_kind() != KIND_AIR) {
-		report_error(this, "blend_to() goes from one wind of KIND_AIR to another; nothing changed. Set kind of both.");
+		report_error(this, "blend_to() needs KIND_AIR in both winds; nothing was changed. Set the kind of both.");
 		return;
 	}
 	if (!accept_value(this, "the blend's seconds", seconds, BLEND_RANGE)) {
