@@ -20,8 +20,8 @@ func start() -> void:
 	await frames(2)
 
 
-## Waits until [param filling] is built and its tiles are joined. A signal's sender must not be freed
-## while it emits.
+## Waits until [param filling] is built and its tiles are joined. A signal's sender must not be
+## freed while it emits.
 func filled(filling: PlantField3D) -> void:
 	await filling.build_finished
 	await process_frame
