@@ -1,0 +1,80 @@
+## The form of a default field: blades of neighbours point one way, and light tips have a dark base.
+extends "res://tests/engine/picture_harness.gd"
+
+const SIZE := Vector2i(1280, 720)
+## Rows above it show background beyond the field.
+const FIRST_ROW := 320
+## Side of the squares (pixels) in which the direction of blades is measured.
+const SQUARE := 40
+const MIN_COHERENCE := 0.5
+const MIN_VALUE_RANGE := 12.0
+
+
+func before_each() -> void:
+	make_stage()
+	stage.size = SIZE
+	stage.msaa_3d = Viewport.MSAA_4X
+
+
+func after_each() -> void:
+	stage.free()
+
+
+func test_a_default_field_has_direction_and_depth() -> void:
+	var field := PlantField3D.new()
+	field.simulation_enabled = false
+	stage.add_child(field)
+	var camera := stage.get_camera_3d()
+	camera.look_at_from_position(Vector3(0, 1.7, 6.0), Vector3(0, 0.2, 1.5))
+	var shown := await picture()
+	var coherence := _coherence_of(shown)
+	check(coherence >= MIN_COHERENCE, "coherence of blade directions: %.2f" % coherence)
+	var values := _values_of(shown)
+	values.sort()
+	var count := values.size()
+	var low := values[count * 5 / 100]
+	var spread := values[count * 95 / 100] / maxf(low, 1e-4)
+	check(spread >= MIN_VALUE_RANGE, "range of values: %.1f" % spread)
+	field.combed = 0.0
+	var free := _coherence_of(await picture())
+	check(free < coherence - 0.1, "without combing: %.2f, with it %.2f" % [free, coherence])
+
+
+## Returns the mean over squares of (a - b) / (a + b), with the eigenvalues a and b of the structure
+## tensor: 1 if all edges are parallel, 0 if they have no direction.
+func _coherence_of(shown: Image) -> float:
+	var grey := PackedFloat32Array()
+	for y in SIZE.y:
+		for x in SIZE.x:
+			var color := shown.get_pixel(x, y)
+			grey.append(0.299 * color.r + 0.587 * color.g + 0.114 * color.b)
+	var sum := 0.0
+	var count := 0
+	for top in range(FIRST_ROW, SIZE.y - SQUARE, SQUARE):
+		for left in range(1, SIZE.x - SQUARE, SQUARE):
+			sum += _coherence_in(grey, left, top)
+			count += 1
+	return sum / count
+
+
+func _coherence_in(grey: PackedFloat32Array, left: int, top: int) -> float:
+	var xx := 0.0
+	var yy := 0.0
+	var xy := 0.0
+	for y in range(top, top + SQUARE):
+		for x in range(left, left + SQUARE):
+			var at := y * SIZE.x + x
+			var dx := grey[at + 1] - grey[at - 1]
+			var dy := grey[at + SIZE.x] - grey[at - SIZE.x]
+			xx += dx * dx
+			yy += dy * dy
+			xy += dx * dy
+	return Vector2(xx - yy, 2.0 * xy).length() / maxf(xx + yy, 1e-9)
+
+
+func _values_of(shown: Image) -> PackedFloat32Array:
+	var values := PackedFloat32Array()
+	for y in range(FIRST_ROW, SIZE.y):
+		for x in SIZE.x:
+			values.append(shown.get_pixel(x, y).srgb_to_linear().get_luminance())
+	return values
