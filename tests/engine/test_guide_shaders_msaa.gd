@@ -58,8 +58,9 @@ func _check_antialiased(place: String) -> void:
 	var brightest := _brightest(await picture())
 	check(brightest > 0.05 and brightest < 4.0, "%s is lit, by at most %.2f" % [place, brightest])
 	stage.msaa_3d = Viewport.MSAA_4X
-	var wrong := _count_wrong(await picture(), TOLERANCE_OF_LIGHT * brightest)
-	check_equal(wrong, 0, "wrong pixels of " + place)
+	var shown := await picture()
+	var wrong := _count_wrong(shown, TOLERANCE_OF_LIGHT * brightest)
+	check_equal(wrong, 0, "wrong pixels of %s, of %.2f and %.2f" % [place, _brightest(shown), brightest])
 
 
 ## Returns the shaders of plants that the guide shows.
