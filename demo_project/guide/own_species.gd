@@ -13,13 +13,13 @@ func _fill(row: HBoxContainer) -> void:
 	for i in TITLES.size():
 		var tuft := Tuft.new()
 		tuft.steps = i + 1
-		_stand(row, TITLES[i], tuft)
-	_stand(row, "bristles", Foxtail.new())
-	_stand(row, "four functions", ReedMace.new(), TALL)
-	_stand(row, "curves", _make_thistle())
+		_add_plant(row, TITLES[i], tuft)
+	_add_plant(row, "bristles", Foxtail.new())
+	_add_plant(row, "four functions", ReedMace.new(), TALL)
+	_add_plant(row, "curves", _make_thistle())
 
 
-func _stand(row: HBoxContainer, title: String, species: PlantFunction, scale := 1.0) -> void:
+func _add_plant(row: HBoxContainer, title: String, species: PlantFunction, scale := 1.0) -> void:
 	var from := Vector3(0.0, 0.75, 2.0) * scale
 	var world := add_cell(row, title, from, Vector3(0.0, 0.32, 0.0) * scale, 30.0)
 	var plant := Plant3D.new()
