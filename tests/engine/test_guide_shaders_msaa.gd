@@ -61,7 +61,9 @@ func _check_antialiased(place: String) -> void:
 	stage.msaa_3d = Viewport.MSAA_4X
 	var shown := await picture()
 	var wrong := _count_wrong(shown, TOLERANCE_OF_LIGHT * brightest)
-	check_equal(wrong, 0, "wrong pixels of %s, of %.2f and %.2f" % [place, _brightest(shown), brightest])
+	check_equal(
+		wrong, 0, "wrong pixels of %s, of %.2f and %.2f" % [place, _brightest(shown), brightest]
+	)
 
 
 ## Returns the shaders of plants that the guide shows.

@@ -12,7 +12,7 @@ namespace {
 constexpr double JITTER = 0.35; ///< Max distance of a centre from the middle of its cell, in cells.
 constexpr double MEAN_TURN = 0.5 * PI; ///< rad.
 constexpr double FLOW_SIZE = 10.0; ///< m.
-constexpr double FLOW_TURN = 0.35 * PI; ///< rad, of the flow to both sides of its mean direction.
+constexpr double FLOW_TURN = 0.25 * PI; ///< rad, of the flow to both sides of its mean direction.
 constexpr double OWN_TURN = 0.25; ///< rad, of a clump to both sides of the flow.
 constexpr double MIN_LEAN = 0.4;
 
