@@ -9,8 +9,8 @@ const PAGES: PackedStringArray = [
 	"docs/guide/grounds.md"
 ]
 const SIZE := Vector2i(320, 180)
-## Factor by which channels may be brighter, because antialiasing samples other points of a plant. The
-## plain picture misses small highlights. Extrapolated values have no bound.
+## Factor by which channels may be brighter, because antialiasing samples other points of a plant.
+## The plain picture misses small highlights. Extrapolated values have no bound.
 const TOLERANCE_OF_LIGHT := 1.6
 
 

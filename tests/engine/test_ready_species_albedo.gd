@@ -8,7 +8,7 @@ const VIEW := 1.6
 const DISTANCES: PackedFloat32Array = [2.0, 8.0, 25.0]
 ## Degrees by which the hue of the mean colour may differ from that at the first distance.
 const MAX_HUE_CHANGE := 5.0
-## The same at the last distance for species whose coarsest form has other shares of flowers and leaves.
+## The same at the last distance for species whose coarsest form has other shares of its colours.
 const MAX_FAR_HUE_CHANGES: Dictionary[String, float] = {
 	"buttercup": 10.0,
 	"cornflower": 17.0,
