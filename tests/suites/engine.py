@@ -53,6 +53,9 @@ DRAWN = {"threads": ["gl_compatibility"], "threads_first_mesh": ["gl_compatibili
          "field_scaled": ["gl_compatibility"], "field_materials_in_use": ["gl_compatibility"],
          "fields_together": ["gl_compatibility"],
          "shadows_of_parts_picture": ["gl_compatibility", "forward_plus"],
+         "ready_species_albedo": ["forward_plus"],
+         "guide_shaders_msaa": ["forward_plus"],
+         "stand_picture": ["forward_plus"],
          "ready_species_picture": ["gl_compatibility"]}
 # The slowest scripts, which start first.
 SLOW = {"field_tile_rebuild", "species_levels", "hot_reload", "physics_thread"}

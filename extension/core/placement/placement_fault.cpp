@@ -90,6 +90,9 @@ PlacementFault find_placement_fault(const PlacementRequest &request) {
 	if (!is_within(request.clumping, 0.0, 1.0) || !is_within(request.drift_size, 0.01f, FARTHEST_COORDINATE)) {
 		return PlacementFault::bad_clumping;
 	}
+	if (!is_within(request.combed, 0.0, 1.0)) {
+		return PlacementFault::bad_combed;
+	}
 	return are_too_many(request) ? PlacementFault::too_many_plants : PlacementFault::none;
 }
 
@@ -119,6 +122,8 @@ const char *describe(PlacementFault fault) {
 			return "The height deviation of a species must be from 0 to 1, and its lean from 0 to 90°.";
 		case PlacementFault::bad_clumping:
 			return "Clumping must be from 0 to 1, and the size of clumps from 1 cm to 100 km.";
+		case PlacementFault::bad_combed:
+			return "Combed must be from 0 to 1.";
 		case PlacementFault::too_many_plants:
 			return "The field would have more than 4 million plants: reduce the density or the area.";
 	}

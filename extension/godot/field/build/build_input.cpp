@@ -119,6 +119,7 @@ String read_request(const Node3D *field, const PlacementOptions &options, const 
 	into.seed = uint64_t(options.place_seed);
 	into.clumping = float(options.clumping);
 	into.drift_size = float(options.clump_size);
+	into.combed = float(options.combed);
 	double shares = 0.0, weighted = 0.0;
 	for (int64_t i = 0; i < options.species.size(); i++) {
 		const Ref<PlantFieldSpecies> listed = options.species[i];

@@ -113,6 +113,7 @@ void FieldMaterials::bind_style(const SpeciesStyle &style, const FieldMotion &mo
 		set_parameter(material, "undergrowth_beats", motion.beat_texture());
 		set_parameter(material, "undergrowth_has_heights", motion.has_heights());
 		set_parameter(material, "undergrowth_axes", axes_of(node).basis.inverse());
+		set_parameter(material, "undergrowth_origin", axes_of(node).origin);
 	}
 	send_stem(style);
 }
@@ -147,9 +148,11 @@ void FieldMaterials::send_stems(const FieldRenderSetup &setup) {
 
 void FieldMaterials::send_axes(const FieldRenderSetup &setup) const {
 	const Basis to_field = axes_of(node).basis.inverse();
+	const Vector3 origin = axes_of(node).origin;
 	for (const SpeciesStyle &style : setup.styles) {
 		for (const Ref<ShaderMaterial> &material : style.materials) {
 			set_parameter(material, "undergrowth_axes", to_field);
+			set_parameter(material, "undergrowth_origin", origin);
 		}
 	}
 }
