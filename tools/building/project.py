@@ -10,8 +10,6 @@ from pathlib import Path
 
 UID = re.compile(r'\b(uid://[a-y0-8]+)')
 EXTENSION = "res://addons/undergrowth/undergrowth.gdextension"
-UID = re.compile(r"uid://([a-y0-8]+)")
-UID_DIGITS = "abcdefghijklmnopqrstuvwxy012345678"
 
 
 def link(target, place):
@@ -37,35 +35,6 @@ def list_extensions(project, extensions=(EXTENSION,)):
         path.write_text("".join(line + "\n" for line in extensions))
 
 
-<<<<<<< HEAD
-def find_uids(addons):
-    """The uid of each file of the folder `addons` that has one, by its path in the project."""
-    found = {}
-    for path in sorted(Path(addons).rglob("*")):
-        if path.suffix in (".tres", ".tscn", ".uid"):
-            uid = UID.search(path.read_text().partition("\n")[0])
-            named = path.with_suffix("") if path.suffix == ".uid" else path
-            if uid:
-                found["res://addons/" + named.relative_to(addons).as_posix()] = uid[1]
-    return found
-
-
-def list_uids(project, addons):
-    """Writes the project's cache of uids if there is none. An import makes one; a project without it warns of each."""
-    cache = Path(project) / ".godot/uid_cache.bin"
-    if cache.exists():
-        return
-    uids = find_uids(addons)
-    entries = [struct.pack("<I", len(uids))]
-    for path, text in uids.items():
-        number = 0
-        for digit in text:
-            number = number * len(UID_DIGITS) + UID_DIGITS.index(digit)
-        name = path.encode()
-        entries.append(struct.pack("<QI", number & (2**63 - 1), len(name)) + name)
-    cache.parent.mkdir(parents=True, exist_ok=True)
-    cache.write_bytes(b"".join(entries))
-=======
 def uid_number(text):
     """The number that `uid://` and a word of the digits a to y and 0 to 8 stand for."""
     number = 0
@@ -99,7 +68,6 @@ def list_uids(project):
                 count += 1
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_bytes(struct.pack("<I", count) + entries)
->>>>>>> main
 
 
 def prepare(project, addons):
@@ -107,8 +75,4 @@ def prepare(project, addons):
     if Path(project).is_dir():
         link(addons, Path(project) / "addons")
         list_extensions(project)
-<<<<<<< HEAD
-        list_uids(project, addons)
-=======
         list_uids(project)
->>>>>>> main
