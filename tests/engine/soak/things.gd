@@ -187,17 +187,17 @@ func play_with_map() -> void:
 		map.data = value({"name": "data", "type": TYPE_PACKED_BYTE_ARRAY})
 	else:
 		var methods := ClassDB.class_get_method_list(&"PlantMap", true)
-		ask(map, pick(methods.filter(_is_no_setter)))
+		query(map, pick(methods.filter(_is_no_setter)))
 
 
 ## Calls a method of a species.
-func ask_function() -> void:
+func query_function() -> void:
 	var methods := ClassDB.class_get_method_list(&"PlantFunction", true)
 	ask(pick(_functions), pick(methods.filter(_is_no_setter)))
 
 
 ## Calls a method of the simulation, or changes its step.
-func ask_simulation() -> void:
+func query_simulation() -> void:
 	var simulation: Object = Engine.get_singleton(&"PlantSimulation")
 	if chance(0.1):
 		simulation.set(&"step_length", pick([0.001, 0.1, 1.0 / 60.0, NAN]))
@@ -317,7 +317,7 @@ func change(object: Object, info: Dictionary) -> void:
 
 
 ## Calls a method of [param object], described by [param info], with random arguments.
-func ask(object: Object, info: Dictionary) -> void:
+func query(object: Object, info: Dictionary) -> void:
 	var arguments: Array = []
 	for argument: Dictionary in info["args"]:
 		arguments.append(_argument(object, argument))

@@ -38,16 +38,16 @@ func _init(new_root: Node, seed: int) -> void:
 	_add_second_world()
 	_add_field()
 	var often: Array[Callable] = [
-		_change_field, _change_field, _ask_field, _ask_field, _change_resource
+		_change_field, _change_field, _query_field, _query_field, _change_resource
 	]
-	_actions = [_change_plant, _ask_plant, _add_field, _add_plant, _add_other, _free_other]
+	_actions = [_change_plant, _query_plant, _add_field, _add_plant, _add_other, _free_other]
 	_actions += [
 		_free_field, _free_plant, _move, _move, _reparent, _pause, _change_wind, _edit_path
 	]
 	_actions += often + often
-	_actions += [_change_other, _change_other, _ask_other, _save_field, _apply_saved]
+	_actions += [_change_other, _change_other, _query_other, _save_field, _apply_saved]
 	_actions += [things.play_with_map, things.play_with_map, things.work_on_threads]
-	_actions += [things.ask_function, things.ask_simulation, _shade_ground]
+	_actions += [things.query_function, things.query_simulation, _shade_ground]
 
 
 func act() -> void:
@@ -167,7 +167,7 @@ func _change_other() -> void:
 		source.position = point()
 
 
-func _ask_other() -> void:
+func _query_other() -> void:
 	var source: Node3D = pick(others)
 	if source is PlantWindSource3D:
 		source.explode()
@@ -190,8 +190,8 @@ func _apply_saved() -> void:
 		field.saved_changes = bytes
 
 
-func _ask_field() -> void:
-	_ask(pick(fields))
+func _query_field() -> void:
+	_query(pick(fields))
 
 
 func _shade_ground() -> void:
@@ -200,18 +200,18 @@ func _shade_ground() -> void:
 		things.shade_ground(field)
 
 
-func _ask_plant() -> void:
-	_ask(pick(plants))
+func _query_plant() -> void:
+	_query(pick(plants))
 
 
-func _ask(node: Node3D) -> void:
+func _query(node: Node3D) -> void:
 	if node == null:
 		return
-	var methods := ClassDB.class_get_method_list(node.get_class(), true).filter(_is_asked)
-	things.ask(node, pick(methods))
+	var methods := ClassDB.class_get_method_list(node.get_class(), true).filter(_is_query)
+	things.query(node, pick(methods))
 
 
-func _is_asked(method: Dictionary) -> bool:
+func _is_query(method: Dictionary) -> bool:
 	var title: String = method["name"]
 	var is_setter := title.begins_with("set_") and title != "set_motion_state"
 	return not is_setter and (not title.begins_with("_") or title == "_preview")
@@ -233,7 +233,9 @@ func _is_stored(property: Dictionary) -> bool:
 func _change_wind() -> void:
 	var wind: PlantWind = pick(things.winds)
 	if chance(0.5):
-		things.ask(wind, pick(ClassDB.class_get_method_list(&"PlantWind", true).filter(_is_asked)))
+		things.query(
+			wind, pick(ClassDB.class_get_method_list(&"PlantWind", true).filter(_is_query))
+		)
 	else:
 		things.change(wind, pick(ClassDB.class_get_property_list(&"PlantWind", true)))
 
@@ -278,7 +280,7 @@ func _on_progressed(_ratio: float, field: PlantField3D) -> void:
 ## Runs actions in signal handlers, as scripts do.
 func _on_signal(field: PlantField3D) -> void:
 	if chance(0.2):
-		_ask(field)
+		_query(field)
 	elif chance(0.1):
 		_change(field)
 	elif chance(0.05):
