@@ -107,7 +107,10 @@ static Vector2 from_above(const FormMeasure &measure, const FormArrays &arrays) 
 }
 
 MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sampled, Vector2 *above) {
-	const FormPlan plan = plan_form(grown.form, grown.measure(), vertex_budget(sampled.lod));
+	FormPlan plan = plan_form(grown.form, grown.measure(), vertex_budget(sampled.lod));
+	if (sampled.stem) {
+		divide_carriers(grown.form, sampled.stem->joints, plan);
+	}
 	FormArrays arrays(plan.counts);
 	const FormBones none;
 	build_form_mesh(grown.form, grown.measure(), plan, sampled.has_part_bones ? grown.bones : none, sampled.options,
