@@ -3,12 +3,12 @@ extends SceneTree
 ##
 ## godot --path demo_project --rendering-method forward_plus --fixed-fps 15 --audio-driver Dummy
 ##     --script res://capture.gd -- --out=DIR [--scene=res://field/field.tscn] [--name=demo]
-##     [--frames=60] [--size=1280x720] [--views=yes]
+##     [--frames=60] [--every=1] [--size=1280x720] [--views=yes] [--fine=no]
 ##
 ## Writes DIR/demo.png (of that size, with the panel), DIR/views/NAME.png for each camera under the
 ## scene's node "Views" (without panels), and DIR/frames/000.png … (640×360 without it, one
-## per frame of --fixed-fps, with a gust); no frames with --frames=0. Ends with status 1 where it
-## could not.
+## per frame of --fixed-fps, or per --every frames, with a gust); no frames with --frames=0. With
+## --fine=no plants are as coarse as without a graphics card. Ends with status 1 where it could not.
 ## Forward+ in software (lavapipe) is faster than Compatibility (llvmpipe) and looks better.
 
 const FRAME_SIZE := Vector2i(640, 360)
@@ -22,6 +22,8 @@ var _options := {
 	"frames": "60",
 	"size": "1280x720",
 	"views": "",
+	"every": "1",
+	"fine": "yes",
 }
 
 
@@ -52,9 +54,11 @@ func _take_pictures() -> void:
 	root.msaa_3d = Viewport.MSAA_2X  # In software a frame takes a third of the time.
 	_hide_panels()
 	await _draw_at(FRAME_SIZE)
+	var every := int(_options["every"])
 	for index in frames:
-		if index == GUST_FRAME:
+		if index * every == GUST_FRAME:
 			_trigger_gust()
+		await _pass(every - 1)
 		await RenderingServer.frame_post_draw
 		if not _save(folder.path_join("frames/%03d.png" % index)):
 			return
@@ -83,11 +87,18 @@ func _sway() -> void:
 	await RenderingServer.frame_post_draw
 	RenderingServer.render_loop_enabled = false
 	var fields := current_scene.find_children("*", "PlantField3D", true, false)
-	for panel in current_scene.find_children("PicturePanel", "PanelContainer", true, false):
-		panel.call(&"draw_fine_plants")  # As a graphics card would show them.
+	if _options["fine"] == "yes":
+		for panel in current_scene.find_children("PicturePanel", "PanelContainer", true, false):
+			panel.call(&"draw_fine_plants")  # As a graphics card would show them.
 	while fields.any(func(field: PlantField3D) -> bool: return field.is_building()):
 		await process_frame
-	for _frame in WARM_UP_FRAMES:
+	await _pass(WARM_UP_FRAMES)
+
+
+## Lets [param count] frames pass without drawing them.
+func _pass(count: int) -> void:
+	RenderingServer.render_loop_enabled = false
+	for _frame in count:
 		await process_frame
 	RenderingServer.render_loop_enabled = true
 

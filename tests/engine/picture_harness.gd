@@ -54,6 +54,14 @@ func make_twin(
 	return plant
 
 
+## Draws nothing while it waits: each frame takes longer than the build's part of it.
+func settled(field: PlantField3D) -> void:
+	var is_drawn := RenderingServer.render_loop_enabled
+	RenderingServer.render_loop_enabled = false
+	await super(field)
+	RenderingServer.render_loop_enabled = is_drawn
+
+
 ## Returns the picture of the stage, two frames after all of its fields show their settings.
 func picture() -> Image:
 	if DisplayServer.get_name() == "headless":

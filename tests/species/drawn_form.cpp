@@ -16,6 +16,9 @@ template <class V> bool is_unit(const V &v) {
 	return std::abs(glm::length(glm::vec3(v)) - 1.0f) < UNIT;
 }
 
+// Kinds of venation, which CUSTOM0.z contains beside the rank (mesh/vertex_format.hpp).
+constexpr float VENATIONS = 5.0f;
+
 bool is_share(float value) {
 	return value >= 0.0f && value <= 1.0f;
 }
@@ -84,8 +87,11 @@ std::string DrawnForm::problem_of(size_t i) const {
 		return "its colour or UV is not finite";
 	}
 	const glm::vec4 &attachment = custom0[i];
-	if (!is_share(attachment.x) || !is_share(attachment.y) || !is_share(attachment.z) || !is_share(attachment.w)) {
+	if (!is_share(attachment.x) || !is_share(attachment.y) || !is_share(attachment.w)) {
 		return "CUSTOM0 holds no shares";
+	}
+	if (!(attachment.z >= 0.0f && attachment.z < VENATIONS)) {
+		return "its rank and venation are no code";
 	}
 	if (!is_finite(glm::vec3(custom1[i])) || !is_code(custom1[i].w)) {
 		return "its pivot or pace is not finite";

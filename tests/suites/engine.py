@@ -68,6 +68,8 @@ EXPECTED = "WARNING: Could not set V-Sync mode"
 # Each frame is a sixtieth of a second of the scene's time. The machine's load has no effect, and frames do not wait for
 # the clock.
 STEADY = ["--fixed-fps", "60"]
+# Scripts draw in viewports of their own. Each frame of a larger window costs time.
+WINDOW = "64x64"
 TIMEOUT = 600  # s for one script: two cores may be busy with other suites.
 END_LINE = re.compile(r"^done (\d+)$", re.MULTILINE)
 # One line per round of several: `round 3 seed 17`.
@@ -214,7 +216,7 @@ def run_script(godot, folder, script, method=None, rounds=None, part=0):
         words += ["--headless", *rounds.words()]
         return read_output(name, *run(name, words, timeout=TIMEOUT * rounds.times, silence=TIMEOUT,
                                       environment=environment))
-    words += ["--rendering-method", method, "--audio-driver", "Dummy", *rounds.words()]
+    words += ["--rendering-method", method, "--audio-driver", "Dummy", "--resolution", WINDOW, *rounds.words()]
     try:
         with display.virtual(640, 360) as environment:
             environment = private_home({**environment, "GODOT": str(godot)}, part)

@@ -83,7 +83,7 @@ func new_field() -> PlantField3D:
 	field.bodies_group = &"walkers"
 	field.wind = pick(winds)
 	field.prototypes = pick([0, 0, 16])
-	field.map = pick(maps) if chance(0.3) else null
+	field.map = pick(maps) if chance(0.5) else null
 	return field
 
 
@@ -193,7 +193,7 @@ func play_with_map() -> void:
 ## Calls a method of a species.
 func query_function() -> void:
 	var methods := ClassDB.class_get_method_list(&"PlantFunction", true)
-	ask(pick(_functions), pick(methods.filter(_is_no_setter)))
+	query(pick(_functions), pick(methods.filter(_is_no_setter)))
 
 
 ## Calls a method of the simulation, or changes its step.
@@ -203,7 +203,7 @@ func query_simulation() -> void:
 		simulation.set(&"step_length", pick([0.001, 0.1, 1.0 / 60.0, NAN]))
 	else:
 		var methods := ClassDB.class_get_method_list(&"PlantSimulation", true)
-		ask(simulation, pick(methods.filter(_is_no_setter)))
+		query(simulation, pick(methods.filter(_is_no_setter)))
 
 
 ## Stores saved [param bytes], which are damaged and loaded later.
@@ -303,7 +303,9 @@ func change(object: Object, info: Dictionary) -> void:
 			)
 		"material", "material_override", "material_overlay":
 			object.set(title, null if chance(0.4) else pick(_materials))
-		"outline", "ground_mesh", "ground_object":
+		"ground_object":
+			_choose_ground_object(object as PlantField3D)
+		"outline", "ground_mesh":
 			object.set(title, NodePath() if chance(0.3) else _path_from(object as Node))
 		"exclusions", "streaming_targets":
 			object.set(title, _path_list(object as Node))
@@ -425,6 +427,14 @@ func _path_from(node: Node) -> NodePath:
 	if target == null or node == null or not node.is_inside_tree() or not target.is_inside_tree():
 		return ^"../nowhere"
 	return node.get_path_to(target)
+
+
+func _choose_ground_object(field: PlantField3D) -> void:
+	var ground: Node = pick(_others.filter(func(node: Node3D) -> bool: return node is HeightObject))
+	var has_path := ground != null and ground.is_inside_tree() and field.is_inside_tree()
+	field.ground_object = field.get_path_to(ground) if has_path else NodePath()
+	if chance(0.7):
+		field.ground_mode = PlantField3D.GROUND_OBJECT
 
 
 func _path_list(node: Node) -> Array[NodePath]:

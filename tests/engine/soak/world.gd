@@ -34,6 +34,7 @@ func _init(new_root: Node, seed: int) -> void:
 	rng.seed = seed
 	things = Things.new(seed, fields, others)
 	_add(Camera3D.new(), others)
+	_add(Things.HeightObject.new(), others)
 	_add_second_world()
 	_add_field()
 	var often: Array[Callable] = [
