@@ -156,14 +156,14 @@ func test_widths_that_are_none_are_refused() -> void:
 	field.exclusion_widths = [1.0]
 	root.add_child(field)
 	await rested()
-	check_error("exclusions[0] has a curve of one point or none")
+	check_error("exclusions[0] has a curve of fewer than two points")
 	field.exclusions = []
 	field.outline = ^"Spot"
 	await rested()
-	check_error("outline 'Spot' has a curve of two points or fewer")
+	check_error("outline 'Spot' has a curve of fewer than three points")
 	field.outline_width = 2.0
 	await rested()
-	check_error("outline 'Spot' has a curve of one point or none")
+	check_error("outline 'Spot' has a curve of fewer than two points")
 
 
 func _places() -> PackedVector3Array:

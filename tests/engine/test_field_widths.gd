@@ -1,6 +1,7 @@
 ## The drawn width of a field's plants at changes of level and at lower density, in pictures.
 extends "res://tests/engine/picture_harness.gd"
 
+const STYLE := "res://addons/undergrowth/shaders/plant_parts.gdshader"
 const MEADOW_GRASS := "res://addons/undergrowth/species/meadow_grass.tres"
 const OXEYE_DAISY := "res://addons/undergrowth/species/oxeye_daisy.tres"
 const MARGIN := 1.0
@@ -11,6 +12,7 @@ var _field: PlantField3D
 func before_each() -> void:
 	make_stage()
 	_field = PlantField3D.new()
+	_field.combed = 0.0  # Placement changes no widths.
 	_field.density = 0.0  # Added plants only.
 	_field.simulation_enabled = false
 	stage.add_child(_field)
@@ -66,6 +68,10 @@ func test_few_wide_leaves_cover_no_more_than_many_from_above() -> void:
 
 
 func test_widened_far_plants_are_not_brighter() -> void:
+	_field.material_override = ShaderMaterial.new()
+	(_field.material_override as ShaderMaterial).shader = load(STYLE)
+	for tone: StringName in [&"patchiness", &"clumpiness"]:  # Tones of places.
+		(_field.material_override as ShaderMaterial).set_shader_parameter(tone, 0.0)
 	_sow(load(OXEYE_DAISY), 40.0, 1.5)
 	var whole := _brightest(await picture())
 	_field.levels[0].density = 0.4
