@@ -49,7 +49,7 @@ func test_plants_of_extreme_size_are_refused_and_those_far_away_exist() -> void:
 	for size: float in [1e-30, 1e-20, 1e-7, 1.0, 1e7, 1e18, 3e38]:
 		places.append(Transform3D(Basis.from_scale(Vector3.ONE * size), Vector3(0, 0, 30)))
 	var ids := field.add_plants(places, field.species[0].species)
-	check_error("6 transforms of add_plants() are not finite, or of a scale below 1e-6")
+	check_error("6 transforms of add_plants() were skipped: they are not finite")
 	check_equal(ids.size(), 1, "ids")
 	_check_sound(ids)
 	var far := Vector3(1e31, 0, -1e31)
