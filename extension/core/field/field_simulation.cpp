@@ -1,6 +1,8 @@
 #include "field/field_simulation.hpp"
 
 #include "motion/gnomonic.hpp"
+#include "stem/stem_bones.hpp"
+#include "stem/stem_shape.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -291,6 +293,292 @@ void FieldSimulation::step_page(int page) {
 			beat(page).last_push = beat(page).last_step;
 		}
 	}
+}
+
+namespace {
+
+bool contains(const MotionPage &page, const glm::vec3 &point, float margin) {
+	return point.x >= page.low().x - margin && point.x <= page.high().x + margin && point.y >= page.low().y - margin &&
+			point.y <= page.high().y + margin && point.z >= page.low().z - margin && point.z <= page.high().z + margin;
+}
+
+} // namespace
+
+int FieldSimulation::plant_count() const {
+	int plants = 0;
+	for (const Entry &entry : entries) {
+		plants += entry.page.live_count();
+	}
+	return plants;
+}
+
+int FieldSimulation::simulated_count() const {
+	if (models.empty()) {
+		return plant_count();
+	}
+	int plants = static_cast<int>(models.size()) * options.prototypes;
+	for (const DetachedFollowers &some : detached) {
+		plants += some.count();
+	}
+	return plants;
+}
+
+int FieldSimulation::due_count() const {
+	// The first step simulates the earlier motion of prototypes.
+	const int rounds = next_step == 0 ? Prototypes::SLOTS + 1 : 1;
+	int due = 0;
+	for (const Prototypes &model : models) {
+		due += rounds * model.count();
+	}
+	for (const DetachedFollowers &some : detached) {
+		due += some.count();
+	}
+	for (int page = 0; page < page_count() && models.empty(); page++) {
+		due += due_count(page);
+	}
+	return due;
+}
+
+int FieldSimulation::due_count(int page) const {
+	return at(page).page.swings() && is_due(page, next_step) ? at(page).page.live_count() : 0;
+}
+
+float FieldSimulation::alpha(int page, float fraction) const {
+	const Beat &own = beat(page);
+	const float steps = static_cast<float>(next_step - 1 - own.last_step) + fraction;
+	return std::clamp(steps / static_cast<float>(own.interval), 0.0f, 1.0f);
+}
+
+bool FieldSimulation::shows_seconds(const Entry &entry) const {
+	return entry.page.swings() ? entry.page.has_second_bends()
+							   : models[static_cast<std::size_t>(entry.page.species())].modes() == 2;
+}
+
+BendWay FieldSimulation::mode_way(int mode, int page, int index, float fraction) const {
+	const Entry &entry = at(page);
+	const MotionPage *swinging = &entry.page;
+	int row = index;
+	float share = fraction;
+	if (entry.page.swings()) {
+		share = alpha(page, fraction);
+	} else {
+		row = entry.followers[static_cast<std::size_t>(index)].detached - 1;
+		if (row < 0) {
+			return followed_way(mode, entry, index, fraction);
+		}
+		swinging = &detached[static_cast<std::size_t>(entry.page.species())].page();
+	}
+	return bend_way((mode == 0 ? swinging->bends() : swinging->second_bends()) + 2 * row, share);
+}
+
+ModeBends FieldSimulation::shown_modes(int page, int index, float fraction) const {
+	const bool has_second = shows_seconds(at(page));
+	return { mode_way(0, page, index, fraction).bend,
+		has_second ? mode_way(1, page, index, fraction).bend : glm::vec2(0.0f) };
+}
+
+BendWay FieldSimulation::shown_way(int page, int index, float fraction) const {
+	BendWay way = mode_way(0, page, index, fraction);
+	if (shows_seconds(at(page))) { // The tip's bend combines both modes.
+		const BendWay second = mode_way(1, page, index, fraction);
+		const glm::vec2 calm = rest_bend(page, index);
+		way.bend = out_of_rest(into_rest(way.bend, calm) + second.bend, calm);
+		way.change += second.change;
+	}
+	return way;
+}
+
+StemMotion FieldSimulation::shown_stem(int page, int index, float fraction) const {
+	const BendWay way = shown_way(page, index, fraction);
+	StemMotion stem;
+	stem.bend = way.bend;
+	stem.rate = way.change / rate_time(page);
+	stem.rest = rest_bend(page, index);
+	const MotionPage &plants = at(page).page;
+	if (shows_seconds(at(page))) {
+		stem.second = mode_way(1, page, index, fraction).bend;
+	} else if (plants.max_modes() == 2) {
+		stem.second = (1.0f - first_share(plants.whole_stem())) * into_rest(stem.bend, stem.rest);
+	}
+	return stem;
+}
+
+glm::vec3 FieldSimulation::rest(int page, int index) const {
+	const Entry &entry = at(page);
+	return entry.page.swings() ? entry.page.rest(index)
+							   : models[static_cast<std::size_t>(entry.page.species())].rest(
+										 entry.followers[static_cast<std::size_t>(index)].prototype);
+}
+
+glm::vec2 FieldSimulation::rest_bend(int page, int index) const {
+	return stereographic(encode_bend(rest(page, index)));
+}
+
+MotionState FieldSimulation::motion(int page, int index) const {
+	const Entry &entry = at(page);
+	if (entry.page.swings()) {
+		return { entry.page.state(index), entry.page.second(index) };
+	}
+	const auto species = static_cast<std::size_t>(entry.page.species());
+	const Follower &shown = entry.followers[static_cast<std::size_t>(index)];
+	if (shown.detached > 0) {
+		return detached[species].shown_state(shown.detached - 1);
+	}
+	if (shows_seconds(entry)) {
+		return motion_between(models[species].stem_constants(), shown_modes(page, index, 0.0f),
+				shown_modes(page, index, 1.0f), rest_bend(page, index), options.step);
+	}
+	const glm::vec3 now = shown_direction(page, index, 1.0f);
+	return { safe_state({ now, (now - shown_direction(page, index, 0.0f)) / options.step }), {} };
+}
+
+void FieldSimulation::apply_impulse(int page, int index, const glm::vec3 &impulse) {
+	MotionPage &plants = at(page).page;
+	if (plants.is_gone(index)) {
+		return;
+	}
+	if (plants.swings()) {
+		wake(page);
+		plants.apply_impulse(index, impulse);
+		return;
+	}
+	MotionState pushed = motion(page, index);
+	if (plants.law() == Law::stem) {
+		const StemConstants &stem = models[static_cast<std::size_t>(plants.species())].stem_constants();
+		const glm::vec2 calm = rest_bend(page, index);
+		StemState state = stem_state(stem, pushed.tip, calm, pushed.second);
+		apply_stem_impulse(stem, state, 1.0f, turned(impulse, -calm), stem.length / plants.length(index));
+		pushed = { tip_state(stem, state, calm), second_of(stem, state, calm) };
+	} else {
+		pushed.tip.rate += impulse / (plants.mass() * plants.length(index));
+	}
+	push_follower(at(page), index, pushed);
+}
+
+/// Chooses the number of stepped modes from now on, the same for a whole page.
+void FieldSimulation::choose_modes() {
+	for (int page = 0; page < page_count() && models.empty(); page++) {
+		MotionPage &plants = at(page).page;
+		if (plants.max_modes() < 2 || !is_due(page, next_step)) {
+			continue; // A change between its steps would move both drawn ends of the last one.
+		}
+		Beat &own = beat(page);
+		own.last_push = plants.take_moved() ? next_step : own.last_push;
+		own.last_near = own.is_near ? next_step : own.last_near;
+		const int64_t alone = next_step - std::max(own.last_push, own.last_near);
+		if (alone <= steps_in(DetachedFollowers::ALONE)) {
+			show_modes(page, 2);
+		} else if (alone > steps_in(DetachedFollowers::ALONE + DetachedFollowers::GOING_BACK)) {
+			show_modes(page, 1);
+		}
+	}
+}
+
+/// Share of a second mode that the page's step removes, so that nothing of it remains when its stems change to one
+/// mode.
+float FieldSimulation::ease_of(int page) const {
+	const Beat &own = beat(page);
+	const auto back = static_cast<float>(steps_in(DetachedFollowers::GOING_BACK));
+	const int64_t alone = own.last_step - std::max(own.last_push, own.last_near) - steps_in(DetachedFollowers::ALONE);
+	const float leaving = static_cast<float>(alone + own.interval - 1) / back;
+	const float here = static_cast<float>(own.last_step - own.two_since) / back;
+	const float coming = own.last_push < own.two_since ? 1.0f - here : 0.0f;
+	return std::clamp(std::max(leaving, coming), 0.0f, 1.0f);
+}
+
+void FieldSimulation::show_modes(int page, int count) {
+	if (at(page).page.modes() != count && at(page).page.max_modes() >= count) {
+		at(page).page.set_modes(count);
+		rates_changed++;
+		beat(page).two_since = next_step;
+		follower_changed(at(page));
+	}
+}
+
+/// Call before a plant of the page is pushed between two steps.
+void FieldSimulation::wake(int page) {
+	if (at(page).page.swings() && at(page).page.max_modes() == 2) {
+		beat(page).last_push = next_step;
+		show_modes(page, 2);
+	}
+}
+
+void FieldSimulation::set_state(int page, int index, const TipState &state, const StemSecond &second) {
+	if (second.bend != glm::vec3(0.0f) || second.rate != glm::vec3(0.0f)) {
+		wake(page);
+	}
+	at(page).page.set_state(index, state, second);
+}
+
+const Prototypes *FieldSimulation::prototypes(int species) const {
+	return models.empty() ? nullptr : &models[static_cast<std::size_t>(species)];
+}
+
+const DetachedFollowers *FieldSimulation::detached_followers(int species) const {
+	return detached.empty() ? nullptr : &detached[static_cast<std::size_t>(species)];
+}
+
+glm::vec3 FieldSimulation::shown_point(int page, int index, float share, float fraction) const {
+	const MotionPage &plants = at(page).page;
+	const float reach = plants.length(index);
+	if (plants.law() != Law::stem) {
+		return plants.root(index) + share * reach * shown_direction(page, index, fraction);
+	}
+	const StemConstants &stem = plants.whole_stem();
+	const StemMotion now = shown_stem(page, index, fraction);
+	return plants.root(index) + PosedStem(stem, reach, now).place_of({ 0.0f, share * reach, 0.0f }, share);
+}
+
+/// On the plant's straight line, or on the lines between the joints of its stem.
+glm::vec3 FieldSimulation::nearest_on_plant(int page, int index, const glm::vec3 &point) const {
+	const MotionPage &plants = at(page).page;
+	const int parts = plants.law() == Law::stem ? plants.stem_constants().joints : 1;
+	glm::vec3 from = plants.root(index);
+	glm::vec3 nearest = from;
+	for (int part = 1; part <= parts; part++) {
+		const glm::vec3 to = shown_point(page, index, static_cast<float>(part) / static_cast<float>(parts), 1.0f);
+		const glm::vec3 here = nearest_on_segment(from, to, point);
+		nearest = glm::distance(here, point) < glm::distance(nearest, point) ? here : nearest;
+		from = to;
+	}
+	return nearest;
+}
+
+bool FieldSimulation::is_point_in_plants(const glm::vec3 &point, float margin) const {
+	for (int page = 0; page < page_count(); page++) {
+		const Entry &entry = at(page);
+		if (!contains(entry.page, point, margin)) {
+			continue;
+		}
+		const float *x = entry.page.roots_x();
+		const float *z = entry.page.roots_z();
+		const float radius = entry.page.collision_radius() + margin;
+		for (int i = 0; i < entry.page.size(); i++) {
+			const float reach = entry.page.length(i) + radius;
+			if (entry.page.is_gone(i) || std::fabs(x[i] - point.x) > reach || std::fabs(z[i] - point.z) > reach) {
+				continue;
+			}
+			if (glm::distance(nearest_on_plant(page, i, point), point) <= radius) {
+				return true;
+			}
+		}
+	}
+	return false;
+}
+
+double FieldSimulation::bytes_per_plant() const {
+	const int plants = plant_count();
+	std::size_t bytes = entries.capacity() * sizeof(Entry) + beats.capacity() * sizeof(Beat);
+	for (const Entry &entry : entries) {
+		bytes += entry.page.bytes() - sizeof(MotionPage) + entry.followers.capacity() * sizeof(Follower);
+	}
+	for (const Prototypes &model : models) {
+		bytes += model.bytes();
+	}
+	for (const DetachedFollowers &some : detached) {
+		bytes += some.bytes();
+	}
+	return plants > 0 ? static_cast<double>(bytes) / plants : 0.0;
 }
 
 } // namespace undergrowth

@@ -6,7 +6,6 @@
 #include "base/runs_in_editor.hpp"
 #include "base/stopwatch.hpp"
 #include "base/world_of.hpp"
-#include "field/motion/cpu_motion.hpp"
 #include "field/view/cameras.hpp"
 
 #include <godot_cpp/classes/scene_tree.hpp>
@@ -19,8 +18,6 @@ using namespace godot;
 namespace undergrowth {
 
 FieldRuntime::FieldRuntime(GeometryInstance3D *field, const FieldProperties &set_by_users, Listener &&callbacks) :
-		own_motion(std::make_unique<CpuMotion>()),
-		motion(*own_motion),
 		skeletons(SkeletonView::Callback(callbacks.skeleton)),
 		node(field),
 		properties(set_by_users),

@@ -132,12 +132,8 @@ public:
 	void moved();
 	void set_visible(bool visible);
 
-private:
-	const std::unique_ptr<FieldMotion> own_motion;
-
-public:
+	FieldMotion motion;
 	PlantStore store;
-	FieldMotion &motion;
 	FieldRenderSetup setup;
 	SkeletonView skeletons;
 	FieldEdits own_edits; ///< By code.

@@ -81,7 +81,6 @@ void FieldRuntime::join_tiles() {
 
 void FieldRuntime::copy_existing_plants(BuildInput &input) const {
 	const Ref<PlantWind> &wind = properties.wind;
-	input.prepare = motion.prepare();
 	input.settings = settings();
 	input.makes_meshes = renders_on_threads();
 	input.tile_size = float(properties.tile_size);

@@ -2,6 +2,7 @@
 
 #include "field/build/field_build.hpp"
 #include "field/resources/field_options.hpp"
+#include "field/view/field_levels.hpp"
 #include "placement/area.hpp"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
@@ -29,25 +30,6 @@ godot::String read_request(const godot::Node3D *field, const PlacementOptions &o
 
 /// Reads the ground.
 godot::String read_ground(const godot::Node3D *field, const PlacementOptions &options, FieldGround &into);
-
-/// Returns what is wrong with the levels that users set.
-godot::String find_level_fault(const ViewOptions &options);
-
-/// Visibility range and LOD bias of a field, from the engine's own properties.
-struct SightRange {
-	float end = 0.0f; ///< m; 0: no end.
-	float lod_bias = 1.0f; ///< Factor of the end distances of all levels.
-
-	bool operator!=(const SightRange &other) const { return end != other.end || lod_bias != other.lod_bias; }
-};
-
-SightRange sight_range_of(const godot::GeometryInstance3D *node);
-
-/// Returns levels up to the range's end, at least one. Without user levels, the defaults depend on the species.
-std::vector<FieldLevel> read_levels(const FieldProperties &options, const SightRange &range);
-
-/// Returns how the levels of species are chosen.
-LevelRule read_level_rule(const FieldProperties &options, const SightRange &range);
 
 /// Sets the densities of the styles of the list.
 void read_densities(const PlacementOptions &options, FieldRenderSetup &into);

@@ -170,7 +170,7 @@ void FieldBuild::build() {
 		chunk.spacing = result.spacing;
 	}
 	placed = FieldPlants();
-	result.motion = input.prepare(result.chunks, result.setup, input.settings, input.wind);
+	result.motion = std::make_unique<PreparedMotion>(result.chunks, result.setup, input.settings, input.wind);
 	result.setup.tile_size = input.tile_size;
 	result.setup.is_of_tiles = input.draws_tiles;
 	std::vector<DrawnChunk> drawn;

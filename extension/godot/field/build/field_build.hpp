@@ -1,8 +1,8 @@
 #pragma once
 
 #include "field/build/field_ground.hpp"
-#include "field/motion/field_motion.hpp"
-#include "field/view/field_view.hpp"
+#include "field/motion/prepared_motion.hpp"
+#include "field/view/batch_plans.hpp"
 #include "placement/edit_log.hpp"
 #include "placement/placement.hpp"
 #include "placement/plant_matches.hpp"
@@ -19,7 +19,6 @@ struct BuildInput {
 	bool places = true; ///< False: rebuilds only the styles of `existing`.
 	PlacementRequest request;
 	FieldGround ground;
-	FieldMotion::Prepare prepare = nullptr;
 	FieldSettings settings;
 	FieldRenderSetup setup; ///< Sampled, without meshes.
 	bool makes_meshes = true; ///< False: the owner makes them on the main thread.

@@ -180,7 +180,6 @@ bool FieldTiles::describe(const Scene &scene, const PlacementRequest &base, Tile
 	}
 	input.ground = scene.ground;
 	input.edits = scene.edits.cut(box);
-	input.prepare = scene.motion.prepare_chunk();
 	input.settings = scene.settings;
 	return true;
 }

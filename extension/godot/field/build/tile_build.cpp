@@ -100,7 +100,7 @@ void TileBuild::make_chunks() {
 	placed.clear();
 	for (PlantChunk &chunk : chunks) {
 		chunk.spacing = input.spacing;
-		prepared.push_back(input.prepare(chunk, *input.setup, input.settings));
+		prepared.push_back(std::make_unique<PreparedChunk>(chunk, *input.setup, input.settings));
 	}
 	copies = chunks;
 	matches = match_plants(input.existing, chunks, input.spacing);

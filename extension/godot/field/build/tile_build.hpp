@@ -22,7 +22,6 @@ struct TileBuildInput {
 	double spacing = 1.0; ///< m, of the placement.
 	EditLog edits; ///< Their removed plants are not built.
 	GeneratedChunks existing; ///< The generated plants before the build. Plants that exist again continue their motion.
-	FieldMotion::PrepareChunk prepare = nullptr;
 	FieldSettings settings;
 	std::shared_ptr<const FieldRenderSetup> setup; ///< For the plans.
 };

@@ -1,14 +1,19 @@
 #pragma once
 
+#include "base/worker_task.hpp"
 #include "bodies/group_bodies.hpp"
+#include "field/contact.hpp"
 #include "field/field_settings.hpp"
+#include "field/mean_lean.hpp"
+#include "field/motion/field_drift.hpp"
+#include "field/motion/field_steps.hpp"
+#include "field/motion/field_wind_clock.hpp"
+#include "field/motion/prepared_motion.hpp"
 #include "field/resources/field_options.hpp"
-#include "field/view/field_render_setup.hpp"
-#include "motion/joint.hpp"
+#include "motion/fixed_step.hpp"
 #include "motion/part_bend.hpp"
-#include "placement/plant_matches.hpp"
+#include "motion/swing_clock.hpp"
 #include "placement/plant_store.hpp"
-#include "wind/field_wind.hpp"
 
 #include <godot_cpp/variant/rid.hpp>
 
@@ -18,46 +23,10 @@
 
 namespace undergrowth {
 
-/// Location of a chunk's poses for the shader: plant `slot` has texel first + slot of a layer.
-struct PoseTexels {
-	int layer = -1;
-	int first = 0;
-};
-
-/// A motion's data for a field that is being built on a worker thread. FieldMotion::adopt() uses it.
-class PreparedMotion {
-public:
-	virtual ~PreparedMotion() = default;
-	/// Texels of chunk i of the list that it was prepared for.
-	virtual PoseTexels texels(int chunk) const = 0;
-	/// Adds all plants of this list, at rest. Call it once, on any thread. Another thread may make the setup's
-	/// materials and meshes at the same time.
-	virtual void build(const std::vector<PlantChunk> &chunks, const FieldRenderSetup &setup) = 0;
-	/// True if it needs more texture layers than graphics cards have.
-	virtual bool is_too_large() const = 0;
-};
-
-/// A motion's data for a new chunk of an existing field, made on a worker thread. FieldMotion::apply() uses it.
-class PreparedChunk {
-public:
-	virtual ~PreparedChunk() = default;
-};
-
-/// New chunks of an existing field.
-struct ArrivingChunks {
-	std::vector<std::unique_ptr<PreparedChunk>> prepared; ///< In the order of the edit's `stood`.
-	/// Plants that continue their motion, from chunks that the same edit drops.
-	std::vector<PlantMatch> matches;
-	/// Multimeshes of dropped plants remain. Their texels then draw nothing and are not reused.
-	bool leaves_texels = false;
-};
-
-/// The interface of a field's motion and of its textures for the graphics card. CpuMotion implements it with the core's
-/// simulation on worker threads; another implementation may use the graphics card. No other class uses pages, steps or
-/// threads.
-///
-/// A motion follows the PlantStore by change sets; chunk numbers are the store's. A method with a name that begins with
-/// `blocking_` waits until the state is valid.
+/// The motion of a field by the core's simulation, and its textures for the graphics card. The engine's worker threads
+/// step it between two frames. No other class uses pages, steps or threads. It follows the PlantStore by change sets;
+/// chunk numbers are the store's. A method that uses data of the workers waits for them; a query with a name that
+/// begins with `blocking_` waits until the state is valid. Main thread.
 class FieldMotion {
 public:
 	/// Inputs of a frame.
@@ -75,115 +44,153 @@ public:
 		godot::Vector4 after, before;
 		float share = 1.0f; ///< Weight of `after` during a change from `before` to it.
 	};
-	/// Allocates the data for chunks of a setup, for PreparedMotion::build() and then adopt(), under a wind at its
-	/// start. On any thread.
-	using Prepare = std::unique_ptr<PreparedMotion> (*)(const std::vector<PlantChunk> &chunks,
-			const FieldRenderSetup &setup, const FieldSettings &settings, const FieldWind &wind);
 
-	FieldMotion() = default;
-	virtual ~FieldMotion() = default;
+	FieldMotion();
+	~FieldMotion();
 	FieldMotion(const FieldMotion &) = delete;
 	FieldMotion &operator=(const FieldMotion &) = delete;
 
-	virtual Prepare prepare() const = 0;
-	/// Prepares a chunk of a setup for apply(). On any thread.
-	using PrepareChunk = std::unique_ptr<PreparedChunk> (*)(
-			const PlantChunk &chunk, const FieldRenderSetup &setup, const FieldSettings &settings);
-	virtual PrepareChunk prepare_chunk() const = 0;
 	/// Waits until no other thread works on it, including a transfer of motion.
-	virtual void wait() = 0;
-	virtual bool is_ready() const = 0;
+	void wait();
+	bool is_ready() const { return simulation != nullptr; }
 	/// True if the next advance() uses Frame::cameras. Most do not.
-	virtual bool needs_cameras() const = 0;
+	bool needs_cameras() const;
 	/// Starts an empty field, for plants that code adds.
-	virtual void start(const FieldSettings &settings) = 0;
+	void start(const FieldSettings &settings);
 	/// Begins to transfer motion from existing plants to `prepared` on another thread, for adopt(). Nothing steps until
 	/// then. Both arguments must remain valid until cancel_transfer() or adopt().
-	virtual void begin_transfer(PreparedMotion &prepared, const std::vector<PlantMatch> &matches) = 0;
-	virtual bool is_transferring() const = 0;
+	void begin_transfer(PreparedMotion &prepared, const std::vector<PlantMatch> &matches);
+	bool is_transferring() const { return transfer.is_running(); }
 	/// Cancels the transfer: there is no adopt().
-	virtual void cancel_transfer() = 0;
+	void cancel_transfer();
 	/// Uses the data of a build: chunk i of `prepared` is chunk changes.grown[i] of the store. Plants that existed
 	/// before continue their motion.
-	virtual void adopt(PreparedMotion &prepared, const std::vector<PlantMatch> &matches, const ChangeSet &changes,
-			const PlantStore &store, const FieldRenderSetup &setup) = 0;
+	void adopt(PreparedMotion &prepared, const std::vector<PlantMatch> &matches, const ChangeSet &changes,
+			const PlantStore &store, const FieldRenderSetup &setup);
 	/// Follows an edit that does not replace all generated plants. Removed plants may be visible until the next wait().
 	/// With `arriving` only its chunks grew; null: no chunk is prepared.
-	virtual void apply(const ChangeSet &changes, const PlantStore &store, const FieldRenderSetup &setup,
-			ArrivingChunks *arriving) = 0;
+	void apply(
+			const ChangeSet &changes, const PlantStore &store, const FieldRenderSetup &setup, ArrivingChunks *arriving);
 	/// Reserves the texels of a prepared chunk until apply() or release_texels(). Call it between two steps.
-	virtual PoseTexels reserve(PreparedChunk &prepared) = 0;
-	virtual void release_texels(PreparedChunk &prepared) = 0;
+	PoseTexels reserve(PreparedChunk &prepared);
+	void release_texels(PreparedChunk &prepared);
 	/// Adds texture layers for about `plants` plants in `chunks` chunks that come later. Without it the textures are
 	/// made again several times while the field grows.
-	virtual void make_room(double plants, int chunks) = 0;
-	virtual void add_species(const SpeciesStyle &style) = 0;
+	void make_room(double plants, int chunks);
+	void add_species(const SpeciesStyle &style);
 	/// True if the textures have layers for another species. Call it only if is_ready().
-	virtual bool has_room_for_species() = 0;
+	bool has_room_for_species();
 	/// Changes the constants of a species without interrupting the motion. If nothing moves (`is_still`), plants at
 	/// rest change to a new rest direction at once.
-	virtual void set_species(int index, const SpeciesStyle &style, const PlantStore &store, bool is_still) = 0;
-	virtual void set_update_interval(int steps) = 0;
+	void set_species(int index, const SpeciesStyle &style, const PlantStore &store, bool is_still);
+	void set_update_interval(int steps);
 	/// Switches contact on or off. Call it again after tips changed their spheres.
-	virtual void fit_contact(bool on) = 0;
+	void fit_contact(bool on);
 	/// True if too many tips touch, so that some pairs are left out.
-	virtual bool is_crowded() const = 0;
+	bool is_crowded() const { return touches && touching.is_crowded(); }
 
 	/// Runs the steps of a frame. The last step continues on other threads and is shown in the next frame. Returns the
 	/// µs of this thread that steps took; steps of small fields run on this thread.
-	virtual double advance(const Frame &frame, const MotionOptions &options) = 0;
+	double advance(const Frame &frame, const MotionOptions &options);
 	/// Runs steps for a tool, at the wind's own clock and without bodies, and returns when they are done.
-	virtual void preview(const Frame &frame, const MotionOptions &options) = 0;
+	void preview(const Frame &frame, const MotionOptions &options);
 	/// s of the wind's clock, of the states of plants.
-	virtual double motion_time() const = 0;
+	double motion_time() const;
 	/// Sets all plants to rest.
-	virtual void settle() = 0;
+	void settle();
 
 	/// Uploads changes to the textures. Returns true if the textures are new ones, or have heights for the first time.
-	virtual bool upload() = 0;
+	bool upload();
 	/// Hides a plant in the textures, for example while a skeleton shows it, or shows it again.
-	virtual void set_hidden(const PlantRef &ref, bool hidden) = 0;
+	void set_hidden(const PlantRef &ref, bool hidden);
 	/// Sets the drawn height of a plant, as a fraction of its full height. It moves as `plant` from now on. This may
 	/// take effect only at the next wait().
-	virtual void set_height(const PlantRef &ref, float share, const MotionPlant &plant) = 0;
+	void set_height(const PlantRef &ref, float share, const MotionPlant &plant);
 	/// True if any plant has less than its full height.
-	virtual bool has_heights() const = 0;
+	bool has_heights() const { return textures && textures->has_heights(); }
 	/// Texels of an existing chunk of the store.
-	virtual PoseTexels texels(int chunk) const = 0;
+	PoseTexels texels(int chunk) const { return textures->texels(rows_of(chunk)); }
 	/// Bends before and after, and a blend for each row of texels. Invalid before the first upload().
-	virtual godot::RID pose_texture() const = 0;
-	virtual godot::RID blend_texture() const = 0;
+	godot::RID pose_texture() const { return textures ? textures->poses() : godot::RID(); }
+	godot::RID blend_texture() const { return textures ? textures->blends() : godot::RID(); }
 	/// For each row of texels: steps per second, and the layers of rests, of second modes and of heights, or -1.
-	virtual godot::RID beat_texture() const = 0;
+	godot::RID beat_texture() const { return textures ? textures->beats() : godot::RID(); }
 	/// Drawn time of the swing clock: 0 to 1, a fraction of SWING_PERIOD.
-	virtual float swing_clock() const = 0;
+	float swing_clock() const { return swings.now(shown_alpha); }
 	/// Mean lean of a species' plants over the last seconds: displacement of their tips from calm air, in heights.
-	virtual float mean_lean(int species) const = 0;
+	float mean_lean(int species) const { return leans.of(species); }
 	/// History of a species' prototypes for the shader: first layer, newest slot, blend. x is -1 if each plant is
 	/// simulated.
-	virtual godot::Vector4 history_of(int species) const = 0;
-	virtual bool follows_prototypes() const = 0;
-	virtual Delays follower_delays(const godot::Transform3D &axes) const = 0;
+	godot::Vector4 history_of(int species) const;
+	bool follows_prototypes() const { return textures && textures->follows(); }
+	Delays follower_delays(const godot::Transform3D &axes) const;
 
-	virtual MotionState blocking_read_state(const PlantRef &ref) = 0;
+	MotionState blocking_read_state(const PlantRef &ref);
 	/// Position of its tip (m, field axes).
-	virtual glm::vec3 blocking_read_tip(const PlantRef &ref) = 0;
+	glm::vec3 blocking_read_tip(const PlantRef &ref);
 	/// The bend that is drawn in this frame and the remaining values that move a plant's parts, in the field's axes.
-	virtual StemMotion blocking_read_drawn_stem(const PlantRef &ref) const = 0;
-	virtual bool blocking_is_point_in_plants(const glm::vec3 &point, float margin) = 0;
-	virtual void write_state(const PlantRef &ref, const MotionState &state) = 0;
-	virtual void apply_impulse(const PlantRef &ref, const glm::vec3 &impulse) = 0;
+	StemMotion blocking_read_drawn_stem(const PlantRef &ref) const;
+	bool blocking_is_point_in_plants(const glm::vec3 &point, float margin);
+	void write_state(const PlantRef &ref, const MotionState &state);
+	void apply_impulse(const PlantRef &ref, const glm::vec3 &impulse);
 
-	virtual int simulated_count() const = 0;
-	virtual double bytes_per_plant() const = 0;
-	virtual double busy_usec() const = 0;
+	int simulated_count() const { return simulation ? simulation->simulated_count() : 0; }
+	double bytes_per_plant() const { return simulation ? simulation->bytes_per_plant() : 0.0; }
+	double busy_usec() const { return steps.busy_usec(); }
 
 	GroupBodies bodies;
 	/// Returns the bodies that entered or left plants since the last call.
 	std::vector<GroupBodies::Event> take_events() { return std::exchange(events, {}); }
 
-protected:
+private:
 	std::vector<GroupBodies::Event> events;
+	std::unique_ptr<FieldSimulation> simulation;
+	std::unique_ptr<PoseTexture> textures;
+	std::vector<PageRows> rows; ///< By chunk.
+	std::vector<PlantRef> pending_removals; ///< Removed plants that the simulation still contains.
+	struct Height {
+		PlantRef ref;
+		float share;
+		MotionPlant plant;
+	};
+	std::vector<Height> heights; ///< Changed heights that are not in the simulation yet.
+	/// Pages with plants that are shown again or follow other prototypes, not written yet.
+	std::vector<int> dirty_pages;
+	TipContact touching;
+	bool touches = false;
+	double time_after_step = 0.0; ///< s: FieldSimulation::time() after the running step.
+	FieldSteps steps; // Declared after the data that it uses, so it is destroyed first.
+	WorkerTask transfer; // For the same reason.
+	bool is_transferred = false; ///< The motion of matched plants is transferred for adopt(), and nothing moved since.
+	FixedStep clock;
+	FieldWindClock wind_clock;
+	FieldDrift drift;
+	std::vector<AirSource> stirring; ///< In the present step.
+	bool showed_heights = false; ///< At the last upload().
+	float shown_alpha = 0.0f; ///< Of the next frame to draw.
+	SwingClock swings;
+	MeanLean leans;
+	int frames_since_far = 0;
+	std::vector<glm::vec3> pushed_at; ///< m, field axes: bodies of the last step.
+
+	const PageRows &rows_of(int chunk) const { return rows[size_t(chunk)]; }
+	int row_of(const PlantRef &ref) const { return rows_of(ref.chunk).first + ref.slot; }
+	void begin_clock();
+	void write_all();
+	int modes_of_prototypes(int species) const; ///< 0: it has none.
+	void grow(const ChangeSet::Grown &grown, const PlantStore &store, const FieldRenderSetup &setup);
+	void take_in(int chunk, PreparedChunk &prepared);
+	void drop(int page, int row);
+	void exchange_chunks(const ChangeSet &changes, ArrivingChunks &arriving);
+	void drop_rows(const PageRows &own, bool leaves_texels);
+	void take_added(const PlantStore &store, const FieldRenderSetup &setup, const FieldSimulation *old,
+			const std::vector<PageRows> &old_rows);
+	void set_rests(const PageRows &plants, const std::vector<glm::vec3> &rests, bool is_still);
+	void update_far(const Frame &frame, const MotionOptions &options);
+	void push(double ago);
+	void stir(const Frame &frame, const MotionOptions &options, double ago);
+	void find_events(double margin);
+	void start_step(const MotionOptions &options, bool with_contact);
 };
 
 } // namespace undergrowth

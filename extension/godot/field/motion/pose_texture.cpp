@@ -3,7 +3,9 @@
 #include <godot_cpp/variant/typed_array.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <tuple>
 
 using namespace godot;
 
@@ -11,8 +13,12 @@ namespace undergrowth {
 
 static constexpr Bend HIDDEN = 0x7bffu; // s.x is the largest half, 65,504: no bend has it.
 static constexpr int PAIRS_PER_LAYER = PoseTexture::PAIRS_PER_LAYER;
+static constexpr int HISTORY_LAYERS = Prototypes::SLOTS * Prototypes::MAX_COUNT / PAIRS_PER_LAYER;
+static constexpr int SPECIES_LAYERS = HISTORY_LAYERS + 1; // And one for detached plants.
 
 static_assert(MotionPage::PAGE_PLANTS == PAIRS_PER_LAYER, "a page fits into a layer");
+static_assert(DetachedFollowers::MAX_COUNT <= PAIRS_PER_LAYER, "detached plants of a species have one layer");
+static_assert(Prototypes::MAX_COUNT == PoseTexture::SIDE, "a row of a layer is a slot");
 
 PoseTexture::PoseTexture(bool follows) : follows_prototypes(follows) {}
 
@@ -280,6 +286,225 @@ void PoseTexture::upload_blends(const FieldSimulation &simulation, float fractio
 	if (has_changed) {
 		std::memcpy(blend_image->ptrw(), shares.data(), shares.size() * sizeof(float));
 		RenderingServer::get_singleton()->texture_2d_update(blend_texture, blend_image, 0);
+	}
+}
+
+PoseTexture::Beside PoseTexture::beside(int layer) const {
+	return size_t(layer) < besides.size() ? besides[size_t(layer)] : Beside();
+}
+
+// Prefers a free layer, which needs no larger texture.
+int PoseTexture::find_layer() {
+	const auto free = std::find(free_rows.begin(), free_rows.end(), ALL_ROWS);
+	if (free == free_rows.end()) {
+		return add_layer(false);
+	}
+	*free = 0;
+	return int(free - free_rows.begin());
+}
+
+int PoseTexture::add_beside(int layer, int Beside::*which) {
+	if (beside(layer).*which < 0 && layers.size() < size_t(MAX_LAYERS) - SPARE_LAYERS) {
+		besides.resize(std::max(besides.size(), size_t(layer) + 1));
+		const int made = find_layer();
+		besides[size_t(layer)].*which = made;
+		std::memset(layers[size_t(made)]->ptrw(), 0, PAIRS_PER_LAYER * TEXEL_BYTES);
+		is_dirty[size_t(made)] = 1;
+	}
+	return beside(layer).*which;
+}
+
+void PoseTexture::write_beside(const FieldSimulation &simulation, int page) {
+	if (!has_rows(page)) {
+		return;
+	}
+	pages[size_t(page)].rate_time = -1.0f; // Sent again.
+	has_new_rows = true;
+	if (simulation.page(page).has_second_bends()) {
+		give_seconds(simulation, page);
+		write_page(simulation, page);
+	}
+	if (simulation.has_parts(page) || simulation.page(page).law() == Law::stem) {
+		write_rests(simulation, page);
+	}
+}
+
+void PoseTexture::give_seconds(const FieldSimulation &simulation, int page) {
+	if (has_rows(page) && simulation.page(page).has_second_bends()) {
+		add_beside(layer_of(page), &Beside::seconds);
+	}
+}
+
+// Stores the lost fraction of the height, so that 0 means not mown.
+void PoseTexture::set_height(int page, int row, float share) {
+	const Rows &rows = pages[size_t(page)].rows;
+	if (share == 1.0f && beside(rows.layer).heights < 0) {
+		return;
+	}
+	if (beside(rows.layer).heights < 0) {
+		for (Page &other : pages) { // All pages of the layer need the new layer number.
+			other.rate_time = other.rows.layer == rows.layer ? -1.0f : other.rate_time;
+		}
+		has_new_rows = draws_heights = true;
+	}
+	const int layer = add_beside(rows.layer, &Beside::heights);
+	if (layer >= 0) {
+		const Bend pair[2] = { to_half(share - 1.0f), 0 };
+		write_layer(layer, pair, 1, rows.first * SIDE + row);
+	}
+}
+
+void PoseTexture::forget_heights(const Rows &rows) {
+	const int layer = beside(rows.layer).heights;
+	if (layer >= 0) {
+		uint8_t *to = layers[size_t(layer)]->ptrw() + size_t(rows.first) * SIDE * TEXEL_BYTES;
+		std::memset(to, 0, size_t(rows.count) * SIDE * TEXEL_BYTES);
+		is_dirty[size_t(layer)] = 1;
+	}
+}
+
+void PoseTexture::write_rests(const FieldSimulation &simulation, int page) {
+	const Rows &rows = pages[size_t(page)].rows;
+	std::vector<Bend> rests(2 * size_t(simulation.page(page).size()), 0);
+	for (size_t i = 0; i < rests.size(); i += 2) {
+		rests[i] = encode_bend(simulation.rest(page, int(i / 2)));
+	}
+	const bool are_upright = std::all_of(rests.begin(), rests.end(), [](Bend rest) { return rest == 0; });
+	if (are_upright && beside(rows.layer).rests < 0) {
+		return;
+	}
+	const int layer = add_beside(rows.layer, &Beside::rests);
+	if (layer >= 0) {
+		write_layer(layer, rests.data(), int(rests.size() / 2), rows.first * SIDE);
+	}
+}
+
+void PoseTexture::upload_beats(const FieldSimulation &simulation) {
+	bool has_changed = false;
+	has_new_rows = false;
+	sent_rates = simulation.rates_version();
+	for (int number = 0; number < int(pages.size()); number++) {
+		Page &page = pages[size_t(number)];
+		const bool has_seconds = has_rows(number) && simulation.page(number).has_second_bends();
+		const bool are_same = has_rows(number) && simulation.rate_time(number) == page.rate_time;
+		if (!has_rows(number) || (are_same && has_seconds == page.has_seconds)) {
+			continue;
+		}
+		page.rate_time = simulation.rate_time(number);
+		page.has_seconds = has_seconds;
+		const Beside layers_beside = beside(page.rows.layer);
+		float *to = beats_sent.data() + BEAT_FLOATS * (size_t(page.rows.layer) * SIDE + size_t(page.rows.first));
+		for (int row = 0; row < page.rows.count; row++) {
+			*to++ = 1.0f / page.rate_time;
+			*to++ = float(layers_beside.rests);
+			*to++ = has_seconds ? float(layers_beside.seconds) : -1.0f;
+			*to++ = float(layers_beside.heights);
+		}
+		has_changed = true;
+	}
+	if (has_changed) {
+		std::memcpy(beat_image->ptrw(), beats_sent.data(), beats_sent.size() * sizeof(float));
+		RenderingServer::get_singleton()->texture_2d_update(beat_texture, beat_image, 0);
+	}
+}
+
+void PoseTexture::give_history(const FieldSimulation &simulation) {
+	const int species_count = follows_prototypes ? simulation.species_count() : 0;
+	histories.resize(size_t(species_count), History{ -1, -1 });
+	for (int species = 0; species < species_count; species++) {
+		for (int mode = 0; mode < simulation.prototypes(species)->modes(); mode++) {
+			int &first = histories[size_t(species)][size_t(mode)];
+			if (first >= 0) {
+				continue;
+			}
+			first = take_layers(SPECIES_LAYERS);
+		}
+	}
+}
+
+int PoseTexture::count_spare_layers() const {
+	const auto is_used = [](uint64_t rows) { return rows != ALL_ROWS; };
+	return int(std::find_if(free_rows.rbegin(), free_rows.rend(), is_used) - free_rows.rbegin());
+}
+
+// Takes spare layers first, so that the textures need not grow for each species.
+int PoseTexture::take_layers(int count) {
+	const int first = int(layers.size()) - count_spare_layers();
+	for (int layer = first; layer < first + count; layer++) {
+		if (layer == int(layers.size())) {
+			add_layer(false);
+		}
+		free_rows[size_t(layer)] = 0;
+	}
+	return first;
+}
+
+int PoseTexture::history_layer(int species, int mode) const {
+	return size_t(species) < histories.size() ? histories[size_t(species)][size_t(mode)] : -1;
+}
+
+static const std::array<uint32_t, Prototypes::SLOTS> &small_halves() {
+	static const std::array<uint32_t, Prototypes::SLOTS> halves = [] {
+		std::array<uint32_t, Prototypes::SLOTS> made = {};
+		for (size_t i = 0; i < made.size(); i++) {
+			made[i] = to_half(float(i));
+		}
+		return made;
+	}();
+	return halves;
+}
+
+// Writes a texel for each plant: its prototype and own delay, then its column plus 1 (0: not detached) and its row
+// among the detached plants.
+void PoseTexture::write_followers(const FieldSimulation &simulation, int page) {
+	const std::array<uint32_t, Prototypes::SLOTS> &halves = small_halves();
+	uint32_t *to = reinterpret_cast<uint32_t *>(bytes_of(pages[size_t(page)].rows));
+	for (int i = 0; i < simulation.page(page).size(); i++) {
+		const Follower &follower = simulation.follower(page, i);
+		const uint32_t number = follower.detached > 0 ? follower.detached - 1u : 0u;
+		const uint32_t column = follower.detached > 0 ? number % SIDE + 1u : 0u;
+		to[2 * i] = halves[follower.prototype] | halves[follower.own_delay] << 16;
+		to[2 * i + 1] = halves[column] | halves[number / SIDE] << 16;
+	}
+}
+
+void PoseTexture::write_models(const Prototypes &models, int mode, int first, bool all) {
+	const Bend *history = models.history(mode);
+	for (int layer = 0; all && layer < HISTORY_LAYERS; layer++) {
+		write_layer(first + layer, history + size_t(layer) * 2 * PAIRS_PER_LAYER, PAIRS_PER_LAYER, 0);
+	}
+	const int slot = models.newest_slot();
+	write_layer(first + slot / SIDE, history + size_t(slot) * 2 * Prototypes::MAX_COUNT, SIDE, slot % SIDE * SIDE);
+}
+
+bool PoseTexture::has_room_for_species() const {
+	static constexpr size_t MAX_MODES = std::tuple_size_v<History>;
+	const size_t used = layers.size() - size_t(count_spare_layers());
+	return !follows_prototypes || used + MAX_MODES * SPECIES_LAYERS + SPARE_LAYERS <= size_t(MAX_LAYERS);
+}
+
+void PoseTexture::write_history(const FieldSimulation &simulation, bool all) {
+	for (int species = 0; follows_prototypes && species < simulation.species_count(); species++) {
+		write_species(simulation, species, all);
+	}
+}
+
+void PoseTexture::write_history_of(const FieldSimulation &simulation, int species) {
+	if (follows_prototypes) {
+		write_species(simulation, species, true);
+	}
+}
+
+void PoseTexture::write_species(const FieldSimulation &simulation, int species, bool all) {
+	const Prototypes &models = *simulation.prototypes(species);
+	const MotionPage &detached = simulation.detached_followers(species)->page();
+	for (int mode = 0; mode < models.modes(); mode++) {
+		const int first = history_layer(species, mode);
+		write_models(models, mode, first, all);
+		if (detached.size() > 0) {
+			const Bend *bends = mode == 0 ? detached.bends() : detached.second_bends();
+			write_layer(first + HISTORY_LAYERS, bends, detached.size(), 0);
+		}
 	}
 }
 

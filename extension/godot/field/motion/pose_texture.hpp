@@ -1,7 +1,7 @@
 #pragma once
 
 #include "field/field_simulation.hpp"
-#include "field/motion/field_motion.hpp"
+#include "field/motion/pose_texels.hpp"
 #include "field/page_rows.hpp"
 
 #include <godot_cpp/classes/image.hpp>

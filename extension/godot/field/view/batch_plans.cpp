@@ -1,6 +1,4 @@
-// Plans the multimeshes of a field: their plants, positions, and locations of poses.
-
-#include "field/view/field_view.hpp"
+#include "field/view/batch_plans.hpp"
 
 #include "base/bounded_whole.hpp"
 #include "base/convert.hpp"

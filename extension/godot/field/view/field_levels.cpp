@@ -1,6 +1,4 @@
-// Reads the levels of detail that users set, or the defaults.
-
-#include "field/build/build_input.hpp"
+#include "field/view/field_levels.hpp"
 #include "field/view/field_fitting.hpp"
 
 #include <godot_cpp/classes/project_settings.hpp>

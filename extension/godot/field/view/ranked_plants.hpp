@@ -1,6 +1,6 @@
 #pragma once
 
-#include "field/view/field_view.hpp"
+#include "field/view/batch_plans.hpp"
 
 #include <glm/vec3.hpp>
 

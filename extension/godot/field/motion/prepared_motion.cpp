@@ -1,4 +1,4 @@
-#include "field/motion/prepared_cpu_motion.hpp"
+#include "field/motion/prepared_motion.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -6,11 +6,11 @@
 namespace undergrowth {
 
 // Adds the chunks page by page; several chunks may share a page.
-static void add_pages(const std::vector<PlantChunk> &chunks, const FieldRenderSetup &setup, PreparedCpuMotion &into) {
+void PreparedMotion::add_pages(const std::vector<PlantChunk> &chunks, const FieldRenderSetup &setup) {
 	std::vector<std::vector<size_t>> members;
 	for (size_t i = 0; i < chunks.size(); i++) {
-		members.resize(std::max(members.size(), size_t(into.rows[i].page) + 1));
-		members[size_t(into.rows[i].page)].push_back(i);
+		members.resize(std::max(members.size(), size_t(rows[i].page) + 1));
+		members[size_t(rows[i].page)].push_back(i);
 	}
 	std::vector<MotionPlant> plants;
 	for (const std::vector<size_t> &of_page : members) {
@@ -19,13 +19,13 @@ static void add_pages(const std::vector<PlantChunk> &chunks, const FieldRenderSe
 			setup.styles[size_t(chunks[i].species)].to_simulate(chunks[i].plants, plants);
 		}
 		const int species = chunks[of_page.front()].species;
-		const int page = into.simulation->add_page(species, plants.data(), int(plants.size()));
+		const int page = simulation->add_page(species, plants.data(), int(plants.size()));
 		// Pages of a layer are uploaded together, so they step together.
-		into.simulation->set_page_phase(page, into.textures->layer_of(page));
+		simulation->set_page_phase(page, textures->layer_of(page));
 	}
 }
 
-void PreparedCpuMotion::transfer_motion(
+void PreparedMotion::transfer_motion(
 		const FieldSimulation *old, const std::vector<PageRows> &old_rows, const std::vector<PlantMatch> &matches) {
 	for (size_t i = 0; old && i < matches.size(); i++) {
 		const PlantRef &was = matches[i].from;
@@ -44,8 +44,8 @@ void PreparedCpuMotion::transfer_motion(
 	}
 }
 
-void PreparedCpuMotion::build(const std::vector<PlantChunk> &chunks, const FieldRenderSetup &setup) {
-	add_pages(chunks, setup, *this);
+void PreparedMotion::build(const std::vector<PlantChunk> &chunks, const FieldRenderSetup &setup) {
+	add_pages(chunks, setup);
 	textures->give_history(*simulation);
 	if (textures->follows()) {
 		simulation->step(); // Fills the history of the prototypes.
@@ -57,39 +57,39 @@ void PreparedCpuMotion::build(const std::vector<PlantChunk> &chunks, const Field
 	}
 }
 
-PreparedCpuChunk::PreparedCpuChunk(
+static std::vector<MotionPlant> plants_of(const PlantChunk &chunk, const SpeciesStyle &style) {
+	std::vector<MotionPlant> plants;
+	style.to_simulate(chunk.plants, plants);
+	return plants;
+}
+
+PreparedChunk::PreparedChunk(const PlantChunk &chunk, const FieldRenderSetup &setup, const FieldSettings &settings) :
+		PreparedChunk(chunk.species, setup.styles[size_t(chunk.species)].motion,
+				plants_of(chunk, setup.styles[size_t(chunk.species)]), settings) {}
+
+PreparedChunk::PreparedChunk(
 		int species, const MotionSpecies &kind, std::vector<MotionPlant> &&placed, const FieldSettings &settings) :
 		page(species, kind, placed.data(), int(placed.size()), settings.step * float(settings.update_interval),
 				settings.prototypes <= 0),
 		plants(std::move(placed)) {}
 
-std::unique_ptr<PreparedChunk> prepare_chunk_on_cpu(
-		const PlantChunk &chunk, const FieldRenderSetup &setup, const FieldSettings &settings) {
-	const SpeciesStyle &style = setup.styles[size_t(chunk.species)];
-	std::vector<MotionPlant> plants;
-	style.to_simulate(chunk.plants, plants);
-	return std::make_unique<PreparedCpuChunk>(chunk.species, style.motion, std::move(plants), settings);
-}
-
-std::unique_ptr<PreparedMotion> prepare_on_cpu(const std::vector<PlantChunk> &chunks, const FieldRenderSetup &setup,
-		const FieldSettings &settings, const FieldWind &wind) {
-	auto made = std::make_unique<PreparedCpuMotion>();
-	made->simulation = std::make_unique<FieldSimulation>(settings);
-	made->simulation->set_wind(wind);
+PreparedMotion::PreparedMotion(const std::vector<PlantChunk> &chunks, const FieldRenderSetup &setup,
+		const FieldSettings &settings, const FieldWind &wind) :
+		simulation(std::make_unique<FieldSimulation>(settings)),
+		textures(std::make_unique<PoseTexture>(settings.prototypes > 0)),
+		rows(join_into_pages(chunks)) {
+	simulation->set_wind(wind);
 	for (const SpeciesStyle &style : setup.styles) {
-		made->simulation->add_species(style.motion);
+		simulation->add_species(style.motion);
 	}
-	made->textures = std::make_unique<PoseTexture>(settings.prototypes > 0);
-	made->rows = join_into_pages(chunks);
 	std::vector<int> plants;
-	for (const PageRows &own : made->rows) {
+	for (const PageRows &own : rows) {
 		plants.resize(std::max(plants.size(), size_t(own.page) + 1));
 		plants[size_t(own.page)] += own.count;
 	}
 	for (size_t page = 0; page < plants.size(); page++) {
-		made->textures->give_rows(int(page), plants[page]);
+		textures->give_rows(int(page), plants[page]);
 	}
-	return made;
 }
 
 } // namespace undergrowth
