@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace undergrowth {
@@ -35,7 +36,6 @@ struct Candidate {
 	double depth = 0.0;
 	float size = 0.0f; ///< Sum of lengths times widths.
 	int last_carrier = ON_GROUND;
-	bool is_inside = false; ///< True if it belongs to another candidate.
 };
 using Key = std::pair<int, int>; ///< Kinds of carrier and part.
 
@@ -81,6 +81,52 @@ bool continues(const PlantForm &form, const Key &key, const Candidate &own) {
 			form.parts[static_cast<size_t>(key.second)].kind == PartKind::axis && own.parts > own.direct;
 }
 
+/// Returns the kinds of flat parts on carriers of a kind, or those of the heads at their tips.
+std::vector<int> kinds_on(const PlantForm &form, const std::map<Key, Candidate> &all, int carrier, bool is_head) {
+	// A short axis at a tip carries nothing but its head.
+	const bool is_ear = std::any_of(all.begin(), all.end(),
+			[&](const auto &one) { return one.first.second == carrier && continues(form, one.first, one.second); });
+	std::vector<int> kinds;
+	for (const auto &[key, own] : all) {
+		const bool is_of_head = (own.low > TIP || is_ear) && own.parts >= MIN_HEAD_KIND * own.carriers &&
+				!continues(form, key, own) && !is_flat(own);
+		if (key.first == carrier && (is_head ? is_of_head : is_flat(own))) {
+			kinds.push_back(key.second);
+		}
+	}
+	return kinds;
+}
+
+/// Divides kinds into groups that are on the same carriers: fresh and faded flowers have their own pictures.
+std::vector<CardGroup> split_by_carriers(const PlantForm &form, int carrier_kind, const std::vector<int> &kinds) {
+	std::map<int, std::set<int>> by_carrier;
+	for (const PlacedPart &part : form.placed) {
+		if (part.carrier != ON_GROUND && part_at(form, part.carrier).kind == carrier_kind &&
+				std::binary_search(kinds.begin(), kinds.end(), part.kind)) {
+			by_carrier[part.carrier].insert(part.kind);
+		}
+	}
+	std::vector<std::set<int>> sets;
+	for (auto &[carrier, own] : by_carrier) {
+		for (size_t i = 0; i < sets.size();) {
+			const bool is_common =
+					std::any_of(own.begin(), own.end(), [&](int kind) { return sets[i].count(kind) > 0; });
+			if (is_common) {
+				own.insert(sets[i].begin(), sets[i].end());
+				sets.erase(sets.begin() + static_cast<std::ptrdiff_t>(i));
+			} else {
+				i++;
+			}
+		}
+		sets.push_back(own);
+	}
+	std::vector<CardGroup> groups;
+	for (const std::set<int> &own : sets) {
+		groups.push_back({ carrier_kind, std::vector<int>(own.begin(), own.end()), CardShape::flat, false });
+	}
+	return groups;
+}
+
 /// Sets the shape of a head from its largest place.
 void shape_head(const PlantForm &form, CardGroup &group) {
 	const CardPlaces all = place_cards(form, { group });
@@ -121,49 +167,32 @@ void measure_extents(const PlantForm &form, CardPlaces &all) {
 } // namespace
 
 std::vector<CardGroup> find_card_groups(const PlantForm &form) {
-	std::map<Key, Candidate> all = list_candidates(form);
+	const std::map<Key, Candidate> all = list_candidates(form);
 	std::vector<std::pair<float, CardGroup>> found;
-	std::map<int, bool> is_replaced; // By kind of part: everything on it is in a card.
+	std::vector<bool> is_replaced(form.parts.size(), false); // By kind: everything on it is in a card.
 	for (int kind = 0; kind < static_cast<int>(form.parts.size()); kind++) {
-		CardGroup flat, head;
-		flat.carrier_kind = head.carrier_kind = kind;
-		float flat_size = 0.0f, head_size = 0.0f;
-		int head_parts = 0, carriers = 0;
-		for (auto &[key, own] : all) {
-			if (key.first != kind || is_replaced[kind]) {
-				continue;
-			}
-			carriers = std::max(carriers, own.carriers);
-			if (is_flat(own)) {
-				flat.carried.push_back(key.second);
-				flat_size += own.size;
-			}
+		if (is_replaced[static_cast<size_t>(kind)]) {
+			continue;
 		}
-		// A short axis at a tip carries nothing but its head.
-		const bool is_ear = std::any_of(all.begin(), all.end(),
-				[&](const auto &one) { return one.first.second == kind && continues(form, one.first, one.second); });
-		for (auto &[key, own] : all) {
-			const bool is_of_head = key.first == kind && !is_replaced[kind] && !is_flat(own) &&
-					(own.low > TIP || is_ear) && own.parts >= MIN_HEAD_KIND * own.carriers &&
-					!continues(form, key, own);
-			if (is_of_head) {
-				head.carried.push_back(key.second);
-				head_size += own.size;
-				head_parts += own.parts / std::max(own.carriers, 1);
-			}
-		}
-		if (!flat.carried.empty()) {
-			found.emplace_back(flat_size, flat);
-		}
-		if (head_parts >= MIN_PARTS) {
-			shape_head(form, head);
-			found.emplace_back(head_size, head);
-		}
-		for (const CardGroup *group : { &flat, &head }) {
-			if (group == &flat ? !flat.carried.empty() : head_parts >= MIN_PARTS) {
-				for (const int carried : group->carried) {
-					is_replaced[carried] = true;
+		for (const bool is_head : { false, true }) {
+			for (CardGroup &group : split_by_carriers(form, kind, kinds_on(form, all, kind, is_head))) {
+				int parts = 0;
+				float size = 0.0f;
+				for (const int carried : group.carried) {
+					const Candidate &own = all.at({ kind, carried });
+					parts += own.parts / std::max(own.carriers, 1);
+					size += own.size;
 				}
+				if (parts < MIN_PARTS) {
+					continue;
+				}
+				if (is_head) {
+					shape_head(form, group);
+				}
+				for (const int carried : group.carried) {
+					is_replaced[static_cast<size_t>(carried)] = true;
+				}
+				found.emplace_back(size, group);
 			}
 		}
 	}

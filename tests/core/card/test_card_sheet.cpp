@@ -60,6 +60,38 @@ TEST_CASE("heads and flat fronds are found, single large parts are not") {
 	CHECK(find_card_groups(grow_tulip(2)).empty());
 }
 
+TEST_CASE("fresh and faded heads on stems of one kind have their own pictures") {
+	Growth growth(0.3f, 1);
+	Part stem, floret, faded;
+	stem.kind = PartKind::axis;
+	stem.length_min = stem.length_max = 0.3f;
+	stem.width = 0.003f;
+	floret.length_min = floret.length_max = 0.01f;
+	floret.width = 0.003f;
+	faded = floret;
+	faded.colors.base = faded.colors.tip = glm::vec4(0.4f, 0.2f, 0.1f, 1.0f);
+	int stem_kind = 0, floret_kind = 0, faded_kind = 0;
+	REQUIRE(growth.add_kind(stem, stem_kind) == "");
+	REQUIRE(growth.add_kind(floret, floret_kind) == "");
+	REQUIRE(growth.add_kind(faded, faded_kind) == "");
+	Arrangement head;
+	head.layout = Layout::disc;
+	head.count_min = head.count_max = 40;
+	head.radius = 0.01f;
+	head.dome = 1.5f;
+	Arrangement ground;
+	ground.layout = Layout::ground;
+	for (const int kind : { floret_kind, faded_kind }) {
+		std::vector<int> stems, florets;
+		REQUIRE(growth.arrange(stem_kind, ground, { ON_GROUND }, stems) == "");
+		REQUIRE(growth.arrange(kind, head, stems, florets) == "");
+	}
+	const std::vector<CardGroup> groups = find_card_groups(growth.finish());
+	REQUIRE(groups.size() == 2);
+	CHECK(groups[0].carried.size() == 1);
+	CHECK(groups[1].carried != groups[0].carried);
+}
+
 TEST_CASE("each carrier has one card with everything on it") {
 	const PlantForm form = grow_grass(3);
 	const CardPlaces all = place_cards(form, find_card_groups(form));

@@ -1,15 +1,15 @@
 #include "field/build/build_input.hpp"
 
-#include "base/random.hpp"
-#include "conventions.hpp"
-#include "field/resources/empty_entry.hpp"
-#include "field/build/field_areas.hpp"
-#include "field/view/field_fitting.hpp"
-#include "field/build/ground_sampler.hpp"
-#include "nodes/plant_field_3d.hpp"
 #include "base/new_object.hpp"
-#include "species/species_functions.hpp"
+#include "base/random.hpp"
 #include "base/stopwatch.hpp"
+#include "conventions.hpp"
+#include "field/build/field_areas.hpp"
+#include "field/build/ground_sampler.hpp"
+#include "field/resources/empty_entry.hpp"
+#include "field/view/field_fitting.hpp"
+#include "nodes/plant_field_3d.hpp"
+#include "species/species_functions.hpp"
 
 #include <godot_cpp/classes/mesh_instance3d.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
@@ -294,7 +294,7 @@ String sample_styles(
 			if (watch.usec() > usec) {
 				return String();
 			}
-			String fault = style.sample_next(setup.levels, setup.rule.is_by_error);
+			String fault = style.sample_next(setup.levels, setup.rule.is_by_error, setup.material_override);
 			if (!fault.is_empty()) {
 				fault = leave_out_faulty(setup, i, fault, existing);
 			}
@@ -321,7 +321,7 @@ String read_other_style(const Ref<PlantFunction> &function, const PlacementOptio
 	into = listed < 0 ? style_of(function, SpeciesStyle().variant_count, options, size_t(list_size + others))
 					  : listed_style(*Ref<PlantFieldSpecies>(options.species[listed]).ptr(), options, size_t(listed));
 	while (!into.is_sampled()) {
-		const String fault = into.sample_next(setup.levels, setup.rule.is_by_error);
+		const String fault = into.sample_next(setup.levels, setup.rule.is_by_error, setup.material_override);
 		if (!fault.is_empty()) {
 			return describe(function.ptr()) + ": " + fault;
 		}
