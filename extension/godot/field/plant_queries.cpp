@@ -68,9 +68,8 @@ Ref<PlantFunction> PlantQueries::species(int64_t id) const {
 
 double PlantQueries::height(int64_t id) const {
 	return query(id, [this](const FoundPlant &one) {
-		const Transform3D axes = node->is_inside_tree() ? axes_of(node) : node->get_transform();
 		const float share = runtime.own_edits.share_of(runtime.store, one.place);
-		return double(one.style.length_of(one.plant) * share * axes.basis.get_column(1).length());
+		return double(one.style.length_of(one.plant) * share * axes_of(node).basis.get_column(1).length());
 	});
 }
 

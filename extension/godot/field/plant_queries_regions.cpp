@@ -216,9 +216,9 @@ int PlantQueries::apply_impulse_in_sphere(const Vector3 &center, double radius, 
 		return 0;
 	}
 	const std::vector<PlantRef> places = in_sphere("apply_impulse_in_sphere", center, radius);
-	const glm::vec3 blow = places.empty() ? glm::vec3() : to_glm(axes_of(node).basis.inverse().xform(impulse));
+	const glm::vec3 local_impulse = places.empty() ? glm::vec3() : to_glm(axes_of(node).basis.inverse().xform(impulse));
 	for (const PlantRef &place : places) {
-		runtime.motion.apply_impulse(place, blow);
+		runtime.motion.apply_impulse(place, local_impulse);
 	}
 	return int(places.size());
 }

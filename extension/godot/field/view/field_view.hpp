@@ -54,7 +54,7 @@ struct BatchPlan {
 	int group = 0; ///< Index of the mesh among those of the species at its level.
 	int count = 0;
 	int stride = 0; ///< Floats per plant.
-	RankCounts kept = {}; ///< Number of plants with a rank of at most i / RANK_STEPS.
+	RankCounts rank_counts = {}; ///< Number of plants with a rank of at most i / RANK_STEPS.
 	godot::PackedFloat32Array buffer;
 	godot::AABB box; ///< Covers the largest deflection.
 	godot::AABB roots; ///< Bounding box of the roots.
@@ -156,7 +156,7 @@ private:
 		int species = 0;
 		int count = 0;
 		bool has_parts = false;
-		RankCounts kept;
+		RankCounts rank_counts;
 		godot::AABB roots; ///< Field axes, m.
 		godot::Vector3 middle; ///< Centre of the drawn box, to which the engine measures distances.
 		float radius = 0.0f; ///< m, largest distance of a root from `middle`.
@@ -192,7 +192,7 @@ private:
 	Batch make(const FieldRenderSetup &setup, const BatchPlan &plan) const;
 	void reveal(Batch &batch);
 	void set_visible(const Batch &batch, bool visible) const;
-	static void wear_material(
+	static void set_material(
 			godot::RenderingServer *server, const FieldRenderSetup &setup, const BatchKey &place, const Batch &batch);
 	int level_count() const { return levels.empty() ? 0 : int(levels.front().size()); }
 	static void free_batch(const Batch &batch);

@@ -115,7 +115,7 @@ void FieldView::show_tile(const FieldRenderSetup &setup, const TileKey &tile) {
 					has_other_near = true;
 				} else {
 					const FieldLevel &seen = setup.styles[size_t(batch.species)].levels[size_t(level)];
-					wear_material(server, setup, place, batch);
+					set_material(server, setup, place, batch);
 					set_range(batch, seen);
 					apply_flags(batch, seen);
 				}
