@@ -3,8 +3,9 @@ extends "res://tests/engine/field_harness.gd"
 
 const FERN := "res://addons/undergrowth/species/male_fern.tres"
 const BELLFLOWER := "res://addons/undergrowth/species/bellflower.tres"
-const BEND := 'shader_type spatial;\n#include "res://addons/undergrowth/shaders/undergrowth_bend.gdshaderinc"\n'
-const CARD := '#include "res://addons/undergrowth/shaders/undergrowth_card.gdshaderinc"\n'
+const INCLUDE := '#include "res://addons/undergrowth/shaders/%s.gdshaderinc"\n'
+const BEND := "shader_type spatial;\n" + INCLUDE % "undergrowth_bend"
+const CARD := INCLUDE % "undergrowth_card"
 const SOLID := BEND + "void vertex() { UNDERGROWTH_BEND }"
 const CARDED := (
 	BEND + CARD + "void vertex() { UNDERGROWTH_CARD_BEND }\nvoid fragment() { UNDERGROWTH_CARD }"
