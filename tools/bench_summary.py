@@ -54,7 +54,8 @@ def scene_lines(rows):
              f"{row['shadow_primitives'] / 1e6:.2f} M primitives; {row['video_mb']:.0f} MB of video memory"
              for row in rows if "draw_calls" in row]
     lines += [f"{row['name']}, {row['plants']:,} plants: the first after {row['first_plant_ms']:.0f} ms, all after "
-              f"{row['all_plants_ms']:.0f} ms; {row['resident_mb']:.0f} MB resident"
+              f"{row['all_plants_ms']:.0f} ms, {row['processor_ms']:.0f} ms of processors' time; "
+              f"{row['resident_mb']:.0f} MB resident"
               for row in rows if "first_plant_ms" in row]
     for member, what in (("resident_mb", "resident memory"), ("video_mb", "video memory")):
         scenes = [row for row in rows if row["name"] == "scene" and member in row]

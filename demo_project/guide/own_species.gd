@@ -3,6 +3,9 @@ extends "sheet.gd"
 
 const Tuft := preload("tuft.gd")
 const Foxtail := preload("res://script_species/foxtail.gd")
+const ReedMace := preload("reed_mace.gd")
+## The picture of the reed mace is smaller by this factor.
+const TALL := 2.4
 const TITLES: Array[String] = ["blades", "and culms", "and spikelets"]
 
 
@@ -11,13 +14,14 @@ func _fill(row: HBoxContainer) -> void:
 		var tuft := Tuft.new()
 		tuft.steps = i + 1
 		_add_plant(row, TITLES[i], tuft)
-	_add_plant(row, "four functions", Foxtail.new())
+	_add_plant(row, "bristles", Foxtail.new())
+	_add_plant(row, "four functions", ReedMace.new(), TALL)
 	_add_plant(row, "curves", _make_thistle())
 
 
-func _add_plant(row: HBoxContainer, title: String, species: PlantFunction) -> void:
-	var from := Vector3(0.0, 0.75, 2.0)
-	var world := add_cell(row, title, from, Vector3(0.0, 0.32, 0.0), 30.0)
+func _add_plant(row: HBoxContainer, title: String, species: PlantFunction, scale := 1.0) -> void:
+	var from := Vector3(0.0, 0.75, 2.0) * scale
+	var world := add_cell(row, title, from, Vector3(0.0, 0.32, 0.0) * scale, 30.0)
 	var plant := Plant3D.new()
 	plant.species = species
 	plant.segments = 40

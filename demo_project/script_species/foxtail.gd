@@ -1,29 +1,27 @@
 @tool
 class_name FoxtailFunction
 extends PlantFunction
-## Foxtail grass, a species in one script: a thin stem under a soft, fluffy spike.
+## Foxtail grass, a species in one script: leaves, thin culms, and a soft spike on each.
 
-const SPIKE_START := 0.55
-
-
-func _get_base_shape(lod: int) -> PackedVector3Array:
-	var ring := PackedVector3Array()
-	var points := 2 * maxi(6, lod)
-	for i in points:
-		var radius := 0.028 if i % 2 == 0 else 0.016  # Every other point is a bristle.
-		ring.append(Vector3.LEFT.rotated(Vector3.UP, TAU * i / points) * radius)
-	return ring
+var leaf := PlantBlade.of({length = Vector2(0.2, 0.36), width = 0.01, bend = 1.1, fold = 0.4})
+var culm := PlantAxis.of({length = Vector2(0.4, 0.65), diameter = 0.002, bend = 0.4})
+var spike := PlantBead.of({length = Vector2(0.06, 0.09), diameter = 0.009})
+var bristle := PlantBlade.of({length = Vector2(0.012, 0.02), width = 0.0012})
 
 
-func _generate_height(rng: RandomNumberGenerator) -> float:
-	return rng.randf_range(0.5, 0.9)
+func _init() -> void:
+	leaf.base_color = Color("3f5c1e")
+	leaf.tip_color = Color("93ab52")
+	culm.tip_color = Color("a8b06a")
+	spike.base_color = Color("76893f")
+	spike.tip_color = Color("c2b684")
+	bristle.base_color = spike.base_color
+	bristle.tip_color = Color("efe0b6")
 
 
-func _calculate_curve_point(offset: float) -> float:
-	var along_spike := clampf(inverse_lerp(SPIKE_START, 1.0, offset), 0.0, 1.0)
-	return 0.12 + 0.88 * sqrt(sin(PI * along_spike))
-
-
-func _calculate_color_at_point(offset: float) -> Color:
-	var along_spike := inverse_lerp(SPIKE_START, 1.0, offset)
-	return Color("5d8f2e").lerp(Color("f0dca6"), smoothstep(-0.1, 0.9, along_spike))
+func _grow(plant: PlantGrowth) -> void:
+	plant.scatter(leaf, 20, {radius = 0.025, tilt = Vector2(0.1, 0.5), swept = 0.4})
+	var culms := plant.scatter(culm, 5, {radius = 0.015, tilt = Vector2(0.05, 0.25)})
+	plant.along(leaf, culms, 1, {from = 0.3, to = 0.3, angle = 0.5, scale = 0.6})
+	var spikes := plant.add(spike, culms)
+	plant.along(bristle, spikes, 40, {from = 0.05, angle = Vector2(0.8, 0.3)})

@@ -1,4 +1,5 @@
-## Measures scenes of many small fields, added in one frame, and prints a JSON list of rows.
+## Measures scenes of many small fields, added in one frame, and prints a JSON list of rows. Rows of
+## one_bed and one_mix are single fields with as many plants.
 ##
 ## Run headless with --fixed-fps 60. Frames last a sixtieth of a second. median_ms is the time from
 ## the frame in which all fields enter the tree until all are built. worst_frame_ms is the longest
@@ -27,26 +28,28 @@ func _initialize() -> void:
 
 func _run() -> void:
 	var idle := await _median_frame(STILL_FRAMES)
-	await _measure("many_beds", BEDS, _make_bed, idle)
-	await _measure("many_mixes", MEADOWS, _make_meadow, idle)
+	await _measure("many_beds", BEDS, _make_bed.bind(1), idle)
+	await _measure("one_bed", 1, _make_bed.bind(BEDS), idle)
+	await _measure("many_mixes", MEADOWS, _make_meadow.bind(1), idle)
+	await _measure("one_mix", 1, _make_meadow.bind(MEADOWS), idle)
 	print(JSON.stringify(_rows))
 	quit()
 
 
-func _make_bed() -> PlantField3D:
+func _make_bed(count: int) -> PlantField3D:
 	var kinds: Array[PlantFunction] = []
 	for title: String in ["garden_tulip", "poppy", "lavender"]:
 		kinds.append(load("res://addons/undergrowth/species/%s.tres" % title))
 	var bed := PlantField3D.from_species(kinds)
-	bed.size = BED_SIZE
+	bed.size = BED_SIZE * sqrt(count)
 	bed.density = BED_DENSITY
 	return bed
 
 
-func _make_meadow() -> PlantField3D:
+func _make_meadow(count: int) -> PlantField3D:
 	var mix: PackedScene = load("res://addons/undergrowth/mixes/meadow.tscn")
 	var meadow: PlantField3D = mix.instantiate()
-	meadow.size = MEADOW_SIZE
+	meadow.size = MEADOW_SIZE * sqrt(count)
 	meadow.density = MEADOW_DENSITY
 	return meadow
 

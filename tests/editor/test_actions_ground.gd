@@ -85,7 +85,7 @@ func test_a_field_that_finds_no_ground_warns_in_the_scene_dock() -> void:
 	check(
 		await until(func() -> bool: return reported.has(field)), "it warns where there is no ground"
 	)
-	check_error("no collider is below or above it")
+	check_error("no collider is below or above the field")
 	var ground := _make_collider()
 	root.add_child(ground)
 	ground.global_position = field.global_position

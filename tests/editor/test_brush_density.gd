@@ -44,7 +44,9 @@ func test_the_bar_explains_a_stroke_without_effect() -> void:
 	_species_button(POPPY).button_pressed = true
 	await click(_view(), _place_of(field, Vector3.ZERO))
 	check(field.map == null, "there is nothing to change")
-	check(_reported().contains("as dense here as the mix says, 0.57"), "as mixed: " + _reported())
+	check(
+		_reported().contains("already has the density of the mix, 0.57"), "as mixed: " + _reported()
+	)
 	_density().value = 5.0
 	check_equal(_reported(), "", "after another density")
 	await click(_view(), _place_of(field, Vector3.ZERO))

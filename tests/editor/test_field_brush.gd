@@ -52,7 +52,7 @@ func test_what_is_removed_of_a_painted_field_is_saved_with_its_scene() -> void:
 	field.apply_changes(PackedByteArray())
 	check(field.saved_changes.is_empty(), "nothing is kept where nothing is changed")
 	field.saved_changes = own.slice(0, own.size() - 1)
-	check_error("cut off")
+	check_error("incomplete")
 	check_equal(
 		field.saved_changes.size(), own.size() - 1, "what is torn is not lost with the next save"
 	)

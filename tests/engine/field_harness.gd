@@ -20,10 +20,13 @@ func start() -> void:
 	await frames(2)
 
 
-## Waits until [param filling] is built. A signal's sender must not be freed while it emits.
+## Waits until [param filling] is built and its tiles are joined. A signal's sender must not be
+## freed while it emits.
 func filled(filling: PlantField3D) -> void:
 	await filling.build_finished
 	await process_frame
+	while filling.is_inside_tree() and not is_settled(filling):
+		await process_frame
 
 
 ## Starts a rebuild of the field and returns in a frame in which its worker is still busy. On a busy

@@ -68,7 +68,7 @@ func test_bad_queries_are_reported() -> void:
 	check_equal(_wind.sample_over_canopy(NAN, _row(2)).size(), 0, "at no time")
 	check_error("sample_over_canopy() needs a finite time")
 	check_equal(_wind.sample_over_canopy(1.0, PackedVector2Array([Vector2(0, INF)])).size(), 0)
-	check_error("finite places")
+	check_error("finite positions")
 	_wind.kind = PlantWind.KIND_WAVES
 	for i in 3:
 		check_equal(_wind.sample_over_canopy(1.0, _row(2)).size(), 0, "of newtons")

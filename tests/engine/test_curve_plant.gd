@@ -93,7 +93,7 @@ func test_a_curve_below_zero_counts_as_zero() -> void:
 func test_a_curve_of_zeros_gives_one_error() -> void:
 	_function.width_curve = _curve(0.0, 0.0)
 	check(_function.generate_mesh(1.0, 8) == null, "nothing to see")
-	check_error("gave 0 at every height")
+	check_error("returned 0 at every height")
 
 
 func test_empty_parts_are_no_fault() -> void:

@@ -307,6 +307,8 @@ func test_a_species_without_room_beside_prototypes_is_one_error() -> void:
 	var count := 1
 	while count < 256 and field.add_plants(place, GrassFunction.new()).size() == 1:
 		count += 1
+		await frames(1)  # The textures grow with what was added until now.
 	check_error("prototypes")
-	check(count > 40 and count < 256, "%d species have room" % count)
+	# Of 2,048 layers each species needs 17.
+	check(count > 110 and count < 121, "%d species have room" % count)
 	check_equal(field.get_plant_ids().size(), field.get_plant_count(), "existing plants")

@@ -88,6 +88,37 @@ func test_progress_rises_to_1_and_the_end_is_reported_once() -> void:
 		field = _make_field()
 
 
+func test_a_build_ends_when_all_plants_exist_and_edits_hold_while_tiles_are_joined() -> void:
+	var ready := [false]
+	field.build_finished.connect(func() -> void: ready[0] = true)
+	root.add_child(field)
+	while not ready[0]:
+		await process_frame
+	check(not field.is_building(), "it is built")
+	check_near(field.get_plant_count(), 8.0 * SIDE * SIDE, 1000.0, "all plants")
+	check(_is_joining(), "wider multimeshes follow")
+	var removed := field.remove_in_sphere(_middle(), 5.0)
+	field.set_height_in_sphere(Vector3(-20, 0, 20), 3.0, 0.1)
+	check(removed > 300, "%d plants removed" % removed)
+	var before := _places_of(field)
+	while _is_joining():
+		await process_frame
+	check_equal(_places_of(field), before, "plants after the join")
+	check_equal(field.find_plants_in_sphere(_middle(), 4.9).size(), 0, "removed plants")
+	for id in field.find_plants_in_sphere(Vector3(-20, 0, 20), 2.0):
+		check(field.get_plant_height(id) < 0.3, "mown plants")
+
+
+func test_a_species_that_changes_while_tiles_are_joined_is_drawn() -> void:
+	await start()
+	check(_is_joining(), "wider multimeshes follow")
+	(field.species[0].species as TulipFunction).color_deviation = 0.7
+	field.density = 7.9
+	await rested()
+	check(not _is_joining(), "it ends")
+	check_near(field.get_plant_count(), 7.9 * SIDE * SIDE, 1000.0, "all plants")
+
+
 func test_a_larger_budget_takes_fewer_frames() -> void:
 	var counts: Array[int] = []
 	for budget: float in [0.1, 200.0]:
@@ -191,7 +222,7 @@ func test_a_build_that_cannot_begin_or_end_is_reported() -> void:
 	root.add_child(terrain)
 	field.rebuild()
 	await until(func() -> bool: return _ends.size() == 2, "it is reported again")
-	check_error("answers with no float")
+	check_error("did not return a float")
 	check_equal(field.is_building(), false, "in the end")
 	check_equal(_ends.size(), 2, "signals")
 	terrain.free()
@@ -322,10 +353,10 @@ func test_ground_that_fails_after_the_first_part_is_reported() -> void:
 		root.add_child(field)
 		await until(func() -> bool: return not _ends.is_empty(), "it ends")
 		await rested()
-		check_error("answers with no float")
+		check_error("did not return a float")
 		check(field.get_plant_count() > 0, "the first part is built")
 		check_equal(_ends.size(), 1, "signals: %s" % _ends)
-		check(str(_ends).contains("answers with no float"), "it says why: %s" % _ends)
+		check(str(_ends).contains("did not return a float"), "it says why: %s" % _ends)
 		root.remove_child(field)
 	terrain.free()
 
@@ -393,6 +424,10 @@ func _places_of(of: PlantField3D) -> Dictionary:
 		places[ids[i]] = of.get_plant_transform(ids[i])
 	places[-1] = ids.size()
 	return places
+
+
+func _is_joining() -> bool:
+	return field.get_statistics()["is_rebuilding_meshes"]
 
 
 func _stream(of: PlantField3D) -> void:

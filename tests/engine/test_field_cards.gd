@@ -3,6 +3,7 @@ extends "res://tests/engine/field_harness.gd"
 
 const FERN := "res://addons/undergrowth/species/male_fern.tres"
 const BELLFLOWER := "res://addons/undergrowth/species/bellflower.tres"
+const YARROW := "res://addons/undergrowth/species/yarrow.tres"
 const INCLUDE := '#include "res://addons/undergrowth/shaders/%s.gdshaderinc"\n'
 const BEND := "shader_type spatial;\n" + INCLUDE % "undergrowth_bend"
 const CARD := INCLUDE % "undergrowth_card"
@@ -30,6 +31,14 @@ func test_near_levels_of_fronds_have_cards_and_last_ones_have_none() -> void:
 	check(carded.count(1) >= 1, "of the fern: %s" % [carded])
 	check_equal(carded[-1], 0, "last level of the fern")
 	check_equal(_carded(1).count(1), 0, "a bellflower has no groups of small parts")
+
+
+func test_open_heads_of_thin_twigs_stay_solid() -> void:
+	field.free()
+	field = PlantField3D.from_species([load(YARROW)])
+	field.density = 0.5
+	await start()
+	check_equal(_carded(0).count(1), 0, "cards of yarrow")
 
 
 func test_cards_need_fewer_vertices_for_the_same_error() -> void:

@@ -16,7 +16,7 @@ func test_an_absurd_collision_radius_is_reported_once() -> void:
 	await start()
 	check(field.get_plant_count() > 1500, "%d plants exist" % field.get_plant_count())
 	await step(20)
-	check_error("too many tips are near each other")
+	check_error("too many tips are close together")
 
 
 func test_usual_fields_report_no_crowd() -> void:

@@ -139,7 +139,7 @@ func test_an_exclusion_of_two_points_is_reported_with_advice() -> void:
 	field.exclusions = [add_path("Line", [Vector3(-5, 0, 0), Vector3(5, 0, 0)])]
 	root.add_child(field)
 	await rested()
-	check_error("curve of two points or fewer, which goes around nothing. Add points")
+	check_error("curve of fewer than three points, which encloses no area. Add points")
 	check_equal(field.get_plant_count(), 0, "plants")
 	(field.get_node("Line") as Path3D).curve.add_point(Vector3(0, 0, 5))
 	await rested()

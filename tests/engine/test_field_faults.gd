@@ -35,7 +35,7 @@ func test_an_empty_entry_is_one_error_and_the_other_species_grow() -> void:
 	var emptied := PlantFieldSpecies.new()
 	field.species = [grass, emptied]
 	await rested()
-	check_error_count("species[1] is empty, and does not grow. Set a PlantFieldSpecies", 1)
+	check_error_count("species[1] is empty and grows no plants. Set a PlantFieldSpecies", 1)
 	check_equal(_places_of(grass.species), grass_places, "the other species' places")
 	check_equal(field.get_plant_count(), grass_places.size(), "plants")
 	field.density = 6.0
@@ -112,7 +112,7 @@ func test_ends_of_a_range_push_each_other() -> void:
 	check_equal(field.slope_limits, Vector2(0.2, 0.2), "the larger end pushes the smaller")
 	field.slope_limits = Vector2(0.7, 0.4)
 	check_error(
-		"slope_limits goes from 0.7 down to 0.4, it keeps its value. Set the smaller number"
+		"slope_limits goes from 0.7 down to 0.4; the old value stays. Set the smaller number"
 	)
 	check_equal(field.slope_limits, Vector2(0.2, 0.2), "both ends at once, in the wrong order")
 	field.height_limits = Vector2(5.0, 1000.0)

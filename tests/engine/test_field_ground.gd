@@ -177,7 +177,7 @@ func test_with_the_lowest_ground_plants_grow_below_roofs() -> void:
 	roof.free()
 	upper_roof.free()
 	field.set("ground_choice", 2)
-	check_error("ground_choice is GROUND_HIGHEST or GROUND_LOWEST")
+	check_error("ground_choice must be GROUND_HIGHEST or GROUND_LOWEST")
 	check_equal(field.ground_choice, PlantField3D.GROUND_LOWEST, "it stays")
 
 

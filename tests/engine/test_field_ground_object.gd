@@ -157,7 +157,7 @@ func test_an_object_that_returns_no_height_is_reported_once() -> void:
 	field.ground_object = NodePath("../Terrain")
 	root.add_child(field)
 	await rested()
-	check_error("leads to no object that answers get_height(Vector3) -> float")
+	check_error("is no object with a method get_height(Vector3) -> float")
 	field.rebuild()
 	await rested()
 	check_equal(field.get_plant_count(), 0, "plants")
@@ -170,7 +170,7 @@ func test_a_missing_path_is_one_error() -> void:
 	field.ground_object = NodePath()
 	root.add_child(field)
 	await rested()
-	check_error("ground_object '' leads to no object")
+	check_error("ground_object '' is no object")
 
 
 func test_heights_of_the_wrong_type_are_one_error_and_the_plants_stay() -> void:
@@ -199,7 +199,7 @@ func test_no_ground_anywhere_is_one_warning() -> void:
 	terrain.data = faulty
 	field.ground_object = NodePath("../Terrain:data")
 	await start()
-	check_error("ground_object tells of no ground at any of its places")
+	check_error("ground_object returned no ground at any position")
 	field.rebuild()
 	await rested()
 	check_equal(field.get_plant_count(), 0, "plants")

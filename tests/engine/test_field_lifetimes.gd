@@ -267,7 +267,7 @@ func test_transforms_that_are_none_are_left_out_with_one_error() -> void:
 	check_error("2 transforms")
 	check_equal(_field.get_plant_count(), count + 1)
 	_field.add_plants([Transform3D.IDENTITY], null)
-	check_error("needs a PlantFunction")
+	check_error("needs a species")
 	_field.add_plants("here", _field.species[0].species)
 	check_error("needs an Array")
 	_field.add_plants(PackedFloat32Array([1, 2, 3]), _field.species[0].species)

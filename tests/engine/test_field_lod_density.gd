@@ -74,7 +74,7 @@ func test_without_levels_only_plants_of_parts_are_thinned() -> void:
 	check(tufts < field.get_plant_count() * 0.2, "%d tufts" % tufts)
 	field.species = [PlantFieldSpecies.of(GrassFunction.new())]
 	await rested()
-	check_equal(await _drawn_from(120.0), field.get_plant_count(), "single blades")
+	check_equal(await _drawn_from(120.0), field.get_plant_count(), "GrassFunction grows")
 
 
 func test_a_field_without_species_grows_meadow_grass() -> void:

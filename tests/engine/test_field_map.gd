@@ -67,7 +67,7 @@ func test_another_species_grows_where_its_layer_is_painted() -> void:
 	field.map = map
 	await start()
 	check_equal(field.get_plant_count(), 0, "plants")
-	check_error("'Tulip' is no species of the fields that grow by it")
+	check_error("'Tulip' is no species of the fields with this map")
 	field.species[0].layer = TULIP
 	await filled(field)
 	check(field.get_plant_count() > 500, "%d plants" % field.get_plant_count())
@@ -108,7 +108,7 @@ func test_an_unreadable_map_is_reported_and_the_plants_stay() -> void:
 	await start()
 	var plants := all_plants()
 	map.data = PackedByteArray([1, 2, 3])
-	check_error("not those of a map")
+	check_error("no map")
 	field.map = map
 	await rested()
 	check_error("its map cannot be used")
@@ -144,11 +144,11 @@ func test_an_unused_layer_name_is_reported_once() -> void:
 	map.erase(Vector3.ZERO, 2.0, "", 1.0)
 	check_error_count("is no species", 0)
 	map.erase(Vector3.ZERO, 2.0, "Tulpe", 1.0)
-	check_error("'Tulpe' is no species of the fields that grow by it")
+	check_error("'Tulpe' is no species of the fields with this map")
 	map.paint(Vector3.ZERO, 2.0, "Tulpe", 1.0)
 	check_error_count("Tulpe", 0)
 	map.set_from_image(Image.create_empty(4, 4, false, Image.FORMAT_L8), Rect2(0, 0, 4, 4), "Gras")
-	check_error("'Gras' is no species of the fields that grow by it")
+	check_error("'Gras' is no species of the fields with this map")
 	other.free()
 
 
@@ -158,7 +158,7 @@ func test_a_map_of_other_species_is_reported_when_it_is_used() -> void:
 	field.map = map
 	root.add_child(field)
 	await settled(field)
-	check_error("'Tulpe' is no species of the fields that grow by it")
+	check_error("'Tulpe' is no species of the fields with this map")
 	field.rebuild()
 	await filled(field)
 	check_error_count("Tulpe", 0)

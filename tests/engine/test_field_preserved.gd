@@ -165,9 +165,9 @@ func test_bytes_that_are_not_sound_are_one_error_and_change_nothing() -> void:
 	var bytes := field.get_changes()
 	var count := field.get_plant_count()
 	check(not field.apply_changes(bytes.slice(0, bytes.size() - 3)), "cut off")
-	check_error("apply_changes(): They are cut off or damaged")
+	check_error("apply_changes(): They are incomplete or damaged")
 	check(not field.apply_changes("something else".to_utf8_buffer()), "of another kind")
-	check_error("apply_changes(): These bytes are not those")
+	check_error("apply_changes(): These bytes are no edits of a field")
 	var later := bytes.duplicate()
 	later[4] = 9
 	check(not field.apply_changes(later), "of a later release")
@@ -178,7 +178,7 @@ func test_bytes_that_are_not_sound_are_one_error_and_change_nothing() -> void:
 	field = _make_field()
 	await start()
 	check(not field.apply_changes(bytes), "of an unknown species")
-	check_error("plants of 'Nobody's' were added, and the field knows no such species")
+	check_error("plants of 'Nobody's' were added, but the field has no species of that name")
 
 
 func test_changes_of_a_field_of_another_seed_are_reported() -> void:
@@ -192,7 +192,9 @@ func test_changes_of_a_field_of_another_seed_are_reported() -> void:
 		field.seed = 7 if other else 0
 		await start()
 		check(field.apply_changes(bytes), "applied")
-		check_error_count("these are changes of a field of seed 0, and this one has 7", int(other))
+		check_error_count(
+			"these edits were recorded with seed 0, but the field has seed 7", int(other)
+		)
 		check_equal(
 			field.find_plants_in_sphere(field.global_position, REACH - 0.5).size(), 0, "there"
 		)

@@ -172,7 +172,7 @@ func test_a_field_of_stems_that_buckle_is_reported_once() -> void:
 	field.species[0].species.stem.youngs_modulus = 1e5
 	await start()
 	await step(30)
-	check_error("The stem falls under its own weight")
+	check_error("The stem buckles under its own weight")
 	check(field.get_plant_count() > 400, "%d plants exist" % field.get_plant_count())
 	for tip in all_tips():
 		if not tip.is_finite():

@@ -33,7 +33,8 @@ func test_translucency_is_that_of_the_parts() -> void:
 
 func test_colour_of_plants_without_parts() -> void:
 	var material := ShaderMaterial.new()
-	Ground3D.apply_color(material, PlantField3D.from_species([GrassFunction.new()]))
+	field = PlantField3D.from_species([GrassFunction.new()])
+	Ground3D.apply_color(material, field)
 	var grass: Color = material.get_shader_parameter(&"field_color")
 	check(grass.g > grass.r and grass.g > grass.b, "grass is green: %s" % grass)
 	check_equal(material.get_shader_parameter(&"field_translucency"), 0.0, "light through a stem")

@@ -44,7 +44,7 @@ func test_an_error_in_a_file_is_reported_once_with_that_file() -> void:
 	await frames(2)
 	check_error_count("TulipFunction '%s': natural_frequency cannot be -3.0" % _species, 1)
 	check_equal(
-		tulip.natural_frequency, TulipFunction.new().natural_frequency, "it keeps its value"
+		tulip.natural_frequency, TulipFunction.new().natural_frequency, "the old value stays"
 	)
 	check_equal(tulip.mass, 2.0, "what follows is read")
 

@@ -105,17 +105,17 @@ func test_impossible_steps_give_one_error_and_move_nothing() -> void:
 	var tip := _plant.get_tip_position()
 	for delta: float in [-1.0, -1e-9, NAN, INF, -INF]:
 		_plant.advance(delta)
-		check_error("is impossible; nothing moved")
+		check_error("is invalid; nothing moved")
 		check_equal(_plant.get_tip_position(), tip, "tip")
 
 
 func test_the_same_impossible_step_is_reported_once_until_one_was_possible() -> void:
 	for i in 3:
 		_plant.advance(NAN)
-	check_error("is impossible; nothing moved")
+	check_error("is invalid; nothing moved")
 	_plant.advance(STEP)
 	_plant.advance(NAN)
-	check_error("is impossible; nothing moved")
+	check_error("is invalid; nothing moved")
 
 
 func test_a_step_of_nothing_moves_nothing() -> void:

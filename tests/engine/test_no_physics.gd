@@ -10,7 +10,7 @@ func test_a_field_on_colliders_fails_with_one_error_and_plants_nothing() -> void
 	await frames(1)
 	await until(func() -> bool: return not field.is_building(), "it does not go on for ever")
 	check_equal(field.get_plant_count(), 0, "plants")
-	check_error("there is no 3D physics to cast rays at")
+	check_error("needs 3D physics, which is disabled")
 	field.ground_mode = PlantField3D.GROUND_NONE
 	await filled(field)
 	check(field.get_plant_count() > 0, "plants on flat ground")

@@ -135,7 +135,7 @@ func test_without_a_species_the_last_plant_stays() -> void:
 	var mesh := _plant.get_mesh()
 	_plant.species = null
 	await frames(10)
-	check_error("has no species any more")
+	check_error("has no species")
 	check(_plant.get_mesh() == mesh, "the mesh stays")
 	_plant.height = 0.5
 	_plant.advance(0.1)

@@ -126,9 +126,9 @@ func test_data_that_are_no_map_are_one_error_and_stay() -> void:
 	var later := whole.duplicate()
 	later[4] = 9
 	for faulty: Array in [
-		[whole.slice(0, whole.size() - 9), "cut off or damaged"],
+		[whole.slice(0, whole.size() - 9), "incomplete or damaged"],
 		[later, "saved by a later release"],
-		[PackedByteArray([1, 2, 3]), "not those of a map"],
+		[PackedByteArray([1, 2, 3]), "no map"],
 	]:
 		var other := PlantMap.new()
 		other.data = faulty[0]
@@ -180,7 +180,7 @@ func test_cells_keep_their_size_once_something_is_painted() -> void:
 	map.cell_size = 1.0
 	map.paint(BED, 3.0, "Poppy")
 	map.cell_size = 2.0
-	check_error("keeps its cell_size")
+	check_error("cannot change its cell_size")
 	check_equal(map.cell_size, 1.0, "size")
 
 

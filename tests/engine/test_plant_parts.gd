@@ -258,25 +258,25 @@ func test_a_cycle_of_carriers_and_a_missing_part_are_reported() -> void:
 	arrangement.carries = [arrangement]
 	var species := PlantFunction.new()
 	species.arrangements = [arrangement]
-	check(species.find_problem(0.0, 6).contains("deep, perhaps by itself"), "carries itself")
+	check(species.find_problem(0.0, 6).contains("levels, perhaps by itself"), "carries itself")
 	arrangement.carries = []
 	arrangement.part = null
 	check(species.find_problem(0.0, 6).contains("has no part"), "no part")
 	species.arrangements = []
 	species.has_stem = false
-	check(species.find_problem(0.0, 6).contains("grew nothing"), "nothing")
+	check(species.find_problem(0.0, 6).contains("has no stem and no parts"), "nothing")
 
 
 func test_a_script_error_says_what_to_do() -> void:
 	var blade := PlantBlade.new()
 	var bare := PackedInt32Array([7])
 	var deeds := {
-		"grew nothing": func(_plant: PlantGrowth) -> void: pass,
+		"has no stem and no parts": func(_plant: PlantGrowth) -> void: pass,
 		"passed no part": func(plant: PlantGrowth) -> void: plant.scatter(null, 3),
 		"count cannot be 0": func(plant: PlantGrowth) -> void: plant.scatter(blade, 0),
 		"count cannot be -4": func(plant: PlantGrowth) -> void: plant.scatter(blade, -4),
 		"count cannot be 1e+06": func(plant: PlantGrowth) -> void: plant.scatter(blade, 1000000),
-		"a handle is none": func(plant: PlantGrowth) -> void: plant.along(blade, bare, 2),
+		"another plant": func(plant: PlantGrowth) -> void: plant.along(blade, bare, 2),
 		"the option 'size'": func(plant: PlantGrowth) -> void: plant.scatter(blade, 3, {size = 2}),
 		"angle cannot be nan":
 		func(plant: PlantGrowth) -> void: plant.along(blade, plant.ground, 1, {angle = NAN}),
@@ -308,7 +308,7 @@ func test_a_plant_that_has_grown_takes_no_more_parts() -> void:
 		kept.append(plant)
 	check(species.generate_mesh(0.0, 3) != null, "it grew")
 	kept[0].add(PlantBlade.new())
-	check_error("PlantGrowth: the plant has grown")
+	check_error("PlantGrowth: the plant is complete")
 
 
 func test_the_last_good_plant_stays() -> void:

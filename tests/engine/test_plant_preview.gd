@@ -69,9 +69,9 @@ func test_advance_refuses_impossible_times() -> void:
 	_wind.advance(1.5)
 	check_equal(_wind.get_time(), 1.5, "time")
 	_wind.advance(-1.0)
-	check_error("is impossible")
+	check_error("is invalid")
 	_wind.advance(INF)
-	check_error("is impossible")
+	check_error("is invalid")
 	check_equal(_wind.get_time(), 1.5, "time")
 
 

@@ -129,7 +129,7 @@ func test_a_typed_script_that_raises_an_error_is_reported_once() -> void:
 	)
 	# It is called at each of the 13 rings. A single 0 would be valid.
 	await _check_fault(
-		"func _calculate_curve_point(_offset: float) -> float:\n" + raise, "gave 0 at every", 13
+		"func _calculate_curve_point(_offset: float) -> float:\n" + raise, "returned 0 at every", 13
 	)
 
 

@@ -23,9 +23,7 @@ func test_a_stem_that_buckles_is_reported_once_and_shown_upright() -> void:
 	reed.species.resource_name = "Weak reed"
 	reed.species.stem.youngs_modulus = 1e6
 	await frames(2)
-	check_error(
-		"'Weak reed': The stem falls under its own weight: give it a larger Young's modulus"
-	)
+	check_error("'Weak reed': The stem buckles under its own weight: increase its Young's modulus")
 	reed.species.wind_weight = 0.5
 	var twin := add_stem(reed.species)
 	twin.height = 0.7
@@ -39,7 +37,7 @@ func test_a_stem_that_buckles_is_reported_once_and_shown_upright() -> void:
 	check_near(reed.get_tip_position().length(), reed.get_plant_height(), 0.1, "it exists")
 	reed.species.stem.youngs_modulus = 1e6
 	await frames(2)
-	check_error("falls under its own weight")
+	check_error("buckles under its own weight")
 
 
 func test_a_species_that_cannot_be_built_is_reported_once() -> void:
@@ -58,7 +56,7 @@ func test_a_species_that_cannot_be_built_is_reported_once() -> void:
 func test_wind_weights_need_one_for_each_joint() -> void:
 	reed.species.stem.wind_weights = PackedFloat32Array([1, 1])
 	await frames(2)
-	check_error("wind weights do not fit: give one of 0 to 1000 for each joint, not all 0, or none")
+	check_error("wind weights do not match its joints: set one from 0 to 1000 for each joint")
 	reed.species.stem.wind_weights = PackedFloat32Array([1, 1, 1, 1])
 	await frames(2)
 	check_equal(reed.get_joint_count(), 4, "joints")

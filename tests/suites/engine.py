@@ -54,6 +54,9 @@ DRAWN = {"threads": ["gl_compatibility"], "threads_first_mesh": ["gl_compatibili
          "field_scaled": ["gl_compatibility"], "field_materials_in_use": ["gl_compatibility"],
          "fields_together": ["gl_compatibility"],
          "shadows_of_parts_picture": ["gl_compatibility", "forward_plus"],
+         "ready_species_albedo": ["forward_plus"],
+         "guide_shaders_msaa": ["forward_plus"],
+         "stand_picture": ["forward_plus"],
          "ready_species_picture": ["gl_compatibility"]}
 # The slowest scripts, which start first.
 SLOW = {"field_tile_rebuild", "species_levels", "hot_reload", "physics_thread"}
@@ -169,6 +172,7 @@ def make_recorder_project(recorder):
     library = next((add_on / "bin").glob("libundergrowth.linux.template_debug.*.so"))
     (folder / "recorder/librecorded.so").symlink_to(library)
     project.list_extensions(folder, ["res://recorder/recorder.gdextension", project.EXTENSION])
+    project.list_uids(folder)
     (folder / "tests").mkdir()
     project.link(ROOT / "tests/engine", folder / "tests/engine")
     return folder

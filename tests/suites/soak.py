@@ -50,6 +50,7 @@ def make_project(folder, name):
     project.link(folder, place / "addons/undergrowth/bin")
     (place / "project.godot").write_text(PROJECT)
     project.list_extensions(place)
+    project.list_uids(place)
     (place / "tests").mkdir()
     project.link(ROOT / "tests/engine", place / "tests/engine")
     return place

@@ -36,7 +36,7 @@ class Lines(unittest.TestCase):
 
     def test_scenes_have_counts_and_the_growth_of_their_memory(self):
         drawn = dict(draw_calls=300, shadow_draw_calls=1200, primitives=1.5e6, shadow_primitives=2.5e6)
-        times = dict(first_plant_ms=80.0, all_plants_ms=900.0)
+        times = dict(first_plant_ms=80.0, all_plants_ms=900.0, processor_ms=700.0)
         reported = bench_summary.lines([row("scene", 1000, 0.1, video_mb=2.0, **drawn),
                                         row("scene", 11000, 0.1, video_mb=5.0, **drawn),
                                         row("scene", 1000, 0.1, resident_mb=10.0, **times),
@@ -44,8 +44,8 @@ class Lines(unittest.TestCase):
                                         row("scene", 11000, 0.1, resident_mb=16.0, **times)])
         self.assertEqual(reported[0], "scene, 1,000 plants: 300 draw calls and 1,200 for shadows; 1.50 and 2.50 M "
                                       "primitives; 2 MB of video memory")
-        self.assertEqual(reported[3], "scene_still, 1,000 plants: the first after 80 ms, all after 900 ms; "
-                                      "0 MB resident")
+        self.assertEqual(reported[3], "scene_still, 1,000 plants: the first after 80 ms, all after 900 ms, "
+                                      "700 ms of processors' time; 0 MB resident")
         self.assertEqual(reported[5:], ["scene: 600 bytes of resident memory a plant from 1,000 to 11,000",
                                         "scene: 300 bytes of video memory a plant from 1,000 to 11,000"])
 

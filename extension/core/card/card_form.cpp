@@ -65,7 +65,7 @@ CardForm make_card_form(const PlantForm &form, const CardSheet &sheet) {
 	return made;
 }
 
-CardPlan plan_cards(const CardForm &form, const CardSheet &sheet, int budget) {
+CardPlan plan_cards(const CardForm &form, const CardSheet &sheet, int budget, int carrier_rows) {
 	CardPlan plan;
 	for (const CardRows &rows : CARD_ROWS) {
 		int cards = 0;
@@ -76,6 +76,7 @@ CardPlan plan_cards(const CardForm &form, const CardSheet &sheet, int budget) {
 			continue;
 		}
 		plan.rest = plan_form(form.rest, form.measure, budget - cards);
+		divide_carriers(form.rest, carrier_rows, plan.rest);
 		plan.strips = make_strips(form, sheet, plan.rest, rows);
 		plan.counts = plan.rest.counts;
 		for (const CardStrip &strip : plan.strips) {

@@ -30,8 +30,9 @@ struct CardPlan {
 	bool is_empty() const { return strips.empty(); }
 };
 
-/// Returns a plan of at most `budget` vertices. Empty if too few would remain for the other parts.
-CardPlan plan_cards(const CardForm &form, const CardSheet &sheet, int budget);
+/// Returns a plan of at most `budget` vertices. Empty if too few would remain for the other parts. `carrier_rows`: see
+/// divide_carriers(), which may exceed the budget.
+CardPlan plan_cards(const CardForm &form, const CardSheet &sheet, int budget, int carrier_rows = 0);
 
 /// build_form_mesh() of a plan with cards, into buffers of plan.counts.
 void build_card_mesh(const CardForm &form, const CardPlan &plan, const FormBones &bones, const MeshOptions &options,

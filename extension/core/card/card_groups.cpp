@@ -23,6 +23,7 @@ constexpr float MIN_STRIP = 1.5f; // Length over width.
 constexpr float MIN_BALL = 0.5f;
 constexpr float MAX_BALL_BASE = 0.35f; // Distance between the bases of its parts, over its length.
 constexpr float MAX_CAPPED = 1.2f; // Length over width of heads that have a picture from above.
+constexpr float MIN_TWIG = 1.2f / 64.0f; // Width of the twigs of capped heads over that of the head: 1.2 texels.
 constexpr int MIDRIB_POINTS = 3;
 
 /// Parts of one kind on carriers of one kind.
@@ -127,15 +128,31 @@ std::vector<CardGroup> split_by_carriers(const PlantForm &form, int carrier_kind
 	return groups;
 }
 
-/// Sets the shape of a head from its largest place.
-void shape_head(const PlantForm &form, CardGroup &group) {
+/// True if a head has twigs, and their mean width is less than a share of the head's own.
+bool has_thin_twigs(const PlantForm &form, const CardPlaces &all, size_t place) {
+	float sum = 0.0f;
+	int count = 0;
+	for (size_t i = 0; i < form.placed.size(); i++) {
+		const PlacedPart &part = form.placed[i];
+		if (all.owners[i] == static_cast<int>(place) &&
+				form.parts[static_cast<size_t>(part.kind)].kind == PartKind::axis) {
+			sum += part.width;
+			count++;
+		}
+	}
+	return sum < MIN_TWIG * 2.0f * all.places[place].extent.half * static_cast<float>(count);
+}
+
+/// Sets the shape of a head from its largest place. Returns false if it stays solid: the picture of an open head of
+/// thin twigs breaks into dashes.
+bool shape_head(const PlantForm &form, CardGroup &group) {
 	const CardPlaces all = place_cards(form, { group });
 	const CardPlace *largest = nullptr;
 	for (const CardPlace &place : all.places) {
 		largest = !largest || place.count > largest->count ? &place : largest;
 	}
 	if (!largest) {
-		return;
+		return true;
 	}
 	const CardExtent &extent = largest->extent;
 	const float ratio = (extent.high - extent.low) / (2.0f * std::max(extent.half, 1e-6f));
@@ -143,6 +160,7 @@ void shape_head(const PlantForm &form, CardGroup &group) {
 	const bool is_round = ratio >= MIN_BALL && ratio < MIN_STRIP && base <= MAX_BALL_BASE * (extent.high - extent.low);
 	group.shape = is_round ? CardShape::ball : CardShape::strip;
 	group.has_cap = !is_round && ratio < MAX_CAPPED;
+	return !group.has_cap || !has_thin_twigs(form, all, static_cast<size_t>(largest - all.places.data()));
 }
 
 void measure_extents(const PlantForm &form, CardPlaces &all) {
@@ -186,8 +204,8 @@ std::vector<CardGroup> find_card_groups(const PlantForm &form) {
 				if (parts < MIN_PARTS) {
 					continue;
 				}
-				if (is_head) {
-					shape_head(form, group);
+				if (is_head && !shape_head(form, group)) {
+					continue;
 				}
 				for (const int carried : group.carried) {
 					is_replaced[static_cast<size_t>(carried)] = true;

@@ -11,32 +11,32 @@
 
 namespace undergrowth {
 
-/// Contact of tips (thesis, requirement 2.2.4): spheres of the collision radius that push each other apart.
+/// Contact of tips (thesis, requirement 2.2.4): each tip is a sphere with the collision radius of its species, and
+/// touching spheres push each other apart. Owns a grid over the ground with the tips of all pages.
 ///
-/// Contacts are inelastic: the approach speed of two touching tips is removed, divided by their masses, and the tips
-/// are moved apart along their spheres. A pair is weighted by one over the larger contact count of the two. Each
-/// plant's motion is then a weighted mean of the motions of single contacts, and energy never grows. Two tips that
-/// overlap in calm air touch only when they come nearer than that, so contacts add no energy.
+/// Method: contacts are inelastic. Two touching tips lose their approach speed, divided by their masses, and move
+/// apart. A pair is weighted by one over the larger contact count of the two, so the motion of a plant is a weighted
+/// mean over its contacts, and energy never grows. Two tips that overlap in calm air touch only when they come nearer
+/// than that.
 ///
-/// The cost of a tip is bounded for any radius: in each cell of the ground it checks NEIGHBOURS tips before its own
-/// position in the cell's list, and as many after it. The relation is symmetric, so energy still never grows.
+/// Cost: in each cell a tip checks NEIGHBOURS tips before its own position in the cell's list, and the same number
+/// after it. This bounds the cost of a tip for any radius. The relation is symmetric, so energy does not grow either.
 ///
-/// Once after each step: gather() of all pages, sort() on one thread, count() of all pages, separate() of all pages.
-/// gather(), count() and separate() may be split over threads by ranges of page numbers, one function after the other;
-/// the result has the same bits. count() and separate() divide the tips by their position on the ground, so a range of
-/// pages stands for a number of tips of any page. Plants that follow a prototype have no contacts.
+/// Use: after each step call gather() for all pages, then sort() on one thread, then count() and separate() for all
+/// pages. Threads may share gather(), count() and separate() by ranges of page numbers, but the functions must not
+/// overlap in time. The result has the same bits for any division. Only fit() allocates. Plants that follow a prototype
+/// have no contacts.
 ///
-/// Pages: FieldSimulation, or PageRefs with positions in one world.
+/// Pages: a FieldSimulation, or PageRefs with positions in one world.
 class TipContact {
 public:
 	static constexpr int NEIGHBOURS = 13;
 	static constexpr int CELLS_IN_REACH = 9;
 	static constexpr int MAX_CONTACTS = CELLS_IN_REACH * (2 * NEIGHBOURS + 1);
 
-	/// Allocates the memory for these pages. Call it when plants were added or removed; no other function allocates.
+	/// Allocates memory for these pages. Call it after plants were added or removed.
 	template <class Pages> void fit(const Pages &field);
-	/// Reads the collision radii of species that changed since fit(). Call it before gather(), on one thread; visits
-	/// each page once.
+	/// Reads collision radii that changed since fit(). Call it before gather(), on one thread.
 	template <class Pages> void follow_radii(const Pages &field);
 	template <class Pages> void gather(const Pages &field, int begin, int end);
 	void sort();
@@ -45,7 +45,7 @@ public:
 	/// Runs all functions above on one thread.
 	template <class Pages> void resolve(Pages &field);
 
-	/// True if one cell had so many tips at the last sort() that most of its pairs are not checked.
+	/// True if most pairs of some cell were not checked, because it had too many tips at the last sort().
 	bool is_crowded() const { return max_in_bucket > 4u * static_cast<uint32_t>(NEIGHBOURS); }
 	/// Number of pairs that count() and separate() check after the last sort(), each twice.
 	std::size_t candidate_count() const;

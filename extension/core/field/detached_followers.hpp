@@ -7,11 +7,16 @@
 
 namespace undergrowth {
 
-/// Followers of one species that were pushed or stirred. Each is simulated from the pose that it had, and blends back
-/// to its prototype when it has come to rest. Their number bounds the cost.
+/// The detached followers of one species: plants that normally replay a prototype's motion, but are simulated for some
+/// seconds after a push or in disturbed air. Each starts from its drawn pose. ALONE seconds after the last push it
+/// blends back to its prototype over GOING_BACK seconds. Owns a MotionPage with these plants. MAX_COUNT bounds the
+/// cost.
+///
+/// A plant has a number from 0 to count() - 1; remove() changes the number of the last plant. No function but reserve()
+/// allocates. Not thread-safe.
 class DetachedFollowers {
 public:
-	/// Maximum number; further plants are not moved. A layer of 64 by 64 texels.
+	/// Maximum number of plants, a layer of 64 by 64 texels. Pushes on further plants have no effect.
 	static constexpr int MAX_COUNT = MotionPage::PAGE_PLANTS;
 	static constexpr float ALONE = 3.0f; ///< s from the last push until blending back starts.
 	static constexpr float GOING_BACK = 1.5f; ///< s.
@@ -23,13 +28,13 @@ public:
 	bool is_full() const { return count() == room; }
 	int count() const { return swinging.size(); }
 	void set_species(const MotionSpecies &species) { swinging.set_species(species); }
-	/// Plant `index` of page `page`, in `state`, with the bends `before` of the last step. Returns its number,
-	/// the former count(). Precondition: not is_full().
+	/// Adds plant `index` of page `page` in `state`, with its bends `before` the last step. Returns its number, the
+	/// former count(). Precondition: not is_full().
 	int add(const MotionPlant &plant, int page, int index, const MotionState &state, const ModeBends &before);
-	/// Removes a plant; the last plant gets its number.
+	/// Removes a plant. The last plant gets its number.
 	void remove(int number);
 
-	/// One step of all under `wind`.
+	/// Advances all plants by one step in `wind`. `along`: the wind's directions in the field's axes.
 	void step(const WindSnapshot &wind, const PlantWinds &along) { swinging.step(wind, along); }
 	/// True if the plant starts to blend back at the next grow_older().
 	bool goes_back(int number) const {

@@ -28,7 +28,8 @@ void MeanLean::follow(const FieldSimulation &simulation) {
 	}
 	last_time = now;
 	species.resize(static_cast<std::size_t>(simulation.species_count()));
-	for (int i = 0; i < SAMPLES; i++) {
+	const int samples = std::clamp(simulation.row_count() / PLANTS_PER_SAMPLE, MIN_SAMPLES, MAX_SAMPLES);
+	for (int i = 0; i < samples; i++) {
 		page = (page + 1) % static_cast<std::size_t>(simulation.page_count());
 		turn = turn * 1664525u + 1013904223u;
 		const MotionPage &plants = simulation.page(static_cast<int>(page));

@@ -12,7 +12,10 @@ class FieldSimulation;
 class MeanLean {
 public:
 	static constexpr double MEMORY = 8.0; ///< s: time constant of the mean.
-	static constexpr int SAMPLES = 32; ///< Plants per call of follow().
+	/// Plants per call of follow(): one of PLANTS_PER_SAMPLE, so that many small fields cost as much as a large one.
+	static constexpr int PLANTS_PER_SAMPLE = 1024;
+	static constexpr int MIN_SAMPLES = 4;
+	static constexpr int MAX_SAMPLES = 32;
 
 	/// Measures some plants. Call it between two steps. It does nothing if no time has passed since the last call.
 	void follow(const FieldSimulation &simulation);

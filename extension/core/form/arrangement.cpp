@@ -83,6 +83,11 @@ Seat seat_on_ground(const Arrangement &a, int i, int count) {
 	Seat seat;
 	seat.way = static_cast<float>(std::sqrt((i + 0.5) / count));
 	seat.azimuth = static_cast<float>(a.phase + i * static_cast<double>(GOLDEN_ANGLE));
+	if (a.swept > 0.0f) {
+		const double turns = static_cast<double>(seat.azimuth) / (2.0 * PI);
+		seat.azimuth =
+				static_cast<float>((1.0 - static_cast<double>(a.swept)) * 2.0 * PI * (turns - std::floor(turns + 0.5)));
+	}
 	seat.away = a.radius * seat.way;
 	seat.tilt = a.tilt.at(seat.way);
 	return seat;
@@ -106,7 +111,8 @@ std::string find_arrangement_fault(const Arrangement &a) {
 			{ "angle", a.angle.first, -12.6, 12.6 }, { "angle", a.angle.last, -12.6, 12.6 },
 			{ "scale", a.scale.first, 1e-3, 1e3 }, { "scale", a.scale.last, 1e-3, 1e3 },
 			{ "radius", a.radius, 0.0, 10.0 }, { "dome", a.dome, 0.0, 3.15 }, { "tilt", a.tilt.first, -3.15, 3.15 },
-			{ "tilt", a.tilt.last, -3.15, 3.15 }, { "deviation", a.deviation, 0.0, 1.5 } });
+			{ "tilt", a.tilt.last, -3.15, 3.15 }, { "swept", a.swept, 0.0, 1.0 },
+			{ "deviation", a.deviation, 0.0, 1.5 } });
 	if (fault.empty()) {
 		fault = find_samples_fault("angle", a.angles, -12.6, 12.6);
 	}

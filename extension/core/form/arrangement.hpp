@@ -50,6 +50,7 @@ struct Arrangement {
 	/// False: they face along the carrier, like leaves on a stem.
 	bool flat = false;
 	Span tilt; ///< Ground: rad from upright, from the middle of the disc to its rim; outward.
+	float swept = 0.0f; ///< Ground: 0: parts point in all directions; 1: all to the plant's front (+z).
 	float deviation = 0.0f; ///< rad, 0 to 1.5: maximum random turn of each part.
 
 	/// Angle and scale at `t`, from 0 (first part) to 1 (last part).

@@ -44,7 +44,7 @@ std::string Growth::add_kind(const Part &part, int &kind) {
 
 std::string Growth::add_stem(const Part &part, int &handle) {
 	if (grown.stem != PlantForm::NO_STEM) {
-		return "it has a stem. Add further ones as a PlantAxis.";
+		return "it already has a stem. Add further axes as a PlantAxis.";
 	}
 	Part stem = part;
 	stem.kind = PartKind::axis;
@@ -66,12 +66,13 @@ std::string Growth::add_stem(const Part &part, int &handle) {
 
 std::string Growth::find_carrier_fault(const std::vector<int> &carriers) const {
 	if (carriers.empty()) {
-		return "there is nothing to stand on. Pass what an earlier part of the plant returned, or the ground.";
+		return "its parts have no carrier. Pass the handles that an earlier call returned, or the ground.";
 	}
 	const int count = static_cast<int>(grown.placed.size());
 	const bool all_known = std::all_of(
 			carriers.begin(), carriers.end(), [count](int carrier) { return carrier >= ON_GROUND && carrier < count; });
-	return all_known ? std::string() : "a handle is none of this plant's. Pass what its parts returned.";
+	return all_known ? std::string()
+					 : "a handle belongs to another plant. Pass handles that calls for this plant returned.";
 }
 
 std::string Growth::find_count_fault(
@@ -79,15 +80,15 @@ std::string Growth::find_count_fault(
 	const double max = static_cast<double>(grown.placed.size()) +
 			static_cast<double>(arrangement.count_max) * static_cast<double>(carriers.size());
 	if (max > MAX_PARTS) {
-		return "it would have " + std::to_string(static_cast<long long>(max)) + " parts. Grow at most " +
+		return "it would have " + std::to_string(static_cast<long long>(max)) + " parts. A plant may have at most " +
 				std::to_string(MAX_PARTS) + ".";
 	}
 	for (const int carrier : carriers) {
 		depth = std::max(depth, depth_of(carrier) + 1);
 	}
 	return depth <= MAX_DEPTH ? std::string()
-							  : "parts carry parts more than " + std::to_string(MAX_DEPTH) +
-					" deep. Grow them on parts nearer the ground.";
+							  : "parts carry parts in more than " + std::to_string(MAX_DEPTH) +
+					" levels. Place them on parts that are nearer to the ground.";
 }
 
 std::string Growth::arrange(

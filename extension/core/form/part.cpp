@@ -38,7 +38,7 @@ std::string find_sample_fault(const Part &part) {
 	const std::vector<float> &widths = part.widths.samples;
 	const std::vector<glm::vec4> &colors = part.colors.samples;
 	if (widths.size() == 1 || (!colors.empty() && colors.size() != PartColors::ROWS * PartColors::COLUMNS)) {
-		return "its functions were asked too seldom. Leave their samples away or fill them.";
+		return "its functions have too few samples. Remove the samples, or provide all of them.";
 	}
 	for (const float width : widths) {
 		const std::string fault = find_limit_fault({ { "the width at an offset", width, 0.0, 100.0 } });
@@ -47,11 +47,12 @@ std::string find_sample_fault(const Part &part) {
 		}
 	}
 	if (!widths.empty() && !(*std::max_element(widths.begin(), widths.end()) > 0.0f)) {
-		return "its width is 0 at every offset. Make it wider than 0 somewhere.";
+		return "its width is 0 at every offset. Set a width above 0.";
 	}
 	const bool all_sound = is_sound(part.colors.base) && is_sound(part.colors.tip) &&
 			std::all_of(colors.begin(), colors.end(), is_sound);
-	return all_sound ? std::string() : "a color is not finite or negative. Use components from 0 to 1.";
+	return all_sound ? std::string()
+					 : "a color has a component that is negative or not finite. Use components from 0 to 1.";
 }
 
 } // namespace

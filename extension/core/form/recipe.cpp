@@ -13,7 +13,7 @@ std::string find_line_fault(const Recipe &recipe, size_t index, bool has_stem, s
 		return "its part is unknown. Set a part.";
 	}
 	if (line.on < ON_GROUND || line.on >= static_cast<int>(index)) {
-		return "it carries itself. Let parts carry only parts further out.";
+		return "it carries itself. A part can only carry parts that are farther from the ground.";
 	}
 	const std::string fault = find_arrangement_fault(line.arrangement);
 	if (!fault.empty()) {
@@ -25,7 +25,7 @@ std::string find_line_fault(const Recipe &recipe, size_t index, bool has_stem, s
 	counts[index] = line.arrangement.count_max * (on_line ? counts[static_cast<size_t>(line.on)] : 1.0);
 	total += counts[index];
 	if (depths[index] > MAX_DEPTH) {
-		return "parts carry parts more than " + std::to_string(MAX_DEPTH) + " deep. Let fewer carry others.";
+		return "parts carry parts in more than " + std::to_string(MAX_DEPTH) + " levels. Remove a level.";
 	}
 	return total <= MAX_PARTS ? std::string()
 							  : "it may have " + std::to_string(static_cast<long long>(total)) +

@@ -30,4 +30,32 @@ FormPlan plan_form(const PlantForm &form, const FormMeasure &measure, int budget
 	return plan;
 }
 
+void divide_carriers(const PlantForm &form, int rows, FormPlan &plan) {
+	std::vector<bool> carries(form.groups.size(), false);
+	for (size_t i = 0; i < form.placed.size(); i++) {
+		const int carrier = form.placed[i].carrier;
+		if (carrier != ON_GROUND && plan.fates[i] != FormPlan::dropped &&
+				form.placed[static_cast<size_t>(carrier)].carrier == ON_GROUND) {
+			carries[static_cast<size_t>(form.placed[static_cast<size_t>(carrier)].group)] = true;
+		}
+	}
+	for (size_t g = 0; g < form.groups.size(); g++) {
+		const PartGroup &group = form.groups[g];
+		const Part &part = form.parts[static_cast<size_t>(group.kind)];
+		PartDetail &detail = plan.groups[g].detail;
+		if (!carries[g] || part.kind == PartKind::bead || detail.rows >= rows) {
+			continue;
+		}
+		const MeshCounts before = count_part(part, detail);
+		detail.rows = rows;
+		const MeshCounts now = count_part(part, detail);
+		for (int i = group.first; i < group.first + group.count; i++) {
+			if (plan.fates[static_cast<size_t>(i)] == FormPlan::drawn) {
+				plan.counts.vertices += now.vertices - before.vertices;
+				plan.counts.indices += now.indices - before.indices;
+			}
+		}
+	}
+}
+
 } // namespace undergrowth

@@ -55,4 +55,8 @@ MeshCounts count_body(const PartGroup &group, const BodyDetail &detail);
 /// or spindle in their mean colour. Columns, rows, parts by rank and the stem's roundness follow.
 FormPlan plan_form(const PlantForm &form, const FormMeasure &measure, int budget);
 
+/// Draws parts on the ground that carry others with `rows` segments at least, so that skins that bend along a curve do
+/// not leave what they carry. It may exceed the budget of the plan.
+void divide_carriers(const PlantForm &form, int rows, FormPlan &plan);
+
 } // namespace undergrowth

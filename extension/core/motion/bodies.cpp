@@ -1,9 +1,9 @@
 #include "motion/bodies.hpp"
 
+#include "motion/kernel_tables.hpp"
 #include "motion/part_bend.hpp"
 #include "motion/stem_impulses.hpp"
 #include "stem/stem_bones.hpp"
-#include "stem/stem_points.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -147,32 +147,148 @@ float distance_to_core(const MovingBody &body, const glm::vec3 &point) {
 	return glm::distance(nearest_in_core(body, point), point);
 }
 
-/// The first point of a stem that is in the body; above PUSHED_PLACES if none is. With the distances a and b of its
-/// ends from the body, a piece of the stem is at least (a + b - length) / 2 away.
-int first_place_inside(const StemConstants &stem, const StemState &state, const glm::vec2 &rest, const glm::vec3 &root,
-		float length, float thickness, const MovingBody &body) {
-	glm::vec3 points[PUSHED_PLACES];
-	stem_points(stem, state.place, 2, 1, 2, points);
-	const float half = 0.5f * SLACK * length;
-	const float reach = 2.0f * (body.radius + thickness) + half;
-	const float at_root = distance_to_core(body, root);
-	const float at_middle = distance_to_core(body, root + length * turned(points[0], rest));
-	const float at_tip = distance_to_core(body, root + length * turned(points[1], rest));
-	const bool may_be_low = at_root + at_middle <= reach;
-	const bool may_be_high = at_middle + at_tip <= reach;
-	if (!may_be_low && !may_be_high) {
-		return PUSHED_PLACES + 1;
+/// Bends of a species' stems at the places that bodies push.
+StemCurve curve_of(const StemConstants &stem) {
+	static constexpr float AT[] = { 0.11270167f, 0.5f, 0.88729833f }; // Quadrature of three points, from 0 to 1.
+	static constexpr float WEIGHT[] = { 0.27777778f, 0.44444444f, 0.27777778f };
+	StemCurve curve = {};
+	for (int k = 0; k < stem.modes; k++) {
+		curve.tip_slope[k] = stem.mode[k].tip_slope;
 	}
-	const int first = may_be_low ? 1 : PUSHED_HALF;
-	const int last = may_be_high ? PUSHED_PLACES : PUSHED_HALF;
-	stem_points(stem, state.place, PUSHED_PLACES, first, last, points);
-	for (int part = first; part <= last; part++) {
-		const float own = part == PUSHED_PLACES ? thickness : 0.0f;
-		if (distance_to_core(body, root + length * turned(points[part - first], rest)) < body.radius + own) {
-			return part;
+	for (int g = 0; g < 3; g++) {
+		float x[StemCurve::PLACES];
+		for (int place = 0; place < StemCurve::PLACES; place++) {
+			const float end = static_cast<float>(place + 1) / StemCurve::PLACES;
+			x[place] = AT[g] * end;
+			curve.weight[g][place] = WEIGHT[g] * end;
+		}
+		for (int term = 0; term < 4; term++) {
+			const bool is_none = term >= stem.modes && term < MAX_STEM_MODES;
+			float *values = curve.value[g][term];
+			for (int j = STEM_SHAPE_TERMS - 1; j >= 0 && !is_none; j--) {
+				for (int place = 0; place < StemCurve::PLACES; place++) { // The inner loop, so that it is vectorised.
+					values[place] = (values[place] + stem.shape[j][term]) * x[place];
+				}
+			}
 		}
 	}
-	return PUSHED_PLACES + 1;
+	return curve;
+}
+
+void put_vector(const glm::vec3 &vector, float *to) {
+	to[0] = vector.x;
+	to[1] = vector.y;
+	to[2] = vector.z;
+}
+
+float inverse_square(const glm::vec3 &vector) {
+	const float square = glm::dot(vector, vector);
+	return square > 0.0f ? 1.0f / square : 0.0f;
+}
+
+/// Stems of one species that a body pushes. The arguments must outlive the object.
+class StemPush {
+public:
+	/// `body`: in the axes of the page's directions.
+	StemPush(const StemConstants &p_stem, float p_thickness, const MovingBody &p_body) :
+			stem(p_stem),
+			thickness(p_thickness),
+			body(p_body),
+			set(kernels(best_simd_level())),
+			curve(curve_of(p_stem)),
+			ways{ body.to - body.from, body.half_width, body.half_depth } {
+		put_vector(body.from, core.from);
+		put_vector(ways[0], core.way);
+		core.inverse = inverse_square(ways[0]);
+		for (int k = 0; k < 2; k++) {
+			put_vector(ways[k + 1], core.half[k]);
+			core.half_inverse[k] = inverse_square(ways[k + 1]);
+		}
+		core.is_box = core.half_inverse[0] + core.half_inverse[1] > 0.0f;
+	}
+
+	/// Writes for each stem which of its halves may be in the body.
+	void find_near(const NearStems &stems, int count, int32_t *halves) const {
+		set.find_near_stems(curve, core, 2.0f * (body.radius + thickness), stems, count, halves);
+	}
+
+	/// Returns true if a place of the given halves was in the body.
+	bool push(StemState &state, const glm::vec2 &rest, const glm::vec3 &root, float length, int32_t halves) const {
+		BodyCore turned_core = core;
+		put_vector(turned(body.from - root, -rest), turned_core.from);
+		put_vector(turned(ways[0], -rest), turned_core.way);
+		for (int k = 0; core.is_box && k < 2; k++) {
+			put_vector(turned(ways[k + 1], -rest), turned_core.half[k]);
+		}
+		const int first = (halves & LOWER) != 0 ? 1 : PUSHED_HALF;
+		const int last = (halves & UPPER) != 0 ? PUSHED_PLACES : PUSHED_HALF;
+		const float slack = slack_of(root, length);
+		bool is_inside = false;
+		uint32_t near = near_places(turned_core, state, length, slack);
+		for (int part = first; part <= (is_inside ? PUSHED_PLACES : last); part++) {
+			const float x = static_cast<float>(part) / PUSHED_PLACES;
+			if ((near >> part & 1u) != 0u &&
+					push_place(stem, state, rest, root, length, x, part == PUSHED_PLACES ? thickness : 0.0f, body)) {
+				is_inside = true;
+				near = near_places(turned_core, state, length, slack);
+			}
+		}
+		return is_inside;
+	}
+
+	/// m: covers the rounding of kernels and of positions far from the origin.
+	static float slack_of(const glm::vec3 &root, float length) {
+		return 2e-3f * length + 1e-6f * (std::fabs(root.x) + std::fabs(root.y) + std::fabs(root.z));
+	}
+
+private:
+	enum : int32_t { LOWER = 1, UPPER = 2 };
+
+	const StemConstants &stem;
+	float thickness;
+	const MovingBody &body;
+	const KernelSet &set;
+	StemCurve curve;
+	glm::vec3 ways[3];
+	BodyCore core;
+
+	/// A bit for each place that may be in the body, 1 to PUSHED_PLACES.
+	uint32_t near_places(const BodyCore &turned_core, const StemState &state, float length, float slack) const {
+		const bool has_two = stem.modes == 2;
+		const float x[] = { state.place[0].x, has_two ? state.place[1].x : 0.0f };
+		const float z[] = { state.place[0].y, has_two ? state.place[1].y : 0.0f };
+		float squares[StemCurve::PLACES];
+		set.measure_stem(curve, turned_core, x, z, length, squares);
+		uint32_t near = 0;
+		for (int place = 0; place < StemCurve::PLACES; place++) {
+			const float reach = body.radius + slack + (place == StemCurve::PLACES - 1 ? thickness : 0.0f);
+			near |= (squares[place] < reach * reach ? 2u : 0u) << place;
+		}
+		return near;
+	}
+};
+
+static_assert(PUSHED_PLACES == StemCurve::PLACES && REACH_ROWS == NearStems::MAX, "as many as kernels examine");
+
+/// Columns of the plants of a page with these indices.
+void gather_stems(const MotionPage &page, const PageFrame &frame, const int *indices, int count, NearStems &stems) {
+	for (int i = 0; i < count; i++) {
+		const int index = indices[i];
+		const StemState state = page.stem(index);
+		const glm::vec2 rest = page.rest_bend(index);
+		const glm::vec3 root = frame.inward(page.root(index));
+		for (int k = 0; k < MAX_STEM_MODES; k++) {
+			stems.x[k][i] = state.place[k].x;
+			stems.z[k][i] = state.place[k].y;
+		}
+		stems.rest_x[i] = rest.x;
+		stems.rest_z[i] = rest.y;
+		stems.root_x[i] = root.x;
+		stems.root_y[i] = root.y;
+		stems.root_z[i] = root.z;
+		stems.length[i] = page.length(index);
+		stems.half[i] = 0.5f * SLACK * page.length(index) + 2.0f * StemPush::slack_of(root, page.length(index));
+	}
 }
 
 /// The body in the axes of the page's directions.
@@ -263,13 +379,7 @@ bool push_plant(TipState &state, const glm::vec3 &root, float length, float thic
 
 bool push_plant(const StemConstants &stem, StemState &state, const glm::vec2 &rest, const glm::vec3 &root, float length,
 		float thickness, const MovingBody &body) {
-	bool inside = false;
-	for (int part = first_place_inside(stem, state, rest, root, length, thickness, body); part <= PUSHED_PLACES;
-			part++) {
-		const float x = static_cast<float>(part) / PUSHED_PLACES;
-		inside |= push_place(stem, state, rest, root, length, x, part == PUSHED_PLACES ? thickness : 0.0f, body);
-	}
-	return inside;
+	return StemPush(stem, thickness, body).push(state, rest, root, length, ~0);
 }
 
 bool touches_plant(const MotionPage &page, int index, const MovingBody &body, float margin, const PageFrame &frame) {
@@ -294,24 +404,47 @@ bool touches_plants(const MotionPage &page, const MovingBody &body, float margin
 	return touches;
 }
 
+/// Pushes the stems of a page.
+static int push_stems(MotionPage &page, const MovingBody &body, const PageFrame &frame) {
+	const float thickness = std::max(page.collision_radius(), 0.0f);
+	MovingBody seen = turned_inward(body, frame);
+	const StemPush push(page.stem_constants(), thickness, seen);
+	int touched = 0;
+	for_each_block_in_reach(page, body, [&](const int *indices, int count) {
+		NearStems stems;
+		int32_t halves[NearStems::MAX];
+		gather_stems(page, frame, indices, count, stems);
+		push.find_near(stems, count, halves);
+		for (int i = 0; i < count; i++) {
+			const int index = indices[i];
+			if (halves[i] == 0) {
+				continue;
+			}
+			seen.velocity =
+					frame.inward(frame.velocities ? lesser_velocity(body, frame.velocities[index]) : body.velocity);
+			StemState stem = page.stem(index);
+			const glm::vec3 root = { stems.root_x[i], stems.root_y[i], stems.root_z[i] };
+			if (push.push(stem, page.rest_bend(index), root, page.length(index), halves[i])) {
+				page.set_stem(index, stem);
+				touched++;
+			}
+		}
+	});
+	return touched;
+}
+
 int push_plants(MotionPage &page, const MovingBody &body, const PageFrame &frame) {
 	if (!page.swings() || !is_valid(body) || !boxes_overlap(page, body)) {
 		return 0;
+	}
+	if (page.law() == Law::stem) {
+		return push_stems(page, body, frame);
 	}
 	const float thickness = std::max(page.collision_radius(), 0.0f);
 	MovingBody seen = turned_inward(body, frame);
 	int touched = 0;
 	for_each_in_reach(page, body, [&](int i) {
 		seen.velocity = frame.inward(frame.velocities ? lesser_velocity(body, frame.velocities[i]) : body.velocity);
-		if (page.law() == Law::stem) {
-			StemState stem = page.stem(i);
-			if (push_plant(page.stem_constants(), stem, page.rest_bend(i), frame.inward(page.root(i)), page.length(i),
-						thickness, seen)) {
-				page.set_stem(i, stem);
-				touched++;
-			}
-			return;
-		}
 		TipState state = page.state(i);
 		if (push_plant(state, frame.inward(page.root(i)), page.length(i), thickness, seen)) {
 			page.set_state(i, state);

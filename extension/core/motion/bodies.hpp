@@ -88,7 +88,7 @@ struct BodyReach {
 	float low_x, high_x, low_z, high_z; ///< m.
 };
 /// Maximum number of rows of one call of rows_in_reach().
-inline constexpr int REACH_ROWS = 64;
+inline constexpr int REACH_ROWS = MotionPage::BLOCK_ROWS;
 /// Writes the indices of the plants of rows [begin, end), REACH_ROWS at most, that may be in reach, in ascending order;
 /// returns their number. Skips removed plants.
 int rows_in_reach(const MotionPage &page, const BodyReach &reach, int begin, int end, int *indices);
@@ -96,7 +96,9 @@ int rows_in_reach(const MotionPage &page, const BodyReach &reach, int begin, int
 /// True if the boxes of page and body overlap.
 bool boxes_overlap(const MotionPage &page, const MovingBody &body);
 
-template <class Visit> void for_each_in_reach(const MotionPage &page, const MovingBody &body, const Visit &visit) {
+/// Calls visit(indices, count) with the plants that may be in reach, REACH_ROWS at most per call.
+template <class Visit>
+void for_each_block_in_reach(const MotionPage &page, const MovingBody &body, const Visit &visit) {
 	if (!boxes_overlap(page, body)) {
 		return;
 	}
@@ -106,14 +108,28 @@ template <class Visit> void for_each_in_reach(const MotionPage &page, const Movi
 		box.high.z + thickness };
 	int indices[REACH_ROWS];
 	for (int begin = 0; begin < page.size(); begin += REACH_ROWS) {
+		const MotionPage::BlockBox &rows = page.block_box(begin / REACH_ROWS);
+		if (rows.low_x > reach.high_x || rows.high_x < reach.low_x || rows.low_z > reach.high_z ||
+				rows.high_z < reach.low_z) {
+			continue;
+		}
 		const int end = std::min(begin + REACH_ROWS, page.size());
 		const int count = rows_in_reach(page, reach, begin, end, indices);
+		if (count > 0) {
+			visit(indices, count);
+		}
+	}
+}
+
+template <class Visit> void for_each_in_reach(const MotionPage &page, const MovingBody &body, const Visit &visit) {
+	const float thickness = std::max(page.collision_radius(), 0.0f);
+	for_each_block_in_reach(page, body, [&](const int *indices, int count) {
 		for (int i = 0; i < count; i++) {
 			if (is_root_in_reach(body, page.root(indices[i]), page.length(indices[i]) + thickness)) {
 				visit(indices[i]);
 			}
 		}
-	}
+	});
 }
 
 } // namespace undergrowth

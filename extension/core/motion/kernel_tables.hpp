@@ -113,6 +113,35 @@ struct StemPage {
 	StemStep step;
 };
 
+/// Bends at places along the stems of a species, as sums of four factors that stem_factors() finds for each plant: both
+/// amplitudes, and the third and fifth power of the tip's bend. Three bends (Gauss) give the centre of a place.
+struct StemCurve {
+	static constexpr int PLACES = 8; ///< Evenly spaced, without the root.
+	float value[3][4][PLACES]; ///< By quadrature point and factor.
+	float weight[3][PLACES]; ///< Of the quadrature, times the place.
+	float tip_slope[MAX_STEM_MODES]; ///< 0 for a second mode that does not exist.
+};
+
+/// The core of a body (motion/bodies.hpp). Inverses are 0 if the edge has no length.
+struct BodyCore {
+	float from[3]; ///< m.
+	float way[3]; ///< m, to the other end of the middle line.
+	float inverse; ///< 1/m², of the squared way.
+	float half[2][3]; ///< m: half of the other two edges.
+	float half_inverse[2]; ///< 1/m².
+	float one = 1.0f; ///< A variable for the same reason as in bounded().
+	bool is_box;
+};
+
+/// Stems near a body, in columns.
+struct NearStems {
+	static constexpr int MAX = 64;
+	float x[MAX_STEM_MODES][MAX], z[MAX_STEM_MODES][MAX]; ///< Amplitudes; 0 for a second mode that does not exist.
+	float rest_x[MAX], rest_z[MAX];
+	float root_x[MAX], root_y[MAX], root_z[MAX]; ///< m.
+	float length[MAX], half[MAX]; ///< m; `half`: upper bound of half the length, for find_near_stems().
+};
+
 /// One build of the kernels. All builds give the same bits for any split of a range.
 struct KernelSet {
 	void (*step_elasticity)(const ElasticityPage &page, int count, const PlantWinds &winds);
@@ -123,6 +152,15 @@ struct KernelSet {
 	void (*step_stem)(const StemPage &page, int count, const PlantWinds &winds, const PlantAir &air);
 	/// Brings stems whose tips are below the ground up to it; step_stem() does it as well.
 	void (*lift_stems)(const StemPage &page, int count);
+	/// Writes for each stem which of its halves may be in a body: 1 for the lower, 2 for the upper. With the distances
+	/// a and b of its ends from the core, a piece of a stem is at least (a + b - length) / 2 away. `reach`: twice the
+	/// body's radius (m).
+	void (*find_near_stems)(const StemCurve &curve, const BodyCore &core, float reach, const NearStems &stems,
+			int count, int32_t *halves);
+	/// Writes the squared distances of a stem's places from a core that is relative to the root, in the frame of the
+	/// rest. x, z: amplitudes of both modes.
+	void (*measure_stem)(
+			const StemCurve &curve, const BodyCore &core, const float *x, const float *z, float length, float *squares);
 	/// Shifts each pair of bends (motion/bend_encoding.hpp): the second becomes the first, the present one the second.
 	void (*encode_elasticity)(const float *x, const float *y, const float *z, int count, uint32_t *pairs);
 	void (*encode_spring)(const float *x, const float *z, int count, uint32_t *pairs);

@@ -43,6 +43,7 @@ MotionPage::MotionPage(int species_index, const MotionSpecies &species, const Mo
 
 void MotionPage::reserve(int plants) {
 	rows.reserve(plants);
+	blocks.reserve(static_cast<std::size_t>((std::max(plants, 0) + BLOCK_ROWS - 1) / BLOCK_ROWS));
 	pairs.reserve(has_bends() ? 2 * static_cast<std::size_t>(std::max(plants, 0)) : 0);
 	second_pairs.reserve(has_room_for_second() ? pairs.capacity() : 0);
 }
@@ -126,6 +127,9 @@ void MotionPage::remove(int index) {
 	const std::size_t last = static_cast<std::size_t>(size()) - 1;
 	ahead.forget();
 	rows.remove_row(index);
+	if (index < size()) {
+		grow_box(index, false); // The last plant is in this block now.
+	}
 	for (std::vector<Bend> *some : { &pairs, &second_pairs }) {
 		if (!some->empty()) {
 			std::copy_n(some->begin() + static_cast<std::ptrdiff_t>(2 * last), 2, some->begin() + 2 * index);
@@ -252,6 +256,18 @@ void MotionPage::grow_box(int index, bool is_first) {
 	const glm::vec3 reach = glm::vec3(length(index) + std::max(kind.collision_radius, 0.0f));
 	box_low = is_first ? place - reach : glm::min(box_low, place - reach);
 	box_high = is_first ? place + reach : glm::max(box_high, place + reach);
+	grow_block(index, place - reach, place + reach);
+}
+
+void MotionPage::grow_block(int index, const glm::vec3 &low, const glm::vec3 &high) {
+	const std::size_t block = static_cast<std::size_t>(index / BLOCK_ROWS);
+	if (block >= blocks.size()) {
+		blocks.push_back({ low.x, high.x, low.z, high.z });
+		return;
+	}
+	BlockBox &box = blocks[block];
+	box = { std::min(box.low_x, low.x), std::max(box.high_x, high.x), std::min(box.low_z, low.z),
+		std::max(box.high_z, high.z) };
 }
 
 void MotionPage::update_box() {
@@ -261,8 +277,8 @@ void MotionPage::update_box() {
 }
 
 std::size_t MotionPage::bytes() const {
-	return rows.bytes() + (pairs.capacity() + second_pairs.capacity()) * sizeof(Bend) + ahead.bytes() +
-			sizeof(MotionPage);
+	return rows.bytes() + blocks.capacity() * sizeof(BlockBox) +
+			(pairs.capacity() + second_pairs.capacity()) * sizeof(Bend) + ahead.bytes() + sizeof(MotionPage);
 }
 
 } // namespace undergrowth

@@ -181,6 +181,14 @@ public:
 	/// Bounding box (m) of all roots and all positions that tips can reach.
 	const glm::vec3 &low() const { return box_low; }
 	const glm::vec3 &high() const { return box_high; }
+	/// Rows of a block.
+	static constexpr int BLOCK_ROWS = 64;
+	/// The same box of the rows from block * BLOCK_ROWS on, seen from above. It does not shrink when plants are
+	/// removed.
+	struct BlockBox {
+		float low_x, high_x, low_z, high_z; ///< m.
+	};
+	const BlockBox &block_box(int block) const { return blocks[static_cast<std::size_t>(block)]; }
 	/// Heap bytes.
 	std::size_t bytes() const;
 	/// Prefetches the beginnings of its columns into the cache.
@@ -204,6 +212,7 @@ private:
 	float max_lean = 0.0f; ///< Stem law: upper bound of the rest's bends.
 	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
+	std::vector<BlockBox> blocks;
 	Columns rows;
 	std::vector<Bend> pairs;
 	std::vector<Bend> second_pairs;
@@ -235,6 +244,7 @@ private:
 	void step_block(const KernelSet &set, int begin, int count, const PlantWinds &winds, const PlantAir &air);
 	void settle(int index);
 	void grow_box(int index, bool is_first);
+	void grow_block(int index, const glm::vec3 &low, const glm::vec3 &high);
 	void update_box();
 };
 

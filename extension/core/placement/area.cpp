@@ -57,7 +57,7 @@ const char *describe(AreaFault fault) {
 		case AreaFault::too_few_points:
 			return "The area has fewer than three points: add points.";
 		case AreaFault::not_finite:
-			return "A point of the area is not a number: set it anew.";
+			return "A point of the area is not finite: set it again.";
 		case AreaFault::too_far:
 			return "A point of the area is more than 100 km from the field's origin: move the field instead.";
 		case AreaFault::no_area:

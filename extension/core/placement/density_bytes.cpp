@@ -142,11 +142,11 @@ const char *describe(DensityFault fault) {
 		case DensityFault::none:
 			return "The map is sound.";
 		case DensityFault::not_a_map:
-			return "Its data are not those of a map: restore the file.";
+			return "Its data are no map: restore the file.";
 		case DensityFault::later_version:
 			return "It was saved by a later release of Undergrowth: update the add-on.";
 		case DensityFault::torn:
-			return "Its data are cut off or damaged: restore the file.";
+			return "Its data are incomplete or damaged: restore the file.";
 	}
 	return "";
 }

@@ -150,13 +150,13 @@ void read_added(ByteReader &from, SavedEdits &saved) {
 const char *describe_edits_fault(BytesFault fault) {
 	switch (fault) {
 		case BytesFault::none:
-			return "The changes are sound.";
+			return "The edits are valid.";
 		case BytesFault::other_kind:
-			return "These bytes are not those of a field's changes: pass what get_changes() gave.";
+			return "These bytes are no edits of a field: pass the bytes that get_changes() returned.";
 		case BytesFault::later_version:
 			return "They were saved by a later release of Undergrowth: update the add-on.";
 		case BytesFault::torn:
-			return "They are cut off or damaged: load another save.";
+			return "They are incomplete or damaged: load another save.";
 	}
 	return "";
 }

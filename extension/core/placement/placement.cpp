@@ -4,6 +4,7 @@
 #include "base/random.hpp"
 #include "conventions.hpp"
 #include "placement/area_row.hpp"
+#include "placement/clump.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,8 @@ constexpr double ODD_MIDDLE = 0.75;
 constexpr double DRIFT_JITTER = 0.35;
 constexpr double DRIFT_FRAY = 0.2;
 constexpr double FULL_TURN = 2.0 * PI;
+/// Factor of height that the plants of a clump share, to both sides of 1.
+constexpr double CLUMP_HEIGHT = 0.25;
 /// Only an area that crosses itself many times can have plants in more cells.
 constexpr std::size_t MAX_CANDIDATES = 4 * static_cast<std::size_t>(PlacementRequest::MAX_PLANTS);
 
@@ -203,10 +206,26 @@ void Placement::place_cell(int column, int row, const AreaRow &edges, FieldPlant
 	plant.turn = static_cast<float>(unit16(shape, 3) * FULL_TURN);
 	plant.species = number;
 	plant.variant = static_cast<int>(unit16(kind, 1) * species.variants);
+	if (request.combed > 0.0f) {
+		comb(species, mix_bits(shape ^ drift_seed), plant);
+	}
 	if (request.map) {
 		plant.height *= request.map->cell_at(species.layer, root).height_factor();
 	}
 	plants.add(plant);
+}
+
+void Placement::comb(const PlacementSpecies &species, uint64_t bits, PlacedPlant &plant) const {
+	const double combed = static_cast<double>(request.combed);
+	const double free = (1.0 - combed) * (1.0 - combed) * (1.0 - combed);
+	const Clump clump = clump_at(static_cast<double>(plant.root.x), static_cast<double>(plant.root.z));
+	plant.height *= static_cast<float>(1.0 + CLUMP_HEIGHT * combed * clump.height);
+	plant.turn = static_cast<float>(clump.turn + free * (static_cast<double>(plant.turn) - PI));
+	if (species.max_lean > 0.0f) { // To the plant's front (+z), or near it.
+		const double shared = static_cast<double>(species.max_lean) * clump.lean;
+		plant.lean = static_cast<float>(static_cast<double>(plant.lean) * (1.0 - combed) + shared * combed);
+		plant.side = static_cast<float>(free * (unit16(bits, 0) - 0.5) * FULL_TURN - 0.5 * PI);
+	}
 }
 
 int Placement::pick_species(uint64_t bits) const {

@@ -43,6 +43,8 @@ struct PlacementRequest {
 	/// 0: each plant draws its species separately; 1: drifts of one species each, with frayed edges.
 	float clumping = 0.0f;
 	float drift_size = 3.0f; ///< m, between the centres of neighbouring drifts, >= 0.01.
+	/// 0: each plant has its own direction; 1: the plants of a clump share direction, lean and height (Clump).
+	float combed = 0.0f;
 	/// Optional. Each species grows with the density and height of its layer (PaintedMix). Their sum is at most
 	/// `density`.
 	std::shared_ptr<const DensityMap> map;
@@ -64,6 +66,7 @@ enum class PlacementFault {
 	bad_scale,
 	bad_deviation, ///< Of height or lean.
 	bad_clumping, ///< Or drift size.
+	bad_combed,
 	too_many_plants,
 };
 
@@ -115,6 +118,8 @@ private:
 	std::vector<AreaSpan> painted_spans(int row) const;
 	void place_cell(int column, int row, const AreaRow &edges, FieldPlants &plants) const;
 	int pick_species(uint64_t bits) const;
+	/// Directs a plant with its clump. `bits` are its own.
+	void comb(const PlacementSpecies &species, uint64_t bits, PlacedPlant &plant) const;
 	uint64_t drift_bits(double x, double z) const;
 };
 

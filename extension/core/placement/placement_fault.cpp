@@ -90,6 +90,9 @@ PlacementFault find_placement_fault(const PlacementRequest &request) {
 	if (!is_within(request.clumping, 0.0, 1.0) || !is_within(request.drift_size, 0.01f, FARTHEST_COORDINATE)) {
 		return PlacementFault::bad_clumping;
 	}
+	if (!is_within(request.combed, 0.0, 1.0)) {
+		return PlacementFault::bad_combed;
+	}
 	return are_too_many(request) ? PlacementFault::too_many_plants : PlacementFault::none;
 }
 
@@ -98,29 +101,31 @@ const char *describe(PlacementFault fault) {
 		case PlacementFault::none:
 			return "The field is sound.";
 		case PlacementFault::bad_area:
-			return "The field's area holds nothing: give it at least three points that are not on a line.";
+			return "The field's area is empty: set at least three points that are not on one line.";
 		case PlacementFault::bad_exclusion:
-			return "An exclusion has a point that is not a number or more than 100 km away: set it anew.";
+			return "An exclusion has a point that is not finite or more than 100 km away: set it again.";
 		case PlacementFault::bad_density:
 			return "The density must be from 0 to 10000 plants per square metre.";
 		case PlacementFault::no_species:
 			return "The field has no species: add one.";
 		case PlacementFault::too_many_species:
-			return "The field has more than 256 species: spread them over several fields.";
+			return "The field has more than 256 species: distribute them over several fields.";
 		case PlacementFault::bad_weight:
-			return "A species' weight must be a number of at least 0.";
+			return "The weight of a species must be 0 or more.";
 		case PlacementFault::no_weight:
-			return "All species have a weight of 0: give at least one of them a weight.";
+			return "All species have a weight of 0: set the weight of at least one.";
 		case PlacementFault::bad_variants:
 			return "A species must have 1 to 256 variants.";
 		case PlacementFault::bad_scale:
-			return "A species' scales must be above 0, the least not above the most.";
+			return "The scale range of a species must be above 0, with the smaller number first.";
 		case PlacementFault::bad_deviation:
-			return "A species' height deviation must be from 0 to 1 and its lean from 0 to a quarter turn.";
+			return "The height deviation of a species must be from 0 to 1, and its lean from 0 to 90°.";
 		case PlacementFault::bad_clumping:
-			return "Clumping must be from 0 to 1 and drifts from 1 cm to 100 km wide.";
+			return "Clumping must be from 0 to 1, and the size of clumps from 1 cm to 100 km.";
+		case PlacementFault::bad_combed:
+			return "Combed must be from 0 to 1.";
 		case PlacementFault::too_many_plants:
-			return "The field would have more than 4 million plants: lower the density or make the area smaller.";
+			return "The field would have more than 4 million plants: reduce the density or the area.";
 	}
 	return "";
 }

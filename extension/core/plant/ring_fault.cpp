@@ -123,7 +123,7 @@ const char *describe(RingFault fault) {
 		case RingFault::too_few_points:
 			return "The base shape has fewer than 3 points: return at least 3 that go around the stem.";
 		case RingFault::too_many_points:
-			return "The base shape has more than 1024 points: return fewer, 4 to 64 are usual.";
+			return "The base shape has more than 1024 points: return fewer; 4 to 64 are typical.";
 		case RingFault::not_finite:
 			return "The base shape has a point that is NaN or infinite: check for divisions by zero.";
 		case RingFault::not_planar:
@@ -131,9 +131,10 @@ const char *describe(RingFault fault) {
 		case RingFault::no_area:
 			return "The base shape encloses no area: its points must not all lie on one line.";
 		case RingFault::clockwise:
-			return "The base shape runs clockwise as seen from above: reverse the order of its points.";
+			return "The base shape is clockwise, seen from above: reverse the order of its points.";
 		case RingFault::self_crossing:
-			return "The base shape crosses or touches itself: order its points around the stem and drop repeated ones.";
+			return "The base shape intersects or touches itself: order its points around the stem, and remove "
+				   "duplicates.";
 	}
 	return "";
 }

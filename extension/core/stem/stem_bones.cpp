@@ -1,7 +1,5 @@
 #include "stem/stem_bones.hpp"
 
-#include "stem/stem_points.hpp"
-
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -83,14 +81,6 @@ StemPlace stem_place(const StemConstants &stem, const glm::vec2 *amplitudes, flo
 	const BendCurve curve(stem, amplitudes);
 	const float place = std::clamp(x, 0.0f, 1.0f);
 	return { centre_at(curve, place), curve.at(place) };
-}
-
-void stem_points(
-		const StemConstants &stem, const glm::vec2 *amplitudes, int count, int first, int last, glm::vec3 *centres) {
-	const BendCurve curve(stem, amplitudes);
-	for (int part = first; part <= last; part++) {
-		centres[part - first] = centre_at(curve, static_cast<float>(part) / static_cast<float>(count));
-	}
 }
 
 glm::vec3 stem_links(const StemConstants &stem, const glm::vec2 *amplitudes, StemLink *links) {

@@ -85,8 +85,8 @@ const char *describe(StemFault fault) {
 		case StemFault::drag:
 			return "The stem's drag coefficient is out of range: use 0.01 to 10.";
 		case StemFault::frequency:
-			return "The stem's natural frequency is out of range: use 0.02 to 100 Hz, or let it follow from Young's "
-				   "modulus.";
+			return "The stem's natural frequency is out of range: use 0.02 to 100 Hz, or set youngs_modulus of its "
+				   "PlantStem instead.";
 		case StemFault::stiffness:
 			return "The stem's Young's modulus is out of range: use 10000 Pa to 1e12 Pa.";
 		case StemFault::damping:
@@ -102,11 +102,11 @@ const char *describe(StemFault fault) {
 				   "area of "
 				   "0 to 100 m².";
 		case StemFault::weights:
-			return "The stem's wind weights do not fit: give one of 0 to 1000 for each joint, not all 0, or none.";
+			return "The stem's wind weights do not match its joints: set one from 0 to 1000 for each joint, not all 0, "
+				   "or set none.";
 		case StemFault::falls:
-			return "The stem falls under its own weight: give it a larger Young's modulus or diameter, or less head "
-				   "and "
-				   "leaves, or declare a natural frequency.";
+			return "The stem buckles under its own weight: increase its Young's modulus or diameter, reduce its head "
+				   "and leaves, or set a natural frequency.";
 	}
 	return "";
 }

@@ -85,7 +85,7 @@ bool accept_value(const Object *object, const char *property, double value, cons
 		return true;
 	}
 	report_error(object,
-			String(property) + " cannot be " + String::num(value) + ", it keeps its value. Set a number from " +
+			String(property) + " cannot be " + String::num(value) + "; the old value stays. Set a number from " +
 					String::num(range.min) + " to " + String::num(range.max) + ".");
 	return false;
 }
@@ -99,7 +99,7 @@ bool accept_angle(const Object *object, const char *property, double radians, co
 	const double meant = looks_like_degrees ? radians : degrees.max;
 	report_error(object,
 			String(property) + " cannot be " + String::num(radians) + " rad, which is " + String::num(turned, 1) +
-					String::utf8("°, it keeps its value. Set an angle from ") + String::num(degrees.min) + " to " +
+					String::utf8("°; the old value stays. Set an angle from ") + String::num(degrees.min) + " to " +
 					String::num(degrees.max) + String::utf8("°, in radians: deg_to_rad(") + String::num(meant) +
 					(looks_like_degrees ? String::utf8(") is ") + String::num(meant) + String::utf8("°.")
 										: String(") is the largest.")));
@@ -125,7 +125,7 @@ static bool accept_order(const Object *object, const char *property, const Vecto
 	}
 	report_error(object,
 			String(property) + " goes from " + String::num(given.x, SPAN_DECIMALS) + " down to " +
-					String::num(given.y, SPAN_DECIMALS) + ", it keeps its value. Set the smaller number first.");
+					String::num(given.y, SPAN_DECIMALS) + "; the old value stays. Set the smaller number first.");
 	return false;
 }
 

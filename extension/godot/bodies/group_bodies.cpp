@@ -204,8 +204,8 @@ void GroupBodies::warn_of(const Body &body, const Node *node) {
 		return;
 	}
 	warnings.push_back(describe(node) + " is in the group '" + String(watched_group) +
-			"' but pushes no plants: it has no CollisionShape3D below it with a sphere, capsule, cylinder or box. "
-			"Add one, or take it out of the group.");
+			"' but pushes no plants: it has no CollisionShape3D with a sphere, capsule, cylinder or box. Add one, or "
+			"remove the node from the group.");
 }
 
 void GroupBodies::warn_of_group(int64_t members, double delta) {

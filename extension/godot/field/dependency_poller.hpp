@@ -7,17 +7,17 @@
 
 namespace undergrowth {
 
-/// Detects changes that have no signal: the node's own engine properties, an array that scripts append to, transforms
-/// of other nodes. Compares them every few frames.
+/// Detects changes without a signal: of the node's engine properties, of the array of exclusions (scripts may append to
+/// it), and of the transforms of other nodes. Compares them with stored copies every 8 frames. Main thread.
 class DependencyPoller {
 public:
 	/// Differences since the last poll().
 	struct Found {
 		bool range = false; ///< The node's visibility range or LOD bias.
 		bool material = false; ///< The material override.
-		bool exclusions = false;
+		bool exclusions = false; ///< The array of exclusions.
 		bool area = false; ///< A node of the outline or the exclusions.
-		bool ground = false;
+		bool ground = false; ///< The node of the ground.
 	};
 
 	/// Call once per frame. Returns true in the frames to call poll() in.
@@ -25,9 +25,9 @@ public:
 	Found poll(const godot::GeometryInstance3D *node, const FieldProperties &properties);
 	bool has_other_exclusions(const PlacementOptions &options) const { return seen_exclusions != options.exclusions; }
 	void store_exclusions(const PlacementOptions &options) { seen_exclusions = options.exclusions.duplicate(); }
-	/// Watches the nodes in `options`, and no other ones. Outline and exclusions are live: a dragged point, a moved
-	/// path, another field with a new size. Curves have signals, which call _on_area_changed() and _on_ground_changed()
-	/// of the node.
+	/// Watches the nodes of outline, exclusions and ground in `options`, and no other ones. Polling detects moved nodes
+	/// and resized fields. Changed curves emit signals, which call _on_area_changed() or _on_ground_changed() of the
+	/// node.
 	void watch(godot::Node3D *node, const PlacementOptions &options);
 
 private:

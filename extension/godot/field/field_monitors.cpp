@@ -35,7 +35,7 @@ static void choose_answering_field() {
 			Array arguments;
 			arguments.push_back(i);
 			performance->add_custom_monitor(
-					MONITOR_NAMES[i], Callable(registered_fields()[0].second, "_on_monitor_asked"), arguments);
+					MONITOR_NAMES[i], Callable(registered_fields()[0].second, "_on_monitor_read"), arguments);
 		}
 	}
 }

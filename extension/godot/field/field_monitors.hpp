@@ -6,12 +6,15 @@ namespace undergrowth {
 
 class FieldRuntime;
 
-/// The engine's Performance monitors of all fields in the tree. Main thread only.
+/// Registers the add-on's Performance monitors with the engine while at least one field is in a tree. Owns the list of
+/// these fields. Main thread.
 struct FieldMonitors {
-	/// `answers`: the field's node; its _on_monitor_asked(which) returns sum(which).
-	static void enter(const FieldRuntime *runtime, godot::Object *answers);
+	/// Adds a field to the list. `node` is its PlantField3D; the engine reads a monitor through the node's method
+	/// _on_monitor_read(which), which returns sum(which).
+	static void enter(const FieldRuntime *runtime, godot::Object *node);
+	/// Removes the field. The last one removes the monitors.
 	static void leave(const FieldRuntime *runtime);
-	/// Sum of one monitor over all fields.
+	/// Sum of a monitor over all listed fields. `which` is its index in MONITOR_NAMES.
 	static double sum(int which);
 };
 

@@ -28,8 +28,8 @@ void FieldProblems::advise(const String &what) {
 void FieldProblems::report_motion(FieldMotion &motion) {
 	if (motion.is_crowded() && !std::exchange(has_reported_crowd, true)) {
 		report_warning(node,
-				"too many tips are near each other for all of them to touch: some pairs are left out. Set a smaller "
-				"collision_radius in its species, or a smaller density.");
+				"some contacts between plants are skipped, because too many tips are close together. Reduce "
+				"collision_radius in its species, or the density.");
 	}
 	for (const String &warning : motion.bodies.take_warnings()) {
 		report_warning(node, warning);
@@ -44,16 +44,16 @@ PackedStringArray FieldProblems::warnings() const {
 		}
 	}
 	if (properties.prototypes > 0 && properties.contact_enabled) {
-		texts.push_back("Plants that follow Prototypes do not touch each other: set Prototypes to 0, or Contact "
-						"Enabled off.");
+		texts.push_back("Plants that follow Prototypes do not touch each other: set Prototypes to 0, or disable "
+						"Contact Enabled.");
 	}
 	for (const String &name : forgotten_layers(properties)) {
-		texts.push_back("Of '" + name +
-				"' something is painted on its map, and none of its species is called so: name one, or set the Layer "
-				"of its entry.");
+		texts.push_back("'" + name +
+				"' is painted on the map, but no species has that name: rename one, or set the Layer of its entry.");
 	}
 	if (properties.wind.is_valid() && properties.wind->get_strength() == 0.0) {
-		texts.push_back("The wind has a strength of 0 N, so these plants stand still: raise Strength in their Wind.");
+		texts.push_back(
+				"The wind has a strength of 0 N, so these plants do not move: increase Strength of their Wind.");
 	}
 	return texts;
 }

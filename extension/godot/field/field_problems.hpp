@@ -8,20 +8,23 @@
 
 namespace undergrowth {
 
-/// The faults of a field. Reports each one once in the log, with the node's name, and lists present ones as
-/// configuration warnings of the node. Main thread.
+/// Owns the errors and warnings of a field. Prints each one once to the log, with the node's name, and lists the
+/// present ones as configuration warnings of the node. Main thread.
 class FieldProblems {
 public:
 	FieldProblems(godot::Node *of, const FieldProperties &set_by_users) : node(of), properties(set_by_users) {}
 
-	/// Sets why it cannot be built; empty: no fault.
+	/// Sets the reason why the field cannot be built, with its remedy, and prints it as an error if it is new. Empty:
+	/// the field can be built.
 	void report(const godot::String &what);
 	bool has_fault() const { return !fault.is_empty(); }
-	/// Sets what to check if no plant found ground; empty: some did.
+	/// Sets advice for a field whose plants found no ground, as a configuration warning. Empty: some plants found
+	/// ground.
 	void advise(const godot::String &what);
-	/// Reports contact and bodies that do not work as configured.
+	/// Prints warnings about contact and bodies: once if contacts are skipped because too many tips are close together,
+	/// and once for each body that cannot push.
 	void report_motion(FieldMotion &motion);
-	/// Returns all present faults, including those of properties.
+	/// Returns the present errors and advice, and warnings about combinations of properties.
 	godot::PackedStringArray warnings() const;
 
 private:

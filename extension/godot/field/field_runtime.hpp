@@ -48,7 +48,7 @@ public:
 	void rebuild(bool places, bool styles = true);
 	/// True if a build is in progress that replaces the whole field at once.
 	bool is_at_work() const { return sampler || job; }
-	/// True if it places plants, builds tiles, or joins tiles that were placed one by one.
+	/// True if it places plants or builds tiles.
 	bool is_building() const { return is_placing() || tiles.is_building(); }
 	/// Builds everything that is missing before it returns. Returns false if that is not possible.
 	bool build_now();
@@ -185,7 +185,7 @@ private:
 	godot::String tile_fault; ///< Reason why a tile or a painted area cannot be built.
 	bool is_polling = false;
 	bool is_urgent = false; ///< build_now() is at work: no budgets.
-	bool joins = false; ///< The present job joins tiles that were built one by one.
+	bool joins = false; ///< The present job joins the multimeshes of tiles that were built one by one.
 	FieldGround ground; ///< As at the last build.
 	std::vector<PlantId> removed_meanwhile; ///< While the job runs.
 	PlacedArea placed_area;
@@ -209,9 +209,7 @@ private:
 	FieldMotion::Frame frame(double delta, const godot::Ref<PlantWind> &wind) const;
 	FieldSettings settings() const;
 	/// Excludes streamed tiles of a first build.
-	bool is_placing() const {
-		return tile_rebuild.is_at_work() || joins || (sampler ? sampler->places : job && job->places());
-	}
+	bool is_placing() const { return tile_rebuild.is_at_work() || (sampler ? sampler->places : job && job->places()); }
 	/// µs of this thread for building, per frame.
 	double budget_usec() const;
 	/// As GroundQueryQueue::usual_usec().

@@ -24,7 +24,7 @@ void FieldRuntime::rebuild(bool places, bool styles) {
 	if (places && !styles && start_tile_rebuild()) {
 		return;
 	}
-	if (is_at_work() && !places && !placed_before) {
+	if (is_at_work() && !joins && !places && !placed_before) {
 		is_due_again = true; // A property that changes in each frame must not restart the build forever.
 		return;
 	}
@@ -132,12 +132,10 @@ void FieldRuntime::poll_tile_rebuild(bool physics) {
 	tile_rebuild.query_queue().report_all(node);
 	listener.no_ground(tile_rebuild.query_queue().missing_ground());
 	if (!streams()) {
-		join_tiles();
+		join_tiles(); // All plants exist. Wider multimeshes only save draw calls.
 	}
-	report_progress(progress());
-	if (streams()) {
-		finish_build();
-	}
+	report_progress(1.0f);
+	finish_build();
 }
 
 void FieldRuntime::poll_region_builds(RegionBuilds::Moment moment, double delta) {
@@ -257,7 +255,7 @@ void FieldRuntime::serve_ground(double delta, bool physics) {
 void FieldRuntime::poll_job(bool physics) {
 	const FrameBudget::Share share(FrameBudget::of_fields());
 	const bool is_done = !physics && job->is_planned() && make_ready();
-	const bool reports = job->places() || joins;
+	const bool reports = job->places();
 	if (!is_done) {
 		if (reports) {
 			report_progress(progress());

@@ -232,13 +232,13 @@ int FieldRuntime::species_for(const Ref<PlantFunction> &function) {
 	}
 	if (setup.styles.size() >= size_t(PlacementRequest::MAX_SPECIES)) {
 		report_error(node,
-				"cannot hold more than 256 species, and it has them: no plants of " + describe(function.ptr()) +
+				"has the maximum of 256 species: no plants of " + describe(function.ptr()) +
 						" are added. Add them to another field.");
 		return -1;
 	}
 	if (motion.is_ready() && !motion.has_room_for_species()) {
 		report_error(node,
-				"cannot hold more species with prototypes than its textures have layers for: no plants of " +
+				"has no texture layers left for another species with prototypes: no plants of " +
 						describe(function.ptr()) + " are added. Add them to another field, or set prototypes to 0.");
 		return -1;
 	}

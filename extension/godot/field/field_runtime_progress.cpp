@@ -21,7 +21,6 @@ namespace undergrowth {
 static constexpr double FIRST_PLANTS = 10000.0; // Of the first part of a build.
 static constexpr double MAX_WHOLE_PLANTS = 20000.0; // Up to this number a build has one part.
 static constexpr float FIRST_SHARE = 0.1f; // Of the whole build's progress.
-static constexpr float TILES_SHARE = 0.8f; // Up to this progress tiles are built; then they are joined.
 static constexpr int32_t WAITING_USEC = 100;
 
 double FieldRuntime::budget_usec() const {
@@ -33,15 +32,11 @@ double FieldRuntime::ground_usec(double delta) const {
 }
 
 float FieldRuntime::progress() const {
-	const float end = streams() ? 1.0f : TILES_SHARE;
-	if (joins) {
-		return end + (1.0f - end) * job->progress();
-	}
 	if (job) {
 		return (job->has_rest() ? FIRST_SHARE : 1.0f) * job->progress();
 	}
 	const float part = tiles.is_building() ? tiles.build_progress() : tile_rebuild.progress();
-	return built_before + (end - built_before) * part;
+	return built_before + (1.0f - built_before) * part;
 }
 
 // The tiles nearest to the cameras are built together and shown. The remaining tiles follow, one by one.
@@ -158,7 +153,7 @@ bool FieldRuntime::build_now() {
 		return false;
 	}
 	is_urgent = true;
-	while (node->is_inside_tree() && (is_building() || is_building_regions())) {
+	while (node->is_inside_tree() && (is_building() || is_building_regions() || joins)) {
 		poll(0.0, true);
 		if (node->is_inside_tree()) {
 			poll(0.0, false);

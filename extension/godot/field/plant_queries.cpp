@@ -111,8 +111,8 @@ void PlantQueries::set_motion_state(const PackedInt64Array &ids, const PackedFlo
 	const bool is_whole = state.size() == ids.size() * FLOATS_PER_STATE;
 	if (!is_whole && state.size() != ids.size() * FLOATS_OF_TIP) {
 		report_error(node,
-				"set_motion_state() needs twelve numbers for each id, as get_motion_state() gives them, or their first "
-				"six.");
+				"set_motion_state() needs twelve numbers for each id, as returned by get_motion_state(), or the first "
+				"six of them.");
 		return;
 	}
 	const float *from = state.ptr();
@@ -141,11 +141,11 @@ PackedInt64Array PlantQueries::add(const Variant &transforms, const Ref<PlantFun
 		return PackedInt64Array();
 	}
 	if (function.is_null()) {
-		report_error(node, "add_plants() needs a PlantFunction: which species?");
+		report_error(node, "add_plants() needs a species. Pass a PlantFunction.");
 		return PackedInt64Array();
 	}
 	if (double(runtime.store.plant_count()) + double(places.size()) > PlacementRequest::MAX_PLANTS) {
-		report_error(node, "cannot hold more than 4,000,000 plants; none of these is added. Use another field.");
+		report_error(node, "cannot have more than 4,000,000 plants; none of these was added. Use another field.");
 		return PackedInt64Array();
 	}
 	const int species_index = runtime.species_for(function);
@@ -167,8 +167,8 @@ PackedInt64Array PlantQueries::add(const Variant &transforms, const Ref<PlantFun
 	if (placed.size() < places.size()) {
 		report_error(node,
 				String::num_int64(int64_t(places.size() - placed.size())) +
-						" transforms of add_plants() are not finite, or of a scale below 1e-6 or above 1e6; the others "
-						"are added.");
+						" transforms of add_plants() were skipped: they are not finite, or their scale is below 1e-6 "
+						"or above 1e6. Correct them and add them again.");
 	}
 	return packed(runtime.add(std::move(placed)));
 }

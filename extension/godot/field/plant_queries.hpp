@@ -12,9 +12,10 @@
 
 namespace undergrowth {
 
-/// Queries and edits of a field's single plants, for scripts. An id without a plant causes one error and an empty
-/// result. Results are in the field's own axes unless noted. Spheres and boxes are in world axes, and contain no plants
-/// while the node is outside of a tree. Errors name the node and PlantField3D's methods. Main thread.
+/// Queries and edits of single plants of a field. Implements the methods of PlantField3D of these names; owns no state.
+/// An unknown id gives one error and an empty result. Results are in the field's own axes (m) unless noted. Positions,
+/// spheres and boxes are in world axes; they contain no plants while the node is outside a tree. Invalid arguments give
+/// an error that names the node and the method, and change nothing. Main thread.
 class PlantQueries {
 public:
 	PlantQueries(godot::GeometryInstance3D *p_node, FieldRuntime &p_runtime) : node(p_node), runtime(p_runtime) {}
@@ -23,47 +24,47 @@ public:
 	godot::PackedInt64Array ids() const;
 	godot::PackedInt64Array find_in_box(const godot::AABB &box) const;
 	godot::PackedInt64Array find_in_sphere(const godot::Vector3 &center, double radius) const;
-	/// Transform of its mesh before it bends.
+	/// Returns the transform of the plant's mesh without lean and bend.
 	godot::Transform3D transform(int64_t id) const;
-	/// Returns NO_PLANT if no root is within that distance (m) of a position in the world.
+	/// Returns the plant with the nearest root within `max_distance` (m), or NO_PLANT.
 	int64_t find_nearest(const godot::Vector3 &point, double max_distance) const;
-	/// The species of that plant, or null.
+	/// Returns the species of find_nearest(), or null.
 	godot::Ref<PlantFunction> species_at(const godot::Vector3 &point, double max_distance) const;
 	godot::Ref<PlantFunction> species(int64_t id) const;
-	/// In the world (m).
+	/// Returns the height of a plant in the world (m), mowing included.
 	double height(int64_t id) const;
 	int64_t seed(int64_t id) const;
 	godot::TypedArray<godot::Transform3D> transforms(const godot::PackedInt64Array &ids) const;
 	godot::PackedFloat32Array heights(const godot::PackedInt64Array &ids) const;
 	godot::Skeleton3D *skeleton(int64_t id) const;
 
-	/// `margin`: largest distance (m) from a plant.
+	/// True if a position is within `margin` (m) of a plant in its present pose.
 	bool is_point_in(const godot::Vector3 &point, double margin);
 	/// Applies an impulse (N·s, world axes) to the tips of all plants in a sphere. Returns their number.
 	int apply_impulse_in_sphere(const godot::Vector3 &center, double radius, const godot::Vector3 &impulse);
-	/// Applies impulses (N·s at the centre, weaker towards the radius) away from a position. Returns the number of
-	/// plants.
+	/// Applies impulses away from `center`: `impulse` (N·s) at the centre, decreasing to 0 at `radius` (m). Returns the
+	/// number of plants.
 	int apply_blast(const godot::Vector3 &center, double radius, double impulse);
 	godot::Vector3 tip_position(int64_t id);
 	godot::PackedVector3Array tip_positions(const godot::PackedInt64Array &ids);
-	/// Twelve numbers for each plant: direction and rate, and the same of a stem's second mode.
+	/// Returns twelve numbers per plant: direction and rate of the tip, and the same of a stem's second mode.
 	godot::PackedFloat32Array motion_state(const godot::PackedInt64Array &ids);
 	void set_motion_state(const godot::PackedInt64Array &ids, const godot::PackedFloat32Array &state);
 
-	/// Later changes of the species call the node's _on_added_species_changed().
+	/// Adds plants and returns their ids. Later changes of the species call the node's _on_added_species_changed().
 	godot::PackedInt64Array add(const godot::Variant &transforms, const godot::Ref<PlantFunction> &function);
 	bool remove(int64_t id);
 	int remove_all(const godot::PackedInt64Array &ids);
 	int remove_in_sphere(const godot::Vector3 &center, double radius);
 	int remove_in_box(const godot::AABB &box);
-	/// Seen from above, at any height.
+	/// Removes plants with roots in a polygon, seen from above, at any height. Returns their number.
 	int remove_in_polygon(const godot::PackedVector3Array &points);
-	/// Removes plants within half of `width` (m) of a line through these points.
+	/// Removes plants with roots within half of `width` (m) of a line through these points. Returns their number.
 	int remove_along(const godot::PackedVector3Array &points, double width);
 
-	/// Sets the height (m) of all plants in a sphere, at most their full height. Returns the number of changed plants.
+	/// Mows all plants in a sphere to `height` (m), at most to their full height. Returns the number of changed plants.
 	int set_height_in_sphere(const godot::Vector3 &center, double radius, double height);
-	/// The edits of code (removed, mown and added plants), in the format of write_edits().
+	/// Returns the edits of code (removed, mown and added plants) in the format of write_edits().
 	godot::PackedByteArray changes() const;
 	/// Replaces all edits by these. Returns false, with one error and no change, if the bytes are not valid.
 	bool apply_changes(const godot::PackedByteArray &bytes);
@@ -71,7 +72,7 @@ public:
 	bool has_changes() const;
 
 private:
-	/// The plant of an id.
+	/// A plant that was found by its id.
 	struct FoundPlant {
 		PlantRef place;
 		PlacedPlant plant;
@@ -98,7 +99,7 @@ private:
 		bool is_even; ///< The field's scale is uniform, so that both spheres are equal.
 	};
 	using Find = std::function<void(std::vector<PlantRef> &)>;
-	/// Returns nothing outside of a tree, or if the sphere is not valid, which is an error of `method`.
+	/// Returns nothing outside a tree, or with an error of `method` if the sphere is invalid.
 	std::optional<Sphere> sphere_of(const char *method, const godot::Vector3 &center, double radius) const;
 	/// Appends the plants with roots in the sphere.
 	void find_in(const Sphere &sphere, std::vector<PlantRef> &found) const;

@@ -85,8 +85,8 @@ bool PlantQueries::find_species(const SavedEdits &saved, std::vector<Ref<PlantFu
 		if (found.back().is_null()) {
 			report_error(node,
 					"apply_changes(): plants of '" + String::utf8(name.c_str()) +
-							"' were added, and the field knows no such species. Add it to its species, or give it its "
-							"name again. Nothing is changed.");
+							"' were added, but the field has no species of that name. Add it to the field's species, "
+							"or restore its name. Nothing was changed.");
 			return false;
 		}
 	}
@@ -164,7 +164,7 @@ bool PlantQueries::apply_changes(const PackedByteArray &bytes) {
 	SavedEdits saved;
 	const BytesFault fault = read_edits(bytes.ptr(), size_t(bytes.size()), saved);
 	if (fault != BytesFault::none) {
-		report_error(node, String("apply_changes(): ") + describe_edits_fault(fault) + " Nothing is changed.");
+		report_error(node, String("apply_changes(): ") + describe_edits_fault(fault) + " Nothing was changed.");
 		return false;
 	}
 	std::vector<Ref<PlantFunction>> species;
@@ -173,10 +173,10 @@ bool PlantQueries::apply_changes(const PackedByteArray &bytes) {
 	}
 	if (saved.seed.value_or(runtime.seed()) != runtime.seed() && !saved.edits.of_generated().empty()) {
 		report_warning(node,
-				"apply_changes(): these are changes of a field of seed " + String::num_int64(*saved.seed) +
-						", and this one has " + String::num_int64(runtime.seed()) +
-						": other plants stand here, and whoever stands where one was removed or mown is so, too. Apply "
-						"what get_changes() of this field gave, or set the seed.");
+				"apply_changes(): these edits were recorded with seed " + String::num_int64(*saved.seed) +
+						", but the field has seed " + String::num_int64(runtime.seed()) +
+						". They are applied by position to other plants. Set the recorded seed, or apply edits of this "
+						"field.");
 	}
 	runtime.forget_repeated_edits();
 	bring_back(saved, species);

@@ -187,7 +187,7 @@ int PlantQueries::remove_along(const PackedVector3Array &points, double width) {
 	const bool are_finite =
 			std::all_of(all, all + points.size(), [](const Vector3 &point) { return point.is_finite(); });
 	if (points.is_empty() || !are_finite || !is_radius(width)) {
-		report_error(node, "remove_along() needs finite points, one at least, and a width of 0 or more.");
+		report_error(node, "remove_along() needs at least one point, finite points, and a width of 0 or more.");
 		return 0;
 	}
 	if (!node->is_inside_tree()) {

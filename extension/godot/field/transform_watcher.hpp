@@ -10,8 +10,8 @@
 
 namespace undergrowth {
 
-/// Watches other nodes that a field depends on, such as its outline: connects to changes of their curves and compares
-/// their transforms.
+/// Watches nodes that a field depends on, such as its outline. Connects to the `changed` signals of their curves, and
+/// compares their transforms and sizes when polled. Stores nodes by instance id, so they may be freed. Main thread.
 class TransformWatcher {
 public:
 	/// Watches these nodes only; some may be null. `changed` is called when a curve changes.

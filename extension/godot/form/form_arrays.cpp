@@ -108,13 +108,17 @@ static Vector2 from_above(const FormMeasure &measure, const FormArrays &arrays) 
 }
 
 MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sampled, Vector2 *above) {
+	const int rows = sampled.stem ? sampled.stem->joints : 0;
 	CardPlan cards;
 	if (sampled.cards) {
 		const CardSheet &sheet = sampled.cards->sheet();
-		cards = plan_cards(grown.card_form(sheet), sheet, vertex_budget(sampled.lod));
+		cards = plan_cards(grown.card_form(sheet), sheet, vertex_budget(sampled.lod), rows);
 	}
-	const FormPlan plan =
-			cards.is_empty() ? plan_form(grown.form, grown.measure(), vertex_budget(sampled.lod)) : FormPlan();
+	FormPlan plan;
+	if (cards.is_empty()) {
+		plan = plan_form(grown.form, grown.measure(), vertex_budget(sampled.lod));
+		divide_carriers(grown.form, rows, plan);
+	}
 	const MeshCounts counts = cards.is_empty() ? plan.counts : cards.counts;
 	FormArrays arrays(counts);
 	const FormBones none;

@@ -27,7 +27,7 @@ static float *number_of(Arrangement &of, const String &name) {
 		const char *name;
 		float *slot;
 	} numbers[] = { { "from", &of.from }, { "to", &of.to }, { "turn", &of.turn }, { "phase", &of.phase },
-		{ "radius", &of.radius }, { "dome", &of.dome }, { "deviation", &of.deviation } };
+		{ "radius", &of.radius }, { "dome", &of.dome }, { "swept", &of.swept }, { "deviation", &of.deviation } };
 	for (const auto &number : numbers) {
 		if (name == number.name) {
 			return number.slot;
@@ -56,9 +56,9 @@ static String read_option(const String &name, const Variant &value, Arrangement 
 	} else if (!number) {
 		return "`_grow` passed the option '" + name +
 				"', which is unknown or of another type. Use from, to, turn, phase, per_node, angle, scale, radius, "
-				"dome, level_tops, flat, tilt and deviation.";
+				"dome, level_tops, flat, tilt, swept and deviation.";
 	}
-	return fits ? String() : "`_grow` passed no number for '" + name + "'. Pass one, or a Vector2 where it runs.";
+	return fits ? String() : "`_grow` passed no number for '" + name + "'. Pass a number, or a Vector2 for a range.";
 }
 
 String read_options(const Dictionary &options, Arrangement &into) {

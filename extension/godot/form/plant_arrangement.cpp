@@ -41,8 +41,8 @@ Arrangement PlantArrangement::described() const {
 // The index of this line must exist before the lines of the arrangements that it carries.
 String PlantArrangement::read(Recipe &recipe, int on, int depth, std::vector<uint64_t> &known) {
 	if (depth > MAX_DEPTH) {
-		return own_problem("it is carried more than " + String::num_int64(MAX_DEPTH) +
-				" deep, perhaps by itself. Take it out of `carries` further in.");
+		return own_problem("it is carried in more than " + String::num_int64(MAX_DEPTH) +
+				" levels, perhaps by itself. Remove it from an inner `carries`.");
 	}
 	if (part.is_null()) {
 		return own_problem("it has no part. Set a PlantAxis, PlantBlade or PlantBead.");
@@ -144,7 +144,7 @@ void PlantArrangement::set_count(const Vector2i &range) {
 	if (range.x < 0 || range.x > MAX_PARTS || range.y < 1 || range.y > MAX_PARTS) {
 		report_error(this,
 				"count cannot be " + String::num_int64(range.x) + " to " + String::num_int64(range.y) +
-						", it keeps its value. Set 0 to " + String::num_int64(MAX_PARTS) +
+						"; the old value stays. Set 0 to " + String::num_int64(MAX_PARTS) +
 						", the smaller number first, the larger 1 or more.");
 		return;
 	}

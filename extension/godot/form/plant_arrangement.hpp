@@ -80,6 +80,7 @@ public:
 	godot::Vector2 get_scale() const { return godot::Vector2(arrangement.scale.first, arrangement.scale.last); }
 	UNDERGROWTH_NUMBER(from, arrangement.from, 0.0, 1.0)
 	UNDERGROWTH_NUMBER(to, arrangement.to, 0.0, 1.0)
+	UNDERGROWTH_NUMBER(swept, arrangement.swept, 0.0, 1.0)
 	UNDERGROWTH_NUMBER(radius, arrangement.radius, 0.0, 10.0)
 	UNDERGROWTH_ANGLE(turn, arrangement.turn, -36000.0, 36000.0)
 	UNDERGROWTH_ANGLE(phase, arrangement.phase, -36000.0, 36000.0)

@@ -24,7 +24,7 @@ void PlantArrangement::_validate_property(PropertyInfo &property) const {
 	const bool is_ground = layout == Layout::ground;
 	const bool is_hidden = (layout != Layout::along && is_one_of(name, ALONG_ONLY)) ||
 			(layout != Layout::disc && is_one_of(name, DISC_ONLY)) || (layout == Layout::along && name == "radius") ||
-			(!is_ground && name == "tilt") ||
+			(!is_ground && (name == "tilt" || name == "swept")) ||
 			(is_ground && (name == "angle" || name == "angle_curve" || name == "flat"));
 	if (is_hidden) {
 		property.usage = PROPERTY_USAGE_NO_EDITOR;
@@ -64,6 +64,7 @@ void PlantArrangement::_bind_methods() {
 	UNDERGROWTH_ADD(level_tops, PropertyInfo(Variant::BOOL, "level_tops"));
 	UNDERGROWTH_ADD(flat, PropertyInfo(Variant::BOOL, "flat"));
 	UNDERGROWTH_ADD(tilt, span("tilt", "-180,180,0.1,or_less,or_greater,radians_as_degrees"));
+	UNDERGROWTH_ADD(swept, number("swept", "0,1,0.01"));
 	UNDERGROWTH_ADD(angle, span("angle", "-180,180,0.1,or_less,or_greater,radians_as_degrees"));
 	UNDERGROWTH_ADD(angle_curve, resource("angle_curve", "Curve"));
 	UNDERGROWTH_ADD(scale, span("scale", "0.01,4,0.001,or_less,or_greater"));

@@ -23,14 +23,14 @@ PlantForm PlantGrowth::finish(String &what) {
 	species = nullptr;
 	what = problem;
 	if (what.is_empty() && growth->form().placed.empty()) {
-		what = "it grew nothing. Let `_grow` add a stem or parts, or set `arrangements`.";
+		what = "it has no stem and no parts. Add some in `_grow`, or set `arrangements`.";
 	}
 	return what.is_empty() ? growth->finish() : PlantForm();
 }
 
 bool PlantGrowth::may_grow() {
 	if (!species) {
-		report_error(this, "the plant has grown. Add parts while `_grow` runs only.");
+		report_error(this, "the plant is complete. Add parts only during `_grow`.");
 	}
 	return species && problem.is_empty();
 }

@@ -77,8 +77,8 @@ void SpeciesGrowth::call_script(PlantFunction &species, const Ref<PlantGrowth> &
 		has_reported_slowness = true;
 		report_warning(&species,
 				"its `_grow` took " + String::num(seconds, 1) +
-						" s for one plant, while the game stood still. Let it do less: what is the same for all seeds "
-						"can be worked out once, and a field asks for as many plants as the species has variants.");
+						" s for one plant and blocked the game. Compute what is equal for all seeds only once, or "
+						"reduce the species' variants: a field calls `_grow` for each variant.");
 	}
 }
 

@@ -196,7 +196,7 @@ bool Plant3D::can_be_driven() {
 		return true;
 	}
 	if (problem.is_empty()) {
-		report_problem("cannot move without a plant. Set its Species to a PlantFunction.");
+		report_problem("cannot move without a plant. Set its species to a PlantFunction.");
 	}
 	return false;
 }
@@ -217,7 +217,7 @@ void Plant3D::drive() {
 
 void Plant3D::advance(double delta) {
 	if (!std::isfinite(delta) || delta < 0.0 || delta > MAX_STEP) {
-		refuse("advance(" + String::num(delta) + ") is impossible; nothing moved. Pass seconds of 0 or more.");
+		refuse("advance(" + String::num(delta) + ") is invalid; nothing moved. Pass seconds of 0 or more.");
 		return;
 	}
 	if (motion.is_simulated()) {

@@ -88,8 +88,8 @@ void Plant3D::set_motion_state(const PackedFloat32Array &state) {
 	MotionState given;
 	if (!plant_transform.read_state(state, given)) {
 		report_error(this,
-				"set_motion_state() needs twelve finite numbers, as get_motion_state() gives them, or their first six: "
-				"the tip's direction and its rate. The motion stays as it is.");
+				"set_motion_state() needs twelve finite numbers, as returned by get_motion_state(), or the first six: "
+				"the tip's direction and its rate. The motion was not changed.");
 		return;
 	}
 	motion.set_motion_state({ given.tip, given.tip.direction, given.second });

@@ -25,7 +25,7 @@ void Plant3D::set_species(const Ref<PlantFunction> &new_species) {
 	const Callable changed(this, "_on_species_changed");
 	unfollow_changes(species.ptr(), changed);
 	if (new_species.is_null()) {
-		report_problem("has no species any more; the last plant stays. Set its Species to a PlantFunction.");
+		report_problem("has no species; the last plant stays. Set its species to a PlantFunction.");
 	}
 	species = new_species;
 	follow_changes(species.ptr(), changed);
@@ -248,7 +248,8 @@ PackedStringArray Plant3D::_get_configuration_warnings() const {
 		warnings.push_back(problem);
 	}
 	if (wind.is_valid() && wind->get_strength() == 0.0) {
-		warnings.push_back("The wind has a strength of 0 N, so this plant stands still: raise Strength in its Wind.");
+		warnings.push_back(
+				"The wind has a strength of 0 N, so this plant does not move: increase Strength of its Wind.");
 	}
 	return warnings;
 }

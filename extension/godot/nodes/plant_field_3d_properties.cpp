@@ -78,6 +78,7 @@ void PlantField3D::bind_properties() {
 	VALUE(INT, seed, placement);
 	NUMBER(FLOAT, clumping, placement, 0.0, 1.0, SLIDER("0,1,0.01"));
 	NUMBER(FLOAT, clump_size, placement, 0.01, 1000.0, SLIDER("0.1,50,0.1,or_greater,suffix:m"));
+	NUMBER(FLOAT, combed, placement, 0.0, 1.0, SLIDER("0,1,0.01"));
 	ADD_GROUP("Area", "");
 	SET_HERE(VECTOR2, size, "get_size", PROPERTY_HINT_NONE, "suffix:m");
 	SET_HERE(NODE_PATH, outline, "get_outline", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Path3D");
@@ -251,7 +252,7 @@ void PlantField3D::set_ground_mode(GroundMode mode) {
 
 void PlantField3D::set_ground_choice(GroundHeight choice) {
 	if (choice != GROUND_HIGHEST && choice != GROUND_LOWEST) {
-		report_error(this, "ground_choice is GROUND_HIGHEST or GROUND_LOWEST; it keeps its value.");
+		report_error(this, "ground_choice must be GROUND_HIGHEST or GROUND_LOWEST; the old value stays.");
 	} else if (int(choice) != properties.ground_choice) {
 		properties.ground_choice = int(choice);
 		dirty.mark_placement();

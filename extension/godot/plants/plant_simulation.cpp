@@ -121,8 +121,8 @@ void PlantSimulation::report_warnings() {
 	if (contact.is_crowded() && !has_reported_crowd) {
 		has_reported_crowd = true;
 		report_warning(this,
-				"too many tips are near each other for all of them to touch: some pairs are left out. Set a smaller "
-				"collision_radius in their species, set the plants farther apart, or contact_enabled off.");
+				"some contacts between plants are skipped, because too many tips are close together. Reduce "
+				"collision_radius in their species, move the plants apart, or disable contact_enabled.");
 	}
 	for (const String &warning : bodies.take_warnings()) {
 		report_warning(this, warning);

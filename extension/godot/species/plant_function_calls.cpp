@@ -196,7 +196,7 @@ std::optional<UnsolvedStem> PlantFunction::describe_stem(double height) {
 void PlantFunction::take_stem(const UnsolvedStem &unsolved, const SolvedStem &found) {
 	stems.take(unsolved, found);
 	if (!stems.problem().is_empty() && stems.problem() != reported_stem_fault) {
-		report_error(this, stems.problem() + String(" It stands as a bare stem until then."));
+		report_error(this, stems.problem() + String(" It is shown as a bare stem until then."));
 		reported_stem_fault = stems.problem();
 	}
 }

@@ -44,7 +44,7 @@ void PlantStem::set_number(double &slot, const char *property, double value, dou
 void PlantStem::set_unless_none(double &slot, const char *property, double value, double min, double max) {
 	if (value > 0.0 && value < min) {
 		report_error(this,
-				String(property) + " cannot be " + String::num(value) + ", it keeps its value. Set a number from " +
+				String(property) + " cannot be " + String::num(value) + "; the old value stays. Set a number from " +
 						String::num(min) + " to " + String::num(max) + ", or 0 for none.");
 		return;
 	}
@@ -103,7 +103,7 @@ void PlantStem::set_wind_weights(const PackedFloat32Array &weights) {
 			report_error(this,
 					"wind_weights[" + String::num_int64(i) + "] is " + String::num(weights[i]) +
 							". Use shares of the wind's force from 0 to " + String::num(MAX_WEIGHT) +
-							", one for each joint, or none. They stay as they are.");
+							", one for each joint, or none. The old weights stay.");
 			return;
 		}
 	}

@@ -27,11 +27,11 @@ String find_level_problem(int segments) {
 static String ring_problem(const PackedVector3Array &shape) {
 	const RingFault fault = find_ring_fault(reinterpret_cast<const glm::vec3 *>(shape.ptr()), int(shape.size()));
 	if (fault != RingFault::none) {
-		return String("its base shape is unusable. ") + describe(fault);
+		return String("its base shape is invalid. ") + describe(fault);
 	}
 	for (const Vector3 &point : shape) {
 		if (std::fabs(point.x) > MAX_RING_EXTENT || std::fabs(point.z) > MAX_RING_EXTENT) {
-			return "its base shape is too large. Use metres; a plant is narrower than 1000 km.";
+			return "its base shape is too large. Use metres, up to 1000 km.";
 		}
 	}
 	return String();
@@ -106,13 +106,13 @@ static String sample_profile(PlantFunction &species, SampledPlant &result) {
 		}
 		if (!Vector4(color.r, color.g, color.b, color.a).is_finite()) {
 			return "_calculate_color_at_point(" + String::num(offset) +
-					") gave a color that is not finite. Return components from 0 to 1.";
+					") returned a color that is not finite. Return components from 0 to 1.";
 		}
 		result.widths[ring] = float(width);
 		result.colors[ring] = to_glm(color);
 	}
 	if (!(result.widest() > 0.0f)) { // A typed override that fails returns 0, too.
-		return "_calculate_curve_point() gave 0 at every height. Return a factor of the base shape above 0 somewhere.";
+		return "_calculate_curve_point() returned 0 at every height. Return a factor above 0 at some height.";
 	}
 	return String();
 }

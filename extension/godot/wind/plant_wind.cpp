@@ -145,8 +145,7 @@ double PlantWind::get_time() const {
 
 void PlantWind::advance(double step) {
 	if (!std::isfinite(step) || step < 0.0) {
-		report_error(
-				this, "advance(" + String::num(step) + ") is impossible; its time stays. Pass seconds of 0 or more.");
+		report_error(this, "advance(" + String::num(step) + ") is invalid; the time stays. Pass seconds of 0 or more.");
 		return;
 	}
 	advance_to(time + step);

@@ -115,7 +115,7 @@ bool PlantWind::is_air(const char *method) const {
 
 Vector3 PlantWind::sample_velocity(double at_time, const Vector3 &place) const {
 	if (!std::isfinite(at_time) || !place.is_finite()) {
-		report_error(this, "sample_velocity() needs a finite time in seconds and a finite place in metres.");
+		report_error(this, "sample_velocity() needs a finite time in seconds and a finite position in metres.");
 		return Vector3();
 	}
 	if (!is_air("sample_velocity()")) {
@@ -134,7 +134,7 @@ PackedVector2Array PlantWind::sample_over_canopy(double at_time, const PackedVec
 		z.push_back(float(place.y));
 	}
 	if (!is_finite) {
-		report_error(this, "sample_over_canopy() needs a finite time in seconds and finite places in metres.");
+		report_error(this, "sample_over_canopy() needs a finite time in seconds and finite positions in metres.");
 		return velocities;
 	}
 	if (!is_air("sample_over_canopy()")) {
@@ -168,7 +168,7 @@ void PlantWind::apply_to_material(const Ref<Material> &material) const {
 
 void PlantWind::blend_to(const Ref<PlantWind> &wind, double seconds) {
 	if (wind.is_null() || wind->get_kind() != KIND_AIR || get_kind() != KIND_AIR) {
-		report_error(this, "blend_to() goes from one wind of KIND_AIR to another; nothing changed. Set kind of both.");
+		report_error(this, "blend_to() needs KIND_AIR in both winds; nothing was changed. Set the kind of both.");
 		return;
 	}
 	if (!accept_value(this, "the blend's seconds", seconds, BLEND_RANGE)) {

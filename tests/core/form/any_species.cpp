@@ -127,6 +127,7 @@ Arrangement any_arrangement(Chance &chance) {
 	a.flat = chance.one_in(3);
 	a.tilt = { chance.within(-3.0f, 3.0f), chance.within(-3.0f, 3.0f) };
 	a.deviation = chance.within(0.0f, 1.5f);
+	a.swept = chance.one_in(3) ? chance.within(0.0f, 1.0f) : 0.0f;
 	return a;
 }
 

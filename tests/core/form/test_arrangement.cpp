@@ -129,6 +129,25 @@ TEST_CASE("a tuft's parts lean out more towards its rim") {
 	}
 }
 
+TEST_CASE("a swept tuft's parts point to its front") {
+	Arrangement a = layout(Layout::ground);
+	a.radius = 0.05f;
+	a.tilt = { 0.3f, 0.3f };
+	for (const float swept : { 0.0f, 0.5f, 1.0f }) {
+		a.swept = swept;
+		float max = 0.0f;
+		double sum = 0.0;
+		for (int i = 0; i < 40; i++) {
+			const float azimuth = seat_of(a, i, 40, 0).azimuth;
+			max = std::max(max, swept > 0.0f ? std::abs(azimuth) : 3.2f);
+			sum += std::cos(azimuth) / 40.0;
+		}
+		const double reach = PI * (1.0 - swept);
+		CHECK(max <= reach + 0.1);
+		CHECK(std::abs(sum - (reach > 0.0 ? std::sin(reach) / reach : 1.0)) < 0.1);
+	}
+}
+
 TEST_CASE("deviations turn parts by at most their limit") {
 	Arrangement a = layout(Layout::whorl);
 	a.deviation = 0.2f;

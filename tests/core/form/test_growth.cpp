@@ -123,8 +123,8 @@ TEST_CASE("counts of 0, of millions and below 0 are detected beforehand") {
 
 TEST_CASE("parts that are too deep, carry themselves or have an unknown carrier are detected beforehand") {
 	CHECK(find_recipe_fault(chain(4, 2), false) == "");
-	CHECK(mentions(find_recipe_fault(chain(4, 2), true), "4 deep"));
-	CHECK(mentions(find_recipe_fault(chain(5, 2), false), "4 deep"));
+	CHECK(mentions(find_recipe_fault(chain(4, 2), true), "4 levels"));
+	CHECK(mentions(find_recipe_fault(chain(5, 2), false), "4 levels"));
 	Recipe recipe = chain(2, 2);
 	recipe.lines[1].on = 1;
 	CHECK(mentions(find_recipe_fault(recipe, false), "carries itself"));
@@ -163,7 +163,7 @@ TEST_CASE("a failed growth leaves a plant unchanged") {
 	int kind = 0;
 	CHECK(growth.add_kind(Part(), kind) == "");
 	std::vector<int> handles;
-	CHECK(mentions(growth.arrange(kind, Arrangement(), {}, handles), "nothing to stand on"));
+	CHECK(mentions(growth.arrange(kind, Arrangement(), {}, handles), "no carrier"));
 	CHECK(mentions(growth.arrange(kind, Arrangement(), { 5 }, handles), "handle"));
 	CHECK(mentions(growth.arrange(9, Arrangement(), { ON_GROUND }, handles), "unknown"));
 	CHECK(mentions(growth.arrange(kind, counted(4000, 4000), { ON_GROUND, ON_GROUND }, handles), "8000 parts"));
@@ -195,8 +195,8 @@ TEST_CASE("a group on carriers of several depths is deeper than the deepest of t
 				is_deepest_first ? std::vector<int>{ high[0], low[0] } : std::vector<int>{ low[0], high[0] };
 		REQUIRE(growth.arrange(kind, counted(1, 1), carriers, on_both) == "");
 		CHECK(growth.form().groups.back().depth == 4);
-		CHECK(mentions(growth.arrange(kind, counted(1, 1), { on_both[0] }, deepest), "4 deep"));
-		CHECK(mentions(growth.arrange(kind, counted(1, 1), { on_both[0], low[0] }, deepest), "4 deep"));
+		CHECK(mentions(growth.arrange(kind, counted(1, 1), { on_both[0] }, deepest), "4 levels"));
+		CHECK(mentions(growth.arrange(kind, counted(1, 1), { on_both[0], low[0] }, deepest), "4 levels"));
 	}
 }
 

@@ -50,6 +50,9 @@ TEST_CASE("faults of density, clumping and species are found") {
 	for (const float clumping : { -0.1f, 1.1f, NOT_A_NUMBER }) {
 		CHECK(fault_with([&](Request &r) { r.clumping = clumping; }) == PlacementFault::bad_clumping);
 	}
+	for (const float combed : { -0.1f, 1.1f, NOT_A_NUMBER }) {
+		CHECK(fault_with([&](Request &r) { r.combed = combed; }) == PlacementFault::bad_combed);
+	}
 	CHECK(fault_with([](Request &r) { r.drift_size = 0.0f; }) == PlacementFault::bad_clumping);
 	CHECK(fault_with([](Request &r) { r.species.clear(); }) == PlacementFault::no_species);
 	CHECK(fault_with([](Request &r) { r.species.resize(257); }) == PlacementFault::too_many_species);

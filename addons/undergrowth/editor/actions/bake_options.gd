@@ -49,7 +49,9 @@ func find_problem() -> String:
 		return Translations.text("%s is not in the project. Choose a folder in res://.") % folder
 	if levels.is_empty():
 		return (
-			Translations.text("Write the levels as segments from 1 to %d, such as 24, 12, 6, 3.")
+			Translations.text(
+				"Enter the levels as segments from 1 to %d, for example 24, 12, 6, 3."
+			)
 			% MAX_SEGMENTS
 		)
 	if levels.size() > MAX_LEVELS:

@@ -159,7 +159,7 @@ func _show_density() -> void:
 	var mixed := BrushDensity.sum_of_mix(_field, _painted_names())
 	_density.set_value_no_signal(mixed if _options.is_as_mixed else _options.density)
 	_as_mixed.tooltip_text = (
-		tr("Paint as the field's mix says: %s plants/m².") % String.num(mixed, 2)
+		tr("Paint the density of the field's mix: %s plants/m².") % String.num(mixed, 2)
 	)
 
 

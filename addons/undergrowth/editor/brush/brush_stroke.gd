@@ -159,7 +159,7 @@ func _explain_nothing(names: String) -> String:
 		return Translations.text("%s: all is smooth here already.") % names
 	match _tool:
 		BrushOptions.Tool.ERASE:
-			return Translations.text("%s: there is nothing to erase here.") % names
+			return Translations.text("%s: nothing to erase here.") % names
 		BrushOptions.Tool.HEIGHT:
 			return Translations.text("%s: the height is reached here already.") % names
 	var density := _options.density
@@ -167,7 +167,7 @@ func _explain_nothing(names: String) -> String:
 	if _options.is_as_mixed:
 		density = BrushDensity.sum_of_mix(_field, _names)
 		message = Translations.text(
-			"%s: already as dense here as the mix says, %s plants/m². Set a higher density."
+			"%s: this area already has the density of the mix, %s plants/m². Set a higher density."
 		)
 	return message % [names, String.num(density, 2)]
 

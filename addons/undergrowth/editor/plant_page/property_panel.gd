@@ -53,7 +53,7 @@ func _describe(mix: PackedScene) -> String:
 		var title := SpeciesEntry.find_title(listed.species.resource_path)
 		lines.append("%s · %s %%" % [tr(title), String.num(percent, 0 if percent >= 1.0 else 1)])
 	field.free()
-	var hint := tr("Add it as a field, then change shares and density in the inspector.")
+	var hint := tr("Add it as a field, then change weights and density in the inspector.")
 	return "%s\n\n%s" % ["\n".join(lines), hint]
 
 

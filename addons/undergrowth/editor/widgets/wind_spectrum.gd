@@ -118,7 +118,7 @@ func _draw() -> void:
 		var place := _place(frame, point.x, point.y)
 		draw_circle(place, 2.5 * EditorInterface.get_editor_scale(), accent, true, -1.0, true)
 	var at := Vector2(frame.position.x, frame.position.y - font.get_descent(font_size) - 2.0)
-	var label := tr("Gusts, beside Kaimal's line")
+	var label := tr("Gusts, with Kaimal's spectrum")
 	draw_string(font, at, label, HORIZONTAL_ALIGNMENT_LEFT, frame.size.x, font_size, text)
 
 

@@ -33,7 +33,7 @@ func _add(file: String, title: String) -> void:
 	button.name = file.to_pascal_case()
 	button.text = title
 	button.size_flags_horizontal = Control.SIZE_EXPAND_FILL
-	button.tooltip_text = tr("Lets such air blow.")
+	button.tooltip_text = tr("Sets this air.")
 	button.pressed.connect(func() -> void: _chosen.call(load(FOLDER + file + ".tres")))
 	add_child(button)
 	button.owner = owner

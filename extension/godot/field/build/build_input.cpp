@@ -91,7 +91,8 @@ static String read_area(
 		}
 	}
 	if (options.endless && options.view_distance <= 0.0 && !options.map.is_valid()) {
-		return "endless needs a view_distance above 0: only what is near somebody can stand. Set one, or endless off.";
+		return "endless needs a view_distance above 0, because an endless field exists only around cameras. Set "
+			   "view_distance, or disable endless.";
 	}
 	if (options.endless && !options.map.is_valid()) {
 		into.area = rectangle({ 2.0f * FARTHEST_COORDINATE, 2.0f * FARTHEST_COORDINATE });
@@ -118,6 +119,7 @@ String read_request(const Node3D *field, const PlacementOptions &options, const 
 	into.seed = uint64_t(options.place_seed);
 	into.clumping = float(options.clumping);
 	into.drift_size = float(options.clump_size);
+	into.combed = float(options.combed);
 	double shares = 0.0, weighted = 0.0;
 	for (int64_t i = 0; i < options.species.size(); i++) {
 		const Ref<PlantFieldSpecies> listed = options.species[i];
@@ -158,9 +160,8 @@ String read_ground(const Node3D *field, const PlacementOptions &options, FieldGr
 		const Object *ground = find_ground_object(field, options.ground_object);
 		return ground && ground->has_method("get_height") ? String()
 														  : "ground_object '" + String(options.ground_object) +
-						"' leads to no object that answers get_height(Vector3) -> float. Set its path, with the name "
-						"of "
-						"the node's property that does behind a colon, or another ground_mode.";
+						"' is no object with a method get_height(Vector3) -> float. Set the path of such a node, or of "
+						"a node's property after a colon, or set another ground_mode.";
 	}
 	if (into.kind != FieldGround::Kind::mesh) {
 		return String();
@@ -168,7 +169,7 @@ String read_ground(const Node3D *field, const PlacementOptions &options, FieldGr
 	const MeshInstance3D *instance = Object::cast_to<MeshInstance3D>(field->get_node_or_null(options.ground_mesh));
 	const Ref<Mesh> mesh = instance ? instance->get_mesh() : Ref<Mesh>();
 	if (mesh.is_null()) {
-		return "ground_mesh leads to no MeshInstance3D with a mesh. Set its path, or another ground_mode.";
+		return "ground_mesh is no MeshInstance3D with a mesh. Set the path of one, or another ground_mode.";
 	}
 	const Transform3D to_field = axes_of(field).affine_inverse() * instance->get_global_transform();
 	into.triangles = mesh->get_faces();

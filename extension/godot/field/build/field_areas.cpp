@@ -103,19 +103,19 @@ Polygon read_outline(const Node3D *field, const PlacementOptions &options) {
 // Describes a curve that is too short, and its remedy.
 static String find_short_fault(const FlatPath &path, double width, const String &its_width) {
 	if (width > 0.0) {
-		return path.points.size() > 1 ? String() : "has a curve of one point or none, which leads nowhere. Add points.";
+		return path.points.size() > 1 ? String() : "has a curve of fewer than two points. Add points.";
 	}
 	return path.points.size() > 2
 			? String()
-			: "has a curve of two points or fewer, which goes around nothing. Add points, or set " + its_width +
-					" to have a band along it.";
+			: "has a curve of fewer than three points, which encloses no area. Add points, or set " + its_width +
+					" for a band along the curve.";
 }
 
 String find_outline_fault(const Node3D *field, const PlacementOptions &options) {
 	const Path3D *path = find_path(field, options.outline);
 	if (!path) {
 		return "outline '" + String(options.outline) +
-				"' leads to no Path3D with a curve. Set a path to one, or none for a rectangle of Size.";
+				"' is no Path3D with a curve. Set the path of one, or an empty path for a rectangle of Size.";
 	}
 	const String fault = find_short_fault(flatten(path, field), options.outline_width, "outline_width");
 	return fault.is_empty() ? fault : "outline '" + String(options.outline) + "' " + fault;
@@ -134,7 +134,7 @@ String read_exclusion(const Node3D *field, const PlacementOptions &options, int 
 	const PlantField3D *other = Object::cast_to<PlantField3D>(field->get_node_or_null(path));
 	if (!other || other == field) {
 		return name + String("'") + String(path) +
-				"' leads to no Path3D with a curve, and to no other PlantField3D. Set a path to one.";
+				"' is neither a Path3D with a curve nor another PlantField3D. Set the path of one.";
 	}
 	const Transform3D to_field = axes_of(field).affine_inverse() * axes_of(other);
 	into = other->outline_polygon();

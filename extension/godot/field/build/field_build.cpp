@@ -24,8 +24,8 @@ String FieldResult::describe_fault() const {
 		return undergrowth::describe(fault);
 	}
 	if (motion->is_too_large()) {
-		return "needs more texture layers than graphics cards have. Set a lower density, fewer species where there are "
-			   "prototypes, or divide it among several fields.";
+		return "needs more texture layers than graphics cards support. Reduce the density, use fewer species with "
+			   "prototypes, or use several fields.";
 	}
 	return String();
 }

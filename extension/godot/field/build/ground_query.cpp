@@ -1,10 +1,10 @@
 #include "field/build/ground_query.hpp"
 
 #include "base/convert.hpp"
-#include "field/build/build_input.hpp"
-#include "field/build/field_ground.hpp"
 #include "base/messages.hpp"
 #include "base/new_object.hpp"
+#include "field/build/build_input.hpp"
+#include "field/build/field_ground.hpp"
 
 #include <godot_cpp/classes/collision_object3d.hpp>
 #include <godot_cpp/classes/physics_direct_space_state3d.hpp>
@@ -104,12 +104,13 @@ public:
 	int max_places() const override { return PLACES_AT_ONCE; }
 	bool is_of_physics() const override { return true; }
 	String fault() const override {
-		return "there is no 3D physics to cast rays at, so nothing is planted. Choose a 3D physics engine in the "
+		return "ground_mode GROUND_COLLIDERS needs 3D physics, which is disabled. Select a 3D physics engine in the "
 			   "project settings, or another ground_mode.";
 	}
 	String advice() const override {
-		return "no collider is below or above it, so nothing grows. Check that ground_collision_mask has a layer of "
-			   "the ground, that the ground is within 1000 m, and call fill() once it is there where it comes later.";
+		return "no collider is below or above the field, so nothing grows. Check that ground_collision_mask has a "
+			   "layer of the ground, and that the ground is within 1000 m. If the ground appears later, call rebuild() "
+			   "then.";
 	}
 
 private:
@@ -169,8 +170,8 @@ public:
 	bool is_of_physics() const override { return false; }
 	String fault() const override { return problem; }
 	String advice() const override {
-		return "its ground_object tells of no ground at any of its places, so nothing grows. Check that the field lies "
-			   "on it, and call fill() once it is there where it comes later.";
+		return "its ground_object returned no ground at any position, so nothing grows. Check that the field lies on "
+			   "the ground. If the ground appears later, call rebuild() then.";
 	}
 
 private:
@@ -182,8 +183,7 @@ private:
 	Object *find_object() {
 		Object *ground = ObjectDB::get_instance(object);
 		if (!ground) {
-			problem = "its ground_object was freed while its heights were read. Set another one, or another "
-					  "ground_mode.";
+			problem = "its ground_object was freed during a build. Set another one, or another ground_mode.";
 		}
 		return ground;
 	}
@@ -216,8 +216,8 @@ private:
 				answer.get_type() == Variant::PACKED_FLOAT32_ARRAY ? PackedFloat32Array(answer) : PackedFloat32Array();
 		if (found.size() != places.size()) {
 			problem = "get_heights() of " + describe(ground) +
-					" does not return a PackedFloat32Array with one height for each place. Return metres of the world, "
-					"with NAN where there is no ground, in the order of the places.";
+					" did not return a PackedFloat32Array with one height per position. Return world heights in "
+					"metres, in the order of the positions, with NAN where there is no ground.";
 			return false;
 		}
 		for (int64_t i = 0; i < found.size(); i++) {
@@ -235,8 +235,7 @@ private:
 			const Variant height = ground->call("get_height", places[i]);
 			if (height.get_type() != Variant::FLOAT && height.get_type() != Variant::INT) {
 				problem = "get_height() of " + describe(ground) +
-						" answers with no float, so it is no ground. Return metres of the world, or NAN where there is "
-						"no ground.";
+						" did not return a float. Return a world height in metres, or NAN where there is no ground.";
 				return false;
 			}
 			heights[i] = height_in_field(places[i], float(double(height)));
@@ -257,8 +256,7 @@ private:
 			}
 			const Variant normal = ground->call("get_normal", world[i]);
 			if (normal.get_type() != Variant::VECTOR3) {
-				problem = "get_normal() of " + describe(ground) +
-						" answers with no Vector3, so it is no ground. Return a unit normal.";
+				problem = "get_normal() of " + describe(ground) + " did not return a Vector3. Return a unit normal.";
 				return false;
 			}
 			const Vector3 up = normal;

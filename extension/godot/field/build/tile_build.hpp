@@ -27,9 +27,13 @@ struct TileBuildInput {
 	std::shared_ptr<const FieldRenderSetup> setup; ///< For the plans.
 };
 
-/// A build of one tile on one of the engine's worker threads. In a tile without plants, its chunks are added one by
-/// one, and a thread then plans how they are drawn. In a tile with plants, a thread plans first, and all chunks are
-/// added at once.
+/// The build of one tile. Owns its input and its result: chunks, prepared motion, and plans of multimeshes. Worker
+/// threads do the work; the main thread calls all methods.
+///
+/// 1. start() places plants. If needs_ground(), resume() continues with the heights.
+/// 2. A new tile, when is_placed(): take_chunk() and set_texels() for each chunk, then draw().
+///    A tile that replaces another one: reserve(), then draw().
+/// 3. When is_drawn(): next_plan() returns the plans. A replaced tile is exchanged with take_all() in one frame.
 class TileBuild {
 public:
 	static constexpr int MAX_WORKING = 4; ///< Jobs of an owner on worker threads at the same time.
@@ -60,8 +64,8 @@ public:
 	PlantChunk take_chunk(std::unique_ptr<PreparedChunk> &prepared);
 	/// Sets the texels of the chunk that was taken last.
 	void set_texels(const PoseTexels &texels) { places.push_back(texels); }
-	/// Instead of these: reserves texels for all chunks before draw(), and then takes all chunks at once.
-	/// release_texels() releases the texels.
+	/// Alternative to take_chunk() and set_texels(): reserve() takes texels for all chunks before draw(), take_all()
+	/// moves all chunks into one edit, and release_texels() returns the texels if that does not happen.
 	void reserve(FieldMotion &motion);
 	void release_texels(FieldMotion &motion);
 	void take_all(StoreEdit &edit, ArrivingChunks &arriving);

@@ -10,7 +10,6 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr Bend HIDDEN = 0x7bffu; // s.x is the largest half, 65,504: no bend has it.
-static constexpr uint64_t ALL_ROWS = ~uint64_t(0);
 static constexpr int PAIRS_PER_LAYER = PoseTexture::PAIRS_PER_LAYER;
 
 static_assert(MotionPage::PAGE_PLANTS == PAIRS_PER_LAYER, "a page fits into a layer");
@@ -39,10 +38,16 @@ int PoseTexture::add_layer(bool is_shared) {
 }
 
 // Returns the first position with `count` adjacent free rows. It searches the last layers first, because these have
-// more room.
+// more room. Spare layers come after them.
 PoseTexture::Rows PoseTexture::find_rows(int count) {
+	static constexpr int SEARCHED = 16; // More would cost more than they save.
 	const uint64_t wanted = count >= SIDE ? ALL_ROWS : (uint64_t(1) << count) - 1;
-	for (int layer = int(layers.size()) - 1; layer >= 0; layer--) {
+	const int spare = int(layers.size()) - count_spare_layers();
+	for (int i = 0; i <= SEARCHED; i++) {
+		const int layer = i < SEARCHED ? spare - 1 - i : spare;
+		if (layer < 0 || layer >= int(layers.size())) {
+			continue;
+		}
 		uint64_t begins = free_rows[size_t(layer)]; // Bits of rows at which `seen` free rows begin.
 		for (int seen = 1; seen < count && begins != 0;) {
 			const int more = std::min(seen, count - seen);

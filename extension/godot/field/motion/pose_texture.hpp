@@ -111,6 +111,7 @@ private:
 	static constexpr int SPARE_LAYERS = 2; ///< Reserve for added plants, so that they seldom need another texture.
 	static constexpr size_t BEAT_FLOATS = 4; ///< Per row: 1 / rate_time(), layers of rests, second modes and heights.
 	static constexpr size_t TEXEL_BYTES = 2 * sizeof(Bend);
+	static constexpr uint64_t ALL_ROWS = ~uint64_t(0); ///< Of a layer.
 	using Rows = TexelRows;
 	struct Page {
 		Rows rows;
@@ -147,6 +148,10 @@ private:
 
 	int add_layer(bool is_shared);
 	int find_layer();
+	/// Number of layers at the end without plants.
+	int count_spare_layers() const;
+	/// Returns the first of `count` consecutive layers for a history.
+	int take_layers(int count);
 	Rows find_rows(int count);
 	void take_as_new(Page &page, const Rows &rows);
 	bool has_rows(int page) const { return size_t(page) < pages.size() && pages[size_t(page)].rows.layer >= 0; }

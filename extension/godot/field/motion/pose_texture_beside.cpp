@@ -15,12 +15,12 @@ PoseTexture::Beside PoseTexture::beside(int layer) const {
 
 // Prefers a free layer, which needs no larger texture.
 int PoseTexture::find_layer() {
-	const auto free = std::find(free_rows.rbegin(), free_rows.rend(), ~uint64_t(0));
-	if (free == free_rows.rend()) {
+	const auto free = std::find(free_rows.begin(), free_rows.end(), ALL_ROWS);
+	if (free == free_rows.end()) {
 		return add_layer(false);
 	}
 	*free = 0;
-	return int(free_rows.rend() - free) - 1;
+	return int(free - free_rows.begin());
 }
 
 int PoseTexture::add_beside(int layer, int Beside::*which) {

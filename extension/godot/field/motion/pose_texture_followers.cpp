@@ -2,6 +2,7 @@
 
 #include "field/motion/pose_texture.hpp"
 
+#include <algorithm>
 #include <array>
 #include <tuple>
 
@@ -25,12 +26,26 @@ void PoseTexture::give_history(const FieldSimulation &simulation) {
 			if (first >= 0) {
 				continue;
 			}
-			first = int(layers.size());
-			for (int i = 0; i < SPECIES_LAYERS; i++) {
-				add_layer(false);
-			}
+			first = take_layers(SPECIES_LAYERS);
 		}
 	}
+}
+
+int PoseTexture::count_spare_layers() const {
+	const auto is_used = [](uint64_t rows) { return rows != ALL_ROWS; };
+	return int(std::find_if(free_rows.rbegin(), free_rows.rend(), is_used) - free_rows.rbegin());
+}
+
+// Takes spare layers first, so that the textures need not grow for each species.
+int PoseTexture::take_layers(int count) {
+	const int first = int(layers.size()) - count_spare_layers();
+	for (int layer = first; layer < first + count; layer++) {
+		if (layer == int(layers.size())) {
+			add_layer(false);
+		}
+		free_rows[size_t(layer)] = 0;
+	}
+	return first;
 }
 
 int PoseTexture::history_layer(int species, int mode) const {
@@ -73,7 +88,8 @@ void PoseTexture::write_models(const Prototypes &models, int mode, int first, bo
 
 bool PoseTexture::has_room_for_species() const {
 	static constexpr size_t MAX_MODES = std::tuple_size_v<History>;
-	return !follows_prototypes || layers.size() + MAX_MODES * SPECIES_LAYERS + SPARE_LAYERS <= size_t(MAX_LAYERS);
+	const size_t used = layers.size() - size_t(count_spare_layers());
+	return !follows_prototypes || used + MAX_MODES * SPECIES_LAYERS + SPARE_LAYERS <= size_t(MAX_LAYERS);
 }
 
 void PoseTexture::write_history(const FieldSimulation &simulation, bool all) {

@@ -9,9 +9,9 @@ namespace undergrowth {
 
 class FieldSteps;
 
-/// Steps of small fields that one group task of the engine's worker threads runs. So all small fields of a frame wake
-/// the threads once. A step that is needed before a thread has taken it runs on the main thread. Main thread, except
-/// the steps.
+/// Runs the steps of all small fields of a frame in one group task, so that they wake the worker threads once. Owns a
+/// slot for each step. A step that is needed before a thread has taken it runs on the main thread. The functions are
+/// for the main thread; the steps run on any thread.
 class StepBatch {
 public:
 	/// A step in a batch. Empty: none.
@@ -32,7 +32,7 @@ public:
 
 private:
 	enum State : int { WAITING, TAKEN, DONE };
-	/// The batch owns it, so that a thread may look at a step that is done while its field is freed.
+	/// One step. The batch owns it, so a thread may read `state` after the step's field was freed.
 	struct Slot {
 		std::atomic<int> state{ WAITING };
 		FieldSteps *steps = nullptr; ///< Valid for the thread that took it.

@@ -20,9 +20,9 @@ Ref<PlantFunction> default_species(const Object *field) {
 	}
 	if (grass.is_null()) {
 		report_warning(field,
-				String("its species are empty, and ") + GRASS_PATH +
-						" is missing, so single blades grow (GrassFunction). Set species, or add that file of the "
-						"add-on; an export takes it along where it exports all resources.");
+				String("the field has no species, and the default file ") + GRASS_PATH +
+						" is missing, so GrassFunction grows. Set species, or restore that file; to export it, export "
+						"all resources of the project.");
 		grass = Ref<PlantFunction>(new_counted<GrassFunction>());
 	}
 	return grass;

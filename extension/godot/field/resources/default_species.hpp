@@ -4,9 +4,9 @@
 
 namespace undergrowth {
 
-/// Returns the grass of a field without listed species. Call it in a build and not earlier: a resource can be loaded
-/// only when its classes are registered. If the add-on's file is missing, it warns with `field` and returns a
-/// GrassFunction.
+/// Returns the species of a field with an empty list: the add-on's meadow grass. If its file is missing, returns a
+/// GrassFunction and prints a warning that names `field`. Main thread. Call it during a build and not earlier, because
+/// the file can only be loaded when all classes are registered.
 godot::Ref<PlantFunction> default_species(const godot::Object *field);
 
 } // namespace undergrowth

@@ -42,11 +42,10 @@ String describe_empty_entry(const Node *field, int number, const Ref<PlantFieldS
 	const PackedStringArray missing = missing_files_of(file);
 	const String which = "species[" + String::num_int64(number) + "]";
 	if (!missing.is_empty()) {
-		return which + " is empty, and does not grow: '" + String("', '").join(missing) + "', which '" + file +
-				"' uses, is missing. Put it back, set another species there, or remove the entry.";
+		return which + " is empty and grows no plants: '" + String("', '").join(missing) + "', which '" + file +
+				"' uses, is missing. Restore the file, set another species, or remove the entry.";
 	}
-	return which +
-			" is empty, and does not grow. Set a PlantFieldSpecies with a PlantFunction there, or remove the entry.";
+	return which + " is empty and grows no plants. Set a PlantFieldSpecies with a PlantFunction, or remove the entry.";
 }
 
 } // namespace undergrowth

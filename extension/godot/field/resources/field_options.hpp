@@ -27,6 +27,7 @@ struct PlacementOptions {
 	int64_t place_seed = 0; // The seed in use, chosen when the field is built. Not set by users.
 	double clumping = 0.0;
 	double clump_size = 3.0; // m.
+	double combed = 0.6;
 	int ground_mode = 0;
 	int ground_choice = 0;
 	int64_t ground_collision_mask = 1;

@@ -34,7 +34,7 @@ void PlantMap::changed_in(const CellRange &cells) {
 bool PlantMap::may_change() {
 	if (!fault.is_empty() && !has_reported) {
 		has_reported = true;
-		report_error(this, "cannot be changed: " + fault + " What is in it stays as it is.");
+		report_error(this, "cannot be changed: " + fault + " Its contents stay unchanged.");
 	}
 	return fault.is_empty();
 }
@@ -58,8 +58,8 @@ int PlantMap::need_layer(const char *method, const String &species) {
 	if (layer < 0) {
 		report_error(this,
 				String(method) +
-						"() needs the name of a species (PlantFieldSpecies.get_layer_name()) of up to 255 bytes; a map "
-						"has up to 256 of them.");
+						"() needs the name of a species (PlantFieldSpecies.get_layer_name()) with up to 255 bytes; a "
+						"map has up to 256 of them.");
 	}
 	return layer;
 }
@@ -221,7 +221,7 @@ void PlantMap::set_cell_size(double metres) {
 		return;
 	}
 	if (map.block_count() > 0 || !fault.is_empty()) {
-		report_error(this, "keeps its cell_size, as something is painted on it. Use a new map.");
+		report_error(this, "cannot change its cell_size, because it is painted. Use a new map.");
 		return;
 	}
 	map = DensityMap(float(metres));

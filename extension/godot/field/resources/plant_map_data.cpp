@@ -112,8 +112,7 @@ void PlantMap::warn_if_unread(const String &species) {
 		reported_layers.push_back(species);
 		report_warning(this,
 				"'" + species +
-						"' is no species of the fields that grow by it, so what is painted of it is not seen. Use one "
-						"of '" +
+						"' is no species of the fields with this map, so its paint has no effect. Use one of '" +
 						String("', '").join(read) + "', or set the Layer of an entry of a field's species.");
 	}
 }

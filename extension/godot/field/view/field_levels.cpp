@@ -26,14 +26,14 @@ String find_level_fault(const ViewOptions &options) {
 		const Ref<PlantFieldLevel> level = options.levels[i];
 		const String name = "levels[" + String::num_int64(i) + "]";
 		if (level.is_null()) {
-			return name + String(" is empty. Set a PlantFieldLevel there, or remove the entry.");
+			return name + String(" is empty. Set a PlantFieldLevel, or remove the entry.");
 		}
 		const float end = float(level->get_end());
 		const bool has_end = end > 0.0f || i + 1 < options.levels.size();
 		if (has_end && end <= before) {
 			return name + String(" ends at ") + String::num(end) +
-					" m, not beyond the one before it. Let each level end farther away than the one before; the last "
-					"alone may end at 0, which is never.";
+					" m, which is not beyond the previous level. Set a larger end. Only the last level may end at 0, "
+					"which means never.";
 		}
 		before = end;
 	}

@@ -122,6 +122,7 @@ void FieldMaterials::bind_style(const SpeciesStyle &style, const FieldMotion &mo
 		set_parameter(material, "undergrowth_beats", motion.beat_texture());
 		set_parameter(material, "undergrowth_has_heights", motion.has_heights());
 		set_parameter(material, "undergrowth_axes", axes_of(node).basis.inverse());
+		set_parameter(material, "undergrowth_origin", axes_of(node).origin);
 	}
 	send_stem(style);
 }
@@ -156,9 +157,11 @@ void FieldMaterials::send_stems(const FieldRenderSetup &setup) {
 
 void FieldMaterials::send_axes(const FieldRenderSetup &setup) const {
 	const Basis to_field = axes_of(node).basis.inverse();
+	const Vector3 origin = axes_of(node).origin;
 	for (const SpeciesStyle &style : setup.styles) {
 		for (const Ref<ShaderMaterial> &material : style.materials) {
 			set_parameter(material, "undergrowth_axes", to_field);
+			set_parameter(material, "undergrowth_origin", origin);
 		}
 	}
 }
@@ -226,6 +229,8 @@ void FieldMaterials::send_swing_clock(
 
 void FieldMaterials::send_leans(const FieldRenderSetup &setup, const FieldMotion &motion) {
 	static constexpr float VISIBLE = 0.004f; // A brightness of less than 1 %.
+	static const StringName &mean_lean = *new StringName("undergrowth_mean_lean");
+	RenderingServer *server = RenderingServer::get_singleton();
 	sent_leans.resize(setup.styles.size(), -1.0f);
 	for (size_t i = 0; i < setup.styles.size(); i++) {
 		const float lean = motion.mean_lean(int(i));
@@ -234,7 +239,7 @@ void FieldMaterials::send_leans(const FieldRenderSetup &setup, const FieldMotion
 		}
 		sent_leans[i] = lean;
 		for (const Ref<ShaderMaterial> &material : setup.styles[i].materials) {
-			material->set_shader_parameter("undergrowth_mean_lean", lean);
+			server->material_set_param(material->get_rid(), mean_lean, lean);
 		}
 	}
 }

@@ -24,7 +24,7 @@ public:
 	void bind_last(FieldRenderSetup &setup, const FieldMotion &motion);
 	/// Moves all materials to `old`; instances can use them while `old` exists.
 	void release(FieldRenderSetup &setup, std::vector<std::vector<godot::Ref<godot::ShaderMaterial>>> &old);
-	/// Sets the orientation of the field's axes in the world.
+	/// Sets the field's axes in the world.
 	void send_axes(const FieldRenderSetup &setup) const;
 	/// Copies the users' changes to the materials of one species per call, in turns.
 	void follow(const FieldRenderSetup &setup);

@@ -11,32 +11,33 @@
 
 namespace undergrowth {
 
-/// Plants of a field that are shown as nodes: a Skeleton3D with a skinned mesh, as in a Plant3D. They are children of
-/// an internal node of the field, so that they are never saved, and are reused for other plants. Scripts may free any
-/// of them at any time.
+/// Owns the Skeleton3D nodes that show single plants of a field, each with a skinned mesh as in a Plant3D. The nodes
+/// are children of an internal node of the field, so the scene does not save them. Unused nodes are hidden and reused.
+/// Scripts may free any node at any time, so nodes are stored by instance id. Main thread.
 class FieldSkeletons {
 public:
-	/// Removes the internal node that a duplicated field, or one of a reloaded library, has among its children.
+	/// Frees the internal node of an earlier owner, which a duplicated field or a reloaded library leaves among the
+	/// field's children.
 	void remove_strays(godot::Node3D *field) const;
 
-	/// Returns a skeleton at `place` (field axes) that shows `mesh`, with the bones of its `parts`, if any. All bones
-	/// are at rest.
+	/// Returns an unused or new skeleton with `mesh` at `place` (field axes, m). All bones are at rest. `parts`: the
+	/// bones of a plant of parts or of a stem; null: root and tip only.
 	godot::Skeleton3D *take(godot::Node3D *field, const godot::Transform3D &place,
 			const godot::Ref<godot::ArrayMesh> &mesh, const PartSkeleton *parts, const InstanceRenderFlags &flags);
 	static void apply_flags(godot::Skeleton3D *skeleton, const InstanceRenderFlags &flags);
-	/// Hides a skeleton for later use. Frees it if scripts have added children to it, together with them.
+	/// Hides a skeleton for later use. If scripts added children to it, frees the skeleton with them instead.
 	void give_back(godot::Skeleton3D *skeleton);
 	/// Frees all unused skeletons.
 	void clear();
 
 	/// Returns the node of an instance id; null if a script has freed it.
 	static godot::Skeleton3D *node(uint64_t skeleton);
-	/// Turns the tip's bone so that it bends the mesh like the shader of fields.
+	/// Rotates the tip's bone by `turn`, so that the mesh bends as in the shader of fields.
 	static void pose(godot::Skeleton3D *skeleton, const godot::Quaternion &turn);
 
 private:
-	uint64_t holder = 0; ///< Instance id.
-	std::vector<uint64_t> idle;
+	uint64_t holder = 0; ///< Instance id of the internal node; 0: none.
+	std::vector<uint64_t> idle; ///< Instance ids of unused skeletons.
 
 	godot::Node *find_holder(godot::Node3D *field);
 	godot::Skeleton3D *make(godot::Node3D *field);

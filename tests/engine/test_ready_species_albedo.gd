@@ -1,0 +1,120 @@
+## Colours of the ready species without light, over distance and in the gamut.
+extends "res://tests/engine/picture_harness.gd"
+
+const FOLDER := "res://addons/undergrowth/species/"
+const PLANTS := 6
+## Height of the view (m) at every distance, as if the camera zoomed.
+const VIEW := 1.6
+const DISTANCES: PackedFloat32Array = [2.0, 8.0, 25.0]
+## Degrees by which the hue of the mean colour may differ from that at the first distance.
+const MAX_HUE_CHANGE := 5.0
+## The same at the last distance for species whose coarsest form has other shares of its colours.
+const MAX_FAR_HUE_CHANGES: Dictionary[String, float] = {
+	"buttercup": 10.0,
+	"cornflower": 17.0,
+	"garden_tulip": 10.0,
+	"ivy_carpet": 7.0,
+	"lavender": 9.5,
+	"moss_cushion": 8.0,
+	"oxeye_daisy": 13.5,
+	"poppy": 9.0,
+	"red_clover": 8.0,
+	"yarrow": 8.5,
+}
+## Limits of undergrowth_in_gamut(): maximum channel, and minimum channel relative to it, linear.
+const MAX_CHANNEL := 0.85
+const MIN_SHARE := 0.03
+const ROUNDING := 0.01
+
+var field: PlantField3D
+
+
+func before_each() -> void:
+	make_stage()
+	stage.debug_draw = Viewport.DEBUG_DRAW_UNSHADED
+
+
+func after_each() -> void:
+	stage.free()
+
+
+func test_colours_keep_their_hue_over_distance() -> void:
+	for file in _species():
+		await _plant(file)
+		var hues := PackedFloat32Array()
+		for away in DISTANCES:
+			hues.append(_mean_of(await _seen_from(away)).linear_to_srgb().h * 360.0)
+		for i in range(1, hues.size()):
+			var change := absf(angle_difference(deg_to_rad(hues[0]), deg_to_rad(hues[i])))
+			var is_last := i == hues.size() - 1
+			var limit: float = (
+				MAX_FAR_HUE_CHANGES.get(file, MAX_HUE_CHANGE) if is_last else MAX_HUE_CHANGE
+			)
+			check(
+				rad_to_deg(change) <= limit,
+				"%s at %d m: hue %.1f, %.1f near" % [file, DISTANCES[i], hues[i], hues[0]]
+			)
+		field.free()
+
+
+func test_no_channel_of_a_species_is_clipped() -> void:
+	for file in _species():
+		await _plant(file)
+		var shown := await _seen_from(DISTANCES[0])
+		var plants := 0
+		var wrong := 0
+		for y in PICTURE_SIZE.y:
+			for x in PICTURE_SIZE.x:
+				var color := shown.get_pixel(x, y).srgb_to_linear()
+				var maximum := maxf(color.r, maxf(color.g, color.b))
+				var minimum := minf(color.r, minf(color.g, color.b))
+				plants += 1 if maximum > 0.0 else 0
+				var is_clipped := minimum < MIN_SHARE * maximum - ROUNDING
+				wrong += 1 if maximum > MAX_CHANNEL + ROUNDING or is_clipped else 0
+		check(plants > MIN_PLANT, "%s is seen in %d pixels" % [file, plants])
+		check_equal(wrong, 0, "clipped pixels of " + file)
+		field.free()
+
+
+func _species() -> PackedStringArray:
+	var files := PackedStringArray()
+	for file in ResourceLoader.list_directory(FOLDER):
+		if file.ends_with(".tres"):
+			files.append(file.get_basename())
+	check(files.size() >= 27, "%d species" % files.size())
+	return files
+
+
+## Makes a field of some plants of a species, without differences between clumps and plants.
+func _plant(file: String) -> void:
+	field = await make_added_field(null)
+	var species: PlantFunction = load(FOLDER + file + ".tres").duplicate()
+	var look := ShaderMaterial.new()
+	look.shader = load("res://addons/undergrowth/shaders/plant_parts.gdshader")
+	for name in ["patchiness", "clumpiness"]:
+		look.set_shader_parameter(name, 0.0)
+	species.material = look
+	var places: Array[Transform3D] = []
+	for i in PLANTS:
+		var at := Vector3(0.2 * (i - 0.5 * PLANTS), 0, 0)
+		places.append(Transform3D(Basis(Vector3.UP, 2.4 * i), at))
+	field.add_plants(places, species)
+
+
+## Returns the picture from this distance (m). Plants have the same size on it.
+func _seen_from(away: float) -> Image:
+	var camera := stage.get_camera_3d()
+	camera.fov = rad_to_deg(2.0 * atan(0.5 * VIEW / away))
+	camera.look_at_from_position(Vector3(0, 0.5 + 0.3 * away, away), Vector3(0, 0.5, 0))
+	return await picture()
+
+
+## Returns the mean linear colour of the plants.
+func _mean_of(shown: Image) -> Color:
+	var sum := Vector3.ZERO
+	for y in PICTURE_SIZE.y:
+		for x in PICTURE_SIZE.x:
+			var color := shown.get_pixel(x, y).srgb_to_linear()
+			sum += Vector3(color.r, color.g, color.b)
+	var largest := maxf(sum.x, maxf(sum.y, sum.z))
+	return Color(sum.x / largest, sum.y / largest, sum.z / largest)
